@@ -1,0 +1,84 @@
+//! [`AimRig`]: what a rig's derived code offers the solvers, and what it offers its users.
+
+use glam::{Quat, Vec3};
+
+use crate::{ChainPose, Joint, JointInfo, Outcome, Scalar, Settings};
+
+/// Which way a bone points: three unit vectors in the bone's own space, square to each other.
+///
+/// `up × forward` is `left` for a right-handed triple and `-left` for a left-handed (or mirrored) one; nothing in the
+/// runtime depends on which.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Axes {
+    /// The bone-space direction that points up in the character.
+    pub up: [f32; 3],
+    /// The bone-space direction that the character faces.
+    pub forward: [f32; 3],
+    /// The bone-space direction of the character's left.
+    pub left: [f32; 3],
+}
+
+/// What is aimed: a point and a unit direction fixed to joint 0, in joint 0's bone space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effector {
+    /// The unit direction that is turned to the target.
+    pub forward: [f32; 3],
+    /// The point the direction starts from, in the units of the bone.
+    pub origin: [f32; 3],
+}
+
+/// A rig: its joints from the effector inward, their state, and the kernels derived for it.
+///
+/// `#[derive(AimRig)]` implements the first part; the second part, from [`aim`](Self::aim) on, is what users call.
+///
+/// The kernels' links and targets are those of the generated C functions: a link is a rigid transform of twelve
+/// numbers, the three rows of the rotation in the row-vector layout of the paper (`p' = p · M`), then the translation.
+/// Its rotation part only has to be orthogonal: a mirror may stay in it.
+pub trait AimRig {
+    /// One value a joint: `[T; N]` for a derived rig, `Vec<T>` for one known only at run time.
+    type Array<T: Copy>: AsRef<[T]> + AsMut<[T]>;
+
+    /// `value` for every joint.
+    fn array<T: Copy>(&self, value: T) -> Self::Array<T>;
+    /// What was declared of each joint, from the effector inward.
+    fn joint_infos(&self) -> &[JointInfo];
+    /// What is aimed.
+    fn effector(&self) -> Effector;
+    /// The joints' states, from the effector inward.
+    fn joints(&self) -> Self::Array<Joint>;
+    /// Replaces the joints' states.
+    fn set_joints(&mut self, joints: Self::Array<Joint>);
+
+    /// Joint `joint`'s aim, ∂aim/∂pitch, ∂aim/∂heading, everything nearer the effector held still.
+    ///
+    /// `effector_to_joint` leads from effector space (joint 0's axes, origin at the effector) to the joint's space
+    /// before its added rotation; `target` is in that joint's space; `sin_cos` is sin p, cos p, sin h, cos h. All zero
+    /// where the target is on the effector, or where there is no such joint; finite for finite input.
+    fn aim_gradient<S: Scalar>(
+        &self,
+        joint: usize,
+        effector_to_joint: &[S; 12],
+        target: &[S; 3],
+        sin_cos: &[S; 4],
+    ) -> [S; 3];
+
+    /// The whole chain's aim, then its derivatives by the declared angles (pitch before heading, joint by joint).
+    ///
+    /// `links[0]` leads from effector space to joint 0, `links[i]` from joint i−1 to joint i; `target` is in the last
+    /// joint's space. `out` holds 1 + the number of declared angles; slices of other lengths give zeros.
+    fn chain_value_gradient<S: Scalar>(&self, links: &[[S; 12]], target: &[S; 3], sin_cos: &[[S; 4]], out: &mut [S]);
+
+    /// The stereographic residual of the chain (left, up), then its Jacobian: the derivatives of the first by the
+    /// declared angles, then those of the second.
+    ///
+    /// The residual is `2 lateral / (distance + forward)` of the target as seen from the effector, that is
+    /// 2·tan(angle/2) in its direction. Zero where that is singular (target on the effector or exactly behind), so
+    /// judge success by the angle, never by this. `out` holds 2 + 2 × the number of declared angles.
+    fn chain_residual_jacobian<S: Scalar>(&self, links: &[[S; 12]], target: &[S; 3], sin_cos: &[[S; 4]], out: &mut [S]);
+
+    /// Turns the rig towards `target` for one frame of `dt` seconds, with the default [`Settings`].
+    fn aim<P: ChainPose<Self::Array<glam::Affine3A>>>(&mut self, pose: &P, target: Vec3, dt: f32) -> Outcome {
+        self.aim_with(pose, target, dt, &Settings::default())
+    }
+}
+
