@@ -1,1 +1,3 @@
-//! Under construction.
+//! From what the user declared to the code that aims it.
+mod spec;
+pub use spec::{AngleRange, EffectorSpec, Frame, JointSpec, RigSpec};
