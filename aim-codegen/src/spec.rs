@@ -80,3 +80,28 @@ impl RigSpec {
         self.joints.iter().map(JointSpec::angles).sum()
     }
 }
+
+impl Frame {
+    /// All 48 conventions: every choice of signed axes for up, forward and left, of either handedness.
+    pub fn cardinal() -> impl Iterator<Item = Self> {
+        let unit = |axis: usize, negative: bool| {
+            let length = if negative { -1.0 } else { 1.0 };
+            core::array::from_fn(|k| if k == axis { length } else { 0.0 })
+        };
+        let orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+        orders.into_iter().flat_map(move |[up, forward, left]| {
+            (0..8).map(move |signs| Self {
+                up: unit(up, signs & 1 != 0),
+                forward: unit(forward, signs & 2 != 0),
+                left: unit(left, signs & 4 != 0),
+            })
+        })
+    }
+
+    /// +1 where up × forward is left, −1 where it is −left.
+    pub fn handedness(&self) -> f64 {
+        let [u, f, l] = [self.up, self.forward, self.left];
+        let cross = [u[1] * f[2] - u[2] * f[1], u[2] * f[0] - u[0] * f[2], u[0] * f[1] - u[1] * f[0]];
+        (cross[0] * l[0] + cross[1] * l[1] + cross[2] * l[2]).signum()
+    }
+}

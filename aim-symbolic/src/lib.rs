@@ -1,1 +1,48 @@
-//! Under construction.
+//! A small symbolic derivative compiler for rigid kinematics.
+//!
+//! Scalars, vectors, rotations and rigid transforms are *types* of one hash-consed [`Graph`], so that the rewriting
+//! knows what no scalar algebra system knows: `R Rᵀ = 1`. The passes, in order:
+//!
+//! 1. An objective is stated with the constructors of [`Graph`], as its author would write it down.
+//! 2. [`rewrite`](Graph::rewrite) moves rotations to where they cancel or cost least ([`rules`]).
+//! 3. [`gradient`](Graph::gradient) sweeps backwards over whole vectors: linear in the length of a chain.
+//! 4. [`Program::derive`] lowers to components, folds, shares and orders them: a straight-line [`Program`].
+//! 5. The program is run ([`Program::run`]), counted ([`Program::count`]) or printed ([`print`]).
+//!
+//! ```
+//! use aim_symbolic::{Graph, Plane, Program};
+//!
+//! let mut g = Graph::new();
+//! let (v, w) = (g.vector_input("v"), g.vector_input("w"));
+//! let angle = g.angle("a");
+//! let turn = g.turn(Plane::XY, angle);
+//! let turned = g.rotate(turn, v);
+//! let objective = g.dot(turned, w);
+//! let program = Program::derive(&mut g, &[objective], &[angle]);
+//! let mut out = [0.0; 2];
+//! // The inputs in order of their declaration: v, w, then the sine and cosine of the angle.
+//! program.run(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0], &mut out);
+//! assert_eq!(out, [0.0, 1.0]);
+//! ```
+
+mod count;
+mod evaluate;
+mod fold;
+mod gradient;
+mod graph;
+mod interpret;
+mod lower;
+pub mod print;
+mod program;
+pub mod rules;
+mod scaling;
+mod tidy;
+
+pub use count::Count;
+pub use evaluate::Bindings;
+pub use gradient::Settle;
+pub use graph::{
+    Angle, Constant, Graph, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector, VectorNode,
+};
+pub use interpret::Number;
+pub use program::{Op, Program, Value, Want};

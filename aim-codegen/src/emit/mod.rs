@@ -1,0 +1,18 @@
+//! Back ends, one file each. A checked rig always has code: nothing here can fail.
+
+pub mod c;
+pub mod latex;
+pub mod maxima;
+pub mod rust;
+mod source;
+
+use crate::{RigPrograms, RigSpec};
+
+/// A rig with its derived programs: what every back end emits from.
+#[derive(Clone, Debug)]
+pub struct Rig<'a> {
+    /// What was declared.
+    pub spec: &'a RigSpec,
+    /// What was derived from it.
+    pub programs: &'a RigPrograms,
+}

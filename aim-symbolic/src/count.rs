@@ -1,0 +1,67 @@
+//! Operation counts, sines and cosines given.
+
+use std::fmt;
+use std::ops::AddAssign;
+
+use crate::{Op, Program};
+
+/// How many operations of each kind a program performs. Negations are free.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Count {
+    /// Additions and subtractions.
+    pub add: usize,
+    /// Multiplications.
+    pub mul: usize,
+    /// Divisions.
+    pub div: usize,
+    /// Square roots.
+    pub sqrt: usize,
+    /// Comparisons and selects; not in the total.
+    pub select: usize,
+}
+
+impl Count {
+    /// Powers: programs have no such operation.
+    pub const POW: usize = 0;
+
+    /// All operations but comparisons and selects.
+    pub fn total(&self) -> usize {
+        self.add + self.mul + self.div + self.sqrt + Self::POW
+    }
+}
+
+impl AddAssign for Count {
+    fn add_assign(&mut self, other: Self) {
+        self.add += other.add;
+        self.mul += other.mul;
+        self.div += other.div;
+        self.sqrt += other.sqrt;
+        self.select += other.select;
+    }
+}
+
+impl fmt::Display for Count {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { add, mul, div, sqrt, select } = self;
+        write!(f, "{} operations: {add} add, {mul} mul, {div} div, {sqrt} sqrt; {select} select", self.total())
+    }
+}
+
+impl Program {
+    /// The operations of this program.
+    pub fn count(&self) -> Count {
+        let mut count = Count::default();
+        for op in self.ops() {
+            match op {
+                Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Neg(_) => {}
+                Op::Add(..) | Op::Sub(..) => count.add += 1,
+                Op::Mul(..) => count.mul += 1,
+                Op::Div(..) => count.div += 1,
+                Op::Sqrt(_) => count.sqrt += 1,
+                // A comparison and a select.
+                Op::SelectLess(..) => count.select += 2,
+            }
+        }
+        count
+    }
+}

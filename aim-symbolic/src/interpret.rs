@@ -1,0 +1,80 @@
+//! The interpreter: the same operations in the same order as the emitted code, so the same bits.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::{Op, Program};
+
+/// A number type that programs run in.
+pub trait Number:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+{
+    /// The value nearest to `value`.
+    fn constant(value: f64) -> Self;
+    /// The smallest length that is divided by: its square is still a normal number.
+    fn tiny() -> Self;
+    /// The square root.
+    fn sqrt(self) -> Self;
+    /// `then` where `a < b`, else `otherwise`.
+    fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self;
+}
+
+macro_rules! number {
+    ($float:ident, $tiny:literal) => {
+        impl Number for $float {
+            #[allow(
+                clippy::cast_possible_truncation,
+                trivial_numeric_casts,
+                reason = "rounding the constant to this type is the purpose"
+            )]
+            fn constant(value: f64) -> Self {
+                value as Self
+            }
+
+            fn tiny() -> Self {
+                $tiny
+            }
+
+            fn sqrt(self) -> Self {
+                self.sqrt()
+            }
+
+            fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self {
+                if a < b { then } else { otherwise }
+            }
+        }
+    };
+}
+
+number!(f32, 1.084_202_2e-19);
+number!(f64, 1.491_668_146_240_041_3e-154);
+
+impl Program {
+    /// Runs the program and writes its outputs to `out`. Missing inputs count as 0, outputs beyond `out` are dropped.
+    pub fn run<T: Number>(&self, inputs: &[T], out: &mut [T]) {
+        let zero = T::constant(0.0);
+        let mut values: Vec<T> = Vec::with_capacity(self.ops().len());
+        for op in self.ops() {
+            let value = match *op {
+                Op::Input(i) => inputs.get(i as usize).copied().unwrap_or(zero),
+                Op::Constant(c) => T::constant(c.value()),
+                Op::Tiny => T::tiny(),
+                Op::Add(a, b) => values[a.index()] + values[b.index()],
+                Op::Sub(a, b) => values[a.index()] - values[b.index()],
+                Op::Mul(a, b) => values[a.index()] * values[b.index()],
+                Op::Div(a, b) => values[a.index()] / values[b.index()],
+                Op::Neg(a) => -values[a.index()],
+                Op::Sqrt(a) => values[a.index()].sqrt(),
+                Op::SelectLess(a, b, then, otherwise) => T::select_less(
+                    values[a.index()],
+                    values[b.index()],
+                    values[then.index()],
+                    values[otherwise.index()],
+                ),
+            };
+            values.push(value);
+        }
+        for (out, value) in out.iter_mut().zip(self.outputs()) {
+            *out = values[value.index()];
+        }
+    }
+}

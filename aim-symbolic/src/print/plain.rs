@@ -1,0 +1,105 @@
+//! Plain text, as one would write it in a comment.
+
+use crate::{Graph, Op, Program, Rotation, RotationNode, Scalar, ScalarNode, Value, Vector, VectorNode};
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// The program, one operation a line.
+pub fn program(program: &Program) -> String {
+    let mut out = String::new();
+    let name = |v: Value| operand(program, v);
+    for (place, op) in program.ops().iter().enumerate() {
+        let right = match *op {
+            Op::Input(_) | Op::Constant(_) | Op::Tiny => continue,
+            Op::Add(a, b) => format!("{} + {}", name(a), name(b)),
+            Op::Sub(a, b) => format!("{} - {}", name(a), name(b)),
+            Op::Mul(a, b) => format!("{} * {}", name(a), name(b)),
+            Op::Div(a, b) => format!("{} / {}", name(a), name(b)),
+            Op::Neg(a) => format!("-{}", name(a)),
+            Op::Sqrt(a) => format!("sqrt({})", name(a)),
+            Op::SelectLess(a, b, c, d) => format!("{} < {} ? {} : {}", name(a), name(b), name(c), name(d)),
+        };
+        out += &format!("v{place} = {right}\n");
+    }
+    let outputs: Vec<String> = program.outputs().iter().map(|&v| name(v)).collect();
+    out += &format!("result {}\n", outputs.join(", "));
+    out
+}
+
+fn operand(program: &Program, v: Value) -> String {
+    match program.ops()[v.index()] {
+        Op::Input(i) => program.inputs()[i as usize].clone(),
+        Op::Constant(c) => format!("{}", c.value()),
+        Op::Tiny => "tiny".to_owned(),
+        _ => format!("v{}", v.index()),
+    }
+}
+
+/// The expression.
+pub fn scalar(g: &Graph, expression: Scalar) -> String {
+    let s = |e| scalar(g, e);
+    let v = |e| vector(g, e);
+    match g.scalar_node(expression) {
+        ScalarNode::Constant(c) => format!("{}", c.value()),
+        ScalarNode::Input(i) => g.inputs()[i as usize].0.clone(),
+        ScalarNode::Tiny => "tiny".to_owned(),
+        ScalarNode::Add(a, b) => format!("({} + {})", s(a), s(b)),
+        ScalarNode::Sub(a, b) => format!("({} - {})", s(a), s(b)),
+        ScalarNode::Mul(a, b) => format!("{}*{}", s(a), s(b)),
+        ScalarNode::Div(a, b) => format!("({} / {})", s(a), s(b)),
+        ScalarNode::Neg(a) => format!("-{}", s(a)),
+        ScalarNode::Sqrt(a) => format!("sqrt({})", s(a)),
+        ScalarNode::Reciprocal(a) => format!("reciprocal({})", s(a)),
+        ScalarNode::SelectLess(a, b, c, d) => format!("({} < {} ? {} : {})", s(a), s(b), s(c), s(d)),
+        ScalarNode::Dot(a, b) => format!("dot({}, {})", v(a), v(b)),
+        ScalarNode::Norm(a) => format!("|{}|", v(a)),
+        ScalarNode::Component(a, axis) => format!("{}.{}", v(a), AXES[usize::from(axis)]),
+    }
+}
+
+fn vector(g: &Graph, expression: Vector) -> String {
+    let v = |e| vector(g, e);
+    match g.vector_node(expression) {
+        VectorNode::Components(c) => match common_name(g, c) {
+            Some(name) => name,
+            None => format!("({})", c.map(|c| scalar(g, c)).join(", ")),
+        },
+        VectorNode::Add(a, b) => format!("({} + {})", v(a), v(b)),
+        VectorNode::Sub(a, b) => format!("({} - {})", v(a), v(b)),
+        VectorNode::Neg(a) => format!("-{}", v(a)),
+        VectorNode::Scale(k, a) => format!("{}*{}", scalar(g, k), v(a)),
+        VectorNode::Rotate(r, a) => format!("{} {}", rotation(g, r), v(a)),
+        VectorNode::Normalize(a) => format!("normalize({})", v(a)),
+        VectorNode::Perp(plane, a) => {
+            format!("perp_{}{}({})", AXES[usize::from(plane.from)], AXES[usize::from(plane.towards)], v(a))
+        }
+    }
+}
+
+fn rotation(g: &Graph, expression: Rotation) -> String {
+    match g.rotation_node(expression) {
+        RotationNode::Matrix(entries) => {
+            let first = scalar(g, entries[0]);
+            first.strip_suffix("_00").map_or_else(|| "M".to_owned(), str::to_owned)
+        }
+        RotationNode::Basis(_) => "B".to_owned(),
+        RotationNode::Turn(plane, angle) => format!(
+            "R_{}{}({})",
+            AXES[usize::from(plane.from)],
+            AXES[usize::from(plane.towards)],
+            g.angle_name(angle)
+        ),
+        RotationNode::Compose(a, b) => format!("({} {})", rotation(g, a), rotation(g, b)),
+        RotationNode::Transpose(a) => format!("{}'", rotation(g, a)),
+    }
+}
+
+/// The name of a vector whose components are the inputs `name_x`, `name_y`, `name_z`.
+pub(super) fn common_name(g: &Graph, components: [Scalar; 3]) -> Option<String> {
+    let names = components.map(|c| match g.scalar_node(c) {
+        ScalarNode::Input(i) => Some(g.inputs()[i as usize].0.as_str()),
+        _ => None,
+    });
+    let stem = names[0]?.strip_suffix("_x")?;
+    (names[1]?.strip_suffix("_y") == Some(stem) && names[2]?.strip_suffix("_z") == Some(stem)).then(|| stem.to_owned())
+}

@@ -1,0 +1,339 @@
+//! The rules that rewrite a statement: each keeps the value, none is keyed to a particular objective.
+//!
+//! A rule looks at one node whose parts are already rewritten and offers a replacement. [`Graph::rewrite`] applies
+//! them in the order of the tables, bottom up, until none applies.
+
+use crate::{Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+
+/// A rule for vectors.
+pub type VectorRule = fn(&mut Graph, Vector) -> Option<Vector>;
+/// A rule for scalars.
+pub type ScalarRule = fn(&mut Graph, Scalar) -> Option<Scalar>;
+
+/// Rules applied together, in order, each with its name.
+#[derive(Clone, Copy, Debug)]
+pub struct RuleSet {
+    /// The rules for vectors.
+    pub vectors: &'static [(&'static str, VectorRule)],
+    /// The rules for scalars.
+    pub scalars: &'static [(&'static str, ScalarRule)],
+}
+
+/// Rotations to where they cancel, or to the side where they cost least.
+pub const ROTATIONS: RuleSet = RuleSet {
+    vectors: &[
+        ("fold zero and one", fold_zero),
+        ("split composition", split_composition),
+        ("undo rotation", undo_rotation),
+        ("fold constant basis", fold_basis),
+        ("cancel terms", cancel_terms),
+        ("common rotation", common_rotation),
+        ("meet the inverse", meet_inverse),
+        ("normalize what was rotated", normalize_rotated),
+        ("pull a rotation out of a normalized sum", normalize_pulls),
+    ],
+    scalars: &[
+        ("norm of what was rotated", norm_rotated),
+        ("pull a rotation out of a sum's norm", norm_pulls),
+        ("same rotation on both sides of a dot", dot_same_rotation),
+        ("rotation to the other side of a dot", dot_other_side),
+        ("the constant takes the rotation", dot_constant_takes),
+    ],
+};
+
+/// Compositions into the rotations that they are made of, as the reverse sweep needs them.
+pub(crate) const COMPOSITIONS: RuleSet = RuleSet { vectors: &[("split composition", split_composition)], scalars: &[] };
+
+/// Scale factors out of the vector operations that they pass through unchanged.
+pub const SCALES: RuleSet = RuleSet {
+    vectors: &[
+        ("fold zero and one", fold_zero),
+        ("undo rotation", undo_rotation),
+        ("fold constant basis", fold_basis),
+        ("one reciprocal for a direction", crate::scaling::expand_normalize),
+        ("merge scales", crate::scaling::merge),
+        ("rotate, then scale", crate::scaling::out_of_rotation),
+    ],
+    scalars: &[("dot, then scale", crate::scaling::out_of_dot)],
+};
+
+/// The terms of a sum with their signs (`true` = subtracted).
+pub(crate) fn terms(g: &Graph, v: Vector) -> Vec<(bool, Vector)> {
+    fn collect(g: &Graph, v: Vector, negative: bool, out: &mut Vec<(bool, Vector)>) {
+        match g.vector_node(v) {
+            VectorNode::Add(a, b) => {
+                collect(g, a, negative, out);
+                collect(g, b, negative, out);
+            }
+            VectorNode::Sub(a, b) => {
+                collect(g, a, negative, out);
+                collect(g, b, !negative, out);
+            }
+            VectorNode::Neg(a) => collect(g, a, !negative, out),
+            _ => out.push((negative, v)),
+        }
+    }
+    let mut out = Vec::new();
+    collect(g, v, false, &mut out);
+    out
+}
+
+/// The sum of `terms`.
+pub(crate) fn sum(g: &mut Graph, terms: &[(bool, Vector)]) -> Vector {
+    let mut total: Option<Vector> = None;
+    for &(_, v) in terms.iter().filter(|(negative, _)| !negative) {
+        total = Some(total.map_or(v, |t| g.add_vectors(t, v)));
+    }
+    for &(_, v) in terms.iter().filter(|(negative, _)| *negative) {
+        total = Some(match total {
+            Some(t) => g.sub_vectors(t, v),
+            None => g.neg_vector(v),
+        });
+    }
+    total.unwrap_or_else(|| g.constant_vector([0.0; 3]))
+}
+
+fn is_zero(g: &Graph, v: Vector) -> bool {
+    constant_components(g, v) == Some([0.0; 3])
+}
+
+fn constant_components(g: &Graph, v: Vector) -> Option<[f64; 3]> {
+    let VectorNode::Components([x, y, z]) = g.vector_node(v) else { return None };
+    Some([g.constant_of(x)?, g.constant_of(y)?, g.constant_of(z)?])
+}
+
+/// The outermost rotation of `v`, and what it rotates.
+fn leading(g: &Graph, v: Vector) -> Option<(Rotation, Vector)> {
+    match g.vector_node(v) {
+        VectorNode::Rotate(rotation, inner) => Some((rotation, inner)),
+        _ => None,
+    }
+}
+
+fn is_forward(g: &Graph, rotation: Rotation) -> bool {
+    !matches!(g.rotation_node(rotation), RotationNode::Transpose(_))
+}
+
+fn is_basis(g: &Graph, rotation: Rotation) -> bool {
+    match g.rotation_node(rotation) {
+        RotationNode::Basis(_) => true,
+        RotationNode::Transpose(inner) => matches!(g.rotation_node(inner), RotationNode::Basis(_)),
+        _ => false,
+    }
+}
+
+/// Whether `v` is a constant vector after at most one rotation that is not a change of basis: nothing costs less.
+fn is_turned_constant(g: &Graph, v: Vector) -> bool {
+    match leading(g, v) {
+        Some((rotation, inner)) if is_basis(g, rotation) => is_turned_constant(g, inner),
+        Some((_, inner)) => constant_components(g, inner).is_some(),
+        None => constant_components(g, v).is_some(),
+    }
+}
+
+/// Whether `v` was pushed forward by a rotation that could be turned back instead, perhaps below changes of basis.
+///
+/// Only such vectors give up their rotation, so that nothing is turned back and forth.
+fn is_pushed(g: &Graph, v: Vector) -> bool {
+    match g.vector_node(v) {
+        VectorNode::Rotate(rotation, inner) if is_basis(g, rotation) => {
+            terms(g, inner).iter().any(|&(_, term)| is_pushed(g, term))
+        }
+        VectorNode::Rotate(rotation, _) => is_forward(g, rotation),
+        _ => false,
+    }
+}
+
+fn is_sum(g: &Graph, v: Vector) -> bool {
+    matches!(g.vector_node(v), VectorNode::Add(..) | VectorNode::Sub(..) | VectorNode::Neg(..))
+}
+
+/// 0 and 1 leave sums, scales and rotations.
+fn fold_zero(g: &mut Graph, v: Vector) -> Option<Vector> {
+    match g.vector_node(v) {
+        VectorNode::Add(a, b) if is_zero(g, a) => Some(b),
+        VectorNode::Add(a, b) | VectorNode::Sub(a, b) if is_zero(g, b) => Some(a),
+        VectorNode::Sub(a, b) if is_zero(g, a) => Some(g.neg_vector(b)),
+        VectorNode::Neg(a) | VectorNode::Rotate(_, a) | VectorNode::Perp(_, a) | VectorNode::Normalize(a)
+            if is_zero(g, a) =>
+        {
+            Some(a)
+        }
+        VectorNode::Neg(a) => match g.vector_node(a) {
+            VectorNode::Neg(inner) => Some(inner),
+            _ => None,
+        },
+        VectorNode::Scale(_, a) if is_zero(g, a) => Some(a),
+        VectorNode::Scale(k, a) if g.constant_of(k) == Some(1.0) => Some(a),
+        VectorNode::Scale(k, a) if g.constant_of(k) == Some(-1.0) => Some(g.neg_vector(a)),
+        VectorNode::Scale(k, _) if g.constant_of(k) == Some(0.0) => Some(g.constant_vector([0.0; 3])),
+        _ => None,
+    }
+}
+
+/// `(A B) v = A (B v)`
+fn split_composition(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let (rotation, inner) = leading(g, v)?;
+    let (outer, first) = match g.rotation_node(rotation) {
+        RotationNode::Compose(a, b) => (a, b),
+        RotationNode::Transpose(composed) => {
+            let RotationNode::Compose(a, b) = g.rotation_node(composed) else { return None };
+            (g.transpose(b), g.transpose(a))
+        }
+        _ => return None,
+    };
+    let once = g.rotate(first, inner);
+    Some(g.rotate(outer, once))
+}
+
+/// `R Rᵀ v = v`
+fn undo_rotation(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let (outer, inner) = leading(g, v)?;
+    let (rotation, core) = leading(g, inner)?;
+    (g.transpose(rotation) == outer).then_some(core)
+}
+
+/// A change of basis of a constant vector is a constant vector.
+fn fold_basis(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let (rotation, inner) = leading(g, v)?;
+    let c = constant_components(g, inner)?;
+    let (basis, transposed) = match g.rotation_node(rotation) {
+        RotationNode::Basis(basis) => (basis, false),
+        RotationNode::Transpose(r) => match g.rotation_node(r) {
+            RotationNode::Basis(basis) => (basis, true),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let entry = |i: usize, k: usize| basis[if transposed { 3 * k + i } else { 3 * i + k }].value();
+    Some(g.constant_vector(core::array::from_fn(|k| c[0] * entry(0, k) + c[1] * entry(1, k) + c[2] * entry(2, k))))
+}
+
+/// `a + b − a = b`
+fn cancel_terms(g: &mut Graph, v: Vector) -> Option<Vector> {
+    if !is_sum(g, v) {
+        return None;
+    }
+    let mut terms = terms(g, v);
+    let (i, j) = (0..terms.len()).find_map(|i| {
+        let (sign, term) = terms[i];
+        let j = (i + 1..terms.len()).find(|&j| terms[j] == (!sign, term))?;
+        Some((i, j))
+    })?;
+    terms.remove(j);
+    terms.remove(i);
+    Some(sum(g, &terms))
+}
+
+/// `R a + R b = R (a + b)`
+fn common_rotation(g: &mut Graph, v: Vector) -> Option<Vector> {
+    if !is_sum(g, v) {
+        return None;
+    }
+    let mut terms = terms(g, v);
+    let (i, j, rotation) = (0..terms.len()).find_map(|i| {
+        let (rotation, _) = leading(g, terms[i].1)?;
+        let j = (i + 1..terms.len()).find(|&j| leading(g, terms[j].1).is_some_and(|(r, _)| r == rotation))?;
+        Some((i, j, rotation))
+    })?;
+    let (sign_j, term_j) = terms.remove(j);
+    let (sign_i, term_i) = terms[i];
+    let inner = [(sign_i, leading(g, term_i)?.1), (sign_j, leading(g, term_j)?.1)];
+    let together = sum(g, &inner);
+    terms[i] = (false, g.rotate(rotation, together));
+    Some(sum(g, &terms))
+}
+
+/// `Rᵀ (a + R b) = Rᵀ a + b`: a rotation distributes over a sum where it cancels in one of the terms.
+fn meet_inverse(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let (rotation, inner) = leading(g, v)?;
+    if !is_sum(g, inner) {
+        return None;
+    }
+    let inverse = g.transpose(rotation);
+    let mut rest = terms(g, inner);
+    let i = rest.iter().position(|&(_, term)| leading(g, term).is_some_and(|(r, _)| r == inverse))?;
+    let (sign, term) = rest.remove(i);
+    let core = leading(g, term)?.1;
+    let rest = sum(g, &rest);
+    let rotated_rest = g.rotate(rotation, rest);
+    Some(sum(g, &[(false, rotated_rest), (sign, core)]))
+}
+
+/// `R v / |R v| = R (v / |v|)`
+fn normalize_rotated(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let VectorNode::Normalize(inner) = g.vector_node(v) else { return None };
+    let (rotation, core) = leading(g, inner)?;
+    let direction = g.normalize(core);
+    Some(g.rotate(rotation, direction))
+}
+
+/// A rotation that a sum's norm does not see: `a + R b` is as long as `Rᵀ a + b`.
+fn pulled(g: &mut Graph, v: Vector) -> Option<(Rotation, Vector)> {
+    if !is_sum(g, v) {
+        return None;
+    }
+    let (_, term) = terms(g, v).into_iter().find(|&(_, term)| is_pushed(g, term))?;
+    let (rotation, _) = leading(g, term)?;
+    let back = g.transpose(rotation);
+    let turned_back = g.rotate(back, v);
+    Some((rotation, turned_back))
+}
+
+/// `(a + R b) / |a + R b| = R (Rᵀ a + b) / |Rᵀ a + b|`
+fn normalize_pulls(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let VectorNode::Normalize(inner) = g.vector_node(v) else { return None };
+    let (rotation, turned_back) = pulled(g, inner)?;
+    let direction = g.normalize(turned_back);
+    Some(g.rotate(rotation, direction))
+}
+
+/// `|R v| = |v|`
+fn norm_rotated(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let ScalarNode::Norm(v) = g.scalar_node(s) else { return None };
+    let (_, core) = leading(g, v)?;
+    Some(g.norm(core))
+}
+
+/// `|a + R b| = |Rᵀ a + b|`
+fn norm_pulls(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let ScalarNode::Norm(v) = g.scalar_node(s) else { return None };
+    let (_, turned_back) = pulled(g, v)?;
+    Some(g.norm(turned_back))
+}
+
+/// `R v · R w = v · w`
+fn dot_same_rotation(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let ScalarNode::Dot(v, w) = g.scalar_node(s) else { return None };
+    let ((r, v), (q, w)) = (leading(g, v)?, leading(g, w)?);
+    (r == q).then(|| g.dot(v, w))
+}
+
+/// `v · R w = Rᵀ v · w`, unless that is a rotated constant and nothing of `v` cancels.
+fn dot_other_side(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return None };
+    [(a, b), (b, a)].into_iter().find_map(|(v, rotated)| {
+        let (rotation, w) = leading(g, rotated)?;
+        let cancels = terms(g, v).iter().any(|&(_, t)| leading(g, t).is_some_and(|(r, _)| r == rotation));
+        let moves = is_pushed(g, rotated) && (cancels || !is_turned_constant(g, rotated));
+        moves.then(|| {
+            let back = g.transpose(rotation);
+            let turned_back = g.rotate(back, v);
+            g.dot(turned_back, w)
+        })
+    })
+}
+
+/// `Rᵀ v · c = v · R c`: rotating a constant costs least, nothing at all for an axis.
+fn dot_constant_takes(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return None };
+    [(a, b), (b, a)].into_iter().find_map(|(rotated, constant)| {
+        constant_components(g, constant)?;
+        let (rotation, v) = leading(g, rotated)?;
+        (!is_forward(g, rotation)).then(|| {
+            let forward = g.transpose(rotation);
+            let turned = g.rotate(forward, constant);
+            g.dot(v, turned)
+        })
+    })
+}
