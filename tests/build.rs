@@ -1,0 +1,31 @@
+//! Emits the rigs under test as Rust and as C.
+
+use std::fs;
+use std::path::PathBuf;
+
+use aim_codegen::RigPrograms;
+use aim_codegen::emit::{self, Rig, rust};
+
+#[path = "shared/random.rs"]
+mod random;
+#[path = "shared/rigs.rs"]
+mod rigs;
+
+fn main() {
+    println!("cargo::rerun-if-changed=shared");
+    let out = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo sets it"));
+    let (mut rust, mut c) = (String::new(), String::new());
+    let mut names = Vec::new();
+    for spec in rigs::rigs() {
+        let programs = RigPrograms::derive(&spec);
+        let rig = Rig { spec: &spec, programs: &programs };
+        let item = rust::Item::of(&spec, quote::quote!(::aim));
+        rust += &rust::emit_with_struct(&rig, &item).to_string();
+        c += &emit::c::emit(&rig);
+        names.push(spec.name.clone());
+    }
+    let arms: String = names.iter().enumerate().map(|(i, name)| format!("{i} => $f(&{name}::default()),")).collect();
+    rust += &format!("macro_rules! with_rig {{ ($number:expr, $f:expr) => {{ match $number {{ {arms} _ => unreachable!() }} }} }}");
+    fs::write(out.join("rigs.rs"), rust).expect("the output folder is writable");
+    fs::write(out.join("rigs.c"), c).expect("the output folder is writable");
+}

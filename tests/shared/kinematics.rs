@@ -1,0 +1,137 @@
+//! Forward kinematics in f64, from the definitions alone: the independent oracle of the numeric tests.
+
+use aim_codegen::{Frame, JointSpec, RigSpec};
+
+pub type V = [f64; 3];
+
+pub fn add(a: V, b: V) -> V {
+    core::array::from_fn(|k| a[k] + b[k])
+}
+
+pub fn sub(a: V, b: V) -> V {
+    core::array::from_fn(|k| a[k] - b[k])
+}
+
+pub fn dot(a: V, b: V) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn cross(a: V, b: V) -> V {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub fn scale(k: f64, a: V) -> V {
+    a.map(|c| k * c)
+}
+
+pub fn norm(a: V) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// `v` turned by `radians` in the plane of two unit vectors square to each other, the first towards the second.
+fn turn(v: V, from: V, towards: V, radians: f64) -> V {
+    let (sin, cos) = radians.sin_cos();
+    let (a, b) = (dot(v, from), dot(v, towards));
+    let change = add(
+        scale(a * (cos - 1.0) - b * sin, from),
+        scale(a * sin + b * (cos - 1.0), towards),
+    );
+    add(v, change)
+}
+
+/// A joint's added rotation: pitch turns forward towards up, then heading turns forward towards left.
+pub fn correct(v: V, frame: &Frame, pitch: f64, heading: f64) -> V {
+    turn(turn(v, frame.forward, frame.up, pitch), frame.forward, frame.left, heading)
+}
+
+/// A link: rows of the rotation in the row-vector layout, and a translation.
+#[derive(Clone, Copy)]
+pub struct Link {
+    pub rows: [V; 3],
+    pub translation: V,
+}
+
+impl Link {
+    pub fn direction(&self, v: V) -> V {
+        core::array::from_fn(|k| v[0] * self.rows[0][k] + v[1] * self.rows[1][k] + v[2] * self.rows[2][k])
+    }
+
+    pub fn point(&self, p: V) -> V {
+        add(self.direction(p), self.translation)
+    }
+
+    /// The twelve numbers that the kernels take.
+    pub fn numbers(&self) -> [f64; 12] {
+        let [a, b, c] = self.rows;
+        let t = self.translation;
+        [a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2], t[0], t[1], t[2]]
+    }
+}
+
+/// A pose of a chain and its target.
+#[derive(Clone)]
+pub struct Case {
+    pub links: Vec<Link>,
+    pub target: V,
+    /// Pitch and heading of each joint; a hinge's missing angle is 0.
+    pub angles: Vec<[f64; 2]>,
+}
+
+impl Case {
+    /// The effector's place and its image of `direction`, in the last joint's space.
+    fn push(&self, joints: &[JointSpec], direction: V) -> (V, V) {
+        let (mut origin, mut direction) = ([0.0; 3], direction);
+        for ((joint, link), &[pitch, heading]) in joints.iter().zip(&self.links).zip(&self.angles) {
+            origin = correct(link.point(origin), &joint.frame, pitch, heading);
+            direction = correct(link.direction(direction), &joint.frame, pitch, heading);
+        }
+        (origin, direction)
+    }
+
+    /// The paper's aim, equation (6).
+    pub fn aim(&self, spec: &RigSpec) -> f64 {
+        let (origin, forward) = self.push(&spec.joints, spec.effector.frame.forward);
+        let to_target = sub(self.target, origin);
+        dot(to_target, forward) / norm(to_target)
+    }
+
+    /// The stereographic residual, left and up.
+    pub fn residual(&self, spec: &RigSpec) -> [f64; 2] {
+        let frame = spec.effector.frame;
+        let (origin, forward) = self.push(&spec.joints, frame.forward);
+        let to_target = sub(self.target, origin);
+        let below = norm(to_target) + dot(to_target, forward);
+        [frame.left, frame.up].map(|axis| 2.0 * dot(to_target, self.push(&spec.joints, axis).1) / below)
+    }
+
+    /// Where the target stands as seen from the effector: its distance, and its angle off the forward direction.
+    pub fn view(&self, spec: &RigSpec) -> (f64, f64) {
+        let (origin, forward) = self.push(&spec.joints, spec.effector.frame.forward);
+        let to_target = sub(self.target, origin);
+        (norm(to_target), norm(cross(to_target, forward)).atan2(dot(to_target, forward)))
+    }
+
+    /// Sixth-order central difference of `f` by angle `which` of `joint`.
+    pub fn difference<const R: usize>(&self, joint: usize, which: usize, f: impl Fn(&Self) -> [f64; R]) -> [f64; R] {
+        const STEP: f64 = 2e-3;
+        let at = |steps: f64| {
+            let mut moved = self.clone();
+            moved.angles[joint][which] += steps * STEP;
+            f(&moved)
+        };
+        let weights = [(1.0, 45.0), (2.0, -9.0), (3.0, 1.0)];
+        let mut sum = [0.0; R];
+        for (steps, weight) in weights {
+            let (ahead, behind) = (at(steps), at(-steps));
+            for (sum, (ahead, behind)) in sum.iter_mut().zip(ahead.into_iter().zip(behind)) {
+                *sum += weight * (ahead - behind);
+            }
+        }
+        sum.map(|sum| sum / (60.0 * STEP))
+    }
+
+    /// sin p, cos p, sin h, cos h of each joint.
+    pub fn sin_cos(&self) -> Vec<[f64; 4]> {
+        self.angles.iter().map(|[p, h]| [p.sin(), p.cos(), h.sin(), h.cos()]).collect()
+    }
+}

@@ -1,0 +1,55 @@
+//! The rigs that the numeric tests run over: every convention, general frames, hinges, chains of one to four joints.
+//! Shared by the build script, which emits them, and by the tests, which know what they should compute.
+
+use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, RigSpec};
+
+use crate::random::Random;
+
+/// One rig for each of the 48 conventions of the effector's joint, then sixteen with general frames.
+pub fn rigs() -> Vec<RigSpec> {
+    let cardinal: Vec<Frame> = Frame::cardinal().collect();
+    let mut random = Random::new(48);
+    (0..64)
+        .map(|number| {
+            let joints = 1 + number % 4;
+            let joints: Vec<JointSpec> = (0..joints)
+                .map(|i| {
+                    let frame = match (number, i) {
+                        (0..48, 0) => cardinal[number],
+                        (0..48, _) => cardinal[random.below(48)],
+                        _ => general(&mut random),
+                    };
+                    // One joint in six is a hinge.
+                    let kind = random.below(12);
+                    joint(i, frame, kind != 0, kind != 1)
+                })
+                .collect();
+            let frame = if number % 5 == 4 { general(&mut random) } else { joints[0].frame };
+            RigSpec { name: format!("Rig{number}"), joints, effector: EffectorSpec { frame, origin: [0.0; 3] } }
+        })
+        .collect()
+}
+
+fn joint(number: usize, frame: Frame, pitch: bool, heading: bool) -> JointSpec {
+    let range = AngleRange::Between(-2.0, 2.0);
+    JointSpec {
+        name: format!("joint{number}"),
+        bones: vec![format!("bone{number}")],
+        frame,
+        pitch: pitch.then_some(range),
+        heading: heading.then_some(range),
+        absolute: false,
+        rate: 3.0,
+        acceleration: None,
+        comfort: 1.0,
+        level: None,
+        pair: None,
+    }
+}
+
+/// Axes off every cardinal direction, of either handedness.
+fn general(random: &mut Random) -> Frame {
+    let [forward, left, up] = random.rotation();
+    let sign = if random.below(2) == 0 { 1.0 } else { -1.0 };
+    Frame { up, forward, left: left.map(|c| sign * c) }
+}
