@@ -6,13 +6,16 @@ use std::path::PathBuf;
 use aim_codegen::RigPrograms;
 use aim_codegen::emit::{self, Rig, rust};
 
-#[path = "shared/random.rs"]
+// The tests reach these two modules through the library.
+#[allow(dead_code, unreachable_pub, missing_docs, reason = "the build script needs but a part of the module")]
+#[path = "src/random.rs"]
 mod random;
-#[path = "shared/rigs.rs"]
+#[allow(unreachable_pub, reason = "the module is public where the library holds it")]
+#[path = "src/rigs.rs"]
 mod rigs;
 
 fn main() {
-    println!("cargo::rerun-if-changed=shared");
+    println!("cargo::rerun-if-changed=src");
     let out = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo sets it"));
     let (mut rust, mut c) = (String::new(), String::new());
     let mut names = Vec::new();
@@ -25,7 +28,9 @@ fn main() {
         names.push(spec.name.clone());
     }
     let arms: String = names.iter().enumerate().map(|(i, name)| format!("{i} => $f(&{name}::default()),")).collect();
-    rust += &format!("macro_rules! with_rig {{ ($number:expr, $f:expr) => {{ match $number {{ {arms} _ => unreachable!() }} }} }}");
+    rust += &format!(
+        "macro_rules! with_rig {{ ($number:expr, $f:expr) => {{ match $number {{ {arms} _ => unreachable!() }} }} }}"
+    );
     fs::write(out.join("rigs.rs"), rust).expect("the output folder is writable");
     fs::write(out.join("rigs.c"), c).expect("the output folder is writable");
 }

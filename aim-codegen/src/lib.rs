@@ -1,3 +1,56 @@
 //! From what the user declared to the code that aims it.
+//!
+//! A declaration passes every check and becomes a [`RigSpec`]; [`RigPrograms::derive`] states the objectives for it
+//! and derives their programs; a back end of [`emit`] writes them down. Nothing after the checks can fail.
+//!
+//! The derive macro, a `build.rs` and the command all come through here, so their code is the same.
+
+pub mod declare;
+pub mod emit;
+mod names;
+pub mod objective;
 mod spec;
+
+pub use names::snake_case;
+pub use objective::{JointOutput, RigPrograms, joint_program};
 pub use spec::{AngleRange, EffectorSpec, Frame, JointSpec, RigSpec};
+
+/// What `#[derive(AimRig)]` expands to: the implementation, or every error of the declaration.
+pub fn derive(input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
+    let input: syn::DeriveInput = match syn::parse2(input) {
+        Ok(input) => input,
+        Err(error) => return error.into_compile_error(),
+    };
+    match declare::from_derive_input(&input) {
+        Ok(declared) => {
+            let programs = RigPrograms::derive(&declared.spec);
+            let rig = emit::Rig { spec: &declared.spec, programs: &programs };
+            let krate = declared.krate.map_or_else(|| quote::quote!(::aim), |path| quote::quote!(#path));
+            emit::rust::emit(&rig, &emit::rust::Item { name: declared.ident, fields: declared.fields, krate })
+        }
+        Err(errors) => {
+            let mut tokens = errors.into_compile_error();
+            tokens.extend(declare::fallback(&input));
+            tokens
+        }
+    }
+}
+
+/// The Rust code of a rig's TOML file: the struct that a derive would have found, and what the derive makes of it.
+///
+/// `krate` is the path of the facade, `::aim` for its users.
+///
+/// # Errors
+///
+/// Everything that is wrong with the declaration.
+#[cfg(feature = "toml")]
+pub fn rust_from_toml(
+    file_name: &str,
+    text: &str,
+    krate: proc_macro2::TokenStream,
+) -> Result<proc_macro2::TokenStream, declare::Diagnostics> {
+    let spec = declare::from_toml(file_name, text)?;
+    let programs = RigPrograms::derive(&spec);
+    let rig = emit::Rig { spec: &spec, programs: &programs };
+    Ok(emit::rust::emit_with_struct(&rig, &emit::rust::Item::of(&spec, krate)))
+}

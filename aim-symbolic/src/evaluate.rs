@@ -137,11 +137,8 @@ impl Graph {
                 rows
             }
             RotationNode::Compose(outer, inner) => {
-                let (outer, inner) =
-                    (self.evaluate_rotation(outer, bindings), self.evaluate_rotation(inner, bindings));
-                core::array::from_fn(|i| {
-                    core::array::from_fn(|k| (0..3).map(|j| inner[i][j] * outer[j][k]).sum())
-                })
+                let (outer, inner) = (self.evaluate_rotation(outer, bindings), self.evaluate_rotation(inner, bindings));
+                core::array::from_fn(|i| core::array::from_fn(|k| (0..3).map(|j| inner[i][j] * outer[j][k]).sum()))
             }
             RotationNode::Transpose(inner) => {
                 let inner = self.evaluate_rotation(inner, bindings);

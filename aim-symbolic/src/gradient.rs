@@ -97,7 +97,7 @@ struct Sweep<'g> {
 }
 
 impl Sweep<'_> {
-    fn to_scalar(&mut self, scalar: Scalar, change: Scalar) {
+    fn add_to_scalar(&mut self, scalar: Scalar, change: Scalar) {
         let total = match self.scalars.get(&scalar) {
             Some(&so_far) => self.g.add(so_far, change),
             None => change,
@@ -105,7 +105,7 @@ impl Sweep<'_> {
         self.scalars.insert(scalar, total);
     }
 
-    fn to_vector(&mut self, vector: Vector, change: Vector) {
+    fn add_to_vector(&mut self, vector: Vector, change: Vector) {
         let total = match self.vectors.get(&vector) {
             Some(&so_far) => self.g.add_vectors(so_far, change),
             None => change,
@@ -113,7 +113,7 @@ impl Sweep<'_> {
         self.vectors.insert(vector, total);
     }
 
-    fn to_angle(&mut self, angle: Angle, change: Scalar) {
+    fn add_to_angle(&mut self, angle: Angle, change: Scalar) {
         let total = match self.angles.get(&angle) {
             Some(&so_far) => self.g.add(so_far, change),
             None => change,
@@ -126,63 +126,63 @@ impl Sweep<'_> {
         match self.g.scalar_node(scalar) {
             ScalarNode::Constant(_) | ScalarNode::Input(_) | ScalarNode::Tiny => {}
             ScalarNode::Add(a, b) => {
-                self.to_scalar(a, bar);
-                self.to_scalar(b, bar);
+                self.add_to_scalar(a, bar);
+                self.add_to_scalar(b, bar);
             }
             ScalarNode::Sub(a, b) => {
-                self.to_scalar(a, bar);
+                self.add_to_scalar(a, bar);
                 let minus = self.g.neg(bar);
-                self.to_scalar(b, minus);
+                self.add_to_scalar(b, minus);
             }
             ScalarNode::Mul(a, b) => {
                 let (by_a, by_b) = (self.g.mul(bar, b), self.g.mul(bar, a));
-                self.to_scalar(a, by_a);
-                self.to_scalar(b, by_b);
+                self.add_to_scalar(a, by_a);
+                self.add_to_scalar(b, by_b);
             }
             ScalarNode::Div(a, b) => {
                 let by_a = self.g.div(bar, b);
                 let along = self.g.mul(by_a, scalar);
                 let by_b = self.g.neg(along);
-                self.to_scalar(a, by_a);
-                self.to_scalar(b, by_b);
+                self.add_to_scalar(a, by_a);
+                self.add_to_scalar(b, by_b);
             }
             ScalarNode::Neg(a) => {
                 let minus = self.g.neg(bar);
-                self.to_scalar(a, minus);
+                self.add_to_scalar(a, minus);
             }
             ScalarNode::Sqrt(a) => {
                 let twice = self.g.add(scalar, scalar);
                 let by_a = self.g.div(bar, twice);
-                self.to_scalar(a, by_a);
+                self.add_to_scalar(a, by_a);
             }
             ScalarNode::Reciprocal(a) => {
                 let square = self.g.mul(scalar, scalar);
                 let along = self.g.mul(bar, square);
                 let by_a = self.g.neg(along);
-                self.to_scalar(a, by_a);
+                self.add_to_scalar(a, by_a);
             }
             ScalarNode::SelectLess(a, b, then, otherwise) => {
                 let zero = self.g.constant(0.0);
                 let by_then = self.g.intern_scalar(ScalarNode::SelectLess(a, b, bar, zero));
                 let by_otherwise = self.g.intern_scalar(ScalarNode::SelectLess(a, b, zero, bar));
-                self.to_scalar(then, by_then);
-                self.to_scalar(otherwise, by_otherwise);
+                self.add_to_scalar(then, by_then);
+                self.add_to_scalar(otherwise, by_otherwise);
             }
             ScalarNode::Dot(v, w) => {
                 let (by_v, by_w) = (self.g.scale(bar, w), self.g.scale(bar, v));
-                self.to_vector(v, by_v);
-                self.to_vector(w, by_w);
+                self.add_to_vector(v, by_v);
+                self.add_to_vector(w, by_w);
             }
             ScalarNode::Norm(v) => {
                 let direction = self.g.normalize(v);
                 let by_v = self.g.scale(bar, direction.into());
-                self.to_vector(v, by_v);
+                self.add_to_vector(v, by_v);
             }
             ScalarNode::Component(v, axis) => {
                 let zero = self.g.constant(0.0);
                 let by_v = core::array::from_fn(|k| if k == usize::from(axis) { bar } else { zero });
                 let by_v = self.g.components(by_v);
-                self.to_vector(v, by_v);
+                self.add_to_vector(v, by_v);
             }
         }
     }
@@ -194,27 +194,27 @@ impl Sweep<'_> {
                 for (c, axis) in c.into_iter().zip(0..) {
                     if self.g.constant_of(c).is_none() {
                         let by_c = self.g.component(bar, axis);
-                        self.to_scalar(c, by_c);
+                        self.add_to_scalar(c, by_c);
                     }
                 }
             }
             VectorNode::Add(v, w) => {
-                self.to_vector(v, bar);
-                self.to_vector(w, bar);
+                self.add_to_vector(v, bar);
+                self.add_to_vector(w, bar);
             }
             VectorNode::Sub(v, w) => {
-                self.to_vector(v, bar);
+                self.add_to_vector(v, bar);
                 let minus = self.g.neg_vector(bar);
-                self.to_vector(w, minus);
+                self.add_to_vector(w, minus);
             }
             VectorNode::Neg(v) => {
                 let minus = self.g.neg_vector(bar);
-                self.to_vector(v, minus);
+                self.add_to_vector(v, minus);
             }
             VectorNode::Scale(k, v) => {
                 let (by_k, by_v) = (self.g.dot(bar, v), self.g.scale(k, bar));
-                self.to_scalar(k, by_k);
-                self.to_vector(v, by_v);
+                self.add_to_scalar(k, by_k);
+                self.add_to_vector(v, by_v);
             }
             VectorNode::Rotate(rotation, v) => {
                 // A turn moves its result along the result's own perpendicular, which is already at hand.
@@ -226,11 +226,11 @@ impl Sweep<'_> {
                     let perp = self.g.perp(plane, vector);
                     let along = self.g.dot(bar, perp);
                     let by_angle = if back { self.g.neg(along) } else { along };
-                    self.to_angle(angle, by_angle);
+                    self.add_to_angle(angle, by_angle);
                 }
                 let inverse = self.g.transpose(rotation);
                 let by_v = self.g.rotate(inverse, bar);
-                self.to_vector(v, by_v);
+                self.add_to_vector(v, by_v);
             }
             VectorNode::Normalize(v) => {
                 // d(v/|v|) is the part of dv across v, over |v|.
@@ -249,13 +249,13 @@ impl Sweep<'_> {
                         self.g.components(components)
                     }
                 };
-                self.to_vector(v, by_v);
+                self.add_to_vector(v, by_v);
             }
             VectorNode::Perp(plane, v) => {
                 // The transpose of a quarter turn is the quarter turn back.
                 let perp = self.g.perp(plane, bar);
                 let by_v = self.g.neg_vector(perp);
-                self.to_vector(v, by_v);
+                self.add_to_vector(v, by_v);
             }
         }
     }

@@ -42,7 +42,8 @@ pub use count::Count;
 pub use evaluate::Bindings;
 pub use gradient::Settle;
 pub use graph::{
-    Angle, Constant, Graph, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector, VectorNode,
+    Angle, Constant, Graph, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector,
+    VectorNode,
 };
 pub use interpret::Number;
 pub use program::{Op, Program, Value, Want};

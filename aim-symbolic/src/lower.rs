@@ -51,12 +51,8 @@ impl<'g> Lowering<'g> {
                 self.guarded_reciprocal(a)
             }
             ScalarNode::SelectLess(a, b, then, otherwise) => {
-                let node = ScalarNode::SelectLess(
-                    self.scalar(a),
-                    self.scalar(b),
-                    self.scalar(then),
-                    self.scalar(otherwise),
-                );
+                let node =
+                    ScalarNode::SelectLess(self.scalar(a), self.scalar(b), self.scalar(then), self.scalar(otherwise));
                 self.g.intern_scalar(node)
             }
             ScalarNode::Dot(v, w) => {

@@ -159,6 +159,21 @@ impl Program {
         self.outputs.iter().map(|v| depths[v.index()]).max().unwrap_or(0)
     }
 
+    /// The program with operation `place` added where it subtracted and the other way round: a mistake made on purpose,
+    /// for tests of tests. The same program where there is no such operation.
+    #[must_use]
+    pub fn with_sign_flipped(&self, place: usize) -> Self {
+        let mut flipped = self.clone();
+        if let Some(op) = flipped.ops.get_mut(place) {
+            *op = match *op {
+                Op::Add(a, b) => Op::Sub(a, b),
+                Op::Sub(a, b) => Op::Add(a, b),
+                other => other,
+            };
+        }
+        flipped
+    }
+
     fn uses(&self) -> Vec<u32> {
         let mut uses = vec![0; self.ops.len()];
         for v in self.ops.iter().flat_map(|op| op.operands()).chain(self.outputs.iter().copied()) {

@@ -88,12 +88,8 @@ impl Tidy<'_> {
                 self.g.reciprocal(a)
             }
             ScalarNode::SelectLess(a, b, then, otherwise) => {
-                let node = ScalarNode::SelectLess(
-                    self.scalar(a),
-                    self.scalar(b),
-                    self.scalar(then),
-                    self.scalar(otherwise),
-                );
+                let node =
+                    ScalarNode::SelectLess(self.scalar(a), self.scalar(b), self.scalar(then), self.scalar(otherwise));
                 self.g.intern_scalar(node)
             }
             ScalarNode::Dot(v, w) => {

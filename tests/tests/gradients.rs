@@ -1,20 +1,14 @@
 //! Emitted Rust, emitted C and the interpreter against central differences of independent forward kinematics, for
 //! every convention, handedness, general frames and hinges.
 
-#[path = "../shared/kinematics.rs"]
-mod kinematics;
-#[path = "../shared/random.rs"]
-mod random;
-#[path = "../shared/rigs.rs"]
-mod rigs;
-
 use std::io::{Read, Write};
 use std::process::{Command, Stdio};
 
 use aim::AimRig;
 use aim_codegen::{RigPrograms, RigSpec};
-use kinematics::{Case, Link};
-use random::Random;
+use aim_tests::kinematics::{Case, Link};
+use aim_tests::random::Random;
+use aim_tests::rigs;
 
 #[allow(dead_code, reason = "each test uses the part of the emitted code that it is about")]
 mod emitted {
@@ -35,11 +29,8 @@ fn cases(spec: &RigSpec, seed: u64, count: usize) -> Vec<Case> {
     let mut random = Random::new(seed);
     let mut cases = Vec::new();
     while cases.len() < count {
-        let links = spec
-            .joints
-            .iter()
-            .map(|_| Link { rows: random.rotation(), translation: random.vector(0.5) })
-            .collect();
+        let links =
+            spec.joints.iter().map(|_| Link { rows: random.rotation(), translation: random.vector(0.5) }).collect();
         let angles = spec.joints.iter().map(|joint| {
             [joint.pitch, joint.heading].map(|range| if range.is_some() { random.within(1.5) } else { 0.0 })
         });
@@ -57,9 +48,7 @@ fn cases(spec: &RigSpec, seed: u64, count: usize) -> Vec<Case> {
 fn declared(spec: &RigSpec) -> Vec<(usize, usize)> {
     let joints = spec.joints.iter().enumerate();
     joints
-        .flat_map(|(i, joint)| {
-            [(joint.pitch.is_some(), (i, 0)), (joint.heading.is_some(), (i, 1))]
-        })
+        .flat_map(|(i, joint)| [(joint.pitch.is_some(), (i, 0)), (joint.heading.is_some(), (i, 1))])
         .filter_map(|(declared, angle)| declared.then_some(angle))
         .collect()
 }
@@ -233,10 +222,8 @@ fn c_harness(specs: &[RigSpec]) -> String {
         let (name, n, angles) = (aim_codegen::snake_case(&spec.name), spec.joints.len(), spec.angles());
         let (target, sin_cos, inputs) = (12 * n, 12 * n + 3, 16 * n + 3);
         main += &format!("  for (int i = 0; i < {C_CASES}; i++) {{ if (!get({inputs})) return 1;\n");
-        main += &format!(
-            "    {name}_chain_value_gradient(in, in + {target}, in + {sin_cos}, out); put({});\n",
-            1 + angles
-        );
+        main +=
+            &format!("    {name}_chain_value_gradient(in, in + {target}, in + {sin_cos}, out); put({});\n", 1 + angles);
         main += &format!(
             "    {name}_chain_residual_jacobian(in, in + {target}, in + {sin_cos}, out); put({});\n",
             2 + 2 * angles
@@ -276,12 +263,8 @@ fn emitted_c_compiles_without_warnings_and_agrees_with_central_differences() {
 
     let all_cases: Vec<Vec<Case>> =
         specs.iter().enumerate().map(|(i, spec)| cases(spec, 1000 + i as u64, C_CASES)).collect();
-    let input: Vec<u8> = all_cases
-        .iter()
-        .flatten()
-        .flat_map(|case| single(&flat(case)))
-        .flat_map(f32::to_le_bytes)
-        .collect();
+    let input: Vec<u8> =
+        all_cases.iter().flatten().flat_map(|case| single(&flat(case))).flat_map(f32::to_le_bytes).collect();
     let mut child = Command::new(&program)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())

@@ -65,11 +65,8 @@ fn header(out: &mut String, rig: &Rig<'_>) {
     );
     for joint in &spec.joints {
         let frame = joint.frame;
-        let _ = writeln!(
-            out,
-            " * {}: up {:?}, forward {:?}, left {:?}",
-            joint.name, frame.up, frame.forward, frame.left
-        );
+        let _ =
+            writeln!(out, " * {}: up {:?}, forward {:?}, left {:?}", joint.name, frame.up, frame.forward, frame.left);
     }
     *out += " * Inputs must be finite. */\n#include <math.h>\n\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
 }

@@ -28,7 +28,13 @@ pub fn emit(rig: &Rig<'_>) -> String {
     let mut g = Graph::new();
     let inputs = ChainInputs::declare(&mut g, spec.joints.len());
     let aim = chain_aim(&mut g, spec, &inputs);
-    section(&mut out, "Chain: aim and its gradient", &mut g, &[(r"\mathrm{aim}", aim)], &rig.programs.chain_value_gradient);
+    section(
+        &mut out,
+        "Chain: aim and its gradient",
+        &mut g,
+        &[(r"\mathrm{aim}", aim)],
+        &rig.programs.chain_value_gradient,
+    );
     let [left, up] = chain_residual(&mut g, spec, &inputs);
     let values = [(r"s_{\mathrm{left}}", left), (r"s_{\mathrm{up}}", up)];
     section(&mut out, "Chain: residual and its Jacobian", &mut g, &values, &rig.programs.chain_residual_jacobian);

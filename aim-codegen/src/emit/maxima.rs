@@ -21,7 +21,8 @@ pub fn emit(rig: &Rig<'_>) -> String {
         out += &print::maxima(&format!("{name}_{}_aim_gradient", snake_case(&joint.name)), program);
     }
     let chain = &rig.programs.chain_value_gradient;
-    let _ = writeln!(out, "\n/* aim, then its derivatives, pitch before heading, joint by joint; {}. */", chain.count());
+    let _ =
+        writeln!(out, "\n/* aim, then its derivatives, pitch before heading, joint by joint; {}. */", chain.count());
     out += &print::maxima(&format!("{name}_chain_value_gradient"), chain);
     let chain = &rig.programs.chain_residual_jacobian;
     let _ = writeln!(out, "\n/* residual (left, up), then the derivatives of each; {}. */", chain.count());

@@ -66,9 +66,9 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
     let (functions, methods) = (kernels.functions(), kernels.methods());
     quote! {
         const _: () = {
-            #[automatically_derived]
             impl #name {
                 /// The names that each joint's bone may have in a model, from the effector inward.
+                #[allow(dead_code)]
                 pub const BONES: [&'static [&'static ::core::primitive::str]; #joints] = [#(#bones),*];
             }
 
@@ -283,8 +283,7 @@ impl<'a> Kernels<'a> {
             let parameters = quote!(#links: &[[S; 12]; #joints], #target: &[S; 3], #sin_cos: &[[S; 4]; #joints]);
             self.function(&format_ident!("{name}"), doc, &parameters, program, &input)
         };
-        let value_gradient =
-            chain("value_gradient", "The chain's aim, then its derivatives.", self.value_gradient);
+        let value_gradient = chain("value_gradient", "The chain's aim, then its derivatives.", self.value_gradient);
         let residual_jacobian = chain(
             "residual_jacobian",
             "The chain's residual (left, up), then the derivatives of each.",
@@ -377,7 +376,11 @@ impl Body<'_> {
             Op::Constant(c) if c.value() == 0.0 => quote!(#scalar::ZERO),
             Op::Constant(c) => {
                 let magnitude = Literal::f64_unsuffixed(c.value().abs());
-                if c.value() < 0.0 { quote!(#scalar::constant(-#magnitude)) } else { quote!(#scalar::constant(#magnitude)) }
+                if c.value() < 0.0 {
+                    quote!(#scalar::constant(-#magnitude))
+                } else {
+                    quote!(#scalar::constant(#magnitude))
+                }
             }
             Op::Tiny => quote!(#scalar::TINY),
             Op::Neg(a) => {

@@ -71,13 +71,9 @@ pub fn scalar(g: &Graph, expression: Scalar) -> String {
         ScalarNode::Neg(a) => format!("-{}", s(a)),
         ScalarNode::Sqrt(a) => format!(r"\sqrt{{{}}}", s(a)),
         ScalarNode::Reciprocal(a) => format!(r"\frac{{1}}{{{}}}", s(a)),
-        ScalarNode::SelectLess(a, b, c, d) => format!(
-            r"\begin{{cases}} {} & {} < {} \\ {} & \text{{else}} \end{{cases}}",
-            s(c),
-            s(a),
-            s(b),
-            s(d)
-        ),
+        ScalarNode::SelectLess(a, b, c, d) => {
+            format!(r"\begin{{cases}} {} & {} < {} \\ {} & \text{{else}} \end{{cases}}", s(c), s(a), s(b), s(d))
+        }
         ScalarNode::Dot(a, b) => format!(r"{} \cdot {}", v(a), v(b)),
         ScalarNode::Norm(a) => format!(r"\left|{}\right|", v(a)),
         ScalarNode::Component(a, axis) => format!("{}_{{{}}}", v(a), ["x", "y", "z"][usize::from(axis)]),

@@ -83,12 +83,9 @@ fn rotation(g: &Graph, expression: Rotation) -> String {
             first.strip_suffix("_00").map_or_else(|| "M".to_owned(), str::to_owned)
         }
         RotationNode::Basis(_) => "B".to_owned(),
-        RotationNode::Turn(plane, angle) => format!(
-            "R_{}{}({})",
-            AXES[usize::from(plane.from)],
-            AXES[usize::from(plane.towards)],
-            g.angle_name(angle)
-        ),
+        RotationNode::Turn(plane, angle) => {
+            format!("R_{}{}({})", AXES[usize::from(plane.from)], AXES[usize::from(plane.towards)], g.angle_name(angle))
+        }
         RotationNode::Compose(a, b) => format!("({} {})", rotation(g, a), rotation(g, b)),
         RotationNode::Transpose(a) => format!("{}'", rotation(g, a)),
     }

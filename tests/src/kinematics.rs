@@ -2,28 +2,35 @@
 
 use aim_codegen::{Frame, JointSpec, RigSpec};
 
+/// A vector.
 pub type V = [f64; 3];
 
+/// a + b
 pub fn add(a: V, b: V) -> V {
     core::array::from_fn(|k| a[k] + b[k])
 }
 
+/// a − b
 pub fn sub(a: V, b: V) -> V {
     core::array::from_fn(|k| a[k] - b[k])
 }
 
+/// a · b
 pub fn dot(a: V, b: V) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+/// a × b
 pub fn cross(a: V, b: V) -> V {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
+/// k a
 pub fn scale(k: f64, a: V) -> V {
     a.map(|c| k * c)
 }
 
+/// |a|
 pub fn norm(a: V) -> f64 {
     dot(a, a).sqrt()
 }
@@ -32,10 +39,7 @@ pub fn norm(a: V) -> f64 {
 fn turn(v: V, from: V, towards: V, radians: f64) -> V {
     let (sin, cos) = radians.sin_cos();
     let (a, b) = (dot(v, from), dot(v, towards));
-    let change = add(
-        scale(a * (cos - 1.0) - b * sin, from),
-        scale(a * sin + b * (cos - 1.0), towards),
-    );
+    let change = add(scale(a * (cos - 1.0) - b * sin, from), scale(a * sin + b * (cos - 1.0), towards));
     add(v, change)
 }
 
@@ -45,17 +49,21 @@ pub fn correct(v: V, frame: &Frame, pitch: f64, heading: f64) -> V {
 }
 
 /// A link: rows of the rotation in the row-vector layout, and a translation.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Link {
+    /// The images of the three axes.
     pub rows: [V; 3],
+    /// The image of the origin.
     pub translation: V,
 }
 
 impl Link {
+    /// The image of a direction.
     pub fn direction(&self, v: V) -> V {
         core::array::from_fn(|k| v[0] * self.rows[0][k] + v[1] * self.rows[1][k] + v[2] * self.rows[2][k])
     }
 
+    /// The image of a point.
     pub fn point(&self, p: V) -> V {
         add(self.direction(p), self.translation)
     }
@@ -69,9 +77,11 @@ impl Link {
 }
 
 /// A pose of a chain and its target.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Case {
+    /// Effector to joint 0, then joint i−1 to joint i.
     pub links: Vec<Link>,
+    /// In the last joint's space.
     pub target: V,
     /// Pitch and heading of each joint; a hinge's missing angle is 0.
     pub angles: Vec<[f64; 2]>,

@@ -1,6 +1,7 @@
 //! A small seeded generator: the tests are the same everywhere.
 
 /// `SplitMix64`.
+#[derive(Clone, Debug)]
 pub struct Random(u64);
 
 impl Random {

@@ -1,0 +1,203 @@
+//! Declared axes: unit, square, not contradictory, enough of them, and of the right handedness.
+
+use super::frame::{self, SQUARE_SIN, Vector};
+use super::read;
+use super::report::Report;
+use super::settings::{Key, Level, Settings};
+use crate::Frame;
+use crate::declare::messages::{self, Expected, Owner};
+use crate::declare::place::Place;
+use crate::declare::tree::{Kind, Notation, Value};
+
+/// How far a vector's length may be from 1.
+const UNIT_TOLERANCE: f64 = 1e-3;
+
+/// What `bones` may say; each direction is followed by its opposite.
+const KEYS: [Key; 6] = [
+    ("up", Expected::Direction),
+    ("down", Expected::Direction),
+    ("forward", Expected::Direction),
+    ("back", Expected::Direction),
+    ("left", Expected::Direction),
+    ("right", Expected::Direction),
+];
+
+/// A declared direction.
+struct Direction<'t> {
+    /// The key as written, such as `down`.
+    key: &'static str,
+    /// Of the key as written, unit length.
+    vector: Vector,
+    place: &'t Place,
+}
+
+impl Direction<'_> {
+    fn is_opposite(&self) -> bool {
+        matches!(self.key, "down" | "back" | "right")
+    }
+
+    /// The vector of `up`, `forward` or `left`.
+    fn positive(&self) -> Vector {
+        if self.is_opposite() { frame::scale(-1.0, self.vector) } else { self.vector }
+    }
+}
+
+/// Declared axes: two or three, unit and square, of either handedness.
+pub(super) struct Axes<'t> {
+    /// Up, forward and left, each under either of its two names.
+    directions: [Option<Direction<'t>>; 3],
+    /// Where they are declared.
+    pub(super) place: &'t Place,
+}
+
+impl Axes<'_> {
+    fn vectors(&self) -> [Option<Vector>; 3] {
+        self.directions.each_ref().map(|direction| direction.as_ref().map(Direction::positive))
+    }
+
+    /// Whether nothing is left for the handedness to decide.
+    pub(super) fn is_triple(&self) -> bool {
+        self.directions.iter().all(Option::is_some)
+    }
+
+    /// The frame whose triple has the sign `hand`; reports the axes if they have the other.
+    pub(super) fn frame(&self, report: &mut Report, owner: Owner, hand: f64) -> Option<Frame> {
+        let [up, forward, left] = self.vectors();
+        let frame = frame::complete(up, forward, left, hand)?;
+        self.check_hand(report, owner, hand).then_some(frame)
+    }
+
+    fn check_hand(&self, report: &mut Report, owner: Owner, hand: f64) -> bool {
+        let ([Some(up), Some(forward), Some(left)], Some(last)) = (self.vectors(), &self.directions[2]) else {
+            return true;
+        };
+        if frame::dot(frame::cross(up, forward), left) * hand > 0.0 {
+            return true;
+        }
+        let flip = format!("{} = {}", last.key, show(frame::scale(-1.0, last.vector), report.notation));
+        let rig_is_right = (hand > 0.0) == (owner != Owner::MirroredJoint);
+        report.error(last.place, messages::wrong_hand(owner, rig_is_right, &flip, report.notation));
+        false
+    }
+}
+
+/// Reads `bones`. A triple that is skewed gets its handedness checked here, as there will be no frame to check.
+pub(super) fn read<'t>(report: &mut Report, owner: Owner, hand: f64, value: &'t Value) -> Option<Axes<'t>> {
+    let Kind::Table(entries) = &value.kind else {
+        read::mismatch(report, "bones", Expected::Axes, value);
+        return None;
+    };
+    let settings = Settings::read(entries, &KEYS, Level::Table, report);
+    let mut complete = true;
+    let mut axes = Axes { directions: [None, None, None], place: &value.place };
+    for (pair, slot) in KEYS.chunks_exact(2).zip(&mut axes.directions) {
+        let [(first, _), (second, _)] = [pair[0], pair[1]];
+        if let (Some(one), Some(other)) = (settings.get(first), settings.get(second)) {
+            let note = messages::declared_here(first);
+            report.error_with_note(&other.place, messages::contradictory(first, second), note, &one.place);
+            complete = false;
+        }
+        for key in [first, second] {
+            if let Some(value) = settings.get(key) {
+                match direction(report, key, value) {
+                    Some(vector) => *slot = Some(Direction { key, vector, place: &value.place }),
+                    None => complete = false,
+                }
+            } else if settings.has(key) {
+                complete = false;
+            }
+        }
+    }
+    let found: Vec<&Direction<'_>> = axes.directions.iter().flatten().collect();
+    match found.as_slice() {
+        [] if complete => report.error(&value.place, messages::empty_axes(report.notation)),
+        [only] if complete => report.error(only.place, messages::one_axis(only.key)),
+        _ => complete &= are_square(report, &axes, owner, hand),
+    }
+    (complete && found.len() >= 2).then_some(axes)
+}
+
+/// Reports parallel and skewed pairs.
+fn are_square(report: &mut Report, axes: &Axes<'_>, owner: Owner, hand: f64) -> bool {
+    let mut parallel = false;
+    let mut worst: Option<(f64, &Direction<'_>, &Direction<'_>)> = None;
+    for (first, second) in [(0, 1), (0, 2), (1, 2)] {
+        let (Some(first), Some(second)) = (&axes.directions[first], &axes.directions[second]) else { continue };
+        let cosine = frame::dot(first.vector, second.vector);
+        if frame::length(frame::cross(first.vector, second.vector)) < SQUARE_SIN {
+            let note = messages::declared_here(first.key);
+            report.error_with_note(second.place, messages::parallel(first.key, second.key), note, first.place);
+            parallel = true;
+        } else if cosine.abs() > SQUARE_SIN + 1e-9 && worst.is_none_or(|(most, ..)| cosine.abs() > most.abs()) {
+            worst = Some((cosine, first, second));
+        }
+    }
+    let (false, Some((cosine, first, second))) = (parallel, worst) else { return !parallel };
+    let [up, forward, left] = axes.vectors();
+    if let Some(nearest) = frame::nearest(up, forward, left, hand) {
+        let positive = [nearest.up, nearest.forward, nearest.left];
+        let shown: Vec<String> = ["up", "forward", "left"]
+            .iter()
+            .zip(positive)
+            .map(|(key, vector)| format!("{key} = {}", show(vector, report.notation)))
+            .collect();
+        let degrees = cosine.clamp(-1.0, 1.0).acos().to_degrees();
+        let text = messages::not_square(first.key, second.key, degrees, &shown.join(", "));
+        report.error(second.place, text);
+    }
+    axes.check_hand(report, owner, hand);
+    false
+}
+
+/// A signed axis or a unit vector.
+pub(super) fn direction(report: &mut Report, key: &str, value: &Value) -> Option<Vector> {
+    match &value.kind {
+        Kind::Axis { negative, letter } => {
+            let axis = frame::axis(letter, *negative);
+            if axis.is_none() {
+                let sign = if *negative { '-' } else { '+' };
+                report.error(&value.place, messages::axis_unknown(sign, letter));
+            }
+            axis
+        }
+        Kind::Word(word) if matches!(word.as_str(), "X" | "Y" | "Z" | "x" | "y" | "z") => {
+            report.error(&value.place, messages::axis_without_sign(word));
+            None
+        }
+        _ => {
+            let vector = read::vector(report, key, Expected::Direction, value)?;
+            let length = frame::length(vector);
+            if (length - 1.0).abs() <= UNIT_TOLERANCE {
+                return Some(frame::unit(vector));
+            }
+            // Divided by the largest component first: the length of what was written may be out of reach.
+            let largest = vector.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+            let text = if largest > 0.0 {
+                let unit = frame::unit(vector.map(|x| x / largest));
+                messages::not_unit(key, length, &format!("{key} = {}", show(unit, report.notation)))
+            } else {
+                messages::zero_vector(key)
+            };
+            report.error(&value.place, text);
+            None
+        }
+    }
+}
+
+/// A direction as it is declared, with four decimals at most: a frame shown so passes the checks.
+fn show(vector: Vector, notation: Notation) -> String {
+    if let Some(name) = frame::cardinal(vector) {
+        return match notation {
+            Notation::Rust => name.to_owned(),
+            Notation::Toml => format!("\"{name}\""),
+        };
+    }
+    let parts = vector.map(|x| {
+        let rounded = (x * 1e4).round() / 1e4 + 0.0;
+        format!("{rounded:?}")
+    });
+    match notation {
+        Notation::Rust => format!("({})", parts.join(", ")),
+        Notation::Toml => format!("[{}]", parts.join(", ")),
+    }
+}

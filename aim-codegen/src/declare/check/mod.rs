@@ -1,0 +1,197 @@
+//! The neutral tree → a checked rig. The only source of user errors; finds them all.
+
+mod axes;
+mod frame;
+mod joint;
+mod names;
+mod range;
+mod read;
+mod report;
+mod settings;
+
+use proc_macro2::TokenStream;
+
+use self::axes::Axes;
+use self::report::Report;
+use self::settings::{Key, Level, Settings};
+use super::diagnostics::Diagnostic;
+use super::messages::{self, Expected, Owner};
+use super::tree::{Joint, Kind, Notation, Rig, Section, Value};
+use crate::{EffectorSpec, Frame, JointSpec, RigSpec};
+
+/// What a rig may say; `crate` in a macro only, `joint` in TOML only.
+const RIG_KEYS: &[Key] = &[
+    ("bones", Expected::Axes),
+    ("handedness", Expected::Side),
+    ("effector", Expected::Effector),
+    ("crate", Expected::Path),
+    ("joint", Expected::Joints),
+];
+const JOINT_KEYS: &[Key] = joint::KEYS;
+const EFFECTOR_KEYS: &[Key] = &[("forward", Expected::Direction), ("origin", Expected::Point)];
+
+/// What the joints inherit from the rig.
+struct Conventions<'t> {
+    /// The sign of `up × forward · left` that unmirrored axes have: 1 in a right-handed rig.
+    hand: f64,
+    axes: Option<Axes<'t>>,
+    /// The frame of the rig's axes.
+    frame: Option<Frame>,
+}
+
+/// A checked declaration.
+pub(super) struct Checked {
+    pub(super) spec: RigSpec,
+    /// The path of `crate = …`.
+    pub(super) krate: Option<TokenStream>,
+}
+
+/// Checks the whole declaration; `found` is what its own syntax has refused already.
+pub(super) fn check(rig: &Rig, found: Vec<Diagnostic>) -> Result<Checked, Vec<Diagnostic>> {
+    let mut report = Report::new(rig.notation, found);
+    let checked = check_rig(rig, &mut report);
+    match checked {
+        Some(checked) if report.is_empty() => Ok(checked),
+        _ => Err(report.into_list()),
+    }
+}
+
+fn check_rig(rig: &Rig, report: &mut Report) -> Option<Checked> {
+    check_item(rig, report);
+    names::check(rig, report);
+
+    let keys: Vec<Key> = RIG_KEYS
+        .iter()
+        .copied()
+        .filter(|(key, _)| *key != if rig.notation == Notation::Rust { "joint" } else { "crate" })
+        .collect();
+    let settings = Settings::read(&rig.section.entries, &keys, Level::Rig, report);
+    check_attributes("aim", &rig.section, report);
+
+    let right = settings
+        .get("handedness")
+        .map_or(Some(true), |value| read::either(report, "handedness", Expected::Side, ["right", "left"], value));
+    let hand = if right == Some(false) { -1.0 } else { 1.0 };
+    let axes = settings.get("bones").and_then(|value| axes::read(report, Owner::Rig, hand, value));
+    let frame = axes.as_ref().and_then(|axes| axes.frame(report, Owner::Rig, hand));
+    let conventions = Conventions { hand, axes, frame };
+
+    let krate = settings.get("crate").and_then(|value| match &value.kind {
+        Kind::Path(path) => Some(path.clone()),
+        _ => {
+            read::mismatch(report, "crate", Expected::Path, value);
+            None
+        }
+    });
+    if let Some(value) = settings.get("joint") {
+        read::mismatch(report, "joint", Expected::Joints, value);
+    } else if rig.joints.is_empty() && rig.item.wrong_shape.is_none() {
+        let place = rig.name.as_ref().map_or(&rig.section.place, |name| &name.place);
+        report.error(place, messages::no_joints(rig.notation));
+    }
+
+    let mut joints: Vec<(&Joint, Settings<'_>)> = Vec::new();
+    for joint in &rig.joints {
+        let settings = Settings::read(&joint.section.entries, JOINT_KEYS, Level::Joint, report);
+        if check_joint_attributes(rig.notation, joint, report) {
+            joints.push((joint, settings));
+        }
+    }
+    let inherits = joints.iter().any(|(_, settings)| !settings.has("bones"));
+    let declares_nothing =
+        report.notation == Notation::Rust && rig.section.attributes.iter().any(|found| !found.has_list);
+    if inherits && !settings.has("bones") && !declares_nothing {
+        report.error(missing_axes_place(rig), messages::no_axes(rig.notation));
+    }
+
+    let specs: Vec<Option<JointSpec>> = joints
+        .iter()
+        .enumerate()
+        .map(|(at, (joint, settings))| joint::check(joint, settings, at == 0, &conventions, report))
+        .collect();
+    names::check_bones(&joints, report);
+
+    let specs: Option<Vec<JointSpec>> = specs.into_iter().collect();
+    let first = specs.as_ref().and_then(|specs| specs.first()).map(|joint| joint.frame);
+    let effector = effector(settings.get("effector"), first, report);
+    let name = match &rig.name {
+        Some(Value { kind: Kind::Text(name), .. }) => name.clone(),
+        _ => return None,
+    };
+    Some(Checked { spec: RigSpec { name, joints: specs?, effector: effector? }, krate })
+}
+
+/// The attribute that should hold them, or the struct's name; in TOML the file's beginning.
+fn missing_axes_place(rig: &Rig) -> &super::place::Place {
+    rig.section.attributes.first().map_or(&rig.section.place, |attribute| &attribute.place)
+}
+
+/// What can be wrong with the Rust item as such.
+fn check_item(rig: &Rig, report: &mut Report) {
+    let item = &rig.item;
+    if let Some((what, place)) = &item.wrong_shape {
+        report.error(place, messages::wrong_shape(what));
+    }
+    if let Some(place) = &item.generics {
+        report.error(place, messages::generics());
+    }
+    for derive in &item.derives {
+        report.error(&derive.place, messages::sibling_derive(&derive.text));
+    }
+    for attribute in &item.misplaced {
+        report.error(&attribute.place, messages::misplaced(&attribute.text));
+    }
+}
+
+fn check_attributes(name: &str, section: &Section, report: &mut Report) {
+    for attribute in section.attributes.iter().filter(|attribute| !attribute.has_list) {
+        report.error(&attribute.place, messages::no_list(name));
+    }
+    if let [first, others @ ..] = section.attributes.as_slice() {
+        for other in others {
+            let note = messages::first_attribute(name);
+            report.error_with_note(&other.place, messages::several_attributes(name), note, &first.place);
+        }
+    }
+}
+
+/// Whether the joint has settings to check.
+fn check_joint_attributes(notation: Notation, joint: &Joint, report: &mut Report) -> bool {
+    check_attributes("joint", &joint.section, report);
+    if notation == Notation::Rust && joint.section.attributes.is_empty() {
+        report.error(&joint.section.place, messages::no_attribute(&joint::name_of(joint)));
+        return false;
+    }
+    joint.section.attributes.iter().all(|attribute| attribute.has_list)
+}
+
+/// The effector in the first joint's bone space; its own forward, if it has one, keeps up as near as it can.
+fn effector(value: Option<&Value>, first: Option<Frame>, report: &mut Report) -> Option<EffectorSpec> {
+    let at_rest = |frame| EffectorSpec { frame, origin: [0.0; 3] };
+    let Some(value) = value else { return first.map(at_rest) };
+    let Kind::Table(entries) = &value.kind else {
+        read::mismatch(report, "effector", Expected::Effector, value);
+        return None;
+    };
+    let settings = Settings::read(entries, EFFECTOR_KEYS, Level::Table, report);
+    let forward = settings.get("forward").map(|value| axes::direction(report, "forward", value));
+    let origin =
+        settings.get("origin").map_or(Some([0.0; 3]), |value| read::vector(report, "origin", Expected::Point, value));
+    let first = first?;
+    let frame = match forward {
+        Some(forward) => turned(first, forward?),
+        None => first,
+    };
+    Some(EffectorSpec { frame, origin: origin? })
+}
+
+/// The first joint's frame, turned to another forward by squaring its up to that.
+///
+/// Where the new forward is along up, the character looks straight up or down: its up then points where the back of the
+/// head, or the face, was.
+fn turned(first: Frame, forward: frame::Vector) -> Frame {
+    let along = frame::dot(first.up, forward);
+    let is_parallel = frame::length(frame::cross(first.up, forward)) < frame::SQUARE_SIN;
+    let up = if is_parallel { frame::scale(-along.signum(), first.forward) } else { first.up };
+    frame::square(up, forward, first.handedness())
+}

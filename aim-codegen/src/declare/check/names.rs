@@ -1,0 +1,120 @@
+//! Names of rigs, joints and bones: usable in Rust, C and WGSL, and each used once.
+
+use super::read;
+use super::report::Report;
+use super::settings::Settings;
+use crate::declare::messages::{self, Expected};
+use crate::declare::place::Place;
+use crate::declare::tree::{Joint, Kind, Notation, Rig, Value};
+use crate::names::{is_rust_keyword, keyword_of, snake_case};
+
+/// Checks the names of the rig and of its joints.
+pub(super) fn check(rig: &Rig, report: &mut Report) {
+    match &rig.name {
+        Some(name) => {
+            check_name(name, report);
+        }
+        None => report.error(&rig.section.place, messages::no_name("rig")),
+    }
+    let mut seen: Vec<(&str, String, &Place)> = Vec::new();
+    for joint in &rig.joints {
+        let Some(value) = &joint.name else {
+            report.error(&joint.section.place, messages::no_name("joint"));
+            continue;
+        };
+        let Some(name) = check_name(value, report) else { continue };
+        let snake = snake_case(name);
+        match seen.iter().find(|(_, other, _)| *other == snake) {
+            Some((first, _, place)) => {
+                let text = if *first == name {
+                    messages::duplicate_name(name)
+                } else {
+                    messages::name_collision(first, name, &snake)
+                };
+                report.error_with_note(&value.place, text, messages::first_use(first), place);
+            }
+            None => seen.push((name, snake, &value.place)),
+        }
+    }
+}
+
+/// Checks one name; `None` if it was reported.
+fn check_name<'t>(value: &'t Value, report: &mut Report) -> Option<&'t str> {
+    let Kind::Text(name) = &value.kind else {
+        read::mismatch(report, "name", Expected::Name, value);
+        return None;
+    };
+    let snake = snake_case(name);
+    let text = if !is_identifier(name) && (name.is_ascii() || report.notation == Notation::Toml && !is_word(name)) {
+        messages::not_identifier(name)
+    } else if !name.is_ascii() {
+        messages::not_ascii(name)
+    } else if let Some(language) = keyword_of(&snake) {
+        messages::keyword(name, &snake, language)
+    } else if report.notation == Notation::Toml && is_rust_keyword(name) {
+        // In a macro rustc has seen to it: a keyword arrives as `r#…`, which the emitted Rust repeats.
+        messages::rust_keyword(name)
+    } else if name.starts_with("__") {
+        messages::reserved_prefix(name)
+    } else {
+        return Some(name);
+    };
+    report.error(&value.place, text);
+    None
+}
+
+fn is_identifier(name: &str) -> bool {
+    name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+        && name != "_"
+}
+
+/// Like an identifier, in any script: then it is the script that is reported.
+fn is_word(name: &str) -> bool {
+    name.starts_with(|c: char| c.is_alphabetic() || c == '_') && name.chars().all(|c| c.is_alphanumeric() || c == '_')
+}
+
+/// Reports bones that are named twice, among all joints, their alternatives and their pairs.
+pub(super) fn check_bones(joints: &[(&Joint, Settings<'_>)], report: &mut Report) {
+    let mut seen: Vec<(&str, &Place, bool)> = Vec::new();
+    for (joint, settings) in joints {
+        let mut own: Vec<(&str, &Place, bool)> = Vec::new();
+        match (settings.get("bone"), &joint.name) {
+            (Some(value), _) => own.extend(texts(value).map(|(bone, place)| (bone, place, false))),
+            (None, Some(Value { kind: Kind::Text(name), place })) => own.push((name, place, true)),
+            _ => {}
+        }
+        if let Some(value) = settings.get("pair") {
+            own.extend(texts(value).map(|(bone, place)| (bone, place, false)));
+        }
+        for (bone, place, by_name) in own {
+            match seen.iter().find(|(first, ..)| *first == bone) {
+                // Two joints of one name have been reported as such.
+                Some((_, _, true)) if by_name => {}
+                Some((_, first, first_by_name)) => {
+                    let note = if *first_by_name || by_name {
+                        messages::default_bone_here(bone)
+                    } else {
+                        messages::first_use(bone)
+                    };
+                    // The explicit name is the one to change, so it carries the error.
+                    let (place, other) = if by_name { (*first, place) } else { (place, *first) };
+                    report.error_with_note(place, messages::duplicate_bone(bone), note, other);
+                }
+                None => seen.push((bone, place, by_name)),
+            }
+        }
+    }
+}
+
+/// The strings of a value, alone or in a list; what is not a string has been reported.
+fn texts(value: &Value) -> impl Iterator<Item = (&str, &Place)> {
+    let values = match &value.kind {
+        Kind::List(values) => values.as_slice(),
+        _ => core::slice::from_ref(value),
+    };
+    values.iter().filter_map(|value| match &value.kind {
+        Kind::Text(text) => Some((text.as_str(), &value.place)),
+        _ => None,
+    })
+}

@@ -1,0 +1,168 @@
+//! [`Settings`]: entries sorted by key; unknown, repeated and misplaced keys are reported here, once.
+
+use super::report::Report;
+use crate::declare::messages::{self, Expected};
+use crate::declare::tree::{Entry, Item, Kind, Value};
+
+/// A known key and what its value has to be.
+pub(super) type Key = (&'static str, Expected);
+
+/// Where settings stand, for keys that belong elsewhere.
+#[derive(Clone, Copy)]
+pub(super) enum Level {
+    Rig,
+    Joint,
+    Table,
+}
+
+/// The usable settings of a section.
+pub(super) struct Settings<'t> {
+    items: Vec<&'t Item>,
+    /// Keys that are there in some form, so that they are not reported as missing, too.
+    present: Vec<&'t str>,
+}
+
+/// Words for settings that other programs use.
+const SYNONYMS: &[(&str, &str)] = &[
+    ("yaw", "heading"),
+    ("azimuth", "heading"),
+    ("elevation", "pitch"),
+    ("tilt", "pitch"),
+    ("speed", "rate"),
+    ("velocity", "rate"),
+    ("accel", "acceleration"),
+    ("weight", "comfort"),
+    ("stiffness", "comfort"),
+    ("node", "bone"),
+    ("axes", "bones"),
+    ("backward", "back"),
+    ("front", "forward"),
+    ("mirror", "mirrored"),
+];
+
+impl<'t> Settings<'t> {
+    pub(super) fn read(entries: &'t [Entry], known: &[Key], level: Level, report: &mut Report) -> Self {
+        let mut settings = Self { items: Vec::new(), present: Vec::new() };
+        for entry in entries {
+            match entry {
+                Entry::Item(item) => settings.add(item, known, level, report),
+                Entry::Stray(word) => report.error(&word.place, messages::stray(&word.text)),
+                Entry::NoComma(word) => report.error(&word.place, messages::no_comma(&word.text)),
+                #[cfg(feature = "toml")]
+                Entry::Repeated { key, first } => {
+                    let text = messages::duplicate_key(&key.text);
+                    match first {
+                        Some(first) => {
+                            report.error_with_note(&key.place, text, messages::first_use(&key.text), first);
+                        }
+                        None => report.error(&key.place, text),
+                    }
+                }
+            }
+        }
+        settings
+    }
+
+    /// The value of this key, if it has one.
+    pub(super) fn get(&self, key: &str) -> Option<&'t Value> {
+        self.items.iter().find(|item| item.key.text == key).map(|item| &item.value)
+    }
+
+    /// Whether the key was at least meant.
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.present.contains(&key)
+    }
+
+    fn add(&mut self, item: &'t Item, known: &[Key], level: Level, report: &mut Report) {
+        let key = item.key.text.as_str();
+        let Some((_, expected)) = known.iter().find(|(name, _)| *name == key) else {
+            self.unknown(item, known, level, report);
+            return;
+        };
+        if let Some(first) = self.items.iter().find(|first| first.key.text == key) {
+            let note = messages::first_use(key);
+            report.error_with_note(&item.key.place, messages::duplicate_key(key), note, &first.key.place);
+            return;
+        }
+        self.present.push(key);
+        if matches!(item.value.kind, Kind::Absent | Kind::Unassigned) {
+            report.error(&item.value.place, messages::no_value(key, Some(*expected), report.notation));
+        } else {
+            self.items.push(item);
+        }
+    }
+
+    fn unknown(&mut self, item: &'t Item, known: &[Key], level: Level, report: &mut Report) {
+        let key = item.key.text.as_str();
+        let names: Vec<&'static str> = known.iter().map(|(name, _)| *name).collect();
+        let (is_rig, is_joint) = (super::RIG_KEYS, super::JOINT_KEYS);
+        let of = |keys: &[Key]| keys.iter().any(|(name, _)| *name == key);
+        let text = match level {
+            Level::Joint if of(is_rig) => messages::key_of_rig(key, report.notation),
+            Level::Rig if of(is_joint) => messages::key_of_joint(key, report.notation),
+            _ => {
+                let nearest = nearest(key, &names);
+                self.present.extend(nearest);
+                messages::unknown_key(key, nearest, &names)
+            }
+        };
+        report.error(&item.key.place, text);
+    }
+}
+
+/// The known key that was probably meant.
+fn nearest(key: &str, known: &[&'static str]) -> Option<&'static str> {
+    let key = key.to_lowercase();
+    if let Some((_, meant)) = SYNONYMS.iter().find(|(other, meant)| *other == key && known.contains(meant)) {
+        return Some(meant);
+    }
+    let shortened = |name: &&&str| key.len() >= 3 && name.starts_with(key.as_str());
+    if let Some(name) = known.iter().find(shortened) {
+        return Some(name);
+    }
+    let (distance, nearest) = known.iter().map(|name| (distance(&key, name), *name)).min()?;
+    (distance <= (nearest.len() / 3).max(1)).then_some(nearest)
+}
+
+/// How many letters have to be put in, left out, replaced or swapped with their neighbour.
+fn distance(from: &str, to: &str) -> usize {
+    let (from, to): (Vec<char>, Vec<char>) = (from.chars().collect(), to.chars().collect());
+    let mut rows = vec![(0..=to.len()).collect::<Vec<usize>>()];
+    for (i, a) in from.iter().enumerate() {
+        let mut row = vec![i + 1];
+        for (j, b) in to.iter().enumerate() {
+            let replaced = rows[i][j] + usize::from(a != b);
+            let mut least = replaced.min(row[j] + 1).min(rows[i][j + 1] + 1);
+            if i > 0 && j > 0 && from[i - 1] == *b && to[j - 1] == *a {
+                least = least.min(rows[i - 1][j - 1] + 1);
+            }
+            row.push(least);
+        }
+        rows.push(row);
+    }
+    rows[from.len()][to.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_key_is_found_or_none() {
+        let known = ["heading", "pitch", "rate", "comfort", "bone", "bones", "back"];
+        for (key, meant) in [
+            ("headng", Some("heading")),
+            ("haeding", Some("heading")),
+            ("Heading", Some("heading")),
+            ("rates", Some("rate")),
+            ("yaw", Some("heading")),
+            ("head", Some("heading")),
+            ("backward", Some("back")),
+            ("bonez", Some("bone")),
+            ("colour", None),
+            ("", None),
+        ] {
+            assert_eq!(nearest(key, &known), meant, "{key}");
+        }
+    }
+}

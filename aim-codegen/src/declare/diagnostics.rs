@@ -1,0 +1,128 @@
+//! [`Diagnostics`]: every error of one declaration, each with its place and what to do about it.
+
+use core::fmt;
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote_spanned;
+
+use super::place::Place;
+use super::render;
+
+/// What a message says and what to do about it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Text {
+    pub(crate) message: String,
+    pub(crate) help: String,
+}
+
+/// One error in a declaration.
+#[derive(Clone, Debug)]
+pub struct Diagnostic {
+    text: Text,
+    place: Place,
+    note: Option<(String, Place)>,
+}
+
+impl Diagnostic {
+    pub(crate) fn new(text: Text, place: Place) -> Self {
+        Self { text, place, note: None }
+    }
+
+    pub(crate) fn with_note(mut self, note: impl Into<String>, place: Place) -> Self {
+        self.note = Some((note.into(), place));
+        self
+    }
+
+    /// What is wrong.
+    pub fn message(&self) -> &str {
+        &self.text.message
+    }
+
+    /// What to do about it.
+    pub fn help(&self) -> &str {
+        &self.text.help
+    }
+
+    /// Where it is wrong.
+    pub fn place(&self) -> &Place {
+        &self.place
+    }
+
+    /// The other place concerned, such as a key's first use, with what it is.
+    pub fn note(&self) -> Option<(&str, &Place)> {
+        self.note.as_ref().map(|(note, place)| (note.as_str(), place))
+    }
+}
+
+/// All errors of one declaration; at least one.
+#[derive(Clone, Debug)]
+pub struct Diagnostics {
+    list: Vec<Diagnostic>,
+    source: Option<Source>,
+}
+
+/// The file that the places are in.
+#[derive(Clone, Debug)]
+pub(crate) struct Source {
+    pub(crate) name: String,
+    pub(crate) text: String,
+}
+
+impl Diagnostics {
+    /// Errors in the order of their places.
+    pub(crate) fn new(mut list: Vec<Diagnostic>, source: Option<Source>) -> Self {
+        list.sort_by_key(|diagnostic| diagnostic.place.offset());
+        Self { list, source }
+    }
+
+    /// The errors, in the order of the text.
+    pub fn iter(&self) -> core::slice::Iter<'_, Diagnostic> {
+        self.list.iter()
+    }
+
+    /// One `compile_error!` for each error at its place, and one for each second place.
+    pub fn into_compile_error(self) -> TokenStream {
+        let mut tokens = TokenStream::new();
+        for Diagnostic { text, place, note } in self.list {
+            tokens.extend(compile_error(&format!("{}\n\n  = help: {}", text.message, text.help), &place));
+            if let Some((note, place)) = note {
+                tokens.extend(compile_error(&format!("note: {note}"), &place));
+            }
+        }
+        tokens
+    }
+
+    /// The errors as a compiler prints them: message, file, line and column, the line itself, help.
+    pub fn render(&self) -> String {
+        render::render(self, self.source.as_ref())
+    }
+}
+
+impl<'a> IntoIterator for &'a Diagnostics {
+    type Item = &'a Diagnostic;
+    type IntoIter = core::slice::Iter<'a, Diagnostic>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+impl fmt::Display for Diagnostics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.render())
+    }
+}
+
+impl core::error::Error for Diagnostics {}
+
+/// Rustc underlines from the macro's path to its arguments, so these carry the first and the last span.
+fn compile_error(message: &str, place: &Place) -> TokenStream {
+    let (first, last) = match place {
+        Place::Tokens { first, last } => (*first, *last),
+        Place::Text(_) => (Span::call_site(), Span::call_site()),
+    };
+    let core = Ident::new("core", first);
+    let path = quote_spanned!(first=> ::#core::compile_error!);
+    let arguments = quote_spanned!(last=> { #message });
+    quote::quote!(#path #arguments)
+}

@@ -1,0 +1,88 @@
+//! What the user declared → a checked [`RigSpec`], or every error in it, each at its place.
+//!
+//! A derive macro's tokens ([`from_derive_input`]) and a TOML file ([`from_toml`]) become one neutral tree, which one
+//! `check` judges; so both report the same mistakes in the same words.
+
+mod check;
+mod diagnostics;
+mod fallback;
+mod input;
+mod literal;
+mod messages;
+mod place;
+mod render;
+mod tokens;
+#[cfg(feature = "toml")]
+mod toml_file;
+mod tree;
+
+#[cfg(test)]
+mod tests;
+
+use core::fmt;
+
+use quote::ToTokens;
+use syn::{Data, DeriveInput};
+
+pub use self::diagnostics::{Diagnostic, Diagnostics};
+pub use self::fallback::fallback;
+pub use self::place::Place;
+use crate::RigSpec;
+
+/// A checked declaration of a derive macro.
+#[non_exhaustive]
+pub struct Declared {
+    /// The rig.
+    pub spec: RigSpec,
+    /// The struct's name, with its span.
+    pub ident: syn::Ident,
+    /// The joints' fields, with their spans, `r#` and all; as many as the rig has joints.
+    pub fields: Vec<syn::Ident>,
+    /// The path of `crate = …`, where it is not `::aim`.
+    pub krate: Option<syn::Path>,
+}
+
+/// Without the spans, which say nothing in print.
+impl fmt::Debug for Declared {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let krate = self.krate.as_ref().map(|path| path.to_token_stream().to_string());
+        f.debug_struct("Declared")
+            .field("spec", &self.spec)
+            .field("ident", &self.ident)
+            .field("fields", &self.fields)
+            .field("krate", &krate)
+            .finish()
+    }
+}
+
+/// Reads and checks the item that carries `#[derive(AimRig)]`.
+///
+/// # Errors
+///
+/// Everything that is wrong with the declaration. [`fallback`] gives what to emit beside them.
+pub fn from_derive_input(input: &DeriveInput) -> Result<Declared, Diagnostics> {
+    let checked = check::check(&input::read(input), Vec::new()).map_err(|found| Diagnostics::new(found, None))?;
+    let fields = match &input.data {
+        Data::Struct(data) => data.fields.iter().filter_map(|field| field.ident.clone()).collect(),
+        Data::Enum(_) | Data::Union(_) => Vec::new(),
+    };
+    let krate = checked.krate.and_then(|path| syn::parse::Parser::parse2(syn::Path::parse_mod_style, path).ok());
+    Ok(Declared { spec: checked.spec, ident: input.ident.clone(), fields, krate })
+}
+
+/// Reads and checks a rig's TOML file. `file_name` is what the errors call it.
+///
+/// # Errors
+///
+/// Everything that is wrong with the declaration; [`Diagnostics::render`] shows it with line and column.
+#[cfg(feature = "toml")]
+pub fn from_toml(file_name: &str, text: &str) -> Result<RigSpec, Diagnostics> {
+    let (rig, syntax) = toml_file::read(text);
+    match check::check(&rig, syntax) {
+        Ok(checked) => Ok(checked.spec),
+        Err(found) => {
+            let source = diagnostics::Source { name: file_name.to_owned(), text: text.to_owned() };
+            Err(Diagnostics::new(found, Some(source)))
+        }
+    }
+}

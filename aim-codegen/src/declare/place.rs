@@ -1,0 +1,42 @@
+//! [`Place`]: where the user wrote something, in a macro's tokens or in a TOML file's text.
+
+use core::ops::Range;
+
+use proc_macro2::{Span, TokenTree};
+
+/// Where something stands in what the user wrote.
+#[derive(Clone, Debug)]
+pub enum Place {
+    /// From one token to another of a macro's input; both may be the same.
+    Tokens {
+        /// The first token.
+        first: Span,
+        /// The last token.
+        last: Span,
+    },
+    /// A byte range of a file's text.
+    Text(Range<usize>),
+}
+
+impl Place {
+    /// The place of one token.
+    pub(crate) fn span(span: Span) -> Self {
+        Self::Tokens { first: span, last: span }
+    }
+
+    /// The place of these tokens, or `fallback` where there are none.
+    pub(crate) fn tokens(tokens: &[TokenTree], fallback: Span) -> Self {
+        match (tokens.first(), tokens.last()) {
+            (Some(first), Some(last)) => Self::Tokens { first: first.span(), last: last.span() },
+            _ => Self::span(fallback),
+        }
+    }
+
+    /// Orders places of one file; places in tokens all compare equal, as spans have no order on stable.
+    pub(crate) fn offset(&self) -> usize {
+        match self {
+            Self::Tokens { .. } => 0,
+            Self::Text(range) => range.start,
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! Renders diagnostics for a terminal, in the shape compilers have made familiar. Plain text, no colours.
+
+use core::fmt::Write;
+use core::ops::Range;
+
+use super::diagnostics::{Diagnostics, Source};
+use super::place::Place;
+
+/// All diagnostics, separated by empty lines; ends with a newline.
+pub(crate) fn render(diagnostics: &Diagnostics, source: Option<&Source>) -> String {
+    let mut out = String::new();
+    for diagnostic in diagnostics {
+        if !out.is_empty() {
+            out.push('\n');
+        }
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "error: {}", diagnostic.message());
+        let gutter = match (source, diagnostic.place()) {
+            (Some(source), Place::Text(range)) => snippet(&mut out, source, range),
+            _ => 1,
+        };
+        let help = diagnostic.help().replace('\n', &format!("\n{:gutter$}           ", ""));
+        let _ = writeln!(out, "{:gutter$} = help: {help}", "");
+        if let (Some((note, Place::Text(range))), Some(source)) = (diagnostic.note(), source) {
+            let _ = writeln!(out, "note: {note}");
+            snippet(&mut out, source, range);
+        }
+    }
+    out
+}
+
+/// Writes ` --> file:line:column` and the underlined line; returns the gutter's width.
+fn snippet(out: &mut String, source: &Source, range: &Range<usize>) -> usize {
+    let Located { line, column, start, text } = locate(&source.text, range.start);
+    let gutter = line.to_string().len();
+    // Tabs become one space each, so that the underline stands below its text whatever the terminal's tab width.
+    let shown = text.replace('\t', " ");
+    let from = range.start.saturating_sub(start).min(text.len());
+    let to = range.end.saturating_sub(start).clamp(from, text.len());
+    let width = text.get(from..to).map_or(1, |part| part.chars().count()).max(1);
+    let _ = writeln!(out, "{:gutter$}--> {}:{line}:{column}", "", source.name);
+    let _ = writeln!(out, "{:gutter$} |", "");
+    let _ = writeln!(out, "{line} | {shown}");
+    let carets = "^".repeat(width);
+    let _ = writeln!(out, "{:gutter$} | {:indent$}{carets}", "", "", indent = column - 1);
+    gutter
+}
+
+/// A byte's position among the lines.
+struct Located<'t> {
+    /// From 1.
+    line: usize,
+    /// From 1, in characters.
+    column: usize,
+    /// Where the line starts.
+    start: usize,
+    /// The line without its end.
+    text: &'t str,
+}
+
+fn locate(text: &str, offset: usize) -> Located<'_> {
+    let mut offset = offset.min(text.len());
+    while !text.is_char_boundary(offset) {
+        offset -= 1;
+    }
+    let start = text[..offset].rfind('\n').map_or(0, |at| at + 1);
+    let end = text[start..].find('\n').map_or(text.len(), |at| start + at);
+    Located {
+        line: text[..start].matches('\n').count() + 1,
+        column: text[start..offset].chars().count() + 1,
+        start,
+        text: text[start..end].trim_end_matches('\r'),
+    }
+}

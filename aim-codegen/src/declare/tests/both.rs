@@ -1,0 +1,392 @@
+//! The same mistakes through both front ends: same message, at the corresponding place.
+
+use super::{errors_of, excerpt, listed};
+use crate::declare::from_toml;
+
+/// One mistake, or several, in both notations.
+struct Case {
+    /// The settings of the rig: Rust, TOML.
+    rig: [&'static str; 2],
+    /// The settings of the first joint, `eye`; a second one, `neck`, is faultless.
+    joint: [&'static str; 2],
+    /// Message, then what is underlined in Rust and in TOML.
+    errors: &'static [[&'static str; 3]],
+}
+
+const RIG: [&str; 2] = ["bones(up = +X, forward = +Y)", r#"bones = { up = "+X", forward = "+Y" }"#];
+const JOINT: [&str; 2] =
+    ["heading = -35deg..=35deg, rate = 450deg", "heading = [\"-35deg\", \"35deg\"]\nrate = \"450deg\""];
+
+fn assert_case(Case { rig, joint, errors }: &Case) {
+    let item = format!(
+        "#[aim({})] struct Thug {{ #[joint({})] eye: Joint, #[joint(pitch = -1deg..=1deg, rate = 1rad)] neck: Joint }}",
+        rig[0], joint[0]
+    );
+    let file = format!(
+        "name = \"Thug\"\n{}\n[[joint]]\nname = \"eye\"\n{}\n[[joint]]\nname = \"neck\"\npitch = [\"-1deg\", \"1deg\"]\nrate = \"1rad\"\n",
+        rig[1], joint[1]
+    );
+    let found = errors_of(&item);
+    let expected = |at: usize| -> Vec<(String, String)> {
+        let mut all: Vec<_> = errors.iter().map(|error| (error[0].to_owned(), error[at].to_owned())).collect();
+        all.sort();
+        all
+    };
+    let mut rust = listed(&item, &found);
+    rust.sort();
+    assert_eq!(rust, expected(1), "{item}");
+    let found = match from_toml("rigs/thug.toml", &file) {
+        Ok(spec) => panic!("no error in {file}: {spec:?}"),
+        Err(found) => found,
+    };
+    let mut toml = listed(&file, &found);
+    toml.sort();
+    assert_eq!(toml, expected(2), "{file}");
+}
+
+/// Cases that differ from a faultless declaration in the joint only.
+fn joint(rust: &'static str, toml: &'static str, errors: &'static [[&'static str; 3]]) {
+    assert_case(&Case { rig: RIG, joint: [rust, toml], errors });
+}
+
+/// Cases that differ in the rig only.
+fn rig(rust: &'static str, toml: &'static str, errors: &'static [[&'static str; 3]]) {
+    assert_case(&Case { rig: [rust, toml], joint: JOINT, errors });
+}
+
+/// A joint's heading in otherwise good order.
+macro_rules! heading {
+    ($rust:literal, $toml:literal, $($error:expr),+) => {
+        joint(
+            concat!("heading = ", $rust, ", rate = 450deg"),
+            concat!("heading = ", $toml, "\nrate = \"450deg\""),
+            &[$($error),+],
+        )
+    };
+}
+
+/// Another setting of a joint in otherwise good order.
+macro_rules! setting {
+    ($key:literal, $rust:literal, $toml:literal, $($error:expr),+) => {
+        joint(
+            concat!("heading = -35deg..=35deg, rate = 450deg, ", $key, " = ", $rust),
+            concat!("heading = [\"-35deg\", \"35deg\"]\nrate = \"450deg\"\n", $key, " = ", $toml),
+            &[$($error),+],
+        )
+    };
+}
+
+macro_rules! bones {
+    ($rust:literal, $toml:literal, $($error:expr),+) => {
+        rig(concat!("bones(", $rust, ")"), concat!("bones = { ", $toml, " }"), &[$($error),+])
+    };
+}
+
+#[test]
+fn units() {
+    heading!("-35..=35deg", r#"["-35", "35deg"]"#, ["`-35` has no unit", "-35", "\"-35\""]);
+    heading!("-35deg..=35grad", r#"["-35deg", "35grad"]"#, ["`grad` is not a unit of angles", "35grad", "\"35grad\""]);
+    heading!(
+        "-35deg..=35degrees",
+        r#"["-35deg", "35degrees"]"#,
+        ["`degrees` is not a unit of angles", "35degrees", "\"35degrees\""]
+    );
+    heading!(
+        "-35 deg..=35deg",
+        r#"["-35 deg", "35deg"]"#,
+        ["`-35` is separated from its unit", "-35 deg", "\"-35 deg\""]
+    );
+    heading!("-0x23..=35deg", r#"["-0x23", "35deg"]"#, ["`-0x23` is hexadecimal", "-0x23", "\"-0x23\""]);
+    heading!("-35deg..=0b1", r#"["-35deg", "0b1"]"#, ["`0b1` is binary", "0b1", "\"0b1\""]);
+    heading!("-1..=2", "[-1, 2]", ["`-1` has no unit", "-1", "-1"], ["`2` has no unit", "2", "2"]);
+}
+
+#[test]
+fn ranges() {
+    heading!(
+        "5deg..=20deg",
+        r#"["5deg", "20deg"]"#,
+        ["the range of `heading`, 5deg to 20deg, does not contain 0", "5deg..=20deg", r#"["5deg", "20deg"]"#]
+    );
+    heading!(
+        "20deg..=-20deg",
+        r#"["20deg", "-20deg"]"#,
+        ["the range of `heading` is inverted: 20deg is above -20deg", "20deg..=-20deg", r#"["20deg", "-20deg"]"#]
+    );
+    heading!(
+        "0deg..=0rad",
+        r#"["0deg", "0rad"]"#,
+        ["the range of `heading` is empty: its ends are equal", "0deg..=0rad", r#"["0deg", "0rad"]"#]
+    );
+    heading!(
+        "-181deg..=3.2rad",
+        r#"["-181deg", "3.2rad"]"#,
+        ["`-181deg` is beyond ±180°", "-181deg", "\"-181deg\""],
+        ["`3.2rad` is beyond ±180°", "3.2rad", "\"3.2rad\""]
+    );
+    heading!("35deg", "\"35deg\"", ["`heading` needs a range of angles, found `35deg`", "35deg", "\"35deg\""]);
+    joint(
+        "heading = -35deg..=35deg, pitch = free, rate = 1rad",
+        "heading = [\"-35deg\", \"35deg\"]\npitch = \"free\"\nrate = \"1rad\"",
+        &[["`pitch` cannot be free", "free", "\"free\""]],
+    );
+    heading!(
+        "loose",
+        "\"loose\"",
+        ["`heading` needs a range of angles or `free`, found `loose`", "loose", "\"loose\""]
+    );
+    heading!("true", "true", ["`heading` needs a range of angles or `free`, found `true`", "true", "true"]);
+}
+
+#[test]
+fn positive_numbers() {
+    setting!(
+        "acceleration",
+        "0deg",
+        "\"0deg\"",
+        ["`acceleration` must be positive, `0deg` is zero", "0deg", "\"0deg\""]
+    );
+    setting!(
+        "acceleration",
+        "-1deg",
+        "\"-1deg\"",
+        ["`acceleration` must be positive, `-1deg` is negative", "-1deg", "\"-1deg\""]
+    );
+    setting!(
+        "acceleration",
+        "1e999deg",
+        "\"1e999deg\"",
+        ["`acceleration` must be finite, `1e999deg` is not", "1e999deg", "\"1e999deg\""]
+    );
+    setting!("comfort", "0", "0", ["`comfort` must be positive, `0` is zero", "0", "0"]);
+    setting!("comfort", "-0.5", "-0.5", ["`comfort` must be positive, `-0.5` is negative", "-0.5", "-0.5"]);
+    setting!("comfort", "1e39", "1e39", ["`comfort` must be finite, `1e39` is not", "1e39", "1e39"]);
+    setting!("comfort", "1deg", "\"1deg\"", ["`comfort` is a plain number, found the unit `deg`", "1deg", "\"1deg\""]);
+    setting!("level", "1.5", "1.5", ["`level` must lie in 0 to 1, found `1.5`", "1.5", "1.5"]);
+    setting!("level", "-0.1", "-0.1", ["`level` must lie in 0 to 1, found `-0.1`", "-0.1", "-0.1"]);
+    joint(
+        "heading = -1deg..=1deg, rate = 0rad",
+        "heading = [\"-1deg\", \"1deg\"]\nrate = \"0rad\"",
+        &[["`rate` must be positive, `0rad` is zero", "0rad", "\"0rad\""]],
+    );
+    joint(
+        "heading = -1deg..=1deg, rate = 450",
+        "heading = [\"-1deg\", \"1deg\"]\nrate = 450",
+        &[["`450` has no unit", "450", "450"]],
+    );
+}
+
+#[test]
+fn wrong_kinds() {
+    setting!("mirrored", "left", "\"left\"", ["`mirrored` needs `true` or `false`, found `left`", "left", "\"left\""]);
+    setting!(
+        "range",
+        "total",
+        "\"total\"",
+        ["`range` needs `absolute` or `relative`, found `total`", "total", "\"total\""]
+    );
+    setting!("bone", "3", "3", ["`bone` needs a node's name or a list of names, found `3`", "3", "3"]);
+    setting!("bone", "[\"a\", 3]", "[\"a\", 3]", ["`bone` needs a node's name, found `3`", "3", "3"]);
+    setting!("bone", "[]", "[]", ["`bone` names no node", "[]", "[]"]);
+    setting!("pair", "\"\"", "\"\"", ["`pair` names no node", "\"\"", "\"\""]);
+    setting!("comfort", "much", "\"much\"", ["`comfort` needs a plain number, found `much`", "much", "\"much\""]);
+    setting!("bones", "+X", "\"+X\"", ["`bones` needs two or three axes, found `+X`", "+X", "\"+X\""]);
+}
+
+#[test]
+fn what_a_joint_needs() {
+    joint("rate = 450deg", "rate = \"450deg\"", &[["`eye` has neither heading nor pitch", "eye", "\"eye\""]]);
+    joint("pitch = -1deg..=1deg", "pitch = [\"-1deg\", \"1deg\"]", &[["`eye` has no rate", "eye", "\"eye\""]]);
+    joint(
+        "",
+        "",
+        &[["`eye` has neither heading nor pitch", "eye", "\"eye\""], ["`eye` has no rate", "eye", "\"eye\""]],
+    );
+}
+
+#[test]
+fn keys() {
+    // The misspelled one counts as there: one mistake, one error.
+    joint(
+        "headng = -35deg..=35deg, speed = 450deg",
+        "headng = [\"-35deg\", \"35deg\"]\nspeed = \"450deg\"",
+        &[["unknown setting `headng`", "headng", "headng"], ["unknown setting `speed`", "speed", "speed"]],
+    );
+    setting!("rate", "1rad", "\"1rad\"", ["`rate` is set twice", "rate", "rate"]);
+    setting!(
+        "handedness",
+        "left",
+        "\"left\"",
+        ["`handedness` is a setting of the rig, not of a joint", "handedness", "handedness"]
+    );
+    rig(
+        "bones(up = +X, forward = +Y), comfort = 1",
+        "bones = { up = \"+X\", forward = \"+Y\" }\ncomfort = 1",
+        &[["`comfort` is a setting of a joint, not of the rig", "comfort", "comfort"]],
+    );
+    bones!(
+        "up = +X, forward = +Y, sideways = +Z",
+        r#"up = "+X", forward = "+Y", sideways = "+Z""#,
+        ["unknown setting `sideways`", "sideways", "sideways"]
+    );
+    bones!(
+        "up = +X, forward = +Y, up = +X",
+        r#"up = "+X", forward = "+Y", up = "+X""#,
+        ["`up` is set twice", "up", "up"]
+    );
+}
+
+#[test]
+fn missing_or_too_few_axes() {
+    rig("", "", &[["the bones' axes are missing", "aim", ""]]);
+    bones!("", "", ["`bones` declares no axis", "()", "{  }"]);
+    bones!("up = +X", r#"up = "+X""#, ["`bones` declares `up` alone", "+X", "\"+X\""]);
+}
+
+#[test]
+fn signs_and_letters_of_axes() {
+    bones!("up = X, forward = +Y", r#"up = "X", forward = "+Y""#, ["the axis `X` has no sign", "X", "\"X\""]);
+    bones!(
+        "up = +W, forward = -y",
+        r#"up = "+W", forward = "-y""#,
+        ["`+W` is not an axis", "+W", "\"+W\""],
+        ["`-y` is not an axis", "-y", "\"-y\""]
+    );
+    bones!(
+        "up = 5, forward = +Y",
+        r#"up = 5, forward = "+Y""#,
+        ["`up` needs a signed axis or a vector, found `5`", "5", "5"]
+    );
+}
+
+#[test]
+fn contradictory_parallel_and_skewed_axes() {
+    bones!(
+        "up = +X, down = -X, forward = +Y",
+        r#"up = "+X", down = "-X", forward = "+Y""#,
+        ["`up` and `down` declare the same axis", "-X", "\"-X\""]
+    );
+    bones!(
+        "up = +X, forward = -X",
+        r#"up = "+X", forward = "-X""#,
+        ["`up` and `forward` are parallel", "-X", "\"-X\""]
+    );
+    assert_case(&Case {
+        rig: ["bones(up = (0.0, 0.8, 0.6), forward = +Z)", r#"bones = { up = [0.0, 0.8, 0.6], forward = "+Z" }"#],
+        joint: JOINT,
+        errors: &[["`up` and `forward` are not square: 53.1° lie between them", "+Z", "\"+Z\""]],
+    });
+    assert_case(&Case {
+        rig: [
+            "bones(up = (0.0, 2.0, 0.0), forward = (0, 0, 0))",
+            "bones = { up = [0.0, 2.0, 0.0], forward = [0, 0, 0] }",
+        ],
+        joint: JOINT,
+        errors: &[
+            ["`forward` has no direction: its length is 0", "(0, 0, 0)", "[0, 0, 0]"],
+            ["`up` is not a unit vector: its length is 2.0000", "(0.0, 2.0, 0.0)", "[0.0, 2.0, 0.0]"],
+        ],
+    });
+    assert_case(&Case {
+        rig: [
+            "bones(up = (1.0, 0.0), forward = (0.0, 1deg, true))",
+            r#"bones = { up = [1.0, 0.0], forward = [0.0, "1deg", true] }"#,
+        ],
+        joint: JOINT,
+        errors: &[
+            ["`forward` is a plain number, found the unit `deg`", "1deg", "\"1deg\""],
+            ["`forward` needs a plain number, found `true`", "true", "true"],
+            ["`up` needs three components, found 2", "(1.0, 0.0)", "[1.0, 0.0]"],
+        ],
+    });
+}
+
+#[test]
+fn handedness() {
+    bones!(
+        "up = +X, forward = +Y, left = -Z",
+        r#"up = "+X", forward = "+Y", left = "-Z""#,
+        ["the axes are a left-handed triple in a right-handed rig", "-Z", "\"-Z\""]
+    );
+    assert_case(&Case {
+        rig: [
+            "bones(up = +X, forward = +Y, right = -Z), handedness = left",
+            "handedness = \"left\"\nbones = { up = \"+X\", forward = \"+Y\", right = \"-Z\" }",
+        ],
+        joint: JOINT,
+        errors: &[["the axes are a right-handed triple in a left-handed rig", "-Z", "\"-Z\""]],
+    });
+    let own = ["bones(up = +X, forward = +Y, left = +Z)", r#"bones = { up = "+X", forward = "+Y", left = "+Z" }"#];
+    assert_case(&Case {
+        rig: own,
+        joint: [
+            "heading = free, rate = 1rad, mirrored = true, bones(up = +X, forward = +Y, left = +Z)",
+            "heading = \"free\"\nrate = \"1rad\"\nmirrored = true\nbones = { up = \"+X\", forward = \"+Y\", left = \"+Z\" }",
+        ],
+        errors: &[[
+            "the axes are a right-handed triple, but the joint is mirrored in a right-handed rig",
+            "+Z",
+            "\"+Z\"",
+        ]],
+    });
+    assert_case(&Case {
+        rig: own,
+        joint: ["heading = free, rate = 1rad, mirrored = true", "heading = \"free\"\nrate = \"1rad\"\nmirrored = true"],
+        errors: &[["a mirrored joint cannot share all three axes of the rig", "true", "true"]],
+    });
+    assert_case(&Case {
+        rig: [
+            "bones(up = +X, forward = +Y), handedness = up",
+            "bones = { up = \"+X\", forward = \"+Y\" }\nhandedness = \"up\"",
+        ],
+        joint: JOINT,
+        errors: &[["`handedness` needs `left` or `right`, found `up`", "up", "\"up\""]],
+    });
+}
+
+#[test]
+fn effector() {
+    assert_case(&Case {
+        rig: [
+            "bones(up = +X, forward = +Y), effector(forward = (0.0, 3.0, 0.0), origin = (0.0, 0.0), aim = 1)",
+            "bones = { up = \"+X\", forward = \"+Y\" }\neffector = { forward = [0.0, 3.0, 0.0], origin = [0.0, 0.0], aim = 1 }",
+        ],
+        joint: JOINT,
+        errors: &[
+            ["`forward` is not a unit vector: its length is 3.0000", "(0.0, 3.0, 0.0)", "[0.0, 3.0, 0.0]"],
+            ["`origin` needs three components, found 2", "(0.0, 0.0)", "[0.0, 0.0]"],
+            ["unknown setting `aim`", "aim", "aim"],
+        ],
+    });
+}
+
+#[test]
+fn bones_named_twice() {
+    setting!("bone", "\"neck\"", "\"neck\"", ["the bone `neck` is named twice", "\"neck\"", "\"neck\""]);
+    setting!(
+        "bone",
+        "[\"a\", \"b\", \"a\"]",
+        "[\"a\", \"b\", \"a\"]",
+        ["the bone `a` is named twice", "\"a\"", "\"a\""]
+    );
+    setting!("pair", "\"eye\"", "\"eye\"", ["the bone `eye` is named twice", "\"eye\"", "\"eye\""]);
+}
+
+#[test]
+fn several_mistakes_are_all_reported() {
+    let rust = errors_of(
+        "#[aim(bones(up = +X, forward = +X), hand = left)] struct float {
+            #[joint(heading = 5deg..=9deg, rate = 0deg, level = 2)] é: Joint,
+            eye: Joint,
+        }",
+    );
+    assert_eq!(rust.iter().count(), 8, "{rust}");
+}
+
+#[test]
+fn the_second_place_is_the_first_use() {
+    let item = "#[aim(bones(up = +X, forward = +Y))] struct Thug { #[joint(heading = free, rate = 1rad, rate = 2rad)] eye: Joint }";
+    let found = errors_of(item);
+    let (note, place) = found.iter().next().and_then(|error| error.note()).expect("a note");
+    assert_eq!((note, excerpt(item, place).as_str()), ("`rate` was first used here", "rate"));
+}

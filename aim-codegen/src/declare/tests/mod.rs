@@ -1,0 +1,47 @@
+//! Declarations through their front ends.
+
+#[cfg(feature = "toml")]
+mod both;
+mod fuzz;
+mod item;
+mod specs;
+#[cfg(feature = "toml")]
+mod toml_only;
+
+use syn::DeriveInput;
+
+use super::{Diagnostics, Place, from_derive_input};
+
+/// Parses an item; the tests' own text is Rust.
+fn parse(item: &str) -> DeriveInput {
+    syn::parse_str(item).unwrap_or_else(|error| panic!("{error}: {item}"))
+}
+
+/// The errors of an item.
+fn errors_of(item: &str) -> Diagnostics {
+    match from_derive_input(&parse(item)) {
+        Ok(declared) => panic!("no error in {item}: {declared:?}"),
+        Err(errors) => errors,
+    }
+}
+
+/// What stands at a place.
+fn excerpt(text: &str, place: &Place) -> String {
+    let range = match place {
+        Place::Tokens { first, last } => first.byte_range().start..last.byte_range().end,
+        Place::Text(range) => range.clone(),
+    };
+    text[range].to_owned()
+}
+
+/// Each error's message and where it points; asserts that each has a help line.
+fn listed(text: &str, errors: &Diagnostics) -> Vec<(String, String)> {
+    errors
+        .iter()
+        .map(|error| {
+            assert!(!error.help().is_empty() && !error.help().ends_with('.'), "{}", error.message());
+            assert!(!error.message().ends_with('.'), "{}", error.message());
+            (error.message().to_owned(), excerpt(text, error.place()))
+        })
+        .collect()
+}

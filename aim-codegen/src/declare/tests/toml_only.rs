@@ -1,0 +1,178 @@
+//! What only a file has: syntax, lines and columns, names that are strings.
+
+use super::{listed, parse};
+use crate::declare::{from_derive_input, from_toml};
+
+const THUG: &str = r#"name = "Thug"
+handedness = "right"
+bones = { up = "+X", forward = "+Y", left = "+Z" }
+[[joint]]
+name = "left_eye"
+bone = "L_eyeBall_joint2"
+heading = ["-35deg", "35deg"]
+pitch = ["-25deg", "20deg"]
+rate = "450deg"
+comfort = 0.5
+[[joint]]
+name = "neck"
+heading = "free"
+rate = "170deg"
+range = "absolute"
+bones = { up = [0.0, 0.0, 1.0], forward = "+Y" }
+level = 1
+"#;
+
+fn assert_errors(text: &str, expected: &[(&str, &str)]) {
+    let found = from_toml("rigs/thug.toml", text).expect_err(text);
+    let found = listed(text, &found);
+    let found: Vec<(&str, &str)> = found.iter().map(|(message, at)| (message.as_str(), at.as_str())).collect();
+    assert_eq!(found, expected, "{text}");
+}
+
+#[test]
+fn both_front_ends_give_the_same_rig() {
+    let rust = from_derive_input(&parse(
+        "#[aim(bones(up = +X, forward = +Y, left = +Z))] struct Thug {
+            #[joint(bone = \"L_eyeBall_joint2\", heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, comfort = 0.5)]
+            left_eye: Joint,
+            #[joint(heading = free, rate = 170deg, range = absolute, bones(up = +Z, forward = +Y), level = 1)]
+            neck: Joint,
+        }",
+    ));
+    assert_eq!(from_toml("thug.toml", THUG).expect("no error"), rust.expect("no error").spec);
+}
+
+#[test]
+fn errors_look_like_a_compilers() {
+    let text = THUG.replace("\"35deg\"]", "\"35\"]").replace("comfort", "comfrot");
+    let found = from_toml("rigs/thug.toml", &text).expect_err("two errors");
+    assert_eq!(
+        found.to_string(),
+        r#"error: `35` has no unit
+ --> rigs/thug.toml:7:22
+  |
+7 | heading = ["-35deg", "35"]
+  |                      ^^^^
+  = help: write `35deg` or `35rad`
+
+error: unknown setting `comfrot`
+  --> rigs/thug.toml:10:1
+   |
+10 | comfrot = 0.5
+   | ^^^^^^^
+   = help: did you mean `comfort`?
+"#
+    );
+}
+
+#[test]
+fn a_second_place_is_shown_below() {
+    let text = THUG.replace("\"neck\"", "\"left_eye\"");
+    let found = from_toml("rigs/thug.toml", &text).expect_err("a duplicate name");
+    assert_eq!(
+        found.render(),
+        r#"error: two joints are named `left_eye`
+  --> rigs/thug.toml:12:8
+   |
+12 | name = "left_eye"
+   |        ^^^^^^^^^^
+   = help: each joint needs a name of its own
+note: `left_eye` was first used here
+ --> rigs/thug.toml:5:8
+  |
+5 | name = "left_eye"
+  |        ^^^^^^^^^^
+"#
+    );
+}
+
+#[test]
+fn lines_count_characters_and_survive_tabs_and_carriage_returns() {
+    let text = "\u{feff}name = \"Thug\"\r\nbones = { up = \"+X\", forward = \"+Y\" }\r\n# ü\r\n\u{9}é = 1\r\n";
+    let text = text.trim_start_matches('\u{feff}');
+    let found = from_toml("t.toml", text).expect_err("errors").to_string();
+    assert!(found.contains(":4:2\n") && found.contains("4 |  é = 1\n  |  ^\n"), "{found}");
+    let found = from_toml("t.toml", "").expect_err("errors").to_string();
+    assert!(found.contains("--> t.toml:1:1\n  |\n1 | \n  | ^\n"), "{found}");
+}
+
+#[test]
+fn syntax_errors_have_the_same_shape() {
+    for text in
+        ["name = ", "name = \"Thug\nbones", "[[joint", "= 5", "name = \"a\" \"b\"", "x = 99999999999999999999999"]
+    {
+        let found = from_toml("rigs/thug.toml", text).expect_err(text).to_string();
+        assert!(found.starts_with("error: ") && found.contains(" --> rigs/thug.toml:1:"), "{found}");
+        assert!(found.contains("this is not TOML: ") || text.starts_with('x'), "{found}");
+    }
+}
+
+#[test]
+fn repeated_keys_show_the_first() {
+    let text = format!("name = \"Other\"\n{THUG}rate = \"1rad\"\n");
+    let found = from_toml("rigs/thug.toml", &text).expect_err("two duplicates");
+    let notes: Vec<_> = found.iter().filter_map(|error| error.note()).map(|(note, _)| note).collect();
+    assert_eq!(notes, ["`name` was first used here", "`rate` was first used here"]);
+    assert_errors(&text, &[("`name` is set twice", "name"), ("`rate` is set twice", "rate")]);
+}
+
+#[test]
+fn names() {
+    let with = |name: &str| THUG.replace("\"neck\"", name);
+    for (name, message) in [
+        ("\"le ft\"", "`le ft` is not a Rust name"),
+        ("\"3rd\"", "`3rd` is not a Rust name"),
+        ("\"\"", "`` is not a Rust name"),
+        ("\"_\"", "`_` is not a Rust name"),
+        ("\"r#type\"", "`r#type` is not a Rust name"),
+        ("\"hals-ö\"", "`hals-ö` is not a Rust name"),
+        ("\"œil\"", "the name `œil` is not ASCII"),
+        ("\"in\"", "`in` is a keyword of Rust"),
+        ("\"float\"", "the name `float` is a keyword of C"),
+        ("\"leftEye\"", "`left_eye` and `leftEye` are both `left_eye` in C and WGSL"),
+        ("3", "`name` needs a name, found `3`"),
+    ] {
+        assert_errors(&with(name), &[(message, name)]);
+    }
+    assert_errors(&THUG.replace("name = \"Thug\"", ""), &[("the rig has no name", "")]);
+    assert_errors(&THUG.replace("name = \"neck\"", ""), &[("the joint has no name", "[[joint]]")]);
+}
+
+#[test]
+fn joints_are_a_list() {
+    let rig = "name = \"Thug\"\nbones = { up = \"+X\", forward = \"+Y\" }\n";
+    assert_errors(rig, &[("a rig needs a joint", "\"Thug\"")]);
+    assert_errors(
+        &format!("{rig}[joint]\nname = \"eye\""),
+        &[("`joint` needs a list of joints, found a group of settings", "[joint]")],
+    );
+    assert_errors(&format!("{rig}joint = 5"), &[("`joint` needs a list of joints, found `5`", "5")]);
+    assert_errors(&format!("crate = \"x\"\n{THUG}"), &[("unknown setting `crate`", "crate")]);
+    assert_errors(
+        &format!("{THUG}effector = {{}}"),
+        &[("`effector` is a setting of the rig, not of a joint", "effector")],
+    );
+}
+
+#[test]
+fn values_that_only_toml_has() {
+    let with = |rate: &str| THUG.replace("\"170deg\"", rate);
+    for (rate, message) in [
+        ("inf", "`rate` must be finite, `inf` is not"),
+        ("nan", "`rate` must be finite, `nan` is not"),
+        ("1979-05-27", "`rate` needs an angle per second, found a date"),
+        ("0x10", "`0x10` is hexadecimal"),
+        ("\"35°\"", "`°` is not a unit of angles"),
+        ("\"fast as light\"", "`rate` needs an angle per second, found the string `\"fast as light\"`"),
+        ("\"-1deg..=1deg\"", "`rate` needs an angle per second, found a range"),
+        ("[\"1deg\"]", "`rate` needs an angle per second, found a list of values"),
+    ] {
+        assert_errors(&with(rate), &[(message, rate)]);
+    }
+    let range = |heading: &str| THUG.replace("\"free\"", heading);
+    assert_errors(&range("[\"1deg\"]"), &[("the range of `heading` needs two ends, found 1", "[\"1deg\"]")]);
+    assert_errors(
+        &range("\"-1deg..=1deg\""),
+        &[("`heading` needs a range of angles or `free`, found a range", "\"-1deg..=1deg\"")],
+    );
+}

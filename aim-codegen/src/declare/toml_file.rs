@@ -1,0 +1,138 @@
+//! A TOML file's text → the neutral tree, with byte ranges. Reports only what the TOML syntax itself forbids.
+
+use core::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeString, DeTable, DeValue};
+
+use super::diagnostics::Diagnostic;
+use super::literal;
+use super::messages;
+use super::place::Place;
+use super::tree::{Entry, Item, ItemFacts, Joint, Kind, Notation, Number, Rig, Section, Value, Word};
+
+/// Reads the text; the diagnostics are syntax errors.
+pub(crate) fn read(text: &str) -> (Rig, Vec<Diagnostic>) {
+    let (document, errors) = DeTable::parse_recoverable(text);
+    let mut table = entries(document.get_ref());
+    let mut syntax = Vec::new();
+    for error in errors {
+        let span = error.span().unwrap_or(text.len()..text.len());
+        match (error.message(), text.get(span.clone())) {
+            ("duplicate key", Some(key)) => {
+                let key = key.trim_matches(['"', '\'']).to_owned();
+                let first = nearest_before(&table, &key, span.start);
+                table.push(Entry::Repeated { key: Word { text: key, place: Place::Text(span) }, first });
+            }
+            (message, _) => {
+                let message = messages::syntax(message);
+                syntax.push(Diagnostic::new(message, Place::Text(span)));
+            }
+        }
+    }
+    let start = Place::Text(0..0);
+    let joints = joints(&mut table);
+    let rig = Rig {
+        notation: Notation::Toml,
+        name: take(&mut table, "name"),
+        section: Section { place: start, attributes: Vec::new(), entries: table },
+        joints,
+        item: ItemFacts::default(),
+    };
+    (rig, syntax)
+}
+
+/// The joints of `[[joint]]`, taken out of the table where they have that form.
+fn joints(table: &mut Vec<Entry>) -> Vec<Joint> {
+    let is_list = |entry: &Entry| {
+        matches!(entry, Entry::Item(Item { key, value: Value { kind: Kind::List(all), .. } })
+            if key.text == "joint" && all.iter().all(|joint| matches!(joint.kind, Kind::Table(_))))
+    };
+    let Some(at) = table.iter().position(is_list) else { return Vec::new() };
+    let Entry::Item(Item { value: Value { kind: Kind::List(all), .. }, .. }) = table.remove(at) else {
+        return Vec::new();
+    };
+    let mut joints = Vec::new();
+    for Value { kind, place } in all {
+        if let Kind::Table(mut entries) = kind {
+            let name = take(&mut entries, "name");
+            joints.push(Joint { name, section: Section { place, attributes: Vec::new(), entries } });
+        }
+    }
+    joints
+}
+
+fn take(entries: &mut Vec<Entry>, key: &str) -> Option<Value> {
+    let at = entries.iter().position(|entry| matches!(entry, Entry::Item(item) if item.key.text == key))?;
+    match entries.remove(at) {
+        Entry::Item(item) => Some(item.value),
+        _ => None,
+    }
+}
+
+fn entries(table: &DeTable<'_>) -> Vec<Entry> {
+    let mut entries: Vec<(Range<usize>, Entry)> = table
+        .iter()
+        .map(|(key, value)| {
+            let item = Item { key: word(key), value: read_value(key.get_ref(), value) };
+            (key.span(), Entry::Item(item))
+        })
+        .collect();
+    entries.sort_by_key(|(span, _)| span.start);
+    entries.into_iter().map(|(_, entry)| entry).collect()
+}
+
+fn word(key: &Spanned<DeString<'_>>) -> Word {
+    Word { text: key.get_ref().to_string(), place: Place::Text(key.span()) }
+}
+
+fn read_value(key: &str, value: &Spanned<DeValue<'_>>) -> Value {
+    let place = Place::Text(value.span());
+    let number = |text: String| {
+        let special = match text.trim_start_matches(['+', '-']) {
+            "inf" => Some(f64::INFINITY),
+            "nan" => Some(f64::NAN),
+            _ => None,
+        };
+        let value = special.map(|value| if text.starts_with('-') { -value } else { value });
+        match value {
+            Some(value) => Kind::Number(Number { text, value, unit: String::new(), radix: None, detached: false }),
+            None => literal::number(&text).map_or(Kind::Other("a number out of reach"), Kind::Number),
+        }
+    };
+    let kind = match value.get_ref() {
+        // Names are strings; everything else that stands in a string has a form of its own.
+        DeValue::String(text) if matches!(key, "name" | "bone" | "pair") => Kind::Text(text.to_string()),
+        DeValue::String(text) => literal::word(text, &place),
+        DeValue::Integer(integer) => number(integer.to_string()),
+        DeValue::Float(float) => number(float.as_str().to_owned()),
+        DeValue::Boolean(flag) => Kind::Bool(*flag),
+        DeValue::Datetime(_) => Kind::Other("a date"),
+        DeValue::Array(values) => Kind::List(values.iter().map(|value| read_value(key, value)).collect()),
+        DeValue::Table(table) => Kind::Table(entries(table)),
+    };
+    Value { kind, place }
+}
+
+/// Where this key stood before: the nearest one above, as the parser does not say which table it fell into.
+fn nearest_before(entries: &[Entry], key: &str, before: usize) -> Option<Place> {
+    let mut nearest: Option<Place> = None;
+    let mut open: Vec<&Entry> = entries.iter().collect();
+    while let Some(entry) = open.pop() {
+        let Entry::Item(item) = entry else { continue };
+        let offset = item.key.place.offset();
+        let nearer = nearest.as_ref().is_none_or(|found| found.offset() < offset);
+        if item.key.text == key && offset < before && nearer {
+            nearest = Some(item.key.place.clone());
+        }
+        match &item.value.kind {
+            Kind::Table(entries) => open.extend(entries),
+            Kind::List(values) => open.extend(values.iter().flat_map(|value| match &value.kind {
+                Kind::Table(entries) => entries.as_slice(),
+                _ => &[],
+            })),
+            _ => {}
+        }
+    }
+    nearest
+}

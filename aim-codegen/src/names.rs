@@ -1,0 +1,151 @@
+//! Names of emitted items: `snake_case`, and the words that C and WGSL keep for themselves.
+
+/// The C and WGSL form of a Rust name: lower case, `_` only between a lower-case letter or digit and a capital.
+///
+/// `LeftEye` → `left_eye`, `VRMHead` → `vrmhead`, `spine3` → `spine3`.
+pub fn snake_case(name: &str) -> String {
+    let mut snake = String::with_capacity(name.len() + 4);
+    let mut after_small = false;
+    for c in name.chars() {
+        if after_small && c.is_ascii_uppercase() {
+            snake.push('_');
+        }
+        after_small = c.is_ascii_lowercase() || c.is_ascii_digit();
+        snake.push(c.to_ascii_lowercase());
+    }
+    snake
+}
+
+/// The language that has this word as a keyword, if one has: `C`, `WGSL` or `C and WGSL`.
+///
+/// Words that WGSL merely reserves (`target`, `filter`, …) are not among them: what is emitted is always
+/// `rig_joint_function`, so they cannot stand alone, and many are good names for a joint.
+pub(crate) fn keyword_of(snake: &str) -> Option<&'static str> {
+    match (C.contains(&snake), WGSL.contains(&snake)) {
+        (true, true) => Some("C and WGSL"),
+        (true, false) => Some("C"),
+        (false, true) => Some("WGSL"),
+        (false, false) => None,
+    }
+}
+
+/// Whether Rust keeps this word for itself, in edition 2024.
+pub(crate) fn is_rust_keyword(name: &str) -> bool {
+    RUST.contains(&name)
+}
+
+const C: &[&str] = &[
+    "alignas",
+    "alignof",
+    "auto",
+    "bool",
+    "break",
+    "case",
+    "char",
+    "const",
+    "constexpr",
+    "continue",
+    "default",
+    "do",
+    "double",
+    "else",
+    "enum",
+    "extern",
+    "false",
+    "float",
+    "for",
+    "goto",
+    "if",
+    "inline",
+    "int",
+    "long",
+    "nullptr",
+    "register",
+    "restrict",
+    "return",
+    "short",
+    "signed",
+    "sizeof",
+    "static",
+    "static_assert",
+    "struct",
+    "switch",
+    "thread_local",
+    "true",
+    "typedef",
+    "typeof",
+    "typeof_unqual",
+    "union",
+    "unsigned",
+    "void",
+    "volatile",
+    "while",
+];
+
+const WGSL: &[&str] = &[
+    "alias",
+    "break",
+    "case",
+    "const",
+    "const_assert",
+    "continue",
+    "continuing",
+    "default",
+    "diagnostic",
+    "discard",
+    "else",
+    "enable",
+    "false",
+    "fn",
+    "for",
+    "if",
+    "let",
+    "loop",
+    "override",
+    "requires",
+    "return",
+    "struct",
+    "switch",
+    "true",
+    "var",
+    "while",
+];
+
+const RUST: &[&str] = &[
+    "Self", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn",
+    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro",
+    "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "struct", "super",
+    "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn underscores_stand_only_before_a_capital_after_a_small_letter() {
+        for (name, snake) in [
+            ("Thug", "thug"),
+            ("LeftEye", "left_eye"),
+            ("left_eye", "left_eye"),
+            ("leftEye2Bone", "left_eye2_bone"),
+            ("VRMHead", "vrmhead"),
+            ("HeadVRM", "head_vrm"),
+            ("spine3", "spine3"),
+            ("Left_Eye", "left_eye"),
+            ("_Neck", "_neck"),
+            ("A", "a"),
+            ("", ""),
+        ] {
+            assert_eq!(snake_case(name), snake, "{name}");
+        }
+    }
+
+    #[test]
+    fn keywords_name_their_language() {
+        assert_eq!(keyword_of("float"), Some("C"));
+        assert_eq!(keyword_of("fn"), Some("WGSL"));
+        assert_eq!(keyword_of("switch"), Some("C and WGSL"));
+        assert_eq!(keyword_of("target"), None);
+    }
+}

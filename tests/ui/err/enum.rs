@@ -1,0 +1,15 @@
+use aim::{AimRig, Joint};
+
+#[derive(AimRig)]
+#[aim(bones(up = +X, forward = +Y, left = +Z))]
+enum Thug {
+    Eye(Joint),
+}
+
+#[derive(AimRig)]
+#[aim(bones(up = +X, forward = +Y, left = +Z))]
+union Guard {
+    eye: Joint,
+}
+
+fn main() {}

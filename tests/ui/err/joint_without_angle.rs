@@ -1,0 +1,10 @@
+use aim::{AimRig, Joint};
+
+#[derive(AimRig)]
+#[aim(bones(up = +X, forward = +Y, left = +Z))]
+struct Thug {
+    #[joint(rate = 450deg)]
+    left_eye: Joint,
+}
+
+fn main() {}

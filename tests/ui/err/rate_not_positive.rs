@@ -1,0 +1,14 @@
+use aim::{AimRig, Joint};
+
+#[derive(AimRig)]
+#[aim(bones(up = +X, forward = +Y, left = +Z))]
+struct Thug {
+    #[joint(heading = -35deg..=35deg, rate = 0deg)]
+    left_eye: Joint,
+    #[joint(heading = -35deg..=35deg, rate = -450deg)]
+    neck: Joint,
+    #[joint(heading = -35deg..=35deg, rate = 1e999deg)]
+    spine3: Joint,
+}
+
+fn main() {}
