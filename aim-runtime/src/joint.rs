@@ -1,6 +1,10 @@
 //! A joint: what is declared of it ([`JointInfo`]) and its state ([`Joint`]).
 
-use crate::Axes;
+use core::f32::consts::TAU;
+
+use glam::{Quat, Vec3};
+
+use crate::{Axes, math};
 
 /// What was declared of a joint. Angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,13 +82,52 @@ impl JointInfo {
 }
 
 /// A joint's state: the two angles added to the animation, radians. The default is rest: both 0.
+///
+/// Always finite. Besides the angles a joint remembers which side the target was last seen on, for when it passes
+/// behind.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Joint {
-    heading: f32,
-    pitch: f32,
+    pub(crate) heading: f32,
+    pub(crate) pitch: f32,
+    pub(crate) side: Side,
+}
+
+/// The side that a target was last seen on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// Not seen yet.
+    #[default]
+    None,
+    Left,
+    Right,
+}
+
+impl Side {
+    /// The side of a coordinate along left.
+    pub(crate) fn of(left: f32) -> Self {
+        if left < 0.0 { Self::Right } else { Self::Left }
+    }
+
+    /// 1 for left and for a target never seen, −1 for right.
+    pub(crate) fn sign(self) -> f32 {
+        if self == Self::Right { -1.0 } else { 1.0 }
+    }
 }
 
 impl Joint {
+    /// A joint at these added angles, radians: a stored state put back. An angle that is not finite counts as 0, one
+    /// beyond a full turn as what is left of it; one outside its range goes back to it at the joint's rate.
+    #[must_use]
+    pub fn with_angles(heading_rad: f32, pitch_rad: f32) -> Self {
+        // No range goes beyond a full turn, and beyond a thousand radians there is no turn left in the digits.
+        let sane = |angle: f32| match angle.abs() {
+            small if small <= TAU => angle,
+            large if large < 1e3 => math::wrap_pi(angle),
+            _ => 0.0,
+        };
+        Self { heading: sane(heading_rad), pitch: sane(pitch_rad), side: Side::None }
+    }
+
     /// The added heading, radians: positive turns forward towards left.
     pub fn heading(&self) -> f32 {
         self.heading
@@ -94,4 +137,26 @@ impl Joint {
     pub fn pitch(&self) -> f32 {
         self.pitch
     }
+
+    /// The correction in the bone's own space: what its animated local rotation is multiplied by on the right,
+    /// `local' = local · R_heading · R_pitch` (pitch acts first).
+    ///
+    /// Unit to 1e-6 for unit axes, and the exact identity where both angles are 0.
+    #[must_use]
+    pub fn correction(&self, axes: &Axes) -> Quat {
+        let forward = Vec3::from(axes.forward);
+        turn(forward, Vec3::from(axes.left), self.heading) * turn(forward, Vec3::from(axes.up), self.pitch)
+    }
+}
+
+/// The rotation by `angle_rad` that turns `from` towards `to`. Going by the plane and not by a handed axis is what
+/// makes it right for mirrored and left-handed triples too.
+fn turn(from: Vec3, to: Vec3, angle_rad: f32) -> Quat {
+    let axis = from.cross(to).normalize_or_zero();
+    if angle_rad == 0.0 || axis == Vec3::ZERO {
+        return Quat::IDENTITY;
+    }
+    let (sin, cos) = math::sin_cos(0.5 * angle_rad);
+    let axis = axis * sin;
+    Quat::from_xyzw(axis.x, axis.y, axis.z, cos)
 }

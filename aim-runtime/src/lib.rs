@@ -3,17 +3,35 @@
 //!
 //! The derivatives come from the rig's own derived kernels ([`AimRig`]); nothing here is tied to a bone convention.
 //! No call allocates or panics, whatever the bits of its input.
+//!
+//! # Feature flags
+//!
+//! - `std` (default): sines, cosines and square roots from the standard library.
+//! - `libm`: the same from `libm`, for targets without a standard library.
 #![no_std]
+#![allow(
+    clippy::neg_cmp_op_on_partial_ord,
+    clippy::manual_clamp,
+    reason = "NaN has to take the safe way: `!(a > b)` catches it, and `max` before `min` drops it"
+)]
 
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("aim-runtime needs square roots and sines: enable the feature `std` or `libm`");
 
+mod ascent;
+mod behind;
+mod chain;
+mod frame;
+mod goal;
 mod joint;
+mod limits;
+mod math;
 mod outcome;
 mod pose;
 mod rig;
 mod scalar;
 mod settings;
+mod settle;
 
 pub use glam;
 pub use joint::{Joint, JointInfo};

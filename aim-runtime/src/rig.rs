@@ -1,8 +1,8 @@
 //! [`AimRig`]: what a rig's derived code offers the solvers, and what it offers its users.
 
-use glam::{Quat, Vec3};
+use glam::{Affine3A, Quat, Vec3};
 
-use crate::{ChainPose, Joint, JointInfo, Outcome, Scalar, Settings};
+use crate::{ChainPose, Joint, JointInfo, Outcome, Scalar, Settings, frame};
 
 /// Which way a bone points: three unit vectors in the bone's own space, square to each other.
 ///
@@ -34,7 +34,7 @@ pub struct Effector {
 /// The kernels' links and targets are those of the generated C functions: a link is a rigid transform of twelve
 /// numbers, the three rows of the rotation in the row-vector layout of the paper (`p' = p · M`), then the translation.
 /// Its rotation part only has to be orthogonal: a mirror may stay in it.
-pub trait AimRig {
+pub trait AimRig: Sized {
     /// One value a joint: `[T; N]` for a derived rig, `Vec<T>` for one known only at run time.
     type Array<T: Copy>: AsRef<[T]> + AsMut<[T]>;
 
@@ -77,8 +77,84 @@ pub trait AimRig {
     fn chain_residual_jacobian<S: Scalar>(&self, links: &[[S; 12]], target: &[S; 3], sin_cos: &[[S; 4]], out: &mut [S]);
 
     /// Turns the rig towards `target` for one frame of `dt` seconds, with the default [`Settings`].
-    fn aim<P: ChainPose<Self::Array<glam::Affine3A>>>(&mut self, pose: &P, target: Vec3, dt: f32) -> Outcome {
+    ///
+    /// See [`aim_with`](Self::aim_with).
+    fn aim<P: ChainPose<Self::Array<Affine3A>>>(&mut self, pose: &P, target: Vec3, dt: f32) -> Outcome {
         self.aim_with(pose, target, dt, &Settings::default())
+    }
+
+    /// Turns the rig towards `target` for one frame of `dt` seconds.
+    ///
+    /// `pose` and `target` are in one common space. No angle changes by more than its joint's rate × `dt` (a free
+    /// heading modulo a full turn), and none leaves its range of motion; one found outside goes back at its rate.
+    /// With `dt` zero, negative or NaN nothing moves; above 0.1 s it counts as 0.1 s. Where there is nothing to aim
+    /// ([`Status::Degenerate`](crate::Status::Degenerate)) the angles hold.
+    fn aim_with<P: ChainPose<Self::Array<Affine3A>>>(
+        &mut self,
+        pose: &P,
+        target: Vec3,
+        dt: f32,
+        settings: &Settings,
+    ) -> Outcome {
+        frame::aim(self, pose.joints().as_ref(), target, dt, settings)
+    }
+
+    /// Puts the rig on `target` at once, whatever the rates: for a spawn, a camera cut, scrubbing. The only jump.
+    ///
+    /// With the default [`Settings`]; see [`snap_with`](Self::snap_with).
+    fn snap<P: ChainPose<Self::Array<Affine3A>>>(&mut self, pose: &P, target: Vec3) -> Outcome {
+        self.snap_with(pose, target, &Settings::default())
+    }
+
+    /// Puts the rig on `target` at once, whatever the rates, within the ranges of motion.
+    ///
+    /// Starts from rest, so that the result does not depend on what came before wherever the target can be reached.
+    /// Never [`RateLimited`](crate::Status::RateLimited).
+    fn snap_with<P: ChainPose<Self::Array<Affine3A>>>(
+        &mut self,
+        pose: &P,
+        target: Vec3,
+        settings: &Settings,
+    ) -> Outcome {
+        frame::snap(self, pose.joints().as_ref(), target, settings)
+    }
+
+    /// Each joint's index and correction, from the effector inward: what the bone's animated local rotation is
+    /// multiplied by on the right. Unit to 1e-6; the exact identity at rest.
+    fn corrections(&self) -> Corrections<'_, Self::Array<Joint>> {
+        Corrections { infos: self.joint_infos(), joints: self.joints(), next: 0 }
+    }
+
+    /// Puts every joint at rest at once and forgets what was seen.
+    fn reset(&mut self) {
+        let rest = self.array(Joint::default());
+        self.set_joints(rest);
     }
 }
 
+/// The iterator of [`AimRig::corrections`].
+#[derive(Clone, Debug)]
+pub struct Corrections<'a, A> {
+    infos: &'a [JointInfo],
+    joints: A,
+    next: usize,
+}
+
+impl<A: AsRef<[Joint]>> Iterator for Corrections<'_, A> {
+    type Item = (usize, Quat);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let index = self.next;
+        let joint = self.joints.as_ref().get(index)?;
+        let info = self.infos.get(index)?;
+        self.next += 1;
+        Some((index, joint.correction(&info.axes)))
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let left = self.joints.as_ref().len().min(self.infos.len()).saturating_sub(self.next);
+        (left, Some(left))
+    }
+}
+
+impl<A: AsRef<[Joint]>> ExactSizeIterator for Corrections<'_, A> {}

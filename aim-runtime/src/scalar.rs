@@ -3,6 +3,7 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 mod sealed {
+    #[expect(unnameable_types, reason = "being unnameable is what seals")]
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}

@@ -1,0 +1,107 @@
+//! What to do with a target behind the character: turn to the side it was last seen on, and say so.
+//!
+//! A target passing behind a chain that cannot follow it would otherwise throw the chain from one end of its range to
+//! the other and back with every tremble. The policy looks only at the animated pose and the target, never at the
+//! corrections, so it cannot feed back into itself.
+
+use core::f32::consts::PI;
+
+use glam::Vec3A;
+
+use crate::chain::{Chain, Ray};
+use crate::joint::Side;
+use crate::limits::Reach;
+use crate::{AimRig, math};
+
+/// From this angle off the innermost joint's animated forward a target is behind.
+const BEHIND_RAD: f32 = 150.0 * PI / 180.0;
+/// The cosine of what is left of half a turn.
+const COS_BACK: f32 = 0.866_025_4;
+/// The sine and cosine of how far a target has to pass the middle of the back before it counts as on the other side.
+const HELD: (f32, f32) = (0.173_648_18, 0.984_807_7);
+
+/// The character's front as the animation has it: the innermost joint's axes, seen from the effector.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Front {
+    origin: Vec3A,
+    pub(crate) forward: Vec3A,
+    pub(crate) left: Vec3A,
+    pub(crate) up: Vec3A,
+    /// Whether targets behind are out of reach, so that the policy applies.
+    guarded: bool,
+}
+
+impl Front {
+    /// The front of a chain whose animated effector is `gaze`, in solver space.
+    pub(crate) fn new<R: AimRig>(rig: &R, chain: &Chain<R>, gaze: Ray) -> Self {
+        let infos = &rig.joint_infos()[chain.first..chain.count];
+        let axes = &infos[infos.len() - 1].axes;
+        let axis = |axis: [f32; 3]| chain.base.transform_vector3a(Vec3A::from(axis));
+        let mut front = Self {
+            origin: gaze.origin,
+            forward: axis(axes.forward),
+            left: axis(axes.left),
+            up: axis(axes.up),
+            guarded: false,
+        };
+
+        let [mut right_rad, mut left_rad, mut down_rad, mut up_rad] = [0.0_f32; 4];
+        for info in infos {
+            let range = Reach::range(info);
+            right_rad += range.heading.lo();
+            left_rad += range.heading.hi();
+            down_rad += range.pitch.lo();
+            up_rad += range.pitch.hi();
+        }
+        let gaze_rad = math::atan2(gaze.direction.dot(front.left), gaze.direction.dot(front.forward));
+        let around = left_rad + gaze_rad >= BEHIND_RAD || right_rad + gaze_rad <= -BEHIND_RAD;
+        let over = up_rad >= 0.5 * PI || down_rad <= -0.5 * PI;
+        front.guarded = !(around || over);
+        front
+    }
+
+    /// A point as its distance and its unit direction along forward, left, up.
+    fn look(&self, target: Vec3A) -> Option<(f32, [f32; 3])> {
+        let to_target = target - self.origin;
+        let toward = math::direction(to_target)?;
+        let look = [toward.dot(self.forward), toward.dot(self.left), toward.dot(self.up)];
+        Some((to_target.length(), look))
+    }
+
+    fn point(&self, distance: f32, [forward, left, up]: [f32; 3]) -> Vec3A {
+        self.origin + (self.forward * forward + self.left * left + self.up * up) * distance
+    }
+
+    /// The side that `target` is on: the one it was on before while it is near the middle of the back.
+    pub(crate) fn side(&self, target: Vec3A, before: Side) -> Side {
+        match self.look(target) {
+            Some((_, [forward, left, _])) => {
+                let (sin, cos) = HELD;
+                let middle = forward < 0.0 && left.abs() * cos <= -forward * sin;
+                if before != Side::None && (middle || left == 0.0) { before } else { Side::of(left) }
+            }
+            None => before,
+        }
+    }
+
+    /// `target` where it is on `side`; just on that side of the middle where it is held there against its position.
+    pub(crate) fn on_side(&self, target: Vec3A, side: Side) -> Vec3A {
+        match self.look(target) {
+            Some((distance, [forward, left, up])) if forward < 0.0 && left * side.sign() <= 0.0 => {
+                self.point(distance, [forward, 1e-3 * side.sign(), up])
+            }
+            _ => target,
+        }
+    }
+
+    /// `target` brought to the edge of the cone behind the character, at its own height; `None` where it is not in
+    /// the cone, or the ranges reach there.
+    pub(crate) fn clip(&self, target: Vec3A, side: Side) -> Option<Vec3A> {
+        let (distance, [forward, _, up]) = self.look(target)?;
+        if !self.guarded || forward >= -COS_BACK {
+            return None;
+        }
+        let left = side.sign() * math::sqrt(1.0 - COS_BACK * COS_BACK - up * up);
+        Some(self.point(distance, [-COS_BACK, left, up]))
+    }
+}

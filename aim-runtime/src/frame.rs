@@ -1,0 +1,213 @@
+//! One call: pose and target in, angles moved within range and rate, and an outcome judged by forward kinematics.
+
+use glam::{Affine3A, Vec3};
+
+use crate::chain::{self, Chain};
+use crate::goal::Goal;
+use crate::limits::{self, Reach};
+use crate::settle::{settle, settle_from_rest};
+use crate::{AimRig, Joint, Outcome, Settings, Status, ascent, math};
+
+/// The longest frame, seconds: after a hitch nothing leaps.
+const LONGEST_FRAME_S: f32 = 0.1;
+/// How much better the other way round has to aim before the joints turn back, radians.
+const TURN_BACK_RAD: f32 = 5.0 * core::f32::consts::PI / 180.0;
+
+/// How near the aim has to be to 1 for the supporting joints to relax, radians.
+const AIMED_RAD: f32 = 1.0 * core::f32::consts::PI / 180.0;
+/// An ascent that gains less than this part of what its fastest joint could is as good as stuck.
+const STUCK: f32 = 0.1;
+
+/// [`AimRig::aim_with`].
+pub(crate) fn aim<R: AimRig>(
+    rig: &mut R,
+    pose_ps: &[Affine3A],
+    target_ps: Vec3,
+    dt: f32,
+    settings: &Settings,
+) -> Outcome {
+    let dt = if dt > 0.0 { dt.min(LONGEST_FRAME_S) } else { 0.0 };
+    let mut joints = rig.joints();
+    let outcome = aim_joints(rig, pose_ps, target_ps, dt, settings, joints.as_mut());
+    let outcome = outcome.unwrap_or_else(|| degenerate(rig));
+    if dt > 0.0 && outcome.status != Status::Degenerate {
+        rig.set_joints(joints);
+    }
+    outcome
+}
+
+/// [`AimRig::snap_with`].
+pub(crate) fn snap<R: AimRig>(rig: &mut R, pose_ps: &[Affine3A], target_ps: Vec3, settings: &Settings) -> Outcome {
+    let mut joints = rig.joints();
+    match snap_joints(rig, pose_ps, target_ps, settings, joints.as_mut()) {
+        Some(outcome) => {
+            rig.set_joints(joints);
+            outcome
+        }
+        None => degenerate(rig),
+    }
+}
+
+/// Moves `joints`, a copy of the rig's; `None` where there is nothing to aim.
+fn aim_joints<R: AimRig>(
+    rig: &R,
+    pose_ps: &[Affine3A],
+    target_ps: Vec3,
+    dt: f32,
+    settings: &Settings,
+    joints: &mut [Joint],
+) -> Option<Outcome> {
+    let infos = rig.joint_infos();
+    let chain = Chain::new(rig, pose_ps, settings.effector)?;
+    let tolerance = settings.effective_tolerance();
+    let goal = goal(rig, &chain, target_ps, settings, joints)?;
+
+    let mut reaches = rig.array(Reach::REST);
+    let reaches = reaches.as_mut();
+    for ((reach, info), joint) in reaches.iter_mut().zip(infos).zip(&*joints) {
+        *reach = Reach::frame(info, joint, dt);
+    }
+    let mut start = rig.array(Joint::default());
+    let start = start.as_mut();
+    start.copy_from_slice(joints);
+    for (joint, reach) in joints.iter_mut().zip(&*reaches) {
+        *joint = reach.hold(joint);
+    }
+    let to_rest = |joints: &mut [Joint], reaches: &[Reach]| {
+        for ((joint, start), reach) in joints.iter_mut().zip(&*start).zip(reaches) {
+            *joint = reach.towards_rest(start);
+        }
+    };
+    to_rest(&mut joints[..chain.first], &reaches[..chain.first]);
+
+    let mut within_reach = true;
+    if settings.effective_weight() == 0.0 {
+        to_rest(joints, reaches);
+    } else {
+        let angle = |joints: &[Joint]| chain.gaze(chain::turns(rig, joints).as_ref()).angle_to(goal.aimed);
+        if let Some(keep) =
+            settings.ascent.relax.filter(|_| angle(joints).is_some_and(|angle| angle <= tolerance.max(AIMED_RAD)))
+        {
+            ascent::relax(chain.first, keep, dt, joints, reaches);
+        }
+        let before = angle(joints)?;
+        let remaining = ascent::ascend(rig, &chain, &goal, joints, reaches, tolerance, &settings.ascent)?;
+        if remaining > tolerance {
+            // Where would the joints get from here, had they the time; and where from rest?
+            let mut settled = rig.array(Joint::default());
+            let settled = settled.as_mut();
+            settled.copy_from_slice(joints);
+            let from_here = settle(rig, &chain, &goal, settled, tolerance)?;
+            let from_here_reaches = from_here <= tolerance;
+            within_reach = from_here_reaches;
+            let go = if within_reach {
+                let fastest = reaches[chain.first..].iter().fold(0.0_f32, |step, reach| step.max(reach.step));
+                settings.ascent.finish && before - remaining < STUCK * fastest.min(before)
+            } else {
+                let from_rest = settle_from_rest(rig, &chain, &goal, settled, tolerance).unwrap_or(f32::INFINITY);
+                within_reach = from_rest <= tolerance;
+                (settings.ascent.turn_back && from_rest + TURN_BACK_RAD < from_here)
+                    || (settings.ascent.finish && within_reach)
+            };
+            if go && from_here_reaches {
+                // Straight there, so that what makes up for each other moves together.
+                let part = (chain.first..chain.count)
+                    .map(|index| reaches[index].part_of_way(&start[index], &settled[index], &infos[index]))
+                    .fold(1.0, f32::min);
+                for index in chain.first..chain.count {
+                    settled[index] = reaches[index].part_way(&start[index], &settled[index], &infos[index], part);
+                }
+                if angle(settled).is_some_and(|angle| angle < remaining) {
+                    joints[chain.first..].copy_from_slice(&settled[chain.first..]);
+                }
+            } else if go {
+                for (index, reach) in reaches.iter().enumerate().skip(chain.first) {
+                    settled[index] = reach.towards(&start[index], &settled[index], &infos[index]);
+                }
+                // Round the other way it has to get worse before it gets better.
+                joints[chain.first..].copy_from_slice(&settled[chain.first..]);
+            }
+        }
+    }
+    if dt == 0.0 {
+        joints.copy_from_slice(start);
+    }
+    finish(rig, &chain, &goal, joints, tolerance, within_reach)
+}
+
+fn snap_joints<R: AimRig>(
+    rig: &R,
+    pose_ps: &[Affine3A],
+    target_ps: Vec3,
+    settings: &Settings,
+    joints: &mut [Joint],
+) -> Option<Outcome> {
+    let chain = Chain::new(rig, pose_ps, settings.effector)?;
+    let tolerance = settings.effective_tolerance();
+    let goal = goal(rig, &chain, target_ps, settings, joints)?;
+
+    let mut from_here = rig.array(Joint::default());
+    let from_here = from_here.as_mut();
+    from_here[chain.first..].copy_from_slice(&joints[chain.first..]);
+    joints.fill(Joint::default());
+    for (joint, info) in joints.iter_mut().zip(rig.joint_infos()) {
+        *joint = Reach::range(info).hold(joint);
+    }
+    if settings.effective_weight() > 0.0 {
+        // The aim may be undefined at rest and yet defined here, or the reverse.
+        let from_rest = settle_from_rest(rig, &chain, &goal, joints, tolerance).unwrap_or(f32::INFINITY);
+        if from_rest > tolerance {
+            let from_here_rad = settle(rig, &chain, &goal, from_here, tolerance);
+            if from_here_rad.is_some_and(|from_here_rad| from_here_rad < 0.999 * from_rest) {
+                joints.copy_from_slice(from_here);
+            }
+        }
+    }
+    finish(rig, &chain, &goal, joints, tolerance, false)
+}
+
+/// What to turn to. At weight 0 that is the animation, whatever the target.
+fn goal<R: AimRig>(rig: &R, chain: &Chain<R>, target_ps: Vec3, settings: &Settings, joints: &[Joint]) -> Option<Goal> {
+    let before = joints[chain.count - 1].side;
+    let weight = settings.effective_weight();
+    if weight == 0.0 {
+        return Some(Goal::animation(chain, before));
+    }
+    let target = chain.to_solver(target_ps.into())?;
+    Some(Goal::new(rig, chain, target, weight, before))
+}
+
+/// Remembers what was seen, and judges the joints as they are now.
+fn finish<R: AimRig>(
+    rig: &R,
+    chain: &Chain<R>,
+    goal: &Goal,
+    joints: &mut [Joint],
+    tolerance: f32,
+    within_reach: bool,
+) -> Option<Outcome> {
+    let infos = rig.joint_infos();
+    for (joint, info) in joints.iter_mut().zip(infos) {
+        limits::wrap(info, joint);
+    }
+    joints[chain.count - 1].side = goal.side;
+    let remaining = chain.gaze(chain::turns(rig, joints).as_ref()).angle_to(goal.wanted)?;
+    let status = if remaining <= tolerance {
+        Status::Reached
+    } else if goal.behind {
+        Status::Behind
+    } else if within_reach {
+        Status::RateLimited
+    } else {
+        Status::AtLimit
+    };
+    let (at_limit, recovering) = limits::limits_met(infos, joints);
+    let (_, aim) = math::sin_cos(remaining);
+    Some(Outcome { aim, remaining, status, at_limit, recovering })
+}
+
+/// The outcome where there is nothing to aim: the angles hold.
+fn degenerate<R: AimRig>(rig: &R) -> Outcome {
+    let (at_limit, recovering) = limits::limits_met(rig.joint_infos(), rig.joints().as_ref());
+    Outcome { aim: 0.0, remaining: math::UNDEFINED_RAD, status: Status::Degenerate, at_limit, recovering }
+}

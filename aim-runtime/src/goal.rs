@@ -1,0 +1,65 @@
+//! [`Goal`]: what a call turns to, after the weight and the policy for targets behind.
+
+use glam::Vec3A;
+
+use crate::AimRig;
+use crate::behind::Front;
+use crate::chain::{Chain, Ray};
+use crate::joint::Side;
+use crate::math;
+
+/// What a call turns to, in solver space.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Goal {
+    /// The target, or the point on the arc from the animated gaze to it: what the outcome is measured against.
+    pub(crate) wanted: Vec3A,
+    /// What the joints are turned to: `wanted`, or the edge of the cone behind.
+    pub(crate) aimed: Vec3A,
+    /// Whether the target is behind, so that the two differ.
+    pub(crate) behind: bool,
+    /// The side the target counts as being on.
+    pub(crate) side: Side,
+}
+
+impl Goal {
+    /// The goal for a target that was last seen on the side `before`.
+    pub(crate) fn new<R: AimRig>(rig: &R, chain: &Chain<R>, target: Vec3A, weight: f32, before: Side) -> Self {
+        let gaze = chain.animated_gaze();
+        let front = Front::new(rig, chain, gaze);
+        let side = front.side(target, before);
+        let wanted =
+            if weight < 1.0 { part_way(&front, gaze, front.on_side(target, side), weight, side) } else { target };
+        let clipped = front.clip(wanted, side);
+        Self { wanted, aimed: clipped.unwrap_or(wanted), behind: clipped.is_some(), side }
+    }
+
+    /// The goal of weight 0: the animated gaze itself.
+    pub(crate) fn animation<R: AimRig>(chain: &Chain<R>, before: Side) -> Self {
+        let gaze = chain.animated_gaze();
+        // Far enough that no correction brings the effector near it.
+        let ahead = gaze.origin + math::direction(gaze.direction).unwrap_or(Vec3A::X) * 1e3;
+        Self { wanted: ahead, aimed: ahead, behind: false, side: before }
+    }
+}
+
+/// The point `weight` of the way along the arc about the effector from the animated gaze to the target.
+fn part_way(front: &Front, gaze: Ray, target: Vec3A, weight: f32, side: Side) -> Vec3A {
+    let to_target = target - gaze.origin;
+    let (Some(from), Some(to)) = (math::direction(gaze.direction), math::direction(to_target)) else {
+        return target;
+    };
+    let angle = math::angle_between(from, to);
+    // The arc's direction at its start; opposite directions have every arc, and the remembered side picks one.
+    let square_to_gaze = |v: Vec3A| math::direction(v - from * from.dot(v));
+    let lateral = to - from * from.dot(to);
+    let start = if lateral.length() > 1e-5 {
+        square_to_gaze(lateral)
+    } else if angle < 1.0 {
+        None
+    } else {
+        square_to_gaze(front.left * side.sign()).or_else(|| square_to_gaze(front.forward))
+    };
+    let (sin, cos) = math::sin_cos(weight * angle);
+    let toward = start.map_or(from, |start| from * cos + start * sin);
+    gaze.origin + toward * to_target.length()
+}

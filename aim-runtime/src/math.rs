@@ -1,0 +1,119 @@
+//! The one place where floating-point functions come from: `std` or `libm`. All total: no panic, whatever the bits.
+
+use core::f32::consts::{PI, TAU};
+
+use glam::{Affine3A, Mat3A, Vec3A};
+
+/// An angle that is no angle any more: what an undefined aim is reported as.
+pub(crate) const UNDEFINED_RAD: f32 = core::f32::consts::FRAC_PI_2;
+
+#[cfg(feature = "std")]
+mod float {
+    extern crate std;
+
+    pub(super) fn sqrt(x: f32) -> f32 {
+        x.sqrt()
+    }
+    pub(super) fn sin_cos(x: f32) -> (f32, f32) {
+        x.sin_cos()
+    }
+    pub(super) fn atan2(y: f32, x: f32) -> f32 {
+        y.atan2(x)
+    }
+    pub(super) fn round(x: f32) -> f32 {
+        x.round()
+    }
+}
+
+#[cfg(not(feature = "std"))]
+mod float {
+    pub(super) fn sqrt(x: f32) -> f32 {
+        libm::sqrtf(x)
+    }
+    pub(super) fn sin_cos(x: f32) -> (f32, f32) {
+        libm::sincosf(x)
+    }
+    pub(super) fn atan2(y: f32, x: f32) -> f32 {
+        libm::atan2f(y, x)
+    }
+    pub(super) fn round(x: f32) -> f32 {
+        libm::roundf(x)
+    }
+}
+
+/// The square root; 0 for what has none.
+pub(crate) fn sqrt(x: f32) -> f32 {
+    if x > 0.0 { float::sqrt(x) } else { 0.0 }
+}
+
+/// Sine and cosine of an angle in radians.
+pub(crate) fn sin_cos(angle_rad: f32) -> (f32, f32) {
+    float::sin_cos(angle_rad)
+}
+
+/// The angle of the point (x, y), −π…π.
+pub(crate) fn atan2(y: f32, x: f32) -> f32 {
+    float::atan2(y, x)
+}
+
+/// The same direction of turning within ±π.
+pub(crate) fn wrap_pi(angle_rad: f32) -> f32 {
+    if (-PI..=PI).contains(&angle_rad) { angle_rad } else { angle_rad - TAU * float::round(angle_rad / TAU) }
+}
+
+/// A vector's length, without overflow or underflow on the way.
+pub(crate) fn length(v: Vec3A) -> f32 {
+    let largest = v.abs().max_element();
+    if largest > 0.0 && largest.is_finite() { (v / largest).length() * largest } else { largest }
+}
+
+/// The unit vector along `v`, whatever its length; `None` for zero and for what is not finite.
+pub(crate) fn direction(v: Vec3A) -> Option<Vec3A> {
+    let largest = v.abs().max_element();
+    if largest > 0.0 && v.is_finite() {
+        let v = v / largest;
+        let unit = v / v.length();
+        // A subnormal vector may overflow its own scaling.
+        unit.is_finite().then_some(unit)
+    } else {
+        None
+    }
+}
+
+/// The angle between two vectors that are neither zero nor extreme, 0…π; exact to rounding also near 0 and π.
+pub(crate) fn angle_between(a: Vec3A, b: Vec3A) -> f32 {
+    atan2(a.cross(b).length(), a.dot(b))
+}
+
+/// The orthogonal matrix nearest in spirit: columns normalised, then squared to each other in their order. A mirror
+/// stays in it. `None` where the columns do not span space, or span it so flatly that the order decides everything.
+pub(crate) fn orthonormal(m: Mat3A) -> Option<Mat3A> {
+    const FLAT: f32 = 1e-5;
+    let longest = length(m.x_axis).max(length(m.y_axis)).max(length(m.z_axis));
+    for column in [m.x_axis, m.y_axis, m.z_axis] {
+        // The negation also catches NaN.
+        if !(length(column) > FLAT * longest) {
+            return None;
+        }
+    }
+    let x = direction(m.x_axis)?;
+    let y = direction(m.y_axis)?;
+    let z = direction(m.z_axis)?;
+    let y = y - x * x.dot(y);
+    if !(y.length() > FLAT) {
+        return None;
+    }
+    let y = y / y.length();
+    let normal = x.cross(y);
+    let height = normal.dot(z);
+    if !(height.abs() > FLAT) {
+        return None;
+    }
+    Some(Mat3A::from_cols(x, y, if height < 0.0 { -normal } else { normal }))
+}
+
+/// The inverse of an orthogonal matrix and a translation.
+pub(crate) fn rigid_inverse(m: &Affine3A) -> Affine3A {
+    let transposed = m.matrix3.transpose();
+    Affine3A { matrix3: transposed, translation: -(transposed * m.translation) }
+}

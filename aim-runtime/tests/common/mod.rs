@@ -1,0 +1,423 @@
+//! What the tests share: a rig whose kernels are written out by hand (geometrically, not derived), an independent
+//! forward kinematics in f64, random poses, and a small generator of random numbers.
+#![allow(dead_code, unreachable_pub, reason = "a module shared by test binaries, each of which uses its own part")]
+#![allow(clippy::cast_possible_truncation, reason = "rounding to f32 is meant")]
+
+use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
+use aim_runtime::{AimRig, Axes, Effector, Joint, JointInfo, Scalar};
+
+pub const DEG: f32 = core::f32::consts::PI / 180.0;
+
+/// The bones of the XNA thug: +X up, +Y forward, +Z left.
+pub const THUG: Axes = Axes { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] };
+
+/// A rig known at run time, with geometric kernels.
+#[derive(Clone, Debug)]
+pub struct NumericRig {
+    pub infos: Vec<JointInfo>,
+    pub effector: Effector,
+    pub joints: Vec<Joint>,
+}
+
+impl NumericRig {
+    pub fn new(infos: Vec<JointInfo>) -> Self {
+        let effector = Effector { forward: infos[0].axes.forward, origin: [0.0; 3] };
+        let joints = vec![Joint::default(); infos.len()];
+        Self { infos, effector, joints }
+    }
+
+    /// Eye, neck, spine as in the contract's example.
+    pub fn thug() -> Self {
+        Self::thug_with(THUG)
+    }
+
+    pub fn thug_with(axes: Axes) -> Self {
+        Self::new(vec![
+            JointInfo::new(axes, 450.0 * DEG)
+                .with_heading(-35.0 * DEG, 35.0 * DEG)
+                .with_pitch(-25.0 * DEG, 20.0 * DEG)
+                .with_comfort(0.5),
+            JointInfo::new(axes, 170.0 * DEG).with_heading(-60.0 * DEG, 60.0 * DEG).with_pitch(-40.0 * DEG, 35.0 * DEG),
+            JointInfo::new(axes, 70.0 * DEG)
+                .with_heading(-20.0 * DEG, 20.0 * DEG)
+                .with_pitch(-10.0 * DEG, 10.0 * DEG)
+                .with_comfort(4.0),
+        ])
+    }
+
+    /// One joint that reaches nearly everything.
+    pub fn ball(axes: Axes) -> Self {
+        Self::new(vec![
+            JointInfo::new(axes, 900.0 * DEG)
+                .with_heading(-180.0 * DEG, 180.0 * DEG)
+                .with_pitch(-89.0 * DEG, 89.0 * DEG),
+        ])
+    }
+
+    /// A turret: a free yaw with an elevating barrel on it.
+    pub fn turret() -> Self {
+        Self::new(vec![
+            JointInfo::new(THUG, 60.0 * DEG).with_pitch(-10.0 * DEG, 80.0 * DEG),
+            JointInfo::new(THUG, 90.0 * DEG).with_heading(f32::NEG_INFINITY, f32::INFINITY),
+        ])
+    }
+}
+
+impl AimRig for NumericRig {
+    type Array<T: Copy> = Vec<T>;
+
+    fn array<T: Copy>(&self, value: T) -> Vec<T> {
+        vec![value; self.infos.len()]
+    }
+    fn joint_infos(&self) -> &[JointInfo] {
+        &self.infos
+    }
+    fn effector(&self) -> Effector {
+        self.effector
+    }
+    fn joints(&self) -> Vec<Joint> {
+        self.joints.clone()
+    }
+    fn set_joints(&mut self, joints: Vec<Joint>) {
+        self.joints = joints;
+    }
+
+    fn aim_gradient<S: Scalar>(
+        &self,
+        joint: usize,
+        effector_to_joint: &[S; 12],
+        target: &[S; 3],
+        sin_cos: &[S; 4],
+    ) -> [S; 3] {
+        let Some(info) = self.infos.get(joint) else {
+            return [S::ZERO; 3];
+        };
+        let mut state = State::effector(&self.infos[0].axes, &self.effector);
+        state.through(effector_to_joint);
+        state.turn(info, sin_cos, true);
+        let [aim, rest @ ..] = &state.aim(target)[..] else { unreachable!() };
+        let mut out = [*aim, S::ZERO, S::ZERO];
+        let mut rest = rest.iter();
+        if info.pitch.is_some() {
+            out[1] = *rest.next().unwrap();
+        }
+        if info.heading.is_some() {
+            out[2] = *rest.next().unwrap();
+        }
+        out
+    }
+
+    fn chain_value_gradient<S: Scalar>(&self, links: &[[S; 12]], target: &[S; 3], sin_cos: &[[S; 4]], out: &mut [S]) {
+        out.copy_from_slice(&self.chain(links, sin_cos).aim(target));
+    }
+
+    fn chain_residual_jacobian<S: Scalar>(
+        &self,
+        links: &[[S; 12]],
+        target: &[S; 3],
+        sin_cos: &[[S; 4]],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(&self.chain(links, sin_cos).residual(target));
+    }
+}
+
+impl NumericRig {
+    fn chain<S: Scalar>(&self, links: &[[S; 12]], sin_cos: &[[S; 4]]) -> State<S> {
+        let mut state = State::effector(&self.infos[0].axes, &self.effector);
+        for ((info, link), sin_cos) in self.infos.iter().zip(links).zip(sin_cos) {
+            state.through(link);
+            state.turn(info, sin_cos, true);
+        }
+        state
+    }
+}
+
+type V<S> = [S; 3];
+
+/// The effector's origin and its forward, left and up, with their derivatives by the angles passed so far.
+struct State<S> {
+    value: [V<S>; 4],
+    derivatives: Vec<[V<S>; 4]>,
+}
+
+impl<S: Scalar> State<S> {
+    fn effector(axes: &Axes, effector: &Effector) -> Self {
+        let forward = Vec3::from(effector.forward);
+        let up = Vec3::from(axes.up);
+        let up = if up.cross(forward).length() > 0.1 { up } else { Vec3::from(axes.left) };
+        let up = (up - forward * up.dot(forward)).normalize();
+        let mut left = up.cross(forward);
+        if left.dot(axes.left.into()) < 0.0 {
+            left = -left;
+        }
+        let v = |v: Vec3| [S::constant(v.x.into()), S::constant(v.y.into()), S::constant(v.z.into())];
+        Self { value: [[S::ZERO; 3], v(forward), v(left), v(up)], derivatives: Vec::new() }
+    }
+
+    fn through(&mut self, link: &[S; 12]) {
+        let rotate =
+            |v: V<S>| -> V<S> { core::array::from_fn(|k| v[0] * link[k] + v[1] * link[3 + k] + v[2] * link[6 + k]) };
+        for derivative in &mut self.derivatives {
+            *derivative = derivative.map(rotate);
+        }
+        self.value = self.value.map(rotate);
+        self.value[0] = add(self.value[0], [link[9], link[10], link[11]]);
+    }
+
+    fn turn(&mut self, info: &JointInfo, &[sin_p, cos_p, sin_h, cos_h]: &[S; 4], differentiate: bool) {
+        let forward = Vec3::from(info.axes.forward);
+        for (declared, to, sin, cos) in
+            [(info.pitch, info.axes.up, sin_p, cos_p), (info.heading, info.axes.left, sin_h, cos_h)]
+        {
+            if declared.is_none() {
+                continue;
+            }
+            let axis = forward.cross(to.into()).to_array().map(|x| S::constant(x.into()));
+            let one = S::constant(1.0);
+            let rotate = |v: V<S>| {
+                let along = scale(axis, dot(axis, v) * (one - cos));
+                add(add(scale(v, cos), scale(cross(axis, v), sin)), along)
+            };
+            for derivative in &mut self.derivatives {
+                *derivative = derivative.map(rotate);
+            }
+            self.value = self.value.map(rotate);
+            if differentiate {
+                self.derivatives.push(self.value.map(|v| cross(axis, v)));
+            }
+        }
+    }
+
+    fn aim(&self, target: &V<S>) -> Vec<S> {
+        let one = S::constant(1.0);
+        let [origin, forward, ..] = self.value;
+        let v = sub(*target, origin);
+        let length = dot(v, v).sqrt();
+        let valid = S::select_less(S::TINY, length, one, S::ZERO);
+        let inverse = valid / S::select_less(S::TINY, length, length, one);
+        let unit = scale(v, inverse);
+        let aim = dot(unit, forward);
+        let mut out = vec![aim];
+        for [d_origin, d_forward, ..] in &self.derivatives {
+            let radial = dot(unit, *d_origin) * aim - dot(forward, *d_origin);
+            out.push(radial * inverse + dot(unit, *d_forward));
+        }
+        out
+    }
+
+    fn residual(&self, target: &V<S>) -> Vec<S> {
+        let (one, two) = (S::constant(1.0), S::constant(2.0));
+        let [origin, forward, left, up] = self.value;
+        let v = sub(*target, origin);
+        let length = dot(v, v).sqrt();
+        let sum = length + dot(v, forward);
+        let least = S::constant(1e-6) * length + S::TINY;
+        let inverse = S::select_less(least, sum, one, S::ZERO) / S::select_less(least, sum, sum, one);
+        let lateral = [dot(v, left), dot(v, up)];
+        let mut out: Vec<S> = lateral.iter().map(|&l| two * l * inverse).collect();
+        for (which, axis) in [left, up].into_iter().enumerate() {
+            for derivative in &self.derivatives {
+                let dv = scale(derivative[0], -one);
+                let d_axis = derivative[2 + which];
+                let d_lateral = dot(dv, axis) + dot(v, d_axis);
+                let d_length = dot(v, dv) / S::select_less(S::TINY, length, length, one);
+                let d_sum = d_length + dot(dv, forward) + dot(v, derivative[1]);
+                out.push(two * inverse * (d_lateral - lateral[which] * inverse * d_sum));
+            }
+        }
+        out
+    }
+}
+
+fn dot<S: Scalar>(a: V<S>, b: V<S>) -> S {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+fn cross<S: Scalar>(a: V<S>, b: V<S>) -> V<S> {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+fn scale<S: Scalar>(a: V<S>, k: S) -> V<S> {
+    a.map(|x| x * k)
+}
+fn add<S: Scalar>(a: V<S>, b: V<S>) -> V<S> {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+fn sub<S: Scalar>(a: V<S>, b: V<S>) -> V<S> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// A transform in f64: columns and translation.
+#[derive(Clone, Copy)]
+struct Transform64 {
+    columns: [V<f64>; 3],
+    translation: V<f64>,
+}
+
+impl Transform64 {
+    fn of(a: &Affine3A) -> Self {
+        let [x, y, z, translation] =
+            [a.matrix3.x_axis, a.matrix3.y_axis, a.matrix3.z_axis, a.translation].map(|v| v.to_array().map(f64::from));
+        Self { columns: [x, y, z], translation }
+    }
+    fn vector(&self, v: V<f64>) -> V<f64> {
+        add(add(scale(self.columns[0], v[0]), scale(self.columns[1], v[1])), scale(self.columns[2], v[2]))
+    }
+    fn point(&self, v: V<f64>) -> V<f64> {
+        add(self.vector(v), self.translation)
+    }
+    /// By Cramer's rule.
+    fn inverse_vector(&self, v: V<f64>) -> V<f64> {
+        let [a, b, c] = self.columns;
+        let determinant = dot(a, cross(b, c));
+        [dot(v, cross(b, c)), dot(v, cross(c, a)), dot(v, cross(a, b))].map(|x| x / determinant)
+    }
+    fn inverse_point(&self, v: V<f64>) -> V<f64> {
+        self.inverse_vector(sub(v, self.translation))
+    }
+}
+
+/// The independent forward kinematics: effector `k`'s origin and unit direction in the pose's space, in f64. Each
+/// joint turns its vectors plane by plane, without matrices or quaternions.
+pub fn gaze64(rig: &NumericRig, pose: &[Affine3A], k: usize) -> ([f64; 3], [f64; 3]) {
+    let (origin, forward) =
+        if k == 0 { (rig.effector.origin, rig.effector.forward) } else { ([0.0; 3], rig.infos[k].axes.forward) };
+    let (mut origin, mut forward) = (origin.map(f64::from), forward.map(f64::from));
+    for i in k..pose.len() {
+        let axes = &rig.infos[i].axes;
+        let [f, u, l] = [axes.forward, axes.up, axes.left].map(|v| v.map(f64::from));
+        let turn = |v| {
+            let pitched = plane_turn(v, f, u, rig.joints[i].pitch().into());
+            plane_turn(pitched, f, l, rig.joints[i].heading().into())
+        };
+        let joint = Transform64::of(&pose[i]);
+        origin = joint.point(turn(origin));
+        forward = joint.vector(turn(forward));
+        if let Some(next) = pose.get(i + 1) {
+            let next = Transform64::of(next);
+            origin = next.inverse_point(origin);
+            forward = next.inverse_vector(forward);
+        }
+    }
+    (origin, scale(forward, 1.0 / dot(forward, forward).sqrt()))
+}
+
+/// `v` turned in the plane of the square unit vectors `a` and `b`, from `a` towards `b`.
+fn plane_turn(v: V<f64>, a: V<f64>, b: V<f64>, angle: f64) -> V<f64> {
+    let (sin, cos) = angle.sin_cos();
+    let (x, y) = (dot(v, a), dot(v, b));
+    add(v, add(scale(a, x * (cos - 1.0) - y * sin), scale(b, x * sin + y * (cos - 1.0))))
+}
+
+/// The angle left between effector `k` and `target`, radians, by the independent forward kinematics.
+pub fn remaining64(rig: &NumericRig, pose: &[Affine3A], k: usize, target: Vec3) -> f64 {
+    let (origin, direction) = gaze64(rig, pose, k);
+    let v = sub(target.to_array().map(f64::from), origin);
+    let off = cross(direction, v);
+    dot(off, off).sqrt().atan2(dot(direction, v))
+}
+
+/// The point `distance` along effector `k`'s direction.
+pub fn ahead(rig: &NumericRig, pose: &[Affine3A], k: usize, distance: f32) -> Vec3 {
+    let (origin, direction) = gaze64(rig, pose, k);
+    Vec3::from(add(origin, scale(direction, distance.into())).map(|x| x as f32))
+}
+
+/// The world's forward (−Z), up (+Y) and left (−X), as in XNA.
+pub const WORLD: [Vec3; 3] = [Vec3::NEG_Z, Vec3::Y, Vec3::NEG_X];
+
+/// A bone with these axes that stands in the world at `at` with the character's front, turned by `turn` in the world.
+pub fn bone(axes: &Axes, turn: Quat, at: Vec3) -> Affine3A {
+    let world = Mat3A::from_cols(WORLD[0].into(), WORLD[1].into(), WORLD[2].into());
+    let own = Mat3A::from_cols(axes.forward.into(), axes.up.into(), axes.left.into());
+    Affine3A { matrix3: Mat3A::from_quat(turn) * world * own.transpose(), translation: at.into() }
+}
+
+/// The thug's eye, neck and spine standing upright: metres.
+pub fn upright(rig: &NumericRig) -> Vec<Affine3A> {
+    let places = [Vec3::new(-0.03, 1.68, -0.10), Vec3::new(0.0, 1.55, 0.02), Vec3::new(0.0, 1.30, 0.03)];
+    rig.infos.iter().zip(places).map(|(info, at)| bone(&info.axes, Quat::IDENTITY, at)).collect()
+}
+
+/// The same with every joint turned a little, as an animation would.
+pub fn animated(rig: &NumericRig, rng: &mut Rng, amount: f32) -> Vec<Affine3A> {
+    let mut pose = upright(rig);
+    for joint in &mut pose {
+        let axis = rng.direction();
+        let turn = Quat::from_axis_angle(axis, amount * rng.between(-1.0, 1.0));
+        joint.matrix3 = Mat3A::from_quat(turn) * joint.matrix3;
+    }
+    pose
+}
+
+/// The parents that the concept tests run under: name, transform, and whether it is a similarity.
+pub fn parents() -> Vec<(&'static str, Affine3A, bool)> {
+    let scaled = |scale| Affine3A::from_scale(scale);
+    vec![
+        ("identity", Affine3A::IDENTITY, true),
+        ("translated", Affine3A::from_translation(Vec3::new(3.0, 40.0, -7.0)), true),
+        ("rotated", Affine3A::from_rotation_x(60.0 * DEG), true),
+        ("uniformly scaled", scaled(Vec3::splat(2.0)), true),
+        ("non-uniformly scaled", scaled(Vec3::new(1.0, 2.0, 1.0)), false),
+        ("mirrored", scaled(Vec3::splat(-3.0)), true),
+        ("mirrored in one plane", scaled(Vec3::new(-1.0, 1.0, 1.0)), true),
+    ]
+}
+
+/// A small deterministic generator (splitmix64).
+pub struct Rng(pub u64);
+
+impl Rng {
+    pub fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ z >> 31
+    }
+    pub fn between(&mut self, lo: f32, hi: f32) -> f32 {
+        lo + (hi - lo) * ((self.bits() >> 40) as f32 / (1u64 << 24) as f32)
+    }
+    pub fn below(&mut self, n: usize) -> usize {
+        usize::try_from(self.bits() >> 33).unwrap() % n
+    }
+    pub fn direction(&mut self) -> Vec3 {
+        loop {
+            let v = Vec3::new(self.between(-1.0, 1.0), self.between(-1.0, 1.0), self.between(-1.0, 1.0));
+            if v.length() > 0.1 && v.length() < 1.0 {
+                return v.normalize();
+            }
+        }
+    }
+    /// Any f32 at all, the awkward ones often.
+    pub fn any(&mut self) -> f32 {
+        const AWKWARD: [f32; 14] = [
+            0.0,
+            -0.0,
+            1.0,
+            -1.0,
+            f32::NAN,
+            f32::INFINITY,
+            f32::NEG_INFINITY,
+            1e20,
+            -1e20,
+            1e-20,
+            1e-42,
+            f32::MAX,
+            f32::MIN_POSITIVE,
+            1e-38,
+        ];
+        match self.below(3) {
+            0 => AWKWARD[self.below(AWKWARD.len())],
+            1 => f32::from_bits((self.bits() >> 32) as u32),
+            _ => self.between(-2.0, 2.0),
+        }
+    }
+}
+
+/// Whether every correction is finite and unit to 1e-6.
+pub fn sound(rig: &impl AimRig) -> bool {
+    rig.corrections().all(|(_, q)| {
+        let [x, y, z, w] = q.to_array().map(f64::from);
+        ((x * x + y * y + z * z + w * w).sqrt() - 1.0).abs() <= 1e-6
+    })
+}
