@@ -1,0 +1,154 @@
+//! The command line. Every command's help ends with an example.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::target::TargetSpec;
+
+/// Turns a character's eyes, neck and spine to a target, with derivatives derived for exactly your rig.
+#[derive(Debug, Parser)]
+#[command(name = "aim", version, arg_required_else_help = true)]
+#[command(after_help = "Example:\n  aim demo\n\nExit codes: 0 done, 1 a check failed, 2 unusable input.")]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Walk the bundled mannequin while a target orbits it; write aimed.glb, report.html and report.json.
+    #[command(after_help = "Example:\n  aim demo --out aim-demo")]
+    Demo(Demo),
+    /// Show a model's bones with their measured axes and roles, and its clips.
+    #[command(after_help = "Example:\n  aim inspect hero.glb --json")]
+    Inspect(Inspect),
+    /// Write the solver derived for a rig.
+    #[command(after_help = "Example:\n  aim generate rigs/thug.toml --lang c -o thug.c")]
+    Generate(Generate),
+    /// Count the operations of what is emitted for a rig.
+    #[command(after_help = "Example:\n  aim count rigs/thug.toml --json")]
+    Count(Count),
+    /// Compare a rig's derived gradient and Jacobian with central differences.
+    #[command(after_help = "Example:\n  aim check rigs/thug.toml --samples 10000")]
+    Check(Check),
+    /// Aim a model over a clip and write an ordinary glTF animation.
+    #[command(
+        after_help = "Example:\n  aim bake dude.glb --rig rigs/thug.toml --target orbit:2,0,8 --seconds 8 --out aimed.glb \
+                            --report aimed.json\n\nTargets:\n  x,y,z                         a point, in the file's units\n  \
+                            orbit:RADIUS,HEIGHT,SECONDS   around the eye, in metres of a 1.7 m character, from its front to \
+                            its left\n  node:NAME                     a node of the file\n  file:PATH.csv                 \
+                            columns t,x,y,z in the file's units, linear between rows"
+    )]
+    Bake(Bake),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Demo {
+    /// The folder to write to; made if it is not there.
+    #[arg(long, value_name = "DIR", default_value = "aim-demo")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Inspect {
+    /// A .glb, .gltf or .vrm file.
+    pub(crate) file: PathBuf,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Language {
+    Rust,
+    C,
+    Latex,
+    Maxima,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Generate {
+    /// The rig's declaration.
+    pub(crate) rig: PathBuf,
+    /// The language to emit.
+    #[arg(long, value_enum)]
+    pub(crate) lang: Language,
+    /// Where to write it; standard output if not given.
+    #[arg(short, long, value_name = "FILE", conflicts_with = "check")]
+    pub(crate) output: Option<PathBuf>,
+    /// Write nothing; exit with 1 if FILE is not what would be emitted.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) check: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Count {
+    /// The rig's declaration.
+    pub(crate) rig: PathBuf,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Check {
+    /// The rig's declaration.
+    pub(crate) rig: PathBuf,
+    /// How many random poses to compare.
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) samples: u32,
+    /// Turn the N-th addition of every program into a subtraction (or back) first, to see the check fail.
+    #[arg(long, value_name = "N")]
+    pub(crate) flip_sign: Option<usize>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Solver {
+    /// The paper's steepest ascent, joint by joint from the eye inward.
+    Ascent,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Settle {
+    /// On the target from the first frame.
+    Snap,
+    /// From the animation.
+    Animation,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Bake {
+    /// A .glb, .gltf or .vrm file.
+    pub(crate) file: PathBuf,
+    /// What to look at: x,y,z · orbit:R,H,S · node:NAME · file:PATH.csv
+    #[arg(long, value_name = "SPEC", allow_hyphen_values = true)]
+    pub(crate) target: TargetSpec,
+    /// The rig's declaration; measured from the file if not given.
+    #[arg(long, value_name = "RIG.toml")]
+    pub(crate) rig: Option<PathBuf>,
+    /// The clip to aim over; the first if not given.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) clip: Option<String>,
+    /// The solver.
+    #[arg(long, value_enum, default_value_t = Solver::Ascent)]
+    pub(crate) solver: Solver,
+    /// How long the result is; the clip's length if not given, repeated if longer.
+    #[arg(long, value_name = "S")]
+    pub(crate) seconds: Option<f32>,
+    /// Keys a second.
+    #[arg(long, default_value_t = 60.0)]
+    pub(crate) fps: f32,
+    /// How the result begins.
+    #[arg(long, value_enum, default_value_t = Settle::Snap)]
+    pub(crate) settle: Settle,
+    /// Make the result's first frame follow from its last.
+    #[arg(long = "loop")]
+    pub(crate) looped: bool,
+    /// Where to write the aimed model.
+    #[arg(long, value_name = "OUT.glb")]
+    pub(crate) out: PathBuf,
+    /// Where to write what happened in every frame, as JSON.
+    #[arg(long, value_name = "R.json")]
+    pub(crate) report: Option<PathBuf>,
+}

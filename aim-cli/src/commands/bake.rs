@@ -1,0 +1,142 @@
+//! `aim bake`: aims a model over a clip and writes it back.
+
+use std::io::IsTerminal;
+use std::path::Path;
+use std::time::Duration;
+
+use aim_codegen::RigSpec;
+use aim_gltf::{Baked, ChainNodes, Clip, Document, Measurement, Plan};
+use aim_runtime::Settings;
+use glam::DVec3;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::args::{self, Settle, Solver};
+use crate::failure::{Failure, Result};
+use crate::files;
+use crate::interpreted::InterpretedRig;
+use crate::measured;
+use crate::report::Report;
+use crate::target::{Target, TargetSpec};
+
+/// A bake ready to run: what `bake` and `demo` share.
+pub(super) struct Job<'a> {
+    /// The file's name, for messages.
+    pub(super) file: &'a Path,
+    pub(super) document: &'a Document,
+    pub(super) spec: &'a RigSpec,
+    pub(super) target: &'a TargetSpec,
+    pub(super) clip: Option<&'a Clip>,
+    pub(super) seconds: f32,
+    pub(super) fps: f32,
+    pub(super) solver: Solver,
+    pub(super) settle: Settle,
+    pub(super) looped: bool,
+}
+
+/// What came of it.
+pub(super) struct Done {
+    pub(super) model: Vec<u8>,
+    pub(super) baked: Baked,
+    pub(super) report: Report,
+}
+
+impl Job<'_> {
+    /// Aims frame by frame, with a progress bar on a terminal.
+    pub(super) fn run(&self) -> Result<Done> {
+        let fail = |error: aim_gltf::Error| Failure::in_file(self.file, error);
+        let skeleton = self.document.skeleton();
+        let bones = self.spec.joints.iter().map(|joint| joint.bones.as_slice());
+        let chain = ChainNodes::find(skeleton, bones, self.spec.joints[0].pair.as_deref()).map_err(fail)?;
+        let measurement = Measurement::of(self.document);
+        let effector_bind =
+            measurement.bind_world[chain.joints[0]].transform_point3(DVec3::from_array(self.spec.effector.origin));
+        let target = Target::new(self.target, self.file, self.document, &measurement, effector_bind)?;
+        let plan = Plan {
+            document: self.document,
+            clip: self.clip,
+            chain: &chain,
+            seconds: self.seconds,
+            fps: self.fps,
+            settle: match self.settle {
+                Settle::Snap => aim_gltf::Settle::Snap,
+                Settle::Animation => aim_gltf::Settle::Animation,
+            },
+            looped: self.looped,
+            settings: Settings::default(),
+        };
+        let bar = progress_bar();
+        let mut rig = InterpretedRig::new(self.spec);
+        let baked = aim_gltf::bake(
+            &mut rig,
+            &plan,
+            |t, world| target.at(t.into(), world),
+            |done, all| {
+                bar.set_length(all as u64);
+                bar.set_position(done as u64);
+            },
+        )
+        .map_err(fail)?;
+        bar.finish_and_clear();
+        let model = self.document.with_clips(std::slice::from_ref(&baked.clip)).map_err(fail)?;
+        let name = |node: usize| skeleton.nodes()[node].name.clone();
+        let names: Vec<String> = chain.joints.iter().map(|&node| name(node)).collect();
+        let solver = match self.solver {
+            Solver::Ascent => "ascent",
+        };
+        let report = Report::new(self.spec, solver, self.fps, &names, chain.pair.map(name), &baked);
+        Ok(Done { model, baked, report })
+    }
+}
+
+/// A bar on a terminal, nothing in a pipe.
+fn progress_bar() -> ProgressBar {
+    let target =
+        if std::io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+    let bar = ProgressBar::with_draw_target(None, target);
+    if let Ok(style) = ProgressStyle::with_template("aiming {bar:40} {pos}/{len} frames") {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(Duration::from_millis(100));
+    bar
+}
+
+pub(super) fn run(arguments: &args::Bake) -> Result {
+    let document = files::load_model(&arguments.file)?;
+    let spec = match &arguments.rig {
+        Some(path) => files::load_rig(path)?,
+        None => measured::rig(&arguments.file, &document, &Measurement::of(&document))?,
+    };
+    let fail = |error: aim_gltf::Error| Failure::in_file(&arguments.file, error);
+    let clip = match &arguments.clip {
+        Some(name) => Some(document.clip(name).map_err(fail)?),
+        None => document.clips().first(),
+    };
+    let seconds = match (arguments.seconds, clip) {
+        (Some(seconds), _) => seconds,
+        (None, Some(clip)) => clip.seconds(),
+        (None, None) => {
+            return Err(Failure::in_file(
+                &arguments.file,
+                "has no clip to aim over; say how long to aim with --seconds",
+            ));
+        }
+    };
+    let done = Job {
+        file: &arguments.file,
+        document: &document,
+        spec: &spec,
+        target: &arguments.target,
+        clip,
+        seconds,
+        fps: arguments.fps,
+        solver: arguments.solver,
+        settle: arguments.settle,
+        looped: arguments.looped,
+    }
+    .run()?;
+    files::write(&arguments.out, &done.model)?;
+    if let Some(path) = &arguments.report {
+        files::write_json(path, &done.report)?;
+    }
+    files::print(&format!("{}\n", done.report.in_words(&arguments.out)))
+}

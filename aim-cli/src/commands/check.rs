@@ -1,0 +1,233 @@
+//! `aim check`: the derived programs against central differences of the objective as it is stated.
+//!
+//! The objective is evaluated in f64 straight from its statement (effector pushed forward, nothing rewritten), so
+//! rewriting, derivatives, lowering and ordering are all on trial, in f64 and in the f32 that ships.
+
+use aim_codegen::objective::{ChainInputs, JointInputs, chain_aim, chain_residual, joint_aim};
+use aim_codegen::{AngleRange, RigPrograms, RigSpec};
+use aim_symbolic::{Angle, Bindings, Graph, Op, Program, Scalar};
+
+use crate::args;
+use crate::failure::{Failure, Result};
+use crate::files;
+
+/// The largest deviation that passes, relative to the larger of 1 and the expected value.
+const TOLERANCE_F64: f64 = 1e-7;
+const TOLERANCE_F32: f64 = 2e-4;
+
+pub(super) fn run(arguments: &args::Check) -> Result {
+    let spec = files::load_rig(&arguments.rig)?;
+    let mut programs = RigPrograms::derive(&spec);
+    if let Some(which) = arguments.flip_sign {
+        flip_signs(&mut programs, which);
+    }
+    let mut report = String::new();
+    let mut failed = Vec::new();
+    for trial in trials(&spec, &programs) {
+        let worst = trial.run(arguments.samples);
+        let passed = worst.double <= TOLERANCE_F64 && worst.single <= TOLERANCE_F32;
+        report += &format!(
+            "{} {:<34} worst f64 {:.1e}, f32 {:.1e}\n",
+            if passed { "ok    " } else { "FAILED" },
+            trial.name,
+            worst.double,
+            worst.single
+        );
+        if !passed {
+            failed.push(trial.name.clone());
+        }
+    }
+    files::print(&format!("{}: {} random poses against central differences\n{report}", spec.name, arguments.samples))?;
+    if failed.is_empty() {
+        return Ok(());
+    }
+    Err(Failure::Check(format!(
+        "{}: the derived {} of {} differ from central differences by more than {TOLERANCE_F64:.0e} (f64) or {TOLERANCE_F32:.0e} \
+         (f32)",
+        arguments.rig.display(),
+        failed.join(", "),
+        spec.name
+    )))
+}
+
+/// A program and what it should compute.
+struct Trial<'a> {
+    name: String,
+    graph: Graph,
+    values: Vec<Scalar>,
+    angles: Vec<(Angle, Option<AngleRange>)>,
+    links: usize,
+    program: &'a Program,
+    /// Whether the outputs include derivatives by undeclared angles (which must be 0).
+    all_angles: bool,
+}
+
+fn trials<'a>(spec: &RigSpec, programs: &'a RigPrograms) -> Vec<Trial<'a>> {
+    let mut trials = Vec::new();
+    for (number, (joint, program)) in spec.joints.iter().zip(&programs.joints).enumerate() {
+        let mut graph = Graph::new();
+        let inputs = JointInputs::declare(&mut graph);
+        let aim = joint_aim(&mut graph, spec, number, &inputs);
+        trials.push(Trial {
+            name: format!("{}: aim and gradient", joint.name),
+            graph,
+            values: vec![aim],
+            angles: vec![(inputs.pitch, joint.pitch), (inputs.heading, joint.heading)],
+            links: 1,
+            program,
+            all_angles: true,
+        });
+    }
+    let mut chain = |name: &str, program: &'a Program, state: &dyn Fn(&mut Graph, &ChainInputs) -> Vec<Scalar>| {
+        let mut graph = Graph::new();
+        let inputs = ChainInputs::declare(&mut graph, spec.joints.len());
+        let values = state(&mut graph, &inputs);
+        let angles = spec
+            .joints
+            .iter()
+            .zip(&inputs.angles)
+            .flat_map(|(joint, &(pitch, heading))| [(pitch, joint.pitch), (heading, joint.heading)]);
+        let angles = angles.collect();
+        trials.push(Trial {
+            name: name.into(),
+            graph,
+            values,
+            angles,
+            links: spec.joints.len(),
+            program,
+            all_angles: false,
+        });
+    };
+    chain("chain: aim and gradient", &programs.chain_value_gradient, &|g, inputs| vec![chain_aim(g, spec, inputs)]);
+    chain("chain: residual and Jacobian", &programs.chain_residual_jacobian, &|g, inputs| {
+        chain_residual(g, spec, inputs).to_vec()
+    });
+    trials
+}
+
+/// The largest relative deviations found.
+struct Worst {
+    double: f64,
+    single: f64,
+}
+
+impl Trial<'_> {
+    fn run(&self, samples: u32) -> Worst {
+        let mut random = Random(0x5eed);
+        let mut worst = Worst { double: 0.0, single: 0.0 };
+        for _ in 0..samples {
+            let bindings = self.pose(&mut random);
+            let expected = self.expected(&bindings);
+            let mut double = vec![0.0; expected.len()];
+            self.program.run(bindings.inputs(), &mut double);
+            #[expect(clippy::cast_possible_truncation, reason = "the f32 programs are on trial too")]
+            let inputs: Vec<f32> = bindings.inputs().iter().map(|&x| x as f32).collect();
+            let mut single = vec![0.0; expected.len()];
+            self.program.run(&inputs, &mut single);
+            for ((expected, double), single) in expected.into_iter().zip(double).zip(single) {
+                let deviation = |found: f64| {
+                    let deviation = (found - expected).abs() / expected.abs().max(1.0);
+                    if deviation.is_nan() { f64::INFINITY } else { deviation }
+                };
+                worst.double = worst.double.max(deviation(double));
+                worst.single = worst.single.max(deviation(single.into()));
+            }
+        }
+        worst
+    }
+
+    /// The values, then their derivatives by central differences of sixth order.
+    fn expected(&self, at: &Bindings) -> Vec<f64> {
+        const STEP: f64 = 2e-3;
+        let mut expected: Vec<f64> = self.values.iter().map(|&v| self.graph.evaluate(v, at)).collect();
+        for &value in &self.values {
+            for &(angle, range) in &self.angles {
+                if range.is_none() {
+                    if self.all_angles {
+                        expected.push(0.0);
+                    }
+                    continue;
+                }
+                let moved = |steps: f64| self.graph.evaluate(value, &at.moved(&self.graph, angle, steps * STEP));
+                let weighted = |steps: f64, weight: f64| weight * (moved(steps) - moved(-steps));
+                let sum = weighted(1.0, 45.0) + weighted(2.0, -9.0) + weighted(3.0, 1.0);
+                expected.push(sum / (60.0 * STEP));
+            }
+        }
+        expected
+    }
+
+    /// A random pose whose target is at a distance and not behind, where single precision means something.
+    fn pose(&self, random: &mut Random) -> Bindings {
+        loop {
+            let mut given = Vec::new();
+            for _ in 0..self.links {
+                given.extend(random.rotation());
+                given.extend([0; 3].map(|_| random.within(0.5)));
+            }
+            let target = [0; 3].map(|_| random.within(3.0));
+            given.extend(target);
+            let angles: Vec<(Angle, f64)> =
+                self.angles.iter().filter_map(|&(angle, range)| Some((angle, random.in_range(range?)))).collect();
+            let bindings = Bindings::new(&self.graph, &given, &angles);
+            // Links reach half a metre each way at most.
+            let reach = 0.9 * f64::from(u32::try_from(self.links).unwrap_or(u32::MAX));
+            let distance = target.iter().map(|c| c * c).sum::<f64>().sqrt();
+            let moderate = self.values.iter().all(|&v| self.graph.evaluate(v, &bindings).abs() < 3.0);
+            if (distance > reach + 0.3 || self.links > 3) && moderate {
+                return bindings;
+            }
+        }
+    }
+}
+
+/// Makes a subtraction of the `which`-th addition of each program (or the other way round).
+fn flip_signs(programs: &mut RigPrograms, which: usize) {
+    let chain = [&mut programs.chain_value_gradient, &mut programs.chain_residual_jacobian];
+    for program in programs.joints.iter_mut().chain(chain) {
+        let sums: Vec<usize> = program
+            .ops()
+            .iter()
+            .enumerate()
+            .filter(|(_, op)| matches!(op, Op::Add(..) | Op::Sub(..)))
+            .map(|(i, _)| i)
+            .collect();
+        if !sums.is_empty() {
+            *program = program.with_sign_flipped(sums[which % sums.len()]);
+        }
+    }
+}
+
+/// `SplitMix64`: the same poses everywhere.
+struct Random(u64);
+
+impl Random {
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^= z >> 31;
+        #[expect(clippy::cast_precision_loss, reason = "53 bits are what an f64 holds")]
+        let unit = (z >> 11) as f64 / (1_u64 << 53) as f64;
+        unit
+    }
+
+    fn within(&mut self, limit: f64) -> f64 {
+        limit * (2.0 * self.unit() - 1.0)
+    }
+
+    fn in_range(&mut self, range: AngleRange) -> f64 {
+        match range {
+            AngleRange::Between(lo, hi) => lo + (hi - lo) * self.unit(),
+            AngleRange::Free => self.within(std::f64::consts::PI),
+        }
+    }
+
+    /// A rotation's nine numbers, row by row.
+    fn rotation(&mut self) -> [f64; 9] {
+        let q = glam::DQuat::from_xyzw(self.within(1.0), self.within(1.0), self.within(1.0), self.within(1.0));
+        let q = if q.length_squared() > 0.01 { q.normalize() } else { glam::DQuat::IDENTITY };
+        glam::DMat3::from_quat(q).to_cols_array()
+    }
+}

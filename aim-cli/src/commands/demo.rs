@@ -1,0 +1,65 @@
+//! `aim demo`: the bundled mannequin walks while a target orbits it.
+
+use std::fs;
+use std::path::Path;
+
+use aim_gltf::{Document, PAPER_AXES, mannequin};
+
+use super::bake::Job;
+use crate::args::{self, Settle, Solver};
+use crate::failure::{Failure, Result};
+use crate::files;
+use crate::html;
+use crate::target::TargetSpec;
+
+/// The mannequin's rig, the same file that `aim::rigs::Mannequin` is compiled from.
+const RIG: &str = include_str!("../../../rigs/mannequin.toml");
+
+/// The target: 2 m away, a little above the eyes, once around in ten seconds.
+const TARGET: TargetSpec = TargetSpec::Orbit { radius: 2.0, height: 0.15, seconds: 10.0 };
+const FPS: f32 = 60.0;
+
+pub(super) fn run(arguments: &args::Demo) -> Result {
+    let spec = aim_codegen::declare::from_toml("rigs/mannequin.toml", RIG)?;
+    let model = mannequin(|_| PAPER_AXES).map_err(|error| Failure::input(error.to_string()))?;
+    let file = Path::new("the mannequin");
+    let document = Document::from_bytes(&model).map_err(|error| Failure::in_file(file, error))?;
+    let clip = document.clips().first();
+    // Whole walk cycles around one orbit, so that the result loops.
+    let seconds = clip.map_or(10.0, |clip| clip.seconds() * (10.0 / clip.seconds()).round());
+    let target = match TARGET {
+        TargetSpec::Orbit { radius, height, .. } => TargetSpec::Orbit { radius, height, seconds: seconds.into() },
+        other => other,
+    };
+    files::print(&format!(
+        "aiming the mannequin's eye, neck and spine at a target that orbits it once in {seconds:.1} s\n"
+    ))?;
+    let done = Job {
+        file,
+        document: &document,
+        spec: &spec,
+        target: &target,
+        clip,
+        seconds,
+        fps: FPS,
+        solver: Solver::Ascent,
+        settle: Settle::Snap,
+        looped: true,
+    }
+    .run()?;
+    fs::create_dir_all(&arguments.out).map_err(|error| {
+        Failure::in_file(&arguments.out, format!("cannot be made ({error}); give a folder with --out"))
+    })?;
+    let glb = arguments.out.join("aimed.glb");
+    files::write(&glb, &done.model)?;
+    files::write_json(&arguments.out.join("report.json"), &done.report)?;
+    files::write(
+        &arguments.out.join("report.html"),
+        html::page(&spec, &done.report, &document, &done.baked).as_bytes(),
+    )?;
+    files::print(&format!("{}\n", done.report.in_words(&glb)))?;
+    files::print(&format!(
+        "wrote report.html and report.json beside it; open {}\n",
+        arguments.out.join("report.html").display()
+    ))
+}

@@ -1,0 +1,66 @@
+//! `aim generate`: the solver as source text.
+
+use std::fs;
+use std::path::Path;
+
+use aim_codegen::emit::{self, Rig};
+use aim_codegen::{RigPrograms, RigSpec};
+
+use crate::args::{self, Language};
+use crate::failure::{Failure, Result};
+use crate::files;
+
+pub(super) fn run(arguments: &args::Generate) -> Result {
+    let spec = files::load_rig(&arguments.rig)?;
+    let code = emit(&spec, arguments.lang)?;
+    if let Some(existing) = &arguments.check {
+        return check(existing, &code, arguments);
+    }
+    match &arguments.output {
+        Some(path) => files::write(path, code.as_bytes()),
+        None => files::print(&code),
+    }
+}
+
+fn emit(spec: &RigSpec, language: Language) -> Result<String> {
+    let programs = RigPrograms::derive(spec);
+    let rig = Rig { spec, programs: &programs };
+    Ok(match language {
+        Language::C => emit::c::emit(&rig),
+        Language::Latex => emit::latex::emit(&rig),
+        Language::Maxima => emit::maxima::emit(&rig),
+        Language::Rust => rust(&rig)?,
+    })
+}
+
+fn rust(rig: &Rig<'_>) -> Result<String> {
+    let facade =
+        proc_macro2::TokenStream::from_iter(["::aim".parse::<proc_macro2::TokenStream>()].into_iter().flatten());
+    let tokens = emit::rust::emit_with_struct(rig, &emit::rust::Item::of(rig.spec, facade));
+    let file: syn::File = syn::parse2(tokens).map_err(|error| {
+        Failure::input(format!("the emitted Rust does not parse ({error}); please report this rig"))
+    })?;
+    let header = format!(
+        "// The rig {}, derived and written by aim {}. Do not edit: generate again.\n",
+        rig.spec.name,
+        env!("CARGO_PKG_VERSION")
+    );
+    Ok(header + &prettyplease::unparse(&file))
+}
+
+/// Whether `existing` holds `code`, line ends aside.
+fn check(existing: &Path, code: &str, arguments: &args::Generate) -> Result {
+    let found = fs::read_to_string(existing)
+        .map_err(|error| Failure::in_file(existing, format!("cannot be read ({error}); generate it first with -o")))?;
+    if found.lines().eq(code.lines()) {
+        return Ok(());
+    }
+    let language = format!("{:?}", arguments.lang).to_lowercase();
+    Err(Failure::Check(format!(
+        "{} is stale: it is not what {} gives now. Write it again:\n  aim generate {} --lang {language} -o {}",
+        existing.display(),
+        arguments.rig.display(),
+        arguments.rig.display(),
+        existing.display()
+    )))
+}

@@ -1,0 +1,49 @@
+//! Reading and writing files: whole or not at all.
+
+use std::fs;
+use std::path::Path;
+
+use aim_codegen::RigSpec;
+use aim_gltf::Document;
+
+use crate::failure::{Failure, Result};
+
+/// Reads and checks a rig's TOML file.
+pub(crate) fn load_rig(path: &Path) -> Result<RigSpec> {
+    let text = fs::read_to_string(path)
+        .map_err(|error| Failure::in_file(path, format!("cannot be read as text ({error}); give a rig's TOML file")))?;
+    Ok(aim_codegen::declare::from_toml(&path.display().to_string(), &text)?)
+}
+
+/// Reads a glTF, GLB or VRM file.
+pub(crate) fn load_model(path: &Path) -> Result<Document> {
+    Document::load(path).map_err(|error| Failure::in_file(path, error))
+}
+
+/// Writes a file, whole or not at all.
+pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result {
+    aim_gltf::write_file(path, bytes).map_err(|error| Failure::in_file(path, error))
+}
+
+/// Writes JSON, indented, with a line end.
+pub(crate) fn write_json(path: &Path, value: &impl serde::Serialize) -> Result {
+    write(path, to_json(value)?.as_bytes())
+}
+
+/// JSON text, indented, with a line end.
+pub(crate) fn to_json(value: &impl serde::Serialize) -> Result<String> {
+    let text = serde_json::to_string_pretty(value)
+        .map_err(|error| Failure::input(format!("the result does not fit into JSON: {error}")))?;
+    Ok(text + "\n")
+}
+
+/// Prints to standard output; a reader that stopped listening (`| head`) is no failure.
+pub(crate) fn print(text: &str) -> Result {
+    use std::io::{ErrorKind, Write};
+    match std::io::stdout().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::input(format!("standard output cannot be written: {error}")))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,206 @@
+//! The report of a bake: every frame, and a summary.
+
+use std::path::Path;
+
+use aim_codegen::{AngleRange, RigSpec};
+use aim_gltf::{Baked, Frame};
+use aim_runtime::Status;
+use serde::Serialize;
+
+/// What `--report` writes. Angles in degrees.
+#[derive(Debug, Serialize)]
+pub(crate) struct Report {
+    pub(crate) rig: String,
+    pub(crate) solver: &'static str,
+    pub(crate) clip: String,
+    pub(crate) fps: f32,
+    pub(crate) effector: Effector,
+    pub(crate) frames: Vec<FrameReport>,
+    pub(crate) summary: Summary,
+}
+
+/// What is aimed, in its bone's local space.
+#[derive(Debug, Serialize)]
+pub(crate) struct Effector {
+    bone: String,
+    forward: [f64; 3],
+    origin: [f64; 3],
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct FrameReport {
+    pub(crate) t: f32,
+    pub(crate) target: [f64; 3],
+    pub(crate) error_deg: f64,
+    pub(crate) status: &'static str,
+    pub(crate) joints: Vec<JointReport>,
+    followers: Vec<Follower>,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct JointReport {
+    pub(crate) bone: String,
+    pub(crate) heading_deg: f64,
+    pub(crate) pitch_deg: f64,
+    pub(crate) at_limit: bool,
+    pub(crate) recovering: bool,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Follower {
+    bone: String,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Summary {
+    pub(crate) frames: usize,
+    pub(crate) reached: usize,
+    pub(crate) max_error_deg_reached: f64,
+    pub(crate) max_rate_violation_deg_s: f64,
+    pub(crate) max_limit_violation_deg: f64,
+}
+
+/// The word of the contract.
+pub(crate) fn status_word(status: Status) -> &'static str {
+    match status {
+        Status::Reached => "reached",
+        Status::RateLimited => "rate_limited",
+        Status::AtLimit => "at_limit",
+        Status::Behind => "behind",
+        _ => "degenerate",
+    }
+}
+
+impl Report {
+    /// Reports `baked`; `bones` are the names of the chain's nodes, `pair` that of the other eye's.
+    pub(crate) fn new(
+        spec: &RigSpec,
+        solver: &'static str,
+        fps: f32,
+        bones: &[String],
+        pair: Option<String>,
+        baked: &Baked,
+    ) -> Self {
+        let followers: Vec<Follower> = pair.into_iter().map(|bone| Follower { bone }).collect();
+        let frames: Vec<FrameReport> = baked
+            .frames
+            .iter()
+            .map(|frame| FrameReport {
+                t: frame.t,
+                target: frame.target.to_array(),
+                error_deg: frame.error_deg,
+                status: status_word(frame.outcome.status),
+                joints: joints(frame, bones),
+                followers: followers.clone(),
+            })
+            .collect();
+        Self {
+            rig: spec.name.clone(),
+            solver,
+            clip: baked.clip.name.clone(),
+            fps,
+            effector: Effector {
+                bone: bones[0].clone(),
+                forward: spec.effector.frame.forward,
+                origin: spec.effector.origin,
+            },
+            summary: Summary::of(spec, baked),
+            frames,
+        }
+    }
+
+    /// The summary in words; `file` is what was written.
+    pub(crate) fn in_words(&self, file: &Path) -> String {
+        let count = |status: &str| self.frames.iter().filter(|frame| frame.status == status).count();
+        let mut out = format!(
+            "wrote {}: {} frames of {:?} aimed by {}, {} of them on target (error at most {:.3}°)",
+            file.display(),
+            self.summary.frames,
+            self.clip,
+            self.rig,
+            self.summary.reached,
+            self.summary.max_error_deg_reached
+        );
+        let others = [
+            ("rate_limited", "on the way"),
+            ("at_limit", "out of reach"),
+            ("behind", "behind the character"),
+            ("degenerate", "without a direction"),
+        ];
+        for (status, words) in others {
+            let frames = count(status);
+            if frames > 0 {
+                out += &format!(", {frames} {words}");
+            }
+        }
+        out
+    }
+}
+
+fn joints(frame: &Frame, bones: &[String]) -> Vec<JointReport> {
+    let joints = frame.joints.iter().zip(bones);
+    joints
+        .map(|(joint, bone)| JointReport {
+            bone: bone.clone(),
+            heading_deg: degrees(joint.heading),
+            pitch_deg: degrees(joint.pitch),
+            at_limit: joint.at_limit,
+            recovering: joint.recovering,
+        })
+        .collect()
+}
+
+fn degrees(radians: f32) -> f64 {
+    f64::from(radians).to_degrees()
+}
+
+impl Summary {
+    fn of(spec: &RigSpec, baked: &Baked) -> Self {
+        let reached = baked.frames.iter().filter(|frame| frame.outcome.status == Status::Reached);
+        Self {
+            frames: baked.frames.len(),
+            reached: reached.clone().count(),
+            max_error_deg_reached: reached.map(|frame| frame.error_deg).fold(0.0, f64::max),
+            max_rate_violation_deg_s: rate_violation(spec, &baked.frames),
+            max_limit_violation_deg: limit_violation(spec, &baked.frames),
+        }
+    }
+}
+
+/// By how much an angle's speed between two frames exceeds its rate at most, degrees a second.
+fn rate_violation(spec: &RigSpec, frames: &[Frame]) -> f64 {
+    let mut worst: f64 = 0.0;
+    for pair in frames.windows(2) {
+        let seconds = f64::from(pair[1].t - pair[0].t);
+        for ((joint, before), after) in spec.joints.iter().zip(&pair[0].joints).zip(&pair[1].joints) {
+            let heading = change(joint.heading, before.heading, after.heading);
+            let pitch = change(joint.pitch, before.pitch, after.pitch);
+            worst = worst.max(heading.max(pitch) / seconds - joint.rate);
+        }
+    }
+    worst.to_degrees()
+}
+
+fn change(range: Option<AngleRange>, before: f32, after: f32) -> f64 {
+    let change = f64::from(after) - f64::from(before);
+    match range {
+        Some(AngleRange::Free) => {
+            let turn = std::f64::consts::TAU;
+            (change - turn * (change / turn).round()).abs()
+        }
+        _ => change.abs(),
+    }
+}
+
+/// By how much an angle leaves its range at most, degrees.
+fn limit_violation(spec: &RigSpec, frames: &[Frame]) -> f64 {
+    let outside = |range: Option<AngleRange>, angle: f32| match range {
+        Some(AngleRange::Between(lo, hi)) => (lo - f64::from(angle)).max(f64::from(angle) - hi).max(0.0),
+        Some(AngleRange::Free) => 0.0,
+        None => f64::from(angle).abs(),
+    };
+    let all = frames.iter().flat_map(|frame| spec.joints.iter().zip(&frame.joints));
+    all.map(|(joint, at)| outside(joint.heading, at.heading).max(outside(joint.pitch, at.pitch)))
+        .fold(0.0, f64::max)
+        .to_degrees()
+}

@@ -1,0 +1,185 @@
+//! Where the target is: the SPEC of `bake --target`.
+
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use aim_gltf::{Document, Measurement};
+use glam::{DAffine3, DVec3};
+
+use crate::failure::{Failure, Result};
+
+/// The height of the character that orbits are given for, metres.
+const CHARACTER_HEIGHT: f64 = 1.7;
+
+/// A target as the user wrote it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum TargetSpec {
+    /// A point of the world.
+    Point(DVec3),
+    /// Around the effector in the bind pose, in metres of a 1.7 m character.
+    Orbit { radius: f64, height: f64, seconds: f64 },
+    /// A node of the file.
+    Node(String),
+    /// Rows of t, x, y, z.
+    File(PathBuf),
+}
+
+impl FromStr for TargetSpec {
+    type Err = String;
+
+    fn from_str(text: &str) -> std::result::Result<Self, String> {
+        const EXPECTED: &str = "expected x,y,z · orbit:RADIUS,HEIGHT,SECONDS · node:NAME · file:PATH.csv";
+        if let Some(orbit) = text.strip_prefix("orbit:") {
+            let [radius, height, seconds] = three_numbers(orbit)
+                .ok_or("orbit: needs three numbers, such as orbit:2,0,8 (radius, height, seconds a turn)")?;
+            if radius <= 0.0 || seconds == 0.0 {
+                return Err("orbit: needs a positive radius and a time for one turn that is not 0".into());
+            }
+            return Ok(Self::Orbit { radius, height, seconds });
+        }
+        if let Some(name) = text.strip_prefix("node:") {
+            return if name.is_empty() { Err("node: needs a node's name".into()) } else { Ok(Self::Node(name.into())) };
+        }
+        if let Some(path) = text.strip_prefix("file:") {
+            return if path.is_empty() {
+                Err("file: needs the path of a CSV file".into())
+            } else {
+                Ok(Self::File(path.into()))
+            };
+        }
+        three_numbers(text).map(|p| Self::Point(DVec3::from_array(p))).ok_or_else(|| EXPECTED.into())
+    }
+}
+
+fn three_numbers(text: &str) -> Option<[f64; 3]> {
+    let numbers: Vec<f64> =
+        text.split(',').map(|n| n.trim().parse().ok().filter(|x: &f64| x.is_finite())).collect::<Option<_>>()?;
+    numbers.try_into().ok()
+}
+
+/// A target that can be asked where it is.
+#[derive(Debug)]
+pub(crate) enum Target {
+    Point(DVec3),
+    Orbit { centre: DVec3, front: DVec3, left: DVec3, up: DVec3, turns_a_second: f64 },
+    Node(usize),
+    Path(Vec<(f64, DVec3)>),
+}
+
+impl Target {
+    /// Finds what `spec` names in `document`. `effector_bind` is the effector's origin in the bind pose.
+    pub(crate) fn new(
+        spec: &TargetSpec,
+        file: &Path,
+        document: &Document,
+        measurement: &Measurement,
+        effector_bind: DVec3,
+    ) -> Result<Self> {
+        Ok(match spec {
+            TargetSpec::Point(point) => Self::Point(*point),
+            TargetSpec::Orbit { radius, height, seconds } => {
+                let metre = if measurement.height > 0.0 { measurement.height / CHARACTER_HEIGHT } else { 1.0 };
+                Self::Orbit {
+                    centre: effector_bind,
+                    front: measurement.forward * (radius * metre),
+                    left: measurement.left * (radius * metre),
+                    up: measurement.up * (height * metre),
+                    turns_a_second: seconds.recip(),
+                }
+            }
+            TargetSpec::Node(name) => {
+                Self::Node(document.skeleton().find(name).map_err(|error| Failure::in_file(file, error))?)
+            }
+            TargetSpec::File(path) => Self::Path(read_path(path)?),
+        })
+    }
+
+    /// The target in the world at `t` seconds, the file's nodes being at `world`.
+    pub(crate) fn at(&self, t: f64, world: &[DAffine3]) -> DVec3 {
+        match self {
+            Self::Point(point) => *point,
+            Self::Orbit { centre, front, left, up, turns_a_second } => {
+                let (sin, cos) = (t * turns_a_second * std::f64::consts::TAU).sin_cos();
+                *centre + *front * cos + *left * sin + *up
+            }
+            Self::Node(node) => world[*node].translation,
+            Self::Path(rows) => on_path(rows, t),
+        }
+    }
+}
+
+fn on_path(rows: &[(f64, DVec3)], t: f64) -> DVec3 {
+    let after = rows.partition_point(|(time, _)| *time <= t);
+    match (after.checked_sub(1).map(|i| rows[i]), rows.get(after)) {
+        (Some((t0, p0)), Some(&(t1, p1))) => p0.lerp(p1, (t - t0) / (t1 - t0)),
+        (Some((_, last)), None) => last,
+        (None, Some(&(_, first))) => first,
+        (None, None) => DVec3::ZERO,
+    }
+}
+
+fn read_path(path: &Path) -> Result<Vec<(f64, DVec3)>> {
+    let fail = |problem: String| Failure::in_file(path, problem);
+    let mut reader = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .from_path(path)
+        .map_err(|error| fail(format!("cannot be read ({error}); give a CSV file with the columns t,x,y,z")))?;
+    let header = reader.headers().map_err(|error| fail(error.to_string()))?;
+    if header.iter().ne(["t", "x", "y", "z"]) {
+        return Err(fail(format!(
+            "its first line is {:?}; expected t,x,y,z",
+            header.iter().collect::<Vec<_>>().join(",")
+        )));
+    }
+    let mut rows: Vec<(f64, DVec3)> = Vec::new();
+    for (number, record) in reader.deserialize().enumerate() {
+        let line = number + 2;
+        let (t, x, y, z): (f64, f64, f64, f64) =
+            record.map_err(|error| fail(format!("line {line} is not four numbers ({error})")))?;
+        if ![t, x, y, z].iter().all(|n| n.is_finite()) {
+            return Err(fail(format!("line {line} holds a number that is not finite")));
+        }
+        if rows.last().is_some_and(|(before, _)| *before >= t) {
+            return Err(fail(format!(
+                "line {line}: the time {t} does not come after the line before; sort the rows by t"
+            )));
+        }
+        rows.push((t, DVec3::new(x, y, z)));
+    }
+    if rows.is_empty() {
+        return Err(fail("has no rows; give at least one line of t,x,y,z".into()));
+    }
+    Ok(rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn specs_are_read() {
+        assert_eq!("1, -2,3e0".parse(), Ok(TargetSpec::Point(DVec3::new(1.0, -2.0, 3.0))));
+        assert_eq!("orbit:2,0,8".parse(), Ok(TargetSpec::Orbit { radius: 2.0, height: 0.0, seconds: 8.0 }));
+        assert_eq!("node:Head".parse(), Ok(TargetSpec::Node("Head".into())));
+        assert_eq!("file:a/b.csv".parse(), Ok(TargetSpec::File("a/b.csv".into())));
+    }
+
+    #[test]
+    fn wrong_specs_say_what_was_expected() {
+        for text in
+            ["", "1,2", "1,2,x", "NaN,0,0", "orbit:", "orbit:1,2", "orbit:-1,0,8", "orbit:1,0,0", "node:", "file:"]
+        {
+            let error = text.parse::<TargetSpec>().expect_err(text);
+            assert!(error.contains("expected") || error.contains("needs"), "{text}: {error}");
+        }
+    }
+
+    #[test]
+    fn paths_are_linear_between_rows_and_stand_still_outside() {
+        let rows = [(1.0, DVec3::ZERO), (2.0, DVec3::X), (4.0, DVec3::Y)];
+        assert_eq!(on_path(&rows, 0.0), DVec3::ZERO);
+        assert_eq!(on_path(&rows, 1.5), DVec3::X * 0.5);
+        assert_eq!(on_path(&rows, 3.0), DVec3::new(0.5, 0.5, 0.0));
+        assert_eq!(on_path(&rows, 9.0), DVec3::Y);
+    }
+}

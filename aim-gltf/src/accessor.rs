@@ -1,0 +1,208 @@
+//! Accessor data as `f32`s: every range checked with checked arithmetic before a byte is touched.
+
+use core::cell::Cell;
+
+use crate::error::Error;
+use crate::raw::{Accessor, Raw, View};
+
+/// Elements an accessor without any bytes behind it may claim (its zeros must fit into memory).
+const MAX_IMPLIED: usize = 1 << 24;
+
+/// The document's typed parts and its buffers' bytes.
+pub(crate) struct Data<'a> {
+    pub(crate) raw: &'a Raw,
+    pub(crate) buffers: &'a [Option<&'a [u8]>],
+    /// Numbers that may still be decoded.
+    budget: Cell<usize>,
+}
+
+fn components(shape: &str) -> Option<usize> {
+    Some(match shape {
+        "SCALAR" => 1,
+        "VEC2" => 2,
+        "VEC3" => 3,
+        "VEC4" | "MAT2" => 4,
+        "MAT3" => 9,
+        "MAT4" => 16,
+        _ => return None,
+    })
+}
+
+fn size_of(component_type: u32) -> Option<usize> {
+    Some(match component_type {
+        5120 | 5121 => 1,
+        5122 | 5123 => 2,
+        5125 | 5126 => 4,
+        _ => return None,
+    })
+}
+
+/// One component. Normalised integers map to 0…1 or −1…1 as the specification says.
+#[expect(clippy::cast_precision_loss, reason = "indices above 2^24 never pass through here as floats that matter")]
+fn component(bytes: &[u8], component_type: u32, normalized: bool) -> f32 {
+    let scaled = |value: f32, largest: f32| {
+        if normalized { (value / largest).max(-1.0) } else { value }
+    };
+    match (component_type, bytes) {
+        (5120, &[a]) => scaled(f32::from(i8::from_le_bytes([a])), 127.0),
+        (5121, &[a]) => scaled(f32::from(a), 255.0),
+        (5122, &[a, b]) => scaled(f32::from(i16::from_le_bytes([a, b])), 32767.0),
+        (5123, &[a, b]) => scaled(f32::from(u16::from_le_bytes([a, b])), 65535.0),
+        (5125, &[a, b, c, d]) => u32::from_le_bytes([a, b, c, d]) as f32,
+        (5126, &[a, b, c, d]) => f32::from_le_bytes([a, b, c, d]),
+        _ => 0.0,
+    }
+}
+
+impl<'a> Data<'a> {
+    pub(crate) fn new(raw: &'a Raw, buffers: &'a [Option<&'a [u8]>]) -> Self {
+        // Sharing accessors is legitimate, but a small file must not grow without bound by naming one a million times.
+        let bytes: usize = buffers.iter().flatten().map(|b| b.len()).sum();
+        let budget = Cell::new(bytes.saturating_mul(64).saturating_add(4 * MAX_IMPLIED));
+        Self { raw, buffers, budget }
+    }
+
+    /// The bytes of a buffer view.
+    fn view(&self, index: usize, place: &str) -> Result<(&'a [u8], &'a View), Error> {
+        let view = self
+            .raw
+            .views
+            .get(index)
+            .ok_or_else(|| Error::invalid(place, format!("bufferViews[{index}] does not exist")))?;
+        let buffer = self.buffers.get(view.buffer).ok_or_else(|| {
+            Error::invalid(format!("bufferViews[{index}]"), format!("buffers[{}] does not exist", view.buffer))
+        })?;
+        let bytes = buffer.ok_or_else(|| Error::NoData {
+            place: format!("buffers[{}]", view.buffer),
+            problem: "its bytes are not in the file (compressed with an extension?); export without compression".into(),
+        })?;
+        let range = view.byte_offset.checked_add(view.byte_length).map(|end| view.byte_offset..end);
+        let bytes = range.and_then(|range| bytes.get(range)).ok_or_else(|| {
+            Error::invalid(
+                format!("bufferViews[{index}]"),
+                format!(
+                    "{} bytes from byte {} do not fit into a buffer of {} bytes",
+                    view.byte_length,
+                    view.byte_offset,
+                    bytes.len()
+                ),
+            )
+        })?;
+        Ok((bytes, view))
+    }
+
+    /// `count` elements of `size` bytes, `stride` apart, from `offset` of a view.
+    fn elements(
+        &self,
+        view: usize,
+        offset: usize,
+        size: usize,
+        count: usize,
+        place: &str,
+    ) -> Result<impl Iterator<Item = &'a [u8]>, Error> {
+        let (bytes, info) = self.view(view, place)?;
+        let stride = match info.byte_stride {
+            None | Some(0) => size,
+            Some(stride) if stride < size => {
+                return Err(Error::invalid(
+                    format!("bufferViews[{view}].byteStride"),
+                    format!("{stride} is less than the {size} bytes of an element of {place}"),
+                ));
+            }
+            Some(stride) => stride,
+        };
+        let end = match count.checked_sub(1) {
+            None => Some(0),
+            Some(last) => {
+                last.checked_mul(stride).and_then(|n| n.checked_add(size)).and_then(|n| n.checked_add(offset))
+            }
+        };
+        if end.is_none_or(|end| end > bytes.len()) {
+            return Err(Error::invalid(
+                place,
+                format!(
+                    "{count} elements from byte {offset} do not fit into bufferViews[{view}] of {} bytes",
+                    bytes.len()
+                ),
+            ));
+        }
+        Ok((0..count).map(move |k| &bytes[offset + k * stride..offset + k * stride + size]))
+    }
+
+    fn spend(&self, numbers: usize, place: &str) -> Result<(), Error> {
+        let left = self.budget.get().checked_sub(numbers);
+        let left = left.ok_or_else(|| {
+            Error::invalid(place, "the file uses its accessors so often that its data would not fit into memory")
+        })?;
+        self.budget.set(left);
+        Ok(())
+    }
+
+    /// The accessor at `index`, checked to exist.
+    pub(crate) fn accessor(&self, index: usize, place: &str) -> Result<&'a Accessor, Error> {
+        self.raw.accessors.get(index).ok_or_else(|| Error::invalid(place, format!("accessors[{index}] does not exist")))
+    }
+
+    /// All components of all elements, flat; `shapes` are the shapes that make sense at `place`.
+    pub(crate) fn floats(&self, index: usize, shapes: &[&str], place: &str) -> Result<Vec<f32>, Error> {
+        let accessor = self.accessor(index, place)?;
+        let at = format!("accessors[{index}]");
+        if !shapes.contains(&accessor.shape.as_str()) {
+            return Err(Error::invalid(
+                at,
+                format!("its type is {:?}, and {place} needs {}", accessor.shape, shapes.join(" or ")),
+            ));
+        }
+        let width = components(&accessor.shape).unwrap_or(1);
+        let part = size_of(accessor.component_type)
+            .ok_or_else(|| Error::invalid(&at, format!("component type {} is unknown", accessor.component_type)))?;
+        let decode = |bytes: &[u8], out: &mut Vec<f32>| {
+            out.extend(bytes.chunks_exact(part).map(|c| component(c, accessor.component_type, accessor.normalized)));
+        };
+        let mut out = Vec::new();
+        if let Some(view) = accessor.buffer_view {
+            // The iterator knows that its elements lie inside the buffer, so the capacity is bounded by it.
+            let elements = self.elements(view, accessor.byte_offset, width * part, accessor.count, &at)?;
+            self.spend(accessor.count.saturating_mul(width), &at)?;
+            out.reserve(accessor.count * width);
+            elements.for_each(|bytes| decode(bytes, &mut out));
+        } else {
+            if accessor.count > MAX_IMPLIED {
+                return Err(Error::invalid(
+                    at,
+                    format!("{} elements without a buffer view are beyond reason", accessor.count),
+                ));
+            }
+            self.spend(accessor.count * width, &at)?;
+            out.resize(accessor.count * width, 0.0);
+        }
+        if let Some(sparse) = &accessor.sparse {
+            let index_size = match sparse.indices.component_type {
+                5121 | 5123 | 5125 => size_of(sparse.indices.component_type).unwrap_or(4),
+                other => {
+                    return Err(Error::invalid(
+                        format!("{at}.sparse.indices"),
+                        format!("component type {other} is no index"),
+                    ));
+                }
+            };
+            let (indices, values) = (&sparse.indices, &sparse.values);
+            let place = format!("{at}.sparse");
+            let indices = self.elements(indices.buffer_view, indices.byte_offset, index_size, sparse.count, &place)?;
+            let values = self.elements(values.buffer_view, values.byte_offset, width * part, sparse.count, &place)?;
+            let mut element = Vec::with_capacity(width);
+            for (target, value) in indices.zip(values) {
+                let target = target.iter().rev().fold(0_usize, |n, byte| n << 8 | usize::from(*byte));
+                let slot = target.checked_mul(width).and_then(|start| out.get_mut(start..start + width));
+                let slot = slot.ok_or_else(|| Error::invalid(&place, format!("element {target} does not exist")))?;
+                element.clear();
+                decode(value, &mut element);
+                slot.copy_from_slice(&element);
+            }
+        }
+        if let Some(bad) = out.iter().position(|value| !value.is_finite()) {
+            return Err(Error::invalid(at, format!("element {} is not a finite number", bad / width)));
+        }
+        Ok(out)
+    }
+}

@@ -1,0 +1,298 @@
+//! Aims a rig over a clip, frame by frame, and makes the clip that does it: only the chain's rotations change.
+
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+use aim_runtime::{AimRig, Outcome, Pose, Settings};
+use glam::{Affine3A, DAffine3, DQuat, DVec3, Quat, Vec3};
+
+use crate::clip::{Channel, Clip};
+use crate::document::Document;
+use crate::error::Error;
+use crate::skeleton::Skeleton;
+use crate::trs::Trs;
+
+/// The nodes that a rig's joints are in a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ChainNodes {
+    /// One node a joint, from the effector inward.
+    pub joints: Vec<usize>,
+    /// The other eye: turned in the world as joint 0 is.
+    pub pair: Option<usize>,
+}
+
+impl ChainNodes {
+    /// Finds the nodes by name: for each joint the first of `bones` that the file has.
+    ///
+    /// # Errors
+    /// A bone or pair that is not there or not unique; joints that are not each other's descendants.
+    pub fn find<'a>(
+        skeleton: &Skeleton,
+        bones: impl IntoIterator<Item = &'a [String]>,
+        pair: Option<&str>,
+    ) -> Result<Self, Error> {
+        let joints = bones.into_iter().map(|names| find_any(skeleton, names)).collect::<Result<Vec<_>, _>>()?;
+        for pair in joints.windows(2) {
+            let (outer, inner) = (pair[0], pair[1]);
+            if !skeleton.ancestry(outer).skip(1).any(|ancestor| ancestor == inner) {
+                let name = |node: usize| &skeleton.nodes()[node].name;
+                return Err(Error::Chain {
+                    problem: format!(
+                        "{:?} does not hang on {:?}; list the joints from the effector inward, each below the next in \
+                         the node tree",
+                        name(outer),
+                        name(inner)
+                    ),
+                });
+            }
+        }
+        let pair = pair.map(|name| skeleton.find(name)).transpose()?;
+        Ok(Self { joints, pair })
+    }
+
+    fn all(&self) -> impl Iterator<Item = usize> + '_ {
+        self.joints.iter().copied().chain(self.pair)
+    }
+}
+
+fn find_any(skeleton: &Skeleton, names: &[String]) -> Result<usize, Error> {
+    let mut first_error = None;
+    for name in names {
+        match skeleton.find(name) {
+            Ok(node) => return Ok(node),
+            Err(error) => first_error = first_error.or(Some(error)),
+        }
+    }
+    Err(first_error.unwrap_or(Error::Chain { problem: "a joint without any bone name".into() }))
+}
+
+/// How a bake begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Settle {
+    /// On the target, without regard to rates.
+    Snap,
+    /// From the animation: every angle 0.
+    Animation,
+}
+
+/// What to bake.
+#[derive(Clone, Copy, Debug)]
+pub struct Plan<'a> {
+    /// The file.
+    pub document: &'a Document,
+    /// The clip that is aimed over; without one the rest pose stands still.
+    pub clip: Option<&'a Clip>,
+    /// The nodes of the rig.
+    pub chain: &'a ChainNodes,
+    /// How long the baked clip is, seconds.
+    pub seconds: f32,
+    /// Keys a second.
+    pub fps: f32,
+    /// How the bake begins.
+    pub settle: Settle,
+    /// Whether to run the clip once unrecorded first, so that the recorded one begins as it ends.
+    pub looped: bool,
+    /// How to aim.
+    pub settings: Settings,
+}
+
+/// One joint in one frame.
+#[derive(Clone, Copy, Debug)]
+pub struct JointFrame {
+    /// Added heading, radians.
+    pub heading: f32,
+    /// Added pitch, radians.
+    pub pitch: f32,
+    /// Whether an angle is at an end of its range.
+    pub at_limit: bool,
+    /// Whether an angle is on its way back into its range.
+    pub recovering: bool,
+}
+
+/// One frame.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// Seconds.
+    pub t: f32,
+    /// The target in the world.
+    pub target: DVec3,
+    /// Between the effector and the direction to the target by the forward kinematics of the file as it is written,
+    /// degrees; 90 where either has no direction.
+    pub error_deg: f64,
+    /// What the solver says.
+    pub outcome: Outcome,
+    /// Each joint, from the effector inward.
+    pub joints: Vec<JointFrame>,
+    /// The file's nodes in the world, aimed.
+    pub world: Vec<DAffine3>,
+}
+
+/// A baked clip.
+#[derive(Clone, Debug)]
+pub struct Baked {
+    /// The clip: the source's channels, the chain's rotations replaced.
+    pub clip: Clip,
+    /// What happened in each frame.
+    pub frames: Vec<Frame>,
+}
+
+/// Aims `rig` over the plan's clip. `target` gives the target in the world from the time in seconds and the animated
+/// nodes in the world; `progress` is told of every finished frame.
+///
+/// # Errors
+/// A length or frame rate that makes no frames.
+pub fn bake<R: AimRig<Array<Affine3A>: Clone>>(
+    rig: &mut R,
+    plan: &Plan<'_>,
+    mut target: impl FnMut(f32, &[DAffine3]) -> DVec3,
+    mut progress: impl FnMut(usize, usize),
+) -> Result<Baked, Error> {
+    let times = key_times(plan.seconds, plan.fps)?;
+    let skeleton = plan.document.skeleton();
+    let source = plan.clip.map(|clip| clip.repeated(plan.seconds));
+    let sample = |t: f32| match &source {
+        Some(clip) => skeleton.pose(clip, t),
+        None => skeleton.rest_pose(),
+    };
+    let passes: u32 = if plan.looped { 2 } else { 1 };
+    let mut rotations: Vec<Vec<Quat>> = vec![Vec::with_capacity(times.len()); plan.chain.all().count()];
+    let mut frames = Vec::with_capacity(times.len());
+    for pass in 0..passes {
+        let recorded = pass + 1 == passes;
+        let mut before: Option<f32> = None;
+        for &t in times.iter() {
+            let mut pose = sample(t);
+            let world = skeleton.world_f64(&pose);
+            let target_ws = target(t, &world);
+            let joints = joint_transforms(rig, plan.chain, &pose, &world);
+            let joints = Pose { joints };
+            let goal = target_ws.as_vec3();
+            let outcome = match (before, pass, plan.settle) {
+                (Some(before), ..) => rig.aim_with(&joints, goal, t - before, &plan.settings),
+                // The pass before ended here: nothing moves, only the report is made.
+                (None, 1.., _) | (None, 0, Settle::Animation) => rig.aim_with(&joints, goal, 0.0, &plan.settings),
+                (None, 0, Settle::Snap) => rig.snap_with(&joints, goal, &plan.settings),
+            };
+            before = Some(t);
+            if !recorded {
+                continue;
+            }
+            apply(rig, plan.chain, skeleton, &mut pose);
+            for (track, node) in rotations.iter_mut().zip(plan.chain.all()) {
+                track.push(continuous(track.last(), pose[node].rotation));
+            }
+            frames.push(frame(rig, plan.chain, t, target_ws, outcome, skeleton.world_f64(&pose)));
+            progress(frames.len(), times.len());
+        }
+    }
+    let name = source.as_ref().map_or_else(|| "aim".to_owned(), |clip| clip.name.clone());
+    let mut clip = source.unwrap_or_else(|| Clip::new(name, Vec::new()));
+    for (node, track) in plan.chain.all().zip(&rotations) {
+        clip.set(Channel::rotation(node, times.clone(), track));
+    }
+    Ok(Baked { clip, frames })
+}
+
+/// The most keys that one bake makes: an hour at 144 Hz.
+const MOST_KEYS: f32 = 144.0 * 3600.0;
+
+fn key_times(seconds: f32, fps: f32) -> Result<Arc<[f32]>, Error> {
+    let keys = seconds * fps;
+    if !(seconds > 0.0 && fps > 0.0 && keys >= 1.0 && keys <= MOST_KEYS) {
+        return Err(Error::Clip {
+            problem: format!(
+                "{seconds} s at {fps} frames a second make no clip; give a length and a rate of at least one frame and \
+                 at most an hour at 144 Hz"
+            ),
+        });
+    }
+    #[expect(clippy::cast_precision_loss, reason = "the number of keys is bounded far below 2^24")]
+    let mut times: Vec<f32> = (0_u32..).map(|key| key as f32 / fps).take_while(|t| *t < seconds - 1e-4).collect();
+    times.push(seconds);
+    Ok(times.into())
+}
+
+/// The joints in the world as the solver takes them: without a bone's own non-uniform scale, so that a correction acts
+/// where the node's rotation does.
+fn joint_transforms<R: AimRig>(rig: &R, chain: &ChainNodes, pose: &[Trs], world: &[DAffine3]) -> R::Array<Affine3A> {
+    let mut joints = rig.array(Affine3A::IDENTITY);
+    for (joint, &node) in joints.as_mut().iter_mut().zip(&chain.joints) {
+        let scale = pose[node].scale.abs().as_dvec3();
+        let uniform = (scale - DVec3::splat(scale.x)).abs().max_element() <= 1e-5 * scale.max_element();
+        let own = if uniform || scale.min_element() == 0.0 { DVec3::ONE } else { scale.recip() };
+        *joint = (world[node] * DAffine3::from_scale(own)).as_affine3a();
+    }
+    joints
+}
+
+/// Multiplies the rig's corrections into the chain's local rotations.
+fn apply<R: AimRig>(rig: &R, chain: &ChainNodes, skeleton: &Skeleton, pose: &mut [Trs]) {
+    let mut corrections: VecDeque<(usize, Quat)> = rig.corrections().collect();
+    let eye = corrections.pop_front();
+    for (joint, correction) in corrections {
+        correct(&mut pose[chain.joints[joint]], correction);
+    }
+    let Some((eye, correction)) = eye else { return };
+    let eye = chain.joints[eye];
+    if let Some(pair) = chain.pair {
+        // The other eye makes the same turn in the world, whatever its own axes.
+        let world = skeleton.world_f64(pose);
+        let turn = rotation_of(&world[eye]) * mirrored(correction, pose[eye].scale).as_dquat();
+        let turn = turn * rotation_of(&world[eye]).inverse();
+        let own = rotation_of(&world[pair]);
+        pose[pair].rotation = (pose[pair].rotation * (own.inverse() * turn * own).as_quat()).normalize();
+    }
+    correct(&mut pose[eye], correction);
+}
+
+fn rotation_of(transform: &DAffine3) -> DQuat {
+    Trs::from_affine(transform).rotation.as_dquat()
+}
+
+fn correct(local: &mut Trs, correction: Quat) {
+    local.rotation = (local.rotation * mirrored(correction, local.scale)).normalize();
+}
+
+/// A correction of the bone's space, moved in front of the bone's own mirroring scale.
+fn mirrored(correction: Quat, scale: Vec3) -> Quat {
+    let sign = scale.signum();
+    let axis = sign.x * sign.y * sign.z * sign * correction.xyz();
+    Quat::from_xyzw(axis.x, axis.y, axis.z, correction.w)
+}
+
+/// The sign of a quaternion that interpolates the short way from the one before.
+fn continuous(before: Option<&Quat>, rotation: Quat) -> Quat {
+    if before.is_some_and(|before| before.dot(rotation) < 0.0) { -rotation } else { rotation }
+}
+
+fn frame<R: AimRig>(
+    rig: &R,
+    chain: &ChainNodes,
+    t: f32,
+    target: DVec3,
+    outcome: Outcome,
+    world: Vec<DAffine3>,
+) -> Frame {
+    let effector = rig.effector();
+    let eye = &world[chain.joints[0]];
+    let origin = eye.transform_point3(Vec3::from(effector.origin).as_dvec3());
+    let forward = eye.transform_vector3(Vec3::from(effector.forward).as_dvec3());
+    let to_target = target - origin;
+    let error = forward.cross(to_target).length().atan2(forward.dot(to_target));
+    let joints = rig.joints();
+    let joints = joints.as_ref().iter().enumerate().map(|(i, joint)| JointFrame {
+        heading: joint.heading(),
+        pitch: joint.pitch(),
+        at_limit: outcome.at_limit.contains(i),
+        recovering: outcome.recovering.contains(i),
+    });
+    let known = error.is_finite() && to_target.length() > 0.0;
+    Frame {
+        t,
+        target,
+        error_deg: if known { error.to_degrees() } else { 90.0 },
+        outcome,
+        joints: joints.collect(),
+        world,
+    }
+}

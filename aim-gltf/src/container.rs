@@ -1,0 +1,98 @@
+//! The GLB container: taken apart with every length checked, put together with every length right.
+
+use crate::error::Error;
+
+const MAGIC: [u8; 4] = *b"glTF";
+const JSON: u32 = u32::from_le_bytes(*b"JSON");
+const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
+
+/// A file's JSON text and, in a GLB with one, its binary chunk (with its padding).
+pub(crate) struct Parts<'a> {
+    pub(crate) json: &'a [u8],
+    pub(crate) bin: Option<&'a [u8]>,
+    pub(crate) is_glb: bool,
+}
+
+fn word(bytes: &[u8], at: usize) -> Option<u32> {
+    let four = bytes.get(at..at.checked_add(4)?)?;
+    Some(u32::from_le_bytes(four.try_into().ok()?))
+}
+
+fn damaged(problem: impl Into<String>) -> Error {
+    Error::Container { problem: problem.into() }
+}
+
+/// Splits a `.glb` into its chunks; a `.gltf` is returned as JSON whole.
+pub(crate) fn split(bytes: &[u8]) -> Result<Parts<'_>, Error> {
+    if bytes.is_empty() {
+        return Err(Error::Empty);
+    }
+    if bytes.starts_with(&MAGIC) {
+        return split_glb(bytes);
+    }
+    // A byte order mark is against the specification, but harmless.
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    match text.iter().find(|b| !b.is_ascii_whitespace()) {
+        Some(b'{') => Ok(Parts { json: text, bin: None, is_glb: false }),
+        _ => Err(Error::NotGltf { found: bytes.iter().take(4).copied().collect() }),
+    }
+}
+
+fn split_glb(bytes: &[u8]) -> Result<Parts<'_>, Error> {
+    let (Some(version), Some(length)) = (word(bytes, 4), word(bytes, 8)) else {
+        return Err(damaged(format!("{} bytes are too few for its 12-byte header", bytes.len())));
+    };
+    if version != 2 {
+        return Err(Error::Version { found: format!("binary container version {version}") });
+    }
+    // Bytes after the stated length are not ours; missing ones are an error.
+    let length = length as usize;
+    let whole = bytes
+        .get(..length)
+        .ok_or_else(|| damaged(format!("its header promises {length} bytes and the file has {}", bytes.len())))?;
+    let (mut json, mut bin, mut at, mut index) = (None, None, 12_usize, 0_usize);
+    while at < whole.len() {
+        let (Some(size), Some(kind)) = (word(whole, at), word(whole, at + 4)) else {
+            return Err(damaged(format!("chunk {index} at byte {at} has no complete header")));
+        };
+        let start = at + 8;
+        let body = start.checked_add(size as usize).and_then(|end| whole.get(start..end)).ok_or_else(|| {
+            damaged(format!("chunk {index} at byte {at} claims {size} bytes, and {} follow", whole.len() - start))
+        })?;
+        match (index, kind) {
+            (0, JSON) => json = Some(body),
+            (0, _) => return Err(damaged("its first chunk is not JSON")),
+            (1, BIN) => bin = Some(body),
+            _ => {} // unknown chunks are to be ignored
+        }
+        at = start + body.len();
+        index += 1;
+    }
+    let json = json.ok_or_else(|| damaged("it has no JSON chunk"))?;
+    Ok(Parts { json, bin, is_glb: true })
+}
+
+/// Builds a GLB. Pads JSON with spaces and the binary chunk with zeros, as the format asks.
+pub(crate) fn join(json: &[u8], bin: Option<&[u8]>) -> Result<Vec<u8>, Error> {
+    let too_long = || Error::Clip { problem: "the file would be longer than a GLB's 4 GiB".into() };
+    let padded = |n: usize| n.checked_next_multiple_of(4);
+    let json_len = padded(json.len()).ok_or_else(too_long)?;
+    let bin_len = bin.map_or(Some(0), |b| padded(b.len())).ok_or_else(too_long)?;
+    let total = 12 + 8 + json_len + if bin.is_some() { 8 + bin_len } else { 0 };
+    let u32_of = |n: usize| u32::try_from(n).map_err(|_| too_long());
+    let mut out = Vec::with_capacity(total);
+    out.extend_from_slice(&MAGIC);
+    out.extend_from_slice(&2_u32.to_le_bytes());
+    out.extend_from_slice(&u32_of(total)?.to_le_bytes());
+    out.extend_from_slice(&u32_of(json_len)?.to_le_bytes());
+    out.extend_from_slice(&JSON.to_le_bytes());
+    out.extend_from_slice(json);
+    out.resize(20 + json_len, b' ');
+    if let Some(bin) = bin {
+        out.extend_from_slice(&u32_of(bin_len)?.to_le_bytes());
+        out.extend_from_slice(&BIN.to_le_bytes());
+        out.extend_from_slice(bin);
+        out.resize(total, 0);
+    }
+    Ok(out)
+}

@@ -1,0 +1,184 @@
+//! A loaded file: its JSON and binary chunk untouched, what is understood of it checked and typed.
+
+use core::fmt;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use crate::accessor::Data;
+use crate::clip::Clip;
+use crate::container;
+use crate::error::Error;
+use crate::raw::Raw;
+use crate::skeleton::Skeleton;
+use crate::skin::{self, SkinnedPoint};
+use crate::uri::{self, Uri};
+
+/// Where the bytes of a buffer are.
+pub(crate) enum Buffer {
+    /// The GLB's binary chunk.
+    Chunk,
+    /// Decoded from a data URI, or read from a file beside the document.
+    Loaded {
+        bytes: Vec<u8>,
+        /// True when the bytes are not part of the document's own text.
+        external: bool,
+    },
+    /// Nowhere: a placeholder that some compression extension fills.
+    Missing,
+}
+
+/// A glTF 2.0 document (`.glb`, `.gltf`, `.vrm`), ready to be measured, sampled and written with a new clip.
+///
+/// Everything reachable from here has been checked: indices exist, the nodes form a forest, data lies
+/// inside its buffers, numbers are finite.
+pub struct Document {
+    pub(crate) json: Value,
+    pub(crate) chunk: Option<Vec<u8>>,
+    pub(crate) buffers: Vec<Buffer>,
+    pub(crate) folder: Option<PathBuf>,
+    is_glb: bool,
+    skeleton: Skeleton,
+    clips: Vec<Clip>,
+    points: Vec<SkinnedPoint>,
+}
+
+impl fmt::Debug for Document {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Document")
+            .field("nodes", &self.skeleton.nodes().len())
+            .field("clips", &self.clips.len())
+            .finish_non_exhaustive()
+    }
+}
+
+impl Document {
+    /// Loads a file; external buffers are looked for relative to it.
+    ///
+    /// # Errors
+    /// Whatever makes the file unreadable or contradictory; see [`Error`].
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, Error> {
+        let path = path.as_ref();
+        let bytes = uri::read_file(path)?;
+        Self::parse(&bytes, Some(path.parent().unwrap_or(Path::new(""))))
+    }
+
+    /// Reads a document from memory; external buffers are then an error.
+    ///
+    /// # Errors
+    /// Whatever makes the file unreadable or contradictory; see [`Error`].
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
+        Self::parse(bytes, None)
+    }
+
+    fn parse(bytes: &[u8], folder: Option<&Path>) -> Result<Self, Error> {
+        let parts = container::split(bytes)?;
+        let json: Value = serde_json::from_slice(parts.json).map_err(|e| Error::Json { message: e.to_string() })?;
+        let raw = Raw::parse(&json)?;
+        let chunk = parts.bin.map(<[u8]>::to_vec);
+        let buffers = load_buffers(&raw, chunk.as_deref(), folder)?;
+        let slices: Vec<_> = buffers.iter().map(|b| bytes_of(b, chunk.as_deref())).collect();
+        let data = Data::new(&raw, &slices);
+        let skeleton = Skeleton::read(&data, &json)?;
+        let clips = Clip::read_all(&data)?;
+        let points = skin::read_points(&data)?;
+        Ok(Self {
+            chunk,
+            folder: folder.map(Path::to_path_buf),
+            is_glb: parts.is_glb,
+            skeleton,
+            clips,
+            points,
+            buffers,
+            json,
+        })
+    }
+
+    /// True when the document came as a binary container.
+    #[must_use]
+    pub fn is_glb(&self) -> bool {
+        self.is_glb
+    }
+
+    /// The nodes, their rest pose and bind pose.
+    #[must_use]
+    pub fn skeleton(&self) -> &Skeleton {
+        &self.skeleton
+    }
+
+    /// The animation clips, in the file's order.
+    #[must_use]
+    pub fn clips(&self) -> &[Clip] {
+        &self.clips
+    }
+
+    /// The clip of that name; the first one, if several share it.
+    ///
+    /// # Errors
+    /// [`Error::UnknownClip`] with the names there are.
+    pub fn clip(&self, name: &str) -> Result<&Clip, Error> {
+        self.clips.iter().find(|clip| clip.name == name).ok_or_else(|| Error::UnknownClip {
+            name: name.into(),
+            available: self.clips.iter().map(|clip| clip.name.clone()).collect(),
+        })
+    }
+
+    /// The JSON part as it stands in the file, members in their order.
+    #[must_use]
+    pub fn json(&self) -> &Value {
+        &self.json
+    }
+
+    /// The GLB's binary chunk as it stands in the file, with its padding.
+    #[must_use]
+    pub fn binary_chunk(&self) -> Option<&[u8]> {
+        self.chunk.as_deref()
+    }
+
+    /// Mesh vertices with what they are bound to.
+    pub(crate) fn points(&self) -> &[SkinnedPoint] {
+        &self.points
+    }
+}
+
+/// The bytes behind a buffer.
+pub(crate) fn bytes_of<'a>(buffer: &'a Buffer, chunk: Option<&'a [u8]>) -> Option<&'a [u8]> {
+    match buffer {
+        Buffer::Chunk => chunk,
+        Buffer::Loaded { bytes, .. } => Some(bytes),
+        Buffer::Missing => None,
+    }
+}
+
+fn load_buffers(raw: &Raw, chunk: Option<&[u8]>, folder: Option<&Path>) -> Result<Vec<Buffer>, Error> {
+    let mut out = Vec::with_capacity(raw.buffers.len());
+    for (index, buffer) in raw.buffers.iter().enumerate() {
+        let place = format!("buffers[{index}]");
+        let loaded = match (&buffer.uri, index, chunk) {
+            (None, 0, Some(_)) => Buffer::Chunk,
+            (None, ..) => Buffer::Missing,
+            (Some(uri), ..) => match uri::parse(uri, &place)? {
+                Uri::Data(bytes) => Buffer::Loaded { bytes, external: false },
+                Uri::Relative(path) => {
+                    let Some(folder) = folder else {
+                        return Err(Error::NoData {
+                            place,
+                            problem: format!("its data lies in {}; load the document from its file", path.display()),
+                        });
+                    };
+                    Buffer::Loaded { bytes: uri::read_file(&folder.join(path))?, external: true }
+                }
+            },
+        };
+        if let Some(bytes) = bytes_of(&loaded, chunk) {
+            if bytes.len() < buffer.byte_length {
+                return Err(Error::invalid(
+                    place,
+                    format!("it claims {} bytes and only {} are there (cut off?)", buffer.byte_length, bytes.len()),
+                ));
+            }
+        }
+        out.push(loaded);
+    }
+    Ok(out)
+}

@@ -1,0 +1,185 @@
+//! Every way in which a file can be unusable, each with what was expected and what to do.
+
+use core::fmt;
+use std::io;
+use std::path::PathBuf;
+
+/// Why a file could not be read, understood or written.
+///
+/// `Display` is one line: what is wrong, what was expected, what to do. Paths appear only where the
+/// failure belongs to a file other than the one that the caller named, or to the file system.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Error {
+    /// The file system refused to hand out a file.
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the operating system said.
+        source: io::Error,
+    },
+    /// The file system refused to take a file; nothing was left behind.
+    Write {
+        /// The file that should have appeared.
+        path: PathBuf,
+        /// What the operating system said.
+        source: io::Error,
+    },
+    /// A folder, a pipe or a device was named where a file is needed.
+    NotAFile {
+        /// What was named.
+        path: PathBuf,
+    },
+    /// No bytes at all.
+    Empty,
+    /// Neither a GLB container nor JSON text.
+    NotGltf {
+        /// The first bytes, at most four.
+        found: Vec<u8>,
+    },
+    /// The GLB container's header or chunks contradict the file's length.
+    Container {
+        /// What is wrong, and what was expected.
+        problem: String,
+    },
+    /// A version other than glTF 2.
+    Version {
+        /// What the file says about itself.
+        found: String,
+    },
+    /// The JSON part does not parse.
+    Json {
+        /// The parser's message, with line and column.
+        message: String,
+    },
+    /// A part of the document contradicts the glTF 2.0 specification.
+    Invalid {
+        /// Where, such as `nodes[3].children[0]`.
+        place: String,
+        /// What is there and what was expected.
+        problem: String,
+    },
+    /// A buffer's bytes are needed and not at hand.
+    NoData {
+        /// Where, such as `buffers[1]`.
+        place: String,
+        /// Why, and what to do.
+        problem: String,
+    },
+    /// No node of that name.
+    UnknownNode {
+        /// The name asked for.
+        name: String,
+        /// The most similar names of the file, best first.
+        nearest: Vec<String>,
+    },
+    /// Several nodes of that name, and not exactly one of them is a joint.
+    AmbiguousNode {
+        /// The name asked for.
+        name: String,
+        /// Their node indices.
+        nodes: Vec<usize>,
+    },
+    /// No clip of that name.
+    UnknownClip {
+        /// The name asked for.
+        name: String,
+        /// The names of the file's clips.
+        available: Vec<String>,
+    },
+    /// A clip handed over for writing does not fit the document.
+    Clip {
+        /// What is wrong, and what was expected.
+        problem: String,
+    },
+    /// A rig's joints are no chain in this document.
+    Chain {
+        /// What is wrong, and what was expected.
+        problem: String,
+    },
+    /// The bone axes handed over for the mannequin are no orthonormal triple.
+    Axes {
+        /// The bone.
+        bone: String,
+    },
+}
+
+impl Error {
+    pub(crate) fn invalid(place: impl Into<String>, problem: impl Into<String>) -> Self {
+        Self::Invalid { place: place.into(), problem: problem.into() }
+    }
+}
+
+/// `a, b, c`, cut after eight names.
+fn list(names: &[String]) -> String {
+    let mut text = names.iter().take(8).map(String::as_str).collect::<Vec<_>>().join(", ");
+    if names.len() > 8 {
+        text.push_str(&format!(" and {} more", names.len() - 8));
+    }
+    text
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Read { path, source } => write!(f, "cannot read {}: {source}", path.display()),
+            Self::Write { path, source } => {
+                write!(f, "cannot write {}: {source}; nothing was changed", path.display())
+            }
+            Self::NotAFile { path } => {
+                write!(f, "{} is not a file; name a .glb, .gltf or .vrm file", path.display())
+            }
+            Self::Empty => write!(f, "the file is empty; expected a .glb, .gltf or .vrm file"),
+            Self::NotGltf { found } => write!(
+                f,
+                "not a glTF file: it starts with the bytes {found:02x?}, but a .glb or .vrm starts with \"glTF\" \
+                 and a .gltf with \"{{\"; export the character as glTF 2.0"
+            ),
+            Self::Container { problem } => {
+                write!(f, "the GLB container is damaged: {problem}; export or download the file again")
+            }
+            Self::Version { found } => {
+                write!(f, "this is glTF {found}, and only version 2 is understood; convert it to glTF 2.0")
+            }
+            Self::Json { message } => {
+                write!(f, "the JSON part does not parse: {message}; export or download the file again")
+            }
+            Self::Invalid { place, problem } => {
+                write!(f, "{place}: {problem}; the file breaks the glTF 2.0 specification, export it again")
+            }
+            Self::NoData { place, problem } => write!(f, "{place}: {problem}"),
+            Self::UnknownNode { name, nearest } if nearest.is_empty() => {
+                write!(f, "no node is called \"{name}\"; the file has no nodes")
+            }
+            Self::UnknownNode { name, nearest } => {
+                write!(f, "no node is called \"{name}\"; the nearest names are {}", list(nearest))
+            }
+            Self::AmbiguousNode { name, nodes } => write!(
+                f,
+                "{} nodes are called \"{name}\" (node indices {nodes:?}); rename all but one of them",
+                nodes.len()
+            ),
+            Self::UnknownClip { name, available } if available.is_empty() => {
+                write!(f, "no clip is called \"{name}\"; the file has no clips")
+            }
+            Self::UnknownClip { name, available } => {
+                write!(f, "no clip is called \"{name}\"; the file has {}", list(available))
+            }
+            Self::Clip { problem } => write!(f, "the clip cannot be written: {problem}"),
+            Self::Chain { problem } => write!(f, "the rig does not fit the file: {problem}"),
+            Self::Axes { bone } => write!(
+                f,
+                "the axes of \"{bone}\" are not three unit vectors at right angles; give up, forward and left so"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for Error {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Read { source, .. } | Self::Write { source, .. } => Some(source),
+            _ => None,
+        }
+    }
+}

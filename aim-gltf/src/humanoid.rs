@@ -1,0 +1,19 @@
+//! What VRM files say about their bones, in both versions of the format.
+
+use serde_json::Value;
+
+/// (VRM bone name, node index) pairs; whatever is malformed is left out.
+pub(crate) fn vrm_bones(json: &Value) -> Vec<(String, usize)> {
+    let index = |value: &Value| value.get("node").and_then(Value::as_u64).and_then(|n| usize::try_from(n).ok());
+    let bones = |name: &str| json.get("extensions")?.get(name)?.get("humanoid")?.get("humanBones");
+    match (bones("VRMC_vrm"), bones("VRM")) {
+        (Some(Value::Object(map)), _) => {
+            map.iter().filter_map(|(bone, value)| Some((bone.clone(), index(value)?))).collect()
+        }
+        (_, Some(Value::Array(list))) => {
+            let entry = |value: &Value| Some((value.get("bone")?.as_str()?.to_owned(), index(value)?));
+            list.iter().filter_map(entry).collect()
+        }
+        _ => Vec::new(),
+    }
+}

@@ -1,0 +1,56 @@
+//! The walk: for each joint a turn relative to its parent, in the character's axes, repeating after one period.
+
+use core::f64::consts::TAU;
+
+use glam::{DQuat, DVec3};
+
+/// Length of two steps, seconds.
+pub(crate) const SECONDS: f64 = 1.2;
+/// Keys of one period, the repeated first one not counted.
+pub(crate) const KEYS: u32 = 36;
+
+/// Where the hips are at a phase (0…1), relative to their bind place, metres.
+pub(crate) fn hips_offset(phase: f64) -> DVec3 {
+    let p = TAU * phase;
+    DVec3::new(0.012 * p.cos(), 0.016 * (2.0 * p).cos() - 0.022, 0.0)
+}
+
+/// The turn of a joint at a phase (0…1); no turn is the bind pose. Axes: x left, y up, z forward.
+pub(crate) fn turn(joint: &str, phase: f64) -> DQuat {
+    let p = TAU * phase;
+    // Turns about +x tip the top forward, so a hanging limb swings back.
+    let tip = DQuat::from_rotation_x;
+    let yaw = DQuat::from_rotation_y;
+    let roll = DQuat::from_rotation_z;
+    match joint {
+        "hips" => yaw(-0.09 * p.sin()) * roll(0.035 * p.cos()),
+        "spine" => yaw(0.04 * p.sin()) * roll(-0.02 * p.cos()) * tip(0.03),
+        "spine1" | "spine2" => yaw(0.05 * p.sin()) * roll(-0.012 * p.cos()),
+        "spine3" => yaw(0.06 * p.sin()) * tip(0.02 + 0.012 * (2.0 * p).cos()),
+        "neck" => yaw(-0.06 * p.sin()) * tip(-0.01),
+        "head" => yaw(-0.04 * p.sin()) * tip(-0.03 - 0.02 * (2.0 * p + 0.5).cos()) * roll(0.01 * p.cos()),
+        _ => limb(joint, p),
+    }
+}
+
+fn limb(joint: &str, p: f64) -> DQuat {
+    // The right side does what the left did half a period ago.
+    let (name, p, side) = match (joint.strip_prefix("left_"), joint.strip_prefix("right_")) {
+        (Some(name), _) => (name, p, 1.0),
+        (_, Some(name)) => (name, p + TAU / 2.0, -1.0),
+        _ => return DQuat::IDENTITY,
+    };
+    let tip = DQuat::from_rotation_x;
+    match name {
+        "clavicle" => DQuat::from_rotation_y(side * 0.02) * tip(0.03 * p.sin()),
+        "upper_arm" => DQuat::from_rotation_z(side * 0.03) * tip(0.05 + 0.42 * p.sin()),
+        "lower_arm" => tip(-0.28 + 0.16 * p.sin()),
+        "hand" => tip(-0.06 + 0.08 * (p - 0.6).sin()),
+        "upper_leg" => tip(-0.05 - 0.38 * p.sin()),
+        // Bent most while the leg swings forward.
+        "lower_leg" => tip(0.08 + 0.95 * (0.5 + 0.5 * (p + 0.35).cos()).powi(3)),
+        "foot" => tip(0.02 + 0.2 * (p + 2.2).sin()),
+        "toes" => tip(-0.12 * (1.0 + (p + 1.6).cos())),
+        _ => DQuat::IDENTITY,
+    }
+}

@@ -1,0 +1,237 @@
+//! Bone axes measured: which way each bone's own axes point in the character, in its bind pose.
+
+use core::fmt;
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use crate::bind::{bind_world, signed_permutation};
+use crate::document::Document;
+use crate::facing::{Evidence, Facing};
+use crate::roles::{Role, Roles, bones};
+use crate::skin::deform;
+use crate::trs::orthonormal;
+
+/// A signed coordinate axis of a bone's own space.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[expect(missing_docs, reason = "the names say it all")]
+pub enum SignedAxis {
+    PlusX,
+    MinusX,
+    PlusY,
+    MinusY,
+    PlusZ,
+    MinusZ,
+}
+
+impl SignedAxis {
+    /// `+X`, `-X`, `+Y`, `-Y`, `+Z` or `-Z`.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::PlusX => "+X",
+            Self::MinusX => "-X",
+            Self::PlusY => "+Y",
+            Self::MinusY => "-Y",
+            Self::PlusZ => "+Z",
+            Self::MinusZ => "-Z",
+        }
+    }
+
+    /// The unit vector.
+    #[must_use]
+    pub fn vector(self) -> DVec3 {
+        match self {
+            Self::PlusX => DVec3::X,
+            Self::MinusX => DVec3::NEG_X,
+            Self::PlusY => DVec3::Y,
+            Self::MinusY => DVec3::NEG_Y,
+            Self::PlusZ => DVec3::Z,
+            Self::MinusZ => DVec3::NEG_Z,
+        }
+    }
+
+    fn of(v: DVec3) -> Self {
+        let all = [Self::PlusX, Self::MinusX, Self::PlusY, Self::MinusY, Self::PlusZ, Self::MinusZ];
+        let nearest = all.into_iter().max_by(|a, b| a.vector().dot(v).total_cmp(&b.vector().dot(v)));
+        nearest.unwrap_or(Self::PlusX)
+    }
+}
+
+impl fmt::Display for SignedAxis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}
+
+/// Whether a bone's own axes are mirrored in the world.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Handedness {
+    /// Not mirrored.
+    Right,
+    /// Mirrored: an odd number of negative scales above it.
+    Left,
+}
+
+impl Handedness {
+    /// `right` or `left`.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Right => "right",
+            Self::Left => "left",
+        }
+    }
+}
+
+/// The character's up, forward and left as unit vectors in one bone's own space, at right angles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct BoneFrame {
+    /// Where the character's up is in the bone's space.
+    pub up: DVec3,
+    /// Where the character's forward is in the bone's space.
+    pub forward: DVec3,
+    /// Where the character's left is in the bone's space.
+    pub left: DVec3,
+}
+
+/// One bone, measured in the bind pose.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct BoneAxes {
+    /// Node index.
+    pub node: usize,
+    /// Node name.
+    pub name: String,
+    /// Parent node index.
+    pub parent: Option<usize>,
+    /// What it is, where its name or the VRM extension says.
+    pub role: Option<Role>,
+    /// The local axis nearest to the character's up. The three nearest axes are distinct and fit together.
+    pub up: SignedAxis,
+    /// The local axis nearest to the character's forward.
+    pub forward: SignedAxis,
+    /// The local axis nearest to the character's left.
+    pub left: SignedAxis,
+    /// How far up, forward and left are from those axes, degrees.
+    pub deviations_deg: [f64; 3],
+    /// The largest of the three, degrees.
+    pub deviation_deg: f64,
+    /// Whether the bone is mirrored.
+    pub handedness: Handedness,
+    /// The exact directions, of which the axes are the nearest cardinal ones.
+    pub frame: BoneFrame,
+    /// World ← bone in the bind pose.
+    pub bind_world: DAffine3,
+}
+
+/// A whole character, measured.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Measurement {
+    /// The character's up in the world: +Y, as glTF demands.
+    pub up: DVec3,
+    /// Where the character faces in the world, level.
+    pub forward: DVec3,
+    /// The character's left in the world, level.
+    pub left: DVec3,
+    /// What told the facing.
+    pub evidence: Evidence,
+    /// Height of the skin in the bind pose, in units of the file (of the joints, where there is no skin; 0 where
+    /// there is neither).
+    pub height: f64,
+    /// Joints and their ancestors, and eyes that are plain nodes, in node order; every node of a file without skin.
+    pub bones: Vec<BoneAxes>,
+    /// World ← node in the bind pose, for every node of the file.
+    pub bind_world: Vec<DAffine3>,
+}
+
+impl Measurement {
+    /// Measures a document.
+    #[must_use]
+    pub fn of(document: &Document) -> Self {
+        let skeleton = document.skeleton();
+        let rest = skeleton.world_f64(&[]);
+        let roles = Roles::find(skeleton);
+        let bind = bind_world(skeleton, &rest, &roles);
+        let is_bone = bones(skeleton);
+        let skin = deform(skeleton, document.points(), &bind);
+        let facing = Facing::find(skeleton, &bind, &is_bone, &skin);
+        let measured = |node: usize| {
+            let info = &skeleton.nodes()[node];
+            axes_of(&bind[node], &facing, node, info.name.clone(), info.parent, roles.of(node))
+        };
+        let listed = (0..bind.len()).filter(|node| is_bone[*node] || roles.of(*node).is_some());
+        Self {
+            up: facing.up,
+            forward: facing.forward,
+            left: facing.left,
+            height: Some(height(document, &bind, &skin)).filter(|h| h.is_finite()).unwrap_or(0.0),
+            bones: listed.map(measured).collect(),
+            evidence: facing.evidence,
+            bind_world: bind,
+        }
+    }
+
+    /// The measured bone of a node.
+    #[must_use]
+    pub fn bone(&self, node: usize) -> Option<&BoneAxes> {
+        self.bones.iter().find(|bone| bone.node == node)
+    }
+
+    /// The first bone that plays a role.
+    #[must_use]
+    pub fn with_role(&self, role: Role) -> Option<&BoneAxes> {
+        self.bones.iter().find(|bone| bone.role == Some(role))
+    }
+}
+
+fn axes_of(
+    bind: &DAffine3,
+    facing: &Facing,
+    node: usize,
+    name: String,
+    parent: Option<usize>,
+    role: Option<Role>,
+) -> BoneAxes {
+    let (world_of_bone, _) = orthonormal(&bind.matrix3);
+    let bone_of_world: DMat3 = world_of_bone.transpose();
+    let [up, forward, left] = [facing.up, facing.forward, facing.left].map(|v| (bone_of_world * v).normalize());
+    let mirrored = world_of_bone.determinant() < 0.0;
+    // left, up, forward are right-handed in the world, as x, y, z are.
+    let [left_axis, up_axis, forward_axis] = signed_permutation(&[left, up, forward], mirrored);
+    let degrees = |a: DVec3, b: DVec3| a.cross(b).length().atan2(a.dot(b)).to_degrees();
+    let deviations_deg = [degrees(up, up_axis), degrees(forward, forward_axis), degrees(left, left_axis)];
+    BoneAxes {
+        node,
+        name,
+        parent,
+        role,
+        up: SignedAxis::of(up_axis),
+        forward: SignedAxis::of(forward_axis),
+        left: SignedAxis::of(left_axis),
+        deviations_deg,
+        deviation_deg: deviations_deg.into_iter().fold(0.0, f64::max),
+        handedness: if mirrored { Handedness::Left } else { Handedness::Right },
+        frame: BoneFrame { up, forward, left },
+        bind_world: *bind,
+    }
+}
+
+fn height(document: &Document, bind: &[DAffine3], skin: &[DVec3]) -> f64 {
+    let nodes = document.skeleton().nodes();
+    let extent = |ys: &mut dyn Iterator<Item = f64>| {
+        let (low, high) = ys.fold((f64::MAX, f64::MIN), |(lo, hi), y| (lo.min(y), hi.max(y)));
+        (high - low).max(0.0)
+    };
+    let skinned = document.points().iter().zip(skin).filter(|(point, _)| nodes[point.node].skin.is_some());
+    let from_skin = extent(&mut skinned.map(|(_, p)| p.y));
+    if from_skin > 0.0 {
+        return from_skin;
+    }
+    if document.skeleton().has_skin() {
+        return extent(&mut nodes.iter().zip(bind).filter(|(n, _)| n.is_joint).map(|(_, m)| m.translation.y));
+    }
+    let meshes = extent(&mut skin.iter().map(|p| p.y));
+    if meshes > 0.0 { meshes } else { extent(&mut bind.iter().map(|m| m.translation.y)) }
+}

@@ -1,0 +1,183 @@
+//! The parts of the JSON that are understood, typed; everything else stays in the `Value` untouched.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+
+use crate::error::Error;
+
+#[derive(Deserialize)]
+pub(crate) struct Node {
+    pub(crate) name: Option<String>,
+    #[serde(default)]
+    pub(crate) children: Vec<usize>,
+    pub(crate) mesh: Option<usize>,
+    pub(crate) skin: Option<usize>,
+    pub(crate) matrix: Option<[f64; 16]>,
+    pub(crate) translation: Option<[f64; 3]>,
+    pub(crate) rotation: Option<[f64; 4]>,
+    pub(crate) scale: Option<[f64; 3]>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct Skin {
+    pub(crate) joints: Vec<usize>,
+    pub(crate) inverse_bind_matrices: Option<usize>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct Accessor {
+    pub(crate) buffer_view: Option<usize>,
+    #[serde(default)]
+    pub(crate) byte_offset: usize,
+    pub(crate) component_type: u32,
+    #[serde(default)]
+    pub(crate) normalized: bool,
+    pub(crate) count: usize,
+    #[serde(rename = "type")]
+    pub(crate) shape: String,
+    pub(crate) sparse: Option<Sparse>,
+}
+
+#[derive(Deserialize)]
+pub(crate) struct Sparse {
+    pub(crate) count: usize,
+    pub(crate) indices: SparseIndices,
+    pub(crate) values: SparseValues,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct SparseIndices {
+    pub(crate) buffer_view: usize,
+    #[serde(default)]
+    pub(crate) byte_offset: usize,
+    pub(crate) component_type: u32,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct SparseValues {
+    pub(crate) buffer_view: usize,
+    #[serde(default)]
+    pub(crate) byte_offset: usize,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct View {
+    pub(crate) buffer: usize,
+    #[serde(default)]
+    pub(crate) byte_offset: usize,
+    pub(crate) byte_length: usize,
+    pub(crate) byte_stride: Option<usize>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct Buffer {
+    pub(crate) byte_length: usize,
+    pub(crate) uri: Option<String>,
+}
+
+#[derive(Deserialize)]
+pub(crate) struct Mesh {
+    pub(crate) primitives: Vec<Primitive>,
+}
+
+#[derive(Deserialize)]
+pub(crate) struct Primitive {
+    #[serde(default)]
+    pub(crate) attributes: BTreeMap<String, usize>,
+}
+
+#[derive(Deserialize)]
+pub(crate) struct Animation {
+    pub(crate) name: Option<String>,
+    pub(crate) channels: Vec<Channel>,
+    pub(crate) samplers: Vec<Sampler>,
+}
+
+#[derive(Deserialize)]
+pub(crate) struct Channel {
+    pub(crate) sampler: usize,
+    pub(crate) target: Target,
+}
+
+#[derive(Deserialize)]
+pub(crate) struct Target {
+    pub(crate) node: Option<usize>,
+    pub(crate) path: String,
+}
+
+#[derive(Deserialize)]
+pub(crate) struct Sampler {
+    pub(crate) input: usize,
+    pub(crate) output: usize,
+    pub(crate) interpolation: Option<String>,
+}
+
+#[derive(Deserialize)]
+pub(crate) struct Scene {
+    #[serde(default)]
+    pub(crate) nodes: Vec<usize>,
+}
+
+/// All typed parts of one document.
+pub(crate) struct Raw {
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) skins: Vec<Skin>,
+    pub(crate) accessors: Vec<Accessor>,
+    pub(crate) views: Vec<View>,
+    pub(crate) buffers: Vec<Buffer>,
+    pub(crate) meshes: Vec<Mesh>,
+    pub(crate) animations: Vec<Animation>,
+    pub(crate) scenes: Vec<Scene>,
+}
+
+/// Types the array `key`, naming the element that does not fit.
+fn array<T: DeserializeOwned>(json: &Value, key: &str) -> Result<Vec<T>, Error> {
+    let elements = match json.get(key) {
+        None => return Ok(Vec::new()),
+        Some(Value::Array(elements)) => elements,
+        Some(_) => return Err(Error::invalid(key, "expected an array")),
+    };
+    let typed = |(index, element): (usize, &Value)| {
+        if !element.is_object() {
+            return Err(Error::invalid(format!("{key}[{index}]"), "expected an object"));
+        }
+        T::deserialize(element).map_err(|e| Error::invalid(format!("{key}[{index}]"), e.to_string()))
+    };
+    elements.iter().enumerate().map(typed).collect()
+}
+
+impl Raw {
+    pub(crate) fn parse(json: &Value) -> Result<Self, Error> {
+        if !json.is_object() {
+            return Err(Error::Json { message: "expected an object at the top".into() });
+        }
+        match json.get("asset").and_then(|asset| asset.get("version")).and_then(Value::as_str) {
+            Some(version) if version == "2" || version.starts_with("2.") => {}
+            Some(version) => {
+                return Err(Error::Version { found: version.into() });
+            }
+            None => {
+                return Err(Error::invalid("asset.version", "it is missing, expected \"2.0\""));
+            }
+        }
+        Ok(Self {
+            nodes: array(json, "nodes")?,
+            skins: array(json, "skins")?,
+            accessors: array(json, "accessors")?,
+            views: array(json, "bufferViews")?,
+            buffers: array(json, "buffers")?,
+            meshes: array(json, "meshes")?,
+            animations: array(json, "animations")?,
+            scenes: array(json, "scenes")?,
+        })
+    }
+}

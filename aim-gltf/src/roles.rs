@@ -1,0 +1,201 @@
+//! Which node is an eye, the head, the neck, the spine or the hips: from VRM where stated, else from names.
+
+use core::fmt;
+
+use crate::names::{Side, Words};
+use crate::skeleton::{Node, Skeleton};
+
+/// The part a bone plays in aiming.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Role {
+    /// The eyeball on the character's left.
+    LeftEye,
+    /// The eyeball on the character's right.
+    RightEye,
+    /// The head.
+    Head,
+    /// A bone of the neck.
+    Neck,
+    /// A bone of the trunk above the hips.
+    Spine,
+    /// The pelvis.
+    Hips,
+}
+
+impl Role {
+    /// `left_eye`, `right_eye`, `head`, `neck`, `spine` or `hips`.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::LeftEye => "left_eye",
+            Self::RightEye => "right_eye",
+            Self::Head => "head",
+            Self::Neck => "neck",
+            Self::Spine => "spine",
+            Self::Hips => "hips",
+        }
+    }
+
+    /// True where a character has only one such bone.
+    fn is_single(self) -> bool {
+        !matches!(self, Self::Neck | Self::Spine)
+    }
+}
+
+impl fmt::Display for Role {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}
+
+/// Words of helpers, tips and controls that only look like the bone they accompany.
+const HELPERS: &[&str] = &[
+    "end", "nub", "tip", "top", "target", "ctrl", "control", "ik", "pole", "socket", "helper", "twist", "mch", "tweak",
+    "aim", "look", "master", "hat", "hair", "tail",
+];
+/// Words of the parts around an eye.
+const AROUND_EYES: &[&str] = &[
+    "lid",
+    "lids",
+    "brow",
+    "brows",
+    "blink",
+    "lash",
+    "lashes",
+    "eyelid",
+    "eyelids",
+    "eyebrow",
+    "eyebrows",
+    "eyelash",
+    "eyelashes",
+    "bottom",
+    "upper",
+    "lower",
+    "inner",
+    "outer",
+    "corner",
+    "squint",
+    "bag",
+    "socket",
+    "highlight",
+    "cheek",
+];
+
+/// The roles of a document's nodes.
+#[derive(Debug, Clone)]
+pub(crate) struct Roles(Vec<Option<Role>>);
+
+impl Roles {
+    /// The role of a node.
+    pub(crate) fn of(&self, node: usize) -> Option<Role> {
+        self.0.get(node).copied().flatten()
+    }
+
+    /// By VRM and by name. Eyes without a side in their name stay without a role.
+    pub(crate) fn find(skeleton: &Skeleton) -> Self {
+        let nodes = skeleton.nodes();
+        let words: Vec<Words> = nodes.iter().map(|node| Words::of(&node.name)).collect();
+        let bones = bones(skeleton);
+        let mut roles: Vec<Option<Role>> =
+            nodes.iter().map(|node| node.vrm_bone.as_deref().and_then(vrm_role)).collect();
+        let stated: Vec<Role> = roles.iter().copied().flatten().collect();
+        // Where eyeballs are named so, other "eyes" are lids.
+        let ball = |w: &Words| w.has(&["eyeball", "eyeballs"]) || (w.has(&["eye"]) && w.has(&["ball"]));
+        let balls = words.iter().zip(&bones).any(|(w, bone)| *bone && ball(w));
+        for (index, words) in words.iter().enumerate() {
+            if roles[index].is_some() {
+                continue;
+            }
+            let role = by_name(words).filter(|role| match role {
+                Role::LeftEye | Role::RightEye => !balls || ball(words),
+                _ => true,
+            });
+            // An eye may be a plain node, shown by a mesh of its own, on a bone of the head.
+            let eye = matches!(role, Some(Role::LeftEye | Role::RightEye));
+            let allowed = bones[index] || (eye && skeleton.ancestry(index).any(|at| bones[at]));
+            roles[index] = role.filter(|role| allowed && !stated.contains(role));
+        }
+        rigify(&words, &bones, &mut roles);
+        keep_best(nodes, &mut roles);
+        Self(roles)
+    }
+}
+
+/// True for joints, their ancestors, and for every node where the file has no skin.
+pub(crate) fn bones(skeleton: &Skeleton) -> Vec<bool> {
+    let nodes = skeleton.nodes();
+    let mut bones: Vec<bool> = nodes.iter().map(|node| node.is_joint || !skeleton.has_skin()).collect();
+    for &index in skeleton.order().iter().rev() {
+        if let (true, Some(parent)) = (bones[index], nodes[index].parent) {
+            bones[parent] = true;
+        }
+    }
+    bones
+}
+
+fn vrm_role(bone: &str) -> Option<Role> {
+    Some(match bone {
+        "leftEye" => Role::LeftEye,
+        "rightEye" => Role::RightEye,
+        "head" => Role::Head,
+        "neck" => Role::Neck,
+        "spine" | "chest" | "upperChest" => Role::Spine,
+        "hips" => Role::Hips,
+        _ => return None,
+    })
+}
+
+fn by_name(words: &Words) -> Option<Role> {
+    let eye = words.has(&["eye", "eyeball"]);
+    if words.has(HELPERS) || (eye && words.has(AROUND_EYES)) {
+        return None;
+    }
+    match (eye, words.side) {
+        (true, Some(Side::Left)) => return Some(Role::LeftEye),
+        (true, Some(Side::Right)) => return Some(Role::RightEye),
+        (true, None) | (false, Some(_)) => return None,
+        (false, None) => {}
+    }
+    if words.has(&["head"]) {
+        Some(Role::Head)
+    } else if words.has(&["neck"]) {
+        Some(Role::Neck)
+    } else if words.has(&["spine", "chest", "upperchest", "torso", "abdomen", "belly", "waist"]) {
+        Some(Role::Spine)
+    } else if words.has(&["hips", "hip", "pelvis"]) {
+        Some(Role::Hips)
+    } else {
+        None
+    }
+}
+
+/// Rigify numbers one column from the pelvis to the head: `spine`, `spine.001` … `spine.006`.
+fn rigify(words: &[Words], bones: &[bool], roles: &mut [Option<Role>]) {
+    let any = |roles: &[Option<Role>], role| roles.contains(&Some(role));
+    let column = |w: &Words| w.words.iter().filter(|x| !matches!(x.as_str(), "def" | "org")).any(|x| x == "spine");
+    let numbered =
+        |n: u32| (0..words.len()).filter(move |i| bones[*i] && column(&words[*i]) && words[*i].number() == Some(n));
+    if any(roles, Role::Head) || any(roles, Role::Neck) || numbered(6).next().is_none() {
+        return;
+    }
+    for (number, role) in [(6, Role::Head), (5, Role::Neck), (4, Role::Neck)] {
+        numbered(number).for_each(|i| roles[i] = Some(role));
+    }
+    if !any(roles, Role::Hips) {
+        (0..words.len())
+            .filter(|i| bones[*i] && column(&words[*i]) && words[*i].number().is_none())
+            .for_each(|i| roles[i] = Some(Role::Hips));
+    }
+}
+
+/// Of several claimants to a single role a joint wins, then a node named in fewer letters, then the first.
+fn keep_best(nodes: &[Node], roles: &mut [Option<Role>]) {
+    for role in [Role::LeftEye, Role::RightEye, Role::Head, Role::Hips] {
+        debug_assert!(role.is_single(), "only single roles have a best claimant");
+        let claimants: Vec<usize> = (0..nodes.len()).filter(|i| roles[*i] == Some(role)).collect();
+        let rank = |i: &&usize| (nodes[**i].vrm_bone.is_none(), !nodes[**i].is_joint, nodes[**i].name.len(), **i);
+        let best = claimants.iter().min_by_key(rank).copied();
+        claimants.iter().filter(|i| Some(**i) != best).for_each(|i| roles[*i] = None);
+    }
+}

@@ -1,0 +1,288 @@
+//! The node tree: a forest with parents before children in [`Skeleton::order`], every name looked up honestly.
+
+use glam::{Affine3A, DAffine3, Quat, Vec3};
+use serde_json::Value;
+
+use crate::accessor::Data;
+use crate::clip::Clip;
+use crate::error::Error;
+use crate::humanoid;
+use crate::raw::{self, Raw};
+use crate::trs::{Trs, affine_of};
+
+/// One node of the file.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Node {
+    /// Its name, or `node12` where the file gives none.
+    pub name: String,
+    /// Its parent; roots have none.
+    pub parent: Option<usize>,
+    /// Its children.
+    pub children: Vec<usize>,
+    /// Its local transform when no clip plays.
+    pub rest: Trs,
+    /// True when some skin lists it as a joint.
+    pub is_joint: bool,
+    /// Joint space ← mesh space, from the first skin that lists the joint with one.
+    pub inverse_bind: Option<DAffine3>,
+    /// The mesh it shows.
+    pub mesh: Option<usize>,
+    /// The skin its mesh is bound to.
+    pub skin: Option<usize>,
+    /// What a VRM file calls it, such as `leftEye` (VRM 0.x and 1.0 names are the same for what we use).
+    pub vrm_bone: Option<String>,
+}
+
+/// All nodes of a document.
+#[derive(Debug, Clone)]
+pub struct Skeleton {
+    nodes: Vec<Node>,
+    order: Vec<usize>,
+    skins: Vec<Vec<usize>>,
+    skin_binds: Vec<Vec<Option<DAffine3>>>,
+}
+
+impl Skeleton {
+    pub(crate) fn read(data: &Data<'_>, json: &Value) -> Result<Self, Error> {
+        let raw = data.raw;
+        let parents = parents(raw)?;
+        let mut nodes = Vec::with_capacity(raw.nodes.len());
+        for (index, node) in raw.nodes.iter().enumerate() {
+            nodes.push(Node {
+                name: node.name.clone().unwrap_or_else(|| format!("node{index}")),
+                parent: parents[index],
+                children: node.children.clone(),
+                rest: rest(node, &format!("nodes[{index}]"))?,
+                is_joint: false,
+                inverse_bind: None,
+                mesh: node.mesh,
+                skin: node.skin,
+                vrm_bone: None,
+            });
+        }
+        let (mut skins, mut skin_binds) = (Vec::new(), Vec::new());
+        for (index, skin) in raw.skins.iter().enumerate() {
+            let place = format!("skins[{index}]");
+            let binds = inverse_binds(data, skin, &place)?;
+            for (joint, bind) in skin.joints.iter().zip(&binds) {
+                let node = nodes
+                    .get_mut(*joint)
+                    .ok_or_else(|| Error::invalid(&place, format!("its joint nodes[{joint}] does not exist")))?;
+                node.is_joint = true;
+                node.inverse_bind = node.inverse_bind.or(*bind);
+            }
+            skins.push(skin.joints.clone());
+            skin_binds.push(binds);
+        }
+        for (bone, node) in humanoid::vrm_bones(json) {
+            if let Some(node) = nodes.get_mut(node) {
+                node.vrm_bone = Some(bone);
+            }
+        }
+        let order = parents_first(&nodes)?;
+        Ok(Self { nodes, order, skins, skin_binds })
+    }
+
+    /// The nodes, by glTF node index.
+    #[must_use]
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// Node indices, parents before their children.
+    #[must_use]
+    pub fn order(&self) -> &[usize] {
+        &self.order
+    }
+
+    /// True when any node is a joint of a skin.
+    #[must_use]
+    pub fn has_skin(&self) -> bool {
+        self.skins.iter().any(|joints| !joints.is_empty())
+    }
+
+    /// The joints of each skin, and their inverse bind matrices where given.
+    pub(crate) fn skin(&self, index: usize) -> (&[usize], &[Option<DAffine3>]) {
+        (&self.skins[index], &self.skin_binds[index])
+    }
+
+    pub(crate) fn skin_count(&self) -> usize {
+        self.skins.len()
+    }
+
+    /// The node of that name. Where several share it, the only joint among them is meant.
+    ///
+    /// # Errors
+    /// [`Error::UnknownNode`] with the nearest names, or [`Error::AmbiguousNode`].
+    pub fn find(&self, name: &str) -> Result<usize, Error> {
+        let all: Vec<usize> = (0..self.nodes.len()).filter(|i| self.nodes[*i].name == name).collect();
+        let joints: Vec<usize> = all.iter().copied().filter(|i| self.nodes[*i].is_joint).collect();
+        match (&all[..], &joints[..]) {
+            ([only], _) | (_, [only]) => Ok(*only),
+            ([], _) => Err(Error::UnknownNode { name: name.into(), nearest: self.nearest_names(name) }),
+            _ => Err(Error::AmbiguousNode { name: name.into(), nodes: all }),
+        }
+    }
+
+    /// Up to five names like `name`, best first.
+    fn nearest_names(&self, name: &str) -> Vec<String> {
+        let mut scored: Vec<(usize, &str)> =
+            self.nodes.iter().map(|node| (distance(name, &node.name), node.name.as_str())).collect();
+        scored.sort_unstable();
+        scored.dedup();
+        scored.into_iter().take(5).map(|(_, name)| name.to_owned()).collect()
+    }
+
+    /// The local transforms when no clip plays.
+    #[must_use]
+    pub fn rest_pose(&self) -> Vec<Trs> {
+        self.nodes.iter().map(|node| node.rest).collect()
+    }
+
+    /// The local transforms `seconds` into a clip; nodes without a channel are at rest.
+    #[must_use]
+    pub fn pose(&self, clip: &Clip, seconds: f32) -> Vec<Trs> {
+        let mut pose = self.rest_pose();
+        clip.sample(seconds, &mut pose);
+        pose
+    }
+
+    /// Forward kinematics: world ← node for every node, from the local transforms of all nodes.
+    /// Computed in double precision and then rounded.
+    ///
+    /// A `pose` shorter than the node list is completed by the rest pose.
+    #[must_use]
+    pub fn world(&self, pose: &[Trs]) -> Vec<Affine3A> {
+        self.world_f64(pose).iter().map(|m| m.as_affine3a()).collect()
+    }
+
+    /// Forward kinematics in double precision; see [`Self::world`].
+    #[must_use]
+    pub fn world_f64(&self, pose: &[Trs]) -> Vec<DAffine3> {
+        let mut world = vec![DAffine3::IDENTITY; self.nodes.len()];
+        for &index in &self.order {
+            let node = &self.nodes[index];
+            let local = pose.get(index).unwrap_or(&node.rest).affine_f64();
+            world[index] = node.parent.map_or(local, |parent| world[parent] * local);
+        }
+        world
+    }
+
+    /// The node and all its ancestors, the node first.
+    pub fn ancestry(&self, node: usize) -> impl Iterator<Item = usize> + '_ {
+        core::iter::successors(Some(node), |at| self.nodes.get(*at).and_then(|n| n.parent))
+    }
+}
+
+/// Each node's parent, or why the nodes are no forest.
+fn parents(raw: &Raw) -> Result<Vec<Option<usize>>, Error> {
+    let mut parents = vec![None; raw.nodes.len()];
+    for (index, node) in raw.nodes.iter().enumerate() {
+        let place = |k: usize| format!("nodes[{index}].children[{k}]");
+        for (k, &child) in node.children.iter().enumerate() {
+            match parents.get_mut(child) {
+                None => {
+                    return Err(Error::invalid(place(k), format!("nodes[{child}] does not exist")));
+                }
+                Some(Some(other)) => {
+                    return Err(Error::invalid(
+                        place(k),
+                        format!("nodes[{child}] is already a child of nodes[{other}]"),
+                    ));
+                }
+                Some(slot) => *slot = Some(index),
+            }
+        }
+        let check = |what: &str, index_of: Option<usize>, len: usize| match index_of {
+            Some(at) if at >= len => {
+                Err(Error::invalid(format!("nodes[{index}].{what}"), format!("{what} {at} does not exist")))
+            }
+            _ => Ok(()),
+        };
+        check("mesh", node.mesh, raw.meshes.len())?;
+        check("skin", node.skin, raw.skins.len())?;
+    }
+    for (index, scene) in raw.scenes.iter().enumerate() {
+        if let Some(node) = scene.nodes.iter().find(|node| **node >= raw.nodes.len()) {
+            return Err(Error::invalid(format!("scenes[{index}]"), format!("nodes[{node}] does not exist")));
+        }
+    }
+    Ok(parents)
+}
+
+/// An order with parents first; nodes that no root reaches go round in a circle.
+fn parents_first(nodes: &[Node]) -> Result<Vec<usize>, Error> {
+    let mut order: Vec<usize> = (0..nodes.len()).filter(|i| nodes[*i].parent.is_none()).collect();
+    let mut at = 0;
+    while let Some(&index) = order.get(at) {
+        order.extend_from_slice(&nodes[index].children);
+        at += 1;
+    }
+    if order.len() == nodes.len() {
+        return Ok(order);
+    }
+    let mut reached = vec![false; nodes.len()];
+    order.iter().for_each(|i| reached[*i] = true);
+    let stray = reached.iter().position(|r| !r).unwrap_or(0);
+    Err(Error::invalid(format!("nodes[{stray}]"), "it is its own ancestor, expected a tree without cycles"))
+}
+
+fn rest(node: &raw::Node, place: &str) -> Result<Trs, Error> {
+    let finite = |values: &[f32]| values.iter().all(|v| v.is_finite());
+    let rest = if let Some(matrix) = &node.matrix {
+        Trs::from_affine(&affine_of(matrix))
+    } else {
+        let narrow = crate::num::narrow;
+        let q = node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]);
+        let rotation = glam::DQuat::from_array(q);
+        // A zero quaternion is invalid, but what its author meant is plain.
+        let unit = rotation.length() > 1e-9 && rotation.length().is_finite();
+        Trs {
+            translation: Vec3::from_array(node.translation.unwrap_or_default().map(narrow)),
+            rotation: if unit { rotation.normalize().as_quat() } else { Quat::IDENTITY },
+            scale: Vec3::from_array(node.scale.unwrap_or([1.0; 3]).map(narrow)),
+        }
+    };
+    if finite(&rest.translation.to_array()) && finite(&rest.scale.to_array()) && rest.rotation.is_finite() {
+        Ok(rest)
+    } else {
+        Err(Error::invalid(place, "its transform is beyond the range of single precision"))
+    }
+}
+
+fn inverse_binds(data: &Data<'_>, skin: &raw::Skin, place: &str) -> Result<Vec<Option<DAffine3>>, Error> {
+    let Some(accessor) = skin.inverse_bind_matrices else {
+        return Ok(vec![None; skin.joints.len()]);
+    };
+    let place = format!("{place}.inverseBindMatrices");
+    let floats = data.floats(accessor, &["MAT4"], &place)?;
+    let matrices: Vec<[f64; 16]> = floats.chunks_exact(16).map(|m| core::array::from_fn(|i| f64::from(m[i]))).collect();
+    if matrices.len() < skin.joints.len() {
+        return Err(Error::invalid(place, format!("{} matrices for {} joints", matrices.len(), skin.joints.len())));
+    }
+    let usable = |m: &[f64; 16]| {
+        let affine = affine_of(m);
+        // A singular matrix hides a joint; it says nothing about its axes.
+        Some(affine).filter(|a| a.matrix3.determinant().abs() > 1e-30 && a.inverse().is_finite())
+    };
+    Ok(matrices.iter().take(skin.joints.len()).map(usable).collect())
+}
+
+/// Edit distance, letters compared without case.
+fn distance(a: &str, b: &str) -> usize {
+    // Long names are cut: the work must stay bounded whatever the file says.
+    let letters = |s: &str| s.chars().take(64).flat_map(char::to_lowercase).collect::<Vec<_>>();
+    let (a, b) = (letters(a), letters(b));
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.iter().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let replaced = diagonal + usize::from(x != y);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[b.len()]
+}

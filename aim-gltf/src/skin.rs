@@ -1,0 +1,107 @@
+//! Mesh vertices and the joints they hang on, as far as measuring needs them: positions and weights.
+
+use std::collections::BTreeSet;
+
+use glam::{DAffine3, DVec3};
+
+use crate::accessor::Data;
+use crate::error::Error;
+use crate::skeleton::Skeleton;
+
+/// A vertex: its position in mesh space, the node that shows it, and its joints.
+#[derive(Debug, Clone)]
+pub(crate) struct SkinnedPoint {
+    pub(crate) position: DVec3,
+    /// The node whose mesh it belongs to.
+    pub(crate) node: usize,
+    /// (index into the skin's joints, weight); empty when the mesh is not skinned.
+    pub(crate) joints: [(usize, f32); 4],
+}
+
+/// The vertices of every mesh, as the first node shows it that does (preferably skinned). Primitives without positions
+/// are skipped, vertices that several primitives share are taken once.
+pub(crate) fn read_points(data: &Data<'_>) -> Result<Vec<SkinnedPoint>, Error> {
+    let mut points = Vec::new();
+    for (mesh_index, mesh) in data.raw.meshes.iter().enumerate() {
+        let mut shown = (0..data.raw.nodes.len()).filter(|i| data.raw.nodes[*i].mesh == Some(mesh_index));
+        let Some(first) = shown.next() else { continue };
+        let skinned = |i: &usize| data.raw.nodes[*i].skin.is_some();
+        let index = core::iter::once(first).chain(shown).find(skinned).unwrap_or(first);
+        let node = &data.raw.nodes[index];
+        let mut seen = BTreeSet::new();
+        for primitive in &mesh.primitives {
+            let attribute = |name: &str| primitive.attributes.get(name).copied();
+            let Some(positions) = attribute("POSITION").filter(|at| seen.insert(*at)) else {
+                continue;
+            };
+            let place = format!("the mesh of nodes[{index}]");
+            // Compressed geometry is no obstacle to aiming: only its shape stays unknown.
+            let positions = match data.floats(positions, &["VEC3"], &place) {
+                Err(Error::NoData { .. }) => continue,
+                other => other?,
+            };
+            let mut joints = Vec::new();
+            let mut weights = Vec::new();
+            if let (Some(skin), Some(j), Some(w)) = (node.skin, attribute("JOINTS_0"), attribute("WEIGHTS_0")) {
+                joints = data.floats(j, &["VEC4"], &place)?;
+                weights = data.floats(w, &["VEC4"], &place)?;
+                let count = data.raw.skins.get(skin).map_or(0, |s| s.joints.len());
+                if joints.len() != positions.len() / 3 * 4 || weights.len() != joints.len() {
+                    return Err(Error::invalid(place, "its joints, weights and positions differ in number"));
+                }
+                let beyond =
+                    |(j, w): (&f32, &f32)| *w != 0.0 && (*j < 0.0 || f64::from(*j) >= crate::num::count(count));
+                if joints.iter().zip(&weights).any(beyond) {
+                    return Err(Error::invalid(
+                        place,
+                        format!("a vertex is bound to a joint beyond the skin's {count}"),
+                    ));
+                }
+            }
+            for (k, p) in positions.chunks_exact(3).enumerate() {
+                let bound = |i: usize| match (joints.get(k * 4 + i), weights.get(k * 4 + i)) {
+                    (Some(j), Some(w)) if *w != 0.0 => (to_index(*j), *w),
+                    _ => (0, 0.0),
+                };
+                points.push(SkinnedPoint {
+                    position: DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2])),
+                    node: index,
+                    joints: [bound(0), bound(1), bound(2), bound(3)],
+                });
+            }
+        }
+    }
+    Ok(points)
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked to be a joint index just before")]
+fn to_index(joint: f32) -> usize {
+    joint as usize
+}
+
+/// World-space vertices for the given world transforms of all nodes; skinned ones by linear blending.
+pub(crate) fn deform(skeleton: &Skeleton, points: &[SkinnedPoint], world: &[DAffine3]) -> Vec<DVec3> {
+    let skinned: Vec<Vec<DAffine3>> = (0..skeleton.skin_count())
+        .map(|skin| {
+            let (joints, binds) = skeleton.skin(skin);
+            joints.iter().zip(binds).map(|(joint, bind)| world[*joint] * bind.unwrap_or(DAffine3::IDENTITY)).collect()
+        })
+        .collect();
+    let place = |point: &SkinnedPoint| {
+        let total: f64 = point.joints.iter().map(|(_, w)| f64::from(*w)).sum();
+        match skeleton.nodes()[point.node].skin {
+            Some(skin) if total > 0.0 => {
+                let part = |(joint, weight): &(usize, f32)| {
+                    if *weight == 0.0 {
+                        DVec3::ZERO
+                    } else {
+                        skinned[skin][*joint].transform_point3(point.position) * f64::from(*weight)
+                    }
+                };
+                point.joints.iter().map(part).sum::<DVec3>() / total
+            }
+            _ => world[point.node].transform_point3(point.position),
+        }
+    };
+    points.iter().map(place).collect()
+}

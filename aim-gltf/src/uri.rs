@@ -1,0 +1,88 @@
+//! Buffer and image URIs: data URIs decoded, relative ones turned into paths, nothing fetched.
+
+use std::path::{Path, PathBuf};
+
+use base64::Engine as _;
+use base64::alphabet;
+use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig, general_purpose::STANDARD};
+
+use crate::error::Error;
+
+/// Accepts missing padding, which several exporters leave away.
+const LENIENT: GeneralPurpose = GeneralPurpose::new(
+    &alphabet::STANDARD,
+    GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent),
+);
+
+/// What a URI refers to.
+pub(crate) enum Uri {
+    /// The bytes themselves.
+    Data(Vec<u8>),
+    /// A path relative to the glTF file.
+    Relative(PathBuf),
+}
+
+/// Understands `text`, found at `place`.
+pub(crate) fn parse(text: &str, place: &str) -> Result<Uri, Error> {
+    if text.get(..5).is_some_and(|s| s.eq_ignore_ascii_case("data:")) {
+        let (head, body) =
+            text.split_once(',').ok_or_else(|| Error::invalid(place, "a data URI without a comma before its data"))?;
+        if !head.to_ascii_lowercase().ends_with(";base64") {
+            return Ok(Uri::Data(percent_decode(body)));
+        }
+        let body = percent_decode(body);
+        let bytes = LENIENT
+            .decode(body)
+            .map_err(|e| Error::invalid(place, format!("a data URI whose base64 is damaged ({e})")))?;
+        return Ok(Uri::Data(bytes));
+    }
+    if let Some((scheme, _)) = text.split_once("://") {
+        return Err(Error::NoData {
+            place: place.into(),
+            problem: format!(
+                "its data lies at {scheme}://…, and nothing is fetched; download it and name it relatively"
+            ),
+        });
+    }
+    let path = String::from_utf8(percent_decode(text))
+        .map_err(|_| Error::invalid(place, "a URI that is not UTF-8 once its percent signs are decoded"))?;
+    let path = PathBuf::from(path);
+    if path.as_os_str().is_empty() || path.is_absolute() {
+        return Err(Error::invalid(place, "a URI that is no path relative to the file"));
+    }
+    Ok(Uri::Relative(path))
+}
+
+/// Decodes `%41` to `A`; a percent sign without two hexadecimal digits stays as it is.
+fn percent_decode(text: &str) -> Vec<u8> {
+    let bytes = text.as_bytes();
+    let digit = |at: usize| bytes.get(at).and_then(|b| char::from(*b).to_digit(16)).and_then(|d| u8::try_from(d).ok());
+    let (mut out, mut at) = (Vec::with_capacity(bytes.len()), 0);
+    while at < bytes.len() {
+        match (bytes[at], digit(at + 1), digit(at + 2)) {
+            (b'%', Some(high), Some(low)) => {
+                out.push(high * 16 + low);
+                at += 3;
+            }
+            (byte, ..) => {
+                out.push(byte);
+                at += 1;
+            }
+        }
+    }
+    out
+}
+
+/// Bytes as a data URI of that media type.
+pub(crate) fn to_data(media_type: &str, bytes: &[u8]) -> String {
+    format!("data:{media_type};base64,{}", STANDARD.encode(bytes))
+}
+
+/// Reads a regular file whole; folders, pipes and devices are refused before they can block or never end.
+pub(crate) fn read_file(path: &Path) -> Result<Vec<u8>, Error> {
+    let fail = |source| Error::Read { path: path.to_path_buf(), source };
+    if !std::fs::metadata(path).map_err(fail)?.is_file() {
+        return Err(Error::NotAFile { path: path.to_path_buf() });
+    }
+    std::fs::read(path).map_err(fail)
+}

@@ -1,0 +1,297 @@
+//! A document written again with further clips: old bytes first and unchanged, new ones appended.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde_json::{Map, Value, json};
+
+use crate::clip::{Channel, Clip, Interpolation, Property};
+use crate::container;
+use crate::document::{Buffer, Document, bytes_of};
+use crate::error::Error;
+use crate::uri::{self, Uri};
+
+fn refuse(problem: impl Into<String>) -> Error {
+    Error::Clip { problem: problem.into() }
+}
+
+impl Document {
+    /// The document as a GLB, with each of `clips` in place of the clip of that name, or after all others.
+    ///
+    /// The binary chunk begins with the old one's bytes; members of the JSON that are not understood stay as they
+    /// are and where they are. External buffers, and external images that can be read, move into the file. Of the
+    /// old JSON only what must change does: array lengths, buffer 0, and the `matrix` of a node that a clip moves,
+    /// which becomes translation, rotation and scale.
+    ///
+    /// # Errors
+    /// [`Error::Clip`] when a clip names nodes that do not exist, moves a property twice, or has keys that are
+    /// not finite or not in order.
+    pub fn with_clips(&self, clips: &[Clip]) -> Result<Vec<u8>, Error> {
+        let mut json = self.json.clone();
+        let mut data = Appended::default();
+        let mut animations = Vec::with_capacity(clips.len());
+        for clip in clips.iter().filter(|clip| !clip.channels.is_empty()) {
+            self.check(clip)?;
+            animations.push(data.animation(clip, count(&json, "accessors"), count(&json, "bufferViews")));
+            for channel in &clip.channels {
+                self.release_matrix(&mut json, channel);
+            }
+        }
+        let chunk = self.embed(&mut json, data)?;
+        for (clip, animation) in clips.iter().filter(|clip| !clip.channels.is_empty()).zip(animations) {
+            self.place(&mut json, clip, animation);
+        }
+        let text = serde_json::to_vec(&json).map_err(|e| Error::Json { message: e.to_string() })?;
+        container::join(&text, chunk.as_deref())
+    }
+
+    /// Puts an animation where the clip of its name is, keeping what else that one says; else after all others.
+    fn place(&self, json: &mut Value, clip: &Clip, animation: Value) {
+        let animations = array(json, "animations");
+        let old = self.clips().iter().position(|old| old.name == clip.name).and_then(|index| animations.get_mut(index));
+        match (old.and_then(Value::as_object_mut), animation) {
+            (Some(old), Value::Object(new)) => old.extend(new),
+            (_, animation) => animations.push(animation),
+        }
+    }
+
+    /// The keys of a clip, checked against what a valid file may contain.
+    fn check(&self, clip: &Clip) -> Result<(), Error> {
+        let nodes = self.skeleton().nodes();
+        let mut seen = BTreeSet::new();
+        for channel in &clip.channels {
+            let node = nodes.get(channel.node).ok_or_else(|| {
+                refuse(format!("clip {:?} moves node {}, which does not exist", clip.name, channel.node))
+            })?;
+            let what = || format!("{} of {:?} in clip {:?}", property_name(channel.property), node.name, clip.name);
+            if !seen.insert((channel.node, property_name(channel.property))) {
+                return Err(refuse(format!("{} is there twice", what())));
+            }
+            let times = &channel.times;
+            let ordered = times.windows(2).all(|w| w[0] < w[1]) && times.first().is_some_and(|t| *t >= 0.0);
+            if !ordered || !times.iter().all(|t| t.is_finite()) {
+                return Err(refuse(format!(
+                    "key times of {} must be finite, from 0 on and strictly increasing",
+                    what()
+                )));
+            }
+            if channel.width == 0 || channel.values.len() != times.len() * channel.stride() {
+                return Err(refuse(format!(
+                    "{} has {} numbers for {} keys",
+                    what(),
+                    channel.values.len(),
+                    times.len()
+                )));
+            }
+            if !channel.values.iter().all(|v| v.is_finite()) {
+                return Err(refuse(format!("{} has a key that is not finite", what())));
+            }
+        }
+        Ok(())
+    }
+
+    /// An animated node may not have a `matrix`.
+    fn release_matrix(&self, json: &mut Value, channel: &Channel) {
+        let node = json.get_mut("nodes").and_then(|nodes| nodes.get_mut(channel.node)).and_then(Value::as_object_mut);
+        let Some(node) = node.filter(|node| channel.property != Property::Weights && node.contains_key("matrix"))
+        else {
+            return;
+        };
+        node.shift_remove("matrix");
+        let rest = &self.skeleton().nodes()[channel.node].rest;
+        node.insert("translation".into(), json!(rest.translation.to_array().map(f64::from)));
+        node.insert("rotation".into(), json!(rest.rotation.to_array().map(f64::from)));
+        node.insert("scale".into(), json!(rest.scale.to_array().map(f64::from)));
+    }
+
+    /// Puts everything external and the new data into the file; returns the binary chunk.
+    fn embed(&self, json: &mut Value, data: Appended) -> Result<Option<Vec<u8>>, Error> {
+        for (index, buffer) in self.buffers.iter().enumerate().skip(1) {
+            if let Buffer::Loaded { bytes, external: true } = buffer {
+                array(json, "buffers")[index]["uri"] = uri::to_data("application/octet-stream", bytes).into();
+            }
+        }
+        self.embed_images(json);
+        let mut chunk = self.chunk.clone();
+        // Only buffer 0 may be the chunk, and only if nothing else claims that place.
+        let target = match self.buffers.first() {
+            None => Some(chunk.take().unwrap_or_default()),
+            Some(Buffer::Chunk) => chunk.take(),
+            Some(buffer @ Buffer::Loaded { .. }) if chunk.is_none() => bytes_of(buffer, None).map(<[u8]>::to_vec),
+            Some(_) => None,
+        };
+        let Some(mut bytes) = target else {
+            // Buffer 0 is a placeholder for compressed data: the new bytes get a buffer of their own.
+            if !data.bytes.is_empty() {
+                let index = self.buffers.len();
+                let text = uri::to_data("application/octet-stream", &data.bytes);
+                array(json, "buffers").push(json!({ "byteLength": data.bytes.len(), "uri": text }));
+                data.describe(json, index, 0);
+            }
+            return Ok(chunk);
+        };
+        if bytes.is_empty() && data.bytes.is_empty() {
+            return Ok(None);
+        }
+        if !data.bytes.is_empty() {
+            bytes.resize(bytes.len().next_multiple_of(4), 0);
+        }
+        let start = bytes.len();
+        bytes.extend_from_slice(&data.bytes);
+        let buffers = array(json, "buffers");
+        if buffers.is_empty() {
+            buffers.push(json!({}));
+        }
+        if let Some(buffer) = buffers[0].as_object_mut() {
+            buffer.shift_remove("uri");
+            // Untouched chunks keep their length: it may lie below the chunk's by padding.
+            if !data.bytes.is_empty() || !matches!(self.buffers.first(), Some(Buffer::Chunk)) {
+                buffer.insert("byteLength".into(), bytes.len().into());
+            }
+        }
+        if !data.bytes.is_empty() {
+            data.describe(json, 0, start);
+        }
+        Ok(Some(bytes))
+    }
+
+    /// External images that are there and are images become data URIs; others keep their URI.
+    fn embed_images(&self, json: &mut Value) {
+        let Some(folder) = &self.folder else { return };
+        let images = json.get_mut("images").and_then(Value::as_array_mut);
+        for image in images.into_iter().flatten().filter_map(Value::as_object_mut) {
+            let Some(text) = image.get("uri").and_then(Value::as_str) else {
+                continue;
+            };
+            let Ok(Uri::Relative(path)) = uri::parse(text, "images") else {
+                continue;
+            };
+            let Ok(bytes) = uri::read_file(&folder.join(path)) else {
+                continue;
+            };
+            // Judged by content, so that no other file is ever drawn in by a URI.
+            if let Some(kind) = image_type(&bytes) {
+                image.insert("uri".into(), uri::to_data(kind, &bytes).into());
+            }
+        }
+    }
+}
+
+fn image_type(bytes: &[u8]) -> Option<&'static str> {
+    match bytes {
+        [0x89, b'P', b'N', b'G', ..] => Some("image/png"),
+        [0xff, 0xd8, 0xff, ..] => Some("image/jpeg"),
+        [0xab, b'K', b'T', b'X', ..] => Some("image/ktx2"),
+        [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => Some("image/webp"),
+        _ => None,
+    }
+}
+
+fn property_name(property: Property) -> &'static str {
+    match property {
+        Property::Translation => "translation",
+        Property::Rotation => "rotation",
+        Property::Scale => "scale",
+        Property::Weights => "weights",
+    }
+}
+
+fn count(json: &Value, key: &str) -> usize {
+    json.get(key).and_then(Value::as_array).map_or(0, Vec::len)
+}
+
+/// The array `key` of the document, made if it is not there. Loading has seen that what is there is an array.
+fn array<'a>(json: &'a mut Value, key: &str) -> &'a mut Vec<Value> {
+    if !json.get(key).is_some_and(Value::is_array) {
+        json[key] = Value::Array(Vec::new());
+    }
+    match &mut json[key] {
+        Value::Array(array) => array,
+        _ => unreachable!("it was made an array just above"),
+    }
+}
+
+/// New bytes and the accessors on them.
+#[derive(Default)]
+struct Appended {
+    bytes: Vec<u8>,
+    accessors: Vec<Value>,
+    /// Key times written already, by their bits.
+    times: BTreeMap<Vec<u32>, usize>,
+}
+
+impl Appended {
+    fn accessor(&mut self, values: &[f32], shape: &str, width: usize, view: usize, bounds: bool) -> usize {
+        let mut accessor = Map::new();
+        accessor.insert("bufferView".into(), view.into());
+        if !self.bytes.is_empty() {
+            accessor.insert("byteOffset".into(), self.bytes.len().into());
+        }
+        accessor.insert("componentType".into(), 5126.into());
+        accessor.insert("count".into(), (values.len() / width).into());
+        accessor.insert("type".into(), shape.into());
+        if let (true, Some(first), Some(last)) = (bounds, values.first(), values.last()) {
+            accessor.insert("min".into(), json!([f64::from(*first)]));
+            accessor.insert("max".into(), json!([f64::from(*last)]));
+        }
+        self.bytes.extend(values.iter().flat_map(|v| v.to_le_bytes()));
+        self.accessors.push(accessor.into());
+        self.accessors.len() - 1
+    }
+
+    /// One animation's JSON; `first` is the index its first new accessor will have, `view` that of the new view.
+    fn animation(&mut self, clip: &Clip, first: usize, view: usize) -> Value {
+        let (mut channels, mut samplers) = (Vec::new(), Vec::new());
+        for channel in &clip.channels {
+            let bits: Vec<u32> = channel.times.iter().map(|t| t.to_bits()).collect();
+            let input = match self.times.get(&bits) {
+                Some(input) => *input,
+                None => {
+                    let input = self.accessor(&channel.times, "SCALAR", 1, view, true);
+                    self.times.insert(bits, input);
+                    input
+                }
+            };
+            let (shape, width) = match channel.property {
+                Property::Rotation => ("VEC4", 4),
+                Property::Weights => ("SCALAR", 1),
+                Property::Translation | Property::Scale => ("VEC3", 3),
+            };
+            let output = self.accessor(&unit_keys(channel), shape, width, view, false);
+            let interpolation = match channel.interpolation {
+                Interpolation::Step => "STEP",
+                Interpolation::Linear => "LINEAR",
+                Interpolation::CubicSpline => "CUBICSPLINE",
+            };
+            let path = property_name(channel.property);
+            channels.push(json!({ "sampler": samplers.len(), "target": { "node": channel.node, "path": path } }));
+            samplers.push(json!({ "input": first + input, "output": first + output, "interpolation": interpolation }));
+        }
+        json!({ "name": clip.name, "channels": channels, "samplers": samplers })
+    }
+
+    /// Adds the buffer view and the accessors to the document.
+    fn describe(self, json: &mut Value, buffer: usize, start: usize) {
+        let mut view = Map::new();
+        view.insert("buffer".into(), buffer.into());
+        if start > 0 {
+            view.insert("byteOffset".into(), start.into());
+        }
+        view.insert("byteLength".into(), self.bytes.len().into());
+        array(json, "bufferViews").push(view.into());
+        array(json, "accessors").extend(self.accessors);
+    }
+}
+
+/// The keys, rotations made unit to single precision (integers and cut splines are a little off).
+fn unit_keys(channel: &Channel) -> Vec<f32> {
+    let mut values = channel.values.clone();
+    if channel.property == Property::Rotation {
+        let cubic = channel.interpolation == Interpolation::CubicSpline;
+        for (k, four) in values.chunks_exact_mut(4).enumerate() {
+            if !cubic || k % 3 == 1 {
+                four.copy_from_slice(&crate::clip::quat(four).to_array());
+            }
+        }
+    }
+    values
+}
