@@ -27,7 +27,7 @@ mod rigs {
     fn emit_file(file: &Path) -> String {
         let text = fs::read_to_string(file).expect("a rig file is readable text");
         match aim_codegen::rust_from_toml(&file.display().to_string(), &text, "crate".parse().expect("it is a token")) {
-            Ok(tokens) => tokens.to_string(),
+            Ok(tokens) => aim_codegen::format_rust(tokens),
             Err(errors) => {
                 eprintln!("{}", errors.render());
                 process::exit(1);

@@ -1,10 +1,10 @@
-//! Emits the rigs under test as Rust and as C.
+//! Emits the rigs under test.
 
 use std::fs;
 use std::path::PathBuf;
 
 use aim_codegen::RigPrograms;
-use aim_codegen::emit::{self, Rig, rust};
+use aim_codegen::emit::{Rig, rust};
 
 // The tests reach these two modules through the library.
 #[allow(dead_code, unreachable_pub, missing_docs, reason = "the build script needs but a part of the module")]
@@ -17,14 +17,13 @@ mod rigs;
 fn main() {
     println!("cargo::rerun-if-changed=src");
     let out = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo sets it"));
-    let (mut rust, mut c) = (String::new(), String::new());
+    let mut rust = String::new();
     let mut names = Vec::new();
     for spec in rigs::rigs() {
         let programs = RigPrograms::derive(&spec);
         let rig = Rig { spec: &spec, programs: &programs };
         let item = rust::Item::of(&spec, quote::quote!(::aim));
-        rust += &rust::emit_with_struct(&rig, &item).to_string();
-        c += &emit::c::emit(&rig);
+        rust += &aim_codegen::format_rust(rust::emit_with_struct(&rig, &item));
         names.push(spec.name.clone());
     }
     let arms: String = names.iter().enumerate().map(|(i, name)| format!("{i} => $f(&{name}::default()),")).collect();
@@ -32,5 +31,4 @@ fn main() {
         "macro_rules! with_rig {{ ($number:expr, $f:expr) => {{ match $number {{ {arms} _ => unreachable!() }} }} }}"
     );
     fs::write(out.join("rigs.rs"), rust).expect("the output folder is writable");
-    fs::write(out.join("rigs.c"), c).expect("the output folder is writable");
 }

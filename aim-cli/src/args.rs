@@ -151,4 +151,7 @@ pub(crate) struct Bake {
     /// Where to write what happened in every frame, as JSON.
     #[arg(long, value_name = "R.json")]
     pub(crate) report: Option<PathBuf>,
+    /// Where to write the report as a page, with drawings and charts.
+    #[arg(long, value_name = "R.html")]
+    pub(crate) html: Option<PathBuf>,
 }

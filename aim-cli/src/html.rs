@@ -1,11 +1,66 @@
-//! `report.html`: one self-contained page.
+//! `report.html`: one page that needs nothing but itself (no network, no script), for screens light and dark and for
+//! paper. The same bake gives the same bytes; names from files are escaped wherever they appear.
+
+mod chart;
+mod charts;
+mod film;
+mod raster;
+mod rig;
+mod scene;
+mod summary;
+#[cfg(test)]
+mod tests;
+mod words;
 
 use aim_codegen::RigSpec;
 use aim_gltf::{Baked, Document};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::report::Report;
 
-/// The page.
-pub(crate) fn page(_spec: &RigSpec, report: &Report, _document: &Document, _baked: &Baked) -> String {
-    format!("<!doctype html><title>{}</title>", report.rig)
+const STYLE: &str = include_str!("html/style.css");
+
+/// The page about one bake: `report` is of `baked`, which is of `document` aimed by `spec`.
+pub(crate) fn page(spec: &RigSpec, report: &Report, document: &Document, baked: &Baked) -> String {
+    let title = format!("{} aimed over {}", report.rig, report.clip);
+    html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                meta name="generator" content=(concat!("aim ", env!("CARGO_PKG_VERSION")));
+                title { (title) }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                main {
+                    h1 { (report.rig) " aimed over " q { (report.clip) } }
+                    (summary::section(spec, report))
+                    @if let Some(strip) = film::strip(spec, report, document, baked) { (film(strip)) }
+                    section {
+                        h2 { "Over time" }
+                        (charts::all(spec, report, document, baked))
+                    }
+                    (rig::section(spec, report))
+                }
+            }
+        }
+    }
+    .into_string()
+}
+
+fn film(strip: Markup) -> Markup {
+    html! {
+        section {
+            h2 { "How it looks" }
+            p {
+                "Evenly over the whole length, always from the same side. The line is the gaze, the dot the target; where "
+                "the target is outside the picture, an arrow at the border points to it. The disc shows both from above, "
+                "with the viewer at its lower edge."
+            }
+            (strip)
+        }
+    }
 }

@@ -8,7 +8,7 @@ use aim_symbolic::{Number, Program};
 
 /// The rig with its joints' state.
 #[derive(Clone, Debug)]
-pub(crate) struct InterpretedRig {
+pub struct InterpretedRig {
     programs: RigPrograms,
     infos: Vec<JointInfo>,
     effector: Effector,
@@ -17,7 +17,7 @@ pub(crate) struct InterpretedRig {
 
 impl InterpretedRig {
     /// The rig at rest.
-    pub(crate) fn new(spec: &RigSpec) -> Self {
+    pub fn new(spec: &RigSpec) -> Self {
         let infos: Vec<JointInfo> = spec.joints.iter().map(joint_info).collect();
         let effector = Effector { forward: single(spec.effector.frame.forward), origin: single(spec.effector.origin) };
         Self { programs: RigPrograms::derive(spec), joints: vec![Joint::default(); infos.len()], infos, effector }

@@ -54,3 +54,15 @@ pub fn rust_from_toml(
     let rig = emit::Rig { spec: &spec, programs: &programs };
     Ok(emit::rust::emit_with_struct(&rig, &emit::rust::Item::of(&spec, krate)))
 }
+
+/// Emitted Rust as a readable file's text.
+///
+/// A file of one long line is also slow to compile: the compiler measures every place in it from the line's start.
+#[cfg(feature = "toml")]
+pub fn format_rust(tokens: proc_macro2::TokenStream) -> String {
+    match syn::parse2(tokens.clone()) {
+        Ok(file) => prettyplease::unparse(&file),
+        // Not formatted, but as right as before.
+        Err(_) => tokens.to_string(),
+    }
+}

@@ -1,16 +1,15 @@
 //! Aims a rig over a clip, frame by frame, and makes the clip that does it: only the chain's rotations change.
 
-use std::collections::VecDeque;
 use std::sync::Arc;
 
 use aim_runtime::{AimRig, Outcome, Pose, Settings};
-use glam::{Affine3A, DAffine3, DQuat, DVec3, Quat, Vec3};
+use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
 
 use crate::clip::{Channel, Clip};
 use crate::document::Document;
 use crate::error::Error;
 use crate::skeleton::Skeleton;
-use crate::trs::Trs;
+use crate::trs::{Trs, orthonormal};
 
 /// The nodes that a rig's joints are in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -225,28 +224,25 @@ fn joint_transforms<R: AimRig>(rig: &R, chain: &ChainNodes, pose: &[Trs], world:
     joints
 }
 
-/// Multiplies the rig's corrections into the chain's local rotations.
+/// Multiplies the rig's corrections into the chain's local rotations; the other eye turns in the world as joint 0 does.
 fn apply<R: AimRig>(rig: &R, chain: &ChainNodes, skeleton: &Skeleton, pose: &mut [Trs]) {
-    let mut corrections: VecDeque<(usize, Quat)> = rig.corrections().collect();
-    let eye = corrections.pop_front();
-    for (joint, correction) in corrections {
+    let eye = chain.joints[0];
+    let before = pose[eye].rotation.as_dquat();
+    for (joint, correction) in rig.corrections() {
         correct(&mut pose[chain.joints[joint]], correction);
     }
-    let Some((eye, correction)) = eye else { return };
-    let eye = chain.joints[eye];
     if let Some(pair) = chain.pair {
-        // The other eye makes the same turn in the world, whatever its own axes.
+        let turn = DMat3::from_quat(pose[eye].rotation.as_dquat() * before.inverse());
         let world = skeleton.world_f64(pose);
-        let turn = rotation_of(&world[eye]) * mirrored(correction, pose[eye].scale).as_dquat();
-        let turn = turn * rotation_of(&world[eye]).inverse();
-        let own = rotation_of(&world[pair]);
-        pose[pair].rotation = (pose[pair].rotation * (own.inverse() * turn * own).as_quat()).normalize();
+        // Orthogonal, but not always a rotation: a parent may be mirrored.
+        let parent = |node: usize| match skeleton.nodes()[node].parent {
+            Some(parent) => orthonormal(&world[parent].matrix3).0,
+            None => DMat3::IDENTITY,
+        };
+        let to_pair = parent(pair).transpose() * parent(eye);
+        let turn = DQuat::from_mat3(&(to_pair * turn * to_pair.transpose())).as_quat();
+        pose[pair].rotation = (turn * pose[pair].rotation).normalize();
     }
-    correct(&mut pose[eye], correction);
-}
-
-fn rotation_of(transform: &DAffine3) -> DQuat {
-    Trs::from_affine(transform).rotation.as_dquat()
 }
 
 fn correct(local: &mut Trs, correction: Quat) {

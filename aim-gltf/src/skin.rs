@@ -6,6 +6,7 @@ use glam::{DAffine3, DVec3};
 
 use crate::accessor::Data;
 use crate::error::Error;
+use crate::raw::Primitive;
 use crate::skeleton::Skeleton;
 
 /// A vertex: its position in mesh space, the node that shows it, and its joints.
@@ -27,51 +28,55 @@ pub(crate) fn read_points(data: &Data<'_>) -> Result<Vec<SkinnedPoint>, Error> {
         let Some(first) = shown.next() else { continue };
         let skinned = |i: &usize| data.raw.nodes[*i].skin.is_some();
         let index = core::iter::once(first).chain(shown).find(skinned).unwrap_or(first);
-        let node = &data.raw.nodes[index];
         let mut seen = BTreeSet::new();
         for primitive in &mesh.primitives {
-            let attribute = |name: &str| primitive.attributes.get(name).copied();
-            let Some(positions) = attribute("POSITION").filter(|at| seen.insert(*at)) else {
-                continue;
-            };
-            let place = format!("the mesh of nodes[{index}]");
-            // Compressed geometry is no obstacle to aiming: only its shape stays unknown.
-            let positions = match data.floats(positions, &["VEC3"], &place) {
-                Err(Error::NoData { .. }) => continue,
-                other => other?,
-            };
-            let mut joints = Vec::new();
-            let mut weights = Vec::new();
-            if let (Some(skin), Some(j), Some(w)) = (node.skin, attribute("JOINTS_0"), attribute("WEIGHTS_0")) {
-                joints = data.floats(j, &["VEC4"], &place)?;
-                weights = data.floats(w, &["VEC4"], &place)?;
-                let count = data.raw.skins.get(skin).map_or(0, |s| s.joints.len());
-                if joints.len() != positions.len() / 3 * 4 || weights.len() != joints.len() {
-                    return Err(Error::invalid(place, "its joints, weights and positions differ in number"));
-                }
-                let beyond =
-                    |(j, w): (&f32, &f32)| *w != 0.0 && (*j < 0.0 || f64::from(*j) >= crate::num::count(count));
-                if joints.iter().zip(&weights).any(beyond) {
-                    return Err(Error::invalid(
-                        place,
-                        format!("a vertex is bound to a joint beyond the skin's {count}"),
-                    ));
-                }
-            }
-            for (k, p) in positions.chunks_exact(3).enumerate() {
-                let bound = |i: usize| match (joints.get(k * 4 + i), weights.get(k * 4 + i)) {
-                    (Some(j), Some(w)) if *w != 0.0 => (to_index(*j), *w),
-                    _ => (0, 0.0),
-                };
-                points.push(SkinnedPoint {
-                    position: DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2])),
-                    node: index,
-                    joints: [bound(0), bound(1), bound(2), bound(3)],
-                });
+            let at = primitive.attributes.get("POSITION");
+            if at.is_some_and(|at| seen.insert(*at)) {
+                points.extend(read_primitive(data, index, primitive)?);
             }
         }
     }
     Ok(points)
+}
+
+/// The vertices of one primitive as node `index` shows it, in the accessor's order; none without positions that can be
+/// read.
+pub(crate) fn read_primitive(data: &Data<'_>, index: usize, primitive: &Primitive) -> Result<Vec<SkinnedPoint>, Error> {
+    let node = &data.raw.nodes[index];
+    let attribute = |name: &str| primitive.attributes.get(name).copied();
+    let Some(positions) = attribute("POSITION") else { return Ok(Vec::new()) };
+    let place = format!("the mesh of nodes[{index}]");
+    // Compressed geometry is no obstacle to aiming: only its shape stays unknown.
+    let positions = match data.floats(positions, &["VEC3"], &place) {
+        Err(Error::NoData { .. }) => return Ok(Vec::new()),
+        other => other?,
+    };
+    let mut joints = Vec::new();
+    let mut weights = Vec::new();
+    if let (Some(skin), Some(j), Some(w)) = (node.skin, attribute("JOINTS_0"), attribute("WEIGHTS_0")) {
+        joints = data.floats(j, &["VEC4"], &place)?;
+        weights = data.floats(w, &["VEC4"], &place)?;
+        let count = data.raw.skins.get(skin).map_or(0, |s| s.joints.len());
+        if joints.len() != positions.len() / 3 * 4 || weights.len() != joints.len() {
+            return Err(Error::invalid(place, "its joints, weights and positions differ in number"));
+        }
+        let beyond = |(j, w): (&f32, &f32)| *w != 0.0 && (*j < 0.0 || f64::from(*j) >= crate::num::count(count));
+        if joints.iter().zip(&weights).any(beyond) {
+            return Err(Error::invalid(place, format!("a vertex is bound to a joint beyond the skin's {count}")));
+        }
+    }
+    let point = |(k, p): (usize, &[f32])| {
+        let bound = |i: usize| match (joints.get(k * 4 + i), weights.get(k * 4 + i)) {
+            (Some(j), Some(w)) if *w != 0.0 => (to_index(*j), *w),
+            _ => (0, 0.0),
+        };
+        SkinnedPoint {
+            position: DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2])),
+            node: index,
+            joints: [bound(0), bound(1), bound(2), bound(3)],
+        }
+    };
+    Ok(positions.chunks_exact(3).enumerate().map(point).collect())
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked to be a joint index just before")]

@@ -45,6 +45,11 @@ impl Graph {
         angles.iter().map(|angle| found.get(angle).copied().unwrap_or_else(|| self.constant(0.0))).collect()
     }
 
+    /// The number of nodes that `output` is made of.
+    pub(crate) fn size(&self, output: Scalar) -> usize {
+        self.order(output).len()
+    }
+
     /// Everything that `output` is made of, each after its parts.
     fn order(&self, output: Scalar) -> Vec<Node> {
         let mut seen = HashSet::new();

@@ -131,17 +131,18 @@ fn is_turned_constant(g: &Graph, v: Vector) -> bool {
     }
 }
 
-/// Whether `v` was pushed forward by a rotation that could be turned back instead, perhaps below changes of basis.
+/// How many changes of basis stand before the rotation that pushed `v` forward and could be turned back instead;
+/// `None` where there is none.
 ///
-/// Only such vectors give up their rotation, so that nothing is turned back and forth.
-fn is_pushed(g: &Graph, v: Vector) -> bool {
-    match g.vector_node(v) {
-        VectorNode::Rotate(rotation, inner) if is_basis(g, rotation) => {
-            terms(g, inner).iter().any(|&(_, term)| is_pushed(g, term))
-        }
-        VectorNode::Rotate(rotation, _) => is_forward(g, rotation),
-        _ => false,
+/// Only such vectors give up their rotation, and of several the one with the fewest changes of basis does, so that
+/// nothing is turned back and forth.
+fn pushed_below(g: &Graph, v: Vector) -> Option<usize> {
+    let (rotation, inner) = leading(g, v)?;
+    if is_basis(g, rotation) {
+        let below = terms(g, inner).iter().filter_map(|&(_, term)| pushed_below(g, term)).min()?;
+        return Some(below + 1);
     }
+    is_forward(g, rotation).then_some(0)
 }
 
 fn is_sum(g: &Graph, v: Vector) -> bool {
@@ -273,7 +274,8 @@ fn pulled(g: &mut Graph, v: Vector) -> Option<(Rotation, Vector)> {
     if !is_sum(g, v) {
         return None;
     }
-    let (_, term) = terms(g, v).into_iter().find(|&(_, term)| is_pushed(g, term))?;
+    let pushed = terms(g, v).into_iter().filter_map(|(_, term)| Some((pushed_below(g, term)?, term)));
+    let (_, term) = pushed.min_by_key(|&(below, _)| below)?;
     let (rotation, _) = leading(g, term)?;
     let back = g.transpose(rotation);
     let turned_back = g.rotate(back, v);
@@ -312,11 +314,13 @@ fn dot_same_rotation(g: &mut Graph, s: Scalar) -> Option<Scalar> {
 /// `v · R w = Rᵀ v · w`, unless that is a rotated constant and nothing of `v` cancels.
 fn dot_other_side(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return None };
-    [(a, b), (b, a)].into_iter().find_map(|(v, rotated)| {
-        let (rotation, w) = leading(g, rotated)?;
+    let mut sides: Vec<(usize, Vector, Vector)> =
+        [(a, b), (b, a)].into_iter().filter_map(|(v, pushed)| Some((pushed_below(g, pushed)?, v, pushed))).collect();
+    sides.sort_by_key(|&(below, ..)| below);
+    sides.into_iter().find_map(|(_, v, pushed)| {
+        let (rotation, w) = leading(g, pushed)?;
         let cancels = terms(g, v).iter().any(|&(_, t)| leading(g, t).is_some_and(|(r, _)| r == rotation));
-        let moves = is_pushed(g, rotated) && (cancels || !is_turned_constant(g, rotated));
-        moves.then(|| {
+        (cancels || !is_turned_constant(g, pushed)).then(|| {
             let back = g.transpose(rotation);
             let turned_back = g.rotate(back, v);
             g.dot(turned_back, w)

@@ -5,9 +5,8 @@ use std::collections::HashMap;
 use crate::rules::{ROTATIONS, RuleSet};
 use crate::{Graph, Scalar, ScalarNode, Vector, VectorNode};
 
-/// Rewrites that one node and what comes of it may take. The rules end by themselves long before; this is what makes
-/// the end certain.
-const FUEL: u32 = 1000;
+/// Rewrites for each node of a statement. The rules end by themselves long before; this is what makes the end certain.
+const FUEL_PER_NODE: usize = 64;
 
 impl Graph {
     /// `scalar` with every rotation moved to where it cancels or costs least. The value stays the same.
@@ -17,7 +16,8 @@ impl Graph {
 
     /// `scalars` rewritten by `rules`, sharing what they share.
     pub fn rewrite_by(&mut self, scalars: &[Scalar], rules: &RuleSet) -> Vec<Scalar> {
-        let mut tidy = Tidy { g: self, rules, scalars: HashMap::new(), vectors: HashMap::new() };
+        let fuel = FUEL_PER_NODE * scalars.iter().map(|&s| self.size(s)).sum::<usize>();
+        let mut tidy = Tidy { g: self, rules, fuel, scalars: HashMap::new(), vectors: HashMap::new() };
         scalars.iter().map(|&s| tidy.scalar(s)).collect()
     }
 }
@@ -25,6 +25,7 @@ impl Graph {
 struct Tidy<'g> {
     g: &'g mut Graph,
     rules: &'g RuleSet,
+    fuel: usize,
     scalars: HashMap<Scalar, Scalar>,
     vectors: HashMap<Vector, Vector>,
 }
@@ -35,8 +36,9 @@ impl Tidy<'_> {
             return done;
         }
         let mut current = self.scalar_parts(scalar);
-        for _ in 0..FUEL {
+        while self.fuel > 0 {
             let Some(next) = self.rules.scalars.iter().find_map(|(_, rule)| rule(self.g, current)) else { break };
+            self.fuel -= 1;
             current = self.scalar_parts(next);
         }
         self.scalars.insert(scalar, current);
@@ -48,8 +50,9 @@ impl Tidy<'_> {
             return done;
         }
         let mut current = self.vector_parts(vector);
-        for _ in 0..FUEL {
+        while self.fuel > 0 {
             let Some(next) = self.rules.vectors.iter().find_map(|(_, rule)| rule(self.g, current)) else { break };
+            self.fuel -= 1;
             current = self.vector_parts(next);
         }
         self.vectors.insert(vector, current);

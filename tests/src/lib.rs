@@ -1,5 +1,9 @@
-//! What the tests share: the rigs they run over, independent forward kinematics, a seeded generator.
+//! What the tests share: the rigs they run over, independent forward kinematics, a seeded generator, comparisons.
 
+pub mod c;
+pub mod compare;
+mod declarations;
 pub mod kinematics;
+pub mod oracle;
 pub mod random;
 pub mod rigs;

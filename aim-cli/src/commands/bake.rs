@@ -13,6 +13,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use crate::args::{self, Settle, Solver};
 use crate::failure::{Failure, Result};
 use crate::files;
+use crate::html;
 use crate::interpreted::InterpretedRig;
 use crate::measured;
 use crate::report::Report;
@@ -137,6 +138,9 @@ pub(super) fn run(arguments: &args::Bake) -> Result {
     files::write(&arguments.out, &done.model)?;
     if let Some(path) = &arguments.report {
         files::write_json(path, &done.report)?;
+    }
+    if let Some(path) = &arguments.html {
+        files::write(path, html::page(&spec, &done.report, &document, &done.baked).as_bytes())?;
     }
     files::print(&format!("{}\n", done.report.in_words(&arguments.out)))
 }

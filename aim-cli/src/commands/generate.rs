@@ -6,13 +6,15 @@ use std::path::Path;
 use aim_codegen::emit::{self, Rig};
 use aim_codegen::{RigPrograms, RigSpec};
 
+use quote::quote;
+
 use crate::args::{self, Language};
 use crate::failure::{Failure, Result};
 use crate::files;
 
 pub(super) fn run(arguments: &args::Generate) -> Result {
     let spec = files::load_rig(&arguments.rig)?;
-    let code = emit(&spec, arguments.lang)?;
+    let code = emit(&spec, arguments.lang);
     if let Some(existing) = &arguments.check {
         return check(existing, &code, arguments);
     }
@@ -22,30 +24,25 @@ pub(super) fn run(arguments: &args::Generate) -> Result {
     }
 }
 
-fn emit(spec: &RigSpec, language: Language) -> Result<String> {
+fn emit(spec: &RigSpec, language: Language) -> String {
     let programs = RigPrograms::derive(spec);
     let rig = Rig { spec, programs: &programs };
-    Ok(match language {
+    match language {
         Language::C => emit::c::emit(&rig),
         Language::Latex => emit::latex::emit(&rig),
         Language::Maxima => emit::maxima::emit(&rig),
-        Language::Rust => rust(&rig)?,
-    })
+        Language::Rust => rust(&rig),
+    }
 }
 
-fn rust(rig: &Rig<'_>) -> Result<String> {
-    let facade =
-        proc_macro2::TokenStream::from_iter(["::aim".parse::<proc_macro2::TokenStream>()].into_iter().flatten());
-    let tokens = emit::rust::emit_with_struct(rig, &emit::rust::Item::of(rig.spec, facade));
-    let file: syn::File = syn::parse2(tokens).map_err(|error| {
-        Failure::input(format!("the emitted Rust does not parse ({error}); please report this rig"))
-    })?;
+fn rust(rig: &Rig<'_>) -> String {
+    let tokens = emit::rust::emit_with_struct(rig, &emit::rust::Item::of(rig.spec, quote!(::aim)));
     let header = format!(
         "// The rig {}, derived and written by aim {}. Do not edit: generate again.\n",
         rig.spec.name,
         env!("CARGO_PKG_VERSION")
     );
-    Ok(header + &prettyplease::unparse(&file))
+    header + &aim_codegen::format_rust(tokens)
 }
 
 /// Whether `existing` holds `code`, line ends aside.

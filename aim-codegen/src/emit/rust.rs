@@ -32,8 +32,8 @@ impl Item {
 /// The struct that a derive would have found, and its implementation.
 pub fn emit_with_struct(rig: &Rig<'_>, item: &Item) -> TokenStream {
     let Item { name, fields, krate } = item;
-    let doc = format!("The rig {}: its joints, from the effector inward.", rig.spec.name);
-    let field_docs = rig.spec.joints.iter().map(|joint| format!("Moves the bone {}.", joint.bones.join(" or ")));
+    let doc = format!("The rig `{}`: its joints, from the effector inward.", rig.spec.name);
+    let field_docs = rig.spec.joints.iter().map(|joint| format!("Moves the bone {}.", quoted(&joint.bones, " or ")));
     let implementation = emit(rig, item);
     quote! {
         #[doc = #doc]
@@ -62,13 +62,26 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
     });
     let name_text = &spec.name;
     let field_texts: Vec<&str> = spec.joints.iter().map(|joint| joint.name.as_str()).collect();
+    // By path, because a method of a trait for every type could be found before one that borrows.
+    let debug = fields.iter().zip(field_texts).fold(
+        quote!(&mut ::core::fmt::Formatter::debug_struct(#formatter, #name_text)),
+        |debug, (field, text)| quote!(::core::fmt::DebugStruct::field(#debug, #text, &self.#field)),
+    );
     let kernels = Kernels::new(rig, &private);
     let (functions, methods) = (kernels.functions(), kernels.methods());
+    // For code in files: what a macro expands to is excused anyway.
     quote! {
+        #[allow(
+            clippy::approx_constant,
+            clippy::manual_range_patterns,
+            clippy::too_many_lines,
+            clippy::unreadable_literal,
+            reason = "derived code is for machines: its numbers and its length are those of the rig"
+        )]
         const _: () = {
             impl #name {
                 /// The names that each joint's bone may have in a model, from the effector inward.
-                #[allow(dead_code)]
+                #[allow(dead_code, unreachable_pub, reason = "a rig need not be looked up by its bones' names")]
                 pub const BONES: [&'static [&'static ::core::primitive::str]; #joints] = [#(#bones),*];
             }
 
@@ -83,9 +96,7 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
             #[automatically_derived]
             impl ::core::fmt::Debug for #name {
                 fn fmt(&self, #formatter: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                    ::core::fmt::Formatter::debug_struct(#formatter, #name_text)
-                        #( .field(#field_texts, &self.#fields) )*
-                        .finish()
+                    ::core::fmt::DebugStruct::finish(#debug)
                 }
             }
 
@@ -122,9 +133,15 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
     }
 }
 
-/// A name that only emitted code sees.
+/// Names as documentation shows code.
+fn quoted(names: &[impl std::fmt::Display], between: &str) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(between)
+}
+
+/// A variable of emitted code. Mixed-site spans keep it apart from variables, but a pattern called as a constant at the
+/// call site would compare instead of bind: hence the prefix, which declarations may not use.
 fn local(name: &str) -> Ident {
-    Ident::new(name, Span::mixed_site())
+    format_ident!("__{name}", span = Span::mixed_site())
 }
 
 fn joint_info(joint: &JointSpec, private: &TokenStream) -> TokenStream {
@@ -261,7 +278,7 @@ impl<'a> Kernels<'a> {
     fn functions(&self) -> TokenStream {
         let joints = self.joints.iter().map(|(program, served)| {
             let names: Vec<&str> = served.iter().map(|&j| self.spec.joints[j].name.as_str()).collect();
-            let doc = format!("Aim, ∂aim/∂pitch, ∂aim/∂heading of {}.", names.join(", "));
+            let doc = format!("Aim, ∂aim/∂pitch, ∂aim/∂heading of {}.", quoted(&names, ", "));
             let [link, target, sin_cos] = ["effector_to_joint", "target", "sin_cos"].map(local);
             let input = |i: usize| match i {
                 0..12 => index(&link, i),
@@ -302,7 +319,7 @@ impl<'a> Kernels<'a> {
     ) -> TokenStream {
         let private = self.private;
         let outputs = Literal::usize_unsuffixed(program.outputs().len());
-        let doc = format!("{doc} {}. Derived for the rig {}.", counted(program.count()), self.spec.name);
+        let doc = format!("{doc} {}. Derived for the rig `{}`.", counted(program.count()), self.spec.name);
         let body = Body { program, private, input };
         let steps = body.steps();
         let results = program.outputs().iter().map(|&v| body.operand(v));

@@ -1,0 +1,270 @@
+//! A line chart over time as inline SVG: axes with units, broken lines where values wrap, a band of statuses. All colours
+//! come from the page's style, so that one drawing serves light, dark and paper.
+
+use maud::{Markup, html};
+
+use super::words::{self, n, shown, trimmed};
+
+/// One line.
+pub(super) struct Series<'a> {
+    pub(super) name: &'a str,
+    /// Its class in the page's style.
+    pub(super) class: &'static str,
+    /// One value a frame; what is not finite is a gap.
+    pub(super) values: Vec<f64>,
+}
+
+/// A dashed line across.
+pub(super) struct Mark {
+    pub(super) value: f64,
+    pub(super) class: &'static str,
+    pub(super) label: String,
+}
+
+/// How values become heights.
+#[derive(Clone, Copy)]
+pub(super) enum Scale {
+    /// From the first to the second.
+    Linear(f64, f64),
+    /// The same, the ticks at parts of a turn.
+    Degrees(f64, f64),
+    /// From one power of ten to another; what is outside is drawn at the end.
+    Log(f64, f64),
+}
+
+/// A chart; `times` are shared by all series and the statuses.
+pub(super) struct Chart<'a> {
+    /// What is shown, for those who cannot see it.
+    pub(super) label: String,
+    pub(super) unit: &'static str,
+    pub(super) wide: bool,
+    pub(super) times: &'a [f64],
+    pub(super) statuses: &'a [&'a str],
+    pub(super) scale: Scale,
+    /// A jump of half of this is the value wrapping round.
+    pub(super) wraps: Option<f64>,
+    pub(super) series: Vec<Series<'a>>,
+    pub(super) marks: Vec<Mark>,
+}
+
+/// The room around the plot.
+const LEFT: f64 = 44.0;
+const RIGHT: f64 = 44.0;
+const TOP: f64 = 22.0;
+const BELOW: f64 = 44.0;
+/// Points drawn of a series at most; longer ones are drawn by the extremes of each stretch.
+const MOST_POINTS: usize = 1600;
+
+impl Chart<'_> {
+    fn size(&self) -> (f64, f64) {
+        if self.wide { (1060.0, 250.0) } else { (520.0, 210.0) }
+    }
+
+    fn span(&self) -> (f64, f64) {
+        let start = self.times.first().copied().unwrap_or(0.0);
+        let end = self.times.last().copied().unwrap_or(0.0);
+        (start, if end > start { end } else { start + 1.0 })
+    }
+
+    fn x(&self, t: f64) -> f64 {
+        let (start, end) = self.span();
+        LEFT + (t - start) / (end - start) * (self.size().0 - LEFT - RIGHT)
+    }
+
+    fn y(&self, value: f64) -> f64 {
+        let share = match self.scale {
+            Scale::Linear(low, high) | Scale::Degrees(low, high) => (value - low) / (high - low),
+            Scale::Log(low, high) => ((value.max(low) / low).ln() / (high / low).ln()).clamp(0.0, 1.0),
+        };
+        self.size().1 - BELOW - share * (self.size().1 - TOP - BELOW)
+    }
+
+    /// The chart with its title and key.
+    pub(super) fn figure(&self, title: &str) -> Markup {
+        let (width, height) = self.size();
+        let bottom = height - BELOW;
+        html! {
+            figure.chart.wide[self.wide] {
+                figcaption {
+                    span.title { (title) }
+                    @for series in self.series.iter().filter(|_| self.series.len() > 1) {
+                        span.key {
+                            svg.line viewBox="0 0 22 10" aria-hidden="true" { line class={ "series " (series.class) } x2="22" y1="5" y2="5" {} }
+                            (series.name)
+                        }
+                    }
+                }
+                svg viewBox={ "0 0 " (n(width)) " " (n(height)) } role="img" aria-label=(self.label) {
+                    text.unit x="4" y="9" { (self.unit) }
+                    @for value in self.ticks() {
+                        @let y = self.y(value);
+                        line.grid x1=(n(LEFT)) x2=(n(width - RIGHT)) y1=(n(y)) y2=(n(y)) {}
+                        text.tick x=(n(LEFT - 6.0)) y=(n(y + 3.5)) text-anchor="end" { (shown(value, 3)) }
+                    }
+                    (self.time_axis(bottom, width))
+                    (self.band(bottom + 1.0, if self.wide { 15.0 } else { 6.0 }))
+                    (self.limits(width))
+                    @for series in &self.series {
+                        path class={ "series " (series.class) } d=(self.path(&series.values)) {}
+                    }
+                }
+            }
+        }
+    }
+
+    fn ticks(&self) -> Vec<f64> {
+        match self.scale {
+            Scale::Linear(low, high) => nice(low, high, 5.0),
+            Scale::Degrees(low, high) => {
+                let step = [10.0, 15.0, 30.0, 45.0, 90.0].into_iter().find(|step| high - low <= step * 6.0);
+                match step {
+                    Some(step) if high - low >= 30.0 => multiples(low, high, step),
+                    _ => nice(low, high, 5.0),
+                }
+            }
+            Scale::Log(low, high) => {
+                let mut ticks = Vec::new();
+                let mut tick = low;
+                while tick <= high * 1.000_001 && ticks.len() < 20 {
+                    ticks.push(tick);
+                    tick *= 10.0;
+                }
+                ticks
+            }
+        }
+    }
+
+    fn time_axis(&self, bottom: f64, width: f64) -> Markup {
+        let (start, end) = self.span();
+        let below = bottom + if self.wide { 30.0 } else { 21.0 };
+        html! {
+            @for t in nice(start, end, if self.wide { 12.0 } else { 6.0 }) {
+                line.grid x1=(n(self.x(t))) x2=(n(self.x(t))) y1=(n(TOP)) y2=(n(bottom)) {}
+                text.tick x=(n(self.x(t))) y=(n(below)) text-anchor="middle" { (shown(t, 3)) }
+            }
+            text.unit x=(n(width - RIGHT)) y=(n(below + 13.0)) text-anchor="end" { "time, s" }
+        }
+    }
+
+    /// A stretch of the same status each, named where there is room.
+    fn band(&self, top: f64, thick: f64) -> Markup {
+        let end = self.span().1;
+        let time = |k: usize| self.times.get(k).copied().unwrap_or(end);
+        let mut runs: Vec<(usize, usize)> = Vec::new();
+        for k in 0..self.statuses.len() {
+            match runs.last_mut() {
+                Some((start, stop)) if self.statuses[*start] == self.statuses[k] => *stop = k + 1,
+                _ => runs.push((k, k + 1)),
+            }
+        }
+        html! {
+            @for (start, stop) in runs {
+                @let (from, to) = (self.x(time(start)), self.x(time(stop)));
+                @let name = words::status(self.statuses[start]);
+                g {
+                    title { (name) ", " (trimmed(time(start), 2)) "–" (trimmed(time(stop), 2)) " s" }
+                    rect class={ "status " (self.statuses[start]) } x=(trimmed(from, 2)) width=(trimmed((to - from).max(0.4), 2)) y=(n(top)) height=(n(thick)) {}
+                    @if thick > 12.0 && to - from > 7.0 + 5.8 * letters(name) {
+                        text.on-status x=(n((from + to) / 2.0)) y=(n(top + 11.0)) text-anchor="middle" { (name) }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The dashed lines; labels at the right keep out of each other's way.
+    fn limits(&self, width: f64) -> Markup {
+        let mut marks: Vec<(f64, &Mark)> = self.marks.iter().map(|mark| (self.y(mark.value), mark)).collect();
+        marks.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let labels = marks.iter().scan(f64::NEG_INFINITY, |above, (y, _)| {
+            *above = y.max(*above + 11.0);
+            Some(*above)
+        });
+        html! {
+            @for ((y, mark), label) in marks.iter().zip(labels) {
+                line class={ "limit " (mark.class) } x1=(n(LEFT)) x2=(n(width - RIGHT)) y1=(n(*y)) y2=(n(*y)) {}
+                text class={ "mark " (mark.class) } x=(n(width - RIGHT + 5.0)) y=(n(label + 3.5)) { (mark.label) }
+            }
+        }
+    }
+
+    fn path(&self, values: &[f64]) -> String {
+        let points: Vec<(f64, f64)> = self.times.iter().copied().zip(values.iter().copied()).collect();
+        let mut d = String::new();
+        let mut before: Option<f64> = None;
+        for (t, value) in thinned(&points) {
+            if !value.is_finite() {
+                before = None;
+                continue;
+            }
+            let broken = before.is_none_or(|before| self.wraps.is_some_and(|turn| (value - before).abs() > turn / 2.0));
+            d += if broken { "M" } else { "L" };
+            d += &format!("{} {}", n(self.x(t)), n(self.y(value)));
+            if broken {
+                // A single frame is a dot: a line of no length with round ends.
+                d += "h0";
+            }
+            before = Some(value);
+        }
+        d
+    }
+}
+
+fn letters(text: &str) -> f64 {
+    text.chars().fold(0.0, |sum, _| sum + 1.0)
+}
+
+/// All points, or the extremes of each stretch of many.
+fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    if points.len() <= MOST_POINTS {
+        return points.to_vec();
+    }
+    let stretch = points.len().div_ceil(MOST_POINTS / 2);
+    let extremes = |part: &[(f64, f64)]| {
+        let by = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
+        let mut pair: Vec<(f64, f64)> =
+            part.iter().min_by(by).into_iter().chain(part.iter().max_by(by)).copied().collect();
+        pair.sort_by(|a, b| a.0.total_cmp(&b.0));
+        pair
+    };
+    points.chunks(stretch).flat_map(extremes).collect()
+}
+
+/// Round numbers between two, about `wanted` of them.
+fn nice(low: f64, high: f64, wanted: f64) -> Vec<f64> {
+    let rough = (high - low) / wanted;
+    if !(rough > 0.0 && rough.is_finite()) {
+        return Vec::new();
+    }
+    let power = 10_f64.powf(rough.log10().floor());
+    let step = [1.0, 2.0, 5.0].into_iter().map(|step| step * power).find(|step| *step >= rough * 0.999);
+    multiples(low, high, step.unwrap_or(10.0 * power))
+}
+
+fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
+    let first = (low / step - 1e-9).ceil();
+    let all = std::iter::successors(Some(first), |k| Some(k + 1.0)).map(|k| k * step);
+    all.take_while(|tick| *tick <= high + 1e-9 * step).take(64).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_round() {
+        assert_eq!(multiples(-180.0, 180.0, 90.0), [-180.0, -90.0, 0.0, 90.0, 180.0]);
+        assert_eq!(nice(0.0, 10.0, 12.0).len(), 11);
+        assert!(nice(0.0, 0.0, 5.0).is_empty() && nice(0.0, f64::NAN, 5.0).is_empty());
+    }
+
+    #[test]
+    fn long_series_keep_their_extremes() {
+        let points: Vec<(f64, f64)> =
+            (0..100_000_u32).map(|k| (f64::from(k), if k == 77_777 { 9.0 } else { 0.0 })).collect();
+        let drawn = thinned(&points);
+        assert!(drawn.len() <= MOST_POINTS + 2, "{}", drawn.len());
+        assert!(drawn.contains(&(77_777.0, 9.0)), "the spike is drawn");
+        assert!(drawn.windows(2).all(|pair| pair[0].0 <= pair[1].0), "in order");
+    }
+}

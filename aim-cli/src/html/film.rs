@@ -1,0 +1,131 @@
+//! The film strip: drawings of the character evenly over time, always from the same side, with its line of sight.
+
+use aim_codegen::RigSpec;
+use aim_gltf::{Baked, Document, Frame};
+use glam::DVec3;
+use maud::{Markup, html};
+
+use super::scene::{HEIGHT, Scene, WIDTH};
+use super::words::{self, n};
+use crate::report::Report;
+
+/// Drawings in the strip.
+const DRAWINGS: usize = 8;
+/// Where the line of sight begins, from the eye.
+const START: f64 = 13.0;
+/// Radius of the plan view in the corner.
+const PLAN: f64 = 24.0;
+
+/// The strip; nothing where the rig's bones are not in the document.
+pub(super) fn strip(spec: &RigSpec, report: &Report, document: &Document, baked: &Baked) -> Option<Markup> {
+    let all = baked.frames.len().min(report.frames.len());
+    let drawn: Vec<usize> = (0..DRAWINGS.min(all)).map(|k| k * all / DRAWINGS.min(all)).collect();
+    let scene = Scene::new(spec, document, drawn.iter().map(|k| &baked.frames[*k]))?;
+    Some(html! {
+        ol.film {
+            @for &k in &drawn {
+                @let told = &report.frames[k];
+                @let status = words::status(told.status);
+                li {
+                    figure {
+                        (scene.drawing(&baked.frames[k], told.status, told.error_deg))
+                        figcaption {
+                            span.time { (words::fixed(told.t.into(), 2)) " s" }
+                            span.chip { (words::chip(told.status)) (status) }
+                            span.number { (words::degrees(told.error_deg)) }
+                        }
+                    }
+                }
+            }
+        }
+    })
+}
+
+impl Scene<'_> {
+    fn drawing(&self, frame: &Frame, status: &str, error_deg: f64) -> Markup {
+        let world = &frame.world;
+        let eye = &world[self.chain.joints[0]];
+        let eye_ws = eye.transform_point3(self.origin);
+        let gaze_ws = eye.transform_vector3(self.forward).normalize_or_zero();
+        let figure = self.figure(world);
+        let far = HEIGHT / self.camera.scale * 4.0;
+        // The line begins a little in front of the eye, which stays visible.
+        let start = eye_ws + gaze_ws * (START / self.camera.scale);
+        let [from, to, target] =
+            [start, eye_ws + gaze_ws * far, frame.target].map(|point| self.camera.project(point, world));
+        let ray = html! {
+            @if to.is_finite() && from.is_finite() {
+                line.ray-case x1=(n(from.x)) y1=(n(from.y)) x2=(n(to.x)) y2=(n(to.y)) {}
+                line class={ "ray " (status) } x1=(n(from.x)) y1=(n(from.y)) x2=(n(to.x)) y2=(n(to.y)) {}
+            }
+        };
+        let away = gaze_ws.dot(self.camera.toward) < 0.0;
+        let label = format!(
+            "At {} s the gaze is {}, {} off the target.",
+            words::fixed(frame.t.into(), 2),
+            words::status(status),
+            words::degrees(error_deg)
+        );
+        html! {
+            svg viewBox={ "0 0 " (n(WIDTH)) " " (n(HEIGHT)) } role="img" aria-label=(label) {
+                @if away { (ray) }
+                @match figure {
+                    Some(uri) => image width=(n(WIDTH)) height=(n(HEIGHT)) href=(uri) {},
+                    None => (self.bones(world)),
+                }
+                @if !away { (ray) }
+                (self.target(from, target))
+                (self.plan(frame, gaze_ws, eye_ws, status))
+            }
+        }
+    }
+
+    /// The target where it is, or an arrow at the border that it is beyond.
+    fn target(&self, from: DVec3, target: DVec3) -> Markup {
+        const MARGIN: f64 = 9.0;
+        let inside = |p: DVec3| (MARGIN..=WIDTH - MARGIN).contains(&p.x) && (MARGIN..=HEIGHT - MARGIN).contains(&p.y);
+        if !(target.is_finite() && from.is_finite()) {
+            return html! {};
+        }
+        if inside(target) {
+            return html! { circle.target cx=(n(target.x)) cy=(n(target.y)) r="5" {} };
+        }
+        let step = target - from;
+        let share = |step: f64, from: f64, size: f64| match step {
+            s if s > 0.0 => (size - MARGIN - from) / s,
+            s if s < 0.0 => (MARGIN - from) / s,
+            _ => f64::INFINITY,
+        };
+        let edge = from + step * share(step.x, from.x, WIDTH).min(share(step.y, from.y, HEIGHT)).clamp(0.0, 1.0);
+        let angle = step.y.atan2(step.x).to_degrees();
+        html! {
+            path.target d="M8 0L-5 -6L-2 0L-5 6Z"
+                transform={ "translate(" (n(edge.x)) " " (n(edge.y)) ") rotate(" (n(angle)) ")" } {}
+        }
+    }
+
+    /// From above, the viewer at the lower edge: the front as a notch, the gaze, the target's direction.
+    fn plan(&self, frame: &Frame, gaze_ws: DVec3, eye_ws: DVec3, status: &str) -> Markup {
+        let level = self.camera.right.cross(self.measurement.up);
+        let plan = |v: DVec3| (v.dot(self.camera.right), v.dot(level));
+        let unit = |v: DVec3| {
+            let (x, y) = plan(v);
+            let length = x.hypot(y);
+            if length > 1e-9 && length.is_finite() { Some((x / length, y / length)) } else { None }
+        };
+        let front = unit(self.measurement.forward).unwrap_or((0.0, 1.0));
+        let angle = front.1.atan2(front.0).to_degrees();
+        html! {
+            g.plan transform={ "translate(" (n(WIDTH - PLAN - 8.0)) " " (n(HEIGHT - PLAN - 8.0)) ")" } {
+                circle.plan-ground r=(n(PLAN)) {}
+                path.plan-head d="M-6 0a6 6 0 1 0 12 0a6 6 0 1 0 -12 0M4 4.4L10.5 0L4 -4.4Z" transform={ "rotate(" (n(angle)) ")" } {}
+                @if let Some((x, y)) = unit(gaze_ws) {
+                    line class={ "ray " (status) } x2=(n(x * PLAN)) y2=(n(y * PLAN)) {}
+                }
+                @if let Some((x, y)) = unit(frame.target - eye_ws) {
+                    circle.target cx=(n(x * PLAN)) cy=(n(y * PLAN)) r="3.5" {}
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! The rig as it was declared, and how much of it the bake used.
+
+use aim_codegen::{AngleRange, JointSpec, RigSpec};
+use maud::{Markup, html};
+
+use super::charts::speeds;
+use super::words::{fixed, shown, trimmed};
+use crate::report::{JointReport, Report};
+
+/// The table of joints.
+pub(super) fn section(spec: &RigSpec, report: &Report) -> Markup {
+    let times: Vec<f64> = report.frames.iter().map(|frame| frame.t.into()).collect();
+    html! {
+        section {
+            h2 { "The rig" }
+            p {
+                "From the effector inward. Heading turns a bone's forward to its left, pitch turns it up; both are added "
+                "to the animation. Used is what this bake made of it."
+            }
+            div.scroll {
+                table.rig {
+                    thead {
+                        tr {
+                            th scope="col" rowspan="2" { "Joint" }
+                            th scope="col" rowspan="2" { "Up, forward, left" }
+                            th scope="colgroup" colspan="2" { "Heading" }
+                            th scope="colgroup" colspan="2" { "Pitch" }
+                            th scope="colgroup" colspan="2" { "Speed, °/s" }
+                            th scope="col" rowspan="2" { "Comfort" }
+                            th scope="col" rowspan="2" { "At a limit" }
+                        }
+                        tr {
+                            @for _ in 0..2 {
+                                th scope="col" { "range" }
+                                th scope="col" { "used" }
+                            }
+                            th scope="col" { "rate" }
+                            th scope="col" { "used" }
+                        }
+                    }
+                    tbody { @for (k, joint) in spec.joints.iter().enumerate() { (row(joint, report, k, &times)) } }
+                }
+            }
+        }
+    }
+}
+
+fn row(joint: &JointSpec, report: &Report, index: usize, times: &[f64]) -> Markup {
+    let told: Vec<&JointReport> = report.frames.iter().filter_map(|frame| frame.joints.get(index)).collect();
+    let bone = told.first().map_or(joint.bones[0].as_str(), |joint| joint.bone.as_str());
+    let heading: Vec<f64> = told.iter().map(|joint| joint.heading_deg).collect();
+    let pitch: Vec<f64> = told.iter().map(|joint| joint.pitch_deg).collect();
+    let fastest = [(joint.heading, &heading), (joint.pitch, &pitch)]
+        .into_iter()
+        .filter_map(|(range, values)| Some(speeds(times, values, range?)))
+        .flatten()
+        .filter(|speed| speed.is_finite())
+        .fold(0.0, f64::max);
+    let limited = told.iter().filter(|joint| joint.at_limit).count();
+    let frame = &joint.frame;
+    html! {
+        tr {
+            th scope="row" {
+                (bone)
+                @if bone != joint.name { " " small { "declared as " (joint.name) } }
+            }
+            td { (axis(frame.up)) " " (axis(frame.forward)) " " (axis(frame.left)) }
+            (angle(joint.heading, joint.absolute, &heading))
+            (angle(joint.pitch, joint.absolute, &pitch))
+            td { (trimmed(joint.rate.to_degrees(), 1)) }
+            td { (fixed(fastest, 1)) }
+            td { (trimmed(joint.comfort, 3)) }
+            td { (limited) " of " (told.len()) }
+        }
+    }
+}
+
+fn angle(range: Option<AngleRange>, absolute: bool, values: &[f64]) -> Markup {
+    let span = |low: f64, high: f64| format!("{}° … {}°", shown(low, 1), shown(high, 1));
+    let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(*v), high.max(*v)));
+    html! {
+        td {
+            @match range {
+                None => "–",
+                Some(AngleRange::Free) => "free",
+                Some(AngleRange::Between(low, high)) => {
+                    (span(low.to_degrees(), high.to_degrees()))
+                    @if absolute { " " small { "absolute" } }
+                }
+            }
+        }
+        td { @if range.is_some() && low <= high { (span(low, high)) } @else { "–" } }
+    }
+}
+
+/// `+X`, or the vector where it is no axis.
+fn axis(v: [f64; 3]) -> String {
+    for (k, name) in ["X", "Y", "Z"].iter().enumerate() {
+        if v[k].abs() > 1.0 - 1e-9 {
+            return format!("{}{name}", if v[k] < 0.0 { '-' } else { '+' });
+        }
+    }
+    format!("({})", v.map(|x| fixed(x, 3)).join(", "))
+}

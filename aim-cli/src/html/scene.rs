@@ -1,0 +1,245 @@
+//! The character as it is drawn: one camera for the whole film, the skinned surface as a picture, or else its bones.
+
+use std::collections::HashMap;
+
+use aim_codegen::RigSpec;
+use aim_gltf::{ChainNodes, Document, Frame, Measurement, Role, Surface};
+use glam::{DAffine3, DVec3};
+use maud::{Markup, html};
+
+use super::raster::{Corner, Face, Paint, Picture};
+use super::words::n;
+
+/// The size of a drawing, and the pixels of its picture for each unit of it.
+pub(super) const WIDTH: f64 = 240.0;
+pub(super) const HEIGHT: f64 = 250.0;
+const PIXELS: usize = 2;
+/// The camera stands this far to the effector's side of the front, and this far above.
+const ASIDE_DEG: f64 = 27.0;
+const ABOVE_DEG: f64 = 9.0;
+/// A head's length for its width.
+const WIDE: f64 = 1.6;
+/// The window's height in heads, and as a share of a character without any surface.
+const HEADS: f64 = 2.5;
+const OF_HEIGHT: f64 = 0.36;
+/// How far above the middle of the window the head is, as a share of it.
+const RAISED: f64 = 0.14;
+/// The colour of surfaces whose own is not known, sRGB.
+const CLAY: [f64; 3] = [0.80, 0.70, 0.62];
+
+/// All that the drawings share.
+pub(super) struct Scene<'a> {
+    document: &'a Document,
+    pub(super) measurement: Measurement,
+    surface: Surface,
+    /// For each vertex the one that its normal is shared with.
+    welded: Vec<usize>,
+    pub(super) chain: ChainNodes,
+    eyes: Vec<Eye>,
+    pub(super) camera: Camera,
+    /// The effector in its bone's space.
+    pub(super) origin: DVec3,
+    pub(super) forward: DVec3,
+}
+
+/// A bone whose surface is an eyeball: it looks along `forward` of its own space.
+struct Eye {
+    node: usize,
+    centre: DVec3,
+    forward: DVec3,
+}
+
+/// Parallel projection along `toward`; it goes where the bone `follows` goes, and never turns.
+pub(super) struct Camera {
+    pub(super) right: DVec3,
+    up: DVec3,
+    pub(super) toward: DVec3,
+    follows: Option<usize>,
+    /// The middle of the drawing, from the bone that is followed.
+    middle: DVec3,
+    /// Units of the drawing for a unit of the world.
+    pub(super) scale: f64,
+}
+
+impl Camera {
+    /// Right, down, and near.
+    pub(super) fn project(&self, point: DVec3, world: &[DAffine3]) -> DVec3 {
+        let v = point - self.middle - at(self.follows, world);
+        DVec3::new(
+            WIDTH / 2.0 + self.scale * v.dot(self.right),
+            HEIGHT / 2.0 - self.scale * v.dot(self.up),
+            v.dot(self.toward),
+        )
+    }
+
+    fn turn(&self, v: DVec3) -> DVec3 {
+        DVec3::new(v.dot(self.right), v.dot(self.up), v.dot(self.toward))
+    }
+}
+
+fn at(node: Option<usize>, world: &[DAffine3]) -> DVec3 {
+    node.map_or(DVec3::ZERO, |node| world[node].translation)
+}
+
+impl<'a> Scene<'a> {
+    pub(super) fn new<'f>(
+        spec: &RigSpec,
+        document: &'a Document,
+        drawn: impl Iterator<Item = &'f Frame> + Clone,
+    ) -> Option<Self> {
+        let skeleton = document.skeleton();
+        let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
+        let chain = ChainNodes::find(skeleton, bones, spec.joints[0].pair.as_deref()).ok()?;
+        let (measurement, surface) = (Measurement::of(document), document.surface());
+        let (origin, forward) = (DVec3::from(spec.effector.origin), DVec3::from(spec.effector.frame.forward));
+        let bind = &measurement.bind_world;
+        let role = |node: usize| measurement.bone(node).and_then(|bone| bone.role);
+        let first = chain.joints[0];
+        let is_eye = chain.pair.is_some() || matches!(role(first), Some(Role::LeftEye | Role::RightEye));
+        let mut eyes = Vec::new();
+        if is_eye {
+            eyes.push(Eye { node: first, centre: origin, forward });
+            let forward = bind[first].transform_vector3(forward);
+            eyes.extend(chain.pair.map(|node| Eye {
+                node,
+                centre: DVec3::ZERO,
+                forward: bind[node].inverse().transform_vector3(forward).normalize_or_zero(),
+            }));
+        }
+        // The head is what hangs on the bone that carries the eye.
+        let carrier = skeleton.ancestry(first).find(|node| role(*node) == Some(Role::Head));
+        let carrier = carrier.or_else(|| skeleton.nodes()[first].parent.filter(|_| is_eye)).unwrap_or(first);
+        let follows = chain.joints.last().and_then(|node| skeleton.nodes()[*node].parent);
+        let middle_ws = measurement.bones.iter().map(|bone| bone.bind_world.translation.dot(measurement.left));
+        let (low, high) = middle_ws.fold((f64::MAX, f64::MIN), |(lo, hi), x| (lo.min(x), hi.max(x)));
+        let eye_bind = bind[first].transform_point3(origin);
+        let side = if eye_bind.dot(measurement.left) * 2.0 < low + high - 1e-6 { -1.0 } else { 1.0 };
+        let (aside, above) = ((side * ASIDE_DEG).to_radians(), ABOVE_DEG.to_radians());
+        let level = measurement.forward * aside.cos() + measurement.left * aside.sin();
+        let toward = level * above.cos() + measurement.up * above.sin();
+        let right = measurement.up.cross(toward).normalize_or(measurement.left);
+        let mut camera = Camera { right, up: toward.cross(right), toward, follows, middle: DVec3::ZERO, scale: 1.0 };
+        let positions = surface.positions(skeleton, bind);
+        let head = extent(document, &surface, &positions, carrier);
+        let known = if measurement.height > 0.0 { measurement.height } else { 1.0 };
+        // A head is as wide as its skull, however long its hair is.
+        let size = head.map_or(OF_HEIGHT * known / HEADS, |(low, high)| {
+            let wide = (high - low).dot(measurement.left.abs());
+            (high - low).max_element().min(WIDE * wide).clamp(0.04 * known, 0.6 * known)
+        });
+        // Where the effector goes, from the bone that is followed: long necks need more room than heads.
+        let (mut low, mut high) = (DVec3::MAX, DVec3::MIN);
+        for frame in drawn {
+            let place = frame.world[first].transform_point3(origin) - at(follows, &frame.world);
+            if place.is_finite() {
+                (low, high) = (low.min(camera.turn(place)), high.max(camera.turn(place)));
+            }
+        }
+        let (spread, centre) = if low.x <= high.x { (high - low, (low + high) * 0.5) } else { Default::default() };
+        let room = (spread.x + 1.5 * size).max((spread.y + 1.1 * size) / (1.0 - 2.0 * RAISED));
+        let window = (HEADS * size).max(room);
+        camera.scale = HEIGHT / window;
+        let middle = head.map_or(DVec3::ZERO, |(low, high)| {
+            let down = ((high - low).dot(measurement.up) - size) * 0.5;
+            (low + high) * 0.5 + measurement.up * down - eye_bind
+        });
+        let centre = camera.right * centre.x + camera.up * centre.y + camera.toward * centre.z;
+        camera.middle = centre + middle - camera.up * (RAISED * window);
+        let welded = weld(&positions, known);
+        Some(Self { document, measurement, surface, welded, chain, eyes, camera, origin, forward })
+    }
+
+    /// The surface as a picture.
+    pub(super) fn figure(&self, world: &[DAffine3]) -> Option<String> {
+        let skeleton = self.document.skeleton();
+        let positions = self.surface.positions(skeleton, world);
+        let normals = self.normals(&positions);
+        let eyes: Vec<(usize, Paint)> = self
+            .eyes
+            .iter()
+            .map(|eye| {
+                let centre = world[eye.node].transform_point3(eye.centre);
+                let gaze = world[eye.node].transform_vector3(eye.forward).normalize_or_zero();
+                (eye.node, Paint::Eye { centre, gaze })
+            })
+            .collect();
+        let pixels = PIXELS as f64;
+        let mut picture = Picture::new(WIDTH as usize * PIXELS, HEIGHT as usize * PIXELS);
+        for triangle in self.surface.triangles() {
+            let [a, b, c] = triangle.vertices.map(|vertex| positions[vertex]);
+            let flat = (b - a).cross(c - a).normalize_or_zero();
+            let node = self.surface.node_of(skeleton, triangle.vertices[0]);
+            let eye = eyes.iter().find(|(eye, _)| Some(*eye) == node).map(|(_, paint)| *paint);
+            let corners = triangle.vertices.map(|vertex| {
+                let screen = self.camera.project(positions[vertex], world);
+                // Past 60° an edge is an edge.
+                let normal = if normals[vertex].dot(flat) > 0.5 { normals[vertex] } else { flat };
+                Corner {
+                    screen: DVec3::new(screen.x * pixels, screen.y * pixels, screen.z),
+                    normal: self.camera.turn(normal),
+                    world: positions[vertex],
+                }
+            });
+            picture.draw(&Face { corners, paint: eye.unwrap_or(Paint::Plain(triangle.colour.map_or(CLAY, srgb))) });
+        }
+        picture.data_uri()
+    }
+
+    /// Unit normals, smooth where vertices share a place.
+    fn normals(&self, positions: &[DVec3]) -> Vec<DVec3> {
+        let mut sums = vec![DVec3::ZERO; positions.len()];
+        for triangle in self.surface.triangles() {
+            let [a, b, c] = triangle.vertices.map(|vertex| positions[vertex]);
+            for vertex in triangle.vertices {
+                sums[self.welded[vertex]] += (b - a).cross(c - a);
+            }
+        }
+        self.welded.iter().map(|at| sums[*at].normalize_or_zero()).collect()
+    }
+
+    /// Lines from bone to bone, the rig's own ones thicker.
+    pub(super) fn bones(&self, world: &[DAffine3]) -> Markup {
+        let nodes = self.document.skeleton().nodes();
+        let shown = |node: usize| self.camera.project(world[node].translation, world);
+        let lines = self.measurement.bones.iter().filter_map(|bone| Some((bone.node, nodes[bone.node].parent?)));
+        html! {
+            @for (node, parent) in lines {
+                @let (a, b) = (shown(parent), shown(node));
+                @if a.is_finite() && b.is_finite() {
+                    line.bone x1=(n(a.x)) y1=(n(a.y)) x2=(n(b.x)) y2=(n(b.y)) {}
+                }
+            }
+            @for &joint in &self.chain.joints {
+                @let p = shown(joint);
+                @if p.is_finite() { circle.joint cx=(n(p.x)) cy=(n(p.y)) r="4.5" {} }
+            }
+        }
+    }
+}
+
+/// Each vertex's first vertex at the same place in the bind pose.
+fn weld(positions: &[DVec3], size: f64) -> Vec<usize> {
+    let mut first = HashMap::new();
+    let grain = 1e-5 * size;
+    let key = |p: &DVec3| (*p / grain).round().to_array().map(|x| (x + 0.0).to_bits());
+    positions.iter().enumerate().map(|(index, p)| *first.entry(key(p)).or_insert(index)).collect()
+}
+
+/// The lowest and highest coordinates of the surface that hangs on `carrier`; where none does, on the bones below it.
+fn extent(document: &Document, surface: &Surface, positions: &[DVec3], carrier: usize) -> Option<(DVec3, DVec3)> {
+    let skeleton = document.skeleton();
+    let below: Vec<bool> =
+        (0..skeleton.nodes().len()).map(|node| skeleton.ancestry(node).any(|at| at == carrier)).collect();
+    let among = |wanted: &dyn Fn(usize) -> bool| {
+        let vertices = surface.triangles().iter().flat_map(|triangle| triangle.vertices);
+        let on_it = vertices.filter(|vertex| surface.node_of(skeleton, *vertex).is_some_and(wanted));
+        let finite = on_it.map(|vertex| positions[vertex]).filter(|p| p.is_finite());
+        finite.map(|p| (p, p)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p)))
+    };
+    among(&|node| node == carrier).or_else(|| among(&|node| below[node]))
+}
+
+fn srgb(linear: [f64; 3]) -> [f64; 3] {
+    // A tenth of clay keeps black cloth apart from a dark page.
+    std::array::from_fn(|i| 0.9 * linear[i].powf(1.0 / 2.2) + 0.1 * CLAY[i])
+}

@@ -1,0 +1,175 @@
+//! The bake in words and numbers: nothing here is claimed, all of it is counted or measured from the report.
+
+use aim_codegen::RigSpec;
+use maud::{Markup, html};
+
+use super::words::{self, STATUSES, chip, counted, fixed, listed, shown, status, tiny, trimmed};
+use crate::report::Report;
+
+/// An excess over a rate or a range up to this is rounding.
+const ROUNDING: f64 = 1e-2;
+
+/// Frames of each status, in the order of [`STATUSES`].
+fn counts(report: &Report) -> Vec<(&'static str, usize)> {
+    let count = |word: &str| report.frames.iter().filter(|frame| frame.status == word).count();
+    STATUSES.iter().map(|(word, ..)| (*word, count(word))).filter(|(_, frames)| *frames > 0).collect()
+}
+
+#[expect(clippy::cast_precision_loss, reason = "bakes have far fewer than 2^52 frames")]
+fn percent(part: usize, of: usize) -> f64 {
+    part as f64 / of.max(1) as f64 * 100.0
+}
+
+/// The summary: a paragraph, the share of each status, the facts.
+pub(super) fn section(spec: &RigSpec, report: &Report) -> Markup {
+    let counts = counts(report);
+    let all = report.frames.len();
+    html! {
+        section.summary {
+            p.lead { (in_words(spec, report)) }
+            (shares(&counts, all))
+            div.facts {
+                table {
+                    caption { "What was aimed" }
+                    tbody {
+                        @for (name, value) in facts(spec, report) { tr { th scope="row" { (name) } td { (value) } } }
+                    }
+                }
+                table {
+                    caption { "What came of it" }
+                    tbody {
+                        @for (word, frames) in &counts {
+                            tr {
+                                th scope="row" { span.chip { (chip(word)) (status(word)) } }
+                                td { (counted(*frames, "frame")) ", " (fixed(percent(*frames, all), 1)) " %" }
+                            }
+                        }
+                        @for (name, value) in measured(report) { tr { th scope="row" { (name) } td { (value) } } }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn solver(word: &str) -> &str {
+    match word {
+        "ascent" => "steepest ascent",
+        "exact" => "the exact whole-chain solver",
+        "natural" => "the natural solver",
+        other => other,
+    }
+}
+
+fn in_words(spec: &RigSpec, report: &Report) -> String {
+    let bones: Vec<&str> = match report.frames.first() {
+        Some(frame) => frame.joints.iter().map(|joint| joint.bone.as_str()).collect(),
+        None => spec.joints.iter().map(|joint| joint.name.as_str()).collect(),
+    };
+    let all = report.frames.len();
+    let mut text = format!(
+        "{} of {} followed a target for {} s, turned by {} on top of the clip “{}”. ",
+        listed(&bones),
+        report.rig,
+        trimmed(seconds(report), 2),
+        solver(report.solver),
+        report.clip
+    );
+    let reached = report.summary.reached;
+    text += &match reached {
+        0 => format!("None of the {} came on target", counted(all, "frame")),
+        n if n == all => format!("All {} are on target", counted(all, "frame")),
+        n => format!("{n} of {} are on target", counted(all, "frame")),
+    };
+    if reached > 0 {
+        text += &format!(", {} off it at worst", words::degrees(report.summary.max_error_deg_reached));
+    }
+    let others: Vec<String> = counts(report)
+        .iter()
+        .filter(|(word, _)| *word != "reached")
+        .map(|(word, frames)| match *word {
+            "behind" => format!("{frames} with the target behind the character"),
+            word => format!("{frames} {}", status(word)),
+        })
+        .collect();
+    if !others.is_empty() {
+        text += &format!("; {}", listed(&others.iter().map(String::as_str).collect::<Vec<_>>()));
+    }
+    text += ". ";
+    let (range, rate) = (report.summary.max_limit_violation_deg, report.summary.max_rate_violation_deg_s);
+    text += match (range <= ROUNDING, rate <= ROUNDING) {
+        (true, true) => "Every angle stayed within its range and every speed within its rate.",
+        (true, false) => "Every angle stayed within its range, but a rate was exceeded.",
+        (false, true) => "Every speed stayed within its rate, but an angle left its range.",
+        (false, false) => "A rate was exceeded and an angle left its range.",
+    };
+    text
+}
+
+fn seconds(report: &Report) -> f64 {
+    match (report.frames.first(), report.frames.last()) {
+        (Some(first), Some(last)) => f64::from(last.t) - f64::from(first.t),
+        _ => 0.0,
+    }
+}
+
+/// One bar, a part of it for each status.
+fn shares(counts: &[(&str, usize)], all: usize) -> Markup {
+    let label: Vec<String> =
+        counts.iter().map(|(word, n)| format!("{} {} %", status(word), fixed(percent(*n, all), 1))).collect();
+    let mut start = 0.0;
+    let parts: Vec<(&str, f64, f64)> = counts
+        .iter()
+        .map(|(word, frames)| {
+            let (from, width) = (start, percent(*frames, all));
+            start += width;
+            (*word, from, width)
+        })
+        .collect();
+    html! {
+        @if !parts.is_empty() {
+            svg.shares viewBox="0 0 100 2" preserveAspectRatio="none" role="img" aria-label=(label.join(", ")) {
+                @for (word, from, width) in parts {
+                    rect class={ "status " (word) } x=(trimmed(from, 3)) width=(trimmed(width, 3)) height="2" {}
+                }
+            }
+        }
+    }
+}
+
+fn facts(spec: &RigSpec, report: &Report) -> Vec<(&'static str, String)> {
+    let vector = |v: [f64; 3]| v.map(|x| shown(x, 4)).join(", ");
+    let bone = report.frames.first().and_then(|frame| frame.joints.first()).map_or("", |joint| joint.bone.as_str());
+    let mut facts = vec![
+        ("Rig", report.rig.clone()),
+        ("Clip", report.clip.clone()),
+        ("Length", format!("{} s", trimmed(seconds(report), 3))),
+        ("Frames", format!("{}, {} a second", report.frames.len(), trimmed(report.fps.into(), 3))),
+        ("Solver", solver(report.solver).to_owned()),
+        ("Effector", format!("{bone}, along ({})", vector(spec.effector.frame.forward))),
+    ];
+    if spec.effector.origin != [0.0; 3] {
+        facts.push(("Its origin", format!("({})", vector(spec.effector.origin))));
+    }
+    if let Some(pair) = &spec.joints[0].pair {
+        facts.push(("Turns with it", pair.clone()));
+    }
+    facts
+}
+
+fn measured(report: &Report) -> Vec<(&'static str, String)> {
+    let held = |value: f64, unit: &str| match value {
+        x if x <= 0.0 => "held".to_owned(),
+        x if x <= ROUNDING => format!("held, within {}", tiny(x, unit)),
+        x => format!("exceeded by up to {}", tiny(x, unit)),
+    };
+    let summary = &report.summary;
+    let worst = report.frames.iter().map(|frame| frame.error_deg).fold(0.0, f64::max);
+    let on_target = if summary.reached > 0 { words::degrees(summary.max_error_deg_reached) } else { "–".into() };
+    vec![
+        ("Worst error on target", on_target),
+        ("Worst error of all", words::degrees(worst)),
+        ("Ranges of motion", held(summary.max_limit_violation_deg, "°")),
+        ("Rates", held(summary.max_rate_violation_deg_s, "°/s")),
+    ]
+}

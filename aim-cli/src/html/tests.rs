@@ -1,0 +1,167 @@
+//! The page as a whole: it parses, says everything once more for hostile names, and works when nearly nothing is there.
+
+use aim_codegen::RigSpec;
+use aim_gltf::{Baked, ChainNodes, Document, PAPER_AXES, Plan, Settle, bake, mannequin};
+use aim_runtime::Settings;
+use glam::DVec3;
+use scraper::{Html, Selector};
+
+use super::page;
+use crate::interpreted::InterpretedRig;
+use crate::report::Report;
+
+const RIG: &str = include_str!("../../../rigs/mannequin.toml");
+
+/// A file of bones alone, with a name that wants to be markup.
+const HOSTILE: &str = "<script>alert(\"1\")</script>&'";
+const BONES: &str = r#"{"asset":{"version":"2.0"},"nodes":[
+    {"name":"hips","children":[1],"translation":[0,1,0]},
+    {"name":"neck","children":[2],"translation":[0,0.4,0]},
+    {"name":"<script>alert(\"1\")</script>&'","translation":[0,0.2,0.1]}]}"#;
+const BONES_RIG: &str = r#"
+    name = "Bones"
+    handedness = "right"
+    bones = { up = "+Y", forward = "+Z", left = "+X" }
+    [[joint]]
+    name = "eye"
+    bone = "<script>alert(\"1\")</script>&'"
+    heading = ["-30deg", "30deg"]
+    rate = "90deg"
+    [[joint]]
+    name = "neck"
+    heading = "free"
+    pitch = ["-40deg", "30deg"]
+    rate = "60deg"
+"#;
+
+struct Case {
+    spec: RigSpec,
+    document: Document,
+    baked: Baked,
+    report: Report,
+}
+
+impl Case {
+    fn new(rig: &str, model: &[u8], seconds: f32) -> Self {
+        let spec = aim_codegen::declare::from_toml("rig.toml", rig).expect("a sound rig");
+        let document = Document::from_bytes(model).expect("a sound model");
+        let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
+        let chain = ChainNodes::find(document.skeleton(), bones, spec.joints[0].pair.as_deref()).expect("bones");
+        let plan = Plan {
+            document: &document,
+            clip: document.clips().first(),
+            chain: &chain,
+            seconds,
+            fps: 30.0,
+            settle: Settle::Animation,
+            looped: false,
+            settings: Settings::default(),
+        };
+        let target = |t: f32, _: &[_]| DVec3::new(2.0 * f64::from(t).sin(), 1.7, 2.0 * f64::from(t).cos());
+        let baked = bake(&mut InterpretedRig::new(&spec), &plan, target, |_, _| {}).expect("a clip");
+        let names: Vec<String> =
+            chain.joints.iter().map(|&node| document.skeleton().nodes()[node].name.clone()).collect();
+        let report = Report::new(&spec, "ascent", 30.0, &names, None, &baked);
+        Self { spec, document, baked, report }
+    }
+
+    fn mannequin(seconds: f32) -> Self {
+        Self::new(RIG, &mannequin(|_| PAPER_AXES).expect("constants"), seconds)
+    }
+
+    /// The first `frames` frames only.
+    fn cut(mut self, frames: usize) -> Self {
+        self.baked.frames.truncate(frames);
+        self.report.frames.truncate(frames);
+        self
+    }
+
+    fn page(&self) -> String {
+        page(&self.spec, &self.report, &self.document, &self.baked)
+    }
+}
+
+/// Parses, and fails on anything that a strict parser has to mend.
+#[track_caller]
+fn parsed(page: &str) -> Html {
+    let html = Html::parse_document(page);
+    assert!(html.errors.is_empty(), "{:?}", html.errors);
+    // Pictures may spell anything.
+    let text: String = page
+        .split("base64,")
+        .enumerate()
+        .map(|(k, part)| part.split_at(if k > 0 { part.find('"').unwrap_or(0) } else { 0 }).1)
+        .collect();
+    for outside in ["http:", "https:", "<script", "<link", "@import", "NaN", "inf "] {
+        assert!(!text.contains(outside), "{outside}");
+    }
+    html
+}
+
+fn count(html: &Html, selector: &str) -> usize {
+    html.select(&Selector::parse(selector).expect("a selector")).count()
+}
+
+#[test]
+fn the_mannequins_page_is_whole() {
+    let case = Case::mannequin(6.3);
+    let text = case.page();
+    let html = parsed(&text);
+    assert_eq!(count(&html, "head > title"), 1);
+    assert_eq!(count(&html, ".film li image"), 8, "eight drawings of the skin");
+    assert_eq!(count(&html, ".chart"), 3 + 2 * case.spec.joints.len(), "error, two directions, two for each joint");
+    assert_eq!(count(&html, ".rig tbody tr"), case.spec.joints.len());
+    for joint in &case.spec.joints {
+        assert!(text.contains(&format!("{}: angles and ranges", joint.name)), "{}", joint.name);
+    }
+    let drawings = count(&html, "svg");
+    assert_eq!(count(&html, "svg[aria-label], svg[aria-hidden]"), drawings, "every drawing is named or an ornament");
+    assert!(text.len() < 1_500_000, "{} bytes", text.len());
+    assert_eq!(text, case.page(), "the same bake makes the same page");
+}
+
+#[test]
+fn bones_without_skin_or_clip_are_lines_and_hostile_names_are_text() {
+    let case = Case::new(BONES_RIG, BONES.as_bytes(), 2.0);
+    assert_eq!(case.spec.joints[0].bones, [HOSTILE]);
+    let text = case.page();
+    let html = parsed(&text);
+    assert!(count(&html, ".film line.bone") >= 8, "bones are drawn");
+    assert_eq!((count(&html, "image"), count(&html, "script")), (0, 0));
+    let rows: Vec<String> =
+        html.select(&Selector::parse(".rig tbody th").expect("a selector")).map(|cell| cell.text().collect()).collect();
+    assert!(rows[0].starts_with(HOSTILE) && rows[1].starts_with("neck"), "{rows:?}");
+}
+
+#[test]
+fn one_frame_and_none_make_a_page() {
+    for frames in [1, 0] {
+        let text = Case::mannequin(0.5).cut(frames).page();
+        let html = parsed(&text);
+        assert_eq!(count(&html, ".film li"), frames);
+        assert_eq!(count(&html, ".rig tbody tr"), 3);
+    }
+}
+
+#[test]
+fn a_target_without_a_direction_is_told() {
+    let mut case = Case::mannequin(0.5);
+    for (frame, told) in case.baked.frames.iter_mut().zip(&mut case.report.frames) {
+        frame.target = DVec3::NAN;
+        (told.status, told.error_deg) = ("degenerate", 90.0);
+    }
+    assert!(case.page().contains("no direction"));
+    parsed(&case.page());
+}
+
+#[test]
+fn an_hour_is_hardly_larger_than_a_second() {
+    let mut case = Case::mannequin(0.5);
+    let frame = case.baked.frames[0].clone();
+    let times = (0_u16..20_000).map(|k| f32::from(k) * 0.18);
+    case.baked.frames = times.map(|t| aim_gltf::Frame { t, ..frame.clone() }).collect();
+    let names: Vec<String> = case.spec.joints.iter().map(|joint| joint.name.clone()).collect();
+    case.report = Report::new(&case.spec, "ascent", 30.0, &names, None, &case.baked);
+    let size = case.page().len();
+    assert!(size < 1_500_000, "{size} bytes");
+}

@@ -1,0 +1,102 @@
+//! Numbers and statuses as people read them; the same number always becomes the same text.
+
+use maud::{Markup, html};
+
+/// Statuses in the order in which they are listed: the contract's word, ours, what it means.
+pub(super) const STATUSES: [(&str, &str, &str); 5] = [
+    ("reached", "on target", "within the tolerance of the target"),
+    ("rate_limited", "on the way", "within reach as soon as the rates allow"),
+    ("at_limit", "out of reach", "beyond the ranges of motion"),
+    ("behind", "behind", "the target is behind the character"),
+    ("degenerate", "no direction", "the target or the pose has no direction to aim along"),
+];
+
+/// A status in our words; one that is not known in its own.
+pub(super) fn status(word: &str) -> &str {
+    STATUSES.iter().find(|(own, ..)| *own == word).map_or(word, |(_, ours, _)| ours)
+}
+
+/// A small patch of a status's colour.
+pub(super) fn chip(status: &str) -> Markup {
+    html! { svg.patch viewBox="0 0 10 10" aria-hidden="true" { rect class={ "status " (status) } width="10" height="10" rx="2" {} } }
+}
+
+/// A coordinate of a drawing: one decimal, nothing superfluous.
+pub(super) fn n(value: f64) -> String {
+    trimmed(value, 1)
+}
+
+/// With that many decimals, less the zeros at the end.
+pub(super) fn trimmed(value: f64, decimals: usize) -> String {
+    let text = fixed(value, decimals);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// With exactly that many decimals; zero has no sign.
+pub(super) fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let is_zero = text.starts_with('-') && text.chars().all(|c| matches!(c, '-' | '0' | '.'));
+    if is_zero { text[1..].to_owned() } else { text }
+}
+
+/// For reading: [`trimmed`], with the minus sign of print.
+pub(super) fn shown(value: f64, decimals: usize) -> String {
+    trimmed(value, decimals).replace('-', "−")
+}
+
+/// An angle: more decimals where it is small.
+pub(super) fn degrees(value: f64) -> String {
+    let decimals = match value.abs() {
+        x if x < 1.0 => 3,
+        x if x < 10.0 => 2,
+        _ => 1,
+    };
+    format!("{}°", fixed(value, decimals))
+}
+
+/// Something that ought to be nothing: its size to two digits, such as `4.9 × 10⁻⁵°/s`.
+pub(super) fn tiny(value: f64, unit: &str) -> String {
+    if value >= 1e-3 || value <= 0.0 {
+        return format!("{}{unit}", trimmed(value, 3));
+    }
+    let text = format!("{value:.1e}");
+    let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+    let raised = |c: char| match c.to_digit(10) {
+        Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
+        None => '⁻',
+    };
+    format!("{digits} × 10{}{unit}", power.chars().map(raised).collect::<String>())
+}
+
+/// `1 frame`, `2 frames`.
+pub(super) fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
+/// Names in a row: `a`, `a and b`, `a, b and c`.
+pub(super) fn listed(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [only] => (*only).to_owned(),
+        [front @ .., last] => format!("{} and {last}", front.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short_and_zero_has_no_sign() {
+        assert_eq!([n(-0.04), n(12.0), n(-3.25), n(0.06)], ["0", "12", "-3.2", "0.1"]);
+        assert_eq!([degrees(0.06392), degrees(3.14159), degrees(179.96)], ["0.064°", "3.14°", "180.0°"]);
+        assert_eq!([shown(-2.50, 2), shown(-0.001, 2)], ["−2.5", "0"]);
+        assert_eq!([tiny(0.0, "°"), tiny(4.9e-5, "°/s"), tiny(2.5, "°")], ["0°", "4.9 × 10⁻⁵°/s", "2.5°"]);
+    }
+
+    #[test]
+    fn lists_read_as_sentences() {
+        assert_eq!([listed(&["a"]), listed(&["a", "b"]), listed(&["a", "b", "c"])], ["a", "a and b", "a, b and c"]);
+        assert_eq!([counted(1, "frame"), counted(0, "frame")], ["1 frame", "0 frames"]);
+    }
+}

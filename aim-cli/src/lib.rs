@@ -1,0 +1,31 @@
+//! The `aim` command as a library: [`run`] parses arguments, runs one command, and says how it ended.
+//!
+//! [`InterpretedRig`] is the rig that is known only at run time.
+
+mod args;
+mod commands;
+mod failure;
+mod files;
+mod html;
+mod interpreted;
+mod measured;
+mod report;
+mod target;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+pub use interpreted::InterpretedRig;
+
+/// Runs the command that the process was started with.
+pub fn run() -> ExitCode {
+    let arguments = args::Arguments::parse();
+    match commands::run(arguments.command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("{failure}");
+            failure.exit_code()
+        }
+    }
+}

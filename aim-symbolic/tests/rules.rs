@@ -1,0 +1,268 @@
+//! Each rewriting rule alone, and all of them together on random expressions: values stay, derivatives are right.
+
+use aim_symbolic::rules::{ROTATIONS, RuleSet, SCALES};
+use aim_symbolic::{Angle, Bindings, Graph, Plane, Program, Rotation, Scalar, Settle, Vector};
+
+/// `SplitMix64`.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, end: u64) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (z ^ (z >> 31)) % end
+    }
+
+    fn number(&mut self) -> f64 {
+        f64::from(u32::try_from(self.below(2001)).expect("it is small")) / 1000.0 - 1.0
+    }
+}
+
+/// A graph with two points, two matrices and two angles to build expressions from.
+struct Material {
+    g: Graph,
+    points: Vec<Vector>,
+    rotations: Vec<Rotation>,
+    angles: [Angle; 2],
+    given: Vec<f64>,
+}
+
+fn material(random: &mut Random) -> Material {
+    let mut g = Graph::new();
+    let mut given = Vec::new();
+    let mut points = Vec::new();
+    for name in ["a", "b", "c"] {
+        points.push(g.vector_input(name));
+        given.extend([0; 3].map(|_| 3.0 * random.number()));
+    }
+    let mut rotations = Vec::new();
+    for name in ["m", "n"] {
+        rotations.push(g.rotation_input(name));
+        given.extend(rotation(random));
+    }
+    let angles = [g.angle("p"), g.angle("h")];
+    rotations.push(g.turn(Plane::XZ, angles[0]));
+    rotations.push(g.turn(Plane::XY, angles[1]));
+    rotations.push(g.basis([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]));
+    rotations.push(g.basis([[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, -1.0]]));
+    points.push(g.constant_vector([0.0, 1.0, 0.0]));
+    points.push(g.constant_vector([0.0, 0.0, 0.0]));
+    Material { g, points, rotations, angles, given }
+}
+
+/// The rows of a rotation by a random quaternion.
+fn rotation(random: &mut Random) -> [f64; 9] {
+    let [a, b, c, d] = [random.number() + 1.5, random.number(), random.number(), random.number()];
+    let n = a * a + b * b + c * c + d * d;
+    [
+        (a * a + b * b - c * c - d * d) / n,
+        2.0 * (b * c + a * d) / n,
+        2.0 * (b * d - a * c) / n,
+        2.0 * (b * c - a * d) / n,
+        (a * a - b * b + c * c - d * d) / n,
+        2.0 * (c * d + a * b) / n,
+        2.0 * (b * d + a * c) / n,
+        2.0 * (c * d - a * b) / n,
+        (a * a - b * b - c * c + d * d) / n,
+    ]
+}
+
+impl Material {
+    fn vector(&mut self, random: &mut Random, depth: u32) -> Vector {
+        if depth == 0 {
+            let which = random.below(self.points.len() as u64);
+            return self.points[usize::try_from(which).expect("it is small")];
+        }
+        match random.below(8) {
+            0 | 1 => {
+                let (v, w) = (self.vector(random, depth - 1), self.vector(random, depth - 1));
+                self.g.add_vectors(v, w)
+            }
+            2 => {
+                let (v, w) = (self.vector(random, depth - 1), self.vector(random, depth - 1));
+                self.g.sub_vectors(v, w)
+            }
+            3 => {
+                let v = self.vector(random, depth - 1);
+                self.g.neg_vector(v)
+            }
+            4 => {
+                let k = self.g.constant(random.number());
+                let v = self.vector(random, depth - 1);
+                self.g.scale(k, v)
+            }
+            _ => {
+                let rotation = self.rotation(random);
+                let v = self.vector(random, depth - 1);
+                self.g.rotate(rotation, v)
+            }
+        }
+    }
+
+    fn rotation(&mut self, random: &mut Random) -> Rotation {
+        let pick = |random: &mut Random| {
+            let which = random.below(self.rotations.len() as u64);
+            self.rotations[usize::try_from(which).expect("it is small")]
+        };
+        let (a, b) = (pick(random), pick(random));
+        match random.below(4) {
+            0 => self.g.transpose(a),
+            1 => self.g.compose(a, b),
+            _ => a,
+        }
+    }
+
+    fn scalar(&mut self, random: &mut Random) -> Scalar {
+        let depths = [0; 2].map(|_| u32::try_from(random.below(5)).expect("it is small"));
+        let [v, w] = depths.map(|depth| self.vector(random, depth));
+        match random.below(3) {
+            0 => self.g.dot(v, w),
+            1 => {
+                let n = self.g.norm(v);
+                let d = self.g.dot(v, w);
+                self.g.add(n, d)
+            }
+            _ => {
+                let unit = self.g.normalize(v);
+                self.g.dot(unit, w)
+            }
+        }
+    }
+
+    fn bindings(&self, random: &mut Random) -> Bindings {
+        Bindings::new(&self.g, &self.given, &[(self.angles[0], random.number()), (self.angles[1], random.number())])
+    }
+}
+
+fn assert_same(a: f64, b: f64, tolerance: f64, what: &str) {
+    assert!((a - b).abs() <= tolerance * a.abs().max(1.0), "{what}: {a} and {b}");
+}
+
+/// `NaN` stands nowhere, and neither do the derivatives of a norm at 0.
+fn is_regular(material: &Material, scalar: Scalar, bindings: &Bindings) -> bool {
+    let at = |steps: f64| {
+        let moved = bindings.moved(&material.g, material.angles[0], steps);
+        let moved = moved.moved(&material.g, material.angles[1], steps);
+        material.g.evaluate(scalar, &moved)
+    };
+    let (value, bend) = (at(0.0), at(0.05) - 2.0 * at(0.0) + at(-0.05));
+    value.is_finite() && bend.abs() < 0.1
+}
+
+#[test]
+fn every_rule_is_named_once() {
+    for rules in [ROTATIONS, SCALES] {
+        let mut names: Vec<&str> =
+            rules.vectors.iter().map(|(n, _)| *n).chain(rules.scalars.iter().map(|(n, _)| *n)).collect();
+        let count = names.len();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), count, "{names:?}");
+    }
+}
+
+#[test]
+fn each_rule_alone_applies_and_keeps_the_value() {
+    for (set, rules) in [("rotations", ROTATIONS), ("scales", SCALES)] {
+        for index in 0..rules.vectors.len() + rules.scalars.len() {
+            let (name, alone) = match index.checked_sub(rules.vectors.len()) {
+                None => {
+                    let rule = &rules.vectors[index..=index];
+                    (rule[0].0, RuleSet { vectors: rule, scalars: &[] })
+                }
+                Some(index) => {
+                    let rule = &rules.scalars[index..=index];
+                    (rule[0].0, RuleSet { vectors: &[], scalars: rule })
+                }
+            };
+            let mut applied = 0;
+            for seed in 0..600 {
+                let mut random = Random(seed);
+                let mut material = material(&mut random);
+                let stated = material.scalar(&mut random);
+                let bindings = material.bindings(&mut random);
+                let rewritten = material.g.rewrite_by(&[stated], &alone)[0];
+                let (before, after) =
+                    (material.g.evaluate(stated, &bindings), material.g.evaluate(rewritten, &bindings));
+                // A direction of nothing but rounding is anything; the rest stays to rounding.
+                if is_regular(&material, stated, &bindings) {
+                    assert_same(before, after, 1e-9, &format!("{set}: {name}, seed {seed}"));
+                    applied += usize::from(rewritten != stated);
+                }
+            }
+            assert!(applied > 0, "{set}: {name} never applied");
+        }
+    }
+}
+
+#[test]
+fn rewriting_settles() {
+    for seed in 0..600 {
+        let mut random = Random(seed);
+        let mut material = material(&mut random);
+        let stated = material.scalar(&mut random);
+        let once = material.g.rewrite(stated);
+        let twice = material.g.rewrite(once);
+        assert_eq!(once, twice, "seed {seed}");
+    }
+}
+
+#[test]
+fn derived_programs_agree_with_central_differences_on_random_expressions() {
+    let mut compared = 0;
+    for seed in 0..600 {
+        let mut random = Random(seed);
+        let mut material = material(&mut random);
+        let stated = material.scalar(&mut random);
+        let bindings = material.bindings(&mut random);
+        if !is_regular(&material, stated, &bindings) {
+            continue;
+        }
+        compared += 1;
+        let angles = material.angles;
+        let program = Program::derive(&mut material.g, &[stated], &angles);
+        let mut out = [0.0; 3];
+        program.run(bindings.inputs(), &mut out);
+        assert_same(material.g.evaluate(stated, &bindings), out[0], 1e-9, &format!("seed {seed}, value"));
+        for (angle, derived) in angles.into_iter().zip(&out[1..]) {
+            let moved = |step: f64| material.g.evaluate(stated, &bindings.moved(&material.g, angle, step));
+            let weighted = |n: f64, weight: f64| weight * (moved(n * 1e-3) - moved(-n * 1e-3));
+            let difference = (weighted(1.0, 45.0) + weighted(2.0, -9.0) + weighted(3.0, 1.0)) / 60e-3;
+            assert_same(difference, *derived, 1e-6, &format!("seed {seed}, derivative"));
+        }
+    }
+    assert!(compared > 300, "{compared}");
+}
+
+#[test]
+fn a_gradient_needs_no_rewriting_first() {
+    let mut random = Random(1);
+    let mut material = material(&mut random);
+    let [p, h] = material.angles;
+    let composed = material.g.compose(material.rotations[2], material.rotations[3]);
+    let turned = material.g.rotate(composed, material.points[0]);
+    let dot = material.g.dot(turned, material.points[1]);
+    let bindings = material.bindings(&mut random);
+    let gradient = material.g.gradient(dot, &[p, h], Settle::Late);
+    for (angle, derivative) in [p, h].into_iter().zip(gradient) {
+        let moved = |step: f64| material.g.evaluate(dot, &bindings.moved(&material.g, angle, step));
+        let difference = (moved(1e-5) - moved(-1e-5)) / 2e-5;
+        assert_same(difference, material.g.evaluate(derivative, &bindings), 1e-7, "composed turns");
+    }
+}
+
+#[test]
+fn derivation_is_deterministic() {
+    let derive = |seed| {
+        let mut random = Random(seed);
+        let mut material = material(&mut random);
+        let stated = material.scalar(&mut random);
+        let angles = material.angles;
+        Program::derive(&mut material.g, &[stated], &angles)
+    };
+    for seed in 0..50 {
+        assert_eq!(derive(seed), derive(seed), "seed {seed}");
+    }
+}

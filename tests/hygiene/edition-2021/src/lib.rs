@@ -1,0 +1,77 @@
+//! The derive in an older edition, wherever a struct can stand and whatever its fields are called.
+
+use aim::{AimRig, Joint};
+
+/// A rig made by a macro: its parts arrive in invisible groups.
+macro_rules! eye {
+    ($(#[$attribute:meta])* $visibility:vis $name:ident { $field:ident: $low:literal to $high:expr, $rate:literal }) => {
+        $(#[$attribute])*
+        #[derive(AimRig)]
+        #[aim(bones(up = +X, forward = +Y))]
+        $visibility struct $name {
+            #[joint(heading = $low..=$high, rate = $rate)]
+            $field: Joint,
+        }
+    };
+}
+
+eye! {
+    /// Public, and called as the kernel's own variables are.
+    pub Public { target: -20deg to 35deg, 450deg }
+}
+eye!(pub(crate) Restricted { formatter: -20deg to 35deg, 450deg });
+eye!(Private { r#try: -20deg to 35deg, 450deg });
+
+/// A keyword in Rust alone, which the declaration writes as `r#…`.
+#[derive(AimRig)]
+#[aim(bones(up = +X, forward = +Y))]
+pub struct Raw {
+    #[joint(heading = -20deg..=35deg, rate = 450deg)]
+    pub r#dyn: Joint,
+    #[joint(heading = -20deg..=35deg, rate = 450deg)]
+    r#gen: Joint,
+}
+
+/// A rig of a function's own.
+pub fn local() -> usize {
+    #[derive(AimRig)]
+    #[aim(bones(up = +X, forward = +Y))]
+    struct Local {
+        #[joint(heading = -20deg..=35deg, rate = 450deg)]
+        eye: Joint,
+    }
+
+    let in_a_closure = || {
+        #[derive(AimRig)]
+        #[aim(bones(up = +X, forward = +Y))]
+        struct Local {
+            #[joint(heading = -20deg..=35deg, rate = 450deg)]
+            eye: Joint,
+            #[joint(heading = -20deg..=35deg, rate = 450deg)]
+            head: Joint,
+        }
+        Local::default().joints().len()
+    };
+    Local::default().joints().len() + in_a_closure()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_those_of_the_fields() {
+        assert_eq!(Public::BONES, [["target"]]);
+        assert_eq!(Restricted::BONES, [["formatter"]]);
+        assert_eq!(Private::BONES, [["try"]]);
+        assert_eq!(Raw::BONES, [["dyn"], ["gen"]]);
+        let raw = Raw::default();
+        assert_eq!((raw.r#dyn, raw.r#gen), (Joint::default(), Joint::default()));
+        assert!(format!("{raw:?}").contains("gen: Joint"), "{raw:?}");
+    }
+
+    #[test]
+    fn scopes_are_kept_apart() {
+        assert_eq!(local(), 3);
+    }
+}

@@ -1,0 +1,141 @@
+//! A strict crate: what the derive expands to, and what `aim generate` writes into a file, pass every lint that such a
+//! crate denies. (`cargo clippy` judges the `clippy::` ones.)
+#![forbid(unsafe_code)]
+#![deny(
+    warnings,
+    future_incompatible,
+    let_underscore,
+    nonstandard_style,
+    rust_2018_idioms,
+    rust_2021_compatibility,
+    rust_2024_compatibility,
+    unused,
+    elided_lifetimes_in_paths,
+    explicit_outlives_requirements,
+    meta_variable_misuse,
+    missing_debug_implementations,
+    missing_docs,
+    non_local_definitions,
+    single_use_lifetimes,
+    trivial_casts,
+    trivial_numeric_casts,
+    unit_bindings,
+    unnameable_types,
+    unreachable_pub,
+    unused_import_braces,
+    unused_lifetimes,
+    unused_macro_rules,
+    unused_qualifications,
+    unused_results,
+    variant_size_differences,
+    clippy::all,
+    clippy::pedantic,
+    clippy::allow_attributes_without_reason,
+    clippy::arithmetic_side_effects,
+    clippy::as_conversions,
+    clippy::dbg_macro,
+    clippy::exhaustive_enums,
+    clippy::expect_used,
+    clippy::float_cmp_const,
+    clippy::indexing_slicing,
+    clippy::panic,
+    clippy::print_stdout,
+    clippy::std_instead_of_core,
+    clippy::todo,
+    clippy::undocumented_unsafe_blocks,
+    clippy::unwrap_used,
+    clippy::wildcard_enum_match_arm
+)]
+
+use aim::{AimRig, Joint};
+
+/// For everyone.
+#[derive(AimRig)]
+#[aim(bones(up = (0.0, 0.96, 0.28), forward = (0.6, -0.224, 0.768)), effector(forward = +Z))]
+pub struct Public {
+    /// The eye.
+    #[joint(heading = -0.6rad..=0.6rad, pitch = -0.4rad..=0.35rad, rate = 7.5rad, comfort = 0.5)]
+    pub eye: Joint,
+    #[joint(heading = free, rate = 170deg, bones(up = -Z, forward = +X), mirrored = true)]
+    neck: Joint,
+}
+
+#[derive(AimRig)]
+#[aim(bones(up = +X, forward = +Y))]
+pub(crate) struct Inside {
+    #[joint(heading = -35deg..=35deg, rate = 450deg)]
+    pub(crate) eye: Joint,
+}
+
+/// A rig of a private module, for everyone.
+pub use private::Hidden;
+
+mod private {
+    use aim::{AimRig, Joint};
+
+    /// The rig.
+    #[derive(AimRig)]
+    #[aim(bones(up = +X, forward = +Y))]
+    pub struct Hidden {
+        #[joint(pitch = -35deg..=35deg, rate = 450deg)]
+        eye: Joint,
+    }
+
+    #[derive(AimRig)]
+    #[aim(bones(up = +X, forward = +Y))]
+    struct Private {
+        #[joint(pitch = -35deg..=35deg, rate = 450deg)]
+        eye: Joint,
+    }
+
+    /// The joints of a rig that nobody else sees.
+    #[must_use]
+    pub fn joints() -> usize {
+        Private::default().joint_infos().len()
+    }
+}
+
+pub use private::joints;
+
+/// The joints of a rig that only this crate sees.
+#[must_use]
+pub fn inside() -> Joint {
+    Inside::default().eye
+}
+
+/// Code that was generated into a file: nothing excuses it from lints, as the expansion of a macro is excused.
+pub mod generated {
+    use aim::Joint;
+
+    /// The golden expansion's struct.
+    pub struct Thug {
+        left_eye: Joint,
+        neck: Joint,
+        spine3: Joint,
+    }
+
+    include!("../../../expected/thug.rs");
+
+    /// The golden expansion's struct.
+    pub struct General {
+        left_eye: Joint,
+        r#neck: Joint,
+    }
+
+    include!("../../../expected/general.rs");
+}
+
+/// A strict crate lints what `build.rs` wrote, too: the bundled rigs stand under the facade's own lints.
+#[cfg(test)]
+mod tests {
+    use super::{AimRig, Public, generated};
+
+    #[test]
+    fn the_rigs_are_usable() {
+        assert_eq!(super::joints(), 1);
+        assert_eq!(super::inside(), super::Joint::default());
+        assert_eq!(Public::default().joints().len(), 2);
+        assert_eq!(generated::Thug::default().joints().len(), 3);
+        assert_eq!(generated::General::default().joints().len(), 2);
+    }
+}

@@ -1,0 +1,76 @@
+//! The declarations whose expansions are golden: `tests/expected/NAME.rs` holds what the derive makes of each.
+
+/// Hands every declaration to the macro `$with`: a name, then the struct with its attributes, without the derive.
+///
+/// A macro over macros, because one test wants the text, another the struct with the derive, and a third the struct
+/// without it, beside the golden expansion.
+#[macro_export]
+macro_rules! declarations {
+    ($with:ident) => {
+        // The declaration of the documentation.
+        $with! {
+            thug
+            #[aim(bones(up = +X, forward = +Y, left = +Z))]
+            pub struct Thug {
+                #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, comfort = 0.5)]
+                left_eye: Joint,
+                #[joint(heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg)]
+                neck: Joint,
+                #[joint(heading = -20deg..=20deg, pitch = -10deg..=10deg, rate = 70deg, comfort = 4.0)]
+                spine3: Joint,
+            }
+        }
+
+        // Two hinges, one without limit, and a muzzle away from the barrel's bone.
+        $with! {
+            turret
+            #[aim(bones(up = +Y, forward = -Z), effector(origin = (0.0, 0.05, -0.8)))]
+            pub struct Turret {
+                #[joint(pitch = -10deg..=80deg, rate = 90deg)]
+                barrel: Joint,
+                #[joint(heading = free, rate = 2rad)]
+                base: Joint,
+            }
+        }
+
+        // A left-handed engine, the third axis left out.
+        $with! {
+            left_handed
+            #[aim(bones(up = +X, forward = +Y), handedness = left)]
+            pub struct LeftHanded {
+                #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]
+                eye: Joint,
+                #[joint(heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg, bones(down = +Z, back = +X))]
+                head: Joint,
+            }
+        }
+
+        // Axes off every cardinal direction, a mirrored bone, and every setting that a joint may have.
+        $with! {
+            general
+            #[aim(bones(up = (0.0, 0.96, 0.28), forward = (0.6, -0.224, 0.768)), effector(forward = +Z))]
+            pub struct General {
+                #[joint(
+                    heading = -0.6rad..=0.6rad,
+                    pitch = -0.4rad..=0.35rad,
+                    rate = 7.5rad,
+                    acceleration = 200rad,
+                    comfort = 0.5,
+                    bone = ["L_eye", "LeftEye"],
+                    pair = "R_eye"
+                )]
+                left_eye: Joint,
+                #[joint(
+                    heading = -60deg..=60deg,
+                    pitch = -40deg..=35deg,
+                    rate = 170deg,
+                    level = 0.5,
+                    range = absolute,
+                    bones(up = -Z, forward = +X),
+                    mirrored = true
+                )]
+                r#neck: Joint,
+            }
+        }
+    };
+}
