@@ -39,7 +39,7 @@ pub(crate) fn page(spec: &RigSpec, report: &Report, document: &Document, baked: 
                     h1 { (report.rig) " aimed over " q { (report.clip) } }
                     (summary::section(spec, report))
                     @if let Some(strip) = film::strip(spec, report, document, baked) { (film(strip)) }
-                    section {
+                    section.over-time {
                         h2 { "Over time" }
                         (charts::all(spec, report, document, baked))
                     }
@@ -53,7 +53,7 @@ pub(crate) fn page(spec: &RigSpec, report: &Report, document: &Document, baked: 
 
 fn film(strip: Markup) -> Markup {
     html! {
-        section {
+        section.film-strip {
             h2 { "How it looks" }
             p {
                 "Evenly over the whole length, always from the same side. The line is the gaze, the dot the target; where "

@@ -135,7 +135,7 @@ fn angles(base: &Base<'_>, joint: &JointSpec, report: &Report, index: usize) -> 
         .collect();
     let fastest = speed.series.iter().flat_map(|series| &series.values).filter(|v| v.is_finite());
     speed.scale = Scale::Linear(0.0, fastest.copied().fold(rate, f64::max) * 1.06);
-    speed.marks.push(Mark { value: rate, class: "plain", label: "rate".into() });
+    speed.marks.push(Mark { value: rate, class: "plain", label: format!("{}°/s", trimmed(rate, 1)) });
     html! {
         (chart.figure(&format!("{bone}: angles and ranges")))
         (speed.figure(&format!("{bone}: speed and rate")))

@@ -11,7 +11,7 @@ use crate::report::{JointReport, Report};
 pub(super) fn section(spec: &RigSpec, report: &Report) -> Markup {
     let times: Vec<f64> = report.frames.iter().map(|frame| frame.t.into()).collect();
     html! {
-        section {
+        section.rig-table {
             h2 { "The rig" }
             p {
                 "From the effector inward. Heading turns a bone's forward to its left, pitch turns it up; both are added "

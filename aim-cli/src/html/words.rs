@@ -65,7 +65,7 @@ pub(super) fn tiny(value: f64, unit: &str) -> String {
         Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
         None => '⁻',
     };
-    format!("{digits} × 10{}{unit}", power.chars().map(raised).collect::<String>())
+    format!("{digits} × 10{}\u{202f}{unit}", power.chars().map(raised).collect::<String>())
 }
 
 /// `1 frame`, `2 frames`.
@@ -91,7 +91,7 @@ mod tests {
         assert_eq!([n(-0.04), n(12.0), n(-3.25), n(0.06)], ["0", "12", "-3.2", "0.1"]);
         assert_eq!([degrees(0.06392), degrees(3.14159), degrees(179.96)], ["0.064°", "3.14°", "180.0°"]);
         assert_eq!([shown(-2.50, 2), shown(-0.001, 2)], ["−2.5", "0"]);
-        assert_eq!([tiny(0.0, "°"), tiny(4.9e-5, "°/s"), tiny(2.5, "°")], ["0°", "4.9 × 10⁻⁵°/s", "2.5°"]);
+        assert_eq!([tiny(0.0, "°"), tiny(4.9e-5, "°/s"), tiny(2.5, "°")], ["0°", "4.9 × 10⁻⁵\u{202f}°/s", "2.5°"]);
     }
 
     #[test]
