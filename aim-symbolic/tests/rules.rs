@@ -1,23 +1,12 @@
 //! Each rewriting rule alone, and all of them together on random expressions: values stay, derivatives are right.
 
+use fastrand::Rng;
+
 use aim_symbolic::rules::{ROTATIONS, RuleSet, SCALES};
 use aim_symbolic::{Angle, Bindings, Graph, Plane, Program, Rotation, Scalar, Settle, Vector};
 
-/// `SplitMix64`.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, end: u64) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        (z ^ (z >> 31)) % end
-    }
-
-    fn number(&mut self) -> f64 {
-        f64::from(u32::try_from(self.below(2001)).expect("it is small")) / 1000.0 - 1.0
-    }
+fn number(random: &mut Rng) -> f64 {
+    2.0 * random.f64() - 1.0
 }
 
 /// A graph with two points, two matrices and two angles to build expressions from.
@@ -29,13 +18,13 @@ struct Material {
     given: Vec<f64>,
 }
 
-fn material(random: &mut Random) -> Material {
+fn material(random: &mut Rng) -> Material {
     let mut g = Graph::new();
     let mut given = Vec::new();
     let mut points = Vec::new();
     for name in ["a", "b", "c"] {
         points.push(g.vector_input(name));
-        given.extend([0; 3].map(|_| 3.0 * random.number()));
+        given.extend([0; 3].map(|_| 3.0 * number(random)));
     }
     let mut rotations = Vec::new();
     for name in ["m", "n"] {
@@ -53,8 +42,8 @@ fn material(random: &mut Random) -> Material {
 }
 
 /// The rows of a rotation by a random quaternion.
-fn rotation(random: &mut Random) -> [f64; 9] {
-    let [a, b, c, d] = [random.number() + 1.5, random.number(), random.number(), random.number()];
+fn rotation(random: &mut Rng) -> [f64; 9] {
+    let [a, b, c, d] = [number(random) + 1.5, number(random), number(random), number(random)];
     let n = a * a + b * b + c * c + d * d;
     [
         (a * a + b * b - c * c - d * d) / n,
@@ -70,12 +59,11 @@ fn rotation(random: &mut Random) -> [f64; 9] {
 }
 
 impl Material {
-    fn vector(&mut self, random: &mut Random, depth: u32) -> Vector {
+    fn vector(&mut self, random: &mut Rng, depth: u32) -> Vector {
         if depth == 0 {
-            let which = random.below(self.points.len() as u64);
-            return self.points[usize::try_from(which).expect("it is small")];
+            return self.points[random.usize(..self.points.len())];
         }
-        match random.below(8) {
+        match random.u32(..8) {
             0 | 1 => {
                 let (v, w) = (self.vector(random, depth - 1), self.vector(random, depth - 1));
                 self.g.add_vectors(v, w)
@@ -89,7 +77,7 @@ impl Material {
                 self.g.neg_vector(v)
             }
             4 => {
-                let k = self.g.constant(random.number());
+                let k = self.g.constant(number(random));
                 let v = self.vector(random, depth - 1);
                 self.g.scale(k, v)
             }
@@ -101,23 +89,20 @@ impl Material {
         }
     }
 
-    fn rotation(&mut self, random: &mut Random) -> Rotation {
-        let pick = |random: &mut Random| {
-            let which = random.below(self.rotations.len() as u64);
-            self.rotations[usize::try_from(which).expect("it is small")]
-        };
+    fn rotation(&mut self, random: &mut Rng) -> Rotation {
+        let pick = |random: &mut Rng| self.rotations[random.usize(..self.rotations.len())];
         let (a, b) = (pick(random), pick(random));
-        match random.below(4) {
+        match random.u32(..4) {
             0 => self.g.transpose(a),
             1 => self.g.compose(a, b),
             _ => a,
         }
     }
 
-    fn scalar(&mut self, random: &mut Random) -> Scalar {
-        let depths = [0; 2].map(|_| u32::try_from(random.below(5)).expect("it is small"));
+    fn scalar(&mut self, random: &mut Rng) -> Scalar {
+        let depths = [0; 2].map(|_| random.u32(..5));
         let [v, w] = depths.map(|depth| self.vector(random, depth));
-        match random.below(3) {
+        match random.u32(..3) {
             0 => self.g.dot(v, w),
             1 => {
                 let n = self.g.norm(v);
@@ -131,8 +116,8 @@ impl Material {
         }
     }
 
-    fn bindings(&self, random: &mut Random) -> Bindings {
-        Bindings::new(&self.g, &self.given, &[(self.angles[0], random.number()), (self.angles[1], random.number())])
+    fn bindings(&self, random: &mut Rng) -> Bindings {
+        Bindings::new(&self.g, &self.given, &[(self.angles[0], number(random)), (self.angles[1], number(random))])
     }
 }
 
@@ -179,7 +164,7 @@ fn each_rule_alone_applies_and_keeps_the_value() {
             };
             let mut applied = 0;
             for seed in 0..600 {
-                let mut random = Random(seed);
+                let mut random = Rng::with_seed(seed);
                 let mut material = material(&mut random);
                 let stated = material.scalar(&mut random);
                 let bindings = material.bindings(&mut random);
@@ -200,7 +185,7 @@ fn each_rule_alone_applies_and_keeps_the_value() {
 #[test]
 fn rewriting_settles() {
     for seed in 0..600 {
-        let mut random = Random(seed);
+        let mut random = Rng::with_seed(seed);
         let mut material = material(&mut random);
         let stated = material.scalar(&mut random);
         let once = material.g.rewrite(stated);
@@ -213,7 +198,7 @@ fn rewriting_settles() {
 fn derived_programs_agree_with_central_differences_on_random_expressions() {
     let mut compared = 0;
     for seed in 0..600 {
-        let mut random = Random(seed);
+        let mut random = Rng::with_seed(seed);
         let mut material = material(&mut random);
         let stated = material.scalar(&mut random);
         let bindings = material.bindings(&mut random);
@@ -238,7 +223,7 @@ fn derived_programs_agree_with_central_differences_on_random_expressions() {
 
 #[test]
 fn a_gradient_needs_no_rewriting_first() {
-    let mut random = Random(1);
+    let mut random = Rng::with_seed(1);
     let mut material = material(&mut random);
     let [p, h] = material.angles;
     let composed = material.g.compose(material.rotations[2], material.rotations[3]);
@@ -256,7 +241,7 @@ fn a_gradient_needs_no_rewriting_first() {
 #[test]
 fn derivation_is_deterministic() {
     let derive = |seed| {
-        let mut random = Random(seed);
+        let mut random = Rng::with_seed(seed);
         let mut material = material(&mut random);
         let stated = material.scalar(&mut random);
         let angles = material.angles;

@@ -1,33 +1,23 @@
-//! A small seeded generator: the tests are the same everywhere.
+//! Seeded random geometry: the tests are the same everywhere.
 
-/// `SplitMix64`.
+/// A seeded generator.
 #[derive(Clone, Debug)]
-pub struct Random(u64);
+pub struct Random(fastrand::Rng);
 
 impl Random {
     /// The generator with this seed.
     pub fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        Self(fastrand::Rng::with_seed(seed))
     }
 
     /// A whole number below `end`.
     pub fn below(&mut self, end: usize) -> usize {
-        usize::try_from(self.next() % end as u64).expect("it is below a usize")
+        self.0.usize(..end)
     }
 
     /// A number in `-limit..limit`.
     pub fn within(&mut self, limit: f64) -> f64 {
-        #[expect(clippy::cast_precision_loss, reason = "53 bits are what an f64 holds")]
-        let unit = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
-        limit * (2.0 * unit - 1.0)
+        limit * (2.0 * self.0.f64() - 1.0)
     }
 
     /// A vector with components in `-limit..limit`.
