@@ -121,8 +121,8 @@ pub(crate) enum Settle {
 pub(crate) struct Bake {
     /// A .glb, .gltf or .vrm file.
     pub(crate) file: PathBuf,
-    /// What to look at: x,y,z · orbit:R,H,S · node:NAME · file:PATH.csv
     #[arg(long, value_name = "SPEC", allow_hyphen_values = true)]
+    #[arg(help = "What to look at: x,y,z · orbit:R,H,S · node:NAME · file:PATH.csv")]
     pub(crate) target: TargetSpec,
     /// The rig's declaration; measured from the file if not given.
     #[arg(long, value_name = "RIG.toml")]

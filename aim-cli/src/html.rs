@@ -39,11 +39,11 @@ pub(crate) fn page(spec: &RigSpec, report: &Report, document: &Document, baked: 
                     h1 { (report.rig) " aimed over " q { (report.clip) } }
                     (summary::section(spec, report))
                     @if let Some(strip) = film::strip(spec, report, document, baked) { (film(strip)) }
+                    (rig::section(spec, report))
                     section.over-time {
                         h2 { "Over time" }
                         (charts::all(spec, report, document, baked))
                     }
-                    (rig::section(spec, report))
                 }
             }
         }

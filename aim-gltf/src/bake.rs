@@ -197,7 +197,7 @@ const MOST_KEYS: f32 = 144.0 * 3600.0;
 
 fn key_times(seconds: f32, fps: f32) -> Result<Arc<[f32]>, Error> {
     let keys = seconds * fps;
-    if !(seconds > 0.0 && fps > 0.0 && keys >= 1.0 && keys <= MOST_KEYS) {
+    if !(seconds > 0.0 && fps > 0.0 && (1.0..=MOST_KEYS).contains(&keys)) {
         return Err(Error::Clip {
             problem: format!(
                 "{seconds} s at {fps} frames a second make no clip; give a length and a rate of at least one frame and \

@@ -61,7 +61,7 @@ impl Scene<'_> {
         };
         let away = gaze_ws.dot(self.camera.toward) < 0.0;
         let label = format!(
-            "At {} s the gaze is {}, {} off the target.",
+            "At {} s: {}, {} between gaze and target.",
             words::fixed(frame.t.into(), 2),
             words::status(status),
             words::degrees(error_deg)

@@ -10,10 +10,11 @@ use maud::{Markup, html};
 use super::raster::{Corner, Face, Paint, Picture};
 use super::words::n;
 
-/// The size of a drawing, and the pixels of its picture for each unit of it.
+/// The size of a drawing, and of its picture in pixels: so many for each unit of the drawing.
 pub(super) const WIDTH: f64 = 240.0;
 pub(super) const HEIGHT: f64 = 250.0;
-const PIXELS: usize = 2;
+const PICTURE: (usize, usize) = (480, 500);
+const PIXELS: f64 = 2.0;
 /// The camera stands this far to the effector's side of the front, and this far above.
 const ASIDE_DEG: f64 = 27.0;
 const ABOVE_DEG: f64 = 9.0;
@@ -21,7 +22,7 @@ const ABOVE_DEG: f64 = 9.0;
 const WIDE: f64 = 1.6;
 /// The window's height in heads, and as a share of a character without any surface.
 const HEADS: f64 = 2.5;
-const OF_HEIGHT: f64 = 0.36;
+const OF_HEIGHT: f64 = 0.9;
 /// How far above the middle of the window the head is, as a share of it.
 const RAISED: f64 = 0.14;
 /// The colour of surfaces whose own is not known, sRGB.
@@ -62,6 +63,51 @@ pub(super) struct Camera {
 }
 
 impl Camera {
+    /// Before the character, a little above, to the side on which the effector is.
+    fn new(measurement: &Measurement, follows: Option<usize>, eye_bind: DVec3) -> Self {
+        let aside = measurement.bones.iter().map(|bone| bone.bind_world.translation.dot(measurement.left));
+        let (low, high) = aside.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+        let is_right = eye_bind.dot(measurement.left) * 2.0 < low + high - 1e-6 * measurement.height;
+        let (aside, above) = (ASIDE_DEG.to_radians(), ABOVE_DEG.to_radians());
+        let aside = if is_right { -aside } else { aside };
+        let level = measurement.forward * aside.cos() + measurement.left * aside.sin();
+        let toward = level * above.cos() + measurement.up * above.sin();
+        let right = measurement.up.cross(toward).normalize_or(measurement.left);
+        Self { right, up: toward.cross(right), toward, follows, middle: DVec3::ZERO, scale: 1.0 }
+    }
+
+    /// Brings into the picture the `head`, given by its extent in the bind pose, wherever the effector is: at `eye_bind`
+    /// in that pose, at `places` from the followed bone in the drawings.
+    fn framing(
+        mut self,
+        measurement: &Measurement,
+        head: Option<(DVec3, DVec3)>,
+        eye_bind: DVec3,
+        places: impl Iterator<Item = DVec3>,
+    ) -> Self {
+        let known = if measurement.height > 0.0 { measurement.height } else { 1.0 };
+        let (mut size, mut middle) = (OF_HEIGHT * known / HEADS, DVec3::ZERO);
+        if let Some((low, high)) = head {
+            // A head is as wide as its skull, however long its hair is.
+            let extent = high - low;
+            let wide = extent.dot(measurement.left.abs());
+            size = extent.max_element().min(WIDE * wide).clamp(0.04 * known, 0.6 * known);
+            middle = (low + high) * 0.5 + measurement.up * ((extent.dot(measurement.up) - size) * 0.5) - eye_bind;
+        }
+        // A long neck moves its head further than a head is long.
+        let seen = places.filter(|place| place.is_finite()).map(|place| self.turn(place));
+        let ends = seen.map(|p| (p, p)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p)));
+        let (low, high) = ends.unwrap_or_default();
+        let spread = high - low;
+        let room = (spread.x + 1.5 * size).max((spread.y + 1.1 * size) / (1.0 - 2.0 * RAISED));
+        let window = (HEADS * size).max(room);
+        let centre = (low + high) * 0.5;
+        let centre = self.right * centre.x + self.up * centre.y + self.toward * centre.z;
+        self.scale = HEIGHT / window;
+        self.middle = centre + middle - self.up * (RAISED * window);
+        self
+    }
+
     /// Right, down, and near.
     pub(super) fn project(&self, point: DVec3, world: &[DAffine3]) -> DVec3 {
         let v = point - self.middle - at(self.follows, world);
@@ -82,10 +128,11 @@ fn at(node: Option<usize>, world: &[DAffine3]) -> DVec3 {
 }
 
 impl<'a> Scene<'a> {
+    /// `drawn` are the frames that all have to fit; nothing where the rig's bones are not in the document.
     pub(super) fn new<'f>(
         spec: &RigSpec,
         document: &'a Document,
-        drawn: impl Iterator<Item = &'f Frame> + Clone,
+        drawn: impl Iterator<Item = &'f Frame>,
     ) -> Option<Self> {
         let skeleton = document.skeleton();
         let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
@@ -109,43 +156,13 @@ impl<'a> Scene<'a> {
         // The head is what hangs on the bone that carries the eye.
         let carrier = skeleton.ancestry(first).find(|node| role(*node) == Some(Role::Head));
         let carrier = carrier.or_else(|| skeleton.nodes()[first].parent.filter(|_| is_eye)).unwrap_or(first);
-        let follows = chain.joints.last().and_then(|node| skeleton.nodes()[*node].parent);
-        let middle_ws = measurement.bones.iter().map(|bone| bone.bind_world.translation.dot(measurement.left));
-        let (low, high) = middle_ws.fold((f64::MAX, f64::MIN), |(lo, hi), x| (lo.min(x), hi.max(x)));
-        let eye_bind = bind[first].transform_point3(origin);
-        let side = if eye_bind.dot(measurement.left) * 2.0 < low + high - 1e-6 { -1.0 } else { 1.0 };
-        let (aside, above) = ((side * ASIDE_DEG).to_radians(), ABOVE_DEG.to_radians());
-        let level = measurement.forward * aside.cos() + measurement.left * aside.sin();
-        let toward = level * above.cos() + measurement.up * above.sin();
-        let right = measurement.up.cross(toward).normalize_or(measurement.left);
-        let mut camera = Camera { right, up: toward.cross(right), toward, follows, middle: DVec3::ZERO, scale: 1.0 };
         let positions = surface.positions(skeleton, bind);
         let head = extent(document, &surface, &positions, carrier);
-        let known = if measurement.height > 0.0 { measurement.height } else { 1.0 };
-        // A head is as wide as its skull, however long its hair is.
-        let size = head.map_or(OF_HEIGHT * known / HEADS, |(low, high)| {
-            let wide = (high - low).dot(measurement.left.abs());
-            (high - low).max_element().min(WIDE * wide).clamp(0.04 * known, 0.6 * known)
-        });
-        // Where the effector goes, from the bone that is followed: long necks need more room than heads.
-        let (mut low, mut high) = (DVec3::MAX, DVec3::MIN);
-        for frame in drawn {
-            let place = frame.world[first].transform_point3(origin) - at(follows, &frame.world);
-            if place.is_finite() {
-                (low, high) = (low.min(camera.turn(place)), high.max(camera.turn(place)));
-            }
-        }
-        let (spread, centre) = if low.x <= high.x { (high - low, (low + high) * 0.5) } else { Default::default() };
-        let room = (spread.x + 1.5 * size).max((spread.y + 1.1 * size) / (1.0 - 2.0 * RAISED));
-        let window = (HEADS * size).max(room);
-        camera.scale = HEIGHT / window;
-        let middle = head.map_or(DVec3::ZERO, |(low, high)| {
-            let down = ((high - low).dot(measurement.up) - size) * 0.5;
-            (low + high) * 0.5 + measurement.up * down - eye_bind
-        });
-        let centre = camera.right * centre.x + camera.up * centre.y + camera.toward * centre.z;
-        camera.middle = centre + middle - camera.up * (RAISED * window);
-        let welded = weld(&positions, known);
+        let eye_bind = bind[first].transform_point3(origin);
+        let follows = chain.joints.last().and_then(|node| skeleton.nodes()[*node].parent);
+        let places = drawn.map(|frame| frame.world[first].transform_point3(origin) - at(follows, &frame.world));
+        let camera = Camera::new(&measurement, follows, eye_bind).framing(&measurement, head, eye_bind, places);
+        let welded = weld(&positions, measurement.height.max(f64::MIN_POSITIVE));
         Some(Self { document, measurement, surface, welded, chain, eyes, camera, origin, forward })
     }
 
@@ -163,8 +180,7 @@ impl<'a> Scene<'a> {
                 (eye.node, Paint::Eye { centre, gaze })
             })
             .collect();
-        let pixels = PIXELS as f64;
-        let mut picture = Picture::new(WIDTH as usize * PIXELS, HEIGHT as usize * PIXELS);
+        let mut picture = Picture::new(PICTURE.0, PICTURE.1);
         for triangle in self.surface.triangles() {
             let [a, b, c] = triangle.vertices.map(|vertex| positions[vertex]);
             let flat = (b - a).cross(c - a).normalize_or_zero();
@@ -175,7 +191,7 @@ impl<'a> Scene<'a> {
                 // Past 60° an edge is an edge.
                 let normal = if normals[vertex].dot(flat) > 0.5 { normals[vertex] } else { flat };
                 Corner {
-                    screen: DVec3::new(screen.x * pixels, screen.y * pixels, screen.z),
+                    screen: DVec3::new(screen.x * PIXELS, screen.y * PIXELS, screen.z),
                     normal: self.camera.turn(normal),
                     world: positions[vertex],
                 }

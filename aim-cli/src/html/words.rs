@@ -89,7 +89,7 @@ mod tests {
     #[test]
     fn numbers_are_short_and_zero_has_no_sign() {
         assert_eq!([n(-0.04), n(12.0), n(-3.25), n(0.06)], ["0", "12", "-3.2", "0.1"]);
-        assert_eq!([degrees(0.06392), degrees(3.14159), degrees(179.96)], ["0.064°", "3.14°", "180.0°"]);
+        assert_eq!([degrees(0.06392), degrees(3.2149), degrees(179.96)], ["0.064°", "3.21°", "180.0°"]);
         assert_eq!([shown(-2.50, 2), shown(-0.001, 2)], ["−2.5", "0"]);
         assert_eq!([tiny(0.0, "°"), tiny(4.9e-5, "°/s"), tiny(2.5, "°")], ["0°", "4.9 × 10⁻⁵\u{202f}°/s", "2.5°"]);
     }

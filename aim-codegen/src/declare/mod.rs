@@ -61,7 +61,7 @@ impl fmt::Debug for Declared {
 ///
 /// Everything that is wrong with the declaration. [`fallback`] gives what to emit beside them.
 pub fn from_derive_input(input: &DeriveInput) -> Result<Declared, Diagnostics> {
-    let checked = check::check(&input::read(input), Vec::new()).map_err(|found| Diagnostics::new(found, None))?;
+    let checked = check::check(&input::read(input)).map_err(|found| Diagnostics::new(found, None))?;
     let fields = match &input.data {
         Data::Struct(data) => data.fields.iter().filter_map(|field| field.ident.clone()).collect(),
         Data::Enum(_) | Data::Union(_) => Vec::new(),
@@ -78,11 +78,10 @@ pub fn from_derive_input(input: &DeriveInput) -> Result<Declared, Diagnostics> {
 #[cfg(feature = "toml")]
 pub fn from_toml(file_name: &str, text: &str) -> Result<RigSpec, Diagnostics> {
     let (rig, syntax) = toml_file::read(text);
-    match check::check(&rig, syntax) {
-        Ok(checked) => Ok(checked.spec),
-        Err(found) => {
-            let source = diagnostics::Source { name: file_name.to_owned(), text: text.to_owned() };
-            Err(Diagnostics::new(found, Some(source)))
-        }
-    }
+    // What is missing from a file that does not parse is no mistake of its own.
+    let checked = if syntax.is_empty() { check::check(&rig) } else { Err(syntax) };
+    checked.map(|checked| checked.spec).map_err(|found| {
+        let source = diagnostics::Source { name: file_name.to_owned(), text: text.to_owned() };
+        Diagnostics::new(found, Some(source))
+    })
 }

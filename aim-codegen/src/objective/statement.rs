@@ -23,7 +23,7 @@ pub struct JointInputs {
 }
 
 impl JointInputs {
-    /// Declares them in `g`: effector_to_joint, target, sin p, cos p, sin h, cos h.
+    /// Declares them in `g`: `effector_to_joint`, target, sin p, cos p, sin h, cos h.
     pub fn declare(g: &mut Graph) -> Self {
         Self {
             effector_to_joint: g.rigid_input("m"),

@@ -46,9 +46,9 @@ pub(super) struct Checked {
     pub(super) krate: Option<TokenStream>,
 }
 
-/// Checks the whole declaration; `found` is what its own syntax has refused already.
-pub(super) fn check(rig: &Rig, found: Vec<Diagnostic>) -> Result<Checked, Vec<Diagnostic>> {
-    let mut report = Report::new(rig.notation, found);
+/// Checks the whole declaration.
+pub(super) fn check(rig: &Rig) -> Result<Checked, Vec<Diagnostic>> {
+    let mut report = Report::new(rig.notation);
     let checked = check_rig(rig, &mut report);
     match checked {
         Some(checked) if report.is_empty() => Ok(checked),

@@ -11,9 +11,8 @@ pub(super) struct Report {
 }
 
 impl Report {
-    /// Starts with what the front end's own syntax has already refused.
-    pub(super) fn new(notation: Notation, found: Vec<Diagnostic>) -> Self {
-        Self { notation, found }
+    pub(super) fn new(notation: Notation) -> Self {
+        Self { notation, found: Vec::new() }
     }
 
     pub(super) fn error(&mut self, place: &Place, text: Text) {
