@@ -43,6 +43,11 @@ pub enum Op {
 }
 
 impl Op {
+    /// Whether it is written as a step of its own.
+    fn is_step(self) -> bool {
+        !matches!(self, Self::Input(_) | Self::Constant(_) | Self::Tiny | Self::Neg(_))
+    }
+
     /// The values it needs.
     pub fn operands(self) -> impl Iterator<Item = Value> {
         let operands = match self {
@@ -61,6 +66,8 @@ pub struct Program {
     inputs: Vec<String>,
     ops: Vec<Op>,
     outputs: Vec<Value>,
+    /// For each operation the number of steps before it.
+    numbers: Vec<usize>,
 }
 
 /// What a program is asked for: a value, or its derivative by an angle.
@@ -127,9 +134,10 @@ impl Program {
         let outputs = lowered.iter().map(|&s| schedule.value(s)).collect();
         let ops = schedule.ops;
         let inputs = g.inputs().iter().map(|(name, _)| name.clone()).collect();
-        let mut program = Self { inputs, ops, outputs };
+        let mut program = Self { inputs, ops, outputs, numbers: Vec::new() };
         program.divide_once();
         program.drop_unused();
+        program.number();
         program
     }
 
@@ -148,13 +156,31 @@ impl Program {
         &self.outputs
     }
 
+    /// The operations that are written as steps, numbered from 0: all but inputs, constants and negations, which stand
+    /// where they are used.
+    pub fn steps(&self) -> impl Iterator<Item = (usize, Op)> {
+        self.ops.iter().zip(&self.numbers).filter(|(op, _)| op.is_step()).map(|(&op, &number)| (number, op))
+    }
+
+    /// The number of the step that gives `value`.
+    pub fn step_number(&self, value: Value) -> usize {
+        self.numbers[value.index()]
+    }
+
+    fn number(&mut self) {
+        let mut steps = 0;
+        for op in &self.ops {
+            self.numbers.push(steps);
+            steps += usize::from(op.is_step());
+        }
+    }
+
     /// The longest chain of operations that wait for each other.
     pub fn depth(&self) -> usize {
         let mut depths: Vec<usize> = Vec::with_capacity(self.ops.len());
         for op in &self.ops {
             let below = op.operands().map(|v| depths[v.index()]).max().unwrap_or(0);
-            let free = matches!(op, Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Neg(_));
-            depths.push(below + usize::from(!free));
+            depths.push(below + usize::from(op.is_step()));
         }
         self.outputs.iter().map(|v| depths[v.index()]).max().unwrap_or(0)
     }

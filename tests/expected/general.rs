@@ -178,131 +178,131 @@ const _: () = {
         __target: &[S; 3],
         __sin_cos: &[S; 4],
     ) -> [S; 3] {
-        let __v5 = __target[2] * <S as ::aim::__private::Scalar>::constant(0.768);
-        let __v8 = __target[0] * <S as ::aim::__private::Scalar>::constant(0.6);
-        let __v11 = __target[1] * <S as ::aim::__private::Scalar>::constant(0.224);
-        let __v12 = __v8 - __v11;
-        let __v13 = __v5 + __v12;
-        let __v14 = __sin_cos[3] * __v13;
-        let __v17 = __target[2]
+        let __v0 = __target[2] * <S as ::aim::__private::Scalar>::constant(0.768);
+        let __v1 = __target[0] * <S as ::aim::__private::Scalar>::constant(0.6);
+        let __v2 = __target[1] * <S as ::aim::__private::Scalar>::constant(0.224);
+        let __v3 = __v1 - __v2;
+        let __v4 = __v0 + __v3;
+        let __v5 = __sin_cos[3] * __v4;
+        let __v6 = __target[2]
             * <S as ::aim::__private::Scalar>::constant(0.5760000000000001);
-        let __v19 = __target[0] * <S as ::aim::__private::Scalar>::constant(0.8);
-        let __v21 = __target[1]
+        let __v7 = __target[0] * <S as ::aim::__private::Scalar>::constant(0.8);
+        let __v8 = __target[1]
             * <S as ::aim::__private::Scalar>::constant(0.16800000000000004);
-        let __v22 = __v19 + __v21;
-        let __v23 = __v17 - __v22;
-        let __v24 = __sin_cos[2] * __v23;
-        let __v25 = __v14 - __v24;
-        let __v26 = __sin_cos[0] * __v25;
-        let __v29 = __target[2] * <S as ::aim::__private::Scalar>::constant(0.28);
-        let __v31 = __target[0]
+        let __v9 = __v7 + __v8;
+        let __v10 = __v6 - __v9;
+        let __v11 = __sin_cos[2] * __v10;
+        let __v12 = __v5 - __v11;
+        let __v13 = __sin_cos[0] * __v12;
+        let __v14 = __target[2] * <S as ::aim::__private::Scalar>::constant(0.28);
+        let __v15 = __target[0]
             * <S as ::aim::__private::Scalar>::constant(
                 0.000000000000000016653345369377347,
             );
-        let __v33 = __target[1] * <S as ::aim::__private::Scalar>::constant(0.96);
-        let __v34 = __v31 - __v33;
-        let __v35 = __v29 - __v34;
-        let __v36 = __sin_cos[1] * __v35;
-        let __v37 = __v26 - __v36;
-        let __v39 = __effector_to_joint[11]
+        let __v16 = __target[1] * <S as ::aim::__private::Scalar>::constant(0.96);
+        let __v17 = __v15 - __v16;
+        let __v18 = __v14 - __v17;
+        let __v19 = __sin_cos[1] * __v18;
+        let __v20 = __v13 - __v19;
+        let __v21 = __effector_to_joint[11]
             * <S as ::aim::__private::Scalar>::constant(0.28);
-        let __v41 = __effector_to_joint[9]
+        let __v22 = __effector_to_joint[9]
             * <S as ::aim::__private::Scalar>::constant(
                 0.000000000000000016653345369377347,
             );
-        let __v43 = __effector_to_joint[10]
+        let __v23 = __effector_to_joint[10]
             * <S as ::aim::__private::Scalar>::constant(0.96);
-        let __v44 = __v41 - __v43;
-        let __v45 = __v39 - __v44;
-        let __v46 = __v37 + __v45;
-        let __v47 = __v46 * __v46;
-        let __v48 = __sin_cos[1] * __v25;
-        let __v49 = __sin_cos[0] * __v35;
-        let __v50 = __v48 + __v49;
-        let __v51 = __effector_to_joint[11]
+        let __v24 = __v22 - __v23;
+        let __v25 = __v21 - __v24;
+        let __v26 = __v20 + __v25;
+        let __v27 = __v26 * __v26;
+        let __v28 = __sin_cos[1] * __v12;
+        let __v29 = __sin_cos[0] * __v18;
+        let __v30 = __v28 + __v29;
+        let __v31 = __effector_to_joint[11]
             * <S as ::aim::__private::Scalar>::constant(0.768);
-        let __v52 = __effector_to_joint[9]
+        let __v32 = __effector_to_joint[9]
             * <S as ::aim::__private::Scalar>::constant(0.6);
-        let __v53 = __effector_to_joint[10]
+        let __v33 = __effector_to_joint[10]
             * <S as ::aim::__private::Scalar>::constant(0.224);
-        let __v54 = __v52 - __v53;
-        let __v55 = __v51 + __v54;
-        let __v56 = __v50 - __v55;
-        let __v57 = __v56 * __v56;
-        let __v58 = __sin_cos[2] * __v13;
-        let __v59 = __sin_cos[3] * __v23;
-        let __v60 = __v58 + __v59;
-        let __v61 = __effector_to_joint[11]
+        let __v34 = __v32 - __v33;
+        let __v35 = __v31 + __v34;
+        let __v36 = __v30 - __v35;
+        let __v37 = __v36 * __v36;
+        let __v38 = __sin_cos[2] * __v4;
+        let __v39 = __sin_cos[3] * __v10;
+        let __v40 = __v38 + __v39;
+        let __v41 = __effector_to_joint[11]
             * <S as ::aim::__private::Scalar>::constant(0.5760000000000001);
-        let __v62 = __effector_to_joint[9]
+        let __v42 = __effector_to_joint[9]
             * <S as ::aim::__private::Scalar>::constant(0.8);
-        let __v63 = __effector_to_joint[10]
+        let __v43 = __effector_to_joint[10]
             * <S as ::aim::__private::Scalar>::constant(0.16800000000000004);
-        let __v64 = __v62 + __v63;
-        let __v65 = __v61 - __v64;
-        let __v66 = __v60 - __v65;
-        let __v67 = __v66 * __v66;
-        let __v68 = __v57 + __v67;
-        let __v69 = __v47 + __v68;
-        let __v70 = <S as ::aim::__private::Scalar>::sqrt(__v69);
-        let __v72 = <S as ::aim::__private::Scalar>::constant(1.0) / __v70;
-        let __v74 = <S as ::aim::__private::Scalar>::select_less(
+        let __v44 = __v42 + __v43;
+        let __v45 = __v41 - __v44;
+        let __v46 = __v40 - __v45;
+        let __v47 = __v46 * __v46;
+        let __v48 = __v37 + __v47;
+        let __v49 = __v27 + __v48;
+        let __v50 = <S as ::aim::__private::Scalar>::sqrt(__v49);
+        let __v51 = <S as ::aim::__private::Scalar>::constant(1.0) / __v50;
+        let __v52 = <S as ::aim::__private::Scalar>::select_less(
             <S as ::aim::__private::Scalar>::TINY,
-            __v70,
-            __v72,
+            __v50,
+            __v51,
             <S as ::aim::__private::Scalar>::ZERO,
         );
-        let __v76 = __effector_to_joint[8]
+        let __v53 = __effector_to_joint[8]
             * <S as ::aim::__private::Scalar>::constant(0.28);
-        let __v78 = __effector_to_joint[6]
+        let __v54 = __effector_to_joint[6]
             * <S as ::aim::__private::Scalar>::constant(
                 0.000000000000000016653345369377347,
             );
-        let __v80 = __effector_to_joint[7]
+        let __v55 = __effector_to_joint[7]
             * <S as ::aim::__private::Scalar>::constant(0.96);
-        let __v81 = __v78 - __v80;
-        let __v82 = __v76 - __v81;
-        let __v83 = __v46 * __v82;
-        let __v84 = __effector_to_joint[8]
+        let __v56 = __v54 - __v55;
+        let __v57 = __v53 - __v56;
+        let __v58 = __v26 * __v57;
+        let __v59 = __effector_to_joint[8]
             * <S as ::aim::__private::Scalar>::constant(0.768);
-        let __v85 = __effector_to_joint[6]
+        let __v60 = __effector_to_joint[6]
             * <S as ::aim::__private::Scalar>::constant(0.6);
-        let __v86 = __effector_to_joint[7]
+        let __v61 = __effector_to_joint[7]
             * <S as ::aim::__private::Scalar>::constant(0.224);
-        let __v87 = __v85 - __v86;
-        let __v88 = __v84 + __v87;
-        let __v89 = __v56 * __v88;
-        let __v90 = __effector_to_joint[8]
+        let __v62 = __v60 - __v61;
+        let __v63 = __v59 + __v62;
+        let __v64 = __v36 * __v63;
+        let __v65 = __effector_to_joint[8]
             * <S as ::aim::__private::Scalar>::constant(0.5760000000000001);
-        let __v91 = __effector_to_joint[6]
+        let __v66 = __effector_to_joint[6]
             * <S as ::aim::__private::Scalar>::constant(0.8);
-        let __v92 = __effector_to_joint[7]
+        let __v67 = __effector_to_joint[7]
             * <S as ::aim::__private::Scalar>::constant(0.16800000000000004);
-        let __v93 = __v91 + __v92;
-        let __v94 = __v90 - __v93;
-        let __v95 = __v66 * __v94;
-        let __v96 = __v89 + __v95;
-        let __v97 = __v83 - __v96;
-        let __v98 = __v74 * __v97;
-        let __v100 = __v74 * __v98;
-        let __v101 = __v56 * __v100;
-        let __v102 = __v88 + __v101;
-        let __v103 = __v37 * __v102;
-        let __v104 = __v46 * __v100;
-        let __v105 = __v82 - __v104;
-        let __v106 = __v50 * __v105;
-        let __v107 = __v103 + __v106;
-        let __v108 = __v74 * __v107;
-        let __v110 = __sin_cos[1] * __v102;
-        let __v111 = __sin_cos[0] * __v105;
-        let __v112 = __v110 - __v111;
-        let __v113 = __v60 * __v112;
-        let __v114 = __v66 * __v100;
-        let __v115 = __v94 + __v114;
-        let __v116 = __v25 * __v115;
-        let __v117 = __v113 - __v116;
-        let __v118 = __v74 * __v117;
-        [-__v98, -__v108, -__v118]
+        let __v68 = __v66 + __v67;
+        let __v69 = __v65 - __v68;
+        let __v70 = __v46 * __v69;
+        let __v71 = __v64 + __v70;
+        let __v72 = __v58 - __v71;
+        let __v73 = __v52 * __v72;
+        let __v74 = __v52 * __v73;
+        let __v75 = __v36 * __v74;
+        let __v76 = __v63 + __v75;
+        let __v77 = __v20 * __v76;
+        let __v78 = __v26 * __v74;
+        let __v79 = __v57 - __v78;
+        let __v80 = __v30 * __v79;
+        let __v81 = __v77 + __v80;
+        let __v82 = __v52 * __v81;
+        let __v83 = __sin_cos[1] * __v76;
+        let __v84 = __sin_cos[0] * __v79;
+        let __v85 = __v83 - __v84;
+        let __v86 = __v40 * __v85;
+        let __v87 = __v46 * __v74;
+        let __v88 = __v69 + __v87;
+        let __v89 = __v12 * __v88;
+        let __v90 = __v86 - __v89;
+        let __v91 = __v52 * __v90;
+        [-__v73, -__v82, -__v91]
     }
     ///Aim, ∂aim/∂pitch, ∂aim/∂heading of `neck`. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `General`.
     #[inline]
@@ -311,59 +311,59 @@ const _: () = {
         __target: &[S; 3],
         __sin_cos: &[S; 4],
     ) -> [S; 3] {
-        let __v5 = __target[0] * __sin_cos[3];
-        let __v8 = __target[1] * __sin_cos[2];
-        let __v9 = __v5 + __v8;
-        let __v10 = __sin_cos[0] * __v9;
-        let __v13 = __target[2] * __sin_cos[1];
-        let __v14 = __v10 + __v13;
-        let __v15 = __effector_to_joint[11] - __v14;
-        let __v16 = __v15 * __v15;
-        let __v18 = __sin_cos[1] * __v9;
-        let __v19 = __target[2] * __sin_cos[0];
-        let __v20 = __v18 - __v19;
-        let __v21 = __effector_to_joint[9] - __v20;
-        let __v22 = __v21 * __v21;
-        let __v24 = __target[0] * __sin_cos[2];
-        let __v25 = __target[1] * __sin_cos[3];
-        let __v26 = __v24 - __v25;
-        let __v27 = __effector_to_joint[10] + __v26;
-        let __v28 = __v27 * __v27;
-        let __v29 = __v22 + __v28;
-        let __v30 = __v16 + __v29;
-        let __v31 = <S as ::aim::__private::Scalar>::sqrt(__v30);
-        let __v33 = <S as ::aim::__private::Scalar>::constant(1.0) / __v31;
-        let __v35 = <S as ::aim::__private::Scalar>::select_less(
+        let __v0 = __target[0] * __sin_cos[3];
+        let __v1 = __target[1] * __sin_cos[2];
+        let __v2 = __v0 + __v1;
+        let __v3 = __sin_cos[0] * __v2;
+        let __v4 = __target[2] * __sin_cos[1];
+        let __v5 = __v3 + __v4;
+        let __v6 = __effector_to_joint[11] - __v5;
+        let __v7 = __v6 * __v6;
+        let __v8 = __sin_cos[1] * __v2;
+        let __v9 = __target[2] * __sin_cos[0];
+        let __v10 = __v8 - __v9;
+        let __v11 = __effector_to_joint[9] - __v10;
+        let __v12 = __v11 * __v11;
+        let __v13 = __target[0] * __sin_cos[2];
+        let __v14 = __target[1] * __sin_cos[3];
+        let __v15 = __v13 - __v14;
+        let __v16 = __effector_to_joint[10] + __v15;
+        let __v17 = __v16 * __v16;
+        let __v18 = __v12 + __v17;
+        let __v19 = __v7 + __v18;
+        let __v20 = <S as ::aim::__private::Scalar>::sqrt(__v19);
+        let __v21 = <S as ::aim::__private::Scalar>::constant(1.0) / __v20;
+        let __v22 = <S as ::aim::__private::Scalar>::select_less(
             <S as ::aim::__private::Scalar>::TINY,
-            __v31,
-            __v33,
+            __v20,
+            __v21,
             <S as ::aim::__private::Scalar>::ZERO,
         );
-        let __v37 = __effector_to_joint[8] * __v15;
-        let __v39 = __effector_to_joint[6] * __v21;
-        let __v41 = __effector_to_joint[7] * __v27;
-        let __v42 = __v39 + __v41;
-        let __v43 = __v37 + __v42;
-        let __v44 = __v35 * __v43;
-        let __v46 = __v35 * __v44;
-        let __v47 = __v21 * __v46;
-        let __v48 = __effector_to_joint[6] - __v47;
-        let __v49 = __v14 * __v48;
-        let __v50 = __v15 * __v46;
-        let __v51 = __effector_to_joint[8] - __v50;
-        let __v52 = __v20 * __v51;
-        let __v53 = __v49 - __v52;
-        let __v54 = __v35 * __v53;
-        let __v56 = __sin_cos[1] * __v48;
-        let __v57 = __sin_cos[0] * __v51;
-        let __v58 = __v56 + __v57;
-        let __v59 = __v26 * __v58;
-        let __v60 = __v27 * __v46;
-        let __v61 = __effector_to_joint[7] - __v60;
-        let __v62 = __v9 * __v61;
-        let __v63 = __v59 + __v62;
-        let __v64 = __v35 * __v63;
-        [-__v44, -__v54, -__v64]
+        let __v23 = __effector_to_joint[8] * __v6;
+        let __v24 = __effector_to_joint[6] * __v11;
+        let __v25 = __effector_to_joint[7] * __v16;
+        let __v26 = __v24 + __v25;
+        let __v27 = __v23 + __v26;
+        let __v28 = __v22 * __v27;
+        let __v29 = __v22 * __v28;
+        let __v30 = __v11 * __v29;
+        let __v31 = __effector_to_joint[6] - __v30;
+        let __v32 = __v5 * __v31;
+        let __v33 = __v6 * __v29;
+        let __v34 = __effector_to_joint[8] - __v33;
+        let __v35 = __v10 * __v34;
+        let __v36 = __v32 - __v35;
+        let __v37 = __v22 * __v36;
+        let __v38 = __sin_cos[1] * __v31;
+        let __v39 = __sin_cos[0] * __v34;
+        let __v40 = __v38 + __v39;
+        let __v41 = __v15 * __v40;
+        let __v42 = __v16 * __v29;
+        let __v43 = __effector_to_joint[7] - __v42;
+        let __v44 = __v2 * __v43;
+        let __v45 = __v41 + __v44;
+        let __v46 = __v22 * __v45;
+        [-__v28, -__v37, -__v46]
     }
     ///The chain's aim, then its derivatives. 170 operations: 66 add, 102 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `General`.
     #[inline]
@@ -372,202 +372,202 @@ const _: () = {
         __target: &[S; 3],
         __sin_cos: &[[S; 4]; 2],
     ) -> [S; 5] {
-        let __v8 = __target[0] * __sin_cos[1][3];
-        let __v11 = __target[1] * __sin_cos[1][2];
-        let __v12 = __v8 + __v11;
-        let __v13 = __sin_cos[1][0] * __v12;
-        let __v16 = __target[2] * __sin_cos[1][1];
-        let __v17 = __v13 + __v16;
-        let __v18 = __links[1][11] - __v17;
-        let __v19 = __links[1][8] * __v18;
-        let __v22 = __sin_cos[1][1] * __v12;
-        let __v23 = __target[2] * __sin_cos[1][0];
-        let __v24 = __v22 - __v23;
-        let __v25 = __links[1][9] - __v24;
-        let __v26 = __links[1][6] * __v25;
-        let __v29 = __target[0] * __sin_cos[1][2];
-        let __v30 = __target[1] * __sin_cos[1][3];
-        let __v31 = __v29 - __v30;
-        let __v32 = __links[1][10] + __v31;
-        let __v33 = __links[1][7] * __v32;
-        let __v34 = __v26 + __v33;
-        let __v35 = __v19 + __v34;
-        let __v37 = __v35 * <S as ::aim::__private::Scalar>::constant(0.768);
-        let __v39 = __links[1][2] * __v18;
-        let __v41 = __links[1][0] * __v25;
-        let __v43 = __links[1][1] * __v32;
-        let __v44 = __v41 + __v43;
-        let __v45 = __v39 + __v44;
-        let __v47 = __v45 * <S as ::aim::__private::Scalar>::constant(0.6);
-        let __v49 = __links[1][5] * __v18;
-        let __v51 = __links[1][3] * __v25;
-        let __v53 = __links[1][4] * __v32;
-        let __v54 = __v51 + __v53;
-        let __v55 = __v49 + __v54;
-        let __v57 = __v55 * <S as ::aim::__private::Scalar>::constant(0.224);
-        let __v58 = __v47 - __v57;
-        let __v59 = __v37 + __v58;
-        let __v60 = __sin_cos[0][3] * __v59;
-        let __v63 = __v35
+        let __v0 = __target[0] * __sin_cos[1][3];
+        let __v1 = __target[1] * __sin_cos[1][2];
+        let __v2 = __v0 + __v1;
+        let __v3 = __sin_cos[1][0] * __v2;
+        let __v4 = __target[2] * __sin_cos[1][1];
+        let __v5 = __v3 + __v4;
+        let __v6 = __links[1][11] - __v5;
+        let __v7 = __links[1][8] * __v6;
+        let __v8 = __sin_cos[1][1] * __v2;
+        let __v9 = __target[2] * __sin_cos[1][0];
+        let __v10 = __v8 - __v9;
+        let __v11 = __links[1][9] - __v10;
+        let __v12 = __links[1][6] * __v11;
+        let __v13 = __target[0] * __sin_cos[1][2];
+        let __v14 = __target[1] * __sin_cos[1][3];
+        let __v15 = __v13 - __v14;
+        let __v16 = __links[1][10] + __v15;
+        let __v17 = __links[1][7] * __v16;
+        let __v18 = __v12 + __v17;
+        let __v19 = __v7 + __v18;
+        let __v20 = __v19 * <S as ::aim::__private::Scalar>::constant(0.768);
+        let __v21 = __links[1][2] * __v6;
+        let __v22 = __links[1][0] * __v11;
+        let __v23 = __links[1][1] * __v16;
+        let __v24 = __v22 + __v23;
+        let __v25 = __v21 + __v24;
+        let __v26 = __v25 * <S as ::aim::__private::Scalar>::constant(0.6);
+        let __v27 = __links[1][5] * __v6;
+        let __v28 = __links[1][3] * __v11;
+        let __v29 = __links[1][4] * __v16;
+        let __v30 = __v28 + __v29;
+        let __v31 = __v27 + __v30;
+        let __v32 = __v31 * <S as ::aim::__private::Scalar>::constant(0.224);
+        let __v33 = __v26 - __v32;
+        let __v34 = __v20 + __v33;
+        let __v35 = __sin_cos[0][3] * __v34;
+        let __v36 = __v19
             * <S as ::aim::__private::Scalar>::constant(0.5760000000000001);
-        let __v65 = __v45 * <S as ::aim::__private::Scalar>::constant(0.8);
-        let __v67 = __v55
+        let __v37 = __v25 * <S as ::aim::__private::Scalar>::constant(0.8);
+        let __v38 = __v31
             * <S as ::aim::__private::Scalar>::constant(0.16800000000000004);
-        let __v68 = __v65 + __v67;
-        let __v69 = __v63 - __v68;
-        let __v70 = __sin_cos[0][2] * __v69;
-        let __v71 = __v60 - __v70;
-        let __v72 = __sin_cos[0][0] * __v71;
-        let __v75 = __v35 * <S as ::aim::__private::Scalar>::constant(0.28);
-        let __v77 = __v45
+        let __v39 = __v37 + __v38;
+        let __v40 = __v36 - __v39;
+        let __v41 = __sin_cos[0][2] * __v40;
+        let __v42 = __v35 - __v41;
+        let __v43 = __sin_cos[0][0] * __v42;
+        let __v44 = __v19 * <S as ::aim::__private::Scalar>::constant(0.28);
+        let __v45 = __v25
             * <S as ::aim::__private::Scalar>::constant(
                 0.000000000000000016653345369377347,
             );
-        let __v79 = __v55 * <S as ::aim::__private::Scalar>::constant(0.96);
-        let __v80 = __v77 - __v79;
-        let __v81 = __v75 - __v80;
-        let __v82 = __sin_cos[0][1] * __v81;
-        let __v83 = __v72 - __v82;
-        let __v85 = __links[0][11] * <S as ::aim::__private::Scalar>::constant(0.28);
-        let __v87 = __links[0][9]
+        let __v46 = __v31 * <S as ::aim::__private::Scalar>::constant(0.96);
+        let __v47 = __v45 - __v46;
+        let __v48 = __v44 - __v47;
+        let __v49 = __sin_cos[0][1] * __v48;
+        let __v50 = __v43 - __v49;
+        let __v51 = __links[0][11] * <S as ::aim::__private::Scalar>::constant(0.28);
+        let __v52 = __links[0][9]
             * <S as ::aim::__private::Scalar>::constant(
                 0.000000000000000016653345369377347,
             );
-        let __v89 = __links[0][10] * <S as ::aim::__private::Scalar>::constant(0.96);
-        let __v90 = __v87 - __v89;
-        let __v91 = __v85 - __v90;
-        let __v92 = __v83 - __v91;
-        let __v93 = __v92 * __v92;
-        let __v94 = __sin_cos[0][1] * __v71;
-        let __v95 = __sin_cos[0][0] * __v81;
-        let __v96 = __v94 + __v95;
-        let __v97 = __links[0][11] * <S as ::aim::__private::Scalar>::constant(0.768);
-        let __v98 = __links[0][9] * <S as ::aim::__private::Scalar>::constant(0.6);
-        let __v99 = __links[0][10] * <S as ::aim::__private::Scalar>::constant(0.224);
-        let __v100 = __v98 - __v99;
-        let __v101 = __v97 + __v100;
-        let __v102 = __v96 + __v101;
-        let __v103 = __v102 * __v102;
-        let __v104 = __sin_cos[0][2] * __v59;
-        let __v105 = __sin_cos[0][3] * __v69;
-        let __v106 = __v104 + __v105;
-        let __v107 = __links[0][11]
+        let __v53 = __links[0][10] * <S as ::aim::__private::Scalar>::constant(0.96);
+        let __v54 = __v52 - __v53;
+        let __v55 = __v51 - __v54;
+        let __v56 = __v50 - __v55;
+        let __v57 = __v56 * __v56;
+        let __v58 = __sin_cos[0][1] * __v42;
+        let __v59 = __sin_cos[0][0] * __v48;
+        let __v60 = __v58 + __v59;
+        let __v61 = __links[0][11] * <S as ::aim::__private::Scalar>::constant(0.768);
+        let __v62 = __links[0][9] * <S as ::aim::__private::Scalar>::constant(0.6);
+        let __v63 = __links[0][10] * <S as ::aim::__private::Scalar>::constant(0.224);
+        let __v64 = __v62 - __v63;
+        let __v65 = __v61 + __v64;
+        let __v66 = __v60 + __v65;
+        let __v67 = __v66 * __v66;
+        let __v68 = __sin_cos[0][2] * __v34;
+        let __v69 = __sin_cos[0][3] * __v40;
+        let __v70 = __v68 + __v69;
+        let __v71 = __links[0][11]
             * <S as ::aim::__private::Scalar>::constant(0.5760000000000001);
-        let __v108 = __links[0][9] * <S as ::aim::__private::Scalar>::constant(0.8);
-        let __v109 = __links[0][10]
+        let __v72 = __links[0][9] * <S as ::aim::__private::Scalar>::constant(0.8);
+        let __v73 = __links[0][10]
             * <S as ::aim::__private::Scalar>::constant(0.16800000000000004);
-        let __v110 = __v108 + __v109;
-        let __v111 = __v107 - __v110;
-        let __v112 = __v106 + __v111;
-        let __v113 = __v112 * __v112;
-        let __v114 = __v103 + __v113;
-        let __v115 = __v93 + __v114;
-        let __v116 = <S as ::aim::__private::Scalar>::sqrt(__v115);
-        let __v118 = <S as ::aim::__private::Scalar>::constant(1.0) / __v116;
-        let __v120 = <S as ::aim::__private::Scalar>::select_less(
+        let __v74 = __v72 + __v73;
+        let __v75 = __v71 - __v74;
+        let __v76 = __v70 + __v75;
+        let __v77 = __v76 * __v76;
+        let __v78 = __v67 + __v77;
+        let __v79 = __v57 + __v78;
+        let __v80 = <S as ::aim::__private::Scalar>::sqrt(__v79);
+        let __v81 = <S as ::aim::__private::Scalar>::constant(1.0) / __v80;
+        let __v82 = <S as ::aim::__private::Scalar>::select_less(
             <S as ::aim::__private::Scalar>::TINY,
-            __v116,
-            __v118,
+            __v80,
+            __v81,
             <S as ::aim::__private::Scalar>::ZERO,
         );
-        let __v122 = __links[0][8] * <S as ::aim::__private::Scalar>::constant(0.28);
-        let __v124 = __links[0][6]
+        let __v83 = __links[0][8] * <S as ::aim::__private::Scalar>::constant(0.28);
+        let __v84 = __links[0][6]
             * <S as ::aim::__private::Scalar>::constant(
                 0.000000000000000016653345369377347,
             );
-        let __v126 = __links[0][7] * <S as ::aim::__private::Scalar>::constant(0.96);
-        let __v127 = __v124 - __v126;
-        let __v128 = __v122 - __v127;
-        let __v129 = __v92 * __v128;
-        let __v130 = __links[0][8] * <S as ::aim::__private::Scalar>::constant(0.768);
-        let __v131 = __links[0][6] * <S as ::aim::__private::Scalar>::constant(0.6);
-        let __v132 = __links[0][7] * <S as ::aim::__private::Scalar>::constant(0.224);
-        let __v133 = __v131 - __v132;
-        let __v134 = __v130 + __v133;
-        let __v135 = __v102 * __v134;
-        let __v136 = __links[0][8]
+        let __v85 = __links[0][7] * <S as ::aim::__private::Scalar>::constant(0.96);
+        let __v86 = __v84 - __v85;
+        let __v87 = __v83 - __v86;
+        let __v88 = __v56 * __v87;
+        let __v89 = __links[0][8] * <S as ::aim::__private::Scalar>::constant(0.768);
+        let __v90 = __links[0][6] * <S as ::aim::__private::Scalar>::constant(0.6);
+        let __v91 = __links[0][7] * <S as ::aim::__private::Scalar>::constant(0.224);
+        let __v92 = __v90 - __v91;
+        let __v93 = __v89 + __v92;
+        let __v94 = __v66 * __v93;
+        let __v95 = __links[0][8]
             * <S as ::aim::__private::Scalar>::constant(0.5760000000000001);
-        let __v137 = __links[0][6] * <S as ::aim::__private::Scalar>::constant(0.8);
-        let __v138 = __links[0][7]
+        let __v96 = __links[0][6] * <S as ::aim::__private::Scalar>::constant(0.8);
+        let __v97 = __links[0][7]
             * <S as ::aim::__private::Scalar>::constant(0.16800000000000004);
-        let __v139 = __v137 + __v138;
-        let __v140 = __v136 - __v139;
-        let __v141 = __v112 * __v140;
-        let __v142 = __v135 + __v141;
-        let __v143 = __v129 - __v142;
-        let __v144 = __v120 * __v143;
-        let __v145 = __v120 * __v144;
-        let __v146 = __v102 * __v145;
-        let __v147 = __v134 + __v146;
-        let __v148 = __v120 * __v147;
-        let __v149 = __v83 * __v148;
-        let __v150 = __v92 * __v145;
-        let __v151 = __v128 - __v150;
-        let __v152 = __v120 * __v151;
-        let __v153 = __v96 * __v152;
-        let __v154 = __v149 + __v153;
-        let __v155 = __sin_cos[0][1] * __v148;
-        let __v156 = __sin_cos[0][0] * __v152;
-        let __v157 = __v155 - __v156;
-        let __v158 = __v106 * __v157;
-        let __v159 = __v112 * __v145;
-        let __v160 = __v140 + __v159;
-        let __v161 = __v120 * __v160;
-        let __v162 = __v71 * __v161;
-        let __v163 = __v158 - __v162;
-        let __v164 = __sin_cos[0][0] * __v148;
-        let __v165 = __sin_cos[0][1] * __v152;
-        let __v166 = __v164 + __v165;
-        let __v167 = <S as ::aim::__private::Scalar>::constant(0.28) * __v166;
-        let __v168 = __sin_cos[0][3] * __v157;
-        let __v169 = __sin_cos[0][2] * __v161;
-        let __v170 = __v168 + __v169;
-        let __v171 = <S as ::aim::__private::Scalar>::constant(0.768) * __v170;
-        let __v172 = __sin_cos[0][2] * __v157;
-        let __v173 = __sin_cos[0][3] * __v161;
-        let __v174 = __v172 - __v173;
-        let __v175 = <S as ::aim::__private::Scalar>::constant(0.5760000000000001)
-            * __v174;
-        let __v176 = __v171 - __v175;
-        let __v177 = __v167 + __v176;
-        let __v178 = __links[1][6] * __v177;
-        let __v179 = <S as ::aim::__private::Scalar>::constant(
+        let __v98 = __v96 + __v97;
+        let __v99 = __v95 - __v98;
+        let __v100 = __v76 * __v99;
+        let __v101 = __v94 + __v100;
+        let __v102 = __v88 - __v101;
+        let __v103 = __v82 * __v102;
+        let __v104 = __v82 * __v103;
+        let __v105 = __v66 * __v104;
+        let __v106 = __v93 + __v105;
+        let __v107 = __v82 * __v106;
+        let __v108 = __v50 * __v107;
+        let __v109 = __v56 * __v104;
+        let __v110 = __v87 - __v109;
+        let __v111 = __v82 * __v110;
+        let __v112 = __v60 * __v111;
+        let __v113 = __v108 + __v112;
+        let __v114 = __sin_cos[0][1] * __v107;
+        let __v115 = __sin_cos[0][0] * __v111;
+        let __v116 = __v114 - __v115;
+        let __v117 = __v70 * __v116;
+        let __v118 = __v76 * __v104;
+        let __v119 = __v99 + __v118;
+        let __v120 = __v82 * __v119;
+        let __v121 = __v42 * __v120;
+        let __v122 = __v117 - __v121;
+        let __v123 = __sin_cos[0][0] * __v107;
+        let __v124 = __sin_cos[0][1] * __v111;
+        let __v125 = __v123 + __v124;
+        let __v126 = <S as ::aim::__private::Scalar>::constant(0.28) * __v125;
+        let __v127 = __sin_cos[0][3] * __v116;
+        let __v128 = __sin_cos[0][2] * __v120;
+        let __v129 = __v127 + __v128;
+        let __v130 = <S as ::aim::__private::Scalar>::constant(0.768) * __v129;
+        let __v131 = __sin_cos[0][2] * __v116;
+        let __v132 = __sin_cos[0][3] * __v120;
+        let __v133 = __v131 - __v132;
+        let __v134 = <S as ::aim::__private::Scalar>::constant(0.5760000000000001)
+            * __v133;
+        let __v135 = __v130 - __v134;
+        let __v136 = __v126 + __v135;
+        let __v137 = __links[1][6] * __v136;
+        let __v138 = <S as ::aim::__private::Scalar>::constant(
             0.000000000000000016653345369377347,
-        ) * __v166;
-        let __v180 = <S as ::aim::__private::Scalar>::constant(0.6) * __v170;
-        let __v181 = <S as ::aim::__private::Scalar>::constant(0.8) * __v174;
-        let __v182 = __v180 + __v181;
-        let __v183 = __v179 - __v182;
-        let __v184 = __links[1][0] * __v183;
-        let __v185 = <S as ::aim::__private::Scalar>::constant(0.96) * __v166;
-        let __v186 = <S as ::aim::__private::Scalar>::constant(0.224) * __v170;
-        let __v187 = <S as ::aim::__private::Scalar>::constant(0.16800000000000004)
-            * __v174;
-        let __v188 = __v186 - __v187;
-        let __v189 = __v185 - __v188;
-        let __v190 = __links[1][3] * __v189;
-        let __v191 = __v184 - __v190;
-        let __v192 = __v178 - __v191;
-        let __v193 = __v17 * __v192;
-        let __v194 = __links[1][8] * __v177;
-        let __v195 = __links[1][2] * __v183;
-        let __v196 = __links[1][5] * __v189;
-        let __v197 = __v195 - __v196;
-        let __v198 = __v194 - __v197;
-        let __v199 = __v24 * __v198;
-        let __v200 = __v193 - __v199;
-        let __v202 = __sin_cos[1][1] * __v192;
-        let __v203 = __sin_cos[1][0] * __v198;
-        let __v204 = __v202 + __v203;
-        let __v205 = __v31 * __v204;
-        let __v206 = __links[1][7] * __v177;
-        let __v207 = __links[1][1] * __v183;
-        let __v208 = __links[1][4] * __v189;
-        let __v209 = __v207 - __v208;
-        let __v210 = __v206 - __v209;
-        let __v211 = __v12 * __v210;
-        let __v212 = __v205 + __v211;
-        [__v144, __v154, __v163, -__v200, -__v212]
+        ) * __v125;
+        let __v139 = <S as ::aim::__private::Scalar>::constant(0.6) * __v129;
+        let __v140 = <S as ::aim::__private::Scalar>::constant(0.8) * __v133;
+        let __v141 = __v139 + __v140;
+        let __v142 = __v138 - __v141;
+        let __v143 = __links[1][0] * __v142;
+        let __v144 = <S as ::aim::__private::Scalar>::constant(0.96) * __v125;
+        let __v145 = <S as ::aim::__private::Scalar>::constant(0.224) * __v129;
+        let __v146 = <S as ::aim::__private::Scalar>::constant(0.16800000000000004)
+            * __v133;
+        let __v147 = __v145 - __v146;
+        let __v148 = __v144 - __v147;
+        let __v149 = __links[1][3] * __v148;
+        let __v150 = __v143 - __v149;
+        let __v151 = __v137 - __v150;
+        let __v152 = __v5 * __v151;
+        let __v153 = __links[1][8] * __v136;
+        let __v154 = __links[1][2] * __v142;
+        let __v155 = __links[1][5] * __v148;
+        let __v156 = __v154 - __v155;
+        let __v157 = __v153 - __v156;
+        let __v158 = __v10 * __v157;
+        let __v159 = __v152 - __v158;
+        let __v160 = __sin_cos[1][1] * __v151;
+        let __v161 = __sin_cos[1][0] * __v157;
+        let __v162 = __v160 + __v161;
+        let __v163 = __v15 * __v162;
+        let __v164 = __links[1][7] * __v136;
+        let __v165 = __links[1][1] * __v142;
+        let __v166 = __links[1][4] * __v148;
+        let __v167 = __v165 - __v166;
+        let __v168 = __v164 - __v167;
+        let __v169 = __v2 * __v168;
+        let __v170 = __v163 + __v169;
+        [__v103, __v113, __v122, -__v159, -__v170]
     }
     ///The chain's residual (left, up), then the derivatives of each. 313 operations: 122 add, 188 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `General`.
     #[inline]
@@ -576,390 +576,390 @@ const _: () = {
         __target: &[S; 3],
         __sin_cos: &[[S; 4]; 2],
     ) -> [S; 10] {
-        let __v9 = __target[0] * __sin_cos[1][3];
-        let __v12 = __target[1] * __sin_cos[1][2];
-        let __v13 = __v9 + __v12;
-        let __v14 = __sin_cos[1][0] * __v13;
-        let __v17 = __target[2] * __sin_cos[1][1];
-        let __v18 = __v14 + __v17;
-        let __v19 = __links[1][11] - __v18;
-        let __v20 = __links[1][8] * __v19;
-        let __v23 = __sin_cos[1][1] * __v13;
-        let __v24 = __target[2] * __sin_cos[1][0];
-        let __v25 = __v23 - __v24;
-        let __v26 = __links[1][9] - __v25;
-        let __v27 = __links[1][6] * __v26;
-        let __v30 = __target[0] * __sin_cos[1][2];
-        let __v31 = __target[1] * __sin_cos[1][3];
-        let __v32 = __v30 - __v31;
-        let __v33 = __links[1][10] + __v32;
-        let __v34 = __links[1][7] * __v33;
-        let __v35 = __v27 + __v34;
-        let __v36 = __v20 + __v35;
-        let __v38 = __v36 * <S as ::aim::__private::Scalar>::constant(0.768);
-        let __v40 = __links[1][2] * __v19;
-        let __v42 = __links[1][0] * __v26;
-        let __v44 = __links[1][1] * __v33;
-        let __v45 = __v42 + __v44;
-        let __v46 = __v40 + __v45;
-        let __v48 = __v46 * <S as ::aim::__private::Scalar>::constant(0.6);
-        let __v50 = __links[1][5] * __v19;
-        let __v52 = __links[1][3] * __v26;
-        let __v54 = __links[1][4] * __v33;
-        let __v55 = __v52 + __v54;
-        let __v56 = __v50 + __v55;
-        let __v58 = __v56 * <S as ::aim::__private::Scalar>::constant(0.224);
-        let __v59 = __v48 - __v58;
-        let __v60 = __v38 + __v59;
-        let __v61 = __sin_cos[0][3] * __v60;
-        let __v64 = __v36
+        let __v0 = __target[0] * __sin_cos[1][3];
+        let __v1 = __target[1] * __sin_cos[1][2];
+        let __v2 = __v0 + __v1;
+        let __v3 = __sin_cos[1][0] * __v2;
+        let __v4 = __target[2] * __sin_cos[1][1];
+        let __v5 = __v3 + __v4;
+        let __v6 = __links[1][11] - __v5;
+        let __v7 = __links[1][8] * __v6;
+        let __v8 = __sin_cos[1][1] * __v2;
+        let __v9 = __target[2] * __sin_cos[1][0];
+        let __v10 = __v8 - __v9;
+        let __v11 = __links[1][9] - __v10;
+        let __v12 = __links[1][6] * __v11;
+        let __v13 = __target[0] * __sin_cos[1][2];
+        let __v14 = __target[1] * __sin_cos[1][3];
+        let __v15 = __v13 - __v14;
+        let __v16 = __links[1][10] + __v15;
+        let __v17 = __links[1][7] * __v16;
+        let __v18 = __v12 + __v17;
+        let __v19 = __v7 + __v18;
+        let __v20 = __v19 * <S as ::aim::__private::Scalar>::constant(0.768);
+        let __v21 = __links[1][2] * __v6;
+        let __v22 = __links[1][0] * __v11;
+        let __v23 = __links[1][1] * __v16;
+        let __v24 = __v22 + __v23;
+        let __v25 = __v21 + __v24;
+        let __v26 = __v25 * <S as ::aim::__private::Scalar>::constant(0.6);
+        let __v27 = __links[1][5] * __v6;
+        let __v28 = __links[1][3] * __v11;
+        let __v29 = __links[1][4] * __v16;
+        let __v30 = __v28 + __v29;
+        let __v31 = __v27 + __v30;
+        let __v32 = __v31 * <S as ::aim::__private::Scalar>::constant(0.224);
+        let __v33 = __v26 - __v32;
+        let __v34 = __v20 + __v33;
+        let __v35 = __sin_cos[0][3] * __v34;
+        let __v36 = __v19
             * <S as ::aim::__private::Scalar>::constant(0.5760000000000001);
-        let __v66 = __v46 * <S as ::aim::__private::Scalar>::constant(0.8);
-        let __v68 = __v56
+        let __v37 = __v25 * <S as ::aim::__private::Scalar>::constant(0.8);
+        let __v38 = __v31
             * <S as ::aim::__private::Scalar>::constant(0.16800000000000004);
-        let __v69 = __v66 + __v68;
-        let __v70 = __v64 - __v69;
-        let __v71 = __sin_cos[0][2] * __v70;
-        let __v72 = __v61 - __v71;
-        let __v73 = __sin_cos[0][0] * __v72;
-        let __v76 = __v36 * <S as ::aim::__private::Scalar>::constant(0.28);
-        let __v78 = __v46
+        let __v39 = __v37 + __v38;
+        let __v40 = __v36 - __v39;
+        let __v41 = __sin_cos[0][2] * __v40;
+        let __v42 = __v35 - __v41;
+        let __v43 = __sin_cos[0][0] * __v42;
+        let __v44 = __v19 * <S as ::aim::__private::Scalar>::constant(0.28);
+        let __v45 = __v25
             * <S as ::aim::__private::Scalar>::constant(
                 0.000000000000000016653345369377347,
             );
-        let __v80 = __v56 * <S as ::aim::__private::Scalar>::constant(0.96);
-        let __v81 = __v78 - __v80;
-        let __v82 = __v76 - __v81;
-        let __v83 = __sin_cos[0][1] * __v82;
-        let __v84 = __v73 - __v83;
-        let __v86 = __links[0][11] * <S as ::aim::__private::Scalar>::constant(0.28);
-        let __v88 = __links[0][9]
+        let __v46 = __v31 * <S as ::aim::__private::Scalar>::constant(0.96);
+        let __v47 = __v45 - __v46;
+        let __v48 = __v44 - __v47;
+        let __v49 = __sin_cos[0][1] * __v48;
+        let __v50 = __v43 - __v49;
+        let __v51 = __links[0][11] * <S as ::aim::__private::Scalar>::constant(0.28);
+        let __v52 = __links[0][9]
             * <S as ::aim::__private::Scalar>::constant(
                 0.000000000000000016653345369377347,
             );
-        let __v90 = __links[0][10] * <S as ::aim::__private::Scalar>::constant(0.96);
-        let __v91 = __v88 - __v90;
-        let __v92 = __v86 - __v91;
-        let __v93 = __v84 - __v92;
-        let __v94 = __v93 * __v93;
-        let __v95 = __sin_cos[0][1] * __v72;
-        let __v96 = __sin_cos[0][0] * __v82;
-        let __v97 = __v95 + __v96;
-        let __v98 = __links[0][11] * <S as ::aim::__private::Scalar>::constant(0.768);
-        let __v99 = __links[0][9] * <S as ::aim::__private::Scalar>::constant(0.6);
-        let __v100 = __links[0][10] * <S as ::aim::__private::Scalar>::constant(0.224);
-        let __v101 = __v99 - __v100;
-        let __v102 = __v98 + __v101;
-        let __v103 = __v97 + __v102;
-        let __v104 = __v103 * __v103;
-        let __v105 = __sin_cos[0][2] * __v60;
-        let __v106 = __sin_cos[0][3] * __v70;
-        let __v107 = __v105 + __v106;
-        let __v108 = __links[0][11]
+        let __v53 = __links[0][10] * <S as ::aim::__private::Scalar>::constant(0.96);
+        let __v54 = __v52 - __v53;
+        let __v55 = __v51 - __v54;
+        let __v56 = __v50 - __v55;
+        let __v57 = __v56 * __v56;
+        let __v58 = __sin_cos[0][1] * __v42;
+        let __v59 = __sin_cos[0][0] * __v48;
+        let __v60 = __v58 + __v59;
+        let __v61 = __links[0][11] * <S as ::aim::__private::Scalar>::constant(0.768);
+        let __v62 = __links[0][9] * <S as ::aim::__private::Scalar>::constant(0.6);
+        let __v63 = __links[0][10] * <S as ::aim::__private::Scalar>::constant(0.224);
+        let __v64 = __v62 - __v63;
+        let __v65 = __v61 + __v64;
+        let __v66 = __v60 + __v65;
+        let __v67 = __v66 * __v66;
+        let __v68 = __sin_cos[0][2] * __v34;
+        let __v69 = __sin_cos[0][3] * __v40;
+        let __v70 = __v68 + __v69;
+        let __v71 = __links[0][11]
             * <S as ::aim::__private::Scalar>::constant(0.5760000000000001);
-        let __v109 = __links[0][9] * <S as ::aim::__private::Scalar>::constant(0.8);
-        let __v110 = __links[0][10]
+        let __v72 = __links[0][9] * <S as ::aim::__private::Scalar>::constant(0.8);
+        let __v73 = __links[0][10]
             * <S as ::aim::__private::Scalar>::constant(0.16800000000000004);
-        let __v111 = __v109 + __v110;
-        let __v112 = __v108 - __v111;
-        let __v113 = __v107 + __v112;
-        let __v114 = __v113 * __v113;
-        let __v115 = __v104 + __v114;
-        let __v116 = __v94 + __v115;
-        let __v117 = <S as ::aim::__private::Scalar>::sqrt(__v116);
-        let __v119 = <S as ::aim::__private::Scalar>::constant(0.28) * __v84;
-        let __v120 = <S as ::aim::__private::Scalar>::constant(0.768) * __v97;
-        let __v121 = <S as ::aim::__private::Scalar>::constant(0.5760000000000001)
-            * __v107;
-        let __v122 = __v120 + __v121;
-        let __v123 = __v119 - __v122;
-        let __v124 = __links[0][11] - __v123;
-        let __v125 = __links[0][8] * __v124;
-        let __v127 = <S as ::aim::__private::Scalar>::constant(
+        let __v74 = __v72 + __v73;
+        let __v75 = __v71 - __v74;
+        let __v76 = __v70 + __v75;
+        let __v77 = __v76 * __v76;
+        let __v78 = __v67 + __v77;
+        let __v79 = __v57 + __v78;
+        let __v80 = <S as ::aim::__private::Scalar>::sqrt(__v79);
+        let __v81 = <S as ::aim::__private::Scalar>::constant(0.28) * __v50;
+        let __v82 = <S as ::aim::__private::Scalar>::constant(0.768) * __v60;
+        let __v83 = <S as ::aim::__private::Scalar>::constant(0.5760000000000001)
+            * __v70;
+        let __v84 = __v82 + __v83;
+        let __v85 = __v81 - __v84;
+        let __v86 = __links[0][11] - __v85;
+        let __v87 = __links[0][8] * __v86;
+        let __v88 = <S as ::aim::__private::Scalar>::constant(
             0.000000000000000016653345369377347,
-        ) * __v84;
-        let __v128 = <S as ::aim::__private::Scalar>::constant(0.6) * __v97;
-        let __v129 = <S as ::aim::__private::Scalar>::constant(0.8) * __v107;
-        let __v130 = __v128 - __v129;
-        let __v131 = __v127 + __v130;
-        let __v132 = __links[0][9] + __v131;
-        let __v133 = __links[0][6] * __v132;
-        let __v135 = <S as ::aim::__private::Scalar>::constant(0.96) * __v84;
-        let __v136 = <S as ::aim::__private::Scalar>::constant(0.224) * __v97;
-        let __v137 = <S as ::aim::__private::Scalar>::constant(0.16800000000000004)
-            * __v107;
-        let __v138 = __v136 + __v137;
-        let __v139 = __v135 + __v138;
-        let __v140 = __links[0][10] - __v139;
-        let __v141 = __links[0][7] * __v140;
-        let __v142 = __v133 + __v141;
-        let __v143 = __v125 + __v142;
-        let __v144 = __v117 - __v143;
-        let __v146 = <S as ::aim::__private::Scalar>::constant(1.0) / __v144;
-        let __v148 = <S as ::aim::__private::Scalar>::select_less(
+        ) * __v50;
+        let __v89 = <S as ::aim::__private::Scalar>::constant(0.6) * __v60;
+        let __v90 = <S as ::aim::__private::Scalar>::constant(0.8) * __v70;
+        let __v91 = __v89 - __v90;
+        let __v92 = __v88 + __v91;
+        let __v93 = __links[0][9] + __v92;
+        let __v94 = __links[0][6] * __v93;
+        let __v95 = <S as ::aim::__private::Scalar>::constant(0.96) * __v50;
+        let __v96 = <S as ::aim::__private::Scalar>::constant(0.224) * __v60;
+        let __v97 = <S as ::aim::__private::Scalar>::constant(0.16800000000000004)
+            * __v70;
+        let __v98 = __v96 + __v97;
+        let __v99 = __v95 + __v98;
+        let __v100 = __links[0][10] - __v99;
+        let __v101 = __links[0][7] * __v100;
+        let __v102 = __v94 + __v101;
+        let __v103 = __v87 + __v102;
+        let __v104 = __v80 - __v103;
+        let __v105 = <S as ::aim::__private::Scalar>::constant(1.0) / __v104;
+        let __v106 = <S as ::aim::__private::Scalar>::select_less(
             <S as ::aim::__private::Scalar>::TINY,
-            __v144,
-            __v146,
+            __v104,
+            __v105,
             <S as ::aim::__private::Scalar>::ZERO,
         );
-        let __v149 = <S as ::aim::__private::Scalar>::constant(2.0) * __v148;
-        let __v153 = __links[0][5]
+        let __v107 = <S as ::aim::__private::Scalar>::constant(2.0) * __v106;
+        let __v108 = __links[0][5]
             * <S as ::aim::__private::Scalar>::constant(
                 0.00000000000000001734723475976807,
             );
-        let __v154 = __links[0][2] + __v153;
-        let __v155 = __v124 * __v154;
-        let __v158 = __links[0][3]
+        let __v109 = __links[0][2] + __v108;
+        let __v110 = __v86 * __v109;
+        let __v111 = __links[0][3]
             * <S as ::aim::__private::Scalar>::constant(
                 0.00000000000000001734723475976807,
             );
-        let __v159 = __links[0][0] + __v158;
-        let __v160 = __v132 * __v159;
-        let __v163 = __links[0][4]
+        let __v112 = __links[0][0] + __v111;
+        let __v113 = __v93 * __v112;
+        let __v114 = __links[0][4]
             * <S as ::aim::__private::Scalar>::constant(
                 0.00000000000000001734723475976807,
             );
-        let __v164 = __links[0][1] + __v163;
-        let __v165 = __v140 * __v164;
-        let __v166 = __v160 + __v165;
-        let __v167 = __v155 + __v166;
-        let __v168 = __v149 * __v167;
-        let __v170 = __links[0][2]
+        let __v115 = __links[0][1] + __v114;
+        let __v116 = __v100 * __v115;
+        let __v117 = __v113 + __v116;
+        let __v118 = __v110 + __v117;
+        let __v119 = __v107 * __v118;
+        let __v120 = __links[0][2]
             * <S as ::aim::__private::Scalar>::constant(
                 0.00000000000000001734723475976807,
             );
-        let __v171 = __links[0][5] - __v170;
-        let __v172 = __v124 * __v171;
-        let __v173 = __links[0][0]
+        let __v121 = __links[0][5] - __v120;
+        let __v122 = __v86 * __v121;
+        let __v123 = __links[0][0]
             * <S as ::aim::__private::Scalar>::constant(
                 0.00000000000000001734723475976807,
             );
-        let __v174 = __links[0][3] - __v173;
-        let __v175 = __v132 * __v174;
-        let __v176 = __links[0][1]
+        let __v124 = __links[0][3] - __v123;
+        let __v125 = __v93 * __v124;
+        let __v126 = __links[0][1]
             * <S as ::aim::__private::Scalar>::constant(
                 0.00000000000000001734723475976807,
             );
-        let __v177 = __links[0][4] - __v176;
-        let __v178 = __v140 * __v177;
-        let __v179 = __v175 + __v178;
-        let __v180 = __v172 + __v179;
-        let __v181 = __v149 * __v180;
-        let __v183 = __v149 * __v154;
-        let __v184 = <S as ::aim::__private::Scalar>::constant(2.0) * __v167;
-        let __v185 = __v148 * __v148;
-        let __v186 = __v184 * __v185;
-        let __v187 = __links[0][8] * __v186;
-        let __v188 = __v183 + __v187;
-        let __v189 = <S as ::aim::__private::Scalar>::constant(0.768) * __v188;
-        let __v190 = __v149 * __v159;
-        let __v191 = __links[0][6] * __v186;
-        let __v192 = __v190 + __v191;
-        let __v193 = <S as ::aim::__private::Scalar>::constant(0.6) * __v192;
-        let __v194 = __v149 * __v164;
-        let __v195 = __links[0][7] * __v186;
-        let __v196 = __v194 + __v195;
-        let __v197 = <S as ::aim::__private::Scalar>::constant(0.224) * __v196;
-        let __v198 = __v193 - __v197;
-        let __v199 = __v189 + __v198;
-        let __v200 = <S as ::aim::__private::Scalar>::constant(1.0) / __v117;
-        let __v201 = <S as ::aim::__private::Scalar>::select_less(
+        let __v127 = __links[0][4] - __v126;
+        let __v128 = __v100 * __v127;
+        let __v129 = __v125 + __v128;
+        let __v130 = __v122 + __v129;
+        let __v131 = __v107 * __v130;
+        let __v132 = __v107 * __v109;
+        let __v133 = <S as ::aim::__private::Scalar>::constant(2.0) * __v118;
+        let __v134 = __v106 * __v106;
+        let __v135 = __v133 * __v134;
+        let __v136 = __links[0][8] * __v135;
+        let __v137 = __v132 + __v136;
+        let __v138 = <S as ::aim::__private::Scalar>::constant(0.768) * __v137;
+        let __v139 = __v107 * __v112;
+        let __v140 = __links[0][6] * __v135;
+        let __v141 = __v139 + __v140;
+        let __v142 = <S as ::aim::__private::Scalar>::constant(0.6) * __v141;
+        let __v143 = __v107 * __v115;
+        let __v144 = __links[0][7] * __v135;
+        let __v145 = __v143 + __v144;
+        let __v146 = <S as ::aim::__private::Scalar>::constant(0.224) * __v145;
+        let __v147 = __v142 - __v146;
+        let __v148 = __v138 + __v147;
+        let __v149 = <S as ::aim::__private::Scalar>::constant(1.0) / __v80;
+        let __v150 = <S as ::aim::__private::Scalar>::select_less(
             <S as ::aim::__private::Scalar>::TINY,
-            __v117,
-            __v200,
+            __v80,
+            __v149,
             <S as ::aim::__private::Scalar>::ZERO,
         );
-        let __v202 = __v186 * __v201;
-        let __v203 = __v103 * __v202;
-        let __v204 = __v199 - __v203;
-        let __v205 = __v84 * __v204;
-        let __v206 = <S as ::aim::__private::Scalar>::constant(0.28) * __v188;
-        let __v207 = <S as ::aim::__private::Scalar>::constant(
+        let __v151 = __v135 * __v150;
+        let __v152 = __v66 * __v151;
+        let __v153 = __v148 - __v152;
+        let __v154 = __v50 * __v153;
+        let __v155 = <S as ::aim::__private::Scalar>::constant(0.28) * __v137;
+        let __v156 = <S as ::aim::__private::Scalar>::constant(
             0.000000000000000016653345369377347,
-        ) * __v192;
-        let __v208 = <S as ::aim::__private::Scalar>::constant(0.96) * __v196;
-        let __v209 = __v207 - __v208;
-        let __v210 = __v206 - __v209;
-        let __v211 = __v93 * __v202;
-        let __v212 = __v210 + __v211;
-        let __v213 = __v97 * __v212;
-        let __v214 = __v205 + __v213;
-        let __v215 = __sin_cos[0][1] * __v204;
-        let __v216 = __sin_cos[0][0] * __v212;
-        let __v217 = __v215 - __v216;
-        let __v218 = __v107 * __v217;
-        let __v219 = <S as ::aim::__private::Scalar>::constant(0.5760000000000001)
-            * __v188;
-        let __v220 = <S as ::aim::__private::Scalar>::constant(0.8) * __v192;
-        let __v221 = <S as ::aim::__private::Scalar>::constant(0.16800000000000004)
-            * __v196;
-        let __v222 = __v220 + __v221;
-        let __v223 = __v219 - __v222;
-        let __v224 = __v113 * __v202;
-        let __v225 = __v223 - __v224;
-        let __v226 = __v72 * __v225;
-        let __v227 = __v218 - __v226;
-        let __v228 = __sin_cos[0][0] * __v204;
-        let __v229 = __sin_cos[0][1] * __v212;
-        let __v230 = __v228 + __v229;
-        let __v231 = <S as ::aim::__private::Scalar>::constant(0.28) * __v230;
-        let __v232 = __sin_cos[0][3] * __v217;
-        let __v233 = __sin_cos[0][2] * __v225;
-        let __v234 = __v232 + __v233;
-        let __v235 = <S as ::aim::__private::Scalar>::constant(0.768) * __v234;
-        let __v236 = __sin_cos[0][2] * __v217;
-        let __v237 = __sin_cos[0][3] * __v225;
-        let __v238 = __v236 - __v237;
-        let __v239 = <S as ::aim::__private::Scalar>::constant(0.5760000000000001)
-            * __v238;
-        let __v240 = __v235 - __v239;
-        let __v241 = __v231 + __v240;
-        let __v242 = __links[1][6] * __v241;
-        let __v243 = <S as ::aim::__private::Scalar>::constant(
+        ) * __v141;
+        let __v157 = <S as ::aim::__private::Scalar>::constant(0.96) * __v145;
+        let __v158 = __v156 - __v157;
+        let __v159 = __v155 - __v158;
+        let __v160 = __v56 * __v151;
+        let __v161 = __v159 + __v160;
+        let __v162 = __v60 * __v161;
+        let __v163 = __v154 + __v162;
+        let __v164 = __sin_cos[0][1] * __v153;
+        let __v165 = __sin_cos[0][0] * __v161;
+        let __v166 = __v164 - __v165;
+        let __v167 = __v70 * __v166;
+        let __v168 = <S as ::aim::__private::Scalar>::constant(0.5760000000000001)
+            * __v137;
+        let __v169 = <S as ::aim::__private::Scalar>::constant(0.8) * __v141;
+        let __v170 = <S as ::aim::__private::Scalar>::constant(0.16800000000000004)
+            * __v145;
+        let __v171 = __v169 + __v170;
+        let __v172 = __v168 - __v171;
+        let __v173 = __v76 * __v151;
+        let __v174 = __v172 - __v173;
+        let __v175 = __v42 * __v174;
+        let __v176 = __v167 - __v175;
+        let __v177 = __sin_cos[0][0] * __v153;
+        let __v178 = __sin_cos[0][1] * __v161;
+        let __v179 = __v177 + __v178;
+        let __v180 = <S as ::aim::__private::Scalar>::constant(0.28) * __v179;
+        let __v181 = __sin_cos[0][3] * __v166;
+        let __v182 = __sin_cos[0][2] * __v174;
+        let __v183 = __v181 + __v182;
+        let __v184 = <S as ::aim::__private::Scalar>::constant(0.768) * __v183;
+        let __v185 = __sin_cos[0][2] * __v166;
+        let __v186 = __sin_cos[0][3] * __v174;
+        let __v187 = __v185 - __v186;
+        let __v188 = <S as ::aim::__private::Scalar>::constant(0.5760000000000001)
+            * __v187;
+        let __v189 = __v184 - __v188;
+        let __v190 = __v180 + __v189;
+        let __v191 = __links[1][6] * __v190;
+        let __v192 = <S as ::aim::__private::Scalar>::constant(
             0.000000000000000016653345369377347,
-        ) * __v230;
-        let __v244 = <S as ::aim::__private::Scalar>::constant(0.6) * __v234;
-        let __v245 = <S as ::aim::__private::Scalar>::constant(0.8) * __v238;
-        let __v246 = __v244 + __v245;
-        let __v247 = __v243 - __v246;
-        let __v248 = __links[1][0] * __v247;
-        let __v249 = <S as ::aim::__private::Scalar>::constant(0.96) * __v230;
-        let __v250 = <S as ::aim::__private::Scalar>::constant(0.224) * __v234;
-        let __v251 = <S as ::aim::__private::Scalar>::constant(0.16800000000000004)
-            * __v238;
-        let __v252 = __v250 - __v251;
-        let __v253 = __v249 - __v252;
-        let __v254 = __links[1][3] * __v253;
-        let __v255 = __v248 - __v254;
-        let __v256 = __v242 - __v255;
-        let __v257 = __v18 * __v256;
-        let __v258 = __links[1][8] * __v241;
-        let __v259 = __links[1][2] * __v247;
-        let __v260 = __links[1][5] * __v253;
-        let __v261 = __v259 - __v260;
+        ) * __v179;
+        let __v193 = <S as ::aim::__private::Scalar>::constant(0.6) * __v183;
+        let __v194 = <S as ::aim::__private::Scalar>::constant(0.8) * __v187;
+        let __v195 = __v193 + __v194;
+        let __v196 = __v192 - __v195;
+        let __v197 = __links[1][0] * __v196;
+        let __v198 = <S as ::aim::__private::Scalar>::constant(0.96) * __v179;
+        let __v199 = <S as ::aim::__private::Scalar>::constant(0.224) * __v183;
+        let __v200 = <S as ::aim::__private::Scalar>::constant(0.16800000000000004)
+            * __v187;
+        let __v201 = __v199 - __v200;
+        let __v202 = __v198 - __v201;
+        let __v203 = __links[1][3] * __v202;
+        let __v204 = __v197 - __v203;
+        let __v205 = __v191 - __v204;
+        let __v206 = __v5 * __v205;
+        let __v207 = __links[1][8] * __v190;
+        let __v208 = __links[1][2] * __v196;
+        let __v209 = __links[1][5] * __v202;
+        let __v210 = __v208 - __v209;
+        let __v211 = __v207 - __v210;
+        let __v212 = __v10 * __v211;
+        let __v213 = __v206 - __v212;
+        let __v214 = __sin_cos[1][1] * __v205;
+        let __v215 = __sin_cos[1][0] * __v211;
+        let __v216 = __v214 + __v215;
+        let __v217 = __v15 * __v216;
+        let __v218 = __links[1][7] * __v190;
+        let __v219 = __links[1][1] * __v196;
+        let __v220 = __links[1][4] * __v202;
+        let __v221 = __v219 - __v220;
+        let __v222 = __v218 - __v221;
+        let __v223 = __v2 * __v222;
+        let __v224 = __v217 + __v223;
+        let __v225 = __v107 * __v121;
+        let __v226 = <S as ::aim::__private::Scalar>::constant(2.0) * __v130;
+        let __v227 = __v134 * __v226;
+        let __v228 = __links[0][8] * __v227;
+        let __v229 = __v225 + __v228;
+        let __v230 = <S as ::aim::__private::Scalar>::constant(0.768) * __v229;
+        let __v231 = __v107 * __v124;
+        let __v232 = __links[0][6] * __v227;
+        let __v233 = __v231 + __v232;
+        let __v234 = <S as ::aim::__private::Scalar>::constant(0.6) * __v233;
+        let __v235 = __v107 * __v127;
+        let __v236 = __links[0][7] * __v227;
+        let __v237 = __v235 + __v236;
+        let __v238 = <S as ::aim::__private::Scalar>::constant(0.224) * __v237;
+        let __v239 = __v234 - __v238;
+        let __v240 = __v230 + __v239;
+        let __v241 = __v150 * __v227;
+        let __v242 = __v66 * __v241;
+        let __v243 = __v240 - __v242;
+        let __v244 = __v50 * __v243;
+        let __v245 = <S as ::aim::__private::Scalar>::constant(0.28) * __v229;
+        let __v246 = <S as ::aim::__private::Scalar>::constant(
+            0.000000000000000016653345369377347,
+        ) * __v233;
+        let __v247 = <S as ::aim::__private::Scalar>::constant(0.96) * __v237;
+        let __v248 = __v246 - __v247;
+        let __v249 = __v245 - __v248;
+        let __v250 = __v56 * __v241;
+        let __v251 = __v249 + __v250;
+        let __v252 = __v60 * __v251;
+        let __v253 = __v244 + __v252;
+        let __v254 = __sin_cos[0][1] * __v243;
+        let __v255 = __sin_cos[0][0] * __v251;
+        let __v256 = __v254 - __v255;
+        let __v257 = __v70 * __v256;
+        let __v258 = <S as ::aim::__private::Scalar>::constant(0.5760000000000001)
+            * __v229;
+        let __v259 = <S as ::aim::__private::Scalar>::constant(0.8) * __v233;
+        let __v260 = <S as ::aim::__private::Scalar>::constant(0.16800000000000004)
+            * __v237;
+        let __v261 = __v259 + __v260;
         let __v262 = __v258 - __v261;
-        let __v263 = __v25 * __v262;
-        let __v264 = __v257 - __v263;
-        let __v266 = __sin_cos[1][1] * __v256;
-        let __v267 = __sin_cos[1][0] * __v262;
-        let __v268 = __v266 + __v267;
-        let __v269 = __v32 * __v268;
-        let __v270 = __links[1][7] * __v241;
-        let __v271 = __links[1][1] * __v247;
-        let __v272 = __links[1][4] * __v253;
-        let __v273 = __v271 - __v272;
-        let __v274 = __v270 - __v273;
-        let __v275 = __v13 * __v274;
-        let __v276 = __v269 + __v275;
-        let __v278 = __v149 * __v171;
-        let __v279 = <S as ::aim::__private::Scalar>::constant(2.0) * __v180;
-        let __v280 = __v185 * __v279;
-        let __v281 = __links[0][8] * __v280;
-        let __v282 = __v278 + __v281;
-        let __v283 = <S as ::aim::__private::Scalar>::constant(0.768) * __v282;
-        let __v284 = __v149 * __v174;
-        let __v285 = __links[0][6] * __v280;
-        let __v286 = __v284 + __v285;
-        let __v287 = <S as ::aim::__private::Scalar>::constant(0.6) * __v286;
-        let __v288 = __v149 * __v177;
-        let __v289 = __links[0][7] * __v280;
-        let __v290 = __v288 + __v289;
-        let __v291 = <S as ::aim::__private::Scalar>::constant(0.224) * __v290;
-        let __v292 = __v287 - __v291;
-        let __v293 = __v283 + __v292;
-        let __v294 = __v201 * __v280;
-        let __v295 = __v103 * __v294;
-        let __v296 = __v293 - __v295;
-        let __v297 = __v84 * __v296;
-        let __v298 = <S as ::aim::__private::Scalar>::constant(0.28) * __v282;
-        let __v299 = <S as ::aim::__private::Scalar>::constant(
+        let __v263 = __v76 * __v241;
+        let __v264 = __v262 - __v263;
+        let __v265 = __v42 * __v264;
+        let __v266 = __v257 - __v265;
+        let __v267 = __sin_cos[0][0] * __v243;
+        let __v268 = __sin_cos[0][1] * __v251;
+        let __v269 = __v267 + __v268;
+        let __v270 = <S as ::aim::__private::Scalar>::constant(0.28) * __v269;
+        let __v271 = __sin_cos[0][3] * __v256;
+        let __v272 = __sin_cos[0][2] * __v264;
+        let __v273 = __v271 + __v272;
+        let __v274 = <S as ::aim::__private::Scalar>::constant(0.768) * __v273;
+        let __v275 = __sin_cos[0][2] * __v256;
+        let __v276 = __sin_cos[0][3] * __v264;
+        let __v277 = __v275 - __v276;
+        let __v278 = <S as ::aim::__private::Scalar>::constant(0.5760000000000001)
+            * __v277;
+        let __v279 = __v274 - __v278;
+        let __v280 = __v270 + __v279;
+        let __v281 = __links[1][6] * __v280;
+        let __v282 = <S as ::aim::__private::Scalar>::constant(
             0.000000000000000016653345369377347,
-        ) * __v286;
-        let __v300 = <S as ::aim::__private::Scalar>::constant(0.96) * __v290;
-        let __v301 = __v299 - __v300;
-        let __v302 = __v298 - __v301;
-        let __v303 = __v93 * __v294;
-        let __v304 = __v302 + __v303;
-        let __v305 = __v97 * __v304;
-        let __v306 = __v297 + __v305;
-        let __v307 = __sin_cos[0][1] * __v296;
-        let __v308 = __sin_cos[0][0] * __v304;
-        let __v309 = __v307 - __v308;
-        let __v310 = __v107 * __v309;
-        let __v311 = <S as ::aim::__private::Scalar>::constant(0.5760000000000001)
-            * __v282;
-        let __v312 = <S as ::aim::__private::Scalar>::constant(0.8) * __v286;
-        let __v313 = <S as ::aim::__private::Scalar>::constant(0.16800000000000004)
-            * __v290;
-        let __v314 = __v312 + __v313;
-        let __v315 = __v311 - __v314;
-        let __v316 = __v113 * __v294;
-        let __v317 = __v315 - __v316;
-        let __v318 = __v72 * __v317;
-        let __v319 = __v310 - __v318;
-        let __v320 = __sin_cos[0][0] * __v296;
-        let __v321 = __sin_cos[0][1] * __v304;
-        let __v322 = __v320 + __v321;
-        let __v323 = <S as ::aim::__private::Scalar>::constant(0.28) * __v322;
-        let __v324 = __sin_cos[0][3] * __v309;
-        let __v325 = __sin_cos[0][2] * __v317;
-        let __v326 = __v324 + __v325;
-        let __v327 = <S as ::aim::__private::Scalar>::constant(0.768) * __v326;
-        let __v328 = __sin_cos[0][2] * __v309;
-        let __v329 = __sin_cos[0][3] * __v317;
-        let __v330 = __v328 - __v329;
-        let __v331 = <S as ::aim::__private::Scalar>::constant(0.5760000000000001)
-            * __v330;
-        let __v332 = __v327 - __v331;
-        let __v333 = __v323 + __v332;
-        let __v334 = __links[1][6] * __v333;
-        let __v335 = <S as ::aim::__private::Scalar>::constant(
-            0.000000000000000016653345369377347,
-        ) * __v322;
-        let __v336 = <S as ::aim::__private::Scalar>::constant(0.6) * __v326;
-        let __v337 = <S as ::aim::__private::Scalar>::constant(0.8) * __v330;
-        let __v338 = __v336 + __v337;
-        let __v339 = __v335 - __v338;
-        let __v340 = __links[1][0] * __v339;
-        let __v341 = <S as ::aim::__private::Scalar>::constant(0.96) * __v322;
-        let __v342 = <S as ::aim::__private::Scalar>::constant(0.224) * __v326;
-        let __v343 = <S as ::aim::__private::Scalar>::constant(0.16800000000000004)
-            * __v330;
-        let __v344 = __v342 - __v343;
-        let __v345 = __v341 - __v344;
-        let __v346 = __links[1][3] * __v345;
-        let __v347 = __v340 - __v346;
-        let __v348 = __v334 - __v347;
-        let __v349 = __v18 * __v348;
-        let __v350 = __links[1][8] * __v333;
-        let __v351 = __links[1][2] * __v339;
-        let __v352 = __links[1][5] * __v345;
-        let __v353 = __v351 - __v352;
-        let __v354 = __v350 - __v353;
-        let __v355 = __v25 * __v354;
-        let __v356 = __v349 - __v355;
-        let __v358 = __sin_cos[1][1] * __v348;
-        let __v359 = __sin_cos[1][0] * __v354;
-        let __v360 = __v358 + __v359;
-        let __v361 = __v32 * __v360;
-        let __v362 = __links[1][7] * __v333;
-        let __v363 = __links[1][1] * __v339;
-        let __v364 = __links[1][4] * __v345;
-        let __v365 = __v363 - __v364;
-        let __v366 = __v362 - __v365;
-        let __v367 = __v13 * __v366;
-        let __v368 = __v361 + __v367;
+        ) * __v269;
+        let __v283 = <S as ::aim::__private::Scalar>::constant(0.6) * __v273;
+        let __v284 = <S as ::aim::__private::Scalar>::constant(0.8) * __v277;
+        let __v285 = __v283 + __v284;
+        let __v286 = __v282 - __v285;
+        let __v287 = __links[1][0] * __v286;
+        let __v288 = <S as ::aim::__private::Scalar>::constant(0.96) * __v269;
+        let __v289 = <S as ::aim::__private::Scalar>::constant(0.224) * __v273;
+        let __v290 = <S as ::aim::__private::Scalar>::constant(0.16800000000000004)
+            * __v277;
+        let __v291 = __v289 - __v290;
+        let __v292 = __v288 - __v291;
+        let __v293 = __links[1][3] * __v292;
+        let __v294 = __v287 - __v293;
+        let __v295 = __v281 - __v294;
+        let __v296 = __v5 * __v295;
+        let __v297 = __links[1][8] * __v280;
+        let __v298 = __links[1][2] * __v286;
+        let __v299 = __links[1][5] * __v292;
+        let __v300 = __v298 - __v299;
+        let __v301 = __v297 - __v300;
+        let __v302 = __v10 * __v301;
+        let __v303 = __v296 - __v302;
+        let __v304 = __sin_cos[1][1] * __v295;
+        let __v305 = __sin_cos[1][0] * __v301;
+        let __v306 = __v304 + __v305;
+        let __v307 = __v15 * __v306;
+        let __v308 = __links[1][7] * __v280;
+        let __v309 = __links[1][1] * __v286;
+        let __v310 = __links[1][4] * __v292;
+        let __v311 = __v309 - __v310;
+        let __v312 = __v308 - __v311;
+        let __v313 = __v2 * __v312;
+        let __v314 = __v307 + __v313;
         [
-            -__v168,
-            -__v181,
-            __v214,
-            __v227,
-            -__v264,
-            -__v276,
-            __v306,
-            __v319,
-            -__v356,
-            -__v368,
+            -__v119,
+            -__v131,
+            __v163,
+            __v176,
+            -__v213,
+            -__v224,
+            __v253,
+            __v266,
+            -__v303,
+            -__v314,
         ]
     }
 };

@@ -362,9 +362,9 @@ impl Body<'_> {
         let private = self.private;
         let scalar = quote!(<S as #private::Scalar>);
         let mut steps = TokenStream::new();
-        for (place, op) in self.program.ops().iter().enumerate() {
+        for (number, op) in self.program.steps() {
             let at = |v: Value| self.operand(v);
-            let right = match *op {
+            let right = match op {
                 Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Neg(_) => continue,
                 Op::Add(a, b) => infix(at(a), '+', at(b)),
                 Op::Sub(a, b) => infix(at(a), '-', at(b)),
@@ -379,7 +379,7 @@ impl Body<'_> {
                     quote!(#scalar::select_less(#a, #b, #c, #d))
                 }
             };
-            let name = local(&format!("v{place}"));
+            let name = local(&format!("v{number}"));
             steps.extend(quote!(let #name = #right;));
         }
         steps
@@ -405,7 +405,7 @@ impl Body<'_> {
                 quote!(-#a)
             }
             _ => {
-                let name = local(&format!("v{}", v.index()));
+                let name = local(&format!("v{}", self.program.step_number(v)));
                 quote!(#name)
             }
         }

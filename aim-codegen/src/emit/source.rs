@@ -16,12 +16,12 @@ pub(super) trait Dialect {
     fn select_less(&self, a: &str, b: &str, then: &str, otherwise: &str) -> String;
 }
 
-/// The program's steps as `(place, expression)`, and its outputs. Inputs, constants and negations are written in place.
+/// The program's steps as `(number, expression)`, and its outputs. Inputs, constants and negations are written in place.
 pub(super) fn steps(program: &Program, dialect: &dyn Dialect) -> (Vec<(usize, String)>, Vec<String>) {
     let name = |v: Value| operand(program, dialect, v);
     let mut steps = Vec::new();
-    for (place, op) in program.ops().iter().enumerate() {
-        let expression = match *op {
+    for (number, op) in program.steps() {
+        let expression = match op {
             Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Neg(_) => continue,
             Op::Add(a, b) => format!("{} + {}", name(a), name(b)),
             Op::Sub(a, b) => format!("{} - {}", name(a), name(b)),
@@ -30,7 +30,7 @@ pub(super) fn steps(program: &Program, dialect: &dyn Dialect) -> (Vec<(usize, St
             Op::Sqrt(a) => dialect.sqrt(&name(a)),
             Op::SelectLess(a, b, c, d) => dialect.select_less(&name(a), &name(b), &name(c), &name(d)),
         };
-        steps.push((place, expression));
+        steps.push((number, expression));
     }
     (steps, program.outputs().iter().map(|&v| name(v)).collect())
 }
@@ -41,6 +41,6 @@ fn operand(program: &Program, dialect: &dyn Dialect, v: Value) -> String {
         Op::Constant(c) => dialect.constant(c.value()),
         Op::Tiny => dialect.tiny(),
         Op::Neg(a) => format!("-{}", operand(program, dialect, a)),
-        _ => format!("v{}", v.index()),
+        _ => format!("v{}", program.step_number(v)),
     }
 }

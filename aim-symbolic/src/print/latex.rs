@@ -6,21 +6,15 @@ use super::plain::common_name;
 
 /// The program as the body of an `align*` environment.
 pub fn program(program: &Program) -> String {
-    let name = |v: Value| match program.ops()[v.index()] {
-        Op::Input(i) => symbol(&program.inputs()[i as usize]),
-        Op::Constant(c) => format!("{}", c.value()),
-        Op::Tiny => r"\varepsilon".to_owned(),
-        _ => format!("v_{{{}}}", v.index()),
-    };
+    let name = |v: Value| operand(program, v);
     let mut lines = Vec::new();
-    for (place, op) in program.ops().iter().enumerate() {
-        let right = match *op {
-            Op::Input(_) | Op::Constant(_) | Op::Tiny => continue,
+    for (number, op) in program.steps() {
+        let right = match op {
+            Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Neg(_) => continue,
             Op::Add(a, b) => format!("{} + {}", name(a), name(b)),
             Op::Sub(a, b) => format!("{} - {}", name(a), name(b)),
             Op::Mul(a, b) => format!(r"{} \, {}", name(a), name(b)),
             Op::Div(a, b) => format!(r"\frac{{{}}}{{{}}}", name(a), name(b)),
-            Op::Neg(a) => format!("-{}", name(a)),
             Op::Sqrt(a) => format!(r"\sqrt{{{}}}", name(a)),
             Op::SelectLess(a, b, c, d) => format!(
                 r"\begin{{cases}} {} & {} < {} \\ {} & \text{{else}} \end{{cases}}",
@@ -30,11 +24,21 @@ pub fn program(program: &Program) -> String {
                 name(d)
             ),
         };
-        lines.push(format!("v_{{{place}}} &= {right}"));
+        lines.push(format!("v_{{{number}}} &= {right}"));
     }
     let outputs: Vec<String> = program.outputs().iter().map(|&v| name(v)).collect();
     lines.push(format!(r"\text{{result}} &= \left({}\right)", outputs.join(", ")));
     lines.join(" \\\\\n") + "\n"
+}
+
+fn operand(program: &Program, v: Value) -> String {
+    match program.ops()[v.index()] {
+        Op::Input(i) => symbol(&program.inputs()[i as usize]),
+        Op::Constant(c) => format!("{}", c.value()),
+        Op::Tiny => r"\varepsilon".to_owned(),
+        Op::Neg(a) => format!(r"\left(-{}\right)", operand(program, a)),
+        _ => format!("v_{{{}}}", program.step_number(v)),
+    }
 }
 
 /// An input's name as a symbol: `sin_p` is a sine, `m_01` has subscripts, greek letters stay words.

@@ -8,18 +8,17 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 pub fn program(program: &Program) -> String {
     let mut out = String::new();
     let name = |v: Value| operand(program, v);
-    for (place, op) in program.ops().iter().enumerate() {
-        let right = match *op {
-            Op::Input(_) | Op::Constant(_) | Op::Tiny => continue,
+    for (number, op) in program.steps() {
+        let right = match op {
+            Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Neg(_) => continue,
             Op::Add(a, b) => format!("{} + {}", name(a), name(b)),
             Op::Sub(a, b) => format!("{} - {}", name(a), name(b)),
             Op::Mul(a, b) => format!("{} * {}", name(a), name(b)),
             Op::Div(a, b) => format!("{} / {}", name(a), name(b)),
-            Op::Neg(a) => format!("-{}", name(a)),
             Op::Sqrt(a) => format!("sqrt({})", name(a)),
             Op::SelectLess(a, b, c, d) => format!("{} < {} ? {} : {}", name(a), name(b), name(c), name(d)),
         };
-        out += &format!("v{place} = {right}\n");
+        out += &format!("v{number} = {right}\n");
     }
     let outputs: Vec<String> = program.outputs().iter().map(|&v| name(v)).collect();
     out += &format!("result {}\n", outputs.join(", "));
@@ -31,7 +30,8 @@ fn operand(program: &Program, v: Value) -> String {
         Op::Input(i) => program.inputs()[i as usize].clone(),
         Op::Constant(c) => format!("{}", c.value()),
         Op::Tiny => "tiny".to_owned(),
-        _ => format!("v{}", v.index()),
+        Op::Neg(a) => format!("(-{})", operand(program, a)),
+        _ => format!("v{}", program.step_number(v)),
     }
 }
 
