@@ -7,7 +7,7 @@
 //! 2. [`rewrite`](Graph::rewrite) moves rotations to where they cancel or cost least ([`rules`]).
 //! 3. [`gradient`](Graph::gradient) sweeps backwards over whole vectors: linear in the length of a chain.
 //! 4. [`Program::derive`] lowers to components, folds, shares and orders them: a straight-line [`Program`].
-//! 5. The program is run ([`Program::run`]), counted ([`Program::count`]) or printed ([`print`]).
+//! 5. The program is run ([`Program::run`]), counted ([`Program::count`]) or printed ([`mod@print`]).
 //!
 //! ```
 //! use aim_symbolic::{Graph, Plane, Program};

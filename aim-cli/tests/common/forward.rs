@@ -1,0 +1,267 @@
+//! A bake on trial: its file and its report against each other, the source and the rig, by a forward kinematics of the
+//! tests' own.
+
+use glam::{DMat3, DQuat, DVec3};
+use serde_json::Value;
+
+use super::gltf::{Local, Model};
+use super::rig::Joint;
+
+/// What was baked and what came out.
+pub(crate) struct Bake<'a> {
+    /// The model that was aimed and the model that was written.
+    pub(crate) source: &'a [u8],
+    pub(crate) output: &'a [u8],
+    pub(crate) report: &'a Value,
+    /// The rig's declaration; without one what needs its axes is not looked at.
+    pub(crate) joints: Option<&'a [Joint]>,
+}
+
+/// A frame of the report with what forward kinematics makes of it.
+struct Frame<'a> {
+    report: &'a Value,
+    t: f64,
+    source: Vec<Local>,
+    output: Vec<Local>,
+}
+
+/// The f32 that the report's number stands for.
+fn time(value: &Value) -> f64 {
+    #[expect(clippy::cast_possible_truncation, reason = "the report's times are single precision")]
+    let single = number(value) as f32;
+    single.into()
+}
+
+pub(crate) fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
+}
+
+pub(crate) fn vector(value: &Value) -> DVec3 {
+    DVec3::from_array(std::array::from_fn(|i| number(&value[i])))
+}
+
+pub(crate) fn list(value: &Value) -> &[Value] {
+    value.as_array().map_or(&[], Vec::as_slice)
+}
+
+/// Degrees between two directions; sound for small angles and for opposite ones.
+pub(crate) fn angle_between(a: DVec3, b: DVec3) -> f64 {
+    a.cross(b).length().atan2(a.dot(b)).to_degrees()
+}
+
+impl Bake<'_> {
+    /// Checks everything that holds for every bake.
+    #[track_caller]
+    pub(crate) fn check(&self) {
+        let (source, output) = (Model::new(self.source), Model::new(self.output));
+        let clip_name = self.report["clip"].as_str().expect("the clip's name");
+        let source_clip = source.clip_index(clip_name).map(|at| source.clip(at));
+        let output_at = output.clip_index(clip_name).expect("the baked clip is in the output");
+        let output_clip = output.clip(output_at);
+        let frames = list(&self.report["frames"]);
+        assert!(!frames.is_empty(), "a bake has frames");
+        let seconds = time(&frames[frames.len() - 1]["t"]);
+        assert!((output_clip.seconds - seconds).abs() < 1e-5, "{} against {seconds}", output_clip.seconds);
+
+        let chain: Vec<usize> = bones(&frames[0]["joints"]).map(|bone| output.node(bone)).collect();
+        let pair: Vec<usize> = bones(&frames[0]["followers"]).map(|bone| output.node(bone)).collect();
+        self.only_the_clip_differs(&source, &output, output_at, &[&chain[..], &pair[..]].concat());
+
+        let period = source_clip.as_ref().map_or(0.0, |clip| clip.seconds);
+        let before = |t: f64| match &source_clip {
+            Some(clip) => source.pose(clip, if t > period && period > 0.0 { t % period } else { t }),
+            None => source.rest().to_vec(),
+        };
+        // Away from the seams, where a clip that does not close jumps.
+        let seam = |t: f64| period > 0.0 && t > 0.5 * period && (t / period - (t / period).round()).abs() < 1e-4;
+        for k in 0..200_u32 {
+            let t = seconds * f64::from(k) / 199.3;
+            if !seam(t) {
+                untouched(&before(t), &output.pose(&output_clip, t), &chain, &pair, t);
+            }
+        }
+        let frames = frames.iter().map(|report| {
+            let t = time(&report["t"]);
+            Frame { report, t, source: before(t), output: output.pose(&output_clip, t) }
+        });
+        let frames: Vec<Frame<'_>> = frames.collect();
+        for frame in &frames {
+            self.error_is_true(frame, &output, chain[0]);
+            if !seam(frame.t) {
+                self.angles_make_the_rotations(frame, &chain);
+                if let [pair] = pair[..] {
+                    pair_turns_alike(frame, &output, chain[0], pair);
+                }
+            }
+        }
+        if let Some(joints) = self.joints {
+            within_limits(joints, &frames);
+            within_rates(joints, &frames);
+        }
+        self.summary_is_true();
+    }
+
+    /// Meshes, skins, materials, other clips: equal. Data: the old first, then the new. Nodes: equal, but for the
+    /// matrix of those that are aimed.
+    fn only_the_clip_differs(&self, source: &Model, output: &Model, clip: usize, aimed: &[usize]) {
+        assert!(output.bin.starts_with(&source.bin), "the old binary chunk is not first in the new");
+        let (old, new) = (source.json.as_object().expect("an object"), output.json.as_object().expect("an object"));
+        for (key, old) in old {
+            match key.as_str() {
+                "nodes" => {
+                    for (at, (old, new)) in list(old).iter().zip(list(&new["nodes"])).enumerate() {
+                        let released = old.get("matrix").is_some() && new.get("matrix").is_none() && moved(output, clip, at);
+                        assert!(released || old == new, "node {at} ({}) changed", old["name"]);
+                    }
+                    assert_eq!(list(old).len(), list(&new["nodes"]).len(), "the number of nodes");
+                }
+                "animations" => {
+                    for (at, (old, new)) in list(old).iter().zip(list(&new["animations"])).enumerate() {
+                        assert!(at == clip || old == new, "animation {at} changed");
+                    }
+                }
+                "accessors" | "bufferViews" => {
+                    assert!(list(&new[key]).starts_with(list(old)), "the old {key} are not first in the new");
+                }
+                "buffers" => assert_eq!(list(old).len(), list(&new["buffers"]).len(), "the number of buffers"),
+                _ => assert_eq!(Some(old), new.get(key), "{key} changed"),
+            }
+        }
+        let more: Vec<&String> = new.keys().filter(|key| !old.contains_key(*key)).collect();
+        let allowed = ["animations", "accessors", "bufferViews", "buffers"];
+        assert!(more.iter().all(|key| allowed.contains(&key.as_str())), "{more:?} are new");
+        assert!(aimed.iter().all(|node| moved(output, clip, *node)), "an aimed node is not in the clip");
+    }
+
+    /// The report's error is the angle in the written file.
+    fn error_is_true(&self, frame: &Frame<'_>, output: &Model, eye: usize) {
+        let effector = &self.report["effector"];
+        let world = output.world(&frame.output, eye);
+        let origin = world.transform_point3(vector(&effector["origin"]));
+        let gaze = world.transform_vector3(vector(&effector["forward"]));
+        let to_target = vector(&frame.report["target"]) - origin;
+        let (error, status) = (number(&frame.report["error_deg"]), frame.report["status"].as_str().expect("a status"));
+        if status == "degenerate" {
+            return;
+        }
+        let found = angle_between(gaze, to_target);
+        assert!((found - error).abs() < 0.01, "t {}: the file is {found}° off, the report says {error}°", frame.t);
+        assert_eq!(status == "reached", error <= 0.1 + 2e-3 && status == "reached", "t {}: {error}°", frame.t);
+        assert!(status == "reached" || error > 0.1 - 2e-3, "t {}: {status} at {error}°", frame.t);
+    }
+
+    /// `local' = local · R_heading · R_pitch` with the report's angles.
+    fn angles_make_the_rotations(&self, frame: &Frame<'_>, chain: &[usize]) {
+        for (at, (joint, &node)) in list(&frame.report["joints"]).iter().zip(chain).enumerate() {
+            let (heading, pitch) =
+                (number(&joint["heading_deg"]).to_radians(), number(&joint["pitch_deg"]).to_radians());
+            let (before, after) = (&frame.source[node], &frame.output[node]);
+            let found = DMat3::from_quat(before.rotation).transpose() * DMat3::from_quat(after.rotation);
+            let off = match self.joints {
+                Some(joints) => {
+                    let Joint { forward, up, left, .. } = joints[at];
+                    // The correction acts inside the bone's own scale; only that scale's mirroring shows outside.
+                    let sign = DMat3::from_diagonal(before.scale.signum());
+                    let turn = DMat3::from_quat(turn(forward, left, heading) * turn(forward, up, pitch));
+                    angle(found * (sign * turn * sign).transpose())
+                }
+                // Without the axes, only by how much they turn together.
+                None => angle(found) - 2.0 * ((heading / 2.0).cos() * (pitch / 2.0).cos()).clamp(-1.0, 1.0).acos(),
+            };
+            assert!(off.abs() < 2e-5, "t {}, {}: the rotation is {off} rad off", frame.t, joint["bone"]);
+        }
+    }
+
+    fn summary_is_true(&self) {
+        let (summary, frames) = (&self.report["summary"], list(&self.report["frames"]));
+        let reached: Vec<&Value> = frames.iter().filter(|frame| frame["status"] == "reached").collect();
+        assert_eq!(summary["frames"], frames.len(), "summary.frames");
+        assert_eq!(summary["reached"], reached.len(), "summary.reached");
+        let worst = reached.iter().map(|frame| number(&frame["error_deg"])).fold(0.0, f64::max);
+        assert!((number(&summary["max_error_deg_reached"]) - worst).abs() < 1e-9, "summary.max_error_deg_reached");
+        assert!(number(&summary["max_rate_violation_deg_s"]).abs() < 1e-3, "{summary}");
+        assert!(number(&summary["max_limit_violation_deg"]).abs() < 1e-4, "{summary}");
+    }
+}
+
+fn bones(joints: &Value) -> impl Iterator<Item = &str> {
+    list(joints).iter().map(|joint| joint["bone"].as_str().expect("a bone's name"))
+}
+
+fn moved(model: &Model, clip: usize, node: usize) -> bool {
+    list(&model.json["animations"][clip]["channels"]).iter().any(|channel| channel["target"]["node"] == node)
+}
+
+/// Every node has the source's local transform, the chain and its pair all but the rotation.
+fn untouched(before: &[Local], after: &[Local], chain: &[usize], pair: &[usize], t: f64) {
+    for (node, (before, after)) in before.iter().zip(after).enumerate() {
+        let mut after = *after;
+        if chain.contains(&node) || pair.contains(&node) {
+            after.rotation = before.rotation;
+        }
+        let difference = before.difference(&after);
+        assert!(difference < 2e-5, "t {t}: node {node} moved by {difference}: {before:?} to {after:?}");
+    }
+}
+
+/// The pair's turn in the world is that of joint 0: parents being what they are, both turn the same way.
+fn pair_turns_alike(frame: &Frame<'_>, output: &Model, eye: usize, pair: usize) {
+    let turn = |node: usize| {
+        let mut without = frame.output.clone();
+        without[node].rotation = frame.source[node].rotation;
+        let frame_of = |pose: &[Local]| {
+            let m = DMat3::from_mat4(output.world(pose, node));
+            DMat3::from_cols(m.x_axis.normalize(), m.y_axis.normalize(), m.z_axis.normalize())
+        };
+        frame_of(&frame.output) * frame_of(&without).transpose()
+    };
+    let off = angle(turn(eye) * turn(pair).transpose());
+    assert!(off < 2e-5, "t {}: the pair turns {off} rad otherwise", frame.t);
+}
+
+fn within_limits(joints: &[Joint], frames: &[Frame<'_>]) {
+    for frame in frames {
+        for (declared, joint) in joints.iter().zip(list(&frame.report["joints"])) {
+            let mut at_an_end = false;
+            for (range, key) in [(declared.heading, "heading_deg"), (declared.pitch, "pitch_deg")] {
+                let (angle, [lo, hi]) = (number(&joint[key]), range.unwrap_or_default());
+                assert!(angle >= lo - 1e-4 && angle <= hi + 1e-4, "t {}: {key} {angle} beyond {lo}…{hi}", frame.t);
+                at_an_end |= range.is_some() && (angle - lo).min(hi - angle) < 1e-3;
+            }
+            assert!(at_an_end || joint["at_limit"] == false, "t {}: {joint} is at no limit", frame.t);
+        }
+    }
+}
+
+fn within_rates(joints: &[Joint], frames: &[Frame<'_>]) {
+    for pair in frames.windows(2) {
+        let dt = pair[1].t - pair[0].t;
+        for (at, declared) in joints.iter().enumerate() {
+            for (range, key) in [(declared.heading, "heading_deg"), (declared.pitch, "pitch_deg")] {
+                let angle = |frame: &Frame<'_>| number(&frame.report["joints"][at][key]);
+                let mut change = angle(&pair[1]) - angle(&pair[0]);
+                if range.is_some_and(|[lo, _]| lo.is_infinite()) {
+                    change -= 360.0 * (change / 360.0).round();
+                }
+                let rate = change.abs() / dt;
+                assert!(rate <= declared.rate + 1e-3, "t {}: {key} at {rate}°/s", pair[1].t);
+            }
+        }
+    }
+}
+
+/// The rotation that turns `from` towards `to`, two directions at right angles.
+fn turn(from: DVec3, to: DVec3, angle_rad: f64) -> DQuat {
+    DQuat::from_axis_angle(from.cross(to).normalize(), angle_rad)
+}
+
+/// A rotation's angle, radians; sound for small ones.
+fn angle(turn: DMat3) -> f64 {
+    let axis = DVec3::new(
+        turn.y_axis.z - turn.z_axis.y,
+        turn.z_axis.x - turn.x_axis.z,
+        turn.x_axis.y - turn.y_axis.x,
+    );
+    let trace = turn.x_axis.x + turn.y_axis.y + turn.z_axis.z;
+    axis.length().atan2(trace - 1.0)
+}
