@@ -1,12 +1,14 @@
 //! One call: pose and target in, angles moved within range and rate, and an outcome judged by forward kinematics.
 
+use core::ops::Range as Span;
+
 use glam::{Affine3A, Vec3};
 
 use crate::chain::{self, Chain};
 use crate::goal::Goal;
 use crate::limits::{self, Reach};
 use crate::settle::{settle, settle_from_rest};
-use crate::{AimRig, Joint, Outcome, Settings, Status, ascent, math};
+use crate::{AimRig, Ascent, Joint, Outcome, Settings, Status, ascent, math};
 
 /// The longest frame, seconds: after a hitch nothing leaps.
 const LONGEST_FRAME_S: f32 = 0.1;
@@ -57,82 +59,129 @@ fn aim_joints<R: AimRig>(
     settings: &Settings,
     joints: &mut [Joint],
 ) -> Option<Outcome> {
-    let infos = rig.joint_infos();
     let chain = Chain::new(rig, pose_ps, settings.effector)?;
-    let tolerance = settings.effective_tolerance();
     let goal = goal(rig, &chain, target_ps, settings, joints)?;
+    let frame = Frame::new(rig, &chain, &goal, dt, settings, joints);
 
-    let mut reaches = rig.array(Reach::REST);
-    let reaches = reaches.as_mut();
-    for ((reach, info), joint) in reaches.iter_mut().zip(infos).zip(&*joints) {
-        *reach = Reach::frame(info, joint, dt);
-    }
-    let mut start = rig.array(Joint::default());
-    let start = start.as_mut();
-    start.copy_from_slice(joints);
-    for (joint, reach) in joints.iter_mut().zip(&*reaches) {
+    for (joint, reach) in joints.iter_mut().zip(frame.reaches.as_ref()) {
         *joint = reach.hold(joint);
     }
-    let to_rest = |joints: &mut [Joint], reaches: &[Reach]| {
-        for ((joint, start), reach) in joints.iter_mut().zip(&*start).zip(reaches) {
-            *joint = reach.towards_rest(start);
-        }
-    };
-    to_rest(&mut joints[..chain.first], &reaches[..chain.first]);
-
     let mut within_reach = true;
     if settings.effective_weight() == 0.0 {
-        to_rest(joints, reaches);
+        frame.go_to_rest(joints, 0..chain.count);
     } else {
-        let angle = |joints: &[Joint]| chain.gaze(chain::turns(rig, joints).as_ref()).angle_to(goal.aimed);
-        if let Some(keep) =
-            settings.ascent.relax.filter(|_| angle(joints).is_some_and(|angle| angle <= tolerance.max(AIMED_RAD)))
-        {
-            ascent::relax(chain.first, keep, dt, joints, reaches);
-        }
-        let before = angle(joints)?;
-        let remaining = ascent::ascend(rig, &chain, &goal, joints, reaches, tolerance, &settings.ascent)?;
-        if remaining > tolerance {
-            // Where would the joints get from here, had they the time; and where from rest?
-            let mut settled = rig.array(Joint::default());
-            let settled = settled.as_mut();
-            settled.copy_from_slice(joints);
-            let from_here = settle(rig, &chain, &goal, settled, tolerance)?;
-            let from_here_reaches = from_here <= tolerance;
-            within_reach = from_here_reaches;
-            let go = if within_reach {
-                let fastest = reaches[chain.first..].iter().fold(0.0_f32, |step, reach| step.max(reach.step));
-                settings.ascent.finish && before - remaining < STUCK * fastest.min(before)
-            } else {
-                let from_rest = settle_from_rest(rig, &chain, &goal, settled, tolerance).unwrap_or(f32::INFINITY);
-                within_reach = from_rest <= tolerance;
-                (settings.ascent.turn_back && from_rest + TURN_BACK_RAD < from_here)
-                    || (settings.ascent.finish && within_reach)
-            };
-            if go && from_here_reaches {
-                // Straight there, so that what makes up for each other moves together.
-                let part = (chain.first..chain.count)
-                    .map(|index| reaches[index].part_of_way(&start[index], &settled[index], &infos[index]))
-                    .fold(1.0, f32::min);
-                for index in chain.first..chain.count {
-                    settled[index] = reaches[index].part_way(&start[index], &settled[index], &infos[index], part);
-                }
-                if angle(settled).is_some_and(|angle| angle < remaining) {
-                    joints[chain.first..].copy_from_slice(&settled[chain.first..]);
-                }
-            } else if go {
-                for (index, reach) in reaches.iter().enumerate().skip(chain.first) {
-                    settled[index] = reach.towards(&start[index], &settled[index], &infos[index]);
-                }
-                // Round the other way it has to get worse before it gets better.
-                joints[chain.first..].copy_from_slice(&settled[chain.first..]);
-            }
-        }
+        frame.go_to_rest(joints, 0..chain.first);
+        frame.relax(joints, dt);
+        within_reach = frame.go_to_goal(joints)?;
     }
     if dt == 0.0 {
-        joints.copy_from_slice(start);
+        joints.copy_from_slice(frame.start.as_ref());
     }
-    finish(rig, &chain, &goal, joints, tolerance, within_reach)
+    finish(rig, &chain, &goal, joints, frame.tolerance, within_reach)
+}
+
+/// What the steps of one frame share.
+struct Frame<'a, R: AimRig> {
+    rig: &'a R,
+    chain: &'a Chain<R>,
+    goal: &'a Goal,
+    ascent: &'a Ascent,
+    tolerance: f32,
+    /// How far each joint can go in this frame.
+    reaches: R::Array<Reach>,
+    /// The joints as the frame found them.
+    start: R::Array<Joint>,
+}
+
+impl<'a, R: AimRig> Frame<'a, R> {
+    fn new(rig: &'a R, chain: &'a Chain<R>, goal: &'a Goal, dt: f32, settings: &'a Settings, joints: &[Joint]) -> Self {
+        let mut start = rig.array(Joint::default());
+        start.as_mut().copy_from_slice(joints);
+        let mut reaches = rig.array(Reach::REST);
+        for ((reach, info), joint) in reaches.as_mut().iter_mut().zip(rig.joint_infos()).zip(joints) {
+            *reach = Reach::frame(info, joint, dt);
+        }
+        let tolerance = settings.effective_tolerance();
+        Self { rig, chain, goal, ascent: &settings.ascent, tolerance, reaches, start }
+    }
+
+    /// The angle between the gaze and the goal, radians; `None` where it is undefined.
+    fn angle(&self, joints: &[Joint]) -> Option<f32> {
+        self.chain.gaze(chain::turns(self.rig, joints).as_ref()).angle_to(self.goal.aimed)
+    }
+
+    fn go_to_rest(&self, joints: &mut [Joint], which: Span<usize>) {
+        for index in which {
+            joints[index] = self.reaches.as_ref()[index].towards_rest(&self.start.as_ref()[index]);
+        }
+    }
+
+    fn relax(&self, joints: &mut [Joint], dt: f32) {
+        let Some(keep) = self.ascent.relax else { return };
+        if self.angle(joints).is_some_and(|angle| angle <= self.tolerance.max(AIMED_RAD)) {
+            ascent::relax(self.chain.first, keep, dt, joints, self.reaches.as_ref());
+        }
+    }
+
+    /// Ascends, and goes on where the ascent ends short of the goal. Returns whether the goal is within reach.
+    fn go_to_goal(&self, joints: &mut [Joint]) -> Option<bool> {
+        let Self { rig, chain, goal, tolerance, .. } = *self;
+        let before = self.angle(joints)?;
+        let remaining = ascent::ascend(rig, chain, goal, joints, self.reaches.as_ref(), tolerance, self.ascent)?;
+        if remaining <= tolerance {
+            return Some(true);
+        }
+        // Where would the joints get from here, had they the time; and where from rest?
+        let mut settled = rig.array(Joint::default());
+        let settled = settled.as_mut();
+        settled.copy_from_slice(joints);
+        let from_here = settle(rig, chain, goal, settled, tolerance)?;
+        if from_here <= tolerance {
+            if self.ascent.finish && self.is_stuck(before, remaining) {
+                self.go_straight_to(settled, joints, remaining);
+            }
+            return Some(true);
+        }
+        let from_rest = settle_from_rest(rig, chain, goal, settled, tolerance).unwrap_or(f32::INFINITY);
+        let within_reach = from_rest <= tolerance;
+        let turns_back = self.ascent.turn_back && from_rest + TURN_BACK_RAD < from_here;
+        if turns_back || (self.ascent.finish && within_reach) {
+            self.go_round_to(settled, joints);
+        }
+        Some(within_reach)
+    }
+
+    /// Whether the ascent gained next to nothing of what it could.
+    fn is_stuck(&self, before: f32, remaining: f32) -> bool {
+        let reaches = &self.reaches.as_ref()[self.chain.first..];
+        let fastest = reaches.iter().fold(0.0_f32, |step, reach| step.max(reach.step));
+        before - remaining < STUCK * fastest.min(before)
+    }
+
+    /// All joints by the same part of their way to `settled`, so that what makes up for each other moves together;
+    /// not at all where that aims worse.
+    fn go_straight_to(&self, settled: &mut [Joint], joints: &mut [Joint], remaining: f32) {
+        let (reaches, start, infos) = (self.reaches.as_ref(), self.start.as_ref(), self.rig.joint_infos());
+        let chain = self.chain.first..self.chain.count;
+        let part = chain
+            .clone()
+            .map(|index| reaches[index].part_of_way(&start[index], &settled[index], &infos[index]))
+            .fold(1.0, f32::min);
+        for index in chain.clone() {
+            settled[index] = reaches[index].part_way(&start[index], &settled[index], &infos[index], part);
+        }
+        if self.angle(settled).is_some_and(|angle| angle < remaining) {
+            joints[chain.clone()].copy_from_slice(&settled[chain]);
+        }
+    }
+
+    /// Each joint towards `settled` at its rate. Round the other way it has to get worse before it gets better.
+    fn go_round_to(&self, settled: &[Joint], joints: &mut [Joint]) {
+        let (reaches, start, infos) = (self.reaches.as_ref(), self.start.as_ref(), self.rig.joint_infos());
+        for index in self.chain.first..self.chain.count {
+            joints[index] = reaches[index].towards(&start[index], &settled[index], &infos[index]);
+        }
+    }
 }
 
 fn snap_joints<R: AimRig>(
