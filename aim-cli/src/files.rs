@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use aim_codegen::RigSpec;
-use aim_gltf::Document;
+use aim_gltf::{Document, Error};
 
 use crate::failure::{Failure, Result};
 
@@ -17,17 +17,23 @@ pub(crate) fn load_rig(path: &Path) -> Result<RigSpec> {
 
 /// Reads a glTF, GLB or VRM file.
 pub(crate) fn load_model(path: &Path) -> Result<Document> {
-    Document::load(path).map_err(|error| Failure::in_file(path, error))
+    Document::load(path).map_err(|error| match &error {
+        // Said already.
+        Error::Read { path: named, .. } | Error::NotAFile { path: named } if named == path => {
+            Failure::input(error.to_string())
+        }
+        _ => Failure::in_file(path, error),
+    })
 }
 
 /// Writes a file, whole or not at all.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result {
-    aim_gltf::write_file(path, bytes).map_err(|error| Failure::in_file(path, error))
+    write_all(&[(path, bytes)])
 }
 
-/// Writes JSON, indented, with a line end.
-pub(crate) fn write_json(path: &Path, value: &impl serde::Serialize) -> Result {
-    write(path, to_json(value)?.as_bytes())
+/// Writes files that belong together: all of them or none.
+pub(crate) fn write_all(files: &[(&Path, &[u8])]) -> Result {
+    aim_gltf::write_files(files).map_err(|error| Failure::input(error.to_string()))
 }
 
 /// JSON text, indented, with a line end.

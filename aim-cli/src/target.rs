@@ -1,5 +1,6 @@
 //! Where the target is: the SPEC of `bake --target`.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -32,7 +33,7 @@ impl FromStr for TargetSpec {
         if let Some(orbit) = text.strip_prefix("orbit:") {
             let [radius, height, seconds] = three_numbers(orbit)
                 .ok_or("orbit: needs three numbers, such as orbit:2,0,8 (radius, height, seconds a turn)")?;
-            if radius <= 0.0 || seconds == 0.0 {
+            if radius <= 0.0 || seconds.abs() < 1e-6 {
                 return Err("orbit: needs a positive radius and a time for one turn that is not 0".into());
             }
             return Ok(Self::Orbit { radius, height, seconds });
@@ -53,8 +54,13 @@ impl FromStr for TargetSpec {
 
 fn three_numbers(text: &str) -> Option<[f64; 3]> {
     let numbers: Vec<f64> =
-        text.split(',').map(|n| n.trim().parse().ok().filter(|x: &f64| x.is_finite())).collect::<Option<_>>()?;
+        text.split(',').map(|n| n.trim().parse().ok().filter(|x| is_usable(*x))).collect::<Option<_>>()?;
     numbers.try_into().ok()
+}
+
+/// Whether single precision can hold it: beyond that there is no place in a file.
+fn is_usable(x: f64) -> bool {
+    x.abs() <= f64::from(f32::MAX)
 }
 
 /// A target that can be asked where it is.
@@ -120,34 +126,37 @@ fn on_path(rows: &[(f64, DVec3)], t: f64) -> DVec3 {
 
 fn read_path(path: &Path) -> Result<Vec<(f64, DVec3)>> {
     let fail = |problem: String| Failure::in_file(path, problem);
-    let mut reader = csv::ReaderBuilder::new()
-        .trim(csv::Trim::All)
-        .from_path(path)
-        .map_err(|error| fail(format!("cannot be read ({error}); give a CSV file with the columns t,x,y,z")))?;
-    let header = reader.headers().map_err(|error| fail(error.to_string()))?;
-    if header.iter().ne(["t", "x", "y", "z"]) {
-        return Err(fail(format!(
-            "its first line is {:?}; expected t,x,y,z",
-            header.iter().collect::<Vec<_>>().join(",")
-        )));
+    let text = fs::read_to_string(path)
+        .map_err(|error| fail(format!("cannot be read as text ({error}); give a CSV file with the columns t,x,y,z")))?;
+    parse_path(&text).map_err(fail)
+}
+
+/// The rows of a CSV file with the columns t,x,y,z; empty lines do not count.
+fn parse_path(text: &str) -> std::result::Result<Vec<(f64, DVec3)>, String> {
+    // Spreadsheets begin with a byte-order mark.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let cells = |line: &str| line.split(',').map(|cell| cell.trim().trim_matches('"').to_owned()).collect::<Vec<_>>();
+    let mut lines = text.lines().zip(1..).filter(|(line, _)| !line.trim().is_empty());
+    let header = lines.next().map_or("", |(line, _)| line);
+    if cells(header) != ["t", "x", "y", "z"] {
+        return Err(format!("its first line is {header:?}; expected t,x,y,z"));
     }
     let mut rows: Vec<(f64, DVec3)> = Vec::new();
-    for (number, record) in reader.deserialize().enumerate() {
-        let line = number + 2;
-        let (t, x, y, z): (f64, f64, f64, f64) =
-            record.map_err(|error| fail(format!("line {line} is not four numbers ({error})")))?;
-        if ![t, x, y, z].iter().all(|n| n.is_finite()) {
-            return Err(fail(format!("line {line} holds a number that is not finite")));
+    for (line, number) in lines {
+        let numbers: Option<Vec<f64>> = cells(line).iter().map(|cell| cell.parse().ok()).collect();
+        let Some([t, x, y, z]) = numbers.and_then(|numbers| <[f64; 4]>::try_from(numbers).ok()) else {
+            return Err(format!("line {number} is {line:?}; expected four numbers: t,x,y,z"));
+        };
+        if ![t, x, y, z].into_iter().all(is_usable) {
+            return Err(format!("line {number} holds a number that is not finite or beyond single precision"));
         }
         if rows.last().is_some_and(|(before, _)| *before >= t) {
-            return Err(fail(format!(
-                "line {line}: the time {t} does not come after the line before; sort the rows by t"
-            )));
+            return Err(format!("line {number}: the time {t} does not come after the line before; sort the rows by t"));
         }
         rows.push((t, DVec3::new(x, y, z)));
     }
     if rows.is_empty() {
-        return Err(fail("has no rows; give at least one line of t,x,y,z".into()));
+        return Err("has no rows; give at least one line of t,x,y,z".into());
     }
     Ok(rows)
 }

@@ -61,7 +61,8 @@ fn only_the_chain_or_only_the_eyes_mirrored() {
     let plain = aim_gltf::PAPER_AXES;
     let [u, f, l] = plain;
     let mirrored = [u, f, l.map(|c| -c)];
-    for bones in [&["left_eye"][..], &["right_eye"], &["neck"], &["spine3", "left_eye"], &["hips"], &["head", "spine1"]] {
+    for bones in [&["left_eye"][..], &["right_eye"], &["neck"], &["spine3", "left_eye"], &["hips"], &["head", "spine1"]]
+    {
         bake(|bone| if bones.contains(&bone) { mirrored } else { plain }, "--target orbit:1.5,0.2,5 --seconds 2.4");
     }
 }

@@ -1,8 +1,9 @@
 //! Aims a rig over a clip, frame by frame, and makes the clip that does it: only the chain's rotations change.
 
+use core::f32::consts::TAU;
 use std::sync::Arc;
 
-use aim_runtime::{AimRig, Outcome, Pose, Settings};
+use aim_runtime::{AimRig, Joint, Outcome, Pose, Settings};
 use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
 
 use crate::clip::{Channel, Clip};
@@ -24,7 +25,8 @@ impl ChainNodes {
     /// Finds the nodes by name: for each joint the first of `bones` that the file has.
     ///
     /// # Errors
-    /// A bone or pair that is not there or not unique; joints that are not each other's descendants.
+    /// A bone or pair that is not there or not unique; joints that are not each other's descendants; a pair that is not
+    /// beside joint 0 but above or below it.
     pub fn find<'a>(
         skeleton: &Skeleton,
         bones: impl IntoIterator<Item = &'a [String]>,
@@ -46,6 +48,17 @@ impl ChainNodes {
             }
         }
         let pair = pair.map(|name| skeleton.find(name)).transpose()?;
+        let hangs_on = |node: usize, ancestor: usize| skeleton.ancestry(node).any(|at| at == ancestor);
+        if let Some(pair) = pair.filter(|&pair| hangs_on(joints[0], pair) || hangs_on(pair, joints[0])) {
+            let name = |node: usize| &skeleton.nodes()[node].name;
+            return Err(Error::Chain {
+                problem: format!(
+                    "the pair {:?} and {:?} hang on each other; name the other eye, beside this one",
+                    name(pair),
+                    name(joints[0])
+                ),
+            });
+        }
         Ok(Self { joints, pair })
     }
 
@@ -89,7 +102,7 @@ pub struct Plan<'a> {
     pub fps: f32,
     /// How the bake begins.
     pub settle: Settle,
-    /// Whether to run the clip once unrecorded first, so that the recorded one begins as it ends.
+    /// Whether to run the clip again, and record that, until it ends as it began.
     pub looped: bool,
     /// How to aim.
     pub settings: Settings,
@@ -153,11 +166,12 @@ pub fn bake<R: AimRig<Array<Affine3A>: Clone>>(
         Some(clip) => skeleton.pose(clip, t),
         None => skeleton.rest_pose(),
     };
-    let passes: u32 = if plan.looped { 2 } else { 1 };
     let mut rotations: Vec<Vec<Quat>> = vec![Vec::with_capacity(times.len()); plan.chain.all().count()];
     let mut frames = Vec::with_capacity(times.len());
-    for pass in 0..passes {
-        let recorded = pass + 1 == passes;
+    for pass in 0..if plan.looped { MOST_ROUNDS } else { 1 } {
+        rotations.iter_mut().for_each(Vec::clear);
+        frames.clear();
+        let mut began = rig.joints();
         let mut before: Option<f32> = None;
         for &t in times.iter() {
             let mut pose = sample(t);
@@ -172,16 +186,19 @@ pub fn bake<R: AimRig<Array<Affine3A>: Clone>>(
                 (None, 1.., _) | (None, 0, Settle::Animation) => rig.aim_with(&joints, goal, 0.0, &plan.settings),
                 (None, 0, Settle::Snap) => rig.snap_with(&joints, goal, &plan.settings),
             };
-            before = Some(t);
-            if !recorded {
-                continue;
+            if before.is_none() {
+                began = rig.joints();
             }
+            before = Some(t);
             apply(rig, plan.chain, skeleton, &mut pose);
             for (track, node) in rotations.iter_mut().zip(plan.chain.all()) {
                 track.push(continuous(track.last(), pose[node].rotation));
             }
             frames.push(frame(rig, plan.chain, t, target_ws, outcome, skeleton.world_f64(&pose)));
             progress(frames.len(), times.len());
+        }
+        if closes(began.as_ref(), rig.joints().as_ref()) {
+            break;
         }
     }
     let name = source.as_ref().map_or_else(|| "aim".to_owned(), |clip| clip.name.clone());
@@ -190,6 +207,18 @@ pub fn bake<R: AimRig<Array<Affine3A>: Clone>>(
         clip.set(Channel::rotation(node, times.clone(), track));
     }
     Ok(Baked { clip, frames })
+}
+
+/// How often a loop is run at most to end as it begins; one whose clip or target jumps at the seam may never do.
+const MOST_ROUNDS: u32 = 8;
+
+/// Whether the joints are back where they began, whole turns aside.
+fn closes(began: &[Joint], ended: &[Joint]) -> bool {
+    const NEAR_RAD: f32 = 1e-5;
+    let apart = |a: f32, b: f32| (a - b - TAU * ((a - b) / TAU).round()).abs();
+    let pairs = began.iter().zip(ended);
+    pairs.fold(0.0_f32, |far, (a, b)| far.max(apart(a.heading(), b.heading())).max(apart(a.pitch(), b.pitch())))
+        < NEAR_RAD
 }
 
 /// The most keys that one bake makes: an hour at 144 Hz.
@@ -206,7 +235,7 @@ fn key_times(seconds: f32, fps: f32) -> Result<Arc<[f32]>, Error> {
         });
     }
     #[expect(clippy::cast_precision_loss, reason = "the number of keys is bounded far below 2^24")]
-    let mut times: Vec<f32> = (0_u32..).map(|key| key as f32 / fps).take_while(|t| *t < seconds - 1e-4).collect();
+    let mut times: Vec<f32> = (0_u32..).map(|key| key as f32 / fps).take_while(|t| *t + 0.01 / fps < seconds).collect();
     times.push(seconds);
     Ok(times.into())
 }

@@ -390,13 +390,20 @@ impl Clip {
             let times = match inputs.iter().find(|(input, _)| *input == sampler.input) {
                 Some((_, times)) => times.clone(),
                 None => {
-                    let times: Arc<[f32]> = data.floats(sampler.input, &["SCALAR"], &format!("{place}.input"))?.into();
+                    let mut times = data.floats(sampler.input, &["SCALAR"], &format!("{place}.input"))?;
                     if times.is_empty() || times.windows(2).any(|w| w[0] > w[1]) || times[0] < 0.0 {
                         return Err(Error::invalid(
                             format!("{place}.input"),
                             "its times must be one or more, not negative, and increasing",
                         ));
                     }
+                    // Two keys at one time are how some exporters write a jump.
+                    for k in 1..times.len() {
+                        if times[k] <= times[k - 1] {
+                            times[k] = num::just_after(times[k - 1]);
+                        }
+                    }
+                    let times: Arc<[f32]> = times.into();
                     inputs.push((sampler.input, times.clone()));
                     times
                 }

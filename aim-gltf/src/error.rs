@@ -124,10 +124,14 @@ impl fmt::Display for Error {
         match self {
             Self::Read { path, source } => write!(f, "cannot read {}: {source}", path.display()),
             Self::Write { path, source } => {
-                write!(f, "cannot write {}: {source}; nothing was changed", path.display())
+                let hint = match source.kind() {
+                    io::ErrorKind::NotFound => "make its folder first",
+                    _ => "choose another place",
+                };
+                write!(f, "cannot write {}: {source}; nothing was changed, {hint}", path.display())
             }
             Self::NotAFile { path } => {
-                write!(f, "{} is not a file; name a .glb, .gltf or .vrm file", path.display())
+                write!(f, "{} is a folder or a device; give the path of a file", path.display())
             }
             Self::Empty => write!(f, "the file is empty; expected a .glb, .gltf or .vrm file"),
             Self::NotGltf { found } => write!(

@@ -54,7 +54,7 @@ pub use clip::{Channel, Clip, Interpolation, Property};
 pub use document::Document;
 pub use error::Error;
 pub use facing::Evidence;
-pub use file::write_file;
+pub use file::{write_file, write_files};
 pub use mannequin::{PAPER_AXES, mannequin};
 pub use measure::{BoneAxes, BoneFrame, Handedness, Measurement, SignedAxis};
 pub use roles::Role;

@@ -77,7 +77,7 @@ impl Job<'_> {
             },
         )
         .map_err(fail)?;
-        bar.finish_and_clear();
+        bar.finish();
         let model = self.document.with_clips(std::slice::from_ref(&baked.clip)).map_err(fail)?;
         let name = |node: usize| skeleton.nodes()[node].name.clone();
         let names: Vec<String> = chain.joints.iter().map(|&node| name(node)).collect();
@@ -101,7 +101,25 @@ fn progress_bar() -> ProgressBar {
     bar
 }
 
+/// Refuses to write two things to one file, and a binary file under a text file's name.
+fn check_outputs(arguments: &args::Bake) -> Result {
+    if arguments.out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gltf")) {
+        return Err(Failure::in_file(&arguments.out, "would be a binary file; give --out a name that ends in .glb"));
+    }
+    let outputs = [Some(&arguments.out), arguments.report.as_ref(), arguments.html.as_ref()];
+    let mut seen = Vec::new();
+    for path in outputs.into_iter().flatten() {
+        let place = std::path::absolute(path).unwrap_or_else(|_| path.clone());
+        if seen.contains(&place) {
+            return Err(Failure::in_file(path, "is to be written twice; give --out, --report and --html a file each"));
+        }
+        seen.push(place);
+    }
+    Ok(())
+}
+
 pub(super) fn run(arguments: &args::Bake) -> Result {
+    check_outputs(arguments)?;
     let document = files::load_model(&arguments.file)?;
     let spec = match &arguments.rig {
         Some(path) => files::load_rig(path)?,
@@ -135,12 +153,11 @@ pub(super) fn run(arguments: &args::Bake) -> Result {
         looped: arguments.looped,
     }
     .run()?;
-    files::write(&arguments.out, &done.model)?;
-    if let Some(path) = &arguments.report {
-        files::write_json(path, &done.report)?;
-    }
-    if let Some(path) = &arguments.html {
-        files::write(path, html::page(&spec, &done.report, &document, &done.baked).as_bytes())?;
-    }
+    let report = arguments.report.as_ref().map(|_| files::to_json(&done.report)).transpose()?;
+    let page = arguments.html.as_ref().map(|_| html::page(&spec, &done.report, &document, &done.baked));
+    let mut written = vec![(arguments.out.as_path(), &done.model[..])];
+    written.extend(arguments.report.as_deref().zip(report.as_ref().map(String::as_bytes)));
+    written.extend(arguments.html.as_deref().zip(page.as_ref().map(String::as_bytes)));
+    files::write_all(&written)?;
     files::print(&format!("{}\n", done.report.in_words(&arguments.out)))
 }

@@ -51,12 +51,13 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
         Failure::in_file(&arguments.out, format!("cannot be made ({error}); give a folder with --out"))
     })?;
     let glb = arguments.out.join("aimed.glb");
-    files::write(&glb, &done.model)?;
-    files::write_json(&arguments.out.join("report.json"), &done.report)?;
-    files::write(
-        &arguments.out.join("report.html"),
-        html::page(&spec, &done.report, &document, &done.baked).as_bytes(),
-    )?;
+    let report = files::to_json(&done.report)?;
+    let page = html::page(&spec, &done.report, &document, &done.baked);
+    files::write_all(&[
+        (&glb, &done.model),
+        (&arguments.out.join("report.json"), report.as_bytes()),
+        (&arguments.out.join("report.html"), page.as_bytes()),
+    ])?;
     files::print(&format!("{}\n", done.report.in_words(&glb)))?;
     files::print(&format!(
         "wrote report.html and report.json beside it; open {}\n",

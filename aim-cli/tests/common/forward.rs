@@ -89,8 +89,9 @@ impl Bake<'_> {
             self.error_is_true(frame, &output, chain[0]);
             if !seam(frame.t) {
                 self.angles_make_the_rotations(frame, &chain);
-                if let [pair] = pair[..] {
-                    pair_turns_alike(frame, &output, chain[0], pair);
+                // A hidden eye has no turn in the world.
+                if let ([pair], true) = (&pair[..], frame.report["status"] != "degenerate") {
+                    pair_turns_alike(frame, &output, chain[0], *pair);
                 }
             }
         }
@@ -110,7 +111,8 @@ impl Bake<'_> {
             match key.as_str() {
                 "nodes" => {
                     for (at, (old, new)) in list(old).iter().zip(list(&new["nodes"])).enumerate() {
-                        let released = old.get("matrix").is_some() && new.get("matrix").is_none() && moved(output, clip, at);
+                        let released =
+                            old.get("matrix").is_some() && new.get("matrix").is_none() && moved(output, clip, at);
                         assert!(released || old == new, "node {at} ({}) changed", old["name"]);
                     }
                     assert_eq!(list(old).len(), list(&new["nodes"]).len(), "the number of nodes");
@@ -146,8 +148,9 @@ impl Bake<'_> {
         }
         let found = angle_between(gaze, to_target);
         assert!((found - error).abs() < 0.01, "t {}: the file is {found}° off, the report says {error}°", frame.t);
-        assert_eq!(status == "reached", error <= 0.1 + 2e-3 && status == "reached", "t {}: {error}°", frame.t);
-        assert!(status == "reached" || error > 0.1 - 2e-3, "t {}: {status} at {error}°", frame.t);
+        // The tolerance is 0.1°; single precision decides within a hair of it.
+        let sure = if status == "reached" { error < 0.1 + 2e-3 } else { error > 0.1 - 2e-3 };
+        assert!(sure, "t {}: {status} at {error}°", frame.t);
     }
 
     /// `local' = local · R_heading · R_pitch` with the report's angles.
@@ -200,7 +203,7 @@ fn untouched(before: &[Local], after: &[Local], chain: &[usize], pair: &[usize],
             after.rotation = before.rotation;
         }
         let difference = before.difference(&after);
-        assert!(difference < 2e-5, "t {t}: node {node} moved by {difference}: {before:?} to {after:?}");
+        assert!(difference < 5e-5, "t {t}: node {node} moved by {difference}: {before:?} to {after:?}");
     }
 }
 
@@ -257,11 +260,7 @@ fn turn(from: DVec3, to: DVec3, angle_rad: f64) -> DQuat {
 
 /// A rotation's angle, radians; sound for small ones.
 fn angle(turn: DMat3) -> f64 {
-    let axis = DVec3::new(
-        turn.y_axis.z - turn.z_axis.y,
-        turn.z_axis.x - turn.x_axis.z,
-        turn.x_axis.y - turn.y_axis.x,
-    );
+    let axis = DVec3::new(turn.y_axis.z - turn.z_axis.y, turn.z_axis.x - turn.x_axis.z, turn.x_axis.y - turn.y_axis.x);
     let trace = turn.x_axis.x + turn.y_axis.y + turn.z_axis.z;
     axis.length().atan2(trace - 1.0)
 }

@@ -194,7 +194,7 @@ impl Model {
         let component = |at: usize| {
             let b = &self.bin[at..at + size];
             match kind {
-                5120 => (f64::from(b[0].cast_signed()) / 127.0).max(-1.0),
+                5120 => (f64::from(i8::from_le_bytes([b[0]])) / 127.0).max(-1.0),
                 5121 => f64::from(b[0]) / 255.0,
                 5122 => (f64::from(i16::from_le_bytes([b[0], b[1]])) / 32767.0).max(-1.0),
                 5123 => f64::from(u16::from_le_bytes([b[0], b[1]])) / 65535.0,
@@ -203,7 +203,10 @@ impl Model {
             }
         };
         let count = index(&accessor["count"]);
-        (0..count).flat_map(|k| (0..width).map(move |i| (k, i))).map(|(k, i)| component(start + k * stride + i * size)).collect()
+        (0..count)
+            .flat_map(|k| (0..width).map(move |i| (k, i)))
+            .map(|(k, i)| component(start + k * stride + i * size))
+            .collect()
     }
 }
 

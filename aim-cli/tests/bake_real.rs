@@ -1,0 +1,86 @@
+//! Characters that nobody here made, in the folder that `AIM_RIGS` names; skipped, and said so, where it is not set.
+
+mod common;
+
+use std::path::Path;
+
+use common::Place;
+use common::forward::{Bake, list, number};
+use common::rig::joints;
+use serde_json::Value;
+
+/// Bakes a file of the folder and checks everything; returns the report.
+#[track_caller]
+fn bake(file: &Path, rig: Option<&str>, options: &[&str]) -> Value {
+    let place = Place::new();
+    let rig_file = rig.map(common::bundled_rig);
+    let mut arguments = vec!["bake".into(), file.as_os_str().to_owned()];
+    arguments.extend(["--out", "out.glb", "--report", "r.json"].map(Into::into));
+    arguments.extend(options.iter().map(Into::into));
+    if let Some(rig) = &rig_file {
+        arguments.extend(["--rig".into(), rig.into()]);
+    }
+    let ran = place.run(&arguments);
+    assert_eq!((ran.code, ran.stderr.as_str()), (0, ""), "{}", file.display());
+    let declared = rig_file.map(|path| joints(&std::fs::read_to_string(path).expect("the rig is there")));
+    let source = std::fs::read(file).expect("the file is there");
+    let report = place.json("r.json");
+    Bake { source: &source, output: &place.read("out.glb"), report: &report, joints: declared.as_deref() }.check();
+    report
+}
+
+/// The errors over the frames whose target can be followed, sorted.
+fn errors(report: &Value) -> Vec<f64> {
+    let followed = |frame: &&Value| frame["status"] == "reached" || frame["status"] == "rate_limited";
+    let mut errors: Vec<f64> =
+        list(&report["frames"]).iter().filter(followed).map(|frame| number(&frame["error_deg"])).collect();
+    errors.sort_by(f64::total_cmp);
+    errors
+}
+
+#[test]
+fn the_thug_of_the_paper() {
+    let Some(folder) = common::real_rigs("the thug of the paper") else { return };
+    let file = folder.join("dude.glb");
+    let report = bake(&file, Some("thug"), &["--target", "orbit:2,0,8", "--seconds", "8"]);
+    let errors = errors(&report);
+    assert_eq!(report["summary"]["frames"], 481);
+    assert!(errors.len() > 240, "only {} frames can be followed", errors.len());
+    assert!(errors[errors.len() / 2] < 0.5, "median {}", errors[errors.len() / 2]);
+    bake(&file, Some("thug"), &["--target", "node:L_Hand", "--settle", "animation", "--loop", "--fps", "24"]);
+}
+
+#[test]
+fn eyes_with_other_axes_than_their_head() {
+    let Some(folder) = common::real_rigs("eyes with other axes than their head") else { return };
+    let file = folder.join("rocketbox_female_adult_01.glb");
+    let report = bake(&file, Some("rocketbox"), &["--target", "orbit:2,0,8", "--seconds", "8"]);
+    let errors = errors(&report);
+    assert!(errors.len() > 240 && errors[errors.len() / 2] < 0.5, "{} frames, {:?}", errors.len(), errors.last());
+}
+
+#[test]
+fn every_character_with_a_head_without_a_rig() {
+    let Some(folder) = common::real_rigs("every character without a rig") else { return };
+    let mut files: Vec<_> = std::fs::read_dir(folder)
+        .expect("the folder can be listed")
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "glb"))
+        .collect();
+    files.sort();
+    let mut baked = 0;
+    for file in &files {
+        let ran = Place::new().run(["inspect".as_ref(), file.as_os_str(), "--json".as_ref()]);
+        assert_eq!(ran.code, 0, "{}: {}", file.display(), ran.stderr);
+        let inspection: Value = serde_json::from_str(&ran.stdout).expect("JSON");
+        if !list(&inspection["bones"]).iter().any(|bone| bone["role"] == "head") {
+            println!("{} has no head by name", file.display());
+            continue;
+        }
+        let report = bake(file, None, &["--target", "orbit:2,0.2,6", "--seconds", "3"]);
+        assert_eq!(report["rig"], "Measured", "{}", file.display());
+        assert_eq!(report["frames"][0]["status"], "reached", "{}: {}", file.display(), report["frames"][0]);
+        baked += 1;
+    }
+    assert!(baked >= 5 || files.len() < 5, "only {baked} characters of {} were aimed", files.len());
+}
