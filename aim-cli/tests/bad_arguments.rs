@@ -89,9 +89,18 @@ fn places_that_cannot_be_written() {
     // All or nothing: a report that cannot be written leaves no model either.
     place.refused(&format!("{bake} --out out.glb --report nowhere/r.json"), &["nowhere/r.json"]);
     place.refused(&format!("{bake} --out out.glb --report r.json --html folder"), &["folder"]);
-    for (a, b) in [("--report out.glb", "out.glb"), ("--html ./out.glb", "out.glb"), ("--report r --html r", "r")] {
-        place.refused(&format!("{bake} --out out.glb {a}"), &[b, "twice"]);
+    // One file for two things, or over an input that is something else.
+    for (more, file) in [
+        ("--report out.glb", "out.glb"),
+        ("--html ./out.glb", "out.glb"),
+        ("--report r --html r", "r"),
+        ("--report m.glb", "m.glb"),
+        ("--html m.toml", "m.toml"),
+    ] {
+        place.refused(&format!("{bake} --out out.glb {more}"), &[file, "twice"]);
     }
+    place.refused(&format!("{bake} --out m.toml"), &["m.toml", "twice"]);
+    place.refused("generate m.toml --lang c -o m.toml", &["m.toml", "itself"]);
     let folder = std::fs::read_dir(place.path("folder")).expect("a folder");
     assert_eq!(folder.count(), 0, "something was left in the folder");
 }

@@ -1,5 +1,6 @@
 //! Animation clips: keys read exactly as stored, sampled as glTF 2.0 defines, repeated without changing a key.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use glam::{Quat, Vec3, Vec4};
@@ -55,7 +56,7 @@ pub struct Channel {
 pub struct Clip {
     /// Its name, or `clip0` where the file gives none.
     pub name: String,
-    /// Its channels; at most one for each property of each node takes part in sampling (the last).
+    /// Its channels, at most one for each property of each node in a clip that was read.
     pub channels: Vec<Channel>,
 }
 
@@ -449,6 +450,11 @@ impl Clip {
             channels.push(Channel { node, property, interpolation, times, values, width });
         }
         let name = animation.name.clone().unwrap_or_else(|| format!("clip{index}"));
+        // Of several that move the same, which the specification forbids, the last counts.
+        let mut seen = HashSet::new();
+        channels.reverse();
+        channels.retain(|channel: &Channel| seen.insert((channel.node, channel.property)));
+        channels.reverse();
         Ok(Self { name, channels })
     }
 }

@@ -49,7 +49,10 @@ impl Document {
         let animations = array(json, "animations");
         let old = self.clips().iter().position(|old| old.name == clip.name).and_then(|index| animations.get_mut(index));
         match (old.and_then(Value::as_object_mut), animation) {
-            (Some(old), Value::Object(new)) => old.extend(new),
+            (Some(old), Value::Object(mut new)) => {
+                keep_foreign(old, &mut new);
+                old.extend(new);
+            }
             (_, animation) => animations.push(animation),
         }
     }
@@ -176,6 +179,24 @@ impl Document {
     }
 }
 
+/// Channels that move no property of a node (animation pointers) go from the old animation into the new, keys as they
+/// are.
+fn keep_foreign(old: &Map<String, Value>, new: &mut Map<String, Value>) {
+    let list = |key: &str| old.get(key).and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
+    for channel in list("channels") {
+        let target = &channel["target"];
+        let ours = target["path"].as_str().is_some_and(|path| PROPERTIES.contains(&path)) && target["node"].is_u64();
+        let sampler = channel["sampler"].as_u64().and_then(|at| list("samplers").get(usize::try_from(at).ok()?));
+        let (false, Some(sampler)) = (ours, sampler) else { continue };
+        let (Some(samplers), mut channel) = (new["samplers"].as_array_mut(), channel.clone()) else { continue };
+        channel["sampler"] = samplers.len().into();
+        samplers.push(sampler.clone());
+        if let Some(channels) = new["channels"].as_array_mut() {
+            channels.push(channel);
+        }
+    }
+}
+
 fn image_type(bytes: &[u8]) -> Option<&'static str> {
     match bytes {
         [0x89, b'P', b'N', b'G', ..] => Some("image/png"),
@@ -185,6 +206,9 @@ fn image_type(bytes: &[u8]) -> Option<&'static str> {
         _ => None,
     }
 }
+
+/// What [`property_name`] gives.
+const PROPERTIES: [&str; 4] = ["translation", "rotation", "scale", "weights"];
 
 fn property_name(property: Property) -> &'static str {
     match property {

@@ -58,76 +58,119 @@ fn dot(v: [f64; 3], w: [f64; 3]) -> f64 {
 impl Graph {
     /// The value of `scalar`.
     pub fn evaluate(&self, scalar: Scalar, bindings: &Bindings) -> f64 {
-        let s = |s| self.evaluate(s, bindings);
-        let v = |v| self.evaluate_vector(v, bindings);
-        match self.scalar_node(scalar) {
-            ScalarNode::Constant(c) => c.value(),
-            ScalarNode::Input(i) => bindings.inputs.get(i as usize).copied().unwrap_or(0.0),
-            ScalarNode::Tiny => TINY,
-            ScalarNode::Add(a, b) => s(a) + s(b),
-            ScalarNode::Sub(a, b) => s(a) - s(b),
-            ScalarNode::Mul(a, b) => s(a) * s(b),
-            ScalarNode::Div(a, b) => s(a) / s(b),
-            ScalarNode::Neg(a) => -s(a),
-            ScalarNode::Sqrt(a) => s(a).sqrt(),
-            ScalarNode::Reciprocal(a) => reciprocal(s(a)),
-            ScalarNode::SelectLess(a, b, then, otherwise) => {
-                if s(a) < s(b) {
-                    s(then)
-                } else {
-                    s(otherwise)
-                }
-            }
-            ScalarNode::Dot(a, b) => dot(v(a), v(b)),
-            ScalarNode::Norm(a) => dot(v(a), v(a)).sqrt(),
-            ScalarNode::Component(a, axis) => v(a)[usize::from(axis)],
-        }
+        Evaluation::new(self, bindings).scalar(scalar)
     }
 
     /// The value of `vector`.
     pub fn evaluate_vector(&self, vector: Vector, bindings: &Bindings) -> [f64; 3] {
-        let s = |s| self.evaluate(s, bindings);
-        let v = |v| self.evaluate_vector(v, bindings);
+        Evaluation::new(self, bindings).vector(vector)
+    }
+
+    /// The rows of `rotation` in the row-vector layout.
+    pub fn evaluate_rotation(&self, rotation: Rotation, bindings: &Bindings) -> [[f64; 3]; 3] {
+        Evaluation::new(self, bindings).rotation(rotation)
+    }
+}
+
+/// One evaluation: every expression once, however often it is used.
+struct Evaluation<'a> {
+    g: &'a Graph,
+    bindings: &'a Bindings,
+    scalars: Vec<Option<f64>>,
+    vectors: Vec<Option<[f64; 3]>>,
+    rotations: Vec<Option<[[f64; 3]; 3]>>,
+}
+
+impl<'a> Evaluation<'a> {
+    fn new(g: &'a Graph, bindings: &'a Bindings) -> Self {
+        let [scalars, vectors, rotations] = g.sizes();
+        Self {
+            g,
+            bindings,
+            scalars: vec![None; scalars],
+            vectors: vec![None; vectors],
+            rotations: vec![None; rotations],
+        }
+    }
+
+    fn scalar(&mut self, scalar: Scalar) -> f64 {
+        if let Some(known) = self.scalars[scalar.0 as usize] {
+            return known;
+        }
+        let value = match self.g.scalar_node(scalar) {
+            ScalarNode::Constant(c) => return c.value(),
+            ScalarNode::Input(i) => return self.bindings.inputs.get(i as usize).copied().unwrap_or(0.0),
+            ScalarNode::Tiny => return TINY,
+            ScalarNode::Add(a, b) => self.scalar(a) + self.scalar(b),
+            ScalarNode::Sub(a, b) => self.scalar(a) - self.scalar(b),
+            ScalarNode::Mul(a, b) => self.scalar(a) * self.scalar(b),
+            ScalarNode::Div(a, b) => self.scalar(a) / self.scalar(b),
+            ScalarNode::Neg(a) => -self.scalar(a),
+            ScalarNode::Sqrt(a) => self.scalar(a).sqrt(),
+            ScalarNode::Reciprocal(a) => reciprocal(self.scalar(a)),
+            ScalarNode::SelectLess(a, b, then, otherwise) => {
+                let less = self.scalar(a) < self.scalar(b);
+                self.scalar(if less { then } else { otherwise })
+            }
+            ScalarNode::Dot(a, b) => dot(self.vector(a), self.vector(b)),
+            ScalarNode::Norm(a) => {
+                let a = self.vector(a);
+                dot(a, a).sqrt()
+            }
+            ScalarNode::Component(a, axis) => self.vector(a)[usize::from(axis)],
+        };
+        self.scalars[scalar.0 as usize] = Some(value);
+        value
+    }
+
+    fn vector(&mut self, vector: Vector) -> [f64; 3] {
+        if let Some(known) = self.vectors[vector.0 as usize] {
+            return known;
+        }
         let zip = |a: [f64; 3], b: [f64; 3], f: fn(f64, f64) -> f64| core::array::from_fn(|k| f(a[k], b[k]));
-        match self.vector_node(vector) {
-            VectorNode::Components(c) => c.map(s),
-            VectorNode::Add(a, b) => zip(v(a), v(b), |a, b| a + b),
-            VectorNode::Sub(a, b) => zip(v(a), v(b), |a, b| a - b),
-            VectorNode::Neg(a) => v(a).map(|c| -c),
+        let value = match self.g.vector_node(vector) {
+            VectorNode::Components(c) => c.map(|c| self.scalar(c)),
+            VectorNode::Add(a, b) => zip(self.vector(a), self.vector(b), |a, b| a + b),
+            VectorNode::Sub(a, b) => zip(self.vector(a), self.vector(b), |a, b| a - b),
+            VectorNode::Neg(a) => self.vector(a).map(|c| -c),
             VectorNode::Scale(k, a) => {
-                let k = s(k);
-                v(a).map(|c| k * c)
+                let k = self.scalar(k);
+                self.vector(a).map(|c| k * c)
             }
             VectorNode::Rotate(rotation, a) => {
-                let rows = self.evaluate_rotation(rotation, bindings);
-                let a = v(a);
+                let rows = self.rotation(rotation);
+                let a = self.vector(a);
                 core::array::from_fn(|k| a[0] * rows[0][k] + a[1] * rows[1][k] + a[2] * rows[2][k])
             }
             VectorNode::Normalize(a) => {
-                let a = v(a);
+                let a = self.vector(a);
                 let k = reciprocal(dot(a, a).sqrt());
                 a.map(|c| k * c)
             }
             VectorNode::Perp(plane, a) => {
-                let a = v(a);
+                let a = self.vector(a);
                 let (from, towards) = plane.axes();
                 let mut out = [0.0; 3];
                 out[from] = -a[towards];
                 out[towards] = a[from];
                 out
             }
-        }
+        };
+        self.vectors[vector.0 as usize] = Some(value);
+        value
     }
 
-    /// The rows of `rotation` in the row-vector layout.
-    pub fn evaluate_rotation(&self, rotation: Rotation, bindings: &Bindings) -> [[f64; 3]; 3] {
+    fn rotation(&mut self, rotation: Rotation) -> [[f64; 3]; 3] {
+        if let Some(known) = self.rotations[rotation.0 as usize] {
+            return known;
+        }
         let rows = |entries: [f64; 9]| core::array::from_fn(|i| core::array::from_fn(|k| entries[3 * i + k]));
-        match self.rotation_node(rotation) {
-            RotationNode::Matrix(entries) => rows(entries.map(|s| self.evaluate(s, bindings))),
+        let value = match self.g.rotation_node(rotation) {
+            RotationNode::Matrix(entries) => rows(entries.map(|s| self.scalar(s))),
             RotationNode::Basis(entries) => rows(entries.map(crate::Constant::value)),
             RotationNode::Turn(plane, angle) => {
-                let (sin, cos) = self.sin_cos(angle);
-                let (sin, cos) = (self.evaluate(sin, bindings), self.evaluate(cos, bindings));
+                let (sin, cos) = self.g.sin_cos(angle);
+                let (sin, cos) = (self.scalar(sin), self.scalar(cos));
                 let (from, towards) = plane.axes();
                 let mut rows = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
                 rows[from][from] = cos;
@@ -137,13 +180,15 @@ impl Graph {
                 rows
             }
             RotationNode::Compose(outer, inner) => {
-                let (outer, inner) = (self.evaluate_rotation(outer, bindings), self.evaluate_rotation(inner, bindings));
+                let (outer, inner) = (self.rotation(outer), self.rotation(inner));
                 core::array::from_fn(|i| core::array::from_fn(|k| (0..3).map(|j| inner[i][j] * outer[j][k]).sum()))
             }
             RotationNode::Transpose(inner) => {
-                let inner = self.evaluate_rotation(inner, bindings);
+                let inner = self.rotation(inner);
                 core::array::from_fn(|i| core::array::from_fn(|k| inner[k][i]))
             }
-        }
+        };
+        self.rotations[rotation.0 as usize] = Some(value);
+        value
     }
 }

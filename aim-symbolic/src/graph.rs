@@ -221,6 +221,11 @@ impl Graph {
         self.rotations.nodes[rotation.0 as usize]
     }
 
+    /// How many scalars, vectors and rotations there are.
+    pub(crate) fn sizes(&self) -> [usize; 3] {
+        [self.scalars.nodes.len(), self.vectors.nodes.len(), self.rotations.nodes.len()]
+    }
+
     pub(crate) fn intern_scalar(&mut self, node: ScalarNode) -> Scalar {
         Scalar(self.scalars.intern(node))
     }

@@ -1,7 +1,7 @@
 //! `aim bake`: aims a model over a clip and writes it back.
 
 use std::io::IsTerminal;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use aim_codegen::RigSpec;
@@ -101,19 +101,26 @@ fn progress_bar() -> ProgressBar {
     bar
 }
 
-/// Refuses to write two things to one file, and a binary file under a text file's name.
+/// Refuses to write two things to one file, over an input of another kind, and a binary file under a text file's name.
 fn check_outputs(arguments: &args::Bake) -> Result {
     if arguments.out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gltf")) {
         return Err(Failure::in_file(&arguments.out, "would be a binary file; give --out a name that ends in .glb"));
     }
-    let outputs = [Some(&arguments.out), arguments.report.as_ref(), arguments.html.as_ref()];
-    let mut seen = Vec::new();
-    for path in outputs.into_iter().flatten() {
-        let place = std::path::absolute(path).unwrap_or_else(|_| path.clone());
-        if seen.contains(&place) {
-            return Err(Failure::in_file(path, "is to be written twice; give --out, --report and --html a file each"));
+    let place = |path: &PathBuf| std::path::absolute(path).unwrap_or_else(|_| path.clone());
+    let mut taken: Vec<PathBuf> = arguments.rig.iter().map(place).collect();
+    if let TargetSpec::File(path) = &arguments.target {
+        taken.push(place(path));
+    }
+    // The aimed model may take the place of the model, a report may not.
+    let model = place(&arguments.file);
+    for (path, free) in
+        [(Some(&arguments.out), true), (arguments.report.as_ref(), false), (arguments.html.as_ref(), false)]
+    {
+        let Some(path) = path else { continue };
+        if taken.contains(&place(path)) || (!free && place(path) == model) {
+            return Err(Failure::in_file(path, "is used twice; give --out, --report and --html a file each"));
         }
-        seen.push(place);
+        taken.push(place(path));
     }
     Ok(())
 }
@@ -132,7 +139,13 @@ pub(super) fn run(arguments: &args::Bake) -> Result {
     };
     let seconds = match (arguments.seconds, clip) {
         (Some(seconds), _) => seconds,
-        (None, Some(clip)) => clip.seconds(),
+        (None, Some(clip)) if clip.seconds() > 0.0 => clip.seconds(),
+        (None, Some(clip)) => {
+            return Err(Failure::in_file(
+                &arguments.file,
+                format!("its clip {:?} has no length; say how long to aim with --seconds", clip.name),
+            ));
+        }
         (None, None) => {
             return Err(Failure::in_file(
                 &arguments.file,

@@ -19,6 +19,9 @@ pub(super) fn run(arguments: &args::Generate) -> Result {
         return check(existing, &code, arguments);
     }
     match &arguments.output {
+        Some(path) if *path == arguments.rig => {
+            Err(Failure::in_file(path, "is the rig itself; give -o the file to write"))
+        }
         Some(path) => files::write(path, code.as_bytes()),
         None => files::print(&code),
     }
