@@ -134,10 +134,10 @@ pub(crate) struct Bake {
     #[arg(long, value_enum, default_value_t = Solver::Ascent)]
     pub(crate) solver: Solver,
     /// How long the result is; the clip's length if not given, repeated if longer.
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
     pub(crate) seconds: Option<f32>,
     /// Keys a second.
-    #[arg(long, default_value_t = 60.0)]
+    #[arg(long, default_value_t = 60.0, allow_negative_numbers = true)]
     pub(crate) fps: f32,
     /// How the result begins.
     #[arg(long, value_enum, default_value_t = Settle::Snap)]

@@ -112,15 +112,12 @@ impl Report {
     /// The summary in words; `file` is what was written.
     pub(crate) fn in_words(&self, file: &Path) -> String {
         let count = |status: &str| self.frames.iter().filter(|frame| frame.status == status).count();
-        let mut out = format!(
-            "wrote {}: {} frames of {:?} aimed by {}, {} of them on target (error at most {:.3}°)",
-            file.display(),
-            self.summary.frames,
-            self.clip,
-            self.rig,
-            self.summary.reached,
-            self.summary.max_error_deg_reached
-        );
+        let Summary { frames, reached, max_error_deg_reached, .. } = self.summary;
+        let mut out = format!("wrote {}: {frames} frames of {:?} aimed by {}, ", file.display(), self.clip, self.rig);
+        out += &match reached {
+            0 => "none of them on target".to_owned(),
+            _ => format!("{reached} of them on target (error at most {max_error_deg_reached:.3}°)"),
+        };
         let others = [
             ("rate_limited", "on the way"),
             ("at_limit", "out of reach"),

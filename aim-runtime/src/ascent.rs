@@ -11,8 +11,8 @@ use crate::{AimRig, Ascent, Joint, math};
 /// A joint that changes the angle to the target by less than this part of its own turning is left alone: its gradient
 /// is noise, and a unit gradient would follow noise at full rate.
 const IDLE: f32 = 1e-3;
-/// Nearer than this to exactly behind, the gradient has no direction to speak of.
-const OPPOSITE_RAD: f32 = 1e-3;
+/// Nearer than this to exactly behind, neither gradient nor residual has a direction to speak of.
+pub(crate) const OPPOSITE_RAD: f32 = 1e-3;
 /// More halvings than this leave nothing of a step.
 const MOST_HALVINGS: u32 = 24;
 

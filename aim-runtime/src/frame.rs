@@ -113,6 +113,7 @@ impl<'a, R: AimRig> Frame<'a, R> {
     fn go_to_rest(&self, joints: &mut [Joint], which: Span<usize>) {
         for index in which {
             joints[index] = self.reaches.as_ref()[index].towards_rest(&self.start.as_ref()[index]);
+            joints[index].bound_for = None;
         }
     }
 
@@ -123,8 +124,12 @@ impl<'a, R: AimRig> Frame<'a, R> {
         }
     }
 
-    /// Ascends, and goes on where the ascent ends short of the goal. Returns whether the goal is within reach.
+    /// Goes on turning round, or ascends and goes on where the ascent ends short of the goal. Returns whether the goal
+    /// is within reach.
     fn go_to_goal(&self, joints: &mut [Joint]) -> Option<bool> {
+        if let Some(within_reach) = self.keep_turning_round(joints) {
+            return Some(within_reach);
+        }
         let Self { rig, chain, goal, tolerance, .. } = *self;
         let before = self.angle(joints)?;
         let remaining = ascent::ascend(rig, chain, goal, joints, self.reaches.as_ref(), tolerance, self.ascent)?;
@@ -137,8 +142,8 @@ impl<'a, R: AimRig> Frame<'a, R> {
         settled.copy_from_slice(joints);
         let from_here = settle(rig, chain, goal, settled, tolerance)?;
         if from_here <= tolerance {
-            if self.ascent.finish && self.is_stuck(before, remaining) {
-                self.go_straight_to(settled, joints, remaining);
+            if self.ascent.finish {
+                self.finish_at(settled, joints, before, remaining);
             }
             return Some(true);
         }
@@ -146,9 +151,62 @@ impl<'a, R: AimRig> Frame<'a, R> {
         let within_reach = from_rest <= tolerance;
         let turns_back = self.ascent.turn_back && from_rest + TURN_BACK_RAD < from_here;
         if turns_back || (self.ascent.finish && within_reach) {
-            self.go_round_to(settled, joints);
+            self.turn_round_to(settled, joints);
         }
         Some(within_reach)
+    }
+
+    /// Goes on to where the joints are bound for, which moves with the goal; returns whether that reaches it. `None`
+    /// where they are bound for nowhere, or where going there has lost its point.
+    fn keep_turning_round(&self, joints: &mut [Joint]) -> Option<bool> {
+        let Self { rig, chain, goal, tolerance, .. } = *self;
+        let mut settled = rig.array(Joint::default());
+        let settled = settled.as_mut();
+        let mut bound = self.ascent.finish || self.ascent.turn_back;
+        for (settled, joint) in settled.iter_mut().zip(&mut *joints).skip(chain.first) {
+            // Set again where it still holds.
+            match joint.bound_for.take() {
+                Some([heading, pitch]) => *settled = Joint { heading, pitch, ..*joint },
+                None => bound = false,
+            }
+        }
+        if !bound {
+            return None;
+        }
+        let now = self.angle(joints)?;
+        let there = settle(rig, chain, goal, settled, tolerance)?;
+        let within_reach = there <= tolerance;
+        if !within_reach && there + 0.5 * TURN_BACK_RAD > now {
+            return None;
+        }
+        self.turn_round_to(settled, joints);
+        Some(within_reach)
+    }
+
+    /// The end of an ascent that stopped short of a goal within reach: all the way if this frame is enough for it, or
+    /// towards it where the ascent is stuck.
+    fn finish_at(&self, settled: &mut [Joint], joints: &mut [Joint], before: f32, remaining: f32) {
+        let (reaches, start, infos) = (self.reaches.as_ref(), self.start.as_ref(), self.rig.joint_infos());
+        let chain = self.chain.first..self.chain.count;
+        let part = chain
+            .clone()
+            .map(|index| reaches[index].part_of_way(&start[index], &settled[index], &infos[index]))
+            .fold(1.0, f32::min);
+        let stuck = self.is_stuck(before, remaining);
+        if part < 1.0 && !stuck {
+            return;
+        }
+        let mut straight = self.rig.array(Joint::default());
+        let straight = straight.as_mut();
+        for index in chain.clone() {
+            // The same part of its way for each, so that what makes up for each other moves together.
+            straight[index] = reaches[index].part_way(&start[index], &settled[index], &infos[index], part);
+        }
+        if self.angle(straight).is_some_and(|angle| angle < remaining) {
+            joints[chain.clone()].copy_from_slice(&straight[chain]);
+        } else if stuck {
+            self.turn_round_to(settled, joints);
+        }
     }
 
     /// Whether the ascent gained next to nothing of what it could.
@@ -158,28 +216,21 @@ impl<'a, R: AimRig> Frame<'a, R> {
         before - remaining < STUCK * fastest.min(before)
     }
 
-    /// All joints by the same part of their way to `settled`, so that what makes up for each other moves together;
-    /// not at all where that aims worse.
-    fn go_straight_to(&self, settled: &mut [Joint], joints: &mut [Joint], remaining: f32) {
+    /// Each joint towards `settled` at its rate, and bound for there until it arrives: round the other way it has to get
+    /// worse before it gets better, and an ascent would go back.
+    fn turn_round_to(&self, settled: &[Joint], joints: &mut [Joint]) {
         let (reaches, start, infos) = (self.reaches.as_ref(), self.start.as_ref(), self.rig.joint_infos());
-        let chain = self.chain.first..self.chain.count;
-        let part = chain
-            .clone()
-            .map(|index| reaches[index].part_of_way(&start[index], &settled[index], &infos[index]))
-            .fold(1.0, f32::min);
-        for index in chain.clone() {
-            settled[index] = reaches[index].part_way(&start[index], &settled[index], &infos[index], part);
-        }
-        if self.angle(settled).is_some_and(|angle| angle < remaining) {
-            joints[chain.clone()].copy_from_slice(&settled[chain]);
-        }
-    }
-
-    /// Each joint towards `settled` at its rate. Round the other way it has to get worse before it gets better.
-    fn go_round_to(&self, settled: &[Joint], joints: &mut [Joint]) {
-        let (reaches, start, infos) = (self.reaches.as_ref(), self.start.as_ref(), self.rig.joint_infos());
+        let mut arrived = true;
         for index in self.chain.first..self.chain.count {
-            joints[index] = reaches[index].towards(&start[index], &settled[index], &infos[index]);
+            let goal = &settled[index];
+            joints[index] = reaches[index].towards(&start[index], goal, &infos[index]);
+            joints[index].bound_for = Some([goal.heading, goal.pitch]);
+            arrived &= reaches[index].part_of_way(&start[index], goal, &infos[index]) >= 1.0;
+        }
+        if arrived {
+            for joint in joints {
+                joint.bound_for = None;
+            }
         }
     }
 }

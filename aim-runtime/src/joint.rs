@@ -84,12 +84,14 @@ impl JointInfo {
 /// A joint's state: the two angles added to the animation, radians. The default is rest: both 0.
 ///
 /// Always finite. Besides the angles a joint remembers which side the target was last seen on, for when it passes
-/// behind.
+/// behind, and where it is bound for while the joints turn round together.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Joint {
     pub(crate) heading: f32,
     pub(crate) pitch: f32,
     pub(crate) side: Side,
+    /// Heading and pitch to go to though the aim gets worse on the way.
+    pub(crate) bound_for: Option<[f32; 2]>,
 }
 
 /// The side that a target was last seen on.
@@ -125,7 +127,7 @@ impl Joint {
             large if large < 1e3 => math::wrap_pi(angle),
             _ => 0.0,
         };
-        Self { heading: sane(heading_rad), pitch: sane(pitch_rad), side: Side::None }
+        Self { heading: sane(heading_rad), pitch: sane(pitch_rad), ..Self::default() }
     }
 
     /// The added heading, radians: positive turns forward towards left.

@@ -9,7 +9,7 @@ use core::ops::Range as Span;
 
 use glam::{Affine3A, Vec2};
 
-use crate::ascent::rigid_effector;
+use crate::ascent::{OPPOSITE_RAD, rigid_effector};
 use crate::chain::{self, Chain};
 use crate::goal::Goal;
 use crate::limits::{self, Reach};
@@ -31,8 +31,6 @@ const STILL_RAD: f32 = 1e-6;
 const HALVINGS: usize = 6;
 /// The angle that f32 resolves with certainty, radians.
 const FINEST_RAD: f32 = 1e-6;
-/// Nearer than this to exactly behind, the residual is no guide.
-const OPPOSITE_RAD: f32 = 1e-3;
 
 /// Scratch of a solve.
 struct Solver<'a, R: AimRig> {

@@ -7,7 +7,7 @@ use crate::{Angle, Graph, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 /// Where the reciprocal of a normalised vector's derivative goes: a choice that the length of the chain decides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Settle {
+pub enum Placement {
     /// It stays a scale factor, which may float out to each derivative.
     Late,
     /// It is multiplied into the vector at once, for all that comes after.
@@ -24,13 +24,13 @@ impl Graph {
     /// The derivatives of `output` by each of `angles`. Entries of matrices count as constants.
     ///
     /// A guarded [`reciprocal`](Self::reciprocal) is 0 with all its derivatives where it is guarded.
-    pub fn gradient(&mut self, output: Scalar, angles: &[Angle], settle: Settle) -> Vec<Scalar> {
+    pub fn gradient(&mut self, output: Scalar, angles: &[Angle], placement: Placement) -> Vec<Scalar> {
         let output = self.rewrite_by(&[output], &COMPOSITIONS)[0];
         let order = self.order(output);
         let one = self.constant(1.0);
         let mut sweep = Sweep {
             g: self,
-            settle,
+            placement,
             scalars: HashMap::from([(output, one)]),
             vectors: HashMap::new(),
             angles: HashMap::new(),
@@ -93,7 +93,7 @@ impl Graph {
 
 struct Sweep<'g> {
     g: &'g mut Graph,
-    settle: Settle,
+    placement: Placement,
     /// d output / d scalar
     scalars: HashMap<Scalar, Scalar>,
     /// d output / d vector, a covector
@@ -244,9 +244,9 @@ impl Sweep<'_> {
                 let across = self.g.sub_vectors(bar, radial);
                 let norm = self.g.norm(v);
                 let reciprocal = self.g.reciprocal(norm);
-                let by_v = match self.settle {
-                    Settle::Late => self.g.scale(reciprocal, across),
-                    Settle::Early => {
+                let by_v = match self.placement {
+                    Placement::Late => self.g.scale(reciprocal, across),
+                    Placement::Early => {
                         let components = [0, 1, 2].map(|axis| {
                             let component = self.g.component(across, axis);
                             self.g.mul(reciprocal, component)

@@ -40,7 +40,7 @@ mod tidy;
 
 pub use count::Count;
 pub use evaluate::Bindings;
-pub use gradient::Settle;
+pub use gradient::Placement;
 pub use graph::{
     Angle, Constant, Graph, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector,
     VectorNode,

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::lower::Lowering;
 use crate::rules::SCALES;
-use crate::{Angle, Constant, Graph, Scalar, ScalarNode, Settle};
+use crate::{Angle, Constant, Graph, Placement, Scalar, ScalarNode};
 
 /// The result of an operation of a [`Program`]: its place in the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -91,13 +91,13 @@ impl Program {
     ///
     /// Where two rewritings compete, the smaller program wins; on a tie the shallower, then the first.
     pub fn derive_wanted(g: &mut Graph, wanted: &[Want]) -> Self {
-        let candidates = [Settle::Late, Settle::Early].map(|settle| Self::derive_settled(g, wanted, settle));
+        let candidates = [Placement::Late, Placement::Early].map(|placement| Self::derive_placed(g, wanted, placement));
         let [late, early] = candidates;
         let cost = |p: &Self| (p.count().total(), p.depth());
         if cost(&early) < cost(&late) { early } else { late }
     }
 
-    fn derive_settled(g: &mut Graph, wanted: &[Want], settle: Settle) -> Self {
+    fn derive_placed(g: &mut Graph, wanted: &[Want], placement: Placement) -> Self {
         let mut rewritten: HashMap<Scalar, Scalar> = HashMap::new();
         let mut gradients: HashMap<Scalar, Vec<(Angle, Scalar)>> = HashMap::new();
         let mut outputs = Vec::new();
@@ -115,10 +115,14 @@ impl Program {
                                 _ => None,
                             })
                             .collect();
-                        let gradient = g.gradient(value, &angles, settle);
+                        let gradient = g.gradient(value, &angles, placement);
                         angles.into_iter().zip(gradient).collect()
                     });
-                    gradient.iter().find(|(a, _)| *a == angle).map_or(value, |(_, s)| *s)
+                    let (_, derivative) = gradient
+                        .iter()
+                        .find(|(a, _)| *a == angle)
+                        .expect("the gradient was taken by every wanted angle");
+                    *derivative
                 }
             });
         }

@@ -1,8 +1,8 @@
 //! What a faulty declaration expands to beside its errors: just enough that nothing else is reported.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-use syn::DeriveInput;
+use syn::{Data, DeriveInput};
 
 use super::input;
 
@@ -15,6 +15,11 @@ pub fn fallback(input: &DeriveInput) -> TokenStream {
     let (generics, arguments, clause) = input.generics.split_for_impl();
     let siblings = input::sibling_derives(input);
     let has = |derive: &str| siblings.iter().any(|sibling| sibling == derive);
+    // As many joints as fields: a correct use of a wrong declaration is no mistake of its own.
+    let joints = Literal::usize_unsuffixed(match &input.data {
+        Data::Struct(data) => data.fields.len(),
+        Data::Enum(_) | Data::Union(_) => 0,
+    });
     // It never runs, as the errors beside it keep it from being compiled; but it must not warn either.
     let body = quote!({ ::core::unreachable!() });
     let default = (!has("Default")).then(|| {
@@ -43,12 +48,12 @@ pub fn fallback(input: &DeriveInput) -> TokenStream {
         }
         #[automatically_derived]
         impl #generics #private::AimRig for #name #arguments #clause {
-            type Array<__T: ::core::marker::Copy> = [__T; 0];
-            fn array<__T: ::core::marker::Copy>(&self, _: __T) -> [__T; 0] #body
+            type Array<__T: ::core::marker::Copy> = [__T; #joints];
+            fn array<__T: ::core::marker::Copy>(&self, _: __T) -> [__T; #joints] #body
             fn joint_infos(&self) -> &[#private::JointInfo] #body
             fn effector(&self) -> #private::Effector #body
-            fn joints(&self) -> [#private::Joint; 0] #body
-            fn set_joints(&mut self, _: [#private::Joint; 0]) #body
+            fn joints(&self) -> [#private::Joint; #joints] #body
+            fn set_joints(&mut self, _: [#private::Joint; #joints]) #body
             fn aim_gradient<__S: #private::Scalar>(
                 &self,
                 _: ::core::primitive::usize,

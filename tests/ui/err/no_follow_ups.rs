@@ -15,4 +15,8 @@ fn rig() -> impl AimRig + Default + core::fmt::Debug {
 fn main() {
     let thug = Thug::default();
     println!("{:?} {:?} {:?} {}", rig(), thug, thug.effector(), Thug::BONES.len());
+    let mut thug = thug;
+    let pose = aim::Pose { joints: [aim::glam::Affine3A::IDENTITY; 1] };
+    println!("{:?}", thug.aim(&pose, aim::glam::Vec3::ONE, 0.01));
+    println!("{:?} {}", thug.snap(&pose, aim::glam::Vec3::ONE), thug.corrections().count());
 }
