@@ -156,30 +156,30 @@ impl<'a, R: AimRig> Frame<'a, R> {
         Some(within_reach)
     }
 
-    /// Goes on to where the joints are bound for, which moves with the goal; returns whether that reaches it. `None`
-    /// where they are bound for nowhere, or where going there has lost its point.
+    /// Goes on to where the joints are bound for; returns whether the goal is within reach. `None` where they are bound
+    /// for nowhere, or where going there has lost its point.
     fn keep_turning_round(&self, joints: &mut [Joint]) -> Option<bool> {
         let Self { rig, chain, goal, tolerance, .. } = *self;
-        let mut settled = rig.array(Joint::default());
-        let settled = settled.as_mut();
-        let mut bound = self.ascent.finish || self.ascent.turn_back;
-        for (settled, joint) in settled.iter_mut().zip(&mut *joints).skip(chain.first) {
+        let mut bound = rig.array(Joint::default());
+        let bound = bound.as_mut();
+        let mut turning = self.ascent.finish || self.ascent.turn_back;
+        for (bound, joint) in bound.iter_mut().zip(&mut *joints).skip(chain.first) {
             // Set again where it still holds.
             match joint.bound_for.take() {
-                Some([heading, pitch]) => *settled = Joint { heading, pitch, ..*joint },
-                None => bound = false,
+                Some([heading, pitch]) => *bound = Joint { heading, pitch, ..*joint },
+                None => turning = false,
             }
         }
-        if !bound {
+        if !turning {
             return None;
         }
-        let now = self.angle(joints)?;
-        let there = settle(rig, chain, goal, settled, tolerance)?;
-        let within_reach = there <= tolerance;
-        if !within_reach && there + 0.5 * TURN_BACK_RAD > now {
+        let there = self.angle(bound)?;
+        if there > tolerance && there + 0.5 * TURN_BACK_RAD > self.angle(joints)? {
             return None;
         }
-        self.turn_round_to(settled, joints);
+        self.turn_round_to(bound, joints);
+        // The goal may have moved on since the joints set out.
+        let within_reach = there <= tolerance || settle(rig, chain, goal, bound, tolerance)? <= tolerance;
         Some(within_reach)
     }
 
