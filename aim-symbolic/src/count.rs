@@ -1,4 +1,4 @@
-//! Operation counts, sines and cosines given.
+//! Operation counts. Sines and cosines are given, so calls of functions are counted apart.
 
 use std::fmt;
 use std::ops::AddAssign;
@@ -18,13 +18,15 @@ pub struct Count {
     pub sqrt: usize,
     /// Comparisons and selects; not in the total.
     pub select: usize,
+    /// Calls of functions (sines, exponentials, …); not in the total.
+    pub call: usize,
 }
 
 impl Count {
     /// Powers: programs have no such operation.
     pub const POW: usize = 0;
 
-    /// All operations but comparisons and selects.
+    /// All operations but comparisons, selects and calls.
     pub fn total(&self) -> usize {
         self.add + self.mul + self.div + self.sqrt + Self::POW
     }
@@ -37,13 +39,15 @@ impl AddAssign for Count {
         self.div += other.div;
         self.sqrt += other.sqrt;
         self.select += other.select;
+        self.call += other.call;
     }
 }
 
 impl fmt::Display for Count {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { add, mul, div, sqrt, select } = self;
-        write!(f, "{} operations: {add} add, {mul} mul, {div} div, {sqrt} sqrt; {select} select", self.total())
+        let Self { add, mul, div, sqrt, select, call } = self;
+        write!(f, "{} operations: {add} add, {mul} mul, {div} div, {sqrt} sqrt; {select} select", self.total())?;
+        if *call > 0 { write!(f, ", {call} call") } else { Ok(()) }
     }
 }
 
@@ -60,6 +64,7 @@ impl Program {
                 Op::Sqrt(_) => count.sqrt += 1,
                 // A comparison and a select.
                 Op::SelectLess(..) => count.select += 2,
+                Op::Call(..) | Op::Atan2(..) => count.call += 1,
             }
         }
         count

@@ -31,6 +31,17 @@ impl Bindings {
         &self.inputs
     }
 
+    /// The same with one input's value changed by `by`; nothing changes where `input` is none.
+    pub fn nudged(&self, g: &Graph, input: Scalar, by: f64) -> Self {
+        let mut nudged = self.clone();
+        if let ScalarNode::Input(i) = g.scalar_node(input)
+            && let Some(value) = nudged.inputs.get_mut(i as usize)
+        {
+            *value += by;
+        }
+        nudged
+    }
+
     /// The same with one angle moved by `by` radians.
     pub fn moved(&self, g: &Graph, angle: Angle, by: f64) -> Self {
         let angles: Vec<_> = self.angles.iter().map(|&(a, x)| (a, if a == angle { x + by } else { x })).collect();
@@ -53,6 +64,14 @@ fn reciprocal(x: f64) -> f64 {
 
 fn dot(v: [f64; 3], w: [f64; 3]) -> f64 {
     v[0] * w[0] + v[1] * w[1] + v[2] * w[2]
+}
+
+fn axes() -> [[f64; 3]; 3] {
+    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+}
+
+fn cross(v: [f64; 3], w: [f64; 3]) -> [f64; 3] {
+    [v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]]
 }
 
 impl Graph {
@@ -112,6 +131,8 @@ impl<'a> Evaluation<'a> {
                 let less = self.scalar(a) < self.scalar(b);
                 self.scalar(if less { then } else { otherwise })
             }
+            ScalarNode::Call(function, a) => function.of(self.scalar(a)),
+            ScalarNode::Atan2(y, x) => self.scalar(y).atan2(self.scalar(x)),
             ScalarNode::Dot(a, b) => dot(self.vector(a), self.vector(b)),
             ScalarNode::Norm(a) => {
                 let a = self.vector(a);
@@ -155,6 +176,12 @@ impl<'a> Evaluation<'a> {
                 out[towards] = a[from];
                 out
             }
+            VectorNode::Cross(a, b) => cross(self.vector(a), self.vector(b)),
+            VectorNode::Across(a, u) => {
+                let (a, u) = (self.vector(a), self.vector(u.into()));
+                let along = dot(a, u);
+                zip(a, u.map(|u| along * u), |a, b| a - b)
+            }
         };
         self.vectors[vector.0 as usize] = Some(value);
         value
@@ -178,6 +205,21 @@ impl<'a> Evaluation<'a> {
                 rows[towards][from] = -sin;
                 rows[towards][towards] = cos;
                 rows
+            }
+            RotationNode::About(axis, angle) => {
+                let (sin, cos) = self.g.sin_cos(angle);
+                let (axis, sin, cos) = (self.vector(axis), self.scalar(sin), self.scalar(cos));
+                axes().map(|e| {
+                    let (aside, along) = (cross(axis, e), (1.0 - cos) * dot(axis, e));
+                    core::array::from_fn(|k| cos * e[k] + sin * aside[k] + along * axis[k])
+                })
+            }
+            RotationNode::Quaternion(u, w) => {
+                let (u, w) = (self.vector(u), self.scalar(w));
+                axes().map(|e| {
+                    let (aside, along) = (cross(u, e), 2.0 * dot(u, e));
+                    core::array::from_fn(|k| (w * w - dot(u, u)) * e[k] + 2.0 * w * aside[k] + along * u[k])
+                })
             }
             RotationNode::Compose(outer, inner) => {
                 let (outer, inner) = (self.rotation(outer), self.rotation(inner));

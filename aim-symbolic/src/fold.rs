@@ -2,67 +2,138 @@
 //!
 //! Every fold is exact for finite operands (only the sign of a zero may differ), so folded and unfolded programs agree.
 
-use crate::{Graph, Scalar, ScalarNode};
+use crate::rules::Rules;
+use crate::{Function, Graph, Scalar, ScalarNode};
 
-impl Graph {
+/// Constants are computed; 0 and ±1 leave sums, products and quotients.
+pub(crate) const CONSTANTS: &str = "fold constants";
+/// Negations move outward, where they meet and cancel or turn a sum into a difference.
+pub(crate) const NEGATIONS: &str = "negations outward";
+/// `a + b` and `b + a` are one value, `a - b` and `b - a` one value and its negation.
+pub(crate) const ORDER: &str = "operands in order";
+
+/// Folds as it builds.
+pub(crate) struct Fold<'g> {
+    pub(crate) g: &'g mut Graph,
+    constants: bool,
+    negations: bool,
+    order: bool,
+}
+
+impl<'g> Fold<'g> {
+    pub(crate) fn new(g: &'g mut Graph, rules: &Rules<'_>) -> Self {
+        Self { g, constants: rules.has(CONSTANTS), negations: rules.has(NEGATIONS), order: rules.has(ORDER) }
+    }
+
+    fn ordered(&self, a: Scalar, b: Scalar) -> (Scalar, Scalar) {
+        if self.order && b < a { (b, a) } else { (a, b) }
+    }
+
+    fn constant_of(&self, a: Scalar) -> Option<f64> {
+        if self.constants { self.g.constant_of(a) } else { None }
+    }
+
+    /// √a
+    pub(crate) fn sqrt(&mut self, a: Scalar) -> Scalar {
+        match self.constant_of(a) {
+            Some(x) if x >= 0.0 => self.g.constant(x.sqrt()),
+            _ => self.g.sqrt(a),
+        }
+    }
+
+    /// A function, odd and even ones without the sign of their argument.
+    pub(crate) fn call(&mut self, function: Function, a: Scalar) -> Scalar {
+        let value = self.constant_of(a).map(|x| function.of(x));
+        match (value, self.negated(a), function) {
+            (Some(value), ..) if value.is_finite() => self.g.constant(value),
+            (_, Some(inner), Function::Cos) => self.g.call(function, inner),
+            (_, Some(inner), Function::Sin | Function::Tan | Function::Asin) => {
+                let positive = self.g.call(function, inner);
+                self.neg(positive)
+            }
+            _ => self.g.call(function, a),
+        }
+    }
+
+    /// `then` where `a < b`, else `otherwise`; one of them where both are the same or the comparison is of constants.
+    pub(crate) fn select_less(&mut self, a: Scalar, b: Scalar, then: Scalar, otherwise: Scalar) -> Scalar {
+        match (self.constant_of(a), self.constant_of(b)) {
+            (Some(x), Some(y)) => {
+                if x < y {
+                    then
+                } else {
+                    otherwise
+                }
+            }
+            _ if then == otherwise => then,
+            _ => self.g.select_less(a, b, then, otherwise),
+        }
+    }
+
     fn negated(&self, a: Scalar) -> Option<Scalar> {
-        match self.scalar_node(a) {
+        if !self.negations {
+            return None;
+        }
+        match self.g.scalar_node(a) {
             ScalarNode::Neg(inner) => Some(inner),
             _ => None,
         }
     }
 
-    pub(crate) fn fold_neg(&mut self, a: Scalar) -> Scalar {
+    pub(crate) fn neg(&mut self, a: Scalar) -> Scalar {
         if let Some(inner) = self.negated(a) {
             return inner;
         }
         if let Some(c) = self.constant_of(a) {
-            return self.constant(-c);
+            return self.g.constant(-c);
         }
-        self.neg(a)
+        self.g.neg(a)
     }
 
-    pub(crate) fn fold_add(&mut self, a: Scalar, b: Scalar) -> Scalar {
+    pub(crate) fn add(&mut self, a: Scalar, b: Scalar) -> Scalar {
         match (self.constant_of(a), self.constant_of(b)) {
-            (Some(x), Some(y)) => return self.constant(x + y),
+            (Some(x), Some(y)) => return self.g.constant(x + y),
             (Some(0.0), None) => return b,
             (None, Some(0.0)) => return a,
             _ => {}
         }
         match (self.negated(a), self.negated(b)) {
             (Some(a), Some(b)) => {
-                let sum = self.fold_add(a, b);
-                self.fold_neg(sum)
+                let sum = self.add(a, b);
+                self.neg(sum)
             }
-            (Some(a), None) => self.fold_sub(b, a),
-            (None, Some(b)) => self.fold_sub(a, b),
-            (None, None) => self.add(a.min(b), a.max(b)),
+            (Some(a), None) => self.sub(b, a),
+            (None, Some(b)) => self.sub(a, b),
+            (None, None) => {
+                let (a, b) = self.ordered(a, b);
+                self.g.add(a, b)
+            },
         }
     }
 
-    pub(crate) fn fold_sub(&mut self, a: Scalar, b: Scalar) -> Scalar {
+    pub(crate) fn sub(&mut self, a: Scalar, b: Scalar) -> Scalar {
         if a == b {
-            return self.constant(0.0);
+            return self.g.constant(0.0);
         }
         match (self.constant_of(a), self.constant_of(b)) {
-            (Some(x), Some(y)) => return self.constant(x - y),
-            (Some(0.0), None) => return self.fold_neg(b),
+            (Some(x), Some(y)) => return self.g.constant(x - y),
+            (Some(0.0), None) => return self.neg(b),
             (None, Some(0.0)) => return a,
             _ => {}
         }
         match (self.negated(a), self.negated(b)) {
-            (Some(a), Some(b)) => self.fold_sub(b, a),
+            (Some(a), Some(b)) => self.sub(b, a),
             (Some(a), None) => {
-                let sum = self.fold_add(a, b);
-                self.fold_neg(sum)
+                let sum = self.add(a, b);
+                self.neg(sum)
             }
-            (None, Some(b)) => self.fold_add(a, b),
+            (None, Some(b)) => self.add(a, b),
             // One of a − b and b − a is the negation of the other.
-            (None, None) if b < a => {
-                let difference = self.sub(b, a);
-                self.fold_neg(difference)
+            (None, None) if self.order && self.negations && b < a => {
+                let difference = self.g.sub(b, a);
+                self.neg(difference)
             }
-            (None, None) => self.sub(a, b),
+            (None, None) => self.g.sub(a, b),
         }
     }
 
@@ -70,28 +141,31 @@ impl Graph {
     fn unsigned(&mut self, a: Scalar) -> (bool, Scalar) {
         match (self.negated(a), self.constant_of(a)) {
             (Some(inner), _) => (true, inner),
-            (None, Some(c)) if c < 0.0 => (true, self.constant(-c)),
+            (None, Some(c)) if c < 0.0 && self.negations => (true, self.g.constant(-c)),
             _ => (false, a),
         }
     }
 
-    pub(crate) fn fold_mul(&mut self, a: Scalar, b: Scalar) -> Scalar {
+    pub(crate) fn mul(&mut self, a: Scalar, b: Scalar) -> Scalar {
         let ((minus_a, a), (minus_b, b)) = (self.unsigned(a), self.unsigned(b));
         let product = match (self.constant_of(a), self.constant_of(b)) {
-            (Some(x), Some(y)) => self.constant(x * y),
+            (Some(x), Some(y)) => self.g.constant(x * y),
             (Some(0.0), None) | (None, Some(1.0)) => a,
             (None, Some(0.0)) | (Some(1.0), None) => b,
-            _ => self.mul(a.min(b), a.max(b)),
+            _ => {
+                let (a, b) = self.ordered(a, b);
+                self.g.mul(a, b)
+            }
         };
-        if minus_a == minus_b { product } else { self.fold_neg(product) }
+        if minus_a == minus_b { product } else { self.neg(product) }
     }
 
-    pub(crate) fn fold_div(&mut self, a: Scalar, b: Scalar) -> Scalar {
+    pub(crate) fn div(&mut self, a: Scalar, b: Scalar) -> Scalar {
         let ((minus_a, a), (minus_b, b)) = (self.unsigned(a), self.unsigned(b));
         let quotient = match (self.constant_of(a), self.constant_of(b)) {
             (_, Some(1.0)) => a,
-            _ => self.div(a, b),
+            _ => self.g.div(a, b),
         };
-        if minus_a == minus_b { quotient } else { self.fold_neg(quotient) }
+        if minus_a == minus_b { quotient } else { self.neg(quotient) }
     }
 }

@@ -2,8 +2,10 @@
 
 use std::collections::{HashMap, HashSet};
 
+use crate::order::{Node, Selects};
+use crate::partial::Partials;
 use crate::rules::COMPOSITIONS;
-use crate::{Angle, Graph, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+use crate::{Graph, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
 /// Where the reciprocal of a normalised vector's derivative goes: a choice that the length of the chain decides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,169 +16,122 @@ pub enum Placement {
     Early,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
-enum Node {
-    Scalar(Scalar),
-    Vector(Vector),
+impl Graph {
+    /// The derivatives of `output` by each of `variables`.
+    ///
+    /// Matrices, quaternions and the axes of rotations count as constants. A guarded [`reciprocal`](Self::reciprocal) is 0
+    /// with all its derivatives where it is guarded, and a root has derivative 0 where it is 0.
+    pub fn gradient(&mut self, output: Scalar, variables: &[Variable], placement: Placement) -> Vec<Scalar> {
+        let output = self.rewrite_by(&[output], &COMPOSITIONS)[0];
+        let order = self.order(&[output], Selects::Through);
+        let active = self.active(&order, variables);
+        let mut below_selects = HashMap::new();
+        Sweep::derivatives(self, output, variables, &active, placement, &mut below_selects)
+    }
 }
 
-impl Graph {
-    /// The derivatives of `output` by each of `angles`. Entries of matrices count as constants.
-    ///
-    /// A guarded [`reciprocal`](Self::reciprocal) is 0 with all its derivatives where it is guarded.
-    pub fn gradient(&mut self, output: Scalar, angles: &[Angle], placement: Placement) -> Vec<Scalar> {
-        let output = self.rewrite_by(&[output], &COMPOSITIONS)[0];
-        let order = self.order(output);
-        let one = self.constant(1.0);
+/// The derivatives of what stands below a select, by each variable.
+type BelowSelects = HashMap<Scalar, Vec<Scalar>>;
+
+struct Sweep<'g> {
+    g: &'g mut Graph,
+    placement: Placement,
+    active: &'g HashSet<Node>,
+    variables: &'g [Variable],
+    below_selects: &'g mut BelowSelects,
+    /// d output / d scalar
+    scalars: HashMap<Scalar, Scalar>,
+    /// d output / d vector, a covector
+    vectors: HashMap<Vector, Vector>,
+    /// d output / d variable
+    found: Vec<Option<Scalar>>,
+}
+
+impl Sweep<'_> {
+    fn derivatives(
+        g: &mut Graph,
+        output: Scalar,
+        variables: &[Variable],
+        active: &HashSet<Node>,
+        placement: Placement,
+        below_selects: &mut BelowSelects,
+    ) -> Vec<Scalar> {
+        let order = g.order(&[output], Selects::Leaves);
+        let one = g.constant(1.0);
         let mut sweep = Sweep {
-            g: self,
+            g,
             placement,
-            scalars: HashMap::from([(output, one)]),
+            active,
+            variables,
+            below_selects,
+            scalars: HashMap::new(),
             vectors: HashMap::new(),
-            angles: HashMap::new(),
+            found: vec![None; variables.len()],
         };
+        sweep.add_to_scalar(output, one);
         for node in order.into_iter().rev() {
             match node {
                 Node::Scalar(s) => sweep.scalar(s),
                 Node::Vector(v) => sweep.vector(v),
             }
         }
-        let found = sweep.angles;
-        angles.iter().map(|angle| found.get(angle).copied().unwrap_or_else(|| self.constant(0.0))).collect()
+        let found = sweep.found;
+        found.into_iter().map(|found| found.unwrap_or_else(|| g.constant(0.0))).collect()
     }
 
-    /// The number of nodes that `output` is made of.
-    pub(crate) fn size(&self, output: Scalar) -> usize {
-        self.order(output).len()
-    }
-
-    /// Everything that `output` is made of, each after its parts.
-    fn order(&self, output: Scalar) -> Vec<Node> {
-        let mut seen = HashSet::new();
-        let mut order = Vec::new();
-        let mut stack = vec![(Node::Scalar(output), false)];
-        while let Some((node, parts_done)) = stack.pop() {
-            if parts_done {
-                order.push(node);
-            } else if seen.insert(node) {
-                stack.push((node, true));
-                stack.extend(self.parts(node).into_iter().rev().map(|part| (part, false)));
-            }
-        }
-        order
-    }
-
-    fn parts(&self, node: Node) -> Vec<Node> {
-        use Node::{Scalar as S, Vector as V};
-        match node {
-            S(s) => match self.scalar_node(s) {
-                ScalarNode::Constant(_) | ScalarNode::Input(_) | ScalarNode::Tiny => vec![],
-                ScalarNode::Add(a, b) | ScalarNode::Sub(a, b) | ScalarNode::Mul(a, b) | ScalarNode::Div(a, b) => {
-                    vec![S(a), S(b)]
-                }
-                ScalarNode::Neg(a) | ScalarNode::Sqrt(a) | ScalarNode::Reciprocal(a) => vec![S(a)],
-                ScalarNode::SelectLess(_, _, then, otherwise) => vec![S(then), S(otherwise)],
-                ScalarNode::Dot(v, w) => vec![V(v), V(w)],
-                ScalarNode::Norm(v) | ScalarNode::Component(v, _) => vec![V(v)],
-            },
-            V(v) => match self.vector_node(v) {
-                VectorNode::Components(c) => c.map(S).to_vec(),
-                VectorNode::Add(v, w) | VectorNode::Sub(v, w) => vec![V(v), V(w)],
-                VectorNode::Neg(v) | VectorNode::Rotate(_, v) | VectorNode::Normalize(v) | VectorNode::Perp(_, v) => {
-                    vec![V(v)]
-                }
-                VectorNode::Scale(k, v) => vec![S(k), V(v)],
-            },
-        }
-    }
-}
-
-struct Sweep<'g> {
-    g: &'g mut Graph,
-    placement: Placement,
-    /// d output / d scalar
-    scalars: HashMap<Scalar, Scalar>,
-    /// d output / d vector, a covector
-    vectors: HashMap<Vector, Vector>,
-    angles: HashMap<Angle, Scalar>,
-}
-
-impl Sweep<'_> {
     fn add_to_scalar(&mut self, scalar: Scalar, change: Scalar) {
-        let total = match self.scalars.get(&scalar) {
-            Some(&so_far) => self.g.add(so_far, change),
-            None => change,
-        };
-        self.scalars.insert(scalar, total);
+        if self.active.contains(&Node::Scalar(scalar)) {
+            let total = match self.scalars.get(&scalar) {
+                Some(&so_far) => self.g.add(so_far, change),
+                None => change,
+            };
+            self.scalars.insert(scalar, total);
+        }
     }
 
     fn add_to_vector(&mut self, vector: Vector, change: Vector) {
-        let total = match self.vectors.get(&vector) {
-            Some(&so_far) => self.g.add_vectors(so_far, change),
-            None => change,
-        };
-        self.vectors.insert(vector, total);
+        if self.active.contains(&Node::Vector(vector)) {
+            let total = match self.vectors.get(&vector) {
+                Some(&so_far) => self.g.add_vectors(so_far, change),
+                None => change,
+            };
+            self.vectors.insert(vector, total);
+        }
     }
 
-    fn add_to_angle(&mut self, angle: Angle, change: Scalar) {
-        let total = match self.angles.get(&angle) {
-            Some(&so_far) => self.g.add(so_far, change),
-            None => change,
-        };
-        self.angles.insert(angle, total);
+    fn add_to_variable(&mut self, variable: Variable, change: Scalar) {
+        let wanted = self.variables.iter().position(|&v| v == variable);
+        if let Some(found) = wanted.map(|place| &mut self.found[place]) {
+            *found = Some(match *found {
+                Some(so_far) => self.g.add(so_far, change),
+                None => change,
+            });
+        }
+    }
+
+    fn is_active(&self, vector: Vector) -> bool {
+        self.active.contains(&Node::Vector(vector))
     }
 
     fn scalar(&mut self, scalar: Scalar) {
         let Some(&bar) = self.scalars.get(&scalar) else { return };
         match self.g.scalar_node(scalar) {
-            ScalarNode::Constant(_) | ScalarNode::Input(_) | ScalarNode::Tiny => {}
-            ScalarNode::Add(a, b) => {
-                self.add_to_scalar(a, bar);
-                self.add_to_scalar(b, bar);
-            }
-            ScalarNode::Sub(a, b) => {
-                self.add_to_scalar(a, bar);
-                let minus = self.g.neg(bar);
-                self.add_to_scalar(b, minus);
-            }
-            ScalarNode::Mul(a, b) => {
-                let (by_a, by_b) = (self.g.mul(bar, b), self.g.mul(bar, a));
-                self.add_to_scalar(a, by_a);
-                self.add_to_scalar(b, by_b);
-            }
-            ScalarNode::Div(a, b) => {
-                let by_a = self.g.div(bar, b);
-                let along = self.g.mul(by_a, scalar);
-                let by_b = self.g.neg(along);
-                self.add_to_scalar(a, by_a);
-                self.add_to_scalar(b, by_b);
-            }
-            ScalarNode::Neg(a) => {
-                let minus = self.g.neg(bar);
-                self.add_to_scalar(a, minus);
-            }
-            ScalarNode::Sqrt(a) => {
-                let twice = self.g.add(scalar, scalar);
-                let by_a = self.g.div(bar, twice);
-                self.add_to_scalar(a, by_a);
-            }
-            ScalarNode::Reciprocal(a) => {
-                let square = self.g.mul(scalar, scalar);
-                let along = self.g.mul(bar, square);
-                let by_a = self.g.neg(along);
-                self.add_to_scalar(a, by_a);
-            }
-            ScalarNode::SelectLess(a, b, then, otherwise) => {
-                let zero = self.g.constant(0.0);
-                let by_then = self.g.intern_scalar(ScalarNode::SelectLess(a, b, bar, zero));
-                let by_otherwise = self.g.intern_scalar(ScalarNode::SelectLess(a, b, zero, bar));
-                self.add_to_scalar(then, by_then);
-                self.add_to_scalar(otherwise, by_otherwise);
+            ScalarNode::Input(_) => self.add_to_variable(scalar.into(), bar),
+            ScalarNode::SelectLess(a, b, then, otherwise) => self.select(bar, [a, b], [then, otherwise]),
+            ScalarNode::Dot(v, w) if v == w => {
+                let twice = self.g.twice(bar);
+                let by_v = self.g.scale(twice, v);
+                self.add_to_vector(v, by_v);
             }
             ScalarNode::Dot(v, w) => {
-                let (by_v, by_w) = (self.g.scale(bar, w), self.g.scale(bar, v));
-                self.add_to_vector(v, by_v);
-                self.add_to_vector(w, by_w);
+                if self.is_active(v) {
+                    let by_v = self.g.scale(bar, w);
+                    self.add_to_vector(v, by_v);
+                }
+                if self.is_active(w) {
+                    let by_w = self.g.scale(bar, v);
+                    self.add_to_vector(w, by_w);
+                }
             }
             ScalarNode::Norm(v) => {
                 let direction = self.g.normalize(v);
@@ -189,6 +144,34 @@ impl Sweep<'_> {
                 let by_v = self.g.components(by_v);
                 self.add_to_vector(v, by_v);
             }
+            _ => {
+                let active = self.active;
+                for (part, partial) in self.g.partials(scalar, |part| active.contains(&Node::Scalar(part))) {
+                    let by_part = self.g.times(bar, partial);
+                    self.add_to_scalar(part, by_part);
+                }
+            }
+        }
+    }
+
+    /// Each branch has a sweep of its own, so that what is not a number in the branch not taken stays there.
+    fn select(&mut self, bar: Scalar, [a, b]: [Scalar; 2], branches: [Scalar; 2]) {
+        let [then, otherwise] = branches.map(|branch| {
+            if let Some(known) = self.below_selects.get(&branch) {
+                return known.clone();
+            }
+            let (variables, active, placement) = (self.variables, self.active, self.placement);
+            let found = Sweep::derivatives(self.g, branch, variables, active, placement, self.below_selects);
+            self.below_selects.insert(branch, found.clone());
+            found
+        });
+        for ((variable, then), otherwise) in self.variables.to_vec().into_iter().zip(then).zip(otherwise) {
+            let is_zero = |s| self.g.constant_of(s) == Some(0.0);
+            if !(is_zero(then) && is_zero(otherwise)) {
+                let slope = self.g.select_less(a, b, then, otherwise);
+                let along = self.g.times(bar, Partials::Factor(slope));
+                self.add_to_variable(variable, along);
+            }
         }
     }
 
@@ -197,7 +180,7 @@ impl Sweep<'_> {
         match self.g.vector_node(vector) {
             VectorNode::Components(c) => {
                 for (c, axis) in c.into_iter().zip(0..) {
-                    if self.g.constant_of(c).is_none() {
+                    if self.active.contains(&Node::Scalar(c)) {
                         let by_c = self.g.component(bar, axis);
                         self.add_to_scalar(c, by_c);
                     }
@@ -209,39 +192,36 @@ impl Sweep<'_> {
             }
             VectorNode::Sub(v, w) => {
                 self.add_to_vector(v, bar);
-                let minus = self.g.neg_vector(bar);
-                self.add_to_vector(w, minus);
+                if self.is_active(w) {
+                    let minus = self.g.neg_vector(bar);
+                    self.add_to_vector(w, minus);
+                }
             }
             VectorNode::Neg(v) => {
                 let minus = self.g.neg_vector(bar);
                 self.add_to_vector(v, minus);
             }
             VectorNode::Scale(k, v) => {
-                let (by_k, by_v) = (self.g.dot(bar, v), self.g.scale(k, bar));
-                self.add_to_scalar(k, by_k);
-                self.add_to_vector(v, by_v);
+                if self.active.contains(&Node::Scalar(k)) {
+                    let by_k = self.g.dot(bar, v);
+                    self.add_to_scalar(k, by_k);
+                }
+                if self.is_active(v) {
+                    let by_v = self.g.scale(k, bar);
+                    self.add_to_vector(v, by_v);
+                }
             }
             VectorNode::Rotate(rotation, v) => {
-                // A turn moves its result along the result's own perpendicular, which is already at hand.
-                let (turn, back) = match self.g.rotation_node(rotation) {
-                    RotationNode::Transpose(inner) => (self.g.rotation_node(inner), true),
-                    node => (node, false),
-                };
-                if let RotationNode::Turn(plane, angle) = turn {
-                    let perp = self.g.perp(plane, vector);
-                    let along = self.g.dot(bar, perp);
-                    let by_angle = if back { self.g.neg(along) } else { along };
-                    self.add_to_angle(angle, by_angle);
+                self.turn(rotation, vector, bar);
+                if self.is_active(v) {
+                    let inverse = self.g.transpose(rotation);
+                    let by_v = self.g.rotate(inverse, bar);
+                    self.add_to_vector(v, by_v);
                 }
-                let inverse = self.g.transpose(rotation);
-                let by_v = self.g.rotate(inverse, bar);
-                self.add_to_vector(v, by_v);
             }
             VectorNode::Normalize(v) => {
                 // d(v/|v|) is the part of dv across v, over |v|.
-                let along = self.g.dot(vector, bar);
-                let radial = self.g.scale(along, vector);
-                let across = self.g.sub_vectors(bar, radial);
+                let across = self.g.across(bar, crate::Unit(vector));
                 let norm = self.g.norm(v);
                 let reciprocal = self.g.reciprocal(norm);
                 let by_v = match self.placement {
@@ -262,6 +242,51 @@ impl Sweep<'_> {
                 let by_v = self.g.neg_vector(perp);
                 self.add_to_vector(v, by_v);
             }
+            VectorNode::Cross(v, w) => {
+                let (by_v, by_w) = (self.g.cross(w, bar), self.g.cross(bar, v));
+                self.add_to_vector(v, by_v);
+                self.add_to_vector(w, by_w);
+            }
+            VectorNode::Across(v, u) => {
+                if self.is_active(v) {
+                    let by_v = self.g.across(bar, u);
+                    self.add_to_vector(v, by_v);
+                }
+                if self.is_active(u.into()) {
+                    let (along, bar_along) = (self.g.dot(v, u), self.g.dot(bar, u));
+                    let (first, second) = (self.g.scale(along, bar), self.g.scale(bar_along, v));
+                    let sum = self.g.add_vectors(first, second);
+                    let by_u = self.g.neg_vector(sum);
+                    self.add_to_vector(u.into(), by_u);
+                }
+            }
         }
+    }
+
+    /// What `rotation` adds to the derivative by its angle: it moves `rotated` along the result's own perpendicular, which
+    /// is already at hand.
+    fn turn(&mut self, rotation: Rotation, rotated: Vector, bar: Vector) {
+        let Some((angle, perp)) = self.g.swing(rotation, rotated) else { return };
+        let along = self.g.dot(bar, perp);
+        match self.g.radians(angle) {
+            Some(radians) => self.add_to_scalar(radians, along),
+            None => self.add_to_variable(angle.into(), along),
+        }
+    }
+}
+
+impl Graph {
+    /// The angle that `rotation` turns by, and what it adds to its result `rotated` per radian.
+    pub(crate) fn swing(&mut self, rotation: Rotation, rotated: Vector) -> Option<(crate::Angle, Vector)> {
+        let (turn, back) = match self.rotation_node(rotation) {
+            RotationNode::Transpose(inner) => (self.rotation_node(inner), true),
+            node => (node, false),
+        };
+        let (angle, perp) = match turn {
+            RotationNode::Turn(plane, angle) => (angle, self.perp(plane, rotated)),
+            RotationNode::About(axis, angle) => (angle, self.cross(axis, rotated)),
+            _ => return None,
+        };
+        Some((angle, if back { self.neg_vector(perp) } else { perp }))
     }
 }

@@ -3,158 +3,10 @@
 use std::collections::HashMap;
 use std::hash::Hash;
 
-/// A scalar expression.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Scalar(pub(crate) u32);
-
-/// A vector expression: a point or a direction of three-dimensional space.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Vector(pub(crate) u32);
-
-/// A vector of length 1: the type that a normalised vector has. Zero where its vector had no direction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Unit(pub(crate) Vector);
-
-impl From<Unit> for Vector {
-    fn from(unit: Unit) -> Self {
-        unit.0
-    }
-}
-
-/// An orthogonal map of vectors. `R Rᵀ = 1` is all that the rules use, so a mirror is one too.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Rotation(pub(crate) u32);
-
-/// A rotation followed by a translation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Rigid {
-    /// Its rotation.
-    pub rotation: Rotation,
-    /// Its translation.
-    pub translation: Vector,
-}
-
-/// An angle: a variable that rotations turn by and gradients are taken in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Angle(pub(crate) u32);
-
-/// A finite constant, compared by its bits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Constant(u64);
-
-impl Constant {
-    /// `value`, with −0 made 0.
-    pub fn new(value: f64) -> Self {
-        Self((value + 0.0).to_bits())
-    }
-
-    /// Its value.
-    pub fn value(self) -> f64 {
-        f64::from_bits(self.0)
-    }
-}
-
-/// The plane of a turn: the first axis turns towards the second.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Plane {
-    /// The axis that turns (0, 1, 2).
-    pub from: u8,
-    /// The axis it turns towards (0, 1, 2).
-    pub towards: u8,
-}
-
-impl Plane {
-    /// +X towards +Y.
-    pub const XY: Self = Self { from: 0, towards: 1 };
-    /// +X towards +Z.
-    pub const XZ: Self = Self { from: 0, towards: 2 };
-    /// +Y towards +Z.
-    pub const YZ: Self = Self { from: 1, towards: 2 };
-
-    pub(crate) fn axes(self) -> (usize, usize) {
-        (self.from.into(), self.towards.into())
-    }
-}
-
-/// What a scalar is made of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ScalarNode {
-    /// A number.
-    Constant(Constant),
-    /// The input with this index.
-    Input(u32),
-    /// The smallest length that is divided by, of the number type that the program runs in.
-    Tiny,
-    /// a + b
-    Add(Scalar, Scalar),
-    /// a − b
-    Sub(Scalar, Scalar),
-    /// a b
-    Mul(Scalar, Scalar),
-    /// a / b
-    Div(Scalar, Scalar),
-    /// −a
-    Neg(Scalar),
-    /// √a
-    Sqrt(Scalar),
-    /// 1 / a, and 0 where a is not above [`Tiny`](Self::Tiny): the policy for degenerate geometry.
-    Reciprocal(Scalar),
-    /// The third where the first is below the second, else the fourth.
-    SelectLess(Scalar, Scalar, Scalar, Scalar),
-    /// v · w
-    Dot(Vector, Vector),
-    /// |v|
-    Norm(Vector),
-    /// A component of a vector.
-    Component(Vector, u8),
-}
-
-/// What a vector is made of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum VectorNode {
-    /// Its components.
-    Components([Scalar; 3]),
-    /// v + w
-    Add(Vector, Vector),
-    /// v − w
-    Sub(Vector, Vector),
-    /// −v
-    Neg(Vector),
-    /// k v
-    Scale(Scalar, Vector),
-    /// R v
-    Rotate(Rotation, Vector),
-    /// v / |v|, and 0 where |v| is not above [`ScalarNode::Tiny`].
-    Normalize(Vector),
-    /// v's part in the plane, turned by a quarter: what a turn in that plane adds to v per radian.
-    Perp(Plane, Vector),
-}
-
-/// What a rotation is made of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum RotationNode {
-    /// Nine numbers, the rows of a row-vector matrix: row k is the image of axis k.
-    Matrix([Scalar; 9]),
-    /// The same with constant numbers: a change of basis.
-    Basis([Constant; 9]),
-    /// A turn in a plane of two axes.
-    Turn(Plane, Angle),
-    /// The second, then the first.
-    Compose(Rotation, Rotation),
-    /// The way back.
-    Transpose(Rotation),
-}
-
-/// What an input of the program stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum InputKind {
-    /// A number given by the caller.
-    Given,
-    /// The sine of an angle.
-    Sin(Angle),
-    /// The cosine of an angle.
-    Cos(Angle),
-}
+use crate::node::{
+    Angle, Constant, Function, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector,
+    VectorNode,
+};
 
 #[derive(Clone, Debug)]
 struct Arena<N> {
@@ -185,7 +37,18 @@ pub struct Graph {
     vectors: Arena<VectorNode>,
     rotations: Arena<RotationNode>,
     inputs: Vec<(String, InputKind)>,
-    angles: Vec<(String, Scalar, Scalar)>,
+    angles: Vec<AngleEntry>,
+    /// The angles that are expressions.
+    angles_of: HashMap<Scalar, Angle>,
+}
+
+#[derive(Clone, Debug)]
+struct AngleEntry {
+    name: String,
+    sin: Scalar,
+    cos: Scalar,
+    /// The expression it stands for, unless it is an input.
+    radians: Option<Scalar>,
 }
 
 impl Default for Graph {
@@ -203,6 +66,7 @@ impl Graph {
             rotations: Arena::new(),
             inputs: Vec::new(),
             angles: Vec::new(),
+            angles_of: HashMap::new(),
         }
     }
 
@@ -234,6 +98,21 @@ impl Graph {
         Vector(self.vectors.intern(node))
     }
 
+    /// Stores a node that a pass has made of others, in the form in which the constructors make it.
+    pub(crate) fn remade_scalar(&mut self, node: ScalarNode) -> Scalar {
+        match node {
+            ScalarNode::Dot(v, w) => self.dot(v, w),
+            node => self.intern_scalar(node),
+        }
+    }
+
+    pub(crate) fn remade_rotation(&mut self, node: RotationNode) -> Rotation {
+        match node {
+            RotationNode::Transpose(rotation) => self.transpose(rotation),
+            node => self.intern_rotation(node),
+        }
+    }
+
     fn intern_rotation(&mut self, node: RotationNode) -> Rotation {
         Rotation(self.rotations.intern(node))
     }
@@ -245,13 +124,18 @@ impl Graph {
 
     /// The name of an angle.
     pub fn angle_name(&self, angle: Angle) -> &str {
-        &self.angles[angle.0 as usize].0
+        &self.angles[angle.0 as usize].name
     }
 
-    /// The inputs that stand for an angle's sine and cosine.
+    /// An angle's sine and cosine: inputs, or functions of its radians.
     pub fn sin_cos(&self, angle: Angle) -> (Scalar, Scalar) {
-        let (_, sin, cos) = self.angles[angle.0 as usize];
+        let AngleEntry { sin, cos, .. } = self.angles[angle.0 as usize];
         (sin, cos)
+    }
+
+    /// The expression that an angle stands for; `None` for one whose sine and cosine are inputs.
+    pub fn radians(&self, angle: Angle) -> Option<Scalar> {
+        self.angles[angle.0 as usize].radians
     }
 
     fn declare(&mut self, name: String, kind: InputKind) -> Scalar {
@@ -265,12 +149,28 @@ impl Graph {
         self.declare(name.to_owned(), InputKind::Given)
     }
 
+    fn next_angle(&self) -> Angle {
+        Angle(u32::try_from(self.angles.len()).expect("four billion angles do not fit in memory"))
+    }
+
     /// An angle; its sine and its cosine become the next two inputs.
     pub fn angle(&mut self, name: &str) -> Angle {
-        let angle = Angle(u32::try_from(self.angles.len()).expect("four billion angles do not fit in memory"));
+        let angle = self.next_angle();
         let sin = self.declare(format!("sin_{name}"), InputKind::Sin(angle));
         let cos = self.declare(format!("cos_{name}"), InputKind::Cos(angle));
-        self.angles.push((name.to_owned(), sin, cos));
+        self.angles.push(AngleEntry { name: name.to_owned(), sin, cos, radians: None });
+        angle
+    }
+
+    /// The angle of so many radians, for rotations by an expression.
+    pub fn angle_of(&mut self, radians: Scalar) -> Angle {
+        if let Some(&known) = self.angles_of.get(&radians) {
+            return known;
+        }
+        let angle = self.next_angle();
+        let (sin, cos) = (self.call(Function::Sin, radians), self.call(Function::Cos, radians));
+        self.angles.push(AngleEntry { name: format!("a{}", angle.0), sin, cos, radians: Some(radians) });
+        self.angles_of.insert(radians, angle);
         angle
     }
 
@@ -333,6 +233,21 @@ impl Graph {
         self.intern_scalar(ScalarNode::Reciprocal(a))
     }
 
+    /// `then` where `a < b`, else `otherwise`.
+    pub fn select_less(&mut self, a: Scalar, b: Scalar, then: Scalar, otherwise: Scalar) -> Scalar {
+        self.intern_scalar(ScalarNode::SelectLess(a, b, then, otherwise))
+    }
+
+    /// A function of `a`.
+    pub fn call(&mut self, function: Function, a: Scalar) -> Scalar {
+        self.intern_scalar(ScalarNode::Call(function, a))
+    }
+
+    /// The angle of the point (`x`, `y`) from the first axis, −π…π.
+    pub fn atan2(&mut self, y: Scalar, x: Scalar) -> Scalar {
+        self.intern_scalar(ScalarNode::Atan2(y, x))
+    }
+
     /// v · w
     pub fn dot(&mut self, v: impl Into<Vector>, w: impl Into<Vector>) -> Scalar {
         let (v, w) = (v.into(), w.into());
@@ -390,6 +305,16 @@ impl Graph {
         self.intern_vector(VectorNode::Perp(plane, v))
     }
 
+    /// v × w
+    pub fn cross(&mut self, v: Vector, w: Vector) -> Vector {
+        self.intern_vector(VectorNode::Cross(v, w))
+    }
+
+    /// v − (v · u) u: what of v is square to the direction u.
+    pub fn across(&mut self, v: Vector, u: Unit) -> Vector {
+        self.intern_vector(VectorNode::Across(v, u))
+    }
+
     /// R v
     pub fn rotate(&mut self, rotation: Rotation, v: impl Into<Vector>) -> Vector {
         self.intern_vector(VectorNode::Rotate(rotation, v.into()))
@@ -409,6 +334,16 @@ impl Graph {
     /// The turn of `plane` by `angle`.
     pub fn turn(&mut self, plane: Plane, angle: Angle) -> Rotation {
         self.intern_rotation(RotationNode::Turn(plane, angle))
+    }
+
+    /// The right-handed turn about `axis` by `angle`. The axis must have length 1; derivatives count it as a constant.
+    pub fn about(&mut self, axis: Vector, angle: Angle) -> Rotation {
+        self.intern_rotation(RotationNode::About(axis, angle))
+    }
+
+    /// The rotation of a quaternion of length 1. Derivatives count it as a constant.
+    pub fn quaternion(&mut self, vector: Vector, scalar: Scalar) -> Rotation {
+        self.intern_rotation(RotationNode::Quaternion(vector, scalar))
     }
 
     /// `inner`, then `outer`.

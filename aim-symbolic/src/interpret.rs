@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::{Op, Program};
+use crate::{Function, Op, Program};
 
 /// A number type that programs run in.
 pub trait Number:
@@ -16,6 +16,10 @@ pub trait Number:
     fn sqrt(self) -> Self;
     /// `then` where `a < b`, else `otherwise`.
     fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self;
+    /// A function of the mathematical library.
+    fn call(self, function: Function) -> Self;
+    /// The angle of the point (`x`, `self`) from the first axis.
+    fn atan2(self, x: Self) -> Self;
 }
 
 macro_rules! number {
@@ -41,6 +45,22 @@ macro_rules! number {
             fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self {
                 if a < b { then } else { otherwise }
             }
+
+            fn call(self, function: Function) -> Self {
+                match function {
+                    Function::Sin => self.sin(),
+                    Function::Cos => self.cos(),
+                    Function::Tan => self.tan(),
+                    Function::Asin => self.asin(),
+                    Function::Acos => self.acos(),
+                    Function::Exp => self.exp(),
+                    Function::Ln => self.ln(),
+                }
+            }
+
+            fn atan2(self, x: Self) -> Self {
+                self.atan2(x)
+            }
         }
     };
 }
@@ -64,6 +84,8 @@ impl Program {
                 Op::Div(a, b) => values[a.index()] / values[b.index()],
                 Op::Neg(a) => -values[a.index()],
                 Op::Sqrt(a) => values[a.index()].sqrt(),
+                Op::Call(function, a) => values[a.index()].call(function),
+                Op::Atan2(y, x) => values[y.index()].atan2(values[x.index()]),
                 Op::SelectLess(a, b, then, otherwise) => T::select_less(
                     values[a.index()],
                     values[b.index()],

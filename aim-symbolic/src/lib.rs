@@ -26,24 +26,33 @@
 //! ```
 
 mod count;
+mod derive;
+mod directions;
 mod evaluate;
+mod factor;
 mod fold;
 mod gradient;
 mod graph;
 mod interpret;
 mod lower;
+mod node;
+mod order;
+mod partial;
 pub mod print;
 mod program;
 pub mod rules;
 mod scaling;
+mod tangent;
 mod tidy;
 
 pub use count::Count;
+pub use derive::{Step, Want};
 pub use evaluate::Bindings;
 pub use gradient::Placement;
-pub use graph::{
-    Angle, Constant, Graph, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector,
-    VectorNode,
-};
+pub use graph::Graph;
 pub use interpret::Number;
-pub use program::{Op, Program, Value, Want};
+pub use node::{
+    Angle, Constant, Function, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Variable,
+    Vector, VectorNode,
+};
+pub use program::{Op, Program, Value};

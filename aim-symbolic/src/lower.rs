@@ -2,58 +2,72 @@
 
 use std::collections::HashMap;
 
+use crate::fold::Fold;
+use crate::rules::Rules;
 use crate::{Constant, Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 /// Lowers expressions of one graph, each once.
 pub(crate) struct Lowering<'g> {
-    g: &'g mut Graph,
+    fold: Fold<'g>,
     scalars: HashMap<Scalar, Scalar>,
     vectors: HashMap<Vector, [Scalar; 3]>,
 }
 
 impl<'g> Lowering<'g> {
-    pub(crate) fn new(g: &'g mut Graph) -> Self {
-        Self { g, scalars: HashMap::new(), vectors: HashMap::new() }
+    pub(crate) fn new(g: &'g mut Graph, rules: &Rules<'_>) -> Self {
+        Self { fold: Fold::new(g, rules), scalars: HashMap::new(), vectors: HashMap::new() }
+    }
+
+    /// For what goes on folding where this ends.
+    pub(crate) fn into_fold(self) -> Fold<'g> {
+        self.fold
     }
 
     pub(crate) fn scalar(&mut self, scalar: Scalar) -> Scalar {
         if let Some(&done) = self.scalars.get(&scalar) {
             return done;
         }
-        let lowered = match self.g.scalar_node(scalar) {
+        let lowered = match self.fold.g.scalar_node(scalar) {
             ScalarNode::Constant(_) | ScalarNode::Input(_) | ScalarNode::Tiny => scalar,
             ScalarNode::Add(a, b) => {
                 let (a, b) = (self.scalar(a), self.scalar(b));
-                self.g.fold_add(a, b)
+                self.fold.add(a, b)
             }
             ScalarNode::Sub(a, b) => {
                 let (a, b) = (self.scalar(a), self.scalar(b));
-                self.g.fold_sub(a, b)
+                self.fold.sub(a, b)
             }
             ScalarNode::Mul(a, b) => {
                 let (a, b) = (self.scalar(a), self.scalar(b));
-                self.g.fold_mul(a, b)
+                self.fold.mul(a, b)
             }
             ScalarNode::Div(a, b) => {
                 let (a, b) = (self.scalar(a), self.scalar(b));
-                self.g.fold_div(a, b)
+                self.fold.div(a, b)
             }
             ScalarNode::Neg(a) => {
                 let a = self.scalar(a);
-                self.g.fold_neg(a)
+                self.fold.neg(a)
             }
             ScalarNode::Sqrt(a) => {
                 let a = self.scalar(a);
-                self.g.sqrt(a)
+                self.fold.sqrt(a)
             }
             ScalarNode::Reciprocal(a) => {
                 let a = self.scalar(a);
                 self.guarded_reciprocal(a)
             }
             ScalarNode::SelectLess(a, b, then, otherwise) => {
-                let node =
-                    ScalarNode::SelectLess(self.scalar(a), self.scalar(b), self.scalar(then), self.scalar(otherwise));
-                self.g.intern_scalar(node)
+                let [a, b, then, otherwise] = [a, b, then, otherwise].map(|s| self.scalar(s));
+                self.fold.select_less(a, b, then, otherwise)
+            }
+            ScalarNode::Call(function, a) => {
+                let a = self.scalar(a);
+                self.fold.call(function, a)
+            }
+            ScalarNode::Atan2(y, x) => {
+                let (y, x) = (self.scalar(y), self.scalar(x));
+                self.fold.g.atan2(y, x)
             }
             ScalarNode::Dot(v, w) => {
                 let (v, w) = (self.vector(v), self.vector(w));
@@ -62,7 +76,7 @@ impl<'g> Lowering<'g> {
             ScalarNode::Norm(v) => {
                 let v = self.vector(v);
                 let square = self.dot(v, v);
-                self.g.sqrt(square)
+                self.fold.sqrt(square)
             }
             ScalarNode::Component(v, axis) => self.vector(v)[usize::from(axis)],
         };
@@ -71,94 +85,142 @@ impl<'g> Lowering<'g> {
     }
 
     fn guarded_reciprocal(&mut self, a: Scalar) -> Scalar {
-        let one = self.g.constant(1.0);
-        let zero = self.g.constant(0.0);
-        let tiny = self.g.intern_scalar(ScalarNode::Tiny);
-        let reciprocal = self.g.div(one, a);
-        self.g.intern_scalar(ScalarNode::SelectLess(tiny, a, reciprocal, zero))
+        let one = self.fold.g.constant(1.0);
+        let zero = self.fold.g.constant(0.0);
+        let tiny = self.fold.g.intern_scalar(ScalarNode::Tiny);
+        let reciprocal = self.fold.g.div(one, a);
+        self.fold.g.intern_scalar(ScalarNode::SelectLess(tiny, a, reciprocal, zero))
     }
 
     fn dot(&mut self, v: [Scalar; 3], w: [Scalar; 3]) -> Scalar {
-        let products = [0, 1, 2].map(|k| self.g.fold_mul(v[k], w[k]));
-        let xy = self.g.fold_add(products[0], products[1]);
-        self.g.fold_add(xy, products[2])
+        let products = [0, 1, 2].map(|k| self.fold.mul(v[k], w[k]));
+        let xy = self.fold.add(products[0], products[1]);
+        self.fold.add(xy, products[2])
     }
 
     fn vector(&mut self, vector: Vector) -> [Scalar; 3] {
         if let Some(&done) = self.vectors.get(&vector) {
             return done;
         }
-        let lowered = match self.g.vector_node(vector) {
+        let lowered = match self.fold.g.vector_node(vector) {
             VectorNode::Components(c) => c.map(|c| self.scalar(c)),
             VectorNode::Add(v, w) => {
                 let (v, w) = (self.vector(v), self.vector(w));
-                [0, 1, 2].map(|k| self.g.fold_add(v[k], w[k]))
+                [0, 1, 2].map(|k| self.fold.add(v[k], w[k]))
             }
             VectorNode::Sub(v, w) => {
                 let (v, w) = (self.vector(v), self.vector(w));
-                [0, 1, 2].map(|k| self.g.fold_sub(v[k], w[k]))
+                [0, 1, 2].map(|k| self.fold.sub(v[k], w[k]))
             }
-            VectorNode::Neg(v) => self.vector(v).map(|c| self.g.fold_neg(c)),
+            VectorNode::Neg(v) => self.vector(v).map(|c| self.fold.neg(c)),
             VectorNode::Scale(k, v) => {
                 let (k, v) = (self.scalar(k), self.vector(v));
-                v.map(|c| self.g.fold_mul(k, c))
+                v.map(|c| self.fold.mul(k, c))
             }
             VectorNode::Rotate(rotation, v) => {
                 let v = self.vector(v);
-                self.rotate(rotation, v)
+                self.rotate_by(rotation, false, v)
             }
             VectorNode::Normalize(v) => {
                 let v = self.vector(v);
                 let square = self.dot(v, v);
-                let norm = self.g.sqrt(square);
+                let norm = self.fold.sqrt(square);
                 let reciprocal = self.guarded_reciprocal(norm);
-                v.map(|c| self.g.fold_mul(reciprocal, c))
+                v.map(|c| self.fold.mul(reciprocal, c))
             }
             VectorNode::Perp(plane, v) => {
                 let v = self.vector(v);
                 let (from, towards) = plane.axes();
-                let mut out = [self.g.constant(0.0); 3];
-                out[from] = self.g.fold_neg(v[towards]);
+                let mut out = [self.fold.g.constant(0.0); 3];
+                out[from] = self.fold.neg(v[towards]);
                 out[towards] = v[from];
                 out
+            }
+            VectorNode::Cross(v, w) => {
+                let (v, w) = (self.vector(v), self.vector(w));
+                self.cross(v, w)
+            }
+            VectorNode::Across(v, u) => {
+                let (v, u) = (self.vector(v), self.vector(u.into()));
+                let along = self.dot(v, u);
+                [0, 1, 2].map(|k| {
+                    let radial = self.fold.mul(along, u[k]);
+                    self.fold.sub(v[k], radial)
+                })
             }
         };
         self.vectors.insert(vector, lowered);
         lowered
     }
 
-    fn rotate(&mut self, rotation: Rotation, v: [Scalar; 3]) -> [Scalar; 3] {
-        match self.g.rotation_node(rotation) {
-            RotationNode::Matrix(rows) => self.matrix(rows, false, v),
-            RotationNode::Basis(rows) => self.basis(rows, false, v),
-            RotationNode::Turn(plane, angle) => {
-                let (sin, cos) = self.g.sin_cos(angle);
-                self.turn(plane, sin, cos, v)
+    fn cross(&mut self, v: [Scalar; 3], w: [Scalar; 3]) -> [Scalar; 3] {
+        [(1, 2), (2, 0), (0, 1)].map(|(i, k)| {
+            let (first, second) = (self.fold.mul(v[i], w[k]), self.fold.mul(v[k], w[i]));
+            self.fold.sub(first, second)
+        })
+    }
+
+    /// The image of `v`, or, where it is `back`, what has the image `v`.
+    fn rotate_by(&mut self, rotation: Rotation, back: bool, v: [Scalar; 3]) -> [Scalar; 3] {
+        let node = self.fold.g.rotation_node(rotation);
+        match node {
+            RotationNode::Matrix(rows) => {
+                let rows = rows.map(|s| self.scalar(s));
+                self.matrix(rows, back, v)
+            }
+            RotationNode::Basis(rows) => self.basis(rows, back, v),
+            RotationNode::Turn(_, angle) | RotationNode::About(_, angle) => {
+                let (sin, cos) = self.fold.g.sin_cos(angle);
+                let (sin, cos) = (self.scalar(sin), self.scalar(cos));
+                let sin = if back { self.fold.neg(sin) } else { sin };
+                match node {
+                    RotationNode::Turn(plane, _) => self.turn(plane, sin, cos, v),
+                    RotationNode::About(axis, _) => self.about(axis, sin, cos, v),
+                    _ => unreachable!("{node:?} is a turn"),
+                }
+            }
+            RotationNode::Quaternion(u, w) => {
+                let w = self.scalar(w);
+                let w = if back { self.fold.neg(w) } else { w };
+                self.quaternion(u, w, v)
             }
             RotationNode::Compose(outer, inner) => {
-                let once = self.rotate(inner, v);
-                self.rotate(outer, once)
+                let [first, second] = if back { [outer, inner] } else { [inner, outer] };
+                let once = self.rotate_by(first, back, v);
+                self.rotate_by(second, back, once)
             }
-            RotationNode::Transpose(inner) => match self.g.rotation_node(inner) {
-                RotationNode::Matrix(rows) => self.matrix(rows, true, v),
-                RotationNode::Basis(rows) => self.basis(rows, true, v),
-                RotationNode::Turn(plane, angle) => {
-                    let (sin, cos) = self.g.sin_cos(angle);
-                    let minus = self.g.fold_neg(sin);
-                    self.turn(plane, minus, cos, v)
-                }
-                RotationNode::Compose(outer, first) => {
-                    let (outer, first) = (self.g.transpose(outer), self.g.transpose(first));
-                    let once = self.rotate(outer, v);
-                    self.rotate(first, once)
-                }
-                RotationNode::Transpose(twice) => self.rotate(twice, v),
-            },
+            RotationNode::Transpose(twice) => self.rotate_by(twice, !back, v),
         }
     }
 
+    /// `cos v + sin a × v + (1 − cos)(a · v) a`
+    fn about(&mut self, axis: Vector, sin: Scalar, cos: Scalar, v: [Scalar; 3]) -> [Scalar; 3] {
+        let axis = self.vector(axis);
+        let (aside, along) = (self.cross(axis, v), self.dot(axis, v));
+        let one = self.fold.g.constant(1.0);
+        let versine = self.fold.sub(one, cos);
+        let along = self.fold.mul(versine, along);
+        [0, 1, 2].map(|k| {
+            let terms = [(cos, v[k]), (sin, aside[k]), (along, axis[k])].map(|(f, x)| self.fold.mul(f, x));
+            let sum = self.fold.add(terms[0], terms[1]);
+            self.fold.add(sum, terms[2])
+        })
+    }
+
+    /// `v + w t + u × t` with `t = 2 u × v`
+    fn quaternion(&mut self, u: Vector, w: Scalar, v: [Scalar; 3]) -> [Scalar; 3] {
+        let u = self.vector(u);
+        let t = self.cross(u, v).map(|c| self.fold.add(c, c));
+        let aside = self.cross(u, t);
+        [0, 1, 2].map(|k| {
+            let turned = self.fold.mul(w, t[k]);
+            let sum = self.fold.add(v[k], turned);
+            self.fold.add(sum, aside[k])
+        })
+    }
+
     fn basis(&mut self, rows: [Constant; 9], transposed: bool, v: [Scalar; 3]) -> [Scalar; 3] {
-        let rows = rows.map(|c| self.g.constant(c.value()));
+        let rows = rows.map(|c| self.fold.g.constant(c.value()));
         self.matrix(rows, transposed, v)
     }
 
@@ -173,10 +235,10 @@ impl<'g> Lowering<'g> {
     fn turn(&mut self, plane: Plane, sin: Scalar, cos: Scalar, v: [Scalar; 3]) -> [Scalar; 3] {
         let (from, towards) = plane.axes();
         let mut out = v;
-        let (kept, lost) = (self.g.fold_mul(cos, v[from]), self.g.fold_mul(sin, v[towards]));
-        out[from] = self.g.fold_sub(kept, lost);
-        let (won, kept) = (self.g.fold_mul(sin, v[from]), self.g.fold_mul(cos, v[towards]));
-        out[towards] = self.g.fold_add(won, kept);
+        let (kept, lost) = (self.fold.mul(cos, v[from]), self.fold.mul(sin, v[towards]));
+        out[from] = self.fold.sub(kept, lost);
+        let (won, kept) = (self.fold.mul(sin, v[from]), self.fold.mul(cos, v[towards]));
+        out[towards] = self.fold.add(won, kept);
         out
     }
 }

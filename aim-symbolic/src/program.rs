@@ -2,9 +2,13 @@
 
 use std::collections::HashMap;
 
+use crate::factor::{FACTOR, factor};
 use crate::lower::Lowering;
-use crate::rules::SCALES;
-use crate::{Angle, Constant, Graph, Placement, Scalar, ScalarNode};
+use crate::rules::Rules;
+use crate::{Constant, Function, Graph, Scalar, ScalarNode};
+
+/// The name of the rule that turns a product with a reciprocal into a division.
+pub(crate) const DIVIDE_ONCE: &str = "a reciprocal used once is a division";
 
 /// The result of an operation of a [`Program`]: its place in the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -40,6 +44,10 @@ pub enum Op {
     Sqrt(Value),
     /// The third where the first is below the second, else the fourth.
     SelectLess(Value, Value, Value, Value),
+    /// A function of a.
+    Call(Function, Value),
+    /// The angle of the point (second, first) from the first axis.
+    Atan2(Value, Value),
 }
 
 impl Op {
@@ -52,8 +60,10 @@ impl Op {
     pub fn operands(self) -> impl Iterator<Item = Value> {
         let operands = match self {
             Self::Input(_) | Self::Constant(_) | Self::Tiny => [None; 4],
-            Self::Neg(a) | Self::Sqrt(a) => [Some(a), None, None, None],
-            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => [Some(a), Some(b), None, None],
+            Self::Neg(a) | Self::Sqrt(a) | Self::Call(_, a) => [Some(a), None, None, None],
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) | Self::Atan2(a, b) => {
+                [Some(a), Some(b), None, None]
+            }
             Self::SelectLess(a, b, c, d) => [Some(a), Some(b), Some(c), Some(d)],
         };
         operands.into_iter().flatten()
@@ -70,76 +80,27 @@ pub struct Program {
     numbers: Vec<usize>,
 }
 
-/// What a program is asked for: a value, or its derivative by an angle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Want {
-    /// The expression's value.
-    Value(Scalar),
-    /// The expression's derivative by an angle.
-    Derivative(Scalar, Angle),
-}
-
 impl Program {
-    /// The program of `values` and, after them, of each value's derivatives by `angles`, value by value.
-    pub fn derive(g: &mut Graph, values: &[Scalar], angles: &[Angle]) -> Self {
-        let derivatives = values.iter().flat_map(|&v| angles.iter().map(move |&a| Want::Derivative(v, a)));
-        let wanted: Vec<Want> = values.iter().map(|&v| Want::Value(v)).chain(derivatives).collect();
-        Self::derive_wanted(g, &wanted)
-    }
-
-    /// The program of just what is wanted, in that order.
-    ///
-    /// Where two rewritings compete, the smaller program wins; on a tie the shallower, then the first.
-    pub fn derive_wanted(g: &mut Graph, wanted: &[Want]) -> Self {
-        let candidates = [Placement::Late, Placement::Early].map(|placement| Self::derive_placed(g, wanted, placement));
-        let [late, early] = candidates;
-        let cost = |p: &Self| (p.count().total(), p.depth());
-        if cost(&early) < cost(&late) { early } else { late }
-    }
-
-    fn derive_placed(g: &mut Graph, wanted: &[Want], placement: Placement) -> Self {
-        let mut rewritten: HashMap<Scalar, Scalar> = HashMap::new();
-        let mut gradients: HashMap<Scalar, Vec<(Angle, Scalar)>> = HashMap::new();
-        let mut outputs = Vec::new();
-        for &want in wanted {
-            let (Want::Value(stated) | Want::Derivative(stated, _)) = want;
-            let value = *rewritten.entry(stated).or_insert_with(|| g.rewrite(stated));
-            outputs.push(match want {
-                Want::Value(_) => value,
-                Want::Derivative(_, angle) => {
-                    let gradient = gradients.entry(stated).or_insert_with(|| {
-                        let angles: Vec<Angle> = wanted
-                            .iter()
-                            .filter_map(|w| match w {
-                                Want::Derivative(s, a) if *s == stated => Some(*a),
-                                _ => None,
-                            })
-                            .collect();
-                        let gradient = g.gradient(value, &angles, placement);
-                        angles.into_iter().zip(gradient).collect()
-                    });
-                    let (_, derivative) = gradient
-                        .iter()
-                        .find(|(a, _)| *a == angle)
-                        .expect("the gradient was taken by every wanted angle");
-                    *derivative
-                }
-            });
-        }
-        let outputs = g.rewrite_by(&outputs, &SCALES);
-        Self::compile(g, &outputs)
-    }
-
     /// The program of `outputs` as they are stated: lowered, folded and ordered, nothing else.
     pub fn compile(g: &mut Graph, outputs: &[Scalar]) -> Self {
-        let mut lowering = Lowering::new(g);
-        let lowered: Vec<Scalar> = outputs.iter().map(|&s| lowering.scalar(s)).collect();
+        Self::compile_with(g, outputs, &Rules { without: &[FACTOR] })
+    }
+
+    /// The same by some of the rules, sums factored unless that is switched off.
+    pub(crate) fn compile_with(g: &mut Graph, outputs: &[Scalar], rules: &Rules<'_>) -> Self {
+        let mut lowering = Lowering::new(g, rules);
+        let mut lowered: Vec<Scalar> = outputs.iter().map(|&s| lowering.scalar(s)).collect();
+        if rules.has(FACTOR) {
+            lowered = factor(&mut lowering.into_fold(), &lowered);
+        }
         let mut schedule = Schedule { g, ops: Vec::new(), values: HashMap::new() };
         let outputs = lowered.iter().map(|&s| schedule.value(s)).collect();
         let ops = schedule.ops;
         let inputs = g.inputs().iter().map(|(name, _)| name.clone()).collect();
         let mut program = Self { inputs, ops, outputs, numbers: Vec::new() };
-        program.divide_once();
+        if rules.has(DIVIDE_ONCE) {
+            program.divide_once();
+        }
         program.drop_unused();
         program.number();
         program
@@ -286,6 +247,8 @@ impl Op {
             Self::Div(a, b) => Self::Div(at(a), at(b)),
             Self::Neg(a) => Self::Neg(at(a)),
             Self::Sqrt(a) => Self::Sqrt(at(a)),
+            Self::Call(function, a) => Self::Call(function, at(a)),
+            Self::Atan2(y, x) => Self::Atan2(at(y), at(x)),
             Self::SelectLess(a, b, c, d) => Self::SelectLess(at(a), at(b), at(c), at(d)),
         }
     }
@@ -312,6 +275,8 @@ impl Schedule<'_> {
             ScalarNode::Div(a, b) => Op::Div(self.value(a), self.value(b)),
             ScalarNode::Neg(a) => Op::Neg(self.value(a)),
             ScalarNode::Sqrt(a) => Op::Sqrt(self.value(a)),
+            ScalarNode::Call(function, a) => Op::Call(function, self.value(a)),
+            ScalarNode::Atan2(y, x) => Op::Atan2(self.value(y), self.value(x)),
             ScalarNode::SelectLess(a, b, c, d) => {
                 Op::SelectLess(self.value(a), self.value(b), self.value(c), self.value(d))
             }

@@ -3,7 +3,12 @@
 //! A rule looks at one node whose parts are already rewritten and offers a replacement. [`Graph::rewrite`] applies
 //! them in the order of the tables, bottom up, until none applies.
 
-use crate::{Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+use crate::{Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode, directions};
+
+/// A cross product with a direction is as long as the part across it: one of two ways to the same length.
+pub(crate) const ACROSS_FOR_CROSS: &str = "the part across is as long as the cross product";
+/// A scaled difference in a sum with its own subtrahend is taken apart: one of two ways to write the sum.
+pub(crate) const SPREAD: &str = "spread a scaled difference over its sum";
 
 /// A rule for vectors.
 pub type VectorRule = fn(&mut Graph, Vector) -> Option<Vector>;
@@ -18,6 +23,30 @@ pub struct RuleSet {
     /// The rules for scalars.
     pub scalars: &'static [(&'static str, ScalarRule)],
 }
+
+/// Which rules apply: all of them but a few.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Rules<'a> {
+    /// The names of those switched off.
+    pub without: &'a [&'a str],
+}
+
+impl Rules<'_> {
+    /// Whether the rule of this name applies.
+    pub fn has(&self, name: &str) -> bool {
+        !self.without.contains(&name)
+    }
+}
+
+/// What a statement says in other words: norms and directions spelled out.
+pub const WORDING: RuleSet = RuleSet {
+    vectors: &[("a vector over its length is a direction", directions::recognize_direction)],
+    scalars: &[
+        ("the root of a square is a norm", directions::root_of_square),
+        ("a division by a norm is guarded", directions::guard_division),
+        (ACROSS_FOR_CROSS, directions::norm_of_cross),
+    ],
+};
 
 /// Rotations to where they cancel, or to the side where they cost least.
 pub const ROTATIONS: RuleSet = RuleSet {
@@ -44,6 +73,23 @@ pub const ROTATIONS: RuleSet = RuleSet {
 /// Compositions into the rotations that they are made of, as the reverse sweep needs them.
 pub(crate) const COMPOSITIONS: RuleSet = RuleSet { vectors: &[("split composition", split_composition)], scalars: &[] };
 
+/// What is along a direction or square to it, and what follows for sums and dots.
+pub const DIRECTIONS: RuleSet = RuleSet {
+    vectors: &[
+        ("fold zero and one", fold_zero),
+        ("merge scales", crate::scaling::merge),
+        ("scale after the operation", crate::scaling::out_of_operation),
+        ("nothing of a direction is across it", directions::across_of_along),
+        ("all of what is across is across", directions::across_of_across),
+        ("the parts across of a sum", directions::across_of_sum),
+    ],
+    scalars: &[
+        ("dot, then scale", crate::scaling::out_of_dot),
+        ("along meets across", directions::dot_along_across),
+        ("drop the radial part", directions::drop_radial),
+    ],
+};
+
 /// Scale factors out of the vector operations that they pass through unchanged.
 pub const SCALES: RuleSet = RuleSet {
     vectors: &[
@@ -51,8 +97,12 @@ pub const SCALES: RuleSet = RuleSet {
         ("undo rotation", undo_rotation),
         ("fold constant basis", fold_basis),
         ("one reciprocal for a direction", crate::scaling::expand_normalize),
+        ("a part across is a difference", directions::expand_across),
         ("merge scales", crate::scaling::merge),
-        ("rotate, then scale", crate::scaling::out_of_rotation),
+        ("scale after the operation", crate::scaling::out_of_operation),
+        (SPREAD, crate::scaling::spread),
+        ("common vector of a sum", crate::scaling::common_vector),
+        ("common factor of a sum", crate::scaling::common_factor),
     ],
     scalars: &[("dot, then scale", crate::scaling::out_of_dot)],
 };
@@ -93,11 +143,11 @@ pub(crate) fn sum(g: &mut Graph, terms: &[(bool, Vector)]) -> Vector {
     total.unwrap_or_else(|| g.constant_vector([0.0; 3]))
 }
 
-fn is_zero(g: &Graph, v: Vector) -> bool {
+pub(crate) fn is_zero(g: &Graph, v: Vector) -> bool {
     constant_components(g, v) == Some([0.0; 3])
 }
 
-fn constant_components(g: &Graph, v: Vector) -> Option<[f64; 3]> {
+pub(crate) fn constant_components(g: &Graph, v: Vector) -> Option<[f64; 3]> {
     let VectorNode::Components([x, y, z]) = g.vector_node(v) else { return None };
     Some([g.constant_of(x)?, g.constant_of(y)?, g.constant_of(z)?])
 }
@@ -145,7 +195,7 @@ fn pushed_below(g: &Graph, v: Vector) -> Option<usize> {
     is_forward(g, rotation).then_some(0)
 }
 
-fn is_sum(g: &Graph, v: Vector) -> bool {
+pub(crate) fn is_sum(g: &Graph, v: Vector) -> bool {
     matches!(g.vector_node(v), VectorNode::Add(..) | VectorNode::Sub(..) | VectorNode::Neg(..))
 }
 
@@ -160,6 +210,8 @@ fn fold_zero(g: &mut Graph, v: Vector) -> Option<Vector> {
         {
             Some(a)
         }
+        VectorNode::Cross(a, b) if a == b || is_zero(g, a) || is_zero(g, b) => Some(g.constant_vector([0.0; 3])),
+        VectorNode::Across(a, _) if is_zero(g, a) => Some(a),
         VectorNode::Neg(a) => match g.vector_node(a) {
             VectorNode::Neg(inner) => Some(inner),
             _ => None,

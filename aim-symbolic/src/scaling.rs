@@ -1,5 +1,6 @@
 //! Rules for scale factors; part of [`rules::SCALES`](crate::rules::SCALES).
 
+use crate::rules::{is_sum, sum, terms};
 use crate::{Graph, Scalar, ScalarNode, Vector, VectorNode};
 
 fn scaled(g: &Graph, v: Vector) -> Option<(Scalar, Vector)> {
@@ -25,8 +26,8 @@ pub(crate) fn merge(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(g.scale(product, core))
 }
 
-/// `R (k v) = k (R v)`, and the same for perpendiculars and negation.
-pub(crate) fn out_of_rotation(g: &mut Graph, v: Vector) -> Option<Vector> {
+/// `R (k v) = k (R v)`, and the same for perpendiculars, parts across a direction, cross products and negation.
+pub(crate) fn out_of_operation(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (k, moved) = match g.vector_node(v) {
         VectorNode::Rotate(rotation, inner) => {
             let (k, core) = scaled(g, inner)?;
@@ -40,6 +41,15 @@ pub(crate) fn out_of_rotation(g: &mut Graph, v: Vector) -> Option<Vector> {
             let (k, core) = scaled(g, inner)?;
             (k, g.neg_vector(core))
         }
+        VectorNode::Across(inner, unit) => {
+            let (k, core) = scaled(g, inner)?;
+            (k, g.across(core, unit))
+        }
+        VectorNode::Cross(a, b) => match (scaled(g, a), scaled(g, b)) {
+            (Some((k, core)), _) => (k, g.cross(core, b)),
+            (None, Some((k, core))) => (k, g.cross(a, core)),
+            (None, None) => return None,
+        },
         _ => return None,
     };
     Some(g.scale(k, moved))
@@ -55,4 +65,84 @@ pub(crate) fn out_of_dot(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     };
     let dot = g.dot(core, other);
     Some(g.mul(k, dot))
+}
+
+/// The terms of a sum as factor and vector.
+fn weighted(g: &mut Graph, v: Vector) -> Vec<(bool, Option<Scalar>, Vector)> {
+    terms(g, v)
+        .into_iter()
+        .map(|(negative, term)| match scaled(g, term) {
+            Some((k, inner)) => (negative, Some(k), inner),
+            None => (negative, None, term),
+        })
+        .collect()
+}
+
+fn signed(g: &mut Graph, negative: bool, k: Option<Scalar>) -> Scalar {
+    let k = k.unwrap_or_else(|| g.constant(1.0));
+    if negative { g.neg(k) } else { k }
+}
+
+/// Two terms become one.
+fn joined(g: &mut Graph, v: Vector, (i, j): (usize, usize), together: (bool, Vector)) -> Vector {
+    let mut all = terms(g, v);
+    all.remove(j);
+    all[i] = together;
+    sum(g, &all)
+}
+
+fn pair<T>(all: &[T], fits: impl Fn(&T, &T) -> bool) -> Option<(usize, usize)> {
+    (0..all.len()).find_map(|i| (i + 1..all.len()).find(|&j| fits(&all[i], &all[j])).map(|j| (i, j)))
+}
+
+/// `k v + m v = (k + m) v`
+pub(crate) fn common_vector(g: &mut Graph, v: Vector) -> Option<Vector> {
+    if !is_sum(g, v) {
+        return None;
+    }
+    let all = weighted(g, v);
+    let (i, j) = pair(&all, |a, b| a.2 == b.2)?;
+    let [(_, _, core), _] = [all[i], all[j]];
+    let (k, m) = (signed(g, all[i].0, all[i].1), signed(g, all[j].0, all[j].1));
+    let factor = g.add(k, m);
+    let together = g.scale(factor, core);
+    Some(joined(g, v, (i, j), (false, together)))
+}
+
+/// `k v + k w = k (v + w)`
+pub(crate) fn common_factor(g: &mut Graph, v: Vector) -> Option<Vector> {
+    if !is_sum(g, v) {
+        return None;
+    }
+    let all = weighted(g, v);
+    let (i, j) = pair(&all, |a, b| a.1.is_some() && a.1 == b.1)?;
+    let inner = sum(g, &[(all[i].0, all[i].2), (all[j].0, all[j].2)]);
+    let together = g.scale(all[i].1?, inner);
+    Some(joined(g, v, (i, j), (false, together)))
+}
+
+/// `k (v − m w) + n w = k v + (n − k m) w`
+pub(crate) fn spread(g: &mut Graph, v: Vector) -> Option<Vector> {
+    if !is_sum(g, v) {
+        return None;
+    }
+    let all = weighted(g, v);
+    let difference = |g: &Graph, inner: Vector| match g.vector_node(inner) {
+        VectorNode::Sub(v, along) => scaled(g, along).map(|(m, w)| (v, m, w)),
+        _ => None,
+    };
+    let (i, j, (core, m, w)) = (0..all.len()).find_map(|i| {
+        let taken_apart = difference(g, all[i].2)?;
+        let j = (0..all.len()).find(|&j| j != i && all[j].2 == taken_apart.2)?;
+        Some((i, j, taken_apart))
+    })?;
+    let (k, n) = (signed(g, all[i].0, all[i].1), signed(g, all[j].0, all[j].1));
+    let first = g.scale(k, core);
+    let product = g.mul(k, m);
+    let rest = g.sub(n, product);
+    let second = g.scale(rest, w);
+    let mut kept: Vec<_> = terms(g, v);
+    kept[i] = (false, first);
+    kept[j] = (false, second);
+    Some(sum(g, &kept))
 }

@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
-use crate::rules::{ROTATIONS, RuleSet};
-use crate::{Graph, Scalar, ScalarNode, Vector, VectorNode};
+use crate::node::Parts;
+use crate::rules::{ROTATIONS, RuleSet, Rules};
+use crate::{Angle, Graph, Rotation, Scalar, Vector};
 
 /// Rewrites for each node of a statement. The rules end by themselves long before; this is what makes the end certain.
 const FUEL_PER_NODE: usize = 64;
@@ -16,29 +17,87 @@ impl Graph {
 
     /// `scalars` rewritten by `rules`, sharing what they share.
     pub fn rewrite_by(&mut self, scalars: &[Scalar], rules: &RuleSet) -> Vec<Scalar> {
-        let fuel = FUEL_PER_NODE * scalars.iter().map(|&s| self.size(s)).sum::<usize>();
-        let mut tidy = Tidy { g: self, rules, fuel, scalars: HashMap::new(), vectors: HashMap::new() };
+        self.rewrite_with(scalars, rules, &Rules::default(), &mut Log::default())
+    }
+
+    /// The same, with some of the rules switched off, and written down.
+    pub(crate) fn rewrite_with(
+        &mut self,
+        scalars: &[Scalar],
+        set: &RuleSet,
+        rules: &Rules<'_>,
+        log: &mut Log,
+    ) -> Vec<Scalar> {
+        let fuel = FUEL_PER_NODE * self.size(scalars);
+        let mut tidy = Tidy {
+            g: self,
+            set: *set,
+            rules: *rules,
+            log,
+            fuel,
+            scalars: HashMap::new(),
+            vectors: HashMap::new(),
+            rotations: HashMap::new(),
+        };
         scalars.iter().map(|&s| tidy.scalar(s)).collect()
+    }
+}
+
+/// The rules that were applied, in order, and how many more may be.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Log {
+    pub(crate) applied: Vec<&'static str>,
+    /// How many may be applied in all; `None` for as many as there are.
+    pub(crate) limit: Option<usize>,
+}
+
+impl Log {
+    pub(crate) fn limited(limit: usize) -> Self {
+        Self { applied: Vec::new(), limit: Some(limit) }
+    }
+
+    pub(crate) fn may_apply(&self) -> bool {
+        self.limit.is_none_or(|limit| self.applied.len() < limit)
     }
 }
 
 struct Tidy<'g> {
     g: &'g mut Graph,
-    rules: &'g RuleSet,
+    set: RuleSet,
+    rules: Rules<'g>,
+    log: &'g mut Log,
     fuel: usize,
     scalars: HashMap<Scalar, Scalar>,
     vectors: HashMap<Vector, Vector>,
+    rotations: HashMap<Rotation, Rotation>,
 }
 
 impl Tidy<'_> {
+    fn scalar_parts(&mut self, scalar: Scalar) -> Scalar {
+        let node = self.g.scalar_node(scalar).map(self);
+        self.g.remade_scalar(node)
+    }
+
+    fn vector_parts(&mut self, vector: Vector) -> Vector {
+        let node = self.g.vector_node(vector).map(self);
+        self.g.intern_vector(node)
+    }
+}
+
+impl Parts for Tidy<'_> {
     fn scalar(&mut self, scalar: Scalar) -> Scalar {
         if let Some(&done) = self.scalars.get(&scalar) {
             return done;
         }
         let mut current = self.scalar_parts(scalar);
-        while self.fuel > 0 {
-            let Some(next) = self.rules.scalars.iter().find_map(|(_, rule)| rule(self.g, current)) else { break };
+        while self.fuel > 0 && self.log.may_apply() {
+            let applied = self.set.scalars.iter().find_map(|&(name, rule)| {
+                let applies = self.rules.has(name);
+                applies.then(|| rule(self.g, current)).flatten().map(|next| (name, next))
+            });
+            let Some((name, next)) = applied else { break };
             self.fuel -= 1;
+            self.log.applied.push(name);
             current = self.scalar_parts(next);
         }
         self.scalars.insert(scalar, current);
@@ -50,100 +109,37 @@ impl Tidy<'_> {
             return done;
         }
         let mut current = self.vector_parts(vector);
-        while self.fuel > 0 {
-            let Some(next) = self.rules.vectors.iter().find_map(|(_, rule)| rule(self.g, current)) else { break };
+        while self.fuel > 0 && self.log.may_apply() {
+            let applied = self.set.vectors.iter().find_map(|&(name, rule)| {
+                let applies = self.rules.has(name);
+                applies.then(|| rule(self.g, current)).flatten().map(|next| (name, next))
+            });
+            let Some((name, next)) = applied else { break };
             self.fuel -= 1;
+            self.log.applied.push(name);
             current = self.vector_parts(next);
         }
         self.vectors.insert(vector, current);
         current
     }
 
-    fn scalar_parts(&mut self, scalar: Scalar) -> Scalar {
-        match self.g.scalar_node(scalar) {
-            ScalarNode::Constant(_) | ScalarNode::Input(_) | ScalarNode::Tiny => scalar,
-            ScalarNode::Add(a, b) => {
-                let (a, b) = (self.scalar(a), self.scalar(b));
-                self.g.add(a, b)
-            }
-            ScalarNode::Sub(a, b) => {
-                let (a, b) = (self.scalar(a), self.scalar(b));
-                self.g.sub(a, b)
-            }
-            ScalarNode::Mul(a, b) => {
-                let (a, b) = (self.scalar(a), self.scalar(b));
-                self.g.mul(a, b)
-            }
-            ScalarNode::Div(a, b) => {
-                let (a, b) = (self.scalar(a), self.scalar(b));
-                self.g.div(a, b)
-            }
-            ScalarNode::Neg(a) => {
-                let a = self.scalar(a);
-                self.g.neg(a)
-            }
-            ScalarNode::Sqrt(a) => {
-                let a = self.scalar(a);
-                self.g.sqrt(a)
-            }
-            ScalarNode::Reciprocal(a) => {
-                let a = self.scalar(a);
-                self.g.reciprocal(a)
-            }
-            ScalarNode::SelectLess(a, b, then, otherwise) => {
-                let node =
-                    ScalarNode::SelectLess(self.scalar(a), self.scalar(b), self.scalar(then), self.scalar(otherwise));
-                self.g.intern_scalar(node)
-            }
-            ScalarNode::Dot(v, w) => {
-                let (v, w) = (self.vector(v), self.vector(w));
-                self.g.dot(v, w)
-            }
-            ScalarNode::Norm(v) => {
-                let v = self.vector(v);
-                self.g.norm(v)
-            }
-            ScalarNode::Component(v, axis) => {
-                let v = self.vector(v);
-                self.g.component(v, axis)
-            }
+    fn rotation(&mut self, rotation: Rotation) -> Rotation {
+        if let Some(&done) = self.rotations.get(&rotation) {
+            return done;
         }
+        let node = self.g.rotation_node(rotation).map(self);
+        let done = self.g.remade_rotation(node);
+        self.rotations.insert(rotation, done);
+        done
     }
 
-    fn vector_parts(&mut self, vector: Vector) -> Vector {
-        match self.g.vector_node(vector) {
-            VectorNode::Components(c) => {
-                let c = c.map(|c| self.scalar(c));
-                self.g.components(c)
+    fn angle(&mut self, angle: Angle) -> Angle {
+        match self.g.radians(angle) {
+            Some(radians) => {
+                let radians = self.scalar(radians);
+                self.g.angle_of(radians)
             }
-            VectorNode::Add(v, w) => {
-                let (v, w) = (self.vector(v), self.vector(w));
-                self.g.add_vectors(v, w)
-            }
-            VectorNode::Sub(v, w) => {
-                let (v, w) = (self.vector(v), self.vector(w));
-                self.g.sub_vectors(v, w)
-            }
-            VectorNode::Neg(v) => {
-                let v = self.vector(v);
-                self.g.neg_vector(v)
-            }
-            VectorNode::Scale(k, v) => {
-                let (k, v) = (self.scalar(k), self.vector(v));
-                self.g.scale(k, v)
-            }
-            VectorNode::Rotate(rotation, v) => {
-                let v = self.vector(v);
-                self.g.rotate(rotation, v)
-            }
-            VectorNode::Normalize(v) => {
-                let v = self.vector(v);
-                self.g.normalize(v).into()
-            }
-            VectorNode::Perp(plane, v) => {
-                let v = self.vector(v);
-                self.g.perp(plane, v)
-            }
+            None => angle,
         }
     }
 }

@@ -230,7 +230,7 @@ fn a_gradient_needs_no_rewriting_first() {
     let turned = material.g.rotate(composed, material.points[0]);
     let dot = material.g.dot(turned, material.points[1]);
     let bindings = material.bindings(&mut random);
-    let gradient = material.g.gradient(dot, &[p, h], Placement::Late);
+    let gradient = material.g.gradient(dot, &[p.into(), h.into()], Placement::Late);
     for (angle, derivative) in [p, h].into_iter().zip(gradient) {
         let moved = |step: f64| material.g.evaluate(dot, &bindings.moved(&material.g, angle, step));
         let difference = (moved(1e-5) - moved(-1e-5)) / 2e-5;

@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use aim_symbolic::Program;
+use aim_symbolic::print::{Dialect, steps};
+use aim_symbolic::{Function, Program};
 
 use super::Rig;
-use super::source::{Dialect, steps};
 use crate::names::snake_case;
 
 /// The source file.
@@ -77,8 +77,8 @@ fn function(out: &mut String, doc: &str, signature: &str, program: &Program, dia
         let _ = writeln!(out, "    (void){parameter};");
     }
     let (steps, outputs) = steps(program, dialect);
-    for (place, expression) in steps {
-        let _ = writeln!(out, "    const float v{place} = {expression};");
+    for (step, expression) in steps {
+        let _ = writeln!(out, "    const float {step} = {expression};");
     }
     for (i, output) in outputs.iter().enumerate() {
         let _ = writeln!(out, "    out[{i}] = {output};");
@@ -120,6 +120,16 @@ macro_rules! c_dialect {
             }
             fn select_less(&self, a: &str, b: &str, then: &str, otherwise: &str) -> String {
                 format!("{a} < {b} ? {then} : {otherwise}")
+            }
+            fn call(&self, function: Function, a: &str) -> String {
+                let name = match function {
+                    Function::Ln => "log",
+                    other => other.name(),
+                };
+                format!("{name}f({a})")
+            }
+            fn atan2(&self, y: &str, x: &str) -> String {
+                format!("atan2f({y}, {x})")
             }
         }
 

@@ -4,7 +4,6 @@ pub mod c;
 pub mod latex;
 pub mod maxima;
 pub mod rust;
-mod source;
 
 use crate::{RigPrograms, RigSpec};
 

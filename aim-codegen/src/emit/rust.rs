@@ -374,6 +374,14 @@ impl Body<'_> {
                     let a = at(a);
                     quote!(#scalar::sqrt(#a))
                 }
+                Op::Call(function, a) => {
+                    let (function, a) = (format_ident!("{}", function.name()), at(a));
+                    quote!(<S as #private::Real>::#function(#a))
+                }
+                Op::Atan2(y, x) => {
+                    let (y, x) = (at(y), at(x));
+                    quote!(<S as #private::Real>::atan2(#y, #x))
+                }
                 Op::SelectLess(a, b, c, d) => {
                     let (a, b, c, d) = (at(a), at(b), at(c), at(d));
                     quote!(#scalar::select_less(#a, #b, #c, #d))

@@ -59,8 +59,8 @@ pub fn joint_program(spec: &RigSpec, joint: usize, outputs: &[JointOutput]) -> P
         .iter()
         .map(|output| match output {
             JointOutput::Aim => Want::Value(aim),
-            JointOutput::ByPitch => Want::Derivative(aim, inputs.pitch),
-            JointOutput::ByHeading => Want::Derivative(aim, inputs.heading),
+            JointOutput::ByPitch => Want::Derivative(aim, inputs.pitch.into()),
+            JointOutput::ByHeading => Want::Derivative(aim, inputs.heading.into()),
         })
         .collect();
     Program::derive_wanted(&mut g, &wanted)

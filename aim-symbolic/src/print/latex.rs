@@ -1,44 +1,74 @@
 //! LaTeX: the expression as a formula, the program as aligned steps.
 
-use crate::{Graph, Op, Program, Rotation, RotationNode, Scalar, ScalarNode, Value, Vector, VectorNode};
-
 use super::plain::common_name;
+use super::source::{Dialect, steps};
+use crate::{Function, Graph, Program, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 /// The program as the body of an `align*` environment.
 pub fn program(program: &Program) -> String {
-    let name = |v: Value| operand(program, v);
-    let mut lines = Vec::new();
-    for (number, op) in program.steps() {
-        let right = match op {
-            Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Neg(_) => continue,
-            Op::Add(a, b) => format!("{} + {}", name(a), name(b)),
-            Op::Sub(a, b) => format!("{} - {}", name(a), name(b)),
-            Op::Mul(a, b) => format!(r"{} \, {}", name(a), name(b)),
-            Op::Div(a, b) => format!(r"\frac{{{}}}{{{}}}", name(a), name(b)),
-            Op::Sqrt(a) => format!(r"\sqrt{{{}}}", name(a)),
-            Op::SelectLess(a, b, c, d) => format!(
-                r"\begin{{cases}} {} & {} < {} \\ {} & \text{{else}} \end{{cases}}",
-                name(c),
-                name(a),
-                name(b),
-                name(d)
-            ),
-        };
-        lines.push(format!("v_{{{number}}} &= {right}"));
-    }
-    let outputs: Vec<String> = program.outputs().iter().map(|&v| name(v)).collect();
+    let (steps, outputs) = steps(program, &Latex { inputs: program.inputs() });
+    let mut lines: Vec<String> = steps.iter().map(|(name, right)| format!("{name} &= {right}")).collect();
     lines.push(format!(r"\text{{result}} &= \left({}\right)", outputs.join(", ")));
     lines.join(" \\\\\n") + "\n"
 }
 
-fn operand(program: &Program, v: Value) -> String {
-    match program.ops()[v.index()] {
-        Op::Input(i) => symbol(&program.inputs()[i as usize]),
-        Op::Constant(c) => format!("{}", c.value()),
-        Op::Tiny => r"\varepsilon".to_owned(),
-        Op::Neg(a) => format!(r"\left(-{}\right)", operand(program, a)),
-        _ => format!("v_{{{}}}", program.step_number(v)),
+struct Latex<'a> {
+    inputs: &'a [String],
+}
+
+impl Dialect for Latex<'_> {
+    fn input(&self, index: usize) -> String {
+        symbol(&self.inputs[index])
     }
+
+    fn constant(&self, value: f64) -> String {
+        format!("{value}")
+    }
+
+    fn tiny(&self) -> String {
+        r"\varepsilon".to_owned()
+    }
+
+    fn sqrt(&self, a: &str) -> String {
+        format!(r"\sqrt{{{a}}}")
+    }
+
+    fn select_less(&self, a: &str, b: &str, then: &str, otherwise: &str) -> String {
+        format!(r"\begin{{cases}} {then} & {a} < {b} \\ {otherwise} & \text{{else}} \end{{cases}}")
+    }
+
+    fn call(&self, function: Function, a: &str) -> String {
+        called(function, a)
+    }
+
+    fn atan2(&self, y: &str, x: &str) -> String {
+        format!(r"\operatorname{{atan2}}\left({y}, {x}\right)")
+    }
+
+    fn mul(&self, a: &str, b: &str) -> String {
+        format!(r"{a} \, {b}")
+    }
+
+    fn div(&self, a: &str, b: &str) -> String {
+        format!(r"\frac{{{a}}}{{{b}}}")
+    }
+
+    fn neg(&self, a: &str) -> String {
+        format!(r"\left(-{a}\right)")
+    }
+
+    fn step(&self, number: usize) -> String {
+        format!("v_{{{number}}}")
+    }
+}
+
+fn called(function: Function, a: &str) -> String {
+    let name = match function {
+        Function::Asin => "arcsin",
+        Function::Acos => "arccos",
+        other => other.name(),
+    };
+    format!(r"\{name}\left({a}\right)")
 }
 
 /// An input's name as a symbol: `sin_p` is a sine, `m_01` has subscripts, greek letters stay words.
@@ -78,6 +108,8 @@ pub fn scalar(g: &Graph, expression: Scalar) -> String {
         ScalarNode::SelectLess(a, b, c, d) => {
             format!(r"\begin{{cases}} {} & {} < {} \\ {} & \text{{else}} \end{{cases}}", s(c), s(a), s(b), s(d))
         }
+        ScalarNode::Call(function, a) => called(function, &s(a)),
+        ScalarNode::Atan2(a, b) => format!(r"\operatorname{{atan2}}\left({}, {}\right)", s(a), s(b)),
         ScalarNode::Dot(a, b) => format!(r"{} \cdot {}", v(a), v(b)),
         ScalarNode::Norm(a) => format!(r"\left|{}\right|", v(a)),
         ScalarNode::Component(a, axis) => format!("{}_{{{}}}", v(a), ["x", "y", "z"][usize::from(axis)]),
@@ -98,6 +130,8 @@ fn vector(g: &Graph, expression: Vector) -> String {
         VectorNode::Rotate(r, a) => format!("{} {}", rotation(g, r), v(a)),
         VectorNode::Normalize(a) => format!(r"\frac{{{0}}}{{\left|{0}\right|}}", v(a)),
         VectorNode::Perp(_, a) => format!(r"{}^{{\perp}}", v(a)),
+        VectorNode::Cross(a, b) => format!(r"{} \times {}", v(a), v(b)),
+        VectorNode::Across(a, u) => format!(r"\left(1 - {0} {0}^{{T}}\right) {1}", v(u.into()), v(a)),
     }
 }
 
@@ -112,6 +146,10 @@ fn rotation(g: &Graph, expression: Rotation) -> String {
         }
         RotationNode::Basis(_) => "B".to_owned(),
         RotationNode::Turn(_, angle) => format!(r"R_{{{}}}", symbol(g.angle_name(angle))),
+        RotationNode::About(axis, angle) => {
+            format!(r"R_{{{}}}\left({}\right)", vector(g, axis), symbol(g.angle_name(angle)))
+        }
+        RotationNode::Quaternion(v, w) => format!(r"Q_{{{}, {}}}", vector(g, v), scalar(g, w)),
         RotationNode::Compose(a, b) => format!("{} {}", rotation(g, a), rotation(g, b)),
         RotationNode::Transpose(a) => format!("{}^{{T}}", rotation(g, a)),
     }

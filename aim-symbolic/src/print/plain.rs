@@ -1,37 +1,44 @@
 //! Plain text, as one would write it in a comment.
 
-use crate::{Graph, Op, Program, Rotation, RotationNode, Scalar, ScalarNode, Value, Vector, VectorNode};
+use super::source::{Dialect, steps};
+use crate::{Graph, Program, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The program, one operation a line.
 pub fn program(program: &Program) -> String {
-    let mut out = String::new();
-    let name = |v: Value| operand(program, v);
-    for (number, op) in program.steps() {
-        let right = match op {
-            Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Neg(_) => continue,
-            Op::Add(a, b) => format!("{} + {}", name(a), name(b)),
-            Op::Sub(a, b) => format!("{} - {}", name(a), name(b)),
-            Op::Mul(a, b) => format!("{} * {}", name(a), name(b)),
-            Op::Div(a, b) => format!("{} / {}", name(a), name(b)),
-            Op::Sqrt(a) => format!("sqrt({})", name(a)),
-            Op::SelectLess(a, b, c, d) => format!("{} < {} ? {} : {}", name(a), name(b), name(c), name(d)),
-        };
-        out += &format!("v{number} = {right}\n");
-    }
-    let outputs: Vec<String> = program.outputs().iter().map(|&v| name(v)).collect();
-    out += &format!("result {}\n", outputs.join(", "));
-    out
+    let (steps, outputs) = steps(program, &Plain { inputs: program.inputs() });
+    let steps: String = steps.iter().map(|(name, right)| format!("{name} = {right}\n")).collect();
+    format!("{steps}result {}\n", outputs.join(", "))
 }
 
-fn operand(program: &Program, v: Value) -> String {
-    match program.ops()[v.index()] {
-        Op::Input(i) => program.inputs()[i as usize].clone(),
-        Op::Constant(c) => format!("{}", c.value()),
-        Op::Tiny => "tiny".to_owned(),
-        Op::Neg(a) => format!("(-{})", operand(program, a)),
-        _ => format!("v{}", program.step_number(v)),
+struct Plain<'a> {
+    inputs: &'a [String],
+}
+
+impl Dialect for Plain<'_> {
+    fn input(&self, index: usize) -> String {
+        self.inputs[index].clone()
+    }
+
+    fn constant(&self, value: f64) -> String {
+        format!("{value}")
+    }
+
+    fn tiny(&self) -> String {
+        "tiny".to_owned()
+    }
+
+    fn sqrt(&self, a: &str) -> String {
+        format!("sqrt({a})")
+    }
+
+    fn select_less(&self, a: &str, b: &str, then: &str, otherwise: &str) -> String {
+        format!("{a} < {b} ? {then} : {otherwise}")
+    }
+
+    fn neg(&self, a: &str) -> String {
+        format!("(-{a})")
     }
 }
 
@@ -51,6 +58,8 @@ pub fn scalar(g: &Graph, expression: Scalar) -> String {
         ScalarNode::Sqrt(a) => format!("sqrt({})", s(a)),
         ScalarNode::Reciprocal(a) => format!("reciprocal({})", s(a)),
         ScalarNode::SelectLess(a, b, c, d) => format!("({} < {} ? {} : {})", s(a), s(b), s(c), s(d)),
+        ScalarNode::Call(function, a) => format!("{}({})", function.name(), s(a)),
+        ScalarNode::Atan2(a, b) => format!("atan2({}, {})", s(a), s(b)),
         ScalarNode::Dot(a, b) => format!("dot({}, {})", v(a), v(b)),
         ScalarNode::Norm(a) => format!("|{}|", v(a)),
         ScalarNode::Component(a, axis) => format!("{}.{}", v(a), AXES[usize::from(axis)]),
@@ -73,6 +82,8 @@ fn vector(g: &Graph, expression: Vector) -> String {
         VectorNode::Perp(plane, a) => {
             format!("perp_{}{}({})", AXES[usize::from(plane.from)], AXES[usize::from(plane.towards)], v(a))
         }
+        VectorNode::Cross(a, b) => format!("cross({}, {})", v(a), v(b)),
+        VectorNode::Across(a, u) => format!("across({}, {})", v(a), v(u.into())),
     }
 }
 
@@ -86,6 +97,8 @@ fn rotation(g: &Graph, expression: Rotation) -> String {
         RotationNode::Turn(plane, angle) => {
             format!("R_{}{}({})", AXES[usize::from(plane.from)], AXES[usize::from(plane.towards)], g.angle_name(angle))
         }
+        RotationNode::About(axis, angle) => format!("R_{}({})", vector(g, axis), g.angle_name(angle)),
+        RotationNode::Quaternion(v, w) => format!("Q({}, {})", vector(g, v), scalar(g, w)),
         RotationNode::Compose(a, b) => format!("({} {})", rotation(g, a), rotation(g, b)),
         RotationNode::Transpose(a) => format!("{}'", rotation(g, a)),
     }

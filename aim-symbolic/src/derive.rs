@@ -1,0 +1,239 @@
+//! From statements to the smallest program: the passes in their order, and the few choices between them.
+
+use crate::fold::{CONSTANTS, NEGATIONS, ORDER};
+use crate::factor::FACTOR;
+use crate::program::DIVIDE_ONCE;
+use crate::rules::{ACROSS_FOR_CROSS, DIRECTIONS, ROTATIONS, Rules, SCALES, SPREAD, WORDING};
+use crate::tidy::Log;
+use crate::{Count, Graph, Placement, Program, Scalar, Variable};
+
+/// What a program is asked for: a value, or one of its derivatives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Want {
+    /// The expression's value.
+    Value(Scalar),
+    /// The expression's derivative by a variable.
+    Derivative(Scalar, Variable),
+    /// The derivative by the first variable, by the second.
+    Second(Scalar, Variable, Variable),
+}
+
+impl Want {
+    fn stated(self) -> Scalar {
+        let (Self::Value(stated) | Self::Derivative(stated, _) | Self::Second(stated, ..)) = self;
+        stated
+    }
+}
+
+/// A rule that changed a program's operation count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Step {
+    /// Its name, or what came instead.
+    pub rule: &'static str,
+    /// How often it was applied in a row.
+    pub times: usize,
+    /// The operations of the program if rewriting had stopped before it.
+    pub before: Count,
+    /// The operations of the program if rewriting had stopped after it.
+    pub after: Count,
+}
+
+/// How derivatives are taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sweep {
+    /// From the values to the variables.
+    Reverse(Placement),
+    /// From the variables to the values.
+    Forward,
+}
+
+/// One way through the choices.
+#[derive(Clone, Debug)]
+struct Choices {
+    sweep: Sweep,
+    /// The rules that lose against their competitor.
+    without: Vec<&'static str>,
+}
+
+/// Rules of components, which come last and all at once.
+const ARITHMETIC: [&str; 5] = [CONSTANTS, NEGATIONS, ORDER, FACTOR, DIVIDE_ONCE];
+
+/// Where rotations end up is a choice against leaving them where they are stated.
+const SIDES: [&str; 3] =
+    ["pull a rotation out of a normalized sum", "pull a rotation out of a sum's norm", "rotation to the other side of a dot"];
+
+impl Program {
+    /// The program of `values` and, after them, of each value's derivatives by `variables`, value by value.
+    pub fn derive<V: Copy + Into<Variable>>(g: &mut Graph, values: &[Scalar], variables: &[V]) -> Self {
+        let derivatives = values.iter().flat_map(|&v| variables.iter().map(move |&x| Want::Derivative(v, x.into())));
+        let wanted: Vec<Want> = values.iter().map(|&v| Want::Value(v)).chain(derivatives).collect();
+        Self::derive_wanted(g, &wanted)
+    }
+
+    /// The program of just what is wanted, in that order.
+    ///
+    /// Where rules compete, the smaller program wins; on a tie the shallower, then the first.
+    pub fn derive_wanted(g: &mut Graph, wanted: &[Want]) -> Self {
+        Self::derive_without(g, wanted, &[])
+    }
+
+    /// The same without the rules of these names, to see what they are good for.
+    pub fn derive_without(g: &mut Graph, wanted: &[Want], without: &[&str]) -> Self {
+        choose(g, wanted, without).0
+    }
+
+    /// The rules that led from the statement to the program, with the count of the program before and after each: if
+    /// rewriting had stopped there, and derivatives had been taken of what was there.
+    pub fn trace(g: &mut Graph, wanted: &[Want]) -> Vec<Step> {
+        let (_, choices) = choose(g, wanted, &[]);
+        let count = |g: &mut Graph, log: &mut Log, off: &[&str]| attempt(g, wanted, &choices, off, log).count();
+        let mut all = Log::default();
+        count(g, &mut all, &ARITHMETIC);
+        let mut steps: Vec<Step> = Vec::new();
+        let mut before = count(g, &mut Log::limited(0), &ARITHMETIC);
+        let mut record = |rule: &'static str, after: Count| {
+            match steps.last_mut() {
+                Some(last) if last.rule == rule => {
+                    last.times += 1;
+                    last.after = after;
+                }
+                _ => steps.push(Step { rule, times: 1, before, after }),
+            }
+            before = after;
+        };
+        for (applied, &rule) in all.applied.iter().enumerate() {
+            let after = count(g, &mut Log::limited(applied + 1), &ARITHMETIC);
+            record(rule, after);
+        }
+        for on in 1..=ARITHMETIC.len() {
+            let after = count(g, &mut Log::default(), &ARITHMETIC[on..]);
+            record(ARITHMETIC[on - 1], after);
+        }
+        steps.retain(|step| step.before != step.after);
+        steps
+    }
+}
+
+/// The smallest of the bounded number of programs that the choices lead to.
+fn choose(g: &mut Graph, wanted: &[Want], without: &[&str]) -> (Program, Choices) {
+    let mut best = Choices { sweep: Sweep::Reverse(Placement::Late), without: vec![SPREAD] };
+    let mut log = Log::default();
+    let mut program = attempt(g, wanted, &best, without, &mut log);
+    let applied = log.applied;
+    let variables = distinct(wanted.iter().filter_map(|w| match *w {
+        Want::Derivative(_, x) => Some(x),
+        _ => None,
+    }));
+    let values = distinct(wanted.iter().map(|w| w.stated()));
+    let derivatives = !variables.is_empty();
+
+    let mut rivals: Vec<fn(&mut Choices)> = Vec::new();
+    if derivatives {
+        rivals.push(|c| c.sweep = Sweep::Reverse(Placement::Early));
+    }
+    if derivatives && variables.len() <= values.len() {
+        rivals.push(|c| c.sweep = Sweep::Forward);
+    }
+    if applied.contains(&"a part across is a difference") {
+        rivals.push(|c| c.without.retain(|&rule| rule != SPREAD));
+    }
+    if applied.contains(&ACROSS_FOR_CROSS) {
+        rivals.push(|c| c.without.push(ACROSS_FOR_CROSS));
+    }
+    if applied.iter().any(|rule| SIDES.contains(rule)) {
+        rivals.push(|c| c.without.extend(SIDES));
+    }
+    for change in rivals {
+        let mut rival = best.clone();
+        change(&mut rival);
+        let smaller = attempt(g, wanted, &rival, without, &mut Log::default());
+        if cost(&smaller) < cost(&program) {
+            (program, best) = (smaller, rival);
+        }
+    }
+    (program, best)
+}
+
+fn cost(program: &Program) -> (usize, usize, usize) {
+    let count = program.count();
+    (count.total() + count.call, count.select, program.depth())
+}
+
+fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
+    let mut found = Vec::new();
+    for one in all {
+        if !found.contains(&one) {
+            found.push(one);
+        }
+    }
+    found
+}
+
+/// The program by one way through the choices.
+fn attempt(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[&str], log: &mut Log) -> Program {
+    let off: Vec<&str> = without.iter().chain(&choices.without).copied().collect();
+    let rules = Rules { without: &off };
+    let stated = distinct(wanted.iter().map(|w| w.stated()));
+    let worded = g.rewrite_with(&stated, &WORDING, &rules, log);
+    let values = g.rewrite_with(&worded, &ROTATIONS, &rules, log);
+    let value = |s: Scalar| values[stated.iter().position(|&known| known == s).expect("every wanted statement is here")];
+
+    let mut firsts: Vec<((Scalar, Variable), Scalar)> = Vec::new();
+    let by_variable = |want: &Want| match *want {
+        Want::Value(_) => None,
+        Want::Derivative(s, x) | Want::Second(s, x, _) => Some((s, x)),
+    };
+    let pairs = distinct(wanted.iter().filter_map(by_variable));
+    match choices.sweep {
+        Sweep::Reverse(placement) => {
+            for &s in &stated {
+                let variables: Vec<Variable> = pairs.iter().filter(|(of, _)| *of == s).map(|(_, x)| *x).collect();
+                if !variables.is_empty() {
+                    let gradient = g.gradient(value(s), &variables, placement);
+                    firsts.extend(variables.iter().map(|&x| (s, x)).zip(gradient));
+                }
+            }
+        }
+        Sweep::Forward => {
+            for x in distinct(pairs.iter().map(|(_, x)| *x)) {
+                let of: Vec<Scalar> = pairs.iter().filter(|(_, by)| *by == x).map(|(s, _)| *s).collect();
+                let values: Vec<Scalar> = of.iter().map(|&s| value(s)).collect();
+                let tangents = g.tangents(&values, x);
+                firsts.extend(of.iter().map(|&s| (s, x)).zip(tangents));
+            }
+        }
+    }
+    let first = |s: Scalar, x: Variable| {
+        firsts.iter().find(|(key, _)| *key == (s, x)).map(|(_, d)| *d).expect("every wanted derivative was taken")
+    };
+
+    let mut seconds: Vec<(Want, Scalar)> = Vec::new();
+    for &(s, x) in &pairs {
+        let by: Vec<Variable> = wanted
+            .iter()
+            .filter_map(|w| match *w {
+                Want::Second(of, a, b) if (of, a) == (s, x) => Some(b),
+                _ => None,
+            })
+            .collect();
+        if !by.is_empty() {
+            let slope = g.rewrite_with(&[first(s, x)], &DIRECTIONS, &rules, log)[0];
+            let gradient = g.gradient(slope, &by, Placement::Late);
+            seconds.extend(by.into_iter().map(|y| Want::Second(s, x, y)).zip(gradient));
+        }
+    }
+
+    let outputs: Vec<Scalar> = wanted
+        .iter()
+        .map(|want| match *want {
+            Want::Value(s) => value(s),
+            Want::Derivative(s, x) => first(s, x),
+            Want::Second(..) => {
+                seconds.iter().find(|(key, _)| key == want).map(|(_, d)| *d).expect("every second derivative was taken")
+            }
+        })
+        .collect();
+    let outputs = g.rewrite_with(&outputs, &DIRECTIONS, &rules, log);
+    let outputs = g.rewrite_with(&outputs, &SCALES, &rules, log);
+    Program::compile_with(g, &outputs, &rules)
+}

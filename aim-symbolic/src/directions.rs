@@ -1,0 +1,177 @@
+//! Rules for directions: what is along one, what is square to it. Part of [`WORDING`](crate::rules::WORDING) and
+//! [`DIRECTIONS`](crate::rules::DIRECTIONS).
+
+use crate::rules::{constant_components, is_sum, is_zero, sum, terms};
+use crate::{Graph, Scalar, ScalarNode, Unit, Vector, VectorNode};
+
+/// Whether this is `1 / |v|`.
+fn is_reciprocal_norm(g: &Graph, k: Scalar, v: Vector) -> bool {
+    let norm = match g.scalar_node(k) {
+        ScalarNode::Reciprocal(norm) => norm,
+        ScalarNode::Div(one, norm) if g.constant_of(one) == Some(1.0) => norm,
+        _ => return false,
+    };
+    g.scalar_node(norm) == ScalarNode::Norm(v)
+}
+
+/// `(1 / |v|) v = v / |v|`
+pub(crate) fn recognize_direction(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let VectorNode::Scale(k, inner) = g.vector_node(v) else { return None };
+    is_reciprocal_norm(g, k, inner).then(|| g.normalize(inner).into())
+}
+
+/// `√(v · v) = |v|`
+pub(crate) fn root_of_square(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let ScalarNode::Sqrt(square) = g.scalar_node(s) else { return None };
+    let ScalarNode::Dot(v, w) = g.scalar_node(square) else { return None };
+    (v == w).then(|| g.norm(v))
+}
+
+/// `a / |v| = a (1 / |v|)`, guarded as every division by a length is; `v · w / |v|` is a dot with a direction.
+pub(crate) fn guard_division(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let ScalarNode::Div(a, norm) = g.scalar_node(s) else { return None };
+    let ScalarNode::Norm(v) = g.scalar_node(norm) else { return None };
+    if let ScalarNode::Dot(x, y) = g.scalar_node(a)
+        && let Some(other) = [(x, y), (y, x)].into_iter().find_map(|(one, other)| (one == v).then_some(other))
+    {
+        let direction = g.normalize(v);
+        return Some(g.dot(direction, other));
+    }
+    let reciprocal = g.reciprocal(norm);
+    Some(if g.constant_of(a) == Some(1.0) { reciprocal } else { g.mul(a, reciprocal) })
+}
+
+/// A vector known to have length 1.
+fn as_unit(g: &Graph, v: Vector) -> Option<Unit> {
+    let is_unit = match g.vector_node(v) {
+        VectorNode::Normalize(_) => true,
+        _ => constant_components(g, v).is_some_and(|c| (c.iter().map(|c| c * c).sum::<f64>() - 1.0).abs() < 1e-15),
+    };
+    is_unit.then_some(Unit(v))
+}
+
+/// `|v × u| = |v − (v · u) u|`
+pub(crate) fn norm_of_cross(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let ScalarNode::Norm(cross) = g.scalar_node(s) else { return None };
+    let VectorNode::Cross(a, b) = g.vector_node(cross) else { return None };
+    let (v, u) = [(a, b), (b, a)].into_iter().find_map(|(v, u)| Some((v, as_unit(g, u)?)))?;
+    let across = g.across(v, u);
+    Some(g.norm(across))
+}
+
+/// Whether `v` is a multiple of `u`, as far as one can see.
+fn is_along(g: &Graph, v: Vector, u: Vector) -> bool {
+    v == u
+        || g.vector_node(u) == VectorNode::Normalize(v)
+        || match g.vector_node(v) {
+            VectorNode::Scale(_, inner) | VectorNode::Neg(inner) => is_along(g, inner, u),
+            VectorNode::Normalize(inner) => inner == u,
+            _ => false,
+        }
+}
+
+/// Whether `v` is square to `u`, as far as one can see.
+fn is_across(g: &Graph, v: Vector, u: Vector) -> bool {
+    match g.vector_node(v) {
+        VectorNode::Across(_, own) => Vector::from(own) == u,
+        VectorNode::Scale(_, inner) | VectorNode::Neg(inner) | VectorNode::Normalize(inner) => is_across(g, inner, u),
+        VectorNode::Add(a, b) | VectorNode::Sub(a, b) => is_across(g, a, u) && is_across(g, b, u),
+        VectorNode::Perp(_, inner) => is_along(g, inner, u),
+        VectorNode::Cross(a, b) => is_along(g, a, u) || is_along(g, b, u),
+        _ => is_zero(g, v),
+    }
+}
+
+fn as_across(g: &Graph, v: Vector) -> Option<(Vector, Unit)> {
+    match g.vector_node(v) {
+        VectorNode::Across(inner, u) => Some((inner, u)),
+        _ => None,
+    }
+}
+
+/// `k u − (k u · u) u = 0`
+pub(crate) fn across_of_along(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let (inner, u) = as_across(g, v)?;
+    is_along(g, inner, u.into()).then(|| g.constant_vector([0.0; 3]))
+}
+
+/// `v − (v · u) u = v` where `v · u = 0`
+pub(crate) fn across_of_across(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let (inner, u) = as_across(g, v)?;
+    is_across(g, inner, u.into()).then_some(inner)
+}
+
+/// The part across of a sum whose terms are along or across already, but for the rest.
+pub(crate) fn across_of_sum(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let (inner, u) = as_across(g, v)?;
+    if !is_sum(g, inner) {
+        return None;
+    }
+    let mut kept = Vec::new();
+    let mut rest = Vec::new();
+    for term in terms(g, inner) {
+        if is_across(g, term.1, u.into()) {
+            kept.push(term);
+        } else if !is_along(g, term.1, u.into()) {
+            rest.push(term);
+        }
+    }
+    if kept.len() + rest.len() == terms(g, inner).len() && kept.is_empty() {
+        return None;
+    }
+    if !rest.is_empty() {
+        let rest = sum(g, &rest);
+        kept.push((false, g.across(rest, u)));
+    }
+    Some(sum(g, &kept))
+}
+
+/// The direction that `v` is a multiple of, written so that others can be compared with it.
+fn axis(g: &Graph, v: Vector) -> Vector {
+    match g.vector_node(v) {
+        VectorNode::Scale(_, inner) | VectorNode::Neg(inner) => axis(g, inner),
+        _ => v,
+    }
+}
+
+/// `(a + k u) · w = a · w` where `w · u = 0`: terms square to the other side leave.
+pub(crate) fn dot_along_across(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return None };
+    [(a, b), (b, a)].into_iter().find_map(|(v, w)| {
+        let all = terms(g, v);
+        let kept: Vec<_> = all.iter().copied().filter(|&(_, t)| !are_square(g, t, w)).collect();
+        if kept.len() == all.len() {
+            return None;
+        }
+        if kept.is_empty() {
+            return Some(g.constant(0.0));
+        }
+        let kept = sum(g, &kept);
+        Some(g.dot(kept, w))
+    })
+}
+
+fn are_square(g: &Graph, v: Vector, w: Vector) -> bool {
+    is_across(g, w, axis(g, v)) || is_across(g, v, axis(g, w))
+}
+
+/// `(v − (v · u) u) · w = v · w` where `w · u = 0`: a turn's derivative has no part along what it turns.
+pub(crate) fn drop_radial(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return None };
+    [(a, b), (b, a)].into_iter().find_map(|(v, w)| {
+        let (inner, u) = as_across(g, v)?;
+        // Both parts across the same direction: one of them is enough, and the first is at hand.
+        if as_across(g, w).is_some_and(|(_, own)| own == u) {
+            return None;
+        }
+        is_across(g, w, u.into()).then(|| g.dot(inner, w))
+    })
+}
+
+/// `v − (v · u) u`
+pub(crate) fn expand_across(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let (inner, u) = as_across(g, v)?;
+    let along = g.dot(inner, u);
+    let radial = g.scale(along, u.into());
+    Some(g.sub_vectors(inner, radial))
+}

@@ -1,0 +1,300 @@
+//! What expressions are made of: scalars, vectors, rotations, and the parts of each.
+
+/// A scalar expression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Scalar(pub(crate) u32);
+
+/// A vector expression: a point or a direction of three-dimensional space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Vector(pub(crate) u32);
+
+/// A vector of length 1: the type that a normalised vector has. Zero where its vector had no direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Unit(pub(crate) Vector);
+
+impl From<Unit> for Vector {
+    fn from(unit: Unit) -> Self {
+        unit.0
+    }
+}
+
+/// An orthogonal map of vectors. `R Rᵀ = 1` is all that the rules use, so a mirror is one too.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Rotation(pub(crate) u32);
+
+/// A rotation followed by a translation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Rigid {
+    /// Its rotation.
+    pub rotation: Rotation,
+    /// Its translation.
+    pub translation: Vector,
+}
+
+/// An angle: a variable that rotations turn by and gradients are taken in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Angle(pub(crate) u32);
+
+/// A finite constant, compared by its bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Constant(u64);
+
+impl Constant {
+    /// `value`, with −0 made 0.
+    pub fn new(value: f64) -> Self {
+        Self((value + 0.0).to_bits())
+    }
+
+    /// Its value.
+    pub fn value(self) -> f64 {
+        f64::from_bits(self.0)
+    }
+}
+
+/// The plane of a turn: the first axis turns towards the second.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Plane {
+    /// The axis that turns (0, 1, 2).
+    pub from: u8,
+    /// The axis it turns towards (0, 1, 2).
+    pub towards: u8,
+}
+
+impl Plane {
+    /// +X towards +Y.
+    pub const XY: Self = Self { from: 0, towards: 1 };
+    /// +X towards +Z.
+    pub const XZ: Self = Self { from: 0, towards: 2 };
+    /// +Y towards +Z.
+    pub const YZ: Self = Self { from: 1, towards: 2 };
+
+    pub(crate) fn axes(self) -> (usize, usize) {
+        (self.from.into(), self.towards.into())
+    }
+}
+
+/// A function of one number from the mathematical library.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Function {
+    /// The sine.
+    Sin,
+    /// The cosine.
+    Cos,
+    /// The tangent.
+    Tan,
+    /// The arc sine.
+    Asin,
+    /// The arc cosine.
+    Acos,
+    /// The exponential.
+    Exp,
+    /// The natural logarithm.
+    Ln,
+}
+
+impl Function {
+    /// Its name, in Rust and in mathematics.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sin => "sin",
+            Self::Cos => "cos",
+            Self::Tan => "tan",
+            Self::Asin => "asin",
+            Self::Acos => "acos",
+            Self::Exp => "exp",
+            Self::Ln => "ln",
+        }
+    }
+
+    /// Its value at `x`.
+    pub fn of(self, x: f64) -> f64 {
+        match self {
+            Self::Sin => x.sin(),
+            Self::Cos => x.cos(),
+            Self::Tan => x.tan(),
+            Self::Asin => x.asin(),
+            Self::Acos => x.acos(),
+            Self::Exp => x.exp(),
+            Self::Ln => x.ln(),
+        }
+    }
+}
+
+/// What a scalar is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ScalarNode {
+    /// A number.
+    Constant(Constant),
+    /// The input with this index.
+    Input(u32),
+    /// The smallest length that is divided by, of the number type that the program runs in.
+    Tiny,
+    /// a + b
+    Add(Scalar, Scalar),
+    /// a − b
+    Sub(Scalar, Scalar),
+    /// a b
+    Mul(Scalar, Scalar),
+    /// a / b
+    Div(Scalar, Scalar),
+    /// −a
+    Neg(Scalar),
+    /// √a
+    Sqrt(Scalar),
+    /// 1 / a, and 0 where a is not above [`Tiny`](Self::Tiny): the policy for degenerate geometry.
+    Reciprocal(Scalar),
+    /// The third where the first is below the second, else the fourth.
+    SelectLess(Scalar, Scalar, Scalar, Scalar),
+    /// A function of a number.
+    Call(Function, Scalar),
+    /// The angle of the point (second, first) from the first axis, −π…π.
+    Atan2(Scalar, Scalar),
+    /// v · w
+    Dot(Vector, Vector),
+    /// |v|
+    Norm(Vector),
+    /// A component of a vector.
+    Component(Vector, u8),
+}
+
+/// What a vector is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum VectorNode {
+    /// Its components.
+    Components([Scalar; 3]),
+    /// v + w
+    Add(Vector, Vector),
+    /// v − w
+    Sub(Vector, Vector),
+    /// −v
+    Neg(Vector),
+    /// k v
+    Scale(Scalar, Vector),
+    /// R v
+    Rotate(Rotation, Vector),
+    /// v / |v|, and 0 where |v| is not above [`ScalarNode::Tiny`].
+    Normalize(Vector),
+    /// v's part in the plane, turned by a quarter: what a turn in that plane adds to v per radian.
+    Perp(Plane, Vector),
+    /// v × w
+    Cross(Vector, Vector),
+    /// v − (v · u) u: v's part across the direction u, which has length 1 (or 0).
+    Across(Vector, Unit),
+}
+
+/// What a rotation is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum RotationNode {
+    /// Nine numbers, the rows of a row-vector matrix: row k is the image of axis k.
+    Matrix([Scalar; 9]),
+    /// The same with constant numbers: a change of basis.
+    Basis([Constant; 9]),
+    /// A turn in a plane of two axes.
+    Turn(Plane, Angle),
+    /// A right-handed turn about an axis of length 1.
+    About(Vector, Angle),
+    /// A quaternion of length 1: its vector part and its scalar part.
+    Quaternion(Vector, Scalar),
+    /// The second, then the first.
+    Compose(Rotation, Rotation),
+    /// The way back.
+    Transpose(Rotation),
+}
+
+/// What derivatives are taken by: an angle, or a number of the caller's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Variable {
+    /// An angle whose sine and cosine are inputs.
+    Angle(Angle),
+    /// An input.
+    Input(Scalar),
+}
+
+impl From<Angle> for Variable {
+    fn from(angle: Angle) -> Self {
+        Self::Angle(angle)
+    }
+}
+
+impl From<Scalar> for Variable {
+    fn from(input: Scalar) -> Self {
+        Self::Input(input)
+    }
+}
+
+/// What an input of the program stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InputKind {
+    /// A number given by the caller.
+    Given,
+    /// The sine of an angle.
+    Sin(Angle),
+    /// The cosine of an angle.
+    Cos(Angle),
+}
+
+
+/// Something done to each part of a node.
+pub(crate) trait Parts {
+    fn scalar(&mut self, scalar: Scalar) -> Scalar;
+    fn vector(&mut self, vector: Vector) -> Vector;
+    fn rotation(&mut self, rotation: Rotation) -> Rotation;
+    fn angle(&mut self, angle: Angle) -> Angle;
+}
+
+impl ScalarNode {
+    /// The node with its parts exchanged.
+    pub(crate) fn map(self, parts: &mut impl Parts) -> Self {
+        match self {
+            Self::Constant(_) | Self::Input(_) | Self::Tiny => self,
+            Self::Add(a, b) => Self::Add(parts.scalar(a), parts.scalar(b)),
+            Self::Sub(a, b) => Self::Sub(parts.scalar(a), parts.scalar(b)),
+            Self::Mul(a, b) => Self::Mul(parts.scalar(a), parts.scalar(b)),
+            Self::Div(a, b) => Self::Div(parts.scalar(a), parts.scalar(b)),
+            Self::Neg(a) => Self::Neg(parts.scalar(a)),
+            Self::Sqrt(a) => Self::Sqrt(parts.scalar(a)),
+            Self::Reciprocal(a) => Self::Reciprocal(parts.scalar(a)),
+            Self::SelectLess(a, b, then, otherwise) => {
+                Self::SelectLess(parts.scalar(a), parts.scalar(b), parts.scalar(then), parts.scalar(otherwise))
+            }
+            Self::Call(function, a) => Self::Call(function, parts.scalar(a)),
+            Self::Atan2(a, b) => Self::Atan2(parts.scalar(a), parts.scalar(b)),
+            Self::Dot(v, w) => Self::Dot(parts.vector(v), parts.vector(w)),
+            Self::Norm(v) => Self::Norm(parts.vector(v)),
+            Self::Component(v, axis) => Self::Component(parts.vector(v), axis),
+        }
+    }
+}
+
+impl VectorNode {
+    /// The node with its parts exchanged.
+    pub(crate) fn map(self, parts: &mut impl Parts) -> Self {
+        match self {
+            Self::Components(c) => Self::Components(c.map(|c| parts.scalar(c))),
+            Self::Add(v, w) => Self::Add(parts.vector(v), parts.vector(w)),
+            Self::Sub(v, w) => Self::Sub(parts.vector(v), parts.vector(w)),
+            Self::Neg(v) => Self::Neg(parts.vector(v)),
+            Self::Scale(k, v) => Self::Scale(parts.scalar(k), parts.vector(v)),
+            Self::Rotate(rotation, v) => Self::Rotate(parts.rotation(rotation), parts.vector(v)),
+            Self::Normalize(v) => Self::Normalize(parts.vector(v)),
+            Self::Perp(plane, v) => Self::Perp(plane, parts.vector(v)),
+            Self::Cross(v, w) => Self::Cross(parts.vector(v), parts.vector(w)),
+            Self::Across(v, unit) => Self::Across(parts.vector(v), Unit(parts.vector(unit.0))),
+        }
+    }
+}
+
+impl RotationNode {
+    /// The node with its parts exchanged.
+    pub(crate) fn map(self, parts: &mut impl Parts) -> Self {
+        match self {
+            Self::Matrix(entries) => Self::Matrix(entries.map(|s| parts.scalar(s))),
+            Self::Basis(_) => self,
+            Self::Turn(plane, angle) => Self::Turn(plane, parts.angle(angle)),
+            Self::About(axis, angle) => Self::About(parts.vector(axis), parts.angle(angle)),
+            Self::Quaternion(v, w) => Self::Quaternion(parts.vector(v), parts.scalar(w)),
+            Self::Compose(outer, inner) => Self::Compose(parts.rotation(outer), parts.rotation(inner)),
+            Self::Transpose(rotation) => Self::Transpose(parts.rotation(rotation)),
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! What an expression is made of: each part after its own parts.
+
+use std::collections::HashSet;
+
+use crate::node::Parts;
+use crate::{Angle, Graph, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Node {
+    Scalar(Scalar),
+    Vector(Vector),
+}
+
+/// Whether an order goes on below a select.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Selects {
+    /// Through its condition and both branches.
+    Through,
+    /// It is a leaf.
+    Leaves,
+}
+
+impl Graph {
+    /// The number of scalars and vectors that `outputs` are made of.
+    pub(crate) fn size(&self, outputs: &[Scalar]) -> usize {
+        self.order(outputs, Selects::Through).len()
+    }
+
+    /// Everything that `outputs` are made of, each after its parts.
+    pub(crate) fn order(&self, outputs: &[Scalar], selects: Selects) -> Vec<Node> {
+        let mut seen = HashSet::new();
+        let mut order = Vec::new();
+        let mut stack: Vec<(Node, bool)> = outputs.iter().rev().map(|&s| (Node::Scalar(s), false)).collect();
+        let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
+        while let Some((node, parts_done)) = stack.pop() {
+            if parts_done {
+                order.push(node);
+            } else if seen.insert(node) {
+                stack.push((node, true));
+                let is_select = matches!(node, Node::Scalar(s) if matches!(self.scalar_node(s), ScalarNode::SelectLess(..)));
+                if !(is_select && selects == Selects::Leaves) {
+                    parts.nodes.clear();
+                    parts.of(node);
+                    stack.extend(parts.nodes.iter().rev().map(|&part| (part, false)));
+                }
+            }
+        }
+        order
+    }
+
+    /// Of `order`, which goes through selects, what depends on any of `variables`.
+    pub(crate) fn active(&self, order: &[Node], variables: &[Variable]) -> HashSet<Node> {
+        let mut active = HashSet::new();
+        let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
+        for &node in order {
+            parts.nodes.clear();
+            parts.angles.clear();
+            parts.of(node);
+            let is_variable = matches!(node, Node::Scalar(s) if variables.contains(&Variable::Input(s)));
+            let turns = parts.angles.iter().any(|&angle| variables.contains(&Variable::Angle(angle)));
+            if is_variable || turns || parts.nodes.iter().any(|part| active.contains(part)) {
+                active.insert(node);
+            }
+        }
+        active
+    }
+}
+
+/// Gathers the parts of a node.
+struct Collect<'g> {
+    g: &'g Graph,
+    nodes: Vec<Node>,
+    angles: Vec<Angle>,
+}
+
+impl Collect<'_> {
+    fn of(&mut self, node: Node) {
+        match node {
+            Node::Scalar(s) => {
+                self.g.scalar_node(s).map(self);
+            }
+            Node::Vector(v) => match self.g.vector_node(v) {
+                // The vector first, so that an order reads as the expression is written.
+                VectorNode::Rotate(rotation, inner) => {
+                    self.vector(inner);
+                    self.rotation(rotation);
+                }
+                node => {
+                    node.map(self);
+                }
+            },
+        }
+    }
+}
+
+impl Parts for Collect<'_> {
+    fn scalar(&mut self, scalar: Scalar) -> Scalar {
+        self.nodes.push(Node::Scalar(scalar));
+        scalar
+    }
+
+    fn vector(&mut self, vector: Vector) -> Vector {
+        self.nodes.push(Node::Vector(vector));
+        vector
+    }
+
+    /// Of a rotation its angles alone: the numbers of matrices and quaternions count as constants.
+    fn rotation(&mut self, rotation: Rotation) -> Rotation {
+        match self.g.rotation_node(rotation) {
+            RotationNode::Matrix(_) | RotationNode::Basis(_) | RotationNode::Quaternion(..) => {}
+            RotationNode::About(_, angle) => {
+                self.angle(angle);
+            }
+            node => {
+                node.map(self);
+            }
+        }
+        rotation
+    }
+
+    fn angle(&mut self, angle: Angle) -> Angle {
+        match self.g.radians(angle) {
+            Some(radians) => {
+                self.scalar(radians);
+            }
+            None => self.angles.push(angle),
+        }
+        angle
+    }
+}

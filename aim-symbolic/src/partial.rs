@@ -1,0 +1,102 @@
+//! The derivatives of scalar operations by their parts, which both sweeps use.
+
+use crate::{Function, Graph, Scalar, ScalarNode};
+
+/// A partial derivative.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Partials {
+    /// 1
+    One,
+    /// −1
+    MinusOne,
+    /// A factor.
+    Factor(Scalar),
+    /// Its negation.
+    MinusFactor(Scalar),
+    /// A divisor.
+    Over(Scalar),
+    /// A factor over a divisor, negated.
+    MinusOver(Scalar, Scalar),
+}
+
+impl Graph {
+    /// `bar` times a partial derivative.
+    pub(crate) fn times(&mut self, bar: Scalar, partial: Partials) -> Scalar {
+        let one = self.constant_of(bar) == Some(1.0);
+        match partial {
+            Partials::One => bar,
+            Partials::MinusOne => self.neg(bar),
+            Partials::Factor(factor) if one => factor,
+            Partials::Factor(factor) => self.mul(bar, factor),
+            Partials::MinusFactor(factor) => {
+                let along = self.times(bar, Partials::Factor(factor));
+                self.neg(along)
+            }
+            Partials::Over(divisor) => self.div(bar, divisor),
+            Partials::MinusOver(factor, divisor) => {
+                let over = self.div(bar, divisor);
+                let along = self.mul(over, factor);
+                self.neg(along)
+            }
+        }
+    }
+
+    /// 2 a
+    pub(crate) fn twice(&mut self, a: Scalar) -> Scalar {
+        let two = self.constant(2.0);
+        self.times(a, Partials::Factor(two))
+    }
+
+    /// The derivatives of `scalar` by those of its scalar parts that are wanted; not for selects and functions of vectors.
+    pub(crate) fn partials(&mut self, scalar: Scalar, wanted: impl Fn(Scalar) -> bool) -> Vec<(Scalar, Partials)> {
+        use Partials::{Factor, MinusFactor, MinusOne, MinusOver, One, Over};
+        let mut partials = match self.scalar_node(scalar) {
+            ScalarNode::Add(a, b) => vec![(a, One), (b, One)],
+            ScalarNode::Sub(a, b) => vec![(a, One), (b, MinusOne)],
+            ScalarNode::Mul(a, b) if a == b => {
+                let twice = if wanted(a) { self.twice(a) } else { a };
+                vec![(a, Factor(twice))]
+            }
+            ScalarNode::Mul(a, b) => vec![(a, Factor(b)), (b, Factor(a))],
+            ScalarNode::Div(a, b) => vec![(a, Over(b)), (b, MinusOver(scalar, b))],
+            ScalarNode::Neg(a) => vec![(a, MinusOne)],
+            ScalarNode::Sqrt(a) if wanted(a) => {
+                let (half, reciprocal) = (self.constant(0.5), self.reciprocal(scalar));
+                vec![(a, Factor(self.mul(half, reciprocal)))]
+            }
+            ScalarNode::Reciprocal(a) if wanted(a) => vec![(a, MinusFactor(self.mul(scalar, scalar)))],
+            ScalarNode::Call(function, a) if wanted(a) => vec![(a, self.slope(function, a, scalar))],
+            ScalarNode::Atan2(y, x) if wanted(y) || wanted(x) => {
+                let (yy, xx) = (self.mul(y, y), self.mul(x, x));
+                let square = self.add(yy, xx);
+                let reciprocal = self.reciprocal(square);
+                let (by_y, by_x) = (self.mul(x, reciprocal), self.mul(y, reciprocal));
+                vec![(y, Factor(by_y)), (x, MinusFactor(by_x))]
+            }
+            _ => vec![],
+        };
+        partials.retain(|&(part, _)| wanted(part));
+        partials
+    }
+
+    /// The derivative of `value = function(a)`.
+    fn slope(&mut self, function: Function, a: Scalar, value: Scalar) -> Partials {
+        match function {
+            Function::Sin => Partials::Factor(self.call(Function::Cos, a)),
+            Function::Cos => Partials::MinusFactor(self.call(Function::Sin, a)),
+            Function::Tan => {
+                let (one, square) = (self.constant(1.0), self.mul(value, value));
+                Partials::Factor(self.add(one, square))
+            }
+            Function::Asin | Function::Acos => {
+                let (one, square) = (self.constant(1.0), self.mul(a, a));
+                let difference = self.sub(one, square);
+                let root = self.sqrt(difference);
+                let reciprocal = self.reciprocal(root);
+                if function == Function::Asin { Partials::Factor(reciprocal) } else { Partials::MinusFactor(reciprocal) }
+            }
+            Function::Exp => Partials::Factor(value),
+            Function::Ln => Partials::Factor(self.reciprocal(a)),
+        }
+    }
+}

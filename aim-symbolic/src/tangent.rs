@@ -1,0 +1,152 @@
+//! Derivatives by a forward sweep: everything's change with one variable.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::order::{Node, Selects};
+use crate::rules::COMPOSITIONS;
+use crate::{Graph, Scalar, ScalarNode, Variable, Vector, VectorNode};
+
+impl Graph {
+    /// The derivatives of each of `outputs` by `variable`, under the same terms as [`gradient`](Self::gradient).
+    pub fn tangents(&mut self, outputs: &[Scalar], variable: Variable) -> Vec<Scalar> {
+        let outputs = self.rewrite_by(outputs, &COMPOSITIONS);
+        let order = self.order(&outputs, Selects::Through);
+        let active = self.active(&order, &[variable]);
+        let mut sweep = Sweep { g: self, variable, active, scalars: HashMap::new(), vectors: HashMap::new() };
+        for node in order {
+            if sweep.active.contains(&node) {
+                match node {
+                    Node::Scalar(s) => {
+                        let tangent = sweep.scalar(s);
+                        sweep.scalars.insert(s, tangent);
+                    }
+                    Node::Vector(v) => {
+                        if let Some(tangent) = sweep.vector(v) {
+                            sweep.vectors.insert(v, tangent);
+                        }
+                    }
+                }
+            }
+        }
+        let found = sweep.scalars;
+        outputs.iter().map(|s| found.get(s).copied().unwrap_or_else(|| self.constant(0.0))).collect()
+    }
+}
+
+struct Sweep<'g> {
+    g: &'g mut Graph,
+    variable: Variable,
+    active: HashSet<Node>,
+    /// d scalar / d variable, of those that depend on it.
+    scalars: HashMap<Scalar, Scalar>,
+    vectors: HashMap<Vector, Vector>,
+}
+
+impl Sweep<'_> {
+    fn of_scalar(&mut self, scalar: Scalar) -> Scalar {
+        self.scalars.get(&scalar).copied().unwrap_or_else(|| self.g.constant(0.0))
+    }
+
+    fn of_vector(&self, vector: Vector) -> Option<Vector> {
+        self.vectors.get(&vector).copied()
+    }
+
+    fn sum(&mut self, terms: impl IntoIterator<Item = Option<Vector>>) -> Option<Vector> {
+        terms.into_iter().flatten().reduce(|a, b| self.g.add_vectors(a, b))
+    }
+
+    fn dot(&mut self, v: Option<Vector>, w: Vector) -> Option<Scalar> {
+        v.map(|v| self.g.dot(v, w))
+    }
+
+    fn scalar(&mut self, scalar: Scalar) -> Scalar {
+        let terms: Vec<Scalar> = match self.g.scalar_node(scalar) {
+            ScalarNode::Input(_) => vec![self.g.constant(1.0)],
+            ScalarNode::SelectLess(a, b, then, otherwise) => {
+                let (then, otherwise) = (self.of_scalar(then), self.of_scalar(otherwise));
+                vec![self.g.select_less(a, b, then, otherwise)]
+            }
+            ScalarNode::Dot(v, w) if v == w => {
+                let half = self.of_vector(v).map(|change| self.g.dot(change, v));
+                half.map(|half| self.g.twice(half)).into_iter().collect()
+            }
+            ScalarNode::Dot(v, w) => {
+                let (of_v, of_w) = (self.of_vector(v), self.of_vector(w));
+                [self.dot(of_v, w), self.dot(of_w, v)].into_iter().flatten().collect()
+            }
+            ScalarNode::Norm(v) => {
+                let (of_v, direction) = (self.of_vector(v), self.g.normalize(v));
+                self.dot(of_v, direction.into()).into_iter().collect()
+            }
+            ScalarNode::Component(v, axis) => {
+                self.of_vector(v).map(|change| self.g.component(change, axis)).into_iter().collect()
+            }
+            _ => {
+                let scalars = &self.scalars;
+                let partials = self.g.partials(scalar, |part| scalars.contains_key(&part));
+                partials
+                    .into_iter()
+                    .map(|(part, partial)| {
+                        let change = self.scalars[&part];
+                        self.g.times(change, partial)
+                    })
+                    .collect()
+            }
+        };
+        terms.into_iter().reduce(|a, b| self.g.add(a, b)).unwrap_or_else(|| self.g.constant(0.0))
+    }
+
+    fn vector(&mut self, vector: Vector) -> Option<Vector> {
+        match self.g.vector_node(vector) {
+            VectorNode::Components(c) => {
+                let c = c.map(|c| self.of_scalar(c));
+                Some(self.g.components(c))
+            }
+            VectorNode::Add(v, w) => {
+                let terms = [self.of_vector(v), self.of_vector(w)];
+                self.sum(terms)
+            }
+            VectorNode::Sub(v, w) => match (self.of_vector(v), self.of_vector(w)) {
+                (Some(v), Some(w)) => Some(self.g.sub_vectors(v, w)),
+                (v, w) => v.or_else(|| w.map(|w| self.g.neg_vector(w))),
+            },
+            VectorNode::Neg(v) => self.of_vector(v).map(|v| self.g.neg_vector(v)),
+            VectorNode::Scale(k, v) => {
+                let of_k = self.scalars.get(&k).copied();
+                let of_k = of_k.map(|change| self.g.scale(change, v));
+                let of_v = self.of_vector(v).map(|change| self.g.scale(k, change));
+                self.sum([of_k, of_v])
+            }
+            VectorNode::Rotate(rotation, v) => {
+                let of_v = self.of_vector(v).map(|change| self.g.rotate(rotation, change));
+                let of_angle = self.g.swing(rotation, vector).and_then(|(angle, perp)| match self.g.radians(angle) {
+                    Some(radians) => self.scalars.get(&radians).copied().map(|change| self.g.scale(change, perp)),
+                    None => (self.variable == Variable::Angle(angle)).then_some(perp),
+                });
+                self.sum([of_angle, of_v])
+            }
+            VectorNode::Normalize(v) => self.of_vector(v).map(|change| {
+                let across = self.g.across(change, crate::Unit(vector));
+                let norm = self.g.norm(v);
+                let reciprocal = self.g.reciprocal(norm);
+                self.g.scale(reciprocal, across)
+            }),
+            VectorNode::Perp(plane, v) => self.of_vector(v).map(|change| self.g.perp(plane, change)),
+            VectorNode::Cross(v, w) => {
+                let of_v = self.of_vector(v).map(|change| self.g.cross(change, w));
+                let of_w = self.of_vector(w).map(|change| self.g.cross(v, change));
+                self.sum([of_v, of_w])
+            }
+            VectorNode::Across(v, u) => {
+                let of_v = self.of_vector(v).map(|change| self.g.across(change, u));
+                let of_u = self.of_vector(u.into()).map(|change| {
+                    let (along, moved) = (self.g.dot(v, u), self.g.dot(v, change));
+                    let (first, second) = (self.g.scale(moved, u.into()), self.g.scale(along, change));
+                    let sum = self.g.add_vectors(first, second);
+                    self.g.neg_vector(sum)
+                });
+                self.sum([of_v, of_u])
+            }
+        }
+    }
+}
