@@ -16,10 +16,14 @@ pub trait Number:
     fn sqrt(self) -> Self;
     /// `then` where `a < b`, else `otherwise`.
     fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self;
-    /// A function of the mathematical library.
-    fn call(self, function: Function) -> Self;
-    /// The angle of the point (`x`, `self`) from the first axis.
-    fn atan2(self, x: Self) -> Self;
+    /// A function of the mathematical library; NaN for a type without them.
+    fn call(self, _function: Function) -> Self {
+        Self::constant(f64::NAN)
+    }
+    /// The angle of the point (`x`, `self`) from the first axis; NaN for a type without functions.
+    fn atan2(self, _x: Self) -> Self {
+        Self::constant(f64::NAN)
+    }
 }
 
 macro_rules! number {

@@ -20,7 +20,7 @@ struct Count {
 
 impl From<aim_symbolic::Count> for Count {
     fn from(count: aim_symbolic::Count) -> Self {
-        let aim_symbolic::Count { add, mul, div, sqrt, select } = count;
+        let aim_symbolic::Count { add, mul, div, sqrt, select, call: _ } = count;
         Self { add, mul, div, sqrt, pow: aim_symbolic::Count::POW, select, total: count.total() }
     }
 }
