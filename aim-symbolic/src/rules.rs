@@ -3,6 +3,7 @@
 //! A rule looks at one node whose parts are already rewritten and offers a replacement. [`Graph::rewrite`] applies
 //! them in the order of the tables, bottom up, until none applies.
 
+use crate::fold::Fold;
 use crate::{Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode, directions};
 
 /// A cross product with a direction is as long as the part across it: one of two ways to the same length.
@@ -84,6 +85,7 @@ pub const DIRECTIONS: RuleSet = RuleSet {
         ("the parts across of a sum", directions::across_of_sum),
     ],
     scalars: &[
+        ("fold scalars", fold_scalar),
         ("dot, then scale", crate::scaling::out_of_dot),
         ("along meets across", directions::dot_along_across),
         ("drop the radial part", directions::drop_radial),
@@ -97,14 +99,14 @@ pub const SCALES: RuleSet = RuleSet {
         ("undo rotation", undo_rotation),
         ("fold constant basis", fold_basis),
         ("one reciprocal for a direction", crate::scaling::expand_normalize),
-        ("a part across is a difference", directions::expand_across),
         ("merge scales", crate::scaling::merge),
         ("scale after the operation", crate::scaling::out_of_operation),
+        ("a part across is a difference", directions::expand_across),
         (SPREAD, crate::scaling::spread),
         ("common vector of a sum", crate::scaling::common_vector),
         ("common factor of a sum", crate::scaling::common_factor),
     ],
-    scalars: &[("dot, then scale", crate::scaling::out_of_dot)],
+    scalars: &[("fold scalars", fold_scalar), ("dot, then scale", crate::scaling::out_of_dot)],
 };
 
 /// The terms of a sum with their signs (`true` = subtracted).
@@ -197,6 +199,21 @@ fn pushed_below(g: &Graph, v: Vector) -> Option<usize> {
 
 pub(crate) fn is_sum(g: &Graph, v: Vector) -> bool {
     matches!(g.vector_node(v), VectorNode::Add(..) | VectorNode::Sub(..) | VectorNode::Neg(..))
+}
+
+/// 0 and ±1 leave sums, products and quotients of numbers; negations move outward.
+fn fold_scalar(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let node = g.scalar_node(s);
+    let mut fold = Fold::new(g, &Rules::default());
+    let folded = match node {
+        ScalarNode::Add(a, b) => fold.add(a, b),
+        ScalarNode::Sub(a, b) => fold.sub(a, b),
+        ScalarNode::Mul(a, b) => fold.mul(a, b),
+        ScalarNode::Div(a, b) => fold.div(a, b),
+        ScalarNode::Neg(a) => fold.neg(a),
+        _ => return None,
+    };
+    (folded != s).then_some(folded)
 }
 
 /// 0 and 1 leave sums, scales and rotations.
