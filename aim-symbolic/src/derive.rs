@@ -1,7 +1,8 @@
 //! From statements to the smallest program: the passes in their order, and the few choices between them.
 
-use crate::fold::{CONSTANTS, NEGATIONS, ORDER};
 use crate::factor::FACTOR;
+use crate::fold::{CONSTANTS, NEGATIONS, ORDER};
+use crate::products::SHARE;
 use crate::program::DIVIDE_ONCE;
 use crate::rules::{ACROSS_FOR_CROSS, DIRECTIONS, ROTATIONS, Rules, SCALES, SPREAD, WORDING};
 use crate::tidy::Log;
@@ -56,11 +57,14 @@ struct Choices {
 }
 
 /// Rules of components, which come last and all at once.
-const ARITHMETIC: [&str; 5] = [CONSTANTS, NEGATIONS, ORDER, FACTOR, DIVIDE_ONCE];
+const ARITHMETIC: [&str; 6] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, DIVIDE_ONCE];
 
 /// Where rotations end up is a choice against leaving them where they are stated.
-const SIDES: [&str; 3] =
-    ["pull a rotation out of a normalized sum", "pull a rotation out of a sum's norm", "rotation to the other side of a dot"];
+const SIDES: [&str; 3] = [
+    "pull a rotation out of a normalized sum",
+    "pull a rotation out of a sum's norm",
+    "rotation to the other side of a dot",
+];
 
 impl Program {
     /// The program of `values` and, after them, of each value's derivatives by `variables`, value by value.
@@ -176,7 +180,8 @@ fn attempt(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[&str], 
     let stated = distinct(wanted.iter().map(|w| w.stated()));
     let worded = g.rewrite_with(&stated, &WORDING, &rules, log);
     let values = g.rewrite_with(&worded, &ROTATIONS, &rules, log);
-    let value = |s: Scalar| values[stated.iter().position(|&known| known == s).expect("every wanted statement is here")];
+    let value =
+        |s: Scalar| values[stated.iter().position(|&known| known == s).expect("every wanted statement is here")];
 
     let mut firsts: Vec<((Scalar, Variable), Scalar)> = Vec::new();
     let by_variable = |want: &Want| match *want {

@@ -107,7 +107,7 @@ impl<'g> Fold<'g> {
             (None, None) => {
                 let (a, b) = self.ordered(a, b);
                 self.g.add(a, b)
-            },
+            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! The hash-consed graph: equal expressions are one node, so that sharing is found by construction.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 
 use crate::node::{
@@ -40,6 +40,8 @@ pub struct Graph {
     angles: Vec<AngleEntry>,
     /// The angles that are expressions.
     angles_of: HashMap<Scalar, Angle>,
+    /// Sums that the rules of the pass under way may not open.
+    closed: HashSet<Vector>,
 }
 
 #[derive(Clone, Debug)]
@@ -67,6 +69,7 @@ impl Graph {
             inputs: Vec::new(),
             angles: Vec::new(),
             angles_of: HashMap::new(),
+            closed: HashSet::new(),
         }
     }
 
@@ -115,6 +118,18 @@ impl Graph {
 
     fn intern_rotation(&mut self, node: RotationNode) -> Rotation {
         Rotation(self.rotations.intern(node))
+    }
+
+    pub(crate) fn is_closed(&self, sum: Vector) -> bool {
+        self.closed.contains(&sum)
+    }
+
+    pub(crate) fn close(&mut self, sum: Vector) {
+        self.closed.insert(sum);
+    }
+
+    pub(crate) fn open_all(&mut self) {
+        self.closed.clear();
     }
 
     /// The inputs in order of their declaration.

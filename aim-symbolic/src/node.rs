@@ -233,7 +233,6 @@ pub enum InputKind {
     Cos(Angle),
 }
 
-
 /// Something done to each part of a node.
 pub(crate) trait Parts {
     fn scalar(&mut self, scalar: Scalar) -> Scalar;

@@ -37,7 +37,8 @@ impl Graph {
                 order.push(node);
             } else if seen.insert(node) {
                 stack.push((node, true));
-                let is_select = matches!(node, Node::Scalar(s) if matches!(self.scalar_node(s), ScalarNode::SelectLess(..)));
+                let is_select =
+                    matches!(node, Node::Scalar(s) if matches!(self.scalar_node(s), ScalarNode::SelectLess(..)));
                 if !(is_select && selects == Selects::Leaves) {
                     parts.nodes.clear();
                     parts.of(node);
@@ -46,6 +47,29 @@ impl Graph {
             }
         }
         order
+    }
+
+    /// The vectors that more than one other needs; its components together are one need.
+    pub(crate) fn shared_vectors(&self, outputs: &[Scalar]) -> HashSet<Vector> {
+        let mut needed = HashSet::new();
+        let mut shared = HashSet::new();
+        let mut split = HashSet::new();
+        let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
+        for node in self.order(outputs, Selects::Through) {
+            parts.nodes.clear();
+            parts.of(node);
+            let is_component =
+                matches!(node, Node::Scalar(s) if matches!(self.scalar_node(s), ScalarNode::Component(..)));
+            for &part in &parts.nodes {
+                if let Node::Vector(v) = part
+                    && (!is_component || split.insert(v))
+                    && !needed.insert(v)
+                {
+                    shared.insert(v);
+                }
+            }
+        }
+        shared
     }
 
     /// Of `order`, which goes through selects, what depends on any of `variables`.

@@ -93,7 +93,11 @@ impl Graph {
                 let difference = self.sub(one, square);
                 let root = self.sqrt(difference);
                 let reciprocal = self.reciprocal(root);
-                if function == Function::Asin { Partials::Factor(reciprocal) } else { Partials::MinusFactor(reciprocal) }
+                if function == Function::Asin {
+                    Partials::Factor(reciprocal)
+                } else {
+                    Partials::MinusFactor(reciprocal)
+                }
             }
             Function::Exp => Partials::Factor(value),
             Function::Ln => Partials::Factor(self.reciprocal(a)),

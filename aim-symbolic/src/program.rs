@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use crate::factor::{FACTOR, factor};
 use crate::lower::Lowering;
+use crate::products::{SHARE, share_products};
 use crate::rules::Rules;
 use crate::{Constant, Function, Graph, Scalar, ScalarNode};
 
@@ -83,15 +84,19 @@ pub struct Program {
 impl Program {
     /// The program of `outputs` as they are stated: lowered, folded and ordered, nothing else.
     pub fn compile(g: &mut Graph, outputs: &[Scalar]) -> Self {
-        Self::compile_with(g, outputs, &Rules { without: &[FACTOR] })
+        Self::compile_with(g, outputs, &Rules { without: &[SHARE, FACTOR] })
     }
 
     /// The same by some of the rules, sums factored unless that is switched off.
     pub(crate) fn compile_with(g: &mut Graph, outputs: &[Scalar], rules: &Rules<'_>) -> Self {
         let mut lowering = Lowering::new(g, rules);
         let mut lowered: Vec<Scalar> = outputs.iter().map(|&s| lowering.scalar(s)).collect();
+        let mut fold = lowering.into_fold();
+        if rules.has(SHARE) {
+            lowered = share_products(&mut fold, &lowered);
+        }
         if rules.has(FACTOR) {
-            lowered = factor(&mut lowering.into_fold(), &lowered);
+            lowered = factor(&mut fold, &lowered);
         }
         let mut schedule = Schedule { g, ops: Vec::new(), values: HashMap::new() };
         let outputs = lowered.iter().map(|&s| schedule.value(s)).collect();

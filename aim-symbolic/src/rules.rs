@@ -23,6 +23,17 @@ pub struct RuleSet {
     pub vectors: &'static [(&'static str, VectorRule)],
     /// The rules for scalars.
     pub scalars: &'static [(&'static str, ScalarRule)],
+    /// What a sum's terms are.
+    pub sums: Sums,
+}
+
+/// What the terms of a sum are to the rules.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sums {
+    /// Also the terms of its partial sums.
+    Open,
+    /// A partial sum that is needed elsewhere too is one term, so that it stays shared.
+    Shared,
 }
 
 /// Which rules apply: all of them but a few.
@@ -47,6 +58,7 @@ pub const WORDING: RuleSet = RuleSet {
         ("a division by a norm is guarded", directions::guard_division),
         (ACROSS_FOR_CROSS, directions::norm_of_cross),
     ],
+    sums: Sums::Open,
 };
 
 /// Rotations to where they cancel, or to the side where they cost least.
@@ -69,10 +81,12 @@ pub const ROTATIONS: RuleSet = RuleSet {
         ("rotation to the other side of a dot", dot_other_side),
         ("the constant takes the rotation", dot_constant_takes),
     ],
+    sums: Sums::Open,
 };
 
 /// Compositions into the rotations that they are made of, as the reverse sweep needs them.
-pub(crate) const COMPOSITIONS: RuleSet = RuleSet { vectors: &[("split composition", split_composition)], scalars: &[] };
+pub(crate) const COMPOSITIONS: RuleSet =
+    RuleSet { vectors: &[("split composition", split_composition)], scalars: &[], sums: Sums::Open };
 
 /// What is along a direction or square to it, and what follows for sums and dots.
 pub const DIRECTIONS: RuleSet = RuleSet {
@@ -80,6 +94,7 @@ pub const DIRECTIONS: RuleSet = RuleSet {
         ("fold zero and one", fold_zero),
         ("merge scales", crate::scaling::merge),
         ("scale after the operation", crate::scaling::out_of_operation),
+        ("sign after the operation", crate::scaling::sign_out_of_operation),
         ("nothing of a direction is across it", directions::across_of_along),
         ("all of what is across is across", directions::across_of_across),
         ("the parts across of a sum", directions::across_of_sum),
@@ -87,9 +102,11 @@ pub const DIRECTIONS: RuleSet = RuleSet {
     scalars: &[
         ("fold scalars", fold_scalar),
         ("dot, then scale", crate::scaling::out_of_dot),
+        ("dot, then sign", crate::scaling::sign_out_of_number),
         ("along meets across", directions::dot_along_across),
         ("drop the radial part", directions::drop_radial),
     ],
+    sums: Sums::Open,
 };
 
 /// Scale factors out of the vector operations that they pass through unchanged.
@@ -101,32 +118,39 @@ pub const SCALES: RuleSet = RuleSet {
         ("one reciprocal for a direction", crate::scaling::expand_normalize),
         ("merge scales", crate::scaling::merge),
         ("scale after the operation", crate::scaling::out_of_operation),
+        ("sign after the operation", crate::scaling::sign_out_of_operation),
         ("a part across is a difference", directions::expand_across),
         (SPREAD, crate::scaling::spread),
         ("common vector of a sum", crate::scaling::common_vector),
         ("common factor of a sum", crate::scaling::common_factor),
     ],
-    scalars: &[("fold scalars", fold_scalar), ("dot, then scale", crate::scaling::out_of_dot)],
+    scalars: &[
+        ("fold scalars", fold_scalar),
+        ("dot, then scale", crate::scaling::out_of_dot),
+        ("dot, then sign", crate::scaling::sign_out_of_number),
+    ],
+    sums: Sums::Shared,
 };
 
 /// The terms of a sum with their signs (`true` = subtracted).
 pub(crate) fn terms(g: &Graph, v: Vector) -> Vec<(bool, Vector)> {
-    fn collect(g: &Graph, v: Vector, negative: bool, out: &mut Vec<(bool, Vector)>) {
+    fn collect(g: &Graph, v: Vector, negative: bool, root: bool, out: &mut Vec<(bool, Vector)>) {
         match g.vector_node(v) {
+            _ if !root && g.is_closed(v) => out.push((negative, v)),
             VectorNode::Add(a, b) => {
-                collect(g, a, negative, out);
-                collect(g, b, negative, out);
+                collect(g, a, negative, false, out);
+                collect(g, b, negative, false, out);
             }
             VectorNode::Sub(a, b) => {
-                collect(g, a, negative, out);
-                collect(g, b, !negative, out);
+                collect(g, a, negative, false, out);
+                collect(g, b, !negative, false, out);
             }
-            VectorNode::Neg(a) => collect(g, a, !negative, out),
+            VectorNode::Neg(a) => collect(g, a, !negative, false, out),
             _ => out.push((negative, v)),
         }
     }
     let mut out = Vec::new();
-    collect(g, v, false, &mut out);
+    collect(g, v, false, true, &mut out);
     out
 }
 

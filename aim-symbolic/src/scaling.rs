@@ -26,7 +26,77 @@ pub(crate) fn merge(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(g.scale(product, core))
 }
 
-/// `R (k v) = k (R v)`, and the same for perpendiculars, parts across a direction, cross products and negation.
+fn negated(g: &Graph, v: Vector) -> Option<Vector> {
+    match g.vector_node(v) {
+        VectorNode::Neg(inner) => Some(inner),
+        _ => None,
+    }
+}
+
+/// `R (−v) = −(R v)`, `(−k) v = −(k v)` and so on: signs move outward, where sums take them.
+pub(crate) fn sign_out_of_operation(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let positive = match g.vector_node(v) {
+        VectorNode::Scale(k, inner) => match (g.scalar_node(k), negated(g, inner)) {
+            (_, Some(inner)) => g.scale(k, inner),
+            (ScalarNode::Neg(k), None) => g.scale(k, inner),
+            (ScalarNode::Constant(c), None) if c.value() < 0.0 => {
+                let k = g.constant(-c.value());
+                g.scale(k, inner)
+            }
+            _ => return None,
+        },
+        VectorNode::Rotate(rotation, inner) => {
+            let inner = negated(g, inner)?;
+            g.rotate(rotation, inner)
+        }
+        VectorNode::Perp(plane, inner) => {
+            let inner = negated(g, inner)?;
+            g.perp(plane, inner)
+        }
+        VectorNode::Across(inner, unit) => {
+            let inner = negated(g, inner)?;
+            g.across(inner, unit)
+        }
+        VectorNode::Normalize(inner) => {
+            let inner = negated(g, inner)?;
+            g.normalize(inner).into()
+        }
+        VectorNode::Cross(a, b) => match (negated(g, a), negated(g, b)) {
+            (Some(a), _) => g.cross(a, b),
+            (None, Some(b)) => g.cross(a, b),
+            (None, None) => return None,
+        },
+        _ => return None,
+    };
+    Some(g.neg_vector(positive))
+}
+
+/// `(−v) · w = −(v · w)`, `|−v| = |v|`
+pub(crate) fn sign_out_of_number(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    match g.scalar_node(s) {
+        ScalarNode::Dot(v, w) => {
+            let (positive, other) = match (negated(g, v), negated(g, w)) {
+                (Some(v), _) => (v, w),
+                (None, Some(w)) => (v, w),
+                (None, None) => return None,
+            };
+            let dot = g.dot(positive, other);
+            Some(g.neg(dot))
+        }
+        ScalarNode::Norm(v) => {
+            let v = negated(g, v)?;
+            Some(g.norm(v))
+        }
+        ScalarNode::Component(v, axis) => {
+            let v = negated(g, v)?;
+            let component = g.component(v, axis);
+            Some(g.neg(component))
+        }
+        _ => None,
+    }
+}
+
+/// `R (k v) = k (R v)`, and the same for perpendiculars, parts across a direction and cross products.
 pub(crate) fn out_of_operation(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (k, moved) = match g.vector_node(v) {
         VectorNode::Rotate(rotation, inner) => {
@@ -36,10 +106,6 @@ pub(crate) fn out_of_operation(g: &mut Graph, v: Vector) -> Option<Vector> {
         VectorNode::Perp(plane, inner) => {
             let (k, core) = scaled(g, inner)?;
             (k, g.perp(plane, core))
-        }
-        VectorNode::Neg(inner) => {
-            let (k, core) = scaled(g, inner)?;
-            (k, g.neg_vector(core))
         }
         VectorNode::Across(inner, unit) => {
             let (k, core) = scaled(g, inner)?;
@@ -121,7 +187,7 @@ pub(crate) fn common_factor(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(joined(g, v, (i, j), (false, together)))
 }
 
-/// `k (v − m w) + n w = k v + (n − k m) w`
+/// `k (v − m w) + n w = k v + (n − k m) w`, with what `n` and `m` have in common taken out
 pub(crate) fn spread(g: &mut Graph, v: Vector) -> Option<Vector> {
     if !is_sum(g, v) {
         return None;
@@ -138,11 +204,49 @@ pub(crate) fn spread(g: &mut Graph, v: Vector) -> Option<Vector> {
     })?;
     let (k, n) = (signed(g, all[i].0, all[i].1), signed(g, all[j].0, all[j].1));
     let first = g.scale(k, core);
-    let product = g.mul(k, m);
-    let rest = g.sub(n, product);
+    let rest = match common_part(g, n, m) {
+        Some((common, n, m)) => {
+            let product = g.mul(k, m);
+            let rest = g.sub(n, product);
+            g.mul(common, rest)
+        }
+        None => {
+            let product = g.mul(k, m);
+            g.sub(n, product)
+        }
+    };
     let second = g.scale(rest, w);
     let mut kept: Vec<_> = terms(g, v);
     kept[i] = (false, first);
     kept[j] = (false, second);
     Some(sum(g, &kept))
+}
+
+/// A factor that both products have, and what else they have.
+fn common_part(g: &mut Graph, a: Scalar, b: Scalar) -> Option<(Scalar, Scalar, Scalar)> {
+    let factors = factors(g, a);
+    let (common, rest_of_b) = factors.into_iter().find_map(|f| Some((f, without(g, b, f)?)))?;
+    let rest_of_a = without(g, a, common)?;
+    Some((common, rest_of_a, rest_of_b))
+}
+
+fn factors(g: &Graph, product: Scalar) -> Vec<Scalar> {
+    match g.scalar_node(product) {
+        ScalarNode::Mul(a, b) => factors(g, a).into_iter().chain(factors(g, b)).collect(),
+        ScalarNode::Neg(a) => factors(g, a),
+        _ => vec![product],
+    }
+}
+
+/// `product` without one of its factors.
+fn without(g: &mut Graph, product: Scalar, factor: Scalar) -> Option<Scalar> {
+    match g.scalar_node(product) {
+        _ if product == factor => Some(g.constant(1.0)),
+        ScalarNode::Mul(a, b) => match without(g, a, factor) {
+            Some(a) => Some(g.mul(a, b)),
+            None => without(g, b, factor).map(|b| g.mul(a, b)),
+        },
+        ScalarNode::Neg(a) => without(g, a, factor).map(|a| g.neg(a)),
+        _ => None,
+    }
 }

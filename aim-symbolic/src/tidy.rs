@@ -1,9 +1,9 @@
 //! The driver of the rules: bottom up, each node once, until no rule applies.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::node::Parts;
-use crate::rules::{ROTATIONS, RuleSet, Rules};
+use crate::rules::{ROTATIONS, RuleSet, Rules, Sums};
 use crate::{Angle, Graph, Rotation, Scalar, Vector};
 
 /// Rewrites for each node of a statement. The rules end by themselves long before; this is what makes the end certain.
@@ -29,17 +29,24 @@ impl Graph {
         log: &mut Log,
     ) -> Vec<Scalar> {
         let fuel = FUEL_PER_NODE * self.size(scalars);
+        let shared = match set.sums {
+            Sums::Open => HashSet::new(),
+            Sums::Shared => self.shared_vectors(scalars),
+        };
         let mut tidy = Tidy {
             g: self,
             set: *set,
             rules: *rules,
             log,
             fuel,
+            shared,
             scalars: HashMap::new(),
             vectors: HashMap::new(),
             rotations: HashMap::new(),
         };
-        scalars.iter().map(|&s| tidy.scalar(s)).collect()
+        let rewritten = scalars.iter().map(|&s| tidy.scalar(s)).collect();
+        self.open_all();
+        rewritten
     }
 }
 
@@ -67,6 +74,8 @@ struct Tidy<'g> {
     rules: Rules<'g>,
     log: &'g mut Log,
     fuel: usize,
+    /// What is needed in more than one place.
+    shared: HashSet<Vector>,
     scalars: HashMap<Scalar, Scalar>,
     vectors: HashMap<Vector, Vector>,
     rotations: HashMap<Rotation, Rotation>,
@@ -118,6 +127,9 @@ impl Parts for Tidy<'_> {
             self.fuel -= 1;
             self.log.applied.push(name);
             current = self.vector_parts(next);
+        }
+        if self.shared.contains(&vector) {
+            self.g.close(current);
         }
         self.vectors.insert(vector, current);
         current

@@ -155,11 +155,11 @@ fn each_rule_alone_applies_and_keeps_the_value() {
             let (name, alone) = match index.checked_sub(rules.vectors.len()) {
                 None => {
                     let rule = &rules.vectors[index..=index];
-                    (rule[0].0, RuleSet { vectors: rule, scalars: &[] })
+                    (rule[0].0, RuleSet { vectors: rule, scalars: &[], sums: rules.sums })
                 }
                 Some(index) => {
                     let rule = &rules.scalars[index..=index];
-                    (rule[0].0, RuleSet { vectors: &[], scalars: rule })
+                    (rule[0].0, RuleSet { vectors: &[], scalars: rule, sums: rules.sums })
                 }
             };
             let mut applied = 0;

@@ -1,0 +1,104 @@
+//! Shared products on components: of `(a b) c` and `(b c) d` the product `b c` is made once.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::fold::Fold;
+use crate::rebuild::{Exchange, Rebuild, Uses};
+use crate::{Scalar, ScalarNode};
+
+/// The rule's name.
+pub(crate) const SHARE: &str = "share products";
+
+/// A product of more than one factor.
+struct Chain {
+    root: Scalar,
+    factors: Vec<Scalar>,
+    changed: bool,
+}
+
+/// `outputs`, which are lowered, with products in the order in which they share most.
+pub(crate) fn share_products(fold: &mut Fold<'_>, outputs: &[Scalar]) -> Vec<Scalar> {
+    let uses = Uses::of(fold.g, outputs);
+    let mut chains = chains(fold, &uses);
+    while let Some((a, b)) = most_shared(&chains) {
+        let product = fold.mul(a, b);
+        for chain in &mut chains {
+            if chain.factors.len() > 2 && remove_pair(&mut chain.factors, a, b) {
+                chain.factors.push(product);
+                chain.changed = true;
+            }
+        }
+    }
+    let chains: HashMap<Scalar, Vec<Scalar>> =
+        chains.into_iter().filter(|chain| chain.changed).map(|chain| (chain.root, chain.factors)).collect();
+    Rebuild::outputs(fold, outputs, &mut Shared { chains })
+}
+
+struct Shared {
+    chains: HashMap<Scalar, Vec<Scalar>>,
+}
+
+impl Exchange for Shared {
+    fn exchange(&mut self, rebuild: &mut Rebuild<'_, '_>, s: Scalar) -> Option<Scalar> {
+        let factors = self.chains.remove(&s)?;
+        let factors: Vec<Scalar> = factors.into_iter().map(|factor| rebuild.scalar(self, factor)).collect();
+        factors.into_iter().reduce(|a, b| rebuild.fold.mul(a, b))
+    }
+}
+
+/// Every product that is not itself just a factor of one other.
+fn chains(fold: &Fold<'_>, uses: &Uses) -> Vec<Chain> {
+    let is_product = |s: Scalar| matches!(fold.g.scalar_node(s), ScalarNode::Mul(..));
+    let mut inner = HashSet::new();
+    for &s in uses.order() {
+        if let ScalarNode::Mul(a, b) = fold.g.scalar_node(s) {
+            inner.extend([a, b].into_iter().filter(|&part| is_product(part) && uses.once(part)));
+        }
+    }
+    let roots = uses.order().iter().copied().filter(|&s| is_product(s) && !inner.contains(&s));
+    roots
+        .map(|root| {
+            let mut factors = Vec::new();
+            collect(fold, &inner, root, &mut factors);
+            Chain { root, factors, changed: false }
+        })
+        .collect()
+}
+
+fn collect(fold: &Fold<'_>, inner: &HashSet<Scalar>, s: Scalar, factors: &mut Vec<Scalar>) {
+    if let ScalarNode::Mul(a, b) = fold.g.scalar_node(s) {
+        for part in [a, b] {
+            if inner.contains(&part) { collect(fold, inner, part, factors) } else { factors.push(part) }
+        }
+    }
+}
+
+/// The pair of factors that most chains have, the first of several; only pairs that save something.
+fn most_shared(chains: &[Chain]) -> Option<(Scalar, Scalar)> {
+    // How many chains have the pair, how many of them would gain by it, and which pair came first.
+    let mut found: HashMap<(Scalar, Scalar), (usize, usize, usize)> = HashMap::new();
+    for chain in chains {
+        let mut seen = HashSet::new();
+        for (i, &a) in chain.factors.iter().enumerate() {
+            for &b in &chain.factors[i + 1..] {
+                let pair = (a.min(b), a.max(b));
+                if seen.insert(pair) {
+                    let place = found.len();
+                    let entry = found.entry(pair).or_insert((0, 0, place));
+                    entry.0 += 1;
+                    entry.1 += usize::from(chain.factors.len() > 2);
+                }
+            }
+        }
+    }
+    let saving = found.into_iter().filter(|(_, (count, gaining, _))| *count > 1 && *gaining > 0);
+    saving.max_by_key(|(_, (count, _, place))| (*count, usize::MAX - place)).map(|(pair, _)| pair)
+}
+
+fn remove_pair(factors: &mut Vec<Scalar>, a: Scalar, b: Scalar) -> bool {
+    let Some(i) = factors.iter().position(|&f| f == a) else { return false };
+    let Some(j) = factors.iter().enumerate().position(|(j, &f)| j != i && f == b) else { return false };
+    factors.remove(i.max(j));
+    factors.remove(i.min(j));
+    true
+}
