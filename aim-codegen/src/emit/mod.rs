@@ -5,6 +5,7 @@ pub mod latex;
 pub mod maxima;
 pub mod rust;
 mod source;
+pub mod wgsl;
 
 use crate::{RigPrograms, RigSpec};
 
