@@ -63,6 +63,7 @@ pub(crate) struct Inspect {
 pub(crate) enum Language {
     Rust,
     C,
+    Wgsl,
     Latex,
     Maxima,
 }

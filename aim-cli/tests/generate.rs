@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 use aim_codegen::RigPrograms;
 use common::{Place, bundled_rigs, installed};
 
-const LANGUAGES: [&str; 4] = ["rust", "c", "latex", "maxima"];
+const LANGUAGES: [&str; 5] = ["rust", "c", "wgsl", "latex", "maxima"];
 
 fn name(rig: &Path) -> &str {
     rig.file_stem().and_then(|stem| stem.to_str()).expect("a rig's file has a name")

@@ -7,3 +7,4 @@ pub mod kinematics;
 pub mod oracle;
 pub mod random;
 pub mod rigs;
+pub mod wgsl;

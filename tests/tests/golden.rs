@@ -1,4 +1,4 @@
-//! What the derive and the C back end write is golden, and the same in every run.
+//! What the derive, the C and the WGSL back end write is golden, and the same in every run.
 //!
 //! `AIM_BLESS=1 cargo test -p aim-tests --test golden` rewrites `tests/expected`. That the Rust files compile, and
 //! that they are what the derive really gives, is the test `expanded`.
@@ -8,7 +8,7 @@ use std::process::Command;
 use std::{env, fs};
 
 use aim_codegen::emit::{self, Rig};
-use aim_codegen::{RigPrograms, RigSpec, declare};
+use aim_codegen::{RigPrograms, declare};
 use aim_tests::rigs;
 
 /// Where the second process writes what it expanded.
@@ -20,14 +20,11 @@ fn expansion(declaration: &str) -> String {
     aim_codegen::format_rust(aim_codegen::derive(tokens))
 }
 
-fn c_of_the_thug() -> String {
+/// What a back end writes for `rigs/thug.toml`.
+fn of_the_thug(emit: impl Fn(&Rig<'_>) -> String) -> String {
     let spec = declare::from_toml("rigs/thug.toml", include_str!("../../rigs/thug.toml"))
         .unwrap_or_else(|errors| panic!("{}", errors.render()));
-    c(&spec)
-}
-
-fn c(spec: &RigSpec) -> String {
-    emit::c::emit(&Rig { spec, programs: &RigPrograms::derive(spec) })
+    emit(&Rig { spec: &spec, programs: &RigPrograms::derive(&spec) })
 }
 
 fn compare(file: &str, found: &str) {
@@ -65,7 +62,12 @@ aim_tests::declarations!(golden);
 
 #[test]
 fn thug_in_c() {
-    compare("thug.c", &c_of_the_thug());
+    compare("thug.c", &of_the_thug(emit::c::emit));
+}
+
+#[test]
+fn thug_in_wgsl() {
+    compare("thug.wgsl", &of_the_thug(emit::wgsl::emit));
 }
 
 /// All that the goldens hold, and every language for the rigs of every convention.
@@ -81,6 +83,7 @@ fn everything() -> String {
         let item = emit::rust::Item::of(&spec, quote::quote!(::aim));
         all += &emit::rust::emit_with_struct(&rig, &item).to_string();
         all += &emit::c::emit(&rig);
+        all += &emit::wgsl::emit(&rig);
         all += &emit::latex::emit(&rig);
         all += &emit::maxima::emit(&rig);
     }

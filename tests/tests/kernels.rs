@@ -1,11 +1,11 @@
 //! Emitted kernels are what their headers say: straight lines, hygienic paths, and as many operations as were counted.
 //!
-//! Parsed again, by syn and by a few lines that know C, so that neither emitter vouches for itself.
+//! Parsed again, by syn, by naga and by a few lines that know C, so that no emitter vouches for itself.
 
 use aim_codegen::emit::{self, Rig};
 use aim_codegen::{RigPrograms, RigSpec, declare, snake_case};
 use aim_symbolic::{Count, Program};
-use aim_tests::rigs;
+use aim_tests::{rigs, wgsl};
 use syn::visit::{self, Visit};
 use syn::{BinOp, Expr, File, ImplItem, Item, ItemFn, Stmt, UnOp};
 
@@ -245,6 +245,17 @@ fn rust_branches_only_where_a_joint_or_a_length_is_chosen() {
     }
 }
 
+/// The functions of emitted C and WGSL: each one's name, and the program behind it.
+fn functions_of<'p>(spec: &RigSpec, programs: &'p RigPrograms) -> Vec<(String, &'p Program)> {
+    let rig = snake_case(&spec.name);
+    let joints = spec.joints.iter().zip(&programs.joints);
+    let mut functions: Vec<(String, &Program)> =
+        joints.map(|(joint, p)| (format!("{rig}_{}_aim_gradient", snake_case(&joint.name)), p)).collect();
+    functions.push((format!("{rig}_chain_value_gradient"), &programs.chain_value_gradient));
+    functions.push((format!("{rig}_chain_residual_jacobian"), &programs.chain_residual_jacobian));
+    functions
+}
+
 /// A function of emitted C: the comment before it, and its body.
 fn c_function<'c>(source: &'c str, name: &str) -> (&'c str, &'c str) {
     let start = source.find(&format!("void {name}(")).unwrap_or_else(|| panic!("there is no function {name}"));
@@ -304,13 +315,7 @@ fn c_kernels_are_straight_lines_with_the_operations_that_were_counted() {
     for spec in all_rigs() {
         let programs = RigPrograms::derive(&spec);
         let source = emit::c::emit(&Rig { spec: &spec, programs: &programs });
-        let rig = snake_case(&spec.name);
-        let joints = spec.joints.iter().zip(&programs.joints);
-        let mut functions: Vec<(String, &Program)> =
-            joints.map(|(joint, p)| (format!("{rig}_{}_aim_gradient", snake_case(&joint.name)), p)).collect();
-        functions.push((format!("{rig}_chain_value_gradient"), &programs.chain_value_gradient));
-        functions.push((format!("{rig}_chain_residual_jacobian"), &programs.chain_residual_jacobian));
-        for (name, program) in functions {
+        for (name, program) in functions_of(&spec, &programs) {
             let (header, body) = c_function(&source, &name);
             assert_eq!(c_count(body), program.count(), "{name}");
             assert!(header.contains(&program.count().to_string()), "{name}: {header}");
@@ -322,4 +327,23 @@ fn c_kernels_are_straight_lines_with_the_operations_that_were_counted() {
 fn the_tokenizer_of_c_tells_signs_from_operations() {
     let count = c_count("const float v1 = -a[0] - -1.5e-3f * v2;\nv3 = v1 < 1e-9f ? sqrtf(-v2) : b / 2.0f + -c;");
     assert_eq!(count, Count { add: 2, mul: 1, div: 1, sqrt: 1, select: 2, call: 0 });
+}
+
+#[test]
+fn wgsl_kernels_are_straight_lines_with_the_operations_that_were_counted() {
+    for spec in all_rigs() {
+        let programs = RigPrograms::derive(&spec);
+        let source = emit::wgsl::emit(&Rig { spec: &spec, programs: &programs });
+        let module = wgsl::Module::read(&source);
+        let functions = functions_of(&spec, &programs);
+        assert_eq!(module.names(), functions.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>());
+        for (name, program) in functions {
+            assert_eq!(module.function(&name).count(), program.count(), "{name}");
+            // The comment directly above the function.
+            let (above, _) = source.split_once(&format!("fn {name}(")).expect("naga found it");
+            let header = above.rsplit("\n\n").next().unwrap_or_default();
+            assert!(header.lines().all(|line| line.starts_with("// ")), "{name}: {header}");
+            assert!(header.contains(&program.count().to_string()), "{name}: {header}");
+        }
+    }
 }

@@ -32,6 +32,7 @@ fn emit(spec: &RigSpec, language: Language) -> String {
     let rig = Rig { spec, programs: &programs };
     match language {
         Language::C => emit::c::emit(&rig),
+        Language::Wgsl => emit::wgsl::emit(&rig),
         Language::Latex => emit::latex::emit(&rig),
         Language::Maxima => emit::maxima::emit(&rig),
         Language::Rust => rust(&rig),

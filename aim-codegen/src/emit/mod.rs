@@ -4,6 +4,7 @@ pub mod c;
 pub mod latex;
 pub mod maxima;
 pub mod rust;
+pub mod wgsl;
 
 use crate::{RigPrograms, RigSpec};
 
