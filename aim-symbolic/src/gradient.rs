@@ -1,10 +1,9 @@
 //! Derivatives by one reverse sweep over scalars and vectors: linear in the size of the expression.
 
-use std::collections::{HashMap, HashSet};
-
 use crate::order::{Node, Selects};
 use crate::partial::Partials;
 use crate::rules::COMPOSITIONS;
+use crate::table::{NodeSet, Table};
 use crate::{Graph, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
 /// Where the reciprocal of a normalised vector's derivative goes: a choice that the length of the chain decides.
@@ -25,24 +24,24 @@ impl Graph {
         let output = self.rewrite_by(&[output], &COMPOSITIONS)[0];
         let order = self.order(&[output], Selects::Through);
         let active = self.active(&order, variables);
-        let mut below_selects = HashMap::new();
+        let mut below_selects = Table::default();
         Sweep::derivatives(self, output, variables, &active, placement, &mut below_selects)
     }
 }
 
 /// The derivatives of what stands below a select, by each variable.
-type BelowSelects = HashMap<Scalar, Vec<Scalar>>;
+type BelowSelects = Table<Scalar, Vec<Scalar>>;
 
 struct Sweep<'g> {
     g: &'g mut Graph,
     placement: Placement,
-    active: &'g HashSet<Node>,
+    active: &'g NodeSet,
     variables: &'g [Variable],
     below_selects: &'g mut BelowSelects,
     /// d output / d scalar
-    scalars: HashMap<Scalar, Scalar>,
+    scalars: Table<Scalar, Scalar>,
     /// d output / d vector, a covector
-    vectors: HashMap<Vector, Vector>,
+    vectors: Table<Vector, Vector>,
     /// d output / d variable
     found: Vec<Option<Scalar>>,
 }
@@ -52,7 +51,7 @@ impl Sweep<'_> {
         g: &mut Graph,
         output: Scalar,
         variables: &[Variable],
-        active: &HashSet<Node>,
+        active: &NodeSet,
         placement: Placement,
         below_selects: &mut BelowSelects,
     ) -> Vec<Scalar> {
@@ -64,8 +63,8 @@ impl Sweep<'_> {
             active,
             variables,
             below_selects,
-            scalars: HashMap::new(),
-            vectors: HashMap::new(),
+            scalars: Table::default(),
+            vectors: Table::default(),
             found: vec![None; variables.len()],
         };
         sweep.add_to_scalar(output, one);
@@ -80,8 +79,8 @@ impl Sweep<'_> {
     }
 
     fn add_to_scalar(&mut self, scalar: Scalar, change: Scalar) {
-        if self.active.contains(&Node::Scalar(scalar)) {
-            let total = match self.scalars.get(&scalar) {
+        if self.active.contains(Node::Scalar(scalar)) {
+            let total = match self.scalars.get(scalar) {
                 Some(&so_far) => self.g.add(so_far, change),
                 None => change,
             };
@@ -90,8 +89,8 @@ impl Sweep<'_> {
     }
 
     fn add_to_vector(&mut self, vector: Vector, change: Vector) {
-        if self.active.contains(&Node::Vector(vector)) {
-            let total = match self.vectors.get(&vector) {
+        if self.active.contains(Node::Vector(vector)) {
+            let total = match self.vectors.get(vector) {
                 Some(&so_far) => self.g.add_vectors(so_far, change),
                 None => change,
             };
@@ -110,11 +109,11 @@ impl Sweep<'_> {
     }
 
     fn is_active(&self, vector: Vector) -> bool {
-        self.active.contains(&Node::Vector(vector))
+        self.active.contains(Node::Vector(vector))
     }
 
     fn scalar(&mut self, scalar: Scalar) {
-        let Some(&bar) = self.scalars.get(&scalar) else { return };
+        let Some(&bar) = self.scalars.get(scalar) else { return };
         match self.g.scalar_node(scalar) {
             ScalarNode::Input(_) => self.add_to_variable(scalar.into(), bar),
             ScalarNode::SelectLess(a, b, then, otherwise) => self.select(bar, [a, b], [then, otherwise]),
@@ -146,7 +145,7 @@ impl Sweep<'_> {
             }
             _ => {
                 let active = self.active;
-                for (part, partial) in self.g.partials(scalar, |part| active.contains(&Node::Scalar(part))) {
+                for (part, partial) in self.g.partials(scalar, |part| active.contains(Node::Scalar(part))) {
                     let by_part = self.g.times(bar, partial);
                     self.add_to_scalar(part, by_part);
                 }
@@ -157,7 +156,7 @@ impl Sweep<'_> {
     /// Each branch has a sweep of its own, so that what is not a number in the branch not taken stays there.
     fn select(&mut self, bar: Scalar, [a, b]: [Scalar; 2], branches: [Scalar; 2]) {
         let [then, otherwise] = branches.map(|branch| {
-            if let Some(known) = self.below_selects.get(&branch) {
+            if let Some(known) = self.below_selects.get(branch) {
                 return known.clone();
             }
             let (variables, active, placement) = (self.variables, self.active, self.placement);
@@ -176,11 +175,11 @@ impl Sweep<'_> {
     }
 
     fn vector(&mut self, vector: Vector) {
-        let Some(&bar) = self.vectors.get(&vector) else { return };
+        let Some(&bar) = self.vectors.get(vector) else { return };
         match self.g.vector_node(vector) {
             VectorNode::Components(c) => {
                 for (c, axis) in c.into_iter().zip(0..) {
-                    if self.active.contains(&Node::Scalar(c)) {
+                    if self.active.contains(Node::Scalar(c)) {
                         let by_c = self.g.component(bar, axis);
                         self.add_to_scalar(c, by_c);
                     }
@@ -202,7 +201,7 @@ impl Sweep<'_> {
                 self.add_to_vector(v, minus);
             }
             VectorNode::Scale(k, v) => {
-                if self.active.contains(&Node::Scalar(k)) {
+                if self.active.contains(Node::Scalar(k)) {
                     let by_k = self.g.dot(bar, v);
                     self.add_to_scalar(k, by_k);
                 }

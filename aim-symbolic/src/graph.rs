@@ -1,22 +1,22 @@
 //! The hash-consed graph: equal expressions are one node, so that sharing is found by construction.
 
-use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 
 use crate::node::{
     Angle, Constant, Function, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector,
     VectorNode,
 };
+use crate::table::{NodeMap, Table};
 
 #[derive(Clone, Debug)]
 struct Arena<N> {
     nodes: Vec<N>,
-    index: HashMap<N, u32>,
+    index: NodeMap<N, u32>,
 }
 
 impl<N: Copy + Eq + Hash> Arena<N> {
     fn new() -> Self {
-        Self { nodes: Vec::new(), index: HashMap::new() }
+        Self { nodes: Vec::new(), index: NodeMap::default() }
     }
 
     fn intern(&mut self, node: N) -> u32 {
@@ -39,9 +39,9 @@ pub struct Graph {
     inputs: Vec<(String, InputKind)>,
     angles: Vec<AngleEntry>,
     /// The angles that are expressions.
-    angles_of: HashMap<Scalar, Angle>,
+    angles_of: Table<Scalar, Angle>,
     /// Sums that the rules of the pass under way may not open.
-    closed: HashSet<Vector>,
+    closed: Table<Vector, ()>,
 }
 
 #[derive(Clone, Debug)]
@@ -68,8 +68,8 @@ impl Graph {
             rotations: Arena::new(),
             inputs: Vec::new(),
             angles: Vec::new(),
-            angles_of: HashMap::new(),
-            closed: HashSet::new(),
+            angles_of: Table::default(),
+            closed: Table::default(),
         }
     }
 
@@ -121,15 +121,15 @@ impl Graph {
     }
 
     pub(crate) fn is_closed(&self, sum: Vector) -> bool {
-        self.closed.contains(&sum)
+        self.closed.contains(sum)
     }
 
     pub(crate) fn close(&mut self, sum: Vector) {
-        self.closed.insert(sum);
+        self.closed.insert(sum, ());
     }
 
     pub(crate) fn open_all(&mut self) {
-        self.closed.clear();
+        self.closed = Table::default();
     }
 
     /// The inputs in order of their declaration.
@@ -179,7 +179,7 @@ impl Graph {
 
     /// The angle of so many radians, for rotations by an expression.
     pub fn angle_of(&mut self, radians: Scalar) -> Angle {
-        if let Some(&known) = self.angles_of.get(&radians) {
+        if let Some(&known) = self.angles_of.get(radians) {
             return known;
         }
         let angle = self.next_angle();

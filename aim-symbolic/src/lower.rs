@@ -1,21 +1,20 @@
 //! From typed expressions to components: scalars that only add, multiply, divide, take roots and select.
 
-use std::collections::HashMap;
-
 use crate::fold::Fold;
 use crate::rules::Rules;
+use crate::table::Table;
 use crate::{Constant, Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 /// Lowers expressions of one graph, each once.
 pub(crate) struct Lowering<'g> {
     fold: Fold<'g>,
-    scalars: HashMap<Scalar, Scalar>,
-    vectors: HashMap<Vector, [Scalar; 3]>,
+    scalars: Table<Scalar, Scalar>,
+    vectors: Table<Vector, [Scalar; 3]>,
 }
 
 impl<'g> Lowering<'g> {
     pub(crate) fn new(g: &'g mut Graph, rules: &Rules<'_>) -> Self {
-        Self { fold: Fold::new(g, rules), scalars: HashMap::new(), vectors: HashMap::new() }
+        Self { fold: Fold::new(g, rules), scalars: Table::default(), vectors: Table::default() }
     }
 
     /// For what goes on folding where this ends.
@@ -24,7 +23,7 @@ impl<'g> Lowering<'g> {
     }
 
     pub(crate) fn scalar(&mut self, scalar: Scalar) -> Scalar {
-        if let Some(&done) = self.scalars.get(&scalar) {
+        if let Some(&done) = self.scalars.get(scalar) {
             return done;
         }
         let lowered = match self.fold.g.scalar_node(scalar) {
@@ -99,7 +98,7 @@ impl<'g> Lowering<'g> {
     }
 
     fn vector(&mut self, vector: Vector) -> [Scalar; 3] {
-        if let Some(&done) = self.vectors.get(&vector) {
+        if let Some(&done) = self.vectors.get(vector) {
             return done;
         }
         let lowered = match self.fold.g.vector_node(vector) {

@@ -1,8 +1,7 @@
 //! What an expression is made of: each part after its own parts.
 
-use std::collections::HashSet;
-
 use crate::node::Parts;
+use crate::table::{NodeSet, Table};
 use crate::{Angle, Graph, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -28,7 +27,7 @@ impl Graph {
 
     /// Everything that `outputs` are made of, each after its parts.
     pub(crate) fn order(&self, outputs: &[Scalar], selects: Selects) -> Vec<Node> {
-        let mut seen = HashSet::new();
+        let mut seen = NodeSet::default();
         let mut order = Vec::new();
         let mut stack: Vec<(Node, bool)> = outputs.iter().rev().map(|&s| (Node::Scalar(s), false)).collect();
         let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
@@ -50,10 +49,10 @@ impl Graph {
     }
 
     /// The vectors that more than one other needs; its components together are one need.
-    pub(crate) fn shared_vectors(&self, outputs: &[Scalar]) -> HashSet<Vector> {
-        let mut needed = HashSet::new();
-        let mut shared = HashSet::new();
-        let mut split = HashSet::new();
+    pub(crate) fn shared_vectors(&self, outputs: &[Scalar]) -> Table<Vector, ()> {
+        let mut needed = Table::default();
+        let mut shared = Table::default();
+        let mut split = Table::default();
         let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
         for node in self.order(outputs, Selects::Through) {
             parts.nodes.clear();
@@ -62,10 +61,10 @@ impl Graph {
                 matches!(node, Node::Scalar(s) if matches!(self.scalar_node(s), ScalarNode::Component(..)));
             for &part in &parts.nodes {
                 if let Node::Vector(v) = part
-                    && (!is_component || split.insert(v))
-                    && !needed.insert(v)
+                    && (!is_component || split.insert(v, ()))
+                    && !needed.insert(v, ())
                 {
-                    shared.insert(v);
+                    shared.insert(v, ());
                 }
             }
         }
@@ -73,8 +72,8 @@ impl Graph {
     }
 
     /// Of `order`, which goes through selects, what depends on any of `variables`.
-    pub(crate) fn active(&self, order: &[Node], variables: &[Variable]) -> HashSet<Node> {
-        let mut active = HashSet::new();
+    pub(crate) fn active(&self, order: &[Node], variables: &[Variable]) -> NodeSet {
+        let mut active = NodeSet::default();
         let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
         for &node in order {
             parts.nodes.clear();
@@ -82,7 +81,7 @@ impl Graph {
             parts.of(node);
             let is_variable = matches!(node, Node::Scalar(s) if variables.contains(&Variable::Input(s)));
             let turns = parts.angles.iter().any(|&angle| variables.contains(&Variable::Angle(angle)));
-            if is_variable || turns || parts.nodes.iter().any(|part| active.contains(part)) {
+            if is_variable || turns || parts.nodes.iter().any(|part| active.contains(*part)) {
                 active.insert(node);
             }
         }

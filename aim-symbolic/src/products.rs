@@ -1,9 +1,8 @@
 //! Shared products on components: of `(a b) c` and `(b c) d` the product `b c` is made once.
 
-use std::collections::{HashMap, HashSet};
-
 use crate::fold::Fold;
 use crate::rebuild::{Exchange, Rebuild, Uses};
+use crate::table::{NodeMap, Table};
 use crate::{Scalar, ScalarNode};
 
 /// The rule's name.
@@ -29,18 +28,20 @@ pub(crate) fn share_products(fold: &mut Fold<'_>, outputs: &[Scalar]) -> Vec<Sca
             }
         }
     }
-    let chains: HashMap<Scalar, Vec<Scalar>> =
-        chains.into_iter().filter(|chain| chain.changed).map(|chain| (chain.root, chain.factors)).collect();
-    Rebuild::outputs(fold, outputs, &mut Shared { chains })
+    let mut changed = Table::default();
+    for chain in chains.into_iter().filter(|chain| chain.changed) {
+        changed.insert(chain.root, chain.factors);
+    }
+    Rebuild::outputs(fold, outputs, &mut Shared { chains: changed })
 }
 
 struct Shared {
-    chains: HashMap<Scalar, Vec<Scalar>>,
+    chains: Table<Scalar, Vec<Scalar>>,
 }
 
 impl Exchange for Shared {
     fn exchange(&mut self, rebuild: &mut Rebuild<'_, '_>, s: Scalar) -> Option<Scalar> {
-        let factors = self.chains.remove(&s)?;
+        let factors = self.chains.get(s)?.clone();
         let factors: Vec<Scalar> = factors.into_iter().map(|factor| rebuild.scalar(self, factor)).collect();
         factors.into_iter().reduce(|a, b| rebuild.fold.mul(a, b))
     }
@@ -49,13 +50,15 @@ impl Exchange for Shared {
 /// Every product that is not itself just a factor of one other.
 fn chains(fold: &Fold<'_>, uses: &Uses) -> Vec<Chain> {
     let is_product = |s: Scalar| matches!(fold.g.scalar_node(s), ScalarNode::Mul(..));
-    let mut inner = HashSet::new();
+    let mut inner = Table::default();
     for &s in uses.order() {
         if let ScalarNode::Mul(a, b) = fold.g.scalar_node(s) {
-            inner.extend([a, b].into_iter().filter(|&part| is_product(part) && uses.once(part)));
+            for part in [a, b].into_iter().filter(|&part| is_product(part) && uses.once(part)) {
+                inner.insert(part, ());
+            }
         }
     }
-    let roots = uses.order().iter().copied().filter(|&s| is_product(s) && !inner.contains(&s));
+    let roots = uses.order().iter().copied().filter(|&s| is_product(s) && !inner.contains(s));
     roots
         .map(|root| {
             let mut factors = Vec::new();
@@ -65,10 +68,10 @@ fn chains(fold: &Fold<'_>, uses: &Uses) -> Vec<Chain> {
         .collect()
 }
 
-fn collect(fold: &Fold<'_>, inner: &HashSet<Scalar>, s: Scalar, factors: &mut Vec<Scalar>) {
+fn collect(fold: &Fold<'_>, inner: &Table<Scalar, ()>, s: Scalar, factors: &mut Vec<Scalar>) {
     if let ScalarNode::Mul(a, b) = fold.g.scalar_node(s) {
         for part in [a, b] {
-            if inner.contains(&part) { collect(fold, inner, part, factors) } else { factors.push(part) }
+            if inner.contains(part) { collect(fold, inner, part, factors) } else { factors.push(part) }
         }
     }
 }
@@ -76,13 +79,14 @@ fn collect(fold: &Fold<'_>, inner: &HashSet<Scalar>, s: Scalar, factors: &mut Ve
 /// The pair of factors that most chains have, the first of several; only pairs that save something.
 fn most_shared(chains: &[Chain]) -> Option<(Scalar, Scalar)> {
     // How many chains have the pair, how many of them would gain by it, and which pair came first.
-    let mut found: HashMap<(Scalar, Scalar), (usize, usize, usize)> = HashMap::new();
+    let mut found: NodeMap<(Scalar, Scalar), (usize, usize, usize)> = NodeMap::default();
     for chain in chains {
-        let mut seen = HashSet::new();
+        let mut seen: Vec<(Scalar, Scalar)> = Vec::new();
         for (i, &a) in chain.factors.iter().enumerate() {
             for &b in &chain.factors[i + 1..] {
                 let pair = (a.min(b), a.max(b));
-                if seen.insert(pair) {
+                if !seen.contains(&pair) {
+                    seen.push(pair);
                     let place = found.len();
                     let entry = found.entry(pair).or_insert((0, 0, place));
                     entry.0 += 1;

@@ -1,11 +1,10 @@
 //! Straight-line programs: what is emitted, interpreted and counted.
 
-use std::collections::HashMap;
-
 use crate::factor::{FACTOR, factor};
 use crate::lower::Lowering;
 use crate::products::{SHARE, share_products};
 use crate::rules::Rules;
+use crate::table::Table;
 use crate::{Constant, Function, Graph, Scalar, ScalarNode};
 
 /// The name of the rule that turns a product with a reciprocal into a division.
@@ -98,7 +97,7 @@ impl Program {
         if rules.has(FACTOR) {
             lowered = factor(&mut fold, &lowered);
         }
-        let mut schedule = Schedule { g, ops: Vec::new(), values: HashMap::new() };
+        let mut schedule = Schedule { g, ops: Vec::new(), values: Table::default() };
         let outputs = lowered.iter().map(|&s| schedule.value(s)).collect();
         let ops = schedule.ops;
         let inputs = g.inputs().iter().map(|(name, _)| name.clone()).collect();
@@ -262,12 +261,12 @@ impl Op {
 struct Schedule<'g> {
     g: &'g Graph,
     ops: Vec<Op>,
-    values: HashMap<Scalar, Value>,
+    values: Table<Scalar, Value>,
 }
 
 impl Schedule<'_> {
     fn value(&mut self, scalar: Scalar) -> Value {
-        if let Some(&done) = self.values.get(&scalar) {
+        if let Some(&done) = self.values.get(scalar) {
             return done;
         }
         let op = match self.g.scalar_node(scalar) {

@@ -1,24 +1,23 @@
 //! Lowered expressions made anew, with some of their nodes exchanged.
 
-use std::collections::HashMap;
-
 use crate::fold::Fold;
+use crate::table::Table;
 use crate::{Graph, Scalar, ScalarNode};
 
 /// How often each scalar is used, by others and as an output.
 pub(crate) struct Uses {
-    counts: HashMap<Scalar, usize>,
+    counts: Table<Scalar, usize>,
     order: Vec<Scalar>,
 }
 
 impl Uses {
     pub(crate) fn of(g: &Graph, outputs: &[Scalar]) -> Self {
-        let mut uses = Self { counts: HashMap::new(), order: Vec::new() };
+        let mut uses = Self { counts: Table::default(), order: Vec::new() };
         let mut stack: Vec<Scalar> = outputs.iter().rev().copied().collect();
         while let Some(s) = stack.pop() {
-            let count = uses.counts.entry(s).or_default();
-            *count += 1;
-            if *count == 1 {
+            let count = uses.counts.copied(s).unwrap_or(0) + 1;
+            uses.counts.insert(s, count);
+            if count == 1 {
                 uses.order.push(s);
                 stack.extend(operands(g.scalar_node(s)));
             }
@@ -33,7 +32,7 @@ impl Uses {
 
     /// Whether `s` is used in one place only.
     pub(crate) fn once(&self, s: Scalar) -> bool {
-        self.counts.get(&s).is_none_or(|&count| count == 1)
+        self.counts.copied(s).is_none_or(|count| count == 1)
     }
 }
 
@@ -56,7 +55,7 @@ fn operands(node: ScalarNode) -> impl Iterator<Item = Scalar> {
 /// Makes expressions anew, each once.
 pub(crate) struct Rebuild<'f, 'g> {
     pub(crate) fold: &'f mut Fold<'g>,
-    done: HashMap<Scalar, Scalar>,
+    done: Table<Scalar, Scalar>,
 }
 
 /// Offers something else in the place of a node.
@@ -68,12 +67,12 @@ pub(crate) trait Exchange: Sized {
 impl<'f, 'g> Rebuild<'f, 'g> {
     /// `outputs` made anew.
     pub(crate) fn outputs(fold: &'f mut Fold<'g>, outputs: &[Scalar], exchange: &mut impl Exchange) -> Vec<Scalar> {
-        let mut rebuild = Self { fold, done: HashMap::new() };
+        let mut rebuild = Self { fold, done: Table::default() };
         outputs.iter().map(|&s| rebuild.scalar(exchange, s)).collect()
     }
 
     pub(crate) fn scalar(&mut self, exchange: &mut impl Exchange, s: Scalar) -> Scalar {
-        if let Some(&done) = self.done.get(&s) {
+        if let Some(&done) = self.done.get(s) {
             return done;
         }
         let made = exchange.exchange(self, s).unwrap_or_else(|| self.kept(exchange, s));

@@ -1,9 +1,8 @@
 //! Derivatives by a forward sweep: everything's change with one variable.
 
-use std::collections::{HashMap, HashSet};
-
 use crate::order::{Node, Selects};
 use crate::rules::COMPOSITIONS;
+use crate::table::{NodeSet, Table};
 use crate::{Graph, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
 impl Graph {
@@ -12,9 +11,9 @@ impl Graph {
         let outputs = self.rewrite_by(outputs, &COMPOSITIONS);
         let order = self.order(&outputs, Selects::Through);
         let active = self.active(&order, &[variable]);
-        let mut sweep = Sweep { g: self, variable, active, scalars: HashMap::new(), vectors: HashMap::new() };
+        let mut sweep = Sweep { g: self, variable, active, scalars: Table::default(), vectors: Table::default() };
         for node in order {
-            if sweep.active.contains(&node) {
+            if sweep.active.contains(node) {
                 match node {
                     Node::Scalar(s) => {
                         let tangent = sweep.scalar(s);
@@ -29,26 +28,26 @@ impl Graph {
             }
         }
         let found = sweep.scalars;
-        outputs.iter().map(|s| found.get(s).copied().unwrap_or_else(|| self.constant(0.0))).collect()
+        outputs.iter().map(|s| found.copied(*s).unwrap_or_else(|| self.constant(0.0))).collect()
     }
 }
 
 struct Sweep<'g> {
     g: &'g mut Graph,
     variable: Variable,
-    active: HashSet<Node>,
+    active: NodeSet,
     /// d scalar / d variable, of those that depend on it.
-    scalars: HashMap<Scalar, Scalar>,
-    vectors: HashMap<Vector, Vector>,
+    scalars: Table<Scalar, Scalar>,
+    vectors: Table<Vector, Vector>,
 }
 
 impl Sweep<'_> {
     fn of_scalar(&mut self, scalar: Scalar) -> Scalar {
-        self.scalars.get(&scalar).copied().unwrap_or_else(|| self.g.constant(0.0))
+        self.scalars.copied(scalar).unwrap_or_else(|| self.g.constant(0.0))
     }
 
     fn of_vector(&self, vector: Vector) -> Option<Vector> {
-        self.vectors.get(&vector).copied()
+        self.vectors.copied(vector)
     }
 
     fn sum(&mut self, terms: impl IntoIterator<Item = Option<Vector>>) -> Option<Vector> {
@@ -83,11 +82,11 @@ impl Sweep<'_> {
             }
             _ => {
                 let scalars = &self.scalars;
-                let partials = self.g.partials(scalar, |part| scalars.contains_key(&part));
+                let partials = self.g.partials(scalar, |part| scalars.contains(part));
                 partials
                     .into_iter()
                     .map(|(part, partial)| {
-                        let change = self.scalars[&part];
+                        let change = self.of_scalar(part);
                         self.g.times(change, partial)
                     })
                     .collect()
@@ -112,7 +111,7 @@ impl Sweep<'_> {
             },
             VectorNode::Neg(v) => self.of_vector(v).map(|v| self.g.neg_vector(v)),
             VectorNode::Scale(k, v) => {
-                let of_k = self.scalars.get(&k).copied();
+                let of_k = self.scalars.copied(k);
                 let of_k = of_k.map(|change| self.g.scale(change, v));
                 let of_v = self.of_vector(v).map(|change| self.g.scale(k, change));
                 self.sum([of_k, of_v])
@@ -120,7 +119,7 @@ impl Sweep<'_> {
             VectorNode::Rotate(rotation, v) => {
                 let of_v = self.of_vector(v).map(|change| self.g.rotate(rotation, change));
                 let of_angle = self.g.swing(rotation, vector).and_then(|(angle, perp)| match self.g.radians(angle) {
-                    Some(radians) => self.scalars.get(&radians).copied().map(|change| self.g.scale(change, perp)),
+                    Some(radians) => self.scalars.copied(radians).map(|change| self.g.scale(change, perp)),
                     None => (self.variable == Variable::Angle(angle)).then_some(perp),
                 });
                 self.sum([of_angle, of_v])

@@ -1,9 +1,8 @@
 //! The driver of the rules: bottom up, each node once, until no rule applies.
 
-use std::collections::{HashMap, HashSet};
-
 use crate::node::Parts;
 use crate::rules::{ROTATIONS, RuleSet, Rules, Sums};
+use crate::table::Table;
 use crate::{Angle, Graph, Rotation, Scalar, Vector};
 
 /// Rewrites for each node of a statement. The rules end by themselves long before; this is what makes the end certain.
@@ -30,7 +29,7 @@ impl Graph {
     ) -> Vec<Scalar> {
         let fuel = FUEL_PER_NODE * self.size(scalars);
         let shared = match set.sums {
-            Sums::Open => HashSet::new(),
+            Sums::Open => Table::default(),
             Sums::Shared => self.shared_vectors(scalars),
         };
         let mut tidy = Tidy {
@@ -40,9 +39,9 @@ impl Graph {
             log,
             fuel,
             shared,
-            scalars: HashMap::new(),
-            vectors: HashMap::new(),
-            rotations: HashMap::new(),
+            scalars: Table::default(),
+            vectors: Table::default(),
+            rotations: Table::default(),
         };
         let rewritten = scalars.iter().map(|&s| tidy.scalar(s)).collect();
         self.open_all();
@@ -75,10 +74,10 @@ struct Tidy<'g> {
     log: &'g mut Log,
     fuel: usize,
     /// What is needed in more than one place.
-    shared: HashSet<Vector>,
-    scalars: HashMap<Scalar, Scalar>,
-    vectors: HashMap<Vector, Vector>,
-    rotations: HashMap<Rotation, Rotation>,
+    shared: Table<Vector, ()>,
+    scalars: Table<Scalar, Scalar>,
+    vectors: Table<Vector, Vector>,
+    rotations: Table<Rotation, Rotation>,
 }
 
 impl Tidy<'_> {
@@ -95,7 +94,7 @@ impl Tidy<'_> {
 
 impl Parts for Tidy<'_> {
     fn scalar(&mut self, scalar: Scalar) -> Scalar {
-        if let Some(&done) = self.scalars.get(&scalar) {
+        if let Some(&done) = self.scalars.get(scalar) {
             return done;
         }
         let mut current = self.scalar_parts(scalar);
@@ -114,7 +113,7 @@ impl Parts for Tidy<'_> {
     }
 
     fn vector(&mut self, vector: Vector) -> Vector {
-        if let Some(&done) = self.vectors.get(&vector) {
+        if let Some(&done) = self.vectors.get(vector) {
             return done;
         }
         let mut current = self.vector_parts(vector);
@@ -128,7 +127,7 @@ impl Parts for Tidy<'_> {
             self.log.applied.push(name);
             current = self.vector_parts(next);
         }
-        if self.shared.contains(&vector) {
+        if self.shared.contains(vector) {
             self.g.close(current);
         }
         self.vectors.insert(vector, current);
@@ -136,7 +135,7 @@ impl Parts for Tidy<'_> {
     }
 
     fn rotation(&mut self, rotation: Rotation) -> Rotation {
-        if let Some(&done) = self.rotations.get(&rotation) {
+        if let Some(&done) = self.rotations.get(rotation) {
             return done;
         }
         let node = self.g.rotation_node(rotation).map(self);
