@@ -26,13 +26,13 @@ pub extern "C" fn aimed(x: f32, y: f32, z: f32) -> f32 {
 
 /// The eye's aim, for four characters at once.
 #[cfg(feature = "lanes")]
-pub extern "C" fn aims(x: &[f32; 4], y: &[f32; 4], z: &[f32; 4]) -> [f32; 4] {
+pub extern "C" fn aims(x: &[f32; 4], y: &[f32; 4], z: &[f32; 4], aims: &mut [f32; 4]) {
     use aim::wide::f32x4;
     let (zero, one) = (f32x4::ZERO, f32x4::ONE);
     let link = [one, zero, zero, zero, one, zero, zero, zero, one, zero, zero, zero];
     let target = [x, y, z].map(|coordinates| f32x4::new(*coordinates));
     let [aim, ..] = Thug::default().aim_gradient(0, &link, &target, &[zero, one, zero, one]);
-    aim.to_array()
+    *aims = aim.to_array();
 }
 
 #[panic_handler]
