@@ -1,4 +1,51 @@
 #![doc = include_str!("../README.md")]
+//! # Feature flags
+//!
+//! - `std` (default): sines, cosines and square roots from the standard library.
+//! - `libm`: the same from `libm`, for targets without a standard library.
+//! - `rigs`: the bundled rigs, in `aim::rigs`.
+//! - `wide`: kernels in lanes, see below. Needs Rust 1.89, as the crate [`wide`](https://docs.rs/wide) does, which is
+//!   re-exported as `aim::wide`.
+//!
+//! # Eight characters at once
+//!
+//! A rig's kernels ([`AimRig::aim_gradient`], [`AimRig::chain_value_gradient`], [`AimRig::chain_residual_jacobian`]) are
+//! generic over [`Scalar`], and with the feature `wide` its vectors are scalars too: one call serves as many characters
+//! as the vector has lanes. A lane gives the very bits that a call for its character alone gives, and does not notice
+//! the others. That is for crowds with a solver of their own; [`AimRig::aim`] moves one character.
+//!
+//! ```
+//! # #[cfg(feature = "wide")] {
+//! use aim::wide::f32x8;
+//! use aim::{AimRig, Joint};
+//!
+//! #[derive(AimRig)]
+//! #[aim(bones(up = +X, forward = +Y, left = +Z))]
+//! struct Owl {
+//!     #[joint(heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg)]
+//!     neck: Joint,
+//! }
+//!
+//! // Eight owls look along +Y. Their targets go from straight ahead to the left; the last one's is in its own eye.
+//! let (zero, one) = (f32x8::ZERO, f32x8::ONE);
+//! let eye_to_neck = [one, zero, zero, zero, one, zero, zero, zero, one, zero, zero, zero];
+//! let target = [
+//!     zero,
+//!     f32x8::new([4.0, 4.0, 4.0, 4.0, 3.0, 2.0, 1.0, 0.0]),
+//!     f32x8::new([0.0, 1.0, 2.0, 3.0, 4.0, 4.0, 4.0, 0.0]),
+//! ];
+//! let [sin_pitch, cos_pitch, sin_heading, cos_heading] = [zero, one, zero, one];
+//!
+//! let owls = Owl::default();
+//! let sin_cos = [sin_pitch, cos_pitch, sin_heading, cos_heading];
+//! let [aim, by_pitch, by_heading] = owls.aim_gradient(0, &eye_to_neck, &target, &sin_cos);
+//!
+//! assert_eq!(aim.to_array()[0], 1.0); // on target
+//! assert!(by_heading.to_array()[1..7].iter().all(|&slope| slope > 0.0)); // to be turned to the left
+//! assert_eq!(aim.to_array()[7], 0.0); // nothing to aim at: zero, in this lane alone
+//! assert_eq!(by_pitch.to_array(), [0.0; 8]); // none of them is above or below
+//! # }
+//! ```
 #![no_std]
 
 pub use aim_derive::AimRig;

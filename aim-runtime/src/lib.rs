@@ -8,6 +8,8 @@
 //!
 //! - `std` (default): sines, cosines and square roots from the standard library.
 //! - `libm`: the same from `libm`, for targets without a standard library.
+//! - `wide`: [`Scalar`] for the vectors of the [`wide`](https://docs.rs/wide) crate, so that one call of a kernel serves
+//!   as many characters as the vector has lanes. Needs Rust 1.89, as that crate does; works with `std` and with `libm`.
 #![no_std]
 #![allow(
     clippy::neg_cmp_op_on_partial_ord,
@@ -40,3 +42,5 @@ pub use pose::{ChainPose, Pose};
 pub use rig::{AimRig, Axes, Corrections, Effector};
 pub use scalar::Scalar;
 pub use settings::{Ascent, Settings};
+#[cfg(feature = "wide")]
+pub use wide;

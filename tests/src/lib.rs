@@ -4,6 +4,7 @@ pub mod c;
 pub mod compare;
 mod declarations;
 pub mod kinematics;
+pub mod lanes;
 pub mod oracle;
 pub mod random;
 pub mod rigs;

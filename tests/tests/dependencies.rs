@@ -87,6 +87,7 @@ fn of_the_facade_are_those_of_the_derive_and_glam() {
         compiled("aim-rig", &["--no-default-features", "--features", "libm"]),
         facade(&["aim-rig", "aim-runtime", "glam", "libm"])
     );
-    // That the two above would notice: with the bundled rigs the build script reads TOML.
+    // That the two above would notice: with the bundled rigs the build script reads TOML, and lanes are of `wide`.
     assert!(compiled("aim-rig", &["--features", "rigs"]).contains("toml"));
+    assert!(compiled("aim-rig", &["--features", "wide"]).contains("wide"));
 }

@@ -1,7 +1,7 @@
 //! A rig in a static library without a standard library.
 //!
 //! It defines the panic handler itself, so it builds only if nothing below it links `std`, which has one. `.ci/run`
-//! builds it; and builds it with the feature `with-std`, which has to fail for just that reason.
+//! builds it, with lanes too; and builds it with the feature `with-std`, which has to fail for just that reason.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -22,6 +22,17 @@ pub extern "C" fn aimed(x: f32, y: f32, z: f32) -> f32 {
     let mut thug = Thug::default();
     let pose = Pose { joints: [Affine3A::IDENTITY; 2] };
     thug.aim(&pose, Vec3::new(x, y, z), 1.0 / 60.0).remaining
+}
+
+/// The eye's aim, for four characters at once.
+#[cfg(feature = "lanes")]
+pub extern "C" fn aims(x: &[f32; 4], y: &[f32; 4], z: &[f32; 4], aims: &mut [f32; 4]) {
+    use aim::wide::f32x4;
+    let (zero, one) = (f32x4::ZERO, f32x4::ONE);
+    let link = [one, zero, zero, zero, one, zero, zero, zero, one, zero, zero, zero];
+    let target = [x, y, z].map(|coordinates| f32x4::new(*coordinates));
+    let [aim, ..] = Thug::default().aim_gradient(0, &link, &target, &[zero, one, zero, one]);
+    *aims = aim.to_array();
 }
 
 #[panic_handler]
