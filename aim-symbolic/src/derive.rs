@@ -6,7 +6,7 @@ use crate::products::SHARE;
 use crate::program::DIVIDE_ONCE;
 use crate::rules::{ACROSS_FOR_CROSS, DIRECTIONS, ROTATIONS, Rules, SCALES, SPREAD, WORDING};
 use crate::tidy::Log;
-use crate::{Count, Graph, Placement, Program, Scalar, Variable};
+use crate::{Graph, Placement, Program, Scalar, Variable};
 
 /// What a program is asked for: a value, or one of its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,19 +26,6 @@ impl Want {
     }
 }
 
-/// A rule that changed a program's operation count.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Step {
-    /// Its name, or what came instead.
-    pub rule: &'static str,
-    /// How often it was applied in a row.
-    pub times: usize,
-    /// The operations of the program if rewriting had stopped before it.
-    pub before: Count,
-    /// The operations of the program if rewriting had stopped after it.
-    pub after: Count,
-}
-
 /// How derivatives are taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Sweep {
@@ -50,14 +37,14 @@ enum Sweep {
 
 /// One way through the choices.
 #[derive(Clone, Debug)]
-struct Choices {
+pub(crate) struct Choices {
     sweep: Sweep,
     /// The rules that lose against their competitor.
     without: Vec<&'static str>,
 }
 
-/// Rules of components, which come last and all at once.
-const ARITHMETIC: [&str; 6] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, DIVIDE_ONCE];
+/// Rules of components: what any compiler of formulas does, all at once.
+pub(crate) const ARITHMETIC: [&str; 6] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, DIVIDE_ONCE];
 
 /// Where rotations end up is a choice against leaving them where they are stated.
 const SIDES: [&str; 3] = [
@@ -85,41 +72,10 @@ impl Program {
     pub fn derive_without(g: &mut Graph, wanted: &[Want], without: &[&str]) -> Self {
         choose(g, wanted, without).0
     }
-
-    /// The rules that led from the statement to the program, with the count of the program before and after each: if
-    /// rewriting had stopped there, and derivatives had been taken of what was there.
-    pub fn trace(g: &mut Graph, wanted: &[Want]) -> Vec<Step> {
-        let (_, choices) = choose(g, wanted, &[]);
-        let count = |g: &mut Graph, log: &mut Log, off: &[&str]| attempt(g, wanted, &choices, off, log).count();
-        let mut all = Log::default();
-        count(g, &mut all, &ARITHMETIC);
-        let mut steps: Vec<Step> = Vec::new();
-        let mut before = count(g, &mut Log::limited(0), &ARITHMETIC);
-        let mut record = |rule: &'static str, after: Count| {
-            match steps.last_mut() {
-                Some(last) if last.rule == rule => {
-                    last.times += 1;
-                    last.after = after;
-                }
-                _ => steps.push(Step { rule, times: 1, before, after }),
-            }
-            before = after;
-        };
-        for (applied, &rule) in all.applied.iter().enumerate() {
-            let after = count(g, &mut Log::limited(applied + 1), &ARITHMETIC);
-            record(rule, after);
-        }
-        for on in 1..=ARITHMETIC.len() {
-            let after = count(g, &mut Log::default(), &ARITHMETIC[on..]);
-            record(ARITHMETIC[on - 1], after);
-        }
-        steps.retain(|step| step.before != step.after);
-        steps
-    }
 }
 
 /// The smallest of the bounded number of programs that the choices lead to.
-fn choose(g: &mut Graph, wanted: &[Want], without: &[&str]) -> (Program, Choices) {
+pub(crate) fn choose(g: &mut Graph, wanted: &[Want], without: &[&str]) -> (Program, Choices) {
     let mut best = Choices { sweep: Sweep::Reverse(Placement::Late), without: vec![SPREAD] };
     let mut log = Log::default();
     let mut program = attempt(g, wanted, &best, without, &mut log);
@@ -174,7 +130,7 @@ fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
 }
 
 /// The program by one way through the choices.
-fn attempt(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[&str], log: &mut Log) -> Program {
+pub(crate) fn attempt(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[&str], log: &mut Log) -> Program {
     let off: Vec<&str> = without.iter().chain(&choices.without).copied().collect();
     let rules = Rules { without: &off };
     let stated = distinct(wanted.iter().map(|w| w.stated()));

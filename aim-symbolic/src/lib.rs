@@ -47,9 +47,10 @@ mod scaling;
 mod table;
 mod tangent;
 mod tidy;
+mod trace;
 
 pub use count::Count;
-pub use derive::{Step, Want};
+pub use derive::Want;
 pub use evaluate::Bindings;
 pub use gradient::Placement;
 pub use graph::Graph;
@@ -59,3 +60,4 @@ pub use node::{
     Vector, VectorNode,
 };
 pub use program::{Op, Program, Value};
+pub use trace::Step;

@@ -72,12 +72,12 @@ pub const ROTATIONS: RuleSet = RuleSet {
         ("common rotation", common_rotation),
         ("meet the inverse", meet_inverse),
         ("normalize what was rotated", normalize_rotated),
-        ("pull a rotation out of a normalized sum", normalize_pulls),
     ],
     scalars: &[
         ("norm of what was rotated", norm_rotated),
         ("pull a rotation out of a sum's norm", norm_pulls),
         ("same rotation on both sides of a dot", dot_same_rotation),
+        ("same rotation in a direction and beside it", dot_direction),
         ("rotation to the other side of a dot", dot_other_side),
         ("the constant takes the rotation", dot_constant_takes),
     ],
@@ -362,6 +362,19 @@ fn normalize_rotated(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(g.rotate(rotation, direction))
 }
 
+/// `Rᵀ (a + R b) = Rᵀ a + b`
+fn turned_back(g: &mut Graph, rotation: Rotation, v: Vector) -> Vector {
+    let (cores, rest): (Vec<_>, Vec<_>) =
+        terms(g, v).into_iter().partition(|&(_, term)| leading(g, term).is_some_and(|(r, _)| r == rotation));
+    let mut all: Vec<_> = cores.into_iter().filter_map(|(sign, term)| Some((sign, leading(g, term)?.1))).collect();
+    if !rest.is_empty() {
+        let back = g.transpose(rotation);
+        let rest = sum(g, &rest);
+        all.insert(0, (false, g.rotate(back, rest)));
+    }
+    sum(g, &all)
+}
+
 /// A rotation that a sum's norm does not see: `a + R b` is as long as `Rᵀ a + b`.
 fn pulled(g: &mut Graph, v: Vector) -> Option<(Rotation, Vector)> {
     if !is_sum(g, v) {
@@ -370,17 +383,23 @@ fn pulled(g: &mut Graph, v: Vector) -> Option<(Rotation, Vector)> {
     let pushed = terms(g, v).into_iter().filter_map(|(_, term)| Some((pushed_below(g, term)?, term)));
     let (_, term) = pushed.min_by_key(|&(below, _)| below)?;
     let (rotation, _) = leading(g, term)?;
-    let back = g.transpose(rotation);
-    let turned_back = g.rotate(back, v);
-    Some((rotation, turned_back))
+    Some((rotation, turned_back(g, rotation, v)))
 }
 
-/// `(a + R b) / |a + R b| = R (Rᵀ a + b) / |Rᵀ a + b|`
-fn normalize_pulls(g: &mut Graph, v: Vector) -> Option<Vector> {
-    let VectorNode::Normalize(inner) = g.vector_node(v) else { return None };
-    let (rotation, turned_back) = pulled(g, inner)?;
-    let direction = g.normalize(turned_back);
-    Some(g.rotate(rotation, direction))
+/// `(a + R b) / |a + R b| · R w = (Rᵀ a + b) / |Rᵀ a + b| · w`
+fn dot_direction(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return None };
+    [(a, b), (b, a)].into_iter().find_map(|(direction, other)| {
+        let VectorNode::Normalize(inner) = g.vector_node(direction) else { return None };
+        let (rotation, w) = leading(g, other)?;
+        let is_pushed = |&(_, term): &(bool, Vector)| leading(g, term).is_some_and(|(r, _)| r == rotation);
+        if !is_sum(g, inner) || !terms(g, inner).iter().any(is_pushed) {
+            return None;
+        }
+        let back = turned_back(g, rotation, inner);
+        let back = g.normalize(back);
+        Some(g.dot(back, w))
+    })
 }
 
 /// `|R v| = |v|`
@@ -414,9 +433,8 @@ fn dot_other_side(g: &mut Graph, s: Scalar) -> Option<Scalar> {
         let (rotation, w) = leading(g, pushed)?;
         let cancels = terms(g, v).iter().any(|&(_, t)| leading(g, t).is_some_and(|(r, _)| r == rotation));
         (cancels || !is_turned_constant(g, pushed)).then(|| {
-            let back = g.transpose(rotation);
-            let turned_back = g.rotate(back, v);
-            g.dot(turned_back, w)
+            let back = turned_back(g, rotation, v);
+            g.dot(back, w)
         })
     })
 }
