@@ -4,7 +4,7 @@ use crate::factor::FACTOR;
 use crate::fold::{CONSTANTS, NEGATIONS, ORDER};
 use crate::products::SHARE;
 use crate::program::DIVIDE_ONCE;
-use crate::rules::{ACROSS_FOR_CROSS, DIRECTIONS, ROTATIONS, Rules, SCALES, SPREAD, WORDING};
+use crate::rules::{ACROSS_FOR_CROSS, CANCELLING, DIRECTIONS, OTHER_SIDES, ROTATIONS, Rules, SCALES, SPREAD, WORDING};
 use crate::tidy::Log;
 use crate::{Graph, Placement, Program, Scalar, Variable};
 
@@ -41,17 +41,15 @@ pub(crate) struct Choices {
     sweep: Sweep,
     /// The rules that lose against their competitor.
     without: Vec<&'static str>,
+    /// How many rotations go to the other side of a dot.
+    turned: Option<usize>,
 }
 
 /// Rules of components: what any compiler of formulas does, all at once.
 pub(crate) const ARITHMETIC: [&str; 6] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, DIVIDE_ONCE];
 
-/// Where rotations end up is a choice against leaving them where they are stated.
-const SIDES: [&str; 3] = [
-    "pull a rotation out of a normalized sum",
-    "pull a rotation out of a sum's norm",
-    "rotation to the other side of a dot",
-];
+/// How many ways to share rotations between the sides of dots are compared.
+const MOST_SIDES: usize = 8;
 
 impl Program {
     /// The program of `values` and, after them, of each value's derivatives by `variables`, value by value.
@@ -76,7 +74,7 @@ impl Program {
 
 /// The smallest of the bounded number of programs that the choices lead to.
 pub(crate) fn choose(g: &mut Graph, wanted: &[Want], without: &[&str]) -> (Program, Choices) {
-    let mut best = Choices { sweep: Sweep::Reverse(Placement::Late), without: vec![SPREAD] };
+    let mut best = Choices { sweep: Sweep::Reverse(Placement::Late), without: vec![SPREAD], turned: None };
     let mut log = Log::default();
     let mut program = attempt(g, wanted, &best, without, &mut log);
     let applied = log.applied;
@@ -87,21 +85,26 @@ pub(crate) fn choose(g: &mut Graph, wanted: &[Want], without: &[&str]) -> (Progr
     let values = distinct(wanted.iter().map(|w| w.stated()));
     let derivatives = !variables.is_empty();
 
-    let mut rivals: Vec<fn(&mut Choices)> = Vec::new();
+    let mut rivals: Vec<Box<dyn Fn(&mut Choices)>> = Vec::new();
     if derivatives {
-        rivals.push(|c| c.sweep = Sweep::Reverse(Placement::Early));
+        rivals.push(Box::new(|c| c.sweep = Sweep::Reverse(Placement::Early)));
     }
     if derivatives && variables.len() <= values.len() {
-        rivals.push(|c| c.sweep = Sweep::Forward);
+        rivals.push(Box::new(|c| c.sweep = Sweep::Forward));
     }
     if applied.contains(&"a part across is a difference") {
-        rivals.push(|c| c.without.retain(|&rule| rule != SPREAD));
+        rivals.push(Box::new(|c| c.without.retain(|&rule| rule != SPREAD)));
     }
     if applied.contains(&ACROSS_FOR_CROSS) {
-        rivals.push(|c| c.without.push(ACROSS_FOR_CROSS));
+        rivals.push(Box::new(|c| c.without.push(ACROSS_FOR_CROSS)));
     }
-    if applied.iter().any(|rule| SIDES.contains(rule)) {
-        rivals.push(|c| c.without.extend(SIDES));
+    let is_applied = |rules: &[&str]| applied.iter().filter(|rule| rules.contains(rule)).count();
+    if is_applied(&CANCELLING) == 0 {
+        for fewer in (0..is_applied(&OTHER_SIDES)).rev().take(MOST_SIDES) {
+            rivals.push(Box::new(move |c| c.turned = Some(fewer)));
+        }
+    } else {
+        rivals.push(Box::new(|c| c.without.extend(OTHER_SIDES.iter().chain(&CANCELLING))));
     }
     for change in rivals {
         let mut rival = best.clone();
@@ -132,7 +135,7 @@ fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
 /// The program by one way through the choices.
 pub(crate) fn attempt(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[&str], log: &mut Log) -> Program {
     let off: Vec<&str> = without.iter().chain(&choices.without).copied().collect();
-    let rules = Rules { without: &off };
+    let rules = Rules { without: &off, turned: choices.turned };
     let stated = distinct(wanted.iter().map(|w| w.stated()));
     let worded = g.rewrite_with(&stated, &WORDING, &rules, log);
     let values = g.rewrite_with(&worded, &ROTATIONS, &rules, log);

@@ -83,7 +83,7 @@ pub struct Program {
 impl Program {
     /// The program of `outputs` as they are stated: lowered, folded and ordered, nothing else.
     pub fn compile(g: &mut Graph, outputs: &[Scalar]) -> Self {
-        Self::compile_with(g, outputs, &Rules { without: &[SHARE, FACTOR] })
+        Self::compile_with(g, outputs, &Rules { without: &[SHARE, FACTOR], ..Rules::default() })
     }
 
     /// The same by some of the rules, sums factored unless that is switched off.

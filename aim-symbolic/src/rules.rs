@@ -11,6 +11,18 @@ pub(crate) const ACROSS_FOR_CROSS: &str = "the part across is as long as the cro
 /// A scaled difference in a sum with its own subtrahend is taken apart: one of two ways to write the sum.
 pub(crate) const SPREAD: &str = "spread a scaled difference over its sum";
 
+/// Of a dot's two sides either can be rotated; how far to go is a choice.
+const OTHER_SIDE: &str = "rotation to the other side of a dot";
+/// The same for the terms of a sum of which only the norm is needed.
+const NORM_SIDE: &str = "pull a rotation out of a sum's norm";
+/// The same for its square.
+const SQUARE_SIDE: &str = "pull a rotation out of a sum's square";
+/// The rules that turn something else than before by as much.
+pub(crate) const OTHER_SIDES: [&str; 3] = [OTHER_SIDE, NORM_SIDE, SQUARE_SIDE];
+/// The rules by which rotations vanish.
+pub(crate) const CANCELLING: [&str; 2] =
+    ["same rotation in a direction and beside it", "rotation cancels on the other side of a dot"];
+
 /// A rule for vectors.
 pub type VectorRule = fn(&mut Graph, Vector) -> Option<Vector>;
 /// A rule for scalars.
@@ -41,6 +53,8 @@ pub enum Sums {
 pub struct Rules<'a> {
     /// The names of those switched off.
     pub without: &'a [&'a str],
+    /// How often a rotation may go to the other side of a dot or norm without cancelling there; `None` for wherever it can.
+    pub turned: Option<usize>,
 }
 
 impl Rules<'_> {
@@ -75,10 +89,12 @@ pub const ROTATIONS: RuleSet = RuleSet {
     ],
     scalars: &[
         ("norm of what was rotated", norm_rotated),
-        ("pull a rotation out of a sum's norm", norm_pulls),
+        (NORM_SIDE, norm_pulls),
+        (SQUARE_SIDE, square_pulls),
         ("same rotation on both sides of a dot", dot_same_rotation),
-        ("same rotation in a direction and beside it", dot_direction),
-        ("rotation to the other side of a dot", dot_other_side),
+        (CANCELLING[0], dot_direction),
+        (CANCELLING[1], dot_cancels),
+        (OTHER_SIDE, dot_other_side),
         ("the constant takes the rotation", dot_constant_takes),
     ],
     sums: Sums::Open,
@@ -416,6 +432,13 @@ fn norm_pulls(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     Some(g.norm(turned_back))
 }
 
+/// `(a + R b)² = (Rᵀ a + b)²`
+fn square_pulls(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let ScalarNode::Dot(v, w) = g.scalar_node(s) else { return None };
+    let (_, turned_back) = if v == w { pulled(g, v)? } else { return None };
+    Some(g.dot(turned_back, turned_back))
+}
+
 /// `R v · R w = v · w`
 fn dot_same_rotation(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     let ScalarNode::Dot(v, w) = g.scalar_node(s) else { return None };
@@ -423,20 +446,34 @@ fn dot_same_rotation(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     (r == q).then(|| g.dot(v, w))
 }
 
-/// `v · R w = Rᵀ v · w`, unless that is a rotated constant and nothing of `v` cancels.
-fn dot_other_side(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return None };
-    let mut sides: Vec<(usize, Vector, Vector)> =
+/// The sides of a dot that a rotation pushed forward, the one with the fewest changes of basis before it first.
+fn pushed_sides(g: &Graph, s: Scalar) -> Vec<(Vector, Vector)> {
+    let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return Vec::new() };
+    let mut sides: Vec<_> =
         [(a, b), (b, a)].into_iter().filter_map(|(v, pushed)| Some((pushed_below(g, pushed)?, v, pushed))).collect();
     sides.sort_by_key(|&(below, ..)| below);
-    sides.into_iter().find_map(|(_, v, pushed)| {
-        let (rotation, w) = leading(g, pushed)?;
-        let cancels = terms(g, v).iter().any(|&(_, t)| leading(g, t).is_some_and(|(r, _)| r == rotation));
-        (cancels || !is_turned_constant(g, pushed)).then(|| {
-            let back = turned_back(g, rotation, v);
-            g.dot(back, w)
-        })
-    })
+    sides.into_iter().map(|(_, v, pushed)| (v, pushed)).collect()
+}
+
+fn turn_other_side(g: &mut Graph, v: Vector, pushed: Vector) -> Option<Scalar> {
+    let (rotation, w) = leading(g, pushed)?;
+    let back = turned_back(g, rotation, v);
+    Some(g.dot(back, w))
+}
+
+/// `(a + R b) · R w = (Rᵀ a + b) · w`
+fn dot_cancels(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let (v, pushed) = pushed_sides(g, s).into_iter().find(|&(v, pushed)| {
+        let (outer, _) = leading(g, pushed).unzip();
+        terms(g, v).iter().any(|&(_, t)| leading(g, t).unzip().0 == outer)
+    })?;
+    turn_other_side(g, v, pushed)
+}
+
+/// `v · R w = Rᵀ v · w`, unless `R w` is a rotated constant, which costs least.
+fn dot_other_side(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let (v, pushed) = pushed_sides(g, s).into_iter().find(|&(_, pushed)| !is_turned_constant(g, pushed))?;
+    turn_other_side(g, v, pushed)
 }
 
 /// `Rᵀ v · c = v · R c`: rotating a constant costs least, nothing at all for an axis.

@@ -1,7 +1,7 @@
 //! The driver of the rules: bottom up, each node once, until no rule applies.
 
 use crate::node::Parts;
-use crate::rules::{ROTATIONS, RuleSet, Rules, Sums};
+use crate::rules::{OTHER_SIDES, ROTATIONS, RuleSet, Rules, Sums};
 use crate::table::Table;
 use crate::{Angle, Graph, Rotation, Scalar, Vector};
 
@@ -81,6 +81,11 @@ struct Tidy<'g> {
 }
 
 impl Tidy<'_> {
+    fn may_apply(&self, rule: &str) -> bool {
+        let within = |most| self.log.applied.iter().filter(|name| OTHER_SIDES.contains(name)).count() < most;
+        self.rules.has(rule) && self.rules.turned.is_none_or(|most| !OTHER_SIDES.contains(&rule) || within(most))
+    }
+
     fn scalar_parts(&mut self, scalar: Scalar) -> Scalar {
         let node = self.g.scalar_node(scalar).map(self);
         self.g.remade_scalar(node)
@@ -100,7 +105,7 @@ impl Parts for Tidy<'_> {
         let mut current = self.scalar_parts(scalar);
         while self.fuel > 0 && self.log.may_apply() {
             let applied = self.set.scalars.iter().find_map(|&(name, rule)| {
-                let applies = self.rules.has(name);
+                let applies = self.may_apply(name);
                 applies.then(|| rule(self.g, current)).flatten().map(|next| (name, next))
             });
             let Some((name, next)) = applied else { break };
@@ -119,7 +124,7 @@ impl Parts for Tidy<'_> {
         let mut current = self.vector_parts(vector);
         while self.fuel > 0 && self.log.may_apply() {
             let applied = self.set.vectors.iter().find_map(|&(name, rule)| {
-                let applies = self.rules.has(name);
+                let applies = self.may_apply(name);
                 applies.then(|| rule(self.g, current)).flatten().map(|next| (name, next))
             });
             let Some((name, next)) = applied else { break };
