@@ -73,8 +73,11 @@ pub(crate) struct Generate {
     /// The rig's declaration.
     pub(crate) rig: PathBuf,
     /// The language to emit.
-    #[arg(long, value_enum)]
-    pub(crate) lang: Language,
+    #[arg(long, value_enum, required_unless_present = "trace")]
+    pub(crate) lang: Option<Language>,
+    /// Instead of code, list which rules brought the operation counts from what to what.
+    #[arg(long, conflicts_with_all = ["lang", "check"])]
+    pub(crate) trace: bool,
     /// Where to write it; standard output if not given.
     #[arg(short, long, value_name = "FILE", conflicts_with = "check")]
     pub(crate) output: Option<PathBuf>,

@@ -12,7 +12,7 @@ pub mod objective;
 mod spec;
 
 pub use names::snake_case;
-pub use objective::{JointOutput, RigPrograms, joint_program};
+pub use objective::{JointOutput, RigPrograms, Trace, joint_program, traces};
 pub use spec::{AngleRange, EffectorSpec, Frame, JointSpec, RigSpec};
 
 /// What `#[derive(AimRig)]` expands to: the implementation, or every error of the declaration.

@@ -20,6 +20,12 @@ pub enum Want {
 }
 
 impl Want {
+    /// `values` and, after them, each value's derivatives by `variables`, value by value.
+    pub fn all<V: Copy + Into<Variable>>(values: &[Scalar], variables: &[V]) -> Vec<Self> {
+        let derivatives = values.iter().flat_map(|&v| variables.iter().map(move |&x| Self::Derivative(v, x.into())));
+        values.iter().map(|&v| Self::Value(v)).chain(derivatives).collect()
+    }
+
     fn stated(self) -> Scalar {
         let (Self::Value(stated) | Self::Derivative(stated, _) | Self::Second(stated, ..)) = self;
         stated
@@ -54,9 +60,7 @@ const MOST_SIDES: usize = 8;
 impl Program {
     /// The program of `values` and, after them, of each value's derivatives by `variables`, value by value.
     pub fn derive<V: Copy + Into<Variable>>(g: &mut Graph, values: &[Scalar], variables: &[V]) -> Self {
-        let derivatives = values.iter().flat_map(|&v| variables.iter().map(move |&x| Want::Derivative(v, x.into())));
-        let wanted: Vec<Want> = values.iter().map(|&v| Want::Value(v)).chain(derivatives).collect();
-        Self::derive_wanted(g, &wanted)
+        Self::derive_wanted(g, &Want::all(values, variables))
     }
 
     /// The program of just what is wanted, in that order.

@@ -1,5 +1,6 @@
 //! `aim generate`: the solver as source text.
 
+use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
@@ -14,7 +15,10 @@ use crate::files;
 
 pub(super) fn run(arguments: &args::Generate) -> Result {
     let spec = files::load_rig(&arguments.rig)?;
-    let code = emit(&spec, arguments.lang);
+    let code = match arguments.lang {
+        Some(language) => emit(&spec, language),
+        None => trace(&spec),
+    };
     if let Some(existing) = &arguments.check {
         return check(existing, &code, arguments);
     }
@@ -39,6 +43,30 @@ fn emit(spec: &RigSpec, language: Language) -> String {
     }
 }
 
+/// The book-keeping of the derivation: operation counts, and the rules that brought them down.
+fn trace(spec: &RigSpec) -> String {
+    let mut out = format!(
+        "{}: operations if rewriting stopped there and derivatives were taken of what was there (sines and cosines given)\n",
+        spec.name
+    );
+    for trace in aim_codegen::traces(spec) {
+        let of = trace.joint.map_or("chain", |joint| spec.joints[joint].name.as_str());
+        let _ = writeln!(out, "\n{of}: {}", trace.outputs);
+        for (i, step) in trace.steps.iter().enumerate() {
+            if i == 0 {
+                let _ = writeln!(out, "{:>6}  as stated", step.before.total());
+            }
+            let rules: Vec<String> = step
+                .rules
+                .iter()
+                .map(|(name, times)| if *times > 1 { format!("{name} (x{times})") } else { (*name).to_owned() })
+                .collect();
+            let _ = writeln!(out, "{:>6}  {}", step.after.total(), rules.join(", "));
+        }
+    }
+    out
+}
+
 fn rust(rig: &Rig<'_>) -> String {
     let tokens = emit::rust::emit_with_struct(rig, &emit::rust::Item::of(rig.spec, quote!(::aim)));
     let header = format!(
@@ -56,7 +84,7 @@ fn check(existing: &Path, code: &str, arguments: &args::Generate) -> Result {
     if found.lines().eq(code.lines()) {
         return Ok(());
     }
-    let language = format!("{:?}", arguments.lang).to_lowercase();
+    let language = arguments.lang.map(|language| format!("{language:?}").to_lowercase()).unwrap_or_default();
     Err(Failure::Check(format!(
         "{} is stale: it is not what {} gives now. Write it again:\n  aim generate {} --lang {language} -o {}",
         existing.display(),

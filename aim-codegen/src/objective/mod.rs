@@ -8,9 +8,9 @@ pub use aim::{chain_aim, joint_aim};
 pub use residual::chain_residual;
 pub use statement::{ChainInputs, JointInputs};
 
-use aim_symbolic::{Graph, Program, Want};
+use aim_symbolic::{Graph, Program, Scalar, Step, Want};
 
-use crate::RigSpec;
+use crate::{JointSpec, RigSpec};
 
 /// All programs of a rig.
 #[derive(Clone, Debug)]
@@ -26,11 +26,64 @@ pub struct RigPrograms {
 impl RigPrograms {
     /// Derives them.
     pub fn derive(spec: &RigSpec) -> Self {
-        Self {
-            joints: (0..spec.joints.len()).map(|joint| joint_program(spec, joint, JointOutput::ALL)).collect(),
-            chain_value_gradient: chain_program(spec, |g, inputs| vec![chain_aim(g, spec, inputs)]),
-            chain_residual_jacobian: chain_program(spec, |g, inputs| chain_residual(g, spec, inputs).to_vec()),
+        let mut joints: Vec<Program> = Vec::new();
+        for (i, joint) in spec.joints.iter().enumerate() {
+            let same = spec.joints[..i].iter().position(|earlier| is_same_problem(earlier, joint));
+            joints.push(match same {
+                Some(same) => joints[same].clone(),
+                None => joint_program(spec, i, JointOutput::ALL),
+            });
         }
+        let [chain_value_gradient, chain_residual_jacobian] =
+            [chain_gradient(spec), chain_jacobian(spec)].map(|mut problem| problem.program());
+        Self { joints, chain_value_gradient, chain_residual_jacobian }
+    }
+}
+
+/// Whether two joints of a rig have the same kernel.
+fn is_same_problem(a: &JointSpec, b: &JointSpec) -> bool {
+    let angles = |joint: &JointSpec| (joint.pitch.is_some(), joint.heading.is_some());
+    a.frame == b.frame && angles(a) == angles(b)
+}
+
+/// What the derivation of a rig's kernels did, step by step.
+#[derive(Clone, Debug)]
+pub struct Trace {
+    /// The joint whose kernel it is, or `None` for a kernel of the whole chain.
+    pub joint: Option<usize>,
+    /// What the kernel gives.
+    pub outputs: &'static str,
+    /// The steps that brought its operation count down.
+    pub steps: Vec<Step>,
+}
+
+/// The book-keeping of every kernel of a rig, each distinct one of the joints once.
+pub fn traces(spec: &RigSpec) -> Vec<Trace> {
+    let distinct = (0..spec.joints.len())
+        .filter(|&i| !spec.joints[..i].iter().any(|earlier| is_same_problem(earlier, &spec.joints[i])));
+    let joints = distinct.map(|joint| Trace {
+        joint: Some(joint),
+        outputs: "aim and its derivatives by pitch and heading",
+        steps: joint_problem(spec, joint, JointOutput::ALL).trace(),
+    });
+    let gradient = Trace { joint: None, outputs: "aim and all its derivatives", steps: chain_gradient(spec).trace() };
+    let jacobian = Trace { joint: None, outputs: "residual and Jacobian", steps: chain_jacobian(spec).trace() };
+    joints.chain([gradient, jacobian]).collect()
+}
+
+/// A statement, and what is wanted of it.
+struct Problem {
+    g: Graph,
+    wanted: Vec<Want>,
+}
+
+impl Problem {
+    fn program(&mut self) -> Program {
+        Program::derive_wanted(&mut self.g, &self.wanted)
+    }
+
+    fn trace(&mut self) -> Vec<Step> {
+        Program::trace(&mut self.g, &self.wanted)
     }
 }
 
@@ -52,26 +105,34 @@ impl JointOutput {
 
 /// The program of some outputs of one joint's aim, everything nearer the effector held still.
 pub fn joint_program(spec: &RigSpec, joint: usize, outputs: &[JointOutput]) -> Program {
+    joint_problem(spec, joint, outputs).program()
+}
+
+fn joint_problem(spec: &RigSpec, joint: usize, outputs: &[JointOutput]) -> Problem {
     let mut g = Graph::new();
     let inputs = JointInputs::declare(&mut g);
     let aim = joint_aim(&mut g, spec, joint, &inputs);
-    let wanted: Vec<Want> = outputs
-        .iter()
-        .map(|output| match output {
-            JointOutput::Aim => Want::Value(aim),
-            JointOutput::ByPitch => Want::Derivative(aim, inputs.pitch.into()),
-            JointOutput::ByHeading => Want::Derivative(aim, inputs.heading.into()),
-        })
-        .collect();
-    Program::derive_wanted(&mut g, &wanted)
+    let want = |output: &JointOutput| match output {
+        JointOutput::Aim => Want::Value(aim),
+        JointOutput::ByPitch => Want::Derivative(aim, inputs.pitch.into()),
+        JointOutput::ByHeading => Want::Derivative(aim, inputs.heading.into()),
+    };
+    let wanted = outputs.iter().map(want).collect();
+    Problem { g, wanted }
 }
 
-fn chain_program(
-    spec: &RigSpec,
-    objective: impl FnOnce(&mut Graph, &ChainInputs) -> Vec<aim_symbolic::Scalar>,
-) -> Program {
+fn chain_gradient(spec: &RigSpec) -> Problem {
+    chain_problem(spec, |g, inputs| vec![chain_aim(g, spec, inputs)])
+}
+
+fn chain_jacobian(spec: &RigSpec) -> Problem {
+    chain_problem(spec, |g, inputs| chain_residual(g, spec, inputs).to_vec())
+}
+
+fn chain_problem(spec: &RigSpec, objective: impl FnOnce(&mut Graph, &ChainInputs) -> Vec<Scalar>) -> Problem {
     let mut g = Graph::new();
     let inputs = ChainInputs::declare(&mut g, spec.joints.len());
     let values = objective(&mut g, &inputs);
-    Program::derive(&mut g, &values, &inputs.declared_angles(spec))
+    let wanted = Want::all(&values, &inputs.declared_angles(spec));
+    Problem { g, wanted }
 }
