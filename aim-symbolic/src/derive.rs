@@ -4,7 +4,9 @@ use crate::factor::FACTOR;
 use crate::fold::{CONSTANTS, NEGATIONS, ORDER};
 use crate::products::SHARE;
 use crate::program::DIVIDE_ONCE;
-use crate::rules::{ACROSS_FOR_CROSS, CANCELLING, DIRECTIONS, OTHER_SIDES, ROTATIONS, Rules, SCALES, SPREAD, WORDING};
+use crate::rules::{
+    ACROSS_FOR_CROSS, CANCELLING, DIRECTIONS, MERGE_SHARED, OTHER_SIDES, ROTATIONS, Rules, SCALES, SPREAD, WORDING,
+};
 use crate::tidy::Log;
 use crate::{Graph, Placement, Program, Scalar, Variable};
 
@@ -98,6 +100,9 @@ pub(crate) fn choose(g: &mut Graph, wanted: &[Want], without: &[&str]) -> (Progr
     }
     if applied.contains(&"a part across is a difference") {
         rivals.push(Box::new(|c| c.without.retain(|&rule| rule != SPREAD)));
+    }
+    if applied.contains(&MERGE_SHARED) {
+        rivals.push(Box::new(|c| c.without.push(MERGE_SHARED)));
     }
     if applied.contains(&ACROSS_FOR_CROSS) {
         rivals.push(Box::new(|c| c.without.push(ACROSS_FOR_CROSS)));

@@ -8,6 +8,8 @@ use crate::{Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNod
 
 /// A cross product with a direction is as long as the part across it: one of two ways to the same length.
 pub(crate) const ACROSS_FOR_CROSS: &str = "the part across is as long as the cross product";
+/// A scaled vector that is needed elsewhere too gives up its factor all the same.
+pub(crate) const MERGE_SHARED: &str = "merge scales of shared vectors";
 /// A scaled difference in a sum with its own subtrahend is taken apart: one of two ways to write the sum.
 pub(crate) const SPREAD: &str = "spread a scaled difference over its sum";
 
@@ -133,6 +135,7 @@ pub const SCALES: RuleSet = RuleSet {
         ("fold constant basis", fold_basis),
         ("one reciprocal for a direction", crate::scaling::expand_normalize),
         ("merge scales", crate::scaling::merge),
+        (MERGE_SHARED, crate::scaling::merge_shared),
         ("scale after the operation", crate::scaling::out_of_operation),
         ("sign after the operation", crate::scaling::sign_out_of_operation),
         ("a part across is a difference", directions::expand_across),

@@ -18,8 +18,14 @@ pub(crate) fn expand_normalize(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(g.scale(reciprocal, inner))
 }
 
-/// `k (m v) = (k m) v`
+/// `k (m v) = (k m) v`, where `m v` is needed nowhere else.
 pub(crate) fn merge(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let (_, inner) = scaled(g, v)?;
+    if g.is_closed(inner) { None } else { merge_shared(g, v) }
+}
+
+/// `k (m v) = (k m) v`
+pub(crate) fn merge_shared(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (k, inner) = scaled(g, v)?;
     let (m, core) = scaled(g, inner)?;
     let product = g.mul(k, m);
