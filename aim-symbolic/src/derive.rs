@@ -3,7 +3,7 @@
 use crate::factor::FACTOR;
 use crate::fold::{CONSTANTS, NEGATIONS, ORDER};
 use crate::products::SHARE;
-use crate::program::DIVIDE_ONCE;
+use crate::program::{DIVIDE_ONCE, Effort};
 use crate::rules::{
     ACROSS_FOR_CROSS, CANCELLING, DIRECTIONS, MERGE_SHARED, OTHER_SIDES, ROTATIONS, Rules, SCALES, SPREAD, WORDING,
 };
@@ -82,7 +82,8 @@ impl Program {
 pub(crate) fn choose(g: &mut Graph, wanted: &[Want], without: &[&str]) -> (Program, Choices) {
     let mut best = Choices { sweep: Sweep::Reverse(Placement::Late), without: vec![SPREAD], turned: None };
     let mut log = Log::default();
-    let mut program = attempt(g, wanted, &best, without, &mut log);
+    let mut outputs = rewritten(g, wanted, &best, without, &mut log);
+    let mut least = cost(&compiled(g, &outputs, &best, without, Effort::Compare));
     let applied = log.applied;
     let variables = distinct(wanted.iter().filter_map(|w| match *w {
         Want::Derivative(_, x) => Some(x),
@@ -118,12 +119,16 @@ pub(crate) fn choose(g: &mut Graph, wanted: &[Want], without: &[&str]) -> (Progr
     for change in rivals {
         let mut rival = best.clone();
         change(&mut rival);
-        let smaller = attempt(g, wanted, &rival, without, &mut Log::default());
-        if cost(&smaller) < cost(&program) {
-            (program, best) = (smaller, rival);
+        let tried = rewritten(g, wanted, &rival, without, &mut Log::default());
+        if tried == outputs {
+            continue;
+        }
+        let needed = cost(&compiled(g, &tried, &rival, without, Effort::Compare));
+        if needed < least {
+            (outputs, least, best) = (tried, needed, rival);
         }
     }
-    (program, best)
+    (compiled(g, &outputs, &best, without, Effort::Finish), best)
 }
 
 fn cost(program: &Program) -> (usize, usize, usize) {
@@ -142,7 +147,25 @@ fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
 }
 
 /// The program by one way through the choices.
-pub(crate) fn attempt(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[&str], log: &mut Log) -> Program {
+pub(crate) fn attempt(
+    g: &mut Graph,
+    wanted: &[Want],
+    choices: &Choices,
+    without: &[&str],
+    log: &mut Log,
+    effort: Effort,
+) -> Program {
+    let outputs = rewritten(g, wanted, choices, without, log);
+    compiled(g, &outputs, choices, without, effort)
+}
+
+fn compiled(g: &mut Graph, outputs: &[Scalar], choices: &Choices, without: &[&str], effort: Effort) -> Program {
+    let off: Vec<&str> = without.iter().chain(&choices.without).copied().collect();
+    Program::compile_with(g, outputs, &Rules { without: &off, turned: choices.turned }, effort)
+}
+
+/// What is wanted, rewritten by one way through the choices.
+fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[&str], log: &mut Log) -> Vec<Scalar> {
     let off: Vec<&str> = without.iter().chain(&choices.without).copied().collect();
     let rules = Rules { without: &off, turned: choices.turned };
     let stated = distinct(wanted.iter().map(|w| w.stated()));
@@ -207,6 +230,5 @@ pub(crate) fn attempt(g: &mut Graph, wanted: &[Want], choices: &Choices, without
         })
         .collect();
     let outputs = g.rewrite_with(&outputs, &DIRECTIONS, &rules, log);
-    let outputs = g.rewrite_with(&outputs, &SCALES, &rules, log);
-    Program::compile_with(g, &outputs, &rules)
+    g.rewrite_with(&outputs, &SCALES, &rules, log)
 }

@@ -1,7 +1,7 @@
 //! Shared products on components: of `(a b) c` and `(b c) d` the product `b c` is made once.
 
 use crate::fold::Fold;
-use crate::rebuild::{Exchange, Rebuild, Uses};
+use crate::rebuild::{Exchange, Rebuild, Uses, operands};
 use crate::table::{NodeMap, Table};
 use crate::{Scalar, ScalarNode};
 
@@ -15,10 +15,22 @@ struct Chain {
     changed: bool,
 }
 
+/// Which products are taken apart: to take shared ones apart may lose or gain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Open {
+    /// Those that are a factor of one other product and nothing else.
+    Private,
+    /// Those that others need too.
+    Shared,
+}
+
+/// Products of more factors stay as they are: a high power is better squared than taken apart.
+const MOST_FACTORS: usize = 12;
+
 /// `outputs`, which are lowered, with products in the order in which they share most.
-pub(crate) fn share_products(fold: &mut Fold<'_>, outputs: &[Scalar]) -> Vec<Scalar> {
+pub(crate) fn share_products(fold: &mut Fold<'_>, outputs: &[Scalar], open: Open) -> Vec<Scalar> {
     let uses = Uses::of(fold.g, outputs);
-    let mut chains = chains(fold, &uses);
+    let mut chains = chains(fold, &uses, outputs, open);
     while let Some((a, b)) = most_shared(&chains) {
         let product = fold.mul(a, b);
         for chain in &mut chains {
@@ -47,31 +59,47 @@ impl Exchange for Shared {
     }
 }
 
-/// Every product that is not itself just a factor of one other.
-fn chains(fold: &Fold<'_>, uses: &Uses) -> Vec<Chain> {
+/// The products that something else than a product needs, each with its factors.
+fn chains(fold: &Fold<'_>, uses: &Uses, outputs: &[Scalar], open: Open) -> Vec<Chain> {
     let is_product = |s: Scalar| matches!(fold.g.scalar_node(s), ScalarNode::Mul(..));
+    let mut roots = Table::default();
     let mut inner = Table::default();
-    for &s in uses.order() {
-        if let ScalarNode::Mul(a, b) = fold.g.scalar_node(s) {
-            for part in [a, b].into_iter().filter(|&part| is_product(part) && uses.once(part)) {
-                inner.insert(part, ());
-            }
+    let mut sort = |part: Scalar, in_product: bool| {
+        if is_product(part) {
+            let opens = in_product && (open == Open::Shared || uses.once(part));
+            if opens {
+                inner.insert(part, ())
+            } else {
+                roots.insert(part, ())
+            };
         }
+    };
+    outputs.iter().for_each(|&s| sort(s, false));
+    for &s in uses.order() {
+        operands(fold.g.scalar_node(s)).for_each(|part| sort(part, is_product(s)));
     }
-    let roots = uses.order().iter().copied().filter(|&s| is_product(s) && !inner.contains(s));
+    let roots = uses.order().iter().copied().filter(|&s| roots.contains(s));
     roots
         .map(|root| {
             let mut factors = Vec::new();
             collect(fold, &inner, root, &mut factors);
             Chain { root, factors, changed: false }
         })
+        .filter(|chain| chain.factors.len() <= MOST_FACTORS)
         .collect()
 }
 
 fn collect(fold: &Fold<'_>, inner: &Table<Scalar, ()>, s: Scalar, factors: &mut Vec<Scalar>) {
+    if factors.len() > MOST_FACTORS {
+        return;
+    }
     if let ScalarNode::Mul(a, b) = fold.g.scalar_node(s) {
         for part in [a, b] {
-            if inner.contains(part) { collect(fold, inner, part, factors) } else { factors.push(part) }
+            if inner.contains(part) {
+                collect(fold, inner, part, factors);
+            } else {
+                factors.push(part);
+            }
         }
     }
 }

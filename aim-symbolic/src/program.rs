@@ -1,14 +1,49 @@
 //! Straight-line programs: what is emitted, interpreted and counted.
 
 use crate::factor::{FACTOR, factor};
+use crate::fold::Fold;
 use crate::lower::Lowering;
-use crate::products::{SHARE, share_products};
+use crate::products::{Open, SHARE, share_products};
+use crate::rebuild::Uses;
 use crate::rules::Rules;
 use crate::table::Table;
 use crate::{Constant, Function, Graph, Scalar, ScalarNode};
 
 /// The name of the rule that turns a product with a reciprocal into a division.
 pub(crate) const DIVIDE_ONCE: &str = "a reciprocal used once is a division";
+
+/// How much is tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Effort {
+    /// Enough to compare a program with others of its kind.
+    Compare,
+    /// All there is.
+    Finish,
+}
+
+/// Sums and products in the arrangement that needs the fewest operations, of the few that are tried.
+fn arranged(fold: &mut Fold<'_>, outputs: Vec<Scalar>, rules: &Rules<'_>, effort: Effort) -> Vec<Scalar> {
+    let tries: &[(bool, Open)] = match effort {
+        Effort::Compare => &[(false, Open::Private)],
+        Effort::Finish => &[(false, Open::Private), (false, Open::Shared), (true, Open::Shared)],
+    };
+    let factored = |fold: &mut Fold<'_>, outputs: Vec<Scalar>| {
+        if rules.has(FACTOR) { factor(fold, &outputs) } else { outputs }
+    };
+    let mut best = factored(fold, outputs.clone());
+    if rules.has(SHARE) {
+        let mut least = Uses::of(fold.g, &best).operations(fold.g);
+        for &(of_best, open) in tries {
+            let shared = share_products(fold, if of_best { &best } else { &outputs }, open);
+            let tried = factored(fold, shared);
+            let operations = Uses::of(fold.g, &tried).operations(fold.g);
+            if operations < least {
+                (best, least) = (tried, operations);
+            }
+        }
+    }
+    best
+}
 
 /// The result of an operation of a [`Program`]: its place in the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -83,20 +118,14 @@ pub struct Program {
 impl Program {
     /// The program of `outputs` as they are stated: lowered, folded and ordered, nothing else.
     pub fn compile(g: &mut Graph, outputs: &[Scalar]) -> Self {
-        Self::compile_with(g, outputs, &Rules { without: &[SHARE, FACTOR], ..Rules::default() })
+        Self::compile_with(g, outputs, &Rules { without: &[SHARE, FACTOR], ..Rules::default() }, Effort::Compare)
     }
 
     /// The same by some of the rules, sums factored unless that is switched off.
-    pub(crate) fn compile_with(g: &mut Graph, outputs: &[Scalar], rules: &Rules<'_>) -> Self {
+    pub(crate) fn compile_with(g: &mut Graph, outputs: &[Scalar], rules: &Rules<'_>, effort: Effort) -> Self {
         let mut lowering = Lowering::new(g, rules);
-        let mut lowered: Vec<Scalar> = outputs.iter().map(|&s| lowering.scalar(s)).collect();
-        let mut fold = lowering.into_fold();
-        if rules.has(SHARE) {
-            lowered = share_products(&mut fold, &lowered);
-        }
-        if rules.has(FACTOR) {
-            lowered = factor(&mut fold, &lowered);
-        }
+        let lowered: Vec<Scalar> = outputs.iter().map(|&s| lowering.scalar(s)).collect();
+        let lowered = arranged(&mut lowering.into_fold(), lowered, rules, effort);
         let mut schedule = Schedule { g, ops: Vec::new(), values: Table::default() };
         let outputs = lowered.iter().map(|&s| schedule.value(s)).collect();
         let ops = schedule.ops;

@@ -30,13 +30,24 @@ impl Uses {
         &self.order
     }
 
+    /// How many operations there are.
+    pub(crate) fn operations(&self, g: &Graph) -> usize {
+        let is_operation = |s: &&Scalar| {
+            !matches!(
+                g.scalar_node(**s),
+                ScalarNode::Constant(_) | ScalarNode::Input(_) | ScalarNode::Tiny | ScalarNode::Neg(_)
+            )
+        };
+        self.order.iter().filter(is_operation).count()
+    }
+
     /// Whether `s` is used in one place only.
     pub(crate) fn once(&self, s: Scalar) -> bool {
         self.counts.copied(s).is_none_or(|count| count == 1)
     }
 }
 
-fn operands(node: ScalarNode) -> impl Iterator<Item = Scalar> {
+pub(crate) fn operands(node: ScalarNode) -> impl Iterator<Item = Scalar> {
     let parts = match node {
         ScalarNode::Add(a, b)
         | ScalarNode::Sub(a, b)

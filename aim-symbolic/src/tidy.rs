@@ -1,9 +1,9 @@
 //! The driver of the rules: bottom up, each node once, until no rule applies.
 
 use crate::node::Parts;
-use crate::rules::{OTHER_SIDES, ROTATIONS, RuleSet, Rules, Sums};
+use crate::rules::{OTHER_SIDES, ROTATIONS, RuleSet, Rules, ScalarRule, Sums, VectorRule};
 use crate::table::Table;
-use crate::{Angle, Graph, Rotation, Scalar, Vector};
+use crate::{Angle, Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector};
 
 /// Rewrites for each node of a statement. The rules end by themselves long before; this is what makes the end certain.
 const FUEL_PER_NODE: usize = 64;
@@ -34,8 +34,9 @@ impl Graph {
         };
         let mut tidy = Tidy {
             g: self,
-            set: *set,
-            rules: *rules,
+            vector_rules: set.vectors.iter().copied().filter(|(name, _)| rules.has(name)).collect(),
+            scalar_rules: set.scalars.iter().copied().filter(|(name, _)| rules.has(name)).collect(),
+            turned: rules.turned,
             log,
             fuel,
             shared,
@@ -69,8 +70,10 @@ impl Log {
 
 struct Tidy<'g> {
     g: &'g mut Graph,
-    set: RuleSet,
-    rules: Rules<'g>,
+    vector_rules: Vec<(&'static str, VectorRule)>,
+    scalar_rules: Vec<(&'static str, ScalarRule)>,
+    /// How many rotations may go to the other side.
+    turned: Option<usize>,
     log: &'g mut Log,
     fuel: usize,
     /// What is needed in more than one place.
@@ -83,7 +86,21 @@ struct Tidy<'g> {
 impl Tidy<'_> {
     fn may_apply(&self, rule: &str) -> bool {
         let within = |most| self.log.applied.iter().filter(|name| OTHER_SIDES.contains(name)).count() < most;
-        self.rules.has(rule) && self.rules.turned.is_none_or(|most| !OTHER_SIDES.contains(&rule) || within(most))
+        self.turned.is_none_or(|most| !OTHER_SIDES.contains(&rule) || within(most))
+    }
+
+    fn apply_scalar_rule(&mut self, scalar: Scalar) -> Option<(&'static str, Scalar)> {
+        (0..self.scalar_rules.len()).find_map(|i| {
+            let (name, rule) = self.scalar_rules[i];
+            if self.may_apply(name) { Some((name, rule(self.g, scalar)?)) } else { None }
+        })
+    }
+
+    fn apply_vector_rule(&mut self, vector: Vector) -> Option<(&'static str, Vector)> {
+        (0..self.vector_rules.len()).find_map(|i| {
+            let (name, rule) = self.vector_rules[i];
+            if self.may_apply(name) { Some((name, rule(self.g, vector)?)) } else { None }
+        })
     }
 
     fn scalar_parts(&mut self, scalar: Scalar) -> Scalar {
@@ -104,11 +121,7 @@ impl Parts for Tidy<'_> {
         }
         let mut current = self.scalar_parts(scalar);
         while self.fuel > 0 && self.log.may_apply() {
-            let applied = self.set.scalars.iter().find_map(|&(name, rule)| {
-                let applies = self.may_apply(name);
-                applies.then(|| rule(self.g, current)).flatten().map(|next| (name, next))
-            });
-            let Some((name, next)) = applied else { break };
+            let Some((name, next)) = self.apply_scalar_rule(current) else { break };
             self.fuel -= 1;
             self.log.applied.push(name);
             current = self.scalar_parts(next);
@@ -123,11 +136,7 @@ impl Parts for Tidy<'_> {
         }
         let mut current = self.vector_parts(vector);
         while self.fuel > 0 && self.log.may_apply() {
-            let applied = self.set.vectors.iter().find_map(|&(name, rule)| {
-                let applies = self.may_apply(name);
-                applies.then(|| rule(self.g, current)).flatten().map(|next| (name, next))
-            });
-            let Some((name, next)) = applied else { break };
+            let Some((name, next)) = self.apply_vector_rule(current) else { break };
             self.fuel -= 1;
             self.log.applied.push(name);
             current = self.vector_parts(next);
@@ -143,8 +152,16 @@ impl Parts for Tidy<'_> {
         if let Some(&done) = self.rotations.get(rotation) {
             return done;
         }
-        let node = self.g.rotation_node(rotation).map(self);
-        let done = self.g.remade_rotation(node);
+        let node = self.g.rotation_node(rotation);
+        let is_given = |&s: &Scalar| matches!(self.g.scalar_node(s), ScalarNode::Input(_));
+        let done = match node {
+            RotationNode::Basis(_) => rotation,
+            RotationNode::Matrix(entries) if entries.iter().all(is_given) => rotation,
+            node => {
+                let node = node.map(self);
+                self.g.remade_rotation(node)
+            }
+        };
         self.rotations.insert(rotation, done);
         done
     }

@@ -1,6 +1,7 @@
 //! The book-keeping of a derivation: which rules brought the operation count from what to what.
 
 use crate::derive::{ARITHMETIC, attempt, choose};
+use crate::program::Effort;
 use crate::tidy::Log;
 use crate::{Count, Graph, Program, Want};
 
@@ -23,7 +24,7 @@ impl Program {
     /// those with 0 and 1.
     pub fn trace(g: &mut Graph, wanted: &[Want]) -> Vec<Step> {
         let (_, choices) = choose(g, wanted, &[]);
-        let mut count = |log: &mut Log, off: &[&str]| attempt(g, wanted, &choices, off, log).count();
+        let mut count = |log: &mut Log, off: &[&str]| attempt(g, wanted, &choices, off, log, Effort::Finish).count();
         let mut all = Log::default();
         count(&mut all, &[]);
         let mut book = Book { steps: Vec::new(), rules: Vec::new(), count: count(&mut Log::limited(0), &ARITHMETIC) };
