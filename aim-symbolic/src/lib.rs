@@ -36,6 +36,7 @@ pub mod print;
 mod program;
 pub mod rules;
 mod scaling;
+mod signs;
 mod tidy;
 
 pub use count::Count;

@@ -141,6 +141,7 @@ impl Program {
         let mut program = Self { inputs, ops, outputs, numbers: Vec::new() };
         program.divide_once();
         program.drop_unused();
+        program.settle_signs();
         program.number();
         program
     }
@@ -212,6 +213,10 @@ impl Program {
         uses
     }
 
+    pub(crate) fn replace(&mut self, ops: Vec<Op>, outputs: Vec<Value>) {
+        (self.ops, self.outputs) = (ops, outputs);
+    }
+
     /// A guarded reciprocal that only one product needs becomes that product's division.
     fn divide_once(&mut self) {
         let uses = self.uses();
@@ -271,7 +276,7 @@ impl Program {
     }
 }
 
-fn index(place: usize) -> u32 {
+pub(crate) fn index(place: usize) -> u32 {
     u32::try_from(place).expect("four billion operations do not fit in memory")
 }
 
