@@ -104,10 +104,8 @@ pub fn read(folder: &Path) -> Result<Counts, String> {
 fn summary(text: &str) -> Option<((String, String), f64)> {
     let summary: Value = serde_json::from_str(text).ok()?;
     let name = |key: &str| summary[key].as_str().map(str::to_owned);
-    // `new` is alone, or beside `old`, whichever the run compared with.
-    let values = &summary["profiles"][0]["data"]["total"]["metrics"]["Ir"]["values"];
-    let new = &values["new"];
-    let total = new.as_f64().or_else(|| values["both"]["new"].as_f64())?;
+    // Beside `old`, where the run compared with an earlier one.
+    let total = summary["profiles"][0]["data"]["total"]["metrics"]["Ir"]["values"]["new"].as_f64()?;
     Some(((name("function_name")?, name("id")?), total / MEASURED as f64))
 }
 

@@ -1,7 +1,7 @@
 //! The same by num-dual: the aim function once more, in dual numbers.
 //!
 //! Both statements, each with the kind of dual number that is faster for it in instructions: of the paper's,
-//! `DualSVec` (334 in f32) against two of `Dual` (473); of the other, two of `Dual` (227), whose common parts the
+//! `DualSVec` (334 in f32) against two of `Dual` (473); of the other, two of `Dual` (229), whose common parts the
 //! compiler merges, against `DualSVec` (233).
 
 use aim_benches::Float;
