@@ -8,9 +8,13 @@ use crate::{Graph, Scalar, ScalarNode};
 pub(crate) const FACTOR: &str = "common factor of products";
 
 /// `outputs`, which are lowered, with every sum factored.
-pub(crate) fn factor(fold: &mut Fold<'_>, outputs: &[Scalar]) -> Vec<Scalar> {
-    let uses = Uses::of(fold.g, outputs);
-    Rebuild::outputs(fold, outputs, &mut Factoring { uses })
+pub(crate) fn factor(fold: &mut Fold<'_>, outputs: Vec<Scalar>) -> Vec<Scalar> {
+    let uses = Uses::of(fold.g, &outputs);
+    let mut factoring = Factoring { uses };
+    if !factoring.uses.order().iter().any(|&s| factoring.terms_to_factor(fold.g, s).is_some()) {
+        return outputs;
+    }
+    Rebuild::outputs(fold, &outputs, &mut factoring)
 }
 
 /// A term of a sum and whether it is subtracted.
@@ -23,17 +27,23 @@ struct Factoring {
 impl Exchange for Factoring {
     /// The sum `s` where some of its products have a common factor.
     fn exchange(&mut self, rebuild: &mut Rebuild<'_, '_>, s: Scalar) -> Option<Scalar> {
-        if !matches!(rebuild.fold.g.scalar_node(s), ScalarNode::Add(..) | ScalarNode::Sub(..)) {
-            return None;
-        }
-        let mut terms = Vec::new();
-        self.collect(rebuild.fold.g, s, false, true, &mut terms);
-        self.common(rebuild.fold.g, &terms)?;
+        let terms = self.terms_to_factor(rebuild.fold.g, s)?;
         Some(self.sum(rebuild, terms))
     }
 }
 
 impl Factoring {
+    /// The terms of a sum of which some have a common factor.
+    fn terms_to_factor(&self, g: &Graph, s: Scalar) -> Option<Vec<Term>> {
+        if !matches!(g.scalar_node(s), ScalarNode::Add(..) | ScalarNode::Sub(..)) {
+            return None;
+        }
+        let mut terms = Vec::new();
+        self.collect(g, s, false, true, &mut terms);
+        self.common(g, &terms)?;
+        Some(terms)
+    }
+
     /// The terms of a sum, through partial sums that nothing else needs.
     fn collect(&self, g: &Graph, s: Scalar, negative: bool, root: bool, terms: &mut Vec<Term>) {
         if !root && !self.uses.once(s) {

@@ -44,6 +44,7 @@ mod program;
 mod rebuild;
 pub mod rules;
 mod scaling;
+mod signs;
 mod table;
 mod tangent;
 mod tidy;

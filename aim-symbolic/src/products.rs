@@ -28,9 +28,9 @@ pub(crate) enum Open {
 const MOST_FACTORS: usize = 12;
 
 /// `outputs`, which are lowered, with products in the order in which they share most.
-pub(crate) fn share_products(fold: &mut Fold<'_>, outputs: &[Scalar], open: Open) -> Vec<Scalar> {
-    let uses = Uses::of(fold.g, outputs);
-    let mut chains = chains(fold, &uses, outputs, open);
+pub(crate) fn share_products(fold: &mut Fold<'_>, outputs: Vec<Scalar>, open: Open) -> Vec<Scalar> {
+    let uses = Uses::of(fold.g, &outputs);
+    let mut chains = chains(fold, &uses, &outputs, open);
     while let Some((a, b)) = most_shared(&chains) {
         let product = fold.mul(a, b);
         for chain in &mut chains {
@@ -40,11 +40,14 @@ pub(crate) fn share_products(fold: &mut Fold<'_>, outputs: &[Scalar], open: Open
             }
         }
     }
+    if !chains.iter().any(|chain| chain.changed) {
+        return outputs;
+    }
     let mut changed = Table::default();
     for chain in chains.into_iter().filter(|chain| chain.changed) {
         changed.insert(chain.root, chain.factors);
     }
-    Rebuild::outputs(fold, outputs, &mut Shared { chains: changed })
+    Rebuild::outputs(fold, &outputs, &mut Shared { chains: changed })
 }
 
 struct Shared {
@@ -106,9 +109,9 @@ fn collect(fold: &Fold<'_>, inner: &Table<Scalar, ()>, s: Scalar, factors: &mut 
 
 /// The pair of factors that most chains have, the first of several; only pairs that save something.
 fn most_shared(chains: &[Chain]) -> Option<(Scalar, Scalar)> {
-    // How many chains have the pair, how many of them would gain by it, and which pair came first.
-    let mut found: NodeMap<(Scalar, Scalar), (usize, usize, usize)> = NodeMap::default();
-    for chain in chains {
+    // How many chains have the pair, and which pair came first. Only chains of more than two factors gain by one.
+    let mut found: NodeMap<(Scalar, Scalar), (usize, usize)> = NodeMap::default();
+    for chain in chains.iter().filter(|chain| chain.factors.len() > 2) {
         let mut seen: Vec<(Scalar, Scalar)> = Vec::new();
         for (i, &a) in chain.factors.iter().enumerate() {
             for &b in &chain.factors[i + 1..] {
@@ -116,15 +119,23 @@ fn most_shared(chains: &[Chain]) -> Option<(Scalar, Scalar)> {
                 if !seen.contains(&pair) {
                     seen.push(pair);
                     let place = found.len();
-                    let entry = found.entry(pair).or_insert((0, 0, place));
-                    entry.0 += 1;
-                    entry.1 += usize::from(chain.factors.len() > 2);
+                    found.entry(pair).or_insert((0, place)).0 += 1;
                 }
             }
         }
     }
-    let saving = found.into_iter().filter(|(_, (count, gaining, _))| *count > 1 && *gaining > 0);
-    saving.max_by_key(|(_, (count, _, place))| (*count, usize::MAX - place)).map(|(pair, _)| pair)
+    if found.is_empty() {
+        return None;
+    }
+    for chain in chains {
+        if let [a, b] = chain.factors[..]
+            && let Some((count, _)) = found.get_mut(&(a.min(b), a.max(b)))
+        {
+            *count += 1;
+        }
+    }
+    let shared = found.into_iter().filter(|(_, (count, _))| *count > 1);
+    shared.max_by_key(|(_, (count, place))| (*count, usize::MAX - place)).map(|(pair, _)| pair)
 }
 
 fn remove_pair(factors: &mut Vec<Scalar>, a: Scalar, b: Scalar) -> bool {

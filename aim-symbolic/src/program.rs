@@ -23,26 +23,30 @@ pub(crate) enum Effort {
 
 /// Sums and products in the arrangement that needs the fewest operations, of the few that are tried.
 fn arranged(fold: &mut Fold<'_>, outputs: Vec<Scalar>, rules: &Rules<'_>, effort: Effort) -> Vec<Scalar> {
-    let tries: &[(bool, Open)] = match effort {
-        Effort::Compare => &[(false, Open::Private)],
-        Effort::Finish => &[(false, Open::Private), (false, Open::Shared), (true, Open::Shared)],
-    };
     let factored = |fold: &mut Fold<'_>, outputs: Vec<Scalar>| {
-        if rules.has(FACTOR) { factor(fold, &outputs) } else { outputs }
+        if rules.has(FACTOR) { factor(fold, outputs) } else { outputs }
     };
-    let mut best = factored(fold, outputs.clone());
-    if rules.has(SHARE) {
-        let mut least = Uses::of(fold.g, &best).operations(fold.g);
-        for &(of_best, open) in tries {
-            let shared = share_products(fold, if of_best { &best } else { &outputs }, open);
+    if !rules.has(SHARE) {
+        return factored(fold, outputs);
+    }
+    let shared = share_products(fold, outputs.clone(), Open::Private);
+    let mut best = factored(fold, shared);
+    if effort == Effort::Finish {
+        let mut least = operations(fold.g, &best);
+        for of_best in [false, true] {
+            let shared = share_products(fold, if of_best { best.clone() } else { outputs.clone() }, Open::Shared);
             let tried = factored(fold, shared);
-            let operations = Uses::of(fold.g, &tried).operations(fold.g);
-            if operations < least {
-                (best, least) = (tried, operations);
+            let needed = operations(fold.g, &tried);
+            if needed < least {
+                (best, least) = (tried, needed);
             }
         }
     }
     best
+}
+
+fn operations(g: &Graph, outputs: &[Scalar]) -> usize {
+    Uses::of(g, outputs).operations(g)
 }
 
 /// The result of an operation of a [`Program`]: its place in the list.
@@ -135,6 +139,9 @@ impl Program {
             program.divide_once();
         }
         program.drop_unused();
+        if effort == Effort::Finish {
+            program.settle_signs();
+        }
         program.number();
         program
     }
@@ -206,6 +213,10 @@ impl Program {
         uses
     }
 
+    pub(crate) fn replace(&mut self, ops: Vec<Op>, outputs: Vec<Value>) {
+        (self.ops, self.outputs) = (ops, outputs);
+    }
+
     /// A guarded reciprocal that only one product needs becomes that product's division.
     fn divide_once(&mut self) {
         let uses = self.uses();
@@ -265,7 +276,7 @@ impl Program {
     }
 }
 
-fn index(place: usize) -> u32 {
+pub(crate) fn index(place: usize) -> u32 {
     u32::try_from(place).expect("four billion operations do not fit in memory")
 }
 

@@ -192,7 +192,7 @@ const _: () = {
         let __v9 = __v7 + __v8;
         let __v10 = __v6 - __v9;
         let __v11 = __sin_cos[2] * __v10;
-        let __v12 = __v5 - __v11;
+        let __v12 = __v11 - __v5;
         let __v13 = __sin_cos[0] * __v12;
         let __v14 = __target[2] * <S as ::aim::__private::Scalar>::constant(0.28);
         let __v15 = __target[0]
@@ -201,7 +201,7 @@ const _: () = {
             );
         let __v16 = __target[1] * <S as ::aim::__private::Scalar>::constant(0.96);
         let __v17 = __v15 - __v16;
-        let __v18 = __v14 - __v17;
+        let __v18 = __v17 - __v14;
         let __v19 = __sin_cos[1] * __v18;
         let __v20 = __v13 - __v19;
         let __v21 = __effector_to_joint[11]
@@ -214,7 +214,7 @@ const _: () = {
             * <S as ::aim::__private::Scalar>::constant(0.96);
         let __v24 = __v22 - __v23;
         let __v25 = __v21 - __v24;
-        let __v26 = __v20 + __v25;
+        let __v26 = __v25 - __v20;
         let __v27 = __v26 * __v26;
         let __v28 = __sin_cos[1] * __v12;
         let __v29 = __sin_cos[0] * __v18;
@@ -227,7 +227,7 @@ const _: () = {
             * <S as ::aim::__private::Scalar>::constant(0.224);
         let __v34 = __v32 - __v33;
         let __v35 = __v31 + __v34;
-        let __v36 = __v30 - __v35;
+        let __v36 = __v30 + __v35;
         let __v37 = __v36 * __v36;
         let __v38 = __sin_cos[2] * __v4;
         let __v39 = __sin_cos[3] * __v10;
@@ -281,28 +281,28 @@ const _: () = {
         let __v68 = __v66 + __v67;
         let __v69 = __v65 - __v68;
         let __v70 = __v46 * __v69;
-        let __v71 = __v64 + __v70;
-        let __v72 = __v58 - __v71;
+        let __v71 = __v70 - __v64;
+        let __v72 = __v71 - __v58;
         let __v73 = __v52 * __v72;
         let __v74 = __v52 * __v73;
         let __v75 = __v36 * __v74;
         let __v76 = __v63 + __v75;
         let __v77 = __v20 * __v76;
         let __v78 = __v26 * __v74;
-        let __v79 = __v57 - __v78;
+        let __v79 = __v57 + __v78;
         let __v80 = __v30 * __v79;
         let __v81 = __v77 + __v80;
         let __v82 = __v52 * __v81;
         let __v83 = __sin_cos[1] * __v76;
         let __v84 = __sin_cos[0] * __v79;
-        let __v85 = __v83 - __v84;
+        let __v85 = __v84 - __v83;
         let __v86 = __v40 * __v85;
         let __v87 = __v46 * __v74;
-        let __v88 = __v69 + __v87;
+        let __v88 = __v87 - __v69;
         let __v89 = __v12 * __v88;
-        let __v90 = __v86 - __v89;
+        let __v90 = __v86 + __v89;
         let __v91 = __v52 * __v90;
-        [-__v73, -__v82, -__v91]
+        [__v73, __v82, __v91]
     }
     ///Aim, ∂aim/∂pitch, ∂aim/∂heading of `neck`. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `General`.
     #[inline]
@@ -317,17 +317,17 @@ const _: () = {
         let __v3 = __sin_cos[0] * __v2;
         let __v4 = __target[2] * __sin_cos[1];
         let __v5 = __v3 + __v4;
-        let __v6 = __effector_to_joint[11] - __v5;
+        let __v6 = __v5 - __effector_to_joint[11];
         let __v7 = __v6 * __v6;
         let __v8 = __sin_cos[1] * __v2;
         let __v9 = __target[2] * __sin_cos[0];
         let __v10 = __v8 - __v9;
-        let __v11 = __effector_to_joint[9] - __v10;
+        let __v11 = __v10 - __effector_to_joint[9];
         let __v12 = __v11 * __v11;
         let __v13 = __target[0] * __sin_cos[2];
         let __v14 = __target[1] * __sin_cos[3];
-        let __v15 = __v13 - __v14;
-        let __v16 = __effector_to_joint[10] + __v15;
+        let __v15 = __v14 - __v13;
+        let __v16 = __v15 - __effector_to_joint[10];
         let __v17 = __v16 * __v16;
         let __v18 = __v12 + __v17;
         let __v19 = __v7 + __v18;
@@ -352,7 +352,7 @@ const _: () = {
         let __v33 = __v6 * __v29;
         let __v34 = __effector_to_joint[8] - __v33;
         let __v35 = __v10 * __v34;
-        let __v36 = __v32 - __v35;
+        let __v36 = __v35 - __v32;
         let __v37 = __v22 * __v36;
         let __v38 = __sin_cos[1] * __v31;
         let __v39 = __sin_cos[0] * __v34;
@@ -361,9 +361,9 @@ const _: () = {
         let __v42 = __v16 * __v29;
         let __v43 = __effector_to_joint[7] - __v42;
         let __v44 = __v2 * __v43;
-        let __v45 = __v41 + __v44;
+        let __v45 = __v41 - __v44;
         let __v46 = __v22 * __v45;
-        [-__v28, -__v37, -__v46]
+        [__v28, __v37, __v46]
     }
     ///The chain's aim, then its derivatives. 170 operations: 66 add, 102 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `General`.
     #[inline]
@@ -387,8 +387,8 @@ const _: () = {
         let __v12 = __links[1][6] * __v11;
         let __v13 = __target[0] * __sin_cos[1][2];
         let __v14 = __target[1] * __sin_cos[1][3];
-        let __v15 = __v13 - __v14;
-        let __v16 = __links[1][10] + __v15;
+        let __v15 = __v14 - __v13;
+        let __v16 = __links[1][10] - __v15;
         let __v17 = __links[1][7] * __v16;
         let __v18 = __v12 + __v17;
         let __v19 = __v7 + __v18;
@@ -555,7 +555,7 @@ const _: () = {
         let __v156 = __v154 - __v155;
         let __v157 = __v153 - __v156;
         let __v158 = __v10 * __v157;
-        let __v159 = __v152 - __v158;
+        let __v159 = __v158 - __v152;
         let __v160 = __sin_cos[1][1] * __v151;
         let __v161 = __sin_cos[1][0] * __v157;
         let __v162 = __v160 + __v161;
@@ -564,10 +564,10 @@ const _: () = {
         let __v165 = __links[1][1] * __v142;
         let __v166 = __links[1][4] * __v148;
         let __v167 = __v165 - __v166;
-        let __v168 = __v164 - __v167;
+        let __v168 = __v167 - __v164;
         let __v169 = __v2 * __v168;
         let __v170 = __v163 + __v169;
-        [__v103, __v113, __v122, -__v159, -__v170]
+        [__v103, __v113, __v122, __v159, __v170]
     }
     ///The chain's residual (left, up), then the derivatives of each. 313 operations: 122 add, 188 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `General`.
     #[inline]
@@ -591,8 +591,8 @@ const _: () = {
         let __v12 = __links[1][6] * __v11;
         let __v13 = __target[0] * __sin_cos[1][2];
         let __v14 = __target[1] * __sin_cos[1][3];
-        let __v15 = __v13 - __v14;
-        let __v16 = __links[1][10] + __v15;
+        let __v15 = __v14 - __v13;
+        let __v16 = __links[1][10] - __v15;
         let __v17 = __links[1][7] * __v16;
         let __v18 = __v12 + __v17;
         let __v19 = __v7 + __v18;
@@ -728,19 +728,19 @@ const _: () = {
             * <S as ::aim::__private::Scalar>::constant(
                 0.00000000000000001734723475976807,
             );
-        let __v121 = __links[0][5] - __v120;
+        let __v121 = __v120 - __links[0][5];
         let __v122 = __v86 * __v121;
         let __v123 = __links[0][0]
             * <S as ::aim::__private::Scalar>::constant(
                 0.00000000000000001734723475976807,
             );
-        let __v124 = __links[0][3] - __v123;
+        let __v124 = __v123 - __links[0][3];
         let __v125 = __v93 * __v124;
         let __v126 = __links[0][1]
             * <S as ::aim::__private::Scalar>::constant(
                 0.00000000000000001734723475976807,
             );
-        let __v127 = __links[0][4] - __v126;
+        let __v127 = __v126 - __links[0][4];
         let __v128 = __v100 * __v127;
         let __v129 = __v125 + __v128;
         let __v130 = __v122 + __v129;
@@ -839,7 +839,7 @@ const _: () = {
         let __v210 = __v208 - __v209;
         let __v211 = __v207 - __v210;
         let __v212 = __v10 * __v211;
-        let __v213 = __v206 - __v212;
+        let __v213 = __v212 - __v206;
         let __v214 = __sin_cos[1][1] * __v205;
         let __v215 = __sin_cos[1][0] * __v211;
         let __v216 = __v214 + __v215;
@@ -848,7 +848,7 @@ const _: () = {
         let __v219 = __links[1][1] * __v196;
         let __v220 = __links[1][4] * __v202;
         let __v221 = __v219 - __v220;
-        let __v222 = __v218 - __v221;
+        let __v222 = __v221 - __v218;
         let __v223 = __v2 * __v222;
         let __v224 = __v217 + __v223;
         let __v225 = __v107 * __v121;
@@ -865,26 +865,26 @@ const _: () = {
         let __v236 = __links[0][7] * __v227;
         let __v237 = __v235 + __v236;
         let __v238 = <S as ::aim::__private::Scalar>::constant(0.224) * __v237;
-        let __v239 = __v234 - __v238;
-        let __v240 = __v230 + __v239;
+        let __v239 = __v238 - __v234;
+        let __v240 = __v239 - __v230;
         let __v241 = __v150 * __v227;
         let __v242 = __v66 * __v241;
-        let __v243 = __v240 - __v242;
+        let __v243 = __v240 + __v242;
         let __v244 = __v50 * __v243;
         let __v245 = <S as ::aim::__private::Scalar>::constant(0.28) * __v229;
         let __v246 = <S as ::aim::__private::Scalar>::constant(
             0.000000000000000016653345369377347,
         ) * __v233;
         let __v247 = <S as ::aim::__private::Scalar>::constant(0.96) * __v237;
-        let __v248 = __v246 - __v247;
-        let __v249 = __v245 - __v248;
+        let __v248 = __v247 - __v246;
+        let __v249 = __v245 + __v248;
         let __v250 = __v56 * __v241;
         let __v251 = __v249 + __v250;
         let __v252 = __v60 * __v251;
-        let __v253 = __v244 + __v252;
+        let __v253 = __v244 - __v252;
         let __v254 = __sin_cos[0][1] * __v243;
         let __v255 = __sin_cos[0][0] * __v251;
-        let __v256 = __v254 - __v255;
+        let __v256 = __v254 + __v255;
         let __v257 = __v70 * __v256;
         let __v258 = <S as ::aim::__private::Scalar>::constant(0.5760000000000001)
             * __v229;
@@ -892,14 +892,14 @@ const _: () = {
         let __v260 = <S as ::aim::__private::Scalar>::constant(0.16800000000000004)
             * __v237;
         let __v261 = __v259 + __v260;
-        let __v262 = __v258 - __v261;
+        let __v262 = __v261 - __v258;
         let __v263 = __v76 * __v241;
-        let __v264 = __v262 - __v263;
+        let __v264 = __v262 + __v263;
         let __v265 = __v42 * __v264;
         let __v266 = __v257 - __v265;
         let __v267 = __sin_cos[0][0] * __v243;
         let __v268 = __sin_cos[0][1] * __v251;
-        let __v269 = __v267 + __v268;
+        let __v269 = __v267 - __v268;
         let __v270 = <S as ::aim::__private::Scalar>::constant(0.28) * __v269;
         let __v271 = __sin_cos[0][3] * __v256;
         let __v272 = __sin_cos[0][2] * __v264;
@@ -937,7 +937,7 @@ const _: () = {
         let __v300 = __v298 - __v299;
         let __v301 = __v297 - __v300;
         let __v302 = __v10 * __v301;
-        let __v303 = __v296 - __v302;
+        let __v303 = __v302 - __v296;
         let __v304 = __sin_cos[1][1] * __v295;
         let __v305 = __sin_cos[1][0] * __v301;
         let __v306 = __v304 + __v305;
@@ -948,18 +948,7 @@ const _: () = {
         let __v311 = __v309 - __v310;
         let __v312 = __v308 - __v311;
         let __v313 = __v2 * __v312;
-        let __v314 = __v307 + __v313;
-        [
-            -__v119,
-            -__v131,
-            __v163,
-            __v176,
-            -__v213,
-            -__v224,
-            __v253,
-            __v266,
-            -__v303,
-            -__v314,
-        ]
+        let __v314 = __v307 - __v313;
+        [-__v119, __v131, __v163, __v176, __v213, __v224, __v253, __v266, __v303, __v314]
     }
 };

@@ -180,18 +180,18 @@ const _: () = {
         let __v2 = __v0 - __v1;
         let __v3 = __sin_cos[0] * __v2;
         let __v4 = __target[0] * __sin_cos[1];
-        let __v5 = __v3 - __v4;
-        let __v6 = __effector_to_joint[9] + __v5;
+        let __v5 = __v4 - __v3;
+        let __v6 = __v5 - __effector_to_joint[9];
         let __v7 = __v6 * __v6;
         let __v8 = __sin_cos[1] * __v2;
         let __v9 = __target[0] * __sin_cos[0];
         let __v10 = __v8 + __v9;
-        let __v11 = __effector_to_joint[10] - __v10;
+        let __v11 = __v10 - __effector_to_joint[10];
         let __v12 = __v11 * __v11;
         let __v13 = __target[1] * __sin_cos[2];
         let __v14 = __target[2] * __sin_cos[3];
         let __v15 = __v13 + __v14;
-        let __v16 = __effector_to_joint[11] - __v15;
+        let __v16 = __v15 - __effector_to_joint[11];
         let __v17 = __v16 * __v16;
         let __v18 = __v12 + __v17;
         let __v19 = __v7 + __v18;
@@ -216,7 +216,7 @@ const _: () = {
         let __v33 = __v6 * __v29;
         let __v34 = __effector_to_joint[3] - __v33;
         let __v35 = __v10 * __v34;
-        let __v36 = __v32 + __v35;
+        let __v36 = __v32 - __v35;
         let __v37 = __v22 * __v36;
         let __v38 = __sin_cos[1] * __v31;
         let __v39 = __sin_cos[0] * __v34;
@@ -225,9 +225,9 @@ const _: () = {
         let __v42 = __v16 * __v29;
         let __v43 = __effector_to_joint[5] - __v42;
         let __v44 = __v2 * __v43;
-        let __v45 = __v41 - __v44;
+        let __v45 = __v44 - __v41;
         let __v46 = __v22 * __v45;
-        [-__v28, -__v37, -__v46]
+        [__v28, __v37, __v46]
     }
     ///Aim, ∂aim/∂pitch, ∂aim/∂heading of `head`. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `LeftHanded`.
     #[inline]
@@ -241,18 +241,18 @@ const _: () = {
         let __v2 = __v0 + __v1;
         let __v3 = __sin_cos[0] * __v2;
         let __v4 = __target[2] * __sin_cos[1];
-        let __v5 = __v3 - __v4;
-        let __v6 = __effector_to_joint[11] + __v5;
+        let __v5 = __v4 - __v3;
+        let __v6 = __v5 - __effector_to_joint[11];
         let __v7 = __v6 * __v6;
         let __v8 = __sin_cos[1] * __v2;
         let __v9 = __target[2] * __sin_cos[0];
         let __v10 = __v8 + __v9;
-        let __v11 = __effector_to_joint[9] - __v10;
+        let __v11 = __v10 - __effector_to_joint[9];
         let __v12 = __v11 * __v11;
         let __v13 = __target[0] * __sin_cos[2];
         let __v14 = __target[1] * __sin_cos[3];
-        let __v15 = __v13 - __v14;
-        let __v16 = __effector_to_joint[10] + __v15;
+        let __v15 = __v14 - __v13;
+        let __v16 = __v15 - __effector_to_joint[10];
         let __v17 = __v16 * __v16;
         let __v18 = __v12 + __v17;
         let __v19 = __v7 + __v18;
@@ -277,7 +277,7 @@ const _: () = {
         let __v33 = __v6 * __v29;
         let __v34 = __effector_to_joint[5] - __v33;
         let __v35 = __v10 * __v34;
-        let __v36 = __v32 + __v35;
+        let __v36 = __v32 - __v35;
         let __v37 = __v22 * __v36;
         let __v38 = __sin_cos[1] * __v31;
         let __v39 = __sin_cos[0] * __v34;
@@ -286,9 +286,9 @@ const _: () = {
         let __v42 = __v16 * __v29;
         let __v43 = __effector_to_joint[4] - __v42;
         let __v44 = __v2 * __v43;
-        let __v45 = __v41 + __v44;
+        let __v45 = __v41 - __v44;
         let __v46 = __v22 * __v45;
-        [-__v28, -__v37, -__v46]
+        [__v28, __v37, __v46]
     }
     ///The chain's aim, then its derivatives. 110 operations: 42 add, 66 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `LeftHanded`.
     #[inline]
@@ -302,18 +302,18 @@ const _: () = {
         let __v2 = __v0 + __v1;
         let __v3 = __sin_cos[1][0] * __v2;
         let __v4 = __target[2] * __sin_cos[1][1];
-        let __v5 = __v3 - __v4;
-        let __v6 = __links[1][11] + __v5;
+        let __v5 = __v4 - __v3;
+        let __v6 = __v5 - __links[1][11];
         let __v7 = __links[1][5] * __v6;
         let __v8 = __sin_cos[1][1] * __v2;
         let __v9 = __target[2] * __sin_cos[1][0];
         let __v10 = __v8 + __v9;
-        let __v11 = __links[1][9] - __v10;
+        let __v11 = __v10 - __links[1][9];
         let __v12 = __links[1][3] * __v11;
         let __v13 = __target[0] * __sin_cos[1][2];
         let __v14 = __target[1] * __sin_cos[1][3];
-        let __v15 = __v13 - __v14;
-        let __v16 = __links[1][10] + __v15;
+        let __v15 = __v14 - __v13;
+        let __v16 = __v15 - __links[1][10];
         let __v17 = __links[1][4] * __v16;
         let __v18 = __v12 + __v17;
         let __v19 = __v7 + __v18;
@@ -332,18 +332,18 @@ const _: () = {
         let __v32 = __v30 + __v31;
         let __v33 = __v29 + __v32;
         let __v34 = __sin_cos[0][1] * __v33;
-        let __v35 = __v28 - __v34;
-        let __v36 = __links[0][9] - __v35;
+        let __v35 = __v34 - __v28;
+        let __v36 = __v35 - __links[0][9];
         let __v37 = __v36 * __v36;
         let __v38 = __sin_cos[0][1] * __v27;
         let __v39 = __sin_cos[0][0] * __v33;
         let __v40 = __v38 + __v39;
-        let __v41 = __links[0][10] + __v40;
+        let __v41 = __v40 - __links[0][10];
         let __v42 = __v41 * __v41;
         let __v43 = __sin_cos[0][2] * __v19;
         let __v44 = __sin_cos[0][3] * __v25;
         let __v45 = __v43 + __v44;
-        let __v46 = __links[0][11] + __v45;
+        let __v46 = __v45 - __links[0][11];
         let __v47 = __v46 * __v46;
         let __v48 = __v42 + __v47;
         let __v49 = __v37 + __v48;
@@ -370,7 +370,7 @@ const _: () = {
         let __v65 = __links[0][3] - __v64;
         let __v66 = __v52 * __v65;
         let __v67 = __v40 * __v66;
-        let __v68 = __v63 + __v67;
+        let __v68 = __v63 - __v67;
         let __v69 = __sin_cos[0][1] * __v62;
         let __v70 = __sin_cos[0][0] * __v66;
         let __v71 = __v69 - __v70;
@@ -379,7 +379,7 @@ const _: () = {
         let __v74 = __links[0][5] - __v73;
         let __v75 = __v52 * __v74;
         let __v76 = __v27 * __v75;
-        let __v77 = __v72 - __v76;
+        let __v77 = __v76 - __v72;
         let __v78 = __sin_cos[0][2] * __v71;
         let __v79 = __sin_cos[0][3] * __v75;
         let __v80 = __v78 - __v79;
@@ -401,7 +401,7 @@ const _: () = {
         let __v96 = __v94 + __v95;
         let __v97 = __v93 - __v96;
         let __v98 = __v10 * __v97;
-        let __v99 = __v92 + __v98;
+        let __v99 = __v98 - __v92;
         let __v100 = __sin_cos[1][1] * __v91;
         let __v101 = __sin_cos[1][0] * __v97;
         let __v102 = __v100 - __v101;
@@ -412,8 +412,8 @@ const _: () = {
         let __v107 = __v105 + __v106;
         let __v108 = __v104 - __v107;
         let __v109 = __v2 * __v108;
-        let __v110 = __v103 + __v109;
-        [-__v58, __v68, __v77, __v99, __v110]
+        let __v110 = __v109 - __v103;
+        [__v58, __v68, __v77, __v99, __v110]
     }
     ///The chain's residual (left, up), then the derivatives of each. 193 operations: 71 add, 119 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `LeftHanded`.
     #[inline]
@@ -427,8 +427,8 @@ const _: () = {
         let __v2 = __v0 + __v1;
         let __v3 = __sin_cos[1][0] * __v2;
         let __v4 = __target[2] * __sin_cos[1][1];
-        let __v5 = __v3 - __v4;
-        let __v6 = __links[1][11] + __v5;
+        let __v5 = __v4 - __v3;
+        let __v6 = __links[1][11] - __v5;
         let __v7 = __links[1][5] * __v6;
         let __v8 = __sin_cos[1][1] * __v2;
         let __v9 = __target[2] * __sin_cos[1][0];
@@ -437,8 +437,8 @@ const _: () = {
         let __v12 = __links[1][3] * __v11;
         let __v13 = __target[0] * __sin_cos[1][2];
         let __v14 = __target[1] * __sin_cos[1][3];
-        let __v15 = __v13 - __v14;
-        let __v16 = __links[1][10] + __v15;
+        let __v15 = __v14 - __v13;
+        let __v16 = __links[1][10] - __v15;
         let __v17 = __links[1][4] * __v16;
         let __v18 = __v12 + __v17;
         let __v19 = __v7 + __v18;
@@ -514,18 +514,18 @@ const _: () = {
         );
         let __v80 = __v75 * __v79;
         let __v81 = __v41 * __v80;
-        let __v82 = __v77 - __v81;
+        let __v82 = __v81 - __v77;
         let __v83 = __v35 * __v82;
         let __v84 = __links[0][6] * __v59;
         let __v85 = __links[0][3] * __v75;
         let __v86 = __v84 + __v85;
         let __v87 = __v36 * __v80;
-        let __v88 = __v86 - __v87;
+        let __v88 = __v87 - __v86;
         let __v89 = __v40 * __v88;
         let __v90 = __v83 + __v89;
         let __v91 = __sin_cos[0][1] * __v82;
         let __v92 = __sin_cos[0][0] * __v88;
-        let __v93 = __v91 - __v92;
+        let __v93 = __v92 - __v91;
         let __v94 = __v45 * __v93;
         let __v95 = __links[0][8] * __v59;
         let __v96 = __links[0][5] * __v75;
@@ -533,7 +533,7 @@ const _: () = {
         let __v98 = __v46 * __v80;
         let __v99 = __v97 - __v98;
         let __v100 = __v27 * __v99;
-        let __v101 = __v94 - __v100;
+        let __v101 = __v100 - __v94;
         let __v102 = __sin_cos[0][2] * __v93;
         let __v103 = __sin_cos[0][3] * __v99;
         let __v104 = __v102 - __v103;
@@ -546,25 +546,25 @@ const _: () = {
         let __v111 = __sin_cos[0][2] * __v99;
         let __v112 = __v110 + __v111;
         let __v113 = __links[1][3] * __v112;
-        let __v114 = __v109 + __v113;
+        let __v114 = __v113 - __v109;
         let __v115 = __v105 - __v114;
         let __v116 = __v5 * __v115;
         let __v117 = __links[1][8] * __v104;
         let __v118 = __links[1][2] * __v108;
         let __v119 = __links[1][5] * __v112;
-        let __v120 = __v118 + __v119;
-        let __v121 = __v117 - __v120;
+        let __v120 = __v119 - __v118;
+        let __v121 = __v120 - __v117;
         let __v122 = __v10 * __v121;
         let __v123 = __v116 + __v122;
         let __v124 = __sin_cos[1][1] * __v115;
         let __v125 = __sin_cos[1][0] * __v121;
-        let __v126 = __v124 - __v125;
+        let __v126 = __v124 + __v125;
         let __v127 = __v15 * __v126;
         let __v128 = __links[1][7] * __v104;
         let __v129 = __links[1][1] * __v108;
         let __v130 = __links[1][4] * __v112;
-        let __v131 = __v129 + __v130;
-        let __v132 = __v128 - __v131;
+        let __v131 = __v130 - __v129;
+        let __v132 = __v131 - __v128;
         let __v133 = __v2 * __v132;
         let __v134 = __v127 + __v133;
         let __v135 = __links[0][1] * __v59;
@@ -615,7 +615,7 @@ const _: () = {
         let __v180 = __v178 + __v179;
         let __v181 = __v177 - __v180;
         let __v182 = __v10 * __v181;
-        let __v183 = __v176 + __v182;
+        let __v183 = __v182 - __v176;
         let __v184 = __sin_cos[1][1] * __v175;
         let __v185 = __sin_cos[1][0] * __v181;
         let __v186 = __v184 - __v185;
@@ -626,18 +626,7 @@ const _: () = {
         let __v191 = __v189 + __v190;
         let __v192 = __v188 - __v191;
         let __v193 = __v2 * __v192;
-        let __v194 = __v187 + __v193;
-        [
-            __v65,
-            -__v71,
-            -__v90,
-            -__v101,
-            -__v123,
-            -__v134,
-            __v150,
-            __v161,
-            __v183,
-            __v194,
-        ]
+        let __v194 = __v193 - __v187;
+        [__v65, -__v71, __v90, __v101, __v123, __v134, __v150, __v161, __v183, __v194]
     }
 };

@@ -324,7 +324,7 @@ const _: () = {
         let __v51 = __v22 * __v47;
         let __v52 = __links[0][7] - __v51;
         let __v53 = __v26 * __v52;
-        let __v54 = __v50 - __v53;
+        let __v54 = __v53 - __v50;
         let __v55 = __v40 * __v54;
         let __v56 = __sin_cos[0][1] * __v49;
         let __v57 = __sin_cos[0][0] * __v52;
@@ -348,7 +348,7 @@ const _: () = {
         let __v75 = __v2 * __v74;
         let __v76 = __v69 + __v75;
         let __v77 = __v40 * __v76;
-        [__v46, -__v55, __v77]
+        [__v46, __v55, __v77]
     }
     ///The chain's residual (left, up), then the derivatives of each. 141 operations: 53 add, 85 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `Turret`.
     #[inline]
@@ -364,8 +364,8 @@ const _: () = {
         let __v4 = __links[1][8] * __v3;
         let __v5 = __target[2] * __sin_cos[1][2];
         let __v6 = __target[0] * __sin_cos[1][3];
-        let __v7 = __v5 - __v6;
-        let __v8 = __links[1][9] + __v7;
+        let __v7 = __v6 - __v5;
+        let __v8 = __links[1][9] - __v7;
         let __v9 = __links[1][6] * __v8;
         let __v10 = __links[1][10] - __target[1];
         let __v11 = __links[1][7] * __v10;
@@ -445,7 +445,7 @@ const _: () = {
         let __v75 = __v22 * __v68;
         let __v76 = __v74 - __v75;
         let __v77 = __v26 * __v76;
-        let __v78 = __v71 - __v77;
+        let __v78 = __v77 - __v71;
         let __v79 = __sin_cos[0][1] * __v70;
         let __v80 = __sin_cos[0][0] * __v76;
         let __v81 = __v79 + __v80;
@@ -469,7 +469,7 @@ const _: () = {
         let __v99 = __v97 - __v98;
         let __v100 = __v96 + __v99;
         let __v101 = __v2 * __v100;
-        let __v102 = __v95 + __v101;
+        let __v102 = __v101 - __v95;
         let __v103 = __links[0][5] * __v47;
         let __v104 = <S as ::aim::__private::Scalar>::constant(2.0) * __v58;
         let __v105 = __v62 * __v104;
@@ -477,15 +477,15 @@ const _: () = {
         let __v107 = __v103 - __v106;
         let __v108 = __v67 * __v105;
         let __v109 = __v27 * __v108;
-        let __v110 = __v107 - __v109;
+        let __v110 = __v109 - __v107;
         let __v111 = __v21 * __v110;
         let __v112 = __links[0][4] * __v47;
         let __v113 = __links[0][7] * __v105;
         let __v114 = __v112 - __v113;
         let __v115 = __v22 * __v108;
-        let __v116 = __v114 - __v115;
+        let __v116 = __v115 - __v114;
         let __v117 = __v26 * __v116;
-        let __v118 = __v111 - __v117;
+        let __v118 = __v117 - __v111;
         let __v119 = __sin_cos[0][1] * __v110;
         let __v120 = __sin_cos[0][0] * __v116;
         let __v121 = __v119 + __v120;
@@ -498,18 +498,18 @@ const _: () = {
         let __v128 = __links[1][2] * __v127;
         let __v129 = __sin_cos[0][0] * __v110;
         let __v130 = __sin_cos[0][1] * __v116;
-        let __v131 = __v129 - __v130;
+        let __v131 = __v130 - __v129;
         let __v132 = __links[1][5] * __v131;
         let __v133 = __v128 - __v132;
-        let __v134 = __v122 + __v133;
+        let __v134 = __v133 - __v122;
         let __v135 = __v7 * __v134;
         let __v136 = __links[1][6] * __v121;
         let __v137 = __links[1][0] * __v127;
         let __v138 = __links[1][3] * __v131;
-        let __v139 = __v137 - __v138;
+        let __v139 = __v138 - __v137;
         let __v140 = __v136 + __v139;
         let __v141 = __v2 * __v140;
         let __v142 = __v135 + __v141;
-        [__v53, -__v59, -__v78, __v102, __v118, -__v142]
+        [__v53, -__v59, __v78, __v102, __v118, __v142]
     }
 };

@@ -1,0 +1,189 @@
+//! Differences turned round so that negations go: `-(a − b)` is `b − a`.
+//!
+//! Folding moves every negation outward, in the end to the outputs, where each costs an instruction. Here a program is
+//! written anew with some of its values stored negated: a sum of values of unlike signs is a difference, and of a
+//! difference either sign is to be had. Only signs change, never the rounding or the number of counted operations (of
+//! zeros the sign may differ).
+
+use std::ops::Range;
+
+use crate::program::index;
+use crate::{Constant, Op, Program, Value};
+
+/// How many ways to turn differences are tried.
+const MOST_TRIALS: usize = 24;
+
+/// Where a value of the old program is in the new one, and whether it is stored negated.
+#[derive(Clone, Copy, PartialEq)]
+struct Stored {
+    value: Value,
+    negated: bool,
+}
+
+/// A program written anew.
+struct Written {
+    ops: Vec<Op>,
+    outputs: Vec<Value>,
+    stored: Vec<Stored>,
+    negations: usize,
+}
+
+impl Program {
+    /// Takes out the negations that cost nothing to avoid.
+    ///
+    /// For each negated output the differences behind it are turned, first through left operands, then through right ones;
+    /// what leaves fewer negations is kept. The number of trials is bounded, so the work is linear in the program.
+    pub(crate) fn settle_signs(&mut self) {
+        let mut turned = vec![false; self.ops().len()];
+        let mut best = self.written(&turned);
+        let mut trials = 0..MOST_TRIALS;
+        while let Some((trial, written)) = self.better(&turned, &best, &mut trials) {
+            (turned, best) = (trial, written);
+        }
+        self.replace(best.ops, best.outputs);
+    }
+
+    fn better(&self, turned: &[bool], best: &Written, trials: &mut Range<usize>) -> Option<(Vec<bool>, Written)> {
+        let negated = self.outputs().iter().filter(|v| best.stored[v.index()].negated);
+        negated.flat_map(|&output| [(output, false), (output, true)]).find_map(|(output, right_first)| {
+            trials.next()?;
+            let mut trial = turned.to_vec();
+            let mut search = Search { program: self, right_first, stored: &best.stored, steps: self.ops().len() };
+            search.turn(output, &mut trial)?;
+            let written = self.written(&trial);
+            (written.negations < best.negations).then_some((trial, written))
+        })
+    }
+
+    fn is_zero(&self, value: Value) -> bool {
+        self.ops()[value.index()] == Op::Constant(Constant::new(0.0))
+    }
+
+    fn is_difference(&self, value: Value, stored: &[Stored]) -> bool {
+        let unlike = |a: Value, b: Value| stored[a.index()].negated != stored[b.index()].negated;
+        match self.ops()[value.index()] {
+            Op::Add(a, b) => unlike(a, b),
+            Op::Sub(a, b) => !unlike(a, b),
+            _ => false,
+        }
+    }
+
+    /// The program with these differences turned round.
+    fn written(&self, turned: &[bool]) -> Written {
+        let mut new = Written { ops: Vec::new(), outputs: Vec::new(), stored: Vec::new(), negations: 0 };
+        for (&op, &turned) in self.ops().iter().zip(turned) {
+            let at = |v: Value| new.stored[v.index()];
+            let stored = match op {
+                Op::Input(_) | Op::Constant(_) | Op::Tiny => new.push(op, false),
+                Op::Neg(a) => Stored { negated: !at(a).negated, ..at(a) },
+                Op::Add(a, b) => new.sum(at(a), at(b), turned),
+                Op::Sub(a, b) => {
+                    let b = at(b);
+                    new.sum(at(a), Stored { negated: !b.negated, ..b }, turned)
+                }
+                Op::Mul(a, b) => new.push(Op::Mul(at(a).value, at(b).value), at(a).negated != at(b).negated),
+                Op::Div(a, b) => new.push(Op::Div(at(a).value, at(b).value), at(a).negated != at(b).negated),
+                Op::Sqrt(a) => {
+                    let a = new.plain(at(a));
+                    new.push(Op::Sqrt(a), false)
+                }
+                Op::Call(function, a) => {
+                    let a = new.plain(at(a));
+                    new.push(Op::Call(function, a), false)
+                }
+                Op::Atan2(y, x) => {
+                    let (y, x) = (at(y), at(x));
+                    let (y, x) = (new.plain(y), new.plain(x));
+                    new.push(Op::Atan2(y, x), false)
+                }
+                Op::SelectLess(a, b, then, otherwise) => {
+                    let (then, zero) = (at(then), self.is_zero(otherwise));
+                    let otherwise = at(otherwise);
+                    let (a, b) = (at(a), at(b));
+                    let (a, b) = (new.plain(a), new.plain(b));
+                    if zero {
+                        new.push(Op::SelectLess(a, b, then.value, otherwise.value), then.negated)
+                    } else {
+                        let (then, otherwise) = (new.plain(then), new.plain(otherwise));
+                        new.push(Op::SelectLess(a, b, then, otherwise), false)
+                    }
+                }
+            };
+            new.stored.push(stored);
+        }
+        new.outputs = self.outputs().iter().map(|v| new.plain(new.stored[v.index()])).collect();
+        new
+    }
+}
+
+/// A search for the differences to turn, of a bounded number of steps.
+struct Search<'a> {
+    program: &'a Program,
+    right_first: bool,
+    stored: &'a [Stored],
+    steps: usize,
+}
+
+impl Search<'_> {
+    /// Chooses differences so that `value` is stored with the other sign; `None` where there is none to choose.
+    fn turn(&mut self, value: Value, turned: &mut [bool]) -> Option<()> {
+        self.steps = self.steps.checked_sub(1)?;
+        match self.program.ops()[value.index()] {
+            Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Sqrt(_) | Op::Call(..) | Op::Atan2(..) => None,
+            Op::Add(a, b) | Op::Sub(a, b) => {
+                if !self.program.is_difference(value, self.stored) {
+                    // All parts alike, rather than one: a compiler finds the same work in each of them.
+                    let mut both = turned.to_vec();
+                    if self.turn(a, &mut both).is_some() && self.turn(b, &mut both).is_some() {
+                        turned.copy_from_slice(&both);
+                        return Some(());
+                    }
+                    // With one operand turned it becomes a difference.
+                    self.either(a, b, turned)?;
+                }
+                turned[value.index()] ^= true;
+                Some(())
+            }
+            Op::Mul(a, b) if a != b => self.either(a, b, turned),
+            Op::Mul(..) => None,
+            // A divisor is a length that its guard looks at.
+            Op::Div(a, _) | Op::Neg(a) => self.turn(a, turned),
+            Op::SelectLess(_, _, then, otherwise) if self.program.is_zero(otherwise) => self.turn(then, turned),
+            Op::SelectLess(..) => None,
+        }
+    }
+
+    fn either(&mut self, a: Value, b: Value, turned: &mut [bool]) -> Option<()> {
+        let (first, second) = if self.right_first { (b, a) } else { (a, b) };
+        self.turn(first, turned).or_else(|| self.turn(second, turned))
+    }
+}
+
+impl Written {
+    fn push(&mut self, op: Op, negated: bool) -> Stored {
+        self.ops.push(op);
+        Stored { value: Value(index(self.ops.len() - 1)), negated }
+    }
+
+    /// a + b of stored values; where it is a difference, of the sign that is asked for.
+    fn sum(&mut self, a: Stored, b: Stored, turned: bool) -> Stored {
+        match (a.negated, b.negated) {
+            (false, false) => self.push(Op::Add(a.value, b.value), false),
+            (true, true) => self.push(Op::Add(a.value, b.value), true),
+            (a_negated, _) => {
+                let (plus, minus) = if a_negated { (b, a) } else { (a, b) };
+                let (from, what) = if turned { (minus, plus) } else { (plus, minus) };
+                self.push(Op::Sub(from.value, what.value), turned)
+            }
+        }
+    }
+
+    /// The value itself, negated anew where it is stored negated.
+    fn plain(&mut self, stored: Stored) -> Value {
+        if !stored.negated {
+            return stored.value;
+        }
+        self.negations += 1;
+        self.push(Op::Neg(stored.value), false).value
+    }
+}
