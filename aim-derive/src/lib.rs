@@ -27,3 +27,9 @@ use proc_macro::TokenStream;
 pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
     aim_codegen::derive(input.into()).into()
 }
+
+/// Differentiates a function.
+#[proc_macro_attribute]
+pub fn differentiate(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    aim_codegen::differentiate(attribute.into(), item.into()).into()
+}
