@@ -54,7 +54,13 @@ pub fn differentiate(attribute: TokenStream, item: TokenStream) -> TokenStream {
     let (first, second) =
         if arguments.faulty.is_empty() && function.sig.receiver().is_none() { (first, second) } else { (None, None) };
     let errors = (!errors.is_empty()).then(|| errors.into_diagnostics().into_compile_error());
-    quote!(#item #first #second #errors)
+    quote! {
+        #[allow(dead_code, reason = "its derivatives may be all that is used")]
+        #item
+        #first
+        #second
+        #errors
+    }
 }
 
 /// The derived programs.
