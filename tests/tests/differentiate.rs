@@ -128,11 +128,11 @@ fn the_papers_aim_is_46_operations_however_it_is_stated() {
 fn numbers(x: f64, y: f64) -> f64 {
     const THIRD: f64 = 1.0 / 3.0;
     let (s, c) = (x * 0.5).sin_cos();
-    let both = f64::atan2(s, 2.0 + c) + (y + core::f64::consts::FRAC_PI_4).tan().atan();
+    let both = f64::atan2(s, 2.0 + c) + (y - core::f64::consts::FRAC_PI_4).tan().atan();
     let inside = 0.9 * s * y.cos();
     let root = (1.0 + x.powi(2) * y.powi(-2)).sqrt() + x.hypot(y);
     let grown = (inside.asin() - inside.acos()) * (THIRD * x).exp() / (2.0 + y).ln();
-    both + root * grown + x.mul_add(y, 1.0).recip() + y.to_degrees().to_radians()
+    both + root * grown + x.mul_add(y, 2.5).recip() + y.to_degrees().to_radians()
 }
 
 /// Choices: the derivative is that of the branch taken.
@@ -158,8 +158,12 @@ fn vectors(v: DVec3, s: f64, w: &DVec3) -> f64 {
     let unit = v.normalize_or_zero();
     let reflected = v.reflect(w.normalize());
     let boxed = v.abs().min(*w).max(DVec3::splat(-0.3)) * *w / DVec3::new(1.0, 2.0, 3.0);
-    along.distance(w.cross(v)) + unit.dot(reflected) * v.length_squared() + v.angle_between(*w)
-        + boxed.element_sum() + (v + 1.0).length_recip() + along.distance_squared(v.with_x(s)) * v[1]
+    along.distance(w.cross(v))
+        + unit.dot(reflected) * v.length_squared()
+        + v.angle_between(*w)
+        + boxed.element_sum()
+        + (v + 1.0).length_recip()
+        + along.distance_squared(v.with_x(s)) * v[1]
 }
 
 /// By a quaternion, off the unit sphere too: glam's own formula is what is differentiated.

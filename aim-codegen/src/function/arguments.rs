@@ -32,13 +32,14 @@ pub(super) struct Arguments {
 impl Arguments {
     /// Reads a signature; what is wrong with it is reported and left out.
     pub(super) fn read(signature: &Signature, options: &Options, errors: &mut Errors) -> Self {
-        refuse_qualifiers(signature, errors);
+        let generic = refuse_qualifiers(signature, errors);
         let (mut list, mut faulty) = (Vec::new(), Vec::new());
         for input in &signature.inputs {
             let typed = match input {
                 FnArg::Typed(typed) => typed,
                 FnArg::Receiver(receiver) => {
                     errors.add(receiver, messages::receiver());
+                    faulty.push(Ident::new("self", receiver.self_token.span));
                     continue;
                 }
             };
@@ -55,7 +56,9 @@ impl Arguments {
                     continue;
                 }
             };
-            match known_type(&typed.ty, errors) {
+            // Of a generic argument that was said.
+            let known = if generic { Type::read(&typed.ty).ok() } else { known_type(&typed.ty, errors) };
+            match known {
                 Some(ty) => {
                     let variable = name.as_ref().and_then(|name| place_among(options.wrt.as_deref(), name));
                     list.push(Argument { name, ty, variable });
@@ -209,8 +212,8 @@ fn known_type(ty: &syn::Type, errors: &mut Errors) -> Option<Type> {
     }
 }
 
-/// A function that is generic, asynchronous and so on cannot be written beside.
-fn refuse_qualifiers(signature: &Signature, errors: &mut Errors) {
+/// A function that is generic, asynchronous and so on cannot be written beside. Whether it is generic.
+fn refuse_qualifiers(signature: &Signature, errors: &mut Errors) -> bool {
     if let Some(word) = &signature.asyncness {
         errors.add(word, messages::qualifier("async"));
     }
@@ -228,4 +231,5 @@ fn refuse_qualifiers(signature: &Signature, errors: &mut Errors) {
     if let Some(dots) = &signature.variadic {
         errors.add(dots, messages::qualifier("variadic"));
     }
+    !signature.generics.params.is_empty()
 }

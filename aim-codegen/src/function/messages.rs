@@ -350,12 +350,15 @@ pub(super) fn no_unary(kind: &str) -> Text {
 }
 
 pub(super) fn no_operation(operator: &BinOp, left: &str, right: &str) -> Text {
-    let help = match operator {
-        BinOp::Rem(_) => "a remainder jumps: bring the number into its range before the call",
-        BinOp::BitXor(_) | BinOp::Shl(_) | BinOp::Shr(_) => "write `x.powi(2)` for a power",
-        _ => "numbers are compared; numbers, vectors, rotations and transforms are combined as in glam",
-    };
-    text(format!("there is no such operation between {left} and {right}"), help)
+    match operator {
+        BinOp::Rem(_) => {
+            text("a remainder jumps: it cannot be differentiated", "bring the number into its range before the call")
+        }
+        _ => text(
+            format!("there is no such operation between {left} and {right}"),
+            "numbers are compared; numbers, vectors, rotations and transforms are combined as in glam",
+        ),
+    }
 }
 
 pub(super) fn not_a_condition(found: &str) -> Text {

@@ -66,12 +66,9 @@ impl Options {
 }
 
 fn variables(key: &Word, value: Value, errors: &mut Errors) -> Vec<Word> {
-    let entries = match value.kind {
-        Kind::Table(entries) => entries,
-        _ => {
-            errors.at(&value.place, messages::wrt_form());
-            return Vec::new();
-        }
+    let Kind::Table(entries) = value.kind else {
+        errors.at(&value.place, messages::wrt_form());
+        return Vec::new();
     };
     let mut names: Vec<Word> = Vec::new();
     if entries.is_empty() {

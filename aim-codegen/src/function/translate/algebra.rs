@@ -63,7 +63,15 @@ impl Algebra {
         self.fold([a, b], |[a, b]| a - b).unwrap_or_else(|| self.g.sub(a, b))
     }
 
+    /// a b; a number times a reciprocal is a division.
     pub(crate) fn mul(&mut self, a: Scalar, b: Scalar) -> Scalar {
+        for (factor, reciprocal) in [(a, b), (b, a)] {
+            if let ScalarNode::Div(one, divisor) = self.g.scalar_node(reciprocal) {
+                if self.known(one) == Some(1.0) {
+                    return self.div(factor, divisor);
+                }
+            }
+        }
         self.fold([a, b], |[a, b]| a * b).unwrap_or_else(|| self.g.mul(a, b))
     }
 
@@ -78,7 +86,13 @@ impl Algebra {
         }
     }
 
+    /// √a; that of a vector's square is its length.
     pub(crate) fn sqrt(&mut self, a: Scalar) -> Scalar {
+        if let ScalarNode::Dot(v, w) = self.g.scalar_node(a) {
+            if v == w {
+                return self.norm(v);
+            }
+        }
         self.fold([a], |[a]| a.sqrt()).unwrap_or_else(|| self.g.sqrt(a))
     }
 

@@ -82,6 +82,8 @@ impl Translation<'_> {
                     };
                     ((*ty).to_owned(), function.to_owned())
                 }
+                // It is a closure, and that was said.
+                None if self.named(&name.to_string()).is_some_and(Value::is_unknown) => return Value::Unknown,
                 None => {
                     self.errors.add(name, messages::unknown_function(&name.to_string()));
                     return Value::Unknown;

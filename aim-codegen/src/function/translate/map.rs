@@ -22,9 +22,9 @@ pub(crate) enum Map {
     /// v ↦ q v q*, for a quaternion of any length: its vector part and its scalar part.
     Spin(Vector, Scalar),
     /// The second, then the first.
-    Compose(Rc<(Map, Map)>),
+    Compose(Rc<(Self, Self)>),
     /// The first where the condition holds, else the second.
-    Select(Rc<(Condition, Map, Map)>),
+    Select(Rc<(Condition, Self, Self)>),
 }
 
 impl Map {

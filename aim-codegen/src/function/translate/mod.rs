@@ -36,11 +36,14 @@ impl<'a> Translation<'a> {
     pub(super) fn block(&mut self, block: &Block) -> Value {
         let outside = self.names.len();
         let mut value = Value::Tuple(Vec::new());
+        let mut faulty = false;
         for statement in &block.stmts {
             value = self.statement(statement);
+            faulty |= value.is_unknown();
         }
         self.names.truncate(outside);
-        value
+        // What comes of a faulty statement may have been meant to be the value.
+        if faulty { Value::Unknown } else { value }
     }
 
     fn statement(&mut self, statement: &Stmt) -> Value {
@@ -72,6 +75,7 @@ impl<'a> Translation<'a> {
                 if !self.expression(expression).is_unknown() {
                     self.errors.add(semicolon, messages::no_effect());
                 }
+                return Value::Unknown;
             }
         }
         Value::Tuple(Vec::new())
@@ -188,7 +192,7 @@ impl<'a> Translation<'a> {
     fn path(&mut self, path: &syn::ExprPath) -> Value {
         if let (None, Some(name)) = (&path.qself, path.path.get_ident()) {
             let name_text = name.to_string();
-            if let Some((_, value)) = self.names.iter().rev().find(|(known, _)| *known == name_text) {
+            if let Some(value) = self.named(&name_text) {
                 return value.clone();
             }
             let known = self.names.iter().map(|(known, _)| known.as_str());
@@ -211,6 +215,11 @@ impl<'a> Translation<'a> {
         }
         self.errors.add(&path.path, messages::outside_constant(&calls::path_text(path)));
         Value::Unknown
+    }
+
+    /// The value of a name in scope.
+    fn named(&self, name: &str) -> Option<&Value> {
+        self.names.iter().rev().find(|(known, _)| *known == name).map(|(_, value)| value)
     }
 
     fn unary(&mut self, unary: &syn::ExprUnary) -> Value {

@@ -18,8 +18,8 @@ pub(crate) enum Value {
     Quaternion(Quaternion),
     Matrix(Map),
     Affine(Affine),
-    Tuple(Vec<Value>),
-    Array(Vec<Value>),
+    Tuple(Vec<Self>),
+    Array(Vec<Self>),
     /// What an error was reported for: nothing more is said about it.
     Unknown,
 }
@@ -92,9 +92,9 @@ pub(crate) enum Condition {
     Known(bool),
     /// a < b
     Less(Scalar, Scalar),
-    Not(Rc<Condition>),
-    And(Rc<(Condition, Condition)>),
-    Or(Rc<(Condition, Condition)>),
+    Not(Rc<Self>),
+    And(Rc<(Self, Self)>),
+    Or(Rc<(Self, Self)>),
 }
 
 impl Condition {
