@@ -138,7 +138,8 @@ fn numbers(x: f64, y: f64) -> f64 {
 /// Choices: the derivative is that of the branch taken.
 #[differentiate(wrt(x, y))]
 fn choices(x: f64, y: f64, v: DVec3) -> f64 {
-    let far = x > 0.5 || (y <= 0.2 && !(x < -0.5));
+    let left = x < -0.5;
+    let far = x > 0.5 || (y <= 0.2 && !left);
     let w = if far { v * x } else { v.cross(DVec3::new(y, x, 1.0)) };
     let turn = if far { DQuat::from_rotation_x(x) } else { DQuat::from_rotation_y(y) * DQuat::from_rotation_z(x) };
     let kept = if x == y {
@@ -350,7 +351,7 @@ mod kept {
 
     /// Stays as it is written.
     #[differentiate(wrt(x), crate = ::aim)]
-    #[cfg(all())]
+    #[cfg(test)]
     #[must_use]
     #[inline(always)]
     pub(crate) const fn still(x: f32) -> f32 {

@@ -124,7 +124,7 @@ impl Companions<'_> {
         let names = self.arguments.variables().into_iter().filter_map(|variable| variable.name.as_ref());
         let names = names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
         let count = derived.map(|derived| format!(" {}.", counted(derived.program.count()))).unwrap_or_default();
-        format!("The value of [`{function}`] and its {what} by {names}.{count}")
+        format!("The value of `{function}` and its {what} by {names}.{count}")
     }
 
     fn function(&self, name: &Ident, doc: &str, returns: &TokenStream, body: Option<TokenStream>) -> TokenStream {

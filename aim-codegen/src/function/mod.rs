@@ -16,6 +16,9 @@ mod options;
 mod translate;
 mod types;
 
+#[cfg(test)]
+mod tests;
+
 use aim_symbolic::{Program, Scalar, Want};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -33,9 +36,14 @@ pub fn differentiate(attribute: TokenStream, item: TokenStream) -> TokenStream {
     let mut errors = Errors::default();
     let function: ItemFn = match syn::parse2(item.clone()) {
         Ok(function) => function,
-        Err(_) => {
+        // What is no function at all is said in our words, what does not parse in the parser's.
+        Err(_) if syn::parse2::<syn::Item>(item.clone()).is_ok() => {
             errors.add(&item.clone().into_iter().next(), messages::not_a_function());
             let errors = errors.into_diagnostics().into_compile_error();
+            return quote!(#item #errors);
+        }
+        Err(error) => {
+            let errors = error.into_compile_error();
             return quote!(#item #errors);
         }
     };
