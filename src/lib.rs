@@ -48,8 +48,16 @@
 //! ```
 #![no_std]
 
-pub use aim_derive::AimRig;
+pub use aim_derive::{AimRig, differentiate};
 pub use aim_runtime::*;
+
+/// An affine transform whose maker vouches that it is rigid: a rotation and a translation, without scale, shear or
+/// mirroring. [`macro@differentiate`] relies on it, for this name and for `Affine3A` alike.
+pub type Rigid = glam::Affine3A;
+
+/// The same in double precision.
+#[cfg(feature = "f64")]
+pub type DRigid = glam::DAffine3;
 
 /// The bundled rigs, compiled from `rigs/*.toml`.
 #[cfg(feature = "rigs")]
@@ -60,5 +68,5 @@ pub mod rigs {
 /// What emitted code names; not for hand-written code.
 #[doc(hidden)]
 pub mod __private {
-    pub use aim_runtime::{AimRig, Axes, Effector, Joint, JointInfo, Scalar};
+    pub use aim_runtime::{AimRig, Axes, Effector, Joint, JointInfo, Real, Scalar};
 }

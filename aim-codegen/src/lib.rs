@@ -7,10 +7,12 @@
 
 pub mod declare;
 pub mod emit;
+mod function;
 mod names;
 pub mod objective;
 mod spec;
 
+pub use function::differentiate;
 pub use names::snake_case;
 pub use objective::{JointOutput, RigPrograms, Trace, joint_program, traces};
 pub use spec::{AngleRange, EffectorSpec, Frame, JointSpec, RigSpec};

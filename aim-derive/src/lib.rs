@@ -1,4 +1,4 @@
-//! The derive macro of `aim-rig`: hands its tokens to `aim-codegen` and what comes back to the compiler.
+//! The macros of `aim-rig`: hand their tokens to `aim-codegen` and what comes back to the compiler.
 
 use proc_macro::TokenStream;
 
@@ -26,4 +26,73 @@ use proc_macro::TokenStream;
 #[proc_macro_derive(AimRig, attributes(aim, joint))]
 pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
     aim_codegen::derive(input.into()).into()
+}
+
+/// Differentiates a function: beside it appears one that gives its value and its derivatives, as straight-line code
+/// derived while compiling.
+///
+/// ```ignore
+/// #[differentiate(wrt(p, h), budget = 46)]
+/// fn aim(p: f32, h: f32, eye: Rigid, target: Vec3) -> f32 {
+///     let turn = Quat::from_rotation_x(h) * Quat::from_rotation_z(p);
+///     let to_target = target - turn * Vec3::from(eye.translation);
+///     (turn * Vec3::from(eye.matrix3.y_axis)).dot(to_target.normalize())
+/// }
+///
+/// let (value, (by_p, by_h)) = aim_gradient(p, h, eye, target);
+/// ```
+///
+/// The function itself stays as it is written. Its companions have its arguments and its visibility:
+///
+/// | companion | of | returns |
+/// |---|---|---|
+/// | `…_gradient` | a number | the value and a tuple of derivatives in the order of `wrt`, each of its argument's own type |
+/// | `…_jacobian` | a vector | the value and a tuple: by a number a vector; of a `Vec3` by a `Vec3` the matrix whose columns are the derivatives by the components (`Mat3`, `DMat3`); by anything else an array of vectors, one a component |
+/// | `…_hessian`, with `hessian` | a number | the value, the tuple, and `[[f32; n]; n]` over the variables' components |
+///
+/// # Options
+///
+/// | option | meaning |
+/// |---|---|
+/// | `wrt(p, h)` | the arguments to differentiate by; needed |
+/// | `budget = 46` | more operations than that in the gradient or Jacobian are a compile error that tells the counts (additions, multiplications, divisions and roots; sines and other functions are given) |
+/// | `hessian` | second derivatives, too |
+/// | `crate = path` | the path of `aim`, where it is not `::aim` |
+///
+/// # Types
+///
+/// Arguments, by value or by `&`, are known by the last word of their types: `f32`, `Vec2`, `Vec3`, `Vec3A`, `Quat`,
+/// `Mat3`, `Mat3A`, `Rigid`, `Affine3A`, `[f32; N]`, and `f64`, `DVec2`, `DVec3`, `DQuat`, `DMat3`, `DRigid`,
+/// `DAffine3`, `[f64; N]`; one number type a function. The result is a number or a vector.
+///
+/// - `Rigid` and `Affine3A` count as **rigid**, a rotation and a translation: the derivation relies on it. There are no
+///   derivatives by them.
+/// - A `Quat` that is not in `wrt` counts as of length 1. One that is in `wrt` is four numbers: its derivatives are those
+///   of glam's own formula, off the unit sphere too.
+/// - A `Mat3` is any matrix.
+///
+/// # What a function may do
+///
+/// - `let` (names and tuples of names), `const`, blocks, `if` and `else` with comparisons, `&&`, `||`, `!`
+/// - arithmetic on numbers, vectors, quaternions, matrices and transforms, as glam has it; fields and constant indices
+/// - of numbers: `sin cos sin_cos tan asin acos atan atan2 sqrt exp ln powi abs signum min max clamp recip mul_add hypot
+///   to_radians to_degrees`, and `core::f32::consts`
+/// - of vectors: `dot cross length length_squared length_recip distance distance_squared normalize normalize_or_zero
+///   lerp midpoint project_onto reject_from reflect angle_between abs min max clamp mul_add with_x truncate extend perp
+///   perp_dot rotate_x` and a few more; `Vec3::X`, `Vec3::ZERO` and their like
+/// - of quaternions and matrices: `from_rotation_x`, `from_axis_angle`, `from_euler`, `from_quat`, `from_mat3`,
+///   `from_cols`, `inverse`, `conjugate`, `transpose`, `determinant`, `normalize`, `mul_vec3`, …
+/// - of transforms: `from_rotation_translation`, `transform_point3`, `transform_vector3`, `inverse`, …
+///
+/// Anything else is a compile error where it stands, with what to write instead. What a function outside does cannot be
+/// seen, nor the value of a constant outside: pass them as arguments.
+///
+/// # Where there is no derivative
+///
+/// A length that is zero has direction 0 and derivative 0; the derivative of a square root at 0 is 0; at a comparison's
+/// edge the derivative is that of the branch taken, and a sign has derivative 0. So derivatives are NaN only where the
+/// function itself is.
+#[proc_macro_attribute]
+pub fn differentiate(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    aim_codegen::differentiate(attribute.into(), item.into()).into()
 }

@@ -22,16 +22,16 @@ pub(crate) fn read(input: &DeriveInput) -> Rig {
     };
     let generics = &input.generics;
     if !generics.params.is_empty() {
-        item.generics = Some(place_of(&generics.params));
+        item.generics = Some(Place::of(&generics.params));
     } else if let Some(clause) = &generics.where_clause {
-        item.generics = Some(place_of(clause));
+        item.generics = Some(Place::of(clause));
     } else if let (Some(less), Some(_)) = (&generics.lt_token, &generics.gt_token) {
         // `struct Thug<>` is harmless, but there is no reason to write it.
-        item.generics = Some(place_of(less));
+        item.generics = Some(Place::of(less));
     }
     for attribute in &input.attrs {
         if attribute.path().is_ident("joint") {
-            item.misplaced.push(Word { text: "joint".into(), place: place_of(attribute.path()) });
+            item.misplaced.push(Word { text: "joint".into(), place: Place::of(attribute.path()) });
         } else if attribute.path().is_ident("derive") {
             read_derives(&attribute.meta, &mut item);
         }
@@ -68,13 +68,13 @@ pub(crate) fn sibling_derives(input: &DeriveInput) -> Vec<String> {
 }
 
 fn wrong_shape(item: &mut ItemFacts, what: &'static str, tokens: &impl ToTokens) -> Vec<Joint> {
-    item.wrong_shape = Some((what, place_of(tokens)));
+    item.wrong_shape = Some((what, Place::of(tokens)));
     Vec::new()
 }
 
 fn read_joint(field: &syn::Field, item: &mut ItemFacts) -> Joint {
     for attribute in field.attrs.iter().filter(|attribute| attribute.path().is_ident("aim")) {
-        item.misplaced.push(Word { text: "aim".into(), place: place_of(attribute.path()) });
+        item.misplaced.push(Word { text: "aim".into(), place: Place::of(attribute.path()) });
     }
     let name = field.ident.as_ref();
     // Fields of a named struct have names; a call site span is only what keeps this total.
@@ -87,7 +87,7 @@ fn read_section(attributes: &[syn::Attribute], name: &str, owner: &syn::Ident) -
     let ours = attributes.iter().filter(|attribute| attribute.path().is_ident(name));
     let mut section = Section { place: Place::span(owner.span()), attributes: Vec::new(), entries: Vec::new() };
     for attribute in ours {
-        let place = place_of(attribute.path());
+        let place = Place::of(attribute.path());
         let list = match &attribute.meta {
             Meta::List(list) => Some(list.tokens.clone()),
             Meta::Path(_) | Meta::NameValue(_) => None,
@@ -112,9 +112,4 @@ fn read_derives(meta: &Meta, item: &mut ItemFacts) {
 fn name_of(ident: &syn::Ident) -> Value {
     let Word { text, place } = word_of(ident);
     Value { kind: Kind::Text(text), place }
-}
-
-fn place_of(tokens: &impl ToTokens) -> Place {
-    let tokens: Vec<TokenTree> = tokens.to_token_stream().into_iter().collect();
-    Place::tokens(&tokens, Span::call_site())
 }

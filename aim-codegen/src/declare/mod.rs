@@ -11,10 +11,10 @@ mod literal;
 mod messages;
 mod place;
 mod render;
-mod tokens;
+pub(crate) mod tokens;
 #[cfg(feature = "toml")]
 mod toml_file;
-mod tree;
+pub(crate) mod tree;
 
 #[cfg(test)]
 mod tests;
@@ -24,6 +24,7 @@ use core::fmt;
 use quote::ToTokens;
 use syn::{Data, DeriveInput};
 
+pub(crate) use self::diagnostics::Text;
 pub use self::diagnostics::{Diagnostic, Diagnostics};
 pub use self::fallback::fallback;
 pub use self::place::Place;

@@ -3,6 +3,7 @@
 use core::ops::Range;
 
 use proc_macro2::{Span, TokenTree};
+use quote::ToTokens;
 
 /// Where something stands in what the user wrote.
 #[derive(Clone, Debug)]
@@ -30,6 +31,12 @@ impl Place {
             (Some(first), Some(last)) => Self::Tokens { first: first.span(), last: last.span() },
             _ => Self::span(fallback),
         }
+    }
+
+    /// The place of what these tokens write.
+    pub(crate) fn of(tokens: &impl ToTokens) -> Self {
+        let tokens: Vec<TokenTree> = tokens.to_token_stream().into_iter().collect();
+        Self::tokens(&tokens, Span::call_site())
     }
 
     /// Orders places of one file; places in tokens all compare equal, as spans have no order on stable.

@@ -1,5 +1,6 @@
 //! Back ends, one file each. A checked rig always has code: nothing here can fail.
 
+pub(crate) mod body;
 pub mod c;
 pub mod latex;
 pub mod maxima;

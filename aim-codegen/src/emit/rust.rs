@@ -3,11 +3,12 @@
 //! Emitted code names `::core` and the facade's hidden re-export, uses nothing of the prelude, does not allocate,
 //! panic or branch, and is the same for a derived struct and for a TOML file.
 
-use aim_symbolic::{Count, Op, Program, Value};
+use aim_symbolic::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Rig;
+use super::body::{Body, counted, local};
 use crate::{AngleRange, JointSpec, RigSpec};
 
 /// The names that emitted code stands among.
@@ -136,12 +137,6 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
 /// Names as documentation shows code.
 fn quoted(names: &[impl std::fmt::Display], between: &str) -> String {
     names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(between)
-}
-
-/// A variable of emitted code. Mixed-site spans keep it apart from variables, but a pattern called as a constant at the
-/// call site would compare instead of bind: hence the prefix, which declarations may not use.
-fn local(name: &str) -> Ident {
-    format_ident!("__{name}", span = Span::mixed_site())
 }
 
 fn joint_info(joint: &JointSpec, private: &TokenStream) -> TokenStream {
@@ -320,7 +315,8 @@ impl<'a> Kernels<'a> {
         let private = self.private;
         let outputs = Literal::usize_unsuffixed(program.outputs().len());
         let doc = format!("{doc} {}. Derived for the rig `{}`.", counted(program.count()), self.spec.name);
-        let body = Body { program, private, input };
+        let number = quote!(S);
+        let body = Body { program, number: &number, private, input };
         let steps = body.steps();
         let results = program.outputs().iter().map(|&v| body.operand(v));
         quote! {
@@ -334,12 +330,6 @@ impl<'a> Kernels<'a> {
     }
 }
 
-fn counted(count: Count) -> String {
-    let text = count.to_string();
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
-}
-
 fn index(array: &Ident, i: usize) -> TokenStream {
     let i = Literal::usize_unsuffixed(i);
     quote!(#array[#i])
@@ -348,79 +338,4 @@ fn index(array: &Ident, i: usize) -> TokenStream {
 fn index_twice(array: &Ident, i: usize, k: usize) -> TokenStream {
     let (i, k) = (Literal::usize_unsuffixed(i), Literal::usize_unsuffixed(k));
     quote!(#array[#i][#k])
-}
-
-/// The body of one function.
-struct Body<'a> {
-    program: &'a Program,
-    private: &'a TokenStream,
-    input: &'a dyn Fn(usize) -> TokenStream,
-}
-
-impl Body<'_> {
-    fn steps(&self) -> TokenStream {
-        let private = self.private;
-        let scalar = quote!(<S as #private::Scalar>);
-        let mut steps = TokenStream::new();
-        for (number, op) in self.program.steps() {
-            let at = |v: Value| self.operand(v);
-            let right = match op {
-                Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Neg(_) => continue,
-                Op::Add(a, b) => infix(at(a), '+', at(b)),
-                Op::Sub(a, b) => infix(at(a), '-', at(b)),
-                Op::Mul(a, b) => infix(at(a), '*', at(b)),
-                Op::Div(a, b) => infix(at(a), '/', at(b)),
-                Op::Sqrt(a) => {
-                    let a = at(a);
-                    quote!(#scalar::sqrt(#a))
-                }
-                Op::Call(function, a) => {
-                    let (function, a) = (format_ident!("{}", function.name()), at(a));
-                    quote!(<S as #private::Real>::#function(#a))
-                }
-                Op::Atan2(y, x) => {
-                    let (y, x) = (at(y), at(x));
-                    quote!(<S as #private::Real>::atan2(#y, #x))
-                }
-                Op::SelectLess(a, b, c, d) => {
-                    let (a, b, c, d) = (at(a), at(b), at(c), at(d));
-                    quote!(#scalar::select_less(#a, #b, #c, #d))
-                }
-            };
-            let name = local(&format!("v{number}"));
-            steps.extend(quote!(let #name = #right;));
-        }
-        steps
-    }
-
-    fn operand(&self, v: Value) -> TokenStream {
-        let private = self.private;
-        let scalar = quote!(<S as #private::Scalar>);
-        match self.program.ops()[v.index()] {
-            Op::Input(i) => (self.input)(i as usize),
-            Op::Constant(c) if c.value() == 0.0 => quote!(#scalar::ZERO),
-            Op::Constant(c) => {
-                let magnitude = Literal::f64_unsuffixed(c.value().abs());
-                if c.value() < 0.0 {
-                    quote!(#scalar::constant(-#magnitude))
-                } else {
-                    quote!(#scalar::constant(#magnitude))
-                }
-            }
-            Op::Tiny => quote!(#scalar::TINY),
-            Op::Neg(a) => {
-                let a = self.operand(a);
-                quote!(-#a)
-            }
-            _ => {
-                let name = local(&format!("v{}", self.program.step_number(v)));
-                quote!(#name)
-            }
-        }
-    }
-}
-
-fn infix(a: TokenStream, operator: char, b: TokenStream) -> TokenStream {
-    let operator = proc_macro2::Punct::new(operator, proc_macro2::Spacing::Alone);
-    quote!(#a #operator #b)
 }

@@ -3,6 +3,7 @@
 use super::report::Report;
 use crate::declare::messages::{self, Expected};
 use crate::declare::tree::{Entry, Item, Kind, Value};
+use crate::names;
 
 /// A known key and what its value has to be.
 pub(super) type Key = (&'static str, Expected);
@@ -112,35 +113,11 @@ impl<'t> Settings<'t> {
 
 /// The known key that was probably meant.
 fn nearest(key: &str, known: &[&'static str]) -> Option<&'static str> {
-    let key = key.to_lowercase();
-    if let Some((_, meant)) = SYNONYMS.iter().find(|(other, meant)| *other == key && known.contains(meant)) {
+    let lower = key.to_lowercase();
+    if let Some((_, meant)) = SYNONYMS.iter().find(|(other, meant)| *other == lower && known.contains(meant)) {
         return Some(meant);
     }
-    let shortened = |name: &&&str| key.len() >= 3 && name.starts_with(key.as_str());
-    if let Some(name) = known.iter().find(shortened) {
-        return Some(name);
-    }
-    let (distance, nearest) = known.iter().map(|name| (distance(&key, name), *name)).min()?;
-    (distance <= (nearest.len() / 3).max(1)).then_some(nearest)
-}
-
-/// How many letters have to be put in, left out, replaced or swapped with their neighbour.
-fn distance(from: &str, to: &str) -> usize {
-    let (from, to): (Vec<char>, Vec<char>) = (from.chars().collect(), to.chars().collect());
-    let mut rows = vec![(0..=to.len()).collect::<Vec<usize>>()];
-    for (i, a) in from.iter().enumerate() {
-        let mut row = vec![i + 1];
-        for (j, b) in to.iter().enumerate() {
-            let replaced = rows[i][j] + usize::from(a != b);
-            let mut least = replaced.min(row[j] + 1).min(rows[i][j + 1] + 1);
-            if i > 0 && j > 0 && from[i - 1] == *b && to[j - 1] == *a {
-                least = least.min(rows[i - 1][j - 1] + 1);
-            }
-            row.push(least);
-        }
-        rows.push(row);
-    }
-    rows[from.len()][to.len()]
+    names::nearest(key, known.iter().copied())
 }
 
 #[cfg(test)]

@@ -32,6 +32,18 @@ pub struct Raw {
     r#gen: Joint,
 }
 
+/// A function made by a macro: its parts arrive in invisible groups.
+macro_rules! wave {
+    ($name:ident($argument:ident: $ty:ty) -> $result:ty { $value:expr } $budget:literal) => {
+        #[aim::differentiate(wrt($argument), budget = $budget)]
+        pub fn $name($argument: $ty, factor: $ty) -> $result {
+            factor * $value
+        }
+    };
+}
+
+wave!(wave(r#gen: f32) -> f32 { r#gen.sin() + 2.0 } 3);
+
 /// A rig of a function's own.
 pub fn local() -> usize {
     #[derive(AimRig)]
@@ -68,6 +80,11 @@ mod tests {
         let raw = Raw::default();
         assert_eq!((raw.r#dyn, raw.r#gen), (Joint::default(), Joint::default()));
         assert!(format!("{raw:?}").contains("gen: Joint"), "{raw:?}");
+    }
+
+    #[test]
+    fn functions_of_macros_are_differentiated() {
+        assert_eq!(wave_gradient(0.0, 3.0), (wave(0.0, 3.0), (3.0,)));
     }
 
     #[test]

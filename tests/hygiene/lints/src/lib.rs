@@ -47,7 +47,8 @@
     clippy::wildcard_enum_match_arm
 )]
 
-use aim::{AimRig, Joint};
+use aim::glam::Vec3;
+use aim::{AimRig, Joint, Rigid, differentiate};
 
 /// For everyone.
 #[derive(AimRig)]
@@ -103,6 +104,25 @@ pub fn inside() -> Joint {
     Inside::default().eye
 }
 
+/// The cosine between an eye's direction and the target's.
+#[must_use]
+#[differentiate(wrt(x, v), hessian)]
+pub fn looks(x: f32, v: &Vec3, eye: Rigid) -> f32 {
+    let turned = Vec3::from(eye.matrix3.y_axis).rotate_x(x);
+    turned.dot(v.normalize()) + if x < 0.5 { x.sin() } else { x.exp() }
+}
+
+#[differentiate(wrt(v), budget = 3)]
+fn doubled(v: Vec3, _unused: f32) -> Vec3 {
+    Vec3::new(2.0 * v.x, v.y, v.z)
+}
+
+/// What only this crate differentiates.
+#[must_use]
+pub fn inner(v: Vec3) -> Vec3 {
+    doubled_jacobian(v, 0.0).0
+}
+
 /// Code that was generated into a file: nothing excuses it from lints, as the expansion of a macro is excused.
 pub mod generated {
     use aim::Joint;
@@ -134,6 +154,10 @@ mod tests {
     fn the_rigs_are_usable() {
         assert_eq!(super::joints(), 1);
         assert_eq!(super::inside(), super::Joint::default());
+        assert_eq!(super::inner(super::Vec3::X), super::Vec3::new(2.0, 0.0, 0.0));
+        let (value, ..) = super::looks_hessian(0.0, &super::Vec3::Y, super::Rigid::IDENTITY);
+        assert!((value - super::looks(0.0, &super::Vec3::Y, super::Rigid::IDENTITY)).abs() < 1e-6);
+        assert!((value - super::looks_gradient(0.0, &super::Vec3::Y, super::Rigid::IDENTITY).0).abs() < 1e-6);
         assert_eq!(Public::default().joints().len(), 2);
         assert_eq!(generated::Thug::default().joints().len(), 3);
         assert_eq!(generated::General::default().joints().len(), 2);

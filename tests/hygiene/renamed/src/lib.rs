@@ -1,5 +1,6 @@
 //! A crate that knows the facade as `aim2`, and one module that knows it by a path of its own.
 
+use aim2::glam::Vec3;
 use aim2::{AimRig, Joint};
 
 /// Named from the roots of the crates.
@@ -30,6 +31,13 @@ pub struct Reexported {
     eye: Joint,
 }
 
+/// A function that is told the facade's name.
+#[aim2::differentiate(wrt(v), crate = crate::engine::looking)]
+#[must_use]
+pub fn squared(v: Vec3) -> Vec3 {
+    v * v.length()
+}
+
 #[cfg(test)]
 mod tests {
     use aim2::glam::{Affine3A, Vec3};
@@ -38,6 +46,12 @@ mod tests {
     fn turns<R: for<'a> AimRig<Array<Affine3A> = [Affine3A; 1]>>(mut rig: R, target: Vec3) {
         let outcome = rig.snap(&Pose { joints: [Affine3A::IDENTITY] }, target);
         assert_eq!(outcome.status, aim2::Status::Reached, "{outcome:?}");
+    }
+
+    #[test]
+    fn the_matrix_is_the_facades() {
+        let jacobian: aim2::glam::Mat3 = super::squared_jacobian(Vec3::Y).1.0;
+        assert_eq!(jacobian.y_axis, 2.0 * Vec3::Y);
     }
 
     #[test]

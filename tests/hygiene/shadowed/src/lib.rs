@@ -103,6 +103,9 @@ pub trait Methods: ::core::marker::Sized {
     fn default() {}
     fn fmt(self) {}
     fn array(self) {}
+    fn sin_cos(self) {}
+    fn select_less(self) {}
+    fn from_cols_array(self) {}
 }
 
 impl<Any> Methods for Any {}
@@ -115,6 +118,19 @@ pub struct Thug {
     left_eye: ::aim::Joint,
     #[joint(heading = free, pitch = -25deg..=20deg, rate = 90deg, bones(up = +Z, forward = +X), level = 0.5)]
     neck: ::aim::Joint,
+}
+
+/// A differentiated function; its types are written out, as its neighbours' are not what they seem.
+#[::aim::differentiate(wrt(radians, v), hessian)]
+pub fn turned(radians: ::core::primitive::f32, v: ::aim::glam::Vec3) -> ::core::primitive::f32 {
+    let (sine, cosine) = (radians.sin(), radians.cos());
+    (<::aim::glam::Vec3>::new(sine, cosine, radians) / v.length()).dot(v)
+}
+
+/// Its Jacobian's matrix stands beside its vector.
+#[::aim::differentiate(wrt(v))]
+pub fn scaled(v: ::aim::glam::Vec3) -> ::aim::glam::Vec3 {
+    v * v.x
 }
 
 /// Rigs called as the type parameters of emitted code are.
@@ -138,6 +154,14 @@ mod parameters {
 mod tests {
     use ::std::prelude::rust_2024::*;
     use ::std::{assert, assert_eq, format};
+
+    #[test]
+    fn the_function_means_what_it_says() {
+        let v = ::aim::glam::Vec3::X;
+        let (value, (by_x, _)) = super::turned_gradient(0.0, v);
+        assert_eq!((value, by_x), (super::turned(0.0, v), 1.0));
+        assert_eq!(super::scaled_jacobian(v).1.0.x_axis, 2.0 * v);
+    }
 
     #[test]
     fn the_rig_means_what_it_says() {

@@ -1,0 +1,378 @@
+//! Every text a user of `#[differentiate]` may read: what was found, and what to write instead.
+
+use aim_symbolic::Count;
+use syn::BinOp;
+
+use super::types;
+use crate::declare::Text;
+use crate::names::nearest;
+
+fn text(message: impl Into<String>, help: impl Into<String>) -> Text {
+    Text { message: message.into(), help: help.into() }
+}
+
+fn list<'n>(names: impl IntoIterator<Item = &'n str>) -> String {
+    names.into_iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
+// The attribute.
+
+pub(super) fn stray_option(found: &str) -> Text {
+    text(
+        format!("expected an option's name, found `{found}`"),
+        "write `#[differentiate(wrt(p, h), budget = 46, hessian, crate = ::aim)]`, of which `wrt` is needed",
+    )
+}
+
+pub(super) fn no_comma(key: &str) -> Text {
+    text(format!("expected `,` before `{key}`"), "put a comma between two options")
+}
+
+pub(super) fn first_use(what: &str) -> String {
+    format!("`{what}` was first used here")
+}
+
+pub(super) fn option_twice(key: &str) -> Text {
+    let help = if key == "wrt" { "write all variables into one `wrt(…)`" } else { "keep one of the two" };
+    text(format!("`{key}` is set twice"), help)
+}
+
+pub(super) fn unknown_option(key: &str, known: &[&'static str]) -> Text {
+    let help = match nearest(key, known.iter().copied()) {
+        Some(nearest) => format!("did you mean `{nearest}`?"),
+        None => format!("known here: {}", list(known.iter().copied())),
+    };
+    text(format!("unknown option `{key}`"), help)
+}
+
+pub(super) fn flag_with_value(key: &str) -> Text {
+    text(format!("`{key}` has no value"), format!("write `{key}` alone"))
+}
+
+pub(super) fn crate_not_a_path() -> Text {
+    text("`crate` needs a path", "write it as in `crate = ::aim`")
+}
+
+pub(super) fn budget_form() -> Text {
+    text("`budget` needs a whole number", "write the most operations that are allowed, as in `budget = 46`")
+}
+
+pub(super) fn no_wrt() -> Text {
+    text(
+        "it is not said by what this function is to be differentiated",
+        "name the arguments: `#[differentiate(wrt(p, h))]`",
+    )
+}
+
+pub(super) fn wrt_form() -> Text {
+    text("`wrt` needs the names of arguments", "write it as in `wrt(p, h)`")
+}
+
+pub(super) fn wrt_empty() -> Text {
+    text("`wrt` names no argument", "name at least one: `wrt(p)`")
+}
+
+pub(super) fn wrt_twice(name: &str) -> Text {
+    text(format!("`{name}` is named twice"), "keep one of the two")
+}
+
+pub(super) fn unknown_variable(name: &str, known: &[String]) -> Text {
+    let help = match nearest(name, known.iter().map(String::as_str)) {
+        Some(nearest) => format!("did you mean `{nearest}`?"),
+        None if known.is_empty() => "the function has no arguments".into(),
+        None => format!("its arguments are {}", list(known.iter().map(String::as_str))),
+    };
+    text(format!("the function has no argument `{name}`"), help)
+}
+
+pub(super) fn rigid_variable(name: &str) -> Text {
+    text(
+        format!("`{name}` is a rigid transform: there are no derivatives by its numbers"),
+        "its numbers depend on each other; differentiate by angles, a vector or a quaternion that it is made of",
+    )
+}
+
+pub(super) fn over_budget(budget: usize, count: Count) -> Text {
+    text(
+        format!("the derived function needs more than {budget} operations"),
+        format!("it needs {count}; allow `budget = {}` or look for what can be shared", count.total()),
+    )
+}
+
+pub(super) fn hessian_of_vector() -> Text {
+    text("`hessian` is for functions of one number", "second derivatives of a vector have no matrix: leave it out")
+}
+
+// The signature.
+
+pub(super) fn not_a_function() -> Text {
+    text("only a function can be differentiated", "write `#[differentiate(…)]` on a `fn` with a body")
+}
+
+pub(super) fn qualifier(what: &str) -> Text {
+    text(format!("`{what}` functions cannot be differentiated"), "write an ordinary function and call it from there")
+}
+
+pub(super) fn generic() -> Text {
+    text(
+        "a generic function cannot be differentiated",
+        "write it for one number type, and references without a lifetime",
+    )
+}
+
+pub(super) fn receiver() -> Text {
+    text("`self` cannot be differentiated through", "pass what the function needs of it as arguments")
+}
+
+pub(super) fn argument_pattern() -> Text {
+    text("an argument needs a name", "take the argument apart inside the function")
+}
+
+pub(super) fn unknown_type(found: &str) -> Text {
+    let found = found.replace(' ', "");
+    let help = match nearest(found.rsplit("::").next().unwrap_or_default(), types::names()) {
+        Some(nearest) => format!("did you mean `{nearest}`?"),
+        None => {
+            format!("types are known by their names: {}, `[f32; N]`, and references to them", list(types::names()))
+        }
+    };
+    text(format!("`{found}` is no type that can be differentiated through"), help)
+}
+
+pub(super) fn mutable_reference() -> Text {
+    text("an argument cannot be changed", "take it by value or by `&`")
+}
+
+pub(super) fn no_result() -> Text {
+    text("this function has no result", "return a number or a vector")
+}
+
+pub(super) fn result_type() -> Text {
+    text(
+        "the result must be a number or a vector",
+        "return `f32`, `f64`, `Vec2`, `Vec3`, `Vec3A`, `DVec2` or `DVec3`, by value",
+    )
+}
+
+pub(super) fn mixed(first: &str, other: &str) -> Text {
+    text(
+        format!("this is {other}, but the function computes in {first}"),
+        format!("use one number type throughout: take and return {first}"),
+    )
+}
+
+// Statements.
+
+pub(super) fn unsupported(what: &str, help: &str) -> Text {
+    text(format!("{what} cannot be differentiated"), help)
+}
+
+pub(super) fn mutable() -> Text {
+    text("variables that change cannot be differentiated", "bind each new value with a `let` of its own")
+}
+
+pub(super) fn assignment() -> Text {
+    text("an assignment cannot be differentiated", "bind the new value with `let`")
+}
+
+pub(super) fn let_else() -> Text {
+    text("`let … else` cannot be differentiated", "write it with `if` and `else`")
+}
+
+pub(super) fn let_without_value() -> Text {
+    text("this name has no value yet", "give it one where it is declared: `let x = if … { … } else { … };`")
+}
+
+pub(super) fn pattern() -> Text {
+    text("this pattern is not understood", "bind a name or a tuple of names, as in `let (sin, cos) = x.sin_cos();`")
+}
+
+pub(super) fn pattern_of(found: &str) -> Text {
+    text(format!("this pattern does not fit {found}"), "give every part a name")
+}
+
+pub(super) fn inner_item() -> Text {
+    text("items inside a function are not understood", "move it out, or write what it does into the function")
+}
+
+pub(super) fn macro_call() -> Text {
+    text(
+        "what a macro stands for cannot be seen",
+        "write the expression itself; check arguments in a function that calls this one",
+    )
+}
+
+pub(super) fn no_effect() -> Text {
+    text("this statement has no effect on the result", "bind its value with `let`, or leave the semicolon out")
+}
+
+// Expressions.
+
+pub(super) fn outside_name<'n>(name: &str, known: impl Iterator<Item = &'n str> + Clone) -> Text {
+    let help = match nearest(name, known) {
+        Some(nearest) if !name.starts_with(char::is_uppercase) => format!("did you mean `{nearest}`?"),
+        _ => "pass it as an argument, or write the number".into(),
+    };
+    text(format!("the value of `{name}` cannot be seen from here"), help)
+}
+
+pub(super) fn outside_constant(path: &str) -> Text {
+    text(
+        format!("the value of `{path}` cannot be seen from here"),
+        "pass it as an argument or write the number; known are `core::f32::consts::PI` and its like, \
+         `Vec3::X` and its like, `Quat::IDENTITY`",
+    )
+}
+
+pub(super) fn unknown_function(path: &str) -> Text {
+    text(
+        format!("what `{path}` does cannot be seen from here"),
+        "write its body in its place, or pass its result as an argument",
+    )
+}
+
+pub(super) fn call_of_value() -> Text {
+    text("only functions with a name can be called", "write what it does in its place")
+}
+
+pub(super) fn no_generics() -> Text {
+    text("generic arguments are not understood", "leave them out")
+}
+
+/// What to write for functions that are known not to be supported.
+const INSTEAD: &[(&str, &str)] = &[
+    ("powf", "write `x.powi(2)` for a whole power, `x.sqrt()` for a root, else `(y * x.ln()).exp()`"),
+    ("exp2", "write `(x * core::f32::consts::LN_2).exp()`"),
+    ("log2", "write `x.ln() / core::f32::consts::LN_2`"),
+    ("log10", "write `x.ln() / core::f32::consts::LN_10`"),
+    ("log", "write `x.ln() / base.ln()`"),
+    ("cbrt", "write `(x.ln() / 3.0).exp()` for positive x"),
+    ("sinh", "write `0.5 * (x.exp() - (-x).exp())`"),
+    ("cosh", "write `0.5 * (x.exp() + (-x).exp())`"),
+    ("tanh", "write it with `exp`: `1.0 - 2.0 / ((2.0 * x).exp() + 1.0)`"),
+    ("rem_euclid", "a remainder jumps: bring the number into its range before the call"),
+    ("floor", "rounding has no derivative: round before the call"),
+    ("ceil", "rounding has no derivative: round before the call"),
+    ("round", "rounding has no derivative: round before the call"),
+    ("trunc", "rounding has no derivative: round before the call"),
+    ("fract", "rounding has no derivative: take the fraction before the call"),
+    ("copysign", "write it with `if` and `abs`"),
+    ("try_normalize", "write `normalize_or_zero`"),
+    ("normalize_or", "write it with `if` and the vector's length"),
+    ("slerp", "turn by a fraction of the angle, as in `Quat::from_axis_angle(axis, s * angle)`"),
+    ("from_scaled_axis", "write `Quat::from_axis_angle(axis, angle)`"),
+    ("to_scaled_axis", "write `2.0 * q.w.acos()` for the angle and `q.xyz().normalize()` for the axis"),
+    ("to_axis_angle", "write `2.0 * q.w.acos()` for the angle and `q.xyz().normalize()` for the axis"),
+    ("from_rotation_arc", "write the turn about their cross product by `from_axis_angle`"),
+    ("from_scale_rotation_translation", "scale the points and write `from_rotation_translation`"),
+    ("from_scale", "multiply the vector by the scale"),
+];
+
+pub(super) fn unknown_method<'n>(name: &str, kind: &str, known: impl Iterator<Item = &'n str> + Clone) -> Text {
+    let help = if let Some((_, instead)) = INSTEAD.iter().find(|(known, _)| *known == name) {
+        (*instead).to_owned()
+    } else if let Some(nearest) = nearest(name, known.clone()) {
+        format!("did you mean `{nearest}`?")
+    } else if known.clone().next().is_none() {
+        "write what it does in its place".to_owned()
+    } else {
+        format!("write what it does in its place; known of {kind}: {}", list(known))
+    };
+    text(format!("`{name}` of {kind} cannot be differentiated"), help)
+}
+
+pub(super) fn wrong_arguments(name: &str, takes: &str, found: &str) -> Text {
+    let found = if found.is_empty() { "nothing" } else { found };
+    text(format!("`{name}` is given {found}"), format!("it takes {takes}"))
+}
+
+pub(super) fn power_not_literal() -> Text {
+    text(
+        "the exponent of `powi` must be a whole number as written",
+        "write the number, as in `x.powi(3)`; for another power, `(y * x.ln()).exp()`",
+    )
+}
+
+pub(super) fn index_not_literal() -> Text {
+    text("an index must be a whole number as written", "write the number")
+}
+
+pub(super) fn index_outside(kind: &str) -> Text {
+    text(format!("there is no such part of {kind}"), "count from 0")
+}
+
+pub(super) fn unknown_field(name: &str, kind: &str) -> Text {
+    let help = match kind {
+        "a vector" => "its parts are `x`, `y`, `z`",
+        "a vector of two" => "its parts are `x`, `y`",
+        "a quaternion" => "its parts are `x`, `y`, `z`, `w`",
+        "a matrix" => "its parts are `x_axis`, `y_axis`, `z_axis`",
+        "a transform" => "its parts are `matrix3` and `translation`",
+        _ => "pass it as an argument",
+    };
+    text(format!("{kind} has no part `{name}` that is understood"), help)
+}
+
+pub(super) fn quaternion_of_matrix() -> Text {
+    text(
+        "the numbers of a quaternion that was made from a matrix are not derived",
+        "build the quaternion from turns, or take it as an argument",
+    )
+}
+
+pub(super) fn matrix_not_rotation() -> Text {
+    text(
+        "this matrix need not be a rotation",
+        "take a `Quat` as an argument, or build the matrix from turns or from the matrix of a `Rigid`",
+    )
+}
+
+pub(super) fn numbers_expected(count: usize) -> Text {
+    text(format!("this must be an array of {count} numbers"), "write the numbers in brackets")
+}
+
+pub(super) fn axis_not_unit(length: f64) -> Text {
+    text(format!("the axis of a turn must have length 1, this one has {length:.3}"), "normalise it: `axis.normalize()`")
+}
+
+pub(super) fn euler_order() -> Text {
+    text(
+        "`from_euler` needs an order as written and three angles",
+        "write it as in `Quat::from_euler(EulerRot::YXZ, yaw, pitch, roll)`",
+    )
+}
+
+pub(super) fn no_unary(kind: &str) -> Text {
+    text(
+        format!("there is no such operation on {kind}"),
+        "`-` is for numbers, vectors and matrices, `!` for conditions",
+    )
+}
+
+pub(super) fn no_operation(operator: &BinOp, left: &str, right: &str) -> Text {
+    match operator {
+        BinOp::Rem(_) => {
+            text("a remainder jumps: it cannot be differentiated", "bring the number into its range before the call")
+        }
+        _ => text(
+            format!("there is no such operation between {left} and {right}"),
+            "numbers are compared; numbers, vectors, rotations and transforms are combined as in glam",
+        ),
+    }
+}
+
+pub(super) fn not_a_condition(found: &str) -> Text {
+    text(format!("`if` needs a condition, found {found}"), "compare two numbers")
+}
+
+pub(super) fn if_without_else() -> Text {
+    text("an `if` without `else` has no value", "write the `else` branch too")
+}
+
+pub(super) fn branches_differ(then: &str, otherwise: &str) -> Text {
+    text(format!("one branch is {then}, the other {otherwise}"), "both must be of one kind")
+}
+
+pub(super) fn wrong_result(found: &str, expected: &str) -> Text {
+    text(format!("the function's value is {found}, its type says {expected}"), "make both the same")
+}

@@ -1,0 +1,105 @@
+//! What the attribute expands to, as tokens: the function unchanged, and companions or errors beside it.
+
+use proc_macro2::TokenStream;
+use syn::{Item, ItemFn};
+
+use super::differentiate;
+
+fn expand(attribute: &str, item: &str) -> String {
+    let tokens = |text: &str| text.parse::<TokenStream>().expect("tests are made of tokens");
+    differentiate(tokens(attribute), tokens(item)).to_string()
+}
+
+/// The functions of an expansion, without the errors.
+fn functions(expansion: &str) -> Vec<ItemFn> {
+    let file: syn::File = syn::parse_str(expansion).unwrap_or_else(|error| panic!("{error}: {expansion}"));
+    file.items
+        .into_iter()
+        .filter_map(|item| match item {
+            Item::Fn(function) => Some(function),
+            _ => None,
+        })
+        .collect()
+}
+
+fn names(expansion: &str) -> Vec<String> {
+    functions(expansion).iter().map(|function| function.sig.ident.to_string()).collect()
+}
+
+/// How many errors there are.
+fn errors(expansion: &str) -> usize {
+    expansion.matches("compile_error").count()
+}
+
+/// The values of functions that ask for what programs, folding and literals could stumble over.
+const ODD: &[&str] = &[
+    "1e300 * 1e300 * x",
+    "x / 0.0 + 0.0 / 0.0",
+    "(0.0 * x - 1.0).sqrt() + (-1.0f64).ln()",
+    "x.powi(2147483647) + x.powi(-2147483647) + x.powi(0)",
+    "0.0",
+    "({ let x = x; ({ let x = x * x; x } + x) })",
+    "if true { x } else { f64::MAX }",
+    "if x != x { x } else if !(x < 1.0 && x > 0.0 || x == 2.0) { -x } else { 1.0 }",
+    "(x, [x; 3], (x,)).1[2]",
+    "(-(-x)).sin() + (x * -0.0).cos() + (x / 3.0 * -2.0).sin_cos().1",
+    "DQuat::from_rotation_x(1e400).w",
+    "DQuat::from_xyzw(0.0, 0.0, 0.0, 1.0).mul_vec3(DVec3::splat(x)).x",
+    "DVec3::ZERO.normalize().x * x + DVec3::ZERO.length() + DVec3::X.angle_between(DVec3::X) * x",
+    "DMat3::ZERO.inverse().determinant() + x",
+    "DMat3::from_cols_array(&[x; 9]).inverse().x_axis.y",
+    "DQuat::from_axis_angle(DVec3::new(0.6, x, 0.8).normalize(), core::f64::consts::FRAC_PI_2).y",
+    "(if x < 1.0 { DQuat::from_rotation_x(x) } else { DQuat::IDENTITY } * DVec3::Y).z",
+];
+
+#[test]
+fn odd_functions_are_differentiated_or_refused() {
+    for value in ODD {
+        let item = format!("fn f(x: f64) -> f64 {{ {value} }}");
+        let expansion = expand("wrt(x), hessian", &item);
+        assert_eq!(names(&expansion), ["f", "f_gradient", "f_hessian"], "{value}");
+        assert_eq!(errors(&expansion), usize::from(value.contains("1e400")), "{value}: {expansion}");
+    }
+}
+
+#[test]
+fn the_function_is_emitted_as_written() {
+    let item = "# [doc = \"Words.\"] # [inline (never)] pub (crate) fn f (x : f32) -> f32 { x * 1.50_0e0 }";
+    let tokens = |text: &str| text.parse::<TokenStream>().expect("tests are made of tokens").to_string();
+    for attribute in ["wrt(x)", "wrt(y)", "", "wrt(x), budget = 0", "wrt(x), what = 1", "= ( ,, "] {
+        let attribute = if attribute.contains('(') && !attribute.contains(')') { "= ,," } else { attribute };
+        let expansion = expand(attribute, item);
+        assert!(expansion.contains(&tokens(item)), "{expansion}");
+        assert_eq!(errors(&expansion) == 0, attribute == "wrt(x)", "{attribute}: {expansion}");
+        assert_eq!(names(&expansion), ["f", "f_gradient"], "with errors, a stub: {attribute}");
+    }
+}
+
+#[test]
+fn one_sine_and_cosine_of_one_angle() {
+    let expansion = expand("wrt(x)", "fn f(x: f32, v: &Vec3) -> f32 { (Quat::from_rotation_x(x) * *v).dot(*v) }");
+    assert_eq!(expansion.matches("sin_cos").count(), 1, "{expansion}");
+    assert!(!expansion.contains(":: sin (") && !expansion.contains(":: cos ("), "{expansion}");
+    assert!(!expansion.contains("glam"), "emitted code speaks the user's glam: {expansion}");
+}
+
+#[test]
+fn matrices_stand_beside_the_users_vectors() {
+    let of = |vector: &str| expand("wrt(v)", &format!("fn f(v: {vector}) -> {vector} {{ v * 2.0 }}")).replace(' ', "");
+    assert!(of("glam::Vec3").contains("(glam::Mat3,)"));
+    assert!(of("::bevy::math::DVec3").contains("(::bevy::math::DMat3,)"));
+    assert!(of("Vec3A").contains("(::aim::glam::Mat3,)"));
+}
+
+#[test]
+fn the_same_function_gives_the_same_code() {
+    let item = "fn f(x: f32, v: Vec3) -> f32 { (Quat::from_rotation_y(x) * v).normalize().z * v.length() }";
+    assert_eq!(expand("wrt(v, x), hessian", item), expand("wrt(v, x), hessian", item));
+}
+
+#[test]
+fn long_sums_are_no_trouble() {
+    let sum = vec!["x * k"; 500].join(" + ");
+    let expansion = expand("wrt(x)", &format!("fn f(x: f32, k: f32) -> f32 {{ {sum} }}"));
+    assert_eq!(errors(&expansion), 0);
+}

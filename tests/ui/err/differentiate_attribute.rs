@@ -1,0 +1,39 @@
+use aim::glam::{Quat, Vec3};
+use aim::{Rigid, differentiate};
+
+#[differentiate]
+fn without_variables(x: f32) -> f32 {
+    x
+}
+
+#[differentiate(wrt(headin, pitch, pitch), bugdet = 46)]
+fn names(heading: f32, pitch: f32) -> f32 {
+    heading * pitch
+}
+
+#[differentiate(wrt(m))]
+fn by_a_transform(m: Rigid, v: Vec3) -> f32 {
+    m.transform_point3(v).x
+}
+
+#[differentiate(wrt(), budget = "few", hessian = 2, hessian)]
+fn forms(x: f32) -> f32 {
+    x
+}
+
+#[differentiate(wrt(x), budget = 3)]
+fn dear(x: f32, v: Vec3) -> f32 {
+    (Quat::from_rotation_x(x) * v).length_squared() * x.powi(7)
+}
+
+#[differentiate(wrt(x), hessian)]
+fn hessian_of_a_vector(x: f32, v: Vec3) -> Vec3 {
+    v * x
+}
+
+#[differentiate(wrt(x))]
+struct NoFunction {
+    x: f32,
+}
+
+fn main() {}
