@@ -49,6 +49,9 @@ fn operations(g: &Graph, outputs: &[Scalar]) -> usize {
     Uses::of(g, outputs).operations(g)
 }
 
+/// How many operations one written step has at most, for its reader.
+const MOST_IN_A_STEP: usize = 6;
+
 /// The result of an operation of a [`Program`]: its place in the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Value(pub(crate) u32);
@@ -95,6 +98,10 @@ impl Op {
         !matches!(self, Self::Input(_) | Self::Constant(_) | Self::Tiny | Self::Neg(_))
     }
 
+    fn is_arithmetic(self) -> bool {
+        matches!(self, Self::Add(..) | Self::Sub(..) | Self::Mul(..) | Self::Div(..))
+    }
+
     /// The values it needs.
     pub fn operands(self) -> impl Iterator<Item = Value> {
         let operands = match self {
@@ -117,6 +124,8 @@ pub struct Program {
     outputs: Vec<Value>,
     /// For each operation the number of steps before it.
     numbers: Vec<usize>,
+    /// For each operation whether it is part of another's expression.
+    inline: Vec<bool>,
 }
 
 impl Program {
@@ -134,7 +143,7 @@ impl Program {
         let outputs = lowered.iter().map(|&s| schedule.value(s)).collect();
         let ops = schedule.ops;
         let inputs = g.inputs().iter().map(|(name, _)| name.clone()).collect();
-        let mut program = Self { inputs, ops, outputs, numbers: Vec::new() };
+        let mut program = Self { inputs, ops, outputs, numbers: Vec::new(), inline: Vec::new() };
         if rules.has(DIVIDE_ONCE) {
             program.divide_once();
         }
@@ -161,10 +170,20 @@ impl Program {
         &self.outputs
     }
 
-    /// The operations that are written as steps, numbered from 0: all but inputs, constants and negations, which stand
-    /// where they are used.
+    /// The operations that are written as steps, numbered from 0: all but inputs, constants and negations, and sums and
+    /// products that are needed once, which stand where they are used.
     pub fn steps(&self) -> impl Iterator<Item = (usize, Op)> {
-        self.ops.iter().zip(&self.numbers).filter(|(op, _)| op.is_step()).map(|(&op, &number)| (number, op))
+        let steps = (0..self.ops.len()).filter(|&place| self.is_step(place));
+        steps.map(|place| (self.numbers[place], self.ops[place]))
+    }
+
+    /// Whether `value` is written where it is used: it is needed once, and small.
+    pub fn is_inline(&self, value: Value) -> bool {
+        self.inline[value.index()]
+    }
+
+    fn is_step(&self, place: usize) -> bool {
+        self.ops[place].is_step() && !self.inline[place]
     }
 
     /// The number of the step that gives `value`.
@@ -173,10 +192,41 @@ impl Program {
     }
 
     fn number(&mut self) {
+        self.find_inline();
         let mut steps = 0;
-        for op in &self.ops {
+        for place in 0..self.ops.len() {
             self.numbers.push(steps);
-            steps += usize::from(op.is_step());
+            steps += usize::from(self.is_step(place));
+        }
+    }
+
+    /// Marks the operations that are part of another's expression.
+    fn find_inline(&mut self) {
+        let mut uses = vec![0; self.ops.len()];
+        for op in self.ops.iter().filter(|op| op.is_step()) {
+            op.operands().for_each(|v| uses[self.unsigned(v).index()] += 1);
+        }
+        // An output has a name, and so does whatever a function is called with.
+        self.outputs.iter().for_each(|&v| uses[self.unsigned(v).index()] += 2);
+        self.inline = vec![false; self.ops.len()];
+        let mut sizes = vec![1; self.ops.len()];
+        for (place, op) in self.ops.iter().enumerate().filter(|(_, op)| op.is_arithmetic()) {
+            for v in op.operands() {
+                let part = self.unsigned(v).index();
+                let size = sizes[place] + sizes[part];
+                if uses[part] == 1 && self.ops[part].is_arithmetic() && size <= MOST_IN_A_STEP {
+                    self.inline[part] = true;
+                    sizes[place] = size;
+                }
+            }
+        }
+    }
+
+    /// What `value` is a negation of, or itself.
+    fn unsigned(&self, value: Value) -> Value {
+        match self.ops[value.index()] {
+            Op::Neg(a) => self.unsigned(a),
+            _ => value,
         }
     }
 
@@ -313,7 +363,12 @@ impl Schedule<'_> {
             ScalarNode::Constant(c) => Op::Constant(c),
             ScalarNode::Input(i) => Op::Input(i),
             ScalarNode::Tiny => Op::Tiny,
-            ScalarNode::Add(a, b) => Op::Add(self.value(a), self.value(b)),
+            ScalarNode::Add(a, b) => {
+                // As one would write it: the longer part first, `x x + y y + z z`.
+                let is_sum = |s| matches!(self.g.scalar_node(s), ScalarNode::Add(..) | ScalarNode::Sub(..));
+                let (a, b) = if is_sum(b) && !is_sum(a) { (b, a) } else { (a, b) };
+                Op::Add(self.value(a), self.value(b))
+            }
             ScalarNode::Sub(a, b) => Op::Sub(self.value(a), self.value(b)),
             ScalarNode::Mul(a, b) => Op::Mul(self.value(a), self.value(b)),
             ScalarNode::Div(a, b) => Op::Div(self.value(a), self.value(b)),

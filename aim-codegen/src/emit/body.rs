@@ -26,10 +26,7 @@ impl Body<'_> {
             let at = |v: Value| self.operand(v);
             let right = match op {
                 Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Neg(_) => continue,
-                Op::Add(a, b) => infix(at(a), '+', at(b)),
-                Op::Sub(a, b) => infix(at(a), '-', at(b)),
-                Op::Mul(a, b) => infix(at(a), '*', at(b)),
-                Op::Div(a, b) => infix(at(a), '/', at(b)),
+                Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Div(..) => self.arithmetic(op),
                 Op::Sqrt(a) => {
                     let a = at(a);
                     quote!(#scalar::sqrt(#a))
@@ -73,6 +70,28 @@ impl Body<'_> {
         Some((sin.min(cos), sin, cos))
     }
 
+    /// Grouped as it is computed, since sums and products round.
+    fn arithmetic(&self, op: Op) -> TokenStream {
+        match op {
+            Op::Add(a, b) => infix(self.operand(a), '+', self.above(b, Binding::Sum)),
+            Op::Sub(a, b) => infix(self.operand(a), '-', self.above(b, Binding::Sum)),
+            Op::Mul(a, b) => infix(self.above(a, Binding::Sum), '*', self.above(b, Binding::Product)),
+            Op::Div(a, b) => infix(self.above(a, Binding::Sum), '/', self.above(b, Binding::Product)),
+            other => unreachable!("{other:?} is not arithmetic"),
+        }
+    }
+
+    /// An operand, in parentheses unless it binds more tightly.
+    fn above(&self, v: Value, binding: Binding) -> TokenStream {
+        let operand = self.operand(v);
+        let own = match self.program.ops()[v.index()] {
+            Op::Add(..) | Op::Sub(..) if self.program.is_inline(v) => Binding::Sum,
+            Op::Mul(..) | Op::Div(..) if self.program.is_inline(v) => Binding::Product,
+            _ => Binding::Atom,
+        };
+        if own > binding { operand } else { quote!((#operand)) }
+    }
+
     /// A value where it is used.
     pub(crate) fn operand(&self, v: Value) -> TokenStream {
         let Self { number: ty, private, .. } = self;
@@ -90,15 +109,24 @@ impl Body<'_> {
             }
             Op::Tiny => quote!(#scalar::TINY),
             Op::Neg(a) => {
-                let a = self.operand(a);
+                let a = self.above(a, Binding::Product);
                 quote!(-#a)
             }
+            op if self.program.is_inline(v) => self.arithmetic(op),
             _ => {
                 let name = step(self.program.step_number(v));
                 quote!(#name)
             }
         }
     }
+}
+
+/// What binds an expression together, the loosest first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binding {
+    Sum,
+    Product,
+    Atom,
 }
 
 /// A constant without its sign; folding may have made it infinite or no number.

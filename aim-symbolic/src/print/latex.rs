@@ -57,6 +57,10 @@ impl Dialect for Latex<'_> {
         format!(r"\left(-{a}\right)")
     }
 
+    fn group(&self, a: &str) -> String {
+        format!(r"\left({a}\right)")
+    }
+
     fn step(&self, number: usize) -> String {
         format!("v_{{{number}}}")
     }

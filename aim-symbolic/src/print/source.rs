@@ -34,39 +34,73 @@ pub trait Dialect {
     fn neg(&self, a: &str) -> String {
         format!("-{a}")
     }
+    /// An expression as an operand of a tighter one.
+    fn group(&self, a: &str) -> String {
+        format!("({a})")
+    }
     /// The result of a step.
     fn step(&self, number: usize) -> String {
         format!("v{number}")
     }
 }
 
-/// The program's steps as `(name, expression)`, and its outputs. Inputs, constants and negations are written in place.
+/// The program's steps as `(name, expression)`, and its outputs. Inputs, constants, negations and what is needed once are
+/// written in place.
 pub fn steps(program: &Program, dialect: &dyn Dialect) -> (Vec<(String, String)>, Vec<String>) {
-    let name = |v: Value| operand(program, dialect, v);
-    let mut steps = Vec::new();
-    for (number, op) in program.steps() {
-        let expression = match op {
-            Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Neg(_) => continue,
-            Op::Add(a, b) => format!("{} + {}", name(a), name(b)),
-            Op::Sub(a, b) => format!("{} - {}", name(a), name(b)),
-            Op::Mul(a, b) => dialect.mul(&name(a), &name(b)),
-            Op::Div(a, b) => dialect.div(&name(a), &name(b)),
-            Op::Sqrt(a) => dialect.sqrt(&name(a)),
-            Op::SelectLess(a, b, c, d) => dialect.select_less(&name(a), &name(b), &name(c), &name(d)),
-            Op::Call(function, a) => dialect.call(function, &name(a)),
-            Op::Atan2(y, x) => dialect.atan2(&name(y), &name(x)),
-        };
-        steps.push((dialect.step(number), expression));
-    }
-    (steps, program.outputs().iter().map(|&v| name(v)).collect())
+    let writer = Writer { program, dialect };
+    let steps = program.steps().map(|(number, op)| (dialect.step(number), writer.operation(op).0)).collect();
+    (steps, program.outputs().iter().map(|&v| writer.operand(v).0).collect())
 }
 
-fn operand(program: &Program, dialect: &dyn Dialect, v: Value) -> String {
-    match program.ops()[v.index()] {
-        Op::Input(i) => dialect.input(i as usize),
-        Op::Constant(c) => dialect.constant(c.value()),
-        Op::Tiny => dialect.tiny(),
-        Op::Neg(a) => dialect.neg(&operand(program, dialect, a)),
-        _ => dialect.step(program.step_number(v)),
+/// What binds an expression together, the loosest first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binding {
+    Sum,
+    Product,
+    Atom,
+}
+
+struct Writer<'a> {
+    program: &'a Program,
+    dialect: &'a dyn Dialect,
+}
+
+impl Writer<'_> {
+    fn operation(&self, op: Op) -> (String, Binding) {
+        let d = self.dialect;
+        let at = |v: Value| self.operand(v).0;
+        match op {
+            // Grouped as it is computed, since sums and products round.
+            Op::Add(a, b) => (format!("{} + {}", at(a), self.above(b, Binding::Sum)), Binding::Sum),
+            Op::Sub(a, b) => (format!("{} - {}", at(a), self.above(b, Binding::Sum)), Binding::Sum),
+            Op::Mul(a, b) => (d.mul(&self.above_sum(a), &self.above(b, Binding::Product)), Binding::Product),
+            Op::Div(a, b) => (d.div(&self.above_sum(a), &self.above(b, Binding::Product)), Binding::Product),
+            Op::Sqrt(a) => (d.sqrt(&at(a)), Binding::Atom),
+            Op::SelectLess(a, b, c, d) => (self.dialect.select_less(&at(a), &at(b), &at(c), &at(d)), Binding::Atom),
+            Op::Call(function, a) => (d.call(function, &at(a)), Binding::Atom),
+            Op::Atan2(y, x) => (d.atan2(&at(y), &at(x)), Binding::Atom),
+            Op::Input(i) => (d.input(i as usize), Binding::Atom),
+            Op::Constant(c) => (d.constant(c.value()), Binding::Atom),
+            Op::Tiny => (d.tiny(), Binding::Atom),
+            Op::Neg(a) => (d.neg(&self.above(a, Binding::Product)), Binding::Atom),
+        }
+    }
+
+    fn operand(&self, v: Value) -> (String, Binding) {
+        match self.program.ops()[v.index()] {
+            op @ (Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Neg(_)) => self.operation(op),
+            op if self.program.is_inline(v) => self.operation(op),
+            _ => (self.dialect.step(self.program.step_number(v)), Binding::Atom),
+        }
+    }
+
+    /// The operand, in parentheses unless it binds more tightly.
+    fn above(&self, v: Value, binding: Binding) -> String {
+        let (text, own) = self.operand(v);
+        if own > binding { text } else { self.dialect.group(&text) }
+    }
+
+    fn above_sum(&self, v: Value) -> String {
+        self.above(v, Binding::Sum)
     }
 }
