@@ -155,8 +155,8 @@ pub fn reciprocal<T: Number>(length: T) -> T {
 /// A point turned back by a joint's added rotation, and what the derivatives need of the way there.
 #[derive(Clone, Copy, Debug)]
 pub struct TurnedBack<T> {
-    /// Its forward component between the two turns.
-    pub ahead: T,
+    /// Where it is between the two turns.
+    pub between: Axes<T>,
     /// Where it ends.
     pub q: Axes<T>,
 }
@@ -167,7 +167,7 @@ impl<T: Number> TurnedBack<T> {
     pub fn from(point: Axes<T>, angles: Angles<T>) -> Self {
         let [ahead, left] = turn_back([point.forward, point.left], angles.heading);
         let [forward, up] = turn_back([ahead, point.up], angles.pitch);
-        Self { ahead, q: Axes { forward, left, up } }
+        Self { between: Axes { forward: ahead, left, up: point.up }, q: Axes { forward, left, up } }
     }
 
     /// The derivative by pitch, for the covector `g` on `q`: 3.
@@ -176,20 +176,22 @@ impl<T: Number> TurnedBack<T> {
         moment([g.forward, g.up], [self.q.forward, self.q.up])
     }
 
-    /// The derivative by heading. Turning back by heading gave (ahead, left), so the covector must be turned forward
-    /// by pitch; of that its forward component alone is needed: 6.
+    /// The derivative by heading, for the covector `g` on `q`. It is a moment between the turns, so the covector must be
+    /// turned forward by pitch; of that its forward component alone is needed: 6.
     #[inline]
     pub fn by_heading(&self, g: Axes<T>, angles: Angles<T>) -> T {
         let ahead = turned_first([g.forward, g.up], angles.pitch);
-        moment([ahead, g.left], [self.ahead, self.q.left])
+        moment([ahead, g.left], [self.between.forward, self.between.left])
     }
 
     /// Both derivatives, and the covector on the point before it was turned back: 18.
     #[inline]
     pub fn pull(&self, g: Axes<T>, angles: Angles<T>) -> ([T; 2], Axes<T>) {
-        let by_pitch = self.by_pitch(g);
         let [ahead, up] = turn([g.forward, g.up], angles.pitch);
-        let by_heading = moment([ahead, g.left], [self.ahead, self.q.left]);
+        // Both moments are taken between the turns.
+        let at = self.between;
+        let by_pitch = moment([ahead, up], [at.forward, at.up]);
+        let by_heading = moment([ahead, g.left], [at.forward, at.left]);
         let [forward, left] = turn([ahead, g.left], angles.heading);
         ([by_pitch, by_heading], Axes { forward, left, up })
     }

@@ -23,6 +23,8 @@
 //!   through the link and 10 for their products with `g`, against 15 + 9.
 //! - Tangents of the half angles, or shears: the six operations of a turn become four with a factor 1 / cos that may be
 //!   deferred, but each derivative then has to be multiplied by it; singular besides.
+//! - The factor 1 / n in sine and cosine of joint 0's pitch, by which `g` is turned, and in its left component: 3 as well
+//!   (with [two covectors](super::residual) it is 4 instead of 6).
 //! - Turning `f` and `t` forward by joint 0's pitch, to save turning `q` back and `g` forward: 12 either way.
 
 use aim_symbolic::Number;
@@ -38,7 +40,8 @@ pub(super) fn outward<T: Number, const N: usize>(
     angles: &[Angles<T>; N],
 ) -> [TurnedBack<T>; N] {
     let zero = T::constant(0.0);
-    let mut way = [TurnedBack { ahead: zero, q: Axes { forward: zero, left: zero, up: zero } }; N];
+    let nowhere = Axes { forward: zero, left: zero, up: zero };
+    let mut way = [TurnedBack { between: nowhere, q: nowhere }; N];
     let mut point = Axes::of(target);
     for i in (0..N).rev() {
         way[i] = TurnedBack::from(point, angles[i]);

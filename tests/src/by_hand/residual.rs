@@ -28,14 +28,18 @@
 //! | H; its products with l, u, f | 6 + 15 | 1 |
 //! | τ; s | 1 + 2 | 1 |
 //! | 1 / 2n; a, b; g | 1 + 2 + 12 | 1 |
-//! | the factor τ of both g | 6 | 1 |
+//! | the factor τ of both g | 2 + 2 | 1 |
 //! | two moments and two turns of both g | 12 + 24 | N − 1 |
 //! | both g through a link | 30 | N − 2 |
 //! | the last joint's two tangents brought to the outer side of its link | 9 + 2 + 15 | 1 |
 //! | their products with both g | 20 | 1 |
 //!
-//! In all 96 N − 14. One joint: 45 for the value and what comes with it, 15 for both g, 9 moments of each (18), the
+//! In all 96 N − 16. One joint: 45 for the value and what comes with it, 15 for both g, 9 moments of each (18), the
 //! factor τ on four outputs: 82.
+//!
+//! **The factor rides on a turn.** Multiplying both covectors by τ costs 6. But at joint 0 both are turned by the pitch:
+//! its sine and cosine times τ are 2, and what that turn leaves alone, their left components, 2 more. Both moments are then
+//! taken after that turn, which is as good as before it.
 //!
 //! **The last joint** is where both sides may meet: carrying two covectors over the last link costs 30 and taking their
 //! four moments 18; carrying the joint's two tangents `∂q/∂p = (q_u, 0, −q_f)` and
@@ -64,7 +68,7 @@ use aim_symbolic::Number;
 use super::algebra::{Angles, Axes, Link, TurnedBack, over};
 use super::chain::outward;
 
-/// The residual, left and up; its derivatives (left, up) by pitch and heading, joint by joint. 96 N − 14, for one joint
+/// The residual, left and up; its derivatives (left, up) by pitch and heading, joint by joint. 96 N − 16, for one joint
 /// 82.
 #[inline]
 pub fn residual_jacobian<T: Number, const N: usize>(
@@ -91,12 +95,15 @@ pub fn residual_jacobian<T: Number, const N: usize>(
         jacobian[0] = [g.map(|g| tau * way[0].by_pitch(g)), g.map(|g| tau * way[0].by_heading(g, angles[0]))];
         return (s, jacobian);
     }
-    let mut g = g.map(|g| g.times(tau));
+    let mut g = g.map(|g| Axes { left: tau * g.left, ..g });
     for i in 0..N - 1 {
-        if i > 0 {
+        let Angles { mut pitch, heading } = angles[i];
+        if i == 0 {
+            pitch = pitch.map(|part| tau * part);
+        } else {
             g = g.map(|g| links[i].inward(g));
         }
-        let [(left, l), (up, u)] = g.map(|g| way[i].pull(g, angles[i]));
+        let [(left, l), (up, u)] = g.map(|g| way[i].pull(g, Angles { pitch, heading }));
         jacobian[i] = [[left[0], up[0]], [left[1], up[1]]];
         g = [l, u];
     }
@@ -107,11 +114,11 @@ pub fn residual_jacobian<T: Number, const N: usize>(
 /// How a joint's pitch and heading move the point that leaves through its link, in outer components: 26.
 #[inline]
 fn tangents<T: Number>(way: &TurnedBack<T>, angles: Angles<T>, link: &Link<T>) -> [Axes<T>; 2] {
-    let TurnedBack { ahead, q } = *way;
+    let TurnedBack { between, q } = *way;
     // ∂q / ∂pitch has no left component.
     let along = |axis: Axes<T>| axis.forward * q.up - axis.up * q.forward;
     let by_pitch = Axes { forward: along(link.forward), left: along(link.left), up: along(link.up) };
     let [sin, cos] = angles.pitch;
-    let by_heading = Axes { forward: q.left * cos, left: -ahead, up: -(q.left * sin) };
+    let by_heading = Axes { forward: between.left * cos, left: -between.forward, up: -(between.left * sin) };
     [by_pitch, link.outward(by_heading)]
 }
