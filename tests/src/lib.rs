@@ -1,5 +1,6 @@
 //! What the tests share: the rigs they run over, independent forward kinematics, a seeded generator, comparisons.
 
+pub mod by_hand;
 pub mod c;
 pub mod compare;
 mod declarations;
