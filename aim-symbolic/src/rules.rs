@@ -3,6 +3,7 @@
 //! A rule looks at one node whose parts are already rewritten and offers a replacement. [`Graph::rewrite`] applies
 //! them in the order of the tables, bottom up, until none applies.
 
+use crate::derive::ARITHMETIC;
 use crate::fold::Fold;
 use crate::{Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode, directions, frames};
 
@@ -66,6 +67,21 @@ impl Rules<'_> {
     pub fn has(&self, name: &str) -> bool {
         !self.without.contains(&name)
     }
+}
+
+/// The names of all rules, in the order of the passes that they belong to.
+pub fn names() -> Vec<&'static str> {
+    let sets = [WORDING, ROTATIONS, DIRECTIONS, FRAMES, SCALES];
+    let of_sets = sets
+        .into_iter()
+        .flat_map(|set| set.vectors.iter().map(|(name, _)| *name).chain(set.scalars.iter().map(|(name, _)| *name)));
+    let mut names: Vec<&str> = Vec::new();
+    for name in of_sets.chain(ARITHMETIC) {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
 }
 
 /// What a statement says in other words: norms and directions spelled out.

@@ -7,6 +7,7 @@ mod declarations;
 pub mod kinematics;
 pub mod lanes;
 pub mod oracle;
+pub mod problems;
 pub mod random;
 pub mod rigs;
 pub mod wgsl;
