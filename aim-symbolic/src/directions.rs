@@ -155,19 +155,6 @@ fn are_square(g: &Graph, v: Vector, w: Vector) -> bool {
     is_across(g, w, axis(g, v)) || is_across(g, v, axis(g, w))
 }
 
-/// `(v − (v · u) u) · w = v · w` where `w · u = 0`: a turn's derivative has no part along what it turns.
-pub(crate) fn drop_radial(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return None };
-    [(a, b), (b, a)].into_iter().find_map(|(v, w)| {
-        let (inner, u) = as_across(g, v)?;
-        // Both parts across the same direction: one of them is enough, and the first is at hand.
-        if as_across(g, w).is_some_and(|(_, own)| own == u) {
-            return None;
-        }
-        is_across(g, w, u.into()).then(|| g.dot(inner, w))
-    })
-}
-
 /// `v − (v · u) u`
 pub(crate) fn expand_across(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (inner, u) = as_across(g, v)?;

@@ -76,12 +76,3 @@ pub(crate) fn number_in_frame(g: &mut Graph, s: Scalar) -> Option<Scalar> {
         _ => None,
     }
 }
-
-/// `R (a + Rᵀ b) = R a + b`
-pub(crate) fn meet_in_frame(g: &mut Graph, v: Vector) -> Option<Vector> {
-    let (rotation, inner) = leading(g, v)?;
-    let back = g.transpose(rotation);
-    let is_turned = |&(_, term): &(bool, Vector)| turned(g, term).is_some_and(|(own, _)| own == back);
-    let meets = is_sum(g, inner) && crate::rules::terms(g, inner).iter().any(is_turned);
-    meets.then(|| turned_back(g, back, inner))
-}

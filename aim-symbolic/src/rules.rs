@@ -4,7 +4,6 @@
 //! them in the order of the tables, bottom up, until none applies.
 
 use crate::derive::ARITHMETIC;
-use crate::fold::Fold;
 use crate::{Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode, directions, frames};
 
 /// A cross product with a direction is as long as the part across it: one of two ways to the same length.
@@ -101,21 +100,16 @@ pub const ROTATIONS: RuleSet = RuleSet {
         ("fold zero and one", fold_zero),
         ("split composition", split_composition),
         ("undo rotation", undo_rotation),
-        ("fold constant basis", fold_basis),
         ("cancel terms", cancel_terms),
-        ("common rotation", common_rotation),
-        ("meet the inverse", meet_inverse),
         ("normalize what was rotated", normalize_rotated),
     ],
     scalars: &[
         ("norm of what was rotated", norm_rotated),
         (NORM_SIDE, norm_pulls),
         (SQUARE_SIDE, square_pulls),
-        ("same rotation on both sides of a dot", dot_same_rotation),
         (CANCELLING[0], dot_direction),
         (CANCELLING[1], dot_cancels),
         (OTHER_SIDE, dot_other_side),
-        ("the constant takes the rotation", dot_constant_takes),
     ],
     sums: Sums::Open,
 };
@@ -131,7 +125,6 @@ pub const FRAMES: RuleSet = RuleSet {
         ("undo rotation", undo_rotation),
         ("a sum in another frame", frames::sum_in_frame),
         ("an operation in another frame", frames::operation_in_frame),
-        ("frames meet", frames::meet_in_frame),
     ],
     scalars: &[("a number in another frame", frames::number_in_frame)],
     sums: Sums::Open,
@@ -143,17 +136,14 @@ pub const DIRECTIONS: RuleSet = RuleSet {
         ("fold zero and one", fold_zero),
         ("merge scales", crate::scaling::merge),
         ("scale after the operation", crate::scaling::out_of_operation),
-        ("sign after the operation", crate::scaling::sign_out_of_operation),
         ("nothing of a direction is across it", directions::across_of_along),
         ("all of what is across is across", directions::across_of_across),
         ("the parts across of a sum", directions::across_of_sum),
     ],
     scalars: &[
-        ("fold scalars", fold_scalar),
         ("dot, then scale", crate::scaling::out_of_dot),
         ("dot, then sign", crate::scaling::sign_out_of_number),
-        ("along meets across", directions::dot_along_across),
-        ("drop the radial part", directions::drop_radial),
+        ("drop the radial part", directions::dot_along_across),
     ],
     sums: Sums::Open,
 };
@@ -163,23 +153,16 @@ pub const SCALES: RuleSet = RuleSet {
     vectors: &[
         ("fold zero and one", fold_zero),
         ("undo rotation", undo_rotation),
-        ("fold constant basis", fold_basis),
         ("one reciprocal for a direction", crate::scaling::expand_normalize),
         ("merge scales", crate::scaling::merge),
         (MERGE_SHARED, crate::scaling::merge_shared),
         ("scale after the operation", crate::scaling::out_of_operation),
-        ("sign after the operation", crate::scaling::sign_out_of_operation),
         ("a part across is a difference", directions::expand_across),
         (SPREAD, crate::scaling::spread),
         ("common vector of a sum", crate::scaling::common_vector),
-        ("common factor of a sum", crate::scaling::common_factor),
         (CONSTANT_SCALE, crate::scaling::constant_scale),
     ],
-    scalars: &[
-        ("fold scalars", fold_scalar),
-        ("dot, then scale", crate::scaling::out_of_dot),
-        ("dot, then sign", crate::scaling::sign_out_of_number),
-    ],
+    scalars: &[("dot, then scale", crate::scaling::out_of_dot), ("dot, then sign", crate::scaling::sign_out_of_number)],
     sums: Sums::Shared,
 };
 
@@ -276,21 +259,6 @@ pub(crate) fn is_sum(g: &Graph, v: Vector) -> bool {
     matches!(g.vector_node(v), VectorNode::Add(..) | VectorNode::Sub(..) | VectorNode::Neg(..))
 }
 
-/// 0 and ±1 leave sums, products and quotients of numbers; negations move outward.
-fn fold_scalar(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let node = g.scalar_node(s);
-    let mut fold = Fold::new(g, &Rules::default());
-    let folded = match node {
-        ScalarNode::Add(a, b) => fold.add(a, b),
-        ScalarNode::Sub(a, b) => fold.sub(a, b),
-        ScalarNode::Mul(a, b) => fold.mul(a, b),
-        ScalarNode::Div(a, b) => fold.div(a, b),
-        ScalarNode::Neg(a) => fold.neg(a),
-        _ => return None,
-    };
-    (folded != s).then_some(folded)
-}
-
 /// 0 and 1 leave sums, scales and rotations.
 fn fold_zero(g: &mut Graph, v: Vector) -> Option<Vector> {
     match g.vector_node(v) {
@@ -338,22 +306,6 @@ fn undo_rotation(g: &mut Graph, v: Vector) -> Option<Vector> {
     (g.transpose(rotation) == outer).then_some(core)
 }
 
-/// A change of basis of a constant vector is a constant vector.
-fn fold_basis(g: &mut Graph, v: Vector) -> Option<Vector> {
-    let (rotation, inner) = leading(g, v)?;
-    let c = constant_components(g, inner)?;
-    let (basis, transposed) = match g.rotation_node(rotation) {
-        RotationNode::Basis(basis) => (basis, false),
-        RotationNode::Transpose(r) => match g.rotation_node(r) {
-            RotationNode::Basis(basis) => (basis, true),
-            _ => return None,
-        },
-        _ => return None,
-    };
-    let entry = |i: usize, k: usize| basis[if transposed { 3 * k + i } else { 3 * i + k }].value();
-    Some(g.constant_vector(core::array::from_fn(|k| c[0] * entry(0, k) + c[1] * entry(1, k) + c[2] * entry(2, k))))
-}
-
 /// `a + b − a = b`
 fn cancel_terms(g: &mut Graph, v: Vector) -> Option<Vector> {
     if !is_sum(g, v) {
@@ -368,41 +320,6 @@ fn cancel_terms(g: &mut Graph, v: Vector) -> Option<Vector> {
     terms.remove(j);
     terms.remove(i);
     Some(sum(g, &terms))
-}
-
-/// `R a + R b = R (a + b)`
-fn common_rotation(g: &mut Graph, v: Vector) -> Option<Vector> {
-    if !is_sum(g, v) {
-        return None;
-    }
-    let mut terms = terms(g, v);
-    let (i, j, rotation) = (0..terms.len()).find_map(|i| {
-        let (rotation, _) = leading(g, terms[i].1)?;
-        let j = (i + 1..terms.len()).find(|&j| leading(g, terms[j].1).is_some_and(|(r, _)| r == rotation))?;
-        Some((i, j, rotation))
-    })?;
-    let (sign_j, term_j) = terms.remove(j);
-    let (sign_i, term_i) = terms[i];
-    let inner = [(sign_i, leading(g, term_i)?.1), (sign_j, leading(g, term_j)?.1)];
-    let together = sum(g, &inner);
-    terms[i] = (false, g.rotate(rotation, together));
-    Some(sum(g, &terms))
-}
-
-/// `Rᵀ (a + R b) = Rᵀ a + b`: a rotation distributes over a sum where it cancels in one of the terms.
-fn meet_inverse(g: &mut Graph, v: Vector) -> Option<Vector> {
-    let (rotation, inner) = leading(g, v)?;
-    if !is_sum(g, inner) {
-        return None;
-    }
-    let inverse = g.transpose(rotation);
-    let mut rest = terms(g, inner);
-    let i = rest.iter().position(|&(_, term)| leading(g, term).is_some_and(|(r, _)| r == inverse))?;
-    let (sign, term) = rest.remove(i);
-    let core = leading(g, term)?.1;
-    let rest = sum(g, &rest);
-    let rotated_rest = g.rotate(rotation, rest);
-    Some(sum(g, &[(false, rotated_rest), (sign, core)]))
 }
 
 /// `R v / |R v| = R (v / |v|)`
@@ -477,13 +394,6 @@ fn square_pulls(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     Some(g.dot(turned_back, turned_back))
 }
 
-/// `R v · R w = v · w`
-fn dot_same_rotation(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let ScalarNode::Dot(v, w) = g.scalar_node(s) else { return None };
-    let ((r, v), (q, w)) = (leading(g, v)?, leading(g, w)?);
-    (r == q).then(|| g.dot(v, w))
-}
-
 /// The sides of a dot that a rotation pushed forward, the one with the fewest changes of basis before it first.
 fn pushed_sides(g: &Graph, s: Scalar) -> Vec<(Vector, Vector)> {
     let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return Vec::new() };
@@ -512,18 +422,4 @@ fn dot_cancels(g: &mut Graph, s: Scalar) -> Option<Scalar> {
 fn dot_other_side(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     let (v, pushed) = pushed_sides(g, s).into_iter().find(|&(_, pushed)| !is_turned_constant(g, pushed))?;
     turn_other_side(g, v, pushed)
-}
-
-/// `Rᵀ v · c = v · R c`: rotating a constant costs least, nothing at all for an axis.
-fn dot_constant_takes(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return None };
-    [(a, b), (b, a)].into_iter().find_map(|(rotated, constant)| {
-        constant_components(g, constant)?;
-        let (rotation, v) = leading(g, rotated)?;
-        (!is_forward(g, rotation)).then(|| {
-            let forward = g.transpose(rotation);
-            let turned = g.rotate(forward, constant);
-            g.dot(v, turned)
-        })
-    })
 }

@@ -21,11 +21,16 @@ pub(crate) fn expand_normalize(g: &mut Graph, v: Vector) -> Option<Vector> {
 /// `k (m v) = (k m) v`, where `m v` is needed nowhere else.
 pub(crate) fn merge(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (_, inner) = scaled(g, v)?;
-    if g.is_closed(inner) { None } else { merge_shared(g, v) }
+    if g.is_closed(inner) { None } else { merged(g, v) }
 }
 
-/// `k (m v) = (k m) v`
+/// `k (m v) = (k m) v`, where `m v` is needed elsewhere too.
 pub(crate) fn merge_shared(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let (_, inner) = scaled(g, v)?;
+    if g.is_closed(inner) { merged(g, v) } else { None }
+}
+
+fn merged(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (k, inner) = scaled(g, v)?;
     let (m, core) = scaled(g, inner)?;
     let product = g.mul(k, m);
@@ -37,44 +42,6 @@ fn negated(g: &Graph, v: Vector) -> Option<Vector> {
         VectorNode::Neg(inner) => Some(inner),
         _ => None,
     }
-}
-
-/// `R (−v) = −(R v)`, `(−k) v = −(k v)` and so on: signs move outward, where sums take them.
-pub(crate) fn sign_out_of_operation(g: &mut Graph, v: Vector) -> Option<Vector> {
-    let positive = match g.vector_node(v) {
-        VectorNode::Scale(k, inner) => match (g.scalar_node(k), negated(g, inner)) {
-            (_, Some(inner)) => g.scale(k, inner),
-            (ScalarNode::Neg(k), None) => g.scale(k, inner),
-            (ScalarNode::Constant(c), None) if c.value() < 0.0 => {
-                let k = g.constant(-c.value());
-                g.scale(k, inner)
-            }
-            _ => return None,
-        },
-        VectorNode::Rotate(rotation, inner) => {
-            let inner = negated(g, inner)?;
-            g.rotate(rotation, inner)
-        }
-        VectorNode::Perp(plane, inner) => {
-            let inner = negated(g, inner)?;
-            g.perp(plane, inner)
-        }
-        VectorNode::Across(inner, unit) => {
-            let inner = negated(g, inner)?;
-            g.across(inner, unit)
-        }
-        VectorNode::Normalize(inner) => {
-            let inner = negated(g, inner)?;
-            g.normalize(inner).into()
-        }
-        VectorNode::Cross(a, b) => match (negated(g, a), negated(g, b)) {
-            (Some(a), _) => g.cross(a, b),
-            (None, Some(b)) => g.cross(a, b),
-            (None, None) => return None,
-        },
-        _ => return None,
-    };
-    Some(g.neg_vector(positive))
 }
 
 /// `(−v) · w = −(v · w)`, `|−v| = |v|`
@@ -178,18 +145,6 @@ pub(crate) fn common_vector(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (k, m) = (signed(g, all[i].0, all[i].1), signed(g, all[j].0, all[j].1));
     let factor = g.add(k, m);
     let together = g.scale(factor, core);
-    Some(joined(g, v, (i, j), (false, together)))
-}
-
-/// `k v + k w = k (v + w)`
-pub(crate) fn common_factor(g: &mut Graph, v: Vector) -> Option<Vector> {
-    if !is_sum(g, v) {
-        return None;
-    }
-    let all = weighted(g, v);
-    let (i, j) = pair(&all, |a, b| a.1.is_some() && a.1 == b.1)?;
-    let inner = sum(g, &[(all[i].0, all[i].2), (all[j].0, all[j].2)]);
-    let together = g.scale(all[i].1?, inner);
     Some(joined(g, v, (i, j), (false, together)))
 }
 

@@ -36,12 +36,18 @@ impl Problem {
 pub fn all() -> Vec<Problem> {
     vec![
         arap_term(),
+        arap_term_backwards(),
         squared_distance(),
         aim_with_roll(),
         two_targets(),
         aim_without_offset(),
         divided_by_hand(),
         hessian(),
+        quotient(),
+        under_one_turn(),
+        turned_centroid(),
+        along_turned_axis(),
+        projected_distance(),
         chain_aim("aim of a chain", 110, &[CARDINAL; 2], CARDINAL),
         chain_aim("aim in a general frame", 105, &[general()], general()),
         chain_aim("aim of a general effector", 60, &[CARDINAL], general()),
@@ -118,10 +124,22 @@ fn components(g: &Graph, v: Vector) -> [Variable; 3] {
 
 /// The as-rigid-as-possible term of three points, and its nine derivatives.
 pub fn arap_term() -> Problem {
-    Problem::new("ARAP term", 58, |g| {
+    arap("ARAP term", |g, from, to| g.sub_vectors(to, from))
+}
+
+/// The same with every side taken the other way, and said with a minus.
+fn arap_term_backwards() -> Problem {
+    arap("ARAP term backwards", |g, from, to| {
+        let back = g.sub_vectors(from, to);
+        g.neg_vector(back)
+    })
+}
+
+fn arap(name: &'static str, side: fn(&mut Graph, Vector, Vector) -> Vector) -> Problem {
+    Problem::new(name, 58, |g| {
         let p = ["p0", "p1", "p2"].map(|name| g.vector_input(name));
         let initial = ["alpha0", "beta0"].map(|name| g.input(name));
-        let (a, c) = (g.sub_vectors(p[1], p[0]), g.sub_vectors(p[2], p[0]));
+        let (a, c) = (side(g, p[0], p[1]), side(g, p[0], p[2]));
         let axis = g.normalize(c);
         let alpha = g.dot(a, axis);
         let aside = g.cross(a, axis.into());
@@ -202,6 +220,68 @@ pub fn divided_by_hand() -> Problem {
         let reciprocal = g.div(one, length);
         let way = g.scale(reciprocal, way);
         (vec![g.dot(way, joint.forward)], variables(&joint.angles))
+    })
+}
+
+/// The aim as a cosine is defined: a dot over a length.
+fn quotient() -> Problem {
+    Problem::new("aim as a quotient", 46, |g| {
+        let joint = joint(g, &[PITCH, HEADING]);
+        let target = g.vector_input("target");
+        let way = g.sub_vectors(target, joint.origin);
+        let along = g.dot(way, joint.forward);
+        let length = g.norm(way);
+        (vec![g.div(along, length)], variables(&joint.angles))
+    })
+}
+
+/// What a turn does not change: a length, the cosine between two vectors, their dot.
+fn under_one_turn() -> Problem {
+    Problem::new("under one turn", 19, |g| {
+        let angle = g.angle("p");
+        let turn = g.turn(PITCH, angle);
+        let [a, b] = ["a", "b"].map(|name| {
+            let v = g.vector_input(name);
+            g.rotate(turn, v)
+        });
+        let directions = [a, b].map(|v| g.normalize(v));
+        let values = vec![g.norm(a), g.dot(a, b), g.dot(directions[0], directions[1])];
+        (values, vec![angle.into()])
+    })
+}
+
+/// Where the middle of two turned points is along a direction.
+fn turned_centroid() -> Problem {
+    Problem::new("turned centroid", 17, |g| {
+        let angle = g.angle("p");
+        let turn = g.turn(PITCH, angle);
+        let [a, b, along] = ["a", "b", "u"].map(|name| g.vector_input(name));
+        let (a, b) = (g.rotate(turn, a), g.rotate(turn, b));
+        let sum = g.add_vectors(a, b);
+        (vec![g.dot(along, sum)], vec![angle.into()])
+    })
+}
+
+/// How far a point is ahead of a turned one, along the axis that turned with it.
+fn along_turned_axis() -> Problem {
+    Problem::new("along a turned axis", 7, |g| {
+        let angle = g.angle("p");
+        let turn = g.turn(PITCH, angle);
+        let [target, t] = ["target", "t"].map(|name| g.vector_input(name));
+        let forward = g.constant_vector(FORWARD);
+        let (t, forward) = (g.rotate(turn, t), g.rotate(turn, forward));
+        let way = g.sub_vectors(target, t);
+        (vec![g.dot(way, forward)], vec![angle.into()])
+    })
+}
+
+/// A distance stated as a projection on its own direction.
+fn projected_distance() -> Problem {
+    Problem::new("projected distance", 11, |g| {
+        let v = g.vector_input("v");
+        let direction = g.normalize(v);
+        let by = components(g, v).to_vec();
+        (vec![g.dot(direction, v)], by)
     })
 }
 
