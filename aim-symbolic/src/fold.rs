@@ -163,7 +163,7 @@ impl<'g> Fold<'g> {
     pub(crate) fn div(&mut self, a: Scalar, b: Scalar) -> Scalar {
         let ((minus_a, a), (minus_b, b)) = (self.unsigned(a), self.unsigned(b));
         let quotient = match (self.constant_of(a), self.constant_of(b)) {
-            (_, Some(1.0)) => a,
+            (_, Some(1.0)) | (Some(0.0), _) => a,
             _ => self.g.div(a, b),
         };
         if minus_a == minus_b { quotient } else { self.neg(quotient) }

@@ -134,8 +134,8 @@ impl Graph {
         self.closed.insert(sum, ());
     }
 
-    /// From now on the calculation is to be done before these rotations; what left so far is forgotten.
-    pub(crate) fn keep(&mut self, rotations: &[Rotation]) {
+    /// From now on [`FRAMES`](crate::rules::FRAMES) moves calculations to before these rotations.
+    pub fn keep(&mut self, rotations: &[Rotation]) {
         self.kept = rotations.to_vec();
         self.cancelled.clear();
     }
