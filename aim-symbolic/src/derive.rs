@@ -5,8 +5,8 @@ use crate::fold::{CONSTANTS, NEGATIONS, ORDER};
 use crate::products::SHARE;
 use crate::program::{DIVIDE_ONCE, Effort};
 use crate::rules::{
-    ACROSS_FOR_CROSS, CANCELLING, CONSTANT_SCALE, DIRECTIONS, FRAMES, MERGE_SHARED, OTHER_SIDES, ROTATIONS, Rules,
-    SCALES, SPREAD, WORDING,
+    self, ACROSS_FOR_CROSS, CANCELLING, CONSTANT_SCALE, DIRECTIONS, FRAMES, MERGE_SHARED, OTHER_SIDES, ROTATIONS,
+    Rules, SCALES, SPREAD, WORDING,
 };
 use crate::tidy::Log;
 use crate::{Graph, Placement, Program, Rotation, Scalar, Variable};
@@ -62,93 +62,150 @@ pub(crate) const ARITHMETIC: [&str; 6] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FA
 /// The rules that apply only where that is found to pay.
 const OPTIONAL: [&str; 2] = [SPREAD, CONSTANT_SCALE];
 
+/// A program of so few operations is worth every rival.
+const SMALL: usize = 200;
+
 /// How many ways to share rotations between the sides of dots are compared.
 const MOST_SIDES: usize = 8;
 
 impl Program {
     /// The program of `values` and, after them, of each value's derivatives by `variables`, value by value.
-    pub fn derive<V: Copy + Into<Variable>>(g: &mut Graph, values: &[Scalar], variables: &[V]) -> Self {
+    pub fn derive<V: Copy + Into<Variable>>(g: &Graph, values: &[Scalar], variables: &[V]) -> Self {
         Self::derive_wanted(g, &Want::all(values, variables))
     }
 
     /// The program of just what is wanted, in that order.
     ///
     /// Where rules compete, the smaller program wins; on a tie the shallower, then the first.
-    pub fn derive_wanted(g: &mut Graph, wanted: &[Want]) -> Self {
+    pub fn derive_wanted(g: &Graph, wanted: &[Want]) -> Self {
         Self::derive_without(g, wanted, &[])
     }
 
     /// The same without the rules of these names, to see what they are good for.
-    pub fn derive_without(g: &mut Graph, wanted: &[Want], without: &[&str]) -> Self {
+    pub fn derive_without(g: &Graph, wanted: &[Want], without: &[&str]) -> Self {
         choose(g, wanted, without).0
     }
 }
 
 /// The smallest of the bounded number of programs that the choices lead to.
-pub(crate) fn choose(g: &mut Graph, wanted: &[Want], without: &[&str]) -> (Program, Choices) {
-    let mut best =
+///
+/// Each rival changes the best so far in one respect, and takes its place where its program is smaller.
+pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[&str]) -> (Program, Choices) {
+    let first =
         Choices { sweep: Sweep::Reverse(Placement::Late), without: OPTIONAL.to_vec(), turned: None, kept: Vec::new() };
     let mut log = Log::default();
-    let mut outputs = rewritten(g, wanted, &best, without, &mut log);
-    let mut least = cost(&compiled(g, &outputs, &best, without, Effort::Compare));
-    let applied = log.applied;
-    let cancelled = g.cancelled().to_vec();
+    let mut best = Way::taken(g, wanted, first, without, &mut log, Effort::Compare);
+    let is_small = cost(&best.program).0 <= SMALL;
+    let effort = if is_small { Effort::Finish } else { Effort::Compare };
+    if is_small {
+        best.arrange(without);
+    }
+    for change in rivals(&best.g, wanted, &best.outputs, &log, is_small) {
+        let mut choices = best.choices.clone();
+        change(&mut choices);
+        let rival = Way::taken(g, wanted, choices, without, &mut Log::default(), effort);
+        if cost(&rival.program) < cost(&best.program) {
+            best = rival;
+        }
+    }
+    if !is_small {
+        best.arrange(without);
+    }
+    (best.program.finished(), best.choices)
+}
+
+/// A way through the choices, and where it leads. Each starts from the statement anew: what a program looks like does not
+/// depend on what else was tried.
+struct Way {
+    choices: Choices,
+    g: Graph,
+    outputs: Vec<Scalar>,
+    program: Program,
+}
+
+impl Way {
+    fn taken(
+        stated: &Graph,
+        wanted: &[Want],
+        choices: Choices,
+        without: &[&str],
+        log: &mut Log,
+        effort: Effort,
+    ) -> Self {
+        let mut g = stated.clone();
+        let outputs = rewritten(&mut g, wanted, &choices, without, log);
+        let program = compiled(&mut g, &outputs, &choices, without, effort);
+        Self { choices, g, outputs, program }
+    }
+
+    /// Tries more arrangements of its sums and products.
+    fn arrange(&mut self, without: &[&str]) {
+        self.program = compiled(&mut self.g, &self.outputs, &self.choices, without, Effort::Finish);
+    }
+}
+
+/// What a rival does differently.
+type Change = Box<dyn Fn(&mut Choices)>;
+
+/// The rivals worth a try, by what was applied on the first way.
+fn rivals(g: &Graph, wanted: &[Want], outputs: &[Scalar], log: &Log, is_small: bool) -> Vec<Change> {
     let variables = distinct(wanted.iter().filter_map(|w| match *w {
         Want::Derivative(_, x) => Some(x),
         _ => None,
     }));
     let values = distinct(wanted.iter().map(|w| w.stated()));
-    let derivatives = !variables.is_empty();
+    let applied = |rules: &[&str]| log.applied.iter().filter(|rule| rules.contains(rule)).count();
 
-    let mut rivals: Vec<Box<dyn Fn(&mut Choices)>> = Vec::new();
-    if derivatives {
-        rivals.push(Box::new(|c| c.sweep = Sweep::Reverse(Placement::Early)));
+    let mut sweeps = vec![Sweep::Reverse(Placement::Late)];
+    if !variables.is_empty() {
+        sweeps.push(Sweep::Reverse(Placement::Early));
+        if variables.len() <= values.len() {
+            sweeps.push(Sweep::Forward);
+        }
     }
-    if derivatives && variables.len() <= values.len() {
-        rivals.push(Box::new(|c| c.sweep = Sweep::Forward));
+    let mut rivals: Vec<Change> = Vec::new();
+    for &sweep in &sweeps[1..] {
+        rivals.push(Box::new(move |c| c.sweep = sweep));
     }
     // A rotation that left more than one direction may be dearer on the many sides than on the one.
-    let innermost = distinct(cancelled.iter().rev().copied());
-    if cancelled.len() > innermost.len() {
+    let innermost = distinct(g.cancelled().iter().rev().copied());
+    if g.cancelled().len() > innermost.len() {
         for kept in (1..=innermost.len()).take(MOST_SIDES) {
             let kept = innermost[..kept].to_vec();
             rivals.push(Box::new(move |c| c.kept = kept.clone()));
         }
     }
     let optional = |rule: &'static str| move |c: &mut Choices| c.without.retain(|&off| off != rule);
-    if applied.contains(&"a part across is a difference") {
+    if applied(&["a part across is a difference"]) > 0 {
         rivals.push(Box::new(optional(SPREAD)));
     }
-    if g.has_constant_direction(&outputs) {
+    if g.has_constant_direction(outputs) {
         rivals.push(Box::new(optional(CONSTANT_SCALE)));
     }
-    if applied.contains(&MERGE_SHARED) {
-        rivals.push(Box::new(|c| c.without.push(MERGE_SHARED)));
+    for rule in [MERGE_SHARED, ACROSS_FOR_CROSS] {
+        if applied(&[rule]) > 0 {
+            rivals.push(Box::new(move |c| c.without.push(rule)));
+        }
     }
-    if applied.contains(&ACROSS_FOR_CROSS) {
-        rivals.push(Box::new(|c| c.without.push(ACROSS_FOR_CROSS)));
-    }
-    let is_applied = |rules: &[&str]| applied.iter().filter(|rule| rules.contains(rule)).count();
-    if is_applied(&CANCELLING) == 0 {
-        for fewer in (0..is_applied(&OTHER_SIDES)).rev().take(MOST_SIDES) {
+    if applied(&CANCELLING) == 0 {
+        for fewer in (0..applied(&OTHER_SIDES)).rev().take(MOST_SIDES) {
             rivals.push(Box::new(move |c| c.turned = Some(fewer)));
         }
-    } else {
-        rivals.push(Box::new(|c| c.without.extend(OTHER_SIDES.iter().chain(&CANCELLING))));
     }
-    for change in rivals {
-        let mut rival = best.clone();
-        change(&mut rival);
-        let tried = rewritten(g, wanted, &rival, without, &mut Log::default());
-        if tried == outputs {
-            continue;
-        }
-        let needed = cost(&compiled(g, &tried, &rival, without, Effort::Compare));
-        if needed < least {
-            (outputs, least, best) = (tried, needed, rival);
+    if !log.applied.is_empty() {
+        // None but the rules of arithmetic: rewriting may not lose against doing nothing.
+        let plain = |c: &mut Choices| (c.without, c.turned, c.kept) = (rules::of_sets(), None, Vec::new());
+        rivals.push(Box::new(plain));
+        if is_small {
+            for sweep in sweeps {
+                rivals.push(Box::new(move |c| {
+                    plain(c);
+                    c.sweep = sweep;
+                }));
+            }
         }
     }
-    (compiled(g, &outputs, &best, without, Effort::Finish), best)
+    rivals
 }
 
 fn cost(program: &Program) -> (usize, usize, usize) {
@@ -168,15 +225,16 @@ fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
 
 /// The program by one way through the choices.
 pub(crate) fn attempt(
-    g: &mut Graph,
+    stated: &Graph,
     wanted: &[Want],
     choices: &Choices,
     without: &[&str],
     log: &mut Log,
     effort: Effort,
 ) -> Program {
-    let outputs = rewritten(g, wanted, choices, without, log);
-    compiled(g, &outputs, choices, without, effort)
+    let mut g = stated.clone();
+    let outputs = rewritten(&mut g, wanted, choices, without, log);
+    compiled(&mut g, &outputs, choices, without, effort)
 }
 
 fn compiled(g: &mut Graph, outputs: &[Scalar], choices: &Choices, without: &[&str], effort: Effort) -> Program {

@@ -117,7 +117,9 @@ impl Factoring {
     }
 }
 
-fn plain_sum(fold: &mut Fold<'_>, terms: Vec<Term>) -> Scalar {
+/// The sum, in one order whatever the terms' was, so that equal sums are one.
+fn plain_sum(fold: &mut Fold<'_>, mut terms: Vec<Term>) -> Scalar {
+    terms.sort_unstable_by_key(|&(_, term)| term);
     let (subtracted, added): (Vec<Term>, Vec<Term>) = terms.into_iter().partition(|&(negative, _)| negative);
     let mut total = |all: Vec<Term>| all.into_iter().map(|(_, s)| s).reduce(|a, b| fold.add(a, b));
     match (total(added), total(subtracted)) {

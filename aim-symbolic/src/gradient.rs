@@ -115,7 +115,13 @@ impl Sweep<'_> {
     fn scalar(&mut self, scalar: Scalar) {
         let Some(&bar) = self.scalars.get(scalar) else { return };
         match self.g.scalar_node(scalar) {
-            ScalarNode::Input(_) => self.add_to_variable(scalar.into(), bar),
+            ScalarNode::Input(_) => match self.g.slope_of_input(scalar) {
+                Some((angle, slope)) => {
+                    let along = self.g.times(bar, slope);
+                    self.add_to_variable(angle.into(), along);
+                }
+                None => self.add_to_variable(scalar.into(), bar),
+            },
             ScalarNode::SelectLess(a, b, then, otherwise) => self.select(bar, [a, b], [then, otherwise]),
             ScalarNode::Dot(v, w) if v == w => {
                 let twice = self.g.twice(bar);
@@ -164,7 +170,8 @@ impl Sweep<'_> {
             self.below_selects.insert(branch, found.clone());
             found
         });
-        for ((variable, then), otherwise) in self.variables.to_vec().into_iter().zip(then).zip(otherwise) {
+        let variables = self.variables;
+        for ((&variable, then), otherwise) in variables.iter().zip(then).zip(otherwise) {
             let is_zero = |s| self.g.constant_of(s) == Some(0.0);
             if !(is_zero(then) && is_zero(otherwise)) {
                 let slope = self.g.select_less(a, b, then, otherwise);

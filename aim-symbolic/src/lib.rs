@@ -18,7 +18,7 @@
 //! let turn = g.turn(Plane::XY, angle);
 //! let turned = g.rotate(turn, v);
 //! let objective = g.dot(turned, w);
-//! let program = Program::derive(&mut g, &[objective], &[angle]);
+//! let program = Program::derive(&g, &[objective], &[angle]);
 //! let mut out = [0.0; 2];
 //! // The inputs in order of their declaration: v, w, then the sine and cosine of the angle.
 //! program.run(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0], &mut out);

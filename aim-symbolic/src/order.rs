@@ -90,7 +90,10 @@ impl Graph {
             parts.nodes.clear();
             parts.angles.clear();
             parts.of(node);
-            let is_variable = matches!(node, Node::Scalar(s) if variables.contains(&Variable::Input(s)));
+            let is_variable = matches!(node, Node::Scalar(s) if match self.slope_of_input(s) {
+                Some((angle, _)) => variables.contains(&angle.into()),
+                None => variables.contains(&s.into()),
+            });
             let turns = parts.angles.iter().any(|&angle| variables.contains(&Variable::Angle(angle)));
             if is_variable || turns || parts.nodes.iter().any(|part| active.contains(*part)) {
                 active.insert(node);

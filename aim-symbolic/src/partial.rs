@@ -1,6 +1,6 @@
 //! The derivatives of scalar operations by their parts, which both sweeps use.
 
-use crate::{Function, Graph, Scalar, ScalarNode};
+use crate::{Angle, Function, Graph, InputKind, Scalar, ScalarNode};
 
 /// A partial derivative.
 #[derive(Clone, Copy, Debug)]
@@ -77,6 +77,16 @@ impl Graph {
         };
         partials.retain(|&(part, _)| wanted(part));
         partials
+    }
+
+    /// Of an input that is the sine or cosine of an angle: the angle, and its derivative by it.
+    pub(crate) fn slope_of_input(&self, scalar: Scalar) -> Option<(Angle, Partials)> {
+        let ScalarNode::Input(index) = self.scalar_node(scalar) else { return None };
+        match self.inputs().get(index as usize)?.1 {
+            InputKind::Given => None,
+            InputKind::Sin(angle) => Some((angle, Partials::Factor(self.sin_cos(angle).1))),
+            InputKind::Cos(angle) => Some((angle, Partials::MinusFactor(self.sin_cos(angle).0))),
+        }
     }
 
     /// The derivative of `value = function(a)`.

@@ -148,9 +148,6 @@ impl Program {
             program.divide_once();
         }
         program.drop_unused();
-        if effort == Effort::Finish {
-            program.settle_signs();
-        }
         program.number();
         program
     }
@@ -193,6 +190,7 @@ impl Program {
 
     fn number(&mut self) {
         self.find_inline();
+        self.numbers.clear();
         let mut steps = 0;
         for place in 0..self.ops.len() {
             self.numbers.push(steps);
@@ -261,6 +259,13 @@ impl Program {
             uses[v.index()] += 1;
         }
         uses
+    }
+
+    /// The program as it is written down: with as few negations as may be.
+    pub(crate) fn finished(mut self) -> Self {
+        self.settle_signs();
+        self.number();
+        self
     }
 
     pub(crate) fn replace(&mut self, ops: Vec<Op>, outputs: Vec<Value>) {

@@ -68,19 +68,23 @@ impl Rules<'_> {
     }
 }
 
-/// The names of all rules, in the order of the passes that they belong to.
-pub fn names() -> Vec<&'static str> {
-    let sets = [WORDING, ROTATIONS, DIRECTIONS, FRAMES, SCALES];
-    let of_sets = sets
-        .into_iter()
-        .flat_map(|set| set.vectors.iter().map(|(name, _)| *name).chain(set.scalars.iter().map(|(name, _)| *name)));
+/// The names of the rules of all sets, in the order of the passes that they belong to.
+pub(crate) fn of_sets() -> Vec<&'static str> {
     let mut names: Vec<&str> = Vec::new();
-    for name in of_sets.chain(ARITHMETIC) {
-        if !names.contains(&name) {
-            names.push(name);
+    for set in [WORDING, ROTATIONS, DIRECTIONS, FRAMES, SCALES] {
+        let vectors = set.vectors.iter().map(|(name, _)| *name);
+        for name in vectors.chain(set.scalars.iter().map(|(name, _)| *name)) {
+            if !names.contains(&name) {
+                names.push(name);
+            }
         }
     }
     names
+}
+
+/// The names of all rules, those of arithmetic last.
+pub fn names() -> Vec<&'static str> {
+    of_sets().into_iter().chain(ARITHMETIC).collect()
 }
 
 /// What a statement says in other words: norms and directions spelled out.

@@ -124,7 +124,8 @@ impl Hasher for NodeHasher {
     }
 
     fn write_isize(&mut self, n: isize) {
-        self.mix(n.cast_unsigned() as u64);
+        // The discriminant of an enum, never negative.
+        self.mix(n.unsigned_abs() as u64);
     }
 }
 

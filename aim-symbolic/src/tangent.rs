@@ -60,7 +60,11 @@ impl Sweep<'_> {
 
     fn scalar(&mut self, scalar: Scalar) -> Scalar {
         let terms: Vec<Scalar> = match self.g.scalar_node(scalar) {
-            ScalarNode::Input(_) => vec![self.g.constant(1.0)],
+            ScalarNode::Input(_) => {
+                let one = self.g.constant(1.0);
+                let slope = self.g.slope_of_input(scalar).map(|(_, slope)| self.g.times(one, slope));
+                vec![slope.unwrap_or(one)]
+            }
             ScalarNode::SelectLess(a, b, then, otherwise) => {
                 let (then, otherwise) = (self.of_scalar(then), self.of_scalar(otherwise));
                 vec![self.g.select_less(a, b, then, otherwise)]

@@ -22,9 +22,9 @@ impl Program {
     ///
     /// The first step starts from the statement as it stands: every operation of it and of its derivatives is done, also
     /// those with 0 and 1.
-    pub fn trace(g: &mut Graph, wanted: &[Want]) -> Vec<Step> {
+    pub fn trace(g: &Graph, wanted: &[Want]) -> Vec<Step> {
         let (_, choices) = choose(g, wanted, &[]);
-        let mut count = |log: &mut Log, off: &[&str]| attempt(g, wanted, &choices, off, log, Effort::Finish).count();
+        let count = |log: &mut Log, off: &[&str]| attempt(g, wanted, &choices, off, log, Effort::Finish).count();
         let mut all = Log::default();
         count(&mut all, &[]);
         let mut book = Book { steps: Vec::new(), rules: Vec::new(), count: count(&mut Log::limited(0), &ARITHMETIC) };

@@ -64,7 +64,7 @@ fn equations_4_to_6_and_the_appendix_against_maxima() {
     let direction = g.sub_vectors(p1, p0);
     let to_target = g.normalize(to_target);
     let aim = g.dot(to_target, direction); // (6)
-    let program = Program::derive(&mut g, &[aim], &angles);
+    let program = Program::derive(&g, &[aim], &angles);
     assert_eq!(program.count().total(), 46, "{}", program.count());
 
     for case in golden() {

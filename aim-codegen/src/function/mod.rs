@@ -99,7 +99,7 @@ impl Programs {
         let values = numbers.iter().map(|&number| Want::Value(number));
         let by = |variable: Scalar| numbers.iter().map(move |&number| Want::Derivative(number, variable.into()));
         let mut wanted: Vec<Want> = values.chain(variables.iter().flat_map(|&variable| by(variable))).collect();
-        let first = Program::derive_wanted(&mut algebra.g, &wanted);
+        let first = Program::derive_wanted(&algebra.g, &wanted);
         if let Some((budget, place)) = &options.budget {
             let count = first.count();
             if count.total() > *budget {
@@ -111,7 +111,7 @@ impl Programs {
             for (i, &a) in variables.iter().enumerate() {
                 wanted.extend(variables[i..].iter().map(|&b| Want::Second(numbers[0], a.into(), b.into())));
             }
-            Program::derive_wanted(&mut algebra.g, &wanted)
+            Program::derive_wanted(&algebra.g, &wanted)
         });
         Some(Self { first, second, inputs })
     }

@@ -79,11 +79,11 @@ struct Problem {
 
 impl Problem {
     fn program(&mut self) -> Program {
-        Program::derive_wanted(&mut self.g, &self.wanted)
+        Program::derive_wanted(&self.g, &self.wanted)
     }
 
     fn trace(&mut self) -> Vec<Step> {
-        Program::trace(&mut self.g, &self.wanted)
+        Program::trace(&self.g, &self.wanted)
     }
 }
 

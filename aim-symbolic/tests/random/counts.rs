@@ -11,15 +11,13 @@ use crate::recipe::Recipe;
 
 /// Rules that only take away, or write the same in other words. Of the others each may raise a count by itself: what it
 /// takes apart is shared, or others finish what it begins.
-const TAKE_AWAY: [&str; 11] = [
+const TAKE_AWAY: [&str; 9] = [
     "the root of a square is a norm",
     "fold zero and one",
     "split composition",
-    "fold constant basis",
     "cancel terms",
     "nothing of a direction is across it",
     "all of what is across is across",
-    "fold scalars",
     "dot, then sign",
     "one reciprocal for a direction",
     "a part across is a difference",
@@ -132,7 +130,6 @@ fn derivation(recipe: &Recipe, off: &[&str]) -> (usize, usize) {
 }
 
 #[test]
-#[ignore = "the rules together may lose against none: not one of the choices yet"]
 fn no_derivation_is_larger_than_without_the_rules() {
     let off: Vec<&str> = single_rules().iter().map(|(_, rule, _)| *rule).collect();
     let change = RefCell::new(Change::default());

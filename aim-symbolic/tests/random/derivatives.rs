@@ -87,7 +87,7 @@ fn derived_programs_agree_with_dual_numbers() {
     let tally = Tally::default();
     for_each(30_000, 8, |recipe| {
         derived(recipe, &tally, |stated, inputs, wanted, _| {
-            let program = Program::derive_wanted(&mut stated.pools.g, wanted);
+            let program = Program::derive_wanted(&stated.pools.g, wanted);
             agree(stated, inputs, wanted, &program, "derived")
         })
     });
@@ -105,7 +105,7 @@ fn programs_derived_without_some_rules_agree_too() {
             if random.u8(..4) == 0 {
                 without.extend((0..4).map(|_| names[random.usize(..names.len())]));
             }
-            let program = Program::derive_without(&mut stated.pools.g, wanted, &without);
+            let program = Program::derive_without(&stated.pools.g, wanted, &without);
             agree(stated, inputs, wanted, &program, &format!("without {without:?}"))
         })
     });
@@ -130,7 +130,7 @@ fn bindings(g: &Graph, inputs: &[Bounded]) -> Bindings {
 fn derived_programs_agree_with_dual_numbers_within_rounding() {
     let tally = Tally::default();
     for_each(20_000, 8, |recipe| {
-        let mut stated = recipe.build();
+        let stated = recipe.build();
         let mut random = Rng::with_seed(recipe.seed);
         let wanted = wanted(&stated, &mut random);
         let mut evaluation: Evaluation<Bounded> = anywhere(recipe.seed);
@@ -146,7 +146,7 @@ fn derived_programs_agree_with_dual_numbers_within_rounding() {
                 return Err(format!("evaluated to {found} instead of {value:?}"));
             }
         }
-        let program = Program::derive_wanted(&mut stated.pools.g, &wanted);
+        let program = Program::derive_wanted(&stated.pools.g, &wanted);
         let mut results = vec![Bounded::exact(0.0); wanted.len()];
         program.run(evaluation.inputs(), &mut results);
         for (&want, result) in wanted.iter().zip(results) {

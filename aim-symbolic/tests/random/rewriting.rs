@@ -61,9 +61,9 @@ fn derivatives_need_no_rewriting_first() {
 fn derivation_is_deterministic() {
     for_each(5_000, 8, |recipe| {
         let [first, second] = [(); 2].map(|()| {
-            let mut stated = recipe.build();
+            let stated = recipe.build();
             let wanted = wanted(&stated, &mut Rng::with_seed(recipe.seed));
-            Program::derive_wanted(&mut stated.pools.g, &wanted)
+            Program::derive_wanted(&stated.pools.g, &wanted)
         });
         let prints: [fn(&Program) -> String; 3] = [print::plain, print::latex, |p| print::maxima("f", p)];
         if first != second || prints.iter().any(|print| print(&first) != print(&second)) {
@@ -78,9 +78,9 @@ fn derivation_is_deterministic() {
 fn a_flipped_sign_is_noticed() {
     let (noticed, flipped) = (Cell::new(0), Cell::new(0));
     for_each(2_000, 8, |recipe| {
-        let mut stated = recipe.build();
+        let stated = recipe.build();
         let Some(regular) = regular(&stated, recipe.seed) else { return Ok(()) };
-        let program = Program::derive::<Variable>(&mut stated.pools.g, &stated.outputs, &[]);
+        let program = Program::derive::<Variable>(&stated.pools.g, &stated.outputs, &[]);
         for place in 0..program.ops().len() {
             let wrong = program.with_sign_flipped(place);
             if wrong != program {

@@ -22,7 +22,7 @@ fn every_rule_is_named_once() {
 
 /// How often each rule has to apply, of so many statements.
 const CASES: u64 = 80_000;
-const LEAST: usize = 100;
+const LEAST: usize = 50;
 
 #[test]
 fn each_rule_alone_applies_and_keeps_the_value() {
@@ -94,7 +94,7 @@ fn rules_keep_the_value_where_something_has_no_direction() {
             regular.same_values(&stated, &rewritten, &format!("{set}: {rule}"))?;
         }
         let wanted: Vec<Want> = stated.outputs.iter().map(|&s| Want::Value(s)).collect();
-        let program = Program::derive_without(&mut stated.pools.g, &wanted, &[NEEDS_A_DIRECTION]);
+        let program = Program::derive_without(&stated.pools.g, &wanted, &[NEEDS_A_DIRECTION]);
         regular.same_results(&program, "derived")
     });
     tally.assert_few_discards();
