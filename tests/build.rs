@@ -15,7 +15,8 @@ mod random;
 mod rigs;
 
 fn main() {
-    println!("cargo::rerun-if-changed=src");
+    println!("cargo::rerun-if-changed=src/random.rs");
+    println!("cargo::rerun-if-changed=src/rigs.rs");
     let out = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo sets it"));
     let mut rust = String::new();
     let mut names = Vec::new();

@@ -5,10 +5,11 @@ use crate::fold::{CONSTANTS, NEGATIONS, ORDER};
 use crate::products::SHARE;
 use crate::program::{DIVIDE_ONCE, Effort};
 use crate::rules::{
-    ACROSS_FOR_CROSS, CANCELLING, DIRECTIONS, MERGE_SHARED, OTHER_SIDES, ROTATIONS, Rules, SCALES, SPREAD, WORDING,
+    ACROSS_FOR_CROSS, CANCELLING, CONSTANT_SCALE, DIRECTIONS, FRAMES, MERGE_SHARED, OTHER_SIDES, ROTATIONS, Rules,
+    SCALES, SPREAD, WORDING,
 };
 use crate::tidy::Log;
-use crate::{Graph, Placement, Program, Scalar, Variable};
+use crate::{Graph, Placement, Program, Rotation, Scalar, Variable};
 
 /// What a program is asked for: a value, or one of its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,10 +52,15 @@ pub(crate) struct Choices {
     without: Vec<&'static str>,
     /// How many rotations go to the other side of a dot.
     turned: Option<usize>,
+    /// The rotations before which the calculation is done, in whose frame fewer vectors need them.
+    kept: Vec<Rotation>,
 }
 
 /// Rules of components: what any compiler of formulas does, all at once.
 pub(crate) const ARITHMETIC: [&str; 6] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, DIVIDE_ONCE];
+
+/// The rules that apply only where that is found to pay.
+const OPTIONAL: [&str; 2] = [SPREAD, CONSTANT_SCALE];
 
 /// How many ways to share rotations between the sides of dots are compared.
 const MOST_SIDES: usize = 8;
@@ -80,11 +86,13 @@ impl Program {
 
 /// The smallest of the bounded number of programs that the choices lead to.
 pub(crate) fn choose(g: &mut Graph, wanted: &[Want], without: &[&str]) -> (Program, Choices) {
-    let mut best = Choices { sweep: Sweep::Reverse(Placement::Late), without: vec![SPREAD], turned: None };
+    let mut best =
+        Choices { sweep: Sweep::Reverse(Placement::Late), without: OPTIONAL.to_vec(), turned: None, kept: Vec::new() };
     let mut log = Log::default();
     let mut outputs = rewritten(g, wanted, &best, without, &mut log);
     let mut least = cost(&compiled(g, &outputs, &best, without, Effort::Compare));
     let applied = log.applied;
+    let cancelled = g.cancelled().to_vec();
     let variables = distinct(wanted.iter().filter_map(|w| match *w {
         Want::Derivative(_, x) => Some(x),
         _ => None,
@@ -99,8 +107,20 @@ pub(crate) fn choose(g: &mut Graph, wanted: &[Want], without: &[&str]) -> (Progr
     if derivatives && variables.len() <= values.len() {
         rivals.push(Box::new(|c| c.sweep = Sweep::Forward));
     }
+    // A rotation that left more than one direction may be dearer on the many sides than on the one.
+    let innermost = distinct(cancelled.iter().rev().copied());
+    if cancelled.len() > innermost.len() {
+        for kept in (1..=innermost.len()).take(MOST_SIDES) {
+            let kept = innermost[..kept].to_vec();
+            rivals.push(Box::new(move |c| c.kept = kept.clone()));
+        }
+    }
+    let optional = |rule: &'static str| move |c: &mut Choices| c.without.retain(|&off| off != rule);
     if applied.contains(&"a part across is a difference") {
-        rivals.push(Box::new(|c| c.without.retain(|&rule| rule != SPREAD)));
+        rivals.push(Box::new(optional(SPREAD)));
+    }
+    if g.has_constant_direction(&outputs) {
+        rivals.push(Box::new(optional(CONSTANT_SCALE)));
     }
     if applied.contains(&MERGE_SHARED) {
         rivals.push(Box::new(|c| c.without.push(MERGE_SHARED)));
@@ -169,6 +189,7 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[&str]
     let off: Vec<&str> = without.iter().chain(&choices.without).copied().collect();
     let rules = Rules { without: &off, turned: choices.turned };
     let stated = distinct(wanted.iter().map(|w| w.stated()));
+    g.keep(&choices.kept);
     let worded = g.rewrite_with(&stated, &WORDING, &rules, log);
     let values = g.rewrite_with(&worded, &ROTATIONS, &rules, log);
     let value =
@@ -229,6 +250,9 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[&str]
             }
         })
         .collect();
-    let outputs = g.rewrite_with(&outputs, &DIRECTIONS, &rules, log);
+    let mut outputs = g.rewrite_with(&outputs, &DIRECTIONS, &rules, log);
+    if !choices.kept.is_empty() {
+        outputs = g.rewrite_with(&outputs, &FRAMES, &rules, log);
+    }
     g.rewrite_with(&outputs, &SCALES, &rules, log)
 }

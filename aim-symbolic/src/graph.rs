@@ -42,6 +42,10 @@ pub struct Graph {
     angles_of: Table<Scalar, Angle>,
     /// Sums that the rules of the pass under way may not open.
     closed: Table<Vector, ()>,
+    /// Rotations before which the calculation is to be done.
+    kept: Vec<Rotation>,
+    /// Rotations that left a direction and its neighbour, in order.
+    cancelled: Vec<Rotation>,
 }
 
 #[derive(Clone, Debug)]
@@ -70,6 +74,8 @@ impl Graph {
             angles: Vec::new(),
             angles_of: Table::default(),
             closed: Table::default(),
+            kept: Vec::new(),
+            cancelled: Vec::new(),
         }
     }
 
@@ -126,6 +132,25 @@ impl Graph {
 
     pub(crate) fn close(&mut self, sum: Vector) {
         self.closed.insert(sum, ());
+    }
+
+    /// From now on the calculation is to be done before these rotations; what left so far is forgotten.
+    pub(crate) fn keep(&mut self, rotations: &[Rotation]) {
+        self.kept = rotations.to_vec();
+        self.cancelled.clear();
+    }
+
+    pub(crate) fn is_kept(&self, rotation: Rotation) -> bool {
+        self.kept.contains(&rotation)
+    }
+
+    pub(crate) fn cancel(&mut self, rotation: Rotation) {
+        self.cancelled.push(rotation);
+    }
+
+    /// The rotations that left a direction and its neighbour since [`keep`](Self::keep), as often as they did.
+    pub(crate) fn cancelled(&self) -> &[Rotation] {
+        &self.cancelled
     }
 
     pub(crate) fn open_all(&mut self) {

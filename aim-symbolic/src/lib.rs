@@ -31,6 +31,7 @@ mod directions;
 mod evaluate;
 mod factor;
 mod fold;
+mod frames;
 mod gradient;
 mod graph;
 mod interpret;

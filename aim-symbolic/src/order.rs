@@ -1,6 +1,7 @@
 //! What an expression is made of: each part after its own parts.
 
 use crate::node::Parts;
+use crate::rules::constant_components;
 use crate::table::{NodeSet, Table};
 use crate::{Angle, Graph, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
@@ -46,6 +47,16 @@ impl Graph {
             }
         }
         order
+    }
+
+    /// Whether a constant vector of more than one component is among what `outputs` are made of.
+    pub(crate) fn has_constant_direction(&self, outputs: &[Scalar]) -> bool {
+        self.order(outputs, Selects::Through).iter().any(|node| match *node {
+            Node::Vector(v) => {
+                constant_components(self, v).is_some_and(|c| c.iter().filter(|&&c| c != 0.0).count() > 1)
+            }
+            Node::Scalar(_) => false,
+        })
     }
 
     /// The vectors that more than one other needs; its components together are one need.

@@ -3,13 +3,16 @@
 //! A rule looks at one node whose parts are already rewritten and offers a replacement. [`Graph::rewrite`] applies
 //! them in the order of the tables, bottom up, until none applies.
 
+use crate::derive::ARITHMETIC;
 use crate::fold::Fold;
-use crate::{Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode, directions};
+use crate::{Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode, directions, frames};
 
 /// A cross product with a direction is as long as the part across it: one of two ways to the same length.
 pub(crate) const ACROSS_FOR_CROSS: &str = "the part across is as long as the cross product";
 /// A scaled vector that is needed elsewhere too gives up its factor all the same.
 pub(crate) const MERGE_SHARED: &str = "merge scales of shared vectors";
+/// A constant direction gives up its largest component as a factor.
+pub(crate) const CONSTANT_SCALE: &str = "a constant direction by its largest component";
 /// A scaled difference in a sum with its own subtrahend is taken apart: one of two ways to write the sum.
 pub(crate) const SPREAD: &str = "spread a scaled difference over its sum";
 
@@ -66,6 +69,21 @@ impl Rules<'_> {
     }
 }
 
+/// The names of all rules, in the order of the passes that they belong to.
+pub fn names() -> Vec<&'static str> {
+    let sets = [WORDING, ROTATIONS, DIRECTIONS, FRAMES, SCALES];
+    let of_sets = sets
+        .into_iter()
+        .flat_map(|set| set.vectors.iter().map(|(name, _)| *name).chain(set.scalars.iter().map(|(name, _)| *name)));
+    let mut names: Vec<&str> = Vec::new();
+    for name in of_sets.chain(ARITHMETIC) {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
+}
+
 /// What a statement says in other words: norms and directions spelled out.
 pub const WORDING: RuleSet = RuleSet {
     vectors: &[("a vector over its length is a direction", directions::recognize_direction)],
@@ -106,6 +124,19 @@ pub const ROTATIONS: RuleSet = RuleSet {
 pub(crate) const COMPOSITIONS: RuleSet =
     RuleSet { vectors: &[("split composition", split_composition)], scalars: &[], sums: Sums::Open };
 
+/// A calculation in the frame before a turn that many vectors were turned back by.
+pub const FRAMES: RuleSet = RuleSet {
+    vectors: &[
+        ("fold zero and one", fold_zero),
+        ("undo rotation", undo_rotation),
+        ("a sum in another frame", frames::sum_in_frame),
+        ("an operation in another frame", frames::operation_in_frame),
+        ("frames meet", frames::meet_in_frame),
+    ],
+    scalars: &[("a number in another frame", frames::number_in_frame)],
+    sums: Sums::Open,
+};
+
 /// What is along a direction or square to it, and what follows for sums and dots.
 pub const DIRECTIONS: RuleSet = RuleSet {
     vectors: &[
@@ -142,6 +173,7 @@ pub const SCALES: RuleSet = RuleSet {
         (SPREAD, crate::scaling::spread),
         ("common vector of a sum", crate::scaling::common_vector),
         ("common factor of a sum", crate::scaling::common_factor),
+        (CONSTANT_SCALE, crate::scaling::constant_scale),
     ],
     scalars: &[
         ("fold scalars", fold_scalar),
@@ -198,7 +230,7 @@ pub(crate) fn constant_components(g: &Graph, v: Vector) -> Option<[f64; 3]> {
 }
 
 /// The outermost rotation of `v`, and what it rotates.
-fn leading(g: &Graph, v: Vector) -> Option<(Rotation, Vector)> {
+pub(crate) fn leading(g: &Graph, v: Vector) -> Option<(Rotation, Vector)> {
     match g.vector_node(v) {
         VectorNode::Rotate(rotation, inner) => Some((rotation, inner)),
         _ => None,
@@ -382,7 +414,7 @@ fn normalize_rotated(g: &mut Graph, v: Vector) -> Option<Vector> {
 }
 
 /// `Rᵀ (a + R b) = Rᵀ a + b`
-fn turned_back(g: &mut Graph, rotation: Rotation, v: Vector) -> Vector {
+pub(crate) fn turned_back(g: &mut Graph, rotation: Rotation, v: Vector) -> Vector {
     let (cores, rest): (Vec<_>, Vec<_>) =
         terms(g, v).into_iter().partition(|&(_, term)| leading(g, term).is_some_and(|(r, _)| r == rotation));
     let mut all: Vec<_> = cores.into_iter().filter_map(|(sign, term)| Some((sign, leading(g, term)?.1))).collect();
@@ -414,6 +446,9 @@ fn dot_direction(g: &mut Graph, s: Scalar) -> Option<Scalar> {
         let is_pushed = |&(_, term): &(bool, Vector)| leading(g, term).is_some_and(|(r, _)| r == rotation);
         if !is_sum(g, inner) || !terms(g, inner).iter().any(is_pushed) {
             return None;
+        }
+        if !is_basis(g, rotation) {
+            g.cancel(rotation);
         }
         let back = turned_back(g, rotation, inner);
         let back = g.normalize(back);

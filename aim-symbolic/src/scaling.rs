@@ -1,6 +1,6 @@
 //! Rules for scale factors; part of [`rules::SCALES`](crate::rules::SCALES).
 
-use crate::rules::{is_sum, sum, terms};
+use crate::rules::{constant_components, is_sum, sum, terms};
 use crate::{Graph, Scalar, ScalarNode, Vector, VectorNode};
 
 fn scaled(g: &Graph, v: Vector) -> Option<(Scalar, Vector)> {
@@ -191,6 +191,18 @@ pub(crate) fn common_factor(g: &mut Graph, v: Vector) -> Option<Vector> {
     let inner = sum(g, &[(all[i].0, all[i].2), (all[j].0, all[j].2)]);
     let together = g.scale(all[i].1?, inner);
     Some(joined(g, v, (i, j), (false, together)))
+}
+
+/// `c = c_k (c / c_k)` with the largest component of a constant: one product less wherever it is multiplied.
+pub(crate) fn constant_scale(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let c = constant_components(g, v)?;
+    let largest = c.into_iter().fold(0.0, |largest: f64, c| if c.abs() > largest.abs() { c } else { largest });
+    if largest == 0.0 || largest.abs() == 1.0 || c.iter().filter(|&&c| c != 0.0).count() < 2 {
+        return None;
+    }
+    let unit = g.constant_vector(c.map(|c| c / largest));
+    let factor = g.constant(largest);
+    Some(g.scale(factor, unit))
 }
 
 /// `k (v − m w) + n w = k v + (n − k m) w`, with what `n` and `m` have in common taken out

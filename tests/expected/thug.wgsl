@@ -17,57 +17,28 @@ fn thug_left_eye_aim_gradient(
     sin_h: f32,
     cos_h: f32,
 ) -> array<f32, 3> {
-    let v0 = target_point[1] * cos_h;
-    let v1 = target_point[2] * sin_h;
-    let v2 = v0 + v1;
-    let v3 = sin_p * v2;
-    let v4 = target_point[0] * cos_p;
-    let v5 = v3 - v4;
-    let v6 = effector_to_joint[9] + v5;
-    let v7 = v6 * v6;
-    let v8 = cos_p * v2;
-    let v9 = target_point[0] * sin_p;
-    let v10 = v8 + v9;
-    let v11 = effector_to_joint[10] - v10;
-    let v12 = v11 * v11;
-    let v13 = target_point[1] * sin_h;
-    let v14 = target_point[2] * cos_h;
-    let v15 = v13 - v14;
-    let v16 = effector_to_joint[11] + v15;
-    let v17 = v16 * v16;
-    let v18 = v12 + v17;
-    let v19 = v7 + v18;
-    let v20 = sqrt(v19);
-    let v21 = 1.0f / v20;
-    let v22 = select(0.0f, v21, 1.0842022e-19f < v20);
-    let v23 = effector_to_joint[3] * v6;
-    let v24 = effector_to_joint[4] * v11;
-    let v25 = effector_to_joint[5] * v16;
-    let v26 = v24 + v25;
-    let v27 = v23 + v26;
-    let v28 = v22 * v27;
-    let v29 = v22 * v28;
-    let v30 = v11 * v29;
-    let v31 = effector_to_joint[4] - v30;
-    let v32 = v5 * v31;
-    let v33 = v6 * v29;
-    let v34 = effector_to_joint[3] - v33;
-    let v35 = v10 * v34;
-    let v36 = v32 + v35;
-    let v37 = v22 * v36;
-    let v38 = cos_p * v31;
-    let v39 = sin_p * v34;
-    let v40 = v38 - v39;
-    let v41 = v15 * v40;
-    let v42 = v16 * v29;
-    let v43 = effector_to_joint[5] - v42;
-    let v44 = v2 * v43;
-    let v45 = v41 + v44;
-    let v46 = v22 * v45;
+    let v0 = target_point[1] * cos_h + target_point[2] * sin_h;
+    let v1 = target_point[0] * cos_p - sin_p * v0;
+    let v2 = v1 - effector_to_joint[9];
+    let v3 = cos_p * v0 + target_point[0] * sin_p;
+    let v4 = v3 - effector_to_joint[10];
+    let v5 = target_point[2] * cos_h - target_point[1] * sin_h;
+    let v6 = v5 - effector_to_joint[11];
+    let v7 = v2 * v2 + v4 * v4 + v6 * v6;
+    let v8 = sqrt(v7);
+    let v9 = 1.0f / v8;
+    let v10 = select(0.0f, v9, 1.0842022e-19f < v8);
+    let v11 = v10 * (effector_to_joint[3] * v2 + effector_to_joint[4] * v4 + effector_to_joint[5] * v6);
+    let v12 = v10 * v11;
+    let v13 = effector_to_joint[4] - v4 * v12;
+    let v14 = effector_to_joint[3] - v2 * v12;
+    let v15 = v10 * (v1 * v13 - v3 * v14);
+    let v16 = v0 * (effector_to_joint[5] - v6 * v12);
+    let v17 = v10 * (v5 * (cos_p * v13 - sin_p * v14) - v16);
     return array<f32, 3>(
-        -v28,
-        -v37,
-        -v46,
+        v11,
+        v15,
+        v17,
     );
 }
 
@@ -83,57 +54,28 @@ fn thug_neck_aim_gradient(
     sin_h: f32,
     cos_h: f32,
 ) -> array<f32, 3> {
-    let v0 = target_point[1] * cos_h;
-    let v1 = target_point[2] * sin_h;
-    let v2 = v0 + v1;
-    let v3 = sin_p * v2;
-    let v4 = target_point[0] * cos_p;
-    let v5 = v3 - v4;
-    let v6 = effector_to_joint[9] + v5;
-    let v7 = v6 * v6;
-    let v8 = cos_p * v2;
-    let v9 = target_point[0] * sin_p;
-    let v10 = v8 + v9;
-    let v11 = effector_to_joint[10] - v10;
-    let v12 = v11 * v11;
-    let v13 = target_point[1] * sin_h;
-    let v14 = target_point[2] * cos_h;
-    let v15 = v13 - v14;
-    let v16 = effector_to_joint[11] + v15;
-    let v17 = v16 * v16;
-    let v18 = v12 + v17;
-    let v19 = v7 + v18;
-    let v20 = sqrt(v19);
-    let v21 = 1.0f / v20;
-    let v22 = select(0.0f, v21, 1.0842022e-19f < v20);
-    let v23 = effector_to_joint[3] * v6;
-    let v24 = effector_to_joint[4] * v11;
-    let v25 = effector_to_joint[5] * v16;
-    let v26 = v24 + v25;
-    let v27 = v23 + v26;
-    let v28 = v22 * v27;
-    let v29 = v22 * v28;
-    let v30 = v11 * v29;
-    let v31 = effector_to_joint[4] - v30;
-    let v32 = v5 * v31;
-    let v33 = v6 * v29;
-    let v34 = effector_to_joint[3] - v33;
-    let v35 = v10 * v34;
-    let v36 = v32 + v35;
-    let v37 = v22 * v36;
-    let v38 = cos_p * v31;
-    let v39 = sin_p * v34;
-    let v40 = v38 - v39;
-    let v41 = v15 * v40;
-    let v42 = v16 * v29;
-    let v43 = effector_to_joint[5] - v42;
-    let v44 = v2 * v43;
-    let v45 = v41 + v44;
-    let v46 = v22 * v45;
+    let v0 = target_point[1] * cos_h + target_point[2] * sin_h;
+    let v1 = target_point[0] * cos_p - sin_p * v0;
+    let v2 = v1 - effector_to_joint[9];
+    let v3 = cos_p * v0 + target_point[0] * sin_p;
+    let v4 = v3 - effector_to_joint[10];
+    let v5 = target_point[2] * cos_h - target_point[1] * sin_h;
+    let v6 = v5 - effector_to_joint[11];
+    let v7 = v2 * v2 + v4 * v4 + v6 * v6;
+    let v8 = sqrt(v7);
+    let v9 = 1.0f / v8;
+    let v10 = select(0.0f, v9, 1.0842022e-19f < v8);
+    let v11 = v10 * (effector_to_joint[3] * v2 + effector_to_joint[4] * v4 + effector_to_joint[5] * v6);
+    let v12 = v10 * v11;
+    let v13 = effector_to_joint[4] - v4 * v12;
+    let v14 = effector_to_joint[3] - v2 * v12;
+    let v15 = v10 * (v1 * v13 - v3 * v14);
+    let v16 = v0 * (effector_to_joint[5] - v6 * v12);
+    let v17 = v10 * (v5 * (cos_p * v13 - sin_p * v14) - v16);
     return array<f32, 3>(
-        -v28,
-        -v37,
-        -v46,
+        v11,
+        v15,
+        v17,
     );
 }
 
@@ -149,57 +91,28 @@ fn thug_spine3_aim_gradient(
     sin_h: f32,
     cos_h: f32,
 ) -> array<f32, 3> {
-    let v0 = target_point[1] * cos_h;
-    let v1 = target_point[2] * sin_h;
-    let v2 = v0 + v1;
-    let v3 = sin_p * v2;
-    let v4 = target_point[0] * cos_p;
-    let v5 = v3 - v4;
-    let v6 = effector_to_joint[9] + v5;
-    let v7 = v6 * v6;
-    let v8 = cos_p * v2;
-    let v9 = target_point[0] * sin_p;
-    let v10 = v8 + v9;
-    let v11 = effector_to_joint[10] - v10;
-    let v12 = v11 * v11;
-    let v13 = target_point[1] * sin_h;
-    let v14 = target_point[2] * cos_h;
-    let v15 = v13 - v14;
-    let v16 = effector_to_joint[11] + v15;
-    let v17 = v16 * v16;
-    let v18 = v12 + v17;
-    let v19 = v7 + v18;
-    let v20 = sqrt(v19);
-    let v21 = 1.0f / v20;
-    let v22 = select(0.0f, v21, 1.0842022e-19f < v20);
-    let v23 = effector_to_joint[3] * v6;
-    let v24 = effector_to_joint[4] * v11;
-    let v25 = effector_to_joint[5] * v16;
-    let v26 = v24 + v25;
-    let v27 = v23 + v26;
-    let v28 = v22 * v27;
-    let v29 = v22 * v28;
-    let v30 = v11 * v29;
-    let v31 = effector_to_joint[4] - v30;
-    let v32 = v5 * v31;
-    let v33 = v6 * v29;
-    let v34 = effector_to_joint[3] - v33;
-    let v35 = v10 * v34;
-    let v36 = v32 + v35;
-    let v37 = v22 * v36;
-    let v38 = cos_p * v31;
-    let v39 = sin_p * v34;
-    let v40 = v38 - v39;
-    let v41 = v15 * v40;
-    let v42 = v16 * v29;
-    let v43 = effector_to_joint[5] - v42;
-    let v44 = v2 * v43;
-    let v45 = v41 + v44;
-    let v46 = v22 * v45;
+    let v0 = target_point[1] * cos_h + target_point[2] * sin_h;
+    let v1 = target_point[0] * cos_p - sin_p * v0;
+    let v2 = v1 - effector_to_joint[9];
+    let v3 = cos_p * v0 + target_point[0] * sin_p;
+    let v4 = v3 - effector_to_joint[10];
+    let v5 = target_point[2] * cos_h - target_point[1] * sin_h;
+    let v6 = v5 - effector_to_joint[11];
+    let v7 = v2 * v2 + v4 * v4 + v6 * v6;
+    let v8 = sqrt(v7);
+    let v9 = 1.0f / v8;
+    let v10 = select(0.0f, v9, 1.0842022e-19f < v8);
+    let v11 = v10 * (effector_to_joint[3] * v2 + effector_to_joint[4] * v4 + effector_to_joint[5] * v6);
+    let v12 = v10 * v11;
+    let v13 = effector_to_joint[4] - v4 * v12;
+    let v14 = effector_to_joint[3] - v2 * v12;
+    let v15 = v10 * (v1 * v13 - v3 * v14);
+    let v16 = v0 * (effector_to_joint[5] - v6 * v12);
+    let v17 = v10 * (v5 * (cos_p * v13 - sin_p * v14) - v16);
     return array<f32, 3>(
-        -v28,
-        -v37,
-        -v46,
+        v11,
+        v15,
+        v17,
     );
 }
 
@@ -212,505 +125,187 @@ fn thug_chain_value_gradient(
     target_point: array<f32, 3>,
     sin_cos: array<f32, 12>,
 ) -> array<f32, 7> {
-    let v0 = target_point[1] * sin_cos[10];
-    let v1 = target_point[2] * sin_cos[11];
-    let v2 = v0 - v1;
-    let v3 = links[35] + v2;
-    let v4 = links[29] * v3;
-    let v5 = target_point[1] * sin_cos[11];
-    let v6 = target_point[2] * sin_cos[10];
-    let v7 = v5 + v6;
-    let v8 = sin_cos[8] * v7;
-    let v9 = target_point[0] * sin_cos[9];
-    let v10 = v8 - v9;
-    let v11 = links[33] + v10;
-    let v12 = links[27] * v11;
-    let v13 = sin_cos[9] * v7;
-    let v14 = target_point[0] * sin_cos[8];
-    let v15 = v13 + v14;
-    let v16 = links[34] - v15;
-    let v17 = links[28] * v16;
-    let v18 = v12 + v17;
-    let v19 = v4 + v18;
-    let v20 = sin_cos[6] * v19;
-    let v21 = links[32] * v3;
-    let v22 = links[30] * v11;
-    let v23 = links[31] * v16;
-    let v24 = v22 + v23;
-    let v25 = v21 + v24;
-    let v26 = sin_cos[7] * v25;
-    let v27 = v20 - v26;
-    let v28 = links[23] - v27;
-    let v29 = links[17] * v28;
-    let v30 = sin_cos[7] * v19;
-    let v31 = sin_cos[6] * v25;
-    let v32 = v30 + v31;
-    let v33 = sin_cos[4] * v32;
-    let v34 = links[26] * v3;
-    let v35 = links[24] * v11;
-    let v36 = links[25] * v16;
-    let v37 = v35 + v36;
-    let v38 = v34 + v37;
-    let v39 = sin_cos[5] * v38;
-    let v40 = v33 - v39;
-    let v41 = links[21] - v40;
-    let v42 = links[15] * v41;
-    let v43 = sin_cos[5] * v32;
-    let v44 = sin_cos[4] * v38;
-    let v45 = v43 + v44;
-    let v46 = links[22] + v45;
-    let v47 = links[16] * v46;
-    let v48 = v42 + v47;
-    let v49 = v29 + v48;
-    let v50 = sin_cos[3] * v49;
-    let v51 = links[20] * v28;
-    let v52 = links[18] * v41;
-    let v53 = links[19] * v46;
-    let v54 = v52 + v53;
-    let v55 = v51 + v54;
-    let v56 = sin_cos[2] * v55;
-    let v57 = v50 + v56;
-    let v58 = sin_cos[0] * v57;
-    let v59 = links[14] * v28;
-    let v60 = links[12] * v41;
-    let v61 = links[13] * v46;
-    let v62 = v60 + v61;
-    let v63 = v59 + v62;
-    let v64 = sin_cos[1] * v63;
-    let v65 = v58 - v64;
-    let v66 = links[9] - v65;
-    let v67 = v66 * v66;
-    let v68 = sin_cos[1] * v57;
-    let v69 = sin_cos[0] * v63;
-    let v70 = v68 + v69;
-    let v71 = links[10] + v70;
-    let v72 = v71 * v71;
-    let v73 = sin_cos[2] * v49;
-    let v74 = sin_cos[3] * v55;
-    let v75 = v73 - v74;
-    let v76 = links[11] - v75;
-    let v77 = v76 * v76;
-    let v78 = v72 + v77;
-    let v79 = v67 + v78;
-    let v80 = sqrt(v79);
-    let v81 = 1.0f / v80;
-    let v82 = select(0.0f, v81, 1.0842022e-19f < v80);
-    let v83 = links[3] * v66;
-    let v84 = links[4] * v71;
-    let v85 = links[5] * v76;
-    let v86 = v84 + v85;
-    let v87 = v83 + v86;
-    let v88 = v82 * v87;
-    let v89 = v82 * v88;
-    let v90 = v71 * v89;
-    let v91 = links[4] - v90;
-    let v92 = v82 * v91;
-    let v93 = v65 * v92;
-    let v94 = v66 * v89;
-    let v95 = links[3] - v94;
-    let v96 = v82 * v95;
-    let v97 = v70 * v96;
-    let v98 = v93 + v97;
-    let v99 = sin_cos[1] * v92;
-    let v100 = sin_cos[0] * v96;
-    let v101 = v99 - v100;
-    let v102 = v75 * v101;
-    let v103 = v76 * v89;
-    let v104 = links[5] - v103;
-    let v105 = v82 * v104;
-    let v106 = v57 * v105;
-    let v107 = v102 + v106;
-    let v108 = sin_cos[2] * v101;
-    let v109 = sin_cos[3] * v105;
-    let v110 = v108 + v109;
-    let v111 = links[19] * v110;
-    let v112 = sin_cos[0] * v92;
-    let v113 = sin_cos[1] * v96;
-    let v114 = v112 + v113;
-    let v115 = links[13] * v114;
-    let v116 = sin_cos[3] * v101;
-    let v117 = sin_cos[2] * v105;
-    let v118 = v116 - v117;
-    let v119 = links[16] * v118;
-    let v120 = v115 + v119;
-    let v121 = v111 + v120;
-    let v122 = v40 * v121;
-    let v123 = links[18] * v110;
-    let v124 = links[12] * v114;
-    let v125 = links[15] * v118;
-    let v126 = v124 + v125;
-    let v127 = v123 + v126;
-    let v128 = v45 * v127;
-    let v129 = v122 + v128;
-    let v130 = sin_cos[5] * v121;
-    let v131 = sin_cos[4] * v127;
-    let v132 = v130 - v131;
-    let v133 = v27 * v132;
-    let v134 = links[20] * v110;
-    let v135 = links[14] * v114;
-    let v136 = links[17] * v118;
-    let v137 = v135 + v136;
-    let v138 = v134 + v137;
-    let v139 = v32 * v138;
-    let v140 = v133 + v139;
-    let v141 = sin_cos[6] * v132;
-    let v142 = sin_cos[7] * v138;
-    let v143 = v141 + v142;
-    let v144 = links[31] * v143;
-    let v145 = sin_cos[4] * v121;
-    let v146 = sin_cos[5] * v127;
-    let v147 = v145 + v146;
-    let v148 = links[25] * v147;
-    let v149 = sin_cos[7] * v132;
-    let v150 = sin_cos[6] * v138;
-    let v151 = v149 - v150;
-    let v152 = links[28] * v151;
-    let v153 = v148 + v152;
-    let v154 = v144 + v153;
-    let v155 = v10 * v154;
-    let v156 = links[30] * v143;
-    let v157 = links[24] * v147;
-    let v158 = links[27] * v151;
-    let v159 = v157 + v158;
-    let v160 = v156 + v159;
-    let v161 = v15 * v160;
-    let v162 = v155 + v161;
-    let v163 = sin_cos[9] * v154;
-    let v164 = sin_cos[8] * v160;
-    let v165 = v163 - v164;
-    let v166 = v2 * v165;
-    let v167 = links[32] * v143;
-    let v168 = links[26] * v147;
-    let v169 = links[29] * v151;
-    let v170 = v168 + v169;
-    let v171 = v167 + v170;
-    let v172 = v7 * v171;
-    let v173 = v166 + v172;
+    let v0 = target_point[1] * sin_cos[11] + target_point[2] * sin_cos[10];
+    let v1 = sin_cos[8] * v0 - target_point[0] * sin_cos[9];
+    let v2 = v1 + links[33];
+    let v3 = sin_cos[9] * v0 + target_point[0] * sin_cos[8];
+    let v4 = links[34] - v3;
+    let v5 = target_point[1] * sin_cos[10] - target_point[2] * sin_cos[11];
+    let v6 = v5 + links[35];
+    let v7 = links[27] * v2 + links[28] * v4 + links[29] * v6;
+    let v8 = links[30] * v2 + links[31] * v4 + links[32] * v6;
+    let v9 = sin_cos[7] * v7 + sin_cos[6] * v8;
+    let v10 = links[24] * v2 + links[25] * v4 + links[26] * v6;
+    let v11 = sin_cos[4] * v9 - sin_cos[5] * v10;
+    let v12 = links[21] - v11;
+    let v13 = sin_cos[5] * v9 + sin_cos[4] * v10;
+    let v14 = v13 + links[22];
+    let v15 = sin_cos[6] * v7 - sin_cos[7] * v8;
+    let v16 = links[23] - v15;
+    let v17 = links[15] * v12 + links[16] * v14 + links[17] * v16;
+    let v18 = links[18] * v12 + links[19] * v14 + links[20] * v16;
+    let v19 = sin_cos[3] * v17 + sin_cos[2] * v18;
+    let v20 = links[12] * v12 + links[13] * v14 + links[14] * v16;
+    let v21 = sin_cos[0] * v19 - sin_cos[1] * v20;
+    let v22 = links[9] - v21;
+    let v23 = sin_cos[1] * v19 + sin_cos[0] * v20;
+    let v24 = v23 + links[10];
+    let v25 = sin_cos[2] * v17 - sin_cos[3] * v18;
+    let v26 = links[11] - v25;
+    let v27 = v22 * v22 + v24 * v24 + v26 * v26;
+    let v28 = sqrt(v27);
+    let v29 = 1.0f / v28;
+    let v30 = select(0.0f, v29, 1.0842022e-19f < v28);
+    let v31 = v30 * (links[3] * v22 + links[4] * v24 + links[5] * v26);
+    let v32 = v30 * v31;
+    let v33 = v30 * (links[4] - v24 * v32);
+    let v34 = v30 * (links[3] - v22 * v32);
+    let v35 = v21 * v33 + v23 * v34;
+    let v36 = sin_cos[1] * v33 - sin_cos[0] * v34;
+    let v37 = v30 * (links[5] - v26 * v32);
+    let v38 = v25 * v36 + v19 * v37;
+    let v39 = sin_cos[0] * v33 + sin_cos[1] * v34;
+    let v40 = sin_cos[3] * v36 - sin_cos[2] * v37;
+    let v41 = sin_cos[2] * v36 + sin_cos[3] * v37;
+    let v42 = links[13] * v39 + links[16] * v40 + links[19] * v41;
+    let v43 = links[12] * v39 + links[15] * v40 + links[18] * v41;
+    let v44 = v11 * v42 + v13 * v43;
+    let v45 = sin_cos[5] * v42 - sin_cos[4] * v43;
+    let v46 = links[14] * v39 + links[17] * v40 + links[20] * v41;
+    let v47 = v15 * v45 + v9 * v46;
+    let v48 = sin_cos[4] * v42 + sin_cos[5] * v43;
+    let v49 = sin_cos[7] * v45 - sin_cos[6] * v46;
+    let v50 = sin_cos[6] * v45 + sin_cos[7] * v46;
+    let v51 = links[25] * v48 + links[28] * v49 + links[31] * v50;
+    let v52 = links[24] * v48 + links[27] * v49 + links[30] * v50;
+    let v53 = v1 * v51 + v3 * v52;
+    let v54 = v0 * (links[26] * v48 + links[29] * v49 + links[32] * v50);
+    let v55 = v5 * (sin_cos[9] * v51 - sin_cos[8] * v52) + v54;
     return array<f32, 7>(
-        -v88,
-        v98,
-        v107,
-        v129,
-        v140,
-        -v162,
-        -v173,
+        -v31,
+        v35,
+        v38,
+        v44,
+        v47,
+        -v53,
+        -v55,
     );
 }
 
 // The chain's stereographic residual (left, up), then the 6 derivatives of the first and of the second.
 // links: effector to joint 0, then joint i-1 to joint i; target_point in the last joint's space;
 // sin_cos: sin_p, cos_p, sin_h, cos_h per joint from the effector inward.
-// 289 operations: 108 add, 178 mul, 2 div, 1 sqrt; 4 select.
+// 279 operations: 105 add, 171 mul, 2 div, 1 sqrt; 4 select.
 fn thug_chain_residual_jacobian(
     links: array<f32, 36>,
     target_point: array<f32, 3>,
     sin_cos: array<f32, 12>,
 ) -> array<f32, 14> {
-    let v0 = target_point[1] * sin_cos[10];
-    let v1 = target_point[2] * sin_cos[11];
-    let v2 = v0 - v1;
-    let v3 = links[35] + v2;
-    let v4 = links[29] * v3;
-    let v5 = target_point[1] * sin_cos[11];
-    let v6 = target_point[2] * sin_cos[10];
-    let v7 = v5 + v6;
-    let v8 = sin_cos[8] * v7;
-    let v9 = target_point[0] * sin_cos[9];
-    let v10 = v8 - v9;
-    let v11 = links[33] + v10;
-    let v12 = links[27] * v11;
-    let v13 = sin_cos[9] * v7;
-    let v14 = target_point[0] * sin_cos[8];
-    let v15 = v13 + v14;
-    let v16 = links[34] - v15;
-    let v17 = links[28] * v16;
-    let v18 = v12 + v17;
-    let v19 = v4 + v18;
-    let v20 = sin_cos[6] * v19;
-    let v21 = links[32] * v3;
-    let v22 = links[30] * v11;
-    let v23 = links[31] * v16;
-    let v24 = v22 + v23;
-    let v25 = v21 + v24;
-    let v26 = sin_cos[7] * v25;
-    let v27 = v20 - v26;
-    let v28 = links[23] - v27;
-    let v29 = links[17] * v28;
-    let v30 = sin_cos[7] * v19;
-    let v31 = sin_cos[6] * v25;
-    let v32 = v30 + v31;
-    let v33 = sin_cos[4] * v32;
-    let v34 = links[26] * v3;
-    let v35 = links[24] * v11;
-    let v36 = links[25] * v16;
-    let v37 = v35 + v36;
-    let v38 = v34 + v37;
-    let v39 = sin_cos[5] * v38;
-    let v40 = v33 - v39;
-    let v41 = links[21] - v40;
-    let v42 = links[15] * v41;
-    let v43 = sin_cos[5] * v32;
-    let v44 = sin_cos[4] * v38;
-    let v45 = v43 + v44;
-    let v46 = links[22] + v45;
-    let v47 = links[16] * v46;
-    let v48 = v42 + v47;
-    let v49 = v29 + v48;
-    let v50 = sin_cos[3] * v49;
-    let v51 = links[20] * v28;
-    let v52 = links[18] * v41;
-    let v53 = links[19] * v46;
-    let v54 = v52 + v53;
-    let v55 = v51 + v54;
-    let v56 = sin_cos[2] * v55;
-    let v57 = v50 + v56;
-    let v58 = sin_cos[0] * v57;
-    let v59 = links[14] * v28;
-    let v60 = links[12] * v41;
-    let v61 = links[13] * v46;
-    let v62 = v60 + v61;
-    let v63 = v59 + v62;
-    let v64 = sin_cos[1] * v63;
-    let v65 = v58 - v64;
-    let v66 = links[9] - v65;
-    let v67 = v66 * v66;
-    let v68 = sin_cos[1] * v57;
-    let v69 = sin_cos[0] * v63;
-    let v70 = v68 + v69;
-    let v71 = links[10] + v70;
-    let v72 = v71 * v71;
-    let v73 = sin_cos[2] * v49;
-    let v74 = sin_cos[3] * v55;
-    let v75 = v73 - v74;
-    let v76 = links[11] - v75;
-    let v77 = v76 * v76;
-    let v78 = v72 + v77;
-    let v79 = v67 + v78;
-    let v80 = sqrt(v79);
-    let v81 = links[5] * v76;
-    let v82 = links[3] * v66;
-    let v83 = links[4] * v71;
-    let v84 = v82 + v83;
-    let v85 = v81 + v84;
-    let v86 = v80 - v85;
-    let v87 = 1.0f / v86;
-    let v88 = select(0.0f, v87, 1.0842022e-19f < v86);
-    let v89 = 2.0f * v88;
-    let v90 = links[8] * v76;
-    let v91 = links[6] * v66;
-    let v92 = links[7] * v71;
-    let v93 = v91 + v92;
-    let v94 = v90 + v93;
-    let v95 = v89 * v94;
-    let v96 = links[2] * v76;
-    let v97 = links[0] * v66;
-    let v98 = links[1] * v71;
-    let v99 = v97 + v98;
-    let v100 = v96 + v99;
-    let v101 = v89 * v100;
-    let v102 = links[7] * v89;
-    let v103 = 2.0f * v94;
-    let v104 = v88 * v88;
-    let v105 = v103 * v104;
-    let v106 = links[4] * v105;
-    let v107 = v102 + v106;
-    let v108 = 1.0f / v80;
-    let v109 = select(0.0f, v108, 1.0842022e-19f < v80);
-    let v110 = v105 * v109;
-    let v111 = v71 * v110;
-    let v112 = v107 - v111;
-    let v113 = v65 * v112;
-    let v114 = links[6] * v89;
-    let v115 = links[3] * v105;
-    let v116 = v114 + v115;
-    let v117 = v66 * v110;
-    let v118 = v116 - v117;
-    let v119 = v70 * v118;
-    let v120 = v113 + v119;
-    let v121 = sin_cos[1] * v112;
-    let v122 = sin_cos[0] * v118;
-    let v123 = v121 - v122;
-    let v124 = v75 * v123;
-    let v125 = links[8] * v89;
-    let v126 = links[5] * v105;
-    let v127 = v125 + v126;
-    let v128 = v76 * v110;
-    let v129 = v127 - v128;
-    let v130 = v57 * v129;
-    let v131 = v124 + v130;
-    let v132 = sin_cos[2] * v123;
-    let v133 = sin_cos[3] * v129;
-    let v134 = v132 + v133;
-    let v135 = links[19] * v134;
-    let v136 = sin_cos[0] * v112;
-    let v137 = sin_cos[1] * v118;
-    let v138 = v136 + v137;
-    let v139 = links[13] * v138;
-    let v140 = sin_cos[3] * v123;
-    let v141 = sin_cos[2] * v129;
-    let v142 = v140 - v141;
-    let v143 = links[16] * v142;
-    let v144 = v139 + v143;
-    let v145 = v135 + v144;
-    let v146 = v40 * v145;
-    let v147 = links[18] * v134;
-    let v148 = links[12] * v138;
-    let v149 = links[15] * v142;
-    let v150 = v148 + v149;
-    let v151 = v147 + v150;
-    let v152 = v45 * v151;
-    let v153 = v146 + v152;
-    let v154 = sin_cos[5] * v145;
-    let v155 = sin_cos[4] * v151;
-    let v156 = v154 - v155;
-    let v157 = v27 * v156;
-    let v158 = links[20] * v134;
-    let v159 = links[14] * v138;
-    let v160 = links[17] * v142;
-    let v161 = v159 + v160;
-    let v162 = v158 + v161;
-    let v163 = v32 * v162;
-    let v164 = v157 + v163;
-    let v165 = sin_cos[6] * v156;
-    let v166 = sin_cos[7] * v162;
-    let v167 = v165 + v166;
-    let v168 = links[31] * v167;
-    let v169 = sin_cos[4] * v145;
-    let v170 = sin_cos[5] * v151;
-    let v171 = v169 + v170;
-    let v172 = links[25] * v171;
-    let v173 = sin_cos[7] * v156;
-    let v174 = sin_cos[6] * v162;
-    let v175 = v173 - v174;
-    let v176 = links[28] * v175;
-    let v177 = v172 + v176;
-    let v178 = v168 + v177;
-    let v179 = v10 * v178;
-    let v180 = links[30] * v167;
-    let v181 = links[24] * v171;
-    let v182 = links[27] * v175;
-    let v183 = v181 + v182;
-    let v184 = v180 + v183;
-    let v185 = v15 * v184;
-    let v186 = v179 + v185;
-    let v187 = sin_cos[9] * v178;
-    let v188 = sin_cos[8] * v184;
-    let v189 = v187 - v188;
-    let v190 = v2 * v189;
-    let v191 = links[32] * v167;
-    let v192 = links[26] * v171;
-    let v193 = links[29] * v175;
-    let v194 = v192 + v193;
-    let v195 = v191 + v194;
-    let v196 = v7 * v195;
-    let v197 = v190 + v196;
-    let v198 = links[1] * v89;
-    let v199 = 2.0f * v100;
-    let v200 = v104 * v199;
-    let v201 = links[4] * v200;
-    let v202 = v198 + v201;
-    let v203 = v109 * v200;
-    let v204 = v71 * v203;
-    let v205 = v202 - v204;
-    let v206 = v65 * v205;
-    let v207 = links[0] * v89;
-    let v208 = links[3] * v200;
-    let v209 = v207 + v208;
-    let v210 = v66 * v203;
-    let v211 = v209 - v210;
-    let v212 = v70 * v211;
-    let v213 = v206 + v212;
-    let v214 = sin_cos[1] * v205;
-    let v215 = sin_cos[0] * v211;
-    let v216 = v214 - v215;
-    let v217 = v75 * v216;
-    let v218 = links[2] * v89;
-    let v219 = links[5] * v200;
-    let v220 = v218 + v219;
-    let v221 = v76 * v203;
-    let v222 = v220 - v221;
-    let v223 = v57 * v222;
-    let v224 = v217 + v223;
-    let v225 = sin_cos[2] * v216;
-    let v226 = sin_cos[3] * v222;
-    let v227 = v225 + v226;
-    let v228 = links[19] * v227;
-    let v229 = sin_cos[0] * v205;
-    let v230 = sin_cos[1] * v211;
-    let v231 = v229 + v230;
-    let v232 = links[13] * v231;
-    let v233 = sin_cos[3] * v216;
-    let v234 = sin_cos[2] * v222;
-    let v235 = v233 - v234;
-    let v236 = links[16] * v235;
-    let v237 = v232 + v236;
-    let v238 = v228 + v237;
-    let v239 = v40 * v238;
-    let v240 = links[18] * v227;
-    let v241 = links[12] * v231;
-    let v242 = links[15] * v235;
-    let v243 = v241 + v242;
-    let v244 = v240 + v243;
-    let v245 = v45 * v244;
-    let v246 = v239 + v245;
-    let v247 = sin_cos[5] * v238;
-    let v248 = sin_cos[4] * v244;
-    let v249 = v247 - v248;
-    let v250 = v27 * v249;
-    let v251 = links[20] * v227;
-    let v252 = links[14] * v231;
-    let v253 = links[17] * v235;
-    let v254 = v252 + v253;
-    let v255 = v251 + v254;
-    let v256 = v32 * v255;
-    let v257 = v250 + v256;
-    let v258 = sin_cos[6] * v249;
-    let v259 = sin_cos[7] * v255;
-    let v260 = v258 + v259;
-    let v261 = links[31] * v260;
-    let v262 = sin_cos[4] * v238;
-    let v263 = sin_cos[5] * v244;
-    let v264 = v262 + v263;
-    let v265 = links[25] * v264;
-    let v266 = sin_cos[7] * v249;
-    let v267 = sin_cos[6] * v255;
-    let v268 = v266 - v267;
-    let v269 = links[28] * v268;
-    let v270 = v265 + v269;
-    let v271 = v261 + v270;
-    let v272 = v10 * v271;
-    let v273 = links[30] * v260;
-    let v274 = links[24] * v264;
-    let v275 = links[27] * v268;
-    let v276 = v274 + v275;
-    let v277 = v273 + v276;
-    let v278 = v15 * v277;
-    let v279 = v272 + v278;
-    let v280 = sin_cos[9] * v271;
-    let v281 = sin_cos[8] * v277;
-    let v282 = v280 - v281;
-    let v283 = v2 * v282;
-    let v284 = links[32] * v260;
-    let v285 = links[26] * v264;
-    let v286 = links[29] * v268;
-    let v287 = v285 + v286;
-    let v288 = v284 + v287;
-    let v289 = v7 * v288;
-    let v290 = v283 + v289;
+    let v0 = target_point[1] * sin_cos[11] + target_point[2] * sin_cos[10];
+    let v1 = sin_cos[8] * v0 - target_point[0] * sin_cos[9];
+    let v2 = v1 + links[33];
+    let v3 = sin_cos[9] * v0 + target_point[0] * sin_cos[8];
+    let v4 = links[34] - v3;
+    let v5 = target_point[1] * sin_cos[10] - target_point[2] * sin_cos[11];
+    let v6 = v5 + links[35];
+    let v7 = links[27] * v2 + links[28] * v4 + links[29] * v6;
+    let v8 = links[30] * v2 + links[31] * v4 + links[32] * v6;
+    let v9 = sin_cos[7] * v7 + sin_cos[6] * v8;
+    let v10 = links[24] * v2 + links[25] * v4 + links[26] * v6;
+    let v11 = sin_cos[4] * v9 - sin_cos[5] * v10;
+    let v12 = links[21] - v11;
+    let v13 = sin_cos[5] * v9 + sin_cos[4] * v10;
+    let v14 = v13 + links[22];
+    let v15 = sin_cos[6] * v7 - sin_cos[7] * v8;
+    let v16 = links[23] - v15;
+    let v17 = links[15] * v12 + links[16] * v14 + links[17] * v16;
+    let v18 = links[18] * v12 + links[19] * v14 + links[20] * v16;
+    let v19 = sin_cos[3] * v17 + sin_cos[2] * v18;
+    let v20 = links[12] * v12 + links[13] * v14 + links[14] * v16;
+    let v21 = sin_cos[1] * v19 + sin_cos[0] * v20;
+    let v22 = v21 + links[10];
+    let v23 = sin_cos[2] * v17 - sin_cos[3] * v18;
+    let v24 = links[11] - v23;
+    let v25 = sin_cos[0] * v19 - sin_cos[1] * v20;
+    let v26 = links[9] - v25;
+    let v27 = v22 * v22 + v24 * v24 + v26 * v26;
+    let v28 = sqrt(v27);
+    let v29 = v28 - (links[3] * v26 + links[4] * v22 + links[5] * v24);
+    let v30 = 1.0f / v29;
+    let v31 = select(0.0f, v30, 1.0842022e-19f < v29);
+    let v32 = 2.0f * v31;
+    let v33 = links[6] * v26 + links[7] * v22 + links[8] * v24;
+    let v34 = v32 * v33;
+    let v35 = links[0] * v26 + links[1] * v22 + links[2] * v24;
+    let v36 = v32 * v35;
+    let v37 = 1.0f / v28;
+    let v38 = select(0.0f, v37, 1.0842022e-19f < v28);
+    let v39 = links[4] - v22 * v38;
+    let v40 = v31 * v32;
+    let v41 = v33 * v40;
+    let v42 = links[7] * v32 + v39 * v41;
+    let v43 = links[3] - v26 * v38;
+    let v44 = links[6] * v32 + v43 * v41;
+    let v45 = v25 * v42 + v21 * v44;
+    let v46 = sin_cos[1] * v42 - sin_cos[0] * v44;
+    let v47 = links[5] - v24 * v38;
+    let v48 = links[8] * v32 + v47 * v41;
+    let v49 = v23 * v46 + v19 * v48;
+    let v50 = sin_cos[0] * v42 + sin_cos[1] * v44;
+    let v51 = sin_cos[3] * v46 - sin_cos[2] * v48;
+    let v52 = sin_cos[2] * v46 + sin_cos[3] * v48;
+    let v53 = links[13] * v50 + links[16] * v51 + links[19] * v52;
+    let v54 = links[12] * v50 + links[15] * v51 + links[18] * v52;
+    let v55 = v11 * v53 + v13 * v54;
+    let v56 = sin_cos[5] * v53 - sin_cos[4] * v54;
+    let v57 = links[14] * v50 + links[17] * v51 + links[20] * v52;
+    let v58 = v15 * v56 + v9 * v57;
+    let v59 = sin_cos[4] * v53 + sin_cos[5] * v54;
+    let v60 = sin_cos[7] * v56 - sin_cos[6] * v57;
+    let v61 = sin_cos[6] * v56 + sin_cos[7] * v57;
+    let v62 = links[25] * v59 + links[28] * v60 + links[31] * v61;
+    let v63 = links[24] * v59 + links[27] * v60 + links[30] * v61;
+    let v64 = v1 * v62 + v3 * v63;
+    let v65 = v0 * (links[26] * v59 + links[29] * v60 + links[32] * v61);
+    let v66 = v5 * (sin_cos[9] * v62 - sin_cos[8] * v63) + v65;
+    let v67 = v35 * v40;
+    let v68 = links[1] * v32 + v39 * v67;
+    let v69 = links[0] * v32 + v43 * v67;
+    let v70 = v25 * v68 + v21 * v69;
+    let v71 = sin_cos[1] * v68 - sin_cos[0] * v69;
+    let v72 = links[2] * v32 + v47 * v67;
+    let v73 = v23 * v71 + v19 * v72;
+    let v74 = sin_cos[0] * v68 + sin_cos[1] * v69;
+    let v75 = sin_cos[3] * v71 - sin_cos[2] * v72;
+    let v76 = sin_cos[2] * v71 + sin_cos[3] * v72;
+    let v77 = links[13] * v74 + links[16] * v75 + links[19] * v76;
+    let v78 = links[12] * v74 + links[15] * v75 + links[18] * v76;
+    let v79 = v11 * v77 + v13 * v78;
+    let v80 = sin_cos[5] * v77 - sin_cos[4] * v78;
+    let v81 = links[14] * v74 + links[17] * v75 + links[20] * v76;
+    let v82 = v15 * v80 + v9 * v81;
+    let v83 = sin_cos[4] * v77 + sin_cos[5] * v78;
+    let v84 = sin_cos[7] * v80 - sin_cos[6] * v81;
+    let v85 = sin_cos[6] * v80 + sin_cos[7] * v81;
+    let v86 = links[25] * v83 + links[28] * v84 + links[31] * v85;
+    let v87 = links[24] * v83 + links[27] * v84 + links[30] * v85;
+    let v88 = v1 * v86 + v3 * v87;
+    let v89 = v0 * (links[26] * v83 + links[29] * v84 + links[32] * v85);
+    let v90 = v5 * (sin_cos[9] * v86 - sin_cos[8] * v87) + v89;
     return array<f32, 14>(
-        -v95,
-        -v101,
-        v120,
-        v131,
-        v153,
-        v164,
-        -v186,
-        -v197,
-        v213,
-        v224,
-        v246,
-        v257,
-        -v279,
-        -v290,
+        -v34,
+        -v36,
+        v45,
+        v49,
+        v55,
+        v58,
+        -v64,
+        -v66,
+        v70,
+        v73,
+        v79,
+        v82,
+        -v88,
+        -v90,
     );
 }

@@ -36,11 +36,25 @@ pub fn norm(a: V) -> f64 {
 }
 
 /// `v` turned by `radians` in the plane of two unit vectors square to each other, the first towards the second.
-fn turn(v: V, from: V, towards: V, radians: f64) -> V {
+pub fn turn(v: V, from: V, towards: V, radians: f64) -> V {
     let (sin, cos) = radians.sin_cos();
     let (a, b) = (dot(v, from), dot(v, towards));
     let change = add(scale(a * (cos - 1.0) - b * sin, from), scale(a * sin + b * (cos - 1.0), towards));
     add(v, change)
+}
+
+/// Sixth-order central difference of `f` at 0.
+pub fn central_difference<const R: usize>(f: impl Fn(f64) -> [f64; R]) -> [f64; R] {
+    const STEP: f64 = 2e-3;
+    let weights = [(1.0, 45.0), (2.0, -9.0), (3.0, 1.0)];
+    let mut sum = [0.0; R];
+    for (steps, weight) in weights {
+        let (ahead, behind) = (f(steps * STEP), f(-steps * STEP));
+        for (sum, (ahead, behind)) in sum.iter_mut().zip(ahead.into_iter().zip(behind)) {
+            *sum += weight * (ahead - behind);
+        }
+    }
+    sum.map(|sum| sum / (60.0 * STEP))
 }
 
 /// A joint's added rotation: pitch turns forward towards up, then heading turns forward towards left.
@@ -121,23 +135,13 @@ impl Case {
         (norm(to_target), norm(cross(to_target, forward)).atan2(dot(to_target, forward)))
     }
 
-    /// Sixth-order central difference of `f` by angle `which` of `joint`.
+    /// Central difference of `f` by angle `which` of `joint`.
     pub fn difference<const R: usize>(&self, joint: usize, which: usize, f: impl Fn(&Self) -> [f64; R]) -> [f64; R] {
-        const STEP: f64 = 2e-3;
-        let at = |steps: f64| {
+        central_difference(|change| {
             let mut moved = self.clone();
-            moved.angles[joint][which] += steps * STEP;
+            moved.angles[joint][which] += change;
             f(&moved)
-        };
-        let weights = [(1.0, 45.0), (2.0, -9.0), (3.0, 1.0)];
-        let mut sum = [0.0; R];
-        for (steps, weight) in weights {
-            let (ahead, behind) = (at(steps), at(-steps));
-            for (sum, (ahead, behind)) in sum.iter_mut().zip(ahead.into_iter().zip(behind)) {
-                *sum += weight * (ahead - behind);
-            }
-        }
-        sum.map(|sum| sum / (60.0 * STEP))
+        })
     }
 
     /// sin p, cos p, sin h, cos h of each joint.

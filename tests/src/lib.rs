@@ -1,11 +1,13 @@
 //! What the tests share: the rigs they run over, independent forward kinematics, a seeded generator, comparisons.
 
+pub mod by_hand;
 pub mod c;
 pub mod compare;
 mod declarations;
 pub mod kinematics;
 pub mod lanes;
 pub mod oracle;
+pub mod problems;
 pub mod random;
 pub mod rigs;
 pub mod wgsl;

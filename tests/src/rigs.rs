@@ -17,20 +17,21 @@ pub fn rigs() -> Vec<RigSpec> {
                     let frame = match (number, i) {
                         (0..48, 0) => cardinal[number],
                         (0..48, _) => cardinal[random.below(48)],
-                        _ => general(&mut random),
+                        _ => general_frame(&mut random),
                     };
                     // One joint in six is a hinge.
                     let kind = random.below(12);
-                    joint(i, frame, kind != 0, kind != 1)
+                    bare_joint(i, frame, kind != 0, kind != 1)
                 })
                 .collect();
-            let frame = if number % 5 == 4 { general(&mut random) } else { joints[0].frame };
+            let frame = if number % 5 == 4 { general_frame(&mut random) } else { joints[0].frame };
             RigSpec { name: format!("Rig{number}"), joints, effector: EffectorSpec { frame, origin: [0.0; 3] } }
         })
         .collect()
 }
 
-fn joint(number: usize, frame: Frame, pitch: bool, heading: bool) -> JointSpec {
+/// A joint that has these angles and nothing else of note.
+pub fn bare_joint(number: usize, frame: Frame, pitch: bool, heading: bool) -> JointSpec {
     let range = AngleRange::Between(-2.0, 2.0);
     JointSpec {
         name: format!("joint{number}"),
@@ -48,7 +49,7 @@ fn joint(number: usize, frame: Frame, pitch: bool, heading: bool) -> JointSpec {
 }
 
 /// Axes off every cardinal direction, of either handedness.
-fn general(random: &mut Random) -> Frame {
+pub fn general_frame(random: &mut Random) -> Frame {
     let [forward, left, up] = random.rotation();
     let sign = if random.below(2) == 0 { 1.0 } else { -1.0 };
     Frame { up, forward, left: left.map(|c| sign * c) }

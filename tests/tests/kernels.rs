@@ -47,7 +47,7 @@ impl Visit<'_> for Straight {
                 "<Sas::aim::__private::Scalar>::constant" => {}
                 other => panic!("a kernel calls {other}"),
             },
-            Expr::Path(_) | Expr::Lit(_) | Expr::Array(_) => {}
+            Expr::Path(_) | Expr::Lit(_) | Expr::Array(_) | Expr::Paren(_) => {}
             // Constant, so checked by the compiler: it cannot panic.
             Expr::Index(index) => assert!(matches!(*index.index, Expr::Lit(_)), "{}", text_of(expr)),
             _ => panic!("a kernel is a straight line, without {}", text_of(expr)),

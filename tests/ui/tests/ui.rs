@@ -1,7 +1,7 @@
 //! What users read when a declaration is wrong, word for word, and that nothing else is reported beside it.
 //!
 //! The texts around ours are rustc's and change with it: the errors are compared with the toolchain that wrote them
-//! only. `TRYBUILD=overwrite cargo test -p aim-tests --test ui` rewrites them.
+//! only. `TRYBUILD=overwrite cargo test -p aim-ui` rewrites them.
 
 use std::process::Command;
 
@@ -17,10 +17,10 @@ fn errors() {
         eprintln!("skipped: the expected errors are those of {WRITTEN_WITH}x, this is {version}");
         return;
     }
-    trybuild::TestCases::new().compile_fail("ui/err/*.rs");
+    trybuild::TestCases::new().compile_fail("err/*.rs");
 }
 
 #[test]
 fn accepted() {
-    trybuild::TestCases::new().pass("ui/ok/*.rs");
+    trybuild::TestCases::new().pass("ok/*.rs");
 }

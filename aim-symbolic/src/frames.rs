@@ -1,0 +1,87 @@
+//! Rules that move a whole calculation into another frame: a rotation that several vectors were turned back by goes the
+//! other way instead, onto the few that they meet. [`rules::FRAMES`](crate::rules::FRAMES).
+//!
+//! They act on the rotations that the pass under way keeps, and only as a rival to leaving everything where it is.
+
+use crate::rules::{is_sum, leading, turned_back};
+use crate::{Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector, VectorNode};
+
+/// The way back of a kept rotation, which turned `v` last, and what it turned.
+fn turned(g: &Graph, v: Vector) -> Option<(Rotation, Vector)> {
+    let (back, inner) = leading(g, v)?;
+    let RotationNode::Transpose(rotation) = g.rotation_node(back) else { return None };
+    g.is_kept(rotation).then_some((back, inner))
+}
+
+/// `Rᵀ a + b = Rᵀ (a + R b)`
+pub(crate) fn sum_in_frame(g: &mut Graph, v: Vector) -> Option<Vector> {
+    if !is_sum(g, v) {
+        return None;
+    }
+    let (back, _) = crate::rules::terms(g, v).into_iter().find_map(|(_, term)| turned(g, term))?;
+    let inner = turned_back(g, back, v);
+    Some(g.rotate(back, inner))
+}
+
+/// `k Rᵀ v = Rᵀ (k v)`, and the same for directions, parts across one, negations and the turn's own perpendicular.
+pub(crate) fn operation_in_frame(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let (back, moved) = match g.vector_node(v) {
+        VectorNode::Scale(k, inner) => {
+            let (back, inner) = turned(g, inner)?;
+            (back, g.scale(k, inner))
+        }
+        VectorNode::Neg(inner) => {
+            let (back, inner) = turned(g, inner)?;
+            (back, g.neg_vector(inner))
+        }
+        VectorNode::Normalize(inner) => {
+            let (back, inner) = turned(g, inner)?;
+            (back, g.normalize(inner).into())
+        }
+        VectorNode::Across(inner, unit) => {
+            let (back, unit) = turned(g, unit.into())?;
+            let inner = turned_back(g, back, inner);
+            (back, g.across(inner, Unit(unit)))
+        }
+        VectorNode::Perp(plane, inner) => {
+            let (back, inner) = turned(g, inner)?;
+            if !turns_in(g, back, plane) {
+                return None;
+            }
+            (back, g.perp(plane, inner))
+        }
+        _ => return None,
+    };
+    Some(g.rotate(back, moved))
+}
+
+/// Whether the way back is that of a turn in this plane.
+fn turns_in(g: &Graph, back: Rotation, plane: Plane) -> bool {
+    let RotationNode::Transpose(rotation) = g.rotation_node(back) else { return false };
+    matches!(g.rotation_node(rotation), RotationNode::Turn(own, _) if own == plane)
+}
+
+/// `Rᵀ v · w = v · R w`, `|Rᵀ v| = |v|`
+pub(crate) fn number_in_frame(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    match g.scalar_node(s) {
+        ScalarNode::Dot(a, b) => [(a, b), (b, a)].into_iter().find_map(|(v, w)| {
+            let (back, inner) = turned(g, v)?;
+            let other = turned_back(g, back, w);
+            Some(g.dot(inner, other))
+        }),
+        ScalarNode::Norm(v) => {
+            let (_, inner) = turned(g, v)?;
+            Some(g.norm(inner))
+        }
+        _ => None,
+    }
+}
+
+/// `R (a + Rᵀ b) = R a + b`
+pub(crate) fn meet_in_frame(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let (rotation, inner) = leading(g, v)?;
+    let back = g.transpose(rotation);
+    let is_turned = |&(_, term): &(bool, Vector)| turned(g, term).is_some_and(|(own, _)| own == back);
+    let meets = is_sum(g, inner) && crate::rules::terms(g, inner).iter().any(is_turned);
+    meets.then(|| turned_back(g, back, inner))
+}

@@ -1,0 +1,222 @@
+//! Problems whose operation counts are recorded: what the rules are judged by.
+
+use aim_codegen::objective::{self, ChainInputs};
+use aim_codegen::{EffectorSpec, Frame, RigSpec};
+use aim_symbolic::{Angle, Graph, Plane, Scalar, Variable, Vector, VectorNode, Want};
+
+use crate::random::Random;
+use crate::rigs::{bare_joint, general_frame};
+
+/// A statement, and what is wanted of it.
+#[derive(Debug)]
+pub struct Problem {
+    /// What it is.
+    pub name: &'static str,
+    /// Where it is stated.
+    pub g: Graph,
+    /// What is wanted.
+    pub wanted: Vec<Want>,
+    /// The operations that its program needs.
+    pub operations: usize,
+}
+
+impl Problem {
+    fn new(
+        name: &'static str,
+        operations: usize,
+        state: impl FnOnce(&mut Graph) -> (Vec<Scalar>, Vec<Variable>),
+    ) -> Self {
+        let mut g = Graph::new();
+        let (values, variables) = state(&mut g);
+        Self { name, wanted: Want::all(&values, &variables), g, operations }
+    }
+}
+
+/// Every recorded problem.
+pub fn all() -> Vec<Problem> {
+    vec![
+        arap_term(),
+        squared_distance(),
+        aim_with_roll(),
+        two_targets(),
+        aim_without_offset(),
+        divided_by_hand(),
+        hessian(),
+        chain_aim("aim of a chain", 110, &[CARDINAL; 2], CARDINAL),
+        chain_aim("aim in a general frame", 105, &[general()], general()),
+        chain_aim("aim of a general effector", 60, &[CARDINAL], general()),
+        residual(),
+    ]
+}
+
+/// Up = +X, forward = +Y, left = +Z.
+const CARDINAL: Frame = Frame { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] };
+
+fn general() -> Frame {
+    general_frame(&mut Random::new(5))
+}
+
+fn rig(frames: &[Frame], effector: Frame) -> RigSpec {
+    let joints = (0..).zip(frames).map(|(i, &frame)| bare_joint(i, frame, true, true)).collect();
+    RigSpec { name: "Rig".into(), joints, effector: EffectorSpec { frame: effector, origin: [0.0; 3] } }
+}
+
+/// The paper's objective over all joints of a rig.
+fn chain_aim(name: &'static str, operations: usize, frames: &[Frame], effector: Frame) -> Problem {
+    Problem::new(name, operations, |g| {
+        let spec = rig(frames, effector);
+        let inputs = ChainInputs::declare(g, frames.len());
+        (vec![objective::chain_aim(g, &spec, &inputs)], variables(&inputs.declared_angles(&spec)))
+    })
+}
+
+/// The chain's stereographic residual, with its Jacobian.
+fn residual() -> Problem {
+    Problem::new("residual and Jacobian", 183, |g| {
+        let spec = rig(&[CARDINAL; 2], CARDINAL);
+        let inputs = ChainInputs::declare(g, 2);
+        (objective::chain_residual(g, &spec, &inputs).to_vec(), variables(&inputs.declared_angles(&spec)))
+    })
+}
+
+/// Forward, left, up: pitch turns the first towards the third, heading the first towards the second.
+const PITCH: Plane = Plane::XZ;
+const HEADING: Plane = Plane::XY;
+const ROLL: Plane = Plane::YZ;
+const FORWARD: [f64; 3] = [1.0, 0.0, 0.0];
+
+struct Joint {
+    angles: Vec<Angle>,
+    /// The effector's origin and direction after the turns.
+    origin: Vector,
+    forward: Vector,
+}
+
+/// A joint with these turns, the innermost first.
+fn joint(g: &mut Graph, planes: &[Plane]) -> Joint {
+    let link = g.rigid_input("m");
+    let angles: Vec<Angle> = (0..planes.len()).map(|i| g.angle(&format!("a{i}"))).collect();
+    let forward = g.constant_vector(FORWARD);
+    let (mut origin, mut forward) = (link.translation, g.rotate(link.rotation, forward));
+    for (&plane, &angle) in planes.iter().zip(&angles) {
+        let turn = g.turn(plane, angle);
+        (origin, forward) = (g.rotate(turn, origin), g.rotate(turn, forward));
+    }
+    Joint { angles, origin, forward }
+}
+
+fn variables(angles: &[Angle]) -> Vec<Variable> {
+    angles.iter().map(|&angle| angle.into()).collect()
+}
+
+fn components(g: &Graph, v: Vector) -> [Variable; 3] {
+    match g.vector_node(v) {
+        VectorNode::Components(c) => c.map(Variable::from),
+        other => panic!("{other:?} has no variables"),
+    }
+}
+
+/// The as-rigid-as-possible term of three points, and its nine derivatives.
+pub fn arap_term() -> Problem {
+    Problem::new("ARAP term", 58, |g| {
+        let p = ["p0", "p1", "p2"].map(|name| g.vector_input(name));
+        let initial = ["alpha0", "beta0"].map(|name| g.input(name));
+        let (a, c) = (g.sub_vectors(p[1], p[0]), g.sub_vectors(p[2], p[0]));
+        let axis = g.normalize(c);
+        let alpha = g.dot(a, axis);
+        let aside = g.cross(a, axis.into());
+        let beta = g.norm(aside);
+        let squares = [alpha, beta].into_iter().zip(initial).map(|(now, initial)| {
+            let change = g.sub(initial, now);
+            g.mul(change, change)
+        });
+        let [first, second] = squares.collect::<Vec<_>>()[..] else { unreachable!("there are two") };
+        let by = p.iter().flat_map(|&v| components(g, v)).collect();
+        (vec![g.add(first, second)], by)
+    })
+}
+
+/// |P − R t|²
+pub fn squared_distance() -> Problem {
+    Problem::new("squared distance", 28, |g| {
+        let t = g.vector_input("t");
+        let target = g.vector_input("target");
+        let angles = [g.angle("p"), g.angle("h")];
+        let (pitch, heading) = (g.turn(PITCH, angles[0]), g.turn(HEADING, angles[1]));
+        let turned = g.rotate(pitch, t);
+        let turned = g.rotate(heading, turned);
+        let way = g.sub_vectors(target, turned);
+        (vec![g.dot(way, way)], variables(&angles))
+    })
+}
+
+/// The aim of a joint that rolls, too.
+pub fn aim_with_roll() -> Problem {
+    Problem::new("aim with roll", 62, |g| {
+        let joint = joint(g, &[ROLL, PITCH, HEADING]);
+        let target = g.vector_input("target");
+        let way = g.sub_vectors(target, joint.origin);
+        let way = g.normalize(way);
+        (vec![g.dot(way, joint.forward)], variables(&joint.angles))
+    })
+}
+
+/// Two targets, weighted.
+pub fn two_targets() -> Problem {
+    Problem::new("two targets", 93, |g| {
+        let joint = joint(g, &[PITCH, HEADING]);
+        let aims = ["a", "b"].map(|name| {
+            let (target, weight) = (g.vector_input(name), g.input(&format!("w_{name}")));
+            let way = g.sub_vectors(target, joint.origin);
+            let way = g.normalize(way);
+            let aim = g.dot(way, joint.forward);
+            g.mul(weight, aim)
+        });
+        (vec![g.add(aims[0], aims[1])], variables(&joint.angles))
+    })
+}
+
+/// The effector at the joint: nothing is left of the derivatives' radial parts.
+pub fn aim_without_offset() -> Problem {
+    Problem::new("aim without offset", 33, |g| {
+        let target = g.vector_input("target");
+        let forward = g.vector_input("f");
+        let angles = [g.angle("p"), g.angle("h")];
+        let (pitch, heading) = (g.turn(PITCH, angles[0]), g.turn(HEADING, angles[1]));
+        let turn = g.compose(heading, pitch);
+        let forward = g.rotate(turn, forward);
+        let way = g.normalize(target);
+        (vec![g.dot(way, forward)], variables(&angles))
+    })
+}
+
+/// The aim with a division where others normalise.
+pub fn divided_by_hand() -> Problem {
+    Problem::new("aim, divided by hand", 46, |g| {
+        let joint = joint(g, &[PITCH, HEADING]);
+        let target = g.vector_input("target");
+        let way = g.sub_vectors(target, joint.origin);
+        let square = g.dot(way, way);
+        let length = g.sqrt(square);
+        let one = g.constant(1.0);
+        let reciprocal = g.div(one, length);
+        let way = g.scale(reciprocal, way);
+        (vec![g.dot(way, joint.forward)], variables(&joint.angles))
+    })
+}
+
+/// The aim with its second derivatives.
+pub fn hessian() -> Problem {
+    let mut problem = Problem::new("aim and Hessian", 128, |g| {
+        let joint = joint(g, &[PITCH, HEADING]);
+        let target = g.vector_input("target");
+        let way = g.sub_vectors(target, joint.origin);
+        let way = g.normalize(way);
+        (vec![g.dot(way, joint.forward)], variables(&joint.angles))
+    });
+    let [Want::Value(aim), Want::Derivative(_, p), Want::Derivative(_, h)] = problem.wanted[..] else {
+        unreachable!("a value and two derivatives")
+    };
+    problem.wanted.extend([Want::Second(aim, p, p), Want::Second(aim, p, h), Want::Second(aim, h, h)]);
+    problem
+}
