@@ -38,12 +38,11 @@ macro_rules! objectives {
             t * t * (3.0 - 2.0 * t)
         }
 
-        /// An angle that never leaves its range, by the hyperbolic tangent; its square.
-        #[differentiate(wrt(x), budget = 15)]
+        /// An angle that never leaves its range: the hyperbolic tangent, written so that nothing overflows.
+        #[differentiate(wrt(x, most), budget = 19)]
         pub(super) fn saturated(x: $real, most: $real) -> $real {
             let e = (-2.0 * (x / most).abs()).exp();
-            let size = most * (1.0 - e) / (1.0 + e);
-            size * size
+            most * x.signum() * (1.0 - e) / (1.0 + e)
         }
 
         /// Grows without a limit towards the ends of both ranges.
@@ -118,7 +117,7 @@ mod dual {
     }
 
     pub(super) fn saturated<D: Number>(x: D, most: D) -> D {
-        ((x / most).tanh() * most).powi(2)
+        (x / most).tanh() * most
     }
 
     pub(super) fn barrier<D: Number>(p: D, h: D, pitch: [D; 2], heading: [D; 2]) -> D {
@@ -232,9 +231,10 @@ fn saturated_angle() {
         single::saturated_gradient,
         dual::saturated::<Dual64>,
     );
-    // In the middle, and so far out that nothing changes.
-    for x in [0.0, 1e4, -1e4] {
-        singular(&[x, 1.0], double::saturated, double::saturated_gradient, single::saturated_gradient, &[0.0]);
+    // In the middle, where both branches agree, and so far out that nothing changes.
+    for (x, expected) in [(0.0, [1.0, 0.0]), (1e4, [0.0, 1.0]), (-1e4, [0.0, -1.0])] {
+        let point = [x, 1.0];
+        singular(&point, double::saturated, double::saturated_gradient, single::saturated_gradient, &expected);
     }
 }
 
