@@ -17,7 +17,7 @@ macro_rules! objectives {
         }
 
         /// One eye between two targets.
-        #[differentiate(wrt(p, h), budget = 100)]
+        #[differentiate(wrt(p, h), budget = 94)]
         pub(super) fn between(p: $real, h: $real, eye: $rigid, first: $vec3, second: $vec3, weight: $real) -> $real {
             let turned = $rigid::from_quat($quat::from_rotation_x(h) * $quat::from_rotation_z(p)) * eye;
             let origin = turned.transform_point3($vec3::ZERO);
