@@ -91,7 +91,8 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 ///
 /// A length that is zero has direction 0 and derivative 0; the derivative of a square root at 0 is 0; at a comparison's
 /// edge the derivative is that of the branch taken, and a sign has derivative 0. So derivatives are NaN only where the
-/// function itself is.
+/// function itself is, or where a step on the way to it overflows: `1.0 / (1.0 + (-x).exp())` is 0 for x = −100 in `f32`,
+/// but the exponential is infinite. Exponentials of what is at most 0 are safe.
 #[proc_macro_attribute]
 pub fn differentiate(attribute: TokenStream, item: TokenStream) -> TokenStream {
     aim_codegen::differentiate(attribute.into(), item.into()).into()

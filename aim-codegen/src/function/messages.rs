@@ -249,7 +249,8 @@ const INSTEAD: &[(&str, &str)] = &[
     ("cbrt", "write `(x.ln() / 3.0).exp()` for positive x"),
     ("sinh", "write `0.5 * (x.exp() - (-x).exp())`"),
     ("cosh", "write `0.5 * (x.exp() + (-x).exp())`"),
-    ("tanh", "write it with `exp`: `1.0 - 2.0 / ((2.0 * x).exp() + 1.0)`"),
+    // Not by `exp` of what may be large: where that overflows, so does the derivative, long before the function does.
+    ("tanh", "write `let e = (-2.0 * x.abs()).exp();`, then `x.signum() * (1.0 - e) / (1.0 + e)`"),
     ("rem_euclid", "a remainder jumps: bring the number into its range before the call"),
     ("floor", "rounding has no derivative: round before the call"),
     ("ceil", "rounding has no derivative: round before the call"),

@@ -1,0 +1,178 @@
+//! Functions of typed arguments as functions of plain numbers.
+
+use aim::glam::{DMat3, DQuat, DVec2, DVec3, Mat3, Quat, Vec2, Vec3};
+use aim::{DRigid, Rigid};
+
+/// A function that can be fed with numbers of type `S`, its arguments being the tuple `A`.
+pub trait Function<S, A> {
+    /// Its result's numbers. Of derivatives these are the value's, then by each component of each variable those of the
+    /// derivative.
+    fn feed(&self, numbers: &[S]) -> Vec<S>;
+}
+
+/// An argument made of numbers of type `S`.
+pub trait Argument<S>: Sized {
+    /// Takes the numbers it is made of.
+    fn read(numbers: &mut impl Iterator<Item = S>) -> Self;
+}
+
+/// A result that can be taken apart into numbers of type `S`.
+pub trait Numbers<S> {
+    /// Appends its numbers.
+    fn write(self, numbers: &mut Vec<S>);
+}
+
+macro_rules! functions {
+    ($($argument:ident)*) => {
+        impl<S: Copy, F, R, $($argument),*> Function<S, ($($argument,)*)> for F
+        where
+            F: Fn($($argument),*) -> R,
+            R: Numbers<S>,
+            $($argument: Argument<S>,)*
+        {
+            fn feed(&self, numbers: &[S]) -> Vec<S> {
+                let mut from = numbers.iter().copied();
+                let mut to = Vec::new();
+                self($($argument::read(&mut from)),*).write(&mut to);
+                assert!(from.next().is_none(), "more numbers than the function has arguments");
+                to
+            }
+        }
+    };
+}
+
+functions!(A);
+functions!(A B);
+functions!(A B C);
+functions!(A B C D);
+functions!(A B C D E);
+functions!(A B C D E G);
+functions!(A B C D E G H);
+
+/// The next number, of those that have to be there.
+pub(crate) fn next<S>(numbers: &mut impl Iterator<Item = S>) -> S {
+    numbers.next().expect("the sample has a number for every argument")
+}
+
+/// The nearest number of single precision.
+#[expect(clippy::cast_possible_truncation, reason = "what is rounded away is meant to be")]
+pub(crate) fn single(x: f64) -> f32 {
+    x as f32
+}
+
+impl Argument<Self> for f64 {
+    fn read(numbers: &mut impl Iterator<Item = Self>) -> Self {
+        next(numbers)
+    }
+}
+
+impl Argument<f64> for f32 {
+    fn read(numbers: &mut impl Iterator<Item = f64>) -> Self {
+        single(next(numbers))
+    }
+}
+
+impl Numbers<Self> for f64 {
+    fn write(self, numbers: &mut Vec<Self>) {
+        numbers.push(self);
+    }
+}
+
+impl Numbers<f64> for f32 {
+    fn write(self, numbers: &mut Vec<f64>) {
+        numbers.push(self.into());
+    }
+}
+
+impl<S, T: Argument<S>, const N: usize> Argument<S> for [T; N] {
+    fn read(numbers: &mut impl Iterator<Item = S>) -> Self {
+        core::array::from_fn(|_| T::read(numbers))
+    }
+}
+
+impl<S, T: Numbers<S>, const N: usize> Numbers<S> for [T; N] {
+    fn write(self, numbers: &mut Vec<S>) {
+        for element in self {
+            element.write(numbers);
+        }
+    }
+}
+
+macro_rules! glam {
+    ($($type:ident: $numbers:ty, $from:ident, $to:ident;)*) => {$(
+        impl Argument<f64> for $type {
+            fn read(numbers: &mut impl Iterator<Item = f64>) -> Self {
+                Self::$from(<$numbers>::read(numbers))
+            }
+        }
+
+        impl Numbers<f64> for $type {
+            fn write(self, numbers: &mut Vec<f64>) {
+                self.$to().write(numbers);
+            }
+        }
+    )*};
+}
+
+glam! {
+    Vec2: [f32; 2], from_array, to_array;
+    DVec2: [f64; 2], from_array, to_array;
+    Vec3: [f32; 3], from_array, to_array;
+    DVec3: [f64; 3], from_array, to_array;
+    Quat: [f32; 4], from_array, to_array;
+    DQuat: [f64; 4], from_array, to_array;
+}
+
+macro_rules! matrices {
+    ($($type:ident: $number:ident;)*) => {$(
+        impl Argument<f64> for $type {
+            fn read(numbers: &mut impl Iterator<Item = f64>) -> Self {
+                Self::from_cols_array(&<[$number; 9]>::read(numbers))
+            }
+        }
+
+        impl Numbers<f64> for $type {
+            fn write(self, numbers: &mut Vec<f64>) {
+                self.to_cols_array().write(numbers);
+            }
+        }
+    )*};
+}
+
+matrices! {
+    Mat3: f32;
+    DMat3: f64;
+}
+
+/// Of a quaternion of any length, and a translation.
+impl Argument<f64> for Rigid {
+    fn read(numbers: &mut impl Iterator<Item = f64>) -> Self {
+        let (rotation, translation) = (Quat::read(numbers), Vec3::read(numbers));
+        Self::from_rotation_translation(rotation.normalize(), translation)
+    }
+}
+
+/// Of a quaternion of any length, and a translation.
+impl Argument<f64> for DRigid {
+    fn read(numbers: &mut impl Iterator<Item = f64>) -> Self {
+        let (rotation, translation) = (DQuat::read(numbers), DVec3::read(numbers));
+        Self::from_rotation_translation(rotation.normalize(), translation)
+    }
+}
+
+macro_rules! tuples {
+    ($($element:ident)*) => {
+        impl<S, $($element: Numbers<S>),*> Numbers<S> for ($($element,)*) {
+            #[expect(non_snake_case, reason = "named as their types")]
+            fn write(self, numbers: &mut Vec<S>) {
+                let ($($element,)*) = self;
+                $($element.write(numbers);)*
+            }
+        }
+    };
+}
+
+tuples!(A);
+tuples!(A B);
+tuples!(A B C);
+tuples!(A B C D);

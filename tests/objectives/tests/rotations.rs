@@ -1,0 +1,188 @@
+//! Differences between orientations, and turns about axes that move.
+
+use aim_objectives::{At, Random, singular};
+
+macro_rules! objectives {
+    ($real:ident, $vec3:ident, $quat:ident, $mat3:ident) => {
+        use aim::differentiate;
+        use aim::glam::{$mat3, $quat, $vec3};
+
+        /// The turn from one orientation to another: its axis times its angle, the quaternion's logarithm.
+        #[differentiate(wrt(q), budget = 137)]
+        pub(super) fn logarithm(q: $quat, goal: $quat) -> $vec3 {
+            let between = q * goal.conjugate();
+            let v = between.xyz();
+            2.0 * v.length().atan2(between.w) * v.normalize_or_zero()
+        }
+
+        /// The angle between two bones.
+        #[differentiate(wrt(a, b), budget = 53)]
+        pub(super) fn between(a: $vec3, b: $vec3) -> $real {
+            a.normalize().dot(b.normalize()).clamp(-1.0, 1.0).acos()
+        }
+
+        /// How far a point is from its goal when it is turned about an axis that is sought, too.
+        #[differentiate(wrt(axis, angle), budget = 139)]
+        pub(super) fn hinge(axis: $vec3, angle: $real, point: $vec3, goal: $vec3) -> $real {
+            let turn = $quat::from_axis_angle(axis.normalize(), angle);
+            (turn * point).distance_squared(goal)
+        }
+
+        /// The same by a rotation vector, the short way for small angles.
+        #[differentiate(wrt(turn), budget = 165)]
+        pub(super) fn rotation_vector(turn: $vec3, point: $vec3, goal: $vec3) -> $real {
+            let square = turn.length_squared();
+            let turned = if square < 1e-6 {
+                point + turn.cross(point)
+            } else {
+                let angle = square.sqrt();
+                let axis = turn / angle;
+                let along = axis * axis.dot(point);
+                along + (point - along) * angle.cos() + axis.cross(point) * angle.sin()
+            };
+            turned.distance_squared(goal)
+        }
+
+        /// A matrix that brings a point to its goal and is nearly a rotation.
+        #[differentiate(wrt(m), budget = 199)]
+        pub(super) fn fitted(m: $mat3, point: $vec3, goal: $vec3) -> $real {
+            let off = m.transpose() * m - $mat3::IDENTITY;
+            let stretch = off.x_axis.length_squared() + off.y_axis.length_squared() + off.z_axis.length_squared();
+            (m * point - goal).length_squared() + 0.5 * stretch + 0.1 * (m.determinant() - 1.0).powi(2)
+        }
+    };
+}
+
+mod single {
+    objectives!(f32, Vec3, Quat, Mat3);
+}
+
+mod double {
+    objectives!(f64, DVec3, DQuat, DMat3);
+}
+
+/// The same by other formulas.
+mod dual {
+    use aim_objectives::dual::{Number, Quaternion, Vector};
+
+    pub(super) fn logarithm<D: Number>(q: Quaternion<D>, goal: Quaternion<D>) -> Vector<D> {
+        let ([x, y, z, w], [a, b, c, d]) = (q.0, goal.0);
+        // q goal*, written out.
+        let v = Vector([x * d - w * a - y * c + z * b, y * d - w * b - z * a + x * c, z * d - w * c - x * b + y * a]);
+        let along = w * d + x * a + y * b + z * c;
+        let whole = (v.dot(v) + along.powi(2)).sqrt();
+        v.unit().times((along / whole).acos() * 2.0)
+    }
+
+    /// By the sides of a triangle of two bones of length 1.
+    pub(super) fn between<D: Number>(a: Vector<D>, b: Vector<D>) -> D {
+        let (a, b) = (a.unit(), b.unit());
+        (a - b).length().atan2((a + b).length()) * 2.0
+    }
+
+    pub(super) fn hinge<D: Number>(axis: Vector<D>, angle: D, point: Vector<D>, goal: Vector<D>) -> D {
+        let off = point.about_axis(axis.unit(), angle) - goal;
+        off.dot(off)
+    }
+
+    pub(super) fn rotation_vector<D: Number>(turn: Vector<D>, point: Vector<D>, goal: Vector<D>) -> D {
+        hinge(turn, turn.length(), point, goal)
+    }
+
+    pub(super) fn fitted<D: Number>(m: [[D; 3]; 3], point: Vector<D>, goal: Vector<D>) -> D {
+        let columns = m.map(Vector);
+        let image = columns[0].times(point.0[0]) + columns[1].times(point.0[1]) + columns[2].times(point.0[2]);
+        let off = goal - image;
+        let mut stretch = D::from(0.0);
+        for (i, v) in columns.into_iter().enumerate() {
+            for (k, w) in columns.into_iter().enumerate() {
+                stretch += (v.dot(w) - f64::from(i == k)).powi(2);
+            }
+        }
+        let volume = columns[0].dot(columns[1].cross(columns[2]));
+        off.dot(off) + stretch / 2.0 + (volume - 1.0).powi(2) / 10.0
+    }
+}
+
+#[test]
+fn orientation_error() {
+    let sample = |r: &mut Random| [r.quaternion(0.5..2.0), r.quaternion(0.9..1.1)].concat();
+    // Away from no turn and from a whole one.
+    let keep = |x: &[f64]| {
+        let v = aim::glam::DQuat::from_slice(x) * aim::glam::DQuat::from_slice(&x[4..]).conjugate();
+        v.xyz().length() > 0.2
+    };
+    At(|r: &mut Random| r.until(sample, keep)).check(
+        double::logarithm,
+        double::logarithm_jacobian,
+        single::logarithm_jacobian,
+        dual::logarithm,
+    );
+    // No turn has no axis, and a whole one neither: the direction is 0 and so are its derivatives.
+    let goal = [0.5, -0.5, 0.5, 0.5];
+    for sign in [1.0, -1.0] {
+        let there = [goal.map(|x| sign * x), goal].concat();
+        singular(&there, double::logarithm, double::logarithm_jacobian, single::logarithm_jacobian, &[0.0; 12]);
+    }
+}
+
+#[test]
+fn angle_between_bones() {
+    let sample = |r: &mut Random| [r.vector(0.5..2.0), r.vector(0.5..2.0)].concat();
+    let keep = |x: &[f64]| {
+        let angle = aim::glam::DVec3::from_slice(x).angle_between(aim::glam::DVec3::from_slice(&x[3..]));
+        (0.2..2.9).contains(&angle)
+    };
+    At(|r: &mut Random| r.until(sample, keep)).check(
+        double::between,
+        double::between_gradient,
+        single::between_gradient,
+        dual::between,
+    );
+    // Stretched and folded the angle has an edge: 0.
+    for b in [[2.0, 0.0, 0.0], [-2.0, 0.0, 0.0]] {
+        let point = [&[3.0, 0.0, 0.0][..], &b].concat();
+        singular(&point, double::between, double::between_gradient, single::between_gradient, &[0.0; 6]);
+    }
+}
+
+#[test]
+fn turn_about_a_variable_axis() {
+    let sample =
+        |r: &mut Random| [r.vector(0.5..2.0), r.numbers(1, -3.0..3.0), r.vector(0.0..2.0), r.vector(0.0..2.0)].concat();
+    At(sample).check(double::hinge, double::hinge_gradient, single::hinge_gradient, dual::hinge);
+    // Without an angle the axis does not matter; with the point on the axis the angle does not.
+    let still = [0.0, 0.0, 2.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0];
+    singular(&still, double::hinge, double::hinge_gradient, single::hinge_gradient, &[0.0; 4]);
+    let on_axis = [0.0, 0.0, 2.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0];
+    singular(&on_axis, double::hinge, double::hinge_gradient, single::hinge_gradient, &[0.0; 4]);
+}
+
+#[test]
+fn turn_by_a_rotation_vector() {
+    let sample = |r: &mut Random| [r.vector(0.1..3.0), r.vector(0.0..2.0), r.vector(0.0..2.0)].concat();
+    At(sample).check(
+        double::rotation_vector,
+        double::rotation_vector_gradient,
+        single::rotation_vector_gradient,
+        dual::rotation_vector,
+    );
+    // Without a turn: 2 (point × (point − goal)), by the branch for small ones.
+    let none = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0, 3.0];
+    singular(
+        &none,
+        double::rotation_vector,
+        double::rotation_vector_gradient,
+        single::rotation_vector_gradient,
+        &[0.0, 6.0, -4.0],
+    );
+}
+
+#[test]
+fn matrix_fitted_to_a_rotation() {
+    let sample = |r: &mut Random| [r.numbers(9, -1.0..1.0), r.vector(0.0..2.0), r.vector(0.0..2.0)].concat();
+    At(sample).check(double::fitted, double::fitted_gradient, single::fitted_gradient, dual::fitted);
+    let identity = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
+    let there = [&identity[..], &[1.0, 2.0, 3.0, 1.0, 2.0, 3.0]].concat();
+    singular(&there, double::fitted, double::fitted_gradient, single::fitted_gradient, &[0.0; 9]);
+}
