@@ -45,7 +45,7 @@ enum Sweep {
 }
 
 /// One way through the choices.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Choices {
     sweep: Sweep,
     /// The rules that lose against their competitor.
@@ -54,6 +54,12 @@ pub(crate) struct Choices {
     turned: Option<usize>,
     /// The rotations before which the calculation is done, in whose frame fewer vectors need them.
     kept: Vec<Rotation>,
+}
+
+impl Choices {
+    fn first() -> Self {
+        Self { sweep: Sweep::Reverse(Placement::Late), without: OPTIONAL.to_vec(), turned: None, kept: Vec::new() }
+    }
 }
 
 /// Rules of components: what any compiler of formulas does, all at once.
@@ -89,29 +95,40 @@ impl Program {
 
 /// The smallest of the bounded number of programs that the choices lead to.
 ///
-/// Each rival changes the best so far in one respect, and takes its place where its program is smaller.
+/// Each rival changes the best so far in one respect, and takes its place where its program is smaller. For a small program
+/// every arrangement is compared, and what a choice made worthwhile is tried again.
 pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[&str]) -> (Program, Choices) {
-    let first =
-        Choices { sweep: Sweep::Reverse(Placement::Late), without: OPTIONAL.to_vec(), turned: None, kept: Vec::new() };
-    let mut log = Log::default();
-    let mut best = Way::taken(g, wanted, first, without, &mut log, Effort::Compare);
-    let is_small = cost(&best.program).0 <= SMALL;
-    let effort = if is_small { Effort::Finish } else { Effort::Compare };
-    if is_small {
+    let mut best = Way::taken(g, wanted, Choices::first(), without, Effort::Compare);
+    let changes = rivals(&best, wanted);
+    if cost(&best.program).0 > SMALL {
+        best = best.improved(&changes, g, wanted, without, Effort::Compare);
         best.arrange(without);
-    }
-    for change in rivals(&best.g, wanted, &best.outputs, &log, is_small) {
-        let mut choices = best.choices.clone();
-        change(&mut choices);
-        let rival = Way::taken(g, wanted, choices, without, &mut Log::default(), effort);
-        if cost(&rival.program) < cost(&best.program) {
-            best = rival;
+    } else {
+        best.arrange(without);
+        let before = cost(&best.program);
+        best = best.improved(&changes, g, wanted, without, Effort::Finish);
+        if cost(&best.program) < before {
+            best = best.improved(&changes, g, wanted, without, Effort::Finish);
         }
     }
-    if !is_small {
-        best.arrange(without);
-    }
     (best.program.finished(), best.choices)
+}
+
+/// The sweeps worth a try; by the way back where nothing speaks for another.
+fn sweeps(wanted: &[Want]) -> Vec<Sweep> {
+    let variables = distinct(wanted.iter().filter_map(|w| match *w {
+        Want::Derivative(_, x) => Some(x),
+        _ => None,
+    }));
+    let values = distinct(wanted.iter().map(|w| w.stated()));
+    let mut sweeps = vec![Sweep::Reverse(Placement::Late)];
+    if !variables.is_empty() {
+        sweeps.push(Sweep::Reverse(Placement::Early));
+        if variables.len() <= values.len() {
+            sweeps.push(Sweep::Forward);
+        }
+    }
+    sweeps
 }
 
 /// A way through the choices, and where it leads. Each starts from the statement anew: what a program looks like does not
@@ -121,21 +138,32 @@ struct Way {
     g: Graph,
     outputs: Vec<Scalar>,
     program: Program,
+    log: Log,
 }
 
 impl Way {
-    fn taken(
-        stated: &Graph,
-        wanted: &[Want],
-        choices: Choices,
-        without: &[&str],
-        log: &mut Log,
-        effort: Effort,
-    ) -> Self {
-        let mut g = stated.clone();
-        let outputs = rewritten(&mut g, wanted, &choices, without, log);
+    fn taken(stated: &Graph, wanted: &[Want], choices: Choices, without: &[&str], effort: Effort) -> Self {
+        let (mut g, mut log) = (stated.clone(), Log::default());
+        let outputs = rewritten(&mut g, wanted, &choices, without, &mut log);
         let program = compiled(&mut g, &outputs, &choices, without, effort);
-        Self { choices, g, outputs, program }
+        Self { choices, g, outputs, program, log }
+    }
+
+    /// The better of two; of equals the first.
+    fn or_better(self, other: Self) -> Self {
+        if cost(&other.program) < cost(&self.program) { other } else { self }
+    }
+
+    /// The way after every rival's try.
+    fn improved(self, changes: &[Change], stated: &Graph, wanted: &[Want], without: &[&str], effort: Effort) -> Self {
+        changes.iter().fold(self, |best, change| {
+            let mut choices = best.choices.clone();
+            change(&mut choices);
+            if choices == best.choices {
+                return best;
+            }
+            best.or_better(Self::taken(stated, wanted, choices, without, effort))
+        })
     }
 
     /// Tries more arrangements of its sums and products.
@@ -148,23 +176,11 @@ impl Way {
 type Change = Box<dyn Fn(&mut Choices)>;
 
 /// The rivals worth a try, by what was applied on the first way.
-fn rivals(g: &Graph, wanted: &[Want], outputs: &[Scalar], log: &Log, is_small: bool) -> Vec<Change> {
-    let variables = distinct(wanted.iter().filter_map(|w| match *w {
-        Want::Derivative(_, x) => Some(x),
-        _ => None,
-    }));
-    let values = distinct(wanted.iter().map(|w| w.stated()));
+fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
+    let Way { g, outputs, log, .. } = first;
     let applied = |rules: &[&str]| log.applied.iter().filter(|rule| rules.contains(rule)).count();
-
-    let mut sweeps = vec![Sweep::Reverse(Placement::Late)];
-    if !variables.is_empty() {
-        sweeps.push(Sweep::Reverse(Placement::Early));
-        if variables.len() <= values.len() {
-            sweeps.push(Sweep::Forward);
-        }
-    }
     let mut rivals: Vec<Change> = Vec::new();
-    for &sweep in &sweeps[1..] {
+    for sweep in sweeps(wanted) {
         rivals.push(Box::new(move |c| c.sweep = sweep));
     }
     // A rotation that left more than one direction may be dearer on the many sides than on the one.
@@ -194,16 +210,7 @@ fn rivals(g: &Graph, wanted: &[Want], outputs: &[Scalar], log: &Log, is_small: b
     }
     if !log.applied.is_empty() {
         // None but the rules of arithmetic: rewriting may not lose against doing nothing.
-        let plain = |c: &mut Choices| (c.without, c.turned, c.kept) = (rules::of_sets(), None, Vec::new());
-        rivals.push(Box::new(plain));
-        if is_small {
-            for sweep in sweeps {
-                rivals.push(Box::new(move |c| {
-                    plain(c);
-                    c.sweep = sweep;
-                }));
-            }
-        }
+        rivals.push(Box::new(|c| (c.without, c.turned, c.kept) = (rules::of_sets(), None, Vec::new())));
     }
     rivals
 }

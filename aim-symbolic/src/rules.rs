@@ -105,6 +105,7 @@ pub const ROTATIONS: RuleSet = RuleSet {
         ("split composition", split_composition),
         ("undo rotation", undo_rotation),
         ("cancel terms", cancel_terms),
+        ("common rotation", common_rotation),
         ("normalize what was rotated", normalize_rotated),
     ],
     scalars: &[
@@ -323,6 +324,25 @@ fn cancel_terms(g: &mut Graph, v: Vector) -> Option<Vector> {
     })?;
     terms.remove(j);
     terms.remove(i);
+    Some(sum(g, &terms))
+}
+
+/// `R a + R b = R (a + b)`
+fn common_rotation(g: &mut Graph, v: Vector) -> Option<Vector> {
+    if !is_sum(g, v) {
+        return None;
+    }
+    let mut terms = terms(g, v);
+    let (i, j, rotation) = (0..terms.len()).find_map(|i| {
+        let (rotation, _) = leading(g, terms[i].1)?;
+        let j = (i + 1..terms.len()).find(|&j| leading(g, terms[j].1).is_some_and(|(r, _)| r == rotation))?;
+        Some((i, j, rotation))
+    })?;
+    let (sign_j, term_j) = terms.remove(j);
+    let (sign_i, term_i) = terms[i];
+    let inner = [(sign_i, leading(g, term_i)?.1), (sign_j, leading(g, term_j)?.1)];
+    let together = sum(g, &inner);
+    terms[i] = (false, g.rotate(rotation, together));
     Some(sum(g, &terms))
 }
 

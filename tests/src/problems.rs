@@ -48,6 +48,7 @@ pub fn all() -> Vec<Problem> {
         turned_centroid(),
         along_turned_axis(),
         projected_distance(),
+        seen_from_a_turned_frame(),
         chain_aim("aim of a chain", 110, &[CARDINAL; 2], CARDINAL),
         chain_aim("aim in a general frame", 105, &[general()], general()),
         chain_aim("aim of a general effector", 60, &[CARDINAL], general()),
@@ -272,6 +273,26 @@ fn along_turned_axis() -> Problem {
         let (t, forward) = (g.rotate(turn, t), g.rotate(turn, forward));
         let way = g.sub_vectors(target, t);
         (vec![g.dot(way, forward)], vec![angle.into()])
+    })
+}
+
+/// A point as an inverse transform gives it: the point turned back less the origin turned back.
+fn seen_from_a_turned_frame() -> Problem {
+    Problem::new("seen from a turned frame", 34, |g| {
+        let joint = joint(g, &[PITCH, HEADING]);
+        let target = g.vector_input("target");
+        let turns = joint.angles.iter().zip([PITCH, HEADING]);
+        let back = |g: &mut Graph, v: Vector| {
+            turns.clone().rev().fold(v, |v, (&angle, plane)| {
+                let turn = g.turn(plane, angle);
+                let back = g.transpose(turn);
+                g.rotate(back, v)
+            })
+        };
+        let (target, origin) = (back(g, target), back(g, joint.origin));
+        let seen = g.sub_vectors(target, origin);
+        let forward = g.constant_vector(FORWARD);
+        (vec![g.norm(seen), g.dot(seen, forward)], variables(&joint.angles))
     })
 }
 

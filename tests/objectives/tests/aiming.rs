@@ -38,7 +38,7 @@ macro_rules! objectives {
         }
 
         /// How far from the target a turret shoots: the bore is beside the trunnion, that beside the bearing.
-        #[differentiate(wrt(bearing, elevation), budget = 76)]
+        #[differentiate(wrt(bearing, elevation), budget = 77)]
         pub(super) fn missed(bearing: $real, elevation: $real, trunnion: $vec3, muzzle: $vec3, target: $vec3) -> $real {
             let base = $quat::from_rotation_y(bearing);
             let barrel = base * $quat::from_axis_angle($vec3::NEG_X, elevation);
