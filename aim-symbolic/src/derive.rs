@@ -99,8 +99,9 @@ impl Program {
 /// every arrangement is compared, and what a choice made worthwhile is tried again.
 pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[&str]) -> (Program, Choices) {
     let mut best = Way::taken(g, wanted, Choices::first(), without, Effort::Compare);
-    let changes = rivals(&best, wanted);
-    if cost(&best.program).0 > SMALL {
+    let is_small = cost(&best.program).0 <= SMALL;
+    let changes = rivals(&best, wanted, is_small);
+    if !is_small {
         best = best.improved(&changes, g, wanted, without, Effort::Compare);
         best.arrange(without);
     } else {
@@ -176,7 +177,7 @@ impl Way {
 type Change = Box<dyn Fn(&mut Choices)>;
 
 /// The rivals worth a try, by what was applied on the first way.
-fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
+fn rivals(first: &Way, wanted: &[Want], is_small: bool) -> Vec<Change> {
     let Way { g, outputs, log, .. } = first;
     let applied = |rules: &[&str]| log.applied.iter().filter(|rule| rules.contains(rule)).count();
     let mut rivals: Vec<Change> = Vec::new();
@@ -210,7 +211,14 @@ fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
     }
     if !log.applied.is_empty() {
         // None but the rules of arithmetic: rewriting may not lose against doing nothing.
-        rivals.push(Box::new(|c| (c.without, c.turned, c.kept) = (rules::of_sets(), None, Vec::new())));
+        let plain = |c: &mut Choices| (c.without, c.turned, c.kept) = (rules::of_sets(), None, Vec::new());
+        rivals.push(Box::new(plain));
+        for sweep in sweeps(wanted).into_iter().filter(|_| is_small) {
+            rivals.push(Box::new(move |c| {
+                plain(c);
+                c.sweep = sweep;
+            }));
+        }
     }
     rivals
 }

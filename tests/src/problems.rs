@@ -2,7 +2,7 @@
 
 use aim_codegen::objective::{self, ChainInputs};
 use aim_codegen::{EffectorSpec, Frame, RigSpec};
-use aim_symbolic::{Angle, Graph, Plane, Scalar, Variable, Vector, VectorNode, Want};
+use aim_symbolic::{Angle, Graph, Plane, Rigid, Scalar, Variable, Vector, VectorNode, Want};
 
 use crate::random::Random;
 use crate::rigs::{bare_joint, general_frame};
@@ -49,6 +49,7 @@ pub fn all() -> Vec<Problem> {
         along_turned_axis(),
         projected_distance(),
         seen_from_a_turned_frame(),
+        both_ways_round(),
         chain_aim("aim of a chain", 110, &[CARDINAL; 2], CARDINAL),
         chain_aim("aim in a general frame", 105, &[general()], general()),
         chain_aim("aim of a general effector", 60, &[CARDINAL], general()),
@@ -93,6 +94,7 @@ const ROLL: Plane = Plane::YZ;
 const FORWARD: [f64; 3] = [1.0, 0.0, 0.0];
 
 struct Joint {
+    link: Rigid,
     angles: Vec<Angle>,
     /// The effector's origin and direction after the turns.
     origin: Vector,
@@ -109,7 +111,7 @@ fn joint(g: &mut Graph, planes: &[Plane]) -> Joint {
         let turn = g.turn(plane, angle);
         (origin, forward) = (g.rotate(turn, origin), g.rotate(turn, forward));
     }
-    Joint { angles, origin, forward }
+    Joint { link, angles, origin, forward }
 }
 
 fn variables(angles: &[Angle]) -> Vec<Variable> {
@@ -278,7 +280,7 @@ fn along_turned_axis() -> Problem {
 
 /// A point as an inverse transform gives it: the point turned back less the origin turned back.
 fn seen_from_a_turned_frame() -> Problem {
-    Problem::new("seen from a turned frame", 34, |g| {
+    Problem::new("seen from a turned frame", 88, |g| {
         let joint = joint(g, &[PITCH, HEADING]);
         let target = g.vector_input("target");
         let turns = joint.angles.iter().zip([PITCH, HEADING]);
@@ -290,9 +292,27 @@ fn seen_from_a_turned_frame() -> Problem {
             })
         };
         let (target, origin) = (back(g, target), back(g, joint.origin));
+        let to_effector = g.transpose(joint.link.rotation);
+        let (target, origin) = (g.rotate(to_effector, target), g.rotate(to_effector, origin));
         let seen = g.sub_vectors(target, origin);
-        let forward = g.constant_vector(FORWARD);
-        (vec![g.norm(seen), g.dot(seen, forward)], variables(&joint.angles))
+        let [ahead, aside, above] = [0, 1, 2].map(|axis| g.component(seen, axis));
+        let distance = g.norm(seen);
+        let sum = g.add(distance, ahead);
+        let values = [aside, above].map(|c| {
+            let twice = g.add(c, c);
+            g.div(twice, sum)
+        });
+        (values.to_vec(), variables(&joint.angles))
+    })
+}
+
+/// The same differences and products, once one way round and once the other.
+fn both_ways_round() -> Problem {
+    Problem::new("both ways round", 7, |g| {
+        let [x, y] = ["x", "y"].map(|name| g.input(name));
+        let (there, back) = (g.sub(x, y), g.sub(y, x));
+        let (first, second) = (g.mul(x, y), g.mul(y, x));
+        (vec![g.mul(there, back), g.add(first, second)], vec![x.into(), y.into()])
     })
 }
 
