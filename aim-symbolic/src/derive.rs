@@ -69,7 +69,7 @@ pub(crate) const ARITHMETIC: [&str; 6] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FA
 const OPTIONAL: [&str; 2] = [SPREAD, CONSTANT_SCALE];
 
 /// A program of so few operations is worth every rival.
-const SMALL: usize = 200;
+const SMALL: usize = 100;
 
 /// How many ways to share rotations between the sides of dots are compared.
 const MOST_SIDES: usize = 8;

@@ -4,10 +4,13 @@
 //! knows what no scalar algebra system knows: `R Rᵀ = 1`. The passes, in order:
 //!
 //! 1. An objective is stated with the constructors of [`Graph`], as its author would write it down.
-//! 2. [`rewrite`](Graph::rewrite) moves rotations to where they cancel or cost least ([`rules`]).
-//! 3. [`gradient`](Graph::gradient) sweeps backwards over whole vectors: linear in the length of a chain.
-//! 4. [`Program::derive`] lowers to components, folds, shares and orders them: a straight-line [`Program`].
-//! 5. The program is run ([`Program::run`]), counted ([`Program::count`]) or printed ([`mod@print`]).
+//! 2. [`rules`] move rotations to where they cancel or cost least.
+//! 3. [`gradient`](Graph::gradient) sweeps backwards over whole vectors, linear in the length of a chain, or
+//!    [`tangents`](Graph::tangents) forwards.
+//! 4. More rules drop what is radial and gather factors; components are folded, shared and ordered: a straight-line
+//!    [`Program`]. Where rules compete, [`Program::derive`] compares a bounded number of ways by their counts.
+//! 5. The program is run ([`Program::run`]), counted ([`Program::count`]), traced ([`Program::trace`]) or printed
+//!    ([`mod@print`]).
 //!
 //! ```
 //! use aim_symbolic::{Graph, Plane, Program};

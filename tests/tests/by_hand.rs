@@ -93,6 +93,11 @@ fn one_joint_derivatives() {
     }
 }
 
+/// The derived count exceeds the reference by no more than the `part`th part of it.
+fn assert_close_above(derived: usize, reference: usize, part: usize, what: &str) {
+    assert!(part * derived <= (part + 1) * reference, "{what}: derived {derived}, by hand {reference}");
+}
+
 fn chain_of<const N: usize>() {
     let spec = rig(&[THUG; N]);
     let inputs = counted::<N>();
@@ -107,6 +112,10 @@ fn chain_of<const N: usize>() {
 
     let derived = RigPrograms::derive(&spec);
     assert!(derived.chain_value_gradient.count().total() <= by_hand.total(), "{N} joints");
+    // The form that is better for one joint alone is not found yet.
+    if N > 1 {
+        assert_close_above(derived.chain_residual_jacobian.count().total(), total, 20, &format!("{N} joints"));
+    }
 
     for case in cases(&spec, N as u64, 1000) {
         let Inputs { links, target, sin_cos } = Inputs::<f64, N>::of(&case);
@@ -150,6 +159,9 @@ fn general_frames_of<const N: usize>(random: &mut Random) {
     }
     assert_eq!(aims, 69);
     assert_eq!(all, if N == 1 { 99 } else { 113 * N - 13 }, "{N} joints");
+    // By hand, constants of the basis are merged into the angles, which no rule does yet.
+    let derived = RigPrograms::derive(&rig(&core::array::from_fn::<_, N, _>(|_| general_frame(random))));
+    assert_close_above(derived.chain_value_gradient.count().total(), all, 12, &format!("{N} joints"));
 }
 
 #[test]
@@ -182,6 +194,10 @@ fn general_forward_of<const N: usize>(random: &mut Random) {
     assert_eq!(count(|| general_forward::aim(&forward, &links[0], target, sin_cos[0])).total(), 40);
     let all = count(|| general_forward::aim_gradient(&forward, &links, target, &sin_cos)).total();
     assert_eq!(all, if N == 1 { 59 } else { 63 * N - 3 }, "{N} joints");
+    let mut spec = rig(&[THUG; N]);
+    spec.effector.frame = general_frame(random);
+    let derived = RigPrograms::derive(&spec);
+    assert_close_above(derived.chain_value_gradient.count().total(), all, 20, &format!("{N} joints"));
 }
 
 #[test]
