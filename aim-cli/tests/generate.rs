@@ -178,3 +178,58 @@ fn derivatives_are_right_and_a_wrong_sign_is_found() {
         }
     }
 }
+
+#[test]
+fn a_trace_leads_from_the_statement_to_what_is_counted() {
+    let place = Place::with_mannequin();
+    let trace = place.done("generate m.toml --trace").stdout;
+    let sections: Vec<&str> = trace.split("\n\n").skip(1).collect();
+    assert!(sections.len() >= 3, "a joint, the chain's gradient and its Jacobian: {trace}");
+    for section in sections {
+        let counts: Vec<usize> = section
+            .lines()
+            .skip(1)
+            .map(|line| {
+                line.split_whitespace().next().and_then(|n| n.parse().ok()).expect("a line starts with a count")
+            })
+            .collect();
+        assert!(section.lines().nth(1).is_some_and(|line| line.ends_with("as stated")), "{section}");
+        assert!(counts.is_sorted_by(|a, b| a > b), "{section}");
+    }
+    assert!(trace.contains("\n    46  "), "one joint ends at 46: {trace}");
+    // It is no code, so it has no language and cannot be stale.
+    assert_eq!(place.aim("generate m.toml --trace --lang c").code, 2);
+    assert_eq!(place.aim("generate m.toml --trace --check m.toml").code, 2);
+    assert_eq!(place.aim("generate m.toml").code, 2);
+}
+
+#[test]
+fn every_cardinal_rig_is_at_the_floor() {
+    let is_cardinal = |axis: [f64; 3]| axis.iter().filter(|&&c| c == 0.0).count() == 2;
+    let place = Place::new();
+    let mut counted = 0;
+    for rig in bundled_rigs() {
+        let text = std::fs::read_to_string(&rig).expect("a bundled rig can be read");
+        let spec = aim_codegen::declare::from_toml(name(&rig), &text).expect("a bundled rig is right");
+        let frames = spec.joints.iter().map(|joint| joint.frame).chain([spec.effector.frame]);
+        if frames.into_iter().any(|f| ![f.up, f.forward, f.left].into_iter().all(is_cardinal))
+            || spec.angles() != 2 * spec.joints.len()
+        {
+            continue;
+        }
+        let ran = place.run(["count".as_ref(), rig.as_os_str(), "--json".as_ref()]);
+        let counts: serde_json::Value = serde_json::from_str(&ran.stdout).expect("JSON");
+        let total = |of: &str| counts[of]["total"].as_u64();
+        let joints = spec.joints.len() as u64;
+        let of_single = ["aim", "aim_pitch", "aim_heading", "aim_gradient"].map(total);
+        assert_eq!(of_single, [27, 37, 42, 46].map(Some), "{}", rig.display());
+        assert_eq!(
+            total("chain_value_gradient"),
+            Some(if joints == 1 { 46 } else { 63 * joints - 16 }),
+            "{}",
+            rig.display()
+        );
+        counted += 1;
+    }
+    assert!(counted >= 5, "{counted} rigs");
+}
