@@ -89,7 +89,8 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 ///
 /// # Where there is no derivative
 ///
-/// A length that is zero has direction 0 and derivative 0; the derivative of a square root at 0 is 0; at a comparison's
+/// A length that is zero has direction 0 and derivative 0 (a cross product's length with such a direction is that of the
+/// other vector); the derivative of a square root at 0 is 0; at a comparison's
 /// edge the derivative is that of the branch taken, and a sign has derivative 0. So derivatives are NaN only where the
 /// function itself is, or where a step on the way to it overflows: `1.0 / (1.0 + (-x).exp())` is 0 for x = −100 in `f32`,
 /// but the exponential is infinite. Exponentials of what is at most 0 are safe.

@@ -71,7 +71,7 @@ const OPTIONAL: [&str; 2] = [SPREAD, CONSTANT_SCALE];
 /// A program of so few operations is worth every rival.
 const SMALL: usize = 100;
 
-/// How many ways to share rotations between the sides of dots are compared.
+/// How many ways to share rotations between the sides of dots, and how many frames, are compared.
 const MOST_SIDES: usize = 8;
 
 impl Program {
@@ -82,7 +82,8 @@ impl Program {
 
     /// The program of just what is wanted, in that order.
     ///
-    /// Where rules compete, the smaller program wins; on a tie the shallower, then the first.
+    /// Where rules compete, the program of fewer operations and calls wins; on a tie that of fewer selects, then the
+    /// shallower, then the first.
     pub fn derive_wanted(g: &Graph, wanted: &[Want]) -> Self {
         Self::derive_without(g, wanted, &[])
     }
@@ -201,7 +202,11 @@ fn rivals(first: &Way, wanted: &[Want], is_small: bool) -> Vec<Change> {
     }
     for rule in [MERGE_SHARED, ACROSS_FOR_CROSS] {
         if applied(&[rule]) > 0 {
-            rivals.push(Box::new(move |c| c.without.push(rule)));
+            rivals.push(Box::new(move |c| {
+                if !c.without.contains(&rule) {
+                    c.without.push(rule);
+                }
+            }));
         }
     }
     if applied(&CANCELLING) == 0 {

@@ -1,5 +1,5 @@
-//! Rules for directions: what is along one, what is square to it. Part of [`WORDING`](crate::rules::WORDING) and
-//! [`DIRECTIONS`](crate::rules::DIRECTIONS).
+//! Rules for directions: what is along one, what is square to it. Part of [`WORDING`](crate::rules::WORDING),
+//! [`DIRECTIONS`](crate::rules::DIRECTIONS) and [`SCALES`](crate::rules::SCALES).
 
 use crate::rules::{constant_components, is_sum, is_zero, sum, terms};
 use crate::{Graph, Scalar, ScalarNode, Unit, Vector, VectorNode};
@@ -51,6 +51,9 @@ fn as_unit(g: &Graph, v: Vector) -> Option<Unit> {
 }
 
 /// `|v × u| = |v − (v · u) u|`
+///
+/// Where `u` is the direction of a zero vector, the left side is 0 and the right side `|v|`; both are finite, and a direction
+/// that is none has no cross product to speak of.
 pub(crate) fn norm_of_cross(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     let ScalarNode::Norm(cross) = g.scalar_node(s) else { return None };
     let VectorNode::Cross(a, b) = g.vector_node(cross) else { return None };
@@ -72,10 +75,22 @@ fn is_along(g: &Graph, v: Vector, u: Vector) -> bool {
 
 /// Whether `v` is square to `u`, as far as one can see.
 fn is_across(g: &Graph, v: Vector, u: Vector) -> bool {
+    is_across_within(g, v, u, DEEPEST_LOOK)
+}
+
+/// How far into an expression one looks.
+const DEEPEST_LOOK: u32 = 8;
+
+fn is_across_within(g: &Graph, v: Vector, u: Vector, depth: u32) -> bool {
+    let Some(depth) = depth.checked_sub(1) else { return false };
     match g.vector_node(v) {
         VectorNode::Across(_, own) => Vector::from(own) == u,
-        VectorNode::Scale(_, inner) | VectorNode::Neg(inner) | VectorNode::Normalize(inner) => is_across(g, inner, u),
-        VectorNode::Add(a, b) | VectorNode::Sub(a, b) => is_across(g, a, u) && is_across(g, b, u),
+        VectorNode::Scale(_, inner) | VectorNode::Neg(inner) | VectorNode::Normalize(inner) => {
+            is_across_within(g, inner, u, depth)
+        }
+        VectorNode::Add(a, b) | VectorNode::Sub(a, b) => {
+            is_across_within(g, a, u, depth) && is_across_within(g, b, u, depth)
+        }
         VectorNode::Perp(_, inner) => is_along(g, inner, u),
         VectorNode::Cross(a, b) => is_along(g, a, u) || is_along(g, b, u),
         _ => is_zero(g, v),

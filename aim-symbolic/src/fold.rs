@@ -1,6 +1,7 @@
 //! Scalar constructors that fold: 0, ±1 and constants leave, negations move outward, operands stand in a fixed order.
 //!
-//! Every fold is exact for finite operands (only the sign of a zero may differ), so folded and unfolded programs agree.
+//! Folds of 0, ±1 and signs are exact for finite operands (only the sign of a zero may differ); constants are computed in
+//! f64 and rounded once, to the type that the program runs in.
 
 use crate::rules::Rules;
 use crate::{Function, Graph, Scalar, ScalarNode};
@@ -29,7 +30,7 @@ impl<'g> Fold<'g> {
         if self.order && b < a { (b, a) } else { (a, b) }
     }
 
-    fn constant_of(&self, a: Scalar) -> Option<f64> {
+    pub(crate) fn constant_of(&self, a: Scalar) -> Option<f64> {
         if self.constants { self.g.constant_of(a) } else { None }
     }
 
@@ -95,6 +96,14 @@ impl<'g> Fold<'g> {
             (Some(x), Some(y)) => return self.g.constant(x + y),
             (Some(0.0), None) => return b,
             (None, Some(0.0)) => return a,
+            (Some(x), None) if x < 0.0 && self.negations => {
+                let positive = self.g.constant(-x);
+                return self.sub(b, positive);
+            }
+            (None, Some(y)) if y < 0.0 && self.negations => {
+                let positive = self.g.constant(-y);
+                return self.sub(a, positive);
+            }
             _ => {}
         }
         match (self.negated(a), self.negated(b)) {
@@ -119,6 +128,10 @@ impl<'g> Fold<'g> {
             (Some(x), Some(y)) => return self.g.constant(x - y),
             (Some(0.0), None) => return self.neg(b),
             (None, Some(0.0)) => return a,
+            (None, Some(y)) if y < 0.0 && self.negations => {
+                let positive = self.g.constant(-y);
+                return self.add(a, positive);
+            }
             _ => {}
         }
         match (self.negated(a), self.negated(b)) {

@@ -1,4 +1,5 @@
-//! Derivatives by one reverse sweep over scalars and vectors: linear in the size of the expression.
+//! Derivatives by one reverse sweep over scalars and vectors: linear in the size of the expression, but for what stands
+//! below selects.
 
 use crate::order::{Node, Selects};
 use crate::partial::Partials;

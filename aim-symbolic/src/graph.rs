@@ -40,7 +40,7 @@ pub struct Graph {
     angles: Vec<AngleEntry>,
     /// The angles that are expressions.
     angles_of: Table<Scalar, Angle>,
-    /// Sums that the rules of the pass under way may not open.
+    /// Vectors that are needed more than once, which the rules of the pass under way may not take apart.
     closed: Table<Vector, ()>,
     /// Rotations before which the calculation is to be done.
     kept: Vec<Rotation>,

@@ -84,6 +84,12 @@ impl<'g> Lowering<'g> {
     }
 
     fn guarded_reciprocal(&mut self, a: Scalar) -> Scalar {
+        // Far above the smallest length of any number type, the guard is a constant, too.
+        if let Some(length) = self.fold.constant_of(a)
+            && length > 1e-18
+        {
+            return self.fold.g.constant(1.0 / length);
+        }
         let one = self.fold.g.constant(1.0);
         let zero = self.fold.g.constant(0.0);
         let tiny = self.fold.g.intern_scalar(ScalarNode::Tiny);

@@ -35,7 +35,7 @@ pub struct Rigid {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Angle(pub(crate) u32);
 
-/// A finite constant, compared by its bits.
+/// A constant, compared by its bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Constant(u64);
 

@@ -129,12 +129,12 @@ pub struct Program {
 }
 
 impl Program {
-    /// The program of `outputs` as they are stated: lowered, folded and ordered, nothing else.
+    /// The program of `outputs` as they are stated: lowered, folded and ordered, divisions guarded where they stand.
     pub fn compile(g: &mut Graph, outputs: &[Scalar]) -> Self {
         Self::compile_with(g, outputs, &Rules { without: &[SHARE, FACTOR], ..Rules::default() }, Effort::Compare)
     }
 
-    /// The same by some of the rules, sums factored unless that is switched off.
+    /// The same by some of the rules, products shared and sums factored unless that is switched off.
     pub(crate) fn compile_with(g: &mut Graph, outputs: &[Scalar], rules: &Rules<'_>, effort: Effort) -> Self {
         let mut lowering = Lowering::new(g, rules);
         let lowered: Vec<Scalar> = outputs.iter().map(|&s| lowering.scalar(s)).collect();
@@ -204,7 +204,7 @@ impl Program {
         for op in self.ops.iter().filter(|op| op.is_step()) {
             op.operands().for_each(|v| uses[self.unsigned(v).index()] += 1);
         }
-        // An output has a name, and so does whatever a function is called with.
+        // An output has a name.
         self.outputs.iter().for_each(|&v| uses[self.unsigned(v).index()] += 2);
         self.inline = vec![false; self.ops.len()];
         let mut sizes = vec![1; self.ops.len()];

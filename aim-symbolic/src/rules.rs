@@ -1,5 +1,7 @@
 //! The rules that rewrite a statement: each keeps the value, none is keyed to a particular objective.
 //!
+//! One exception is stated where it is: the length of a cross product with a direction, where that is 0.
+//!
 //! A rule looks at one node whose parts are already rewritten and offers a replacement. [`Graph::rewrite`] applies
 //! them in the order of the tables, bottom up, until none applies.
 
@@ -171,11 +173,14 @@ pub const SCALES: RuleSet = RuleSet {
     sums: Sums::Shared,
 };
 
+/// A sum is taken apart into about so many terms at most: shared partial sums would double them again and again.
+const MOST_TERMS: usize = 64;
+
 /// The terms of a sum with their signs (`true` = subtracted).
 pub(crate) fn terms(g: &Graph, v: Vector) -> Vec<(bool, Vector)> {
     fn collect(g: &Graph, v: Vector, negative: bool, root: bool, out: &mut Vec<(bool, Vector)>) {
         match g.vector_node(v) {
-            _ if !root && g.is_closed(v) => out.push((negative, v)),
+            _ if !root && (g.is_closed(v) || out.len() >= MOST_TERMS) => out.push((negative, v)),
             VectorNode::Add(a, b) => {
                 collect(g, a, negative, false, out);
                 collect(g, b, negative, false, out);

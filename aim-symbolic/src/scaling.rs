@@ -1,4 +1,4 @@
-//! Rules for scale factors; part of [`rules::SCALES`](crate::rules::SCALES).
+//! Rules for scale factors and signs; part of [`DIRECTIONS`](crate::rules::DIRECTIONS) and [`SCALES`](crate::rules::SCALES).
 
 use crate::rules::{constant_components, is_sum, sum, terms};
 use crate::{Graph, Scalar, ScalarNode, Vector, VectorNode};
@@ -203,23 +203,42 @@ fn common_part(g: &mut Graph, a: Scalar, b: Scalar) -> Option<(Scalar, Scalar, S
     Some((common, rest_of_a, rest_of_b))
 }
 
+/// The factors of a product of a few; a deeper one is a factor as a whole.
 fn factors(g: &Graph, product: Scalar) -> Vec<Scalar> {
-    match g.scalar_node(product) {
-        ScalarNode::Mul(a, b) => factors(g, a).into_iter().chain(factors(g, b)).collect(),
-        ScalarNode::Neg(a) => factors(g, a),
-        _ => vec![product],
+    fn collect(g: &Graph, product: Scalar, depth: u32, out: &mut Vec<Scalar>) {
+        match g.scalar_node(product) {
+            ScalarNode::Mul(a, b) if depth > 0 => {
+                collect(g, a, depth - 1, out);
+                collect(g, b, depth - 1, out);
+            }
+            ScalarNode::Neg(a) if depth > 0 => collect(g, a, depth - 1, out),
+            _ => out.push(product),
+        }
     }
+    let mut out = Vec::new();
+    collect(g, product, DEEPEST_PRODUCT, &mut out);
+    out
 }
+
+/// How far products are looked into.
+const DEEPEST_PRODUCT: u32 = 5;
 
 /// `product` without one of its factors.
 fn without(g: &mut Graph, product: Scalar, factor: Scalar) -> Option<Scalar> {
+    without_within(g, product, factor, DEEPEST_PRODUCT)
+}
+
+fn without_within(g: &mut Graph, product: Scalar, factor: Scalar, depth: u32) -> Option<Scalar> {
+    if product == factor {
+        return Some(g.constant(1.0));
+    }
+    let deeper = depth.checked_sub(1)?;
     match g.scalar_node(product) {
-        _ if product == factor => Some(g.constant(1.0)),
-        ScalarNode::Mul(a, b) => match without(g, a, factor) {
+        ScalarNode::Mul(a, b) => match without_within(g, a, factor, deeper) {
             Some(a) => Some(g.mul(a, b)),
-            None => without(g, b, factor).map(|b| g.mul(a, b)),
+            None => without_within(g, b, factor, deeper).map(|b| g.mul(a, b)),
         },
-        ScalarNode::Neg(a) => without(g, a, factor).map(|a| g.neg(a)),
+        ScalarNode::Neg(a) => without_within(g, a, factor, deeper).map(|a| g.neg(a)),
         _ => None,
     }
 }

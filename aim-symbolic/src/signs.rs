@@ -32,7 +32,7 @@ impl Program {
     /// Takes out the negations that cost nothing to avoid.
     ///
     /// For each negated output the differences behind it are turned, first through left operands, then through right ones;
-    /// what leaves fewer negations is kept. The number of trials is bounded, so the work is linear in the program.
+    /// what leaves fewer negations is kept. The number of trials is bounded, so is the work.
     pub(crate) fn settle_signs(&mut self) {
         let mut turned = vec![false; self.ops().len()];
         let mut best = self.written(&turned);

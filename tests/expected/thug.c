@@ -3,7 +3,7 @@
  * left_eye: up [1.0, 0.0, 0.0], forward [0.0, 1.0, 0.0], left [0.0, 0.0, 1.0]
  * neck: up [1.0, 0.0, 0.0], forward [0.0, 1.0, 0.0], left [0.0, 0.0, 1.0]
  * spine3: up [1.0, 0.0, 0.0], forward [0.0, 1.0, 0.0], left [0.0, 0.0, 1.0]
- * Inputs must be finite. */
+ * Inputs must be finite. The same bits as in Rust come of compiling without contraction (-ffp-contract=off). */
 #include <math.h>
 
 #ifdef __cplusplus

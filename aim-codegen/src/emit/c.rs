@@ -68,7 +68,7 @@ fn header(out: &mut String, rig: &Rig<'_>) {
         let _ =
             writeln!(out, " * {}: up {:?}, forward {:?}, left {:?}", joint.name, frame.up, frame.forward, frame.left);
     }
-    *out += " * Inputs must be finite. */\n#include <math.h>\n\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
+    *out += " * Inputs must be finite. The same bits as in Rust come of compiling without contraction (-ffp-contract=off). */\n#include <math.h>\n\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
 }
 
 fn function(out: &mut String, doc: &str, signature: &str, program: &Program, dialect: &dyn CDialect) {

@@ -19,7 +19,7 @@ mod types;
 #[cfg(test)]
 mod tests;
 
-use aim_symbolic::{Program, Scalar, Want};
+use aim_symbolic::{Graph, Program, Scalar, Want};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::ItemFn;
@@ -99,7 +99,7 @@ impl Programs {
         let values = numbers.iter().map(|&number| Want::Value(number));
         let by = |variable: Scalar| numbers.iter().map(move |&number| Want::Derivative(number, variable.into()));
         let mut wanted: Vec<Want> = values.chain(variables.iter().flat_map(|&variable| by(variable))).collect();
-        let first = Program::derive_wanted(&algebra.g, &wanted);
+        let first = derived(&algebra.g, &wanted);
         if let Some((budget, place)) = &options.budget {
             let count = first.count();
             if count.total() > *budget {
@@ -111,10 +111,22 @@ impl Programs {
             for (i, &a) in variables.iter().enumerate() {
                 wanted.extend(variables[i..].iter().map(|&b| Want::Second(numbers[0], a.into(), b.into())));
             }
-            Program::derive_wanted(&algebra.g, &wanted)
+            derived(&algebra.g, &wanted)
         });
         Some(Self { first, second, inputs })
     }
+}
+
+/// What a thread needs to walk down the longest functions that people write: each operation is a step down.
+const STACK: usize = 512 << 20;
+
+/// The program, derived where there is room for deep expressions; compilers give macros little of it.
+fn derived(g: &Graph, wanted: &[Want]) -> Program {
+    std::thread::scope(|scope| {
+        let roomy = std::thread::Builder::new().stack_size(STACK);
+        let thread = roomy.spawn_scoped(scope, || Program::derive_wanted(g, wanted)).ok();
+        thread.and_then(|thread| thread.join().ok()).unwrap_or_else(|| Program::derive_wanted(g, wanted))
+    })
 }
 
 /// The numbers of the function's value; `None` where it is not what the function's type says.
