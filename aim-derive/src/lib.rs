@@ -91,7 +91,9 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 ///
 /// A length that is zero has direction 0 and derivative 0 (a cross product's length with such a direction is that of the
 /// other vector); the derivative of a square root at 0 is 0; at a comparison's
-/// edge the derivative is that of the branch taken, and a sign has derivative 0. So derivatives are NaN only where the
+/// edge the derivative is that of the branch taken (`max` and `min` of equals take the receiver, `abs` of 0 the positive
+/// branch), and a sign has derivative 0. Comparisons take NaN for a number that is not below another, so `max` and `min` hand it
+/// on, which those of `f32` do not. So derivatives are NaN only where the
 /// function itself is, or where a step on the way to it overflows: `1.0 / (1.0 + (-x).exp())` is 0 for x = −100 in `f32`,
 /// but the exponential is infinite. Exponentials of what is at most 0 are safe.
 #[proc_macro_attribute]

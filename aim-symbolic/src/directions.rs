@@ -27,6 +27,25 @@ pub(crate) fn root_of_square(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     (v == w).then(|| g.norm(v))
 }
 
+/// `|v| |v| = v · v`, also as `k |v| |v|`: no root, and derivatives where `v` is 0.
+pub(crate) fn square_of_norm(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let ScalarNode::Mul(a, b) = g.scalar_node(s) else { return None };
+    let vector_of = |g: &Graph, s: Scalar| match g.scalar_node(s) {
+        ScalarNode::Norm(v) => Some(v),
+        _ => None,
+    };
+    [(a, b), (b, a)].into_iter().find_map(|(norm, other)| {
+        let v = vector_of(g, norm)?;
+        if other == norm {
+            return Some(g.dot(v, v));
+        }
+        let ScalarNode::Mul(c, d) = g.scalar_node(other) else { return None };
+        let rest = [(c, d), (d, c)].into_iter().find_map(|(one, rest)| (one == norm).then_some(rest))?;
+        let square = g.dot(v, v);
+        Some(g.mul(rest, square))
+    })
+}
+
 /// `a / |v| = a (1 / |v|)`, guarded as every division by a length is; `v · w / |v|` is a dot with a direction.
 pub(crate) fn guard_division(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     let ScalarNode::Div(a, norm) = g.scalar_node(s) else { return None };

@@ -2,6 +2,7 @@
 
 use crate::fold::Fold;
 use crate::rebuild::{Exchange, Rebuild, Uses};
+use crate::table::NodeMap;
 use crate::{Graph, Scalar, ScalarNode};
 
 /// The rule's name.
@@ -16,6 +17,9 @@ pub(crate) fn factor(fold: &mut Fold<'_>, outputs: Vec<Scalar>) -> Vec<Scalar> {
     }
     Rebuild::outputs(fold, &outputs, &mut factoring)
 }
+
+/// A longer sum of sums is looked at in parts.
+const DEEPEST: usize = 24;
 
 /// A term of a sum and whether it is subtracted.
 type Term = (bool, Scalar);
@@ -39,27 +43,27 @@ impl Factoring {
             return None;
         }
         let mut terms = Vec::new();
-        self.collect(g, s, false, true, &mut terms);
+        self.collect(g, s, false, 0, &mut terms);
         self.common(g, &terms)?;
         Some(terms)
     }
 
     /// The terms of a sum, through partial sums that nothing else needs.
-    fn collect(&self, g: &Graph, s: Scalar, negative: bool, root: bool, terms: &mut Vec<Term>) {
-        if !root && !self.uses.once(s) {
+    fn collect(&self, g: &Graph, s: Scalar, negative: bool, depth: usize, terms: &mut Vec<Term>) {
+        if depth > 0 && (!self.uses.once(s) || depth > DEEPEST) {
             terms.push((negative, s));
             return;
         }
         match g.scalar_node(s) {
             ScalarNode::Add(a, b) => {
-                self.collect(g, a, negative, false, terms);
-                self.collect(g, b, negative, false, terms);
+                self.collect(g, a, negative, depth + 1, terms);
+                self.collect(g, b, negative, depth + 1, terms);
             }
             ScalarNode::Sub(a, b) => {
-                self.collect(g, a, negative, false, terms);
-                self.collect(g, b, !negative, false, terms);
+                self.collect(g, a, negative, depth + 1, terms);
+                self.collect(g, b, !negative, depth + 1, terms);
             }
-            ScalarNode::Neg(a) => self.collect(g, a, !negative, false, terms),
+            ScalarNode::Neg(a) => self.collect(g, a, !negative, depth + 1, terms),
             _ => terms.push((negative, s)),
         }
     }
@@ -78,14 +82,19 @@ impl Factoring {
 
     /// The factor that most of the terms have; the first of several, `None` where each has its own.
     fn common(&self, g: &Graph, terms: &[Term]) -> Option<Scalar> {
+        let mut counts: NodeMap<Scalar, usize> = NodeMap::default();
         let mut best: Option<(usize, Scalar)> = None;
-        for &(_, term) in terms {
-            let Some((a, b)) = self.factors(g, term) else { continue };
-            for factor in [a, b] {
-                let count = terms.iter().filter(|(_, t)| self.has_factor(g, *t, factor)).count();
-                if count > best.map_or(1, |(most, _)| most) {
-                    best = Some((count, factor));
-                }
+        let products = || terms.iter().filter_map(|&(_, term)| self.factors(g, term));
+        for (a, b) in products() {
+            *counts.entry(a).or_default() += 1;
+            if b != a {
+                *counts.entry(b).or_default() += 1;
+            }
+        }
+        for factor in products().flat_map(|(a, b)| [a, b]) {
+            let count = counts.get(&factor).copied().unwrap_or(0);
+            if count > best.map_or(1, |(most, _)| most) {
+                best = Some((count, factor));
             }
         }
         best.map(|(_, factor)| factor)

@@ -24,6 +24,9 @@ pub(crate) enum Open {
     Shared,
 }
 
+/// How many pairs of factors are joined: of a long program those that most products have.
+const MOST_ROUNDS: usize = 48;
+
 /// Products of more factors stay as they are: a high power is better squared than taken apart.
 const MOST_FACTORS: usize = 12;
 
@@ -31,7 +34,8 @@ const MOST_FACTORS: usize = 12;
 pub(crate) fn share_products(fold: &mut Fold<'_>, outputs: Vec<Scalar>, open: Open) -> Vec<Scalar> {
     let uses = Uses::of(fold.g, &outputs);
     let mut chains = chains(fold, &uses, &outputs, open);
-    while let Some((a, b)) = most_shared(&chains) {
+    for _ in 0..MOST_ROUNDS {
+        let Some((a, b)) = most_shared(&chains) else { break };
         let product = fold.mul(a, b);
         for chain in &mut chains {
             if chain.factors.len() > 2 && remove_pair(&mut chain.factors, a, b) {

@@ -94,6 +94,7 @@ pub const WORDING: RuleSet = RuleSet {
     vectors: &[("a vector over its length is a direction", directions::recognize_direction)],
     scalars: &[
         ("the root of a square is a norm", directions::root_of_square),
+        ("the square of a norm is a dot", directions::square_of_norm),
         ("a division by a norm is guarded", directions::guard_division),
         (ACROSS_FOR_CROSS, directions::norm_of_cross),
     ],

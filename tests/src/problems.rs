@@ -50,6 +50,7 @@ pub fn all() -> Vec<Problem> {
         projected_distance(),
         seen_from_a_turned_frame(),
         both_ways_round(),
+        squared_length(),
         chain_aim("aim of a chain", 110, &[CARDINAL; 2], CARDINAL),
         chain_aim("aim in a general frame", 105, &[general()], general()),
         chain_aim("aim of a general effector", 60, &[CARDINAL], general()),
@@ -313,6 +314,18 @@ fn both_ways_round() -> Problem {
         let (there, back) = (g.sub(x, y), g.sub(y, x));
         let (first, second) = (g.mul(x, y), g.mul(y, x));
         (vec![g.mul(there, back), g.add(first, second)], vec![x.into(), y.into()])
+    })
+}
+
+/// An energy stated by a length.
+fn squared_length() -> Problem {
+    Problem::new("squared length", 10, |g| {
+        let v = g.vector_input("v");
+        let stiffness = g.input("k");
+        let length = g.norm(v);
+        let once = g.mul(stiffness, length);
+        let by = components(g, v).to_vec();
+        (vec![g.mul(once, length)], by)
     })
 }
 

@@ -381,3 +381,17 @@ fn attributes_are_kept() {
     assert_eq!(kept::Associated::square_gradient(3.0), (9.0, (6.0,)));
     assert_eq!(kept::Associated::square(3.0), 9.0);
 }
+
+/// Smooth where the length is 0, and differentiated twice.
+#[differentiate(wrt(a), hessian)]
+fn squared_distance(a: Vec3, b: Vec3) -> f32 {
+    0.5 * a.distance(b).powi(2)
+}
+
+#[test]
+fn the_square_of_a_length_is_smooth() {
+    let (value, (gradient,), hessian) = squared_distance_hessian(Vec3::X, Vec3::X);
+    assert_eq!((value, gradient), (0.0, Vec3::ZERO));
+    assert_eq!(hessian, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    assert_eq!(squared_distance(Vec3::X, Vec3::X), value);
+}
