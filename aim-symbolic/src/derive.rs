@@ -99,7 +99,7 @@ impl Program {
 /// Each rival changes the best so far in one respect, and takes its place where its program is smaller. For a small program
 /// every arrangement is compared, and what a choice made worthwhile is tried again.
 pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[&str]) -> (Program, Choices) {
-    let mut best = Way::taken(g, wanted, Choices::first(), without, Effort::Compare);
+    let mut best = Way::taken(g, wanted, Choices::first(), without, Log::default(), Effort::Compare);
     let is_small = cost(&best.program).0 <= SMALL;
     let changes = rivals(&best, wanted, is_small);
     if !is_small {
@@ -135,17 +135,26 @@ fn sweeps(wanted: &[Want]) -> Vec<Sweep> {
 
 /// A way through the choices, and where it leads. Each starts from the statement anew: what a program looks like does not
 /// depend on what else was tried.
-struct Way {
+pub(crate) struct Way {
     choices: Choices,
     g: Graph,
     outputs: Vec<Scalar>,
-    program: Program,
-    log: Log,
+    pub(crate) program: Program,
+    /// The rules that were applied.
+    pub(crate) log: Log,
 }
 
 impl Way {
-    fn taken(stated: &Graph, wanted: &[Want], choices: Choices, without: &[&str], effort: Effort) -> Self {
-        let (mut g, mut log) = (stated.clone(), Log::default());
+    /// As far as the log lets rules be applied.
+    pub(crate) fn taken(
+        stated: &Graph,
+        wanted: &[Want],
+        choices: Choices,
+        without: &[&str],
+        mut log: Log,
+        effort: Effort,
+    ) -> Self {
+        let mut g = stated.clone();
         let outputs = rewritten(&mut g, wanted, &choices, without, &mut log);
         let program = compiled(&mut g, &outputs, &choices, without, effort);
         Self { choices, g, outputs, program, log }
@@ -164,7 +173,7 @@ impl Way {
             if choices == best.choices {
                 return best;
             }
-            best.or_better(Self::taken(stated, wanted, choices, without, effort))
+            best.or_better(Self::taken(stated, wanted, choices, without, Log::default(), effort))
         })
     }
 
@@ -241,20 +250,6 @@ fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
         }
     }
     found
-}
-
-/// The program by one way through the choices.
-pub(crate) fn attempt(
-    stated: &Graph,
-    wanted: &[Want],
-    choices: &Choices,
-    without: &[&str],
-    log: &mut Log,
-    effort: Effort,
-) -> Program {
-    let mut g = stated.clone();
-    let outputs = rewritten(&mut g, wanted, choices, without, log);
-    compiled(&mut g, &outputs, choices, without, effort)
 }
 
 fn compiled(g: &mut Graph, outputs: &[Scalar], choices: &Choices, without: &[&str], effort: Effort) -> Program {

@@ -1,6 +1,6 @@
 //! The book-keeping of a derivation: which rules brought the operation count from what to what.
 
-use crate::derive::{ARITHMETIC, attempt, choose};
+use crate::derive::{ARITHMETIC, Way, choose};
 use crate::program::Effort;
 use crate::tidy::Log;
 use crate::{Count, Graph, Program, Want};
@@ -24,17 +24,17 @@ impl Program {
     /// those with 0 and 1.
     pub fn trace(g: &Graph, wanted: &[Want]) -> Vec<Step> {
         let (_, choices) = choose(g, wanted, &[]);
-        let count = |log: &mut Log, off: &[&str]| attempt(g, wanted, &choices, off, log, Effort::Finish).count();
-        let mut all = Log::default();
-        count(&mut all, &[]);
-        let mut book = Book { steps: Vec::new(), rules: Vec::new(), count: count(&mut Log::limited(0), &ARITHMETIC) };
+        let way = |log: Log, off: &[&str]| Way::taken(g, wanted, choices.clone(), off, log, Effort::Finish);
+        let count = |rewrites: usize, off: &[&str]| way(Log::limited(rewrites), off).program.count();
+        let applied = way(Log::default(), &[]).log.applied;
+        let mut book = Book { steps: Vec::new(), rules: Vec::new(), count: count(0, &ARITHMETIC) };
         for on in 1..=ARITHMETIC.len() {
-            book.record(ARITHMETIC[on - 1], count(&mut Log::limited(0), &ARITHMETIC[on..]));
+            book.record(ARITHMETIC[on - 1], count(0, &ARITHMETIC[on..]));
             // What did nothing by itself is not part of what comes after it.
             book.rules.clear();
         }
-        for (applied, &rule) in all.applied.iter().enumerate() {
-            book.record(rule, count(&mut Log::limited(applied + 1), &[]));
+        for (before, &rule) in applied.iter().enumerate() {
+            book.record(rule, count(before + 1, &[]));
         }
         book.steps
     }

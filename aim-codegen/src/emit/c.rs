@@ -6,6 +6,7 @@ use aim_symbolic::print::{Dialect, steps};
 use aim_symbolic::{Function, Program};
 
 use super::Rig;
+use super::inputs::{Inputs, TINY, library_name, literal};
 use crate::names::snake_case;
 
 /// The source file.
@@ -26,7 +27,7 @@ pub fn emit(rig: &Rig<'_>) -> String {
              * target in the joint's space; zeros where the target is on the effector.",
             joint.name
         );
-        function(&mut out, &doc, &signature, program, &Joint);
+        function(&mut out, &doc, &signature, program, Inputs::Joint);
     }
     let chain_inputs =
         format!("const float links[{}], const float target[3], const float sin_cos[{}]", 12 * joints, 4 * joints);
@@ -38,7 +39,7 @@ pub fn emit(rig: &Rig<'_>) -> String {
         &format!("The chain's aim, then its {angles} derivatives, pitch before heading, joint by joint.\n * {layout}"),
         &format!("void {name}_chain_value_gradient({chain_inputs},\n    float out[{}])", 1 + angles),
         &rig.programs.chain_value_gradient,
-        &Chain { joints },
+        Inputs::Chain { joints },
     );
     function(
         &mut out,
@@ -48,7 +49,7 @@ pub fn emit(rig: &Rig<'_>) -> String {
         ),
         &format!("void {name}_chain_residual_jacobian({chain_inputs},\n    float out[{}])", 2 + 2 * angles),
         &rig.programs.chain_residual_jacobian,
-        &Chain { joints },
+        Inputs::Chain { joints },
     );
     out += "\n#ifdef __cplusplus\n}\n#endif\n";
     out
@@ -71,12 +72,12 @@ fn header(out: &mut String, rig: &Rig<'_>) {
     *out += " * Inputs must be finite. The same bits as in Rust come of compiling without contraction (-ffp-contract=off). */\n#include <math.h>\n\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
 }
 
-fn function(out: &mut String, doc: &str, signature: &str, program: &Program, dialect: &dyn CDialect) {
+fn function(out: &mut String, doc: &str, signature: &str, program: &Program, inputs: Inputs) {
     let _ = writeln!(out, "\n/* {doc}\n * {}. */\n{signature}\n{{", program.count());
-    for parameter in dialect.parameters() {
+    for parameter in parameters(inputs) {
         let _ = writeln!(out, "    (void){parameter};");
     }
-    let (steps, outputs) = steps(program, dialect);
+    let (steps, outputs) = steps(program, &C(inputs));
     for (step, expression) in steps {
         let _ = writeln!(out, "    const float {step} = {expression};");
     }
@@ -86,83 +87,44 @@ fn function(out: &mut String, doc: &str, signature: &str, program: &Program, dia
     *out += "}\n";
 }
 
-trait CDialect: Dialect {
-    /// The parameters that a program may leave unused.
-    fn parameters(&self) -> &'static [&'static str];
+/// The parameters, any of which a program may leave unused.
+fn parameters(inputs: Inputs) -> &'static [&'static str] {
+    match inputs {
+        Inputs::Joint => &["effector_to_joint", TARGET, "sin_p", "cos_p", "sin_h", "cos_h"],
+        Inputs::Chain { .. } => &["links", TARGET, "sin_cos"],
+    }
 }
 
-struct Joint;
+const TARGET: &str = "target";
 
-struct Chain {
-    joints: usize,
+struct C(Inputs);
+
+impl Dialect for C {
+    fn input(&self, index: usize) -> String {
+        self.0.name(index, TARGET)
+    }
+
+    fn constant(&self, value: f64) -> String {
+        literal(value)
+    }
+
+    fn tiny(&self) -> String {
+        TINY.to_owned()
+    }
+
+    fn sqrt(&self, a: &str) -> String {
+        format!("sqrtf({a})")
+    }
+
+    fn select_less(&self, a: &str, b: &str, then: &str, otherwise: &str) -> String {
+        format!("{a} < {b} ? {then} : {otherwise}")
+    }
+
+    fn call(&self, function: Function, a: &str) -> String {
+        format!("{}f({a})", library_name(function))
+    }
+
+    fn atan2(&self, y: &str, x: &str) -> String {
+        format!("atan2f({y}, {x})")
+    }
 }
-
-/// The shortest decimal that reads back as the same float.
-#[expect(clippy::cast_possible_truncation, reason = "the emitted functions compute in float")]
-fn literal(value: f64) -> String {
-    format!("{:?}f", value as f32)
-}
-
-macro_rules! c_dialect {
-    ($dialect:ty, $input:expr, $parameters:expr) => {
-        impl Dialect for $dialect {
-            fn input(&self, index: usize) -> String {
-                $input(self, index)
-            }
-            fn constant(&self, value: f64) -> String {
-                literal(value)
-            }
-            fn tiny(&self) -> String {
-                "1.0842022e-19f".to_owned()
-            }
-            fn sqrt(&self, a: &str) -> String {
-                format!("sqrtf({a})")
-            }
-            fn select_less(&self, a: &str, b: &str, then: &str, otherwise: &str) -> String {
-                format!("{a} < {b} ? {then} : {otherwise}")
-            }
-            fn call(&self, function: Function, a: &str) -> String {
-                let name = match function {
-                    Function::Ln => "log",
-                    other => other.name(),
-                };
-                format!("{name}f({a})")
-            }
-            fn atan2(&self, y: &str, x: &str) -> String {
-                format!("atan2f({y}, {x})")
-            }
-        }
-
-        impl CDialect for $dialect {
-            fn parameters(&self) -> &'static [&'static str] {
-                $parameters
-            }
-        }
-    };
-}
-
-c_dialect!(
-    Joint,
-    |_: &Joint, index: usize| match index {
-        0..12 => format!("effector_to_joint[{index}]"),
-        12..15 => format!("target[{}]", index - 12),
-        15 => "sin_p".to_owned(),
-        16 => "cos_p".to_owned(),
-        17 => "sin_h".to_owned(),
-        _ => "cos_h".to_owned(),
-    },
-    &["effector_to_joint", "target", "sin_p", "cos_p", "sin_h", "cos_h"]
-);
-
-c_dialect!(
-    Chain,
-    |chain: &Chain, index: usize| {
-        let links = 12 * chain.joints;
-        match index {
-            _ if index < links => format!("links[{index}]"),
-            _ if index < links + 3 => format!("target[{}]", index - links),
-            _ => format!("sin_cos[{}]", index - links - 3),
-        }
-    },
-    &["links", "target", "sin_cos"]
-);

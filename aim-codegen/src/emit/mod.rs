@@ -2,6 +2,7 @@
 
 pub(crate) mod body;
 pub mod c;
+mod inputs;
 pub mod latex;
 pub mod maxima;
 pub mod rust;

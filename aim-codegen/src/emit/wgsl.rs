@@ -9,6 +9,7 @@ use aim_symbolic::print::{Dialect, steps};
 use aim_symbolic::{Function, Program};
 
 use super::Rig;
+use super::inputs::{Inputs, TINY, library_name, literal};
 use crate::names::snake_case;
 
 /// The module.
@@ -73,12 +74,12 @@ fn write_function(out: &mut String, doc: &str, name: &str, program: &Program, in
         let _ = writeln!(out, "// {line}");
     }
     let _ = writeln!(out, "// {}.\nfn {name}(", program.count());
-    for (parameter, kind) in inputs.parameters() {
+    for (parameter, kind) in parameters(inputs) {
         let _ = writeln!(out, "    {parameter}: {kind},");
     }
     let result = array(program.outputs().len());
     let _ = writeln!(out, ") -> {result} {{");
-    let (steps, outputs) = steps(program, &inputs);
+    let (steps, outputs) = steps(program, &Wgsl(inputs));
     for (step, expression) in steps {
         let _ = writeln!(out, "    let {step} = {expression};");
     }
@@ -93,60 +94,34 @@ fn array(length: usize) -> String {
     format!("array<f32, {length}>")
 }
 
-/// What a function is given, in the order of its program's inputs. `target` alone is a word that WGSL reserves.
-#[derive(Clone, Copy)]
-enum Inputs {
-    /// A link, the target, and the sines and cosines one by one.
-    Joint,
-    /// Every link, the target, and all sines and cosines.
-    Chain { joints: usize },
-}
-
-impl Inputs {
-    /// Names and types.
-    fn parameters(self) -> Vec<(&'static str, String)> {
-        match self {
-            Self::Joint => {
-                let angles = ["sin_p", "cos_p", "sin_h", "cos_h"].map(|name| (name, "f32".to_owned()));
-                [("effector_to_joint", array(12)), ("target_point", array(3))].into_iter().chain(angles).collect()
-            }
-            Self::Chain { joints } => {
-                vec![("links", array(12 * joints)), ("target_point", array(3)), ("sin_cos", array(4 * joints))]
-            }
+/// Names and types. `target` alone is a word that WGSL reserves.
+fn parameters(inputs: Inputs) -> Vec<(&'static str, String)> {
+    match inputs {
+        Inputs::Joint => {
+            let angles = ["sin_p", "cos_p", "sin_h", "cos_h"].map(|name| (name, "f32".to_owned()));
+            [("effector_to_joint", array(12)), (TARGET, array(3))].into_iter().chain(angles).collect()
+        }
+        Inputs::Chain { joints } => {
+            vec![("links", array(12 * joints)), (TARGET, array(3)), ("sin_cos", array(4 * joints))]
         }
     }
 }
 
-impl Dialect for Inputs {
+const TARGET: &str = "target_point";
+
+struct Wgsl(Inputs);
+
+impl Dialect for Wgsl {
     fn input(&self, index: usize) -> String {
-        match *self {
-            Self::Joint => match index {
-                0..12 => format!("effector_to_joint[{index}]"),
-                12..15 => format!("target_point[{}]", index - 12),
-                15 => "sin_p".to_owned(),
-                16 => "cos_p".to_owned(),
-                17 => "sin_h".to_owned(),
-                _ => "cos_h".to_owned(),
-            },
-            Self::Chain { joints } => {
-                let links = 12 * joints;
-                match index {
-                    _ if index < links => format!("links[{index}]"),
-                    _ if index < links + 3 => format!("target_point[{}]", index - links),
-                    _ => format!("sin_cos[{}]", index - links - 3),
-                }
-            }
-        }
+        self.0.name(index, TARGET)
     }
 
-    /// The shortest decimal that reads back as the same `f32`; without the suffix it would be of no type yet.
-    #[expect(clippy::cast_possible_truncation, reason = "the emitted functions compute in f32")]
     fn constant(&self, value: f64) -> String {
-        format!("{:?}f", value as f32)
+        literal(value)
     }
 
     fn tiny(&self) -> String {
-        "1.0842022e-19f".to_owned()
+        TINY.to_owned()
     }
 
     fn sqrt(&self, a: &str) -> String {
@@ -158,10 +133,6 @@ impl Dialect for Inputs {
     }
 
     fn call(&self, function: Function, a: &str) -> String {
-        let name = match function {
-            Function::Ln => "log",
-            other => other.name(),
-        };
-        format!("{name}({a})")
+        format!("{}({a})", library_name(function))
     }
 }
