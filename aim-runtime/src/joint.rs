@@ -6,6 +6,24 @@ use glam::{Quat, Vec3};
 
 use crate::{Axes, math};
 
+/// What part a joint has in a gaze. It decides what is left to the solver: whether a rig has eyes, which headings are
+/// level, how quickly a supporting joint takes up speed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Role {
+    /// None in particular.
+    #[default]
+    Other,
+    /// An eye: quick, leads, and returns as the others arrive.
+    Eye,
+    /// A head.
+    Head,
+    /// A neck.
+    Neck,
+    /// A spine or chest.
+    Spine,
+}
+
 /// What was declared of a joint. Angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -23,8 +41,14 @@ pub struct JointInfo {
     pub acceleration: f32,
     /// Reluctance: the joint's weight in the displacement cost. Only ratios matter.
     pub comfort: f32,
-    /// How far heading turns about the character's up instead of the bone's own, 0…1; `None` leaves it to the solver.
+    /// How far heading turns about the character's up instead of the bone's own, 0…1; `None` is 1 for a neck or head
+    /// and 0 for the others.
     pub level: Option<f32>,
+    /// The part of the pitch range that is lost at either end of the heading's range, 0…1, growing linearly from none
+    /// at heading 0.
+    pub narrowing: f32,
+    /// What part the joint has in a gaze.
+    pub role: Role,
     /// Whether the ranges are counted from the bind pose instead of from the animation.
     pub absolute: bool,
 }
@@ -40,6 +64,8 @@ impl JointInfo {
             acceleration: f32::INFINITY,
             comfort: 1.0,
             level: None,
+            narrowing: 0.0,
+            role: Role::Other,
             absolute: false,
         }
     }
@@ -71,6 +97,18 @@ impl JointInfo {
     /// With this level.
     pub const fn with_level(mut self, level: f32) -> Self {
         self.level = Some(level);
+        self
+    }
+
+    /// With this [`narrowing`](Self::narrowing).
+    pub const fn with_narrowing(mut self, narrowing: f32) -> Self {
+        self.narrowing = narrowing;
+        self
+    }
+
+    /// With this role.
+    pub const fn with_role(mut self, role: Role) -> Self {
+        self.role = role;
         self
     }
 

@@ -37,12 +37,12 @@ mod settings;
 mod settle;
 
 pub use glam;
-pub use joint::{Joint, JointInfo};
+pub use joint::{Joint, JointInfo, Role};
 pub use outcome::{JointSet, Outcome, Status};
-pub use pose::{ChainPose, Pose};
+pub use pose::{ChainPose, DetailedPose, Pose};
 pub use real::Real;
 pub use rig::{AimRig, Axes, Corrections, Effector};
 pub use scalar::Scalar;
-pub use settings::{Ascent, Settings};
+pub use settings::{Ascent, Behind, Natural, Settings, Solver};
 #[cfg(feature = "wide")]
 pub use wide;

@@ -1,11 +1,12 @@
 //! [`Pose`]: where the animation put the joints this frame.
 
-use glam::Affine3A;
+use glam::{Affine3A, Vec3};
 
 mod sealed {
     #[expect(unnameable_types, reason = "being unnameable is what seals")]
     pub trait Sealed {}
     impl<T> Sealed for super::Pose<T> {}
+    impl<T> Sealed for super::DetailedPose<T> {}
 }
 
 /// The animated transforms of a rig's joints, read after the animation system ran.
@@ -23,14 +24,114 @@ pub struct Pose<T> {
     pub joints: T,
 }
 
-/// What [`AimRig::aim`](crate::AimRig::aim) takes as a pose. Sealed, so that richer poses can be added.
+impl<T> Pose<T> {
+    /// With the direction that is up for the character, in the pose's space: what level headings turn about.
+    #[must_use]
+    pub fn with_up(self, up: Vec3) -> DetailedPose<T> {
+        DetailedPose::from(self).with_up(up)
+    }
+
+    /// With the joints' bind pose: what absolute ranges are counted from.
+    #[must_use]
+    pub fn with_bind(self, bind: T) -> DetailedPose<T> {
+        DetailedPose::from(self).with_bind(bind)
+    }
+
+    /// With the other eye, which is aimed too.
+    #[must_use]
+    pub fn with_pair(self, pair: Affine3A) -> DetailedPose<T> {
+        DetailedPose::from(self).with_pair(pair)
+    }
+}
+
+/// A [`Pose`] with more than the joints: made by [`Pose::with_up`], [`with_bind`](Pose::with_bind) and
+/// [`with_pair`](Pose::with_pair).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct DetailedPose<T> {
+    /// Each joint's transform, from the effector inward.
+    pub joints: T,
+    /// The direction that is up for the character, of any length but zero. Without it level headings turn about the
+    /// innermost joint's animated up.
+    pub up: Option<Vec3>,
+    /// Each joint's transform in the bind pose, from the effector inward, in a space of its own: only how the joints
+    /// stand to each other counts, and how the innermost stands in the pose's space.
+    pub bind: Option<T>,
+    /// The other eye's animated transform, in the joints' space.
+    pub pair: Option<Affine3A>,
+}
+
+impl<T> From<Pose<T>> for DetailedPose<T> {
+    fn from(pose: Pose<T>) -> Self {
+        Self { joints: pose.joints, up: None, bind: None, pair: None }
+    }
+}
+
+impl<T> DetailedPose<T> {
+    /// See [`Pose::with_up`].
+    #[must_use]
+    pub fn with_up(mut self, up: Vec3) -> Self {
+        self.up = Some(up);
+        self
+    }
+
+    /// See [`Pose::with_bind`].
+    #[must_use]
+    pub fn with_bind(mut self, bind: T) -> Self {
+        self.bind = Some(bind);
+        self
+    }
+
+    /// See [`Pose::with_pair`].
+    #[must_use]
+    pub fn with_pair(mut self, pair: Affine3A) -> Self {
+        self.pair = Some(pair);
+        self
+    }
+}
+
+/// What [`AimRig::aim`](crate::AimRig::aim) takes as a pose: [`Pose`] or [`DetailedPose`]. Sealed, so that poses can
+/// grow.
 pub trait ChainPose<A>: sealed::Sealed {
     /// Each joint's animated transform, from the effector inward.
     fn joints(&self) -> &A;
+
+    /// The direction that is up for the character.
+    fn up(&self) -> Option<Vec3> {
+        None
+    }
+
+    /// Each joint's transform in the bind pose.
+    fn bind(&self) -> Option<&A> {
+        None
+    }
+
+    /// The other eye's animated transform.
+    fn pair(&self) -> Option<&Affine3A> {
+        None
+    }
 }
 
 impl<A: AsRef<[Affine3A]>> ChainPose<A> for Pose<A> {
     fn joints(&self) -> &A {
         &self.joints
+    }
+}
+
+impl<A: AsRef<[Affine3A]>> ChainPose<A> for DetailedPose<A> {
+    fn joints(&self) -> &A {
+        &self.joints
+    }
+
+    fn up(&self) -> Option<Vec3> {
+        self.up
+    }
+
+    fn bind(&self) -> Option<&A> {
+        self.bind.as_ref()
+    }
+
+    fn pair(&self) -> Option<&Affine3A> {
+        self.pair.as_ref()
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::{Affine3A, Quat, Vec3};
 
-use crate::{ChainPose, Joint, JointInfo, Outcome, Scalar, Settings, frame};
+use crate::{ChainPose, Joint, JointInfo, Natural, Outcome, Scalar, Settings, frame};
 
 /// Which way a bone points: three unit vectors in the bone's own space, square to each other.
 ///
@@ -44,6 +44,10 @@ pub trait AimRig: Sized {
     fn joint_infos(&self) -> &[JointInfo];
     /// What is aimed.
     fn effector(&self) -> Effector;
+    /// How a natural gaze is shared on this rig. Default [`Natural::default`].
+    fn natural(&self) -> Natural {
+        Natural::default()
+    }
     /// The joints' states, from the effector inward.
     fn joints(&self) -> Self::Array<Joint>;
     /// Replaces the joints' states.

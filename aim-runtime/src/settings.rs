@@ -22,13 +22,33 @@ pub struct Settings {
     /// origin. Joints nearer the effector than `k` return to rest at their rates. An index past the last joint means
     /// the last. Default 0.
     pub effector: usize,
+    /// Which solver moves the joints; `None` is [`Solver::Natural`] for a rig with eyes, else [`Solver::Exact`].
+    /// Default `None`.
+    pub solver: Option<Solver>,
+    /// What becomes of a target behind the character. Default [`Behind::Clip`].
+    pub behind: Behind,
+    /// How far the head takes over from the eyes in a [natural](Solver::Natural) gaze, 0…1: at 0 eyes and head share as
+    /// the rig's [`Natural`] says, at 1 the head is turned fully to the target, the eyes never leaving it. Outside
+    /// values are clamped, NaN counts as 0. Default 0.
+    pub attention: f32,
+    /// How the natural solver shares a gaze; `None` leaves it to the rig ([`AimRig::natural`](crate::AimRig::natural)).
+    pub natural: Option<Natural>,
     /// How the ascent steps.
     pub ascent: Ascent,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { weight: 1.0, tolerance: 0.1 * core::f32::consts::PI / 180.0, effector: 0, ascent: Ascent::default() }
+        Self {
+            weight: 1.0,
+            tolerance: 0.1 * core::f32::consts::PI / 180.0,
+            effector: 0,
+            solver: None,
+            behind: Behind::Clip,
+            attention: 0.0,
+            natural: None,
+            ascent: Ascent::default(),
+        }
     }
 }
 
@@ -54,6 +74,34 @@ impl Settings {
         self
     }
 
+    /// With this [`solver`](Self::solver).
+    #[must_use]
+    pub const fn with_solver(mut self, solver: Solver) -> Self {
+        self.solver = Some(solver);
+        self
+    }
+
+    /// With this policy for targets [`behind`](Self::behind).
+    #[must_use]
+    pub const fn with_behind(mut self, behind: Behind) -> Self {
+        self.behind = behind;
+        self
+    }
+
+    /// With this [`attention`](Self::attention), 0…1.
+    #[must_use]
+    pub const fn with_attention(mut self, attention: f32) -> Self {
+        self.attention = attention;
+        self
+    }
+
+    /// With this [`natural`](Self::natural) sharing instead of the rig's.
+    #[must_use]
+    pub const fn with_natural(mut self, natural: Natural) -> Self {
+        self.natural = Some(natural);
+        self
+    }
+
     /// With these settings of the [`ascent`](Self::ascent).
     #[must_use]
     pub const fn with_ascent(mut self, ascent: Ascent) -> Self {
@@ -70,6 +118,92 @@ impl Settings {
     /// The tolerance as it counts: 0…∞, radians.
     pub(crate) fn effective_tolerance(&self) -> f32 {
         self.tolerance.max(0.0)
+    }
+}
+
+/// Which solver moves the joints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Solver {
+    /// Eyes, neck and spine as people use them: the eyes leap to the target and hold it, the head follows with its
+    /// inertia by a share of what is beyond the eyes' own zone, and the eyes return as it arrives. See [`Natural`].
+    Natural,
+    /// All joints at once: of all angles within range and rate that put the gaze on the target, those of the least
+    /// comfort-weighted displacement.
+    Exact,
+    /// The paper's steepest ascent, joint by joint from the effector inward. See [`Ascent`].
+    Ascent,
+}
+
+/// What becomes of a target behind the character, out of reach: within 30° of the opposite of the innermost joint's
+/// animated forward, and until it is 10° out of that again.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Behind {
+    /// No policy: the joints go as near as they come, on the side they are on.
+    Off,
+    /// They turn to the edge of the cone behind, on the side that the target was last seen on.
+    #[default]
+    Clip,
+    /// They stay as they are.
+    Hold,
+    /// They return to the animation.
+    Release,
+}
+
+/// How a [natural](Solver::Natural) gaze is shared between the eyes and the joints that support them.
+///
+/// Per rig by [`AimRig::natural`](crate::AimRig::natural), per call by [`Settings::natural`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Natural {
+    /// The gaze shift that the eyes make alone, radians: `D` in head shift = `g·max(0, |E| − D)`.
+    pub eyes_only: f32,
+    /// The part of the gaze shift beyond that which the head makes, 0…1: `g`.
+    pub head_share: f32,
+    /// The supporting joints begin to move when the eyes are further from their middle than this, radians.
+    pub engage: f32,
+    /// They rest again once they have arrived and the eyes are nearer their middle than this, radians.
+    pub release: f32,
+    /// How long after the eyes the supporting joints begin, seconds.
+    pub delay: f32,
+}
+
+impl Default for Natural {
+    fn default() -> Self {
+        const DEG: f32 = core::f32::consts::PI / 180.0;
+        Self { eyes_only: 15.0 * DEG, head_share: 0.8, engage: 15.0 * DEG, release: 8.0 * DEG, delay: 0.0 }
+    }
+}
+
+impl Natural {
+    /// With this [`eyes_only`](Self::eyes_only) zone, radians.
+    #[must_use]
+    pub const fn with_eyes_only(mut self, angle_rad: f32) -> Self {
+        self.eyes_only = angle_rad;
+        self
+    }
+
+    /// With this [`head_share`](Self::head_share), 0…1.
+    #[must_use]
+    pub const fn with_head_share(mut self, share: f32) -> Self {
+        self.head_share = share;
+        self
+    }
+
+    /// With supporting joints that [engage](Self::engage) and [release](Self::release) at these angles, radians.
+    #[must_use]
+    pub const fn with_engagement(mut self, engage_rad: f32, release_rad: f32) -> Self {
+        self.engage = engage_rad;
+        self.release = release_rad;
+        self
+    }
+
+    /// With this [`delay`](Self::delay), seconds.
+    #[must_use]
+    pub const fn with_delay(mut self, seconds: f32) -> Self {
+        self.delay = seconds;
+        self
     }
 }
 
