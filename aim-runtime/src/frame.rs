@@ -8,7 +8,7 @@ use crate::chain::{self, Chain};
 use crate::goal::Goal;
 use crate::limits::{self, Reach};
 use crate::settle::{settle, settle_from_rest};
-use crate::{AimRig, Ascent, Joint, Outcome, Settings, Status, ascent, math};
+use crate::{AimRig, Ascent, Joint, Outcome, Settings, Status, ascent, math, trig};
 
 /// The longest frame, seconds: after a hitch nothing leaps.
 const LONGEST_FRAME_S: f32 = 0.1;
@@ -59,7 +59,7 @@ fn aim_joints<R: AimRig>(
     settings: &Settings,
     joints: &mut [Joint],
 ) -> Option<Outcome> {
-    let chain = Chain::new(rig, pose_ps, settings.effector)?;
+    let chain = Chain::new(rig, pose_ps, settings.effector, chain::Level::Off)?;
     let goal = goal(rig, &chain, target_ps, settings, joints)?;
     let frame = Frame::new(rig, &chain, &goal, dt, settings, joints);
 
@@ -242,7 +242,7 @@ fn snap_joints<R: AimRig>(
     settings: &Settings,
     joints: &mut [Joint],
 ) -> Option<Outcome> {
-    let chain = Chain::new(rig, pose_ps, settings.effector)?;
+    let chain = Chain::new(rig, pose_ps, settings.effector, chain::Level::Off)?;
     let tolerance = settings.effective_tolerance();
     let goal = goal(rig, &chain, target_ps, settings, joints)?;
 
@@ -302,7 +302,7 @@ fn finish<R: AimRig>(
         Status::AtLimit
     };
     let (at_limit, recovering) = limits::limits_met(infos, joints);
-    let (_, aim) = math::sin_cos(remaining);
+    let (_, aim) = trig::sin_cos(remaining);
     Some(Outcome { aim, remaining, status, at_limit, recovering })
 }
 
