@@ -7,6 +7,7 @@ use crate::behind::Front;
 use crate::chain::{Chain, Ray};
 use crate::joint::Side;
 use crate::math;
+use crate::motion::Motion;
 
 /// What a call turns to, in solver space.
 #[derive(Clone, Copy, Debug)]
@@ -23,9 +24,16 @@ pub(crate) struct Goal {
 
 impl Goal {
     /// The goal for a target that was last seen on the side `before`.
-    pub(crate) fn new<R: AimRig>(rig: &R, chain: &Chain<R>, target: Vec3A, weight: f32, before: Side) -> Self {
+    pub(crate) fn new<R: AimRig>(
+        rig: &R,
+        chain: &Chain<R>,
+        motions: &[Motion],
+        target: Vec3A,
+        weight: f32,
+        before: Side,
+    ) -> Self {
         let gaze = chain.animated_gaze();
-        let front = Front::new(rig, chain, gaze);
+        let front = Front::new(rig, chain, motions, gaze);
         let side = front.side(target, before);
         let wanted =
             if weight < 1.0 { part_way(&front, gaze, front.on_side(target, side), weight, side) } else { target };

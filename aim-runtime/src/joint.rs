@@ -45,11 +45,13 @@ pub struct JointInfo {
     /// and 0 for the others.
     pub level: Option<f32>,
     /// The part of the pitch range that is lost at either end of the heading's range, 0…1, growing linearly from none
-    /// at heading 0.
+    /// at heading 0. Outside values are clamped, NaN counts as 0; without an end (a `free` heading) nothing is lost.
     pub narrowing: f32,
     /// What part the joint has in a gaze.
     pub role: Role,
-    /// Whether the ranges are counted from the bind pose instead of from the animation.
+    /// Whether the ranges are counted from the bind pose instead of from the animation. Then what the animation does
+    /// already is part of the angles that the ranges bound; wherever it is, it is let be, and never pushed further out.
+    /// Needs [a pose with a bind pose](crate::Pose::with_bind); without one the ranges are counted from the animation.
     pub absolute: bool,
 }
 

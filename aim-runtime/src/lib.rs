@@ -28,6 +28,7 @@ mod goal;
 mod joint;
 mod limits;
 mod math;
+mod motion;
 mod outcome;
 mod pose;
 mod real;

@@ -2,6 +2,7 @@
 
 use glam::{Affine3A, Quat, Vec3};
 
+use crate::pose::Animated;
 use crate::{ChainPose, Joint, JointInfo, Natural, Outcome, Scalar, Settings, frame};
 
 /// Which way a bone points: three unit vectors in the bone's own space, square to each other.
@@ -100,7 +101,7 @@ pub trait AimRig: Sized {
         dt: f32,
         settings: &Settings,
     ) -> Outcome {
-        frame::aim(self, pose.joints().as_ref(), target, dt, settings)
+        frame::aim(self, &Animated::new(pose), target, dt, settings)
     }
 
     /// Puts the rig on `target` at once, whatever the rates: for a spawn, a camera cut, scrubbing. The only jump.
@@ -120,7 +121,7 @@ pub trait AimRig: Sized {
         target: Vec3,
         settings: &Settings,
     ) -> Outcome {
-        frame::snap(self, pose.joints().as_ref(), target, settings)
+        frame::snap(self, &Animated::new(pose), target, settings)
     }
 
     /// Each joint's index and correction, from the effector inward: what the bone's animated local rotation is

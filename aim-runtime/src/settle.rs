@@ -13,6 +13,7 @@ use crate::ascent::{OPPOSITE_RAD, rigid_effector};
 use crate::chain::{self, Chain};
 use crate::goal::Goal;
 use crate::limits::{self, Reach};
+use crate::motion::Motion;
 use crate::{AimRig, Joint, math};
 
 /// The largest change of an angle in one step, radians: beyond it the linear model says nothing.
@@ -60,12 +61,12 @@ struct Solver<'a, R: AimRig> {
 pub(crate) fn settle<R: AimRig>(
     rig: &R,
     chain: &Chain<R>,
+    motions: &[Motion],
     goal: &Goal,
     joints: &mut [Joint],
     tolerance: f32,
 ) -> Option<f32> {
-    let infos = rig.joint_infos();
-    let mut solver = Solver::new(rig, chain, goal);
+    let mut solver = Solver::new(rig, chain, motions, goal);
     for (joint, reach) in joints.iter_mut().zip(solver.reaches.as_ref()) {
         *joint = reach.hold(joint);
     }
@@ -84,8 +85,8 @@ pub(crate) fn settle<R: AimRig>(
         }
     }
     remaining = solver.improve(joints, chain.first..chain.count, TOGETHER_STEPS, enough, remaining);
-    for (joint, info) in joints.iter_mut().zip(infos) {
-        limits::wrap(info, joint);
+    for (joint, motion) in joints.iter_mut().zip(motions) {
+        limits::wrap(motion, joint);
     }
     Some(remaining)
 }
@@ -99,6 +100,7 @@ pub(crate) fn settle<R: AimRig>(
 pub(crate) fn settle_from_rest<R: AimRig>(
     rig: &R,
     chain: &Chain<R>,
+    motions: &[Motion],
     goal: &Goal,
     joints: &mut [Joint],
     tolerance: f32,
@@ -107,7 +109,7 @@ pub(crate) fn settle_from_rest<R: AimRig>(
     const ALOFT_RAD: f32 = 0.5;
     const NEARLY_RAD: f32 = 0.3;
     joints.fill(Joint::default());
-    let mut best = settle(rig, chain, goal, joints, tolerance)?;
+    let mut best = settle(rig, chain, motions, goal, joints, tolerance)?;
     let far_behind = chain.animated_gaze().angle_to(goal.aimed).is_some_and(|off| off > 0.5 * core::f32::consts::PI);
     if best <= tolerance || goal.behind || !(far_behind || best < NEARLY_RAD) {
         return Some(best);
@@ -117,7 +119,8 @@ pub(crate) fn settle_from_rest<R: AimRig>(
     let aside = ASIDE_RAD * goal.side.sign();
     for [heading, pitch] in [[aside, 0.0], [-aside, 0.0], [0.0, ALOFT_RAD], [0.0, -ALOFT_RAD]] {
         started[chain.first..].fill(Joint { heading, pitch, ..Joint::default() });
-        if let Some(angle) = settle(rig, chain, goal, started, tolerance).filter(|&angle| angle < 0.999 * best) {
+        if let Some(angle) = settle(rig, chain, motions, goal, started, tolerance).filter(|&angle| angle < 0.999 * best)
+        {
             best = angle;
             joints.copy_from_slice(started);
         }
@@ -129,11 +132,11 @@ pub(crate) fn settle_from_rest<R: AimRig>(
 }
 
 impl<'a, R: AimRig> Solver<'a, R> {
-    fn new(rig: &'a R, chain: &'a Chain<R>, goal: &'a Goal) -> Self {
+    fn new(rig: &'a R, chain: &'a Chain<R>, motions: &[Motion], goal: &'a Goal) -> Self {
         let infos = rig.joint_infos();
         let mut reaches = rig.array(Reach::REST);
-        for (reach, info) in reaches.as_mut().iter_mut().zip(infos) {
-            *reach = Reach::range(info);
+        for (reach, motion) in reaches.as_mut().iter_mut().zip(motions) {
+            *reach = Reach::range(motion);
         }
         // Joints nearer the effector than the one that is aimed have no part in the chain.
         let mut links = rig.array(Affine3A::IDENTITY.to_cols_array());
@@ -296,7 +299,10 @@ impl<'a, R: AimRig> Solver<'a, R> {
             let mut stopped = false;
             for index in moving.clone() {
                 let reach = &reaches[index];
-                let angles = [(joints[index].pitch, reach.pitch), (joints[index].heading, reach.heading)];
+                let angles = [
+                    (joints[index].pitch, reach.pitch_at(joints[index].heading)),
+                    (joints[index].heading, reach.heading),
+                ];
                 for (which, (angle, range)) in angles.into_iter().enumerate() {
                     if !free[index][which] {
                         continue;
