@@ -105,13 +105,14 @@ fn step(
         return [[0.0, goal.side.sign()], [0.0, -goal.side.sign()], [1.0, 0.0], [-1.0, 0.0]]
             .into_iter()
             .find(|&[pitch, heading]| {
-                !(reach.pitch.blocks(joint.pitch, pitch) || reach.heading.blocks(joint.heading, heading))
+                !(reach.pitch_at(joint.heading).blocks(joint.pitch, pitch)
+                    || reach.heading.blocks(joint.heading, heading))
             })
             .map(|direction| (direction, reach.step));
     }
     // An angle that cannot follow the gradient leaves it before it is made a unit: the other then gets the full rate.
     let [by_pitch, by_heading] = gradient;
-    let by_pitch = if reach.pitch.blocks(joint.pitch, by_pitch) { 0.0 } else { by_pitch };
+    let by_pitch = if reach.pitch_at(joint.heading).blocks(joint.pitch, by_pitch) { 0.0 } else { by_pitch };
     let by_heading = if reach.heading.blocks(joint.heading, by_heading) { 0.0 } else { by_heading };
     let norm = math::sqrt(by_pitch * by_pitch + by_heading * by_heading);
     // The aim is a cosine: its gradient over the sine is that of the angle.

@@ -6,6 +6,7 @@ use crate::AimRig;
 use crate::behind::Front;
 use crate::chain::{Chain, Ray};
 use crate::joint::Side;
+use crate::motion::Motion;
 use crate::{math, trig};
 
 /// What a call turns to, in solver space.
@@ -23,9 +24,16 @@ pub(crate) struct Goal {
 
 impl Goal {
     /// The goal for a target that was last seen on the side `before`.
-    pub(crate) fn new<R: AimRig>(rig: &R, chain: &Chain<R>, target: Vec3A, weight: f32, before: Side) -> Self {
+    pub(crate) fn new<R: AimRig>(
+        rig: &R,
+        chain: &Chain<R>,
+        motions: &[Motion],
+        target: Vec3A,
+        weight: f32,
+        before: Side,
+    ) -> Self {
         let gaze = chain.animated_gaze();
-        let front = Front::new(rig, chain, gaze);
+        let front = Front::new(rig, chain, motions, gaze);
         let side = front.side(target, before);
         let wanted =
             if weight < 1.0 { part_way(&front, gaze, front.on_side(target, side), weight, side) } else { target };

@@ -30,6 +30,7 @@ mod goal;
 mod joint;
 mod limits;
 mod math;
+mod motion;
 mod outcome;
 mod pose;
 mod real;
@@ -38,6 +39,7 @@ mod scalar;
 mod settings;
 mod settle;
 mod trig;
+mod view;
 
 pub use glam;
 pub use joint::{Joint, JointInfo, Role};
