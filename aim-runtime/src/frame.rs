@@ -5,7 +5,7 @@ use core::ops::Range as Span;
 use glam::Vec3;
 
 use crate::chain::{self, Chain};
-use crate::goal::Goal;
+use crate::goal::{Course, Goal};
 use crate::limits::{self, Reach};
 use crate::motion::{Motion, motions};
 use crate::pose::Animated;
@@ -67,19 +67,21 @@ fn aim_joints<R: AimRig>(
     joints: &mut [Joint],
 ) -> Option<Outcome> {
     let chain = Chain::new(rig, pose_ps.joints, settings.effector)?;
-    let goal = goal(rig, &chain, motions, target_ps, settings, joints)?;
+    let goal = goal(rig, &chain, motions, target_ps, settings, &joints[chain.count - 1])?;
     let frame = Frame::new(rig, &chain, motions, &goal, dt, settings, joints);
 
     for (joint, reach) in joints.iter_mut().zip(frame.reaches.as_ref()) {
         *joint = reach.hold(joint);
     }
     let mut within_reach = true;
-    if settings.effective_weight() == 0.0 {
-        frame.go_to_rest(joints, 0..chain.count);
-    } else {
-        frame.go_to_rest(joints, 0..chain.first);
-        frame.relax(joints, dt);
-        within_reach = frame.go_to_goal(joints)?;
+    frame.go_to_rest(joints, 0..chain.first);
+    match goal.course {
+        Course::Rest => frame.go_to_rest(joints, chain.first..chain.count),
+        Course::Stay => {}
+        Course::Aim => {
+            frame.relax(joints, dt);
+            within_reach = frame.go_to_goal(joints)?;
+        }
     }
     if dt == 0.0 {
         joints.copy_from_slice(frame.start.as_ref());
@@ -263,16 +265,21 @@ fn snap_joints<R: AimRig>(
 ) -> Option<Outcome> {
     let chain = Chain::new(rig, pose_ps.joints, settings.effector)?;
     let tolerance = settings.effective_tolerance();
-    let goal = goal(rig, &chain, motions, target_ps, settings, joints)?;
+    // Nothing but the side is remembered: the result is to depend on the past as little as it can.
+    let before = Joint { behind: false, ..joints[chain.count - 1] };
+    let goal = goal(rig, &chain, motions, target_ps, settings, &before)?;
 
     let mut from_here = rig.array(Joint::default());
     let from_here = from_here.as_mut();
     from_here[chain.first..].copy_from_slice(&joints[chain.first..]);
     joints.fill(Joint::default());
+    if goal.course == Course::Stay {
+        joints.copy_from_slice(from_here);
+    }
     for (joint, motion) in joints.iter_mut().zip(motions) {
         *joint = Reach::range(motion).hold(joint);
     }
-    if settings.effective_weight() > 0.0 {
+    if goal.course == Course::Aim {
         // The aim may be undefined at rest and yet defined here, or the reverse.
         let from_rest = settle_from_rest(rig, &chain, motions, &goal, joints, tolerance).unwrap_or(f32::INFINITY);
         if from_rest > tolerance {
@@ -292,15 +299,13 @@ fn goal<R: AimRig>(
     motions: &[Motion],
     target_ps: Vec3,
     settings: &Settings,
-    joints: &[Joint],
+    before: &Joint,
 ) -> Option<Goal> {
-    let before = joints[chain.count - 1].side;
-    let weight = settings.effective_weight();
-    if weight == 0.0 {
+    if settings.effective_weight() == 0.0 {
         return Some(Goal::animation(chain, before));
     }
     let target = chain.to_solver(target_ps.into())?;
-    Some(Goal::new(rig, chain, motions, target, weight, before))
+    Some(Goal::new(rig, chain, motions, target, settings, before))
 }
 
 /// Remembers what was seen, and judges the joints as they are now.
@@ -317,7 +322,8 @@ fn finish<R: AimRig>(
     for (joint, motion) in joints.iter_mut().zip(motions) {
         limits::wrap(motion, joint);
     }
-    joints[chain.count - 1].side = goal.side;
+    let innermost = &mut joints[chain.count - 1];
+    (innermost.side, innermost.behind) = (goal.side, goal.behind);
     let remaining = chain.gaze(chain::turns(rig, joints).as_ref()).angle_to(goal.wanted)?;
     let status = if remaining <= tolerance {
         Status::Reached

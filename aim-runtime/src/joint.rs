@@ -130,6 +130,8 @@ pub struct Joint {
     pub(crate) heading: f32,
     pub(crate) pitch: f32,
     pub(crate) side: Side,
+    /// Whether the target was behind; on the innermost joint.
+    pub(crate) behind: bool,
     /// Heading and pitch to go to though the aim gets worse on the way.
     pub(crate) bound_for: Option<[f32; 2]>,
 }

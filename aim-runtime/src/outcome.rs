@@ -29,7 +29,7 @@ pub enum Status {
     /// There is nothing to aim: the pose or the target is not finite, a joint's scale is zero or flat, or the target
     /// lies on the effector. The angles hold.
     Degenerate,
-    /// The target is behind the character, out of reach: the joints turn to the side it was last seen on.
+    /// The target is behind the character, out of reach: the [policy](crate::Behind) for that is active.
     Behind,
     /// Out of reach of the ranges of motion, even if the joints had all the time they need.
     AtLimit,
