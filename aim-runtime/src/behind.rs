@@ -11,7 +11,7 @@ use glam::Vec3A;
 use crate::chain::{Chain, Ray};
 use crate::joint::Side;
 use crate::motion::Motion;
-use crate::{AimRig, math};
+use crate::{AimRig, math, trig};
 
 /// From this angle off the innermost joint's animated forward a target is behind.
 const BEHIND_RAD: f32 = 150.0 * PI / 180.0;
@@ -53,7 +53,7 @@ impl Front {
             down_rad += motion.pitch.lo();
             up_rad += motion.pitch.hi();
         }
-        let gaze_rad = math::atan2(gaze.direction.dot(front.left), gaze.direction.dot(front.forward));
+        let gaze_rad = trig::atan2(gaze.direction.dot(front.left), gaze.direction.dot(front.forward));
         let around = left_rad + gaze_rad >= BEHIND_RAD || right_rad + gaze_rad <= -BEHIND_RAD;
         let over = up_rad >= 0.5 * PI || down_rad <= -0.5 * PI;
         front.guarded = !(around || over);

@@ -10,7 +10,7 @@ use crate::limits::{self, Reach};
 use crate::motion::{Motion, motions};
 use crate::pose::Animated;
 use crate::settle::{settle, settle_from_rest};
-use crate::{AimRig, Ascent, Joint, Outcome, Settings, Status, ascent, math};
+use crate::{AimRig, Ascent, Joint, Outcome, Settings, Status, ascent, math, trig};
 
 /// The longest frame, seconds: after a hitch nothing leaps.
 const LONGEST_FRAME_S: f32 = 0.1;
@@ -66,7 +66,7 @@ fn aim_joints<R: AimRig>(
     settings: &Settings,
     joints: &mut [Joint],
 ) -> Option<Outcome> {
-    let chain = Chain::new(rig, pose_ps.joints, settings.effector)?;
+    let chain = Chain::new(rig, pose_ps.joints, settings.effector, chain::Level::Off)?;
     let goal = goal(rig, &chain, motions, target_ps, settings, &joints[chain.count - 1])?;
     let frame = Frame::new(rig, &chain, motions, &goal, dt, settings, joints);
 
@@ -263,7 +263,7 @@ fn snap_joints<R: AimRig>(
     settings: &Settings,
     joints: &mut [Joint],
 ) -> Option<Outcome> {
-    let chain = Chain::new(rig, pose_ps.joints, settings.effector)?;
+    let chain = Chain::new(rig, pose_ps.joints, settings.effector, chain::Level::Off)?;
     let tolerance = settings.effective_tolerance();
     // Nothing but the side is remembered: the result is to depend on the past as little as it can.
     let before = Joint { behind: false, ..joints[chain.count - 1] };
@@ -335,7 +335,7 @@ fn finish<R: AimRig>(
         Status::AtLimit
     };
     let (at_limit, recovering) = limits::limits_met(infos, motions, joints);
-    let (_, aim) = math::sin_cos(remaining);
+    let (_, aim) = trig::sin_cos(remaining);
     Some(Outcome { aim, remaining, status, at_limit, recovering })
 }
 

@@ -6,7 +6,7 @@ use crate::behind::Front;
 use crate::chain::{Chain, Ray};
 use crate::joint::Side;
 use crate::motion::Motion;
-use crate::{AimRig, Behind, Joint, Settings, math};
+use crate::{AimRig, Behind, Joint, Settings, math, trig};
 
 /// What a call turns to, in solver space.
 #[derive(Clone, Copy, Debug)]
@@ -86,7 +86,7 @@ fn part_way(front: &Front, gaze: Ray, target: Vec3A, weight: f32, side: Side) ->
     } else {
         square_to_gaze(front.left * side.sign()).or_else(|| square_to_gaze(front.forward))
     };
-    let (sin, cos) = math::sin_cos(weight * angle);
+    let (sin, cos) = trig::sin_cos(weight * angle);
     let toward = start.map_or(from, |start| from * cos + start * sin);
     gaze.origin + toward * to_target.length()
 }

@@ -2,9 +2,9 @@
 
 use core::f32::consts::TAU;
 
-use glam::{Quat, Vec3};
+use glam::{Quat, Vec3A};
 
-use crate::{Axes, math};
+use crate::{Axes, math, trig};
 
 /// What part a joint has in a gaze. It decides what is left to the solver: whether a rig has eyes, which headings are
 /// level, how quickly a supporting joint takes up speed.
@@ -114,6 +114,12 @@ impl JointInfo {
         self
     }
 
+    /// The level as it counts, 0…1.
+    pub(crate) fn effective_level(&self) -> f32 {
+        let by_role = if matches!(self.role, Role::Head | Role::Neck) { 1.0 } else { 0.0 };
+        self.level.unwrap_or(by_role).max(0.0).min(1.0)
+    }
+
     /// With ranges counted from the bind pose.
     pub const fn with_absolute_range(mut self) -> Self {
         self.absolute = true;
@@ -134,6 +140,10 @@ pub struct Joint {
     pub(crate) behind: bool,
     /// Heading and pitch to go to though the aim gets worse on the way.
     pub(crate) bound_for: Option<[f32; 2]>,
+    /// How the frame that the angles count in stands in the bone: tilted upright for a level heading.
+    pub(crate) tilt: Quat,
+    /// The dual point that the last frame of the chain ended at; kept by the innermost joint.
+    pub(crate) lambda: [f32; 2],
 }
 
 /// The side that a target was last seen on.
@@ -183,24 +193,30 @@ impl Joint {
     }
 
     /// The correction in the bone's own space: what its animated local rotation is multiplied by on the right,
-    /// `local' = local · R_heading · R_pitch` (pitch acts first).
+    /// `local' = local · R_heading · R_pitch` (pitch acts first), both about the axes of the levelled bone where the
+    /// last call levelled its heading.
     ///
-    /// Unit to 1e-6 for unit axes, and the exact identity where both angles are 0.
+    /// Unit to 1e-6 for unit axes square to each other, and the exact identity where both angles are 0.
     #[must_use]
+    #[inline]
     pub fn correction(&self, axes: &Axes) -> Quat {
-        let forward = Vec3::from(axes.forward);
-        turn(forward, Vec3::from(axes.left), self.heading) * turn(forward, Vec3::from(axes.up), self.pitch)
+        let turn = turn(axes, trig::halves(self));
+        if self.tilt.w == 1.0 {
+            return turn;
+        }
+        let axis = self.tilt.mul_vec3a(Vec3A::new(turn.x, turn.y, turn.z));
+        Quat::from_xyzw(axis.x, axis.y, axis.z, turn.w)
     }
 }
 
-/// The rotation by `angle_rad` that turns `from` towards `to`. Going by the plane and not by a handed axis is what
-/// makes it right for mirrored and left-handed triples too.
-fn turn(from: Vec3, to: Vec3, angle_rad: f32) -> Quat {
-    let axis = from.cross(to).normalize_or_zero();
-    if angle_rad == 0.0 || axis == Vec3::ZERO {
-        return Quat::IDENTITY;
-    }
-    let (sin, cos) = math::sin_cos(0.5 * angle_rad);
-    let axis = axis * sin;
-    Quat::from_xyzw(axis.x, axis.y, axis.z, cos)
+/// The rotation by these halves of pitch and heading in the (levelled) bone.
+///
+/// Going by the planes and not by handed axes is what makes it right for mirrored and left-handed triples too.
+#[inline(always)]
+pub(crate) fn turn(axes: &Axes, [sin_p, cos_p, sin_h, cos_h]: trig::Halves) -> Quat {
+    let [up, forward, left] = [axes.up, axes.forward, axes.left].map(Vec3A::from);
+    let (by_heading, by_pitch) = (forward.cross(left), forward.cross(up));
+    let by_both = by_heading.cross(by_pitch);
+    let axis = by_heading * (sin_h * cos_p) + by_pitch * (cos_h * sin_p) + by_both * (sin_h * sin_p);
+    Quat::from_xyzw(axis.x, axis.y, axis.z, cos_h * cos_p)
 }

@@ -23,6 +23,8 @@ compile_error!("aim-runtime needs square roots and sines: enable the feature `st
 mod ascent;
 mod behind;
 mod chain;
+mod dual;
+mod exact;
 mod frame;
 mod goal;
 mod joint;
@@ -36,6 +38,7 @@ mod rig;
 mod scalar;
 mod settings;
 mod settle;
+mod trig;
 
 pub use glam;
 pub use joint::{Joint, JointInfo, Role};

@@ -5,7 +5,7 @@ use glam::{Affine3A, Mat3A, Vec3A};
 
 use crate::limits::Range;
 use crate::pose::Animated;
-use crate::{AimRig, JointInfo, math};
+use crate::{AimRig, JointInfo, math, trig};
 
 /// A joint's ranges of motion in this call, as intervals of its added angles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,8 +102,8 @@ fn animated_angles(info: &JointInfo, pose: &Animated<'_>, index: usize) -> Optio
     let forward = bind.transpose() * (local * Vec3A::from(axes.forward));
     let [ahead, left, up] = [axes.forward, axes.left, axes.up].map(|axis| forward.dot(axis.into()));
     let level = math::sqrt(ahead * ahead + left * left);
-    let heading = if level > 1e-6 { math::atan2(left, ahead) } else { 0.0 };
-    let pitch = math::atan2(up, level);
+    let heading = if level > 1e-6 { trig::atan2(left, ahead) } else { 0.0 };
+    let pitch = trig::atan2(up, level);
     (heading.is_finite() && pitch.is_finite()).then_some([heading, pitch])
 }
 

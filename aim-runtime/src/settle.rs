@@ -14,7 +14,7 @@ use crate::chain::{self, Chain};
 use crate::goal::Goal;
 use crate::limits::{self, Reach};
 use crate::motion::Motion;
-use crate::{AimRig, Joint, math};
+use crate::{AimRig, Joint, math, trig};
 
 /// The largest change of an angle in one step, radians: beyond it the linear model says nothing.
 const LONGEST_STEP_RAD: f32 = 1.2;
@@ -227,7 +227,7 @@ impl<'a, R: AimRig> Solver<'a, R> {
     fn linearise(&mut self, joints: &[Joint]) -> Option<Vec2> {
         let infos = self.rig.joint_infos();
         for (index, joint) in joints.iter().enumerate().skip(self.chain.first) {
-            let ((sin_p, cos_p), (sin_h, cos_h)) = (math::sin_cos(joint.pitch), math::sin_cos(joint.heading));
+            let ((sin_p, cos_p), (sin_h, cos_h)) = (trig::sin_cos(joint.pitch), trig::sin_cos(joint.heading));
             self.sin_cos.as_mut()[index] = [sin_p, cos_p, sin_h, cos_h];
         }
         let target = math::rigid_inverse(&self.chain.base).transform_point3a(self.seen_target(joints));
@@ -248,7 +248,7 @@ impl<'a, R: AimRig> Solver<'a, R> {
     /// The target that the rigid links are to see.
     fn seen_target(&self, joints: &[Joint]) -> glam::Vec3A {
         let (chain, target) = (self.chain, self.goal.aimed);
-        if chain.rigid {
+        if chain.is_rigid() {
             return target;
         }
         let turns = chain::turns(self.rig, joints);
@@ -337,7 +337,7 @@ impl<'a, R: AimRig> Solver<'a, R> {
                     found = Some((angle, halvings));
                     // Where the linear model holds, a full step leaves little. Under non-uniform scale it may be
                     // twice too long, and would swing from one side to the other.
-                    if self.chain.rigid || angle < 0.5 * remaining {
+                    if self.chain.is_rigid() || angle < 0.5 * remaining {
                         return found;
                     }
                 }
