@@ -38,6 +38,7 @@ mod rig;
 mod scalar;
 mod settings;
 mod settle;
+mod targets;
 mod trig;
 
 pub use glam;
@@ -48,5 +49,6 @@ pub use real::Real;
 pub use rig::{AimRig, Axes, Corrections, Effector};
 pub use scalar::Scalar;
 pub use settings::{Ascent, Behind, Natural, Settings, Solver};
+pub use targets::Target;
 #[cfg(feature = "wide")]
 pub use wide;

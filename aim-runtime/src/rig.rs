@@ -3,7 +3,7 @@
 use glam::{Affine3A, Quat, Vec3};
 
 use crate::pose::Animated;
-use crate::{ChainPose, Joint, JointInfo, Natural, Outcome, Scalar, Settings, frame};
+use crate::{ChainPose, Joint, JointInfo, Natural, Outcome, Scalar, Settings, Target, frame, targets};
 
 /// Which way a bone points: three unit vectors in the bone's own space, square to each other.
 ///
@@ -104,6 +104,26 @@ pub trait AimRig: Sized {
         frame::aim(self, &Animated::new(pose), target, dt, settings)
     }
 
+    /// Turns the rig towards several weighted targets for one frame of `dt` seconds.
+    ///
+    /// The targets are blended by their directions as the animated effector sees them (the weighted sum of unit
+    /// vectors), and by how near they are; their order does not matter, and where no directions cancel the blend is
+    /// continuous in points and weights. Weights that add up to less than 1 fade towards the animation as
+    /// [`Settings::weight`] does, which multiplies them. A target that is not finite, or on the effector, is left out.
+    /// Where directions cancel the heaviest target is aimed at, and of equals the first. No target at all is weight 0.
+    ///
+    /// For a single finite target of weight 1 this is [`aim_with`](Self::aim_with).
+    fn aim_at<P: ChainPose<Self::Array<Affine3A>>>(
+        &mut self,
+        pose: &P,
+        targets: &[Target],
+        dt: f32,
+        settings: &Settings,
+    ) -> Outcome {
+        let (target, settings) = targets::blended(self, &Animated::new(pose), targets, settings);
+        self.aim_with(pose, target, dt, &settings)
+    }
+
     /// Puts the rig on `target` at once, whatever the rates: for a spawn, a camera cut, scrubbing. The only jump.
     ///
     /// With the default [`Settings`]; see [`snap_with`](Self::snap_with).
@@ -122,6 +142,17 @@ pub trait AimRig: Sized {
         settings: &Settings,
     ) -> Outcome {
         frame::snap(self, &Animated::new(pose), target, settings)
+    }
+
+    /// Puts the rig at once on several weighted targets, blended as [`aim_at`](Self::aim_at) does, whatever the rates.
+    fn snap_at<P: ChainPose<Self::Array<Affine3A>>>(
+        &mut self,
+        pose: &P,
+        targets: &[Target],
+        settings: &Settings,
+    ) -> Outcome {
+        let (target, settings) = targets::blended(self, &Animated::new(pose), targets, settings);
+        self.snap_with(pose, target, &settings)
     }
 
     /// Each joint's index and correction, from the effector inward: what the bone's animated local rotation is
