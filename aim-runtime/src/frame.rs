@@ -5,6 +5,7 @@ use core::ops::Range as Span;
 use glam::Vec3;
 
 use crate::chain::{self, Chain};
+use crate::eyes::{Call, Eyes, Solved};
 use crate::goal::{Course, Goal};
 use crate::limits::{self, Reach};
 use crate::motion::{Motion, motions};
@@ -34,7 +35,10 @@ pub(crate) fn aim<R: AimRig>(
     let mut joints = rig.joints();
     let motions = motions(rig, pose_ps);
     let motions = motions.as_ref();
-    let outcome = aim_joints(rig, pose_ps, motions, target_ps, dt, settings, joints.as_mut());
+    let call = Call { target_ps, dt: Some(dt), settings };
+    let outcome = both_eyes(rig, pose_ps, motions, &call, joints.as_mut(), |pose_ps, motions, joints| {
+        aim_joints(rig, pose_ps, motions, target_ps, dt, settings, joints)
+    });
     let outcome = outcome.unwrap_or_else(|| degenerate(rig, motions));
     if dt > 0.0 && outcome.status != Status::Degenerate {
         rig.set_joints(joints);
@@ -47,13 +51,35 @@ pub(crate) fn snap<R: AimRig>(rig: &mut R, pose_ps: &Animated<'_>, target_ps: Ve
     let mut joints = rig.joints();
     let motions = motions(rig, pose_ps);
     let motions = motions.as_ref();
-    match snap_joints(rig, pose_ps, motions, target_ps, settings, joints.as_mut()) {
+    let call = Call { target_ps, dt: None, settings };
+    let outcome = both_eyes(rig, pose_ps, motions, &call, joints.as_mut(), |pose_ps, motions, joints| {
+        snap_joints(rig, pose_ps, motions, target_ps, settings, joints)
+    });
+    match outcome {
         Some(outcome) => {
             rig.set_joints(joints);
             outcome
         }
         None => degenerate(rig, motions),
     }
+}
+
+/// What `solve` makes of the joints, and then of both eyes where the pose has a pair.
+fn both_eyes<R: AimRig>(
+    rig: &R,
+    pose_ps: &Animated<'_>,
+    motions: &[Motion],
+    call: &Call<'_>,
+    joints: &mut [Joint],
+    solve: impl FnOnce(&Animated<'_>, &[Motion], &mut [Joint]) -> Option<Solved>,
+) -> Option<Outcome> {
+    if let Some(pair) = pose_ps.pair {
+        return Eyes::new(rig, pose_ps, pair, motions)?.aim(call, joints, solve);
+    }
+    if let Some(joint) = joints.first_mut() {
+        joint.pair = None;
+    }
+    Some(solve(pose_ps, motions, joints)?.outcome)
 }
 
 /// Moves `joints`, a copy of the rig's; `None` where there is nothing to aim.
@@ -65,9 +91,9 @@ fn aim_joints<R: AimRig>(
     dt: f32,
     settings: &Settings,
     joints: &mut [Joint],
-) -> Option<Outcome> {
+) -> Option<Solved> {
     let chain = Chain::new(rig, pose_ps.joints, settings.effector, chain::Level::Off)?;
-    let goal = goal(rig, &chain, motions, target_ps, settings, &joints[chain.count - 1])?;
+    let goal = goal(rig, &chain, pose_ps, motions, target_ps, settings, &joints[chain.count - 1])?;
     let frame = Frame::new(rig, &chain, motions, &goal, dt, settings, joints);
 
     for (joint, reach) in joints.iter_mut().zip(frame.reaches.as_ref()) {
@@ -262,12 +288,12 @@ fn snap_joints<R: AimRig>(
     target_ps: Vec3,
     settings: &Settings,
     joints: &mut [Joint],
-) -> Option<Outcome> {
+) -> Option<Solved> {
     let chain = Chain::new(rig, pose_ps.joints, settings.effector, chain::Level::Off)?;
     let tolerance = settings.effective_tolerance();
     // Nothing but the side is remembered: the result is to depend on the past as little as it can.
     let before = Joint { behind: false, ..joints[chain.count - 1] };
-    let goal = goal(rig, &chain, motions, target_ps, settings, &before)?;
+    let goal = goal(rig, &chain, pose_ps, motions, target_ps, settings, &before)?;
 
     let mut from_here = rig.array(Joint::default());
     let from_here = from_here.as_mut();
@@ -296,16 +322,19 @@ fn snap_joints<R: AimRig>(
 fn goal<R: AimRig>(
     rig: &R,
     chain: &Chain<R>,
+    pose_ps: &Animated<'_>,
     motions: &[Motion],
     target_ps: Vec3,
     settings: &Settings,
     before: &Joint,
 ) -> Option<Goal> {
-    if settings.effective_weight() == 0.0 {
-        return Some(Goal::animation(chain, before));
-    }
-    let target = chain.to_solver(target_ps.into())?;
-    Some(Goal::new(rig, chain, motions, target, settings, before))
+    let weight = settings.effective_weight();
+    let goal = if weight == 0.0 {
+        Goal::animation(chain, before)
+    } else {
+        Goal::new(rig, chain, motions, chain.to_solver(target_ps.into())?, settings, before)
+    };
+    Some(if pose_ps.pair.is_some() && weight < 1.0 { goal.receding(chain, weight) } else { goal })
 }
 
 /// Remembers what was seen, and judges the joints as they are now.
@@ -317,7 +346,7 @@ fn finish<R: AimRig>(
     joints: &mut [Joint],
     tolerance: f32,
     within_reach: bool,
-) -> Option<Outcome> {
+) -> Option<Solved> {
     let infos = rig.joint_infos();
     for (joint, motion) in joints.iter_mut().zip(motions) {
         limits::wrap(motion, joint);
@@ -336,11 +365,14 @@ fn finish<R: AimRig>(
     };
     let (at_limit, recovering) = limits::limits_met(infos, motions, joints);
     let (_, aim) = trig::sin_cos(remaining);
-    Some(Outcome { aim, remaining, status, at_limit, recovering })
+    let outcome = Outcome { aim, remaining, pair_remaining: None, status, at_limit, recovering };
+    let [wanted_ps, aimed_ps] = [goal.wanted, goal.aimed].map(|point| chain.to_pose(point));
+    Some(Solved { outcome, wanted_ps, aimed_ps, course: goal.course, behind: goal.behind })
 }
 
 /// The outcome where there is nothing to aim: the angles hold.
 fn degenerate<R: AimRig>(rig: &R, motions: &[Motion]) -> Outcome {
     let (at_limit, recovering) = limits::limits_met(rig.joint_infos(), motions, rig.joints().as_ref());
-    Outcome { aim: 0.0, remaining: math::UNDEFINED_RAD, status: Status::Degenerate, at_limit, recovering }
+    let (aim, remaining) = (0.0, math::UNDEFINED_RAD);
+    Outcome { aim, remaining, pair_remaining: None, status: Status::Degenerate, at_limit, recovering }
 }

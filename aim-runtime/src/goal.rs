@@ -67,6 +67,14 @@ impl Goal {
         let ahead = gaze.origin + math::direction(gaze.direction).unwrap_or(Vec3A::X) * 1e3;
         Self { wanted: ahead, aimed: ahead, course: Course::Rest, behind: false, side: before.side }
     }
+
+    /// The same directions further away by as much as the weight is below 1, so that two eyes converge by that much less.
+    pub(crate) fn receding<R: AimRig>(self, chain: &Chain<R>, weight: f32) -> Self {
+        let origin = chain.animated_gaze().origin;
+        let further = 1.0 / weight.max(1e-3);
+        let recede = |point: Vec3A| origin + (point - origin) * further;
+        Self { wanted: recede(self.wanted), aimed: recede(self.aimed), ..self }
+    }
 }
 
 /// The point `weight` of the way along the arc about the effector from the animated gaze to the target.

@@ -25,6 +25,7 @@ mod behind;
 mod chain;
 mod dual;
 mod exact;
+mod eyes;
 mod frame;
 mod goal;
 mod joint;

@@ -161,6 +161,12 @@ pub trait AimRig: Sized {
         Corrections { infos: self.joint_infos(), joints: self.joints(), next: 0 }
     }
 
+    /// The correction of the other eye: what its bone's animated local rotation is multiplied by on the right. `None`
+    /// where the last pose had [no pair](crate::Pose::with_pair). Unit to 1e-6; the exact identity at rest.
+    fn pair_correction(&self) -> Option<Quat> {
+        self.joints().as_ref().first()?.pair.map(|pair| Quat::from_array(pair.correction))
+    }
+
     /// Puts every joint at rest at once and forgets what was seen.
     fn reset(&mut self) {
         let rest = self.array(Joint::default());

@@ -5,7 +5,7 @@
 use glam::{Vec3, Vec3A};
 
 use crate::pose::Animated;
-use crate::{AimRig, Settings, math};
+use crate::{AimRig, Settings, eyes, math};
 
 /// Sums of directions shorter than this cancel: nothing says which way they point.
 const CANCELLED: f32 = 1e-3;
@@ -47,11 +47,9 @@ pub(crate) fn blended<R: AimRig>(
 /// Where the animation has the effector; not finite where the pose is not.
 fn animated_effector<R: AimRig>(rig: &R, pose: &Animated<'_>, effector: usize) -> Vec3A {
     let index = effector.min(rig.joint_infos().len().saturating_sub(1));
-    match pose.joints.get(index) {
-        Some(joint) if index == 0 => joint.transform_point3a(rig.effector().origin.into()),
-        Some(joint) => joint.translation,
-        None => Vec3A::NAN,
-    }
+    let joint = if index == 0 { eyes::leading(rig, pose) } else { pose.joints.get(index).copied() };
+    let origin = if index == 0 { rig.effector().origin.into() } else { Vec3A::ZERO };
+    joint.map_or(Vec3A::NAN, |joint| joint.transform_point3a(origin))
 }
 
 /// A sum in units of 2⁻⁴⁰, whose terms are between −1 and 1.
