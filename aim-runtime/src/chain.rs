@@ -6,7 +6,7 @@ use glam::{Affine3A, Mat3A, Quat, Vec3A};
 use crate::{AimRig, Axes, Joint, JointInfo, math};
 
 /// Nearer to the effector than this part of the rig's size a target has no direction.
-const TOO_NEAR: f32 = 1e-5;
+pub(crate) const TOO_NEAR: f32 = 1e-5;
 /// Farther than this many sizes of the rig a target is a mere direction.
 const FAR: f32 = 1e6;
 
@@ -53,7 +53,7 @@ pub(crate) struct Chain<R: AimRig> {
     pub(crate) first: usize,
     /// The number of joints.
     pub(crate) count: usize,
-    /// The effector in its joint's bone space.
+    /// The effector in its joint's bone space; its origin in solver-space lengths where the pose is rigid.
     effector: Ray,
     /// Each joint's animated transform in the next joint's space; the last one's in solver space. Only where the pose
     /// is not rigid: else the links say the same.
@@ -132,7 +132,17 @@ impl<R: AimRig> Chain<R> {
                 Affine3A { matrix3: outward * frames[index - 1], translation: outward * (step * per_size) }
             };
         }
-        let local = if rigid { None } else { Some(local(rig, pose, first, origin, per_size)?) };
+        let mut effector = effector;
+        let local = if rigid {
+            effector.origin = frames[first].transpose() * (offset * per_size);
+            let tilt = tilts.as_ref()[first];
+            if !is_identity(tilt) {
+                effector.origin = tilt.mul_vec3a(effector.origin);
+            }
+            None
+        } else {
+            Some(local(rig, pose, first, origin, per_size)?)
+        };
         let base = Affine3A { matrix3: frames[count - 1], translation: Vec3A::ZERO };
         let chain = Self { first, count, effector, local, links, tilts, base, origin, per_size };
         if !rigid {
@@ -337,7 +347,8 @@ fn upright(infos: &[JointInfo], first: usize, level: Level, frames: &mut [Mat3A]
     }
 }
 
-fn is_identity(turn: Quat) -> bool {
+#[inline(always)]
+pub(crate) fn is_identity(turn: Quat) -> bool {
     turn.w == 1.0
 }
 
@@ -373,14 +384,8 @@ fn effector_axes<R: AimRig>(rig: &R, first: usize) -> Mat3A {
         return Mat3A::IDENTITY;
     }
     let infos = rig.joint_infos();
-    let frame = |forward: [f32; 3], axes: &Axes| {
-        let forward = Vec3A::from(forward);
-        // An overridden effector may point along joint 0's up.
-        math::orthonormal(Mat3A::from_cols(forward, axes.up.into(), axes.left.into()))
-            .or_else(|| math::orthonormal(Mat3A::from_cols(forward, axes.left.into(), axes.forward.into())))
-            .unwrap_or(Mat3A::IDENTITY)
-    };
-    let from = frame(rig.effector().forward, &infos[0].axes);
-    let axes = &infos[first].axes;
-    frame(axes.forward, axes) * from.transpose()
+    let Axes { up, forward, left } = infos[first].axes;
+    let [forward, left, up] = [forward, left, up].map(Vec3A::from);
+    let [from_forward, from_left, from_up] = rig.effector().axes(&infos[0].axes);
+    Mat3A::from_cols(forward, left, up) * Mat3A::from_cols(from_forward, from_left, from_up).transpose()
 }

@@ -23,6 +23,8 @@ const NEAREST: f32 = 10.0 / 6.0;
 /// A target further out of an eye's range than this is looked at in parallel, as the leading eye has it: overhead and
 /// behind the directions from the two eyes have nothing to do with each other.
 const FAR_OUT_RAD: f32 = 30.0 * PI / 180.0;
+/// How often a snap is repeated, so that the ranges that convergence leaves are those where the head comes to be.
+const SNAP_ROUNDS: usize = 4;
 /// Headings that part by less than this do so by rounding.
 const PARALLEL_RAD: f32 = 1e-3;
 
@@ -149,7 +151,7 @@ impl<'a, R: AimRig> Eyes<'a, R> {
         &self,
         call: &Call<'_>,
         joints: &mut [Joint],
-        solve: impl FnOnce(&Animated<'_>, &[Motion], &mut [Joint]) -> Option<Solved>,
+        solve: impl Fn(&Animated<'_>, &[Motion], &mut [Joint]) -> Option<Solved>,
     ) -> Option<Outcome> {
         let (&own, state) = (joints.first()?, joints.first()?.pair);
         let state = state.unwrap_or(Pair { lead: [own.heading, own.pitch], ..Pair::REST });
@@ -160,12 +162,28 @@ impl<'a, R: AimRig> Eyes<'a, R> {
         let mut pose = self.rig.array(Affine3A::IDENTITY);
         pose.as_mut().iter_mut().zip(self.pose.joints).for_each(|(to, joint)| *to = *joint);
         pose.as_mut()[0] = leading(self.rig, self.pose)?;
+        let pose = Animated { joints: pose.as_ref(), ..*self.pose };
         let mut motions = self.rig.array(Motion::REST);
         motions.as_mut().copy_from_slice(self.declared);
-        if self.leads {
-            motions.as_mut()[0] = self.leading_motion(call);
+        let mut found = self.rig.joints();
+        let found = found.as_mut();
+        // How much room convergence takes depends on where the head comes to be. A frame takes that from the last one,
+        // and a snap from itself.
+        let rounds = if call.dt.is_some() { 1 } else { SNAP_ROUNDS };
+        found.copy_from_slice(joints);
+        if call.dt.is_none() {
+            found.fill(Joint::default());
         }
-        let solved = solve(&Animated { joints: pose.as_ref(), ..*self.pose }, motions.as_ref(), joints)?;
+        let mut solved = None;
+        for _ in 0..rounds {
+            if self.leads {
+                motions.as_mut()[0] = self.leading_motion(call, found);
+            }
+            found.copy_from_slice(joints);
+            solved = Some(solve(&pose, motions.as_ref(), found)?);
+        }
+        let solved = solved?;
+        joints.copy_from_slice(found);
 
         let lead = joints[0];
         let reaches = self.reaches(call, &start);
@@ -196,16 +214,16 @@ impl<'a, R: AimRig> Eyes<'a, R> {
     }
 
     /// What the leading eye may do so that either eye can look where it looks.
-    fn leading_motion(&self, call: &Call<'_>) -> Motion {
-        let weight = call.settings.effective_weight();
-        let distance = math::length(Vec3A::from(call.target_ps) - self.middle).max(NEAREST * self.apart) / weight;
-        // NaN where there is no weight or no distance to speak of.
-        let half = (0.5 * self.apart / distance).max(0.0).min(0.5);
-        let inward = self.side * trig::atan2(half, 1.0);
+    fn leading_motion(&self, call: &Call<'_>, joints: &[Joint]) -> Motion {
+        let distance = self.seen(joints, call.target_ps.into()).map_or(f32::INFINITY, math::length);
+        // NaN where there is no distance to speak of.
+        let half = (0.5 * self.apart * call.settings.effective_weight() / distance).max(0.0).min(0.5);
+        let inward = self.side * trig::atan2(half, math::sqrt(1.0 - half * half));
         let [own, other] = self.motions;
         let (own_heading, other_heading) = (own.heading.moved(inward), other.heading.moved(-inward));
-        // The nearer eye sees the target further up or down than the leading one does.
-        own.shrunk(own_heading.common(other_heading), 1.0 - half)
+        // The nearer eye sees the target further up or down than the leading one does; by how much more the further up it
+        // is, and this is enough up to 37°.
+        own.shrunk(own_heading.common(other_heading), 1.0 - 1.25 * half)
     }
 
     /// How far each eye gets in this call. Neither may turn outward further than the other inward: so they never part.

@@ -4,14 +4,14 @@ use core::ops::Range as Span;
 
 use glam::Vec3;
 
-use crate::chain::{self, Chain};
+use crate::chain::{self, Chain, Level};
 use crate::eyes::{Call, Eyes, Solved};
 use crate::goal::{Course, Goal};
 use crate::limits::{self, Reach};
 use crate::motion::{Motion, motions};
 use crate::pose::Animated;
 use crate::settle::{settle, settle_from_rest};
-use crate::{AimRig, Ascent, Joint, Outcome, Settings, Status, ascent, math, trig};
+use crate::{AimRig, Ascent, Joint, JointInfo, Outcome, Role, Settings, Solver, Status, ascent, exact, math, trig};
 
 /// The longest frame, seconds: after a hitch nothing leaps.
 const LONGEST_FRAME_S: f32 = 0.1;
@@ -71,7 +71,7 @@ fn both_eyes<R: AimRig>(
     motions: &[Motion],
     call: &Call<'_>,
     joints: &mut [Joint],
-    solve: impl FnOnce(&Animated<'_>, &[Motion], &mut [Joint]) -> Option<Solved>,
+    solve: impl Fn(&Animated<'_>, &[Motion], &mut [Joint]) -> Option<Solved>,
 ) -> Option<Outcome> {
     if let Some(pair) = pose_ps.pair {
         return Eyes::new(rig, pose_ps, pair, motions)?.aim(call, joints, solve);
@@ -92,7 +92,7 @@ fn aim_joints<R: AimRig>(
     settings: &Settings,
     joints: &mut [Joint],
 ) -> Option<Solved> {
-    let chain = Chain::new(rig, pose_ps.joints, settings.effector, chain::Level::Off)?;
+    let chain = chain(rig, pose_ps, settings, joints)?;
     let goal = goal(rig, &chain, pose_ps, motions, target_ps, settings, &joints[chain.count - 1])?;
     let frame = Frame::new(rig, &chain, motions, &goal, dt, settings, joints);
 
@@ -105,14 +105,42 @@ fn aim_joints<R: AimRig>(
         Course::Rest => frame.go_to_rest(joints, chain.first..chain.count),
         Course::Stay => {}
         Course::Aim => {
-            frame.relax(joints, dt);
-            within_reach = frame.go_to_goal(joints)?;
+            within_reach = match solver(rig, settings) {
+                Solver::Ascent => {
+                    frame.relax(joints, dt);
+                    frame.go_to_goal(joints)?
+                }
+                Solver::Exact | Solver::Natural => frame.solve(joints, dt)?,
+            };
         }
     }
     if dt == 0.0 {
         joints.copy_from_slice(frame.start.as_ref());
     }
     finish(rig, &chain, motions, &goal, joints, frame.tolerance, within_reach)
+}
+
+/// The solver that moves the joints.
+fn solver<R: AimRig>(rig: &R, settings: &Settings) -> Solver {
+    settings.solver.unwrap_or_else(|| match rig.joint_infos().first() {
+        Some(JointInfo { role: Role::Eye, .. }) => Solver::Natural,
+        _ => Solver::Exact,
+    })
+}
+
+/// The pose made ready; the joints learn how their frames are tilted in it.
+fn chain<R: AimRig>(rig: &R, pose_ps: &Animated<'_>, settings: &Settings, joints: &mut [Joint]) -> Option<Chain<R>> {
+    let level = match (solver(rig, settings), pose_ps.up.and_then(|up| math::direction(up.into()))) {
+        // The paper's method knows bones only.
+        (Solver::Ascent, _) => Level::Off,
+        (_, Some(up)) => Level::About(up),
+        (_, None) => Level::Innermost,
+    };
+    let chain = Chain::new(rig, pose_ps.joints, settings.effector, level)?;
+    for (joint, tilt) in joints.iter_mut().zip(chain.tilts.as_ref()) {
+        joint.tilt = *tilt;
+    }
+    Some(chain)
 }
 
 /// What the steps of one frame share.
@@ -170,6 +198,46 @@ impl<'a, R: AimRig> Frame<'a, R> {
         }
     }
 
+    /// Moves all joints at once to the optimum within their reach, or round the other way where their ranges block the
+    /// one they are on. Returns whether the goal is within reach.
+    fn solve(&self, joints: &mut [Joint], dt: f32) -> Option<bool> {
+        let Self { rig, chain, motions, goal, tolerance, .. } = *self;
+        let mut advanced = rig.joints();
+        let advanced = advanced.as_mut();
+        advanced.copy_from_slice(joints);
+        let mut lambda = joints[chain.count - 1].lambda;
+        let ended = exact::Solver::new(rig, chain, goal).advance(advanced, self.reaches.as_ref(), dt, &mut lambda)?;
+        joints[chain.count - 1].lambda = lambda;
+        advanced[chain.count - 1].lambda = lambda;
+        if ended.remaining <= tolerance {
+            joints.copy_from_slice(advanced);
+            joints.iter_mut().for_each(|joint| joint.bound_for = None);
+            return Some(true);
+        }
+        if let Some(within_reach) = self.keep_turning_round(joints) {
+            return Some(within_reach);
+        }
+        // Where would the joints get from here, had they the time; and where from rest?
+        let mut settled = rig.joints();
+        let settled = settled.as_mut();
+        settled.copy_from_slice(advanced);
+        let from_here = settle(rig, chain, motions, goal, settled)?;
+        let stays = advanced.iter().zip(self.start.as_ref()).all(|(new, old)| new.is_near(old, 1e-4));
+        joints.copy_from_slice(advanced);
+        if from_here <= tolerance {
+            if stays {
+                self.turn_round_to(settled, joints);
+            }
+            return Some(true);
+        }
+        let from_rest = settle_from_rest(rig, chain, motions, goal, settled, tolerance).unwrap_or(f32::INFINITY);
+        let within_reach = from_rest <= tolerance;
+        if within_reach || from_rest + TURN_BACK_RAD < from_here {
+            self.turn_round_to(settled, joints);
+        }
+        Some(within_reach)
+    }
+
     /// Goes on turning round, or ascends and goes on where the ascent ends short of the goal. Returns whether the goal
     /// is within reach.
     fn go_to_goal(&self, joints: &mut [Joint]) -> Option<bool> {
@@ -183,10 +251,10 @@ impl<'a, R: AimRig> Frame<'a, R> {
             return Some(true);
         }
         // Where would the joints get from here, had they the time; and where from rest?
-        let mut settled = rig.array(Joint::default());
+        let mut settled = rig.joints();
         let settled = settled.as_mut();
         settled.copy_from_slice(joints);
-        let from_here = settle(rig, chain, motions, goal, settled, tolerance)?;
+        let from_here = settle(rig, chain, motions, goal, settled)?;
         if from_here <= tolerance {
             if self.ascent.finish {
                 self.finish_at(settled, joints, before, remaining);
@@ -206,7 +274,7 @@ impl<'a, R: AimRig> Frame<'a, R> {
     /// for nowhere, or where going there has lost its point.
     fn keep_turning_round(&self, joints: &mut [Joint]) -> Option<bool> {
         let Self { rig, chain, motions, goal, tolerance, .. } = *self;
-        let mut bound = rig.array(Joint::default());
+        let mut bound = rig.joints();
         let bound = bound.as_mut();
         let mut turning = self.ascent.finish || self.ascent.turn_back;
         for (bound, joint) in bound.iter_mut().zip(&mut *joints).skip(chain.first) {
@@ -225,7 +293,7 @@ impl<'a, R: AimRig> Frame<'a, R> {
         }
         self.turn_round_to(bound, joints);
         // The goal may have moved on since the joints set out.
-        let within_reach = there <= tolerance || settle(rig, chain, motions, goal, bound, tolerance)? <= tolerance;
+        let within_reach = there <= tolerance || settle(rig, chain, motions, goal, bound)? <= tolerance;
         Some(within_reach)
     }
 
@@ -289,16 +357,18 @@ fn snap_joints<R: AimRig>(
     settings: &Settings,
     joints: &mut [Joint],
 ) -> Option<Solved> {
-    let chain = Chain::new(rig, pose_ps.joints, settings.effector, chain::Level::Off)?;
+    let chain = chain(rig, pose_ps, settings, joints)?;
     let tolerance = settings.effective_tolerance();
     // Nothing but the side is remembered: the result is to depend on the past as little as it can.
     let before = Joint { behind: false, ..joints[chain.count - 1] };
     let goal = goal(rig, &chain, pose_ps, motions, target_ps, settings, &before)?;
 
-    let mut from_here = rig.array(Joint::default());
+    let mut from_here = rig.joints();
     let from_here = from_here.as_mut();
-    from_here[chain.first..].copy_from_slice(&joints[chain.first..]);
-    joints.fill(Joint::default());
+    from_here.copy_from_slice(joints);
+    for joint in from_here[..chain.first].iter_mut().chain(&mut *joints) {
+        (joint.heading, joint.pitch, joint.bound_for) = (0.0, 0.0, None);
+    }
     if goal.course == Course::Stay {
         joints.copy_from_slice(from_here);
     }
@@ -309,7 +379,7 @@ fn snap_joints<R: AimRig>(
         // The aim may be undefined at rest and yet defined here, or the reverse.
         let from_rest = settle_from_rest(rig, &chain, motions, &goal, joints, tolerance).unwrap_or(f32::INFINITY);
         if from_rest > tolerance {
-            let from_here_rad = settle(rig, &chain, motions, &goal, from_here, tolerance);
+            let from_here_rad = settle(rig, &chain, motions, &goal, from_here);
             if from_here_rad.is_some_and(|from_here_rad| from_here_rad < 0.999 * from_rest) {
                 joints.copy_from_slice(from_here);
             }

@@ -4,7 +4,7 @@ use core::f32::consts::TAU;
 
 use glam::{Quat, Vec3A};
 
-use crate::{Axes, math, trig};
+use crate::{Axes, chain, math, trig};
 
 /// What part a joint has in a gaze. It decides what is left to the solver: whether a rig has eyes, which headings are
 /// level, how quickly a supporting joint takes up speed.
@@ -199,6 +199,11 @@ impl Joint {
         Self { heading: sane(heading_rad), pitch: sane(pitch_rad), ..Self::default() }
     }
 
+    /// Whether both angles are within this of another joint's, radians.
+    pub(crate) fn is_near(&self, other: &Self, angle_rad: f32) -> bool {
+        (self.heading - other.heading).abs() <= angle_rad && (self.pitch - other.pitch).abs() <= angle_rad
+    }
+
     /// The added heading, radians: positive turns forward towards left.
     pub fn heading(&self) -> f32 {
         self.heading
@@ -224,7 +229,7 @@ impl Joint {
     #[inline]
     pub fn correction(&self, axes: &Axes) -> Quat {
         let turn = turn(axes, trig::halves(self));
-        if self.tilt.w == 1.0 {
+        if chain::is_identity(self.tilt) {
             return turn;
         }
         let axis = self.tilt.mul_vec3a(Vec3A::new(turn.x, turn.y, turn.z));
@@ -238,8 +243,30 @@ impl Joint {
 #[inline(always)]
 pub(crate) fn turn(axes: &Axes, [sin_p, cos_p, sin_h, cos_h]: trig::Halves) -> Quat {
     let [up, forward, left] = [axes.up, axes.forward, axes.left].map(Vec3A::from);
+    if !square(up, forward, left) {
+        return turn_by_planes([up, forward, left], [sin_p, cos_p, sin_h, cos_h]);
+    }
     let (by_heading, by_pitch) = (forward.cross(left), forward.cross(up));
     let by_both = by_heading.cross(by_pitch);
     let axis = by_heading * (sin_h * cos_p) + by_pitch * (cos_h * sin_p) + by_both * (sin_h * sin_p);
     Quat::from_xyzw(axis.x, axis.y, axis.z, cos_h * cos_p)
+}
+
+/// Whether a triple is square and unit as far as a correction has to be unit. Of a rig known when compiling this is
+/// known then too.
+#[inline(always)]
+fn square(up: Vec3A, forward: Vec3A, left: Vec3A) -> bool {
+    const OFF: f32 = 2e-7;
+    let unit = |v: Vec3A| (v.dot(v) - 1.0).abs() <= OFF;
+    unit(up) && unit(forward) && unit(left) && forward.dot(up).abs() <= OFF && forward.dot(left).abs() <= OFF
+}
+
+/// [`turn`] for axes that are not quite square, or not at all: each angle in its plane, none where there is none.
+#[cold]
+fn turn_by_planes([up, forward, left]: [Vec3A; 3], [sin_p, cos_p, sin_h, cos_h]: trig::Halves) -> Quat {
+    let turn = |to: Vec3A, sin: f32, cos: f32| {
+        let axis = forward.cross(to).normalize_or_zero() * sin;
+        if axis == Vec3A::ZERO { Quat::IDENTITY } else { Quat::from_xyzw(axis.x, axis.y, axis.z, cos) }
+    };
+    turn(left, sin_h, cos_h) * turn(up, sin_p, cos_p)
 }

@@ -41,6 +41,7 @@ mod settings;
 mod settle;
 mod targets;
 mod trig;
+mod view;
 
 pub use glam;
 pub use joint::{Joint, JointInfo, Role};

@@ -78,7 +78,7 @@ mod tests {
             let (sin, cos) = sin_cos(angle);
             let exact = f64::from(angle).sin_cos();
             // A turn is rounded to f32.
-            let error = if angle.abs() > PI { 2e-6 } else { 4e-7 };
+            let error = if angle.abs() > PI { 2e-6 } else { 7e-7 };
             assert!((f64::from(sin) - exact.0).abs() < error, "{angle}: {sin}");
             assert!((f64::from(cos) - exact.1).abs() < error, "{angle}: {cos}");
             let (sin, cos) = half_sin_cos(angle);
