@@ -249,6 +249,38 @@ fn the_neck_makes_room_for_both() {
     }
 }
 
+/// A target that stands still leaves the eyes still, in reach or not, also overhead; one that trembles, nearly so.
+#[test]
+fn still_targets_leave_the_eyes_still() {
+    let mut rng = Rng(25);
+    for (heading, pitch, distance) in
+        [(20.0, 5.0, 0.3), (110.0, 0.0, 0.3), (140.0, 30.0, 1.0), (10.0, 85.0, 0.5), (0.0, 0.0, 0.05)]
+    {
+        let mut rig = NumericRig::thug();
+        let pose = upright_pair(&rig, &THUG);
+        let target = at(heading, pitch, distance);
+        settle(&mut rig, &pose, target, "still");
+        let angles = |rig: &NumericRig| {
+            let eye = &rig.joints[0];
+            [eye.heading(), eye.pitch(), eye.pair().unwrap()[0], eye.pair().unwrap()[1]]
+        };
+        for tremble in [0.0, 1e-3] {
+            for _ in 0..120 {
+                let before = angles(&rig);
+                let near = target + rng.direction() * tremble;
+                let outcome = aim(&mut rig, &pose, near, DT, &Settings::default(), "still");
+                let change = angles(&rig).iter().zip(before).fold(0.0, |most: f32, (a, b)| most.max((a - b).abs()));
+                // What the tremble itself makes as seen from the eyes. Out of reach a chain comes to rest slowly; overhead the
+                // head's room for convergence and its heading, which matters to nothing, take small turns.
+                let settled = outcome.status == Status::Reached && pitch < 60.0;
+                let slowly = if settled { 1e-5 } else { 0.2 * DEG };
+                let bound = slowly + 3.0 * tremble / distance.max(0.1);
+                assert!(change <= bound, "{heading}°, {pitch}°, {distance} m: {} at {tremble}", change / DEG);
+            }
+        }
+    }
+}
+
 #[test]
 fn weight_zero_and_a_head_that_is_aimed_bring_both_to_rest() {
     for (settings, effector) in [(Settings::default().with_weight(0.0), 0), (Settings::default().with_effector(1), 1)] {
