@@ -46,7 +46,7 @@ const PLAIN_STEPS: usize = 4;
 
 /// What the determinant of the free angles' normal matrix is to its squared trace at least, where they cover both
 /// directions of the gaze: a quarter if they do so equally.
-const STRAINED: f32 = 0.01;
+const STRAINED: f32 = 0.05;
 
 /// A solution.
 #[derive(Clone, Copy, Debug)]

@@ -35,10 +35,10 @@ const LONGEST_STEP_RAD: f32 = 1.2;
 const OPPOSITE_RAD: f32 = 0.03;
 /// How much a step may be shortened before it is given up.
 const HALVINGS: usize = 5;
-/// Nearer to the target than this a strained gaze takes its time, radians (0.08°)…
-const LOOSE_RAD: f32 = 1.4e-3;
-/// … of about so many seconds.
-const EASED_S: f32 = 0.15;
+/// Nearer to the target than this a strained gaze takes its time, radians (0.095°)…
+const LOOSE_RAD: f32 = 1.66e-3;
+/// … and moves no joint faster than this while it is near, rad/s.
+const EASY_RATE: f32 = 0.15;
 /// Joints that would all move by less than this stay where they are, radians.
 const STILL_RAD: f32 = 1e-6;
 /// Displacement of a joint from where it is costs this much of the gap it closes, radians a second and radian: where a
@@ -143,16 +143,14 @@ impl<'a, R: AimRig> Solver<'a, R> {
         Some(Ended { remaining: self.see(joints)?.angle(), closed: true })
     }
 
-    /// The trial, if it takes much movement for a little of the gaze, shortened to a part of its way: the nearer the gaze
-    /// is to the target already, the smaller. At the edge of what can be reached a target's least tremble would set the
+    /// The trial of a strained gaze, shortened to a slow step while the gaze is near the target. At the edge of what can be reached a target's least tremble would set the
     /// joints trembling many times as far.
     #[cold]
     #[inline(never)]
     fn ease_in(&mut self, joints: &[Joint], offset: [f32; 2], reaches: &[Reach], dt: f32, view: View) -> Option<View> {
-        let near = math::sqrt(offset[0] * offset[0] + offset[1] * offset[1]) / LOOSE_RAD;
-        let least = (dt / EASED_S).min(1.0);
-        let part = (near * near * near).max(least);
-        if part >= 1.0 {
+        let near = (offset[0] * offset[0] + offset[1] * offset[1]) / (LOOSE_RAD * LOOSE_RAD);
+        let part = EASY_RATE * dt / (self.step(joints) * (1.0 - near * near));
+        if !(part < 1.0 && near < 1.0) {
             return Some(view);
         }
         let mut goal = self.rig.joints();
@@ -183,9 +181,6 @@ impl<'a, R: AimRig> Solver<'a, R> {
             }
         }
         let remaining = self.see(joints)?.angle();
-        if remaining <= ENOUGH_RAD {
-            return Some(Ended { remaining, closed: true });
-        }
         // What gains next to nothing does not move: a target out of reach overhead would set the head turning with
         // every tremble.
         self.linearise(start, reaches)?;
@@ -205,7 +200,7 @@ impl<'a, R: AimRig> Solver<'a, R> {
         self.model.as_mut().copy_from_slice(kept.as_ref());
         let (before, slow) = (self.see(start)?.angle(), self.see(self.trial.as_ref())?.angle());
         // As near as the reach gets, or nearly: then slowly.
-        if slow <= before && slow - remaining < SLOW_RAD {
+        if slow <= before + 0.1 * SLOW_RAD && slow - remaining < SLOW_RAD {
             self.accept(joints);
             return Some(Ended { remaining: slow, closed: false });
         }
