@@ -22,7 +22,7 @@ pub fn cold(sample: &Sample) -> Vec<Row> {
         let mut scene = Scene::new(NumericRig::new(&quick), &case.pose, case.target);
         let model = scene.model();
         let problem = Problem::within_ranges(&model, double(case.target));
-        if problem.nearest(&problem.starts(i as u64, 6)).remaining > MET_RAD {
+        if !problem.is_met(&problem.starts(i as u64, 6)) {
             return None;
         }
         let after = [1, 2, 3].map(|_| {
