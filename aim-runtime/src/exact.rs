@@ -35,11 +35,15 @@ const LONGEST_STEP_RAD: f32 = 1.2;
 const OPPOSITE_RAD: f32 = 0.03;
 /// How much a step may be shortened before it is given up.
 const HALVINGS: usize = 5;
+/// Nearer to the target than this a strained gaze takes its time, radians (0.08°)…
+const LOOSE_RAD: f32 = 1.4e-3;
+/// … of about so many seconds.
+const EASED_S: f32 = 0.15;
 /// Joints that would all move by less than this stay where they are, radians.
 const STILL_RAD: f32 = 1e-6;
 /// Displacement of a joint from where it is costs this much of the gap it closes, radians a second and radian: where a
 /// gap remains, what gains next to nothing does not move.
-const INERTIA_S: f32 = 1.0 / 60.0;
+const INERTIA_S: f32 = 3.0 / 60.0;
 
 /// How a solve ended.
 #[derive(Clone, Copy, Debug)]
@@ -128,12 +132,33 @@ impl<'a, R: AimRig> Solver<'a, R> {
             self.try_dual(joints, reaches, *lambda);
             let mut view = self.see(self.trial.as_ref())?;
             self.mend(joints, offset, reaches, lambda, &mut view);
+            if solution.strained {
+                view = self.ease_in(joints, offset, reaches, dt, view)?;
+            }
             self.accept(joints);
-            if view.is_within(ENOUGH_RAD) {
+            if solution.strained || view.is_within(ENOUGH_RAD) {
                 return Some(Ended { remaining: view.angle(), closed: true });
             }
         }
         Some(Ended { remaining: self.see(joints)?.angle(), closed: true })
+    }
+
+    /// The trial, if it takes much movement for a little of the gaze, shortened to a part of its way: the nearer the gaze
+    /// is to the target already, the smaller. At the edge of what can be reached a target's least tremble would set the
+    /// joints trembling many times as far.
+    #[cold]
+    #[inline(never)]
+    fn ease_in(&mut self, joints: &[Joint], offset: [f32; 2], reaches: &[Reach], dt: f32, view: View) -> Option<View> {
+        let near = math::sqrt(offset[0] * offset[0] + offset[1] * offset[1]) / LOOSE_RAD;
+        let least = (dt / EASED_S).min(1.0);
+        let part = (near * near * near).max(least);
+        if part >= 1.0 {
+            return Some(view);
+        }
+        let mut goal = self.rig.joints();
+        goal.as_mut().copy_from_slice(self.trial.as_ref());
+        self.try_part(joints, goal.as_ref(), reaches, part);
+        self.see(self.trial.as_ref())
     }
 
     /// The rest of a frame in which the reach has no solution: rates or ranges end it, or the linear model is too far
@@ -554,8 +579,8 @@ struct Round {
     halvings: usize,
 }
 
-/// Nearer to the best than this the joints move slowly where a gap remains, radians (0.23°).
-const SLOW_RAD: f32 = 0.004;
+/// Nearer to the best than this the joints move slowly where a gap remains, radians (0.34°).
+const SLOW_RAD: f32 = 0.006;
 
 /// Derivatives that only a target near the effector, or behind it, has.
 const SUSPICIOUS: f32 = 1e3;
