@@ -28,17 +28,17 @@ const EXACT: &[Measurement] = &[
     ("holding", exact::holding),
     ("comforts", exact::comforts),
     ("roll", exact::roll),
-    ("track", |sample| exact::tracking(sample, "")),
+    ("track", exact::tracking),
 ];
 
 /// For comparison: the published method on the rows it is quoted for.
 const PAPER: &[Measurement] = &[
     ("paper", |sample| {
-        exact::tracking(&Sample { settings: ascent(Ascent::paper()), ..*sample }, "the paper's method, ")
+        exact::tracking_of(&Sample { settings: ascent(Ascent::paper()), ..*sample }, "the paper's method, ")
     }),
     ("paper", |sample| {
         let plain = Ascent::paper().with_relax(None);
-        exact::tracking(&Sample { settings: ascent(plain), ..*sample }, "without its relaxing, ")
+        exact::tracking_of(&Sample { settings: ascent(plain), ..*sample }, "without its relaxing, ")
     }),
 ];
 

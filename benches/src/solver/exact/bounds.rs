@@ -17,7 +17,7 @@ pub fn noise(sample: &Sample) -> Vec<Row> {
     let mut rows = Vec::new();
     for (behind, name) in [(Behind::Off, "off"), (Behind::Clip, "clip")] {
         let settings = sample.settings.with_behind(behind);
-        let moved = parallel::map(sample.of(2048), |i| {
+        let moved = parallel::map(sample.of(512), |i| {
             let mut random = fastrand::Rng::with_seed(0x0015_e000 + i as u64);
             let pose = random_pose(&mut random);
             let towards = match i % 4 {
