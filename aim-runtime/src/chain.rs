@@ -1,7 +1,7 @@
 //! [`Chain`]: a pose made ready for aiming, in units of the rig's own size, with the true forward kinematics that
 //! judges and the rigid links that the derived kernels search with.
 
-use glam::{Affine3A, Mat3A, Quat, Vec3A};
+use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec3Swizzles};
 
 use crate::{AimRig, Axes, Joint, JointInfo, math};
 
@@ -263,21 +263,23 @@ pub(crate) fn turns<R: AimRig>(rig: &R, joints: &[Joint]) -> R::Array<Quat> {
 
 /// The orthogonal frames of joints that are scaled, turned and mirrored alone; false where one is more than that, or
 /// where its numbers are so large or small that their squares would not do.
-#[inline]
-fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> bool {
-    /// How far from square or from equal length a joint's axes may be, as a part of their squared length.
+#[inline(always)]
+pub(crate) fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> bool {
+    /// How far from square or from equal length a joint's axes may be, all that is off taken together.
     const OFF: f32 = 1e-4;
-    pose.iter().zip(frames).all(|(joint, frame)| {
+    let mut off = Vec3A::ZERO;
+    for (joint, frame) in pose.iter().zip(frames) {
         let Mat3A { x_axis: x, y_axis: y, z_axis: z } = joint.matrix3;
-        let square = x.dot(x);
-        let (yy, zz) = (y.dot(y) - square, z.dot(z) - square);
-        let (xy, yz, zx) = (x.dot(y), y.dot(z), z.dot(x));
-        let off = yy.abs().max(zz.abs()).max(xy.abs()).max(yz.abs()).max(zx.abs());
-        let per_length = 1.0 / math::sqrt(square);
+        // Of a matrix whose rows are square and equally long, so are the columns; and rows need no sums of lanes.
+        let squares = x * x + y * y + z * z;
+        let per_length = 1.0 / math::sqrt(squares.x);
         *frame = joint.matrix3 * per_length;
-        // The negation also catches NaN; a maximum alone would not.
-        square > 1e-12 && square < 1e12 && off < OFF * square && (yy + zz + xy + yz + zx).is_finite()
-    })
+        let Mat3A { x_axis: x, y_axis: y, z_axis: z } = *frame;
+        let products = x * x.yzx() + y * y.yzx() + z * z.yzx();
+        // Sums, not maxima: they keep NaN. A length beyond what can be squared leaves one too.
+        off += (squares * (per_length * per_length) - Vec3A::ONE).abs() + products.abs();
+    }
+    off.cmple(Vec3A::splat(OFF)).all()
 }
 
 /// Each joint's animated transform in the next joint's space, the last one's in solver space.
@@ -308,8 +310,8 @@ fn local<R: AimRig>(
 ///
 /// A bone that leans by more than a right angle (of a character on all fours, say) is tilted less and less, and not at
 /// all when it hangs upside down: there is no shortest arc.
-#[inline]
-fn upright(infos: &[JointInfo], first: usize, level: Level, frames: &mut [Mat3A], tilts: &mut [Quat]) {
+#[inline(always)]
+pub(crate) fn upright(infos: &[JointInfo], first: usize, level: Level, frames: &mut [Mat3A], tilts: &mut [Quat]) {
     /// The cosines of the leans from which tilting fades, and at which nothing is left of it.
     const FADES: f32 = 0.0;
     const GONE: f32 = -0.5;

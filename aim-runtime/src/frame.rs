@@ -11,7 +11,9 @@ use crate::limits::{self, Reach};
 use crate::motion::{Motion, motions};
 use crate::pose::Animated;
 use crate::settle::{settle, settle_from_rest};
-use crate::{AimRig, Ascent, Joint, JointInfo, Outcome, Role, Settings, Solver, Status, ascent, exact, math, trig};
+use crate::{
+    AimRig, Ascent, Joint, JointInfo, Outcome, Role, Settings, Solver, Status, ascent, exact, math, quick, trig,
+};
 
 /// The longest frame, seconds: after a hitch nothing leaps.
 const LONGEST_FRAME_S: f32 = 0.1;
@@ -27,6 +29,7 @@ const AIMED_RAD: f32 = 1.0 * core::f32::consts::PI / 180.0;
 const STUCK: f32 = 0.1;
 
 /// [`AimRig::aim_with`].
+#[inline]
 pub(crate) fn aim<R: AimRig>(
     rig: &mut R,
     pose_ps: &Animated<'_>,
@@ -35,6 +38,23 @@ pub(crate) fn aim<R: AimRig>(
     settings: &Settings,
 ) -> Outcome {
     let dt = if dt > 0.0 { dt.min(LONGEST_FRAME_S) } else { 0.0 };
+    if pose_ps.pair.is_none() && solver(rig, settings) == Solver::Exact {
+        if let Some(outcome) = quick::aim(rig, pose_ps, target_ps.into(), dt, settings, level(pose_ps)) {
+            return outcome;
+        }
+    }
+    aim_with_care(rig, pose_ps, target_ps, dt, settings)
+}
+
+/// [`aim`] for every frame.
+#[inline(never)]
+fn aim_with_care<R: AimRig>(
+    rig: &mut R,
+    pose_ps: &Animated<'_>,
+    target_ps: Vec3,
+    dt: f32,
+    settings: &Settings,
+) -> Outcome {
     let mut joints = rig.joints();
     let motions = motions(rig, pose_ps);
     let motions = motions.as_ref();
@@ -131,14 +151,16 @@ fn solver<R: AimRig>(rig: &R, settings: &Settings) -> Solver {
     })
 }
 
+/// What level headings turn about in this pose.
+#[inline]
+fn level(pose_ps: &Animated<'_>) -> Level {
+    pose_ps.up.and_then(|up| math::direction(up.into())).map_or(Level::Innermost, Level::About)
+}
+
 /// The pose made ready; the joints learn how their frames are tilted in it.
 fn chain<R: AimRig>(rig: &R, pose_ps: &Animated<'_>, settings: &Settings, joints: &mut [Joint]) -> Option<Chain<R>> {
-    let level = match (solver(rig, settings), pose_ps.up.and_then(|up| math::direction(up.into()))) {
-        // The paper's method knows bones only.
-        (Solver::Ascent, _) => Level::Off,
-        (_, Some(up)) => Level::About(up),
-        (_, None) => Level::Innermost,
-    };
+    // The paper's method knows bones only.
+    let level = if solver(rig, settings) == Solver::Ascent { Level::Off } else { level(pose_ps) };
     let chain = Chain::new(rig, pose_ps.joints, settings.effector, level)?;
     for (joint, tilt) in joints.iter_mut().zip(chain.tilts.as_ref()) {
         joint.tilt = *tilt;

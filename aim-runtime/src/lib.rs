@@ -34,6 +34,7 @@ mod math;
 mod motion;
 mod outcome;
 mod pose;
+mod quick;
 mod real;
 mod rig;
 mod scalar;

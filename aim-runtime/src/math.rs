@@ -14,6 +14,7 @@ pub(crate) const UNDEFINED_RAD: f32 = core::f32::consts::FRAC_PI_2;
 mod float {
     extern crate std;
 
+    #[inline]
     pub(super) fn sqrt(x: f32) -> f32 {
         x.sqrt()
     }
@@ -24,6 +25,7 @@ mod float {
 
 #[cfg(not(feature = "std"))]
 mod float {
+    #[inline]
     pub(super) fn sqrt(x: f32) -> f32 {
         libm::sqrtf(x)
     }
@@ -33,6 +35,7 @@ mod float {
 }
 
 /// The square root; 0 for what has none.
+#[inline]
 pub(crate) fn sqrt(x: f32) -> f32 {
     if x > 0.0 { float::sqrt(x) } else { 0.0 }
 }

@@ -53,6 +53,8 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
     let joints = Literal::usize_unsuffixed(spec.joints.len());
     let value = local("value");
     let states = local("states");
+    let index = local("index");
+    let places: Vec<Literal> = (0..fields.len()).map(Literal::usize_unsuffixed).collect();
     let formatter = local("formatter");
     let infos = spec.joints.iter().map(|joint| joint_info(joint, &private));
     let effector_forward = vector(spec.effector.frame.forward);
@@ -105,23 +107,44 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
             impl #private::AimRig for #name {
                 type Array<T: ::core::marker::Copy> = [T; #joints];
 
+                #[inline]
                 fn array<T: ::core::marker::Copy>(&self, #value: T) -> [T; #joints] {
                     [#value; #joints]
                 }
 
+                #[inline]
                 fn joint_infos(&self) -> &[#private::JointInfo] {
                     const INFOS: [#private::JointInfo; #joints] = [#(#infos),*];
                     &INFOS
                 }
 
+                #[inline]
                 fn effector(&self) -> #private::Effector {
                     #private::Effector { forward: #effector_forward, origin: #effector_origin }
                 }
 
+                #[inline]
                 fn joints(&self) -> [#private::Joint; #joints] {
                     [#( self.#fields ),*]
                 }
 
+                #[inline]
+                fn joint(&self, #index: ::core::primitive::usize) -> ::core::option::Option<&#private::Joint> {
+                    match #index {
+                        #( #places => ::core::option::Option::Some(&self.#fields), )*
+                        _ => ::core::option::Option::None,
+                    }
+                }
+
+                #[inline]
+                fn joint_mut(&mut self, #index: ::core::primitive::usize) -> ::core::option::Option<&mut #private::Joint> {
+                    match #index {
+                        #( #places => ::core::option::Option::Some(&mut self.#fields), )*
+                        _ => ::core::option::Option::None,
+                    }
+                }
+
+                #[inline]
                 fn set_joints(&mut self, #states: [#private::Joint; #joints]) {
                     [#( self.#fields ),*] = #states;
                 }

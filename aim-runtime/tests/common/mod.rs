@@ -21,7 +21,7 @@ pub struct NumericRig {
 
 impl NumericRig {
     pub fn new(infos: Vec<JointInfo>) -> Self {
-        let effector = Effector { forward: infos[0].axes.forward, origin: [0.0; 3] };
+        let effector = Effector { forward: infos[0].axes().forward, origin: [0.0; 3] };
         let joints = vec![Joint::default(); infos.len()];
         Self { infos, effector, joints }
     }
@@ -92,7 +92,7 @@ impl AimRig for NumericRig {
         let Some(info) = self.infos.get(joint) else {
             return [S::ZERO; 3];
         };
-        let mut state = State::effector(&self.infos[0].axes, &self.effector);
+        let mut state = State::effector(self.infos[0].axes(), &self.effector);
         state.through(effector_to_joint);
         state.turn(info, sin_cos, true);
         let [aim, rest @ ..] = &state.aim(target)[..] else { unreachable!() };
@@ -124,7 +124,7 @@ impl AimRig for NumericRig {
 
 impl NumericRig {
     fn chain<S: Scalar>(&self, links: &[[S; 12]], sin_cos: &[[S; 4]]) -> State<S> {
-        let mut state = State::effector(&self.infos[0].axes, &self.effector);
+        let mut state = State::effector(self.infos[0].axes(), &self.effector);
         for ((info, link), sin_cos) in self.infos.iter().zip(links).zip(sin_cos) {
             state.through(link);
             state.turn(info, sin_cos, true);
@@ -165,9 +165,9 @@ impl<S: Scalar> State<S> {
     }
 
     fn turn(&mut self, info: &JointInfo, &[sin_p, cos_p, sin_h, cos_h]: &[S; 4], differentiate: bool) {
-        let forward = Vec3::from(info.axes.forward);
+        let forward = Vec3::from(info.axes().forward);
         for (declared, to, sin, cos) in
-            [(info.pitch, info.axes.up, sin_p, cos_p), (info.heading, info.axes.left, sin_h, cos_h)]
+            [(info.pitch, info.axes().up, sin_p, cos_p), (info.heading, info.axes().left, sin_h, cos_h)]
         {
             if declared.is_none() {
                 continue;
@@ -279,7 +279,7 @@ impl Transform64 {
 /// joint turns its vectors plane by plane, without matrices or quaternions.
 pub fn gaze64(rig: &NumericRig, pose: &[Affine3A], k: usize) -> ([f64; 3], [f64; 3]) {
     let (origin, forward) =
-        if k == 0 { (rig.effector.origin, rig.effector.forward) } else { ([0.0; 3], rig.infos[k].axes.forward) };
+        if k == 0 { (rig.effector.origin, rig.effector.forward) } else { ([0.0; 3], rig.infos[k].axes().forward) };
     carried64(rig, pose, k, origin.map(f64::from), forward.map(f64::from))
 }
 
@@ -292,7 +292,7 @@ fn carried64(
     mut forward: [f64; 3],
 ) -> ([f64; 3], [f64; 3]) {
     for i in k..pose.len() {
-        let axes = &rig.infos[i].axes;
+        let axes = rig.infos[i].axes();
         let [f, u, l] = [axes.forward, axes.up, axes.left].map(|v| v.map(f64::from));
         let turn = |v| {
             let pitched = plane_turn(v, f, u, rig.joints[i].pitch().into());
@@ -314,7 +314,7 @@ fn carried64(
 /// joint 0 looks in the animation.
 pub fn pair_gaze64(rig: &NumericRig, pose: &[Affine3A], pair: &Affine3A) -> ([f64; 3], [f64; 3]) {
     let bone = Transform64::of(pair);
-    let forward = Transform64::of(&pose[0]).vector(rig.infos[0].axes.forward.map(f64::from));
+    let forward = Transform64::of(&pose[0]).vector(rig.infos[0].axes().forward.map(f64::from));
     let [x, y, z, w] = rig.pair_correction().expect("the last pose had a pair").to_array().map(f64::from);
     let (axis, v) = ([x, y, z], bone.inverse_vector(forward));
     let across = cross(axis, v);
@@ -385,7 +385,7 @@ pub fn bone(axes: &Axes, turn: Quat, at: Vec3) -> Affine3A {
 /// The thug's eye, neck and spine standing upright: metres.
 pub fn upright(rig: &NumericRig) -> Vec<Affine3A> {
     let places = [Vec3::new(-0.03, 1.68, -0.10), Vec3::new(0.0, 1.55, 0.02), Vec3::new(0.0, 1.30, 0.03)];
-    rig.infos.iter().zip(places).map(|(info, at)| bone(&info.axes, Quat::IDENTITY, at)).collect()
+    rig.infos.iter().zip(places).map(|(info, at)| bone(info.axes(), Quat::IDENTITY, at)).collect()
 }
 
 /// The same with every joint turned a little, as an animation would.
