@@ -135,3 +135,40 @@ fn the_same_bake_twice_is_the_same_file() {
     bake(&place, ASIDE);
     assert_eq!(first, (place.read("out.glb"), place.read("r.json")));
 }
+
+#[test]
+fn the_solver_is_the_one_asked_for_else_the_one_that_suits_the_rig() {
+    let place = Place::with_mannequin();
+    for solver in ["natural", "exact", "ascent"] {
+        assert_eq!(bake(&place, &format!("{ASIDE} --seconds 0.2 --solver {solver}"))["solver"], solver);
+    }
+    assert_eq!(bake(&place, &format!("{ASIDE} --seconds 0.2"))["solver"], "natural");
+    let eyeless = String::from_utf8(place.read("m.toml")).expect("text");
+    let at = eyeless.find("[[joint]]").expect("a joint");
+    let neck = at + 1 + eyeless[at + 1..].find("[[joint]]").expect("a second joint");
+    place.write("m.toml", &format!("{}{}", &eyeless[..at], &eyeless[neck..]));
+    assert_eq!(bake(&place, &format!("{ASIDE} --seconds 0.2"))["solver"], "exact");
+    place.refused(
+        &format!("bake m.glb --rig m.toml {ASIDE} --out out2.glb --solver newton"),
+        &["newton", "natural", "exact", "ascent"],
+    );
+}
+
+#[test]
+fn both_eyes_are_aimed_where_there_are_two() {
+    let place = Place::with_mannequin();
+    let near = "--target 0.05,1.6,0.35 --seconds 0.2";
+    let one = bake(&place, near);
+    assert!(list(&one["frames"]).iter().all(|frame| frame.get("pair_error_deg").is_none()), "one eye, one error");
+    place.done(&format!("bake m.glb --rig m.toml {near} --both-eyes --out out.glb --report r.json"));
+    let both = place.json("r.json");
+    for frame in list(&both["frames"]) {
+        assert!((0.0..=180.0).contains(&number(&frame["pair_error_deg"])), "{frame}");
+    }
+    let single = String::from_utf8(place.read("m.toml")).expect("text").replace("pair = \"right_eye\"\n", "");
+    place.write("m.toml", &single);
+    place.refused(
+        &format!("bake m.glb --rig m.toml {near} --both-eyes --out out2.glb"),
+        &["Mannequin", "no other eye", "pair", "--both-eyes"],
+    );
+}

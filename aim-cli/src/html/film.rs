@@ -1,13 +1,12 @@
 //! The film strip: drawings of the character evenly over time, always from the same side, with its line of sight.
 
-use aim_codegen::RigSpec;
-use aim_gltf::{Baked, Document, Frame};
+use aim_gltf::Frame;
 use glam::DVec3;
 use maud::{Markup, html};
 
+use super::Subject;
 use super::scene::{HEIGHT, Scene, WIDTH};
 use super::words::{self, n};
-use crate::report::Report;
 
 /// Drawings in the strip.
 const DRAWINGS: usize = 8;
@@ -17,10 +16,11 @@ const START: f64 = 13.0;
 const PLAN: f64 = 24.0;
 
 /// The strip; nothing where the rig's bones are not in the document.
-pub(super) fn strip(spec: &RigSpec, report: &Report, document: &Document, baked: &Baked) -> Option<Markup> {
+pub(super) fn strip(subject: &Subject<'_>) -> Option<Markup> {
+    let Subject { report, baked, .. } = *subject;
     let all = baked.frames.len().min(report.frames.len());
     let drawn: Vec<usize> = (0..DRAWINGS.min(all)).map(|k| k * all / DRAWINGS.min(all)).collect();
-    let scene = Scene::new(spec, document, drawn.iter().map(|k| &baked.frames[*k]))?;
+    let scene = Scene::new(subject, drawn.iter().map(|k| &baked.frames[*k]))?;
     Some(html! {
         ol.film {
             @for &k in &drawn {

@@ -2,11 +2,11 @@
 
 use std::collections::HashMap;
 
-use aim_codegen::RigSpec;
 use aim_gltf::{ChainNodes, Document, Frame, Measurement, Role, Surface};
 use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
+use super::Subject;
 use super::raster::{Corner, Face, Paint, Picture};
 use super::words::n;
 
@@ -31,7 +31,7 @@ const CLAY: [f64; 3] = [0.80, 0.70, 0.62];
 /// All that the drawings share.
 pub(super) struct Scene<'a> {
     document: &'a Document,
-    pub(super) measurement: Measurement,
+    pub(super) measurement: &'a Measurement,
     surface: Surface,
     /// For each vertex the one that its normal is shared with.
     welded: Vec<usize>,
@@ -129,15 +129,12 @@ fn at(node: Option<usize>, world: &[DAffine3]) -> DVec3 {
 
 impl<'a> Scene<'a> {
     /// `drawn` are the frames that all have to fit; nothing where the rig's bones are not in the document.
-    pub(super) fn new<'f>(
-        spec: &RigSpec,
-        document: &'a Document,
-        drawn: impl Iterator<Item = &'f Frame>,
-    ) -> Option<Self> {
+    pub(super) fn new<'f>(subject: &Subject<'a>, drawn: impl Iterator<Item = &'f Frame>) -> Option<Self> {
+        let Subject { spec, document, measurement, .. } = *subject;
         let skeleton = document.skeleton();
         let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
         let chain = ChainNodes::find(skeleton, bones, spec.joints[0].pair.as_deref()).ok()?;
-        let (measurement, surface) = (Measurement::of(document), document.surface());
+        let surface = document.surface();
         let (origin, forward) = (DVec3::from(spec.effector.origin), DVec3::from(spec.effector.frame.forward));
         let bind = &measurement.bind_world;
         let role = |node: usize| measurement.bone(node).and_then(|bone| bone.role);
@@ -161,7 +158,7 @@ impl<'a> Scene<'a> {
         let eye_bind = bind[first].transform_point3(origin);
         let follows = chain.joints.last().and_then(|node| skeleton.nodes()[*node].parent);
         let places = drawn.map(|frame| frame.world[first].transform_point3(origin) - at(follows, &frame.world));
-        let camera = Camera::new(&measurement, follows, eye_bind).framing(&measurement, head, eye_bind, places);
+        let camera = Camera::new(measurement, follows, eye_bind).framing(measurement, head, eye_bind, places);
         let welded = weld(&positions, measurement.height.max(f64::MIN_POSITIVE));
         Some(Self { document, measurement, surface, welded, chain, eyes, camera, origin, forward })
     }

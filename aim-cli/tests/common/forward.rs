@@ -88,6 +88,7 @@ impl Bake<'_> {
         for frame in &frames {
             self.error_is_true(frame, &output, chain[0]);
             if !seam(frame.t) {
+                self.roll_is_true(frame, &output, chain[0]);
                 self.angles_make_the_rotations(frame, &chain);
                 // A hidden eye has no turn in the world.
                 if let ([pair], true) = (&pair[..], frame.report["status"] != "degenerate") {
@@ -153,6 +154,27 @@ impl Bake<'_> {
         assert!(sure, "t {}: {status} at {error}°", frame.t);
     }
 
+    /// The report's roll is that of the written file against the source's, both measured from the horizon.
+    fn roll_is_true(&self, frame: &Frame<'_>, output: &Model, eye: usize) {
+        let (Some(joints), true) = (self.joints, frame.report["status"] != "degenerate") else { return };
+        let forward = vector(&self.report["effector"]["forward"]);
+        let roll = |pose: &[Local]| {
+            let world = output.world(pose, eye);
+            let (gaze, up) = (world.transform_vector3(forward).normalize(), world.transform_vector3(joints[0].up));
+            let left = DVec3::Y.cross(gaze);
+            // Nearly straight up there is no horizon to speak of.
+            (left.length() > 0.03).then(|| {
+                let (left, above) = (left.normalize(), gaze.cross(left.normalize()));
+                up.dot(left).atan2(up.dot(above)).to_degrees()
+            })
+        };
+        let (Some(before), Some(after)) = (roll(&frame.source), roll(&frame.output)) else { return };
+        let told = number(&frame.report["roll_deg"]);
+        let off = after - before - told;
+        let off = off - 360.0 * (off / 360.0).round();
+        assert!(off.abs() < 0.02, "t {}: the roll is {after}° from {before}°, the report says {told}°", frame.t);
+    }
+
     /// `local' = local · R_heading · R_pitch` with the report's angles.
     fn angles_make_the_rotations(&self, frame: &Frame<'_>, chain: &[usize]) {
         for (at, (joint, &node)) in list(&frame.report["joints"]).iter().zip(chain).enumerate() {
@@ -184,6 +206,8 @@ impl Bake<'_> {
         assert!((number(&summary["max_error_deg_reached"]) - worst).abs() < 1e-9, "summary.max_error_deg_reached");
         assert!(number(&summary["max_rate_violation_deg_s"]).abs() < 1e-3, "{summary}");
         assert!(number(&summary["max_limit_violation_deg"]).abs() < 1e-4, "{summary}");
+        let most = frames.iter().map(|frame| number(&frame["roll_deg"]).abs()).fold(0.0, f64::max);
+        assert!((number(&summary["max_roll_deg"]) - most).abs() < 1e-9, "summary.max_roll_deg");
     }
 }
 
