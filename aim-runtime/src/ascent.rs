@@ -6,7 +6,7 @@ use glam::Affine3A;
 use crate::chain::{self, Chain, Ray};
 use crate::goal::Goal;
 use crate::limits::Reach;
-use crate::{AimRig, Ascent, Joint, math};
+use crate::{AimRig, Ascent, Joint, math, trig};
 
 /// A joint that changes the angle to the target by less than this part of its own turning is left alone: its gradient
 /// is noise, and a unit gradient would follow noise at full rate.
@@ -58,7 +58,7 @@ pub(crate) fn ascend<R: AimRig>(
         let rigid_effector = rigid_effector(rig, &effector_to_joint).turned(turn).through(rigid_frame);
         let seen = chain.seen_target(target, effector.turned(turn).through(&frames[index]), rigid_effector);
         let target_js = math::rigid_inverse(rigid_frame).transform_point3a(seen).to_array();
-        let ((sin_p, cos_p), (sin_h, cos_h)) = (math::sin_cos(joint.pitch), math::sin_cos(joint.heading));
+        let ((sin_p, cos_p), (sin_h, cos_h)) = (trig::sin_cos(joint.pitch), trig::sin_cos(joint.heading));
         let [_, by_pitch, by_heading] = rig.aim_gradient::<f32>(
             index,
             &effector_to_joint.to_cols_array(),
@@ -105,17 +105,18 @@ fn step(
         return [[0.0, goal.side.sign()], [0.0, -goal.side.sign()], [1.0, 0.0], [-1.0, 0.0]]
             .into_iter()
             .find(|&[pitch, heading]| {
-                !(reach.pitch.blocks(joint.pitch, pitch) || reach.heading.blocks(joint.heading, heading))
+                !(reach.pitch_at(joint.heading).blocks(joint.pitch, pitch)
+                    || reach.heading.blocks(joint.heading, heading))
             })
             .map(|direction| (direction, reach.step));
     }
     // An angle that cannot follow the gradient leaves it before it is made a unit: the other then gets the full rate.
     let [by_pitch, by_heading] = gradient;
-    let by_pitch = if reach.pitch.blocks(joint.pitch, by_pitch) { 0.0 } else { by_pitch };
+    let by_pitch = if reach.pitch_at(joint.heading).blocks(joint.pitch, by_pitch) { 0.0 } else { by_pitch };
     let by_heading = if reach.heading.blocks(joint.heading, by_heading) { 0.0 } else { by_heading };
     let norm = math::sqrt(by_pitch * by_pitch + by_heading * by_heading);
     // The aim is a cosine: its gradient over the sine is that of the angle.
-    let (sin, _) = math::sin_cos(remaining);
+    let (sin, _) = trig::sin_cos(remaining);
     if !(norm.is_finite() && norm > IDLE * sin) {
         return None;
     }

@@ -10,8 +10,8 @@ use glam::Vec3A;
 
 use crate::chain::{Chain, Ray};
 use crate::joint::Side;
-use crate::limits::Reach;
-use crate::{AimRig, math};
+use crate::motion::Motion;
+use crate::{AimRig, math, trig};
 
 /// From this angle off the innermost joint's animated forward a target is behind.
 const BEHIND_RAD: f32 = 150.0 * PI / 180.0;
@@ -33,9 +33,8 @@ pub(crate) struct Front {
 
 impl Front {
     /// The front of a chain whose animated effector is `gaze`, in solver space.
-    pub(crate) fn new<R: AimRig>(rig: &R, chain: &Chain<R>, gaze: Ray) -> Self {
-        let infos = &rig.joint_infos()[chain.first..chain.count];
-        let axes = &infos[infos.len() - 1].axes;
+    pub(crate) fn new<R: AimRig>(rig: &R, chain: &Chain<R>, motions: &[Motion], gaze: Ray) -> Self {
+        let axes = &rig.joint_infos()[chain.count - 1].axes;
         let axis = |axis: [f32; 3]| chain.base.transform_vector3a(Vec3A::from(axis));
         let mut front = Self {
             origin: gaze.origin,
@@ -46,14 +45,13 @@ impl Front {
         };
 
         let [mut right_rad, mut left_rad, mut down_rad, mut up_rad] = [0.0_f32; 4];
-        for info in infos {
-            let range = Reach::range(info);
-            right_rad += range.heading.lo();
-            left_rad += range.heading.hi();
-            down_rad += range.pitch.lo();
-            up_rad += range.pitch.hi();
+        for motion in &motions[chain.first..chain.count] {
+            right_rad += motion.heading.lo();
+            left_rad += motion.heading.hi();
+            down_rad += motion.pitch.lo();
+            up_rad += motion.pitch.hi();
         }
-        let gaze_rad = math::atan2(gaze.direction.dot(front.left), gaze.direction.dot(front.forward));
+        let gaze_rad = trig::atan2(gaze.direction.dot(front.left), gaze.direction.dot(front.forward));
         let around = left_rad + gaze_rad >= BEHIND_RAD || right_rad + gaze_rad <= -BEHIND_RAD;
         let over = up_rad >= 0.5 * PI || down_rad <= -0.5 * PI;
         front.guarded = !(around || over);

@@ -3,14 +3,12 @@
 
 use glam::{Affine3A, Mat3A, Quat, Vec3A};
 
-use crate::{AimRig, Axes, Joint, math};
+use crate::{AimRig, Axes, Joint, JointInfo, math};
 
 /// Nearer to the effector than this part of the rig's size a target has no direction.
-const TOO_NEAR: f32 = 1e-5;
+pub(crate) const TOO_NEAR: f32 = 1e-5;
 /// Farther than this many sizes of the rig a target is a mere direction.
 const FAR: f32 = 1e6;
-/// How far from square or from equal length a joint's axes may be to count as rigid.
-const RIGID: f32 = 1e-4;
 
 /// A point and a direction (of any length but zero).
 #[derive(Clone, Copy, Debug)]
@@ -48,30 +46,45 @@ impl Ray {
 ///
 /// *Solver space* (`_ss`) has the pose's axes, its origin in the innermost joint and the rig's size as its unit: so
 /// nothing depends on the scale of the rig, nor on how far it is from the world's origin.
+///
+/// A joint with a *level* heading is aimed in its levelled frame: its bone's, tilted upright.
 pub(crate) struct Chain<R: AimRig> {
     /// The joint that carries the effector; those before it do not matter.
     pub(crate) first: usize,
     /// The number of joints.
     pub(crate) count: usize,
-    /// The effector in its joint's bone space.
+    /// The effector in its joint's bone space; its origin in solver-space lengths where the pose is rigid.
     effector: Ray,
-    /// Each joint's animated transform in the next joint's space; the last one's in solver space.
-    local: R::Array<Affine3A>,
+    /// Each joint's animated transform in the next joint's space; the last one's in solver space. Only where the pose
+    /// is not rigid: else the links say the same.
+    local: Option<R::Array<Affine3A>>,
     /// Rigid links for the kernels: from the joint before (from effector space for the first), orthogonal, in
-    /// solver-space lengths.
+    /// solver-space lengths, between levelled frames.
     pub(crate) links: R::Array<Affine3A>,
-    /// The last joint's rigid frame in solver space.
+    /// How each joint's levelled frame stands in its bone.
+    pub(crate) tilts: R::Array<Quat>,
+    /// The last joint's levelled rigid frame in solver space; its origin is the space's.
     pub(crate) base: Affine3A,
-    /// Whether the rigid links are all there is to the pose: no shear, no non-uniform scale.
-    pub(crate) rigid: bool,
     /// Pose space to solver space.
     origin: Vec3A,
     per_size: f32,
 }
 
+/// What headings of level joints turn about.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Level {
+    /// Their bones' own up.
+    Off,
+    /// This direction of the pose's space.
+    About(Vec3A),
+    /// The innermost joint's animated up.
+    Innermost,
+}
+
 impl<R: AimRig> Chain<R> {
     /// `pose` with `first` as the joint that is aimed; `None` where it is not finite or does not span space.
-    pub(crate) fn new(rig: &R, pose: &[Affine3A], first: usize) -> Option<Self> {
+    #[inline]
+    pub(crate) fn new(rig: &R, pose: &[Affine3A], first: usize, level: Level) -> Option<Self> {
         let infos = rig.joint_infos();
         let count = infos.len();
         if count == 0 || pose.len() < count {
@@ -79,66 +92,69 @@ impl<R: AimRig> Chain<R> {
         }
         let first = first.min(count - 1);
         let pose = &pose[..count];
-        if !pose[first..].iter().all(|joint| joint.is_finite()) {
-            return None;
-        }
         let declared = rig.effector();
         let effector = if first == 0 {
             Ray { origin: Vec3A::from(declared.origin), direction: Vec3A::from(declared.forward) }
         } else {
             Ray { origin: Vec3A::ZERO, direction: Vec3A::from(infos[first].axes.forward) }
         };
+
+        let mut frames = rig.array(Mat3A::IDENTITY);
+        let rigid = similar(&pose[first..], &mut frames.as_mut()[first..]);
+        if !rigid {
+            for (frame, joint) in frames.as_mut().iter_mut().zip(pose).skip(first) {
+                *frame = math::orthonormal(joint.matrix3)?;
+            }
+        }
+        let origin = pose[count - 1].translation;
         let offset = pose[first].transform_vector3a(effector.origin);
         let size = size(&pose[first..], offset);
         let per_size = 1.0 / size;
-        if !(size.is_finite() && per_size.is_finite() && per_size > 0.0) {
+        if !(origin.is_finite() && size.is_finite() && per_size.is_finite() && per_size > 0.0) {
             return None;
         }
 
-        let origin = pose[count - 1].translation;
-        let mut local = rig.array(Affine3A::IDENTITY);
+        let mut tilts = rig.array(Quat::IDENTITY);
+        upright(infos, first, level, frames.as_mut(), tilts.as_mut());
+        let frames = frames.as_ref();
         let mut links = rig.array(Affine3A::IDENTITY);
-        let mut base = Affine3A::IDENTITY;
-        let mut rigid = true;
-        {
-            let (local, links) = (local.as_mut(), links.as_mut());
-            let to_solver = |joint: &Affine3A| Affine3A {
-                matrix3: joint.matrix3 * per_size,
-                translation: (joint.translation - origin) * per_size,
-            };
-            let mut inner: Option<Affine3A> = None;
-            let mut inner_frame = Affine3A::IDENTITY;
-            for index in first..count {
-                let joint = to_solver(&pose[index]);
-                let frame = Affine3A { matrix3: math::orthonormal(joint.matrix3)?, translation: joint.translation };
-                rigid &= is_rigid(&joint.matrix3, &frame.matrix3);
-                let outward = math::rigid_inverse(&frame);
-                match inner {
-                    Some(inner) => {
-                        local[index - 1] = inverse(&joint) * inner;
-                        links[index] = outward * inner_frame;
-                    }
-                    None => {
-                        links[index] = Affine3A {
-                            matrix3: effector_axes(rig, first),
-                            translation: outward.transform_vector3a(offset * per_size),
-                        };
-                    }
+        for index in first..count {
+            let outward = frames[index].transpose();
+            links.as_mut()[index] = if index == first {
+                let axes = effector_axes(rig, first);
+                let tilt = tilts.as_ref()[first];
+                Affine3A {
+                    matrix3: if is_identity(tilt) { axes } else { Mat3A::from_quat(tilt.conjugate()) * axes },
+                    translation: outward * (offset * per_size),
                 }
-                inner = Some(joint);
-                inner_frame = frame;
-            }
-            local[count - 1] = inner?;
-            base = inner_frame * base;
-            let finite = |transforms: &[Affine3A]| transforms.iter().all(|transform| transform.is_finite());
-            if !(finite(local) && finite(links) && base.is_finite()) {
-                return None;
-            }
+            } else {
+                let step = pose[index - 1].translation - pose[index].translation;
+                Affine3A { matrix3: outward * frames[index - 1], translation: outward * (step * per_size) }
+            };
         }
-        let chain = Self { first, count, effector, local, links, base, rigid, origin, per_size };
-        // A direction of no length (or of none after a flat scale) aims nowhere.
-        math::direction(chain.animated_gaze().direction)?;
+        let mut effector = effector;
+        let local = if rigid {
+            effector.origin = frames[first].transpose() * (offset * per_size);
+            let tilt = tilts.as_ref()[first];
+            if !is_identity(tilt) {
+                effector.origin = tilt.mul_vec3a(effector.origin);
+            }
+            None
+        } else {
+            Some(local(rig, pose, first, origin, per_size)?)
+        };
+        let base = Affine3A { matrix3: frames[count - 1], translation: Vec3A::ZERO };
+        let chain = Self { first, count, effector, local, links, tilts, base, origin, per_size };
+        if !rigid {
+            // A direction of no length (or of none after a flat scale) aims nowhere.
+            math::direction(chain.animated_gaze().direction)?;
+        }
         Some(chain)
+    }
+
+    /// Whether the links are all there is to the pose: no shear, no non-uniform scale.
+    pub(crate) fn is_rigid(&self) -> bool {
+        self.local.is_none()
     }
 
     /// A point of the pose's space in solver space, brought near where it is a mere direction; `None` where it is not
@@ -159,12 +175,24 @@ impl<R: AimRig> Chain<R> {
 
     /// A ray in a joint's space, after its added rotation, in the next joint's space (solver space for the last).
     pub(crate) fn outward(&self, joint: usize, ray: Ray) -> Ray {
-        ray.through(&self.local.as_ref()[joint])
+        match &self.local {
+            Some(local) => ray.through(&local.as_ref()[joint]),
+            None => {
+                // Links stand between levelled frames.
+                let tilts = self.tilts.as_ref();
+                let ray = ray.turned(tilts[joint].conjugate());
+                match tilts.get(joint + 1) {
+                    Some(tilt) => ray.through(&self.links.as_ref()[joint + 1]).turned(*tilt),
+                    None => ray.through(&self.base),
+                }
+            }
+        }
     }
 
     /// Each joint's true frame in solver space before its added rotation.
     pub(crate) fn frames(&self, turns: &[Quat], frames: &mut [Affine3A]) {
-        let local = self.local.as_ref();
+        let Some(local) = &self.local else { return self.rigid_frames(turns, frames) };
+        let local = local.as_ref();
         let mut frame = Affine3A::IDENTITY;
         for index in (self.first..self.count).rev() {
             frame *= local[index];
@@ -173,7 +201,7 @@ impl<R: AimRig> Chain<R> {
         }
     }
 
-    /// The same for the rigid links.
+    /// The same for the rigid links. Both only for chains without level headings.
     pub(crate) fn rigid_frames(&self, turns: &[Quat], frames: &mut [Affine3A]) {
         let links = self.links.as_ref();
         let mut frame = self.base;
@@ -202,7 +230,7 @@ impl<R: AimRig> Chain<R> {
     /// `effector` and `rigid_effector` are the effector as the true forward kinematics and as the rigid links have
     /// it, all in solver space. Without this, a search along the rigid links would end where *they* aim.
     pub(crate) fn seen_target(&self, target: Vec3A, effector: Ray, rigid_effector: Ray) -> Vec3A {
-        if self.rigid {
+        if self.is_rigid() {
             return target;
         }
         let to_target = target - effector.origin;
@@ -228,19 +256,112 @@ pub(crate) fn turns<R: AimRig>(rig: &R, joints: &[Joint]) -> R::Array<Quat> {
     turns
 }
 
-/// The length that stands for the rig: from the innermost joint along the chain to the effector; where the chain has
-/// no length, that of a bone's axis.
-fn size(pose: &[Affine3A], offset: Vec3A) -> f32 {
-    let mut extent = math::length(offset);
-    for pair in pose.windows(2) {
-        extent += math::length(pair[0].translation - pair[1].translation);
+/// The orthogonal frames of joints that are scaled, turned and mirrored alone; false where one is more than that, or
+/// where its numbers are so large or small that their squares would not do.
+#[inline]
+fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> bool {
+    /// How far from square or from equal length a joint's axes may be, as a part of their squared length.
+    const OFF: f32 = 1e-4;
+    pose.iter().zip(frames).all(|(joint, frame)| {
+        let Mat3A { x_axis: x, y_axis: y, z_axis: z } = joint.matrix3;
+        let square = x.dot(x);
+        let (yy, zz) = (y.dot(y) - square, z.dot(z) - square);
+        let (xy, yz, zx) = (x.dot(y), y.dot(z), z.dot(x));
+        let off = yy.abs().max(zz.abs()).max(xy.abs()).max(yz.abs()).max(zx.abs());
+        let per_length = 1.0 / math::sqrt(square);
+        *frame = joint.matrix3 * per_length;
+        // The negation also catches NaN; a maximum alone would not.
+        square > 1e-12 && square < 1e12 && off < OFF * square && (yy + zz + xy + yz + zx).is_finite()
+    })
+}
+
+/// Each joint's animated transform in the next joint's space, the last one's in solver space.
+#[cold]
+fn local<R: AimRig>(
+    rig: &R,
+    pose: &[Affine3A],
+    first: usize,
+    origin: Vec3A,
+    per_size: f32,
+) -> Option<R::Array<Affine3A>> {
+    let mut local = rig.array(Affine3A::IDENTITY);
+    let to_solver = |joint: &Affine3A| Affine3A {
+        matrix3: joint.matrix3 * per_size,
+        translation: (joint.translation - origin) * per_size,
+    };
+    for index in first..pose.len() {
+        let joint = to_solver(&pose[index]);
+        local.as_mut()[index] = match pose.get(index + 1) {
+            Some(next) => inverse(&to_solver(next)) * joint,
+            None => joint,
+        };
     }
-    let mut scale = 0.0_f32;
-    for joint in pose {
-        for column in [joint.matrix3.x_axis, joint.matrix3.y_axis, joint.matrix3.z_axis] {
-            scale = scale.max(math::length(column));
+    local.as_ref().iter().all(|transform| transform.is_finite()).then_some(local)
+}
+
+/// Tilts the frames of joints with a level heading upright, by the shortest arc, and tells how in their bones' spaces.
+///
+/// A bone that leans by more than a right angle (of a character on all fours, say) is tilted less and less, and not at
+/// all when it hangs upside down: there is no shortest arc.
+#[inline]
+fn upright(infos: &[JointInfo], first: usize, level: Level, frames: &mut [Mat3A], tilts: &mut [Quat]) {
+    /// The cosines of the leans from which tilting fades, and at which nothing is left of it.
+    const FADES: f32 = 0.0;
+    const GONE: f32 = -0.5;
+    let up = match level {
+        Level::Off => return,
+        Level::About(up) => up,
+        Level::Innermost => {
+            let last = infos.len() - 1;
+            frames[last] * Vec3A::from(infos[last].axes.up)
+        }
+    };
+    for index in first..infos.len() {
+        let level = infos[index].effective_level();
+        if !(level > 0.0) {
+            continue;
+        }
+        let bone_up = Vec3A::from(infos[index].axes.up);
+        let wanted = frames[index].transpose() * up;
+        let cosine = bone_up.dot(wanted);
+        let part = level * ((cosine - GONE) / (FADES - GONE)).max(0.0).min(1.0);
+        if !(part > 0.0) {
+            continue;
+        }
+        // Half of the arc is the quaternion of the whole; a part of it, of the part.
+        let wanted = if part < 1.0 { math::part_of_arc(bone_up, wanted, part) } else { wanted };
+        let axis = bone_up.cross(wanted);
+        let along = 1.0 + bone_up.dot(wanted);
+        let per_length = 1.0 / math::sqrt(axis.dot(axis) + along * along);
+        let axis = axis * per_length;
+        let tilt = Quat::from_xyzw(axis.x, axis.y, axis.z, along * per_length);
+        if tilt.is_finite() {
+            tilts[index] = tilt;
+            frames[index] *= Mat3A::from_quat(tilt);
         }
     }
+}
+
+#[inline(always)]
+pub(crate) fn is_identity(turn: Quat) -> bool {
+    turn.w == 1.0
+}
+
+/// The length that stands for the rig: from the innermost joint along the chain to the effector; where the chain has
+/// no length, that of a bone's axis.
+#[inline]
+fn size(pose: &[Affine3A], offset: Vec3A) -> f32 {
+    let extent = |length: fn(Vec3A) -> f32| {
+        let links = pose.windows(2).map(|pair| length(pair[0].translation - pair[1].translation));
+        links.fold(length(offset), |sum, link| sum + link)
+    };
+    let plain = extent(Vec3A::length);
+    if plain > 1e-12 && plain < 1e12 {
+        return plain;
+    }
+    let extent = extent(math::length);
+    let axes = pose.iter().flat_map(|joint| [joint.matrix3.x_axis, joint.matrix3.y_axis, joint.matrix3.z_axis]);
+    let scale = axes.map(math::length).fold(0.0, f32::max);
     if extent > 1e-6 * scale { extent } else { scale }
 }
 
@@ -251,12 +372,6 @@ fn inverse(joint: &Affine3A) -> Affine3A {
     Affine3A { matrix3: inverse, translation: -(inverse * joint.translation) }
 }
 
-fn is_rigid(matrix: &Mat3A, orthonormal: &Mat3A) -> bool {
-    let scale = matrix.x_axis.length();
-    let off = |axis: Vec3A, unit: Vec3A| !((axis - unit * scale).length() <= RIGID * scale);
-    !(off(matrix.y_axis, orthonormal.y_axis) || off(matrix.z_axis, orthonormal.z_axis))
-}
-
 /// Effector space in the space of the joint that carries the effector. For joint 0 they have the same axes. For
 /// another joint, the direction that the kernels aim becomes that joint's own forward.
 fn effector_axes<R: AimRig>(rig: &R, first: usize) -> Mat3A {
@@ -264,14 +379,8 @@ fn effector_axes<R: AimRig>(rig: &R, first: usize) -> Mat3A {
         return Mat3A::IDENTITY;
     }
     let infos = rig.joint_infos();
-    let frame = |forward: [f32; 3], axes: &Axes| {
-        let forward = Vec3A::from(forward);
-        // An overridden effector may point along joint 0's up.
-        math::orthonormal(Mat3A::from_cols(forward, axes.up.into(), axes.left.into()))
-            .or_else(|| math::orthonormal(Mat3A::from_cols(forward, axes.left.into(), axes.forward.into())))
-            .unwrap_or(Mat3A::IDENTITY)
-    };
-    let from = frame(rig.effector().forward, &infos[0].axes);
-    let axes = &infos[first].axes;
-    frame(axes.forward, axes) * from.transpose()
+    let Axes { up, forward, left } = infos[first].axes;
+    let [forward, left, up] = [forward, left, up].map(Vec3A::from);
+    let [from_forward, from_left, from_up] = rig.effector().axes(&infos[0].axes);
+    Mat3A::from_cols(forward, left, up) * Mat3A::from_cols(from_forward, from_left, from_up).transpose()
 }

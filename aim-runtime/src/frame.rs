@@ -2,13 +2,15 @@
 
 use core::ops::Range as Span;
 
-use glam::{Affine3A, Vec3};
+use glam::Vec3;
 
-use crate::chain::{self, Chain};
+use crate::chain::{self, Chain, Level};
 use crate::goal::Goal;
 use crate::limits::{self, Reach};
+use crate::motion::{Motion, motions};
+use crate::pose::Animated;
 use crate::settle::{settle, settle_from_rest};
-use crate::{AimRig, Ascent, Joint, Outcome, Settings, Status, ascent, math};
+use crate::{AimRig, Ascent, Joint, JointInfo, Outcome, Role, Settings, Solver, Status, ascent, exact, math, trig};
 
 /// The longest frame, seconds: after a hitch nothing leaps.
 const LONGEST_FRAME_S: f32 = 0.1;
@@ -23,15 +25,17 @@ const STUCK: f32 = 0.1;
 /// [`AimRig::aim_with`].
 pub(crate) fn aim<R: AimRig>(
     rig: &mut R,
-    pose_ps: &[Affine3A],
+    pose_ps: &Animated<'_>,
     target_ps: Vec3,
     dt: f32,
     settings: &Settings,
 ) -> Outcome {
     let dt = if dt > 0.0 { dt.min(LONGEST_FRAME_S) } else { 0.0 };
     let mut joints = rig.joints();
-    let outcome = aim_joints(rig, pose_ps, target_ps, dt, settings, joints.as_mut());
-    let outcome = outcome.unwrap_or_else(|| degenerate(rig));
+    let motions = motions(rig, pose_ps);
+    let motions = motions.as_ref();
+    let outcome = aim_joints(rig, pose_ps, motions, target_ps, dt, settings, joints.as_mut());
+    let outcome = outcome.unwrap_or_else(|| degenerate(rig, motions));
     if dt > 0.0 && outcome.status != Status::Degenerate {
         rig.set_joints(joints);
     }
@@ -39,29 +43,32 @@ pub(crate) fn aim<R: AimRig>(
 }
 
 /// [`AimRig::snap_with`].
-pub(crate) fn snap<R: AimRig>(rig: &mut R, pose_ps: &[Affine3A], target_ps: Vec3, settings: &Settings) -> Outcome {
+pub(crate) fn snap<R: AimRig>(rig: &mut R, pose_ps: &Animated<'_>, target_ps: Vec3, settings: &Settings) -> Outcome {
     let mut joints = rig.joints();
-    match snap_joints(rig, pose_ps, target_ps, settings, joints.as_mut()) {
+    let motions = motions(rig, pose_ps);
+    let motions = motions.as_ref();
+    match snap_joints(rig, pose_ps, motions, target_ps, settings, joints.as_mut()) {
         Some(outcome) => {
             rig.set_joints(joints);
             outcome
         }
-        None => degenerate(rig),
+        None => degenerate(rig, motions),
     }
 }
 
 /// Moves `joints`, a copy of the rig's; `None` where there is nothing to aim.
 fn aim_joints<R: AimRig>(
     rig: &R,
-    pose_ps: &[Affine3A],
+    pose_ps: &Animated<'_>,
+    motions: &[Motion],
     target_ps: Vec3,
     dt: f32,
     settings: &Settings,
     joints: &mut [Joint],
 ) -> Option<Outcome> {
-    let chain = Chain::new(rig, pose_ps, settings.effector)?;
-    let goal = goal(rig, &chain, target_ps, settings, joints)?;
-    let frame = Frame::new(rig, &chain, &goal, dt, settings, joints);
+    let chain = chain(rig, pose_ps, settings, joints)?;
+    let goal = goal(rig, &chain, motions, target_ps, settings, joints)?;
+    let frame = Frame::new(rig, &chain, motions, &goal, dt, settings, joints);
 
     for (joint, reach) in joints.iter_mut().zip(frame.reaches.as_ref()) {
         *joint = reach.hold(joint);
@@ -71,19 +78,49 @@ fn aim_joints<R: AimRig>(
         frame.go_to_rest(joints, 0..chain.count);
     } else {
         frame.go_to_rest(joints, 0..chain.first);
-        frame.relax(joints, dt);
-        within_reach = frame.go_to_goal(joints)?;
+        within_reach = match solver(rig, settings) {
+            Solver::Ascent => {
+                frame.relax(joints, dt);
+                frame.go_to_goal(joints)?
+            }
+            Solver::Exact | Solver::Natural => frame.solve(joints, dt)?,
+        };
     }
     if dt == 0.0 {
         joints.copy_from_slice(frame.start.as_ref());
     }
-    finish(rig, &chain, &goal, joints, frame.tolerance, within_reach)
+    finish(rig, &chain, motions, &goal, joints, frame.tolerance, within_reach)
+}
+
+/// The solver that moves the joints.
+fn solver<R: AimRig>(rig: &R, settings: &Settings) -> Solver {
+    settings.solver.unwrap_or_else(|| match rig.joint_infos().first() {
+        Some(JointInfo { role: Role::Eye, .. }) => Solver::Natural,
+        _ => Solver::Exact,
+    })
+}
+
+/// The pose made ready; the joints learn how their frames are tilted in it.
+fn chain<R: AimRig>(rig: &R, pose_ps: &Animated<'_>, settings: &Settings, joints: &mut [Joint]) -> Option<Chain<R>> {
+    let level = match (solver(rig, settings), pose_ps.up.and_then(|up| math::direction(up.into()))) {
+        // The paper's method knows bones only.
+        (Solver::Ascent, _) => Level::Off,
+        (_, Some(up)) => Level::About(up),
+        (_, None) => Level::Innermost,
+    };
+    let chain = Chain::new(rig, pose_ps.joints, settings.effector, level)?;
+    for (joint, tilt) in joints.iter_mut().zip(chain.tilts.as_ref()) {
+        joint.tilt = *tilt;
+    }
+    Some(chain)
 }
 
 /// What the steps of one frame share.
 struct Frame<'a, R: AimRig> {
     rig: &'a R,
     chain: &'a Chain<R>,
+    /// The ranges of motion.
+    motions: &'a [Motion],
     goal: &'a Goal,
     ascent: &'a Ascent,
     tolerance: f32,
@@ -94,15 +131,24 @@ struct Frame<'a, R: AimRig> {
 }
 
 impl<'a, R: AimRig> Frame<'a, R> {
-    fn new(rig: &'a R, chain: &'a Chain<R>, goal: &'a Goal, dt: f32, settings: &'a Settings, joints: &[Joint]) -> Self {
+    fn new(
+        rig: &'a R,
+        chain: &'a Chain<R>,
+        motions: &'a [Motion],
+        goal: &'a Goal,
+        dt: f32,
+        settings: &'a Settings,
+        joints: &[Joint],
+    ) -> Self {
         let mut start = rig.array(Joint::default());
         start.as_mut().copy_from_slice(joints);
         let mut reaches = rig.array(Reach::REST);
-        for ((reach, info), joint) in reaches.as_mut().iter_mut().zip(rig.joint_infos()).zip(joints) {
-            *reach = Reach::frame(info, joint, dt);
+        let motion = motions.iter().zip(rig.joint_infos());
+        for ((reach, (motion, info)), joint) in reaches.as_mut().iter_mut().zip(motion).zip(joints) {
+            *reach = Reach::frame(motion, info.rate, joint, dt);
         }
         let tolerance = settings.effective_tolerance();
-        Self { rig, chain, goal, ascent: &settings.ascent, tolerance, reaches, start }
+        Self { rig, chain, motions, goal, ascent: &settings.ascent, tolerance, reaches, start }
     }
 
     /// The angle between the gaze and the goal, radians; `None` where it is undefined.
@@ -124,30 +170,70 @@ impl<'a, R: AimRig> Frame<'a, R> {
         }
     }
 
+    /// Moves all joints at once to the optimum within their reach, or round the other way where their ranges block the
+    /// one they are on. Returns whether the goal is within reach.
+    fn solve(&self, joints: &mut [Joint], dt: f32) -> Option<bool> {
+        let Self { rig, chain, motions, goal, tolerance, .. } = *self;
+        let mut advanced = rig.joints();
+        let advanced = advanced.as_mut();
+        advanced.copy_from_slice(joints);
+        let mut lambda = joints[chain.count - 1].lambda;
+        let ended = exact::Solver::new(rig, chain, goal).advance(advanced, self.reaches.as_ref(), dt, &mut lambda)?;
+        joints[chain.count - 1].lambda = lambda;
+        advanced[chain.count - 1].lambda = lambda;
+        if ended.remaining <= tolerance {
+            joints.copy_from_slice(advanced);
+            joints.iter_mut().for_each(|joint| joint.bound_for = None);
+            return Some(true);
+        }
+        if let Some(within_reach) = self.keep_turning_round(joints) {
+            return Some(within_reach);
+        }
+        // Where would the joints get from here, had they the time; and where from rest?
+        let mut settled = rig.joints();
+        let settled = settled.as_mut();
+        settled.copy_from_slice(advanced);
+        let from_here = settle(rig, chain, motions, goal, settled)?;
+        let stays = advanced.iter().zip(self.start.as_ref()).all(|(new, old)| new.is_near(old, 1e-4));
+        joints.copy_from_slice(advanced);
+        if from_here <= tolerance {
+            if stays {
+                self.turn_round_to(settled, joints);
+            }
+            return Some(true);
+        }
+        let from_rest = settle_from_rest(rig, chain, motions, goal, settled, tolerance).unwrap_or(f32::INFINITY);
+        let within_reach = from_rest <= tolerance;
+        if within_reach || from_rest + TURN_BACK_RAD < from_here {
+            self.turn_round_to(settled, joints);
+        }
+        Some(within_reach)
+    }
+
     /// Goes on turning round, or ascends and goes on where the ascent ends short of the goal. Returns whether the goal
     /// is within reach.
     fn go_to_goal(&self, joints: &mut [Joint]) -> Option<bool> {
         if let Some(within_reach) = self.keep_turning_round(joints) {
             return Some(within_reach);
         }
-        let Self { rig, chain, goal, tolerance, .. } = *self;
+        let Self { rig, chain, motions, goal, tolerance, .. } = *self;
         let before = self.angle(joints)?;
         let remaining = ascent::ascend(rig, chain, goal, joints, self.reaches.as_ref(), tolerance, self.ascent)?;
         if remaining <= tolerance {
             return Some(true);
         }
         // Where would the joints get from here, had they the time; and where from rest?
-        let mut settled = rig.array(Joint::default());
+        let mut settled = rig.joints();
         let settled = settled.as_mut();
         settled.copy_from_slice(joints);
-        let from_here = settle(rig, chain, goal, settled, tolerance)?;
+        let from_here = settle(rig, chain, motions, goal, settled)?;
         if from_here <= tolerance {
             if self.ascent.finish {
                 self.finish_at(settled, joints, before, remaining);
             }
             return Some(true);
         }
-        let from_rest = settle_from_rest(rig, chain, goal, settled, tolerance).unwrap_or(f32::INFINITY);
+        let from_rest = settle_from_rest(rig, chain, motions, goal, settled, tolerance).unwrap_or(f32::INFINITY);
         let within_reach = from_rest <= tolerance;
         let turns_back = self.ascent.turn_back && from_rest + TURN_BACK_RAD < from_here;
         if turns_back || (self.ascent.finish && within_reach) {
@@ -159,8 +245,8 @@ impl<'a, R: AimRig> Frame<'a, R> {
     /// Goes on to where the joints are bound for; returns whether the goal is within reach. `None` where they are bound
     /// for nowhere, or where going there has lost its point.
     fn keep_turning_round(&self, joints: &mut [Joint]) -> Option<bool> {
-        let Self { rig, chain, goal, tolerance, .. } = *self;
-        let mut bound = rig.array(Joint::default());
+        let Self { rig, chain, motions, goal, tolerance, .. } = *self;
+        let mut bound = rig.joints();
         let bound = bound.as_mut();
         let mut turning = self.ascent.finish || self.ascent.turn_back;
         for (bound, joint) in bound.iter_mut().zip(&mut *joints).skip(chain.first) {
@@ -179,18 +265,18 @@ impl<'a, R: AimRig> Frame<'a, R> {
         }
         self.turn_round_to(bound, joints);
         // The goal may have moved on since the joints set out.
-        let within_reach = there <= tolerance || settle(rig, chain, goal, bound, tolerance)? <= tolerance;
+        let within_reach = there <= tolerance || settle(rig, chain, motions, goal, bound)? <= tolerance;
         Some(within_reach)
     }
 
     /// The end of an ascent that stopped short of a goal within reach: all the way if this frame is enough for it, or
     /// towards it where the ascent is stuck.
     fn finish_at(&self, settled: &mut [Joint], joints: &mut [Joint], before: f32, remaining: f32) {
-        let (reaches, start, infos) = (self.reaches.as_ref(), self.start.as_ref(), self.rig.joint_infos());
+        let (reaches, start, motions) = (self.reaches.as_ref(), self.start.as_ref(), self.motions);
         let chain = self.chain.first..self.chain.count;
         let part = chain
             .clone()
-            .map(|index| reaches[index].part_of_way(&start[index], &settled[index], &infos[index]))
+            .map(|index| reaches[index].part_of_way(&start[index], &settled[index], &motions[index]))
             .fold(1.0, f32::min);
         let stuck = self.is_stuck(before, remaining);
         if part < 1.0 && !stuck {
@@ -200,7 +286,7 @@ impl<'a, R: AimRig> Frame<'a, R> {
         let straight = straight.as_mut();
         for index in chain.clone() {
             // The same part of its way for each, so that what makes up for each other moves together.
-            straight[index] = reaches[index].part_way(&start[index], &settled[index], &infos[index], part);
+            straight[index] = reaches[index].part_way(&start[index], &settled[index], &motions[index], part);
         }
         if self.angle(straight).is_some_and(|angle| angle < remaining) {
             joints[chain.clone()].copy_from_slice(&straight[chain]);
@@ -219,13 +305,13 @@ impl<'a, R: AimRig> Frame<'a, R> {
     /// Each joint towards `settled` at its rate, and bound for there until it arrives: round the other way it has to get
     /// worse before it gets better, and an ascent would go back.
     fn turn_round_to(&self, settled: &[Joint], joints: &mut [Joint]) {
-        let (reaches, start, infos) = (self.reaches.as_ref(), self.start.as_ref(), self.rig.joint_infos());
+        let (reaches, start, motions) = (self.reaches.as_ref(), self.start.as_ref(), self.motions);
         let mut arrived = true;
         for index in self.chain.first..self.chain.count {
             let goal = &settled[index];
-            joints[index] = reaches[index].towards(&start[index], goal, &infos[index]);
+            joints[index] = reaches[index].towards(&start[index], goal, &motions[index]);
             joints[index].bound_for = Some([goal.heading, goal.pitch]);
-            arrived &= reaches[index].part_of_way(&start[index], goal, &infos[index]) >= 1.0;
+            arrived &= reaches[index].part_of_way(&start[index], goal, &motions[index]) >= 1.0;
         }
         if arrived {
             for joint in joints {
@@ -237,58 +323,69 @@ impl<'a, R: AimRig> Frame<'a, R> {
 
 fn snap_joints<R: AimRig>(
     rig: &R,
-    pose_ps: &[Affine3A],
+    pose_ps: &Animated<'_>,
+    motions: &[Motion],
     target_ps: Vec3,
     settings: &Settings,
     joints: &mut [Joint],
 ) -> Option<Outcome> {
-    let chain = Chain::new(rig, pose_ps, settings.effector)?;
+    let chain = chain(rig, pose_ps, settings, joints)?;
     let tolerance = settings.effective_tolerance();
-    let goal = goal(rig, &chain, target_ps, settings, joints)?;
+    let goal = goal(rig, &chain, motions, target_ps, settings, joints)?;
 
-    let mut from_here = rig.array(Joint::default());
+    let mut from_here = rig.joints();
     let from_here = from_here.as_mut();
-    from_here[chain.first..].copy_from_slice(&joints[chain.first..]);
-    joints.fill(Joint::default());
-    for (joint, info) in joints.iter_mut().zip(rig.joint_infos()) {
-        *joint = Reach::range(info).hold(joint);
+    from_here.copy_from_slice(joints);
+    for joint in from_here[..chain.first].iter_mut().chain(&mut *joints) {
+        (joint.heading, joint.pitch, joint.bound_for) = (0.0, 0.0, None);
+    }
+    for (joint, motion) in joints.iter_mut().zip(motions) {
+        *joint = Reach::range(motion).hold(joint);
     }
     if settings.effective_weight() > 0.0 {
         // The aim may be undefined at rest and yet defined here, or the reverse.
-        let from_rest = settle_from_rest(rig, &chain, &goal, joints, tolerance).unwrap_or(f32::INFINITY);
+        let from_rest = settle_from_rest(rig, &chain, motions, &goal, joints, tolerance).unwrap_or(f32::INFINITY);
         if from_rest > tolerance {
-            let from_here_rad = settle(rig, &chain, &goal, from_here, tolerance);
+            let from_here_rad = settle(rig, &chain, motions, &goal, from_here);
             if from_here_rad.is_some_and(|from_here_rad| from_here_rad < 0.999 * from_rest) {
                 joints.copy_from_slice(from_here);
             }
         }
     }
-    finish(rig, &chain, &goal, joints, tolerance, false)
+    finish(rig, &chain, motions, &goal, joints, tolerance, false)
 }
 
 /// What to turn to. At weight 0 that is the animation, whatever the target.
-fn goal<R: AimRig>(rig: &R, chain: &Chain<R>, target_ps: Vec3, settings: &Settings, joints: &[Joint]) -> Option<Goal> {
+fn goal<R: AimRig>(
+    rig: &R,
+    chain: &Chain<R>,
+    motions: &[Motion],
+    target_ps: Vec3,
+    settings: &Settings,
+    joints: &[Joint],
+) -> Option<Goal> {
     let before = joints[chain.count - 1].side;
     let weight = settings.effective_weight();
     if weight == 0.0 {
         return Some(Goal::animation(chain, before));
     }
     let target = chain.to_solver(target_ps.into())?;
-    Some(Goal::new(rig, chain, target, weight, before))
+    Some(Goal::new(rig, chain, motions, target, weight, before))
 }
 
 /// Remembers what was seen, and judges the joints as they are now.
 fn finish<R: AimRig>(
     rig: &R,
     chain: &Chain<R>,
+    motions: &[Motion],
     goal: &Goal,
     joints: &mut [Joint],
     tolerance: f32,
     within_reach: bool,
 ) -> Option<Outcome> {
     let infos = rig.joint_infos();
-    for (joint, info) in joints.iter_mut().zip(infos) {
-        limits::wrap(info, joint);
+    for (joint, motion) in joints.iter_mut().zip(motions) {
+        limits::wrap(motion, joint);
     }
     joints[chain.count - 1].side = goal.side;
     let remaining = chain.gaze(chain::turns(rig, joints).as_ref()).angle_to(goal.wanted)?;
@@ -301,13 +398,13 @@ fn finish<R: AimRig>(
     } else {
         Status::AtLimit
     };
-    let (at_limit, recovering) = limits::limits_met(infos, joints);
-    let (_, aim) = math::sin_cos(remaining);
+    let (at_limit, recovering) = limits::limits_met(infos, motions, joints);
+    let (_, aim) = trig::sin_cos(remaining);
     Some(Outcome { aim, remaining, status, at_limit, recovering })
 }
 
 /// The outcome where there is nothing to aim: the angles hold.
-fn degenerate<R: AimRig>(rig: &R) -> Outcome {
-    let (at_limit, recovering) = limits::limits_met(rig.joint_infos(), rig.joints().as_ref());
+fn degenerate<R: AimRig>(rig: &R, motions: &[Motion]) -> Outcome {
+    let (at_limit, recovering) = limits::limits_met(rig.joint_infos(), motions, rig.joints().as_ref());
     Outcome { aim: 0.0, remaining: math::UNDEFINED_RAD, status: Status::Degenerate, at_limit, recovering }
 }

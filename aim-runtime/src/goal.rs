@@ -6,7 +6,8 @@ use crate::AimRig;
 use crate::behind::Front;
 use crate::chain::{Chain, Ray};
 use crate::joint::Side;
-use crate::math;
+use crate::motion::Motion;
+use crate::{math, trig};
 
 /// What a call turns to, in solver space.
 #[derive(Clone, Copy, Debug)]
@@ -23,9 +24,16 @@ pub(crate) struct Goal {
 
 impl Goal {
     /// The goal for a target that was last seen on the side `before`.
-    pub(crate) fn new<R: AimRig>(rig: &R, chain: &Chain<R>, target: Vec3A, weight: f32, before: Side) -> Self {
+    pub(crate) fn new<R: AimRig>(
+        rig: &R,
+        chain: &Chain<R>,
+        motions: &[Motion],
+        target: Vec3A,
+        weight: f32,
+        before: Side,
+    ) -> Self {
         let gaze = chain.animated_gaze();
-        let front = Front::new(rig, chain, gaze);
+        let front = Front::new(rig, chain, motions, gaze);
         let side = front.side(target, before);
         let wanted =
             if weight < 1.0 { part_way(&front, gaze, front.on_side(target, side), weight, side) } else { target };
@@ -59,7 +67,7 @@ fn part_way(front: &Front, gaze: Ray, target: Vec3A, weight: f32, side: Side) ->
     } else {
         square_to_gaze(front.left * side.sign()).or_else(|| square_to_gaze(front.forward))
     };
-    let (sin, cos) = math::sin_cos(weight * angle);
+    let (sin, cos) = trig::sin_cos(weight * angle);
     let toward = start.map_or(from, |start| from * cos + start * sin);
     gaze.origin + toward * to_target.length()
 }

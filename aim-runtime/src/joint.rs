@@ -2,9 +2,9 @@
 
 use core::f32::consts::TAU;
 
-use glam::{Quat, Vec3};
+use glam::{Quat, Vec3A};
 
-use crate::{Axes, math};
+use crate::{Axes, chain, math, trig};
 
 /// What part a joint has in a gaze. It decides what is left to the solver: whether a rig has eyes, which headings are
 /// level, how quickly a supporting joint takes up speed.
@@ -45,11 +45,13 @@ pub struct JointInfo {
     /// and 0 for the others.
     pub level: Option<f32>,
     /// The part of the pitch range that is lost at either end of the heading's range, 0…1, growing linearly from none
-    /// at heading 0.
+    /// at heading 0. Outside values are clamped, NaN counts as 0; without an end (a `free` heading) nothing is lost.
     pub narrowing: f32,
     /// What part the joint has in a gaze.
     pub role: Role,
-    /// Whether the ranges are counted from the bind pose instead of from the animation.
+    /// Whether the ranges are counted from the bind pose instead of from the animation. Then what the animation does
+    /// already is part of the angles that the ranges bound; wherever it is, it is let be, and never pushed further out.
+    /// Needs [a pose with a bind pose](crate::Pose::with_bind); without one the ranges are counted from the animation.
     pub absolute: bool,
 }
 
@@ -112,6 +114,12 @@ impl JointInfo {
         self
     }
 
+    /// The level as it counts, 0…1.
+    pub(crate) fn effective_level(&self) -> f32 {
+        let by_role = if matches!(self.role, Role::Head | Role::Neck) { 1.0 } else { 0.0 };
+        self.level.unwrap_or(by_role).max(0.0).min(1.0)
+    }
+
     /// With ranges counted from the bind pose.
     pub const fn with_absolute_range(mut self) -> Self {
         self.absolute = true;
@@ -130,6 +138,10 @@ pub struct Joint {
     pub(crate) side: Side,
     /// Heading and pitch to go to though the aim gets worse on the way.
     pub(crate) bound_for: Option<[f32; 2]>,
+    /// How the frame that the angles count in stands in the bone: tilted upright for a level heading.
+    pub(crate) tilt: Quat,
+    /// The dual point that the last frame of the chain ended at; kept by the innermost joint.
+    pub(crate) lambda: [f32; 2],
 }
 
 /// The side that a target was last seen on.
@@ -168,6 +180,11 @@ impl Joint {
         Self { heading: sane(heading_rad), pitch: sane(pitch_rad), ..Self::default() }
     }
 
+    /// Whether both angles are within this of another joint's, radians.
+    pub(crate) fn is_near(&self, other: &Self, angle_rad: f32) -> bool {
+        (self.heading - other.heading).abs() <= angle_rad && (self.pitch - other.pitch).abs() <= angle_rad
+    }
+
     /// The added heading, radians: positive turns forward towards left.
     pub fn heading(&self) -> f32 {
         self.heading
@@ -179,24 +196,52 @@ impl Joint {
     }
 
     /// The correction in the bone's own space: what its animated local rotation is multiplied by on the right,
-    /// `local' = local · R_heading · R_pitch` (pitch acts first).
+    /// `local' = local · R_heading · R_pitch` (pitch acts first), both about the axes of the levelled bone where the
+    /// last call levelled its heading.
     ///
-    /// Unit to 1e-6 for unit axes, and the exact identity where both angles are 0.
+    /// Unit to 1e-6 for unit axes square to each other, and the exact identity where both angles are 0.
     #[must_use]
+    #[inline]
     pub fn correction(&self, axes: &Axes) -> Quat {
-        let forward = Vec3::from(axes.forward);
-        turn(forward, Vec3::from(axes.left), self.heading) * turn(forward, Vec3::from(axes.up), self.pitch)
+        let turn = turn(axes, trig::halves(self));
+        if chain::is_identity(self.tilt) {
+            return turn;
+        }
+        let axis = self.tilt.mul_vec3a(Vec3A::new(turn.x, turn.y, turn.z));
+        Quat::from_xyzw(axis.x, axis.y, axis.z, turn.w)
     }
 }
 
-/// The rotation by `angle_rad` that turns `from` towards `to`. Going by the plane and not by a handed axis is what
-/// makes it right for mirrored and left-handed triples too.
-fn turn(from: Vec3, to: Vec3, angle_rad: f32) -> Quat {
-    let axis = from.cross(to).normalize_or_zero();
-    if angle_rad == 0.0 || axis == Vec3::ZERO {
-        return Quat::IDENTITY;
+/// The rotation by these halves of pitch and heading in the (levelled) bone.
+///
+/// Going by the planes and not by handed axes is what makes it right for mirrored and left-handed triples too.
+#[inline(always)]
+pub(crate) fn turn(axes: &Axes, [sin_p, cos_p, sin_h, cos_h]: trig::Halves) -> Quat {
+    let [up, forward, left] = [axes.up, axes.forward, axes.left].map(Vec3A::from);
+    if !square(up, forward, left) {
+        return turn_by_planes([up, forward, left], [sin_p, cos_p, sin_h, cos_h]);
     }
-    let (sin, cos) = math::sin_cos(0.5 * angle_rad);
-    let axis = axis * sin;
-    Quat::from_xyzw(axis.x, axis.y, axis.z, cos)
+    let (by_heading, by_pitch) = (forward.cross(left), forward.cross(up));
+    let by_both = by_heading.cross(by_pitch);
+    let axis = by_heading * (sin_h * cos_p) + by_pitch * (cos_h * sin_p) + by_both * (sin_h * sin_p);
+    Quat::from_xyzw(axis.x, axis.y, axis.z, cos_h * cos_p)
+}
+
+/// Whether a triple is square and unit as far as a correction has to be unit. Of a rig known when compiling this is
+/// known then too.
+#[inline(always)]
+fn square(up: Vec3A, forward: Vec3A, left: Vec3A) -> bool {
+    const OFF: f32 = 2e-7;
+    let unit = |v: Vec3A| (v.dot(v) - 1.0).abs() <= OFF;
+    unit(up) && unit(forward) && unit(left) && forward.dot(up).abs() <= OFF && forward.dot(left).abs() <= OFF
+}
+
+/// [`turn`] for axes that are not quite square, or not at all: each angle in its plane, none where there is none.
+#[cold]
+fn turn_by_planes([up, forward, left]: [Vec3A; 3], [sin_p, cos_p, sin_h, cos_h]: trig::Halves) -> Quat {
+    let turn = |to: Vec3A, sin: f32, cos: f32| {
+        let axis = forward.cross(to).normalize_or_zero() * sin;
+        if axis == Vec3A::ZERO { Quat::IDENTITY } else { Quat::from_xyzw(axis.x, axis.y, axis.z, cos) }
+    };
+    turn(left, sin_h, cos_h) * turn(up, sin_p, cos_p)
 }

@@ -23,11 +23,14 @@ compile_error!("aim-runtime needs square roots and sines: enable the feature `st
 mod ascent;
 mod behind;
 mod chain;
+mod dual;
+mod exact;
 mod frame;
 mod goal;
 mod joint;
 mod limits;
 mod math;
+mod motion;
 mod outcome;
 mod pose;
 mod real;
@@ -35,6 +38,8 @@ mod rig;
 mod scalar;
 mod settings;
 mod settle;
+mod trig;
+mod view;
 
 pub use glam;
 pub use joint::{Joint, JointInfo, Role};

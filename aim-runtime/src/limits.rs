@@ -3,6 +3,7 @@
 
 use core::f32::consts::{PI, TAU};
 
+use crate::motion::{Motion, Narrowing};
 use crate::{Joint, JointInfo, JointSet, math};
 
 /// How close to an end of its range an angle counts as at it, radians.
@@ -16,13 +17,14 @@ pub(crate) struct Range {
 }
 
 impl Range {
-    const REST: Self = Self { lo: 0.0, hi: 0.0 };
+    pub(crate) const REST: Self = Self { lo: 0.0, hi: 0.0 };
+    const EVERYTHING: Self = Self { lo: f32::NEG_INFINITY, hi: f32::INFINITY };
 
     /// A declared range as it counts: rest where there is none or it is undefined, its middle where it is inverted,
     /// at most a full turn to either side unless it is free.
-    fn declared(range: Option<[f32; 2]>) -> Self {
+    pub(crate) fn declared(range: Option<[f32; 2]>) -> Self {
         match range {
-            Some([f32::NEG_INFINITY, f32::INFINITY]) => Self { lo: f32::NEG_INFINITY, hi: f32::INFINITY },
+            Some([f32::NEG_INFINITY, f32::INFINITY]) => Self::EVERYTHING,
             Some([lo, hi]) if !(lo.is_nan() || hi.is_nan()) => {
                 let (lo, hi) = (lo.clamp(-TAU, TAU), hi.clamp(-TAU, TAU));
                 if lo <= hi {
@@ -62,16 +64,31 @@ impl Range {
         (change > 0.0 && angle >= self.hi) || (change < 0.0 && angle <= self.lo)
     }
 
-    /// What is left of the range for an angle at `from` that changes by `step` at most. Where that is nothing, the
-    /// point nearest to the range.
-    fn within(self, from: f32, step: f32) -> Self {
-        if from - step > self.hi {
-            Self { lo: from - step, hi: from - step }
-        } else if from + step < self.lo {
-            Self { lo: from + step, hi: from + step }
+    /// The interval that a change by `step` at most leads to.
+    fn around(from: f32, step: f32) -> Self {
+        Self { lo: from - step, hi: from + step }
+    }
+
+    /// What is left of the range within `box_`. Where that is nothing, the point of `box_` nearest to the range.
+    fn within(self, box_: Self) -> Self {
+        if box_.lo > self.hi {
+            Self { lo: box_.lo, hi: box_.lo }
+        } else if box_.hi < self.lo {
+            Self { lo: box_.hi, hi: box_.hi }
         } else {
-            Self { lo: self.lo.max(from - step), hi: self.hi.min(from + step) }
+            Self { lo: self.lo.max(box_.lo), hi: self.hi.min(box_.hi) }
         }
+    }
+
+    /// This part of the range, 0…1; finite ranges only.
+    pub(crate) fn scaled(self, part: f32) -> Self {
+        Self { lo: part * self.lo, hi: part * self.hi }
+    }
+
+    /// The range of what may be added to an angle that the animation has at `animated` already: 0 is always in it, so
+    /// that an animation outside the range is let be and never pushed further out.
+    pub(crate) fn counted_from(self, animated: f32) -> Self {
+        Self { lo: (self.lo - animated).min(0.0), hi: (self.hi - animated).max(0.0) }
     }
 }
 
@@ -79,48 +96,70 @@ impl Range {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Reach {
     pub(crate) heading: Range,
+    /// The pitch's interval where the heading takes nothing of it. See [`pitch_at`](Self::pitch_at).
     pub(crate) pitch: Range,
     /// The largest change of either angle, radians; at most half a turn.
     pub(crate) step: f32,
+    /// How the pitch's range narrows with the heading, and where the rate lets the pitch be.
+    narrowing: Option<Narrowing>,
+    pitch_box: Range,
 }
 
 impl Reach {
     /// No movement.
-    pub(crate) const REST: Self = Self { heading: Range::REST, pitch: Range::REST, step: 0.0 };
+    pub(crate) const REST: Self =
+        Self { heading: Range::REST, pitch: Range::REST, step: 0.0, narrowing: None, pitch_box: Range::REST };
 
-    /// The joint's ranges of motion; any change within half a turn.
-    pub(crate) fn range(info: &JointInfo) -> Self {
-        Self { heading: Range::declared(info.heading), pitch: Range::declared(info.pitch), step: PI }
+    /// All of the joint's ranges of motion; any change within half a turn.
+    pub(crate) fn range(motion: &Motion) -> Self {
+        let Motion { heading, pitch, narrowing } = *motion;
+        Self { heading, pitch, step: PI, narrowing, pitch_box: Range::EVERYTHING }
     }
 
-    /// What the joint can reach within `dt` seconds. Range first, then rate.
-    pub(crate) fn frame(info: &JointInfo, joint: &Joint, dt: f32) -> Self {
+    /// What the joint can reach at `rate` within `dt` seconds. Range first, then rate.
+    pub(crate) fn frame(motion: &Motion, rate: f32, joint: &Joint, dt: f32) -> Self {
         // NaN and negative rates stand still.
-        let step = (info.rate * dt).max(0.0).min(PI);
-        let range = Self::range(info);
-        Self { heading: range.heading.within(joint.heading, step), pitch: range.pitch.within(joint.pitch, step), step }
+        let step = (rate * dt).max(0.0).min(PI);
+        let pitch_box = Range::around(joint.pitch, step);
+        Self {
+            heading: motion.heading.within(Range::around(joint.heading, step)),
+            pitch: motion.pitch.within(pitch_box),
+            step,
+            narrowing: motion.narrowing,
+            pitch_box,
+        }
     }
 
-    /// The joint moved to the nearest angles within reach.
+    /// The pitch's interval once the heading is this.
+    pub(crate) fn pitch_at(&self, heading: f32) -> Range {
+        match &self.narrowing {
+            Some(narrowing) => narrowing.pitch_at(heading).within(self.pitch_box),
+            None => self.pitch,
+        }
+    }
+
+    /// The joint moved to the nearest angles within reach, heading first. All solvers end here: it is what makes
+    /// ranges, narrowed ones too, and rates hold.
     pub(crate) fn hold(&self, joint: &Joint) -> Joint {
-        Joint { heading: self.heading.hold(joint.heading), pitch: self.pitch.hold(joint.pitch), ..*joint }
+        let heading = self.heading.hold(joint.heading);
+        Joint { heading, pitch: self.pitch_at(heading).hold(joint.pitch), ..*joint }
     }
 
     /// The joint moved from `joint`'s angles towards those of `goal` as far as its reach goes, the shorter way round
     /// where an angle is free.
-    pub(crate) fn towards(&self, joint: &Joint, goal: &Joint, info: &JointInfo) -> Joint {
-        self.part_way(joint, goal, info, 1.0)
+    pub(crate) fn towards(&self, joint: &Joint, goal: &Joint, motion: &Motion) -> Joint {
+        self.part_way(joint, goal, motion, 1.0)
     }
 
     /// The joint moved by this part of the way from `joint`'s angles to those of `goal`, within its reach.
-    pub(crate) fn part_way(&self, joint: &Joint, goal: &Joint, info: &JointInfo, part: f32) -> Joint {
-        let [heading, pitch] = way(joint, goal, info);
+    pub(crate) fn part_way(&self, joint: &Joint, goal: &Joint, motion: &Motion, part: f32) -> Joint {
+        let [heading, pitch] = way(joint, goal, motion);
         self.hold(&Joint { heading: joint.heading + part * heading, pitch: joint.pitch + part * pitch, ..*joint })
     }
 
     /// The part of the way from `joint`'s angles to those of `goal` that one step covers, 0…1.
-    pub(crate) fn part_of_way(&self, joint: &Joint, goal: &Joint, info: &JointInfo) -> f32 {
-        let [heading, pitch] = way(joint, goal, info);
+    pub(crate) fn part_of_way(&self, joint: &Joint, goal: &Joint, motion: &Motion) -> f32 {
+        let [heading, pitch] = way(joint, goal, motion);
         let longest = heading.abs().max(pitch.abs());
         if longest > self.step { self.step / longest } else { 1.0 }
     }
@@ -133,32 +172,29 @@ impl Reach {
 }
 
 /// The changes of heading and pitch that lead from `joint` to `goal`, the shorter way round where an angle is free.
-fn way(joint: &Joint, goal: &Joint, info: &JointInfo) -> [f32; 2] {
-    let range = Reach::range(info);
+fn way(joint: &Joint, goal: &Joint, motion: &Motion) -> [f32; 2] {
     let shorter = |way: f32, range: Range| {
         if range.is_free() { math::wrap_pi(way) } else { way }
     };
-    [shorter(goal.heading - joint.heading, range.heading), shorter(goal.pitch - joint.pitch, range.pitch)]
+    [shorter(goal.heading - joint.heading, motion.heading), shorter(goal.pitch - joint.pitch, motion.pitch)]
 }
 
 /// A free heading brought back within half a turn; everything else as it is.
-pub(crate) fn wrap(info: &JointInfo, joint: &mut Joint) {
-    let range = Reach::range(info);
-    if range.heading.is_free() {
+pub(crate) fn wrap(motion: &Motion, joint: &mut Joint) {
+    if motion.heading.is_free() {
         joint.heading = math::wrap_pi(joint.heading);
     }
-    if range.pitch.is_free() {
+    if motion.pitch.is_free() {
         joint.pitch = math::wrap_pi(joint.pitch);
     }
 }
 
 /// The joints with an angle at or past an end of its range, and those with one outside its range.
-pub(crate) fn limits_met(infos: &[JointInfo], joints: &[Joint]) -> (JointSet, JointSet) {
+pub(crate) fn limits_met(infos: &[JointInfo], motions: &[Motion], joints: &[Joint]) -> (JointSet, JointSet) {
     let (mut at_limit, mut recovering) = (JointSet::EMPTY, JointSet::EMPTY);
-    for (index, (info, joint)) in infos.iter().zip(joints).enumerate() {
-        let range = Reach::range(info);
+    for (index, ((info, motion), joint)) in infos.iter().zip(motions).zip(joints).enumerate() {
         for (declared, range, angle) in
-            [(info.heading, range.heading, joint.heading), (info.pitch, range.pitch, joint.pitch)]
+            [(info.heading, motion.heading, joint.heading), (info.pitch, motion.pitch_at(joint.heading), joint.pitch)]
         {
             if declared.is_some() && (angle <= range.lo + AT_LIMIT_RAD || angle >= range.hi - AT_LIMIT_RAD) {
                 at_limit.insert(index);

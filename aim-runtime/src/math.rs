@@ -1,8 +1,11 @@
-//! The one place where floating-point functions come from: `std` or `libm`. All total: no panic, whatever the bits.
+//! The one place where floating-point functions come from: `std` or `libm`, both exact to the last bit for these. All
+//! total: no panic, whatever the bits. Sines are our own ([`trig`](crate::trig)).
 
 use core::f32::consts::{PI, TAU};
 
 use glam::{Affine3A, Mat3A, Vec3A};
+
+use crate::trig::atan2;
 
 /// An angle that is no angle any more: what an undefined aim is reported as.
 pub(crate) const UNDEFINED_RAD: f32 = core::f32::consts::FRAC_PI_2;
@@ -14,12 +17,6 @@ mod float {
     pub(super) fn sqrt(x: f32) -> f32 {
         x.sqrt()
     }
-    pub(super) fn sin_cos(x: f32) -> (f32, f32) {
-        x.sin_cos()
-    }
-    pub(super) fn atan2(y: f32, x: f32) -> f32 {
-        y.atan2(x)
-    }
     pub(super) fn round(x: f32) -> f32 {
         x.round()
     }
@@ -29,12 +26,6 @@ mod float {
 mod float {
     pub(super) fn sqrt(x: f32) -> f32 {
         libm::sqrtf(x)
-    }
-    pub(super) fn sin_cos(x: f32) -> (f32, f32) {
-        libm::sincosf(x)
-    }
-    pub(super) fn atan2(y: f32, x: f32) -> f32 {
-        libm::atan2f(y, x)
     }
     pub(super) fn round(x: f32) -> f32 {
         libm::roundf(x)
@@ -46,19 +37,14 @@ pub(crate) fn sqrt(x: f32) -> f32 {
     if x > 0.0 { float::sqrt(x) } else { 0.0 }
 }
 
-/// Sine and cosine of an angle in radians.
-pub(crate) fn sin_cos(angle_rad: f32) -> (f32, f32) {
-    float::sin_cos(angle_rad)
-}
-
-/// The angle of the point (x, y), −π…π.
-pub(crate) fn atan2(y: f32, x: f32) -> f32 {
-    float::atan2(y, x)
-}
-
-/// The same direction of turning within ±π.
+/// The same direction of turning within ±π; some angle within ±π for one that has no turn left in its digits.
+#[inline]
 pub(crate) fn wrap_pi(angle_rad: f32) -> f32 {
-    if (-PI..=PI).contains(&angle_rad) { angle_rad } else { angle_rad - TAU * float::round(angle_rad / TAU) }
+    if (-PI..=PI).contains(&angle_rad) {
+        angle_rad
+    } else {
+        (angle_rad - TAU * float::round(angle_rad / TAU)).max(-PI).min(PI)
+    }
 }
 
 /// A vector's length, without overflow or underflow on the way.
@@ -116,4 +102,12 @@ pub(crate) fn orthonormal(m: Mat3A) -> Option<Mat3A> {
 pub(crate) fn rigid_inverse(m: &Affine3A) -> Affine3A {
     let transposed = m.matrix3.transpose();
     Affine3A { matrix3: transposed, translation: -(transposed * m.translation) }
+}
+
+/// The unit vector a part of the way along the arc from one unit vector to another that is not its opposite.
+pub(crate) fn part_of_arc(from: Vec3A, to: Vec3A, part: f32) -> Vec3A {
+    let across = to - from * from.dot(to);
+    let Some(across) = direction(across) else { return to };
+    let (sin, cos) = crate::trig::sin_cos(part * angle_between(from, to));
+    from * cos + across * sin
 }

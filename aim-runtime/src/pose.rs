@@ -135,3 +135,19 @@ impl<A: AsRef<[Affine3A]>> ChainPose<A> for DetailedPose<A> {
         self.pair.as_ref()
     }
 }
+
+/// What a call reads of a pose.
+#[derive(Clone, Copy, Debug)]
+#[allow(dead_code, reason = "not every solver reads all of it")]
+pub(crate) struct Animated<'a> {
+    pub(crate) joints: &'a [Affine3A],
+    pub(crate) up: Option<Vec3>,
+    pub(crate) bind: Option<&'a [Affine3A]>,
+    pub(crate) pair: Option<&'a Affine3A>,
+}
+
+impl<'a> Animated<'a> {
+    pub(crate) fn new<A: AsRef<[Affine3A]> + 'a>(pose: &'a impl ChainPose<A>) -> Self {
+        Self { joints: pose.joints().as_ref(), up: pose.up(), bind: pose.bind().map(A::as_ref), pair: pose.pair() }
+    }
+}

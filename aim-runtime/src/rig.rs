@@ -1,7 +1,8 @@
 //! [`AimRig`]: what a rig's derived code offers the solvers, and what it offers its users.
 
-use glam::{Affine3A, Quat, Vec3};
+use glam::{Affine3A, Quat, Vec3, Vec3A};
 
+use crate::pose::Animated;
 use crate::{ChainPose, Joint, JointInfo, Natural, Outcome, Scalar, Settings, frame};
 
 /// Which way a bone points: three unit vectors in the bone's own space, square to each other.
@@ -25,6 +26,30 @@ pub struct Effector {
     pub forward: [f32; 3],
     /// The point the direction starts from, in the units of the bone.
     pub origin: [f32; 3],
+}
+
+impl Effector {
+    /// The axes that the residual is measured along: forward, left and up in effector space, which has joint 0's axes.
+    ///
+    /// Joint 0's own up and left, squared to the effector's forward; where that points along up, up is where the back
+    /// of the head, or the face, was.
+    #[inline(always)]
+    pub(crate) fn axes(&self, first: &Axes) -> [Vec3A; 3] {
+        let [up, forward, left] = [first.up, first.forward, first.left].map(Vec3A::from);
+        if self.forward == first.forward { [forward, left, up] } else { self.turned_axes(up, forward, left) }
+    }
+
+    #[cold]
+    fn turned_axes(&self, up: Vec3A, forward: Vec3A, left: Vec3A) -> [Vec3A; 3] {
+        /// The sine of half a degree.
+        const ALONG: f32 = 0.008_726_535;
+        let handedness = up.cross(forward).dot(left).signum();
+        let aimed = Vec3A::from(self.forward);
+        let along = up.dot(aimed);
+        let up = if up.cross(aimed).length() < ALONG { forward * -along.signum() } else { up };
+        let up = (up - aimed * aimed.dot(up)).normalize_or_zero();
+        [aimed, up.cross(aimed) * handedness, up]
+    }
 }
 
 /// A rig: its joints from the effector inward, their state, and the kernels derived for it.
@@ -76,7 +101,8 @@ pub trait AimRig: Sized {
     /// declared angles, then those of the second.
     ///
     /// The residual is `2 lateral / (distance + forward)` of the target as seen from the effector, that is
-    /// 2·tan(angle/2) in its direction. Zero where that is singular (target on the effector or exactly behind), so
+    /// 2·tan(angle/2) in its direction, along joint 0's left and up squared to the effector's forward (where that
+    /// points along up, up is where the back of the head was, and where it points down, the face). Zero where that is singular (target on the effector or exactly behind), so
     /// judge success by the angle, never by this. `out` holds 2 + 2 × the number of declared angles.
     fn chain_residual_jacobian<S: Scalar>(&self, links: &[[S; 12]], target: &[S; 3], sin_cos: &[[S; 4]], out: &mut [S]);
 
@@ -100,7 +126,7 @@ pub trait AimRig: Sized {
         dt: f32,
         settings: &Settings,
     ) -> Outcome {
-        frame::aim(self, pose.joints().as_ref(), target, dt, settings)
+        frame::aim(self, &Animated::new(pose), target, dt, settings)
     }
 
     /// Puts the rig on `target` at once, whatever the rates: for a spawn, a camera cut, scrubbing. The only jump.
@@ -120,7 +146,7 @@ pub trait AimRig: Sized {
         target: Vec3,
         settings: &Settings,
     ) -> Outcome {
-        frame::snap(self, pose.joints().as_ref(), target, settings)
+        frame::snap(self, &Animated::new(pose), target, settings)
     }
 
     /// Each joint's index and correction, from the effector inward: what the bone's animated local rotation is

@@ -11,6 +11,7 @@ pub mod derived;
 pub mod differences;
 mod float;
 pub mod pose;
+pub mod solver;
 pub mod table;
 
 pub use float::Float;

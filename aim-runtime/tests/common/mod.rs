@@ -144,13 +144,12 @@ struct State<S> {
 impl<S: Scalar> State<S> {
     fn effector(axes: &Axes, effector: &Effector) -> Self {
         let forward = Vec3::from(effector.forward);
-        let up = Vec3::from(axes.up);
-        let up = if up.cross(forward).length() > 0.1 { up } else { Vec3::from(axes.left) };
+        let [up, ahead, left] = [axes.up, axes.forward, axes.left].map(Vec3::from);
+        let handedness = up.cross(ahead).dot(left).signum();
+        // Looking along up, up is where the back of the head was.
+        let up = if up.cross(forward).length() > 0.0087 { up } else { ahead * -up.dot(forward).signum() };
         let up = (up - forward * up.dot(forward)).normalize();
-        let mut left = up.cross(forward);
-        if left.dot(axes.left.into()) < 0.0 {
-            left = -left;
-        }
+        let left = up.cross(forward) * handedness;
         let v = |v: Vec3| [S::constant(v.x.into()), S::constant(v.y.into()), S::constant(v.z.into())];
         Self { value: [[S::ZERO; 3], v(forward), v(left), v(up)], derivatives: Vec::new() }
     }

@@ -1,0 +1,117 @@
+//! Sines, cosines and arctangents by polynomials of our own: the same bits on every machine, in debug and in release,
+//! and no call into a library. Sines are finite whatever the bits; of a NaN an arctangent is one.
+//!
+//! Corrections are quaternions, so angles are taken by their halves: of a range within ±180° a half lies within ±90°,
+//! where one polynomial serves. The coefficients are those of least greatest error there (relative for sines and
+//! arctangents), rounded to f32.
+
+use core::f32::consts::{FRAC_PI_2, PI};
+
+use crate::{Joint, math};
+
+/// sin(p/2), cos(p/2), sin(h/2), cos(h/2) of a joint.
+pub(crate) type Halves = [f32; 4];
+
+/// The sine and cosine of an angle within ±90°; their squares add up to 1 within 2e-7.
+#[inline(always)]
+fn within_quarter(x: f32) -> (f32, f32) {
+    let xx = x * x;
+    let sin = x + x * xx * (-0.166_666_61 + xx * (0.008_333_088 + xx * (-0.000_198_111_11 + xx * 2.608_929_2e-6)));
+    let cos =
+        1.0 + xx * (-0.5 + xx * (0.041_666_657 + xx * (-0.001_388_856_9 + xx * (2.476_930_2e-5 + xx * -2.619_379e-7))));
+    (sin, cos)
+}
+
+/// The sine and cosine of half an angle, radians; beyond ±180° of the angle within that by whole turns.
+#[inline(always)]
+pub(crate) fn half_sin_cos(angle_rad: f32) -> (f32, f32) {
+    within_quarter(0.5 * math::wrap_pi(angle_rad))
+}
+
+/// The sine and cosine of an angle, radians.
+pub(crate) fn sin_cos(angle_rad: f32) -> (f32, f32) {
+    let (sin, cos) = half_sin_cos(angle_rad);
+    (2.0 * sin * cos, 1.0 - 2.0 * sin * sin)
+}
+
+/// The halves of a joint's angles.
+#[inline(always)]
+pub(crate) fn halves(joint: &Joint) -> Halves {
+    let (sin_p, cos_p) = half_sin_cos(joint.pitch);
+    let (sin_h, cos_h) = half_sin_cos(joint.heading);
+    [sin_p, cos_p, sin_h, cos_h]
+}
+
+/// sin p, cos p, sin h, cos h, as kernels take them, from the halves.
+#[inline(always)]
+pub(crate) fn doubled([sin_p, cos_p, sin_h, cos_h]: Halves) -> [f32; 4] {
+    [2.0 * sin_p * cos_p, 1.0 - 2.0 * sin_p * sin_p, 2.0 * sin_h * cos_h, 1.0 - 2.0 * sin_h * sin_h]
+}
+
+/// The angle of the point (x, y), −π…π; 0 for the origin.
+pub(crate) fn atan2(y: f32, x: f32) -> f32 {
+    let (across, along) = (y.abs(), x.abs());
+    let (small, large) = if across > along { (along, across) } else { (across, along) };
+    let t = if large > 0.0 { small / large } else { large };
+    let tt = t * t;
+    let turn = t + t
+        * tt
+        * (-0.333_331_67
+            + tt * (0.199_941_37
+                + tt * (-0.142_142_07
+                    + tt * (0.106_789_31
+                        + tt * (-0.075_805_56
+                            + tt * (0.043_553_248 + tt * (-0.016_580_988 + tt * 0.002_974_536_7)))))));
+    let turn = if across > along { FRAC_PI_2 - turn } else { turn };
+    let turn = if x < 0.0 { PI - turn } else { turn };
+    if y < 0.0 { -turn } else { turn }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn near_the_library_everywhere() {
+        for step in -32_000_i16..=32_000 {
+            let angle = f32::from(step) * 2e-4;
+            let (sin, cos) = sin_cos(angle);
+            let exact = f64::from(angle).sin_cos();
+            // A turn is rounded to f32.
+            let error = if angle.abs() > PI { 2e-6 } else { 7e-7 };
+            assert!((f64::from(sin) - exact.0).abs() < error, "{angle}: {sin}");
+            assert!((f64::from(cos) - exact.1).abs() < error, "{angle}: {cos}");
+            let (sin, cos) = half_sin_cos(angle);
+            assert!((sin * sin + cos * cos - 1.0).abs() < 4e-7, "{angle}");
+            for radius in [1e-20_f32, 1e-3, 1.0, 1e15] {
+                let (y, x) = (radius * angle.sin(), radius * angle.cos());
+                let exact = f64::from(y).atan2(f64::from(x));
+                assert!((f64::from(atan2(y, x)) - exact).abs() < 4e-7, "{y}, {x}");
+            }
+        }
+        assert_eq!((half_sin_cos(0.0), atan2(0.0, 0.0), atan2(0.0, 1.0)), ((0.0, 1.0), 0.0, 0.0));
+    }
+
+    /// A small angle is as exact as a large one, in relation to itself.
+    #[test]
+    fn small_angles() {
+        for exponent in 1..37 {
+            let angle = 0.7 * 10.0_f32.powi(-exponent);
+            assert!((sin_cos(angle).0 / angle - 1.0).abs() < 1e-2, "{angle}");
+            assert!((atan2(angle, 1.0) / angle - 1.0).abs() < 1e-2, "{angle}");
+        }
+    }
+
+    #[test]
+    fn whatever_the_bits() {
+        for bits in (0..=u32::MAX).step_by(65_521) {
+            let x = f32::from_bits(bits);
+            let (sin, cos) = sin_cos(x);
+            assert!(sin.abs() < 1.000_001 && cos.abs() < 1.000_001, "{x}: {sin}, {cos}");
+            for y in [0.0, 1.0, -1e30] {
+                let angle = atan2(x, y);
+                assert!(x.is_nan() || angle.abs() <= PI + 1e-6, "{x}, {y}: {angle}");
+            }
+        }
+    }
+}

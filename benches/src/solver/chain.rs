@@ -1,0 +1,126 @@
+//! The character of the workloads: chest, head and eye in their proportions, posed at random or moving.
+
+use aim::glam::{Affine3A, Mat3A, Quat, Vec3};
+use aim::{AimRig, Joint, Pose};
+
+/// One degree in radians.
+pub const DEG: f64 = std::f64::consts::PI / 180.0;
+
+/// The rig under measurement, by the derive: an eye on a head on a chest.
+///
+/// The neck's heading is not levelled: level headings are judged on their own, and everything else then has a
+/// definition that needs no solver to be written down.
+#[derive(AimRig, Clone)]
+#[aim(bones(up = +X, forward = +Y, left = +Z))]
+pub struct Gazer {
+    #[joint(heading = -35deg..=35deg, pitch = -25deg..=25deg, rate = 8rad, comfort = 0.5)]
+    eye: Joint,
+    #[joint(heading = -60deg..=60deg, pitch = -40deg..=40deg, rate = 3rad, level = 0.0)]
+    neck: Joint,
+    #[joint(heading = -20deg..=20deg, pitch = -15deg..=15deg, rate = 1.2rad, comfort = 4.0)]
+    spine3: Joint,
+}
+
+/// The eye alone.
+#[derive(AimRig, Clone)]
+#[aim(bones(up = +X, forward = +Y, left = +Z))]
+pub struct EyeOnly {
+    #[joint(heading = -35deg..=35deg, pitch = -25deg..=25deg, rate = 8rad)]
+    eye: Joint,
+}
+
+/// The world has +Y up, faces +Z, and +X is left; so stands a bone that has +X up, +Y forward, +Z left.
+fn upright() -> Mat3A {
+    Mat3A::from_cols(Vec3::Y.into(), Vec3::Z.into(), Vec3::X.into())
+}
+
+/// Where the chest's joint stands, metres.
+const CHEST: Vec3 = Vec3::new(0.0, 1.37, 0.0);
+/// The head's joint above it, in the world.
+const HEAD: Vec3 = Vec3::new(0.0, 0.23, 0.0);
+/// The eye from the head's joint, in the world.
+const EYE: Vec3 = Vec3::new(0.03, 0.06, 0.09);
+
+/// Where the eye is without animation, metres.
+pub const EYE_AT_REST: Vec3 = Vec3::new(0.03, 1.66, 0.09);
+
+/// The bones eye, neck, chest with these turns added in the world, each carried by those further in.
+pub fn posed(turns: [Quat; 3]) -> [Affine3A; 3] {
+    let [eye, neck, chest] = turns;
+    let spine = Affine3A::from_rotation_translation(chest, CHEST);
+    let head = spine * Affine3A::from_rotation_translation(neck, HEAD);
+    let eye = head * Affine3A::from_rotation_translation(eye, EYE);
+    let upright = Affine3A { matrix3: upright(), translation: Vec3::ZERO.into() };
+    [eye, head, spine].map(|bone| bone * upright)
+}
+
+/// A direction anywhere.
+pub fn direction(random: &mut fastrand::Rng) -> Vec3 {
+    loop {
+        let v = Vec3::from(std::array::from_fn(|_| 2.0 * random.f32() - 1.0));
+        if v.length() > 0.1 && v.length() < 1.0 {
+            return v.normalize();
+        }
+    }
+}
+
+/// A turn of up to `degrees` about any axis.
+pub fn wobble(random: &mut fastrand::Rng, degrees: f32) -> Quat {
+    Quat::from_axis_angle(direction(random), (degrees * (2.0 * random.f32() - 1.0)).to_radians())
+}
+
+/// Each joint turned by up to 5° at random.
+pub fn random_pose(random: &mut fastrand::Rng) -> [Affine3A; 3] {
+    posed(std::array::from_fn(|_| wobble(random, 5.0)))
+}
+
+/// A pose that moves: each joint swings by up to 5° about an axis of its own, once in one to three seconds.
+#[derive(Clone, Copy, Debug)]
+pub struct Animation {
+    joints: [(Vec3, f32, f32, f32); 3],
+}
+
+impl Animation {
+    /// Axes, amplitudes, speeds and phases at random.
+    pub fn random(random: &mut fastrand::Rng) -> Self {
+        use std::f32::consts::TAU;
+        Self {
+            joints: std::array::from_fn(|_| {
+                let amplitude = (2.0 + 3.0 * random.f32()).to_radians();
+                (direction(random), amplitude, TAU / (1.0 + 2.0 * random.f32()), TAU * random.f32())
+            }),
+        }
+    }
+
+    /// The pose at this time, seconds.
+    pub fn at(&self, t: f32) -> [Affine3A; 3] {
+        posed(
+            self.joints.map(|(axis, amplitude, speed, phase)| {
+                Quat::from_axis_angle(axis, amplitude * (speed * t + phase).sin())
+            }),
+        )
+    }
+}
+
+/// The pose as a rig takes it.
+pub fn pose_for<R: AimRig>(rig: &R, joints: &[Affine3A]) -> Pose<R::Array<Affine3A>> {
+    let mut array = rig.array(Affine3A::IDENTITY);
+    for (to, joint) in array.as_mut().iter_mut().zip(joints) {
+        *to = *joint;
+    }
+    Pose { joints: array }
+}
+
+/// Angles anywhere in the ranges, as a state.
+pub fn random_state<R: AimRig>(rig: &R, random: &mut fastrand::Rng) -> R::Array<Joint> {
+    let mut state = rig.array(Joint::default());
+    for (joint, info) in state.as_mut().iter_mut().zip(rig.joint_infos()) {
+        let mut anywhere = |range: Option<[f32; 2]>| {
+            let [lo, hi] = range.map_or([0.0; 2], |range| range.map(|x| x.clamp(-3.1, 3.1)));
+            lo + (hi - lo) * random.f32()
+        };
+        let heading = anywhere(info.heading);
+        *joint = Joint::with_angles(heading, anywhere(info.pitch));
+    }
+    state
+}

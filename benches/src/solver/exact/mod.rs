@@ -1,0 +1,15 @@
+//! The rows of the exact layer.
+
+mod bounds;
+mod displacement;
+mod frames;
+mod reach;
+mod small;
+mod stuck;
+
+pub use bounds::{noise, output_rate};
+pub use displacement::{least_displacement, tracking};
+pub use frames::unreached_frames;
+pub use reach::{cold, unreachable};
+pub use small::{comforts, holding, roll};
+pub use stuck::{stuck_on_orbits, stuck_on_random_rigs, stuck_still};

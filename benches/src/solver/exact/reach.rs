@@ -1,0 +1,92 @@
+//! From rest without rates, and what is out of reach.
+
+use aim::{AimRig, JointInfo};
+
+use super::super::chain::{DEG, Gazer, random_state};
+use super::super::numeric::NumericRig;
+use super::super::parallel;
+use super::super::reference::{MET_RAD, Problem};
+use super::super::row::{Row, largest, quantile};
+use super::super::sample::{Sample, Scene, frames};
+use super::super::workload::{Where, double};
+
+/// `cone` from rest without rates: solved within three frames, and by one `snap`.
+pub fn cold(sample: &Sample) -> Vec<Row> {
+    let cases = Where::Cone.cases(sample.of(4096));
+    let mut quick: Vec<JointInfo> = Gazer::default().joint_infos().to_vec();
+    for info in &mut quick {
+        info.rate = 1e6;
+    }
+    let ends = parallel::map(cases.len(), |i| {
+        let case = &cases[i];
+        let mut scene = Scene::new(NumericRig::new(&quick), &case.pose, case.target);
+        let model = scene.model();
+        let problem = Problem::within_ranges(&model, double(case.target));
+        if problem.nearest(&problem.starts(i as u64, 6)).remaining > MET_RAD {
+            return None;
+        }
+        let after = [1, 2, 3].map(|_| {
+            scene.step(0.1, &sample.plain());
+            scene.remaining(&model) / DEG
+        });
+        let mut snapped = Scene::new(Gazer::default(), &case.pose, case.target);
+        let pose = super::super::chain::pose_for(&snapped.rig, &snapped.pose);
+        snapped.rig.snap_with(&pose, case.target, &sample.plain());
+        Some((after, snapped.remaining(&model) / DEG))
+    });
+    let ends: Vec<([f64; 3], f64)> = ends.into_iter().flatten().collect();
+    let solved = |k: usize| ends.iter().filter(|(after, _)| after[k] <= 0.1).count();
+    let share = |k: usize| 100.0 * solved(k) as f64 / ends.len() as f64;
+    let snapped = ends.iter().filter(|(_, snapped)| *snapped <= 0.1).count();
+    vec![
+        Row::every("cone from rest, without rates: solved to 0.1° in three frames", solved(2), ends.len()).noting(
+            &format!(
+                "{:.1} % in one, {:.1} % in two; worst {:.1e}°",
+                share(0),
+                share(1),
+                largest(ends.iter().map(|(after, _)| after[2]))
+            ),
+        ),
+        Row::every("cone from rest: solved to 0.1° by one snap", snapped, ends.len())
+            .noting(&format!("worst {:.1e}°", largest(ends.iter().map(|(_, snapped)| *snapped)))),
+    ]
+}
+
+/// Targets out of reach: the remaining angle against the best that a global search finds.
+pub fn unreachable(sample: &Sample) -> Vec<Row> {
+    let cases = Where::Any.cases(sample.of(4096));
+    let mut rows = Vec::new();
+    for from_rest in [true, false] {
+        let worse = parallel::map(cases.len(), |i| {
+            let case = &cases[i];
+            let mut scene = Scene::new(Gazer::default(), &case.pose, case.target);
+            let model = scene.model();
+            if !from_rest {
+                let state = random_state(&scene.rig, &mut fastrand::Rng::with_seed(0x0ff_0000 + i as u64));
+                scene.rig.set_joints(state);
+            }
+            // Twice the time: it may be the long way round.
+            scene.run(frames(2.0 * model.longest() + 1.0, 60.0), 1.0 / 60.0, &sample.plain());
+            let remaining = scene.remaining(&model);
+            if remaining <= 0.1 * DEG {
+                return None;
+            }
+            let problem = Problem::within_ranges(&model, double(case.target));
+            let mut starts = problem.starts(i as u64, 12);
+            starts.push(scene.angles(&model));
+            let best = problem.nearest(&starts).remaining;
+            (best > MET_RAD).then_some((remaining - best) / DEG)
+        });
+        let mut worse: Vec<f64> = worse.into_iter().flatten().collect();
+        let from = if from_rest { "from rest" } else { "from anywhere" };
+        let what = format!("unreachable, {from}: worse than the global best, p99");
+        let note = format!(
+            "median {:.1e}°, worst {:.2}°, of {}",
+            quantile(&mut worse, 0.5),
+            quantile(&mut worse, 1.0),
+            worse.len()
+        );
+        rows.push(Row::at_most(what, 0.5, "°", quantile(&mut worse, 0.99)).noting(&note));
+    }
+    rows
+}

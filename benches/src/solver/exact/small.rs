@@ -1,0 +1,104 @@
+//! Holding a target, the scale of comforts, and level heads.
+
+use aim::glam::{Quat, Vec3};
+use aim::{AimRig, Axes, JointInfo, Pose, Role};
+
+use super::super::chain::{DEG, Gazer, posed};
+use super::super::numeric::NumericRig;
+use super::super::parallel;
+use super::super::row::{Row, largest};
+use super::super::sample::{FRAME_RATES, Sample, Scene, apart, frames};
+use super::super::vector::{rotate, unit};
+use super::super::workload::{Where, bearing, track};
+
+/// A still target, once it has been reached: the largest angle that is left afterwards.
+pub fn holding(sample: &Sample) -> Vec<Row> {
+    FRAME_RATES
+        .into_iter()
+        .map(|hz| {
+            let cases = Where::Cone.cases(sample.of(2048));
+            let lost = parallel::map(cases.len(), |i| {
+                let mut scene = Scene::new(Gazer::default(), &cases[i].pose, cases[i].target);
+                let model = scene.model();
+                let (mut arrived, mut lost) = (false, 0.0_f64);
+                for _ in 0..frames(model.longest() + 0.5, hz) {
+                    scene.step(1.0 / hz, &sample.plain());
+                    let remaining = scene.remaining(&model) / DEG;
+                    if arrived {
+                        lost = lost.max(remaining);
+                    }
+                    // Within the tolerance; what is left of it has one frame to go.
+                    arrived |= remaining <= 0.1;
+                }
+                lost
+            });
+            Row::at_most(format!("still target after arrival, {hz} Hz: gaze"), 0.05, "°", largest(lost))
+        })
+        .collect()
+}
+
+/// All comforts times 1e±3.
+pub fn comforts(sample: &Sample) -> Vec<Row> {
+    [1e3, 1e-3]
+        .into_iter()
+        .map(|factor| {
+            let scaled: Vec<JointInfo> =
+                Gazer::default().joint_infos().iter().map(|info| info.with_comfort(info.comfort * factor)).collect();
+            let motions = track(sample.of(64), true);
+            let changes = parallel::map(motions.len(), |i| {
+                let (pose, target) = (motions[i].body.at(0.0), motions[i].path.at(0.0));
+                let mut plain = Scene::new(NumericRig::like(&Gazer::default()), &pose, target);
+                let mut other = Scene::new(NumericRig::new(&scaled), &pose, target);
+                let mut change = 0.0_f64;
+                for frame in 0_u16..300 {
+                    for scene in [&mut plain, &mut other] {
+                        scene.follow(&motions[i], f32::from(frame) / 60.0);
+                        scene.step(1.0 / 60.0, &sample.plain());
+                    }
+                    let model = plain.model();
+                    change = change.max(apart(&model, &plain.angles(&model), &other.angles(&model)));
+                }
+                change / DEG
+            });
+            Row::at_most(format!("all comforts × {factor:e}: change of any angle"), 1e-3, "°", largest(changes))
+        })
+        .collect()
+}
+
+/// A neck that leans forward by 30° and turns by 60°: the roll of the head, level and not.
+pub fn roll(sample: &Sample) -> Vec<Row> {
+    let axes = Axes { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] };
+    [(1.0, Some(5.0)), (0.0, None)]
+        .into_iter()
+        .map(|(level, limit)| {
+            #[expect(clippy::cast_possible_truncation, reason = "angles are in f32")]
+            let range = (80.0 * DEG) as f32;
+            let neck = JointInfo::new(axes, 3.0)
+                .with_heading(-range, range)
+                .with_pitch(-range, range)
+                .with_level(level)
+                .with_role(Role::Neck);
+            let mut rig = NumericRig::new(&[neck]);
+            let leaning = Quat::from_rotation_x(30_f32.to_radians());
+            let bone = posed([Quat::IDENTITY, leaning, Quat::IDENTITY])[1];
+            let mut joints = rig.array(bone);
+            joints.as_mut()[0] = bone;
+            let pose = Pose { joints }.with_up(Vec3::Y);
+            // 60° to the left of where it looks down to.
+            let at: Vec3 = bone.translation.into();
+            for _ in 0..120 {
+                rig.aim_with(&pose, at + 2.0 * bearing(60.0, -30.0), 1.0 / 60.0, &sample.plain());
+            }
+            let (_, correction) = rig.corrections().next().expect("one joint");
+            let left = rotate(axes.left.map(f64::from), correction.to_array().map(f64::from));
+            #[expect(clippy::cast_possible_truncation, reason = "back to f32")]
+            let left = bone.transform_vector3(Vec3::from(left.map(|x| x as f32)));
+            let roll = unit(left.to_array().map(f64::from))[1].asin().abs() / DEG;
+            let what = format!("neck leaning 30°, heading 60°, level {level}: roll of the head");
+            match limit {
+                Some(limit) => Row::at_most(what, limit, "°", roll),
+                None => Row::shown(what, "°", roll),
+            }
+        })
+        .collect()
+}

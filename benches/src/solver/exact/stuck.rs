@@ -1,0 +1,119 @@
+//! Whether a target that can be reached is.
+
+use aim::{AimRig, Behind, Settings};
+
+use super::super::chain::{DEG, Gazer, pose_for, random_state};
+use super::super::model::Model;
+use super::super::random_rigs;
+use super::super::reference::{MET_RAD, Problem};
+use super::super::row::Row;
+use super::super::sample::{FRAME_RATES, Sample, Scene, frames};
+use super::super::workload::{Where, double, orbits};
+use super::super::{parallel, reference};
+
+/// Further than this from the target it counts as not reached.
+const TOLERANCE_RAD: f64 = 0.1 * DEG * 1.000_1;
+
+/// Targets that stand still, from rest and from anywhere.
+pub fn stuck_still(sample: &Sample) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for place in [Where::Cone, Where::Front, Where::Any] {
+        for hz in FRAME_RATES {
+            let cases = place.cases(sample.of(if hz == 60.0 { 4096 } else { 1024 }));
+            let ends = parallel::map(2 * cases.len(), |i| {
+                let case = &cases[i / 2];
+                let mut scene = Scene::new(Gazer::default(), &case.pose, case.target);
+                let model = scene.model();
+                if i % 2 == 1 {
+                    let state = random_state(&scene.rig, &mut fastrand::Rng::with_seed(0x57_0000 + i as u64));
+                    scene.rig.set_joints(state);
+                }
+                scene.run(frames(model.longest() + 0.5, hz), 1.0 / hz, &sample.plain());
+                if scene.remaining(&model) <= TOLERANCE_RAD {
+                    return (true, true);
+                }
+                (false, within_reach(&Problem::within_ranges(&model, double(case.target)), i))
+            });
+            let reachable = ends.iter().filter(|(_, reachable)| *reachable).count();
+            let stuck = ends.iter().filter(|(reached, reachable)| *reachable && !reached).count();
+            rows.push(Row::none(format!("stuck although reachable: {}, {hz} Hz", place.name()), stuck, reachable));
+        }
+    }
+    rows
+}
+
+/// By an independent search.
+fn within_reach(problem: &Problem<'_>, seed: usize) -> bool {
+    let found: reference::Found = problem.nearest(&problem.starts(seed as u64, 10));
+    found.remaining <= MET_RAD
+}
+
+/// Targets that go round the character: frames in which the target is not reached although it has been within reach for
+/// as long as the joints need, side by side, from one end of their ranges to the other.
+pub fn stuck_on_orbits(sample: &Sample) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (behind, name) in [(Behind::Off, "off"), (Behind::Clip, "clip")] {
+        let settings = sample.settings.with_behind(behind);
+        for hz in FRAME_RATES {
+            for moving in [false, true] {
+                if hz != 60.0 && (moving || behind != Behind::Off) {
+                    continue;
+                }
+                let motions = orbits(sample.of(8), moving);
+                let counted = parallel::map(motions.len(), |i| orbit(&motions[i], hz, &settings, i));
+                let (stuck, all) = counted.iter().fold((0, 0), |(a, b), (stuck, all)| (a + stuck, b + all));
+                let body = if moving { ", moving animation" } else { "" };
+                let what = format!("stuck although reachable: orbits, {hz} Hz, behind {name}{body}");
+                rows.push(Row::none(what, stuck, all));
+            }
+        }
+    }
+    rows
+}
+
+/// Frames that are stuck, and frames in which they could be.
+fn orbit(motion: &super::super::workload::Motion, hz: f32, settings: &Settings, number: usize) -> (usize, usize) {
+    let mut scene = Scene::new(Gazer::default(), &motion.body.at(0.0), motion.path.at(0.0));
+    let super::super::workload::Path::Orbit { seconds } = motion.path else { return (0, 0) };
+    let all = frames(2.0 * f64::from(seconds.abs()), hz);
+    let grace = frames(scene.model().longest_together() + 0.1, hz);
+    let (mut stuck, mut judged, mut reachable_for) = (0, 0, 0);
+    for frame in 0..all {
+        #[expect(clippy::cast_precision_loss, reason = "a few thousand frames")]
+        scene.follow(motion, frame as f32 / hz);
+        scene.step(1.0 / hz, settings);
+        let model = scene.model();
+        let reached = scene.remaining(&model) <= TOLERANCE_RAD;
+        let reachable = reached || within_reach(&Problem::within_ranges(&model, double(scene.target)), number);
+        reachable_for = if reachable { reachable_for + 1 } else { 0 };
+        if reachable_for > grace {
+            judged += 1;
+            stuck += usize::from(!reached);
+        }
+    }
+    (stuck, judged)
+}
+
+/// A hundred thousand rigs of one to seven joints.
+pub fn stuck_on_random_rigs(sample: &Sample) -> Vec<Row> {
+    let count = sample.of(100_000);
+    let settings = sample.plain();
+    let ends = parallel::map(count, |number| {
+        let case = random_rigs::case(number);
+        let (mut rig, pose) = (case.rig, pose_for(&case.rig, &case.pose));
+        let model = Model::new(&rig, &case.pose);
+        let target = double(case.target);
+        for _ in 0..frames(model.longest() + 0.5, case.hz) {
+            rig.aim_with(&pose, case.target, 1.0 / case.hz, &settings);
+            if model.seen_remaining(&rig, target) <= TOLERANCE_RAD {
+                return (true, true);
+            }
+        }
+        (false, case.reachable || within_reach(&Problem::within_ranges(&model, target), number))
+    });
+    let reachable = ends.iter().filter(|(_, reachable)| *reachable).count();
+    let stuck: Vec<usize> = (0..count).filter(|&i| ends[i].1 && !ends[i].0).collect();
+    let first: Vec<String> = stuck.iter().take(8).map(usize::to_string).collect();
+    let row = Row::none(format!("stuck although reachable: {count} random rigs"), stuck.len(), reachable);
+    vec![if stuck.is_empty() { row } else { row.noting(&format!("the first are {}", first.join(", "))) }]
+}

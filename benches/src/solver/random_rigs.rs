@@ -1,0 +1,126 @@
+//! Rigs at random: one to seven joints in any convention, any subset of angles, any ranges, rates and comforts, effectors
+//! off their joint, some headings free.
+
+use aim::glam::{Affine3A, Quat, Vec3};
+use aim::{Axes, JointInfo};
+
+use super::chain::{DEG, direction, random_state};
+use super::model::Model;
+use super::numeric::{MOST_JOINTS, NumericRig};
+use aim::AimRig;
+
+/// A rig in a pose with a target.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// The rig, at rest or anywhere in its ranges.
+    pub rig: NumericRig,
+    /// Its joints, from the effector inward.
+    pub pose: Vec<Affine3A>,
+    /// The target.
+    pub target: Vec3,
+    /// Frames a second.
+    pub hz: f32,
+    /// Whether the target was put where some angles within the ranges look: it can be reached, without a search.
+    pub reachable: bool,
+}
+
+/// The case of this number, the same on every run.
+pub fn case(number: usize) -> Case {
+    let mut random = fastrand::Rng::with_seed(0x5eed_0000 + number as u64);
+    let joints = 1 + random.usize(..MOST_JOINTS);
+    let infos: Vec<JointInfo> = (0..joints).map(|_| joint(&mut random)).collect();
+    let mut rig = NumericRig::new(&infos);
+    if random.bool() {
+        rig.effector.origin = (direction(&mut random) * 0.1 * random.f32()).to_array();
+    }
+    if random.u8(..4) == 0 {
+        // An effector that does not look along its joint's forward, by up to 30°.
+        let axis = Vec3::from(infos[0].axes.up).lerp(infos[0].axes.left.into(), random.f32()).normalize();
+        let turn = Quat::from_axis_angle(axis, 0.5 * random.f32());
+        rig.effector.forward = (turn * Vec3::from(infos[0].axes.forward)).normalize().to_array();
+    }
+    let pose = pose(&infos, &mut random);
+    let model = Model::new(&rig, &pose);
+    let reachable = random.bool();
+    let distance = 0.3 + 4.7 * random.f64();
+    let target = if reachable {
+        let state = random_state(&rig, &mut random);
+        #[expect(clippy::cast_possible_truncation, reason = "targets are in f32")]
+        let target = model.ahead(&model.read(state.as_ref()), distance).map(|x| x as f32);
+        Vec3::from(target)
+    } else {
+        #[expect(clippy::cast_possible_truncation, reason = "targets are in f32")]
+        let distance = distance as f32;
+        pose[0].transform_point3(Vec3::from(rig.effector.origin)) + distance * direction(&mut random)
+    };
+    if random.bool() {
+        let state = random_state(&rig, &mut random);
+        rig.set_joints(state);
+    }
+    let hz = [30.0, 60.0, 144.0][random.usize(..3)];
+    Case { rig, pose, target, hz, reachable }
+}
+
+fn joint(random: &mut fastrand::Rng) -> JointInfo {
+    let rate = 0.5 * 20.0_f32.powf(random.f32());
+    let mut info = JointInfo::new(axes(random), rate).with_comfort(0.1 * 100.0_f32.powf(random.f32()));
+    let declared = random.u8(1..4);
+    if declared & 1 != 0 {
+        let [lo, hi] = range(random, 150.0);
+        info = info.with_heading(lo, hi);
+        if random.u8(..10) == 0 {
+            info = info.with_heading(f32::NEG_INFINITY, f32::INFINITY);
+        }
+    }
+    if declared & 2 != 0 {
+        let [lo, hi] = range(random, 90.0);
+        info = info.with_pitch(lo, hi);
+    }
+    // Level headings are judged on their own.
+    info.with_level(0.0)
+}
+
+/// Around 0, each side on its own, small ones as likely as large ones; now and then nothing to one side.
+fn range(random: &mut fastrand::Rng, most_deg: f32) -> [f32; 2] {
+    #[expect(clippy::cast_possible_truncation, reason = "angles are in f32")]
+    let most = most_deg * DEG as f32;
+    let mut side = || if random.u8(..8) == 0 { 0.0 } else { most * random.f32() * random.f32().sqrt() };
+    [-side(), side()]
+}
+
+/// One of the 48 conventions, or now and then a frame in between.
+fn axes(random: &mut fastrand::Rng) -> Axes {
+    let mut order = [0, 1, 2];
+    random.shuffle(&mut order);
+    let mut axis = |k: usize| {
+        let mut axis = [0.0; 3];
+        axis[k] = if random.bool() { 1.0 } else { -1.0 };
+        Vec3::from(axis)
+    };
+    let [up, forward, left] = order.map(&mut axis);
+    let turn =
+        if random.u8(..4) == 0 { Quat::from_axis_angle(direction(random), random.f32()) } else { Quat::IDENTITY };
+    let [up, forward, left] = [up, forward, left].map(|v| (turn * v).to_array());
+    Axes { up, forward, left }
+}
+
+/// The joints a bone's length from each other, mostly facing the same way, each turned a little or anyhow.
+fn pose(infos: &[JointInfo], random: &mut fastrand::Rng) -> Vec<Affine3A> {
+    let mut frame = Affine3A::from_translation(direction(random) * random.f32());
+    let mut pose: Vec<Affine3A> = infos
+        .iter()
+        .rev()
+        .map(|info| {
+            let most: f32 = if random.u8(..4) == 0 { 3.0 } else { 0.3 };
+            let turn = Quat::from_axis_angle(direction(random), most * random.f32());
+            let by = direction(random) * 0.3 * random.f32();
+            frame *= Affine3A::from_rotation_translation(turn, by);
+            let Axes { up, forward, left } = info.axes;
+            // The bone's own axes to the character's: up +Y, forward +Z, left +X.
+            let own = aim::glam::Mat3A::from_cols(left.into(), up.into(), forward.into());
+            frame * Affine3A { matrix3: own.transpose(), translation: Vec3::ZERO.into() }
+        })
+        .collect();
+    pose.reverse();
+    pose
+}

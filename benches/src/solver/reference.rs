@@ -1,0 +1,211 @@
+//! The independent answers: the least displacement that meets the target, and the nearest that the gaze can come.
+//!
+//! By sequential quadratic programming on central differences of the forward kinematics, from several starts; the best
+//! is kept. It shares no code with the runtime, and not its residual either.
+
+use super::model::{Angles, MOST, Model};
+use super::quadratic::Program;
+use super::vector::V;
+
+/// Nearer than this the target is met, radians.
+pub const MET_RAD: f64 = 1e-6;
+
+/// Angles, and how far from the target they leave the gaze.
+#[derive(Clone, Copy, Debug)]
+pub struct Found {
+    /// The angles.
+    pub angles: Angles,
+    /// The remaining angle, radians.
+    pub remaining: f64,
+    /// Σ comfort θ².
+    pub cost: f64,
+    /// Whether the search ended because nothing was left to gain.
+    pub settled: bool,
+}
+
+/// A model with a target and the box that its angles have to stay in.
+#[derive(Clone, Copy, Debug)]
+pub struct Problem<'a> {
+    /// The rig in its pose.
+    pub model: &'a Model,
+    /// The target in the pose's space.
+    pub target: V,
+    /// The least and the largest angles.
+    pub bounds: [Angles; 2],
+}
+
+impl<'a> Problem<'a> {
+    /// Within the ranges of motion alone.
+    pub fn within_ranges(model: &'a Model, target: V) -> Self {
+        // A free heading is as good within one turn to either side.
+        let bounds = model.ranges().map(|bound| bound.map(|x| x.clamp(-std::f64::consts::TAU, std::f64::consts::TAU)));
+        Self { model, target, bounds }
+    }
+
+    /// Within the ranges and what the rates leave of them in one frame.
+    pub fn within_frame(model: &'a Model, target: V, from: &Angles, seconds: f64) -> Self {
+        Self { model, target, bounds: model.reach(from, seconds) }
+    }
+
+    /// Rest, the box's middle, and `more` places anywhere in the box.
+    pub fn starts(&self, seed: u64, more: usize) -> Vec<Angles> {
+        let mut random = fastrand::Rng::with_seed(seed);
+        let [lo, hi] = &self.bounds;
+        let mut at = |share: Option<f64>| {
+            let mut start = [0.0; MOST];
+            for i in 0..self.model.count() {
+                let share = share.unwrap_or_else(|| random.f64());
+                start[i] = lo[i] + share * (hi[i] - lo[i]);
+            }
+            start
+        };
+        let mut starts = vec![self.held(&[0.0; MOST]), at(Some(0.5))];
+        starts.extend((0..more).map(|_| at(None)));
+        starts
+    }
+
+    fn held(&self, angles: &Angles) -> Angles {
+        std::array::from_fn(|i| angles[i].max(self.bounds[0][i]).min(self.bounds[1][i]))
+    }
+
+    fn found(&self, angles: Angles, settled: bool) -> Found {
+        let remaining = self.model.remaining(&angles, self.target);
+        Found { angles, remaining, cost: self.model.cost(&angles), settled }
+    }
+
+    /// The least displacement that meets the target, of all that the starts lead to; `None` where none meets it.
+    pub fn least_displacement(&self, starts: &[Angles]) -> Option<Found> {
+        let mut best: Option<Found> = None;
+        for start in starts {
+            // From where the gaze is near: a linear model of the far side leads astray.
+            let near = self.polish(start, 30);
+            for start in [start, &near.angles] {
+                let found = self.descend(start);
+                if found.remaining <= MET_RAD && best.is_none_or(|best| found.cost < best.cost) {
+                    best = Some(found);
+                }
+            }
+        }
+        best
+    }
+
+    /// The nearest the gaze comes to the target, of all that the starts lead to.
+    pub fn nearest(&self, starts: &[Angles]) -> Found {
+        let mut best = self.polish(&starts[0], 60);
+        for start in &starts[1..] {
+            if best.remaining <= 0.1 * MET_RAD {
+                break;
+            }
+            let found = self.polish(start, 60);
+            if found.remaining < best.remaining {
+                best = found;
+            }
+        }
+        best
+    }
+
+    /// One search for the least displacement.
+    pub fn descend(&self, start: &Angles) -> Found {
+        let model = self.model;
+        let mut weights = [1.0; MOST];
+        let mean = model.angles.iter().map(|angle| angle.comfort).sum::<f64>() / model.count() as f64;
+        for (weight, angle) in weights.iter_mut().zip(&model.angles) {
+            *weight = angle.comfort / mean;
+        }
+        let displacement = |x: &Angles| 0.5 * x.iter().zip(&weights).map(|(x, w)| w * x * x).sum::<f64>();
+        let off = |x: &Angles| {
+            let [a, b] = model.residual(x, self.target);
+            a.hypot(b)
+        };
+
+        let mut x = self.held(start);
+        let mut penalty: f64 = 1.0;
+        for _ in 0..200 {
+            let residual = model.residual(&x, self.target);
+            let columns = model.jacobian(&x, self.target);
+            let mut right = residual.map(|r| -r);
+            for (column, x) in columns.iter().zip(&x) {
+                right[0] += column[0] * x;
+                right[1] += column[1] * x;
+            }
+            let program = Program {
+                count: model.count(),
+                columns: &columns,
+                right,
+                weights: &weights,
+                bounds: &self.bounds,
+                softness: 1e-9,
+            };
+            let (goal, multipliers) = program.solve();
+            let step: Angles = std::array::from_fn(|i| goal[i] - x[i]);
+            let longest = step.iter().fold(0.0_f64, |longest, s| longest.max(s.abs()));
+            if longest < 1e-10 {
+                return self.found(x, true);
+            }
+            penalty = penalty.max((1.5 * multipliers[0].hypot(multipliers[1])).min(1e4));
+            let distance = residual[0].hypot(residual[1]);
+            let merit = |x: &Angles| displacement(x) + penalty * off(x);
+            let slope = (0..model.count()).map(|i| weights[i] * x[i] * step[i]).sum::<f64>() - penalty * distance;
+            let before = merit(&x);
+            // No turn by more than a radian at once: beyond that the model says nothing.
+            let mut length = (1.0 / longest).min(1.0);
+            loop {
+                let trial: Angles = std::array::from_fn(|i| x[i] + length * step[i]);
+                if merit(&trial) <= before + 1e-4 * length * slope.min(0.0) {
+                    x = trial;
+                    break;
+                }
+                length *= 0.5;
+                if length < 1e-9 {
+                    return self.found(x, longest < 1e-6);
+                }
+            }
+        }
+        self.found(x, false)
+    }
+
+    /// One search for the nearest, damped and within the box.
+    pub fn polish(&self, start: &Angles, rounds: usize) -> Found {
+        let model = self.model;
+        let mut x = self.held(start);
+        let mut distance = model.remaining(&x, self.target);
+        let mut damping: f64 = 1e-3;
+        for _ in 0..rounds {
+            if distance < 1e-9 {
+                break;
+            }
+            let columns = model.jacobian(&x, self.target);
+            let right = model.residual(&x, self.target).map(|r| -r);
+            let mut room = [[0.0; MOST]; 2];
+            for (room, bound) in room.iter_mut().zip(&self.bounds) {
+                *room = std::array::from_fn(|i| bound[i] - x[i]);
+            }
+            let mut improved = false;
+            for _ in 0..12 {
+                let weights = [damping; MOST];
+                let program = Program {
+                    count: model.count(),
+                    columns: &columns,
+                    right,
+                    weights: &weights,
+                    bounds: &room,
+                    softness: 1.0,
+                };
+                let (step, _) = program.solve();
+                let trial = self.held(&std::array::from_fn(|i| x[i] + step[i]));
+                let there = model.remaining(&trial, self.target);
+                if there < distance {
+                    improved = distance - there > 1e-12;
+                    (x, distance) = (trial, there);
+                    damping = (0.1 * damping).max(1e-12);
+                    break;
+                }
+                damping *= 10.0;
+            }
+            if !improved {
+                break;
+            }
+        }
+        self.found(x, true)
+    }
+}

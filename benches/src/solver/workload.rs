@@ -1,0 +1,160 @@
+//! The workloads: targets and poses, the same on every run.
+
+use aim::glam::{Affine3A, Vec3};
+
+use super::chain::{Animation, EYE_AT_REST, direction, random_pose};
+use super::vector::V;
+
+/// A pose and a target that both stand still.
+#[derive(Clone, Copy, Debug)]
+pub struct Still {
+    /// The joints, from the effector inward.
+    pub pose: [Affine3A; 3],
+    /// The target, metres.
+    pub target: Vec3,
+}
+
+/// Where the targets of a workload are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Where {
+    /// Within ±70° of heading and ±40° of elevation.
+    Cone,
+    /// Anywhere in the front half of the sphere.
+    Front,
+    /// Anywhere on the sphere.
+    Any,
+}
+
+impl Where {
+    /// Its name in the tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Cone => "cone",
+            Self::Front => "front",
+            Self::Any => "any",
+        }
+    }
+
+    /// `count` poses and targets at 0.5 to 5 m from the eye.
+    pub fn cases(self, count: usize) -> Vec<Still> {
+        let mut random = fastrand::Rng::with_seed(self as u64 + 1);
+        (0..count)
+            .map(|_| {
+                let pose = random_pose(&mut random);
+                let mut between = |lo: f32, hi: f32| lo + (hi - lo) * random.f32();
+                let distance = between(0.5, 5.0);
+                let towards = match self {
+                    Self::Cone => bearing(between(-70.0, 70.0), between(-40.0, 40.0)),
+                    Self::Front => {
+                        let v = direction(&mut random);
+                        Vec3::new(v.x, v.y, v.z.abs())
+                    }
+                    Self::Any => direction(&mut random),
+                };
+                Still { pose, target: EYE_AT_REST + distance * towards }
+            })
+            .collect()
+    }
+}
+
+/// The direction at this heading (to the left) and elevation, degrees.
+pub fn bearing(heading: f32, elevation: f32) -> Vec3 {
+    let ((sin_h, cos_h), (sin_e, cos_e)) = (heading.to_radians().sin_cos(), elevation.to_radians().sin_cos());
+    Vec3::new(cos_e * sin_h, sin_e, cos_e * cos_h)
+}
+
+/// What the animation does meanwhile.
+#[derive(Clone, Copy, Debug)]
+pub enum Body {
+    /// Stands in one pose.
+    Still([Affine3A; 3]),
+    /// Moves.
+    Moving(Animation),
+}
+
+impl Body {
+    /// The pose at this time, seconds.
+    pub fn at(&self, t: f32) -> [Affine3A; 3] {
+        match self {
+            Self::Still(pose) => *pose,
+            Self::Moving(animation) => animation.at(t),
+        }
+    }
+}
+
+/// A target that moves, and a body that may.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion {
+    /// The body.
+    pub body: Body,
+    /// The path of the target.
+    pub path: Path,
+}
+
+/// Where a target is at a time.
+#[derive(Clone, Copy, Debug)]
+pub enum Path {
+    /// Swings to either side and a little up and down, at 2 m.
+    Swing {
+        /// Radians a second of the sideways swing.
+        speed: f32,
+        /// Where it begins, radians.
+        phase: f32,
+        /// The elevation about which it moves, degrees.
+        elevation: f32,
+    },
+    /// Goes round the character at the eye's height, at 2 m.
+    Orbit {
+        /// Seconds a turn; negative turns right.
+        seconds: f32,
+    },
+}
+
+impl Path {
+    /// The target at this time, seconds.
+    pub fn at(&self, t: f32) -> Vec3 {
+        let towards = match *self {
+            Self::Swing { speed, phase, elevation } => {
+                let swing = speed * t + phase;
+                bearing(63.0 * swing.sin(), elevation + 5.0 * (0.7 * swing).sin())
+            }
+            Self::Orbit { seconds } => bearing(360.0 * t / seconds, 0.0),
+        };
+        EYE_AT_REST + 2.0 * towards
+    }
+}
+
+/// `count` characters that follow a swinging target, on a moving animation or in poses of their own.
+pub fn track(count: usize, moving: bool) -> Vec<Motion> {
+    let mut random = fastrand::Rng::with_seed(if moving { 12 } else { 11 });
+    (0..count)
+        .map(|_| {
+            let pose = random_pose(&mut random);
+            let animation = Animation::random(&mut random);
+            let body = if moving { Body::Moving(animation) } else { Body::Still(pose) };
+            let speed = std::f32::consts::TAU / (3.0 + 3.0 * random.f32());
+            let phase = std::f32::consts::TAU * random.f32();
+            Motion { body, path: Path::Swing { speed, phase, elevation: 20.0 * random.f32() - 10.0 } }
+        })
+        .collect()
+}
+
+/// The orbits: 4, 8 and 20 s a turn, both ways, `count` poses each.
+pub fn orbits(count: usize, moving: bool) -> Vec<Motion> {
+    let mut random = fastrand::Rng::with_seed(21);
+    let mut motions = Vec::new();
+    for seconds in [4.0, -4.0, 8.0, -8.0, 20.0, -20.0] {
+        for _ in 0..count {
+            let pose = random_pose(&mut random);
+            let animation = Animation::random(&mut random);
+            let body = if moving { Body::Moving(animation) } else { Body::Still(pose) };
+            motions.push(Motion { body, path: Path::Orbit { seconds } });
+        }
+    }
+    motions
+}
+
+/// A point in double precision.
+pub fn double(point: Vec3) -> V {
+    point.to_array().map(f64::from)
+}
