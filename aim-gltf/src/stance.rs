@@ -30,6 +30,9 @@ pub(crate) struct Stance<'a> {
     effector: Sight,
     /// What of the other eye is aimed.
     pair: Option<Sight>,
+    /// What is up in the world for a character that stands: the axis nearest to what the rig calls up, as a file may
+    /// hold a character that lies.
+    standing: DVec3,
     /// Joint 0's up in its own space.
     up: DVec3,
 }
@@ -76,14 +79,15 @@ impl<'a> Stance<'a> {
             trunk: hips.filter(|hips| ancestry().any(|node| node == *hips)).or_else(|| ancestry().last()),
             pair: chain.pair.map(|pair| other(&effector, pair, measurement)),
             effector,
+            standing: standing(rig, chain, measurement),
             up: rig.joint_infos().first().map_or(DVec3::ZERO, |info| Vec3::from(info.axes.up).as_dvec3()),
         }
     }
 
-    /// What is up for the character: the world's up as long as it stands, its own where it lies or hangs, and from the
+    /// What is up for the character: that of the world as long as it stands, its own where it lies or hangs, and from the
     /// one to the other without a jump.
     pub(crate) fn up(&self, world: &[DAffine3]) -> DVec3 {
-        let standing = self.measurement.up;
+        let standing = self.standing;
         let Some(trunk) = self.trunk else { return standing };
         let [bind, now] = [&self.measurement.bind_world[trunk], &world[trunk]].map(|at| orthonormal(&at.matrix3).0);
         let own = now * bind.transpose() * standing;
@@ -125,6 +129,22 @@ impl<'a> Stance<'a> {
         let more = roll(aimed).zip(roll(animated)).map_or(0.0, |(aimed, animated)| aimed - animated);
         (more - TAU * (more / TAU).round()).to_degrees()
     }
+}
+
+/// The axis of the world nearest to the joints' declared ups in the bind pose.
+fn standing<R: AimRig>(rig: &R, chain: &ChainNodes, measurement: &Measurement) -> DVec3 {
+    let ups = rig.joint_infos().iter().zip(&chain.joints).map(|(info, &node)| {
+        let up = Vec3::from(info.axes.up).as_dvec3();
+        measurement.bind_world[node].transform_vector3(up).normalize_or_zero()
+    });
+    let up: DVec3 = ups.sum();
+    let size = up.abs();
+    if !(size.max_element() > 0.0) {
+        return measurement.up;
+    }
+    // Of equals the measured up.
+    let largest = if size.y == size.max_element() { 1 } else { size.max_position() };
+    DVec3::AXES[largest] * up[largest].signum()
 }
 
 /// The angle about `gaze` from `up` to `bone_up`, each as seen along the gaze, positive to the left of who looks along

@@ -17,6 +17,9 @@ const SHIFT_DEG: f64 = 20.0;
 const BEFORE_S: f64 = 0.15;
 const AFTER_S: f64 = 1.05;
 
+/// Scales end at a multiple of this.
+const STEP_DEG: f64 = 30.0;
+
 /// One of the two angles.
 #[derive(Clone, Copy)]
 struct Angle {
@@ -35,14 +38,16 @@ const ELEVATION: Angle =
 /// Azimuth, the close-up where there is something to see, elevation.
 pub(super) fn charts(base: &Base<'_>, directions: &Directions) -> Markup {
     let whole = |angle: Angle| {
-        let mut chart = base.chart(
-            format!("{} of {} over time.", angle.name, what(directions)),
-            angle.unit,
-            Scale::Degrees(-angle.most, angle.most),
-        );
+        let series = series(directions, angle, 0..base.times.len());
+        let seen = series.iter().flat_map(|series| &series.values).filter(|value| value.is_finite());
+        let most = seen.fold(0.0_f64, |most, value| most.max(value.abs()));
+        let most = (most / STEP_DEG).ceil().max(1.0) * STEP_DEG;
+        let scale = Scale::Degrees(-most.min(angle.most), most.min(angle.most));
+        let label = format!("{} of {} over time.", angle.name, what(directions));
+        let mut chart = base.chart(label, angle.unit, scale);
         chart.wraps = angle.wraps;
         chart.wide = angle.index == 0;
-        chart.series = series(directions, angle, 0..base.times.len());
+        chart.series = series;
         chart.figure(angle.name)
     };
     html! {
