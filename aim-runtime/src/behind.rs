@@ -1,8 +1,8 @@
-//! What to do with a target behind the character: turn to the side it was last seen on, and say so.
+//! Whether a target is behind the character, and on which side it counts as being.
 //!
 //! A target passing behind a chain that cannot follow it would otherwise throw the chain from one end of its range to
-//! the other and back with every tremble. The policy looks only at the animated pose and the target, never at the
-//! corrections, so it cannot feed back into itself.
+//! the other and back with every tremble. Both answers look only at the animated pose and the target, never at the
+//! corrections, so they cannot feed back into themselves; and both remember, so that a tremble changes neither.
 
 use core::f32::consts::PI;
 
@@ -17,6 +17,8 @@ use crate::{AimRig, math, trig};
 const BEHIND_RAD: f32 = 150.0 * PI / 180.0;
 /// The cosine of what is left of half a turn.
 const COS_BACK: f32 = 0.866_025_4;
+/// The same once a target is behind, 10° further out: one that trembles at the edge does not switch a policy on and off.
+const COS_STILL_BACK: f32 = 0.766_044_4;
 /// The sine and cosine of how far a target has to pass the middle of the back before it counts as on the other side.
 const HELD: (f32, f32) = (0.173_648_18, 0.984_807_7);
 
@@ -92,14 +94,21 @@ impl Front {
         }
     }
 
-    /// `target` brought to the edge of the cone behind the character, at its own height; `None` where it is not in
-    /// the cone, or the ranges reach there.
-    pub(crate) fn clip(&self, target: Vec3A, side: Side) -> Option<Vec3A> {
-        let (distance, [forward, _, up]) = self.look(target)?;
-        if !self.guarded || forward >= -COS_BACK {
-            return None;
+    /// Whether `target` is behind, where the ranges do not reach; `before` is whether it was so far.
+    pub(crate) fn is_behind(&self, target: Vec3A, before: bool) -> bool {
+        let edge = if before { COS_STILL_BACK } else { COS_BACK };
+        self.guarded && self.look(target).is_some_and(|(_, [forward, ..])| forward < -edge)
+    }
+
+    /// `target` brought to the edge of the cone behind the character, at its own height; itself where it is not in the
+    /// cone.
+    pub(crate) fn clip(&self, target: Vec3A, side: Side) -> Vec3A {
+        match self.look(target) {
+            Some((distance, [forward, _, up])) if forward < -COS_BACK => {
+                let left = side.sign() * math::sqrt(1.0 - COS_BACK * COS_BACK - up * up);
+                self.point(distance, [-COS_BACK, left, up])
+            }
+            _ => target,
         }
-        let left = side.sign() * math::sqrt(1.0 - COS_BACK * COS_BACK - up * up);
-        Some(self.point(distance, [-COS_BACK, left, up]))
     }
 }

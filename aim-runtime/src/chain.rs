@@ -168,6 +168,11 @@ impl<R: AimRig> Chain<R> {
         if distance > FAR { Some(math::direction(from_origin)? * FAR) } else { Some(from_origin * self.per_size) }
     }
 
+    /// A point of solver space in the pose's space.
+    pub(crate) fn to_pose(&self, point: Vec3A) -> Vec3A {
+        self.origin + point / self.per_size
+    }
+
     /// The effector before its joint's added rotation, in that joint's space.
     pub(crate) fn effector(&self) -> Ray {
         self.effector
@@ -366,7 +371,7 @@ fn size(pose: &[Affine3A], offset: Vec3A) -> f32 {
 }
 
 /// The inverse of a transform that [`math::orthonormal`] accepted. Scaled first: a determinant is a cube.
-fn inverse(joint: &Affine3A) -> Affine3A {
+pub(crate) fn inverse(joint: &Affine3A) -> Affine3A {
     let scale = math::length(joint.matrix3.x_axis);
     let inverse = (joint.matrix3 * (1.0 / scale)).inverse() * (1.0 / scale);
     Affine3A { matrix3: inverse, translation: -(inverse * joint.translation) }

@@ -44,15 +44,20 @@ const CLOSED: f32 = 1e-6;
 /// Plain Newton steps, before each is looked at more closely.
 const PLAIN_STEPS: usize = 4;
 
+/// What the determinant of the free angles' normal matrix is to its squared trace at least, where they cover both
+/// directions of the gaze: a quarter if they do so equally.
+const STRAINED: f32 = 0.05;
+
 /// A solution.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Solution {
     /// The dual point: [`Angle::at`] gives the angles.
     pub(crate) lambda: [f32; 2],
-    /// What the model still misses, radians.
-    pub(crate) gap: f32,
-    /// Whether that is nothing.
+    /// Whether nothing is missing any more.
     pub(crate) closed: bool,
+    /// Whether the angles that are free to move hardly cover both directions of the gaze: in one of them a little of the
+    /// gaze takes much movement.
+    pub(crate) strained: bool,
 }
 
 /// Solves for these angles, from the dual point `start`.
@@ -71,12 +76,12 @@ pub(crate) fn solve(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2]) ->
             hessian = [hessian[0] + ex * x, hessian[1] + ex * y, hessian[2] + ey * y];
         }
         let missed = gap[0] * gap[0] + gap[1] * gap[1];
-        if missed <= CLOSED * CLOSED {
-            return Solution { lambda, gap: 0.0, closed: true };
-        }
         let [xx, xy, yy] = hessian;
         let determinant = xx * yy - xy * xy;
         let trace = xx + yy;
+        if missed <= CLOSED * CLOSED {
+            return Solution { lambda, closed: true, strained: determinant < STRAINED * trace * trace };
+        }
         if !(determinant > 1e-6 * trace * trace) {
             break;
         }
@@ -140,10 +145,14 @@ fn solve_with_care(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2]) -> 
     }
     let mut price = (length(evaluate(angles, wanted, [0.0; 2], 0.0).gradient) / dearest).max(1e-6);
     let mut gap = f64::INFINITY;
+    let mut strained = true;
     for _ in 0..ROUNDS {
         ascend(angles, wanted, price, &mut lambda);
         let paid = length(lambda);
-        gap = length(evaluate(angles, wanted, lambda, 0.0).gradient);
+        let dual = evaluate(angles, wanted, lambda, 0.0);
+        gap = length(dual.gradient);
+        let [xx, xy, yy] = dual.hessian;
+        strained = xx * yy - xy * xy < f64::from(STRAINED) * (xx + yy) * (xx + yy);
         if gap <= f64::from(CLOSED) || (0.9..=1.1).contains(&(paid / dearest)) {
             break;
         }
@@ -151,7 +160,7 @@ fn solve_with_care(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2]) -> 
     }
     #[expect(clippy::cast_possible_truncation, reason = "a result in the precision of its inputs")]
     let (lambda, gap) = (lambda.map(|x| x as f32), gap as f32);
-    Solution { lambda, gap, closed: gap <= 10.0 * CLOSED }
+    Solution { lambda, closed: gap <= 10.0 * CLOSED, strained }
 }
 
 /// Newton's method with Armijo's line search on the concave dual.

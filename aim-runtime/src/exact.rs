@@ -35,11 +35,15 @@ const LONGEST_STEP_RAD: f32 = 1.2;
 const OPPOSITE_RAD: f32 = 0.03;
 /// How much a step may be shortened before it is given up.
 const HALVINGS: usize = 5;
+/// Nearer to the target than this a strained gaze takes its time, radians (0.095°)…
+const LOOSE_RAD: f32 = 1.66e-3;
+/// … and moves no joint faster than this while it is near, rad/s.
+const EASY_RATE: f32 = 0.15;
 /// Joints that would all move by less than this stay where they are, radians.
 const STILL_RAD: f32 = 1e-6;
 /// Displacement of a joint from where it is costs this much of the gap it closes, radians a second and radian: where a
 /// gap remains, what gains next to nothing does not move.
-const INERTIA_S: f32 = 1.0 / 60.0;
+const INERTIA_S: f32 = 3.0 / 60.0;
 
 /// How a solve ended.
 #[derive(Clone, Copy, Debug)]
@@ -128,12 +132,31 @@ impl<'a, R: AimRig> Solver<'a, R> {
             self.try_dual(joints, reaches, *lambda);
             let mut view = self.see(self.trial.as_ref())?;
             self.mend(joints, offset, reaches, lambda, &mut view);
+            if solution.strained {
+                view = self.ease_in(joints, offset, reaches, dt, view)?;
+            }
             self.accept(joints);
-            if view.is_within(ENOUGH_RAD) {
+            if solution.strained || view.is_within(ENOUGH_RAD) {
                 return Some(Ended { remaining: view.angle(), closed: true });
             }
         }
         Some(Ended { remaining: self.see(joints)?.angle(), closed: true })
+    }
+
+    /// The trial of a strained gaze, shortened to a slow step while the gaze is near the target. At the edge of what can be reached a target's least tremble would set the
+    /// joints trembling many times as far.
+    #[cold]
+    #[inline(never)]
+    fn ease_in(&mut self, joints: &[Joint], offset: [f32; 2], reaches: &[Reach], dt: f32, view: View) -> Option<View> {
+        let near = (offset[0] * offset[0] + offset[1] * offset[1]) / (LOOSE_RAD * LOOSE_RAD);
+        let part = EASY_RATE * dt / (self.step(joints) * (1.0 - near * near));
+        if !(part < 1.0 && near < 1.0) {
+            return Some(view);
+        }
+        let mut goal = self.rig.joints();
+        goal.as_mut().copy_from_slice(self.trial.as_ref());
+        self.try_part(joints, goal.as_ref(), reaches, part);
+        self.see(self.trial.as_ref())
     }
 
     /// The rest of a frame in which the reach has no solution: rates or ranges end it, or the linear model is too far
@@ -158,9 +181,6 @@ impl<'a, R: AimRig> Solver<'a, R> {
             }
         }
         let remaining = self.see(joints)?.angle();
-        if remaining <= ENOUGH_RAD {
-            return Some(Ended { remaining, closed: true });
-        }
         // What gains next to nothing does not move: a target out of reach overhead would set the head turning with
         // every tremble.
         self.linearise(start, reaches)?;
@@ -180,7 +200,7 @@ impl<'a, R: AimRig> Solver<'a, R> {
         self.model.as_mut().copy_from_slice(kept.as_ref());
         let (before, slow) = (self.see(start)?.angle(), self.see(self.trial.as_ref())?.angle());
         // As near as the reach gets, or nearly: then slowly.
-        if slow <= before && slow - remaining < SLOW_RAD {
+        if slow <= before + 0.1 * SLOW_RAD && slow - remaining < SLOW_RAD {
             self.accept(joints);
             return Some(Ended { remaining: slow, closed: false });
         }
@@ -554,8 +574,8 @@ struct Round {
     halvings: usize,
 }
 
-/// Nearer to the best than this the joints move slowly where a gap remains, radians (0.23°).
-const SLOW_RAD: f32 = 0.004;
+/// Nearer to the best than this the joints move slowly where a gap remains, radians (0.34°).
+const SLOW_RAD: f32 = 0.006;
 
 /// Derivatives that only a target near the effector, or behind it, has.
 const SUSPICIOUS: f32 = 1e3;

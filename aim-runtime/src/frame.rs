@@ -5,7 +5,8 @@ use core::ops::Range as Span;
 use glam::Vec3;
 
 use crate::chain::{self, Chain, Level};
-use crate::goal::Goal;
+use crate::eyes::{Call, Eyes, Solved};
+use crate::goal::{Course, Goal};
 use crate::limits::{self, Reach};
 use crate::motion::{Motion, motions};
 use crate::pose::Animated;
@@ -34,7 +35,10 @@ pub(crate) fn aim<R: AimRig>(
     let mut joints = rig.joints();
     let motions = motions(rig, pose_ps);
     let motions = motions.as_ref();
-    let outcome = aim_joints(rig, pose_ps, motions, target_ps, dt, settings, joints.as_mut());
+    let call = Call { target_ps, dt: Some(dt), settings };
+    let outcome = both_eyes(rig, pose_ps, motions, &call, joints.as_mut(), |pose_ps, motions, joints| {
+        aim_joints(rig, pose_ps, motions, target_ps, dt, settings, joints)
+    });
     let outcome = outcome.unwrap_or_else(|| degenerate(rig, motions));
     if outcome.status != Status::Degenerate {
         if dt == 0.0 {
@@ -55,13 +59,35 @@ pub(crate) fn snap<R: AimRig>(rig: &mut R, pose_ps: &Animated<'_>, target_ps: Ve
     let mut joints = rig.joints();
     let motions = motions(rig, pose_ps);
     let motions = motions.as_ref();
-    match snap_joints(rig, pose_ps, motions, target_ps, settings, joints.as_mut()) {
+    let call = Call { target_ps, dt: None, settings };
+    let outcome = both_eyes(rig, pose_ps, motions, &call, joints.as_mut(), |pose_ps, motions, joints| {
+        snap_joints(rig, pose_ps, motions, target_ps, settings, joints)
+    });
+    match outcome {
         Some(outcome) => {
             rig.set_joints(joints);
             outcome
         }
         None => degenerate(rig, motions),
     }
+}
+
+/// What `solve` makes of the joints, and then of both eyes where the pose has a pair.
+fn both_eyes<R: AimRig>(
+    rig: &R,
+    pose_ps: &Animated<'_>,
+    motions: &[Motion],
+    call: &Call<'_>,
+    joints: &mut [Joint],
+    solve: impl Fn(&Animated<'_>, &[Motion], &mut [Joint]) -> Option<Solved>,
+) -> Option<Outcome> {
+    if let Some(pair) = pose_ps.pair {
+        return Eyes::new(rig, pose_ps, pair, motions)?.aim(call, joints, solve);
+    }
+    if let Some(joint) = joints.first_mut() {
+        joint.pair = None;
+    }
+    Some(solve(pose_ps, motions, joints)?.outcome)
 }
 
 /// Moves `joints`, a copy of the rig's; `None` where there is nothing to aim.
@@ -73,26 +99,28 @@ fn aim_joints<R: AimRig>(
     dt: f32,
     settings: &Settings,
     joints: &mut [Joint],
-) -> Option<Outcome> {
+) -> Option<Solved> {
     let chain = chain(rig, pose_ps, settings, joints)?;
-    let goal = goal(rig, &chain, motions, target_ps, settings, joints)?;
+    let goal = goal(rig, &chain, pose_ps, motions, target_ps, settings, &joints[chain.count - 1])?;
     let frame = Frame::new(rig, &chain, motions, &goal, dt, settings, joints);
 
     for (joint, reach) in joints.iter_mut().zip(frame.reaches.as_ref()) {
         *joint = reach.hold(joint);
     }
     let mut within_reach = true;
-    if settings.effective_weight() == 0.0 {
-        frame.go_to_rest(joints, 0..chain.count);
-    } else {
-        frame.go_to_rest(joints, 0..chain.first);
-        within_reach = match solver(rig, settings) {
-            Solver::Ascent => {
-                frame.relax(joints, dt);
-                frame.go_to_goal(joints)?
-            }
-            Solver::Exact | Solver::Natural => frame.solve(joints, dt)?,
-        };
+    frame.go_to_rest(joints, 0..chain.first);
+    match goal.course {
+        Course::Rest => frame.go_to_rest(joints, chain.first..chain.count),
+        Course::Stay => {}
+        Course::Aim => {
+            within_reach = match solver(rig, settings) {
+                Solver::Ascent => {
+                    frame.relax(joints, dt);
+                    frame.go_to_goal(joints)?
+                }
+                Solver::Exact | Solver::Natural => frame.solve(joints, dt)?,
+            };
+        }
     }
     if dt == 0.0 {
         joints.copy_from_slice(frame.start.as_ref());
@@ -336,10 +364,12 @@ fn snap_joints<R: AimRig>(
     target_ps: Vec3,
     settings: &Settings,
     joints: &mut [Joint],
-) -> Option<Outcome> {
+) -> Option<Solved> {
     let chain = chain(rig, pose_ps, settings, joints)?;
     let tolerance = settings.effective_tolerance();
-    let goal = goal(rig, &chain, motions, target_ps, settings, joints)?;
+    // Nothing but the side is remembered: the result is to depend on the past as little as it can.
+    let before = Joint { behind: false, ..joints[chain.count - 1] };
+    let goal = goal(rig, &chain, pose_ps, motions, target_ps, settings, &before)?;
 
     let mut from_here = rig.joints();
     let from_here = from_here.as_mut();
@@ -347,10 +377,13 @@ fn snap_joints<R: AimRig>(
     for joint in from_here[..chain.first].iter_mut().chain(&mut *joints) {
         (joint.heading, joint.pitch, joint.bound_for) = (0.0, 0.0, None);
     }
+    if goal.course == Course::Stay {
+        joints.copy_from_slice(from_here);
+    }
     for (joint, motion) in joints.iter_mut().zip(motions) {
         *joint = Reach::range(motion).hold(joint);
     }
-    if settings.effective_weight() > 0.0 {
+    if goal.course == Course::Aim {
         // The aim may be undefined at rest and yet defined here, or the reverse.
         let from_rest = settle_from_rest(rig, &chain, motions, &goal, joints, tolerance).unwrap_or(f32::INFINITY);
         if from_rest > tolerance {
@@ -367,18 +400,19 @@ fn snap_joints<R: AimRig>(
 fn goal<R: AimRig>(
     rig: &R,
     chain: &Chain<R>,
+    pose_ps: &Animated<'_>,
     motions: &[Motion],
     target_ps: Vec3,
     settings: &Settings,
-    joints: &[Joint],
+    before: &Joint,
 ) -> Option<Goal> {
-    let before = joints[chain.count - 1].side;
     let weight = settings.effective_weight();
-    if weight == 0.0 {
-        return Some(Goal::animation(chain, before));
-    }
-    let target = chain.to_solver(target_ps.into())?;
-    Some(Goal::new(rig, chain, motions, target, weight, before))
+    let goal = if weight == 0.0 {
+        Goal::animation(chain, before)
+    } else {
+        Goal::new(rig, chain, motions, chain.to_solver(target_ps.into())?, settings, before)
+    };
+    Some(if pose_ps.pair.is_some() && weight < 1.0 { goal.receding(chain, weight) } else { goal })
 }
 
 /// Remembers what was seen, and judges the joints as they are now.
@@ -390,12 +424,13 @@ fn finish<R: AimRig>(
     joints: &mut [Joint],
     tolerance: f32,
     within_reach: bool,
-) -> Option<Outcome> {
+) -> Option<Solved> {
     let infos = rig.joint_infos();
     for (joint, motion) in joints.iter_mut().zip(motions) {
         limits::wrap(motion, joint);
     }
-    joints[chain.count - 1].side = goal.side;
+    let innermost = &mut joints[chain.count - 1];
+    (innermost.side, innermost.behind) = (goal.side, goal.behind);
     let remaining = chain.gaze(chain::turns(rig, joints).as_ref()).angle_to(goal.wanted)?;
     let status = if remaining <= tolerance {
         Status::Reached
@@ -408,11 +443,14 @@ fn finish<R: AimRig>(
     };
     let (at_limit, recovering) = limits::limits_met(infos, motions, joints);
     let (_, aim) = trig::sin_cos(remaining);
-    Some(Outcome { aim, remaining, status, at_limit, recovering })
+    let outcome = Outcome { aim, remaining, pair_remaining: None, status, at_limit, recovering };
+    let [wanted_ps, aimed_ps] = [goal.wanted, goal.aimed].map(|point| chain.to_pose(point));
+    Some(Solved { outcome, wanted_ps, aimed_ps, course: goal.course, behind: goal.behind })
 }
 
 /// The outcome where there is nothing to aim: the angles hold.
 fn degenerate<R: AimRig>(rig: &R, motions: &[Motion]) -> Outcome {
     let (at_limit, recovering) = limits::limits_met(rig.joint_infos(), motions, rig.joints().as_ref());
-    Outcome { aim: 0.0, remaining: math::UNDEFINED_RAD, status: Status::Degenerate, at_limit, recovering }
+    let (aim, remaining) = (0.0, math::UNDEFINED_RAD);
+    Outcome { aim, remaining, pair_remaining: None, status: Status::Degenerate, at_limit, recovering }
 }

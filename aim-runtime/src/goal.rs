@@ -2,12 +2,11 @@
 
 use glam::Vec3A;
 
-use crate::AimRig;
 use crate::behind::Front;
 use crate::chain::{Chain, Ray};
 use crate::joint::Side;
 use crate::motion::Motion;
-use crate::{math, trig};
+use crate::{AimRig, Behind, Joint, Settings, math, trig};
 
 /// What a call turns to, in solver space.
 #[derive(Clone, Copy, Debug)]
@@ -16,37 +15,65 @@ pub(crate) struct Goal {
     pub(crate) wanted: Vec3A,
     /// What the joints are turned to: `wanted`, or the edge of the cone behind.
     pub(crate) aimed: Vec3A,
-    /// Whether the target is behind, so that the two differ.
+    /// What the joints do about it.
+    pub(crate) course: Course,
+    /// Whether the policy for targets behind is active.
     pub(crate) behind: bool,
     /// The side the target counts as being on.
     pub(crate) side: Side,
 }
 
+/// What the joints do in a call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Course {
+    /// They turn to [`Goal::aimed`].
+    Aim,
+    /// They stay as they are, but for those outside their ranges.
+    Stay,
+    /// They return to the animation.
+    Rest,
+}
+
 impl Goal {
-    /// The goal for a target that was last seen on the side `before`.
+    /// The goal for a target; `before` is the innermost joint, which remembers where the target was seen.
     pub(crate) fn new<R: AimRig>(
         rig: &R,
         chain: &Chain<R>,
         motions: &[Motion],
         target: Vec3A,
-        weight: f32,
-        before: Side,
+        settings: &Settings,
+        before: &Joint,
     ) -> Self {
         let gaze = chain.animated_gaze();
         let front = Front::new(rig, chain, motions, gaze);
-        let side = front.side(target, before);
+        let side = front.side(target, before.side);
+        let weight = settings.effective_weight();
         let wanted =
             if weight < 1.0 { part_way(&front, gaze, front.on_side(target, side), weight, side) } else { target };
-        let clipped = front.clip(wanted, side);
-        Self { wanted, aimed: clipped.unwrap_or(wanted), behind: clipped.is_some(), side }
+        let behind = settings.behind != Behind::Off && front.is_behind(wanted, before.behind);
+        let (course, aimed) = match settings.behind {
+            Behind::Hold if behind => (Course::Stay, wanted),
+            Behind::Release if behind => (Course::Rest, wanted),
+            Behind::Clip if behind => (Course::Aim, front.clip(wanted, side)),
+            _ => (Course::Aim, wanted),
+        };
+        Self { wanted, aimed, course, behind, side }
     }
 
     /// The goal of weight 0: the animated gaze itself.
-    pub(crate) fn animation<R: AimRig>(chain: &Chain<R>, before: Side) -> Self {
+    pub(crate) fn animation<R: AimRig>(chain: &Chain<R>, before: &Joint) -> Self {
         let gaze = chain.animated_gaze();
         // Far enough that no correction brings the effector near it.
         let ahead = gaze.origin + math::direction(gaze.direction).unwrap_or(Vec3A::X) * 1e3;
-        Self { wanted: ahead, aimed: ahead, behind: false, side: before }
+        Self { wanted: ahead, aimed: ahead, course: Course::Rest, behind: false, side: before.side }
+    }
+
+    /// The same directions further away by as much as the weight is below 1, so that two eyes converge by that much less.
+    pub(crate) fn receding<R: AimRig>(self, chain: &Chain<R>, weight: f32) -> Self {
+        let origin = chain.animated_gaze().origin;
+        let further = 1.0 / weight.max(1e-3);
+        let recede = |point: Vec3A| origin + (point - origin) * further;
+        Self { wanted: recede(self.wanted), aimed: recede(self.aimed), ..self }
     }
 }
 

@@ -136,12 +136,31 @@ pub struct Joint {
     pub(crate) heading: f32,
     pub(crate) pitch: f32,
     pub(crate) side: Side,
+    /// Whether the target was behind; on the innermost joint.
+    pub(crate) behind: bool,
     /// Heading and pitch to go to though the aim gets worse on the way.
     pub(crate) bound_for: Option<[f32; 2]>,
     /// How the frame that the angles count in stands in the bone: tilted upright for a level heading.
     pub(crate) tilt: Quat,
+    /// The other eye; on joint 0 of a rig whose last pose had one.
+    pub(crate) pair: Option<Pair>,
     /// The dual point that the last frame of the chain ended at; kept by the innermost joint.
     pub(crate) lambda: [f32; 2],
+}
+
+/// What joint 0 remembers of a pair of eyes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pair {
+    /// The other eye's heading and pitch, about axes parallel to joint 0's.
+    pub(crate) angles: [f32; 2],
+    /// Heading and pitch of the eye between them that leads.
+    pub(crate) lead: [f32; 2],
+    /// The other eye's correction in its own bone's space, a quaternion.
+    pub(crate) correction: [f32; 4],
+}
+
+impl Pair {
+    pub(crate) const REST: Self = Self { angles: [0.0; 2], lead: [0.0; 2], correction: [0.0, 0.0, 0.0, 1.0] };
 }
 
 /// The side that a target was last seen on.
@@ -193,6 +212,12 @@ impl Joint {
     /// The added pitch, radians: positive turns forward towards up.
     pub fn pitch(&self) -> f32 {
         self.pitch
+    }
+
+    /// The added heading and pitch of the other eye, radians, about axes parallel to this eye's; `None` but for joint 0 of
+    /// a rig whose last pose had [a pair](crate::Pose::with_pair).
+    pub fn pair(&self) -> Option<[f32; 2]> {
+        self.pair.map(|pair| pair.angles)
     }
 
     /// The correction in the bone's own space: what its animated local rotation is multiplied by on the right,

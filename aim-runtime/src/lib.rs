@@ -25,6 +25,7 @@ mod behind;
 mod chain;
 mod dual;
 mod exact;
+mod eyes;
 mod frame;
 mod goal;
 mod joint;
@@ -38,6 +39,7 @@ mod rig;
 mod scalar;
 mod settings;
 mod settle;
+mod targets;
 mod trig;
 mod view;
 
@@ -49,5 +51,6 @@ pub use real::Real;
 pub use rig::{AimRig, Axes, Corrections, Effector};
 pub use scalar::Scalar;
 pub use settings::{Ascent, Behind, Natural, Settings, Solver};
+pub use targets::Target;
 #[cfg(feature = "wide")]
 pub use wide;

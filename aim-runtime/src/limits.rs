@@ -80,6 +80,36 @@ impl Range {
         }
     }
 
+    /// The range from `lo` to `hi`; where it is inverted the middle, rest where that is undefined.
+    fn between(lo: f32, hi: f32) -> Self {
+        if lo <= hi {
+            Self { lo, hi }
+        } else {
+            let middle = 0.5 * (lo + hi);
+            if middle.is_finite() { Self { lo: middle, hi: middle } } else { Self::REST }
+        }
+    }
+
+    /// The range with both ends moved by `by`.
+    pub(crate) fn moved(self, by: f32) -> Self {
+        Self { lo: self.lo + by, hi: self.hi + by }
+    }
+
+    /// What both ranges have in common; the middle between them where that is nothing.
+    pub(crate) fn common(self, other: Self) -> Self {
+        Self::between(self.lo.max(other.lo), self.hi.min(other.hi))
+    }
+
+    /// The range without what is above the other's.
+    pub(crate) fn no_further_up_than(self, other: Self) -> Self {
+        Self::between(self.lo, self.hi.min(other.hi))
+    }
+
+    /// The range without what is below the other's.
+    pub(crate) fn no_further_down_than(self, other: Self) -> Self {
+        Self::between(self.lo.max(other.lo), self.hi)
+    }
+
     /// This part of the range, 0…1; finite ranges only.
     pub(crate) fn scaled(self, part: f32) -> Self {
         Self { lo: part * self.lo, hi: part * self.hi }

@@ -69,6 +69,11 @@ impl Narrowing {
         Some(Self { most, per_rad, pitch, animated })
     }
 
+    /// Narrowing what is left of the range at this part of it.
+    pub(crate) fn shrunk(self, part: f32) -> Self {
+        Self { pitch: self.pitch.scaled(part), ..self }
+    }
+
     pub(crate) fn pitch_at(&self, heading: f32) -> Range {
         let [animated_heading, animated_pitch] = self.animated.unwrap_or_default();
         let heading = heading + animated_heading;
@@ -91,6 +96,15 @@ pub(crate) fn motions<R: AimRig>(rig: &R, pose: &Animated<'_>) -> R::Array<Motio
         *motion = Motion::new(info, animated);
     }
     motions
+}
+
+/// The ranges of motion of joint 0's mirror image, which the animation leads in parallel with it: heading to the left
+/// becomes heading to the right.
+pub(crate) fn mirrored<R: AimRig>(rig: &R, pose: &Animated<'_>) -> Option<Motion> {
+    let mut info = *rig.joint_infos().first()?;
+    info.heading = info.heading.map(|[lo, hi]| [-hi, -lo]);
+    let animated = if info.absolute { animated_angles(&info, pose, 0) } else { None };
+    Some(Motion::new(&info, animated))
 }
 
 /// The heading and pitch by which the animation turns a joint's forward out of the bind pose:

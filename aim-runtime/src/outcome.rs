@@ -11,9 +11,12 @@ pub struct Outcome {
     /// The angle between the effector's direction and the direction to the target, radians, 0…π; π/2 where the call
     /// is degenerate. With a [weight](crate::Settings::weight) below 1 the target is the weighted goal.
     pub remaining: f32,
+    /// The same angle for the other eye, from its own origin; `None` where the pose has [no pair](crate::Pose::with_pair),
+    /// or the call is degenerate. [`remaining`](Self::remaining) is joint 0's own.
+    pub pair_remaining: Option<f32>,
     /// Whether the target is reached, and if not, why.
     pub status: Status,
-    /// The joints that have an angle at (or past) an end of its range.
+    /// The joints that have an angle at (or past) an end of its range. Joint 0 stands for both eyes.
     pub at_limit: JointSet,
     /// The joints that have an angle outside its range, because the range moved: it goes back at its rate.
     pub recovering: JointSet,
@@ -24,12 +27,12 @@ pub struct Outcome {
 #[non_exhaustive]
 pub enum Status {
     /// Forward kinematics puts the remaining angle within the tolerance: of the target, or of the weighted goal where
-    /// the weight is below 1.
+    /// the weight is below 1. With [a pair](crate::Pose::with_pair) of eyes, of both.
     Reached,
     /// There is nothing to aim: the pose or the target is not finite, a joint's scale is zero or flat, or the target
     /// lies on the effector. The angles hold.
     Degenerate,
-    /// The target is behind the character, out of reach: the joints turn to the side it was last seen on.
+    /// The target is behind the character, out of reach: the [policy](crate::Behind) for that is active.
     Behind,
     /// Out of reach of the ranges of motion, even if the joints had all the time they need.
     AtLimit,

@@ -37,7 +37,17 @@ impl<T> Pose<T> {
         DetailedPose::from(self).with_bind(bind)
     }
 
-    /// With the other eye, which is aimed too.
+    /// With the other eye, which is aimed too: joint 0's partner on the same parent, whatever the axes of its bone.
+    ///
+    /// In the animation it counts as looking in parallel with joint 0. Then an eye in the middle leads, and each eye
+    /// converges on the target from its own origin, within its own range (joint 0's, mirrored) and rate. Eyes converge
+    /// on nothing nearer than 10 cm where they are 6 cm apart: a target nearer than that is looked at as if it were there.
+    /// They never diverge. Where the rig's effector is not joint 0's own forward from its own origin, or joint 0's heading
+    /// is level, joint 0 leads alone and the other eye only follows: it turns in parallel.
+    ///
+    /// Each call with the pair moves it; its correction is [`AimRig::pair_correction`](crate::AimRig::pair_correction). A
+    /// call without it forgets the other eye. A transform that is not finite or does not span space makes the call
+    /// [`Degenerate`](crate::Status::Degenerate).
     #[must_use]
     pub fn with_pair(self, pair: Affine3A) -> DetailedPose<T> {
         DetailedPose::from(self).with_pair(pair)

@@ -3,7 +3,7 @@
 use glam::{Affine3A, Quat, Vec3, Vec3A};
 
 use crate::pose::Animated;
-use crate::{ChainPose, Joint, JointInfo, Natural, Outcome, Scalar, Settings, frame};
+use crate::{ChainPose, Joint, JointInfo, Natural, Outcome, Scalar, Settings, Target, frame, targets};
 
 /// Which way a bone points: three unit vectors in the bone's own space, square to each other.
 ///
@@ -129,6 +129,26 @@ pub trait AimRig: Sized {
         frame::aim(self, &Animated::new(pose), target, dt, settings)
     }
 
+    /// Turns the rig towards several weighted targets for one frame of `dt` seconds.
+    ///
+    /// The targets are blended by their directions as the animated effector sees them (the weighted sum of unit
+    /// vectors), and by how near they are; their order does not matter, and where no directions cancel the blend is
+    /// continuous in points and weights. Weights that add up to less than 1 fade towards the animation as
+    /// [`Settings::weight`] does, which multiplies them. A target that is not finite, or on the effector, is left out.
+    /// Where directions cancel the heaviest target is aimed at, and of equals the first. No target at all is weight 0.
+    ///
+    /// For a single finite target of weight 1 this is [`aim_with`](Self::aim_with).
+    fn aim_at<P: ChainPose<Self::Array<Affine3A>>>(
+        &mut self,
+        pose: &P,
+        targets: &[Target],
+        dt: f32,
+        settings: &Settings,
+    ) -> Outcome {
+        let (target, settings) = targets::blended(self, &Animated::new(pose), targets, settings);
+        self.aim_with(pose, target, dt, &settings)
+    }
+
     /// Puts the rig on `target` at once, whatever the rates: for a spawn, a camera cut, scrubbing. The only jump.
     ///
     /// With the default [`Settings`]; see [`snap_with`](Self::snap_with).
@@ -149,10 +169,27 @@ pub trait AimRig: Sized {
         frame::snap(self, &Animated::new(pose), target, settings)
     }
 
+    /// Puts the rig at once on several weighted targets, blended as [`aim_at`](Self::aim_at) does, whatever the rates.
+    fn snap_at<P: ChainPose<Self::Array<Affine3A>>>(
+        &mut self,
+        pose: &P,
+        targets: &[Target],
+        settings: &Settings,
+    ) -> Outcome {
+        let (target, settings) = targets::blended(self, &Animated::new(pose), targets, settings);
+        self.snap_with(pose, target, &settings)
+    }
+
     /// Each joint's index and correction, from the effector inward: what the bone's animated local rotation is
     /// multiplied by on the right. Unit to 1e-6; the exact identity at rest.
     fn corrections(&self) -> Corrections<'_, Self::Array<Joint>> {
         Corrections { infos: self.joint_infos(), joints: self.joints(), next: 0 }
+    }
+
+    /// The correction of the other eye: what its bone's animated local rotation is multiplied by on the right. `None`
+    /// where the last pose had [no pair](crate::Pose::with_pair). Unit to 1e-6; the exact identity at rest.
+    fn pair_correction(&self) -> Option<Quat> {
+        self.joints().as_ref().first()?.pair.map(|pair| Quat::from_array(pair.correction))
     }
 
     /// Puts every joint at rest at once and forgets what was seen.

@@ -135,19 +135,28 @@ pub enum Solver {
     Ascent,
 }
 
-/// What becomes of a target behind the character, out of reach: within 30° of the opposite of the innermost joint's
-/// animated forward, and until it is 10° out of that again.
+/// What becomes of a target behind the character, where the ranges do not reach.
+///
+/// *Behind* is a cone seen from the animated effector, about the opposite of the innermost joint's animated forward (its
+/// parent is not in the pose): a target is behind from 30° off that, and until it is 10° further out again. The
+/// corrections have no part in it, so nothing feeds back. A target behind counts as being on the side it was last seen
+/// on until it is 10° past the middle of the back: then the other way round is nearer by a margin, and the joints turn
+/// round. Whatever the policy and wherever it sets in or ends, no angle changes faster than its rate. Where the ranges
+/// let the gaze come round behind (a turret, say), no target counts as behind.
+///
+/// While a policy is active and the target is not reached all the same, the status is
+/// [`Behind`](crate::Status::Behind).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Behind {
-    /// No policy: the joints go as near as they come, on the side they are on.
+    /// No policy: the joints go as near as they come, on the side they are on, until the other comes nearer by a margin.
     Off,
-    /// They turn to the edge of the cone behind, on the side that the target was last seen on.
+    /// They turn to the edge of the cone behind, on the side that the target counts as being on.
     #[default]
     Clip,
-    /// They stay as they are.
+    /// They stay as they are; those outside their ranges go back as ever.
     Hold,
-    /// They return to the animation.
+    /// They return to the animation at their rates, as with weight 0.
     Release,
 }
 

@@ -7,24 +7,6 @@ use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim_runtime::{AimRig, Axes, Pose, Status};
 use common::*;
 
-/// Every triple of signed axes: up, forward, left; and whether it is right-handed (up × forward = left).
-fn triples() -> Vec<(Axes, bool)> {
-    let signed = [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z];
-    let mut triples = Vec::new();
-    for up in signed {
-        for forward in signed {
-            for left in signed {
-                let handedness = up.cross(forward).dot(left);
-                if handedness != 0.0 {
-                    let axes = Axes { up: up.into(), forward: forward.into(), left: left.into() };
-                    triples.push((axes, handedness > 0.0));
-                }
-            }
-        }
-    }
-    triples
-}
-
 /// The thug with these axes in every bone, in a pose of small turns, in a world that may be mirrored.
 fn authored(axes: Axes, turns: &[Quat], mirrored: bool) -> (NumericRig, Vec<Affine3A>) {
     let rig = NumericRig::thug_with(axes);

@@ -280,7 +280,17 @@ impl Transform64 {
 pub fn gaze64(rig: &NumericRig, pose: &[Affine3A], k: usize) -> ([f64; 3], [f64; 3]) {
     let (origin, forward) =
         if k == 0 { (rig.effector.origin, rig.effector.forward) } else { ([0.0; 3], rig.infos[k].axes.forward) };
-    let (mut origin, mut forward) = (origin.map(f64::from), forward.map(f64::from));
+    carried64(rig, pose, k, origin.map(f64::from), forward.map(f64::from))
+}
+
+/// A point and a direction of joint `k`'s bone space in the pose's space, and the direction made a unit.
+fn carried64(
+    rig: &NumericRig,
+    pose: &[Affine3A],
+    k: usize,
+    mut origin: [f64; 3],
+    mut forward: [f64; 3],
+) -> ([f64; 3], [f64; 3]) {
     for i in k..pose.len() {
         let axes = &rig.infos[i].axes;
         let [f, u, l] = [axes.forward, axes.up, axes.left].map(|v| v.map(f64::from));
@@ -300,6 +310,32 @@ pub fn gaze64(rig: &NumericRig, pose: &[Affine3A], k: usize) -> ([f64; 3], [f64;
     (origin, scale(forward, 1.0 / dot(forward, forward).sqrt()))
 }
 
+/// The other eye's origin and unit direction in the pose's space: its bone turned by its correction, and looking where
+/// joint 0 looks in the animation.
+pub fn pair_gaze64(rig: &NumericRig, pose: &[Affine3A], pair: &Affine3A) -> ([f64; 3], [f64; 3]) {
+    let bone = Transform64::of(pair);
+    let forward = Transform64::of(&pose[0]).vector(rig.infos[0].axes.forward.map(f64::from));
+    let [x, y, z, w] = rig.pair_correction().expect("the last pose had a pair").to_array().map(f64::from);
+    let (axis, v) = ([x, y, z], bone.inverse_vector(forward));
+    let across = cross(axis, v);
+    let turned = add(v, scale(add(scale(across, w), cross(axis, across)), 2.0));
+    let (origin, direction) = (bone.point([0.0; 3]), bone.vector(turned));
+    match pose.get(1) {
+        Some(next) => {
+            let next = Transform64::of(next);
+            carried64(rig, pose, 1, next.inverse_point(origin), next.inverse_vector(direction))
+        }
+        None => (origin, scale(direction, 1.0 / dot(direction, direction).sqrt())),
+    }
+}
+
+/// The angle left between a gaze and `target`, radians.
+pub fn off64((origin, direction): ([f64; 3], [f64; 3]), target: Vec3) -> f64 {
+    let v = sub(target.to_array().map(f64::from), origin);
+    let off = cross(direction, v);
+    dot(off, off).sqrt().atan2(dot(direction, v))
+}
+
 /// `v` turned in the plane of the square unit vectors `a` and `b`, from `a` towards `b`.
 fn plane_turn(v: V<f64>, a: V<f64>, b: V<f64>, angle: f64) -> V<f64> {
     let (sin, cos) = angle.sin_cos();
@@ -309,16 +345,31 @@ fn plane_turn(v: V<f64>, a: V<f64>, b: V<f64>, angle: f64) -> V<f64> {
 
 /// The angle left between effector `k` and `target`, radians, by the independent forward kinematics.
 pub fn remaining64(rig: &NumericRig, pose: &[Affine3A], k: usize, target: Vec3) -> f64 {
-    let (origin, direction) = gaze64(rig, pose, k);
-    let v = sub(target.to_array().map(f64::from), origin);
-    let off = cross(direction, v);
-    dot(off, off).sqrt().atan2(dot(direction, v))
+    off64(gaze64(rig, pose, k), target)
 }
 
 /// The point `distance` along effector `k`'s direction.
 pub fn ahead(rig: &NumericRig, pose: &[Affine3A], k: usize, distance: f32) -> Vec3 {
     let (origin, direction) = gaze64(rig, pose, k);
     Vec3::from(add(origin, scale(direction, distance.into())).map(|x| x as f32))
+}
+
+/// Every triple of signed axes: up, forward, left; and whether it is right-handed (up × forward = left).
+pub fn triples() -> Vec<(Axes, bool)> {
+    let signed = [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z];
+    let mut triples = Vec::new();
+    for up in signed {
+        for forward in signed {
+            for left in signed {
+                let handedness = up.cross(forward).dot(left);
+                if handedness != 0.0 {
+                    let axes = Axes { up: up.into(), forward: forward.into(), left: left.into() };
+                    triples.push((axes, handedness > 0.0));
+                }
+            }
+        }
+    }
+    triples
 }
 
 /// The world's forward (−Z), up (+Y) and left (−X), as in XNA.

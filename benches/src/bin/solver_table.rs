@@ -1,16 +1,16 @@
 //! Measures everything that the whole-chain solvers have to hold, and prints it as tables.
 //!
-//! `solver_table [--check] [--quick] [--solver exact|ascent|paper] [WORD…]`: with `--check` it exits 1 when something
-//! does not hold. `--quick` measures a sixteenth. With words, only the measurements whose name has one of them.
+//! `solver_table [--check] [--quick] [--instructions] [--solver exact|ascent|paper] [WORD…]`: with `--check` it exits 1
+//! when something does not hold. `--quick` measures a sixteenth, `--instructions` counts them too (it needs valgrind). With words, only the measurements whose name has one of them.
 
 use std::env;
 use std::process::ExitCode;
 use std::time::Instant;
 
 use aim::{Ascent, Settings, Solver};
-use aim_benches::solver::exact;
 use aim_benches::solver::row::{Row, markdown};
 use aim_benches::solver::sample::Sample;
+use aim_benches::solver::{self, exact};
 
 /// A measurement by its name.
 type Measurement = (&'static str, fn(&Sample) -> Vec<Row>);
@@ -28,17 +28,17 @@ const EXACT: &[Measurement] = &[
     ("holding", exact::holding),
     ("comforts", exact::comforts),
     ("roll", exact::roll),
-    ("track", |sample| exact::tracking(sample, "")),
+    ("track", exact::tracking),
 ];
 
 /// For comparison: the published method on the rows it is quoted for.
 const PAPER: &[Measurement] = &[
     ("paper", |sample| {
-        exact::tracking(&Sample { settings: ascent(Ascent::paper()), ..*sample }, "the paper's method, ")
+        exact::tracking_of(&Sample { settings: ascent(Ascent::paper()), ..*sample }, "the paper's method, ")
     }),
     ("paper", |sample| {
         let plain = Ascent::paper().with_relax(None);
-        exact::tracking(&Sample { settings: ascent(plain), ..*sample }, "without its relaxing, ")
+        exact::tracking_of(&Sample { settings: ascent(plain), ..*sample }, "without its relaxing, ")
     }),
 ];
 
@@ -58,12 +58,13 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<bool, String> {
-    let (mut check, mut words) = (false, Vec::new());
+    let (mut check, mut instructions, mut words) = (false, false, Vec::new());
     let mut sample = Sample { thinned: 1, settings: Settings::default().with_solver(Solver::Exact) };
     let mut arguments = env::args().skip(1);
     while let Some(argument) = arguments.next() {
         match argument.as_str() {
             "--check" => check = true,
+            "--instructions" => instructions = true,
             "--quick" => sample.thinned = 16,
             "--solver" => {
                 sample.settings = match arguments.next().as_deref() {
@@ -77,14 +78,19 @@ fn run() -> Result<bool, String> {
             _ => return Err(format!("unknown argument {argument}")),
         }
     }
-    let exact = measure("exact", EXACT, &sample, &words);
-    println!("{}", markdown("exact layer", &exact));
+    let mut judged = measure("exact", EXACT, &sample, &words);
+    println!("{}", markdown("exact layer", &judged));
+    if instructions {
+        let counted = solver::instructions::count()?;
+        println!("{}", markdown("instructions", &counted));
+        judged.extend(counted);
+    }
     let paper = measure("paper", PAPER, &sample, &words);
     // What it does not hold is why there is another.
     let paper: Vec<Row> = paper.into_iter().map(|row| Row { held: None, ..row }).collect();
     println!("{}", markdown("for comparison", &paper));
-    let broken = exact.iter().filter(|row| row.held == Some(false)).count();
-    println!("{broken} of {} do not hold", exact.iter().filter(|row| row.held.is_some()).count());
+    let broken = judged.iter().filter(|row| row.held == Some(false)).count();
+    println!("{broken} of {} do not hold", judged.iter().filter(|row| row.held.is_some()).count());
     Ok(!check || broken == 0)
 }
 

@@ -2,11 +2,13 @@
 //! natural gaze moves.
 //!
 //! [`chain`] is the character and [`workload`] what it looks at, [`random_rigs`] are all the other rigs. [`model`] is the
-//! rig as the definitions have it, in double precision, and [`reference`] finds on it what the solvers should have found;
-//! neither shares code with them. Each function of [`exact`] is a row or a few of the table.
+//! rig as the definitions have it, in double precision, and [`mod@reference`] finds on it what the solvers should have found;
+//! neither shares code with them. Each function of [`exact`] is a row or a few of the table;
+//! [`instructions`] are counted by valgrind.
 
 pub mod chain;
 pub mod exact;
+pub mod instructions;
 pub mod model;
 pub mod numeric;
 pub mod parallel;

@@ -62,7 +62,7 @@ pub fn case(number: usize) -> Case {
 }
 
 fn joint(random: &mut fastrand::Rng) -> JointInfo {
-    let rate = 0.5 * 20.0_f32.powf(random.f32());
+    let rate = 2.0 * 5.0_f32.powf(random.f32());
     let mut info = JointInfo::new(axes(random), rate).with_comfort(0.1 * 100.0_f32.powf(random.f32()));
     let declared = random.u8(1..4);
     if declared & 1 != 0 {

@@ -10,6 +10,9 @@ use super::vector::V;
 /// Nearer than this the target is met, radians.
 pub const MET_RAD: f64 = 1e-6;
 
+/// Where the target can be met a round gains nearly all; where one gains less than this part it cannot, from there.
+const GAIN: f64 = 1e-3;
+
 /// Angles, and how far from the target they leave the gaze.
 #[derive(Clone, Copy, Debug)]
 pub struct Found {
@@ -77,13 +80,14 @@ impl<'a> Problem<'a> {
     pub fn least_displacement(&self, starts: &[Angles]) -> Option<Found> {
         let mut best: Option<Found> = None;
         for start in starts {
-            // From where the gaze is near: a linear model of the far side leads astray.
-            let near = self.polish(start, 30);
-            for start in [start, &near.angles] {
-                let found = self.descend(start);
-                if found.remaining <= MET_RAD && best.is_none_or(|best| found.cost < best.cost) {
-                    best = Some(found);
-                }
+            // From where the gaze meets the target: a linear model of the far side leads astray.
+            let near = self.polish(start, 30, GAIN);
+            if near.remaining > MET_RAD {
+                continue;
+            }
+            let found = self.descend(&near.angles);
+            if found.remaining <= MET_RAD && best.is_none_or(|best| found.cost < best.cost) {
+                best = Some(found);
             }
         }
         best
@@ -91,12 +95,21 @@ impl<'a> Problem<'a> {
 
     /// The nearest the gaze comes to the target, of all that the starts lead to.
     pub fn nearest(&self, starts: &[Angles]) -> Found {
-        let mut best = self.polish(&starts[0], 60);
+        self.nearest_by(starts, 1e-9)
+    }
+
+    /// Whether the gaze meets the target from any of the starts.
+    pub fn is_met(&self, starts: &[Angles]) -> bool {
+        self.nearest_by(starts, GAIN).remaining <= MET_RAD
+    }
+
+    fn nearest_by(&self, starts: &[Angles], gain: f64) -> Found {
+        let mut best = self.polish(&starts[0], 60, gain);
         for start in &starts[1..] {
             if best.remaining <= 0.1 * MET_RAD {
                 break;
             }
-            let found = self.polish(start, 60);
+            let found = self.polish(start, 60, gain);
             if found.remaining < best.remaining {
                 best = found;
             }
@@ -145,13 +158,24 @@ impl<'a> Problem<'a> {
             penalty = penalty.max((1.5 * multipliers[0].hypot(multipliers[1])).min(1e4));
             let distance = residual[0].hypot(residual[1]);
             let merit = |x: &Angles| displacement(x) + penalty * off(x);
-            let slope = (0..model.count()).map(|i| weights[i] * x[i] * step[i]).sum::<f64>() - penalty * distance;
+            // What the linear model says is gained; where the target is out of reach it has to say so.
+            let mut left = residual;
+            let mut slope = -penalty * distance;
+            for (i, column) in columns.iter().enumerate().take(model.count()) {
+                left[0] += column[0] * step[i];
+                left[1] += column[1] * step[i];
+                slope += weights[i] * x[i] * step[i];
+            }
+            slope += penalty * left[0].hypot(left[1]);
+            if slope > -1e-14 {
+                return self.found(x, true);
+            }
             let before = merit(&x);
             // No turn by more than a radian at once: beyond that the model says nothing.
             let mut length = (1.0 / longest).min(1.0);
             loop {
                 let trial: Angles = std::array::from_fn(|i| x[i] + length * step[i]);
-                if merit(&trial) <= before + 1e-4 * length * slope.min(0.0) {
+                if merit(&trial) <= before + 1e-4 * length * slope {
                     x = trial;
                     break;
                 }
@@ -164,8 +188,9 @@ impl<'a> Problem<'a> {
         self.found(x, false)
     }
 
-    /// One search for the nearest, damped and within the box.
-    pub fn polish(&self, start: &Angles, rounds: usize) -> Found {
+    /// One search for the nearest, damped and within the box, for as long as a round gains more than this part of what
+    /// remains.
+    pub fn polish(&self, start: &Angles, rounds: usize, gain: f64) -> Found {
         let model = self.model;
         let mut x = self.held(start);
         let mut distance = model.remaining(&x, self.target);
@@ -195,7 +220,7 @@ impl<'a> Problem<'a> {
                 let trial = self.held(&std::array::from_fn(|i| x[i] + step[i]));
                 let there = model.remaining(&trial, self.target);
                 if there < distance {
-                    improved = distance - there > 1e-12;
+                    improved = distance - there > gain * distance;
                     (x, distance) = (trial, there);
                     damping = (0.1 * damping).max(1e-12);
                     break;

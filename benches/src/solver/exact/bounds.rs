@@ -17,7 +17,7 @@ pub fn noise(sample: &Sample) -> Vec<Row> {
     let mut rows = Vec::new();
     for (behind, name) in [(Behind::Off, "off"), (Behind::Clip, "clip")] {
         let settings = sample.settings.with_behind(behind);
-        let moved = parallel::map(sample.of(2048), |i| {
+        let moved = parallel::map(sample.of(512), |i| {
             let mut random = fastrand::Rng::with_seed(0x0015_e000 + i as u64);
             let pose = random_pose(&mut random);
             let towards = match i % 4 {
@@ -97,7 +97,7 @@ pub fn output_rate(sample: &Sample) -> Vec<Row> {
 fn fastest(jump: Jump, number: usize, hz: f32, settings: &Settings) -> f64 {
     let mut random = fastrand::Rng::with_seed(0xfa_0000 + number as u64);
     let mut scene = Scene::new(NumericRig::like(&Gazer::default()), &random_pose(&mut random), Vec3::ONE);
-    if number % 5 == 0 {
+    if number.is_multiple_of(5) {
         let state = random_state(&scene.rig, &mut random);
         scene.rig.set_joints(state);
     }
@@ -107,11 +107,11 @@ fn fastest(jump: Jump, number: usize, hz: f32, settings: &Settings) -> f64 {
     for frame in 0_u16..300 {
         let t = f32::from(frame) / hz;
         let swing = (3.0 * t).sin();
-        let every = |frames: u16| frame % frames == 0;
+        let every = |frames: u16| frame.is_multiple_of(frames);
         let towards = match jump {
             Jump::Behind => bearing(180.0 + 15.0 * swing, 10.0 * (2.3 * t).sin()),
             Jump::Pole => (Vec3::new(0.02 * passing.x, 1.0, 0.0) + 0.8 * swing * Vec3::new(0.3, 0.0, 1.0)).normalize(),
-            Jump::Orbit => bearing(if number % 2 == 0 { 150.0 } else { -150.0 } * t, 10.0),
+            Jump::Orbit => bearing(if number.is_multiple_of(2) { 150.0 } else { -150.0 } * t, 10.0),
             Jump::Seam => bearing(70.0 * (t % 0.9), 10.0),
             Jump::Teleport | Jump::Weight | Jump::Limits => {
                 if every(25) {

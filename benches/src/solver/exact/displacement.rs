@@ -90,46 +90,52 @@ struct Tracked {
 }
 
 /// A swinging target, followed: the lag, and the displacement cost against that of the independent solution.
-pub fn tracking(sample: &Sample, name: &str) -> Vec<Row> {
-    let mut rows = Vec::new();
-    for (moving, hz) in [(false, 60.0), (false, 30.0), (false, 144.0), (true, 60.0)] {
-        let motions = track(sample.of(256), moving);
-        let tracked = parallel::map(motions.len(), |i| {
-            let mut scene = Scene::new(Gazer::default(), &motions[i].body.at(0.0), motions[i].path.at(0.0));
-            let mut tracked = Tracked { lags: Vec::new(), cost: 0.0, least: 0.0 };
-            for frame in 0_u16..600 {
-                scene.follow(&motions[i], f32::from(frame) / hz);
-                scene.step(1.0 / hz, &sample.plain());
-                // The first two seconds are arriving.
-                if f32::from(frame) < 2.0 * hz {
-                    continue;
-                }
-                let model = scene.model();
-                tracked.lags.push(scene.remaining(&model) / DEG);
-                if frame % 41 == 0 {
-                    let problem = Problem::within_ranges(&model, double(scene.target));
-                    let angles = scene.angles(&model);
-                    let mut starts = problem.starts(i as u64, 1);
-                    starts.push(angles);
-                    if let Some(best) = problem.least_displacement(&starts) {
-                        tracked.cost += model.cost(&angles);
-                        tracked.least += best.cost;
-                    }
+pub fn tracking(sample: &Sample) -> Vec<Row> {
+    let all = [(false, 60.0), (false, 30.0), (false, 144.0), (true, 60.0)];
+    all.into_iter().flat_map(|(moving, hz)| tracked(sample, "", moving, hz)).collect()
+}
+
+/// The same at 60 Hz in poses that stand still, of a solver with a name.
+pub fn tracking_of(sample: &Sample, name: &str) -> Vec<Row> {
+    tracked(sample, name, false, 60.0)
+}
+
+fn tracked(sample: &Sample, name: &str, moving: bool, hz: f32) -> Vec<Row> {
+    let motions = track(sample.of(256), moving);
+    let tracked = parallel::map(motions.len(), |i| {
+        let mut scene = Scene::new(Gazer::default(), &motions[i].body.at(0.0), motions[i].path.at(0.0));
+        let mut tracked = Tracked { lags: Vec::new(), cost: 0.0, least: 0.0 };
+        for frame in 0_u16..600 {
+            scene.follow(&motions[i], f32::from(frame) / hz);
+            scene.step(1.0 / hz, &sample.plain());
+            // The first two seconds are arriving.
+            if f32::from(frame) < 2.0 * hz {
+                continue;
+            }
+            let model = scene.model();
+            tracked.lags.push(scene.remaining(&model) / DEG);
+            if frame % 41 == 0 {
+                let problem = Problem::within_ranges(&model, double(scene.target));
+                let angles = scene.angles(&model);
+                let mut starts = problem.starts(i as u64, 1);
+                starts.push(angles);
+                if let Some(best) = problem.least_displacement(&starts) {
+                    tracked.cost += model.cost(&angles);
+                    tracked.least += best.cost;
                 }
             }
-            tracked
-        });
-        let mut lags: Vec<f64> = tracked.iter().flat_map(|tracked| tracked.lags.iter().copied()).collect();
-        let cost: f64 = tracked.iter().map(|tracked| tracked.cost).sum();
-        let least: f64 = tracked.iter().map(|tracked| tracked.least).sum();
-        let body = if moving { ", moving animation" } else { "" };
-        let name = format!("{name}track, {hz} Hz{body}");
-        rows.push(Row::at_most(format!("{name}: lag, median"), 1e-3, "°", quantile(&mut lags, 0.5)));
-        rows.push(
-            Row::at_most(format!("{name}: lag, p99"), 6e-3, "°", quantile(&mut lags, 0.99))
-                .noting(&format!("worst {:.2e}°", quantile(&mut lags, 1.0))),
-        );
-        rows.push(Row::at_most(format!("{name}: displacement cost"), 1.02, " × the least", cost / least));
-    }
-    rows
+        }
+        tracked
+    });
+    let mut lags: Vec<f64> = tracked.iter().flat_map(|tracked| tracked.lags.iter().copied()).collect();
+    let cost: f64 = tracked.iter().map(|tracked| tracked.cost).sum();
+    let least: f64 = tracked.iter().map(|tracked| tracked.least).sum();
+    let body = if moving { ", moving animation" } else { "" };
+    let name = format!("{name}track, {hz} Hz{body}");
+    vec![
+        Row::at_most(format!("{name}: lag, median"), 1e-3, "°", quantile(&mut lags, 0.5)),
+        Row::at_most(format!("{name}: lag, p99"), 6e-3, "°", quantile(&mut lags, 0.99))
+            .noting(&format!("worst {:.2e}°", quantile(&mut lags, 1.0))),
+        Row::at_most(format!("{name}: displacement cost"), 1.02, " × the least", cost / least),
+    ]
 }

@@ -4,7 +4,7 @@ use aim::Status;
 
 use super::super::chain::{DEG, Gazer};
 use super::super::parallel;
-use super::super::reference::{MET_RAD, Problem};
+use super::super::reference::Problem;
 use super::super::row::Row;
 use super::super::sample::{Sample, Scene};
 use super::super::workload::{Motion, double, orbits, track};
@@ -43,7 +43,7 @@ fn judge(sample: &Sample, motion: &Motion, hz: f32, number: usize) -> (usize, us
         }
         let problem = Problem::within_frame(&model, double(scene.target), &before, 1.0 / f64::from(hz));
         let starts = problem.starts(number as u64, 3);
-        if problem.nearest(&starts).remaining <= MET_RAD {
+        if problem.is_met(&starts) {
             all += 1;
             missed += 1;
         }

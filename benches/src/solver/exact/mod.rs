@@ -8,7 +8,7 @@ mod small;
 mod stuck;
 
 pub use bounds::{noise, output_rate};
-pub use displacement::{least_displacement, tracking};
+pub use displacement::{least_displacement, tracking, tracking_of};
 pub use frames::unreached_frames;
 pub use reach::{cold, unreachable};
 pub use small::{comforts, holding, roll};

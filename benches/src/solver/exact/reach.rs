@@ -22,7 +22,7 @@ pub fn cold(sample: &Sample) -> Vec<Row> {
         let mut scene = Scene::new(NumericRig::new(&quick), &case.pose, case.target);
         let model = scene.model();
         let problem = Problem::within_ranges(&model, double(case.target));
-        if problem.nearest(&problem.starts(i as u64, 6)).remaining > MET_RAD {
+        if !problem.is_met(&problem.starts(i as u64, 6)) {
             return None;
         }
         let after = [1, 2, 3].map(|_| {
@@ -75,16 +75,21 @@ pub fn unreachable(sample: &Sample) -> Vec<Row> {
             let mut starts = problem.starts(i as u64, 12);
             starts.push(scene.angles(&model));
             let best = problem.nearest(&starts).remaining;
-            (best > MET_RAD).then_some((remaining - best) / DEG)
+            let here = problem.polish(&scene.angles(&model), 60, 1e-9).remaining;
+            (best > MET_RAD).then_some([remaining - best, remaining - here].map(|worse| worse / DEG))
         });
-        let mut worse: Vec<f64> = worse.into_iter().flatten().collect();
+        let worse: Vec<[f64; 2]> = worse.into_iter().flatten().collect();
+        // Than where a search from the same place leads: what is beyond that is another side of the target.
+        let mut nearby: Vec<f64> = worse.iter().map(|worse| worse[1]).collect();
+        let mut worse: Vec<f64> = worse.iter().map(|worse| worse[0]).collect();
         let from = if from_rest { "from rest" } else { "from anywhere" };
         let what = format!("unreachable, {from}: worse than the global best, p99");
         let note = format!(
-            "median {:.1e}°, worst {:.2}°, of {}",
+            "median {:.1e}°, worst {:.2}°, of {}; than the nearest local best p99 {:.1e}°",
             quantile(&mut worse, 0.5),
             quantile(&mut worse, 1.0),
-            worse.len()
+            worse.len(),
+            quantile(&mut nearby, 0.99)
         );
         rows.push(Row::at_most(what, 0.5, "°", quantile(&mut worse, 0.99)).noting(&note));
     }

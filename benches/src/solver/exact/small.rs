@@ -84,10 +84,11 @@ pub fn roll(sample: &Sample) -> Vec<Row> {
             let mut joints = rig.array(bone);
             joints.as_mut()[0] = bone;
             let pose = Pose { joints }.with_up(Vec3::Y);
-            // 60° to the left of where it looks down to.
+            // Where a heading of 60° leads: about the world's up, or about the bone's own.
             let at: Vec3 = bone.translation.into();
+            let towards = if level == 1.0 { bearing(60.0, -30.0) } else { leaning * bearing(60.0, 0.0) };
             for _ in 0..120 {
-                rig.aim_with(&pose, at + 2.0 * bearing(60.0, -30.0), 1.0 / 60.0, &sample.plain());
+                rig.aim_with(&pose, at + 2.0 * towards, 1.0 / 60.0, &sample.plain());
             }
             let (_, correction) = rig.corrections().next().expect("one joint");
             let left = rotate(axes.left.map(f64::from), correction.to_array().map(f64::from));

@@ -1,0 +1,70 @@
+//! What is counted: characters that follow a swinging target, and nothing else in the frames that are asked for.
+//!
+//! `track_frames exact|natural|ascent|paper|eye FRAMES [moving]`: everything that comes in is made ready for all frames,
+//! so that two runs differ by the solver's work in the frames by which they differ.
+
+use std::env;
+use std::hint::black_box;
+use std::process::ExitCode;
+
+use aim::glam::{Affine3A, Vec3};
+use aim::{AimRig, Ascent, Settings, Solver};
+use aim_benches::solver::chain::{EyeOnly, Gazer, pose_for};
+use aim_benches::solver::instructions::{CHARACTERS, FRAMES};
+use aim_benches::solver::workload::{Motion, track};
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let (solver, frames, moving) = match *words.as_slice() {
+        [solver, frames] => (solver, frames, false),
+        [solver, frames, "moving"] => (solver, frames, true),
+        _ => return usage(),
+    };
+    let Ok(frames) = frames.parse() else { return usage() };
+    let settings = Settings::default();
+    let exact = settings.with_solver(Solver::Exact);
+    let motions = track(CHARACTERS, moving);
+    match solver {
+        "exact" => follow(&Gazer::default(), &motions, frames, &exact),
+        "natural" => follow(&Gazer::default(), &motions, frames, &settings.with_solver(Solver::Natural)),
+        "ascent" => follow(&Gazer::default(), &motions, frames, &settings.with_solver(Solver::Ascent)),
+        "paper" => {
+            let paper = settings.with_solver(Solver::Ascent).with_ascent(Ascent::paper());
+            follow(&Gazer::default(), &motions, frames, &paper);
+        }
+        "eye" => follow(&EyeOnly::default(), &motions, frames, &exact),
+        _ => return usage(),
+    }
+    ExitCode::SUCCESS
+}
+
+fn usage() -> ExitCode {
+    eprintln!("track_frames exact|natural|ascent|paper|eye FRAMES [moving]");
+    ExitCode::FAILURE
+}
+
+/// Frame by frame, all characters in each.
+fn follow<R: AimRig + Clone>(rig: &R, motions: &[Motion], frames: usize, settings: &Settings) {
+    const DT: f32 = 1.0 / 60.0;
+    let mut rigs = vec![rig.clone(); motions.len()];
+    let inputs: Vec<Vec<([Affine3A; 3], Vec3)>> = (0..FRAMES)
+        .map(|frame| {
+            let t = f32::from(frame) * DT;
+            motions.iter().map(|motion| (motion.body.at(t), motion.path.at(t))).collect()
+        })
+        .collect();
+    let poses: Vec<Vec<_>> = inputs
+        .iter()
+        .map(|frame| frame.iter().map(|(pose, target)| (pose_for(rig, pose), *target)).collect())
+        .collect();
+    for frame in poses.iter().take(frames) {
+        for (rig, (pose, target)) in rigs.iter_mut().zip(frame) {
+            black_box(rig.aim_with(black_box(pose), *black_box(target), DT, black_box(settings)));
+            for correction in rig.corrections() {
+                black_box(correction);
+            }
+        }
+    }
+    black_box(rigs);
+}
