@@ -3,7 +3,7 @@
 mod common;
 
 use common::Place;
-use common::forward::{Bake, list, number};
+use common::forward::{Bake, both_eyes, list, number};
 use common::rig::joints;
 use serde_json::{Value, json};
 
@@ -160,10 +160,12 @@ fn both_eyes_are_aimed_where_there_are_two() {
     let near = "--target 0.05,1.6,0.35 --seconds 0.2";
     let one = bake(&place, near);
     assert!(list(&one["frames"]).iter().all(|frame| frame.get("pair_error_deg").is_none()), "one eye, one error");
-    place.done(&format!("bake m.glb --rig m.toml {near} --both-eyes --out out.glb --report r.json"));
-    let both = place.json("r.json");
-    for frame in list(&both["frames"]) {
-        assert!((0.0..=180.0).contains(&number(&frame["pair_error_deg"])), "{frame}");
+    for (target, apart_deg) in [("0.05,1.68,0.4", [5.0, 20.0]), ("0,1.68,50", [0.0, 0.1])] {
+        place.done(&format!("bake m.glb --rig m.toml --target {target} --both-eyes --out out.glb --report r.json"));
+        let (source, output, report) = (place.read("m.glb"), place.read("out.glb"), place.json("r.json"));
+        let found = both_eyes(&source, &output, &report, ["left_eye", "right_eye"]);
+        assert!(apart_deg[0] < found && found < apart_deg[1], "{target}: the eyes are {found}° apart");
+        assert_eq!(report["summary"]["frames"], report["summary"]["reached"], "{target}");
     }
     let single = String::from_utf8(place.read("m.toml")).expect("text").replace("pair = \"right_eye\"\n", "");
     place.write("m.toml", &single);

@@ -100,7 +100,8 @@ pub struct Plan<'a> {
     pub measurement: &'a Measurement,
     /// The nodes of the rig.
     pub chain: &'a ChainNodes,
-    /// Whether the other eye is aimed itself, instead of turning as joint 0 does.
+    /// Whether the other eye is aimed itself, instead of turning as joint 0 does. What it is turned from is then not its
+    /// own animation, but where it would look as joint 0 does: the eyes of animations are seldom parallel.
     pub both_eyes: bool,
     /// How long the baked clip is, seconds.
     pub seconds: f32,
@@ -195,7 +196,8 @@ pub fn bake<R: AimRig<Array<Affine3A>: Clone>>(
             let joints = Pose { joints: joint_transforms(rig, plan.chain, &pose, &world) };
             let mut joints = joints.with_up(stance.up(&world).as_vec3()).with_bind(stance.bind(rig, &world));
             if let Some(pair) = pair {
-                joints = joints.with_pair(joint_transform(&pose, &world, pair));
+                pose[pair].rotation = stance.parallel(skeleton, &pose, &world).unwrap_or(pose[pair].rotation);
+                joints = joints.with_pair(joint_transform(&pose, &skeleton.world_f64(&pose), pair));
             }
             let goal = target_ws.as_vec3();
             let outcome = match (before, pass, plan.settle) {
@@ -208,7 +210,7 @@ pub fn bake<R: AimRig<Array<Affine3A>: Clone>>(
                 began = rig.joints();
             }
             before = Some(t);
-            apply(rig, plan.chain, pair.and_then(|_| pair_correction(rig)), skeleton, &mut pose);
+            apply(rig, plan.chain, rig.pair_correction(), skeleton, &mut pose);
             for (track, node) in rotations.iter_mut().zip(plan.chain.all()) {
                 track.push(continuous(track.last(), pose[node].rotation));
             }
@@ -283,11 +285,6 @@ fn joint_transform(pose: &[Trs], world: &[DAffine3], node: usize) -> Affine3A {
     let uniform = (scale - DVec3::splat(scale.x)).abs().max_element() <= 1e-5 * scale.max_element();
     let own = if uniform || scale.min_element() == 0.0 { DVec3::ONE } else { scale.recip() };
     (world[node] * DAffine3::from_scale(own)).as_affine3a()
-}
-
-/// The correction of the other eye, where the rig has aimed it.
-fn pair_correction<R: AimRig>(_rig: &R) -> Option<Quat> {
-    None
 }
 
 /// Multiplies the rig's corrections into the chain's local rotations, and the other eye's into its; without one that

@@ -4,13 +4,13 @@
 use core::f64::consts::{PI, TAU};
 
 use aim_runtime::{AimRig, Effector};
-use glam::{Affine3A, DAffine3, DMat3, DVec3, Vec3};
+use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
 
 use crate::bake::ChainNodes;
 use crate::measure::Measurement;
 use crate::roles::Role;
 use crate::skeleton::Skeleton;
-use crate::trs::orthonormal;
+use crate::trs::{Trs, orthonormal};
 
 /// Up to this lean of the hips the world's up is the character's: it stands, walks, or bends forward.
 const STANDS_RAD: f64 = 45.0 / 180.0 * PI;
@@ -106,6 +106,19 @@ impl<'a> Stance<'a> {
             *joint = (carried * bind[node]).as_affine3a();
         }
         joints
+    }
+
+    /// The other eye's local rotation with which it looks as joint 0 does, as both do in the bind pose. Animations that
+    /// turn eyes by themselves seldom keep them parallel, and what a skin shows of an eye is what the bind pose says.
+    pub(crate) fn parallel(&self, skeleton: &Skeleton, pose: &[Trs], world: &[DAffine3]) -> Option<Quat> {
+        let (eye, pair) = (self.effector.node, self.pair.as_ref()?.node);
+        let bind = &self.measurement.bind_world;
+        let frame = |at: &DAffine3| orthonormal(&at.matrix3).0;
+        let wanted = frame(&world[eye]) * frame(&bind[eye]).transpose() * frame(&bind[pair]);
+        let parent = skeleton.nodes()[pair].parent.map_or(DMat3::IDENTITY, |parent| frame(&world[parent]));
+        // Mirrors, the bone's own and those above it, are the same in both poses, or else there is no such rotation.
+        let local = parent.transpose() * wanted * DMat3::from_diagonal(pose[pair].scale.signum().as_dvec3());
+        (local.determinant() > 0.5).then(|| DQuat::from_mat3(&local).normalize().as_quat())
     }
 
     /// Degrees between the effector and the direction to `target`; 90 where either has no direction.

@@ -1,7 +1,7 @@
 //! The film strip: drawings of the character evenly over time, always from the same side, with its line of sight.
 
 use aim_gltf::Frame;
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
 use super::Subject;
@@ -48,13 +48,16 @@ impl Scene<'_> {
         let eye_ws = eye.transform_point3(self.origin);
         let gaze_ws = eye.transform_vector3(self.forward).normalize_or_zero();
         let figure = self.figure(world);
-        let far = HEIGHT / self.camera.scale * 4.0;
-        // The line begins a little in front of the eye, which stays visible.
-        let start = eye_ws + gaze_ws * (START / self.camera.scale);
-        let [from, to, target] =
-            [start, eye_ws + gaze_ws * far, frame.target].map(|point| self.camera.project(point, world));
+        let target = self.camera.project(frame.target, world);
+        let (from, to) = self.sight(eye_ws, gaze_ws, world);
+        let mut lines = vec![(from, to)];
+        if let (Some(_), Some(other)) = (frame.pair_error_deg, self.eyes.get(1)) {
+            let at = &world[other.node];
+            let gaze_ws = at.transform_vector3(other.forward).normalize_or_zero();
+            lines.push(self.sight(at.transform_point3(other.centre), gaze_ws, world));
+        }
         let ray = html! {
-            @if to.is_finite() && from.is_finite() {
+            @for (from, to) in lines.iter().filter(|(from, to)| from.is_finite() && to.is_finite()) {
                 line.ray-case x1=(n(from.x)) y1=(n(from.y)) x2=(n(to.x)) y2=(n(to.y)) {}
                 line class={ "ray " (status) } x1=(n(from.x)) y1=(n(from.y)) x2=(n(to.x)) y2=(n(to.y)) {}
             }
@@ -78,6 +81,12 @@ impl Scene<'_> {
                 (self.plan(frame, gaze_ws, eye_ws, status))
             }
         }
+    }
+
+    /// The ends of a line of sight in the drawing; it begins a little in front of the eye, which stays visible.
+    fn sight(&self, eye_ws: DVec3, gaze_ws: DVec3, world: &[DAffine3]) -> (DVec3, DVec3) {
+        let (near, far) = (START / self.camera.scale, HEIGHT / self.camera.scale * 4.0);
+        (self.camera.project(eye_ws + gaze_ws * near, world), self.camera.project(eye_ws + gaze_ws * far, world))
     }
 
     /// The target where it is, or an arrow at the border that it is beyond.

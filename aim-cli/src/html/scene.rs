@@ -36,7 +36,7 @@ pub(super) struct Scene<'a> {
     /// For each vertex the one that its normal is shared with.
     welded: Vec<usize>,
     pub(super) chain: ChainNodes,
-    eyes: Vec<Eye>,
+    pub(super) eyes: Vec<Eye>,
     pub(super) camera: Camera,
     /// The effector in its bone's space.
     pub(super) origin: DVec3,
@@ -44,10 +44,10 @@ pub(super) struct Scene<'a> {
 }
 
 /// A bone whose surface is an eyeball: it looks along `forward` of its own space.
-struct Eye {
-    node: usize,
-    centre: DVec3,
-    forward: DVec3,
+pub(super) struct Eye {
+    pub(super) node: usize,
+    pub(super) centre: DVec3,
+    pub(super) forward: DVec3,
 }
 
 /// Parallel projection along `toward`; it goes where the bone `follows` goes, and never turns.

@@ -300,6 +300,38 @@ fn turn(from: DVec3, to: DVec3, angle_rad: f64) -> DQuat {
     DQuat::from_axis_angle(from.cross(to).normalize(), angle_rad)
 }
 
+/// Checks both eyes' errors against the written file, by what of each eye looks to the front in the skin's bind pose, and
+/// returns how far the gazes are apart at most, degrees.
+#[track_caller]
+pub(crate) fn both_eyes(source: &[u8], output: &[u8], report: &Value, eyes: [&str; 2]) -> f64 {
+    let (source, output) = (Model::new(source), Model::new(output));
+    let clip = output.clip(output.clip_index(report["clip"].as_str().expect("a name")).expect("the clip"));
+    let [left, right] = eyes.map(|eye| output.node(eye));
+    let turned = |m: DMat4| {
+        let m = DMat3::from_mat4(m);
+        DMat3::from_cols(m.x_axis.normalize(), m.y_axis.normalize(), m.z_axis.normalize())
+    };
+    let forward = vector(&report["effector"]["forward"]);
+    let bind = turned(source.bind(left)) * forward;
+    let of_pair = turned(source.bind(right)).transpose() * bind;
+    let mut widest: f64 = 0.0;
+    for frame in list(&report["frames"]) {
+        let pose = output.pose(&clip, time(&frame["t"]));
+        let target = vector(&frame["target"]);
+        let [one, other] =
+            [(left, forward, "error_deg"), (right, of_pair, "pair_error_deg")].map(|(eye, axis, key)| {
+                let world = output.world(&pose, eye);
+                let gaze = turned(world) * axis;
+                let found = angle_between(gaze, target - world.transform_point3(DVec3::ZERO));
+                assert!((found - number(&frame[key])).abs() < 0.01, "t {}: {key} is {found}°: {frame}", frame["t"]);
+                assert!(found < 0.1, "t {}: {key} is {found}°", frame["t"]);
+                gaze
+            });
+        widest = widest.max(angle_between(one, other));
+    }
+    widest
+}
+
 /// The axis of the world that is up for a character as it stands in the file.
 fn standing(source: &Model, chain: &[usize], joints: &[Joint]) -> DVec3 {
     let ups = chain
