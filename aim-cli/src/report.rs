@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use aim_codegen::{AngleRange, JointSpec, RigSpec};
-use aim_gltf::{Baked, Frame};
+use aim_gltf::{Baked, Frame, JointFrame};
 use aim_runtime::Status;
 use serde::Serialize;
 
@@ -32,7 +32,8 @@ pub(crate) struct FrameReport {
     pub(crate) t: f32,
     pub(crate) target: [f64; 3],
     pub(crate) error_deg: f64,
-    /// By how much the effector's joint is rolled about the gaze more than in the animation, positive to the left.
+    /// By how much the effector's joint is rolled about the gaze more than in the animation, positive to the left; see
+    /// [`Frame::roll_deg`].
     pub(crate) roll_deg: f64,
     /// The other eye's error, where both are aimed.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -202,25 +203,29 @@ fn change(range: Option<AngleRange>, before: f32, after: f32) -> f64 {
 /// By how much an angle leaves its range at most, degrees.
 fn limit_violation(spec: &RigSpec, frames: &[Frame]) -> f64 {
     let all = frames.iter().flat_map(|frame| spec.joints.iter().zip(&frame.joints));
-    all.map(|(joint, at)| {
-        let (heading, pitch) = (at.heading.into(), at.pitch.into());
-        outside(joint.heading, 1.0, heading).max(outside(joint.pitch, pitch_left(joint, heading), pitch))
+    all.flat_map(|(joint, at)| {
+        let angles = [at.heading, at.pitch].map(f64::from);
+        motion(joint, at).into_iter().zip(angles).map(|([lo, hi], angle)| (lo - angle).max(angle - hi))
     })
     .fold(0.0, f64::max)
     .to_degrees()
 }
 
-/// By how much an angle is beyond this share of its range, radians.
-fn outside(range: Option<AngleRange>, share: f64, angle: f64) -> f64 {
-    match range {
-        Some(AngleRange::Between(lo, hi)) => (lo * share - angle).max(angle - hi * share).max(0.0),
-        Some(AngleRange::Free) => 0.0,
-        None => angle.abs(),
-    }
+/// The ranges of heading and pitch in one frame, as added angles in radians: nothing where an angle is not declared,
+/// infinite where it is free. Whatever the animation does, 0 belongs to them.
+pub(crate) fn motion(joint: &JointSpec, at: &JointFrame) -> [[f64; 2]; 2] {
+    let [heading, pitch] = at.led.unwrap_or_default();
+    let range = |range: Option<AngleRange>, share: f64, led: f64| match range {
+        Some(AngleRange::Between(lo, hi)) => [(lo * share - led).min(0.0), (hi * share - led).max(0.0)],
+        Some(AngleRange::Free) => [f64::NEG_INFINITY, f64::INFINITY],
+        None => [0.0; 2],
+    };
+    let left = pitch_left(joint, heading + f64::from(at.heading));
+    [range(joint.heading, 1.0, heading), range(joint.pitch, left, pitch)]
 }
 
 /// The share of the pitch's range that a narrowing leaves at this heading, radians.
-pub(crate) fn pitch_left(joint: &JointSpec, heading: f64) -> f64 {
+fn pitch_left(joint: &JointSpec, heading: f64) -> f64 {
     match (joint.narrowing, joint.heading) {
         (Some(narrowing), Some(AngleRange::Between(lo, hi))) => {
             let end = if heading < 0.0 { lo } else { hi };

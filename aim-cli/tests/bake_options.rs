@@ -174,3 +174,21 @@ fn both_eyes_are_aimed_where_there_are_two() {
         &["Mannequin", "no other eye", "pair", "--both-eyes"],
     );
 }
+
+#[test]
+fn ranges_that_narrow_or_count_from_the_bind_pose_hold() {
+    let place = Place::with_mannequin();
+    let rig = String::from_utf8(place.read("m.toml")).expect("text");
+    for more in ["narrowing = 0.6", "range = \"absolute\"", "narrowing = 0.6\nrange = \"absolute\""] {
+        let rig = rig.replace("rate = ", &format!("{more}\nrate = "));
+        place.write("m.toml", &rig);
+        place.done(
+            "bake m.glb --rig m.toml --target orbit:2,0.4,4 --seconds 4 --out out.glb --report r.json --html r.html",
+        );
+        let report = place.json("r.json");
+        let violation = number(&report["summary"]["max_limit_violation_deg"]);
+        assert!(violation < 1e-3, "{more}: a range is left by {violation}°");
+        let limited = |frame: &Value| list(&frame["joints"]).iter().any(|joint| joint["at_limit"] == true);
+        assert!(list(&report["frames"]).iter().any(limited), "{more}: no range is reached");
+    }
+}

@@ -122,6 +122,9 @@ pub struct JointFrame {
     pub heading: f32,
     /// Added pitch, radians.
     pub pitch: f32,
+    /// The heading and pitch, radians, by which the animation turns the joint out of its bind pose, where its ranges are
+    /// counted from that.
+    pub led: Option<[f64; 2]>,
     /// Whether an angle is at an end of its range.
     pub at_limit: bool,
     /// Whether an angle is on its way back into its range.
@@ -222,7 +225,7 @@ pub fn bake<R: AimRig<Array<Affine3A>: Clone>>(
                 roll_deg: stance.roll_deg(&world, &aimed),
                 pair_error_deg: pair.and_then(|_| stance.pair_error_deg(&aimed, target_ws)),
                 outcome,
-                joints: joint_frames(rig, outcome),
+                joints: joint_frames(rig, outcome, |joint| stance.led(rig, joint, &joints)),
                 world: aimed,
             });
             progress(frames.len(), times.len());
@@ -332,11 +335,12 @@ fn continuous(before: Option<&Quat>, rotation: Quat) -> Quat {
     if before.is_some_and(|before| before.dot(rotation) < 0.0) { -rotation } else { rotation }
 }
 
-fn joint_frames<R: AimRig>(rig: &R, outcome: Outcome) -> Vec<JointFrame> {
+fn joint_frames<R: AimRig>(rig: &R, outcome: Outcome, led: impl Fn(usize) -> Option<[f64; 2]>) -> Vec<JointFrame> {
     let joints = rig.joints();
     let joints = joints.as_ref().iter().enumerate().map(|(i, joint)| JointFrame {
         heading: joint.heading(),
         pitch: joint.pitch(),
+        led: led(i),
         at_limit: outcome.at_limit.contains(i),
         recovering: outcome.recovering.contains(i),
     });

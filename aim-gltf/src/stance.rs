@@ -3,7 +3,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use aim_runtime::{AimRig, Effector};
+use aim_runtime::{AimRig, DetailedPose, Effector};
 use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
 
 use crate::bake::ChainNodes;
@@ -106,6 +106,28 @@ impl<'a> Stance<'a> {
             *joint = (carried * bind[node]).as_affine3a();
         }
         joints
+    }
+
+    /// The heading and pitch, radians, by which the animation turns a joint with an absolute range out of its bind pose,
+    /// as seen from the next joint; `None` where ranges are relative.
+    pub(crate) fn led<R: AimRig>(
+        &self,
+        rig: &R,
+        joint: usize,
+        pose: &DetailedPose<R::Array<Affine3A>>,
+    ) -> Option<[f64; 2]> {
+        let info = rig.joint_infos().get(joint).filter(|info| info.absolute)?;
+        let local = |joints: &[Affine3A]| -> Option<DMat3> {
+            let frame = |at: &Affine3A| orthonormal(&at.matrix3.as_dmat3()).0;
+            let own = frame(joints.get(joint)?);
+            Some(joints.get(joint + 1).map_or(own, |next| frame(next).transpose() * own))
+        };
+        let turn = local(pose.bind.as_ref()?.as_ref())?.transpose() * local(pose.joints.as_ref())?;
+        let [up, ahead, left] =
+            [info.axes.up, info.axes.forward, info.axes.left].map(|axis| Vec3::from(axis).as_dvec3());
+        let forward = turn * ahead;
+        let (up, ahead, left) = (forward.dot(up), forward.dot(ahead), forward.dot(left));
+        Some([left.atan2(ahead), up.atan2(left.hypot(ahead))])
     }
 
     /// The other eye's local rotation with which it looks as joint 0 does, as both do in the bind pose. Animations that

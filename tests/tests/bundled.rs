@@ -48,6 +48,18 @@ fn compiled_rust_is_the_interpreter_bit_for_bit_and_agrees_with_central_differen
     compare::<Vrm>("Vrm");
 }
 
+#[test]
+fn characters_have_eyes_necks_and_spines_and_a_turret_has_none() {
+    for spec in specs() {
+        let roles: Vec<_> = spec.joints.iter().map(aim_codegen::JointSpec::role).collect();
+        let expected = match spec.name.as_str() {
+            "Turret" => vec![aim_codegen::Role::Other; 2],
+            _ => vec![aim_codegen::Role::Eye, aim_codegen::Role::Neck, aim_codegen::Role::Spine],
+        };
+        assert_eq!(roles, expected, "{}", spec.name);
+    }
+}
+
 /// Every setting of a declaration that a solver may ask for, known when compiling.
 #[derive(aim::AimRig)]
 #[aim(bones(up = +X, forward = +Y), natural(eyes_only = 10deg, head_share = 0.7, release = 0.1rad, delay = 0.05))]

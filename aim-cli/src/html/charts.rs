@@ -1,6 +1,6 @@
 //! The charts: what each shows and over which values; drawn by [`Chart`].
 
-use aim_codegen::{AngleRange, JointSpec};
+use aim_codegen::AngleRange;
 use aim_runtime::Settings;
 use maud::{Markup, html};
 
@@ -8,7 +8,7 @@ use super::chart::{Chart, Mark, Scale, Series};
 use super::directions::Directions;
 use super::words::{self, chip, shown, trimmed};
 use super::{Subject, gaze};
-use crate::report::{JointReport, Report};
+use crate::report::{JointReport, Report, motion};
 
 /// Every chart of the page.
 pub(super) fn all(subject: &Subject<'_>) -> Markup {
@@ -35,7 +35,7 @@ pub(super) fn all(subject: &Subject<'_>) -> Markup {
             (error(&base, report))
             @if let Some(directions) = &directions { (gaze::charts(&base, directions)) }
             (roll(&base, report))
-            @for (k, joint) in spec.joints.iter().enumerate() { (angles(&base, joint, report, k)) }
+            @for k in 0..spec.joints.len() { (angles(&base, subject, k)) }
         }
     }
 }
@@ -67,7 +67,8 @@ fn error(base: &Base<'_>, report: &Report) -> Markup {
     chart.series.push(Series { name: "error", class: "one", values });
     let pair: Vec<f64> = report.frames.iter().filter_map(|frame| frame.pair_error_deg).collect();
     if !pair.is_empty() && pair.len() == report.frames.len() {
-        chart.series.push(Series { name: "the other eye's", class: "pitch", values: pair });
+        // Below the other, which is the one that counts.
+        chart.series.insert(0, Series { name: "the other eye's", class: "pitch", values: pair });
     }
     chart.marks.push(Mark { value: tolerance, class: "plain", label: format!("{}°", trimmed(tolerance, 3)) });
     chart.figure("Error: the angle between gaze and target")
@@ -87,7 +88,9 @@ fn roll(base: &Base<'_>, report: &Report) -> Markup {
     chart.figure("Roll added about the gaze")
 }
 
-fn angles(base: &Base<'_>, joint: &JointSpec, report: &Report, index: usize) -> Markup {
+fn angles(base: &Base<'_>, subject: &Subject<'_>, index: usize) -> Markup {
+    let Subject { spec, report, .. } = *subject;
+    let joint = &spec.joints[index];
     let told = || report.frames.iter().filter_map(|frame| frame.joints.get(index));
     let bone = told().next().map_or(joint.name.as_str(), |joint| joint.bone.as_str());
     let of = |pick: fn(&JointReport) -> f64| told().map(pick).collect::<Vec<f64>>();
@@ -95,22 +98,39 @@ fn angles(base: &Base<'_>, joint: &JointSpec, report: &Report, index: usize) -> 
         ("heading", joint.heading, of(|joint| joint.heading_deg)),
         ("pitch", joint.pitch, of(|joint| joint.pitch_deg)),
     ];
-    let parts: Vec<_> = parts.into_iter().filter_map(|(name, range, values)| Some((name, range?, values))).collect();
+    let ranges = ranges(subject, index);
     let (mut low, mut high) = (0.0_f64, 0.0_f64);
-    let mut marks = Vec::new();
-    for (name, range, values) in &parts {
-        let ends = limits(*range);
-        for value in ends.iter().chain(values).filter(|value| value.is_finite()) {
+    let (mut series, mut marks) = (Vec::new(), Vec::new());
+    for ((name, range, values), ends) in parts.iter().zip(ranges) {
+        if range.is_none() {
+            continue;
+        }
+        for value in ends.iter().flatten().chain(values).filter(|value| value.is_finite()) {
             (low, high) = (low.min(*value), high.max(*value));
         }
-        marks.extend(ends.into_iter().map(|value| Mark { value, class: name, label: format!("{}°", shown(value, 1)) }));
+        for end in ends {
+            match end.as_slice() {
+                [first, rest @ ..] if rest.iter().all(|value| value == first || (value - first).abs() < 1e-6) => {
+                    marks.push(Mark { value: *first, class: name, label: format!("{}°", shown(*first, 1)) });
+                }
+                // A limit that moves is a line of its own.
+                _ => series.push(Series {
+                    name: "",
+                    class: if *name == "heading" { HEADING_END } else { PITCH_END },
+                    values: end,
+                }),
+            }
+        }
+        series.push(Series { name, class: name, values: values.clone() });
     }
+    marks.retain(|mark| mark.value.is_finite());
+    let parts: Vec<_> = parts.into_iter().filter_map(|(name, range, values)| Some((name, range?, values))).collect();
     let room = (0.06 * (high - low)).max(1.0);
     let label = format!("Heading and pitch added to {bone} over time, with the ends of their ranges.");
     let mut chart = base.chart(label, "degrees", Scale::Degrees(low - room, high + room));
     chart.wraps = parts.iter().any(|(_, range, _)| *range == AngleRange::Free).then_some(360.0);
     chart.marks = marks;
-    chart.series = parts.iter().map(|(name, _, values)| Series { name, class: name, values: values.clone() }).collect();
+    chart.series = series;
 
     let rate = joint.rate.to_degrees();
     let label = format!("Angular speed of {bone} over time; its rate is {}° a second.", trimmed(rate, 1));
@@ -128,11 +148,21 @@ fn angles(base: &Base<'_>, joint: &JointSpec, report: &Report, index: usize) -> 
     }
 }
 
-fn limits(range: AngleRange) -> Vec<f64> {
-    match range {
-        AngleRange::Between(low, high) => vec![low.to_degrees(), high.to_degrees()],
-        AngleRange::Free => Vec::new(),
+/// Limits that move, as lines.
+const HEADING_END: &str = "heading limit";
+const PITCH_END: &str = "pitch limit";
+
+/// The lower and upper ends of heading and pitch in every frame, degrees.
+fn ranges(subject: &Subject<'_>, index: usize) -> [[Vec<f64>; 2]; 2] {
+    let mut ends: [[Vec<f64>; 2]; 2] = Default::default();
+    for at in subject.baked.frames.iter().filter_map(|frame| frame.joints.get(index)) {
+        for (ends, range) in ends.iter_mut().zip(motion(&subject.spec.joints[index], at)) {
+            for (ends, end) in ends.iter_mut().zip(range) {
+                ends.push(end.to_degrees());
+            }
+        }
     }
+    ends
 }
 
 /// The speed with which each value was come to, from the one before it; the first has none.
