@@ -17,6 +17,9 @@ use crate::{AimRig, Ascent, Joint, JointInfo, Outcome, Role, Settings, Solver, S
 const LONGEST_FRAME_S: f32 = 0.1;
 /// How much better the other way round has to aim before the joints turn back, radians.
 const TURN_BACK_RAD: f32 = 5.0 * core::f32::consts::PI / 180.0;
+/// The same when they have been blocked for [`PATIENCE_S`].
+const WORTH_WHILE_RAD: f32 = 0.4 * core::f32::consts::PI / 180.0;
+const PATIENCE_S: f32 = 0.5;
 
 /// How near the aim has to be to 1 for the supporting joints to relax, radians.
 const AIMED_RAD: f32 = 1.0 * core::f32::consts::PI / 180.0;
@@ -213,11 +216,15 @@ impl<'a, R: AimRig> Frame<'a, R> {
         let mut advanced = rig.joints();
         let advanced = advanced.as_mut();
         advanced.copy_from_slice(joints);
-        let mut lambda = joints[chain.count - 1].lambda;
-        let ended = exact::Solver::new(rig, chain, goal).advance(advanced, self.reaches.as_ref(), dt, &mut lambda)?;
-        joints[chain.count - 1].lambda = lambda;
-        advanced[chain.count - 1].lambda = lambda;
-        if ended.remaining <= tolerance {
+        let mut memory = joints[chain.count - 1].memory;
+        let remaining =
+            exact::Solver::new(rig, chain, goal).advance(advanced, self.reaches.as_ref(), dt, &mut memory)?;
+        let reached = remaining <= tolerance;
+        memory.blocked_s = if reached { 0.0 } else { (memory.blocked_s + dt).min(PATIENCE_S) };
+        for joints in [&mut *joints, &mut *advanced] {
+            joints[chain.count - 1].memory = memory;
+        }
+        if reached {
             joints.copy_from_slice(advanced);
             joints.iter_mut().for_each(|joint| joint.bound_for = None);
             return Some(true);
@@ -240,7 +247,9 @@ impl<'a, R: AimRig> Frame<'a, R> {
         }
         let from_rest = settle_from_rest(rig, chain, motions, goal, settled, tolerance).unwrap_or(f32::INFINITY);
         let within_reach = from_rest <= tolerance;
-        if within_reach || from_rest + TURN_BACK_RAD < from_here {
+        // Joints that have been blocked for long turn back for less.
+        let margin = TURN_BACK_RAD + (WORTH_WHILE_RAD - TURN_BACK_RAD) * (memory.blocked_s / PATIENCE_S);
+        if within_reach || from_rest + margin < from_here {
             self.turn_round_to(settled, joints);
         }
         Some(within_reach)
@@ -296,7 +305,7 @@ impl<'a, R: AimRig> Frame<'a, R> {
             return None;
         }
         let there = self.angle(bound)?;
-        if there > tolerance && there + 0.5 * TURN_BACK_RAD > self.angle(joints)? {
+        if there > tolerance && there + 0.5 * WORTH_WHILE_RAD > self.angle(joints)? {
             return None;
         }
         self.turn_round_to(bound, joints);

@@ -144,8 +144,21 @@ pub struct Joint {
     pub(crate) tilt: Quat,
     /// The other eye; on joint 0 of a rig whose last pose had one.
     pub(crate) pair: Option<Pair>,
-    /// The dual point that the last frame of the chain ended at; kept by the innermost joint.
+    /// What the chain remembers from frame to frame; kept by the innermost joint.
+    pub(crate) memory: Memory,
+}
+
+/// What the exact solver remembers from frame to frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Memory {
+    /// The dual point that the last frame ended at.
     pub(crate) lambda: [f32; 2],
+    /// How much of a strain is left of the last strained frame, 0…1.
+    pub(crate) strain: f32,
+    /// For how long the gaze has been held by a target that does not move, seconds.
+    pub(crate) still_s: f32,
+    /// For how long the target has been out of reach, seconds.
+    pub(crate) blocked_s: f32,
 }
 
 /// What joint 0 remembers of a pair of eyes.
