@@ -174,7 +174,7 @@ fn standing<R: AimRig>(rig: &R, chain: &ChainNodes, measurement: &Measurement) -
     });
     let up: DVec3 = ups.sum();
     let size = up.abs();
-    if !(size.max_element() > 0.0) {
+    if up == DVec3::ZERO || !up.is_finite() {
         return measurement.up;
     }
     // Of equals the measured up.

@@ -346,7 +346,7 @@ fn standing(source: &Model, chain: &[usize], joints: &[Joint]) -> DVec3 {
 /// What tilts a bone's `up` into the character's, so far, in the bone's own space, whatever the bone's own `scale`.
 fn upright(world: DMat4, scale: DVec3, up: DVec3, character_up: DVec3, level: f64) -> DQuat {
     let m = DMat3::from_mat4(world) * DMat3::from_diagonal(scale.abs().recip());
-    if !(m.determinant().abs() > 0.0) {
+    if m.determinant() == 0.0 || !m.is_finite() {
         return DQuat::IDENTITY;
     }
     // A sheared bone's frame is that of its first axis, then of its second.
