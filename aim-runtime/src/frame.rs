@@ -63,7 +63,15 @@ fn aim_with_care<R: AimRig>(
         aim_joints(rig, pose_ps, motions, target_ps, dt, settings, joints)
     });
     let outcome = outcome.unwrap_or_else(|| degenerate(rig, motions));
-    if dt > 0.0 && outcome.status != Status::Degenerate {
+    if outcome.status != Status::Degenerate {
+        if dt == 0.0 {
+            // Nothing moves, but the pose that the angles count in may be another one.
+            let moved = joints;
+            joints = rig.joints();
+            for (joint, moved) in joints.as_mut().iter_mut().zip(moved.as_ref()) {
+                joint.tilt = moved.tilt;
+            }
+        }
         rig.set_joints(joints);
     }
     outcome
