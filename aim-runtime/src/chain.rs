@@ -349,7 +349,7 @@ fn upright(infos: &[JointInfo], first: usize, level: Level, frames: &mut [Mat3A]
 
 #[inline(always)]
 pub(crate) fn is_identity(turn: Quat) -> bool {
-    turn.w == 1.0
+    turn.x == 0.0 && turn.y == 0.0 && turn.z == 0.0
 }
 
 /// The length that stands for the rig: from the innermost joint along the chain to the effector; where the chain has
