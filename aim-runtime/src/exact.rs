@@ -566,7 +566,7 @@ impl<'a, R: AimRig> Solver<'a, R> {
         let (infos, links) = (self.rig.joint_infos(), self.chain.links.as_ref());
         for index in (self.chain.first..self.chain.count).rev() {
             let turn = joint::turn(&infos[index].axes, trig::halves(&joints[index]));
-            target = turn.conjugate().mul_vec3a(target);
+            target = math::turned(turn.conjugate(), target);
             let link = &links[index];
             target = link.matrix3.transpose() * (target - link.translation);
         }

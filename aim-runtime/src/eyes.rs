@@ -250,7 +250,7 @@ impl<'a, R: AimRig> Eyes<'a, R> {
         for index in (1..joints.len()).rev() {
             let (frame, turn) = self.support(joints, index)?;
             let local = inverse(&frame).transform_point3a(target);
-            target = frame.transform_point3a(turn.conjugate().mul_vec3a(local));
+            target = frame.transform_point3a(math::turned(turn.conjugate(), local));
         }
         let near = NEAREST * self.apart;
         let distance = math::length(target);
@@ -317,7 +317,8 @@ impl<'a, R: AimRig> Eyes<'a, R> {
     /// The angle that is left between an eye that turns like this and a point, by the true forward kinematics.
     fn remaining(&self, joints: &[Joint], eye: usize, forward: Vec3A, turn: Quat, point_ps: Vec3A) -> Option<f32> {
         let frame = &self.eyes[eye];
-        let mut ray = Ray { origin: frame.translation, direction: frame.transform_vector3a(turn.mul_vec3a(forward)) };
+        let mut ray =
+            Ray { origin: frame.translation, direction: frame.transform_vector3a(math::turned(turn, forward)) };
         for index in 1..joints.len() {
             let (frame, turn) = self.support(joints, index)?;
             ray = ray.through(&inverse(&frame)).turned(turn).through(&frame);

@@ -245,7 +245,7 @@ impl Joint {
         if chain::is_identity(self.tilt) {
             return turn;
         }
-        let axis = self.tilt.mul_vec3a(Vec3A::new(turn.x, turn.y, turn.z));
+        let axis = math::turned(self.tilt, Vec3A::new(turn.x, turn.y, turn.z));
         Quat::from_xyzw(axis.x, axis.y, axis.z, turn.w)
     }
 }
@@ -259,8 +259,8 @@ pub(crate) fn turn(axes: &Axes, [sin_p, cos_p, sin_h, cos_h]: trig::Halves) -> Q
     if !square(up, forward, left) {
         return turn_by_planes([up, forward, left], [sin_p, cos_p, sin_h, cos_h]);
     }
-    let (by_heading, by_pitch) = (forward.cross(left), forward.cross(up));
-    let by_both = by_heading.cross(by_pitch);
+    let (by_heading, by_pitch) = (math::cross(forward, left), math::cross(forward, up));
+    let by_both = math::cross(by_heading, by_pitch);
     let axis = by_heading * (sin_h * cos_p) + by_pitch * (cos_h * sin_p) + by_both * (sin_h * sin_p);
     Quat::from_xyzw(axis.x, axis.y, axis.z, cos_h * cos_p)
 }
@@ -278,8 +278,8 @@ fn square(up: Vec3A, forward: Vec3A, left: Vec3A) -> bool {
 #[cold]
 fn turn_by_planes([up, forward, left]: [Vec3A; 3], [sin_p, cos_p, sin_h, cos_h]: trig::Halves) -> Quat {
     let turn = |to: Vec3A, sin: f32, cos: f32| {
-        let axis = forward.cross(to).normalize_or_zero() * sin;
+        let axis = math::direction(math::cross(forward, to)).unwrap_or(Vec3A::ZERO) * sin;
         if axis == Vec3A::ZERO { Quat::IDENTITY } else { Quat::from_xyzw(axis.x, axis.y, axis.z, cos) }
     };
-    turn(left, sin_h, cos_h) * turn(up, sin_p, cos_p)
+    math::product(turn(left, sin_h, cos_h), turn(up, sin_p, cos_p))
 }
