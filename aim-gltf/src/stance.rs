@@ -80,7 +80,7 @@ impl<'a> Stance<'a> {
             pair: chain.pair.map(|pair| other(&effector, pair, measurement)),
             effector,
             standing: standing(rig, chain, measurement),
-            up: rig.joint_infos().first().map_or(DVec3::ZERO, |info| Vec3::from(info.axes.up).as_dvec3()),
+            up: rig.joint_infos().first().map_or(DVec3::ZERO, |info| Vec3::from(info.axes().up).as_dvec3()),
         }
     }
 
@@ -124,7 +124,7 @@ impl<'a> Stance<'a> {
         };
         let turn = local(pose.bind.as_ref()?.as_ref())?.transpose() * local(pose.joints.as_ref())?;
         let [up, ahead, left] =
-            [info.axes.up, info.axes.forward, info.axes.left].map(|axis| Vec3::from(axis).as_dvec3());
+            [info.axes().up, info.axes().forward, info.axes().left].map(|axis| Vec3::from(axis).as_dvec3());
         let forward = turn * ahead;
         let (up, ahead, left) = (forward.dot(up), forward.dot(ahead), forward.dot(left));
         Some([left.atan2(ahead), up.atan2(left.hypot(ahead))])
@@ -169,7 +169,7 @@ impl<'a> Stance<'a> {
 /// The axis of the world nearest to the joints' declared ups in the bind pose.
 fn standing<R: AimRig>(rig: &R, chain: &ChainNodes, measurement: &Measurement) -> DVec3 {
     let ups = rig.joint_infos().iter().zip(&chain.joints).map(|(info, &node)| {
-        let up = Vec3::from(info.axes.up).as_dvec3();
+        let up = Vec3::from(info.axes().up).as_dvec3();
         measurement.bind_world[node].transform_vector3(up).normalize_or_zero()
     });
     let up: DVec3 = ups.sum();

@@ -19,7 +19,7 @@ pub(crate) struct Ray {
 
 impl Ray {
     pub(crate) fn turned(self, turn: Quat) -> Self {
-        Self { origin: turn.mul_vec3a(self.origin), direction: turn.mul_vec3a(self.direction) }
+        Self { origin: math::turned(turn, self.origin), direction: math::turned(turn, self.direction) }
     }
 
     pub(crate) fn through(self, transform: &Affine3A) -> Self {
@@ -137,7 +137,7 @@ impl<R: AimRig> Chain<R> {
             effector.origin = frames[first].transpose() * (offset * per_size);
             let tilt = tilts.as_ref()[first];
             if !is_identity(tilt) {
-                effector.origin = tilt.mul_vec3a(effector.origin);
+                effector.origin = math::turned(tilt, effector.origin);
             }
             None
         } else {
@@ -244,8 +244,8 @@ impl<R: AimRig> Chain<R> {
             .zip(math::direction(rigid_effector.direction));
         match directions {
             Some(((wanted, seen), rigid)) => {
-                let turn = Quat::from_rotation_arc(seen.into(), wanted.into());
-                rigid_effector.origin + turn.mul_vec3a(rigid) * to_target.length()
+                let turn = math::arc(seen, wanted);
+                rigid_effector.origin + math::turned(turn, rigid) * to_target.length()
             }
             None => target,
         }
@@ -337,7 +337,7 @@ pub(crate) fn upright(infos: &[JointInfo], first: usize, level: Level, frames: &
         }
         // Half of the arc is the quaternion of the whole; a part of it, of the part.
         let wanted = if part < 1.0 { math::part_of_arc(bone_up, wanted, part) } else { wanted };
-        let axis = bone_up.cross(wanted);
+        let axis = math::cross(bone_up, wanted);
         let along = 1.0 + bone_up.dot(wanted);
         let per_length = 1.0 / math::sqrt(axis.dot(axis) + along * along);
         let axis = axis * per_length;
@@ -351,7 +351,7 @@ pub(crate) fn upright(infos: &[JointInfo], first: usize, level: Level, frames: &
 
 #[inline(always)]
 pub(crate) fn is_identity(turn: Quat) -> bool {
-    turn.w == 1.0
+    turn.x == 0.0 && turn.y == 0.0 && turn.z == 0.0
 }
 
 /// The length that stands for the rig: from the innermost joint along the chain to the effector; where the chain has
@@ -375,7 +375,7 @@ fn size(pose: &[Affine3A], offset: Vec3A) -> f32 {
 /// The inverse of a transform that [`math::orthonormal`] accepted. Scaled first: a determinant is a cube.
 pub(crate) fn inverse(joint: &Affine3A) -> Affine3A {
     let scale = math::length(joint.matrix3.x_axis);
-    let inverse = (joint.matrix3 * (1.0 / scale)).inverse() * (1.0 / scale);
+    let inverse = math::inverse(joint.matrix3 * (1.0 / scale)) * (1.0 / scale);
     Affine3A { matrix3: inverse, translation: -(inverse * joint.translation) }
 }
 

@@ -134,7 +134,11 @@ impl<'a, R: AimRig> Solver<'a, R> {
             }
             memory.lambda = solution.lambda;
             self.try_dual(joints, reaches, solution.lambda);
-            let mut view = self.see(self.trial.as_ref())?;
+            let Some(mut view) = self.see(self.trial.as_ref()) else {
+                // The effector would come to be on the target: a shorter step does not.
+                self.forget_the_way(rests.as_ref());
+                return self.advance_with_a_gap(joints, reaches, dt, memory);
+            };
             self.mend(joints, offset, reaches, &mut memory.lambda, &mut view);
             self.forget_the_way(rests.as_ref());
             if solution.strained {
@@ -233,7 +237,8 @@ impl<'a, R: AimRig> Solver<'a, R> {
         let solution = dual::solve(self.model.as_ref(), self.wanted(start, offset), [0.0; 2]);
         self.try_dual(start, reaches, solution.lambda);
         self.model.as_mut().copy_from_slice(kept.as_ref());
-        let (before, slow) = (self.see(start)?.angle(), self.see(self.trial.as_ref())?.angle());
+        let before = self.see(start)?.angle();
+        let slow = self.see(self.trial.as_ref()).map_or(f32::INFINITY, |view| view.angle());
         // As near as the reach gets, or nearly: then slowly.
         if slow <= before + 0.1 * SLOW_RAD && slow - remaining < SLOW_RAD {
             self.accept(joints);
@@ -280,7 +285,7 @@ impl<'a, R: AimRig> Solver<'a, R> {
         self.try_dual(joints, reaches, solution.lambda);
         if !self.chain.is_rigid() {
             for _ in 0..BENT_MENDINGS {
-                let view = self.see(self.trial.as_ref())?;
+                let Some(view) = self.see(self.trial.as_ref()) else { break };
                 if view.is_within(ENOUGH_RAD) {
                     break;
                 }
@@ -297,7 +302,7 @@ impl<'a, R: AimRig> Solver<'a, R> {
             #[expect(clippy::cast_precision_loss, reason = "a handful")]
             let part = 1.0 / (1_u32 << halvings) as f32;
             self.try_part(joints, goal, reaches, part);
-            let mut view = self.see(self.trial.as_ref())?;
+            let Some(mut view) = self.see(self.trial.as_ref()) else { continue };
             if solution.closed && halvings == 0 {
                 self.mend(joints, offset, reaches, lambda, &mut view);
             }
@@ -561,7 +566,7 @@ impl<'a, R: AimRig> Solver<'a, R> {
         let (infos, links) = (self.rig.joint_infos(), self.chain.links.as_ref());
         for index in (self.chain.first..self.chain.count).rev() {
             let turn = joint::turn(&infos[index].axes, &infos[index].planes, trig::halves(&joints[index]));
-            target = turn.conjugate().mul_vec3a(target);
+            target = math::turned(turn.conjugate(), target);
             let link = &links[index];
             target = link.matrix3.transpose() * (target - link.translation);
         }

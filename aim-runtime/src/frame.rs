@@ -146,7 +146,10 @@ fn aim_joints<R: AimRig>(
         }
     }
     if dt == 0.0 {
-        joints.copy_from_slice(frame.start.as_ref());
+        // Nothing moves, and what is judged are the corrections as they still are: levelled as they were.
+        for ((joint, start), old) in joints.iter_mut().zip(frame.start.as_ref()).zip(rig.joints().as_ref()) {
+            *joint = Joint { tilt: old.tilt, ..*start };
+        }
     }
     finish(rig, &chain, motions, &goal, joints, frame.tolerance, within_reach)
 }
@@ -422,6 +425,10 @@ fn snap_joints<R: AimRig>(
             if from_here_rad.is_some_and(|from_here_rad| from_here_rad < 0.999 * from_rest) {
                 joints.copy_from_slice(from_here);
             }
+        }
+        // Joints that have no part rest, as far as their ranges let them.
+        for (joint, motion) in joints[..chain.first].iter_mut().zip(motions) {
+            *joint = Reach::range(motion).hold(joint);
         }
     }
     finish(rig, &chain, motions, &goal, joints, tolerance, false)

@@ -360,7 +360,7 @@ pub(crate) fn tilted(turn: Quat, tilt: Quat) -> Quat {
     if chain::is_identity(tilt) {
         return turn;
     }
-    let axis = tilt.mul_vec3a(Vec3A::new(turn.x, turn.y, turn.z));
+    let axis = math::turned(tilt, Vec3A::new(turn.x, turn.y, turn.z));
     Quat::from_xyzw(axis.x, axis.y, axis.z, turn.w)
 }
 
@@ -382,8 +382,8 @@ pub(crate) fn turn(axes: &Axes, planes: &Planes, [sin_p, cos_p, sin_h, cos_h]: t
 fn turn_by_planes(axes: &Axes, [sin_p, cos_p, sin_h, cos_h]: trig::Halves) -> Quat {
     let [up, forward, left] = [axes.up, axes.forward, axes.left].map(Vec3A::from);
     let turn = |to: Vec3A, sin: f32, cos: f32| {
-        let axis = forward.cross(to).normalize_or_zero() * sin;
+        let axis = math::direction(math::cross(forward, to)).unwrap_or(Vec3A::ZERO) * sin;
         if axis == Vec3A::ZERO { Quat::IDENTITY } else { Quat::from_xyzw(axis.x, axis.y, axis.z, cos) }
     };
-    turn(left, sin_h, cos_h) * turn(up, sin_p, cos_p)
+    math::product(turn(left, sin_h, cos_h), turn(up, sin_p, cos_p))
 }

@@ -162,9 +162,9 @@ impl<R: AimRig> Body<R> {
 /// A vector turned back by a unit quaternion.
 #[inline(always)]
 fn unturned(turn: Quat, v: Vec3A) -> Vec3A {
-    let axis = Vec3A::new(turn.x, turn.y, turn.z);
-    let across = v.cross(axis) * 2.0;
-    v + across * turn.w + across.cross(axis)
+    let axis = Vec3A::from_vec4(turn.into());
+    let across = math::cross(v, axis) * 2.0;
+    v + across * turn.w + math::cross(across, axis)
 }
 
 /// All angles, four a vector: each joint's pitch and heading in turn, 0 where there is none.
@@ -288,7 +288,7 @@ impl<R: AimRig> Angles<R> {
         let mut largest = Vec4::ZERO;
         let mut row = 0;
         for k in 0..self.vectors() {
-            let (mut left_4, mut up_4) = (Vec4::ZERO, Vec4::ZERO);
+            let (left_4, up_4);
             if declared == 2 * infos.len() && declared >= 4 * k + 4 {
                 (left_4, up_4) = (Vec4::from_slice(&left[4 * k..4 * k + 4]), Vec4::from_slice(&up[4 * k..4 * k + 4]));
                 row += 4;

@@ -3,7 +3,7 @@
 use glam::{Affine3A, Quat, Vec3, Vec3A};
 
 use crate::pose::Animated;
-use crate::{ChainPose, Joint, JointInfo, Natural, Outcome, Scalar, Settings, Target, frame, targets};
+use crate::{ChainPose, Joint, JointInfo, Natural, Outcome, Scalar, Settings, Target, frame, math, targets};
 
 /// Which way a bone points: three unit vectors in the bone's own space, square to each other.
 ///
@@ -43,12 +43,12 @@ impl Effector {
     fn turned_axes(&self, up: Vec3A, forward: Vec3A, left: Vec3A) -> [Vec3A; 3] {
         /// The sine of half a degree.
         const ALONG: f32 = 0.008_726_535;
-        let handedness = up.cross(forward).dot(left).signum();
+        let handedness = math::cross(up, forward).dot(left).signum();
         let aimed = Vec3A::from(self.forward);
         let along = up.dot(aimed);
-        let up = if up.cross(aimed).length() < ALONG { forward * -along.signum() } else { up };
-        let up = (up - aimed * aimed.dot(up)).normalize_or_zero();
-        [aimed, up.cross(aimed) * handedness, up]
+        let up = if math::cross(up, aimed).length() < ALONG { forward * -along.signum() } else { up };
+        let up = math::direction(up - aimed * aimed.dot(up)).unwrap_or(Vec3A::ZERO);
+        [aimed, math::cross(up, aimed) * handedness, up]
     }
 }
 

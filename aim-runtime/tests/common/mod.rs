@@ -6,6 +6,9 @@
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim_runtime::{AimRig, Axes, Effector, Joint, JointInfo, Scalar};
 
+pub mod random;
+pub mod truth;
+
 pub const DEG: f32 = core::f32::consts::PI / 180.0;
 
 /// The bones of the XNA thug: +X up, +Y forward, +Z left.
@@ -94,7 +97,7 @@ impl AimRig for NumericRig {
         };
         let mut state = State::effector(self.infos[0].axes(), &self.effector);
         state.through(effector_to_joint);
-        state.turn(info, sin_cos, true);
+        state.turn(info, sin_cos);
         let [aim, rest @ ..] = &state.aim(target)[..] else { unreachable!() };
         let mut out = [*aim, S::ZERO, S::ZERO];
         let mut rest = rest.iter();
@@ -127,7 +130,7 @@ impl NumericRig {
         let mut state = State::effector(self.infos[0].axes(), &self.effector);
         for ((info, link), sin_cos) in self.infos.iter().zip(links).zip(sin_cos) {
             state.through(link);
-            state.turn(info, sin_cos, true);
+            state.turn(info, sin_cos);
         }
         state
     }
@@ -135,10 +138,14 @@ impl NumericRig {
 
 type V<S> = [S; 3];
 
+/// No rig of these tests has more joints.
+pub const MOST_JOINTS: usize = 7;
+
 /// The effector's origin and its forward, left and up, with their derivatives by the angles passed so far.
 struct State<S> {
     value: [V<S>; 4],
-    derivatives: Vec<[V<S>; 4]>,
+    derivatives: [[V<S>; 4]; 2 * MOST_JOINTS],
+    passed: usize,
 }
 
 impl<S: Scalar> State<S> {
@@ -151,20 +158,22 @@ impl<S: Scalar> State<S> {
         let up = (up - forward * up.dot(forward)).normalize();
         let left = up.cross(forward) * handedness;
         let v = |v: Vec3| [S::constant(v.x.into()), S::constant(v.y.into()), S::constant(v.z.into())];
-        Self { value: [[S::ZERO; 3], v(forward), v(left), v(up)], derivatives: Vec::new() }
+        let nothing = [[S::ZERO; 3]; 4];
+        let value = [[S::ZERO; 3], v(forward), v(left), v(up)];
+        Self { value, derivatives: [nothing; 2 * MOST_JOINTS], passed: 0 }
     }
 
     fn through(&mut self, link: &[S; 12]) {
         let rotate =
             |v: V<S>| -> V<S> { core::array::from_fn(|k| v[0] * link[k] + v[1] * link[3 + k] + v[2] * link[6 + k]) };
-        for derivative in &mut self.derivatives {
+        for derivative in &mut self.derivatives[..self.passed] {
             *derivative = derivative.map(rotate);
         }
         self.value = self.value.map(rotate);
         self.value[0] = add(self.value[0], [link[9], link[10], link[11]]);
     }
 
-    fn turn(&mut self, info: &JointInfo, &[sin_p, cos_p, sin_h, cos_h]: &[S; 4], differentiate: bool) {
+    fn turn(&mut self, info: &JointInfo, &[sin_p, cos_p, sin_h, cos_h]: &[S; 4]) {
         let forward = Vec3::from(info.axes().forward);
         for (declared, to, sin, cos) in
             [(info.pitch, info.axes().up, sin_p, cos_p), (info.heading, info.axes().left, sin_h, cos_h)]
@@ -178,13 +187,12 @@ impl<S: Scalar> State<S> {
                 let along = scale(axis, dot(axis, v) * (one - cos));
                 add(add(scale(v, cos), scale(cross(axis, v), sin)), along)
             };
-            for derivative in &mut self.derivatives {
+            for derivative in &mut self.derivatives[..self.passed] {
                 *derivative = derivative.map(rotate);
             }
             self.value = self.value.map(rotate);
-            if differentiate {
-                self.derivatives.push(self.value.map(|v| cross(axis, v)));
-            }
+            self.derivatives[self.passed] = self.value.map(|v| cross(axis, v));
+            self.passed += 1;
         }
     }
 
@@ -198,7 +206,7 @@ impl<S: Scalar> State<S> {
         let unit = scale(v, inverse);
         let aim = dot(unit, forward);
         let mut out = vec![aim];
-        for [d_origin, d_forward, ..] in &self.derivatives {
+        for [d_origin, d_forward, ..] in &self.derivatives[..self.passed] {
             let radial = dot(unit, *d_origin) * aim - dot(forward, *d_origin);
             out.push(radial * inverse + dot(unit, *d_forward));
         }
@@ -216,7 +224,7 @@ impl<S: Scalar> State<S> {
         let lateral = [dot(v, left), dot(v, up)];
         let mut out: Vec<S> = lateral.iter().map(|&l| two * l * inverse).collect();
         for (which, axis) in [left, up].into_iter().enumerate() {
-            for derivative in &self.derivatives {
+            for derivative in &self.derivatives[..self.passed] {
                 let dv = scale(derivative[0], -one);
                 let d_axis = derivative[2 + which];
                 let d_lateral = dot(dv, axis) + dot(v, d_axis);
@@ -288,19 +296,29 @@ fn carried64(
     rig: &NumericRig,
     pose: &[Affine3A],
     k: usize,
-    mut origin: [f64; 3],
-    mut forward: [f64; 3],
+    origin: [f64; 3],
+    forward: [f64; 3],
 ) -> ([f64; 3], [f64; 3]) {
-    for i in k..pose.len() {
+    carried_by(pose, k, origin, forward, |i, v| {
         let axes = rig.infos[i].axes();
         let [f, u, l] = [axes.forward, axes.up, axes.left].map(|v| v.map(f64::from));
-        let turn = |v| {
-            let pitched = plane_turn(v, f, u, rig.joints[i].pitch().into());
-            plane_turn(pitched, f, l, rig.joints[i].heading().into())
-        };
+        let pitched = plane_turn(v, f, u, rig.joints[i].pitch().into());
+        plane_turn(pitched, f, l, rig.joints[i].heading().into())
+    })
+}
+
+/// The same with any turns of the joints.
+fn carried_by(
+    pose: &[Affine3A],
+    k: usize,
+    mut origin: [f64; 3],
+    mut forward: [f64; 3],
+    turn: impl Fn(usize, V<f64>) -> V<f64>,
+) -> ([f64; 3], [f64; 3]) {
+    for i in k..pose.len() {
         let joint = Transform64::of(&pose[i]);
-        origin = joint.point(turn(origin));
-        forward = joint.vector(turn(forward));
+        origin = joint.point(turn(i, origin));
+        forward = joint.vector(turn(i, forward));
         if let Some(next) = pose.get(i + 1) {
             let next = Transform64::of(next);
             origin = next.inverse_point(origin);
