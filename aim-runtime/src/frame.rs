@@ -9,6 +9,7 @@ use crate::eyes::{Call, Eyes, Solved};
 use crate::goal::{Course, Goal};
 use crate::limits::{self, Reach};
 use crate::motion::{Motion, motions};
+use crate::natural::Gaze;
 use crate::pose::Animated;
 use crate::settle::{settle, settle_from_rest};
 use crate::{AimRig, Ascent, Joint, JointInfo, Outcome, Role, Settings, Solver, Status, ascent, exact, math, trig};
@@ -16,7 +17,7 @@ use crate::{AimRig, Ascent, Joint, JointInfo, Outcome, Role, Settings, Solver, S
 /// The longest frame, seconds: after a hitch nothing leaps.
 const LONGEST_FRAME_S: f32 = 0.1;
 /// How much better the other way round has to aim before the joints turn back, radians.
-const TURN_BACK_RAD: f32 = 5.0 * core::f32::consts::PI / 180.0;
+pub(crate) const TURN_BACK_RAD: f32 = 5.0 * core::f32::consts::PI / 180.0;
 
 /// How near the aim has to be to 1 for the supporting joints to relax, radians.
 const AIMED_RAD: f32 = 1.0 * core::f32::consts::PI / 180.0;
@@ -101,7 +102,11 @@ fn aim_joints<R: AimRig>(
     }
     let mut within_reach = true;
     frame.go_to_rest(joints, 0..chain.first);
+    let is_natural = is_natural(rig, &chain, settings);
     match goal.course {
+        _ if is_natural => {
+            within_reach = Gaze::new(rig, &chain, motions, &goal, settings).aim(joints, frame.reaches.as_ref(), dt)?;
+        }
         Course::Rest => frame.go_to_rest(joints, chain.first..chain.count),
         Course::Stay => {}
         Course::Aim => {
@@ -116,6 +121,8 @@ fn aim_joints<R: AimRig>(
     }
     if dt == 0.0 {
         joints.copy_from_slice(frame.start.as_ref());
+    } else if !is_natural {
+        joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
     }
     finish(rig, &chain, motions, &goal, joints, frame.tolerance, within_reach)
 }
@@ -126,6 +133,11 @@ fn solver<R: AimRig>(rig: &R, settings: &Settings) -> Solver {
         Some(JointInfo { role: Role::Eye, .. }) => Solver::Natural,
         _ => Solver::Exact,
     })
+}
+
+/// Whether joint 0 leads others as an eye does; aimed alone, or left out, it needs no coordination.
+fn is_natural<R: AimRig>(rig: &R, chain: &Chain<R>, settings: &Settings) -> bool {
+    chain.first == 0 && chain.count > 1 && solver(rig, settings) == Solver::Natural
 }
 
 /// The pose made ready; the joints learn how their frames are tilted in it.
@@ -362,6 +374,9 @@ fn snap_joints<R: AimRig>(
     // Nothing but the side is remembered: the result is to depend on the past as little as it can.
     let before = Joint { behind: false, ..joints[chain.count - 1] };
     let goal = goal(rig, &chain, pose_ps, motions, target_ps, settings, &before)?;
+    for joint in &mut *joints {
+        (joint.velocity, joint.sets_out_in) = ([0.0; 2], None);
+    }
 
     let mut from_here = rig.joints();
     let from_here = from_here.as_mut();
@@ -375,7 +390,9 @@ fn snap_joints<R: AimRig>(
     for (joint, motion) in joints.iter_mut().zip(motions) {
         *joint = Reach::range(motion).hold(joint);
     }
-    if goal.course == Course::Aim {
+    let snapped = is_natural(rig, &chain, settings)
+        && Gaze::new(rig, &chain, motions, &goal, settings).snap(joints) == Some(true);
+    if goal.course == Course::Aim && !snapped {
         // The aim may be undefined at rest and yet defined here, or the reverse.
         let from_rest = settle_from_rest(rig, &chain, motions, &goal, joints, tolerance).unwrap_or(f32::INFINITY);
         if from_rest > tolerance {

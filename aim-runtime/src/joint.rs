@@ -130,7 +130,7 @@ impl JointInfo {
 /// A joint's state: the two angles added to the animation, radians. The default is rest: both 0.
 ///
 /// Always finite. Besides the angles a joint remembers which side the target was last seen on, for when it passes
-/// behind, and where it is bound for while the joints turn round together.
+/// behind, where it is bound for, and how fast it moves where it has inertia.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Joint {
     pub(crate) heading: f32,
@@ -138,8 +138,13 @@ pub struct Joint {
     pub(crate) side: Side,
     /// Whether the target was behind; on the innermost joint.
     pub(crate) behind: bool,
-    /// Heading and pitch to go to though the aim gets worse on the way.
+    /// Heading and pitch to go to: while the joints turn round together, though the aim gets worse on the way, and as a
+    /// supporting joint of a natural gaze.
     pub(crate) bound_for: Option<[f32; 2]>,
+    /// How fast heading and pitch change, rad/s; of a joint with inertia only.
+    pub(crate) velocity: [f32; 2],
+    /// The seconds until the supporting joints of a natural gaze set out, once they are to; kept by the innermost joint.
+    pub(crate) sets_out_in: Option<f32>,
     /// How the frame that the angles count in stands in the bone: tilted upright for a level heading.
     pub(crate) tilt: Quat,
     /// The other eye; on joint 0 of a rig whose last pose had one.

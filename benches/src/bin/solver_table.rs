@@ -10,7 +10,7 @@ use std::time::Instant;
 use aim::{Ascent, Settings, Solver};
 use aim_benches::solver::row::{Row, markdown};
 use aim_benches::solver::sample::Sample;
-use aim_benches::solver::{self, exact};
+use aim_benches::solver::{self, exact, natural};
 
 /// A measurement by its name.
 type Measurement = (&'static str, fn(&Sample) -> Vec<Row>);
@@ -29,6 +29,12 @@ const EXACT: &[Measurement] = &[
     ("comforts", exact::comforts),
     ("roll", exact::roll),
     ("track", exact::tracking),
+];
+
+const NATURAL: &[Measurement] = &[
+    ("natural steps", natural::steps),
+    ("natural following", natural::following),
+    ("natural resting", natural::resting),
 ];
 
 /// For comparison: the published method on the rows it is quoted for.
@@ -80,6 +86,10 @@ fn run() -> Result<bool, String> {
     }
     let mut judged = measure("exact", EXACT, &sample, &words);
     println!("{}", markdown("exact layer", &judged));
+    let natural = Sample { settings: Settings::default().with_solver(Solver::Natural), ..sample };
+    let natural = measure("natural", NATURAL, &natural, &words);
+    println!("{}", markdown("natural layer", &natural));
+    judged.extend(natural);
     if instructions {
         let counted = solver::instructions::count()?;
         println!("{}", markdown("instructions", &counted));
