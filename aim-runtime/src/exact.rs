@@ -12,7 +12,7 @@ use glam::Vec3A;
 use crate::chain::{self, Chain, Ray, TOO_NEAR};
 use crate::dual::{self, Angle, DEAREST, NO_ANGLE};
 use crate::goal::Goal;
-use crate::joint::{self, Joint};
+use crate::joint::{self, Joint, Memory};
 use crate::limits::Reach;
 use crate::view::{Stretch, View};
 use crate::{AimRig, math, trig};
@@ -38,21 +38,18 @@ const HALVINGS: usize = 5;
 /// Nearer to the target than this a strained gaze takes its time, radians (0.095°)…
 const LOOSE_RAD: f32 = 1.66e-3;
 /// … and moves no joint faster than this while it is near, rad/s.
-const EASY_RATE: f32 = 0.15;
+const EASY_RATE: f32 = 0.12;
+/// A target that moved by less than this since the last frame may stand still, radians (6e-3°)…
+const STILL_TARGET_RAD: f32 = 1e-4;
+/// … and does when it goes on for so long, seconds: it does not tremble, so there is nothing to be slow for.
+const CALM_S: f32 = 0.06;
+/// For how long a strain is remembered, seconds.
+const STRAIN_S: f32 = 0.5;
 /// Joints that would all move by less than this stay where they are, radians.
 const STILL_RAD: f32 = 1e-6;
 /// Displacement of a joint from where it is costs this much of the gap it closes, radians a second and radian: where a
 /// gap remains, what gains next to nothing does not move.
 const INERTIA_S: f32 = 3.0 / 60.0;
-
-/// How a solve ended.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Ended {
-    /// The angle that remains, radians.
-    pub(crate) remaining: f32,
-    /// Whether the reach had a solution, as far as a linear model tells.
-    pub(crate) closed: bool,
-}
 
 /// The chain, its target, and the linear model of the gaze.
 pub(crate) struct Solver<'a, R: AimRig> {
@@ -111,36 +108,74 @@ impl<'a, R: AimRig> Solver<'a, R> {
         }
     }
 
-    /// Moves `joints` to the optimum within `reaches`, as far as one frame needs it; `lambda` is the dual point to start
-    /// from and becomes the one found. `None` where the aim is undefined.
+    /// Moves `joints` to the optimum within `reaches`, as far as one frame needs it; returns the angle that remains.
+    /// `None` where the aim is undefined.
     #[inline]
     pub(crate) fn advance(
         &mut self,
         joints: &mut [Joint],
         reaches: &[Reach],
         dt: f32,
-        lambda: &mut [f32; 2],
-    ) -> Option<Ended> {
+        memory: &mut Memory,
+    ) -> Option<f32> {
         self.hold(joints, reaches);
+        memory.strain = (memory.strain - dt / STRAIN_S).max(0.0);
+        let mut rests = self.rig.array([0.0; 2]);
+        for (rest, angles) in rests.as_mut().iter_mut().zip(self.model.as_ref()) {
+            *rest = angles.map(|angle| angle.rest);
+        }
         for _ in 0..ROUNDS {
             let offset = self.linearise(joints, reaches)?;
-            let solution = dual::solve(self.model.as_ref(), self.wanted(joints, offset), *lambda);
+            self.halve_the_way(joints, rests.as_ref());
+            let solution = dual::solve(self.model.as_ref(), self.wanted(joints, offset), memory.lambda);
             if !solution.closed {
-                return self.advance_with_a_gap(joints, reaches, dt, lambda);
+                self.forget_the_way(rests.as_ref());
+                return self.advance_with_a_gap(joints, reaches, dt, memory);
             }
-            *lambda = solution.lambda;
-            self.try_dual(joints, reaches, *lambda);
+            memory.lambda = solution.lambda;
+            self.try_dual(joints, reaches, solution.lambda);
             let mut view = self.see(self.trial.as_ref())?;
-            self.mend(joints, offset, reaches, lambda, &mut view);
+            self.mend(joints, offset, reaches, &mut memory.lambda, &mut view);
+            self.forget_the_way(rests.as_ref());
             if solution.strained {
+                memory.strain = 1.0;
+            }
+            let is_still = offset[0] * offset[0] + offset[1] * offset[1] < STILL_TARGET_RAD * STILL_TARGET_RAD;
+            memory.still_s = if is_still { memory.still_s + dt } else { 0.0 };
+            let eased = memory.strain > 0.0 && memory.still_s < CALM_S;
+            if eased {
                 view = self.ease_in(joints, offset, reaches, dt, view)?;
             }
             self.accept(joints);
-            if solution.strained || view.is_within(ENOUGH_RAD) {
-                return Some(Ended { remaining: view.angle(), closed: true });
+            if eased || view.is_within(ENOUGH_RAD) {
+                return Some(view.angle());
             }
         }
-        Some(Ended { remaining: self.see(joints)?.angle(), closed: true })
+        Some(self.see(joints)?.angle())
+    }
+
+    /// Counts displacement half from where the joints are: as far as the target leaves them free they go half of the
+    /// way to the optimum in a frame. All of it would be too far where the gaze bends much (the model does not know),
+    /// and joints would swing from side to side of the optimum for ever.
+    #[inline]
+    fn halve_the_way(&mut self, joints: &[Joint], rests: &[[f32; 2]]) {
+        for ((angles, joint), rests) in self.model.as_mut().iter_mut().zip(joints).zip(rests) {
+            for ((angle, now), rest) in angles.iter_mut().zip([joint.pitch, joint.heading]).zip(rests) {
+                angle.rest = 0.5 * (rest + now);
+                angle.ease *= 0.5;
+            }
+        }
+    }
+
+    /// Takes [`halve_the_way`](Self::halve_the_way) back.
+    #[inline]
+    fn forget_the_way(&mut self, rests: &[[f32; 2]]) {
+        for (angles, rests) in self.model.as_mut().iter_mut().zip(rests) {
+            for (angle, rest) in angles.iter_mut().zip(rests) {
+                angle.rest = *rest;
+                angle.ease *= 2.0;
+            }
+        }
     }
 
     /// The trial of a strained gaze, shortened to a slow step while the gaze is near the target. At the edge of what can be reached a target's least tremble would set the
@@ -168,14 +203,14 @@ impl<'a, R: AimRig> Solver<'a, R> {
         joints: &mut [Joint],
         reaches: &[Reach],
         dt: f32,
-        lambda: &mut [f32; 2],
-    ) -> Option<Ended> {
+        memory: &mut Memory,
+    ) -> Option<f32> {
         let mut start = self.rig.joints();
         let start = start.as_mut();
         start.copy_from_slice(joints);
         // As near as it gets; there a linear model may find a solution after all.
         for _ in 0..ROUNDS {
-            let ended = self.improve(joints, reaches, lambda, LONGEST_STEP_RAD)?;
+            let ended = self.improve(joints, reaches, &mut memory.lambda, LONGEST_STEP_RAD)?;
             if ended.step < STILL_RAD || (ended.closed && ended.remaining <= ENOUGH_RAD) {
                 break;
             }
@@ -202,9 +237,9 @@ impl<'a, R: AimRig> Solver<'a, R> {
         // As near as the reach gets, or nearly: then slowly.
         if slow <= before + 0.1 * SLOW_RAD && slow - remaining < SLOW_RAD {
             self.accept(joints);
-            return Some(Ended { remaining: slow, closed: false });
+            return Some(slow);
         }
-        Some(Ended { remaining, closed: false })
+        Some(remaining)
     }
 
     /// Moves `joints` to the optimum within `reaches`, whatever it takes (within bounds); returns what remains.

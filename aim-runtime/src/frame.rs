@@ -7,6 +7,7 @@ use glam::Vec3;
 use crate::chain::{self, Chain, Level};
 use crate::eyes::{Call, Eyes, Solved};
 use crate::goal::{Course, Goal};
+use crate::joint::{Memory, Support};
 use crate::limits::{self, Reach};
 use crate::motion::{Motion, motions};
 use crate::natural::Gaze;
@@ -17,7 +18,10 @@ use crate::{AimRig, Ascent, Joint, JointInfo, Outcome, Role, Settings, Solver, S
 /// The longest frame, seconds: after a hitch nothing leaps.
 const LONGEST_FRAME_S: f32 = 0.1;
 /// How much better the other way round has to aim before the joints turn back, radians.
-pub(crate) const TURN_BACK_RAD: f32 = 5.0 * core::f32::consts::PI / 180.0;
+const TURN_BACK_RAD: f32 = 5.0 * core::f32::consts::PI / 180.0;
+/// The same when they have been blocked for [`PATIENCE_S`].
+const WORTH_WHILE_RAD: f32 = 0.4 * core::f32::consts::PI / 180.0;
+const PATIENCE_S: f32 = 0.5;
 
 /// How near the aim has to be to 1 for the supporting joints to relax, radians.
 const AIMED_RAD: f32 = 1.0 * core::f32::consts::PI / 180.0;
@@ -217,11 +221,15 @@ impl<'a, R: AimRig> Frame<'a, R> {
         let mut advanced = rig.joints();
         let advanced = advanced.as_mut();
         advanced.copy_from_slice(joints);
-        let mut lambda = joints[chain.count - 1].lambda;
-        let ended = exact::Solver::new(rig, chain, goal).advance(advanced, self.reaches.as_ref(), dt, &mut lambda)?;
-        joints[chain.count - 1].lambda = lambda;
-        advanced[chain.count - 1].lambda = lambda;
-        if ended.remaining <= tolerance {
+        let mut memory = joints[chain.count - 1].memory;
+        let remaining =
+            exact::Solver::new(rig, chain, goal).advance(advanced, self.reaches.as_ref(), dt, &mut memory)?;
+        let reached = remaining <= tolerance;
+        wait(&mut memory, reached, dt);
+        for joints in [&mut *joints, &mut *advanced] {
+            joints[chain.count - 1].memory = memory;
+        }
+        if reached {
             joints.copy_from_slice(advanced);
             joints.iter_mut().for_each(|joint| joint.bound_for = None);
             return Some(true);
@@ -244,7 +252,7 @@ impl<'a, R: AimRig> Frame<'a, R> {
         }
         let from_rest = settle_from_rest(rig, chain, motions, goal, settled, tolerance).unwrap_or(f32::INFINITY);
         let within_reach = from_rest <= tolerance;
-        if within_reach || from_rest + TURN_BACK_RAD < from_here {
+        if within_reach || from_rest + worth_turning_back(&memory) < from_here {
             self.turn_round_to(settled, joints);
         }
         Some(within_reach)
@@ -300,7 +308,7 @@ impl<'a, R: AimRig> Frame<'a, R> {
             return None;
         }
         let there = self.angle(bound)?;
-        if there > tolerance && there + 0.5 * TURN_BACK_RAD > self.angle(joints)? {
+        if there > tolerance && there + 0.5 * WORTH_WHILE_RAD > self.angle(joints)? {
             return None;
         }
         self.turn_round_to(bound, joints);
@@ -375,7 +383,7 @@ fn snap_joints<R: AimRig>(
     let before = Joint { behind: false, ..joints[chain.count - 1] };
     let goal = goal(rig, &chain, pose_ps, motions, target_ps, settings, &before)?;
     for joint in &mut *joints {
-        (joint.velocity, joint.sets_out_in) = ([0.0; 2], None);
+        (joint.velocity, joint.memory.support) = ([0.0; 2], Support::Rests);
     }
 
     let mut from_here = rig.joints();
@@ -403,6 +411,16 @@ fn snap_joints<R: AimRig>(
         }
     }
     finish(rig, &chain, motions, &goal, joints, tolerance, false)
+}
+
+/// Counts for how long a target has been out of reach.
+pub(crate) fn wait(memory: &mut Memory, reached: bool, dt: f32) {
+    memory.blocked_s = if reached { 0.0 } else { (memory.blocked_s + dt).min(PATIENCE_S) };
+}
+
+/// How much better another way round has to aim, radians: joints that have been blocked for long turn back for less.
+pub(crate) fn worth_turning_back(memory: &Memory) -> f32 {
+    TURN_BACK_RAD + (WORTH_WHILE_RAD - TURN_BACK_RAD) * (memory.blocked_s / PATIENCE_S)
 }
 
 /// What to turn to. At weight 0 that is the animation, whatever the target.

@@ -143,14 +143,41 @@ pub struct Joint {
     pub(crate) bound_for: Option<[f32; 2]>,
     /// How fast heading and pitch change, rad/s; of a joint with inertia only.
     pub(crate) velocity: [f32; 2],
-    /// The seconds until the supporting joints of a natural gaze set out, once they are to; kept by the innermost joint.
-    pub(crate) sets_out_in: Option<f32>,
     /// How the frame that the angles count in stands in the bone: tilted upright for a level heading.
     pub(crate) tilt: Quat,
     /// The other eye; on joint 0 of a rig whose last pose had one.
     pub(crate) pair: Option<Pair>,
-    /// The dual point that the last frame of the chain ended at; kept by the innermost joint.
+    /// What the chain remembers from frame to frame; kept by the innermost joint.
+    pub(crate) memory: Memory,
+}
+
+/// What the solvers remember from frame to frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Memory {
+    /// The dual point that the last frame ended at.
     pub(crate) lambda: [f32; 2],
+    /// How much of a strain is left of the last strained frame, 0…1.
+    pub(crate) strain: f32,
+    /// For how long the gaze has been held by a target that does not move, seconds.
+    pub(crate) still_s: f32,
+    /// For how long the target has been out of reach, seconds.
+    pub(crate) blocked_s: f32,
+    /// What the joints are about that support a natural gaze.
+    pub(crate) support: Support,
+}
+
+/// What the joints are about that support a natural gaze.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) enum Support {
+    /// They rest where they were bound for: the eye does what there is to do.
+    #[default]
+    Rests,
+    /// They set out in so many seconds.
+    Waits(f32),
+    /// They follow their share of the gaze shift.
+    Shares,
+    /// They do more than their share, or other than it, for an eye that cannot do the rest.
+    Helps,
 }
 
 /// What joint 0 remembers of a pair of eyes.

@@ -12,9 +12,9 @@ use crate::chain::{self, Chain};
 use crate::exact::{Solver, unhurried};
 use crate::eyes;
 use crate::follow::Follower;
-use crate::frame::TURN_BACK_RAD;
+use crate::frame::{wait, worth_turning_back};
 use crate::goal::{Course, Goal};
-use crate::joint;
+use crate::joint::{self, Memory, Support};
 use crate::limits::{self, Reach};
 use crate::motion::Motion;
 use crate::settle::settle_from_rest;
@@ -25,8 +25,12 @@ use crate::{AimRig, Joint, Settings, math, trig};
 const EYE_EASE: f32 = 100.0;
 /// Nearer to its goal than this a supporting joint counts as there, radians (0.06°).
 const THERE_RAD: f32 = 1e-3;
+/// Nearer to their share than this the supporting joints need no second search for it, radians (0.1°).
+const SHARED_RAD: f32 = 1.75e-3;
 /// Halvings that find where the way of an eye leaves its range: to 2e-4 of a right angle.
 const HALVINGS: usize = 14;
+/// What the shortest way to an end of its range is of the longest for an eye that turns about as far whichever way.
+const ROUND: f32 = 1.0 / 3.0;
 /// Angles that differ by less do so by rounding.
 const SAME_RAD: f32 = 1e-5;
 
@@ -69,6 +73,14 @@ struct Look {
     within: bool,
     /// The angle of the point off the middle of the eye.
     eccentricity: f32,
+}
+
+/// What the joints would come to, had they the time.
+struct Goals {
+    /// Whether they reach the goal…
+    reach: bool,
+    /// … and the eye does its part exactly, with the others at their share.
+    eye_reaches: bool,
 }
 
 /// A natural gaze in one call.
@@ -150,22 +162,25 @@ impl<'a, R: AimRig> Gaze<'a, R> {
             engages |= bound_for.is_none();
             bound_for.get_or_insert([*heading, *pitch]);
         }
-        if engages {
-            joints[innermost].sets_out_in.get_or_insert(self.sharing.delay);
+        let mut memory = joints[innermost].memory;
+        if engages && memory.support == Support::Rests {
+            memory.support = Support::Waits(self.sharing.delay);
         }
-        if let Some(waiting) = joints[innermost].sets_out_in {
-            let waiting = waiting.min(self.sharing.delay);
+        if memory.support != Support::Rests {
             let mut found = self.rig.joints();
             let found = found.as_mut();
             found.copy_from_slice(joints);
-            let mut lambda = joints[innermost].lambda;
-            within_reach = self.goals(found, Some(dt), &mut lambda)?;
-            joints[innermost].lambda = lambda;
-            if !within_reach {
+            let goals = self.goals(found, Some(dt), &mut memory)?;
+            within_reach = goals.reach;
+            if !goals.eye_reaches {
                 aimed = self.looked_at(found);
             }
-            joints[innermost].sets_out_in = Some((waiting - dt).max(0.0));
-            if waiting <= 0.0 {
+            memory.support = match memory.support {
+                Support::Waits(left) if left > 0.0 => Support::Waits(left.min(self.sharing.delay) - dt),
+                _ if goals.eye_reaches => Support::Shares,
+                _ => Support::Helps,
+            };
+            if !matches!(memory.support, Support::Waits(_)) {
                 for index in self.supporting() {
                     joints[index].bound_for = Some([found[index].heading, found[index].pitch]);
                 }
@@ -181,8 +196,9 @@ impl<'a, R: AimRig> Gaze<'a, R> {
             arrived &= joints[index].is_near(&goal, THERE_RAD);
         }
         if arrived && seen.within && seen.eccentricity < self.sharing.release {
-            joints[innermost].sets_out_in = None;
+            memory.support = Support::Rests;
         }
+        joints[innermost].memory = memory;
         self.turn_eye(joints, aimed, reaches)?;
         Some(within_reach)
     }
@@ -192,8 +208,7 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         let mut resting = true;
         for index in self.supporting() {
             joints[index] = self.follower(index, reaches, dt).towards(&joints[index], [0.0; 2]);
-            joints[index].sets_out_in = None;
-            joints[index].bound_for = None;
+            (joints[index].bound_for, joints[index].memory.support) = (None, Support::Rests);
             let Joint { heading, pitch, velocity, .. } = joints[index];
             resting &= [heading, pitch] == [0.0; 2] && velocity == [0.0; 2];
         }
@@ -218,8 +233,9 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         for joint in &mut *found {
             (joint.heading, joint.pitch, joint.bound_for) = (0.0, 0.0, None);
         }
-        let mut lambda = [0.0; 2];
-        if !self.goals(found, None, &mut lambda)? {
+        let mut memory = Memory::default();
+        let goals = self.goals(found, None, &mut memory)?;
+        if !goals.reach {
             return Some(false);
         }
         let seen = self.look(found, self.goal.aimed)?;
@@ -227,15 +243,19 @@ impl<'a, R: AimRig> Gaze<'a, R> {
             *joint = Joint { bound_for: Some([found.heading, found.pitch]), ..*found };
         }
         joints[0].bound_for = None;
-        joints[innermost].lambda = lambda;
-        joints[innermost].sets_out_in =
-            if !seen.within || seen.eccentricity > self.sharing.engage { Some(0.0) } else { None };
+        let engaged = !seen.within || seen.eccentricity > self.sharing.engage;
+        memory.support = match goals.eye_reaches {
+            false => Support::Helps,
+            true if engaged => Support::Shares,
+            true => Support::Rests,
+        };
+        joints[innermost].memory = memory;
         Some(true)
     }
 
     /// Moves `joints` to where they belong, had they the time: from where they are bound for by what a frame of `dt`
-    /// seconds needs of it, or however far that is. Returns whether that reaches the goal.
-    fn goals(&self, joints: &mut [Joint], dt: Option<f32>, lambda: &mut [f32; 2]) -> Option<bool> {
+    /// seconds needs of it, or however far that is.
+    fn goals(&self, joints: &mut [Joint], dt: Option<f32>, memory: &mut Memory) -> Option<Goals> {
         let Self { rig, chain, motions, goal, tolerance, .. } = *self;
         let ranges = self.ranges.as_ref();
         for index in self.supporting() {
@@ -246,12 +266,12 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         let mut shared = rig.joints();
         let shared = shared.as_mut();
         shared.copy_from_slice(joints);
-        self.share(shared, dt, lambda)?;
+        self.share(shared, dt, memory)?;
         let look = self.look(shared, goal.aimed)?;
         [shared[0].heading, shared[0].pitch] = look.angles;
         if look.within {
             joints.copy_from_slice(shared);
-            return Some(true);
+            return Some(Goals { reach: true, eye_reaches: true });
         }
 
         // Of the rest the supporting joints take what the eye cannot.
@@ -261,7 +281,7 @@ impl<'a, R: AimRig> Gaze<'a, R> {
             solver.prefer(index, [shared[index].pitch, shared[index].heading], 1.0);
         }
         let mut here = match dt {
-            Some(dt) => solver.advance(joints, ranges, dt, &mut [0.0; 2])?.remaining,
+            Some(dt) => solver.advance(joints, ranges, dt, memory)?,
             None => solver.settle(joints, ranges)?,
         };
         if here > tolerance && dt.is_some() {
@@ -271,10 +291,11 @@ impl<'a, R: AimRig> Gaze<'a, R> {
                 here = settled;
             }
         }
+        wait(memory, here <= tolerance, dt.unwrap_or(0.0));
         if here > tolerance {
             shared.copy_from_slice(joints);
             let from_rest = settle_from_rest(rig, chain, motions, goal, shared, tolerance).unwrap_or(f32::INFINITY);
-            if from_rest <= tolerance || from_rest + TURN_BACK_RAD < here {
+            if from_rest <= tolerance || from_rest + worth_turning_back(memory) < here {
                 joints.copy_from_slice(shared);
                 here = from_rest;
             }
@@ -282,11 +303,11 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         for (joint, motion) in joints.iter_mut().zip(motions) {
             limits::wrap(motion, joint);
         }
-        Some(here <= tolerance)
+        Some(Goals { reach: here <= tolerance, eye_reaches: false })
     }
 
     /// Turns the supporting joints to their share of the gaze shift, the eye at rest.
-    fn share(&self, joints: &mut [Joint], dt: Option<f32>, lambda: &mut [f32; 2]) -> Option<()> {
+    fn share(&self, joints: &mut [Joint], dt: Option<f32>, memory: &mut Memory) -> Option<()> {
         let Self { rig, chain, motions, goal, .. } = *self;
         (joints[0].heading, joints[0].pitch) = (0.0, 0.0);
         let shift = chain.animated_gaze().angle_to(goal.aimed).unwrap_or(0.0);
@@ -302,22 +323,17 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         reaches.as_mut().copy_from_slice(self.ranges.as_ref());
         reaches.as_mut()[0] = Reach::REST;
         let mut solver = Solver::new(rig, chain, &partial);
-        let here = match dt {
-            Some(dt) => solver.advance(joints, reaches.as_ref(), dt, lambda)?.remaining,
-            None => solver.settle(joints, reaches.as_ref())?,
+        // From where they are bound for, which takes next to nothing. Where that does not lead there, from rest: so that the
+        // share depends on nothing but the target.
+        let near = match dt {
+            Some(dt) if memory.support == Support::Shares => solver.advance(joints, reaches.as_ref(), dt, memory)?,
+            _ => f32::INFINITY,
         };
-        // On the wrong side of their ranges?
-        if dt.is_some() && here > TURN_BACK_RAD {
-            let mut anew = rig.array(Joint::default());
-            let anew = anew.as_mut();
-            anew.copy_from_slice(joints);
-            for joint in &mut *anew {
+        if near > self.tolerance.max(SHARED_RAD) {
+            for joint in &mut *joints {
                 (joint.heading, joint.pitch) = (0.0, 0.0);
             }
-            let there = solver.settle(anew, reaches.as_ref());
-            if there.is_some_and(|there| there + TURN_BACK_RAD < here) {
-                joints.copy_from_slice(anew);
-            }
+            solver.settle(joints, reaches.as_ref())?;
         }
         for (joint, motion) in joints.iter_mut().zip(motions) {
             limits::wrap(motion, joint);
@@ -357,23 +373,33 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         if is_along(angles, view) {
             return Some(Look { angles, within: true, eccentricity });
         }
-        // On the arc to it, as far as the range goes: so the gaze stays on that arc while the head still moves.
-        let sides = [left, up].map(|side| if aside > 0.0 { side / aside } else { 0.0 });
-        let (mut inside, mut outside) = (None, eccentricity);
+        Some(Look { angles: self.on_the_way(view, eccentricity).unwrap_or(angles), within: false, eccentricity })
+    }
+
+    /// The angles on the arc to a view so far off the middle, as far as the eye's range goes: so the gaze stays on that
+    /// arc while the head still moves. `None` for an eye that can do much less one way than another.
+    fn on_the_way(&self, [_, left, up]: [f32; 3], eccentricity: f32) -> Option<[f32; 2]> {
+        let aside = math::sqrt(left * left + up * up);
+        let range = &self.ranges.as_ref()[0];
+        let ends = [-range.heading.lo(), range.heading.hi(), -range.pitch.lo(), range.pitch.hi()];
+        let (least, most) = ends.iter().fold((f32::INFINITY, 0.0_f32), |(a, b), end| (a.min(*end), b.max(*end)));
+        if !(aside > 0.0 && least > ROUND * most) {
+            return None;
+        }
+        let (mut inside, mut outside) = (0.0, eccentricity);
+        let mut angles = [0.0; 2];
         for _ in 0..HALVINGS {
-            let angle = 0.5 * (inside.map_or(0.0, |(angle, _)| angle) + outside);
+            let angle = 0.5 * (inside + outside);
             let (sin, cos) = trig::sin_cos(angle);
-            let view = [cos, sin * sides[0], sin * sides[1]];
-            let angles = eyes::look(view, range);
-            if is_along(angles, view) {
-                inside = Some((angle, angles));
+            let view = [cos, sin * left / aside, sin * up / aside];
+            let there = eyes::look(view, range);
+            if is_along(there, view) {
+                (inside, angles) = (angle, there);
             } else {
                 outside = angle;
             }
         }
-        // None for an eye that only turns one way.
-        let angles = inside.map_or(angles, |(_, angles)| angles);
-        Some(Look { angles, within: false, eccentricity })
+        Some(angles)
     }
 
     /// A point in the eye's space, before its added rotation; for a rigid chain.
@@ -401,9 +427,19 @@ impl<'a, R: AimRig> Gaze<'a, R> {
             reaches.as_mut()[index] = Reach::at(&joints[index]);
         }
         let goal = Goal { aimed: point, ..*self.goal };
-        let remaining = Solver::new(self.rig, self.chain, &goal).settle(eye, reaches.as_ref())?;
+        let mut solver = Solver::new(self.rig, self.chain, &goal);
+        let enough = SAME_RAD.max(self.tolerance);
+        let mut remaining = solver.settle(eye, reaches.as_ref())?;
+        if remaining > enough {
+            let here = eye[0];
+            (eye[0].heading, eye[0].pitch) = (0.0, 0.0);
+            match solver.settle(eye, reaches.as_ref()) {
+                Some(from_rest) if from_rest < remaining => remaining = from_rest,
+                _ => eye[0] = here,
+            }
+        }
         let Joint { heading, pitch, .. } = eye[0];
-        let (within, off) = (remaining <= SAME_RAD.max(self.tolerance), math::sqrt(heading * heading + pitch * pitch));
+        let (within, off) = (remaining <= enough, math::sqrt(heading * heading + pitch * pitch));
         Some(Look { angles: [heading, pitch], within, eccentricity: if within { off } else { off + remaining } })
     }
 }

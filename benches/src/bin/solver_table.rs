@@ -1,6 +1,6 @@
 //! Measures everything that the whole-chain solvers have to hold, and prints it as tables.
 //!
-//! `solver_table [--check] [--quick] [--instructions] [--solver exact|ascent|paper] [WORD…]`: with `--check` it exits 1
+//! `solver_table [--check] [--quick] [--instructions] [--solver exact|natural|ascent|paper] [WORD…]`: with `--check` it exits 1
 //! when something does not hold. `--quick` measures a sixteenth, `--instructions` counts them too (it needs valgrind). With words, only the measurements whose name has one of them.
 
 use std::env;
@@ -75,9 +75,10 @@ fn run() -> Result<bool, String> {
             "--solver" => {
                 sample.settings = match arguments.next().as_deref() {
                     Some("exact") => Settings::default().with_solver(Solver::Exact),
+                    Some("natural") => Settings::default().with_solver(Solver::Natural),
                     Some("ascent") => ascent(Ascent::default()),
                     Some("paper") => ascent(Ascent::paper()),
-                    _ => return Err("--solver is exact, ascent or paper".to_owned()),
+                    _ => return Err("--solver is exact, natural, ascent or paper".to_owned()),
                 }
             }
             word if !word.starts_with('-') => words.push(word.to_owned()),
