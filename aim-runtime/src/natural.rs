@@ -22,7 +22,7 @@ use crate::{AimRig, Joint, Settings, math, trig};
 
 /// How much more willing an eye is than its comfort says, where supporting joints make up for what it cannot do: they
 /// are not to do more than that.
-const EYE_EASE: f32 = 100.0;
+const EYE_EASE: f32 = 10.0;
 /// Nearer to its goal than this a supporting joint counts as there, radians (0.06°).
 const THERE_RAD: f32 = 1e-3;
 /// Nearer to their share than this the supporting joints need no second search for it, radians (0.1°).
