@@ -7,8 +7,10 @@ use glam::Vec3;
 use crate::chain::{self, Chain, Level};
 use crate::eyes::{Call, Eyes, Solved};
 use crate::goal::{Course, Goal};
+use crate::joint::{Memory, Support};
 use crate::limits::{self, Reach};
 use crate::motion::{Motion, motions};
+use crate::natural::Gaze;
 use crate::pose::Animated;
 use crate::settle::{settle, settle_from_rest};
 use crate::{
@@ -63,15 +65,7 @@ fn aim_with_care<R: AimRig>(
         aim_joints(rig, pose_ps, motions, target_ps, dt, settings, joints)
     });
     let outcome = outcome.unwrap_or_else(|| degenerate(rig, motions));
-    if outcome.status != Status::Degenerate {
-        if dt == 0.0 {
-            // Nothing moves, but the pose that the angles count in may be another one.
-            let moved = joints;
-            joints = rig.joints();
-            for (joint, moved) in joints.as_mut().iter_mut().zip(moved.as_ref()) {
-                joint.tilt = moved.tilt;
-            }
-        }
+    if dt > 0.0 && outcome.status != Status::Degenerate {
         rig.set_joints(joints);
     }
     outcome
@@ -132,7 +126,11 @@ fn aim_joints<R: AimRig>(
     }
     let mut within_reach = true;
     frame.go_to_rest(joints, 0..chain.first);
+    let is_natural = is_natural(rig, &chain, settings);
     match goal.course {
+        _ if is_natural => {
+            within_reach = Gaze::new(rig, &chain, motions, &goal, settings).aim(joints, frame.reaches.as_ref(), dt)?;
+        }
         Course::Rest => frame.go_to_rest(joints, chain.first..chain.count),
         Course::Stay => {}
         Course::Aim => {
@@ -148,8 +146,11 @@ fn aim_joints<R: AimRig>(
     if dt == 0.0 {
         // Nothing moves, and what is judged are the corrections as they still are: levelled as they were.
         for ((joint, start), old) in joints.iter_mut().zip(frame.start.as_ref()).zip(rig.joints().as_ref()) {
-            *joint = Joint { tilt: old.tilt, ..*start };
+            *joint = *start;
+            joint.set_tilt(old.tilt);
         }
+    } else if !is_natural {
+        joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
     }
     finish(rig, &chain, motions, &goal, joints, frame.tolerance, within_reach)
 }
@@ -168,13 +169,20 @@ fn level(pose_ps: &Animated<'_>) -> Level {
     pose_ps.up.and_then(|up| math::direction(up.into())).map_or(Level::Innermost, Level::About)
 }
 
+/// Whether joint 0 leads others as an eye does; aimed alone, or left out, it needs no coordination.
+fn is_natural<R: AimRig>(rig: &R, chain: &Chain<R>, settings: &Settings) -> bool {
+    chain.first == 0 && chain.count > 1 && solver(rig, settings) == Solver::Natural
+}
+
 /// The pose made ready; the joints learn how their frames are tilted in it.
 fn chain<R: AimRig>(rig: &R, pose_ps: &Animated<'_>, settings: &Settings, joints: &mut [Joint]) -> Option<Chain<R>> {
     // The paper's method knows bones only.
     let level = if solver(rig, settings) == Solver::Ascent { Level::Off } else { level(pose_ps) };
     let chain = Chain::new(rig, pose_ps.joints, settings.effector, level)?;
     for (joint, tilt) in joints.iter_mut().zip(chain.tilts.as_ref()) {
-        joint.tilt = *tilt;
+        if joint.tilt != *tilt {
+            joint.set_tilt(*tilt);
+        }
     }
     Some(chain)
 }
@@ -245,7 +253,7 @@ impl<'a, R: AimRig> Frame<'a, R> {
         let remaining =
             exact::Solver::new(rig, chain, goal).advance(advanced, self.reaches.as_ref(), dt, &mut memory)?;
         let reached = remaining <= tolerance;
-        memory.blocked_s = if reached { 0.0 } else { (memory.blocked_s + dt).min(PATIENCE_S) };
+        wait(&mut memory, reached, dt);
         for joints in [&mut *joints, &mut *advanced] {
             joints[chain.count - 1].memory = memory;
         }
@@ -272,9 +280,7 @@ impl<'a, R: AimRig> Frame<'a, R> {
         }
         let from_rest = settle_from_rest(rig, chain, motions, goal, settled, tolerance).unwrap_or(f32::INFINITY);
         let within_reach = from_rest <= tolerance;
-        // Joints that have been blocked for long turn back for less.
-        let margin = TURN_BACK_RAD + (WORTH_WHILE_RAD - TURN_BACK_RAD) * (memory.blocked_s / PATIENCE_S);
-        if within_reach || from_rest + margin < from_here {
+        if within_reach || from_rest + worth_turning_back(&memory) < from_here {
             self.turn_round_to(settled, joints);
         }
         Some(within_reach)
@@ -404,6 +410,9 @@ fn snap_joints<R: AimRig>(
     // Nothing but the side is remembered: the result is to depend on the past as little as it can.
     let before = Joint { behind: false, ..joints[chain.count - 1] };
     let goal = goal(rig, &chain, pose_ps, motions, target_ps, settings, &before)?;
+    for joint in &mut *joints {
+        (joint.velocity, joint.memory.support) = ([0.0; 2], Support::Rests);
+    }
 
     let mut from_here = rig.joints();
     let from_here = from_here.as_mut();
@@ -417,7 +426,9 @@ fn snap_joints<R: AimRig>(
     for (joint, motion) in joints.iter_mut().zip(motions) {
         *joint = Reach::range(motion).hold(joint);
     }
-    if goal.course == Course::Aim {
+    let snapped = is_natural(rig, &chain, settings)
+        && Gaze::new(rig, &chain, motions, &goal, settings).snap(joints) == Some(true);
+    if goal.course == Course::Aim && !snapped {
         // The aim may be undefined at rest and yet defined here, or the reverse.
         let from_rest = settle_from_rest(rig, &chain, motions, &goal, joints, tolerance).unwrap_or(f32::INFINITY);
         if from_rest > tolerance {
@@ -432,6 +443,16 @@ fn snap_joints<R: AimRig>(
         }
     }
     finish(rig, &chain, motions, &goal, joints, tolerance, false)
+}
+
+/// Counts for how long a target has been out of reach.
+pub(crate) fn wait(memory: &mut Memory, reached: bool, dt: f32) {
+    memory.blocked_s = if reached { 0.0 } else { (memory.blocked_s + dt).min(PATIENCE_S) };
+}
+
+/// How much better another way round has to aim, radians: joints that have been blocked for long turn back for less.
+pub(crate) fn worth_turning_back(memory: &Memory) -> f32 {
+    TURN_BACK_RAD + (WORTH_WHILE_RAD - TURN_BACK_RAD) * (memory.blocked_s / PATIENCE_S)
 }
 
 /// What to turn to. At weight 0 that is the animation, whatever the target.

@@ -60,6 +60,13 @@ impl Goal {
         Self { wanted, aimed, course, behind, side }
     }
 
+    /// The same with what is aimed at this part of the way along the arc from the animated gaze.
+    pub(crate) fn part_way<R: AimRig>(&self, rig: &R, chain: &Chain<R>, motions: &[Motion], part: f32) -> Self {
+        let gaze = chain.animated_gaze();
+        let front = Front::new(rig, chain, motions, gaze);
+        Self { aimed: part_way(&front, gaze, self.aimed, part, self.side), ..*self }
+    }
+
     /// The goal of weight 0: the animated gaze itself.
     pub(crate) fn animation<R: AimRig>(chain: &Chain<R>, before: &Joint) -> Self {
         let gaze = chain.animated_gaze();

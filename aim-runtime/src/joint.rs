@@ -184,7 +184,7 @@ impl Planes {
 /// A joint's state: the two angles added to the animation, radians. The default is rest: both 0.
 ///
 /// Always finite. Besides the angles a joint remembers which side the target was last seen on, for when it passes
-/// behind, and where it is bound for while the joints turn round together.
+/// behind, where it is bound for, and how fast it moves where it has inertia.
 #[derive(Clone, Copy, Debug)]
 pub struct Joint {
     pub(crate) heading: f32,
@@ -192,8 +192,11 @@ pub struct Joint {
     pub(crate) side: Side,
     /// Whether the target was behind; on the innermost joint.
     pub(crate) behind: bool,
-    /// Heading and pitch to go to though the aim gets worse on the way.
+    /// Heading and pitch to go to: while the joints turn round together, though the aim gets worse on the way, and as a
+    /// supporting joint of a natural gaze.
     pub(crate) bound_for: Option<[f32; 2]>,
+    /// How fast heading and pitch change, rad/s; of a joint with inertia only.
+    pub(crate) velocity: [f32; 2],
     /// How the frame that the angles count in stands in the bone: tilted upright for a level heading.
     pub(crate) tilt: Quat,
     /// The other eye; on joint 0 of a rig whose last pose had one.
@@ -212,8 +215,8 @@ pub struct Joint {
 impl PartialEq for Joint {
     fn eq(&self, other: &Self) -> bool {
         let all = |joint: &Self| {
-            let Self { heading, pitch, side, behind, bound_for, tilt, pair, memory, .. } = *joint;
-            (heading, pitch, side, behind, bound_for, tilt, pair, memory)
+            let Self { heading, pitch, side, behind, bound_for, velocity, tilt, pair, memory, .. } = *joint;
+            (heading, pitch, side, behind, bound_for, velocity, tilt, pair, memory)
         };
         all(self) == all(other)
     }
@@ -227,6 +230,7 @@ impl Default for Joint {
             side: Side::None,
             behind: false,
             bound_for: None,
+            velocity: [0.0; 2],
             tilt: Quat::IDENTITY,
             pair: None,
             halves: [0.0, 1.0, 0.0, 1.0],
@@ -238,7 +242,7 @@ impl Default for Joint {
     }
 }
 
-/// What the exact solver remembers from frame to frame.
+/// What the solvers remember from frame to frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Memory {
     /// The dual point that the last frame ended at.
@@ -249,6 +253,22 @@ pub(crate) struct Memory {
     pub(crate) still_s: f32,
     /// For how long the target has been out of reach, seconds.
     pub(crate) blocked_s: f32,
+    /// What the joints are about that support a natural gaze.
+    pub(crate) support: Support,
+}
+
+/// What the joints are about that support a natural gaze.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) enum Support {
+    /// They rest where they were bound for: the eye does what there is to do.
+    #[default]
+    Rests,
+    /// They set out in so many seconds.
+    Waits(f32),
+    /// They follow their share of the gaze shift.
+    Shares,
+    /// They do more than their share, or other than it, for an eye that cannot do the rest.
+    Helps,
 }
 
 /// What joint 0 remembers of a pair of eyes.
@@ -327,6 +347,12 @@ impl Joint {
     #[inline(always)]
     pub(crate) fn halves(&self) -> trig::Halves {
         if self.halved == [self.pitch, self.heading] { self.halves } else { self.halves_anew() }
+    }
+
+    /// Lets the angles count in another frame of the bone: what is kept of them holds no longer.
+    pub(crate) fn set_tilt(&mut self, tilt: Quat) {
+        self.tilt = tilt;
+        self.halved = [f32::NAN; 2];
     }
 
     #[cold]

@@ -146,6 +146,12 @@ impl Reach {
         Self { heading, pitch, step: PI, narrowing, pitch_box: Range::EVERYTHING }
     }
 
+    /// No movement from where the joint is.
+    pub(crate) fn at(joint: &Joint) -> Self {
+        let [heading, pitch] = [joint.heading, joint.pitch].map(|angle| Range { lo: angle, hi: angle });
+        Self { heading, pitch, ..Self::REST }
+    }
+
     /// What the joint can reach at `rate` within `dt` seconds. Range first, then rate.
     pub(crate) fn frame(motion: &Motion, rate: f32, joint: &Joint, dt: f32) -> Self {
         // NaN and negative rates stand still.
@@ -202,7 +208,7 @@ impl Reach {
 }
 
 /// The changes of heading and pitch that lead from `joint` to `goal`, the shorter way round where an angle is free.
-fn way(joint: &Joint, goal: &Joint, motion: &Motion) -> [f32; 2] {
+pub(crate) fn way(joint: &Joint, goal: &Joint, motion: &Motion) -> [f32; 2] {
     let shorter = |way: f32, range: Range| {
         if range.is_free() { math::wrap_pi(way) } else { way }
     };

@@ -59,7 +59,12 @@ pub(crate) fn aim<R: AimRig>(
 ) -> Option<Outcome> {
     let count = rig.joint_infos().len();
     let pose = pose_ps.joints.get(..count)?;
-    if !(dt > 0.0 && settings.weight >= 1.0 && settings.effector == 0 && rig.joint_infos().iter().all(is_plain)) {
+    if !(count > 0
+        && dt > 0.0
+        && settings.weight >= 1.0
+        && settings.effector == 0
+        && rig.joint_infos().iter().all(is_plain))
+    {
         return None;
     }
     let mut body = Body::new(rig);
@@ -452,6 +457,7 @@ impl<R: AimRig> Angles<R> {
             let angles = self.now.as_ref()[index / 2].to_array();
             let Some(joint) = rig.joint_mut(index) else { return };
             (joint.pitch, joint.heading) = (angles[2 * (index % 2)], angles[2 * (index % 2) + 1]);
+            joint.velocity = [0.0; 2];
             joint.halved = [joint.pitch, joint.heading];
             joint.halves = self.halves.as_ref()[index];
             joint.tilt = body.tilts.as_ref()[index];

@@ -1,6 +1,6 @@
 //! Measures everything that the whole-chain solvers have to hold, and prints it as tables.
 //!
-//! `solver_table [--check] [--quick] [--instructions] [--solver exact|ascent|paper] [WORD…]`: with `--check` it exits 1
+//! `solver_table [--check] [--quick] [--instructions] [--solver exact|natural|ascent|paper] [WORD…]`: with `--check` it exits 1
 //! when something does not hold. `--quick` measures a sixteenth, `--instructions` counts them too (it needs valgrind). With words, only the measurements whose name has one of them.
 
 use std::env;
@@ -10,7 +10,7 @@ use std::time::Instant;
 use aim::{Ascent, Settings, Solver};
 use aim_benches::solver::row::{Row, markdown};
 use aim_benches::solver::sample::Sample;
-use aim_benches::solver::{self, exact};
+use aim_benches::solver::{self, exact, natural};
 
 /// A measurement by its name.
 type Measurement = (&'static str, fn(&Sample) -> Vec<Row>);
@@ -29,6 +29,12 @@ const EXACT: &[Measurement] = &[
     ("comforts", exact::comforts),
     ("roll", exact::roll),
     ("track", exact::tracking),
+];
+
+const NATURAL: &[Measurement] = &[
+    ("natural steps", natural::steps),
+    ("natural following", natural::following),
+    ("natural resting", natural::resting),
 ];
 
 /// For comparison: the published method on the rows it is quoted for.
@@ -69,9 +75,10 @@ fn run() -> Result<bool, String> {
             "--solver" => {
                 sample.settings = match arguments.next().as_deref() {
                     Some("exact") => Settings::default().with_solver(Solver::Exact),
+                    Some("natural") => Settings::default().with_solver(Solver::Natural),
                     Some("ascent") => ascent(Ascent::default()),
                     Some("paper") => ascent(Ascent::paper()),
-                    _ => return Err("--solver is exact, ascent or paper".to_owned()),
+                    _ => return Err("--solver is exact, natural, ascent or paper".to_owned()),
                 }
             }
             word if !word.starts_with('-') => words.push(word.to_owned()),
@@ -80,6 +87,10 @@ fn run() -> Result<bool, String> {
     }
     let mut judged = measure("exact", EXACT, &sample, &words);
     println!("{}", markdown("exact layer", &judged));
+    let natural = Sample { settings: Settings::default().with_solver(Solver::Natural), ..sample };
+    let natural = measure("natural", NATURAL, &natural, &words);
+    println!("{}", markdown("natural layer", &natural));
+    judged.extend(natural);
     if instructions {
         let counted = solver::instructions::count()?;
         println!("{}", markdown("instructions", &counted));

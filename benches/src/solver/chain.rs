@@ -15,9 +15,9 @@ pub const DEG: f64 = std::f64::consts::PI / 180.0;
 pub struct Gazer {
     #[joint(heading = -35deg..=35deg, pitch = -25deg..=25deg, rate = 8rad, comfort = 0.5)]
     eye: Joint,
-    #[joint(heading = -60deg..=60deg, pitch = -40deg..=40deg, rate = 3rad, level = 0.0)]
+    #[joint(heading = -60deg..=60deg, pitch = -40deg..=40deg, rate = 3rad, acceleration = 1200deg, level = 0.0)]
     neck: Joint,
-    #[joint(heading = -20deg..=20deg, pitch = -15deg..=15deg, rate = 1.2rad, comfort = 4.0)]
+    #[joint(heading = -20deg..=20deg, pitch = -15deg..=15deg, rate = 1.2rad, acceleration = 500deg, comfort = 4.0)]
     spine3: Joint,
 }
 

@@ -1,0 +1,453 @@
+//! A gaze as people have it: the eye leaps to the target and holds it, the joints that support it follow with their
+//! inertia by a share of the gaze shift, and the eye returns as they arrive.
+//!
+//! A frame goes in three steps. Where the supporting joints belong is found without rates ([`Gaze::goals`]): as far as
+//! their share, with the least displacement, and further where the eye cannot make up the rest. They follow that with
+//! braking ([`Follower`]). Then the eye solves exactly what is left of the gaze where they are now, so that their pace
+//! costs the aim nothing once it has arrived. Nothing here depends on how often a second it is called.
+
+use glam::Vec3A;
+
+use crate::chain::{self, Chain};
+use crate::exact::{Solver, unhurried};
+use crate::eyes;
+use crate::follow::Follower;
+use crate::frame::{wait, worth_turning_back};
+use crate::goal::{Course, Goal};
+use crate::joint::{self, Memory, Support};
+use crate::limits::{self, Reach};
+use crate::motion::Motion;
+use crate::settle::settle_from_rest;
+use crate::{AimRig, Joint, Settings, math, trig};
+
+/// How much more willing an eye is than its comfort says, where supporting joints make up for what it cannot do: they
+/// are not to do more than that.
+const EYE_EASE: f32 = 10.0;
+/// Nearer to its goal than this a supporting joint counts as there, radians (0.06°).
+const THERE_RAD: f32 = 1e-3;
+/// Nearer to their share than this the supporting joints need no second search for it, radians (0.1°).
+const SHARED_RAD: f32 = 1.75e-3;
+/// Halvings that find where the way of an eye leaves its range: to 2e-4 of a right angle.
+const HALVINGS: usize = 14;
+/// What the shortest way to an end of its range is of the longest for an eye that turns about as far whichever way.
+const ROUND: f32 = 1.0 / 3.0;
+/// Angles that differ by less do so by rounding.
+const SAME_RAD: f32 = 1e-5;
+
+/// The settings as they count.
+struct Sharing {
+    eyes_only: f32,
+    head_share: f32,
+    engage: f32,
+    release: f32,
+    delay: f32,
+}
+
+impl Sharing {
+    fn new<R: AimRig>(rig: &R, settings: &Settings) -> Self {
+        // `max` and `min` return the number where the other is NaN.
+        let attention = settings.attention.max(0.0).min(1.0);
+        let natural = settings.natural.unwrap_or_else(|| rig.natural());
+        let share = natural.head_share.max(0.0).min(1.0);
+        let left_to_eyes = 1.0 - attention;
+        Self {
+            eyes_only: natural.eyes_only.max(0.0) * left_to_eyes,
+            head_share: share + (1.0 - share) * attention,
+            engage: natural.engage.max(0.0) * left_to_eyes,
+            release: natural.release.max(0.0) * left_to_eyes,
+            delay: natural.delay.max(0.0),
+        }
+    }
+
+    /// The part of a gaze shift that the supporting joints make.
+    fn head_part(&self, shift: f32) -> f32 {
+        let beyond = shift - self.eyes_only;
+        if beyond > 0.0 { self.head_share * beyond / shift } else { 0.0 }
+    }
+}
+
+/// What an eye sees of a point, and makes of it.
+struct Look {
+    /// Heading and pitch that look at it; where it is out of range, those on the way there that are not.
+    angles: [f32; 2],
+    within: bool,
+    /// The angle of the point off the middle of the eye.
+    eccentricity: f32,
+}
+
+/// What the joints would come to, had they the time.
+struct Goals {
+    /// Whether they reach the goal…
+    reach: bool,
+    /// … and the eye does its part exactly, with the others at their share.
+    eye_reaches: bool,
+}
+
+/// A natural gaze in one call.
+pub(crate) struct Gaze<'a, R: AimRig> {
+    rig: &'a R,
+    chain: &'a Chain<R>,
+    motions: &'a [Motion],
+    goal: &'a Goal,
+    tolerance: f32,
+    sharing: Sharing,
+    /// The ranges of motion, as reaches.
+    ranges: R::Array<Reach>,
+    /// Whether the eye looks along its joint's own forward from its own origin, so that a closed form turns it.
+    plain_eye: bool,
+}
+
+impl<'a, R: AimRig> Gaze<'a, R> {
+    /// A gaze for a chain from joint 0, which leads; there is at least one joint to support it.
+    pub(crate) fn new(
+        rig: &'a R,
+        chain: &'a Chain<R>,
+        motions: &'a [Motion],
+        goal: &'a Goal,
+        settings: &Settings,
+    ) -> Self {
+        let effector = rig.effector();
+        let own = effector.origin == [0.0; 3] && effector.forward == rig.joint_infos()[0].axes.forward;
+        Self {
+            rig,
+            chain,
+            motions,
+            goal,
+            tolerance: settings.effective_tolerance(),
+            sharing: Sharing::new(rig, settings),
+            ranges: unhurried(rig, motions),
+            plain_eye: own && chain.is_rigid() && chain::is_identity(chain.tilts.as_ref()[0]),
+        }
+    }
+
+    /// Moves `joints`, which are within `reaches`, by a frame of `dt` seconds; returns whether the goal is within reach.
+    /// `None` where the aim is undefined.
+    pub(crate) fn aim(&self, joints: &mut [Joint], reaches: &[Reach], dt: f32) -> Option<bool> {
+        if !(dt > 0.0) {
+            return Some(true);
+        }
+        match self.goal.course {
+            Course::Aim => self.turn_to_goal(joints, reaches, dt),
+            Course::Rest => {
+                self.return_to_rest(joints, reaches, dt);
+                Some(true)
+            }
+            Course::Stay => {
+                for index in self.supporting() {
+                    joints[index] = self.follower(index, reaches, dt).stopping(&joints[index]);
+                }
+                Some(true)
+            }
+        }
+    }
+
+    fn supporting(&self) -> core::ops::Range<usize> {
+        1..self.chain.count
+    }
+
+    fn follower<'b>(&'b self, index: usize, reaches: &'b [Reach], dt: f32) -> Follower<'b> {
+        Follower::new(&self.rig.joint_infos()[index], &self.motions[index], &reaches[index], dt)
+    }
+
+    fn turn_to_goal(&self, joints: &mut [Joint], reaches: &[Reach], dt: f32) -> Option<bool> {
+        let innermost = self.chain.count - 1;
+        let mut aimed = self.goal.aimed;
+        let mut within_reach = true;
+
+        let seen = self.look(joints, aimed)?;
+        let mut engages = !seen.within || seen.eccentricity > self.sharing.engage;
+        for index in self.supporting() {
+            // Bound for nowhere yet: that is to be found out.
+            let Joint { heading, pitch, bound_for, .. } = &mut joints[index];
+            engages |= bound_for.is_none();
+            bound_for.get_or_insert([*heading, *pitch]);
+        }
+        let mut memory = joints[innermost].memory;
+        if engages && memory.support == Support::Rests {
+            memory.support = Support::Waits(self.sharing.delay);
+        }
+        if memory.support != Support::Rests {
+            let mut found = self.rig.joints();
+            let found = found.as_mut();
+            found.copy_from_slice(joints);
+            let goals = self.goals(found, Some(dt), &mut memory)?;
+            within_reach = goals.reach;
+            if !goals.eye_reaches {
+                aimed = self.looked_at(found);
+            }
+            memory.support = match memory.support {
+                Support::Waits(left) if left > 0.0 => Support::Waits(left.min(self.sharing.delay) - dt),
+                _ if goals.eye_reaches => Support::Shares,
+                _ => Support::Helps,
+            };
+            if !matches!(memory.support, Support::Waits(_)) {
+                for index in self.supporting() {
+                    joints[index].bound_for = Some([found[index].heading, found[index].pitch]);
+                }
+            }
+        }
+
+        let mut arrived = true;
+        for index in self.supporting() {
+            let joint = joints[index];
+            let [heading, pitch] = joint.bound_for.unwrap_or_default();
+            let goal = self.ranges.as_ref()[index].hold(&Joint { heading, pitch, ..joint });
+            joints[index] = self.follower(index, reaches, dt).towards(&joint, [goal.heading, goal.pitch]);
+            arrived &= joints[index].is_near(&goal, THERE_RAD);
+        }
+        if arrived && seen.within && seen.eccentricity < self.sharing.release {
+            memory.support = Support::Rests;
+        }
+        joints[innermost].memory = memory;
+        self.turn_eye(joints, aimed, reaches)?;
+        Some(within_reach)
+    }
+
+    /// The gaze goes back to where the animation has it, and the supporting joints to rest; the eye ends there too.
+    fn return_to_rest(&self, joints: &mut [Joint], reaches: &[Reach], dt: f32) {
+        let mut resting = true;
+        for index in self.supporting() {
+            joints[index] = self.follower(index, reaches, dt).towards(&joints[index], [0.0; 2]);
+            (joints[index].bound_for, joints[index].memory.support) = (None, Support::Rests);
+            let Joint { heading, pitch, velocity, .. } = joints[index];
+            resting &= [heading, pitch] == [0.0; 2] && velocity == [0.0; 2];
+        }
+        let eye = joints[0];
+        if resting
+            || self.turn_eye(joints, self.looked_at(self.rig.array(Joint::default()).as_ref()), reaches).is_none()
+        {
+            joints[0] = reaches[0].towards_rest(&eye);
+        }
+    }
+
+    /// Puts `joints` where they belong for a goal within reach, and leaves them for another; returns whether it is.
+    /// `None` where the aim is undefined.
+    pub(crate) fn snap(&self, joints: &mut [Joint]) -> Option<bool> {
+        if self.goal.course != Course::Aim {
+            return Some(false);
+        }
+        let innermost = self.chain.count - 1;
+        let mut found = self.rig.joints();
+        let found = found.as_mut();
+        found.copy_from_slice(joints);
+        for joint in &mut *found {
+            (joint.heading, joint.pitch, joint.bound_for) = (0.0, 0.0, None);
+        }
+        let mut memory = Memory::default();
+        let goals = self.goals(found, None, &mut memory)?;
+        if !goals.reach {
+            return Some(false);
+        }
+        let seen = self.look(found, self.goal.aimed)?;
+        for (joint, found) in joints.iter_mut().zip(&*found) {
+            *joint = Joint { bound_for: Some([found.heading, found.pitch]), ..*found };
+        }
+        joints[0].bound_for = None;
+        let engaged = !seen.within || seen.eccentricity > self.sharing.engage;
+        memory.support = match goals.eye_reaches {
+            false => Support::Helps,
+            true if engaged => Support::Shares,
+            true => Support::Rests,
+        };
+        joints[innermost].memory = memory;
+        Some(true)
+    }
+
+    /// Moves `joints` to where they belong, had they the time: from where they are bound for by what a frame of `dt`
+    /// seconds needs of it, or however far that is.
+    fn goals(&self, joints: &mut [Joint], dt: Option<f32>, memory: &mut Memory) -> Option<Goals> {
+        let Self { rig, chain, motions, goal, tolerance, .. } = *self;
+        let ranges = self.ranges.as_ref();
+        for index in self.supporting() {
+            if let Some([heading, pitch]) = joints[index].bound_for {
+                joints[index] = ranges[index].hold(&Joint { heading, pitch, ..joints[index] });
+            }
+        }
+        let mut shared = rig.joints();
+        let shared = shared.as_mut();
+        shared.copy_from_slice(joints);
+        self.share(shared, dt, memory)?;
+        let look = self.look(shared, goal.aimed)?;
+        [shared[0].heading, shared[0].pitch] = look.angles;
+        if look.within {
+            joints.copy_from_slice(shared);
+            return Some(Goals { reach: true, eye_reaches: true });
+        }
+
+        // Of the rest the supporting joints take what the eye cannot.
+        let mut solver = Solver::new(rig, chain, goal);
+        solver.prefer(0, [0.0; 2], EYE_EASE);
+        for index in self.supporting() {
+            solver.prefer(index, [shared[index].pitch, shared[index].heading], 1.0);
+        }
+        let mut here = match dt {
+            Some(dt) => solver.advance(joints, ranges, dt, memory)?,
+            None => solver.settle(joints, ranges)?,
+        };
+        if here > tolerance && dt.is_some() {
+            shared.copy_from_slice(joints);
+            if let Some(settled) = solver.settle(shared, ranges).filter(|&settled| settled <= tolerance) {
+                joints.copy_from_slice(shared);
+                here = settled;
+            }
+        }
+        wait(memory, here <= tolerance, dt.unwrap_or(0.0));
+        if here > tolerance {
+            shared.copy_from_slice(joints);
+            let from_rest = settle_from_rest(rig, chain, motions, goal, shared, tolerance).unwrap_or(f32::INFINITY);
+            if from_rest <= tolerance || from_rest + worth_turning_back(memory) < here {
+                joints.copy_from_slice(shared);
+                here = from_rest;
+            }
+        }
+        for (joint, motion) in joints.iter_mut().zip(motions) {
+            limits::wrap(motion, joint);
+        }
+        Some(Goals { reach: here <= tolerance, eye_reaches: false })
+    }
+
+    /// Turns the supporting joints to their share of the gaze shift, the eye at rest.
+    fn share(&self, joints: &mut [Joint], dt: Option<f32>, memory: &mut Memory) -> Option<()> {
+        let Self { rig, chain, motions, goal, .. } = *self;
+        (joints[0].heading, joints[0].pitch) = (0.0, 0.0);
+        let shift = chain.animated_gaze().angle_to(goal.aimed).unwrap_or(0.0);
+        let part = self.sharing.head_part(shift);
+        if !(part > 0.0) {
+            for joint in &mut *joints {
+                (joint.heading, joint.pitch) = (0.0, 0.0);
+            }
+            return Some(());
+        }
+        let partial = goal.part_way(rig, chain, motions, part);
+        let mut reaches = rig.array(Reach::REST);
+        reaches.as_mut().copy_from_slice(self.ranges.as_ref());
+        reaches.as_mut()[0] = Reach::REST;
+        let mut solver = Solver::new(rig, chain, &partial);
+        // From where they are bound for, which takes next to nothing. Where that does not lead there, from rest: so that the
+        // share depends on nothing but the target.
+        let near = match dt {
+            Some(dt) if memory.support == Support::Shares => solver.advance(joints, reaches.as_ref(), dt, memory)?,
+            _ => f32::INFINITY,
+        };
+        if near > self.tolerance.max(SHARED_RAD) {
+            for joint in &mut *joints {
+                (joint.heading, joint.pitch) = (0.0, 0.0);
+            }
+            solver.settle(joints, reaches.as_ref())?;
+        }
+        for (joint, motion) in joints.iter_mut().zip(motions) {
+            limits::wrap(motion, joint);
+        }
+        Some(())
+    }
+
+    /// A point that the effector looks at with the joints like this, as far away as the goal is.
+    fn looked_at(&self, joints: &[Joint]) -> Vec3A {
+        let gaze = self.chain.gaze(chain::turns(self.rig, joints).as_ref());
+        let distance = (self.goal.aimed - gaze.origin).length().max(1.0);
+        gaze.origin + math::direction(gaze.direction).unwrap_or(Vec3A::X) * distance
+    }
+
+    /// Turns the eye to a point as far as its reach lets it; both angles by one factor where its rate ends the way.
+    fn turn_eye(&self, joints: &mut [Joint], point: Vec3A, reaches: &[Reach]) -> Option<()> {
+        let [heading, pitch] = self.look(joints, point)?.angles;
+        let (eye, goal) = (joints[0], Joint { heading, pitch, ..joints[0] });
+        let (reach, motion) = (&reaches[0], &self.motions[0]);
+        joints[0] = reach.part_way(&eye, &goal, motion, reach.part_of_way(&eye, &goal, motion));
+        (joints[0].velocity, joints[0].bound_for) = ([0.0; 2], None);
+        Some(())
+    }
+
+    /// What the eye sees of a point with the supporting joints like this. `None` where it is on the eye.
+    fn look(&self, joints: &[Joint], point: Vec3A) -> Option<Look> {
+        if !self.plain_eye {
+            return self.look_by_solving(joints, point);
+        }
+        let axes = &self.rig.joint_infos()[0].axes;
+        let range = &self.ranges.as_ref()[0];
+        let view = eyes::view(axes, math::direction(self.seen(joints, point))?);
+        let [ahead, left, up] = view;
+        let aside = math::sqrt(left * left + up * up);
+        let eccentricity = trig::atan2(aside, ahead);
+        let angles = eyes::look(view, range);
+        if is_along(angles, view) {
+            return Some(Look { angles, within: true, eccentricity });
+        }
+        Some(Look { angles: self.on_the_way(view, eccentricity).unwrap_or(angles), within: false, eccentricity })
+    }
+
+    /// The angles on the arc to a view so far off the middle, as far as the eye's range goes: so the gaze stays on that
+    /// arc while the head still moves. `None` for an eye that can do much less one way than another.
+    fn on_the_way(&self, [_, left, up]: [f32; 3], eccentricity: f32) -> Option<[f32; 2]> {
+        let aside = math::sqrt(left * left + up * up);
+        let range = &self.ranges.as_ref()[0];
+        let ends = [-range.heading.lo(), range.heading.hi(), -range.pitch.lo(), range.pitch.hi()];
+        let (least, most) = ends.iter().fold((f32::INFINITY, 0.0_f32), |(a, b), end| (a.min(*end), b.max(*end)));
+        if !(aside > 0.0 && least > ROUND * most) {
+            return None;
+        }
+        let (mut inside, mut outside) = (0.0, eccentricity);
+        let mut angles = [0.0; 2];
+        for _ in 0..HALVINGS {
+            let angle = 0.5 * (inside + outside);
+            let (sin, cos) = trig::sin_cos(angle);
+            let view = [cos, sin * left / aside, sin * up / aside];
+            let there = eyes::look(view, range);
+            if is_along(there, view) {
+                (inside, angles) = (angle, there);
+            } else {
+                outside = angle;
+            }
+        }
+        Some(angles)
+    }
+
+    /// A point in the eye's space, before its added rotation; for a rigid chain.
+    fn seen(&self, joints: &[Joint], point: Vec3A) -> Vec3A {
+        let (infos, links) = (self.rig.joint_infos(), self.chain.links.as_ref());
+        let mut seen = self.chain.base.matrix3.transpose() * point;
+        for index in self.supporting().rev() {
+            let turn = joint::turn(&infos[index].axes, &infos[index].planes, trig::halves(&joints[index]));
+            seen = turn.conjugate().mul_vec3a(seen);
+            let link = &links[index];
+            seen = link.matrix3.transpose() * (seen - link.translation);
+        }
+        seen
+    }
+
+    /// [`look`](Self::look) for an eye without a closed form: by the exact solver, the others held where they are.
+    #[cold]
+    fn look_by_solving(&self, joints: &[Joint], point: Vec3A) -> Option<Look> {
+        let mut eye = self.rig.joints();
+        let eye = eye.as_mut();
+        eye.copy_from_slice(joints);
+        let mut reaches = self.rig.array(Reach::REST);
+        reaches.as_mut().copy_from_slice(self.ranges.as_ref());
+        for index in self.supporting() {
+            reaches.as_mut()[index] = Reach::at(&joints[index]);
+        }
+        let goal = Goal { aimed: point, ..*self.goal };
+        let mut solver = Solver::new(self.rig, self.chain, &goal);
+        let enough = SAME_RAD.max(self.tolerance);
+        let mut remaining = solver.settle(eye, reaches.as_ref())?;
+        if remaining > enough {
+            let here = eye[0];
+            (eye[0].heading, eye[0].pitch) = (0.0, 0.0);
+            match solver.settle(eye, reaches.as_ref()) {
+                Some(from_rest) if from_rest < remaining => remaining = from_rest,
+                _ => eye[0] = here,
+            }
+        }
+        let Joint { heading, pitch, .. } = eye[0];
+        let (within, off) = (remaining <= enough, math::sqrt(heading * heading + pitch * pitch));
+        Some(Look { angles: [heading, pitch], within, eccentricity: if within { off } else { off + remaining } })
+    }
+}
+
+/// Whether these angles look along a view, to rounding.
+fn is_along([heading, pitch]: [f32; 2], [ahead, left, up]: [f32; 3]) -> bool {
+    let (sin, cos) = trig::sin_cos(heading);
+    let along = ahead * cos + left * sin;
+    let (beside, above) = (left * cos - ahead * sin, up * trig::sin_cos(pitch).1 - along * trig::sin_cos(pitch).0);
+    along > -SAME_RAD && beside.abs() < SAME_RAD && above.abs() < SAME_RAD
+}

@@ -1,0 +1,162 @@
+//! [`Shift`]: one shift of the gaze, from a target straight ahead to one that appears aside, frame by frame.
+
+use aim::glam::{Affine3A, Vec3};
+use aim::{AimRig, Settings};
+
+use super::super::chain::{DEG, Gazer};
+use super::super::model::{Angles, Model};
+use super::super::row::largest;
+use super::super::sample::{Scene, frames};
+use super::super::vector::{V, add, angle, cross, dot, scale, sub, unit};
+
+/// The eye's pitch and heading, then the neck's and the chest's, in the order of the declared angles.
+const EYE: [usize; 2] = [0, 1];
+/// See [`EYE`].
+pub(crate) const NECK: [usize; 2] = [2, 3];
+/// See [`EYE`].
+pub(crate) const CHEST: [usize; 2] = [4, 5];
+/// How near the gaze has to be to have arrived.
+const ARRIVED: f64 = 0.1 * DEG;
+/// How long it is watched, seconds.
+const SECONDS: f64 = 1.5;
+
+/// What a frame of it was like; the first is before the target appears.
+#[derive(Clone, Copy, Debug)]
+struct Frame {
+    angles: Angles,
+    gaze: V,
+    remaining: f64,
+}
+
+/// A shift of the gaze.
+#[derive(Clone, Debug)]
+pub(crate) struct Shift {
+    frames: Vec<Frame>,
+    hz: f64,
+    /// From straight ahead to the target.
+    ahead: V,
+    aside: V,
+    accelerations: Vec<f64>,
+}
+
+impl Shift {
+    /// A target at 2 m jumps by so many degrees, in this direction: 0 is left, a quarter turn up.
+    pub(crate) fn new(pose: &[Affine3A; 3], degrees: f64, direction: f64, hz: f32, settings: &Settings) -> Self {
+        let rig = Gazer::default();
+        let model = Model::new(&rig, pose);
+        let [origin, ahead] = model.seen(&rig);
+        let up = [0.0, 1.0, 0.0];
+        let left = unit(cross(up, ahead));
+        let up = cross(ahead, left);
+        let ((sin, cos), (sin_d, cos_d)) = ((degrees * DEG).sin_cos(), direction.sin_cos());
+        let aside = add(scale(cos, ahead), scale(sin, add(scale(cos_d, left), scale(sin_d, up))));
+        let at = |towards: V| {
+            #[expect(clippy::cast_possible_truncation, reason = "a target in single precision")]
+            let point = add(origin, scale(2.0, towards)).map(|x| x as f32);
+            Vec3::from(point)
+        };
+        let accelerations =
+            model.angles.iter().map(|angle| f64::from(rig.joint_infos()[angle.joint].acceleration)).collect();
+        let mut scene = Scene::new(rig, pose, at(ahead));
+        scene.run(frames(0.5, hz), 1.0 / hz, settings);
+        scene.target = at(aside);
+        let mut seen = Vec::new();
+        for frame in 0..=frames(SECONDS, hz) {
+            if frame > 0 {
+                scene.step(1.0 / hz, settings);
+            }
+            let [_, gaze] = model.seen(&scene.rig);
+            seen.push(Frame { angles: scene.angles(&model), gaze, remaining: scene.remaining(&model) });
+        }
+        Self { frames: seen, hz: hz.into(), ahead, aside, accelerations }
+    }
+
+    fn turned(frame: &Frame, [pitch, heading]: [usize; 2]) -> f64 {
+        frame.angles[pitch].hypot(frame.angles[heading])
+    }
+
+    /// How far a joint turns at most, degrees.
+    pub(crate) fn most(&self, joint: [usize; 2]) -> f64 {
+        largest(self.frames.iter().map(|frame| Self::turned(frame, joint))) / DEG
+    }
+
+    /// How much later than the eye the neck has turned by a degree, milliseconds, within the frame as the way goes.
+    pub(crate) fn neck_after_eye(&self) -> f64 {
+        1e3 * (self.begins(NECK) - self.begins(EYE))
+    }
+
+    fn begins(&self, joint: [usize; 2]) -> f64 {
+        let turned: Vec<f64> = self.frames.iter().map(|frame| Self::turned(frame, joint) / DEG).collect();
+        match turned.iter().position(|&turned| turned >= 1.0) {
+            Some(0) => 0.0,
+            Some(next) => {
+                let part = (1.0 - turned[next - 1]) / (turned[next] - turned[next - 1]);
+                (next as f64 - 1.0 + part) / self.hz
+            }
+            None => f64::NAN,
+        }
+    }
+
+    fn arrival(&self) -> Option<usize> {
+        self.frames.iter().position(|frame| frame.remaining <= ARRIVED)
+    }
+
+    /// When the gaze is on the target, milliseconds.
+    pub(crate) fn arrives(&self) -> f64 {
+        self.arrival().map_or(f64::NAN, |frame| 1e3 * frame as f64 / self.hz)
+    }
+
+    /// How far the gaze is off the target at most from then on, degrees.
+    pub(crate) fn off_later(&self) -> f64 {
+        let later = self.arrival().map_or(&[][..], |arrival| &self.frames[arrival..]);
+        if later.is_empty() { f64::NAN } else { largest(later.iter().map(|frame| frame.remaining)) / DEG }
+    }
+
+    /// How much further the neck turns from then on, degrees: what the eye has to make up for meanwhile.
+    pub(crate) fn neck_turns_later(&self) -> f64 {
+        let end = self.frames[self.frames.len() - 1];
+        self.arrival().map_or(f64::NAN, |arrival| {
+            let there = self.frames[arrival];
+            NECK.map(|i| end.angles[i] - there.angles[i]).iter().fold(0.0_f64, |sum, x| sum.hypot(*x)) / DEG
+        })
+    }
+
+    /// The eye's eccentricity at its largest and in the end, degrees.
+    pub(crate) fn eccentricities(&self) -> [f64; 2] {
+        let end = &self.frames[self.frames.len() - 1];
+        [self.most(EYE), Self::turned(end, EYE) / DEG]
+    }
+
+    /// The largest change of an angle's speed from frame to frame, as a part of what its acceleration allows.
+    pub(crate) fn jerkiest(&self, joint: [usize; 2]) -> f64 {
+        let dt = 1.0 / self.hz;
+        largest(joint.into_iter().flat_map(|i| {
+            // It stood still before.
+            let still = [self.frames[0]];
+            let all: Vec<f64> = still.iter().chain(&self.frames).map(|frame| frame.angles[i]).collect();
+            let changes: Vec<f64> = all.windows(3).map(|w| (w[2] - 2.0 * w[1] + w[0]).abs() / (dt * dt)).collect();
+            let allowed = self.accelerations[i];
+            changes.into_iter().map(move |change| change / allowed)
+        }))
+    }
+
+    /// How far the gaze goes past the target, or an angle of neck or chest past where it ends, degrees.
+    pub(crate) fn overshoot(&self) -> f64 {
+        let whole = angle(self.ahead, self.aside);
+        let along = unit(sub(self.aside, scale(dot(self.aside, self.ahead), self.ahead)));
+        let past = self.frames.iter().map(|frame| dot(frame.gaze, along).atan2(dot(frame.gaze, self.ahead)) - whole);
+        let gaze = largest(past);
+        let (start, end) = (self.frames[0], self.frames[self.frames.len() - 1]);
+        let joints = NECK.into_iter().chain(CHEST).map(|i| {
+            let sense = (end.angles[i] - start.angles[i]).signum();
+            largest(self.frames.iter().map(|frame| sense * (frame.angles[i] - end.angles[i])))
+        });
+        largest(joints.chain([gaze])) / DEG
+    }
+
+    /// How far the gaze is off the great circle from where it was to the target at most, degrees.
+    pub(crate) fn off_arc(&self) -> f64 {
+        let normal = unit(cross(self.ahead, self.aside));
+        largest(self.frames.iter().map(|frame| dot(frame.gaze, normal).asin().abs())) / DEG
+    }
+}
