@@ -156,7 +156,9 @@ fn solve_with_care(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2]) -> 
         if gap <= f64::from(CLOSED) || (0.9..=1.1).contains(&(paid / dearest)) {
             break;
         }
-        price = (price * paid / dearest).max(1e-12);
+        // A gap that remains costs in inverse proportion to its price. One that is paid for by less can be closed.
+        let part = paid / dearest;
+        price = (price * if part < 1.0 { part * part * part } else { part }).max(1e-12);
     }
     #[expect(clippy::cast_possible_truncation, reason = "a result in the precision of its inputs")]
     let (lambda, gap) = (lambda.map(|x| x as f32), gap as f32);
@@ -194,6 +196,195 @@ fn ascend(angles: &[[Angle; 2]], wanted: [f32; 2], price: f64, lambda: &mut [f64
                 return;
             }
             part *= 0.5;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use std::vec::Vec;
+
+    use super::*;
+
+    /// A small generator (splitmix64).
+    struct Random(u64);
+
+    impl Random {
+        fn between(&mut self, lo: f32, hi: f32) -> f32 {
+            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let mut z = self.0;
+            z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+            let part = f32::from(((z ^ z >> 31) >> 48) as u16) / 65_536.0;
+            lo + (hi - lo) * part
+        }
+
+        fn angle(&mut self) -> Angle {
+            let (a, b) = (self.between(-1.0, 1.0), self.between(-1.0, 1.0));
+            Angle {
+                column: [self.between(-1.0, 1.0), self.between(-1.0, 1.0)],
+                lo: a.min(b),
+                hi: a.max(b),
+                rest: if a < 0.0 { 0.0 } else { self.between(-1.0, 1.0) },
+                ease: 10.0_f32.powf(self.between(-2.0, 0.0)),
+            }
+        }
+
+        fn problem(&mut self, joints: usize) -> (Vec<[Angle; 2]>, [f32; 2]) {
+            let angles: Vec<[Angle; 2]> = (0..joints).map(|_| [self.angle(), self.angle()]).collect();
+            let mut wanted = [self.between(-2.0, 2.0), self.between(-2.0, 2.0)];
+            if self.between(0.0, 1.0) < 0.6 {
+                // What some angles of the box come to.
+                wanted = [0.0; 2];
+                for angle in angles.as_flattened() {
+                    let at = self.between(angle.lo, angle.hi);
+                    wanted = [wanted[0] + at * angle.column[0], wanted[1] + at * angle.column[1]];
+                }
+            }
+            (angles, wanted)
+        }
+    }
+
+    fn cost(angles: &[[Angle; 2]], at: impl Fn(usize) -> f64) -> f64 {
+        let terms = angles.as_flattened().iter().enumerate().map(|(i, angle)| {
+            let moved = at(i) - f64::from(angle.rest);
+            0.5 * moved * moved / f64::from(angle.ease)
+        });
+        terms.sum()
+    }
+
+    fn gap(angles: &[[Angle; 2]], wanted: [f32; 2], at: impl Fn(usize) -> f64) -> [f64; 2] {
+        let mut gap = wanted.map(f64::from);
+        for (i, angle) in angles.as_flattened().iter().enumerate() {
+            let [x, y] = angle.column.map(f64::from);
+            gap = [gap[0] - x * at(i), gap[1] - y * at(i)];
+        }
+        gap
+    }
+
+    fn length([x, y]: [f64; 2]) -> f64 {
+        x.hypot(y)
+    }
+
+    /// The least displacement that meets `wanted`, with its multiplier, by trying every set of angles at their lower and
+    /// upper ends; `None` where the box has no solution.
+    fn by_every_active_set(angles: &[[Angle; 2]], wanted: [f32; 2]) -> Option<(f64, [f64; 2])> {
+        let flat = angles.as_flattened();
+        let sets = 3_usize.pow(u32::try_from(flat.len()).unwrap());
+        let mut best: Option<(f64, [f64; 2])> = None;
+        for set in 0..sets {
+            let which = |i: usize| set / 3_usize.pow(u32::try_from(i).unwrap()) % 3;
+            let (mut left, [mut xx, mut xy, mut yy]) = (wanted.map(f64::from), [0.0; 3]);
+            for (i, angle) in flat.iter().enumerate() {
+                let [x, y] = angle.column.map(f64::from);
+                let ease = f64::from(angle.ease);
+                let at = [angle.rest, angle.lo, angle.hi].map(f64::from)[which(i)];
+                left = [left[0] - x * at, left[1] - y * at];
+                if which(i) == 0 {
+                    [xx, xy, yy] = [xx + ease * x * x, xy + ease * x * y, yy + ease * y * y];
+                }
+            }
+            let determinant = xx * yy - xy * xy;
+            if determinant <= 1e-12 * (xx + yy) * (xx + yy) {
+                continue;
+            }
+            let lambda = [(yy * left[0] - xy * left[1]) / determinant, (xx * left[1] - xy * left[0]) / determinant];
+            let at = |i: usize| {
+                let [x, y] = flat[i].column.map(f64::from);
+                let free = f64::from(flat[i].rest) + f64::from(flat[i].ease) * (x * lambda[0] + y * lambda[1]);
+                [free, flat[i].lo.into(), flat[i].hi.into()][which(i)]
+            };
+            let within = |i: usize| (f64::from(flat[i].lo) - 1e-9..=f64::from(flat[i].hi) + 1e-9).contains(&at(i));
+            if (0..flat.len()).all(within) && best.is_none_or(|(least, _)| cost(angles, at) < least) {
+                best = Some((cost(angles, at), lambda));
+            }
+        }
+        best
+    }
+
+    #[test]
+    fn the_optimum_of_every_active_set() {
+        let dearest = f64::from(DEAREST);
+        let mut random = Random(1);
+        let mut seen = [0; 3];
+        for case in 0..1500 {
+            let (angles, wanted) = random.problem(1 + case % 3);
+            let start = [random.between(-3.0, 3.0), random.between(-3.0, 3.0)];
+            let solution = solve(&angles, wanted, if case % 2 == 0 { start } else { [0.0; 2] });
+            let at = |i: usize| f64::from(angles.as_flattened()[i].at(solution.lambda));
+            let (found, missed) = (cost(&angles, at), gap(&angles, wanted, at));
+            match by_every_active_set(&angles, wanted) {
+                Some((least, lambda)) if length(lambda) < 0.8 * dearest => {
+                    seen[0] += 1;
+                    assert!(solution.closed && length(missed) < 3e-5, "case {case}: {solution:?} misses {missed:?}");
+                    assert!((found - least).abs() < 1e-3 * least + 1e-4, "case {case}: {found} instead of {least}");
+                }
+                // It can be met, for more than is paid for it.
+                Some((least, lambda)) if length(lambda) > 1.3 * dearest => {
+                    seen[1] += 1;
+                    assert!(found <= least * 1.001 + 1e-4, "case {case}: {found} instead of {least}");
+                }
+                Some(_) => {}
+                None => {
+                    seen[2] += 1;
+                    assert!(!solution.closed, "case {case}: {solution:?}");
+                    bought(&mut random, &angles, wanted, &solution);
+                }
+            }
+        }
+        assert!(seen[0] > 400 && seen[2] > 100, "{seen:?}");
+    }
+
+    /// Optimality where the box has no solution: the gap is along λ, which is as long as it may be, and nothing at random
+    /// in the box is worth more.
+    fn bought(random: &mut Random, angles: &[[Angle; 2]], wanted: [f32; 2], solution: &Solution) {
+        let dearest = f64::from(DEAREST);
+        let lambda = solution.lambda.map(f64::from);
+        let at = |i: usize| f64::from(angles.as_flattened()[i].at(solution.lambda));
+        let missed = gap(angles, wanted, at);
+        let across = (lambda[0] * missed[1] - lambda[1] * missed[0]) / length(lambda) / length(missed);
+        assert!(across.abs() < 1e-2, "{solution:?}: {missed:?}");
+        assert!((0.85..1.15).contains(&(length(lambda) / dearest)), "{solution:?}");
+        let found = cost(angles, at) + dearest * length(missed);
+        for _ in 0..100 {
+            let flat = angles.as_flattened();
+            let other: Vec<f64> = flat.iter().map(|angle| random.between(angle.lo, angle.hi).into()).collect();
+            let value = cost(angles, |i| other[i]) + dearest * length(gap(angles, wanted, |i| other[i]));
+            assert!(found <= 1.01 * value, "{solution:?}: {found} but {value}");
+        }
+    }
+
+    /// Weights matter by their ratios alone, wherever the price of a gap has no say.
+    #[test]
+    fn scaled_weights() {
+        let mut random = Random(2);
+        for case in 0..500 {
+            let (angles, wanted) = random.problem(3);
+            let plain = solve(&angles, wanted, [0.0; 2]);
+            let scaled: Vec<[Angle; 2]> =
+                angles.iter().map(|joint| joint.map(|angle| Angle { ease: 1e3 * angle.ease, ..angle })).collect();
+            let other = solve(&scaled, wanted, [0.0; 2]);
+            if plain.closed && other.closed {
+                for (a, b) in angles.as_flattened().iter().zip(scaled.as_flattened()) {
+                    let (a, b) = (a.at(plain.lambda), b.at(other.lambda));
+                    assert!((a - b).abs() < 2e-3, "case {case}: {a} {b}");
+                }
+            }
+            assert!(other.closed || !plain.closed, "case {case}");
+        }
+    }
+
+    /// Whatever the numbers: an angle of the box, or not a number where a number was none.
+    #[test]
+    fn awkward_numbers() {
+        const AWKWARD: [f32; 8] = [0.0, -0.0, 1e20, 1e-30, f32::INFINITY, f32::NAN, 1.0, -1.0];
+        for a in AWKWARD {
+            for b in AWKWARD {
+                let angle = Angle { column: [a, b], lo: -1.0, hi: 1.0, rest: 0.0, ease: 1.0 };
+                let solution = solve(&[[angle, NO_ANGLE], [angle, NO_ANGLE]], [b, a], [a, a]);
+                assert!((-1.0..=1.0).contains(&angle.at(solution.lambda)), "{a}, {b}: {solution:?}");
+            }
         }
     }
 }

@@ -86,3 +86,68 @@ impl Stretch {
         [self.across * x + along * dx, self.across * y + along * dy]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The stretched residual in f64: the direction times the angle that the residual is twice the half tangent of.
+    fn stretched([x, y]: [f64; 2]) -> [f64; 2] {
+        let length = x.hypot(y);
+        let angle = 2.0 * (0.5 * length).atan();
+        [x / length * angle, y / length * angle]
+    }
+
+    #[test]
+    fn a_stretch_is_the_angle_and_its_derivative() {
+        for step in 0..64_u8 {
+            let (sin, cos) = (f64::from(step) * 0.1).sin_cos();
+            for length in [0.051, 0.1, 0.5, 1.0, 2.0, 5.0, 30.0, 120.0] {
+                let residual = [length * cos, length * sin];
+                #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is meant")]
+                let (offset, stretch) = Stretch::of(residual.map(|x| x as f32));
+                let stretch = stretch.expect("large enough to be stretched");
+                let exact = stretched(residual);
+                for (a, b) in offset.into_iter().zip(exact) {
+                    assert!((f64::from(a) - b).abs() < 2e-6, "{residual:?}: {offset:?} for {exact:?}");
+                }
+                for direction in [[1.0_f32, 0.0], [0.0, 1.0], [0.6, -0.8]] {
+                    let h = 1e-5 * length;
+                    let by = |sign: f64| {
+                        let [x, y] = direction.map(f64::from);
+                        stretched([residual[0] + sign * h * x, residual[1] + sign * h * y])
+                    };
+                    let (more, less) = (by(1.0), by(-1.0));
+                    for (a, (b, c)) in stretch.derivative(direction).into_iter().zip(more.into_iter().zip(less)) {
+                        let exact = (b - c) / (2.0 * h);
+                        assert!((f64::from(a) - exact).abs() < 2e-5, "{residual:?} along {direction:?}: {a}, {exact}");
+                    }
+                }
+            }
+        }
+        // Nearly straight ahead there is nothing to stretch, by less than a third of a cube.
+        let small = [0.03, 0.02];
+        let (offset, stretch) = Stretch::of(small);
+        assert!(offset == small && stretch.is_none());
+    }
+
+    #[test]
+    fn an_offset_is_the_angle() {
+        for (forward, left, up) in
+            [(1.0_f32, 0.0, 0.0), (1.0, 1.0, 0.0), (-1.0, 0.0, 1e-3), (0.0, -3.0, 4.0), (-2.0, 0.0, 0.0)]
+        {
+            let view = View { forward, left, up };
+            let exact = f64::from(left).hypot(up.into()).atan2(forward.into());
+            assert!((f64::from(view.angle()) - exact).abs() < 1e-6, "{view:?}");
+            let [a, b] = view.offset();
+            if left != 0.0 || up != 0.0 {
+                assert!((f64::from(a).hypot(b.into()) - exact).abs() < 1e-6 && a * up == b * left, "{view:?}");
+                assert!(a * left >= 0.0 && b * up >= 0.0);
+            }
+            assert_eq!(view.is_within(0.01), exact < 0.01);
+        }
+        let view = View { forward: 2.0, left: 1e-3, up: 0.0 };
+        assert!(view.is_within(5.1e-4) && !view.is_within(4.9e-4));
+        assert!(!View { forward: f32::NAN, ..view }.is_within(1.0) && !View { left: f32::NAN, ..view }.is_within(1.0));
+    }
+}
