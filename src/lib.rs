@@ -68,5 +68,5 @@ pub mod rigs {
 /// What emitted code names; not for hand-written code.
 #[doc(hidden)]
 pub mod __private {
-    pub use aim_runtime::{AimRig, Axes, Effector, Joint, JointInfo, Real, Scalar};
+    pub use aim_runtime::{AimRig, Axes, Effector, Joint, JointInfo, Natural, Real, Role, Scalar};
 }

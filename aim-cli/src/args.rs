@@ -45,6 +45,8 @@ pub(crate) enum Command {
 
 #[derive(Debug, Args)]
 pub(crate) struct Demo {
+    #[command(flatten)]
+    pub(crate) aiming: Aiming,
     /// The folder to write to; made if it is not there.
     #[arg(long, value_name = "DIR", default_value = "aim-demo")]
     pub(crate) out: PathBuf,
@@ -109,8 +111,23 @@ pub(crate) struct Check {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Solver {
+    /// Eyes, neck and spine as people use them: the eyes leap, the head follows and the eyes return.
+    Natural,
+    /// All joints at once, with the least displacement that meets the target.
+    Exact,
     /// The paper's steepest ascent, joint by joint from the eye inward.
     Ascent,
+}
+
+/// How to aim, for every command that does.
+#[derive(Clone, Copy, Debug, Args)]
+pub(crate) struct Aiming {
+    /// The solver; natural where the rig's first joint is an eye, else exact.
+    #[arg(long, value_enum)]
+    pub(crate) solver: Option<Solver>,
+    /// Aim the other eye at the target, too; else it turns as the first one does.
+    #[arg(long)]
+    pub(crate) both_eyes: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -134,9 +151,8 @@ pub(crate) struct Bake {
     /// The clip to aim over; the first if not given.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Option<String>,
-    /// The solver.
-    #[arg(long, value_enum, default_value_t = Solver::Ascent)]
-    pub(crate) solver: Solver,
+    #[command(flatten)]
+    pub(crate) aiming: Aiming,
     /// How long the result is; the clip's length if not given, repeated if longer.
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     pub(crate) seconds: Option<f32>,

@@ -3,7 +3,9 @@
 
 mod chart;
 mod charts;
+mod directions;
 mod film;
+mod gaze;
 mod raster;
 mod rig;
 mod scene;
@@ -13,15 +15,26 @@ mod tests;
 mod words;
 
 use aim_codegen::RigSpec;
-use aim_gltf::{Baked, Document};
+use aim_gltf::{Baked, Document, Measurement};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::report::Report;
 
 const STYLE: &str = include_str!("html/style.css");
 
-/// The page about one bake: `report` is of `baked`, which is of `document` aimed by `spec`.
-pub(crate) fn page(spec: &RigSpec, report: &Report, document: &Document, baked: &Baked) -> String {
+/// What a page is about: `report` is of `baked`, which is of `document` aimed by `spec`.
+pub(crate) struct Subject<'a> {
+    pub(crate) spec: &'a RigSpec,
+    pub(crate) report: &'a Report,
+    pub(crate) document: &'a Document,
+    /// Of the document.
+    pub(crate) measurement: &'a Measurement,
+    pub(crate) baked: &'a Baked,
+}
+
+/// The page about one bake.
+pub(crate) fn page(subject: &Subject<'_>) -> String {
+    let Subject { spec, report, .. } = *subject;
     let title = format!("{} aimed over {}", report.rig, report.clip);
     html! {
         (DOCTYPE)
@@ -38,11 +51,11 @@ pub(crate) fn page(spec: &RigSpec, report: &Report, document: &Document, baked: 
                 main {
                     h1 { (report.rig) " aimed over " q { (report.clip) } }
                     (summary::section(spec, report))
-                    @if let Some(strip) = film::strip(spec, report, document, baked) { (film(strip)) }
+                    @if let Some(strip) = film::strip(subject) { (film(strip)) }
                     (rig::section(spec, report))
                     section.over-time {
                         h2 { "Over time" }
-                        (charts::all(spec, report, document, baked))
+                        (charts::all(subject))
                     }
                 }
             }

@@ -2,8 +2,8 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use aim_codegen::{AngleRange, Frame, RigPrograms, RigSpec};
-use aim_runtime::{AimRig, Axes, Effector, Joint, JointInfo, Scalar};
+use aim_codegen::{AngleRange, Frame, NaturalSpec, RigPrograms, RigSpec};
+use aim_runtime::{AimRig, Axes, Effector, Joint, JointInfo, Natural, Role, Scalar};
 use aim_symbolic::{Number, Program};
 
 /// The rig with its joints' state.
@@ -12,6 +12,7 @@ pub struct InterpretedRig {
     programs: RigPrograms,
     infos: Vec<JointInfo>,
     effector: Effector,
+    natural: Natural,
     joints: Vec<Joint>,
 }
 
@@ -20,7 +21,9 @@ impl InterpretedRig {
     pub fn new(spec: &RigSpec) -> Self {
         let infos: Vec<JointInfo> = spec.joints.iter().map(joint_info).collect();
         let effector = Effector { forward: single(spec.effector.frame.forward), origin: single(spec.effector.origin) };
-        Self { programs: RigPrograms::derive(spec), joints: vec![Joint::default(); infos.len()], infos, effector }
+        let natural = spec.natural.as_ref().map_or_else(Natural::default, natural);
+        let joints = vec![Joint::default(); infos.len()];
+        Self { programs: RigPrograms::derive(spec), infos, effector, natural, joints }
     }
 }
 
@@ -50,7 +53,26 @@ fn joint_info(joint: &aim_codegen::JointSpec) -> JointInfo {
     if let Some(level) = joint.level {
         info = info.with_level(level as f32);
     }
+    if let Some(narrowing) = joint.narrowing {
+        info = info.with_narrowing(narrowing as f32);
+    }
+    info = info.with_role(match joint.role() {
+        aim_codegen::Role::Eye => Role::Eye,
+        aim_codegen::Role::Head => Role::Head,
+        aim_codegen::Role::Neck => Role::Neck,
+        aim_codegen::Role::Spine => Role::Spine,
+        aim_codegen::Role::Other => Role::Other,
+    });
     if joint.absolute { info.with_absolute_range() } else { info }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "declared numbers are stored in f32")]
+fn natural(spec: &NaturalSpec) -> Natural {
+    Natural::default()
+        .with_eyes_only(spec.eyes_only as f32)
+        .with_head_share(spec.head_share as f32)
+        .with_engagement(spec.engage as f32, spec.release as f32)
+        .with_delay(spec.delay as f32)
 }
 
 /// The runtime's number as the interpreter's.
@@ -118,6 +140,10 @@ impl AimRig for InterpretedRig {
 
     fn effector(&self) -> Effector {
         self.effector
+    }
+
+    fn natural(&self) -> Natural {
+        self.natural
     }
 
     fn joints(&self) -> Vec<Joint> {

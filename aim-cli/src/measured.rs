@@ -52,7 +52,7 @@ pub(crate) fn rig(file: &Path, document: &Document, measurement: &Measurement) -
     joints.extend(supporting.map(|bone| joint(&NECK, bone, None)));
     joints.extend(role(Role::Spine).map(|bone| joint(&SPINE, bone, None)));
     let effector = EffectorSpec { frame: joints[0].frame, origin: [0.0; 3] };
-    Ok(RigSpec { name: "Measured".into(), joints, effector })
+    Ok(RigSpec { name: "Measured".into(), joints, effector, natural: None })
 }
 
 fn joint(habit: &Habit, bone: &BoneAxes, pair: Option<String>) -> JointSpec {
@@ -69,6 +69,7 @@ fn joint(habit: &Habit, bone: &BoneAxes, pair: Option<String>) -> JointSpec {
         acceleration: None,
         comfort: habit.comfort,
         level: None,
+        narrowing: None,
         pair,
     }
 }

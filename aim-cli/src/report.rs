@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use aim_codegen::{AngleRange, RigSpec};
-use aim_gltf::{Baked, Frame};
+use aim_codegen::{AngleRange, JointSpec, RigSpec};
+use aim_gltf::{Baked, Frame, JointFrame};
 use aim_runtime::Status;
 use serde::Serialize;
 
@@ -32,6 +32,12 @@ pub(crate) struct FrameReport {
     pub(crate) t: f32,
     pub(crate) target: [f64; 3],
     pub(crate) error_deg: f64,
+    /// By how much the effector's joint is rolled about the gaze more than in the animation, positive to the left; see
+    /// [`Frame::roll_deg`].
+    pub(crate) roll_deg: f64,
+    /// The other eye's error, where both are aimed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) pair_error_deg: Option<f64>,
     pub(crate) status: &'static str,
     pub(crate) joints: Vec<JointReport>,
     followers: Vec<Follower>,
@@ -58,6 +64,8 @@ pub(crate) struct Summary {
     pub(crate) max_error_deg_reached: f64,
     pub(crate) max_rate_violation_deg_s: f64,
     pub(crate) max_limit_violation_deg: f64,
+    /// The largest roll to either side.
+    pub(crate) max_roll_deg: f64,
 }
 
 /// The word of the contract.
@@ -89,6 +97,8 @@ impl Report {
                 t: frame.t,
                 target: frame.target.to_array(),
                 error_deg: frame.error_deg,
+                roll_deg: frame.roll_deg,
+                pair_error_deg: frame.pair_error_deg,
                 status: status_word(frame.outcome.status),
                 joints: joints(frame, bones),
                 followers: followers.clone(),
@@ -160,6 +170,7 @@ impl Summary {
             max_error_deg_reached: reached.map(|frame| frame.error_deg).fold(0.0, f64::max),
             max_rate_violation_deg_s: rate_violation(spec, &baked.frames),
             max_limit_violation_deg: limit_violation(spec, &baked.frames),
+            max_roll_deg: baked.frames.iter().map(|frame| frame.roll_deg.abs()).fold(0.0, f64::max),
         }
     }
 }
@@ -191,13 +202,37 @@ fn change(range: Option<AngleRange>, before: f32, after: f32) -> f64 {
 
 /// By how much an angle leaves its range at most, degrees.
 fn limit_violation(spec: &RigSpec, frames: &[Frame]) -> f64 {
-    let outside = |range: Option<AngleRange>, angle: f32| match range {
-        Some(AngleRange::Between(lo, hi)) => (lo - f64::from(angle)).max(f64::from(angle) - hi).max(0.0),
-        Some(AngleRange::Free) => 0.0,
-        None => f64::from(angle).abs(),
-    };
     let all = frames.iter().flat_map(|frame| spec.joints.iter().zip(&frame.joints));
-    all.map(|(joint, at)| outside(joint.heading, at.heading).max(outside(joint.pitch, at.pitch)))
-        .fold(0.0, f64::max)
-        .to_degrees()
+    all.flat_map(|(joint, at)| {
+        let angles = [at.heading, at.pitch].map(f64::from);
+        motion(joint, at).into_iter().zip(angles).map(|([lo, hi], angle)| (lo - angle).max(angle - hi))
+    })
+    .fold(0.0, f64::max)
+    .to_degrees()
+}
+
+/// The ranges of heading and pitch in one frame, as added angles in radians: nothing where an angle is not declared,
+/// infinite where it is free. Whatever the animation does, 0 belongs to them.
+pub(crate) fn motion(joint: &JointSpec, at: &JointFrame) -> [[f64; 2]; 2] {
+    let [heading, pitch] = at.led.unwrap_or_default();
+    let range = |range: Option<AngleRange>, share: f64, led: f64| match range {
+        Some(AngleRange::Between(lo, hi)) => [(lo * share - led).min(0.0), (hi * share - led).max(0.0)],
+        Some(AngleRange::Free) => [f64::NEG_INFINITY, f64::INFINITY],
+        None => [0.0; 2],
+    };
+    let left = pitch_left(joint, heading + f64::from(at.heading));
+    [range(joint.heading, 1.0, heading), range(joint.pitch, left, pitch)]
+}
+
+/// The share of the pitch's range that a narrowing leaves at this heading, radians.
+fn pitch_left(joint: &JointSpec, heading: f64) -> f64 {
+    match (joint.narrowing, joint.heading) {
+        (Some(narrowing), Some(AngleRange::Between(lo, hi))) => {
+            let end = if heading < 0.0 { lo } else { hi };
+            // A heading that cannot go that way has nothing to narrow there.
+            let share = if end == 0.0 { 0.0 } else { (heading / end).clamp(0.0, 1.0) };
+            1.0 - narrowing * share
+        }
+        _ => 1.0,
+    }
 }

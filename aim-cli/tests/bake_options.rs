@@ -3,7 +3,7 @@
 mod common;
 
 use common::Place;
-use common::forward::{Bake, list, number};
+use common::forward::{Bake, both_eyes, list, number};
 use common::rig::joints;
 use serde_json::{Value, json};
 
@@ -134,4 +134,61 @@ fn the_same_bake_twice_is_the_same_file() {
     let first = (place.read("out.glb"), place.read("r.json"));
     bake(&place, ASIDE);
     assert_eq!(first, (place.read("out.glb"), place.read("r.json")));
+}
+
+#[test]
+fn the_solver_is_the_one_asked_for_else_the_one_that_suits_the_rig() {
+    let place = Place::with_mannequin();
+    for solver in ["natural", "exact", "ascent"] {
+        assert_eq!(bake(&place, &format!("{ASIDE} --seconds 0.2 --solver {solver}"))["solver"], solver);
+    }
+    assert_eq!(bake(&place, &format!("{ASIDE} --seconds 0.2"))["solver"], "natural");
+    let eyeless = String::from_utf8(place.read("m.toml")).expect("text");
+    let at = eyeless.find("[[joint]]").expect("a joint");
+    let neck = at + 1 + eyeless[at + 1..].find("[[joint]]").expect("a second joint");
+    place.write("m.toml", &format!("{}{}", &eyeless[..at], &eyeless[neck..]));
+    assert_eq!(bake(&place, &format!("{ASIDE} --seconds 0.2"))["solver"], "exact");
+    place.refused(
+        &format!("bake m.glb --rig m.toml {ASIDE} --out out2.glb --solver newton"),
+        &["newton", "natural", "exact", "ascent"],
+    );
+}
+
+#[test]
+fn both_eyes_are_aimed_where_there_are_two() {
+    let place = Place::with_mannequin();
+    let near = "--target 0.05,1.6,0.35 --seconds 0.2";
+    let one = bake(&place, near);
+    assert!(list(&one["frames"]).iter().all(|frame| frame.get("pair_error_deg").is_none()), "one eye, one error");
+    for (target, apart_deg) in [("0.05,1.68,0.4", [5.0, 20.0]), ("0,1.68,50", [0.0, 0.1])] {
+        place.done(&format!("bake m.glb --rig m.toml --target {target} --both-eyes --out out.glb --report r.json"));
+        let (source, output, report) = (place.read("m.glb"), place.read("out.glb"), place.json("r.json"));
+        let found = both_eyes(&source, &output, &report, ["left_eye", "right_eye"]);
+        assert!(apart_deg[0] < found && found < apart_deg[1], "{target}: the eyes are {found}° apart");
+        assert_eq!(report["summary"]["frames"], report["summary"]["reached"], "{target}");
+    }
+    let single = String::from_utf8(place.read("m.toml")).expect("text").replace("pair = \"right_eye\"\n", "");
+    place.write("m.toml", &single);
+    place.refused(
+        &format!("bake m.glb --rig m.toml {near} --both-eyes --out out2.glb"),
+        &["Mannequin", "no other eye", "pair", "--both-eyes"],
+    );
+}
+
+#[test]
+fn ranges_that_narrow_or_count_from_the_bind_pose_hold() {
+    let place = Place::with_mannequin();
+    let rig = String::from_utf8(place.read("m.toml")).expect("text");
+    for more in ["narrowing = 0.6", "range = \"absolute\"", "narrowing = 0.6\nrange = \"absolute\""] {
+        let rig = rig.replace("rate = ", &format!("{more}\nrate = "));
+        place.write("m.toml", &rig);
+        place.done(
+            "bake m.glb --rig m.toml --target orbit:2,0.4,4 --seconds 4 --out out.glb --report r.json --html r.html",
+        );
+        let report = place.json("r.json");
+        let violation = number(&report["summary"]["max_limit_violation_deg"]);
+        assert!(violation < 1e-3, "{more}: a range is left by {violation}°");
+        let limited = |frame: &Value| list(&frame["joints"]).iter().any(|joint| joint["at_limit"] == true);
+        assert!(list(&report["frames"]).iter().any(limited), "{more}: no range is reached");
+    }
 }

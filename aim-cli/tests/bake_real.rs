@@ -5,7 +5,7 @@ mod common;
 use std::path::Path;
 
 use common::Place;
-use common::forward::{Bake, list, number};
+use common::forward::{Bake, both_eyes, list, number};
 use common::rig::joints;
 use serde_json::Value;
 
@@ -83,4 +83,30 @@ fn every_character_with_a_head_without_a_rig() {
         baked += 1;
     }
     assert!(baked >= 5 || files.len() < 5, "only {baked} characters of {} were aimed", files.len());
+}
+
+#[test]
+fn both_eyes_converge_on_what_is_near_and_are_parallel_for_what_is_far() {
+    let Some(folder) = common::real_rigs("both eyes of real characters") else { return };
+    for (file, rig, eyes) in [
+        ("dude.glb", "thug", ["L_eyeBall_joint2", "R_eyeBall_joint"]),
+        ("rocketbox_female_adult_01.glb", "rocketbox", ["Bip01 LEye", "Bip01 REye"]),
+    ] {
+        let path = folder.join(file);
+        let source = std::fs::read(&path).expect("the file is there");
+        // Metres from the eye, starting in front; the head turns only a little in a second.
+        for (metres, apart_deg) in [("0.3", [6.0, 20.0]), ("50", [0.0, 0.1])] {
+            let place = Place::new();
+            let mut arguments: Vec<std::ffi::OsString> = vec!["bake".into(), path.clone().into(), "--rig".into()];
+            arguments.push(common::bundled_rig(rig).into());
+            let target = format!("--target=orbit:{metres},0,24");
+            arguments.extend(
+                [&target, "--both-eyes", "--seconds", "1", "--out", "out.glb", "--report", "r.json"].map(Into::into),
+            );
+            let ran = place.run(&arguments);
+            assert_eq!((ran.code, ran.stderr.as_str()), (0, ""), "{file}");
+            let found = both_eyes(&source, &place.read("out.glb"), &place.json("r.json"), eyes);
+            assert!(apart_deg[0] < found && found < apart_deg[1], "{file} at {metres} m: {found}° apart");
+        }
+    }
 }

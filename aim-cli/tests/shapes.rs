@@ -113,7 +113,7 @@ fn bake_report() {
     has_keys(&report, "rig solver clip fps effector frames summary");
     assert_eq!(
         (&report["rig"], &report["solver"], &report["clip"]),
-        (&json!("Mannequin"), &json!("ascent"), &json!("walk"))
+        (&json!("Mannequin"), &json!("natural"), &json!("walk"))
     );
     assert_eq!(number(&report["fps"]), 30.0);
     has_keys(&report["effector"], "bone forward origin");
@@ -123,14 +123,14 @@ fn bake_report() {
     );
     has_keys(
         &report["summary"],
-        "frames reached max_error_deg_reached max_rate_violation_deg_s max_limit_violation_deg",
+        "frames reached max_error_deg_reached max_rate_violation_deg_s max_limit_violation_deg max_roll_deg",
     );
     for key in ["frames", "reached"] {
         assert!(report["summary"][key].is_u64(), "{}", report["summary"]);
     }
     let mut words: Vec<&str> = Vec::new();
     for frame in list(&report["frames"]) {
-        has_keys(frame, "t target error_deg status joints followers");
+        has_keys(frame, "t target error_deg roll_deg status joints followers");
         assert!(frame["t"].is_number() && list(&frame["target"]).len() == 3, "{frame}");
         assert!((0.0..=180.0).contains(&number(&frame["error_deg"])), "{frame}");
         words.push(frame["status"].as_str().expect("a word"));

@@ -37,11 +37,13 @@ fn rig(joints: usize) -> RigSpec {
         acceleration: None,
         comfort: 1.0,
         level: None,
+        narrowing: None,
         pair: None,
     };
     RigSpec {
         name: "Chain".into(),
         joints: (0..joints).map(joint).collect(),
         effector: EffectorSpec { frame, origin: [0.0; 3] },
+        natural: None,
     }
 }

@@ -10,12 +10,14 @@ pub mod emit;
 mod function;
 mod names;
 pub mod objective;
+mod role;
 mod spec;
 
 pub use function::differentiate;
 pub use names::snake_case;
 pub use objective::{JointOutput, RigPrograms, Trace, joint_program, traces};
-pub use spec::{AngleRange, EffectorSpec, Frame, JointSpec, RigSpec};
+pub use role::Role;
+pub use spec::{AngleRange, EffectorSpec, Frame, JointSpec, NaturalSpec, RigSpec};
 
 /// What `#[derive(AimRig)]` expands to: the implementation, or every error of the declaration.
 pub fn derive(input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {

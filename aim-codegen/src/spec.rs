@@ -1,5 +1,7 @@
 //! [`RigSpec`]: a declaration that has passed every check. All that follows (deriving, emitting) cannot fail.
 
+use crate::Role;
+
 /// A checked rig. Angles in radians, vectors unit and square to each other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigSpec {
@@ -9,6 +11,8 @@ pub struct RigSpec {
     pub joints: Vec<JointSpec>,
     /// What is aimed, in joint 0's bone space.
     pub effector: EffectorSpec,
+    /// How a natural gaze is shared, or `None` to leave it to the runtime.
+    pub natural: Option<NaturalSpec>,
 }
 
 /// A checked joint.
@@ -34,6 +38,8 @@ pub struct JointSpec {
     pub comfort: f64,
     /// How far heading turns about the character's up, 0…1.
     pub level: Option<f64>,
+    /// The part of the pitch's range that is lost at either end of the heading's, 0…1.
+    pub narrowing: Option<f64>,
     /// The other eye's bone.
     pub pair: Option<String>,
 }
@@ -58,6 +64,34 @@ pub struct EffectorSpec {
     pub origin: [f64; 3],
 }
 
+/// How a natural gaze is shared between the eyes and the joints that support them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NaturalSpec {
+    /// The gaze shift that the eyes make alone, radians, 0…π.
+    pub eyes_only: f64,
+    /// The part of the gaze shift beyond that which the head makes, 0…1.
+    pub head_share: f64,
+    /// The supporting joints begin to move when the eyes are further from their middle than this, radians, 0…π.
+    pub engage: f64,
+    /// They rest again once the eyes are nearer their middle than this, radians, at most [`engage`](Self::engage).
+    pub release: f64,
+    /// How long after the eyes the supporting joints begin, seconds.
+    pub delay: f64,
+}
+
+/// What the runtime takes where nothing is declared.
+impl Default for NaturalSpec {
+    fn default() -> Self {
+        Self {
+            eyes_only: 15f64.to_radians(),
+            head_share: 0.8,
+            engage: 15f64.to_radians(),
+            release: 8f64.to_radians(),
+            delay: 0.0,
+        }
+    }
+}
+
 /// An angle's range around 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AngleRange {
@@ -71,6 +105,12 @@ impl JointSpec {
     /// The number of declared angles, 1 or 2.
     pub fn angles(&self) -> usize {
         usize::from(self.pitch.is_some()) + usize::from(self.heading.is_some())
+    }
+
+    /// What part the joint has in a gaze: what the first of its own name and its bones' names that tells says.
+    pub fn role(&self) -> Role {
+        let names = core::iter::once(&self.name).chain(&self.bones);
+        names.filter_map(|name| Role::of_name(name)).next().unwrap_or_default()
     }
 }
 

@@ -14,6 +14,7 @@ fn joint(name: String, frame: Frame) -> JointSpec {
         acceleration: None,
         comfort: 1.0,
         level: None,
+        narrowing: None,
         pair: None,
     }
 }
@@ -23,6 +24,7 @@ fn rig(joints: usize, frame: Frame) -> RigSpec {
         name: "Rig".into(),
         joints: (0..joints).map(|i| joint(format!("joint{i}"), frame)).collect(),
         effector: EffectorSpec { frame, origin: [0.0; 3] },
+        natural: None,
     }
 }
 

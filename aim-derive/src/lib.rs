@@ -5,7 +5,7 @@ use proc_macro::TokenStream;
 /// Derives a rig: its kernels for exactly the declared axes, `AimRig`, `Default` (every angle 0) and `Debug`.
 ///
 /// On the struct, `#[aim(bones(up = +X, forward = +Y, left = +Z), handedness = right, effector(forward = +Y,
-/// origin = (0.0, 0.1, 0.0)), crate = ::aim)]`; two of the three axes are enough. On each field, from the eye inward,
+/// origin = (0.0, 0.1, 0.0)), natural(…), crate = ::aim)]`; two of the three axes are enough. On each field, from the eye inward,
 /// `#[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]` with at least one of the angles and the
 /// rate, the largest speed of each angle. A joint may also have:
 ///
@@ -17,9 +17,23 @@ use proc_macro::TokenStream;
 /// | `comfort = 4.0` | reluctance in the displacement cost, 1 by default |
 /// | `acceleration = 1200deg` | largest change of speed, per second squared |
 /// | `level = 0.5` | how far heading turns about the character's up, 0 to 1 |
+/// | `narrowing = 0.3` | the part of the pitch's range that is lost at the ends of the heading's, growing from 0 at heading 0; 0 to 1 |
 /// | `range = absolute` | ranges are counted from the bind pose, not from the animation |
 /// | `bone = "node"` or `["a", "b"]` | its names in models; the field's name by default |
 /// | `pair = "node"` | on the eye: the other eye |
+///
+/// # How a natural gaze is shared
+///
+/// `natural(eyes_only = 15deg, head_share = 0.8, engage = 15deg, release = 8deg, delay = 0)` says how eyes, neck and spine
+/// share a gaze in the natural solver; what is left out is as written here. `eyes_only` is the shift that the eyes make
+/// alone, `head_share` the head's part of what is beyond it (0 to 1); the head begins to help when the eyes are further
+/// than `engage` from their middle, rests again nearer than `release`, and begins `delay` seconds after the eyes.
+///
+/// What part a joint has in the gaze is told by names: the first of the field's name and its bones' that holds one of the
+/// words `eye` (but not an eyelid or eyebrow), `head`, `neck`, or `spine`, `chest`, `torso`, `back`, `waist`, `abdomen`, in
+/// any case and with what usually stands around them (`L_eyeBall_joint2`, `mixamorig:LeftEye`, `upperChest`), makes it
+/// an eye, a head, a neck or a spine. Neck and head keep their heading level unless `level` says otherwise, and a rig whose
+/// first joint is an eye is aimed by the natural solver unless a call asks for another.
 ///
 /// Beside the trait there is a constant `BONES`, the bones' names joint by joint. Deriving `Default` or `Debug` beside it is
 /// an error: both come with it.

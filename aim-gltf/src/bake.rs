@@ -9,7 +9,9 @@ use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
 use crate::clip::{Channel, Clip};
 use crate::document::Document;
 use crate::error::Error;
+use crate::measure::Measurement;
 use crate::skeleton::Skeleton;
+use crate::stance::Stance;
 use crate::trs::{Trs, orthonormal};
 
 /// The nodes that a rig's joints are in a file.
@@ -94,8 +96,13 @@ pub struct Plan<'a> {
     pub document: &'a Document,
     /// The clip that is aimed over; without one the rest pose stands still.
     pub clip: Option<&'a Clip>,
+    /// The file measured.
+    pub measurement: &'a Measurement,
     /// The nodes of the rig.
     pub chain: &'a ChainNodes,
+    /// Whether the other eye is aimed itself, instead of turning as joint 0 does. What it is turned from is then not its
+    /// own animation, but where it would look as joint 0 does: the eyes of animations are seldom parallel.
+    pub both_eyes: bool,
     /// How long the baked clip is, seconds.
     pub seconds: f32,
     /// Keys a second.
@@ -115,6 +122,9 @@ pub struct JointFrame {
     pub heading: f32,
     /// Added pitch, radians.
     pub pitch: f32,
+    /// The heading and pitch, radians, by which the animation turns the joint out of its bind pose, where its ranges are
+    /// counted from that.
+    pub led: Option<[f64; 2]>,
     /// Whether an angle is at an end of its range.
     pub at_limit: bool,
     /// Whether an angle is on its way back into its range.
@@ -131,6 +141,13 @@ pub struct Frame {
     /// Between the effector and the direction to the target by the forward kinematics of the file as it is written,
     /// degrees; 90 where either has no direction.
     pub error_deg: f64,
+    /// By how much joint 0 is rolled about the gaze more than in the animation, degrees, positive to the character's
+    /// left: a roll is the angle, seen along the gaze, from the character's up to the bone's up. 0 where either lies
+    /// along the gaze (within 1°). The character's up is the world's as long as the character stands.
+    pub roll_deg: f64,
+    /// What [`error_deg`](Self::error_deg) is, of the other eye, where both are aimed: it looks as joint 0 does in the
+    /// bind pose, from the mirrored point.
+    pub pair_error_deg: Option<f64>,
     /// What the solver says.
     pub outcome: Outcome,
     /// Each joint, from the effector inward.
@@ -161,6 +178,8 @@ pub fn bake<R: AimRig<Array<Affine3A>: Clone>>(
 ) -> Result<Baked, Error> {
     let times = key_times(plan.seconds, plan.fps)?;
     let skeleton = plan.document.skeleton();
+    let stance = Stance::new(rig, skeleton, plan.chain, plan.measurement);
+    let pair = plan.chain.pair.filter(|_| plan.both_eyes);
     let source = plan.clip.map(|clip| clip.repeated(plan.seconds));
     let sample = |t: f32| match &source {
         Some(clip) => skeleton.pose(clip, t),
@@ -177,8 +196,12 @@ pub fn bake<R: AimRig<Array<Affine3A>: Clone>>(
             let mut pose = sample(t);
             let world = skeleton.world_f64(&pose);
             let target_ws = target(t, &world);
-            let joints = joint_transforms(rig, plan.chain, &pose, &world);
-            let joints = Pose { joints };
+            let joints = Pose { joints: joint_transforms(rig, plan.chain, &pose, &world) };
+            let mut joints = joints.with_up(stance.up(&world).as_vec3()).with_bind(stance.bind(rig, &world));
+            if let Some(pair) = pair {
+                pose[pair].rotation = stance.parallel(skeleton, &pose, &world).unwrap_or(pose[pair].rotation);
+                joints = joints.with_pair(joint_transform(&pose, &skeleton.world_f64(&pose), pair));
+            }
             let goal = target_ws.as_vec3();
             let outcome = match (before, pass, plan.settle) {
                 (Some(before), ..) => rig.aim_with(&joints, goal, t - before, &plan.settings),
@@ -190,11 +213,21 @@ pub fn bake<R: AimRig<Array<Affine3A>: Clone>>(
                 began = rig.joints();
             }
             before = Some(t);
-            apply(rig, plan.chain, skeleton, &mut pose);
+            apply(rig, plan.chain, rig.pair_correction(), skeleton, &mut pose);
             for (track, node) in rotations.iter_mut().zip(plan.chain.all()) {
                 track.push(continuous(track.last(), pose[node].rotation));
             }
-            frames.push(frame(rig, plan.chain, t, target_ws, outcome, skeleton.world_f64(&pose)));
+            let aimed = skeleton.world_f64(&pose);
+            frames.push(Frame {
+                t,
+                target: target_ws,
+                error_deg: stance.error_deg(&aimed, target_ws),
+                roll_deg: stance.roll_deg(&world, &aimed),
+                pair_error_deg: pair.and_then(|_| stance.pair_error_deg(&aimed, target_ws)),
+                outcome,
+                joints: joint_frames(rig, outcome, |joint| stance.led(rig, joint, &joints)),
+                world: aimed,
+            });
             progress(frames.len(), times.len());
         }
         if closes(began.as_ref(), rig.joints().as_ref()) {
@@ -240,38 +273,50 @@ fn key_times(seconds: f32, fps: f32) -> Result<Arc<[f32]>, Error> {
     Ok(times.into())
 }
 
-/// The joints in the world as the solver takes them: without a bone's own non-uniform scale, so that a correction acts
-/// where the node's rotation does.
+/// The joints in the world as the solver takes them.
 fn joint_transforms<R: AimRig>(rig: &R, chain: &ChainNodes, pose: &[Trs], world: &[DAffine3]) -> R::Array<Affine3A> {
     let mut joints = rig.array(Affine3A::IDENTITY);
     for (joint, &node) in joints.as_mut().iter_mut().zip(&chain.joints) {
-        let scale = pose[node].scale.abs().as_dvec3();
-        let uniform = (scale - DVec3::splat(scale.x)).abs().max_element() <= 1e-5 * scale.max_element();
-        let own = if uniform || scale.min_element() == 0.0 { DVec3::ONE } else { scale.recip() };
-        *joint = (world[node] * DAffine3::from_scale(own)).as_affine3a();
+        *joint = joint_transform(pose, world, node);
     }
     joints
 }
 
-/// Multiplies the rig's corrections into the chain's local rotations; the other eye turns in the world as joint 0 does.
-fn apply<R: AimRig>(rig: &R, chain: &ChainNodes, skeleton: &Skeleton, pose: &mut [Trs]) {
+/// A node in the world without its own non-uniform scale, so that a correction acts where the node's rotation does.
+fn joint_transform(pose: &[Trs], world: &[DAffine3], node: usize) -> Affine3A {
+    let scale = pose[node].scale.abs().as_dvec3();
+    let uniform = (scale - DVec3::splat(scale.x)).abs().max_element() <= 1e-5 * scale.max_element();
+    let own = if uniform || scale.min_element() == 0.0 { DVec3::ONE } else { scale.recip() };
+    (world[node] * DAffine3::from_scale(own)).as_affine3a()
+}
+
+/// Multiplies the rig's corrections into the chain's local rotations, and the other eye's into its; without one that
+/// eye turns in the world as joint 0 does.
+fn apply<R: AimRig>(rig: &R, chain: &ChainNodes, pair: Option<Quat>, skeleton: &Skeleton, pose: &mut [Trs]) {
     let eye = chain.joints[0];
     let before = pose[eye].rotation.as_dquat();
     for (joint, correction) in rig.corrections() {
         correct(&mut pose[chain.joints[joint]], correction);
     }
-    if let Some(pair) = chain.pair {
-        let turn = DMat3::from_quat(pose[eye].rotation.as_dquat() * before.inverse());
-        let world = skeleton.world_f64(pose);
-        // Orthogonal, but not always a rotation: a parent may be mirrored.
-        let parent = |node: usize| match skeleton.nodes()[node].parent {
-            Some(parent) => orthonormal(&world[parent].matrix3).0,
-            None => DMat3::IDENTITY,
-        };
-        let to_pair = parent(pair).transpose() * parent(eye);
-        let turn = DQuat::from_mat3(&(to_pair * turn * to_pair.transpose())).as_quat();
-        pose[pair].rotation = (turn * pose[pair].rotation).normalize();
+    match (chain.pair, pair) {
+        (Some(node), Some(correction)) => correct(&mut pose[node], correction),
+        (Some(node), None) => follow(eye, before, node, skeleton, pose),
+        (None, _) => {}
     }
+}
+
+/// Turns `pair` in the world as the `eye` turned from its rotation `before`.
+fn follow(eye: usize, before: DQuat, pair: usize, skeleton: &Skeleton, pose: &mut [Trs]) {
+    let turn = DMat3::from_quat(pose[eye].rotation.as_dquat() * before.inverse());
+    let world = skeleton.world_f64(pose);
+    // Orthogonal, but not always a rotation: a parent may be mirrored.
+    let parent = |node: usize| match skeleton.nodes()[node].parent {
+        Some(parent) => orthonormal(&world[parent].matrix3).0,
+        None => DMat3::IDENTITY,
+    };
+    let to_pair = parent(pair).transpose() * parent(eye);
+    let turn = DQuat::from_mat3(&(to_pair * turn * to_pair.transpose())).as_quat();
+    pose[pair].rotation = (turn * pose[pair].rotation).normalize();
 }
 
 fn correct(local: &mut Trs, correction: Quat) {
@@ -290,34 +335,14 @@ fn continuous(before: Option<&Quat>, rotation: Quat) -> Quat {
     if before.is_some_and(|before| before.dot(rotation) < 0.0) { -rotation } else { rotation }
 }
 
-fn frame<R: AimRig>(
-    rig: &R,
-    chain: &ChainNodes,
-    t: f32,
-    target: DVec3,
-    outcome: Outcome,
-    world: Vec<DAffine3>,
-) -> Frame {
-    let effector = rig.effector();
-    let eye = &world[chain.joints[0]];
-    let origin = eye.transform_point3(Vec3::from(effector.origin).as_dvec3());
-    let forward = eye.transform_vector3(Vec3::from(effector.forward).as_dvec3());
-    let to_target = target - origin;
-    let error = forward.cross(to_target).length().atan2(forward.dot(to_target));
+fn joint_frames<R: AimRig>(rig: &R, outcome: Outcome, led: impl Fn(usize) -> Option<[f64; 2]>) -> Vec<JointFrame> {
     let joints = rig.joints();
     let joints = joints.as_ref().iter().enumerate().map(|(i, joint)| JointFrame {
         heading: joint.heading(),
         pitch: joint.pitch(),
+        led: led(i),
         at_limit: outcome.at_limit.contains(i),
         recovering: outcome.recovering.contains(i),
     });
-    let known = error.is_finite() && to_target.length() > 0.0;
-    Frame {
-        t,
-        target,
-        error_deg: if known { error.to_degrees() } else { 90.0 },
-        outcome,
-        joints: joints.collect(),
-        world,
-    }
+    joints.collect()
 }

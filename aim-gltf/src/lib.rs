@@ -44,6 +44,7 @@ mod raw;
 mod roles;
 mod skeleton;
 mod skin;
+mod stance;
 mod surface;
 mod trs;
 mod uri;

@@ -1,7 +1,7 @@
 //! [`Chain`]: a pose made ready for aiming, in units of the rig's own size, with the true forward kinematics that
 //! judges and the rigid links that the derived kernels search with.
 
-use glam::{Affine3A, Mat3A, Quat, Vec3A};
+use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec3Swizzles};
 
 use crate::{AimRig, Axes, Joint, JointInfo, math};
 
@@ -19,7 +19,7 @@ pub(crate) struct Ray {
 
 impl Ray {
     pub(crate) fn turned(self, turn: Quat) -> Self {
-        Self { origin: turn.mul_vec3a(self.origin), direction: turn.mul_vec3a(self.direction) }
+        Self { origin: math::turned(turn, self.origin), direction: math::turned(turn, self.direction) }
     }
 
     pub(crate) fn through(self, transform: &Affine3A) -> Self {
@@ -137,7 +137,7 @@ impl<R: AimRig> Chain<R> {
             effector.origin = frames[first].transpose() * (offset * per_size);
             let tilt = tilts.as_ref()[first];
             if !is_identity(tilt) {
-                effector.origin = tilt.mul_vec3a(effector.origin);
+                effector.origin = math::turned(tilt, effector.origin);
             }
             None
         } else {
@@ -244,8 +244,8 @@ impl<R: AimRig> Chain<R> {
             .zip(math::direction(rigid_effector.direction));
         match directions {
             Some(((wanted, seen), rigid)) => {
-                let turn = Quat::from_rotation_arc(seen.into(), wanted.into());
-                rigid_effector.origin + turn.mul_vec3a(rigid) * to_target.length()
+                let turn = math::arc(seen, wanted);
+                rigid_effector.origin + math::turned(turn, rigid) * to_target.length()
             }
             None => target,
         }
@@ -263,21 +263,23 @@ pub(crate) fn turns<R: AimRig>(rig: &R, joints: &[Joint]) -> R::Array<Quat> {
 
 /// The orthogonal frames of joints that are scaled, turned and mirrored alone; false where one is more than that, or
 /// where its numbers are so large or small that their squares would not do.
-#[inline]
-fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> bool {
-    /// How far from square or from equal length a joint's axes may be, as a part of their squared length.
+#[inline(always)]
+pub(crate) fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> bool {
+    /// How far from square or from equal length a joint's axes may be, all that is off taken together.
     const OFF: f32 = 1e-4;
-    pose.iter().zip(frames).all(|(joint, frame)| {
+    let mut off = Vec3A::ZERO;
+    for (joint, frame) in pose.iter().zip(frames) {
         let Mat3A { x_axis: x, y_axis: y, z_axis: z } = joint.matrix3;
-        let square = x.dot(x);
-        let (yy, zz) = (y.dot(y) - square, z.dot(z) - square);
-        let (xy, yz, zx) = (x.dot(y), y.dot(z), z.dot(x));
-        let off = yy.abs().max(zz.abs()).max(xy.abs()).max(yz.abs()).max(zx.abs());
-        let per_length = 1.0 / math::sqrt(square);
+        // Of a matrix whose rows are square and equally long, so are the columns; and rows need no sums of lanes.
+        let squares = x * x + y * y + z * z;
+        let per_length = 1.0 / math::sqrt(squares.x);
         *frame = joint.matrix3 * per_length;
-        // The negation also catches NaN; a maximum alone would not.
-        square > 1e-12 && square < 1e12 && off < OFF * square && (yy + zz + xy + yz + zx).is_finite()
-    })
+        let Mat3A { x_axis: x, y_axis: y, z_axis: z } = *frame;
+        let products = x * x.yzx() + y * y.yzx() + z * z.yzx();
+        // Sums, not maxima: they keep NaN. A length beyond what can be squared leaves one too.
+        off += (squares * (per_length * per_length) - Vec3A::ONE).abs() + products.abs();
+    }
+    off.cmple(Vec3A::splat(OFF)).all()
 }
 
 /// Each joint's animated transform in the next joint's space, the last one's in solver space.
@@ -308,8 +310,8 @@ fn local<R: AimRig>(
 ///
 /// A bone that leans by more than a right angle (of a character on all fours, say) is tilted less and less, and not at
 /// all when it hangs upside down: there is no shortest arc.
-#[inline]
-fn upright(infos: &[JointInfo], first: usize, level: Level, frames: &mut [Mat3A], tilts: &mut [Quat]) {
+#[inline(always)]
+pub(crate) fn upright(infos: &[JointInfo], first: usize, level: Level, frames: &mut [Mat3A], tilts: &mut [Quat]) {
     /// The cosines of the leans from which tilting fades, and at which nothing is left of it.
     const FADES: f32 = 0.0;
     const GONE: f32 = -0.5;
@@ -335,7 +337,7 @@ fn upright(infos: &[JointInfo], first: usize, level: Level, frames: &mut [Mat3A]
         }
         // Half of the arc is the quaternion of the whole; a part of it, of the part.
         let wanted = if part < 1.0 { math::part_of_arc(bone_up, wanted, part) } else { wanted };
-        let axis = bone_up.cross(wanted);
+        let axis = math::cross(bone_up, wanted);
         let along = 1.0 + bone_up.dot(wanted);
         let per_length = 1.0 / math::sqrt(axis.dot(axis) + along * along);
         let axis = axis * per_length;
@@ -349,7 +351,7 @@ fn upright(infos: &[JointInfo], first: usize, level: Level, frames: &mut [Mat3A]
 
 #[inline(always)]
 pub(crate) fn is_identity(turn: Quat) -> bool {
-    turn.w == 1.0
+    turn.x == 0.0 && turn.y == 0.0 && turn.z == 0.0
 }
 
 /// The length that stands for the rig: from the innermost joint along the chain to the effector; where the chain has
@@ -373,7 +375,7 @@ fn size(pose: &[Affine3A], offset: Vec3A) -> f32 {
 /// The inverse of a transform that [`math::orthonormal`] accepted. Scaled first: a determinant is a cube.
 pub(crate) fn inverse(joint: &Affine3A) -> Affine3A {
     let scale = math::length(joint.matrix3.x_axis);
-    let inverse = (joint.matrix3 * (1.0 / scale)).inverse() * (1.0 / scale);
+    let inverse = math::inverse(joint.matrix3 * (1.0 / scale)) * (1.0 / scale);
     Affine3A { matrix3: inverse, translation: -(inverse * joint.translation) }
 }
 

@@ -40,13 +40,13 @@ impl Angle {
 pub(crate) const DEAREST: f32 = 300.0;
 
 /// A gap this small is none, radians.
-const CLOSED: f32 = 1e-6;
+pub(crate) const CLOSED: f32 = 1e-6;
 /// Plain Newton steps, before each is looked at more closely.
 const PLAIN_STEPS: usize = 4;
 
 /// What the determinant of the free angles' normal matrix is to its squared trace at least, where they cover both
 /// directions of the gaze: a quarter if they do so equally.
-const STRAINED: f32 = 0.05;
+pub(crate) const STRAINED: f32 = 0.05;
 
 /// A solution.
 #[derive(Clone, Copy, Debug)]

@@ -17,10 +17,10 @@ use crate::limits::Reach;
 use crate::view::{Stretch, View};
 use crate::{AimRig, math, trig};
 
-/// An angle to the target that needs no mending, radians (1.7e-3°).
-const FINE_RAD: f32 = 3e-5;
+/// An angle to the target that needs no mending, radians (2.6e-3°).
+pub(crate) const FINE_RAD: f32 = 4.5e-5;
 /// An angle to the target after which no new Jacobian is worth its while, radians (6e-3°).
-const ENOUGH_RAD: f32 = 1e-4;
+pub(crate) const ENOUGH_RAD: f32 = 1e-4;
 /// How often a Jacobian is used again.
 const MENDINGS: usize = 3;
 /// How often it is where the pose is not rigid: then it learns from each step.
@@ -46,7 +46,7 @@ const CALM_S: f32 = 0.06;
 /// For how long a strain is remembered, seconds.
 const STRAIN_S: f32 = 0.5;
 /// Joints that would all move by less than this stay where they are, radians.
-const STILL_RAD: f32 = 1e-6;
+pub(crate) const STILL_RAD: f32 = 1e-6;
 /// Displacement of a joint from where it is costs this much of the gap it closes, radians a second and radian: where a
 /// gap remains, what gains next to nothing does not move.
 const INERTIA_S: f32 = 3.0 / 60.0;
@@ -134,7 +134,11 @@ impl<'a, R: AimRig> Solver<'a, R> {
             }
             memory.lambda = solution.lambda;
             self.try_dual(joints, reaches, solution.lambda);
-            let mut view = self.see(self.trial.as_ref())?;
+            let Some(mut view) = self.see(self.trial.as_ref()) else {
+                // The effector would come to be on the target: a shorter step does not.
+                self.forget_the_way(rests.as_ref());
+                return self.advance_with_a_gap(joints, reaches, dt, memory);
+            };
             self.mend(joints, offset, reaches, &mut memory.lambda, &mut view);
             self.forget_the_way(rests.as_ref());
             if solution.strained {
@@ -233,7 +237,8 @@ impl<'a, R: AimRig> Solver<'a, R> {
         let solution = dual::solve(self.model.as_ref(), self.wanted(start, offset), [0.0; 2]);
         self.try_dual(start, reaches, solution.lambda);
         self.model.as_mut().copy_from_slice(kept.as_ref());
-        let (before, slow) = (self.see(start)?.angle(), self.see(self.trial.as_ref())?.angle());
+        let before = self.see(start)?.angle();
+        let slow = self.see(self.trial.as_ref()).map_or(f32::INFINITY, |view| view.angle());
         // As near as the reach gets, or nearly: then slowly.
         if slow <= before + 0.1 * SLOW_RAD && slow - remaining < SLOW_RAD {
             self.accept(joints);
@@ -280,7 +285,7 @@ impl<'a, R: AimRig> Solver<'a, R> {
         self.try_dual(joints, reaches, solution.lambda);
         if !self.chain.is_rigid() {
             for _ in 0..BENT_MENDINGS {
-                let view = self.see(self.trial.as_ref())?;
+                let Some(view) = self.see(self.trial.as_ref()) else { break };
                 if view.is_within(ENOUGH_RAD) {
                     break;
                 }
@@ -297,7 +302,7 @@ impl<'a, R: AimRig> Solver<'a, R> {
             #[expect(clippy::cast_precision_loss, reason = "a handful")]
             let part = 1.0 / (1_u32 << halvings) as f32;
             self.try_part(joints, goal, reaches, part);
-            let mut view = self.see(self.trial.as_ref())?;
+            let Some(mut view) = self.see(self.trial.as_ref()) else { continue };
             if solution.closed && halvings == 0 {
                 self.mend(joints, offset, reaches, lambda, &mut view);
             }
@@ -545,7 +550,7 @@ impl<'a, R: AimRig> Solver<'a, R> {
         let (infos, links) = (self.rig.joint_infos(), self.chain.links.as_ref());
         let mut ray = crate::ascent::rigid_effector(self.rig, &links[self.chain.first]);
         for index in self.chain.first..self.chain.count {
-            ray = ray.turned(joint::turn(&infos[index].axes, trig::halves(&joints[index])));
+            ray = ray.turned(joint::turn(&infos[index].axes, &infos[index].planes, trig::halves(&joints[index])));
             ray = match links.get(index + 1) {
                 Some(link) => ray.through(link),
                 None => ray.through(&self.chain.base),
@@ -560,8 +565,8 @@ impl<'a, R: AimRig> Solver<'a, R> {
         let mut target = self.target_seen(joints)?;
         let (infos, links) = (self.rig.joint_infos(), self.chain.links.as_ref());
         for index in (self.chain.first..self.chain.count).rev() {
-            let turn = joint::turn(&infos[index].axes, trig::halves(&joints[index]));
-            target = turn.conjugate().mul_vec3a(target);
+            let turn = joint::turn(&infos[index].axes, &infos[index].planes, trig::halves(&joints[index]));
+            target = math::turned(turn.conjugate(), target);
             let link = &links[index];
             target = link.matrix3.transpose() * (target - link.translation);
         }

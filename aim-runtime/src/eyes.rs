@@ -251,7 +251,7 @@ impl<'a, R: AimRig> Eyes<'a, R> {
         for index in (1..joints.len()).rev() {
             let (frame, turn) = self.support(joints, index)?;
             let local = inverse(&frame).transform_point3a(target);
-            target = frame.transform_point3a(turn.conjugate().mul_vec3a(local));
+            target = frame.transform_point3a(math::turned(turn.conjugate(), local));
         }
         let near = NEAREST * self.apart;
         let distance = math::length(target);
@@ -318,7 +318,8 @@ impl<'a, R: AimRig> Eyes<'a, R> {
     /// The angle that is left between an eye that turns like this and a point, by the true forward kinematics.
     fn remaining(&self, joints: &[Joint], eye: usize, forward: Vec3A, turn: Quat, point_ps: Vec3A) -> Option<f32> {
         let frame = &self.eyes[eye];
-        let mut ray = Ray { origin: frame.translation, direction: frame.transform_vector3a(turn.mul_vec3a(forward)) };
+        let mut ray =
+            Ray { origin: frame.translation, direction: frame.transform_vector3a(math::turned(turn, forward)) };
         for index in 1..joints.len() {
             let (frame, turn) = self.support(joints, index)?;
             ray = ray.through(&inverse(&frame)).turned(turn).through(&frame);
@@ -342,10 +343,19 @@ impl<'a, R: AimRig> Eyes<'a, R> {
     ) -> Option<Outcome> {
         let infos = self.rig.joint_infos();
         let forward = Vec3A::from(infos[0].axes.forward);
+        let (mut at_limit, mut recovering) = limits_met(infos, self.declared, joints);
+        // Joint 0 stands for both eyes.
+        let (other_at_limit, other_recovering) =
+            limits_met(&infos[..1], &self.motions[1..], core::slice::from_ref(other));
+        for (set, other) in [(&mut at_limit, other_at_limit), (&mut recovering, other_recovering)] {
+            if other != JointSet::EMPTY {
+                set.insert(0);
+            }
+        }
         let pair_remaining =
             self.remaining(joints, 1, self.relation * forward, self.correction(other), solved.wanted_ps);
         if !self.leads || self.is_supported(call) {
-            return Some(Outcome { pair_remaining, ..solved.outcome });
+            return Some(Outcome { pair_remaining, at_limit, recovering, ..solved.outcome });
         }
         let own_turn = joints[0].correction(&infos[0].axes);
         let remaining = self.remaining(joints, 0, forward, own_turn, solved.wanted_ps)?;
@@ -369,15 +379,6 @@ impl<'a, R: AimRig> Eyes<'a, R> {
         } else {
             Status::AtLimit
         };
-        let (mut at_limit, mut recovering) = limits_met(infos, self.declared, joints);
-        // Joint 0 stands for both eyes.
-        let (other_at_limit, other_recovering) =
-            limits_met(&infos[..1], &self.motions[1..], core::slice::from_ref(other));
-        for (set, other) in [(&mut at_limit, other_at_limit), (&mut recovering, other_recovering)] {
-            if other != JointSet::EMPTY {
-                set.insert(0);
-            }
-        }
         let (_, aim) = trig::sin_cos(remaining);
         Some(Outcome { aim, remaining, pair_remaining: Some(pair_remaining), status, at_limit, recovering })
     }

@@ -13,7 +13,9 @@ use crate::motion::{Motion, motions};
 use crate::natural::Gaze;
 use crate::pose::Animated;
 use crate::settle::{settle, settle_from_rest};
-use crate::{AimRig, Ascent, Joint, JointInfo, Outcome, Role, Settings, Solver, Status, ascent, exact, math, trig};
+use crate::{
+    AimRig, Ascent, Joint, JointInfo, Outcome, Role, Settings, Solver, Status, ascent, exact, math, quick, trig,
+};
 
 /// The longest frame, seconds: after a hitch nothing leaps.
 const LONGEST_FRAME_S: f32 = 0.1;
@@ -29,6 +31,7 @@ const AIMED_RAD: f32 = 1.0 * core::f32::consts::PI / 180.0;
 const STUCK: f32 = 0.1;
 
 /// [`AimRig::aim_with`].
+#[inline]
 pub(crate) fn aim<R: AimRig>(
     rig: &mut R,
     pose_ps: &Animated<'_>,
@@ -37,6 +40,23 @@ pub(crate) fn aim<R: AimRig>(
     settings: &Settings,
 ) -> Outcome {
     let dt = if dt > 0.0 { dt.min(LONGEST_FRAME_S) } else { 0.0 };
+    if pose_ps.pair.is_none() && solver(rig, settings) == Solver::Exact {
+        if let Some(outcome) = quick::aim(rig, pose_ps, target_ps.into(), dt, settings, level(pose_ps)) {
+            return outcome;
+        }
+    }
+    aim_with_care(rig, pose_ps, target_ps, dt, settings)
+}
+
+/// [`aim`] for every frame.
+#[inline(never)]
+fn aim_with_care<R: AimRig>(
+    rig: &mut R,
+    pose_ps: &Animated<'_>,
+    target_ps: Vec3,
+    dt: f32,
+    settings: &Settings,
+) -> Outcome {
     let mut joints = rig.joints();
     let motions = motions(rig, pose_ps);
     let motions = motions.as_ref();
@@ -124,7 +144,11 @@ fn aim_joints<R: AimRig>(
         }
     }
     if dt == 0.0 {
-        joints.copy_from_slice(frame.start.as_ref());
+        // Nothing moves, and what is judged are the corrections as they still are: levelled as they were.
+        for ((joint, start), old) in joints.iter_mut().zip(frame.start.as_ref()).zip(rig.joints().as_ref()) {
+            *joint = *start;
+            joint.set_tilt(old.tilt);
+        }
     } else if !is_natural {
         joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
     }
@@ -139,6 +163,12 @@ fn solver<R: AimRig>(rig: &R, settings: &Settings) -> Solver {
     })
 }
 
+/// What level headings turn about in this pose.
+#[inline]
+fn level(pose_ps: &Animated<'_>) -> Level {
+    pose_ps.up.and_then(|up| math::direction(up.into())).map_or(Level::Innermost, Level::About)
+}
+
 /// Whether joint 0 leads others as an eye does; aimed alone, or left out, it needs no coordination.
 fn is_natural<R: AimRig>(rig: &R, chain: &Chain<R>, settings: &Settings) -> bool {
     chain.first == 0 && chain.count > 1 && solver(rig, settings) == Solver::Natural
@@ -146,15 +176,13 @@ fn is_natural<R: AimRig>(rig: &R, chain: &Chain<R>, settings: &Settings) -> bool
 
 /// The pose made ready; the joints learn how their frames are tilted in it.
 fn chain<R: AimRig>(rig: &R, pose_ps: &Animated<'_>, settings: &Settings, joints: &mut [Joint]) -> Option<Chain<R>> {
-    let level = match (solver(rig, settings), pose_ps.up.and_then(|up| math::direction(up.into()))) {
-        // The paper's method knows bones only.
-        (Solver::Ascent, _) => Level::Off,
-        (_, Some(up)) => Level::About(up),
-        (_, None) => Level::Innermost,
-    };
+    // The paper's method knows bones only.
+    let level = if solver(rig, settings) == Solver::Ascent { Level::Off } else { level(pose_ps) };
     let chain = Chain::new(rig, pose_ps.joints, settings.effector, level)?;
     for (joint, tilt) in joints.iter_mut().zip(chain.tilts.as_ref()) {
-        joint.tilt = *tilt;
+        if joint.tilt != *tilt {
+            joint.set_tilt(*tilt);
+        }
     }
     Some(chain)
 }
@@ -408,6 +436,10 @@ fn snap_joints<R: AimRig>(
             if from_here_rad.is_some_and(|from_here_rad| from_here_rad < 0.999 * from_rest) {
                 joints.copy_from_slice(from_here);
             }
+        }
+        // Joints that have no part rest, as far as their ranges let them.
+        for (joint, motion) in joints[..chain.first].iter_mut().zip(motions) {
+            *joint = Reach::range(motion).hold(joint);
         }
     }
     finish(rig, &chain, motions, &goal, joints, tolerance, false)

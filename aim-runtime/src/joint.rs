@@ -2,7 +2,7 @@
 
 use core::f32::consts::TAU;
 
-use glam::{Quat, Vec3A};
+use glam::{Quat, Vec3A, Vec4};
 
 use crate::{Axes, chain, math, trig};
 
@@ -28,8 +28,8 @@ pub enum Role {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct JointInfo {
-    /// The bone's axes, in its own space.
-    pub axes: Axes,
+    pub(crate) axes: Axes,
+    pub(crate) planes: Planes,
     /// Range of the heading, `[lo, hi]` around 0; `None` for a joint that does not turn sideways. Infinite where it
     /// was declared `free`.
     pub heading: Option<[f32; 2]>,
@@ -60,6 +60,7 @@ impl JointInfo {
     pub const fn new(axes: Axes, rate: f32) -> Self {
         Self {
             axes,
+            planes: Planes::of(&axes),
             heading: None,
             pitch: None,
             rate,
@@ -70,6 +71,18 @@ impl JointInfo {
             role: Role::Other,
             absolute: false,
         }
+    }
+
+    /// The bone's axes, in its own space.
+    pub const fn axes(&self) -> &Axes {
+        &self.axes
+    }
+
+    /// With these axes.
+    pub const fn with_axes(mut self, axes: Axes) -> Self {
+        self.axes = axes;
+        self.planes = Planes::of(&axes);
+        self
     }
 
     /// With a heading in `lo..=hi`.
@@ -114,6 +127,15 @@ impl JointInfo {
         self
     }
 
+    /// Whether its heading is level at all.
+    #[inline(always)]
+    pub(crate) fn is_level(&self) -> bool {
+        match self.level {
+            Some(level) => level > 0.0,
+            None => matches!(self.role, Role::Head | Role::Neck),
+        }
+    }
+
     /// The level as it counts, 0…1.
     pub(crate) fn effective_level(&self) -> f32 {
         let by_role = if matches!(self.role, Role::Head | Role::Neck) { 1.0 } else { 0.0 };
@@ -127,11 +149,43 @@ impl JointInfo {
     }
 }
 
+/// What heading and pitch turn about, padded to vectors of four.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Planes {
+    by_heading: [f32; 4],
+    by_pitch: [f32; 4],
+    by_both: [f32; 4],
+    /// Whether the axes are unit and square to each other as far as a correction has to be unit.
+    square: bool,
+}
+
+impl Planes {
+    /// Going by the planes and not by handed axes is what makes it right for mirrored and left-handed triples too.
+    const fn of(axes: &Axes) -> Self {
+        const OFF: f32 = 2e-7;
+        const fn cross(a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+            [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0], 0.0]
+        }
+        const fn padded([x, y, z]: [f32; 3]) -> [f32; 4] {
+            [x, y, z, 0.0]
+        }
+        const fn is_zero(a: [f32; 4], b: [f32; 4], less: f32) -> bool {
+            let dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] - less;
+            -OFF <= dot && dot <= OFF
+        }
+        let (up, forward, left) = (padded(axes.up), padded(axes.forward), padded(axes.left));
+        let (by_heading, by_pitch) = (cross(forward, left), cross(forward, up));
+        let unit = is_zero(up, up, 1.0) && is_zero(forward, forward, 1.0) && is_zero(left, left, 1.0);
+        let square = unit && is_zero(forward, up, 0.0) && is_zero(forward, left, 0.0);
+        Self { by_heading, by_pitch, by_both: cross(by_heading, by_pitch), square }
+    }
+}
+
 /// A joint's state: the two angles added to the animation, radians. The default is rest: both 0.
 ///
 /// Always finite. Besides the angles a joint remembers which side the target was last seen on, for when it passes
 /// behind, where it is bound for, and how fast it moves where it has inertia.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Joint {
     pub(crate) heading: f32,
     pub(crate) pitch: f32,
@@ -147,8 +201,45 @@ pub struct Joint {
     pub(crate) tilt: Quat,
     /// The other eye; on joint 0 of a rig whose last pose had one.
     pub(crate) pair: Option<Pair>,
+    /// The sines and cosines of the halves of two angles, and the angles: pitch and heading, as they were when these
+    /// were last taken.
+    pub(crate) halves: trig::Halves,
+    pub(crate) halved: [f32; 2],
+    /// The correction at those angles.
+    pub(crate) turned: Quat,
     /// What the chain remembers from frame to frame; kept by the innermost joint.
     pub(crate) memory: Memory,
+}
+
+/// Equal where all that matters for what comes is.
+impl PartialEq for Joint {
+    fn eq(&self, other: &Self) -> bool {
+        let all = |joint: &Self| {
+            let Self { heading, pitch, side, behind, bound_for, velocity, tilt, pair, memory, .. } = *joint;
+            (heading, pitch, side, behind, bound_for, velocity, tilt, pair, memory)
+        };
+        all(self) == all(other)
+    }
+}
+
+impl Default for Joint {
+    fn default() -> Self {
+        Self {
+            heading: 0.0,
+            pitch: 0.0,
+            side: Side::None,
+            behind: false,
+            bound_for: None,
+            velocity: [0.0; 2],
+            tilt: Quat::IDENTITY,
+            pair: None,
+            halves: [0.0, 1.0, 0.0, 1.0],
+            // Of no angles: nothing is kept.
+            halved: [f32::NAN; 2],
+            turned: Quat::IDENTITY,
+            memory: Memory::default(),
+        }
+    }
 }
 
 /// What the solvers remember from frame to frame.
@@ -252,6 +343,24 @@ impl Joint {
         self.pair.map(|pair| pair.angles)
     }
 
+    /// The sines and cosines of half its angles: those that are kept, if they are of these angles.
+    #[inline(always)]
+    pub(crate) fn halves(&self) -> trig::Halves {
+        if self.halved == [self.pitch, self.heading] { self.halves } else { self.halves_anew() }
+    }
+
+    /// Lets the angles count in another frame of the bone: what is kept of them holds no longer.
+    pub(crate) fn set_tilt(&mut self, tilt: Quat) {
+        self.tilt = tilt;
+        self.halved = [f32::NAN; 2];
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn halves_anew(&self) -> trig::Halves {
+        trig::halves(self)
+    }
+
     /// The correction in the bone's own space: what its animated local rotation is multiplied by on the right,
     /// `local' = local · R_heading · R_pitch` (pitch acts first), both about the axes of the levelled bone where the
     /// last call levelled its heading.
@@ -260,45 +369,47 @@ impl Joint {
     #[must_use]
     #[inline]
     pub fn correction(&self, axes: &Axes) -> Quat {
-        let turn = turn(axes, trig::halves(self));
-        if chain::is_identity(self.tilt) {
-            return turn;
-        }
-        let axis = self.tilt.mul_vec3a(Vec3A::new(turn.x, turn.y, turn.z));
-        Quat::from_xyzw(axis.x, axis.y, axis.z, turn.w)
+        tilted(turn(axes, &Planes::of(axes), self.halves()), self.tilt)
     }
+
+    /// [`correction`](Self::correction) of its own joint: the one that is kept, if it is of these
+    /// angles.
+    #[inline(always)]
+    pub(crate) fn own_correction(&self, info: &JointInfo) -> Quat {
+        if self.halved == [self.pitch, self.heading] { self.turned } else { self.correction(&info.axes) }
+    }
+}
+
+/// A rotation of the levelled bone in the bone.
+#[inline(always)]
+pub(crate) fn tilted(turn: Quat, tilt: Quat) -> Quat {
+    if chain::is_identity(tilt) {
+        return turn;
+    }
+    let axis = math::turned(tilt, Vec3A::new(turn.x, turn.y, turn.z));
+    Quat::from_xyzw(axis.x, axis.y, axis.z, turn.w)
 }
 
 /// The rotation by these halves of pitch and heading in the (levelled) bone.
-///
-/// Going by the planes and not by handed axes is what makes it right for mirrored and left-handed triples too.
 #[inline(always)]
-pub(crate) fn turn(axes: &Axes, [sin_p, cos_p, sin_h, cos_h]: trig::Halves) -> Quat {
-    let [up, forward, left] = [axes.up, axes.forward, axes.left].map(Vec3A::from);
-    if !square(up, forward, left) {
-        return turn_by_planes([up, forward, left], [sin_p, cos_p, sin_h, cos_h]);
+pub(crate) fn turn(axes: &Axes, planes: &Planes, [sin_p, cos_p, sin_h, cos_h]: trig::Halves) -> Quat {
+    if !planes.square {
+        return turn_by_planes(axes, [sin_p, cos_p, sin_h, cos_h]);
     }
-    let (by_heading, by_pitch) = (forward.cross(left), forward.cross(up));
-    let by_both = by_heading.cross(by_pitch);
-    let axis = by_heading * (sin_h * cos_p) + by_pitch * (cos_h * sin_p) + by_both * (sin_h * sin_p);
-    Quat::from_xyzw(axis.x, axis.y, axis.z, cos_h * cos_p)
-}
-
-/// Whether a triple is square and unit as far as a correction has to be unit. Of a rig known when compiling this is
-/// known then too.
-#[inline(always)]
-fn square(up: Vec3A, forward: Vec3A, left: Vec3A) -> bool {
-    const OFF: f32 = 2e-7;
-    let unit = |v: Vec3A| (v.dot(v) - 1.0).abs() <= OFF;
-    unit(up) && unit(forward) && unit(left) && forward.dot(up).abs() <= OFF && forward.dot(left).abs() <= OFF
+    let load = |v: &[f32; 4]| Vec4::from_array(*v);
+    let axis = load(&planes.by_heading) * (sin_h * cos_p)
+        + load(&planes.by_pitch) * (cos_h * sin_p)
+        + load(&planes.by_both) * (sin_h * sin_p);
+    Quat::from_vec4(axis + Vec4::W * (cos_h * cos_p))
 }
 
 /// [`turn`] for axes that are not quite square, or not at all: each angle in its plane, none where there is none.
 #[cold]
-fn turn_by_planes([up, forward, left]: [Vec3A; 3], [sin_p, cos_p, sin_h, cos_h]: trig::Halves) -> Quat {
+fn turn_by_planes(axes: &Axes, [sin_p, cos_p, sin_h, cos_h]: trig::Halves) -> Quat {
+    let [up, forward, left] = [axes.up, axes.forward, axes.left].map(Vec3A::from);
     let turn = |to: Vec3A, sin: f32, cos: f32| {
-        let axis = forward.cross(to).normalize_or_zero() * sin;
+        let axis = math::direction(math::cross(forward, to)).unwrap_or(Vec3A::ZERO) * sin;
         if axis == Vec3A::ZERO { Quat::IDENTITY } else { Quat::from_xyzw(axis.x, axis.y, axis.z, cos) }
     };
-    turn(left, sin_h, cos_h) * turn(up, sin_p, cos_p)
+    math::product(turn(left, sin_h, cos_h), turn(up, sin_p, cos_p))
 }

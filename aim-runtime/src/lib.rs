@@ -36,6 +36,7 @@ mod motion;
 mod natural;
 mod outcome;
 mod pose;
+mod quick;
 mod real;
 mod rig;
 mod scalar;

@@ -7,7 +7,7 @@ use crate::motion::{Motion, Narrowing};
 use crate::{Joint, JointInfo, JointSet, math};
 
 /// How close to an end of its range an angle counts as at it, radians.
-const AT_LIMIT_RAD: f32 = 1e-6;
+pub(crate) const AT_LIMIT_RAD: f32 = 1e-6;
 
 /// An interval of angles, radians, `lo ≤ hi`; both infinite where an angle may turn freely.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 
 use core::f32::consts::{PI, TAU};
 
-use glam::{Affine3A, Mat3A, Vec3A};
+use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec3Swizzles, Vec4};
 
 use crate::trig::atan2;
 
@@ -14,6 +14,7 @@ pub(crate) const UNDEFINED_RAD: f32 = core::f32::consts::FRAC_PI_2;
 mod float {
     extern crate std;
 
+    #[inline]
     pub(super) fn sqrt(x: f32) -> f32 {
         x.sqrt()
     }
@@ -24,6 +25,7 @@ mod float {
 
 #[cfg(not(feature = "std"))]
 mod float {
+    #[inline]
     pub(super) fn sqrt(x: f32) -> f32 {
         libm::sqrtf(x)
     }
@@ -33,6 +35,7 @@ mod float {
 }
 
 /// The square root; 0 for what has none.
+#[inline]
 pub(crate) fn sqrt(x: f32) -> f32 {
     if x > 0.0 { float::sqrt(x) } else { 0.0 }
 }
@@ -66,9 +69,55 @@ pub(crate) fn direction(v: Vec3A) -> Option<Vec3A> {
     }
 }
 
+/// The cross product, each product rounded by itself: glam's own is fused where the machine can do that, and then has
+/// other bits.
+#[inline(always)]
+pub(crate) fn cross(a: Vec3A, b: Vec3A) -> Vec3A {
+    (a.zxy() * b - a * b.zxy()).zxy()
+}
+
+/// `v` turned by a unit quaternion; the same bits everywhere, as [`cross`].
+#[inline(always)]
+pub(crate) fn turned(turn: Quat, v: Vec3A) -> Vec3A {
+    let (axis, w) = (Vec3A::from_vec4(Vec4::from(turn)), turn.w);
+    v * (w * w - axis.dot(axis)) + axis * (v.dot(axis) * 2.0) + cross(axis, v) * (w * 2.0)
+}
+
+/// The product of two rotations, `b` first; the same bits everywhere, as [`cross`].
+pub(crate) fn product(a: Quat, b: Quat) -> Quat {
+    let [u, v] = [a, b].map(|turn| Vec3A::from_vec4(Vec4::from(turn)));
+    let axis = v * a.w + u * b.w + cross(u, v);
+    Quat::from_xyzw(axis.x, axis.y, axis.z, a.w * b.w - u.dot(v))
+}
+
+/// The shortest rotation from one unit vector to another; half a turn about any axis between opposites.
+pub(crate) fn arc(from: Vec3A, to: Vec3A) -> Quat {
+    const ALONG: f32 = 1.0 - 2.0 * f32::EPSILON;
+    let along = from.dot(to);
+    if along > ALONG {
+        return Quat::IDENTITY;
+    }
+    if along < -ALONG {
+        let axis = from.any_orthonormal_vector();
+        return Quat::from_xyzw(axis.x, axis.y, axis.z, 0.0);
+    }
+    let (axis, w) = (cross(from, to), 1.0 + along);
+    let per_length = 1.0 / sqrt(axis.dot(axis) + w * w);
+    let axis = axis * per_length;
+    Quat::from_xyzw(axis.x, axis.y, axis.z, w * per_length)
+}
+
+/// The inverse of a matrix that spans space; the same bits everywhere, as [`cross`].
+pub(crate) fn inverse(m: Mat3A) -> Mat3A {
+    let Mat3A { x_axis: x, y_axis: y, z_axis: z } = m;
+    let rows = [cross(y, z), cross(z, x), cross(x, y)];
+    let [a, b, c] = rows.map(|row| row * (1.0 / x.dot(rows[0])));
+    Mat3A::from_cols(a, b, c).transpose()
+}
+
 /// The angle between two vectors that are neither zero nor extreme, 0…π; exact to rounding also near 0 and π.
 pub(crate) fn angle_between(a: Vec3A, b: Vec3A) -> f32 {
-    atan2(a.cross(b).length(), a.dot(b))
+    atan2(cross(a, b).length(), a.dot(b))
 }
 
 /// The orthogonal matrix nearest in spirit: columns normalised, then squared to each other in their order. A mirror
@@ -90,7 +139,7 @@ pub(crate) fn orthonormal(m: Mat3A) -> Option<Mat3A> {
         return None;
     }
     let y = y / y.length();
-    let normal = x.cross(y);
+    let normal = cross(x, y);
     let height = normal.dot(z);
     if !(height.abs() > FLAT) {
         return None;

@@ -417,7 +417,7 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         let (infos, links) = (self.rig.joint_infos(), self.chain.links.as_ref());
         let mut seen = self.chain.base.matrix3.transpose() * point;
         for index in self.supporting().rev() {
-            let turn = joint::turn(&infos[index].axes, trig::halves(&joints[index]));
+            let turn = joint::turn(&infos[index].axes, &infos[index].planes, trig::halves(&joints[index]));
             seen = turn.conjugate().mul_vec3a(seen);
             let link = &links[index];
             seen = link.matrix3.transpose() * (seen - link.translation);

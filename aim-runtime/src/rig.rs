@@ -3,7 +3,7 @@
 use glam::{Affine3A, Quat, Vec3, Vec3A};
 
 use crate::pose::Animated;
-use crate::{ChainPose, Joint, JointInfo, Natural, Outcome, Scalar, Settings, Target, frame, targets};
+use crate::{ChainPose, Joint, JointInfo, Natural, Outcome, Scalar, Settings, Target, frame, math, targets};
 
 /// Which way a bone points: three unit vectors in the bone's own space, square to each other.
 ///
@@ -43,12 +43,12 @@ impl Effector {
     fn turned_axes(&self, up: Vec3A, forward: Vec3A, left: Vec3A) -> [Vec3A; 3] {
         /// The sine of half a degree.
         const ALONG: f32 = 0.008_726_535;
-        let handedness = up.cross(forward).dot(left).signum();
+        let handedness = math::cross(up, forward).dot(left).signum();
         let aimed = Vec3A::from(self.forward);
         let along = up.dot(aimed);
-        let up = if up.cross(aimed).length() < ALONG { forward * -along.signum() } else { up };
-        let up = (up - aimed * aimed.dot(up)).normalize_or_zero();
-        [aimed, up.cross(aimed) * handedness, up]
+        let up = if math::cross(up, aimed).length() < ALONG { forward * -along.signum() } else { up };
+        let up = math::direction(up - aimed * aimed.dot(up)).unwrap_or(Vec3A::ZERO);
+        [aimed, math::cross(up, aimed) * handedness, up]
     }
 }
 
@@ -75,6 +75,18 @@ pub trait AimRig: Sized {
     }
     /// The joints' states, from the effector inward.
     fn joints(&self) -> Self::Array<Joint>;
+    /// One joint's state; `None` where there is no such joint, or where the states cannot be lent. Without it everything
+    /// works, at some more cost.
+    fn joint(&self, joint: usize) -> Option<&Joint> {
+        let _ = joint;
+        None
+    }
+    /// One joint's state in place; `None` where there is no such joint, or where the states cannot be lent. Without it
+    /// everything works, at some more cost.
+    fn joint_mut(&mut self, joint: usize) -> Option<&mut Joint> {
+        let _ = joint;
+        None
+    }
     /// Replaces the joints' states.
     fn set_joints(&mut self, joints: Self::Array<Joint>);
 
@@ -182,8 +194,16 @@ pub trait AimRig: Sized {
 
     /// Each joint's index and correction, from the effector inward: what the bone's animated local rotation is
     /// multiplied by on the right. Unit to 1e-6; the exact identity at rest.
-    fn corrections(&self) -> Corrections<'_, Self::Array<Joint>> {
-        Corrections { infos: self.joint_infos(), joints: self.joints(), next: 0 }
+    #[inline]
+    fn corrections(&self) -> Corrections<Self::Array<Quat>> {
+        let mut turns = self.array(Quat::IDENTITY);
+        for (index, (turn, info)) in turns.as_mut().iter_mut().zip(self.joint_infos()).enumerate() {
+            *turn = match self.joint(index) {
+                Some(joint) => joint.own_correction(info),
+                None => self.joints().as_ref()[index].own_correction(info),
+            };
+        }
+        Corrections { turns, next: 0 }
     }
 
     /// The correction of the other eye: what its bone's animated local rotation is multiplied by on the right. `None`
@@ -201,27 +221,26 @@ pub trait AimRig: Sized {
 
 /// The iterator of [`AimRig::corrections`].
 #[derive(Clone, Debug)]
-pub struct Corrections<'a, A> {
-    infos: &'a [JointInfo],
-    joints: A,
+pub struct Corrections<A> {
+    turns: A,
     next: usize,
 }
 
-impl<A: AsRef<[Joint]>> Iterator for Corrections<'_, A> {
+impl<A: AsRef<[Quat]>> Iterator for Corrections<A> {
     type Item = (usize, Quat);
 
+    #[inline]
     fn next(&mut self) -> Option<Self::Item> {
         let index = self.next;
-        let joint = self.joints.as_ref().get(index)?;
-        let info = self.infos.get(index)?;
+        let turn = *self.turns.as_ref().get(index)?;
         self.next += 1;
-        Some((index, joint.correction(&info.axes)))
+        Some((index, turn))
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
-        let left = self.joints.as_ref().len().min(self.infos.len()).saturating_sub(self.next);
+        let left = self.turns.as_ref().len().saturating_sub(self.next);
         (left, Some(left))
     }
 }
 
-impl<A: AsRef<[Joint]>> ExactSizeIterator for Corrections<'_, A> {}
+impl<A: AsRef<[Quat]>> ExactSizeIterator for Corrections<A> {}

@@ -7,25 +7,48 @@
 
 use core::f32::consts::{FRAC_PI_2, PI};
 
+use glam::Vec4;
+
 use crate::{Joint, math};
 
 /// sin(p/2), cos(p/2), sin(h/2), cos(h/2) of a joint.
 pub(crate) type Halves = [f32; 4];
 
+/// The series of the sine after x, and of the cosine after 1 − x²/2.
+const SIN: [f32; 4] = [-0.166_666_61, 0.008_333_088, -0.000_198_111_11, 2.608_929_2e-6];
+const COS: [f32; 4] = [0.041_666_657, -0.001_388_856_9, 2.476_930_2e-5, -2.619_379e-7];
+
 /// The sine and cosine of an angle within ±90°; their squares add up to 1 within 2e-7.
 #[inline(always)]
 fn within_quarter(x: f32) -> (f32, f32) {
     let xx = x * x;
-    let sin = x + x * xx * (-0.166_666_61 + xx * (0.008_333_088 + xx * (-0.000_198_111_11 + xx * 2.608_929_2e-6)));
-    let cos =
-        1.0 + xx * (-0.5 + xx * (0.041_666_657 + xx * (-0.001_388_856_9 + xx * (2.476_930_2e-5 + xx * -2.619_379e-7))));
-    (sin, cos)
+    let sin = xx * (SIN[0] + xx * (SIN[1] + xx * (SIN[2] + xx * SIN[3])));
+    let cos = xx * (-0.5 + xx * (COS[0] + xx * (COS[1] + xx * (COS[2] + xx * COS[3]))));
+    (x + x * sin, 1.0 + cos)
 }
 
 /// The sine and cosine of half an angle, radians; beyond ±180° of the angle within that by whole turns.
 #[inline(always)]
 pub(crate) fn half_sin_cos(angle_rad: f32) -> (f32, f32) {
     within_quarter(0.5 * math::wrap_pi(angle_rad))
+}
+
+/// The sines and cosines of the halves of four angles within ±180°, radians: the same bits as one by one.
+#[inline(always)]
+pub(crate) fn half_sin_cos_4(angles_rad: Vec4) -> (Vec4, Vec4) {
+    let splat = Vec4::splat;
+    let x = angles_rad * 0.5;
+    let xx = x * x;
+    let sin = xx * splat(SIN[3]);
+    let sin = xx * (sin + splat(SIN[2]));
+    let sin = xx * (sin + splat(SIN[1]));
+    let sin = x + x * (xx * (sin + splat(SIN[0])));
+    let cos = xx * splat(COS[3]);
+    let cos = xx * (cos + splat(COS[2]));
+    let cos = xx * (cos + splat(COS[1]));
+    let cos = xx * (cos + splat(COS[0]));
+    let cos = splat(1.0) + xx * (cos + splat(-0.5));
+    (sin, cos)
 }
 
 /// The sine and cosine of an angle, radians.
@@ -88,6 +111,11 @@ mod tests {
                 let exact = f64::from(y).atan2(f64::from(x));
                 assert!((f64::from(atan2(y, x)) - exact).abs() < 4e-7, "{y}, {x}");
             }
+        }
+        for step in -3141_i16..=3141 {
+            let angle = f32::from(step) * 1e-3;
+            let (sin, cos) = half_sin_cos_4(Vec4::new(0.1, angle, -angle, 3.0));
+            assert_eq!((sin.y, cos.y), half_sin_cos(angle));
         }
         assert_eq!((half_sin_cos(0.0), atan2(0.0, 0.0), atan2(0.0, 1.0)), ((0.0, 1.0), 0.0, 0.0));
     }

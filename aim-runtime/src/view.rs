@@ -17,11 +17,26 @@ impl View {
         trig::atan2(math::sqrt(self.left * self.left + self.up * self.up), self.forward)
     }
 
+    /// The angle where it is small (below a hundredth), radians.
+    #[inline]
+    pub(crate) fn small_angle(&self) -> f32 {
+        let tangent = math::sqrt(self.left * self.left + self.up * self.up) / self.forward;
+        tangent - tangent * tangent * tangent * (1.0 / 3.0)
+    }
+
     /// The square of the angle where it is small: without an arctangent.
     #[inline]
     pub(crate) fn is_within(&self, angle_rad: f32) -> bool {
         let lateral = self.left * self.left + self.up * self.up;
         self.forward > 0.0 && lateral <= angle_rad * angle_rad * self.forward * self.forward
+    }
+
+    /// The stereographic residual: left, up. Not for what is behind.
+    #[inline]
+    pub(crate) fn residual(&self) -> [f32; 2] {
+        let Self { forward, left, up } = *self;
+        let per = 2.0 / (math::sqrt(forward * forward + left * left + up * up) + forward);
+        [left * per, up * per]
     }
 
     /// The angle as a vector: left, up.
@@ -48,7 +63,7 @@ pub(crate) struct Stretch {
 
 impl Stretch {
     /// Below this residual a step is right to a third of its cube: nothing is stretched.
-    const SMALL: f32 = 0.05;
+    pub(crate) const SMALL: f32 = 0.05;
 
     /// The residual, stretched.
     #[inline]

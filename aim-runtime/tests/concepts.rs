@@ -273,7 +273,7 @@ fn head_as_effector() {
     for (world, parent, _) in worlds() {
         for forward in [eye_axes.forward, [0.0, 0.6, 0.8], [0.0, 0.0, 1.0]] {
             let mut rig = NumericRig::thug();
-            rig.infos[0].axes = eye_axes;
+            rig.infos[0] = rig.infos[0].with_axes(eye_axes);
             rig.effector = Effector { forward, origin: [0.01, 0.02, 0.0] };
             rig.joints[0] = Joint::with_angles(0.5, -0.3);
             let pose = moved(&parent, &upright(&rig));

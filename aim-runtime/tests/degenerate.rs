@@ -145,7 +145,7 @@ fn strange_declarations() {
         for up in awkward {
             let mut rig = NumericRig::thug();
             let pose = Pose { joints: upright(&rig) };
-            rig.infos[0].axes = Axes { forward, up, left: up };
+            rig.infos[0] = rig.infos[0].with_axes(Axes { forward, up, left: up });
             rig.effector = Effector { forward, origin: up };
             rig.joints[0] = Joint::with_angles(0.4, 0.3);
             for effector in 0..3 {

@@ -8,7 +8,6 @@ use aim_runtime::{AimRig, Axes, Behind, DetailedPose, Joint, Outcome, Pose, Sett
 use common::*;
 
 const DT: f32 = 1.0 / 60.0;
-const TOLERANCE_RAD: f64 = 0.1 * core::f64::consts::PI / 180.0;
 /// Between the eyes in the upright pose.
 const MIDDLE: Vec3 = Vec3::new(0.0, 1.68, -0.10);
 

@@ -71,7 +71,8 @@ const _: () = {
                     .with_heading(-0.6, 0.6)
                     .with_pitch(-0.4, 0.35)
                     .with_acceleration(200.0)
-                    .with_comfort(0.5),
+                    .with_comfort(0.5)
+                    .with_role(::aim::__private::Role::Eye),
                 ::aim::__private::JointInfo::new(
                         ::aim::__private::Axes {
                             up: [0.0, 0.0, -1.0],
@@ -84,6 +85,8 @@ const _: () = {
                     .with_pitch(-0.6981317, 0.61086524)
                     .with_comfort(1.0)
                     .with_level(0.5)
+                    .with_narrowing(0.25)
+                    .with_role(::aim::__private::Role::Neck)
                     .with_absolute_range(),
             ];
             &INFOS
@@ -93,6 +96,13 @@ const _: () = {
                 forward: [0.0, 0.0, 1.0],
                 origin: [0.0, 0.0, 0.0],
             }
+        }
+        fn natural(&self) -> ::aim::__private::Natural {
+            <::aim::__private::Natural as ::core::default::Default>::default()
+                .with_eyes_only(0.17453292)
+                .with_head_share(0.7)
+                .with_engagement(0.25, 0.08726646)
+                .with_delay(0.05)
         }
         fn joints(&self) -> [::aim::__private::Joint; 2] {
             [self.left_eye, self.r#neck]

@@ -70,7 +70,8 @@ const _: () = {
                     )
                     .with_heading(-0.61086524, 0.61086524)
                     .with_pitch(-0.43633232, 0.34906584)
-                    .with_comfort(1.0),
+                    .with_comfort(1.0)
+                    .with_role(::aim::__private::Role::Eye),
                 ::aim::__private::JointInfo::new(
                         ::aim::__private::Axes {
                             up: [0.0, 0.0, -1.0],
@@ -81,7 +82,8 @@ const _: () = {
                     )
                     .with_heading(-1.0471976, 1.0471976)
                     .with_pitch(-0.6981317, 0.61086524)
-                    .with_comfort(1.0),
+                    .with_comfort(1.0)
+                    .with_role(::aim::__private::Role::Head),
             ];
             &INFOS
         }

@@ -76,7 +76,8 @@ const _: () = {
                     )
                     .with_heading(-0.61086524, 0.61086524)
                     .with_pitch(-0.43633232, 0.34906584)
-                    .with_comfort(0.5),
+                    .with_comfort(0.5)
+                    .with_role(::aim::__private::Role::Eye),
                 ::aim::__private::JointInfo::new(
                         ::aim::__private::Axes {
                             up: [1.0, 0.0, 0.0],
@@ -87,7 +88,8 @@ const _: () = {
                     )
                     .with_heading(-1.0471976, 1.0471976)
                     .with_pitch(-0.6981317, 0.61086524)
-                    .with_comfort(1.0),
+                    .with_comfort(1.0)
+                    .with_role(::aim::__private::Role::Neck),
                 ::aim::__private::JointInfo::new(
                         ::aim::__private::Axes {
                             up: [1.0, 0.0, 0.0],
@@ -98,7 +100,8 @@ const _: () = {
                     )
                     .with_heading(-0.34906584, 0.34906584)
                     .with_pitch(-0.17453292, 0.17453292)
-                    .with_comfort(4.0),
+                    .with_comfort(4.0)
+                    .with_role(::aim::__private::Role::Spine),
             ];
             &INFOS
         }

@@ -48,7 +48,11 @@ macro_rules! declarations {
         // Axes off every cardinal direction, a mirrored bone, and every setting that a joint may have.
         $with! {
             general
-            #[aim(bones(up = (0.0, 0.96, 0.28), forward = (0.6, -0.224, 0.768)), effector(forward = +Z))]
+            #[aim(
+                bones(up = (0.0, 0.96, 0.28), forward = (0.6, -0.224, 0.768)),
+                effector(forward = +Z),
+                natural(eyes_only = 10deg, head_share = 0.7, engage = 0.25rad, release = 5deg, delay = 0.05)
+            )]
             pub struct General {
                 #[joint(
                     heading = -0.6rad..=0.6rad,
@@ -65,6 +69,7 @@ macro_rules! declarations {
                     pitch = -40deg..=35deg,
                     rate = 170deg,
                     level = 0.5,
+                    narrowing = 0.25,
                     range = absolute,
                     bones(up = -Z, forward = +X),
                     mirrored = true

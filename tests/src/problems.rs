@@ -67,7 +67,7 @@ fn general() -> Frame {
 
 fn rig(frames: &[Frame], effector: Frame) -> RigSpec {
     let joints = (0..).zip(frames).map(|(i, &frame)| bare_joint(i, frame, true, true)).collect();
-    RigSpec { name: "Rig".into(), joints, effector: EffectorSpec { frame: effector, origin: [0.0; 3] } }
+    RigSpec { name: "Rig".into(), joints, effector: EffectorSpec { frame: effector, origin: [0.0; 3] }, natural: None }
 }
 
 /// The paper's objective over all joints of a rig.

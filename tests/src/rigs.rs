@@ -25,7 +25,12 @@ pub fn rigs() -> Vec<RigSpec> {
                 })
                 .collect();
             let frame = if number % 5 == 4 { general_frame(&mut random) } else { joints[0].frame };
-            RigSpec { name: format!("Rig{number}"), joints, effector: EffectorSpec { frame, origin: [0.0; 3] } }
+            RigSpec {
+                name: format!("Rig{number}"),
+                joints,
+                effector: EffectorSpec { frame, origin: [0.0; 3] },
+                natural: None,
+            }
         })
         .collect()
 }
@@ -44,6 +49,7 @@ pub fn bare_joint(number: usize, frame: Frame, pitch: bool, heading: bool) -> Jo
         acceleration: None,
         comfort: 1.0,
         level: None,
+        narrowing: None,
         pair: None,
     }
 }

@@ -1,9 +1,10 @@
 //! Every file of `rigs/`: the compiled rig of `aim::rigs`, the interpreter and the emitted C agree with each other and
 //! with central differences.
 
-use aim::AimRig;
 use aim::rigs::{Mannequin, Mixamo, Rigify, Rocketbox, Thug, Turret, UnrealMannequin, Vrm};
-use aim_codegen::RigSpec;
+use aim::{AimRig, Natural, Role};
+use aim_cli::InterpretedRig;
+use aim_codegen::{NaturalSpec, RigSpec};
 use aim_tests::compare::{self, Outputs};
 use aim_tests::{c, oracle};
 
@@ -29,7 +30,10 @@ fn compare<R: AimRig + Default>(name: &str) {
     let specs = specs();
     let spec = specs.iter().find(|spec| spec.name == name).expect("each compiled rig has its file");
     let cases = oracle::cases(spec, 7, 300);
-    compare::compare(spec, &cases, &Outputs::of(&R::default(), &cases));
+    let (compiled, interpreted) = (R::default(), InterpretedRig::new(spec));
+    compare::compare(spec, &cases, &Outputs::of(&compiled, &cases));
+    assert_eq!(compiled.joint_infos(), interpreted.joint_infos(), "{name}");
+    assert_eq!((compiled.effector(), compiled.natural()), (interpreted.effector(), interpreted.natural()), "{name}");
 }
 
 #[test]
@@ -42,6 +46,73 @@ fn compiled_rust_is_the_interpreter_bit_for_bit_and_agrees_with_central_differen
     compare::<Turret>("Turret");
     compare::<UnrealMannequin>("UnrealMannequin");
     compare::<Vrm>("Vrm");
+}
+
+#[test]
+fn characters_have_eyes_necks_and_spines_and_a_turret_has_none() {
+    for spec in specs() {
+        let roles: Vec<_> = spec.joints.iter().map(aim_codegen::JointSpec::role).collect();
+        let expected = match spec.name.as_str() {
+            "Turret" => vec![aim_codegen::Role::Other; 2],
+            _ => vec![aim_codegen::Role::Eye, aim_codegen::Role::Neck, aim_codegen::Role::Spine],
+        };
+        assert_eq!(roles, expected, "{}", spec.name);
+    }
+}
+
+/// Every setting of a declaration that a solver may ask for, known when compiling.
+#[derive(aim::AimRig)]
+#[aim(bones(up = +X, forward = +Y), natural(eyes_only = 10deg, head_share = 0.7, release = 0.1rad, delay = 0.05))]
+struct Owl {
+    #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, narrowing = 0.25)]
+    left_eye: aim::Joint,
+    #[joint(heading = free, rate = 170deg, level = 0.5, acceleration = 20rad, range = absolute, bone = "Head_01")]
+    turn: aim::Joint,
+}
+
+const OWL: &str = r#"
+    name = "Owl"
+    bones = { up = "+X", forward = "+Y" }
+    natural = { eyes_only = "10deg", head_share = 0.7, release = "0.1rad", delay = 0.05 }
+    [[joint]]
+    name = "left_eye"
+    heading = ["-35deg", "35deg"]
+    pitch = ["-25deg", "20deg"]
+    rate = "450deg"
+    narrowing = 0.25
+    [[joint]]
+    name = "turn"
+    heading = "free"
+    rate = "170deg"
+    level = 0.5
+    acceleration = "20rad"
+    range = "absolute"
+    bone = "Head_01"
+"#;
+
+#[test]
+fn what_is_declared_reaches_the_solvers_whichever_way_the_rig_runs() {
+    let spec = aim_codegen::declare::from_toml("owl", OWL).expect("a right declaration");
+    let (compiled, interpreted) = (Owl::default(), InterpretedRig::new(&spec));
+    assert_eq!(compiled.joint_infos(), interpreted.joint_infos());
+    assert_eq!(compiled.natural(), interpreted.natural());
+    let [eye, turn] = compiled.joint_infos() else { panic!("two joints") };
+    assert_eq!((eye.role, eye.narrowing, eye.level), (Role::Eye, 0.25, None));
+    assert_eq!((turn.role, turn.narrowing, turn.level, turn.absolute), (Role::Head, 0.0, Some(0.5), true));
+    assert_eq!((compiled.natural().head_share, compiled.natural().delay), (0.7, 0.05));
+}
+
+#[test]
+fn what_is_not_declared_of_a_natural_gaze_is_the_runtimes() {
+    let (ours, runtimes) = (NaturalSpec::default(), Natural::default());
+    let pairs = [
+        (ours.eyes_only, runtimes.eyes_only),
+        (ours.head_share, runtimes.head_share),
+        (ours.engage, runtimes.engage),
+        (ours.release, runtimes.release),
+        (ours.delay, runtimes.delay),
+    ];
+    assert!(pairs.iter().all(|(a, b)| (a - f64::from(*b)).abs() < 1e-6), "{pairs:?}");
 }
 
 #[test]

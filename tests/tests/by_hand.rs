@@ -21,7 +21,12 @@ const THUG: Frame = Frame { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left:
 fn rig(frames: &[Frame]) -> RigSpec {
     let joints: Vec<JointSpec> = (0..).zip(frames).map(|(i, &frame)| bare_joint(i, frame, true, true)).collect();
     let frame = joints[0].frame;
-    RigSpec { name: "Rig".into(), joints, effector: aim_codegen::EffectorSpec { frame, origin: [0.0; 3] } }
+    RigSpec {
+        name: "Rig".into(),
+        joints,
+        effector: aim_codegen::EffectorSpec { frame, origin: [0.0; 3] },
+        natural: None,
+    }
 }
 
 /// The inputs of a chain of `N` joints in a number type.

@@ -2,7 +2,7 @@
 
 use aim_cli::InterpretedRig;
 use aim_codegen::{Frame, RigSpec};
-use aim_gltf::{ChainNodes, Document, Plan, Settle, bake, mannequin};
+use aim_gltf::{ChainNodes, Document, Measurement, Plan, Settle, bake, mannequin};
 use aim_runtime::Settings;
 use aim_tests::random::Random;
 use glam::{DAffine3, DVec3};
@@ -34,7 +34,9 @@ fn aimed(frame_of: impl Fn(&str) -> Frame) -> Vec<Seen> {
     let plan = Plan {
         document: &document,
         clip: document.clips().first(),
+        measurement: &Measurement::of(&document),
         chain: &chain,
+        both_eyes: false,
         seconds: 4.0,
         fps: 30.0,
         settle: Settle::Animation,

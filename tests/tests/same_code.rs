@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, RigSpec, declare};
+use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, NaturalSpec, RigSpec, declare};
 use aim_tests::rigs;
 use quote::ToTokens;
 use syn::{File, Item};
@@ -36,6 +36,26 @@ impl Notation {
         if self == Self::Toml { format!("effector = {{ {settings} }}") } else { format!("effector({settings})") }
     }
 
+    fn natural(self, natural: &NaturalSpec) -> String {
+        let angle = |value: f64| self.quoted(&format!("{value:?}rad"));
+        let settings = format!(
+            "eyes_only = {}, head_share = {:?}, engage = {}, release = {}, delay = {:?}",
+            angle(natural.eyes_only),
+            natural.head_share,
+            angle(natural.engage),
+            angle(natural.release),
+            natural.delay
+        );
+        if self == Self::Toml { format!("natural = {{ {settings} }}") } else { format!("natural({settings})") }
+    }
+
+    /// The settings of the rig.
+    fn rig(self, rig: &RigSpec) -> Vec<String> {
+        let mut settings = vec![self.bones(&rig.joints[0].frame), self.effector(&rig.effector)];
+        settings.extend(rig.natural.as_ref().map(|natural| self.natural(natural)));
+        settings
+    }
+
     fn range(self, range: AngleRange) -> String {
         match range {
             AngleRange::Free => self.quoted("free"),
@@ -57,6 +77,7 @@ impl Notation {
         settings.extend(joint.pitch.map(|range| format!("pitch = {}", self.range(range))));
         settings.extend(joint.acceleration.map(|value| format!("acceleration = {}", angle(value))));
         settings.extend(joint.level.map(|value| format!("level = {value:?}")));
+        settings.extend(joint.narrowing.map(|value| format!("narrowing = {value:?}")));
         settings.extend(joint.pair.as_ref().map(|pair| format!("pair = {pair:?}")));
         settings.extend(joint.absolute.then(|| format!("range = {}", self.quoted("absolute"))));
         settings
@@ -67,26 +88,15 @@ impl Notation {
         let mut text = String::new();
         match self {
             Self::Derive => {
-                let _ = write!(
-                    text,
-                    "#[derive(AimRig)] #[aim({}, {})] struct {} {{",
-                    self.bones(&rig.joints[0].frame),
-                    self.effector(&rig.effector),
-                    rig.name
-                );
+                let settings = self.rig(rig).join(", ");
+                let _ = write!(text, "#[derive(AimRig)] #[aim({settings})] struct {} {{", rig.name);
                 for joint in &rig.joints {
                     let _ = write!(text, "#[joint({})] {}: Joint,", self.joint(joint).join(", "), joint.name);
                 }
                 text += "}";
             }
             Self::Toml => {
-                let _ = writeln!(
-                    text,
-                    "name = {:?}\n{}\n{}",
-                    rig.name,
-                    self.bones(&rig.joints[0].frame),
-                    self.effector(&rig.effector)
-                );
+                let _ = writeln!(text, "name = {:?}\n{}", rig.name, self.rig(rig).join("\n"));
                 for joint in &rig.joints {
                     let _ = writeln!(text, "[[joint]]\nname = {:?}\n{}", joint.name, self.joint(joint).join("\n"));
                 }
@@ -143,6 +153,8 @@ fn of_every_convention() {
         eye.pair = Some("other eye".to_owned());
         eye.level = Some(0.25);
         eye.absolute = true;
+        eye.narrowing = (eye.angles() == 2).then_some(0.5);
+        rig.natural = Some(NaturalSpec { eyes_only: 0.3, delay: 0.05, ..NaturalSpec::default() });
         assert_same_code(&rig, &Notation::Toml.write(&rig));
     }
 }

@@ -4,16 +4,16 @@ use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use aim_codegen::RigSpec;
+use aim_codegen::{RigSpec, Role};
 use aim_gltf::{Baked, ChainNodes, Clip, Document, Measurement, Plan};
 use aim_runtime::Settings;
 use glam::DVec3;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use crate::args::{self, Settle, Solver};
+use crate::args::{self, Aiming, Settle, Solver};
 use crate::failure::{Failure, Result};
 use crate::files;
-use crate::html;
+use crate::html::{self, Subject};
 use crate::interpreted::InterpretedRig;
 use crate::measured;
 use crate::report::Report;
@@ -24,12 +24,13 @@ pub(super) struct Job<'a> {
     /// The file's name, for messages.
     pub(super) file: &'a Path,
     pub(super) document: &'a Document,
+    pub(super) measurement: &'a Measurement,
     pub(super) spec: &'a RigSpec,
     pub(super) target: &'a TargetSpec,
     pub(super) clip: Option<&'a Clip>,
     pub(super) seconds: f32,
     pub(super) fps: f32,
-    pub(super) solver: Solver,
+    pub(super) aiming: Aiming,
     pub(super) settle: Settle,
     pub(super) looped: bool,
 }
@@ -48,14 +49,22 @@ impl Job<'_> {
         let skeleton = self.document.skeleton();
         let bones = self.spec.joints.iter().map(|joint| joint.bones.as_slice());
         let chain = ChainNodes::find(skeleton, bones, self.spec.joints[0].pair.as_deref()).map_err(fail)?;
-        let measurement = Measurement::of(self.document);
+        if self.aiming.both_eyes && chain.pair.is_none() {
+            return Err(Failure::input(format!(
+                "the rig {} has no other eye to aim; name it with pair = \"…\" on its first joint, or leave --both-eyes out",
+                self.spec.name
+            )));
+        }
         let effector_bind =
-            measurement.bind_world[chain.joints[0]].transform_point3(DVec3::from_array(self.spec.effector.origin));
-        let target = Target::new(self.target, self.file, self.document, &measurement, effector_bind)?;
+            self.measurement.bind_world[chain.joints[0]].transform_point3(DVec3::from_array(self.spec.effector.origin));
+        let target = Target::new(self.target, self.file, self.document, self.measurement, effector_bind)?;
+        let (solver, solver_word) = solver(self.aiming.solver, self.spec);
         let plan = Plan {
             document: self.document,
             clip: self.clip,
+            measurement: self.measurement,
             chain: &chain,
+            both_eyes: self.aiming.both_eyes,
             seconds: self.seconds,
             fps: self.fps,
             settle: match self.settle {
@@ -63,7 +72,7 @@ impl Job<'_> {
                 Settle::Animation => aim_gltf::Settle::Animation,
             },
             looped: self.looped,
-            settings: Settings::default(),
+            settings: Settings::default().with_solver(solver),
         };
         let bar = progress_bar();
         let mut rig = InterpretedRig::new(self.spec);
@@ -81,11 +90,29 @@ impl Job<'_> {
         let model = self.document.with_clips(std::slice::from_ref(&baked.clip)).map_err(fail)?;
         let name = |node: usize| skeleton.nodes()[node].name.clone();
         let names: Vec<String> = chain.joints.iter().map(|&node| name(node)).collect();
-        let solver = match self.solver {
-            Solver::Ascent => "ascent",
-        };
-        let report = Report::new(self.spec, solver, self.fps, &names, chain.pair.map(name), &baked);
+        let report = Report::new(self.spec, solver_word, self.fps, &names, chain.pair.map(name), &baked);
         Ok(Done { model, baked, report })
+    }
+
+    /// The page about what came of it.
+    pub(super) fn page(&self, done: &Done) -> String {
+        html::page(&Subject {
+            spec: self.spec,
+            report: &done.report,
+            document: self.document,
+            measurement: self.measurement,
+            baked: &done.baked,
+        })
+    }
+}
+
+/// The solver that was asked for, else the one that suits the rig, and its word in the report.
+fn solver(asked: Option<Solver>, spec: &RigSpec) -> (aim_runtime::Solver, &'static str) {
+    let usual = if spec.joints[0].role() == Role::Eye { Solver::Natural } else { Solver::Exact };
+    match asked.unwrap_or(usual) {
+        Solver::Natural => (aim_runtime::Solver::Natural, "natural"),
+        Solver::Exact => (aim_runtime::Solver::Exact, "exact"),
+        Solver::Ascent => (aim_runtime::Solver::Ascent, "ascent"),
     }
 }
 
@@ -128,9 +155,10 @@ fn check_outputs(arguments: &args::Bake) -> Result {
 pub(super) fn run(arguments: &args::Bake) -> Result {
     check_outputs(arguments)?;
     let document = files::load_model(&arguments.file)?;
+    let measurement = Measurement::of(&document);
     let spec = match &arguments.rig {
         Some(path) => files::load_rig(path)?,
-        None => measured::rig(&arguments.file, &document, &Measurement::of(&document))?,
+        None => measured::rig(&arguments.file, &document, &measurement)?,
     };
     let fail = |error: aim_gltf::Error| Failure::in_file(&arguments.file, error);
     let clip = match &arguments.clip {
@@ -153,21 +181,22 @@ pub(super) fn run(arguments: &args::Bake) -> Result {
             ));
         }
     };
-    let done = Job {
+    let job = Job {
         file: &arguments.file,
         document: &document,
+        measurement: &measurement,
         spec: &spec,
         target: &arguments.target,
         clip,
         seconds,
         fps: arguments.fps,
-        solver: arguments.solver,
+        aiming: arguments.aiming,
         settle: arguments.settle,
         looped: arguments.looped,
-    }
-    .run()?;
+    };
+    let done = job.run()?;
     let report = arguments.report.as_ref().map(|_| files::to_json(&done.report)).transpose()?;
-    let page = arguments.html.as_ref().map(|_| html::page(&spec, &done.report, &document, &done.baked));
+    let page = arguments.html.as_ref().map(|_| job.page(&done));
     let mut written = vec![(arguments.out.as_path(), &done.model[..])];
     written.extend(arguments.report.as_deref().zip(report.as_ref().map(String::as_bytes)));
     written.extend(arguments.html.as_deref().zip(page.as_ref().map(String::as_bytes)));

@@ -3,13 +3,12 @@
 use std::fs;
 use std::path::Path;
 
-use aim_gltf::{Document, PAPER_AXES, mannequin};
+use aim_gltf::{Document, Measurement, PAPER_AXES, mannequin};
 
 use super::bake::Job;
-use crate::args::{self, Settle, Solver};
+use crate::args::{self, Settle};
 use crate::failure::{Failure, Result};
 use crate::files;
-use crate::html;
 use crate::target::TargetSpec;
 
 /// The mannequin's rig, the same file that `aim::rigs::Mannequin` is compiled from.
@@ -34,25 +33,27 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
     files::print(&format!(
         "aiming the mannequin's eye, neck and spine at a target that orbits it once in {seconds:.1} s\n"
     ))?;
-    let done = Job {
+    let measurement = Measurement::of(&document);
+    let job = Job {
         file,
         document: &document,
+        measurement: &measurement,
         spec: &spec,
         target: &target,
         clip,
         seconds,
         fps: FPS,
-        solver: Solver::Ascent,
+        aiming: arguments.aiming,
         settle: Settle::Snap,
         looped: true,
-    }
-    .run()?;
+    };
+    let done = job.run()?;
     fs::create_dir_all(&arguments.out).map_err(|error| {
         Failure::in_file(&arguments.out, format!("cannot be made ({error}); give a folder with --out"))
     })?;
     let glb = arguments.out.join("aimed.glb");
     let report = files::to_json(&done.report)?;
-    let page = html::page(&spec, &done.report, &document, &done.baked);
+    let page = job.page(&done);
     files::write_all(&[
         (&glb, &done.model),
         (&arguments.out.join("report.json"), report.as_bytes()),

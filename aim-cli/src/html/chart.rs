@@ -7,6 +7,7 @@ use super::words::{self, n, shown, trimmed};
 
 /// One line.
 pub(super) struct Series<'a> {
+    /// In the key; empty where it has no place there.
     pub(super) name: &'a str,
     /// Its class in the page's style.
     pub(super) class: &'static str,
@@ -87,7 +88,7 @@ impl Chart<'_> {
             figure.chart.wide[self.wide] {
                 figcaption {
                     span.title { (title) }
-                    @for series in self.series.iter().filter(|_| self.series.len() > 1) {
+                    @for series in self.series.iter().filter(|series| self.series.len() > 1 && !series.name.is_empty()) {
                         span.key {
                             svg.line viewBox="0 0 22 10" aria-hidden="true" { line class={ "series " (series.class) } x2="22" y1="5" y2="5" {} }
                             (series.name)

@@ -1,24 +1,30 @@
 //! The charts: what each shows and over which values; drawn by [`Chart`].
 
-use aim_codegen::{AngleRange, JointSpec, RigSpec};
-use aim_gltf::{Baked, ChainNodes, Document, Measurement};
+use aim_codegen::AngleRange;
 use aim_runtime::Settings;
-use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
 use super::chart::{Chart, Mark, Scale, Series};
+use super::directions::Directions;
 use super::words::{self, chip, shown, trimmed};
-use crate::report::{JointReport, Report};
+use super::{Subject, gaze};
+use crate::report::{JointReport, Report, motion};
 
 /// Every chart of the page.
-pub(super) fn all(spec: &RigSpec, report: &Report, document: &Document, baked: &Baked) -> Markup {
+pub(super) fn all(subject: &Subject<'_>) -> Markup {
+    let Subject { spec, report, .. } = *subject;
     let times: Vec<f64> = report.frames.iter().map(|frame| frame.t.into()).collect();
     let statuses: Vec<&str> = report.frames.iter().map(|frame| frame.status).collect();
     let base = Base { times: &times, statuses: &statuses };
+    let directions = Directions::of(subject);
+    let has_head = directions.as_ref().is_some_and(|directions| directions.head.is_some());
     html! {
         p {
-            "Azimuth and elevation are seen from the effector as its bind pose faces, carried by what the chain hangs on; "
-            "dashed lines are limits. The band below each chart tells the status:"
+            "Azimuth and elevation are seen from the effector as its bind pose faces, carried by what the chain hangs on"
+            @if has_head {
+                "; the head is where the gaze would be with the eye at rest in it, eye in head is the rest of the gaze"
+            }
+            ". Dashed lines across are limits. The band below each chart tells the status:"
         }
         p.statuses {
             @for (word, ours, meaning) in words::STATUSES.iter().filter(|(word, ..)| statuses.contains(word)) {
@@ -27,20 +33,21 @@ pub(super) fn all(spec: &RigSpec, report: &Report, document: &Document, baked: &
         }
         div.charts {
             (error(&base, report))
-            (directions(&base, spec, document, baked))
-            @for (k, joint) in spec.joints.iter().enumerate() { (angles(&base, joint, report, k)) }
+            @if let Some(directions) = &directions { (gaze::charts(&base, directions)) }
+            (roll(&base, report))
+            @for k in 0..spec.joints.len() { (angles(&base, subject, k)) }
         }
     }
 }
 
 /// What the charts share.
-struct Base<'a> {
-    times: &'a [f64],
-    statuses: &'a [&'a str],
+pub(super) struct Base<'a> {
+    pub(super) times: &'a [f64],
+    pub(super) statuses: &'a [&'a str],
 }
 
 impl<'a> Base<'a> {
-    fn chart(&self, label: String, unit: &'static str, scale: Scale) -> Chart<'a> {
+    pub(super) fn chart(&self, label: String, unit: &'static str, scale: Scale) -> Chart<'a> {
         let (times, statuses) = (self.times, self.statuses);
         Chart { label, unit, wide: false, times, statuses, scale, wraps: None, series: Vec::new(), marks: Vec::new() }
     }
@@ -58,50 +65,32 @@ fn error(base: &Base<'_>, report: &Report) -> Markup {
     let mut chart = base.chart(label, "degrees, logarithmic; below 0.001 drawn at 0.001", Scale::Log(1e-3, 180.0));
     chart.wide = true;
     chart.series.push(Series { name: "error", class: "one", values });
+    let pair: Vec<f64> = report.frames.iter().filter_map(|frame| frame.pair_error_deg).collect();
+    if !pair.is_empty() && pair.len() == report.frames.len() {
+        // Below the other, which is the one that counts.
+        chart.series.insert(0, Series { name: "the other eye's", class: "pitch", values: pair });
+    }
     chart.marks.push(Mark { value: tolerance, class: "plain", label: format!("{}°", trimmed(tolerance, 3)) });
     chart.figure("Error: the angle between gaze and target")
 }
 
-/// Where the target and the gaze are, as the effector would see them if no joint of the chain had moved from its bind
-/// pose: in its bind frame, carried by the bone that the chain hangs on.
-fn directions(base: &Base<'_>, spec: &RigSpec, document: &Document, baked: &Baked) -> Markup {
-    let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
-    let Ok(chain) = ChainNodes::find(document.skeleton(), bones, None) else { return html! {} };
-    let bind = Measurement::of(document).bind_world;
-    let carrier = chain.joints.last().and_then(|node| document.skeleton().nodes()[*node].parent);
-    let first = chain.joints[0];
-    let frame_of = |world: &[DAffine3]| {
-        let moved = carrier.map_or(DAffine3::IDENTITY, |node| world[node] * bind[node].inverse());
-        let axes = [spec.effector.frame.left, spec.effector.frame.up, spec.effector.frame.forward];
-        axes.map(|axis| (moved * bind[first]).transform_vector3(DVec3::from(axis)).normalize_or_zero())
-    };
-    let seen = |world: &[DAffine3], v: DVec3| {
-        let [left, up, forward] = frame_of(world).map(|axis| axis.dot(v));
-        (left.atan2(forward).to_degrees(), up.atan2(left.hypot(forward)).to_degrees())
-    };
-    let (mut target, mut gaze) = (Vec::new(), Vec::new());
-    for frame in &baked.frames {
-        let eye = &frame.world[first];
-        let origin = eye.transform_point3(DVec3::from(spec.effector.origin));
-        target.push(seen(&frame.world, frame.target - origin));
-        gaze.push(seen(&frame.world, eye.transform_vector3(DVec3::from(spec.effector.frame.forward))));
-    }
-    let figure = |title: &str, what: &str, scale: Scale, wraps: Option<f64>, pick: fn(&(f64, f64)) -> f64| {
-        let mut chart = base.chart(format!("{what} of the target and of the gaze over time."), "degrees", scale);
-        chart.wraps = wraps;
-        let series = [("target", "target-line", &target), ("gaze", "one", &gaze)];
-        chart.series =
-            series.map(|(name, class, all)| Series { name, class, values: all.iter().map(pick).collect() }).into();
-        chart.figure(title)
-    };
-    let elevation = Scale::Degrees(-90.0, 90.0);
-    html! {
-        (figure("Azimuth, positive to the left", "Azimuth", Scale::Degrees(-180.0, 180.0), Some(360.0), |at| at.0))
-        (figure("Elevation, positive upwards", "Elevation", elevation, None, |at| at.1))
-    }
+fn roll(base: &Base<'_>, report: &Report) -> Markup {
+    let values: Vec<f64> = report.frames.iter().map(|frame| frame.roll_deg).collect();
+    let most = report.summary.max_roll_deg;
+    let label = format!(
+        "Roll of the effector's joint about the gaze beyond the animation's, over time, at most {} to either side.",
+        words::degrees(most)
+    );
+    let room = (1.1 * most).max(5.0);
+    let mut chart = base.chart(label, "degrees, positive to the left", Scale::Degrees(-room, room));
+    chart.wraps = Some(360.0);
+    chart.series.push(Series { name: "roll", class: "one", values });
+    chart.figure("Roll added about the gaze")
 }
 
-fn angles(base: &Base<'_>, joint: &JointSpec, report: &Report, index: usize) -> Markup {
+fn angles(base: &Base<'_>, subject: &Subject<'_>, index: usize) -> Markup {
+    let Subject { spec, report, .. } = *subject;
+    let joint = &spec.joints[index];
     let told = || report.frames.iter().filter_map(|frame| frame.joints.get(index));
     let bone = told().next().map_or(joint.name.as_str(), |joint| joint.bone.as_str());
     let of = |pick: fn(&JointReport) -> f64| told().map(pick).collect::<Vec<f64>>();
@@ -109,22 +98,39 @@ fn angles(base: &Base<'_>, joint: &JointSpec, report: &Report, index: usize) -> 
         ("heading", joint.heading, of(|joint| joint.heading_deg)),
         ("pitch", joint.pitch, of(|joint| joint.pitch_deg)),
     ];
-    let parts: Vec<_> = parts.into_iter().filter_map(|(name, range, values)| Some((name, range?, values))).collect();
+    let ranges = ranges(subject, index);
     let (mut low, mut high) = (0.0_f64, 0.0_f64);
-    let mut marks = Vec::new();
-    for (name, range, values) in &parts {
-        let ends = limits(*range);
-        for value in ends.iter().chain(values).filter(|value| value.is_finite()) {
+    let (mut series, mut marks) = (Vec::new(), Vec::new());
+    for ((name, range, values), ends) in parts.iter().zip(ranges) {
+        if range.is_none() {
+            continue;
+        }
+        for value in ends.iter().flatten().chain(values).filter(|value| value.is_finite()) {
             (low, high) = (low.min(*value), high.max(*value));
         }
-        marks.extend(ends.into_iter().map(|value| Mark { value, class: name, label: format!("{}°", shown(value, 1)) }));
+        for end in ends {
+            match end.as_slice() {
+                [first, rest @ ..] if rest.iter().all(|value| value == first || (value - first).abs() < 1e-6) => {
+                    marks.push(Mark { value: *first, class: name, label: format!("{}°", shown(*first, 1)) });
+                }
+                // A limit that moves is a line of its own.
+                _ => series.push(Series {
+                    name: "",
+                    class: if *name == "heading" { HEADING_END } else { PITCH_END },
+                    values: end,
+                }),
+            }
+        }
+        series.push(Series { name, class: name, values: values.clone() });
     }
+    marks.retain(|mark| mark.value.is_finite());
+    let parts: Vec<_> = parts.into_iter().filter_map(|(name, range, values)| Some((name, range?, values))).collect();
     let room = (0.06 * (high - low)).max(1.0);
     let label = format!("Heading and pitch added to {bone} over time, with the ends of their ranges.");
     let mut chart = base.chart(label, "degrees", Scale::Degrees(low - room, high + room));
     chart.wraps = parts.iter().any(|(_, range, _)| *range == AngleRange::Free).then_some(360.0);
     chart.marks = marks;
-    chart.series = parts.iter().map(|(name, _, values)| Series { name, class: name, values: values.clone() }).collect();
+    chart.series = series;
 
     let rate = joint.rate.to_degrees();
     let label = format!("Angular speed of {bone} over time; its rate is {}° a second.", trimmed(rate, 1));
@@ -142,11 +148,21 @@ fn angles(base: &Base<'_>, joint: &JointSpec, report: &Report, index: usize) -> 
     }
 }
 
-fn limits(range: AngleRange) -> Vec<f64> {
-    match range {
-        AngleRange::Between(low, high) => vec![low.to_degrees(), high.to_degrees()],
-        AngleRange::Free => Vec::new(),
+/// Limits that move, as lines.
+const HEADING_END: &str = "heading limit";
+const PITCH_END: &str = "pitch limit";
+
+/// The lower and upper ends of heading and pitch in every frame, degrees.
+fn ranges(subject: &Subject<'_>, index: usize) -> [[Vec<f64>; 2]; 2] {
+    let mut ends: [[Vec<f64>; 2]; 2] = Default::default();
+    for at in subject.baked.frames.iter().filter_map(|frame| frame.joints.get(index)) {
+        for (ends, range) in ends.iter_mut().zip(motion(&subject.spec.joints[index], at)) {
+            for (ends, end) in ends.iter_mut().zip(range) {
+                ends.push(end.to_degrees());
+            }
+        }
     }
+    ends
 }
 
 /// The speed with which each value was come to, from the one before it; the first has none.

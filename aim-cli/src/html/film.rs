@@ -1,13 +1,12 @@
 //! The film strip: drawings of the character evenly over time, always from the same side, with its line of sight.
 
-use aim_codegen::RigSpec;
-use aim_gltf::{Baked, Document, Frame};
-use glam::DVec3;
+use aim_gltf::Frame;
+use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
+use super::Subject;
 use super::scene::{HEIGHT, Scene, WIDTH};
 use super::words::{self, n};
-use crate::report::Report;
 
 /// Drawings in the strip.
 const DRAWINGS: usize = 8;
@@ -17,10 +16,11 @@ const START: f64 = 13.0;
 const PLAN: f64 = 24.0;
 
 /// The strip; nothing where the rig's bones are not in the document.
-pub(super) fn strip(spec: &RigSpec, report: &Report, document: &Document, baked: &Baked) -> Option<Markup> {
+pub(super) fn strip(subject: &Subject<'_>) -> Option<Markup> {
+    let Subject { report, baked, .. } = *subject;
     let all = baked.frames.len().min(report.frames.len());
     let drawn: Vec<usize> = (0..DRAWINGS.min(all)).map(|k| k * all / DRAWINGS.min(all)).collect();
-    let scene = Scene::new(spec, document, drawn.iter().map(|k| &baked.frames[*k]))?;
+    let scene = Scene::new(subject, drawn.iter().map(|k| &baked.frames[*k]))?;
     Some(html! {
         ol.film {
             @for &k in &drawn {
@@ -48,13 +48,16 @@ impl Scene<'_> {
         let eye_ws = eye.transform_point3(self.origin);
         let gaze_ws = eye.transform_vector3(self.forward).normalize_or_zero();
         let figure = self.figure(world);
-        let far = HEIGHT / self.camera.scale * 4.0;
-        // The line begins a little in front of the eye, which stays visible.
-        let start = eye_ws + gaze_ws * (START / self.camera.scale);
-        let [from, to, target] =
-            [start, eye_ws + gaze_ws * far, frame.target].map(|point| self.camera.project(point, world));
+        let target = self.camera.project(frame.target, world);
+        let (from, to) = self.sight(eye_ws, gaze_ws, world);
+        let mut lines = vec![(from, to)];
+        if let (Some(_), Some(other)) = (frame.pair_error_deg, self.eyes.get(1)) {
+            let at = &world[other.node];
+            let gaze_ws = at.transform_vector3(other.forward).normalize_or_zero();
+            lines.push(self.sight(at.transform_point3(other.centre), gaze_ws, world));
+        }
         let ray = html! {
-            @if to.is_finite() && from.is_finite() {
+            @for (from, to) in lines.iter().filter(|(from, to)| from.is_finite() && to.is_finite()) {
                 line.ray-case x1=(n(from.x)) y1=(n(from.y)) x2=(n(to.x)) y2=(n(to.y)) {}
                 line class={ "ray " (status) } x1=(n(from.x)) y1=(n(from.y)) x2=(n(to.x)) y2=(n(to.y)) {}
             }
@@ -78,6 +81,12 @@ impl Scene<'_> {
                 (self.plan(frame, gaze_ws, eye_ws, status))
             }
         }
+    }
+
+    /// The ends of a line of sight in the drawing; it begins a little in front of the eye, which stays visible.
+    fn sight(&self, eye_ws: DVec3, gaze_ws: DVec3, world: &[DAffine3]) -> (DVec3, DVec3) {
+        let (near, far) = (START / self.camera.scale, HEIGHT / self.camera.scale * 4.0);
+        (self.camera.project(eye_ws + gaze_ws * near, world), self.camera.project(eye_ws + gaze_ws * far, world))
     }
 
     /// The target where it is, or an arrow at the border that it is beyond.

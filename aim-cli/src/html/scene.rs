@@ -2,11 +2,11 @@
 
 use std::collections::HashMap;
 
-use aim_codegen::RigSpec;
 use aim_gltf::{ChainNodes, Document, Frame, Measurement, Role, Surface};
 use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
+use super::Subject;
 use super::raster::{Corner, Face, Paint, Picture};
 use super::words::n;
 
@@ -31,12 +31,12 @@ const CLAY: [f64; 3] = [0.80, 0.70, 0.62];
 /// All that the drawings share.
 pub(super) struct Scene<'a> {
     document: &'a Document,
-    pub(super) measurement: Measurement,
+    pub(super) measurement: &'a Measurement,
     surface: Surface,
     /// For each vertex the one that its normal is shared with.
     welded: Vec<usize>,
     pub(super) chain: ChainNodes,
-    eyes: Vec<Eye>,
+    pub(super) eyes: Vec<Eye>,
     pub(super) camera: Camera,
     /// The effector in its bone's space.
     pub(super) origin: DVec3,
@@ -44,10 +44,10 @@ pub(super) struct Scene<'a> {
 }
 
 /// A bone whose surface is an eyeball: it looks along `forward` of its own space.
-struct Eye {
-    node: usize,
-    centre: DVec3,
-    forward: DVec3,
+pub(super) struct Eye {
+    pub(super) node: usize,
+    pub(super) centre: DVec3,
+    pub(super) forward: DVec3,
 }
 
 /// Parallel projection along `toward`; it goes where the bone `follows` goes, and never turns.
@@ -129,15 +129,12 @@ fn at(node: Option<usize>, world: &[DAffine3]) -> DVec3 {
 
 impl<'a> Scene<'a> {
     /// `drawn` are the frames that all have to fit; nothing where the rig's bones are not in the document.
-    pub(super) fn new<'f>(
-        spec: &RigSpec,
-        document: &'a Document,
-        drawn: impl Iterator<Item = &'f Frame>,
-    ) -> Option<Self> {
+    pub(super) fn new<'f>(subject: &Subject<'a>, drawn: impl Iterator<Item = &'f Frame>) -> Option<Self> {
+        let Subject { spec, document, measurement, .. } = *subject;
         let skeleton = document.skeleton();
         let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
         let chain = ChainNodes::find(skeleton, bones, spec.joints[0].pair.as_deref()).ok()?;
-        let (measurement, surface) = (Measurement::of(document), document.surface());
+        let surface = document.surface();
         let (origin, forward) = (DVec3::from(spec.effector.origin), DVec3::from(spec.effector.frame.forward));
         let bind = &measurement.bind_world;
         let role = |node: usize| measurement.bone(node).and_then(|bone| bone.role);
@@ -161,7 +158,7 @@ impl<'a> Scene<'a> {
         let eye_bind = bind[first].transform_point3(origin);
         let follows = chain.joints.last().and_then(|node| skeleton.nodes()[*node].parent);
         let places = drawn.map(|frame| frame.world[first].transform_point3(origin) - at(follows, &frame.world));
-        let camera = Camera::new(&measurement, follows, eye_bind).framing(&measurement, head, eye_bind, places);
+        let camera = Camera::new(measurement, follows, eye_bind).framing(measurement, head, eye_bind, places);
         let welded = weld(&positions, measurement.height.max(f64::MIN_POSITIVE));
         Some(Self { document, measurement, surface, welded, chain, eyes, camera, origin, forward })
     }

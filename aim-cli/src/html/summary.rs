@@ -152,7 +152,8 @@ fn facts(spec: &RigSpec, report: &Report) -> Vec<(&'static str, String)> {
         facts.push(("Its origin", format!("({})", vector(spec.effector.origin))));
     }
     if let Some(pair) = &spec.joints[0].pair {
-        facts.push(("Turns with it", pair.clone()));
+        let both = report.frames.iter().any(|frame| frame.pair_error_deg.is_some());
+        facts.push((if both { "The other eye" } else { "Turns with it" }, pair.clone()));
     }
     facts
 }
@@ -166,10 +167,14 @@ fn measured(report: &Report) -> Vec<(&'static str, String)> {
     let summary = &report.summary;
     let worst = report.frames.iter().map(|frame| frame.error_deg).fold(0.0, f64::max);
     let on_target = if summary.reached > 0 { words::degrees(summary.max_error_deg_reached) } else { "–".into() };
-    vec![
-        ("Worst error on target", on_target),
-        ("Worst error of all", words::degrees(worst)),
+    let mut rows = vec![("Worst error on target", on_target), ("Worst error of all", words::degrees(worst))];
+    if let Some(worst) = report.frames.iter().filter_map(|frame| frame.pair_error_deg).reduce(f64::max) {
+        rows.push(("The other eye's worst", words::degrees(worst)));
+    }
+    rows.extend([
+        ("Most roll added", words::degrees(summary.max_roll_deg)),
         ("Ranges of motion", held(summary.max_limit_violation_deg, "°")),
         ("Rates", held(summary.max_rate_violation_deg_s, "°/s")),
-    ]
+    ]);
+    rows
 }

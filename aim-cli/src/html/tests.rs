@@ -1,12 +1,12 @@
 //! The page as a whole: it parses, says everything once more for hostile names, and works when nearly nothing is there.
 
 use aim_codegen::RigSpec;
-use aim_gltf::{Baked, ChainNodes, Document, PAPER_AXES, Plan, Settle, bake, mannequin};
+use aim_gltf::{Baked, ChainNodes, Document, Measurement, PAPER_AXES, Plan, Settle, bake, mannequin};
 use aim_runtime::Settings;
 use glam::DVec3;
 use scraper::{Html, Selector};
 
-use super::page;
+use super::{Subject, page};
 use crate::interpreted::InterpretedRig;
 use crate::report::Report;
 
@@ -37,6 +37,7 @@ const BONES_RIG: &str = r#"
 struct Case {
     spec: RigSpec,
     document: Document,
+    measurement: Measurement,
     baked: Baked,
     report: Report,
 }
@@ -47,10 +48,13 @@ impl Case {
         let document = Document::from_bytes(model).expect("a sound model");
         let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
         let chain = ChainNodes::find(document.skeleton(), bones, spec.joints[0].pair.as_deref()).expect("bones");
+        let measurement = Measurement::of(&document);
         let plan = Plan {
             document: &document,
             clip: document.clips().first(),
+            measurement: &measurement,
             chain: &chain,
+            both_eyes: false,
             seconds,
             fps: 30.0,
             settle: Settle::Animation,
@@ -62,7 +66,7 @@ impl Case {
         let names: Vec<String> =
             chain.joints.iter().map(|&node| document.skeleton().nodes()[node].name.clone()).collect();
         let report = Report::new(&spec, "ascent", 30.0, &names, None, &baked);
-        Self { spec, document, baked, report }
+        Self { spec, document, measurement, baked, report }
     }
 
     fn mannequin(seconds: f32) -> Self {
@@ -77,7 +81,8 @@ impl Case {
     }
 
     fn page(&self) -> String {
-        page(&self.spec, &self.report, &self.document, &self.baked)
+        let Self { spec, report, document, measurement, baked } = self;
+        page(&Subject { spec, report, document, measurement, baked })
     }
 }
 
@@ -109,7 +114,9 @@ fn the_mannequins_page_is_whole() {
     let html = parsed(&text);
     assert_eq!(count(&html, "head > title"), 1);
     assert_eq!(count(&html, ".film li image"), 8, "eight drawings of the skin");
-    assert_eq!(count(&html, ".chart"), 3 + 2 * case.spec.joints.len(), "error, two directions, two for each joint");
+    let charts = 4 + 2 * case.spec.joints.len();
+    assert_eq!(count(&html, ".chart"), charts + 1, "error, two directions and a close-up, roll, two for each joint");
+    assert!(text.contains("eye in head") && text.contains("close up"), "how eye and head share the gaze");
     assert_eq!(count(&html, ".rig tbody tr"), case.spec.joints.len());
     for joint in &case.spec.joints {
         assert!(text.contains(&format!("{}: angles and ranges", joint.name)), "{}", joint.name);

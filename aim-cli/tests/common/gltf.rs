@@ -170,6 +170,16 @@ impl Model {
         self.parents[node].map_or(local, |parent| self.world(pose, parent) * local)
     }
 
+    /// Mesh ← node in the pose that the skin was fitted in, for the first skin that lists the node.
+    pub(crate) fn bind(&self, node: usize) -> DMat4 {
+        let found = items(&self.json, "skins").iter().find_map(|skin| {
+            let at = items(skin, "joints").iter().position(|joint| index(joint) == node)?;
+            let matrices = self.accessor(index(skin.get("inverseBindMatrices")?));
+            Some(DMat4::from_cols_slice(&matrices[16 * at..16 * (at + 1)]).inverse())
+        });
+        found.unwrap_or_else(|| panic!("no skin binds node {node}"))
+    }
+
     /// An accessor's numbers, flat.
     pub(crate) fn accessor(&self, at: usize) -> Vec<f64> {
         let accessor = &self.json["accessors"][at];

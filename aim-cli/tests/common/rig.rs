@@ -15,6 +15,8 @@ pub(crate) struct Joint {
     pub(crate) heading: Option<[f64; 2]>,
     pub(crate) pitch: Option<[f64; 2]>,
     pub(crate) rate: f64,
+    /// How far the heading is about the character's up.
+    pub(crate) level: f64,
 }
 
 /// The joints of a rig file, from the effector inward.
@@ -36,9 +38,18 @@ pub(crate) fn joints(text: &str) -> Vec<Joint> {
                 heading: range(joint.get("heading")),
                 pitch: range(joint.get("pitch")),
                 rate: angle(&joint["rate"]),
+                level: joint
+                    .get("level")
+                    .map_or_else(|| usual_level(&joint["name"]), |level| level.as_f64().expect("0…1")),
             }
         })
         .collect()
+}
+
+/// A neck or head is level.
+fn usual_level(name: &Value) -> f64 {
+    let name = name.as_str().expect("a name").to_lowercase();
+    if name.contains("neck") || name.contains("head") { 1.0 } else { 0.0 }
 }
 
 fn direction(axis: &Value) -> DVec3 {

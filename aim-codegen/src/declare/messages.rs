@@ -30,6 +30,8 @@ pub(crate) enum Expected {
     Point,
     Axes,
     Effector,
+    Natural,
+    Seconds,
     Flag,
     Side,
     RangeKind,
@@ -53,6 +55,8 @@ impl Expected {
             Self::Point => "a vector",
             Self::Axes => "two or three axes",
             Self::Effector => "`forward`, `origin` or both",
+            Self::Natural => "settings such as `eyes_only`",
+            Self::Seconds => "a number of seconds",
             Self::Flag => "`true` or `false`",
             Self::Side => "`left` or `right`",
             Self::RangeKind => "`absolute` or `relative`",
@@ -82,6 +86,11 @@ impl Expected {
                 return by(notation, "effector(origin = (0.0, 0.1, 0.0))", "effector = { origin = [0.0, 0.1, 0.0] }")
                     .into();
             }
+            Self::Natural => {
+                let (rust, toml) = ("natural(eyes_only = 15deg)", "natural = { eyes_only = \"15deg\" }");
+                return by(notation, rust, toml).into();
+            }
+            Self::Seconds => "0.05",
             Self::Flag => "true",
             Self::Side => by(notation, "left", "\"left\""),
             Self::RangeKind => by(notation, "absolute", "\"absolute\""),
@@ -200,7 +209,11 @@ pub(crate) fn unknown_unit(digits: &str, unit: &str) -> Text {
 }
 
 pub(crate) fn unit_on_plain(key: &str, digits: &str, unit: &str) -> Text {
-    text(format!("`{key}` is a plain number, found the unit `{unit}`"), format!("write `{digits}`"))
+    let help = match key {
+        "delay" => "write the seconds without a unit, as in `delay = 0.05`".into(),
+        _ => format!("write `{digits}`"),
+    };
+    text(format!("`{key}` is a plain number, found the unit `{unit}`"), help)
 }
 
 pub(crate) fn radix(number: &str, radix: &str) -> Text {
@@ -226,11 +239,13 @@ pub(crate) fn not_finite(key: &str, number: &str) -> Text {
     text(format!("`{key}` must be finite, `{number}` is not"), help)
 }
 
-pub(crate) fn level_outside(number: &str) -> Text {
-    text(
-        format!("`level` must lie in 0 to 1, found `{number}`"),
-        "0 turns about the bone's own up, 1 about the character's up",
-    )
+pub(crate) fn share_outside(key: &str, number: &str) -> Text {
+    let help = match key {
+        "level" => "0 turns about the bone's own up, 1 about the character's up",
+        "narrowing" => "0 keeps the whole range of pitch at the ends of heading, 1 leaves nothing of it",
+        _ => "0 leaves the gaze to the eyes, 1 hands all beyond their own zone to the head",
+    };
+    text(format!("`{key}` must lie in 0 to 1, found `{number}`"), help)
 }
 
 // Ranges.
@@ -285,6 +300,37 @@ pub(crate) fn pitch_free(notation: Notation) -> Text {
     text(
         "`pitch` cannot be free",
         format!("only a heading wraps; give the pitch a range: `{}`", Expected::AngleRange.example("pitch", notation)),
+    )
+}
+
+pub(crate) fn narrowing_without_ends(has_heading: bool, has_pitch: bool) -> Text {
+    let (needs, help) = match (has_heading, has_pitch) {
+        (true, true) => {
+            ("a heading with ends", "a free heading has no ends: give it a range, or leave `narrowing` out")
+        }
+        (true, false) => ("a pitch", "it takes from the pitch's range: declare the pitch, or leave `narrowing` out"),
+        _ => ("a heading", "it grows with the heading: declare one, or leave `narrowing` out"),
+    };
+    text(format!("`narrowing` needs {needs}"), help)
+}
+
+// Natural gaze.
+
+pub(crate) fn angle_outside(key: &str, number: &str) -> Text {
+    text(format!("`{key}` must lie in 0° to 180°, found `{number}`"), "it is an angle between two directions")
+}
+
+pub(crate) fn release_above_engage(engage_deg: f64, release_deg: f64) -> Text {
+    text(
+        format!("`release`, {release_deg}°, is above `engage`, {engage_deg}°"),
+        "the head begins to help at the larger angle and rests again at the smaller; unless set they are 15° and 8°",
+    )
+}
+
+pub(crate) fn negative_delay(number: &str) -> Text {
+    text(
+        format!("`delay` must not be negative, found `{number}`"),
+        "it is in seconds; 0 lets head and eyes begin together",
     )
 }
 

@@ -9,7 +9,7 @@ use quote::{format_ident, quote};
 
 use super::Rig;
 use super::body::{Body, counted, local};
-use crate::{AngleRange, JointSpec, RigSpec};
+use crate::{AngleRange, JointSpec, NaturalSpec, RigSpec, Role};
 
 /// The names that emitted code stands among.
 #[derive(Clone, Debug)]
@@ -53,8 +53,11 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
     let joints = Literal::usize_unsuffixed(spec.joints.len());
     let value = local("value");
     let states = local("states");
+    let index = local("index");
+    let places: Vec<Literal> = (0..fields.len()).map(Literal::usize_unsuffixed).collect();
     let formatter = local("formatter");
     let infos = spec.joints.iter().map(|joint| joint_info(joint, &private));
+    let natural = spec.natural.as_ref().map(|spec| natural(spec, &private));
     let effector_forward = vector(spec.effector.frame.forward);
     let effector_origin = vector(spec.effector.origin);
     let bones = spec.joints.iter().map(|joint| {
@@ -105,23 +108,46 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
             impl #private::AimRig for #name {
                 type Array<T: ::core::marker::Copy> = [T; #joints];
 
+                #[inline]
                 fn array<T: ::core::marker::Copy>(&self, #value: T) -> [T; #joints] {
                     [#value; #joints]
                 }
 
+                #[inline]
                 fn joint_infos(&self) -> &[#private::JointInfo] {
                     const INFOS: [#private::JointInfo; #joints] = [#(#infos),*];
                     &INFOS
                 }
 
+                #[inline]
                 fn effector(&self) -> #private::Effector {
                     #private::Effector { forward: #effector_forward, origin: #effector_origin }
                 }
 
+                #natural
+
+                #[inline]
                 fn joints(&self) -> [#private::Joint; #joints] {
                     [#( self.#fields ),*]
                 }
 
+                #[inline]
+                fn joint(&self, #index: ::core::primitive::usize) -> ::core::option::Option<&#private::Joint> {
+                    match #index {
+                        #( #places => ::core::option::Option::Some(&self.#fields), )*
+                        _ => ::core::option::Option::None,
+                    }
+                }
+
+                #[inline]
+                fn joint_mut(&mut self, #index: ::core::primitive::usize) -> ::core::option::Option<&mut #private::Joint> {
+                    match #index {
+                        #( #places => ::core::option::Option::Some(&mut self.#fields), )*
+                        _ => ::core::option::Option::None,
+                    }
+                }
+
+                #[inline]
                 fn set_joints(&mut self, #states: [#private::Joint; #joints]) {
                     [#( self.#fields ),*] = #states;
                 }
@@ -159,10 +185,33 @@ fn joint_info(joint: &JointSpec, private: &TokenStream) -> TokenStream {
     let acceleration = joint.acceleration.map(float).map(|a| quote!(.with_acceleration(#a)));
     let comfort = float(joint.comfort);
     let level = joint.level.map(float).map(|l| quote!(.with_level(#l)));
+    let narrowing = joint.narrowing.map(float).map(|n| quote!(.with_narrowing(#n)));
+    let role = match joint.role() {
+        Role::Other => None,
+        role => {
+            let role = format_ident!("{role:?}");
+            Some(quote!(.with_role(#private::Role::#role)))
+        }
+    };
     let absolute = joint.absolute.then(|| quote!(.with_absolute_range()));
     quote! {
         #private::JointInfo::new(#private::Axes { up: #up, forward: #forward, left: #left }, #rate)
-            #heading #pitch #acceleration .with_comfort(#comfort) #level #absolute
+            #heading #pitch #acceleration .with_comfort(#comfort) #level #narrowing #role #absolute
+    }
+}
+
+/// The method that hands a declared sharing on.
+fn natural(natural: &NaturalSpec, private: &TokenStream) -> TokenStream {
+    let [eyes_only, head_share, engage, release, delay] =
+        [natural.eyes_only, natural.head_share, natural.engage, natural.release, natural.delay].map(float);
+    quote! {
+        fn natural(&self) -> #private::Natural {
+            <#private::Natural as ::core::default::Default>::default()
+                .with_eyes_only(#eyes_only)
+                .with_head_share(#head_share)
+                .with_engagement(#engage, #release)
+                .with_delay(#delay)
+        }
     }
 }
 

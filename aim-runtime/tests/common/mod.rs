@@ -6,6 +6,9 @@
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim_runtime::{AimRig, Axes, Effector, Joint, JointInfo, Scalar};
 
+pub mod random;
+pub mod truth;
+
 pub const DEG: f32 = core::f32::consts::PI / 180.0;
 
 /// The bones of the XNA thug: +X up, +Y forward, +Z left.
@@ -21,7 +24,7 @@ pub struct NumericRig {
 
 impl NumericRig {
     pub fn new(infos: Vec<JointInfo>) -> Self {
-        let effector = Effector { forward: infos[0].axes.forward, origin: [0.0; 3] };
+        let effector = Effector { forward: infos[0].axes().forward, origin: [0.0; 3] };
         let joints = vec![Joint::default(); infos.len()];
         Self { infos, effector, joints }
     }
@@ -92,9 +95,9 @@ impl AimRig for NumericRig {
         let Some(info) = self.infos.get(joint) else {
             return [S::ZERO; 3];
         };
-        let mut state = State::effector(&self.infos[0].axes, &self.effector);
+        let mut state = State::effector(self.infos[0].axes(), &self.effector);
         state.through(effector_to_joint);
-        state.turn(info, sin_cos, true);
+        state.turn(info, sin_cos);
         let [aim, rest @ ..] = &state.aim(target)[..] else { unreachable!() };
         let mut out = [*aim, S::ZERO, S::ZERO];
         let mut rest = rest.iter();
@@ -124,10 +127,10 @@ impl AimRig for NumericRig {
 
 impl NumericRig {
     fn chain<S: Scalar>(&self, links: &[[S; 12]], sin_cos: &[[S; 4]]) -> State<S> {
-        let mut state = State::effector(&self.infos[0].axes, &self.effector);
+        let mut state = State::effector(self.infos[0].axes(), &self.effector);
         for ((info, link), sin_cos) in self.infos.iter().zip(links).zip(sin_cos) {
             state.through(link);
-            state.turn(info, sin_cos, true);
+            state.turn(info, sin_cos);
         }
         state
     }
@@ -135,10 +138,14 @@ impl NumericRig {
 
 type V<S> = [S; 3];
 
+/// No rig of these tests has more joints.
+pub const MOST_JOINTS: usize = 7;
+
 /// The effector's origin and its forward, left and up, with their derivatives by the angles passed so far.
 struct State<S> {
     value: [V<S>; 4],
-    derivatives: Vec<[V<S>; 4]>,
+    derivatives: [[V<S>; 4]; 2 * MOST_JOINTS],
+    passed: usize,
 }
 
 impl<S: Scalar> State<S> {
@@ -151,23 +158,25 @@ impl<S: Scalar> State<S> {
         let up = (up - forward * up.dot(forward)).normalize();
         let left = up.cross(forward) * handedness;
         let v = |v: Vec3| [S::constant(v.x.into()), S::constant(v.y.into()), S::constant(v.z.into())];
-        Self { value: [[S::ZERO; 3], v(forward), v(left), v(up)], derivatives: Vec::new() }
+        let nothing = [[S::ZERO; 3]; 4];
+        let value = [[S::ZERO; 3], v(forward), v(left), v(up)];
+        Self { value, derivatives: [nothing; 2 * MOST_JOINTS], passed: 0 }
     }
 
     fn through(&mut self, link: &[S; 12]) {
         let rotate =
             |v: V<S>| -> V<S> { core::array::from_fn(|k| v[0] * link[k] + v[1] * link[3 + k] + v[2] * link[6 + k]) };
-        for derivative in &mut self.derivatives {
+        for derivative in &mut self.derivatives[..self.passed] {
             *derivative = derivative.map(rotate);
         }
         self.value = self.value.map(rotate);
         self.value[0] = add(self.value[0], [link[9], link[10], link[11]]);
     }
 
-    fn turn(&mut self, info: &JointInfo, &[sin_p, cos_p, sin_h, cos_h]: &[S; 4], differentiate: bool) {
-        let forward = Vec3::from(info.axes.forward);
+    fn turn(&mut self, info: &JointInfo, &[sin_p, cos_p, sin_h, cos_h]: &[S; 4]) {
+        let forward = Vec3::from(info.axes().forward);
         for (declared, to, sin, cos) in
-            [(info.pitch, info.axes.up, sin_p, cos_p), (info.heading, info.axes.left, sin_h, cos_h)]
+            [(info.pitch, info.axes().up, sin_p, cos_p), (info.heading, info.axes().left, sin_h, cos_h)]
         {
             if declared.is_none() {
                 continue;
@@ -178,13 +187,12 @@ impl<S: Scalar> State<S> {
                 let along = scale(axis, dot(axis, v) * (one - cos));
                 add(add(scale(v, cos), scale(cross(axis, v), sin)), along)
             };
-            for derivative in &mut self.derivatives {
+            for derivative in &mut self.derivatives[..self.passed] {
                 *derivative = derivative.map(rotate);
             }
             self.value = self.value.map(rotate);
-            if differentiate {
-                self.derivatives.push(self.value.map(|v| cross(axis, v)));
-            }
+            self.derivatives[self.passed] = self.value.map(|v| cross(axis, v));
+            self.passed += 1;
         }
     }
 
@@ -198,7 +206,7 @@ impl<S: Scalar> State<S> {
         let unit = scale(v, inverse);
         let aim = dot(unit, forward);
         let mut out = vec![aim];
-        for [d_origin, d_forward, ..] in &self.derivatives {
+        for [d_origin, d_forward, ..] in &self.derivatives[..self.passed] {
             let radial = dot(unit, *d_origin) * aim - dot(forward, *d_origin);
             out.push(radial * inverse + dot(unit, *d_forward));
         }
@@ -216,7 +224,7 @@ impl<S: Scalar> State<S> {
         let lateral = [dot(v, left), dot(v, up)];
         let mut out: Vec<S> = lateral.iter().map(|&l| two * l * inverse).collect();
         for (which, axis) in [left, up].into_iter().enumerate() {
-            for derivative in &self.derivatives {
+            for derivative in &self.derivatives[..self.passed] {
                 let dv = scale(derivative[0], -one);
                 let d_axis = derivative[2 + which];
                 let d_lateral = dot(dv, axis) + dot(v, d_axis);
@@ -279,7 +287,7 @@ impl Transform64 {
 /// joint turns its vectors plane by plane, without matrices or quaternions.
 pub fn gaze64(rig: &NumericRig, pose: &[Affine3A], k: usize) -> ([f64; 3], [f64; 3]) {
     let (origin, forward) =
-        if k == 0 { (rig.effector.origin, rig.effector.forward) } else { ([0.0; 3], rig.infos[k].axes.forward) };
+        if k == 0 { (rig.effector.origin, rig.effector.forward) } else { ([0.0; 3], rig.infos[k].axes().forward) };
     carried64(rig, pose, k, origin.map(f64::from), forward.map(f64::from))
 }
 
@@ -288,19 +296,29 @@ fn carried64(
     rig: &NumericRig,
     pose: &[Affine3A],
     k: usize,
+    origin: [f64; 3],
+    forward: [f64; 3],
+) -> ([f64; 3], [f64; 3]) {
+    carried_by(pose, k, origin, forward, |i, v| {
+        let axes = rig.infos[i].axes();
+        let [f, u, l] = [axes.forward, axes.up, axes.left].map(|v| v.map(f64::from));
+        let pitched = plane_turn(v, f, u, rig.joints[i].pitch().into());
+        plane_turn(pitched, f, l, rig.joints[i].heading().into())
+    })
+}
+
+/// The same with any turns of the joints.
+fn carried_by(
+    pose: &[Affine3A],
+    k: usize,
     mut origin: [f64; 3],
     mut forward: [f64; 3],
+    turn: impl Fn(usize, V<f64>) -> V<f64>,
 ) -> ([f64; 3], [f64; 3]) {
     for i in k..pose.len() {
-        let axes = &rig.infos[i].axes;
-        let [f, u, l] = [axes.forward, axes.up, axes.left].map(|v| v.map(f64::from));
-        let turn = |v| {
-            let pitched = plane_turn(v, f, u, rig.joints[i].pitch().into());
-            plane_turn(pitched, f, l, rig.joints[i].heading().into())
-        };
         let joint = Transform64::of(&pose[i]);
-        origin = joint.point(turn(origin));
-        forward = joint.vector(turn(forward));
+        origin = joint.point(turn(i, origin));
+        forward = joint.vector(turn(i, forward));
         if let Some(next) = pose.get(i + 1) {
             let next = Transform64::of(next);
             origin = next.inverse_point(origin);
@@ -314,7 +332,7 @@ fn carried64(
 /// joint 0 looks in the animation.
 pub fn pair_gaze64(rig: &NumericRig, pose: &[Affine3A], pair: &Affine3A) -> ([f64; 3], [f64; 3]) {
     let bone = Transform64::of(pair);
-    let forward = Transform64::of(&pose[0]).vector(rig.infos[0].axes.forward.map(f64::from));
+    let forward = Transform64::of(&pose[0]).vector(rig.infos[0].axes().forward.map(f64::from));
     let [x, y, z, w] = rig.pair_correction().expect("the last pose had a pair").to_array().map(f64::from);
     let (axis, v) = ([x, y, z], bone.inverse_vector(forward));
     let across = cross(axis, v);
@@ -385,7 +403,7 @@ pub fn bone(axes: &Axes, turn: Quat, at: Vec3) -> Affine3A {
 /// The thug's eye, neck and spine standing upright: metres.
 pub fn upright(rig: &NumericRig) -> Vec<Affine3A> {
     let places = [Vec3::new(-0.03, 1.68, -0.10), Vec3::new(0.0, 1.55, 0.02), Vec3::new(0.0, 1.30, 0.03)];
-    rig.infos.iter().zip(places).map(|(info, at)| bone(&info.axes, Quat::IDENTITY, at)).collect()
+    rig.infos.iter().zip(places).map(|(info, at)| bone(info.axes(), Quat::IDENTITY, at)).collect()
 }
 
 /// The same with every joint turned a little, as an animation would.

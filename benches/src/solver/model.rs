@@ -72,7 +72,7 @@ impl Model {
         let infos = rig.joint_infos();
         let mut angles = Vec::new();
         for (joint, info) in infos.iter().enumerate() {
-            let [forward, up, left] = [info.axes.forward, info.axes.up, info.axes.left].map(|v| v.map(f64::from));
+            let [forward, up, left] = [info.axes().forward, info.axes().up, info.axes().left].map(|v| v.map(f64::from));
             for (range, towards, heading) in [(info.pitch, up, false), (info.heading, left, true)] {
                 if let Some(range) = range {
                     angles.push(Angle {

@@ -45,7 +45,7 @@ impl NumericRig {
         assert!((1..=MOST_JOINTS).contains(&infos.len()), "between one joint and {MOST_JOINTS}");
         let count = infos.len();
         let items = std::array::from_fn(|i| *infos.get(i).unwrap_or(&infos[0]));
-        let effector = Effector { forward: infos[0].axes.forward, origin: [0.0; 3] };
+        let effector = Effector { forward: infos[0].axes().forward, origin: [0.0; 3] };
         let joints = Few { items: [Joint::default(); MOST_JOINTS], count };
         Self { infos: Few { items, count }, effector, joints }
     }
@@ -104,7 +104,7 @@ impl<S: Scalar> Carried<S> {
         let mut carried = Self { frame, turns: [still; 2 * MOST_JOINTS], count: 0 };
         // From the last joint outward; the turns are put in the declared order afterwards.
         for ((info, link), sin_cos) in infos.iter().zip(links).zip(sin_cos).rev() {
-            let axes = &info.axes;
+            let axes = info.axes();
             let [sin_p, cos_p, sin_h, cos_h] = *sin_cos;
             if info.heading.is_some() {
                 carried.turn(axes, axes.left, sin_h, cos_h);
@@ -252,7 +252,7 @@ impl AimRig for NumericRig {
         sin_cos: &[[S; 4]],
         out: &mut [S],
     ) {
-        let axes = squared(self.effector.forward, &self.joint_infos()[0].axes);
+        let axes = squared(self.effector.forward, self.joint_infos()[0].axes());
         Carried::new(self.joint_infos(), links, sin_cos).residual(axes, target, out);
     }
 }

@@ -35,9 +35,9 @@ pub fn case(number: usize) -> Case {
     }
     if random.u8(..4) == 0 {
         // An effector that does not look along its joint's forward, by up to 30°.
-        let axis = Vec3::from(infos[0].axes.up).lerp(infos[0].axes.left.into(), random.f32()).normalize();
+        let axis = Vec3::from(infos[0].axes().up).lerp(infos[0].axes().left.into(), random.f32()).normalize();
         let turn = Quat::from_axis_angle(axis, 0.5 * random.f32());
-        rig.effector.forward = (turn * Vec3::from(infos[0].axes.forward)).normalize().to_array();
+        rig.effector.forward = (turn * Vec3::from(infos[0].axes().forward)).normalize().to_array();
     }
     let pose = pose(&infos, &mut random);
     let model = Model::new(&rig, &pose);
@@ -115,7 +115,7 @@ fn pose(infos: &[JointInfo], random: &mut fastrand::Rng) -> Vec<Affine3A> {
             let turn = Quat::from_axis_angle(direction(random), most * random.f32());
             let by = direction(random) * 0.3 * random.f32();
             frame *= Affine3A::from_rotation_translation(turn, by);
-            let Axes { up, forward, left } = info.axes;
+            let Axes { up, forward, left } = *info.axes();
             // The bone's own axes to the character's: up +Y, forward +Z, left +X.
             let own = aim::glam::Mat3A::from_cols(left.into(), up.into(), forward.into());
             frame * Affine3A { matrix3: own.transpose(), translation: Vec3::ZERO.into() }

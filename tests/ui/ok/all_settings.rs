@@ -6,6 +6,7 @@ use aim::{AimRig, Joint};
     bones(up = +X, forward = +Y, left = +Z),
     handedness = right,
     effector(forward = (0.0, 0.8, 0.6), origin = (0.0, 0.1, -0.02)),
+    natural(eyes_only = 12deg, head_share = 0.75, engage = 15deg, release = 0.1rad, delay = 0),
     crate = ::aim,
 )]
 pub struct Thug {
@@ -19,6 +20,7 @@ pub struct Thug {
         pair = "R_eyeBall_joint",
         bones(up = +Z, forward = +Y),
         mirrored = true,
+        narrowing = 0.5,
     )]
     pub left_eye: Joint,
     #[joint(heading = free, rate = 2rad, level = 0.5, range = absolute, bone = "Neck")]

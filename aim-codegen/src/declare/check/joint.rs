@@ -8,7 +8,7 @@ use super::report::Report;
 use super::settings::{Key, Settings};
 use crate::declare::messages::{self, Expected, Owner};
 use crate::declare::tree::{Joint, Kind, Value};
-use crate::{Frame, JointSpec};
+use crate::{AngleRange, Frame, JointSpec};
 
 /// What a joint may say.
 pub(super) const KEYS: &[Key] = &[
@@ -18,6 +18,7 @@ pub(super) const KEYS: &[Key] = &[
     ("acceleration", Expected::Acceleration),
     ("comfort", Expected::Number),
     ("level", Expected::Number),
+    ("narrowing", Expected::Number),
     ("range", Expected::RangeKind),
     ("bone", Expected::NodeNames),
     ("pair", Expected::NodeName),
@@ -47,7 +48,15 @@ pub(super) fn check(
         .get("acceleration")
         .map(|value| read::positive_angle(report, "acceleration", Expected::Acceleration, value));
     let comfort = settings.get("comfort").map_or(Some(1.0), |value| read::positive_number(report, "comfort", value));
-    let level = settings.get("level").map(|value| level(report, value));
+    let level = settings.get("level").map(|value| read::share(report, "level", value));
+    let has_ends = settings.has("heading") && settings.has("pitch") && heading != Some(Some(AngleRange::Free));
+    let narrowing = settings.get("narrowing").map(|value| {
+        if !has_ends {
+            report
+                .error(&value.place, messages::narrowing_without_ends(settings.has("heading"), settings.has("pitch")));
+        }
+        read::share(report, "narrowing", value)
+    });
     let absolute = settings.get("range").map_or(Some(false), |value| {
         read::either(report, "range", Expected::RangeKind, ["absolute", "relative"], value)
     });
@@ -81,6 +90,10 @@ pub(super) fn check(
             Some(level) => Some(level?),
             None => None,
         },
+        narrowing: match narrowing {
+            Some(narrowing) => Some(narrowing?),
+            None => None,
+        },
         pair,
     })
 }
@@ -96,15 +109,6 @@ pub(super) fn name_of(joint: &Joint) -> String {
 /// Where something missing in the joint is reported: at its name, the smallest place that tells which joint it is.
 fn name_place(joint: &Joint) -> &crate::declare::place::Place {
     joint.name.as_ref().map_or(&joint.section.place, |name| &name.place)
-}
-
-fn level(report: &mut Report, value: &Value) -> Option<f64> {
-    let level = read::plain(report, "level", Expected::Number, value)?;
-    if (0.0..=1.0).contains(&level) {
-        return Some(level + 0.0);
-    }
-    report.error(&value.place, messages::level_outside(value.describe().trim_matches('`')));
-    None
 }
 
 /// The joint's own axes, or the rig's.

@@ -4,6 +4,7 @@ mod axes;
 mod frame;
 mod joint;
 mod names;
+mod natural;
 mod range;
 mod read;
 mod report;
@@ -24,6 +25,7 @@ const RIG_KEYS: &[Key] = &[
     ("bones", Expected::Axes),
     ("handedness", Expected::Side),
     ("effector", Expected::Effector),
+    ("natural", Expected::Natural),
     ("crate", Expected::Path),
     ("joint", Expected::Joints),
 ];
@@ -114,11 +116,16 @@ fn check_rig(rig: &Rig, report: &mut Report) -> Option<Checked> {
     let specs: Option<Vec<JointSpec>> = specs.into_iter().collect();
     let first = specs.as_ref().and_then(|specs| specs.first()).map(|joint| joint.frame);
     let effector = effector(settings.get("effector"), first, report);
+    let natural = settings.get("natural").map(|value| natural::check(value, report));
     let name = match &rig.name {
         Some(Value { kind: Kind::Text(name), .. }) => name.clone(),
         _ => return None,
     };
-    Some(Checked { spec: RigSpec { name, joints: specs?, effector: effector? }, krate })
+    let natural = match natural {
+        Some(natural) => Some(natural?),
+        None => None,
+    };
+    Some(Checked { spec: RigSpec { name, joints: specs?, effector: effector?, natural }, krate })
 }
 
 /// The attribute that should hold them, or the struct's name; in TOML the file's beginning.

@@ -134,6 +134,16 @@ pub(super) fn plain(report: &mut Report, key: &str, expected: Expected, value: &
     None
 }
 
+/// A number from 0 to 1.
+pub(super) fn share(report: &mut Report, key: &str, value: &Value) -> Option<f64> {
+    let share = plain(report, key, Expected::Number, value)?;
+    if (0.0..=1.0).contains(&share) {
+        return Some(share + 0.0);
+    }
+    report.error(&value.place, messages::share_outside(key, value.describe().trim_matches('`')));
+    None
+}
+
 /// `true` or `false`.
 pub(super) fn flag(report: &mut Report, key: &str, value: &Value) -> Option<bool> {
     if let Kind::Bool(flag) = value.kind {

@@ -164,6 +164,12 @@ fn positive_numbers() {
     setting!("comfort", "1deg", "\"1deg\"", ["`comfort` is a plain number, found the unit `deg`", "1deg", "\"1deg\""]);
     setting!("level", "1.5", "1.5", ["`level` must lie in 0 to 1, found `1.5`", "1.5", "1.5"]);
     setting!("level", "-0.1", "-0.1", ["`level` must lie in 0 to 1, found `-0.1`", "-0.1", "-0.1"]);
+    let both = "heading = -35deg..=35deg, pitch = -9deg..=9deg, rate = 450deg, narrowing = 1.1";
+    joint(
+        both,
+        "heading = [\"-35deg\", \"35deg\"]\npitch = [\"-9deg\", \"9deg\"]\nrate = \"450deg\"\nnarrowing = 1.1",
+        &[["`narrowing` must lie in 0 to 1, found `1.1`", "1.1", "1.1"]],
+    );
     joint(
         "heading = -1deg..=1deg, rate = 0rad",
         "heading = [\"-1deg\", \"1deg\"]\nrate = \"0rad\"",
@@ -358,6 +364,81 @@ fn effector() {
             ["unknown setting `aim`", "aim", "aim"],
         ],
     });
+}
+
+#[test]
+fn narrowing_needs_both_angles_and_ends() {
+    setting!("narrowing", "0.5", "0.5", ["`narrowing` needs a pitch", "0.5", "0.5"]);
+    setting!(
+        "narrowing",
+        "-0.5",
+        "-0.5",
+        ["`narrowing` must lie in 0 to 1, found `-0.5`", "-0.5", "-0.5"],
+        ["`narrowing` needs a pitch", "-0.5", "-0.5"]
+    );
+    joint(
+        "pitch = -1deg..=1deg, rate = 1rad, narrowing = 0",
+        "pitch = [\"-1deg\", \"1deg\"]\nrate = \"1rad\"\nnarrowing = 0",
+        &[["`narrowing` needs a heading", "0", "0"]],
+    );
+    joint(
+        "heading = free, pitch = -1deg..=1deg, rate = 1rad, narrowing = 0.5",
+        "heading = \"free\"\npitch = [\"-1deg\", \"1deg\"]\nrate = \"1rad\"\nnarrowing = 0.5",
+        &[["`narrowing` needs a heading with ends", "0.5", "0.5"]],
+    );
+}
+
+/// A rig's `natural` in otherwise good order.
+macro_rules! natural {
+    ($rust:literal, $toml:literal, $($error:expr),+) => {
+        rig(
+            concat!("bones(up = +X, forward = +Y), natural(", $rust, ")"),
+            concat!("bones = { up = \"+X\", forward = \"+Y\" }\nnatural = { ", $toml, " }"),
+            &[$($error),+],
+        )
+    };
+}
+
+#[test]
+fn natural_gazes() {
+    natural!(
+        "eyes_only = 181deg, engage = -1deg",
+        r#"eyes_only = "181deg", engage = "-1deg""#,
+        ["`engage` must lie in 0° to 180°, found `-1deg`", "-1deg", "\"-1deg\""],
+        ["`eyes_only` must lie in 0° to 180°, found `181deg`", "181deg", "\"181deg\""]
+    );
+    natural!("eyes_only = 15", "eyes_only = 15", ["`15` has no unit", "15", "15"]);
+    natural!(
+        "head_share = 1.5, delay = -0.1",
+        "head_share = 1.5, delay = -0.1",
+        ["`delay` must not be negative, found `-0.1`", "-0.1", "-0.1"],
+        ["`head_share` must lie in 0 to 1, found `1.5`", "1.5", "1.5"]
+    );
+    natural!(
+        "delay = 50ms",
+        r#"delay = "50ms""#,
+        ["`delay` is a plain number, found the unit `ms`", "50ms", "\"50ms\""]
+    );
+    natural!("delay = 1e99", "delay = 1e99", ["`delay` must be finite, `1e99` is not", "1e99", "1e99"]);
+    natural!(
+        "engage = 10deg, release = 12deg",
+        r#"engage = "10deg", release = "12deg""#,
+        ["`release`, 12°, is above `engage`, 10°", "12deg", "\"12deg\""]
+    );
+    // Against what is not set, too.
+    natural!("engage = 5deg", r#"engage = "5deg""#, ["`release`, 8°, is above `engage`, 5°", "5deg", "\"5deg\""]);
+    natural!("eyes = 5deg", r#"eyes = "5deg""#, ["unknown setting `eyes`", "eyes", "eyes"]);
+    natural!("share = 0.5", "share = 0.5", ["unknown setting `share`", "share", "share"]);
+    rig(
+        "bones(up = +X, forward = +Y), natural = true",
+        "bones = { up = \"+X\", forward = \"+Y\" }\nnatural = true",
+        &[["`natural` needs settings such as `eyes_only`, found `true`", "true", "true"]],
+    );
+    joint(
+        "heading = -1deg..=1deg, rate = 1rad, natural(delay = 0)",
+        "heading = [\"-1deg\", \"1deg\"]\nrate = \"1rad\"\nnatural = { delay = 0 }",
+        &[["`natural` is a setting of the rig, not of a joint", "natural", "natural"]],
+    );
 }
 
 #[test]

@@ -19,7 +19,7 @@ impl Random {
 }
 
 const SEEDS: [&str; 3] = [
-    "#[aim(bones(up = +X, forward = +Y, left = +Z), handedness = left, effector(forward = (0.0, 1.0, 0.0), origin = (0.0, 0.1, 0.0)), crate = a::b)]
+    "#[aim(bones(up = +X, forward = +Y, left = +Z), handedness = left, effector(forward = (0.0, 1.0, 0.0), origin = (0.0, 0.1, 0.0)), natural(eyes_only = 9deg, head_share = 0.5, engage = 9deg, release = 9deg, delay = 1), crate = a::b)]
     struct Thug {
         #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, comfort = 0.5, bone = [\"a\", \"b\"], pair = \"r\")]
         left_eye: Joint,
@@ -125,7 +125,7 @@ fn mutated_attributes_never_panic() {
 #[cfg(feature = "toml")]
 #[test]
 fn mutated_files_never_panic() {
-    let seed = "name = \"Thug\"\nhandedness = \"left\"\nbones = { up = \"+X\", forward = [0.0, 1.0, 0.0] }\neffector = { forward = \"+Y\", origin = [0, 0.1, 0] }\n[[joint]]\nname = \"eye\"\nbone = [\"a\", \"ü\"]\nheading = [\"-35deg\", \"35deg\"]\nrate = \"450deg\"\nmirrored = true\n";
+    let seed = "name = \"Thug\"\nhandedness = \"left\"\nbones = { up = \"+X\", forward = [0.0, 1.0, 0.0] }\neffector = { forward = \"+Y\", origin = [0, 0.1, 0] }\nnatural = { eyes_only = \"9deg\", delay = 0.1 }\n[[joint]]\nname = \"eye\"\nbone = [\"a\", \"ü\"]\nheading = [\"-35deg\", \"35deg\"]\nrate = \"450deg\"\nmirrored = true\n";
     let pieces = [
         "\"",
         "[",

@@ -7,7 +7,7 @@ use syn::DeriveInput;
 
 use super::parse;
 use crate::declare::{Declared, from_derive_input};
-use crate::{AngleRange, Frame};
+use crate::{AngleRange, Frame, NaturalSpec, Role};
 
 fn declared(item: &str) -> Declared {
     from_derive_input(&parse(item)).unwrap_or_else(|errors| panic!("{errors}"))
@@ -26,10 +26,11 @@ fn frame(rig: &str) -> Frame {
 #[test]
 fn everything_at_once() {
     let found = declared(
-        "#[aim(bones(up = +X, forward = +Y, left = +Z), crate = some::path, effector(origin = (0.0, 0.1, -2)))]
+        "#[aim(bones(up = +X, forward = +Y, left = +Z), crate = some::path, effector(origin = (0.0, 0.1, -2)),
+            natural(eyes_only = 10deg, head_share = 1, engage = 3.141593rad, delay = 0.25))]
         pub struct Thug {
             #[joint(heading = -35deg..=35.5deg, pitch = -1e-1rad..=0deg, rate = 450deg, comfort = 0.5, acceleration = 1_200deg,
-                bone = [\"a\", \"b\"], pair = \"R_eye\", level = 0.5, range = absolute,)]
+                bone = [\"a\", \"b\"], pair = \"R_eye\", level = 0.5, narrowing = 0.25, range = absolute,)]
             pub r#type: Joint,
             #[joint(heading = free, rate = 2rad, range = relative, bones(up = +Z, forward = +Y), mirrored = true)]
             neck: Joint,
@@ -44,11 +45,17 @@ fn everything_at_once() {
     assert_eq!(eye.heading, Some(AngleRange::Between(-35f64.to_radians(), 35.5f64.to_radians())));
     assert_eq!(eye.pitch, Some(AngleRange::Between(-0.1, 0.0)));
     assert_eq!((eye.rate, eye.acceleration), (450f64.to_radians(), Some(1200f64.to_radians())));
-    assert_eq!((eye.comfort, eye.level, eye.absolute), (0.5, Some(0.5), true));
+    assert_eq!((eye.comfort, eye.level, eye.narrowing, eye.absolute), (0.5, Some(0.5), Some(0.25), true));
     assert_eq!(eye.pair.as_deref(), Some("R_eye"));
     assert_eq!(neck.bones, ["neck"]);
     assert_eq!((neck.heading, neck.pitch), (Some(AngleRange::Free), None));
-    assert_eq!((neck.comfort, neck.level, neck.acceleration, neck.absolute), (1.0, None, None, false));
+    assert_eq!((neck.comfort, neck.level, neck.narrowing), (1.0, None, None));
+    assert_eq!((neck.acceleration, neck.absolute), (None, false));
+    // The field's name tells nothing, so the bones' do; they tell nothing either.
+    assert_eq!((eye.role(), neck.role()), (Role::Other, Role::Neck));
+    let natural = found.spec.natural.expect("it is declared");
+    assert_eq!((natural.eyes_only, natural.head_share, natural.engage), (10f64.to_radians(), 1.0, PI));
+    assert_eq!((natural.release, natural.delay), (NaturalSpec::default().release, 0.25));
     // Right-handed would be up × forward = Z × Y = -X.
     assert_eq!(neck.frame.left, [1.0, 0.0, 0.0]);
     assert_eq!(found.spec.effector.origin, [0.0, 0.1, -2.0]);

@@ -112,7 +112,7 @@ impl<Any> Methods for Any {}
 
 /// Two joints with kernels of their own.
 #[derive(::aim::AimRig)]
-#[aim(bones(up = +X, forward = +Y), effector(forward = (0.0, 0.8, 0.6), origin = (0.0, 0.1, 0.0)))]
+#[aim(bones(up = +X, forward = +Y), effector(forward = (0.0, 0.8, 0.6), origin = (0.0, 0.1, 0.0)), natural(delay = 0.1))]
 pub struct Thug {
     #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, acceleration = 90rad)]
     left_eye: ::aim::Joint,

@@ -1,0 +1,60 @@
+//! Where the target, the gaze and the head are, as the effector would see them if no joint of the chain had moved from
+//! its bind pose: in its bind frame, carried by the bone that the chain hangs on.
+
+use aim_codegen::Role;
+use aim_gltf::ChainNodes;
+use glam::{DAffine3, DMat3, DVec3};
+
+use super::Subject;
+
+/// Azimuth and elevation of one thing in every frame, degrees; NaN where it has no direction.
+pub(super) type Course = Vec<[f64; 2]>;
+
+pub(super) struct Directions {
+    pub(super) target: Course,
+    pub(super) gaze: Course,
+    /// Where the gaze would be with joint 0, an eye, as it is in the bind pose.
+    pub(super) head: Option<Course>,
+}
+
+impl Directions {
+    /// Nothing where the rig's bones are not in the document.
+    pub(super) fn of(subject: &Subject<'_>) -> Option<Self> {
+        let Subject { spec, document, measurement, baked, .. } = *subject;
+        let skeleton = document.skeleton();
+        let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
+        let chain = ChainNodes::find(skeleton, bones, None).ok()?;
+        let bind = &measurement.bind_world;
+        let eye = chain.joints[0];
+        let carrier = chain.joints.last().and_then(|node| skeleton.nodes()[*node].parent);
+        let head = skeleton.nodes()[eye].parent.filter(|_| spec.joints[0].role() == Role::Eye);
+        let axes = [spec.effector.frame.left, spec.effector.frame.up, spec.effector.frame.forward];
+        let rest = axes.map(|axis| bind[eye].transform_vector3(DVec3::from(axis)));
+        let moved = |node: Option<usize>, world: &[DAffine3]| -> DMat3 {
+            node.map_or(DMat3::IDENTITY, |node| world[node].matrix3 * bind[node].matrix3.inverse())
+        };
+        let mut found = Self { target: Vec::new(), gaze: Vec::new(), head: head.map(|_| Vec::new()) };
+        for frame in &baked.frames {
+            let world = &frame.world;
+            let carried = moved(carrier, world);
+            let frame_of = rest.map(|axis| (carried * axis).normalize_or_zero());
+            let seen = |v: DVec3| {
+                let [left, up, forward] = frame_of.map(|axis| axis.dot(v));
+                [left.atan2(forward).to_degrees(), up.atan2(left.hypot(forward)).to_degrees()]
+            };
+            let origin = world[eye].transform_point3(DVec3::from(spec.effector.origin));
+            found.target.push(seen(frame.target - origin));
+            found.gaze.push(seen(world[eye].transform_vector3(DVec3::from(spec.effector.frame.forward))));
+            if let Some(course) = &mut found.head {
+                course.push(seen(moved(head, world) * rest[2]));
+            }
+        }
+        Some(found)
+    }
+}
+
+/// The difference of two angles, degrees, −180…180.
+pub(super) fn apart(a: f64, b: f64) -> f64 {
+    let difference = a - b;
+    difference - 360.0 * (difference / 360.0).round()
+}

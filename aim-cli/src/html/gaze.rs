@@ -1,0 +1,163 @@
+//! How eye and head share the gaze: target, gaze, head and eye in head on one chart, over the whole length and close up
+//! where the gaze shifts furthest.
+
+use std::ops::Range;
+
+use maud::{Markup, html};
+
+use super::chart::{Scale, Series};
+use super::charts::Base;
+use super::directions::{Course, Directions, apart};
+use super::words::{self, trimmed};
+
+/// The time in which a shift is looked for, seconds, and how far it has to go, degrees.
+const SHIFT_S: f64 = 0.3;
+const SHIFT_DEG: f64 = 20.0;
+/// What a close-up shows before and after a shift's beginning, seconds.
+const BEFORE_S: f64 = 0.15;
+const AFTER_S: f64 = 1.05;
+
+/// Scales end at a multiple of this.
+const STEP_DEG: f64 = 30.0;
+
+/// One of the two angles.
+#[derive(Clone, Copy)]
+struct Angle {
+    name: &'static str,
+    unit: &'static str,
+    index: usize,
+    most: f64,
+    wraps: Option<f64>,
+}
+
+const AZIMUTH: Angle =
+    Angle { name: "Azimuth", unit: "degrees, positive to the left", index: 0, most: 180.0, wraps: Some(360.0) };
+const ELEVATION: Angle =
+    Angle { name: "Elevation", unit: "degrees, positive upwards", index: 1, most: 90.0, wraps: None };
+
+/// Azimuth, the close-up where there is something to see, elevation.
+pub(super) fn charts(base: &Base<'_>, directions: &Directions) -> Markup {
+    let whole = |angle: Angle| {
+        let series = series(directions, angle, 0..base.times.len());
+        let seen = series.iter().flat_map(|series| &series.values).filter(|value| value.is_finite());
+        let most = seen.fold(0.0_f64, |most, value| most.max(value.abs()));
+        let most = (most / STEP_DEG).ceil().max(1.0) * STEP_DEG;
+        let scale = Scale::Degrees(-most.min(angle.most), most.min(angle.most));
+        let label = format!("{} of {} over time.", angle.name, what(directions));
+        let mut chart = base.chart(label, angle.unit, scale);
+        chart.wraps = angle.wraps;
+        chart.wide = angle.index == 0;
+        chart.series = series;
+        chart.figure(angle.name)
+    };
+    html! {
+        (whole(AZIMUTH))
+        @if let Some(shift) = furthest_shift(base.times, &directions.gaze) { (close_up(base, directions, &shift)) }
+        (whole(ELEVATION))
+    }
+}
+
+fn what(directions: &Directions) -> &'static str {
+    match directions.head {
+        Some(_) => "the target, of the gaze, of the head, and of the eye in the head",
+        None => "the target and of the gaze",
+    }
+}
+
+/// The lines of these frames; what is drawn later lies above.
+fn series(directions: &Directions, angle: Angle, frames: Range<usize>) -> Vec<Series<'static>> {
+    let pick = |course: &Course| course[frames.clone()].iter().map(|at| at[angle.index]).collect::<Vec<f64>>();
+    let gaze = pick(&directions.gaze);
+    let mut series = vec![Series { name: "target", class: "target-line", values: pick(&directions.target) }];
+    if let Some(head) = &directions.head {
+        let head = pick(head);
+        let eye = gaze.iter().zip(&head).map(|(gaze, head)| apart(*gaze, *head)).collect();
+        series.push(Series { name: "head", class: "heading", values: head });
+        series.push(Series { name: "eye in head", class: "pitch", values: eye });
+    }
+    series.push(Series { name: "gaze", class: "one", values: gaze });
+    series
+}
+
+/// Where the gaze goes furthest in a short time.
+struct Shift {
+    /// The frame that it begins in.
+    begins: usize,
+    /// How far it goes, degrees.
+    degrees: f64,
+    angle: Angle,
+}
+
+fn furthest_shift(times: &[f64], gaze: &Course) -> Option<Shift> {
+    let count = times.len().min(gaze.len());
+    let after = |k: usize| times.partition_point(|t| *t <= times[k] + SHIFT_S).clamp(1, count) - 1;
+    let far = |a: usize, b: usize| between(gaze[a], gaze[b]);
+    let shifts = (0..count).map(|k| (k, far(k, after(k)))).filter(|(_, degrees)| degrees.is_finite());
+    // The first of equals.
+    let (from, degrees) = shifts.reduce(|best, at| if at.1 > best.1 { at } else { best })?;
+    if degrees < SHIFT_DEG {
+        return None;
+    }
+    let to = after(from);
+    let steps = || (from + 1..=to).map(|k| (k - 1, far(k - 1, k)));
+    let fastest = steps().map(|(_, step)| step).fold(0.0, f64::max);
+    let begins = steps().find(|(_, step)| *step >= 0.25 * fastest).map_or(from, |(k, _)| k);
+    let turned = apart(gaze[to][0], gaze[from][0]).abs();
+    let raised = (gaze[to][1] - gaze[from][1]).abs();
+    Some(Shift { begins, degrees, angle: if raised > turned { ELEVATION } else { AZIMUTH } })
+}
+
+/// Degrees between two directions.
+fn between(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let [a, b] = [a, b].map(|[azimuth, elevation]| {
+        let ((sin, cos), (up, level)) = (azimuth.to_radians().sin_cos(), elevation.to_radians().sin_cos());
+        glam::DVec3::new(sin * level, up, cos * level)
+    });
+    a.cross(b).length().atan2(a.dot(b)).to_degrees()
+}
+
+fn close_up(base: &Base<'_>, directions: &Directions, shift: &Shift) -> Markup {
+    let start = base.times[shift.begins];
+    let at = |t: f64| base.times.partition_point(|time| *time < t);
+    let frames = at(start - BEFORE_S)..at(start + AFTER_S).max(shift.begins + 1);
+    let near = Base { times: &base.times[frames.clone()], statuses: &base.statuses[frames.clone()] };
+    let series = series(directions, shift.angle, frames);
+    let seen = series.iter().flat_map(|series| &series.values).copied().filter(|value| value.is_finite());
+    let (low, high) = seen.fold((0.0_f64, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)));
+    let room = (0.06 * (high - low)).max(1.0);
+    let label = format!(
+        "{} of {}, from {} s on, when the gaze shifts by {}.",
+        shift.angle.name,
+        what(directions),
+        trimmed(start, 2),
+        words::degrees(shift.degrees)
+    );
+    let mut chart = near.chart(label, shift.angle.unit, Scale::Degrees(low - room, high + room));
+    chart.wraps = shift.angle.wraps;
+    chart.wide = true;
+    chart.series = series;
+    chart.figure(&format!("The furthest quick shift of the gaze, close up: {}", shift.angle.name.to_lowercase()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_leap_is_found_where_it_begins_and_a_drift_is_none() {
+        let times: Vec<f64> = (0..200_u32).map(|k| f64::from(k) / 60.0).collect();
+        let drift: Course = times.iter().map(|t| [20.0 * t, 0.0]).collect();
+        assert!(furthest_shift(&times, &drift).is_none());
+        let leap = |sign: f64| -> Course {
+            times.iter().map(|t| [170.0 + sign * (400.0 * (t - 1.0)).clamp(0.0, 40.0), 0.0]).collect()
+        };
+        for sign in [1.0, -1.0] {
+            let shift = furthest_shift(&times, &leap(sign)).expect("a leap of 40°");
+            assert!((shift.degrees - 40.0).abs() < 1e-6, "{}", shift.degrees);
+            assert!((times[shift.begins] - 1.0).abs() < 0.02, "{}", times[shift.begins]);
+        }
+        let nod: Course = times.iter().map(|t| [10.0, (600.0 * (t - 2.0)).clamp(0.0, 30.0)]).collect();
+        assert_eq!(furthest_shift(&times, &nod).expect("a nod of 30°").angle.index, 1);
+        assert!(furthest_shift(&[], &Vec::new()).is_none() && furthest_shift(&times[..1], &nod).is_none());
+    }
+}

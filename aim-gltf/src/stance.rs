@@ -1,0 +1,231 @@
+//! [`Stance`]: how the character stands while it is aimed: what is up for it, its bind pose carried along, how much its
+//! gaze is rolled, and where its other eye looks.
+
+use core::f64::consts::{PI, TAU};
+
+use aim_runtime::{AimRig, DetailedPose, Effector};
+use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
+
+use crate::bake::ChainNodes;
+use crate::measure::Measurement;
+use crate::roles::Role;
+use crate::skeleton::Skeleton;
+use crate::trs::{Trs, orthonormal};
+
+/// Up to this lean of the hips the world's up is the character's: it stands, walks, or bends forward.
+const STANDS_RAD: f64 = 45.0 / 180.0 * PI;
+/// From this lean on it lies or hangs, and its up is that of its hips.
+const LIES_RAD: f64 = 75.0 / 180.0 * PI;
+/// A direction nearer than this to the gaze does not tell a roll (sine of 1°).
+const TELLS_ROLL: f64 = 0.017_452;
+
+/// What is fixed while one chain of one character is aimed.
+pub(crate) struct Stance<'a> {
+    chain: &'a ChainNodes,
+    measurement: &'a Measurement,
+    /// The bone that the chain hangs on.
+    carrier: Option<usize>,
+    /// The bone that tells how the character as a whole is turned.
+    trunk: Option<usize>,
+    effector: Sight,
+    /// What of the other eye is aimed.
+    pair: Option<Sight>,
+    /// What is up in the world for a character that stands: the axis nearest to what the rig calls up, as a file may
+    /// hold a character that lies.
+    standing: DVec3,
+    /// Joint 0's up in its own space.
+    up: DVec3,
+}
+
+/// A point and a direction of a node, in the node's space.
+struct Sight {
+    node: usize,
+    origin: DVec3,
+    forward: DVec3,
+}
+
+impl Sight {
+    /// Degrees between the direction and that to `target`; `None` where either has no direction.
+    fn error_deg(&self, world: &[DAffine3], target: DVec3) -> Option<f64> {
+        let forward = self.forward(world);
+        let to_target = target - world[self.node].transform_point3(self.origin);
+        let error = forward.cross(to_target).length().atan2(forward.dot(to_target));
+        (error.is_finite() && to_target.length() > 0.0).then(|| error.to_degrees())
+    }
+
+    fn forward(&self, world: &[DAffine3]) -> DVec3 {
+        world[self.node].transform_vector3(self.forward)
+    }
+}
+
+impl<'a> Stance<'a> {
+    pub(crate) fn new<R: AimRig>(
+        rig: &R,
+        skeleton: &Skeleton,
+        chain: &'a ChainNodes,
+        measurement: &'a Measurement,
+    ) -> Self {
+        let above = |node: &usize| skeleton.nodes()[*node].parent;
+        let hips = measurement.with_role(Role::Hips).map(|bone| bone.node);
+        let ancestry = || skeleton.ancestry(chain.joints[0]);
+        let Effector { forward, origin } = rig.effector();
+        let eye = chain.joints[0];
+        let effector =
+            Sight { node: eye, origin: Vec3::from(origin).as_dvec3(), forward: Vec3::from(forward).as_dvec3() };
+        Self {
+            chain,
+            measurement,
+            carrier: chain.joints.last().and_then(above),
+            trunk: hips.filter(|hips| ancestry().any(|node| node == *hips)).or_else(|| ancestry().last()),
+            pair: chain.pair.map(|pair| other(&effector, pair, measurement)),
+            effector,
+            standing: standing(rig, chain, measurement),
+            up: rig.joint_infos().first().map_or(DVec3::ZERO, |info| Vec3::from(info.axes().up).as_dvec3()),
+        }
+    }
+
+    /// What is up for the character: that of the world as long as it stands, its own where it lies or hangs, and from the
+    /// one to the other without a jump.
+    pub(crate) fn up(&self, world: &[DAffine3]) -> DVec3 {
+        let standing = self.standing;
+        let Some(trunk) = self.trunk else { return standing };
+        let [bind, now] = [&self.measurement.bind_world[trunk], &world[trunk]].map(|at| orthonormal(&at.matrix3).0);
+        let own = now * bind.transpose() * standing;
+        let lean = standing.cross(own).length().atan2(standing.dot(own));
+        let share = ((lean - STANDS_RAD) / (LIES_RAD - STANDS_RAD)).clamp(0.0, 1.0);
+        standing.lerp(own, share * share * (3.0 - 2.0 * share)).normalize_or(standing)
+    }
+
+    /// The joints' bind pose, carried along by what the chain hangs on.
+    pub(crate) fn bind<R: AimRig>(&self, rig: &R, world: &[DAffine3]) -> R::Array<Affine3A> {
+        let bind = &self.measurement.bind_world;
+        let carried = self.carrier.map(|node| world[node] * bind[node].inverse());
+        let carried = carried.filter(DAffine3::is_finite).unwrap_or(DAffine3::IDENTITY);
+        let mut joints = rig.array(Affine3A::IDENTITY);
+        for (joint, &node) in joints.as_mut().iter_mut().zip(&self.chain.joints) {
+            *joint = (carried * bind[node]).as_affine3a();
+        }
+        joints
+    }
+
+    /// The heading and pitch, radians, by which the animation turns a joint with an absolute range out of its bind pose,
+    /// as seen from the next joint; `None` where ranges are relative.
+    pub(crate) fn led<R: AimRig>(
+        &self,
+        rig: &R,
+        joint: usize,
+        pose: &DetailedPose<R::Array<Affine3A>>,
+    ) -> Option<[f64; 2]> {
+        let info = rig.joint_infos().get(joint).filter(|info| info.absolute)?;
+        let local = |joints: &[Affine3A]| -> Option<DMat3> {
+            let frame = |at: &Affine3A| orthonormal(&at.matrix3.as_dmat3()).0;
+            let own = frame(joints.get(joint)?);
+            Some(joints.get(joint + 1).map_or(own, |next| frame(next).transpose() * own))
+        };
+        let turn = local(pose.bind.as_ref()?.as_ref())?.transpose() * local(pose.joints.as_ref())?;
+        let [up, ahead, left] =
+            [info.axes().up, info.axes().forward, info.axes().left].map(|axis| Vec3::from(axis).as_dvec3());
+        let forward = turn * ahead;
+        let (up, ahead, left) = (forward.dot(up), forward.dot(ahead), forward.dot(left));
+        Some([left.atan2(ahead), up.atan2(left.hypot(ahead))])
+    }
+
+    /// The other eye's local rotation with which it looks as joint 0 does, as both do in the bind pose. Animations that
+    /// turn eyes by themselves seldom keep them parallel, and what a skin shows of an eye is what the bind pose says.
+    pub(crate) fn parallel(&self, skeleton: &Skeleton, pose: &[Trs], world: &[DAffine3]) -> Option<Quat> {
+        let (eye, pair) = (self.effector.node, self.pair.as_ref()?.node);
+        let bind = &self.measurement.bind_world;
+        let frame = |at: &DAffine3| orthonormal(&at.matrix3).0;
+        let wanted = frame(&world[eye]) * frame(&bind[eye]).transpose() * frame(&bind[pair]);
+        let parent = skeleton.nodes()[pair].parent.map_or(DMat3::IDENTITY, |parent| frame(&world[parent]));
+        // Mirrors, the bone's own and those above it, are the same in both poses, or else there is no such rotation.
+        let local = parent.transpose() * wanted * DMat3::from_diagonal(pose[pair].scale.signum().as_dvec3());
+        (local.determinant() > 0.5).then(|| DQuat::from_mat3(&local).normalize().as_quat())
+    }
+
+    /// Degrees between the effector and the direction to `target`; 90 where either has no direction.
+    pub(crate) fn error_deg(&self, world: &[DAffine3], target: DVec3) -> f64 {
+        self.effector.error_deg(world, target).unwrap_or(90.0)
+    }
+
+    /// The same of the other eye; `None` where there is none.
+    pub(crate) fn pair_error_deg(&self, world: &[DAffine3], target: DVec3) -> Option<f64> {
+        self.pair.as_ref().map(|pair| pair.error_deg(world, target).unwrap_or(90.0))
+    }
+
+    /// By how much joint 0 is rolled more when aimed than when animated, degrees, positive to the character's left; 0
+    /// where either has no roll.
+    pub(crate) fn roll_deg(&self, animated: &[DAffine3], aimed: &[DAffine3]) -> f64 {
+        let up = self.up(animated);
+        let roll = |world: &[DAffine3]| {
+            let bone_up = world[self.effector.node].transform_vector3(self.up);
+            roll(self.effector.forward(world), up, bone_up)
+        };
+        let more = roll(aimed).zip(roll(animated)).map_or(0.0, |(aimed, animated)| aimed - animated);
+        (more - TAU * (more / TAU).round()).to_degrees()
+    }
+}
+
+/// The axis of the world nearest to the joints' declared ups in the bind pose.
+fn standing<R: AimRig>(rig: &R, chain: &ChainNodes, measurement: &Measurement) -> DVec3 {
+    let ups = rig.joint_infos().iter().zip(&chain.joints).map(|(info, &node)| {
+        let up = Vec3::from(info.axes().up).as_dvec3();
+        measurement.bind_world[node].transform_vector3(up).normalize_or_zero()
+    });
+    let up: DVec3 = ups.sum();
+    let size = up.abs();
+    if up == DVec3::ZERO || !up.is_finite() {
+        return measurement.up;
+    }
+    // Of equals the measured up.
+    let largest = if size.y == size.max_element() { 1 } else { size.max_position() };
+    DVec3::AXES[largest] * up[largest].signum()
+}
+
+/// The angle about `gaze` from `up` to `bone_up`, each as seen along the gaze, positive to the left of who looks along
+/// it. `None` where one of them lies along the gaze.
+fn roll(gaze: DVec3, up: DVec3, bone_up: DVec3) -> Option<f64> {
+    let gaze = gaze.normalize_or_zero();
+    let [up, bone_up] = [up, bone_up].map(|v| {
+        let across = v.normalize_or_zero();
+        across - gaze * gaze.dot(across)
+    });
+    let known = gaze != DVec3::ZERO && up.length() > TELLS_ROLL && bone_up.length() > TELLS_ROLL;
+    known.then(|| gaze.dot(bone_up.cross(up)).atan2(bone_up.dot(up)))
+}
+
+/// What of the other eye is aimed: in the bind pose it looks the same way, from the mirrored point.
+fn other(effector: &Sight, pair: usize, measurement: &Measurement) -> Sight {
+    let Measurement { bind_world: bind, left, .. } = measurement;
+    let frame = |node: usize| -> DMat3 { orthonormal(&bind[node].matrix3).0 };
+    let out = bind[effector.node].transform_vector3(effector.origin);
+    let mirrored = out - *left * (2.0 * out.dot(*left));
+    let origin = bind[pair].inverse().transform_vector3(mirrored);
+    Sight {
+        node: pair,
+        origin: if origin.is_finite() { origin } else { DVec3::ZERO },
+        forward: frame(pair).transpose() * (frame(effector.node) * effector.forward),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_head_tilted_to_its_left_has_a_positive_roll() {
+        let (left, up, forward) = (DVec3::X, DVec3::Y, DVec3::Z);
+        let tilted = |degrees: f64| up * degrees.to_radians().cos() + left * degrees.to_radians().sin();
+        for degrees in [0.0, 20.0, -20.0, 170.0] {
+            let found = roll(forward, up, tilted(degrees)).expect("it is plain to see").to_degrees();
+            assert!((found - degrees).abs() < 1e-9, "{found}° for {degrees}°");
+        }
+        // Looking up by 60° as nobody rolls.
+        let (sin, cos) = 60_f64.to_radians().sin_cos();
+        let found = roll(forward * cos + up * sin, up, up * cos - forward * sin).expect("it is plain to see");
+        assert!(found.abs() < 1e-12, "{found}");
+        // Nothing tells straight up, nor without a gaze.
+        assert_eq!((roll(up, up, forward), roll(DVec3::ZERO, up, forward)), (None, None));
+        assert_eq!(roll(forward, up, forward), None);
+    }
+}

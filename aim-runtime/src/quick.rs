@@ -1,0 +1,496 @@
+//! The frame that nearly every frame is: the pose rigid, the target in front and within this frame's reach, all of the
+//! weight on it. The same optimum as [`exact`](crate::exact)'s, on flat arrays and four angles at a time, without what
+//! the other frames need; it gives up, having changed nothing, wherever anything is out of the ordinary.
+
+use core::f32::consts::PI;
+
+use glam::{Affine3A, BVec4A, Mat3A, Quat, Vec3A, Vec4};
+
+use crate::chain::{self, Level, TOO_NEAR};
+use crate::dual::{CLOSED, DEAREST, STRAINED};
+use crate::exact::{ENOUGH_RAD, FINE_RAD, STILL_RAD};
+use crate::joint::{self, Side, turn};
+use crate::limits::AT_LIMIT_RAD;
+use crate::pose::Animated;
+use crate::view::{Stretch, View};
+use crate::{AimRig, JointInfo, JointSet, Outcome, Settings, Status, math, trig};
+
+/// How often the linear model is used again on what it missed.
+const MENDINGS: usize = 2;
+/// How many Newton steps its dual takes at most.
+const NEWTON_STEPS: usize = 4;
+/// Derivatives that only a target near the effector has.
+const SUSPICIOUS: f32 = 1e3;
+
+/// Does something for every joint, from the effector inward or (`rev`) outward. Written out for short chains, so that
+/// what was declared of each joint is a constant to the compiler, which does not unroll loops as long as these.
+macro_rules! each_joint {
+    ($count:expr, $index:ident => $body:block) => {
+        each_joint!($count, $index => $body, (0, 1, 2, 3), (0..$count))
+    };
+    ($count:expr, rev $index:ident => $body:block) => {
+        each_joint!($count, $index => $body, (3, 2, 1, 0), (0..$count).rev())
+    };
+    ($count:expr, $index:ident => $body:block, ($($n:literal),*), $all:expr) => {
+        if $count <= 4 {
+            $(
+                if $n < $count {
+                    let $index = $n;
+                    $body
+                }
+            )*
+        } else {
+            for $index in $all {
+                $body
+            }
+        }
+    };
+}
+
+/// Aims for one frame, if it is an ordinary one. The solver is the exact one, without a second eye.
+#[inline]
+pub(crate) fn aim<R: AimRig>(
+    rig: &mut R,
+    pose_ps: &Animated<'_>,
+    target_ps: Vec3A,
+    dt: f32,
+    settings: &Settings,
+    level: Level,
+) -> Option<Outcome> {
+    let count = rig.joint_infos().len();
+    let pose = pose_ps.joints.get(..count)?;
+    if !(count > 0
+        && dt > 0.0
+        && settings.weight >= 1.0
+        && settings.effector == 0
+        && rig.joint_infos().iter().all(is_plain))
+    {
+        return None;
+    }
+    let mut body = Body::new(rig);
+    let mut angles = Angles::new(rig);
+    if !(angles.read(rig, dt) && body.read(rig, pose, target_ps, level)) {
+        return None;
+    }
+    let residual = angles.linearise(rig, &body)?;
+    let view = angles.solve(rig, &body, residual)?;
+    let remaining = view.small_angle();
+    if !(remaining <= settings.effective_tolerance()) {
+        return None;
+    }
+    angles.keep(rig, &body);
+    let length = math::sqrt(view.forward * view.forward + view.left * view.left + view.up * view.up);
+    Some(Outcome {
+        aim: view.forward / length,
+        remaining,
+        status: Status::Reached,
+        at_limit: angles.limits_met(rig),
+        recovering: JointSet::EMPTY,
+        pair_remaining: None,
+    })
+}
+
+/// Whether a joint's ranges are what was declared, and within half a turn. Known when compiling for a derived rig.
+#[inline(always)]
+fn is_plain(info: &JointInfo) -> bool {
+    let within = |range: Option<[f32; 2]>| range.is_none_or(|[lo, hi]| -PI <= lo && lo <= hi && hi <= PI);
+    !info.absolute && info.narrowing == 0.0 && within(info.pitch) && within(info.heading)
+}
+
+/// The pose: rigid links in the pose's lengths, and the target.
+struct Body<R: AimRig> {
+    links: R::Array<Affine3A>,
+    tilts: R::Array<Quat>,
+    /// The target in the innermost joint's levelled space.
+    target: Vec3A,
+    side: Side,
+    /// Nearer than this to the effector a target has no direction; squared.
+    near: f32,
+}
+
+impl<R: AimRig> Body<R> {
+    #[inline(always)]
+    fn new(rig: &R) -> Self {
+        Self {
+            links: rig.array(Affine3A::IDENTITY),
+            tilts: rig.array(Quat::IDENTITY),
+            target: Vec3A::ZERO,
+            side: Side::None,
+            near: 0.0,
+        }
+    }
+
+    /// Whether the pose is an ordinary one.
+    #[inline(always)]
+    fn read(&mut self, rig: &R, pose: &[Affine3A], target: Vec3A, level: Level) -> bool {
+        let infos = rig.joint_infos();
+        let count = infos.len();
+        let mut frames = rig.array(Mat3A::IDENTITY);
+        if !chain::similar(pose, frames.as_mut()) {
+            return false;
+        }
+        if infos.iter().any(JointInfo::is_level) {
+            chain::upright(infos, 0, level, frames.as_mut(), self.tilts.as_mut());
+        }
+        let frames = frames.as_ref();
+        let links = self.links.as_mut();
+        let mut square = 0.0;
+        let origin = rig.effector().origin;
+        if origin != [0.0; 3] {
+            let offset = pose[0].transform_vector3a(origin.into());
+            square = offset.dot(offset);
+            links[0].translation = frames[0].transpose() * offset;
+        }
+        let tilt = self.tilts.as_ref()[0];
+        if !chain::is_identity(tilt) {
+            links[0].matrix3 = Mat3A::from_quat(tilt.conjugate());
+        }
+        each_joint!(count, index => {
+            if index > 0 {
+                let outward = frames[index].transpose();
+                let step = pose[index - 1].translation - pose[index].translation;
+                square += step.dot(step);
+                links[index] = Affine3A { matrix3: outward * frames[index - 1], translation: outward * step };
+            }
+        });
+        let to_target = target - pose[count - 1].translation;
+        self.target = frames[count - 1].transpose() * to_target;
+        let axes = &infos[count - 1].axes;
+        self.side = Side::of(self.target.dot(axes.left.into()));
+        self.near = square * (TOO_NEAR * TOO_NEAR);
+        let far = to_target.dot(to_target);
+        // In front, no mere direction, and of lengths whose squares are plain numbers. NaN is none of these.
+        self.target.dot(axes.forward.into()) > 0.0 && far < 1e8 * square && far < 1e12 && square > 1e-12
+    }
+}
+
+/// A vector turned back by a unit quaternion.
+#[inline(always)]
+fn unturned(turn: Quat, v: Vec3A) -> Vec3A {
+    let axis = Vec3A::from_vec4(turn.into());
+    let across = math::cross(v, axis) * 2.0;
+    v + across * turn.w + math::cross(across, axis)
+}
+
+/// All angles, four a vector: each joint's pitch and heading in turn, 0 where there is none.
+struct Angles<R: AimRig> {
+    /// Where they are, and the sines and cosines of that.
+    start: R::Array<Vec4>,
+    sin_cos: R::Array<[f32; 4]>,
+    /// Where this frame may take them.
+    lo: R::Array<Vec4>,
+    hi: R::Array<Vec4>,
+    /// Half of the ease: half of the way to where they rest is left to later frames, as [`exact`](crate::exact) has it.
+    ease: R::Array<Vec4>,
+    /// The Jacobian.
+    left: R::Array<Vec4>,
+    up: R::Array<Vec4>,
+    /// The dual point, the angles there, which of them are free, and joint by joint what follows from them.
+    lambda: [f32; 2],
+    now: R::Array<Vec4>,
+    free: R::Array<BVec4A>,
+    sin: R::Array<Vec4>,
+    cos: R::Array<Vec4>,
+    halves: R::Array<trig::Halves>,
+    turns: R::Array<Quat>,
+}
+
+impl<R: AimRig> Angles<R> {
+    #[inline(always)]
+    fn new(rig: &R) -> Self {
+        let empty = || rig.array(Vec4::ZERO);
+        Self {
+            start: empty(),
+            sin_cos: rig.array([0.0; 4]),
+            lo: empty(),
+            hi: empty(),
+            ease: empty(),
+            left: empty(),
+            up: empty(),
+            lambda: [0.0; 2],
+            now: empty(),
+            free: rig.array(BVec4A::FALSE),
+            sin: empty(),
+            cos: empty(),
+            halves: rig.array([0.0; 4]),
+            turns: rig.array(Quat::IDENTITY),
+        }
+    }
+
+    /// Whether the joints are where an ordinary frame finds them.
+    #[inline(always)]
+    fn read(&mut self, rig: &mut R, dt: f32) -> bool {
+        let count = rig.joint_infos().len();
+        let willing = rig.joint_infos().iter().fold(f32::INFINITY, |least, info| least.min(info.comfort));
+        // As many places as vectors have lanes; those without an angle stay 0.
+        let lanes = || rig.array([0.0_f32; 4]);
+        let (mut start, mut least, mut most, mut ease, mut step) = (lanes(), lanes(), lanes(), lanes(), lanes());
+        each_joint!(count, index => {
+            let info = rig.joint_infos()[index];
+            let joint_step = (info.rate * dt).max(0.0).min(PI);
+            let joint_ease = 0.5 * (willing / info.comfort).max(1e-6).min(1.0);
+            let Some(joint) = rig.joint_mut(index) else { return false };
+            if joint.bound_for.is_some() || joint.pair.is_some() {
+                return false;
+            }
+            let angles = [(info.pitch, joint.pitch), (info.heading, joint.heading)];
+            for (which, (range, angle)) in angles.into_iter().enumerate() {
+                let [lo, hi] = range.unwrap_or([0.0; 2]);
+                let lane = 2 * (index % 2) + which;
+                start.as_mut()[index / 2][lane] = angle;
+                least.as_mut()[index / 2][lane] = lo;
+                most.as_mut()[index / 2][lane] = hi;
+                ease.as_mut()[index / 2][lane] = joint_ease;
+                step.as_mut()[index / 2][lane] = joint_step;
+            }
+            self.sin_cos.as_mut()[index] = trig::doubled(joint.halves());
+            if index + 1 == count {
+                if joint.behind || joint.memory.strain > 0.0 {
+                    return false;
+                }
+                self.lambda = joint.memory.lambda;
+            }
+        });
+        for k in 0..count.div_ceil(2) {
+            let load = |lanes: &R::Array<[f32; 4]>| Vec4::from_array(lanes.as_ref()[k]);
+            let (start, least, most, step) = (load(&start), load(&least), load(&most), load(&step));
+            // An angle outside its range goes back at its rate: not an ordinary frame.
+            if !(start.cmpge(least) & start.cmple(most)).all() {
+                return false;
+            }
+            self.start.as_mut()[k] = start;
+            self.lo.as_mut()[k] = least.max(start - step);
+            self.hi.as_mut()[k] = most.min(start + step);
+            self.ease.as_mut()[k] = load(&ease);
+        }
+        true
+    }
+
+    /// The number of vectors.
+    #[inline(always)]
+    fn vectors(&self) -> usize {
+        self.start.as_ref().len().div_ceil(2)
+    }
+
+    /// Makes the linear model where the angles are; returns the residual there.
+    #[inline(always)]
+    fn linearise(&mut self, rig: &R, body: &Body<R>) -> Option<[f32; 2]> {
+        let infos = rig.joint_infos();
+        let mut links = rig.array([0.0; 12]);
+        for (link, transform) in links.as_mut().iter_mut().zip(body.links.as_ref()) {
+            *link = transform.to_cols_array();
+        }
+        let mut declared = 0;
+        for info in infos {
+            declared += usize::from(info.pitch.is_some()) + usize::from(info.heading.is_some());
+        }
+        let mut out = rig.array([0.0_f32; 6]);
+        let out = &mut out.as_mut().as_flattened_mut()[..2 + 2 * declared];
+        let target = body.target.to_array();
+        rig.chain_residual_jacobian::<f32>(links.as_ref(), &target, self.sin_cos.as_ref(), out);
+        let residual = [out[0], out[1]];
+        let (left, up) = out[2..].split_at(declared);
+        let mut largest = Vec4::ZERO;
+        let mut row = 0;
+        for k in 0..self.vectors() {
+            let (left_4, up_4);
+            if declared == 2 * infos.len() && declared >= 4 * k + 4 {
+                (left_4, up_4) = (Vec4::from_slice(&left[4 * k..4 * k + 4]), Vec4::from_slice(&up[4 * k..4 * k + 4]));
+                row += 4;
+            } else {
+                let [mut lefts, mut ups] = [[0.0; 4]; 2];
+                for place in 4 * k..(4 * k + 4).min(2 * infos.len()) {
+                    let info = &infos[place / 2];
+                    let range = if place % 2 == 0 { info.pitch } else { info.heading };
+                    if range.is_some() {
+                        lefts[place - 4 * k] = left[row];
+                        ups[place - 4 * k] = up[row];
+                        row += 1;
+                    }
+                }
+                (left_4, up_4) = (Vec4::from_array(lefts), Vec4::from_array(ups));
+            }
+            largest = largest.max(left_4.abs()).max(up_4.abs());
+            self.left.as_mut()[k] = left_4;
+            self.up.as_mut()[k] = up_4;
+        }
+        // A residual that is stretched is out of the ordinary; so is a target almost on the effector.
+        let small = residual[0] * residual[0] + residual[1] * residual[1] < Stretch::SMALL * Stretch::SMALL;
+        (small && largest.cmplt(Vec4::splat(SUSPICIOUS)).all()).then_some(residual)
+    }
+
+    /// The optimum, with the linear model used again on what it missed until that is fine; returns how the target is
+    /// seen then.
+    #[inline(always)]
+    fn solve(&mut self, rig: &R, body: &Body<R>, residual: [f32; 2]) -> Option<View> {
+        let mut residual = residual;
+        // Where the residual is of.
+        let mut at = rig.array(Vec4::ZERO);
+        at.as_mut().copy_from_slice(self.start.as_ref());
+        let mut mendings = 0;
+        loop {
+            if !self.newton(residual, at.as_ref()) {
+                return None;
+            }
+            // Joints that would hardly move stay exactly where they are.
+            let moves = self.moves();
+            if !moves {
+                self.now.as_mut().copy_from_slice(self.start.as_ref());
+            }
+            let view = self.see(rig, body)?;
+            if !moves || mendings == MENDINGS || view.is_within(FINE_RAD) {
+                return view.is_within(ENOUGH_RAD).then_some(view);
+            }
+            residual = view.residual();
+            at.as_mut().copy_from_slice(self.now.as_ref());
+            mendings += 1;
+        }
+    }
+
+    #[inline(always)]
+    fn moves(&self) -> bool {
+        let mut moves = BVec4A::FALSE;
+        for k in 0..self.vectors() {
+            let change = (self.now.as_ref()[k] - self.start.as_ref()[k]).abs();
+            moves |= change.cmpge(Vec4::splat(STILL_RAD));
+        }
+        moves.any()
+    }
+
+    /// The dual's optimum by Newton steps, where the model has this residual at these angles; found when the same angles
+    /// are free before and after a step.
+    #[inline(always)]
+    fn newton(&mut self, residual: [f32; 2], at: &[Vec4]) -> bool {
+        self.place();
+        for _ in 0..NEWTON_STEPS {
+            let [mut left, mut up, mut ll, mut lu, mut uu] = [Vec4::ZERO; 5];
+            for k in 0..self.vectors() {
+                let (jl, ju) = (self.left.as_ref()[k], self.up.as_ref()[k]);
+                let change = at[k] - self.now.as_ref()[k];
+                left += jl * change;
+                up += ju * change;
+                let ease = Vec4::select(self.free.as_ref()[k], self.ease.as_ref()[k], Vec4::ZERO);
+                let (el, eu) = (ease * jl, ease * ju);
+                ll += el * jl;
+                lu += el * ju;
+                uu += eu * ju;
+            }
+            let (gap_left, gap_up) = (sum(left) - residual[0], sum(up) - residual[1]);
+            let (ll, lu, uu) = (sum(ll), sum(lu), sum(uu));
+            let determinant = ll * uu - lu * lu;
+            let trace = ll + uu;
+            if !(determinant > STRAINED * trace * trace) {
+                return false;
+            }
+            if gap_left * gap_left + gap_up * gap_up <= CLOSED * CLOSED {
+                return true;
+            }
+            let inverse = 1.0 / determinant;
+            self.lambda[0] += (uu * gap_left - lu * gap_up) * inverse;
+            self.lambda[1] += (ll * gap_up - lu * gap_left) * inverse;
+            let [x, y] = self.lambda;
+            if !(x * x + y * y < DEAREST * DEAREST) {
+                return false;
+            }
+            if self.place() {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Puts the angles where the dual point has them; tells whether the same are free as before.
+    #[inline(always)]
+    fn place(&mut self) -> bool {
+        let [x, y] = self.lambda.map(Vec4::splat);
+        let mut same = true;
+        for k in 0..self.vectors() {
+            let pull = self.left.as_ref()[k] * x + self.up.as_ref()[k] * y;
+            let wanted = self.start.as_ref()[k] * 0.5 + self.ease.as_ref()[k] * pull;
+            let held = wanted.max(self.lo.as_ref()[k]).min(self.hi.as_ref()[k]);
+            let free = wanted.cmpeq(held);
+            same &= free.bitmask() == self.free.as_ref()[k].bitmask();
+            self.free.as_mut()[k] = free;
+            self.now.as_mut()[k] = held;
+        }
+        same
+    }
+
+    /// The target as the effector sees it with the angles as they are now.
+    #[inline(always)]
+    fn see(&mut self, rig: &R, body: &Body<R>) -> Option<View> {
+        let (infos, links) = (rig.joint_infos(), body.links.as_ref());
+        let count = infos.len();
+        for k in 0..self.vectors() {
+            let (sin, cos) = trig::half_sin_cos_4(self.now.as_ref()[k]);
+            self.sin.as_mut()[k] = sin;
+            self.cos.as_mut()[k] = cos;
+        }
+        let mut target = body.target;
+        each_joint!(count, rev index => {
+            let (sin, cos) = (self.sin.as_ref()[index / 2].to_array(), self.cos.as_ref()[index / 2].to_array());
+            let (pitch, heading) = (2 * (index % 2), 2 * (index % 2) + 1);
+            let halves = [sin[pitch], cos[pitch], sin[heading], cos[heading]];
+            let turn = turn(&infos[index].axes, &infos[index].planes, halves);
+            self.halves.as_mut()[index] = halves;
+            self.turns.as_mut()[index] = turn;
+            target = unturned(turn, target);
+            if index > 0 || rig.effector().origin != [0.0; 3] {
+                target -= links[index].translation;
+            }
+            if index > 0 || !chain::is_identity(body.tilts.as_ref()[0]) {
+                target = links[index].matrix3.transpose() * target;
+            }
+        });
+        if !(target.dot(target) > body.near) {
+            return None;
+        }
+        let [forward, left, up] = rig.effector().axes(&infos[0].axes).map(|axis| target.dot(axis));
+        Some(View { forward, left, up })
+    }
+
+    /// Leaves the angles in the joints, with what later calls would have to make of them.
+    #[inline(always)]
+    fn keep(&self, rig: &mut R, body: &Body<R>) {
+        let count = rig.joint_infos().len();
+        each_joint!(count, index => {
+            let angles = self.now.as_ref()[index / 2].to_array();
+            let Some(joint) = rig.joint_mut(index) else { return };
+            (joint.pitch, joint.heading) = (angles[2 * (index % 2)], angles[2 * (index % 2) + 1]);
+            joint.velocity = [0.0; 2];
+            joint.halved = [joint.pitch, joint.heading];
+            joint.halves = self.halves.as_ref()[index];
+            joint.tilt = body.tilts.as_ref()[index];
+            joint.turned = joint::tilted(self.turns.as_ref()[index], joint.tilt);
+            if index + 1 == count {
+                joint.side = body.side;
+                joint.memory.lambda = self.lambda;
+                joint.memory.blocked_s = 0.0;
+            }
+        });
+    }
+
+    /// The joints with an angle at an end of its range.
+    #[inline(always)]
+    fn limits_met(&self, rig: &R) -> JointSet {
+        let mut met = JointSet::EMPTY;
+        let (at, infos) = (AT_LIMIT_RAD, rig.joint_infos());
+        each_joint!(infos.len(), index => {
+            let (info, angles) = (&infos[index], self.now.as_ref()[index / 2].to_array());
+            let ends = |range: Option<[f32; 2]>, angle: f32| {
+                range.is_some_and(|[lo, hi]| (angle <= lo + at) | (angle >= hi - at))
+            };
+            if ends(info.pitch, angles[2 * (index % 2)]) | ends(info.heading, angles[2 * (index % 2) + 1]) {
+                met.insert(index);
+            }
+        });
+        met
+    }
+}
+
+/// The sum of the lanes, in one order on every machine.
+#[inline(always)]
+fn sum(v: Vec4) -> f32 {
+    let [a, b, c, d] = v.to_array();
+    (a + c) + (b + d)
+}
