@@ -191,7 +191,8 @@ impl<'a, R: AimRig> Eyes<'a, R> {
         let angles = if !self.leads {
             [[lead.heading, lead.pitch], reaches[1].joint(&lead)]
         } else if resting {
-            [0, 1].map(|eye| reaches[eye].joint(&Joint::default()))
+            // Where the leading eye does not just rest, it keeps the gaze on the animation while the head returns.
+            [0, 1].map(|eye| reaches[eye].joint(&lead))
         } else if solved.course == Course::Stay {
             [0, 1].map(|eye| reaches[eye].joint(&start[eye]))
         } else {

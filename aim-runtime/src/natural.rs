@@ -8,7 +8,7 @@
 
 use glam::Vec3A;
 
-use crate::chain::{self, Chain};
+use crate::chain::{self, Chain, Ray};
 use crate::exact::{Solver, unhurried};
 use crate::eyes;
 use crate::follow::Follower;
@@ -17,7 +17,7 @@ use crate::goal::{Course, Goal};
 use crate::joint::{self, Memory, Support};
 use crate::limits::{self, Reach};
 use crate::motion::Motion;
-use crate::settle::settle_from_rest;
+use crate::settle::{at_rest, settle_from_rest};
 use crate::{AimRig, Joint, Settings, math, trig};
 
 /// How much more willing an eye is than its comfort says, where supporting joints make up for what it cannot do: they
@@ -151,42 +151,61 @@ impl<'a, R: AimRig> Gaze<'a, R> {
 
     fn turn_to_goal(&self, joints: &mut [Joint], reaches: &[Reach], dt: f32) -> Option<bool> {
         let innermost = self.chain.count - 1;
-        let mut aimed = self.goal.aimed;
-        let mut within_reach = true;
-
-        let seen = self.look(joints, aimed)?;
-        let mut engages = !seen.within || seen.eccentricity > self.sharing.engage;
+        let seen = self.look(joints, self.goal.aimed)?;
+        let mut engages = self.engages(&seen);
         for index in self.supporting() {
             // Bound for nowhere yet: that is to be found out.
             let Joint { heading, pitch, bound_for, .. } = &mut joints[index];
             engages |= bound_for.is_none();
             bound_for.get_or_insert([*heading, *pitch]);
         }
-        let mut memory = joints[innermost].memory;
-        if engages && memory.support == Support::Rests {
-            memory.support = Support::Waits(self.sharing.delay);
+        let support = &mut joints[innermost].memory.support;
+        if engages && *support == Support::Rests {
+            *support = Support::Waits(self.sharing.delay);
         }
-        if memory.support != Support::Rests {
-            let mut found = self.rig.joints();
-            let found = found.as_mut();
-            found.copy_from_slice(joints);
-            let goals = self.goals(found, Some(dt), &mut memory)?;
-            within_reach = goals.reach;
-            if !goals.eye_reaches {
-                aimed = self.looked_at(found);
-            }
-            memory.support = match memory.support {
-                Support::Waits(left) if left > 0.0 => Support::Waits(left.min(self.sharing.delay) - dt),
-                _ if goals.eye_reaches => Support::Shares,
-                _ => Support::Helps,
-            };
-            if !matches!(memory.support, Support::Waits(_)) {
-                for index in self.supporting() {
-                    joints[index].bound_for = Some([found[index].heading, found[index].pitch]);
-                }
-            }
+        let (mut aimed, mut within_reach) = (self.goal.aimed, true);
+        if *support != Support::Rests {
+            (aimed, within_reach) = self.find_goals(joints, dt)?;
         }
+        let arrived = self.follow_goals(joints, reaches, dt);
+        if arrived && seen.within && seen.eccentricity < self.sharing.release {
+            joints[innermost].memory.support = Support::Rests;
+        }
+        self.turn_eye(joints, aimed, reaches)?;
+        Some(within_reach)
+    }
 
+    /// Whether the eye needs support for what it sees.
+    fn engages(&self, seen: &Look) -> bool {
+        !seen.within || seen.eccentricity > self.sharing.engage
+    }
+
+    /// Finds where the supporting joints belong, and sends them there once they set out. Returns what the eye is to aim
+    /// at, and whether the goal is within reach.
+    fn find_goals(&self, joints: &mut [Joint], dt: f32) -> Option<(Vec3A, bool)> {
+        let innermost = self.chain.count - 1;
+        let mut memory = joints[innermost].memory;
+        let mut found = self.rig.joints();
+        let found = found.as_mut();
+        found.copy_from_slice(joints);
+        let goals = self.goals(found, Some(dt), &mut memory)?;
+        memory.support = match memory.support {
+            Support::Waits(left) if left > 0.0 => Support::Waits(left.min(self.sharing.delay) - dt),
+            _ if goals.eye_reaches => Support::Shares,
+            _ => Support::Helps,
+        };
+        joints[innermost].memory = memory;
+        if !matches!(memory.support, Support::Waits(_)) {
+            for index in self.supporting() {
+                joints[index].bound_for = Some([found[index].heading, found[index].pitch]);
+            }
+        }
+        let aimed = if goals.eye_reaches { self.goal.aimed } else { self.looked_at(found) };
+        Some((aimed, goals.reach))
+    }
+
+    /// Moves the supporting joints on to where they are bound for; returns whether they are there.
+    fn follow_goals(&self, joints: &mut [Joint], reaches: &[Reach], dt: f32) -> bool {
         let mut arrived = true;
         for index in self.supporting() {
             let joint = joints[index];
@@ -195,12 +214,7 @@ impl<'a, R: AimRig> Gaze<'a, R> {
             joints[index] = self.follower(index, reaches, dt).towards(&joint, [goal.heading, goal.pitch]);
             arrived &= joints[index].is_near(&goal, THERE_RAD);
         }
-        if arrived && seen.within && seen.eccentricity < self.sharing.release {
-            memory.support = Support::Rests;
-        }
-        joints[innermost].memory = memory;
-        self.turn_eye(joints, aimed, reaches)?;
-        Some(within_reach)
+        arrived
     }
 
     /// The gaze goes back to where the animation has it, and the supporting joints to rest; the eye ends there too.
@@ -213,9 +227,8 @@ impl<'a, R: AimRig> Gaze<'a, R> {
             resting &= [heading, pitch] == [0.0; 2] && velocity == [0.0; 2];
         }
         let eye = joints[0];
-        if resting
-            || self.turn_eye(joints, self.looked_at(self.rig.array(Joint::default()).as_ref()), reaches).is_none()
-        {
+        let ahead = self.ahead(self.chain.animated_gaze());
+        if resting || self.turn_eye(joints, ahead, reaches).is_none() {
             joints[0] = reaches[0].towards_rest(&eye);
         }
     }
@@ -230,9 +243,8 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         let mut found = self.rig.joints();
         let found = found.as_mut();
         found.copy_from_slice(joints);
-        for joint in &mut *found {
-            (joint.heading, joint.pitch, joint.bound_for) = (0.0, 0.0, None);
-        }
+        at_rest(found);
+        found.iter_mut().for_each(|joint| joint.bound_for = None);
         let mut memory = Memory::default();
         let goals = self.goals(found, None, &mut memory)?;
         if !goals.reach {
@@ -243,10 +255,9 @@ impl<'a, R: AimRig> Gaze<'a, R> {
             *joint = Joint { bound_for: Some([found.heading, found.pitch]), ..*found };
         }
         joints[0].bound_for = None;
-        let engaged = !seen.within || seen.eccentricity > self.sharing.engage;
         memory.support = match goals.eye_reaches {
             false => Support::Helps,
-            true if engaged => Support::Shares,
+            true if self.engages(&seen) => Support::Shares,
             true => Support::Rests,
         };
         joints[innermost].memory = memory;
@@ -266,7 +277,7 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         let mut shared = rig.joints();
         let shared = shared.as_mut();
         shared.copy_from_slice(joints);
-        self.share(shared, dt, memory)?;
+        self.share(shared, dt, memory);
         let look = self.look(shared, goal.aimed)?;
         [shared[0].heading, shared[0].pitch] = look.angles;
         if look.within {
@@ -307,43 +318,42 @@ impl<'a, R: AimRig> Gaze<'a, R> {
     }
 
     /// Turns the supporting joints to their share of the gaze shift, the eye at rest.
-    fn share(&self, joints: &mut [Joint], dt: Option<f32>, memory: &mut Memory) -> Option<()> {
+    fn share(&self, joints: &mut [Joint], dt: Option<f32>, memory: &mut Memory) {
         let Self { rig, chain, motions, goal, .. } = *self;
         (joints[0].heading, joints[0].pitch) = (0.0, 0.0);
         let shift = chain.animated_gaze().angle_to(goal.aimed).unwrap_or(0.0);
         let part = self.sharing.head_part(shift);
         if !(part > 0.0) {
-            for joint in &mut *joints {
-                (joint.heading, joint.pitch) = (0.0, 0.0);
-            }
-            return Some(());
+            return at_rest(joints);
         }
         let partial = goal.part_way(rig, chain, motions, part);
         let mut reaches = rig.array(Reach::REST);
         reaches.as_mut().copy_from_slice(self.ranges.as_ref());
         reaches.as_mut()[0] = Reach::REST;
         let mut solver = Solver::new(rig, chain, &partial);
-        // From where they are bound for, which takes next to nothing. Where that does not lead there, from rest: so that the
-        // share depends on nothing but the target.
+        // From where they are bound for, which takes next to nothing. Where that does not lead there, from rest: so that
+        // the share depends on nothing but the target.
         let near = match dt {
-            Some(dt) if memory.support == Support::Shares => solver.advance(joints, reaches.as_ref(), dt, memory)?,
-            _ => f32::INFINITY,
+            Some(dt) if memory.support == Support::Shares => solver.advance(joints, reaches.as_ref(), dt, memory),
+            _ => None,
         };
-        if near > self.tolerance.max(SHARED_RAD) {
-            for joint in &mut *joints {
-                (joint.heading, joint.pitch) = (0.0, 0.0);
-            }
-            solver.settle(joints, reaches.as_ref())?;
+        if !near.is_some_and(|near| near <= self.tolerance.max(SHARED_RAD)) {
+            at_rest(joints);
+            // At rest they stay where that leads nowhere either.
+            let _ = solver.settle(joints, reaches.as_ref());
         }
         for (joint, motion) in joints.iter_mut().zip(motions) {
             limits::wrap(motion, joint);
         }
-        Some(())
     }
 
-    /// A point that the effector looks at with the joints like this, as far away as the goal is.
+    /// A point that the effector looks at with the joints like this.
     fn looked_at(&self, joints: &[Joint]) -> Vec3A {
-        let gaze = self.chain.gaze(chain::turns(self.rig, joints).as_ref());
+        self.ahead(self.chain.gaze(chain::turns(self.rig, joints).as_ref()))
+    }
+
+    /// A point that a gaze looks at, as far away as the goal is.
+    fn ahead(&self, gaze: Ray) -> Vec3A {
         let distance = (self.goal.aimed - gaze.origin).length().max(1.0);
         gaze.origin + math::direction(gaze.direction).unwrap_or(Vec3A::X) * distance
     }
@@ -446,8 +456,8 @@ impl<'a, R: AimRig> Gaze<'a, R> {
 
 /// Whether these angles look along a view, to rounding.
 fn is_along([heading, pitch]: [f32; 2], [ahead, left, up]: [f32; 3]) -> bool {
-    let (sin, cos) = trig::sin_cos(heading);
-    let along = ahead * cos + left * sin;
-    let (beside, above) = (left * cos - ahead * sin, up * trig::sin_cos(pitch).1 - along * trig::sin_cos(pitch).0);
-    along > -SAME_RAD && beside.abs() < SAME_RAD && above.abs() < SAME_RAD
+    let ((sin_h, cos_h), (sin_p, cos_p)) = (trig::sin_cos(heading), trig::sin_cos(pitch));
+    let level = ahead * cos_h + left * sin_h;
+    let (beside, above) = (left * cos_h - ahead * sin_h, up * cos_p - level * sin_p);
+    level > -SAME_RAD && beside.abs() < SAME_RAD && above.abs() < SAME_RAD
 }

@@ -79,7 +79,7 @@ pub(crate) fn settle_from_rest<R: AimRig>(
 }
 
 /// Every angle 0; what else a joint knows stays.
-fn at_rest(joints: &mut [Joint]) {
+pub(crate) fn at_rest(joints: &mut [Joint]) {
     for joint in joints {
         (joint.heading, joint.pitch) = (0.0, 0.0);
     }

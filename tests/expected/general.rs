@@ -55,9 +55,11 @@ const _: () = {
     #[automatically_derived]
     impl ::aim::__private::AimRig for General {
         type Array<T: ::core::marker::Copy> = [T; 2];
+        #[inline]
         fn array<T: ::core::marker::Copy>(&self, __value: T) -> [T; 2] {
             [__value; 2]
         }
+        #[inline]
         fn joint_infos(&self) -> &[::aim::__private::JointInfo] {
             const INFOS: [::aim::__private::JointInfo; 2] = [
                 ::aim::__private::JointInfo::new(
@@ -91,6 +93,7 @@ const _: () = {
             ];
             &INFOS
         }
+        #[inline]
         fn effector(&self) -> ::aim::__private::Effector {
             ::aim::__private::Effector {
                 forward: [0.0, 0.0, 1.0],
@@ -104,9 +107,33 @@ const _: () = {
                 .with_engagement(0.25, 0.08726646)
                 .with_delay(0.05)
         }
+        #[inline]
         fn joints(&self) -> [::aim::__private::Joint; 2] {
             [self.left_eye, self.r#neck]
         }
+        #[inline]
+        fn joint(
+            &self,
+            __index: ::core::primitive::usize,
+        ) -> ::core::option::Option<&::aim::__private::Joint> {
+            match __index {
+                0 => ::core::option::Option::Some(&self.left_eye),
+                1 => ::core::option::Option::Some(&self.r#neck),
+                _ => ::core::option::Option::None,
+            }
+        }
+        #[inline]
+        fn joint_mut(
+            &mut self,
+            __index: ::core::primitive::usize,
+        ) -> ::core::option::Option<&mut ::aim::__private::Joint> {
+            match __index {
+                0 => ::core::option::Option::Some(&mut self.left_eye),
+                1 => ::core::option::Option::Some(&mut self.r#neck),
+                _ => ::core::option::Option::None,
+            }
+        }
+        #[inline]
         fn set_joints(&mut self, __states: [::aim::__private::Joint; 2]) {
             [self.left_eye, self.r#neck] = __states;
         }

@@ -61,9 +61,11 @@ const _: () = {
     #[automatically_derived]
     impl ::aim::__private::AimRig for Thug {
         type Array<T: ::core::marker::Copy> = [T; 3];
+        #[inline]
         fn array<T: ::core::marker::Copy>(&self, __value: T) -> [T; 3] {
             [__value; 3]
         }
+        #[inline]
         fn joint_infos(&self) -> &[::aim::__private::JointInfo] {
             const INFOS: [::aim::__private::JointInfo; 3] = [
                 ::aim::__private::JointInfo::new(
@@ -105,15 +107,42 @@ const _: () = {
             ];
             &INFOS
         }
+        #[inline]
         fn effector(&self) -> ::aim::__private::Effector {
             ::aim::__private::Effector {
                 forward: [0.0, 1.0, 0.0],
                 origin: [0.0, 0.0, 0.0],
             }
         }
+        #[inline]
         fn joints(&self) -> [::aim::__private::Joint; 3] {
             [self.left_eye, self.neck, self.spine3]
         }
+        #[inline]
+        fn joint(
+            &self,
+            __index: ::core::primitive::usize,
+        ) -> ::core::option::Option<&::aim::__private::Joint> {
+            match __index {
+                0 => ::core::option::Option::Some(&self.left_eye),
+                1 => ::core::option::Option::Some(&self.neck),
+                2 => ::core::option::Option::Some(&self.spine3),
+                _ => ::core::option::Option::None,
+            }
+        }
+        #[inline]
+        fn joint_mut(
+            &mut self,
+            __index: ::core::primitive::usize,
+        ) -> ::core::option::Option<&mut ::aim::__private::Joint> {
+            match __index {
+                0 => ::core::option::Option::Some(&mut self.left_eye),
+                1 => ::core::option::Option::Some(&mut self.neck),
+                2 => ::core::option::Option::Some(&mut self.spine3),
+                _ => ::core::option::Option::None,
+            }
+        }
+        #[inline]
         fn set_joints(&mut self, __states: [::aim::__private::Joint; 3]) {
             [self.left_eye, self.neck, self.spine3] = __states;
         }

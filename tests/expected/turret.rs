@@ -52,9 +52,11 @@ const _: () = {
     #[automatically_derived]
     impl ::aim::__private::AimRig for Turret {
         type Array<T: ::core::marker::Copy> = [T; 2];
+        #[inline]
         fn array<T: ::core::marker::Copy>(&self, __value: T) -> [T; 2] {
             [__value; 2]
         }
+        #[inline]
         fn joint_infos(&self) -> &[::aim::__private::JointInfo] {
             const INFOS: [::aim::__private::JointInfo; 2] = [
                 ::aim::__private::JointInfo::new(
@@ -83,15 +85,40 @@ const _: () = {
             ];
             &INFOS
         }
+        #[inline]
         fn effector(&self) -> ::aim::__private::Effector {
             ::aim::__private::Effector {
                 forward: [0.0, 0.0, -1.0],
                 origin: [0.0, 0.05, -0.8],
             }
         }
+        #[inline]
         fn joints(&self) -> [::aim::__private::Joint; 2] {
             [self.barrel, self.base]
         }
+        #[inline]
+        fn joint(
+            &self,
+            __index: ::core::primitive::usize,
+        ) -> ::core::option::Option<&::aim::__private::Joint> {
+            match __index {
+                0 => ::core::option::Option::Some(&self.barrel),
+                1 => ::core::option::Option::Some(&self.base),
+                _ => ::core::option::Option::None,
+            }
+        }
+        #[inline]
+        fn joint_mut(
+            &mut self,
+            __index: ::core::primitive::usize,
+        ) -> ::core::option::Option<&mut ::aim::__private::Joint> {
+            match __index {
+                0 => ::core::option::Option::Some(&mut self.barrel),
+                1 => ::core::option::Option::Some(&mut self.base),
+                _ => ::core::option::Option::None,
+            }
+        }
+        #[inline]
         fn set_joints(&mut self, __states: [::aim::__private::Joint; 2]) {
             [self.barrel, self.base] = __states;
         }
