@@ -56,15 +56,15 @@ fn anywhere(rig: &NumericRig, rng: &mut Rng) -> Vec<Joint> {
         .collect()
 }
 
-/// 1. The stereographic residual has a false zero where its denominator is floored: what is nearly behind would be solved
+/// One: The stereographic residual has a false zero where its denominator is floored: what is nearly behind would be solved
 /// by looking away from it.
 #[test]
 fn looking_away_is_no_solution() {
     let mut rng = Rng(1);
     for solver in SOLVERS {
         let settings = Settings::default().with_solver(solver).with_behind(Behind::Off);
-        for off in [172.0, 174.0, 176.0, 178.0, 179.0, 179.9, 179.999, 180.0_f32] {
-            for _ in 0..10 {
+        for off in [172.0, 175.0, 178.0, 179.9, 180.0_f32] {
+            for _ in 0..6 {
                 // A joint that reaches everything, looking anywhere.
                 let mut rig = NumericRig::ball(THUG);
                 rig.joints = vec![Joint::with_angles(rng.between(-3.0, 3.0), rng.between(-1.0, 1.0))];
@@ -86,7 +86,7 @@ fn looking_away_is_no_solution() {
                 let pose = upright(&rig);
                 let target = at(off * [1.0, -1.0][rng.below(2)], rng.between(-5.0, 5.0), 3.0);
                 let mut outcome = frame(&mut rig, &pose, target, 60.0, &settings).0;
-                for _ in 0..240 {
+                for _ in 0..150 {
                     outcome = frame(&mut rig, &pose, target, 60.0, &settings).0;
                     assert_eq!(outcome.status, Status::AtLimit);
                 }
@@ -97,7 +97,7 @@ fn looking_away_is_no_solution() {
     }
 }
 
-/// 2. Active sets without a line search stick, or come to rest far from the least displacement: from any state the same
+/// Two: Active sets without a line search stick, or come to rest far from the least displacement: from any state the same
 /// end as from rest.
 #[test]
 fn active_sets_do_not_stick() {
@@ -131,23 +131,25 @@ fn active_sets_do_not_stick() {
     }
 }
 
-/// 3. A target that goes round leaves the head pegged at the side where it went out of reach, though it has come back
+/// Three: A target that goes round leaves the head pegged at the side where it went out of reach, though it has come back
 /// into reach on the other.
 #[test]
 fn orbit() {
     for settings in SOLVERS.into_iter().flat_map(|solver| {
         [Behind::Off, Behind::Clip].map(|behind| Settings::default().with_solver(solver).with_behind(behind))
     }) {
-        for seconds in [4.0, -4.0, 8.0, -8.0, 20.0, -20.0_f32] {
+        for seconds in [4.0, -8.0, 20.0_f32] {
             let mut rig = person();
             let pose = upright(&rig);
             let (mut blocked, mut longest) = (0, 0);
-            for step in 0..(2.0 * seconds.abs() * 60.0) as u16 {
+            for step in 0..(1.4 * seconds.abs() * 60.0) as u16 {
                 let turn = Quat::from_rotation_y(core::f32::consts::TAU * f32::from(step) / 60.0 / seconds);
                 let target = Vec3::new(-0.03, 1.6, -0.1) + turn * (WORLD[0] * 2.0);
                 let (outcome, _) = frame(&mut rig, &pose, target, 60.0, &settings);
-                let within = rig.clone().snap_with(&Pose { joints: pose.clone() }, target, &settings).status;
-                blocked = if within == Status::Reached && outcome.status != Status::Reached { blocked + 1 } else { 0 };
+                let is_blocked = outcome.status != Status::Reached
+                    && rig.clone().snap_with(&Pose { joints: pose.clone() }, target, &settings).status
+                        == Status::Reached;
+                blocked = if is_blocked { blocked + 1 } else { 0 };
                 longest = longest.max(blocked);
             }
             // From one side to the other the neck takes 120° at 170°/s, the spine 40° at 70°/s, with what the target does
@@ -157,14 +159,14 @@ fn orbit() {
     }
 }
 
-/// 4. Overhead, where heading means nothing, a tremble of the target set the head turning at its full rate.
+/// Four: Overhead, where heading means nothing, a tremble of the target set the head turning at its full rate.
 #[test]
 fn noise_overhead() {
     let mut rng = Rng(4);
     for settings in SOLVERS.into_iter().flat_map(|solver| {
         [Behind::Off, Behind::Clip].map(|behind| Settings::default().with_solver(solver).with_behind(behind))
     }) {
-        for _ in 0..12 {
+        for _ in 0..4 {
             let mut rig = person();
             let pose = animated(&rig, &mut rng, 0.1);
             let target = Vec3::new(-0.03, 1.68, -0.1) + (Vec3::Y + 0.05 * rng.direction()).normalize() * 2.0;
@@ -177,7 +179,7 @@ fn noise_overhead() {
     }
 }
 
-/// 5. One linear step while the neck returns to its share loses the target by 0.1° at 60 Hz, by 0.34° at 30 Hz.
+/// Five: One linear step while the neck returns to its share loses the target by 0.1° at 60 Hz, by 0.34° at 30 Hz.
 #[test]
 fn the_target_is_kept_while_the_neck_returns() {
     let mut rng = Rng(5);
@@ -209,7 +211,7 @@ fn the_target_is_kept_while_the_neck_returns() {
     }
 }
 
-/// 6. Ranges that are inverted: the middle counts, the angle goes there at its rate, and that is said.
+/// Six: Ranges that are inverted: the middle counts, the angle goes there at its rate, and that is said.
 #[test]
 fn inverted_ranges() {
     for solver in SOLVERS {
@@ -234,7 +236,7 @@ fn inverted_ranges() {
     }
 }
 
-/// 7. Polynomials for half angles are good to ±180° of the whole: ranges beyond that, and headings that go round for
+/// Seven: Polynomials for half angles are good to ±180° of the whole: ranges beyond that, and headings that go round for
 /// ever, are turned into it.
 #[test]
 fn beyond_half_a_turn() {
