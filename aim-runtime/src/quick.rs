@@ -156,11 +156,22 @@ impl<R: AimRig> Body<R> {
         let to_target = target - pose[count - 1].translation;
         self.target = frames[count - 1].transpose() * to_target;
         let axes = &infos[count - 1].axes;
-        self.side = Side::of(self.target.dot(axes.left.into()));
+        self.side = Side::of(along(axes.left, self.target));
         self.near = square * (TOO_NEAR * TOO_NEAR);
         let far = to_target.dot(to_target);
         // In front, no mere direction, and of lengths whose squares are plain numbers. NaN is none of these.
-        self.target.dot(axes.forward.into()) > 0.0 && far < 1e8 * square && far < 1e12 && square > 1e-12
+        along(axes.forward, self.target) > 0.0 && far < 1e8 * square && far < 1e12 && square > 1e-12
+    }
+}
+
+/// A vector's part along an axis; costs nothing for an axis of coordinates, as those of bones mostly are.
+#[inline(always)]
+fn along(axis: [f32; 3], v: Vec3A) -> f32 {
+    match axis {
+        [x, 0.0, 0.0] => x * v.x,
+        [0.0, y, 0.0] => y * v.y,
+        [0.0, 0.0, z] => z * v.z,
+        _ => v.dot(axis.into()),
     }
 }
 
@@ -251,19 +262,18 @@ impl<R: AimRig> Angles<R> {
                 self.lambda = joint.memory.lambda;
             }
         });
+        let mut outside = BVec4A::FALSE;
         for k in 0..count.div_ceil(2) {
             let load = |lanes: &R::Array<[f32; 4]>| Vec4::from_array(lanes.as_ref()[k]);
             let (start, least, most, step) = (load(&start), load(&least), load(&most), load(&step));
-            // An angle outside its range goes back at its rate: not an ordinary frame.
-            if !(start.cmpge(least) & start.cmple(most)).all() {
-                return false;
-            }
+            outside |= start.cmplt(least) | start.cmpgt(most);
             self.start.as_mut()[k] = start;
             self.lo.as_mut()[k] = least.max(start - step);
             self.hi.as_mut()[k] = most.min(start + step);
             self.ease.as_mut()[k] = load(&ease);
         }
-        true
+        // An angle outside its range goes back at its rate: not an ordinary frame.
+        !outside.any()
     }
 
     /// The number of vectors.
@@ -445,7 +455,7 @@ impl<R: AimRig> Angles<R> {
         if !(target.dot(target) > body.near) {
             return None;
         }
-        let [forward, left, up] = rig.effector().axes(&infos[0].axes).map(|axis| target.dot(axis));
+        let [forward, left, up] = rig.effector().axes(&infos[0].axes).map(|axis| along(axis.to_array(), target));
         Some(View { forward, left, up })
     }
 
