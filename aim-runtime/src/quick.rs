@@ -455,8 +455,9 @@ impl<R: AimRig> Angles<R> {
         if !(target.dot(target) > body.near) {
             return None;
         }
-        let [forward, left, up] = rig.effector().axes(&infos[0].axes).map(|axis| along(axis.to_array(), target));
-        Some(View { forward, left, up })
+        let [forward, left, up] = rig.effector().axes(&infos[0].axes);
+        let seen = |axis: Vec3A| along(axis.to_array(), target);
+        Some(View { forward: seen(forward), left: seen(left), up: seen(up) })
     }
 
     /// Leaves the angles in the joints, with what later calls would have to make of them.
