@@ -12,6 +12,8 @@ use crate::exact::{ENOUGH_RAD, FINE_RAD, STILL_RAD};
 use crate::joint::{self, Side, turn};
 use crate::limits::AT_LIMIT_RAD;
 use crate::pose::Animated;
+use crate::rig::along;
+use crate::scalar::{Scalar, Sparse};
 use crate::view::{Stretch, View};
 use crate::{AimRig, JointInfo, JointSet, Outcome, Settings, Status, math, trig};
 
@@ -164,17 +166,6 @@ impl<R: AimRig> Body<R> {
     }
 }
 
-/// A vector's part along an axis; costs nothing for an axis of coordinates, as those of bones mostly are.
-#[inline(always)]
-fn along(axis: [f32; 3], v: Vec3A) -> f32 {
-    match axis {
-        [x, 0.0, 0.0] => x * v.x,
-        [0.0, y, 0.0] => y * v.y,
-        [0.0, 0.0, z] => z * v.z,
-        _ => v.dot(axis.into()),
-    }
-}
-
 /// A vector turned back by a unit quaternion.
 #[inline(always)]
 fn unturned(turn: Quat, v: Vec3A) -> Vec3A {
@@ -286,26 +277,34 @@ impl<R: AimRig> Angles<R> {
     #[inline(always)]
     fn linearise(&mut self, rig: &R, body: &Body<R>) -> Option<[f32; 2]> {
         let infos = rig.joint_infos();
-        let mut links = rig.array([0.0; 12]);
-        for (link, transform) in links.as_mut().iter_mut().zip(body.links.as_ref()) {
-            *link = transform.to_cols_array();
-        }
+        let mut links = rig.array(Sparse::IDENTITY);
+        let mut sin_cos = rig.array([Sparse::ZERO; 4]);
+        each_joint!(infos.len(), index => {
+            if index > 0 || rig.effector().origin != [0.0; 3] || infos[0].is_level() {
+                links.as_mut()[index] = Sparse::link(&body.links.as_ref()[index]);
+            }
+            let [sin_p, cos_p, sin_h, cos_h] = self.sin_cos.as_ref()[index];
+            sin_cos.as_mut()[index] = [Sparse::of(sin_p), Sparse::of(cos_p), Sparse::of(sin_h), Sparse::of(cos_h)];
+        });
         let mut declared = 0;
         for info in infos {
             declared += usize::from(info.pitch.is_some()) + usize::from(info.heading.is_some());
         }
-        let mut out = rig.array([0.0_f32; 6]);
+        let mut out = rig.array([Sparse::ZERO; 6]);
         let out = &mut out.as_mut().as_flattened_mut()[..2 + 2 * declared];
-        let target = body.target.to_array();
-        rig.chain_residual_jacobian::<f32>(links.as_ref(), &target, self.sin_cos.as_ref(), out);
-        let residual = [out[0], out[1]];
+        let [x, y, z] = body.target.to_array();
+        let target = [Sparse::of(x), Sparse::of(y), Sparse::of(z)];
+        rig.chain_residual_jacobian::<Sparse>(links.as_ref(), &target, sin_cos.as_ref(), out);
+        let residual = [out[0].value(), out[1].value()];
         let (left, up) = out[2..].split_at(declared);
         let mut largest = Vec4::ZERO;
         let mut row = 0;
         for k in 0..self.vectors() {
             let (left_4, up_4);
             if declared == 2 * infos.len() && declared >= 4 * k + 4 {
-                (left_4, up_4) = (Vec4::from_slice(&left[4 * k..4 * k + 4]), Vec4::from_slice(&up[4 * k..4 * k + 4]));
+                let at = |row: &[Sparse], lane: usize| row[4 * k + lane].value();
+                let four = |row: &[Sparse]| Vec4::new(at(row, 0), at(row, 1), at(row, 2), at(row, 3));
+                (left_4, up_4) = (four(left), four(up));
                 row += 4;
             } else {
                 let [mut lefts, mut ups] = [[0.0; 4]; 2];
@@ -313,8 +312,8 @@ impl<R: AimRig> Angles<R> {
                     let info = &infos[place / 2];
                     let range = if place % 2 == 0 { info.pitch } else { info.heading };
                     if range.is_some() {
-                        lefts[place - 4 * k] = left[row];
-                        ups[place - 4 * k] = up[row];
+                        lefts[place - 4 * k] = left[row].value();
+                        ups[place - 4 * k] = up[row].value();
                         row += 1;
                     }
                 }
@@ -455,9 +454,8 @@ impl<R: AimRig> Angles<R> {
         if !(target.dot(target) > body.near) {
             return None;
         }
-        let [forward, left, up] = rig.effector().axes(&infos[0].axes);
-        let seen = |axis: Vec3A| along(axis.to_array(), target);
-        Some(View { forward: seen(forward), left: seen(left), up: seen(up) })
+        let [forward, left, up] = rig.effector().along_axes(&infos[0].axes, target);
+        Some(View { forward, left, up })
     }
 
     /// Leaves the angles in the joints, with what later calls would have to make of them.
