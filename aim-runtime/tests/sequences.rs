@@ -176,33 +176,6 @@ fn out_of_reach_is_told_from_not_yet() {
     }
 }
 
-/// A target that orbits is picked up on the other side, and the joints cross at their rates.
-#[test]
-fn orbit() {
-    for (seconds, turn) in [(8.0, 1.0), (8.0, -1.0), (20.0, 1.0), (3.0, -1.0)] {
-        let mut rig = NumericRig::thug();
-        let pose = upright(&rig);
-        let mut blocked = 0;
-        let frames = (2.0 * seconds * 60.0) as usize;
-        for frame in 0..frames {
-            let angle = turn * core::f32::consts::TAU * frame as f32 / 60.0 / seconds;
-            let target = Vec3::new(-0.03, 1.6, -0.1) + Quat::from_rotation_y(angle) * (WORLD[0] * 2.0);
-            let before = rig.joints.clone();
-            let outcome = rig.aim(&Pose { joints: pose.clone() }, target, 1.0 / 60.0);
-            check(&rig, &before, &outcome, 1.0 / 60.0, &format!("orbit {seconds}, frame {frame}"));
-            // Frames in which the target could be looked at, had the head not been on the wrong side.
-            let mut settled = rig.clone();
-            if settled.snap(&Pose { joints: pose.clone() }, target).status == Status::Reached
-                && outcome.status != Status::Reached
-            {
-                blocked += 1;
-            }
-        }
-        // Crossing takes the neck 120° at 170°/s and the spine 40° at 70°/s, about 45 frames, each time round.
-        assert!(blocked <= 2 * 50, "orbit of {seconds} s: {blocked} of {frames}");
-    }
-}
-
 /// Exactly behind and trembling there: the joints keep to the side they are on.
 #[test]
 fn behind_keeps_its_side() {

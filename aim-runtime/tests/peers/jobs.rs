@@ -297,6 +297,12 @@ fn target_too_close() {
             let before = rig.joints.clone();
             let on_effector = Vec3::from(seen64(&rig, &pose, 0).0.map(|x| x as f32));
             let outcome = rig.aim_with(&Pose { joints: pose.clone() }, on_effector, DT, &settings);
+            if solver == Solver::Natural && outcome.status != Status::Degenerate {
+                // The head went on its way and took the eye off the target: so there is something to aim.
+                is_true(&rig, &pose, 0, on_effector, &outcome, &world);
+                held(&rig, &before, DT, &world);
+                continue;
+            }
             assert_eq!((outcome.status, outcome.aim), (Status::Degenerate, 0.0), "{world}, {solver:?}");
             assert_eq!(rig.joints, before, "{world}, {solver:?}: the angles hold");
         }
