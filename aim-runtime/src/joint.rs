@@ -269,8 +269,12 @@ pub(crate) struct Memory {
     pub(crate) lambda: [f32; 2],
     /// How much of a strain is left of the last strained frame, 0…1.
     pub(crate) strain: f32,
-    /// For how long the gaze has been held by a target that does not move, seconds.
+    /// The target of the last frame that was strained, in the space that the solver has it in.
+    pub(crate) target: [f32; 3],
+    /// For how long it has stood still, seconds.
     pub(crate) still_s: f32,
+    /// How often a step is halved so that it is a gain.
+    pub(crate) caution: u8,
     /// For how long the target has been out of reach, seconds.
     pub(crate) blocked_s: f32,
     /// What the joints are about that support a natural gaze.
