@@ -267,7 +267,8 @@ pub(crate) fn turns<R: AimRig>(rig: &R, joints: &[Joint]) -> R::Array<Quat> {
 pub(crate) fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> bool {
     /// How far from square or from equal length a joint's axes may be, all that is off taken together.
     const OFF: f32 = 1e-4;
-    let mut off = Vec3A::ZERO;
+    // A sum that begins with −0 costs nothing for its first term.
+    let mut off = Vec3A::splat(-0.0);
     for (joint, frame) in pose.iter().zip(frames) {
         let Mat3A { x_axis: x, y_axis: y, z_axis: z } = joint.matrix3;
         // Of a matrix whose rows are square and equally long, so are the columns; and rows need no sums of lanes.

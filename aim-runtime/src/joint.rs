@@ -221,8 +221,8 @@ pub struct Joint {
     pub(crate) tilt: Quat,
     /// The other eye; on joint 0 of a rig whose last pose had one.
     pub(crate) pair: Option<Pair>,
-    /// The sines and cosines of the halves of two angles, and the angles: pitch and heading, as they were when these
-    /// were last taken.
+    /// The sines and cosines of the halves of pitch and heading, and the angles, heading and pitch as they stand above,
+    /// as they were when these were last taken.
     pub(crate) halves: trig::Halves,
     pub(crate) halved: [f32; 2],
     /// The correction at those angles.
@@ -377,7 +377,7 @@ impl Joint {
     #[inline(always)]
     fn is_halved(&self) -> bool {
         let differ = |a: f32, b: f32| a.to_bits() ^ b.to_bits();
-        differ(self.halved[0], self.pitch) | differ(self.halved[1], self.heading) == 0
+        differ(self.halved[0], self.heading) | differ(self.halved[1], self.pitch) == 0
     }
 
     /// Lets the angles count in another frame of the bone: what is kept of them holds no longer.

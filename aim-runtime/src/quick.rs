@@ -23,6 +23,8 @@ const MENDINGS: usize = 2;
 const NEWTON_STEPS: usize = 4;
 /// Derivatives that only a target near the effector has.
 const SUSPICIOUS: f32 = 1e3;
+/// What sums begin with: added to a number it leaves the very number, which 0 does not, and so costs nothing.
+const NOTHING: f32 = -0.0;
 
 /// Does something for every joint, from the effector inward or (`rev`) outward. Written out for short chains, so that
 /// what was declared of each joint is a constant to the compiler, which does not unroll loops as long as these.
@@ -136,11 +138,11 @@ impl<R: AimRig> Body<R> {
         }
         let frames = frames.as_ref();
         let links = self.links.as_mut();
-        let mut square = 0.0;
+        let mut squares = Vec3A::splat(NOTHING);
         let origin = rig.effector().origin;
         if origin != [0.0; 3] {
             let offset = pose[0].transform_vector3a(origin.into());
-            square = offset.dot(offset);
+            squares += offset * offset;
             links[0].translation = frames[0].transpose() * offset;
         }
         let tilt = self.tilts.as_ref()[0];
@@ -151,7 +153,7 @@ impl<R: AimRig> Body<R> {
             if index > 0 {
                 let outward = frames[index].transpose();
                 let step = pose[index - 1].translation - pose[index].translation;
-                square += step.dot(step);
+                squares += step * step;
                 links[index] = Affine3A { matrix3: outward * frames[index - 1], translation: outward * step };
             }
         });
@@ -159,6 +161,7 @@ impl<R: AimRig> Body<R> {
         self.target = frames[count - 1].transpose() * to_target;
         let axes = &infos[count - 1].axes;
         self.side = Side::of(along(axes.left, self.target));
+        let square = squares.x + squares.y + squares.z;
         self.near = square * (TOO_NEAR * TOO_NEAR);
         let far = to_target.dot(to_target);
         // In front, no mere direction, and of lengths whose squares are plain numbers. NaN is none of these.
@@ -372,7 +375,7 @@ impl<R: AimRig> Angles<R> {
     fn newton(&mut self, residual: [f32; 2], at: &[Vec4]) -> bool {
         self.place();
         for _ in 0..NEWTON_STEPS {
-            let [mut left, mut up, mut ll, mut lu, mut uu] = [Vec4::ZERO; 5];
+            let [mut left, mut up, mut ll, mut lu, mut uu] = [Vec4::splat(NOTHING); 5];
             for k in 0..self.vectors() {
                 let (jl, ju) = (self.left.as_ref()[k], self.up.as_ref()[k]);
                 let change = at[k] - self.now.as_ref()[k];
@@ -384,8 +387,8 @@ impl<R: AimRig> Angles<R> {
                 lu += el * ju;
                 uu += eu * ju;
             }
-            let (gap_left, gap_up) = (sum(left) - residual[0], sum(up) - residual[1]);
-            let (ll, lu, uu) = (sum(ll), sum(lu), sum(uu));
+            let ([left, up, ll, uu], lu) = (sums([left, up, ll, uu]), sum(lu));
+            let (gap_left, gap_up) = (left - residual[0], up - residual[1]);
             let determinant = ll * uu - lu * lu;
             let trace = ll + uu;
             if !(determinant > STRAINED * trace * trace) {
@@ -467,7 +470,7 @@ impl<R: AimRig> Angles<R> {
             let Some(joint) = rig.joint_mut(index) else { return };
             (joint.pitch, joint.heading) = (angles[2 * (index % 2)], angles[2 * (index % 2) + 1]);
             joint.velocity = [0.0; 2];
-            joint.halved = [joint.pitch, joint.heading];
+            joint.halved = [joint.heading, joint.pitch];
             joint.halves = self.halves.as_ref()[index];
             joint.tilt = body.tilts.as_ref()[index];
             joint.turned = joint::tilted(self.turns.as_ref()[index], joint.tilt);
@@ -502,4 +505,12 @@ impl<R: AimRig> Angles<R> {
 fn sum(v: Vec4) -> f32 {
     let [a, b, c, d] = v.to_array();
     (a + c) + (b + d)
+}
+
+/// [`sum`] of four vectors at a time.
+#[inline(always)]
+fn sums([a, b, c, d]: [Vec4; 4]) -> [f32; 4] {
+    let pairs = |v: Vec4, w: Vec4| Vec4::new(v.x, v.y, w.x, w.y) + Vec4::new(v.z, v.w, w.z, w.w);
+    let (v, w) = (pairs(a, b), pairs(c, d));
+    (Vec4::new(v.x, v.z, w.x, w.z) + Vec4::new(v.y, v.w, w.y, w.w)).to_array()
 }
