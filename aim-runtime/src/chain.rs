@@ -3,7 +3,7 @@
 
 use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec3Swizzles};
 
-use crate::{AimRig, Axes, Joint, JointInfo, math};
+use crate::{AimRig, Axes, Joint, JointInfo, Scalar, math};
 
 /// Nearer to the effector than this part of the rig's size a target has no direction.
 pub(crate) const TOO_NEAR: f32 = 1e-5;
@@ -267,12 +267,14 @@ pub(crate) fn turns<R: AimRig>(rig: &R, joints: &[Joint]) -> R::Array<Quat> {
 pub(crate) fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> bool {
     /// How far from square or from equal length a joint's axes may be, all that is off taken together.
     const OFF: f32 = 1e-4;
-    let mut off = Vec3A::ZERO;
+    // A sum that begins with −0 costs nothing for its first term.
+    let mut off = Vec3A::splat(-0.0);
     for (joint, frame) in pose.iter().zip(frames) {
         let Mat3A { x_axis: x, y_axis: y, z_axis: z } = joint.matrix3;
         // Of a matrix whose rows are square and equally long, so are the columns; and rows need no sums of lanes.
         let squares = x * x + y * y + z * z;
-        let per_length = 1.0 / math::sqrt(squares.x);
+        // Squares are not negative, and NaN and 0 fail below.
+        let per_length = 1.0 / <f32 as Scalar>::sqrt(squares.x);
         *frame = joint.matrix3 * per_length;
         let Mat3A { x_axis: x, y_axis: y, z_axis: z } = *frame;
         let products = x * x.yzx() + y * y.yzx() + z * z.yzx();

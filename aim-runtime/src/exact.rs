@@ -5,12 +5,15 @@
 //! within the reach ([`dual`]), and judges the result by forward kinematics. What the linear model missed is mended with
 //! the same Jacobian, which costs a fraction of a new one.
 
+mod gap;
+mod strain;
+
 use core::f32::consts::PI;
 
 use glam::Vec3A;
 
 use crate::chain::{self, Chain, Ray, TOO_NEAR};
-use crate::dual::{self, Angle, DEAREST, NO_ANGLE};
+use crate::dual::{self, Angle, NO_ANGLE};
 use crate::goal::Goal;
 use crate::joint::{self, Joint, Memory};
 use crate::limits::Reach;
@@ -27,29 +30,12 @@ const MENDINGS: usize = 3;
 const BENT_MENDINGS: usize = 8;
 /// How many Jacobians a frame takes at most.
 const ROUNDS: usize = 4;
-/// How many Jacobians joints without rates take at most.
-const MOST_ROUNDS: usize = 24;
-/// The largest change of an angle in one round, radians: beyond it the linear model says nothing.
-const LONGEST_STEP_RAD: f32 = 1.2;
 /// Nearer than this to exactly behind, the residual has no length to speak of.
 const OPPOSITE_RAD: f32 = 0.03;
-/// How much a step may be shortened before it is given up.
-const HALVINGS: usize = 5;
-/// Nearer to the target than this a strained gaze takes its time, radians (0.095°)…
-const LOOSE_RAD: f32 = 1.66e-3;
-/// … and moves no joint faster than this while it is near, rad/s.
-const EASY_RATE: f32 = 0.12;
-/// A target that moved by less than this since the last frame may stand still, radians (6e-3°)…
-const STILL_TARGET_RAD: f32 = 1e-4;
-/// … and does when it goes on for so long, seconds: it does not tremble, so there is nothing to be slow for.
-const CALM_S: f32 = 0.06;
-/// For how long a strain is remembered, seconds.
-const STRAIN_S: f32 = 0.5;
+/// The part of the way to the optimum that joints go in a frame, where the target leaves them free.
+const USUAL_PART: f32 = 0.5;
 /// Joints that would all move by less than this stay where they are, radians.
 pub(crate) const STILL_RAD: f32 = 1e-6;
-/// Displacement of a joint from where it is costs this much of the gap it closes, radians a second and radian: where a
-/// gap remains, what gains next to nothing does not move.
-const INERTIA_S: f32 = 3.0 / 60.0;
 
 /// The chain, its target, and the linear model of the gaze.
 pub(crate) struct Solver<'a, R: AimRig> {
@@ -61,6 +47,8 @@ pub(crate) struct Solver<'a, R: AimRig> {
     links: R::Array<[f32; 12]>,
     /// Pitch and heading of each joint.
     model: R::Array<[Angle; 2]>,
+    /// What displacement means for them.
+    homes: R::Array<[Home; 2]>,
     /// The number of declared angles.
     declared: usize,
     /// What the residual is measured along in effector space: forward, left, up.
@@ -80,12 +68,12 @@ impl<'a, R: AimRig> Solver<'a, R> {
             declared += usize::from(info.pitch.is_some()) + usize::from(info.heading.is_some());
         }
         let mut links = rig.array(IDENTITY_LINK);
-        let mut model = rig.array([NO_ANGLE; 2]);
+        let mut homes = rig.array([Home { rest: 0.0, ease: 1.0 }; 2]);
         for (index, info) in infos.iter().enumerate().skip(chain.first) {
             links.as_mut()[index] = chain.links.as_ref()[index].to_cols_array();
             // NaN and zero count as the most willing.
             let ease = (least / info.comfort).max(1e-6).min(1.0);
-            model.as_mut()[index] = [Angle { ease, ..NO_ANGLE }; 2];
+            homes.as_mut()[index] = [Home { rest: 0.0, ease }; 2];
         }
         Self {
             rig,
@@ -93,7 +81,8 @@ impl<'a, R: AimRig> Solver<'a, R> {
             goal,
             target: chain.base.matrix3.transpose() * goal.aimed,
             links,
-            model,
+            model: rig.array([NO_ANGLE; 2]),
+            homes,
             declared,
             axes: rig.effector().axes(&infos[0].axes),
             trial: rig.joints(),
@@ -102,9 +91,8 @@ impl<'a, R: AimRig> Solver<'a, R> {
 
     /// The solver with one joint's displacement counted from these angles, pitch and heading, at `ease` times its ease.
     pub(crate) fn prefer(&mut self, joint: usize, angles: [f32; 2], ease: f32) {
-        for (angle, rest) in self.model.as_mut()[joint].iter_mut().zip(angles) {
-            angle.rest = rest;
-            angle.ease = (angle.ease * ease).max(1e-6);
+        for (home, rest) in self.homes.as_mut()[joint].iter_mut().zip(angles) {
+            *home = Home { rest, ease: (home.ease * ease).max(1e-6) };
         }
     }
 
@@ -119,215 +107,49 @@ impl<'a, R: AimRig> Solver<'a, R> {
         memory: &mut Memory,
     ) -> Option<f32> {
         self.hold(joints, reaches);
-        memory.strain = (memory.strain - dt / STRAIN_S).max(0.0);
-        let mut rests = self.rig.array([0.0; 2]);
-        for (rest, angles) in rests.as_mut().iter_mut().zip(self.model.as_ref()) {
-            *rest = angles.map(|angle| angle.rest);
+        if memory.strain > 0.0 {
+            self.recover(memory, dt);
         }
         for _ in 0..ROUNDS {
             let offset = self.linearise(joints, reaches)?;
-            self.halve_the_way(joints, rests.as_ref());
+            self.go_part_way(joints, USUAL_PART);
             let solution = dual::solve(self.model.as_ref(), self.wanted(joints, offset), memory.lambda);
-            if !solution.closed {
-                self.forget_the_way(rests.as_ref());
-                return self.advance_with_a_gap(joints, reaches, dt, memory);
-            }
-            memory.lambda = solution.lambda;
-            self.try_dual(joints, reaches, solution.lambda);
-            let Some(mut view) = self.see(self.trial.as_ref()) else {
-                // The effector would come to be on the target: a shorter step does not.
-                self.forget_the_way(rests.as_ref());
+            let view = if solution.closed { self.try_closed(joints, reaches, solution.lambda) } else { None };
+            let Some(mut view) = view else {
                 return self.advance_with_a_gap(joints, reaches, dt, memory);
             };
+            memory.lambda = solution.lambda;
             self.mend(joints, offset, reaches, &mut memory.lambda, &mut view);
-            self.forget_the_way(rests.as_ref());
             if solution.strained {
                 memory.strain = 1.0;
             }
-            let is_still = offset[0] * offset[0] + offset[1] * offset[1] < STILL_TARGET_RAD * STILL_TARGET_RAD;
-            memory.still_s = if is_still { memory.still_s + dt } else { 0.0 };
-            let eased = memory.strain > 0.0 && memory.still_s < CALM_S;
-            if eased {
-                view = self.ease_in(joints, offset, reaches, dt, view)?;
-            }
+            let is_slow = memory.strain > 0.0 && self.take_care(joints, offset, reaches, dt, memory, &mut view)?;
             self.accept(joints);
-            if eased || view.is_within(ENOUGH_RAD) {
+            if is_slow || view.is_within(ENOUGH_RAD) {
                 return Some(view.angle());
             }
         }
         Some(self.see(joints)?.angle())
     }
 
-    /// Counts displacement half from where the joints are: as far as the target leaves them free they go half of the
-    /// way to the optimum in a frame. All of it would be too far where the gaze bends much (the model does not know),
-    /// and joints would swing from side to side of the optimum for ever.
+    /// Counts displacement from this part of the way from where the joints are to where they rest: as far as the target
+    /// leaves them free they go this part of the way to the optimum in a frame. All of it would be too far where the
+    /// gaze bends much (the model does not know), and joints would swing from side to side of the optimum for ever.
     #[inline]
-    fn halve_the_way(&mut self, joints: &[Joint], rests: &[[f32; 2]]) {
-        for ((angles, joint), rests) in self.model.as_mut().iter_mut().zip(joints).zip(rests) {
-            for ((angle, now), rest) in angles.iter_mut().zip([joint.pitch, joint.heading]).zip(rests) {
-                angle.rest = 0.5 * (rest + now);
-                angle.ease *= 0.5;
+    fn go_part_way(&mut self, joints: &[Joint], part: f32) {
+        for (angles, joint) in self.model.as_mut().iter_mut().zip(joints) {
+            for (angle, now) in angles.iter_mut().zip([joint.pitch, joint.heading]) {
+                angle.rest = now + part * (angle.rest - now);
+                angle.ease *= part;
             }
         }
     }
 
-    /// Takes [`halve_the_way`](Self::halve_the_way) back.
+    /// The trial at a dual point, and what is seen from it.
     #[inline]
-    fn forget_the_way(&mut self, rests: &[[f32; 2]]) {
-        for (angles, rests) in self.model.as_mut().iter_mut().zip(rests) {
-            for (angle, rest) in angles.iter_mut().zip(rests) {
-                angle.rest = *rest;
-                angle.ease *= 2.0;
-            }
-        }
-    }
-
-    /// The trial of a strained gaze, shortened to a slow step while the gaze is near the target. At the edge of what can be reached a target's least tremble would set the
-    /// joints trembling many times as far.
-    #[cold]
-    #[inline(never)]
-    fn ease_in(&mut self, joints: &[Joint], offset: [f32; 2], reaches: &[Reach], dt: f32, view: View) -> Option<View> {
-        let near = (offset[0] * offset[0] + offset[1] * offset[1]) / (LOOSE_RAD * LOOSE_RAD);
-        let part = EASY_RATE * dt / (self.step(joints) * (1.0 - near * near));
-        if !(part < 1.0 && near < 1.0) {
-            return Some(view);
-        }
-        let mut goal = self.rig.joints();
-        goal.as_mut().copy_from_slice(self.trial.as_ref());
-        self.try_part(joints, goal.as_ref(), reaches, part);
+    fn try_closed(&mut self, joints: &[Joint], reaches: &[Reach], lambda: [f32; 2]) -> Option<View> {
+        self.try_dual(joints, reaches, lambda);
         self.see(self.trial.as_ref())
-    }
-
-    /// The rest of a frame in which the reach has no solution: rates or ranges end it, or the linear model is too far
-    /// off to tell.
-    #[cold]
-    #[inline(never)]
-    fn advance_with_a_gap(
-        &mut self,
-        joints: &mut [Joint],
-        reaches: &[Reach],
-        dt: f32,
-        memory: &mut Memory,
-    ) -> Option<f32> {
-        let mut start = self.rig.joints();
-        let start = start.as_mut();
-        start.copy_from_slice(joints);
-        // As near as it gets; there a linear model may find a solution after all.
-        for _ in 0..ROUNDS {
-            let ended = self.improve(joints, reaches, &mut memory.lambda, LONGEST_STEP_RAD)?;
-            if ended.step < STILL_RAD || (ended.closed && ended.remaining <= ENOUGH_RAD) {
-                break;
-            }
-        }
-        let remaining = self.see(joints)?.angle();
-        // What gains next to nothing does not move: a target out of reach overhead would set the head turning with
-        // every tremble.
-        self.linearise(start, reaches)?;
-        let inertia = DEAREST * INERTIA_S / dt.max(1e-4);
-        let mut kept = self.rig.array([NO_ANGLE; 2]);
-        kept.as_mut().copy_from_slice(self.model.as_ref());
-        for (angles, joint) in self.model.as_mut().iter_mut().zip(&*start) {
-            for (angle, now) in angles.iter_mut().zip([joint.pitch, joint.heading]) {
-                let weight = 1.0 / angle.ease;
-                angle.rest = (weight * angle.rest + inertia * now) / (weight + inertia);
-                angle.ease = 1.0 / (weight + inertia);
-            }
-        }
-        let offset = self.offset(start)?;
-        let solution = dual::solve(self.model.as_ref(), self.wanted(start, offset), [0.0; 2]);
-        self.try_dual(start, reaches, solution.lambda);
-        self.model.as_mut().copy_from_slice(kept.as_ref());
-        let before = self.see(start)?.angle();
-        let slow = self.see(self.trial.as_ref()).map_or(f32::INFINITY, |view| view.angle());
-        // As near as the reach gets, or nearly: then slowly.
-        if slow <= before + 0.1 * SLOW_RAD && slow - remaining < SLOW_RAD {
-            self.accept(joints);
-            return Some(slow);
-        }
-        Some(remaining)
-    }
-
-    /// Moves `joints` to the optimum within `reaches`, whatever it takes (within bounds); returns what remains.
-    pub(crate) fn settle(&mut self, joints: &mut [Joint], reaches: &[Reach]) -> Option<f32> {
-        self.hold(joints, reaches);
-        let mut lambda = [0.0; 2];
-        let mut remaining = f32::INFINITY;
-        let mut longest = LONGEST_STEP_RAD;
-        for _ in 0..MOST_ROUNDS {
-            let ended = self.improve(joints, reaches, &mut lambda, longest)?;
-            longest = if ended.halvings == 0 { LONGEST_STEP_RAD } else { 2.0 * ended.step };
-            remaining = ended.remaining;
-            let settled = if ended.closed && remaining <= FINE_RAD { 1e-5 } else { STILL_RAD };
-            if ended.step < settled {
-                break;
-            }
-        }
-        if remaining.is_finite() { Some(remaining) } else { Some(self.see(joints)?.angle()) }
-    }
-
-    /// One round: the optimum of the linear model, mended, and shortened until it is an improvement.
-    fn improve(
-        &mut self,
-        joints: &mut [Joint],
-        reaches: &[Reach],
-        lambda: &mut [f32; 2],
-        longest: f32,
-    ) -> Option<Round> {
-        let offset = self.linearise(joints, reaches)?;
-        for (angles, joint) in self.model.as_mut().iter_mut().zip(&*joints) {
-            for (angle, now) in angles.iter_mut().zip([joint.pitch, joint.heading]) {
-                angle.lo = angle.lo.max(now - longest);
-                angle.hi = angle.hi.min(now + longest);
-            }
-        }
-        let before = self.merit(joints, math::sqrt(offset[0] * offset[0] + offset[1] * offset[1]));
-        let mut solution = dual::solve(self.model.as_ref(), self.wanted(joints, offset), *lambda);
-        self.try_dual(joints, reaches, solution.lambda);
-        if !self.chain.is_rigid() {
-            for _ in 0..BENT_MENDINGS {
-                let Some(view) = self.see(self.trial.as_ref()) else { break };
-                if view.is_within(ENOUGH_RAD) {
-                    break;
-                }
-                self.learn(joints, offset, view.offset());
-                solution = dual::solve(self.model.as_ref(), self.wanted(joints, offset), solution.lambda);
-                self.try_dual(joints, reaches, solution.lambda);
-            }
-        }
-        *lambda = solution.lambda;
-        let mut goal = self.rig.joints();
-        let goal = goal.as_mut();
-        goal.copy_from_slice(self.trial.as_ref());
-        for halvings in 0..=HALVINGS {
-            #[expect(clippy::cast_precision_loss, reason = "a handful")]
-            let part = 1.0 / (1_u32 << halvings) as f32;
-            self.try_part(joints, goal, reaches, part);
-            let Some(mut view) = self.see(self.trial.as_ref()) else { continue };
-            if solution.closed && halvings == 0 {
-                self.mend(joints, offset, reaches, lambda, &mut view);
-            }
-            let remaining = view.angle();
-            let there = self.merit(self.trial.as_ref(), remaining);
-            if there < before {
-                let step = self.step(joints);
-                self.accept(joints);
-                return Some(Round { remaining, closed: solution.closed, step, halvings });
-            }
-        }
-        let remaining = self.see(joints)?.angle();
-        Some(Round { remaining, closed: solution.closed, step: 0.0, halvings: HALVINGS })
-    }
-
-    /// What a round tries to lessen: displacement, and the angle at its price.
-    fn merit(&self, joints: &[Joint], remaining: f32) -> f32 {
-        let mut cost = 0.0;
-        for (angles, joint) in self.model.as_ref().iter().zip(joints) {
-            for (angle, now) in angles.iter().zip([joint.pitch, joint.heading]) {
-                let moved = if angle.column == [0.0; 2] && angle.lo == angle.hi { 0.0 } else { now - angle.rest };
-                cost += moved * moved / angle.ease;
-            }
-        }
-        0.5 * cost + DEAREST * remaining
     }
 
     /// The longest change of an angle from `joints` to the trial.
@@ -510,6 +332,8 @@ impl<'a, R: AimRig> Solver<'a, R> {
                     None => column,
                 };
                 (angle.lo, angle.hi) = (ranges[which].lo(), ranges[which].hi());
+                let home = &self.homes.as_ref()[index][which];
+                (angle.rest, angle.ease) = (home.rest, home.ease);
                 if ranges[which].is_free() {
                     angle.rest = now[which];
                     (angle.lo, angle.hi) = (now[which] - PI, now[which] + PI);
@@ -605,17 +429,12 @@ impl<'a, R: AimRig> Solver<'a, R> {
     }
 }
 
-/// How a round ended.
-struct Round {
-    remaining: f32,
-    closed: bool,
-    /// The longest change of an angle, radians.
-    step: f32,
-    halvings: usize,
+/// What an angle's displacement is counted from, and one over its weight.
+#[derive(Clone, Copy, Debug)]
+struct Home {
+    rest: f32,
+    ease: f32,
 }
-
-/// Nearer to the best than this the joints move slowly where a gap remains, radians (0.34°).
-const SLOW_RAD: f32 = 0.006;
 
 /// Derivatives that only a target near the effector, or behind it, has.
 const SUSPICIOUS: f32 = 1e3;

@@ -280,7 +280,8 @@ impl<'a, R: AimRig> Frame<'a, R> {
         }
         let from_rest = settle_from_rest(rig, chain, motions, goal, settled, tolerance).unwrap_or(f32::INFINITY);
         let within_reach = from_rest <= tolerance;
-        if within_reach || from_rest + worth_turning_back(&memory) < from_here {
+        let memory = &mut joints[chain.count - 1].memory;
+        if within_reach || is_worth_turning_back(memory, from_rest, from_here) {
             self.turn_round_to(settled, joints);
         }
         Some(within_reach)
@@ -450,9 +451,16 @@ pub(crate) fn wait(memory: &mut Memory, reached: bool, dt: f32) {
     memory.blocked_s = if reached { 0.0 } else { (memory.blocked_s + dt).min(PATIENCE_S) };
 }
 
-/// How much better another way round has to aim, radians: joints that have been blocked for long turn back for less.
-pub(crate) fn worth_turning_back(memory: &Memory) -> f32 {
-    TURN_BACK_RAD + (WORTH_WHILE_RAD - TURN_BACK_RAD) * (memory.blocked_s / PATIENCE_S)
+/// Whether to turn round from where the joints would come as near as `here` to where they would come as near as `there`,
+/// radians. Joints that have been blocked for long turn back for less, but only if that has been better all the time: a
+/// target that trembles behind would set them turning.
+pub(crate) fn is_worth_turning_back(memory: &mut Memory, there: f32, here: f32) -> bool {
+    let better = here - there;
+    if !(better > WORTH_WHILE_RAD) {
+        memory.blocked_s = 0.0;
+        return false;
+    }
+    better > TURN_BACK_RAD + (WORTH_WHILE_RAD - TURN_BACK_RAD) * (memory.blocked_s / PATIENCE_S)
 }
 
 /// What to turn to. At weight 0 that is the animation, whatever the target.

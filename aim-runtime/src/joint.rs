@@ -155,6 +155,8 @@ pub(crate) struct Planes {
     by_heading: [f32; 4],
     by_pitch: [f32; 4],
     by_both: [f32; 4],
+    /// Where these are axes of coordinates, which of them each coordinate belongs to, and the signs.
+    aligned: Option<([usize; 3], [f32; 4])>,
     /// Whether the axes are unit and square to each other as far as a correction has to be unit.
     square: bool,
 }
@@ -177,7 +179,25 @@ impl Planes {
         let (by_heading, by_pitch) = (cross(forward, left), cross(forward, up));
         let unit = is_zero(up, up, 1.0) && is_zero(forward, forward, 1.0) && is_zero(left, left, 1.0);
         let square = unit && is_zero(forward, up, 0.0) && is_zero(forward, left, 0.0);
-        Self { by_heading, by_pitch, by_both: cross(by_heading, by_pitch), square }
+        let by_both = cross(by_heading, by_pitch);
+        Self { by_heading, by_pitch, by_both, aligned: Self::aligned([by_heading, by_pitch, by_both]), square }
+    }
+
+    const fn aligned(planes: [[f32; 4]; 3]) -> Option<([usize; 3], [f32; 4])> {
+        let (mut places, mut signs) = ([3; 3], [1.0; 4]);
+        let mut k = 0;
+        while k < 9 {
+            let (place, coordinate) = (k / 3, k % 3);
+            let along = planes[place][coordinate];
+            if along == 1.0 || along == -1.0 {
+                places[coordinate] = place;
+                signs[coordinate] = along;
+            } else if along != 0.0 {
+                return None;
+            }
+            k += 1;
+        }
+        if places[0] + places[1] + places[2] == 3 && places[0] != places[1] { Some((places, signs)) } else { None }
     }
 }
 
@@ -201,8 +221,8 @@ pub struct Joint {
     pub(crate) tilt: Quat,
     /// The other eye; on joint 0 of a rig whose last pose had one.
     pub(crate) pair: Option<Pair>,
-    /// The sines and cosines of the halves of two angles, and the angles: pitch and heading, as they were when these
-    /// were last taken.
+    /// The sines and cosines of the halves of pitch and heading, and the angles, heading and pitch as they stand above,
+    /// as they were when these were last taken.
     pub(crate) halves: trig::Halves,
     pub(crate) halved: [f32; 2],
     /// The correction at those angles.
@@ -249,8 +269,12 @@ pub(crate) struct Memory {
     pub(crate) lambda: [f32; 2],
     /// How much of a strain is left of the last strained frame, 0…1.
     pub(crate) strain: f32,
-    /// For how long the gaze has been held by a target that does not move, seconds.
+    /// The target of the last frame that was strained, in the space that the solver has it in.
+    pub(crate) target: [f32; 3],
+    /// For how long it has stood still, seconds.
     pub(crate) still_s: f32,
+    /// How often a step is halved so that it is a gain.
+    pub(crate) caution: u8,
     /// For how long the target has been out of reach, seconds.
     pub(crate) blocked_s: f32,
     /// What the joints are about that support a natural gaze.
@@ -346,7 +370,14 @@ impl Joint {
     /// The sines and cosines of half its angles: those that are kept, if they are of these angles.
     #[inline(always)]
     pub(crate) fn halves(&self) -> trig::Halves {
-        if self.halved == [self.pitch, self.heading] { self.halves } else { self.halves_anew() }
+        if self.is_halved() { self.halves } else { self.halves_anew() }
+    }
+
+    /// Whether what is kept is of its angles, bit by bit: that takes fewer instructions than comparing numbers.
+    #[inline(always)]
+    fn is_halved(&self) -> bool {
+        let differ = |a: f32, b: f32| a.to_bits() ^ b.to_bits();
+        differ(self.halved[0], self.heading) | differ(self.halved[1], self.pitch) == 0
     }
 
     /// Lets the angles count in another frame of the bone: what is kept of them holds no longer.
@@ -376,7 +407,7 @@ impl Joint {
     /// angles.
     #[inline(always)]
     pub(crate) fn own_correction(&self, info: &JointInfo) -> Quat {
-        if self.halved == [self.pitch, self.heading] { self.turned } else { self.correction(&info.axes) }
+        if self.is_halved() { self.turned } else { self.correction(&info.axes) }
     }
 }
 
@@ -397,10 +428,17 @@ pub(crate) fn turn(axes: &Axes, planes: &Planes, [sin_p, cos_p, sin_h, cos_h]: t
         return turn_by_planes(axes, [sin_p, cos_p, sin_h, cos_h]);
     }
     let load = |v: &[f32; 4]| Vec4::from_array(*v);
-    let axis = load(&planes.by_heading) * (sin_h * cos_p)
-        + load(&planes.by_pitch) * (cos_h * sin_p)
-        + load(&planes.by_both) * (sin_h * sin_p);
-    Quat::from_vec4(axis + Vec4::W * (cos_h * cos_p))
+    let products = Vec4::new(sin_h, cos_h, sin_h, cos_h) * Vec4::new(cos_p, sin_p, sin_p, cos_p);
+    let [by_heading, by_pitch, by_both, by_none] = products.to_array();
+    if let Some(([x, y, z], signs)) = &planes.aligned {
+        // The same sums, without what is multiplied by 0 in them.
+        let part = |place: usize| [by_heading, by_pitch, by_both, by_none][place & 3];
+        return Quat::from_vec4(Vec4::new(part(*x), part(*y), part(*z), by_none) * load(signs) + Vec4::ZERO);
+    }
+    let axis = load(&planes.by_heading) * by_heading
+        + load(&planes.by_pitch) * by_pitch
+        + load(&planes.by_both) * by_both;
+    Quat::from_vec4(axis + Vec4::W * by_none)
 }
 
 /// [`turn`] for axes that are not quite square, or not at all: each angle in its plane, none where there is none.

@@ -12,7 +12,7 @@ use crate::chain::{self, Chain, Ray};
 use crate::exact::{Solver, unhurried};
 use crate::eyes;
 use crate::follow::Follower;
-use crate::frame::{wait, worth_turning_back};
+use crate::frame::{is_worth_turning_back, wait};
 use crate::goal::{Course, Goal};
 use crate::joint::{self, Memory, Support};
 use crate::limits::{self, Reach};
@@ -306,7 +306,7 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         if here > tolerance {
             shared.copy_from_slice(joints);
             let from_rest = settle_from_rest(rig, chain, motions, goal, shared, tolerance).unwrap_or(f32::INFINITY);
-            if from_rest <= tolerance || from_rest + worth_turning_back(memory) < here {
+            if from_rest <= tolerance || is_worth_turning_back(memory, from_rest, here) {
                 joints.copy_from_slice(shared);
                 here = from_rest;
             }

@@ -12,6 +12,8 @@ use crate::exact::{ENOUGH_RAD, FINE_RAD, STILL_RAD};
 use crate::joint::{self, Side, turn};
 use crate::limits::AT_LIMIT_RAD;
 use crate::pose::Animated;
+use crate::rig::along;
+use crate::scalar::{Scalar, Sparse};
 use crate::view::{Stretch, View};
 use crate::{AimRig, JointInfo, JointSet, Outcome, Settings, Status, math, trig};
 
@@ -21,6 +23,8 @@ const MENDINGS: usize = 2;
 const NEWTON_STEPS: usize = 4;
 /// Derivatives that only a target near the effector has.
 const SUSPICIOUS: f32 = 1e3;
+/// What sums begin with: added to a number it leaves the very number, which 0 does not, and so costs nothing.
+const NOTHING: f32 = -0.0;
 
 /// Does something for every joint, from the effector inward or (`rev`) outward. Written out for short chains, so that
 /// what was declared of each joint is a constant to the compiler, which does not unroll loops as long as these.
@@ -134,11 +138,11 @@ impl<R: AimRig> Body<R> {
         }
         let frames = frames.as_ref();
         let links = self.links.as_mut();
-        let mut square = 0.0;
+        let mut squares = Vec3A::splat(NOTHING);
         let origin = rig.effector().origin;
         if origin != [0.0; 3] {
             let offset = pose[0].transform_vector3a(origin.into());
-            square = offset.dot(offset);
+            squares += offset * offset;
             links[0].translation = frames[0].transpose() * offset;
         }
         let tilt = self.tilts.as_ref()[0];
@@ -149,18 +153,19 @@ impl<R: AimRig> Body<R> {
             if index > 0 {
                 let outward = frames[index].transpose();
                 let step = pose[index - 1].translation - pose[index].translation;
-                square += step.dot(step);
+                squares += step * step;
                 links[index] = Affine3A { matrix3: outward * frames[index - 1], translation: outward * step };
             }
         });
         let to_target = target - pose[count - 1].translation;
         self.target = frames[count - 1].transpose() * to_target;
         let axes = &infos[count - 1].axes;
-        self.side = Side::of(self.target.dot(axes.left.into()));
+        self.side = Side::of(along(axes.left, self.target));
+        let square = squares.x + squares.y + squares.z;
         self.near = square * (TOO_NEAR * TOO_NEAR);
         let far = to_target.dot(to_target);
         // In front, no mere direction, and of lengths whose squares are plain numbers. NaN is none of these.
-        self.target.dot(axes.forward.into()) > 0.0 && far < 1e8 * square && far < 1e12 && square > 1e-12
+        along(axes.forward, self.target) > 0.0 && far < 1e8 * square && far < 1e12 && square > 1e-12
     }
 }
 
@@ -251,19 +256,18 @@ impl<R: AimRig> Angles<R> {
                 self.lambda = joint.memory.lambda;
             }
         });
+        let mut outside = BVec4A::FALSE;
         for k in 0..count.div_ceil(2) {
             let load = |lanes: &R::Array<[f32; 4]>| Vec4::from_array(lanes.as_ref()[k]);
             let (start, least, most, step) = (load(&start), load(&least), load(&most), load(&step));
-            // An angle outside its range goes back at its rate: not an ordinary frame.
-            if !(start.cmpge(least) & start.cmple(most)).all() {
-                return false;
-            }
+            outside |= start.cmplt(least) | start.cmpgt(most);
             self.start.as_mut()[k] = start;
             self.lo.as_mut()[k] = least.max(start - step);
             self.hi.as_mut()[k] = most.min(start + step);
             self.ease.as_mut()[k] = load(&ease);
         }
-        true
+        // An angle outside its range goes back at its rate: not an ordinary frame.
+        !outside.any()
     }
 
     /// The number of vectors.
@@ -276,26 +280,34 @@ impl<R: AimRig> Angles<R> {
     #[inline(always)]
     fn linearise(&mut self, rig: &R, body: &Body<R>) -> Option<[f32; 2]> {
         let infos = rig.joint_infos();
-        let mut links = rig.array([0.0; 12]);
-        for (link, transform) in links.as_mut().iter_mut().zip(body.links.as_ref()) {
-            *link = transform.to_cols_array();
-        }
+        let mut links = rig.array(Sparse::IDENTITY);
+        let mut sin_cos = rig.array([Sparse::ZERO; 4]);
+        each_joint!(infos.len(), index => {
+            if index > 0 || rig.effector().origin != [0.0; 3] || infos[0].is_level() {
+                links.as_mut()[index] = Sparse::link(&body.links.as_ref()[index]);
+            }
+            let [sin_p, cos_p, sin_h, cos_h] = self.sin_cos.as_ref()[index];
+            sin_cos.as_mut()[index] = [Sparse::of(sin_p), Sparse::of(cos_p), Sparse::of(sin_h), Sparse::of(cos_h)];
+        });
         let mut declared = 0;
         for info in infos {
             declared += usize::from(info.pitch.is_some()) + usize::from(info.heading.is_some());
         }
-        let mut out = rig.array([0.0_f32; 6]);
+        let mut out = rig.array([Sparse::ZERO; 6]);
         let out = &mut out.as_mut().as_flattened_mut()[..2 + 2 * declared];
-        let target = body.target.to_array();
-        rig.chain_residual_jacobian::<f32>(links.as_ref(), &target, self.sin_cos.as_ref(), out);
-        let residual = [out[0], out[1]];
+        let [x, y, z] = body.target.to_array();
+        let target = [Sparse::of(x), Sparse::of(y), Sparse::of(z)];
+        rig.chain_residual_jacobian::<Sparse>(links.as_ref(), &target, sin_cos.as_ref(), out);
+        let residual = [out[0].value(), out[1].value()];
         let (left, up) = out[2..].split_at(declared);
         let mut largest = Vec4::ZERO;
         let mut row = 0;
         for k in 0..self.vectors() {
             let (left_4, up_4);
             if declared == 2 * infos.len() && declared >= 4 * k + 4 {
-                (left_4, up_4) = (Vec4::from_slice(&left[4 * k..4 * k + 4]), Vec4::from_slice(&up[4 * k..4 * k + 4]));
+                let at = |row: &[Sparse], lane: usize| row[4 * k + lane].value();
+                let four = |row: &[Sparse]| Vec4::new(at(row, 0), at(row, 1), at(row, 2), at(row, 3));
+                (left_4, up_4) = (four(left), four(up));
                 row += 4;
             } else {
                 let [mut lefts, mut ups] = [[0.0; 4]; 2];
@@ -303,8 +315,8 @@ impl<R: AimRig> Angles<R> {
                     let info = &infos[place / 2];
                     let range = if place % 2 == 0 { info.pitch } else { info.heading };
                     if range.is_some() {
-                        lefts[place - 4 * k] = left[row];
-                        ups[place - 4 * k] = up[row];
+                        lefts[place - 4 * k] = left[row].value();
+                        ups[place - 4 * k] = up[row].value();
                         row += 1;
                     }
                 }
@@ -363,7 +375,7 @@ impl<R: AimRig> Angles<R> {
     fn newton(&mut self, residual: [f32; 2], at: &[Vec4]) -> bool {
         self.place();
         for _ in 0..NEWTON_STEPS {
-            let [mut left, mut up, mut ll, mut lu, mut uu] = [Vec4::ZERO; 5];
+            let [mut left, mut up, mut ll, mut lu, mut uu] = [Vec4::splat(NOTHING); 5];
             for k in 0..self.vectors() {
                 let (jl, ju) = (self.left.as_ref()[k], self.up.as_ref()[k]);
                 let change = at[k] - self.now.as_ref()[k];
@@ -375,8 +387,8 @@ impl<R: AimRig> Angles<R> {
                 lu += el * ju;
                 uu += eu * ju;
             }
-            let (gap_left, gap_up) = (sum(left) - residual[0], sum(up) - residual[1]);
-            let (ll, lu, uu) = (sum(ll), sum(lu), sum(uu));
+            let ([left, up, ll, uu], lu) = (sums([left, up, ll, uu]), sum(lu));
+            let (gap_left, gap_up) = (left - residual[0], up - residual[1]);
             let determinant = ll * uu - lu * lu;
             let trace = ll + uu;
             if !(determinant > STRAINED * trace * trace) {
@@ -445,7 +457,7 @@ impl<R: AimRig> Angles<R> {
         if !(target.dot(target) > body.near) {
             return None;
         }
-        let [forward, left, up] = rig.effector().axes(&infos[0].axes).map(|axis| target.dot(axis));
+        let [forward, left, up] = rig.effector().along_axes(&infos[0].axes, target);
         Some(View { forward, left, up })
     }
 
@@ -458,7 +470,7 @@ impl<R: AimRig> Angles<R> {
             let Some(joint) = rig.joint_mut(index) else { return };
             (joint.pitch, joint.heading) = (angles[2 * (index % 2)], angles[2 * (index % 2) + 1]);
             joint.velocity = [0.0; 2];
-            joint.halved = [joint.pitch, joint.heading];
+            joint.halved = [joint.heading, joint.pitch];
             joint.halves = self.halves.as_ref()[index];
             joint.tilt = body.tilts.as_ref()[index];
             joint.turned = joint::tilted(self.turns.as_ref()[index], joint.tilt);
@@ -493,4 +505,12 @@ impl<R: AimRig> Angles<R> {
 fn sum(v: Vec4) -> f32 {
     let [a, b, c, d] = v.to_array();
     (a + c) + (b + d)
+}
+
+/// [`sum`] of four vectors at a time.
+#[inline(always)]
+fn sums([a, b, c, d]: [Vec4; 4]) -> [f32; 4] {
+    let pairs = |v: Vec4, w: Vec4| Vec4::new(v.x, v.y, w.x, w.y) + Vec4::new(v.z, v.w, w.z, w.w);
+    let (v, w) = (pairs(a, b), pairs(c, d));
+    (Vec4::new(v.x, v.z, w.x, w.z) + Vec4::new(v.y, v.w, w.y, w.w)).to_array()
 }

@@ -39,6 +39,16 @@ impl Effector {
         if self.forward == first.forward { [forward, left, up] } else { self.turned_axes(up, forward, left) }
     }
 
+    /// A vector's parts along those axes.
+    #[inline(always)]
+    pub(crate) fn along_axes(&self, first: &Axes, v: Vec3A) -> [f32; 3] {
+        if self.forward == first.forward {
+            return [along(first.forward, v), along(first.left, v), along(first.up, v)];
+        }
+        let [forward, left, up] = self.axes(first);
+        [forward.dot(v), left.dot(v), up.dot(v)]
+    }
+
     #[cold]
     fn turned_axes(&self, up: Vec3A, forward: Vec3A, left: Vec3A) -> [Vec3A; 3] {
         /// The sine of half a degree.
@@ -49,6 +59,17 @@ impl Effector {
         let up = if math::cross(up, aimed).length() < ALONG { forward * -along.signum() } else { up };
         let up = math::direction(up - aimed * aimed.dot(up)).unwrap_or(Vec3A::ZERO);
         [aimed, math::cross(up, aimed) * handedness, up]
+    }
+}
+
+/// A vector's part along an axis; costs nothing for an axis of coordinates, as those of bones mostly are.
+#[inline(always)]
+pub(crate) fn along(axis: [f32; 3], v: Vec3A) -> f32 {
+    match axis {
+        [x, 0.0, 0.0] => x * v.x,
+        [0.0, y, 0.0] => y * v.y,
+        [0.0, 0.0, z] => z * v.z,
+        _ => v.dot(axis.into()),
     }
 }
 

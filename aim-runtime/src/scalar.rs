@@ -4,6 +4,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 #[cfg(feature = "wide")]
 mod lanes;
+mod sparse;
+
+pub(crate) use sparse::Sparse;
 
 mod sealed {
     #[expect(unnameable_types, reason = "being unnameable is what seals")]

@@ -68,7 +68,8 @@ pub(crate) fn halves(joint: &Joint) -> Halves {
 /// sin p, cos p, sin h, cos h, as kernels take them, from the halves.
 #[inline(always)]
 pub(crate) fn doubled([sin_p, cos_p, sin_h, cos_h]: Halves) -> [f32; 4] {
-    [2.0 * sin_p * cos_p, 1.0 - 2.0 * sin_p * sin_p, 2.0 * sin_h * cos_h, 1.0 - 2.0 * sin_h * sin_h]
+    let products = Vec4::new(sin_p, sin_p, sin_h, sin_h) * Vec4::new(cos_p, sin_p, cos_h, sin_h);
+    (products * Vec4::new(2.0, -2.0, 2.0, -2.0) + Vec4::new(0.0, 1.0, 0.0, 1.0)).to_array()
 }
 
 /// The angle of the point (x, y), −π…π; 0 for the origin.

@@ -1,0 +1,172 @@
+//! Where a gap remains between the gaze and the target: out of reach, or for this frame's rates, or as far as the linear
+//! model can tell; and joints that have all the time they need.
+
+use super::{BENT_MENDINGS, ENOUGH_RAD, FINE_RAD, ROUNDS, STILL_RAD, Solver};
+use crate::dual::{self, DEAREST, NO_ANGLE};
+use crate::joint::{Joint, Memory};
+use crate::limits::Reach;
+use crate::{AimRig, math};
+
+/// How many Jacobians joints without rates take at most.
+const MOST_ROUNDS: usize = 24;
+/// The largest change of an angle in one round, radians: beyond it the linear model says nothing.
+const LONGEST_STEP_RAD: f32 = 1.2;
+/// How much a step may be shortened before it is given up.
+const HALVINGS: usize = 5;
+/// Displacement of a joint from where it is costs this much of the gap it closes, radians a second and radian: where a
+/// gap remains, what gains next to nothing does not move.
+const INERTIA_S: f32 = 3.0 / 60.0;
+/// Nearer to the best than this the joints move slowly where a gap remains, radians (0.34°).
+const SLOW_RAD: f32 = 0.006;
+
+/// How a round ended.
+struct Round {
+    remaining: f32,
+    closed: bool,
+    /// The longest change of an angle, radians.
+    step: f32,
+    halvings: usize,
+}
+
+impl<R: AimRig> Solver<'_, R> {
+    /// The rest of a frame in which the reach has no solution: rates or ranges end it, or the linear model is too far
+    /// off to tell.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn advance_with_a_gap(
+        &mut self,
+        joints: &mut [Joint],
+        reaches: &[Reach],
+        dt: f32,
+        memory: &mut Memory,
+    ) -> Option<f32> {
+        if memory.strain == 0.0 {
+            // Else it has been watched already.
+            self.watch(memory, dt);
+        }
+        let mut start = self.rig.joints();
+        let start = start.as_mut();
+        start.copy_from_slice(joints);
+        // As near as it gets; there a linear model may find a solution after all.
+        for _ in 0..ROUNDS {
+            let ended = self.improve(joints, reaches, &mut memory.lambda, LONGEST_STEP_RAD)?;
+            if ended.step < STILL_RAD || (ended.closed && ended.remaining <= ENOUGH_RAD) {
+                break;
+            }
+        }
+        let remaining = self.see(joints)?.angle();
+        if Self::is_calm(memory) {
+            return Some(remaining);
+        }
+        // What gains next to nothing does not move: a target out of reach overhead would set the head turning with
+        // every tremble.
+        self.linearise(start, reaches)?;
+        let inertia = DEAREST * INERTIA_S / dt.max(1e-4);
+        let mut kept = self.rig.array([NO_ANGLE; 2]);
+        kept.as_mut().copy_from_slice(self.model.as_ref());
+        for (angles, joint) in self.model.as_mut().iter_mut().zip(&*start) {
+            for (angle, now) in angles.iter_mut().zip([joint.pitch, joint.heading]) {
+                let weight = 1.0 / angle.ease;
+                angle.rest = (weight * angle.rest + inertia * now) / (weight + inertia);
+                angle.ease = 1.0 / (weight + inertia);
+            }
+        }
+        let offset = self.offset(start)?;
+        let solution = dual::solve(self.model.as_ref(), self.wanted(start, offset), [0.0; 2]);
+        self.try_dual(start, reaches, solution.lambda);
+        self.model.as_mut().copy_from_slice(kept.as_ref());
+        let (Some(before), Some(slow)) = (self.see(start), self.see(self.trial.as_ref())) else {
+            return Some(remaining);
+        };
+        let (before, slow) = (before.angle(), slow.angle());
+        // As near as the reach gets, or nearly: then slowly.
+        if slow <= before + 0.1 * SLOW_RAD && slow - remaining < SLOW_RAD {
+            self.accept(joints);
+            return Some(slow);
+        }
+        Some(remaining)
+    }
+
+    /// Moves `joints` to the optimum within `reaches`, whatever it takes (within bounds); returns what remains.
+    pub(crate) fn settle(&mut self, joints: &mut [Joint], reaches: &[Reach]) -> Option<f32> {
+        self.hold(joints, reaches);
+        let mut lambda = [0.0; 2];
+        let mut remaining = f32::INFINITY;
+        let mut longest = LONGEST_STEP_RAD;
+        for _ in 0..MOST_ROUNDS {
+            let ended = self.improve(joints, reaches, &mut lambda, longest)?;
+            longest = if ended.halvings == 0 { LONGEST_STEP_RAD } else { 2.0 * ended.step };
+            remaining = ended.remaining;
+            let settled = if ended.closed && remaining <= FINE_RAD { 1e-5 } else { STILL_RAD };
+            if ended.step < settled {
+                break;
+            }
+        }
+        if remaining.is_finite() { Some(remaining) } else { Some(self.see(joints)?.angle()) }
+    }
+
+    /// One round: the optimum of the linear model, mended, and shortened until it is an improvement.
+    fn improve(
+        &mut self,
+        joints: &mut [Joint],
+        reaches: &[Reach],
+        lambda: &mut [f32; 2],
+        longest: f32,
+    ) -> Option<Round> {
+        let offset = self.linearise(joints, reaches)?;
+        for (angles, joint) in self.model.as_mut().iter_mut().zip(&*joints) {
+            for (angle, now) in angles.iter_mut().zip([joint.pitch, joint.heading]) {
+                angle.lo = angle.lo.max(now - longest);
+                angle.hi = angle.hi.min(now + longest);
+            }
+        }
+        let before = self.merit(joints, math::sqrt(offset[0] * offset[0] + offset[1] * offset[1]));
+        let mut solution = dual::solve(self.model.as_ref(), self.wanted(joints, offset), *lambda);
+        self.try_dual(joints, reaches, solution.lambda);
+        if !self.chain.is_rigid() {
+            for _ in 0..BENT_MENDINGS {
+                let Some(view) = self.see(self.trial.as_ref()) else { break };
+                if view.is_within(ENOUGH_RAD) {
+                    break;
+                }
+                self.learn(joints, offset, view.offset());
+                solution = dual::solve(self.model.as_ref(), self.wanted(joints, offset), solution.lambda);
+                self.try_dual(joints, reaches, solution.lambda);
+            }
+        }
+        *lambda = solution.lambda;
+        let mut goal = self.rig.joints();
+        let goal = goal.as_mut();
+        goal.copy_from_slice(self.trial.as_ref());
+        for halvings in 0..=HALVINGS {
+            #[expect(clippy::cast_precision_loss, reason = "a handful")]
+            let part = 1.0 / (1_u32 << halvings) as f32;
+            self.try_part(joints, goal, reaches, part);
+            let Some(mut view) = self.see(self.trial.as_ref()) else { continue };
+            if solution.closed && halvings == 0 {
+                self.mend(joints, offset, reaches, lambda, &mut view);
+            }
+            let remaining = view.angle();
+            let there = self.merit(self.trial.as_ref(), remaining);
+            if there < before {
+                let step = self.step(joints);
+                self.accept(joints);
+                return Some(Round { remaining, closed: solution.closed, step, halvings });
+            }
+        }
+        let remaining = self.see(joints)?.angle();
+        Some(Round { remaining, closed: solution.closed, step: 0.0, halvings: HALVINGS })
+    }
+
+    /// What a round tries to lessen: displacement, and the angle at its price.
+    fn merit(&self, joints: &[Joint], remaining: f32) -> f32 {
+        let mut cost = 0.0;
+        for (angles, joint) in self.model.as_ref().iter().zip(joints) {
+            for (angle, now) in angles.iter().zip([joint.pitch, joint.heading]) {
+                let moved = if angle.column == [0.0; 2] && angle.lo == angle.hi { 0.0 } else { now - angle.rest };
+                cost += moved * moved / angle.ease;
+            }
+        }
+        0.5 * cost + DEAREST * remaining
+    }
+}
