@@ -205,8 +205,9 @@ pub fn bake<R: AimRig<Array<Affine3A>: Clone>>(
             let goal = target_ws.as_vec3();
             let outcome = match (before, pass, plan.settle) {
                 (Some(before), ..) => rig.aim_with(&joints, goal, t - before, &plan.settings),
-                // The pass before ended here: nothing moves, only the report is made.
-                (None, 1.., _) | (None, 0, Settle::Animation) => rig.aim_with(&joints, goal, 0.0, &plan.settings),
+                // The pass before ended here, perhaps in another pose: no time for an angle to move, but a frame.
+                (None, 1.., _) => rig.aim_with(&joints, goal, f32::MIN_POSITIVE, &plan.settings),
+                (None, 0, Settle::Animation) => rig.aim_with(&joints, goal, 0.0, &plan.settings),
                 (None, 0, Settle::Snap) => rig.snap_with(&joints, goal, &plan.settings),
             };
             if before.is_none() {

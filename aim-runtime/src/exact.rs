@@ -291,8 +291,9 @@ impl<'a, R: AimRig> Solver<'a, R> {
     #[inline]
     fn linearise(&mut self, joints: &[Joint], reaches: &[Reach]) -> Option<[f32; 2]> {
         let mut sin_cos = self.rig.array([0.0, 1.0, 0.0, 1.0]);
-        for index in self.chain.first..self.chain.count {
-            sin_cos.as_mut()[index] = trig::doubled(trig::halves(&joints[index]));
+        let chain = self.chain.first..self.chain.count;
+        for (sin_cos, joint) in sin_cos.as_mut()[chain.clone()].iter_mut().zip(&joints[chain]) {
+            *sin_cos = trig::doubled(trig::halves(joint));
         }
         let mut out = self.rig.array([0.0; 6]);
         let out = &mut out.as_mut().as_flattened_mut()[..2 + 2 * self.declared];

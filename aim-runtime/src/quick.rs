@@ -376,9 +376,9 @@ impl<R: AimRig> Angles<R> {
         self.place();
         for _ in 0..NEWTON_STEPS {
             let [mut left, mut up, mut ll, mut lu, mut uu] = [Vec4::splat(NOTHING); 5];
-            for k in 0..self.vectors() {
+            for (k, at) in at.iter().enumerate().take(self.vectors()) {
                 let (jl, ju) = (self.left.as_ref()[k], self.up.as_ref()[k]);
-                let change = at[k] - self.now.as_ref()[k];
+                let change = *at - self.now.as_ref()[k];
                 left += jl * change;
                 up += ju * change;
                 let ease = Vec4::select(self.free.as_ref()[k], self.ease.as_ref()[k], Vec4::ZERO);
