@@ -435,9 +435,8 @@ pub(crate) fn turn(axes: &Axes, planes: &Planes, [sin_p, cos_p, sin_h, cos_h]: t
         let part = |place: usize| [by_heading, by_pitch, by_both, by_none][place & 3];
         return Quat::from_vec4(Vec4::new(part(*x), part(*y), part(*z), by_none) * load(signs) + Vec4::ZERO);
     }
-    let axis = load(&planes.by_heading) * by_heading
-        + load(&planes.by_pitch) * by_pitch
-        + load(&planes.by_both) * by_both;
+    let axis =
+        load(&planes.by_heading) * by_heading + load(&planes.by_pitch) * by_pitch + load(&planes.by_both) * by_both;
     Quat::from_vec4(axis + Vec4::W * by_none)
 }
 

@@ -57,7 +57,7 @@ fn anywhere(rig: &NumericRig, rng: &mut Rng) -> Vec<Joint> {
 }
 
 /// One: The stereographic residual has a false zero where its denominator is floored: what is nearly behind would be solved
-/// by looking away from it.
+///    by looking away from it.
 #[test]
 fn looking_away_is_no_solution() {
     let mut rng = Rng(1);
@@ -98,7 +98,7 @@ fn looking_away_is_no_solution() {
 }
 
 /// Two: Active sets without a line search stick, or come to rest far from the least displacement: from any state the same
-/// end as from rest.
+///    end as from rest.
 #[test]
 fn active_sets_do_not_stick() {
     let mut rng = Rng(2);
@@ -132,7 +132,7 @@ fn active_sets_do_not_stick() {
 }
 
 /// Three: A target that goes round leaves the head pegged at the side where it went out of reach, though it has come back
-/// into reach on the other.
+///    into reach on the other.
 #[test]
 fn orbit() {
     for settings in SOLVERS.into_iter().flat_map(|solver| {
@@ -237,7 +237,7 @@ fn inverted_ranges() {
 }
 
 /// Seven: Polynomials for half angles are good to ±180° of the whole: ranges beyond that, and headings that go round for
-/// ever, are turned into it.
+///    ever, are turned into it.
 #[test]
 fn beyond_half_a_turn() {
     for solver in SOLVERS {
