@@ -5,8 +5,8 @@
 //! quadratic in λ ∈ R², `θᵢ(λ) = clamp(restᵢ + easeᵢ Jᵢ·λ, loᵢ, hiᵢ)`, and its gradient is what the model still misses,
 //! `wanted − J θ(λ)`. Newton's method on that takes one or two steps from the λ of the frame before.
 //!
-//! Where the box leaves no solution λ would grow without bound. There the gap is *bought* instead: at most [`DEAREST`]
-//! of displacement a radian, the exact penalty `DEAREST · |gap|`. So one problem covers both cases, the solution of the
+//! Where the box leaves no solution λ would grow without bound. There the gap is *bought* instead: at most `dearest`
+//! of displacement a radian, the exact penalty `dearest · |gap|`. So one problem covers both cases, the solution of the
 //! second is as well determined as of the first, and it changes into the other without a jump.
 
 use crate::Scalar;
@@ -30,14 +30,23 @@ pub(crate) const NO_ANGLE: Angle = Angle { column: [0.0; 2], lo: 0.0, hi: 0.0, r
 impl Angle {
     /// The angle at a dual point.
     #[inline(always)]
-    pub(crate) fn at(&self, [x, y]: [f32; 2]) -> f32 {
+    fn at(&self, [x, y]: [f32; 2]) -> f32 {
         let [jx, jy] = self.column;
         (self.rest + self.ease * (jx * x + jy * y)).max(self.lo).min(self.hi)
     }
 }
 
-/// The displacement that a radian of gap may cost at most, in units of the most willing joint.
+/// The displacement that a radian of gap may cost at most, in units of the most willing joint: so much always…
 pub(crate) const DEAREST: f32 = 300.0;
+/// … and so much in units of the most reluctant one, who may have to make the last of the way…
+const DEAREST_TO_THE_RELUCTANT: f32 = 400.0;
+/// … as far as that can be told from the displacement in single precision.
+const DEAREST_OF_ALL: f32 = 1e5;
+
+/// What a radian of gap may cost where this is the least ease.
+pub(crate) fn dearest(least_ease: f32) -> f32 {
+    (DEAREST_TO_THE_RELUCTANT / least_ease).max(DEAREST).min(DEAREST_OF_ALL)
+}
 
 /// A gap this small is none, radians.
 pub(crate) const CLOSED: f32 = 1e-6;
@@ -51,8 +60,10 @@ pub(crate) const STRAINED: f32 = 0.05;
 /// A solution.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Solution {
-    /// The dual point: [`Angle::at`] gives the angles.
+    /// The dual point.
     pub(crate) lambda: [f32; 2],
+    /// The same where it took more digits.
+    precise: Option<[f64; 2]>,
     /// Whether nothing is missing any more.
     pub(crate) closed: bool,
     /// Whether the angles that are free to move hardly cover both directions of the gaze: in one of them a little of the
@@ -60,9 +71,21 @@ pub(crate) struct Solution {
     pub(crate) strained: bool,
 }
 
+impl Solution {
+    /// An angle of the model in this solution.
+    #[inline(always)]
+    pub(crate) fn of(&self, angle: &Angle) -> f32 {
+        match self.precise {
+            None => angle.at(self.lambda),
+            #[expect(clippy::cast_possible_truncation, reason = "a result in the precision of its inputs")]
+            Some(lambda) => angle.precisely_at(lambda).1 as f32,
+        }
+    }
+}
+
 /// Solves for these angles, from the dual point `start`.
 #[inline(always)]
-pub(crate) fn solve(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2]) -> Solution {
+pub(crate) fn solve(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2], dearest: f32) -> Solution {
     let mut lambda = start;
     for _ in 0..PLAIN_STEPS {
         let (mut gap, mut hessian) = (wanted, [0.0, 0.0, 0.0]);
@@ -80,7 +103,7 @@ pub(crate) fn solve(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2]) ->
         let determinant = xx * yy - xy * xy;
         let trace = xx + yy;
         if missed <= CLOSED * CLOSED {
-            return Solution { lambda, closed: true, strained: determinant < STRAINED * trace * trace };
+            return Solution { lambda, precise: None, closed: true, strained: determinant < STRAINED * trace * trace };
         }
         if !(determinant > 1e-6 * trace * trace) {
             break;
@@ -88,116 +111,160 @@ pub(crate) fn solve(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2]) ->
         let inverse = 1.0 / determinant;
         lambda[0] += (yy * gap[0] - xy * gap[1]) * inverse;
         lambda[1] += (xx * gap[1] - xy * gap[0]) * inverse;
-        if !(lambda[0] * lambda[0] + lambda[1] * lambda[1] < DEAREST * DEAREST) {
+        if !(lambda[0] * lambda[0] + lambda[1] * lambda[1] < dearest * dearest) {
             break;
         }
     }
-    solve_with_care(angles, wanted, start)
+    solve_with_care(angles, wanted, start, dearest)
 }
 
-/// The dual at a point, in f64: multipliers may be large where the gap is bought.
+/// The dual's first two derivatives at a point, less what the gap costs, in f64: multipliers may be large where the gap
+/// is bought.
 struct Dual {
-    value: f64,
-    gradient: [f64; 2],
+    gap: [f64; 2],
     hessian: [f64; 3],
 }
 
-fn evaluate(angles: &[[Angle; 2]], wanted: [f32; 2], lambda: [f64; 2], price: f64) -> Dual {
-    let wanted = wanted.map(f64::from);
-    let [a, b] = lambda;
-    let mut dual = Dual {
-        value: a * wanted[0] + b * wanted[1] - 0.5 * price * (a * a + b * b),
-        gradient: [wanted[0] - price * a, wanted[1] - price * b],
-        hessian: [price, 0.0, price],
-    };
-    for angle in angles.as_flattened() {
-        let [x, y] = angle.column.map(f64::from);
-        let (rest, ease) = (f64::from(angle.rest), f64::from(angle.ease));
-        let pull = x * a + y * b;
-        let free = rest + ease * pull;
-        let held = free.max(f64::from(angle.lo)).min(f64::from(angle.hi));
-        let moved = held - rest;
-        dual.value -= pull * held - 0.5 * moved * moved / ease;
-        dual.gradient[0] -= x * held;
-        dual.gradient[1] -= y * held;
-        if free == held {
+impl Dual {
+    fn at(angles: &[[Angle; 2]], wanted: [f32; 2], lambda: [f64; 2]) -> Self {
+        let mut dual = Self { gap: wanted.map(f64::from), hessian: [0.0; 3] };
+        for angle in angles.as_flattened() {
+            let ([x, y], ease) = (angle.column.map(f64::from), f64::from(angle.ease));
+            let (free, held) = angle.precisely_at(lambda);
+            dual.gap[0] -= x * held;
+            dual.gap[1] -= y * held;
+            let ease = if free == held { ease } else { 0.0 };
             dual.hessian[0] += ease * x * x;
             dual.hessian[1] += ease * x * y;
             dual.hessian[2] += ease * y * y;
         }
+        dual
     }
-    dual
+
+    fn priced_hessian(&self, price: f64) -> [f64; 3] {
+        [self.hessian[0] + price, self.hessian[1], self.hessian[2] + price]
+    }
+}
+
+impl Angle {
+    /// The angle at a dual point, free of its bounds and held by them.
+    #[inline(always)]
+    fn precisely_at(&self, lambda: [f64; 2]) -> (f64, f64) {
+        let free = f64::from(self.rest) + f64::from(self.ease) * dot(self.column.map(f64::from), lambda);
+        let (lo, hi) = (f64::from(self.lo), f64::from(self.hi));
+        let above = if free > lo { free } else { lo };
+        (free, if above < hi { above } else { hi })
+    }
+}
+
+#[inline(always)]
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+fn length(a: [f64; 2]) -> f64 {
+    Scalar::sqrt(dot(a, a))
 }
 
 /// [`solve`] where plain Newton steps do not do: the gap is bought at a price that is raised until it is closed, or
 /// until λ has reached what it may cost.
 ///
-/// `price·λ` is the gap at the optimum, so the price that makes |λ| = DEAREST is gap / DEAREST.
+/// `price·λ` is the gap at the optimum, so the price that makes |λ| = dearest is gap / dearest.
 #[cold]
 #[inline(never)]
-fn solve_with_care(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2]) -> Solution {
+fn solve_with_care(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2], dearest: f32) -> Solution {
     const ROUNDS: usize = 10;
-    let dearest = f64::from(DEAREST);
+    let dearest = f64::from(dearest);
     let mut lambda = start.map(f64::from);
-    let length = |[a, b]: [f64; 2]| Scalar::sqrt(a * a + b * b);
-    if !(length(lambda) <= dearest) {
+    if !(length(lambda) <= 1.1 * dearest) {
         lambda = [0.0; 2];
     }
-    let mut price = (length(evaluate(angles, wanted, [0.0; 2], 0.0).gradient) / dearest).max(1e-6);
-    let mut gap = f64::INFINITY;
-    let mut strained = true;
+    let mut here = Dual::at(angles, wanted, lambda);
+    // A start as dear as that had a gap to buy, and likely has it still.
+    let there = if length(lambda) > 0.8 * dearest { here.gap } else { Dual::at(angles, wanted, [0.0; 2]).gap };
+    let mut price = (length(there) / dearest).max(1e-6);
     for _ in 0..ROUNDS {
-        ascend(angles, wanted, price, &mut lambda);
-        let paid = length(lambda);
-        let dual = evaluate(angles, wanted, lambda, 0.0);
-        gap = length(dual.gradient);
-        let [xx, xy, yy] = dual.hessian;
-        strained = xx * yy - xy * xy < f64::from(STRAINED) * (xx + yy) * (xx + yy);
-        if gap <= f64::from(CLOSED) || (0.9..=1.1).contains(&(paid / dearest)) {
+        ascend(angles, wanted, price, &mut lambda, &mut here);
+        let paid = length(lambda) / dearest;
+        if length(here.gap) <= f64::from(CLOSED) || (0.9..=1.1).contains(&paid) {
             break;
         }
-        // A gap that remains costs in inverse proportion to its price. One that is paid for by less can be closed.
-        let part = paid / dearest;
-        price = (price * if part < 1.0 { part * part * part } else { part }).max(1e-12);
+        // Newton's step on 1 / |λ|, which is nearly straight in the price.
+        let ([a, b], [xx, xy, yy]) = (lambda, here.priced_hessian(price));
+        let bend = (yy * a * a - 2.0 * xy * a * b + xx * b * b) / (xx * yy - xy * xy);
+        let step = (a * a + b * b) / bend * (paid - 1.0);
+        price = (if step.is_finite() { price + step } else { price * paid }).max(1e-3 * price).max(1e-12);
     }
+    let [xx, xy, yy] = here.hessian;
+    let strained = xx * yy - xy * xy < f64::from(STRAINED) * (xx + yy) * (xx + yy);
     #[expect(clippy::cast_possible_truncation, reason = "a result in the precision of its inputs")]
-    let (lambda, gap) = (lambda.map(|x| x as f32), gap as f32);
-    Solution { lambda, closed: gap <= 10.0 * CLOSED, strained }
+    let (rounded, gap) = (lambda.map(|x| x as f32), length(here.gap) as f32);
+    Solution { lambda: rounded, precise: Some(lambda), closed: gap <= 10.0 * CLOSED, strained }
 }
 
-/// Newton's method with Armijo's line search on the concave dual.
-fn ascend(angles: &[[Angle; 2]], wanted: [f32; 2], price: f64, lambda: &mut [f64; 2]) {
+/// Newton's method with an exact line search on the concave dual, less what the gap costs.
+fn ascend(angles: &[[Angle; 2]], wanted: [f32; 2], price: f64, lambda: &mut [f64; 2], here: &mut Dual) {
     const STEPS: usize = 30;
-    const HALVINGS: usize = 30;
-    let mut here = evaluate(angles, wanted, *lambda, price);
     for _ in 0..STEPS {
-        let [gx, gy] = here.gradient;
-        let [xx, xy, yy] = here.hessian;
+        let [gx, gy] = [here.gap[0] - price * lambda[0], here.gap[1] - price * lambda[1]];
+        let [xx, xy, yy] = here.priced_hessian(price);
         let determinant = xx * yy - xy * xy;
         if !(determinant > 0.0) {
             return;
         }
         let step = [(yy * gx - xy * gy) / determinant, (xx * gy - xy * gx) / determinant];
         let slope = gx * step[0] + gy * step[1];
-        if !(slope > 1e-18) {
+        if !(slope > 1e-14) {
             return;
         }
-        let mut part = 1.0;
-        for halving in 0.. {
-            let trial = [lambda[0] + part * step[0], lambda[1] + part * step[1]];
-            let there = evaluate(angles, wanted, trial, price);
-            // Rounding hides a gain this small; the point is as good.
-            let hidden = 1e-14 * (here.value.abs() + there.value.abs());
-            if there.value >= here.value + 1e-4 * part * slope - hidden {
-                (*lambda, here) = (trial, there);
-                break;
+        let whole = [lambda[0] + step[0], lambda[1] + step[1]];
+        let there = Dual::at(angles, wanted, whole);
+        let steepness = dot(there.gap, step) - price * dot(whole, step);
+        if steepness >= -0.1 * slope {
+            (*lambda, *here) = (whole, there);
+            continue;
+        }
+        let part = summit(angles, wanted, price, *lambda, step, [slope, steepness]);
+        *lambda = [lambda[0] + part * step[0], lambda[1] + part * step[1]];
+        *here = Dual::at(angles, wanted, *lambda);
+    }
+}
+
+/// The part of a step that leads highest, with the slopes at its start and at its end: between two points at which an
+/// angle meets a bound the slope is straight.
+fn summit(
+    angles: &[[Angle; 2]],
+    wanted: [f32; 2],
+    price: f64,
+    lambda: [f64; 2],
+    step: [f64; 2],
+    slopes: [f64; 2],
+) -> f64 {
+    let slope = |part: f64| {
+        let there = [lambda[0] + part * step[0], lambda[1] + part * step[1]];
+        let mut slope = dot(wanted.map(f64::from), step) - price * dot(there, step);
+        for angle in angles.as_flattened() {
+            slope -= dot(angle.column.map(f64::from), step) * angle.precisely_at(there).1;
+        }
+        slope
+    };
+    let ([mut from, mut to], [mut up, mut down]) = ([0.0, 1.0], slopes);
+    for angle in angles.as_flattened() {
+        let speed = f64::from(angle.ease) * dot(angle.column.map(f64::from), step);
+        let (free, _) = angle.precisely_at(lambda);
+        for bound in [angle.lo, angle.hi] {
+            let part = (f64::from(bound) - free) / speed;
+            if part > from && part < to {
+                let slope = slope(part);
+                if slope > 0.0 {
+                    (from, up) = (part, slope);
+                } else {
+                    (to, down) = (part, slope);
+                }
             }
-            if halving == HALVINGS {
-                return;
-            }
-            part *= 0.5;
         }
     }
+    from + (to - from) * (up / (up - down))
 }
 
 #[cfg(test)]
@@ -311,7 +378,7 @@ mod tests {
         for case in 0..1500 {
             let (angles, wanted) = random.problem(1 + case % 3);
             let start = [random.between(-3.0, 3.0), random.between(-3.0, 3.0)];
-            let solution = solve(&angles, wanted, if case % 2 == 0 { start } else { [0.0; 2] });
+            let solution = solve(&angles, wanted, if case % 2 == 0 { start } else { [0.0; 2] }, DEAREST);
             let at = |i: usize| f64::from(angles.as_flattened()[i].at(solution.lambda));
             let (found, missed) = (cost(&angles, at), gap(&angles, wanted, at));
             match by_every_active_set(&angles, wanted) {
@@ -361,10 +428,10 @@ mod tests {
         let mut random = Random(2);
         for case in 0..500 {
             let (angles, wanted) = random.problem(3);
-            let plain = solve(&angles, wanted, [0.0; 2]);
+            let plain = solve(&angles, wanted, [0.0; 2], DEAREST);
             let scaled: Vec<[Angle; 2]> =
                 angles.iter().map(|joint| joint.map(|angle| Angle { ease: 1e3 * angle.ease, ..angle })).collect();
-            let other = solve(&scaled, wanted, [0.0; 2]);
+            let other = solve(&scaled, wanted, [0.0; 2], DEAREST);
             if plain.closed && other.closed {
                 for (a, b) in angles.as_flattened().iter().zip(scaled.as_flattened()) {
                     let (a, b) = (a.at(plain.lambda), b.at(other.lambda));
@@ -382,7 +449,7 @@ mod tests {
         for a in AWKWARD {
             for b in AWKWARD {
                 let angle = Angle { column: [a, b], lo: -1.0, hi: 1.0, rest: 0.0, ease: 1.0 };
-                let solution = solve(&[[angle, NO_ANGLE], [angle, NO_ANGLE]], [b, a], [a, a]);
+                let solution = solve(&[[angle, NO_ANGLE], [angle, NO_ANGLE]], [b, a], [a, a], DEAREST);
                 assert!((-1.0..=1.0).contains(&angle.at(solution.lambda)), "{a}, {b}: {solution:?}");
             }
         }

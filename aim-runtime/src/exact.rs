@@ -13,7 +13,7 @@ use core::f32::consts::PI;
 use glam::Vec3A;
 
 use crate::chain::{self, Chain, Ray, TOO_NEAR};
-use crate::dual::{self, Angle, NO_ANGLE};
+use crate::dual::{self, Angle, NO_ANGLE, Solution};
 use crate::goal::Goal;
 use crate::joint::{self, Joint, Memory};
 use crate::limits::Reach;
@@ -49,11 +49,15 @@ pub(crate) struct Solver<'a, R: AimRig> {
     model: R::Array<[Angle; 2]>,
     /// What displacement means for them.
     homes: R::Array<[Home; 2]>,
+    /// What a radian of gap may cost.
+    dearest: f32,
     /// The number of declared angles.
     declared: usize,
     /// What the residual is measured along in effector space: forward, left, up.
     axes: [Vec3A; 3],
     trial: R::Array<Joint>,
+    /// Whether a gap remained and another round would hardly have lessened it.
+    spent: bool,
 }
 
 impl<'a, R: AimRig> Solver<'a, R> {
@@ -68,11 +72,13 @@ impl<'a, R: AimRig> Solver<'a, R> {
             declared += usize::from(info.pitch.is_some()) + usize::from(info.heading.is_some());
         }
         let mut links = rig.array(IDENTITY_LINK);
+        let mut least_ease = 1.0_f32;
         let mut homes = rig.array([Home { rest: 0.0, ease: 1.0 }; 2]);
         for (index, info) in infos.iter().enumerate().skip(chain.first) {
             links.as_mut()[index] = chain.links.as_ref()[index].to_cols_array();
             // NaN and zero count as the most willing.
             let ease = (least / info.comfort).max(1e-6).min(1.0);
+            least_ease = least_ease.min(ease);
             homes.as_mut()[index] = [Home { rest: 0.0, ease }; 2];
         }
         Self {
@@ -83,9 +89,11 @@ impl<'a, R: AimRig> Solver<'a, R> {
             links,
             model: rig.array([NO_ANGLE; 2]),
             homes,
+            dearest: dual::dearest(least_ease),
             declared,
             axes: rig.effector().axes(&infos[0].axes),
             trial: rig.joints(),
+            spent: false,
         }
     }
 
@@ -93,11 +101,12 @@ impl<'a, R: AimRig> Solver<'a, R> {
     pub(crate) fn prefer(&mut self, joint: usize, angles: [f32; 2], ease: f32) {
         for (home, rest) in self.homes.as_mut()[joint].iter_mut().zip(angles) {
             *home = Home { rest, ease: (home.ease * ease).max(1e-6) };
+            self.dearest = self.dearest.max(dual::dearest(home.ease));
         }
     }
 
-    /// Moves `joints` to the optimum within `reaches`, as far as one frame needs it; returns the angle that remains.
-    /// `None` where the aim is undefined.
+    /// Moves `joints` to the optimum within `reaches`, as far as one frame needs it; returns the angle that remains, or
+    /// would if they were not slow. `None` where the aim is undefined.
     #[inline]
     pub(crate) fn advance(
         &mut self,
@@ -113,8 +122,8 @@ impl<'a, R: AimRig> Solver<'a, R> {
         for _ in 0..ROUNDS {
             let offset = self.linearise(joints, reaches)?;
             self.go_part_way(joints, USUAL_PART);
-            let solution = dual::solve(self.model.as_ref(), self.wanted(joints, offset), memory.lambda);
-            let view = if solution.closed { self.try_closed(joints, reaches, solution.lambda) } else { None };
+            let solution = dual::solve(self.model.as_ref(), self.wanted(joints, offset), memory.lambda, self.dearest);
+            let view = if solution.closed { self.try_closed(joints, reaches, &solution) } else { None };
             let Some(mut view) = view else {
                 return self.advance_with_a_gap(joints, reaches, dt, memory);
             };
@@ -132,6 +141,11 @@ impl<'a, R: AimRig> Solver<'a, R> {
         Some(self.see(joints)?.angle())
     }
 
+    /// Whether [`advance`](Self::advance) went as near as it gets within its reaches.
+    pub(crate) fn is_spent(&self) -> bool {
+        self.spent
+    }
+
     /// Counts displacement from this part of the way from where the joints are to where they rest: as far as the target
     /// leaves them free they go this part of the way to the optimum in a frame. All of it would be too far where the
     /// gaze bends much (the model does not know), and joints would swing from side to side of the optimum for ever.
@@ -145,10 +159,10 @@ impl<'a, R: AimRig> Solver<'a, R> {
         }
     }
 
-    /// The trial at a dual point, and what is seen from it.
+    /// The trial of a solution, and what is seen from it.
     #[inline]
-    fn try_closed(&mut self, joints: &[Joint], reaches: &[Reach], lambda: [f32; 2]) -> Option<View> {
-        self.try_dual(joints, reaches, lambda);
+    fn try_closed(&mut self, joints: &[Joint], reaches: &[Reach], solution: &Solution) -> Option<View> {
+        self.try_dual(joints, reaches, solution);
         self.see(self.trial.as_ref())
     }
 
@@ -204,8 +218,8 @@ impl<'a, R: AimRig> Solver<'a, R> {
             }
             before.copy_from_slice(self.trial.as_ref());
             offset = view.offset();
-            let solution = dual::solve(self.model.as_ref(), self.wanted(before, offset), *lambda);
-            self.try_dual(before, reaches, solution.lambda);
+            let solution = dual::solve(self.model.as_ref(), self.wanted(before, offset), *lambda, self.dearest);
+            self.try_dual(before, reaches, &solution);
             match self.see(self.trial.as_ref()) {
                 Some(better) if solution.closed && better.angle() < view.angle() => {
                     *view = better;
@@ -244,16 +258,16 @@ impl<'a, R: AimRig> Solver<'a, R> {
         }
     }
 
-    /// The trial: the model's angles at a dual point, within reach.
+    /// The trial: the model's angles in a solution, within reach.
     #[inline]
-    fn try_dual(&mut self, joints: &[Joint], reaches: &[Reach], lambda: [f32; 2]) {
+    fn try_dual(&mut self, joints: &[Joint], reaches: &[Reach], solution: &Solution) {
         let (trial, model) = (self.trial.as_mut(), self.model.as_ref());
         for index in 0..joints.len() {
             let joint = joints[index];
             trial[index] = if index < self.chain.first {
                 joint
             } else {
-                let [pitch, heading] = model[index].map(|angle| angle.at(lambda));
+                let [pitch, heading] = model[index].map(|angle| solution.of(&angle));
                 reaches[index].hold(&Joint { pitch, heading, ..joint })
             };
         }
@@ -291,8 +305,7 @@ impl<'a, R: AimRig> Solver<'a, R> {
     #[inline]
     fn linearise(&mut self, joints: &[Joint], reaches: &[Reach]) -> Option<[f32; 2]> {
         let mut sin_cos = self.rig.array([0.0, 1.0, 0.0, 1.0]);
-        let chain = self.chain.first..self.chain.count;
-        for (sin_cos, joint) in sin_cos.as_mut()[chain.clone()].iter_mut().zip(&joints[chain]) {
+        for (sin_cos, joint) in sin_cos.as_mut().iter_mut().zip(joints).skip(self.chain.first) {
             *sin_cos = trig::doubled(trig::halves(joint));
         }
         let mut out = self.rig.array([0.0; 6]);
@@ -347,11 +360,6 @@ impl<'a, R: AimRig> Solver<'a, R> {
             self.see(joints)?;
         }
         largest.is_finite().then_some(offset)
-    }
-
-    /// The offset of the target at `joints`, as the last linear model has it.
-    fn offset(&self, joints: &[Joint]) -> Option<[f32; 2]> {
-        Some(self.see(joints)?.offset())
     }
 
     /// The target that the rigid links are to see, in the last joint's levelled space.

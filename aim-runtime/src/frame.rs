@@ -12,7 +12,7 @@ use crate::limits::{self, Reach};
 use crate::motion::{Motion, motions};
 use crate::natural::Gaze;
 use crate::pose::Animated;
-use crate::settle::{settle, settle_from_rest};
+use crate::settle::{Blocked, Search, search, settle, settle_from_elsewhere, settle_from_rest};
 use crate::{
     AimRig, Ascent, Joint, JointInfo, Outcome, Role, Settings, Solver, Status, ascent, exact, math, quick, trig,
 };
@@ -21,7 +21,7 @@ use crate::{
 const LONGEST_FRAME_S: f32 = 0.1;
 /// How much better the other way round has to aim before the joints turn back, radians.
 const TURN_BACK_RAD: f32 = 5.0 * core::f32::consts::PI / 180.0;
-/// The same when they have been blocked for [`PATIENCE_S`].
+/// The same for a target that has stood still for [`PATIENCE_S`].
 const WORTH_WHILE_RAD: f32 = 0.4 * core::f32::consts::PI / 180.0;
 const PATIENCE_S: f32 = 0.5;
 
@@ -250,14 +250,17 @@ impl<'a, R: AimRig> Frame<'a, R> {
         let advanced = advanced.as_mut();
         advanced.copy_from_slice(joints);
         let mut memory = joints[chain.count - 1].memory;
-        let remaining =
-            exact::Solver::new(rig, chain, goal).advance(advanced, self.reaches.as_ref(), dt, &mut memory)?;
-        let reached = remaining <= tolerance;
-        wait(&mut memory, reached, dt);
-        for joints in [&mut *joints, &mut *advanced] {
-            joints[chain.count - 1].memory = memory;
-        }
-        if reached {
+        let mut solver = exact::Solver::new(rig, chain, goal);
+        let remaining = match solver.advance(advanced, self.reaches.as_ref(), dt, &mut memory) {
+            Some(remaining) => remaining,
+            // On the way it may be undefined, and yet be reached from elsewhere.
+            None => self.angle(joints).map(|_| f32::INFINITY)?,
+        };
+        let was_reached = memory.blocked_s == 0.0;
+        memory.blocked_s = if remaining <= tolerance { 0.0 } else { memory.blocked_s + dt };
+        joints[chain.count - 1].memory = memory;
+        advanced[chain.count - 1].memory = memory;
+        if remaining <= tolerance {
             joints.copy_from_slice(advanced);
             joints.iter_mut().for_each(|joint| joint.bound_for = None);
             return Some(true);
@@ -265,12 +268,20 @@ impl<'a, R: AimRig> Frame<'a, R> {
         if let Some(within_reach) = self.keep_turning_round(joints) {
             return Some(within_reach);
         }
-        // Where would the joints get from here, had they the time; and where from rest?
+        // Where would the joints get from here, had they the time; and where from elsewhere?
         let mut settled = rig.joints();
         let settled = settled.as_mut();
         settled.copy_from_slice(advanced);
-        let from_here = settle(rig, chain, motions, goal, settled)?;
         let stays = advanced.iter().zip(self.start.as_ref()).all(|(new, old)| new.is_near(old, 1e-4));
+        let pace = advanced.iter().zip(self.start.as_ref()).zip(self.reaches.as_ref());
+        let in_haste = pace.into_iter().any(|((new, old), reach)| !new.is_near(old, 0.99 * reach.step));
+        let from_here = if solver.is_spent() && !stays && !in_haste {
+            // Nothing but the ranges holds them up.
+            remaining
+        } else {
+            let quick = Search::Quick { below: f32::INFINITY };
+            search(rig, chain, motions, goal, settled, quick).unwrap_or(f32::INFINITY)
+        };
         joints.copy_from_slice(advanced);
         if from_here <= tolerance {
             if stays {
@@ -278,10 +289,15 @@ impl<'a, R: AimRig> Frame<'a, R> {
             }
             return Some(true);
         }
-        let from_rest = settle_from_rest(rig, chain, motions, goal, settled, tolerance).unwrap_or(f32::INFINITY);
-        let within_reach = from_rest <= tolerance;
-        let memory = &mut joints[chain.count - 1].memory;
-        if within_reach || is_worth_turning_back(memory, from_rest, from_here) {
+        // For a target that stands still, joints turn back for less.
+        let margin = TURN_BACK_RAD + (WORTH_WHILE_RAD - TURN_BACK_RAD) * (memory.still_s / PATIENCE_S).min(1.0);
+        let below = from_here - margin;
+        let blocked = Blocked { tolerance, below, is_news: was_reached };
+        let from_elsewhere =
+            settle_from_elsewhere(rig, chain, motions, goal, settled, blocked, &mut memory).unwrap_or(f32::INFINITY);
+        joints[chain.count - 1].memory = memory;
+        let within_reach = from_elsewhere <= tolerance;
+        if within_reach || from_elsewhere < below {
             self.turn_round_to(settled, joints);
         }
         Some(within_reach)
@@ -340,9 +356,10 @@ impl<'a, R: AimRig> Frame<'a, R> {
         if there > tolerance && there + 0.5 * WORTH_WHILE_RAD > self.angle(joints)? {
             return None;
         }
-        self.turn_round_to(bound, joints);
         // The goal may have moved on since the joints set out.
-        let within_reach = there <= tolerance || settle(rig, chain, motions, goal, bound)? <= tolerance;
+        let within_reach = there <= tolerance
+            || search(rig, chain, motions, goal, bound, Search::Quick { below: f32::INFINITY })? <= tolerance;
+        self.turn_round_to(bound, joints);
         Some(within_reach)
     }
 

@@ -277,6 +277,10 @@ pub(crate) struct Memory {
     pub(crate) caution: u8,
     /// For how long the target has been out of reach, seconds.
     pub(crate) blocked_s: f32,
+    /// The target, in the same space, when the joints were last started from everywhere.
+    pub(crate) searched: [f32; 3],
+    /// How many blocked frames there have been since then, or so; 0 where that has never been.
+    pub(crate) turn: u16,
     /// What the joints are about that support a natural gaze.
     pub(crate) support: Support,
 }

@@ -50,10 +50,6 @@ impl Range {
         self.hi
     }
 
-    fn contains(self, angle: f32) -> bool {
-        self.lo <= angle && angle <= self.hi
-    }
-
     /// The angle of the interval nearest to `angle`.
     pub(crate) fn hold(self, angle: f32) -> f32 {
         angle.max(self.lo).min(self.hi)
@@ -235,7 +231,8 @@ pub(crate) fn limits_met(infos: &[JointInfo], motions: &[Motion], joints: &[Join
             if declared.is_some() && (angle <= range.lo + AT_LIMIT_RAD || angle >= range.hi - AT_LIMIT_RAD) {
                 at_limit.insert(index);
             }
-            if !range.contains(angle) {
+            // What a step back leaves to rounding is none.
+            if angle < range.lo - AT_LIMIT_RAD || angle > range.hi + AT_LIMIT_RAD {
                 recovering.insert(index);
             }
         }

@@ -17,7 +17,7 @@ use crate::goal::{Course, Goal};
 use crate::joint::{self, Memory, Support};
 use crate::limits::{self, Reach};
 use crate::motion::Motion;
-use crate::settle::{at_rest, settle_from_rest};
+use crate::settle::{Search, at_rest, settle_from_rest};
 use crate::{AimRig, Joint, Settings, math, trig};
 
 /// How much more willing an eye is than its comfort says, where supporting joints make up for what it cannot do: they
@@ -293,11 +293,13 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         }
         let mut here = match dt {
             Some(dt) => solver.advance(joints, ranges, dt, memory)?,
-            None => solver.settle(joints, ranges)?,
+            None => solver.settle(joints, ranges, Search::Thorough)?,
         };
         if here > tolerance && dt.is_some() {
             shared.copy_from_slice(joints);
-            if let Some(settled) = solver.settle(shared, ranges).filter(|&settled| settled <= tolerance) {
+            if let Some(settled) =
+                solver.settle(shared, ranges, Search::Thorough).filter(|&settled| settled <= tolerance)
+            {
                 joints.copy_from_slice(shared);
                 here = settled;
             }
@@ -340,7 +342,7 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         if !near.is_some_and(|near| near <= self.tolerance.max(SHARED_RAD)) {
             at_rest(joints);
             // At rest they stay where that leads nowhere either.
-            let _ = solver.settle(joints, reaches.as_ref());
+            let _ = solver.settle(joints, reaches.as_ref(), Search::Thorough);
         }
         for (joint, motion) in joints.iter_mut().zip(motions) {
             limits::wrap(motion, joint);
@@ -439,11 +441,11 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         let goal = Goal { aimed: point, ..*self.goal };
         let mut solver = Solver::new(self.rig, self.chain, &goal);
         let enough = SAME_RAD.max(self.tolerance);
-        let mut remaining = solver.settle(eye, reaches.as_ref())?;
+        let mut remaining = solver.settle(eye, reaches.as_ref(), Search::Thorough)?;
         if remaining > enough {
             let here = eye[0];
             (eye[0].heading, eye[0].pitch) = (0.0, 0.0);
-            match solver.settle(eye, reaches.as_ref()) {
+            match solver.settle(eye, reaches.as_ref(), Search::Thorough) {
                 Some(from_rest) if from_rest < remaining => remaining = from_rest,
                 _ => eye[0] = here,
             }

@@ -2,9 +2,10 @@
 //! model can tell; and joints that have all the time they need.
 
 use super::{BENT_MENDINGS, ENOUGH_RAD, FINE_RAD, ROUNDS, STILL_RAD, Solver};
-use crate::dual::{self, DEAREST, NO_ANGLE};
+use crate::dual;
 use crate::joint::{Joint, Memory};
 use crate::limits::Reach;
+use crate::settle::Search;
 use crate::{AimRig, math};
 
 /// How many Jacobians joints without rates take at most.
@@ -13,11 +14,20 @@ const MOST_ROUNDS: usize = 24;
 const LONGEST_STEP_RAD: f32 = 1.2;
 /// How much a step may be shortened before it is given up.
 const HALVINGS: usize = 5;
+/// After this time without reaching the target, seconds…
+const BLOCKED_S: f32 = 1.0;
+/// … a frame takes so many Jacobians at most.
+const BLOCKED_ROUNDS: usize = 2;
+/// Where a gap remains a step as short as this is none, radians (6e-3°).
+const SLIGHT_RAD: f32 = 1e-4;
 /// Displacement of a joint from where it is costs this much of the gap it closes, radians a second and radian: where a
 /// gap remains, what gains next to nothing does not move.
 const INERTIA_S: f32 = 3.0 / 60.0;
 /// Nearer to the best than this the joints move slowly where a gap remains, radians (0.34°).
 const SLOW_RAD: f32 = 0.006;
+
+/// How well a remaining angle is known, radians.
+const ROUNDING_RAD: f32 = 4e-7;
 
 /// How a round ended.
 struct Round {
@@ -48,22 +58,26 @@ impl<R: AimRig> Solver<'_, R> {
         let start = start.as_mut();
         start.copy_from_slice(joints);
         // As near as it gets; there a linear model may find a solution after all.
-        for _ in 0..ROUNDS {
+        let mut remaining = f32::INFINITY;
+        // What is blocked frame after frame has had its rounds.
+        let rounds = if memory.blocked_s > BLOCKED_S { BLOCKED_ROUNDS } else { ROUNDS };
+        for _ in 0..rounds {
             let ended = self.improve(joints, reaches, &mut memory.lambda, LONGEST_STEP_RAD)?;
-            if ended.step < STILL_RAD || (ended.closed && ended.remaining <= ENOUGH_RAD) {
+            let gained = remaining - ended.remaining;
+            remaining = ended.remaining;
+            self.spent = !ended.closed && Search::Quick { below: f32::INFINITY }.is_over(gained, remaining);
+            let settled = if ended.closed { STILL_RAD } else { SLIGHT_RAD };
+            if ended.step < settled || (ended.closed && remaining <= ENOUGH_RAD) {
                 break;
             }
         }
-        let remaining = self.see(joints)?.angle();
         if Self::is_calm(memory) {
             return Some(remaining);
         }
         // What gains next to nothing does not move: a target out of reach overhead would set the head turning with
         // every tremble.
-        self.linearise(start, reaches)?;
-        let inertia = DEAREST * INERTIA_S / dt.max(1e-4);
-        let mut kept = self.rig.array([NO_ANGLE; 2]);
-        kept.as_mut().copy_from_slice(self.model.as_ref());
+        let offset = self.linearise(start, reaches)?;
+        let inertia = self.dearest * INERTIA_S / dt.max(1e-4);
         for (angles, joint) in self.model.as_mut().iter_mut().zip(&*start) {
             for (angle, now) in angles.iter_mut().zip([joint.pitch, joint.heading]) {
                 let weight = 1.0 / angle.ease;
@@ -71,24 +85,19 @@ impl<R: AimRig> Solver<'_, R> {
                 angle.ease = 1.0 / (weight + inertia);
             }
         }
-        let offset = self.offset(start)?;
-        let solution = dual::solve(self.model.as_ref(), self.wanted(start, offset), [0.0; 2]);
-        self.try_dual(start, reaches, solution.lambda);
-        self.model.as_mut().copy_from_slice(kept.as_ref());
-        let (Some(before), Some(slow)) = (self.see(start), self.see(self.trial.as_ref())) else {
-            return Some(remaining);
-        };
-        let (before, slow) = (before.angle(), slow.angle());
+        let solution = dual::solve(self.model.as_ref(), self.wanted(start, offset), memory.lambda, self.dearest);
+        self.try_dual(start, reaches, &solution);
+        let Some(slow) = self.see(self.trial.as_ref()) else { return Some(remaining) };
+        let (before, slow) = (length(offset), slow.angle());
         // As near as the reach gets, or nearly: then slowly.
         if slow <= before + 0.1 * SLOW_RAD && slow - remaining < SLOW_RAD {
             self.accept(joints);
-            return Some(slow);
         }
         Some(remaining)
     }
 
     /// Moves `joints` to the optimum within `reaches`, whatever it takes (within bounds); returns what remains.
-    pub(crate) fn settle(&mut self, joints: &mut [Joint], reaches: &[Reach]) -> Option<f32> {
+    pub(crate) fn settle(&mut self, joints: &mut [Joint], reaches: &[Reach], search: Search) -> Option<f32> {
         self.hold(joints, reaches);
         let mut lambda = [0.0; 2];
         let mut remaining = f32::INFINITY;
@@ -96,9 +105,10 @@ impl<R: AimRig> Solver<'_, R> {
         for _ in 0..MOST_ROUNDS {
             let ended = self.improve(joints, reaches, &mut lambda, longest)?;
             longest = if ended.halvings == 0 { LONGEST_STEP_RAD } else { 2.0 * ended.step };
+            let gained = remaining - ended.remaining;
             remaining = ended.remaining;
             let settled = if ended.closed && remaining <= FINE_RAD { 1e-5 } else { STILL_RAD };
-            if ended.step < settled {
+            if ended.step < settled || (!ended.closed && search.is_over(gained, remaining)) {
                 break;
             }
         }
@@ -120,9 +130,9 @@ impl<R: AimRig> Solver<'_, R> {
                 angle.hi = angle.hi.min(now + longest);
             }
         }
-        let before = self.merit(joints, math::sqrt(offset[0] * offset[0] + offset[1] * offset[1]));
-        let mut solution = dual::solve(self.model.as_ref(), self.wanted(joints, offset), *lambda);
-        self.try_dual(joints, reaches, solution.lambda);
+        let before = (self.cost(joints), length(offset));
+        let mut solution = dual::solve(self.model.as_ref(), self.wanted(joints, offset), *lambda, self.dearest);
+        self.try_dual(joints, reaches, &solution);
         if !self.chain.is_rigid() {
             for _ in 0..BENT_MENDINGS {
                 let Some(view) = self.see(self.trial.as_ref()) else { break };
@@ -130,14 +140,15 @@ impl<R: AimRig> Solver<'_, R> {
                     break;
                 }
                 self.learn(joints, offset, view.offset());
-                solution = dual::solve(self.model.as_ref(), self.wanted(joints, offset), solution.lambda);
-                self.try_dual(joints, reaches, solution.lambda);
+                solution = dual::solve(self.model.as_ref(), self.wanted(joints, offset), solution.lambda, self.dearest);
+                self.try_dual(joints, reaches, &solution);
             }
         }
         *lambda = solution.lambda;
         let mut goal = self.rig.joints();
         let goal = goal.as_mut();
         goal.copy_from_slice(self.trial.as_ref());
+        let whole = self.step(joints);
         for halvings in 0..=HALVINGS {
             #[expect(clippy::cast_precision_loss, reason = "a handful")]
             let part = 1.0 / (1_u32 << halvings) as f32;
@@ -147,19 +158,29 @@ impl<R: AimRig> Solver<'_, R> {
                 self.mend(joints, offset, reaches, lambda, &mut view);
             }
             let remaining = view.angle();
-            let there = self.merit(self.trial.as_ref(), remaining);
-            if there < before {
+            if self.is_gain(before, (self.cost(self.trial.as_ref()), remaining)) {
                 let step = self.step(joints);
                 self.accept(joints);
                 return Some(Round { remaining, closed: solution.closed, step, halvings });
+            }
+            if part * whole < SLIGHT_RAD {
+                break;
             }
         }
         let remaining = self.see(joints)?.angle();
         Some(Round { remaining, closed: solution.closed, step: 0.0, halvings: HALVINGS })
     }
 
-    /// What a round tries to lessen: displacement, and the angle at its price.
-    fn merit(&self, joints: &[Joint], remaining: f32) -> f32 {
+    /// Whether a round that came from this displacement and angle to that lessened their sum, the angle at its price.
+    /// Angles are known so well and no better: what seems less of one is not to be paid for.
+    fn is_gain(&self, before: (f32, f32), there: (f32, f32)) -> bool {
+        let nearer = before.1 - there.1;
+        let nearer = if nearer.abs() < ROUNDING_RAD { 0.0 } else { nearer };
+        before.0 - there.0 + self.dearest * nearer > 0.0
+    }
+
+    /// The displacement of the angles that can move.
+    fn cost(&self, joints: &[Joint]) -> f32 {
         let mut cost = 0.0;
         for (angles, joint) in self.model.as_ref().iter().zip(joints) {
             for (angle, now) in angles.iter().zip([joint.pitch, joint.heading]) {
@@ -167,6 +188,10 @@ impl<R: AimRig> Solver<'_, R> {
                 cost += moved * moved / angle.ease;
             }
         }
-        0.5 * cost + DEAREST * remaining
+        0.5 * cost
     }
+}
+
+fn length(offset: [f32; 2]) -> f32 {
+    math::sqrt(offset[0] * offset[0] + offset[1] * offset[1])
 }

@@ -9,7 +9,7 @@ use glam::Vec3A;
 
 use super::{Solver, USUAL_PART};
 use crate::AimRig;
-use crate::dual::{self, DEAREST, Solution};
+use crate::dual::{self, DEAREST};
 use crate::joint::{Joint, Memory};
 use crate::limits::Reach;
 use crate::view::View;
@@ -119,13 +119,12 @@ impl<R: AimRig> Solver<'_, R> {
             }
             let offset = self.linearise(joints, reaches)?;
             self.go_part_way(joints, part);
-            let Solution { lambda, closed, .. } =
-                dual::solve(self.model.as_ref(), self.wanted(joints, offset), memory.lambda);
-            if !closed {
+            let solution = dual::solve(self.model.as_ref(), self.wanted(joints, offset), memory.lambda, self.dearest);
+            if !solution.closed {
                 return Some(());
             }
-            memory.lambda = lambda;
-            *view = self.try_closed(joints, reaches, lambda)?;
+            memory.lambda = solution.lambda;
+            *view = self.try_closed(joints, reaches, &solution)?;
             self.mend(joints, offset, reaches, &mut memory.lambda, view);
         }
     }
