@@ -20,8 +20,8 @@ use crate::limits::Reach;
 use crate::view::{Stretch, View};
 use crate::{AimRig, math, trig};
 
-/// An angle to the target that needs no mending, radians (2.6e-3°).
-pub(crate) const FINE_RAD: f32 = 4.5e-5;
+/// An angle to the target that needs no mending, radians (6e-4°).
+const FINE_RAD: f32 = 1e-5;
 /// An angle to the target after which no new Jacobian is worth its while, radians (6e-3°).
 pub(crate) const ENOUGH_RAD: f32 = 1e-4;
 /// How often a Jacobian is used again.

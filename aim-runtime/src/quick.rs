@@ -8,7 +8,7 @@ use glam::{Affine3A, BVec4A, Mat3A, Quat, Vec3A, Vec4};
 
 use crate::chain::{self, Level, TOO_NEAR};
 use crate::dual::{CLOSED, DEAREST, STRAINED};
-use crate::exact::{ENOUGH_RAD, FINE_RAD, STILL_RAD};
+use crate::exact::{ENOUGH_RAD, STILL_RAD};
 use crate::joint::{self, Side, turn};
 use crate::limits::AT_LIMIT_RAD;
 use crate::pose::Animated;
@@ -17,6 +17,8 @@ use crate::scalar::{Scalar, Sparse};
 use crate::view::{Stretch, View};
 use crate::{AimRig, JointInfo, JointSet, Outcome, Settings, Status, math, trig};
 
+/// An angle to the target that needs no mending, radians (2.6e-3°).
+const FINE_RAD: f32 = 4.5e-5;
 /// How often the linear model is used again on what it missed.
 const MENDINGS: usize = 2;
 /// How many Newton steps its dual takes at most.
