@@ -1,6 +1,6 @@
 //! What is counted: characters that follow a swinging target, and nothing else in the frames that are asked for.
 //!
-//! `track_frames exact|natural|ascent|paper|eye FRAMES [moving]`: everything that comes in is made ready for all frames,
+//! `track_frames exact|natural|ascent|paper|eye FRAMES [moving|blocked]`: everything that comes in is made ready for all frames,
 //! so that two runs differ by the solver's work in the frames by which they differ.
 
 use std::env;
@@ -8,23 +8,23 @@ use std::hint::black_box;
 use std::process::ExitCode;
 
 use aim::glam::{Affine3A, Vec3};
-use aim::{AimRig, Ascent, Settings, Solver};
+use aim::{AimRig, Ascent, Behind, Settings, Solver};
 use aim_benches::solver::chain::{EyeOnly, Gazer, pose_for};
 use aim_benches::solver::instructions::{CHARACTERS, FRAMES};
-use aim_benches::solver::workload::{Motion, track};
+use aim_benches::solver::workload::{Motion, blocked, track};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    let (solver, frames, moving) = match *words.as_slice() {
-        [solver, frames] => (solver, frames, false),
-        [solver, frames, "moving"] => (solver, frames, true),
+    let (solver, frames, motions) = match *words.as_slice() {
+        [solver, frames] => (solver, frames, track(CHARACTERS, false)),
+        [solver, frames, "moving"] => (solver, frames, track(CHARACTERS, true)),
+        [solver, frames, "blocked"] => (solver, frames, blocked(CHARACTERS)),
         _ => return usage(),
     };
     let Ok(frames) = frames.parse() else { return usage() };
-    let settings = Settings::default();
+    let settings = Settings::default().with_behind(Behind::Off);
     let exact = settings.with_solver(Solver::Exact);
-    let motions = track(CHARACTERS, moving);
     match solver {
         "exact" => follow(&Gazer::default(), &motions, frames, &exact),
         "natural" => follow(&Gazer::default(), &motions, frames, &settings.with_solver(Solver::Natural)),
@@ -40,7 +40,7 @@ fn main() -> ExitCode {
 }
 
 fn usage() -> ExitCode {
-    eprintln!("track_frames exact|natural|ascent|paper|eye FRAMES [moving]");
+    eprintln!("track_frames exact|natural|ascent|paper|eye FRAMES [moving|blocked]");
     ExitCode::FAILURE
 }
 
