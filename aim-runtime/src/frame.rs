@@ -319,7 +319,7 @@ impl<'a, R: AimRig> Frame<'a, R> {
         let mut settled = rig.joints();
         let settled = settled.as_mut();
         settled.copy_from_slice(joints);
-        let from_here = settle(rig, chain, motions, goal, settled)?;
+        let from_here = settle(rig, chain, motions, goal, settled).unwrap_or(f32::INFINITY);
         if from_here <= tolerance {
             if self.ascent.finish {
                 self.finish_at(settled, joints, before, remaining);

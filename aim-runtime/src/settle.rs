@@ -151,7 +151,8 @@ pub(crate) fn settle_from_elsewhere<R: AimRig>(
     let target = chain.base.matrix3.transpose() * goal.aimed;
     let moved = target - Vec3A::from(memory.searched);
     if memory.turn == 0 || !(moved.dot(moved) < FAR * FAR * target.dot(target)) {
-        (memory.turn, memory.searched) = (1, target.to_array());
+        // Where the joints have been blocked all the way here they were busy enough.
+        (memory.turn, memory.searched) = (if is_news { 1 } else { memory.turn.max(1) }, target.to_array());
         return settle_from_rest(rig, chain, motions, goal, joints, tolerance);
     }
     let turn = memory.turn;

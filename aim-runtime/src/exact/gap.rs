@@ -1,6 +1,7 @@
 //! Where a gap remains between the gaze and the target: out of reach, or for this frame's rates, or as far as the linear
 //! model can tell; and joints that have all the time they need.
 
+use super::strain::LOOSE_RAD;
 use super::{BENT_MENDINGS, ENOUGH_RAD, FINE_RAD, ROUNDS, STILL_RAD, Solver};
 use crate::dual;
 use crate::joint::{Joint, Memory};
@@ -26,6 +27,8 @@ const INERTIA_S: f32 = 3.0 / 60.0;
 /// Nearer to the best than this the joints move slowly where a gap remains, radians (0.34°).
 const SLOW_RAD: f32 = 0.006;
 
+/// How far from the effector a target has to be where joints come to rest, as a part of how far the animation has it.
+const BESIDE: f32 = 1e-3;
 /// How well a remaining angle is known, radians.
 const ROUNDING_RAD: f32 = 4e-7;
 
@@ -88,7 +91,12 @@ impl<R: AimRig> Solver<'_, R> {
         let solution = dual::solve(self.model.as_ref(), self.wanted(start, offset), memory.lambda, self.dearest);
         self.try_dual(start, reaches, &solution);
         let Some(slow) = self.see(self.trial.as_ref()) else { return Some(remaining) };
+        let Some(slow) = self.ease_in(start, offset, reaches, dt, slow) else { return Some(remaining) };
         let (before, slow) = (length(offset), slow.angle());
+        if before.max(remaining) < LOOSE_RAD {
+            // The edge of what can be reached runs through here.
+            memory.strain = 1.0;
+        }
         // As near as the reach gets, or nearly: then slowly.
         if slow <= before + 0.1 * SLOW_RAD && slow - remaining < SLOW_RAD {
             self.accept(joints);
@@ -112,7 +120,15 @@ impl<R: AimRig> Solver<'_, R> {
                 break;
             }
         }
-        if remaining.is_finite() { Some(remaining) } else { Some(self.see(joints)?.angle()) }
+        // With the target on the effector the joints may come to rest, but they aim at nothing.
+        let view = self.see(joints)?;
+        let animated = self.goal.aimed - self.chain.animated_gaze().origin;
+        let distance = view.forward * view.forward + view.left * view.left + view.up * view.up;
+        (distance > BESIDE * BESIDE * animated.dot(animated)).then_some(if remaining.is_finite() {
+            remaining
+        } else {
+            view.angle()
+        })
     }
 
     /// One round: the optimum of the linear model, mended, and shortened until it is an improvement.

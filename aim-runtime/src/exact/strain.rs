@@ -15,7 +15,7 @@ use crate::limits::Reach;
 use crate::view::View;
 
 /// Nearer to the target than this a strained gaze takes its time, radians (0.095°)…
-const LOOSE_RAD: f32 = 1.66e-3;
+pub(super) const LOOSE_RAD: f32 = 1.66e-3;
 /// … and moves no joint faster than this while it is near, rad/s.
 const EASY_RATE: f32 = 0.12;
 /// A target that moved by less than this part of its distance since the last frame may stand still (6e-3°)…
@@ -77,7 +77,14 @@ impl<R: AimRig> Solver<'_, R> {
     }
 
     /// The trial shortened to a slow step while the gaze is near the target.
-    fn ease_in(&mut self, joints: &[Joint], offset: [f32; 2], reaches: &[Reach], dt: f32, view: View) -> Option<View> {
+    pub(super) fn ease_in(
+        &mut self,
+        joints: &[Joint],
+        offset: [f32; 2],
+        reaches: &[Reach],
+        dt: f32,
+        view: View,
+    ) -> Option<View> {
         let near = (offset[0] * offset[0] + offset[1] * offset[1]) / (LOOSE_RAD * LOOSE_RAD);
         let part = EASY_RATE * dt / (self.step(joints) * (1.0 - near * near));
         if !(part < 1.0 && near < 1.0) {

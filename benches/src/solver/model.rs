@@ -149,6 +149,12 @@ impl Model {
         angle(forward, sub(target, origin))
     }
 
+    /// How far the effector is from the target.
+    pub fn distance(&self, values: &Angles, target: V) -> f64 {
+        let to_target = sub(target, self.effector(values)[0]);
+        dot(to_target, to_target).sqrt()
+    }
+
     /// The same angle as a vector: its length along the direction, seen from the effector, in which the target is.
     pub fn residual(&self, values: &Angles, target: V) -> [f64; 2] {
         let [origin, forward, left] = self.effector(values);

@@ -10,6 +10,9 @@ use super::vector::V;
 /// Nearer than this the target is met, radians.
 pub const MET_RAD: f64 = 1e-6;
 
+/// How far the target has to be from the effector, metres.
+const BESIDE_M: f64 = 1e-3;
+
 /// Where the target can be met a round gains nearly all; where one gains less than this part it cannot, from there.
 const GAIN: f64 = 1e-3;
 
@@ -72,7 +75,9 @@ impl<'a> Problem<'a> {
     }
 
     fn found(&self, angles: Angles, settled: bool) -> Found {
-        let remaining = self.model.remaining(&angles, self.target);
+        // Where the effector comes to be on the target there is no angle: what seems met there is not.
+        let beside = self.model.distance(&angles, self.target) > BESIDE_M;
+        let remaining = if beside { self.model.remaining(&angles, self.target) } else { std::f64::consts::PI };
         Found { angles, remaining, cost: self.model.cost(&angles), settled }
     }
 
