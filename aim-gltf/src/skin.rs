@@ -84,6 +84,18 @@ fn to_index(joint: f32) -> usize {
     joint as usize
 }
 
+/// The node that moves each vertex most: its heaviest joint, or the node that shows it.
+pub(crate) fn carriers(skeleton: &Skeleton, points: &[SkinnedPoint]) -> Vec<usize> {
+    points.iter().map(|point| carrier(skeleton, point)).collect()
+}
+
+/// The node that moves a vertex most.
+pub(crate) fn carrier(skeleton: &Skeleton, point: &SkinnedPoint) -> usize {
+    let (joint, weight) = point.joints.iter().fold((0, 0.0), |best, at| if at.1 > best.1 { *at } else { best });
+    let joints = skeleton.nodes()[point.node].skin.map(|skin| skeleton.skin(skin).0).filter(|_| weight > 0.0);
+    joints.and_then(|joints| joints.get(joint).copied()).unwrap_or(point.node)
+}
+
 /// World-space vertices for the given world transforms of all nodes; skinned ones by linear blending.
 pub(crate) fn deform(skeleton: &Skeleton, points: &[SkinnedPoint], world: &[DAffine3]) -> Vec<DVec3> {
     let skinned: Vec<Vec<DAffine3>> = (0..skeleton.skin_count())

@@ -7,7 +7,7 @@ use crate::accessor::Data;
 use crate::document::{Document, bytes_of};
 use crate::raw::{Primitive, Raw};
 use crate::skeleton::Skeleton;
-use crate::skin::{SkinnedPoint, deform, read_primitive};
+use crate::skin::{SkinnedPoint, carrier, deform, read_primitive};
 
 /// Triangles drawn at most; a file with more shows its first ones.
 const MOST_TRIANGLES: usize = 2_000_000;
@@ -87,12 +87,7 @@ impl Surface {
     /// The node that moves a vertex most: its heaviest joint, or the node that shows it; `None` past the last vertex.
     #[must_use]
     pub fn node_of(&self, skeleton: &Skeleton, vertex: usize) -> Option<usize> {
-        let point = self.points.get(vertex)?;
-        let (joint, weight) = point.joints.iter().fold((0, 0.0), |best, at| if at.1 > best.1 { *at } else { best });
-        match skeleton.nodes()[point.node].skin {
-            Some(skin) if weight > 0.0 => skeleton.skin(skin).0.get(joint).copied(),
-            _ => Some(point.node),
-        }
+        self.points.get(vertex).map(|point| carrier(skeleton, point))
     }
 }
 
