@@ -23,6 +23,12 @@ pub(crate) enum Command {
     /// Show a model's bones with their measured axes and roles, and its clips.
     #[command(after_help = "Example:\n  aim inspect hero.glb --json")]
     Inspect(Inspect),
+    /// Propose a model's declaration: its chain, measured axes, human ranges and rates.
+    #[command(
+        after_help = "Example:\n  aim rig hero.glb --format toml\n\nThe result goes to standard output: `aim rig hero.glb > \
+                            hero.toml`, or into the program with --format rust."
+    )]
+    Rig(Rig),
     /// Write the solver derived for a rig.
     #[command(after_help = "Example:\n  aim generate rigs/thug.toml --lang c -o thug.c")]
     Generate(Generate),
@@ -59,6 +65,26 @@ pub(crate) struct Inspect {
     /// Print JSON.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Notation {
+    /// A rig file.
+    Toml,
+    /// A struct with a derive.
+    Rust,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Rig {
+    /// A .glb, .gltf or .vrm file.
+    pub(crate) file: PathBuf,
+    /// The bones of the chain, from the effector inward; told by roles and names if not given.
+    #[arg(long, value_name = "A,B,C", value_delimiter = ',')]
+    pub(crate) chain: Vec<String>,
+    /// How to write it.
+    #[arg(long, value_enum, default_value_t = Notation::Toml)]
+    pub(crate) format: Notation,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

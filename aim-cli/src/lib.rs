@@ -4,11 +4,13 @@
 
 mod args;
 mod commands;
+mod declaration;
+mod evidence;
 mod failure;
 mod files;
 mod html;
 mod interpreted;
-mod measured;
+mod proposal;
 mod report;
 mod target;
 

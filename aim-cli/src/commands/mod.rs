@@ -6,6 +6,7 @@ mod count;
 mod demo;
 mod generate;
 mod inspect;
+mod rig;
 
 use crate::args::Command;
 use crate::failure::Result;
@@ -15,6 +16,7 @@ pub(crate) fn run(command: Command) -> Result {
     match command {
         Command::Demo(arguments) => demo::run(&arguments),
         Command::Inspect(arguments) => inspect::run(&arguments),
+        Command::Rig(arguments) => rig::run(&arguments),
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Count(arguments) => count::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
