@@ -35,8 +35,10 @@ pub(crate) enum Command {
     /// Count the operations of what is emitted for a rig.
     #[command(after_help = "Example:\n  aim count rigs/thug.toml --json")]
     Count(Count),
-    /// Compare a rig's derived gradient and Jacobian with central differences.
-    #[command(after_help = "Example:\n  aim check rigs/thug.toml --samples 10000")]
+    /// Compare a rig's derived gradient and Jacobian with central differences, or a rig with a model.
+    #[command(
+        after_help = "Example:\n  aim check rigs/thug.toml --samples 10000\n  aim check dude.glb --rig rigs/thug.toml"
+    )]
     Check(Check),
     /// Aim a model over a clip and write an ordinary glTF animation.
     #[command(
@@ -65,6 +67,12 @@ pub(crate) struct Inspect {
     /// Print JSON.
     #[arg(long)]
     pub(crate) json: bool,
+    /// Also write a page with drawings of the character and its rig's axes.
+    #[arg(long, value_name = "OUT.html")]
+    pub(crate) html: Option<PathBuf>,
+    /// The declaration that is drawn; the proposed one if not given.
+    #[arg(long, value_name = "RIG.toml", requires = "html")]
+    pub(crate) rig: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -125,8 +133,12 @@ pub(crate) struct Count {
 
 #[derive(Debug, Args)]
 pub(crate) struct Check {
-    /// The rig's declaration.
+    /// The rig's declaration; with --rig a model.
+    #[arg(value_name = "RIG.toml|FILE")]
     pub(crate) rig: PathBuf,
+    /// Instead of derivatives, say where this declaration and the model FILE contradict each other.
+    #[arg(long = "rig", value_name = "RIG.toml", conflicts_with_all = ["samples", "flip_sign"])]
+    pub(crate) model_rig: Option<PathBuf>,
     /// How many random poses to compare.
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) samples: u32,

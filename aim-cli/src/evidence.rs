@@ -6,10 +6,11 @@ use glam::DVec3;
 /// A direction: `+Z`, or three numbers where it is no axis.
 pub(crate) fn direction(v: DVec3) -> String {
     let axis = aim_gltf::SignedAxis::of(v);
-    if axis.vector().distance(v) < 1e-6 {
+    if axis.vector().distance(v) < 1e-3 {
         axis.to_string()
     } else {
-        format!("({:.2}, {:.2}, {:.2})", v.x + 0.0, v.y + 0.0, v.z + 0.0)
+        let [x, y, z] = v.to_array().map(|c| (c * 100.0).round() / 100.0 + 0.0);
+        format!("({x:.2}, {y:.2}, {z:.2})")
     }
 }
 

@@ -6,6 +6,7 @@ mod charts;
 mod directions;
 mod film;
 mod gaze;
+mod inspection;
 mod raster;
 mod rig;
 mod scene;
@@ -19,6 +20,8 @@ use aim_gltf::{Baked, Document, Measurement};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::report::Report;
+
+pub(crate) use inspection::{Inspected, page as inspection_page};
 
 const STYLE: &str = include_str!("html/style.css");
 

@@ -8,6 +8,7 @@ mod declaration;
 mod evidence;
 mod failure;
 mod files;
+mod fit;
 mod html;
 mod interpreted;
 mod proposal;

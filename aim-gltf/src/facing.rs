@@ -76,6 +76,9 @@ pub(crate) struct Facing {
 const NAMES: f64 = 2.0;
 /// A clue across the plane of symmetry says nothing about which way forward is (cosine).
 const ASIDE: f64 = 0.3;
+/// Sines of angles at which a direction is taken for an axis: 0.006°, and 0.1° for legs that only resemble each other.
+const ROUNDING: f64 = 1e-4;
+const HAND_MADE: f64 = 2e-3;
 /// Legs within this of a coordinate axis (cosine of 30°) may say that another axis than +Y is up.
 const STRAIGHT: f64 = 0.866;
 
@@ -93,12 +96,12 @@ impl Facing {
         let across = across.or_else(|| Some((Clue::Symmetry, clues::mirror_axis(body, up)?)));
         let forward = match across {
             Some((clue, left)) => {
-                let left = square(left.normalize_or(DVec3::X));
-                let ahead = square(left.cross(up));
+                let named = matches!(clue, Clue::Names { .. });
+                let left = square(left.normalize_or(DVec3::X), if named { ROUNDING } else { HAND_MADE });
+                let ahead = square(left.cross(up), ROUNDING);
                 if !hints.iter().any(|hint| hint.clue == Clue::Feet) {
                     hints.extend(clues::soles(body, up, ahead));
                 }
-                let named = matches!(clue, Clue::Names { .. });
                 let own = if named { NAMES } else { 0.0 };
                 let vote = |hint: &Hint| hint.weight * along(hint.ahead, ahead);
                 let score: f64 = own + hints.iter().map(vote).sum::<f64>();
@@ -173,8 +176,8 @@ fn upright(direction: DVec3, up: DVec3) -> Option<DVec3> {
     (direction.dot(up).abs() < 1e-9).then_some(direction)
 }
 
-/// A direction within rounding (0.006°) of a coordinate axis is that axis.
-fn square(direction: DVec3) -> DVec3 {
+/// A direction within `sine` of a coordinate axis is that axis.
+fn square(direction: DVec3, sine: f64) -> DVec3 {
     let axis = nearest_axis(direction);
-    if axis.cross(direction).length() < 1e-4 { axis } else { direction }
+    if axis.cross(direction).length() < sine { axis } else { direction }
 }

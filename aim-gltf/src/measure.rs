@@ -275,7 +275,7 @@ fn height(document: &Document, bind: &[DAffine3], skin: &[DVec3], up: DVec3) -> 
         let (low, high) = places.map(|p| p.dot(up)).fold((f64::MAX, f64::MIN), |(lo, hi), y| (lo.min(y), hi.max(y)));
         (high - low).max(0.0)
     };
-    let skinned = document.points().iter().zip(skin).filter(|(point, _)| nodes[point.node].skin.is_some());
+    let skinned = document.points().iter().zip(skin).filter(|(point, _)| nodes[point.node()].skin.is_some());
     let from_skin = extent(&mut skinned.map(|(_, p)| *p));
     if from_skin > 0.0 {
         return from_skin;

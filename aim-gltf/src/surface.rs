@@ -35,13 +35,13 @@ impl Document {
     #[must_use]
     pub fn surface(&self) -> Surface {
         let mut surface = Surface { points: Vec::new(), triangles: Vec::new() };
-        let Ok(raw) = Raw::parse(&self.json) else { return surface };
+        let Ok((raw, _)) = Raw::parse(&self.text) else { return surface };
         let slices: Vec<_> = self.buffers.iter().map(|b| bytes_of(b, self.chunk.as_deref())).collect();
         let data = Data::new(&raw, &slices);
         for (node, mesh) in raw.nodes.iter().enumerate().filter_map(|(i, node)| Some((i, node.mesh?))) {
             for (index, primitive) in raw.meshes[mesh].primitives.iter().enumerate() {
-                let json = &self.json["meshes"][mesh]["primitives"][index];
-                surface.add(&data, node, primitive, json, &self.json);
+                let json = &self.json()["meshes"][mesh]["primitives"][index];
+                surface.add(&data, node, primitive, json, self.json());
             }
         }
         surface

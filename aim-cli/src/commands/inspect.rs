@@ -1,11 +1,15 @@
 //! `aim inspect`: bones with measured axes and roles, and clips.
 
+use std::path::Path;
+
 use aim_gltf::{BoneAxes, Document, MeasuredPose, Measurement};
 use serde::Serialize;
 
 use crate::args;
 use crate::failure::Result;
-use crate::{evidence, files};
+use crate::fit::Fit;
+use crate::html::{self, Inspected};
+use crate::{evidence, files, proposal};
 
 #[derive(Serialize)]
 struct Inspection {
@@ -45,7 +49,11 @@ fn in_words(measurement: &Measurement, document: &Document) -> String {
     }
     out += &format!("Confidence {:.2}.", measurement.confidence);
     out += if measurement.confidence < 0.5 { " Too little to rely on: look at the drawing (--html).\n" } else { "\n" };
-    let turned = measurement.bones.iter().max_by(|a, b| a.rest_deg.total_cmp(&b.rest_deg));
+    // A root that carries no skin may lie anywhere in either pose.
+    let has_role = |bone: &&BoneAxes| bone.role.is_some();
+    let any = measurement.bones.iter().any(|bone| bone.role.is_some());
+    let bones = measurement.bones.iter().filter(|bone| !any || has_role(bone));
+    let turned = bones.max_by(|a, b| a.rest_deg.total_cmp(&b.rest_deg));
     out += &match (measurement.pose, turned.filter(|bone| bone.rest_deg > 0.1)) {
         (MeasuredPose::Rest, _) => "Measured in the rest pose: no skin tells a bind pose.\n".to_owned(),
         (_, Some(BoneAxes { name, rest_deg, .. })) => {
@@ -122,9 +130,27 @@ fn rounded(x: f64) -> f64 {
     (x * 1e6).round() / 1e6 + 0.0
 }
 
+/// Writes the page: with the rig that was given, else the proposed one, else the bones alone.
+fn draw(arguments: &args::Inspect, page: &Path, document: &Document, measurement: &Measurement) -> Result {
+    let (spec, rig) = match &arguments.rig {
+        Some(path) => (Some(files::load_rig(path)?), path.display().to_string()),
+        None => {
+            let proposed = proposal::propose(&arguments.file, document, measurement, None);
+            (proposed.ok().map(|proposal| proposal.spec), "the proposed rig".to_owned())
+        }
+    };
+    let fit = spec.as_ref().map(|spec| Fit::new(spec, document, measurement));
+    let file = arguments.file.file_name().unwrap_or_default().to_string_lossy();
+    let inspected = Inspected { file: &file, document, measurement, fit: fit.as_ref(), rig: &rig };
+    files::write(page, html::inspection_page(&inspected).as_bytes())
+}
+
 pub(super) fn run(arguments: &args::Inspect) -> Result {
     let document = files::load_model(&arguments.file)?;
     let measurement = Measurement::of(&document);
+    if let Some(page) = &arguments.html {
+        draw(arguments, page, &document, &measurement)?;
+    }
     let inspection = Inspection::of(arguments.file.display().to_string(), &document, &measurement);
     files::print(&if arguments.json {
         files::to_json(&inspection)?

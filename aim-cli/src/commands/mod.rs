@@ -2,6 +2,7 @@
 
 mod bake;
 mod check;
+mod check_model;
 mod count;
 mod demo;
 mod generate;
@@ -19,7 +20,10 @@ pub(crate) fn run(command: Command) -> Result {
         Command::Rig(arguments) => rig::run(&arguments),
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Count(arguments) => count::run(&arguments),
-        Command::Check(arguments) => check::run(&arguments),
+        Command::Check(arguments) => match &arguments.model_rig {
+            Some(rig) => check_model::run(&arguments.rig, rig),
+            None => check::run(&arguments),
+        },
         Command::Bake(arguments) => bake::run(&arguments),
     }
 }
