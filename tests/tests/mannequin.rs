@@ -15,54 +15,14 @@ struct Seen {
     joints: Vec<[DVec3; 4]>,
 }
 
-/// The mannequin with bones of these axes.
-fn modelled(frame_of: impl Fn(&str) -> Frame) -> Document {
+/// The walk aimed at an orbiting target, the rig's and the model's bones having these axes.
+fn aimed(frame_of: impl Fn(&str) -> Frame) -> Vec<Seen> {
     #[expect(clippy::cast_possible_truncation, reason = "axes are ones and zeros")]
     let model = mannequin(|bone| {
         let frame = frame_of(bone);
         [frame.up, frame.forward, frame.left].map(|axis| axis.map(|c| c as f32))
     });
-    Document::from_bytes(&model.expect("the axes are a frame")).expect("the mannequin is a right file")
-}
-
-/// The bind pose snapped to a target by eye, neck and spine in the axes that were measured: each joint's place, up,
-/// forward and left in the world.
-fn snapped(document: &Document, measurement: &Measurement) -> [[DVec3; 4]; 3] {
-    let mut spec: RigSpec = aim_codegen::declare::from_toml("mannequin.toml", RIG).expect("the rig is right");
-    let bones = spec.joints.iter().map(|joint| document.skeleton().find(&joint.bones[0]).expect("the bone is there"));
-    let nodes: Vec<usize> = bones.collect();
-    for (joint, node) in spec.joints.iter_mut().zip(&nodes) {
-        let frame = measurement.bone(*node).expect("it is a bone").frame;
-        let [up, forward, left] = [frame.up, frame.forward, frame.left].map(|axis| axis.to_array());
-        joint.frame = Frame { up, forward, left };
-    }
-    spec.effector.frame = spec.joints[0].frame;
-    let chain = ChainNodes { joints: nodes.clone(), pair: None };
-    let plan = Plan {
-        document,
-        clip: None,
-        measurement,
-        chain: &chain,
-        both_eyes: false,
-        seconds: 0.0,
-        fps: 30.0,
-        settle: Settle::Snap,
-        looped: false,
-        settings: Settings::default().with_tolerance(2e-6),
-    };
-    let target = DVec3::new(1.1, 1.9, 1.6);
-    let baked = bake(&mut InterpretedRig::new(&spec), &plan, |_, _| target, |_, _| ()).expect("the plan is right");
-    let world = &baked.frames[0].world;
-    std::array::from_fn(|joint| {
-        let (world, frame) = (world[nodes[joint]], spec.joints[joint].frame);
-        let direction = |axis: [f64; 3]| world.transform_vector3(DVec3::from_array(axis));
-        [world.translation, direction(frame.up), direction(frame.forward), direction(frame.left)]
-    })
-}
-
-/// The walk aimed at an orbiting target, the rig's and the model's bones having these axes.
-fn aimed(frame_of: impl Fn(&str) -> Frame) -> Vec<Seen> {
-    let document = modelled(&frame_of);
+    let document = Document::from_bytes(&model.expect("the axes are a frame")).expect("the mannequin is a right file");
     let mut spec: RigSpec = aim_codegen::declare::from_toml("mannequin.toml", RIG).expect("the rig is right");
     for joint in &mut spec.joints {
         joint.frame = frame_of(&joint.bones[0]);
@@ -147,34 +107,5 @@ fn conventions_mixed_bone_by_bone_give_one_result_in_the_world() {
             frames[Random::new(bone).below(48)]
         });
         assert_same(&expected, &found, &format!("mix {seed}"));
-    }
-}
-
-/// Measured in the file and aimed as measured: no declaration is given.
-#[test]
-#[cfg_attr(debug_assertions, ignore = "half a minute where nothing is optimised: cargo test --release")]
-fn ten_thousand_mixes_are_measured_exactly_and_aimed_alike() {
-    let frames: Vec<Frame> = Frame::cardinal().collect();
-    let mut expected: Option<[[DVec3; 4]; 3]> = None;
-    for seed in 0..10_000_u64 {
-        let frame_of = |bone: &str| {
-            let bone: u64 = bone.bytes().fold(seed, |hash, byte| hash.wrapping_mul(31).wrapping_add(byte.into()));
-            frames[Random::new(bone).below(48)]
-        };
-        let document = modelled(frame_of);
-        let measurement = Measurement::of(&document);
-        assert_eq!((measurement.up, measurement.forward, measurement.left), (DVec3::Y, DVec3::Z, DVec3::X), "{seed}");
-        for bone in &measurement.bones {
-            let frame = frame_of(&bone.name);
-            let found = [bone.up, bone.forward, bone.left].map(|axis| axis.vector().to_array());
-            assert_eq!(found, [frame.up, frame.forward, frame.left], "mix {seed}: {}", bone.name);
-            assert!(bone.deviation_deg < 1e-3, "mix {seed}: {} is {}° off", bone.name, bone.deviation_deg);
-        }
-        let found = snapped(&document, &measurement);
-        let expected = expected.get_or_insert(found);
-        for (joint, (a, b)) in expected.iter().zip(&found).enumerate() {
-            let distance = a.iter().zip(b).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
-            assert!(distance < 1e-4, "mix {seed}, joint {joint}: {distance}");
-        }
     }
 }
