@@ -1,5 +1,7 @@
 //! What the parts of a body say about where it faces, each by itself. `facing` weighs them.
 
+use std::collections::HashMap;
+
 use glam::{DAffine3, DVec3};
 
 use crate::facing::Clue;
@@ -52,6 +54,15 @@ impl Body<'_> {
         (0..self.bind.len()).filter(|node| self.is_bone[*node]).filter_map(sided).collect()
     }
 
+    /// Which nodes are of a leg by their names.
+    fn named_legs(&self) -> Vec<bool> {
+        let mut legs = vec![false; self.bind.len()];
+        for (node, _, key) in self.sided() {
+            legs[node] = LEGS.iter().any(|leg| key.contains(leg));
+        }
+        legs
+    }
+
     fn joints(&self) -> Vec<usize> {
         (0..self.bind.len()).filter(|i| self.skeleton.nodes()[*i].is_joint && self.at(*i).is_finite()).collect()
     }
@@ -64,6 +75,9 @@ const KINDS: [&str; 15] = [
 ];
 const LEGS: [&str; 8] = ["thigh", "leg", "calf", "shin", "knee", "ankle", "foot", "hip"];
 const TOES: [&str; 2] = ["toe", "ball"];
+
+/// Nodes of one name that are tried as the other of a pair: work stays bounded whatever a file holds.
+const MOST_NAMESAKES: usize = 16;
 
 /// From `b` to `a`, level.
 pub(crate) fn apart(body: &Body<'_>, a: usize, b: usize, up: DVec3) -> DVec3 {
@@ -84,22 +98,25 @@ pub(crate) fn named_pair(body: &Body<'_>, up: DVec3) -> Option<(usize, usize)> {
         }
     }
     let sided = body.sided();
+    let mut rights: HashMap<&str, Vec<usize>> = HashMap::new();
+    for (node, _, key) in sided.iter().filter(|(_, side, _)| *side == Side::Right) {
+        rights.entry(key).or_default().push(*node);
+    }
     KINDS.iter().find_map(|kind| {
-        let of = |wanted: Side| sided.iter().filter(move |(_, side, key)| *side == wanted && key.contains(kind));
-        of(Side::Left).find_map(|(left, _, key)| {
-            let (right, ..) = of(Side::Right).find(|(right, _, other)| other == key && is_apart(*left, *right))?;
-            Some((*left, *right))
+        let lefts = sided.iter().filter(|(_, side, key)| *side == Side::Left && key.contains(kind));
+        lefts.into_iter().find_map(|(left, _, key)| {
+            let namesakes = rights.get(key.as_str())?.iter().take(MOST_NAMESAKES);
+            namesakes.copied().find(|right| is_apart(*left, *right)).map(|right| (*left, right))
         })
     })
 }
 
 /// The direction from the feet to the hips, where there are legs that reach from the hips and not beyond the head.
 pub(crate) fn legs_up(body: &Body<'_>) -> Option<DVec3> {
-    let sided = body.sided();
-    let is_leg = |node: usize| sided.iter().any(|(at, _, key)| *at == node && LEGS.iter().any(|leg| key.contains(leg)));
+    let (sided, is_leg) = (body.sided(), body.named_legs());
     let named = sided.iter().filter_map(|(node, ..)| {
         let parent = body.parent(*node)?;
-        (is_leg(*node) && is_leg(parent)).then(|| body.at(parent) - body.at(*node))
+        (is_leg[*node] && is_leg[parent]).then(|| body.at(parent) - body.at(*node))
     });
     let mut legs: DVec3 = named.sum();
     if legs.length() < 1e-9 {
@@ -155,12 +172,11 @@ pub(crate) fn ahead(body: &Body<'_>, up: DVec3) -> Vec<Hint> {
 
 /// From ankles to toes, by their names.
 fn named_toes(body: &Body<'_>) -> Option<DVec3> {
-    let sided = body.sided();
+    let is_leg = body.named_legs();
     let mut sum = [DVec3::ZERO; 2];
-    for (node, side, key) in &sided {
+    for (node, side, key) in &body.sided() {
         let Some(parent) = body.parent(*node) else { continue };
-        let is_foot = |(at, _, key): &(usize, Side, String)| *at == parent && LEGS.iter().any(|leg| key.contains(leg));
-        if TOES.iter().any(|toe| key.contains(toe)) && sided.iter().any(is_foot) {
+        if TOES.iter().any(|toe| key.contains(toe)) && is_leg[parent] {
             sum[usize::from(*side == Side::Left)] += body.at(*node) - body.at(parent);
         }
     }

@@ -74,13 +74,6 @@ pub struct LookAt {
 }
 
 impl LookAt {
-    /// The same map in all four directions.
-    #[must_use]
-    pub fn uniform(kind: LookAtKind, input_max_value: f64, output_scale: f64) -> Self {
-        let map = RangeMap { input_max_value, output_scale };
-        Self { kind, horizontal_inner: map, horizontal_outer: map, vertical_down: map, vertical_up: map }
-    }
-
     /// What the file says; `None` where it is no VRM file or says nothing. Maps that are left out go as far as their
     /// input, up to 90°, as VRM's own do.
     #[must_use]
@@ -252,6 +245,5 @@ mod tests {
         let document = Document::from_bytes(json.as_bytes()).expect("a small but right file");
         let look = LookAt::of(&document).expect("it has a lookAt");
         assert_eq!(look.left_eye_range(), Some([10.0, 12.0, 8.0, 90.0]));
-        assert_eq!(LookAt::uniform(LookAtKind::Bone, 90.0, 90.0).vertical_up, look.vertical_up);
     }
 }

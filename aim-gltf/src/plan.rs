@@ -10,8 +10,9 @@ const ALIKE: f64 = 0.05;
 const MIDDLE: f64 = 0.15;
 /// Two pairs lie across one plane when the cosine between them is above this.
 const PARALLEL: f64 = 0.97;
-/// Larger trees are not looked at: the work grows with the square of their width.
+/// Larger trees are not looked at, nor are further limbs of one bone: the work grows with their squares.
 const MOST_BONES: usize = 4096;
+const MOST_LIMBS: usize = 64;
 
 /// Node indices of the parts of a body that mirrors itself.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,7 +52,7 @@ impl Tree<'_> {
     /// Two children of a node that are limbs of one pair, mirrored in a plane through the node (and across `across`,
     /// where that is known).
     fn pair(&self, node: usize, across: Option<DVec3>) -> Option<[usize; 2]> {
-        let limbs: Vec<usize> = self.children(node).filter(|child| self.size[*child] >= 2).collect();
+        let limbs: Vec<usize> = self.children(node).filter(|child| self.size[*child] >= 2).take(MOST_LIMBS).collect();
         let mirrored = |a: usize, b: usize| {
             let [p, q, from] = [a, b, node].map(|node| self.at(node));
             let apart = p - q;

@@ -80,6 +80,8 @@ const HELPERS: &[&str] = &[
     "dummy",
     "gear",
 ];
+/// Words of the trunk.
+const SPINES: &[&str] = &["spine", "chest", "upperchest", "torso", "abdomen", "belly", "waist", "上半身"];
 /// Words of the parts around an eye.
 const AROUND_EYES: &[&str] = &[
     "lid",
@@ -213,9 +215,7 @@ fn by_name(words: &Words) -> Option<Role> {
         Some(Role::Head)
     } else if words.has(&["neck", "首"]) {
         Some(Role::Neck)
-    } else if words.has(&["lower"]) && words.has(&["back"]) {
-        Some(Role::Spine)
-    } else if words.has(&["spine", "chest", "upperchest", "torso", "abdomen", "belly", "waist", "上半身"]) {
+    } else if words.has(SPINES) || (words.has(&["lower"]) && words.has(&["back"])) {
         Some(Role::Spine)
     } else if words.has(&["hips", "hip", "pelvis", "下半身"]) {
         Some(Role::Hips)

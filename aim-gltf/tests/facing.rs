@@ -109,9 +109,11 @@ fn names_of_sides_that_are_exchanged_do_not_turn_the_character_round() {
     expect_axes(&measured, DVec3::Y, DVec3::Z, false, "exchanged");
 }
 
-/// For each tradition the names of hips, spine, spine1, spine2, spine3, neck, head, and patterns for eye, clavicle,
-/// upper arm, lower arm, hand, upper leg, lower leg, foot, toes with `*` for the side.
-const TRADITIONS: &[(&str, [&str; 7], [&str; 9], [&str; 2])] = &[
+/// What it is called; the names of hips, spine, spine1, spine2, spine3, neck and head; patterns for eye, clavicle, upper
+/// arm, lower arm, hand, upper leg, lower leg, foot and toes with `*` for the side; the two sides.
+type Tradition = (&'static str, [&'static str; 7], [&'static str; 9], [&'static str; 2]);
+
+const TRADITIONS: &[Tradition] = &[
     (
         "Mixamo",
         [
@@ -409,4 +411,25 @@ fn without_any_clue_the_formats_word_is_taken_and_not_trusted() {
     assert_eq!((measured.up, measured.forward), (DVec3::Y, DVec3::Z));
     assert!(measured.confidence < 0.5 && measured.pose == MeasuredPose::Rest);
     assert!(DMat3::from_cols(measured.left, measured.up, measured.forward).determinant() > 0.99);
+}
+
+#[test]
+fn large_and_hostile_trees_take_no_longer_than_their_size() {
+    // Limbs without number on a long column, all alike and all of one name.
+    let mut nodes: Vec<Value> = (0..1000)
+        .map(|at| json!({ "name": format!("arm_l.{at}"), "children": [at + 1], "translation": [0.0, 0.01, 0.0] }))
+        .collect();
+    let first = nodes.len() + 1;
+    let limbs: Vec<usize> = (0..1000).map(|limb| first + 2 * limb).collect();
+    nodes.push(json!({ "name": "thigh_r", "children": limbs }));
+    for limb in limbs {
+        let side = if limb % 4 == 1 { 1.0 } else { -1.0 };
+        nodes.push(json!({ "name": "leg.R", "children": [limb + 1], "translation": [side, 0.0, 0.0] }));
+        nodes.push(json!({ "name": "toe.L", "translation": [0.0, 0.1, 0.0] }));
+    }
+    let joints: Vec<usize> = (0..nodes.len()).collect();
+    let json = json!({ "asset": { "version": "2.0" }, "nodes": nodes, "skins": [{ "joints": joints }] });
+    let measured = Measurement::of(&Document::from_bytes(&serde_json::to_vec(&json).unwrap()).unwrap());
+    assert_eq!(measured.bones.len(), 3001);
+    assert!(measured.forward.is_finite() && measured.confidence.is_finite());
 }

@@ -20,9 +20,12 @@ fn measured(file: &str) -> Option<(Document, Measurement)> {
     Some((document, measured))
 }
 
+/// A bone's name, its axes, and by how many degrees its up, forward and left are off them.
+type Expected = (&'static str, &'static str, [f64; 3]);
+
 /// Up, forward and left of bones in the rest pose, degrees off the axes, as an independent script measures them
 /// from the same nodes to a tenth of a degree.
-const REST: &[(&str, &[(&str, &str, [f64; 3])])] = &[
+const REST: &[(&str, &[Expected])] = &[
     (
         "dude.glb",
         &[
