@@ -69,9 +69,10 @@ impl Body<'_> {
 }
 
 /// Pairs that tell the sides best, best first; arms belong to the part of the body that aims.
-const KINDS: [&str; 15] = [
+const KINDS: [&str; 16] = [
     "upperarm", "arm", "shoulder", "clavicle", "collar", "thigh", "upleg", "upperleg", "leg", "eye", "hand", "foot",
-    "knee", "ankle", "toe",
+    "knee", "ankle", "toe", // Whatever has two sides is better than nothing.
+    "",
 ];
 const LEGS: [&str; 8] = ["thigh", "leg", "calf", "shin", "knee", "ankle", "foot", "hip"];
 const TOES: [&str; 2] = ["toe", "ball"];
@@ -82,6 +83,11 @@ const MOST_NAMESAKES: usize = 16;
 /// From `b` to `a`, level.
 pub(crate) fn apart(body: &Body<'_>, a: usize, b: usize, up: DVec3) -> DVec3 {
     (body.at(a) - body.at(b)).reject_from_normalized(up)
+}
+
+/// Whether both bones of a pair are mirrored.
+pub(crate) fn is_mirrored(body: &Body<'_>, a: usize, b: usize) -> bool {
+    [a, b].into_iter().all(|node| body.bind[node].matrix3.determinant() < 0.0)
 }
 
 /// The left and the right node of the pair of limbs that tells the sides best.
@@ -105,8 +111,11 @@ pub(crate) fn named_pair(body: &Body<'_>, up: DVec3) -> Option<(usize, usize)> {
     KINDS.iter().find_map(|kind| {
         let lefts = sided.iter().filter(|(_, side, key)| *side == Side::Left && key.contains(kind));
         lefts.into_iter().find_map(|(left, _, key)| {
-            let namesakes = rights.get(key.as_str())?.iter().take(MOST_NAMESAKES);
-            namesakes.copied().find(|right| is_apart(*left, *right)).map(|right| (*left, right))
+            // Numbers may run the other way on the other side: what is as deep in the tree is the other one.
+            let namesakes = rights.get(key.as_str())?.iter().take(MOST_NAMESAKES).copied();
+            let depth = |node: usize| body.skeleton.ancestry(node).take(MOST_NAMESAKES * 8).count();
+            let near = |right: &usize| depth(*right).abs_diff(depth(*left));
+            namesakes.filter(|right| is_apart(*left, *right)).min_by_key(near).map(|right| (*left, right))
         })
     })
 }

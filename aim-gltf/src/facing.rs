@@ -74,6 +74,8 @@ pub(crate) struct Facing {
 
 /// Names of sides outweigh any other single clue, and no two that agree.
 const NAMES: f64 = 2.0;
+/// Under a mirror left may have become right; any clue of the body knows better.
+const MIRRORED_NAMES: f64 = 0.9;
 /// A clue across the plane of symmetry says nothing about which way forward is (cosine).
 const ASIDE: f64 = 0.3;
 /// Sines of angles at which a direction is taken for an axis: 0.006°, and 0.1° for legs that only resemble each other.
@@ -96,25 +98,28 @@ impl Facing {
         let across = across.or_else(|| Some((Clue::Symmetry, clues::mirror_axis(body, up)?)));
         let forward = match across {
             Some((clue, left)) => {
-                let named = matches!(clue, Clue::Names { .. });
-                let left = square(left.normalize_or(DVec3::X), if named { ROUNDING } else { HAND_MADE });
+                let named = match clue {
+                    Clue::Names { left, right } if clues::is_mirrored(body, left, right) => Some(MIRRORED_NAMES),
+                    Clue::Names { .. } => Some(NAMES),
+                    _ => None,
+                };
+                let left = square(left.normalize_or(DVec3::X), if named.is_some() { ROUNDING } else { HAND_MADE });
                 let ahead = square(left.cross(up), ROUNDING);
                 if !hints.iter().any(|hint| hint.clue == Clue::Feet) {
                     hints.extend(clues::soles(body, up, ahead));
                 }
-                let own = if named { NAMES } else { 0.0 };
                 let vote = |hint: &Hint| hint.weight * along(hint.ahead, ahead);
-                let score: f64 = own + hints.iter().map(vote).sum::<f64>();
+                let score: f64 = named.unwrap_or(0.0) + hints.iter().map(vote).sum::<f64>();
                 // A tie is glTF's to decide.
                 let keep = if score == 0.0 { ahead.dot(convention(up)) >= -1e-9 } else { score > 0.0 };
                 let forward = if keep { ahead } else { -ahead };
-                let says = if named { ahead } else { forward };
+                let says = if named.is_some() { ahead } else { forward };
                 evidence.push(Evidence {
                     clue,
                     up: None,
                     forward: Some(says),
-                    agrees: keep || !named,
-                    weight: if named { NAMES } else { 0.5 },
+                    agrees: keep || named.is_none(),
+                    weight: named.unwrap_or(0.5),
                 });
                 forward
             }

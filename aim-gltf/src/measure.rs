@@ -181,18 +181,23 @@ impl Measurement {
         let is_bone = bones(skeleton);
         let mut roles = Roles::find(skeleton);
         let has_bind = skeleton.nodes().iter().any(|node| node.inverse_bind.is_some());
-        let (bind, pose) = match pose {
-            MeasuredPose::Bind if has_bind => (bind_world(skeleton, &rest, &roles), MeasuredPose::Bind),
-            _ => (rest.clone(), MeasuredPose::Rest),
+        let pose = if has_bind { pose } else { MeasuredPose::Rest };
+        let placed = |roles: &Roles| match pose {
+            MeasuredPose::Bind => bind_world(skeleton, &rest, roles),
+            MeasuredPose::Rest => rest.clone(),
         };
-        let skin = deform(skeleton, document.points(), &bind);
+        let mut bind = placed(&roles);
         let carriers = carriers(skeleton, document.points());
         let mut vertices = vec![0_usize; bind.len()];
         carriers.iter().for_each(|node| vertices[*node] += 1);
         let plan = BodyPlan::find(skeleton, &bind, &is_bone, &|node| vertices[node]);
         if let Some(plan) = &plan {
-            roles.complete(skeleton, plan);
+            // The plan is the same wherever the bind pose is placed, and where that is may depend on the hips.
+            if roles.complete(skeleton, plan) {
+                bind = placed(&roles);
+            }
         }
+        let skin = deform(skeleton, document.points(), &bind);
         let body =
             Body { skeleton, bind: &bind, is_bone: &is_bone, skin: &skin, carriers: &carriers, roles: &roles, plan };
         let facing = Facing::find(&body);

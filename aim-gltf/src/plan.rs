@@ -10,6 +10,8 @@ const ALIKE: f64 = 0.05;
 const MIDDLE: f64 = 0.15;
 /// Two pairs lie across one plane when the cosine between them is above this.
 const PARALLEL: f64 = 0.97;
+/// What begins at one height differs by less than this share of the way from hips to head.
+const LEVEL: f64 = 0.02;
 /// Larger trees are not looked at, nor are further limbs of one bone: the work grows with their squares.
 const MOST_BONES: usize = 4096;
 const MOST_LIMBS: usize = 64;
@@ -23,7 +25,7 @@ pub(crate) struct BodyPlan {
     pub(crate) trunk: Vec<usize>,
     /// From there to the head, without it.
     pub(crate) neck: Vec<usize>,
-    /// The last bone of the column that carries a good part of the skin above the trunk.
+    /// The bone of the column that carries most of the skin above the trunk.
     pub(crate) head: usize,
     /// The first bones of the two legs; which one is left is not known.
     pub(crate) legs: [usize; 2],
@@ -115,10 +117,21 @@ impl BodyPlan {
         };
         let column: Vec<usize> = core::iter::successors(next(hips), |at| next(*at)).collect();
         let arms = column.iter().position(|at| tree.pair(*at, Some(across)).is_some())?;
-        let (trunk, above) = column.split_at(arms + 1);
-        let heaviest = above.iter().map(|node| weight(*node)).max()?;
-        let head = above.iter().rposition(|node| 2 * weight(*node) >= heaviest)?;
-        Some(Self { hips, trunk: trunk.to_vec(), neck: above[..head].to_vec(), head: above[head], legs })
+        let shoulders = tree.pair(column[arms], Some(across))?;
+        let (mut trunk, above) = column.split_at(arms + 1);
+        // A head moves all that is on it, its jaw too, though the column may seem to go on there.
+        let skin = |node: usize| below(&tree, node).map(weight).sum::<usize>();
+        let carried = |at: usize| skin(above[at]) - above.get(at + 1).map_or(0, |next| skin(*next));
+        let head = (0..above.len()).max_by_key(|at| (carried(*at), *at))?;
+        let mut neck = above[..head].to_vec();
+        // Some hang the collarbones on the neck: a bone that begins no lower than they do is one.
+        let spine = tree.at(above[head]) - tree.at(hips);
+        let rise = tree.at(column[arms]) - (tree.at(shoulders[0]) + tree.at(shoulders[1])) * 0.5;
+        if neck.is_empty() && trunk.len() > 1 && rise.dot(spine) > -LEVEL * spine.length_squared() {
+            trunk = &trunk[..arms];
+            neck.push(column[arms]);
+        }
+        Some(Self { hips, trunk: trunk.to_vec(), neck, head: above[head], legs })
     }
 
     /// The way down each leg.

@@ -152,27 +152,31 @@ impl Roles {
 }
 
 impl Roles {
-    /// What names leave open, told by the body's plan: everything where no name tells anything, the hips where only
-    /// they are missing, and the bones between the trunk and a head whose neck has no telling name.
-    pub(crate) fn complete(&mut self, skeleton: &Skeleton, plan: &BodyPlan) {
-        let known = [Role::Head, Role::Hips, Role::Neck].map(|role| self.0.iter().position(|of| *of == Some(role)));
-        let [Some(head), hips, neck] = known else {
-            if self.0.iter().all(Option::is_none) {
-                self.0[plan.hips] = Some(Role::Hips);
-                plan.trunk.iter().for_each(|node| self.0[*node] = Some(Role::Spine));
-                plan.neck.iter().for_each(|node| self.0[*node] = Some(Role::Neck));
-                self.0[plan.head] = Some(Role::Head);
-            }
-            return;
-        };
-        if hips.is_none() && skeleton.ancestry(head).any(|node| node == plan.hips) {
+    /// What names leave open, told by the body's plan: everything where no name tells anything; else the head, hips and
+    /// neck that have no telling name. True if it told any.
+    pub(crate) fn complete(&mut self, skeleton: &Skeleton, plan: &BodyPlan) -> bool {
+        let before = self.0.clone();
+        let nameless = self.0.iter().all(Option::is_none);
+        let known = |roles: &[Option<Role>], role| roles.iter().position(|of| *of == Some(role));
+        // Numbered necks end in the head.
+        let last_neck =
+            self.of(plan.head) == Some(Role::Neck) && plan.neck.iter().any(|n| self.of(*n) == Some(Role::Neck));
+        if known(&self.0, Role::Head).is_none() && (self.of(plan.head).is_none() || last_neck) {
+            self.0[plan.head] = Some(Role::Head);
+        }
+        let Some(head) = known(&self.0, Role::Head) else { return false };
+        if known(&self.0, Role::Hips).is_none() && skeleton.ancestry(head).any(|node| node == plan.hips) {
             self.0[plan.hips].get_or_insert(Role::Hips);
         }
-        if neck.is_none() && head == plan.head {
+        if known(&self.0, Role::Neck).is_none() && head == plan.head {
             plan.neck.iter().for_each(|node| {
                 self.0[*node].get_or_insert(Role::Neck);
             });
         }
+        if nameless {
+            plan.trunk.iter().for_each(|node| self.0[*node] = Some(Role::Spine));
+        }
+        self.0 != before
     }
 }
 

@@ -335,6 +335,38 @@ const TRADITIONS: &[Tradition] = &[
         ["左", "右"],
     ),
 ];
+#[test]
+fn numbers_that_run_the_other_way_and_a_head_called_neck() {
+    let document = changed(|json| {
+        rename(json, |old| {
+            Some(match old {
+                "spine" | "spine1" | "spine2" | "spine3" | "hips" => format!("torso_joint_{old}").replace("hips", "0"),
+                "neck" => "neck_joint_1".into(),
+                "head" => "neck_joint_2".into(),
+                _ => match old.split_once('_') {
+                    Some(("left", limb)) if limb.contains("arm") => {
+                        format!("arm_joint_L__{}_", if limb == "upper_arm" { 4 } else { 3 })
+                    }
+                    Some(("right", limb)) if limb.contains("arm") => {
+                        format!("arm_joint_R__{}_", if limb == "upper_arm" { 1 } else { 2 })
+                    }
+                    _ => old.replace("eye", "x").replace("hand", "y"),
+                },
+            })
+        });
+        // Names exchanged on the right, so that the deeper joint comes first among namesakes.
+        for node in json["nodes"].as_array_mut().unwrap() {
+            if node["name"] == "right_clavicle" {
+                node["name"] = "arm_joint_R__0_".into();
+            }
+        }
+    });
+    let measured = Measurement::of(&document);
+    expect_axes(&measured, DVec3::Y, DVec3::Z, false, "numbered");
+    assert_eq!(measured.with_role(Role::Head).unwrap().name, "neck_joint_2");
+    assert_eq!(measured.with_role(Role::Neck).unwrap().name, "neck_joint_1");
+}
+
 const COLUMN: [&str; 7] = ["hips", "spine", "spine1", "spine2", "spine3", "neck", "head"];
 const LIMBS: [&str; 9] =
     ["eye", "clavicle", "upper_arm", "lower_arm", "hand", "upper_leg", "lower_leg", "foot", "toes"];
@@ -432,4 +464,23 @@ fn large_and_hostile_trees_take_no_longer_than_their_size() {
     let measured = Measurement::of(&Document::from_bytes(&serde_json::to_vec(&json).unwrap()).unwrap());
     assert_eq!(measured.bones.len(), 3001);
     assert!(measured.forward.is_finite() && measured.confidence.is_finite());
+}
+
+#[test]
+fn nameless_bones_of_a_tree_that_hangs_collarbones_on_the_neck() {
+    let document = changed(|json| {
+        let nodes = json["nodes"].as_array_mut().unwrap();
+        let at = |nodes: &Vec<Value>, name: &str| nodes.iter().position(|node| node["name"] == name).unwrap();
+        let (chest, neck) = (at(nodes, "spine3"), at(nodes, "neck"));
+        for side in ["left", "right"] {
+            let collar = at(nodes, &format!("{side}_clavicle"));
+            nodes[chest]["children"].as_array_mut().unwrap().retain(|child| *child != collar);
+            nodes[neck]["children"].as_array_mut().unwrap().push(collar.into());
+            // In the paper's axes the first number is the height: from the neck's joint on.
+            nodes[collar]["translation"] = json!([-0.01, 0.0, nodes[collar]["translation"][2]]);
+        }
+        rename(json, |_| None);
+    });
+    let rest = Measurement::in_pose(&document, MeasuredPose::Rest);
+    expect_body(&rest, "collarbones on the neck");
 }
