@@ -1,11 +1,19 @@
 //! Characters that nobody here made, measured; needs the folder that `AIM_RIGS` names.
 
+mod support;
+
 use std::path::PathBuf;
 
 use aim_gltf::{Document, MeasuredPose, Measurement, Role};
 
 /// The measured file, or nothing (said plainly) where the rigs are not at hand.
 fn measured(file: &str) -> Option<(Document, Measurement)> {
+    let document = Document::load(path(file)?).unwrap();
+    let measured = Measurement::of(&document);
+    Some((document, measured))
+}
+
+fn path(file: &str) -> Option<PathBuf> {
     let Some(folder) = std::env::var_os("AIM_RIGS") else {
         eprintln!("skipped: set AIM_RIGS to the folder with {file} to run this test");
         return None;
@@ -15,9 +23,41 @@ fn measured(file: &str) -> Option<(Document, Measurement)> {
         // Relative to the repository, as the command that sets it sees it; tests run in the crate's folder.
         path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..").join(path);
     }
-    let document = Document::load(path.join(file)).unwrap();
-    let measured = Measurement::of(&document);
-    Some((document, measured))
+    Some(path.join(file))
+}
+
+#[test]
+fn names_and_roots_may_be_lost_and_the_body_still_tells() {
+    use glam::{DQuat, DVec3};
+    use serde_json::json;
+    for file in ["dude.glb", "rocketbox_female_adult_01.glb", "khronos_fox.glb", "pab_arnaud.glb"] {
+        let Some(file) = path(file) else { return };
+        let (json, bin) = support::take_apart(&std::fs::read(&file).unwrap());
+        let whole = Measurement::of(&Document::load(&file).unwrap());
+        let head = |measured: &Measurement| measured.with_role(Role::Head).map(|bone| bone.node);
+        for (turn, mirror, named) in [
+            (DQuat::IDENTITY, 1.0, false),
+            (DQuat::from_rotation_x(1.570_796_326_794_896_6), 1.0, false),
+            (DQuat::from_rotation_y(2.0), 1.0, true),
+            (DQuat::IDENTITY, -1.0, true),
+        ] {
+            let mut json = json.clone();
+            let nodes = json["nodes"].as_array_mut().unwrap();
+            if !named {
+                nodes.iter_mut().for_each(|node| drop(node.as_object_mut().unwrap().remove("name")));
+            }
+            let roots = json["scenes"][0]["nodes"].take();
+            let nodes = json["nodes"].as_array_mut().unwrap();
+            nodes.push(json!({ "children": roots, "rotation": turn.to_array(), "scale": [mirror, 1.0, 1.0] }));
+            json["scenes"][0]["nodes"] = json!([nodes.len() - 1]);
+            let measured = Measurement::of(&Document::from_bytes(&support::put_together(&json, &bin)).unwrap());
+            let forward = turn * (whole.forward * DVec3::new(mirror, 1.0, 1.0));
+            let what = format!("{} {turn} {mirror} {named}: {:?}", file.display(), measured.evidence);
+            assert!(measured.up.distance(turn * DVec3::Y) < 1e-6, "{what}");
+            assert!(measured.forward.dot(forward) > 0.997, "{what}");
+            assert_eq!(head(&measured), head(&whole), "{what}");
+        }
+    }
 }
 
 /// A bone's name, its axes, and by how many degrees its up, forward and left are off them.
