@@ -68,11 +68,11 @@ impl Body<'_> {
     }
 }
 
-/// Pairs that tell the sides best, best first; arms belong to the part of the body that aims.
+/// Pairs that tell the sides best, best first; arms belong to the part of the body that aims, and whatever has two sides
+/// is better than nothing.
 const KINDS: [&str; 16] = [
     "upperarm", "arm", "shoulder", "clavicle", "collar", "thigh", "upleg", "upperleg", "leg", "eye", "hand", "foot",
-    "knee", "ankle", "toe", // Whatever has two sides is better than nothing.
-    "",
+    "knee", "ankle", "toe", "",
 ];
 const LEGS: [&str; 8] = ["thigh", "leg", "calf", "shin", "knee", "ankle", "foot", "hip"];
 const TOES: [&str; 2] = ["toe", "ball"];

@@ -37,7 +37,7 @@ fn names_and_roots_may_be_lost_and_the_body_still_tells() {
         let head = |measured: &Measurement| measured.with_role(Role::Head).map(|bone| bone.node);
         for (turn, mirror, named) in [
             (DQuat::IDENTITY, 1.0, false),
-            (DQuat::from_rotation_x(1.570_796_326_794_896_6), 1.0, false),
+            (DQuat::from_rotation_x(90_f64.to_radians()), 1.0, false),
             (DQuat::from_rotation_y(2.0), 1.0, true),
             (DQuat::IDENTITY, -1.0, true),
         ] {
