@@ -239,8 +239,8 @@ mod tests {
         let errors = Rigs::new(place.join("rigs")).write_to(&place).expect_err("bad rigs");
         for expected in [
             "error: `up` and `forward` are parallel\n",
-            "a.toml:2:36\n",
-            "error: `fn` is a keyword of Rust\n",
+            "a.toml:2:32\n",
+            "error: the name `fn` is a keyword of WGSL\n",
             "b.toml:4:8\n",
             "error: `90` has no unit\n",
             "b.toml:6:8\n",
