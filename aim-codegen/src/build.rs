@@ -6,10 +6,8 @@
 //! ```
 //!
 //! ```no_run
-//! // build.rs
-//! fn main() {
-//!     aim_codegen::build::rigs("rigs"); // each rigs/*.toml
-//! }
+//! // build.rs, in `main`:
+//! aim_codegen::build::rigs("rigs"); // each rigs/*.toml
 //! ```
 //!
 //! ```ignore
