@@ -129,6 +129,13 @@ pub(crate) fn not_literal(key: &str, expected: Expected, found: &str, notation: 
     )
 }
 
+pub(crate) fn capitals(key: &str, expected: Expected, found: &str, notation: Notation) -> Text {
+    text(
+        format!("`{key}` needs {}, found `{found}`", expected.words()),
+        format!("write `{key} = {}`", literal(found.to_lowercase(), notation)),
+    )
+}
+
 pub(crate) fn quoted(key: &str, expected: Expected, found: &str, literal: &str) -> Text {
     text(format!("`{key}` needs {}, found {found}", expected.words()), format!("write `{literal}` without quotes"))
 }

@@ -164,6 +164,10 @@ pub(super) fn either(
     match &value.kind {
         Kind::Word(word) if word == words[0] => Some(true),
         Kind::Word(word) if word == words[1] => Some(false),
+        Kind::Word(word) if words.contains(&word.to_lowercase().as_str()) => {
+            report.error(&value.place, messages::capitals(key, expected, word, report.notation));
+            None
+        }
         _ => {
             mismatch(report, key, expected, value);
             None

@@ -111,6 +111,7 @@ fn syntax_errors_have_the_same_shape() {
 fn what_toml_wants_in_quotes_is_told_in_quotes() {
     for (wrong, right, help) in [
         ("right", "\"right\"", "words, names and axes stand in quotes: `\"right\"`"),
+        ("\"Right\"", "\"right\"", "write `handedness = \"right\"`"),
         ("450deg", "\"450deg\"", "a number with a unit stands in quotes, as in `\"450deg\"`"),
         ("450", "\"450deg\"", "write `\"450deg\"` or `\"450rad\"`"),
         ("\"450 deg\"", "\"450deg\"", "write `\"450deg\"`, without a space"),
