@@ -365,6 +365,11 @@ impl Joint {
         self.pitch
     }
 
+    /// Heading and pitch.
+    pub(crate) fn angles(&self) -> [f32; 2] {
+        [self.heading, self.pitch]
+    }
+
     /// The added heading and pitch of the other eye, radians, about axes parallel to this eye's; `None` but for joint 0 of
     /// a rig whose last pose had [a pair](crate::Pose::with_pair).
     pub fn pair(&self) -> Option<[f32; 2]> {

@@ -38,6 +38,11 @@ impl Range {
         }
     }
 
+    /// Whether it is a single angle.
+    pub(crate) fn is_point(self) -> bool {
+        self.lo >= self.hi
+    }
+
     pub(crate) fn is_free(self) -> bool {
         self.lo == f32::NEG_INFINITY && self.hi == f32::INFINITY
     }

@@ -6,6 +6,8 @@
 //! braking ([`Follower`]). Then the eye solves exactly what is left of the gaze where they are now, so that their pace
 //! costs the aim nothing once it has arrived. Nothing here depends on how often a second it is called.
 
+mod sight;
+
 use glam::Vec3A;
 
 use crate::chain::{self, Chain, Ray};
@@ -167,7 +169,7 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         if *support != Support::Rests {
             (aimed, within_reach) = self.find_goals(joints, dt)?;
         }
-        let arrived = self.follow_goals(joints, reaches, dt);
+        let arrived = self.follow_goals(joints, aimed, reaches, dt);
         if arrived && seen.within && seen.eccentricity < self.sharing.release {
             joints[innermost].memory.support = Support::Rests;
         }
@@ -204,16 +206,22 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         Some((aimed, goals.reach))
     }
 
-    /// Moves the supporting joints on to where they are bound for; returns whether they are there.
-    fn follow_goals(&self, joints: &mut [Joint], reaches: &[Reach], dt: f32) -> bool {
+    /// Moves the supporting joints on to where they are bound for, while the eye looks at `aimed`; returns whether they
+    /// are there.
+    fn follow_goals(&self, joints: &mut [Joint], aimed: Vec3A, reaches: &[Reach], dt: f32) -> bool {
         let mut arrived = true;
+        let mut moved = self.rig.joints();
+        let moved = moved.as_mut();
+        moved[0] = joints[0];
         for index in self.supporting() {
             let joint = joints[index];
             let [heading, pitch] = joint.bound_for.unwrap_or_default();
             let goal = self.ranges.as_ref()[index].hold(&Joint { heading, pitch, ..joint });
-            joints[index] = self.follower(index, reaches, dt).towards(&joint, [goal.heading, goal.pitch]);
-            arrived &= joints[index].is_near(&goal, THERE_RAD);
+            moved[index] = self.follower(index, reaches, dt).towards(&joint, [goal.heading, goal.pitch]);
+            arrived &= moved[index].is_near(&goal, THERE_RAD);
         }
+        self.keep_in_sight(joints, moved, aimed, reaches, dt);
+        joints.copy_from_slice(moved);
         arrived
     }
 
