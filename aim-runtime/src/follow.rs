@@ -66,7 +66,11 @@ impl<'a> Follower<'a> {
 
     /// How far an angle goes on that changes at this speed, until it has [stopped](Self::stopping).
     pub(crate) fn stopping_distance(&self, speed: f32) -> f32 {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "as many whole frames as there are")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "as many whole frames as there are"
+        )]
         let frames = f32::from((speed.abs() / self.gain) as u16);
         // Frames of even braking, and the last, in which less than all of it is needed.
         let last = (speed.abs() - frames * self.gain).max(0.0);
@@ -77,10 +81,8 @@ impl<'a> Follower<'a> {
     pub(crate) fn between(&self, joint: &Joint, steps: [&Joint; 2], parts: [f32; 2]) -> Joint {
         let [first, second] = steps;
         let mix = |k: usize, a: f32, b: f32| a + parts[k] * (b - a);
-        let way = [
-            mix(0, first.heading, second.heading) - joint.heading,
-            mix(1, first.pitch, second.pitch) - joint.pitch,
-        ];
+        let way =
+            [mix(0, first.heading, second.heading) - joint.heading, mix(1, first.pitch, second.pitch) - joint.pitch];
         self.held(joint, way, [0, 1].map(|k| mix(k, first.velocity[k], second.velocity[k])))
     }
 

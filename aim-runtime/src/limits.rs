@@ -175,6 +175,25 @@ impl Reach {
         }
     }
 
+    /// How much the end that the joint's pitch is at moves with its heading; 0 for a pitch at none.
+    pub(crate) fn ride(&self, joint: &Joint) -> f32 {
+        /// Nearer to the middle of its range, where the pitch has all of its own, radians.
+        const INWARD_RAD: f32 = 0.01;
+        if self.narrowing.is_none() {
+            return 0.0;
+        }
+        let inward = -INWARD_RAD.min(joint.heading.abs()) * joint.heading.signum();
+        let (here, there) = (self.pitch_at(joint.heading), self.pitch_at(joint.heading + inward));
+        let moved = if joint.pitch >= here.hi {
+            there.hi - here.hi
+        } else if joint.pitch <= here.lo {
+            there.lo - here.lo
+        } else {
+            0.0
+        };
+        if moved == 0.0 { 0.0 } else { moved / inward }
+    }
+
     /// The joint moved to the nearest angles within reach, heading first. All solvers end here: it is what makes
     /// ranges, narrowed ones too, and rates hold.
     pub(crate) fn hold(&self, joint: &Joint) -> Joint {
