@@ -3,6 +3,7 @@
 
 use super::strain::LOOSE_RAD;
 use super::{BENT_MENDINGS, ENOUGH_RAD, FINE_RAD, Home, ROUNDS, STILL_RAD, Solver};
+use crate::chain::TOO_NEAR;
 use crate::dual;
 use crate::joint::{Joint, Memory};
 use crate::limits::Reach;
@@ -27,7 +28,8 @@ const INERTIA_S: f32 = 3.0 / 60.0;
 /// Nearer to the best than this the joints move slowly where a gap remains, radians (0.34°).
 const SLOW_RAD: f32 = 0.006;
 
-/// How far from the effector a target has to be where joints come to rest, as a part of how far the animation has it.
+/// How far from the effector a target has to be where joints come to rest, as a part of how far the animation has it; of
+/// the rig's size, if the animation has it on the effector.
 const BESIDE: f32 = 1e-3;
 /// How well a remaining angle is known, radians.
 const ROUNDING_RAD: f32 = 4e-7;
@@ -130,9 +132,10 @@ impl<R: AimRig> Solver<'_, R> {
         }
         // With the target on the effector the joints may come to rest, but they aim at nothing.
         let view = self.see(joints)?;
-        let animated = self.goal.aimed - self.chain.animated_gaze().origin;
+        let animated = (self.goal.aimed - self.chain.animated_gaze().origin).length();
+        let usual = if animated > TOO_NEAR { animated } else { 1.0 };
         let distance = view.forward * view.forward + view.left * view.left + view.up * view.up;
-        (distance > BESIDE * BESIDE * animated.dot(animated)).then_some(if remaining.is_finite() {
+        (distance > (BESIDE * usual) * (BESIDE * usual)).then_some(if remaining.is_finite() {
             remaining
         } else {
             view.angle()
