@@ -147,11 +147,10 @@ impl<R: AimRig> Chain<R> {
         };
         let base = Affine3A { matrix3: frames[count - 1], translation: Vec3A::ZERO };
         let tilt = tilts.as_ref()[first];
-        let upright = if is_identity(tilt) { effector.direction } else { math::turned(tilt.conjugate(), effector.direction) };
-        let animated = Ray {
-            origin: (pose[first].translation - origin + offset) * per_size,
-            direction: frames[first] * upright,
-        };
+        let upright =
+            if is_identity(tilt) { effector.direction } else { math::turned(tilt.conjugate(), effector.direction) };
+        let animated =
+            Ray { origin: (pose[first].translation - origin + offset) * per_size, direction: frames[first] * upright };
         let mut chain = Self { first, count, effector, animated, local, links, tilts, base, origin, per_size };
         if !rigid {
             chain.animated = (first..count).fold(effector, |ray, index| chain.outward(index, ray));

@@ -38,6 +38,11 @@ impl Range {
         }
     }
 
+    /// Whether the angle is in the interval.
+    pub(crate) fn contains(self, angle: f32) -> bool {
+        self.lo <= angle && angle <= self.hi
+    }
+
     /// Whether it is a single angle.
     pub(crate) fn is_point(self) -> bool {
         self.lo >= self.hi

@@ -9,10 +9,10 @@ use core::f32::consts::PI;
 
 use glam::Vec3A;
 
-use super::{Gaze, SAME_RAD};
+use super::{Gaze, Look, SAME_RAD};
 use crate::follow::Follower;
 use crate::limits::Reach;
-use crate::{AimRig, Joint, eyes, math, trig};
+use crate::{AimRig, Joint};
 
 /// What is out of the eye's range by no more than this is in sight, radians (0.03°).
 const IN_SIGHT_RAD: f32 = 5e-4;
@@ -55,6 +55,7 @@ impl<R: AimRig> Gaze<'_, R> {
         joints: &[Joint],
         moved: &mut [Joint],
         point: Vec3A,
+        look: &Look,
         reaches: &[Reach],
         dt: f32,
     ) -> Option<()> {
@@ -63,16 +64,23 @@ impl<R: AimRig> Gaze<'_, R> {
         if !self.plain_eye || range.heading.is_point() || range.pitch.is_point() {
             return None;
         }
-        let out = self.out_of_range(joints, point)?;
-        let room = -out.iter().fold(-PI, |most: f32, out| most.max(*out));
-        if room < -IN_SIGHT_RAD {
+        let mut farther = 0.0;
+        for index in self.supporting() {
+            let follower = self.follower(index, reaches, dt);
+            farther += moved[index].velocity.map(|speed| follower.stopping_distance(speed).abs()).iter().sum::<f32>();
+        }
+        let has_room = |out: [f32; 4], enough: f32| out.iter().all(|out| -*out >= enough);
+        if look.within && has_room(self.out_of_range(look.angles), NEARBY * farther) {
+            return None;
+        }
+        let out = self.out_of_range(self.bearing(joints, point)?.1);
+        if !has_room(out, -IN_SIGHT_RAD) {
             return None;
         }
         let mut braked = self.rig.joints();
         let braked = braked.as_mut();
         let mut turnings = self.rig.array([Turning::default(); 2]);
         let turnings = turnings.as_mut();
-        let mut farthest = 0.0;
         for index in self.supporting() {
             let follower = self.follower(index, reaches, dt);
             braked[index] = follower.stopping(&joints[index]);
@@ -80,11 +88,7 @@ impl<R: AimRig> Gaze<'_, R> {
                 let steps = [&braked[index], &moved[index]];
                 turning.ways = steps.map(|step| step.angles()[k] - joints[index].angles()[k]);
                 turning.speeds = steps.map(|step| step.velocity[k]);
-                farthest += turning.farthest(&follower).abs();
             }
-        }
-        if room > NEARBY * farthest {
-            return None;
         }
         self.see_what_turnings_do(joints, point, out, turnings, reaches, dt)?;
 
@@ -148,7 +152,7 @@ impl<R: AimRig> Gaze<'_, R> {
                 let mut angles = joints[index].angles();
                 angles[k] += farthest;
                 [turned[index].heading, turned[index].pitch] = angles;
-                let there = self.out_of_range(turned, point)?;
+                let there = self.out_of_range(self.bearing(turned, point)?.1);
                 turning.out = [0, 1, 2, 3].map(|end| (there[end] - out[end]) / farthest);
                 turned[index] = joints[index];
             }
@@ -156,17 +160,13 @@ impl<R: AimRig> Gaze<'_, R> {
         Some(())
     }
 
-    /// By how much what the eye had to turn to a point were beyond each end of its range with the supporting joints like
-    /// this: to the right, to the left, down and up; negative within.
-    fn out_of_range(&self, joints: &[Joint], point: Vec3A) -> Option<[f32; 4]> {
+    /// By how much these angles of the eye are beyond each end of its range, to the right, to the left, down and up;
+    /// negative within.
+    fn out_of_range(&self, [heading, pitch]: [f32; 2]) -> [f32; 4] {
         let range = &self.ranges.as_ref()[0];
-        let seen = math::direction(self.seen(joints, point))?;
-        let [ahead, left, up] = eyes::view(&self.rig.joint_infos()[0].axes, seen);
-        let heading = trig::atan2(left, ahead);
-        let pitch = trig::atan2(up, math::sqrt(ahead * ahead + left * left));
         let (headings, pitches) = (range.heading, range.pitch_at(range.heading.hold(heading)));
         let out = [headings.lo() - heading, heading - headings.hi(), pitches.lo() - pitch, pitch - pitches.hi()];
         // A range without an end has room enough.
-        Some(out.map(|out| out.max(-PI)))
+        out.map(|out| out.max(-PI))
     }
 }
