@@ -301,17 +301,23 @@ impl<'a, R: AimRig> Gaze<'a, R> {
                 joints[index] = ranges[index].hold(&Joint { heading, pitch, ..joints[index] });
             }
         }
-        let mut shared = rig.joints();
-        let shared = shared.as_mut();
-        shared.copy_from_slice(joints);
-        self.share(shared, dt, memory);
-        let look = self.look(shared, goal.aimed)?;
-        [shared[0].heading, shared[0].pitch] = look.angles;
+        let mut bound_for = rig.array([0.0; 2]);
+        for (angles, joint) in bound_for.as_mut().iter_mut().zip(&*joints) {
+            *angles = joint.angles();
+        }
+        self.share(joints, dt, memory);
+        let look = self.look(joints, goal.aimed)?;
+        [joints[0].heading, joints[0].pitch] = look.angles;
         if look.within {
-            joints.copy_from_slice(shared);
             return Some(Goals { reach: true, eye_reaches: true });
         }
 
+        let mut shared = rig.joints();
+        let shared = shared.as_mut();
+        shared.copy_from_slice(joints);
+        for (joint, angles) in joints.iter_mut().zip(bound_for.as_ref()) {
+            [joint.heading, joint.pitch] = *angles;
+        }
         // Of the rest the supporting joints take what the eye cannot.
         let mut solver = Solver::new(rig, chain, goal);
         solver.prefer(0, [0.0; 2], EYE_EASE);
@@ -363,8 +369,10 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         // From where they are bound for, which takes next to nothing. Where that does not lead there, from rest: so that
         // the share depends on nothing but the target.
         let near = match dt {
-            Some(dt) if memory.support == Support::Shares => solver.advance(joints, reaches.as_ref(), dt, memory),
-            _ => None,
+            Some(_) if memory.support != Support::Shares => None,
+            Some(_) if solver.advance_roughly(joints, reaches.as_ref(), memory) => Some(0.0),
+            Some(dt) => solver.advance(joints, reaches.as_ref(), dt, memory),
+            None => None,
         };
         if !near.is_some_and(|near| near <= self.tolerance.max(SHARED_RAD)) {
             at_rest(joints);
