@@ -510,8 +510,9 @@ fn finish<R: AimRig>(
     within_reach: bool,
 ) -> Option<Solved> {
     let infos = rig.joint_infos();
-    for (joint, motion) in joints.iter_mut().zip(motions) {
+    for ((joint, motion), info) in joints.iter_mut().zip(motions).zip(infos) {
         limits::wrap(motion, joint);
+        joint.halve(info);
     }
     let innermost = &mut joints[chain.count - 1];
     (innermost.side, innermost.behind) = (goal.side, goal.behind);

@@ -365,6 +365,11 @@ impl Joint {
         self.pitch
     }
 
+    /// Heading and pitch.
+    pub(crate) fn angles(&self) -> [f32; 2] {
+        [self.heading, self.pitch]
+    }
+
     /// The added heading and pitch of the other eye, radians, about axes parallel to this eye's; `None` but for joint 0 of
     /// a rig whose last pose had [a pair](crate::Pose::with_pair).
     pub fn pair(&self) -> Option<[f32; 2]> {
@@ -396,6 +401,13 @@ impl Joint {
         trig::halves(self)
     }
 
+    /// Takes anew what is kept of its angles.
+    pub(crate) fn halve(&mut self, info: &JointInfo) {
+        self.halves = trig::halves(self);
+        self.turned = tilted(turn(&info.axes, &info.planes, self.halves), self.tilt);
+        self.halved = [self.heading, self.pitch];
+    }
+
     /// The correction in the bone's own space: what its animated local rotation is multiplied by on the right,
     /// `local' = local · R_heading · R_pitch` (pitch acts first), both about the axes of the levelled bone where the
     /// last call levelled its heading.
@@ -411,7 +423,11 @@ impl Joint {
     /// angles.
     #[inline(always)]
     pub(crate) fn own_correction(&self, info: &JointInfo) -> Quat {
-        if self.is_halved() { self.turned } else { self.correction(&info.axes) }
+        if self.is_halved() {
+            self.turned
+        } else {
+            tilted(turn(&info.axes, &info.planes, self.halves_anew()), self.tilt)
+        }
     }
 }
 
