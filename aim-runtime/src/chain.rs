@@ -59,6 +59,8 @@ pub(crate) struct Chain<R: AimRig> {
     pub(crate) count: usize,
     /// The effector in its joint's bone space; its origin in solver-space lengths where the pose is rigid.
     effector: Ray,
+    /// The effector in solver space as the animation has it.
+    animated: Ray,
     /// Each joint's animated transform in the next joint's space; the last one's in solver space. Only where the pose
     /// is not rigid: else the links say the same.
     local: Option<R::Array<Affine3A>>,
@@ -148,10 +150,16 @@ impl<R: AimRig> Chain<R> {
             Some(local(rig, pose, first, origin, per_size)?)
         };
         let base = Affine3A { matrix3: frames[count - 1], translation: Vec3A::ZERO };
-        let chain = Self { first, count, effector, local, links, tilts, base, origin, per_size };
+        let tilt = tilts.as_ref()[first];
+        let upright =
+            if is_identity(tilt) { effector.direction } else { math::turned(tilt.conjugate(), effector.direction) };
+        let animated =
+            Ray { origin: (pose[first].translation - origin + offset) * per_size, direction: frames[first] * upright };
+        let mut chain = Self { first, count, effector, animated, local, links, tilts, base, origin, per_size };
         if !rigid {
+            chain.animated = (first..count).fold(effector, |ray, index| chain.outward(index, ray));
             // A direction of no length (or of none after a flat scale) aims nowhere.
-            math::direction(chain.animated_gaze().direction)?;
+            math::direction(chain.animated.direction)?;
         }
         Some(chain)
     }
@@ -189,9 +197,10 @@ impl<R: AimRig> Chain<R> {
             None => {
                 // Links stand between levelled frames.
                 let tilts = self.tilts.as_ref();
-                let ray = ray.turned(tilts[joint].conjugate());
+                let turned = |ray: Ray, tilt: Quat| if is_identity(tilt) { ray } else { ray.turned(tilt) };
+                let ray = turned(ray, tilts[joint].conjugate());
                 match tilts.get(joint + 1) {
-                    Some(tilt) => ray.through(&self.links.as_ref()[joint + 1]).turned(*tilt),
+                    Some(tilt) => turned(ray.through(&self.links.as_ref()[joint + 1]), *tilt),
                     None => ray.through(&self.base),
                 }
             }
@@ -231,7 +240,7 @@ impl<R: AimRig> Chain<R> {
 
     /// The effector in solver space as the animation has it.
     pub(crate) fn animated_gaze(&self) -> Ray {
-        (self.first..self.count).fold(self.effector, |ray, index| self.outward(index, ray))
+        self.animated
     }
 
     /// The target that makes the rigid links see what the true effector sees: for a rigid pose the target itself.
@@ -260,7 +269,7 @@ impl<R: AimRig> Chain<R> {
 pub(crate) fn turns<R: AimRig>(rig: &R, joints: &[Joint]) -> R::Array<Quat> {
     let mut turns = rig.array(Quat::IDENTITY);
     for ((turn, joint), info) in turns.as_mut().iter_mut().zip(joints).zip(rig.joint_infos()) {
-        *turn = joint.correction(&info.axes);
+        *turn = joint.own_correction(info);
     }
     turns
 }

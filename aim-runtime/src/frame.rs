@@ -52,7 +52,7 @@ pub(crate) fn aim<R: AimRig>(
             return outcome;
         }
     }
-    aim_with_care(rig, *pose_ps, target_ps, dt, settings, is_exact)
+    aim_with_care(rig, *pose_ps, target_ps, dt, settings)
 }
 
 /// [`aim`] for every frame. The pose by value: so where it is not called, it is nowhere in memory.
@@ -63,7 +63,6 @@ fn aim_with_care<R: AimRig>(
     target_ps: Vec3,
     dt: f32,
     settings: &Settings,
-    halve: bool,
 ) -> Outcome {
     let pose_ps = &pose_ps;
     let mut joints = rig.joints();
@@ -76,18 +75,8 @@ fn aim_with_care<R: AimRig>(
     let outcome = outcome.unwrap_or_else(|| degenerate(rig, motions));
     if dt > 0.0 && outcome.status != Status::Degenerate {
         rig.set_joints(joints);
-        if halve {
-            (0..rig.joint_infos().len()).for_each(|index| halved(rig, index));
-        }
     }
     outcome
-}
-
-fn halved<R: AimRig>(rig: &mut R, index: usize) {
-    let info = rig.joint_infos()[index];
-    if let Some(joint) = rig.joint_mut(index) {
-        joint.halve(&info);
-    }
 }
 
 /// [`AimRig::snap_with`].
@@ -529,8 +518,9 @@ fn finish<R: AimRig>(
     within_reach: bool,
 ) -> Option<Solved> {
     let infos = rig.joint_infos();
-    for (joint, motion) in joints.iter_mut().zip(motions) {
+    for ((joint, motion), info) in joints.iter_mut().zip(motions).zip(infos) {
         limits::wrap(motion, joint);
+        joint.halve(info);
     }
     let innermost = &mut joints[chain.count - 1];
     (innermost.side, innermost.behind) = (goal.side, goal.behind);

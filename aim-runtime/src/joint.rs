@@ -370,6 +370,11 @@ impl Joint {
         self.pitch
     }
 
+    /// Heading and pitch.
+    pub(crate) fn angles(&self) -> [f32; 2] {
+        [self.heading, self.pitch]
+    }
+
     /// The added heading and pitch of the other eye, radians, about axes parallel to this eye's; `None` but for joint 0 of
     /// a rig whose last pose had [a pair](crate::Pose::with_pair).
     pub fn pair(&self) -> Option<[f32; 2]> {
@@ -434,7 +439,11 @@ impl Joint {
     /// angles.
     #[inline(always)]
     pub(crate) fn own_correction(&self, info: &JointInfo) -> Quat {
-        if self.is_halved() { self.turned } else { self.correction(&info.axes) }
+        if self.is_halved() {
+            self.turned
+        } else {
+            tilted(turn(&info.axes, &info.planes, self.halves_anew()), self.tilt)
+        }
     }
 }
 

@@ -151,9 +151,12 @@ impl Bake<'_> {
             return;
         }
         let found = angle_between(gaze, to_target);
-        assert!((found - error).abs() < 0.01, "t {}: the file is {found}° off, the report says {error}°", frame.t);
+        // Files have single precision: so far from the origin a target so near is seen no better than this.
+        let blur = (1e-6 * origin.length() / to_target.length()).to_degrees();
+        let off = (found - error).abs();
+        assert!(off < 0.01 + blur, "t {}: the file is {found}° off, the report says {error}°", frame.t);
         // The tolerance is 0.1°; single precision decides within a hair of it.
-        let sure = if status == "reached" { error < 0.1 + 2e-3 } else { error > 0.1 - 2e-3 };
+        let sure = if status == "reached" { error < 0.1 + 2e-3 + blur } else { error > 0.1 - 2e-3 - blur };
         assert!(sure, "t {}: {status} at {error}°", frame.t);
     }
 

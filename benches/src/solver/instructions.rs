@@ -25,7 +25,7 @@ const COUNTED: &[Counted] = &[
     ("exact blocked", [0, 1], "out of reach, exact: the first frame", None),
     ("exact blocked", [1, 60], "out of reach, exact: frames of the first second", None),
     ("exact blocked", [240, 300], "out of reach, exact: later frames", Some([40_000.0, 40_000.0])),
-    ("natural", ALL, "track, natural", None),
+    ("natural", ALL, "track, natural", Some([12_600.0, 10_200.0])),
     ("natural blocked", [240, 300], "out of reach, natural: later frames", None),
     ("ascent", ALL, "track, ascent", None),
     ("paper", ALL, "track, the paper's method", None),
