@@ -1,12 +1,16 @@
 //! [`Chain`]: a pose made ready for aiming, in units of the rig's own size, with the true forward kinematics that
 //! judges and the rigid links that the derived kernels search with.
 
+use core::ops::Range;
+
 use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec3Swizzles};
 
 use crate::{AimRig, Axes, Joint, JointInfo, Scalar, math};
 
 /// Nearer to the effector than this part of the rig's size a target has no direction.
 pub(crate) const TOO_NEAR: f32 = 1e-5;
+/// How far from square or from equal length joints' axes may be in a rigid pose, all that is off taken together.
+const OFF: f32 = 1e-4;
 /// Farther than this many sizes of the rig a target is a mere direction.
 const FAR: f32 = 1e6;
 
@@ -274,8 +278,6 @@ pub(crate) fn turns<R: AimRig>(rig: &R, joints: &[Joint]) -> R::Array<Quat> {
 /// where its numbers are so large or small that their squares would not do.
 #[inline(always)]
 pub(crate) fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> bool {
-    /// How far from square or from equal length a joint's axes may be, all that is off taken together.
-    const OFF: f32 = 1e-4;
     // A sum that begins with −0 costs nothing for its first term.
     let mut off = Vec3A::splat(-0.0);
     for (joint, frame) in pose.iter().zip(frames) {
@@ -291,6 +293,23 @@ pub(crate) fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> bool {
         off += (squares * (per_length * per_length) - Vec3A::ONE).abs() + products.abs();
     }
     off.cmple(Vec3A::splat(OFF)).all()
+}
+
+/// The square of the scale of joints that are turned and mirrored, and scaled all alike; `None` where they are more
+/// than that, or where numbers are so large or small that their squares would not do.
+#[inline(always)]
+pub(crate) fn common_scale(pose: &[Affine3A]) -> Option<f32> {
+    const PLAIN: Range<f32> = 1e-12..1e12;
+    let squares = |Mat3A { x_axis: x, y_axis: y, z_axis: z }| x * x + y * y + z * z;
+    let square = squares(pose.first()?.matrix3).x;
+    // As in `similar`, all that is off taken together.
+    let mut off = Vec3A::splat(-0.0);
+    for joint in pose {
+        let Mat3A { x_axis: x, y_axis: y, z_axis: z } = joint.matrix3;
+        let products = x * x.yzx() + y * y.yzx() + z * z.yzx();
+        off += (squares(joint.matrix3) - square).abs() + products.abs();
+    }
+    (off.cmple(Vec3A::splat(OFF * square)).all() && PLAIN.contains(&square)).then_some(square)
 }
 
 /// Each joint's animated transform in the next joint's space, the last one's in solver space.

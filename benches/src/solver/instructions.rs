@@ -20,7 +20,7 @@ const ALL: [u16; 2] = [0, FRAMES];
 const COUNTED: &[Counted] = &[
     ("exact", ALL, "track, exact: instructions a character and frame", Some([1640.0, 1130.0])),
     ("exact moving", ALL, "track on a moving animation, exact", Some([1640.0, 1130.0])),
-    ("eye", ALL, "eye only, with limits, exact", Some([350.0, 350.0])),
+    ("eye", ALL, "eye only, with limits, closed form", Some([350.0, 350.0])),
     // What a frame costs at most: no angles meet the target, and all that may is tried.
     ("exact blocked", [0, 1], "out of reach, exact: the first frame", None),
     ("exact blocked", [1, 60], "out of reach, exact: frames of the first second", None),
