@@ -464,7 +464,7 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         let mut seen = self.chain.base.matrix3.transpose() * point;
         for index in self.supporting().rev() {
             let turn = joint::turn(&infos[index].axes, &infos[index].planes, joints[index].halves());
-            seen = turn.conjugate().mul_vec3a(seen);
+            seen = math::turned(turn.conjugate(), seen);
             let link = &links[index];
             seen = link.matrix3.transpose() * (seen - link.translation);
         }
