@@ -136,8 +136,7 @@ impl Document {
         })
     }
 
-    /// The JSON part as it stands in the file, members in their order; null where it is nested so deeply (more than 120
-    /// levels) that no tree is made of it.
+    /// The JSON part as it stands in the file, members in their order.
     #[must_use]
     pub fn json(&self) -> &Value {
         self.json.get_or_init(|| serde_json::from_slice(&self.text).unwrap_or_default())

@@ -148,6 +148,26 @@ fn syntax(error: &serde_json::Error) -> Error {
     Error::Json { message: error.to_string() }
 }
 
+/// Levels that a tree can be made of.
+const MOST_LEVELS: usize = 120;
+
+/// How deep a JSON text is nested.
+fn depth(text: &[u8]) -> usize {
+    let (mut depth, mut most, mut is_text, mut is_escaped) = (0_usize, 0, false, false);
+    for byte in text {
+        match byte {
+            _ if is_escaped => is_escaped = false,
+            b'\\' if is_text => is_escaped = true,
+            b'"' => is_text = !is_text,
+            b'[' | b'{' if !is_text => depth += 1,
+            b']' | b'}' if !is_text => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        most = most.max(depth);
+    }
+    most
+}
+
 fn tree(text: &RawValue) -> Result<Value, Error> {
     serde_json::from_str(text.get()).map_err(|e| syntax(&e))
 }
@@ -173,6 +193,9 @@ impl Raw {
     /// The typed parts of a JSON text, and its `extensions`; all of the text is looked at.
     pub(crate) fn parse(text: &[u8]) -> Result<(Self, Value), Error> {
         let whole: &RawValue = serde_json::from_slice(text).map_err(|e| syntax(&e))?;
+        if depth(text) > MOST_LEVELS {
+            return Err(Error::Json { message: format!("it is nested deeper than {MOST_LEVELS} levels") });
+        }
         if !whole.get().starts_with('{') {
             return Err(Error::Json { message: "expected an object at the top".into() });
         }

@@ -27,9 +27,6 @@ impl Document {
     /// not finite or not in order.
     pub fn with_clips(&self, clips: &[Clip]) -> Result<Vec<u8>, Error> {
         let mut json = self.json().clone();
-        if json.is_null() {
-            return Err(Error::Json { message: "it is nested too deeply to be written again".into() });
-        }
         let mut data = Appended::default();
         let mut animations = Vec::with_capacity(clips.len());
         for clip in clips.iter().filter(|clip| !clip.channels.is_empty()) {
