@@ -5,17 +5,16 @@
 //! it, is the nearest gaze there is, also where a bound is in the way. Where none is, no other angles meet the target.
 //! Gives up, having moved nothing, wherever anything is out of the ordinary.
 
-use core::f32::consts::FRAC_PI_2;
+use core::f32::consts::{FRAC_PI_2, PI};
 
-use glam::{Quat, Vec3A};
+use glam::{Mat3A, Quat, Vec3, Vec3A};
 
-use crate::exact::ENOUGH_RAD;
 use crate::joint::{self, Side};
 use crate::limits::AT_LIMIT_RAD;
 use crate::pose::Animated;
 use crate::rig::along;
 use crate::view::View;
-use crate::{AimRig, Axes, JointInfo, JointSet, Outcome, Settings, Status, chain, quick, trig};
+use crate::{AimRig, Axes, Joint, JointInfo, JointSet, Outcome, Scalar, Settings, Status, chain, quick, trig};
 
 /// The squared tangent of the elevation, 60°, beyond which headings tremble with their target.
 const STEEP: f32 = 3.0;
@@ -23,77 +22,187 @@ const STEEP: f32 = 3.0;
 const NEAR: f32 = 1e-6;
 const FAR: f32 = 1e8;
 
-/// Aims for one frame of `dt` seconds, positive, if it is an ordinary one of such a joint. The solver is not the paper's.
+/// Aims for one frame of `dt` seconds, positive, if it is an ordinary one of such a joint that has the time it takes. The
+/// solver is not the paper's.
 #[inline]
 pub(crate) fn aim<R: AimRig>(
     rig: &mut R,
     pose_ps: &Animated<'_>,
-    target_ps: Vec3A,
+    target_ps: Vec3,
     dt: f32,
     settings: &Settings,
 ) -> Option<Outcome> {
-    let &[info] = rig.joint_infos() else { return None };
-    let (Some(headings), Some(pitches)) = (info.heading, info.pitch) else { return None };
-    let effector = rig.effector();
-    if !(quick::is_plain(&info)
-        && info.planes.are_square()
-        && !info.is_level()
-        && -FRAC_PI_2 <= pitches[0]
-        && pitches[1] <= FRAC_PI_2
-        && effector.origin == [0.0; 3]
-        && effector.forward == info.axes.forward
-        && settings.weight >= 1.0)
-    {
-        return None;
-    }
-    let pose = pose_ps.joints.get(..1)?;
-    let scale = chain::common_scale(pose)?;
-    let target = pose[0].matrix3.transpose() * ((target_ps - pose[0].translation) * (1.0 / scale));
-    let animated = view(&info.axes, target);
-    if !is_ordinary(&animated) {
-        return None;
-    }
-
+    let eye = Eye::new(rig, pose_ps, target_ps, settings)?;
     let joint = rig.joint_mut(0)?;
-    if joint.bound_for.is_some() | joint.pair.is_some() | joint.behind || joint.memory.strain > 0.0 {
-        return None;
-    }
-    let step = info.rate.max(0.0) * dt;
-    let within = |[lo, hi]: [f32; 2], angle: f32| [greater(lo, angle - step), lesser(hi, angle + step)];
-    let gaze = Gaze::towards(&info, &animated, within(headings, joint.heading), within(pitches, joint.pitch))?;
-    let seen = gaze.sees(&info, target);
-    let remaining = if seen.is_within(ENOUGH_RAD) { seen.tangent() } else { seen.angle() };
-    let tolerance = settings.effective_tolerance();
-    let status = if remaining <= tolerance {
+    let gaze = eye.gaze(eye.reach(joint, dt)?)?;
+    let status = if gaze.remaining <= settings.effective_tolerance() {
         Status::Reached
-    } else if gaze.is_nearest(headings, pitches) {
+    } else if gaze.is_nearest(eye.ranges) {
         Status::AtLimit
     } else {
-        unhurried(rig, &animated, target, tolerance)?
+        return None;
     };
-
-    let joint = rig.joint_mut(0)?;
-    joint.side = Side::of(animated.left);
-    joint.memory.blocked_s = if status == Status::Reached { 0.0 } else { joint.memory.blocked_s + dt };
-    joint.put(gaze.angles, gaze.halves, gaze.turn, Quat::IDENTITY);
-    let [pitch, heading] = gaze.angles;
-    let ends = |[lo, hi]: [f32; 2], angle: f32| (angle <= lo + AT_LIMIT_RAD) | (angle >= hi - AT_LIMIT_RAD);
-    let mut at_limit = JointSet::EMPTY;
-    if ends(headings, heading) | ends(pitches, pitch) {
-        at_limit.insert(0);
-    }
-    let (recovering, pair_remaining) = (JointSet::EMPTY, None);
-    Some(Outcome { aim: seen.cosine(), remaining, status, at_limit, recovering, pair_remaining })
+    Some(eye.put(joint, &gaze, status, dt))
 }
 
-/// What keeps the joint from its target although it may still turn: its rate, or in the end its ranges too.
-#[cold]
-#[inline(never)]
-fn unhurried<R: AimRig>(rig: &R, animated: &View, target: Vec3A, tolerance: f32) -> Option<Status> {
-    let info = rig.joint_infos().first()?;
-    let gaze = Gaze::towards(info, animated, info.heading?, info.pitch?)?;
-    let within_reach = gaze.sees(info, target).angle() <= tolerance;
-    Some(if within_reach { Status::RateLimited } else { Status::AtLimit })
+/// [`aim`] for a joint that could yet turn further towards its target: is it its rate that keeps it from there, or in
+/// the end its ranges too?
+pub(crate) fn aim_in_haste<R: AimRig>(
+    rig: &mut R,
+    pose_ps: &Animated<'_>,
+    target_ps: Vec3,
+    dt: f32,
+    settings: &Settings,
+) -> Option<Outcome> {
+    let eye = Eye::new(rig, pose_ps, target_ps, settings)?;
+    let joint = rig.joint_mut(0)?;
+    let gaze = eye.gaze(eye.reach(joint, dt)?)?;
+    let within_reach = eye.gaze(eye.ranges)?.remaining <= settings.effective_tolerance();
+    Some(eye.put(joint, &gaze, if within_reach { Status::RateLimited } else { Status::AtLimit }, dt))
+}
+
+/// Such a joint, and an ordinary target of it.
+struct Eye {
+    info: JointInfo,
+    /// Of pitch and heading, as all pairs here.
+    ranges: [[f32; 2]; 2],
+    /// In lengths of the bone's own space, and along its axes.
+    target: Vec3A,
+    animated: View,
+    distance: f32,
+}
+
+impl Eye {
+    #[inline(always)]
+    fn new<R: AimRig>(rig: &R, pose_ps: &Animated<'_>, target_ps: Vec3, settings: &Settings) -> Option<Self> {
+        let &[info] = rig.joint_infos() else { return None };
+        let ranges = [info.pitch?, info.heading?];
+        let effector = rig.effector();
+        if !(quick::is_plain(&info)
+            && info.planes.are_square()
+            && !info.is_level()
+            && -FRAC_PI_2 <= ranges[0][0]
+            && ranges[0][1] <= FRAC_PI_2
+            && effector.origin == [0.0; 3]
+            && effector.forward == info.axes.forward
+            && settings.weight >= 1.0)
+        {
+            return None;
+        }
+        let pose = pose_ps.joints.get(..1)?;
+        let square_scale = chain::common_scale(pose)?;
+        // The inverse of a frame that is turned and scaled is its transpose, divided by the square of its scale.
+        let to_target = (Vec3A::from(target_ps) - pose[0].translation) / square_scale;
+        let Mat3A { x_axis: x, y_axis: y, z_axis: z } = pose[0].matrix3;
+        let products = Mat3A::from_cols(x * to_target, y * to_target, z * to_target).transpose();
+        let target = products.x_axis + products.y_axis + products.z_axis;
+        let animated = view(&info.axes, target);
+        is_ordinary(&animated).then(|| Self { info, ranges, target, animated, distance: animated.distance() })
+    }
+
+    /// How far pitch and heading get in a frame, if the joint is as an ordinary frame finds it.
+    #[inline(always)]
+    fn reach(&self, joint: &Joint, dt: f32) -> Option<[[f32; 2]; 2]> {
+        // There is no strain below 0, and of this one comparing the bits takes fewer instructions.
+        let is_strained = joint.memory.strain.to_bits() != 0;
+        if joint.bound_for.is_some() | joint.pair.is_some() | joint.behind | is_strained {
+            return None;
+        }
+        let step = self.info.rate.max(0.0) * dt;
+        let within = |[lo, hi]: [f32; 2], angle: f32| [greater(lo, angle - step), lesser(hi, angle + step)];
+        let [pitches, headings] = self.ranges;
+        Some([within(pitches, joint.pitch), within(headings, joint.heading)])
+    }
+
+    /// The gaze within these bounds that comes nearest to the target; `None` where the heading is so far off that this is
+    /// no matter of heading first, or where bounds leave nothing, as on the way back into a range.
+    #[inline(always)]
+    fn gaze(&self, [pitches, headings]: [[f32; 2]; 2]) -> Option<Gaze> {
+        let View { forward, left, up } = self.animated;
+        let mut ahead = length(forward, left);
+        let half_tangent = left / (ahead + forward);
+        let wanted_heading = trig::twice_atan(half_tangent);
+        let (heading, sin_h, cos_h);
+        if is_within(headings, wanted_heading) {
+            heading = wanted_heading;
+            (sin_h, cos_h) = trig::half_by_tangent(half_tangent);
+        } else {
+            heading = held(wanted_heading, headings)?;
+            (sin_h, cos_h) = trig::half_sin_cos_within(heading);
+            let level = ahead;
+            ahead = forward * (1.0 - 2.0 * sin_h * sin_h) + left * (2.0 * sin_h * cos_h);
+            if !(2.0 * ahead > level) {
+                return None;
+            }
+        }
+        // Pitches are mostly within bounds: their arctangent is taken together with the one that is needed in the end.
+        let half_tangent = up / (ahead + length(ahead, up));
+        let mut sight = self.sight(trig::half_by_tangent(half_tangent), (sin_h, cos_h));
+        let [wanted_pitch, mut remaining] = trig::twice_atan_of_both([half_tangent, sight.half_tangent]);
+        let mut pitch = wanted_pitch;
+        if !is_within(pitches, wanted_pitch) {
+            pitch = held(wanted_pitch, pitches)?;
+            sight = self.sight(trig::half_sin_cos_within(pitch), (sin_h, cos_h));
+            remaining = if sight.half_tangent > 1.0 {
+                PI - trig::twice_atan(1.0 / sight.half_tangent)
+            } else {
+                trig::twice_atan(sight.half_tangent)
+            };
+        }
+        Some(Gaze { angles: [pitch, heading], wanted: [wanted_pitch, wanted_heading], remaining, sight })
+    }
+
+    /// What a gaze with these halves of pitch and heading sees of the target.
+    #[inline(always)]
+    fn sight(&self, (sin_p, cos_p): (f32, f32), (sin_h, cos_h): (f32, f32)) -> Sight {
+        let halves = [sin_p, cos_p, sin_h, cos_h];
+        let turn = joint::turn(&self.info.axes, &self.info.planes, halves);
+        let seen = view(&self.info.axes, quick::unturned(turn, self.target));
+        let half_tangent = seen.lateral() / (self.distance + seen.forward);
+        Sight { halves, turn, cosine: seen.forward / self.distance, half_tangent }
+    }
+
+    /// Leaves the joint there at the end of a frame.
+    #[inline(always)]
+    fn put(&self, joint: &mut Joint, gaze: &Gaze, status: Status, dt: f32) -> Outcome {
+        joint.side = Side::of(self.animated.left);
+        joint.memory.blocked_s = if status == Status::Reached { 0.0 } else { joint.memory.blocked_s + dt };
+        joint.put(gaze.angles, gaze.sight.halves, gaze.sight.turn, Quat::IDENTITY);
+        let ends = |[lo, hi]: [f32; 2], angle: f32| (angle <= lo + AT_LIMIT_RAD) | (angle >= hi - AT_LIMIT_RAD);
+        let mut at_limit = JointSet::EMPTY;
+        if ends(self.ranges[0], gaze.angles[0]) | ends(self.ranges[1], gaze.angles[1]) {
+            at_limit.insert(0);
+        }
+        let (aim, remaining) = (gaze.sight.cosine, gaze.remaining);
+        Outcome { aim, remaining, status, at_limit, recovering: JointSet::EMPTY, pair_remaining: None }
+    }
+}
+
+/// A pitch and a heading, and what follows from them.
+struct Gaze {
+    angles: [f32; 2],
+    /// Those without bounds; the pitch's at this heading.
+    wanted: [f32; 2],
+    /// The angle that is left to the target, by forward kinematics.
+    remaining: f32,
+    sight: Sight,
+}
+
+/// How a correction, and the target's sight by forward kinematics: the cosine of the angle off forward, and the tangent
+/// of half of it.
+struct Sight {
+    halves: trig::Halves,
+    turn: Quat,
+    cosine: f32,
+    half_tangent: f32,
+}
+
+impl Gaze {
+    /// Whether it would be no other within these bounds.
+    #[inline(always)]
+    fn is_nearest(&self, [pitches, headings]: [[f32; 2]; 2]) -> bool {
+        [held(self.wanted[0], pitches), held(self.wanted[1], headings)] == self.angles.map(Some)
+    }
 }
 
 /// A vector of the bone's space along its axes.
@@ -110,53 +219,22 @@ fn is_ordinary(&View { forward, left, up }: &View) -> bool {
     forward > 0.0 && up * up < STEEP * level && NEAR < far && far < FAR
 }
 
-/// A pitch and a heading, and what follows from them.
-struct Gaze {
-    angles: [f32; 2],
-    /// Those without bounds; the pitch's at this heading.
-    wanted: [f32; 2],
-    halves: trig::Halves,
-    turn: Quat,
-}
-
-impl Gaze {
-    /// The one within these bounds that comes nearest to an ordinary target; `None` where the heading is so far off that
-    /// this is no matter of heading first, or where bounds leave nothing, as on the way back into a range.
-    #[inline(always)]
-    fn towards(info: &JointInfo, target: &View, headings: [f32; 2], pitches: [f32; 2]) -> Option<Self> {
-        let View { forward, left, up } = *target;
-        let wanted_heading = trig::atan2_ahead(left, forward);
-        let heading = held(wanted_heading, headings)?;
-        let (sin_h, cos_h) = trig::half_sin_cos_within(heading);
-        let ahead = forward * (1.0 - 2.0 * sin_h * sin_h) + left * (2.0 * sin_h * cos_h);
-        if !(4.0 * ahead * ahead > forward * forward + left * left && ahead > 0.0) {
-            return None;
-        }
-        let wanted_pitch = trig::atan2_ahead(up, ahead);
-        let pitch = held(wanted_pitch, pitches)?;
-        let (sin_p, cos_p) = trig::half_sin_cos_within(pitch);
-        let halves = [sin_p, cos_p, sin_h, cos_h];
-        let turn = joint::turn(&info.axes, &info.planes, halves);
-        Some(Self { angles: [pitch, heading], wanted: [wanted_pitch, wanted_heading], halves, turn })
-    }
-
-    /// Whether it would be no other within these bounds.
-    #[inline(always)]
-    fn is_nearest(&self, headings: [f32; 2], pitches: [f32; 2]) -> bool {
-        [held(self.wanted[0], pitches), held(self.wanted[1], headings)] == self.angles.map(Some)
-    }
-
-    /// What it sees of a target of the bone's space.
-    #[inline(always)]
-    fn sees(&self, info: &JointInfo, target: Vec3A) -> View {
-        view(&info.axes, quick::unturned(self.turn, target))
-    }
+/// Whether an angle is within bounds.
+#[inline(always)]
+fn is_within([lo, hi]: [f32; 2], angle: f32) -> bool {
+    lo <= angle && angle <= hi
 }
 
 /// The angle nearest to `angle` within bounds, if those leave any.
 #[inline(always)]
 fn held(angle: f32, [lo, hi]: [f32; 2]) -> Option<f32> {
     (lo <= hi).then(|| lesser(greater(angle, lo), hi))
+}
+
+/// The length of a vector of a plane.
+#[inline(always)]
+fn length(x: f32, y: f32) -> f32 {
+    <f32 as Scalar>::sqrt(x * x + y * y)
 }
 
 /// The greater of two numbers: what to do about NaN takes the library's own as many instructions again.

@@ -302,14 +302,15 @@ pub(crate) fn common_scale(pose: &[Affine3A]) -> Option<f32> {
     const PLAIN: Range<f32> = 1e-12..1e12;
     let squares = |Mat3A { x_axis: x, y_axis: y, z_axis: z }| x * x + y * y + z * z;
     let square = squares(pose.first()?.matrix3).x;
+    let squares_alike = Vec3A::splat(square);
     // As in `similar`, all that is off taken together.
     let mut off = Vec3A::splat(-0.0);
     for joint in pose {
         let Mat3A { x_axis: x, y_axis: y, z_axis: z } = joint.matrix3;
         let products = x * x.yzx() + y * y.yzx() + z * z.yzx();
-        off += (squares(joint.matrix3) - square).abs() + products.abs();
+        off += (squares(joint.matrix3) - squares_alike).abs() + products.abs();
     }
-    (off.cmple(Vec3A::splat(OFF * square)).all() && PLAIN.contains(&square)).then_some(square)
+    (off.cmple(squares_alike * OFF).all() && PLAIN.contains(&square)).then_some(square)
 }
 
 /// Each joint's animated transform in the next joint's space, the last one's in solver space.

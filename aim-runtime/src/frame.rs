@@ -39,15 +39,16 @@ pub(crate) fn aim<R: AimRig>(
     dt: f32,
     settings: &Settings,
 ) -> Outcome {
-    let moves = dt > 0.0;
-    let dt = if moves { dt.min(LONGEST_FRAME_S) } else { 0.0 };
-    let is_exact = pose_ps.pair.is_none() && solver(rig, settings) == Solver::Exact;
-    if moves && pose_ps.pair.is_none() && rig.joint_infos().len() == 1 && solver(rig, settings) != Solver::Ascent {
-        if let Some(outcome) = alone::aim(rig, pose_ps, target_ps.into(), dt, settings) {
+    if !(dt > 0.0) {
+        return aim_with_care(rig, *pose_ps, target_ps, 0.0, settings);
+    }
+    let dt = dt.min(LONGEST_FRAME_S);
+    if is_alone(rig, pose_ps, settings) {
+        if let Some(outcome) = alone::aim(rig, pose_ps, target_ps, dt, settings) {
             return outcome;
         }
     }
-    if moves && is_exact {
+    if pose_ps.pair.is_none() && solver(rig, settings) == Solver::Exact {
         if let Some(outcome) = quick::aim(rig, pose_ps, target_ps.into(), dt, settings, level(pose_ps)) {
             return outcome;
         }
@@ -65,6 +66,11 @@ fn aim_with_care<R: AimRig>(
     settings: &Settings,
 ) -> Outcome {
     let pose_ps = &pose_ps;
+    if dt > 0.0 && is_alone(rig, pose_ps, settings) {
+        if let Some(outcome) = alone::aim_in_haste(rig, pose_ps, target_ps, dt, settings) {
+            return outcome;
+        }
+    }
     let mut joints = rig.joints();
     let motions = motions(rig, pose_ps);
     let motions = motions.as_ref();
@@ -161,6 +167,12 @@ fn aim_joints<R: AimRig>(
         joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
     }
     finish(rig, &chain, motions, &goal, joints, frame.tolerance, within_reach)
+}
+
+/// Whether there is a single joint, and nothing that would want more than angles in closed form.
+#[inline(always)]
+fn is_alone<R: AimRig>(rig: &R, pose_ps: &Animated<'_>, settings: &Settings) -> bool {
+    rig.joint_infos().len() == 1 && pose_ps.pair.is_none() && solver(rig, settings) != Solver::Ascent
 }
 
 /// The solver that moves the joints.

@@ -439,11 +439,13 @@ impl Joint {
     /// angles.
     #[inline(always)]
     pub(crate) fn own_correction(&self, info: &JointInfo) -> Quat {
-        if self.is_halved() {
-            self.turned
-        } else {
-            tilted(turn(&info.axes, &info.planes, self.halves_anew()), self.tilt)
-        }
+        if self.is_halved() { self.turned } else { self.own_correction_anew(info) }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn own_correction_anew(&self, info: &JointInfo) -> Quat {
+        tilted(turn(&info.axes, &info.planes, trig::halves(self)), self.tilt)
     }
 }
 

@@ -9,7 +9,7 @@ use core::f32::consts::{FRAC_PI_2, PI};
 
 use glam::{Vec4, Vec4Swizzles};
 
-use crate::{Joint, math};
+use crate::{Joint, Scalar, math};
 
 /// sin(p/2), cos(p/2), sin(h/2), cos(h/2) of a joint.
 pub(crate) type Halves = [f32; 4];
@@ -17,6 +17,17 @@ pub(crate) type Halves = [f32; 4];
 /// The series of the sine after x, and of the cosine after 1 − x²/2.
 const SIN: [f32; 4] = [-0.166_666_61, 0.008_333_088, -0.000_198_111_11, 2.608_929_2e-6];
 const COS: [f32; 4] = [0.041_666_657, -0.001_388_856_9, 2.476_930_2e-5, -2.619_379e-7];
+/// The series of the arctangent after x.
+const ATAN: [f32; 8] = [
+    -0.333_331_67,
+    0.199_941_37,
+    -0.142_142_07,
+    0.106_789_31,
+    -0.075_805_56,
+    0.043_553_248,
+    -0.016_580_988,
+    0.002_974_536_7,
+];
 
 /// The sine and cosine of an angle within ±90°; their squares add up to 1 within 2e-7.
 #[inline(always)]
@@ -37,6 +48,13 @@ pub(crate) fn half_sin_cos(angle_rad: f32) -> (f32, f32) {
 #[inline(always)]
 pub(crate) fn half_sin_cos_within(angle_rad: f32) -> (f32, f32) {
     within_quarter(0.5 * angle_rad)
+}
+
+/// The same of the angle whose half has this tangent.
+#[inline(always)]
+pub(crate) fn half_by_tangent(half_tangent: f32) -> (f32, f32) {
+    let cos = 1.0 / <f32 as Scalar>::sqrt(1.0 + half_tangent * half_tangent);
+    (half_tangent * cos, cos)
 }
 
 /// The sines and cosines of the halves of four angles within ±180°, radians: the same bits as one by one.
@@ -86,27 +104,36 @@ pub(crate) fn atan2(y: f32, x: f32) -> f32 {
     if y < 0.0 { -turn } else { turn }
 }
 
-/// The same for a positive x.
-#[inline(always)]
-pub(crate) fn atan2_ahead(y: f32, x: f32) -> f32 {
-    within_right_angle(y.abs(), x).copysign(y)
-}
-
 /// The same for a point other than the origin with neither coordinate negative.
 #[inline(always)]
 fn within_right_angle(across: f32, along: f32) -> f32 {
     let (small, large) = if across > along { (along, across) } else { (across, along) };
     let t = small / large;
-    let tt = t * t;
-    let turn = t + t
-        * tt
-        * (-0.333_331_67
-            + tt * (0.199_941_37
-                + tt * (-0.142_142_07
-                    + tt * (0.106_789_31
-                        + tt * (-0.075_805_56
-                            + tt * (0.043_553_248 + tt * (-0.016_580_988 + tt * 0.002_974_536_7)))))));
+    let turn = atan_within(t);
     if across > along { FRAC_PI_2 - turn } else { turn }
+}
+
+/// Twice the arctangent of a number within ±1: the angle whose half has this tangent.
+#[inline(always)]
+pub(crate) fn twice_atan(half_tangent: f32) -> f32 {
+    2.0 * atan_within(half_tangent)
+}
+
+/// The same of two numbers at once: the same bits as one by one.
+#[inline(always)]
+pub(crate) fn twice_atan_of_both([a, b]: [f32; 2]) -> [f32; 2] {
+    let t = Vec4::new(a, b, a, b);
+    let tt = t * t;
+    let series = ATAN[..7].iter().rev().fold(Vec4::splat(ATAN[7]), |sum, &next| sum * tt + Vec4::splat(next));
+    let [a, b, ..] = ((t + t * tt * series) * 2.0).to_array();
+    [a, b]
+}
+
+/// The arctangent of a number within ±1.
+#[inline(always)]
+fn atan_within(t: f32) -> f32 {
+    let tt = t * t;
+    t + t * tt * ATAN[..7].iter().rev().fold(ATAN[7], |sum, &next| sum * tt + next)
 }
 
 #[cfg(test)]

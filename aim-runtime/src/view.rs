@@ -17,16 +17,22 @@ impl View {
         trig::atan2(math::sqrt(self.left * self.left + self.up * self.up), self.forward)
     }
 
-    /// The cosine of the angle off forward; NaN where there is none.
+    /// How far away the target is.
     #[inline(always)]
-    pub(crate) fn cosine(&self) -> f32 {
-        self.forward / <f32 as Scalar>::sqrt(self.forward * self.forward + self.left * self.left + self.up * self.up)
+    pub(crate) fn distance(&self) -> f32 {
+        <f32 as Scalar>::sqrt(self.forward * self.forward + self.left * self.left + self.up * self.up)
+    }
+
+    /// How far off forward the target is.
+    #[inline(always)]
+    pub(crate) fn lateral(&self) -> f32 {
+        <f32 as Scalar>::sqrt(self.left * self.left + self.up * self.up)
     }
 
     /// The tangent of the angle off forward, for a target in front.
     #[inline(always)]
     pub(crate) fn tangent(&self) -> f32 {
-        <f32 as Scalar>::sqrt(self.left * self.left + self.up * self.up) / self.forward
+        self.lateral() / self.forward
     }
 
     /// The square of the angle where it is small: without an arctangent.
