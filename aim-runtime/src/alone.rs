@@ -18,6 +18,9 @@ use crate::{AimRig, Axes, Joint, JointInfo, JointSet, Outcome, Scalar, Settings,
 
 /// The squared tangent of the elevation, 60°, beyond which headings tremble with their target.
 const STEEP: f32 = 3.0;
+/// The part of a target's distance that is ahead, seen from above, below which a heading is so far off, 80°, that pitches
+/// tremble with it.
+const FAR_OFF: f32 = 0.173_648_18;
 /// How far away an ordinary target is, in lengths of the bone's own space; squared.
 const NEAR: f32 = 1e-6;
 const FAR: f32 = 1e8;
@@ -34,10 +37,10 @@ pub(crate) fn aim<R: AimRig>(
 ) -> Option<Outcome> {
     let eye = Eye::new(rig, pose_ps, target_ps, settings)?;
     let joint = rig.joint_mut(0)?;
-    let gaze = eye.gaze(eye.reach(joint, dt)?)?;
+    let gaze = eye.gaze(joint, eye.reach(joint, dt)?)?;
     let status = if gaze.remaining <= settings.effective_tolerance() {
         Status::Reached
-    } else if gaze.is_nearest(eye.ranges) {
+    } else if gaze.is_nearest {
         Status::AtLimit
     } else {
         return None;
@@ -56,8 +59,8 @@ pub(crate) fn aim_in_haste<R: AimRig>(
 ) -> Option<Outcome> {
     let eye = Eye::new(rig, pose_ps, target_ps, settings)?;
     let joint = rig.joint_mut(0)?;
-    let gaze = eye.gaze(eye.reach(joint, dt)?)?;
-    let within_reach = eye.gaze(eye.ranges)?.remaining <= settings.effective_tolerance();
+    let gaze = eye.gaze(joint, eye.reach(joint, dt)?)?;
+    let within_reach = eye.gaze(joint, eye.ranges)?.remaining <= settings.effective_tolerance();
     Some(eye.put(joint, &gaze, if within_reach { Status::RateLimited } else { Status::AtLimit }, dt))
 }
 
@@ -117,24 +120,10 @@ impl Eye {
     /// The gaze within these bounds that comes nearest to the target; `None` where the heading is so far off that this is
     /// no matter of heading first, or where bounds leave nothing, as on the way back into a range.
     #[inline(always)]
-    fn gaze(&self, [pitches, headings]: [[f32; 2]; 2]) -> Option<Gaze> {
-        let View { forward, left, up } = self.animated;
-        let mut ahead = length(forward, left);
-        let half_tangent = left / (ahead + forward);
-        let wanted_heading = trig::twice_atan(half_tangent);
-        let (heading, sin_h, cos_h);
-        if is_within(headings, wanted_heading) {
-            heading = wanted_heading;
-            (sin_h, cos_h) = trig::half_by_tangent(half_tangent);
-        } else {
-            heading = held(wanted_heading, headings)?;
-            (sin_h, cos_h) = trig::half_sin_cos_within(heading);
-            let level = ahead;
-            ahead = forward * (1.0 - 2.0 * sin_h * sin_h) + left * (2.0 * sin_h * cos_h);
-            if !(2.0 * ahead > level) {
-                return None;
-            }
-        }
+    fn gaze(&self, joint: &Joint, [pitches, headings]: [[f32; 2]; 2]) -> Option<Gaze> {
+        let up = self.animated.up;
+        let Sideways { heading, mut is_nearest, half: (sin_h, cos_h), ahead } =
+            self.stays(joint).or_else(|| self.sideways(headings))?;
         // Pitches are mostly within bounds: their arctangent is taken together with the one that is needed in the end.
         let half_tangent = up / (ahead + length(ahead, up));
         let mut sight = self.sight(trig::half_by_tangent(half_tangent), (sin_h, cos_h));
@@ -142,6 +131,7 @@ impl Eye {
         let mut pitch = wanted_pitch;
         if !is_within(pitches, wanted_pitch) {
             pitch = held(wanted_pitch, pitches)?;
+            is_nearest &= Some(pitch) == held(wanted_pitch, self.ranges[0]);
             sight = self.sight(trig::half_sin_cos_within(pitch), (sin_h, cos_h));
             remaining = if sight.half_tangent > 1.0 {
                 PI - trig::twice_atan(1.0 / sight.half_tangent)
@@ -149,7 +139,47 @@ impl Eye {
                 trig::twice_atan(sight.half_tangent)
             };
         }
-        Some(Gaze { angles: [pitch, heading], wanted: [wanted_pitch, wanted_heading], remaining, sight })
+        Some(Gaze { angles: [pitch, heading], is_nearest, remaining, sight })
+    }
+
+    /// The heading of a joint that is at an end of its range already, when the target is further that way.
+    #[inline(always)]
+    fn stays(&self, joint: &Joint) -> Option<Sideways> {
+        let View { forward, left, .. } = self.animated;
+        // The very end, bit by bit.
+        let [is_rightmost, is_leftmost] = self.ranges[1].map(|end| end.to_bits() == joint.heading.to_bits());
+        if !((is_rightmost || is_leftmost) && joint.is_halved()) {
+            return None;
+        }
+        let [.., sin_h, cos_h] = joint.halves;
+        let (sin, cos) = (2.0 * sin_h * cos_h, 1.0 - 2.0 * sin_h * sin_h);
+        let (ahead, aside) = (forward * cos + left * sin, left * cos - forward * sin);
+        let is_beyond = if is_leftmost { aside > 0.0 } else { aside < 0.0 };
+        (is_beyond && ahead > FAR_OFF * aside.abs()).then_some(Sideways {
+            heading: joint.heading,
+            is_nearest: true,
+            half: (sin_h, cos_h),
+            ahead,
+        })
+    }
+
+    /// The heading within these bounds that comes nearest to the target.
+    #[inline(always)]
+    fn sideways(&self, headings: [f32; 2]) -> Option<Sideways> {
+        let View { forward, left, .. } = self.animated;
+        let level = length(forward, left);
+        let half_tangent = left / (level + forward);
+        let wanted = trig::twice_atan(half_tangent);
+        if is_within(headings, wanted) {
+            let half = trig::half_by_tangent(half_tangent);
+            return Some(Sideways { heading: wanted, is_nearest: true, half, ahead: level });
+        }
+        let heading = held(wanted, headings)?;
+        let is_nearest = Some(heading) == held(wanted, self.ranges[1]);
+        let half = trig::half_sin_cos_within(heading);
+        let (sin_h, cos_h) = half;
+        let ahead = forward * (1.0 - 2.0 * sin_h * sin_h) + left * (2.0 * sin_h * cos_h);
+        (ahead > FAR_OFF * level).then_some(Sideways { heading, is_nearest, half, ahead })
     }
 
     /// What a gaze with these halves of pitch and heading sees of the target.
@@ -178,11 +208,22 @@ impl Eye {
     }
 }
 
+/// A heading.
+struct Sideways {
+    heading: f32,
+    /// Whether it would be no other, had the joint all of its range.
+    is_nearest: bool,
+    /// The sine and cosine of its half.
+    half: (f32, f32),
+    /// How far ahead the target is then, seen from above.
+    ahead: f32,
+}
+
 /// A pitch and a heading, and what follows from them.
 struct Gaze {
     angles: [f32; 2],
-    /// Those without bounds; the pitch's at this heading.
-    wanted: [f32; 2],
+    /// Whether it would be no other, had the joint all of its ranges.
+    is_nearest: bool,
     /// The angle that is left to the target, by forward kinematics.
     remaining: f32,
     sight: Sight,
@@ -195,14 +236,6 @@ struct Sight {
     turn: Quat,
     cosine: f32,
     half_tangent: f32,
-}
-
-impl Gaze {
-    /// Whether it would be no other within these bounds.
-    #[inline(always)]
-    fn is_nearest(&self, [pitches, headings]: [[f32; 2]; 2]) -> bool {
-        [held(self.wanted[0], pitches), held(self.wanted[1], headings)] == self.angles.map(Some)
-    }
 }
 
 /// A vector of the bone's space along its axes.
