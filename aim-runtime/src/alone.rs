@@ -18,8 +18,8 @@ use crate::{AimRig, Axes, Joint, JointInfo, JointSet, Outcome, Scalar, Settings,
 
 /// The squared tangent of the elevation, 60°, beyond which headings tremble with their target.
 const STEEP: f32 = 3.0;
-/// The part of a target's distance that is ahead, seen from above, below which a heading is so far off, 80°, that pitches
-/// tremble with it.
+/// How far ahead of a heading, in parts of its distance, a target has to be: within 80° or so, beyond which pitches tremble
+/// with it.
 const FAR_OFF: f32 = 0.173_648_18;
 /// How far away an ordinary target is, in lengths of the bone's own space; squared.
 const NEAR: f32 = 1e-6;
@@ -145,22 +145,17 @@ impl Eye {
     /// The heading of a joint that is at an end of its range already, when the target is further that way.
     #[inline(always)]
     fn stays(&self, joint: &Joint) -> Option<Sideways> {
-        let View { forward, left, .. } = self.animated;
         // The very end, bit by bit.
         let [is_rightmost, is_leftmost] = self.ranges[1].map(|end| end.to_bits() == joint.heading.to_bits());
         if !((is_rightmost || is_leftmost) && joint.is_halved()) {
             return None;
         }
         let [.., sin_h, cos_h] = joint.halves;
-        let (sin, cos) = (2.0 * sin_h * cos_h, 1.0 - 2.0 * sin_h * sin_h);
-        let (ahead, aside) = (forward * cos + left * sin, left * cos - forward * sin);
+        let (ahead, aside) = turned_from(&self.animated, (sin_h, cos_h));
         let is_beyond = if is_leftmost { aside > 0.0 } else { aside < 0.0 };
-        (is_beyond && ahead > FAR_OFF * aside.abs()).then_some(Sideways {
-            heading: joint.heading,
-            is_nearest: true,
-            half: (sin_h, cos_h),
-            ahead,
-        })
+        let half = (sin_h, cos_h);
+        let stays = Sideways { heading: joint.heading, is_nearest: true, half, ahead };
+        (is_beyond && ahead > FAR_OFF * aside.abs()).then_some(stays)
     }
 
     /// The heading within these bounds that comes nearest to the target.
@@ -177,8 +172,7 @@ impl Eye {
         let heading = held(wanted, headings)?;
         let is_nearest = Some(heading) == held(wanted, self.ranges[1]);
         let half = trig::half_sin_cos_within(heading);
-        let (sin_h, cos_h) = half;
-        let ahead = forward * (1.0 - 2.0 * sin_h * sin_h) + left * (2.0 * sin_h * cos_h);
+        let (ahead, _) = turned_from(&self.animated, half);
         (ahead > FAR_OFF * level).then_some(Sideways { heading, is_nearest, half, ahead })
     }
 
@@ -229,11 +223,11 @@ struct Gaze {
     sight: Sight,
 }
 
-/// How a correction, and the target's sight by forward kinematics: the cosine of the angle off forward, and the tangent
-/// of half of it.
+/// A correction, and how far off forward the target then is by forward kinematics.
 struct Sight {
     halves: trig::Halves,
     turn: Quat,
+    /// The cosine of that angle, and the tangent of its half.
     cosine: f32,
     half_tangent: f32,
 }
@@ -242,6 +236,13 @@ struct Sight {
 #[inline(always)]
 fn view(axes: &Axes, v: Vec3A) -> View {
     View { forward: along(axes.forward, v), left: along(axes.left, v), up: along(axes.up, v) }
+}
+
+/// How far ahead of a heading with these halves a target is, seen from above, and how far aside to the left.
+#[inline(always)]
+fn turned_from(&View { forward, left, .. }: &View, (sin_half, cos_half): (f32, f32)) -> (f32, f32) {
+    let (sin, cos) = (2.0 * sin_half * cos_half, 1.0 - 2.0 * sin_half * sin_half);
+    (forward * cos + left * sin, left * cos - forward * sin)
 }
 
 /// Whether a target is in front, not steep, and neither near nor far. NaN is none of these.

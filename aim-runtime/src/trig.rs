@@ -163,6 +163,15 @@ mod tests {
             let (sin, cos) = half_sin_cos_4(Vec4::new(0.1, angle, -angle, 3.0));
             assert_eq!((sin.y, cos.y), half_sin_cos(angle));
         }
+        for step in -1000_i16..=1000 {
+            let tangent = f32::from(step) * 1e-3;
+            let angle = twice_atan(tangent);
+            assert!((f64::from(angle) - 2.0 * f64::from(tangent).atan()).abs() < 4e-7, "{tangent}: {angle}");
+            assert_eq!(twice_atan_of_both([tangent, 0.3]), [angle, twice_atan(0.3)]);
+            let ((sin, cos), by_angle) = (half_by_tangent(tangent), half_sin_cos(angle));
+            assert!((sin - by_angle.0).abs().max((cos - by_angle.1).abs()) < 4e-7, "{tangent}: {sin}, {cos}");
+        }
+        assert_eq!((half_by_tangent(0.0), twice_atan(0.0)), ((0.0, 1.0), 0.0));
         assert_eq!((half_sin_cos(0.0), atan2(0.0, 0.0), atan2(0.0, 1.0)), ((0.0, 1.0), 0.0, 0.0));
     }
 

@@ -182,3 +182,26 @@ fn a_target_that_stands_still() {
         "{heading} {outcome:?}"
     );
 }
+
+/// Whether a joint remembers its sines or has to take them anew, as a stored state put back, it looks the same way.
+#[test]
+fn at_the_ends_of_its_range_what_is_kept_changes_nothing() {
+    let mut rig = Lending(NumericRig::new(vec![NumericRig::thug().infos[0]]));
+    let pose = Pose { joints: vec![Affine3A::IDENTITY] };
+    let mut at_end = 0;
+    for step in 0..2000_u16 {
+        let t = f32::from(step);
+        let target = Vec3::new(0.3 * (0.05 * t).sin(), 1.0, 2.5 * (0.021 * t).sin());
+        let mut anew = Lending(rig.0.clone());
+        anew.0.joints[0] = Joint::with_angles(rig.0.joints[0].heading(), rig.0.joints[0].pitch());
+        let [kept, taken] = [&mut rig, &mut anew].map(|rig| {
+            let outcome = rig.aim(&pose, target, 1.0 / 60.0);
+            (outcome, rig.0.joints[0].heading(), rig.0.joints[0].pitch())
+        });
+        let apart = (kept.1 - taken.1).abs().max((kept.2 - taken.2).abs());
+        assert!(apart < 1e-6 && (kept.0.remaining - taken.0.remaining).abs() < 2e-6, "{step}: {kept:?}, {taken:?}");
+        assert_eq!((kept.0.status, kept.0.at_limit), (taken.0.status, taken.0.at_limit), "{step}");
+        at_end += i32::from(kept.0.status == Status::AtLimit);
+    }
+    assert!(at_end > 500, "{at_end}");
+}
