@@ -29,6 +29,7 @@ mod eyes;
 mod follow;
 mod frame;
 mod goal;
+pub mod ik;
 mod joint;
 mod limits;
 mod math;
