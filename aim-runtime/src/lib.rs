@@ -38,6 +38,7 @@ mod natural;
 mod outcome;
 mod pose;
 mod quick;
+pub mod reach;
 mod real;
 mod rig;
 mod scalar;
