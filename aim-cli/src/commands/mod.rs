@@ -6,6 +6,7 @@ mod count;
 mod demo;
 mod generate;
 mod inspect;
+mod reach;
 
 use crate::args::Command;
 use crate::failure::Result;
@@ -19,5 +20,6 @@ pub(crate) fn run(command: Command) -> Result {
         Command::Count(arguments) => count::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
+        Command::Reach(arguments) => reach::run(&arguments),
     }
 }
