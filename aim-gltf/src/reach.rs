@@ -74,6 +74,8 @@ pub struct Arrival {
     pub frame: usize,
     /// Where the bone was led: the target, or the point nearest to it that the limb reaches at that time.
     pub aimed: DVec3,
+    /// Whether the target is within reach, too far or too near.
+    pub reach: TwoBoneStatus,
 }
 
 /// One frame. Points are in the world.
@@ -122,7 +124,10 @@ pub fn reach(plan: &ReachPlan<'_>) -> Result<Reached, Error> {
         .goals
         .iter()
         .zip(goal_frames)
-        .map(|(&goal, frame)| Arrival { goal, frame, aimed: within_reach(limbs[frame], goal.target) })
+        .map(|(&goal, frame)| {
+            let (aimed, reach) = within_reach(limbs[frame], goal.target);
+            Arrival { goal, frame, aimed, reach }
+        })
         .collect();
 
     let (points, wanted, outcome) = deform(&limbs, &times, &arrivals, length);
@@ -185,33 +190,31 @@ fn bones([root, middle, tip]: [DVec3; 3]) -> [f64; 2] {
     [root.distance(middle), middle.distance(tip)]
 }
 
-/// The point nearest to the target that the limb reaches from where its root is.
-fn within_reach(limb: [DVec3; 3], target: DVec3) -> DVec3 {
+/// The point nearest to the target that the limb reaches from where its root is, and whether that is the target.
+fn within_reach(limb: [DVec3; 3], target: DVec3) -> (DVec3, TwoBoneStatus) {
     let [upper, lower] = bones(limb);
     let (way, near, far) = (target - limb[0], (upper - lower).abs(), upper + lower);
-    let distance = way.length();
-    if distance > far || distance < near {
-        limb[0] + way.try_normalize().unwrap_or(DVec3::X) * distance.clamp(near, far)
-    } else {
-        target
+    let at = |distance: f64| limb[0] + way.try_normalize().unwrap_or(DVec3::X) * distance;
+    match way.length() {
+        distance if distance > far => (at(far), TwoBoneStatus::TooFar),
+        distance if distance < near => (at(near), TwoBoneStatus::TooNear),
+        _ => (target, TwoBoneStatus::Reached),
     }
 }
 
-/// The trajectory as animated, and deformed; about its first point and in units of the limb, where single precision is
-/// finest. What does not move stays exactly where it is.
+/// The trajectory as animated, and deformed: seen from the limb's root, which walks along with the character, and in units
+/// of the limb, where single precision is finest. What does not move stays exactly where it is.
 fn deform(limbs: &[[DVec3; 3]], times: &[f32], arrivals: &[Arrival], length: f64) -> (Vec<DVec3>, Vec<DVec3>, Outcome) {
+    let seen = |point: DVec3, frame: usize| ((point - limbs[frame][0]) / length).as_vec3();
     let points: Vec<DVec3> = limbs.iter().map(|limb| limb[2]).collect();
-    let first = points[0];
-    let scaled = |point: DVec3| ((point - first) / length).as_vec3();
-    let rest: Vec<Vec3> = points.iter().map(|&point| scaled(point)).collect();
-    let waypoints: Vec<Waypoint> =
-        arrivals.iter().map(|arrival| Waypoint::new(arrival.frame, scaled(arrival.aimed))).collect();
+    let rest: Vec<Vec3> = points.iter().enumerate().map(|(frame, &point)| seen(point, frame)).collect();
+    let waypoints = arrivals.iter().map(|arrival| Waypoint::new(arrival.frame, seen(arrival.aimed, arrival.frame)));
+    let waypoints: Vec<Waypoint> = waypoints.collect();
     let (mut through, mut nodes) = (rest.clone(), vec![Node::default(); rest.len()]);
     let outcome = Trajectory::new(&rest).with_times(times).deform(&waypoints, &mut through, &mut nodes);
-    let wanted = points
-        .iter()
-        .zip(rest.iter().zip(&through))
-        .map(|(&point, (rest, through))| if rest == through { point } else { first + through.as_dvec3() * length });
+    let wanted = limbs.iter().zip(rest.iter().zip(&through)).map(|(limb, (rest, through))| {
+        if rest == through { limb[2] } else { limb[0] + through.as_dvec3() * length }
+    });
     let mut wanted: Vec<DVec3> = wanted.collect();
     for arrival in arrivals {
         wanted[arrival.frame] = arrival.aimed;

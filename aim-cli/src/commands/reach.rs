@@ -75,7 +75,7 @@ impl Report {
                 at: arrival.goal.at,
                 target: arrival.goal.target.to_array(),
                 aimed: arrival.aimed.to_array(),
-                status: match reached.frames[arrival.frame].status {
+                status: match arrival.reach {
                     _ if error <= REACHED * reached.length => "reached",
                     TwoBoneStatus::TooNear => "too_near",
                     _ => "too_far",
