@@ -212,9 +212,10 @@ fn deform(limbs: &[[DVec3; 3]], times: &[f32], arrivals: &[Arrival], length: f64
     let waypoints: Vec<Waypoint> = waypoints.collect();
     let (mut through, mut nodes) = (rest.clone(), vec![Node::default(); rest.len()]);
     let outcome = Trajectory::new(&rest).with_times(times).deform(&waypoints, &mut through, &mut nodes);
-    let wanted = limbs.iter().zip(rest.iter().zip(&through)).map(|(limb, (rest, through))| {
-        if rest == through { limb[2] } else { limb[0] + through.as_dvec3() * length }
-    });
+    let wanted = limbs
+        .iter()
+        .zip(rest.iter().zip(&through))
+        .map(|(limb, (rest, through))| if rest == through { limb[2] } else { limb[0] + through.as_dvec3() * length });
     let mut wanted: Vec<DVec3> = wanted.collect();
     for arrival in arrivals {
         wanted[arrival.frame] = arrival.aimed;

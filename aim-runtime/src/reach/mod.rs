@@ -160,6 +160,13 @@ impl<'a> Trajectory<'a> {
         self
     }
 
+    /// Until this part of the first gradient is left.
+    #[must_use]
+    pub const fn with_tolerance(mut self, tolerance: f32) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
     /// Writes the trajectory through the waypoints to `out`. `workspace` and `out` are at least as long as the trajectory.
     ///
     /// It starts from [`smoothest`](Self::smoothest), so the same input gives the same curve.
