@@ -261,3 +261,21 @@ fn whatever_the_bits() {
     let outcome = Trajectory::new(&[Vec3::ZERO; 5]).deform(&[], &mut out, &mut nodes);
     assert_eq!(outcome.status, Status::Degenerate);
 }
+
+/// However finely it is sampled, it is about the same curve.
+#[test]
+fn any_frame_rate() {
+    let path = |t: f32| Vec3::new((2.0 * t).cos(), (3.0 * t).sin(), 0.3 * t);
+    let curve = |frames: u16| {
+        let points: Vec<Vec3> = (0..=frames).map(|i| path(f32::from(i) / f32::from(frames))).collect();
+        let at = usize::from(frames) * 2 / 5;
+        let (out, outcome) = deformed(&Trajectory::new(&points), &[Waypoint::new(at, points[at] + Vec3::Z * 0.2)]);
+        assert_eq!(outcome.status, Status::Met);
+        out.into_iter().step_by(usize::from(frames) / 60).collect::<Vec<_>>()
+    };
+    let coarse = curve(60);
+    for frames in [240, 600, 6000] {
+        let apart = curve(frames).iter().zip(&coarse).map(|(a, b)| a.distance(*b)).fold(0.0, f32::max);
+        assert!(apart < 0.02, "{frames} frames: {apart}");
+    }
+}

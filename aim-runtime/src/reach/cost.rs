@@ -241,7 +241,7 @@ fn spread(mut points: impl Iterator<Item = Point>) -> f64 {
 
 /// From the first to the last of so many.
 #[expect(clippy::cast_precision_loss, reason = "no trajectory has so many frames")]
-fn steps(frames: usize) -> f64 {
+pub(super) fn steps(frames: usize) -> f64 {
     frames.saturating_sub(1) as f64
 }
 

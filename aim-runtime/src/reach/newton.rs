@@ -5,12 +5,12 @@
 //! is held by the smoothing alone and steps overshoot: more than sixty evaluations where this takes ten.
 
 use super::banded::{factor, solve};
-use super::cost::{At, Problem, extent_of};
+use super::cost::{At, Problem, extent_of, steps};
 use super::node::{dot, plus};
 use crate::Scalar;
 
-/// Gradients this small beside the trajectory's extent are rounding.
-const ROUNDING: f64 = 1e-14;
+/// What rounding of a point makes of a gradient, beside the extent and the weights that are on its second difference.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// No point has further to go than this part of the extent, where all is done.
 const SETTLED: f64 = 1e-4;
 /// The least damping, beside second derivatives of a place, which are around 1.
@@ -55,7 +55,9 @@ impl Problem<'_> {
         let mut damping = 0.0;
         let mut first = None;
         let extent = extent_of(self.nodes);
-        let (rounding, settled) = (ROUNDING * extent, SETTLED * extent);
+        let weight = <f64 as Scalar>::sqrt(1.0 + self.epsilon);
+        let rounding = ROUNDING * extent * weight * weight * <f64 as Scalar>::sqrt(steps(self.nodes.len()));
+        let settled = SETTLED * extent;
         loop {
             while !self.factored(damping, true) && damping < MOST {
                 damping = FIRST[1].max(4.0 * damping);
@@ -80,7 +82,7 @@ impl Problem<'_> {
             let found = self.cost(At::Trial);
             evaluated += 1;
             // A place is known to rounding of the extent, so a square of its change to that times the change.
-            let noise = 8.0 * f64::EPSILON * extent * <f64 as Scalar>::sqrt(cost);
+            let noise = 2.0 * ROUNDING * extent * weight * <f64 as Scalar>::sqrt(cost);
             if found <= cost * (1.0 + 4.0 * f64::EPSILON) + noise {
                 let is_trusted = cost - found > 0.5 * predicted;
                 damping *= if is_trusted { 0.125 } else { 2.0 };
