@@ -59,10 +59,27 @@ pub type Rigid = glam::Affine3A;
 #[cfg(feature = "f64")]
 pub type DRigid = glam::DAffine3;
 
+/// The rigs that the package's `build.rs` compiled with `aim_codegen::build::rigs`, each a struct under its own name.
+///
+/// Takes the folder's or the file's name without its extension:
+///
+/// ```ignore
+/// // build.rs: aim_codegen::build::rigs("rigs");
+/// aim::include_rigs!("rigs");
+///
+/// let mut hero = Hero::default();
+/// ```
+#[macro_export]
+macro_rules! include_rigs {
+    ($name:literal) => {
+        ::core::include!(::core::concat!(::core::env!("OUT_DIR"), "/", $name, ".rs"));
+    };
+}
+
 /// The bundled rigs, compiled from `rigs/*.toml`.
 #[cfg(feature = "rigs")]
 pub mod rigs {
-    include!(concat!(env!("OUT_DIR"), "/rigs.rs"));
+    include_rigs!("rigs");
 }
 
 /// What emitted code names; not for hand-written code.

@@ -5,6 +5,8 @@
 //!
 //! The derive macro, a `build.rs` and the command all come through here, so their code is the same.
 
+#[cfg(feature = "toml")]
+pub mod build;
 pub mod declare;
 pub mod emit;
 mod function;
@@ -40,23 +42,14 @@ pub fn derive(input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
     }
 }
 
-/// The Rust code of a rig's TOML file: the struct that a derive would have found, and what the derive makes of it.
+/// The Rust code of a rig that was not declared as a struct: the struct that a derive would have found, and what the
+/// derive makes of it.
 ///
 /// `krate` is the path of the facade, `::aim` for its users.
-///
-/// # Errors
-///
-/// Everything that is wrong with the declaration.
-#[cfg(feature = "toml")]
-pub fn rust_from_toml(
-    file_name: &str,
-    text: &str,
-    krate: proc_macro2::TokenStream,
-) -> Result<proc_macro2::TokenStream, declare::Diagnostics> {
-    let spec = declare::from_toml(file_name, text)?;
-    let programs = RigPrograms::derive(&spec);
-    let rig = emit::Rig { spec: &spec, programs: &programs };
-    Ok(emit::rust::emit_with_struct(&rig, &emit::rust::Item::of(&spec, krate)))
+pub fn rust_of(spec: &RigSpec, krate: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
+    let programs = RigPrograms::derive(spec);
+    let rig = emit::Rig { spec, programs: &programs };
+    emit::rust::emit_with_struct(&rig, &emit::rust::Item::of(spec, krate))
 }
 
 /// Emitted Rust as a readable file's text.

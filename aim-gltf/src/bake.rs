@@ -4,7 +4,7 @@ use core::f32::consts::TAU;
 use std::sync::Arc;
 
 use aim_runtime::{AimRig, Joint, Outcome, Pose, Settings};
-use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
+use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat};
 
 use crate::clip::{Channel, Clip};
 use crate::document::Document;
@@ -297,10 +297,10 @@ fn apply<R: AimRig>(rig: &R, chain: &ChainNodes, pair: Option<Quat>, skeleton: &
     let eye = chain.joints[0];
     let before = pose[eye].rotation.as_dquat();
     for (joint, correction) in rig.corrections() {
-        correct(&mut pose[chain.joints[joint]], correction);
+        pose[chain.joints[joint]].turn(correction);
     }
     match (chain.pair, pair) {
-        (Some(node), Some(correction)) => correct(&mut pose[node], correction),
+        (Some(node), Some(correction)) => pose[node].turn(correction),
         (Some(node), None) => follow(eye, before, node, skeleton, pose),
         (None, _) => {}
     }
@@ -318,17 +318,6 @@ fn follow(eye: usize, before: DQuat, pair: usize, skeleton: &Skeleton, pose: &mu
     let to_pair = parent(pair).transpose() * parent(eye);
     let turn = DQuat::from_mat3(&(to_pair * turn * to_pair.transpose())).as_quat();
     pose[pair].rotation = (turn * pose[pair].rotation).normalize();
-}
-
-fn correct(local: &mut Trs, correction: Quat) {
-    local.rotation = (local.rotation * mirrored(correction, local.scale)).normalize();
-}
-
-/// A correction of the bone's space, moved in front of the bone's own mirroring scale.
-fn mirrored(correction: Quat, scale: Vec3) -> Quat {
-    let sign = scale.signum();
-    let axis = sign.x * sign.y * sign.z * sign * correction.xyz();
-    Quat::from_xyzw(axis.x, axis.y, axis.z, correction.w)
 }
 
 /// The sign of a quaternion that interpolates the short way from the one before.

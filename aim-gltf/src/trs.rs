@@ -30,6 +30,14 @@ impl Trs {
         DAffine3::from_scale_rotation_translation(self.scale.as_dvec3(), rotation, self.translation.as_dvec3())
     }
 
+    /// Turns the node by a correction of its own space: `local' = local · correction`. It keeps its scale, which where it
+    /// mirrors mirrors the correction, too.
+    pub fn turn(&mut self, correction: Quat) {
+        let sign = self.scale.signum();
+        let axis = sign.x * sign.y * sign.z * sign * correction.xyz();
+        self.rotation = (self.rotation * Quat::from_xyzw(axis.x, axis.y, axis.z, correction.w)).normalize();
+    }
+
     /// Takes a matrix apart. A mirrored one gets a negative x scale; shear is dropped; a singular one keeps
     /// its column lengths as scale and the nearest rotation there is.
     #[must_use]

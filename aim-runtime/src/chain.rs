@@ -1,12 +1,16 @@
 //! [`Chain`]: a pose made ready for aiming, in units of the rig's own size, with the true forward kinematics that
 //! judges and the rigid links that the derived kernels search with.
 
+use core::ops::Range;
+
 use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec3Swizzles};
 
 use crate::{AimRig, Axes, Joint, JointInfo, Scalar, math};
 
 /// Nearer to the effector than this part of the rig's size a target has no direction.
 pub(crate) const TOO_NEAR: f32 = 1e-5;
+/// How far from square or from equal length joints' axes may be in a rigid pose, all that is off taken together.
+const OFF: f32 = 1e-4;
 /// Farther than this many sizes of the rig a target is a mere direction.
 const FAR: f32 = 1e6;
 
@@ -55,6 +59,8 @@ pub(crate) struct Chain<R: AimRig> {
     pub(crate) count: usize,
     /// The effector in its joint's bone space; its origin in solver-space lengths where the pose is rigid.
     effector: Ray,
+    /// The effector in solver space as the animation has it.
+    animated: Ray,
     /// Each joint's animated transform in the next joint's space; the last one's in solver space. Only where the pose
     /// is not rigid: else the links say the same.
     local: Option<R::Array<Affine3A>>,
@@ -144,10 +150,16 @@ impl<R: AimRig> Chain<R> {
             Some(local(rig, pose, first, origin, per_size)?)
         };
         let base = Affine3A { matrix3: frames[count - 1], translation: Vec3A::ZERO };
-        let chain = Self { first, count, effector, local, links, tilts, base, origin, per_size };
+        let tilt = tilts.as_ref()[first];
+        let upright =
+            if is_identity(tilt) { effector.direction } else { math::turned(tilt.conjugate(), effector.direction) };
+        let animated =
+            Ray { origin: (pose[first].translation - origin + offset) * per_size, direction: frames[first] * upright };
+        let mut chain = Self { first, count, effector, animated, local, links, tilts, base, origin, per_size };
         if !rigid {
+            chain.animated = (first..count).fold(effector, |ray, index| chain.outward(index, ray));
             // A direction of no length (or of none after a flat scale) aims nowhere.
-            math::direction(chain.animated_gaze().direction)?;
+            math::direction(chain.animated.direction)?;
         }
         Some(chain)
     }
@@ -185,9 +197,10 @@ impl<R: AimRig> Chain<R> {
             None => {
                 // Links stand between levelled frames.
                 let tilts = self.tilts.as_ref();
-                let ray = ray.turned(tilts[joint].conjugate());
+                let turned = |ray: Ray, tilt: Quat| if is_identity(tilt) { ray } else { ray.turned(tilt) };
+                let ray = turned(ray, tilts[joint].conjugate());
                 match tilts.get(joint + 1) {
-                    Some(tilt) => ray.through(&self.links.as_ref()[joint + 1]).turned(*tilt),
+                    Some(tilt) => turned(ray.through(&self.links.as_ref()[joint + 1]), *tilt),
                     None => ray.through(&self.base),
                 }
             }
@@ -227,7 +240,7 @@ impl<R: AimRig> Chain<R> {
 
     /// The effector in solver space as the animation has it.
     pub(crate) fn animated_gaze(&self) -> Ray {
-        (self.first..self.count).fold(self.effector, |ray, index| self.outward(index, ray))
+        self.animated
     }
 
     /// The target that makes the rigid links see what the true effector sees: for a rigid pose the target itself.
@@ -256,7 +269,7 @@ impl<R: AimRig> Chain<R> {
 pub(crate) fn turns<R: AimRig>(rig: &R, joints: &[Joint]) -> R::Array<Quat> {
     let mut turns = rig.array(Quat::IDENTITY);
     for ((turn, joint), info) in turns.as_mut().iter_mut().zip(joints).zip(rig.joint_infos()) {
-        *turn = joint.correction(&info.axes);
+        *turn = joint.own_correction(info);
     }
     turns
 }
@@ -265,8 +278,6 @@ pub(crate) fn turns<R: AimRig>(rig: &R, joints: &[Joint]) -> R::Array<Quat> {
 /// where its numbers are so large or small that their squares would not do.
 #[inline(always)]
 pub(crate) fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> bool {
-    /// How far from square or from equal length a joint's axes may be, all that is off taken together.
-    const OFF: f32 = 1e-4;
     // A sum that begins with −0 costs nothing for its first term.
     let mut off = Vec3A::splat(-0.0);
     for (joint, frame) in pose.iter().zip(frames) {
@@ -282,6 +293,23 @@ pub(crate) fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> bool {
         off += (squares * (per_length * per_length) - Vec3A::ONE).abs() + products.abs();
     }
     off.cmple(Vec3A::splat(OFF)).all()
+}
+
+/// The square of the scale of joints that are turned and mirrored, and scaled all alike; `None` where they are more
+/// than that, or where numbers are so large or small that their squares would not do.
+#[inline(always)]
+pub(crate) fn common_scale(pose: &[Affine3A]) -> Option<f32> {
+    const PLAIN: Range<f32> = 1e-12..1e12;
+    let squares = |Mat3A { x_axis: x, y_axis: y, z_axis: z }| x * x + y * y + z * z;
+    let square = squares(pose.first()?.matrix3).x;
+    // As in `similar`, all that is off taken together.
+    let mut off = Vec3A::splat(-0.0);
+    for joint in pose {
+        let Mat3A { x_axis: x, y_axis: y, z_axis: z } = joint.matrix3;
+        let products = x * x.yzx() + y * y.yzx() + z * z.yzx();
+        off += (squares(joint.matrix3) - square).abs() + products.abs();
+    }
+    (off.cmple(Vec3A::splat(OFF * square)).all() && PLAIN.contains(&square)).then_some(square)
 }
 
 /// Each joint's animated transform in the next joint's space, the last one's in solver space.

@@ -22,6 +22,8 @@ use crate::{AimRig, math, trig};
 
 /// An angle to the target that needs no mending, radians (6e-4°).
 const FINE_RAD: f32 = 1e-5;
+/// An angle to the target that the linear model closes to 0.04°, radians.
+const NEAR_RAD: f32 = 0.035;
 /// An angle to the target after which no new Jacobian is worth its while, radians (6e-3°).
 pub(crate) const ENOUGH_RAD: f32 = 1e-4;
 /// How often a Jacobian is used again.
@@ -47,6 +49,8 @@ pub(crate) struct Solver<'a, R: AimRig> {
     links: R::Array<[f32; 12]>,
     /// Pitch and heading of each joint.
     model: R::Array<[Angle; 2]>,
+    /// How much a pitch moves with its joint's heading because it is at an end that does.
+    rides: R::Array<f32>,
     /// What displacement means for them.
     homes: R::Array<[Home; 2]>,
     /// What a radian of gap may cost.
@@ -88,6 +92,7 @@ impl<'a, R: AimRig> Solver<'a, R> {
             target: chain.base.matrix3.transpose() * goal.aimed,
             links,
             model: rig.array([NO_ANGLE; 2]),
+            rides: rig.array(0.0),
             homes,
             dearest: dual::dearest(least_ease),
             declared,
@@ -139,6 +144,29 @@ impl<'a, R: AimRig> Solver<'a, R> {
             }
         }
         Some(self.see(joints)?.angle())
+    }
+
+    /// [`advance`](Self::advance) for a goal that has hardly moved, by the linear model alone: what that misses is left to
+    /// the next frame, and is of the second order. False, with nothing changed, where more has to be done.
+    pub(crate) fn advance_roughly(&mut self, joints: &mut [Joint], reaches: &[Reach], memory: &mut Memory) -> bool {
+        if memory.strain > 0.0 {
+            return false;
+        }
+        let Some(offset) = self.linearise(joints, reaches) else { return false };
+        if offset[0] * offset[0] + offset[1] * offset[1] > NEAR_RAD * NEAR_RAD {
+            return false;
+        }
+        self.go_part_way(joints, USUAL_PART);
+        let solution = dual::solve(self.model.as_ref(), self.wanted(joints, offset), memory.lambda, self.dearest);
+        if !solution.closed || solution.strained {
+            return false;
+        }
+        memory.lambda = solution.lambda;
+        for (index, (joint, angles)) in joints.iter_mut().zip(self.model.as_ref()).enumerate().skip(self.chain.first) {
+            [joint.pitch, joint.heading] = angles.map(|angle| solution.of(&angle));
+            joint.pitch = reaches[index].pitch_at(joint.heading).hold(joint.pitch);
+        }
+        true
     }
 
     /// Whether [`advance`](Self::advance) went as near as it gets within its reaches.
@@ -239,8 +267,10 @@ impl<'a, R: AimRig> Solver<'a, R> {
         let trial = self.trial.as_ref();
         let mut missed = [after[0] - before[0], after[1] - before[1]];
         let mut square = 0.0;
-        let changes =
-            |joint: usize| [trial[joint].pitch - joints[joint].pitch, trial[joint].heading - joints[joint].heading];
+        let changes = |joint: usize| {
+            let heading = trial[joint].heading - joints[joint].heading;
+            [trial[joint].pitch - joints[joint].pitch - self.rides.as_ref()[joint] * heading, heading]
+        };
         for (index, angles) in self.model.as_ref().iter().enumerate() {
             for (angle, change) in angles.iter().zip(changes(index)) {
                 missed = [missed[0] - angle.column[0] * change, missed[1] - angle.column[1] * change];
@@ -261,13 +291,14 @@ impl<'a, R: AimRig> Solver<'a, R> {
     /// The trial: the model's angles in a solution, within reach.
     #[inline]
     fn try_dual(&mut self, joints: &[Joint], reaches: &[Reach], solution: &Solution) {
-        let (trial, model) = (self.trial.as_mut(), self.model.as_ref());
+        let (trial, model, rides) = (self.trial.as_mut(), self.model.as_ref(), self.rides.as_ref());
         for index in 0..joints.len() {
             let joint = joints[index];
             trial[index] = if index < self.chain.first {
                 joint
             } else {
                 let [pitch, heading] = model[index].map(|angle| solution.of(&angle));
+                let pitch = pitch + rides[index] * (heading - joint.heading);
                 reaches[index].hold(&Joint { pitch, heading, ..joint })
             };
         }
@@ -340,6 +371,7 @@ impl<'a, R: AimRig> Solver<'a, R> {
                 if index < self.chain.first {
                     continue;
                 }
+                self.rides.as_mut()[index] = 0.0;
                 let angle = &mut self.model.as_mut()[index][which];
                 angle.column = match &stretch {
                     Some(stretch) => stretch.derivative(column),
@@ -360,6 +392,29 @@ impl<'a, R: AimRig> Solver<'a, R> {
             self.see(joints)?;
         }
         largest.is_finite().then_some(offset)
+    }
+
+    /// Lets pitches at an end that narrows with the heading go along with it: within a box the heading could not make
+    /// room for them. Returns whether there are any.
+    #[cold]
+    fn ride(&mut self, joints: &[Joint], reaches: &[Reach]) -> bool {
+        let mut any = false;
+        for (index, (reach, joint)) in reaches.iter().zip(joints).enumerate().skip(self.chain.first) {
+            let ride = reach.ride(joint);
+            self.rides.as_mut()[index] = ride;
+            if ride == 0.0 {
+                continue;
+            }
+            any = true;
+            let [pitch, heading] = &mut self.model.as_mut()[index];
+            heading.column = [0, 1].map(|k| heading.column[k] + ride * pitch.column[k]);
+            // The displacement of both, as functions of the heading.
+            let [own, along] = [1.0 / heading.ease, ride * ride / pitch.ease];
+            let rest = joint.heading + (pitch.rest - joint.pitch) / ride;
+            heading.rest = (own * heading.rest + along * rest) / (own + along);
+            heading.ease = 1.0 / (own + along);
+        }
+        any
     }
 
     /// The target that the rigid links are to see, in the last joint's levelled space.

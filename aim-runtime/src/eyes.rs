@@ -310,7 +310,8 @@ impl<'a, R: AimRig> Eyes<'a, R> {
     /// The other eye's correction in its own bone's space, at these angles. A mirror between the bones turns it round.
     fn correction(&self, other: &Joint) -> Quat {
         let turn = other.correction(&self.rig.joint_infos()[0].axes);
-        let sense = if self.relation.determinant() < 0.0 { -1.0 } else { 1.0 };
+        let Mat3A { x_axis, y_axis, z_axis } = self.relation;
+        let sense = if math::cross(x_axis, y_axis).dot(z_axis) < 0.0 { -1.0 } else { 1.0 };
         let axis = self.relation * Vec3A::new(turn.x, turn.y, turn.z) * sense;
         Quat::from_xyzw(axis.x, axis.y, axis.z, turn.w)
     }

@@ -56,9 +56,34 @@ impl<'a> Follower<'a> {
         self.speeding_to(joint, along.map(|part| part * speed))
     }
 
-    /// The joint a frame nearer to a stop.
+    /// The joint a frame nearer to a stop, either angle as hard as it can.
     pub(crate) fn stopping(&self, joint: &Joint) -> Joint {
-        if length(joint.velocity) == 0.0 { *joint } else { self.speeding_to(joint, [0.0; 2]) }
+        let before = joint.velocity;
+        let velocity = before.map(|speed| speed - speed.max(-self.gain).min(self.gain));
+        let way = [0, 1].map(|index| 0.5 * (before[index] + velocity[index]) * self.dt);
+        self.held(joint, way, velocity)
+    }
+
+    /// How far an angle goes on that changes at this speed, until it has [stopped](Self::stopping).
+    pub(crate) fn stopping_distance(&self, speed: f32) -> f32 {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "as many whole frames as there are"
+        )]
+        let frames = f32::from((speed.abs() / self.gain) as u16);
+        // Frames of even braking, and the last, in which less than all of it is needed.
+        let last = (speed.abs() - frames * self.gain).max(0.0);
+        speed.signum() * 0.5 * self.dt * (frames * (speed.abs() + last) + last)
+    }
+
+    /// The joint between two steps that it could take from `joint`, this part of the way from the first for either angle.
+    pub(crate) fn between(&self, joint: &Joint, steps: [&Joint; 2], parts: [f32; 2]) -> Joint {
+        let [first, second] = steps;
+        let mix = |k: usize, a: f32, b: f32| a + parts[k] * (b - a);
+        let way =
+            [mix(0, first.heading, second.heading) - joint.heading, mix(1, first.pitch, second.pitch) - joint.pitch];
+        self.held(joint, way, [0, 1].map(|k| mix(k, first.velocity[k], second.velocity[k])))
     }
 
     /// Whether the joint can come to rest at the end of this way within the frame, unnoticed: the mean speed of the frame

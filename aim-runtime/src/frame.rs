@@ -14,7 +14,7 @@ use crate::natural::Gaze;
 use crate::pose::Animated;
 use crate::settle::{Blocked, Search, search, settle, settle_from_elsewhere, settle_from_rest};
 use crate::{
-    AimRig, Ascent, Joint, JointInfo, Outcome, Role, Settings, Solver, Status, ascent, exact, math, quick, trig,
+    AimRig, Ascent, Joint, JointInfo, Outcome, Role, Settings, Solver, Status, alone, ascent, exact, math, quick, trig,
 };
 
 /// The longest frame, seconds: after a hitch nothing leaps.
@@ -39,24 +39,32 @@ pub(crate) fn aim<R: AimRig>(
     dt: f32,
     settings: &Settings,
 ) -> Outcome {
-    let dt = if dt > 0.0 { dt.min(LONGEST_FRAME_S) } else { 0.0 };
-    if pose_ps.pair.is_none() && solver(rig, settings) == Solver::Exact {
+    let moves = dt > 0.0;
+    let dt = if moves { dt.min(LONGEST_FRAME_S) } else { 0.0 };
+    let is_exact = pose_ps.pair.is_none() && solver(rig, settings) == Solver::Exact;
+    if moves && pose_ps.pair.is_none() && rig.joint_infos().len() == 1 && solver(rig, settings) != Solver::Ascent {
+        if let Some(outcome) = alone::aim(rig, pose_ps, target_ps.into(), dt, settings) {
+            return outcome;
+        }
+    }
+    if moves && is_exact {
         if let Some(outcome) = quick::aim(rig, pose_ps, target_ps.into(), dt, settings, level(pose_ps)) {
             return outcome;
         }
     }
-    aim_with_care(rig, pose_ps, target_ps, dt, settings)
+    aim_with_care(rig, *pose_ps, target_ps, dt, settings)
 }
 
-/// [`aim`] for every frame.
+/// [`aim`] for every frame. The pose by value: so where it is not called, it is nowhere in memory.
 #[inline(never)]
 fn aim_with_care<R: AimRig>(
     rig: &mut R,
-    pose_ps: &Animated<'_>,
+    pose_ps: Animated<'_>,
     target_ps: Vec3,
     dt: f32,
     settings: &Settings,
 ) -> Outcome {
+    let pose_ps = &pose_ps;
     let mut joints = rig.joints();
     let motions = motions(rig, pose_ps);
     let motions = motions.as_ref();
@@ -510,8 +518,9 @@ fn finish<R: AimRig>(
     within_reach: bool,
 ) -> Option<Solved> {
     let infos = rig.joint_infos();
-    for (joint, motion) in joints.iter_mut().zip(motions) {
+    for ((joint, motion), info) in joints.iter_mut().zip(motions).zip(infos) {
         limits::wrap(motion, joint);
+        joint.halve(info);
     }
     let innermost = &mut joints[chain.count - 1];
     (innermost.side, innermost.behind) = (goal.side, goal.behind);

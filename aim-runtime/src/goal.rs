@@ -49,7 +49,7 @@ impl Goal {
         let side = front.side(target, before.side);
         let weight = settings.effective_weight();
         let wanted =
-            if weight < 1.0 { part_way(&front, gaze, front.on_side(target, side), weight, side) } else { target };
+            if weight < 1.0 { part_way(|| front, gaze, front.on_side(target, side), weight, side) } else { target };
         let behind = settings.behind != Behind::Off && front.is_behind(wanted, before.behind);
         let (course, aimed) = match settings.behind {
             Behind::Hold if behind => (Course::Stay, wanted),
@@ -63,8 +63,8 @@ impl Goal {
     /// The same with what is aimed at this part of the way along the arc from the animated gaze.
     pub(crate) fn part_way<R: AimRig>(&self, rig: &R, chain: &Chain<R>, motions: &[Motion], part: f32) -> Self {
         let gaze = chain.animated_gaze();
-        let front = Front::new(rig, chain, motions, gaze);
-        Self { aimed: part_way(&front, gaze, self.aimed, part, self.side), ..*self }
+        let front = || Front::new(rig, chain, motions, gaze);
+        Self { aimed: part_way(front, gaze, self.aimed, part, self.side), ..*self }
     }
 
     /// The goal of weight 0: the animated gaze itself.
@@ -85,7 +85,7 @@ impl Goal {
 }
 
 /// The point `weight` of the way along the arc about the effector from the animated gaze to the target.
-fn part_way(front: &Front, gaze: Ray, target: Vec3A, weight: f32, side: Side) -> Vec3A {
+fn part_way(front: impl Fn() -> Front, gaze: Ray, target: Vec3A, weight: f32, side: Side) -> Vec3A {
     let to_target = target - gaze.origin;
     let (Some(from), Some(to)) = (math::direction(gaze.direction), math::direction(to_target)) else {
         return target;
@@ -99,6 +99,7 @@ fn part_way(front: &Front, gaze: Ray, target: Vec3A, weight: f32, side: Side) ->
     } else if angle < 1.0 {
         None
     } else {
+        let front = front();
         square_to_gaze(front.left * side.sign()).or_else(|| square_to_gaze(front.forward))
     };
     let (sin, cos) = trig::sin_cos(weight * angle);

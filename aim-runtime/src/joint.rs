@@ -157,7 +157,7 @@ pub(crate) struct Planes {
     by_both: [f32; 4],
     /// Where these are axes of coordinates, which of them each coordinate belongs to, and the signs.
     aligned: Option<([usize; 3], [f32; 4])>,
-    /// Whether the axes are unit and square to each other as far as a correction has to be unit.
+    /// See [`are_square`](Self::are_square).
     square: bool,
 }
 
@@ -181,6 +181,11 @@ impl Planes {
         let square = unit && is_zero(forward, up, 0.0) && is_zero(forward, left, 0.0);
         let by_both = cross(by_heading, by_pitch);
         Self { by_heading, by_pitch, by_both, aligned: Self::aligned([by_heading, by_pitch, by_both]), square }
+    }
+
+    /// Whether the axes are unit and square to each other as far as a correction has to be unit.
+    pub(crate) const fn are_square(&self) -> bool {
+        self.square
     }
 
     const fn aligned(planes: [[f32; 4]; 3]) -> Option<([usize; 3], [f32; 4])> {
@@ -207,8 +212,8 @@ impl Planes {
 /// behind, where it is bound for, and how fast it moves where it has inertia.
 #[derive(Clone, Copy, Debug)]
 pub struct Joint {
-    pub(crate) heading: f32,
     pub(crate) pitch: f32,
+    pub(crate) heading: f32,
     pub(crate) side: Side,
     /// Whether the target was behind; on the innermost joint.
     pub(crate) behind: bool,
@@ -221,8 +226,8 @@ pub struct Joint {
     pub(crate) tilt: Quat,
     /// The other eye; on joint 0 of a rig whose last pose had one.
     pub(crate) pair: Option<Pair>,
-    /// The sines and cosines of the halves of pitch and heading, and the angles, heading and pitch as they stand above,
-    /// as they were when these were last taken.
+    /// The sines and cosines of the halves of pitch and heading, and the angles, in this order as they stand above, as
+    /// they were when these were last taken.
     pub(crate) halves: trig::Halves,
     pub(crate) halved: [f32; 2],
     /// The correction at those angles.
@@ -365,6 +370,11 @@ impl Joint {
         self.pitch
     }
 
+    /// Heading and pitch.
+    pub(crate) fn angles(&self) -> [f32; 2] {
+        [self.heading, self.pitch]
+    }
+
     /// The added heading and pitch of the other eye, radians, about axes parallel to this eye's; `None` but for joint 0 of
     /// a rig whose last pose had [a pair](crate::Pose::with_pair).
     pub fn pair(&self) -> Option<[f32; 2]> {
@@ -379,9 +389,8 @@ impl Joint {
 
     /// Whether what is kept is of its angles, bit by bit: that takes fewer instructions than comparing numbers.
     #[inline(always)]
-    fn is_halved(&self) -> bool {
-        let differ = |a: f32, b: f32| a.to_bits() ^ b.to_bits();
-        differ(self.halved[0], self.heading) | differ(self.halved[1], self.pitch) == 0
+    pub(crate) fn is_halved(&self) -> bool {
+        [self.pitch, self.heading].map(f32::to_bits) == self.halved.map(f32::to_bits)
     }
 
     /// Lets the angles count in another frame of the bone: what is kept of them holds no longer.
@@ -394,6 +403,25 @@ impl Joint {
     #[inline(never)]
     fn halves_anew(&self) -> trig::Halves {
         trig::halves(self)
+    }
+
+    /// Puts it at this pitch and heading, with what later calls would have to make of them: the halves, and the turn in
+    /// the levelled bone.
+    #[inline(always)]
+    pub(crate) fn put(&mut self, angles: [f32; 2], halves: trig::Halves, turn: Quat, tilt: Quat) {
+        [self.pitch, self.heading] = angles;
+        self.velocity = [0.0; 2];
+        self.halved = angles;
+        self.halves = halves;
+        self.tilt = tilt;
+        self.turned = tilted(turn, tilt);
+    }
+
+    /// Takes anew what is kept of its angles.
+    pub(crate) fn halve(&mut self, info: &JointInfo) {
+        self.halves = trig::halves(self);
+        self.turned = tilted(turn(&info.axes, &info.planes, self.halves), self.tilt);
+        self.halved = [self.pitch, self.heading];
     }
 
     /// The correction in the bone's own space: what its animated local rotation is multiplied by on the right,
@@ -411,7 +439,11 @@ impl Joint {
     /// angles.
     #[inline(always)]
     pub(crate) fn own_correction(&self, info: &JointInfo) -> Quat {
-        if self.is_halved() { self.turned } else { self.correction(&info.axes) }
+        if self.is_halved() {
+            self.turned
+        } else {
+            tilted(turn(&info.axes, &info.planes, self.halves_anew()), self.tilt)
+        }
     }
 }
 

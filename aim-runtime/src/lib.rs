@@ -20,6 +20,7 @@
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("aim-runtime needs square roots and sines: enable the feature `std` or `libm`");
 
+mod alone;
 mod ascent;
 mod behind;
 mod chain;

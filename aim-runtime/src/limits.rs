@@ -38,6 +38,16 @@ impl Range {
         }
     }
 
+    /// Whether the angle is in the interval.
+    pub(crate) fn contains(self, angle: f32) -> bool {
+        self.lo <= angle && angle <= self.hi
+    }
+
+    /// Whether it is a single angle.
+    pub(crate) fn is_point(self) -> bool {
+        self.lo >= self.hi
+    }
+
     pub(crate) fn is_free(self) -> bool {
         self.lo == f32::NEG_INFINITY && self.hi == f32::INFINITY
     }
@@ -168,6 +178,25 @@ impl Reach {
             Some(narrowing) => narrowing.pitch_at(heading).within(self.pitch_box),
             None => self.pitch,
         }
+    }
+
+    /// How much the end that the joint's pitch is at moves with its heading; 0 for a pitch at none.
+    pub(crate) fn ride(&self, joint: &Joint) -> f32 {
+        /// Nearer to the middle of its range, where the pitch has all of its own, radians.
+        const INWARD_RAD: f32 = 0.01;
+        if self.narrowing.is_none() {
+            return 0.0;
+        }
+        let inward = -INWARD_RAD.min(joint.heading.abs()) * joint.heading.signum();
+        let (here, there) = (self.pitch_at(joint.heading), self.pitch_at(joint.heading + inward));
+        let moved = if joint.pitch >= here.hi {
+            there.hi - here.hi
+        } else if joint.pitch <= here.lo {
+            there.lo - here.lo
+        } else {
+            0.0
+        };
+        if moved == 0.0 { 0.0 } else { moved / inward }
     }
 
     /// The joint moved to the nearest angles within reach, heading first. All solvers end here: it is what makes

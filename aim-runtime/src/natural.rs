@@ -6,6 +6,8 @@
 //! braking ([`Follower`]). Then the eye solves exactly what is left of the gaze where they are now, so that their pace
 //! costs the aim nothing once it has arrived. Nothing here depends on how often a second it is called.
 
+mod sight;
+
 use glam::Vec3A;
 
 use crate::chain::{self, Chain, Ray};
@@ -71,8 +73,24 @@ struct Look {
     /// Heading and pitch that look at it; where it is out of range, those on the way there that are not.
     angles: [f32; 2],
     within: bool,
-    /// The angle of the point off the middle of the eye.
-    eccentricity: f32,
+    /// How far the point is off the middle of the eye.
+    off: Off,
+}
+
+/// An angle off the middle of an eye.
+enum Off {
+    Rad(f32),
+    /// That of this view: as long as nobody asks, it costs nothing.
+    View([f32; 3]),
+}
+
+impl Off {
+    fn rad(&self) -> f32 {
+        match *self {
+            Self::Rad(angle) => angle,
+            Self::View([ahead, left, up]) => trig::atan2(math::sqrt(left * left + up * up), ahead),
+        }
+    }
 }
 
 /// What the joints would come to, had they the time.
@@ -151,33 +169,34 @@ impl<'a, R: AimRig> Gaze<'a, R> {
 
     fn turn_to_goal(&self, joints: &mut [Joint], reaches: &[Reach], dt: f32) -> Option<bool> {
         let innermost = self.chain.count - 1;
-        let seen = self.look(joints, self.goal.aimed)?;
-        let mut engages = self.engages(&seen);
+        let mut engages = false;
         for index in self.supporting() {
             // Bound for nowhere yet: that is to be found out.
             let Joint { heading, pitch, bound_for, .. } = &mut joints[index];
             engages |= bound_for.is_none();
             bound_for.get_or_insert([*heading, *pitch]);
         }
-        let support = &mut joints[innermost].memory.support;
-        if engages && *support == Support::Rests {
-            *support = Support::Waits(self.sharing.delay);
+        if joints[innermost].memory.support == Support::Rests {
+            let seen = self.look(joints, self.goal.aimed)?;
+            if engages || self.engages(&seen) {
+                joints[innermost].memory.support = Support::Waits(self.sharing.delay);
+            }
         }
         let (mut aimed, mut within_reach) = (self.goal.aimed, true);
-        if *support != Support::Rests {
+        if joints[innermost].memory.support != Support::Rests {
             (aimed, within_reach) = self.find_goals(joints, dt)?;
         }
-        let arrived = self.follow_goals(joints, reaches, dt);
-        if arrived && seen.within && seen.eccentricity < self.sharing.release {
+        let (look, arrived) = self.follow_goals(joints, aimed, reaches, dt)?;
+        if arrived && look.within && look.off.rad() < self.sharing.release {
             joints[innermost].memory.support = Support::Rests;
         }
-        self.turn_eye(joints, aimed, reaches)?;
+        self.turn_eye(joints, &look, reaches);
         Some(within_reach)
     }
 
     /// Whether the eye needs support for what it sees.
     fn engages(&self, seen: &Look) -> bool {
-        !seen.within || seen.eccentricity > self.sharing.engage
+        !seen.within || seen.off.rad() > self.sharing.engage
     }
 
     /// Finds where the supporting joints belong, and sends them there once they set out. Returns what the eye is to aim
@@ -204,17 +223,25 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         Some((aimed, goals.reach))
     }
 
-    /// Moves the supporting joints on to where they are bound for; returns whether they are there.
-    fn follow_goals(&self, joints: &mut [Joint], reaches: &[Reach], dt: f32) -> bool {
+    /// Moves the supporting joints on to where they are bound for, while the eye looks at `aimed`; returns how it does
+    /// then, and whether they are there.
+    fn follow_goals(&self, joints: &mut [Joint], aimed: Vec3A, reaches: &[Reach], dt: f32) -> Option<(Look, bool)> {
         let mut arrived = true;
+        let mut moved = self.rig.array(joints[0]);
+        let moved = moved.as_mut();
         for index in self.supporting() {
             let joint = joints[index];
             let [heading, pitch] = joint.bound_for.unwrap_or_default();
             let goal = self.ranges.as_ref()[index].hold(&Joint { heading, pitch, ..joint });
-            joints[index] = self.follower(index, reaches, dt).towards(&joint, [goal.heading, goal.pitch]);
-            arrived &= joints[index].is_near(&goal, THERE_RAD);
+            moved[index] = self.follower(index, reaches, dt).towards(&joint, [goal.heading, goal.pitch]);
+            arrived &= moved[index].is_near(&goal, THERE_RAD);
         }
-        arrived
+        let mut look = self.look(moved, aimed)?;
+        if self.keep_in_sight(joints, moved, aimed, &look, reaches, dt).is_some() {
+            look = self.look(moved, aimed)?;
+        }
+        joints.copy_from_slice(moved);
+        Some((look, arrived))
     }
 
     /// The gaze goes back to where the animation has it, and the supporting joints to rest; the eye ends there too.
@@ -226,10 +253,10 @@ impl<'a, R: AimRig> Gaze<'a, R> {
             let Joint { heading, pitch, velocity, .. } = joints[index];
             resting &= [heading, pitch] == [0.0; 2] && velocity == [0.0; 2];
         }
-        let eye = joints[0];
         let ahead = self.ahead(self.chain.animated_gaze());
-        if resting || self.turn_eye(joints, ahead, reaches).is_none() {
-            joints[0] = reaches[0].towards_rest(&eye);
+        match self.look(joints, ahead) {
+            Some(look) if !resting => self.turn_eye(joints, &look, reaches),
+            _ => joints[0] = reaches[0].towards_rest(&joints[0]),
         }
     }
 
@@ -274,17 +301,23 @@ impl<'a, R: AimRig> Gaze<'a, R> {
                 joints[index] = ranges[index].hold(&Joint { heading, pitch, ..joints[index] });
             }
         }
-        let mut shared = rig.joints();
-        let shared = shared.as_mut();
-        shared.copy_from_slice(joints);
-        self.share(shared, dt, memory);
-        let look = self.look(shared, goal.aimed)?;
-        [shared[0].heading, shared[0].pitch] = look.angles;
+        let mut bound_for = rig.array([0.0; 2]);
+        for (angles, joint) in bound_for.as_mut().iter_mut().zip(&*joints) {
+            *angles = joint.angles();
+        }
+        self.share(joints, dt, memory);
+        let look = self.look(joints, goal.aimed)?;
+        [joints[0].heading, joints[0].pitch] = look.angles;
         if look.within {
-            joints.copy_from_slice(shared);
             return Some(Goals { reach: true, eye_reaches: true });
         }
 
+        let mut shared = rig.joints();
+        let shared = shared.as_mut();
+        shared.copy_from_slice(joints);
+        for (joint, angles) in joints.iter_mut().zip(bound_for.as_ref()) {
+            [joint.heading, joint.pitch] = *angles;
+        }
         // Of the rest the supporting joints take what the eye cannot.
         let mut solver = Solver::new(rig, chain, goal);
         solver.prefer(0, [0.0; 2], EYE_EASE);
@@ -336,8 +369,10 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         // From where they are bound for, which takes next to nothing. Where that does not lead there, from rest: so that
         // the share depends on nothing but the target.
         let near = match dt {
-            Some(dt) if memory.support == Support::Shares => solver.advance(joints, reaches.as_ref(), dt, memory),
-            _ => None,
+            Some(_) if memory.support != Support::Shares => None,
+            Some(_) if solver.advance_roughly(joints, reaches.as_ref(), memory) => Some(0.0),
+            Some(dt) => solver.advance(joints, reaches.as_ref(), dt, memory),
+            None => None,
         };
         if !near.is_some_and(|near| near <= self.tolerance.max(SHARED_RAD)) {
             at_rest(joints);
@@ -360,14 +395,13 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         gaze.origin + math::direction(gaze.direction).unwrap_or(Vec3A::X) * distance
     }
 
-    /// Turns the eye to a point as far as its reach lets it; both angles by one factor where its rate ends the way.
-    fn turn_eye(&self, joints: &mut [Joint], point: Vec3A, reaches: &[Reach]) -> Option<()> {
-        let [heading, pitch] = self.look(joints, point)?.angles;
+    /// Turns the eye as far as its reach lets it; both angles by one factor where its rate ends the way.
+    fn turn_eye(&self, joints: &mut [Joint], look: &Look, reaches: &[Reach]) {
+        let [heading, pitch] = look.angles;
         let (eye, goal) = (joints[0], Joint { heading, pitch, ..joints[0] });
         let (reach, motion) = (&reaches[0], &self.motions[0]);
         joints[0] = reach.part_way(&eye, &goal, motion, reach.part_of_way(&eye, &goal, motion));
         (joints[0].velocity, joints[0].bound_for) = ([0.0; 2], None);
-        Some(())
     }
 
     /// What the eye sees of a point with the supporting joints like this. `None` where it is on the eye.
@@ -375,17 +409,27 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         if !self.plain_eye {
             return self.look_by_solving(joints, point);
         }
-        let axes = &self.rig.joint_infos()[0].axes;
         let range = &self.ranges.as_ref()[0];
-        let view = eyes::view(axes, math::direction(self.seen(joints, point))?);
-        let [ahead, left, up] = view;
-        let aside = math::sqrt(left * left + up * up);
-        let eccentricity = trig::atan2(aside, ahead);
+        let (view, angles) = self.bearing(joints, point)?;
+        let [heading, pitch] = angles;
+        if range.heading.contains(heading) && range.pitch_at(heading).contains(pitch) {
+            return Some(Look { angles, within: true, off: Off::View(view) });
+        }
         let angles = eyes::look(view, range);
         if is_along(angles, view) {
-            return Some(Look { angles, within: true, eccentricity });
+            return Some(Look { angles, within: true, off: Off::View(view) });
         }
-        Some(Look { angles: self.on_the_way(view, eccentricity).unwrap_or(angles), within: false, eccentricity })
+        let off = Off::View(view).rad();
+        Some(Look { angles: self.on_the_way(view, off).unwrap_or(angles), within: false, off: Off::Rad(off) })
+    }
+
+    /// The direction of a point along an eye's forward, left and up, and the heading and pitch that look there, with the
+    /// supporting joints like this. `None` where the point is on the eye.
+    fn bearing(&self, joints: &[Joint], point: Vec3A) -> Option<([f32; 3], [f32; 2])> {
+        let view = eyes::view(&self.rig.joint_infos()[0].axes, math::direction(self.seen(joints, point))?);
+        let [ahead, left, up] = view;
+        let level = math::sqrt(ahead * ahead + left * left);
+        Some((view, [trig::atan2(left, ahead), trig::atan2(up, level)]))
     }
 
     /// The angles on the arc to a view so far off the middle, as far as the eye's range goes: so the gaze stays on that
@@ -419,8 +463,8 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         let (infos, links) = (self.rig.joint_infos(), self.chain.links.as_ref());
         let mut seen = self.chain.base.matrix3.transpose() * point;
         for index in self.supporting().rev() {
-            let turn = joint::turn(&infos[index].axes, &infos[index].planes, trig::halves(&joints[index]));
-            seen = turn.conjugate().mul_vec3a(seen);
+            let turn = joint::turn(&infos[index].axes, &infos[index].planes, joints[index].halves());
+            seen = math::turned(turn.conjugate(), seen);
             let link = &links[index];
             seen = link.matrix3.transpose() * (seen - link.translation);
         }
@@ -452,7 +496,7 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         }
         let Joint { heading, pitch, .. } = eye[0];
         let (within, off) = (remaining <= enough, math::sqrt(heading * heading + pitch * pitch));
-        Some(Look { angles: [heading, pitch], within, eccentricity: if within { off } else { off + remaining } })
+        Some(Look { angles: [heading, pitch], within, off: Off::Rad(if within { off } else { off + remaining }) })
     }
 }
 

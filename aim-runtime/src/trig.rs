@@ -7,7 +7,7 @@
 
 use core::f32::consts::{FRAC_PI_2, PI};
 
-use glam::Vec4;
+use glam::{Vec4, Vec4Swizzles};
 
 use crate::{Joint, math};
 
@@ -30,7 +30,13 @@ fn within_quarter(x: f32) -> (f32, f32) {
 /// The sine and cosine of half an angle, radians; beyond ±180° of the angle within that by whole turns.
 #[inline(always)]
 pub(crate) fn half_sin_cos(angle_rad: f32) -> (f32, f32) {
-    within_quarter(0.5 * math::wrap_pi(angle_rad))
+    half_sin_cos_within(math::wrap_pi(angle_rad))
+}
+
+/// The same of an angle within ±180°.
+#[inline(always)]
+pub(crate) fn half_sin_cos_within(angle_rad: f32) -> (f32, f32) {
+    within_quarter(0.5 * angle_rad)
 }
 
 /// The sines and cosines of the halves of four angles within ±180°, radians: the same bits as one by one.
@@ -67,16 +73,30 @@ pub(crate) fn halves(joint: &Joint) -> Halves {
 
 /// sin p, cos p, sin h, cos h, as kernels take them, from the halves.
 #[inline(always)]
-pub(crate) fn doubled([sin_p, cos_p, sin_h, cos_h]: Halves) -> [f32; 4] {
-    let products = Vec4::new(sin_p, sin_p, sin_h, sin_h) * Vec4::new(cos_p, sin_p, cos_h, sin_h);
-    (products * Vec4::new(2.0, -2.0, 2.0, -2.0) + Vec4::new(0.0, 1.0, 0.0, 1.0)).to_array()
+pub(crate) fn doubled(halves: Halves) -> [f32; 4] {
+    let halves = Vec4::from_array(halves);
+    (halves.xxzz() * halves.yxwz() * Vec4::new(2.0, -2.0, 2.0, -2.0) + Vec4::new(0.0, 1.0, 0.0, 1.0)).to_array()
 }
 
 /// The angle of the point (x, y), −π…π; 0 for the origin.
 pub(crate) fn atan2(y: f32, x: f32) -> f32 {
     let (across, along) = (y.abs(), x.abs());
+    let turn = if across.max(along) > 0.0 { within_right_angle(across, along) } else { along };
+    let turn = if x < 0.0 { PI - turn } else { turn };
+    if y < 0.0 { -turn } else { turn }
+}
+
+/// The same for a positive x.
+#[inline(always)]
+pub(crate) fn atan2_ahead(y: f32, x: f32) -> f32 {
+    within_right_angle(y.abs(), x).copysign(y)
+}
+
+/// The same for a point other than the origin with neither coordinate negative.
+#[inline(always)]
+fn within_right_angle(across: f32, along: f32) -> f32 {
     let (small, large) = if across > along { (along, across) } else { (across, along) };
-    let t = if large > 0.0 { small / large } else { large };
+    let t = small / large;
     let tt = t * t;
     let turn = t + t
         * tt
@@ -86,9 +106,7 @@ pub(crate) fn atan2(y: f32, x: f32) -> f32 {
                     + tt * (0.106_789_31
                         + tt * (-0.075_805_56
                             + tt * (0.043_553_248 + tt * (-0.016_580_988 + tt * 0.002_974_536_7)))))));
-    let turn = if across > along { FRAC_PI_2 - turn } else { turn };
-    let turn = if x < 0.0 { PI - turn } else { turn };
-    if y < 0.0 { -turn } else { turn }
+    if across > along { FRAC_PI_2 - turn } else { turn }
 }
 
 #[cfg(test)]

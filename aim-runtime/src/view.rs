@@ -1,6 +1,6 @@
 //! [`View`]: where the target stands as the effector sees it, and what the solvers make of that.
 
-use crate::{math, trig};
+use crate::{Scalar, math, trig};
 
 /// The target in effector space: along forward, left and up.
 #[derive(Clone, Copy, Debug)]
@@ -17,11 +17,16 @@ impl View {
         trig::atan2(math::sqrt(self.left * self.left + self.up * self.up), self.forward)
     }
 
-    /// The angle where it is small (below a hundredth), radians.
-    #[inline]
-    pub(crate) fn small_angle(&self) -> f32 {
-        let tangent = math::sqrt(self.left * self.left + self.up * self.up) / self.forward;
-        tangent - tangent * tangent * tangent * (1.0 / 3.0)
+    /// The cosine of the angle off forward; NaN where there is none.
+    #[inline(always)]
+    pub(crate) fn cosine(&self) -> f32 {
+        self.forward / <f32 as Scalar>::sqrt(self.forward * self.forward + self.left * self.left + self.up * self.up)
+    }
+
+    /// The tangent of the angle off forward, for a target in front.
+    #[inline(always)]
+    pub(crate) fn tangent(&self) -> f32 {
+        <f32 as Scalar>::sqrt(self.left * self.left + self.up * self.up) / self.forward
     }
 
     /// The square of the angle where it is small: without an arctangent.

@@ -248,12 +248,12 @@ fn either() {
 
 /// What some angles within the ranges look at is not called out of reach, and a snap reaches it.
 ///
-/// But for a few rigs of hinges that are nearly parallel: the last of the gaze costs more movement there than the exact
-/// solver pays for it.
+/// But for one rig in two thousand: of few angles, mostly with coupled ranges, whose gaze is led there from none of the
+/// places that a single call starts from.
 #[test]
 fn within_reach() {
     const RIGS: usize = 6000;
-    const STUCK: usize = RIGS * 4 / 1000;
+    const STUCK: usize = RIGS / 1000;
     let mut rng = Rng(0x5000_0000);
     let mut failed = Vec::new();
     for number in 0..RIGS {

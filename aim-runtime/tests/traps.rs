@@ -179,7 +179,8 @@ fn noise_overhead() {
     }
 }
 
-/// Five: One linear step while the neck returns to its share loses the target by 0.1° at 60 Hz, by 0.34° at 30 Hz.
+/// Five: One linear step while the neck returns to its share loses the target by 0.1° at 60 Hz, by 0.34° at 30 Hz; a neck
+///    and a spine that return each at its own pace leave more to the eye than it can turn, and lose it by degrees.
 #[test]
 fn the_target_is_kept_while_the_neck_returns() {
     let mut rng = Rng(5);
@@ -187,7 +188,7 @@ fn the_target_is_kept_while_the_neck_returns() {
         let settings = Settings::default().with_solver(solver);
         let mut lost = Vec::new();
         for hz in [30.0, 60.0, 144.0] {
-            for case in 0..40 {
+            for case in 0..100 {
                 let mut rig = person();
                 let pose = upright(&rig);
                 rig.joints = anywhere(&rig, &mut rng);
@@ -205,9 +206,7 @@ fn the_target_is_kept_while_the_neck_returns() {
                 }
             }
         }
-        // A neck and a spine that return each at its own pace may for a moment leave more to the eye than it can turn.
-        let most = if solver == Solver::Natural { 12 } else { 0 };
-        assert!(lost.len() <= most && lost.iter().all(|&(_, _, off)| off < 8.0), "{solver:?}: {lost:?}");
+        assert!(lost.is_empty(), "{solver:?}: {lost:?}");
     }
 }
 

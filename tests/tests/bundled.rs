@@ -122,3 +122,30 @@ fn the_c_of_every_rig_agrees_with_central_differences_on_ten_thousand_poses() {
         c::compare(&[spec], &[cases]);
     }
 }
+
+#[test]
+fn the_page_about_axes_shows_what_is_declared() {
+    let page = include_str!("../../docs/axes.md");
+    let axis = |[x, y, z]: [f64; 3]| -> String {
+        let (letter, value) =
+            [("X", x), ("Y", y), ("Z", z)].into_iter().find(|(_, value)| *value != 0.0).expect("a unit");
+        format!("{}{letter}", if value < 0.0 { '-' } else { '+' })
+    };
+    let mut rows = 0;
+    for row in page.lines().filter(|line| line.starts_with("| `rigs/")) {
+        let cells: Vec<&str> = row.split('|').map(|cell| cell.trim().trim_matches('`')).collect();
+        let [_, file, bone, directions @ ..] = cells.as_slice() else { panic!("{row}") };
+        let path = format!("{}/../{file}", env!("CARGO_MANIFEST_DIR"));
+        let text = std::fs::read_to_string(path).expect("the page names a bundled rig");
+        let rig = aim_codegen::declare::from_toml(file, &text).expect("a bundled rig is right");
+        let joint = rig.joints.iter().find(|joint| joint.name == *bone).expect("the page names a joint");
+        let frame = [joint.frame.up, joint.frame.forward, joint.frame.left].map(axis);
+        assert_eq!(directions[..3], frame, "{row}");
+        rows += 1;
+    }
+    assert!(rows >= 8, "{rows} rows");
+    let (_, snippet) = page.split_once("```toml\n").expect("the page shows a declaration");
+    let joint = snippet.split("```").next().unwrap_or_default();
+    let whole = format!("name = 'R'\nhandedness = 'right'\n{joint}heading = 'free'\nrate = '1rad'\n");
+    aim_codegen::declare::from_toml("axes.md", &whole).unwrap_or_else(|errors| panic!("{errors}"));
+}

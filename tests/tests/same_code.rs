@@ -112,8 +112,8 @@ fn derived(declaration: &str) -> Vec<Item> {
 }
 
 fn assert_same_code(rig: &RigSpec, toml: &str) {
-    let tokens = aim_codegen::rust_from_toml("rig.toml", toml, quote::quote!(::aim))
-        .unwrap_or_else(|errors| panic!("{}", errors.render()));
+    let spec = declare::from_toml("rig.toml", toml).unwrap_or_else(|errors| panic!("{}", errors.render()));
+    let tokens = aim_codegen::rust_of(&spec, quote::quote!(::aim));
     let from_toml = syn::parse2::<File>(tokens).expect("emitted code is made of items").items;
     let from_derive = derived(&Notation::Derive.write(rig));
     let Some((Item::Struct(item), implementation)) = from_toml.split_first() else {

@@ -64,7 +64,7 @@ fn row(joint: &JointSpec, report: &Report, index: usize, times: &[f64]) -> Marku
                 (bone)
                 @if bone != joint.name { " " small { "declared as " (joint.name) } }
             }
-            td { (axis(frame.up)) " " (axis(frame.forward)) " " (axis(frame.left)) }
+            td.axes { @for one in [frame.up, frame.forward, frame.left] { span { (axis(one)) } " " } }
             (angle(joint.heading, joint.absolute, &heading))
             (angle(joint.pitch, joint.absolute, &pitch))
             td { (trimmed(joint.rate.to_degrees(), 1)) }

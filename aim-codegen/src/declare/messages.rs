@@ -103,6 +103,11 @@ impl Expected {
     }
 }
 
+/// A literal as it is written: TOML has no angles and axes of its own and keeps them in strings.
+fn literal(text: impl core::fmt::Display, notation: Notation) -> String {
+    by(notation, format!("{text}"), format!("\"{text}\""))
+}
+
 // Form: what stands where.
 
 pub(crate) fn expected(key: &str, expected: Expected, found: &str, notation: Notation) -> Text {
@@ -121,6 +126,13 @@ pub(crate) fn not_literal(key: &str, expected: Expected, found: &str, notation: 
     text(
         format!("`{key}` needs {}, found {found}", expected.words()),
         format!("{reason}, as in `{}`", expected.example(key, notation)),
+    )
+}
+
+pub(crate) fn capitals(key: &str, expected: Expected, found: &str, notation: Notation) -> Text {
+    text(
+        format!("`{key}` needs {}, found `{found}`", expected.words()),
+        format!("write `{key} = {}`", literal(found.to_lowercase(), notation)),
     )
 }
 
@@ -181,36 +193,48 @@ pub(crate) fn first_attribute(name: &str) -> String {
     format!("the first `#[{name}]` is here")
 }
 
+/// What the TOML parser says of `part` of the text.
 #[cfg(feature = "toml")]
-pub(crate) fn syntax(found: &str) -> Text {
-    text(format!("this is not TOML: {found}"), "a rig file is TOML 1.0, see https://toml.io")
+pub(crate) fn syntax(found: &str, part: &str) -> Text {
+    let help = if found.starts_with("string values must be quoted") {
+        format!("words, names and axes stand in quotes: `\"{part}\"`")
+    } else if found.starts_with("invalid float") || found.starts_with("invalid integer") {
+        "a number with a unit stands in quotes, as in `\"450deg\"`".into()
+    } else {
+        "a rig file is TOML 1.0, see https://toml.io".into()
+    };
+    text(format!("this is not TOML: {found}"), help)
 }
 
 // Numbers and units.
 
-pub(crate) fn missing_unit(digits: &str) -> Text {
-    text(format!("`{digits}` has no unit"), format!("write `{digits}deg` or `{digits}rad`"))
+pub(crate) fn missing_unit(digits: &str, notation: Notation) -> Text {
+    let [degrees, radians] = ["deg", "rad"].map(|unit| literal(format_args!("{digits}{unit}"), notation));
+    text(format!("`{digits}` has no unit"), format!("write `{degrees}` or `{radians}`"))
 }
 
-pub(crate) fn detached_unit(digits: &str, unit: &str) -> Text {
-    text(format!("`{digits}` is separated from its unit"), format!("write `{digits}{unit}`, without a space"))
+pub(crate) fn detached_unit(digits: &str, unit: &str, notation: Notation) -> Text {
+    let joined = literal(format_args!("{digits}{unit}"), notation);
+    text(format!("`{digits}` is separated from its unit"), format!("write `{joined}`, without a space"))
 }
 
-pub(crate) fn unknown_unit(digits: &str, unit: &str) -> Text {
+pub(crate) fn unknown_unit(digits: &str, unit: &str, notation: Notation) -> Text {
     let lower = unit.to_lowercase();
+    let [degrees, radians] = ["deg", "rad"].map(|unit| literal(format_args!("{digits}{unit}"), notation));
     let help = if unit == "°" || unit == "º" || lower.starts_with("de") || lower == "d" {
-        format!("degrees are written `{digits}deg`")
+        format!("degrees are written `{degrees}`")
     } else if lower.starts_with("ra") || lower == "r" {
-        format!("radians are written `{digits}rad`")
+        format!("radians are written `{radians}`")
     } else {
-        format!("angles carry `deg` or `rad`, as in `{digits}deg`")
+        format!("angles carry `deg` or `rad`, as in `{degrees}`")
     };
     text(format!("`{unit}` is not a unit of angles"), help)
 }
 
 pub(crate) fn unit_on_plain(key: &str, digits: &str, unit: &str) -> Text {
-    let help = match key {
-        "delay" => "write the seconds without a unit, as in `delay = 0.05`".into(),
+    let help = match (key, unit, digits.parse::<f64>()) {
+        ("delay", ..) => "write the seconds without a unit, as in `delay = 0.05`".into(),
+        (_, "%", Ok(percent)) => format!("write `{:?}`", percent / 100.0),
         _ => format!("write `{digits}`"),
     };
     text(format!("`{key}` is a plain number, found the unit `{unit}`"), help)
@@ -336,15 +360,16 @@ pub(crate) fn negative_delay(number: &str) -> Text {
 
 // Axes.
 
-pub(crate) fn axis_without_sign(letter: &str) -> Text {
+pub(crate) fn axis_without_sign(letter: &str, notation: Notation) -> Text {
     let letter = letter.to_uppercase();
-    text(format!("the axis `{letter}` has no sign"), format!("write `+{letter}` or `-{letter}`"))
+    let [plus, minus] = ['+', '-'].map(|sign| literal(format_args!("{sign}{letter}"), notation));
+    text(format!("the axis `{letter}` has no sign"), format!("write `{plus}` or `{minus}`"))
 }
 
-pub(crate) fn axis_unknown(sign: char, letter: &str) -> Text {
+pub(crate) fn axis_unknown(sign: char, letter: &str, notation: Notation) -> Text {
     let upper = letter.to_uppercase();
     let help = match upper.as_str() {
-        "X" | "Y" | "Z" => format!("axes are capitals: `{sign}{upper}`"),
+        "X" | "Y" | "Z" => format!("axes are capitals: `{}`", literal(format_args!("{sign}{upper}"), notation)),
         _ => "a bone's axes are `+X`, `-X`, `+Y`, `-Y`, `+Z` and `-Z`".into(),
     };
     text(format!("`{sign}{letter}` is not an axis"), help)

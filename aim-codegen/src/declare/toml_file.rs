@@ -24,8 +24,8 @@ pub(crate) fn read(text: &str) -> (Rig, Vec<Diagnostic>) {
                 let first = nearest_before(&table, &key, span.start);
                 table.push(Entry::Repeated { key: Word { text: key, place: Place::Text(span) }, first });
             }
-            (message, _) => {
-                let message = messages::syntax(message);
+            (message, part) => {
+                let message = messages::syntax(message, part.unwrap_or_default());
                 syntax.push(Diagnostic::new(message, Place::Text(span)));
             }
         }

@@ -2,7 +2,7 @@
 //! model can tell; and joints that have all the time they need.
 
 use super::strain::LOOSE_RAD;
-use super::{BENT_MENDINGS, ENOUGH_RAD, FINE_RAD, ROUNDS, STILL_RAD, Solver};
+use super::{BENT_MENDINGS, ENOUGH_RAD, FINE_RAD, Home, ROUNDS, STILL_RAD, Solver};
 use crate::chain::TOO_NEAR;
 use crate::dual;
 use crate::joint::{Joint, Memory};
@@ -66,14 +66,18 @@ impl<R: AimRig> Solver<'_, R> {
         let mut remaining = f32::INFINITY;
         // What is blocked frame after frame has had its rounds.
         let rounds = if memory.blocked_s > BLOCKED_S { BLOCKED_ROUNDS } else { ROUNDS };
+        let mut rides = false;
         for _ in 0..rounds {
-            let ended = self.improve(joints, reaches, &mut memory.lambda, LONGEST_STEP_RAD)?;
+            let ended = self.improve(joints, reaches, &mut memory.lambda, LONGEST_STEP_RAD, rides)?;
             let gained = remaining - ended.remaining;
             remaining = ended.remaining;
             self.spent = !ended.closed && Search::Quick { below: f32::INFINITY }.is_over(gained, remaining);
             let settled = if ended.closed { STILL_RAD } else { SLIGHT_RAD };
             if ended.step < settled || (ended.closed && remaining <= ENOUGH_RAD) {
-                break;
+                if rides || remaining <= ENOUGH_RAD {
+                    break;
+                }
+                rides = true;
             }
         }
         if Self::is_calm(memory) {
@@ -112,14 +116,18 @@ impl<R: AimRig> Solver<'_, R> {
         let mut lambda = [0.0; 2];
         let mut remaining = f32::INFINITY;
         let mut longest = LONGEST_STEP_RAD;
+        let mut rides = false;
         for _ in 0..MOST_ROUNDS {
-            let ended = self.improve(joints, reaches, &mut lambda, longest)?;
+            let ended = self.improve(joints, reaches, &mut lambda, longest, rides)?;
             longest = if ended.halvings == 0 { LONGEST_STEP_RAD } else { 2.0 * ended.step };
             let gained = remaining - ended.remaining;
             remaining = ended.remaining;
             let settled = if ended.closed && remaining <= FINE_RAD { 1e-5 } else { STILL_RAD };
             if ended.step < settled || (!ended.closed && search.is_over(gained, remaining)) {
-                break;
+                if rides || remaining <= ENOUGH_RAD {
+                    break;
+                }
+                rides = true;
             }
         }
         // With the target on the effector the joints may come to rest, but they aim at nothing.
@@ -134,15 +142,20 @@ impl<R: AimRig> Solver<'_, R> {
         })
     }
 
-    /// One round: the optimum of the linear model, mended, and shortened until it is an improvement.
+    /// One round: the optimum of the linear model, mended, and shortened until it is an improvement. With `rides` one in
+    /// which pitches [go along](Self::ride) with headings, or none where there are no such.
     fn improve(
         &mut self,
         joints: &mut [Joint],
         reaches: &[Reach],
         lambda: &mut [f32; 2],
         longest: f32,
+        rides: bool,
     ) -> Option<Round> {
         let offset = self.linearise(joints, reaches)?;
+        if rides && !self.ride(joints, reaches) {
+            return Some(Round { remaining: length(offset), closed: false, step: 0.0, halvings: HALVINGS });
+        }
         for (angles, joint) in self.model.as_mut().iter_mut().zip(&*joints) {
             for (angle, now) in angles.iter_mut().zip([joint.pitch, joint.heading]) {
                 angle.lo = angle.lo.max(now - longest);
@@ -201,7 +214,13 @@ impl<R: AimRig> Solver<'_, R> {
     /// The displacement of the angles that can move.
     fn cost(&self, joints: &[Joint]) -> f32 {
         let mut cost = 0.0;
-        for (angles, joint) in self.model.as_ref().iter().zip(joints) {
+        for (index, (angles, joint)) in self.model.as_ref().iter().zip(joints).enumerate() {
+            let mut angles = *angles;
+            if self.rides.as_ref()[index] != 0.0 {
+                // The model counts the pitch's displacement with the heading's.
+                let Home { rest, ease } = self.homes.as_ref()[index][1];
+                (angles[1].rest, angles[1].ease) = (rest, ease);
+            }
             for (angle, now) in angles.iter().zip([joint.pitch, joint.heading]) {
                 let moved = if angle.column == [0.0; 2] && angle.lo == angle.hi { 0.0 } else { now - angle.rest };
                 cost += moved * moved / angle.ease;

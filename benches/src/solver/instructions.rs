@@ -20,12 +20,12 @@ const ALL: [u16; 2] = [0, FRAMES];
 const COUNTED: &[Counted] = &[
     ("exact", ALL, "track, exact: instructions a character and frame", Some([1640.0, 1130.0])),
     ("exact moving", ALL, "track on a moving animation, exact", Some([1640.0, 1130.0])),
-    ("eye", ALL, "eye only, with limits, exact", Some([350.0, 350.0])),
+    ("eye", ALL, "eye only, with limits, closed form", Some([350.0, 350.0])),
     // What a frame costs at most: no angles meet the target, and all that may is tried.
     ("exact blocked", [0, 1], "out of reach, exact: the first frame", None),
     ("exact blocked", [1, 60], "out of reach, exact: frames of the first second", None),
     ("exact blocked", [240, 300], "out of reach, exact: later frames", Some([40_000.0, 40_000.0])),
-    ("natural", ALL, "track, natural", None),
+    ("natural", ALL, "track, natural", Some([12_600.0, 10_200.0])),
     ("natural blocked", [240, 300], "out of reach, natural: later frames", None),
     ("ascent", ALL, "track, ascent", None),
     ("paper", ALL, "track, the paper's method", None),

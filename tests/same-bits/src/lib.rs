@@ -33,9 +33,40 @@ struct Eyes {
     spine3: Joint,
 }
 
+/// What most rigs are: no option, and so the way of ordinary frames.
+#[derive(AimRig)]
+#[aim(bones(up = +X, forward = +Y, left = +Z))]
+struct Plain {
+    #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, comfort = 0.5)]
+    left_eye: Joint,
+    #[joint(heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg)]
+    neck: Joint,
+    #[joint(bones(up = +Y, forward = +Z), heading = -20deg..=20deg, pitch = -10deg..=10deg, rate = 70deg,
+        comfort = 4.0)]
+    spine3: Joint,
+}
+
+/// An eye and nothing else, in closed form.
+#[derive(AimRig)]
+#[aim(bones(up = +X, forward = +Y, left = +Z))]
+struct Alone {
+    #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]
+    left_eye: Joint,
+}
+
 /// What is run, in the order of `golden.txt`.
-pub const RUNS: [&str; 8] =
-    ["exact", "natural", "ascent", "published ascent", "snaps", "both eyes", "stretched poses", "several targets"];
+pub const RUNS: [&str; 10] = [
+    "exact",
+    "natural",
+    "ascent",
+    "published ascent",
+    "snaps",
+    "both eyes",
+    "stretched poses",
+    "several targets",
+    "ordinary frames",
+    "an eye alone",
+];
 
 const FRAMES: u32 = 2000;
 
@@ -44,7 +75,7 @@ const FRAMES: u32 = 2000;
 pub extern "C" fn hash(run: u32) -> u64 {
     let Some(name) = RUNS.get(run as usize) else { return 0 };
     let solver = match *name {
-        "exact" => Solver::Exact,
+        "exact" | "ordinary frames" | "an eye alone" => Solver::Exact,
         "ascent" | "published ascent" => Solver::Ascent,
         _ => Solver::Natural,
     };
@@ -52,7 +83,8 @@ pub extern "C" fn hash(run: u32) -> u64 {
     if *name == "published ascent" {
         settings = settings.with_ascent(Ascent::paper());
     }
-    let (mut gazer, mut eyes) = (Gazer::default(), Eyes::default());
+    let (mut gazer, mut eyes, mut plain, mut alone) =
+        (Gazer::default(), Eyes::default(), Plain::default(), Alone::default());
     let (mut world, mut hash) = (World::new(u64::from(run)), Fnv::default());
     for frame in 0..FRAMES {
         world.pass(frame, *name == "stretched poses");
@@ -76,13 +108,16 @@ pub extern "C" fn hash(run: u32) -> u64 {
                 let targets = [Target::new(world.target, 0.6), Target::new(-world.target, 0.3)];
                 gazer.aim_at(&pose, &targets, world.dt, &settings)
             }
+            "ordinary frames" => plain.aim_with(&pose, world.target, world.dt, &settings),
+            "an eye alone" => alone.aim_with(&Pose { joints: [pose.joints[0]] }, world.target, world.dt, &settings),
             _ => gazer.aim_with(&pose, world.target, world.dt, &settings),
         };
         hash.outcome(&outcome);
-        if *name == "both eyes" {
-            hash.rig(&eyes);
-        } else {
-            hash.rig(&gazer);
+        match *name {
+            "both eyes" => hash.rig(&eyes),
+            "ordinary frames" => hash.rig(&plain),
+            "an eye alone" => hash.rig(&alone),
+            _ => hash.rig(&gazer),
         }
     }
     hash.0

@@ -156,12 +156,12 @@ pub(super) fn direction(report: &mut Report, key: &str, value: &Value) -> Option
             let axis = frame::axis(letter, *negative);
             if axis.is_none() {
                 let sign = if *negative { '-' } else { '+' };
-                report.error(&value.place, messages::axis_unknown(sign, letter));
+                report.error(&value.place, messages::axis_unknown(sign, letter, report.notation));
             }
             axis
         }
         Kind::Word(word) if matches!(word.as_str(), "X" | "Y" | "Z" | "x" | "y" | "z") => {
-            report.error(&value.place, messages::axis_without_sign(word));
+            report.error(&value.place, messages::axis_without_sign(word, report.notation));
             None
         }
         _ => {

@@ -87,7 +87,7 @@ fn check_rig(rig: &Rig, report: &mut Report) -> Option<Checked> {
     });
     if let Some(value) = settings.get("joint") {
         read::mismatch(report, "joint", Expected::Joints, value);
-    } else if rig.joints.is_empty() && rig.item.wrong_shape.is_none() {
+    } else if rig.joints.is_empty() && rig.item.wrong_shape.is_none() && !settings.has("joint") {
         let place = rig.name.as_ref().map_or(&rig.section.place, |name| &name.place);
         report.error(place, messages::no_joints(rig.notation));
     }

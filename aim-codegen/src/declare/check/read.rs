@@ -22,7 +22,7 @@ pub(super) fn mismatch(report: &mut Report, key: &str, expected: Expected, value
         Kind::Text(text) if notation == Notation::Rust && !takes_strings(expected) => {
             match literal::word(text, &value.place) {
                 Kind::Text(_) => messages::expected(key, expected, &found, notation),
-                Kind::Number(number) if takes_units(expected) => match radians(key, &number) {
+                Kind::Number(number) if takes_units(expected) => match radians(key, &number, notation) {
                     Ok(_) => messages::quoted(key, expected, &found, text),
                     // The quotes were put around what does not lex without, such as `35°`.
                     Err(text) => text,
@@ -56,7 +56,7 @@ pub(super) fn angle(report: &mut Report, key: &str, expected: Expected, value: &
         mismatch(report, key, expected, value);
         return None;
     };
-    match radians(key, number) {
+    match radians(key, number, report.notation) {
         Ok(angle) => Some(angle),
         Err(text) => {
             report.error(&value.place, text);
@@ -66,19 +66,19 @@ pub(super) fn angle(report: &mut Report, key: &str, expected: Expected, value: &
 }
 
 /// The number in radians, or what is wrong with its unit.
-fn radians(key: &str, number: &Number) -> Result<f64, Text> {
+fn radians(key: &str, number: &Number, notation: Notation) -> Result<f64, Text> {
     Err(if let Some(radix) = number.radix {
         messages::radix(&number.text, radix)
     } else if number.unit.is_empty() && !number.value.is_finite() {
         messages::not_finite(key, &number.text)
     } else if number.detached {
-        messages::detached_unit(number.digits(), &number.unit)
+        messages::detached_unit(number.digits(), &number.unit, notation)
     } else {
         match number.unit.as_str() {
             "deg" => return Ok(number.value.to_radians()),
             "rad" => return Ok(number.value),
-            "" => messages::missing_unit(number.digits()),
-            unit => messages::unknown_unit(number.digits(), unit),
+            "" => messages::missing_unit(number.digits(), notation),
+            unit => messages::unknown_unit(number.digits(), unit, notation),
         }
     })
 }
@@ -164,6 +164,10 @@ pub(super) fn either(
     match &value.kind {
         Kind::Word(word) if word == words[0] => Some(true),
         Kind::Word(word) if word == words[1] => Some(false),
+        Kind::Word(word) if words.contains(&word.to_lowercase().as_str()) => {
+            report.error(&value.place, messages::capitals(key, expected, word, report.notation));
+            None
+        }
         _ => {
             mismatch(report, key, expected, value);
             None

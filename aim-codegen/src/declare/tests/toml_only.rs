@@ -53,7 +53,7 @@ fn errors_look_like_a_compilers() {
   |
 7 | heading = ["-35deg", "35"]
   |                      ^^^^
-  = help: write `35deg` or `35rad`
+  = help: write `"35deg"` or `"35rad"`
 
 error: unknown setting `comfrot`
   --> rigs/thug.toml:10:1
@@ -105,6 +105,40 @@ fn syntax_errors_have_the_same_shape() {
         assert!(found.starts_with("error: ") && found.contains(" --> rigs/thug.toml:1:"), "{found}");
         assert!(found.contains("this is not TOML: ") || text.starts_with('x'), "{found}");
     }
+}
+
+#[test]
+fn what_toml_wants_in_quotes_is_told_in_quotes() {
+    for (wrong, right, help) in [
+        ("right", "\"right\"", "words, names and axes stand in quotes: `\"right\"`"),
+        ("\"Right\"", "\"right\"", "write `handedness = \"right\"`"),
+        ("450deg", "\"450deg\"", "a number with a unit stands in quotes, as in `\"450deg\"`"),
+        ("450", "\"450deg\"", "write `\"450deg\"` or `\"450rad\"`"),
+        ("\"450 deg\"", "\"450deg\"", "write `\"450deg\"`, without a space"),
+        ("\"450°\"", "\"450deg\"", "degrees are written `\"450deg\"`"),
+        ("+X", "\"+X\"", "words, names and axes stand in quotes: `\"+X\"`"),
+        ("\"+z\"", "\"+Z\"", "axes are capitals: `\"+Z\"`"),
+        ("\"y\"", "\"+Y\"", "write `\"+Y\"` or `\"-Y\"`"),
+        ("\"10%\"", "0.1", "write `0.1`"),
+    ] {
+        let key = match right {
+            "\"right\"" => "handedness",
+            "\"450deg\"" => "rate",
+            "0.1" => "comfort",
+            _ => "bones.up",
+        };
+        let found = from_toml("t.toml", &format!("{key} = {wrong}\n[[joint]]\n{key} = {wrong}\n"))
+            .expect_err(wrong)
+            .to_string();
+        assert!(found.contains(help), "{wrong}: {found}");
+    }
+}
+
+#[test]
+fn a_misspelt_list_of_joints_is_one_mistake() {
+    let text = THUG.replace("[[joint]]", "[[joints]]");
+    let found = from_toml("t.toml", &text).expect_err("a misspelling");
+    assert_eq!(found.iter().map(|error| error.message()).collect::<Vec<_>>(), ["unknown setting `joints`"]);
 }
 
 #[test]

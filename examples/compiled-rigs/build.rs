@@ -1,0 +1,3 @@
+fn main() {
+    aim_codegen::build::rigs("rigs");
+}

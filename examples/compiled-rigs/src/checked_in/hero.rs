@@ -1,0 +1,394 @@
+// The rig Hero, derived and written by aim 0.1.0. Do not edit: generate again.
+///The rig `Hero`: its joints, from the effector inward.
+pub struct Hero {
+    ///Moves the bone `left_eye`.
+    pub left_eye: ::aim::Joint,
+    ///Moves the bone `neck`.
+    pub neck: ::aim::Joint,
+    ///Moves the bone `spine3`.
+    pub spine3: ::aim::Joint,
+}
+#[allow(
+    clippy::approx_constant,
+    clippy::manual_range_patterns,
+    clippy::too_many_lines,
+    clippy::unreadable_literal,
+    reason = "derived code is for machines: its numbers and its length are those of the rig"
+)]
+const _: () = {
+    impl Hero {
+        /// The names that each joint's bone may have in a model, from the effector inward.
+        #[allow(dead_code, unreachable_pub, reason = "a rig need not be looked up by its bones' names")]
+        pub const BONES: [&'static [&'static ::core::primitive::str]; 3] = [&["left_eye"], &["neck"], &["spine3"]];
+    }
+    #[automatically_derived]
+    impl ::core::default::Default for Hero {
+        /// At rest: every angle 0.
+        fn default() -> Self {
+            Self {
+                left_eye: ::core::default::Default::default(),
+                neck: ::core::default::Default::default(),
+                spine3: ::core::default::Default::default(),
+            }
+        }
+    }
+    #[automatically_derived]
+    impl ::core::fmt::Debug for Hero {
+        fn fmt(&self, __formatter: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+            ::core::fmt::DebugStruct::finish(::core::fmt::DebugStruct::field(
+                ::core::fmt::DebugStruct::field(
+                    ::core::fmt::DebugStruct::field(
+                        &mut ::core::fmt::Formatter::debug_struct(__formatter, "Hero"),
+                        "left_eye",
+                        &self.left_eye,
+                    ),
+                    "neck",
+                    &self.neck,
+                ),
+                "spine3",
+                &self.spine3,
+            ))
+        }
+    }
+    #[automatically_derived]
+    impl ::aim::__private::AimRig for Hero {
+        type Array<T: ::core::marker::Copy> = [T; 3];
+        #[inline]
+        fn array<T: ::core::marker::Copy>(&self, __value: T) -> [T; 3] {
+            [__value; 3]
+        }
+        #[inline]
+        fn joint_infos(&self) -> &[::aim::__private::JointInfo] {
+            const INFOS: [::aim::__private::JointInfo; 3] = [
+                ::aim::__private::JointInfo::new(
+                    ::aim::__private::Axes { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] },
+                    7.8539815,
+                )
+                .with_heading(-0.61086524, 0.61086524)
+                .with_pitch(-0.43633232, 0.34906584)
+                .with_comfort(0.5)
+                .with_role(::aim::__private::Role::Eye),
+                ::aim::__private::JointInfo::new(
+                    ::aim::__private::Axes { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] },
+                    2.9670596,
+                )
+                .with_heading(-1.0471976, 1.0471976)
+                .with_pitch(-0.6981317, 0.61086524)
+                .with_comfort(1.0)
+                .with_role(::aim::__private::Role::Neck),
+                ::aim::__private::JointInfo::new(
+                    ::aim::__private::Axes { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] },
+                    1.2217305,
+                )
+                .with_heading(-0.34906584, 0.34906584)
+                .with_pitch(-0.17453292, 0.17453292)
+                .with_comfort(4.0)
+                .with_role(::aim::__private::Role::Spine),
+            ];
+            &INFOS
+        }
+        #[inline]
+        fn effector(&self) -> ::aim::__private::Effector {
+            ::aim::__private::Effector { forward: [0.0, 1.0, 0.0], origin: [0.0, 0.0, 0.0] }
+        }
+        #[inline]
+        fn joints(&self) -> [::aim::__private::Joint; 3] {
+            [self.left_eye, self.neck, self.spine3]
+        }
+        #[inline]
+        fn joint(&self, __index: ::core::primitive::usize) -> ::core::option::Option<&::aim::__private::Joint> {
+            match __index {
+                0 => ::core::option::Option::Some(&self.left_eye),
+                1 => ::core::option::Option::Some(&self.neck),
+                2 => ::core::option::Option::Some(&self.spine3),
+                _ => ::core::option::Option::None,
+            }
+        }
+        #[inline]
+        fn joint_mut(
+            &mut self,
+            __index: ::core::primitive::usize,
+        ) -> ::core::option::Option<&mut ::aim::__private::Joint> {
+            match __index {
+                0 => ::core::option::Option::Some(&mut self.left_eye),
+                1 => ::core::option::Option::Some(&mut self.neck),
+                2 => ::core::option::Option::Some(&mut self.spine3),
+                _ => ::core::option::Option::None,
+            }
+        }
+        #[inline]
+        fn set_joints(&mut self, __states: [::aim::__private::Joint; 3]) {
+            [self.left_eye, self.neck, self.spine3] = __states;
+        }
+        #[inline]
+        fn aim_gradient<S: ::aim::__private::Scalar>(
+            &self,
+            __joint: ::core::primitive::usize,
+            __effector_to_joint: &[S; 12],
+            __target: &[S; 3],
+            __sin_cos: &[S; 4],
+        ) -> [S; 3] {
+            match __joint {
+                0 | 1 | 2 => aim_gradient_0(__effector_to_joint, __target, __sin_cos),
+                _ => [<S as ::aim::__private::Scalar>::ZERO; 3],
+            }
+        }
+        #[inline]
+        fn chain_value_gradient<S: ::aim::__private::Scalar>(
+            &self,
+            __links: &[[S; 12]],
+            __target: &[S; 3],
+            __sin_cos: &[[S; 4]],
+            __out: &mut [S],
+        ) {
+            if let (
+                ::core::result::Result::Ok(__links),
+                ::core::result::Result::Ok(__sin_cos),
+                ::core::result::Result::Ok(__out),
+            ) = (
+                <&[[S; 12]; 3] as ::core::convert::TryFrom<&[[S; 12]]>>::try_from(__links),
+                <&[[S; 4]; 3] as ::core::convert::TryFrom<&[[S; 4]]>>::try_from(__sin_cos),
+                <&mut [S; 7] as ::core::convert::TryFrom<&mut [S]>>::try_from(&mut *__out),
+            ) {
+                *__out = value_gradient(__links, __target, __sin_cos);
+            } else {
+                <[S]>::fill(__out, <S as ::aim::__private::Scalar>::ZERO);
+            }
+        }
+        #[inline]
+        fn chain_residual_jacobian<S: ::aim::__private::Scalar>(
+            &self,
+            __links: &[[S; 12]],
+            __target: &[S; 3],
+            __sin_cos: &[[S; 4]],
+            __out: &mut [S],
+        ) {
+            if let (
+                ::core::result::Result::Ok(__links),
+                ::core::result::Result::Ok(__sin_cos),
+                ::core::result::Result::Ok(__out),
+            ) = (
+                <&[[S; 12]; 3] as ::core::convert::TryFrom<&[[S; 12]]>>::try_from(__links),
+                <&[[S; 4]; 3] as ::core::convert::TryFrom<&[[S; 4]]>>::try_from(__sin_cos),
+                <&mut [S; 14] as ::core::convert::TryFrom<&mut [S]>>::try_from(&mut *__out),
+            ) {
+                *__out = residual_jacobian(__links, __target, __sin_cos);
+            } else {
+                <[S]>::fill(__out, <S as ::aim::__private::Scalar>::ZERO);
+            }
+        }
+    }
+    ///Aim, ∂aim/∂pitch, ∂aim/∂heading of `left_eye`, `neck`, `spine3`. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `Hero`.
+    #[inline]
+    fn aim_gradient_0<S: ::aim::__private::Scalar>(
+        __effector_to_joint: &[S; 12],
+        __target: &[S; 3],
+        __sin_cos: &[S; 4],
+    ) -> [S; 3] {
+        let __v0 = __target[1] * __sin_cos[3] + __target[2] * __sin_cos[2];
+        let __v1 = __target[0] * __sin_cos[1] - __sin_cos[0] * __v0;
+        let __v2 = __v1 - __effector_to_joint[9];
+        let __v3 = __sin_cos[1] * __v0 + __target[0] * __sin_cos[0];
+        let __v4 = __v3 - __effector_to_joint[10];
+        let __v5 = __target[2] * __sin_cos[3] - __target[1] * __sin_cos[2];
+        let __v6 = __v5 - __effector_to_joint[11];
+        let __v7 = __v2 * __v2 + __v4 * __v4 + __v6 * __v6;
+        let __v8 = <S as ::aim::__private::Scalar>::sqrt(__v7);
+        let __v9 = <S as ::aim::__private::Scalar>::constant(1.0) / __v8;
+        let __v10 = <S as ::aim::__private::Scalar>::select_less(
+            <S as ::aim::__private::Scalar>::TINY,
+            __v8,
+            __v9,
+            <S as ::aim::__private::Scalar>::ZERO,
+        );
+        let __v11 =
+            __v10 * (__effector_to_joint[3] * __v2 + __effector_to_joint[4] * __v4 + __effector_to_joint[5] * __v6);
+        let __v12 = __v10 * __v11;
+        let __v13 = __effector_to_joint[4] - __v4 * __v12;
+        let __v14 = __effector_to_joint[3] - __v2 * __v12;
+        let __v15 = __v10 * (__v1 * __v13 - __v3 * __v14);
+        let __v16 = __v0 * (__effector_to_joint[5] - __v6 * __v12);
+        let __v17 = __v10 * (__v5 * (__sin_cos[1] * __v13 - __sin_cos[0] * __v14) - __v16);
+        [__v11, __v15, __v17]
+    }
+    ///The chain's aim, then its derivatives. 173 operations: 67 add, 104 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `Hero`.
+    #[inline]
+    fn value_gradient<S: ::aim::__private::Scalar>(
+        __links: &[[S; 12]; 3],
+        __target: &[S; 3],
+        __sin_cos: &[[S; 4]; 3],
+    ) -> [S; 7] {
+        let __v0 = __target[1] * __sin_cos[2][3] + __target[2] * __sin_cos[2][2];
+        let __v1 = __sin_cos[2][0] * __v0 - __target[0] * __sin_cos[2][1];
+        let __v2 = __v1 + __links[2][9];
+        let __v3 = __sin_cos[2][1] * __v0 + __target[0] * __sin_cos[2][0];
+        let __v4 = __links[2][10] - __v3;
+        let __v5 = __target[1] * __sin_cos[2][2] - __target[2] * __sin_cos[2][3];
+        let __v6 = __v5 + __links[2][11];
+        let __v7 = __links[2][3] * __v2 + __links[2][4] * __v4 + __links[2][5] * __v6;
+        let __v8 = __links[2][6] * __v2 + __links[2][7] * __v4 + __links[2][8] * __v6;
+        let __v9 = __sin_cos[1][3] * __v7 + __sin_cos[1][2] * __v8;
+        let __v10 = __links[2][0] * __v2 + __links[2][1] * __v4 + __links[2][2] * __v6;
+        let __v11 = __sin_cos[1][0] * __v9 - __sin_cos[1][1] * __v10;
+        let __v12 = __links[1][9] - __v11;
+        let __v13 = __sin_cos[1][1] * __v9 + __sin_cos[1][0] * __v10;
+        let __v14 = __v13 + __links[1][10];
+        let __v15 = __sin_cos[1][2] * __v7 - __sin_cos[1][3] * __v8;
+        let __v16 = __links[1][11] - __v15;
+        let __v17 = __links[1][3] * __v12 + __links[1][4] * __v14 + __links[1][5] * __v16;
+        let __v18 = __links[1][6] * __v12 + __links[1][7] * __v14 + __links[1][8] * __v16;
+        let __v19 = __sin_cos[0][3] * __v17 + __sin_cos[0][2] * __v18;
+        let __v20 = __links[1][0] * __v12 + __links[1][1] * __v14 + __links[1][2] * __v16;
+        let __v21 = __sin_cos[0][0] * __v19 - __sin_cos[0][1] * __v20;
+        let __v22 = __links[0][9] - __v21;
+        let __v23 = __sin_cos[0][1] * __v19 + __sin_cos[0][0] * __v20;
+        let __v24 = __v23 + __links[0][10];
+        let __v25 = __sin_cos[0][2] * __v17 - __sin_cos[0][3] * __v18;
+        let __v26 = __links[0][11] - __v25;
+        let __v27 = __v22 * __v22 + __v24 * __v24 + __v26 * __v26;
+        let __v28 = <S as ::aim::__private::Scalar>::sqrt(__v27);
+        let __v29 = <S as ::aim::__private::Scalar>::constant(1.0) / __v28;
+        let __v30 = <S as ::aim::__private::Scalar>::select_less(
+            <S as ::aim::__private::Scalar>::TINY,
+            __v28,
+            __v29,
+            <S as ::aim::__private::Scalar>::ZERO,
+        );
+        let __v31 = __v30 * (__links[0][3] * __v22 + __links[0][4] * __v24 + __links[0][5] * __v26);
+        let __v32 = __v30 * __v31;
+        let __v33 = __v30 * (__links[0][4] - __v24 * __v32);
+        let __v34 = __v30 * (__links[0][3] - __v22 * __v32);
+        let __v35 = __v21 * __v33 + __v23 * __v34;
+        let __v36 = __sin_cos[0][1] * __v33 - __sin_cos[0][0] * __v34;
+        let __v37 = __v30 * (__links[0][5] - __v26 * __v32);
+        let __v38 = __v25 * __v36 + __v19 * __v37;
+        let __v39 = __sin_cos[0][0] * __v33 + __sin_cos[0][1] * __v34;
+        let __v40 = __sin_cos[0][3] * __v36 - __sin_cos[0][2] * __v37;
+        let __v41 = __sin_cos[0][2] * __v36 + __sin_cos[0][3] * __v37;
+        let __v42 = __links[1][1] * __v39 + __links[1][4] * __v40 + __links[1][7] * __v41;
+        let __v43 = __links[1][0] * __v39 + __links[1][3] * __v40 + __links[1][6] * __v41;
+        let __v44 = __v11 * __v42 + __v13 * __v43;
+        let __v45 = __sin_cos[1][1] * __v42 - __sin_cos[1][0] * __v43;
+        let __v46 = __links[1][2] * __v39 + __links[1][5] * __v40 + __links[1][8] * __v41;
+        let __v47 = __v15 * __v45 + __v9 * __v46;
+        let __v48 = __sin_cos[1][0] * __v42 + __sin_cos[1][1] * __v43;
+        let __v49 = __sin_cos[1][3] * __v45 - __sin_cos[1][2] * __v46;
+        let __v50 = __sin_cos[1][2] * __v45 + __sin_cos[1][3] * __v46;
+        let __v51 = __links[2][1] * __v48 + __links[2][4] * __v49 + __links[2][7] * __v50;
+        let __v52 = __links[2][0] * __v48 + __links[2][3] * __v49 + __links[2][6] * __v50;
+        let __v53 = __v1 * __v51 + __v3 * __v52;
+        let __v54 = __v0 * (__links[2][2] * __v48 + __links[2][5] * __v49 + __links[2][8] * __v50);
+        let __v55 = __v5 * (__sin_cos[2][1] * __v51 - __sin_cos[2][0] * __v52) + __v54;
+        [-__v31, __v35, __v38, __v44, __v47, -__v53, -__v55]
+    }
+    ///The chain's residual (left, up), then the derivatives of each. 279 operations: 105 add, 171 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `Hero`.
+    #[inline]
+    fn residual_jacobian<S: ::aim::__private::Scalar>(
+        __links: &[[S; 12]; 3],
+        __target: &[S; 3],
+        __sin_cos: &[[S; 4]; 3],
+    ) -> [S; 14] {
+        let __v0 = __target[1] * __sin_cos[2][3] + __target[2] * __sin_cos[2][2];
+        let __v1 = __sin_cos[2][0] * __v0 - __target[0] * __sin_cos[2][1];
+        let __v2 = __v1 + __links[2][9];
+        let __v3 = __sin_cos[2][1] * __v0 + __target[0] * __sin_cos[2][0];
+        let __v4 = __links[2][10] - __v3;
+        let __v5 = __target[1] * __sin_cos[2][2] - __target[2] * __sin_cos[2][3];
+        let __v6 = __v5 + __links[2][11];
+        let __v7 = __links[2][3] * __v2 + __links[2][4] * __v4 + __links[2][5] * __v6;
+        let __v8 = __links[2][6] * __v2 + __links[2][7] * __v4 + __links[2][8] * __v6;
+        let __v9 = __sin_cos[1][3] * __v7 + __sin_cos[1][2] * __v8;
+        let __v10 = __links[2][0] * __v2 + __links[2][1] * __v4 + __links[2][2] * __v6;
+        let __v11 = __sin_cos[1][0] * __v9 - __sin_cos[1][1] * __v10;
+        let __v12 = __links[1][9] - __v11;
+        let __v13 = __sin_cos[1][1] * __v9 + __sin_cos[1][0] * __v10;
+        let __v14 = __v13 + __links[1][10];
+        let __v15 = __sin_cos[1][2] * __v7 - __sin_cos[1][3] * __v8;
+        let __v16 = __links[1][11] - __v15;
+        let __v17 = __links[1][3] * __v12 + __links[1][4] * __v14 + __links[1][5] * __v16;
+        let __v18 = __links[1][6] * __v12 + __links[1][7] * __v14 + __links[1][8] * __v16;
+        let __v19 = __sin_cos[0][3] * __v17 + __sin_cos[0][2] * __v18;
+        let __v20 = __links[1][0] * __v12 + __links[1][1] * __v14 + __links[1][2] * __v16;
+        let __v21 = __sin_cos[0][1] * __v19 + __sin_cos[0][0] * __v20;
+        let __v22 = __v21 + __links[0][10];
+        let __v23 = __sin_cos[0][2] * __v17 - __sin_cos[0][3] * __v18;
+        let __v24 = __links[0][11] - __v23;
+        let __v25 = __sin_cos[0][0] * __v19 - __sin_cos[0][1] * __v20;
+        let __v26 = __links[0][9] - __v25;
+        let __v27 = __v22 * __v22 + __v24 * __v24 + __v26 * __v26;
+        let __v28 = <S as ::aim::__private::Scalar>::sqrt(__v27);
+        let __v29 = __v28 - (__links[0][3] * __v26 + __links[0][4] * __v22 + __links[0][5] * __v24);
+        let __v30 = <S as ::aim::__private::Scalar>::constant(1.0) / __v29;
+        let __v31 = <S as ::aim::__private::Scalar>::select_less(
+            <S as ::aim::__private::Scalar>::TINY,
+            __v29,
+            __v30,
+            <S as ::aim::__private::Scalar>::ZERO,
+        );
+        let __v32 = <S as ::aim::__private::Scalar>::constant(2.0) * __v31;
+        let __v33 = __links[0][6] * __v26 + __links[0][7] * __v22 + __links[0][8] * __v24;
+        let __v34 = __v32 * __v33;
+        let __v35 = __links[0][0] * __v26 + __links[0][1] * __v22 + __links[0][2] * __v24;
+        let __v36 = __v32 * __v35;
+        let __v37 = <S as ::aim::__private::Scalar>::constant(1.0) / __v28;
+        let __v38 = <S as ::aim::__private::Scalar>::select_less(
+            <S as ::aim::__private::Scalar>::TINY,
+            __v28,
+            __v37,
+            <S as ::aim::__private::Scalar>::ZERO,
+        );
+        let __v39 = __links[0][4] - __v22 * __v38;
+        let __v40 = __v31 * __v32;
+        let __v41 = __v33 * __v40;
+        let __v42 = __links[0][7] * __v32 + __v39 * __v41;
+        let __v43 = __links[0][3] - __v26 * __v38;
+        let __v44 = __links[0][6] * __v32 + __v43 * __v41;
+        let __v45 = __v25 * __v42 + __v21 * __v44;
+        let __v46 = __sin_cos[0][1] * __v42 - __sin_cos[0][0] * __v44;
+        let __v47 = __links[0][5] - __v24 * __v38;
+        let __v48 = __links[0][8] * __v32 + __v47 * __v41;
+        let __v49 = __v23 * __v46 + __v19 * __v48;
+        let __v50 = __sin_cos[0][0] * __v42 + __sin_cos[0][1] * __v44;
+        let __v51 = __sin_cos[0][3] * __v46 - __sin_cos[0][2] * __v48;
+        let __v52 = __sin_cos[0][2] * __v46 + __sin_cos[0][3] * __v48;
+        let __v53 = __links[1][1] * __v50 + __links[1][4] * __v51 + __links[1][7] * __v52;
+        let __v54 = __links[1][0] * __v50 + __links[1][3] * __v51 + __links[1][6] * __v52;
+        let __v55 = __v11 * __v53 + __v13 * __v54;
+        let __v56 = __sin_cos[1][1] * __v53 - __sin_cos[1][0] * __v54;
+        let __v57 = __links[1][2] * __v50 + __links[1][5] * __v51 + __links[1][8] * __v52;
+        let __v58 = __v15 * __v56 + __v9 * __v57;
+        let __v59 = __sin_cos[1][0] * __v53 + __sin_cos[1][1] * __v54;
+        let __v60 = __sin_cos[1][3] * __v56 - __sin_cos[1][2] * __v57;
+        let __v61 = __sin_cos[1][2] * __v56 + __sin_cos[1][3] * __v57;
+        let __v62 = __links[2][1] * __v59 + __links[2][4] * __v60 + __links[2][7] * __v61;
+        let __v63 = __links[2][0] * __v59 + __links[2][3] * __v60 + __links[2][6] * __v61;
+        let __v64 = __v1 * __v62 + __v3 * __v63;
+        let __v65 = __v0 * (__links[2][2] * __v59 + __links[2][5] * __v60 + __links[2][8] * __v61);
+        let __v66 = __v5 * (__sin_cos[2][1] * __v62 - __sin_cos[2][0] * __v63) + __v65;
+        let __v67 = __v35 * __v40;
+        let __v68 = __links[0][1] * __v32 + __v39 * __v67;
+        let __v69 = __links[0][0] * __v32 + __v43 * __v67;
+        let __v70 = __v25 * __v68 + __v21 * __v69;
+        let __v71 = __sin_cos[0][1] * __v68 - __sin_cos[0][0] * __v69;
+        let __v72 = __links[0][2] * __v32 + __v47 * __v67;
+        let __v73 = __v23 * __v71 + __v19 * __v72;
+        let __v74 = __sin_cos[0][0] * __v68 + __sin_cos[0][1] * __v69;
+        let __v75 = __sin_cos[0][3] * __v71 - __sin_cos[0][2] * __v72;
+        let __v76 = __sin_cos[0][2] * __v71 + __sin_cos[0][3] * __v72;
+        let __v77 = __links[1][1] * __v74 + __links[1][4] * __v75 + __links[1][7] * __v76;
+        let __v78 = __links[1][0] * __v74 + __links[1][3] * __v75 + __links[1][6] * __v76;
+        let __v79 = __v11 * __v77 + __v13 * __v78;
+        let __v80 = __sin_cos[1][1] * __v77 - __sin_cos[1][0] * __v78;
+        let __v81 = __links[1][2] * __v74 + __links[1][5] * __v75 + __links[1][8] * __v76;
+        let __v82 = __v15 * __v80 + __v9 * __v81;
+        let __v83 = __sin_cos[1][0] * __v77 + __sin_cos[1][1] * __v78;
+        let __v84 = __sin_cos[1][3] * __v80 - __sin_cos[1][2] * __v81;
+        let __v85 = __sin_cos[1][2] * __v80 + __sin_cos[1][3] * __v81;
+        let __v86 = __links[2][1] * __v83 + __links[2][4] * __v84 + __links[2][7] * __v85;
+        let __v87 = __links[2][0] * __v83 + __links[2][3] * __v84 + __links[2][6] * __v85;
+        let __v88 = __v1 * __v86 + __v3 * __v87;
+        let __v89 = __v0 * (__links[2][2] * __v83 + __links[2][5] * __v84 + __links[2][8] * __v85);
+        let __v90 = __v5 * (__sin_cos[2][1] * __v86 - __sin_cos[2][0] * __v87) + __v89;
+        [-__v34, -__v36, __v45, __v49, __v55, __v58, -__v64, -__v66, __v70, __v73, __v79, __v82, -__v88, -__v90]
+    }
+};

@@ -1,0 +1,92 @@
+//! Two rigs of one character look at points in turn. Nothing here knows the axes of a bone.
+
+mod checked_in;
+
+/// The rigs as `build.rs` compiled them.
+mod built {
+    aim::include_rigs!("rigs");
+}
+
+use std::error::Error;
+
+use aim::glam::{Affine3A, Vec3};
+use aim::{AimRig, Pose, Status};
+use aim_gltf::{Document, PAPER_AXES, mannequin};
+
+/// In metres: the character walks at the origin, faces +Z, its left is +X.
+const TARGETS: [Vec3; 3] = [Vec3::new(0.0, 1.6, 2.0), Vec3::new(1.5, 1.2, 1.5), Vec3::new(-1.0, 2.1, 1.8)];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let model = match std::env::args_os().nth(1) {
+        Some(file) => Document::load(file)?,
+        None => Document::from_bytes(&mannequin(|_| PAPER_AXES)?)?,
+    };
+    for target in TARGETS {
+        println!("target {}", shown(target));
+        let hero = look("Hero", built::Hero::default(), &built::Hero::BONES, &model, target)?;
+        let extra = look("Extra", built::Extra::default(), &built::Extra::BONES, &model, target)?;
+        println!("{hero}{extra}");
+        let checked_in = [
+            look("Hero", checked_in::Hero::default(), &checked_in::Hero::BONES, &model, target)?,
+            look("Extra", checked_in::Extra::default(), &checked_in::Extra::BONES, &model, target)?,
+        ];
+        if [hero, extra] != checked_in {
+            return Err("the checked-in rigs aim otherwise: are they out of date?".into());
+        }
+    }
+    Ok(())
+}
+
+/// Lets the rig follow the target for a second of the model's first clip, and tells in words where it looks then.
+fn look<R: AimRig>(
+    name: &str,
+    mut rig: R,
+    bones: &[&[&str]],
+    model: &Document,
+    target: Vec3,
+) -> Result<String, Box<dyn Error>> {
+    const STEP: f32 = 1.0 / 60.0;
+    let skeleton = model.skeleton();
+    let node = |names: &&[&str]| names.iter().find_map(|name| skeleton.find(name).ok());
+    let nodes: Vec<usize> = bones
+        .iter()
+        .map(|names| node(names).ok_or(format!("the model has no bone {names:?}")))
+        .collect::<Result<_, _>>()?;
+
+    let mut pose = skeleton.rest_pose();
+    let mut status = Status::Degenerate;
+    for frame in 0..60_u8 {
+        let time = STEP * f32::from(frame);
+        pose = model.clips().first().map_or_else(|| skeleton.rest_pose(), |clip| skeleton.pose(clip, time));
+        let animated = skeleton.world(&pose);
+        let mut joints = rig.array(Affine3A::IDENTITY);
+        for (joint, node) in joints.as_mut().iter_mut().zip(&nodes) {
+            *joint = animated[*node];
+        }
+        status = rig.aim(&Pose { joints }, target, STEP).status;
+        for (joint, correction) in rig.corrections() {
+            pose[nodes[joint]].turn(correction);
+        }
+    }
+
+    let eye = skeleton.world(&pose)[nodes[0]];
+    let gaze = eye.transform_vector3(rig.effector().forward.into()).normalize();
+    let from = eye.transform_point3(rig.effector().origin.into());
+    let mut text = format!(
+        "  {name:<6} {status:?}: from {} along {}, {:.2}° off\n",
+        shown(from),
+        shown(gaze),
+        gaze.angle_between(target - from).to_degrees()
+    );
+    for (joint, names) in rig.joints().as_ref().iter().zip(bones) {
+        let (heading, pitch) = (joint.heading().to_degrees(), joint.pitch().to_degrees());
+        let side = if heading < 0.0 { "right" } else { "left" };
+        let height = if pitch < 0.0 { "down" } else { "up" };
+        text += &format!("    {:<9} {:4.1}° {side}, {:4.1}° {height}\n", names[0], heading.abs(), pitch.abs());
+    }
+    Ok(text)
+}
+
+fn shown(v: Vec3) -> String {
+    format!("({:.4}, {:.4}, {:.4})", v.x, v.y, v.z)
+}

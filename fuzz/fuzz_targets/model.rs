@@ -1,0 +1,33 @@
+//! A model's file: whatever is accepted can be measured, sampled, and written so that it is accepted again.
+#![no_main]
+
+use aim_gltf::{Document, Measurement};
+use libfuzzer_sys::{Corpus, fuzz_target};
+
+fuzz_target!(|input: &[u8]| -> Corpus {
+    let document = match Document::from_bytes(&aim_fuzz::model_file(input)) {
+        Ok(document) => document,
+        Err(error) => {
+            assert!(!error.to_string().is_empty());
+            return Corpus::Keep;
+        }
+    };
+    let measured = Measurement::of(&document);
+    for axis in [measured.up, measured.forward] {
+        assert!((axis.length() - 1.0).abs() < 1e-6, "the character's axis {axis:?}");
+    }
+    for bone in &measured.bones {
+        assert!((0.0..=180.0).contains(&bone.deviation_deg), "{bone:?}");
+    }
+    for clip in document.clips() {
+        let pose = document.skeleton().pose(clip, 0.3 * clip.seconds());
+        assert_eq!(document.skeleton().world(&pose).len(), document.skeleton().nodes().len());
+    }
+    if let Ok(written) = document.with_clips(document.clips()) {
+        let again =
+            Document::from_bytes(&written).unwrap_or_else(|error| panic!("what was written is refused: {error}"));
+        // Each in place of the one of its name.
+        assert_eq!(again.clips().len(), document.clips().len());
+    }
+    Corpus::Keep
+});
