@@ -5,40 +5,7 @@ mod common;
 use aim_runtime::glam::{Quat, Vec3};
 use aim_runtime::ik::{Hinge, Limb, TwoBone, TwoBoneOutcome, TwoBoneStatus};
 use common::Rng;
-
-type Point = [f64; 3];
-
-fn exact(v: Vec3) -> Point {
-    v.to_array().map(f64::from)
-}
-
-fn minus(a: Point, b: Point) -> Point {
-    core::array::from_fn(|i| a[i] - b[i])
-}
-
-fn plus(a: Point, b: Point) -> Point {
-    core::array::from_fn(|i| a[i] + b[i])
-}
-
-fn length(a: Point) -> f64 {
-    a.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
-fn cross(a: Point, b: Point) -> Point {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn dot(a: Point, b: Point) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// `v` turned, from the definition q v q*.
-fn turned(q: Quat, v: Point) -> Point {
-    let [x, y, z, w] = q.to_array().map(f64::from);
-    let twice = cross([x, y, z], v).map(|c| 2.0 * c);
-    let again = cross([x, y, z], twice);
-    core::array::from_fn(|i| v[i] + w * twice[i] + again[i])
-}
+use common::exact::*;
 
 /// The joints of a limb whose bones are turned, and the truth of what the outcome says of itself.
 fn posed(limb: &Limb, target: Vec3, outcome: &TwoBoneOutcome) -> [Point; 3] {

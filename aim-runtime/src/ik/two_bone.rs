@@ -4,10 +4,11 @@
 //! root then turns the bent limb until the tip points at the target and the middle joint lies on the side that was asked
 //! for. Both are rotations, so bones keep their lengths.
 
-use core::f32::consts::{FRAC_PI_2, PI};
+use core::f32::consts::PI;
 
-use glam::{Mat3A, Quat, Vec3, Vec3A};
+use glam::{Quat, Vec3, Vec3A};
 
+use super::turn::{FLAT, across, between, part};
 use crate::math::{self, cross, direction, product, turned};
 use crate::trig::{atan2, sin_cos};
 
@@ -127,8 +128,6 @@ pub enum TwoBoneStatus {
 
 /// What counts as met, of the limb's length.
 const MET: f32 = 1e-5;
-/// Directions less than this apart in sine have no plane between them.
-const FLAT: f32 = 1e-5;
 
 impl TwoBone {
     /// In the plane of the animation, without limits, softening or twist, at full weight.
@@ -332,13 +331,6 @@ fn unit(x: f32, y: f32) -> (f32, f32) {
     if length > 0.0 { (x / length, y / length) } else { (1.0, 0.0) }
 }
 
-/// The unit vector of what of `v` is square to the unit vector `along`.
-fn across(v: Vec3A, along: Vec3A) -> Option<Vec3A> {
-    let v = direction(v)?;
-    let across = v - along * v.dot(along);
-    if across.length() > FLAT { direction(across - along * across.dot(along)) } else { None }
-}
-
 /// Where the middle joint lies beside the way to the tip, `along`, if it flexes about `axis`.
 fn side(along: Vec3A, axis: Vec3A) -> Vec3A {
     let side = direction(cross(along, axis)).unwrap_or_else(|| along.any_orthonormal_vector());
@@ -351,22 +343,4 @@ fn carried(v: Vec3A, from: Vec3A, to: Vec3A) -> Vec3A {
     // Half a turn: about v itself.
     let carried = if along > FLAT * FLAT { v - (from + to) * (v.dot(to) / along) } else { v };
     across(carried, to).unwrap_or_else(|| to.any_orthonormal_vector())
-}
-
-/// The turn from one pair of square unit vectors to another.
-fn between([a, b]: [Vec3A; 2], [to_a, to_b]: [Vec3A; 2]) -> Quat {
-    let (from, to) = ([a, b, cross(a, b)], [to_a, to_b, cross(to_a, to_b)]);
-    let column = |i: usize| to[0] * from[0][i] + to[1] * from[1][i] + to[2] * from[2][i];
-    Quat::from_mat3a(&Mat3A::from_cols(column(0), column(1), column(2))).normalize()
-}
-
-/// A part of a turn, the short way.
-fn part(turn: Quat, part: f32) -> Quat {
-    let turn = if turn.w < 0.0 { -turn } else { turn };
-    let (sin, cos) = (Vec3A::new(turn.x, turn.y, turn.z), turn.w);
-    let Some(axis) = direction(sin) else { return Quat::IDENTITY };
-    let half = atan2(sin.length(), cos).min(FRAC_PI_2) * part;
-    let (sin, cos) = sin_cos(half);
-    let axis = axis * sin;
-    Quat::from_xyzw(axis.x, axis.y, axis.z, cos).normalize()
 }
