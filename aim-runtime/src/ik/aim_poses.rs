@@ -171,7 +171,7 @@ impl<'a> AimPoses<'a> {
             let mut sum = Quat::from_xyzw(0.0, 0.0, 0.0, 0.0);
             for (pose, weight) in poses.iter().zip(blend.weights) {
                 let pose = turn::unit(pose[bone]).unwrap_or(Quat::IDENTITY);
-                sum += if pose.dot(like) < 0.0 { -pose } else { pose } * weight;
+                sum += if turn::dot(pose, like) < 0.0 { -pose } else { pose } * weight;
             }
             *rotation = turn::unit(sum).unwrap_or(like);
         }

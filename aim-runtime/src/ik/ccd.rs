@@ -5,7 +5,7 @@ use core::f32::consts::PI;
 
 use glam::{Quat, Vec3, Vec3A, Vec4};
 
-use super::turn::{about, angle, at_most, shortest};
+use super::turn::{about, angle, at_most, normalized, shortest};
 use crate::JointSet;
 use crate::limits::{AT_LIMIT_RAD, Range};
 use crate::math::{self, cross, direction, product, turned};
@@ -216,7 +216,7 @@ impl Chain {
             let bone = self.relative(joints, index + 1) - self.relative(joints, index);
             let joint = &mut joints[index];
             // Long products stay units.
-            turn = product(turn, joint.added).normalize();
+            turn = normalized(product(turn, joint.added));
             (joint.turn, joint.at) = (turn, at);
             at += turned(turn, bone);
         }
@@ -266,7 +266,7 @@ impl Chain {
             let [to_tip, to_target] = [tip, self.target].map(|point| turned(back, point - joint.at));
             let before = joint.added;
             joint.turn_towards(to_tip, to_target);
-            let turn = product(joint.added, before.conjugate()).normalize();
+            let turn = normalized(product(joint.added, before.conjugate()));
             largest = largest.max(angle(turn));
             tip = joint.at + turned(carried, turned(turn, to_tip));
         }
@@ -317,8 +317,8 @@ impl CcdJoint {
     /// Adds this turn, or what the limit lets of it.
     fn hold(&mut self, added: Quat) {
         self.added = match self.limit {
-            CcdLimit::Free => added.normalize(),
-            CcdLimit::Ball { most_rad } => at_most(added.normalize(), most_rad.max(0.0)),
+            CcdLimit::Free => normalized(added),
+            CcdLimit::Ball { most_rad } => at_most(normalized(added), most_rad.max(0.0)),
             CcdLimit::Hinge { .. } => match self.limit.hinge() {
                 Some((axis, range)) => about(axis, 0.5 * range.hold(about_axis(added, axis))),
                 None => added,

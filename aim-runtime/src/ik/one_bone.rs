@@ -2,7 +2,7 @@
 
 use glam::{Affine3A, Quat, Vec3};
 
-use super::turn::{across, between, part, shortest};
+use super::turn::{across, between, normalized, part, shortest};
 use crate::math::{self, angle_between, direction, product, turned};
 use crate::trig::sin_cos;
 
@@ -130,7 +130,7 @@ impl OneBone {
             let up = to.any_orthonormal_vector();
             let (sin, cos) = sin_cos(self.roll_rad);
             let rolled = up * cos + math::cross(to, up) * sin;
-            turn = product(between([to, up], [to, rolled]), turn).normalize();
+            turn = normalized(product(between([to, up], [to, rolled]), turn));
         }
         // NaN counts as 0.
         let weight = self.weight.max(0.0).min(1.0);

@@ -4,7 +4,7 @@ use core::fmt;
 
 use glam::{Affine3A, Mat3A, Quat, Vec3};
 
-use super::turn::{self, part};
+use super::turn::{self, normalized, part};
 use crate::math::{self, product};
 
 /// A bone's transform in its parent's space, by its parts.
@@ -156,15 +156,15 @@ fn check(parents: &[Option<usize>], from: usize, to: usize) -> Result<(), PoseEr
 pub fn nlerp(a: Quat, b: Quat, weight: f32) -> Quat {
     let [a, b] = [a, b].map(|turn| turn::unit(turn).unwrap_or(Quat::IDENTITY));
     let weight = clamped(weight);
-    let b = if a.dot(b) < 0.0 { -b } else { b };
+    let b = if turn::dot(a, b) < 0.0 { -b } else { b };
     // Of two in one hemisphere the sum is at least √½ long.
-    (a * (1.0 - weight) + b * weight).normalize()
+    normalized(a * (1.0 - weight) + b * weight)
 }
 
 /// Between two rotations at constant speed, the short way; else as [`nlerp`].
 pub fn slerp(a: Quat, b: Quat, weight: f32) -> Quat {
     let [a, b] = [a, b].map(|turn| turn::unit(turn).unwrap_or(Quat::IDENTITY));
-    product(part(product(b, a.conjugate()).normalize(), clamped(weight)), a).normalize()
+    normalized(product(part(normalized(product(b, a.conjugate())), clamped(weight)), a))
 }
 
 /// Moves `pose` towards `other` by `weight`, times each bone's own where there is a mask: at 1 a bone is `other`'s, at 0 it

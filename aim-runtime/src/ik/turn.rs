@@ -4,7 +4,7 @@ use core::f32::consts::FRAC_PI_2;
 
 use glam::{Mat3A, Quat, Vec3A, Vec4};
 
-use crate::math::{cross, direction};
+use crate::math::{self, cross, direction};
 use crate::trig::{atan2, sin_cos};
 
 /// Directions less than this apart in sine have no plane between them.
@@ -21,7 +21,7 @@ pub(super) fn across(v: Vec3A, along: Vec3A) -> Option<Vec3A> {
 pub(super) fn between([a, b]: [Vec3A; 2], [to_a, to_b]: [Vec3A; 2]) -> Quat {
     let (from, to) = ([a, b, cross(a, b)], [to_a, to_b, cross(to_a, to_b)]);
     let column = |i: usize| to[0] * from[0][i] + to[1] * from[1][i] + to[2] * from[2][i];
-    Quat::from_mat3a(&Mat3A::from_cols(column(0), column(1), column(2))).normalize()
+    normalized(Quat::from_mat3a(&Mat3A::from_cols(column(0), column(1), column(2))))
 }
 
 /// The shortest turn from one unit vector to another, exact to rounding also near none and near half a turn; about any
@@ -30,7 +30,7 @@ pub(super) fn shortest(from: Vec3A, to: Vec3A) -> Quat {
     let axis = cross(from, to);
     let sum = from + to;
     if from.dot(to) > 0.0 {
-        return Quat::from_xyzw(axis.x, axis.y, axis.z, 0.5 * sum.dot(sum)).normalize();
+        return normalized(Quat::from_xyzw(axis.x, axis.y, axis.z, 0.5 * sum.dot(sum)));
     }
     // Near half a turn the product's digits say little: it is made square to both.
     let axis = across(axis, from).unwrap_or_else(|| from.any_orthonormal_vector());
@@ -53,7 +53,7 @@ pub(super) fn angle(turn: Quat) -> f32 {
 pub(super) fn about(axis: Vec3A, half_rad: f32) -> Quat {
     let (sin, cos) = sin_cos(half_rad);
     let axis = axis * sin;
-    Quat::from_xyzw(axis.x, axis.y, axis.z, cos).normalize()
+    normalized(Quat::from_xyzw(axis.x, axis.y, axis.z, cos))
 }
 
 /// A part of a turn, the short way.
@@ -69,12 +69,22 @@ pub(super) fn at_most(turn: Quat, most_rad: f32) -> Quat {
     }
 }
 
+/// The sum of products; the same bits everywhere, where glam adds in the machine's own order.
+pub(super) fn dot(a: Quat, b: Quat) -> f32 {
+    a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w
+}
+
+/// The quaternion, neither tiny nor huge, at length 1; the same bits everywhere, as [`dot`].
+pub(super) fn normalized(turn: Quat) -> Quat {
+    turn * (1.0 / math::sqrt(dot(turn, turn)))
+}
+
 /// The quaternion at length 1; `None` where it has no length, or none that is finite.
 pub(super) fn unit(turn: Quat) -> Option<Quat> {
     let largest = Vec4::from(turn).abs().max_element();
     if !(largest > 0.0 && turn.is_finite()) {
         return None;
     }
-    let unit = (turn * (1.0 / largest)).normalize();
+    let unit = normalized(turn * (1.0 / largest));
     unit.is_finite().then_some(unit)
 }

@@ -8,7 +8,7 @@ use core::f32::consts::PI;
 
 use glam::{Quat, Vec3, Vec3A};
 
-use super::turn::{FLAT, across, between, part};
+use super::turn::{FLAT, across, between, normalized, part};
 use crate::math::{self, cross, direction, product, turned};
 use crate::trig::{atan2, sin_cos};
 
@@ -232,9 +232,9 @@ impl TwoBone {
         let weight = self.weight.max(0.0).min(1.0);
         if weight < 1.0 {
             let root = part(root, weight);
-            return (root, product(root, part(flex, weight)).normalize(), TwoBoneStatus::Partial);
+            return (root, normalized(product(root, part(flex, weight))), TwoBoneStatus::Partial);
         }
-        (root, product(root, flex).normalize(), cause)
+        (root, normalized(product(root, flex)), cause)
     }
 
     /// The axis that the middle joint flexes about: the hinge's, else the normal of the animated bend; of a straight limb,
@@ -301,7 +301,7 @@ impl TwoBone {
         let cos = halves.0 * animated.0 + halves.1 * animated.1;
         let sin = halves.1 * animated.0 - halves.0 * animated.1;
         let turn = axis * sin;
-        (Quat::from_xyzw(turn.x, turn.y, turn.z, cos).normalize(), cause)
+        (normalized(Quat::from_xyzw(turn.x, turn.y, turn.z, cos)), cause)
     }
 
     /// The distance to go to: from the softened part of the length on it approaches the length but never arrives.
