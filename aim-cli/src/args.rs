@@ -216,4 +216,7 @@ pub(crate) struct Reach {
     /// Where to write what came of it, as JSON.
     #[arg(long, value_name = "R.json")]
     pub(crate) report: Option<PathBuf>,
+    /// Where to write a page that draws the way it was and the way it is.
+    #[arg(long, value_name = "R.html")]
+    pub(crate) html: Option<PathBuf>,
 }
