@@ -6,6 +6,7 @@ mod charts;
 mod directions;
 mod film;
 mod gaze;
+mod inspection;
 mod raster;
 mod rig;
 mod scene;
@@ -21,6 +22,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::report::Report;
 
+pub(crate) use inspection::{Inspected, page as inspection_page};
 pub(crate) use trajectory::{Course, page as trajectory_page};
 
 const STYLE: &str = include_str!("html/style.css");
