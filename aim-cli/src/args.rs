@@ -23,14 +23,22 @@ pub(crate) enum Command {
     /// Show a model's bones with their measured axes and roles, and its clips.
     #[command(after_help = "Example:\n  aim inspect hero.glb --json")]
     Inspect(Inspect),
+    /// Propose a model's declaration: its chain, measured axes, human ranges and rates.
+    #[command(
+        after_help = "Example:\n  aim rig hero.glb --format toml\n\nThe result goes to standard output: `aim rig hero.glb > \
+                            hero.toml`, or into the program with --format rust."
+    )]
+    Rig(Rig),
     /// Write the solver derived for a rig.
     #[command(after_help = "Example:\n  aim generate rigs/thug.toml --lang c -o thug.c")]
     Generate(Generate),
     /// Count the operations of what is emitted for a rig.
     #[command(after_help = "Example:\n  aim count rigs/thug.toml --json")]
     Count(Count),
-    /// Compare a rig's derived gradient and Jacobian with central differences.
-    #[command(after_help = "Example:\n  aim check rigs/thug.toml --samples 10000")]
+    /// Compare a rig's derived gradient and Jacobian with central differences, or a rig with a model.
+    #[command(
+        after_help = "Example:\n  aim check rigs/thug.toml --samples 10000\n  aim check dude.glb --rig rigs/thug.toml"
+    )]
     Check(Check),
     /// Aim a model over a clip and write an ordinary glTF animation.
     #[command(
@@ -74,6 +82,32 @@ pub(crate) struct Inspect {
     /// Print JSON.
     #[arg(long)]
     pub(crate) json: bool,
+    /// Also write a page with drawings of the character and its rig's axes.
+    #[arg(long, value_name = "OUT.html")]
+    pub(crate) html: Option<PathBuf>,
+    /// The declaration that is drawn; the proposed one if not given.
+    #[arg(long, value_name = "RIG.toml", requires = "html")]
+    pub(crate) rig: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Notation {
+    /// A rig file.
+    Toml,
+    /// A struct with a derive.
+    Rust,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Rig {
+    /// A .glb, .gltf or .vrm file.
+    pub(crate) file: PathBuf,
+    /// The bones of the chain, from the effector inward; told by roles and names if not given.
+    #[arg(long, value_name = "A,B,C", value_delimiter = ',')]
+    pub(crate) chain: Vec<String>,
+    /// How to write it.
+    #[arg(long, value_enum, default_value_t = Notation::Toml)]
+    pub(crate) format: Notation,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -114,8 +148,12 @@ pub(crate) struct Count {
 
 #[derive(Debug, Args)]
 pub(crate) struct Check {
-    /// The rig's declaration.
+    /// The rig's declaration; with --rig a model.
+    #[arg(value_name = "RIG.toml|FILE")]
     pub(crate) rig: PathBuf,
+    /// Instead of derivatives, say where this declaration and the model FILE contradict each other.
+    #[arg(long = "rig", value_name = "RIG.toml", conflicts_with_all = ["samples", "flip_sign"])]
+    pub(crate) model_rig: Option<PathBuf>,
     /// How many random poses to compare.
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) samples: u32,
@@ -216,4 +254,7 @@ pub(crate) struct Reach {
     /// Where to write what came of it, as JSON.
     #[arg(long, value_name = "R.json")]
     pub(crate) report: Option<PathBuf>,
+    /// Where to write a page that draws the way it was and the way it is.
+    #[arg(long, value_name = "R.html")]
+    pub(crate) html: Option<PathBuf>,
 }

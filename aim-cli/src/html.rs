@@ -6,12 +6,14 @@ mod charts;
 mod directions;
 mod film;
 mod gaze;
+mod inspection;
 mod raster;
 mod rig;
 mod scene;
 mod summary;
 #[cfg(test)]
 mod tests;
+mod trajectory;
 mod words;
 
 use aim_codegen::RigSpec;
@@ -19,6 +21,9 @@ use aim_gltf::{Baked, Document, Measurement};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::report::Report;
+
+pub(crate) use inspection::{Inspected, page as inspection_page};
+pub(crate) use trajectory::{Course, page as trajectory_page};
 
 const STYLE: &str = include_str!("html/style.css");
 
@@ -36,6 +41,21 @@ pub(crate) struct Subject<'a> {
 pub(crate) fn page(subject: &Subject<'_>) -> String {
     let Subject { spec, report, .. } = *subject;
     let title = format!("{} aimed over {}", report.rig, report.clip);
+    let content = html! {
+        h1 { (report.rig) " aimed over " q { (report.clip) } }
+        (summary::section(spec, report))
+        @if let Some(strip) = film::strip(subject) { (film(strip)) }
+        (rig::section(spec, report))
+        section.over-time {
+            h2 { "Over time" }
+            (charts::all(subject))
+        }
+    };
+    whole(&title, &content)
+}
+
+/// A page that needs nothing but itself.
+fn whole(title: &str, content: &Markup) -> String {
     html! {
         (DOCTYPE)
         html lang="en" {
@@ -47,18 +67,7 @@ pub(crate) fn page(subject: &Subject<'_>) -> String {
                 title { (title) }
                 style { (PreEscaped(STYLE)) }
             }
-            body {
-                main {
-                    h1 { (report.rig) " aimed over " q { (report.clip) } }
-                    (summary::section(spec, report))
-                    @if let Some(strip) = film::strip(subject) { (film(strip)) }
-                    (rig::section(spec, report))
-                    section.over-time {
-                        h2 { "Over time" }
-                        (charts::all(subject))
-                    }
-                }
-            }
+            body { main { (content) } }
         }
     }
     .into_string()

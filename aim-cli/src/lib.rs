@@ -4,11 +4,14 @@
 
 mod args;
 mod commands;
+mod declaration;
+mod evidence;
 mod failure;
 mod files;
+mod fit;
 mod html;
 mod interpreted;
-mod measured;
+mod proposal;
 mod report;
 mod target;
 

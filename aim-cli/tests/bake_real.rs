@@ -65,7 +65,7 @@ fn every_character_with_a_head_without_a_rig() {
     let mut files: Vec<_> = std::fs::read_dir(folder)
         .expect("the folder can be listed")
         .map(|entry| entry.expect("an entry").path())
-        .filter(|path| path.extension().is_some_and(|extension| extension == "glb"))
+        .filter(|path| path.extension().is_some_and(|extension| extension == "glb" || extension == "gltf"))
         .collect();
     files.sort();
     let mut baked = 0;
@@ -77,12 +77,15 @@ fn every_character_with_a_head_without_a_rig() {
             println!("{} has no head by name", file.display());
             continue;
         }
-        let report = bake(file, None, &["--target", "orbit:2,0.2,6", "--seconds", "3"]);
+        let report = bake(file, None, &["--target", "orbit:2,0.2,6", "--seconds", "6"]);
         assert_eq!(report["rig"], "Measured", "{}", file.display());
         assert_eq!(report["frames"][0]["status"], "reached", "{}: {}", file.display(), report["frames"][0]);
+        // `bake` has held each status to the error in the written file, and every other bone to its place.
+        let reached = list(&report["frames"]).iter().filter(|frame| frame["status"] == "reached").count();
+        assert!(reached >= 90, "{}: only {reached} of 361 frames are reached", file.display());
         baked += 1;
     }
-    assert!(baked >= 5 || files.len() < 5, "only {baked} characters of {} were aimed", files.len());
+    assert!(baked >= 7 || files.len() < 7, "only {baked} characters of {} were aimed", files.len());
 }
 
 #[test]

@@ -121,6 +121,16 @@ fn out_of_reach_is_as_near_as_it_gets_and_said() {
 }
 
 #[test]
+fn a_page_draws_both_ways() {
+    let place = Place::with_mannequin();
+    place.done("reach m.glb --bone left_hand --at 0.4 --target 0.3,1.2,0.3 --out o.glb --html r.html");
+    let page = scraper::Html::parse_document(&String::from_utf8(place.read("r.html")).expect("a page is text"));
+    assert!(page.errors.is_empty(), "{:?}", page.errors);
+    let count = |selector: &str| page.select(&scraper::Selector::parse(selector).expect("a selector")).count();
+    assert_eq!((count("figure"), count("polyline"), count("figure circle.target")), (3, 6, 3));
+}
+
+#[test]
 fn what_cannot_be_used_is_said() {
     let place = Place::with_mannequin();
     let with = |rest: &str| format!("reach m.glb --out o.glb {rest}");
@@ -136,6 +146,7 @@ fn what_cannot_be_used_is_said() {
         ("--bone right_hand --fps 0 --at 0.5 --target 0,1,0", &["frames a second"]),
         ("--bone right_hand --at 0.5 --target 0,1,0 --report o.glb", &["used twice"]),
         ("--bone right_hand --at 0.5 --target 0,1,0 --report m.glb", &["used twice"]),
+        ("--bone right_hand --at 0.5 --target 0,1,0 --report r --html r", &["used twice"]),
     ] {
         place.refused(&with(rest), words);
     }

@@ -1,7 +1,7 @@
 //! The bind pose in world space: the pose in which a skin was fitted, which is where bone axes mean something.
 //!
 //! Inverse bind matrices live in the mesh's own space, which glTF ties to nothing. One map per skin, world ← mesh,
-//! is found from the joints: the one that most of them agree on, else the hips' made square with the axes (a rest
+//! is found from the joints: the one that most of them agree on, else the hips' made square with the skeleton's root (a rest
 //! pose that is a frame of some walk turns the hips, and a skin is modelled upright).
 
 use glam::{DAffine3, DMat3, DVec3};
@@ -25,7 +25,7 @@ pub(crate) fn bind_world(skeleton: &Skeleton, rest: &[DAffine3], roles: &Roles) 
         let (joints, inverse) = skeleton.skin(index);
         let listed: Vec<(usize, DAffine3)> =
             joints.iter().zip(inverse).filter_map(|(j, m)| Some((*j, (*m)?))).collect();
-        let Some(world_of_mesh) = calibrate(&listed, rest, &bind, roles) else {
+        let Some(world_of_mesh) = calibrate(skeleton, &listed, rest, &bind, roles) else {
             continue;
         };
         for (joint, inverse) in &listed {
@@ -51,6 +51,7 @@ pub(crate) fn bind_world(skeleton: &Skeleton, rest: &[DAffine3], roles: &Roles) 
 
 /// World ← mesh of one skin.
 fn calibrate(
+    skeleton: &Skeleton,
     listed: &[(usize, DAffine3)],
     rest: &[DAffine3],
     known: &[Option<DAffine3>],
@@ -71,7 +72,11 @@ fn calibrate(
     let reference =
         with_role(Role::Hips).or_else(|| with_role(Role::Spine)).or_else(|| with_role(Role::Head)).unwrap_or(0);
     let (frame, map) = (frames[reference], maps[reference]);
-    let square = nearest_square(&frame);
+    // Upright in what carries the whole skeleton, wherever that is turned to.
+    let joint = listed[reference].0;
+    let carrier = skeleton.ancestry(joint).find(|node| !skeleton.nodes()[*node].is_joint);
+    let upright = carrier.map_or(DMat3::IDENTITY, |node| orthonormal(&rest[node].matrix3).0);
+    let square = upright * nearest_square(&(upright.transpose() * frame));
     if turn_cos(&frame, &square) < SQUARE {
         return Some(map);
     }

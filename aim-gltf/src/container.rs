@@ -1,5 +1,7 @@
 //! The GLB container: taken apart with every length checked, put together with every length right.
 
+use core::ops::Range;
+
 use crate::error::Error;
 
 const MAGIC: [u8; 4] = *b"glTF";
@@ -9,7 +11,8 @@ const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
 /// A file's JSON text and, in a GLB with one, its binary chunk (with its padding).
 pub(crate) struct Parts<'a> {
     pub(crate) json: &'a [u8],
-    pub(crate) bin: Option<&'a [u8]>,
+    /// Where in the file the chunk is.
+    pub(crate) bin: Option<Range<usize>>,
     pub(crate) is_glb: bool,
 }
 
@@ -62,7 +65,7 @@ fn split_glb(bytes: &[u8]) -> Result<Parts<'_>, Error> {
         match (index, kind) {
             (0, JSON) => json = Some(body),
             (0, _) => return Err(damaged("its first chunk is not JSON")),
-            (1, BIN) => bin = Some(body),
+            (1, BIN) => bin = Some(start..start + body.len()),
             _ => {} // unknown chunks are to be ignored
         }
         at = start + body.len();

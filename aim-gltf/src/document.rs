@@ -2,6 +2,7 @@
 
 use core::fmt;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use serde_json::Value;
 
@@ -9,6 +10,7 @@ use crate::accessor::Data;
 use crate::clip::Clip;
 use crate::container;
 use crate::error::Error;
+use crate::humanoid::vrm_bones;
 use crate::raw::Raw;
 use crate::skeleton::Skeleton;
 use crate::skin::{self, SkinnedPoint};
@@ -33,7 +35,10 @@ pub(crate) enum Buffer {
 /// Everything reachable from here has been checked: indices exist, the nodes form a forest, data lies
 /// inside its buffers, numbers are finite.
 pub struct Document {
-    pub(crate) json: Value,
+    /// The JSON part, which parses.
+    pub(crate) text: Vec<u8>,
+    /// The same as a tree, ten times as large: made when it is asked for.
+    json: OnceLock<Value>,
     pub(crate) chunk: Option<Vec<u8>>,
     pub(crate) buffers: Vec<Buffer>,
     pub(crate) folder: Option<PathBuf>,
@@ -60,7 +65,7 @@ impl Document {
     pub fn load(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
         let bytes = uri::read_file(path)?;
-        Self::parse(&bytes, Some(path.parent().unwrap_or(Path::new(""))))
+        Self::parse(bytes, Some(path.parent().unwrap_or(Path::new(""))))
     }
 
     /// Reads a document from memory; external buffers are then an error.
@@ -68,29 +73,37 @@ impl Document {
     /// # Errors
     /// Whatever makes the file unreadable or contradictory; see [`Error`].
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
-        Self::parse(bytes, None)
+        Self::parse(bytes.to_vec(), None)
     }
 
-    fn parse(bytes: &[u8], folder: Option<&Path>) -> Result<Self, Error> {
-        let parts = container::split(bytes)?;
-        let json: Value = serde_json::from_slice(parts.json).map_err(|e| Error::Json { message: e.to_string() })?;
-        let raw = Raw::parse(&json)?;
-        let chunk = parts.bin.map(<[u8]>::to_vec);
+    fn parse(mut bytes: Vec<u8>, folder: Option<&Path>) -> Result<Self, Error> {
+        let parts = container::split(&bytes)?;
+        let is_glb = parts.is_glb;
+        let text = parts.json.to_vec();
+        let (raw, extensions) = Raw::parse(&text)?;
+        // What remains of the bytes is the chunk: large files are held once.
+        let chunk = parts.bin.map(|bin| {
+            bytes.truncate(bin.end);
+            bytes.drain(..bin.start);
+            bytes.shrink_to_fit();
+            bytes
+        });
         let buffers = load_buffers(&raw, chunk.as_deref(), folder)?;
         let slices: Vec<_> = buffers.iter().map(|b| bytes_of(b, chunk.as_deref())).collect();
         let data = Data::new(&raw, &slices);
-        let skeleton = Skeleton::read(&data, &json)?;
+        let skeleton = Skeleton::read(&data, vrm_bones(&extensions))?;
         let clips = Clip::read_all(&data)?;
         let points = skin::read_points(&data)?;
         Ok(Self {
             chunk,
             folder: folder.map(Path::to_path_buf),
-            is_glb: parts.is_glb,
+            is_glb,
             skeleton,
             clips,
             points,
             buffers,
-            json,
+            text,
+            json: OnceLock::new(),
         })
     }
 
@@ -126,7 +139,7 @@ impl Document {
     /// The JSON part as it stands in the file, members in their order.
     #[must_use]
     pub fn json(&self) -> &Value {
-        &self.json
+        self.json.get_or_init(|| serde_json::from_slice(&self.text).unwrap_or_default())
     }
 
     /// The GLB's binary chunk as it stands in the file, with its padding.

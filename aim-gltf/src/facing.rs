@@ -1,25 +1,66 @@
 //! The character's up, forward and left in the world, and by what they were found.
+//!
+//! No single clue is believed: names may be mirrored, a file may lie on its back. Each clue says a direction and has a
+//! weight; the heavier side wins, and what contradicts it stays in the evidence for the user to see.
 
-use glam::{DAffine3, DVec3};
+use glam::DVec3;
 
-use crate::names::{Side, Words};
-use crate::skeleton::Skeleton;
+use crate::clues::{self, Body, Hint};
+use crate::trs::nearest_axis;
 
-/// What told where the character faces.
+/// What said where the character's up or forward is.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Evidence {
-    /// A pair of nodes named left and right.
-    Pair {
+pub enum Clue {
+    /// A pair of nodes that their names (or VRM) call left and right.
+    Names {
         /// Node index.
         left: usize,
         /// Node index.
         right: usize,
     },
-    /// No such names: the plane of symmetry of the joints, and which way the feet point.
-    Shape,
-    /// Nothing: glTF says that models face +Z.
+    /// A pair of limbs alike in the tree and mirrored in place, whichever is left.
+    Limbs {
+        /// Node index.
+        one: usize,
+        /// Node index.
+        other: usize,
+    },
+    /// The joints' places mirror each other.
+    Symmetry,
+    /// Legs reach down from the hips.
+    Legs,
+    /// Toes lie ahead of ankles.
+    Feet,
+    /// Soles reach further ahead of ankles than behind them.
+    Soles,
+    /// Eyes lie ahead of the head's joint.
+    Eyes,
+    /// The head of who goes on all fours lies ahead of the hips.
+    Trunk,
+    /// A barrel, a lens or a lamp shade reaches out to where it points.
+    Reach {
+        /// Node index.
+        node: usize,
+    },
+    /// glTF says that +Y is up and that models face +Z.
     Convention,
+}
+
+/// What one clue says, in world space.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Evidence {
+    /// What says it.
+    pub clue: Clue,
+    /// The character's up, if it speaks of that.
+    pub up: Option<DVec3>,
+    /// The character's forward, if it speaks of that; of either sign where the clue cannot tell.
+    pub forward: Option<DVec3>,
+    /// Whether the measurement follows it.
+    pub agrees: bool,
+    /// How much it counts; a pair of names counts 2.
+    pub weight: f64,
 }
 
 /// Right-angled unit vectors in world space; `forward = left × up`.
@@ -28,130 +69,120 @@ pub(crate) struct Facing {
     pub(crate) up: DVec3,
     pub(crate) forward: DVec3,
     pub(crate) left: DVec3,
-    pub(crate) evidence: Evidence,
+    pub(crate) evidence: Vec<Evidence>,
 }
+
+/// Names of sides outweigh any other single clue, and no two that agree.
+const NAMES: f64 = 2.0;
+/// Under a mirror left may have become right; any clue of the body knows better.
+const MIRRORED_NAMES: f64 = 0.9;
+/// A clue across the plane of symmetry says nothing about which way forward is (cosine).
+const ASIDE: f64 = 0.3;
+/// Sines of angles at which a direction is taken for an axis: 0.006°, and 0.1° for legs that only resemble each other.
+const ROUNDING: f64 = 1e-4;
+const HAND_MADE: f64 = 2e-3;
+/// Legs within this of a coordinate axis (cosine of 30°) may say that another axis than +Y is up.
+const STRAIGHT: f64 = 0.866;
 
 impl Facing {
-    fn from_left(left: DVec3, evidence: Evidence) -> Self {
-        let up = DVec3::Y;
-        Self { up, forward: left.cross(up), left, evidence }
-    }
-
-    /// From the bind pose (world ← node), the nodes that are bones, and the skin in the same pose.
-    pub(crate) fn find(skeleton: &Skeleton, bind: &[DAffine3], bones: &[bool], skin: &[DVec3]) -> Self {
-        if let Some((left, right)) = limb_pair(skeleton, bind, bones) {
-            let across = DVec3 { y: 0.0, ..bind[left].translation - bind[right].translation };
-            return Self::from_left(square(across.normalize_or(DVec3::X)), Evidence::Pair { left, right });
-        }
-        let joints: Vec<usize> = (0..bind.len()).filter(|i| skeleton.nodes()[*i].is_joint).collect();
-        match shape(skeleton, bind, &joints, skin) {
-            Some(left) => Self::from_left(left, Evidence::Shape),
-            None => Self::from_left(DVec3::X, Evidence::Convention),
-        }
-    }
-}
-
-/// A direction within rounding (0.006°) of a coordinate axis is that axis.
-fn square(direction: DVec3) -> DVec3 {
-    let axis = DVec3::AXES.into_iter().find(|axis| axis.cross(direction).length() < 1e-4);
-    axis.map_or(direction, |axis| axis * axis.dot(direction).signum())
-}
-
-/// Pairs that tell the sides best, best first; arms belong to the part of the body that aims.
-const KINDS: [&str; 15] = [
-    "upperarm", "arm", "shoulder", "clavicle", "collar", "thigh", "upleg", "upperleg", "leg", "eye", "hand", "foot",
-    "knee", "ankle", "toe",
-];
-
-fn limb_pair(skeleton: &Skeleton, bind: &[DAffine3], bones: &[bool]) -> Option<(usize, usize)> {
-    let nodes = skeleton.nodes();
-    let apart = |l: usize, r: usize| {
-        let d = bind[l].translation - bind[r].translation;
-        d.is_finite() && d.length() < 1e100 && d.x.hypot(d.z) > 1e-6 && d.x.hypot(d.z) > 0.2 * d.y.abs()
-    };
-    let vrm = |bone: &str| nodes.iter().position(|node| node.vrm_bone.as_deref() == Some(bone));
-    if let (Some(l), Some(r)) = (vrm("leftUpperArm"), vrm("rightUpperArm")) {
-        if apart(l, r) {
-            return Some((l, r));
-        }
-    }
-    let sided: Vec<(usize, Side, String)> = (0..nodes.len())
-        .filter(|i| bones[*i])
-        .filter_map(|i| {
-            let words = Words::of(&nodes[i].name);
-            Some((i, words.side?, words.key()))
-        })
-        .collect();
-    KINDS.iter().find_map(|kind| {
-        let of = |wanted: Side| sided.iter().filter(move |(_, side, key)| *side == wanted && key.contains(kind));
-        of(Side::Left).find_map(|(left, _, key)| {
-            let (right, ..) = of(Side::Right).find(|(right, _, other)| other == key && apart(*left, *right))?;
-            Some((*left, *right))
-        })
-    })
-}
-
-/// Left from geometry alone: the horizontal axis along which the joints mirror, its sign from the feet.
-fn shape(skeleton: &Skeleton, bind: &[DAffine3], joints: &[usize], skin: &[DVec3]) -> Option<DVec3> {
-    if joints.len() < 5 || joints.len() > 4096 {
-        return None;
-    }
-    let at: Vec<DVec3> = joints.iter().map(|i| bind[*i].translation).collect();
-    let (low, high) = at.iter().fold((f64::MAX, f64::MIN), |(lo, hi), p| (lo.min(p.y), hi.max(p.y)));
-    let size = high - low;
-    if size <= 0.0 || !size.is_finite() {
-        return None;
-    }
-    let along_x = asymmetry(&at, DVec3::X, size);
-    let along_z = asymmetry(&at, DVec3::Z, size);
-    // Both small: no joint is off the middle. Alike: nothing learnt.
-    let (across, ahead) = match (along_x, along_z) {
-        (Some(x), Some(z)) if x > 2.0 * z => (DVec3::Z, DVec3::X),
-        (Some(x), Some(z)) if z > 2.0 * x => (DVec3::X, DVec3::Z),
-        (Some(_), None) => (DVec3::X, DVec3::Z),
-        (None, Some(_)) => (DVec3::Z, DVec3::X),
-        _ => return None,
-    };
-    // Toes lie ahead of ankles.
-    let mut ahead_sum = 0.0;
-    for &joint in joints {
-        let position = bind[joint].translation;
-        if let Some(parent) = skeleton.nodes()[joint].parent.filter(|p| joints.contains(p)) {
-            if position.y < low + 0.12 * size && bind[parent].translation.y < low + 0.2 * size {
-                ahead_sum += (position - bind[parent].translation).dot(ahead);
+    pub(crate) fn find(body: &Body<'_>) -> Self {
+        let mut evidence = Vec::new();
+        let up = up(body, &mut evidence);
+        let mut hints = clues::ahead(body, up);
+        let pair = clues::named_pair(body, up).map(|(left, right)| (Clue::Names { left, right }, [left, right]));
+        let limbs = || {
+            let [one, other] = body.plan.as_ref()?.legs;
+            Some((Clue::Limbs { one, other }, [one, other]))
+        };
+        let across = pair.or_else(limbs).map(|(clue, [a, b])| (clue, clues::apart(body, a, b, up)));
+        let across = across.or_else(|| Some((Clue::Symmetry, clues::mirror_axis(body, up)?)));
+        let forward = match across {
+            Some((clue, left)) => {
+                let named = match clue {
+                    Clue::Names { left, right } if clues::is_mirrored(body, left, right) => Some(MIRRORED_NAMES),
+                    Clue::Names { .. } => Some(NAMES),
+                    _ => None,
+                };
+                let left = square(left.normalize_or(DVec3::X), if named.is_some() { ROUNDING } else { HAND_MADE });
+                let ahead = square(left.cross(up), ROUNDING);
+                if !hints.iter().any(|hint| hint.clue == Clue::Feet) {
+                    hints.extend(clues::soles(body, up, ahead));
+                }
+                let vote = |hint: &Hint| hint.weight * along(hint.ahead, ahead);
+                let score: f64 = named.unwrap_or(0.0) + hints.iter().map(vote).sum::<f64>();
+                // A tie is glTF's to decide.
+                let keep = if score == 0.0 { ahead.dot(convention(up)) >= -1e-9 } else { score > 0.0 };
+                let forward = if keep { ahead } else { -ahead };
+                let says = if named.is_some() { ahead } else { forward };
+                evidence.push(Evidence {
+                    clue,
+                    up: None,
+                    forward: Some(says),
+                    agrees: keep || named.is_none(),
+                    weight: named.unwrap_or(0.5),
+                });
+                forward
             }
+            None => match hints.iter().max_by(|a, b| a.weight.total_cmp(&b.weight)) {
+                // Without a plane of symmetry a direction is no better than to some degrees.
+                Some(hint) => upright(nearest_axis(hint.ahead), up).unwrap_or(hint.ahead),
+                None => convention(up),
+            },
+        };
+        for Hint { clue, ahead, weight } in hints {
+            let agrees = ahead.dot(forward) > 0.0;
+            evidence.push(Evidence { clue, up: None, forward: Some(ahead), agrees, weight });
         }
+        if evidence.iter().all(|said| said.forward.is_none()) {
+            let forward = Some(forward);
+            evidence.push(Evidence { clue: Clue::Convention, up: None, forward, agrees: true, weight: 0.25 });
+        }
+        Self { up, forward, left: up.cross(forward), evidence }
     }
-    if ahead_sum.abs() < 0.01 * size {
-        // Without toes: soles reach further ahead of the ankles than behind them.
-        let ground = skin.iter().map(|p| p.y).fold(f64::MAX, f64::min);
-        let soles = skin.iter().filter(|p| p.y < ground + 0.04 * size).map(|p| p.dot(ahead));
-        let (back, front) = soles.fold((f64::MAX, f64::MIN), |(lo, hi), v| (lo.min(v), hi.max(v)));
-        let ankles: Vec<f64> = at.iter().filter(|p| p.y < low + 0.05 * size).map(|p| p.dot(ahead)).collect();
-        if back > front || ankles.is_empty() {
-            return None;
-        }
-        ahead_sum = (back + front) * 0.5 - ankles.iter().sum::<f64>() / crate::num::count(ankles.len());
-        if ahead_sum.abs() < 0.005 * size {
-            return None;
-        }
+
+    /// How sure the facing is: the share of what was said that agrees, 0…1; little where little was said.
+    pub(crate) fn confidence(&self) -> f64 {
+        let weight = |agrees: bool| {
+            let said = self.evidence.iter().filter(|said| said.agrees == agrees && said.forward.is_some());
+            said.map(|said| said.weight).sum::<f64>()
+        };
+        weight(true) / (weight(true) + weight(false) + 0.5)
     }
-    let forward = ahead * ahead_sum.signum();
-    // left = up × forward. Whichever axis was found, the cross product gives its sign.
-    let left = DVec3::Y.cross(forward);
-    debug_assert!(left.dot(across).abs() > 0.99, "across and ahead are the two horizontal axes");
-    Some(left)
 }
 
-/// How far the joints are from mirroring along `axis`, relative to how far they spread along it; `None` without spread.
-fn asymmetry(at: &[DVec3], axis: DVec3, size: f64) -> Option<f64> {
-    let (low, high) = at.iter().map(|p| p.dot(axis)).fold((f64::MAX, f64::MIN), |(lo, hi), v| (lo.min(v), hi.max(v)));
-    if high - low < 0.05 * size {
-        return None;
+/// +Y unless the legs plainly stand along another axis.
+fn up(body: &Body<'_>, evidence: &mut Vec<Evidence>) -> DVec3 {
+    let Some(legs) = clues::legs_up(body) else { return DVec3::Y };
+    let axis = nearest_axis(legs);
+    let up = if axis.dot(legs) > STRAIGHT { axis } else { DVec3::Y };
+    let agrees = up.dot(legs) > 0.5;
+    evidence.push(Evidence { clue: Clue::Legs, up: Some(legs), forward: None, agrees, weight: 1.0 });
+    up
+}
+
+/// Where glTF has a model face, for a model whose up is `up`: what turns +Y into `up` turns +Z along.
+fn convention(up: DVec3) -> DVec3 {
+    if up.z > 0.9 {
+        DVec3::NEG_Y
+    } else if up.z < -0.9 {
+        DVec3::Y
+    } else {
+        DVec3::Z
     }
-    let middle = (high + low) * 0.5;
-    let mirrored = |p: &DVec3| *p + axis * 2.0 * (middle - p.dot(axis));
-    let miss = |p: &DVec3| at.iter().map(|q| q.distance(mirrored(p))).fold(f64::MAX, f64::min);
-    let total: f64 = at.iter().map(miss).sum();
-    Some(total / crate::num::count(at.len()) / size)
+}
+
+/// 1, −1, or 0 for a direction that is rather across.
+fn along(direction: DVec3, axis: DVec3) -> f64 {
+    let cos = direction.dot(axis);
+    if cos.abs() < ASIDE { 0.0 } else { cos.signum() }
+}
+
+fn upright(direction: DVec3, up: DVec3) -> Option<DVec3> {
+    (direction.dot(up).abs() < 1e-9).then_some(direction)
+}
+
+/// A direction within `sine` of a coordinate axis is that axis.
+fn square(direction: DVec3, sine: f64) -> DVec3 {
+    let axis = nearest_axis(direction);
+    if axis.cross(direction).length() < sine { axis } else { direction }
 }

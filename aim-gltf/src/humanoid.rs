@@ -2,10 +2,10 @@
 
 use serde_json::Value;
 
-/// (VRM bone name, node index) pairs; whatever is malformed is left out.
-pub(crate) fn vrm_bones(json: &Value) -> Vec<(String, usize)> {
+/// (VRM bone name, node index) pairs from a file's `extensions`; whatever is malformed is left out.
+pub(crate) fn vrm_bones(extensions: &Value) -> Vec<(String, usize)> {
     let index = |value: &Value| value.get("node").and_then(Value::as_u64).and_then(|n| usize::try_from(n).ok());
-    let bones = |name: &str| json.get("extensions")?.get(name)?.get("humanoid")?.get("humanBones");
+    let bones = |name: &str| extensions.get(name)?.get("humanoid")?.get("humanBones");
     match (bones("VRMC_vrm"), bones("VRM")) {
         (Some(Value::Object(map)), _) => {
             map.iter().filter_map(|(bone, value)| Some((bone.clone(), index(value)?))).collect()

@@ -2,8 +2,9 @@
 //!
 //! Any `.glb`, `.gltf` or `.vrm` becomes a [`Document`]; a broken one becomes one [`Error`] that says what is wrong, and
 //! nothing in here panics on a file. [`Measurement`] tells where a character faces and which way each bone's own axes
-//! point. [`Document::with_clips`] writes the file again, its old bytes first and unchanged. [`mannequin`] makes a walking
-//! figure by code, in any of the 48 bone conventions and all frames between them.
+//! point. [`bake()`] aims a rig over a clip, [`reach()`] leads a hand through points. [`Document::with_clips`] writes
+//! the file again, its old bytes first and unchanged. [`mannequin`] makes a walking figure by code, in any of the 48
+//! bone conventions and all frames between them.
 //!
 //! World space is glTF's: right-handed, +Y up, in the file's units (metres, if the file keeps to the rules). Matrices
 //! act on column vectors, `world ← node`. Angles whose names end in `_deg` are degrees, times are seconds.
@@ -30,16 +31,19 @@ mod accessor;
 mod bake;
 mod bind;
 mod clip;
+mod clues;
 mod container;
 mod document;
 mod error;
 mod facing;
 mod file;
 mod humanoid;
+mod look_at;
 mod mannequin;
 mod measure;
 mod names;
 mod num;
+mod plan;
 mod raw;
 mod reach;
 mod roles;
@@ -55,10 +59,11 @@ pub use bake::{Baked, ChainNodes, Frame, JointFrame, Plan, Settle, bake};
 pub use clip::{Channel, Clip, Interpolation, Property};
 pub use document::Document;
 pub use error::Error;
-pub use facing::Evidence;
+pub use facing::{Clue, Evidence};
 pub use file::{write_file, write_files};
+pub use look_at::{EyeAngles, LookAt, LookAtKind, LookWeights, RangeMap};
 pub use mannequin::{PAPER_AXES, mannequin};
-pub use measure::{BoneAxes, BoneFrame, Handedness, Measurement, SignedAxis};
+pub use measure::{BoneAxes, BoneFrame, Handedness, MeasuredPose, Measurement, SignedAxis};
 pub use reach::{Arrival, Goal, LimbFrame, LimbNodes, ReachPlan, Reached, reach};
 pub use roles::Role;
 pub use skeleton::{Node, Skeleton};

@@ -5,11 +5,14 @@ use core::fmt;
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::bind::{bind_world, signed_permutation};
+use crate::clues::Body;
 use crate::document::Document;
 use crate::facing::{Evidence, Facing};
+use crate::plan::BodyPlan;
 use crate::roles::{Role, Roles, bones};
-use crate::skin::deform;
-use crate::trs::orthonormal;
+use crate::skeleton::Skeleton;
+use crate::skin::{carriers, deform};
+use crate::trs::{nearest_axis, orthonormal};
 
 /// A signed coordinate axis of a bone's own space.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -50,10 +53,12 @@ impl SignedAxis {
         }
     }
 
-    fn of(v: DVec3) -> Self {
+    /// The axis nearest to a direction.
+    #[must_use]
+    pub fn of(v: DVec3) -> Self {
+        let axis = nearest_axis(v);
         let all = [Self::PlusX, Self::MinusX, Self::PlusY, Self::MinusY, Self::PlusZ, Self::MinusZ];
-        let nearest = all.into_iter().max_by(|a, b| a.vector().dot(v).total_cmp(&b.vector().dot(v)));
-        nearest.unwrap_or(Self::PlusX)
+        all.into_iter().find(|signed| signed.vector() == axis).unwrap_or(Self::PlusX)
     }
 }
 
@@ -123,20 +128,35 @@ pub struct BoneAxes {
     pub frame: BoneFrame,
     /// World ← bone in the bind pose.
     pub bind_world: DAffine3,
+    /// By how much the bone is turned in the file's rest pose from where it is in the bind pose, degrees.
+    pub rest_deg: f64,
+}
+
+/// The pose in which axes are measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MeasuredPose {
+    /// The one that the skin was fitted in, from the inverse bind matrices.
+    Bind,
+    /// The one that the nodes have when no clip plays: often a frame of some animation.
+    Rest,
 }
 
 /// A whole character, measured.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Measurement {
-    /// The character's up in the world: +Y, as glTF demands.
+    /// The pose that was measured: the bind pose, unless the file has no skin that tells one.
+    pub pose: MeasuredPose,
+    /// The character's up in the world: +Y, as glTF demands, unless its legs plainly stand along another axis.
     pub up: DVec3,
     /// Where the character faces in the world, level.
     pub forward: DVec3,
     /// The character's left in the world, level.
     pub left: DVec3,
-    /// What told the facing.
-    pub evidence: Evidence,
+    /// What told the facing, also what spoke against it.
+    pub evidence: Vec<Evidence>,
+    /// How sure the facing is, 0…1: the share of the evidence that agrees; below a half nobody should rely on it.
+    pub confidence: f64,
     /// Height of the skin in the bind pose, in units of the file (of the joints, where there is no skin; 0 where
     /// there is neither).
     pub height: f64,
@@ -147,27 +167,53 @@ pub struct Measurement {
 }
 
 impl Measurement {
-    /// Measures a document.
+    /// Measures a document in its bind pose.
     #[must_use]
     pub fn of(document: &Document) -> Self {
+        Self::in_pose(document, MeasuredPose::Bind)
+    }
+
+    /// Measures a document. In the rest pose [`bind_world`](Self::bind_world) is that pose.
+    #[must_use]
+    pub fn in_pose(document: &Document, pose: MeasuredPose) -> Self {
         let skeleton = document.skeleton();
         let rest = skeleton.world_f64(&[]);
-        let roles = Roles::find(skeleton);
-        let bind = bind_world(skeleton, &rest, &roles);
         let is_bone = bones(skeleton);
-        let skin = deform(skeleton, document.points(), &bind);
-        let facing = Facing::find(skeleton, &bind, &is_bone, &skin);
-        let measured = |node: usize| {
-            let info = &skeleton.nodes()[node];
-            axes_of(&bind[node], &facing, node, info.name.clone(), info.parent, roles.of(node))
+        let mut roles = Roles::find(skeleton);
+        let has_bind = skeleton.nodes().iter().any(|node| node.inverse_bind.is_some());
+        let pose = if has_bind { pose } else { MeasuredPose::Rest };
+        let placed = |roles: &Roles| match pose {
+            MeasuredPose::Bind => bind_world(skeleton, &rest, roles),
+            MeasuredPose::Rest => rest.clone(),
         };
+        let mut bind = placed(&roles);
+        let carriers = carriers(skeleton, document.points());
+        let mut vertices = vec![0_usize; bind.len()];
+        carriers.iter().for_each(|node| vertices[*node] += 1);
+        let plan = BodyPlan::find(skeleton, &bind, &is_bone, &|node| vertices[node]);
+        if let Some(plan) = &plan {
+            // The plan is the same wherever the bind pose is placed, and where that is may depend on the hips.
+            if roles.complete(skeleton, plan) {
+                bind = placed(&roles);
+            }
+        }
+        let skin = deform(skeleton, document.points(), &bind);
+        let body =
+            Body { skeleton, bind: &bind, is_bone: &is_bone, skin: &skin, carriers: &carriers, roles: &roles, plan };
+        let facing = Facing::find(&body);
         let listed = (0..bind.len()).filter(|node| is_bone[*node] || roles.of(*node).is_some());
+        let bones = listed.map(|node| {
+            let rest_deg = turn_deg(&bind[node], &rest[node]);
+            axes_of(skeleton, &bind, &facing, node, roles.of(node), rest_deg)
+        });
         Self {
+            pose,
             up: facing.up,
             forward: facing.forward,
             left: facing.left,
-            height: Some(height(document, &bind, &skin)).filter(|h| h.is_finite()).unwrap_or(0.0),
-            bones: listed.map(measured).collect(),
+            height: Some(height(document, &bind, &skin, facing.up)).filter(|h| h.is_finite()).unwrap_or(0.0),
+            bones: bones.collect(),
+            confidence: facing.confidence(),
             evidence: facing.evidence,
             bind_world: bind,
         }
@@ -186,14 +232,23 @@ impl Measurement {
     }
 }
 
+/// Degrees by which one frame is turned from another.
+fn turn_deg(a: &DAffine3, b: &DAffine3) -> f64 {
+    let turn = orthonormal(&a.matrix3).0.transpose() * orthonormal(&b.matrix3).0;
+    let trace = turn.x_axis.x + turn.y_axis.y + turn.z_axis.z;
+    let axis = DVec3::new(turn.y_axis.z - turn.z_axis.y, turn.z_axis.x - turn.x_axis.z, turn.x_axis.y - turn.y_axis.x);
+    axis.length().atan2(trace - 1.0).to_degrees()
+}
+
 fn axes_of(
-    bind: &DAffine3,
+    skeleton: &Skeleton,
+    bind: &[DAffine3],
     facing: &Facing,
     node: usize,
-    name: String,
-    parent: Option<usize>,
     role: Option<Role>,
+    rest_deg: f64,
 ) -> BoneAxes {
+    let (info, bind) = (&skeleton.nodes()[node], &bind[node]);
     let (world_of_bone, _) = orthonormal(&bind.matrix3);
     let bone_of_world: DMat3 = world_of_bone.transpose();
     let [up, forward, left] = [facing.up, facing.forward, facing.left].map(|v| (bone_of_world * v).normalize());
@@ -204,8 +259,8 @@ fn axes_of(
     let deviations_deg = [degrees(up, up_axis), degrees(forward, forward_axis), degrees(left, left_axis)];
     BoneAxes {
         node,
-        name,
-        parent,
+        name: info.name.clone(),
+        parent: info.parent,
         role,
         up: SignedAxis::of(up_axis),
         forward: SignedAxis::of(forward_axis),
@@ -215,23 +270,24 @@ fn axes_of(
         handedness: if mirrored { Handedness::Left } else { Handedness::Right },
         frame: BoneFrame { up, forward, left },
         bind_world: *bind,
+        rest_deg,
     }
 }
 
-fn height(document: &Document, bind: &[DAffine3], skin: &[DVec3]) -> f64 {
+fn height(document: &Document, bind: &[DAffine3], skin: &[DVec3], up: DVec3) -> f64 {
     let nodes = document.skeleton().nodes();
-    let extent = |ys: &mut dyn Iterator<Item = f64>| {
-        let (low, high) = ys.fold((f64::MAX, f64::MIN), |(lo, hi), y| (lo.min(y), hi.max(y)));
+    let extent = |places: &mut dyn Iterator<Item = DVec3>| {
+        let (low, high) = places.map(|p| p.dot(up)).fold((f64::MAX, f64::MIN), |(lo, hi), y| (lo.min(y), hi.max(y)));
         (high - low).max(0.0)
     };
-    let skinned = document.points().iter().zip(skin).filter(|(point, _)| nodes[point.node].skin.is_some());
-    let from_skin = extent(&mut skinned.map(|(_, p)| p.y));
+    let skinned = document.points().iter().zip(skin).filter(|(point, _)| nodes[point.node()].skin.is_some());
+    let from_skin = extent(&mut skinned.map(|(_, p)| *p));
     if from_skin > 0.0 {
         return from_skin;
     }
     if document.skeleton().has_skin() {
-        return extent(&mut nodes.iter().zip(bind).filter(|(n, _)| n.is_joint).map(|(_, m)| m.translation.y));
+        return extent(&mut nodes.iter().zip(bind).filter(|(n, _)| n.is_joint).map(|(_, m)| m.translation));
     }
-    let meshes = extent(&mut skin.iter().map(|p| p.y));
-    if meshes > 0.0 { meshes } else { extent(&mut bind.iter().map(|m| m.translation.y)) }
+    let meshes = extent(&mut skin.iter().copied());
+    if meshes > 0.0 { meshes } else { extent(&mut bind.iter().map(|m| m.translation)) }
 }

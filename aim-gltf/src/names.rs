@@ -69,6 +69,8 @@ fn split(name: &str) -> Vec<String> {
 
 /// The side that a word names, and what is left of the word.
 fn side_of(word: &str) -> (Option<Side>, &str) {
+    // `headbone`, `neckjoint`: what every bone is tells nothing.
+    let word = ["bone", "joint", "jnt"].iter().find_map(|end| word.strip_suffix(end)).unwrap_or(word);
     match word {
         "l" | "lft" => return (Some(Side::Left), ""),
         "r" | "rgt" => return (Some(Side::Right), ""),
@@ -76,7 +78,7 @@ fn side_of(word: &str) -> (Option<Side>, &str) {
         "reye" => return (Some(Side::Right), "eye"),
         _ => {}
     }
-    for (text, side) in [("left", Side::Left), ("right", Side::Right)] {
+    for (text, side) in [("left", Side::Left), ("right", Side::Right), ("左", Side::Left), ("右", Side::Right)] {
         if let Some(rest) = word.strip_prefix(text).or_else(|| word.strip_suffix(text)) {
             return (Some(side), rest);
         }
@@ -91,7 +93,7 @@ mod tests {
     #[test]
     fn names_of_many_traditions_come_apart() {
         let cases = [
-            ("L_eyeBall_joint2", Some(Side::Left), "eyeballjoint"),
+            ("L_eyeBall_joint2", Some(Side::Left), "eyeball"),
             ("Bip01 REyeBlinkTop", Some(Side::Right), "bipeyeblinktop"),
             ("mixamorig:LeftEye", Some(Side::Left), "mixamorigeye"),
             ("UpperArm.R", Some(Side::Right), "upperarm"),
@@ -100,6 +102,8 @@ mod tests {
             ("b_LeftUpperArm_09", Some(Side::Left), "bupperarm"),
             ("Lefthand", Some(Side::Left), "hand"),
             ("J_Bip_C_Head", None, "jbipchead"),
+            ("左目", Some(Side::Left), "目"),
+            ("headJoint", None, "head"),
         ];
         for (name, side, key) in cases {
             let words = Words::of(name);

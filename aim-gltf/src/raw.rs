@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
+use serde_json::value::RawValue;
 
 use crate::error::Error;
 
@@ -139,14 +140,47 @@ pub(crate) struct Raw {
     pub(crate) scenes: Vec<Scene>,
 }
 
+/// The top of a JSON text: its members, not looked into. Trees are an order larger than their text, so one is made of an
+/// element at a time.
+type Members<'a> = BTreeMap<String, &'a RawValue>;
+
+fn syntax(error: &serde_json::Error) -> Error {
+    Error::Json { message: error.to_string() }
+}
+
+/// Levels that a tree can be made of.
+const MOST_LEVELS: usize = 120;
+
+/// How deep a JSON text is nested.
+fn depth(text: &[u8]) -> usize {
+    let (mut depth, mut most, mut is_text, mut is_escaped) = (0_usize, 0, false, false);
+    for byte in text {
+        match byte {
+            _ if is_escaped => is_escaped = false,
+            b'\\' if is_text => is_escaped = true,
+            b'"' => is_text = !is_text,
+            b'[' | b'{' if !is_text => depth += 1,
+            b']' | b'}' if !is_text => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        most = most.max(depth);
+    }
+    most
+}
+
+fn tree(text: &RawValue) -> Result<Value, Error> {
+    serde_json::from_str(text.get()).map_err(|e| syntax(&e))
+}
+
 /// Types the array `key`, naming the element that does not fit.
-fn array<T: DeserializeOwned>(json: &Value, key: &str) -> Result<Vec<T>, Error> {
-    let elements = match json.get(key) {
-        None => return Ok(Vec::new()),
-        Some(Value::Array(elements)) => elements,
-        Some(_) => return Err(Error::invalid(key, "expected an array")),
-    };
-    let typed = |(index, element): (usize, &Value)| {
+fn array<T: DeserializeOwned>(members: &mut Members<'_>, key: &str) -> Result<Vec<T>, Error> {
+    let Some(text) = members.remove(key) else { return Ok(Vec::new()) };
+    if !text.get().starts_with('[') {
+        return Err(Error::invalid(key, "expected an array"));
+    }
+    let elements: Vec<&RawValue> = serde_json::from_str(text.get()).map_err(|e| syntax(&e))?;
+    let typed = |(index, element): (usize, &&RawValue)| {
+        let element = tree(element)?;
         if !element.is_object() {
             return Err(Error::invalid(format!("{key}[{index}]"), "expected an object"));
         }
@@ -156,11 +190,18 @@ fn array<T: DeserializeOwned>(json: &Value, key: &str) -> Result<Vec<T>, Error> 
 }
 
 impl Raw {
-    pub(crate) fn parse(json: &Value) -> Result<Self, Error> {
-        if !json.is_object() {
+    /// The typed parts of a JSON text, and its `extensions`; all of the text is looked at.
+    pub(crate) fn parse(text: &[u8]) -> Result<(Self, Value), Error> {
+        let whole: &RawValue = serde_json::from_slice(text).map_err(|e| syntax(&e))?;
+        if depth(text) > MOST_LEVELS {
+            return Err(Error::Json { message: format!("it is nested deeper than {MOST_LEVELS} levels") });
+        }
+        if !whole.get().starts_with('{') {
             return Err(Error::Json { message: "expected an object at the top".into() });
         }
-        match json.get("asset").and_then(|asset| asset.get("version")).and_then(Value::as_str) {
+        let mut members: Members<'_> = serde_json::from_str(whole.get()).map_err(|e| syntax(&e))?;
+        let asset = members.remove("asset").map(tree).transpose()?;
+        match asset.as_ref().and_then(|asset| asset.get("version")).and_then(Value::as_str) {
             Some(version) if version == "2" || version.starts_with("2.") => {}
             Some(version) => {
                 return Err(Error::Version { found: version.into() });
@@ -169,15 +210,20 @@ impl Raw {
                 return Err(Error::invalid("asset.version", "it is missing, expected \"2.0\""));
             }
         }
-        Ok(Self {
-            nodes: array(json, "nodes")?,
-            skins: array(json, "skins")?,
-            accessors: array(json, "accessors")?,
-            views: array(json, "bufferViews")?,
-            buffers: array(json, "buffers")?,
-            meshes: array(json, "meshes")?,
-            animations: array(json, "animations")?,
-            scenes: array(json, "scenes")?,
-        })
+        let raw = Self {
+            nodes: array(&mut members, "nodes")?,
+            skins: array(&mut members, "skins")?,
+            accessors: array(&mut members, "accessors")?,
+            views: array(&mut members, "bufferViews")?,
+            buffers: array(&mut members, "buffers")?,
+            meshes: array(&mut members, "meshes")?,
+            animations: array(&mut members, "animations")?,
+            scenes: array(&mut members, "scenes")?,
+        };
+        let extensions = members.remove("extensions").map(tree).transpose()?;
+        for other in members.into_values() {
+            tree(other)?;
+        }
+        Ok((raw, extensions.unwrap_or_default()))
     }
 }

@@ -3,6 +3,7 @@
 use core::fmt;
 
 use crate::names::{Side, Words};
+use crate::plan::BodyPlan;
 use crate::skeleton::{Node, Skeleton};
 
 /// The part a bone plays in aiming.
@@ -51,9 +52,36 @@ impl fmt::Display for Role {
 
 /// Words of helpers, tips and controls that only look like the bone they accompany.
 const HELPERS: &[&str] = &[
-    "end", "nub", "tip", "top", "target", "ctrl", "control", "ik", "pole", "socket", "helper", "twist", "mch", "tweak",
-    "aim", "look", "master", "hat", "hair", "tail",
+    "end",
+    "nub",
+    "tip",
+    "top",
+    "target",
+    "ctrl",
+    "control",
+    "ik",
+    "pole",
+    "socket",
+    "helper",
+    "twist",
+    "mch",
+    "tweak",
+    "aim",
+    "look",
+    "master",
+    "hat",
+    "hair",
+    "tail",
+    "attach",
+    "attachment",
+    "slot",
+    "mount",
+    "locator",
+    "dummy",
+    "gear",
 ];
+/// Words of the trunk.
+const SPINES: &[&str] = &["spine", "chest", "upperchest", "torso", "abdomen", "belly", "waist", "上半身"];
 /// Words of the parts around an eye.
 const AROUND_EYES: &[&str] = &[
     "lid",
@@ -118,7 +146,37 @@ impl Roles {
         }
         rigify(&words, &bones, &mut roles);
         keep_best(nodes, &mut roles);
+        keep_carrying(skeleton, &mut roles);
         Self(roles)
+    }
+}
+
+impl Roles {
+    /// What names leave open, told by the body's plan: everything where no name tells anything; else the head, hips and
+    /// neck that have no telling name. True if it told any.
+    pub(crate) fn complete(&mut self, skeleton: &Skeleton, plan: &BodyPlan) -> bool {
+        let before = self.0.clone();
+        let nameless = self.0.iter().all(Option::is_none);
+        let known = |roles: &[Option<Role>], role| roles.iter().position(|of| *of == Some(role));
+        // Numbered necks end in the head.
+        let last_neck =
+            self.of(plan.head) == Some(Role::Neck) && plan.neck.iter().any(|n| self.of(*n) == Some(Role::Neck));
+        if known(&self.0, Role::Head).is_none() && (self.of(plan.head).is_none() || last_neck) {
+            self.0[plan.head] = Some(Role::Head);
+        }
+        let Some(head) = known(&self.0, Role::Head) else { return false };
+        if known(&self.0, Role::Hips).is_none() && skeleton.ancestry(head).any(|node| node == plan.hips) {
+            self.0[plan.hips].get_or_insert(Role::Hips);
+        }
+        if known(&self.0, Role::Neck).is_none() && head == plan.head {
+            plan.neck.iter().for_each(|node| {
+                self.0[*node].get_or_insert(Role::Neck);
+            });
+        }
+        if nameless {
+            plan.trunk.iter().for_each(|node| self.0[*node] = Some(Role::Spine));
+        }
+        self.0 != before
     }
 }
 
@@ -147,7 +205,7 @@ fn vrm_role(bone: &str) -> Option<Role> {
 }
 
 fn by_name(words: &Words) -> Option<Role> {
-    let eye = words.has(&["eye", "eyeball"]);
+    let eye = words.has(&["eye", "eyeball", "目"]);
     if words.has(HELPERS) || (eye && words.has(AROUND_EYES)) {
         return None;
     }
@@ -157,13 +215,13 @@ fn by_name(words: &Words) -> Option<Role> {
         (true, None) | (false, Some(_)) => return None,
         (false, None) => {}
     }
-    if words.has(&["head"]) {
+    if words.has(&["head", "頭"]) {
         Some(Role::Head)
-    } else if words.has(&["neck"]) {
+    } else if words.has(&["neck", "首"]) {
         Some(Role::Neck)
-    } else if words.has(&["spine", "chest", "upperchest", "torso", "abdomen", "belly", "waist"]) {
+    } else if words.has(SPINES) || (words.has(&["lower"]) && words.has(&["back"])) {
         Some(Role::Spine)
-    } else if words.has(&["hips", "hip", "pelvis"]) {
+    } else if words.has(&["hips", "hip", "pelvis", "下半身"]) {
         Some(Role::Hips)
     } else {
         None
@@ -186,6 +244,18 @@ fn rigify(words: &[Words], bones: &[bool], roles: &mut [Option<Role>]) {
         (0..words.len())
             .filter(|i| bones[*i] && column(&words[*i]) && words[*i].number().is_none())
             .for_each(|i| roles[i] = Some(Role::Hips));
+    }
+}
+
+/// Where some neck carries the head, those that do not (of a face's or a collar's bones) are none.
+fn keep_carrying(skeleton: &Skeleton, roles: &mut [Option<Role>]) {
+    let Some(head) = roles.iter().position(|role| *role == Some(Role::Head)) else { return };
+    let mut carries = vec![false; roles.len()];
+    skeleton.ancestry(head).for_each(|node| carries[node] = true);
+    let is_neck = |node: usize| roles[node] == Some(Role::Neck);
+    let necks: Vec<usize> = (0..roles.len()).filter(|node| is_neck(*node)).collect();
+    if necks.iter().any(|node| carries[*node]) {
+        necks.iter().filter(|node| !carries[**node]).for_each(|node| roles[*node] = None);
     }
 }
 

@@ -1,12 +1,10 @@
 //! The node tree: a forest with parents before children in [`Skeleton::order`], every name looked up honestly.
 
 use glam::{Affine3A, DAffine3, Quat, Vec3};
-use serde_json::Value;
 
 use crate::accessor::Data;
 use crate::clip::Clip;
 use crate::error::Error;
-use crate::humanoid;
 use crate::raw::{self, Raw};
 use crate::trs::{Trs, affine_of};
 
@@ -44,7 +42,8 @@ pub struct Skeleton {
 }
 
 impl Skeleton {
-    pub(crate) fn read(data: &Data<'_>, json: &Value) -> Result<Self, Error> {
+    /// `humanoid` are VRM bone names with the nodes they name.
+    pub(crate) fn read(data: &Data<'_>, humanoid: Vec<(String, usize)>) -> Result<Self, Error> {
         let raw = data.raw;
         let parents = parents(raw)?;
         let mut nodes = Vec::with_capacity(raw.nodes.len());
@@ -75,7 +74,7 @@ impl Skeleton {
             skins.push(skin.joints.clone());
             skin_binds.push(binds);
         }
-        for (bone, node) in humanoid::vrm_bones(json) {
+        for (bone, node) in humanoid {
             if let Some(node) = nodes.get_mut(node) {
                 node.vrm_bone = Some(bone);
             }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DVec3, Vec3};
 
 use crate::accessor::Data;
 use crate::error::Error;
@@ -12,11 +12,18 @@ use crate::skeleton::Skeleton;
 /// A vertex: its position in mesh space, the node that shows it, and its joints.
 #[derive(Debug, Clone)]
 pub(crate) struct SkinnedPoint {
-    pub(crate) position: DVec3,
-    /// The node whose mesh it belongs to.
-    pub(crate) node: usize,
+    // Kept as narrow as files have them: there are as many as the file is large.
+    position: Vec3,
+    node: u32,
     /// (index into the skin's joints, weight); empty when the mesh is not skinned.
-    pub(crate) joints: [(usize, f32); 4],
+    joints: [(u16, f32); 4],
+}
+
+impl SkinnedPoint {
+    /// The node whose mesh it belongs to.
+    pub(crate) fn node(&self) -> usize {
+        self.node as usize
+    }
 }
 
 /// The vertices of every mesh, as the first node shows it that does (preferably skinned). Primitives without positions
@@ -71,8 +78,8 @@ pub(crate) fn read_primitive(data: &Data<'_>, index: usize, primitive: &Primitiv
             _ => (0, 0.0),
         };
         SkinnedPoint {
-            position: DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2])),
-            node: index,
+            position: Vec3::from_slice(p),
+            node: u32::try_from(index).unwrap_or(u32::MAX),
             joints: [bound(0), bound(1), bound(2), bound(3)],
         }
     };
@@ -80,8 +87,20 @@ pub(crate) fn read_primitive(data: &Data<'_>, index: usize, primitive: &Primitiv
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked to be a joint index just before")]
-fn to_index(joint: f32) -> usize {
-    joint as usize
+fn to_index(joint: f32) -> u16 {
+    joint as u16
+}
+
+/// The node that moves each vertex most: its heaviest joint, or the node that shows it.
+pub(crate) fn carriers(skeleton: &Skeleton, points: &[SkinnedPoint]) -> Vec<usize> {
+    points.iter().map(|point| carrier(skeleton, point)).collect()
+}
+
+/// The node that moves a vertex most.
+pub(crate) fn carrier(skeleton: &Skeleton, point: &SkinnedPoint) -> usize {
+    let (joint, weight) = point.joints.iter().fold((0, 0.0), |best, at| if at.1 > best.1 { *at } else { best });
+    let joints = skeleton.nodes()[point.node()].skin.map(|skin| skeleton.skin(skin).0).filter(|_| weight > 0.0);
+    joints.and_then(|joints| joints.get(usize::from(joint)).copied()).unwrap_or(point.node())
 }
 
 /// World-space vertices for the given world transforms of all nodes; skinned ones by linear blending.
@@ -93,19 +112,20 @@ pub(crate) fn deform(skeleton: &Skeleton, points: &[SkinnedPoint], world: &[DAff
         })
         .collect();
     let place = |point: &SkinnedPoint| {
+        let position = point.position.as_dvec3();
         let total: f64 = point.joints.iter().map(|(_, w)| f64::from(*w)).sum();
-        match skeleton.nodes()[point.node].skin {
+        match skeleton.nodes()[point.node()].skin {
             Some(skin) if total > 0.0 => {
-                let part = |(joint, weight): &(usize, f32)| {
+                let part = |(joint, weight): &(u16, f32)| {
                     if *weight == 0.0 {
                         DVec3::ZERO
                     } else {
-                        skinned[skin][*joint].transform_point3(point.position) * f64::from(*weight)
+                        skinned[skin][usize::from(*joint)].transform_point3(position) * f64::from(*weight)
                     }
                 };
                 point.joints.iter().map(part).sum::<DVec3>() / total
             }
-            _ => world[point.node].transform_point3(point.position),
+            _ => world[point.node()].transform_point3(position),
         }
     };
     points.iter().map(place).collect()

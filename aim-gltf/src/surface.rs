@@ -7,7 +7,7 @@ use crate::accessor::Data;
 use crate::document::{Document, bytes_of};
 use crate::raw::{Primitive, Raw};
 use crate::skeleton::Skeleton;
-use crate::skin::{SkinnedPoint, deform, read_primitive};
+use crate::skin::{SkinnedPoint, carrier, deform, read_primitive};
 
 /// Triangles drawn at most; a file with more shows its first ones.
 const MOST_TRIANGLES: usize = 2_000_000;
@@ -35,13 +35,13 @@ impl Document {
     #[must_use]
     pub fn surface(&self) -> Surface {
         let mut surface = Surface { points: Vec::new(), triangles: Vec::new() };
-        let Ok(raw) = Raw::parse(&self.json) else { return surface };
+        let Ok((raw, _)) = Raw::parse(&self.text) else { return surface };
         let slices: Vec<_> = self.buffers.iter().map(|b| bytes_of(b, self.chunk.as_deref())).collect();
         let data = Data::new(&raw, &slices);
         for (node, mesh) in raw.nodes.iter().enumerate().filter_map(|(i, node)| Some((i, node.mesh?))) {
             for (index, primitive) in raw.meshes[mesh].primitives.iter().enumerate() {
-                let json = &self.json["meshes"][mesh]["primitives"][index];
-                surface.add(&data, node, primitive, json, &self.json);
+                let json = &self.json()["meshes"][mesh]["primitives"][index];
+                surface.add(&data, node, primitive, json, self.json());
             }
         }
         surface
@@ -87,12 +87,7 @@ impl Surface {
     /// The node that moves a vertex most: its heaviest joint, or the node that shows it; `None` past the last vertex.
     #[must_use]
     pub fn node_of(&self, skeleton: &Skeleton, vertex: usize) -> Option<usize> {
-        let point = self.points.get(vertex)?;
-        let (joint, weight) = point.joints.iter().fold((0, 0.0), |best, at| if at.1 > best.1 { *at } else { best });
-        match skeleton.nodes()[point.node].skin {
-            Some(skin) if weight > 0.0 => skeleton.skin(skin).0.get(joint).copied(),
-            _ => Some(point.node),
-        }
+        self.points.get(vertex).map(|point| carrier(skeleton, point))
     }
 }
 

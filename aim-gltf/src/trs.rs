@@ -86,6 +86,12 @@ pub(crate) fn orthonormal(m: &DMat3) -> (DMat3, DVec3) {
     (frame, lengths)
 }
 
+/// The signed coordinate axis nearest to a direction.
+pub(crate) fn nearest_axis(v: DVec3) -> DVec3 {
+    let at = v.abs().max_position();
+    DVec3::AXES[at] * if v[at] < 0.0 { -1.0 } else { 1.0 }
+}
+
 /// A column-major glTF matrix as an affine map; the last row is taken as (0, 0, 0, 1).
 pub(crate) fn affine_of(columns: &[f64; 16]) -> DAffine3 {
     DAffine3::from_mat4(DMat4::from_cols_array(columns))

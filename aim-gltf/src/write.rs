@@ -26,7 +26,7 @@ impl Document {
     /// [`Error::Clip`] when a clip names nodes that do not exist, moves a property twice, or has keys that are
     /// not finite or not in order.
     pub fn with_clips(&self, clips: &[Clip]) -> Result<Vec<u8>, Error> {
-        let mut json = self.json.clone();
+        let mut json = self.json().clone();
         let mut data = Appended::default();
         let mut animations = Vec::with_capacity(clips.len());
         for clip in clips.iter().filter(|clip| !clip.channels.is_empty()) {

@@ -268,3 +268,17 @@ fn uris_that_lead_nowhere() {
     exercise(&with("data:application/octet-stream;base64,AAAAAA")).unwrap();
     exercise(&with("data:,%00%01ab")).unwrap();
 }
+
+#[test]
+fn what_is_nested_without_end_is_refused_and_brackets_in_names_do_not_count() {
+    let nested = |levels: usize| {
+        let (open, close) = ("[".repeat(levels), "]".repeat(levels));
+        format!(r#"{{"asset":{{"version":"2.0"}},"extras":{open}{close},"nodes":[{{"name":"a\"[[{{"}}]}}"#)
+    };
+    let shallow = Document::from_bytes(nested(119).as_bytes()).unwrap();
+    assert!(shallow.json()["extras"].is_array() && shallow.skeleton().find("a\"[[{").is_ok());
+    for levels in [120, 127, 128, 100_000] {
+        let error = Document::from_bytes(nested(levels).as_bytes()).unwrap_err();
+        assert!(matches!(error, Error::Json { .. }), "{levels}: {error}");
+    }
+}

@@ -15,7 +15,7 @@ use crate::failure::{Failure, Result};
 use crate::files;
 use crate::html::{self, Subject};
 use crate::interpreted::InterpretedRig;
-use crate::measured;
+use crate::proposal;
 use crate::report::Report;
 use crate::target::{Target, TargetSpec};
 
@@ -158,7 +158,7 @@ pub(super) fn run(arguments: &args::Bake) -> Result {
     let measurement = Measurement::of(&document);
     let spec = match &arguments.rig {
         Some(path) => files::load_rig(path)?,
-        None => measured::rig(&arguments.file, &document, &measurement)?,
+        None => proposal::propose(&arguments.file, &document, &measurement, None)?.spec,
     };
     let fail = |error: aim_gltf::Error| Failure::in_file(&arguments.file, error);
     let clip = match &arguments.clip {

@@ -1,11 +1,15 @@
 //! `aim inspect`: bones with measured axes and roles, and clips.
 
-use aim_gltf::{Document, Measurement};
+use std::path::Path;
+
+use aim_gltf::{BoneAxes, Document, MeasuredPose, Measurement};
 use serde::Serialize;
 
 use crate::args;
 use crate::failure::Result;
-use crate::files;
+use crate::fit::Fit;
+use crate::html::{self, Inspected};
+use crate::{evidence, files, proposal};
 
 #[derive(Serialize)]
 struct Inspection {
@@ -34,9 +38,44 @@ struct Clip {
     seconds: f32,
 }
 
+/// Beyond this, degrees, a signed axis is no description of a bone.
+const FAR_OFF_DEG: f64 = 20.0;
+
+/// What a table cannot say: the pose, the facing with all that told it, size, and which bones need a general frame.
+fn in_words(measurement: &Measurement, document: &Document) -> String {
+    let mut out = format!("{}\n", evidence::facing(measurement, document));
+    for against in evidence::against(measurement, document) {
+        out += &format!("Against it: {against}.\n");
+    }
+    out += &format!("Confidence {:.2}.", measurement.confidence);
+    out += if measurement.confidence < 0.5 { " Too little to rely on: look at the drawing (--html).\n" } else { "\n" };
+    // A root that carries no skin may lie anywhere in either pose.
+    let has_role = |bone: &&BoneAxes| bone.role.is_some();
+    let any = measurement.bones.iter().any(|bone| bone.role.is_some());
+    let bones = measurement.bones.iter().filter(|bone| !any || has_role(bone));
+    let turned = bones.max_by(|a, b| a.rest_deg.total_cmp(&b.rest_deg));
+    out += &match (measurement.pose, turned.filter(|bone| bone.rest_deg > 0.1)) {
+        (MeasuredPose::Rest, _) => "Measured in the rest pose: no skin tells a bind pose.\n".to_owned(),
+        (_, Some(BoneAxes { name, rest_deg, .. })) => {
+            format!("Measured in the bind pose; the rest pose differs from it by up to {rest_deg:.1}° ({name}).\n")
+        }
+        _ => "Measured in the bind pose; the rest pose is the same.\n".to_owned(),
+    };
+    out += &format!("{:.4} high, in the file's units.\n", measurement.height);
+    let far: Vec<String> = measurement
+        .bones
+        .iter()
+        .filter(|bone| bone.role.is_some() && bone.deviation_deg > FAR_OFF_DEG)
+        .map(|bone| format!("{} ({:.0}°)", bone.name, bone.deviation_deg))
+        .collect();
+    if !far.is_empty() {
+        out += &format!("Far off any axis, so that `aim rig` gives the exact frame: {}.\n", far.join(", "));
+    }
+    out
+}
+
 impl Inspection {
-    fn of(file: String, document: &Document) -> Self {
-        let measurement = Measurement::of(document);
+    fn of(file: String, document: &Document, measurement: &Measurement) -> Self {
         let nodes = document.skeleton().nodes();
         let bones = measurement.bones.iter().map(|bone| Bone {
             name: bone.name.clone(),
@@ -62,7 +101,7 @@ impl Inspection {
     }
 
     fn table(&self) -> String {
-        let mut out = format!("{}: up {:?}, forward {:?}\n\n", self.file, self.up, self.forward);
+        let mut out = String::new();
         let width = |texts: &mut dyn Iterator<Item = usize>| texts.max().unwrap_or(0).max(4);
         let name_width = width(&mut self.bones.iter().map(|b| b.name.chars().count()));
         out += &format!("{:<name_width$}  {:<9}  up  fwd  left   off  hand\n", "bone", "role");
@@ -91,8 +130,31 @@ fn rounded(x: f64) -> f64 {
     (x * 1e6).round() / 1e6 + 0.0
 }
 
+/// Writes the page: with the rig that was given, else the proposed one, else the bones alone.
+fn draw(arguments: &args::Inspect, page: &Path, document: &Document, measurement: &Measurement) -> Result {
+    let (spec, rig) = match &arguments.rig {
+        Some(path) => (Some(files::load_rig(path)?), path.display().to_string()),
+        None => {
+            let proposed = proposal::propose(&arguments.file, document, measurement, None);
+            (proposed.ok().map(|proposal| proposal.spec), "the proposed rig".to_owned())
+        }
+    };
+    let fit = spec.as_ref().map(|spec| Fit::new(spec, document, measurement));
+    let file = arguments.file.file_name().unwrap_or_default().to_string_lossy();
+    let inspected = Inspected { file: &file, document, measurement, fit: fit.as_ref(), rig: &rig };
+    files::write(page, html::inspection_page(&inspected).as_bytes())
+}
+
 pub(super) fn run(arguments: &args::Inspect) -> Result {
     let document = files::load_model(&arguments.file)?;
-    let inspection = Inspection::of(arguments.file.display().to_string(), &document);
-    files::print(&if arguments.json { files::to_json(&inspection)? } else { inspection.table() })
+    let measurement = Measurement::of(&document);
+    if let Some(page) = &arguments.html {
+        draw(arguments, page, &document, &measurement)?;
+    }
+    let inspection = Inspection::of(arguments.file.display().to_string(), &document, &measurement);
+    files::print(&if arguments.json {
+        files::to_json(&inspection)?
+    } else {
+        format!("{}\n{}\n{}", inspection.file, in_words(&measurement, &document), inspection.table())
+    })
 }

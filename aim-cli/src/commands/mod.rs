@@ -2,11 +2,13 @@
 
 mod bake;
 mod check;
+mod check_model;
 mod count;
 mod demo;
 mod generate;
 mod inspect;
 mod reach;
+mod rig;
 
 use crate::args::Command;
 use crate::failure::Result;
@@ -16,9 +18,13 @@ pub(crate) fn run(command: Command) -> Result {
     match command {
         Command::Demo(arguments) => demo::run(&arguments),
         Command::Inspect(arguments) => inspect::run(&arguments),
+        Command::Rig(arguments) => rig::run(&arguments),
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Count(arguments) => count::run(&arguments),
-        Command::Check(arguments) => check::run(&arguments),
+        Command::Check(arguments) => match &arguments.model_rig {
+            Some(rig) => check_model::run(&arguments.rig, rig),
+            None => check::run(&arguments),
+        },
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Reach(arguments) => reach::run(&arguments),
     }

@@ -11,6 +11,7 @@ use serde::Serialize;
 use crate::args;
 use crate::failure::{Failure, Result};
 use crate::files;
+use crate::html::{self, Course};
 
 /// What `--report` writes; the command's help says what it is.
 #[derive(Debug, Serialize)]
@@ -126,6 +127,17 @@ impl Report {
         })
     }
 
+    fn page(&self) -> String {
+        html::trajectory_page(&Course {
+            bone: &self.bone,
+            clip: &self.clip,
+            words: &self.in_words(),
+            before: self.frames.iter().map(|frame| frame.before).collect(),
+            after: self.frames.iter().map(|frame| frame.after).collect(),
+            targets: self.targets.iter().map(|target| target.target).collect(),
+        })
+    }
+
     fn in_words(&self) -> String {
         let mut words = String::new();
         for target in &self.targets {
@@ -157,12 +169,16 @@ fn check_outputs(arguments: &args::Reach) -> Result {
         return Err(Failure::in_file(&arguments.out, "would be a binary file; give --out a name that ends in .glb"));
     }
     let place = |path: &PathBuf| std::path::absolute(path).unwrap_or_else(|_| path.clone());
-    match &arguments.report {
-        Some(report) if place(report) == place(&arguments.out) || place(report) == place(&arguments.file) => {
-            Err(Failure::in_file(report, "is used twice; give --out and --report a file each"))
+    let model = place(&arguments.file);
+    // The result may take the place of the model, what is told of it may not.
+    let mut taken = vec![place(&arguments.out)];
+    for path in [&arguments.report, &arguments.html].into_iter().flatten() {
+        if taken.contains(&place(path)) || place(path) == model {
+            return Err(Failure::in_file(path, "is used twice; give --out, --report and --html a file each"));
         }
-        _ => Ok(()),
+        taken.push(place(path));
     }
+    Ok(())
 }
 
 pub(super) fn run(arguments: &args::Reach) -> Result {
@@ -190,9 +206,10 @@ pub(super) fn run(arguments: &args::Reach) -> Result {
     let model = document.with_clips(std::slice::from_ref(&reached.clip)).map_err(fail)?;
     let written = Document::from_bytes(&model).map_err(fail)?;
     let report = Report::new(arguments, limb, &reached, &written)?;
-    let text = files::to_json(&report)?;
+    let (text, page) = (files::to_json(&report)?, report.page());
     let mut outputs = vec![(arguments.out.as_path(), &model[..])];
     outputs.extend(arguments.report.as_deref().map(|path| (path, text.as_bytes())));
+    outputs.extend(arguments.html.as_deref().map(|path| (path, page.as_bytes())));
     files::write_all(&outputs)?;
     files::print(&format!("{}wrote {}\n", report.in_words(), arguments.out.display()))
 }

@@ -1,11 +1,19 @@
 //! A small reader of GLB files for tests: nodes, clips and forward kinematics in double precision, straight from the
 //! glTF 2.0 specification and without any code of the library on trial. It panics on what it does not know.
 
+use base64::Engine as _;
 use glam::{DMat4, DQuat, DVec3};
 use serde_json::Value;
 
-/// The JSON and the binary chunk of a GLB.
+/// The JSON and the binary chunk of a GLB; of a JSON file the bytes in its only buffer's URI.
 pub(crate) fn take_apart(glb: &[u8]) -> (Value, Vec<u8>) {
+    if glb.starts_with(b"{") {
+        let json: Value = serde_json::from_slice(glb).expect("JSON");
+        let uri = json["buffers"][0]["uri"].as_str().expect("a data URI");
+        let text = uri.split_once(";base64,").expect("a data URI").1;
+        let bin = base64::engine::general_purpose::STANDARD.decode(text).expect("base 64");
+        return (json, bin);
+    }
     let word = |at: usize| u32::from_le_bytes(glb[at..at + 4].try_into().expect("four bytes")) as usize;
     assert_eq!((&glb[..4], word(4), word(8)), (&b"glTF"[..], 2, glb.len()), "the GLB header");
     let json_end = 20 + word(12);
@@ -101,7 +109,11 @@ impl Model {
 
     /// The only node of that name; of several, the only one that a skin lists.
     pub(crate) fn node(&self, name: &str) -> usize {
-        let all = || items(&self.json, "nodes").iter().enumerate().filter(|(_, node)| node["name"] == name);
+        let called = |(at, node): &(usize, &Value)| match node.get("name") {
+            Some(own) => own == name,
+            None => name == format!("node{at}"),
+        };
+        let all = || items(&self.json, "nodes").iter().enumerate().filter(called);
         let joints: Vec<usize> =
             items(&self.json, "skins").iter().flat_map(|skin| items(skin, "joints")).map(index).collect();
         let mut named: Vec<usize> = all().map(|(at, _)| at).collect();

@@ -1,0 +1,30 @@
+//! `aim rig`: the declaration proposed for a file.
+
+use aim_gltf::Measurement;
+
+use crate::args::{self, Notation};
+use crate::declaration::{self, Origin};
+use crate::failure::{Failure, Result};
+use crate::{evidence, files, proposal};
+
+pub(super) fn run(arguments: &args::Rig) -> Result {
+    let file = &arguments.file;
+    let document = files::load_model(file)?;
+    let measurement = Measurement::of(&document);
+    let named = (!arguments.chain.is_empty()).then_some(&arguments.chain[..]);
+    let mut proposal = proposal::propose(file, &document, &measurement, named)?;
+    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+    proposal.spec.name = declaration::type_name(&stem);
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    let facing = evidence::facing(&measurement, &document);
+    let origin = Origin { file: &name, facing: &facing };
+    let toml = declaration::toml(&proposal, &origin);
+    // What is proposed is right: it passes the checks that any declaration passes.
+    aim_codegen::declare::from_toml(&name, &toml).map_err(|errors| {
+        Failure::in_file(file, format!("no declaration can be proposed for it: {}; rename its bones", errors.render()))
+    })?;
+    files::print(&match arguments.format {
+        Notation::Toml => toml,
+        Notation::Rust => declaration::rust(&proposal, &origin),
+    })
+}

@@ -1,0 +1,276 @@
+//! The page of `aim inspect --html`: the character from several sides with its rig's axes as arrows, as an artist would
+//! check them.
+
+use aim_gltf::{Document, Measurement, Surface};
+use glam::DVec3;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use super::STYLE;
+use super::raster::{Corner, Face, Paint, Picture};
+use super::words::n;
+use crate::evidence;
+use crate::fit::{Fit, JointFit, NAMES};
+
+/// The size of a drawing, and pixels of its picture for each unit.
+const SIZE: f64 = 420.0;
+const PIXELS: f64 = 1.5;
+/// The lengths of an arrow and of the gaze, as shares of the drawing.
+const ARROW: f64 = 0.15;
+const GAZE: f64 = 0.3;
+/// The window around the chain: at least this share of the height, and this many times the chain.
+const OF_HEIGHT: f64 = 0.42;
+const OF_CHAIN: f64 = 2.4;
+const CLAY: [f64; 3] = [0.80, 0.74, 0.68];
+const COLOURS: [&str; 3] = ["axis-up", "axis-forward", "axis-left"];
+
+/// What the page is about.
+pub(crate) struct Inspected<'a> {
+    pub(crate) file: &'a str,
+    pub(crate) document: &'a Document,
+    pub(crate) measurement: &'a Measurement,
+    /// The rig whose axes are drawn, if any, and what of it is wrong.
+    pub(crate) fit: Option<&'a Fit<'a>>,
+    /// Where that rig comes from.
+    pub(crate) rig: &'a str,
+}
+
+/// Parallel projection along `toward`, the middle of the drawing at `centre`.
+struct View {
+    name: &'static str,
+    right: DVec3,
+    up: DVec3,
+    toward: DVec3,
+    centre: DVec3,
+    /// Units of the drawing for a unit of the world.
+    scale: f64,
+}
+
+impl View {
+    fn project(&self, point: DVec3) -> DVec3 {
+        let v = point - self.centre;
+        DVec3::new(
+            SIZE / 2.0 + self.scale * v.dot(self.right),
+            SIZE / 2.0 - self.scale * v.dot(self.up),
+            v.dot(self.toward),
+        )
+    }
+}
+
+/// The page.
+pub(crate) fn page(inspected: &Inspected<'_>) -> String {
+    let Inspected { file, document, measurement, fit, rig } = inspected;
+    let surface = document.surface();
+    let positions = surface.positions(document.skeleton(), &measurement.bind_world);
+    let views = views(inspected, &positions);
+    let title = format!("The axes of {file}");
+    html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                title { (title) }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                main {
+                    h1 { (title) }
+                    p.lead { (evidence::facing(measurement, document)) " Confidence " (n(measurement.confidence * 100.0)) " %." }
+                    @for against in evidence::against(measurement, document) { p { "Against it: " (against) "." } }
+                    @if let Some(fit) = fit { (verdict(fit, rig)) }
+                    div.views {
+                        @for view in &views { (drawing(inspected, view, &surface, &positions)) }
+                    }
+                    @if let Some(fit) = fit { (table(fit)) }
+                }
+            }
+        }
+    }
+    .into_string()
+}
+
+fn verdict(fit: &Fit<'_>, rig: &str) -> Markup {
+    html! {
+        @if fit.problems.is_empty() {
+            p { "The arrows are the axes of " (rig) ". Right is: every green arrow leads to the character's up, every blue "
+                "one to where it faces, every red one to its left." }
+        } @else {
+            p.wrong { strong { (rig) " contradicts the file." } }
+            ul.wrong { @for problem in &fit.problems { li { (problem) } } }
+            p { "Arrows that are wrong are dashed and marked ✗; the thin arrow beside leads where they should." }
+        }
+    }
+}
+
+/// From the front, from the left, from above, and the whole character.
+fn views(inspected: &Inspected<'_>, positions: &[DVec3]) -> Vec<View> {
+    let Measurement { up, forward, left, height, bones, .. } = inspected.measurement;
+    let (up, forward, left) = (*up, *forward, *left);
+    let places = bones.iter().map(|bone| bone.bind_world.translation).filter(|p| p.is_finite());
+    let skin = positions.iter().copied().filter(|p| p.is_finite());
+    let extent = |places: &mut dyn Iterator<Item = DVec3>| {
+        places.map(|p| (p, p)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p)))
+    };
+    let whole = extent(&mut skin.chain(places)).unwrap_or_default();
+    let joints = inspected.fit.map_or(&[][..], |fit| &fit.joints);
+    let chain = extent(&mut joints.iter().map(|joint| joint.bone.bind_world.translation)).unwrap_or(whole);
+    let size = |(low, high): (DVec3, DVec3)| (high - low).length().max(1e-9);
+    let close = (OF_HEIGHT * height).max(OF_CHAIN * size(chain)).min(1.1 * size(whole)).max(1e-9);
+    let middle = |(low, high): (DVec3, DVec3)| (low + high) * 0.5;
+    let view = |name, toward: DVec3, upward: DVec3, centre: DVec3, window: f64| {
+        let right = upward.cross(toward).normalize_or(left);
+        View { name, right, up: toward.cross(right), toward, centre, scale: SIZE / window }
+    };
+    let aside = (forward * 0.75 + left * 0.6 + up * 0.28).normalize_or(forward);
+    vec![
+        view("From the front", forward, up, middle(chain), close),
+        view("From its left", left, up, middle(chain), close),
+        view("From above", up, -forward, middle(chain), close),
+        view("All of it", aside, up, middle(whole), 1.15 * size(whole)),
+    ]
+}
+
+fn drawing(inspected: &Inspected<'_>, view: &View, surface: &Surface, positions: &[DVec3]) -> Markup {
+    let Inspected { document, measurement, fit, .. } = inspected;
+    let nodes = document.skeleton().nodes();
+    let lines = measurement.bones.iter().filter_map(|bone| {
+        let parent = measurement.bone(nodes[bone.node].parent?)?;
+        Some((view.project(bone.bind_world.translation), view.project(parent.bind_world.translation)))
+    });
+    html! {
+        figure {
+            svg viewBox=(format!("0 0 {SIZE} {SIZE}")) role="img" aria-label=(view.name) {
+                @if let Some(picture) = figure(view, surface, positions) {
+                    image href=(picture) width=(n(SIZE)) height=(n(SIZE)) opacity="0.5" {}
+                }
+                @for (a, b) in lines {
+                    @if a.is_finite() && b.is_finite() {
+                        line.bone x1=(n(a.x)) y1=(n(a.y)) x2=(n(b.x)) y2=(n(b.y)) {}
+                    }
+                }
+                @if let Some(fit) = fit {
+                    @if let Some(effector) = fit.joints.first() { (gaze(effector, view)) }
+                    @for joint in &fit.joints { (arrows(joint, view)) }
+                }
+                (compass(measurement, view))
+            }
+            figcaption { (view.name) }
+        }
+    }
+}
+
+/// The three declared axes of a joint.
+fn arrows(joint: &JointFit<'_>, view: &View) -> Markup {
+    let place = &joint.bone.bind_world;
+    let length = ARROW * SIZE / view.scale;
+    let tip = |axis: DVec3| place.transform_vector3(axis).normalize_or_zero() * length;
+    let at = place.translation;
+    html! {
+        @for side in 0..3 {
+            @let wrong = joint.wrong[side];
+            @if wrong {
+                (arrow(view, at, tip(joint.measured[side]), &format!("{} expected", COLOURS[side]), ""))
+            }
+            @let mark = if wrong { " ✗" } else { "" };
+            @let name = if wrong { NAMES[side] } else { "" };
+            @let axis = evidence::direction(joint.declared[side]);
+            // A general direction is its arrow; its numbers are in the table.
+            @let axis = if axis.starts_with('(') { "" } else { &axis };
+            @let class = format!("{}{}", COLOURS[side], if wrong { " dashed" } else { "" });
+            (arrow(view, at, tip(joint.declared[side]), &class, format!("{name} {axis}{mark}").trim()))
+        }
+        @let p = view.project(at);
+        circle.joint cx=(n(p.x)) cy=(n(p.y)) r="4" {}
+        text.joint-name x=(n(p.x + 7.0)) y=(n(p.y + 14.0)) { (joint.joint) }
+    }
+}
+
+/// Where the effector looks.
+fn gaze(effector: &JointFit<'_>, view: &View) -> Markup {
+    let place = &effector.bone.bind_world;
+    let ahead = place.transform_vector3(effector.declared[1]).normalize_or_zero() * (GAZE * SIZE / view.scale);
+    arrow(view, place.translation, ahead, "gaze", "gaze")
+}
+
+/// An arrow of the world; one that leads along the line of sight is a dot.
+fn arrow(view: &View, at: DVec3, along: DVec3, class: &str, label: &str) -> Markup {
+    let (a, b) = (view.project(at), view.project(at + along));
+    let flat = DVec3::new(b.x - a.x, b.y - a.y, 0.0);
+    let length = flat.length();
+    let ahead = flat.normalize_or_zero();
+    let aside = DVec3::new(-ahead.y, ahead.x, 0.0);
+    let corners = [b, b - ahead * 9.0 + aside * 4.5, b - ahead * 9.0 - aside * 4.5];
+    let corners: Vec<String> = corners.iter().map(|p| format!("{},{}", n(p.x), n(p.y))).collect();
+    let text = b + ahead * 12.0;
+    html! {
+        @if a.is_finite() && b.is_finite() {
+            g class={ "arrow " (class) } {
+                @if length > 6.0 {
+                    line x1=(n(a.x)) y1=(n(a.y)) x2=(n(b.x - ahead.x * 7.0)) y2=(n(b.y - ahead.y * 7.0)) {}
+                    polygon points=(corners.join(" ")) {}
+                    @if !label.is_empty() {
+                        text x=(n(text.x)) y=(n(text.y + 4.0)) text-anchor="middle" { (label) }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Which way the character's own directions go in a view.
+fn compass(measurement: &Measurement, view: &View) -> Markup {
+    let corner = view.centre + (view.up * -0.34 - view.right * 0.34) * (SIZE / view.scale);
+    let length = 0.075 * SIZE / view.scale;
+    let ways = [measurement.up, measurement.forward, measurement.left];
+    html! {
+        g.compass {
+            @for (at, way) in ways.into_iter().enumerate() {
+                (arrow(view, corner, way * length, COLOURS[at], NAMES[at]))
+            }
+        }
+    }
+}
+
+fn table(fit: &Fit<'_>) -> Markup {
+    html! {
+        div.scroll {
+            table {
+                thead { tr {
+                    th { "Joint" } th { "Bone" }
+                    @for name in NAMES { th { (name) ": declared" } th { "measured" } }
+                } }
+                tbody {
+                    @for joint in &fit.joints {
+                        tr {
+                            th scope="row" { (joint.joint) }
+                            td { (joint.bone.name) }
+                            @for at in 0..3 {
+                                td class=[joint.wrong[at].then_some("wrong")] { (evidence::direction(joint.declared[at])) }
+                                td { (joint.nearest(at)) ", " (n(joint.bone.deviations_deg[at])) "° off" }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The surface as a pale picture.
+fn figure(view: &View, surface: &Surface, positions: &[DVec3]) -> Option<String> {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a constant of some hundreds")]
+    let pixels = (SIZE * PIXELS) as usize;
+    let mut picture = Picture::new(pixels, pixels);
+    for triangle in surface.triangles() {
+        let [a, b, c] = triangle.vertices.map(|vertex| positions[vertex]);
+        let flat = (b - a).cross(c - a).normalize_or_zero();
+        let normal = DVec3::new(flat.dot(view.right), flat.dot(view.up), flat.dot(view.toward));
+        let corner = |point: DVec3| {
+            let screen = view.project(point);
+            Corner { screen: DVec3::new(screen.x * PIXELS, screen.y * PIXELS, screen.z), normal, world: point }
+        };
+        picture.draw(&Face { corners: [a, b, c].map(corner), paint: Paint::Plain(CLAY) });
+    }
+    picture.data_uri()
+}
