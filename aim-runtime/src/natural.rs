@@ -328,7 +328,8 @@ impl<'a, R: AimRig> Gaze<'a, R> {
             Some(dt) => solver.advance(joints, ranges, dt, memory)?,
             None => solver.settle(joints, ranges, Search::Thorough)?,
         };
-        if here > tolerance && dt.is_some() {
+        // A frame's step goes but a part of the way to the optimum, and which part that is rounding may decide.
+        if dt.is_some() {
             shared.copy_from_slice(joints);
             if let Some(settled) =
                 solver.settle(shared, ranges, Search::Thorough).filter(|&settled| settled <= tolerance)

@@ -116,10 +116,16 @@ impl<R: AimRig> Gaze<'_, R> {
                 turning.is_held_back = left.iter().zip(turning.out).any(|(left, out)| *left && out * gain > 0.0);
             }
         }
+        let farthest_out = |part: f32| worst(turnings, part).into_iter().fold(f32::NEG_INFINITY, f32::max);
         let (mut kept, mut lost) = (0.0, 1.0);
         for _ in 0..HALVINGS {
             let part = 0.5 * (kept + lost);
-            if worst(turnings, part).iter().all(|out| *out <= 0.0) { kept = part } else { lost = part }
+            if farthest_out(part) <= 0.0 { kept = part } else { lost = part }
+        }
+        // On to the very part along the chord: halves alone would make steps of rounding.
+        let [inside, outside] = [kept, lost].map(farthest_out);
+        if inside < 0.0 && outside > 0.0 {
+            kept += (lost - kept) * inside / (inside - outside);
         }
         for index in self.supporting() {
             let parts = turnings[index].map(|turning| if turning.is_held_back { kept } else { 1.0 });
