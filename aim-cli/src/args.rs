@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use crate::target::TargetSpec;
+use crate::target::{Point, TargetSpec};
 
 /// Turns a character's eyes, neck and spine to a target, with derivatives derived for exactly your rig.
 #[derive(Debug, Parser)]
@@ -49,6 +49,21 @@ pub(crate) enum Command {
                             columns t,x,y,z in the file's units, linear between rows"
     )]
     Bake(Bake),
+    /// Lead a hand or foot of a clip through points at given times, and write an ordinary glTF animation.
+    #[command(
+        after_help = "Example:\n  aim reach hero.glb --clip Slap --bone RightHand --at 0.42 --target 0.3,1.5,0.6 \
+                            --out reached.glb --report reached.json\n\nThe bone's whole trajectory is deformed, as rigidly \
+                            as possible, so that it comes through each target; its parent and\ngrandparent follow. Give \
+                            --at and --target several times for several points.\n\nThe report:\n  \
+                            limb       the three bones, from the root\n  \
+                            length     of the limb, in the file's units\n  \
+                            targets    at, target, aimed (the target, or what is nearest to it within reach),\n             \
+                            status (reached, too_far or too_near), error (of the written file, from the target)\n  \
+                            trajectory status, evaluations, gradient (what is left of the first), distortion\n  \
+                            frames     t, before, wanted, after (of the written file), status\n  \
+                            summary    frames, reached (targets), stretched (frames), max_error (after from wanted)"
+    )]
+    Reach(Reach),
 }
 
 #[derive(Debug, Args)]
@@ -203,13 +218,43 @@ pub(crate) struct Bake {
     /// Make the result's first frame follow from its last.
     #[arg(long = "loop")]
     pub(crate) looped: bool,
-    /// Where to write the aimed model.
+    /// Where to write the aimed model; may be FILE, which it then replaces.
     #[arg(long, value_name = "OUT.glb")]
     pub(crate) out: PathBuf,
     /// Where to write what happened in every frame, as JSON.
     #[arg(long, value_name = "R.json")]
     pub(crate) report: Option<PathBuf>,
     /// Where to write the report as a page, with drawings and charts.
+    #[arg(long, value_name = "R.html")]
+    pub(crate) html: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Reach {
+    /// A .glb, .gltf or .vrm file.
+    pub(crate) file: PathBuf,
+    /// The clip; the first if not given.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) clip: Option<String>,
+    /// The node that is led: a hand or a foot. Its parent and grandparent follow.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) bone: String,
+    /// When it is to be there, seconds; once for each target.
+    #[arg(long, value_name = "S", required = true, allow_negative_numbers = true)]
+    pub(crate) at: Vec<f32>,
+    /// Where it is to be, in the file's units; once for each time.
+    #[arg(long, value_name = "X,Y,Z", required = true, allow_hyphen_values = true)]
+    pub(crate) target: Vec<Point>,
+    /// Keys a second.
+    #[arg(long, default_value_t = 60.0, allow_negative_numbers = true)]
+    pub(crate) fps: f32,
+    /// Where to write the model; may be FILE, which it then replaces.
+    #[arg(long, value_name = "OUT.glb")]
+    pub(crate) out: PathBuf,
+    /// Where to write what came of it, as JSON.
+    #[arg(long, value_name = "R.json")]
+    pub(crate) report: Option<PathBuf>,
+    /// Where to write a page that draws the way it was and the way it is.
     #[arg(long, value_name = "R.html")]
     pub(crate) html: Option<PathBuf>,
 }

@@ -13,6 +13,7 @@ mod scene;
 mod summary;
 #[cfg(test)]
 mod tests;
+mod trajectory;
 mod words;
 
 use aim_codegen::RigSpec;
@@ -22,6 +23,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use crate::report::Report;
 
 pub(crate) use inspection::{Inspected, page as inspection_page};
+pub(crate) use trajectory::{Course, page as trajectory_page};
 
 const STYLE: &str = include_str!("html/style.css");
 
@@ -39,6 +41,21 @@ pub(crate) struct Subject<'a> {
 pub(crate) fn page(subject: &Subject<'_>) -> String {
     let Subject { spec, report, .. } = *subject;
     let title = format!("{} aimed over {}", report.rig, report.clip);
+    let content = html! {
+        h1 { (report.rig) " aimed over " q { (report.clip) } }
+        (summary::section(spec, report))
+        @if let Some(strip) = film::strip(subject) { (film(strip)) }
+        (rig::section(spec, report))
+        section.over-time {
+            h2 { "Over time" }
+            (charts::all(subject))
+        }
+    };
+    whole(&title, &content)
+}
+
+/// A page that needs nothing but itself.
+fn whole(title: &str, content: &Markup) -> String {
     html! {
         (DOCTYPE)
         html lang="en" {
@@ -50,18 +67,7 @@ pub(crate) fn page(subject: &Subject<'_>) -> String {
                 title { (title) }
                 style { (PreEscaped(STYLE)) }
             }
-            body {
-                main {
-                    h1 { (report.rig) " aimed over " q { (report.clip) } }
-                    (summary::section(spec, report))
-                    @if let Some(strip) = film::strip(subject) { (film(strip)) }
-                    (rig::section(spec, report))
-                    section.over-time {
-                        h2 { "Over time" }
-                        (charts::all(subject))
-                    }
-                }
-            }
+            body { main { (content) } }
         }
     }
     .into_string()

@@ -52,6 +52,19 @@ impl FromStr for TargetSpec {
     }
 }
 
+/// A point of the world as the user wrote it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Point(pub(crate) DVec3);
+
+impl FromStr for Point {
+    type Err = String;
+
+    fn from_str(text: &str) -> std::result::Result<Self, String> {
+        let numbers = three_numbers(text).ok_or("expected three numbers, such as 0.3,1.5,0.6")?;
+        Ok(Self(DVec3::from_array(numbers)))
+    }
+}
+
 fn three_numbers(text: &str) -> Option<[f64; 3]> {
     let numbers: Vec<f64> =
         text.split(',').map(|n| n.trim().parse().ok().filter(|x| is_usable(*x))).collect::<Option<_>>()?;

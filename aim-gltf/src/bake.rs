@@ -258,7 +258,7 @@ fn closes(began: &[Joint], ended: &[Joint]) -> bool {
 /// The most keys that one bake makes: an hour at 144 Hz.
 const MOST_KEYS: f32 = 144.0 * 3600.0;
 
-fn key_times(seconds: f32, fps: f32) -> Result<Arc<[f32]>, Error> {
+pub(crate) fn key_times(seconds: f32, fps: f32) -> Result<Arc<[f32]>, Error> {
     let keys = seconds * fps;
     if !(seconds > 0.0 && fps > 0.0 && (1.0..=MOST_KEYS).contains(&keys)) {
         return Err(Error::Clip {
@@ -321,7 +321,7 @@ fn follow(eye: usize, before: DQuat, pair: usize, skeleton: &Skeleton, pose: &mu
 }
 
 /// The sign of a quaternion that interpolates the short way from the one before.
-fn continuous(before: Option<&Quat>, rotation: Quat) -> Quat {
+pub(crate) fn continuous(before: Option<&Quat>, rotation: Quat) -> Quat {
     if before.is_some_and(|before| before.dot(rotation) < 0.0) { -rotation } else { rotation }
 }
 

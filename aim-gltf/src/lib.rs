@@ -2,8 +2,9 @@
 //!
 //! Any `.glb`, `.gltf` or `.vrm` becomes a [`Document`]; a broken one becomes one [`Error`] that says what is wrong, and
 //! nothing in here panics on a file. [`Measurement`] tells where a character faces and which way each bone's own axes
-//! point. [`Document::with_clips`] writes the file again, its old bytes first and unchanged. [`mannequin`] makes a walking
-//! figure by code, in any of the 48 bone conventions and all frames between them.
+//! point. [`bake()`] aims a rig over a clip, [`reach()`] leads a hand through points. [`Document::with_clips`] writes
+//! the file again, its old bytes first and unchanged. [`mannequin`] makes a walking figure by code, in any of the 48
+//! bone conventions and all frames between them.
 //!
 //! World space is glTF's: right-handed, +Y up, in the file's units (metres, if the file keeps to the rules). Matrices
 //! act on column vectors, `world ← node`. Angles whose names end in `_deg` are degrees, times are seconds.
@@ -44,6 +45,7 @@ mod names;
 mod num;
 mod plan;
 mod raw;
+mod reach;
 mod roles;
 mod skeleton;
 mod skin;
@@ -62,6 +64,7 @@ pub use file::{write_file, write_files};
 pub use look_at::{EyeAngles, LookAt, LookAtKind, LookWeights, RangeMap};
 pub use mannequin::{PAPER_AXES, mannequin};
 pub use measure::{BoneAxes, BoneFrame, Handedness, MeasuredPose, Measurement, SignedAxis};
+pub use reach::{Arrival, Goal, LimbFrame, LimbNodes, ReachPlan, Reached, reach};
 pub use roles::Role;
 pub use skeleton::{Node, Skeleton};
 pub use surface::{Surface, Triangle};

@@ -18,7 +18,7 @@ use crate::{
 };
 
 /// The longest frame, seconds: after a hitch nothing leaps.
-const LONGEST_FRAME_S: f32 = 0.1;
+pub(crate) const LONGEST_FRAME_S: f32 = 0.1;
 /// How much better the other way round has to aim before the joints turn back, radians.
 const TURN_BACK_RAD: f32 = 5.0 * core::f32::consts::PI / 180.0;
 /// The same for a target that has stood still for [`PATIENCE_S`].

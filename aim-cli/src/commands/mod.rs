@@ -7,6 +7,7 @@ mod count;
 mod demo;
 mod generate;
 mod inspect;
+mod reach;
 mod rig;
 
 use crate::args::Command;
@@ -25,5 +26,6 @@ pub(crate) fn run(command: Command) -> Result {
             None => check::run(&arguments),
         },
         Command::Bake(arguments) => bake::run(&arguments),
+        Command::Reach(arguments) => reach::run(&arguments),
     }
 }

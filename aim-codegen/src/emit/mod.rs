@@ -6,6 +6,7 @@ mod inputs;
 pub mod latex;
 pub mod maxima;
 pub mod rust;
+pub mod trajectory;
 pub mod wgsl;
 
 use crate::{RigPrograms, RigSpec};

@@ -3,10 +3,12 @@
 mod aim;
 mod residual;
 mod statement;
+mod trajectory;
 
 pub use aim::{chain_aim, joint_aim};
 pub use residual::chain_residual;
 pub use statement::{ChainInputs, JointInputs};
+pub use trajectory::TrajectoryPrograms;
 
 use aim_symbolic::{Graph, Program, Scalar, Step, Want};
 

@@ -6,6 +6,7 @@
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim_runtime::{AimRig, Axes, Effector, Joint, JointInfo, Scalar};
 
+pub mod exact;
 pub mod random;
 pub mod truth;
 

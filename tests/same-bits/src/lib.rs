@@ -6,7 +6,9 @@
 //!
 //! What goes in is made of sums, products, quotients and square roots alone, which are the same everywhere.
 
-use aim::glam::{Affine3A, Vec3};
+mod limbs;
+
+use aim::glam::{Affine3A, Quat, Vec3};
 use aim::{AimRig, Ascent, Behind, DetailedPose, Joint, Outcome, Pose, Settings, Solver, Status, Target};
 
 #[derive(AimRig)]
@@ -55,7 +57,7 @@ struct Alone {
 }
 
 /// What is run, in the order of `golden.txt`.
-pub const RUNS: [&str; 10] = [
+pub const RUNS: [&str; 11] = [
     "exact",
     "natural",
     "ascent",
@@ -66,6 +68,7 @@ pub const RUNS: [&str; 10] = [
     "several targets",
     "ordinary frames",
     "an eye alone",
+    "limbs and looks",
 ];
 
 const FRAMES: u32 = 2000;
@@ -74,6 +77,9 @@ const FRAMES: u32 = 2000;
 #[unsafe(no_mangle)]
 pub extern "C" fn hash(run: u32) -> u64 {
     let Some(name) = RUNS.get(run as usize) else { return 0 };
+    if *name == "limbs and looks" {
+        return limbs::run(World::new(u64::from(run)));
+    }
     let solver = match *name {
         "exact" | "ordinary frames" | "an eye alone" => Solver::Exact,
         "ascent" | "published ascent" => Solver::Ascent,
@@ -139,6 +145,10 @@ impl Fnv {
         }
     }
 
+    fn turns(&mut self, turns: &[Quat]) {
+        turns.iter().flat_map(|turn| turn.to_array()).for_each(|x| self.float(x));
+    }
+
     fn outcome(&mut self, outcome: &Outcome) {
         self.float(outcome.aim);
         self.float(outcome.remaining);
@@ -157,10 +167,10 @@ impl Fnv {
             self.float(joint.pitch());
         }
         for (_, correction) in rig.corrections() {
-            correction.to_array().into_iter().for_each(|x| self.float(x));
+            self.turns(&[correction]);
         }
         if let Some(correction) = rig.pair_correction() {
-            correction.to_array().into_iter().for_each(|x| self.float(x));
+            self.turns(&[correction]);
         }
     }
 }

@@ -1,0 +1,218 @@
+use aim_runtime::glam::{Quat, Vec3};
+use aim_runtime::ik::{Ccd, CcdJoint, CcdLimit, CcdOutcome, CcdStatus};
+
+use crate::common::Rng;
+use crate::common::exact::*;
+
+/// Where the tip is with the joints turned, from the definitions; judges what the outcome says of itself.
+fn posed(joints: &[CcdJoint], tip: Vec3, target: Vec3, outcome: &CcdOutcome) -> Point {
+    let mut at = exact(joints[0].position);
+    let mut size = 0.0;
+    for (index, joint) in joints.iter().enumerate() {
+        assert!(is_sound(joint.turn) && is_sound(joint.added()));
+        let end = joints.get(index + 1).map_or(tip, |next| next.position);
+        let bone = minus(exact(end), exact(joint.position));
+        at = plus(at, turned(joint.turn, bone));
+        size += length(bone);
+    }
+    assert!(length(minus(at, exact(outcome.tip))) < 1e-5 * size);
+    let error = length(minus(at, exact(target)));
+    assert!((f64::from(outcome.error) - error).abs() < 1e-5 * size);
+    at
+}
+
+/// What the limits bound, from the turns themselves: how each joint is turned in the one before.
+fn beyond_limits(joints: &[CcdJoint]) -> f64 {
+    let mut worst = 0.0_f64;
+    let mut before = Quat::IDENTITY;
+    for joint in joints {
+        let added = before.conjugate() * joint.turn;
+        before = joint.turn;
+        match joint.limit {
+            CcdLimit::Free => {}
+            CcdLimit::Ball { most_rad } => worst = worst.max(angle_of(added) - f64::from(most_rad)),
+            CcdLimit::Hinge { axis, least_rad, most_rad } => {
+                let [x, y, z, w] = added.to_array().map(f64::from);
+                let axis = exact(axis).map(|c| c / length(exact(axis)));
+                let along = dot([x, y, z], axis);
+                // About no other axis.
+                worst = worst.max(length(cross([x, y, z], axis)));
+                let angle = 2.0 * (along * w.signum()).atan2(w.abs());
+                worst = worst.max(f64::from(least_rad) - angle).max(angle - f64::from(most_rad));
+            }
+        }
+    }
+    worst
+}
+
+fn any_chain(rng: &mut Rng, limited: bool) -> (Vec<CcdJoint>, Vec3) {
+    let mut at = rng.direction();
+    let joints = (0..2 + rng.below(5)).map(|_| {
+        let limit = match rng.below(3) {
+            _ if !limited => CcdLimit::Free,
+            0 => CcdLimit::Ball { most_rad: rng.between(0.0, 2.0) },
+            1 => {
+                let least_rad = rng.between(-1.5, 0.5);
+                CcdLimit::Hinge { axis: rng.direction() * 2.0, least_rad, most_rad: least_rad + rng.between(0.0, 2.0) }
+            }
+            _ => CcdLimit::Free,
+        };
+        let joint = CcdJoint::new(at).with_limit(limit);
+        at += rng.direction() * rng.between(0.1, 1.0);
+        joint
+    });
+    let joints = joints.collect();
+    (joints, at)
+}
+
+fn bones(joints: &[CcdJoint], tip: Vec3) -> Vec<f32> {
+    let ends = joints.iter().skip(1).map(|joint| joint.position).chain([tip]);
+    joints.iter().zip(ends).map(|(joint, end)| joint.position.distance(end)).collect()
+}
+
+/// Without limits nearly every target that the bones reach is met; the rest is on its way, slowly.
+#[test]
+fn reachable_targets() {
+    for (iterations, share) in [(50, 0.84), (200, 0.96)] {
+        let mut rng = Rng(1);
+        let (mut met, mut passes) = (0, 0);
+        for _ in 0..5000 {
+            let (mut joints, tip) = any_chain(&mut rng, false);
+            let bones = bones(&joints, tip);
+            let (longest, sum) = (bones.iter().fold(0.0, |a: f32, &b| a.max(b)), bones.iter().sum::<f32>());
+            let near = (2.0 * longest - sum).max(0.0);
+            let target = joints[0].position + rng.direction() * (near + (sum - near) * rng.between(0.05, 0.95));
+            let outcome = Ccd::new().with_iterations(iterations).solve(&mut joints, tip, target);
+            let at = posed(&joints, tip, target, &outcome);
+            let is_met = outcome.status == CcdStatus::Reached;
+            assert!(is_met || outcome.status == CcdStatus::IterationLimit, "{outcome:?}");
+            // But for what rounding adds.
+            let of_tolerance = (length(minus(at, exact(target))) - 2e-6) / (1e-4 * f64::from(sum));
+            assert!(if is_met { of_tolerance <= 1.0 } else { of_tolerance > 0.9 }, "{outcome:?}");
+            (met, passes) = (met + u32::from(is_met), passes + outcome.iterations);
+        }
+        println!("{met} of 5000 met in {iterations} iterations at most, {} on average", f64::from(passes) / 5000.0);
+        assert!(f64::from(met) > share * 5000.0);
+    }
+}
+
+#[test]
+fn limits_hold() {
+    let mut rng = Rng(2);
+    let mut worst = 0.0_f64;
+    let mut statuses = [0; 3];
+    for _ in 0..20_000 {
+        let (mut joints, tip) = any_chain(&mut rng, true);
+        let target = joints[0].position + rng.direction() * rng.between(0.0, 4.0);
+        let iterations = 1 + u32::try_from(rng.below(60)).unwrap();
+        let outcome = Ccd::new().with_iterations(iterations).solve(&mut joints, tip, target);
+        posed(&joints, tip, target, &outcome);
+        worst = worst.max(beyond_limits(&joints));
+        assert!(outcome.iterations <= iterations);
+        match outcome.status {
+            CcdStatus::Reached => statuses[0] += 1,
+            CcdStatus::IterationLimit => {
+                assert_eq!(outcome.iterations, iterations);
+                statuses[1] += 1;
+            }
+            _ => statuses[2] += 1,
+        }
+    }
+    println!("beyond limits {worst:.1e}; reached, out of iterations, stuck: {statuses:?}");
+    assert!(worst < 1e-5);
+    assert!(statuses.iter().all(|&count| count > 100), "{statuses:?}");
+}
+
+/// The tip never ends further off than the animation had it.
+#[test]
+fn never_worse() {
+    let mut rng = Rng(3);
+    for _ in 0..5000 {
+        let (mut joints, tip) = any_chain(&mut rng, false);
+        let target = joints[0].position + rng.direction() * rng.between(0.0, 6.0);
+        let outcome = Ccd::new().solve(&mut joints, tip, target);
+        assert!(outcome.error <= tip.distance(target) * (1.0 + 1e-5) + 1e-6, "{outcome:?}");
+    }
+}
+
+/// A straight chain with its target on its own line, which no joint alone sees a way to.
+#[test]
+fn out_of_the_straight() {
+    for count in [2_u8, 3, 5] {
+        let mut joints: Vec<_> = (0..count).map(|i| CcdJoint::new(Vec3::X * f32::from(i))).collect();
+        let (tip, target) = (Vec3::X * f32::from(count), Vec3::X * (0.6 * f32::from(count)));
+        let outcome = Ccd::new().with_iterations(200).solve(&mut joints, tip, target);
+        assert_eq!(outcome.status, CcdStatus::Reached, "{count}: {outcome:?}");
+        let far = Ccd::new().solve(&mut joints, tip, tip * 2.0);
+        assert_eq!((far.status, far.tip), (CcdStatus::Stuck, tip), "stretched already");
+    }
+}
+
+#[test]
+fn says_what_it_hit() {
+    let chain = || {
+        let elbow = CcdLimit::Hinge { axis: Vec3::Z, least_rad: 0.0, most_rad: 1.0 };
+        [
+            CcdJoint::new(Vec3::ZERO).with_limit(CcdLimit::Ball { most_rad: 0.5 }),
+            CcdJoint::new(Vec3::new(1.0, -0.1, 0.0)).with_limit(elbow),
+        ]
+    };
+    let tip = Vec3::new(2.0, 0.0, 0.0);
+    let mut joints = chain();
+    let outcome = Ccd::new().solve(&mut joints, tip, Vec3::new(1.7, 0.6, 0.0));
+    assert_eq!(outcome.status, CcdStatus::Reached);
+    assert!(outcome.at_limit.is_empty());
+    let mut joints = chain();
+    let outcome = Ccd::new().solve(&mut joints, tip, Vec3::new(-2.0, 0.5, 0.0));
+    assert_eq!(outcome.status, CcdStatus::Stuck);
+    assert_eq!(outcome.at_limit.iter().collect::<Vec<_>>(), [0, 1]);
+    let mut joints = chain();
+    let outcome = Ccd::new().with_iterations(1).with_tolerance(0.0).solve(&mut joints, tip, Vec3::new(1.7, 0.6, 0.0));
+    assert_eq!((outcome.status, outcome.iterations), (CcdStatus::IterationLimit, 1));
+    let nothing = Ccd::new().solve(&mut [], tip, tip);
+    assert_eq!(nothing.status, CcdStatus::Degenerate);
+    let mut point = [CcdJoint::new(tip), CcdJoint::new(tip)];
+    assert_eq!(Ccd::new().solve(&mut point, tip, Vec3::ZERO).status, CcdStatus::Degenerate);
+}
+
+/// A chain in centimetres behaves as one in metres.
+#[test]
+fn of_any_size() {
+    let mut rng = Rng(4);
+    for _ in 0..300 {
+        let (mut joints, tip) = any_chain(&mut rng, true);
+        let target = joints[0].position + rng.direction();
+        let outcome = Ccd::new().solve(&mut joints, tip, target);
+        // A power of two has the same bits.
+        let mut large = joints.clone();
+        large.iter_mut().for_each(|joint| joint.position *= 128.0);
+        let other = Ccd::new().solve(&mut large, tip * 128.0, target * 128.0);
+        assert_eq!((outcome.status, outcome.iterations), (other.status, other.iterations));
+        assert!(joints.iter().zip(&large).all(|(a, b)| a.turn == b.turn));
+    }
+}
+
+#[test]
+fn whatever_the_bits() {
+    let mut rng = Rng(5);
+    for _ in 0..50_000 {
+        let n: [f32; 30] = numbers(&mut rng);
+        let v = |at: usize| Vec3::from_slice(&n[at..]);
+        let limits = [
+            CcdLimit::Hinge { axis: v(0), least_rad: n[3], most_rad: n[4] },
+            CcdLimit::Ball { most_rad: n[5] },
+            CcdLimit::Free,
+        ];
+        let mut joints: Vec<_> = (0..3).map(|i| CcdJoint::new(v(6 + 3 * i)).with_limit(limits[rng.below(3)])).collect();
+        let ccd = Ccd::new().with_tolerance(n[21]).with_iterations(10);
+        let outcome = ccd.solve(&mut joints, v(15), v(18));
+        for joint in &joints {
+            assert!(is_sound(joint.turn), "{joints:?} {outcome:?}");
+        }
+        let is_finite = outcome.error.is_finite() && outcome.tip.is_finite();
+        assert!(
+            is_finite || outcome.status == CcdStatus::Degenerate || n.iter().any(|x| x.abs() > 1e37),
+            "{outcome:?}"
+        );
+    }
+}

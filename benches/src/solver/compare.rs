@@ -1,0 +1,217 @@
+//! Every solver that can turn a gaze to a target, on one workload: targets in front of a character whose joints stand at
+//! random, each solved from the animation.
+
+use aim::glam::{Affine3A, Mat3A, Quat, Vec3};
+use aim::ik::{AimPose, AimPoses, Ccd, CcdJoint, CcdLimit, LookAt, OneBone, grid};
+use aim::{AimRig, Ascent, Behind, JointInfo, Pose, Settings, Solver};
+
+use super::chain::{Gazer, posed};
+use super::workload::{Still, Where, bearing};
+
+/// A character's bones, from the eye inward.
+type Bones = [Affine3A; 3];
+
+/// A solver by its name: the bones as it leaves them.
+#[derive(Clone, Copy, Debug)]
+pub struct Contender {
+    /// Its name in the table.
+    pub name: &'static str,
+    /// The page that tells about it.
+    pub page: &'static str,
+    solve: fn(&Still, &Authored) -> Bones,
+}
+
+/// All of them.
+pub const CONTENDERS: [Contender; 8] = [
+    Contender { name: "exact", page: "../README.md#how-it-aims", solve: |case, _| snapped(case, Solver::Exact) },
+    Contender { name: "natural", page: "../README.md#how-it-aims", solve: |case, _| snapped(case, Solver::Natural) },
+    Contender { name: "ascent, as published, two seconds", page: "paper.md", solve: |case, _| ascended(case) },
+    Contender { name: "one bone: the eye", page: "one-bone.md", solve: |case, _| one_bone(case) },
+    Contender { name: "look-at: the head", page: "look-at.md", solve: |case, _| look_at(case) },
+    Contender { name: "CCD: chest, head, eye", page: "ccd.md", solve: |case, _| ccd(case) },
+    Contender { name: "aim poses", page: "aim-poses.md", solve: |case, authored| by_poses(case, authored) },
+    Contender {
+        name: "aim poses, then exact",
+        page: "aim-poses.md",
+        solve: |case, authored| snapped(&Still { pose: by_poses(case, authored), target: case.target }, Solver::Exact),
+    },
+];
+
+impl Contender {
+    /// The bones as it leaves them.
+    pub fn solve(&self, case: &Still, authored: &Authored) -> Bones {
+        (self.solve)(case, authored)
+    }
+}
+
+/// The workload: targets in the cone in front, at half a metre to five.
+pub fn cases(count: usize) -> Vec<Still> {
+    Where::Cone.cases(count)
+}
+
+/// Fifteen poses, as an animator would make them: each joint's correction, from the eye inward.
+#[derive(Clone, Debug)]
+pub struct Authored {
+    poses: Vec<([Quat; 3], Vec3)>,
+}
+
+impl Default for Authored {
+    fn default() -> Self {
+        let upright = posed([Quat::IDENTITY; 3]);
+        let directions =
+            [-45.0, 0.0, 45.0].iter().flat_map(|&up| [-80.0, -40.0, 0.0, 40.0, 80.0].map(|left| (left, up)));
+        let pose = |(left, up): (f32, f32)| {
+            let target = Vec3::from(upright[0].translation) + 2.0 * bearing(left, up);
+            let turns = corrections(&upright, target, Solver::Exact);
+            (turns, gaze(&corrected(&upright, turns)))
+        };
+        Self { poses: directions.map(pose).collect() }
+    }
+}
+
+fn settings(solver: Solver) -> Settings {
+    Settings::default().with_behind(Behind::Off).with_solver(solver)
+}
+
+fn corrections(pose: &Bones, target: Vec3, solver: Solver) -> [Quat; 3] {
+    let mut rig = Gazer::default();
+    rig.snap_with(&Pose { joints: *pose }, target, &settings(solver));
+    read(&rig)
+}
+
+fn read(rig: &Gazer) -> [Quat; 3] {
+    let mut turns = [Quat::IDENTITY; 3];
+    rig.corrections().for_each(|(joint, turn)| turns[joint] = turn);
+    turns
+}
+
+fn snapped(case: &Still, solver: Solver) -> Bones {
+    corrected(&case.pose, corrections(&case.pose, case.target, solver))
+}
+
+fn ascended(case: &Still) -> Bones {
+    let mut rig = Gazer::default();
+    let settings = settings(Solver::Ascent).with_ascent(Ascent::paper());
+    for _ in 0..120 {
+        rig.aim_with(&Pose { joints: case.pose }, case.target, 1.0 / 60.0, &settings);
+    }
+    corrected(&case.pose, read(&rig))
+}
+
+fn one_bone(case: &Still) -> Bones {
+    let [eye, head, chest] = case.pose;
+    let turn = OneBone::new(Vec3::Y).solve(&eye, case.target - Vec3::from(eye.translation)).turn;
+    [turned(turn, &eye), head, chest]
+}
+
+fn look_at(case: &Still) -> Bones {
+    let [eye, head, chest] = case.pose;
+    let [_, info, _] = infos();
+    let ([left, right], [down, up]) = (info.heading.unwrap_or_default(), info.pitch.unwrap_or_default());
+    let look = LookAt::new(*info.axes(), *info.axes()).with_heading(left, right).with_pitch(down, up);
+    let turn = look.solve(&chest, &head, case.target, 1.0).turn;
+    let turned_head = turned(turn, &head);
+    [turned_head * (head.inverse() * eye), turned_head, chest]
+}
+
+fn ccd(case: &Still) -> Bones {
+    let [eye, head, chest] = case.pose;
+    let at = |bone: &Affine3A| Vec3::from(bone.translation);
+    let most = infos().map(|info| info.heading.unwrap_or_default()[1]);
+    let joint = |bone: &Affine3A, most_rad: f32| CcdJoint::new(at(bone)).with_limit(CcdLimit::Ball { most_rad });
+    let mut joints = [joint(&chest, most[2]), joint(&head, most[1]), joint(&eye, most[0])];
+    // What shall meet the target is the point that the eye would look at as far away.
+    let tip = at(&eye) + gaze(&case.pose) * at(&eye).distance(case.target);
+    Ccd::new().solve(&mut joints, tip, case.target);
+    let chest_posed = turned(joints[0].turn, &chest);
+    let carried = |joint: usize, bone: &Affine3A, before: &Affine3A, before_posed: &Affine3A| {
+        let at = before_posed.transform_point3(before.inverse().transform_point3(at(bone)));
+        Affine3A { translation: at.into(), ..turned(joints[joint].turn, bone) }
+    };
+    let head_posed = carried(1, &head, &chest, &chest_posed);
+    [carried(2, &eye, &head, &head_posed), head_posed, chest_posed]
+}
+
+fn by_poses(case: &Still, authored: &Authored) -> Bones {
+    let poses: Vec<AimPose<'_>> =
+        authored.poses.iter().map(|(rotations, direction)| AimPose { direction: *direction, rotations }).collect();
+    let mut triangles = [[0; 3]; 16];
+    let triangles = grid(5, 3, &mut triangles).expect("a grid of five by three");
+    let to_target = |bones: &Bones| (case.target - Vec3::from(bones[0].translation)).normalize();
+    let wanted = to_target(&case.pose);
+    let mut turns = [Quat::IDENTITY; 3];
+    // The eye moves as the joints turn: what it aims at is counted from where the target is seen then.
+    let aim = |turns: &[Quat]| {
+        let bones = corrected(&case.pose, [turns[0], turns[1], turns[2]]);
+        Quat::from_rotation_arc(to_target(&bones), wanted) * gaze(&bones)
+    };
+    AimPoses::new(&poses, triangles).solve(wanted, &mut turns, aim);
+    corrected(&case.pose, turns)
+}
+
+fn infos() -> [JointInfo; 3] {
+    let rig = Gazer::default();
+    [0, 1, 2].map(|joint| rig.joint_infos()[joint])
+}
+
+fn turned(turn: Quat, bone: &Affine3A) -> Affine3A {
+    Affine3A { matrix3: Mat3A::from_quat(turn) * bone.matrix3, translation: bone.translation }
+}
+
+fn corrected([eye, head, chest]: &Bones, turns: [Quat; 3]) -> Bones {
+    let [eye_turn, head_turn, chest_turn] = turns.map(Affine3A::from_quat);
+    let posed_chest = *chest * chest_turn;
+    let posed_head = posed_chest * (chest.inverse() * *head) * head_turn;
+    [posed_head * (head.inverse() * *eye) * eye_turn, posed_head, posed_chest]
+}
+
+fn gaze(bones: &Bones) -> Vec3 {
+    bones[0].transform_vector3(Vec3::Y).normalize()
+}
+
+/// How a solver left a character.
+#[derive(Clone, Copy, Debug)]
+pub struct Judged {
+    /// Between the eye's gaze and its target, degrees.
+    pub error_deg: f64,
+    /// How far the worst angle is beyond its range, degrees; of what is no heading and no pitch, all of it.
+    pub beyond_deg: f64,
+    /// The comfort-weighted squares of the joints' turns, halved.
+    pub displacement: f64,
+    /// How far the eye is rolled about its gaze beyond the animation, degrees.
+    pub roll_deg: f64,
+}
+
+/// What became of a case, from the bones alone.
+pub fn judged(case: &Still, bones: &Bones) -> Judged {
+    let error = gaze(bones).angle_between(case.target - Vec3::from(bones[0].translation));
+    let (mut beyond, mut displacement) = (0.0_f32, 0.0_f64);
+    for (joint, info) in infos().iter().enumerate() {
+        let local = |bones: &Bones| match bones.get(joint + 1) {
+            Some(parent) => parent.inverse() * bones[joint],
+            None => bones[joint],
+        };
+        let correction = Quat::from_mat3a(&(local(&case.pose).inverse() * local(bones)).matrix3).normalize();
+        // +X is up, +Y forward, +Z left.
+        let forward = correction * Vec3::Y;
+        let (heading, pitch) = (forward.z.atan2(forward.y), forward.x.clamp(-1.0, 1.0).asin());
+        for (angle, range) in [(heading, info.heading), (pitch, info.pitch)] {
+            let [lo, hi] = range.unwrap_or_default();
+            beyond = beyond.max(lo - angle).max(angle - hi);
+        }
+        let turn = f64::from(correction.angle_between(Quat::IDENTITY));
+        displacement += 0.5 * f64::from(info.comfort) * turn * turn;
+    }
+    let roll = |bones: &Bones| {
+        let (gaze, up) = (gaze(bones), bones[0].transform_vector3(Vec3::X));
+        let level = Vec3::Y.reject_from(gaze);
+        level.cross(up).dot(gaze).atan2(level.dot(up))
+    };
+    let rolled = (roll(bones) - roll(&case.pose)).abs();
+    Judged {
+        error_deg: f64::from(error).to_degrees(),
+        beyond_deg: f64::from(beyond).to_degrees(),
+        displacement,
+        roll_deg: f64::from(rolled).to_degrees(),
+    }
+}
