@@ -131,7 +131,7 @@ fn a_page_draws_both_ways() {
         page.select(&scraper::Selector::parse(selector).expect("a selector")).map(|at| at.value().clone()).collect()
     };
     let count = |selector: &str| all(selector).len();
-    assert_eq!((count("figure > svg > .series"), count("svg > .target")), (6 + 5 * 3, 3 + 5 * 2));
+    assert_eq!((count("figure > svg > .series"), count("figure > svg > .target")), (6 + 5 * 3, 3 + 5 * 2));
     // The character before and after at five times.
     let pictures = all(".takes li image");
     assert_eq!((count(".takes li"), pictures.len()), (5, 10));
