@@ -218,7 +218,7 @@ pub(crate) struct Bake {
     /// Make the result's first frame follow from its last.
     #[arg(long = "loop")]
     pub(crate) looped: bool,
-    /// Where to write the aimed model.
+    /// Where to write the aimed model; may be FILE, which it then replaces.
     #[arg(long, value_name = "OUT.glb")]
     pub(crate) out: PathBuf,
     /// Where to write what happened in every frame, as JSON.
@@ -248,7 +248,7 @@ pub(crate) struct Reach {
     /// Keys a second.
     #[arg(long, default_value_t = 60.0, allow_negative_numbers = true)]
     pub(crate) fps: f32,
-    /// Where to write the model.
+    /// Where to write the model; may be FILE, which it then replaces.
     #[arg(long, value_name = "OUT.glb")]
     pub(crate) out: PathBuf,
     /// Where to write what came of it, as JSON.

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use aim_codegen::{AngleRange, Frame, JointSpec, RigSpec};
 
+use crate::args::Notation;
 use crate::proposal::Proposal;
 
 /// A direction as text, in one of the two notations.
@@ -29,9 +30,18 @@ fn degrees(radians: f64) -> String {
     if text == "-0" { "0".into() } else { text.into() }
 }
 
-fn quoted(text: &str) -> String {
-    // The escapes of a JSON string are those of TOML and Rust, but for control characters, which no name needs.
-    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\"").replace(char::is_control, " "))
+/// A string of TOML, or of Rust, where a code point stands in braces.
+fn quoted(text: &str, notation: Notation) -> String {
+    let mut out = String::from('"');
+    for c in text.chars() {
+        let _ = match (c, notation) {
+            ('\\' | '"', _) => write!(out, "\\{c}"),
+            (c, Notation::Toml) if c.is_control() => write!(out, "\\u{:04X}", u32::from(c)),
+            (c, Notation::Rust) if c.is_control() => write!(out, "\\u{{{:X}}}", u32::from(c)),
+            (c, _) => write!(out, "{c}"),
+        };
+    }
+    out + "\""
 }
 
 /// The first line's words on where all this comes from.
@@ -47,15 +57,19 @@ pub(crate) fn toml(proposal: &Proposal, origin: &Origin<'_>) -> String {
     let RigSpec { name, joints, .. } = &proposal.spec;
     let shared = shared_axes(joints);
     let mut out = format!("# Measured from {}. {}\n", one_line(origin.file), one_line(origin.facing));
-    let _ = writeln!(out, "name = {}\nhandedness = \"right\"", quoted(name));
+    let _ = writeln!(out, "name = {}\nhandedness = \"right\"", quoted(name, Notation::Toml));
     if let Some(frame) = shared {
         let _ = writeln!(out, "bones = {{ {} }}", axes(frame, true));
     }
     for (joint, why) in joints.iter().zip(&proposal.reasons) {
-        let _ =
-            writeln!(out, "\n# {why}\n[[joint]]\nname = {}\nbone = {}", quoted(&joint.name), quoted(&joint.bones[0]));
+        let _ = writeln!(
+            out,
+            "\n# {why}\n[[joint]]\nname = {}\nbone = {}",
+            quoted(&joint.name, Notation::Toml),
+            quoted(&joint.bones[0], Notation::Toml)
+        );
         if let Some(pair) = &joint.pair {
-            let _ = writeln!(out, "pair = {}", quoted(pair));
+            let _ = writeln!(out, "pair = {}", quoted(pair, Notation::Toml));
         }
         if shared != Some(&joint.frame) {
             let _ = writeln!(out, "bones = {{ {} }}", axes(&joint.frame, true));
@@ -91,8 +105,8 @@ pub(crate) fn rust(proposal: &Proposal, origin: &Origin<'_>) -> String {
     }
     let _ = writeln!(out, "pub struct {name} {{");
     for (joint, why) in joints.iter().zip(&proposal.reasons) {
-        let mut keys = vec![format!("bone = {}", quoted(&joint.bones[0]))];
-        keys.extend(joint.pair.as_deref().map(|pair| format!("pair = {}", quoted(pair))));
+        let mut keys = vec![format!("bone = {}", quoted(&joint.bones[0], Notation::Rust))];
+        keys.extend(joint.pair.as_deref().map(|pair| format!("pair = {}", quoted(pair, Notation::Rust))));
         keys.extend((shared != Some(&joint.frame)).then(|| format!("bones({})", axes(&joint.frame, false))));
         keys.extend((joint.frame.handedness() < 0.0).then(|| "mirrored = true".to_owned()));
         for (key, range) in [("heading", joint.heading), ("pitch", joint.pitch)] {

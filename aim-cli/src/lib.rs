@@ -11,6 +11,7 @@ mod files;
 mod fit;
 mod html;
 mod interpreted;
+mod outputs;
 mod proposal;
 mod report;
 mod target;

@@ -161,3 +161,43 @@ fn words_that_are_no_command_option_or_language() {
     assert_eq!(ran.code, 2, "{ran:?}");
     assert!((ran.stdout + &ran.stderr).contains("Usage"), "help without arguments");
 }
+
+#[test]
+fn nothing_is_written_over_what_is_read() {
+    let place = Place::with_mannequin();
+    let (model, rig) = (place.read("m.glb"), place.read("m.toml"));
+    for (arguments, what) in [
+        ("inspect m.glb --html m.glb", "the model itself"),
+        ("inspect m.glb --rig m.toml --html m.toml", "the rig"),
+        ("inspect m.glb --html ./././m.glb", "the model itself"),
+        ("generate m.toml --lang c -o m.toml", "the rig itself"),
+        ("bake m.glb --rig m.toml --target 0,1,2 --out out.glb --report m.glb", "the model itself"),
+        ("bake m.glb --rig m.toml --target 0,1,2 --out m.toml", "the rig"),
+        ("bake m.glb --rig m.toml --target 0,1,2 --out m.glb --report m.glb", "what --out writes"),
+        ("reach m.glb --bone right_hand --at 0.5 --target 0,1,0 --out o.glb --html m.glb", "the model itself"),
+    ] {
+        place.refused(arguments, &["used twice", what]);
+    }
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink(place.path("m.glb"), place.path("link.json")).expect("links can be made");
+        let linked = "bake m.glb --rig m.toml --target 0,1,2 --out out.glb --report link.json";
+        place.refused(linked, &["used twice", "the model itself"]);
+    }
+    assert!(place.read("m.glb") == model && place.read("m.toml") == rig);
+}
+
+#[test]
+fn what_may_not_be_meant_is_said() {
+    let place = Place::with_mannequin();
+    let ran = place.done("bake m.glb --rig m.toml --target 0,1.6,2 --out out.glb");
+    assert_eq!(ran.stderr, "");
+    let ran = place.done("bake m.glb --rig m.toml --target node:left_hand --out out.glb");
+    assert!(ran.stderr.contains("left_hand moves with spine3"), "{ran:?}");
+    let rig = String::from_utf8(place.read("m.toml")).expect("text");
+    let wrong = rig.replacen("forward = \"+Y\"", "forward = \"-Y\"", 1).replacen(", left = \"+Z\"", "", 1);
+    assert_ne!(wrong, rig);
+    place.write("wrong.toml", &wrong);
+    let ran = place.done("bake m.glb --rig wrong.toml --target 0,1.6,2 --out out.glb");
+    assert!(ran.stderr.contains("wrong.toml and m.glb contradict each other"), "{ran:?}");
+}

@@ -21,7 +21,7 @@ fn bake(file: &Path, rig: Option<&str>, options: &[&str]) -> Value {
         arguments.extend(["--rig".into(), rig.into()]);
     }
     let ran = place.run(&arguments);
-    assert_eq!((ran.code, ran.stderr.as_str()), (0, ""), "{}", file.display());
+    assert!(ran.code == 0 && ran.only_warns(), "{}: {ran:?}", file.display());
     let declared = rig_file.map(|path| joints(&std::fs::read_to_string(path).expect("the rig is there")));
     let source = std::fs::read(file).expect("the file is there");
     let report = place.json("r.json");

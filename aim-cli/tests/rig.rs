@@ -176,3 +176,22 @@ fn what_is_proposed_for_real_characters_is_accepted_and_fits() {
         assert!(page.contains("Confidence") && place.read("page.html").len() > 10_000, "{}", file.display());
     }
 }
+
+#[test]
+fn names_that_no_language_takes_and_bones_that_no_terminal_shows() {
+    let place = Place::new();
+    let model = changed(|json| {
+        for node in json["nodes"].as_array_mut().expect("nodes") {
+            if node["name"] == "neck" {
+                node["name"] = "neck\u{1b}".into();
+            }
+        }
+    });
+    place.write("default.glb", &model);
+    let toml = place.done("rig default.glb --chain head,neck\u{1b}").stdout;
+    assert!(toml.contains("name = \"DefaultRig\"") && toml.contains(r#"bone = "neck\u001B""#), "{toml}");
+    place.write("r.toml", &toml);
+    place.done("check default.glb --rig r.toml");
+    let rust = place.done("rig default.glb --format rust --chain head,neck\u{1b}").stdout;
+    assert!(rust.contains(r#"bone = "neck\u{1B}""#), "{rust}");
+}

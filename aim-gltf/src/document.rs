@@ -142,6 +142,19 @@ impl Document {
         self.json.get_or_init(|| serde_json::from_slice(&self.text).unwrap_or_default())
     }
 
+    /// The files beside it that it refers to: buffers and images. None of a document read from memory.
+    #[must_use]
+    pub fn external_files(&self) -> Vec<PathBuf> {
+        let Some(folder) = &self.folder else { return Vec::new() };
+        let entries = ["buffers", "images"].iter().filter_map(|list| self.json().get(list)?.as_array()).flatten();
+        let uris = entries.filter_map(|entry| entry.get("uri")?.as_str());
+        uris.filter_map(|text| match uri::parse(text, "") {
+            Ok(Uri::Relative(path)) => Some(folder.join(path)),
+            _ => None,
+        })
+        .collect()
+    }
+
     /// The GLB's binary chunk as it stands in the file, with its padding.
     #[must_use]
     pub fn binary_chunk(&self) -> Option<&[u8]> {

@@ -1,7 +1,7 @@
 //! `aim bake`: aims a model over a clip and writes it back.
 
 use std::io::IsTerminal;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Duration;
 
 use aim_codegen::{RigSpec, Role};
@@ -13,8 +13,10 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use crate::args::{self, Aiming, Settle, Solver};
 use crate::failure::{Failure, Result};
 use crate::files;
+use crate::fit::Fit;
 use crate::html::{self, Subject};
 use crate::interpreted::InterpretedRig;
+use crate::outputs::Outputs;
 use crate::proposal;
 use crate::report::Report;
 use crate::target::{Target, TargetSpec};
@@ -129,37 +131,56 @@ fn progress_bar() -> ProgressBar {
 }
 
 /// Refuses to write two things to one file, over an input of another kind, and a binary file under a text file's name.
-fn check_outputs(arguments: &args::Bake) -> Result {
-    if arguments.out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gltf")) {
-        return Err(Failure::in_file(&arguments.out, "would be a binary file; give --out a name that ends in .glb"));
+fn check_outputs(arguments: &args::Bake, document: &Document) -> Result {
+    let mut outputs = Outputs::default();
+    outputs.reads_parts_of(document);
+    if let Some(rig) = &arguments.rig {
+        outputs.reads(rig, "the rig");
     }
-    let place = |path: &PathBuf| std::path::absolute(path).unwrap_or_else(|_| path.clone());
-    let mut taken: Vec<PathBuf> = arguments.rig.iter().map(place).collect();
     if let TargetSpec::File(path) = &arguments.target {
-        taken.push(place(path));
+        outputs.reads(path, "the target's path");
     }
-    // The aimed model may take the place of the model, a report may not.
-    let model = place(&arguments.file);
-    for (path, free) in
-        [(Some(&arguments.out), true), (arguments.report.as_ref(), false), (arguments.html.as_ref(), false)]
-    {
-        let Some(path) = path else { continue };
-        if taken.contains(&place(path)) || (!free && place(path) == model) {
-            return Err(Failure::in_file(path, "is used twice; give --out, --report and --html a file each"));
-        }
-        taken.push(place(path));
+    outputs.writes_model(&arguments.out, &arguments.file)?;
+    for (path, option) in [(&arguments.report, "--report"), (&arguments.html, "--html")] {
+        path.as_ref().map_or(Ok(()), |path| outputs.writes(path, option))?;
     }
     Ok(())
 }
 
+/// Says what a bake goes through with although it may not be what was meant.
+fn warn(arguments: &args::Bake, spec: &RigSpec, document: &Document, measurement: &Measurement) {
+    if let Some(rig) = &arguments.rig {
+        if let [first, rest @ ..] = &Fit::new(spec, document, measurement).problems[..] {
+            let more = if rest.is_empty() { String::new() } else { format!(" (and {} more)", rest.len()) };
+            let (file, rig) = (arguments.file.display(), rig.display());
+            eprintln!(
+                "warning: {rig} and {file} contradict each other: {first}{more}; see aim check {file} --rig {rig}"
+            );
+        }
+    }
+    if let TargetSpec::Node(name) = &arguments.target {
+        let skeleton = document.skeleton();
+        let turned = |node: usize| spec.joints.iter().any(|joint| joint.bones.contains(&skeleton.nodes()[node].name));
+        let node = skeleton.find(name).ok();
+        let mut above = std::iter::successors(node, |&node| skeleton.nodes()[node].parent);
+        if let Some(joint) = above.find(|&node| turned(node)) {
+            let bone = &skeleton.nodes()[joint].name;
+            eprintln!(
+                "warning: the target {name} moves with {bone}, which aiming turns: aimed is at where the animation alone has it"
+            );
+        }
+    }
+}
+
 pub(super) fn run(arguments: &args::Bake) -> Result {
-    check_outputs(arguments)?;
     let document = files::load_model(&arguments.file)?;
+    check_outputs(arguments, &document)?;
     let measurement = Measurement::of(&document);
     let spec = match &arguments.rig {
         Some(path) => files::load_rig(path)?,
         None => proposal::propose(&arguments.file, &document, &measurement, None)?.spec,
     };
+    warn(arguments, &spec, &document, &measurement);
     let fail = |error: aim_gltf::Error| Failure::in_file(&arguments.file, error);
     let clip = match &arguments.clip {
         Some(name) => Some(document.clip(name).map_err(fail)?),

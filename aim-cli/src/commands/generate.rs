@@ -12,6 +12,7 @@ use quote::quote;
 use crate::args::{self, Language};
 use crate::failure::{Failure, Result};
 use crate::files;
+use crate::outputs::Outputs;
 
 pub(super) fn run(arguments: &args::Generate) -> Result {
     let spec = files::load_rig(&arguments.rig)?;
@@ -23,10 +24,12 @@ pub(super) fn run(arguments: &args::Generate) -> Result {
         return check(existing, &code, arguments);
     }
     match &arguments.output {
-        Some(path) if *path == arguments.rig => {
-            Err(Failure::in_file(path, "is the rig itself; give -o the file to write"))
+        Some(path) => {
+            let mut outputs = Outputs::default();
+            outputs.reads(&arguments.rig, "the rig itself");
+            outputs.writes(path, "-o")?;
+            files::write(path, code.as_bytes())
         }
-        Some(path) => files::write(path, code.as_bytes()),
         None => files::print(&code),
     }
 }

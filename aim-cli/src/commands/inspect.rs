@@ -9,6 +9,7 @@ use crate::args;
 use crate::failure::Result;
 use crate::fit::Fit;
 use crate::html::{self, Inspected};
+use crate::outputs::Outputs;
 use crate::{evidence, files, proposal};
 
 #[derive(Serialize)]
@@ -145,8 +146,19 @@ fn draw(arguments: &args::Inspect, page: &Path, document: &Document, measurement
     files::write(page, html::inspection_page(&inspected).as_bytes())
 }
 
+fn check_outputs(arguments: &args::Inspect, document: &Document) -> Result {
+    let mut outputs = Outputs::default();
+    outputs.reads_parts_of(document);
+    outputs.reads(&arguments.file, "the model itself");
+    if let Some(rig) = &arguments.rig {
+        outputs.reads(rig, "the rig");
+    }
+    arguments.html.as_ref().map_or(Ok(()), |page| outputs.writes(page, "--html"))
+}
+
 pub(super) fn run(arguments: &args::Inspect) -> Result {
     let document = files::load_model(&arguments.file)?;
+    check_outputs(arguments, &document)?;
     let measurement = Measurement::of(&document);
     if let Some(page) = &arguments.html {
         draw(arguments, page, &document, &measurement)?;

@@ -1,7 +1,5 @@
 //! `aim reach`: leads a hand or foot through points and writes the model back.
 
-use std::path::PathBuf;
-
 use aim_gltf::{Arrival, Clip, Document, Error, Goal, LimbNodes, Measurement, ReachPlan, Reached, reach};
 use aim_runtime::ik::TwoBoneStatus;
 use aim_runtime::reach::Status;
@@ -12,6 +10,7 @@ use crate::args;
 use crate::failure::{Failure, Result};
 use crate::files;
 use crate::html::{self, Course, Takes};
+use crate::outputs::Outputs;
 
 /// What `--report` writes; the command's help says what it is.
 #[derive(Debug, Serialize)]
@@ -170,25 +169,17 @@ impl Report {
     }
 }
 
-fn check_outputs(arguments: &args::Reach) -> Result {
-    if arguments.out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gltf")) {
-        return Err(Failure::in_file(&arguments.out, "would be a binary file; give --out a name that ends in .glb"));
-    }
-    let place = |path: &PathBuf| std::path::absolute(path).unwrap_or_else(|_| path.clone());
-    let model = place(&arguments.file);
-    // The result may take the place of the model, what is told of it may not.
-    let mut taken = vec![place(&arguments.out)];
-    for path in [&arguments.report, &arguments.html].into_iter().flatten() {
-        if taken.contains(&place(path)) || place(path) == model {
-            return Err(Failure::in_file(path, "is used twice; give --out, --report and --html a file each"));
-        }
-        taken.push(place(path));
+fn check_outputs(arguments: &args::Reach, document: &Document) -> Result {
+    let mut outputs = Outputs::default();
+    outputs.reads_parts_of(document);
+    outputs.writes_model(&arguments.out, &arguments.file)?;
+    for (path, option) in [(&arguments.report, "--report"), (&arguments.html, "--html")] {
+        path.as_ref().map_or(Ok(()), |path| outputs.writes(path, option))?;
     }
     Ok(())
 }
 
 pub(super) fn run(arguments: &args::Reach) -> Result {
-    check_outputs(arguments)?;
     let (times, targets) = (&arguments.at, &arguments.target);
     if times.len() != targets.len() {
         return Err(Failure::input(format!(
@@ -198,6 +189,7 @@ pub(super) fn run(arguments: &args::Reach) -> Result {
         )));
     }
     let document = files::load_model(&arguments.file)?;
+    check_outputs(arguments, &document)?;
     let fail = |error: Error| Failure::in_file(&arguments.file, error);
     let clip = match &arguments.clip {
         Some(name) => document.clip(name).map_err(fail)?,

@@ -18,7 +18,12 @@ pub(super) fn run(arguments: &args::Rig) -> Result {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     let facing = evidence::facing(&measurement, &document);
     let origin = Origin { file: &name, facing: &facing };
-    let toml = declaration::toml(&proposal, &origin);
+    let mut toml = declaration::toml(&proposal, &origin);
+    if aim_codegen::declare::from_toml(&name, &toml).is_err() {
+        // A file may be called as a keyword of some language is.
+        proposal.spec.name += "Rig";
+        toml = declaration::toml(&proposal, &origin);
+    }
     // What is proposed is right: it passes the checks that any declaration passes.
     aim_codegen::declare::from_toml(&name, &toml).map_err(|errors| {
         Failure::in_file(file, format!("no declaration can be proposed for it: {}; rename its bones", errors.render()))

@@ -470,6 +470,11 @@ pub(crate) fn rig_axes_here() -> String {
 
 // Joints.
 
+#[cfg(feature = "toml")]
+pub(crate) fn single_joint() -> Text {
+    text("`joint` needs a list of joints, found a group of settings", "write `[[joint]]` before each of them")
+}
+
 pub(crate) fn no_joints(notation: Notation) -> Text {
     let how = by(notation, "a field of type `Joint` with `#[joint(…)]`", "a `[[joint]]`");
     text("a rig needs a joint", format!("declare each joint, from the eye inward, as {how}"))

@@ -6,6 +6,9 @@ use core::ops::Range;
 use super::diagnostics::{Diagnostics, Source};
 use super::place::Place;
 
+/// How much of a line is shown before a place, and from it on, characters.
+const LONGEST: usize = 200;
+
 /// All diagnostics, separated by empty lines; ends with a newline.
 pub(crate) fn render(diagnostics: &Diagnostics, source: Option<&Source>) -> String {
     let mut out = String::new();
@@ -33,16 +36,18 @@ pub(crate) fn render(diagnostics: &Diagnostics, source: Option<&Source>) -> Stri
 fn snippet(out: &mut String, source: &Source, range: &Range<usize>) -> usize {
     let Located { line, column, start, text } = locate(&source.text, range.start);
     let gutter = line.to_string().len();
-    // Tabs become one space each, so that the underline stands below its text whatever the terminal's tab width.
-    let shown = text.replace('\t', " ");
     let from = range.start.saturating_sub(start).min(text.len());
     let to = range.end.saturating_sub(start).clamp(from, text.len());
-    let width = text.get(from..to).map_or(1, |part| part.chars().count()).max(1);
+    let width = text.get(from..to).map_or(1, |part| part.chars().count()).clamp(1, LONGEST);
+    // Of a line longer than any screen what is around the place.
+    let skipped = (column - 1).saturating_sub(LONGEST);
+    let indent = column - 1 - skipped;
+    // Tabs become one space each, so that the underline stands below its text whatever the terminal's tab width.
+    let shown = text.chars().skip(skipped).take(indent + LONGEST).collect::<String>().replace('\t', " ");
     let _ = writeln!(out, "{:gutter$}--> {}:{line}:{column}", "", source.name);
     let _ = writeln!(out, "{:gutter$} |", "");
     let _ = writeln!(out, "{line} | {shown}");
-    let carets = "^".repeat(width);
-    let _ = writeln!(out, "{:gutter$} | {:indent$}{carets}", "", "", indent = column - 1);
+    let _ = writeln!(out, "{:gutter$} | {}{}", "", " ".repeat(indent), "^".repeat(width));
     gutter
 }
 

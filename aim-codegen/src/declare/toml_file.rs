@@ -16,6 +16,12 @@ pub(crate) fn read(text: &str) -> (Rig, Vec<Diagnostic>) {
     let (document, errors) = DeTable::parse_recoverable(text);
     let mut table = entries(document.get_ref());
     let mut syntax = Vec::new();
+    let single = table.iter().find_map(|entry| match entry {
+        Entry::Item(Item { key, value: Value { kind: Kind::Table(_), place } }) if key.text == "joint" => {
+            Some(place.clone())
+        }
+        _ => None,
+    });
     for error in errors {
         let span = error.span().unwrap_or(text.len()..text.len());
         match (error.message(), text.get(span.clone())) {
@@ -29,6 +35,10 @@ pub(crate) fn read(text: &str) -> (Rig, Vec<Diagnostic>) {
                 syntax.push(Diagnostic::new(message, Place::Text(span)));
             }
         }
+    }
+    if let Some(place) = single {
+        // All else that is wrong with such a file follows from it.
+        syntax = vec![Diagnostic::new(messages::single_joint(), place)];
     }
     let start = Place::Text(0..0);
     let joints = joints(&mut table);

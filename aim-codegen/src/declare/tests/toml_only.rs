@@ -210,3 +210,17 @@ fn values_that_only_toml_has() {
         &[("`heading` needs a range of angles or `free`, found a range", "\"-1deg..=1deg\"")],
     );
 }
+
+#[test]
+fn single_brackets_are_one_mistake() {
+    let text = THUG.replace("[[joint]]", "[joint]");
+    assert_errors(&text, &[("`joint` needs a list of joints, found a group of settings", "[joint]")]);
+}
+
+#[test]
+fn lines_longer_than_any_screen_are_cut() {
+    let text = format!("name = \"A\"{}x", " ".repeat(70_000));
+    let rendered = from_toml("long.toml", &text).expect_err("no TOML").render();
+    assert!(rendered.contains("--> long.toml:1:70011") && rendered.lines().all(|line| line.len() < 500), "{rendered}");
+    assert!(rendered.contains(" ^\n"), "{rendered}");
+}
