@@ -11,6 +11,7 @@ mod raster;
 mod rig;
 mod scene;
 mod summary;
+mod takes;
 #[cfg(test)]
 mod tests;
 mod trajectory;
@@ -23,6 +24,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use crate::report::Report;
 
 pub(crate) use inspection::{Inspected, page as inspection_page};
+pub(crate) use takes::Takes;
 pub(crate) use trajectory::{Course, page as trajectory_page};
 
 const STYLE: &str = include_str!("html/style.css");

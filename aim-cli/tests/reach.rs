@@ -124,10 +124,30 @@ fn out_of_reach_is_as_near_as_it_gets_and_said() {
 fn a_page_draws_both_ways() {
     let place = Place::with_mannequin();
     place.done("reach m.glb --bone left_hand --at 0.4 --target 0.3,1.2,0.3 --out o.glb --html r.html");
-    let page = scraper::Html::parse_document(&String::from_utf8(place.read("r.html")).expect("a page is text"));
+    let text = String::from_utf8(place.read("r.html")).expect("a page is text");
+    let page = scraper::Html::parse_document(&text);
     assert!(page.errors.is_empty(), "{:?}", page.errors);
-    let count = |selector: &str| page.select(&scraper::Selector::parse(selector).expect("a selector")).count();
-    assert_eq!((count("figure"), count("polyline"), count("figure circle.target")), (3, 6, 3));
+    let all = |selector: &str| -> Vec<_> {
+        page.select(&scraper::Selector::parse(selector).expect("a selector")).map(|at| at.value().clone()).collect()
+    };
+    let count = |selector: &str| all(selector).len();
+    assert_eq!((count("figure > svg > .series"), count("figure > svg > .target")), (6 + 5 * 3, 3 + 5 * 2));
+    // The character before and after at five times.
+    let pictures = all(".takes li image");
+    assert_eq!((count(".takes li"), pictures.len()), (5, 10));
+    let [was, is] = [4, 5].map(|k| pictures[k].attr("href").expect("a picture"));
+    assert_ne!(was, is, "the arm is somewhere else at the target's time");
+    assert!(text.len() < 2_000_000, "{} bytes", text.len());
+}
+
+#[test]
+fn a_page_of_many_targets_at_the_ends_of_a_clip_is_not_large() {
+    let place = Place::with_mannequin();
+    let goals: String = (0..=11).map(|k| format!(" --at {} --target 0.3,1.2,0.3", f64::from(k) * 0.1)).collect();
+    place.done(&format!("reach m.glb --bone left_hand --out o.glb --html r.html{goals}"));
+    let text = String::from_utf8(place.read("r.html")).expect("a page is text");
+    assert!(text.contains("The first 8 targets are drawn"));
+    assert!(text.len() < 2_000_000, "{} bytes", text.len());
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! `aim reach`: leads a hand or foot through points and writes the model back.
 
-use aim_gltf::{Arrival, Document, Error, Goal, LimbNodes, ReachPlan, Reached, reach};
+use aim_gltf::{Arrival, Clip, Document, Error, Goal, LimbNodes, Measurement, ReachPlan, Reached, reach};
 use aim_runtime::ik::TwoBoneStatus;
 use aim_runtime::reach::Status;
 use glam::DVec3;
@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::args;
 use crate::failure::{Failure, Result};
 use crate::files;
-use crate::html::{self, Course};
+use crate::html::{self, Course, Takes};
 use crate::outputs::Outputs;
 
 /// What `--report` writes; the command's help says what it is.
@@ -64,10 +64,9 @@ struct Summary {
 const REACHED: f64 = 1e-4;
 
 impl Report {
-    /// `written` is the model as it was written: what the report claims is so in the file.
-    fn new(arguments: &args::Reach, limb: LimbNodes, reached: &Reached, written: &Document) -> Result<Self> {
+    /// `clip` is of `written`, the model as it was written: what the report claims is so in the file.
+    fn new(arguments: &args::Reach, limb: LimbNodes, reached: &Reached, written: &Document, clip: &Clip) -> Self {
         let skeleton = written.skeleton();
-        let clip = written.clip(&reached.clip.name).map_err(|error| Failure::in_file(&arguments.out, error))?;
         let after = |t: f32| skeleton.world_f64(&skeleton.pose(clip, t))[limb.tip].translation;
         let target = |arrival: &Arrival| {
             let error = after(arrival.goal.at).distance(arrival.goal.target);
@@ -98,7 +97,7 @@ impl Report {
         });
         let frames: Vec<_> = frames.collect();
         let error = |frame: &FrameReport| DVec3::from(frame.after).distance(frame.wanted.into());
-        Ok(Self {
+        Self {
             clip: reached.clip.name.clone(),
             bone: arguments.bone.clone(),
             limb: [limb.upper, limb.lower, limb.tip].map(|node| skeleton.nodes()[node].name.clone()),
@@ -123,17 +122,24 @@ impl Report {
                 distortion: reached.outcome.distortion * reached.length * reached.length,
             },
             frames,
-        })
+        }
     }
 
-    fn page(&self) -> String {
+    fn page(&self, plan: &ReachPlan<'_>, after: &Clip) -> String {
         html::trajectory_page(&Course {
             bone: &self.bone,
             clip: &self.clip,
             words: &self.in_words(),
             before: self.frames.iter().map(|frame| frame.before).collect(),
             after: self.frames.iter().map(|frame| frame.after).collect(),
-            targets: self.targets.iter().map(|target| target.target).collect(),
+            goals: plan.goals,
+            takes: Takes {
+                document: plan.document,
+                measurement: &Measurement::of(plan.document),
+                limb: plan.limb,
+                before: plan.clip,
+                after,
+            },
         })
     }
 
@@ -197,11 +203,13 @@ pub(super) fn run(arguments: &args::Reach) -> Result {
     let reached = reach(&plan).map_err(fail)?;
     let model = document.with_clips(std::slice::from_ref(&reached.clip)).map_err(fail)?;
     let written = Document::from_bytes(&model).map_err(fail)?;
-    let report = Report::new(arguments, limb, &reached, &written)?;
-    let (text, page) = (files::to_json(&report)?, report.page());
+    let after = written.clip(&reached.clip.name).map_err(|error| Failure::in_file(&arguments.out, error))?;
+    let report = Report::new(arguments, limb, &reached, &written, after);
+    let text = files::to_json(&report)?;
+    let page = arguments.html.as_deref().map(|path| (path, report.page(&plan, after)));
     let mut outputs = vec![(arguments.out.as_path(), &model[..])];
     outputs.extend(arguments.report.as_deref().map(|path| (path, text.as_bytes())));
-    outputs.extend(arguments.html.as_deref().map(|path| (path, page.as_bytes())));
+    outputs.extend(page.as_ref().map(|(path, page)| (*path, page.as_bytes())));
     files::write_all(&outputs)?;
     files::print(&format!("{}wrote {}\n", report.in_words(), arguments.out.display()))
 }

@@ -1,11 +1,11 @@
 //! The film strip: drawings of the character evenly over time, always from the same side, with its line of sight.
 
-use aim_gltf::Frame;
+use aim_gltf::{ChainNodes, Frame};
 use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
 use super::Subject;
-use super::scene::{HEIGHT, Scene, WIDTH};
+use super::scene::{Eye, HEIGHT, Scene, WIDTH};
 use super::words::{self, n};
 
 /// Drawings in the strip.
@@ -17,10 +17,14 @@ const PLAN: f64 = 24.0;
 
 /// The strip; nothing where the rig's bones are not in the document.
 pub(super) fn strip(subject: &Subject<'_>) -> Option<Markup> {
-    let Subject { report, baked, .. } = *subject;
+    let Subject { spec, report, document, baked, .. } = *subject;
     let all = baked.frames.len().min(report.frames.len());
     let drawn: Vec<usize> = (0..DRAWINGS.min(all)).map(|k| k * all / DRAWINGS.min(all)).collect();
-    let scene = Scene::new(subject, drawn.iter().map(|k| &baked.frames[*k]))?;
+    let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
+    let chain = ChainNodes::find(document.skeleton(), bones, spec.joints[0].pair.as_deref()).ok()?;
+    let effector =
+        Eye { node: chain.joints[0], centre: spec.effector.origin.into(), forward: spec.effector.frame.forward.into() };
+    let scene = Scene::of_gaze(subject, &chain, effector, drawn.iter().map(|k| &baked.frames[*k]));
     Some(html! {
         ol.film {
             @for &k in &drawn {
@@ -28,7 +32,7 @@ pub(super) fn strip(subject: &Subject<'_>) -> Option<Markup> {
                 @let status = words::status(told.status);
                 li {
                     figure {
-                        (scene.drawing(&baked.frames[k], told.status, told.error_deg))
+                        (scene.drawing(effector, &baked.frames[k], told.status, told.error_deg))
                         figcaption {
                             span.time { (words::fixed(told.t.into(), 2)) " s" }
                             span.chip { (words::chip(told.status)) (status) }
@@ -42,12 +46,11 @@ pub(super) fn strip(subject: &Subject<'_>) -> Option<Markup> {
 }
 
 impl Scene<'_> {
-    fn drawing(&self, frame: &Frame, status: &str, error_deg: f64) -> Markup {
+    fn drawing(&self, effector: Eye, frame: &Frame, status: &str, error_deg: f64) -> Markup {
         let world = &frame.world;
-        let eye = &world[self.chain.joints[0]];
-        let eye_ws = eye.transform_point3(self.origin);
-        let gaze_ws = eye.transform_vector3(self.forward).normalize_or_zero();
-        let figure = self.figure(world);
+        let eye = &world[effector.node];
+        let eye_ws = eye.transform_point3(effector.centre);
+        let gaze_ws = eye.transform_vector3(effector.forward).normalize_or_zero();
         let target = self.camera.project(frame.target, world);
         let (from, to) = self.sight(eye_ws, gaze_ws, world);
         let mut lines = vec![(from, to)];
@@ -72,10 +75,7 @@ impl Scene<'_> {
         html! {
             svg viewBox={ "0 0 " (n(WIDTH)) " " (n(HEIGHT)) } role="img" aria-label=(label) {
                 @if away { (ray) }
-                @match figure {
-                    Some(uri) => image width=(n(WIDTH)) height=(n(HEIGHT)) href=(uri) {},
-                    None => (self.bones(world)),
-                }
+                (self.character(world))
                 @if !away { (ray) }
                 (self.target(from, target))
                 (self.plan(frame, gaze_ws, eye_ws, status))
@@ -90,7 +90,7 @@ impl Scene<'_> {
     }
 
     /// The target where it is, or an arrow at the border that it is beyond.
-    fn target(&self, from: DVec3, target: DVec3) -> Markup {
+    pub(super) fn target(&self, from: DVec3, target: DVec3) -> Markup {
         const MARGIN: f64 = 9.0;
         let inside = |p: DVec3| (MARGIN..=WIDTH - MARGIN).contains(&p.x) && (MARGIN..=HEIGHT - MARGIN).contains(&p.y);
         if !(target.is_finite() && from.is_finite()) {

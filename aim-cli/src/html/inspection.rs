@@ -3,10 +3,10 @@
 
 use aim_gltf::{Document, Measurement, Surface};
 use glam::DVec3;
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, html};
 
-use super::STYLE;
-use super::raster::{Corner, Face, Paint, Picture};
+use super::raster::{Corner, FADE, Face, Paint, Picture};
+use super::whole;
 use super::words::n;
 use crate::evidence;
 use crate::fit::{Fit, JointFit, NAMES};
@@ -63,31 +63,17 @@ pub(crate) fn page(inspected: &Inspected<'_>) -> String {
     let positions = surface.positions(document.skeleton(), &measurement.bind_world);
     let views = views(inspected, &positions);
     let title = format!("The axes of {file}");
-    html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                title { (title) }
-                style { (PreEscaped(STYLE)) }
-            }
-            body {
-                main {
-                    h1 { (title) }
-                    p.lead { (evidence::facing(measurement, document)) " Confidence " (n(measurement.confidence * 100.0)) " %." }
-                    @for against in evidence::against(measurement, document) { p { "Against it: " (against) "." } }
-                    @if let Some(fit) = fit { (verdict(fit, rig)) }
-                    div.views {
-                        @for view in &views { (drawing(inspected, view, &surface, &positions)) }
-                    }
-                    @if let Some(fit) = fit { (table(fit)) }
-                }
-            }
+    let content = html! {
+        h1 { (title) }
+        p.lead { (evidence::facing(measurement, document)) " Confidence " (n(measurement.confidence * 100.0)) " %." }
+        @for against in evidence::against(measurement, document) { p { "Against it: " (against) "." } }
+        @if let Some(fit) = fit { (verdict(fit, rig)) }
+        div.views {
+            @for view in &views { (drawing(inspected, view, &surface, &positions)) }
         }
-    }
-    .into_string()
+        @if let Some(fit) = fit { (table(fit)) }
+    };
+    whole(&title, &content)
 }
 
 fn verdict(fit: &Fit<'_>, rig: &str) -> Markup {
@@ -261,7 +247,7 @@ fn table(fit: &Fit<'_>) -> Markup {
 fn figure(view: &View, surface: &Surface, positions: &[DVec3]) -> Option<String> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a constant of some hundreds")]
     let pixels = (SIZE * PIXELS) as usize;
-    let mut picture = Picture::new(pixels, pixels);
+    let mut picture = Picture::new(pixels, pixels, FADE);
     for triangle in surface.triangles() {
         let [a, b, c] = triangle.vertices.map(|vertex| positions[vertex]);
         let flat = (b - a).cross(c - a).normalize_or_zero();

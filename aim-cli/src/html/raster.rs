@@ -15,8 +15,8 @@ const LIGHT: DVec3 = DVec3::new(-0.40, 0.62, 0.67);
 const AMBIENT: f64 = 0.44;
 const SKY: f64 = 0.16;
 const KEY: f64 = 0.52;
-/// The share of the picture at its lower end over which the figure fades out.
-const FADE: f64 = 0.12;
+/// The share of the picture at its lower end over which a figure fades out that the border cuts.
+pub(super) const FADE: f64 = 0.12;
 
 /// What a face looks like.
 #[derive(Clone, Copy, Debug)]
@@ -50,16 +50,17 @@ pub(super) struct Face {
 pub(super) struct Picture {
     width: usize,
     height: usize,
+    fade: f64,
     /// Per sample how near the nearest face is, and its colour.
     depth: Vec<f64>,
     colour: Vec<[f64; 3]>,
 }
 
 impl Picture {
-    /// An empty picture of that many pixels.
-    pub(super) fn new(width: usize, height: usize) -> Self {
+    /// An empty picture of that many pixels; what is drawn fades out over the share `fade` at its lower end.
+    pub(super) fn new(width: usize, height: usize, fade: f64) -> Self {
         let samples = width * height * SAMPLES * SAMPLES;
-        Self { width, height, depth: vec![f64::NEG_INFINITY; samples], colour: vec![[0.0; 3]; samples] }
+        Self { width, height, fade, depth: vec![f64::NEG_INFINITY; samples], colour: vec![[0.0; 3]; samples] }
     }
 
     /// Draws one face where it is the nearest.
@@ -115,7 +116,7 @@ impl Picture {
     fn pixels(&self) -> Vec<u8> {
         let mut out = Vec::with_capacity(self.width * self.height * 4);
         for y in 0..self.height {
-            let fade = ((1.0 - (count(y) + 0.5) / count(self.height)) / FADE).min(1.0);
+            let fade = ((1.0 - (count(y) + 0.5) / count(self.height)) / self.fade).min(1.0);
             for x in 0..self.width {
                 let (mut sum, mut hits) = ([0.0; 3], 0_usize);
                 for k in 0..SAMPLES * SAMPLES {
@@ -196,7 +197,7 @@ mod tests {
         let far = face(0.0, [1.0, 0.0, 0.0], [[0.0, 0.0], [8.0, 0.0], [0.0, 8.0]]);
         let near = face(1.0, [0.0, 1.0, 0.0], [[0.0, 8.0], [8.0, 0.0], [0.0, 0.0]]);
         for order in [[&far, &near], [&near, &far]] {
-            let mut picture = Picture::new(8, 8);
+            let mut picture = Picture::new(8, 8, FADE);
             order.into_iter().for_each(|face| picture.draw(face));
             let pixels = picture.pixels();
             let [red, green, _, alpha] = [pixels[0], pixels[1], pixels[2], pixels[3]];
@@ -207,7 +208,7 @@ mod tests {
 
     #[test]
     fn nothing_is_no_picture_and_wild_numbers_are_nothing() {
-        let mut picture = Picture::new(4, 4);
+        let mut picture = Picture::new(4, 4, FADE);
         assert_eq!(picture.data_uri(), None);
         picture.draw(&face(0.0, [1.0; 3], [[f64::NAN, 0.0], [1.0, 0.0], [0.0, 1.0]]));
         picture.draw(&face(0.0, [1.0; 3], [[0.0, 0.0], [0.0, 0.0], [0.0, 0.0]]));

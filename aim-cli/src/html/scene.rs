@@ -2,12 +2,12 @@
 
 use std::collections::HashMap;
 
-use aim_gltf::{ChainNodes, Document, Frame, Measurement, Role, Surface};
+use aim_gltf::{ChainNodes, Document, Frame, LimbNodes, Measurement, Role, Surface};
 use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
 use super::Subject;
-use super::raster::{Corner, Face, Paint, Picture};
+use super::raster::{Corner, FADE, Face, Paint, Picture};
 use super::words::n;
 
 /// The size of a drawing, and of its picture in pixels: so many for each unit of the drawing.
@@ -15,8 +15,10 @@ pub(super) const WIDTH: f64 = 240.0;
 pub(super) const HEIGHT: f64 = 250.0;
 const PICTURE: (usize, usize) = (480, 500);
 const PIXELS: f64 = 2.0;
-/// The camera stands this far to the effector's side of the front, and this far above.
+/// The camera stands this far to the side of the front on which the effector is (a limb's way is mostly to the front,
+/// and seen from aside), and this far above.
 const ASIDE_DEG: f64 = 27.0;
+const LIMB_ASIDE_DEG: f64 = 55.0;
 const ABOVE_DEG: f64 = 9.0;
 /// A head's length for its width.
 const WIDE: f64 = 1.6;
@@ -25,6 +27,9 @@ const HEADS: f64 = 2.5;
 const OF_HEIGHT: f64 = 0.9;
 /// How far above the middle of the window the head is, as a share of it.
 const RAISED: f64 = 0.14;
+/// The window for what it shows, and how far beyond the character it goes for a target, as a share of the character.
+const AROUND: f64 = 1.1;
+const BEYOND: f64 = 0.4;
 /// The colour of surfaces whose own is not known, sRGB.
 const CLAY: [f64; 3] = [0.80, 0.70, 0.62];
 
@@ -35,15 +40,17 @@ pub(super) struct Scene<'a> {
     surface: Surface,
     /// For each vertex the one that its normal is shared with.
     welded: Vec<usize>,
-    pub(super) chain: ChainNodes,
+    /// The rig's own bones.
+    joints: Vec<usize>,
+    /// Those whose surface is an eyeball.
     pub(super) eyes: Vec<Eye>,
     pub(super) camera: Camera,
-    /// The effector in its bone's space.
-    pub(super) origin: DVec3,
-    pub(super) forward: DVec3,
+    /// The share of the picture at its lower end over which the figure fades out.
+    fade: f64,
 }
 
-/// A bone whose surface is an eyeball: it looks along `forward` of its own space.
+/// A bone that looks along `forward` of its own space.
+#[derive(Clone, Copy)]
 pub(super) struct Eye {
     pub(super) node: usize,
     pub(super) centre: DVec3,
@@ -64,11 +71,11 @@ pub(super) struct Camera {
 
 impl Camera {
     /// Before the character, a little above, to the side on which the effector is.
-    fn new(measurement: &Measurement, follows: Option<usize>, eye_bind: DVec3) -> Self {
+    fn new(measurement: &Measurement, aside_deg: f64, follows: Option<usize>, eye_bind: DVec3) -> Self {
         let aside = measurement.bones.iter().map(|bone| bone.bind_world.translation.dot(measurement.left));
         let (low, high) = aside.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
         let is_right = eye_bind.dot(measurement.left) * 2.0 < low + high - 1e-6 * measurement.height;
-        let (aside, above) = (ASIDE_DEG.to_radians(), ABOVE_DEG.to_radians());
+        let (aside, above) = (aside_deg.to_radians(), ABOVE_DEG.to_radians());
         let aside = if is_right { -aside } else { aside };
         let level = measurement.forward * aside.cos() + measurement.left * aside.sin();
         let toward = level * above.cos() + measurement.up * above.sin();
@@ -96,15 +103,27 @@ impl Camera {
         }
         // A long neck moves its head further than a head is long.
         let seen = places.filter(|place| place.is_finite()).map(|place| self.turn(place));
-        let ends = seen.map(|p| (p, p)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p)));
-        let (low, high) = ends.unwrap_or_default();
+        let (low, high) = ends(seen).unwrap_or_default();
         let spread = high - low;
         let room = (spread.x + 1.5 * size).max((spread.y + 1.1 * size) / (1.0 - 2.0 * RAISED));
         let window = (HEADS * size).max(room);
-        let centre = (low + high) * 0.5;
-        let centre = self.right * centre.x + self.up * centre.y + self.toward * centre.z;
+        let centre = self.unturn((low + high) * 0.5);
         self.scale = HEIGHT / window;
         self.middle = centre + middle - self.up * (RAISED * window);
+        self
+    }
+
+    /// Brings `character` into the picture, all its points, and `target` unless it is far away.
+    fn around(mut self, character: impl Iterator<Item = DVec3>, target: DVec3) -> Self {
+        let seen = character.filter(|point| point.is_finite()).map(|point| self.turn(point));
+        let (low, high) = ends(seen).unwrap_or_default();
+        let target = self.turn(target);
+        let near = target.clamp(low, high).distance(target) < BEYOND * (high - low).max_element();
+        let (low, high) = if near { (low.min(target), high.max(target)) } else { (low, high) };
+        let (size, centre) = (high - low, (low + high) * 0.5);
+        let window = AROUND * size.y.max(size.x * HEIGHT / WIDTH);
+        self.scale = HEIGHT / if window > 0.0 { window } else { 1.0 };
+        self.middle = self.unturn(centre);
         self
     }
 
@@ -121,6 +140,15 @@ impl Camera {
     fn turn(&self, v: DVec3) -> DVec3 {
         DVec3::new(v.dot(self.right), v.dot(self.up), v.dot(self.toward))
     }
+
+    fn unturn(&self, v: DVec3) -> DVec3 {
+        self.right * v.x + self.up * v.y + self.toward * v.z
+    }
+}
+
+/// The lowest and highest coordinates.
+fn ends(points: impl Iterator<Item = DVec3>) -> Option<(DVec3, DVec3)> {
+    points.map(|p| (p, p)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p)))
 }
 
 fn at(node: Option<usize>, world: &[DAffine3]) -> DVec3 {
@@ -128,21 +156,23 @@ fn at(node: Option<usize>, world: &[DAffine3]) -> DVec3 {
 }
 
 impl<'a> Scene<'a> {
-    /// `drawn` are the frames that all have to fit; nothing where the rig's bones are not in the document.
-    pub(super) fn new<'f>(subject: &Subject<'a>, drawn: impl Iterator<Item = &'f Frame>) -> Option<Self> {
-        let Subject { spec, document, measurement, .. } = *subject;
+    /// The head, or what the `effector` is on, in all the frames that are `drawn`.
+    pub(super) fn of_gaze<'f>(
+        subject: &Subject<'a>,
+        chain: &ChainNodes,
+        effector: Eye,
+        drawn: impl Iterator<Item = &'f Frame>,
+    ) -> Self {
+        let Subject { document, measurement, .. } = *subject;
         let skeleton = document.skeleton();
-        let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
-        let chain = ChainNodes::find(skeleton, bones, spec.joints[0].pair.as_deref()).ok()?;
         let surface = document.surface();
-        let (origin, forward) = (DVec3::from(spec.effector.origin), DVec3::from(spec.effector.frame.forward));
+        let Eye { node: first, centre: origin, forward } = effector;
         let bind = &measurement.bind_world;
         let role = |node: usize| measurement.bone(node).and_then(|bone| bone.role);
-        let first = chain.joints[0];
         let is_eye = chain.pair.is_some() || matches!(role(first), Some(Role::LeftEye | Role::RightEye));
         let mut eyes = Vec::new();
         if is_eye {
-            eyes.push(Eye { node: first, centre: origin, forward });
+            eyes.push(effector);
             let forward = bind[first].transform_vector3(forward);
             eyes.extend(chain.pair.map(|node| Eye {
                 node,
@@ -158,13 +188,43 @@ impl<'a> Scene<'a> {
         let eye_bind = bind[first].transform_point3(origin);
         let follows = chain.joints.last().and_then(|node| skeleton.nodes()[*node].parent);
         let places = drawn.map(|frame| frame.world[first].transform_point3(origin) - at(follows, &frame.world));
-        let camera = Camera::new(measurement, follows, eye_bind).framing(measurement, head, eye_bind, places);
-        let welded = weld(&positions, measurement.height.max(f64::MIN_POSITIVE));
-        Some(Self { document, measurement, surface, welded, chain, eyes, camera, origin, forward })
+        let camera =
+            Camera::new(measurement, ASIDE_DEG, follows, eye_bind).framing(measurement, head, eye_bind, places);
+        let welded = weld(&positions, measurement.height);
+        Self { document, measurement, surface, welded, joints: chain.joints.clone(), eyes, camera, fade: FADE }
+    }
+
+    /// The whole character in each of the poses `worlds`, and what the limb is led to.
+    pub(super) fn of_limb<'w>(
+        document: &'a Document,
+        measurement: &'a Measurement,
+        limb: LimbNodes,
+        worlds: impl Iterator<Item = &'w Vec<DAffine3>>,
+        target: DVec3,
+    ) -> Self {
+        let (skeleton, surface, bind) = (document.skeleton(), document.surface(), &measurement.bind_world);
+        let character = worlds.flat_map(|world| {
+            let skin = surface.positions(skeleton, world);
+            let bones = || measurement.bones.iter().map(|bone| world[bone.node].translation).collect();
+            if skin.is_empty() { bones() } else { skin }
+        });
+        let camera = Camera::new(measurement, LIMB_ASIDE_DEG, None, bind[limb.tip].translation);
+        let camera = camera.around(character, target);
+        let welded = weld(&surface.positions(skeleton, bind), measurement.height);
+        let joints = vec![limb.upper, limb.lower, limb.tip];
+        Self { document, measurement, surface, welded, joints, eyes: Vec::new(), camera, fade: 0.0 }
+    }
+
+    /// The surface; without one the bones.
+    pub(super) fn character(&self, world: &[DAffine3]) -> Markup {
+        match self.figure(world) {
+            Some(uri) => html! { image width=(n(WIDTH)) height=(n(HEIGHT)) href=(uri) {} },
+            None => self.bones(world),
+        }
     }
 
     /// The surface as a picture.
-    pub(super) fn figure(&self, world: &[DAffine3]) -> Option<String> {
+    fn figure(&self, world: &[DAffine3]) -> Option<String> {
         let skeleton = self.document.skeleton();
         let positions = self.surface.positions(skeleton, world);
         let normals = self.normals(&positions);
@@ -177,7 +237,7 @@ impl<'a> Scene<'a> {
                 (eye.node, Paint::Eye { centre, gaze })
             })
             .collect();
-        let mut picture = Picture::new(PICTURE.0, PICTURE.1);
+        let mut picture = Picture::new(PICTURE.0, PICTURE.1, self.fade);
         for triangle in self.surface.triangles() {
             let [a, b, c] = triangle.vertices.map(|vertex| positions[vertex]);
             let flat = (b - a).cross(c - a).normalize_or_zero();
@@ -211,7 +271,7 @@ impl<'a> Scene<'a> {
     }
 
     /// Lines from bone to bone, the rig's own ones thicker.
-    pub(super) fn bones(&self, world: &[DAffine3]) -> Markup {
+    fn bones(&self, world: &[DAffine3]) -> Markup {
         let nodes = self.document.skeleton().nodes();
         let shown = |node: usize| self.camera.project(world[node].translation, world);
         let lines = self.measurement.bones.iter().filter_map(|bone| Some((bone.node, nodes[bone.node].parent?)));
@@ -222,7 +282,7 @@ impl<'a> Scene<'a> {
                     line.bone x1=(n(a.x)) y1=(n(a.y)) x2=(n(b.x)) y2=(n(b.y)) {}
                 }
             }
-            @for &joint in &self.chain.joints {
+            @for &joint in &self.joints {
                 @let p = shown(joint);
                 @if p.is_finite() { circle.joint cx=(n(p.x)) cy=(n(p.y)) r="4.5" {} }
             }
@@ -233,7 +293,7 @@ impl<'a> Scene<'a> {
 /// Each vertex's first vertex at the same place in the bind pose.
 fn weld(positions: &[DVec3], size: f64) -> Vec<usize> {
     let mut first = HashMap::new();
-    let grain = 1e-5 * size;
+    let grain = 1e-5 * size.max(f64::MIN_POSITIVE);
     let key = |p: &DVec3| (*p / grain).round().to_array().map(|x| (x + 0.0).to_bits());
     positions.iter().enumerate().map(|(index, p)| *first.entry(key(p)).or_insert(index)).collect()
 }
@@ -247,7 +307,7 @@ fn extent(document: &Document, surface: &Surface, positions: &[DVec3], carrier: 
         let vertices = surface.triangles().iter().flat_map(|triangle| triangle.vertices);
         let on_it = vertices.filter(|vertex| surface.node_of(skeleton, *vertex).is_some_and(wanted));
         let finite = on_it.map(|vertex| positions[vertex]).filter(|p| p.is_finite());
-        finite.map(|p| (p, p)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p)))
+        ends(finite)
     };
     among(&|node| node == carrier).or_else(|| among(&|node| below[node]))
 }

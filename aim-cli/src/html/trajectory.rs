@@ -1,7 +1,10 @@
-//! The page about a trajectory that was led through points: as it was and as it is, from three sides.
+//! The page about a trajectory that was led through points: as it was and as it is, on the character and from
+//! three sides.
 
+use aim_gltf::Goal;
 use maud::{Markup, html};
 
+use super::takes::Takes;
 use super::whole;
 use super::words::fixed;
 
@@ -16,7 +19,8 @@ pub(crate) struct Course<'a> {
     /// In the written file.
     pub(crate) after: Vec<[f64; 3]>,
     /// The points to come through.
-    pub(crate) targets: Vec<[f64; 3]>,
+    pub(crate) goals: &'a [Goal],
+    pub(crate) takes: Takes<'a>,
 }
 
 /// The page.
@@ -25,6 +29,15 @@ pub(crate) fn page(course: &Course<'_>) -> String {
     let content = html! {
         h1 { (course.bone) " led through " q { (course.clip) } }
         @for line in course.words.lines() { p.lead { (line) "." } }
+        section {
+            h2 { "How it looks" }
+            p {
+                "Above as animated, below as written, at the same times and always from the same side, with the way of "
+                (course.bone) " about the target's time; where the target is outside the picture, an arrow at the border "
+                "points to it."
+            }
+            (course.takes.strips(course.goals))
+        }
         section {
             h2 { "Its way" }
             p {
@@ -54,7 +67,8 @@ const BORDER: f64 = 16.0;
 
 /// All three pictures have one scale.
 fn view(course: &Course<'_>, name: &str, axes: [(usize, f64); 2]) -> Markup {
-    let all = || course.before.iter().chain(&course.after).chain(&course.targets);
+    let targets: Vec<[f64; 3]> = course.goals.iter().map(|goal| goal.target.to_array()).collect();
+    let all = || course.before.iter().chain(&course.after).chain(&targets);
     let range = |axis: usize| {
         all().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), point| (lo.min(point[axis]), hi.max(point[axis])))
     };
@@ -77,7 +91,7 @@ fn view(course: &Course<'_>, name: &str, axes: [(usize, f64); 2]) -> Markup {
                 polyline class="series plain" points=(line(&course.before)) {}
                 polyline class="series heading" points=(line(&course.after)) {}
                 @for [x, y] in course.after.iter().map(flat) { circle.joint cx=(fixed(x, 1)) cy=(fixed(y, 1)) r="1.6" {} }
-                @for [x, y] in course.targets.iter().map(flat) { circle.target cx=(fixed(x, 1)) cy=(fixed(y, 1)) r="4.5" {} }
+                @for [x, y] in targets.iter().map(flat) { circle.target cx=(fixed(x, 1)) cy=(fixed(y, 1)) r="4.5" {} }
             }
             figcaption { (name) }
         }

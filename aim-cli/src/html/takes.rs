@@ -1,0 +1,117 @@
+//! The film strip of a limb that is led to a point: the character about that time as it was, and below as it is.
+
+use aim_gltf::{Clip, Document, Goal, LimbNodes, Measurement};
+use glam::{DAffine3, DVec3};
+use maud::{Markup, html};
+
+use super::scene::{HEIGHT, Scene, WIDTH};
+use super::words::{self, n};
+
+/// Moments drawn before a target's own and as many after it; of several targets each has fewer, for the page's size.
+const AROUND: i16 = 2;
+/// Targets that are drawn.
+const TARGETS: usize = 8;
+/// Between moments, seconds at most and as a share of the clip.
+const STEP: f32 = 0.15;
+const SHARE: f32 = 0.1;
+/// Points of the way between moments.
+const POINTS: i16 = 8;
+
+/// A character in a clip before and after it was changed.
+pub(crate) struct Takes<'a> {
+    pub(crate) document: &'a Document,
+    /// Of the document.
+    pub(crate) measurement: &'a Measurement,
+    pub(crate) limb: LimbNodes,
+    pub(crate) before: &'a Clip,
+    pub(crate) after: &'a Clip,
+}
+
+/// The character at one time, world ← node of every node.
+struct Moment {
+    t: f32,
+    before: Vec<DAffine3>,
+    after: Vec<DAffine3>,
+}
+
+impl Takes<'_> {
+    /// A strip for each goal.
+    pub(super) fn strips(&self, goals: &[Goal]) -> Markup {
+        let around = match goals.len() {
+            0 | 1 => AROUND,
+            2 => 1,
+            _ => 0,
+        };
+        html! {
+            @for goal in goals.iter().take(TARGETS) { (self.strip(goal, around)) }
+            @if goals.len() > TARGETS { p { "The first " (TARGETS) " targets are drawn." } }
+        }
+    }
+
+    /// `around` moments before the goal's own and as many after it, where the clip has them.
+    fn strip(&self, goal: &Goal, around: i16) -> Markup {
+        let moments = self.moments(goal, around, 1);
+        let way = self.moments(goal, AROUND, POINTS);
+        let worlds = moments.iter().flat_map(|moment| [&moment.before, &moment.after]);
+        let scene = Scene::of_limb(self.document, self.measurement, self.limb, worlds, goal.target);
+        let line = |world: fn(&Moment) -> &[DAffine3]| {
+            let points = way.iter().map(|moment| scene.camera.project(self.tip(world(moment)), &[]));
+            let points = points.filter(|p| p.is_finite()).map(|p| format!("{},{}", n(p.x), n(p.y)));
+            points.collect::<Vec<_>>().join(" ")
+        };
+        let was = html! { (way_line("plain", &line(|moment| &moment.before))) };
+        let is = html! { (was) (way_line("heading", &line(|moment| &moment.after))) };
+        html! {
+            ol.film.takes {
+                @for Moment { t, before, after } in &moments {
+                    @let time = words::fixed((*t).into(), 2);
+                    li {
+                        figure {
+                            (self.drawing(&scene, before, goal.target, &was, &format!("As animated at {time} s")))
+                            (self.drawing(&scene, after, goal.target, &is, &format!("As written at {time} s")))
+                            figcaption {
+                                span.time { (time) " s" }
+                                @if *t == goal.at { span.number { "the target's time" } }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// `parts` moments to a step, in order.
+    fn moments(&self, goal: &Goal, around: i16, parts: i16) -> Vec<Moment> {
+        let skeleton = self.document.skeleton();
+        let seconds = self.before.seconds();
+        let step = STEP.min(SHARE * seconds) / f32::from(parts);
+        let times = (-around * parts..=around * parts).map(|k| goal.at + step * f32::from(k));
+        let mut times: Vec<f32> = times.filter(|t| *t == goal.at || (0.0..=seconds).contains(t)).collect();
+        times.dedup();
+        let world = |clip, t| skeleton.world_f64(&skeleton.pose(clip, t));
+        times.iter().map(|&t| Moment { t, before: world(self.before, t), after: world(self.after, t) }).collect()
+    }
+
+    fn tip(&self, world: &[DAffine3]) -> DVec3 {
+        world[self.limb.tip].translation
+    }
+
+    fn drawing(&self, scene: &Scene<'_>, world: &[DAffine3], target: DVec3, ways: &Markup, label: &str) -> Markup {
+        let [tip, target] = [self.tip(world), target].map(|point| scene.camera.project(point, world));
+        html! {
+            svg viewBox={ "0 0 " (n(WIDTH)) " " (n(HEIGHT)) } role="img" aria-label=(label) {
+                (scene.character(world))
+                (ways)
+                (scene.target(tip, target))
+                @if tip.is_finite() { circle.tip cx=(n(tip.x)) cy=(n(tip.y)) r="3" {} }
+            }
+        }
+    }
+}
+
+fn way_line(class: &str, points: &str) -> Markup {
+    html! {
+        polyline.ray-case points=(points) {}
+        polyline class={ "series " (class) } points=(points) {}
+    }
+}
