@@ -16,28 +16,43 @@ pub struct Extra {
 const _: () = {
     impl Extra {
         /// The names that each joint's bone may have in a model, from the effector inward.
-        #[allow(dead_code, unreachable_pub, reason = "a rig need not be looked up by its bones' names")]
-        pub const BONES: [&'static [&'static ::core::primitive::str]; 2] = [&["head"], &["neck"]];
+        #[allow(
+            dead_code,
+            unreachable_pub,
+            reason = "a rig need not be looked up by its bones' names"
+        )]
+        pub const BONES: [&'static [&'static ::core::primitive::str]; 2] = [
+            &["head"],
+            &["neck"],
+        ];
     }
     #[automatically_derived]
     impl ::core::default::Default for Extra {
         /// At rest: every angle 0.
         fn default() -> Self {
-            Self { head: ::core::default::Default::default(), neck: ::core::default::Default::default() }
+            Self {
+                head: ::core::default::Default::default(),
+                neck: ::core::default::Default::default(),
+            }
         }
     }
     #[automatically_derived]
     impl ::core::fmt::Debug for Extra {
-        fn fmt(&self, __formatter: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-            ::core::fmt::DebugStruct::finish(::core::fmt::DebugStruct::field(
+        fn fmt(
+            &self,
+            __formatter: &mut ::core::fmt::Formatter<'_>,
+        ) -> ::core::fmt::Result {
+            ::core::fmt::DebugStruct::finish(
                 ::core::fmt::DebugStruct::field(
-                    &mut ::core::fmt::Formatter::debug_struct(__formatter, "Extra"),
-                    "head",
-                    &self.head,
+                    ::core::fmt::DebugStruct::field(
+                        &mut ::core::fmt::Formatter::debug_struct(__formatter, "Extra"),
+                        "head",
+                        &self.head,
+                    ),
+                    "neck",
+                    &self.neck,
                 ),
-                "neck",
-                &self.neck,
-            ))
+            )
         }
     }
     #[automatically_derived]
@@ -51,34 +66,48 @@ const _: () = {
         fn joint_infos(&self) -> &[::aim::__private::JointInfo] {
             const INFOS: [::aim::__private::JointInfo; 2] = [
                 ::aim::__private::JointInfo::new(
-                    ::aim::__private::Axes { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] },
-                    3.4906585,
-                )
-                .with_heading(-0.7853982, 0.7853982)
-                .with_pitch(-0.43633232, 0.43633232)
-                .with_comfort(1.0)
-                .with_role(::aim::__private::Role::Head),
+                        ::aim::__private::Axes {
+                            up: [1.0, 0.0, 0.0],
+                            forward: [0.0, 1.0, 0.0],
+                            left: [0.0, 0.0, 1.0],
+                        },
+                        3.4906585,
+                    )
+                    .with_heading(-0.7853982, 0.7853982)
+                    .with_pitch(-0.43633232, 0.43633232)
+                    .with_comfort(1.0)
+                    .with_role(::aim::__private::Role::Head),
                 ::aim::__private::JointInfo::new(
-                    ::aim::__private::Axes { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] },
-                    2.9670596,
-                )
-                .with_heading(-0.61086524, 0.61086524)
-                .with_pitch(-0.34906584, 0.34906584)
-                .with_comfort(2.0)
-                .with_role(::aim::__private::Role::Neck),
+                        ::aim::__private::Axes {
+                            up: [1.0, 0.0, 0.0],
+                            forward: [0.0, 1.0, 0.0],
+                            left: [0.0, 0.0, 1.0],
+                        },
+                        2.9670596,
+                    )
+                    .with_heading(-0.61086524, 0.61086524)
+                    .with_pitch(-0.34906584, 0.34906584)
+                    .with_comfort(2.0)
+                    .with_role(::aim::__private::Role::Neck),
             ];
             &INFOS
         }
         #[inline]
         fn effector(&self) -> ::aim::__private::Effector {
-            ::aim::__private::Effector { forward: [0.0, 1.0, 0.0], origin: [0.09, 0.09, 0.0] }
+            ::aim::__private::Effector {
+                forward: [0.0, 1.0, 0.0],
+                origin: [0.09, 0.09, 0.0],
+            }
         }
         #[inline]
         fn joints(&self) -> [::aim::__private::Joint; 2] {
             [self.head, self.neck]
         }
         #[inline]
-        fn joint(&self, __index: ::core::primitive::usize) -> ::core::option::Option<&::aim::__private::Joint> {
+        fn joint(
+            &self,
+            __index: ::core::primitive::usize,
+        ) -> ::core::option::Option<&::aim::__private::Joint> {
             match __index {
                 0 => ::core::option::Option::Some(&self.head),
                 1 => ::core::option::Option::Some(&self.neck),
@@ -126,9 +155,15 @@ const _: () = {
                 ::core::result::Result::Ok(__sin_cos),
                 ::core::result::Result::Ok(__out),
             ) = (
-                <&[[S; 12]; 2] as ::core::convert::TryFrom<&[[S; 12]]>>::try_from(__links),
-                <&[[S; 4]; 2] as ::core::convert::TryFrom<&[[S; 4]]>>::try_from(__sin_cos),
-                <&mut [S; 5] as ::core::convert::TryFrom<&mut [S]>>::try_from(&mut *__out),
+                <&[[S; 12]; 2] as ::core::convert::TryFrom<
+                    &[[S; 12]],
+                >>::try_from(__links),
+                <&[[S; 4]; 2] as ::core::convert::TryFrom<
+                    &[[S; 4]],
+                >>::try_from(__sin_cos),
+                <&mut [S; 5] as ::core::convert::TryFrom<
+                    &mut [S],
+                >>::try_from(&mut *__out),
             ) {
                 *__out = value_gradient(__links, __target, __sin_cos);
             } else {
@@ -148,9 +183,15 @@ const _: () = {
                 ::core::result::Result::Ok(__sin_cos),
                 ::core::result::Result::Ok(__out),
             ) = (
-                <&[[S; 12]; 2] as ::core::convert::TryFrom<&[[S; 12]]>>::try_from(__links),
-                <&[[S; 4]; 2] as ::core::convert::TryFrom<&[[S; 4]]>>::try_from(__sin_cos),
-                <&mut [S; 10] as ::core::convert::TryFrom<&mut [S]>>::try_from(&mut *__out),
+                <&[[S; 12]; 2] as ::core::convert::TryFrom<
+                    &[[S; 12]],
+                >>::try_from(__links),
+                <&[[S; 4]; 2] as ::core::convert::TryFrom<
+                    &[[S; 4]],
+                >>::try_from(__sin_cos),
+                <&mut [S; 10] as ::core::convert::TryFrom<
+                    &mut [S],
+                >>::try_from(&mut *__out),
             ) {
                 *__out = residual_jacobian(__links, __target, __sin_cos);
             } else {
@@ -181,14 +222,16 @@ const _: () = {
             __v9,
             <S as ::aim::__private::Scalar>::ZERO,
         );
-        let __v11 =
-            __v10 * (__effector_to_joint[3] * __v2 + __effector_to_joint[4] * __v4 + __effector_to_joint[5] * __v6);
+        let __v11 = __v10
+            * (__effector_to_joint[3] * __v2 + __effector_to_joint[4] * __v4
+                + __effector_to_joint[5] * __v6);
         let __v12 = __v10 * __v11;
         let __v13 = __effector_to_joint[4] - __v4 * __v12;
         let __v14 = __effector_to_joint[3] - __v2 * __v12;
         let __v15 = __v10 * (__v1 * __v13 - __v3 * __v14);
         let __v16 = __v0 * (__effector_to_joint[5] - __v6 * __v12);
-        let __v17 = __v10 * (__v5 * (__sin_cos[1] * __v13 - __sin_cos[0] * __v14) - __v16);
+        let __v17 = __v10
+            * (__v5 * (__sin_cos[1] * __v13 - __sin_cos[0] * __v14) - __v16);
         [__v11, __v15, __v17]
     }
     ///The chain's aim, then its derivatives. 110 operations: 42 add, 66 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `Extra`.
@@ -224,7 +267,8 @@ const _: () = {
             __v19,
             <S as ::aim::__private::Scalar>::ZERO,
         );
-        let __v21 = __v20 * (__links[0][3] * __v12 + __links[0][4] * __v14 + __links[0][5] * __v16);
+        let __v21 = __v20
+            * (__links[0][3] * __v12 + __links[0][4] * __v14 + __links[0][5] * __v16);
         let __v22 = __v20 * __v21;
         let __v23 = __v20 * (__links[0][4] - __v14 * __v22);
         let __v24 = __v20 * (__links[0][3] - __v12 * __v22);
@@ -235,10 +279,13 @@ const _: () = {
         let __v29 = __sin_cos[0][0] * __v23 + __sin_cos[0][1] * __v24;
         let __v30 = __sin_cos[0][3] * __v26 - __sin_cos[0][2] * __v27;
         let __v31 = __sin_cos[0][2] * __v26 + __sin_cos[0][3] * __v27;
-        let __v32 = __links[1][1] * __v29 + __links[1][4] * __v30 + __links[1][7] * __v31;
-        let __v33 = __links[1][0] * __v29 + __links[1][3] * __v30 + __links[1][6] * __v31;
+        let __v32 = __links[1][1] * __v29 + __links[1][4] * __v30
+            + __links[1][7] * __v31;
+        let __v33 = __links[1][0] * __v29 + __links[1][3] * __v30
+            + __links[1][6] * __v31;
         let __v34 = __v1 * __v32 - __v3 * __v33;
-        let __v35 = __v0 * (__links[1][2] * __v29 + __links[1][5] * __v30 + __links[1][8] * __v31);
+        let __v35 = __v0
+            * (__links[1][2] * __v29 + __links[1][5] * __v30 + __links[1][8] * __v31);
         let __v36 = __v5 * (__sin_cos[1][1] * __v32 - __sin_cos[1][0] * __v33) - __v35;
         [__v21, __v25, __v28, __v34, __v36]
     }
@@ -268,7 +315,8 @@ const _: () = {
         let __v16 = __v15 - __links[0][9];
         let __v17 = __v12 * __v12 + __v14 * __v14 + __v16 * __v16;
         let __v18 = <S as ::aim::__private::Scalar>::sqrt(__v17);
-        let __v19 = __v18 + (__links[0][3] * __v16 + __links[0][4] * __v12 + __links[0][5] * __v14);
+        let __v19 = __v18
+            + (__links[0][3] * __v16 + __links[0][4] * __v12 + __links[0][5] * __v14);
         let __v20 = <S as ::aim::__private::Scalar>::constant(1.0) / __v19;
         let __v21 = <S as ::aim::__private::Scalar>::select_less(
             <S as ::aim::__private::Scalar>::TINY,
@@ -277,9 +325,11 @@ const _: () = {
             <S as ::aim::__private::Scalar>::ZERO,
         );
         let __v22 = <S as ::aim::__private::Scalar>::constant(2.0) * __v21;
-        let __v23 = __links[0][6] * __v16 + __links[0][7] * __v12 + __links[0][8] * __v14;
+        let __v23 = __links[0][6] * __v16 + __links[0][7] * __v12
+            + __links[0][8] * __v14;
         let __v24 = __v22 * __v23;
-        let __v25 = __links[0][0] * __v16 + __links[0][1] * __v12 + __links[0][2] * __v14;
+        let __v25 = __links[0][0] * __v16 + __links[0][1] * __v12
+            + __links[0][2] * __v14;
         let __v26 = __v22 * __v25;
         let __v27 = <S as ::aim::__private::Scalar>::constant(1.0) / __v18;
         let __v28 = <S as ::aim::__private::Scalar>::select_less(
@@ -302,10 +352,13 @@ const _: () = {
         let __v40 = __sin_cos[0][0] * __v32 + __sin_cos[0][1] * __v34;
         let __v41 = __sin_cos[0][3] * __v36 - __sin_cos[0][2] * __v38;
         let __v42 = __sin_cos[0][2] * __v36 + __sin_cos[0][3] * __v38;
-        let __v43 = __links[1][1] * __v40 + __links[1][4] * __v41 + __links[1][7] * __v42;
-        let __v44 = __links[1][0] * __v40 + __links[1][3] * __v41 + __links[1][6] * __v42;
+        let __v43 = __links[1][1] * __v40 + __links[1][4] * __v41
+            + __links[1][7] * __v42;
+        let __v44 = __links[1][0] * __v40 + __links[1][3] * __v41
+            + __links[1][6] * __v42;
         let __v45 = __v1 * __v43 - __v3 * __v44;
-        let __v46 = __v0 * (__links[1][2] * __v40 + __links[1][5] * __v41 + __links[1][8] * __v42);
+        let __v46 = __v0
+            * (__links[1][2] * __v40 + __links[1][5] * __v41 + __links[1][8] * __v42);
         let __v47 = __v5 * (__sin_cos[1][1] * __v43 - __sin_cos[1][0] * __v44) - __v46;
         let __v48 = __v25 * __v30;
         let __v49 = __links[0][1] * __v22 - __v29 * __v48;
@@ -317,10 +370,13 @@ const _: () = {
         let __v55 = __sin_cos[0][0] * __v49 + __sin_cos[0][1] * __v50;
         let __v56 = __sin_cos[0][3] * __v52 - __sin_cos[0][2] * __v53;
         let __v57 = __sin_cos[0][2] * __v52 + __sin_cos[0][3] * __v53;
-        let __v58 = __links[1][1] * __v55 + __links[1][4] * __v56 + __links[1][7] * __v57;
-        let __v59 = __links[1][0] * __v55 + __links[1][3] * __v56 + __links[1][6] * __v57;
+        let __v58 = __links[1][1] * __v55 + __links[1][4] * __v56
+            + __links[1][7] * __v57;
+        let __v59 = __links[1][0] * __v55 + __links[1][3] * __v56
+            + __links[1][6] * __v57;
         let __v60 = __v1 * __v58 - __v3 * __v59;
-        let __v61 = __v0 * (__links[1][2] * __v55 + __links[1][5] * __v56 + __links[1][8] * __v57);
+        let __v61 = __v0
+            * (__links[1][2] * __v55 + __links[1][5] * __v56 + __links[1][8] * __v57);
         let __v62 = __v5 * (__sin_cos[1][1] * __v58 - __sin_cos[1][0] * __v59) - __v61;
         [__v24, __v26, __v35, __v39, __v45, __v47, __v51, __v54, __v60, __v62]
     }

@@ -18,8 +18,16 @@ pub struct Hero {
 const _: () = {
     impl Hero {
         /// The names that each joint's bone may have in a model, from the effector inward.
-        #[allow(dead_code, unreachable_pub, reason = "a rig need not be looked up by its bones' names")]
-        pub const BONES: [&'static [&'static ::core::primitive::str]; 3] = [&["left_eye"], &["neck"], &["spine3"]];
+        #[allow(
+            dead_code,
+            unreachable_pub,
+            reason = "a rig need not be looked up by its bones' names"
+        )]
+        pub const BONES: [&'static [&'static ::core::primitive::str]; 3] = [
+            &["left_eye"],
+            &["neck"],
+            &["spine3"],
+        ];
     }
     #[automatically_derived]
     impl ::core::default::Default for Hero {
@@ -34,20 +42,28 @@ const _: () = {
     }
     #[automatically_derived]
     impl ::core::fmt::Debug for Hero {
-        fn fmt(&self, __formatter: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-            ::core::fmt::DebugStruct::finish(::core::fmt::DebugStruct::field(
+        fn fmt(
+            &self,
+            __formatter: &mut ::core::fmt::Formatter<'_>,
+        ) -> ::core::fmt::Result {
+            ::core::fmt::DebugStruct::finish(
                 ::core::fmt::DebugStruct::field(
                     ::core::fmt::DebugStruct::field(
-                        &mut ::core::fmt::Formatter::debug_struct(__formatter, "Hero"),
-                        "left_eye",
-                        &self.left_eye,
+                        ::core::fmt::DebugStruct::field(
+                            &mut ::core::fmt::Formatter::debug_struct(
+                                __formatter,
+                                "Hero",
+                            ),
+                            "left_eye",
+                            &self.left_eye,
+                        ),
+                        "neck",
+                        &self.neck,
                     ),
-                    "neck",
-                    &self.neck,
+                    "spine3",
+                    &self.spine3,
                 ),
-                "spine3",
-                &self.spine3,
-            ))
+            )
         }
     }
     #[automatically_derived]
@@ -61,42 +77,60 @@ const _: () = {
         fn joint_infos(&self) -> &[::aim::__private::JointInfo] {
             const INFOS: [::aim::__private::JointInfo; 3] = [
                 ::aim::__private::JointInfo::new(
-                    ::aim::__private::Axes { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] },
-                    7.8539815,
-                )
-                .with_heading(-0.61086524, 0.61086524)
-                .with_pitch(-0.43633232, 0.34906584)
-                .with_comfort(0.5)
-                .with_role(::aim::__private::Role::Eye),
+                        ::aim::__private::Axes {
+                            up: [1.0, 0.0, 0.0],
+                            forward: [0.0, 1.0, 0.0],
+                            left: [0.0, 0.0, 1.0],
+                        },
+                        7.8539815,
+                    )
+                    .with_heading(-0.61086524, 0.61086524)
+                    .with_pitch(-0.43633232, 0.34906584)
+                    .with_comfort(0.5)
+                    .with_role(::aim::__private::Role::Eye),
                 ::aim::__private::JointInfo::new(
-                    ::aim::__private::Axes { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] },
-                    2.9670596,
-                )
-                .with_heading(-1.0471976, 1.0471976)
-                .with_pitch(-0.6981317, 0.61086524)
-                .with_comfort(1.0)
-                .with_role(::aim::__private::Role::Neck),
+                        ::aim::__private::Axes {
+                            up: [1.0, 0.0, 0.0],
+                            forward: [0.0, 1.0, 0.0],
+                            left: [0.0, 0.0, 1.0],
+                        },
+                        2.9670596,
+                    )
+                    .with_heading(-1.0471976, 1.0471976)
+                    .with_pitch(-0.6981317, 0.61086524)
+                    .with_comfort(1.0)
+                    .with_role(::aim::__private::Role::Neck),
                 ::aim::__private::JointInfo::new(
-                    ::aim::__private::Axes { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] },
-                    1.2217305,
-                )
-                .with_heading(-0.34906584, 0.34906584)
-                .with_pitch(-0.17453292, 0.17453292)
-                .with_comfort(4.0)
-                .with_role(::aim::__private::Role::Spine),
+                        ::aim::__private::Axes {
+                            up: [1.0, 0.0, 0.0],
+                            forward: [0.0, 1.0, 0.0],
+                            left: [0.0, 0.0, 1.0],
+                        },
+                        1.2217305,
+                    )
+                    .with_heading(-0.34906584, 0.34906584)
+                    .with_pitch(-0.17453292, 0.17453292)
+                    .with_comfort(4.0)
+                    .with_role(::aim::__private::Role::Spine),
             ];
             &INFOS
         }
         #[inline]
         fn effector(&self) -> ::aim::__private::Effector {
-            ::aim::__private::Effector { forward: [0.0, 1.0, 0.0], origin: [0.0, 0.0, 0.0] }
+            ::aim::__private::Effector {
+                forward: [0.0, 1.0, 0.0],
+                origin: [0.0, 0.0, 0.0],
+            }
         }
         #[inline]
         fn joints(&self) -> [::aim::__private::Joint; 3] {
             [self.left_eye, self.neck, self.spine3]
         }
         #[inline]
-        fn joint(&self, __index: ::core::primitive::usize) -> ::core::option::Option<&::aim::__private::Joint> {
+        fn joint(
+            &self,
+            __index: ::core::primitive::usize,
+        ) -> ::core::option::Option<&::aim::__private::Joint> {
             match __index {
                 0 => ::core::option::Option::Some(&self.left_eye),
                 1 => ::core::option::Option::Some(&self.neck),
@@ -146,9 +180,15 @@ const _: () = {
                 ::core::result::Result::Ok(__sin_cos),
                 ::core::result::Result::Ok(__out),
             ) = (
-                <&[[S; 12]; 3] as ::core::convert::TryFrom<&[[S; 12]]>>::try_from(__links),
-                <&[[S; 4]; 3] as ::core::convert::TryFrom<&[[S; 4]]>>::try_from(__sin_cos),
-                <&mut [S; 7] as ::core::convert::TryFrom<&mut [S]>>::try_from(&mut *__out),
+                <&[[S; 12]; 3] as ::core::convert::TryFrom<
+                    &[[S; 12]],
+                >>::try_from(__links),
+                <&[[S; 4]; 3] as ::core::convert::TryFrom<
+                    &[[S; 4]],
+                >>::try_from(__sin_cos),
+                <&mut [S; 7] as ::core::convert::TryFrom<
+                    &mut [S],
+                >>::try_from(&mut *__out),
             ) {
                 *__out = value_gradient(__links, __target, __sin_cos);
             } else {
@@ -168,9 +208,15 @@ const _: () = {
                 ::core::result::Result::Ok(__sin_cos),
                 ::core::result::Result::Ok(__out),
             ) = (
-                <&[[S; 12]; 3] as ::core::convert::TryFrom<&[[S; 12]]>>::try_from(__links),
-                <&[[S; 4]; 3] as ::core::convert::TryFrom<&[[S; 4]]>>::try_from(__sin_cos),
-                <&mut [S; 14] as ::core::convert::TryFrom<&mut [S]>>::try_from(&mut *__out),
+                <&[[S; 12]; 3] as ::core::convert::TryFrom<
+                    &[[S; 12]],
+                >>::try_from(__links),
+                <&[[S; 4]; 3] as ::core::convert::TryFrom<
+                    &[[S; 4]],
+                >>::try_from(__sin_cos),
+                <&mut [S; 14] as ::core::convert::TryFrom<
+                    &mut [S],
+                >>::try_from(&mut *__out),
             ) {
                 *__out = residual_jacobian(__links, __target, __sin_cos);
             } else {
@@ -201,14 +247,16 @@ const _: () = {
             __v9,
             <S as ::aim::__private::Scalar>::ZERO,
         );
-        let __v11 =
-            __v10 * (__effector_to_joint[3] * __v2 + __effector_to_joint[4] * __v4 + __effector_to_joint[5] * __v6);
+        let __v11 = __v10
+            * (__effector_to_joint[3] * __v2 + __effector_to_joint[4] * __v4
+                + __effector_to_joint[5] * __v6);
         let __v12 = __v10 * __v11;
         let __v13 = __effector_to_joint[4] - __v4 * __v12;
         let __v14 = __effector_to_joint[3] - __v2 * __v12;
         let __v15 = __v10 * (__v1 * __v13 - __v3 * __v14);
         let __v16 = __v0 * (__effector_to_joint[5] - __v6 * __v12);
-        let __v17 = __v10 * (__v5 * (__sin_cos[1] * __v13 - __sin_cos[0] * __v14) - __v16);
+        let __v17 = __v10
+            * (__v5 * (__sin_cos[1] * __v13 - __sin_cos[0] * __v14) - __v16);
         [__v11, __v15, __v17]
     }
     ///The chain's aim, then its derivatives. 173 operations: 67 add, 104 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `Hero`.
@@ -235,10 +283,13 @@ const _: () = {
         let __v14 = __v13 + __links[1][10];
         let __v15 = __sin_cos[1][2] * __v7 - __sin_cos[1][3] * __v8;
         let __v16 = __links[1][11] - __v15;
-        let __v17 = __links[1][3] * __v12 + __links[1][4] * __v14 + __links[1][5] * __v16;
-        let __v18 = __links[1][6] * __v12 + __links[1][7] * __v14 + __links[1][8] * __v16;
+        let __v17 = __links[1][3] * __v12 + __links[1][4] * __v14
+            + __links[1][5] * __v16;
+        let __v18 = __links[1][6] * __v12 + __links[1][7] * __v14
+            + __links[1][8] * __v16;
         let __v19 = __sin_cos[0][3] * __v17 + __sin_cos[0][2] * __v18;
-        let __v20 = __links[1][0] * __v12 + __links[1][1] * __v14 + __links[1][2] * __v16;
+        let __v20 = __links[1][0] * __v12 + __links[1][1] * __v14
+            + __links[1][2] * __v16;
         let __v21 = __sin_cos[0][0] * __v19 - __sin_cos[0][1] * __v20;
         let __v22 = __links[0][9] - __v21;
         let __v23 = __sin_cos[0][1] * __v19 + __sin_cos[0][0] * __v20;
@@ -254,7 +305,8 @@ const _: () = {
             __v29,
             <S as ::aim::__private::Scalar>::ZERO,
         );
-        let __v31 = __v30 * (__links[0][3] * __v22 + __links[0][4] * __v24 + __links[0][5] * __v26);
+        let __v31 = __v30
+            * (__links[0][3] * __v22 + __links[0][4] * __v24 + __links[0][5] * __v26);
         let __v32 = __v30 * __v31;
         let __v33 = __v30 * (__links[0][4] - __v24 * __v32);
         let __v34 = __v30 * (__links[0][3] - __v22 * __v32);
@@ -265,19 +317,25 @@ const _: () = {
         let __v39 = __sin_cos[0][0] * __v33 + __sin_cos[0][1] * __v34;
         let __v40 = __sin_cos[0][3] * __v36 - __sin_cos[0][2] * __v37;
         let __v41 = __sin_cos[0][2] * __v36 + __sin_cos[0][3] * __v37;
-        let __v42 = __links[1][1] * __v39 + __links[1][4] * __v40 + __links[1][7] * __v41;
-        let __v43 = __links[1][0] * __v39 + __links[1][3] * __v40 + __links[1][6] * __v41;
+        let __v42 = __links[1][1] * __v39 + __links[1][4] * __v40
+            + __links[1][7] * __v41;
+        let __v43 = __links[1][0] * __v39 + __links[1][3] * __v40
+            + __links[1][6] * __v41;
         let __v44 = __v11 * __v42 + __v13 * __v43;
         let __v45 = __sin_cos[1][1] * __v42 - __sin_cos[1][0] * __v43;
-        let __v46 = __links[1][2] * __v39 + __links[1][5] * __v40 + __links[1][8] * __v41;
+        let __v46 = __links[1][2] * __v39 + __links[1][5] * __v40
+            + __links[1][8] * __v41;
         let __v47 = __v15 * __v45 + __v9 * __v46;
         let __v48 = __sin_cos[1][0] * __v42 + __sin_cos[1][1] * __v43;
         let __v49 = __sin_cos[1][3] * __v45 - __sin_cos[1][2] * __v46;
         let __v50 = __sin_cos[1][2] * __v45 + __sin_cos[1][3] * __v46;
-        let __v51 = __links[2][1] * __v48 + __links[2][4] * __v49 + __links[2][7] * __v50;
-        let __v52 = __links[2][0] * __v48 + __links[2][3] * __v49 + __links[2][6] * __v50;
+        let __v51 = __links[2][1] * __v48 + __links[2][4] * __v49
+            + __links[2][7] * __v50;
+        let __v52 = __links[2][0] * __v48 + __links[2][3] * __v49
+            + __links[2][6] * __v50;
         let __v53 = __v1 * __v51 + __v3 * __v52;
-        let __v54 = __v0 * (__links[2][2] * __v48 + __links[2][5] * __v49 + __links[2][8] * __v50);
+        let __v54 = __v0
+            * (__links[2][2] * __v48 + __links[2][5] * __v49 + __links[2][8] * __v50);
         let __v55 = __v5 * (__sin_cos[2][1] * __v51 - __sin_cos[2][0] * __v52) + __v54;
         [-__v31, __v35, __v38, __v44, __v47, -__v53, -__v55]
     }
@@ -305,10 +363,13 @@ const _: () = {
         let __v14 = __v13 + __links[1][10];
         let __v15 = __sin_cos[1][2] * __v7 - __sin_cos[1][3] * __v8;
         let __v16 = __links[1][11] - __v15;
-        let __v17 = __links[1][3] * __v12 + __links[1][4] * __v14 + __links[1][5] * __v16;
-        let __v18 = __links[1][6] * __v12 + __links[1][7] * __v14 + __links[1][8] * __v16;
+        let __v17 = __links[1][3] * __v12 + __links[1][4] * __v14
+            + __links[1][5] * __v16;
+        let __v18 = __links[1][6] * __v12 + __links[1][7] * __v14
+            + __links[1][8] * __v16;
         let __v19 = __sin_cos[0][3] * __v17 + __sin_cos[0][2] * __v18;
-        let __v20 = __links[1][0] * __v12 + __links[1][1] * __v14 + __links[1][2] * __v16;
+        let __v20 = __links[1][0] * __v12 + __links[1][1] * __v14
+            + __links[1][2] * __v16;
         let __v21 = __sin_cos[0][1] * __v19 + __sin_cos[0][0] * __v20;
         let __v22 = __v21 + __links[0][10];
         let __v23 = __sin_cos[0][2] * __v17 - __sin_cos[0][3] * __v18;
@@ -317,7 +378,8 @@ const _: () = {
         let __v26 = __links[0][9] - __v25;
         let __v27 = __v22 * __v22 + __v24 * __v24 + __v26 * __v26;
         let __v28 = <S as ::aim::__private::Scalar>::sqrt(__v27);
-        let __v29 = __v28 - (__links[0][3] * __v26 + __links[0][4] * __v22 + __links[0][5] * __v24);
+        let __v29 = __v28
+            - (__links[0][3] * __v26 + __links[0][4] * __v22 + __links[0][5] * __v24);
         let __v30 = <S as ::aim::__private::Scalar>::constant(1.0) / __v29;
         let __v31 = <S as ::aim::__private::Scalar>::select_less(
             <S as ::aim::__private::Scalar>::TINY,
@@ -326,9 +388,11 @@ const _: () = {
             <S as ::aim::__private::Scalar>::ZERO,
         );
         let __v32 = <S as ::aim::__private::Scalar>::constant(2.0) * __v31;
-        let __v33 = __links[0][6] * __v26 + __links[0][7] * __v22 + __links[0][8] * __v24;
+        let __v33 = __links[0][6] * __v26 + __links[0][7] * __v22
+            + __links[0][8] * __v24;
         let __v34 = __v32 * __v33;
-        let __v35 = __links[0][0] * __v26 + __links[0][1] * __v22 + __links[0][2] * __v24;
+        let __v35 = __links[0][0] * __v26 + __links[0][1] * __v22
+            + __links[0][2] * __v24;
         let __v36 = __v32 * __v35;
         let __v37 = <S as ::aim::__private::Scalar>::constant(1.0) / __v28;
         let __v38 = <S as ::aim::__private::Scalar>::select_less(
@@ -351,19 +415,25 @@ const _: () = {
         let __v50 = __sin_cos[0][0] * __v42 + __sin_cos[0][1] * __v44;
         let __v51 = __sin_cos[0][3] * __v46 - __sin_cos[0][2] * __v48;
         let __v52 = __sin_cos[0][2] * __v46 + __sin_cos[0][3] * __v48;
-        let __v53 = __links[1][1] * __v50 + __links[1][4] * __v51 + __links[1][7] * __v52;
-        let __v54 = __links[1][0] * __v50 + __links[1][3] * __v51 + __links[1][6] * __v52;
+        let __v53 = __links[1][1] * __v50 + __links[1][4] * __v51
+            + __links[1][7] * __v52;
+        let __v54 = __links[1][0] * __v50 + __links[1][3] * __v51
+            + __links[1][6] * __v52;
         let __v55 = __v11 * __v53 + __v13 * __v54;
         let __v56 = __sin_cos[1][1] * __v53 - __sin_cos[1][0] * __v54;
-        let __v57 = __links[1][2] * __v50 + __links[1][5] * __v51 + __links[1][8] * __v52;
+        let __v57 = __links[1][2] * __v50 + __links[1][5] * __v51
+            + __links[1][8] * __v52;
         let __v58 = __v15 * __v56 + __v9 * __v57;
         let __v59 = __sin_cos[1][0] * __v53 + __sin_cos[1][1] * __v54;
         let __v60 = __sin_cos[1][3] * __v56 - __sin_cos[1][2] * __v57;
         let __v61 = __sin_cos[1][2] * __v56 + __sin_cos[1][3] * __v57;
-        let __v62 = __links[2][1] * __v59 + __links[2][4] * __v60 + __links[2][7] * __v61;
-        let __v63 = __links[2][0] * __v59 + __links[2][3] * __v60 + __links[2][6] * __v61;
+        let __v62 = __links[2][1] * __v59 + __links[2][4] * __v60
+            + __links[2][7] * __v61;
+        let __v63 = __links[2][0] * __v59 + __links[2][3] * __v60
+            + __links[2][6] * __v61;
         let __v64 = __v1 * __v62 + __v3 * __v63;
-        let __v65 = __v0 * (__links[2][2] * __v59 + __links[2][5] * __v60 + __links[2][8] * __v61);
+        let __v65 = __v0
+            * (__links[2][2] * __v59 + __links[2][5] * __v60 + __links[2][8] * __v61);
         let __v66 = __v5 * (__sin_cos[2][1] * __v62 - __sin_cos[2][0] * __v63) + __v65;
         let __v67 = __v35 * __v40;
         let __v68 = __links[0][1] * __v32 + __v39 * __v67;
@@ -375,20 +445,41 @@ const _: () = {
         let __v74 = __sin_cos[0][0] * __v68 + __sin_cos[0][1] * __v69;
         let __v75 = __sin_cos[0][3] * __v71 - __sin_cos[0][2] * __v72;
         let __v76 = __sin_cos[0][2] * __v71 + __sin_cos[0][3] * __v72;
-        let __v77 = __links[1][1] * __v74 + __links[1][4] * __v75 + __links[1][7] * __v76;
-        let __v78 = __links[1][0] * __v74 + __links[1][3] * __v75 + __links[1][6] * __v76;
+        let __v77 = __links[1][1] * __v74 + __links[1][4] * __v75
+            + __links[1][7] * __v76;
+        let __v78 = __links[1][0] * __v74 + __links[1][3] * __v75
+            + __links[1][6] * __v76;
         let __v79 = __v11 * __v77 + __v13 * __v78;
         let __v80 = __sin_cos[1][1] * __v77 - __sin_cos[1][0] * __v78;
-        let __v81 = __links[1][2] * __v74 + __links[1][5] * __v75 + __links[1][8] * __v76;
+        let __v81 = __links[1][2] * __v74 + __links[1][5] * __v75
+            + __links[1][8] * __v76;
         let __v82 = __v15 * __v80 + __v9 * __v81;
         let __v83 = __sin_cos[1][0] * __v77 + __sin_cos[1][1] * __v78;
         let __v84 = __sin_cos[1][3] * __v80 - __sin_cos[1][2] * __v81;
         let __v85 = __sin_cos[1][2] * __v80 + __sin_cos[1][3] * __v81;
-        let __v86 = __links[2][1] * __v83 + __links[2][4] * __v84 + __links[2][7] * __v85;
-        let __v87 = __links[2][0] * __v83 + __links[2][3] * __v84 + __links[2][6] * __v85;
+        let __v86 = __links[2][1] * __v83 + __links[2][4] * __v84
+            + __links[2][7] * __v85;
+        let __v87 = __links[2][0] * __v83 + __links[2][3] * __v84
+            + __links[2][6] * __v85;
         let __v88 = __v1 * __v86 + __v3 * __v87;
-        let __v89 = __v0 * (__links[2][2] * __v83 + __links[2][5] * __v84 + __links[2][8] * __v85);
+        let __v89 = __v0
+            * (__links[2][2] * __v83 + __links[2][5] * __v84 + __links[2][8] * __v85);
         let __v90 = __v5 * (__sin_cos[2][1] * __v86 - __sin_cos[2][0] * __v87) + __v89;
-        [-__v34, -__v36, __v45, __v49, __v55, __v58, -__v64, -__v66, __v70, __v73, __v79, __v82, -__v88, -__v90]
+        [
+            -__v34,
+            -__v36,
+            __v45,
+            __v49,
+            __v55,
+            __v58,
+            -__v64,
+            -__v66,
+            __v70,
+            __v73,
+            __v79,
+            __v82,
+            -__v88,
+            -__v90,
+        ]
     }
 };
