@@ -215,6 +215,9 @@ pub trait AimRig: Sized {
 
     /// Each joint's index and correction, from the effector inward: what the bone's animated local rotation is
     /// multiplied by on the right. Unit to 1e-6; the exact identity at rest.
+    ///
+    /// A local *rotation* may be multiplied by it where the bone's own scale mirrors no axis, or all three. With scale −1
+    /// along one axis the turn is behind the mirror: about the axis mirrored, the other way round.
     #[inline]
     fn corrections(&self) -> Corrections<Self::Array<Quat>> {
         let mut turns = self.array(Quat::IDENTITY);

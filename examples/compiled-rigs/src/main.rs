@@ -1,5 +1,7 @@
 //! Two rigs of one character look at points in turn. Nothing here knows the axes of a bone.
 
+// As it was written, which is how it is checked.
+#[rustfmt::skip]
 mod checked_in;
 
 /// The rigs as `build.rs` compiled them.
