@@ -248,6 +248,7 @@ impl PartialEq for Joint {
 }
 
 impl Default for Joint {
+    #[inline]
     fn default() -> Self {
         Self {
             heading: 0.0,

@@ -1,7 +1,7 @@
 //! A model's file: whatever is accepted can be measured, sampled, and written so that it is accepted again.
 #![no_main]
 
-use aim_gltf::{Document, Measurement};
+use aim_gltf::{Document, LookAt, Measurement};
 use libfuzzer_sys::{Corpus, fuzz_target};
 
 fuzz_target!(|input: &[u8]| -> Corpus {
@@ -18,6 +18,17 @@ fuzz_target!(|input: &[u8]| -> Corpus {
     }
     for bone in &measured.bones {
         assert!((0.0..=180.0).contains(&bone.deviation_deg), "{bone:?}");
+    }
+    if let Some(look_at) = LookAt::of(&document) {
+        for degrees in [-200.0, -10.0, 0.0, 1e-300, 200.0] {
+            let eyes = look_at.bones(degrees, -degrees);
+            assert!(eyes.iter().all(|eye| eye.heading_deg.is_finite() && eye.pitch_deg.is_finite()), "{look_at:?}");
+            let weights = look_at.expressions(degrees, -degrees);
+            assert!(
+                [weights.left, weights.right, weights.up, weights.down].iter().all(|w| w.is_finite()),
+                "{look_at:?}"
+            );
+        }
     }
     for clip in document.clips() {
         let pose = document.skeleton().pose(clip, 0.3 * clip.seconds());
