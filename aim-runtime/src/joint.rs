@@ -247,29 +247,34 @@ impl PartialEq for Joint {
     }
 }
 
+impl Joint {
+    /// Both angles 0 and nothing remembered, as by default: for rigs that are constants.
+    pub const REST: Self = Self {
+        heading: 0.0,
+        pitch: 0.0,
+        side: Side::None,
+        behind: false,
+        bound_for: None,
+        velocity: [0.0; 2],
+        tilt: Quat::IDENTITY,
+        pair: None,
+        halves: [0.0, 1.0, 0.0, 1.0],
+        // Of no angles: nothing is kept.
+        halved: [f32::NAN; 2],
+        turned: Quat::IDENTITY,
+        memory: Memory::NONE,
+    };
+}
+
 impl Default for Joint {
     #[inline]
     fn default() -> Self {
-        Self {
-            heading: 0.0,
-            pitch: 0.0,
-            side: Side::None,
-            behind: false,
-            bound_for: None,
-            velocity: [0.0; 2],
-            tilt: Quat::IDENTITY,
-            pair: None,
-            halves: [0.0, 1.0, 0.0, 1.0],
-            // Of no angles: nothing is kept.
-            halved: [f32::NAN; 2],
-            turned: Quat::IDENTITY,
-            memory: Memory::default(),
-        }
+        Self::REST
     }
 }
 
 /// What the solvers remember from frame to frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Memory {
     /// The dual point that the last frame ended at.
     pub(crate) lambda: [f32; 2],
@@ -289,6 +294,20 @@ pub(crate) struct Memory {
     pub(crate) turn: u16,
     /// What the joints are about that support a natural gaze.
     pub(crate) support: Support,
+}
+
+impl Memory {
+    pub(crate) const NONE: Self = Self {
+        lambda: [0.0; 2],
+        strain: 0.0,
+        target: [0.0; 3],
+        still_s: 0.0,
+        caution: 0,
+        blocked_s: 0.0,
+        searched: [0.0; 3],
+        turn: 0,
+        support: Support::Rests,
+    };
 }
 
 /// What the joints are about that support a natural gaze.

@@ -272,7 +272,7 @@ impl<'a, R: AimRig> Gaze<'a, R> {
         found.copy_from_slice(joints);
         at_rest(found);
         found.iter_mut().for_each(|joint| joint.bound_for = None);
-        let mut memory = Memory::default();
+        let mut memory = Memory::NONE;
         let goals = self.goals(found, None, &mut memory)?;
         if !goals.reach {
             return Some(false);

@@ -18,23 +18,26 @@ pub struct Thug {
     spine3: Joint,
 }
 
+/// No kernel reads the joints' state, and none of the others makes any.
+static THUG: Thug = Thug { left_eye: Joint::REST, neck: Joint::REST, spine3: Joint::REST };
+
 /// One joint, sines and cosines given.
 #[inline(always)]
 pub fn joint_given<S: Float>(pose: &JointPose<S>) -> [S; 3] {
-    Thug::default().aim_gradient(0, &pose.link, &pose.target, &pose.sin_cos)
+    THUG.aim_gradient(0, &pose.link, &pose.target, &pose.sin_cos)
 }
 
 /// One joint, from its angles.
 #[inline(always)]
 pub fn joint<S: Float>(pose: &JointPose<S>) -> [S; 3] {
-    Thug::default().aim_gradient(0, &pose.link, &pose.target, &sin_cos(pose.angles))
+    THUG.aim_gradient(0, &pose.link, &pose.target, &sin_cos(pose.angles))
 }
 
 /// The chain's aim and six derivatives, sines and cosines given.
 #[inline(always)]
 pub fn gradient_given<S: Float>(pose: &ChainPose<S>) -> [S; 7] {
     let mut out = [S::ZERO; 7];
-    Thug::default().chain_value_gradient(&pose.links, &pose.target, &pose.sin_cos, &mut out);
+    THUG.chain_value_gradient(&pose.links, &pose.target, &pose.sin_cos, &mut out);
     out
 }
 
@@ -42,7 +45,7 @@ pub fn gradient_given<S: Float>(pose: &ChainPose<S>) -> [S; 7] {
 #[inline(always)]
 pub fn gradient<S: Float>(pose: &ChainPose<S>) -> [S; 7] {
     let mut out = [S::ZERO; 7];
-    Thug::default().chain_value_gradient(&pose.links, &pose.target, &pose.angles.map(sin_cos), &mut out);
+    THUG.chain_value_gradient(&pose.links, &pose.target, &pose.angles.map(sin_cos), &mut out);
     out
 }
 
@@ -50,7 +53,7 @@ pub fn gradient<S: Float>(pose: &ChainPose<S>) -> [S; 7] {
 #[inline(always)]
 pub fn jacobian_given<S: Float>(pose: &ChainPose<S>) -> [S; 14] {
     let mut out = [S::ZERO; 14];
-    Thug::default().chain_residual_jacobian(&pose.links, &pose.target, &pose.sin_cos, &mut out);
+    THUG.chain_residual_jacobian(&pose.links, &pose.target, &pose.sin_cos, &mut out);
     out
 }
 
@@ -58,6 +61,6 @@ pub fn jacobian_given<S: Float>(pose: &ChainPose<S>) -> [S; 14] {
 #[inline(always)]
 pub fn jacobian<S: Float>(pose: &ChainPose<S>) -> [S; 14] {
     let mut out = [S::ZERO; 14];
-    Thug::default().chain_residual_jacobian(&pose.links, &pose.target, &pose.angles.map(sin_cos), &mut out);
+    THUG.chain_residual_jacobian(&pose.links, &pose.target, &pose.angles.map(sin_cos), &mut out);
     out
 }
