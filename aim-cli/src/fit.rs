@@ -5,7 +5,7 @@ use aim_gltf::{BoneAxes, ChainNodes, Document, Handedness, Measurement, Role, Si
 use glam::DVec3;
 
 /// A declared direction this near to the measured one is right, degrees.
-const NEAR_DEG: f64 = 15.0;
+pub(crate) const NEAR_DEG: f64 = 15.0;
 /// So is one that is hardly further off than the nearest signed axis is.
 const HARDLY_DEG: f64 = 5.0;
 /// An effector further from its joint than this share of the character's height is in other units.

@@ -38,19 +38,28 @@ impl Outputs {
         Ok(())
     }
 
-    /// The model that is written, which may take the place of the one that was read.
+    /// The model that is written to `--out`, which may take the place of the one that was read, and what `--report` and
+    /// `--html` tell of it.
     ///
     /// # Errors
-    /// It is one of the others, or called as a text file would be.
-    pub(crate) fn writes_model(&mut self, path: &Path, model: &Path) -> Result {
-        if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gltf")) {
-            return Err(Failure::in_file(path, "would be a binary file; give --out a name that ends in .glb"));
+    /// One of them is one of the others, or the model called as a text file would be.
+    pub(crate) fn writes_model(
+        &mut self,
+        out: &Path,
+        model: &Path,
+        report: Option<&Path>,
+        html: Option<&Path>,
+    ) -> Result {
+        if out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gltf")) {
+            return Err(Failure::in_file(out, "would be a binary file; give --out a name that ends in .glb"));
         }
-        let replaced = place(model);
-        if place(path) != replaced {
+        if place(out) != place(model) {
             self.reads(model, "the model itself");
         }
-        self.writes(path, "--out")
+        for (path, option) in [(Some(out), "--out"), (report, "--report"), (html, "--html")] {
+            path.map_or(Ok(()), |path| self.writes(path, option))?;
+        }
+        Ok(())
     }
 }
 

@@ -140,11 +140,7 @@ fn check_outputs(arguments: &args::Bake, document: &Document) -> Result {
     if let TargetSpec::File(path) = &arguments.target {
         outputs.reads(path, "the target's path");
     }
-    outputs.writes_model(&arguments.out, &arguments.file)?;
-    for (path, option) in [(&arguments.report, "--report"), (&arguments.html, "--html")] {
-        path.as_ref().map_or(Ok(()), |path| outputs.writes(path, option))?;
-    }
-    Ok(())
+    outputs.writes_model(&arguments.out, &arguments.file, arguments.report.as_deref(), arguments.html.as_deref())
 }
 
 /// Says what a bake goes through with although it may not be what was meant.
@@ -160,11 +156,10 @@ fn warn(arguments: &args::Bake, spec: &RigSpec, document: &Document, measurement
     }
     if let TargetSpec::Node(name) = &arguments.target {
         let skeleton = document.skeleton();
-        let turned = |node: usize| spec.joints.iter().any(|joint| joint.bones.contains(&skeleton.nodes()[node].name));
-        let node = skeleton.find(name).ok();
-        let mut above = std::iter::successors(node, |&node| skeleton.nodes()[node].parent);
-        if let Some(joint) = above.find(|&node| turned(node)) {
-            let bone = &skeleton.nodes()[joint].name;
+        let name_of = |node: usize| &skeleton.nodes()[node].name;
+        let is_turned = |bone: &&String| spec.joints.iter().any(|joint| joint.bones.contains(*bone));
+        let turned = skeleton.find(name).ok().and_then(|node| skeleton.ancestry(node).map(name_of).find(is_turned));
+        if let Some(bone) = turned {
             eprintln!(
                 "warning: the target {name} moves with {bone}, which aiming turns: aimed is at where the animation alone has it"
             );

@@ -7,7 +7,7 @@ use aim_gltf::Measurement;
 use crate::evidence;
 use crate::failure::{Failure, Result};
 use crate::files;
-use crate::fit::Fit;
+use crate::fit::{Fit, NEAR_DEG};
 
 pub(super) fn run(file: &Path, rig: &Path) -> Result {
     let spec = files::load_rig(rig)?;
@@ -29,7 +29,7 @@ pub(super) fn run(file: &Path, rig: &Path) -> Result {
     for joint in &fit.joints {
         let off = (0..3).map(|at| joint.off_deg(at)).fold(0.0, f64::max);
         out += &format!("{}: {} is as declared, {off:.1}° off at most", joint.joint, joint.bone.name);
-        out += if off > 15.0 { "; its exact frame (aim rig) would aim better\n" } else { "\n" };
+        out += if off > NEAR_DEG { "; its exact frame (aim rig) would aim better\n" } else { "\n" };
     }
     files::print(&out)
 }

@@ -172,11 +172,7 @@ impl Report {
 fn check_outputs(arguments: &args::Reach, document: &Document) -> Result {
     let mut outputs = Outputs::default();
     outputs.reads_parts_of(document);
-    outputs.writes_model(&arguments.out, &arguments.file)?;
-    for (path, option) in [(&arguments.report, "--report"), (&arguments.html, "--html")] {
-        path.as_ref().map_or(Ok(()), |path| outputs.writes(path, option))?;
-    }
-    Ok(())
+    outputs.writes_model(&arguments.out, &arguments.file, arguments.report.as_deref(), arguments.html.as_deref())
 }
 
 pub(super) fn run(arguments: &args::Reach) -> Result {
