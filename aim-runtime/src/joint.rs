@@ -311,10 +311,9 @@ impl Memory {
 }
 
 /// What the joints are about that support a natural gaze.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Support {
     /// They rest where they were bound for: the eye does what there is to do.
-    #[default]
     Rests,
     /// They set out in so many seconds.
     Waits(f32),
