@@ -36,7 +36,13 @@ impl App {
         let positions: Vec<Vec3> = self.surface.positions(skeleton, &world).iter().map(|p| p.as_vec3()).collect();
         let normals = vec![Vec3::Y; positions.len()];
         Picture {
-            view: View { from: Vec3::new(0.8, 1.6, 2.6), at: Vec3::new(0.0, 1.0, 0.0), up: Vec3::Y, field_rad: 0.7, depth: [0.05, 50.0] },
+            view: View {
+                from: Vec3::new(0.8, 1.6, 2.6),
+                at: Vec3::new(0.0, 1.0, 0.0),
+                up: Vec3::Y,
+                field_rad: 0.7,
+                depth: [0.05, 50.0],
+            },
             surface: self.surface.clone(),
             figures: vec![Figure { positions, normals, tint: [255; 4] }],
             rods: Vec::new(),
