@@ -38,3 +38,7 @@ pub use error::Error;
 pub use fit::{Fit, JointFit, NAMES, NEAR_DEG};
 pub use interpreted::InterpretedRig;
 pub use proposal::{Proposal, propose};
+
+/// The rig of the mannequin that [`aim_gltf::mannequin`] makes with [`aim_gltf::PAPER_AXES`]: the file that
+/// `aim::rigs::Mannequin` is compiled from, as text.
+pub const MANNEQUIN_RIG: &str = include_str!("../../rigs/mannequin.toml");
