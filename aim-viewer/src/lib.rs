@@ -17,6 +17,10 @@ mod stage;
 mod target;
 mod viewer;
 
+pub use gizmos::Shown;
+pub use stage::Lineup;
+pub use target::Path;
+
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 #[cfg(not(target_arch = "wasm32"))]

@@ -30,6 +30,11 @@ impl Viewer {
         Self { stage, camera, shown: Shown::default(), trouble: None, held: None }
     }
 
+    /// The camera where all is in sight.
+    pub(crate) fn step_back(&mut self) {
+        self.camera = camera(&self.stage);
+    }
+
     /// One frame: input, `seconds` of time, and what is around the scene. `paint` is told what to draw where.
     pub(crate) fn ui(
         &mut self,
@@ -83,7 +88,7 @@ impl Viewer {
         match character {
             Ok(character) => {
                 self.stage = Stage::new(character);
-                self.camera = camera(&self.stage);
+                self.step_back();
                 self.trouble = None;
             }
             Err(trouble) => self.trouble = Some(trouble),
@@ -119,14 +124,15 @@ fn text(name: &str, path: Option<&std::path::Path>, bytes: Option<&[u8]>) -> Res
     String::from_utf8(bytes).map_err(|_| format!("{name}: is no text; drop a rig's TOML file"))
 }
 
-/// In front and a little to the left, the upper body and the target in sight.
+/// In front and a little to the right, so that a gaze to the left is seen from the side: the upper bodies of all actors and
+/// the target in sight, a crowd from further away.
 fn camera(stage: &Stage) -> Camera {
     let room = stage.room();
-    Camera {
-        focus: room.point(0.15, -0.25, 0.3),
-        yaw: 0.45,
-        pitch: 0.12,
-        distance: 3.4 * room.metre,
-        directions: room.directions,
-    }
+    let (wide, many) = (stage.actors.len() > 1, !stage.crowd.is_empty());
+    let (focus, distance, pitch) = match (many, wide) {
+        (true, _) => (room.point(0.0, -0.5, -2.0), 11.0, 0.3),
+        (_, true) => (room.point(0.2, -0.3, 0.3), 4.6, 0.12),
+        _ => (room.point(0.25, -0.22, 0.3), 2.9, 0.1),
+    };
+    Camera { focus, yaw: -0.45, pitch, distance: distance * room.metre, directions: room.directions }
 }

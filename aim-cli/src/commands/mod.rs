@@ -9,6 +9,7 @@ mod generate;
 mod inspect;
 mod reach;
 mod rig;
+mod view;
 
 use crate::args::Command;
 use crate::failure::Result;
@@ -27,5 +28,6 @@ pub(crate) fn run(command: Command) -> Result {
         },
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Reach(arguments) => reach::run(&arguments),
+        Command::View(arguments) => view::run(arguments),
     }
 }
