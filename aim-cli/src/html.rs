@@ -15,7 +15,7 @@ mod takes;
 #[cfg(test)]
 mod tests;
 mod trajectory;
-mod words;
+pub(crate) mod words;
 
 use aim_codegen::RigSpec;
 use aim_gltf::{Baked, Document, Measurement};

@@ -12,9 +12,11 @@ mod fit;
 mod html;
 mod interpreted;
 mod outputs;
+mod plot;
 mod proposal;
 mod report;
 mod target;
+mod ticks;
 
 use std::process::ExitCode;
 

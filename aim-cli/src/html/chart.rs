@@ -4,6 +4,7 @@
 use maud::{Markup, html};
 
 use super::words::{self, n, shown, trimmed};
+use crate::ticks::{multiples, nice};
 
 /// One line.
 pub(super) struct Series<'a> {
@@ -231,33 +232,9 @@ fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     points.chunks(stretch).flat_map(extremes).collect()
 }
 
-/// Round numbers between two, about `wanted` of them.
-fn nice(low: f64, high: f64, wanted: f64) -> Vec<f64> {
-    let rough = (high - low) / wanted;
-    if !(rough > 0.0 && rough.is_finite()) {
-        return Vec::new();
-    }
-    let power = 10_f64.powf(rough.log10().floor());
-    let step = [1.0, 2.0, 5.0].into_iter().map(|step| step * power).find(|step| *step >= rough * 0.999);
-    multiples(low, high, step.unwrap_or(10.0 * power))
-}
-
-fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
-    let first = (low / step - 1e-9).ceil();
-    let all = std::iter::successors(Some(first), |k| Some(k + 1.0)).map(|k| k * step);
-    all.take_while(|tick| *tick <= high + 1e-9 * step).take(64).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn ticks_are_round() {
-        assert_eq!(multiples(-180.0, 180.0, 90.0), [-180.0, -90.0, 0.0, 90.0, 180.0]);
-        assert_eq!(nice(0.0, 10.0, 12.0).len(), 11);
-        assert!(nice(0.0, 0.0, 5.0).is_empty() && nice(0.0, f64::NAN, 5.0).is_empty());
-    }
 
     #[test]
     fn long_series_keep_their_extremes() {

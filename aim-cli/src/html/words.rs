@@ -27,25 +27,25 @@ pub(super) fn n(value: f64) -> String {
 }
 
 /// With that many decimals, less the zeros at the end.
-pub(super) fn trimmed(value: f64, decimals: usize) -> String {
+pub(crate) fn trimmed(value: f64, decimals: usize) -> String {
     let text = fixed(value, decimals);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
 /// With exactly that many decimals; zero has no sign.
-pub(super) fn fixed(value: f64, decimals: usize) -> String {
+pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     let is_zero = text.starts_with('-') && text.chars().all(|c| matches!(c, '-' | '0' | '.'));
     if is_zero { text[1..].to_owned() } else { text }
 }
 
 /// For reading: [`trimmed`], with the minus sign of print.
-pub(super) fn shown(value: f64, decimals: usize) -> String {
+pub(crate) fn shown(value: f64, decimals: usize) -> String {
     trimmed(value, decimals).replace('-', "−")
 }
 
 /// An angle: more decimals where it is small.
-pub(super) fn degrees(value: f64) -> String {
+pub(crate) fn degrees(value: f64) -> String {
     let decimals = match value.abs() {
         x if x < 1.0 => 3,
         x if x < 10.0 => 2,
@@ -69,12 +69,12 @@ pub(super) fn tiny(value: f64, unit: &str) -> String {
 }
 
 /// `1 frame`, `2 frames`.
-pub(super) fn counted(count: usize, noun: &str) -> String {
+pub(crate) fn counted(count: usize, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }
 
 /// Names in a row: `a`, `a and b`, `a, b and c`.
-pub(super) fn listed(names: &[&str]) -> String {
+pub(crate) fn listed(names: &[&str]) -> String {
     match names {
         [] => String::new(),
         [only] => (*only).to_owned(),
