@@ -25,7 +25,7 @@ use crate::report::Report;
 
 pub(crate) use inspection::{Inspected, page as inspection_page};
 pub(crate) use takes::Takes;
-pub(crate) use trajectory::{Course, page as trajectory_page};
+pub(crate) use trajectory::{Course, Frame, page as trajectory_page};
 
 const STYLE: &str = include_str!("html/style.css");
 

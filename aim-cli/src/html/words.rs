@@ -55,17 +55,27 @@ pub(crate) fn degrees(value: f64) -> String {
 }
 
 /// Something that ought to be nothing: its size to two digits, such as `4.9 × 10⁻⁵°/s`.
-pub(super) fn tiny(value: f64, unit: &str) -> String {
+pub(crate) fn tiny(value: f64, unit: &str) -> String {
     if value >= 1e-3 || value <= 0.0 {
         return format!("{}{unit}", trimmed(value, 3));
     }
     let text = format!("{value:.1e}");
     let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+    let gap = if unit.is_empty() { "" } else { "\u{202f}" };
+    format!("{digits} × 10{}{gap}{unit}", raised(power))
+}
+
+fn raised(power: &str) -> String {
     let raised = |c: char| match c.to_digit(10) {
         Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
         None => '⁻',
     };
-    format!("{digits} × 10{}\u{202f}{unit}", power.chars().map(raised).collect::<String>())
+    power.chars().map(raised).collect()
+}
+
+/// A power of ten on an axis: small ones as such, `10⁻⁵`.
+pub(super) fn power_of_ten(value: f64) -> String {
+    if value >= 0.99e-3 { shown(value, 3) } else { format!("10{}", raised(&fixed(value.log10(), 0))) }
 }
 
 /// `1 frame`, `2 frames`.
@@ -91,6 +101,7 @@ mod tests {
         assert_eq!([n(-0.04), n(12.0), n(-3.25), n(0.06)], ["0", "12", "-3.2", "0.1"]);
         assert_eq!([degrees(0.06392), degrees(3.2149), degrees(179.96)], ["0.064°", "3.21°", "180.0°"]);
         assert_eq!([shown(-2.50, 2), shown(-0.001, 2)], ["−2.5", "0"]);
+        assert_eq!([power_of_ten(100.0), power_of_ten(1e-3), power_of_ten(1e-8)], ["100", "0.001", "10⁻⁸"]);
         assert_eq!([tiny(0.0, "°"), tiny(4.9e-5, "°/s"), tiny(2.5, "°")], ["0°", "4.9 × 10⁻⁵\u{202f}°/s", "2.5°"]);
     }
 
