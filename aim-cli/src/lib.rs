@@ -1,19 +1,12 @@
 //! The `aim` command as a library: [`run`] parses arguments, runs one command, and says how it ended.
-//!
-//! [`InterpretedRig`] is the rig that is known only at run time.
 
 mod args;
 mod commands;
-mod declaration;
-mod evidence;
 mod failure;
 mod files;
-mod fit;
 mod html;
-mod interpreted;
 mod outputs;
 mod plot;
-mod proposal;
 mod report;
 mod target;
 mod ticks;
@@ -21,8 +14,6 @@ mod ticks;
 use std::process::ExitCode;
 
 use clap::Parser;
-
-pub use interpreted::InterpretedRig;
 
 /// Runs the command that the process was started with.
 pub fn run() -> ExitCode {

@@ -3,7 +3,7 @@
 
 mod common;
 
-use aim_cli::InterpretedRig;
+use aim_character::InterpretedRig;
 use aim_runtime::{AimRig, Ascent, Pose, Settings, Solver};
 use common::plot::{Picture, Plot, classed, lines, number, text, worst_of_fit};
 use common::rig::{Joint, conventions, joints};

@@ -1,18 +1,19 @@
 //! `aim rig`: the declaration proposed for a file.
 
+use aim_character::declaration::{self, Origin};
+use aim_character::{evidence, propose};
 use aim_gltf::Measurement;
 
 use crate::args::{self, Notation};
-use crate::declaration::{self, Origin};
 use crate::failure::{Failure, Result};
-use crate::{evidence, files, proposal};
+use crate::files;
 
 pub(super) fn run(arguments: &args::Rig) -> Result {
     let file = &arguments.file;
     let document = files::load_model(file)?;
     let measurement = Measurement::of(&document);
     let named = (!arguments.chain.is_empty()).then_some(&arguments.chain[..]);
-    let mut proposal = proposal::propose(file, &document, &measurement, named)?;
+    let mut proposal = propose(&document, &measurement, named).map_err(|error| Failure::in_file(file, error))?;
     let stem = file.file_stem().unwrap_or_default().to_string_lossy();
     proposal.spec.name = declaration::type_name(&stem);
     let name = file.file_name().unwrap_or_default().to_string_lossy();

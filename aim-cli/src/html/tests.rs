@@ -7,8 +7,8 @@ use glam::DVec3;
 use scraper::{Html, Selector};
 
 use super::{Subject, page};
-use crate::interpreted::InterpretedRig;
 use crate::report::{JointReport, Report};
+use aim_character::InterpretedRig;
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");
 

@@ -120,7 +120,10 @@ fn summary(course: &Course<'_>) -> Markup {
         ("On target", format!("{on_target} of {}", counted(course.goals.len(), "target"))),
         ("Furthest off a target", tiny(course.errors.iter().copied().fold(0.0, f64::max), "")),
         ("Furthest off its way", tiny(off, "")),
-        ("Moved at most", format!("{}, {} of the limb's length", shown(moved, 4), shown(moved / length.max(f64::MIN_POSITIVE), 2))),
+        (
+            "Moved at most",
+            format!("{}, {} of the limb's length", shown(moved, 4), shown(moved / length.max(f64::MIN_POSITIVE), 2)),
+        ),
     ];
     for (word, name) in [("stretched", "Stretched"), ("folded", "Folded"), ("degenerate", "Without a length")] {
         if count(word) > 0 {

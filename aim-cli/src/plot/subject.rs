@@ -1,11 +1,11 @@
 //! What is drawn: a joint's aim function for one target, and how the solvers come to that target from rest.
 
+use aim_character::InterpretedRig;
 use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, RigSpec};
 use aim_runtime::{AimRig, Ascent, Axes, Joint, Pose, Settings, Solver, Status};
 use glam::{Affine3A, DVec3, Vec3};
 
 use crate::html::words::{listed, shown};
-use crate::interpreted::InterpretedRig;
 
 /// Frames a second.
 pub(super) const FPS: f32 = 60.0;

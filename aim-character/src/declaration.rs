@@ -4,8 +4,14 @@ use std::fmt::Write;
 
 use aim_codegen::{AngleRange, Frame, JointSpec, RigSpec};
 
-use crate::args::Notation;
 use crate::proposal::Proposal;
+
+/// What a declaration is written in.
+#[derive(Clone, Copy)]
+enum Notation {
+    Toml,
+    Rust,
+}
 
 /// A direction as text, in one of the two notations.
 fn direction([x, y, z]: [f64; 3], quoted: bool) -> String {
@@ -45,15 +51,16 @@ fn quoted(text: &str, notation: Notation) -> String {
 }
 
 /// The first line's words on where all this comes from.
-pub(crate) struct Origin<'a> {
+#[derive(Clone, Copy, Debug)]
+pub struct Origin<'a> {
     /// The model's file name.
-    pub(crate) file: &'a str,
+    pub file: &'a str,
     /// Where it faces and what told it.
-    pub(crate) facing: &'a str,
+    pub facing: &'a str,
 }
 
 /// A rig file.
-pub(crate) fn toml(proposal: &Proposal, origin: &Origin<'_>) -> String {
+pub fn toml(proposal: &Proposal, origin: &Origin<'_>) -> String {
     let RigSpec { name, joints, .. } = &proposal.spec;
     let shared = shared_axes(joints);
     let mut out = format!("# Measured from {}. {}\n", one_line(origin.file), one_line(origin.facing));
@@ -92,7 +99,7 @@ pub(crate) fn toml(proposal: &Proposal, origin: &Origin<'_>) -> String {
 }
 
 /// A struct to paste.
-pub(crate) fn rust(proposal: &Proposal, origin: &Origin<'_>) -> String {
+pub fn rust(proposal: &Proposal, origin: &Origin<'_>) -> String {
     let RigSpec { name, joints, .. } = &proposal.spec;
     let shared = shared_axes(joints);
     let mut out = format!(
@@ -138,7 +145,7 @@ fn one_line(text: &str) -> String {
 }
 
 /// A Rust type's name from a file's: `female_adult-01` → `FemaleAdult01`; `Rig` where nothing is left of it.
-pub(crate) fn type_name(stem: &str) -> String {
+pub fn type_name(stem: &str) -> String {
     let words = stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
     let capital = |word: &str| word[..1].to_ascii_uppercase() + &word[1..];
     let name: String = words.map(capital).collect();
