@@ -21,3 +21,8 @@ mod viewer;
 mod native;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{Options, Shot, run};
+
+#[cfg(target_arch = "wasm32")]
+mod web;
+#[cfg(target_arch = "wasm32")]
+pub use web::start;

@@ -68,6 +68,16 @@ impl Viewer {
         format!("{}: {}", self.stage.character.name, each.join("; "))
     }
 
+    /// The same as JSON, for programs.
+    pub(crate) fn state(&self) -> String {
+        let number = |x: f64| if x.is_finite() { format!("{x:.4}") } else { "null".into() };
+        let errors = self.stage.actors.iter().filter_map(|actor| actor.frame.as_ref());
+        let errors: Vec<String> = errors.map(|frame| number(frame.error_deg)).collect();
+        let status = self.stage.first().map_or_else(String::new, |frame| format!("{:?}", frame.outcome.status));
+        let target = self.stage.target_now().to_array().map(|c| number(c.into()));
+        format!(r#"{{"status":"{status}","error_deg":[{}],"target":[{}]}}"#, errors.join(","), target.join(","))
+    }
+
     /// Another character, seen from where its face is; what is shown stays.
     pub(crate) fn open(&mut self, character: Result<Character, String>) {
         match character {
