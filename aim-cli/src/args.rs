@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::plot::Size;
 use crate::target::{Point, TargetSpec};
 
 /// Turns a character's eyes, neck and spine to a target, with derivatives derived for exactly your rig.
@@ -41,6 +42,13 @@ pub(crate) enum Command {
         after_help = "Example:\n  aim check rigs/thug.toml --samples 10000\n  aim check dude.glb --rig rigs/thug.toml"
     )]
     Check(Check),
+    /// Draw a joint's aim function over heading and pitch, with the solvers' ways over it.
+    #[command(
+        after_help = "Example:\n  aim plot rigs/thug.toml -o aim.svg\n\nThe other joints are at rest. Contours are degrees off \
+                            the target, whose cosine is the aim; the box is the range of\nmotion. A joint with one angle \
+                            has a curve."
+    )]
+    Plot(Plot),
     /// Aim a model over a clip and write an ordinary glTF animation.
     #[command(
         after_help = "Example:\n  aim bake dude.glb --rig rigs/thug.toml --target orbit:2,0,8 --seconds 8 --out aimed.glb \
@@ -169,6 +177,27 @@ pub(crate) struct Check {
     /// Turn the N-th addition of every program into a subtraction (or back) first, to see the check fail.
     #[arg(long, value_name = "N")]
     pub(crate) flip_sign: Option<usize>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Plot {
+    /// The rig's declaration.
+    pub(crate) rig: PathBuf,
+    /// The joint that turns; the first, which carries the effector, if not given.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) joint: Option<String>,
+    /// What to look at, in the joint's space, along its bone's axes; what needs every angle if not given.
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    pub(crate) target: Option<Point>,
+    /// Draw a surface in space instead of contours.
+    #[arg(long)]
+    pub(crate) surface: bool,
+    /// Width and height in pixels.
+    #[arg(long, value_name = "WxH", default_value = "1000x720")]
+    pub(crate) size: Size,
+    /// Where to write it: SVG or PNG, by the name's ending.
+    #[arg(short, long, value_name = "OUT.svg|OUT.png")]
+    pub(crate) output: PathBuf,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
