@@ -131,8 +131,8 @@ fn camera(stage: &Stage) -> Camera {
     let (wide, many) = (stage.actors.len() > 1, !stage.crowd.is_empty());
     let (focus, distance, pitch) = match (many, wide) {
         (true, _) => (room.point(0.0, -0.5, -2.0), 11.0, 0.3),
-        (_, true) => (room.point(0.2, -0.3, 0.3), 4.6, 0.12),
+        (_, true) => (room.point(0.2, -0.35, 0.3), 4.4, 0.12),
         _ => (room.point(0.25, -0.22, 0.3), 2.9, 0.1),
     };
-    Camera { focus, yaw: -0.45, pitch, distance: distance * room.metre, directions: room.directions }
+    Camera { focus, yaw: if wide { -0.15 } else { -0.45 }, pitch, distance: distance * room.metre, directions: room.directions }
 }
