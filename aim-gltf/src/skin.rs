@@ -178,12 +178,11 @@ impl<'a> Palette<'a> {
 impl SkinnedPoint {
     /// The mean of its joints' matrices by their weights; none without weights.
     fn blended(&self, joints: &[Affine3A]) -> Option<Affine3A> {
-        let [first, rest @ ..] = &self.joints;
-        let total: f32 = first.1 + rest.iter().map(|(_, w)| w).sum::<f32>();
+        let total: f32 = self.joints.iter().map(|(_, weight)| weight).sum();
         let whole = |joint: u16| joints[usize::from(joint)];
-        match first.1 {
+        match self.joints {
             _ if total <= 0.0 => None,
-            only if only == total => Some(whole(first.0)),
+            [(only, _), (_, 0.0), (_, 0.0), (_, 0.0)] => Some(whole(only)),
             _ => {
                 let (mut matrix3, mut translation) = (Mat3A::ZERO, Vec3A::ZERO);
                 for (joint, weight) in self.joints.iter().filter(|(_, weight)| *weight != 0.0) {
@@ -204,7 +203,10 @@ fn turn(matrix: &Mat3A, normal: Vec3) -> Vec3 {
     let cofactors = [y.cross(z), z.cross(x), x.cross(y)];
     let turned = cofactors[0] * normal.x + cofactors[1] * normal.y + cofactors[2] * normal.z;
     let side = if x.dot(cofactors[0]) < 0.0 { -1.0 } else { 1.0 };
-    (turned * side).try_normalize().map_or(Vec3::Y, Vec3::from)
+    let turned = turned * side;
+    // What is as small as this has lost its direction.
+    let is_there = (1e-30..f32::MAX).contains(&turned.length_squared());
+    if is_there { turned.normalize().into() } else { Vec3::Y }
 }
 
 #[cfg(test)]

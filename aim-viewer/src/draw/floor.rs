@@ -2,13 +2,14 @@
 
 use glam::{Vec2, Vec3};
 use three_d::{
-    Blend, BlendEquationType, BlendMultiplierType, ClearState, Context, CoreError, DepthTest, Interpolation, Mipmap,
-    Program, RenderStates, Texture2D, VertexBuffer, Viewport, Wrapping, WriteMask,
+    Blend, BlendEquationType, BlendMultiplierType, ClearState, Context, CoreError, Interpolation, Mipmap, Program,
+    RenderStates, Texture2D, VertexBuffer, Viewport, Wrapping, WriteMask,
 };
 
 use super::figures::Figures;
 use super::light::Light;
 use super::model::Model;
+use super::sheet::{OVER_ALL, square};
 use crate::picture::Ground;
 
 /// Pixels along a side of the shadow.
@@ -20,7 +21,6 @@ pub(super) struct Floor {
     backdrop: Program,
     floor: Program,
     caster: Program,
-    /// Two triangles from −1 to 1.
     square: VertexBuffer<[f32; 2]>,
     /// How near above each place of the floor something is: 1 on it, less the higher.
     shadow: Texture2D,
@@ -30,13 +30,12 @@ pub(super) struct Floor {
 
 impl Floor {
     pub(super) fn new(context: &Context) -> Result<Self, CoreError> {
-        let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
         let program = |vertex: &str, fragment: &str| Program::from_source(context, vertex, fragment);
         Ok(Self {
-            backdrop: program(include_str!("shaders/backdrop.vert"), include_str!("shaders/backdrop.frag"))?,
+            backdrop: program(include_str!("shaders/screen.vert"), include_str!("shaders/backdrop.frag"))?,
             floor: program(include_str!("shaders/floor.vert"), include_str!("shaders/floor.frag"))?,
             caster: program(include_str!("shaders/shadow.vert"), include_str!("shaders/shadow.frag"))?,
-            square: VertexBuffer::new_with_data(context, &square),
+            square: square(context),
             shadow: Texture2D::new_empty::<[u8; 4]>(
                 context,
                 SHADOW,
@@ -72,7 +71,7 @@ impl Floor {
         program.use_uniform("middle", three_d::Vec2::from(middle.to_array()));
         program.use_uniform("extent", half);
         program.use_uniform("up", three_d::Vec3::from(ground.up.to_array()));
-        program.use_uniform("fading", 0.15 * height.max(f32::MIN_POSITIVE));
+        program.use_uniform("fading", 0.25 * height.max(f32::MIN_POSITIVE));
         let once = |equation| Blend::Enabled {
             source_rgb_multiplier: BlendMultiplierType::One,
             source_alpha_multiplier: BlendMultiplierType::One,
@@ -81,25 +80,19 @@ impl Floor {
             rgb_equation: equation,
             alpha_equation: equation,
         };
-        let states = RenderStates {
-            blend: once(BlendEquationType::Max),
-            depth_test: DepthTest::Always,
-            write_mask: WriteMask::COLOR,
-            ..Default::default()
-        };
-        let cast = || -> Result<(), CoreError> {
+        let states = RenderStates { blend: once(BlendEquationType::Max), ..OVER_ALL };
+        let target = self.shadow.as_color_target(None);
+        let cast: Result<_, CoreError> = target.clear(ClearState::color(0.0, 0.0, 0.0, 0.0)).write(|| {
             figures.cast(program, model, states, Viewport::new_at_origo(SHADOW, SHADOW));
             Ok(())
-        };
-        let target = self.shadow.as_color_target(None);
-        let _ = target.clear(ClearState::color(0.0, 0.0, 0.0, 0.0)).write(cast);
+        });
+        debug_assert!(cast.is_ok(), "drawing has no errors of its own");
     }
 
     pub(super) fn draw_backdrop(&self, light: &Light) {
         light.send(&self.backdrop);
         self.backdrop.use_vertex_attribute("corner", &self.square);
-        let states = RenderStates { depth_test: DepthTest::Always, write_mask: WriteMask::COLOR, ..Default::default() };
-        self.backdrop.draw_arrays(states, light.viewport, self.square.vertex_count());
+        self.backdrop.draw_arrays(OVER_ALL, light.viewport, self.square.vertex_count());
     }
 
     /// The floor, from above; from below one looks through it.
