@@ -1,5 +1,7 @@
 //! What is behind and below: the backdrop, the floor with its grid, and the figures' soft shadow on it.
 
+use std::convert::Infallible;
+
 use glam::{Vec2, Vec3};
 use three_d::{
     Blend, BlendEquationType, BlendMultiplierType, ClearState, Context, CoreError, Interpolation, Mipmap, Program,
@@ -16,6 +18,9 @@ use crate::picture::Ground;
 const SHADOW: u32 = 512;
 /// How far beyond the figures it reaches, in parts of their height.
 const MARGIN: f32 = 0.25;
+/// How far it is blurred, and how high above the floor it is a third as strong: in parts of their height.
+const BLUR: f32 = 0.05;
+const FADING: f32 = 0.25;
 
 pub(super) struct Floor {
     backdrop: Program,
@@ -24,8 +29,17 @@ pub(super) struct Floor {
     square: VertexBuffer<[f32; 2]>,
     /// How near above each place of the floor something is: 1 on it, less the higher.
     shadow: Texture2D,
-    /// The middle of the shadow in the floor's own coordinates, and half of its side; nothing casts if not positive.
-    shadowed: (Vec2, f32),
+    shadowed: Shadowed,
+}
+
+/// The part of the floor that the shadow is about, in the floor's own coordinates.
+#[derive(Clone, Copy, Debug, Default)]
+struct Shadowed {
+    middle: Vec2,
+    /// Half of its side; nothing casts a shadow if it is zero.
+    extent: f32,
+    /// How far it is blurred.
+    blur: f32,
 }
 
 impl Floor {
@@ -46,7 +60,7 @@ impl Floor {
                 Wrapping::ClampToEdge,
                 Wrapping::ClampToEdge,
             ),
-            shadowed: (Vec2::ZERO, 0.0),
+            shadowed: Shadowed::default(),
         })
     }
 
@@ -55,7 +69,7 @@ impl Floor {
         let [across, along] = sides(ground.up);
         let flat = |place: Vec3| Vec2::new((place - ground.centre).dot(across), (place - ground.centre).dot(along));
         let Some(bounds) = figures.bounds() else {
-            self.shadowed.1 = 0.0;
+            self.shadowed = Shadowed::default();
             return;
         };
         let corners = corners(bounds);
@@ -64,29 +78,32 @@ impl Floor {
             .map(|corner| flat(*corner))
             .fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
         let height = corners.iter().map(|corner| (*corner - ground.centre).dot(ground.up)).fold(0.0, f32::max);
-        self.shadowed = (0.5 * (low + high), 0.5 * (high - low).max_element() + MARGIN * height);
-        let (middle, half) = self.shadowed;
+        let shadowed = Shadowed {
+            middle: 0.5 * (low + high),
+            extent: 0.5 * (high - low).max_element() + MARGIN * height,
+            blur: BLUR * height,
+        };
+        self.shadowed = shadowed;
         let program = &self.caster;
-        self.send_plane(program, ground, [across, along]);
-        program.use_uniform("middle", three_d::Vec2::from(middle.to_array()));
-        program.use_uniform("extent", half);
+        send_plane(program, ground, [across, along]);
+        program.use_uniform("middle", three_d::Vec2::from(shadowed.middle.to_array()));
+        program.use_uniform("extent", shadowed.extent);
         program.use_uniform("up", three_d::Vec3::from(ground.up.to_array()));
-        program.use_uniform("fading", 0.25 * height.max(f32::MIN_POSITIVE));
-        let once = |equation| Blend::Enabled {
+        program.use_uniform("fading", FADING * height.max(f32::MIN_POSITIVE));
+        let nearest = Blend::Enabled {
             source_rgb_multiplier: BlendMultiplierType::One,
             source_alpha_multiplier: BlendMultiplierType::One,
             destination_rgb_multiplier: BlendMultiplierType::One,
             destination_alpha_multiplier: BlendMultiplierType::One,
-            rgb_equation: equation,
-            alpha_equation: equation,
+            rgb_equation: BlendEquationType::Max,
+            alpha_equation: BlendEquationType::Max,
         };
-        let states = RenderStates { blend: once(BlendEquationType::Max), ..OVER_ALL };
+        let states = RenderStates { blend: nearest, ..OVER_ALL };
         let target = self.shadow.as_color_target(None);
-        let cast: Result<_, CoreError> = target.clear(ClearState::color(0.0, 0.0, 0.0, 0.0)).write(|| {
+        let Ok(_) = target.clear(ClearState::color(0.0, 0.0, 0.0, 0.0)).write::<Infallible>(|| {
             figures.cast(program, model, states, Viewport::new_at_origo(SHADOW, SHADOW));
             Ok(())
         });
-        debug_assert!(cast.is_ok(), "drawing has no errors of its own");
     }
 
     pub(super) fn draw_backdrop(&self, light: &Light) {
@@ -102,22 +119,24 @@ impl Floor {
         }
         let program = &self.floor;
         light.send(program);
-        self.send_plane(program, ground, sides(ground.up));
-        let (middle, half) = self.shadowed;
+        send_plane(program, ground, sides(ground.up));
+        let Shadowed { middle, extent, blur } = self.shadowed;
         program.use_uniform("radius", ground.radius);
         program.use_uniform("gap", ground.step);
         program.use_uniform("middle", three_d::Vec2::from(middle.to_array()));
-        program.use_uniform("extent", half);
+        program.use_uniform("extent", extent);
+        program.use_uniform("blur", blur);
         program.use_texture("shadow", &self.shadow);
         program.use_vertex_attribute("corner", &self.square);
         let states = RenderStates { blend: Blend::TRANSPARENCY, write_mask: WriteMask::COLOR, ..Default::default() };
         program.draw_arrays(states, light.viewport, self.square.vertex_count());
     }
+}
 
-    fn send_plane(&self, program: &Program, ground: &Ground, [across, along]: [Vec3; 2]) {
-        for (name, vector) in [("centre", ground.centre), ("across", across), ("along", along)] {
-            program.use_uniform(name, three_d::Vec3::from(vector.to_array()));
-        }
+/// Gives a program the floor's own coordinates.
+fn send_plane(program: &Program, ground: &Ground, [across, along]: [Vec3; 2]) {
+    for (name, vector) in [("centre", ground.centre), ("across", across), ("along", along)] {
+        program.use_uniform(name, three_d::Vec3::from(vector.to_array()));
     }
 }
 
