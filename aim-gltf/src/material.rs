@@ -59,7 +59,7 @@ pub struct Texture {
 }
 
 /// How a picture continues past its sides.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Wrap {
     /// It starts again.
     Repeat,

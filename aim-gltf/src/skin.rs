@@ -154,57 +154,71 @@ impl<'a> Palette<'a> {
 
     /// The same in single precision with normals, made to be fast: one blended matrix for both.
     pub(crate) fn pose(&self, points: &[SkinnedPoint], normals: &[Vec3], to: (&mut Vec<Vec3>, &mut Vec<Vec3>)) {
-        let skinned: Vec<Vec<Affine3A>> =
-            self.skinned.iter().map(|joints| joints.iter().map(DAffine3::as_affine3a).collect()).collect();
+        let motion = |affine: &DAffine3| Motion::new(affine.as_affine3a());
+        let skinned: Vec<Vec<Motion>> = self.skinned.iter().map(|joints| joints.iter().map(motion).collect()).collect();
         let (placed, turned) = to;
         placed.clear();
         turned.clear();
         placed.reserve(points.len());
         turned.reserve(points.len());
+        let mut move_by = |motion: &Motion, point: &SkinnedPoint, normal: Vec3| {
+            placed.push(motion.place.transform_point3(point.position));
+            turned.push(motion.turn(normal));
+        };
         // Points come node by node: what is the same for a node is looked up once.
+        let mut normals = normals.iter();
         for of_node in points.chunk_by(|a, b| a.node == b.node) {
             let node = of_node[0].node();
-            let rigid = self.world[node].as_affine3a();
+            let rigid = motion(&self.world[node]);
             let joints = self.skeleton.nodes()[node].skin.map_or(&[][..], |skin| &skinned[skin]);
-            for (point, normal) in of_node.iter().zip(&normals[placed.len()..]) {
-                let moved = if joints.is_empty() { rigid } else { point.blended(joints).unwrap_or(rigid) };
-                placed.push(moved.transform_point3(point.position));
-                turned.push(turn(&moved.matrix3, *normal));
-            }
-        }
-    }
-}
-
-impl SkinnedPoint {
-    /// The mean of its joints' matrices by their weights; none without weights.
-    fn blended(&self, joints: &[Affine3A]) -> Option<Affine3A> {
-        let [first, rest @ ..] = &self.joints;
-        let total: f32 = first.1 + rest.iter().map(|(_, w)| w).sum::<f32>();
-        let whole = |joint: u16| joints[usize::from(joint)];
-        match first.1 {
-            _ if total <= 0.0 => None,
-            only if only == total => Some(whole(first.0)),
-            _ => {
-                let (mut matrix3, mut translation) = (Mat3A::ZERO, Vec3A::ZERO);
-                for (joint, weight) in self.joints.iter().filter(|(_, weight)| *weight != 0.0) {
-                    let (share, joint) = (weight / total, whole(*joint));
-                    matrix3 += joint.matrix3 * share;
-                    translation += joint.translation * share;
+            for (point, normal) in of_node.iter().zip(normals.by_ref()) {
+                let total: f32 = point.joints.iter().map(|(_, weight)| weight).sum();
+                match point.joints {
+                    _ if total <= 0.0 || joints.is_empty() => move_by(&rigid, point, *normal),
+                    [(only, _), (_, 0.0), (_, 0.0), (_, 0.0)] => move_by(&joints[usize::from(only)], point, *normal),
+                    several => move_by(&Motion::blended(joints, several, total), point, *normal),
                 }
-                Some(Affine3A { matrix3, translation })
             }
         }
     }
 }
 
-/// A normal of what `matrix` moves: right for scales that differ and for mirrors, up where it vanishes.
-fn turn(matrix: &Mat3A, normal: Vec3) -> Vec3 {
-    let Mat3A { x_axis: x, y_axis: y, z_axis: z } = *matrix;
-    // The inverse's transpose times the determinant.
-    let cofactors = [y.cross(z), z.cross(x), x.cross(y)];
-    let turned = cofactors[0] * normal.x + cofactors[1] * normal.y + cofactors[2] * normal.z;
-    let side = if x.dot(cofactors[0]) < 0.0 { -1.0 } else { 1.0 };
-    (turned * side).try_normalize().map_or(Vec3::Y, Vec3::from)
+/// How points move and normals turn.
+struct Motion {
+    place: Affine3A,
+    /// The inverse's transpose times the determinant's size: right for scales that differ, and for mirrors.
+    normals: Mat3A,
+}
+
+impl Motion {
+    fn new(place: Affine3A) -> Self {
+        let Mat3A { x_axis: x, y_axis: y, z_axis: z } = place.matrix3;
+        let cofactors = Mat3A::from_cols(y.cross(z), z.cross(x), x.cross(y));
+        let is_mirror = x.dot(cofactors.x_axis) < 0.0;
+        Self { place, normals: if is_mirror { -cofactors } else { cofactors } }
+    }
+
+    /// The mean of joints' motions by their weights, which sum up to `total`.
+    fn blended(joints: &[Self], weights: [(u16, f32); 4], total: f32) -> Self {
+        let (mut matrix3, mut translation) = (Mat3A::ZERO, Vec3A::ZERO);
+        let scale = total.recip();
+        for (joint, weight) in weights {
+            if weight != 0.0 {
+                let (share, joint) = (weight * scale, &joints[usize::from(joint)].place);
+                matrix3 += joint.matrix3 * share;
+                translation += joint.translation * share;
+            }
+        }
+        Self::new(Affine3A { matrix3, translation })
+    }
+
+    /// Of length one; up where nothing is left of it.
+    fn turn(&self, normal: Vec3) -> Vec3 {
+        let turned = self.normals * Vec3A::from(normal);
+        // What is as small as this has lost its direction.
+        let is_there = (1e-30..f32::MAX).contains(&turned.length_squared());
+        if is_there { turned.normalize().into() } else { Vec3::Y }
+    }
 }
 
 #[cfg(test)]
@@ -216,11 +230,11 @@ mod tests {
         let (tangent, normal) = (Vec3::new(1.0, 1.0, 0.0), Vec3::new(1.0, -1.0, 0.5).normalize());
         for scale in [Vec3::ONE, Vec3::new(1.0, 3.0, 0.2), Vec3::new(-1.0, 2.0, 1.0), Vec3::splat(1e-6)] {
             let matrix = Mat3A::from_rotation_z(0.3) * Mat3A::from_diagonal(scale);
-            let (turned, along) = (turn(&matrix, normal), matrix * tangent);
+            let (turned, along) = (Motion::new(Affine3A::from_mat3(matrix.into())).turn(normal), matrix * tangent);
             assert!((turned.length() - 1.0).abs() < 1e-5, "{scale}: {turned}");
             assert!(turned.dot(along.normalize()).abs() < 1e-5, "{scale}: {turned} on {along}");
             assert!(turned.dot(matrix * normal) > 0.0, "{scale}: it points to the same side");
         }
-        assert_eq!(turn(&Mat3A::ZERO, normal), Vec3::Y, "nothing is left of it");
+        assert_eq!(Motion::new(Affine3A::ZERO).turn(normal), Vec3::Y, "nothing is left of it");
     }
 }

@@ -6,11 +6,12 @@ mod floor;
 mod light;
 mod marks;
 mod model;
+mod sheet;
 
 use std::sync::Arc;
 
 use eframe::glow;
-use three_d::{ClearState, Context, CoreError, RenderTarget, ScissorBox, Viewport};
+use three_d::{ClearState, Context, CoreError, Viewport};
 
 use crate::picture::{Colour, Picture};
 use fans::Fans;
@@ -19,6 +20,7 @@ use floor::Floor;
 use light::Light;
 use marks::Marks;
 use model::Model;
+use sheet::{Printer, Sheet};
 
 /// What lies on the graphics card.
 pub(crate) struct Canvas {
@@ -29,6 +31,9 @@ pub(crate) struct Canvas {
     marks: Marks,
     fans: Fans,
     floor: Floor,
+    /// As large as the place.
+    sheet: Option<Sheet>,
+    printer: Printer,
 }
 
 /// Where on the screen to draw, in pixels from its lower left.
@@ -54,46 +59,41 @@ impl Canvas {
                 marks: Marks::new(&context)?,
                 fans: Fans::new(&context)?,
                 floor: Floor::new(&context)?,
+                sheet: None,
+                printer: Printer::new(&context)?,
                 context,
             })
         };
         make().map_err(|error: CoreError| format!("the graphics need OpenGL 3.3 or WebGL 2: {error}"))
     }
 
-    /// Clears the place and draws there.
+    /// Draws all over the place.
     pub(crate) fn draw(&mut self, picture: &Picture, place: Place) {
-        let viewport = Viewport { x: place.x, y: place.y, width: place.width, height: place.height };
-        let area = ScissorBox::from(viewport);
-        let light = Light::new(picture, viewport);
-        if self.model.as_ref().is_none_or(|model| !Arc::ptr_eq(model.surface(), &picture.surface)) {
-            self.model = Some(Model::new(&self.context, &picture.surface));
+        let size = [place.width, place.height].map(|side| side.max(1));
+        let light = Light::new(picture, Viewport::new_at_origo(size[0], size[1]));
+        let context = &self.context;
+        if self.model.as_ref().is_some_and(|model| !Arc::ptr_eq(model.surface(), &picture.surface)) {
+            self.model = None;
         }
-        let Some(model) = &self.model else { return };
+        let model = self.model.get_or_insert_with(|| Model::new(context, &picture.surface));
+        if self.sheet.as_ref().is_some_and(|sheet| sheet.size() != size) {
+            self.sheet = None;
+        }
+        let sheet = self.sheet.get_or_insert_with(|| Sheet::new(context, size));
         self.figures.fill(model, &picture.figures);
         self.marks.fill(picture);
         self.fans.fill(&picture.fans);
         self.floor.cast(&picture.ground, &self.figures, model);
-
-        let screen = RenderTarget::screen(&self.context, place.screen[0], place.screen[1]);
-        let drawn = screen.clear_partially(area, ClearState::color_and_depth(0.0, 0.0, 0.0, 1.0, 1.0)).write_partially(
-            area,
-            || -> Result<(), CoreError> {
-                self.floor.draw_backdrop(&light);
-                self.figures.draw(model, &light, Pass::Opaque);
-                self.marks.draw(&light, false);
-                self.floor.draw(&picture.ground, &light);
-                self.figures.draw(model, &light, Pass::Translucent);
-                self.fans.draw(&light);
-                Ok(())
-            },
-        );
-        drop(drawn);
-        let drawn =
-            screen.clear_partially(area, ClearState::depth(1.0)).write_partially(area, || -> Result<(), CoreError> {
-                self.marks.draw(&light, true);
-                Ok(())
-            });
-        drop(drawn);
+        sheet.draw(ClearState::default(), || {
+            self.floor.draw_backdrop(&light);
+            self.figures.draw(model, &light, Pass::Opaque);
+            self.marks.draw(&light, false);
+            self.floor.draw(&picture.ground, &light);
+            self.figures.draw(model, &light, Pass::Translucent);
+            self.fans.draw(&light);
+        });
+        sheet.draw(ClearState::depth(1.0), || self.marks.draw(&light, true));
+        self.printer.print(context, sheet, place);
     }
 }
 

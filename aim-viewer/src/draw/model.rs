@@ -1,5 +1,6 @@
 //! What the figures share: triangles by material, texture coordinates, pictures.
 
+use std::collections::{BTreeMap, HashMap};
 use std::io::Cursor;
 use std::sync::Arc;
 
@@ -31,16 +32,14 @@ impl Model {
     pub(super) fn new(context: &Context, surface: &Arc<Surface>) -> Self {
         let flipped: Vec<[f32; 2]> = surface.texture_coordinates().iter().map(|at| [at.x, 1.0 - at.y]).collect();
         let white = Arc::new(Texture2D::new(context, &texture([1, 1], vec![[255; 4]], [Wrap::Clamp; 2])));
-        let mut known: Vec<((usize, [Wrap; 2]), Arc<Texture2D>)> = Vec::new();
+        let mut known = HashMap::new();
         let mut find = |material: &Material| {
             let wanted = material.texture.map(|texture| (texture.image, texture.wrap))?;
-            if let Some((_, texture)) = known.iter().find(|(key, _)| *key == wanted) {
-                return Some(texture.clone());
-            }
-            let (size, pixels) = decode(surface.images().get(wanted.0)?)?;
-            let made = Arc::new(Texture2D::new(context, &texture(size, pixels, wanted.1)));
-            known.push((wanted, made.clone()));
-            Some(made)
+            let make = || {
+                let (size, pixels) = decode(surface.images().get(wanted.0)?)?;
+                Some(Arc::new(Texture2D::new(context, &texture(size, pixels, wanted.1))))
+            };
+            known.entry(wanted).or_insert_with(make).clone()
         };
         let part = |(material, corners): (Option<usize>, Vec<u32>)| {
             let material = material.map_or_else(Material::default, |at| surface.materials()[at].clone());
@@ -69,7 +68,7 @@ impl Part {
 
 /// The corners of each material's triangles, materials in their order, those without one first.
 fn by_material(surface: &Surface) -> Vec<(Option<usize>, Vec<u32>)> {
-    let mut parts = std::collections::BTreeMap::<_, Vec<u32>>::new();
+    let mut parts = BTreeMap::<_, Vec<u32>>::new();
     for triangle in surface.triangles() {
         let corners = triangle.vertices.map(|vertex| u32::try_from(vertex).unwrap_or(0));
         parts.entry(triangle.material).or_default().extend(corners);

@@ -1,6 +1,7 @@
 uniform sampler2D shadow;
 uniform vec2 middle;
 uniform float extent;
+uniform float blur;
 uniform float radius;
 uniform float gap;
 uniform float isDark;
@@ -18,17 +19,20 @@ float lines(float gap) {
     return max(covered.x, covered.y);
 }
 
+// How much of the light from above is kept off: the mean of what is around, the further off the coarser.
 float shade() {
     if (extent <= 0.0) {
         return 0.0;
     }
     vec2 place = 0.5 + 0.5 * (at - middle) / extent;
+    float around = 0.5 * blur / extent;
+    float finest = log2(around * float(textureSize(shadow, 0).x)) - 3.0;
     float sum = 0.0;
     for (int i = 0; i < 16; i++) {
         float reach = sqrt((float(i) + 0.5) / 16.0);
+        // The golden angle fills a disc evenly.
         float turn = 2.39996323 * float(i);
-        vec2 tap = place + 0.045 * reach * vec2(cos(turn), sin(turn));
-        sum += textureLod(shadow, tap, 1.5 + 2.5 * reach).r;
+        sum += textureLod(shadow, place + around * reach * vec2(cos(turn), sin(turn)), max(finest + 2.5 * reach, 0.0)).r;
     }
     return sum / 16.0;
 }

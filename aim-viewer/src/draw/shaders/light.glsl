@@ -16,9 +16,9 @@ vec3 decoded(vec3 colour) {
 vec3 lit(vec3 base, vec3 place, vec3 normal) {
     vec3 outwards = normalize(eye - place);
     float facing = max(dot(normal, outwards), 0.0);
-    vec3 around = mix(vec3(0.19, 0.17, 0.16), vec3(0.42, 0.45, 0.50), 0.5 + 0.5 * dot(normal, sky));
+    vec3 around = mix(vec3(0.12, 0.11, 0.105), vec3(0.36, 0.39, 0.43), 0.5 + 0.5 * dot(normal, sky));
     float direct = max((dot(normal, key) + 0.2) / 1.2, 0.0);
-    vec3 light = around + vec3(0.82, 0.79, 0.74) * direct + vec3(0.16, 0.19, 0.25) * max(dot(normal, fill), 0.0);
+    vec3 light = around + vec3(0.92, 0.88, 0.82) * direct + vec3(0.13, 0.16, 0.21) * max(dot(normal, fill), 0.0);
     float gloss = pow(max(dot(normal, normalize(key + outwards)), 0.0), 48.0);
     float rim = pow(1.0 - facing, 4.0);
     vec3 seen = base * light + 0.07 * gloss + 0.05 * rim * (0.4 + base);

@@ -1,8 +1,8 @@
 in vec2 corner;
 
-out float height;
+out vec2 at;
 
 void main() {
-    height = 0.5 + 0.5 * corner.y;
+    at = 0.5 + 0.5 * corner;
     gl_Position = vec4(corner, 0.0, 1.0);
 }
