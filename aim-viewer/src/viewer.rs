@@ -146,5 +146,11 @@ fn camera(stage: &Stage) -> Camera {
         (_, true) => (room.point(0.2, -0.35, 0.3), 4.4, 0.12),
         _ => (room.point(0.25, -0.22, 0.3), 2.9, 0.1),
     };
-    Camera { focus, yaw: if wide { -0.15 } else { -0.45 }, pitch, distance: distance * room.metre, directions: room.directions }
+    Camera {
+        focus,
+        yaw: if wide { -0.15 } else { -0.45 },
+        pitch,
+        distance: distance * room.metre,
+        directions: room.directions,
+    }
 }
