@@ -42,12 +42,12 @@ page.on("console", (message) => {
 });
 await page.goto(`http://127.0.0.1:${server.address().port}/`);
 
-const state = async () => JSON.parse(await page.locator("#viewer").getAttribute("data-state"));
+const state = async () => JSON.parse(await page.locator("#viewer").getAttribute("data-state"))[0];
 /// Waits until what the page reports satisfies the condition.
 const until = async (what, holds) => {
   for (let tries = 0; tries < 300; tries += 1) {
     const text = await page.locator("#viewer").getAttribute("data-state");
-    if (text !== null && holds(JSON.parse(text))) return JSON.parse(text);
+    if (text !== null && holds(JSON.parse(text)[0])) return JSON.parse(text)[0];
     await page.waitForTimeout(100);
   }
   const note = await page.locator("#note").textContent();
@@ -79,7 +79,7 @@ const difference = async (one, other) =>
     [one, other].map((shot) => shot.toString("base64")),
   );
 
-const first = await until("the character looks at the target", (now) => now.status === "Reached" && now.error_deg[0] < 0.2);
+const first = await until("the character looks at the target", (now) => now.status === "Reached" && now.error_deg < 0.2);
 await page.locator("#viewer").click({ position: { x: 60, y: 300 } });
 await page.keyboard.press("Space"); // Everything stands still: what changes is what is moved.
 await page.waitForTimeout(300);
@@ -94,10 +94,10 @@ await page.keyboard.up("J");
 await page.waitForTimeout(300);
 const away = await difference(before, await scene());
 await page.keyboard.press("Space");
-const again = await until("the character looks at it again", (now) => now.status === "Reached" && now.error_deg[0] < 0.2);
+const again = await until("the character looks at it again", (now) => now.status === "Reached" && now.error_deg < 0.2);
 const after = await difference(before, await scene(screenshot?.replace(/\.png$/, "-after.png")));
 
-const report = `error ${first.error_deg[0]}° → ${moved.error_deg[0]}° → ${again.error_deg[0]}°; pixels changed: ` +
+const report = `error ${first.error_deg}° → ${moved.error_deg}° → ${again.error_deg}°; pixels changed: ` +
   `${(100 * away.share).toFixed(2)} % with the target, ${(100 * after.share).toFixed(2)} % with the gaze; ${after.colours} colours`;
 if (trouble.length > 0) await fail(trouble.join("\n"));
 if (away.colours < 60) await fail(`the scene is blank: ${report}`);

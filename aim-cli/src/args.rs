@@ -369,4 +369,7 @@ pub(crate) struct View {
     /// How large the picture is, pixels.
     #[arg(long, value_name = "WxH", requires = "screenshot", default_value = "1280x800")]
     pub(crate) size: Size,
+    /// Print what is seen on the picture as JSON: status, error, and where targets and gazes are, pixels.
+    #[arg(long, requires = "screenshot")]
+    pub(crate) json: bool,
 }

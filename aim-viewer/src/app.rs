@@ -19,9 +19,11 @@ pub(crate) struct App {
     pub(crate) viewer: Viewer,
     /// The length of a frame where time is counted in frames; as long as it took otherwise.
     pub(crate) fixed: Option<f32>,
-    /// What is done after each frame.
-    pub(crate) after: Box<dyn FnMut(&egui::Context, &Viewer)>,
+    pub(crate) after: After,
 }
+
+/// What is done after each frame.
+pub(crate) type After = Box<dyn FnMut(&egui::Context, &Viewer)>;
 
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {

@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use eframe::egui;
 
-use crate::app::App;
+use crate::app::{After, App};
 use crate::character::Character;
 use crate::gizmos::Shown;
 use crate::stage::{Lineup, SIXTIETH};
@@ -68,6 +68,8 @@ pub struct Shot {
     pub frames: u32,
     /// Width and height, pixels.
     pub size: [u32; 2],
+    /// Whether what is to be told of it is JSON.
+    pub json: bool,
 }
 
 /// Opens the window and stays until it is closed, or until the picture is taken. Tells what is to be told of the picture.
@@ -83,7 +85,7 @@ pub fn run(options: Options) -> Result<String, String> {
     let native = eframe::NativeOptions { viewport, multisampling: 4, depth_buffer: 24, ..Default::default() };
     let told = Rc::new(RefCell::new(Ok(String::new())));
     let fixed = options.shot.as_ref().map(|_| SIXTIETH);
-    let after: Box<dyn FnMut(&egui::Context, &Viewer)> = match options.shot {
+    let after: After = match options.shot {
         Some(shot) => photographer(shot, told.clone()),
         None => Box::new(|_, _| ()),
     };
@@ -93,7 +95,7 @@ pub fn run(options: Options) -> Result<String, String> {
 }
 
 /// Waits for its frame, asks for the screen, writes it, and closes the window.
-fn photographer(shot: Shot, told: Rc<RefCell<Result<String, String>>>) -> Box<dyn FnMut(&egui::Context, &Viewer)> {
+fn photographer(shot: Shot, told: Rc<RefCell<Result<String, String>>>) -> After {
     let mut frame = 0;
     Box::new(move |context, viewer| {
         frame += 1;
@@ -107,8 +109,9 @@ fn photographer(shot: Shot, told: Rc<RefCell<Result<String, String>>>) -> Box<dy
             let size = image.size.map(|side| u32::try_from(side).unwrap_or(u32::MAX));
             let saved = image::save_buffer(&shot.out, image.as_raw(), size[0], size[1], image::ColorType::Rgba8);
             let name = shot.out.display();
-            *told.borrow_mut() =
-                saved.map(|()| format!("{name}: {}", viewer.caption())).map_err(|error| format!("{name}: {error}"));
+            *told.borrow_mut() = saved
+                .map(|()| if shot.json { viewer.state() } else { format!("{name}: {}", viewer.caption()) })
+                .map_err(|error| format!("{name}: {error}"));
             context.send_viewport_cmd(egui::ViewportCommand::Close);
         } else if frame == shot.frames {
             context.send_viewport_cmd(egui::ViewportCommand::Screenshot(egui::UserData::default()));

@@ -86,12 +86,12 @@ impl Target {
             }
             Path::Eight => {
                 let (sin, cos) = phase(EIGHT).sin_cos();
-                room.point(1.3 * sin, 0.1 + 0.9 * sin * cos, 1.3)
+                room.point(0.9 * sin, 0.1 + 0.6 * sin * cos, 1.3)
             }
             // Periods without a common multiple.
             Path::Noise => room.point(
-                0.9 * phase(7.3).sin() + 0.5 * phase(2.9).sin(),
-                0.1 + 0.4 * phase(5.1).sin() + 0.2 * phase(1.9).sin(),
+                0.7 * phase(7.3).sin() + 0.3 * phase(2.9).sin(),
+                0.1 + 0.3 * phase(5.1).sin() + 0.2 * phase(1.9).sin(),
                 1.4 + 0.4 * phase(11.7).sin(),
             ),
         }

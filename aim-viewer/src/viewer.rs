@@ -4,6 +4,7 @@ use std::num::NonZeroUsize;
 use std::sync::Arc;
 
 use eframe::egui;
+use glam::{Vec2, Vec3};
 
 use crate::camera::Camera;
 use crate::character::Character;
@@ -27,6 +28,8 @@ pub(crate) struct Viewer {
     pub(crate) copied: Option<(&'static str, f64)>,
     /// Seconds since it was opened.
     pub(crate) age: f64,
+    /// Where the scene is drawn, points.
+    scene: egui::Rect,
     held: Option<Held>,
 }
 
@@ -35,7 +38,17 @@ impl Viewer {
         let stage = Stage::new(character);
         let camera = camera(&stage);
         let shown = Shown::default();
-        Self { stage, camera, shown, trouble: None, plotted: None, copied: None, age: 0.0, held: None }
+        Self {
+            stage,
+            camera,
+            shown,
+            trouble: None,
+            plotted: None,
+            copied: None,
+            age: 0.0,
+            scene: egui::Rect::ZERO,
+            held: None,
+        }
     }
 
     /// The camera where all is in sight.
@@ -70,7 +83,8 @@ impl Viewer {
             paint(ui, scene.rect, Arc::new(self.stage.picture(&self.camera, self.shown)));
             scene
         });
-        overlay::show(&context, scene.inner.rect, self);
+        self.scene = scene.inner.rect;
+        overlay::show(&context, self.scene, self);
         context.request_repaint();
     }
 
@@ -84,14 +98,38 @@ impl Viewer {
         format!("{}: {}", self.stage.character.name, each.join("; "))
     }
 
-    /// The same as JSON, for programs.
+    /// The same as JSON, for programs: each actor's solver, status and error, degrees, where its target and its gazes'
+    /// ends are in the world and, in points from the window's upper left, on the screen.
     pub(crate) fn state(&self) -> String {
-        let number = |x: f64| if x.is_finite() { format!("{x:.4}") } else { "null".into() };
-        let errors = self.stage.actors.iter().filter_map(|actor| actor.frame.as_ref());
-        let errors: Vec<String> = errors.map(|frame| number(frame.error_deg)).collect();
-        let status = self.stage.first().map_or_else(String::new, |frame| format!("{:?}", frame.outcome.status));
-        let target = self.stage.target_now().to_array().map(|c| number(c.into()));
-        format!(r#"{{"status":"{status}","error_deg":[{}],"target":[{}]}}"#, errors.join(","), target.join(","))
+        let list = |numbers: &[f32]| {
+            let number = |x: &f32| if x.is_finite() { format!("{x:.4}") } else { "null".into() };
+            format!("[{}]", numbers.iter().map(number).collect::<Vec<_>>().join(","))
+        };
+        let seen = |at: Vec3| {
+            let size = Vec2::new(self.scene.width(), self.scene.height());
+            let at = self.camera.project(at, size);
+            at.map_or_else(|| "null".into(), |at| list(&[at.x + self.scene.left(), at.y + self.scene.top()]))
+        };
+        let one = |actor: &Actor| {
+            let frame = actor.frame.as_ref()?;
+            let target = self.stage.target_now() + actor.shift;
+            let gaze = |[from, direction]: [Vec3; 2]| {
+                let to = from + direction * from.distance(frame.target.as_vec3());
+                format!("[{},{}]", seen(from + actor.shift), seen(to + actor.shift))
+            };
+            let gazes: Vec<String> = self.stage.gazes(frame).into_iter().map(gaze).collect();
+            Some(format!(
+                r#"{{"solver":"{}","status":"{:?}","error_deg":{:.4},"target":{},"target_seen":{},"gazes_seen":[{}]}}"#,
+                solver_name(actor.solver),
+                frame.outcome.status,
+                frame.error_deg,
+                list(&target.to_array()),
+                seen(target),
+                gazes.join(",")
+            ))
+        };
+        let each: Vec<String> = self.stage.actors.iter().filter_map(one).collect();
+        format!("[{}]", each.join(","))
     }
 
     /// Another character, seen from where its face is; what is shown stays.

@@ -61,7 +61,7 @@ fn options(arguments: args::View) -> aim_viewer::Options {
     };
     options.crowd = arguments.crowd.into();
     let (frames, size) = (arguments.frames, [arguments.size.width, arguments.size.height].map(u32::from));
-    options.shot = arguments.screenshot.map(|out| Shot { out, frames, size });
+    options.shot = arguments.screenshot.map(|out| Shot { out, frames, size, json: arguments.json });
     options.file = arguments.file;
     options.rig = arguments.rig;
     options.clip = arguments.clip;
