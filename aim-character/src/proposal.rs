@@ -18,8 +18,15 @@ const MACHINE_JOINTS: usize = 4;
 pub struct Proposal {
     /// The rig: its chain from the effector inward, with measured axes and habitual ranges and rates.
     pub spec: RigSpec,
-    /// Why each joint is as it is, one line a joint.
+    /// Why each joint is as it is, one line a joint; empty where there is nothing to say.
     pub reasons: Vec<String>,
+}
+
+impl Proposal {
+    /// Why a joint is as it is, where there is something to say.
+    pub(crate) fn reason(&self, joint: usize) -> Option<&str> {
+        self.reasons.get(joint).map(String::as_str).filter(|why| !why.is_empty())
+    }
 }
 
 /// What a joint of some part does, degrees and degrees a second.
@@ -227,7 +234,9 @@ fn frame(bone: &BoneAxes) -> Frame {
 }
 
 fn between(lo: f64, hi: f64) -> AngleRange {
-    AngleRange::Between(lo.to_radians(), hi.to_radians())
+    // A share of a habit, or a file's single precision: thousandths of a degree are enough, and read well.
+    let rounded = |degrees: f64| ((degrees * 1e3).round() / 1e3).to_radians();
+    AngleRange::Between(rounded(lo), rounded(hi))
 }
 
 fn joint(name: String, habit: &Habit, bone: &BoneAxes, share: f64) -> JointSpec {

@@ -32,6 +32,14 @@ pub(crate) const KEYS: [(&str, &str); 10] = [
     ("H", "this panel on, off"),
 ];
 
+/// What the mouse does in the scene.
+pub(crate) const MOUSE: [(&str, &str); 4] = [
+    ("Drag the target", "moves it across the view"),
+    ("Drag elsewhere", "turns the camera"),
+    ("Right drag", "moves the camera"),
+    ("Wheel", "camera nearer, further"),
+];
+
 /// What the mouse holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Held {
@@ -47,6 +55,10 @@ pub(crate) fn keys(context: &Context, stage: &mut Stage, camera: &mut Camera, sh
         return;
     }
     context.input(|input| {
+        // With these, keys are the window's or the browser's.
+        if input.modifiers.command || input.modifiers.ctrl || input.modifiers.alt {
+            return;
+        }
         move_target(input, stage, camera, seconds);
         move_camera(input, camera, stage.character.metre(), seconds);
         for event in [(Key::Q, true), (Key::A, false)] {

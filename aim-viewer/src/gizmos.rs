@@ -4,7 +4,7 @@ use std::f32::consts::PI;
 
 use aim_codegen::AngleRange;
 use aim_gltf::Frame;
-use aim_runtime::{AimRig, Status};
+use aim_runtime::{AimRig, Solver, Status};
 use glam::{DAffine3, DVec3, Quat, Vec3};
 
 use crate::camera::Camera;
@@ -47,7 +47,7 @@ pub(crate) const BLUE: Colour = [86, 180, 233, 255];
 pub(crate) const PURPLE: Colour = [204, 121, 167, 255];
 /// Of a bone's own X, Y and Z, as everywhere.
 const AXES: [Colour; 3] = [[232, 72, 85, 255], [120, 190, 60, 255], [66, 135, 245, 255]];
-/// Of each joint's cone, from the effector inward.
+/// Of each joint's cone and curves, from the effector inward.
 const CONES: [Colour; 4] = [[86, 180, 233, 70], [230, 159, 0, 60], [204, 121, 167, 60], [0, 158, 115, 60]];
 
 /// The target's radius, and the thickness of rays, axes and trails, metres of a character of 1.7 m.
@@ -59,6 +59,21 @@ const TRAIL: f32 = 0.003;
 const AXIS_LENGTH: f32 = 0.14;
 const SMALL_AXIS_LENGTH: f32 = 0.05;
 const CONE_LENGTH: f32 = 0.3;
+
+/// The colour of a solver's curves.
+pub(crate) fn colour_of_solver(solver: Solver) -> Colour {
+    match solver {
+        Solver::Natural => BLUE,
+        Solver::Exact => ORANGE,
+        _ => PURPLE,
+    }
+}
+
+/// The colour of a joint's curves: its cone's, opaque.
+pub(crate) fn colour_of_joint(at: usize) -> Colour {
+    let [r, g, b, _] = CONES[at % CONES.len()];
+    [r, g, b, 255]
+}
 
 /// The colour of a gaze by what became of it.
 pub(crate) fn colour_of(status: Status) -> Colour {
@@ -184,7 +199,7 @@ impl Stage {
                 apex + unturned(forward * (ch * cp) + left * (sh * cp) + up * sp) * length
             };
             let rim = around(heading, pitch).map(point).collect();
-            picture.fans.push(Fan { apex, rim, colour: CONES[at.min(CONES.len() - 1)] });
+            picture.fans.push(Fan { apex, rim, colour: CONES[at % CONES.len()] });
         }
     }
 }

@@ -7,7 +7,7 @@ use aim::rigs::Mannequin;
 use aim_character::InterpretedRig;
 use aim_codegen::{RigSpec, Role};
 use aim_gltf::{Frame, Live, Moment, Skeleton, Trs};
-use aim_runtime::{AimRig, Ascent, Settings, Solver};
+use aim_runtime::{AimRig, Ascent, Joint, Settings, Solver};
 use glam::{DAffine3, Vec3};
 use web_time::Instant;
 
@@ -15,7 +15,7 @@ use crate::character::Character;
 use crate::target::{Path, Room, Target};
 
 /// The longest frame, seconds: what took longer is not caught up with.
-const LONGEST: f32 = 0.1;
+pub(crate) const LONGEST: f32 = 0.1;
 /// A frame where frames are counted.
 pub(crate) const SIXTIETH: f32 = 1.0 / 60.0;
 /// How much is remembered for the plots and the trail, frames.
@@ -127,6 +127,22 @@ enum Brain {
     Interpreted(Box<InterpretedRig>),
 }
 
+impl Brain {
+    fn joint(&self, at: usize) -> Option<&Joint> {
+        match self {
+            Self::Compiled(rig) => rig.joint(at),
+            Self::Interpreted(rig) => rig.joint(at),
+        }
+    }
+
+    fn joint_mut(&mut self, at: usize) -> Option<&mut Joint> {
+        match self {
+            Self::Compiled(rig) => rig.joint_mut(at),
+            Self::Interpreted(rig) => rig.joint_mut(at),
+        }
+    }
+}
+
 #[derive(Debug)]
 pub(crate) struct Member {
     pub(crate) shift: Vec3,
@@ -134,6 +150,18 @@ pub(crate) struct Member {
     phase: f32,
     brain: Brain,
     pub(crate) frame: Option<Frame>,
+}
+
+impl Member {
+    /// With its joints where they are.
+    fn think_with(&mut self, mut brain: Brain) {
+        let mut at = 0;
+        while let (Some(old), Some(new)) = (self.brain.joint(at), brain.joint_mut(at)) {
+            *new = *old;
+            at += 1;
+        }
+        self.brain = brain;
+    }
 }
 
 /// A frame, remembered.
@@ -230,6 +258,17 @@ impl Stage {
         self.tuning.settings.effector
     }
 
+    /// The clip and the target's path from their beginning, joints at rest.
+    pub(crate) fn restart(&mut self) {
+        self.clock.time = 0.0;
+        self.target.time = 0.0;
+        for Actor { rig, .. } in &mut self.actors {
+            rig.set_joints(rig.array(Joint::default()));
+        }
+        self.crowd.clear();
+        self.memory.clear();
+    }
+
     /// From the eyes to the neck, and back.
     pub(crate) fn switch_effector(&mut self) {
         let joints = &self.tuning.spec.joints;
@@ -264,7 +303,10 @@ impl Stage {
             let settings = self.tuning.settings(actor.solver);
             let (frame, taken) = aim.frame(&mut actor.rig, &mut pose.clone(), &world, &settings);
             actor.frame = Some(frame);
-            Timing::note(&mut self.timing.one, taken.as_secs_f64());
+            // A frame without time asks little of a solver.
+            if dt > 0.0 {
+                Timing::note(&mut self.timing.one, taken.as_secs_f64());
+            }
         }
         self.advance_crowd(target, dt);
         if dt > 0.0 {
@@ -320,8 +362,18 @@ impl Stage {
         self.gather();
     }
 
-    /// Has as many of the crowd as there should be, in rows behind the first.
+    /// Has as many of the crowd as there should be, in rows behind the first. Compiled code has the declared rig only:
+    /// where anything of that is set otherwise, they are interpreted.
     fn gather(&mut self) {
+        let compiled = self.character.is_mannequin && self.tuning.spec == *self.character.spec();
+        let rig = &self.actors[0].rig;
+        let brain =
+            || if compiled { Brain::Compiled(Box::default()) } else { Brain::Interpreted(Box::new(rig.clone())) };
+        for member in &mut self.crowd {
+            if compiled != matches!(member.brain, Brain::Compiled(_)) {
+                member.think_with(brain());
+            }
+        }
         let others = self.tuning.crowd.saturating_sub(1);
         if others == self.crowd.len() {
             return;
@@ -329,19 +381,19 @@ impl Stage {
         let [_, forward, left] = self.character.directions();
         let metre = self.character.metre();
         let rows = ROW.min(others.max(1));
-        let member = |at: usize| {
+        let shift = |at: usize| {
             // Outward from the middle, row by row; the first place is the actor's.
             let (row, column) = ((at + 1) / rows, (at + 1) % rows);
             let aside = count(column.div_ceil(2)) * if column % 2 == 0 { 1.0 } else { -1.0 };
-            let brain = if self.character.is_mannequin {
-                Brain::Compiled(Box::default())
-            } else {
-                Brain::Interpreted(Box::new(self.actors[0].rig.clone()))
-            };
-            let shift = (left * aside - forward * count(row)) * (APART * metre);
-            Member { shift, phase: count(at) * 0.37, brain, frame: None }
+            (left * aside - forward * count(row)) * (APART * metre)
         };
-        self.crowd = (0..others).map(member).collect();
+        self.crowd.truncate(others);
+        for at in self.crowd.len()..others {
+            self.crowd.push(Member { shift: Vec3::ZERO, phase: count(at) * 0.37, brain: brain(), frame: None });
+        }
+        for (at, member) in self.crowd.iter_mut().enumerate() {
+            member.shift = shift(at);
+        }
         self.timing.crowd = 0.0;
     }
 
@@ -366,7 +418,9 @@ impl Stage {
             taken += took;
         }
         self.crowd = crowd;
-        Timing::note(&mut self.timing.crowd, taken.as_secs_f64());
+        if dt > 0.0 {
+            Timing::note(&mut self.timing.crowd, taken.as_secs_f64());
+        }
     }
 
     fn remember(&mut self, target: Vec3, dt: f32) {

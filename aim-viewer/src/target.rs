@@ -46,6 +46,12 @@ impl Room {
         let [u, f, l] = self.directions;
         self.centre + (l * left + u * up + f * forward) * self.metre
     }
+
+    /// How many metres to the left, up, and in front a point is.
+    pub(crate) fn place(&self, point: Vec3) -> [f32; 3] {
+        let [u, f, l] = self.directions;
+        [l, u, f].map(|axis| (point - self.centre).dot(axis) / self.metre)
+    }
 }
 
 /// A target that can be moved, and moves.
@@ -89,6 +95,14 @@ impl Target {
                 1.4 + 0.4 * phase(11.7).sin(),
             ),
         }
+    }
+
+    /// Has it go on along another path; without one it stays where it is.
+    pub(crate) fn follow(&mut self, room: &Room, path: Path) {
+        if path == Path::Still {
+            self.place = self.at(room);
+        }
+        self.path = path;
     }
 
     /// Moves it by hand: whatever path it was on ends where it is.

@@ -1,5 +1,6 @@
 //! [`Viewer`]: all that the window shows but the drawing itself. Tests drive it as the window does.
 
+use std::num::NonZeroUsize;
 use std::sync::Arc;
 
 use eframe::egui;
@@ -9,7 +10,7 @@ use crate::character::Character;
 use crate::controls::{self, Held};
 use crate::gizmos::Shown;
 use crate::picture::Picture;
-use crate::stage::{Actor, Stage, solver_name};
+use crate::stage::{Actor, LONGEST, Stage, solver_name};
 use crate::{overlay, panel, plots};
 
 /// The state of the window.
@@ -20,6 +21,12 @@ pub(crate) struct Viewer {
     pub(crate) shown: Shown,
     /// What went wrong last, until it is dismissed.
     pub(crate) trouble: Option<String>,
+    /// Of which joint the angles are plotted; of all if of none.
+    pub(crate) plotted: Option<usize>,
+    /// What was copied last, and when.
+    pub(crate) copied: Option<(&'static str, f64)>,
+    /// Seconds since it was opened.
+    pub(crate) age: f64,
     held: Option<Held>,
 }
 
@@ -27,7 +34,8 @@ impl Viewer {
     pub(crate) fn new(character: Character) -> Self {
         let stage = Stage::new(character);
         let camera = camera(&stage);
-        Self { stage, camera, shown: Shown::default(), trouble: None, held: None }
+        let shown = Shown::default();
+        Self { stage, camera, shown, trouble: None, plotted: None, copied: None, age: 0.0, held: None }
     }
 
     /// The camera where all is in sight.
@@ -43,14 +51,17 @@ impl Viewer {
         paint: impl FnOnce(&egui::Ui, egui::Rect, Arc<Picture>),
     ) {
         let context = ui.ctx().clone();
+        // A frame is one pass: another would take its input and its time again.
+        context.options_mut(|options| options.max_passes = NonZeroUsize::MIN);
         context.set_theme(if self.shown.dark { egui::Theme::Dark } else { egui::Theme::Light });
         self.open_dropped(&context);
-        controls::keys(&context, &mut self.stage, &mut self.camera, &mut self.shown, seconds);
+        self.age += f64::from(seconds);
+        controls::keys(&context, &mut self.stage, &mut self.camera, &mut self.shown, seconds.min(LONGEST));
         if self.shown.panel {
             panel::show(ui, self);
         }
         if self.shown.plots {
-            plots::show(ui, &self.stage);
+            plots::show(ui, &self.stage, &mut self.plotted);
         }
         let scene = egui::CentralPanel::default().frame(egui::Frame::NONE).show_inside(ui, |ui| {
             let (_, scene) = ui.allocate_exact_size(ui.available_size(), egui::Sense::click_and_drag());
@@ -89,6 +100,7 @@ impl Viewer {
             Ok(character) => {
                 self.stage = Stage::new(character);
                 self.step_back();
+                self.plotted = None;
                 self.trouble = None;
             }
             Err(trouble) => self.trouble = Some(trouble),
@@ -131,8 +143,8 @@ fn camera(stage: &Stage) -> Camera {
     let (wide, many) = (stage.actors.len() > 1, !stage.crowd.is_empty());
     let (focus, distance, pitch) = match (many, wide) {
         (true, _) => (room.point(0.0, -0.5, -2.0), 11.0, 0.3),
-        (_, true) => (room.point(0.2, -0.3, 0.3), 4.6, 0.12),
+        (_, true) => (room.point(0.2, -0.35, 0.3), 4.4, 0.12),
         _ => (room.point(0.25, -0.22, 0.3), 2.9, 0.1),
     };
-    Camera { focus, yaw: -0.45, pitch, distance: distance * room.metre, directions: room.directions }
+    Camera { focus, yaw: if wide { -0.15 } else { -0.45 }, pitch, distance: distance * room.metre, directions: room.directions }
 }
