@@ -195,7 +195,7 @@ fn coordinates_and_colours_come_as_they_are_meant() {
 #[test]
 fn outside_stays_outside_where_a_node_mirrors() {
     for has_normals in [true, false] {
-        for scale in [[1.0, 1.0, 1.0], [-1.0, 1.0, 1.0], [2.0, 3.0, -0.5], [-0.1, -0.2, -0.3]] {
+        for scale in [[1.0_f32, 1.0, 1.0], [-1.0, 1.0, 1.0], [2.0, 3.0, -0.5], [-0.1, -0.2, -0.3]] {
             let document = changed(|json| {
                 json["nodes"][0]["scale"] = json!(scale);
                 if !has_normals {
@@ -206,7 +206,7 @@ fn outside_stays_outside_where_a_node_mirrors() {
             let [a, b, c] = surface.triangles()[0].vertices.map(|vertex| positions[vertex]);
             let face = (b - a).cross(c - a).normalize();
             // Mesh space's +z, as the node turns it.
-            let outwards = Vec3::Z * (scale[2] as f32).signum();
+            let outwards = Vec3::Z * scale[2].signum();
             assert!(face.abs_diff_eq(outwards, 1e-6), "{scale:?}: {face}");
             assert!(normals.iter().all(|normal| normal.dot(face) > 0.3), "{scale:?}, {has_normals}: {normals:?}");
             assert!(normals.iter().all(|normal| (normal.length() - 1.0).abs() < 1e-6), "{normals:?}");
