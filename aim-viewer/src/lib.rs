@@ -17,6 +17,9 @@ mod stage;
 mod target;
 mod viewer;
 
+#[cfg(test)]
+mod tests;
+
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 #[cfg(not(target_arch = "wasm32"))]

@@ -16,6 +16,7 @@ const HINT: f64 = 8.0;
 const FADE: f64 = 2.0;
 
 pub(crate) fn show(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
+    trouble(context, viewer);
     if scene.width() < 1.0 || scene.height() < 1.0 {
         return;
     }
@@ -32,7 +33,6 @@ pub(crate) fn show(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
     if !viewer.shown.panel {
         open_panel(context, scene, viewer);
     }
-    trouble(context, scene, viewer);
 }
 
 /// Something in a corner of the scene that the mouse goes through.
@@ -152,18 +152,17 @@ fn open_panel(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
     });
 }
 
-fn trouble(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
+fn trouble(context: &egui::Context, viewer: &mut Viewer) {
     let Some(text) = viewer.trouble.clone() else { return };
-    let at = egui::pos2(scene.center().x, scene.top() + MARGIN);
-    let width = (scene.width() - 4.0 * MARGIN).clamp(80.0, 560.0);
-    let area = area(scene, Id::new("trouble")).order(egui::Order::Foreground).pivot(Align2::CENTER_TOP);
-    area.fixed_pos(at).show(context, |ui| {
+    let window = context.content_rect().shrink(MARGIN);
+    // Each text finds its own size.
+    let area = area(window, Id::new(("trouble", &text))).order(egui::Order::Foreground);
+    area.pivot(Align2::CENTER_TOP).fixed_pos(window.center_top()).show(context, |ui| {
         let red = ui.visuals().error_fg_color;
-        let frame =
-            egui::Frame::new().fill(ui.visuals().window_fill).stroke((1.5, red)).inner_margin(10).corner_radius(6);
-        frame.show(ui, |ui| {
-            ui.set_width(width);
-            egui::ScrollArea::vertical().max_height(scene.height() * 0.6).show(ui, |ui| {
+        let frame = egui::Frame::new().fill(ui.visuals().window_fill).stroke((1.5, red)).corner_radius(6);
+        frame.inner_margin(10).show(ui, |ui| {
+            ui.set_width((window.width() - 4.0 * MARGIN).clamp(80.0, 560.0));
+            egui::ScrollArea::vertical().max_height(window.height() * 0.6).show(ui, |ui| {
                 ui.add(egui::Label::new(RichText::new(text).monospace()).wrap());
             });
             ui.add_space(4.0);
