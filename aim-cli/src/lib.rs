@@ -6,8 +6,10 @@ mod failure;
 mod files;
 mod html;
 mod outputs;
+mod plot;
 mod report;
 mod target;
+mod ticks;
 
 use std::process::ExitCode;
 

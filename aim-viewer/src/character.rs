@@ -121,6 +121,15 @@ impl Character {
         self.document.clips()
     }
 
+    /// Which clip has this name.
+    ///
+    /// # Errors
+    /// None has.
+    pub(crate) fn clip(&self, name: &str) -> Result<usize, String> {
+        self.document.clip(name).map_err(|error| format!("{}: {error}", self.name))?;
+        Ok(self.clips().iter().position(|clip| clip.name == name).unwrap_or(0))
+    }
+
     /// A metre of a character of 1.7 m, in the file's units.
     pub(crate) fn metre(&self) -> f32 {
         let height = self.measurement.height;

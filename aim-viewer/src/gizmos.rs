@@ -8,28 +8,29 @@ use aim_runtime::{AimRig, Solver, Status};
 use glam::{DAffine3, DVec3, Quat, Vec3};
 
 use crate::camera::Camera;
+use crate::character::Character;
 use crate::picture::{Ball, Colour, Fan, Figure, Ground, Picture, Rod};
 use crate::stage::{Actor, Stage};
 
 /// What of it all is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Shown {
+pub struct Shown {
     /// The reference frames of the bones.
-    pub(crate) axes: bool,
+    pub axes: bool,
     /// Gaze rays.
-    pub(crate) gaze: bool,
+    pub gaze: bool,
     /// Limit cones.
-    pub(crate) limits: bool,
+    pub limits: bool,
     /// Where the target has been.
-    pub(crate) trail: bool,
+    pub trail: bool,
     /// Error and angles over time.
-    pub(crate) plots: bool,
+    pub plots: bool,
     /// How long solving takes.
-    pub(crate) timing: bool,
+    pub timing: bool,
     /// The panel.
-    pub(crate) panel: bool,
+    pub panel: bool,
     /// On dark ground.
-    pub(crate) dark: bool,
+    pub dark: bool,
 }
 
 impl Default for Shown {
@@ -118,10 +119,11 @@ impl Stage {
     }
 
     fn figure(&self, frame: &Frame, shift: Vec3) -> Figure {
-        let positions = self.character.surface.positions(self.character.skeleton(), &frame.world);
-        let positions: Vec<Vec3> = positions.iter().map(|at| at.as_vec3() + shift).collect();
-        let normals = vec![Vec3::Y; positions.len()];
-        Figure { positions, normals, tint: [255; 4] }
+        let mut figure = Figure { positions: Vec::new(), normals: Vec::new(), tint: [255; 4] };
+        let Character { surface, document, .. } = &self.character;
+        surface.pose(document.skeleton(), &frame.world, &mut figure.positions, &mut figure.normals);
+        figure.positions.iter_mut().for_each(|at| *at += shift);
+        figure
     }
 
     fn show(&self, picture: &mut Picture, actor: &Actor, frame: &Frame, shown: Shown) {

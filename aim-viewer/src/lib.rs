@@ -20,7 +20,16 @@ mod viewer;
 #[cfg(test)]
 mod tests;
 
+pub use gizmos::Shown;
+pub use stage::Lineup;
+pub use target::Path;
+
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{Options, Shot, run};
+
+#[cfg(target_arch = "wasm32")]
+mod web;
+#[cfg(target_arch = "wasm32")]
+pub use web::start;

@@ -8,18 +8,55 @@ use eframe::egui;
 
 use crate::app::App;
 use crate::character::Character;
-use crate::stage::SIXTIETH;
+use crate::gizmos::Shown;
+use crate::stage::{Lineup, SIXTIETH};
+use crate::target::Path;
 use crate::viewer::Viewer;
 
 /// What to show.
 #[derive(Clone, Debug, Default)]
+#[non_exhaustive]
 pub struct Options {
     /// A .glb, .gltf or .vrm file; the mannequin if not given.
     pub file: Option<PathBuf>,
     /// Its rig; proposed if not given.
     pub rig: Option<PathBuf>,
+    /// The clip that is played; the first if not given.
+    pub clip: Option<String>,
+    /// Which solvers; what suits the rig if not given.
+    pub lineup: Option<Lineup>,
+    /// How the target moves.
+    pub path: Path,
+    /// How many characters; 0 and 1 are one.
+    pub crowd: usize,
+    /// What of it all is shown.
+    pub shown: Shown,
     /// A picture to take instead of staying open.
     pub shot: Option<Shot>,
+}
+
+impl Options {
+    /// The state that the window begins with.
+    fn viewer(&self) -> Result<Viewer, String> {
+        let character = match &self.file {
+            Some(file) => Character::open(file, self.rig.as_deref())?,
+            None => Character::mannequin()?,
+        };
+        let clip = match &self.clip {
+            Some(name) => Some(character.clip(name)?),
+            None => None,
+        };
+        let mut viewer = Viewer::new(character);
+        let stage = &mut viewer.stage;
+        stage.clock.clip = clip.or(stage.clock.clip);
+        stage.tuning.lineup = self.lineup.unwrap_or(stage.tuning.lineup);
+        stage.tuning.crowd = self.crowd.max(1);
+        stage.target.path = self.path;
+        stage.advance(0.0);
+        viewer.shown = self.shown;
+        viewer.step_back();
+        Ok(viewer)
+    }
 }
 
 /// A picture of the window.
@@ -38,11 +75,7 @@ pub struct Shot {
 /// # Errors
 /// Files that cannot be used, no display, no OpenGL 3: in words.
 pub fn run(options: Options) -> Result<String, String> {
-    let character = match &options.file {
-        Some(file) => Character::open(file, options.rig.as_deref())?,
-        None => Character::mannequin()?,
-    };
-    let viewer = Viewer::new(character);
+    let viewer = options.viewer()?;
     let size = options.shot.as_ref().map_or([1280, 800], |shot| shot.size);
     #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let size = size.map(|side| side as f32);

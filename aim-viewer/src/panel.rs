@@ -225,7 +225,7 @@ fn shown(ui: &mut Ui, viewer: &mut Viewer) {
         }
     });
     if button(ui, "Reset the view", "reset the view", "The camera back to where it was at first.").clicked() {
-        viewer.look_from_afar();
+        viewer.step_back();
     }
 }
 

@@ -25,7 +25,8 @@ const APART: f32 = 1.15;
 
 /// Which solvers are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Lineup {
+pub enum Lineup {
+    /// This one.
     One(Solver),
     /// All three, side by side.
     All,

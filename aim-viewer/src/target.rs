@@ -4,7 +4,7 @@ use glam::Vec3;
 
 /// How a target moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Path {
+pub enum Path {
     /// It stays where it is put.
     #[default]
     Still,

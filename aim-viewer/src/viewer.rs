@@ -41,8 +41,8 @@ impl Viewer {
         Self { stage, camera, shown, trouble: None, plotted: None, copied: None, age: 0.0, held: None }
     }
 
-    /// The camera back to where it was at first.
-    pub(crate) fn look_from_afar(&mut self) {
+    /// The camera where all is in sight.
+    pub(crate) fn step_back(&mut self) {
         self.camera = camera(&self.stage);
     }
 
@@ -90,12 +90,22 @@ impl Viewer {
         format!("{}: {}", self.stage.character.name, each.join("; "))
     }
 
+    /// The same as JSON, for programs.
+    pub(crate) fn state(&self) -> String {
+        let number = |x: f64| if x.is_finite() { format!("{x:.4}") } else { "null".into() };
+        let errors = self.stage.actors.iter().filter_map(|actor| actor.frame.as_ref());
+        let errors: Vec<String> = errors.map(|frame| number(frame.error_deg)).collect();
+        let status = self.stage.first().map_or_else(String::new, |frame| format!("{:?}", frame.outcome.status));
+        let target = self.stage.target_now().to_array().map(|c| number(c.into()));
+        format!(r#"{{"status":"{status}","error_deg":[{}],"target":[{}]}}"#, errors.join(","), target.join(","))
+    }
+
     /// Another character, seen from where its face is; what is shown stays.
     pub(crate) fn open(&mut self, character: Result<Character, String>) {
         match character {
             Ok(character) => {
                 self.stage = Stage::new(character);
-                self.look_from_afar();
+                self.step_back();
                 self.plotted = None;
                 self.trouble = None;
             }
@@ -137,14 +147,15 @@ fn text(name: &str, path: Option<&std::path::Path>, bytes: Option<&[u8]>) -> Res
     String::from_utf8(bytes).map_err(|_| format!("{name}: is no text; drop a rig's TOML file"))
 }
 
-/// In front and a little to the left, the upper body and the target in sight.
+/// In front and a little to the right, so that a gaze to the left is seen from the side: the upper bodies of all actors and
+/// the target in sight, a crowd from further away.
 fn camera(stage: &Stage) -> Camera {
     let room = stage.room();
-    Camera {
-        focus: room.point(0.15, -0.25, 0.3),
-        yaw: 0.45,
-        pitch: 0.12,
-        distance: 3.4 * room.metre,
-        directions: room.directions,
-    }
+    let (wide, many) = (stage.actors.len() > 1, !stage.crowd.is_empty());
+    let (focus, distance, pitch) = match (many, wide) {
+        (true, _) => (room.point(0.0, -0.5, -2.0), 11.0, 0.3),
+        (_, true) => (room.point(0.2, -0.35, 0.3), 4.4, 0.12),
+        _ => (room.point(0.25, -0.22, 0.3), 2.9, 0.1),
+    };
+    Camera { focus, yaw: if wide { -0.15 } else { -0.45 }, pitch, distance: distance * room.metre, directions: room.directions }
 }

@@ -7,8 +7,10 @@ mod count;
 mod demo;
 mod generate;
 mod inspect;
+mod plot;
 mod reach;
 mod rig;
+mod view;
 
 use crate::args::Command;
 use crate::failure::Result;
@@ -25,7 +27,9 @@ pub(crate) fn run(command: Command) -> Result {
             Some(rig) => check_model::run(&arguments.rig, rig),
             None => check::run(&arguments),
         },
+        Command::Plot(arguments) => plot::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Reach(arguments) => reach::run(&arguments),
+        Command::View(arguments) => view::run(arguments),
     }
 }

@@ -3,6 +3,7 @@
 
 pub(crate) mod forward;
 pub(crate) mod gltf;
+pub(crate) mod plot;
 pub(crate) mod rig;
 
 use std::ffi::OsStr;
