@@ -55,7 +55,7 @@ impl Viewer {
     ) {
         let context = ui.ctx().clone();
         // Also where a clock goes backwards, or tells nothing.
-        let seconds = seconds.max(0.0).min(LONGEST_PAUSE);
+        let seconds = if seconds.is_nan() { 0.0 } else { seconds.clamp(0.0, LONGEST_PAUSE) };
         // A frame is one pass: another would take its input and its time again.
         context.options_mut(|options| options.max_passes = NonZeroUsize::MIN);
         context.set_theme(if self.shown.dark { egui::Theme::Dark } else { egui::Theme::Light });
@@ -90,7 +90,8 @@ impl Viewer {
         format!("{}: {}", self.stage.character.name, each.join("; "))
     }
 
-    /// The same as JSON, for programs.
+    /// The same as JSON, for programs: the page says it.
+    #[cfg(any(target_arch = "wasm32", test))]
     pub(crate) fn state(&self) -> String {
         let number = |x: f64| if x.is_finite() { format!("{x:.4}") } else { "null".into() };
         let errors = self.stage.actors.iter().filter_map(|actor| actor.frame.as_ref());
@@ -157,5 +158,11 @@ fn camera(stage: &Stage) -> Camera {
         (_, true) => (room.point(0.2, -0.35, 0.3), 4.4, 0.12),
         _ => (room.point(0.25, -0.22, 0.3), 2.9, 0.1),
     };
-    Camera { focus, yaw: if wide { -0.15 } else { -0.45 }, pitch, distance: distance * room.metre, directions: room.directions }
+    Camera {
+        focus,
+        yaw: if wide { -0.15 } else { -0.45 },
+        pitch,
+        distance: distance * room.metre,
+        directions: room.directions,
+    }
 }

@@ -99,7 +99,7 @@ fn what_does_not_fit_is_told_and_changes_nothing() {
         window.drop_bytes(name, bytes);
         let trouble = window.viewer().trouble.clone().expect("trouble");
         assert!(told.iter().all(|word| trouble.contains(word)), "{name}: {trouble}");
-        assert!(window.texts().iter().any(|text| *text == trouble), "it is shown");
+        assert!(window.texts().contains(&trouble), "it is shown");
         assert_eq!(window.viewer().stage.character.name, "the mannequin");
         let now = window.viewer().stage.first().expect("a frame").joints[1].heading;
         assert!((now - before).abs() < 0.2, "the joints stay where they were: {before} {now}");
@@ -121,7 +121,7 @@ fn long_trouble_wraps_and_can_be_dismissed_in_a_small_window() {
     window.harness.state_mut().trouble = Some("much is wrong with it, ".repeat(200));
     window.frames(3);
     let button = window.rect("dismiss");
-    assert!(egui::Rect::from_min_size(Pos2::ZERO, egui::vec2(400.0, 300.0)).contains_rect(button), "{button:?}");
+    assert!(Rect::from_min_size(Pos2::ZERO, egui::vec2(400.0, 300.0)).contains_rect(button), "{button:?}");
     window.click("dismiss");
     assert_eq!(window.viewer().trouble, None);
 }

@@ -68,6 +68,9 @@ fn speed_is_that_of_clip_and_path() {
     }
 }
 
+/// What is switched while all is paused.
+type Switch = (&'static str, fn(&mut Stage));
+
 #[test]
 fn switching_leaves_the_joints_where_they_were() {
     let mut window = Window::mannequin(TALL);
@@ -78,7 +81,7 @@ fn switching_leaves_the_joints_where_they_were() {
     window.frames(1);
     let held = angles(&window.viewer().stage);
     assert!(held[1][0].abs() > 0.2, "the neck is turned: {held:?}");
-    let switches: [(&str, fn(&mut Stage)); 9] = [
+    let switches: [Switch; 9] = [
         ("side by side", |stage| stage.tuning.lineup = Lineup::All),
         ("another solver", |stage| stage.tuning.lineup = Lineup::One(Solver::Exact)),
         ("the neck", Stage::switch_effector),
@@ -242,7 +245,7 @@ fn nothing_but_numbers_comes_of_random_input() {
 fn a_long_frame_and_none_are_no_jump() {
     let mut viewer = Viewer::new(Character::mannequin().expect("the mannequin"));
     let context = egui::Context::default();
-    let mut frame = |viewer: &mut Viewer, seconds: f32, key: Option<Key>| {
+    let frame = |viewer: &mut Viewer, seconds: f32, key: Option<Key>| {
         let events = key.map(|key| egui::Event::Key {
             key,
             physical_key: None,

@@ -428,6 +428,15 @@ fn plots_and_scene_share_the_window() {
 }
 
 #[test]
+fn programs_are_told_where_the_target_is_and_how_far_off_the_gaze() {
+    let mut window = Window::mannequin(USUAL);
+    window.frames(60);
+    let state = window.viewer().state();
+    let [x, y, z] = window.viewer().stage.target_now().to_array();
+    assert_eq!(state, format!(r#"{{"status":"Reached","error_deg":[0.0000],"target":[{x:.4},{y:.4},{z:.4}]}}"#));
+}
+
+#[test]
 fn the_overlay_tells_what_becomes_of_the_gaze() {
     let mut window = Window::mannequin(USUAL);
     window.frames(60);
