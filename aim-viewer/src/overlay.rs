@@ -11,6 +11,8 @@ use crate::viewer::Viewer;
 
 /// How far from the scene's edges, points.
 const MARGIN: f32 = 10.0;
+/// How far above its effector a figure's name stands, metres of a 1.7 m character.
+const ABOVE: f32 = 0.2;
 /// How long the hint stays, seconds, and how long it takes to go.
 const HINT: f64 = 8.0;
 const FADE: f64 = 2.0;
@@ -115,16 +117,14 @@ fn timing(ui: &mut Ui, stage: &Stage) {
     }
 }
 
-/// A solver's name under its figure.
+/// A solver's name over its figure.
 fn label(context: &egui::Context, scene: Rect, viewer: &Viewer, at: usize, actor: &Actor) {
     let character = &viewer.stage.character;
-    let below = character.floor - character.directions()[0] * (0.08 * character.metre());
-    let Some(at_pixel) = on_screen(viewer, scene, below + actor.shift) else { return };
-    let place = egui::pos2(at_pixel.x, at_pixel.y.min(scene.bottom() - 2.0 * MARGIN));
-    if !scene.contains(place) {
+    let above = character.effector() + character.directions()[0] * (ABOVE * character.metre());
+    let Some(place) = on_screen(viewer, scene, above + actor.shift).filter(|place| scene.contains(*place)) else {
         return;
-    }
-    let area = area(scene, Id::new(("figure", at))).interactable(false).pivot(Align2::CENTER_TOP);
+    };
+    let area = area(scene, Id::new(("figure", at))).interactable(false).pivot(Align2::CENTER_BOTTOM);
     area.fixed_pos(place).show(context, |ui| {
         let frame = egui::Frame::new().inner_margin(egui::Margin::symmetric(8, 2)).corner_radius(6);
         frame.fill(ui.visuals().panel_fill.gamma_multiply(0.75)).show(ui, |ui| {
