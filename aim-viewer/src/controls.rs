@@ -41,10 +41,10 @@ pub(crate) const MOUSE: [(&str, &str); 4] = [
 ];
 
 /// What the mouse holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Held {
-    /// The target.
-    Target,
+    /// The target of the figure that stands so far aside.
+    Target(Vec3),
     /// The view: it turns.
     View,
 }
@@ -117,13 +117,13 @@ pub(crate) fn mouse(scene: &Response, stage: &mut Stage, camera: &mut Camera, he
     if scene.drag_started_by(PointerButton::Primary) {
         let pressed = scene.ctx.input(|input| input.pointer.press_origin());
         let at = pressed.map(|at| Vec2::new(at.x - rect.left(), at.y - rect.top()));
-        let grasped = at.is_some_and(|at| is_over_target(stage, camera, rect, at));
-        *held = Some(if grasped { Held::Target } else { Held::View });
+        let grasped = at.and_then(|at| figure_of_target(stage, camera, rect, at));
+        *held = Some(grasped.map_or(Held::View, Held::Target));
     }
     if scene.dragged_by(PointerButton::Primary) {
         match held {
-            Some(Held::Target) => {
-                let by = camera.drag(stage.target_now(), delta, rect.height());
+            Some(Held::Target(shift)) => {
+                let by = camera.drag(stage.target_now() + *shift, delta, rect.height());
                 let room = stage.room();
                 stage.target.move_by(&room, by);
             }
@@ -141,13 +141,14 @@ pub(crate) fn mouse(scene: &Response, stage: &mut Stage, camera: &mut Camera, he
     }
 }
 
-/// Whether a point of the scene, from its upper left, is on the target of any actor.
-fn is_over_target(stage: &Stage, camera: &Camera, rect: Rect, at: Vec2) -> bool {
+/// How far aside the figure stands on whose target a point of the scene is, given from its upper left.
+fn figure_of_target(stage: &Stage, camera: &Camera, rect: Rect, at: Vec2) -> Option<Vec3> {
     let size = Vec2::new(rect.width(), rect.height());
-    let target = stage.target_now();
     let edge = camera.axes()[1] * (TARGET * stage.character.metre());
-    stage.actors.iter().map(|actor| target + actor.shift).any(|target| {
+    let is_under = |shift: &Vec3| {
+        let target = stage.target_now() + *shift;
         let seen = camera.project(target, size).zip(camera.project(target + edge, size));
         seen.is_some_and(|(middle, edge)| middle.distance(at) < middle.distance(edge) + GRASP)
-    })
+    };
+    stage.actors.iter().map(|actor| actor.shift).find(is_under)
 }

@@ -17,6 +17,9 @@ mod stage;
 mod target;
 mod viewer;
 
+#[cfg(test)]
+mod tests;
+
 pub use gizmos::Shown;
 pub use stage::Lineup;
 pub use target::Path;

@@ -11,11 +11,14 @@ use crate::viewer::Viewer;
 
 /// How far from the scene's edges, points.
 const MARGIN: f32 = 10.0;
+/// How far above its effector a figure's name stands, metres of a 1.7 m character.
+const ABOVE: f32 = 0.2;
 /// How long the hint stays, seconds, and how long it takes to go.
 const HINT: f64 = 8.0;
 const FADE: f64 = 2.0;
 
 pub(crate) fn show(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
+    trouble(context, viewer);
     if scene.width() < 1.0 || scene.height() < 1.0 {
         return;
     }
@@ -32,7 +35,6 @@ pub(crate) fn show(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
     if !viewer.shown.panel {
         open_panel(context, scene, viewer);
     }
-    trouble(context, scene, viewer);
 }
 
 /// Something in a corner of the scene that the mouse goes through.
@@ -115,16 +117,14 @@ fn timing(ui: &mut Ui, stage: &Stage) {
     }
 }
 
-/// A solver's name under its figure.
+/// A solver's name over its figure.
 fn label(context: &egui::Context, scene: Rect, viewer: &Viewer, at: usize, actor: &Actor) {
     let character = &viewer.stage.character;
-    let below = character.floor - character.directions()[0] * (0.08 * character.metre());
-    let Some(at_pixel) = on_screen(viewer, scene, below + actor.shift) else { return };
-    let place = egui::pos2(at_pixel.x, at_pixel.y.min(scene.bottom() - 2.0 * MARGIN));
-    if !scene.contains(place) {
+    let above = character.effector() + character.directions()[0] * (ABOVE * character.metre());
+    let Some(place) = on_screen(viewer, scene, above + actor.shift).filter(|place| scene.contains(*place)) else {
         return;
-    }
-    let area = area(scene, Id::new(("figure", at))).interactable(false).pivot(Align2::CENTER_TOP);
+    };
+    let area = area(scene, Id::new(("figure", at))).interactable(false).pivot(Align2::CENTER_BOTTOM);
     area.fixed_pos(place).show(context, |ui| {
         let frame = egui::Frame::new().inner_margin(egui::Margin::symmetric(8, 2)).corner_radius(6);
         frame.fill(ui.visuals().panel_fill.gamma_multiply(0.75)).show(ui, |ui| {
@@ -152,18 +152,17 @@ fn open_panel(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
     });
 }
 
-fn trouble(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
+fn trouble(context: &egui::Context, viewer: &mut Viewer) {
     let Some(text) = viewer.trouble.clone() else { return };
-    let at = egui::pos2(scene.center().x, scene.top() + MARGIN);
-    let width = (scene.width() - 4.0 * MARGIN).clamp(80.0, 560.0);
-    let area = area(scene, Id::new("trouble")).order(egui::Order::Foreground).pivot(Align2::CENTER_TOP);
-    area.fixed_pos(at).show(context, |ui| {
+    let window = context.content_rect().shrink(MARGIN);
+    // Each text finds its own size.
+    let area = area(window, Id::new(("trouble", &text))).order(egui::Order::Foreground);
+    area.pivot(Align2::CENTER_TOP).fixed_pos(window.center_top()).show(context, |ui| {
         let red = ui.visuals().error_fg_color;
-        let frame =
-            egui::Frame::new().fill(ui.visuals().window_fill).stroke((1.5, red)).inner_margin(10).corner_radius(6);
-        frame.show(ui, |ui| {
-            ui.set_width(width);
-            egui::ScrollArea::vertical().max_height(scene.height() * 0.6).show(ui, |ui| {
+        let frame = egui::Frame::new().fill(ui.visuals().window_fill).stroke((1.5, red)).corner_radius(6);
+        frame.inner_margin(10).show(ui, |ui| {
+            ui.set_width((window.width() - 4.0 * MARGIN).clamp(80.0, 560.0));
+            egui::ScrollArea::vertical().max_height(window.height() * 0.6).show(ui, |ui| {
                 ui.add(egui::Label::new(RichText::new(text).monospace()).wrap());
             });
             ui.add_space(4.0);

@@ -14,6 +14,9 @@ use crate::picture::Picture;
 use crate::stage::{Actor, LONGEST, Stage, solver_name};
 use crate::{overlay, panel, plots};
 
+/// What a frame takes at most, seconds; what does not end is no frame.
+const LONGEST_PAUSE: f32 = 60.0;
+
 /// The state of the window.
 #[derive(Debug)]
 pub(crate) struct Viewer {
@@ -64,6 +67,8 @@ impl Viewer {
         paint: impl FnOnce(&egui::Ui, egui::Rect, Arc<Picture>),
     ) {
         let context = ui.ctx().clone();
+        // Also where a clock goes backwards, or tells nothing.
+        let seconds = if seconds.is_nan() { 0.0 } else { seconds.clamp(0.0, LONGEST_PAUSE) };
         // A frame is one pass: another would take its input and its time again.
         context.options_mut(|options| options.max_passes = NonZeroUsize::MIN);
         context.set_theme(if self.shown.dark { egui::Theme::Dark } else { egui::Theme::Light });
@@ -78,6 +83,7 @@ impl Viewer {
         }
         let scene = egui::CentralPanel::default().frame(egui::Frame::NONE).show_inside(ui, |ui| {
             let (_, scene) = ui.allocate_exact_size(ui.available_size(), egui::Sense::click_and_drag());
+            context.accesskit_node_builder(scene.id, |node| node.set_label("scene"));
             controls::mouse(&scene, &mut self.stage, &mut self.camera, &mut self.held);
             self.stage.advance(seconds);
             paint(ui, scene.rect, Arc::new(self.stage.picture(&self.camera, self.shown)));
@@ -148,10 +154,15 @@ impl Viewer {
     /// Files dropped onto the window: a model, or a rig for the one that is shown.
     fn open_dropped(&mut self, context: &egui::Context) {
         let dropped = context.input(|input| input.raw.dropped_files.clone());
-        for file in dropped {
-            let path = file.path.as_deref();
-            let name = path.map_or(file.name.clone(), |path| path.display().to_string());
-            let is_rig = name.to_lowercase().ends_with(".toml");
+        let name = |file: &egui::DroppedFile| match &file.path {
+            Some(path) => path.display().to_string(),
+            None => file.name.clone(),
+        };
+        let is_rig = |file: &egui::DroppedFile| name(file).to_lowercase().ends_with(".toml");
+        // A rig that comes with a model is that model's.
+        let (rigs, models): (Vec<_>, Vec<_>) = dropped.iter().partition(|file| is_rig(file));
+        for file in models.into_iter().chain(rigs) {
+            let (path, name, is_rig) = (file.path.as_deref(), name(file), is_rig(file));
             let character = match (path, file.bytes.as_deref(), is_rig) {
                 (Some(path), _, false) => Character::open(path, None),
                 (None, Some(bytes), false) => Character::from_bytes(&name, bytes),

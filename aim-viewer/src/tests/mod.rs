@@ -1,0 +1,168 @@
+//! The viewer, driven by what a user does: keys, the mouse, files. Nothing is drawn.
+
+mod files;
+mod keys;
+mod live;
+mod mouse;
+mod widgets;
+
+use std::cell::Cell;
+use std::collections::BTreeSet;
+use std::rc::Rc;
+
+use eframe::egui::{self, Key, Pos2, Rect, accesskit};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+
+use crate::character::Character;
+use crate::overlay::on_screen;
+use crate::stage::SIXTIETH;
+use crate::viewer::Viewer;
+
+/// A window, as high as its panel is long.
+const TALL: [f32; 2] = [1280.0, 2400.0];
+const USUAL: [f32; 2] = [1280.0, 800.0];
+
+/// A viewer in a window without a screen.
+struct Window {
+    harness: Harness<'static, Viewer>,
+    /// Where the scene is.
+    scene: Rc<Cell<Rect>>,
+}
+
+impl Window {
+    fn new(character: Character, size: [f32; 2]) -> Self {
+        let scene = Rc::new(Cell::new(Rect::NOTHING));
+        let seen = scene.clone();
+        let frame = move |ui: &mut egui::Ui, viewer: &mut Viewer| {
+            viewer.ui(ui, SIXTIETH, |_, rect, _| seen.set(rect));
+        };
+        let builder = Harness::builder().with_size(size).with_step_dt(SIXTIETH).with_max_steps(1);
+        let mut window = Self { harness: builder.build_ui_state(frame, Viewer::new(character)), scene };
+        // Until everything has found its size.
+        window.frames(2);
+        window
+    }
+
+    fn mannequin(size: [f32; 2]) -> Self {
+        Self::new(Character::mannequin().expect("the mannequin"), size)
+    }
+
+    fn viewer(&self) -> &Viewer {
+        self.harness.state()
+    }
+
+    fn frames(&mut self, count: usize) {
+        self.harness.run_steps(count);
+    }
+
+    /// Where a point of the world is seen.
+    fn seen(&self, point: glam::Vec3) -> Pos2 {
+        on_screen(self.viewer(), self.scene.get(), point).expect("it is in front of the camera")
+    }
+
+    fn press(&mut self, key: Key) {
+        self.harness.key_press(key);
+        self.harness.step();
+    }
+
+    /// Keeps a key down for so many frames, at least one.
+    fn hold(&mut self, key: Key, frames: usize) {
+        self.harness.key_down(key);
+        self.harness.step();
+        self.frames(frames - 1);
+        self.harness.key_up(key);
+        self.harness.step();
+    }
+
+    /// The pointer is pressed at one place and let go at another.
+    fn drag(&mut self, button: egui::PointerButton, from: Pos2, to: Pos2) {
+        let pressed = |pos, pressed| egui::Event::PointerButton { pos, button, pressed, modifiers: Default::default() };
+        self.harness.event(egui::Event::PointerMoved(from));
+        self.harness.event(pressed(from, true));
+        for share in [0.25, 0.5, 0.75, 1.0] {
+            self.harness.event(egui::Event::PointerMoved(from.lerp(to, share)));
+        }
+        self.harness.event(pressed(to, false));
+        self.harness.step();
+        self.harness.step();
+    }
+
+    fn wheel(&mut self, at: Pos2, by: f32) {
+        self.harness.event(egui::Event::PointerMoved(at));
+        self.harness.event(egui::Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Point,
+            delta: egui::vec2(0.0, by),
+            phase: egui::TouchPhase::Move,
+            modifiers: Default::default(),
+        });
+        self.harness.step();
+        // The wheel is smoothed over some frames.
+        self.frames(20);
+    }
+
+    fn drop_file(&mut self, file: egui::DroppedFile) {
+        self.harness.input_mut().dropped_files.push(file);
+        self.harness.step();
+        self.harness.step();
+    }
+
+    fn drop_bytes(&mut self, name: &str, bytes: &[u8]) {
+        let file = egui::DroppedFile { name: name.into(), bytes: Some(bytes.into()), ..Default::default() };
+        self.drop_file(file);
+    }
+
+    fn rect(&self, name: &str) -> Rect {
+        self.harness.get(by(name)).rect()
+    }
+
+    fn is_shown(&self, name: &str) -> bool {
+        self.harness.query(by(name)).is_some()
+    }
+
+    fn click(&mut self, name: &str) {
+        self.harness.get(by(name)).click();
+        self.harness.step();
+        // What was changed is shown the frame after.
+        self.harness.step();
+    }
+
+    /// The names of all that can be clicked, dragged or typed into.
+    fn controls(&self) -> BTreeSet<String> {
+        let mut found = BTreeSet::new();
+        let mut open = vec![self.harness.root()];
+        while let Some(node) = open.pop() {
+            let accessible = node.accesskit_node();
+            if is_control(&accessible) {
+                found.insert(accessible.label().unwrap_or_else(|| {
+                    format!("a nameless {:?} at {:?}", accessible.role(), accessible.bounding_box())
+                }));
+            }
+            open.extend(node.children());
+        }
+        found
+    }
+
+    /// What stands on the screen.
+    fn texts(&self) -> Vec<String> {
+        let mut found = Vec::new();
+        let mut open = vec![self.harness.root()];
+        while let Some(node) = open.pop() {
+            found.extend(node.accesskit_node().value());
+            open.extend(node.children());
+        }
+        found
+    }
+}
+
+fn is_control(node: &egui_kittest::kittest::AccessKitNode<'_>) -> bool {
+    use accesskit::Role;
+    let passive = [Role::Window, Role::GenericContainer, Role::Label, Role::TextRun];
+    // What has no role is an area, an axis of a plot or an edge of a panel, unless it was given a name.
+    let is_unknown = node.role() == Role::Unknown && node.label().is_none();
+    !passive.contains(&node.role()) && !is_unknown
+}
+
+fn by(name: &str) -> egui_kittest::kittest::By<'_> {
+    egui_kittest::kittest::by().predicate(move |node| is_control(node) && node.label().as_deref() == Some(name))
+}
