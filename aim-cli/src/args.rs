@@ -40,6 +40,11 @@ pub(crate) enum Command {
         after_help = "Example:\n  aim check rigs/thug.toml --samples 10000\n  aim check dude.glb --rig rigs/thug.toml"
     )]
     Check(Check),
+    /// Tell a rig's derivation step by step, as a page or as LaTeX.
+    #[command(
+        after_help = "Example:\n  aim explain rigs/thug.toml -o thug.html\n  aim explain rigs/thug.toml -o thug.tex"
+    )]
+    Explain(Explain),
     /// Aim a model over a clip and write an ordinary glTF animation.
     #[command(
         after_help = "Example:\n  aim bake dude.glb --rig rigs/thug.toml --target orbit:2,0,8 --seconds 8 --out aimed.glb \
@@ -160,6 +165,29 @@ pub(crate) struct Check {
     /// Turn the N-th addition of every program into a subtraction (or back) first, to see the check fail.
     #[arg(long, value_name = "N")]
     pub(crate) flip_sign: Option<usize>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Paper {
+    /// A page that needs nothing but itself.
+    Html,
+    /// A document for a LaTeX compiler.
+    Latex,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Explain {
+    /// The rig's declaration.
+    pub(crate) rig: PathBuf,
+    /// Where to write it; standard output if not given.
+    #[arg(short, long, value_name = "OUT.html|OUT.tex")]
+    pub(crate) output: Option<PathBuf>,
+    /// How to write it; told by the ending of OUT if not given.
+    #[arg(long, value_enum)]
+    pub(crate) format: Option<Paper>,
+    /// How many random poses to compare with central differences.
+    #[arg(long, value_name = "N", default_value_t = 1_000, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) samples: u32,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -6,6 +6,7 @@ mod args;
 mod commands;
 mod declaration;
 mod evidence;
+mod explain;
 mod failure;
 mod files;
 mod fit;
