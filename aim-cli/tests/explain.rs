@@ -3,9 +3,10 @@
 mod common;
 
 use std::path::Path;
+use std::sync::OnceLock;
 
 use aim_codegen::{Objective, RigSpec, derivation, objectives};
-use common::{Place, bundled_rigs};
+use common::{Place, bundled_rigs, installed};
 use scraper::{ElementRef, Html, Selector};
 
 /// Hinges, a free heading, a mirrored joint, a frame that is no signed axes, and names that want to be markup.
@@ -50,12 +51,34 @@ fn rigs() -> Vec<(String, String)> {
         (name, std::fs::read_to_string(path).expect("the rig is there"))
     };
     let mut rigs: Vec<_> = bundled_rigs().iter().map(|path| read(path)).collect();
-    rigs.extend([
-        ("odd".to_owned(), ODD.to_owned()),
-        ("hinge".to_owned(), HINGE.to_owned()),
-        ("ten".to_owned(), ten()),
-    ]);
+    rigs.extend([("odd".to_owned(), ODD.to_owned()), ("hinge".to_owned(), HINGE.to_owned())]);
     rigs
+}
+
+/// A rig with its page.
+struct Page {
+    name: String,
+    rig: String,
+    page: String,
+}
+
+/// The pages of all these rigs, and of a chain of ten joints: made once for all tests.
+fn pages() -> &'static [Page] {
+    static PAGES: OnceLock<Vec<Page>> = OnceLock::new();
+    PAGES.get_or_init(|| {
+        let place = Place::new();
+        let mut rigs = rigs();
+        rigs.push((TEN.to_owned(), ten()));
+        rigs.into_iter().map(|(name, rig)| Page { page: page(&place, &rig), name, rig }).collect()
+    })
+}
+
+/// Whose derivation alone takes as long as those of all others.
+const TEN: &str = "ten";
+
+/// All but the chain of ten joints.
+fn short_pages() -> impl Iterator<Item = &'static Page> {
+    pages().iter().filter(|page| page.name != TEN)
 }
 
 /// A chain of ten joints.
@@ -73,14 +96,18 @@ fn spec(text: &str) -> RigSpec {
     aim_codegen::declare::from_toml("rig.toml", text).expect("a sound rig")
 }
 
-/// The page of this declaration, twice the same.
+/// The page of this declaration.
 #[track_caller]
 fn page(place: &Place, rig: &str) -> String {
     place.write("rig.toml", rig);
     place.done("explain rig.toml -o rig.html --samples 5");
-    let page = String::from_utf8(place.read("rig.html")).expect("a page is text");
-    assert!(page == place.done("explain rig.toml --samples 5").stdout, "the same rig gives the same page");
-    page
+    String::from_utf8(place.read("rig.html")).expect("a page is text")
+}
+
+/// The page of the paper's own rig.
+fn thug() -> &'static str {
+    let page = pages().iter().find(|page| page.name == "thug");
+    &page.expect("the thug is bundled").page
 }
 
 /// Parses, and fails on anything that a strict parser has to mend.
@@ -107,10 +134,8 @@ fn rows(table: &ElementRef<'_>) -> Vec<Vec<String>> {
 
 #[test]
 fn every_page_is_whole_and_needs_nothing_else() {
-    let place = Place::new();
-    for (name, rig) in rigs() {
-        let page = page(&place, &rig);
-        let html = parsed(&page);
+    for Page { name, page, .. } in pages() {
+        let html = parsed(page);
         for outside in ["http:", "https:", "<script", "<link", "@import", "NaN", "<b>"] {
             assert!(!page.contains(outside), "{name}: {outside}");
         }
@@ -132,9 +157,9 @@ fn every_page_is_whole_and_needs_nothing_else() {
 #[test]
 fn counts_are_those_of_aim_count_and_of_the_trace() {
     let place = Place::new();
-    for (name, rig) in rigs() {
-        let page = page(&place, &rig);
-        let html = parsed(&page);
+    for Page { name, rig, page } in short_pages() {
+        place.write("rig.toml", rig);
+        let html = parsed(page);
         place.write("counts.json", &place.done("count rig.toml --json").stdout);
         let counts = place.json("counts.json");
         let table = *all(&html, "#counts table").first().expect("the counts");
@@ -151,7 +176,7 @@ fn counts_are_those_of_aim_count_and_of_the_trace() {
         assert_eq!(found, expected, "{name}");
 
         // Every kernel's derivation ends at the count of what is emitted, and its listing says so.
-        let spec = spec(&rig);
+        let spec = spec(rig);
         let captions: Vec<String> = all(&html, "caption").iter().map(text).collect();
         let traced = place.done("generate rig.toml --trace").stdout;
         let headings: Vec<String> = all(&html, "h3").iter().map(text).collect();
@@ -180,9 +205,9 @@ fn counts_are_those_of_aim_count_and_of_the_trace() {
 #[test]
 fn lines_are_those_of_aim_generate() {
     let place = Place::new();
-    for (name, rig) in rigs() {
-        let page = page(&place, &rig);
-        let html = parsed(&page);
+    for Page { name, rig, page } in short_pages() {
+        place.write("rig.toml", rig);
+        let html = parsed(page);
         let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<String>>();
         let emitted = words(&place.done("generate rig.toml --lang rust").stdout).join(" ");
         let mut steps = 0;
@@ -202,9 +227,7 @@ fn lines_are_those_of_aim_generate() {
 
 #[test]
 fn most_lines_say_what_they_compute() {
-    let place = Place::new();
-    let page = page(&place, &std::fs::read_to_string(common::bundled_rig("thug")).expect("the rig is there"));
-    let html = parsed(&page);
+    let html = parsed(thug());
     let listing = *all(&html, "#code table").last().expect("the listing");
     let rows = rows(&listing);
     assert_eq!(rows.len(), 18 + 3, "eighteen lines and three results");
@@ -217,9 +240,7 @@ fn most_lines_say_what_they_compute() {
 
 #[test]
 fn the_paper_is_met_where_it_has_numbers() {
-    let place = Place::new();
-    let page = page(&place, &std::fs::read_to_string(common::bundled_rig("thug")).expect("the rig is there"));
-    let html = parsed(&page);
+    let html = parsed(thug());
     let statement = text(all(&html, "#aim math[display=block]").first().expect("the statement"));
     for number in 4..=6 {
         assert!(statement.contains(&format!("paper ({number})")), "{statement}");
@@ -239,9 +260,7 @@ fn latex_is_balanced_and_says_the_same() {
         place.done("explain rig.toml -o rig.tex --samples 5");
         let text = String::from_utf8(place.read("rig.tex")).expect("text");
         common::latex::assert_balanced(&text, &name);
-        assert!(text.is_ascii() || text.chars().all(|c| c.is_ascii() || "ä".contains(c)), "{name}: {:?}", odd(&text));
-        let by_format = place.done("explain rig.toml --format latex --samples 5").stdout;
-        assert!(text == by_format, "{name}");
+        assert!(text.is_ascii(), "{name}: a compiler without Unicode fonts stumbles over {:?}", odd(&text));
         for (objective, _) in objectives(&spec(&rig)) {
             let total = derivation(&spec(&rig), objective).program.count().total();
             assert!(text.contains(&total.to_string()), "{name}: {total}");
@@ -249,12 +268,32 @@ fn latex_is_balanced_and_says_the_same() {
     }
 }
 
-/// What a compiler without Unicode fonts would stumble over.
+#[test]
+fn latex_compiles() {
+    let Some(compiler) = ["tectonic", "pdflatex"].into_iter().find(|program| installed(program)) else { return };
+    let place = Place::new();
+    for (name, rig) in rigs().into_iter().filter(|(name, _)| ["thug", "odd", "hinge"].contains(&name.as_str())) {
+        place.write("rig.toml", &rig);
+        place.done("explain rig.toml -o rig.tex --samples 5");
+        common::latex::compile(&place, compiler, "rig.tex", &name);
+    }
+}
+
 fn odd(text: &str) -> Vec<char> {
     let mut letters: Vec<char> = text.chars().filter(|c| !c.is_ascii()).collect();
     letters.sort_unstable();
     letters.dedup();
     letters
+}
+
+#[test]
+fn the_same_rig_gives_the_same_bytes() {
+    let place = Place::with_mannequin();
+    for format in ["html", "latex"] {
+        let printed = place.done(&format!("explain m.toml --format {format} --samples 5")).stdout;
+        place.done(&format!("explain m.toml --format {format} --samples 5 -o again"));
+        assert!(printed.as_bytes() == place.read("again"), "{format}");
+    }
 }
 
 #[test]

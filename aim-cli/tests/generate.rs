@@ -134,11 +134,7 @@ fn latex_compiles() {
     let place = Place::new();
     for rig in bundled_rigs() {
         let file = generate(&place, &rig, "latex");
-        let options: &[&str] =
-            if compiler == "pdflatex" { &["-interaction=nonstopmode", "-halt-on-error"] } else { &[] };
-        let output = Command::new(compiler).current_dir(place.path(".")).args(options).arg(&file).output();
-        let output = output.expect("the compiler starts");
-        assert!(output.status.success(), "{file}: {}", String::from_utf8_lossy(&output.stdout));
+        common::latex::compile(&place, compiler, &file, name(&rig));
     }
 }
 

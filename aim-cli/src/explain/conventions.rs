@@ -300,7 +300,7 @@ fn range(range: Option<AngleRange>) -> String {
     match range {
         None => "none".into(),
         Some(AngleRange::Free) => "free".into(),
-        Some(AngleRange::Between(low, high)) => format!("{} … {}", degrees(low), degrees(high)),
+        Some(AngleRange::Between(low, high)) => format!("{}\u{a0}…\u{a0}{}", degrees(low), degrees(high)),
     }
 }
 

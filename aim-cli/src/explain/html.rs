@@ -83,7 +83,7 @@ fn math(formula: &Formula) -> Markup {
 
 /// What is wider than the page scrolls by itself, also by keys.
 fn scrolling(class: &str, told: &str, content: &Markup) -> Markup {
-    html! { div class=(class) tabindex="0" role="region" aria-label=(told) { (content) } }
+    html! { div class=(class) tabindex="0" role="group" aria-label=(told) { (content) } }
 }
 
 fn equations(lines: &[Equation]) -> Markup {

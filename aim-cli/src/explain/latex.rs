@@ -16,6 +16,7 @@ const PREAMBLE: &str = r"\documentclass{article}
 \usepackage{tikz}
 \usepackage[margin=22mm]{geometry}
 \allowdisplaybreaks
+\renewcommand{\arraystretch}{1.25}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{6pt}
 \begin{document}
@@ -63,7 +64,7 @@ fn block(out: &mut String, block: &Block) {
             Ok(())
         }
         Block::Fold(summary, inner) => {
-            let _ = writeln!(out, "\\paragraph{{{}}}", line(summary));
+            let _ = writeln!(out, "\\subsubsection*{{{}}}", line(summary));
             blocks(out, inner);
             Ok(())
         }
@@ -94,8 +95,10 @@ fn rewriting(one: &Rewriting) -> String {
     if one.times > 1 {
         let _ = write!(text, " \\qquad \\text{{({} times)}}", one.times);
     }
-    for (letter, meaning) in &one.letters {
-        let _ = write!(text, " \\\\\n {} = {}", latex(letter), latex(meaning));
+    if !one.letters.is_empty() {
+        let equal = |(letter, meaning): &(Formula, Formula)| format!("{} = {}", latex(letter), latex(meaning));
+        let letters: Vec<String> = one.letters.iter().map(equal).collect();
+        let _ = write!(text, r" \qquad \text{{with }} {}", letters.join(r",\ "));
     }
     text
 }
@@ -104,10 +107,10 @@ fn table(out: &mut String, table: &Table) {
     let columns = table.head.len();
     let layout = match table.kind {
         Kind::Numbers => "l".to_owned() + &"r".repeat(columns.saturating_sub(1)),
-        Kind::Facts | Kind::Code => {
-            let width = 0.94 / f64::from(u32::try_from(columns.max(1)).unwrap_or(1)) - 0.02;
-            format!(">{{\\raggedright\\arraybackslash}}p{{{width:.3}\\linewidth}}").repeat(columns)
-        }
+        Kind::Facts | Kind::Code => widths(table)
+            .iter()
+            .map(|width| format!(">{{\\raggedright\\arraybackslash}}p{{{width:.3}\\linewidth}}"))
+            .collect(),
     };
     let row = |cells: &[Vec<Inline>]| cells.iter().map(|cell| line(cell)).collect::<Vec<_>>().join(" & ");
     let size = if table.kind == Kind::Code { "\\scriptsize" } else { "\\small" };
@@ -118,6 +121,28 @@ fn table(out: &mut String, table: &Table) {
         let _ = writeln!(out, "{} \\\\", row(cells));
     }
     *out += "\\hline\n\\end{longtable}}\n";
+}
+
+/// The columns' widths, as parts of the line's: by their longest cells.
+fn widths(table: &Table) -> Vec<f64> {
+    /// Of the space between two columns.
+    const GAP: f64 = 0.026;
+    let length = |cell: &Vec<Inline>| -> u32 {
+        let length = |part: &Inline| match part {
+            Inline::Text(text) | Inline::Strong(text) | Inline::Emphasis(text) | Inline::Code(text) => {
+                text.chars().count()
+            }
+            Inline::Math(formula) => formula.length(),
+        };
+        u32::try_from(cell.iter().map(length).sum::<usize>().clamp(6, 44)).unwrap_or(44)
+    };
+    let longest = |column: usize| {
+        let cells = table.rows.iter().chain([&table.head]).filter_map(|row| row.get(column));
+        f64::from(cells.map(length).max().unwrap_or(6))
+    };
+    let longest: Vec<f64> = (0..table.head.len()).map(longest).collect();
+    let all: f64 = longest.iter().sum();
+    longest.iter().map(|one| one / all - GAP).map(|width| width.max(0.02)).collect()
 }
 
 fn drawing(out: &mut String, drawing: &Drawing) {
@@ -167,6 +192,13 @@ fn plain(text: &str) -> String {
             '°' => out += r"$^\circ$",
             'ᵀ' => out += r"$^{\mathrm T}$",
             '⁻' => out += "$^-$",
+            '±' => out += r"$\pm$",
+            '→' => out += r"$\to$",
+            '√' => out += r"$\surd$",
+            '⁰' | '¹' | '²' | '³' | '⁴' | '⁵' | '⁶' | '⁷' | '⁸' | '⁹' => {
+                let digit = "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == letter).unwrap_or_default();
+                let _ = write!(out, "$^{digit}$");
+            }
             '…' => out += r"\ldots{}",
             '–' => out += "--",
             '“' => out += "``",

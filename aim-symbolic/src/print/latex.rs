@@ -52,6 +52,8 @@ pub fn formula(formula: &Formula) -> String {
 fn base(stem: &Formula) -> String {
     match stem {
         Formula::Symbol(..) | Formula::Group(_) => formula(stem),
+        // TeX takes braces off an accent, indices and all: something beside it keeps them.
+        Formula::Index(inner, _) if matches!(**inner, Formula::Over(_)) => format!("{{{}{{}}}}", formula(stem)),
         stem => format!("{{{}}}", formula(stem)),
     }
 }
