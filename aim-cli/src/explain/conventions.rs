@@ -50,7 +50,8 @@ fn axes(spec: &RigSpec, frame: &Frame, joints: &[usize]) -> Drawing {
     } else {
         "a left-handed frame: up × forward = −left"
     };
-    let said = format!("up = {up}, forward = {forward}, left = {left}; {hand}");
+    let mirrored = if frame.handedness() == spec.joints[0].frame.handedness() { "" } else { ", mirrored" };
+    let said = format!("up = {up}, forward = {forward}, left = {left}; {hand}{mirrored}");
     let turns = [of(|joint| joint.heading.is_some()), of(|joint| joint.pitch.is_some())];
     let told = format!("The axes of {names}, seen from the character’s front left: {said}.");
     drawing::of_axes(frame, turns, told, text![code(names), format!(": {said}.")])

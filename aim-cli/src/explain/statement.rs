@@ -31,7 +31,7 @@ pub(super) fn section(kernel: &Kernel<'_>) -> Section {
     let aim = kernel.derivation.stated[0];
     let mut blocks = vec![Block::Paragraph(text![
         "Take one joint and hold still what lies between it and the effector. Then the effector’s place and direction in the joint’s space \
-         follow from the joint’s own two angles alone. In effector space the effector’s origin is ",
+         follow from the joint’s own angles alone. In effector space the effector’s origin is ",
         Formula::vector("0"),
         " and its tip, one unit ahead, is ",
         Formula::vector("f"),

@@ -40,7 +40,7 @@ pub fn notation(spec: &RigSpec, objective: Objective) -> Notation {
         bases: basis_symbols(spec).into_iter().map(|(frame, symbol, _)| (images(&frame), symbol)).collect(),
         planes: vec![(HEADING, quarter("h")), (PITCH, quarter("p"))],
         parts: Vec::new(),
-        composed: false,
+        grouped: false,
     }
 }
 

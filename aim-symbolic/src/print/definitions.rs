@@ -112,7 +112,7 @@ pub fn rewriting(g: &Graph, from: Node, to: Node, notation: &Notation) -> ([Form
             stack.extend(g.parts(node).into_iter().rev());
         }
     }
-    letters.notation.composed = true;
+    letters.notation.grouped = true;
     let sides = [from, to].map(|side| expression::node(g, side, &letters.notation));
     (sides, letters.meanings)
 }

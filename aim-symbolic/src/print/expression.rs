@@ -19,8 +19,8 @@ pub struct Notation {
     pub planes: Vec<(Plane, Formula)>,
     /// Symbols for parts of expressions.
     pub parts: Vec<(Node, Formula)>,
-    /// Whether a product of rotations is written in parentheses, as one rotation.
-    pub composed: bool,
+    /// Whether parentheses tell what is multiplied first, also where that makes no difference.
+    pub grouped: bool,
 }
 
 impl Notation {
@@ -265,11 +265,12 @@ impl Writer<'_> {
             VectorNode::Add(a, b) => sum(v(a), v(b)),
             VectorNode::Sub(a, b) => difference(v(a), v(b)),
             VectorNode::Neg(a) => negated(v(a)),
-            VectorNode::Scale(k, a) => product(self.scalar(k), v(a)),
-            VectorNode::Rotate(r, a) => {
-                let composed = self.notation.composed && matches!(self.g.rotation_node(r), RotationNode::Compose(..));
-                self.moved(group(self.rotation(r), if composed { Binding::Product } else { Binding::Dot }), a)
+            VectorNode::Scale(k, a) => {
+                let is_scaled = matches!(self.g.vector_node(a), VectorNode::Scale(..));
+                let a = if is_scaled { (group(v(a), self.factors()), Binding::Atom) } else { v(a) };
+                product((group(self.scalar(k), self.factors()), Binding::Atom), a)
             }
+            VectorNode::Rotate(r, a) => self.moved(group(self.rotation(r), self.factors()), a),
             VectorNode::Normalize(a) => {
                 let a = v(a).0;
                 quotient(a.clone(), Formula::Bars(Box::new(a)))
@@ -294,6 +295,11 @@ impl Writer<'_> {
                 (Formula::Index(Box::new(stem), Box::new(index)), Binding::Atom)
             }
         }
+    }
+
+    /// What a factor has to bind more tightly than.
+    fn factors(&self) -> Binding {
+        if self.notation.grouped { Binding::Product } else { Binding::Dot }
     }
 
     fn moved(&self, by: Formula, v: Vector) -> Bound {
