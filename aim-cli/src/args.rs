@@ -1,9 +1,11 @@
 //! The command line. Every command's help ends with an example.
 
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::plot::Size;
 use crate::target::{Point, TargetSpec};
 
 /// Turns a character's eyes, neck and spine to a target, with derivatives derived for exactly your rig.
@@ -45,6 +47,13 @@ pub(crate) enum Command {
         after_help = "Example:\n  aim explain rigs/thug.toml -o thug.html\n  aim explain rigs/thug.toml -o thug.tex"
     )]
     Explain(Explain),
+    /// Draw a joint's aim function over heading and pitch, with the solvers' ways over it.
+    #[command(
+        after_help = "Example:\n  aim plot rigs/thug.toml -o aim.svg\n\nThe other joints are at rest. Contours are degrees off \
+                            the target, whose cosine is the aim; the box is the range of\nmotion. A joint with one angle \
+                            has a curve."
+    )]
+    Plot(Plot),
     /// Aim a model over a clip and write an ordinary glTF animation.
     #[command(
         after_help = "Example:\n  aim bake dude.glb --rig rigs/thug.toml --target orbit:2,0,8 --seconds 8 --out aimed.glb \
@@ -54,6 +63,14 @@ pub(crate) enum Command {
                             columns t,x,y,z in the file's units, linear between rows"
     )]
     Bake(Bake),
+    /// Open a window with a character that looks at a target: the mannequin, or a model's.
+    #[command(
+        after_help = "Examples:\n  aim view\n  aim view dude.glb --rig rigs/thug.toml --solver all --show axes,limits\n  aim view \
+                      --screenshot look.png --frames 60 --size 1280x800\n\nIn the window: I J K L M N move the target, arrows \
+                      and Z X the camera, Q A show and hide the bones' frames,\nE switches between eyes and neck. Drop a model or \
+                      a rig's TOML file onto it."
+    )]
+    View(View),
     /// Lead a hand or foot of a clip through points at given times, and write an ordinary glTF animation.
     #[command(
         after_help = "Example:\n  aim reach hero.glb --clip Slap --bone RightHand --at 0.42 --target 0.3,1.5,0.6 \
@@ -165,6 +182,27 @@ pub(crate) struct Check {
     /// Turn the N-th addition of every program into a subtraction (or back) first, to see the check fail.
     #[arg(long, value_name = "N")]
     pub(crate) flip_sign: Option<usize>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Plot {
+    /// The rig's declaration.
+    pub(crate) rig: PathBuf,
+    /// The joint that turns; the first, which carries the effector, if not given.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) joint: Option<String>,
+    /// What to look at, in the joint's space, along its bone's axes; what needs every angle if not given.
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    pub(crate) target: Option<Point>,
+    /// Draw a surface in space instead of contours.
+    #[arg(long)]
+    pub(crate) surface: bool,
+    /// Width and height in pixels.
+    #[arg(long, value_name = "WxH", default_value = "1000x720")]
+    pub(crate) size: Size,
+    /// Where to write it: SVG or PNG, by the name's ending.
+    #[arg(short, long, value_name = "OUT.svg|OUT.png")]
+    pub(crate) output: PathBuf,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -285,4 +323,93 @@ pub(crate) struct Reach {
     /// Where to write a page that draws the way it was and the way it is.
     #[arg(long, value_name = "R.html")]
     pub(crate) html: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Cast {
+    /// Eyes, neck and spine as people use them.
+    Natural,
+    /// All joints at once, with the least displacement.
+    Exact,
+    /// The paper's steepest ascent.
+    Ascent,
+    /// All three, side by side.
+    All,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Show {
+    /// The bones' reference frames.
+    Axes,
+    /// Gaze rays.
+    Gaze,
+    /// Limit cones.
+    Limits,
+    /// Where the target has been.
+    Trail,
+    /// Error and angles over time.
+    Plots,
+    /// How long solving takes.
+    Timing,
+    /// The panel.
+    Panel,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TargetPath {
+    Still,
+    Orbit,
+    Eight,
+    Noise,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct View {
+    /// A .glb, .gltf or .vrm file; the mannequin if not given.
+    pub(crate) file: Option<PathBuf>,
+    /// The rig's declaration; measured from the file if not given.
+    #[arg(long, value_name = "RIG.toml", requires = "file")]
+    pub(crate) rig: Option<PathBuf>,
+    /// The clip to play; the first if not given.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) clip: Option<String>,
+    /// The solver, or all of them side by side; natural where the rig's first joint is an eye, else exact.
+    #[arg(long, value_enum)]
+    pub(crate) solver: Option<Cast>,
+    /// How the target moves.
+    #[arg(long, value_enum, default_value_t = TargetPath::Still)]
+    pub(crate) path: TargetPath,
+    /// How many characters.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    pub(crate) crowd: u16,
+    /// What to show at first.
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
+    #[arg(default_values_t = [Show::Gaze, Show::Trail, Show::Plots, Show::Timing, Show::Panel])]
+    pub(crate) show: Vec<Show>,
+    /// On light ground.
+    #[arg(long)]
+    pub(crate) light: bool,
+    /// Take a picture of the window instead of staying open; no display is needed where xvfb-run is installed.
+    #[arg(long, value_name = "OUT.png")]
+    pub(crate) screenshot: Option<PathBuf>,
+    /// After how many frames of a sixtieth of a second the picture is taken.
+    #[arg(long, value_name = "N", requires = "screenshot", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) frames: u32,
+    /// How large the picture is, pixels.
+    #[arg(long, value_name = "WxH", requires = "screenshot", default_value = "1280x800")]
+    pub(crate) size: Size,
+}
+
+/// Width and height, pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Size(pub(crate) [u32; 2]);
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let side = |text: &str| text.parse().ok().filter(|side| (64..=8192).contains(side));
+        let sides = text.split_once('x').and_then(|(w, h)| Some([side(w)?, side(h)?]));
+        sides.map(Self).ok_or_else(|| "expected WIDTHxHEIGHT in pixels from 64 to 8192, such as 1280x800".into())
+    }
 }

@@ -15,7 +15,7 @@ mod takes;
 #[cfg(test)]
 mod tests;
 mod trajectory;
-mod words;
+pub(crate) mod words;
 
 use aim_codegen::RigSpec;
 use aim_gltf::{Baked, Document, Measurement};
@@ -25,7 +25,7 @@ use crate::report::Report;
 
 pub(crate) use inspection::{Inspected, page as inspection_page};
 pub(crate) use takes::Takes;
-pub(crate) use trajectory::{Course, page as trajectory_page};
+pub(crate) use trajectory::{Course, Frame, page as trajectory_page};
 
 const STYLE: &str = include_str!("html/style.css");
 

@@ -1,27 +1,20 @@
 //! The `aim` command as a library: [`run`] parses arguments, runs one command, and says how it ended.
-//!
-//! [`InterpretedRig`] is the rig that is known only at run time.
 
 mod args;
 mod commands;
-mod declaration;
-mod evidence;
 mod explain;
 mod failure;
 mod files;
-mod fit;
 mod html;
-mod interpreted;
 mod outputs;
-mod proposal;
+mod plot;
 mod report;
 mod target;
+mod ticks;
 
 use std::process::ExitCode;
 
 use clap::Parser;
-
-pub use interpreted::InterpretedRig;
 
 /// Runs the command that the process was started with.
 pub fn run() -> ExitCode {

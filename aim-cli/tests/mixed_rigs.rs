@@ -3,7 +3,7 @@
 
 use std::thread;
 
-use aim_cli::InterpretedRig;
+use aim_character::InterpretedRig;
 use aim_codegen::{Frame, RigSpec, declare};
 use aim_gltf::{ChainNodes, Document, Measurement, Plan, Settle, bake, mannequin};
 use aim_runtime::Settings;

@@ -131,13 +131,40 @@ fn a_page_draws_both_ways() {
         page.select(&scraper::Selector::parse(selector).expect("a selector")).map(|at| at.value().clone()).collect()
     };
     let count = |selector: &str| all(selector).len();
-    assert_eq!((count("figure > svg > .series"), count("figure > svg > .target")), (6 + 5 * 3, 3 + 5 * 2));
+    assert_eq!((count("figure:not(.chart) > svg > .series"), count("figure > svg > .target")), (6 + 5 * 3, 3 + 5 * 2));
     // The character before and after at five times.
     let pictures = all(".takes li image");
     assert_eq!((count(".takes li"), pictures.len()), (5, 10));
     let [was, is] = [4, 5].map(|k| pictures[k].attr("href").expect("a picture"));
     assert_ne!(was, is, "the arm is somewhere else at the target's time");
     assert!(text.len() < 2_000_000, "{} bytes", text.len());
+    // Error, movement, speed of the hand, angle and speed of the elbow: each with the target's time.
+    assert_eq!((count(".chart"), count(".chart .moment")), (5, 5));
+    assert_eq!(count(".facts table"), 2);
+    assert_eq!(count("svg"), count("svg[aria-label], svg[aria-hidden]"), "every drawing is named or an ornament");
+}
+
+#[test]
+fn a_page_shades_where_the_limb_is_at_its_limit() {
+    let place = Place::with_mannequin();
+    place.done("reach m.glb --bone left_hand --at 0.4 --target 0.3,3.2,0.3 --out o.glb --report r.json --html r.html");
+    let text = String::from_utf8(place.read("r.html")).expect("a page is text");
+    let page = scraper::Html::parse_document(&text);
+    assert!(page.errors.is_empty(), "{:?}", page.errors);
+    let selector = scraper::Selector::parse(".chart .bound title").expect("a selector");
+    let shaded: Vec<String> = page.select(&selector).map(|title| title.text().collect()).collect();
+    let frames = place.json("r.json")["frames"].as_array().expect("frames").clone();
+    let time = |frame: &Value| frame["t"].as_f64().expect("a time");
+    let stretched: Vec<f64> = frames.iter().filter(|frame| frame["status"] == "stretched").map(time).collect();
+    assert!(stretched.len() >= 3, "{stretched:?}");
+    // The elbow's angle and its speed, from the first such frame on.
+    let [angle, speed] = &shaded[..] else { panic!("one stretch in two charts: {shaded:?}") };
+    assert_eq!(angle, speed);
+    let (from, to) =
+        angle.strip_prefix("at a limit, ").and_then(|t| t.strip_suffix(" s")?.split_once('–')).expect("times");
+    let [from, to] = [from, to].map(|t| t.parse::<f64>().expect("a time"));
+    assert!((from - stretched[0]).abs() < 0.006, "{from} {stretched:?}");
+    assert!((to - stretched[stretched.len() - 1] - 1.0 / 60.0).abs() < 0.006, "{to} {stretched:?}");
 }
 
 #[test]

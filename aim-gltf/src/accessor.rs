@@ -91,6 +91,11 @@ impl<'a> Data<'a> {
         Ok((bytes, view))
     }
 
+    /// The bytes of a buffer view as they are.
+    pub(crate) fn bytes(&self, index: usize, place: &str) -> Result<&'a [u8], Error> {
+        self.view(index, place).map(|(bytes, _)| bytes)
+    }
+
     /// `count` elements of `size` bytes, `stride` apart, from `offset` of a view.
     fn elements(
         &self,

@@ -3,16 +3,15 @@
 use core::f32::consts::TAU;
 use std::sync::Arc;
 
-use aim_runtime::{AimRig, Joint, Outcome, Pose, Settings};
-use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat};
+use aim_runtime::{AimRig, Joint, Settings};
+use glam::{Affine3A, DAffine3, DVec3, Quat};
 
 use crate::clip::{Channel, Clip};
 use crate::document::Document;
 use crate::error::Error;
+use crate::live::{Frame, Live, Moment};
 use crate::measure::Measurement;
 use crate::skeleton::Skeleton;
-use crate::stance::Stance;
-use crate::trs::{Trs, orthonormal};
 
 /// The nodes that a rig's joints are in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -115,47 +114,6 @@ pub struct Plan<'a> {
     pub settings: Settings,
 }
 
-/// One joint in one frame.
-#[derive(Clone, Copy, Debug)]
-pub struct JointFrame {
-    /// Added heading, radians.
-    pub heading: f32,
-    /// Added pitch, radians.
-    pub pitch: f32,
-    /// The heading and pitch, radians, by which the animation turns the joint out of its bind pose, where its ranges are
-    /// counted from that.
-    pub led: Option<[f64; 2]>,
-    /// Whether an angle is at an end of its range.
-    pub at_limit: bool,
-    /// Whether an angle is on its way back into its range.
-    pub recovering: bool,
-}
-
-/// One frame.
-#[derive(Clone, Debug)]
-pub struct Frame {
-    /// Seconds.
-    pub t: f32,
-    /// The target in the world.
-    pub target: DVec3,
-    /// Between the effector and the direction to the target by the forward kinematics of the file as it is written,
-    /// degrees; 90 where either has no direction.
-    pub error_deg: f64,
-    /// By how much joint 0 is rolled about the gaze more than in the animation, degrees, positive to the character's
-    /// left: a roll is the angle, seen along the gaze, from the character's up to the bone's up. 0 where either lies
-    /// along the gaze (within 1°). The character's up is the world's as long as the character stands.
-    pub roll_deg: f64,
-    /// What [`error_deg`](Self::error_deg) is, of the other eye, where both are aimed: it looks as joint 0 does in the
-    /// bind pose, from the mirrored point.
-    pub pair_error_deg: Option<f64>,
-    /// What the solver says.
-    pub outcome: Outcome,
-    /// Each joint, from the effector inward.
-    pub joints: Vec<JointFrame>,
-    /// The file's nodes in the world, aimed.
-    pub world: Vec<DAffine3>,
-}
-
 /// A baked clip.
 #[derive(Clone, Debug)]
 pub struct Baked {
@@ -178,8 +136,7 @@ pub fn bake<R: AimRig<Array<Affine3A>: Clone>>(
 ) -> Result<Baked, Error> {
     let times = key_times(plan.seconds, plan.fps)?;
     let skeleton = plan.document.skeleton();
-    let stance = Stance::new(rig, skeleton, plan.chain, plan.measurement);
-    let pair = plan.chain.pair.filter(|_| plan.both_eyes);
+    let live = Live::new(rig, plan.document, plan.measurement, plan.chain, plan.both_eyes);
     let source = plan.clip.map(|clip| clip.repeated(plan.seconds));
     let sample = |t: f32| match &source {
         Some(clip) => skeleton.pose(clip, t),
@@ -196,12 +153,7 @@ pub fn bake<R: AimRig<Array<Affine3A>: Clone>>(
             let mut pose = sample(t);
             let world = skeleton.world_f64(&pose);
             let target_ws = target(t, &world);
-            let joints = Pose { joints: joint_transforms(rig, plan.chain, &pose, &world) };
-            let mut joints = joints.with_up(stance.up(&world).as_vec3()).with_bind(stance.bind(rig, &world));
-            if let Some(pair) = pair {
-                pose[pair].rotation = stance.parallel(skeleton, &pose, &world).unwrap_or(pose[pair].rotation);
-                joints = joints.with_pair(joint_transform(&pose, &skeleton.world_f64(&pose), pair));
-            }
+            let joints = live.animated(rig, skeleton, &mut pose, &world);
             let goal = target_ws.as_vec3();
             let outcome = match (before, pass, plan.settle) {
                 (Some(before), ..) => rig.aim_with(&joints, goal, t - before, &plan.settings),
@@ -214,21 +166,13 @@ pub fn bake<R: AimRig<Array<Affine3A>: Clone>>(
                 began = rig.joints();
             }
             before = Some(t);
-            apply(rig, plan.chain, rig.pair_correction(), skeleton, &mut pose);
+            let effector = plan.settings.effector;
+            let moment = Moment { t, target: target_ws, world: &world, joints: &joints, outcome, effector };
+            let frame = live.aimed(rig, skeleton, &mut pose, &moment);
             for (track, node) in rotations.iter_mut().zip(plan.chain.all()) {
                 track.push(continuous(track.last(), pose[node].rotation));
             }
-            let aimed = skeleton.world_f64(&pose);
-            frames.push(Frame {
-                t,
-                target: target_ws,
-                error_deg: stance.error_deg(&aimed, target_ws),
-                roll_deg: stance.roll_deg(&world, &aimed),
-                pair_error_deg: pair.and_then(|_| stance.pair_error_deg(&aimed, target_ws)),
-                outcome,
-                joints: joint_frames(rig, outcome, |joint| stance.led(rig, joint, &joints)),
-                world: aimed,
-            });
+            frames.push(frame);
             progress(frames.len(), times.len());
         }
         if closes(began.as_ref(), rig.joints().as_ref()) {
@@ -274,65 +218,7 @@ pub(crate) fn key_times(seconds: f32, fps: f32) -> Result<Arc<[f32]>, Error> {
     Ok(times.into())
 }
 
-/// The joints in the world as the solver takes them.
-fn joint_transforms<R: AimRig>(rig: &R, chain: &ChainNodes, pose: &[Trs], world: &[DAffine3]) -> R::Array<Affine3A> {
-    let mut joints = rig.array(Affine3A::IDENTITY);
-    for (joint, &node) in joints.as_mut().iter_mut().zip(&chain.joints) {
-        *joint = joint_transform(pose, world, node);
-    }
-    joints
-}
-
-/// A node in the world without its own non-uniform scale, so that a correction acts where the node's rotation does.
-fn joint_transform(pose: &[Trs], world: &[DAffine3], node: usize) -> Affine3A {
-    let scale = pose[node].scale.abs().as_dvec3();
-    let uniform = (scale - DVec3::splat(scale.x)).abs().max_element() <= 1e-5 * scale.max_element();
-    let own = if uniform || scale.min_element() == 0.0 { DVec3::ONE } else { scale.recip() };
-    (world[node] * DAffine3::from_scale(own)).as_affine3a()
-}
-
-/// Multiplies the rig's corrections into the chain's local rotations, and the other eye's into its; without one that
-/// eye turns in the world as joint 0 does.
-fn apply<R: AimRig>(rig: &R, chain: &ChainNodes, pair: Option<Quat>, skeleton: &Skeleton, pose: &mut [Trs]) {
-    let eye = chain.joints[0];
-    let before = pose[eye].rotation.as_dquat();
-    for (joint, correction) in rig.corrections() {
-        pose[chain.joints[joint]].turn(correction);
-    }
-    match (chain.pair, pair) {
-        (Some(node), Some(correction)) => pose[node].turn(correction),
-        (Some(node), None) => follow(eye, before, node, skeleton, pose),
-        (None, _) => {}
-    }
-}
-
-/// Turns `pair` in the world as the `eye` turned from its rotation `before`.
-fn follow(eye: usize, before: DQuat, pair: usize, skeleton: &Skeleton, pose: &mut [Trs]) {
-    let turn = DMat3::from_quat(pose[eye].rotation.as_dquat() * before.inverse());
-    let world = skeleton.world_f64(pose);
-    // Orthogonal, but not always a rotation: a parent may be mirrored.
-    let parent = |node: usize| match skeleton.nodes()[node].parent {
-        Some(parent) => orthonormal(&world[parent].matrix3).0,
-        None => DMat3::IDENTITY,
-    };
-    let to_pair = parent(pair).transpose() * parent(eye);
-    let turn = DQuat::from_mat3(&(to_pair * turn * to_pair.transpose())).as_quat();
-    pose[pair].rotation = (turn * pose[pair].rotation).normalize();
-}
-
 /// The sign of a quaternion that interpolates the short way from the one before.
 pub(crate) fn continuous(before: Option<&Quat>, rotation: Quat) -> Quat {
     if before.is_some_and(|before| before.dot(rotation) < 0.0) { -rotation } else { rotation }
-}
-
-fn joint_frames<R: AimRig>(rig: &R, outcome: Outcome, led: impl Fn(usize) -> Option<[f64; 2]>) -> Vec<JointFrame> {
-    let joints = rig.joints();
-    let joints = joints.as_ref().iter().enumerate().map(|(i, joint)| JointFrame {
-        heading: joint.heading(),
-        pitch: joint.pitch(),
-        led: led(i),
-        at_limit: outcome.at_limit.contains(i),
-        recovering: outcome.recovering.contains(i),
-    });
-    joints.collect()
 }

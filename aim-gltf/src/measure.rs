@@ -11,7 +11,7 @@ use crate::facing::{Evidence, Facing};
 use crate::plan::BodyPlan;
 use crate::roles::{Role, Roles, bones};
 use crate::skeleton::Skeleton;
-use crate::skin::{carriers, deform};
+use crate::skin::{Palette, carriers};
 use crate::trs::{nearest_axis, orthonormal};
 
 /// A signed coordinate axis of a bone's own space.
@@ -197,7 +197,7 @@ impl Measurement {
                 bind = placed(&roles);
             }
         }
-        let skin = deform(skeleton, document.points(), &bind);
+        let skin = Palette::new(skeleton, &bind).deform(document.points());
         let body =
             Body { skeleton, bind: &bind, is_bone: &is_bone, skin: &skin, carriers: &carriers, roles: &roles, plan };
         let facing = Facing::find(&body);

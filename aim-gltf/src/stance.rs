@@ -20,14 +20,17 @@ const LIES_RAD: f64 = 75.0 / 180.0 * PI;
 const TELLS_ROLL: f64 = 0.017_452;
 
 /// What is fixed while one chain of one character is aimed.
-pub(crate) struct Stance<'a> {
-    chain: &'a ChainNodes,
-    measurement: &'a Measurement,
+#[derive(Clone, Debug)]
+pub(crate) struct Stance {
+    pub(crate) chain: ChainNodes,
+    /// Every node in the bind pose, in the world.
+    bind_world: Vec<DAffine3>,
     /// The bone that the chain hangs on.
     carrier: Option<usize>,
     /// The bone that tells how the character as a whole is turned.
     trunk: Option<usize>,
-    effector: Sight,
+    /// What of each joint is aimed: of joint 0 the effector.
+    sights: Vec<Sight>,
     /// What of the other eye is aimed.
     pair: Option<Sight>,
     /// What is up in the world for a character that stands: the axis nearest to what the rig calls up, as a file may
@@ -38,6 +41,7 @@ pub(crate) struct Stance<'a> {
 }
 
 /// A point and a direction of a node, in the node's space.
+#[derive(Clone, Copy, Debug)]
 struct Sight {
     node: usize,
     origin: DVec3,
@@ -56,29 +60,36 @@ impl Sight {
     fn forward(&self, world: &[DAffine3]) -> DVec3 {
         world[self.node].transform_vector3(self.forward)
     }
+
+    fn gaze(&self, world: &[DAffine3]) -> [DVec3; 2] {
+        [world[self.node].transform_point3(self.origin), self.forward(world).normalize_or_zero()]
+    }
 }
 
-impl<'a> Stance<'a> {
-    pub(crate) fn new<R: AimRig>(
-        rig: &R,
-        skeleton: &Skeleton,
-        chain: &'a ChainNodes,
-        measurement: &'a Measurement,
-    ) -> Self {
+impl Stance {
+    pub(crate) fn new<R: AimRig>(rig: &R, skeleton: &Skeleton, chain: &ChainNodes, measurement: &Measurement) -> Self {
         let above = |node: &usize| skeleton.nodes()[*node].parent;
         let hips = measurement.with_role(Role::Hips).map(|bone| bone.node);
         let ancestry = || skeleton.ancestry(chain.joints[0]);
         let Effector { forward, origin } = rig.effector();
-        let eye = chain.joints[0];
-        let effector =
-            Sight { node: eye, origin: Vec3::from(origin).as_dvec3(), forward: Vec3::from(forward).as_dvec3() };
+        let own = rig.joint_infos().iter().zip(&chain.joints).map(|(info, &node)| {
+            let forward = Vec3::from(info.axes().forward).as_dvec3();
+            Sight { node, origin: DVec3::ZERO, forward }
+        });
+        let mut sights: Vec<Sight> = own.collect();
+        let effector = Sight {
+            node: chain.joints[0],
+            origin: Vec3::from(origin).as_dvec3(),
+            forward: Vec3::from(forward).as_dvec3(),
+        };
+        sights[0] = effector;
         Self {
-            chain,
-            measurement,
+            chain: chain.clone(),
+            bind_world: measurement.bind_world.clone(),
             carrier: chain.joints.last().and_then(above),
             trunk: hips.filter(|hips| ancestry().any(|node| node == *hips)).or_else(|| ancestry().last()),
             pair: chain.pair.map(|pair| other(&effector, pair, measurement)),
-            effector,
+            sights,
             standing: standing(rig, chain, measurement),
             up: rig.joint_infos().first().map_or(DVec3::ZERO, |info| Vec3::from(info.axes().up).as_dvec3()),
         }
@@ -89,7 +100,7 @@ impl<'a> Stance<'a> {
     pub(crate) fn up(&self, world: &[DAffine3]) -> DVec3 {
         let standing = self.standing;
         let Some(trunk) = self.trunk else { return standing };
-        let [bind, now] = [&self.measurement.bind_world[trunk], &world[trunk]].map(|at| orthonormal(&at.matrix3).0);
+        let [bind, now] = [&self.bind_world[trunk], &world[trunk]].map(|at| orthonormal(&at.matrix3).0);
         let own = now * bind.transpose() * standing;
         let lean = standing.cross(own).length().atan2(standing.dot(own));
         let share = ((lean - STANDS_RAD) / (LIES_RAD - STANDS_RAD)).clamp(0.0, 1.0);
@@ -98,7 +109,7 @@ impl<'a> Stance<'a> {
 
     /// The joints' bind pose, carried along by what the chain hangs on.
     pub(crate) fn bind<R: AimRig>(&self, rig: &R, world: &[DAffine3]) -> R::Array<Affine3A> {
-        let bind = &self.measurement.bind_world;
+        let bind = &self.bind_world;
         let carried = self.carrier.map(|node| world[node] * bind[node].inverse());
         let carried = carried.filter(DAffine3::is_finite).unwrap_or(DAffine3::IDENTITY);
         let mut joints = rig.array(Affine3A::IDENTITY);
@@ -133,8 +144,8 @@ impl<'a> Stance<'a> {
     /// The other eye's local rotation with which it looks as joint 0 does, as both do in the bind pose. Animations that
     /// turn eyes by themselves seldom keep them parallel, and what a skin shows of an eye is what the bind pose says.
     pub(crate) fn parallel(&self, skeleton: &Skeleton, pose: &[Trs], world: &[DAffine3]) -> Option<Quat> {
-        let (eye, pair) = (self.effector.node, self.pair.as_ref()?.node);
-        let bind = &self.measurement.bind_world;
+        let (eye, pair) = (self.sights[0].node, self.pair.as_ref()?.node);
+        let bind = &self.bind_world;
         let frame = |at: &DAffine3| orthonormal(&at.matrix3).0;
         let wanted = frame(&world[eye]) * frame(&bind[eye]).transpose() * frame(&bind[pair]);
         let parent = skeleton.nodes()[pair].parent.map_or(DMat3::IDENTITY, |parent| frame(&world[parent]));
@@ -143,9 +154,24 @@ impl<'a> Stance<'a> {
         (local.determinant() > 0.5).then(|| DQuat::from_mat3(&local).normalize().as_quat())
     }
 
-    /// Degrees between the effector and the direction to `target`; 90 where either has no direction.
-    pub(crate) fn error_deg(&self, world: &[DAffine3], target: DVec3) -> f64 {
-        self.effector.error_deg(world, target).unwrap_or(90.0)
+    /// Degrees between what of joint `aimed` is aimed and the direction to `target`; 90 where either has no direction.
+    pub(crate) fn error_deg(&self, aimed: usize, world: &[DAffine3], target: DVec3) -> f64 {
+        self.sight(aimed).error_deg(world, target).unwrap_or(90.0)
+    }
+
+    /// The point that joint `aimed` looks from and its direction, in the world.
+    pub(crate) fn gaze(&self, aimed: usize, world: &[DAffine3]) -> [DVec3; 2] {
+        self.sight(aimed).gaze(world)
+    }
+
+    /// The same of the other eye.
+    pub(crate) fn pair_gaze(&self, world: &[DAffine3]) -> Option<[DVec3; 2]> {
+        self.pair.as_ref().map(|pair| pair.gaze(world))
+    }
+
+    /// As the solvers read [`Settings::effector`](aim_runtime::Settings::effector): past the last joint is the last.
+    fn sight(&self, aimed: usize) -> &Sight {
+        &self.sights[aimed.min(self.sights.len() - 1)]
     }
 
     /// The same of the other eye; `None` where there is none.
@@ -158,8 +184,8 @@ impl<'a> Stance<'a> {
     pub(crate) fn roll_deg(&self, animated: &[DAffine3], aimed: &[DAffine3]) -> f64 {
         let up = self.up(animated);
         let roll = |world: &[DAffine3]| {
-            let bone_up = world[self.effector.node].transform_vector3(self.up);
-            roll(self.effector.forward(world), up, bone_up)
+            let bone_up = world[self.sights[0].node].transform_vector3(self.up);
+            roll(self.sights[0].forward(world), up, bone_up)
         };
         let more = roll(aimed).zip(roll(animated)).map_or(0.0, |(aimed, animated)| aimed - animated);
         (more - TAU * (more / TAU).round()).to_degrees()

@@ -1,16 +1,22 @@
 //! The triangles that a file shows, ready to be posed and drawn. What cannot be read is left out, never an error.
 
-use glam::{DAffine3, DVec3};
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3, Vec2, Vec3};
 use serde_json::Value;
 
 use crate::accessor::Data;
 use crate::document::{Document, bytes_of};
+use crate::material::{self, Material};
+use crate::normals::normals;
 use crate::raw::{Primitive, Raw};
 use crate::skeleton::Skeleton;
-use crate::skin::{SkinnedPoint, carrier, deform, read_primitive};
+use crate::skin::{Palette, SkinnedPoint, carrier, read_primitive};
 
 /// Triangles drawn at most; a file with more shows its first ones.
 const MOST_TRIANGLES: usize = 2_000_000;
+/// Vertices at most, as triangles.
+const MOST_VERTICES: usize = 4_000_000;
 
 /// One triangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,56 +24,130 @@ const MOST_TRIANGLES: usize = 2_000_000;
 pub struct Triangle {
     /// Indices into the positions, counter-clockwise seen from outside.
     pub vertices: [usize; 3],
-    /// The material's base colour, linear RGB in 0…1; `None` where a texture gives it or there is no material.
-    pub colour: Option<[f64; 3]>,
+    /// Which of the [`Surface::materials`]; `None` where the file gives it none.
+    pub material: Option<usize>,
 }
 
 /// The meshes of a document: what its nodes show, skinned or not.
 #[derive(Debug, Clone)]
 pub struct Surface {
     points: Vec<SkinnedPoint>,
+    normals: Vec<Vec3>,
+    texture_coordinates: Vec<Vec2>,
+    tints: Vec<[f32; 4]>,
     triangles: Vec<Triangle>,
+    materials: Vec<Material>,
+    images: Vec<Arc<[u8]>>,
 }
 
 impl Document {
-    /// The triangles of every mesh that a node shows. Points, lines, and geometry that is compressed or broken are
-    /// left out; shapes are at their defaults, without morph targets.
+    /// The triangles of every mesh that a node shows, and what they look like. Points, lines, and geometry that is
+    /// compressed or broken are left out, and so are pictures that cannot be found; shapes are at their defaults,
+    /// without morph targets.
     #[must_use]
     pub fn surface(&self) -> Surface {
-        let mut surface = Surface { points: Vec::new(), triangles: Vec::new() };
+        let mut surface = Surface {
+            points: Vec::new(),
+            normals: Vec::new(),
+            texture_coordinates: Vec::new(),
+            tints: Vec::new(),
+            triangles: Vec::new(),
+            materials: Vec::new(),
+            images: Vec::new(),
+        };
         let Ok((raw, _)) = Raw::parse(&self.text) else { return surface };
         let slices: Vec<_> = self.buffers.iter().map(|b| bytes_of(b, self.chunk.as_deref())).collect();
         let data = Data::new(&raw, &slices);
+        (surface.materials, surface.images) = material::read(self, &data);
+        let world = self.skeleton().world_f64(&[]);
+        let palette = Palette::new(self.skeleton(), &world);
         for (node, mesh) in raw.nodes.iter().enumerate().filter_map(|(i, node)| Some((i, node.mesh?))) {
             for (index, primitive) in raw.meshes[mesh].primitives.iter().enumerate() {
                 let json = &self.json()["meshes"][mesh]["primitives"][index];
-                surface.add(&data, node, primitive, json, self.json());
+                surface.add(&Part { data: &data, node, primitive, json, is_mirrored: palette.mirrors(node) });
             }
         }
         surface
     }
 }
 
-impl Surface {
-    fn add(&mut self, data: &Data<'_>, node: usize, primitive: &Primitive, json: &Value, file: &Value) {
-        let Ok(points) = read_primitive(data, node, primitive) else { return };
-        let corners = match json.get("indices").map(Value::as_u64) {
-            None => (0..points.len()).collect(),
+/// A primitive as a node shows it.
+struct Part<'a> {
+    data: &'a Data<'a>,
+    node: usize,
+    primitive: &'a Primitive,
+    json: &'a Value,
+    /// Whether the node turns its inside out.
+    is_mirrored: bool,
+}
+
+impl Part<'_> {
+    /// As many of an attribute as there are vertices; none if it is missing or broken.
+    fn attribute<const N: usize>(&self, name: &str, shape: &str, vertices: usize) -> Option<Vec<[f32; N]>> {
+        let accessor = *self.primitive.attributes.get(name)?;
+        let floats = self.data.floats(accessor, &[shape], name).ok()?;
+        let element = |part: &[f32]| core::array::from_fn(|i| part[i]);
+        (floats.len() == N * vertices).then(|| floats.chunks_exact(N).map(element).collect())
+    }
+
+    /// Linear colours that the vertices multiply the material's by.
+    fn tints(&self, vertices: usize) -> Option<Vec<[f32; 4]>> {
+        let tints = self.attribute("COLOR_0", "VEC4", vertices).or_else(|| {
+            let opaque = |[r, g, b]: [f32; 3]| [r, g, b, 1.0];
+            Some(self.attribute("COLOR_0", "VEC3", vertices)?.into_iter().map(opaque).collect())
+        });
+        tints.map(|tints| tints.into_iter().map(|tint| tint.map(|part| part.clamp(0.0, 1.0))).collect())
+    }
+
+    /// Its triangles among `vertices` vertices, outside first.
+    fn triangles(&self, vertices: usize) -> Vec<[usize; 3]> {
+        let corners = match self.json.get("indices").map(Value::as_u64) {
+            None => (0..vertices).collect(),
             Some(accessor) => {
-                let Some(accessor) = accessor.and_then(|at| usize::try_from(at).ok()) else { return };
-                match data.floats(accessor, &["SCALAR"], "indices") {
-                    Ok(indices) => indices.iter().map(|i| whole(*i)).collect::<Vec<usize>>(),
-                    Err(_) => return,
-                }
+                let accessor = accessor.and_then(|at| usize::try_from(at).ok());
+                let indices = accessor.map(|at| self.data.floats(at, &["SCALAR"], "indices"));
+                let Some(Ok(indices)) = indices else { return Vec::new() };
+                indices.iter().map(|i| whole(*i)).collect::<Vec<usize>>()
             }
         };
-        let start = self.points.len();
-        let colour = base_colour(json, file);
-        for vertices in triangles(json.get("mode").map_or(Some(4), Value::as_u64), &corners) {
-            if vertices.iter().all(|v| *v < points.len()) && self.triangles.len() < MOST_TRIANGLES {
-                self.triangles.push(Triangle { vertices: vertices.map(|v| start + v), colour });
-            }
+        let mut triangles = triangles(self.json.get("mode").map_or(Some(4), Value::as_u64), &corners);
+        triangles.retain(|triangle| triangle.iter().all(|vertex| *vertex < vertices));
+        if self.is_mirrored {
+            triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
         }
+        triangles
+    }
+}
+
+impl Surface {
+    fn add(&mut self, part: &Part<'_>) {
+        let count = part.primitive.attributes.get("POSITION").and_then(|at| part.data.accessor(*at, "POSITION").ok());
+        if count.is_none_or(|accessor| self.points.len().saturating_add(accessor.count) > MOST_VERTICES) {
+            return;
+        }
+        let Ok(points) = read_primitive(part.data, part.node, part.primitive) else { return };
+        let (start, count) = (self.points.len(), points.len());
+        let mut triangles = part.triangles(count);
+        triangles.truncate(MOST_TRIANGLES - self.triangles.len());
+        let material = part.json.get("material").and_then(Value::as_u64).and_then(|at| usize::try_from(at).ok());
+        let material = material.filter(|at| *at < self.materials.len());
+        let given = part.attribute("NORMAL", "VEC3", count);
+        let given = given.map(|given| given.into_iter().map(Vec3::from).collect::<Vec<_>>());
+        self.normals.extend(given.unwrap_or_else(|| {
+            let positions: Vec<Vec3> = points.iter().map(SkinnedPoint::position).collect();
+            // In the mesh's own space, where a mirror has not yet turned anything.
+            let inside_out = if part.is_mirrored { -1.0 } else { 1.0 };
+            normals(&positions, &triangles).into_iter().map(|normal| normal * inside_out).collect()
+        }));
+        let texture = material.and_then(|at| self.materials[at].texture);
+        let coordinates = texture.and_then(|texture| {
+            let read = part.attribute(&format!("TEXCOORD_{}", texture.set), "VEC2", count)?;
+            Some(read.into_iter().map(|at| texture.transform.transform_point2(at.into())).collect())
+        });
+        self.texture_coordinates.extend(coordinates.unwrap_or_else(|| vec![Vec2::ZERO; count]));
+        self.tints.extend(part.tints(count).unwrap_or_else(|| vec![[1.0; 4]; count]));
+        let placed = |triangle: [usize; 3]| Triangle { vertices: triangle.map(|vertex| start + vertex), material };
+        self.triangles.extend(triangles.into_iter().map(placed));
         self.points.extend(points);
     }
 
@@ -77,11 +157,44 @@ impl Surface {
         &self.triangles
     }
 
+    /// The materials, as the file numbers them.
+    #[must_use]
+    pub fn materials(&self) -> &[Material] {
+        &self.materials
+    }
+
+    /// The pictures that materials use, encoded as in the file: PNG or JPEG, if it keeps to the rules.
+    #[must_use]
+    pub fn images(&self) -> &[Arc<[u8]>] {
+        &self.images
+    }
+
+    /// Where each vertex is on its material's picture: right and down from its upper left, in 0…1 and beyond. Zero
+    /// without a picture.
+    #[must_use]
+    pub fn texture_coordinates(&self) -> &[Vec2] {
+        &self.texture_coordinates
+    }
+
+    /// What each vertex multiplies its material's colour by: linear red, green, blue and opacity in 0…1. Ones if not
+    /// given.
+    #[must_use]
+    pub fn tints(&self) -> &[[f32; 4]] {
+        &self.tints
+    }
+
     /// The vertices in the world, for `world` ← node of every node of the document: what
     /// [`Skeleton::world_f64`] gives.
     #[must_use]
     pub fn positions(&self, skeleton: &Skeleton, world: &[DAffine3]) -> Vec<DVec3> {
-        deform(skeleton, &self.points, world)
+        Palette::new(skeleton, world).deform(&self.points)
+    }
+
+    /// The vertices in the world and their normals of length one, in single precision into buffers that are emptied
+    /// first; for `world` as in [`Self::positions`]. Normals that the file does not give are the faces', smooth where
+    /// they turn by less than 60°.
+    pub fn pose(&self, skeleton: &Skeleton, world: &[DAffine3], positions: &mut Vec<Vec3>, normals: &mut Vec<Vec3>) {
+        Palette::new(skeleton, world).pose(&self.points, &self.normals, (positions, normals));
     }
 
     /// The node that moves a vertex most: its heaviest joint, or the node that shows it; `None` past the last vertex.
@@ -100,17 +213,6 @@ fn triangles(mode: Option<u64>, corners: &[usize]) -> Vec<[usize; 3]> {
         Some(6) => corners.get(1..).unwrap_or_default().windows(2).map(|w| [corners[0], w[0], w[1]]).collect(),
         _ => Vec::new(),
     }
-}
-
-fn base_colour(primitive: &Value, file: &Value) -> Option<[f64; 3]> {
-    let material = usize::try_from(primitive.get("material")?.as_u64()?).ok()?;
-    let surface = file.get("materials")?.get(material)?.get("pbrMetallicRoughness")?;
-    if surface.get("baseColorTexture").is_some() {
-        return None;
-    }
-    let factor = surface.get("baseColorFactor")?.as_array()?;
-    let part = |i: usize| Some(factor.get(i)?.as_f64()?.clamp(0.0, 1.0));
-    Some([part(0)?, part(1)?, part(2)?])
 }
 
 #[expect(
@@ -141,7 +243,7 @@ mod tests {
         assert!((high - low - measured.height).abs() < 1e-6, "{low} … {high} against {}", measured.height);
         assert!(surface.triangles().len() > 1000, "a whole figure");
         assert!(surface.triangles().iter().flat_map(|t| t.vertices).all(|v| v < positions.len()), "vertices exist");
-        assert!(surface.triangles().iter().all(|t| t.colour.is_some()), "plain materials have colours");
+        assert!(surface.triangles().iter().all(|t| t.material.is_some()), "every part has a colour");
         let eye = measured.with_role(Role::LeftEye).map(|bone| bone.node);
         let of_eye = (0..positions.len()).filter(|v| surface.node_of(document.skeleton(), *v) == eye);
         assert!(of_eye.count() > 100, "the eyeball hangs on the eye");

@@ -14,6 +14,8 @@ fn exercise(bytes: &[u8]) -> Result<(), Error> {
     for clip in document.clips() {
         let _ = document.skeleton().world(&document.skeleton().pose(clip, 0.3));
     }
+    let skeleton = document.skeleton();
+    document.surface().pose(skeleton, &skeleton.world_f64(&[]), &mut Vec::new(), &mut Vec::new());
     let _ = document.with_clips(&[])?;
     Ok(())
 }

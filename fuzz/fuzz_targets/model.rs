@@ -1,4 +1,4 @@
-//! A model's file: whatever is accepted can be measured, sampled, and written so that it is accepted again.
+//! A model's file: whatever is accepted can be measured, sampled, posed to be drawn, and written so that it is accepted again.
 #![no_main]
 
 use aim_gltf::{Document, LookAt, Measurement};
@@ -33,6 +33,21 @@ fuzz_target!(|input: &[u8]| -> Corpus {
     for clip in document.clips() {
         let pose = document.skeleton().pose(clip, 0.3 * clip.seconds());
         assert_eq!(document.skeleton().world(&pose).len(), document.skeleton().nodes().len());
+    }
+    let (surface, skeleton) = (document.surface(), document.skeleton());
+    let (mut positions, mut normals) = (Vec::new(), Vec::new());
+    surface.pose(skeleton, &skeleton.world_f64(&[]), &mut positions, &mut normals);
+    let counts = [normals.len(), surface.texture_coordinates().len(), surface.tints().len()];
+    assert_eq!(counts, [positions.len(); 3], "one of each for each vertex");
+    assert!(normals.iter().all(|normal| (normal.length() - 1.0).abs() < 1e-3));
+    assert!(surface.texture_coordinates().iter().all(|at| !at.is_nan()));
+    for triangle in surface.triangles() {
+        assert!(triangle.vertices.iter().all(|vertex| *vertex < positions.len()), "{triangle:?}");
+        assert!(triangle.material.is_none_or(|at| at < surface.materials().len()), "{triangle:?}");
+    }
+    for material in surface.materials() {
+        assert!(material.texture.is_none_or(|texture| texture.image < surface.images().len()), "{material:?}");
+        assert!(material.colour.iter().all(|part| (0.0..=1.0).contains(part)), "{material:?}");
     }
     if let Ok(written) = document.with_clips(document.clips()) {
         let again =

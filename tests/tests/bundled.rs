@@ -3,7 +3,7 @@
 
 use aim::rigs::{Mannequin, Mixamo, Rigify, Rocketbox, Thug, Turret, UnrealMannequin, Vrm};
 use aim::{AimRig, Natural, Role};
-use aim_cli::InterpretedRig;
+use aim_character::InterpretedRig;
 use aim_codegen::{NaturalSpec, RigSpec};
 use aim_tests::compare::{self, Outputs};
 use aim_tests::{c, oracle};

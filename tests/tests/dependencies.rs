@@ -59,7 +59,8 @@ fn point_one_way() {
         declared[package].iter().filter(|name| name.starts_with("aim-")).cloned().collect()
     };
     assert_eq!(ours("aim-gltf"), set(&["aim-runtime"]));
-    let command = set(&["aim-codegen", "aim-gltf", "aim-runtime", "aim-symbolic"]);
+    assert_eq!(ours("aim-character"), set(&["aim-codegen", "aim-gltf", "aim-runtime", "aim-symbolic"]));
+    let command = set(&["aim-character", "aim-codegen", "aim-gltf", "aim-runtime", "aim-symbolic"]);
     assert!(ours("aim-cli").is_subset(&command), "{:?}", ours("aim-cli"));
 }
 

@@ -3,7 +3,7 @@
 use aim::rigs::Thug;
 use aim::wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 use aim::{AimRig, Scalar};
-use aim_cli::InterpretedRig;
+use aim_character::InterpretedRig;
 use aim_codegen::RigSpec;
 use aim_tests::lanes::{Lane, Lanes, Seen, cases, compare};
 use aim_tests::random::Random;

@@ -1,6 +1,6 @@
 //! The mannequin authored in every convention, per bone: one and the same result in the world.
 
-use aim_cli::InterpretedRig;
+use aim_character::InterpretedRig;
 use aim_codegen::{Frame, RigSpec};
 use aim_gltf::{ChainNodes, Document, Measurement, Plan, Settle, bake, mannequin};
 use aim_runtime::Settings;

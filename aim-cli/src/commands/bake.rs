@@ -4,6 +4,7 @@ use std::io::IsTerminal;
 use std::path::Path;
 use std::time::Duration;
 
+use aim_character::{Fit, InterpretedRig, propose};
 use aim_codegen::{RigSpec, Role};
 use aim_gltf::{Baked, ChainNodes, Clip, Document, Measurement, Plan};
 use aim_runtime::Settings;
@@ -13,11 +14,8 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use crate::args::{self, Aiming, Settle, Solver};
 use crate::failure::{Failure, Result};
 use crate::files;
-use crate::fit::Fit;
 use crate::html::{self, Subject};
-use crate::interpreted::InterpretedRig;
 use crate::outputs::Outputs;
-use crate::proposal;
 use crate::report::Report;
 use crate::target::{Target, TargetSpec};
 
@@ -173,7 +171,7 @@ pub(super) fn run(arguments: &args::Bake) -> Result {
     let measurement = Measurement::of(&document);
     let spec = match &arguments.rig {
         Some(path) => files::load_rig(path)?,
-        None => proposal::propose(&arguments.file, &document, &measurement, None)?.spec,
+        None => propose(&document, &measurement, None).map_err(|error| Failure::in_file(&arguments.file, error))?.spec,
     };
     warn(arguments, &spec, &document, &measurement);
     let fail = |error: aim_gltf::Error| Failure::in_file(&arguments.file, error);

@@ -2,12 +2,11 @@
 
 use std::path::Path;
 
+use aim_character::{Fit, NEAR_DEG, evidence};
 use aim_gltf::Measurement;
 
-use crate::evidence;
 use crate::failure::{Failure, Result};
 use crate::files;
-use crate::fit::{Fit, NEAR_DEG};
 
 pub(super) fn run(file: &Path, rig: &Path) -> Result {
     let spec = files::load_rig(rig)?;

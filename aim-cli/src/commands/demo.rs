@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use aim_character::MANNEQUIN_RIG;
 use aim_gltf::{Document, Measurement, PAPER_AXES, mannequin};
 
 use super::bake::Job;
@@ -11,15 +12,12 @@ use crate::failure::{Failure, Result};
 use crate::files;
 use crate::target::TargetSpec;
 
-/// The mannequin's rig, the same file that `aim::rigs::Mannequin` is compiled from.
-const RIG: &str = include_str!("../../../rigs/mannequin.toml");
-
 /// The target: 2 m away, a little above the eyes, once around in ten seconds.
 const TARGET: TargetSpec = TargetSpec::Orbit { radius: 2.0, height: 0.15, seconds: 10.0 };
 const FPS: f32 = 60.0;
 
 pub(super) fn run(arguments: &args::Demo) -> Result {
-    let spec = aim_codegen::declare::from_toml("rigs/mannequin.toml", RIG)?;
+    let spec = aim_codegen::declare::from_toml("rigs/mannequin.toml", MANNEQUIN_RIG)?;
     let model = mannequin(|_| PAPER_AXES).map_err(|error| Failure::input(error.to_string()))?;
     let file = Path::new("the mannequin");
     let document = Document::from_bytes(&model).map_err(|error| Failure::in_file(file, error))?;

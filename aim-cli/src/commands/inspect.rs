@@ -2,15 +2,15 @@
 
 use std::path::Path;
 
+use aim_character::{Fit, evidence, propose};
 use aim_gltf::{BoneAxes, Document, MeasuredPose, Measurement};
 use serde::Serialize;
 
 use crate::args;
 use crate::failure::Result;
-use crate::fit::Fit;
+use crate::files;
 use crate::html::{self, Inspected};
 use crate::outputs::Outputs;
-use crate::{evidence, files, proposal};
 
 #[derive(Serialize)]
 struct Inspection {
@@ -136,7 +136,7 @@ fn draw(arguments: &args::Inspect, page: &Path, document: &Document, measurement
     let (spec, rig) = match &arguments.rig {
         Some(path) => (Some(files::load_rig(path)?), path.display().to_string()),
         None => {
-            let proposed = proposal::propose(&arguments.file, document, measurement, None);
+            let proposed = propose(document, measurement, None);
             (proposed.ok().map(|proposal| proposal.spec), "the proposed rig".to_owned())
         }
     };

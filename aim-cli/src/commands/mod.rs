@@ -8,8 +8,10 @@ mod demo;
 mod explain;
 pub(crate) mod generate;
 mod inspect;
+mod plot;
 mod reach;
 mod rig;
+mod view;
 
 use crate::args::Command;
 use crate::failure::Result;
@@ -27,7 +29,9 @@ pub(crate) fn run(command: Command) -> Result {
             None => check::run(&arguments),
         },
         Command::Explain(arguments) => explain::run(&arguments),
+        Command::Plot(arguments) => plot::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Reach(arguments) => reach::run(&arguments),
+        Command::View(arguments) => view::run(arguments),
     }
 }

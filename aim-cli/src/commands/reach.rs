@@ -129,10 +129,24 @@ impl Report {
         html::trajectory_page(&Course {
             bone: &self.bone,
             clip: &self.clip,
+            limb: self.limb.each_ref().map(String::as_str),
+            length: self.length,
+            fps: self.fps,
             words: &self.in_words(),
-            before: self.frames.iter().map(|frame| frame.before).collect(),
-            after: self.frames.iter().map(|frame| frame.after).collect(),
+            frames: self
+                .frames
+                .iter()
+                .map(|frame| html::Frame {
+                    t: frame.t.into(),
+                    before: frame.before.into(),
+                    wanted: frame.wanted.into(),
+                    after: frame.after.into(),
+                    status: if frame.status == "reached" { "follows" } else { frame.status },
+                })
+                .collect(),
             goals: plan.goals,
+            errors: self.targets.iter().map(|target| target.error).collect(),
+            tolerance: REACHED * self.length,
             takes: Takes {
                 document: plan.document,
                 measurement: &Measurement::of(plan.document),
@@ -150,18 +164,18 @@ impl Report {
             words += &match target.status {
                 "reached" => format!("{} is on its target at {} s", self.bone, target.at),
                 too => format!(
-                    "{} cannot get to its target at {} s, it is {}: it comes as near as {:.3e}, at {x:.4},{y:.4},{z:.4}",
+                    "{} cannot get to its target at {} s, it is {}: it comes as near as {}, at {x:.4},{y:.4},{z:.4}",
                     self.bone,
                     target.at,
                     too.replace('_', " "),
-                    target.error
+                    html::words::tiny(target.error, "")
                 ),
             };
             words += "\n";
         }
         if self.summary.stretched > 0 {
             words += &format!(
-                "in {} of {} frames the way there is beyond the limb, which is stretched towards it\n",
+                "In {} of {} frames the way there is beyond the limb, which is stretched towards it\n",
                 self.summary.stretched, self.summary.frames
             );
         }

@@ -1,28 +1,27 @@
 //! `aim rig`: the declaration proposed for a file.
 
+use aim_character::{declaration, evidence, propose};
 use aim_gltf::Measurement;
 
 use crate::args::{self, Notation};
-use crate::declaration::{self, Origin};
 use crate::failure::{Failure, Result};
-use crate::{evidence, files, proposal};
+use crate::files;
 
 pub(super) fn run(arguments: &args::Rig) -> Result {
     let file = &arguments.file;
     let document = files::load_model(file)?;
     let measurement = Measurement::of(&document);
     let named = (!arguments.chain.is_empty()).then_some(&arguments.chain[..]);
-    let mut proposal = proposal::propose(file, &document, &measurement, named)?;
+    let mut proposal = propose(&document, &measurement, named).map_err(|error| Failure::in_file(file, error))?;
     let stem = file.file_stem().unwrap_or_default().to_string_lossy();
     proposal.spec.name = declaration::type_name(&stem);
     let name = file.file_name().unwrap_or_default().to_string_lossy();
-    let facing = evidence::facing(&measurement, &document);
-    let origin = Origin { file: &name, facing: &facing };
-    let mut toml = declaration::toml(&proposal, &origin);
+    let about = format!("Measured from {name}. {}", evidence::facing(&measurement, &document));
+    let mut toml = declaration::toml(&proposal, &about);
     if aim_codegen::declare::from_toml(&name, &toml).is_err() {
         // A file may be called as a keyword of some language is.
         proposal.spec.name += "Rig";
-        toml = declaration::toml(&proposal, &origin);
+        toml = declaration::toml(&proposal, &about);
     }
     // What is proposed is right: it passes the checks that any declaration passes.
     aim_codegen::declare::from_toml(&name, &toml).map_err(|errors| {
@@ -30,6 +29,6 @@ pub(super) fn run(arguments: &args::Rig) -> Result {
     })?;
     files::print(&match arguments.format {
         Notation::Toml => toml,
-        Notation::Rust => declaration::rust(&proposal, &origin),
+        Notation::Rust => declaration::rust(&proposal, &about),
     })
 }

@@ -4,6 +4,7 @@
 use maud::{Markup, html};
 
 use super::words::{self, n, shown, trimmed};
+use crate::ticks::{multiples, nice};
 
 /// One line.
 pub(super) struct Series<'a> {
@@ -46,6 +47,10 @@ pub(super) struct Chart<'a> {
     pub(super) wraps: Option<f64>,
     pub(super) series: Vec<Series<'a>>,
     pub(super) marks: Vec<Mark>,
+    /// Whether something is at its limit in a frame: then it is shaded.
+    pub(super) bound: Vec<bool>,
+    /// Times at which something is to happen.
+    pub(super) moments: &'a [f64],
 }
 
 /// The room around the plot.
@@ -97,13 +102,17 @@ impl Chart<'_> {
                 }
                 svg viewBox={ "0 0 " (n(width)) " " (n(height)) } role="img" aria-label=(self.label) {
                     text.unit x="4" y="9" { (self.unit) }
+                    (self.shading(bottom))
                     @for value in self.ticks() {
                         @let y = self.y(value);
                         line.grid x1=(n(LEFT)) x2=(n(width - RIGHT)) y1=(n(y)) y2=(n(y)) {}
-                        text.tick x=(n(LEFT - 6.0)) y=(n(y + 3.5)) text-anchor="end" { (shown(value, 3)) }
+                        text.tick x=(n(LEFT - 6.0)) y=(n(y + 3.5)) text-anchor="end" {
+                            @if let Scale::Log(..) = self.scale { (words::power_of_ten(value)) } @else { (shown(value, 3)) }
+                        }
                     }
                     (self.time_axis(bottom, width))
                     (self.band(bottom + 1.0, if self.wide { 15.0 } else { 6.0 }))
+                    @for t in self.moments { line.moment x1=(n(self.x(*t))) x2=(n(self.x(*t))) y1=(n(TOP)) y2=(n(bottom)) {} }
                     (self.limits(width))
                     @for series in &self.series {
                         path class={ "series " (series.class) } d=(self.path(&series.values)) {}
@@ -147,23 +156,35 @@ impl Chart<'_> {
         }
     }
 
-    /// A stretch of the same status each, named where there is room.
-    fn band(&self, top: f64, thick: f64) -> Markup {
-        let end = self.span().1;
-        let time = |k: usize| self.times.get(k).copied().unwrap_or(end);
-        let mut runs: Vec<(usize, usize)> = Vec::new();
-        for k in 0..self.statuses.len() {
-            match runs.last_mut() {
-                Some((start, stop)) if self.statuses[*start] == self.statuses[k] => *stop = k + 1,
-                _ => runs.push((k, k + 1)),
+    /// The time of a frame; of the one after the last the end.
+    fn time(&self, frame: usize) -> f64 {
+        self.times.get(frame).copied().unwrap_or(self.span().1)
+    }
+
+    fn stretch(&self, start: usize, stop: usize) -> String {
+        format!("{}–{} s", trimmed(self.time(start), 2), trimmed(self.time(stop), 2))
+    }
+
+    /// Where something is at its limit.
+    fn shading(&self, bottom: f64) -> Markup {
+        html! {
+            @for (start, stop) in runs(&self.bound).into_iter().filter(|(start, _)| self.bound[*start]) {
+                @let (from, to) = (self.x(self.time(start)), self.x(self.time(stop)));
+                rect.bound x=(trimmed(from, 2)) width=(trimmed((to - from).max(0.4), 2)) y=(n(TOP)) height=(n(bottom - TOP)) {
+                    title { "at a limit, " (self.stretch(start, stop)) }
+                }
             }
         }
+    }
+
+    /// A stretch of the same status each, named where there is room.
+    fn band(&self, top: f64, thick: f64) -> Markup {
         html! {
-            @for (start, stop) in runs {
-                @let (from, to) = (self.x(time(start)), self.x(time(stop)));
+            @for (start, stop) in runs(self.statuses) {
+                @let (from, to) = (self.x(self.time(start)), self.x(self.time(stop)));
                 @let name = words::status(self.statuses[start]);
                 g {
-                    title { (name) ", " (trimmed(time(start), 2)) "–" (trimmed(time(stop), 2)) " s" }
+                    title { (name) ", " (self.stretch(start, stop)) }
                     rect class={ "status " (self.statuses[start]) } x=(trimmed(from, 2)) width=(trimmed((to - from).max(0.4), 2)) y=(n(top)) height=(n(thick)) {}
                     @if thick > 12.0 && to - from > 7.0 + 5.8 * letters(name) {
                         text.on-status x=(n((from + to) / 2.0)) y=(n(top + 11.0)) text-anchor="middle" { (name) }
@@ -211,6 +232,17 @@ impl Chart<'_> {
     }
 }
 
+/// Stretches of the same value: where each begins and where the next does.
+fn runs<T: PartialEq>(values: &[T]) -> Vec<(usize, usize)> {
+    let mut start = 0;
+    let run = |same: &[T]| {
+        let from = start;
+        start += same.len();
+        (from, start)
+    };
+    values.chunk_by(|a, b| a == b).map(run).collect()
+}
+
 fn letters(text: &str) -> f64 {
     text.chars().fold(0.0, |sum, _| sum + 1.0)
 }
@@ -231,33 +263,9 @@ fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     points.chunks(stretch).flat_map(extremes).collect()
 }
 
-/// Round numbers between two, about `wanted` of them.
-fn nice(low: f64, high: f64, wanted: f64) -> Vec<f64> {
-    let rough = (high - low) / wanted;
-    if !(rough > 0.0 && rough.is_finite()) {
-        return Vec::new();
-    }
-    let power = 10_f64.powf(rough.log10().floor());
-    let step = [1.0, 2.0, 5.0].into_iter().map(|step| step * power).find(|step| *step >= rough * 0.999);
-    multiples(low, high, step.unwrap_or(10.0 * power))
-}
-
-fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
-    let first = (low / step - 1e-9).ceil();
-    let all = std::iter::successors(Some(first), |k| Some(k + 1.0)).map(|k| k * step);
-    all.take_while(|tick| *tick <= high + 1e-9 * step).take(64).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn ticks_are_round() {
-        assert_eq!(multiples(-180.0, 180.0, 90.0), [-180.0, -90.0, 0.0, 90.0, 180.0]);
-        assert_eq!(nice(0.0, 10.0, 12.0).len(), 11);
-        assert!(nice(0.0, 0.0, 5.0).is_empty() && nice(0.0, f64::NAN, 5.0).is_empty());
-    }
 
     #[test]
     fn long_series_keep_their_extremes() {

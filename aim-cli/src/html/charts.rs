@@ -24,7 +24,8 @@ pub(super) fn all(subject: &Subject<'_>) -> Markup {
             @if has_head {
                 "; the head is where the gaze would be with the eye at rest in it, eye in head is the rest of the gaze"
             }
-            ". Dashed lines across are limits. The band below each chart tells the status:"
+            ". Dashed lines across are limits; shaded is where one of them binds: an angle at an end of its range, a speed at \
+             its rate. The band below each chart tells the status:"
         }
         p.statuses {
             @for (word, ours, meaning) in words::STATUSES.iter().filter(|(word, ..)| statuses.contains(word)) {
@@ -49,7 +50,19 @@ pub(super) struct Base<'a> {
 impl<'a> Base<'a> {
     pub(super) fn chart(&self, label: String, unit: &'static str, scale: Scale) -> Chart<'a> {
         let (times, statuses) = (self.times, self.statuses);
-        Chart { label, unit, wide: false, times, statuses, scale, wraps: None, series: Vec::new(), marks: Vec::new() }
+        Chart {
+            label,
+            unit,
+            wide: false,
+            times,
+            statuses,
+            scale,
+            wraps: None,
+            series: Vec::new(),
+            marks: Vec::new(),
+            bound: Vec::new(),
+            moments: &[],
+        }
     }
 }
 
@@ -101,9 +114,13 @@ fn angles(base: &Base<'_>, subject: &Subject<'_>, index: usize) -> Markup {
     let ranges = ranges(subject, index);
     let (mut low, mut high) = (0.0_f64, 0.0_f64);
     let (mut series, mut marks) = (Vec::new(), Vec::new());
+    let mut bound: Vec<bool> = told().map(|joint| joint.at_limit).collect();
     for ((name, range, values), ends) in parts.iter().zip(ranges) {
         if range.is_none() {
             continue;
+        }
+        for (k, bound) in bound.iter_mut().enumerate() {
+            *bound |= ends.iter().any(|end| end.get(k).is_some_and(|end| (values[k] - end).abs() < AT_END));
         }
         for value in ends.iter().flatten().chain(values).filter(|value| value.is_finite()) {
             (low, high) = (low.min(*value), high.max(*value));
@@ -131,6 +148,7 @@ fn angles(base: &Base<'_>, subject: &Subject<'_>, index: usize) -> Markup {
     chart.wraps = parts.iter().any(|(_, range, _)| *range == AngleRange::Free).then_some(360.0);
     chart.marks = marks;
     chart.series = series;
+    chart.bound = bound;
 
     let rate = joint.rate.to_degrees();
     let label = format!("Angular speed of {bone} over time; its rate is {}° a second.", trimmed(rate, 1));
@@ -139,6 +157,9 @@ fn angles(base: &Base<'_>, subject: &Subject<'_>, index: usize) -> Markup {
         .iter()
         .map(|(name, range, values)| Series { name, class: name, values: speeds(base.times, values, *range) })
         .collect();
+    let is_at_rate = |speed: &f64| *speed >= rate * (1.0 - AT_RATE);
+    let at_rate = |k: usize| speed.series.iter().any(|series| series.values.get(k).is_some_and(is_at_rate));
+    speed.bound = (0..base.times.len().min(report.frames.len())).map(at_rate).collect();
     let fastest = speed.series.iter().flat_map(|series| &series.values).filter(|v| v.is_finite());
     speed.scale = Scale::Linear(0.0, fastest.copied().fold(rate, f64::max) * 1.06);
     speed.marks.push(Mark { value: rate, class: "plain", label: format!("{}°/s", trimmed(rate, 1)) });
@@ -147,6 +168,11 @@ fn angles(base: &Base<'_>, subject: &Subject<'_>, index: usize) -> Markup {
         (speed.figure(&format!("{bone}: speed and rate")))
     }
 }
+
+/// As little off the end of its range, degrees, nobody sees an angle hold off.
+const AT_END: f64 = 1e-2;
+/// A speed is at its rate from so little below it: angles are single precision.
+const AT_RATE: f64 = 1e-3;
 
 /// Limits that move, as lines.
 const HEADING_END: &str = "heading limit";

@@ -1,6 +1,7 @@
 //! The page of `aim inspect --html`: the character from several sides with its rig's axes as arrows, as an artist would
 //! check them.
 
+use aim_character::{Fit, JointFit, NAMES, evidence};
 use aim_gltf::{Document, Measurement, Surface};
 use glam::DVec3;
 use maud::{Markup, html};
@@ -8,8 +9,6 @@ use maud::{Markup, html};
 use super::raster::{Corner, FADE, Face, Paint, Picture};
 use super::whole;
 use super::words::n;
-use crate::evidence;
-use crate::fit::{Fit, JointFit, NAMES};
 
 /// The size of a drawing, and pixels of its picture for each unit.
 const SIZE: f64 = 420.0;

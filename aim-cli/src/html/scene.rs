@@ -253,7 +253,9 @@ impl<'a> Scene<'a> {
                     world: positions[vertex],
                 }
             });
-            picture.draw(&Face { corners, paint: eye.unwrap_or(Paint::Plain(triangle.colour.map_or(CLAY, srgb))) });
+            let material = triangle.material.map(|at| &self.surface.materials()[at]);
+            let plain = material.filter(|material| material.texture.is_none()).map_or(CLAY, |m| srgb(m.colour));
+            picture.draw(&Face { corners, paint: eye.unwrap_or(Paint::Plain(plain)) });
         }
         picture.data_uri()
     }
@@ -312,7 +314,7 @@ fn extent(document: &Document, surface: &Surface, positions: &[DVec3], carrier: 
     among(&|node| node == carrier).or_else(|| among(&|node| below[node]))
 }
 
-fn srgb(linear: [f64; 3]) -> [f64; 3] {
+fn srgb(linear: [f32; 4]) -> [f64; 3] {
     // A tenth of clay keeps black cloth apart from a dark page.
-    std::array::from_fn(|i| 0.9 * linear[i].powf(1.0 / 2.2) + 0.1 * CLAY[i])
+    std::array::from_fn(|i| 0.9 * f64::from(linear[i]).powf(1.0 / 2.2) + 0.1 * CLAY[i])
 }

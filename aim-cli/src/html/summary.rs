@@ -20,6 +20,16 @@ fn percent(part: usize, of: usize) -> f64 {
     part as f64 / of.max(1) as f64 * 100.0
 }
 
+/// Names and values under a caption.
+pub(super) fn table(caption: &str, rows: &[(&str, String)]) -> Markup {
+    html! {
+        table {
+            caption { (caption) }
+            tbody { @for (name, value) in rows { tr { th scope="row" { (name) } td { (value) } } } }
+        }
+    }
+}
+
 /// The summary: a paragraph, the share of each status, the facts.
 pub(super) fn section(spec: &RigSpec, report: &Report) -> Markup {
     let counts = counts(report);
@@ -29,12 +39,7 @@ pub(super) fn section(spec: &RigSpec, report: &Report) -> Markup {
             p.lead { (in_words(spec, report)) }
             (shares(&counts, all))
             div.facts {
-                table {
-                    caption { "What was aimed" }
-                    tbody {
-                        @for (name, value) in facts(spec, report) { tr { th scope="row" { (name) } td { (value) } } }
-                    }
-                }
+                (table("What was aimed", &facts(spec, report)))
                 table {
                     caption { "What came of it" }
                     tbody {

@@ -92,6 +92,19 @@ impl Takes<'_> {
         times.iter().map(|&t| Moment { t, before: world(self.before, t), after: world(self.after, t) }).collect()
     }
 
+    /// The angle between the limb's two bones at each time, degrees; 180 is straight.
+    pub(super) fn bent(&self, clip: &Clip, times: &[f64]) -> Vec<f64> {
+        let skeleton = self.document.skeleton();
+        let at = |t: &f64| {
+            #[expect(clippy::cast_possible_truncation, reason = "clips have their times in single precision")]
+            let world = skeleton.world_f64(&skeleton.pose(clip, *t as f32));
+            let [upper, lower, tip] =
+                [self.limb.upper, self.limb.lower, self.limb.tip].map(|node| world[node].translation);
+            (upper - lower).angle_between(tip - lower).to_degrees()
+        };
+        times.iter().map(at).collect()
+    }
+
     fn tip(&self, world: &[DAffine3]) -> DVec3 {
         world[self.limb.tip].translation
     }

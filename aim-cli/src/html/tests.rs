@@ -1,14 +1,14 @@
 //! The page as a whole: it parses, says everything once more for hostile names, and works when nearly nothing is there.
 
-use aim_codegen::RigSpec;
+use aim_codegen::{AngleRange, RigSpec};
 use aim_gltf::{Baked, ChainNodes, Document, Measurement, PAPER_AXES, Plan, Settle, bake, mannequin};
 use aim_runtime::Settings;
 use glam::DVec3;
 use scraper::{Html, Selector};
 
 use super::{Subject, page};
-use crate::interpreted::InterpretedRig;
-use crate::report::Report;
+use crate::report::{JointReport, Report};
+use aim_character::InterpretedRig;
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");
 
@@ -125,6 +125,59 @@ fn the_mannequins_page_is_whole() {
     assert_eq!(count(&html, "svg[aria-label], svg[aria-hidden]"), drawings, "every drawing is named or an ornament");
     assert!(text.len() < 1_500_000, "{} bytes", text.len());
     assert_eq!(text, case.page(), "the same bake makes the same page");
+}
+
+#[test]
+fn limits_are_shaded_just_where_they_bind() {
+    let case = Case::mannequin(6.3);
+    let html = parsed(&case.page());
+    let charts: Vec<_> = html.select(&Selector::parse(".chart").expect("a selector")).collect();
+    let [title, bound] = [".title", ".bound title"].map(|css| Selector::parse(css).expect("a selector"));
+    let time = |text: &str| text.parse::<f64>().expect("a time");
+    let shaded = |name: String| -> Vec<(f64, f64)> {
+        let named = |chart: &&scraper::ElementRef<'_>| {
+            chart.select(&title).next().is_some_and(|title| title.text().collect::<String>() == name)
+        };
+        let chart = charts.iter().find(named).unwrap_or_else(|| panic!("no chart {name}"));
+        let stretch = |at: scraper::ElementRef<'_>| {
+            let text: String = at.text().collect();
+            let (from, to) = text.strip_prefix("at a limit, ")?.strip_suffix(" s")?.split_once('–')?;
+            Some((time(from), time(to)))
+        };
+        chart.select(&bound).map(|at| stretch(at).expect("from, to")).collect()
+    };
+    // Times are told to a hundredth, frames are three apart.
+    let is_in =
+        |stretches: &[(f64, f64)], t: f64| stretches.iter().any(|(from, to)| (from - 0.006..to - 0.006).contains(&t));
+    let frames = &case.report.frames;
+    let (mut limits, mut rates) = (0, 0);
+    for (k, joint) in case.spec.joints.iter().enumerate() {
+        let bone = &frames[0].joints[k].bone;
+        let at_limit = shaded(format!("{bone}: angles and ranges"));
+        let at_rate = shaded(format!("{bone}: speed and rate"));
+        for (before, frame) in frames.iter().zip(&frames[1..]) {
+            let t = f64::from(frame.t);
+            let at = &frame.joints[k];
+            let off_ends =
+                [(joint.heading, at.heading_deg), (joint.pitch, at.pitch_deg)].into_iter().flat_map(|(range, at)| {
+                    let Some(AngleRange::Between(lo, hi)) = range else { panic!("the mannequin's ranges have ends") };
+                    [lo, hi].map(|end| (at - end.to_degrees()).abs())
+                });
+            let binds = off_ends.fold(f64::INFINITY, f64::min) < 0.01;
+            assert!(binds || !at.at_limit, "{bone} at {t}");
+            assert_eq!(is_in(&at_limit, t), binds, "{bone} at {t}");
+            limits += usize::from(binds);
+            let speed = |of: fn(&JointReport) -> f64| {
+                (of(&frame.joints[k]) - of(&before.joints[k])).abs() / f64::from(frame.t - before.t)
+            };
+            let share = speed(|at| at.heading_deg).max(speed(|at| at.pitch_deg)) / joint.rate.to_degrees();
+            if !(0.998..0.9995).contains(&share) {
+                assert_eq!(is_in(&at_rate, t), share > 0.999, "{bone} at {t}: {share} of its rate");
+                rates += usize::from(share > 0.999);
+            }
+        }
+    }
+    assert!(limits > 20 && rates > 3, "{limits} frames at a limit, {rates} at a rate");
 }
 
 #[test]

@@ -27,25 +27,25 @@ pub(super) fn n(value: f64) -> String {
 }
 
 /// With that many decimals, less the zeros at the end.
-pub(super) fn trimmed(value: f64, decimals: usize) -> String {
+pub(crate) fn trimmed(value: f64, decimals: usize) -> String {
     let text = fixed(value, decimals);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
 /// With exactly that many decimals; zero has no sign.
-pub(super) fn fixed(value: f64, decimals: usize) -> String {
+pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     let is_zero = text.starts_with('-') && text.chars().all(|c| matches!(c, '-' | '0' | '.'));
     if is_zero { text[1..].to_owned() } else { text }
 }
 
 /// For reading: [`trimmed`], with the minus sign of print.
-pub(super) fn shown(value: f64, decimals: usize) -> String {
+pub(crate) fn shown(value: f64, decimals: usize) -> String {
     trimmed(value, decimals).replace('-', "−")
 }
 
 /// An angle: more decimals where it is small.
-pub(super) fn degrees(value: f64) -> String {
+pub(crate) fn degrees(value: f64) -> String {
     let decimals = match value.abs() {
         x if x < 1.0 => 3,
         x if x < 10.0 => 2,
@@ -55,26 +55,36 @@ pub(super) fn degrees(value: f64) -> String {
 }
 
 /// Something that ought to be nothing: its size to two digits, such as `4.9 × 10⁻⁵°/s`.
-pub(super) fn tiny(value: f64, unit: &str) -> String {
+pub(crate) fn tiny(value: f64, unit: &str) -> String {
     if value >= 1e-3 || value <= 0.0 {
         return format!("{}{unit}", trimmed(value, 3));
     }
     let text = format!("{value:.1e}");
     let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+    let gap = if unit.is_empty() { "" } else { "\u{202f}" };
+    format!("{digits} × 10{}{gap}{unit}", raised(power))
+}
+
+fn raised(power: &str) -> String {
     let raised = |c: char| match c.to_digit(10) {
         Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
         None => '⁻',
     };
-    format!("{digits} × 10{}\u{202f}{unit}", power.chars().map(raised).collect::<String>())
+    power.chars().map(raised).collect()
+}
+
+/// A power of ten on an axis: small ones as such, `10⁻⁵`.
+pub(super) fn power_of_ten(value: f64) -> String {
+    if value >= 0.99e-3 { shown(value, 3) } else { format!("10{}", raised(&fixed(value.log10(), 0))) }
 }
 
 /// `1 frame`, `2 frames`.
-pub(super) fn counted(count: usize, noun: &str) -> String {
+pub(crate) fn counted(count: usize, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }
 
 /// Names in a row: `a`, `a and b`, `a, b and c`.
-pub(super) fn listed(names: &[&str]) -> String {
+pub(crate) fn listed(names: &[&str]) -> String {
     match names {
         [] => String::new(),
         [only] => (*only).to_owned(),
@@ -91,6 +101,7 @@ mod tests {
         assert_eq!([n(-0.04), n(12.0), n(-3.25), n(0.06)], ["0", "12", "-3.2", "0.1"]);
         assert_eq!([degrees(0.06392), degrees(3.2149), degrees(179.96)], ["0.064°", "3.21°", "180.0°"]);
         assert_eq!([shown(-2.50, 2), shown(-0.001, 2)], ["−2.5", "0"]);
+        assert_eq!([power_of_ten(100.0), power_of_ten(1e-3), power_of_ten(1e-8)], ["100", "0.001", "10⁻⁸"]);
         assert_eq!([tiny(0.0, "°"), tiny(4.9e-5, "°/s"), tiny(2.5, "°")], ["0°", "4.9 × 10⁻⁵\u{202f}°/s", "2.5°"]);
     }
 

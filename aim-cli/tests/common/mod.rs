@@ -4,6 +4,7 @@
 pub(crate) mod forward;
 pub(crate) mod gltf;
 pub(crate) mod latex;
+pub(crate) mod plot;
 pub(crate) mod rig;
 
 use std::ffi::OsStr;

@@ -4,7 +4,7 @@ use aim_gltf::{Clue, Document, Evidence, Measurement};
 use glam::DVec3;
 
 /// A direction: `+Z`, or three numbers where it is no axis.
-pub(crate) fn direction(v: DVec3) -> String {
+pub fn direction(v: DVec3) -> String {
     let axis = aim_gltf::SignedAxis::of(v);
     if axis.vector().distance(v) < 1e-3 {
         axis.to_string()
@@ -15,14 +15,14 @@ pub(crate) fn direction(v: DVec3) -> String {
 }
 
 /// One sentence: facing, up, and what agrees on it.
-pub(crate) fn facing(measurement: &Measurement, document: &Document) -> String {
+pub fn facing(measurement: &Measurement, document: &Document) -> String {
     let agree: Vec<String> =
         measurement.evidence.iter().filter(|said| said.agrees).map(|said| clue(said, document)).collect();
     format!("Faces {}, up is {}, by {}.", direction(measurement.forward), direction(measurement.up), agree.join(", "))
 }
 
 /// A sentence for each clue that says otherwise.
-pub(crate) fn against(measurement: &Measurement, document: &Document) -> Vec<String> {
+pub fn against(measurement: &Measurement, document: &Document) -> Vec<String> {
     let against = measurement.evidence.iter().filter(|said| !said.agrees);
     against
         .map(|said| {

@@ -5,37 +5,41 @@ use aim_gltf::{BoneAxes, ChainNodes, Document, Handedness, Measurement, Role, Si
 use glam::DVec3;
 
 /// A declared direction this near to the measured one is right, degrees.
-pub(crate) const NEAR_DEG: f64 = 15.0;
+pub const NEAR_DEG: f64 = 15.0;
 /// So is one that is hardly further off than the nearest signed axis is.
 const HARDLY_DEG: f64 = 5.0;
 /// An effector further from its joint than this share of the character's height is in other units.
 const FAR: f64 = 1.0;
 /// What the three directions of a frame are called.
-pub(crate) const NAMES: [&str; 3] = ["up", "forward", "left"];
+pub const NAMES: [&str; 3] = ["up", "forward", "left"];
 
 /// A joint and the bone it was found to be.
-pub(crate) struct JointFit<'a> {
+#[derive(Clone, Debug)]
+pub struct JointFit<'a> {
     /// The joint's name in the declaration.
-    pub(crate) joint: &'a str,
-    pub(crate) bone: &'a BoneAxes,
+    pub joint: &'a str,
+    /// The bone as measured.
+    pub bone: &'a BoneAxes,
     /// Up, forward and left as declared, in the bone's space.
-    pub(crate) declared: [DVec3; 3],
+    pub declared: [DVec3; 3],
     /// The same as measured.
-    pub(crate) measured: [DVec3; 3],
+    pub measured: [DVec3; 3],
     /// Which of them are wrong.
-    pub(crate) wrong: [bool; 3],
+    pub wrong: [bool; 3],
 }
 
 /// A declaration held against a file.
-pub(crate) struct Fit<'a> {
+#[derive(Clone, Debug)]
+pub struct Fit<'a> {
     /// The joints whose bones were found, from the effector inward.
-    pub(crate) joints: Vec<JointFit<'a>>,
+    pub joints: Vec<JointFit<'a>>,
     /// What does not fit, a sentence each.
-    pub(crate) problems: Vec<String>,
+    pub problems: Vec<String>,
 }
 
 impl<'a> Fit<'a> {
-    pub(crate) fn new(spec: &'a RigSpec, document: &'a Document, measurement: &'a Measurement) -> Self {
+    /// Finds each declared joint's bone and compares.
+    pub fn new(spec: &'a RigSpec, document: &'a Document, measurement: &'a Measurement) -> Self {
         let skeleton = document.skeleton();
         let mut fit = Self { joints: Vec::new(), problems: Vec::new() };
         for joint in &spec.joints {
@@ -74,11 +78,12 @@ impl<'a> JointFit<'a> {
     }
 
     /// Degrees between what is declared and what is measured.
-    pub(crate) fn off_deg(&self, at: usize) -> f64 {
+    pub fn off_deg(&self, at: usize) -> f64 {
         degrees_between(self.declared[at], self.measured[at])
     }
 
-    pub(crate) fn nearest(&self, at: usize) -> SignedAxis {
+    /// The signed axis of the bone that is nearest to the measured direction.
+    pub fn nearest(&self, at: usize) -> SignedAxis {
         [self.bone.up, self.bone.forward, self.bone.left][at]
     }
 

@@ -2,13 +2,14 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use aim_codegen::{AngleRange, Frame, NaturalSpec, RigPrograms, RigSpec};
+use aim_codegen::{AngleRange, Frame, JointSpec, NaturalSpec, RigPrograms, RigSpec};
 use aim_runtime::{AimRig, Axes, Effector, Joint, JointInfo, Natural, Role, Scalar};
 use aim_symbolic::{Number, Program};
 
 /// The rig with its joints' state.
 #[derive(Clone, Debug)]
 pub struct InterpretedRig {
+    spec: RigSpec,
     programs: RigPrograms,
     infos: Vec<JointInfo>,
     effector: Effector,
@@ -19,12 +20,55 @@ pub struct InterpretedRig {
 impl InterpretedRig {
     /// The rig at rest.
     pub fn new(spec: &RigSpec) -> Self {
-        let infos: Vec<JointInfo> = spec.joints.iter().map(joint_info).collect();
-        let effector = Effector { forward: single(spec.effector.frame.forward), origin: single(spec.effector.origin) };
-        let natural = spec.natural.as_ref().map_or_else(Natural::default, natural);
-        let joints = vec![Joint::default(); infos.len()];
-        Self { programs: RigPrograms::derive(spec), infos, effector, natural, joints }
+        let mut rig = Self {
+            spec: spec.clone(),
+            programs: RigPrograms::derive(spec),
+            infos: Vec::new(),
+            effector: Effector { forward: single(spec.effector.frame.forward), origin: single(spec.effector.origin) },
+            natural: Natural::default(),
+            joints: vec![Joint::default(); spec.joints.len()],
+        };
+        rig.read(spec);
+        rig
     }
+
+    /// The rig as it is declared now.
+    pub fn spec(&self) -> &RigSpec {
+        &self.spec
+    }
+
+    /// Declares the rig anew, say with other ranges, rates or comfort. The joints stay where they are, and what the
+    /// derivation depends on (axes, effector, which angles there are) is derived again only where it changed; another
+    /// number of joints starts from rest.
+    pub fn declare(&mut self, spec: &RigSpec) {
+        if !same_derivation(&self.spec, spec) {
+            let joints = core::mem::take(&mut self.joints);
+            *self = Self::new(spec);
+            if joints.len() == self.joints.len() {
+                self.joints = joints;
+            }
+        } else if self.spec != *spec {
+            self.spec = spec.clone();
+            self.read(spec);
+        }
+    }
+
+    /// What the solvers are told of the joints.
+    fn read(&mut self, spec: &RigSpec) {
+        self.infos = spec.joints.iter().map(joint_info).collect();
+        self.natural = spec.natural.as_ref().map_or_else(Natural::default, natural);
+    }
+}
+
+/// Whether the same programs serve both.
+fn same_derivation(a: &RigSpec, b: &RigSpec) -> bool {
+    let same = |a: &JointSpec, b: &JointSpec| {
+        let angles = |joint: &JointSpec| [joint.pitch.is_some(), joint.heading.is_some()];
+        (&a.name, a.frame, angles(a)) == (&b.name, b.frame, angles(b))
+    };
+    a.effector == b.effector
+        && a.joints.len() == b.joints.len()
+        && a.joints.iter().zip(&b.joints).all(|(a, b)| same(a, b))
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "declared numbers are stored in f32")]
@@ -33,7 +77,7 @@ fn single(v: [f64; 3]) -> [f32; 3] {
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "declared numbers are stored in f32")]
-fn joint_info(joint: &aim_codegen::JointSpec) -> JointInfo {
+fn joint_info(joint: &JointSpec) -> JointInfo {
     let Frame { up, forward, left } = joint.frame;
     let axes = Axes { up: single(up), forward: single(forward), left: single(left) };
     let range = |range: AngleRange| match range {
@@ -148,6 +192,14 @@ impl AimRig for InterpretedRig {
 
     fn joints(&self) -> Vec<Joint> {
         self.joints.clone()
+    }
+
+    fn joint(&self, joint: usize) -> Option<&Joint> {
+        self.joints.get(joint)
+    }
+
+    fn joint_mut(&mut self, joint: usize) -> Option<&mut Joint> {
+        self.joints.get_mut(joint)
     }
 
     fn set_joints(&mut self, joints: Vec<Joint>) {

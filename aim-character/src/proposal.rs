@@ -1,12 +1,10 @@
 //! A rig proposed for a file: the chain from the effector to the root, each bone's measured axes, and what a joint of
 //! its part does in people. `aim rig` writes it down, `aim bake` without a rig aims with it.
 
-use std::path::Path;
-
 use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, RigSpec};
 use aim_gltf::{BoneAxes, ChainNodes, Clue, Document, LookAt, Measurement, Role};
 
-use crate::failure::{Failure, Result};
+use crate::error::Error;
 
 /// Up to this deviation, degrees, a bone's nearest signed axes are its axes; beyond, its exact frame is.
 const CARDINAL_DEG: f64 = 3.0;
@@ -16,10 +14,19 @@ const LONG_NECK: usize = 3;
 const MACHINE_JOINTS: usize = 4;
 
 /// A proposed rig with a word on each joint.
-pub(crate) struct Proposal {
-    pub(crate) spec: RigSpec,
-    /// Why each joint is as it is, one line a joint.
-    pub(crate) reasons: Vec<String>,
+#[derive(Clone, Debug)]
+pub struct Proposal {
+    /// The rig: its chain from the effector inward, with measured axes and habitual ranges and rates.
+    pub spec: RigSpec,
+    /// Why each joint is as it is, one line a joint; empty where there is nothing to say.
+    pub reasons: Vec<String>,
+}
+
+impl Proposal {
+    /// Why a joint is as it is, where there is something to say.
+    pub(crate) fn reason(&self, joint: usize) -> Option<&str> {
+        self.reasons.get(joint).map(String::as_str).filter(|why| !why.is_empty())
+    }
 }
 
 /// What a joint of some part does, degrees and degrees a second.
@@ -86,35 +93,19 @@ const RAISING: [&str; 7] = ["pitch", "tilt", "elevation", "barrel", "gun", "cann
 /// # Errors
 /// A file without an eye, a head, a neck or anything that points; named nodes that are no chain; bones whose names are
 /// not unique.
-pub(crate) fn propose(
-    file: &Path,
-    document: &Document,
-    measurement: &Measurement,
-    named: Option<&[String]>,
-) -> Result<Proposal> {
+pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[String]>) -> Result<Proposal, Error> {
     let skeleton = document.skeleton();
-    let fail = |error: aim_gltf::Error| Failure::in_file(file, error);
     let nodes = match named {
         Some(names) => {
             let bones: Vec<Vec<String>> = names.iter().map(|name| vec![name.clone()]).collect();
-            ChainNodes::find(skeleton, bones.iter().map(Vec::as_slice), None).map_err(fail)?.joints
+            ChainNodes::find(skeleton, bones.iter().map(Vec::as_slice), None)?.joints
         }
-        None => chain(document, measurement).ok_or_else(|| {
-            Failure::in_file(
-                file,
-                "has no eye, head or neck that names or shape tell; name the chain from the effector inward with \
-                 `aim rig FILE --chain a,b,c`, or give a rig file with --rig",
-            )
-        })?,
+        None => chain(document, measurement).ok_or(Error::NoChain)?,
     };
-    let is_listed = |node: &usize| measurement.bone(*node);
-    let bones: Vec<&BoneAxes> = nodes.iter().filter_map(is_listed).collect();
-    if bones.len() < nodes.len() {
-        let stray =
-            nodes.iter().find(|node| measurement.bone(**node).is_none()).map(|node| &skeleton.nodes()[*node].name);
-        let stray = stray.map_or("", String::as_str);
-        return Err(Failure::in_file(file, format!("{stray:?} carries no bone of a skin; name bones with --chain")));
-    }
+    let listed = |&node: &usize| {
+        measurement.bone(node).ok_or_else(|| Error::NoBone { node: skeleton.nodes()[node].name.clone() })
+    };
+    let bones: Vec<&BoneAxes> = nodes.iter().map(listed).collect::<Result<_, _>>()?;
     let necks = bones.iter().filter(|bone| bone.role == Some(Role::Neck)).count();
     let share = if necks >= LONG_NECK { 1.5 / (necks as f64) } else { 1.0 };
     let mut proposal = Proposal {
@@ -123,7 +114,7 @@ pub(crate) fn propose(
     };
     for (at, bone) in bones.iter().enumerate() {
         // Only names that mean one node can be declared.
-        skeleton.find(&bone.name).map_err(fail)?;
+        skeleton.find(&bone.name)?;
         let habit = habit(bone);
         let name = field_name(bone, &bones, at);
         let mut joint = joint(name, habit, bone, if bone.role == Some(Role::Neck) { share } else { 1.0 });
@@ -243,7 +234,9 @@ fn frame(bone: &BoneAxes) -> Frame {
 }
 
 fn between(lo: f64, hi: f64) -> AngleRange {
-    AngleRange::Between(lo.to_radians(), hi.to_radians())
+    // A share of a habit, or a file's single precision: thousandths of a degree are enough, and read well.
+    let rounded = |degrees: f64| ((degrees * 1e3).round() / 1e3).to_radians();
+    AngleRange::Between(rounded(lo), rounded(hi))
 }
 
 fn joint(name: String, habit: &Habit, bone: &BoneAxes, share: f64) -> JointSpec {

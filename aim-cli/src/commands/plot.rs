@@ -1,0 +1,33 @@
+//! `aim plot`: the aim function of a joint as a picture.
+
+use crate::args;
+use crate::failure::{Failure, Result};
+use crate::files;
+use crate::outputs::Outputs;
+use crate::plot::{self, Subject};
+
+pub(super) fn run(arguments: &args::Plot) -> Result {
+    let ending = arguments.output.extension().map(|ending| ending.to_ascii_lowercase());
+    let as_png = match ending.as_ref().and_then(|ending| ending.to_str()) {
+        Some("svg") => false,
+        Some("png") => true,
+        _ => return Err(Failure::in_file(&arguments.output, "is neither .svg nor .png; give -o one of these endings")),
+    };
+    let spec = files::load_rig(&arguments.rig)?;
+    let mut outputs = Outputs::default();
+    outputs.reads(&arguments.rig, "the rig itself");
+    outputs.writes(&arguments.output, "-o")?;
+    let fail = |problem| Failure::in_file(&arguments.rig, problem);
+    let target = arguments.target.map(|point| point.0);
+    let subject = Subject::new(&spec, arguments.joint.as_deref(), target).map_err(fail)?;
+    let picture = if arguments.surface {
+        plot::surface(&subject, arguments.size).map_err(fail)?
+    } else {
+        plot::flat(&subject, arguments.size)
+    };
+    if as_png {
+        files::write(&arguments.output, &picture.png()?)
+    } else {
+        files::write(&arguments.output, picture.svg().as_bytes())
+    }
+}

@@ -1,0 +1,108 @@
+//! `aim view`: a window with a live character. The window is a feature, so that the command stays lean without it.
+
+use crate::args;
+use crate::failure::{Failure, Result};
+
+#[cfg(not(feature = "view"))]
+pub(super) fn run(_: args::View) -> Result {
+    Err(Failure::input(
+        "this aim was built without its window; build it with the feature `view`, as in cargo run --release --features view \
+         -- view",
+    ))
+}
+
+#[cfg(feature = "view")]
+pub(super) fn run(arguments: args::View) -> Result {
+    if let Some(code) = hidden::run(&arguments)? {
+        return code;
+    }
+    let name = |path: &std::path::Path| path.display().to_string();
+    for (path, what) in [(&arguments.file, "the model"), (&arguments.rig, "the rig")] {
+        if path.is_some() && *path == arguments.screenshot {
+            return Err(Failure::input(format!(
+                "{} is {what}; name another file with --screenshot",
+                path.as_deref().map_or_else(String::new, name)
+            )));
+        }
+    }
+    let told = aim_viewer::run(options(arguments)).map_err(Failure::input)?;
+    if told.is_empty() { Ok(()) } else { crate::files::print(&format!("{told}\n")) }
+}
+
+#[cfg(feature = "view")]
+fn options(arguments: args::View) -> aim_viewer::Options {
+    use aim_runtime::Solver;
+    use aim_viewer::{Lineup, Options, Path, Shot, Shown};
+    use args::{Cast, Show, TargetPath};
+
+    let shows = |what: Show| arguments.show.contains(&what);
+    let mut options = Options::default();
+    options.lineup = arguments.solver.map(|cast| match cast {
+        Cast::Natural => Lineup::One(Solver::Natural),
+        Cast::Exact => Lineup::One(Solver::Exact),
+        Cast::Ascent => Lineup::One(Solver::Ascent),
+        Cast::All => Lineup::All,
+    });
+    options.path = match arguments.path {
+        TargetPath::Still => Path::Still,
+        TargetPath::Orbit => Path::Orbit,
+        TargetPath::Eight => Path::Eight,
+        TargetPath::Noise => Path::Noise,
+    };
+    options.shown = Shown {
+        axes: shows(Show::Axes),
+        gaze: shows(Show::Gaze),
+        limits: shows(Show::Limits),
+        trail: shows(Show::Trail),
+        plots: shows(Show::Plots),
+        timing: shows(Show::Timing),
+        panel: shows(Show::Panel),
+        dark: !arguments.light,
+    };
+    options.crowd = arguments.crowd.into();
+    let (frames, args::Size(size)) = (arguments.frames, arguments.size);
+    options.shot = arguments.screenshot.map(|out| Shot { out, frames, size });
+    options.file = arguments.file;
+    options.rig = arguments.rig;
+    options.clip = arguments.clip;
+    options
+}
+
+/// Pictures are taken on a display that nobody sees, where there is one to be had.
+#[cfg(feature = "view")]
+mod hidden {
+    use std::process::Command;
+
+    use super::{Failure, Result, args};
+
+    /// Set in the process that runs on the hidden display.
+    const HIDDEN: &str = "AIM_VIEW_HIDDEN";
+
+    /// Runs this very command on a hidden display and tells how it ended; `None` where it is to run here.
+    pub(super) fn run(arguments: &args::View) -> Result<Option<Result>> {
+        if arguments.screenshot.is_none() || !cfg!(target_os = "linux") || std::env::var_os(HIDDEN).is_some() {
+            return Ok(None);
+        }
+        let args::Size([width, height]) = arguments.size;
+        let program = std::env::current_exe()
+            .map_err(|error| Failure::input(format!("the command itself is not found ({error})")))?;
+        let status = Command::new("xvfb-run")
+            .args(["--auto-servernum", "--server-args"])
+            .arg(format!("-screen 0 {width}x{height}x24"))
+            .arg(program)
+            .args(std::env::args_os().skip(1))
+            .env(HIDDEN, "1")
+            .env_remove("WAYLAND_DISPLAY")
+            .status();
+        let has_display = ["DISPLAY", "WAYLAND_DISPLAY"].iter().any(|name| std::env::var_os(name).is_some());
+        match status {
+            Ok(status) if status.success() => Ok(Some(Ok(()))),
+            // It has said why.
+            Ok(status) => std::process::exit(status.code().unwrap_or(2)),
+            Err(_) if has_display => Ok(None),
+            Err(_) => Err(Failure::input(
+                "there is no display to draw on; install xvfb (its xvfb-run gives a hidden one), or set DISPLAY",
+            )),
+        }
+    }
+}

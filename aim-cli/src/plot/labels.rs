@@ -1,0 +1,104 @@
+//! Where contour lines are labelled: on straight stretches, clear of everything else.
+
+use super::key::distance;
+
+/// A label's place.
+pub(super) struct Place {
+    pub(super) at: [f64; 2],
+    /// Degrees clockwise, never upside down.
+    pub(super) turned: f64,
+}
+
+/// How much of a line a label covers to either side of its middle.
+const HALF: f64 = 19.0;
+/// How near to anything else a label may be.
+const CLEAR: f64 = 22.0;
+/// Further away than this is not better.
+const FAR: f64 = 90.0;
+
+/// What labels keep clear of.
+pub(super) struct Ground {
+    /// Left, top, right and bottom of where labels may be.
+    within: [f64; 4],
+    obstacles: Vec<[f64; 2]>,
+}
+
+impl Ground {
+    /// `rectangle` is left, top, width and height.
+    pub(super) fn new([left, top, width, height]: [f64; 4]) -> Self {
+        const BORDER: f64 = 24.0;
+        let within = [left + BORDER, top + BORDER, left + width - BORDER, top + height - BORDER];
+        Self { within, obstacles: Vec::new() }
+    }
+
+    /// Labels keep clear of this line.
+    pub(super) fn keep_clear_of(&mut self, line: &[[f64; 2]]) {
+        self.obstacles.extend(line);
+        for pair in line.windows(2) {
+            let pieces = (distance(pair[0], pair[1]) / 6.0).ceil().clamp(1.0, 1e4);
+            let mut piece = 1.0;
+            while piece < pieces {
+                let part = piece / pieces;
+                self.obstacles.push([0, 1].map(|k| pair[0][k] + part * (pair[1][k] - pair[0][k])));
+                piece += 1.0;
+            }
+        }
+    }
+
+    /// The best place on these closed lines, if there is a good one; it is taken then.
+    pub(super) fn place(&mut self, rings: &[Vec<[f64; 2]>]) -> Option<Place> {
+        let mut best: Option<(f64, Place)> = None;
+        for ring in rings {
+            for k in 0..ring.len() {
+                let Some(place) = self.candidate(ring, k) else { continue };
+                let clear = self.obstacles.iter().map(|o| distance(*o, place.at)).fold(FAR, f64::min);
+                // The flatter the better to read.
+                let score = clear - 0.15 * place.turned.abs();
+                if clear >= CLEAR && best.as_ref().is_none_or(|(most, _)| score > *most) {
+                    best = Some((score, place));
+                }
+            }
+        }
+        let (_, place) = best?;
+        self.obstacles.push(place.at);
+        Some(place)
+    }
+
+    fn candidate(&self, ring: &[[f64; 2]], k: usize) -> Option<Place> {
+        let at = ring[k];
+        let [left, top, right, bottom] = self.within;
+        if !(left..right).contains(&at[0]) || !(top..bottom).contains(&at[1]) {
+            return None;
+        }
+        let ahead = walked(ring.iter().cycle().skip(k).take(ring.len()))?;
+        let back = walked(ring.iter().rev().cycle().skip(ring.len() - 1 - k).take(ring.len()))?;
+        // Straight enough for a word: the chord is hardly shorter than the way.
+        if distance(ahead, back) < 0.96 * 2.0 * HALF {
+            return None;
+        }
+        let turned = (ahead[1] - back[1]).atan2(ahead[0] - back[0]).to_degrees();
+        let turned = if turned > 90.0 {
+            turned - 180.0
+        } else if turned <= -90.0 {
+            turned + 180.0
+        } else {
+            turned
+        };
+        Some(Place { at, turned })
+    }
+}
+
+/// The point [`HALF`] along a line from its first.
+fn walked<'a>(mut line: impl Iterator<Item = &'a [f64; 2]>) -> Option<[f64; 2]> {
+    let mut at = *line.next()?;
+    let mut left = HALF;
+    for next in line {
+        let step = distance(at, *next);
+        if step >= left {
+            return Some([0, 1].map(|k| at[k] + left / step * (next[k] - at[k])));
+        }
+        left -= step;
+        at = *next;
+    }
+    None
+}

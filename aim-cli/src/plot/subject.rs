@@ -1,0 +1,226 @@
+//! What is drawn: a joint's aim function for one target, and how the solvers come to that target from rest.
+
+use aim_character::InterpretedRig;
+use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, RigSpec};
+use aim_runtime::{AimRig, Ascent, Axes, Joint, Pose, Settings, Solver, Status};
+use glam::{Affine3A, DVec3, Vec3};
+
+use crate::html::words::{listed, shown};
+
+/// Frames a second.
+pub(super) const FPS: f32 = 60.0;
+/// A solver that has not settled by then (20 s) is left there.
+const MOST_FRAMES: usize = 1200;
+/// A joint that turned by less in a frame, radians, has settled, unless its rate allows it no more.
+const SETTLED: f64 = 2e-5;
+
+/// One joint, the others at rest, with the effector's direction as the standing character has it. For the joint that
+/// carries the effector its origin is the declared one, for those further in the joint's own.
+pub(crate) struct Subject {
+    /// The rig's name.
+    pub(super) rig_name: String,
+    /// The joint that turns.
+    pub(super) joint: JointSpec,
+    /// In the joint's space.
+    pub(super) target: DVec3,
+    /// Of the effector at rest, in the joint's space.
+    effector: EffectorSpec,
+    index: usize,
+    rig: InterpretedRig,
+    /// From effector space to the joint's, as the kernels take it.
+    link: [f64; 12],
+    /// How the solvers go: the paper's ascent, then the exact solver.
+    pub(super) courses: [Course; 2],
+}
+
+/// A solver's way from rest.
+pub(super) struct Course {
+    pub(super) name: &'static str,
+    pub(super) colour: &'static str,
+    /// Heading and pitch, degrees, a frame each; the first is rest.
+    pub(super) angles: Vec<[f64; 2]>,
+    /// How far off the target it ends, degrees, by forward kinematics.
+    pub(super) off_deg: f64,
+}
+
+impl Subject {
+    /// The joint called `joint` (the first if `None`) and a `target` in its space; if `None`, one that needs every angle.
+    ///
+    /// # Errors
+    /// There is no such joint, or the target is nothing to aim at.
+    pub(crate) fn new(spec: &RigSpec, joint: Option<&str>, target: Option<DVec3>) -> Result<Self, String> {
+        let index = match joint {
+            None => 0,
+            Some(name) => spec.joints.iter().position(|joint| joint.name == name).ok_or_else(|| {
+                let names: Vec<&str> = spec.joints.iter().map(|joint| joint.name.as_str()).collect();
+                format!("the rig {} has no joint {name}; it has {}", spec.name, listed(&names))
+            })?,
+        };
+        let joint = spec.joints[index].clone();
+        let (from, to) = (&spec.joints[0].frame, &joint.frame);
+        let Frame { up, forward, left } = spec.effector.frame;
+        let frame = Frame { up: seen(up, from, to), forward: seen(forward, from, to), left: seen(left, from, to) };
+        let effector = EffectorSpec { frame, origin: if index == 0 { spec.effector.origin } else { [0.0; 3] } };
+        let target = target.unwrap_or_else(|| usual_target(&joint, &effector));
+        let alone = RigSpec { name: spec.name.clone(), joints: vec![joint.clone()], effector, natural: None };
+        let solvers =
+            [("steepest ascent, as published", "#d55e00", Solver::Ascent), ("exact solver", "#000000", Solver::Exact)];
+        let rig = InterpretedRig::new(&alone);
+        if rig.clone().snap(&standing(), target.as_vec3()).status == Status::Degenerate {
+            return Err(format!(
+                "--target {},{},{} is nothing to aim at: it is at the effector, or too far away for single precision; give \
+                 another point in the space of the joint {}",
+                target.x, target.y, target.z, joint.name
+            ));
+        }
+        let courses =
+            solvers.map(|(name, colour, solver)| Course::of(rig.clone(), target.as_vec3(), solver, name, colour));
+        let rows = DVec3::AXES.map(|axis| seen(axis.to_array(), from, to));
+        let mut link = [0.0; 12];
+        for (number, of) in link.iter_mut().zip(rows.iter().flatten().chain(&effector.origin)) {
+            *number = *of;
+        }
+        Ok(Self {
+            rig_name: spec.name.clone(),
+            joint,
+            target,
+            effector,
+            index,
+            rig: InterpretedRig::new(spec),
+            link,
+            courses,
+        })
+    }
+
+    /// The aim at this heading and pitch, degrees: the rig's derived program.
+    pub(super) fn aim(&self, [heading, pitch]: [f64; 2]) -> f64 {
+        let ((sin_h, cos_h), (sin_p, cos_p)) = (heading.to_radians().sin_cos(), pitch.to_radians().sin_cos());
+        let [aim, ..] =
+            self.rig.aim_gradient(self.index, &self.link, &self.target.to_array(), &[sin_p, cos_p, sin_h, cos_h]);
+        aim
+    }
+
+    /// Whether there is one angle only.
+    pub(super) fn is_hinge(&self) -> bool {
+        self.joint.angles() == 1
+    }
+
+    /// The border of the range of motion, headings and pitches in degrees: closed, or of a free heading its two sides over
+    /// these headings.
+    pub(super) fn range_outlines(&self, over: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
+        let [lo, hi] = self.joint.heading.map_or([0.0; 2], degrees);
+        let is_free = lo.is_infinite();
+        // Pitch narrows linearly to either side of rest.
+        let headings = if is_free { over.to_vec() } else { vec![lo, 0.0, hi] };
+        let side = |end: usize| -> Vec<[f64; 2]> {
+            headings.iter().map(|h| [*h, self.pitch_range(*h).unwrap_or_default()[end]]).collect()
+        };
+        if is_free {
+            return vec![side(0), side(1)];
+        }
+        let mut around = side(0);
+        around.extend(side(1).into_iter().rev());
+        around.push(around[0]);
+        vec![around]
+    }
+
+    /// The pitch's range at a heading, degrees.
+    fn pitch_range(&self, heading: f64) -> Option<[f64; 2]> {
+        let range = degrees(self.joint.pitch?);
+        let lost = match self.joint.heading.map(degrees) {
+            Some([lo, hi]) if lo.is_finite() => {
+                let end = if heading < 0.0 { lo } else { hi };
+                if end == 0.0 { 0.0 } else { self.joint.narrowing.unwrap_or(0.0) * (heading / end).clamp(0.0, 1.0) }
+            }
+            _ => 0.0,
+        };
+        Some(range.map(|end| end * (1.0 - lost)))
+    }
+
+    /// The target's direction from the effector, as it looks at rest, in words.
+    pub(super) fn target_in_words(&self) -> String {
+        let Frame { up, forward, left } = self.joint.frame;
+        let to_target = self.target - DVec3::from(self.effector.origin);
+        let along = |axis: [f64; 3]| to_target.dot(axis.into());
+        let azimuth = along(left).atan2(along(forward)).to_degrees();
+        let elevation = (along(up) / to_target.length()).clamp(-1.0, 1.0).asin().to_degrees();
+        let parts: Vec<String> = [(azimuth, "to the left", "to the right"), (elevation, "up", "down")]
+            .into_iter()
+            .filter(|(angle, ..)| angle.abs() >= 0.05)
+            .map(|(angle, positive, negative)| {
+                format!("{}° {}", shown(angle.abs(), 1), if angle < 0.0 { negative } else { positive })
+            })
+            .collect();
+        if parts.is_empty() { "straight ahead".into() } else { parts.join(" and ") }
+    }
+}
+
+impl Course {
+    fn of(mut rig: InterpretedRig, target: Vec3, solver: Solver, name: &'static str, colour: &'static str) -> Self {
+        let settings = Settings::default().with_solver(solver).with_ascent(Ascent::paper());
+        let mut angles = vec![[0.0; 2]];
+        let mut off_deg = f64::NAN;
+        let rate = rig.joint_infos().first().map_or(0.0, |info| f64::from(info.rate));
+        let settled = SETTLED.min(0.01 * rate / f64::from(FPS)).to_degrees();
+        for _ in 0..MOST_FRAMES {
+            let outcome = rig.aim_with(&standing(), target, FPS.recip(), &settings);
+            off_deg = f64::from(outcome.remaining).to_degrees();
+            let now = rig
+                .joints()
+                .first()
+                .map_or([0.0; 2], |joint| [joint.heading(), joint.pitch()].map(|angle| f64::from(angle).to_degrees()));
+            let before = angles[angles.len() - 1];
+            if (0..2).all(|k| (now[k] - before[k]).abs() < settled) {
+                break;
+            }
+            angles.push(now);
+        }
+        Self { name, colour, angles, off_deg }
+    }
+
+    pub(super) fn end(&self) -> [f64; 2] {
+        self.angles[self.angles.len() - 1]
+    }
+}
+
+/// The joint's space is the world.
+fn standing() -> Pose<Vec<Affine3A>> {
+    Pose { joints: vec![Affine3A::IDENTITY] }
+}
+
+/// A vector of one bone's space in another's that stands alike.
+fn seen(v: [f64; 3], from: &Frame, to: &Frame) -> [f64; 3] {
+    let along = |axis: [f64; 3]| DVec3::from(v).dot(axis.into());
+    (along(from.up) * DVec3::from(to.up)
+        + along(from.forward) * DVec3::from(to.forward)
+        + along(from.left) * DVec3::from(to.left))
+    .to_array()
+}
+
+/// A range in degrees; a free one is without ends.
+pub(super) fn degrees(range: AngleRange) -> [f64; 2] {
+    match range {
+        AngleRange::Between(lo, hi) => [lo.to_degrees(), hi.to_degrees()],
+        AngleRange::Free => [f64::NEG_INFINITY, f64::INFINITY],
+    }
+}
+
+/// Where the effector looks with each angle well inside its range: ten lengths of its lever away, or 2 where it has none.
+fn usual_target(joint: &JointSpec, effector: &EffectorSpec) -> DVec3 {
+    let well_inside = |range: Option<AngleRange>, most: f64| {
+        let [lo, hi] = range.map_or([0.0; 2], degrees);
+        let far = 0.7 * if hi >= -0.5 * lo { hi } else { lo };
+        far.clamp(-most, most)
+    };
+    let heading = well_inside(joint.heading, 60.0);
+    let pitch = well_inside(joint.pitch, 45.0) * (1.0 - joint.narrowing.unwrap_or(0.0));
+    let Frame { up, forward, left } = joint.frame;
+    #[expect(clippy::cast_possible_truncation, reason = "joints turn in single precision")]
+    let turn = {
+        let axes = Axes { up: up.map(|c| c as f32), forward: forward.map(|c| c as f32), left: left.map(|c| c as f32) };
+        Joint::with_angles(heading.to_radians() as f32, pitch.to_radians() as f32).correction(&axes).as_dquat()
+    };
+    let origin = DVec3::from(effector.origin);
+    let distance = if origin == DVec3::ZERO { 2.0 } else { 10.0 * origin.length() };
+    turn * (origin + distance * DVec3::from(effector.frame.forward))
+}

@@ -1,0 +1,185 @@
+//! What surfaces look like: base colours and their images, as far as a file can be understood. What cannot be is left out.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use glam::{Affine2, Vec2};
+use serde_json::Value;
+
+use crate::accessor::Data;
+use crate::document::Document;
+use crate::num::narrow;
+use crate::uri::{self, Uri};
+
+/// Bytes of images at most; those that would go beyond are left out.
+const MOST_IMAGE_BYTES: usize = 1 << 28;
+
+/// How a part of the surface looks.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Material {
+    /// The base colour: linear red, green, blue and opacity, in 0…1. It multiplies the texture's.
+    pub colour: [f32; 4],
+    /// The base colour's picture, if one can be read.
+    pub texture: Option<Texture>,
+    /// What opacity means.
+    pub alpha: Alpha,
+    /// Whether the back of a triangle is seen.
+    pub is_double_sided: bool,
+}
+
+impl Default for Material {
+    fn default() -> Self {
+        Self { colour: [1.0; 4], texture: None, alpha: Alpha::Opaque, is_double_sided: false }
+    }
+}
+
+/// What opacity means.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Alpha {
+    /// Nothing.
+    Opaque,
+    /// Below this nothing is seen, from it on all.
+    Mask(f32),
+    /// The share of what is seen.
+    Blend,
+}
+
+/// A picture and how it continues past its sides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Texture {
+    /// Which of [`Surface::images`](crate::Surface::images).
+    pub image: usize,
+    /// How it continues to the sides, and up and down.
+    pub wrap: [Wrap; 2],
+    /// The set of texture coordinates, and what is done to them: applied when they are read.
+    pub(crate) set: u64,
+    pub(crate) transform: Affine2,
+}
+
+/// How a picture continues past its sides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Wrap {
+    /// It starts again.
+    Repeat,
+    /// It starts again mirrored.
+    Mirror,
+    /// Its last pixels do.
+    Clamp,
+}
+
+/// The materials of a document by their index, and the encoded images that they use.
+pub(crate) fn read(document: &Document, data: &Data<'_>) -> (Vec<Material>, Vec<Arc<[u8]>>) {
+    let file = document.json();
+    let mut images = Images { document, data, known: HashMap::new(), all: Vec::new(), left: MOST_IMAGE_BYTES };
+    let list = file.get("materials").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
+    let materials = list.iter().map(|material| read_one(material, file, &mut images)).collect();
+    (materials, images.all)
+}
+
+fn read_one(material: &Value, file: &Value, images: &mut Images<'_>) -> Material {
+    let flag = |key: &str| material.get(key).and_then(Value::as_bool).unwrap_or(false);
+    let number = |key: &str| material.get(key).and_then(Value::as_f64).map(narrow);
+    let (surface, factor, texture) = base(material);
+    let part = |i: usize| surface?.get(factor)?.get(i)?.as_f64();
+    let alpha = match material.get("alphaMode").and_then(Value::as_str) {
+        Some("MASK") => Alpha::Mask(number("alphaCutoff").unwrap_or(0.5)),
+        Some("BLEND") => Alpha::Blend,
+        _ => Alpha::Opaque,
+    };
+    Material {
+        colour: core::array::from_fn(|i| narrow(part(i).unwrap_or(1.0).clamp(0.0, 1.0))),
+        texture: surface.and_then(|surface| read_texture(surface.get(texture)?, file, images)),
+        alpha,
+        is_double_sided: flag("doubleSided"),
+    }
+}
+
+/// What holds the base colour, and under which names: the specification's, or those of its first extension.
+fn base(material: &Value) -> (Option<&Value>, &'static str, &'static str) {
+    let old = material.get("extensions").and_then(|all| all.get("KHR_materials_pbrSpecularGlossiness"));
+    match material.get("pbrMetallicRoughness") {
+        None if old.is_some() => (old, "diffuseFactor", "diffuseTexture"),
+        surface => (surface, "baseColorFactor", "baseColorTexture"),
+    }
+}
+
+fn read_texture(info: &Value, file: &Value, images: &mut Images<'_>) -> Option<Texture> {
+    let texture = element(file, "textures", info.get("index")?)?;
+    let sampler = texture.get("sampler").and_then(|at| element(file, "samplers", at));
+    let wrap = |key: &str| match sampler.and_then(|sampler| sampler.get(key)?.as_u64()) {
+        Some(33071) => Wrap::Clamp,
+        Some(33648) => Wrap::Mirror,
+        _ => Wrap::Repeat,
+    };
+    let change = info.get("extensions").and_then(|all| all.get("KHR_texture_transform"));
+    let number = |value: &Value| value.as_f64().map(narrow).filter(|x| x.is_finite());
+    let pair = |key: &str| {
+        let pair = change?.get(key)?;
+        Some(Vec2::new(number(pair.get(0)?)?, number(pair.get(1)?)?))
+    };
+    let turn = change.and_then(|change| number(change.get("rotation")?)).unwrap_or(0.0);
+    let set = change.and_then(|change| change.get("texCoord")).or(info.get("texCoord"));
+    Some(Texture {
+        image: images.find(usize::try_from(texture.get("source")?.as_u64()?).ok()?)?,
+        wrap: [wrap("wrapS"), wrap("wrapT")],
+        set: set.and_then(Value::as_u64).unwrap_or(0),
+        // Its rotation is the other way round, for pictures run downwards.
+        transform: Affine2::from_scale_angle_translation(
+            pair("scale").unwrap_or(Vec2::ONE),
+            -turn,
+            pair("offset").unwrap_or(Vec2::ZERO),
+        ),
+    })
+}
+
+fn element<'a>(file: &'a Value, list: &str, index: &Value) -> Option<&'a Value> {
+    file.get(list)?.get(usize::try_from(index.as_u64()?).ok()?)
+}
+
+/// Images as they are asked for.
+struct Images<'a> {
+    document: &'a Document,
+    data: &'a Data<'a>,
+    /// Where each image of the file is among all; none where it cannot be read.
+    known: HashMap<usize, Option<usize>>,
+    all: Vec<Arc<[u8]>>,
+    /// Bytes that may still be taken.
+    left: usize,
+}
+
+impl Images<'_> {
+    fn find(&mut self, index: usize) -> Option<usize> {
+        if let Some(known) = self.known.get(&index) {
+            return *known;
+        }
+        let bytes = self.read(index);
+        let at = bytes.map(|bytes| {
+            self.left -= bytes.len();
+            self.all.push(bytes);
+            self.all.len() - 1
+        });
+        self.known.insert(index, at);
+        at
+    }
+
+    fn read(&self, index: usize) -> Option<Arc<[u8]>> {
+        let image = self.document.json().get("images")?.get(index)?;
+        let fits = |bytes: &[u8]| !bytes.is_empty() && bytes.len() <= self.left;
+        if let Some(view) = image.get("bufferView") {
+            let view = self.data.bytes(usize::try_from(view.as_u64()?).ok()?, "images").ok()?;
+            return Some(view).filter(|bytes| fits(bytes)).map(Arc::from);
+        }
+        let bytes = match uri::parse(image.get("uri")?.as_str()?, "images").ok()? {
+            Uri::Data(bytes) => bytes,
+            Uri::Relative(path) => {
+                let path = self.document.folder.as_ref()?.join(path);
+                let size = std::fs::metadata(&path).ok()?.len();
+                usize::try_from(size).ok().filter(|size| *size <= self.left)?;
+                uri::read_file(&path).ok()?
+            }
+        };
+        Some(bytes).filter(|bytes| fits(bytes)).map(Arc::from)
+    }
+}

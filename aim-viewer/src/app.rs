@@ -1,0 +1,59 @@
+//! The window's frame: the viewer's picture onto the screen, and pictures of the screen into files.
+
+use std::cell::RefCell;
+use std::sync::Arc;
+
+use eframe::{egui, egui_glow};
+
+use crate::draw::{Canvas, Place};
+use crate::picture::Picture;
+use crate::viewer::Viewer;
+
+thread_local! {
+    // What paints belongs to the thread that the window is on; a paint callback may hold nothing of it.
+    static CANVAS: RefCell<Option<Result<Canvas, String>>> = const { RefCell::new(None) };
+}
+
+/// The viewer in a window, or on a page.
+pub(crate) struct App {
+    pub(crate) viewer: Viewer,
+    /// The length of a frame where time is counted in frames; as long as it took otherwise.
+    pub(crate) fixed: Option<f32>,
+    /// What is done after each frame.
+    pub(crate) after: Box<dyn FnMut(&egui::Context, &Viewer)>,
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        let context = ui.ctx().clone();
+        let seconds = self.fixed.unwrap_or_else(|| context.input(|input| input.unstable_dt));
+        self.viewer.ui(ui, seconds, paint);
+        if let Some(trouble) =
+            CANVAS.with_borrow(|canvas| canvas.as_ref().and_then(|canvas| canvas.as_ref().err().cloned()))
+        {
+            self.viewer.trouble.get_or_insert(trouble);
+        }
+        (self.after)(&context, &self.viewer);
+    }
+}
+
+/// Has the picture painted into `rect` when the time comes.
+fn paint(ui: &egui::Ui, rect: egui::Rect, picture: Arc<Picture>) {
+    let callback = egui_glow::CallbackFn::new(move |info, painter| {
+        let at = info.viewport_in_pixels();
+        let size = |pixels: i32| u32::try_from(pixels).unwrap_or(0).max(1);
+        let place = Place {
+            x: at.left_px,
+            y: at.from_bottom_px,
+            width: size(at.width_px),
+            height: size(at.height_px),
+            screen: info.screen_size_px,
+        };
+        CANVAS.with_borrow_mut(|canvas| {
+            if let Ok(canvas) = canvas.get_or_insert_with(|| Canvas::new(painter.gl().clone())) {
+                canvas.draw(&picture, place);
+            }
+        });
+    });
+    ui.painter().add(egui::PaintCallback { rect, callback: Arc::new(callback) });
+}

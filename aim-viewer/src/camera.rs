@@ -1,0 +1,111 @@
+//! The camera: it turns around a point, and tells where on the screen the world is.
+
+use glam::{Vec2, Vec3};
+
+use crate::picture::View;
+
+/// How far it can look up or down, radians.
+const STEEPEST: f32 = 1.5;
+
+/// A camera that turns around a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Camera {
+    /// What it turns around.
+    pub(crate) focus: Vec3,
+    /// Around up, from the character's front towards its left, radians.
+    pub(crate) yaw: f32,
+    /// Above the horizon, radians.
+    pub(crate) pitch: f32,
+    /// From the focus, in the world.
+    pub(crate) distance: f32,
+    /// Up, forward and left of the character.
+    pub(crate) directions: [Vec3; 3],
+}
+
+impl Camera {
+    /// How wide it sees from bottom to top, radians.
+    pub(crate) const FIELD: f32 = 0.6;
+
+    /// Turns it.
+    pub(crate) fn orbit(&mut self, yaw: f32, pitch: f32) {
+        self.yaw = (self.yaw + yaw) % std::f32::consts::TAU;
+        self.pitch = (self.pitch + pitch).clamp(-STEEPEST, STEEPEST);
+    }
+
+    /// Nearer or further by a factor, within reason for a character `metre` × 1.7 high.
+    pub(crate) fn zoom(&mut self, factor: f32, metre: f32) {
+        self.distance = (self.distance * factor).clamp(0.15 * metre, 60.0 * metre);
+    }
+
+    /// From the focus to the camera, of length one.
+    fn out(&self) -> Vec3 {
+        let [up, forward, left] = self.directions;
+        let ((sin, cos), (up_part, along)) = (self.yaw.sin_cos(), self.pitch.sin_cos());
+        (forward * cos + left * sin) * along + up * up_part
+    }
+
+    /// Right, up and towards the viewer, of length one.
+    pub(crate) fn axes(&self) -> [Vec3; 3] {
+        let out = self.out();
+        let right = self.directions[0].cross(out).normalize_or_zero();
+        [right, out.cross(right), out]
+    }
+
+    pub(crate) fn view(&self, metre: f32) -> View {
+        View {
+            from: self.focus + self.out() * self.distance,
+            at: self.focus,
+            up: self.directions[0],
+            field_rad: Self::FIELD,
+            depth: [0.02 * self.distance.min(metre), 4.0 * self.distance + 60.0 * metre],
+        }
+    }
+
+    /// Where a point is seen on a screen of this size, from its upper left; `None` behind the camera.
+    pub(crate) fn project(&self, point: Vec3, size: Vec2) -> Option<Vec2> {
+        let [right, up, out] = self.axes();
+        let from = point - (self.focus + out * self.distance);
+        let depth = -from.dot(out);
+        let at = Vec2::new(from.dot(right), -from.dot(up)) / (depth * (Self::FIELD / 2.0).tan());
+        (depth > 0.0).then(|| size / 2.0 + at * (size.y / 2.0))
+    }
+
+    /// By how much a point moves in the world that follows the pointer over so much of a screen this high, across the
+    /// view.
+    pub(crate) fn drag(&self, point: Vec3, by: Vec2, height: f32) -> Vec3 {
+        let [right, up, out] = self.axes();
+        let depth = (self.focus + out * self.distance - point).dot(out).max(0.0);
+        let scale = 2.0 * depth * (Self::FIELD / 2.0).tan() / height;
+        (right * by.x - up * by.y) * scale
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn camera() -> Camera {
+        Camera { focus: Vec3::Y, yaw: 0.4, pitch: 0.3, distance: 3.0, directions: [Vec3::Y, Vec3::Z, Vec3::X] }
+    }
+
+    #[test]
+    fn from_in_front_the_character_s_left_is_on_the_right() {
+        let camera = Camera { yaw: 0.0, pitch: 0.0, ..camera() };
+        let [right, up, out] = camera.axes();
+        assert!(right.distance(Vec3::X) < 1e-6 && up.distance(Vec3::Y) < 1e-6 && out.distance(Vec3::Z) < 1e-6);
+        let size = Vec2::new(800.0, 600.0);
+        let seen = camera.project(Vec3::new(0.5, 1.2, 0.0), size).expect("it is in front");
+        assert!(seen.x > 400.0 && seen.y < 300.0, "{seen}");
+        assert_eq!(camera.project(Vec3::Z * 10.0, size), None);
+    }
+
+    #[test]
+    fn what_is_dragged_stays_under_the_pointer() {
+        let (camera, size) = (camera(), Vec2::new(800.0, 600.0));
+        let point = Vec3::new(0.4, 1.3, 0.7);
+        let by = Vec2::new(37.0, -21.0);
+        let [before, after] =
+            [point, point + camera.drag(point, by, size.y)].map(|at| camera.project(at, size).expect("it is in front"));
+        assert!((after - before).distance(by) < 1e-2, "{}", after - before);
+    }
+}

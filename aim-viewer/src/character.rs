@@ -1,0 +1,156 @@
+//! [`Character`]: a model, what was measured of it, and the rig that aims it.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use aim_character::{MANNEQUIN_RIG, Proposal, propose};
+use aim_codegen::RigSpec;
+use aim_codegen::declare::from_toml;
+use aim_gltf::{ChainNodes, Clip, Document, Measurement, PAPER_AXES, Skeleton, Surface, mannequin};
+use glam::{DVec3, Vec3};
+
+/// The height that a character's size is told by, metres.
+const HEIGHT: f64 = 1.7;
+
+/// Everything about a character that does not change while it moves.
+#[derive(Debug)]
+pub(crate) struct Character {
+    /// The file's name.
+    pub(crate) name: String,
+    pub(crate) document: Arc<Document>,
+    pub(crate) measurement: Measurement,
+    pub(crate) surface: Arc<Surface>,
+    pub(crate) chain: ChainNodes,
+    /// The rig as it was declared or proposed, with the reasons of a proposal.
+    pub(crate) declared: Proposal,
+    /// What it stands on in the bind pose, below its effector.
+    pub(crate) floor: Vec3,
+    /// Whether it is the mannequin with its own rig, for which there is compiled code.
+    pub(crate) is_mannequin: bool,
+}
+
+impl Character {
+    /// The mannequin that walks.
+    ///
+    /// # Errors
+    /// None that can be met: it is made of constants.
+    pub(crate) fn mannequin() -> Result<Self, String> {
+        let model = mannequin(|_| PAPER_AXES).map_err(|error| error.to_string())?;
+        let document = Document::from_bytes(&model).map_err(|error| error.to_string())?;
+        let rig = Some(("rigs/mannequin.toml", MANNEQUIN_RIG));
+        Ok(Self { is_mannequin: true, ..Self::new("the mannequin", document, rig)? })
+    }
+
+    /// A file's character, with the rig of another file or a proposed one.
+    ///
+    /// # Errors
+    /// Files that cannot be read or do not fit, in words that name them.
+    pub(crate) fn open(file: &Path, rig: Option<&Path>) -> Result<Self, String> {
+        let shown = file.display();
+        let document = Document::load(file).map_err(|error| format!("{shown}: {error}"))?;
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        let text = rig.map(|rig| read(rig).map(|text| (rig.display().to_string(), text))).transpose()?;
+        Self::new(&name, document, text.as_ref().map(|(name, text)| (name.as_str(), text.as_str())))
+    }
+
+    /// A character whose file is in memory.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub(crate) fn from_bytes(name: &str, bytes: &[u8]) -> Result<Self, String> {
+        let document = Document::from_bytes(bytes).map_err(|error| format!("{name}: {error}"))?;
+        Self::new(name, document, None)
+    }
+
+    /// The same model with another rig, given as text under a name.
+    ///
+    /// # Errors
+    /// A rig that is none or has other bones.
+    pub(crate) fn with_rig(&self, rig: &str, text: &str) -> Result<Self, String> {
+        Self::new(&self.name, Arc::clone(&self.document), Some((rig, text)))
+    }
+
+    fn new(name: &str, document: impl Into<Arc<Document>>, rig: Option<(&str, &str)>) -> Result<Self, String> {
+        let document = document.into();
+        let measurement = Measurement::of(&document);
+        let declared = match rig {
+            Some((rig, text)) => {
+                let spec = from_toml(rig, text).map_err(|errors| errors.render())?;
+                Proposal { reasons: vec![String::new(); spec.joints.len()], spec }
+            }
+            None => propose(&document, &measurement, None).map_err(|error| format!("{name}: {error}"))?,
+        };
+        let joints = &declared.spec.joints;
+        let bones = joints.iter().map(|joint| joint.bones.as_slice());
+        let chain = ChainNodes::find(document.skeleton(), bones, joints[0].pair.as_deref())
+            .map_err(|error| format!("{name}: {error}"))?;
+        let surface = Arc::new(document.surface());
+        let mut character = Self {
+            name: name.into(),
+            document,
+            measurement,
+            surface,
+            chain,
+            declared,
+            floor: Vec3::ZERO,
+            is_mannequin: false,
+        };
+        character.floor = character.find_floor();
+        Ok(character)
+    }
+
+    fn find_floor(&self) -> Vec3 {
+        let [up, ..] = self.directions();
+        let effector = self.effector();
+        let bind = &self.measurement.bind_world;
+        let seen = self.surface.positions(self.skeleton(), bind);
+        let heights = seen.iter().map(|at| at.as_vec3().dot(up)).filter(|height| height.is_finite());
+        let lowest = heights.fold(effector.dot(up), f32::min);
+        effector + up * (lowest - effector.dot(up))
+    }
+
+    pub(crate) fn spec(&self) -> &RigSpec {
+        &self.declared.spec
+    }
+
+    pub(crate) fn skeleton(&self) -> &Skeleton {
+        self.document.skeleton()
+    }
+
+    pub(crate) fn clips(&self) -> &[Clip] {
+        self.document.clips()
+    }
+
+    /// Which clip has this name.
+    ///
+    /// # Errors
+    /// None has.
+    pub(crate) fn clip(&self, name: &str) -> Result<usize, String> {
+        self.document.clip(name).map_err(|error| format!("{}: {error}", self.name))?;
+        Ok(self.clips().iter().position(|clip| clip.name == name).unwrap_or(0))
+    }
+
+    /// A metre of a character of 1.7 m, in the file's units.
+    pub(crate) fn metre(&self) -> f32 {
+        let height = self.measurement.height;
+        #[expect(clippy::cast_possible_truncation, reason = "a size")]
+        if height > 0.0 { (height / HEIGHT) as f32 } else { 1.0 }
+    }
+
+    /// Up, forward and left in the world.
+    pub(crate) fn directions(&self) -> [Vec3; 3] {
+        let Measurement { up, forward, left, .. } = &self.measurement;
+        [up, forward, left].map(|direction| direction.as_vec3().normalize_or_zero())
+    }
+
+    /// Where the effector is in the bind pose.
+    pub(crate) fn effector(&self) -> Vec3 {
+        let origin = DVec3::from_array(self.spec().effector.origin);
+        self.measurement.bind_world[self.chain.joints[0]].transform_point3(origin).as_vec3()
+    }
+}
+
+fn read(path: &Path) -> Result<String, String> {
+    std::fs::read_to_string(path)
+        .map_err(|error| format!("{}: cannot be read as text ({error}); give a rig's TOML file", path.display()))
+}

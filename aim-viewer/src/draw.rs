@@ -1,0 +1,117 @@
+//! Draws a [`Picture`] with OpenGL or WebGL 2.
+
+mod fans;
+mod figures;
+mod floor;
+mod light;
+mod marks;
+mod model;
+mod sheet;
+
+use std::sync::Arc;
+
+use eframe::glow;
+use three_d::{ClearState, Context, CoreError, Viewport};
+
+use crate::picture::{Colour, Picture};
+use fans::Fans;
+use figures::{Figures, Pass};
+use floor::Floor;
+use light::Light;
+use marks::Marks;
+use model::Model;
+use sheet::{Printer, Sheet};
+
+/// What lies on the graphics card.
+pub(crate) struct Canvas {
+    context: Context,
+    /// What figures are made of, as long as they are made of that.
+    model: Option<Model>,
+    figures: Figures,
+    marks: Marks,
+    fans: Fans,
+    floor: Floor,
+    /// As large as the place.
+    sheet: Option<Sheet>,
+    printer: Printer,
+}
+
+/// Where on the screen to draw, in pixels from its lower left.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    /// The whole screen.
+    pub(crate) screen: [u32; 2],
+}
+
+impl Canvas {
+    /// # Errors
+    /// Why this OpenGL cannot draw, in words.
+    pub(crate) fn new(gl: Arc<glow::Context>) -> Result<Self, String> {
+        let make = || {
+            let context = Context::from_gl_context(gl)?;
+            Ok(Self {
+                model: None,
+                figures: Figures::new(&context)?,
+                marks: Marks::new(&context)?,
+                fans: Fans::new(&context)?,
+                floor: Floor::new(&context)?,
+                sheet: None,
+                printer: Printer::new(&context)?,
+                context,
+            })
+        };
+        make().map_err(|error: CoreError| format!("the graphics need OpenGL 3.3 or WebGL 2: {error}"))
+    }
+
+    /// Draws all over the place.
+    pub(crate) fn draw(&mut self, picture: &Picture, place: Place) {
+        let size = [place.width, place.height].map(|side| side.max(1));
+        let light = Light::new(picture, Viewport::new_at_origo(size[0], size[1]));
+        let context = &self.context;
+        if self.model.as_ref().is_some_and(|model| !Arc::ptr_eq(model.surface(), &picture.surface)) {
+            self.model = None;
+        }
+        let model = self.model.get_or_insert_with(|| Model::new(context, &picture.surface));
+        if self.sheet.as_ref().is_some_and(|sheet| sheet.size() != size) {
+            self.sheet = None;
+        }
+        let sheet = self.sheet.get_or_insert_with(|| Sheet::new(context, size));
+        self.figures.fill(model, &picture.figures);
+        self.marks.fill(picture);
+        self.fans.fill(&picture.fans);
+        self.floor.cast(&picture.ground, &self.figures, model);
+        sheet.draw(ClearState::default(), || {
+            self.floor.draw_backdrop(&light);
+            self.figures.draw(model, &light, Pass::Opaque);
+            self.marks.draw(&light, false);
+            self.floor.draw(&picture.ground, &light);
+            self.figures.draw(model, &light, Pass::Translucent);
+            self.fans.draw(&light);
+        });
+        sheet.draw(ClearState::depth(1.0), || self.marks.draw(&light, true));
+        self.printer.print(context, sheet, place);
+    }
+}
+
+/// An sRGB colour as linear light, its opacity as it is.
+fn linear(colour: Colour) -> [f32; 4] {
+    let [red, green, blue, opacity] = colour.map(|part| f32::from(part) / 255.0);
+    let part = |x: f32| if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) };
+    [part(red), part(green), part(blue), opacity]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_become_light() {
+        assert_eq!(linear([0, 255, 0, 255]), [0.0, 1.0, 0.0, 1.0]);
+        let grey = linear([188, 188, 188, 51]);
+        assert!((grey[0] - 0.503).abs() < 1e-3 && (grey[3] - 0.2).abs() < 1e-6, "{grey:?}");
+    }
+}

@@ -1,0 +1,151 @@
+//! What is behind and below: the backdrop, the floor with its grid, and the figures' soft shadow on it.
+
+use std::convert::Infallible;
+
+use glam::{Vec2, Vec3};
+use three_d::{
+    Blend, BlendEquationType, BlendMultiplierType, ClearState, Context, CoreError, Interpolation, Mipmap, Program,
+    RenderStates, Texture2D, VertexBuffer, Viewport, Wrapping, WriteMask,
+};
+
+use super::figures::Figures;
+use super::light::Light;
+use super::model::Model;
+use super::sheet::{OVER_ALL, square};
+use crate::picture::Ground;
+
+/// Pixels along a side of the shadow.
+const SHADOW: u32 = 512;
+/// How far beyond the figures it reaches, in parts of their height.
+const MARGIN: f32 = 0.25;
+/// How far it is blurred, and how high above the floor it is a third as strong: in parts of their height.
+const BLUR: f32 = 0.05;
+const FADING: f32 = 0.25;
+
+pub(super) struct Floor {
+    backdrop: Program,
+    floor: Program,
+    caster: Program,
+    square: VertexBuffer<[f32; 2]>,
+    /// How near above each place of the floor something is: 1 on it, less the higher.
+    shadow: Texture2D,
+    shadowed: Shadowed,
+}
+
+/// The part of the floor that the shadow is about, in the floor's own coordinates.
+#[derive(Clone, Copy, Debug, Default)]
+struct Shadowed {
+    middle: Vec2,
+    /// Half of its side; nothing casts a shadow if it is zero.
+    extent: f32,
+    /// How far it is blurred.
+    blur: f32,
+}
+
+impl Floor {
+    pub(super) fn new(context: &Context) -> Result<Self, CoreError> {
+        let program = |vertex: &str, fragment: &str| Program::from_source(context, vertex, fragment);
+        Ok(Self {
+            backdrop: program(include_str!("shaders/screen.vert"), include_str!("shaders/backdrop.frag"))?,
+            floor: program(include_str!("shaders/floor.vert"), include_str!("shaders/floor.frag"))?,
+            caster: program(include_str!("shaders/shadow.vert"), include_str!("shaders/shadow.frag"))?,
+            square: square(context),
+            shadow: Texture2D::new_empty::<[u8; 4]>(
+                context,
+                SHADOW,
+                SHADOW,
+                Interpolation::Linear,
+                Interpolation::Linear,
+                Some(Mipmap::default()),
+                Wrapping::ClampToEdge,
+                Wrapping::ClampToEdge,
+            ),
+            shadowed: Shadowed::default(),
+        })
+    }
+
+    /// Sees the figures from above.
+    pub(super) fn cast(&mut self, ground: &Ground, figures: &Figures, model: &Model) {
+        let [across, along] = sides(ground.up);
+        let flat = |place: Vec3| Vec2::new((place - ground.centre).dot(across), (place - ground.centre).dot(along));
+        let Some(bounds) = figures.bounds() else {
+            self.shadowed = Shadowed::default();
+            return;
+        };
+        let corners = corners(bounds);
+        let (low, high) = corners
+            .iter()
+            .map(|corner| flat(*corner))
+            .fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
+        let height = corners.iter().map(|corner| (*corner - ground.centre).dot(ground.up)).fold(0.0, f32::max);
+        let shadowed = Shadowed {
+            middle: 0.5 * (low + high),
+            extent: 0.5 * (high - low).max_element() + MARGIN * height,
+            blur: BLUR * height,
+        };
+        self.shadowed = shadowed;
+        let program = &self.caster;
+        send_plane(program, ground, [across, along]);
+        program.use_uniform("middle", three_d::Vec2::from(shadowed.middle.to_array()));
+        program.use_uniform("extent", shadowed.extent);
+        program.use_uniform("up", three_d::Vec3::from(ground.up.to_array()));
+        program.use_uniform("fading", FADING * height.max(f32::MIN_POSITIVE));
+        let nearest = Blend::Enabled {
+            source_rgb_multiplier: BlendMultiplierType::One,
+            source_alpha_multiplier: BlendMultiplierType::One,
+            destination_rgb_multiplier: BlendMultiplierType::One,
+            destination_alpha_multiplier: BlendMultiplierType::One,
+            rgb_equation: BlendEquationType::Max,
+            alpha_equation: BlendEquationType::Max,
+        };
+        let states = RenderStates { blend: nearest, ..OVER_ALL };
+        let target = self.shadow.as_color_target(None);
+        let Ok(_) = target.clear(ClearState::color(0.0, 0.0, 0.0, 0.0)).write::<Infallible>(|| {
+            figures.cast(program, model, states, Viewport::new_at_origo(SHADOW, SHADOW));
+            Ok(())
+        });
+    }
+
+    pub(super) fn draw_backdrop(&self, light: &Light) {
+        light.send(&self.backdrop);
+        self.backdrop.use_vertex_attribute("corner", &self.square);
+        self.backdrop.draw_arrays(OVER_ALL, light.viewport, self.square.vertex_count());
+    }
+
+    /// The floor, from above; from below one looks through it.
+    pub(super) fn draw(&self, ground: &Ground, light: &Light) {
+        if (light.eye - ground.centre).dot(ground.up) <= 0.0 {
+            return;
+        }
+        let program = &self.floor;
+        light.send(program);
+        send_plane(program, ground, sides(ground.up));
+        let Shadowed { middle, extent, blur } = self.shadowed;
+        program.use_uniform("radius", ground.radius);
+        program.use_uniform("gap", ground.step);
+        program.use_uniform("middle", three_d::Vec2::from(middle.to_array()));
+        program.use_uniform("extent", extent);
+        program.use_uniform("blur", blur);
+        program.use_texture("shadow", &self.shadow);
+        program.use_vertex_attribute("corner", &self.square);
+        let states = RenderStates { blend: Blend::TRANSPARENCY, write_mask: WriteMask::COLOR, ..Default::default() };
+        program.draw_arrays(states, light.viewport, self.square.vertex_count());
+    }
+}
+
+/// Gives a program the floor's own coordinates.
+fn send_plane(program: &Program, ground: &Ground, [across, along]: [Vec3; 2]) {
+    for (name, vector) in [("centre", ground.centre), ("across", across), ("along", along)] {
+        program.use_uniform(name, three_d::Vec3::from(vector.to_array()));
+    }
+}
+
+/// Two directions along the floor.
+fn sides(up: Vec3) -> [Vec3; 2] {
+    let across = up.any_orthonormal_vector();
+    [across, up.cross(across)]
+}
+
+fn corners([low, high]: [Vec3; 2]) -> [Vec3; 8] {
+    std::array::from_fn(|i| Vec3::from_array(std::array::from_fn(|k| if i >> k & 1 == 0 { low[k] } else { high[k] })))
+}

@@ -1,0 +1,141 @@
+//! Rods and balls, all at once: a ball is a rod without length.
+
+use glam::Vec3;
+use three_d::{Blend, Context, CoreError, ElementBuffer, InstanceBuffer, Program, RenderStates, VertexBuffer};
+
+use super::light::{self, Light};
+use super::linear;
+use crate::picture::{Picture, Rod};
+
+/// Sides around, and rings from the middle to an end.
+const SIDES: u32 = 24;
+const RINGS: u32 = 7;
+
+pub(super) struct Marks {
+    program: Program,
+    /// A direction from the axis' end, and which end.
+    corners: VertexBuffer<[f32; 4]>,
+    triangles: ElementBuffer<u32>,
+    hidden: Instances,
+    in_front: Instances,
+}
+
+/// Rods on the graphics card.
+struct Instances {
+    from: InstanceBuffer<[f32; 3]>,
+    to: InstanceBuffer<[f32; 3]>,
+    /// The radius, and one if lit.
+    kind: InstanceBuffer<[f32; 2]>,
+    colour: InstanceBuffer<[f32; 4]>,
+}
+
+impl Marks {
+    pub(super) fn new(context: &Context) -> Result<Self, CoreError> {
+        let fragment = [light::GLSL, include_str!("shaders/mark.frag")].concat();
+        let (corners, triangles) = capsule();
+        Ok(Self {
+            program: Program::from_source(context, include_str!("shaders/mark.vert"), &fragment)?,
+            corners: VertexBuffer::new_with_data(context, &corners),
+            triangles: ElementBuffer::new_with_data(context, &triangles),
+            hidden: Instances::new(context),
+            in_front: Instances::new(context),
+        })
+    }
+
+    pub(super) fn fill(&mut self, picture: &Picture) {
+        let rods = |in_front: bool| {
+            let of_it = picture.rods.iter().filter(move |rod| rod.in_front == in_front);
+            of_it.map(|rod| (*rod, false))
+        };
+        let balls = picture.balls.iter().map(|ball| {
+            let (from, to) = (ball.centre, ball.centre);
+            (Rod { from, to, radius: ball.radius, colour: ball.colour, in_front: false }, true)
+        });
+        self.hidden.fill(&rods(false).chain(balls).collect::<Vec<_>>());
+        self.in_front.fill(&rods(true).collect::<Vec<_>>());
+    }
+
+    pub(super) fn draw(&self, light: &Light, in_front: bool) {
+        let instances = if in_front { &self.in_front } else { &self.hidden };
+        let count = instances.from.instance_count();
+        if count == 0 {
+            return;
+        }
+        let program = &self.program;
+        light.send(program);
+        program.use_vertex_attribute("corner", &self.corners);
+        program.use_instance_attribute("from", &instances.from);
+        program.use_instance_attribute("to", &instances.to);
+        program.use_instance_attribute("kind", &instances.kind);
+        program.use_instance_attribute("colour", &instances.colour);
+        let states = RenderStates { blend: Blend::TRANSPARENCY, ..Default::default() };
+        program.draw_elements_instanced(states, light.viewport, &self.triangles, count);
+    }
+}
+
+impl Instances {
+    fn new(context: &Context) -> Self {
+        Self {
+            from: InstanceBuffer::new(context),
+            to: InstanceBuffer::new(context),
+            kind: InstanceBuffer::new(context),
+            colour: InstanceBuffer::new(context),
+        }
+    }
+
+    /// Rods, and whether they are lit.
+    fn fill(&mut self, rods: &[(Rod, bool)]) {
+        self.from.fill(&rods.iter().map(|(rod, _)| rod.from.to_array()).collect::<Vec<_>>());
+        self.to.fill(&rods.iter().map(|(rod, _)| rod.to.to_array()).collect::<Vec<_>>());
+        let kind = |(rod, is_lit): &(Rod, bool)| [rod.radius, f32::from(u8::from(*is_lit))];
+        self.kind.fill(&rods.iter().map(kind).collect::<Vec<_>>());
+        self.colour.fill(&rods.iter().map(|(rod, _)| linear(rod.colour)).collect::<Vec<_>>());
+    }
+}
+
+/// The corners and triangles of a rod along z: a half ball at each end, and a tube between their rims.
+fn capsule() -> (Vec<[f32; 4]>, Vec<u32>) {
+    #[expect(clippy::cast_precision_loss, reason = "a few sides")]
+    let turn = |part: u32, whole: u32| std::f32::consts::TAU * part as f32 / whole as f32;
+    let ring = |latitude: f32, end: f32| {
+        let corner = move |side: u32| {
+            let (sin, cos) = turn(side, SIDES).sin_cos();
+            let direction = Vec3::new(latitude.cos() * cos, latitude.cos() * sin, latitude.sin());
+            direction.extend(end).to_array()
+        };
+        (0..SIDES).map(corner)
+    };
+    let near = (0..=RINGS).flat_map(|k| ring(turn(k, 4 * RINGS) - turn(1, 4), 0.0));
+    let far = (0..=RINGS).flat_map(|k| ring(turn(k, 4 * RINGS), 1.0));
+    let quad = |k: u32| {
+        move |side: u32| {
+            let (a, b) = (k * SIDES + side, k * SIDES + (side + 1) % SIDES);
+            [a, b, b + SIDES, a, b + SIDES, a + SIDES]
+        }
+    };
+    let triangles = (0..=2 * RINGS).flat_map(|k| (0..SIDES).flat_map(quad(k)));
+    (near.chain(far).collect(), triangles.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rod_is_closed_and_seen_from_outside() {
+        let (corners, triangles) = capsule();
+        let place = |corner: u32| {
+            let [x, y, z, end] = corners[corner as usize];
+            Vec3::new(x, y, z + 3.0 * end)
+        };
+        assert!(triangles.iter().all(|corner| (*corner as usize) < corners.len()));
+        let mut volume = 0.0;
+        for corners in triangles.chunks_exact(3) {
+            let [a, b, c] = [place(corners[0]), place(corners[1]), place(corners[2])];
+            volume += a.dot(b.cross(c)) / 6.0;
+        }
+        // A ball and a tube three long, less what the corners cut off.
+        let whole = std::f32::consts::PI * (4.0 / 3.0 + 3.0);
+        assert!((0.97..1.0).contains(&(volume / whole)), "{volume} of {whole}");
+    }
+}

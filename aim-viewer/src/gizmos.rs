@@ -1,0 +1,243 @@
+//! What is drawn of a stage: its figures, and what shows how they aim.
+
+use std::f32::consts::PI;
+
+use aim_codegen::AngleRange;
+use aim_gltf::Frame;
+use aim_runtime::{AimRig, Solver, Status};
+use glam::{DAffine3, DVec3, Quat, Vec3};
+
+use crate::camera::Camera;
+use crate::character::Character;
+use crate::picture::{Ball, Colour, Fan, Figure, Ground, Picture, Rod};
+use crate::stage::{Actor, Stage};
+
+/// What of it all is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shown {
+    /// The reference frames of the bones.
+    pub axes: bool,
+    /// Gaze rays.
+    pub gaze: bool,
+    /// Limit cones.
+    pub limits: bool,
+    /// Where the target has been.
+    pub trail: bool,
+    /// Error and angles over time.
+    pub plots: bool,
+    /// How long solving takes.
+    pub timing: bool,
+    /// The panel.
+    pub panel: bool,
+    /// On dark ground.
+    pub dark: bool,
+}
+
+impl Default for Shown {
+    fn default() -> Self {
+        Self { axes: false, gaze: true, limits: false, trail: true, plots: true, timing: true, panel: true, dark: true }
+    }
+}
+
+// Okabe and Ito's colours, which colour-blind people tell apart.
+pub(crate) const GREEN: Colour = [0, 158, 115, 255];
+pub(crate) const ORANGE: Colour = [230, 159, 0, 255];
+pub(crate) const VERMILION: Colour = [213, 94, 0, 255];
+pub(crate) const BLUE: Colour = [86, 180, 233, 255];
+pub(crate) const PURPLE: Colour = [204, 121, 167, 255];
+/// Of a bone's own X, Y and Z, as everywhere.
+const AXES: [Colour; 3] = [[232, 72, 85, 255], [120, 190, 60, 255], [66, 135, 245, 255]];
+/// Of each joint's cone and curves, from the effector inward.
+const CONES: [Colour; 4] = [[86, 180, 233, 70], [230, 159, 0, 60], [204, 121, 167, 60], [0, 158, 115, 60]];
+
+/// The target's radius, and the thickness of rays, axes and trails, metres of a character of 1.7 m.
+pub(crate) const TARGET: f32 = 0.035;
+const RAY: f32 = 0.004;
+const AXIS: f32 = 0.005;
+const TRAIL: f32 = 0.003;
+/// The lengths of a chain bone's axes, of another bone's, and of cones.
+const AXIS_LENGTH: f32 = 0.14;
+const SMALL_AXIS_LENGTH: f32 = 0.05;
+const CONE_LENGTH: f32 = 0.3;
+
+/// The colour of a solver's curves.
+pub(crate) fn colour_of_solver(solver: Solver) -> Colour {
+    match solver {
+        Solver::Natural => BLUE,
+        Solver::Exact => ORANGE,
+        _ => PURPLE,
+    }
+}
+
+/// The colour of a joint's curves: its cone's, opaque.
+pub(crate) fn colour_of_joint(at: usize) -> Colour {
+    let [r, g, b, _] = CONES[at % CONES.len()];
+    [r, g, b, 255]
+}
+
+/// The colour of a gaze by what became of it.
+pub(crate) fn colour_of(status: Status) -> Colour {
+    match status {
+        Status::Reached => GREEN,
+        Status::RateLimited => BLUE,
+        Status::AtLimit => ORANGE,
+        Status::Behind => PURPLE,
+        _ => VERMILION,
+    }
+}
+
+impl Stage {
+    /// What there is to see.
+    pub(crate) fn picture(&self, camera: &Camera, shown: Shown) -> Picture {
+        let character = &self.character;
+        let metre = character.metre();
+        let [up, ..] = character.directions();
+        let mut picture = Picture {
+            view: camera.view(metre),
+            surface: character.surface.clone(),
+            figures: Vec::new(),
+            rods: Vec::new(),
+            balls: Vec::new(),
+            fans: Vec::new(),
+            ground: Ground { centre: character.floor, up, radius: 6.0 * metre, step: 0.5 * metre },
+            dark: shown.dark,
+        };
+        for actor in &self.actors {
+            if let Some(frame) = &actor.frame {
+                self.show(&mut picture, actor, frame, shown);
+            }
+        }
+        for member in &self.crowd {
+            if let Some(frame) = &member.frame {
+                picture.figures.push(self.figure(frame, member.shift));
+                if shown.gaze {
+                    self.show_gaze(&mut picture, frame, member.shift);
+                }
+            }
+        }
+        picture
+    }
+
+    fn figure(&self, frame: &Frame, shift: Vec3) -> Figure {
+        let mut figure = Figure { positions: Vec::new(), normals: Vec::new(), tint: [255; 4] };
+        let Character { surface, document, .. } = &self.character;
+        surface.pose(document.skeleton(), &frame.world, &mut figure.positions, &mut figure.normals);
+        figure.positions.iter_mut().for_each(|at| *at += shift);
+        figure
+    }
+
+    fn show(&self, picture: &mut Picture, actor: &Actor, frame: &Frame, shown: Shown) {
+        let metre = self.character.metre();
+        picture.figures.push(self.figure(frame, actor.shift));
+        let target = self.target_now() + actor.shift;
+        picture.balls.push(Ball { centre: target, radius: TARGET * metre, colour: VERMILION });
+        if shown.gaze {
+            self.show_gaze(picture, frame, actor.shift);
+        }
+        if shown.trail {
+            let step = |a: &crate::stage::Memory, b: &crate::stage::Memory| Rod {
+                from: a.target + actor.shift,
+                to: b.target + actor.shift,
+                radius: TRAIL * metre,
+                colour: [213, 94, 0, 120],
+                in_front: false,
+            };
+            let (before, after) = (self.memory.iter(), self.memory.iter().skip(1));
+            let moved = before.zip(after).filter(|(a, b)| a.target.distance(b.target) > 1e-4 * metre);
+            picture.rods.extend(moved.map(|(a, b)| step(a, b)));
+        }
+        if shown.axes {
+            self.show_axes(picture, frame, actor.shift);
+        }
+        if shown.limits {
+            self.show_limits(picture, actor, frame);
+        }
+    }
+
+    /// From each eye as far as the target is away.
+    fn show_gaze(&self, picture: &mut Picture, frame: &Frame, shift: Vec3) {
+        let radius = RAY * self.character.metre();
+        let colour = colour_of(frame.outcome.status);
+        let target = frame.target.as_vec3();
+        picture.rods.extend(self.gazes(frame).into_iter().map(|[from, direction]| {
+            let to = from + direction * from.distance(target);
+            Rod { from: from + shift, to: to + shift, radius, colour, in_front: false }
+        }));
+    }
+
+    /// The paper's reference frames: each bone's own X, Y and Z, those of the chain long.
+    fn show_axes(&self, picture: &mut Picture, frame: &Frame, shift: Vec3) {
+        let metre = self.character.metre();
+        let chain = &self.character.chain;
+        for bone in &self.character.measurement.bones {
+            let at = &frame.world[bone.node];
+            let is_aimed = chain.joints.contains(&bone.node) || chain.pair == Some(bone.node);
+            let (length, radius) = if is_aimed { (AXIS_LENGTH, AXIS) } else { (SMALL_AXIS_LENGTH, AXIS / 2.0) };
+            let from = at.translation.as_vec3() + shift;
+            for (axis, colour) in DVec3::AXES.into_iter().zip(AXES) {
+                let direction = at.transform_vector3(axis).as_vec3().normalize_or_zero();
+                let to = from + direction * (length * metre);
+                picture.rods.push(Rod { from, to, radius: radius * metre, colour, in_front: true });
+            }
+        }
+    }
+
+    /// Each joint's range of motion about where its forward is without its own turn.
+    fn show_limits(&self, picture: &mut Picture, actor: &Actor, frame: &Frame) {
+        let length = CONE_LENGTH * self.character.metre();
+        for (at, correction) in actor.rig.corrections() {
+            let Some(&node) = self.character.chain.joints.get(at) else { continue };
+            let joint = &self.tuning.spec.joints[at];
+            let [up, forward, left] = [joint.frame.up, joint.frame.forward, joint.frame.left].map(direction);
+            let unturned = unturned(&frame.world[node], correction);
+            let led = frame.joints[at].led.map_or([0.0; 2], |led| led.map(single));
+            let heading = range(joint.heading, led[0]);
+            let pitch = range(joint.pitch, led[1]);
+            let apex = frame.world[node].translation.as_vec3() + actor.shift;
+            let point = |[heading, pitch]: [f32; 2]| {
+                let ((sh, ch), (sp, cp)) = (heading.sin_cos(), pitch.sin_cos());
+                apex + unturned(forward * (ch * cp) + left * (sh * cp) + up * sp) * length
+            };
+            let rim = around(heading, pitch).map(point).collect();
+            picture.fans.push(Fan { apex, rim, colour: CONES[at % CONES.len()] });
+        }
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "angles and directions are drawn in single precision")]
+fn single(x: f64) -> f32 {
+    x as f32
+}
+
+fn direction(v: [f64; 3]) -> Vec3 {
+    DVec3::from_array(v).as_vec3()
+}
+
+/// A bone's directions in the world, of length one, before the correction was multiplied in.
+fn unturned(world: &DAffine3, correction: Quat) -> impl Fn(Vec3) -> Vec3 {
+    let (world, back) = (*world, correction.inverse());
+    move |v| world.transform_vector3((back * v).as_dvec3()).as_vec3().normalize_or_zero()
+}
+
+/// An angle's ends, radians, as counted from the animation; an angle that is not there stays at 0.
+fn range(range: Option<AngleRange>, led: f32) -> [f32; 2] {
+    match range {
+        Some(AngleRange::Between(lo, hi)) => [single(lo) - led, single(hi) - led],
+        Some(AngleRange::Free) => [-PI, PI],
+        None => [0.0; 2],
+    }
+}
+
+/// Points around a box of heading × pitch, in order.
+fn around(heading: [f32; 2], pitch: [f32; 2]) -> impl Iterator<Item = [f32; 2]> {
+    const STEPS: u8 = 16;
+    let side = |a: [f32; 2], b: [f32; 2]| {
+        (0..STEPS).map(move |k| {
+            let share = f32::from(k) / f32::from(STEPS);
+            [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share]
+        })
+    };
+    let [[left, right], [low, high]] = [[heading[1], heading[0]], pitch];
+    let corners = [[left, low], [right, low], [right, high], [left, high], [left, low]];
+    corners.into_iter().zip(corners.into_iter().skip(1)).flat_map(move |(a, b)| side(a, b))
+}

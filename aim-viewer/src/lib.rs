@@ -1,0 +1,32 @@
+//! A window with a live character that looks at a target.
+//!
+//! The runtime does the aiming; what is here shows it. `stage` holds the character and its solvers, `controls` and `panel`
+//! turn input into changes of it, `gizmos` says what there is to see, `draw` draws that.
+
+mod app;
+mod camera;
+mod character;
+mod controls;
+mod draw;
+mod gizmos;
+mod overlay;
+mod panel;
+mod picture;
+mod plots;
+mod stage;
+mod target;
+mod viewer;
+
+pub use gizmos::Shown;
+pub use stage::Lineup;
+pub use target::Path;
+
+#[cfg(not(target_arch = "wasm32"))]
+mod native;
+#[cfg(not(target_arch = "wasm32"))]
+pub use native::{Options, Shot, run};
+
+#[cfg(target_arch = "wasm32")]
+mod web;
+#[cfg(target_arch = "wasm32")]
+pub use web::start;

@@ -1,0 +1,117 @@
+//! The window on a desktop, and pictures of it.
+
+use std::cell::RefCell;
+use std::path::PathBuf;
+use std::rc::Rc;
+
+use eframe::egui;
+
+use crate::app::App;
+use crate::character::Character;
+use crate::gizmos::Shown;
+use crate::stage::{Lineup, SIXTIETH};
+use crate::target::Path;
+use crate::viewer::Viewer;
+
+/// What to show.
+#[derive(Clone, Debug, Default)]
+#[non_exhaustive]
+pub struct Options {
+    /// A .glb, .gltf or .vrm file; the mannequin if not given.
+    pub file: Option<PathBuf>,
+    /// Its rig; proposed if not given.
+    pub rig: Option<PathBuf>,
+    /// The clip that is played; the first if not given.
+    pub clip: Option<String>,
+    /// Which solvers; what suits the rig if not given.
+    pub lineup: Option<Lineup>,
+    /// How the target moves.
+    pub path: Path,
+    /// How many characters; 0 and 1 are one.
+    pub crowd: usize,
+    /// What of it all is shown.
+    pub shown: Shown,
+    /// A picture to take instead of staying open.
+    pub shot: Option<Shot>,
+}
+
+impl Options {
+    /// The state that the window begins with.
+    fn viewer(&self) -> Result<Viewer, String> {
+        let character = match &self.file {
+            Some(file) => Character::open(file, self.rig.as_deref())?,
+            None => Character::mannequin()?,
+        };
+        let clip = match &self.clip {
+            Some(name) => Some(character.clip(name)?),
+            None => None,
+        };
+        let mut viewer = Viewer::new(character);
+        let stage = &mut viewer.stage;
+        stage.clock.clip = clip.or(stage.clock.clip);
+        stage.tuning.lineup = self.lineup.unwrap_or(stage.tuning.lineup);
+        stage.tuning.crowd = self.crowd.max(1);
+        stage.target.path = self.path;
+        stage.advance(0.0);
+        viewer.shown = self.shown;
+        viewer.step_back();
+        Ok(viewer)
+    }
+}
+
+/// A picture of the window.
+#[derive(Clone, Debug)]
+pub struct Shot {
+    /// The PNG file.
+    pub out: PathBuf,
+    /// After how many frames of a sixtieth of a second.
+    pub frames: u32,
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+}
+
+/// Opens the window and stays until it is closed, or until the picture is taken. Tells what is to be told of the picture.
+///
+/// # Errors
+/// Files that cannot be used, no display, no OpenGL 3: in words.
+pub fn run(options: Options) -> Result<String, String> {
+    let viewer = options.viewer()?;
+    let size = options.shot.as_ref().map_or([1280, 800], |shot| shot.size);
+    #[expect(clippy::cast_precision_loss, reason = "pixels")]
+    let size = size.map(|side| side as f32);
+    let viewport = egui::ViewportBuilder::default().with_title("aim").with_inner_size(size).with_drag_and_drop(true);
+    let native = eframe::NativeOptions { viewport, multisampling: 4, depth_buffer: 24, ..Default::default() };
+    let told = Rc::new(RefCell::new(Ok(String::new())));
+    let fixed = options.shot.as_ref().map(|_| SIXTIETH);
+    let after: Box<dyn FnMut(&egui::Context, &Viewer)> = match options.shot {
+        Some(shot) => photographer(shot, told.clone()),
+        None => Box::new(|_, _| ()),
+    };
+    let app = App { viewer, fixed, after };
+    eframe::run_native("aim", native, Box::new(|_| Ok(Box::new(app)))).map_err(|error| error.to_string())?;
+    told.replace(Ok(String::new()))
+}
+
+/// Waits for its frame, asks for the screen, writes it, and closes the window.
+fn photographer(shot: Shot, told: Rc<RefCell<Result<String, String>>>) -> Box<dyn FnMut(&egui::Context, &Viewer)> {
+    let mut frame = 0;
+    Box::new(move |context, viewer| {
+        frame += 1;
+        let image = context.input(|input| {
+            input.raw.events.iter().find_map(|event| match event {
+                egui::Event::Screenshot { image, .. } => Some(image.clone()),
+                _ => None,
+            })
+        });
+        if let Some(image) = image {
+            let size = image.size.map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+            let saved = image::save_buffer(&shot.out, image.as_raw(), size[0], size[1], image::ColorType::Rgba8);
+            let name = shot.out.display();
+            *told.borrow_mut() =
+                saved.map(|()| format!("{name}: {}", viewer.caption())).map_err(|error| format!("{name}: {error}"));
+            context.send_viewport_cmd(egui::ViewportCommand::Close);
+        } else if frame == shot.frames {
+            context.send_viewport_cmd(egui::ViewportCommand::Screenshot(egui::UserData::default()));
+        }
+    })
+}

@@ -1,0 +1,177 @@
+//! What is written over the scene: names, status, how long solving takes, and trouble.
+
+use aim_runtime::Status;
+use eframe::egui::{self, Align2, Color32, Id, Rect, RichText, Ui, Vec2};
+use glam::Vec3;
+
+use crate::gizmos::colour_of;
+use crate::picture::Colour;
+use crate::stage::{Actor, SIXTIETH, Stage, solver_name};
+use crate::viewer::Viewer;
+
+/// How far from the scene's edges, points.
+const MARGIN: f32 = 10.0;
+/// How long the hint stays, seconds, and how long it takes to go.
+const HINT: f64 = 8.0;
+const FADE: f64 = 2.0;
+
+pub(crate) fn show(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
+    if scene.width() < 1.0 || scene.height() < 1.0 {
+        return;
+    }
+    let stage = &viewer.stage;
+    note(context, scene, "status", Align2::LEFT_TOP, |ui| status(ui, stage, viewer.age));
+    if viewer.shown.timing {
+        note(context, scene, "timing", Align2::LEFT_BOTTOM, |ui| timing(ui, stage));
+    }
+    if stage.actors.len() > 1 {
+        for (at, actor) in stage.actors.iter().enumerate() {
+            label(context, scene, viewer, at, actor);
+        }
+    }
+    if !viewer.shown.panel {
+        open_panel(context, scene, viewer);
+    }
+    trouble(context, scene, viewer);
+}
+
+/// Something in a corner of the scene that the mouse goes through.
+fn note(context: &egui::Context, scene: Rect, id: &str, corner: Align2, contents: impl FnOnce(&mut Ui)) {
+    let at = corner.pos_in_rect(&scene.shrink(MARGIN));
+    area(scene, Id::new(id)).interactable(false).pivot(corner).fixed_pos(at).show(context, |ui| {
+        ui.style_mut().interaction.selectable_labels = false;
+        let frame = egui::Frame::new().inner_margin(8).corner_radius(6);
+        frame.fill(ui.visuals().panel_fill.gamma_multiply(0.75)).show(ui, |ui| {
+            ui.set_max_width(scene.width() - 4.0 * MARGIN);
+            contents(ui);
+        });
+    });
+}
+
+fn area(scene: Rect, id: Id) -> egui::Area {
+    egui::Area::new(id).order(egui::Order::Middle).constrain_to(scene)
+}
+
+fn status(ui: &mut Ui, stage: &Stage, age: f64) {
+    ui.strong(&stage.character.name);
+    let shown = stage.actors.iter().filter_map(|actor| Some((actor, actor.frame.as_ref()?)));
+    egui::Grid::new("status").num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
+        for (actor, frame) in shown {
+            let (name, meaning) = words(frame.outcome.status);
+            ui.horizontal(|ui| {
+                dot(ui, colour_of(frame.outcome.status));
+                ui.label(solver_name(actor.solver));
+            });
+            ui.strong(name);
+            ui.label(format!("{:.2}° off", frame.error_deg));
+            ui.weak(meaning);
+            ui.end_row();
+        }
+    });
+    if stage.clock.paused {
+        ui.weak("paused");
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "an opacity")]
+    let left = ((HINT - age) / FADE).clamp(0.0, 1.0) as f32;
+    if left > 0.0 {
+        ui.multiply_opacity(left);
+        ui.weak("Drop a .glb here. Drag the target. H: the panel.");
+    }
+}
+
+/// A spot of a colour, as high as a line.
+pub(crate) fn dot(ui: &mut Ui, [r, g, b, _]: Colour) {
+    let size = Vec2::splat(ui.text_style_height(&egui::TextStyle::Body));
+    let (rect, _) = ui.allocate_exact_size(size, egui::Sense::empty());
+    ui.painter().circle_filled(rect.center(), 0.3 * rect.width(), Color32::from_rgb(r, g, b));
+}
+
+/// A status in a word, and what it means.
+fn words(status: Status) -> (&'static str, &'static str) {
+    match status {
+        Status::Reached => ("reached", "on the target"),
+        Status::RateLimited => ("on the way", "as fast as the rates allow"),
+        Status::AtLimit => ("at a limit", "out of reach of the ranges"),
+        Status::Behind => ("behind", "as the policy for targets behind says"),
+        _ => ("nothing to aim", "the target is on the effector, or not finite"),
+    }
+}
+
+fn timing(ui: &mut Ui, stage: &Stage) {
+    let timing = stage.timing;
+    let percent = timing.one / f64::from(SIXTIETH) * 100.0;
+    let solving = RichText::new(format!("{:.1} µs", timing.one * 1e6)).strong();
+    ui.horizontal(|ui| {
+        ui.label("solving");
+        ui.label(solving);
+        ui.label(format!("a character, {percent:.2} % of a 60 Hz frame"));
+    });
+    if !stage.crowd.is_empty() {
+        let all = timing.one + timing.crowd;
+        ui.label(format!("crowd of {}: {:.2} ms a frame", stage.crowd.len() + 1, all * 1e3));
+    }
+    if timing.between > 0.0 {
+        ui.weak(format!("{:.0} frames a second", 1.0 / timing.between));
+    }
+}
+
+/// A solver's name under its figure.
+fn label(context: &egui::Context, scene: Rect, viewer: &Viewer, at: usize, actor: &Actor) {
+    let character = &viewer.stage.character;
+    let below = character.floor - character.directions()[0] * (0.08 * character.metre());
+    let Some(at_pixel) = on_screen(viewer, scene, below + actor.shift) else { return };
+    let place = egui::pos2(at_pixel.x, at_pixel.y.min(scene.bottom() - 2.0 * MARGIN));
+    if !scene.contains(place) {
+        return;
+    }
+    let area = area(scene, Id::new(("figure", at))).interactable(false).pivot(Align2::CENTER_TOP);
+    area.fixed_pos(place).show(context, |ui| {
+        let frame = egui::Frame::new().inner_margin(egui::Margin::symmetric(8, 2)).corner_radius(6);
+        frame.fill(ui.visuals().panel_fill.gamma_multiply(0.75)).show(ui, |ui| {
+            ui.add(egui::Label::new(RichText::new(solver_name(actor.solver)).strong()).selectable(false).extend());
+        });
+    });
+}
+
+/// Where a point of the world is seen.
+pub(crate) fn on_screen(viewer: &Viewer, scene: Rect, point: Vec3) -> Option<egui::Pos2> {
+    let seen = viewer.camera.project(point, glam::Vec2::new(scene.width(), scene.height()))?;
+    Some(scene.min + Vec2::new(seen.x, seen.y))
+}
+
+/// What brings the panel back, for those who do not know its key.
+fn open_panel(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
+    let corner = Align2::RIGHT_TOP;
+    let at = corner.pos_in_rect(&scene.shrink(MARGIN));
+    area(scene, Id::new("open panel")).pivot(corner).fixed_pos(at).show(context, |ui| {
+        let button = ui.button("«");
+        context.accesskit_node_builder(button.id, |node| node.set_label("show the panel"));
+        if button.on_hover_text("Show the panel (H).").clicked() {
+            viewer.shown.panel = true;
+        }
+    });
+}
+
+fn trouble(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
+    let Some(text) = viewer.trouble.clone() else { return };
+    let at = egui::pos2(scene.center().x, scene.top() + MARGIN);
+    let width = (scene.width() - 4.0 * MARGIN).clamp(80.0, 560.0);
+    let area = area(scene, Id::new("trouble")).order(egui::Order::Foreground).pivot(Align2::CENTER_TOP);
+    area.fixed_pos(at).show(context, |ui| {
+        let red = ui.visuals().error_fg_color;
+        let frame =
+            egui::Frame::new().fill(ui.visuals().window_fill).stroke((1.5, red)).inner_margin(10).corner_radius(6);
+        frame.show(ui, |ui| {
+            ui.set_width(width);
+            egui::ScrollArea::vertical().max_height(scene.height() * 0.6).show(ui, |ui| {
+                ui.add(egui::Label::new(RichText::new(text).monospace()).wrap());
+            });
+            ui.add_space(4.0);
+            let button = ui.button("Dismiss");
+            context.accesskit_node_builder(button.id, |node| node.set_label("dismiss"));
+            if button.clicked() {
+                viewer.trouble = None;
+            }
+        });
+    });
+}

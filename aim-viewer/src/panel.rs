@@ -1,0 +1,269 @@
+//! The panel at the side: everything that can be set.
+
+mod joint;
+mod widgets;
+
+use std::ops::RangeInclusive;
+
+use aim_character::{Proposal, declaration};
+use aim_codegen::Role;
+use aim_runtime::{Behind, Solver};
+use eframe::egui::{self, Ui};
+
+use self::widgets::{button, check, choice, group, named, note, row, slider};
+use crate::controls;
+use crate::stage::{Lineup, Stage};
+use crate::target::{Path, Target};
+use crate::viewer::Viewer;
+
+/// The panel's width, points.
+const WIDTH: f32 = 330.0;
+const WIDTHS: RangeInclusive<f32> = 250.0..=460.0;
+/// The animation's speed: 1 is real time.
+const SPEEDS: RangeInclusive<f32> = 0.0..=3.0;
+/// How many characters there may be.
+const CROWD: RangeInclusive<usize> = 1..=100;
+/// How far from the bind pose's effector a target is put here, metres of a 1.7 m character.
+const PLACES: RangeInclusive<f32> = -20.0..=20.0;
+
+pub(crate) fn show(ui: &mut Ui, viewer: &mut Viewer) {
+    egui::Panel::right("panel").resizable(true).default_size(WIDTH).size_range(WIDTHS).show_inside(ui, |ui| {
+        ui.add_space(6.0);
+        head(ui, viewer);
+        ui.separator();
+        egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            group(ui, "Animation", true, |ui| animation(ui, &mut viewer.stage));
+            group(ui, "Aiming", true, |ui| aiming(ui, &mut viewer.stage));
+            group(ui, "Target", true, |ui| target(ui, &mut viewer.stage));
+            group(ui, "Joints", true, |ui| joints(ui, &mut viewer.stage));
+            group(ui, "Show", true, |ui| shown(ui, viewer));
+            group(ui, "Rig", true, |ui| rig(ui, viewer));
+            group(ui, "Help", false, help);
+            ui.add_space(12.0);
+        });
+    });
+}
+
+fn head(ui: &mut Ui, viewer: &mut Viewer) {
+    ui.horizontal(|ui| {
+        let hide = |ui: &mut Ui| {
+            if button(ui, "»", "hide the panel", "Hide the panel (H).").clicked() {
+                viewer.shown.panel = false;
+            }
+            let name = egui::RichText::new(&viewer.stage.character.name).heading();
+            ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                ui.add(egui::Label::new(name).truncate());
+            });
+        };
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), hide);
+    });
+}
+
+fn animation(ui: &mut Ui, stage: &mut Stage) {
+    row(ui, "Clip", "What the character does by itself.", |ui| {
+        let chosen = clip_name(stage, stage.clock.clip);
+        let width = ui.available_width();
+        let clips = egui::ComboBox::from_id_salt("clip").selected_text(&chosen).width(width).truncate();
+        let shown = clips.show_ui(ui, |ui| {
+            let all = std::iter::once(None).chain((0..stage.character.clips().len()).map(Some));
+            for clip in all {
+                let name = clip_name(stage, clip);
+                let item = ui.selectable_label(stage.clock.clip == clip, &name);
+                if named(item, &format!("clip: {name}")).clicked() {
+                    stage.clock.clip = clip;
+                    stage.clock.time = 0.0;
+                }
+            }
+        });
+        named(shown.response, "clip");
+    });
+    row(ui, "Speed", "Of the animation and of the target's path: 1 is real time.", |ui| {
+        slider(ui, &mut stage.clock.speed, SPEEDS, "speed", |speed| format!("{speed:.2}×"));
+    });
+    row(ui, "", "", |ui| {
+        let (text, name) = if stage.clock.paused { ("▶ Go on", "go on") } else { ("⏸ Pause", "pause") };
+        if button(ui, text, name, "Pause, go on (Space).").clicked() {
+            stage.clock.paused = !stage.clock.paused;
+        }
+        if button(ui, "⏭ Step", "step", "Pause and go on by a sixtieth of a second (.).").clicked() {
+            stage.clock.paused = true;
+            stage.clock.step = true;
+        }
+        if button(ui, "↺ Restart", "restart", "The clip and the target's path from their beginning, joints at rest.")
+            .clicked()
+        {
+            stage.restart();
+        }
+    });
+}
+
+fn clip_name(stage: &Stage, clip: Option<usize>) -> String {
+    match clip.and_then(|clip| Some((clip, stage.character.clips().get(clip)?))) {
+        None => "rest pose".into(),
+        Some((at, clip)) if clip.name.is_empty() => format!("clip {}", at + 1),
+        Some((_, clip)) => clip.name.clone(),
+    }
+}
+
+fn aiming(ui: &mut Ui, stage: &mut Stage) {
+    let crowded = stage.tuning.crowd > 1;
+    row(ui, "Solver", "What turns a target to joint angles.", |ui| {
+        let hover = |lineup| match lineup {
+            Lineup::One(Solver::Natural) => "Eyes leap to the target, head and spine follow as people's do.",
+            Lineup::One(Solver::Exact) => "All joints at once: the least comfort-weighted displacement.",
+            Lineup::One(_) => "The paper's steepest ascent, joint by joint.",
+            Lineup::All => "All three, each with a figure and a target of its own.",
+        };
+        choice(ui, "solver", &mut stage.tuning.lineup, Lineup::EACH.map(|each| (each, each.name(), hover(each))));
+    });
+    if crowded && stage.tuning.lineup == Lineup::All {
+        note(ui, "A crowd has one solver: the natural one.");
+    }
+    let climbs = stage.tuning.lineup.solvers().contains(&Solver::Ascent);
+    row(ui, "", "", |ui| {
+        let why = "Choose the ascent, or side by side.";
+        let hover = "The ascent without what was added to it since: as its paper has it.";
+        check(ui, &mut stage.tuning.as_published, "As published", "as published", (climbs, why), hover);
+    });
+    row(ui, "Effector", "What is aimed (E).", |ui| {
+        let joints = &stage.tuning.spec.joints;
+        let name = |at: usize| match (at, joints[at].role()) {
+            (0, Role::Eye) => "eyes",
+            _ => joints[at].name.as_str(),
+        };
+        let options: Vec<_> =
+            (0..joints.len()).map(|at| (at, name(at), "Aim this one; those outward of it rest.")).collect();
+        choice(ui, "effector", &mut stage.tuning.settings.effector, options);
+    });
+    let has_pair = stage.character.chain.pair.is_some();
+    row(ui, "", "", |ui| {
+        let why = "The rig names no other eye as a pair.";
+        let hover = "The other eye is aimed itself, so that both meet the target; else it turns as the first does.";
+        check(ui, &mut stage.tuning.both_eyes, "Both eyes", "both eyes", (has_pair, why), hover);
+    });
+    let share = |share: f32| format!("{:.0} %", share * 100.0);
+    row(ui, "Weight", "How much of the way from the animation to the target: 0 leaves the animation.", |ui| {
+        slider(ui, &mut stage.tuning.settings.weight, 0.0..=1.0, "weight", share);
+    });
+    row(
+        ui,
+        "Attention",
+        "How much the head comes along in a natural gaze: at 100 % it ends up facing the target.",
+        |ui| {
+            slider(ui, &mut stage.tuning.settings.attention, 0.0..=1.0, "attention", share);
+        },
+    );
+    row(ui, "Behind", "What becomes of a target behind the character.", |ui| {
+        let policies = [
+            (Behind::Off, "off", "No policy: as near as the joints come, on the side they are on."),
+            (Behind::Clip, "clip", "Turn to the edge of what is in reach, on the target's side."),
+            (Behind::Hold, "hold", "Stay as it is."),
+            (Behind::Release, "release", "Return to the animation."),
+        ];
+        choice(ui, "behind", &mut stage.tuning.settings.behind, policies);
+    });
+    row(ui, "Crowd", "How many characters look at the target.", |ui| {
+        slider(ui, &mut stage.tuning.crowd, CROWD, "crowd", |crowd| crowd.to_string());
+    });
+}
+
+fn target(ui: &mut Ui, stage: &mut Stage) {
+    let room = stage.room();
+    row(ui, "Path", "How the target moves.", |ui| {
+        let hover = |path| match path {
+            Path::Still => "It stays where it is.",
+            Path::Orbit => "Around the character.",
+            Path::Eight => "An eight on its side, in front of the character.",
+            Path::Noise => "Here and there, in front of the character.",
+        };
+        let mut path = stage.target.path;
+        choice(ui, "path", &mut path, Path::ALL.map(|path| (path, path.name(), hover(path))));
+        stage.target.follow(&room, path);
+    });
+    row(ui, "Place", "From the effector of the bind pose, metres of a character of 1.7 m.", |ui| {
+        let mut place = room.place(stage.target_now());
+        let mut moved = false;
+        let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x) / 3.0;
+        for (metres, (text, name)) in place.iter_mut().zip([("left ", "left"), ("up ", "up"), ("front ", "front")]) {
+            let value = egui::DragValue::new(metres).speed(0.01).fixed_decimals(2).prefix(text).range(PLACES);
+            let field = ui.add_sized([width, ui.spacing().interact_size.y], value.clamp_existing_to_range(false));
+            moved |= named(field, &format!("target {name}")).on_hover_text(format!("Metres, {name}.")).changed();
+        }
+        if moved {
+            let [left, up, forward] = place;
+            stage.target = Target { place: room.point(left, up, forward), path: Path::Still, ..stage.target };
+        }
+    });
+    row(ui, "", "", |ui| {
+        if button(ui, "↺ Reset", "reset the target", "Where it was at first, still.").clicked() {
+            stage.target = Target::new(&room);
+        }
+    });
+}
+
+fn joints(ui: &mut Ui, stage: &mut Stage) {
+    let declared = &stage.character.declared.spec.joints;
+    for (joint, declared) in stage.tuning.spec.joints.iter_mut().zip(declared) {
+        joint::show(ui, joint, declared);
+    }
+}
+
+fn shown(ui: &mut Ui, viewer: &mut Viewer) {
+    let shown = &mut viewer.shown;
+    let flags = [
+        (&mut shown.gaze, "Gaze", "Rays from the eyes, as far as the target is away."),
+        (&mut shown.limits, "Limits", "Each joint's range of motion, as a cone."),
+        (&mut shown.axes, "Reference frames", "Each bone's own X, Y and Z (Q on, A off)."),
+        (&mut shown.trail, "Trail", "Where the target has been."),
+        (&mut shown.plots, "Plots", "Error and angles over time."),
+        (&mut shown.timing, "Timing", "How long solving takes."),
+        (&mut shown.dark, "Dark", "On dark ground."),
+    ];
+    ui.columns(2, |columns| {
+        for (at, (flag, name, hover)) in flags.into_iter().enumerate() {
+            check(&mut columns[at % 2], flag, name, &format!("show {}", name.to_lowercase()), (true, ""), hover);
+        }
+    });
+    if button(ui, "Reset the view", "reset the view", "The camera back to where it was at first.").clicked() {
+        viewer.step_back();
+    }
+}
+
+fn rig(ui: &mut Ui, viewer: &mut Viewer) {
+    let stage = &viewer.stage;
+    ui.horizontal_wrapped(|ui| {
+        for (notation, text) in
+            [("Rust", declared_as(stage, declaration::rust)), ("TOML", declared_as(stage, declaration::toml))]
+        {
+            let hover = "The rig as it is set now, ranges, rates and comfort, to the clipboard.";
+            if button(ui, &format!("Copy as {notation}"), &format!("copy as {notation}"), hover).clicked() {
+                ui.ctx().copy_text(text);
+                viewer.copied = Some((notation, viewer.age));
+            }
+        }
+        if let Some((notation, _)) = viewer.copied.filter(|(_, at)| viewer.age - at < 2.5) {
+            ui.weak(format!("✔ {notation} copied"));
+        }
+    });
+}
+
+/// The rig as it is set now, in one of the two notations.
+fn declared_as(stage: &Stage, notation: fn(&Proposal, &str) -> String) -> String {
+    let Proposal { reasons, .. } = &stage.character.declared;
+    let now = Proposal { spec: stage.tuning.spec.clone(), reasons: reasons.clone() };
+    notation(&now, &format!("The rig of {}, as it was set in the viewer.", stage.character.name))
+}
+
+fn help(ui: &mut Ui) {
+    egui::Grid::new("keys").num_columns(2).spacing([14.0, 4.0]).show(ui, |ui| {
+        for (keys, what) in controls::KEYS.into_iter().chain(controls::MOUSE) {
+            ui.label(egui::RichText::new(keys).strong());
+            ui.add(egui::Label::new(what).wrap());
+            ui.end_row();
+        }
+    });
+    note(
+        ui,
+        "Drop a model (.glb, .gltf, .vrm) onto the window to open it, or a rig (.toml) for the model that is shown.",
+    );
+}

@@ -1,0 +1,85 @@
+//! One joint's settings. Whatever is set here, the declaration stays one that passes every check.
+
+use aim_codegen::{AngleRange, JointSpec};
+use eframe::egui::{self, Ui};
+
+use super::widgets::{button, check, named, row};
+
+/// A range's ends are at least this far apart, degrees: an empty one is none.
+const NARROWEST: f64 = 0.5;
+/// What a range is limited to that was free, degrees to either side.
+const LIMITED: f64 = 90.0;
+/// Rates and accelerations, degrees a second (and that a second); more may have been declared.
+const RATES: std::ops::RangeInclusive<f64> = 1.0..=2000.0;
+const ACCELERATIONS: std::ops::RangeInclusive<f64> = 10.0..=20_000.0;
+const COMFORTS: std::ops::RangeInclusive<f64> = 0.01..=100.0;
+
+pub(super) fn show(ui: &mut Ui, joint: &mut JointSpec, declared: &JointSpec) {
+    let name = joint.name.clone();
+    let header = egui::CollapsingHeader::new(&name).id_salt(("joint", &name));
+    let shown = header.show(ui, |ui| settings(ui, joint, declared));
+    named(shown.header_response, &format!("joint {name}"))
+        .on_hover_text(format!("The bone {}.", joint.bones.join(" or ")));
+}
+
+fn settings(ui: &mut Ui, joint: &mut JointSpec, declared: &JointSpec) {
+    let name = joint.name.clone();
+    let from = if joint.absolute { "the bind pose" } else { "the animation" };
+    if let Some(heading) = &mut joint.heading {
+        row(ui, "Heading", &format!("How far it turns to the left, from {from}, degrees."), |ui| {
+            ends(ui, heading, &format!("{name} heading"));
+            let mut free = *heading == AngleRange::Free;
+            let can = (joint.narrowing.is_none(), "The declared narrowing needs a heading with ends.");
+            let hover = "Turns without end, as a turret does.";
+            if check(ui, &mut free, "Free", &format!("{name} heading free"), can, hover).changed() {
+                *heading = match (free, declared.heading) {
+                    (true, _) => AngleRange::Free,
+                    (false, Some(between @ AngleRange::Between(..))) => between,
+                    (false, _) => AngleRange::Between(-LIMITED.to_radians(), LIMITED.to_radians()),
+                };
+            }
+        });
+    }
+    if let Some(pitch) = &mut joint.pitch {
+        row(ui, "Pitch", &format!("How far it nods upward, from {from}, degrees."), |ui| {
+            ends(ui, pitch, &format!("{name} pitch"));
+        });
+    }
+    row(ui, "Rate", "The largest speed of each angle.", |ui| {
+        degrees(ui, &mut joint.rate, RATES, "°/s", &format!("{name} rate"));
+    });
+    if let Some(acceleration) = &mut joint.acceleration {
+        row(ui, "Acceleration", "The largest change of speed of each angle.", |ui| {
+            degrees(ui, acceleration, ACCELERATIONS, "°/s²", &format!("{name} acceleration"));
+        });
+    }
+    row(ui, "Comfort", "What a turn of this joint costs: the more, the more reluctant it is.", |ui| {
+        let value = egui::DragValue::new(&mut joint.comfort).speed(0.02).range(COMFORTS).max_decimals(2);
+        named(ui.add(value.clamp_existing_to_range(false)), &format!("{name} comfort"));
+    });
+    row(ui, "", "", |ui| {
+        let reset = button(ui, "↺ As declared", &format!("{name} as declared"), "What the rig declares of this joint.");
+        if reset.clicked() {
+            joint.clone_from(declared);
+        }
+    });
+}
+
+/// The two ends of a range: the lower one at most 0, the upper one at least 0, and not both.
+fn ends(ui: &mut Ui, range: &mut AngleRange, name: &str) {
+    let AngleRange::Between(lo, hi) = range else { return };
+    let shown = [lo.to_degrees(), hi.to_degrees()];
+    degrees(ui, lo, -180.0..=(shown[1] - NARROWEST).min(0.0), "°", &format!("{name} from"));
+    ui.label("…");
+    degrees(ui, hi, (shown[0] + NARROWEST).max(0.0)..=180.0, "°", &format!("{name} to"));
+}
+
+/// An angle in degrees. What is not touched stays to the last bit.
+fn degrees(ui: &mut Ui, angle: &mut f64, range: std::ops::RangeInclusive<f64>, unit: &str, name: &str) {
+    let mut degrees = angle.to_degrees();
+    let speed = (degrees.abs() * 0.01).max(0.2);
+    let value = egui::DragValue::new(&mut degrees).speed(speed).range(range).max_decimals(1).suffix(unit);
+    if named(ui.add(value.clamp_existing_to_range(false)), name).changed() {
+        *angle = degrees.to_radians();
+    }
+}

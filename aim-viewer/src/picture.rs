@@ -1,0 +1,107 @@
+//! [`Picture`]: what there is to see in one frame, as plain numbers in the world of the file. The state makes it, `draw`
+//! shows it; neither knows the other.
+
+use std::sync::Arc;
+
+use aim_gltf::Surface;
+use glam::Vec3;
+
+/// Red, green, blue and opacity, sRGB.
+pub(crate) type Colour = [u8; 4];
+
+/// One frame.
+#[derive(Clone, Debug)]
+pub(crate) struct Picture {
+    /// From where it is seen.
+    pub(crate) view: View,
+    /// What the figures are made of: the same [`Arc`] as long as the character stays the same.
+    pub(crate) surface: Arc<Surface>,
+    /// The figures: one, several side by side, or a crowd.
+    pub(crate) figures: Vec<Figure>,
+    /// Rods: gaze rays, bones' axes, trails.
+    pub(crate) rods: Vec<Rod>,
+    /// Balls: targets, where a gaze ends.
+    pub(crate) balls: Vec<Ball>,
+    /// Fans: limit cones.
+    pub(crate) fans: Vec<Fan>,
+    /// What they stand on.
+    pub(crate) ground: Ground,
+    /// Whether on a dark background.
+    pub(crate) dark: bool,
+}
+
+/// A perspective view.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct View {
+    /// Where the camera is.
+    pub(crate) from: Vec3,
+    /// What it looks at.
+    pub(crate) at: Vec3,
+    /// What is up for it, of length one.
+    pub(crate) up: Vec3,
+    /// The vertical angle of view, radians.
+    pub(crate) field_rad: f32,
+    /// Nearer than this, and further, nothing is seen.
+    pub(crate) depth: [f32; 2],
+}
+
+/// One posed character.
+#[derive(Clone, Debug)]
+pub(crate) struct Figure {
+    /// A place for each vertex of the surface.
+    pub(crate) positions: Vec<Vec3>,
+    /// A direction of length one for each vertex of the surface.
+    pub(crate) normals: Vec<Vec3>,
+    /// What its colours are multiplied by: white leaves them.
+    pub(crate) tint: Colour,
+}
+
+/// A cylinder with round ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Rod {
+    /// One end.
+    pub(crate) from: Vec3,
+    /// The other.
+    pub(crate) to: Vec3,
+    /// Half as thick as it is.
+    pub(crate) radius: f32,
+    /// Unlit.
+    pub(crate) colour: Colour,
+    /// Whether it is seen through the figures: bones' axes are.
+    pub(crate) in_front: bool,
+}
+
+/// A ball.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ball {
+    /// Its middle.
+    pub(crate) centre: Vec3,
+    /// Its radius.
+    pub(crate) radius: f32,
+    /// Lit.
+    pub(crate) colour: Colour,
+}
+
+/// A translucent cone of any shape: triangles from the apex to each piece of the closed rim, seen from both sides.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Fan {
+    /// Its tip.
+    pub(crate) apex: Vec3,
+    /// Its rim, in order; the last joins the first.
+    pub(crate) rim: Vec<Vec3>,
+    /// Unlit, translucent.
+    pub(crate) colour: Colour,
+}
+
+/// A round floor with a grid, faint and fading towards its edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ground {
+    /// Its middle.
+    pub(crate) centre: Vec3,
+    /// What is up, of length one.
+    pub(crate) up: Vec3,
+    /// Its radius.
+    pub(crate) radius: f32,
+    /// Between the grid's lines.
+    pub(crate) step: f32,
+}

@@ -1,0 +1,480 @@
+//! [`Stage`]: a character that moves, a target, and the solvers that turn the one to the other, frame by frame.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use aim::rigs::Mannequin;
+use aim_character::InterpretedRig;
+use aim_codegen::{RigSpec, Role};
+use aim_gltf::{Frame, Live, Moment, Skeleton, Trs};
+use aim_runtime::{AimRig, Ascent, Joint, Settings, Solver};
+use glam::{DAffine3, Vec3};
+use web_time::Instant;
+
+use crate::character::Character;
+use crate::target::{Path, Room, Target};
+
+/// The longest frame, seconds: what took longer is not caught up with.
+pub(crate) const LONGEST: f32 = 0.1;
+/// A frame where frames are counted.
+pub(crate) const SIXTIETH: f32 = 1.0 / 60.0;
+/// How much is remembered for the plots and the trail, frames.
+const REMEMBERED: usize = 600;
+/// How far apart characters stand, metres of a 1.7 m one.
+const APART: f32 = 1.15;
+
+/// Which solvers are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lineup {
+    /// This one.
+    One(Solver),
+    /// All three, side by side.
+    All,
+}
+
+impl Lineup {
+    pub(crate) const EACH: [Self; 4] =
+        [Self::One(Solver::Natural), Self::One(Solver::Exact), Self::One(Solver::Ascent), Self::All];
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::One(solver) => solver_name(solver),
+            Self::All => "side by side",
+        }
+    }
+
+    pub(crate) fn solvers(self) -> Vec<Solver> {
+        match self {
+            Self::One(solver) => vec![solver],
+            Self::All => vec![Solver::Natural, Solver::Exact, Solver::Ascent],
+        }
+    }
+}
+
+pub(crate) fn solver_name(solver: Solver) -> &'static str {
+    match solver {
+        Solver::Natural => "natural",
+        Solver::Exact => "exact",
+        _ => "ascent",
+    }
+}
+
+/// What the user sets of the aiming.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Tuning {
+    /// The rig, with ranges, rates and comfort as they are set now.
+    pub(crate) spec: RigSpec,
+    /// All but the solver.
+    pub(crate) settings: Settings,
+    pub(crate) lineup: Lineup,
+    /// Whether the other eye is aimed itself.
+    pub(crate) both_eyes: bool,
+    /// Whether the ascent is the published one, without what was added to it.
+    pub(crate) as_published: bool,
+    /// How many characters there are; more than one leave the lineup's first solver to all of them.
+    pub(crate) crowd: usize,
+}
+
+impl Tuning {
+    fn new(character: &Character) -> Self {
+        let spec = character.spec().clone();
+        let has_eyes = spec.joints[0].role() == Role::Eye;
+        Self {
+            lineup: Lineup::One(if has_eyes { Solver::Natural } else { Solver::Exact }),
+            settings: Settings::default(),
+            both_eyes: character.chain.pair.is_some(),
+            as_published: false,
+            crowd: 1,
+            spec,
+        }
+    }
+
+    fn settings(&self, solver: Solver) -> Settings {
+        let ascent = if self.as_published { Ascent::paper() } else { Ascent::default() };
+        self.settings.with_solver(solver).with_ascent(ascent)
+    }
+}
+
+/// The animation's time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Clock {
+    /// Which clip; `None` is the rest pose.
+    pub(crate) clip: Option<usize>,
+    /// Seconds since the clip was begun.
+    pub(crate) time: f32,
+    /// How fast the animation and the target's path go: 1 is real time.
+    pub(crate) speed: f32,
+    pub(crate) paused: bool,
+    /// Whether the next frame goes on by a sixtieth of a second although all is paused.
+    pub(crate) step: bool,
+}
+
+/// A character with a solver.
+#[derive(Debug)]
+pub(crate) struct Actor {
+    pub(crate) solver: Solver,
+    /// Where it stands, from where the file has it.
+    pub(crate) shift: Vec3,
+    pub(crate) rig: InterpretedRig,
+    /// What came of the last frame; there from the first one on.
+    pub(crate) frame: Option<Frame>,
+}
+
+/// One of a crowd: the mannequin's code is compiled, as a game's would be.
+#[derive(Debug)]
+enum Brain {
+    Compiled(Box<Mannequin>),
+    Interpreted(Box<InterpretedRig>),
+}
+
+impl Brain {
+    fn joint(&self, at: usize) -> Option<&Joint> {
+        match self {
+            Self::Compiled(rig) => rig.joint(at),
+            Self::Interpreted(rig) => rig.joint(at),
+        }
+    }
+
+    fn joint_mut(&mut self, at: usize) -> Option<&mut Joint> {
+        match self {
+            Self::Compiled(rig) => rig.joint_mut(at),
+            Self::Interpreted(rig) => rig.joint_mut(at),
+        }
+    }
+}
+
+#[derive(Debug)]
+pub(crate) struct Member {
+    pub(crate) shift: Vec3,
+    /// Seconds by which it is ahead in the clip.
+    phase: f32,
+    brain: Brain,
+    pub(crate) frame: Option<Frame>,
+}
+
+impl Member {
+    /// With its joints where they are.
+    fn think_with(&mut self, mut brain: Brain) {
+        let mut at = 0;
+        while let (Some(old), Some(new)) = (self.brain.joint(at), brain.joint_mut(at)) {
+            *new = *old;
+            at += 1;
+        }
+        self.brain = brain;
+    }
+}
+
+/// A frame, remembered.
+#[derive(Clone, Debug)]
+pub(crate) struct Memory {
+    /// Seconds.
+    pub(crate) t: f64,
+    /// Each actor's error, degrees.
+    pub(crate) error_deg: Vec<f64>,
+    /// The first actor's added heading and pitch, joint by joint, degrees.
+    pub(crate) angles_deg: Vec<[f64; 2]>,
+    /// Where the target was.
+    pub(crate) target: Vec3,
+}
+
+/// How long solving takes: means over the last second or so.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Timing {
+    /// One character's solver, seconds a frame.
+    pub(crate) one: f64,
+    /// All of the crowd's, seconds a frame.
+    pub(crate) crowd: f64,
+    /// Between frames, seconds.
+    pub(crate) between: f64,
+}
+
+impl Timing {
+    /// One part in so many of the mean is the newest frame.
+    const MEMORY: f64 = 60.0;
+
+    fn note(mean: &mut f64, seconds: f64) {
+        *mean = if *mean == 0.0 { seconds } else { *mean + (seconds - *mean) / Self::MEMORY };
+    }
+}
+
+/// All of it.
+#[derive(Debug)]
+pub(crate) struct Stage {
+    pub(crate) character: Character,
+    pub(crate) tuning: Tuning,
+    pub(crate) target: Target,
+    pub(crate) clock: Clock,
+    pub(crate) actors: Vec<Actor>,
+    pub(crate) crowd: Vec<Member>,
+    pub(crate) memory: VecDeque<Memory>,
+    pub(crate) timing: Timing,
+    live: Live,
+    live_is_for_both_eyes: bool,
+    /// Seconds of frames so far.
+    age: f64,
+}
+
+impl Stage {
+    pub(crate) fn new(character: Character) -> Self {
+        let tuning = Tuning::new(&character);
+        let rig = InterpretedRig::new(&tuning.spec);
+        let live = Live::new(&rig, &character.document, &character.measurement, &character.chain, tuning.both_eyes);
+        let clip = (!character.clips().is_empty()).then_some(0);
+        let mut stage = Self {
+            target: Target::new(&room(&character)),
+            clock: Clock { clip, time: 0.0, speed: 1.0, paused: false, step: false },
+            live_is_for_both_eyes: tuning.both_eyes,
+            actors: Vec::new(),
+            crowd: Vec::new(),
+            memory: VecDeque::new(),
+            timing: Timing::default(),
+            age: 0.0,
+            character,
+            tuning,
+            live,
+        };
+        // A first frame without time: everything that is shown is there.
+        stage.advance(0.0);
+        stage.memory.clear();
+        stage
+    }
+
+    pub(crate) fn room(&self) -> Room {
+        room(&self.character)
+    }
+
+    /// Where the target is now.
+    pub(crate) fn target_now(&self) -> Vec3 {
+        self.target.at(&self.room())
+    }
+
+    /// What came of the last frame for the first actor.
+    pub(crate) fn first(&self) -> Option<&Frame> {
+        self.actors.first()?.frame.as_ref()
+    }
+
+    /// What is aimed: 0 is the rig's effector, else a joint.
+    pub(crate) fn effector(&self) -> usize {
+        self.tuning.settings.effector
+    }
+
+    /// The clip and the target's path from their beginning, joints at rest.
+    pub(crate) fn restart(&mut self) {
+        self.clock.time = 0.0;
+        self.target.time = 0.0;
+        for Actor { rig, .. } in &mut self.actors {
+            rig.set_joints(rig.array(Joint::default()));
+        }
+        self.crowd.clear();
+        self.memory.clear();
+    }
+
+    /// From the eyes to the neck, and back.
+    pub(crate) fn switch_effector(&mut self) {
+        let joints = &self.tuning.spec.joints;
+        let neck = joints.iter().skip(1).position(|joint| matches!(joint.role(), Role::Neck | Role::Head));
+        let other = neck.map_or(usize::from(joints.len() > 1), |at| at + 1);
+        self.tuning.settings.effector = if self.effector() == 0 { other } else { 0 };
+    }
+
+    /// Where an actor's gazes start, and their directions: of both eyes, or of what else is aimed.
+    pub(crate) fn gazes(&self, frame: &Frame) -> Vec<[Vec3; 2]> {
+        let gazes = self.live.gazes(self.effector(), &frame.world);
+        gazes.into_iter().map(|gaze| gaze.map(|v| v.as_vec3())).collect()
+    }
+
+    /// Goes on by so many seconds of real time.
+    pub(crate) fn advance(&mut self, seconds: f32) {
+        Timing::note(&mut self.timing.between, seconds.into());
+        let dt = match (self.clock.paused, std::mem::take(&mut self.clock.step)) {
+            (true, false) => 0.0,
+            (true, true) => SIXTIETH,
+            (false, _) => seconds.min(LONGEST),
+        };
+        self.recast();
+        self.clock.time += dt * self.clock.speed;
+        if self.target.path != Path::Still {
+            self.target.time += dt * self.clock.speed;
+        }
+        let target = self.target_now();
+        let (pose, world) = self.animated(0.0);
+        for actor in &mut self.actors {
+            let aim = Aim { live: &self.live, skeleton: self.character.document.skeleton(), target, dt };
+            let settings = self.tuning.settings(actor.solver);
+            let (frame, taken) = aim.frame(&mut actor.rig, &mut pose.clone(), &world, &settings);
+            actor.frame = Some(frame);
+            // A frame without time asks little of a solver.
+            if dt > 0.0 {
+                Timing::note(&mut self.timing.one, taken.as_secs_f64());
+            }
+        }
+        self.advance_crowd(target, dt);
+        if dt > 0.0 {
+            self.remember(target, dt);
+        }
+    }
+
+    /// A clip's pose at the clock's time and a phase, and its nodes in the world.
+    fn animated(&self, phase: f32) -> (Vec<Trs>, Vec<DAffine3>) {
+        let skeleton = self.character.skeleton();
+        let clip = self.clock.clip.and_then(|clip| self.character.clips().get(clip));
+        let pose = match clip {
+            Some(clip) if clip.seconds() > 0.0 => skeleton.pose(clip, (self.clock.time + phase) % clip.seconds()),
+            Some(clip) => skeleton.pose(clip, 0.0),
+            None => skeleton.rest_pose(),
+        };
+        let world = skeleton.world_f64(&pose);
+        (pose, world)
+    }
+
+    /// Has as many actors and rigs as the tuning wants.
+    fn recast(&mut self) {
+        let tuning = &self.tuning;
+        let both_eyes = tuning.both_eyes;
+        let solvers = if tuning.crowd > 1 { tuning.lineup.solvers()[..1].to_vec() } else { tuning.lineup.solvers() };
+        let aimed_alike = both_eyes == self.live_is_for_both_eyes;
+        let same = self.actors.iter().map(|actor| actor.solver).eq(solvers.iter().copied());
+        if !same {
+            let [_, _, left] = self.character.directions();
+            let metre = self.character.metre();
+            let middle = (count(solvers.len()) - 1.0) / 2.0;
+            let old = std::mem::take(&mut self.actors);
+            self.actors = solvers
+                .iter()
+                .enumerate()
+                .map(|(at, &solver)| {
+                    let known = old.iter().find(|actor| actor.solver == solver).or(old.first());
+                    let rig = known.map_or_else(|| InterpretedRig::new(&tuning.spec), |actor| actor.rig.clone());
+                    let shift = left * ((middle - count(at)) * APART * metre);
+                    Actor { solver, shift, rig, frame: None }
+                })
+                .collect();
+            self.memory.clear();
+        }
+        for actor in &mut self.actors {
+            actor.rig.declare(&tuning.spec);
+        }
+        if !aimed_alike {
+            let Character { document, measurement, chain, .. } = &self.character;
+            self.live = Live::new(&self.actors[0].rig, document, measurement, chain, both_eyes);
+            self.live_is_for_both_eyes = both_eyes;
+        }
+        self.gather();
+    }
+
+    /// Has as many of the crowd as there should be, in rows behind the first. Compiled code has the declared rig only:
+    /// where anything of that is set otherwise, they are interpreted.
+    fn gather(&mut self) {
+        let compiled = self.character.is_mannequin && self.tuning.spec == *self.character.spec();
+        let rig = &self.actors[0].rig;
+        let brain =
+            || if compiled { Brain::Compiled(Box::default()) } else { Brain::Interpreted(Box::new(rig.clone())) };
+        for member in &mut self.crowd {
+            if compiled != matches!(member.brain, Brain::Compiled(_)) {
+                member.think_with(brain());
+            }
+        }
+        let others = self.tuning.crowd.saturating_sub(1);
+        if others == self.crowd.len() {
+            return;
+        }
+        let [_, forward, left] = self.character.directions();
+        let metre = self.character.metre();
+        let rows = ROW.min(others.max(1));
+        let shift = |at: usize| {
+            // Outward from the middle, row by row; the first place is the actor's.
+            let (row, column) = ((at + 1) / rows, (at + 1) % rows);
+            let aside = count(column.div_ceil(2)) * if column % 2 == 0 { 1.0 } else { -1.0 };
+            (left * aside - forward * count(row)) * (APART * metre)
+        };
+        self.crowd.truncate(others);
+        for at in self.crowd.len()..others {
+            self.crowd.push(Member { shift: Vec3::ZERO, phase: count(at) * 0.37, brain: brain(), frame: None });
+        }
+        for (at, member) in self.crowd.iter_mut().enumerate() {
+            member.shift = shift(at);
+        }
+        self.timing.crowd = 0.0;
+    }
+
+    fn advance_crowd(&mut self, target: Vec3, dt: f32) {
+        let Some(solver) = self.actors.first().map(|actor| actor.solver).filter(|_| !self.crowd.is_empty()) else {
+            return;
+        };
+        let settings = self.tuning.settings(solver);
+        let mut crowd = std::mem::take(&mut self.crowd);
+        let mut taken = Duration::ZERO;
+        for member in &mut crowd {
+            let (mut pose, world) = self.animated(member.phase);
+            let aim = Aim { live: &self.live, skeleton: self.character.skeleton(), target: target - member.shift, dt };
+            let (frame, took) = match &mut member.brain {
+                Brain::Compiled(rig) => aim.frame(&mut **rig, &mut pose, &world, &settings),
+                Brain::Interpreted(rig) => {
+                    rig.declare(&self.tuning.spec);
+                    aim.frame(&mut **rig, &mut pose, &world, &settings)
+                }
+            };
+            member.frame = Some(frame);
+            taken += took;
+        }
+        self.crowd = crowd;
+        if dt > 0.0 {
+            Timing::note(&mut self.timing.crowd, taken.as_secs_f64());
+        }
+    }
+
+    fn remember(&mut self, target: Vec3, dt: f32) {
+        self.age += f64::from(dt);
+        let degrees = |rad: f32| f64::from(rad).to_degrees();
+        self.memory.push_back(Memory {
+            t: self.age,
+            error_deg: self.actors.iter().filter_map(|actor| Some(actor.frame.as_ref()?.error_deg)).collect(),
+            angles_deg: self.first().map_or_else(Vec::new, |frame| {
+                frame.joints.iter().map(|joint| [degrees(joint.heading), degrees(joint.pitch)]).collect()
+            }),
+            target,
+        });
+        while self.memory.len() > REMEMBERED {
+            self.memory.pop_front();
+        }
+    }
+}
+
+/// How many of a crowd stand in a row.
+const ROW: usize = 10;
+
+fn room(character: &Character) -> Room {
+    Room { centre: character.effector(), directions: character.directions(), metre: character.metre() }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "small counts")]
+fn count(n: usize) -> f32 {
+    n as f32
+}
+
+/// What aiming one frame needs, whoever is aimed.
+struct Aim<'a> {
+    live: &'a Live,
+    skeleton: &'a Skeleton,
+    target: Vec3,
+    dt: f32,
+}
+
+impl Aim<'_> {
+    /// Aims, and tells how long the solver took.
+    fn frame<R: AimRig>(
+        &self,
+        rig: &mut R,
+        pose: &mut [Trs],
+        world: &[DAffine3],
+        settings: &Settings,
+    ) -> (Frame, Duration) {
+        let joints = self.live.animated(rig, self.skeleton, pose, world);
+        let start = Instant::now();
+        let outcome = rig.aim_with(&joints, self.target, self.dt, settings);
+        let taken = start.elapsed();
+        let target = self.target.as_dvec3();
+        let moment = Moment { t: 0.0, target, world, joints: &joints, outcome, effector: settings.effector };
+        (self.live.aimed(rig, self.skeleton, pose, &moment), taken)
+    }
+}

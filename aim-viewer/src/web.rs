@@ -1,0 +1,34 @@
+//! The viewer on a web page.
+
+use eframe::wasm_bindgen::JsCast;
+use eframe::web_sys::{HtmlCanvasElement, window};
+
+use crate::app::App;
+use crate::character::Character;
+use crate::viewer::Viewer;
+
+/// The attribute of the canvas that tells what is shown, for whoever drives the page.
+const STATE: &str = "data-state";
+
+/// Starts the viewer on the canvas with this id and returns; the page's own events drive it from then on. After each frame
+/// the canvas says in its attribute `data-state`, as JSON, where the target is and how far each gaze is off it.
+///
+/// # Errors
+/// No such canvas, or no WebGL 2: in words.
+pub async fn start(canvas: &str) -> Result<(), String> {
+    let document = window().and_then(|window| window.document()).ok_or("there is no page to draw on")?;
+    let element = document.get_element_by_id(canvas).ok_or_else(|| format!("the page has no element {canvas:?}"))?;
+    let element: HtmlCanvasElement = element.dyn_into().map_err(|_| format!("the element {canvas:?} is no canvas"))?;
+    let viewer = Viewer::new(Character::mannequin()?);
+    let told = element.clone();
+    let after = Box::new(move |_: &eframe::egui::Context, viewer: &Viewer| {
+        // Nothing depends on its being told.
+        let _ = told.set_attribute(STATE, &viewer.state());
+    });
+    let app = App { viewer, fixed: None, after };
+    let options = eframe::WebOptions { depth_buffer: 24, ..Default::default() };
+    eframe::WebRunner::new()
+        .start(element, options, Box::new(|_| Ok(Box::new(app))))
+        .await
+        .map_err(|error| error.as_string().unwrap_or_else(|| "this browser has no WebGL 2".into()))
+}
