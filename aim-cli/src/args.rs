@@ -1,7 +1,6 @@
 //! The command line. Every command's help ends with an example.
 
 use std::path::PathBuf;
-use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -398,18 +397,4 @@ pub(crate) struct View {
     /// How large the picture is, pixels.
     #[arg(long, value_name = "WxH", requires = "screenshot", default_value = "1280x800")]
     pub(crate) size: Size,
-}
-
-/// Width and height, pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Size(pub(crate) [u32; 2]);
-
-impl FromStr for Size {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let side = |text: &str| text.parse().ok().filter(|side| (64..=8192).contains(side));
-        let sides = text.split_once('x').and_then(|(w, h)| Some([side(w)?, side(h)?]));
-        sides.map(Self).ok_or_else(|| "expected WIDTHxHEIGHT in pixels from 64 to 8192, such as 1280x800".into())
-    }
 }

@@ -60,7 +60,7 @@ fn options(arguments: args::View) -> aim_viewer::Options {
         dark: !arguments.light,
     };
     options.crowd = arguments.crowd.into();
-    let (frames, args::Size(size)) = (arguments.frames, arguments.size);
+    let (frames, size) = (arguments.frames, [arguments.size.width, arguments.size.height].map(u32::from));
     options.shot = arguments.screenshot.map(|out| Shot { out, frames, size });
     options.file = arguments.file;
     options.rig = arguments.rig;
@@ -74,6 +74,7 @@ mod hidden {
     use std::process::Command;
 
     use super::{Failure, Result, args};
+    use crate::plot::Size;
 
     /// Set in the process that runs on the hidden display.
     const HIDDEN: &str = "AIM_VIEW_HIDDEN";
@@ -83,7 +84,7 @@ mod hidden {
         if arguments.screenshot.is_none() || !cfg!(target_os = "linux") || std::env::var_os(HIDDEN).is_some() {
             return Ok(None);
         }
-        let args::Size([width, height]) = arguments.size;
+        let Size { width, height } = arguments.size;
         let program = std::env::current_exe()
             .map_err(|error| Failure::input(format!("the command itself is not found ({error})")))?;
         let status = Command::new("xvfb-run")
