@@ -41,6 +41,11 @@ pub(crate) enum Command {
         after_help = "Example:\n  aim check rigs/thug.toml --samples 10000\n  aim check dude.glb --rig rigs/thug.toml"
     )]
     Check(Check),
+    /// Tell a rig's derivation step by step, as a page or as LaTeX.
+    #[command(
+        after_help = "Example:\n  aim explain rigs/thug.toml -o thug.html\n  aim explain rigs/thug.toml -o thug.tex"
+    )]
+    Explain(Explain),
     /// Draw a joint's aim function over heading and pitch, with the solvers' ways over it.
     #[command(
         after_help = "Example:\n  aim plot rigs/thug.toml -o aim.svg\n\nThe other joints are at rest. Contours are degrees off \
@@ -197,6 +202,29 @@ pub(crate) struct Plot {
     /// Where to write it: SVG or PNG, by the name's ending.
     #[arg(short, long, value_name = "OUT.svg|OUT.png")]
     pub(crate) output: PathBuf,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Paper {
+    /// A page that needs nothing but itself.
+    Html,
+    /// A document for a LaTeX compiler.
+    Latex,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Explain {
+    /// The rig's declaration.
+    pub(crate) rig: PathBuf,
+    /// Where to write it; standard output if not given.
+    #[arg(short, long, value_name = "OUT.html|OUT.tex")]
+    pub(crate) output: Option<PathBuf>,
+    /// How to write it; told by the ending of OUT if not given.
+    #[arg(long, value_enum)]
+    pub(crate) format: Option<Paper>,
+    /// How many random poses to compare with central differences.
+    #[arg(long, value_name = "N", default_value_t = 1_000, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) samples: u32,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -134,11 +134,7 @@ fn latex_compiles() {
     let place = Place::new();
     for rig in bundled_rigs() {
         let file = generate(&place, &rig, "latex");
-        let options: &[&str] =
-            if compiler == "pdflatex" { &["-interaction=nonstopmode", "-halt-on-error"] } else { &[] };
-        let output = Command::new(compiler).current_dir(place.path(".")).args(options).arg(&file).output();
-        let output = output.expect("the compiler starts");
-        assert!(output.status.success(), "{file}: {}", String::from_utf8_lossy(&output.stdout));
+        common::latex::compile(&place, compiler, &file, name(&rig));
     }
 }
 
@@ -147,18 +143,7 @@ fn latex_is_balanced() {
     let place = Place::new();
     for rig in bundled_rigs() {
         let text = String::from_utf8(place.read(&generate(&place, &rig, "latex"))).expect("text");
-        let mut open = Vec::new();
-        for part in text.split('\\').skip(1) {
-            if let Some(name) = part.strip_prefix("begin{") {
-                open.push(name.split('}').next());
-            } else if let Some(name) = part.strip_prefix("end{") {
-                assert_eq!(open.pop(), Some(name.split('}').next()), "{}", rig.display());
-            }
-        }
-        let plain = text.replace("\\{", "").replace("\\}", "");
-        let braces = |brace: char| plain.matches(brace).count();
-        assert!(open.is_empty() && braces('{') == braces('}'), "{}", rig.display());
-        assert!(text.trim_end().ends_with("\\end{document}"), "{}", rig.display());
+        common::latex::assert_balanced(&text, name(&rig));
     }
 }
 

@@ -17,7 +17,7 @@ mod spec;
 
 pub use function::differentiate;
 pub use names::snake_case;
-pub use objective::{JointOutput, RigPrograms, Trace, joint_program, traces};
+pub use objective::{JointOutput, Objective, RigPrograms, derivation, joint_program, objectives};
 pub use role::Role;
 pub use spec::{AngleRange, EffectorSpec, Frame, JointSpec, NaturalSpec, RigSpec};
 

@@ -1,5 +1,6 @@
 //! From statements to the smallest program: the passes in their order, and the few choices between them.
 
+use crate::derivation::{Course, Swept};
 use crate::factor::FACTOR;
 use crate::fold::{CONSTANTS, NEGATIONS, ORDER};
 use crate::products::SHARE;
@@ -29,7 +30,7 @@ impl Want {
         values.iter().map(|&v| Self::Value(v)).chain(derivatives).collect()
     }
 
-    fn stated(self) -> Scalar {
+    pub(crate) fn stated(self) -> Scalar {
         let (Self::Value(stated) | Self::Derivative(stated, _) | Self::Second(stated, ..)) = self;
         stated
     }
@@ -137,8 +138,8 @@ fn sweeps(wanted: &[Want]) -> Vec<Sweep> {
 /// depend on what else was tried.
 pub(crate) struct Way {
     choices: Choices,
-    g: Graph,
-    outputs: Vec<Scalar>,
+    pub(crate) g: Graph,
+    pub(crate) outputs: Vec<Scalar>,
     pub(crate) program: Program,
     /// The rules that were applied.
     pub(crate) log: Log,
@@ -189,7 +190,7 @@ type Change = Box<dyn Fn(&mut Choices)>;
 /// The rivals worth a try, by what was applied on the first way.
 fn rivals(first: &Way, wanted: &[Want], is_small: bool) -> Vec<Change> {
     let Way { g, outputs, log, .. } = first;
-    let applied = |rules: &[&str]| log.applied.iter().filter(|rule| rules.contains(rule)).count();
+    let applied = |rules: &[&str]| log.applied.iter().filter(|done| rules.contains(&done.rule)).count();
     let mut rivals: Vec<Change> = Vec::new();
     for sweep in sweeps(wanted) {
         rivals.push(Box::new(move |c| c.sweep = sweep));
@@ -242,7 +243,7 @@ fn cost(program: &Program) -> (usize, usize, usize) {
     (count.total() + count.call, count.select, program.depth())
 }
 
-fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
+pub(crate) fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
     let mut found = Vec::new();
     for one in all {
         if !found.contains(&one) {
@@ -265,6 +266,7 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[&str]
     g.keep(&choices.kept);
     let worded = g.rewrite_with(&stated, &WORDING, &rules, log);
     let values = g.rewrite_with(&worded, &ROTATIONS, &rules, log);
+    (log.values, log.before_sweeps) = (values.clone(), log.applied.len());
     let value =
         |s: Scalar| values[stated.iter().position(|&known| known == s).expect("every wanted statement is here")];
 
@@ -279,7 +281,8 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[&str]
             for &s in &stated {
                 let variables: Vec<Variable> = pairs.iter().filter(|(of, _)| *of == s).map(|(_, x)| *x).collect();
                 if !variables.is_empty() {
-                    let gradient = g.gradient(value(s), &variables, placement);
+                    let (gradient, passages) = g.swept_back(value(s), &variables, placement);
+                    log.sweeps.push(Swept { course: Course::Back(value(s)), passages });
                     firsts.extend(variables.iter().map(|&x| (s, x)).zip(gradient));
                 }
             }
@@ -288,7 +291,8 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[&str]
             for x in distinct(pairs.iter().map(|(_, x)| *x)) {
                 let of: Vec<Scalar> = pairs.iter().filter(|(_, by)| *by == x).map(|(s, _)| *s).collect();
                 let values: Vec<Scalar> = of.iter().map(|&s| value(s)).collect();
-                let tangents = g.tangents(&values, x);
+                let (tangents, passages) = g.swept_forward(&values, x);
+                log.sweeps.push(Swept { course: Course::Forward(x), passages });
                 firsts.extend(of.iter().map(|&s| (s, x)).zip(tangents));
             }
         }
@@ -323,6 +327,7 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[&str]
             }
         })
         .collect();
+    log.derived.clone_from(&outputs);
     let mut outputs = g.rewrite_with(&outputs, &DIRECTIONS, &rules, log);
     if !choices.kept.is_empty() {
         outputs = g.rewrite_with(&outputs, &FRAMES, &rules, log);

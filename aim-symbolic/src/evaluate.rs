@@ -92,7 +92,7 @@ impl Graph {
 }
 
 /// One evaluation: every expression once, however often it is used.
-struct Evaluation<'a> {
+pub(crate) struct Evaluation<'a> {
     g: &'a Graph,
     bindings: &'a Bindings,
     scalars: Vec<Option<f64>>,
@@ -101,7 +101,7 @@ struct Evaluation<'a> {
 }
 
 impl<'a> Evaluation<'a> {
-    fn new(g: &'a Graph, bindings: &'a Bindings) -> Self {
+    pub(crate) fn new(g: &'a Graph, bindings: &'a Bindings) -> Self {
         let [scalars, vectors, rotations] = g.sizes();
         Self {
             g,
@@ -112,7 +112,7 @@ impl<'a> Evaluation<'a> {
         }
     }
 
-    fn scalar(&mut self, scalar: Scalar) -> f64 {
+    pub(crate) fn scalar(&mut self, scalar: Scalar) -> f64 {
         if let Some(known) = self.scalars[scalar.0 as usize] {
             return known;
         }
@@ -144,7 +144,7 @@ impl<'a> Evaluation<'a> {
         value
     }
 
-    fn vector(&mut self, vector: Vector) -> [f64; 3] {
+    pub(crate) fn vector(&mut self, vector: Vector) -> [f64; 3] {
         if let Some(known) = self.vectors[vector.0 as usize] {
             return known;
         }

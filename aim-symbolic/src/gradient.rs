@@ -1,6 +1,7 @@
 //! Derivatives by one reverse sweep over scalars and vectors: linear in the size of the expression, but for what stands
 //! below selects.
 
+use crate::derivation::Passage;
 use crate::order::{Node, Selects};
 use crate::partial::Partials;
 use crate::rules::COMPOSITIONS;
@@ -22,6 +23,16 @@ impl Graph {
     /// Matrices, quaternions and the axes of rotations count as constants. A guarded [`reciprocal`](Self::reciprocal) is 0
     /// with all its derivatives where it is guarded, and a root has derivative 0 where it is 0.
     pub fn gradient(&mut self, output: Scalar, variables: &[Variable], placement: Placement) -> Vec<Scalar> {
+        self.swept_back(output, variables, placement).0
+    }
+
+    /// The same, with what the sweep passed on its way.
+    pub(crate) fn swept_back(
+        &mut self,
+        output: Scalar,
+        variables: &[Variable],
+        placement: Placement,
+    ) -> (Vec<Scalar>, Vec<Passage>) {
         let output = self.rewrite_by(&[output], &COMPOSITIONS)[0];
         let order = self.order(&[output], Selects::Through);
         let active = self.active(&order, variables);
@@ -45,6 +56,8 @@ struct Sweep<'g> {
     vectors: Table<Vector, Vector>,
     /// d output / d variable
     found: Vec<Option<Scalar>>,
+    /// What the node under way adds to that.
+    gives: Vec<(Variable, Scalar)>,
 }
 
 impl Sweep<'_> {
@@ -55,7 +68,7 @@ impl Sweep<'_> {
         active: &NodeSet,
         placement: Placement,
         below_selects: &mut BelowSelects,
-    ) -> Vec<Scalar> {
+    ) -> (Vec<Scalar>, Vec<Passage>) {
         let order = g.order(&[output], Selects::Leaves);
         let one = g.constant(1.0);
         let mut sweep = Sweep {
@@ -67,16 +80,29 @@ impl Sweep<'_> {
             scalars: Table::default(),
             vectors: Table::default(),
             found: vec![None; variables.len()],
+            gives: Vec::new(),
         };
+        let mut passages = Vec::new();
         sweep.add_to_scalar(output, one);
         for node in order.into_iter().rev() {
             match node {
                 Node::Scalar(s) => sweep.scalar(s),
                 Node::Vector(v) => sweep.vector(v),
             }
+            if let Some(derivative) = sweep.derivative(node) {
+                passages.push(Passage { node, derivative, gives: core::mem::take(&mut sweep.gives) });
+            }
         }
         let found = sweep.found;
-        found.into_iter().map(|found| found.unwrap_or_else(|| g.constant(0.0))).collect()
+        (found.into_iter().map(|found| found.unwrap_or_else(|| g.constant(0.0))).collect(), passages)
+    }
+
+    /// d output / d node, where the output depends on it.
+    fn derivative(&self, node: Node) -> Option<Node> {
+        match node {
+            Node::Scalar(s) => self.scalars.copied(s).map(Node::Scalar),
+            Node::Vector(v) => self.vectors.copied(v).map(Node::Vector),
+        }
     }
 
     fn add_to_scalar(&mut self, scalar: Scalar, change: Scalar) {
@@ -100,6 +126,7 @@ impl Sweep<'_> {
     }
 
     fn add_to_variable(&mut self, variable: Variable, change: Scalar) {
+        self.gives.push((variable, change));
         let wanted = self.variables.iter().position(|&v| v == variable);
         if let Some(found) = wanted.map(|place| &mut self.found[place]) {
             *found = Some(match *found {
@@ -167,7 +194,7 @@ impl Sweep<'_> {
                 return known.clone();
             }
             let (variables, active, placement) = (self.variables, self.active, self.placement);
-            let found = Sweep::derivatives(self.g, branch, variables, active, placement, self.below_selects);
+            let found = Sweep::derivatives(self.g, branch, variables, active, placement, self.below_selects).0;
             self.below_selects.insert(branch, found.clone());
             found
         });

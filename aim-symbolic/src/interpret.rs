@@ -75,6 +75,14 @@ number!(f64, 1.491_668_146_240_041_3e-154);
 impl Program {
     /// Runs the program and writes its outputs to `out`. Missing inputs count as 0, outputs beyond `out` are dropped.
     pub fn run<T: Number>(&self, inputs: &[T], out: &mut [T]) {
+        let values = self.values(inputs);
+        for (out, value) in out.iter_mut().zip(self.outputs()) {
+            *out = values[value.index()];
+        }
+    }
+
+    /// The value of every operation.
+    pub(crate) fn values<T: Number>(&self, inputs: &[T]) -> Vec<T> {
         let zero = T::constant(0.0);
         let mut values: Vec<T> = Vec::with_capacity(self.ops().len());
         for op in self.ops() {
@@ -99,8 +107,6 @@ impl Program {
             };
             values.push(value);
         }
-        for (out, value) in out.iter_mut().zip(self.outputs()) {
-            *out = values[value.index()];
-        }
+        values
     }
 }

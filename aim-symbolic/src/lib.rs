@@ -29,6 +29,7 @@
 //! ```
 
 mod count;
+mod derivation;
 mod derive;
 mod directions;
 mod evaluate;
@@ -45,6 +46,7 @@ mod partial;
 pub mod print;
 mod products;
 mod program;
+mod reasons;
 mod rebuild;
 pub mod rules;
 mod scaling;
@@ -52,9 +54,9 @@ mod signs;
 mod table;
 mod tangent;
 mod tidy;
-mod trace;
 
 pub use count::Count;
+pub use derivation::{Aspect, Course, Derivation, Meaning, Passage, Rewrite, Step, Swept};
 pub use derive::Want;
 pub use evaluate::Bindings;
 pub use gradient::Placement;
@@ -64,5 +66,6 @@ pub use node::{
     Angle, Constant, Function, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Variable,
     Vector, VectorNode,
 };
+pub use order::Node;
 pub use program::{Op, Program, Value};
-pub use trace::Step;
+pub use reasons::reason;

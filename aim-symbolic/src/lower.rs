@@ -5,6 +5,13 @@ use crate::rules::Rules;
 use crate::table::Table;
 use crate::{Constant, Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
+impl Graph {
+    /// The components of `v` as scalars that only add, multiply, divide, take roots and select; 0 and ±1 are folded away.
+    pub fn in_components(&mut self, v: impl Into<Vector>) -> [Scalar; 3] {
+        Lowering::new(self, &Rules::default()).vector(v.into())
+    }
+}
+
 /// Lowers expressions of one graph, each once.
 pub(crate) struct Lowering<'g> {
     fold: Fold<'g>,

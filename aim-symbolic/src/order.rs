@@ -5,9 +5,12 @@ use crate::rules::constant_components;
 use crate::table::{NodeSet, Table};
 use crate::{Angle, Graph, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
+/// A part of an expression that has a value of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Node {
+pub enum Node {
+    /// A number.
     Scalar(Scalar),
+    /// A vector.
     Vector(Vector),
 }
 
@@ -57,6 +60,13 @@ impl Graph {
             }
             Node::Scalar(_) => false,
         })
+    }
+
+    /// What `node` is made of, as far as it has a value of its own.
+    pub fn parts(&self, node: Node) -> Vec<Node> {
+        let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
+        parts.of(node);
+        parts.nodes
     }
 
     /// The vectors that more than one other needs; its components together are one need.

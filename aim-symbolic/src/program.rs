@@ -179,7 +179,7 @@ impl Program {
         self.inline[value.index()]
     }
 
-    fn is_step(&self, place: usize) -> bool {
+    pub(crate) fn is_step(&self, place: usize) -> bool {
         self.ops[place].is_step() && !self.inline[place]
     }
 

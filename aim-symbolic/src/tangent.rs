@@ -1,5 +1,6 @@
 //! Derivatives by a forward sweep: everything's change with one variable.
 
+use crate::derivation::Passage;
 use crate::order::{Node, Selects};
 use crate::rules::COMPOSITIONS;
 use crate::table::{NodeSet, Table};
@@ -8,27 +9,35 @@ use crate::{Graph, Scalar, ScalarNode, Variable, Vector, VectorNode};
 impl Graph {
     /// The derivatives of each of `outputs` by `variable`, under the same terms as [`gradient`](Self::gradient).
     pub fn tangents(&mut self, outputs: &[Scalar], variable: Variable) -> Vec<Scalar> {
+        self.swept_forward(outputs, variable).0
+    }
+
+    /// The same, with what the sweep passed on its way.
+    pub(crate) fn swept_forward(&mut self, outputs: &[Scalar], variable: Variable) -> (Vec<Scalar>, Vec<Passage>) {
         let outputs = self.rewrite_by(outputs, &COMPOSITIONS);
         let order = self.order(&outputs, Selects::Through);
         let active = self.active(&order, &[variable]);
         let mut sweep = Sweep { g: self, variable, active, scalars: Table::default(), vectors: Table::default() };
+        let mut passages = Vec::new();
         for node in order {
             if sweep.active.contains(node) {
-                match node {
+                let derivative = match node {
                     Node::Scalar(s) => {
                         let tangent = sweep.scalar(s);
                         sweep.scalars.insert(s, tangent);
+                        Some(Node::Scalar(tangent))
                     }
-                    Node::Vector(v) => {
-                        if let Some(tangent) = sweep.vector(v) {
-                            sweep.vectors.insert(v, tangent);
-                        }
-                    }
-                }
+                    Node::Vector(v) => sweep.vector(v).map(|tangent| {
+                        sweep.vectors.insert(v, tangent);
+                        Node::Vector(tangent)
+                    }),
+                };
+                passages.extend(derivative.map(|derivative| Passage { node, derivative, gives: Vec::new() }));
             }
         }
         let found = sweep.scalars;
-        outputs.iter().map(|s| found.copied(*s).unwrap_or_else(|| self.constant(0.0))).collect()
+        let tangents = outputs.iter().map(|s| found.copied(*s).unwrap_or_else(|| self.constant(0.0))).collect();
+        (tangents, passages)
     }
 }
 

@@ -1,6 +1,8 @@
 //! The driver of the rules: bottom up, each node once, until no rule applies.
 
+use crate::derivation::{Rewrite, Swept};
 use crate::node::Parts;
+use crate::order::Node;
 use crate::rules::{OTHER_SIDES, ROTATIONS, RuleSet, Rules, ScalarRule, Sums, VectorRule};
 use crate::table::Table;
 use crate::{Angle, Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector};
@@ -50,17 +52,24 @@ impl Graph {
     }
 }
 
-/// The rules that were applied, in order, and how many more may be.
+/// What was done, in order, and how many more rules may be applied.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Log {
-    pub(crate) applied: Vec<&'static str>,
+    pub(crate) applied: Vec<Rewrite>,
     /// How many may be applied in all; `None` for as many as there are.
     pub(crate) limit: Option<usize>,
+    /// How derivatives were taken.
+    pub(crate) sweeps: Vec<Swept>,
+    /// What they were taken of, and what was wanted as it was just after that.
+    pub(crate) values: Vec<Scalar>,
+    pub(crate) derived: Vec<Scalar>,
+    /// How many rules had been applied before.
+    pub(crate) before_sweeps: usize,
 }
 
 impl Log {
     pub(crate) fn limited(limit: usize) -> Self {
-        Self { applied: Vec::new(), limit: Some(limit) }
+        Self { limit: Some(limit), ..Self::default() }
     }
 
     pub(crate) fn may_apply(&self) -> bool {
@@ -85,7 +94,7 @@ struct Tidy<'g> {
 
 impl Tidy<'_> {
     fn may_apply(&self, rule: &str) -> bool {
-        let within = |most| self.log.applied.iter().filter(|name| OTHER_SIDES.contains(name)).count() < most;
+        let within = |most| self.log.applied.iter().filter(|done| OTHER_SIDES.contains(&done.rule)).count() < most;
         self.turned.is_none_or(|most| !OTHER_SIDES.contains(&rule) || within(most))
     }
 
@@ -123,7 +132,7 @@ impl Parts for Tidy<'_> {
         while self.fuel > 0 && self.log.may_apply() {
             let Some((name, next)) = self.apply_scalar_rule(current) else { break };
             self.fuel -= 1;
-            self.log.applied.push(name);
+            self.log.applied.push(Rewrite { rule: name, from: Node::Scalar(current), to: Node::Scalar(next) });
             current = self.scalar_parts(next);
         }
         self.scalars.insert(scalar, current);
@@ -138,7 +147,7 @@ impl Parts for Tidy<'_> {
         while self.fuel > 0 && self.log.may_apply() {
             let Some((name, next)) = self.apply_vector_rule(current) else { break };
             self.fuel -= 1;
-            self.log.applied.push(name);
+            self.log.applied.push(Rewrite { rule: name, from: Node::Vector(current), to: Node::Vector(next) });
             current = self.vector_parts(next);
         }
         if self.shared.contains(vector) {

@@ -3,6 +3,8 @@
 //! The objective is evaluated in f64 straight from its statement (effector pushed forward, nothing rewritten), so
 //! rewriting, derivatives, lowering and ordering are all on trial, in f64 and in the f32 that ships.
 
+use std::path::Path;
+
 use aim_codegen::objective::{ChainInputs, JointInputs, chain_aim, chain_residual, joint_aim};
 use aim_codegen::{AngleRange, RigPrograms, RigSpec};
 use aim_symbolic::{Angle, Bindings, Graph, Op, Program, Scalar};
@@ -12,8 +14,8 @@ use crate::failure::{Failure, Result};
 use crate::files;
 
 /// The largest deviation that passes, relative to the larger of 1 and the expected value.
-const TOLERANCE_F64: f64 = 1e-7;
-const TOLERANCE_F32: f64 = 2e-4;
+pub(crate) const TOLERANCE_F64: f64 = 1e-7;
+pub(crate) const TOLERANCE_F32: f64 = 2e-4;
 
 pub(super) fn run(arguments: &args::Check) -> Result {
     let spec = files::load_rig(&arguments.rig)?;
@@ -21,30 +23,58 @@ pub(super) fn run(arguments: &args::Check) -> Result {
     if let Some(which) = arguments.flip_sign {
         flip_signs(&mut programs, which);
     }
+    let verdicts = verdicts(&spec, &programs, arguments.samples);
     let mut report = String::new();
-    let mut failed = Vec::new();
-    for trial in trials(&spec, &programs) {
-        let worst = trial.run(arguments.samples);
-        let passed = worst.double <= TOLERANCE_F64 && worst.single <= TOLERANCE_F32;
+    for verdict in &verdicts {
         report += &format!(
             "{} {:<34} worst f64 {:.1e}, f32 {:.1e}\n",
-            if passed { "ok    " } else { "FAILED" },
-            trial.name,
-            worst.double,
-            worst.single
+            if verdict.passed() { "ok    " } else { "FAILED" },
+            verdict.name,
+            verdict.double,
+            verdict.single
         );
-        if !passed {
-            failed.push(trial.name.clone());
-        }
     }
     files::print(&format!("{}: {} random poses against central differences\n{report}", spec.name, arguments.samples))?;
+    all_passed(&arguments.rig, &spec, &verdicts)
+}
+
+/// What a program's comparison with central differences found.
+pub(crate) struct Verdict {
+    /// What was compared.
+    pub(crate) name: String,
+    /// The largest deviation in f64, relative to the larger of 1 and the expected value.
+    pub(crate) double: f64,
+    /// The same in f32.
+    pub(crate) single: f64,
+}
+
+impl Verdict {
+    /// Whether the deviations are those of rounding.
+    pub(crate) fn passed(&self) -> bool {
+        self.double <= TOLERANCE_F64 && self.single <= TOLERANCE_F32
+    }
+}
+
+/// Compares every program of a rig in so many random poses, the same in every run.
+pub(crate) fn verdicts(spec: &RigSpec, programs: &RigPrograms, samples: u32) -> Vec<Verdict> {
+    let verdict = |trial: Trial<'_>| {
+        let Worst { double, single } = trial.run(samples);
+        Verdict { name: trial.name, double, single }
+    };
+    trials(spec, programs).into_iter().map(verdict).collect()
+}
+
+/// # Errors
+/// A verdict is that a program is wrong.
+pub(crate) fn all_passed(rig: &Path, spec: &RigSpec, verdicts: &[Verdict]) -> Result {
+    let failed: Vec<&str> = verdicts.iter().filter(|one| !one.passed()).map(|one| one.name.as_str()).collect();
     if failed.is_empty() {
         return Ok(());
     }
     Err(Failure::Check(format!(
         "{}: the derived {} of {} differ from central differences by more than {TOLERANCE_F64:.0e} (f64) or {TOLERANCE_F32:.0e} \
          (f32)",
-        arguments.rig.display(),
+        rig.display(),
         failed.join(", "),
         spec.name
     )))

@@ -8,14 +8,14 @@ use crate::failure::Result;
 use crate::files;
 
 #[derive(Serialize)]
-struct Count {
-    add: usize,
-    mul: usize,
-    div: usize,
-    sqrt: usize,
-    pow: usize,
-    select: usize,
-    total: usize,
+pub(crate) struct Count {
+    pub(crate) add: usize,
+    pub(crate) mul: usize,
+    pub(crate) div: usize,
+    pub(crate) sqrt: usize,
+    pub(crate) pow: usize,
+    pub(crate) select: usize,
+    pub(crate) total: usize,
 }
 
 impl From<aim_symbolic::Count> for Count {
@@ -25,8 +25,9 @@ impl From<aim_symbolic::Count> for Count {
     }
 }
 
+/// What the command tells, under the contract's keys.
 #[derive(Serialize)]
-struct Counts {
+pub(crate) struct Counts {
     rig: String,
     aim: Count,
     aim_pitch: Count,
@@ -37,9 +38,8 @@ struct Counts {
 }
 
 impl Counts {
-    fn of(spec: &RigSpec) -> Self {
+    pub(crate) fn of(spec: &RigSpec, programs: &RigPrograms) -> Self {
         let single = |outputs: &[JointOutput]| joint_program(spec, 0, outputs).count().into();
-        let programs = RigPrograms::derive(spec);
         Self {
             rig: spec.name.clone(),
             aim: single(&[JointOutput::Aim]),
@@ -51,21 +51,25 @@ impl Counts {
         }
     }
 
-    fn table(&self) -> String {
-        let rows = [
+    /// Each count with its name.
+    pub(crate) fn rows(&self) -> [(&'static str, &Count); 6] {
+        [
             ("aim", &self.aim),
             ("∂aim/∂pitch", &self.aim_pitch),
             ("∂aim/∂heading", &self.aim_heading),
             ("aim and gradient", &self.aim_gradient),
             ("chain: aim and gradient", &self.chain_value_gradient),
             ("chain: residual, Jacobian", &self.chain_residual_jacobian),
-        ];
+        ]
+    }
+
+    fn table(&self) -> String {
         let mut out = format!("{}: operations, sines and cosines given, negations free\n", self.rig);
         out += &format!(
             "{:<26}{:>7}{:>6}{:>6}{:>5}{:>6}{:>5}{:>8}\n",
             "", "total", "add", "mul", "div", "sqrt", "pow", "select"
         );
-        for (name, c) in rows {
+        for (name, c) in self.rows() {
             out += &format!(
                 "{name:<26}{:>7}{:>6}{:>6}{:>5}{:>6}{:>5}{:>8}\n",
                 c.total, c.add, c.mul, c.div, c.sqrt, c.pow, c.select
@@ -76,6 +80,7 @@ impl Counts {
 }
 
 pub(super) fn run(arguments: &args::Count) -> Result {
-    let counts = Counts::of(&files::load_rig(&arguments.rig)?);
+    let spec = files::load_rig(&arguments.rig)?;
+    let counts = Counts::of(&spec, &RigPrograms::derive(&spec));
     files::print(&if arguments.json { files::to_json(&counts)? } else { counts.table() })
 }

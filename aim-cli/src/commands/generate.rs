@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use aim_codegen::emit::{self, Rig};
-use aim_codegen::{RigPrograms, RigSpec};
+use aim_codegen::{Objective, RigPrograms, RigSpec};
 
 use quote::quote;
 
@@ -52,10 +52,16 @@ fn trace(spec: &RigSpec) -> String {
         "{}: operations if rewriting stopped there and derivatives were taken of what was there (sines and cosines given)\n",
         spec.name
     );
-    for trace in aim_codegen::traces(spec) {
-        let of = trace.joint.map_or("chain", |joint| spec.joints[joint].name.as_str());
-        let _ = writeln!(out, "\n{of}: {}", trace.outputs);
-        for (i, step) in trace.steps.iter().enumerate() {
+    for (objective, _) in aim_codegen::objectives(spec) {
+        let (of, outputs) = match objective {
+            Objective::Joint(joint) => {
+                (spec.joints[joint].name.as_str(), "aim and its derivatives by pitch and heading")
+            }
+            Objective::ChainAim => ("chain", "aim and all its derivatives"),
+            Objective::ChainResidual => ("chain", "residual and Jacobian"),
+        };
+        let _ = writeln!(out, "\n{of}: {outputs}");
+        for (i, step) in aim_codegen::derivation(spec, objective).steps.iter().enumerate() {
             if i == 0 {
                 let _ = writeln!(out, "{:>6}  as stated", step.before.total());
             }
@@ -70,7 +76,8 @@ fn trace(spec: &RigSpec) -> String {
     out
 }
 
-fn rust(rig: &Rig<'_>) -> String {
+/// The solver in Rust, formatted.
+pub(crate) fn rust(rig: &Rig<'_>) -> String {
     let tokens = emit::rust::emit_with_struct(rig, &emit::rust::Item::of(rig.spec, quote!(::aim)));
     let header = format!(
         "// The rig {}, derived and written by aim {}. Do not edit: generate again.\n",

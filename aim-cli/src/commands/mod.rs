@@ -1,11 +1,12 @@
 //! One module a command.
 
 mod bake;
-mod check;
+pub(crate) mod check;
 mod check_model;
-mod count;
+pub(crate) mod count;
 mod demo;
-mod generate;
+mod explain;
+pub(crate) mod generate;
 mod inspect;
 mod plot;
 mod reach;
@@ -27,6 +28,7 @@ pub(crate) fn run(command: Command) -> Result {
             Some(rig) => check_model::run(&arguments.rig, rig),
             None => check::run(&arguments),
         },
+        Command::Explain(arguments) => explain::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Reach(arguments) => reach::run(&arguments),

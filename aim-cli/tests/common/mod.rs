@@ -3,6 +3,7 @@
 
 pub(crate) mod forward;
 pub(crate) mod gltf;
+pub(crate) mod latex;
 pub(crate) mod plot;
 pub(crate) mod rig;
 

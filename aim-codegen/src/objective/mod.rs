@@ -1,16 +1,18 @@
 //! What is derived: the objectives, each stated once, and the programs that come of them.
 
 mod aim;
+mod notation;
 mod residual;
 mod statement;
 mod trajectory;
 
 pub use aim::{chain_aim, joint_aim};
+pub use notation::{basis_symbols, notation};
 pub use residual::chain_residual;
-pub use statement::{ChainInputs, JointInputs};
+pub use statement::{ChainInputs, HEADING, JointInputs, PITCH};
 pub use trajectory::TrajectoryPrograms;
 
-use aim_symbolic::{Graph, Program, Scalar, Step, Want};
+use aim_symbolic::{Derivation, Graph, Program, Scalar, Want};
 
 use crate::{JointSpec, RigSpec};
 
@@ -48,29 +50,39 @@ fn is_same_problem(a: &JointSpec, b: &JointSpec) -> bool {
     a.frame == b.frame && angles(a) == angles(b)
 }
 
-/// What the derivation of a rig's kernels did, step by step.
-#[derive(Clone, Debug)]
-pub struct Trace {
-    /// The joint whose kernel it is, or `None` for a kernel of the whole chain.
-    pub joint: Option<usize>,
-    /// What the kernel gives.
-    pub outputs: &'static str,
-    /// The steps that brought its operation count down.
-    pub steps: Vec<Step>,
+/// What a kernel computes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Objective {
+    /// The aim and its derivatives by this joint's pitch and heading.
+    Joint(usize),
+    /// The chain's aim and its derivatives by all declared angles.
+    ChainAim,
+    /// The chain's residual and its derivatives by all declared angles.
+    ChainResidual,
 }
 
-/// The book-keeping of every kernel of a rig, each distinct one of the joints once.
-pub fn traces(spec: &RigSpec) -> Vec<Trace> {
-    let distinct = (0..spec.joints.len())
-        .filter(|&i| !spec.joints[..i].iter().any(|earlier| is_same_problem(earlier, &spec.joints[i])));
-    let joints = distinct.map(|joint| Trace {
-        joint: Some(joint),
-        outputs: "aim and its derivatives by pitch and heading",
-        steps: joint_problem(spec, joint, JointOutput::ALL).trace(),
-    });
-    let gradient = Trace { joint: None, outputs: "aim and all its derivatives", steps: chain_gradient(spec).trace() };
-    let jacobian = Trace { joint: None, outputs: "residual and Jacobian", steps: chain_jacobian(spec).trace() };
-    joints.chain([gradient, jacobian]).collect()
+/// What is derived for a rig: each distinct kernel of the joints once, with the joints that it serves, then the chain's.
+pub fn objectives(spec: &RigSpec) -> Vec<(Objective, Vec<usize>)> {
+    let mut objectives: Vec<(Objective, Vec<usize>)> = Vec::new();
+    for (i, joint) in spec.joints.iter().enumerate() {
+        match objectives.iter_mut().find(|(_, served)| is_same_problem(&spec.joints[served[0]], joint)) {
+            Some((_, served)) => served.push(i),
+            None => objectives.push((Objective::Joint(i), vec![i])),
+        }
+    }
+    let all: Vec<usize> = (0..spec.joints.len()).collect();
+    objectives.extend([(Objective::ChainAim, all.clone()), (Objective::ChainResidual, all)]);
+    objectives
+}
+
+/// A kernel's derivation, with everything on the way.
+pub fn derivation(spec: &RigSpec, objective: Objective) -> Derivation {
+    let Problem { g, wanted } = match objective {
+        Objective::Joint(joint) => joint_problem(spec, joint, JointOutput::ALL),
+        Objective::ChainAim => chain_gradient(spec),
+        Objective::ChainResidual => chain_jacobian(spec),
+    };
+    Derivation::new(&g, &wanted)
 }
 
 /// A statement, and what is wanted of it.
@@ -82,10 +94,6 @@ struct Problem {
 impl Problem {
     fn program(&mut self) -> Program {
         Program::derive_wanted(&self.g, &self.wanted)
-    }
-
-    fn trace(&mut self) -> Vec<Step> {
-        Program::trace(&self.g, &self.wanted)
     }
 }
 

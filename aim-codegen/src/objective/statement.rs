@@ -4,10 +4,10 @@ use aim_symbolic::{Angle, Graph, Plane, Rigid, Rotation, Vector};
 
 use crate::{Frame, JointSpec, RigSpec};
 
-/// Forward turns towards left.
-const HEADING: Plane = Plane { from: 0, towards: 1 };
-/// Forward turns towards up.
-const PITCH: Plane = Plane { from: 0, towards: 2 };
+/// The plane of heading, in the axes forward, left, up: forward turns towards left.
+pub const HEADING: Plane = Plane { from: 0, towards: 1 };
+/// The plane of pitch, in the same axes: forward turns towards up.
+pub const PITCH: Plane = Plane { from: 0, towards: 2 };
 
 /// The inputs of one joint's function.
 #[derive(Clone, Copy, Debug)]
@@ -68,7 +68,7 @@ impl ChainInputs {
 ///
 /// In the axes forward, left, up, heading turns the first towards the second and pitch the first towards the third,
 /// whatever the bone's convention and handedness: those are in the change of basis alone.
-pub(super) fn added_rotation(g: &mut Graph, joint: &JointSpec, pitch: Angle, heading: Angle) -> Rotation {
+fn added_rotation(g: &mut Graph, joint: &JointSpec, pitch: Angle, heading: Angle) -> Rotation {
     let to_bone = basis(g, &joint.frame);
     let mut rotation = g.transpose(to_bone);
     if joint.pitch.is_some() {

@@ -1,11 +1,19 @@
-//! Programs and expressions as text.
+//! Programs and expressions as text and as formulas.
 
+mod definitions;
+mod expression;
+mod formula;
 mod latex;
+mod mathml;
 mod maxima;
 mod plain;
 mod source;
 
-pub use latex::{program as latex, scalar as latex_scalar};
+pub use definitions::{Defined, defined, rewriting};
+pub use expression::{Notation, Told, definition, node, program as told, rotation, scalar, vector};
+pub use formula::{Face, Formula, Sign};
+pub use latex::{formula as latex, program as latex_program};
+pub use mathml::formula as mathml;
 pub use maxima::program as maxima;
 pub use plain::{program as plain, scalar as plain_scalar};
 pub use source::{Dialect, steps};

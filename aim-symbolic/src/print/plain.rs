@@ -1,5 +1,6 @@
 //! Plain text, as one would write it in a comment.
 
+use super::expression::common_name;
 use super::source::{Dialect, steps};
 use crate::{Graph, Program, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
@@ -102,14 +103,4 @@ fn rotation(g: &Graph, expression: Rotation) -> String {
         RotationNode::Compose(a, b) => format!("({} {})", rotation(g, a), rotation(g, b)),
         RotationNode::Transpose(a) => format!("{}'", rotation(g, a)),
     }
-}
-
-/// The name of a vector whose components are the inputs `name_x`, `name_y`, `name_z`.
-pub(super) fn common_name(g: &Graph, components: [Scalar; 3]) -> Option<String> {
-    let names = components.map(|c| match g.scalar_node(c) {
-        ScalarNode::Input(i) => Some(g.inputs()[i as usize].0.as_str()),
-        _ => None,
-    });
-    let stem = names[0]?.strip_suffix("_x")?;
-    (names[1]?.strip_suffix("_y") == Some(stem) && names[2]?.strip_suffix("_z") == Some(stem)).then(|| stem.to_owned())
 }

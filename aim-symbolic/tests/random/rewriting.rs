@@ -65,7 +65,8 @@ fn derivation_is_deterministic() {
             let wanted = wanted(&stated, &mut Rng::with_seed(recipe.seed));
             Program::derive_wanted(&stated.pools.g, &wanted)
         });
-        let prints: [fn(&Program) -> String; 3] = [print::plain, print::latex, |p| print::maxima("f", p)];
+        let prints: [fn(&Program) -> String; 3] =
+            [print::plain, |p| print::latex_program(p, &print::Notation::default()), |p| print::maxima("f", p)];
         if first != second || prints.iter().any(|print| print(&first) != print(&second)) {
             return Err(format!("{}\nand\n{}", print::plain(&first), print::plain(&second)));
         }

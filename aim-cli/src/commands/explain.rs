@@ -1,0 +1,64 @@
+//! `aim explain`: the derivation as a document.
+
+use std::path::Path;
+
+use aim_codegen::RigPrograms;
+use aim_codegen::emit::Rig;
+
+use crate::args::{self, Paper};
+use crate::commands::check::{all_passed, verdicts};
+use crate::commands::count::Counts;
+use crate::commands::generate;
+use crate::explain::{self, Subject};
+use crate::failure::{Failure, Result};
+use crate::files;
+use crate::outputs::Outputs;
+
+pub(super) fn run(arguments: &args::Explain) -> Result {
+    let paper = paper(arguments)?;
+    let spec = files::load_rig(&arguments.rig)?;
+    if let Some(path) = &arguments.output {
+        let mut outputs = Outputs::default();
+        outputs.reads(&arguments.rig, "the rig itself");
+        outputs.writes(path, "-o")?;
+    }
+    let programs = RigPrograms::derive(&spec);
+    let verdicts = verdicts(&spec, &programs, arguments.samples);
+    let document = explain::document(&Subject {
+        spec: &spec,
+        rust: &generate::rust(&Rig { spec: &spec, programs: &programs }),
+        counts: &Counts::of(&spec, &programs),
+        verdicts: &verdicts,
+        samples: arguments.samples,
+    });
+    let text = match paper {
+        Paper::Html => explain::html(&document),
+        Paper::Latex => explain::latex(&document),
+    };
+    match &arguments.output {
+        Some(path) => files::write(path, text.as_bytes())?,
+        None => files::print(&text)?,
+    }
+    // What is wrong is told by the document, too.
+    all_passed(&arguments.rig, &spec, &verdicts)
+}
+
+/// How to write it: as asked, else as the file's name says, else as a page.
+fn paper(arguments: &args::Explain) -> Result<Paper> {
+    let by_name = |path: &Path| {
+        let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
+        match ending.to_str() {
+            Some("html" | "htm") => Ok(Paper::Html),
+            Some("tex") => Ok(Paper::Latex),
+            _ => Err(Failure::in_file(
+                path,
+                "does not tell by its ending what to write; give -o a name that ends in .html or .tex, or add --format",
+            )),
+        }
+    };
+    match (arguments.format, &arguments.output) {
+        (Some(paper), _) => Ok(paper),
+        (None, Some(path)) => by_name(path),
+        (None, None) => Ok(Paper::Html),
+    }
+}

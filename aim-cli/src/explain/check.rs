@@ -1,0 +1,82 @@
+//! What the derivation was held against, and what it costs.
+
+use super::document::{Block, Inline, Kind, Section, Table, Text, code, text};
+use super::{Subject, counted};
+use crate::commands::check::{TOLERANCE_F32, TOLERANCE_F64};
+
+/// The comparison with central differences.
+pub(super) fn section(subject: &Subject<'_>) -> Section {
+    let rows = subject.verdicts.iter().map(|verdict| {
+        let result = if verdict.passed() { Inline::from("agrees") } else { Inline::Strong("FAILED".into()) };
+        vec![
+            text![verdict.name.clone()],
+            text![scientific(verdict.double)],
+            text![scientific(verdict.single)],
+            text![result],
+        ]
+    });
+    let rows = rows.collect();
+    let head: Vec<Text> = ["derived program", "largest deviation, f64", "largest deviation, f32", "verdict"]
+        .map(|name| text![name])
+        .to_vec();
+    let caption = format!("{} against central differences", counted(subject.samples as usize, "random pose"));
+    Section {
+        id: "check",
+        title: "The numerical check".into(),
+        blocks: vec![
+            Block::Paragraph(text![
+                "A derivation can be followed; its result can also be tried. For poses at random within the rig’s ranges, the \
+                 objective is computed from its statement, nothing rewritten, the effector pushed forward through all joints, \
+                 and its derivatives by moving each angle a little both ways (central differences of sixth order). The derived \
+                 programs have to agree, in double precision and in the single precision that ships. Deviations are relative \
+                 to the larger of 1 and the expected value; they may be ",
+                scientific(TOLERANCE_F64),
+                " and ",
+                scientific(TOLERANCE_F32),
+                " at most. ",
+                code("aim check"),
+                " does the same with as many poses as one likes.",
+            ]),
+            Block::Table(Table { kind: Kind::Numbers, caption, head, rows }),
+        ],
+    }
+}
+
+/// Such as `1.3 × 10⁻¹²`.
+fn scientific(value: f64) -> String {
+    let text = format!("{value:.1e}");
+    let Some((digits, power)) = text.split_once('e') else { return text };
+    let raised = |letter: char| match letter.to_digit(10) {
+        Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
+        None => '⁻',
+    };
+    if power == "0" {
+        return digits.to_owned();
+    }
+    let power: String = power.chars().map(raised).collect();
+    format!("{} × 10{power}", digits.trim_end_matches(".0"))
+}
+
+/// The table of `aim count`.
+pub(super) fn counts(subject: &Subject<'_>) -> Section {
+    let head: Vec<Text> = ["", "total", "add", "mul", "div", "sqrt", "pow", "select"].map(|name| text![name]).to_vec();
+    let rows = subject.counts.rows().map(|(name, count)| {
+        let numbers = [count.total, count.add, count.mul, count.div, count.sqrt, count.pow, count.select];
+        let mut row = vec![text![name]];
+        row.extend(numbers.map(|number| text![number.to_string()]));
+        row
+    });
+    Section {
+        id: "counts",
+        title: "What it costs".into(),
+        blocks: vec![
+            Block::Paragraph(text![
+                "The operations of what is emitted, as ",
+                code("aim count"),
+                " tells them; the first four are of the joint next to the effector. Sines and cosines are given, subtractions count \
+                 as additions, comparisons and selects are not in the total, and negations are free.",
+            ]),
+            Block::Table(Table { kind: Kind::Numbers, caption: "Operations".into(), head, rows: rows.to_vec() }),
+        ],
+    }
+}

@@ -1,0 +1,312 @@
+//! The bones' axes, what heading and pitch do in them, what symbols mean, and the chain.
+
+use aim_codegen::objective::{HEADING, PITCH, basis_symbols};
+use aim_codegen::{AngleRange, Frame, JointSpec, Objective, RigSpec};
+use aim_symbolic::print::{self, Formula, Notation, Sign};
+use aim_symbolic::{Graph, Rotation, Vector, VectorNode};
+
+use super::document::{Block, Equation, Inline, Kind, Section, Table, Text, code, text};
+use super::drawing::{self, Drawing};
+use super::kernel::Kernel;
+use super::statement::Points;
+
+pub(super) fn section(spec: &RigSpec) -> Section {
+    let frames = basis_symbols(spec);
+    let mut blocks = vec![
+        Block::Paragraph(text![
+            "Every bone has axes of its own, and nothing says by itself which of them points where on the character. The \
+             declaration does. ",
+            Inline::Strong("In every convention heading turns a bone’s forward towards its left, and pitch turns it towards its up".into()),
+            "; pitch acts first, next to the effector, then heading. Both are added to the animation: 0 leaves it as it is.",
+        ]),
+        Block::Drawings(frames.iter().map(|(frame, _, joints)| axes(spec, frame, joints)).collect()),
+        Block::Paragraph(text![
+            "In the axes forward, left, up the two turns are the same for every rig. Formulas here turn column vectors: the turn \
+             stands to the left of what it turns. Columns are the images of forward, left and up.",
+        ]),
+        Block::Equations(turns()),
+        Block::Paragraph(text![
+            "What differs between conventions is only how forward, left and up are written in the bone’s own axes: the columns of ",
+            frames[0].1.clone(),
+            if frames.len() > 1 { " and the others." } else { "." },
+            " So an added rotation is led into these axes, turned, and led back. In the bone’s own axes it is",
+        ]),
+    ];
+    blocks.extend(frames.iter().map(|(frame, symbol, joints)| Block::Equations(in_bones(spec, frame, symbol, joints))));
+    blocks.push(Block::Paragraph(text![
+        "The paper writes row vectors, to the left of what turns them, so its matrices (1) to (3) are the transposes of such ones, \
+         in reverse order. It counts pitch the other way: a positive angle about the thug’s left axis looks down. Here a positive \
+         pitch looks up and a positive heading looks left, whatever the axes.",
+    ]));
+    Section { id: "conventions", title: "Conventions".into(), blocks }
+}
+
+fn axes(spec: &RigSpec, frame: &Frame, joints: &[usize]) -> Drawing {
+    let of = |pick: fn(&JointSpec) -> bool| joints.iter().any(|&joint| pick(&spec.joints[joint]));
+    let names = joints.iter().map(|&joint| spec.joints[joint].name.as_str()).collect::<Vec<_>>().join(", ");
+    let [up, forward, left] = [frame.up, frame.forward, frame.left].map(axis);
+    let hand = if frame.handedness() > 0.0 {
+        "a right-handed frame: up × forward = left"
+    } else {
+        "a left-handed frame: up × forward = −left"
+    };
+    let mirrored = if frame.handedness() == spec.joints[0].frame.handedness() { "" } else { ", mirrored" };
+    let said = format!("up = {up}, forward = {forward}, left = {left}; {hand}{mirrored}");
+    let turns = [of(|joint| joint.heading.is_some()), of(|joint| joint.pitch.is_some())];
+    let told = format!("The axes of {names}, seen from the character’s front left: {said}.");
+    drawing::of_axes(frame, turns, told, text![code(names), format!(": {said}.")])
+}
+
+/// `+X`, or the vector where it is no axis.
+fn axis(v: [f64; 3]) -> String {
+    for (name, component) in ["X", "Y", "Z"].iter().zip(v) {
+        if component.abs() == 1.0 {
+            return format!("{}{name}", if component < 0.0 { '−' } else { '+' });
+        }
+    }
+    let shown = v.map(|c| format!("{:.3}", c + 0.0).replace('-', "−"));
+    format!("({})", shown.join(", "))
+}
+
+/// The symbols that hold without any joint.
+fn letters(spec: &RigSpec) -> Notation {
+    aim_codegen::objective::notation(spec, Objective::Joint(0))
+}
+
+/// The turns in the axes forward, left, up.
+fn turns() -> Vec<Equation> {
+    let mut g = Graph::new();
+    let notation = Notation::default();
+    [("h", HEADING), ("p", PITCH)]
+        .map(|(name, plane)| {
+            let angle = g.angle(name);
+            let turn = g.turn(plane, angle);
+            (print::rotation(&g, turn, &notation), matrix(&mut g, turn, &notation)).into()
+        })
+        .to_vec()
+}
+
+/// A rotation's matrix, columns the images of the axes.
+fn matrix(g: &mut Graph, rotation: Rotation, notation: &Notation) -> Formula {
+    let columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| {
+        let axis = g.constant_vector(axis);
+        let image = g.rotate(rotation, axis);
+        g.in_components(image)
+    });
+    let row = |k: usize| columns.iter().map(|column| print::scalar(g, column[k], notation)).collect();
+    Formula::Matrix((0..3).map(row).collect())
+}
+
+/// The bone's axes, and the turns in them.
+fn in_bones(spec: &RigSpec, frame: &Frame, symbol: &Formula, joints: &[usize]) -> Vec<Equation> {
+    let notation = letters(spec);
+    let mut g = Graph::new();
+    let basis = g.basis([frame.forward, frame.left, frame.up]);
+    let mut equations: Vec<Equation> = vec![(symbol.clone(), matrix(&mut g, basis, &notation)).into()];
+    let of = |pick: fn(&JointSpec) -> bool| joints.iter().any(|&joint| pick(&spec.joints[joint]));
+    let declared = [of(|joint| joint.heading.is_some()), of(|joint| joint.pitch.is_some())];
+    for ((name, plane), declared) in [("h", HEADING), ("p", PITCH)].into_iter().zip(declared) {
+        if declared {
+            let angle = g.angle(name);
+            let turn = g.turn(plane, angle);
+            let back = g.transpose(basis);
+            let inner = g.compose(turn, back);
+            let whole = g.compose(basis, inner);
+            equations.push((print::rotation(&g, whole, &notation), matrix(&mut g, whole, &notation)).into());
+        }
+    }
+    equations
+}
+
+/// An entry of M's row k.
+fn entry(axis: usize) -> Formula {
+    let index = Formula::Row(vec![Formula::italic("k"), Formula::Number(axis.to_string())]);
+    Formula::italic("M").indexed(index)
+}
+
+/// What symbols mean.
+pub(super) fn notation(spec: &RigSpec) -> Section {
+    let letters = letters(spec);
+    let [f, l, u] = ["f", "l", "u"].map(Formula::vector);
+    let [p, h] = ["p", "h"].map(Formula::italic);
+    let function = |function: &str, angle: &Formula| Formula::italic(function).indexed(angle.clone());
+    let effector = spec.effector.frame;
+    let (v, w) = (Formula::vector("v"), Formula::vector("w"));
+    let across =
+        Formula::Index(Box::new(v.clone()), Box::new(Formula::Row(vec![Formula::Sign(Sign::Across), w.clone()])));
+    let rows: Vec<[Text; 2]> = vec![
+        [text![Formula::vector("P")], text!["the target, in the joint’s space (of a chain: in the last joint’s)"]],
+        [
+            text![Formula::italic("M"), ", ", Formula::vector("t")],
+            text![
+                "from effector space to the joint’s space before its added rotation: the point ",
+                Formula::vector("x"),
+                " goes to ",
+                Formula::infix(
+                    Formula::infix(Formula::italic("M"), Sign::Times, Formula::vector("x")),
+                    Sign::Plus,
+                    Formula::vector("t"),
+                ),
+                "; the image of axis ",
+                Formula::italic("k"),
+                " has the components ",
+                Formula::list((0..3).map(entry)),
+                ", in the order of the paper’s rows and of the code’s arrays",
+            ],
+        ],
+        [
+            text![
+                Formula::italic("L").indexed(Formula::italic("i")),
+                ", ",
+                Formula::vector("t").indexed(Formula::italic("i"))
+            ],
+            text!["link i of a chain, in the same way: from the effector to joint 0, then from joint i − 1 to joint i"],
+        ],
+        [
+            text![p.clone(), ", ", h.clone()],
+            text!["a joint’s pitch and heading, radians; in a chain with the joint’s number, from the effector inward"],
+        ],
+        [
+            text![function("s", &p), ", ", function("c", &p), ", ", function("s", &h), ", ", function("c", &h)],
+            text!["their sines and cosines"],
+        ],
+        [
+            text![f, ", ", l, ", ", u],
+            text![format!(
+                "the effector’s forward, left and up in its own space: {}, {} and {}",
+                axis(effector.forward),
+                axis(effector.left),
+                axis(effector.up)
+            )],
+        ],
+        [
+            text![v.clone(), " · ", w.clone(), ", ", Formula::Bars(Box::new(v.clone()))],
+            text!["the dot product of two vectors, the length of one"],
+        ],
+        [
+            text![across],
+            text!["what is left of ", v.clone(), " without its part along ", w, ": its part across that direction"],
+        ],
+        [text![Formula::italic("R").transposed()], text!["the way back of a rotation, its transpose: R Rᵀ = 1"]],
+        [
+            text![Formula::italic("ε")],
+            text![
+                "the smallest length that is divided by. One over a length that is not above it counts as 0, so that no input \
+                 makes a result infinite",
+            ],
+        ],
+    ];
+    let rows = rows.into_iter().map(|row| row.to_vec()).collect();
+    let head = ["symbol", "what it is"].map(|name| text![name]).to_vec();
+    Section {
+        id: "notation",
+        title: "Notation".into(),
+        blocks: vec![
+            Block::Table(Table { kind: Kind::Code, caption: "Symbols of the formulas".into(), head, rows }),
+            Block::Paragraph(text![
+                "Two quarter turns come up in derivatives: what a vector’s part in the plane of heading, or of pitch, becomes when it is \
+                 turned by 90°. In the axes forward, left, up:",
+            ]),
+            Block::Equations(quarter_turns(&letters)),
+        ],
+    }
+}
+
+fn quarter_turns(letters: &Notation) -> Vec<Equation> {
+    let mut g = Graph::new();
+    let v = g.vector_input("v");
+    let mut notation = letters.clone();
+    notation.inputs.push(("v".into(), Formula::vector("v")));
+    [HEADING, PITCH]
+        .map(|plane| {
+            let turned = g.perp(plane, v);
+            let left = print::vector(&g, turned, &notation);
+            let components = g.in_components(turned).map(|c| vec![print::scalar(&g, c, &notation)]);
+            (left, Formula::Matrix(components.to_vec())).into()
+        })
+        .to_vec()
+}
+
+/// The joints, and how they lead from the effector to the last one.
+pub(super) fn chain(spec: &RigSpec, kernel: &Kernel<'_>) -> Section {
+    let g = &kernel.derivation.graph;
+    let mut blocks = vec![Block::Paragraph(text![
+        "From the effector inward. What is aimed is ",
+        code(spec.joints[0].name.clone()),
+        format!(
+            "’s {}, from the point ({}) of its bone.",
+            axis(spec.effector.frame.forward),
+            spec.effector.origin.map(|c| format!("{c}").replace('-', "−")).join(", ")
+        ),
+        " The point is the translation of the first link, so it is the caller’s and not in the formulas.",
+    ])];
+    blocks.push(Block::Table(joints(spec)));
+    blocks.push(Block::Paragraph(text![
+        "Each link leads from a joint to the next, and each joint adds its rotation. One after the other, the effector nearest to \
+         what is moved, they take a direction of effector space to the last joint’s space:",
+    ]));
+    if let Some(direction) = direction(g, kernel) {
+        let formula = print::vector(g, direction, &kernel.notation);
+        blocks.push(Block::Equations(vec![(Formula::upright("direction"), formula).into()]));
+    }
+    blocks.push(Block::Paragraph(text![
+        "Ranges, rates and comfort are the solvers’ business: they decide how far along the gradient a joint may go, not what the \
+         gradient is. Nothing of them is in what follows.",
+    ]));
+    Section { id: "chain", title: "The chain".into(), blocks }
+}
+
+/// The effector's direction in the chain's stated aim.
+fn direction(g: &Graph, kernel: &Kernel<'_>) -> Option<Vector> {
+    let Points { tip, .. } = Points::of(g, kernel.derivation.stated[0])?;
+    match g.vector_node(tip) {
+        VectorNode::Add(rotated, _) => Some(rotated),
+        _ => None,
+    }
+}
+
+fn joints(spec: &RigSpec) -> Table {
+    let head = ["", "joint", "bone", "heading", "pitch", "rate", "comfort", "more"];
+    let rows = spec.joints.iter().enumerate().map(|(number, joint)| {
+        vec![
+            text![number.to_string()],
+            text![code(joint.name.clone())],
+            text![code(joint.bones.join(" or "))],
+            text![range(joint.heading)],
+            text![range(joint.pitch)],
+            text![format!("{}/s", degrees(joint.rate))],
+            text![format!("{}", joint.comfort)],
+            text![more(joint)],
+        ]
+    });
+    Table {
+        kind: Kind::Facts,
+        caption: "The joints, from the effector inward".into(),
+        head: head.map(|name| text![name]).to_vec(),
+        rows: rows.collect(),
+    }
+}
+
+fn more(joint: &JointSpec) -> String {
+    let mut more = Vec::new();
+    more.extend(joint.pair.as_ref().map(|pair| format!("with {pair}")));
+    more.extend(joint.absolute.then(|| "ranges from the bind pose".to_owned()));
+    more.extend(joint.level.map(|level| format!("level {level}")));
+    more.extend(joint.acceleration.map(|limit| format!("acceleration {}/s²", degrees(limit))));
+    more.extend(joint.narrowing.map(|part| format!("narrowing {part}")));
+    more.join(", ")
+}
+
+fn range(range: Option<AngleRange>) -> String {
+    match range {
+        None => "none".into(),
+        Some(AngleRange::Free) => "free".into(),
+        Some(AngleRange::Between(low, high)) => format!("{}\u{a0}…\u{a0}{}", degrees(low), degrees(high)),
+    }
+}
+
+/// An angle as it was declared, but for rounding.
+fn degrees(radians: f64) -> String {
+    let rounded = (radians.to_degrees() * 1e6).round() / 1e6;
+    format!("{rounded}°").replace('-', "−")
+}

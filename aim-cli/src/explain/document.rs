@@ -1,0 +1,127 @@
+//! What a document is made of, whatever it is written in.
+
+use aim_symbolic::print::Formula;
+
+use super::drawing::Drawing;
+
+/// A part of a line.
+#[derive(Clone, Debug)]
+pub(super) enum Inline {
+    Text(String),
+    Strong(String),
+    /// A title.
+    Emphasis(String),
+    Code(String),
+    Math(Formula),
+}
+
+pub(super) type Text = Vec<Inline>;
+
+impl From<&str> for Inline {
+    fn from(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+}
+
+impl From<String> for Inline {
+    fn from(text: String) -> Self {
+        Self::Text(text)
+    }
+}
+
+impl From<Formula> for Inline {
+    fn from(formula: Formula) -> Self {
+        Self::Math(formula)
+    }
+}
+
+/// Code in a line.
+pub(super) fn code(text: impl Into<String>) -> Inline {
+    Inline::Code(text.into())
+}
+
+/// A line of text, code and formulas.
+macro_rules! text {
+    ($($part:expr),* $(,)?) => { vec![$($crate::explain::document::Inline::from($part)),*] };
+}
+pub(super) use text;
+
+/// A line of an equation array.
+#[derive(Clone, Debug)]
+pub(super) struct Equation {
+    pub(super) left: Formula,
+    pub(super) right: Formula,
+    /// The number of the same equation in the paper.
+    pub(super) paper: Option<u8>,
+}
+
+impl From<(Formula, Formula)> for Equation {
+    fn from((left, right): (Formula, Formula)) -> Self {
+        Self { left, right, paper: None }
+    }
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Block {
+    Paragraph(Text),
+    Equations(Vec<Equation>),
+    /// One formula becomes another: each with how often that happened.
+    Rewritings(Vec<Rewriting>),
+    Table(Table),
+    Drawings(Vec<Drawing>),
+    /// What is not needed at the first reading.
+    Fold(Text, Vec<Self>),
+    Heading(Text),
+}
+
+/// One formula that became another.
+#[derive(Clone, Debug)]
+pub(super) struct Rewriting {
+    pub(super) from: Formula,
+    pub(super) to: Formula,
+    pub(super) times: usize,
+    /// What the letters stand for.
+    pub(super) letters: Vec<(Formula, Formula)>,
+}
+
+/// How a table's columns are set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// The first column names the row.
+    Facts,
+    /// Numbers but for the first column, which names the row.
+    Numbers,
+    /// Code, formula, meaning.
+    Code,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Table {
+    pub(super) kind: Kind,
+    pub(super) caption: String,
+    pub(super) head: Vec<Text>,
+    pub(super) rows: Vec<Vec<Text>>,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Section {
+    /// What links call it.
+    pub(super) id: &'static str,
+    pub(super) title: String,
+    pub(super) blocks: Vec<Block>,
+}
+
+/// A whole document.
+#[derive(Clone, Debug)]
+pub(crate) struct Document {
+    pub(super) title: String,
+    pub(super) lead: Vec<Block>,
+    pub(super) sections: Vec<Section>,
+}
+
+impl Rewriting {
+    /// Whether it is the same as `other`, however often.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        (&self.from, &self.to, &self.letters) == (&other.from, &other.to, &other.letters)
+    }
+}

@@ -1,0 +1,107 @@
+//! Drawings of lines, arrows and words, and the one of a bone's axes.
+
+use aim_codegen::Frame;
+
+use super::document::Text;
+
+/// What a line is of; how it looks is the page's business.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Ink {
+    /// One of the bone's own axes.
+    Axis(usize),
+    /// A direction of the character.
+    Direction,
+    Heading,
+    Pitch,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Arrow {
+    /// From the first to the last, where its head is.
+    pub(super) points: Vec<[f64; 2]>,
+    pub(super) ink: Ink,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Label {
+    pub(super) at: [f64; 2],
+    pub(super) text: String,
+    pub(super) ink: Ink,
+}
+
+/// A drawing, y downwards; labels are centred on their points.
+#[derive(Clone, Debug)]
+pub(super) struct Drawing {
+    pub(super) size: [f64; 2],
+    /// What it shows, for those who cannot see it.
+    pub(super) told: String,
+    pub(super) caption: Text,
+    pub(super) arrows: Vec<Arrow>,
+    pub(super) labels: Vec<Label>,
+}
+
+const SIZE: [f64; 2] = [400.0, 300.0];
+const CENTRE: [f64; 2] = [196.0, 178.0];
+/// Of a length of 1.
+const SCALE: f64 = 104.0;
+
+/// Where the viewer stands: so far from the character's front to its left, and so far above, degrees.
+const FROM_LEFT: f64 = 33.0;
+const FROM_ABOVE: f64 = 24.0;
+
+/// A point, given by its coordinates forward, left and up, as the viewer sees it.
+fn seen([forward, left, up]: [f64; 3]) -> [f64; 2] {
+    let ((sin_a, cos_a), (sin_e, cos_e)) = (FROM_LEFT.to_radians().sin_cos(), FROM_ABOVE.to_radians().sin_cos());
+    let right = left * cos_a - forward * sin_a;
+    let high = up * cos_e - (forward * cos_a + left * sin_a) * sin_e;
+    [CENTRE[0] + SCALE * right, CENTRE[1] - SCALE * high]
+}
+
+fn along(direction: [f64; 3], length: f64) -> [f64; 2] {
+    seen(direction.map(|c| c * length))
+}
+
+/// A bone's own axes among the directions of the character that carries it, and how heading and pitch turn it.
+pub(super) fn of_axes(frame: &Frame, turns: [bool; 2], told: String, caption: Text) -> Drawing {
+    const DIRECTIONS: [(&str, [f64; 3]); 3] =
+        [("forward", [1.0, 0.0, 0.0]), ("left", [0.0, 1.0, 0.0]), ("up", [0.0, 0.0, 1.0])];
+    let origin = seen([0.0; 3]);
+    let mut drawing = Drawing { size: SIZE, told, caption, arrows: Vec::new(), labels: Vec::new() };
+    for (name, direction) in DIRECTIONS {
+        let ink = Ink::Direction;
+        drawing.arrows.push(Arrow { points: vec![origin, along(direction, 1.42)], ink });
+        let [x, y] = along(direction, 1.6);
+        drawing.labels.push(Label { at: [x, y], text: name.to_owned(), ink });
+    }
+    // The first axis of a turn's plane is forward.
+    for (has, ink, [name, letter], towards, aside) in [
+        (turns[0], Ink::Heading, ["heading", "h"], 1, [6.0, 20.0]),
+        (turns[1], Ink::Pitch, ["pitch", "p"], 2, [-50.0, -10.0]),
+    ] {
+        if !has {
+            continue;
+        }
+        let at = |degrees: f64, radius: f64| {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            let mut point = [radius * cos, 0.0, 0.0];
+            point[towards] = radius * sin;
+            seen(point)
+        };
+        let points = (0..=16_u8).map(|k| at(4.0 + f64::from(k) * 4.5, 1.22)).collect();
+        drawing.arrows.push(Arrow { points, ink });
+        let [x, y] = at(40.0, 1.22);
+        drawing.labels.push(Label { at: [x + aside[0], y + aside[1]], text: format!("{name} {letter}"), ink });
+    }
+    for axis in 0..3 {
+        let direction = [frame.forward[axis], frame.left[axis], frame.up[axis]];
+        let ink = Ink::Axis(axis);
+        let tip = along(direction, 1.0);
+        drawing.arrows.push(Arrow { points: vec![origin, tip], ink });
+        // Beside the arrow, on the side that is further from the middle's other arrows.
+        let (dx, dy) = (tip[0] - origin[0], tip[1] - origin[1]);
+        let length = dx.hypot(dy).max(1.0);
+        let at = [origin[0] + 0.72 * dx - 19.0 * dy / length, origin[1] + 0.72 * dy + 15.0 * dx / length];
+        drawing.labels.push(Label { at, text: format!("+{}", ["X", "Y", "Z"][axis]), ink });
+    }
+    drawing
+}

@@ -1,0 +1,219 @@
+//! How derivatives are taken: one sweep over whole vectors, part by part.
+
+use aim_symbolic::print::{self, Formula, Notation};
+use aim_symbolic::{Course, Graph, Node, Passage, Rotation, RotationNode, Scalar, ScalarNode, Swept, VectorNode};
+
+use super::document::{Block, Kind, Section, Table, Text, text};
+use super::kernel::Kernel;
+use super::{rewriting, statement};
+
+pub(super) fn section(kernel: &Kernel<'_>) -> Section {
+    let mut blocks = vec![
+        Block::Paragraph(text![
+            "A derivative asks: by how much does the aim change, to first order, when an angle changes a little? The chain rule \
+             answers it one part of the expression at a time, and parts may be whole vectors. If the aim depends on a vector ",
+            Formula::vector("w"),
+            ", then ",
+            Formula::vector("w").barred(),
+            " denotes its derivative by that vector: the aim changes by ",
+            Formula::infix(Formula::vector("w").barred(), print::Sign::Dot, Formula::upright("change")),
+            " of ",
+            Formula::vector("w"),
+            ". Going from the aim back to the angles, each part hands its derivative on to the parts that it is made of. So every \
+             part is visited once, however many angles there are.",
+        ]),
+        Block::Paragraph(text![
+            "A turn is where angles come in. Differentiating the cosines and sines of its matrix gives the same matrix, followed by a \
+             quarter turn in its plane: what a turned vector moves by per radian is its own perpendicular in the plane of the \
+             turn, which is at hand already.",
+        ]),
+    ];
+    blocks.extend(self::blocks(kernel));
+    Section { id: "gradient", title: "The gradient".into(), blocks }
+}
+
+/// The sweeps, and what becomes of their results.
+pub(super) fn blocks(kernel: &Kernel<'_>) -> Vec<Block> {
+    let derivation = &kernel.derivation;
+    let mut blocks = Vec::new();
+    if !kernel.parts.is_empty() {
+        blocks.push(Block::Paragraph(text![
+            "What depends on the angles, from the inside out, with names for all parts:"
+        ]));
+        blocks.push(Block::Equations(kernel.parts.clone()));
+    }
+    blocks.extend(derivation.sweeps.iter().map(|swept| Block::Table(sweep(kernel, swept))));
+    blocks.extend(rewriting::after_derivatives(kernel));
+    blocks.push(Block::Paragraph(text!["These are the formulas that the code computes:"]));
+    blocks.push(statement::defined(&derivation.graph, &derivation.outputs, &kernel.outputs, &kernel.named));
+    blocks
+}
+
+fn sweep(kernel: &Kernel<'_>, swept: &Swept) -> Table {
+    let (caption, head, rows) = match swept.course {
+        Course::Back(scalar) => (
+            "The way back: each part’s derivative, from those of the parts that need it",
+            ["derivative", "is", "because"],
+            back(kernel, swept, scalar),
+        ),
+        Course::Forward(_) => (
+            "The way forward: each part’s change with the angle, from those of its own parts",
+            ["part", "changes by", "because"],
+            forward(kernel, swept),
+        ),
+    };
+    Table { kind: Kind::Code, caption: caption.into(), head: head.map(|name| text![name]).to_vec(), rows }
+}
+
+/// Short enough to be written wherever it is needed.
+const SHORT: usize = 3;
+
+fn back(kernel: &Kernel<'_>, swept: &Swept, scalar: Scalar) -> Vec<Vec<Text>> {
+    let g = &kernel.derivation.graph;
+    let mut notation = kernel.named.clone();
+    let place = kernel.derivation.values.iter().position(|&known| known == scalar);
+    let value = kernel.outputs[place.unwrap_or_default()].clone();
+    let mut rows = Vec::new();
+    for Passage { node, derivative, gives } in &swept.passages {
+        let symbol = if *node == Node::Scalar(scalar) {
+            Formula::derivative(value.clone(), value.clone())
+        } else {
+            print::node(g, *node, &notation).barred()
+        };
+        let right = print::node(g, *derivative, &notation);
+        rows.push(vec![text![symbol.clone()], text![right.clone()], needed_by(g, swept, *node)]);
+        // A sweep hands a derivative on unchanged through sums: then it keeps its first name.
+        if right.length() > SHORT && !notation.parts.iter().any(|(known, _)| known == derivative) {
+            notation.parts.push((*derivative, symbol));
+        }
+        for &(variable, change) in gives {
+            let by = Formula::derivative(value.clone(), kernel.variable(variable));
+            let because = match *node {
+                Node::Vector(vector) => match g.vector_node(vector) {
+                    VectorNode::Rotate(rotation, _) => {
+                        turned(g, rotation, &print::node(g, *node, &notation), &notation)
+                    }
+                    _ => text!["of this part"],
+                },
+                Node::Scalar(_) => text!["of this part"],
+            };
+            rows.push(vec![text![by], text![print::scalar(g, change, &notation)], because]);
+        }
+    }
+    rows
+}
+
+/// Why a turn gives what it gives.
+fn turned(g: &Graph, rotation: Rotation, part: &Formula, notation: &Notation) -> Text {
+    let turn = print::rotation(g, rotation, notation);
+    let back = matches!(g.rotation_node(rotation), RotationNode::Transpose(_));
+    text![
+        turn,
+        if back { " turns " } else { " turned " },
+        part.clone(),
+        if back {
+            " back: per radian it moves against its perpendicular"
+        } else {
+            ": per radian it moves along its perpendicular"
+        },
+    ]
+}
+
+/// What needs the part, and how that hands its derivative on.
+fn needed_by(g: &Graph, swept: &Swept, node: Node) -> Text {
+    let mut reasons: Vec<&'static str> = Vec::new();
+    let mut times = 0;
+    for Passage { node: needing, .. } in &swept.passages {
+        if g.parts(*needing).contains(&node) {
+            times += 1;
+            let reason = handed_on(g, *needing, node);
+            if !reasons.contains(&reason) {
+                reasons.push(reason);
+            }
+        }
+    }
+    match (reasons.as_slice(), times) {
+        ([], _) => text!["it is the value itself"],
+        (reasons, times) => {
+            let all = reasons.join("; ");
+            if times > 1 { text![format!("needed {times} times, which add up: {all}")] } else { text![all] }
+        }
+    }
+}
+
+/// How the derivative of `whole` becomes that of its part.
+fn handed_on(g: &Graph, whole: Node, part: Node) -> &'static str {
+    match whole {
+        Node::Scalar(scalar) => match g.scalar_node(scalar) {
+            ScalarNode::Dot(v, w) if v == w => "the derivative of a square is twice its root",
+            ScalarNode::Dot(..) => "a dot product changes by the change of one side, dot the other side",
+            ScalarNode::Norm(_) => "a length changes by as much as its vector moves along its own direction",
+            ScalarNode::Component(..) => "a component is a dot product with its axis",
+            ScalarNode::Reciprocal(_) => "the derivative of 1/x is −1/x²",
+            ScalarNode::Add(..) => "a sum changes as its terms do",
+            ScalarNode::Sub(_, second) if Node::Scalar(second) == part => {
+                "a difference changes against its second term"
+            }
+            ScalarNode::Sub(..) => "a difference changes as its first term does",
+            ScalarNode::Neg(_) => "the sign stays",
+            ScalarNode::Mul(..) => "a product changes by the change of one factor, times the other",
+            ScalarNode::Div(..) => "the quotient rule",
+            ScalarNode::Sqrt(_) => "the derivative of √x is 1/(2√x)",
+            _ => "the chain rule",
+        },
+        Node::Vector(vector) => match g.vector_node(vector) {
+            VectorNode::Normalize(_) => {
+                "a direction changes only by what its vector moves across it, divided by the length; a move along it changes \
+                 the length alone"
+            }
+            VectorNode::Rotate(..) => "v · R w = Rᵀ v · w, so the derivative is turned back",
+            VectorNode::Add(..) => "a sum changes as its terms do",
+            VectorNode::Sub(_, second) if Node::Vector(second) == part => {
+                "a difference changes against its second term"
+            }
+            VectorNode::Sub(..) => "a difference changes as its first term does",
+            VectorNode::Neg(_) => "the sign stays",
+            VectorNode::Scale(..) => "a product changes by the change of one factor, times the other",
+            VectorNode::Perp(..) => "the quarter turn is turned back",
+            VectorNode::Cross(..) => "the product rule for the cross product",
+            _ => "the chain rule",
+        },
+    }
+}
+
+fn forward(kernel: &Kernel<'_>, swept: &Swept) -> Vec<Vec<Text>> {
+    let g = &kernel.derivation.graph;
+    let mut notation = kernel.named.clone();
+    let mut rows = Vec::new();
+    for Passage { node, derivative, .. } in &swept.passages {
+        let place = kernel.derivation.values.iter().position(|&value| *node == Node::Scalar(value));
+        let symbol = place.map_or_else(|| print::node(g, *node, &notation), |place| kernel.outputs[place].clone());
+        let right = print::node(g, *derivative, &notation);
+        let because = match *node {
+            Node::Vector(vector) => match g.vector_node(vector) {
+                VectorNode::Rotate(rotation, inner) => {
+                    let turns = turned(g, rotation, &symbol, &notation);
+                    let moves = swept.passages.iter().any(|passage| passage.node == Node::Vector(inner));
+                    if moves { text!["the rotation takes the change along"] } else { turns }
+                }
+                VectorNode::Normalize(_) => {
+                    text!["a direction changes only by what its vector moves across it, divided by the length"]
+                }
+                VectorNode::Add(..) | VectorNode::Sub(..) => text!["a sum changes as its terms do"],
+                _ => text!["the product rule"],
+            },
+            Node::Scalar(scalar) => match g.scalar_node(scalar) {
+                ScalarNode::Dot(..) => text!["a dot product changes by the change of one side, dot the other side"],
+                ScalarNode::Norm(_) => text!["a length changes by as much as its vector moves along its own direction"],
+                ScalarNode::Reciprocal(_) => text!["the derivative of 1/x is −1/x²"],
+                ScalarNode::Add(..) | ScalarNode::Sub(..) => text!["a sum changes as its terms do"],
+                _ => text!["the product rule"],
+            },
+        };
+        rows.push(vec![text![symbol.clone()], text![right.clone()], because]);
+        if right.length() > SHORT && !notation.parts.iter().any(|(known, _)| known == derivative) {
+            notation.parts.push((*derivative, symbol.barred()));
+        }
+    }
+    rows
+}

@@ -1,0 +1,212 @@
+//! The document for a LaTeX compiler, with amsmath, longtable and `TikZ`.
+
+use std::fmt::Write;
+
+use aim_symbolic::print::{Formula, Sign, latex};
+
+use super::document::{Block, Document, Equation, Inline, Kind, Rewriting, Table};
+use super::drawing::{Drawing, Ink};
+
+const PREAMBLE: &str = r"\documentclass{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{amsmath}
+\usepackage{array}
+\usepackage{longtable}
+\usepackage{tikz}
+\usepackage[margin=22mm]{geometry}
+\allowdisplaybreaks
+\renewcommand{\arraystretch}{1.25}
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{6pt}
+\begin{document}
+";
+
+/// The document's text.
+pub(crate) fn text(document: &Document) -> String {
+    let mut out = format!("% Written by aim {}. Do not edit: write it again.\n", env!("CARGO_PKG_VERSION"));
+    out += PREAMBLE;
+    let _ = write!(out, "\\title{{{}}}\n\\date{{}}\n\\maketitle\n", plain(&document.title));
+    blocks(&mut out, &document.lead);
+    out += "\\tableofcontents\n";
+    for section in &document.sections {
+        let _ = writeln!(out, "\n\\section{{{}}}\\label{{{}}}", plain(&section.title), section.id);
+        blocks(&mut out, &section.blocks);
+    }
+    out + "\\end{document}\n"
+}
+
+fn blocks(out: &mut String, all: &[Block]) {
+    for block in all {
+        out.push('\n');
+        self::block(out, block);
+    }
+}
+
+fn block(out: &mut String, block: &Block) {
+    let _ = match block {
+        Block::Paragraph(text) => writeln!(out, "{}", line(text)),
+        Block::Heading(text) => writeln!(out, "\\subsection*{{{}}}", line(text)),
+        Block::Equations(lines) => {
+            let lines: Vec<String> = lines.iter().map(equation).collect();
+            writeln!(out, "\\begin{{align*}}\n{}\n\\end{{align*}}", lines.join(" \\\\\n"))
+        }
+        Block::Rewritings(all) => {
+            let lines: Vec<String> = all.iter().map(rewriting).collect();
+            writeln!(out, "\\begin{{gather*}}\n{}\n\\end{{gather*}}", lines.join(" \\\\\n"))
+        }
+        Block::Table(table) => {
+            self::table(out, table);
+            Ok(())
+        }
+        Block::Drawings(all) => {
+            all.iter().for_each(|one| drawing(out, one));
+            Ok(())
+        }
+        Block::Fold(summary, inner) => {
+            let _ = writeln!(out, "\\subsubsection*{{{}}}", line(summary));
+            blocks(out, inner);
+            Ok(())
+        }
+    };
+}
+
+fn line(text: &[Inline]) -> String {
+    text.iter().map(inline).collect()
+}
+
+fn inline(part: &Inline) -> String {
+    match part {
+        Inline::Text(text) => plain(text),
+        Inline::Strong(text) => format!("\\textbf{{{}}}", plain(text)),
+        Inline::Emphasis(text) => format!("\\emph{{{}}}", plain(text)),
+        Inline::Code(text) => format!("\\texttt{{{}}}", plain(text)),
+        Inline::Math(formula) => format!("${}$", latex(formula)),
+    }
+}
+
+fn equation(Equation { left, right, paper }: &Equation) -> String {
+    let number = paper.map_or_else(String::new, |number| format!(" && \\text{{paper ({number})}}"));
+    format!("{} &= {}{number}", latex(left), latex(right))
+}
+
+fn rewriting(one: &Rewriting) -> String {
+    let mut text = latex(&Formula::infix(one.from.clone(), Sign::Becomes, one.to.clone()));
+    if one.times > 1 {
+        let _ = write!(text, " \\qquad \\text{{({} times)}}", one.times);
+    }
+    if !one.letters.is_empty() {
+        let equal = |(letter, meaning): &(Formula, Formula)| format!("{} = {}", latex(letter), latex(meaning));
+        let letters: Vec<String> = one.letters.iter().map(equal).collect();
+        let _ = write!(text, r" \qquad \text{{with }} {}", letters.join(r",\ "));
+    }
+    text
+}
+
+fn table(out: &mut String, table: &Table) {
+    let columns = table.head.len();
+    let layout = match table.kind {
+        Kind::Numbers => "l".to_owned() + &"r".repeat(columns.saturating_sub(1)),
+        Kind::Facts | Kind::Code => widths(table)
+            .iter()
+            .map(|width| format!(">{{\\raggedright\\arraybackslash}}p{{{width:.3}\\linewidth}}"))
+            .collect(),
+    };
+    let row = |cells: &[Vec<Inline>]| cells.iter().map(|cell| line(cell)).collect::<Vec<_>>().join(" & ");
+    let size = if table.kind == Kind::Code { "\\scriptsize" } else { "\\small" };
+    let _ = writeln!(out, "{{{size}\n\\begin{{longtable}}{{{layout}}}");
+    let _ = writeln!(out, "\\multicolumn{{{columns}}}{{l}}{{{}}} \\\\\n\\hline", plain(&table.caption));
+    let _ = writeln!(out, "{} \\\\\n\\hline\n\\endhead", row(&table.head));
+    for cells in &table.rows {
+        let _ = writeln!(out, "{} \\\\", row(cells));
+    }
+    *out += "\\hline\n\\end{longtable}}\n";
+}
+
+/// The columns' widths, as parts of the line's: by their longest cells.
+fn widths(table: &Table) -> Vec<f64> {
+    /// Of the space between two columns.
+    const GAP: f64 = 0.026;
+    let length = |cell: &Vec<Inline>| -> u32 {
+        let length = |part: &Inline| match part {
+            Inline::Text(text) | Inline::Strong(text) | Inline::Emphasis(text) | Inline::Code(text) => {
+                text.chars().count()
+            }
+            Inline::Math(formula) => formula.length(),
+        };
+        u32::try_from(cell.iter().map(length).sum::<usize>().clamp(6, 44)).unwrap_or(44)
+    };
+    let longest = |column: usize| {
+        let cells = table.rows.iter().chain([&table.head]).filter_map(|row| row.get(column));
+        f64::from(cells.map(length).max().unwrap_or(6))
+    };
+    let longest: Vec<f64> = (0..table.head.len()).map(longest).collect();
+    let all: f64 = longest.iter().sum();
+    longest.iter().map(|one| one / all - GAP).map(|width| width.max(0.02)).collect()
+}
+
+fn drawing(out: &mut String, drawing: &Drawing) {
+    // Of its points.
+    const UNIT: f64 = 0.022;
+    let at = |[x, y]: [f64; 2]| format!("({:.2},{:.2})", UNIT * x, UNIT * (drawing.size[1] - y));
+    *out += "\\begin{tikzpicture}[>=stealth]\n";
+    for arrow in &drawing.arrows {
+        let points: Vec<String> = arrow.points.iter().map(|&point| at(point)).collect();
+        let _ = writeln!(out, "\\draw[->,{}] {};", ink(arrow.ink), points.join(" -- "));
+    }
+    for label in &drawing.labels {
+        let _ = writeln!(out, "\\node[{}] at {} {{{}}};", ink(label.ink), at(label.at), plain(&label.text));
+    }
+    let _ = writeln!(out, "\\end{{tikzpicture}}\n\n{}\n", line(&drawing.caption));
+}
+
+fn ink(ink: Ink) -> &'static str {
+    match ink {
+        Ink::Axis(0) => "thick,red!75!black",
+        Ink::Axis(1) => "thick,green!50!black",
+        Ink::Axis(_) => "thick,blue!75!black",
+        Ink::Direction => "dotted,gray",
+        Ink::Heading => "violet",
+        Ink::Pitch => "orange!70!black",
+    }
+}
+
+/// Text without what LaTeX reads as orders; letters that its fonts lack as formulas.
+fn plain(text: &str) -> String {
+    let mut out = String::new();
+    for letter in text.chars() {
+        match letter {
+            '\\' => out += r"\textbackslash{}",
+            '{' | '}' | '_' | '&' | '%' | '$' | '#' => out.extend(['\\', letter]),
+            '^' => out += r"\textasciicircum{}",
+            '~' => out += r"\textasciitilde{}",
+            '<' => out += "$<$",
+            '>' => out += "$>$",
+            '−' => out += "$-$",
+            '×' => out += r"$\times$",
+            '·' => out += r"$\cdot$",
+            '∂' => out += r"$\partial$",
+            'π' => out += r"$\pi$",
+            '½' => out += r"$\tfrac12$",
+            '≤' => out += r"$\leq$",
+            '°' => out += r"$^\circ$",
+            'ᵀ' => out += r"$^{\mathrm T}$",
+            '⁻' => out += "$^-$",
+            '±' => out += r"$\pm$",
+            '→' => out += r"$\to$",
+            '√' => out += r"$\surd$",
+            '⁰' | '¹' | '²' | '³' | '⁴' | '⁵' | '⁶' | '⁷' | '⁸' | '⁹' => {
+                let digit = "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == letter).unwrap_or_default();
+                let _ = write!(out, "$^{digit}$");
+            }
+            '…' => out += r"\ldots{}",
+            '–' => out += "--",
+            '“' => out += "``",
+            '”' => out += "''",
+            '’' => out += "'",
+            '\u{a0}' | '\u{202f}' => out.push('~'),
+            letter => out.push(letter),
+        }
+    }
+    out
+}

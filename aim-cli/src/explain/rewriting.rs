@@ -1,0 +1,207 @@
+//! The steps that bring the operation count down: which rules, why, on what, and what is left.
+
+use std::ops::Range;
+
+use aim_codegen::Objective;
+use aim_codegen::objective::{JointInputs, notation};
+use aim_symbolic::print::{self, Formula, Notation, rewriting};
+use aim_symbolic::{Graph, Rewrite, Step, reason};
+
+use super::counted;
+use super::document::{Block, Inline, Kind, Rewriting, Section, Table, Text, text};
+use super::kernel::Kernel;
+use super::statement::defined;
+
+/// Rewriting the first joint's aim.
+pub(super) fn section(kernel: &Kernel<'_>) -> Section {
+    let mut blocks = vec![Block::Paragraph(text![
+        "The statement is right, but as it stands it is dear, and so are its derivatives. Rules rewrite it. Each looks at one \
+         part of the expression and replaces it by another of the same value, whatever the inputs are. The number beside a step \
+         counts additions, multiplications, divisions and roots of the whole program, derivatives included, if rewriting \
+         stopped there. Sines and cosines are given, and a change of sign is free.",
+    ])];
+    blocks.extend(self::blocks(kernel));
+    Section { id: "rewriting", title: "Rewriting the aim".into(), blocks }
+}
+
+/// Everything up to where derivatives are taken.
+pub(super) fn blocks(kernel: &Kernel<'_>) -> Vec<Block> {
+    let derivation = &kernel.derivation;
+    let overview = Block::Table(overview(&derivation.steps));
+    let summary = format!("All {} at a glance", counted(derivation.steps.len(), "step"));
+    let mut blocks = vec![if kernel.is_small() { overview } else { Block::Fold(text![summary], vec![overview]) }];
+    let mut told = Told::default();
+    blocks.extend(arithmetic(kernel, &mut told));
+    blocks.push(Block::Heading(text!["Rotations to where they cancel"]));
+    blocks.extend(steps(kernel, 0..derivation.before_sweeps, &kernel.notation, &mut told));
+    blocks.push(Block::Paragraph(text!["So this is what derivatives are taken of:"]));
+    blocks.push(defined(&derivation.graph, &derivation.values, kernel.values(), &kernel.notation));
+    blocks
+}
+
+/// What comes after derivatives have been taken.
+pub(super) fn after_derivatives(kernel: &Kernel<'_>) -> Vec<Block> {
+    let derivation = &kernel.derivation;
+    let range = derivation.before_sweeps..derivation.rewrites.len();
+    let mut blocks = steps(kernel, range, &kernel.named, &mut Told::default());
+    if !blocks.is_empty() {
+        let words = "The derivatives are expressions as any other, and rules rewrite them, too:";
+        blocks.insert(0, Block::Paragraph(text![words]));
+    }
+    blocks
+}
+
+/// The counts in a row.
+fn overview(steps: &[Step]) -> Table {
+    let most = steps.first().map_or(0, |step| step.before.total());
+    let share = |count: usize| {
+        let permille = 1000 * count / most.max(1);
+        format!("{}.{} %", permille / 10, permille % 10)
+    };
+    let row = |place: usize, rules: Text, count: usize| {
+        vec![text![place.to_string()], rules, text![count.to_string()], text![share(count)]]
+    };
+    let mut rows = vec![row(0, text!["as stated"], most)];
+    for (place, step) in steps.iter().enumerate() {
+        let rules: Vec<String> = step.rules.iter().map(|&(name, times)| name.to_owned() + &multiplied(times)).collect();
+        rows.push(row(place + 1, text![rules.join(", ")], step.after.total()));
+    }
+    let head = ["step", "rules", "operations", "of the statement’s"];
+    Table {
+        kind: Kind::Facts,
+        caption: "Which rules brought the count from what to what".into(),
+        head: head.map(|name| text![name]).to_vec(),
+        rows,
+    }
+}
+
+fn multiplied(times: usize) -> String {
+    if times > 1 { format!(" (×{times})") } else { String::new() }
+}
+
+/// The rules whose reasons have been given.
+#[derive(Default)]
+struct Told(Vec<&'static str>);
+
+impl Told {
+    /// The rule with its reason, at the first time.
+    fn rule(&mut self, rule: &'static str, times: usize) -> Block {
+        let name = Inline::Strong(sentence(rule));
+        if self.0.contains(&rule) {
+            return Block::Paragraph(text![name, format!("{}.", multiplied(times))]);
+        }
+        self.0.push(rule);
+        let reason = reason(rule).unwrap_or_default();
+        Block::Paragraph(text![name, format!("{}. {reason}", multiplied(times))])
+    }
+}
+
+/// As at the start of a sentence.
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// The rules of arithmetic, which come first.
+fn arithmetic(kernel: &Kernel<'_>, told: &mut Told) -> Vec<Block> {
+    let derivation = &kernel.derivation;
+    let first: Vec<(usize, &Step)> =
+        derivation.steps.iter().enumerate().filter(|(_, step)| step.rewrites == 0).collect();
+    if first.is_empty() {
+        return Vec::new();
+    }
+    let mut blocks = vec![
+        Block::Heading(text!["Arithmetic"]),
+        Block::Paragraph(text![
+            "Vectors have three components and rotations nine, and many of those are 0 or ±1. What any compiler of formulas does \
+             with them comes first, so that what the other rules gain is theirs alone.",
+        ]),
+    ];
+    if kernel.is_small() {
+        blocks.push(Block::Paragraph(text![
+            "For instance, the effector’s direction in the joint’s space needs no operation:"
+        ]));
+        blocks.push(example(kernel));
+    }
+    for (place, step) in first {
+        blocks.push(heading(place, step));
+        blocks.extend(step.rules.iter().map(|&(rule, times)| told.rule(rule, times)));
+    }
+    blocks
+}
+
+/// The effector's direction in components: of nine products hardly one is left.
+fn example(kernel: &Kernel<'_>) -> Block {
+    let mut g = Graph::new();
+    let inputs = JointInputs::declare(&mut g);
+    let forward = g.constant_vector(kernel.spec.effector.frame.forward);
+    let turned = g.rotate(inputs.effector_to_joint.rotation, forward);
+    let notation = notation(kernel.spec, Objective::Joint(0));
+    let left = print::vector(&g, turned, &notation);
+    let components = g.in_components(turned).map(|c| vec![print::scalar(&g, c, &notation)]);
+    Block::Equations(vec![(left, Formula::Matrix(components.to_vec())).into()])
+}
+
+fn heading(place: usize, step: &Step) -> Block {
+    Block::Heading(text![format!(
+        "Step {}: {} → {}",
+        place + 1,
+        step.before.total(),
+        counted(step.after.total(), "operation")
+    )])
+}
+
+/// The steps of these rewrites.
+fn steps(kernel: &Kernel<'_>, range: Range<usize>, notation: &Notation, told: &mut Told) -> Vec<Block> {
+    let derivation = &kernel.derivation;
+    let mut blocks = Vec::new();
+    let mut from = range.start;
+    for (place, step) in derivation.steps.iter().enumerate() {
+        if step.rewrites <= from || step.rewrites > range.end {
+            continue;
+        }
+        blocks.push(heading(place, step));
+        blocks.extend(applied(kernel, &derivation.rewrites[from..step.rewrites], notation, told));
+        from = step.rewrites;
+        if kernel.is_small() {
+            let (g, outputs) = derivation.stopped_after(step.rewrites);
+            let names = if step.rewrites <= derivation.before_sweeps { kernel.values() } else { &kernel.outputs };
+            blocks.push(Block::Paragraph(text!["That leaves"]));
+            blocks.push(defined(&g, &outputs[..names.len()], names, notation));
+        }
+    }
+    let rest = &derivation.rewrites[from..range.end];
+    if !rest.is_empty() {
+        let summary = format!("{} without effect on the count by now", counted(rest.len(), "more rewriting"));
+        blocks.push(Block::Fold(text![summary], applied(kernel, rest, notation, told)));
+    }
+    blocks
+}
+
+/// Rules with their reasons, and what they were applied to.
+fn applied(kernel: &Kernel<'_>, rewrites: &[Rewrite], notation: &Notation, told: &mut Told) -> Vec<Block> {
+    let mut rules: Vec<(&'static str, usize, Vec<Rewriting>)> = Vec::new();
+    let g = &kernel.derivation.graph;
+    for rewrite in rewrites {
+        let one = shown(g, rewrite, notation, kernel.is_small());
+        match rules.iter_mut().find(|(rule, ..)| *rule == rewrite.rule) {
+            Some((_, times, all)) => {
+                *times += 1;
+                match all.iter_mut().find(|known| known.is_like(&one)) {
+                    Some(known) => known.times += 1,
+                    None => all.push(one),
+                }
+            }
+            None => rules.push((rewrite.rule, 1, vec![one])),
+        }
+    }
+    let block =
+        |(rule, times, all): (&'static str, usize, Vec<Rewriting>)| [told.rule(rule, times), Block::Rewritings(all)];
+    rules.into_iter().flat_map(block).collect()
+}
+
+/// A rewriting with letters for what stays as it is; what those stand for where there is room for it.
+fn shown(g: &Graph, rewrite: &Rewrite, notation: &Notation, with_letters: bool) -> Rewriting {
+    let ([from, to], letters): ([Formula; 2], _) = rewriting(g, rewrite.from, rewrite.to, notation);
+    Rewriting { from, to, times: 1, letters: if with_letters { letters } else { Vec::new() } }
+}

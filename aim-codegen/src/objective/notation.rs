@@ -1,0 +1,67 @@
+//! What people call the inputs of the objectives: the paper's letters, as far as it has any.
+
+use aim_symbolic::print::{Formula, Notation};
+
+use super::Objective;
+use super::statement::{HEADING, PITCH};
+use crate::{Frame, RigSpec};
+
+/// The symbols of an objective's formulas.
+///
+/// **P** is the target, M and **t** the effector's rotation and place in a joint's space, Lᵢ and **t**ᵢ those of link i, p and
+/// h (with i in a chain) pitch and heading, B the bones' axes, **f**, **l**, **u** the effector's; J turns by a quarter.
+pub fn notation(spec: &RigSpec, objective: Objective) -> Notation {
+    let mut inputs = vec![("target".to_owned(), Formula::vector("P"))];
+    match objective {
+        Objective::Joint(_) => {
+            inputs.extend([
+                ("m".to_owned(), Formula::italic("M")),
+                ("m_t".to_owned(), Formula::vector("t")),
+                ("p".to_owned(), Formula::italic("p")),
+                ("h".to_owned(), Formula::italic("h")),
+            ]);
+        }
+        Objective::ChainAim | Objective::ChainResidual => {
+            inputs.extend((0..spec.joints.len()).flat_map(|i| {
+                [
+                    (format!("l{i}"), Formula::italic("L").numbered(i)),
+                    (format!("l{i}_t"), Formula::vector("t").numbered(i)),
+                    (format!("p{i}"), Formula::italic("p").numbered(i)),
+                    (format!("h{i}"), Formula::italic("h").numbered(i)),
+                ]
+            }));
+        }
+    }
+    let Frame { up, forward, left } = spec.effector.frame;
+    let quarter = |angle| Formula::italic("J").indexed(Formula::italic(angle));
+    Notation {
+        inputs,
+        vectors: vec![(forward, Formula::vector("f")), (left, Formula::vector("l")), (up, Formula::vector("u"))],
+        bases: basis_symbols(spec).into_iter().map(|(frame, symbol, _)| (images(&frame), symbol)).collect(),
+        planes: vec![(HEADING, quarter("h")), (PITCH, quarter("p"))],
+        parts: Vec::new(),
+        grouped: false,
+    }
+}
+
+/// Each distinct frame of the joints with its symbol and the joints that have it: B where there is one, else with the
+/// number of the first of its joints.
+pub fn basis_symbols(spec: &RigSpec) -> Vec<(Frame, Formula, Vec<usize>)> {
+    let mut frames: Vec<(Frame, Vec<usize>)> = Vec::new();
+    for (i, joint) in spec.joints.iter().enumerate() {
+        match frames.iter_mut().find(|(frame, _)| *frame == joint.frame) {
+            Some((_, joints)) => joints.push(i),
+            None => frames.push((joint.frame, vec![i])),
+        }
+    }
+    let is_one = frames.len() == 1;
+    let symbol = |first: usize| {
+        let symbol = Formula::italic("B");
+        if is_one { symbol } else { symbol.numbered(first) }
+    };
+    frames.into_iter().map(|(frame, joints)| (frame, symbol(joints[0]), joints)).collect()
+}
+
+fn images(frame: &Frame) -> [[f64; 3]; 3] {
+    [frame.forward, frame.left, frame.up]
+}
