@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use std::rc::Rc;
 
 use eframe::egui;
+use image::ImageEncoder as _;
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 
 use crate::app::{After, App};
 use crate::character::Character;
@@ -106,8 +108,7 @@ fn photographer(shot: Shot, told: Rc<RefCell<Result<String, String>>>) -> After 
             })
         });
         if let Some(image) = image {
-            let size = image.size.map(|side| u32::try_from(side).unwrap_or(u32::MAX));
-            let saved = image::save_buffer(&shot.out, image.as_raw(), size[0], size[1], image::ColorType::Rgba8);
+            let saved = save(&image, &shot.out);
             let name = shot.out.display();
             *told.borrow_mut() = saved
                 .map(|()| if shot.json { viewer.state() } else { format!("{name}: {}", viewer.caption()) })
@@ -117,4 +118,15 @@ fn photographer(shot: Shot, told: Rc<RefCell<Result<String, String>>>) -> After 
             context.send_viewport_cmd(egui::ViewportCommand::Screenshot(egui::UserData::default()));
         }
     })
+}
+
+/// Writes a picture as PNG, as small as it gets, whole or not at all.
+fn save(image: &egui::ColorImage, out: &std::path::Path) -> Result<(), String> {
+    let [width, height] = image.size.map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+    let opaque: Vec<u8> = image.as_raw().chunks_exact(4).flat_map(|pixel| &pixel[..3]).copied().collect();
+    let mut png = Vec::new();
+    PngEncoder::new_with_quality(&mut png, CompressionType::Best, FilterType::Adaptive)
+        .write_image(&opaque, width, height, image::ExtendedColorType::Rgb8)
+        .map_err(|error| format!("{}: {error}", out.display()))?;
+    aim_gltf::write_file(out, &png).map_err(|error| error.to_string())
 }

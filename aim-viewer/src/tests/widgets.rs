@@ -433,7 +433,7 @@ fn programs_are_told_where_the_target_is_and_how_far_off_the_gaze() {
     window.frames(60);
     let state = window.viewer().state();
     let [x, y, z] = window.viewer().stage.target_now().to_array();
-    let egui::Pos2 { x: right, y: down } = window.seen(glam::Vec3::new(x, y, z));
+    let Pos2 { x: right, y: down } = window.seen(glam::Vec3::new(x, y, z));
     let told = format!(
         r#"[{{"solver":"natural","status":"Reached","error_deg":0.0000,"target":[{x:.4},{y:.4},{z:.4}],"target_seen":[{right:.4},{down:.4}]"#
     );
