@@ -6,7 +6,7 @@ use std::sync::Arc;
 use aim_character::{MANNEQUIN_RIG, Proposal, propose};
 use aim_codegen::RigSpec;
 use aim_codegen::declare::from_toml;
-use aim_gltf::{ChainNodes, Clip, Document, Measurement, PAPER_AXES, Skeleton, Surface, mannequin};
+use aim_gltf::{ChainNodes, Clip, Document, Error, Measurement, PAPER_AXES, Skeleton, Surface, mannequin};
 use glam::{DVec3, Vec3};
 
 /// The height that a character's size is told by, metres.
@@ -46,8 +46,11 @@ impl Character {
     /// # Errors
     /// Files that cannot be read or do not fit, in words that name them.
     pub(crate) fn open(file: &Path, rig: Option<&Path>) -> Result<Self, String> {
-        let shown = file.display();
-        let document = Document::load(file).map_err(|error| format!("{shown}: {error}"))?;
+        let document = Document::load(file).map_err(|error| match &error {
+            // Named already.
+            Error::Read { path, .. } | Error::NotAFile { path } if path == file => error.to_string(),
+            _ => format!("{}: {error}", file.display()),
+        })?;
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         let text = rig.map(|rig| read(rig).map(|text| (rig.display().to_string(), text))).transpose()?;
         Self::new(&name, document, text.as_ref().map(|(name, text)| (name.as_str(), text.as_str())))

@@ -84,7 +84,7 @@ pub fn run(options: Options) -> Result<String, String> {
     #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let size = size.map(|side| side as f32);
     let viewport = egui::ViewportBuilder::default().with_title("aim").with_inner_size(size).with_drag_and_drop(true);
-    let native = eframe::NativeOptions { viewport, multisampling: 4, depth_buffer: 24, ..Default::default() };
+    let native = eframe::NativeOptions { viewport, ..Default::default() };
     let told = Rc::new(RefCell::new(Ok(String::new())));
     let fixed = options.shot.as_ref().map(|_| SIXTIETH);
     let after: After = match options.shot {
@@ -92,8 +92,21 @@ pub fn run(options: Options) -> Result<String, String> {
         None => Box::new(|_, _| ()),
     };
     let app = App { viewer, fixed, after };
-    eframe::run_native("aim", native, Box::new(|_| Ok(Box::new(app)))).map_err(|error| error.to_string())?;
+    eframe::run_native("aim", native, Box::new(|_| Ok(Box::new(app)))).map_err(|error| in_words(&error))?;
     told.replace(Ok(String::new()))
+}
+
+/// Why there is no window.
+fn in_words(error: &eframe::Error) -> String {
+    const NO_OPENGL: &str = "there is no OpenGL 3 to draw with, by hardware or software";
+    match error {
+        eframe::Error::WinitEventLoop(_) => "no window can be opened: is there a display, and does DISPLAY or \
+                                             WAYLAND_DISPLAY name it? With --screenshot none is needed"
+            .into(),
+        eframe::Error::Winit(error) => format!("no window can be opened: {error}"),
+        eframe::Error::NoGlutinConfigs(_, error) => format!("{NO_OPENGL}: {error}"),
+        other => format!("{NO_OPENGL}: {other}"),
+    }
 }
 
 /// Waits for its frame, asks for the screen, writes it, and closes the window.

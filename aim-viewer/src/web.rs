@@ -26,9 +26,8 @@ pub async fn start(canvas: &str) -> Result<(), String> {
         let _ = told.set_attribute(STATE, &viewer.state());
     });
     let app = App { viewer, fixed: None, after };
-    let options = eframe::WebOptions { depth_buffer: 24, ..Default::default() };
     eframe::WebRunner::new()
-        .start(element, options, Box::new(|_| Ok(Box::new(app))))
+        .start(element, eframe::WebOptions::default(), Box::new(|_| Ok(Box::new(app))))
         .await
         .map_err(|error| error.as_string().unwrap_or_else(|| "this browser has no WebGL 2".into()))
 }

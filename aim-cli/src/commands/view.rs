@@ -98,8 +98,8 @@ mod hidden {
         let has_display = ["DISPLAY", "WAYLAND_DISPLAY"].iter().any(|name| std::env::var_os(name).is_some());
         match status {
             Ok(status) if status.success() => Ok(Some(Ok(()))),
-            // It has said why.
-            Ok(status) => std::process::exit(status.code().unwrap_or(2)),
+            // It has said why; other codes are those of the display.
+            Ok(status) => std::process::exit(if status.code() == Some(1) { 1 } else { 2 }),
             Err(_) if has_display => Ok(None),
             Err(_) => Err(Failure::input(
                 "there is no display to draw on; install xvfb (its xvfb-run gives a hidden one), or set DISPLAY",
