@@ -55,7 +55,7 @@ const until = async (what, holds) => {
 };
 /// The scene's pixels (without the panel and the plots), as the browser shows them.
 const scene = async (path) => page.screenshot({ path, clip: { x: 0, y: 0, width: 600, height: 380 } });
-/// The share of bytes in which two screenshots differ once decoded.
+/// The share of pixels in which two screenshots differ once decoded.
 const difference = async (one, other) =>
   page.evaluate(
     async (shots) => {

@@ -1,4 +1,4 @@
-//! The window's frame: the viewer's picture onto the screen, and pictures of the screen into files.
+//! The window's frame: the viewer's picture onto the screen.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -7,6 +7,7 @@ use eframe::{egui, egui_glow};
 
 use crate::draw::{Canvas, Place};
 use crate::picture::Picture;
+use crate::stage::SIXTIETH;
 use crate::viewer::Viewer;
 
 thread_local! {
@@ -17,8 +18,8 @@ thread_local! {
 /// The viewer in a window, or on a page.
 pub(crate) struct App {
     pub(crate) viewer: Viewer,
-    /// The length of a frame where time is counted in frames; as long as it took otherwise.
-    pub(crate) fixed: Option<f32>,
+    /// So many frames of a sixtieth of a second, and then no more time; without it a frame is as long as it took.
+    pub(crate) frames: Option<u32>,
     pub(crate) after: After,
 }
 
@@ -28,7 +29,14 @@ pub(crate) type After = Box<dyn FnMut(&egui::Context, &Viewer)>;
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         let context = ui.ctx().clone();
-        let seconds = self.fixed.unwrap_or_else(|| context.input(|input| input.unstable_dt));
+        let seconds = match &mut self.frames {
+            Some(0) => 0.0,
+            Some(left) => {
+                *left -= 1;
+                SIXTIETH
+            }
+            None => context.input(|input| input.unstable_dt),
+        };
         self.viewer.ui(ui, seconds, paint);
         if let Some(trouble) =
             CANVAS.with_borrow(|canvas| canvas.as_ref().and_then(|canvas| canvas.as_ref().err().cloned()))

@@ -37,6 +37,26 @@ impl Camera {
         self.distance = (self.distance * factor).clamp(0.15 * metre, 60.0 * metre);
     }
 
+    /// Moves so that all these points are in sight, with some room around them, in a scene of this shape.
+    pub(crate) fn fit(&mut self, points: &[Vec3], scene: Vec2) {
+        /// The points fill so much of the scene.
+        const FILLED: f32 = 0.8;
+        let axes = self.axes();
+        let along = |at: &Vec3| Vec3::from_array(axes.map(|axis| at.dot(axis)));
+        let Some(first) = points.first().map(along) else { return };
+        let (low, high) = points.iter().map(along).fold((first, first), |(lo, hi), at| (lo.min(at), hi.max(at)));
+        let middle = (low + high) / 2.0;
+        let tall = FILLED * (Self::FIELD / 2.0).tan();
+        let wide = tall * if scene.y > 0.0 { (scene.x / scene.y).max(0.1) } else { 1.0 };
+        let away = |at: &Vec3| {
+            let from = along(at) - middle;
+            from.z + (from.x.abs() / wide).max(from.y.abs() / tall)
+        };
+        let [right, up, out] = axes;
+        self.focus = right * middle.x + up * middle.y + out * middle.z;
+        self.distance = points.iter().map(away).fold(self.distance, f32::max);
+    }
+
     /// From the focus to the camera, of length one.
     fn out(&self) -> Vec3 {
         let [up, forward, left] = self.directions;
@@ -97,6 +117,19 @@ mod tests {
         let seen = camera.project(Vec3::new(0.5, 1.2, 0.0), size).expect("it is in front");
         assert!(seen.x > 400.0 && seen.y < 300.0, "{seen}");
         assert_eq!(camera.project(Vec3::Z * 10.0, size), None);
+    }
+
+    #[test]
+    fn what_is_fitted_is_in_sight() {
+        let points = [Vec3::ZERO, Vec3::new(3.0, 1.0, 0.5), Vec3::new(-1.0, 2.0, -2.0), Vec3::new(0.5, 0.2, 3.0)];
+        for size in [Vec2::new(800.0, 300.0), Vec2::new(300.0, 800.0), Vec2::new(500.0, 500.0)] {
+            let mut camera = camera();
+            camera.fit(&points, size);
+            for point in points {
+                let seen = camera.project(point, size).expect("it is in front") / size;
+                assert!(seen.min_element() > 0.05 && seen.max_element() < 0.95, "{point} at {seen} of {size}");
+            }
+        }
     }
 
     #[test]

@@ -79,8 +79,8 @@ pub(crate) fn colour_of_joint(at: usize) -> Colour {
 pub(crate) fn colour_of(status: Status) -> Colour {
     match status {
         Status::Reached => GREEN,
-        Status::RateLimited => BLUE,
-        Status::AtLimit => ORANGE,
+        Status::RateLimited => ORANGE,
+        Status::AtLimit => VERMILION,
         Status::Behind => PURPLE,
         _ => VERMILION,
     }
@@ -119,7 +119,7 @@ impl Stage {
     }
 
     fn figure(&self, frame: &Frame, shift: Vec3) -> Figure {
-        let mut figure = Figure { positions: Vec::new(), normals: Vec::new(), tint: [255; 4] };
+        let mut figure = Figure { positions: Vec::new(), normals: Vec::new() };
         let Character { surface, document, .. } = &self.character;
         surface.pose(document.skeleton(), &frame.world, &mut figure.positions, &mut figure.normals);
         figure.positions.iter_mut().for_each(|at| *at += shift);

@@ -11,7 +11,7 @@ use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use crate::app::{After, App};
 use crate::character::Character;
 use crate::gizmos::Shown;
-use crate::stage::{Lineup, SIXTIETH};
+use crate::stage::Lineup;
 use crate::target::Path;
 use crate::viewer::Viewer;
 
@@ -54,6 +54,7 @@ impl Options {
         stage.tuning.lineup = self.lineup.unwrap_or(stage.tuning.lineup);
         stage.tuning.crowd = self.crowd.max(1);
         stage.target.path = self.path;
+        stage.counts_frames = self.shot.is_some();
         stage.advance(0.0);
         viewer.shown = self.shown;
         viewer.step_back();
@@ -85,13 +86,16 @@ pub fn run(options: Options) -> Result<String, String> {
     let size = size.map(|side| side as f32);
     let viewport = egui::ViewportBuilder::default().with_title("aim").with_inner_size(size).with_drag_and_drop(true);
     let native = eframe::NativeOptions { viewport, ..Default::default() };
-    let told = Rc::new(RefCell::new(Ok(String::new())));
-    let fixed = options.shot.as_ref().map(|_| SIXTIETH);
+    let frames = options.shot.as_ref().map(|shot| shot.frames);
+    let told = Rc::new(RefCell::new(match &options.shot {
+        Some(shot) => Err(format!("{}: the window was closed before the picture was taken", shot.out.display())),
+        None => Ok(String::new()),
+    }));
     let after: After = match options.shot {
         Some(shot) => photographer(shot, told.clone()),
         None => Box::new(|_, _| ()),
     };
-    let app = App { viewer, fixed, after };
+    let app = App { viewer, frames, after };
     eframe::run_native("aim", native, Box::new(|_| Ok(Box::new(app)))).map_err(|error| in_words(&error))?;
     told.replace(Ok(String::new()))
 }
@@ -111,7 +115,7 @@ fn in_words(error: &eframe::Error) -> String {
 
 /// Waits for its frame, asks for the screen, writes it, and closes the window.
 fn photographer(shot: Shot, told: Rc<RefCell<Result<String, String>>>) -> After {
-    let mut frame = 0;
+    let (mut frame, mut is_asked) = (0, false);
     Box::new(move |context, viewer| {
         frame += 1;
         let image = context.input(|input| {
@@ -121,13 +125,14 @@ fn photographer(shot: Shot, told: Rc<RefCell<Result<String, String>>>) -> After 
             })
         });
         if let Some(image) = image {
-            let saved = save(&image, &shot.out);
-            let name = shot.out.display();
-            *told.borrow_mut() = saved
-                .map(|()| if shot.json { viewer.state() } else { format!("{name}: {}", viewer.caption()) })
-                .map_err(|error| format!("{name}: {error}"));
+            let (name, trouble) = (shot.out.display(), &viewer.trouble);
+            let saved =
+                trouble.clone().map_or_else(|| save(&image, &shot.out), |trouble| Err(format!("{name}: {trouble}")));
+            let words = || if shot.json { viewer.state() } else { format!("{name}: {}", viewer.caption()) };
+            *told.borrow_mut() = saved.map(|()| words());
             context.send_viewport_cmd(egui::ViewportCommand::Close);
-        } else if frame == shot.frames {
+        } else if frame > shot.frames && !std::mem::replace(&mut is_asked, true) {
+            // No time passes any more: whichever frame it is, it is the same.
             context.send_viewport_cmd(egui::ViewportCommand::Screenshot(egui::UserData::default()));
         }
     })

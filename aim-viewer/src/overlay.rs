@@ -1,7 +1,7 @@
 //! What is written over the scene: names, status, how long solving takes, and trouble.
 
 use aim_runtime::Status;
-use eframe::egui::{self, Align2, Color32, Id, Rect, RichText, Ui, Vec2};
+use eframe::egui::{self, Align2, Color32, Id, Pos2, Rect, RichText, Ui, Vec2};
 use glam::Vec3;
 
 use crate::gizmos::colour_of;
@@ -11,8 +11,10 @@ use crate::viewer::Viewer;
 
 /// How far from the scene's edges, points.
 const MARGIN: f32 = 10.0;
-/// How far above its effector a figure's name stands, metres of a 1.7 m character.
-const ABOVE: f32 = 0.2;
+/// Notes are not made narrower than this, points.
+const NARROWEST: f32 = 80.0;
+/// The height of a figure's label, points.
+const LABEL: f32 = 30.0;
 /// How long the hint stays, seconds, and how long it takes to go.
 const HINT: f64 = 8.0;
 const FADE: f64 = 2.0;
@@ -44,7 +46,7 @@ fn note(context: &egui::Context, scene: Rect, id: &str, corner: Align2, contents
         ui.style_mut().interaction.selectable_labels = false;
         let frame = egui::Frame::new().inner_margin(8).corner_radius(6);
         frame.fill(ui.visuals().panel_fill.gamma_multiply(0.75)).show(ui, |ui| {
-            ui.set_max_width(scene.width() - 4.0 * MARGIN);
+            ui.set_max_width((scene.width() - 4.0 * MARGIN).max(NARROWEST));
             contents(ui);
         });
     });
@@ -112,19 +114,19 @@ fn timing(ui: &mut Ui, stage: &Stage) {
         let all = timing.one + timing.crowd;
         ui.label(format!("crowd of {}: {:.2} ms a frame", stage.crowd.len() + 1, all * 1e3));
     }
-    if timing.between > 0.0 {
+    if timing.between > 0.0 && !stage.counts_frames {
         ui.weak(format!("{:.0} frames a second", 1.0 / timing.between));
     }
 }
 
-/// A solver's name over its figure.
+/// A solver's name under its figure: over it are gazes and targets.
 fn label(context: &egui::Context, scene: Rect, viewer: &Viewer, at: usize, actor: &Actor) {
-    let character = &viewer.stage.character;
-    let above = character.effector() + character.directions()[0] * (ABOVE * character.metre());
-    let Some(place) = on_screen(viewer, scene, above + actor.shift).filter(|place| scene.contains(*place)) else {
+    let Some(feet) = on_screen(viewer, scene, viewer.stage.character.floor + actor.shift) else { return };
+    let place = feet.min(Pos2::new(f32::INFINITY, scene.bottom() - LABEL));
+    if !scene.contains(place) {
         return;
-    };
-    let area = area(scene, Id::new(("figure", at))).interactable(false).pivot(Align2::CENTER_BOTTOM);
+    }
+    let area = area(scene, Id::new(("figure", at))).interactable(false).pivot(Align2::CENTER_TOP);
     area.fixed_pos(place).show(context, |ui| {
         let frame = egui::Frame::new().inner_margin(egui::Margin::symmetric(8, 2)).corner_radius(6);
         frame.fill(ui.visuals().panel_fill.gamma_multiply(0.75)).show(ui, |ui| {
@@ -134,7 +136,7 @@ fn label(context: &egui::Context, scene: Rect, viewer: &Viewer, at: usize, actor
 }
 
 /// Where a point of the world is seen.
-pub(crate) fn on_screen(viewer: &Viewer, scene: Rect, point: Vec3) -> Option<egui::Pos2> {
+pub(crate) fn on_screen(viewer: &Viewer, scene: Rect, point: Vec3) -> Option<Pos2> {
     let seen = viewer.camera.project(point, glam::Vec2::new(scene.width(), scene.height()))?;
     Some(scene.min + Vec2::new(seen.x, seen.y))
 }

@@ -52,8 +52,6 @@ pub(crate) struct Figure {
     pub(crate) positions: Vec<Vec3>,
     /// A direction of length one for each vertex of the surface.
     pub(crate) normals: Vec<Vec3>,
-    /// What its colours are multiplied by: white leaves them.
-    pub(crate) tint: Colour,
 }
 
 /// A cylinder with round ends.

@@ -11,9 +11,15 @@ use crate::stage::{Memory, Stage, solver_name};
 
 /// How much of the past is shown, seconds.
 const PAST: f64 = 10.0;
+/// Nothing is plotted in less room than this, points.
+const LEAST: [f32; 2] = [360.0, 300.0];
 
 /// Shows them; of the joints that one which is `chosen`, or all.
 pub(crate) fn show(ui: &mut Ui, stage: &Stage, chosen: &mut Option<usize>) {
+    // There is no room for plots beside a scene.
+    if ui.available_width() < LEAST[0] || ui.available_height() < LEAST[1] {
+        return;
+    }
     egui::Panel::bottom("plots").resizable(true).default_size(168.0).size_range(110.0..=420.0).show_inside(ui, |ui| {
         ui.add_space(4.0);
         ui.columns(2, |columns| {

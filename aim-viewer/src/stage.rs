@@ -208,6 +208,8 @@ pub(crate) struct Stage {
     pub(crate) crowd: Vec<Member>,
     pub(crate) memory: VecDeque<Memory>,
     pub(crate) timing: Timing,
+    /// Whether frames are counted and not timed: then nothing tells how many there are in a second.
+    pub(crate) counts_frames: bool,
     live: Live,
     live_is_for_both_eyes: bool,
     /// Seconds of frames so far.
@@ -228,6 +230,7 @@ impl Stage {
             crowd: Vec::new(),
             memory: VecDeque::new(),
             timing: Timing::default(),
+            counts_frames: false,
             age: 0.0,
             character,
             tuning,
@@ -251,6 +254,11 @@ impl Stage {
     /// What came of the last frame for the first actor.
     pub(crate) fn first(&self) -> Option<&Frame> {
         self.actors.first()?.frame.as_ref()
+    }
+
+    /// Where everybody stands, from where the file has the character.
+    pub(crate) fn shifts(&self) -> impl Iterator<Item = Vec3> {
+        self.actors.iter().map(|actor| actor.shift).chain(self.crowd.iter().map(|member| member.shift))
     }
 
     /// What is aimed: 0 is the rig's effector, else a joint.
@@ -345,7 +353,8 @@ impl Stage {
                 .map(|(at, &solver)| {
                     let known = old.iter().find(|actor| actor.solver == solver).or(old.first());
                     let rig = known.map_or_else(|| InterpretedRig::new(&tuning.spec), |actor| actor.rig.clone());
-                    let shift = left * ((middle - count(at)) * APART * metre);
+                    // As a row is read from in front.
+                    let shift = left * ((count(at) - middle) * APART * metre);
                     Actor { solver, shift, rig, frame: None }
                 })
                 .collect();

@@ -1,4 +1,4 @@
-//! Where the target is: still, or on a path around where it was put.
+//! Where the target is: where it was put, or on a path around the character.
 
 use glam::Vec3;
 
@@ -12,7 +12,7 @@ pub enum Path {
     Orbit,
     /// An eight that lies on its side, in front of the character.
     Eight,
-    /// Here and there in front of the character, never the same way.
+    /// Here and there in front of the character, the same way again only after hours.
     Noise,
 }
 
@@ -88,7 +88,7 @@ impl Target {
                 let (sin, cos) = phase(EIGHT).sin_cos();
                 room.point(0.9 * sin, 0.1 + 0.6 * sin * cos, 1.3)
             }
-            // Periods without a common multiple.
+            // Periods of which the common multiple is long.
             Path::Noise => room.point(
                 0.7 * phase(7.3).sin() + 0.3 * phase(2.9).sin(),
                 0.1 + 0.3 * phase(5.1).sin() + 0.2 * phase(1.9).sin(),
@@ -103,6 +103,13 @@ impl Target {
             self.place = self.at(room);
         }
         self.path = path;
+    }
+
+    /// Where it is in the course of time.
+    pub(crate) fn way(&self, room: &Room) -> impl Iterator<Item = Vec3> {
+        let (target, room) = (*self, *room);
+        let steps: u8 = if self.path == Path::Still { 1 } else { 32 };
+        (0..steps).map(move |step| Self { time: target.time + f32::from(step) * 0.4, ..target }.at(&room))
     }
 
     /// Moves it by hand: whatever path it was on ends where it is.

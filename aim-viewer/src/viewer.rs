@@ -17,6 +17,9 @@ use crate::{overlay, panel, plots};
 /// What a frame takes at most, seconds; what does not end is no frame.
 const LONGEST_PAUSE: f32 = 60.0;
 
+/// A window narrower than this has no room for the panel, points.
+const NARROW: f32 = 480.0;
+
 /// The state of the window.
 #[derive(Debug)]
 pub(crate) struct Viewer {
@@ -31,6 +34,8 @@ pub(crate) struct Viewer {
     pub(crate) copied: Option<(&'static str, f64)>,
     /// Seconds since it was opened.
     pub(crate) age: f64,
+    /// Whether the camera has been put where all is in sight.
+    is_framed: bool,
     /// Where the scene is drawn, points.
     scene: egui::Rect,
     held: Option<Held>,
@@ -39,7 +44,7 @@ pub(crate) struct Viewer {
 impl Viewer {
     pub(crate) fn new(character: Character) -> Self {
         let stage = Stage::new(character);
-        let camera = camera(&stage);
+        let camera = camera(&stage, Vec2::ONE);
         let shown = Shown::default();
         Self {
             stage,
@@ -49,14 +54,15 @@ impl Viewer {
             plotted: None,
             copied: None,
             age: 0.0,
+            is_framed: false,
             scene: egui::Rect::ZERO,
             held: None,
         }
     }
 
-    /// The camera where all is in sight.
+    /// The camera where all is in sight, as soon as it is known how much room the scene has.
     pub(crate) fn step_back(&mut self) {
-        self.camera = camera(&self.stage);
+        self.is_framed = false;
     }
 
     /// One frame: input, `seconds` of time, and what is around the scene. `paint` is told what to draw where.
@@ -75,7 +81,8 @@ impl Viewer {
         self.open_dropped(&context);
         self.age += f64::from(seconds);
         controls::keys(&context, &mut self.stage, &mut self.camera, &mut self.shown, seconds.min(LONGEST));
-        if self.shown.panel {
+        // In a narrow window the scene comes first.
+        if self.shown.panel && ui.available_width() >= NARROW {
             panel::show(ui, self);
         }
         if self.shown.plots {
@@ -84,6 +91,10 @@ impl Viewer {
         let scene = egui::CentralPanel::default().frame(egui::Frame::NONE).show_inside(ui, |ui| {
             let (_, scene) = ui.allocate_exact_size(ui.available_size(), egui::Sense::click_and_drag());
             context.accesskit_node_builder(scene.id, |node| node.set_label("scene"));
+            if !self.is_framed {
+                self.camera = camera(&self.stage, Vec2::new(scene.rect.width(), scene.rect.height()));
+                self.is_framed = true;
+            }
             controls::mouse(&scene, &mut self.stage, &mut self.camera, &mut self.held);
             self.stage.advance(seconds);
             paint(ui, scene.rect, Arc::new(self.stage.picture(&self.camera, self.shown)));
@@ -171,7 +182,12 @@ impl Viewer {
                 }
                 (None, None, false) => Err(format!("{name}: nothing of it came through; open it from a folder")),
             };
+            let failed = character.is_err();
             self.open(character);
+            if failed {
+                // What came with it was meant for it.
+                break;
+            }
         }
     }
 }
@@ -185,21 +201,19 @@ fn text(name: &str, path: Option<&std::path::Path>, bytes: Option<&[u8]>) -> Res
     String::from_utf8(bytes).map_err(|_| format!("{name}: is no text; drop a rig's TOML file"))
 }
 
-/// In front and a little to the right, so that a gaze to the left is seen from the side: the upper bodies of all actors and
-/// the target in sight, a crowd from further away.
-fn camera(stage: &Stage) -> Camera {
+/// In front and a little to the right, so that a gaze to the left is seen from the side: the upper bodies of all, and the
+/// target on all of its path, fill a scene of this shape.
+fn camera(stage: &Stage, scene: Vec2) -> Camera {
     let room = stage.room();
-    let (wide, many) = (stage.actors.len() > 1, !stage.crowd.is_empty());
-    let (focus, distance, pitch) = match (many, wide) {
-        (true, _) => (room.point(0.0, -0.5, -2.0), 11.0, 0.3),
-        (_, true) => (room.point(0.2, -0.35, 0.3), 4.4, 0.12),
-        _ => (room.point(0.25, -0.22, 0.3), 2.9, 0.1),
-    };
-    Camera {
-        focus,
-        yaw: if wide { -0.15 } else { -0.45 },
-        pitch,
-        distance: distance * room.metre,
-        directions: room.directions,
-    }
+    let [up, ..] = room.directions;
+    let shifts: Vec<Vec3> = stage.shifts().collect();
+    let yaw = if stage.actors.len() > 1 { -0.15 } else { -0.45 };
+    let pitch = if stage.crowd.is_empty() { 0.1 } else { 0.3 };
+    let mut camera = Camera { focus: room.centre, yaw, pitch, distance: room.metre, directions: room.directions };
+    let body = [room.centre + up * (0.2 * room.metre), room.centre - up * (0.8 * room.metre)];
+    let bodies = shifts.iter().flat_map(|shift| body.map(|at| at + *shift));
+    let targets = stage.target.way(&room).flat_map(|at| stage.actors.iter().map(move |actor| at + actor.shift));
+    let points: Vec<Vec3> = bodies.chain(targets).collect();
+    camera.fit(&points, scene);
+    camera
 }

@@ -25,7 +25,7 @@ pub async fn start(canvas: &str) -> Result<(), String> {
         // Nothing depends on its being told.
         let _ = told.set_attribute(STATE, &viewer.state());
     });
-    let app = App { viewer, fixed: None, after };
+    let app = App { viewer, frames: None, after };
     eframe::WebRunner::new()
         .start(element, eframe::WebOptions::default(), Box::new(|_| Ok(Box::new(app))))
         .await

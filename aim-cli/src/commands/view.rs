@@ -13,20 +13,29 @@ pub(super) fn run(_: args::View) -> Result {
 
 #[cfg(feature = "view")]
 pub(super) fn run(arguments: args::View) -> Result {
-    if let Some(code) = hidden::run(&arguments)? {
-        return code;
-    }
-    let name = |path: &std::path::Path| path.display().to_string();
-    for (path, what) in [(&arguments.file, "the model"), (&arguments.rig, "the rig")] {
-        if path.is_some() && *path == arguments.screenshot {
-            return Err(Failure::input(format!(
-                "{} is {what}; name another file with --screenshot",
-                path.as_deref().map_or_else(String::new, name)
-            )));
-        }
+    check_outputs(&arguments)?;
+    if let Some(ended) = hidden::run(&arguments)? {
+        return ended;
     }
     let told = aim_viewer::run(options(arguments)).map_err(Failure::input)?;
     if told.is_empty() { Ok(()) } else { crate::files::print(&format!("{told}\n")) }
+}
+
+/// Refuses a picture over what is read, or under another kind's name.
+#[cfg(feature = "view")]
+fn check_outputs(arguments: &args::View) -> Result {
+    let Some(out) = &arguments.screenshot else { return Ok(()) };
+    if !out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
+        return Err(Failure::in_file(out, "would be a PNG picture; give --screenshot a name that ends in .png"));
+    }
+    let mut outputs = crate::outputs::Outputs::default();
+    for (path, what) in [(&arguments.file, "the model itself"), (&arguments.rig, "the rig")] {
+        path.iter().for_each(|path| outputs.reads(path, what));
+    }
+    if let Some(file) = &arguments.file {
+        outputs.reads_parts_of(&crate::files::load_model(file)?);
+    }
+    outputs.writes(out, "--screenshot")
 }
 
 #[cfg(feature = "view")]
@@ -93,13 +102,15 @@ mod hidden {
             .arg(program)
             .args(std::env::args_os().skip(1))
             .env(HIDDEN, "1")
+            // A point is a pixel there.
+            .env("WINIT_X11_SCALE_FACTOR", "1")
             .env_remove("WAYLAND_DISPLAY")
             .status();
         let has_display = ["DISPLAY", "WAYLAND_DISPLAY"].iter().any(|name| std::env::var_os(name).is_some());
         match status {
             Ok(status) if status.success() => Ok(Some(Ok(()))),
-            // It has said why; other codes are those of the display.
-            Ok(status) => std::process::exit(if status.code() == Some(1) { 1 } else { 2 }),
+            // It has said why.
+            Ok(_) => std::process::exit(2),
             Err(_) if has_display => Ok(None),
             Err(_) => Err(Failure::input(
                 "there is no display to draw on; install xvfb (its xvfb-run gives a hidden one), or set DISPLAY",

@@ -5,7 +5,6 @@ use glam::Vec3;
 use three_d::{Blend, Context, CoreError, Cull, DepthTest, Program, RenderStates, VertexBuffer, Viewport, WriteMask};
 
 use super::light::{self, Light};
-use super::linear;
 use super::model::{Model, Part};
 use crate::picture::Figure;
 
@@ -23,7 +22,6 @@ pub(super) struct Figures {
 struct Posed {
     positions: VertexBuffer<[f32; 3]>,
     normals: VertexBuffer<[f32; 3]>,
-    tint: [f32; 4],
 }
 
 /// What is drawn: first what hides what is behind it, then what does not.
@@ -49,10 +47,9 @@ impl Figures {
         for figure in figures.iter().filter(fits) {
             if self.posed.len() == self.shown {
                 let (positions, normals) = (VertexBuffer::new(&self.context), VertexBuffer::new(&self.context));
-                self.posed.push(Posed { positions, normals, tint: [1.0; 4] });
+                self.posed.push(Posed { positions, normals });
             }
             let posed = &mut self.posed[self.shown];
-            posed.tint = linear(figure.tint);
             for (vectors, buffer) in [(&figure.positions, &mut posed.positions), (&figure.normals, &mut posed.normals)]
             {
                 self.scratch.clear();
@@ -81,19 +78,17 @@ impl Figures {
         let program = &self.program;
         light.send(program);
         for posed in &self.posed {
-            for part in model.parts.iter().filter(|part| pass_of(part, posed.tint) == pass) {
+            for part in model.parts.iter().filter(|part| pass_of(part) == pass) {
                 let material = &part.material;
-                let colour: [f32; 4] = std::array::from_fn(|i| material.colour[i] * posed.tint[i]);
-                program.use_uniform("colour", three_d::Vec4::from(colour));
+                program.use_uniform("colour", three_d::Vec4::from(material.colour));
                 // Below it nothing is seen; what is opaque has no opacity of its own.
                 let (cutoff, own) = match material.alpha {
                     Alpha::Opaque => (0.0, 0.0),
                     Alpha::Mask(cutoff) => (cutoff, 0.0),
                     Alpha::Blend => (0.02, 1.0_f32),
                 };
-                program.use_uniform("cutoff", cutoff * posed.tint[3]);
+                program.use_uniform("cutoff", cutoff);
                 program.use_uniform("ownOpacity", own);
-                program.use_uniform("opacity", posed.tint[3]);
                 program.use_texture("picture", &part.texture);
                 program.use_vertex_attribute("position", &posed.positions);
                 program.use_vertex_attribute("normal", &posed.normals);
@@ -121,6 +116,6 @@ impl Figures {
     }
 }
 
-fn pass_of(part: &Part, tint: [f32; 4]) -> Pass {
-    if part.is_translucent() || tint[3] < 1.0 { Pass::Translucent } else { Pass::Opaque }
+fn pass_of(part: &Part) -> Pass {
+    if part.is_translucent() { Pass::Translucent } else { Pass::Opaque }
 }

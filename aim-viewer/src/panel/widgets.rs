@@ -85,7 +85,7 @@ pub(super) fn slider<T: egui::emath::Numeric>(
     shown: impl FnOnce(T) -> String,
 ) {
     ui.spacing_mut().slider_width = (ui.available_width() - VALUE - ui.spacing().item_spacing.x).max(40.0);
-    let slider = egui::Slider::new(value, range).show_value(false);
+    let slider = egui::Slider::new(value, range).show_value(false).clamping(egui::SliderClamping::Never);
     named(ui.add(slider), name);
     ui.label(shown(*value));
 }

@@ -29,7 +29,7 @@ fn the_target_is_dragged_where_the_pointer_goes() {
 fn any_figures_target_can_be_dragged() {
     let mut window = Window::mannequin(USUAL);
     window.click("solver: side by side");
-    window.harness.state_mut().camera.distance *= 2.0;
+    window.harness.state_mut().step_back();
     window.click("pause");
     assert_eq!(window.viewer().stage.tuning.lineup, Lineup::All);
     for at in 0..3 {

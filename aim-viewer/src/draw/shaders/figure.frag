@@ -2,7 +2,6 @@ uniform sampler2D picture;
 uniform vec4 colour;
 uniform float cutoff;
 uniform float ownOpacity;
-uniform float opacity;
 
 in vec3 place;
 in vec3 direction;
@@ -21,5 +20,5 @@ void main() {
     if (!gl_FrontFacing) {
         normal = -normal;
     }
-    seen = vec4(lit(base.rgb, place, normal), mix(opacity, base.a, ownOpacity));
+    seen = vec4(lit(base.rgb, place, normal), mix(1.0, base.a, ownOpacity));
 }
