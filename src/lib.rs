@@ -9,10 +9,11 @@
 //!
 //! # Eight characters at once
 //!
-//! A rig's kernels ([`AimRig::aim_gradient`], [`AimRig::chain_value_gradient`], [`AimRig::chain_residual_jacobian`]) are
-//! generic over [`Scalar`], and with the feature `wide` its vectors are scalars too: one call serves as many characters
-//! as the vector has lanes. A lane gives the very bits that a call for its character alone gives, and does not notice
-//! the others. That is for crowds with a solver of their own; [`AimRig::aim`] moves one character.
+//! A rig's kernels are emitted as functions generic over [`Scalar`] where the declaration asks for them
+//! (`kernels(aim_gradient, chain_value_gradient, chain_residual_jacobian)`), and with the feature `wide` its vectors are
+//! scalars too: one call serves as many characters as the vector has lanes. A lane gives the very bits that a call for
+//! its character alone gives, and does not notice the others. That is for crowds with a solver of their own;
+//! [`Aim::aim`] moves one character.
 //!
 //! ```
 //! # #[cfg(feature = "wide")] {
@@ -20,9 +21,9 @@
 //! use aim::{AimRig, Joint};
 //!
 //! #[derive(AimRig)]
-//! #[aim(bones(up = +X, forward = +Y, left = +Z))]
+//! #[aim(axes(up = +X, forward = +Y, left = +Z), kernels(aim_gradient))]
 //! struct Owl {
-//!     #[joint(heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg)]
+//!     #[joint(role = neck, heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg)]
 //!     neck: Joint,
 //! }
 //!
@@ -36,9 +37,8 @@
 //! ];
 //! let [sin_pitch, cos_pitch, sin_heading, cos_heading] = [zero, one, zero, one];
 //!
-//! let owls = Owl::default();
 //! let sin_cos = [sin_pitch, cos_pitch, sin_heading, cos_heading];
-//! let [aim, by_pitch, by_heading] = owls.aim_gradient(0, &eye_to_neck, &target, &sin_cos);
+//! let [aim, by_pitch, by_heading] = Owl::aim_gradient(0, &eye_to_neck, &target, &sin_cos);
 //!
 //! assert_eq!(aim.to_array()[0], 1.0); // on target
 //! assert!(by_heading.to_array()[1..7].iter().all(|&slope| slope > 0.0)); // to be turned to the left
@@ -67,7 +67,7 @@ pub type DRigid = glam::DAffine3;
 /// // build.rs: aim_codegen::build::rigs("rigs");
 /// aim::include_rigs!("rigs");
 ///
-/// let mut hero = Hero::default();
+/// let mut hero = Aim::<Hero>::new();
 /// ```
 #[macro_export]
 macro_rules! include_rigs {
@@ -85,5 +85,8 @@ pub mod rigs {
 /// What emitted code names; not for hand-written code.
 #[doc(hidden)]
 pub mod __private {
-    pub use aim_runtime::{AimRig, Axes, Effector, Joint, JointInfo, Natural, Real, Role, Scalar};
+    pub use aim_runtime::glam::Affine3A;
+    pub use aim_runtime::{
+        AimRig, Axes, Description, Effector, GazeSharing, Joint, JointInfo, LimitsFrom, Pose, Real, Rig, Role, Scalar,
+    };
 }

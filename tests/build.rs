@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::PathBuf;
 
-use aim_codegen::RigPrograms;
 use aim_codegen::emit::{Rig, rust};
+use aim_codegen::kernels;
 
 // The tests reach these two modules through the library.
 #[allow(dead_code, unreachable_pub, missing_docs, reason = "the build script needs but a part of the module")]
@@ -21,13 +21,14 @@ fn main() {
     let mut rust = String::new();
     let mut names = Vec::new();
     for spec in rigs::rigs() {
-        let programs = RigPrograms::derive(&spec);
-        let rig = Rig { spec: &spec, programs: &programs };
+        let kernels = kernels(&spec);
+        let rig = Rig { spec: &spec, kernels: &kernels };
         let item = rust::Item::of(&spec, quote::quote!(::aim));
         rust += &aim_codegen::format_rust(rust::emit_with_struct(&rig, &item));
+        rust += &format!("\naim_tests::requested_kernels!({});\n", spec.name);
         names.push(spec.name.clone());
     }
-    let arms: String = names.iter().enumerate().map(|(i, name)| format!("{i} => $f(&{name}::default()),")).collect();
+    let arms: String = names.iter().enumerate().map(|(i, name)| format!("{i} => $f({name}::RIG),")).collect();
     rust += &format!(
         "macro_rules! with_rig {{ ($number:expr, $f:expr) => {{ match $number {{ {arms} _ => unreachable!() }} }} }}"
     );

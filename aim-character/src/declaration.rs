@@ -1,7 +1,7 @@
 //! A rig written down as its user would declare it: in TOML, or as a derive. Both say all that a [`RigSpec`] holds, and
 //! are read back as the same one: angles and numbers exactly, directions to nine decimals.
 
-use aim_codegen::{AngleRange, Frame, JointSpec, NaturalSpec, RigSpec};
+use aim_codegen::{AngleRange, Frame, JointSpec, LimitsFrom, NaturalSpec, RigSpec};
 
 use crate::proposal::Proposal;
 
@@ -120,24 +120,27 @@ impl<'s> Written<'s> {
             [name] => format!("bone = {name}"),
             names => format!("bone = [{}]", names.join(", ")),
         }];
-        keys.extend(joint.pair.as_deref().map(|pair| format!("pair = {}", quoted(pair, self.notation))));
+        keys.push(format!("role = {}", self.word(joint.role.as_str())));
+        keys.extend(joint.other_eye.as_deref().map(|node| format!("other_eye = {}", quoted(node, self.notation))));
         keys.extend((self.shared != Some(&joint.frame)).then(|| self.axes(&joint.frame)));
         keys.extend((joint.frame.handedness() != self.hand).then(|| "mirrored = true".to_owned()));
         for (key, range) in [("heading", joint.heading), ("pitch", joint.pitch)] {
             keys.extend(range.map(|range| format!("{key} = {}", self.range(range))));
         }
-        keys.extend(joint.absolute.then(|| format!("range = {}", self.word("absolute"))));
-        keys.extend(joint.narrowing.map(|narrowing| format!("narrowing = {narrowing:?}")));
-        keys.extend(joint.level.map(|level| format!("level = {level:?}")));
+        keys.extend(
+            (joint.limits_from == LimitsFrom::BindPose).then(|| format!("limits_from = {}", self.word("bind_pose"))),
+        );
+        keys.extend(joint.pitch_taper.map(|taper| format!("pitch_taper = {taper:?}")));
+        keys.extend(joint.upright.map(|upright| format!("upright = {upright:?}")));
         keys.push(format!("rate = {}", self.angle(joint.rate)));
         keys.extend(joint.acceleration.map(|acceleration| format!("acceleration = {}", self.angle(acceleration))));
-        keys.push(format!("comfort = {:?}", joint.comfort));
+        keys.push(format!("stiffness = {:?}", joint.stiffness));
         keys
     }
 
     fn axes(&self, frame: &Frame) -> String {
         let [up, forward, left] = [frame.up, frame.forward, frame.left].map(|axis| self.direction(axis));
-        self.table("bones", &[format!("up = {up}"), format!("forward = {forward}"), format!("left = {left}")])
+        self.table("axes", &[format!("up = {up}"), format!("forward = {forward}"), format!("left = {left}")])
     }
 
     fn range(&self, range: AngleRange) -> String {

@@ -1,7 +1,7 @@
 //! Whether a declaration and a file agree: each joint's declared axes against those measured in the bind pose.
 
 use aim_codegen::{Frame, RigSpec};
-use aim_gltf::{BoneAxes, ChainNodes, Document, Handedness, Measurement, Role, SignedAxis};
+use aim_gltf::{BoneAxes, ChainNodes, Document, Handedness, Measurement, Role, SignedAxis, Skeleton};
 use glam::DVec3;
 
 /// A declared direction this near to the measured one is right, degrees.
@@ -37,6 +37,15 @@ pub struct Fit<'a> {
     pub problems: Vec<String>,
 }
 
+/// The nodes of a file that the joints of a rig are.
+///
+/// # Errors
+/// A declared bone that the file does not have, or joints that are no chain in it.
+pub fn chain_nodes(spec: &RigSpec, skeleton: &Skeleton) -> Result<ChainNodes, aim_gltf::Error> {
+    let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
+    ChainNodes::find(skeleton, bones, spec.joints[0].other_eye.as_deref())
+}
+
 impl<'a> Fit<'a> {
     /// Finds each declared joint's bone and compares.
     pub fn new(spec: &'a RigSpec, document: &'a Document, measurement: &'a Measurement) -> Self {
@@ -57,8 +66,7 @@ impl<'a> Fit<'a> {
             fit.problems.extend(joint.problems(measurement));
         }
         if fit.joints.len() == spec.joints.len() {
-            let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
-            if let Err(error) = ChainNodes::find(skeleton, bones, spec.joints[0].pair.as_deref()) {
+            if let Err(error) = chain_nodes(spec, skeleton) {
                 fit.problems.push(error.to_string());
             }
             fit.problems.extend(effector(spec, &fit.joints[0], measurement));

@@ -1,35 +1,61 @@
 //! A rig that is known only at run time: its derived programs run through the interpreter.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::sync::Arc;
 
-use aim_codegen::{AngleRange, Frame, JointSpec, NaturalSpec, RigPrograms, RigSpec};
-use aim_runtime::{AimRig, Axes, Effector, Joint, JointInfo, Natural, Role, Scalar};
-use aim_symbolic::{Number, Program};
+use aim_codegen::emit::rust_kernels::trait_kernels;
+use aim_codegen::objective::{AIM_GRADIENT, FirstLink};
+use aim_codegen::{AngleRange, Frame, JointSpec, NaturalSpec, RigSpec};
+use aim_runtime::{Axes, Description, Effector, GazeSharing, JointInfo, Rig};
 
-/// The rig with its joints' state.
+use crate::tape::Tape;
+
+/// The rig, without any character's state. A clone shares the derived programs.
 #[derive(Clone, Debug)]
 pub struct InterpretedRig {
     spec: RigSpec,
-    programs: RigPrograms,
+    kernels: Arc<Kernels>,
     infos: Vec<JointInfo>,
     effector: Effector,
-    natural: Natural,
-    joints: Vec<Joint>,
+    sharing: GazeSharing,
+}
+
+/// The kernels of [`Rig`].
+#[derive(Debug)]
+struct Kernels {
+    residual_jacobian: Tape,
+    /// The tapes of distinct joints.
+    aim_gradients: Vec<Tape>,
+    /// The place of each joint's tape among them.
+    joints: Vec<usize>,
+}
+
+impl Kernels {
+    fn derive(spec: &RigSpec) -> Self {
+        let (aims, chains): (Vec<_>, Vec<_>) =
+            trait_kernels(spec).into_iter().partition(|kernel| *kernel.objective == AIM_GRADIENT);
+        let joint = |joint: usize| aims.iter().position(|kernel| kernel.joints.contains(&joint)).unwrap_or_default();
+        Self {
+            joints: (0..spec.joints.len()).map(joint).collect(),
+            residual_jacobian: Tape::new(&chains[0].program),
+            aim_gradients: aims.iter().map(|kernel| Tape::new(&kernel.program)).collect(),
+        }
+    }
 }
 
 impl InterpretedRig {
-    /// The rig at rest.
+    /// The rig of a declaration.
     pub fn new(spec: &RigSpec) -> Self {
-        let mut rig = Self {
+        Self::with_kernels(spec, Arc::new(Kernels::derive(spec)))
+    }
+
+    fn with_kernels(spec: &RigSpec, kernels: Arc<Kernels>) -> Self {
+        Self {
             spec: spec.clone(),
-            programs: RigPrograms::derive(spec),
-            infos: Vec::new(),
+            kernels,
+            infos: spec.joints.iter().map(joint_info).collect(),
             effector: Effector { forward: single(spec.effector.frame.forward), origin: single(spec.effector.origin) },
-            natural: Natural::default(),
-            joints: vec![Joint::default(); spec.joints.len()],
-        };
-        rig.read(spec);
-        rig
+            sharing: spec.natural.as_ref().map_or(GazeSharing::HUMAN, sharing),
+        }
     }
 
     /// The rig as it is declared now.
@@ -37,26 +63,14 @@ impl InterpretedRig {
         &self.spec
     }
 
-    /// Declares the rig anew, say with other ranges, rates or comfort. The joints stay where they are, and what the
-    /// derivation depends on (axes, effector, which angles there are) is derived again only where it changed; another
-    /// number of joints starts from rest.
+    /// Declares the rig anew, say with other ranges, rates or stiffness. What the derivation depends on (axes, effector,
+    /// which angles there are, upright headings) is derived again only where it changed.
     pub fn declare(&mut self, spec: &RigSpec) {
         if !same_derivation(&self.spec, spec) {
-            let joints = core::mem::take(&mut self.joints);
             *self = Self::new(spec);
-            if joints.len() == self.joints.len() {
-                self.joints = joints;
-            }
         } else if self.spec != *spec {
-            self.spec = spec.clone();
-            self.read(spec);
+            *self = Self::with_kernels(spec, Arc::clone(&self.kernels));
         }
-    }
-
-    /// What the solvers are told of the joints.
-    fn read(&mut self, spec: &RigSpec) {
-        self.infos = spec.joints.iter().map(joint_info).collect();
-        self.natural = spec.natural.as_ref().map_or_else(Natural::default, natural);
     }
 }
 
@@ -67,6 +81,7 @@ fn same_derivation(a: &RigSpec, b: &RigSpec) -> bool {
         (&a.name, a.frame, angles(a)) == (&b.name, b.frame, angles(b))
     };
     a.effector == b.effector
+        && FirstLink::of(a) == FirstLink::of(b)
         && a.joints.len() == b.joints.len()
         && a.joints.iter().zip(&b.joints).all(|(a, b)| same(a, b))
 }
@@ -84,7 +99,7 @@ fn joint_info(joint: &JointSpec) -> JointInfo {
         AngleRange::Between(lo, hi) => (lo as f32, hi as f32),
         AngleRange::Free => (f32::NEG_INFINITY, f32::INFINITY),
     };
-    let mut info = JointInfo::new(axes, joint.rate as f32).with_comfort(joint.comfort as f32);
+    let mut info = JointInfo::new(axes, joint.rate as f32).with_stiffness(joint.stiffness as f32);
     if let Some((lo, hi)) = joint.heading.map(range) {
         info = info.with_heading(lo, hi);
     }
@@ -94,145 +109,52 @@ fn joint_info(joint: &JointSpec) -> JointInfo {
     if let Some(acceleration) = joint.acceleration {
         info = info.with_acceleration(acceleration as f32);
     }
-    if let Some(level) = joint.level {
-        info = info.with_level(level as f32);
+    if let Some(upright) = joint.upright {
+        info = info.with_upright(upright as f32);
     }
-    if let Some(narrowing) = joint.narrowing {
-        info = info.with_narrowing(narrowing as f32);
+    if let Some(taper) = joint.pitch_taper {
+        info = info.with_pitch_taper(taper as f32);
     }
-    info = info.with_role(match joint.role() {
-        aim_codegen::Role::Eye => Role::Eye,
-        aim_codegen::Role::Head => Role::Head,
-        aim_codegen::Role::Neck => Role::Neck,
-        aim_codegen::Role::Spine => Role::Spine,
-        aim_codegen::Role::Other => Role::Other,
-    });
-    if joint.absolute { info.with_absolute_range() } else { info }
+    info.with_role(joint.role).with_limits_from(joint.limits_from)
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "declared numbers are stored in f32")]
-fn natural(spec: &NaturalSpec) -> Natural {
-    Natural::default()
+fn sharing(spec: &NaturalSpec) -> GazeSharing {
+    GazeSharing::HUMAN
         .with_eyes_only(spec.eyes_only as f32)
         .with_head_share(spec.head_share as f32)
         .with_engagement(spec.engage as f32, spec.release as f32)
         .with_delay(spec.delay as f32)
 }
 
-/// The runtime's number as the interpreter's.
-#[derive(Clone, Copy)]
-struct Through<S>(S);
-
-macro_rules! operators {
-    ($($operator:ident $method:ident),*) => {$(
-        impl<S: Scalar> $operator for Through<S> {
-            type Output = Self;
-            fn $method(self, other: Self) -> Self {
-                Self($operator::$method(self.0, other.0))
-            }
-        }
-    )*};
-}
-
-operators!(Add add, Sub sub, Mul mul, Div div);
-
-impl<S: Scalar> Neg for Through<S> {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self(-self.0)
-    }
-}
-
-impl<S: Scalar> Number for Through<S> {
-    fn constant(value: f64) -> Self {
-        Self(S::constant(value))
-    }
-    fn tiny() -> Self {
-        Self(S::TINY)
-    }
-    fn sqrt(self) -> Self {
-        Self(self.0.sqrt())
-    }
-    fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self {
-        Self(S::select_less(a.0, b.0, then.0, otherwise.0))
-    }
-}
-
-fn run<S: Scalar>(program: &Program, inputs: impl Iterator<Item = S>, out: &mut [S]) {
-    let inputs: Vec<Through<S>> = inputs.map(Through).collect();
-    let mut results = vec![Through(S::ZERO); program.outputs().len()];
-    if results.len() == out.len() {
-        program.run(&inputs, &mut results);
-    } else {
-        results = vec![Through(S::ZERO); out.len()];
-    }
-    for (out, Through(result)) in out.iter_mut().zip(results) {
-        *out = result;
-    }
-}
-
-impl AimRig for InterpretedRig {
-    type Array<T: Copy> = Vec<T>;
-
-    fn array<T: Copy>(&self, value: T) -> Vec<T> {
-        vec![value; self.infos.len()]
+impl Rig for InterpretedRig {
+    fn description(&self) -> Description<'_> {
+        Description::new(&self.infos).with_effector(self.effector).with_sharing(self.sharing)
     }
 
-    fn joint_infos(&self) -> &[JointInfo] {
-        &self.infos
+    fn joint_name(&self, joint: usize) -> Option<&str> {
+        self.spec.joints.get(joint).map(|joint| &joint.name[..])
     }
 
-    fn effector(&self) -> Effector {
-        self.effector
+    fn bone_name(&self, joint: usize, candidate: usize) -> Option<&str> {
+        self.spec.joints.get(joint)?.bones.get(candidate).map(|bone| &bone[..])
     }
 
-    fn natural(&self) -> Natural {
-        self.natural
+    fn residual_jacobian(&self, links: &[[f32; 12]], target: &[f32; 3], sin_cos: &[[f32; 4]], out: &mut [f32]) {
+        self.kernels.residual_jacobian.run([links.as_flattened(), target, sin_cos.as_flattened()], out);
     }
 
-    fn joints(&self) -> Vec<Joint> {
-        self.joints.clone()
-    }
-
-    fn joint(&self, joint: usize) -> Option<&Joint> {
-        self.joints.get(joint)
-    }
-
-    fn joint_mut(&mut self, joint: usize) -> Option<&mut Joint> {
-        self.joints.get_mut(joint)
-    }
-
-    fn set_joints(&mut self, joints: Vec<Joint>) {
-        self.joints = joints;
-    }
-
-    fn aim_gradient<S: Scalar>(
+    fn aim_gradient(
         &self,
         joint: usize,
-        effector_to_joint: &[S; 12],
-        target: &[S; 3],
-        sin_cos: &[S; 4],
-    ) -> [S; 3] {
-        let mut out = [S::ZERO; 3];
-        if let Some(program) = self.programs.joints.get(joint) {
-            run(program, effector_to_joint.iter().chain(target).chain(sin_cos).copied(), &mut out);
+        effector_to_joint: &[f32; 12],
+        target: &[f32; 3],
+        sin_cos: &[f32; 4],
+    ) -> [f32; 3] {
+        let mut out = [0.0; 3];
+        if let Some(&tape) = self.kernels.joints.get(joint) {
+            self.kernels.aim_gradients[tape].run([effector_to_joint, target, sin_cos], &mut out);
         }
         out
-    }
-
-    fn chain_value_gradient<S: Scalar>(&self, links: &[[S; 12]], target: &[S; 3], sin_cos: &[[S; 4]], out: &mut [S]) {
-        let inputs = links.iter().flatten().chain(target).chain(sin_cos.iter().flatten()).copied();
-        run(&self.programs.chain_value_gradient, inputs, out);
-    }
-
-    fn chain_residual_jacobian<S: Scalar>(
-        &self,
-        links: &[[S; 12]],
-        target: &[S; 3],
-        sin_cos: &[[S; 4]],
-        out: &mut [S],
-    ) {
-        let inputs = links.iter().flatten().chain(target).chain(sin_cos.iter().flatten()).copied();
-        run(&self.programs.chain_residual_jacobian, inputs, out);
     }
 }

@@ -4,7 +4,7 @@
 //! ```
 //! use aim_character::{InterpretedRig, propose};
 //! use aim_gltf::{ChainNodes, Document, Live, Measurement, Moment, PAPER_AXES, mannequin};
-//! use aim_runtime::AimRig;
+//! use aim_runtime::{DynAim, Settings};
 //! use glam::DVec3;
 //!
 //! let document = Document::from_bytes(&mannequin(|_| PAPER_AXES)?)?;
@@ -13,16 +13,16 @@
 //! assert_eq!(spec.joints.len(), 3); // an eye, the neck, the spine
 //!
 //! // A frame: the animation, then the aim on top of it.
-//! let (skeleton, mut rig) = (document.skeleton(), InterpretedRig::new(&spec));
+//! let (skeleton, mut aim) = (document.skeleton(), DynAim::new(InterpretedRig::new(&spec)));
 //! let chain = ChainNodes::find(skeleton, spec.joints.iter().map(|joint| &joint.bones[..]), None)?;
-//! let live = Live::new(&rig, &document, &measurement, &chain, false);
+//! let live = Live::new(&aim.rig, &document, &measurement, &chain, false);
 //! let mut pose = skeleton.pose(document.clip("walk")?, 0.5);
 //! let world = skeleton.world_f64(&pose);
 //! let target = DVec3::new(1.0, 1.7, 2.0);
-//! let joints = live.animated(&rig, skeleton, &mut pose, &world);
-//! let outcome = rig.snap(&joints, target.as_vec3());
+//! let joints = live.animated(skeleton, &mut pose, &world);
+//! let outcome = aim.snap(&joints, target.as_vec3(), &Settings::default());
 //! let moment = Moment { t: 0.5, target, world: &world, joints: &joints, outcome, effector: 0 };
-//! let frame = live.aimed(&rig, skeleton, &mut pose, &moment);
+//! let frame = live.aimed(&aim, skeleton, &mut pose, &moment);
 //! assert!(frame.error_deg < 0.1);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -33,9 +33,10 @@ pub mod evidence;
 mod fit;
 mod interpreted;
 mod proposal;
+mod tape;
 
 pub use error::Error;
-pub use fit::{Fit, JointFit, NAMES, NEAR_DEG};
+pub use fit::{Fit, JointFit, NAMES, NEAR_DEG, chain_nodes};
 pub use interpreted::InterpretedRig;
 pub use proposal::{Proposal, propose};
 

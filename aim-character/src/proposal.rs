@@ -1,8 +1,9 @@
 //! A rig proposed for a file: the chain from the effector to the root, each bone's measured axes, and what a joint of
 //! its part does in people. `aim rig` writes it down, `aim bake` without a rig aims with it.
 
-use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, RigSpec};
+use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, LimitsFrom, RigSpec};
 use aim_gltf::{BoneAxes, ChainNodes, Clue, Document, LookAt, Measurement, Role};
+use aim_model::BoneName;
 
 use crate::error::Error;
 
@@ -34,7 +35,7 @@ struct Habit {
     heading: Option<Turn>,
     pitch: Option<[f64; 2]>,
     rate: f64,
-    comfort: f64,
+    stiffness: f64,
     why: &'static str,
 }
 
@@ -47,42 +48,42 @@ const EYE: Habit = Habit {
     heading: Some(Turn::Between(-35.0, 35.0)),
     pitch: Some([-25.0, 20.0]),
     rate: 450.0,
-    comfort: 0.5,
+    stiffness: 0.5,
     why: "eyes can turn by about 50 degrees but seldom pass 35; saccades peak at 400 to 700 deg/s",
 };
 const NECK: Habit = Habit {
     heading: Some(Turn::Between(-60.0, 60.0)),
     pitch: Some([-40.0, 35.0]),
     rate: 170.0,
-    comfort: 1.0,
+    stiffness: 1.0,
     why: "cervical spines turn by 70 to 80 degrees and bend by 45 to 60; heads follow a gaze at 100 to 300 deg/s",
 };
 const SPINE: Habit = Habit {
     heading: Some(Turn::Between(-20.0, 20.0)),
     pitch: Some([-10.0, 10.0]),
     rate: 70.0,
-    comfort: 4.0,
+    stiffness: 4.0,
     why: "thoracic spines turn by about 35 degrees in all; the trunk is the last to move and the slowest",
 };
 const BASE: Habit = Habit {
     heading: Some(Turn::Free),
     pitch: None,
     rate: 120.0,
-    comfort: 1.0,
+    stiffness: 1.0,
     why: "its name says that it turns about the upright axis",
 };
 const BARREL: Habit = Habit {
     heading: None,
     pitch: Some([-10.0, 80.0]),
     rate: 90.0,
-    comfort: 1.0,
+    stiffness: 1.0,
     why: "its name says that it is raised and lowered",
 };
 const HINGE: Habit = Habit {
     heading: Some(Turn::Between(-45.0, 45.0)),
     pitch: Some([-45.0, 45.0]),
     rate: 90.0,
-    comfort: 2.0,
+    stiffness: 2.0,
     why: "nothing tells what it can do: give its own ranges and rate",
 };
 const TURNING: [&str; 6] = ["base", "yaw", "pan", "swivel", "turret", "turntable"];
@@ -107,9 +108,16 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
     };
     let bones: Vec<&BoneAxes> = nodes.iter().map(listed).collect::<Result<_, _>>()?;
     let necks = bones.iter().filter(|bone| bone.role == Some(Role::Neck)).count();
-    let share = if necks >= LONG_NECK { 1.5 / (necks as f64) } else { 1.0 };
+    // However long the neck, a joint's range is one that can be declared: a degree or more to some side.
+    let share = if necks >= LONG_NECK { (1.5 / (necks as f64)).max(0.025) } else { 1.0 };
     let mut proposal = Proposal {
-        spec: RigSpec { name: "Measured".into(), joints: Vec::new(), effector: effector(bones[0]), natural: None },
+        spec: RigSpec {
+            name: "Measured".into(),
+            joints: Vec::new(),
+            effector: effector(bones[0]),
+            natural: None,
+            kernels: Vec::new(),
+        },
         reasons: Vec::new(),
     };
     for (at, bone) in bones.iter().enumerate() {
@@ -120,7 +128,7 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         let mut joint = joint(name, habit, bone, if bone.role == Some(Role::Neck) { share } else { 1.0 });
         let mut why = habit.why.to_owned();
         if at == 0 {
-            joint.pair = pair(measurement, bone).map(|pair| pair.name.clone());
+            joint.other_eye = other_eye(measurement, bone).map(|eye| eye.name.clone());
             if let Some(range) = bone.role.and_then(|role| vrm_range(document, role)) {
                 [joint.heading, joint.pitch] = range.map(|[lo, hi]| Some(between(lo, hi)));
                 why = "the range maps of the file's lookAt".into();
@@ -199,7 +207,7 @@ fn habit(bone: &BoneAxes) -> &'static Habit {
 }
 
 /// The other eye.
-fn pair<'m>(measurement: &'m Measurement, eye: &BoneAxes) -> Option<&'m BoneAxes> {
+fn other_eye<'m>(measurement: &'m Measurement, eye: &BoneAxes) -> Option<&'m BoneAxes> {
     let other = match eye.role? {
         Role::LeftEye => Role::RightEye,
         Role::RightEye => Role::LeftEye,
@@ -216,8 +224,8 @@ fn vrm_range(document: &Document, role: Role) -> Option<[[f64; 2]; 2]> {
         Role::RightEye => [-left, right],
         _ => return None,
     };
-    // A map may hold an eye still in one direction, not in all; beyond a half turn it means nothing.
-    let usable = |[lo, hi]: [f64; 2]| lo < hi && lo >= -90.0 && hi <= 90.0;
+    // A map may hold an eye still in one direction, not in all (less than a degree is none); beyond a half turn it means nothing.
+    let usable = |[lo, hi]: [f64; 2]| lo < hi && lo >= -90.0 && hi <= 90.0 && (lo <= -1.0 || hi >= 1.0);
     (usable(heading) && usable([-down, up])).then_some([heading, [-down, up]])
 }
 
@@ -239,6 +247,19 @@ fn between(lo: f64, hi: f64) -> AngleRange {
     AngleRange::Between(rounded(lo), rounded(hi))
 }
 
+/// The role of the joint that a bone becomes: as measured, else as its name tells.
+fn role(bone: &BoneAxes) -> aim_model::Role {
+    use aim_model::Role as Declared;
+    match bone.role {
+        Some(Role::LeftEye | Role::RightEye) => Declared::Eye,
+        Some(Role::Head) => Declared::Head,
+        Some(Role::Neck) => Declared::Neck,
+        Some(Role::Spine) => Declared::Chest,
+        Some(Role::Hips) => Declared::None,
+        _ => BoneName::new(&bone.name).role().unwrap_or_default(),
+    }
+}
+
 fn joint(name: String, habit: &Habit, bone: &BoneAxes, share: f64) -> JointSpec {
     let heading = habit.heading.as_ref().map(|turn| match turn {
         Turn::Between(lo, hi) => between(lo * share, hi * share),
@@ -246,17 +267,18 @@ fn joint(name: String, habit: &Habit, bone: &BoneAxes, share: f64) -> JointSpec 
     });
     JointSpec {
         name,
+        role: role(bone),
         bones: vec![bone.name.clone()],
         frame: frame(bone),
         pitch: habit.pitch.map(|[lo, hi]| between(lo * share, hi * share)),
         heading,
-        absolute: false,
+        limits_from: LimitsFrom::Animation,
         rate: habit.rate.to_radians(),
         acceleration: None,
-        comfort: habit.comfort,
-        level: None,
-        narrowing: None,
-        pair: None,
+        stiffness: habit.stiffness,
+        upright: None,
+        pitch_taper: None,
+        other_eye: None,
     }
 }
 

@@ -2,6 +2,9 @@
 
 use std::path::PathBuf;
 
+use aim_gltf::Settle;
+use aim_runtime::Solver;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::plot::Size;
@@ -25,10 +28,7 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  aim inspect hero.glb --json")]
     Inspect(Inspect),
     /// Propose a model's declaration: its chain, measured axes, human ranges and rates.
-    #[command(
-        after_help = "Example:\n  aim rig hero.glb --format toml\n\nThe result goes to standard output: `aim rig hero.glb > \
-                            hero.toml`, or into the program with --format rust."
-    )]
+    #[command(after_help = include_str!("help/rig.txt").trim_ascii_end())]
     Rig(Rig),
     /// Write the solver derived for a rig.
     #[command(after_help = "Example:\n  aim generate rigs/thug.toml --lang c -o thug.c")]
@@ -37,53 +37,22 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  aim count rigs/thug.toml --json")]
     Count(Count),
     /// Compare a rig's derived gradient and Jacobian with central differences, or a rig with a model.
-    #[command(
-        after_help = "Example:\n  aim check rigs/thug.toml --samples 10000\n  aim check dude.glb --rig rigs/thug.toml"
-    )]
+    #[command(after_help = include_str!("help/check.txt").trim_ascii_end())]
     Check(Check),
     /// Tell a rig's derivation step by step, as a page or as LaTeX.
-    #[command(
-        after_help = "Example:\n  aim explain rigs/thug.toml -o thug.html\n  aim explain rigs/thug.toml -o thug.tex"
-    )]
+    #[command(after_help = include_str!("help/explain.txt").trim_ascii_end())]
     Explain(Explain),
     /// Draw a joint's aim function over heading and pitch, with the solvers' ways over it.
-    #[command(
-        after_help = "Example:\n  aim plot rigs/thug.toml -o aim.svg\n\nThe other joints are at rest. Contours are degrees off \
-                            the target, whose cosine is the aim; the box is the range of\nmotion. A joint with one angle \
-                            has a curve."
-    )]
+    #[command(after_help = include_str!("help/plot.txt").trim_ascii_end())]
     Plot(Plot),
     /// Aim a model over a clip and write an ordinary glTF animation.
-    #[command(
-        after_help = "Example:\n  aim bake dude.glb --rig rigs/thug.toml --target orbit:2,0,8 --seconds 8 --out aimed.glb \
-                            --report aimed.json\n\nTargets:\n  x,y,z                         a point, in the file's units\n  \
-                            orbit:RADIUS,HEIGHT,SECONDS   around the eye, in metres of a 1.7 m character, from its front to \
-                            its left\n  node:NAME                     a node of the file\n  file:PATH.csv                 \
-                            columns t,x,y,z in the file's units, linear between rows"
-    )]
+    #[command(after_help = include_str!("help/bake.txt").trim_ascii_end())]
     Bake(Bake),
     /// Open a window with a character that looks at a target: the mannequin, or a model's.
-    #[command(
-        after_help = "Examples:\n  aim view\n  aim view dude.glb --rig rigs/thug.toml --solver all --show axes,limits\n  aim view \
-                      --screenshot look.png --frames 60 --size 1280x800\n\nIn the window: I J K L M N move the target, arrows \
-                      and Z X the camera, Q A show and hide the bones' frames,\nE switches between eyes and neck. Drop a model or \
-                      a rig's TOML file onto it."
-    )]
+    #[command(after_help = include_str!("help/view.txt").trim_ascii_end())]
     View(View),
     /// Lead a hand or foot of a clip through points at given times, and write an ordinary glTF animation.
-    #[command(
-        after_help = "Example:\n  aim reach hero.glb --clip Slap --bone RightHand --at 0.42 --target 0.3,1.5,0.6 \
-                            --out reached.glb --report reached.json\n\nThe bone's whole trajectory is deformed, as rigidly \
-                            as possible, so that it comes through each target; its parent and\ngrandparent follow. Give \
-                            --at and --target several times for several points.\n\nThe report:\n  \
-                            limb       the three bones, from the root\n  \
-                            length     of the limb, in the file's units\n  \
-                            targets    at, target, aimed (the target, or what is nearest to it within reach),\n             \
-                            status (reached, too_far or too_near), error (of the written file, from the target)\n  \
-                            trajectory status, evaluations, gradient (what is left of the first), distortion\n  \
-                            frames     t, before, wanted, after (of the written file), status\n  \
-                            summary    frames, reached (targets), stretched (frames), max_error (after from wanted)"
-    )]
+    #[command(after_help = include_str!("help/reach.txt").trim_ascii_end())]
     Reach(Reach),
 }
 
@@ -199,7 +168,7 @@ pub(crate) struct Plot {
     /// Width and height in pixels.
     #[arg(long, value_name = "WxH", default_value = "1000x720")]
     pub(crate) size: Size,
-    /// Where to write it: SVG or PNG, by the name's ending.
+    /// Where to write it: SVG or, built with the feature `pictures`, PNG, by the name's ending.
     #[arg(short, long, value_name = "OUT.svg|OUT.png")]
     pub(crate) output: PathBuf,
 }
@@ -227,33 +196,53 @@ pub(crate) struct Explain {
     pub(crate) samples: u32,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Solver {
-    /// Eyes, neck and spine as people use them: the eyes leap, the head follows and the eyes return.
-    Natural,
-    /// All joints at once, with the least displacement that meets the target.
-    Exact,
-    /// The paper's steepest ascent, joint by joint from the eye inward.
-    Ascent,
+/// Values of a type that does not parse itself, each with its word and its help.
+type Choices<T> = [(T, &'static str, &'static str)];
+
+/// The solvers, and all of them side by side; their words are also those of reports.
+pub(crate) const SOLVERS: &Choices<&[Solver]> = &[
+    (&[Solver::Natural], "natural", "Eyes leap, head and spine follow with inertia, and the eyes return"),
+    (&[Solver::Exact], "exact", "All joints at once, with the least displacement that meets the target"),
+    (&[Solver::Ascent], "ascent", "The paper's steepest ascent, joint by joint from the eye inward"),
+    (&[Solver::Natural, Solver::Exact, Solver::Ascent], "all", "All three, side by side"),
+];
+
+const SETTLES: &Choices<Settle> = &[
+    (Settle::Snap, "snap", "On the target from the first frame"),
+    (Settle::Animation, "animation", "From the animation"),
+];
+
+/// Parses one of these words to its value.
+fn one_of<T: Copy + Send + Sync>(all: &'static Choices<T>) -> impl TypedValueParser<Value = T> {
+    let words = all.iter().map(|(_, word, help)| PossibleValue::new(*word).help(*help));
+    // The words are the only ones that get here.
+    let value = |word: String| all.iter().find(|(_, known, _)| *known == word).unwrap_or(&all[0]).0;
+    PossibleValuesParser::new(words).map(value)
 }
 
-/// How to aim, for every command that does.
+/// Options of every command that aims.
 #[derive(Clone, Copy, Debug, Args)]
 pub(crate) struct Aiming {
     /// The solver; natural where the rig's first joint is an eye, else exact.
-    #[arg(long, value_enum)]
-    pub(crate) solver: Option<Solver>,
+    #[arg(long, value_parser = one_of(&SOLVERS[..3]))]
+    pub(crate) solver: Option<&'static [Solver]>,
     /// Aim the other eye at the target, too; else it turns as the first one does.
     #[arg(long)]
     pub(crate) both_eyes: bool,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Settle {
-    /// On the target from the first frame.
-    Snap,
-    /// From the animation.
-    Animation,
+/// Output files of a command that changes a model.
+#[derive(Debug, Args)]
+pub(crate) struct Written {
+    /// Where to write the model; may be FILE, which it then replaces.
+    #[arg(long, value_name = "OUT.glb")]
+    pub(crate) out: PathBuf,
+    /// Where to write the result of every frame, as JSON.
+    #[arg(long, value_name = "R.json")]
+    pub(crate) report: Option<PathBuf>,
+    /// Where to write the report as a page, with drawings and charts.
+    #[arg(long, value_name = "R.html")]
+    pub(crate) html: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
@@ -278,20 +267,13 @@ pub(crate) struct Bake {
     #[arg(long, default_value_t = 60.0, allow_negative_numbers = true)]
     pub(crate) fps: f32,
     /// How the result begins.
-    #[arg(long, value_enum, default_value_t = Settle::Snap)]
+    #[arg(long, value_parser = one_of(SETTLES), default_value = "snap")]
     pub(crate) settle: Settle,
     /// Make the result's first frame follow from its last.
     #[arg(long = "loop")]
     pub(crate) looped: bool,
-    /// Where to write the aimed model; may be FILE, which it then replaces.
-    #[arg(long, value_name = "OUT.glb")]
-    pub(crate) out: PathBuf,
-    /// Where to write what happened in every frame, as JSON.
-    #[arg(long, value_name = "R.json")]
-    pub(crate) report: Option<PathBuf>,
-    /// Where to write the report as a page, with drawings and charts.
-    #[arg(long, value_name = "R.html")]
-    pub(crate) html: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) written: Written,
 }
 
 #[derive(Debug, Args)]
@@ -313,27 +295,8 @@ pub(crate) struct Reach {
     /// Keys a second.
     #[arg(long, default_value_t = 60.0, allow_negative_numbers = true)]
     pub(crate) fps: f32,
-    /// Where to write the model; may be FILE, which it then replaces.
-    #[arg(long, value_name = "OUT.glb")]
-    pub(crate) out: PathBuf,
-    /// Where to write what came of it, as JSON.
-    #[arg(long, value_name = "R.json")]
-    pub(crate) report: Option<PathBuf>,
-    /// Where to write a page that draws the way it was and the way it is.
-    #[arg(long, value_name = "R.html")]
-    pub(crate) html: Option<PathBuf>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Cast {
-    /// Eyes, neck and spine as people use them.
-    Natural,
-    /// All joints at once, with the least displacement.
-    Exact,
-    /// The paper's steepest ascent.
-    Ascent,
-    /// All three, side by side.
-    All,
+    #[command(flatten)]
+    pub(crate) written: Written,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -373,8 +336,8 @@ pub(crate) struct View {
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Option<String>,
     /// The solver, or all of them side by side; natural where the rig's first joint is an eye, else exact.
-    #[arg(long, value_enum)]
-    pub(crate) solver: Option<Cast>,
+    #[arg(long, value_parser = one_of(SOLVERS))]
+    pub(crate) solver: Option<&'static [Solver]>,
     /// How the target moves.
     #[arg(long, value_enum, default_value_t = TargetPath::Still)]
     pub(crate) path: TargetPath,

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use aim_codegen::declare::Diagnostics;
 
-/// What every command returns.
+/// Result of a command.
 pub(crate) type Result<T = ()> = std::result::Result<T, Failure>;
 
 /// A failed command, with the message that the user sees.

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use aim_codegen::RigSpec;
-use aim_gltf::{Document, Error};
+use aim_gltf::Document;
 
 use crate::failure::{Failure, Result};
 
@@ -17,13 +17,7 @@ pub(crate) fn load_rig(path: &Path) -> Result<RigSpec> {
 
 /// Reads a glTF, GLB or VRM file.
 pub(crate) fn load_model(path: &Path) -> Result<Document> {
-    Document::load(path).map_err(|error| match &error {
-        // Said already.
-        Error::Read { path: named, .. } | Error::NotAFile { path: named } if named == path => {
-            Failure::input(error.to_string())
-        }
-        _ => Failure::in_file(path, error),
-    })
+    Document::load(path).map_err(|error| Failure::input(error.in_file(path)))
 }
 
 /// Writes a file, whole or not at all.

@@ -15,24 +15,21 @@ mod takes;
 #[cfg(test)]
 mod tests;
 mod trajectory;
-pub(crate) mod words;
 
 use aim_codegen::RigSpec;
 use aim_gltf::{Baked, Document, Measurement};
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, html};
 
-use crate::report::Report;
+use crate::bake_report::BakeReport;
 
 pub(crate) use inspection::{Inspected, page as inspection_page};
 pub(crate) use takes::Takes;
-pub(crate) use trajectory::{Course, Frame, page as trajectory_page};
+pub(crate) use trajectory::page as trajectory_page;
 
-const STYLE: &str = include_str!("html/style.css");
-
-/// What a page is about: `report` is of `baked`, which is of `document` aimed by `spec`.
-pub(crate) struct Subject<'a> {
+/// Subject of a page: `report` describes `baked`, which is `document` aimed by `spec`.
+pub(crate) struct BakePage<'a> {
     pub(crate) spec: &'a RigSpec,
-    pub(crate) report: &'a Report,
+    pub(crate) report: &'a BakeReport,
     pub(crate) document: &'a Document,
     /// Of the document.
     pub(crate) measurement: &'a Measurement,
@@ -40,8 +37,8 @@ pub(crate) struct Subject<'a> {
 }
 
 /// The page about one bake.
-pub(crate) fn page(subject: &Subject<'_>) -> String {
-    let Subject { spec, report, .. } = *subject;
+pub(crate) fn page(subject: &BakePage<'_>) -> String {
+    let BakePage { spec, report, .. } = *subject;
     let title = format!("{} aimed over {}", report.rig, report.clip);
     let content = html! {
         h1 { (report.rig) " aimed over " q { (report.clip) } }
@@ -56,23 +53,9 @@ pub(crate) fn page(subject: &Subject<'_>) -> String {
     whole(&title, &content)
 }
 
-/// A page that needs nothing but itself.
+/// A page in the style of reports.
 fn whole(title: &str, content: &Markup) -> String {
-    html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                meta name="generator" content=(concat!("aim ", env!("CARGO_PKG_VERSION")));
-                title { (title) }
-                style { (PreEscaped(STYLE)) }
-            }
-            body { main { (content) } }
-        }
-    }
-    .into_string()
+    crate::page::page(title, include_str!("html/style.css"), content)
 }
 
 fn film(strip: Markup) -> Markup {

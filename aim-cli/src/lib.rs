@@ -1,16 +1,20 @@
 //! The `aim` command as a library: [`run`] parses arguments, runs one command, and says how it ended.
 
 mod args;
+mod axis;
+mod bake_report;
 mod commands;
 mod explain;
 mod failure;
 mod files;
 mod html;
 mod outputs;
+mod page;
 mod plot;
-mod report;
+mod projection;
+mod reach_report;
 mod target;
-mod ticks;
+mod words;
 
 use std::process::ExitCode;
 

@@ -1,34 +1,37 @@
-//! What a command may write where: nothing over what it reads, no two things in one file.
+//! Checks of output paths: nothing is written over what a command reads, and no two things into one file.
 
 use std::path::{Path, PathBuf};
 
 use aim_gltf::Document;
+use serde::Serialize;
 
+use crate::args::Written;
 use crate::failure::{Failure, Result};
+use crate::files;
 
-/// The files of one call.
+/// The input and output files of one call.
 #[derive(Default)]
 pub(crate) struct Outputs {
     taken: Vec<(PathBuf, String)>,
 }
 
 impl Outputs {
-    /// Nothing may be written over this file; `what` it is, for the message.
-    pub(crate) fn reads(&mut self, path: &Path, what: &str) {
-        self.taken.push((place(path), what.to_owned()));
+    /// Starts with files that are read, each with its name in messages: nothing may be written over them.
+    pub(crate) fn reading<'a>(inputs: impl IntoIterator<Item = (&'a Path, &'a str)>) -> Self {
+        Self { taken: inputs.into_iter().map(|(path, what)| (place(path), what.to_owned())).collect() }
     }
 
-    /// Nothing may be written over what a model refers to.
-    pub(crate) fn reads_parts_of(&mut self, model: &Document) {
-        for file in model.external_files() {
-            self.reads(&file, "a part of the model");
-        }
+    /// Adds the files that a model refers to.
+    pub(crate) fn reading_parts_of(mut self, model: &Document) -> Self {
+        let parts = model.external_files();
+        self.taken.extend(parts.iter().map(|file| (place(file), "a part of the model".to_owned())));
+        self
     }
 
-    /// This file is going to be written because of `option`.
+    /// Adds a file that is going to be written because of `option`.
     ///
     /// # Errors
-    /// It is one of the others.
+    /// The file is one of the others.
     pub(crate) fn writes(&mut self, path: &Path, option: &str) -> Result {
         let at = place(path);
         if let Some((_, what)) = self.taken.iter().find(|(taken, _)| *taken == at) {
@@ -38,32 +41,39 @@ impl Outputs {
         Ok(())
     }
 
-    /// The model that is written to `--out`, which may take the place of the one that was read, and what `--report` and
-    /// `--html` tell of it.
+    /// Adds the files of a command that changes a model; `--out`, and nothing else, may replace the model that was read.
     ///
     /// # Errors
-    /// One of them is one of the others, or the model called as a text file would be.
-    pub(crate) fn writes_model(
-        &mut self,
-        out: &Path,
-        model: &Path,
-        report: Option<&Path>,
-        html: Option<&Path>,
-    ) -> Result {
+    /// A file is one of the others, or `--out` has the ending of a text file.
+    pub(crate) fn write_model(mut self, written: &Written, model: &Path) -> Result {
+        let Written { out, report, html } = written;
         if out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gltf")) {
             return Err(Failure::in_file(out, "would be a binary file; give --out a name that ends in .glb"));
         }
         if place(out) != place(model) {
-            self.reads(model, "the model itself");
+            self.taken.push((place(model), "the model itself".into()));
         }
-        for (path, option) in [(Some(out), "--out"), (report, "--report"), (html, "--html")] {
+        for (path, option) in [(Some(out), "--out"), (report.as_ref(), "--report"), (html.as_ref(), "--html")] {
             path.map_or(Ok(()), |path| self.writes(path, option))?;
         }
         Ok(())
     }
 }
 
-/// Where a file is, links followed; of one that is not there yet, where its folder is.
+impl Written {
+    /// Writes the model, and the report and the page if they are asked for: all of them or none.
+    pub(crate) fn write(&self, model: &[u8], report: &impl Serialize, page: impl FnOnce() -> String) -> Result {
+        let report = match &self.report {
+            Some(path) => Some((path.as_path(), files::to_json(report)?)),
+            None => None,
+        };
+        let page = self.html.as_deref().map(|path| (path, page()));
+        let texts = report.iter().chain(&page).map(|(path, text)| (*path, text.as_bytes()));
+        files::write_all(&std::iter::once((self.out.as_path(), model)).chain(texts).collect::<Vec<_>>())
+    }
+}
+
+/// Path of a file with links followed; of a file that does not exist yet, those of its folder.
 fn place(path: &Path) -> PathBuf {
     let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     absolute.canonicalize().unwrap_or_else(|_| match (absolute.parent(), absolute.file_name()) {

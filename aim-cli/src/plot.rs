@@ -13,11 +13,11 @@ mod picture;
 mod subject;
 mod surface;
 
-pub(crate) use picture::{Picture, Size};
-pub(crate) use subject::Subject;
+pub(crate) use picture::{PlotPicture, Size};
+pub(crate) use subject::JointPlot;
 
 /// The aim over both angles as contours, over the only angle of a hinge as a curve.
-pub(crate) fn flat(subject: &Subject, size: Size) -> Picture {
+pub(crate) fn flat(subject: &JointPlot, size: Size) -> PlotPicture {
     if subject.is_hinge() { curve::picture(subject, size) } else { contours::picture(subject, size) }
 }
 
@@ -25,7 +25,7 @@ pub(crate) fn flat(subject: &Subject, size: Size) -> Picture {
 ///
 /// # Errors
 /// The joint has one angle only.
-pub(crate) fn surface(subject: &Subject, size: Size) -> Result<Picture, String> {
+pub(crate) fn surface(subject: &JointPlot, size: Size) -> Result<PlotPicture, String> {
     if subject.is_hinge() {
         return Err(format!(
             "the joint {} has one angle, over which there is no surface; leave --surface out for its curve",

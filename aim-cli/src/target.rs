@@ -1,4 +1,4 @@
-//! Where the target is: the SPEC of `bake --target`.
+//! Targets of a bake: the SPEC of `bake --target`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,9 +8,6 @@ use aim_gltf::{Document, Measurement};
 use glam::{DAffine3, DVec3};
 
 use crate::failure::{Failure, Result};
-
-/// The height of the character that orbits are given for, metres.
-const CHARACTER_HEIGHT: f64 = 1.7;
 
 /// A target as the user wrote it.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,59 +68,43 @@ fn three_numbers(text: &str) -> Option<[f64; 3]> {
     numbers.try_into().ok()
 }
 
-/// Whether single precision can hold it: beyond that there is no place in a file.
+/// True if single precision, in which files have their numbers, can hold it.
 fn is_usable(x: f64) -> bool {
     x.abs() <= f64::from(f32::MAX)
 }
 
-/// A target that can be asked where it is.
-#[derive(Debug)]
-pub(crate) enum Target {
-    Point(DVec3),
-    Orbit { centre: DVec3, front: DVec3, left: DVec3, up: DVec3, turns_a_second: f64 },
-    Node(usize),
-    Path(Vec<(f64, DVec3)>),
-}
+/// A target's place in the world at a time, seconds, with the file's nodes at these places.
+pub(crate) type Target = Box<dyn Fn(f64, &[DAffine3]) -> DVec3>;
 
-impl Target {
-    /// Finds what `spec` names in `document`. `effector_bind` is the effector's origin in the bind pose.
-    pub(crate) fn new(
-        spec: &TargetSpec,
+impl TargetSpec {
+    /// Finds the target in `document`. `effector_bind` is the effector's origin in the bind pose.
+    pub(crate) fn resolve(
+        &self,
         file: &Path,
         document: &Document,
         measurement: &Measurement,
         effector_bind: DVec3,
-    ) -> Result<Self> {
-        Ok(match spec {
-            TargetSpec::Point(point) => Self::Point(*point),
-            TargetSpec::Orbit { radius, height, seconds } => {
-                let metre = if measurement.height > 0.0 { measurement.height / CHARACTER_HEIGHT } else { 1.0 };
-                Self::Orbit {
-                    centre: effector_bind,
-                    front: measurement.forward * (radius * metre),
-                    left: measurement.left * (radius * metre),
-                    up: measurement.up * (height * metre),
-                    turns_a_second: seconds.recip(),
-                }
+    ) -> Result<Target> {
+        Ok(match self {
+            &Self::Point(point) => Box::new(move |_, _| point),
+            Self::Orbit { radius, height, seconds } => {
+                let metre = measurement.metre();
+                let [front, left] = [measurement.forward, measurement.left].map(|way| way * (radius * metre));
+                let (up, turns_a_second) = (measurement.up * (height * metre), seconds.recip());
+                Box::new(move |t, _| {
+                    let (sin, cos) = (t * turns_a_second * std::f64::consts::TAU).sin_cos();
+                    effector_bind + front * cos + left * sin + up
+                })
             }
-            TargetSpec::Node(name) => {
-                Self::Node(document.skeleton().find(name).map_err(|error| Failure::in_file(file, error))?)
+            Self::Node(name) => {
+                let node = document.skeleton().find(name).map_err(|error| Failure::in_file(file, error))?;
+                Box::new(move |_, world| world[node].translation)
             }
-            TargetSpec::File(path) => Self::Path(read_path(path)?),
+            Self::File(path) => {
+                let rows = read_path(path)?;
+                Box::new(move |t, _| on_path(&rows, t))
+            }
         })
-    }
-
-    /// The target in the world at `t` seconds, the file's nodes being at `world`.
-    pub(crate) fn at(&self, t: f64, world: &[DAffine3]) -> DVec3 {
-        match self {
-            Self::Point(point) => *point,
-            Self::Orbit { centre, front, left, up, turns_a_second } => {
-                let (sin, cos) = (t * turns_a_second * std::f64::consts::TAU).sin_cos();
-                *centre + *front * cos + *left * sin + *up
-            }
-            Self::Node(node) => world[*node].translation,
-            Self::Path(rows) => on_path(rows, t),
-        }
     }
 }
 

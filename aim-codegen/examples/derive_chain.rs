@@ -4,9 +4,9 @@
 
 use std::process::ExitCode;
 
-use aim_codegen::objective::{self, ChainInputs};
-use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, RigSpec};
-use aim_symbolic::{Graph, Program, print};
+use aim_codegen::objective::{CHAIN_VALUE_GRADIENT, FirstLink};
+use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, LimitsFrom, RigSpec, Role};
+use aim_symbolic::print;
 
 fn main() -> ExitCode {
     let Some(joints) = std::env::args().nth(1).and_then(|n| n.parse().ok()).filter(|n| (1..=100).contains(n)) else {
@@ -14,11 +14,9 @@ fn main() -> ExitCode {
         return ExitCode::FAILURE;
     };
     let spec = rig(joints);
-    let mut g = Graph::new();
-    let inputs = ChainInputs::declare(&mut g, joints);
-    let aim = objective::chain_aim(&mut g, &spec, &inputs);
-    let program = Program::derive(&g, &[aim], &inputs.declared_angles(&spec));
-    println!("{joints} joints: {}; {} bytes of text", program.count(), print::plain(&program).len());
+    let all: Vec<usize> = (0..joints).collect();
+    let program = CHAIN_VALUE_GRADIENT.statement(&spec, &all, FirstLink::Given).program();
+    println!("{joints} joints: {}; {} bytes of text", program.count(), print::maxima("chain", &program).len());
     ExitCode::SUCCESS
 }
 
@@ -29,21 +27,23 @@ fn rig(joints: usize) -> RigSpec {
     let joint = |i: usize| JointSpec {
         name: format!("joint{i}"),
         bones: vec![format!("joint{i}")],
+        role: Role::None,
         frame,
         pitch: range,
         heading: range,
-        absolute: false,
+        limits_from: LimitsFrom::Animation,
         rate: 1.0,
         acceleration: None,
-        comfort: 1.0,
-        level: None,
-        narrowing: None,
-        pair: None,
+        stiffness: 1.0,
+        upright: None,
+        pitch_taper: None,
+        other_eye: None,
     };
     RigSpec {
         name: "Chain".into(),
         joints: (0..joints).map(joint).collect(),
         effector: EffectorSpec { frame, origin: [0.0; 3] },
         natural: None,
+        kernels: Vec::new(),
     }
 }

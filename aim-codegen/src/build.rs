@@ -174,7 +174,7 @@ fn failure(message: &str, help: &str) -> String {
 mod tests {
     use super::*;
 
-    const LAMP: &str = "name = 'Lamp'\nbones = { up = '+Z', forward = '+X' }\n[[joint]]\nname = 'arm'\nheading = 'free'\nrate = '90deg'\n";
+    const LAMP: &str = "name = 'Lamp'\naxes = { up = '+Z', forward = '+X' }\n[[joint]]\nname = 'arm'\nheading = 'free'\nrate = '90deg'\n";
 
     /// A folder of its own for each test, emptied first.
     fn folder(test: &str, files: &[(&str, &str)]) -> PathBuf {
@@ -237,7 +237,7 @@ mod tests {
         let errors = Rigs::new(place.join("rigs")).write_to(&place).expect_err("bad rigs");
         for expected in [
             "error: `up` and `forward` are parallel\n",
-            "a.toml:2:32\n",
+            "a.toml:2:31\n",
             "error: the name `fn` is a keyword of WGSL\n",
             "b.toml:4:8\n",
             "error: `90` has no unit\n",

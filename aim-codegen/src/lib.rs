@@ -1,6 +1,6 @@
 //! From what the user declared to the code that aims it.
 //!
-//! A declaration passes every check and becomes a [`RigSpec`]; [`RigPrograms::derive`] states the objectives for it
+//! A declaration passes every check and becomes a [`RigSpec`]; [`objective::kernels`] states the objectives for it
 //! and derives their programs; a back end of [`emit`] writes them down. Nothing after the checks can fail.
 //!
 //! The derive macro, a `build.rs` and the command all come through here, so their code is the same.
@@ -8,17 +8,19 @@
 #[cfg(feature = "toml")]
 pub mod build;
 pub mod declare;
+mod differentiate;
 pub mod emit;
-mod function;
 mod names;
 pub mod objective;
-mod role;
 mod spec;
+mod text;
 
-pub use function::differentiate;
+use objective::{FirstLink, OBJECTIVES};
+
+pub use aim_model::{Angles, LimitsFrom, RangeOfMotion, Role};
+pub use differentiate::differentiate;
 pub use names::snake_case;
-pub use objective::{JointOutput, Objective, RigPrograms, derivation, joint_program, objectives};
-pub use role::Role;
+pub use objective::{Kernel, Objective, kernels};
 pub use spec::{AngleRange, EffectorSpec, Frame, JointSpec, NaturalSpec, RigSpec};
 
 /// What `#[derive(AimRig)]` expands to: the implementation, or every error of the declaration.
@@ -29,10 +31,13 @@ pub fn derive(input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
     };
     match declare::from_derive_input(&input) {
         Ok(declared) => {
-            let programs = RigPrograms::derive(&declared.spec);
-            let rig = emit::Rig { spec: &declared.spec, programs: &programs };
+            let kernels = requested_kernels(&declared.spec);
+            let rig = emit::Rig { spec: &declared.spec, kernels: &kernels };
             let krate = declared.krate.map_or_else(|| quote::quote!(::aim), |path| quote::quote!(#path));
-            emit::rust::emit(&rig, &emit::rust::Item { name: declared.ident, fields: declared.fields, krate })
+            emit::rust::emit(
+                &rig,
+                &emit::rust::Item { name: declared.ident, fields: declared.fields, vis: declared.vis, krate },
+            )
         }
         Err(errors) => {
             let mut tokens = errors.into_compile_error();
@@ -42,13 +47,19 @@ pub fn derive(input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
     }
 }
 
+/// The kernels that a declaration asks for by `kernels(…)`.
+fn requested_kernels(spec: &RigSpec) -> Vec<Kernel> {
+    let objectives = OBJECTIVES.into_iter().filter(|objective| spec.kernels.contains(&objective.name));
+    objectives.flat_map(|objective| objective.kernels(spec, FirstLink::Given)).collect()
+}
+
 /// The Rust code of a rig that was not declared as a struct: the struct that a derive would have found, and what the
 /// derive makes of it.
 ///
 /// `krate` is the path of the facade, `::aim` for its users.
 pub fn rust_of(spec: &RigSpec, krate: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
-    let programs = RigPrograms::derive(spec);
-    let rig = emit::Rig { spec, programs: &programs };
+    let kernels = requested_kernels(spec);
+    let rig = emit::Rig { spec, kernels: &kernels };
     emit::rust::emit_with_struct(&rig, &emit::rust::Item::of(spec, krate))
 }
 

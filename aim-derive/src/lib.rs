@@ -2,25 +2,26 @@
 
 use proc_macro::TokenStream;
 
-/// Derives a rig: its kernels for exactly the declared axes, `AimRig`, `Default` (every angle 0) and `Debug`.
+/// Derives a rig: `Rig`, with kernels for exactly the declared axes, and `AimRig`.
 ///
-/// On the struct, `#[aim(bones(up = +X, forward = +Y, left = +Z), handedness = right, effector(forward = +Y,
+/// On the struct, `#[aim(axes(up = +X, forward = +Y, left = +Z), handedness = right, effector(forward = +Y,
 /// origin = (0.0, 0.1, 0.0)), natural(…), crate = ::aim)]`; two of the three axes are enough. On each field, from the eye inward,
-/// `#[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]` with at least one of the angles and the
+/// `#[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]` with at least one of the angles and the
 /// rate, the largest speed of each angle. A joint may also have:
 ///
 /// | setting | meaning |
 /// |---|---|
-/// | `bones(…)` | this bone's own axes |
+/// | `role = eye` | what the joint is: `eye`, `head`, `neck`, `chest` (any joint of the upper torso) or `none`, the default |
+/// | `axes(…)` | this bone's own axes |
 /// | `mirrored = true` | its axes are mirrored |
 /// | `heading = free` | a turret: no limit |
-/// | `comfort = 4.0` | reluctance in the displacement cost, 1 by default |
+/// | `stiffness = 4.0` | weight in the displacement cost: stiffer joints move less; 1 by default |
 /// | `acceleration = 1200deg` | largest change of speed, per second squared |
-/// | `level = 0.5` | how far heading turns about the character's up, 0 to 1 |
-/// | `narrowing = 0.3` | the part of the pitch's range that is lost at the ends of the heading's, growing from 0 at heading 0; 0 to 1 |
-/// | `range = absolute` | ranges are counted from the bind pose, not from the animation |
+/// | `upright = 0.5` | how far heading turns about the character's up, 0 to 1 |
+/// | `pitch_taper = 0.3` | the part of the pitch's range that is lost at the ends of the heading's, growing from 0 at heading 0; 0 to 1 |
+/// | `limits_from = bind_pose` | ranges are counted from the bind pose, not from the animation |
 /// | `bone = "node"` or `["a", "b"]` | its names in models; the field's name by default |
-/// | `pair = "node"` | on the eye: the other eye |
+/// | `other_eye = "node"` | on the eye: the other eye |
 ///
 /// # How a natural gaze is shared
 ///
@@ -29,14 +30,17 @@ use proc_macro::TokenStream;
 /// alone, `head_share` the head's part of what is beyond it (0 to 1); the head begins to help when the eyes are further
 /// than `engage` from their middle, rests again nearer than `release`, and begins `delay` seconds after the eyes.
 ///
-/// What part a joint has in the gaze is told by names: the first of the field's name and its bones' that holds one of the
-/// words `eye` (but not an eyelid or eyebrow), `head`, `neck`, or `spine`, `chest`, `torso`, `back`, `waist`, `abdomen`, in
-/// any case and with what usually stands around them (`L_eyeBall_joint2`, `mixamorig:LeftEye`, `upperChest`), makes it
-/// an eye, a head, a neck or a spine. Neck and head keep their heading level unless `level` says otherwise, and a rig whose
-/// first joint is an eye is aimed by the natural solver unless a call asks for another.
+/// The part a joint has in the gaze is its `role`; names tell nothing. Neck and head turn about the character's up unless
+/// `upright` says otherwise, and a rig whose first joint is an eye is aimed by the natural solver unless a call asks for
+/// another.
 ///
-/// Beside the trait there is a constant `BONES`, the bones' names joint by joint. Deriving `Default` or `Debug` beside it is
-/// an error: both come with it.
+/// # A pose by name, and further kernels
+///
+/// Beside the traits there is a struct of the rig's visibility, `HeroPose` for `Hero`, with a field for each joint: for poses
+/// and corrections that are given and read by name. It is converted from and to an array of the joints' values.
+///
+/// `kernels(aim_gradient, chain_value_gradient, chain_residual_jacobian)` on the struct, with any of the three, makes
+/// associated functions of those names, generic over `Scalar`: `Hero::chain_value_gradient(links, target, sin_cos, out)`.
 #[proc_macro_derive(AimRig, attributes(aim, joint))]
 pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
     aim_codegen::derive(input.into()).into()

@@ -3,7 +3,7 @@
 use core::cell::Cell;
 
 use crate::error::Error;
-use crate::raw::{Accessor, Raw, View};
+use crate::raw::{Accessor, BufferView, Raw};
 
 /// Elements an accessor without any bytes behind it may claim (its zeros must fit into memory).
 const MAX_IMPLIED: usize = 1 << 24;
@@ -63,30 +63,20 @@ impl<'a> Data<'a> {
     }
 
     /// The bytes of a buffer view.
-    fn view(&self, index: usize, place: &str) -> Result<(&'a [u8], &'a View), Error> {
-        let view = self
-            .raw
-            .views
-            .get(index)
-            .ok_or_else(|| Error::invalid(place, format!("bufferViews[{index}] does not exist")))?;
-        let buffer = self.buffers.get(view.buffer).ok_or_else(|| {
-            Error::invalid(format!("bufferViews[{index}]"), format!("buffers[{}] does not exist", view.buffer))
-        })?;
+    fn view(&self, index: usize, place: &str) -> Result<(&'a [u8], &'a BufferView), Error> {
+        let view = self.raw.views.get(index);
+        let view = view.ok_or_else(|| Error::invalid(place, format!("bufferViews[{index}] does not exist")))?;
+        let (place, number) = (format!("bufferViews[{index}]"), view.buffer);
+        let buffer = self.buffers.get(number);
+        let buffer = buffer.ok_or_else(|| Error::invalid(&*place, format!("buffers[{number}] does not exist")))?;
         let bytes = buffer.ok_or_else(|| Error::NoData {
-            place: format!("buffers[{}]", view.buffer),
+            place: format!("buffers[{number}]"),
             problem: "its bytes are not in the file (compressed with an extension?); export without compression".into(),
         })?;
-        let range = view.byte_offset.checked_add(view.byte_length).map(|end| view.byte_offset..end);
+        let (start, length, all) = (view.byte_offset, view.byte_length, bytes.len());
+        let range = start.checked_add(length).map(|end| start..end);
         let bytes = range.and_then(|range| bytes.get(range)).ok_or_else(|| {
-            Error::invalid(
-                format!("bufferViews[{index}]"),
-                format!(
-                    "{} bytes from byte {} do not fit into a buffer of {} bytes",
-                    view.byte_length,
-                    view.byte_offset,
-                    bytes.len()
-                ),
-            )
+            Error::invalid(place, format!("{length} bytes from byte {start} do not fit into a buffer of {all} bytes"))
         })?;
         Ok((bytes, view))
     }
@@ -106,30 +96,18 @@ impl<'a> Data<'a> {
         place: &str,
     ) -> Result<impl Iterator<Item = &'a [u8]>, Error> {
         let (bytes, info) = self.view(view, place)?;
-        let stride = match info.byte_stride {
-            None | Some(0) => size,
-            Some(stride) if stride < size => {
-                return Err(Error::invalid(
-                    format!("bufferViews[{view}].byteStride"),
-                    format!("{stride} is less than the {size} bytes of an element of {place}"),
-                ));
-            }
-            Some(stride) => stride,
-        };
-        let end = match count.checked_sub(1) {
-            None => Some(0),
-            Some(last) => {
-                last.checked_mul(stride).and_then(|n| n.checked_add(size)).and_then(|n| n.checked_add(offset))
-            }
-        };
-        if end.is_none_or(|end| end > bytes.len()) {
-            return Err(Error::invalid(
-                place,
-                format!(
-                    "{count} elements from byte {offset} do not fit into bufferViews[{view}] of {} bytes",
-                    bytes.len()
-                ),
-            ));
+        let stride = info.byte_stride.filter(|stride| *stride != 0).unwrap_or(size);
+        if stride < size {
+            let problem = format!("{stride} is less than the {size} bytes of an element of {place}");
+            return Err(Error::invalid(format!("bufferViews[{view}].byteStride"), problem));
+        }
+        let last = count.saturating_sub(1).checked_mul(stride);
+        let end = last.and_then(|n| n.checked_add(size)).and_then(|n| n.checked_add(offset));
+        if count > 0 && end.is_none_or(|end| end > bytes.len()) {
+            let all = bytes.len();
+            let problem =
+                format!("{count} elements from byte {offset} do not fit into bufferViews[{view}] of {all} bytes");
+            return Err(Error::invalid(place, problem));
         }
         Ok((0..count).map(move |k| &bytes[offset + k * stride..offset + k * stride + size]))
     }
@@ -153,10 +131,8 @@ impl<'a> Data<'a> {
         let accessor = self.accessor(index, place)?;
         let at = format!("accessors[{index}]");
         if !shapes.contains(&accessor.shape.as_str()) {
-            return Err(Error::invalid(
-                at,
-                format!("its type is {:?}, and {place} needs {}", accessor.shape, shapes.join(" or ")),
-            ));
+            let problem = format!("its type is {:?}, and {place} needs {}", accessor.shape, shapes.join(" or "));
+            return Err(Error::invalid(at, problem));
         }
         let width = components(&accessor.shape).unwrap_or(1);
         let part = size_of(accessor.component_type)
@@ -173,23 +149,17 @@ impl<'a> Data<'a> {
             elements.for_each(|bytes| decode(bytes, &mut out));
         } else {
             if accessor.count > MAX_IMPLIED {
-                return Err(Error::invalid(
-                    at,
-                    format!("{} elements without a buffer view are beyond reason", accessor.count),
-                ));
+                let problem = format!("{} elements without a buffer view are beyond reason", accessor.count);
+                return Err(Error::invalid(at, problem));
             }
             self.spend(accessor.count * width, &at)?;
             out.resize(accessor.count * width, 0.0);
         }
         if let Some(sparse) = &accessor.sparse {
-            let index_size = match sparse.indices.component_type {
-                5121 | 5123 | 5125 => size_of(sparse.indices.component_type).unwrap_or(4),
-                other => {
-                    return Err(Error::invalid(
-                        format!("{at}.sparse.indices"),
-                        format!("component type {other} is no index"),
-                    ));
-                }
+            let kind = sparse.indices.component_type;
+            let Some(index_size) = size_of(kind).filter(|_| matches!(kind, 5121 | 5123 | 5125)) else {
+                let problem = format!("component type {kind} is no index");
+                return Err(Error::invalid(format!("{at}.sparse.indices"), problem));
             };
             let (indices, values) = (&sparse.indices, &sparse.values);
             let place = format!("{at}.sparse");

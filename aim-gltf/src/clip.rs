@@ -11,7 +11,7 @@ use crate::num;
 use crate::raw;
 use crate::trs::Trs;
 
-/// What a channel animates.
+/// The animated property of a channel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Property {
@@ -25,7 +25,7 @@ pub enum Property {
     Weights,
 }
 
-/// How a channel goes from one key to the next.
+/// Interpolation between two keys of a channel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Interpolation {
@@ -60,30 +60,40 @@ pub struct Clip {
     pub channels: Vec<Channel>,
 }
 
+/// Each property with its path and accessor type in a file, and the numbers of one value; weights have one for each
+/// morph target.
+pub(crate) const PROPERTIES: [(Property, &str, &str, usize); 4] = [
+    (Property::Translation, "translation", "VEC3", 3),
+    (Property::Rotation, "rotation", "VEC4", 4),
+    (Property::Scale, "scale", "VEC3", 3),
+    (Property::Weights, "weights", "SCALAR", 1),
+];
+
+/// Each interpolation with its word in a file.
+pub(crate) const INTERPOLATIONS: [(Interpolation, &str); 3] =
+    [(Interpolation::Step, "STEP"), (Interpolation::Linear, "LINEAR"), (Interpolation::CubicSpline, "CUBICSPLINE")];
+
 impl Channel {
-    fn new(node: usize, property: Property, times: Arc<[f32]>, values: Vec<f32>, width: usize) -> Self {
-        Self { node, property, interpolation: Interpolation::Linear, times, values, width }
+    fn linear<const N: usize>(node: usize, property: Property, times: Arc<[f32]>, values: Vec<[f32; N]>) -> Self {
+        Self { node, property, interpolation: Interpolation::Linear, times, values: values.concat(), width: N }
     }
 
     /// A linear rotation track: a local rotation at each time (seconds, increasing). Share one `times` between tracks.
     #[must_use]
     pub fn rotation(node: usize, times: Arc<[f32]>, rotations: &[Quat]) -> Self {
-        let values = rotations.iter().flat_map(|q| q.to_array()).collect();
-        Self::new(node, Property::Rotation, times, values, 4)
+        Self::linear(node, Property::Rotation, times, rotations.iter().map(Quat::to_array).collect())
     }
 
     /// A linear translation track: a local translation at each time (seconds, increasing).
     #[must_use]
     pub fn translation(node: usize, times: Arc<[f32]>, translations: &[Vec3]) -> Self {
-        let values = translations.iter().flat_map(|v| v.to_array()).collect();
-        Self::new(node, Property::Translation, times, values, 3)
+        Self::linear(node, Property::Translation, times, translations.iter().map(Vec3::to_array).collect())
     }
 
     /// A linear scale track: a local scale at each time (seconds, increasing).
     #[must_use]
     pub fn scale(node: usize, times: Arc<[f32]>, scales: &[Vec3]) -> Self {
-        let values = scales.iter().flat_map(|v| v.to_array()).collect();
-        Self::new(node, Property::Scale, times, values, 3)
+        Self::linear(node, Property::Scale, times, scales.iter().map(Vec3::to_array).collect())
     }
 
     /// The same keys with another interpolation. Cubic splines need three values a key: in-tangent, value, out-tangent.
@@ -99,13 +109,13 @@ impl Channel {
         self.node
     }
 
-    /// What it moves.
+    /// The property it moves.
     #[must_use]
     pub fn property(&self) -> Property {
         self.property
     }
 
-    /// How it interpolates.
+    /// Its interpolation.
     #[must_use]
     pub fn interpolation(&self) -> Interpolation {
         self.interpolation
@@ -123,25 +133,25 @@ impl Channel {
         &self.values
     }
 
+    /// True if each key holds its value between two tangents.
+    fn has_tangents(&self) -> bool {
+        self.interpolation == Interpolation::CubicSpline
+    }
+
     /// Numbers stored for one key.
     pub(crate) fn stride(&self) -> usize {
-        if self.interpolation == Interpolation::CubicSpline { self.width * 3 } else { self.width }
+        if self.has_tangents() { self.width * 3 } else { self.width }
+    }
+
+    /// Part `at` of key `k`: its value, or of cubic splines its in-tangent (0), value (1) or out-tangent (2).
+    fn part(&self, k: usize, at: usize) -> &[f32] {
+        let start = k * self.stride() + at * self.width;
+        &self.values[start..start + self.width]
     }
 
     /// The value of key `k`, without its tangents.
     pub(crate) fn value(&self, k: usize) -> &[f32] {
-        let start = k * self.stride() + if self.interpolation == Interpolation::CubicSpline { self.width } else { 0 };
-        &self.values[start..start + self.width]
-    }
-
-    fn in_tangent(&self, k: usize) -> &[f32] {
-        let start = k * self.stride();
-        &self.values[start..start + self.width]
-    }
-
-    fn out_tangent(&self, k: usize) -> &[f32] {
-        let start = k * self.stride() + 2 * self.width;
-        &self.values[start..start + self.width]
+        self.part(k, usize::from(self.has_tangents()))
     }
 
     /// The value at a time, held outside the keys; rotations come out unit. NaN counts as the first key.
@@ -170,7 +180,7 @@ impl Channel {
                 let (uu, uuu) = (u * u, u * u * u);
                 let (h_a, h_b) = (2.0 * uuu - 3.0 * uu + 1.0, -2.0 * uuu + 3.0 * uu);
                 let (h_out, h_in) = (interval * (uuu - 2.0 * uu + u), interval * (uuu - uu));
-                let (out, into) = (self.out_tangent(k), self.in_tangent(next));
+                let (out, into) = (self.part(k, 2), self.part(next, 0));
                 (0..self.width).map(|i| h_a * a[i] + h_out * out[i] + h_b * b[i] + h_in * into[i]).collect()
             }
         };
@@ -184,17 +194,14 @@ impl Channel {
     /// The channel repeated every `period` seconds until `end`, keys held where they do not reach the period's
     /// borders, so that at every time it equals the original at that time modulo the period.
     fn repeated(&self, period: f32, end: f32) -> Self {
-        let mut times: Vec<f32> = Vec::new();
-        let mut values = Vec::new();
-        let zeros = vec![0.0; self.width];
-        let cubic = self.interpolation == Interpolation::CubicSpline;
-        let hold = |value: &[f32], values: &mut Vec<f32>| {
-            for part in if cubic { vec![&zeros[..], value, &zeros] } else { vec![value] } {
-                values.extend_from_slice(part);
-            }
+        let (mut times, mut values): (Vec<f32>, Vec<f32>) = (Vec::new(), Vec::new());
+        let (cubic, width, stride, last) = (self.has_tangents(), self.width, self.stride(), self.times.len() - 1);
+        let place = if cubic { width..2 * width } else { 0..width };
+        let held = |k: usize| {
+            let mut key = vec![0.0; stride];
+            key[place.clone()].copy_from_slice(self.value(k));
+            key
         };
-        let stride = self.stride();
-        let last = self.times.len() - 1;
         // Multiplying rather than adding up keeps late repeats exact.
         'periods: for round in 0_u32.. {
             let start = num::narrow(f64::from(round) * f64::from(period));
@@ -202,54 +209,39 @@ impl Channel {
                 break;
             }
             // The seam: the first key of a round equals the last of the round before, or lies a hair after it.
-            let mut push = |offset: f32, key: &dyn Fn(&mut Vec<f32>), value: &[f32]| {
+            let mut push = |offset: f32, key: Vec<f32>| {
                 let mut at = start + offset;
-                if let Some(&before) = times.last() {
-                    if at <= before {
-                        let tail = values.len() - stride;
-                        let kept = if cubic { tail + self.width } else { tail };
-                        if values[kept..kept + self.width] == *value {
-                            let mut whole = Vec::with_capacity(stride);
-                            key(&mut whole);
-                            if cubic {
-                                // Arrive as the old round did, leave as the new one does.
-                                values[tail + 2 * self.width..].copy_from_slice(&whole[2 * self.width..]);
-                            }
-                            return;
-                        }
-                        at = num::just_after(before);
+                if let Some(&before) = times.last().filter(|before| at <= **before) {
+                    let tail = values.len() - stride;
+                    if values[tail..][place.clone()] == key[place.clone()] {
+                        // Arrive as the old round did, leave as the new one does.
+                        values[tail + place.end..].copy_from_slice(&key[place.end..]);
+                        return;
                     }
+                    at = num::just_after(before);
                 }
                 times.push(at);
-                key(&mut values);
+                values.extend(key);
             };
             if self.times[0] > 0.0 {
-                push(0.0, &|out| hold(self.value(0), out), self.value(0));
+                push(0.0, held(0));
             }
             for k in 0..=last {
+                let mut key = self.values[k * stride..(k + 1) * stride].to_vec();
                 // A held border has flat tangents; the key beside it must then be approached flat, too.
-                let flat_in = k == 0 && self.times[0] > 0.0;
-                let flat_out = k == last && self.times[last] < period;
-                push(
-                    self.times[k],
-                    &|out| {
-                        let from = out.len();
-                        out.extend_from_slice(&self.values[k * stride..(k + 1) * stride]);
-                        if cubic && flat_in {
-                            out[from..from + self.width].fill(0.0);
-                        }
-                        if cubic && flat_out {
-                            out[from + 2 * self.width..].fill(0.0);
-                        }
-                    },
-                    self.value(k),
-                );
+                if cubic && k == 0 && self.times[0] > 0.0 {
+                    key[..width].fill(0.0);
+                }
+                if cubic && k == last && self.times[last] < period {
+                    key[2 * width..].fill(0.0);
+                }
+                push(self.times[k], key);
                 if start + self.times[k] >= end {
                     break 'periods;
                 }
             }
             if self.times[last] < period {
-                push(period, &|out| hold(self.value(last), out), self.value(last));
+                push(period, held(last));
             }
         }
         let mut out = Self { times: times.into(), values, ..self.clone() };
@@ -265,30 +257,25 @@ impl Channel {
         }
         let at_end = self.sample(end);
         let mut times = self.times[..keep].to_vec();
-        let stride = self.stride();
         if times[keep - 1] < end {
-            let (k, old) = (keep - 1, self.times[keep] - self.times[keep - 1]);
-            let (w, h) = (self.width, end - self.times[k]);
-            if self.interpolation == Interpolation::CubicSpline {
+            let (k, stride) = (keep - 1, self.stride());
+            let mut slope = Vec::new();
+            if self.has_tangents() {
                 // The slope of the spline at the cut, so that the remaining piece is the same curve.
-                let u = h / old;
+                let old = self.times[keep] - self.times[k];
+                let u = (end - self.times[k]) / old;
                 let (d_a, d_out, d_in) =
                     ((6.0 * u * u - 6.0 * u) / old, 3.0 * u * u - 4.0 * u + 1.0, 3.0 * u * u - 2.0 * u);
                 let (a, b) = (self.value(k), self.value(keep));
-                let slope: Vec<f32> = (0..w)
-                    .map(|i| d_a * (a[i] - b[i]) + d_out * self.out_tangent(k)[i] + d_in * self.in_tangent(keep)[i])
-                    .collect();
-                self.values.truncate(keep * stride);
-                self.values.extend_from_slice(&slope);
-                self.values.extend_from_slice(&at_end);
-                self.values.resize((keep + 1) * stride, 0.0);
-            } else {
-                self.values.truncate(keep * stride);
-                self.values.extend_from_slice(&at_end);
+                let (out, into) = (self.part(k, 2), self.part(keep, 0));
+                slope = (0..self.width).map(|i| d_a * (a[i] - b[i]) + d_out * out[i] + d_in * into[i]).collect();
             }
+            self.values.truncate(keep * stride);
+            self.values.extend(slope.into_iter().chain(at_end));
+            self.values.resize((keep + 1) * stride, 0.0);
             times.push(end);
         } else {
-            self.values.truncate(keep * stride);
+            self.values.truncate(keep * self.stride());
         }
         self.times = times.into();
     }
@@ -335,9 +322,7 @@ impl Clip {
     /// Writes the sampled properties into `pose` (indexed by node); others stay as they are.
     pub fn sample(&self, seconds: f32, pose: &mut [Trs]) {
         for channel in &self.channels {
-            let Some(local) = pose.get_mut(channel.node) else {
-                continue;
-            };
+            let Some(local) = pose.get_mut(channel.node) else { continue };
             match (channel.property, &channel.sample(seconds)[..]) {
                 (Property::Translation, v @ [_, _, _]) => local.translation = Vec3::from_slice(v),
                 (Property::Rotation, v @ [_, _, _, _]) => local.rotation = Quat::from_slice(v),
@@ -393,10 +378,8 @@ impl Clip {
                 None => {
                     let mut times = data.floats(sampler.input, &["SCALAR"], &format!("{place}.input"))?;
                     if times.is_empty() || times.windows(2).any(|w| w[0] > w[1]) || times[0] < 0.0 {
-                        return Err(Error::invalid(
-                            format!("{place}.input"),
-                            "its times must be one or more, not negative, and increasing",
-                        ));
+                        let problem = "its times must be one or more, not negative, and increasing";
+                        return Err(Error::invalid(format!("{place}.input"), problem));
                     }
                     // Two keys at one time are how some exporters write a jump.
                     for k in 1..times.len() {
@@ -409,43 +392,28 @@ impl Clip {
                     times
                 }
             };
-            let interpolation = match sampler.interpolation.as_deref() {
-                None | Some("LINEAR") => Interpolation::Linear,
-                Some("STEP") => Interpolation::Step,
-                Some("CUBICSPLINE") => Interpolation::CubicSpline,
-                Some(other) => {
-                    return Err(Error::invalid(
-                        place,
-                        format!("interpolation {other:?} is none of STEP, LINEAR, CUBICSPLINE"),
-                    ));
-                }
+            let word = sampler.interpolation.as_deref().unwrap_or("LINEAR");
+            let Some(&(interpolation, _)) = INTERPOLATIONS.iter().find(|(_, known)| *known == word) else {
+                let problem = format!("interpolation {word:?} is none of STEP, LINEAR, CUBICSPLINE");
+                return Err(Error::invalid(place, problem));
             };
-            let (property, shape) = match channel.target.path.as_str() {
-                "translation" => (Property::Translation, "VEC3"),
-                "rotation" => (Property::Rotation, "VEC4"),
-                "scale" => (Property::Scale, "VEC3"),
-                "weights" => (Property::Weights, "SCALAR"),
-                // Extensions such as animation pointers: kept in the file, no part of a pose.
-                _ => continue,
-            };
-            let Some(node) = channel.target.node else {
+            // Other paths are those of extensions, such as animation pointers: kept in the file, no part of a pose.
+            let path = &channel.target.path;
+            let Some(&(property, _, shape, width)) = PROPERTIES.iter().find(|(_, known, ..)| known == path) else {
                 continue;
             };
+            let Some(node) = channel.target.node else { continue };
             if node >= data.raw.nodes.len() {
                 return Err(Error::invalid(place, format!("its target nodes[{node}] does not exist")));
             }
             let values = data.floats(sampler.output, &[shape], &format!("{place}.output"))?;
             let per_key = if interpolation == Interpolation::CubicSpline { 3 } else { 1 };
-            let width = match property {
-                Property::Rotation => 4,
-                Property::Weights => values.len() / (times.len() * per_key),
-                _ => 3,
-            };
+            let morphs = values.len() / (times.len() * per_key);
+            let width = if property == Property::Weights { morphs } else { width };
             if width == 0 || values.len() != times.len() * per_key * width {
-                return Err(Error::invalid(
-                    format!("{place}.output"),
-                    format!("{} numbers do not make {} keys of {per_key} × {width}", values.len(), times.len()),
-                ));
+                let (numbers, keys) = (values.len(), times.len());
+                let problem = format!("{numbers} numbers do not make {keys} keys of {per_key} × {width}");
+                return Err(Error::invalid(format!("{place}.output"), problem));
             }
             channels.push(Channel { node, property, interpolation, times, values, width });
         }

@@ -1,11 +1,11 @@
-//! What the parts of a body say about where it faces, each by itself. `facing` weighs them.
+//! Clues about the direction a body faces, one from each of its parts. `facing` weighs them.
 
+use aim_model::{BoneName, Side};
 use std::collections::HashMap;
 
 use glam::{DAffine3, DVec3};
 
 use crate::facing::Clue;
-use crate::names::{Side, Words};
 use crate::num::count;
 use crate::plan::BodyPlan;
 use crate::roles::{Role, Roles};
@@ -48,7 +48,7 @@ impl Body<'_> {
     /// Bones whose names have a side, with what the name says without it.
     fn sided(&self) -> Vec<(usize, Side, String)> {
         let sided = |node: usize| {
-            let words = Words::of(&self.skeleton.nodes()[node].name);
+            let words = BoneName::new(&self.skeleton.nodes()[node].name);
             Some((node, words.side?, words.key()))
         };
         (0..self.bind.len()).filter(|node| self.is_bone[*node]).filter_map(sided).collect()
@@ -85,7 +85,7 @@ pub(crate) fn apart(body: &Body<'_>, a: usize, b: usize, up: DVec3) -> DVec3 {
     (body.at(a) - body.at(b)).reject_from_normalized(up)
 }
 
-/// Whether both bones of a pair are mirrored.
+/// True if both bones of a pair are mirrored.
 pub(crate) fn is_mirrored(body: &Body<'_>, a: usize, b: usize) -> bool {
     [a, b].into_iter().all(|node| body.bind[node].matrix3.determinant() < 0.0)
 }
@@ -211,7 +211,7 @@ fn low_joints(body: &Body<'_>, up: DVec3) -> Option<DVec3> {
     (sum.reject_from_normalized(up).length() > 0.01 * size && size.is_finite()).then_some(sum)
 }
 
-/// Where soles reach further from the ankles, along `ahead`.
+/// The direction along `ahead` in which soles reach further from the ankles.
 pub(crate) fn soles(body: &Body<'_>, up: DVec3, ahead: DVec3) -> Option<Hint> {
     let joints = body.joints();
     let heights = joints.iter().map(|joint| body.at(*joint).dot(up));
@@ -240,7 +240,7 @@ const POINTERS: [&str; 10] =
 /// From a pointing part's joint to the middle of what it shows, or of what hangs on it.
 fn reach(body: &Body<'_>) -> Option<(usize, DVec3)> {
     let nodes = body.skeleton.nodes();
-    let node = (0..nodes.len()).find(|node| Words::of(&nodes[*node].name).has(&POINTERS))?;
+    let node = (0..nodes.len()).find(|node| BoneName::new(&nodes[*node].name).has(&POINTERS))?;
     let on_it = body.skin.iter().zip(body.carriers).filter(|(_, carrier)| **carrier == node).map(|(p, _)| *p);
     let places: Vec<DVec3> = on_it.chain(nodes[node].children.iter().map(|child| body.at(*child))).collect();
     let middle = places.iter().sum::<DVec3>() / count(places.len().max(1));
@@ -271,7 +271,7 @@ pub(crate) fn mirror_axis(body: &Body<'_>, up: DVec3) -> Option<DVec3> {
     }
 }
 
-/// How far the joints are from mirroring along `axis`, relative to how far they spread along it; `None` without spread.
+/// Mean distance of the joints from their mirror images along `axis`, relative to the spread; `None` without spread.
 fn asymmetry(at: &[DVec3], axis: DVec3, size: f64) -> Option<f64> {
     let (low, high) = at.iter().map(|p| p.dot(axis)).fold((f64::MAX, f64::MIN), |(lo, hi), v| (lo.min(v), hi.max(v)));
     if high - low < 0.05 * size {

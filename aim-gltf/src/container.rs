@@ -11,7 +11,7 @@ const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
 /// A file's JSON text and, in a GLB with one, its binary chunk (with its padding).
 pub(crate) struct Parts<'a> {
     pub(crate) json: &'a [u8],
-    /// Where in the file the chunk is.
+    /// Range of the chunk in the file.
     pub(crate) bin: Option<Range<usize>>,
     pub(crate) is_glb: bool,
 }
@@ -22,7 +22,7 @@ fn word(bytes: &[u8], at: usize) -> Option<u32> {
 }
 
 fn damaged(problem: impl Into<String>) -> Error {
-    Error::Container { problem: problem.into() }
+    Error::Container(problem.into())
 }
 
 /// Splits a `.glb` into its chunks; a `.gltf` is returned as JSON whole.
@@ -37,7 +37,7 @@ pub(crate) fn split(bytes: &[u8]) -> Result<Parts<'_>, Error> {
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     match text.iter().find(|b| !b.is_ascii_whitespace()) {
         Some(b'{') => Ok(Parts { json: text, bin: None, is_glb: false }),
-        _ => Err(Error::NotGltf { found: bytes.iter().take(4).copied().collect() }),
+        _ => Err(Error::NotGltf(bytes.iter().take(4).copied().collect())),
     }
 }
 
@@ -46,7 +46,7 @@ fn split_glb(bytes: &[u8]) -> Result<Parts<'_>, Error> {
         return Err(damaged(format!("{} bytes are too few for its 12-byte header", bytes.len())));
     };
     if version != 2 {
-        return Err(Error::Version { found: format!("binary container version {version}") });
+        return Err(Error::Version(format!("binary container version {version}")));
     }
     // Bytes after the stated length are not ours; missing ones are an error.
     let length = length as usize;
@@ -77,7 +77,7 @@ fn split_glb(bytes: &[u8]) -> Result<Parts<'_>, Error> {
 
 /// Builds a GLB. Pads JSON with spaces and the binary chunk with zeros, as the format asks.
 pub(crate) fn join(json: &[u8], bin: Option<&[u8]>) -> Result<Vec<u8>, Error> {
-    let too_long = || Error::Clip { problem: "the file would be longer than a GLB's 4 GiB".into() };
+    let too_long = || Error::Clip("the file would be longer than a GLB's 4 GiB".into());
     let padded = |n: usize| n.checked_next_multiple_of(4);
     let json_len = padded(json.len()).ok_or_else(too_long)?;
     let bin_len = bin.map_or(Some(0), |b| padded(b.len())).ok_or_else(too_long)?;

@@ -16,7 +16,7 @@ use crate::skeleton::Skeleton;
 use crate::skin::{self, SkinnedPoint};
 use crate::uri::{self, Uri};
 
-/// Where the bytes of a buffer are.
+/// The place of a buffer's bytes.
 pub(crate) enum Buffer {
     /// The GLB's binary chunk.
     Chunk,
@@ -61,7 +61,7 @@ impl Document {
     /// Loads a file; external buffers are looked for relative to it.
     ///
     /// # Errors
-    /// Whatever makes the file unreadable or contradictory; see [`Error`].
+    /// Anything that makes the file unreadable or contradictory; see [`Error`].
     pub fn load(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
         let bytes = uri::read_file(path)?;
@@ -71,7 +71,7 @@ impl Document {
     /// Reads a document from memory; external buffers are then an error.
     ///
     /// # Errors
-    /// Whatever makes the file unreadable or contradictory; see [`Error`].
+    /// Anything that makes the file unreadable or contradictory; see [`Error`].
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
         Self::parse(bytes.to_vec(), None)
     }
@@ -198,10 +198,9 @@ fn load_buffers(raw: &Raw, chunk: Option<&[u8]>, folder: Option<&Path>) -> Resul
         };
         if let Some(bytes) = bytes_of(&loaded, chunk) {
             if bytes.len() < buffer.byte_length {
-                return Err(Error::invalid(
-                    place,
-                    format!("it claims {} bytes and only {} are there (cut off?)", buffer.byte_length, bytes.len()),
-                ));
+                let (claimed, there) = (buffer.byte_length, bytes.len());
+                let problem = format!("it claims {claimed} bytes and only {there} are there (cut off?)");
+                return Err(Error::invalid(place, problem));
             }
         }
         out.push(loaded);

@@ -1,8 +1,8 @@
-//! Every way in which a file can be unusable, each with what was expected and what to do.
+//! The error type: each way in which a file can be unusable, with what was expected and what to do.
 
 use core::fmt;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Why a file could not be read, understood or written.
 ///
@@ -15,55 +15,40 @@ pub enum Error {
     Read {
         /// The file.
         path: PathBuf,
-        /// What the operating system said.
+        /// The operating system's error.
         source: io::Error,
     },
     /// The file system refused to take a file; nothing was left behind.
     Write {
         /// The file that should have appeared.
         path: PathBuf,
-        /// What the operating system said.
+        /// The operating system's error.
         source: io::Error,
     },
-    /// A folder, a pipe or a device was named where a file is needed.
-    NotAFile {
-        /// What was named.
-        path: PathBuf,
-    },
+    /// A folder, a pipe or a device at this path, where a file is needed.
+    NotAFile(PathBuf),
     /// No bytes at all.
     Empty,
-    /// Neither a GLB container nor JSON text.
-    NotGltf {
-        /// The first bytes, at most four.
-        found: Vec<u8>,
-    },
-    /// The GLB container's header or chunks contradict the file's length.
-    Container {
-        /// What is wrong, and what was expected.
-        problem: String,
-    },
-    /// A version other than glTF 2.
-    Version {
-        /// What the file says about itself.
-        found: String,
-    },
-    /// The JSON part does not parse.
-    Json {
-        /// The parser's message, with line and column.
-        message: String,
-    },
+    /// Neither a GLB container nor JSON text; its first bytes, at most four.
+    NotGltf(Vec<u8>),
+    /// A GLB container whose header or chunks contradict the file's length, and what was expected.
+    Container(String),
+    /// A version other than glTF 2, as the file states it.
+    Version(String),
+    /// JSON that does not parse; the parser's message, with line and column.
+    Json(String),
     /// A part of the document contradicts the glTF 2.0 specification.
     Invalid {
-        /// Where, such as `nodes[3].children[0]`.
+        /// The place, such as `nodes[3].children[0]`.
         place: String,
-        /// What is there and what was expected.
+        /// The contradiction, and what was expected.
         problem: String,
     },
     /// A buffer's bytes are needed and not at hand.
     NoData {
-        /// Where, such as `buffers[1]`.
+        /// The place, such as `buffers[1]`.
         place: String,
-        /// Why, and what to do.
+        /// The reason, and a remedy.
         problem: String,
     },
     /// No node of that name.
@@ -87,24 +72,24 @@ pub enum Error {
         /// The names of the file's clips.
         available: Vec<String>,
     },
-    /// A clip handed over for writing does not fit the document.
-    Clip {
-        /// What is wrong, and what was expected.
-        problem: String,
-    },
-    /// A rig's joints are no chain in this document.
-    Chain {
-        /// What is wrong, and what was expected.
-        problem: String,
-    },
-    /// The bone axes handed over for the mannequin are no orthonormal triple.
-    Axes {
-        /// The bone.
-        bone: String,
-    },
+    /// A clip handed over for writing that does not fit the document, and what was expected.
+    Clip(String),
+    /// A rig's joints that are no chain in this document, and what was expected.
+    Chain(String),
+    /// The bone of the mannequin whose given axes are no orthonormal triple.
+    Axes(String),
 }
 
 impl Error {
+    /// The message after the name of the file that was read, unless it names that already.
+    #[must_use]
+    pub fn in_file(&self, file: &Path) -> String {
+        match self {
+            Self::Read { path, .. } | Self::NotAFile(path) if path == file => self.to_string(),
+            _ => format!("{}: {self}", file.display()),
+        }
+    }
+
     pub(crate) fn invalid(place: impl Into<String>, problem: impl Into<String>) -> Self {
         Self::Invalid { place: place.into(), problem: problem.into() }
     }
@@ -130,22 +115,22 @@ impl fmt::Display for Error {
                 };
                 write!(f, "cannot write {}: {source}; nothing was changed, {hint}", path.display())
             }
-            Self::NotAFile { path } => {
+            Self::NotAFile(path) => {
                 write!(f, "{} is a folder or a device; give the path of a file", path.display())
             }
             Self::Empty => write!(f, "the file is empty; expected a .glb, .gltf or .vrm file"),
-            Self::NotGltf { found } => write!(
+            Self::NotGltf(found) => write!(
                 f,
                 "not a glTF file: it starts with the bytes {found:02x?}, but a .glb or .vrm starts with \"glTF\" \
                  and a .gltf with \"{{\"; export the character as glTF 2.0"
             ),
-            Self::Container { problem } => {
+            Self::Container(problem) => {
                 write!(f, "the GLB container is damaged: {problem}; export or download the file again")
             }
-            Self::Version { found } => {
+            Self::Version(found) => {
                 write!(f, "this is glTF {found}, and only version 2 is understood; convert it to glTF 2.0")
             }
-            Self::Json { message } => {
+            Self::Json(message) => {
                 write!(f, "the JSON part does not parse: {message}; export or download the file again")
             }
             Self::Invalid { place, problem } => {
@@ -169,9 +154,9 @@ impl fmt::Display for Error {
             Self::UnknownClip { name, available } => {
                 write!(f, "no clip is called \"{name}\"; the file has {}", list(available))
             }
-            Self::Clip { problem } => write!(f, "the clip cannot be written: {problem}"),
-            Self::Chain { problem } => write!(f, "the rig does not fit the file: {problem}"),
-            Self::Axes { bone } => write!(
+            Self::Clip(problem) => write!(f, "the clip cannot be written: {problem}"),
+            Self::Chain(problem) => write!(f, "the rig does not fit the file: {problem}"),
+            Self::Axes(bone) => write!(
                 f,
                 "the axes of \"{bone}\" are not three unit vectors at right angles; give up, forward and left so"
             ),

@@ -8,7 +8,7 @@ use glam::DVec3;
 use crate::clues::{self, Body, Hint};
 use crate::trs::nearest_axis;
 
-/// What said where the character's up or forward is.
+/// A source of evidence about the character's up or forward.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Clue {
@@ -47,20 +47,26 @@ pub enum Clue {
     Convention,
 }
 
-/// What one clue says, in world space.
+/// The statement of one clue, in world space.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Evidence {
-    /// What says it.
+    /// The source.
     pub clue: Clue,
     /// The character's up, if it speaks of that.
     pub up: Option<DVec3>,
     /// The character's forward, if it speaks of that; of either sign where the clue cannot tell.
     pub forward: Option<DVec3>,
-    /// Whether the measurement follows it.
+    /// True if the measurement follows it.
     pub agrees: bool,
-    /// How much it counts; a pair of names counts 2.
+    /// Its weight; a pair of names has 2.
     pub weight: f64,
+}
+
+impl Evidence {
+    fn ahead(clue: Clue, forward: DVec3, agrees: bool, weight: f64) -> Self {
+        Self { clue, up: None, forward: Some(forward), agrees, weight }
+    }
 }
 
 /// Right-angled unit vectors in world space; `forward = left × up`.
@@ -114,13 +120,8 @@ impl Facing {
                 let keep = if score == 0.0 { ahead.dot(convention(up)) >= -1e-9 } else { score > 0.0 };
                 let forward = if keep { ahead } else { -ahead };
                 let says = if named.is_some() { ahead } else { forward };
-                evidence.push(Evidence {
-                    clue,
-                    up: None,
-                    forward: Some(says),
-                    agrees: keep || named.is_none(),
-                    weight: named.unwrap_or(0.5),
-                });
+                let agrees = keep || named.is_none();
+                evidence.push(Evidence::ahead(clue, says, agrees, named.unwrap_or(0.5)));
                 forward
             }
             None => match hints.iter().max_by(|a, b| a.weight.total_cmp(&b.weight)) {
@@ -130,17 +131,15 @@ impl Facing {
             },
         };
         for Hint { clue, ahead, weight } in hints {
-            let agrees = ahead.dot(forward) > 0.0;
-            evidence.push(Evidence { clue, up: None, forward: Some(ahead), agrees, weight });
+            evidence.push(Evidence::ahead(clue, ahead, ahead.dot(forward) > 0.0, weight));
         }
         if evidence.iter().all(|said| said.forward.is_none()) {
-            let forward = Some(forward);
-            evidence.push(Evidence { clue: Clue::Convention, up: None, forward, agrees: true, weight: 0.25 });
+            evidence.push(Evidence::ahead(Clue::Convention, forward, true, 0.25));
         }
         Self { up, forward, left: up.cross(forward), evidence }
     }
 
-    /// How sure the facing is: the share of what was said that agrees, 0…1; little where little was said.
+    /// Confidence in the facing: the share of the evidence that agrees, 0…1; low if there is little evidence.
     pub(crate) fn confidence(&self) -> f64 {
         let weight = |agrees: bool| {
             let said = self.evidence.iter().filter(|said| said.agrees == agrees && said.forward.is_some());
@@ -160,14 +159,12 @@ fn up(body: &Body<'_>, evidence: &mut Vec<Evidence>) -> DVec3 {
     up
 }
 
-/// Where glTF has a model face, for a model whose up is `up`: what turns +Y into `up` turns +Z along.
+/// The forward of glTF's convention for a model whose up is `up`: +Z, turned by the turn from +Y to `up`.
 fn convention(up: DVec3) -> DVec3 {
-    if up.z > 0.9 {
-        DVec3::NEG_Y
-    } else if up.z < -0.9 {
-        DVec3::Y
-    } else {
-        DVec3::Z
+    match up.z {
+        z if z > 0.9 => DVec3::NEG_Y,
+        z if z < -0.9 => DVec3::Y,
+        _ => DVec3::Z,
     }
 }
 

@@ -40,7 +40,7 @@ impl<'a> Staged<'a> {
             fs::metadata(path).is_ok_and(|there| !there.is_file()) || (path.starts_with("/dev") && path.is_symlink());
         let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
         let (false, Some(name)) = (in_the_way, place.file_name()) else {
-            return Err(Error::NotAFile { path: path.to_path_buf() });
+            return Err(Error::NotAFile(path.to_path_buf()));
         };
         let mut hidden = OsString::from(".");
         hidden.push(name);

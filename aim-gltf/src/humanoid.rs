@@ -1,4 +1,4 @@
-//! What VRM files say about their bones, in both versions of the format.
+//! Bones of a VRM file, in both versions of the format.
 
 use serde_json::Value;
 

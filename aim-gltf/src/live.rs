@@ -1,39 +1,39 @@
 //! [`Live`]: one chain of one character, aimed frame by frame over whatever its animation does.
 
-use aim_runtime::{AimRig, DetailedPose, Outcome, Pose};
-use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat};
+use aim_runtime::{DynAim, Joint, Outcome, Pose, Rig};
+use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3};
 
-use crate::bake::ChainNodes;
+use crate::chain::ChainNodes;
 use crate::document::Document;
 use crate::measure::Measurement;
 use crate::skeleton::Skeleton;
 use crate::stance::Stance;
-use crate::trs::{Trs, orthonormal};
+use crate::trs::Trs;
 
-/// What a program does each frame after its animation, for a character of a [`Document`].
+/// One chain of a character of a [`Document`], aimed in each frame after its animation.
 ///
 /// A frame is: the animation's pose and its nodes in the world; [`animated`](Self::animated) of them; a call of
-/// [`AimRig::aim_with`] or another; then [`aimed`](Self::aimed), which puts the corrections into the pose.
+/// [`DynAim::aim`] or [`DynAim::snap`]; then [`aimed`](Self::aimed), which puts the corrections into the pose.
 #[derive(Clone, Debug)]
 pub struct Live {
     stance: Stance,
     both_eyes: bool,
 }
 
-/// What a frame was aimed with.
+/// Inputs of one aimed frame.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment<'a, A> {
+pub struct Moment<'a> {
     /// Seconds, for the record.
     pub t: f32,
     /// The target in the world.
     pub target: DVec3,
     /// Every node in the world, animated.
     pub world: &'a [DAffine3],
-    /// What [`Live::animated`] gave.
-    pub joints: &'a DetailedPose<A>,
-    /// What the solver said.
+    /// The result of [`Live::animated`].
+    pub joints: &'a Pose<Vec<Affine3A>>,
+    /// The solver's outcome.
     pub outcome: Outcome,
-    /// What was aimed: [`Settings::effector`](aim_runtime::Settings::effector).
+    /// The aimed joint: [`Settings::effector`](aim_runtime::Settings::effector).
     pub effector: usize,
 }
 
@@ -47,15 +47,15 @@ pub struct JointFrame {
     /// The heading and pitch, radians, by which the animation turns the joint out of its bind pose, where its ranges are
     /// counted from that.
     pub led: Option<[f64; 2]>,
-    /// Whether an angle is at an end of its range.
+    /// True if an angle is at an end of its range.
     pub at_limit: bool,
-    /// Whether an angle is on its way back into its range.
+    /// True if an angle is on its way back into its range.
     pub recovering: bool,
 }
 
 /// One frame.
 #[derive(Clone, Debug)]
-pub struct Frame {
+pub struct AimedFrame {
     /// Seconds.
     pub t: f32,
     /// The target in the world.
@@ -67,10 +67,10 @@ pub struct Frame {
     /// left: a roll is the angle, seen along the gaze, from the character's up to the bone's up. 0 where either lies
     /// along the gaze (within 1°). The character's up is the world's as long as the character stands.
     pub roll_deg: f64,
-    /// What [`error_deg`](Self::error_deg) is, of the other eye, where both are aimed: it looks as joint 0 does in the
+    /// The same as [`error_deg`](Self::error_deg) of the other eye, if both are aimed: it looks as joint 0 does in the
     /// bind pose, from the mirrored point.
     pub pair_error_deg: Option<f64>,
-    /// What the solver says.
+    /// The solver's outcome.
     pub outcome: Outcome,
     /// Each joint, from the effector inward.
     pub joints: Vec<JointFrame>,
@@ -81,77 +81,67 @@ pub struct Frame {
 impl Live {
     /// For a rig whose joints are the chain's nodes. With `both_eyes` the other eye is aimed itself, where the chain has
     /// one; else it turns as joint 0 does.
-    pub fn new<R: AimRig>(
-        rig: &R,
+    pub fn new(
+        rig: &dyn Rig,
         document: &Document,
         measurement: &Measurement,
         chain: &ChainNodes,
         both_eyes: bool,
     ) -> Self {
-        let both_eyes = both_eyes && chain.pair.is_some();
+        let both_eyes = both_eyes && chain.other_eye.is_some();
         Self { stance: Stance::new(rig, document.skeleton(), chain, measurement), both_eyes }
     }
 
     /// The joints as the solvers take them, for a pose and its nodes in the world. Where both eyes are aimed, the other
     /// one is first turned as joint 0 is: the eyes of animations are seldom parallel.
-    pub fn animated<R: AimRig>(
-        &self,
-        rig: &R,
-        skeleton: &Skeleton,
-        pose: &mut [Trs],
-        world: &[DAffine3],
-    ) -> DetailedPose<R::Array<Affine3A>> {
-        let joints = Pose { joints: joint_transforms(rig, &self.stance.chain, pose, world) };
-        let joints = joints.with_up(self.stance.up(world).as_vec3()).with_bind(self.stance.bind(rig, world));
-        match self.stance.chain.pair.filter(|_| self.both_eyes) {
+    pub fn animated(&self, skeleton: &Skeleton, pose: &mut [Trs], world: &[DAffine3]) -> Pose<Vec<Affine3A>> {
+        let joints = Pose::new(joint_transforms(&self.stance.chain, pose, world));
+        let joints = joints.with_up(self.stance.up(world).as_vec3()).with_bind(self.stance.bind(world));
+        match self.stance.chain.other_eye.filter(|_| self.both_eyes) {
             Some(pair) => {
                 pose[pair].rotation = self.stance.parallel(skeleton, pose, world).unwrap_or(pose[pair].rotation);
-                joints.with_pair(joint_transform(pose, &skeleton.world_f64(pose), pair))
+                joints.with_other_eye(joint_transform(pose, &skeleton.world_f64(pose), pair))
             }
             None => joints,
         }
     }
 
     /// Puts the rig's corrections into the pose and tells what came of it.
-    pub fn aimed<R: AimRig>(
+    pub fn aimed<R: Rig>(
         &self,
-        rig: &R,
+        character: &DynAim<R>,
         skeleton: &Skeleton,
         pose: &mut [Trs],
-        moment: &Moment<'_, R::Array<Affine3A>>,
-    ) -> Frame {
+        moment: &Moment<'_>,
+    ) -> AimedFrame {
         let &Moment { t, target, world: animated, joints, outcome, effector } = moment;
         let stance = &self.stance;
-        apply(rig, &stance.chain, rig.pair_correction(), skeleton, pose);
+        apply(character, &stance.chain, skeleton, pose);
         let world = skeleton.world_f64(pose);
-        Frame {
+        AimedFrame {
             t,
             target,
-            error_deg: stance.error_deg(effector, &world, target),
+            error_deg: stance.sight(effector).error_deg(&world, target),
             roll_deg: stance.roll_deg(animated, &world),
-            pair_error_deg: if self.both_eyes { stance.pair_error_deg(&world, target) } else { None },
+            pair_error_deg: stance.other_eye.filter(|_| self.both_eyes).map(|pair| pair.error_deg(&world, target)),
             outcome,
-            joints: joint_frames(rig, outcome, |joint| stance.led(rig, joint, joints)),
+            joints: joint_frames(&character.state.joints, outcome, |joint| stance.led(&character.rig, joint, joints)),
             world,
         }
     }
 
-    /// Where joint `effector` looks from, and in which direction of length one, in the world; of joint 0 that of the
+    /// Point and direction (of length one) that joint `effector` looks from and along, in the world; of joint 0 those of the
     /// rig's effector. The other eye's too, where it is aimed or follows and joint 0 is what looks.
     #[must_use]
     pub fn gazes(&self, effector: usize, world: &[DAffine3]) -> Vec<[DVec3; 2]> {
-        let pair = if effector == 0 { self.stance.pair_gaze(world) } else { None };
-        core::iter::once(self.stance.gaze(effector, world)).chain(pair).collect()
+        let pair = self.stance.other_eye.as_ref().filter(|_| effector == 0);
+        core::iter::once(self.stance.sight(effector)).chain(pair).map(|sight| sight.gaze(world)).collect()
     }
 }
 
 /// The joints in the world as the solver takes them.
-fn joint_transforms<R: AimRig>(rig: &R, chain: &ChainNodes, pose: &[Trs], world: &[DAffine3]) -> R::Array<Affine3A> {
-    let mut joints = rig.array(Affine3A::IDENTITY);
-    for (joint, &node) in joints.as_mut().iter_mut().zip(&chain.joints) {
-        *joint = joint_transform(pose, world, node);
-    }
-    joints
+fn joint_transforms(chain: &ChainNodes, pose: &[Trs], world: &[DAffine3]) -> Vec<Affine3A> {
+    chain.joints.iter().map(|&node| joint_transform(pose, world, node)).collect()
 }
 
 /// A node in the world without its own non-uniform scale, so that a correction acts where the node's rotation does.
@@ -164,13 +154,13 @@ fn joint_transform(pose: &[Trs], world: &[DAffine3], node: usize) -> Affine3A {
 
 /// Multiplies the rig's corrections into the chain's local rotations, and the other eye's into its; without one that
 /// eye turns in the world as joint 0 does.
-fn apply<R: AimRig>(rig: &R, chain: &ChainNodes, pair: Option<Quat>, skeleton: &Skeleton, pose: &mut [Trs]) {
+fn apply<R: Rig>(character: &DynAim<R>, chain: &ChainNodes, skeleton: &Skeleton, pose: &mut [Trs]) {
     let eye = chain.joints[0];
     let before = pose[eye].rotation.as_dquat();
-    for (joint, correction) in rig.corrections() {
-        pose[chain.joints[joint]].turn(correction);
+    for (&node, &correction) in chain.joints.iter().zip(character.corrections()) {
+        pose[node].turn(correction);
     }
-    match (chain.pair, pair) {
+    match (chain.other_eye, character.other_eye_correction()) {
         (Some(node), Some(correction)) => pose[node].turn(correction),
         (Some(node), None) => follow(eye, before, node, skeleton, pose),
         (None, _) => {}
@@ -181,19 +171,13 @@ fn apply<R: AimRig>(rig: &R, chain: &ChainNodes, pair: Option<Quat>, skeleton: &
 fn follow(eye: usize, before: DQuat, pair: usize, skeleton: &Skeleton, pose: &mut [Trs]) {
     let turn = DMat3::from_quat(pose[eye].rotation.as_dquat() * before.inverse());
     let world = skeleton.world_f64(pose);
-    // Orthogonal, but not always a rotation: a parent may be mirrored.
-    let parent = |node: usize| match skeleton.nodes()[node].parent {
-        Some(parent) => orthonormal(&world[parent].matrix3).0,
-        None => DMat3::IDENTITY,
-    };
-    let to_pair = parent(pair).transpose() * parent(eye);
+    let to_pair = skeleton.parent_frame(&world, pair).transpose() * skeleton.parent_frame(&world, eye);
     let turn = DQuat::from_mat3(&(to_pair * turn * to_pair.transpose())).as_quat();
     pose[pair].rotation = (turn * pose[pair].rotation).normalize();
 }
 
-fn joint_frames<R: AimRig>(rig: &R, outcome: Outcome, led: impl Fn(usize) -> Option<[f64; 2]>) -> Vec<JointFrame> {
-    let joints = rig.joints();
-    let joints = joints.as_ref().iter().enumerate().map(|(i, joint)| JointFrame {
+fn joint_frames(joints: &[Joint], outcome: Outcome, led: impl Fn(usize) -> Option<[f64; 2]>) -> Vec<JointFrame> {
+    let joints = joints.iter().enumerate().map(|(i, joint)| JointFrame {
         heading: joint.heading(),
         pitch: joint.pitch(),
         led: led(i),

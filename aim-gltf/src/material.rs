@@ -1,4 +1,4 @@
-//! What surfaces look like: base colours and their images, as far as a file can be understood. What cannot be is left out.
+//! Materials of surfaces: base colours and their images. Parts that cannot be understood are left out.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -14,7 +14,7 @@ use crate::uri::{self, Uri};
 /// Bytes of images at most; those that would go beyond are left out.
 const MOST_IMAGE_BYTES: usize = 1 << 28;
 
-/// How a part of the surface looks.
+/// Appearance of a part of the surface.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Material {
@@ -22,9 +22,9 @@ pub struct Material {
     pub colour: [f32; 4],
     /// The base colour's picture, if one can be read.
     pub texture: Option<Texture>,
-    /// What opacity means.
+    /// Meaning of opacity.
     pub alpha: Alpha,
-    /// Whether the back of a triangle is seen.
+    /// True if the back of a triangle is drawn.
     pub is_double_sided: bool,
 }
 
@@ -34,7 +34,7 @@ impl Default for Material {
     }
 }
 
-/// What opacity means.
+/// Meaning of opacity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Alpha {
     /// Nothing.
@@ -51,14 +51,14 @@ pub enum Alpha {
 pub struct Texture {
     /// Which of [`Surface::images`](crate::Surface::images).
     pub image: usize,
-    /// How it continues to the sides, and up and down.
+    /// Its continuation to the sides, and up and down.
     pub wrap: [Wrap; 2],
     /// The set of texture coordinates, and what is done to them: applied when they are read.
     pub(crate) set: u64,
     pub(crate) transform: Affine2,
 }
 
-/// How a picture continues past its sides.
+/// Continuation of a picture past its sides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Wrap {
     /// It starts again.
@@ -96,7 +96,8 @@ fn read_one(material: &Value, file: &Value, images: &mut Images<'_>) -> Material
     }
 }
 
-/// What holds the base colour, and under which names: the specification's, or those of its first extension.
+/// The object that holds the base colour, and the names of its factor and texture: the specification's, or those of its
+/// first extension.
 fn base(material: &Value) -> (Option<&Value>, &'static str, &'static str) {
     let old = material.get("extensions").and_then(|all| all.get("KHR_materials_pbrSpecularGlossiness"));
     match material.get("pbrMetallicRoughness") {
@@ -142,7 +143,7 @@ fn element<'a>(file: &'a Value, list: &str, index: &Value) -> Option<&'a Value> 
 struct Images<'a> {
     document: &'a Document,
     data: &'a Data<'a>,
-    /// Where each image of the file is among all; none where it cannot be read.
+    /// Position of each image of the file among all; `None` if it cannot be read.
     known: HashMap<usize, Option<usize>>,
     all: Vec<Arc<[u8]>>,
     /// Bytes that may still be taken.

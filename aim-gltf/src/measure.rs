@@ -27,38 +27,33 @@ pub enum SignedAxis {
 }
 
 impl SignedAxis {
+    /// Each axis, in the order of the variants, with its name and its unit vector.
+    const ALL: [(Self, &str, DVec3); 6] = [
+        (Self::PlusX, "+X", DVec3::X),
+        (Self::MinusX, "-X", DVec3::NEG_X),
+        (Self::PlusY, "+Y", DVec3::Y),
+        (Self::MinusY, "-Y", DVec3::NEG_Y),
+        (Self::PlusZ, "+Z", DVec3::Z),
+        (Self::MinusZ, "-Z", DVec3::NEG_Z),
+    ];
+
     /// `+X`, `-X`, `+Y`, `-Y`, `+Z` or `-Z`.
     #[must_use]
     pub fn as_str(self) -> &'static str {
-        match self {
-            Self::PlusX => "+X",
-            Self::MinusX => "-X",
-            Self::PlusY => "+Y",
-            Self::MinusY => "-Y",
-            Self::PlusZ => "+Z",
-            Self::MinusZ => "-Z",
-        }
+        Self::ALL[self as usize].1
     }
 
     /// The unit vector.
     #[must_use]
     pub fn vector(self) -> DVec3 {
-        match self {
-            Self::PlusX => DVec3::X,
-            Self::MinusX => DVec3::NEG_X,
-            Self::PlusY => DVec3::Y,
-            Self::MinusY => DVec3::NEG_Y,
-            Self::PlusZ => DVec3::Z,
-            Self::MinusZ => DVec3::NEG_Z,
-        }
+        Self::ALL[self as usize].2
     }
 
     /// The axis nearest to a direction.
     #[must_use]
     pub fn of(v: DVec3) -> Self {
         let axis = nearest_axis(v);
-        let all = [Self::PlusX, Self::MinusX, Self::PlusY, Self::MinusY, Self::PlusZ, Self::MinusZ];
-        all.into_iter().find(|signed| signed.vector() == axis).unwrap_or(Self::PlusX)
+        Self::ALL.into_iter().find(|(.., vector)| *vector == axis).map_or(Self::PlusX, |(signed, ..)| signed)
     }
 }
 
@@ -68,7 +63,7 @@ impl fmt::Display for SignedAxis {
     }
 }
 
-/// Whether a bone's own axes are mirrored in the world.
+/// Handedness of a bone's own axes in the world.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Handedness {
     /// Not mirrored.
@@ -92,11 +87,11 @@ impl Handedness {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct BoneFrame {
-    /// Where the character's up is in the bone's space.
+    /// The character's up in the bone's space.
     pub up: DVec3,
-    /// Where the character's forward is in the bone's space.
+    /// The character's forward in the bone's space.
     pub forward: DVec3,
-    /// Where the character's left is in the bone's space.
+    /// The character's left in the bone's space.
     pub left: DVec3,
 }
 
@@ -110,7 +105,7 @@ pub struct BoneAxes {
     pub name: String,
     /// Parent node index.
     pub parent: Option<usize>,
-    /// What it is, where its name or the VRM extension says.
+    /// Its role, if its name, the VRM extension or the body's plan tells one.
     pub role: Option<Role>,
     /// The local axis nearest to the character's up. The three nearest axes are distinct and fit together.
     pub up: SignedAxis,
@@ -118,11 +113,11 @@ pub struct BoneAxes {
     pub forward: SignedAxis,
     /// The local axis nearest to the character's left.
     pub left: SignedAxis,
-    /// How far up, forward and left are from those axes, degrees.
+    /// Deviations of up, forward and left from those axes, degrees.
     pub deviations_deg: [f64; 3],
     /// The largest of the three, degrees.
     pub deviation_deg: f64,
-    /// Whether the bone is mirrored.
+    /// Handedness of the bone's own axes.
     pub handedness: Handedness,
     /// The exact directions, of which the axes are the nearest cardinal ones.
     pub frame: BoneFrame,
@@ -149,13 +144,13 @@ pub struct Measurement {
     pub pose: MeasuredPose,
     /// The character's up in the world: +Y, as glTF demands, unless its legs plainly stand along another axis.
     pub up: DVec3,
-    /// Where the character faces in the world, level.
+    /// The character's forward in the world, level.
     pub forward: DVec3,
     /// The character's left in the world, level.
     pub left: DVec3,
-    /// What told the facing, also what spoke against it.
+    /// Evidence for the facing, and against it.
     pub evidence: Vec<Evidence>,
-    /// How sure the facing is, 0…1: the share of the evidence that agrees; below a half nobody should rely on it.
+    /// Confidence in the facing, 0…1: the share of the evidence that agrees; below a half it is not reliable.
     pub confidence: f64,
     /// Height of the skin in the bind pose, in units of the file (of the joints, where there is no skin; 0 where
     /// there is neither).
@@ -217,6 +212,12 @@ impl Measurement {
             evidence: facing.evidence,
             bind_world: bind,
         }
+    }
+
+    /// A metre of a character that is 1.7 m high, in units of the file; 1 if the height is not known.
+    #[must_use]
+    pub fn metre(&self) -> f64 {
+        if self.height > 0.0 { self.height / 1.7 } else { 1.0 }
     }
 
     /// The measured bone of a node.

@@ -6,11 +6,11 @@ use crate::skeleton::Skeleton;
 
 /// Limbs of a pair are as long as each other to this share of their length.
 const ALIKE: f64 = 0.05;
-/// What is on the plane of symmetry is off it by less than this share of the distance between two limbs.
+/// Largest distance of a bone on the plane of symmetry from that plane, as a share of the distance between two limbs.
 const MIDDLE: f64 = 0.15;
 /// Two pairs lie across one plane when the cosine between them is above this.
 const PARALLEL: f64 = 0.97;
-/// What begins at one height differs by less than this share of the way from hips to head.
+/// Largest difference of two equal heights, as a share of the way from hips to head.
 const LEVEL: f64 = 0.02;
 /// Larger trees are not looked at, nor are further limbs of one bone: the work grows with their squares.
 const MOST_BONES: usize = 4096;
@@ -19,7 +19,7 @@ const MOST_LIMBS: usize = 64;
 /// Node indices of the parts of a body that mirrors itself.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct BodyPlan {
-    /// Where the legs meet.
+    /// The bone that carries both legs.
     pub(crate) hips: usize,
     /// From above the hips to where the arms (or forelegs) meet.
     pub(crate) trunk: Vec<usize>,
@@ -100,11 +100,8 @@ impl BodyPlan {
             return None;
         }
         let tree = Tree::new(skeleton, bind, is_bone);
-        let (hips, legs) = skeleton
-            .order()
-            .iter()
-            .filter(|node| is_bone[**node])
-            .find_map(|node| Some((*node, tree.pair(*node, None)?)))?;
+        let mut bones = skeleton.order().iter().copied().filter(|node| is_bone[*node]);
+        let (hips, legs) = bones.find_map(|node| Some((node, tree.pair(node, None)?)))?;
         let across = (tree.at(legs[0]) - tree.at(legs[1])).normalize_or_zero();
         let middle = (tree.at(legs[0]) + tree.at(legs[1])) * 0.5;
         let wide = tree.at(legs[0]).distance(tree.at(legs[1]));
@@ -149,9 +146,9 @@ impl<'a> Tree<'a> {
             let children = nodes[node].children.iter().filter(|child| is_bone[**child]);
             let mut below: Vec<u64> = children.clone().map(|child| shape[*child]).collect();
             below.sort_unstable();
-            shape[node] = below
-                .iter()
-                .fold(0xcbf2_9ce4_8422_2325, |hash, x| (hash ^ x).wrapping_mul(0x0100_0000_01b3) ^ (x >> 7));
+            // FNV-1a over the sorted shapes of the children.
+            let mix = |hash: u64, x: &u64| (hash ^ x).wrapping_mul(0x0100_0000_01b3) ^ (x >> 7);
+            shape[node] = below.iter().fold(0xcbf2_9ce4_8422_2325, mix);
             size[node] = usize::from(is_bone[node]) + children.map(|child| size[*child]).sum::<usize>();
         }
         Self { skeleton, bind, is_bone, shape, size }

@@ -70,7 +70,7 @@ pub(crate) struct SparseValues {
 
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(crate) struct View {
+pub(crate) struct BufferView {
     pub(crate) buffer: usize,
     #[serde(default)]
     pub(crate) byte_offset: usize,
@@ -106,11 +106,11 @@ pub(crate) struct Animation {
 #[derive(Deserialize)]
 pub(crate) struct Channel {
     pub(crate) sampler: usize,
-    pub(crate) target: Target,
+    pub(crate) target: ChannelTarget,
 }
 
 #[derive(Deserialize)]
-pub(crate) struct Target {
+pub(crate) struct ChannelTarget {
     pub(crate) node: Option<usize>,
     pub(crate) path: String,
 }
@@ -133,7 +133,7 @@ pub(crate) struct Raw {
     pub(crate) nodes: Vec<Node>,
     pub(crate) skins: Vec<Skin>,
     pub(crate) accessors: Vec<Accessor>,
-    pub(crate) views: Vec<View>,
+    pub(crate) views: Vec<BufferView>,
     pub(crate) buffers: Vec<Buffer>,
     pub(crate) meshes: Vec<Mesh>,
     pub(crate) animations: Vec<Animation>,
@@ -145,13 +145,13 @@ pub(crate) struct Raw {
 type Members<'a> = BTreeMap<String, &'a RawValue>;
 
 fn syntax(error: &serde_json::Error) -> Error {
-    Error::Json { message: error.to_string() }
+    Error::Json(error.to_string())
 }
 
 /// Levels that a tree can be made of.
 const MOST_LEVELS: usize = 120;
 
-/// How deep a JSON text is nested.
+/// Depth of nesting of a JSON text.
 fn depth(text: &[u8]) -> usize {
     let (mut depth, mut most, mut is_text, mut is_escaped) = (0_usize, 0, false, false);
     for byte in text {
@@ -194,21 +194,17 @@ impl Raw {
     pub(crate) fn parse(text: &[u8]) -> Result<(Self, Value), Error> {
         let whole: &RawValue = serde_json::from_slice(text).map_err(|e| syntax(&e))?;
         if depth(text) > MOST_LEVELS {
-            return Err(Error::Json { message: format!("it is nested deeper than {MOST_LEVELS} levels") });
+            return Err(Error::Json(format!("it is nested deeper than {MOST_LEVELS} levels")));
         }
         if !whole.get().starts_with('{') {
-            return Err(Error::Json { message: "expected an object at the top".into() });
+            return Err(Error::Json("expected an object at the top".into()));
         }
         let mut members: Members<'_> = serde_json::from_str(whole.get()).map_err(|e| syntax(&e))?;
         let asset = members.remove("asset").map(tree).transpose()?;
         match asset.as_ref().and_then(|asset| asset.get("version")).and_then(Value::as_str) {
             Some(version) if version == "2" || version.starts_with("2.") => {}
-            Some(version) => {
-                return Err(Error::Version { found: version.into() });
-            }
-            None => {
-                return Err(Error::invalid("asset.version", "it is missing, expected \"2.0\""));
-            }
+            Some(version) => return Err(Error::Version(version.into())),
+            None => return Err(Error::invalid("asset.version", "it is missing, expected \"2.0\"")),
         }
         let raw = Self {
             nodes: array(&mut members, "nodes")?,

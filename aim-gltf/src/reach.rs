@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use aim_runtime::ik::{Limb, TwoBone, TwoBoneStatus};
-use aim_runtime::reach::{Node, Outcome, Trajectory, Waypoint};
+use aim_runtime::trajectory::{Node, Outcome, Trajectory, Waypoint};
 use glam::{DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
 
 use crate::bake::{continuous, key_times};
@@ -11,7 +11,7 @@ use crate::clip::{Channel, Clip};
 use crate::document::Document;
 use crate::error::Error;
 use crate::skeleton::Skeleton;
-use crate::trs::{Trs, orthonormal};
+use crate::trs::Trs;
 
 /// A bone that is led, and the two above it that follow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,14 +34,12 @@ impl LimbNodes {
         let mut above = skeleton.ancestry(tip).skip(1);
         match (above.next(), above.next()) {
             (Some(lower), Some(upper)) => Ok(Self { upper, lower, tip }),
-            _ => Err(Error::Chain {
-                problem: format!("{bone:?} has no two bones above it to follow; name a hand or a foot"),
-            }),
+            _ => Err(Error::Chain(format!("{bone:?} has no two bones above it to follow; name a hand or a foot"))),
         }
     }
 }
 
-/// Where the bone has to be at a time.
+/// A point that the bone has to pass at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Goal {
     /// Seconds, within the clip.
@@ -50,7 +48,7 @@ pub struct Goal {
     pub target: DVec3,
 }
 
-/// What to lead where.
+/// A request to lead a bone through points.
 #[derive(Clone, Copy, Debug)]
 pub struct ReachPlan<'a> {
     /// The file.
@@ -65,16 +63,16 @@ pub struct ReachPlan<'a> {
     pub fps: f32,
 }
 
-/// What became of a goal.
+/// Result for one goal.
 #[derive(Clone, Copy, Debug)]
 pub struct Arrival {
     /// The goal.
     pub goal: Goal,
     /// Its frame.
     pub frame: usize,
-    /// Where the bone was led: the target, or the point nearest to it that the limb reaches at that time.
+    /// The point that the bone was led to: the target, or the nearest point within the limb's reach at that time.
     pub aimed: DVec3,
-    /// Whether the target is within reach, too far or too near.
+    /// Reach of the target: within it, too far or too near.
     pub reach: TwoBoneStatus,
 }
 
@@ -83,11 +81,11 @@ pub struct Arrival {
 pub struct LimbFrame {
     /// Seconds.
     pub t: f32,
-    /// Where the bone was.
+    /// The bone as animated.
     pub before: DVec3,
-    /// Where the deformed trajectory wants it.
+    /// The bone on the deformed trajectory.
     pub wanted: DVec3,
-    /// Whether the limb got it there.
+    /// Result of the limb's solver.
     pub status: TwoBoneStatus,
 }
 
@@ -102,7 +100,7 @@ pub struct Reached {
     pub arrivals: Vec<Arrival>,
     /// The deformation.
     pub outcome: Outcome,
-    /// What happened in each frame.
+    /// The result of each frame.
     pub frames: Vec<LimbFrame>,
 }
 
@@ -118,19 +116,16 @@ pub fn reach(plan: &ReachPlan<'_>) -> Result<Reached, Error> {
     let limbs: Vec<[DVec3; 3]> = poses.iter().map(|pose| joints(&skeleton.world_f64(pose), plan.limb)).collect();
     let length = bones(limbs[0]).iter().sum::<f64>();
     if bones(limbs[0]).contains(&0.0) || !length.is_finite() {
-        return Err(Error::Chain { problem: "the limb has a bone without length; name a hand or a foot".into() });
+        return Err(Error::Chain("the limb has a bone without length; name a hand or a foot".into()));
     }
-    let arrivals: Vec<Arrival> = plan
-        .goals
-        .iter()
-        .zip(goal_frames)
-        .map(|(&goal, frame)| {
-            let (aimed, reach) = within_reach(limbs[frame], goal.target);
-            Arrival { goal, frame, aimed, reach }
-        })
-        .collect();
+    let arrival = |(&goal, frame): (&Goal, usize)| {
+        let (aimed, reach) = within_reach(limbs[frame], goal.target);
+        Arrival { goal, frame, aimed, reach }
+    };
+    let arrivals: Vec<Arrival> = plan.goals.iter().zip(goal_frames).map(arrival).collect();
 
     let (points, wanted, outcome) = deform(&limbs, &times, &arrivals, length);
+    let nodes = [plan.limb.upper, plan.limb.lower, plan.limb.tip];
     let mut tracks: [Vec<Quat>; 3] = Default::default();
     let mut frames = Vec::with_capacity(times.len());
     for (((&t, mut pose), &before), &wanted) in times.iter().zip(poses).zip(&points).zip(&wanted) {
@@ -139,13 +134,13 @@ pub fn reach(plan: &ReachPlan<'_>) -> Result<Reached, Error> {
         } else {
             follow(skeleton, plan.limb, &mut pose, wanted, length)
         };
-        for (track, node) in tracks.iter_mut().zip([plan.limb.upper, plan.limb.lower, plan.limb.tip]) {
+        for (track, node) in tracks.iter_mut().zip(nodes) {
             track.push(continuous(track.last(), pose[node].rotation));
         }
         frames.push(LimbFrame { t, before, wanted, status });
     }
     let mut clip = plan.clip.clone();
-    for (node, track) in [plan.limb.upper, plan.limb.lower, plan.limb.tip].into_iter().zip(&tracks) {
+    for (node, track) in nodes.into_iter().zip(&tracks) {
         clip.set(Channel::rotation(node, times.clone(), track));
     }
     Ok(Reached { clip, length, arrivals, outcome, frames })
@@ -154,16 +149,14 @@ pub fn reach(plan: &ReachPlan<'_>) -> Result<Reached, Error> {
 /// The times of keys, one of them that of each goal, and which.
 fn frame_times(plan: &ReachPlan<'_>) -> Result<(Arc<[f32]>, Vec<usize>), Error> {
     let seconds = plan.clip.seconds();
-    let fail = |problem: String| Err(Error::Clip { problem });
+    let fail = |problem: String| Err(Error::Clip(problem));
     let mut times = key_times(seconds, plan.fps)?.to_vec();
     let last = times.len() - 1;
     let mut frames = Vec::new();
     for goal in plan.goals {
         if !(0.0..=seconds).contains(&goal.at) {
-            return fail(format!(
-                "{} s is not within the clip {:?}, which ends at {seconds} s",
-                goal.at, plan.clip.name
-            ));
+            let (at, clip) = (goal.at, &plan.clip.name);
+            return fail(format!("{at} s is not within the clip {clip:?}, which ends at {seconds} s"));
         }
         // The clip's own ends stay where they are.
         let nearest = times.partition_point(|&t| t < goal.at).min(last);
@@ -212,25 +205,24 @@ fn deform(limbs: &[[DVec3; 3]], times: &[f32], arrivals: &[Arrival], length: f64
     let waypoints: Vec<Waypoint> = waypoints.collect();
     let (mut through, mut nodes) = (rest.clone(), vec![Node::default(); rest.len()]);
     let outcome = Trajectory::new(&rest).with_times(times).deform(&waypoints, &mut through, &mut nodes);
-    let wanted = limbs
-        .iter()
-        .zip(rest.iter().zip(&through))
-        .map(|(limb, (rest, through))| if rest == through { limb[2] } else { limb[0] + through.as_dvec3() * length });
-    let mut wanted: Vec<DVec3> = wanted.collect();
+    let back = |(limb, (rest, through)): (&[DVec3; 3], (&Vec3, &Vec3))| {
+        if rest == through { limb[2] } else { limb[0] + through.as_dvec3() * length }
+    };
+    let mut wanted: Vec<DVec3> = limbs.iter().zip(rest.iter().zip(&through)).map(back).collect();
     for arrival in arrivals {
         wanted[arrival.frame] = arrival.aimed;
     }
     (points, wanted, outcome)
 }
 
-/// How often a limb is solved at most: once, and again where scales in the chain turn a rotation into something else.
+/// Largest number of times a limb is solved in a frame: more than once only if scales in the chain shear its rotations.
 const MOST_ROUNDS: usize = 8;
 /// As near as is worth another round, of the limb's length.
 const NEAR: f64 = 1e-6;
 
 /// Turns the limb so that its tip is at `wanted`, the tip itself oriented as before.
 fn follow(skeleton: &Skeleton, limb: LimbNodes, pose: &mut [Trs], wanted: DVec3, length: f64) -> TwoBoneStatus {
-    let animated = turns(skeleton, pose, limb.tip);
+    let animated = skeleton.parent_frame(&skeleton.world_f64(pose), limb.tip);
     let mut status = TwoBoneStatus::Degenerate;
     for _ in 0..MOST_ROUNDS {
         let world = skeleton.world_f64(pose);
@@ -248,23 +240,15 @@ fn follow(skeleton: &Skeleton, limb: LimbNodes, pose: &mut [Trs], wanted: DVec3,
             break;
         }
     }
-    let now = turns(skeleton, pose, limb.tip);
+    let now = skeleton.parent_frame(&skeleton.world_f64(pose), limb.tip);
     pose[limb.tip].rotation =
         (DQuat::from_mat3(&(now.transpose() * animated)).as_quat() * pose[limb.tip].rotation).normalize();
     status
 }
 
-/// The orthogonal part of a node's parent in the world.
-fn turns(skeleton: &Skeleton, pose: &[Trs], node: usize) -> DMat3 {
-    match skeleton.nodes()[node].parent {
-        Some(parent) => orthonormal(&skeleton.world_f64(pose)[parent].matrix3).0,
-        None => DMat3::IDENTITY,
-    }
-}
-
 /// Turns a node in the world.
 fn turn(skeleton: &Skeleton, pose: &mut [Trs], node: usize, turn: DQuat) {
-    let parent = turns(skeleton, pose, node);
+    let parent = skeleton.parent_frame(&skeleton.world_f64(pose), node);
     let local = DQuat::from_mat3(&(parent.transpose() * DMat3::from_quat(turn) * parent));
     pose[node].rotation = (local.as_quat() * pose[node].rotation).normalize();
 }

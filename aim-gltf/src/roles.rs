@@ -2,7 +2,8 @@
 
 use core::fmt;
 
-use crate::names::{Side, Words};
+use aim_model::{BodyPart, BoneName, Side};
+
 use crate::plan::BodyPlan;
 use crate::skeleton::{Node, Skeleton};
 
@@ -50,66 +51,6 @@ impl fmt::Display for Role {
     }
 }
 
-/// Words of helpers, tips and controls that only look like the bone they accompany.
-const HELPERS: &[&str] = &[
-    "end",
-    "nub",
-    "tip",
-    "top",
-    "target",
-    "ctrl",
-    "control",
-    "ik",
-    "pole",
-    "socket",
-    "helper",
-    "twist",
-    "mch",
-    "tweak",
-    "aim",
-    "look",
-    "master",
-    "hat",
-    "hair",
-    "tail",
-    "attach",
-    "attachment",
-    "slot",
-    "mount",
-    "locator",
-    "dummy",
-    "gear",
-];
-/// Words of the trunk.
-const SPINES: &[&str] = &["spine", "chest", "upperchest", "torso", "abdomen", "belly", "waist", "上半身"];
-/// Words of the parts around an eye.
-const AROUND_EYES: &[&str] = &[
-    "lid",
-    "lids",
-    "brow",
-    "brows",
-    "blink",
-    "lash",
-    "lashes",
-    "eyelid",
-    "eyelids",
-    "eyebrow",
-    "eyebrows",
-    "eyelash",
-    "eyelashes",
-    "bottom",
-    "upper",
-    "lower",
-    "inner",
-    "outer",
-    "corner",
-    "squint",
-    "bag",
-    "socket",
-    "highlight",
-    "cheek",
-];
-
 /// The roles of a document's nodes.
 #[derive(Debug, Clone)]
 pub(crate) struct Roles(Vec<Option<Role>>);
@@ -123,20 +64,19 @@ impl Roles {
     /// By VRM and by name. Eyes without a side in their name stay without a role.
     pub(crate) fn find(skeleton: &Skeleton) -> Self {
         let nodes = skeleton.nodes();
-        let words: Vec<Words> = nodes.iter().map(|node| Words::of(&node.name)).collect();
+        let words: Vec<BoneName> = nodes.iter().map(|node| BoneName::new(&node.name)).collect();
         let bones = bones(skeleton);
         let mut roles: Vec<Option<Role>> =
             nodes.iter().map(|node| node.vrm_bone.as_deref().and_then(vrm_role)).collect();
         let stated: Vec<Role> = roles.iter().copied().flatten().collect();
         // Where eyeballs are named so, other "eyes" are lids.
-        let ball = |w: &Words| w.has(&["eyeball", "eyeballs"]) || (w.has(&["eye"]) && w.has(&["ball"]));
-        let balls = words.iter().zip(&bones).any(|(w, bone)| *bone && ball(w));
+        let balls = words.iter().zip(&bones).any(|(w, bone)| *bone && w.is_eyeball());
         for (index, words) in words.iter().enumerate() {
             if roles[index].is_some() {
                 continue;
             }
             let role = by_name(words).filter(|role| match role {
-                Role::LeftEye | Role::RightEye => !balls || ball(words),
+                Role::LeftEye | Role::RightEye => !balls || words.is_eyeball(),
                 _ => true,
             });
             // An eye may be a plain node, shown by a mesh of its own, on a bone of the head.
@@ -204,34 +144,23 @@ fn vrm_role(bone: &str) -> Option<Role> {
     })
 }
 
-fn by_name(words: &Words) -> Option<Role> {
-    let eye = words.has(&["eye", "eyeball", "目"]);
-    if words.has(HELPERS) || (eye && words.has(AROUND_EYES)) {
-        return None;
-    }
-    match (eye, words.side) {
-        (true, Some(Side::Left)) => return Some(Role::LeftEye),
-        (true, Some(Side::Right)) => return Some(Role::RightEye),
-        (true, None) | (false, Some(_)) => return None,
-        (false, None) => {}
-    }
-    if words.has(&["head", "頭"]) {
-        Some(Role::Head)
-    } else if words.has(&["neck", "首"]) {
-        Some(Role::Neck)
-    } else if words.has(SPINES) || (words.has(&["lower"]) && words.has(&["back"])) {
-        Some(Role::Spine)
-    } else if words.has(&["hips", "hip", "pelvis", "下半身"]) {
-        Some(Role::Hips)
-    } else {
-        None
-    }
+/// An eye without a side is nobody's.
+fn by_name(name: &BoneName) -> Option<Role> {
+    Some(match name.body_part()? {
+        BodyPart::Eye(Some(Side::Left)) => Role::LeftEye,
+        BodyPart::Eye(Some(Side::Right)) => Role::RightEye,
+        BodyPart::Eye(None) => return None,
+        BodyPart::Head => Role::Head,
+        BodyPart::Neck => Role::Neck,
+        BodyPart::Spine => Role::Spine,
+        BodyPart::Hips => Role::Hips,
+    })
 }
 
 /// Rigify numbers one column from the pelvis to the head: `spine`, `spine.001` … `spine.006`.
-fn rigify(words: &[Words], bones: &[bool], roles: &mut [Option<Role>]) {
+fn rigify(words: &[BoneName], bones: &[bool], roles: &mut [Option<Role>]) {
     let any = |roles: &[Option<Role>], role| roles.contains(&Some(role));
-    let column = |w: &Words| w.words.iter().filter(|x| !matches!(x.as_str(), "def" | "org")).any(|x| x == "spine");
+    let column = |w: &BoneName| w.words.iter().filter(|x| !matches!(x.as_str(), "def" | "org")).any(|x| x == "spine");
     let numbered =
         |n: u32| (0..words.len()).filter(move |i| bones[*i] && column(&words[*i]) && words[*i].number() == Some(n));
     if any(roles, Role::Head) || any(roles, Role::Neck) || numbered(6).next().is_none() {

@@ -1,12 +1,12 @@
 //! The node tree: a forest with parents before children in [`Skeleton::order`], every name looked up honestly.
 
-use glam::{Affine3A, DAffine3, Quat, Vec3};
+use glam::{Affine3A, DAffine3, DMat3, Quat, Vec3};
 
 use crate::accessor::Data;
 use crate::clip::Clip;
 use crate::error::Error;
 use crate::raw::{self, Raw};
-use crate::trs::{Trs, affine_of};
+use crate::trs::{Trs, affine_of, orthonormal};
 
 /// One node of the file.
 #[derive(Debug, Clone)]
@@ -28,7 +28,7 @@ pub struct Node {
     pub mesh: Option<usize>,
     /// The skin its mesh is bound to.
     pub skin: Option<usize>,
-    /// What a VRM file calls it, such as `leftEye` (VRM 0.x and 1.0 names are the same for what we use).
+    /// Its VRM bone name, such as `leftEye` (names used here are the same in VRM 0.x and 1.0).
     pub vrm_bone: Option<String>,
 }
 
@@ -168,6 +168,11 @@ impl Skeleton {
         world
     }
 
+    /// The orthogonal part of what a node's parent is in the world; it may mirror. The identity for a root.
+    pub(crate) fn parent_frame(&self, world: &[DAffine3], node: usize) -> DMat3 {
+        self.nodes[node].parent.map_or(DMat3::IDENTITY, |parent| orthonormal(&world[parent].matrix3).0)
+    }
+
     /// The node and all its ancestors, the node first.
     pub fn ancestry(&self, node: usize) -> impl Iterator<Item = usize> + '_ {
         core::iter::successors(Some(node), |at| self.nodes.get(*at).and_then(|n| n.parent))
@@ -178,20 +183,16 @@ impl Skeleton {
 fn parents(raw: &Raw) -> Result<Vec<Option<usize>>, Error> {
     let mut parents = vec![None; raw.nodes.len()];
     for (index, node) in raw.nodes.iter().enumerate() {
-        let place = |k: usize| format!("nodes[{index}].children[{k}]");
         for (k, &child) in node.children.iter().enumerate() {
-            match parents.get_mut(child) {
-                None => {
-                    return Err(Error::invalid(place(k), format!("nodes[{child}] does not exist")));
+            let problem = match parents.get_mut(child) {
+                None => format!("nodes[{child}] does not exist"),
+                Some(Some(other)) => format!("nodes[{child}] is already a child of nodes[{other}]"),
+                Some(slot) => {
+                    *slot = Some(index);
+                    continue;
                 }
-                Some(Some(other)) => {
-                    return Err(Error::invalid(
-                        place(k),
-                        format!("nodes[{child}] is already a child of nodes[{other}]"),
-                    ));
-                }
-                Some(slot) => *slot = Some(index),
-            }
+            };
+            return Err(Error::invalid(format!("nodes[{index}].children[{k}]"), problem));
         }
         let check = |what: &str, index_of: Option<usize>, len: usize| match index_of {
             Some(at) if at >= len => {
@@ -268,20 +269,8 @@ fn inverse_binds(data: &Data<'_>, skin: &raw::Skin, place: &str) -> Result<Vec<O
     Ok(matrices.iter().take(skin.joints.len()).map(usable).collect())
 }
 
-/// Edit distance, letters compared without case.
+/// Edit distance, letters compared without case; of the first 64 letters, so that the work is bounded.
 fn distance(a: &str, b: &str) -> usize {
-    // Long names are cut: the work must stay bounded whatever the file says.
     let letters = |s: &str| s.chars().take(64).flat_map(char::to_lowercase).collect::<Vec<_>>();
-    let (a, b) = (letters(a), letters(b));
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.iter().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, y) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(x != y);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[b.len()]
+    strsim::generic_levenshtein(&letters(a), &letters(b))
 }

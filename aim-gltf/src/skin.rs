@@ -108,7 +108,7 @@ pub(crate) fn carrier(skeleton: &Skeleton, point: &SkinnedPoint) -> usize {
     joints.and_then(|joints| joints.get(usize::from(joint)).copied()).unwrap_or(point.node())
 }
 
-/// What moves vertices: the world transforms of all nodes, and each skin's joints' after their inverse binds.
+/// Transforms that move vertices: world transforms of all nodes, and of each skin's joints after their inverse binds.
 pub(crate) struct Palette<'a> {
     skeleton: &'a Skeleton,
     world: &'a [DAffine3],
@@ -124,7 +124,7 @@ impl<'a> Palette<'a> {
         Self { skeleton, world, skinned: (0..skeleton.skin_count()).map(of).collect() }
     }
 
-    /// Whether it turns inside out what `node` shows.
+    /// True if it turns the mesh of `node` inside out.
     pub(crate) fn mirrors(&self, node: usize) -> bool {
         let joint = self.skeleton.nodes()[node].skin.and_then(|skin| self.skinned[skin].first());
         joint.unwrap_or(&self.world[node]).matrix3.determinant() < 0.0
@@ -183,7 +183,7 @@ impl<'a> Palette<'a> {
     }
 }
 
-/// How points move and normals turn.
+/// A transform of points with its transform of normals.
 struct Motion {
     place: Affine3A,
     /// The inverse's transpose times the determinant's size: right for scales that differ, and for mirrors.

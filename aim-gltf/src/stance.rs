@@ -3,10 +3,10 @@
 
 use core::f64::consts::{PI, TAU};
 
-use aim_runtime::{AimRig, DetailedPose, Effector};
+use aim_runtime::{Effector, LimitsFrom, Pose, Rig};
 use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
 
-use crate::bake::ChainNodes;
+use crate::chain::ChainNodes;
 use crate::measure::Measurement;
 use crate::roles::Role;
 use crate::skeleton::Skeleton;
@@ -19,7 +19,7 @@ const LIES_RAD: f64 = 75.0 / 180.0 * PI;
 /// A direction nearer than this to the gaze does not tell a roll (sine of 1°).
 const TELLS_ROLL: f64 = 0.017_452;
 
-/// What is fixed while one chain of one character is aimed.
+/// Facts that stay fixed while one chain of one character is aimed.
 #[derive(Clone, Debug)]
 pub(crate) struct Stance {
     pub(crate) chain: ChainNodes,
@@ -29,11 +29,11 @@ pub(crate) struct Stance {
     carrier: Option<usize>,
     /// The bone that tells how the character as a whole is turned.
     trunk: Option<usize>,
-    /// What of each joint is aimed: of joint 0 the effector.
+    /// Sight of each joint; that of joint 0 is the effector's.
     sights: Vec<Sight>,
-    /// What of the other eye is aimed.
-    pair: Option<Sight>,
-    /// What is up in the world for a character that stands: the axis nearest to what the rig calls up, as a file may
+    /// Sight of the other eye.
+    pub(crate) other_eye: Option<Sight>,
+    /// Up in the world for a character that stands: the axis nearest to the joints' declared up, as a file may
     /// hold a character that lies.
     standing: DVec3,
     /// Joint 0's up in its own space.
@@ -42,37 +42,39 @@ pub(crate) struct Stance {
 
 /// A point and a direction of a node, in the node's space.
 #[derive(Clone, Copy, Debug)]
-struct Sight {
+pub(crate) struct Sight {
     node: usize,
     origin: DVec3,
     forward: DVec3,
 }
 
 impl Sight {
-    /// Degrees between the direction and that to `target`; `None` where either has no direction.
-    fn error_deg(&self, world: &[DAffine3], target: DVec3) -> Option<f64> {
+    /// Degrees between the direction and that to `target`; 90 if either has no direction.
+    pub(crate) fn error_deg(&self, world: &[DAffine3], target: DVec3) -> f64 {
         let forward = self.forward(world);
         let to_target = target - world[self.node].transform_point3(self.origin);
         let error = forward.cross(to_target).length().atan2(forward.dot(to_target));
-        (error.is_finite() && to_target.length() > 0.0).then(|| error.to_degrees())
+        if error.is_finite() && to_target.length() > 0.0 { error.to_degrees() } else { 90.0 }
     }
 
     fn forward(&self, world: &[DAffine3]) -> DVec3 {
         world[self.node].transform_vector3(self.forward)
     }
 
-    fn gaze(&self, world: &[DAffine3]) -> [DVec3; 2] {
+    /// The point and the direction, of length one, in the world.
+    pub(crate) fn gaze(&self, world: &[DAffine3]) -> [DVec3; 2] {
         [world[self.node].transform_point3(self.origin), self.forward(world).normalize_or_zero()]
     }
 }
 
 impl Stance {
-    pub(crate) fn new<R: AimRig>(rig: &R, skeleton: &Skeleton, chain: &ChainNodes, measurement: &Measurement) -> Self {
+    pub(crate) fn new(rig: &dyn Rig, skeleton: &Skeleton, chain: &ChainNodes, measurement: &Measurement) -> Self {
         let above = |node: &usize| skeleton.nodes()[*node].parent;
         let hips = measurement.with_role(Role::Hips).map(|bone| bone.node);
         let ancestry = || skeleton.ancestry(chain.joints[0]);
-        let Effector { forward, origin } = rig.effector();
-        let own = rig.joint_infos().iter().zip(&chain.joints).map(|(info, &node)| {
+        let description = rig.description();
+        let &Effector { forward, origin } = description.effector();
+        let own = description.joints().iter().zip(&chain.joints).map(|(info, &node)| {
             let forward = Vec3::from(info.axes().forward).as_dvec3();
             Sight { node, origin: DVec3::ZERO, forward }
         });
@@ -88,14 +90,14 @@ impl Stance {
             bind_world: measurement.bind_world.clone(),
             carrier: chain.joints.last().and_then(above),
             trunk: hips.filter(|hips| ancestry().any(|node| node == *hips)).or_else(|| ancestry().last()),
-            pair: chain.pair.map(|pair| other(&effector, pair, measurement)),
+            other_eye: chain.other_eye.map(|pair| other(&effector, pair, measurement)),
             sights,
             standing: standing(rig, chain, measurement),
-            up: rig.joint_infos().first().map_or(DVec3::ZERO, |info| Vec3::from(info.axes().up).as_dvec3()),
+            up: description.joints().first().map_or(DVec3::ZERO, |info| Vec3::from(info.axes().up).as_dvec3()),
         }
     }
 
-    /// What is up for the character: that of the world as long as it stands, its own where it lies or hangs, and from the
+    /// The character's up: that of the world as long as it stands, its own if it lies or hangs, and from the
     /// one to the other without a jump.
     pub(crate) fn up(&self, world: &[DAffine3]) -> DVec3 {
         let standing = self.standing;
@@ -108,32 +110,24 @@ impl Stance {
     }
 
     /// The joints' bind pose, carried along by what the chain hangs on.
-    pub(crate) fn bind<R: AimRig>(&self, rig: &R, world: &[DAffine3]) -> R::Array<Affine3A> {
+    pub(crate) fn bind(&self, world: &[DAffine3]) -> Vec<Affine3A> {
         let bind = &self.bind_world;
         let carried = self.carrier.map(|node| world[node] * bind[node].inverse());
         let carried = carried.filter(DAffine3::is_finite).unwrap_or(DAffine3::IDENTITY);
-        let mut joints = rig.array(Affine3A::IDENTITY);
-        for (joint, &node) in joints.as_mut().iter_mut().zip(&self.chain.joints) {
-            *joint = (carried * bind[node]).as_affine3a();
-        }
-        joints
+        self.chain.joints.iter().map(|&node| (carried * bind[node]).as_affine3a()).collect()
     }
 
     /// The heading and pitch, radians, by which the animation turns a joint with an absolute range out of its bind pose,
     /// as seen from the next joint; `None` where ranges are relative.
-    pub(crate) fn led<R: AimRig>(
-        &self,
-        rig: &R,
-        joint: usize,
-        pose: &DetailedPose<R::Array<Affine3A>>,
-    ) -> Option<[f64; 2]> {
-        let info = rig.joint_infos().get(joint).filter(|info| info.absolute)?;
+    pub(crate) fn led(&self, rig: &dyn Rig, joint: usize, pose: &Pose<Vec<Affine3A>>) -> Option<[f64; 2]> {
+        let description = rig.description();
+        let info = description.joints().get(joint).filter(|info| info.limits_from == LimitsFrom::BindPose)?;
         let local = |joints: &[Affine3A]| -> Option<DMat3> {
             let frame = |at: &Affine3A| orthonormal(&at.matrix3.as_dmat3()).0;
             let own = frame(joints.get(joint)?);
             Some(joints.get(joint + 1).map_or(own, |next| frame(next).transpose() * own))
         };
-        let turn = local(pose.bind.as_ref()?.as_ref())?.transpose() * local(pose.joints.as_ref())?;
+        let turn = local(pose.bind.as_ref()?)?.transpose() * local(&pose.joints)?;
         let [up, ahead, left] =
             [info.axes().up, info.axes().forward, info.axes().left].map(|axis| Vec3::from(axis).as_dvec3());
         let forward = turn * ahead;
@@ -144,39 +138,20 @@ impl Stance {
     /// The other eye's local rotation with which it looks as joint 0 does, as both do in the bind pose. Animations that
     /// turn eyes by themselves seldom keep them parallel, and what a skin shows of an eye is what the bind pose says.
     pub(crate) fn parallel(&self, skeleton: &Skeleton, pose: &[Trs], world: &[DAffine3]) -> Option<Quat> {
-        let (eye, pair) = (self.sights[0].node, self.pair.as_ref()?.node);
+        let (eye, pair) = (self.sights[0].node, self.other_eye.as_ref()?.node);
         let bind = &self.bind_world;
         let frame = |at: &DAffine3| orthonormal(&at.matrix3).0;
         let wanted = frame(&world[eye]) * frame(&bind[eye]).transpose() * frame(&bind[pair]);
-        let parent = skeleton.nodes()[pair].parent.map_or(DMat3::IDENTITY, |parent| frame(&world[parent]));
+        let parent = skeleton.parent_frame(world, pair);
         // Mirrors, the bone's own and those above it, are the same in both poses, or else there is no such rotation.
         let local = parent.transpose() * wanted * DMat3::from_diagonal(pose[pair].scale.signum().as_dvec3());
         (local.determinant() > 0.5).then(|| DQuat::from_mat3(&local).normalize().as_quat())
     }
 
-    /// Degrees between what of joint `aimed` is aimed and the direction to `target`; 90 where either has no direction.
-    pub(crate) fn error_deg(&self, aimed: usize, world: &[DAffine3], target: DVec3) -> f64 {
-        self.sight(aimed).error_deg(world, target).unwrap_or(90.0)
-    }
-
-    /// The point that joint `aimed` looks from and its direction, in the world.
-    pub(crate) fn gaze(&self, aimed: usize, world: &[DAffine3]) -> [DVec3; 2] {
-        self.sight(aimed).gaze(world)
-    }
-
-    /// The same of the other eye.
-    pub(crate) fn pair_gaze(&self, world: &[DAffine3]) -> Option<[DVec3; 2]> {
-        self.pair.as_ref().map(|pair| pair.gaze(world))
-    }
-
-    /// As the solvers read [`Settings::effector`](aim_runtime::Settings::effector): past the last joint is the last.
-    fn sight(&self, aimed: usize) -> &Sight {
+    /// Sight of joint `aimed`, as the solvers read
+    /// [`Settings::effector`](aim_runtime::Settings::effector): past the last joint is the last.
+    pub(crate) fn sight(&self, aimed: usize) -> &Sight {
         &self.sights[aimed.min(self.sights.len() - 1)]
-    }
-
-    /// The same of the other eye; `None` where there is none.
-    pub(crate) fn pair_error_deg(&self, world: &[DAffine3], target: DVec3) -> Option<f64> {
-        self.pair.as_ref().map(|pair| pair.error_deg(world, target).unwrap_or(90.0))
     }
 
     /// By how much joint 0 is rolled more when aimed than when animated, degrees, positive to the character's left; 0
@@ -193,8 +168,9 @@ impl Stance {
 }
 
 /// The axis of the world nearest to the joints' declared ups in the bind pose.
-fn standing<R: AimRig>(rig: &R, chain: &ChainNodes, measurement: &Measurement) -> DVec3 {
-    let ups = rig.joint_infos().iter().zip(&chain.joints).map(|(info, &node)| {
+fn standing(rig: &dyn Rig, chain: &ChainNodes, measurement: &Measurement) -> DVec3 {
+    let description = rig.description();
+    let ups = description.joints().iter().zip(&chain.joints).map(|(info, &node)| {
         let up = Vec3::from(info.axes().up).as_dvec3();
         measurement.bind_world[node].transform_vector3(up).normalize_or_zero()
     });
@@ -220,7 +196,7 @@ fn roll(gaze: DVec3, up: DVec3, bone_up: DVec3) -> Option<f64> {
     known.then(|| gaze.dot(bone_up.cross(up)).atan2(bone_up.dot(up)))
 }
 
-/// What of the other eye is aimed: in the bind pose it looks the same way, from the mirrored point.
+/// Sight of the other eye: in the bind pose it looks the same way, from the mirrored point.
 fn other(effector: &Sight, pair: usize, measurement: &Measurement) -> Sight {
     let Measurement { bind_world: bind, left, .. } = measurement;
     let frame = |node: usize| -> DMat3 { orthonormal(&bind[node].matrix3).0 };

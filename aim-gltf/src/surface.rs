@@ -29,7 +29,7 @@ pub struct Triangle {
 }
 
 /// The meshes of a document: what its nodes show, skinned or not.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Surface {
     points: Vec<SkinnedPoint>,
     normals: Vec<Vec3>,
@@ -46,15 +46,7 @@ impl Document {
     /// without morph targets.
     #[must_use]
     pub fn surface(&self) -> Surface {
-        let mut surface = Surface {
-            points: Vec::new(),
-            normals: Vec::new(),
-            texture_coordinates: Vec::new(),
-            tints: Vec::new(),
-            triangles: Vec::new(),
-            materials: Vec::new(),
-            images: Vec::new(),
-        };
+        let mut surface = Surface::default();
         let Ok((raw, _)) = Raw::parse(&self.text) else { return surface };
         let slices: Vec<_> = self.buffers.iter().map(|b| bytes_of(b, self.chunk.as_deref())).collect();
         let data = Data::new(&raw, &slices);
@@ -77,7 +69,7 @@ struct Part<'a> {
     node: usize,
     primitive: &'a Primitive,
     json: &'a Value,
-    /// Whether the node turns its inside out.
+    /// True if the node turns it inside out.
     is_mirrored: bool,
 }
 
@@ -169,14 +161,14 @@ impl Surface {
         &self.images
     }
 
-    /// Where each vertex is on its material's picture: right and down from its upper left, in 0…1 and beyond. Zero
+    /// Coordinates of each vertex on its material's picture: right and down from its upper left, in 0…1 and beyond. Zero
     /// without a picture.
     #[must_use]
     pub fn texture_coordinates(&self) -> &[Vec2] {
         &self.texture_coordinates
     }
 
-    /// What each vertex multiplies its material's colour by: linear red, green, blue and opacity in 0…1. Ones if not
+    /// Factors of each vertex on its material's colour: linear red, green, blue and opacity in 0…1. Ones if not
     /// given.
     #[must_use]
     pub fn tints(&self) -> &[[f32; 4]] {

@@ -14,7 +14,7 @@ const LENIENT: GeneralPurpose = GeneralPurpose::new(
     GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent),
 );
 
-/// What a URI refers to.
+/// The target of a URI.
 pub(crate) enum Uri {
     /// The bytes themselves.
     Data(Vec<u8>),
@@ -82,7 +82,7 @@ pub(crate) fn to_data(media_type: &str, bytes: &[u8]) -> String {
 pub(crate) fn read_file(path: &Path) -> Result<Vec<u8>, Error> {
     let fail = |source| Error::Read { path: path.to_path_buf(), source };
     if !std::fs::metadata(path).map_err(fail)?.is_file() {
-        return Err(Error::NotAFile { path: path.to_path_buf() });
+        return Err(Error::NotAFile(path.to_path_buf()));
     }
     std::fs::read(path).map_err(fail)
 }

@@ -1,17 +1,17 @@
 //! A document written again with further clips: old bytes first and unchanged, new ones appended.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, HashSet};
 
 use serde_json::{Map, Value, json};
 
-use crate::clip::{Channel, Clip, Interpolation, Property};
+use crate::clip::{Channel, Clip, INTERPOLATIONS, Interpolation, PROPERTIES, Property};
 use crate::container;
 use crate::document::{Buffer, Document, bytes_of};
 use crate::error::Error;
 use crate::uri::{self, Uri};
 
 fn refuse(problem: impl Into<String>) -> Error {
-    Error::Clip { problem: problem.into() }
+    Error::Clip(problem.into())
 }
 
 impl Document {
@@ -40,7 +40,7 @@ impl Document {
         for (clip, animation) in clips.iter().filter(|clip| !clip.channels.is_empty()).zip(animations) {
             self.place(&mut json, clip, animation);
         }
-        let text = serde_json::to_vec(&json).map_err(|e| Error::Json { message: e.to_string() })?;
+        let text = serde_json::to_vec(&json).map_err(|e| Error::Json(e.to_string()))?;
         container::join(&text, chunk.as_deref())
     }
 
@@ -60,34 +60,26 @@ impl Document {
     /// The keys of a clip, checked against what a valid file may contain.
     fn check(&self, clip: &Clip) -> Result<(), Error> {
         let nodes = self.skeleton().nodes();
-        let mut seen = BTreeSet::new();
+        let mut seen = HashSet::new();
         for channel in &clip.channels {
             let node = nodes.get(channel.node).ok_or_else(|| {
                 refuse(format!("clip {:?} moves node {}, which does not exist", clip.name, channel.node))
             })?;
-            let what = || format!("{} of {:?} in clip {:?}", property_name(channel.property), node.name, clip.name);
-            if !seen.insert((channel.node, property_name(channel.property))) {
-                return Err(refuse(format!("{} is there twice", what())));
-            }
-            let times = &channel.times;
+            let what = format!("{} of {:?} in clip {:?}", in_file(channel.property).0, node.name, clip.name);
+            let (times, numbers) = (&channel.times, channel.values.len());
             let ordered = times.windows(2).all(|w| w[0] < w[1]) && times.first().is_some_and(|t| *t >= 0.0);
-            if !ordered || !times.iter().all(|t| t.is_finite()) {
-                return Err(refuse(format!(
-                    "key times of {} must be finite, from 0 on and strictly increasing",
-                    what()
-                )));
-            }
-            if channel.width == 0 || channel.values.len() != times.len() * channel.stride() {
-                return Err(refuse(format!(
-                    "{} has {} numbers for {} keys",
-                    what(),
-                    channel.values.len(),
-                    times.len()
-                )));
-            }
-            if !channel.values.iter().all(|v| v.is_finite()) {
-                return Err(refuse(format!("{} has a key that is not finite", what())));
-            }
+            let problem = if !seen.insert((channel.node, channel.property)) {
+                format!("{what} is there twice")
+            } else if !ordered || !times.iter().all(|t| t.is_finite()) {
+                format!("key times of {what} must be finite, from 0 on and strictly increasing")
+            } else if channel.width == 0 || numbers != times.len() * channel.stride() {
+                format!("{what} has {numbers} numbers for {} keys", times.len())
+            } else if !channel.values.iter().all(|v| v.is_finite()) {
+                format!("{what} has a key that is not finite")
+            } else {
+                continue;
+            };
+            return Err(refuse(problem));
         }
         Ok(())
     }
@@ -162,15 +154,9 @@ impl Document {
         let Some(folder) = &self.folder else { return };
         let images = json.get_mut("images").and_then(Value::as_array_mut);
         for image in images.into_iter().flatten().filter_map(Value::as_object_mut) {
-            let Some(text) = image.get("uri").and_then(Value::as_str) else {
-                continue;
-            };
-            let Ok(Uri::Relative(path)) = uri::parse(text, "images") else {
-                continue;
-            };
-            let Ok(bytes) = uri::read_file(&folder.join(path)) else {
-                continue;
-            };
+            let Some(text) = image.get("uri").and_then(Value::as_str) else { continue };
+            let Ok(Uri::Relative(path)) = uri::parse(text, "images") else { continue };
+            let Ok(bytes) = uri::read_file(&folder.join(path)) else { continue };
             // Judged by content, so that no other file is ever drawn in by a URI.
             if let Some(kind) = image_type(&bytes) {
                 image.insert("uri".into(), uri::to_data(kind, &bytes).into());
@@ -185,7 +171,8 @@ fn keep_foreign(old: &Map<String, Value>, new: &mut Map<String, Value>) {
     let list = |key: &str| old.get(key).and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
     for channel in list("channels") {
         let target = &channel["target"];
-        let ours = target["path"].as_str().is_some_and(|path| PROPERTIES.contains(&path)) && target["node"].is_u64();
+        let ours = target["path"].as_str().is_some_and(|path| PROPERTIES.iter().any(|(_, known, ..)| *known == path))
+            && target["node"].is_u64();
         let sampler = channel["sampler"].as_u64().and_then(|at| list("samplers").get(usize::try_from(at).ok()?));
         let (false, Some(sampler)) = (ours, sampler) else { continue };
         let (Some(samplers), mut channel) = (new["samplers"].as_array_mut(), channel.clone()) else { continue };
@@ -207,16 +194,10 @@ fn image_type(bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// What [`property_name`] gives.
-const PROPERTIES: [&str; 4] = ["translation", "rotation", "scale", "weights"];
-
-fn property_name(property: Property) -> &'static str {
-    match property {
-        Property::Translation => "translation",
-        Property::Rotation => "rotation",
-        Property::Scale => "scale",
-        Property::Weights => "weights",
-    }
+/// A property's path and accessor type in a file, and the numbers of one value there.
+fn in_file(property: Property) -> (&'static str, &'static str, usize) {
+    let known = PROPERTIES.into_iter().find(|(known, ..)| *known == property);
+    known.map_or(("", "", 1), |(_, path, shape, width)| (path, shape, width))
 }
 
 fn count(json: &Value, key: &str) -> usize {
@@ -267,26 +248,13 @@ impl Appended {
         let (mut channels, mut samplers) = (Vec::new(), Vec::new());
         for channel in &clip.channels {
             let bits: Vec<u32> = channel.times.iter().map(|t| t.to_bits()).collect();
-            let input = match self.times.get(&bits) {
-                Some(input) => *input,
-                None => {
-                    let input = self.accessor(&channel.times, "SCALAR", 1, view, true);
-                    self.times.insert(bits, input);
-                    input
-                }
-            };
-            let (shape, width) = match channel.property {
-                Property::Rotation => ("VEC4", 4),
-                Property::Weights => ("SCALAR", 1),
-                Property::Translation | Property::Scale => ("VEC3", 3),
-            };
+            let known = self.times.get(&bits).copied();
+            let input = known.unwrap_or_else(|| self.accessor(&channel.times, "SCALAR", 1, view, true));
+            self.times.insert(bits, input);
+            let (path, shape, width) = in_file(channel.property);
             let output = self.accessor(&unit_keys(channel), shape, width, view, false);
-            let interpolation = match channel.interpolation {
-                Interpolation::Step => "STEP",
-                Interpolation::Linear => "LINEAR",
-                Interpolation::CubicSpline => "CUBICSPLINE",
-            };
-            let path = property_name(channel.property);
+            let interpolation = INTERPOLATIONS.into_iter().find(|(known, _)| *known == channel.interpolation);
+            let interpolation = interpolation.map_or("LINEAR", |(_, word)| word);
             channels.push(json!({ "sampler": samplers.len(), "target": { "node": channel.node, "path": path } }));
             samplers.push(json!({ "input": first + input, "output": first + output, "interpolation": interpolation }));
         }

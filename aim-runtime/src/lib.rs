@@ -1,7 +1,7 @@
 //! The runtime of `aim-rig`: turns eyes, neck and spine to a target on top of any animation, within limits, at
 //! bounded speed.
 //!
-//! The derivatives come from the rig's own derived kernels ([`AimRig`]); nothing here is tied to a bone convention.
+//! The derivatives come from the rig's own derived kernels ([`Rig`]); nothing here is tied to a bone convention.
 //! No call allocates or panics, whatever the bits of its input.
 //!
 //! # Feature flags
@@ -20,43 +20,34 @@
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("aim-runtime needs square roots and sines: enable the feature `std` or `libm`");
 
-mod alone;
-mod ascent;
-mod behind;
-mod chain;
-mod dual;
-mod exact;
-mod eyes;
-mod follow;
-mod frame;
-mod goal;
+mod aim;
+pub mod check;
+#[cfg(feature = "std")]
+mod dyn_aim;
 pub mod ik;
-mod joint;
+mod kinematics;
 mod limits;
 mod math;
-mod motion;
-mod natural;
-mod outcome;
-mod pose;
-mod quick;
-pub mod reach;
-mod real;
 mod rig;
-mod scalar;
-mod settings;
-mod settle;
-mod targets;
-mod trig;
-mod view;
+mod solve;
+mod target;
+pub mod trajectory;
 
+pub use aim::{Aim, Aimed, Call, Targets};
+pub use aim_model::{Axes, LimitsFrom, Role};
+#[cfg(feature = "std")]
+pub use dyn_aim::DynAim;
 pub use glam;
-pub use joint::{Joint, JointInfo, Role};
-pub use outcome::{JointSet, Outcome, Status};
-pub use pose::{ChainPose, DetailedPose, Pose};
-pub use real::Real;
-pub use rig::{AimRig, Axes, Corrections, Effector};
-pub use scalar::Scalar;
-pub use settings::{Ascent, Behind, Natural, Settings, Solver};
-pub use targets::Target;
+pub use math::real::Real;
+pub use math::scalar::Scalar;
+pub use rig::{
+    AimRig, Ascent, Behind, Description, Effector, Joint, JointInfo, JointSet, Memory, Outcome, Pose, Rig, Settings,
+    Solver, State, Status,
+};
+pub use target::blend::Target;
 #[cfg(feature = "wide")]
 pub use wide;
+
+/// How a natural gaze is shared between the eyes and the joints that support them, per rig by
+/// [`Description::sharing`], per call by [`Settings::sharing`]. See [`aim_model::GazeSharing`].
+pub type GazeSharing = aim_model::GazeSharing<f32>;

@@ -1,7 +1,6 @@
 //! Operation counts. Sines and cosines are given, so calls of functions are counted apart.
 
 use std::fmt;
-use std::ops::AddAssign;
 
 use crate::{Op, Program};
 
@@ -29,17 +28,6 @@ impl Count {
     /// All operations but comparisons, selects and calls.
     pub fn total(&self) -> usize {
         self.add + self.mul + self.div + self.sqrt + Self::POW
-    }
-}
-
-impl AddAssign for Count {
-    fn add_assign(&mut self, other: Self) {
-        self.add += other.add;
-        self.mul += other.mul;
-        self.div += other.div;
-        self.sqrt += other.sqrt;
-        self.select += other.select;
-        self.call += other.call;
     }
 }
 

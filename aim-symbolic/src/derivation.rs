@@ -1,18 +1,20 @@
 //! The book-keeping of a derivation: what was rewritten into what, how derivatives were taken, which rules brought the
 //! operation count from what to what, and what each step of the program computes.
 
-use crate::derive::{ARITHMETIC, Choices, Way, choose, distinct};
+use crate::derive::{Choices, Way, choose, distinct};
 use crate::evaluate::Evaluation;
-use crate::order::{Node, Selects};
+use crate::node::Node;
+use crate::order::Selects;
 use crate::program::Effort;
+use crate::rules::{ARITHMETIC, Rule};
 use crate::tidy::Log;
 use crate::{Bindings, Count, Graph, InputKind, Program, Scalar, ScalarNode, Variable, Want};
 
 /// One application of a rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rewrite {
-    /// The rule's name.
-    pub rule: &'static str,
+    /// The rule.
+    pub rule: Rule,
     /// What it was applied to.
     pub from: Node,
     /// What it made of that.
@@ -22,8 +24,8 @@ pub struct Rewrite {
 /// Rules that together brought a program's operation count down.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Step {
-    /// Their names, in the order in which they were first applied, and how often each was.
-    pub rules: Vec<(&'static str, usize)>,
+    /// The rules in the order in which they were first applied, and how often each was.
+    pub rules: Vec<(Rule, usize)>,
     /// The operations of the program if rewriting had stopped before it.
     pub before: Count,
     /// The operations of the program if rewriting had stopped after it.
@@ -119,8 +121,8 @@ impl Derivation {
     /// derivatives is done, also those with 0 and 1.
     pub fn new(g: &Graph, wanted: &[Want]) -> Self {
         let (program, choices) = choose(g, wanted, &[]);
-        let way = |log: Log, off: &[&str]| Way::taken(g, wanted, choices.clone(), off, log, Effort::Finish);
-        let count = |rewrites: usize, off: &[&str]| way(Log::limited(rewrites), off).program.count();
+        let way = |log: Log, off: &[Rule]| Way::taken(g, wanted, choices.clone(), off, log, Effort::Finish);
+        let count = |rewrites: usize, off: &[Rule]| way(Log::limited(rewrites), off).program.count();
         let Way { g: graph, outputs, log, .. } = way(Log::default(), &[]);
         let mut book = Book { steps: Vec::new(), rules: Vec::new(), count: count(0, &ARITHMETIC) };
         for on in 1..=ARITHMETIC.len() {
@@ -158,7 +160,8 @@ impl Derivation {
     /// For each of the program's [`steps`](Program::steps) the part of the [`outputs`](Self::outputs) that it computes;
     /// `None` for what is on the way to such a part.
     ///
-    /// Told by values: what agrees for several inputs at random, to rounding, is the same.
+    /// Parts and steps are matched by their values: what agrees for three random inputs to 1e-11 is the same. Factoring and
+    /// sharing leave no node that both have.
     pub fn meanings(&self) -> Vec<Option<Meaning>> {
         let g = &self.graph;
         let mut parts: Vec<(Node, Aspect)> = Vec::new();
@@ -238,13 +241,13 @@ impl Program {
 struct Book {
     steps: Vec<Step>,
     /// What was applied since the last step.
-    rules: Vec<(&'static str, usize)>,
+    rules: Vec<(Rule, usize)>,
     /// The least count so far.
     count: Count,
 }
 
 impl Book {
-    fn record(&mut self, rule: &'static str, rewrites: usize, after: Count) {
+    fn record(&mut self, rule: Rule, rewrites: usize, after: Count) {
         match self.rules.iter_mut().find(|(known, _)| *known == rule) {
             Some((_, times)) => *times += 1,
             None => self.rules.push((rule, 1)),

@@ -1,13 +1,10 @@
 //! From statements to the smallest program: the passes in their order, and the few choices between them.
 
 use crate::derivation::{Course, Swept};
-use crate::factor::FACTOR;
-use crate::fold::{CONSTANTS, NEGATIONS, ORDER};
-use crate::products::SHARE;
-use crate::program::{DIVIDE_ONCE, Effort};
+use crate::program::Effort;
 use crate::rules::{
-    self, ACROSS_FOR_CROSS, CANCELLING, CONSTANT_SCALE, DIRECTIONS, FRAMES, MERGE_SHARED, OTHER_SIDES, ROTATIONS,
-    Rules, SCALES, SPREAD, WORDING,
+    self, ACROSS_FOR_CROSS, CANCELLING, CONSTANT_SCALE, DIRECTIONS, EXPAND_ACROSS, FRAMES, MERGE_SHARED, OPTIONAL,
+    OTHER_SIDES, ROTATIONS, Rule, Rules, SCALES, SPREAD, WORDING,
 };
 use crate::tidy::Log;
 use crate::{Graph, Placement, Program, Rotation, Scalar, Variable};
@@ -50,7 +47,7 @@ enum Sweep {
 pub(crate) struct Choices {
     sweep: Sweep,
     /// The rules that lose against their competitor.
-    without: Vec<&'static str>,
+    without: Vec<Rule>,
     /// How many rotations go to the other side of a dot.
     turned: Option<usize>,
     /// The rotations before which the calculation is done, in whose frame fewer vectors need them.
@@ -62,12 +59,6 @@ impl Choices {
         Self { sweep: Sweep::Reverse(Placement::Late), without: OPTIONAL.to_vec(), turned: None, kept: Vec::new() }
     }
 }
-
-/// Rules of components: what any compiler of formulas does, all at once.
-pub(crate) const ARITHMETIC: [&str; 6] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, DIVIDE_ONCE];
-
-/// The rules that apply only where that is found to pay.
-const OPTIONAL: [&str; 2] = [SPREAD, CONSTANT_SCALE];
 
 /// A program of so few operations is worth every rival.
 const SMALL: usize = 100;
@@ -89,8 +80,8 @@ impl Program {
         Self::derive_without(g, wanted, &[])
     }
 
-    /// The same without the rules of these names, to see what they are good for.
-    pub fn derive_without(g: &Graph, wanted: &[Want], without: &[&str]) -> Self {
+    /// The same without these rules, to see what they are good for.
+    pub fn derive_without(g: &Graph, wanted: &[Want], without: &[Rule]) -> Self {
         choose(g, wanted, without).0
     }
 }
@@ -99,7 +90,7 @@ impl Program {
 ///
 /// Each rival changes the best so far in one respect, and takes its place where its program is smaller. For a small program
 /// every arrangement is compared, and what a choice made worthwhile is tried again.
-pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[&str]) -> (Program, Choices) {
+pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[Rule]) -> (Program, Choices) {
     let mut best = Way::taken(g, wanted, Choices::first(), without, Log::default(), Effort::Compare);
     let is_small = cost(&best.program).0 <= SMALL;
     let changes = rivals(&best, wanted, is_small);
@@ -151,7 +142,7 @@ impl Way {
         stated: &Graph,
         wanted: &[Want],
         choices: Choices,
-        without: &[&str],
+        without: &[Rule],
         mut log: Log,
         effort: Effort,
     ) -> Self {
@@ -167,7 +158,7 @@ impl Way {
     }
 
     /// The way after every rival's try.
-    fn improved(self, changes: &[Change], stated: &Graph, wanted: &[Want], without: &[&str], effort: Effort) -> Self {
+    fn improved(self, changes: &[Change], stated: &Graph, wanted: &[Want], without: &[Rule], effort: Effort) -> Self {
         changes.iter().fold(self, |best, change| {
             let mut choices = best.choices.clone();
             change(&mut choices);
@@ -179,7 +170,7 @@ impl Way {
     }
 
     /// Tries more arrangements of its sums and products.
-    fn arrange(&mut self, without: &[&str]) {
+    fn arrange(&mut self, without: &[Rule]) {
         self.program = compiled(&mut self.g, &self.outputs, &self.choices, without, Effort::Finish);
     }
 }
@@ -190,7 +181,7 @@ type Change = Box<dyn Fn(&mut Choices)>;
 /// The rivals worth a try, by what was applied on the first way.
 fn rivals(first: &Way, wanted: &[Want], is_small: bool) -> Vec<Change> {
     let Way { g, outputs, log, .. } = first;
-    let applied = |rules: &[&str]| log.applied.iter().filter(|done| rules.contains(&done.rule)).count();
+    let applied = |rules: &[Rule]| log.applied.iter().filter(|done| rules.contains(&done.rule)).count();
     let mut rivals: Vec<Change> = Vec::new();
     for sweep in sweeps(wanted) {
         rivals.push(Box::new(move |c| c.sweep = sweep));
@@ -203,8 +194,8 @@ fn rivals(first: &Way, wanted: &[Want], is_small: bool) -> Vec<Change> {
             rivals.push(Box::new(move |c| c.kept = kept.clone()));
         }
     }
-    let optional = |rule: &'static str| move |c: &mut Choices| c.without.retain(|&off| off != rule);
-    if applied(&["a part across is a difference"]) > 0 {
+    let optional = |rule: Rule| move |c: &mut Choices| c.without.retain(|&off| off != rule);
+    if applied(&[EXPAND_ACROSS]) > 0 {
         rivals.push(Box::new(optional(SPREAD)));
     }
     if g.has_constant_direction(outputs) {
@@ -253,14 +244,14 @@ pub(crate) fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
     found
 }
 
-fn compiled(g: &mut Graph, outputs: &[Scalar], choices: &Choices, without: &[&str], effort: Effort) -> Program {
-    let off: Vec<&str> = without.iter().chain(&choices.without).copied().collect();
+fn compiled(g: &mut Graph, outputs: &[Scalar], choices: &Choices, without: &[Rule], effort: Effort) -> Program {
+    let off: Vec<Rule> = without.iter().chain(&choices.without).copied().collect();
     Program::compile_with(g, outputs, &Rules { without: &off, turned: choices.turned }, effort)
 }
 
 /// What is wanted, rewritten by one way through the choices.
-fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[&str], log: &mut Log) -> Vec<Scalar> {
-    let off: Vec<&str> = without.iter().chain(&choices.without).copied().collect();
+fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule], log: &mut Log) -> Vec<Scalar> {
+    let off: Vec<Rule> = without.iter().chain(&choices.without).copied().collect();
     let rules = Rules { without: &off, turned: choices.turned };
     let stated = distinct(wanted.iter().map(|w| w.stated()));
     g.keep(&choices.kept);

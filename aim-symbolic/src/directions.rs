@@ -1,7 +1,7 @@
 //! Rules for directions: what is along one, what is square to it. Part of [`WORDING`](crate::rules::WORDING),
 //! [`DIRECTIONS`](crate::rules::DIRECTIONS) and [`SCALES`](crate::rules::SCALES).
 
-use crate::rules::{constant_components, is_sum, is_zero, sum, terms};
+use crate::sums::{is_sum, is_zero, sum, terms};
 use crate::{Graph, Scalar, ScalarNode, Unit, Vector, VectorNode};
 
 /// Whether this is `1 / |v|`.
@@ -64,7 +64,7 @@ pub(crate) fn guard_division(g: &mut Graph, s: Scalar) -> Option<Scalar> {
 fn as_unit(g: &Graph, v: Vector) -> Option<Unit> {
     let is_unit = match g.vector_node(v) {
         VectorNode::Normalize(_) => true,
-        _ => constant_components(g, v).is_some_and(|c| (c.iter().map(|c| c * c).sum::<f64>() - 1.0).abs() < 1e-15),
+        _ => g.constant_vector_of(v).is_some_and(|c| (c.iter().map(|c| c * c).sum::<f64>() - 1.0).abs() < 1e-15),
     };
     is_unit.then_some(Unit(v))
 }

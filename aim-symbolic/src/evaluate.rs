@@ -1,6 +1,6 @@
 //! Evaluation of typed expressions in f64, without lowering: the independent oracle of the tests.
 
-use crate::{Angle, Graph, InputKind, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+use crate::{Angle, Graph, InputKind, Number, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 /// Values for the inputs of a graph.
 #[derive(Clone, Debug, Default)]
@@ -31,17 +31,6 @@ impl Bindings {
         &self.inputs
     }
 
-    /// The same with one input's value changed by `by`; nothing changes where `input` is none.
-    pub fn nudged(&self, g: &Graph, input: Scalar, by: f64) -> Self {
-        let mut nudged = self.clone();
-        if let ScalarNode::Input(i) = g.scalar_node(input)
-            && let Some(value) = nudged.inputs.get_mut(i as usize)
-        {
-            *value += by;
-        }
-        nudged
-    }
-
     /// The same with one angle moved by `by` radians.
     pub fn moved(&self, g: &Graph, angle: Angle, by: f64) -> Self {
         let angles: Vec<_> = self.angles.iter().map(|&(a, x)| (a, if a == angle { x + by } else { x })).collect();
@@ -56,10 +45,8 @@ impl Bindings {
     }
 }
 
-const TINY: f64 = 1.491_668_146_240_041_3e-154;
-
 fn reciprocal(x: f64) -> f64 {
-    if TINY < x { 1.0 / x } else { 0.0 }
+    if f64::tiny() < x { 1.0 / x } else { 0.0 }
 }
 
 fn dot(v: [f64; 3], w: [f64; 3]) -> f64 {
@@ -117,28 +104,17 @@ impl<'a> Evaluation<'a> {
             return known;
         }
         let value = match self.g.scalar_node(scalar) {
-            ScalarNode::Constant(c) => return c.value(),
-            ScalarNode::Input(i) => return self.bindings.inputs.get(i as usize).copied().unwrap_or(0.0),
-            ScalarNode::Tiny => return TINY,
-            ScalarNode::Add(a, b) => self.scalar(a) + self.scalar(b),
-            ScalarNode::Sub(a, b) => self.scalar(a) - self.scalar(b),
-            ScalarNode::Mul(a, b) => self.scalar(a) * self.scalar(b),
-            ScalarNode::Div(a, b) => self.scalar(a) / self.scalar(b),
-            ScalarNode::Neg(a) => -self.scalar(a),
-            ScalarNode::Sqrt(a) => self.scalar(a).sqrt(),
             ScalarNode::Reciprocal(a) => reciprocal(self.scalar(a)),
-            ScalarNode::SelectLess(a, b, then, otherwise) => {
-                let less = self.scalar(a) < self.scalar(b);
-                self.scalar(if less { then } else { otherwise })
-            }
-            ScalarNode::Call(function, a) => function.of(self.scalar(a)),
-            ScalarNode::Atan2(y, x) => self.scalar(y).atan2(self.scalar(x)),
             ScalarNode::Dot(a, b) => dot(self.vector(a), self.vector(b)),
             ScalarNode::Norm(a) => {
                 let a = self.vector(a);
                 dot(a, a).sqrt()
             }
             ScalarNode::Component(a, axis) => self.vector(a)[usize::from(axis)],
+            node => {
+                let Some(op) = node.op() else { unreachable!("{node:?} is an operation") };
+                op.map(|s| self.scalar(s)).value(&self.bindings.inputs)
+            }
         };
         self.scalars[scalar.0 as usize] = Some(value);
         value

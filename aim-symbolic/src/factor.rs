@@ -1,18 +1,16 @@
 //! Sum factoring on components: `a b + a c = a (b + c)`, where neither product is needed elsewhere.
 
+use rustc_hash::FxHashMap;
+
 use crate::fold::Fold;
 use crate::rebuild::{Exchange, Rebuild, Uses};
-use crate::table::NodeMap;
 use crate::{Graph, Scalar, ScalarNode};
 
-/// The rule's name.
-pub(crate) const FACTOR: &str = "common factor of products";
-
 /// `outputs`, which are lowered, with every sum factored.
-pub(crate) fn factor(fold: &mut Fold<'_>, outputs: Vec<Scalar>) -> Vec<Scalar> {
-    let uses = Uses::of(fold.g, &outputs);
+pub(crate) fn factor(fold: &mut Fold, outputs: Vec<Scalar>) -> Vec<Scalar> {
+    let uses = Uses::count(&fold.g, &outputs);
     let mut factoring = Factoring { uses };
-    if !factoring.uses.order().iter().any(|&s| factoring.terms_to_factor(fold.g, s).is_some()) {
+    if !factoring.uses.order().iter().any(|&s| factoring.terms_to_factor(&fold.g, s).is_some()) {
         return outputs;
     }
     Rebuild::outputs(fold, &outputs, &mut factoring)
@@ -30,8 +28,8 @@ struct Factoring {
 
 impl Exchange for Factoring {
     /// The sum `s` where some of its products have a common factor.
-    fn exchange(&mut self, rebuild: &mut Rebuild<'_, '_>, s: Scalar) -> Option<Scalar> {
-        let terms = self.terms_to_factor(rebuild.fold.g, s)?;
+    fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Option<Scalar> {
+        let terms = self.terms_to_factor(&rebuild.fold.g, s)?;
         Some(self.sum(rebuild, terms))
     }
 }
@@ -82,7 +80,7 @@ impl Factoring {
 
     /// The factor that most of the terms have; the first of several, `None` where each has its own.
     fn common(&self, g: &Graph, terms: &[Term]) -> Option<Scalar> {
-        let mut counts: NodeMap<Scalar, usize> = NodeMap::default();
+        let mut counts: FxHashMap<Scalar, usize> = FxHashMap::default();
         let mut best: Option<(usize, Scalar)> = None;
         let products = || terms.iter().filter_map(|&(_, term)| self.factors(g, term));
         for (a, b) in products() {
@@ -100,16 +98,16 @@ impl Factoring {
         best.map(|(_, factor)| factor)
     }
 
-    fn sum(&mut self, rebuild: &mut Rebuild<'_, '_>, terms: Vec<Term>) -> Scalar {
-        let Some(factor) = self.common(rebuild.fold.g, &terms) else {
+    fn sum(&mut self, rebuild: &mut Rebuild<'_>, terms: Vec<Term>) -> Scalar {
+        let Some(factor) = self.common(&rebuild.fold.g, &terms) else {
             let terms = terms.into_iter().map(|(negative, s)| (negative, rebuild.scalar(self, s))).collect();
             return plain_sum(rebuild.fold, terms);
         };
         let (with, without): (Vec<Term>, Vec<Term>) =
-            terms.into_iter().partition(|&(_, t)| self.has_factor(rebuild.fold.g, t, factor));
+            terms.into_iter().partition(|&(_, t)| self.has_factor(&rebuild.fold.g, t, factor));
         let cofactors = with
             .into_iter()
-            .map(|(negative, term)| match self.factors(rebuild.fold.g, term) {
+            .map(|(negative, term)| match self.factors(&rebuild.fold.g, term) {
                 Some((a, b)) if a == factor => (negative, b),
                 Some((a, _)) => (negative, a),
                 None => unreachable!("only products have a factor"),
@@ -127,7 +125,7 @@ impl Factoring {
 }
 
 /// The sum, in one order whatever the terms' was, so that equal sums are one.
-fn plain_sum(fold: &mut Fold<'_>, mut terms: Vec<Term>) -> Scalar {
+fn plain_sum(fold: &mut Fold, mut terms: Vec<Term>) -> Scalar {
     terms.sort_unstable_by_key(|&(_, term)| term);
     let (subtracted, added): (Vec<Term>, Vec<Term>) = terms.into_iter().partition(|&(negative, _)| negative);
     let mut total = |all: Vec<Term>| all.into_iter().map(|(_, s)| s).reduce(|a, b| fold.add(a, b));

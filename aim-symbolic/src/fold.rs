@@ -3,39 +3,54 @@
 //! Folds of 0, ±1 and signs are exact for finite operands (only the sign of a zero may differ); constants are computed in
 //! f64 and rounded once, to the type that the program runs in.
 
-use crate::rules::Rules;
-use crate::{Function, Graph, Scalar, ScalarNode};
+use crate::rules::{CONSTANTS, NEGATIONS, ORDER, Rules};
+use crate::{Function, Graph, Number, Op, Scalar, ScalarNode};
 
-/// Constants are computed; 0 and ±1 leave sums, products and quotients.
-pub(crate) const CONSTANTS: &str = "fold constants";
-/// Negations move outward, where they meet and cancel or turn a sum into a difference.
-pub(crate) const NEGATIONS: &str = "negations outward";
-/// `a + b` and `b + a` are one value, `a - b` and `b - a` one value and its negation.
-pub(crate) const ORDER: &str = "operands in order";
-
-/// Folds as it builds.
-pub(crate) struct Fold<'g> {
-    pub(crate) g: &'g mut Graph,
+/// A graph whose scalars are folded as they are built.
+#[derive(Clone, Debug)]
+pub struct Fold {
+    /// The graph itself.
+    pub g: Graph,
     constants: bool,
     negations: bool,
     order: bool,
 }
 
-impl<'g> Fold<'g> {
-    pub(crate) fn new(g: &'g mut Graph, rules: &Rules<'_>) -> Self {
-        Self { g, constants: rules.has(CONSTANTS), negations: rules.has(NEGATIONS), order: rules.has(ORDER) }
+impl Fold {
+    /// A graph and the rules to fold by, of which [`CONSTANTS`], [`NEGATIONS`] and [`ORDER`] count.
+    pub fn new(g: Graph, rules: &Rules<'_>) -> Self {
+        Self { g, constants: rules.has(&CONSTANTS), negations: rules.has(&NEGATIONS), order: rules.has(&ORDER) }
     }
 
     fn ordered(&self, a: Scalar, b: Scalar) -> (Scalar, Scalar) {
         if self.order && b < a { (b, a) } else { (a, b) }
     }
 
-    pub(crate) fn constant_of(&self, a: Scalar) -> Option<f64> {
+    /// The value of a constant, where constants are folded.
+    pub fn constant_of(&self, a: Scalar) -> Option<f64> {
         if self.constants { self.g.constant_of(a) } else { None }
     }
 
+    /// The result of an operation.
+    pub(crate) fn op(&mut self, op: Op<Scalar>) -> Scalar {
+        match op {
+            Op::Constant(c) => self.g.intern_scalar(ScalarNode::Constant(c)),
+            Op::Input(i) => self.g.intern_scalar(ScalarNode::Input(i)),
+            Op::Tiny => self.g.intern_scalar(ScalarNode::Tiny),
+            Op::Add(a, b) => self.add(a, b),
+            Op::Sub(a, b) => self.sub(a, b),
+            Op::Mul(a, b) => self.mul(a, b),
+            Op::Div(a, b) => self.div(a, b),
+            Op::Neg(a) => self.neg(a),
+            Op::Sqrt(a) => self.sqrt(a),
+            Op::SelectLess(a, b, then, otherwise) => self.select_less(a, b, then, otherwise),
+            Op::Call(function, a) => self.call(function, a),
+            Op::Atan2(y, x) => self.g.atan2(y, x),
+        }
+    }
+
     /// √a
-    pub(crate) fn sqrt(&mut self, a: Scalar) -> Scalar {
+    pub fn sqrt(&mut self, a: Scalar) -> Scalar {
         match self.constant_of(a) {
             Some(x) if x >= 0.0 => self.g.constant(x.sqrt()),
             _ => self.g.sqrt(a),
@@ -43,8 +58,8 @@ impl<'g> Fold<'g> {
     }
 
     /// A function, odd and even ones without the sign of their argument.
-    pub(crate) fn call(&mut self, function: Function, a: Scalar) -> Scalar {
-        let value = self.constant_of(a).map(|x| function.of(x));
+    pub fn call(&mut self, function: Function, a: Scalar) -> Scalar {
+        let value = self.constant_of(a).map(|x| x.call(function));
         match (value, self.negated(a), function) {
             (Some(value), ..) if value.is_finite() => self.g.constant(value),
             (_, Some(inner), Function::Cos) => self.g.call(function, inner),
@@ -57,7 +72,7 @@ impl<'g> Fold<'g> {
     }
 
     /// `then` where `a < b`, else `otherwise`; one of them where both are the same or the comparison is of constants.
-    pub(crate) fn select_less(&mut self, a: Scalar, b: Scalar, then: Scalar, otherwise: Scalar) -> Scalar {
+    pub fn select_less(&mut self, a: Scalar, b: Scalar, then: Scalar, otherwise: Scalar) -> Scalar {
         match (self.constant_of(a), self.constant_of(b)) {
             (Some(x), Some(y)) => {
                 if x < y {
@@ -81,7 +96,8 @@ impl<'g> Fold<'g> {
         }
     }
 
-    pub(crate) fn neg(&mut self, a: Scalar) -> Scalar {
+    /// −a
+    pub fn neg(&mut self, a: Scalar) -> Scalar {
         if let Some(inner) = self.negated(a) {
             return inner;
         }
@@ -91,7 +107,8 @@ impl<'g> Fold<'g> {
         self.g.neg(a)
     }
 
-    pub(crate) fn add(&mut self, a: Scalar, b: Scalar) -> Scalar {
+    /// a + b
+    pub fn add(&mut self, a: Scalar, b: Scalar) -> Scalar {
         match (self.constant_of(a), self.constant_of(b)) {
             (Some(x), Some(y)) => return self.g.constant(x + y),
             (Some(0.0), None) => return b,
@@ -120,7 +137,8 @@ impl<'g> Fold<'g> {
         }
     }
 
-    pub(crate) fn sub(&mut self, a: Scalar, b: Scalar) -> Scalar {
+    /// a − b
+    pub fn sub(&mut self, a: Scalar, b: Scalar) -> Scalar {
         if a == b {
             return self.g.constant(0.0);
         }
@@ -159,7 +177,8 @@ impl<'g> Fold<'g> {
         }
     }
 
-    pub(crate) fn mul(&mut self, a: Scalar, b: Scalar) -> Scalar {
+    /// a b
+    pub fn mul(&mut self, a: Scalar, b: Scalar) -> Scalar {
         let ((minus_a, a), (minus_b, b)) = (self.unsigned(a), self.unsigned(b));
         let product = match (self.constant_of(a), self.constant_of(b)) {
             (Some(x), Some(y)) => self.g.constant(x * y),
@@ -173,7 +192,8 @@ impl<'g> Fold<'g> {
         if minus_a == minus_b { product } else { self.neg(product) }
     }
 
-    pub(crate) fn div(&mut self, a: Scalar, b: Scalar) -> Scalar {
+    /// a / b
+    pub fn div(&mut self, a: Scalar, b: Scalar) -> Scalar {
         let ((minus_a, a), (minus_b, b)) = (self.unsigned(a), self.unsigned(b));
         let quotient = match (self.constant_of(a), self.constant_of(b)) {
             (_, Some(1.0)) | (Some(0.0), _) => a,

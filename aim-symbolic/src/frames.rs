@@ -3,7 +3,8 @@
 //!
 //! They act on the rotations that the pass under way keeps, and only as a rival to leaving everything where it is.
 
-use crate::rules::{is_sum, leading, turned_back};
+use crate::rotations::{leading, turned_back};
+use crate::sums::{is_sum, terms};
 use crate::{Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector, VectorNode};
 
 /// The way back of a kept rotation, which turned `v` last, and what it turned.
@@ -18,7 +19,7 @@ pub(crate) fn sum_in_frame(g: &mut Graph, v: Vector) -> Option<Vector> {
     if !is_sum(g, v) {
         return None;
     }
-    let (back, _) = crate::rules::terms(g, v).into_iter().find_map(|(_, term)| turned(g, term))?;
+    let (back, _) = terms(g, v).into_iter().find_map(|(_, term)| turned(g, term))?;
     let inner = turned_back(g, back, v);
     Some(g.rotate(back, inner))
 }

@@ -1,8 +1,22 @@
 //! Derivatives by one reverse sweep over scalars and vectors: linear in the size of the expression, but for what stands
 //! below selects.
+//!
+//! With x̄ the derivative of the output by x (of a vector a covector), each node adds to those of its parts:
+//!
+//! | node | adds |
+//! |---|---|
+//! | s = v · w | v̄ += s̄ w, w̄ += s̄ v |
+//! | s = \|v\| | v̄ += s̄ v/\|v\| |
+//! | y = k v | k̄ += ȳ · v, v̄ += k ȳ |
+//! | y = R v, where R turns by θ | v̄ += Rᵀ ȳ, θ̄ += ȳ · J y with J the quarter turn in its plane or the cross product with its axis |
+//! | y = v/\|v\| | v̄ += (ȳ − (ȳ · y) y)/\|v\| |
+//! | y = J v | v̄ += Jᵀ ȳ = −J ȳ |
+//! | y = v × w | v̄ += w × ȳ, w̄ += ȳ × v |
+//! | y = v − (v · u) u | v̄ += ȳ − (ȳ · u) u, ū −= (v · u) ȳ + (ȳ · u) v |
 
 use crate::derivation::Passage;
-use crate::order::{Node, Selects};
+use crate::node::Node;
+use crate::order::Selects;
 use crate::partial::Partials;
 use crate::rules::COMPOSITIONS;
 use crate::table::{NodeSet, Table};

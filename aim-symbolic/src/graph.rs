@@ -2,21 +2,23 @@
 
 use std::hash::Hash;
 
+use rustc_hash::FxHashMap;
+
 use crate::node::{
     Angle, Constant, Function, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector,
     VectorNode,
 };
-use crate::table::{NodeMap, Table};
+use crate::table::Table;
 
 #[derive(Clone, Debug)]
 struct Arena<N> {
     nodes: Vec<N>,
-    index: NodeMap<N, u32>,
+    index: FxHashMap<N, u32>,
 }
 
 impl<N: Copy + Eq + Hash> Arena<N> {
     fn new() -> Self {
-        Self { nodes: Vec::new(), index: NodeMap::default() }
+        Self { nodes: Vec::new(), index: FxHashMap::default() }
     }
 
     fn intern(&mut self, node: N) -> u32 {
@@ -418,10 +420,17 @@ impl Graph {
         self.add_vectors(rotated, rigid.translation)
     }
 
-    pub(crate) fn constant_of(&self, scalar: Scalar) -> Option<f64> {
+    /// The value of a constant.
+    pub fn constant_of(&self, scalar: Scalar) -> Option<f64> {
         match self.scalar_node(scalar) {
             ScalarNode::Constant(c) => Some(c.value()),
             _ => None,
         }
+    }
+
+    /// The components of a constant vector.
+    pub fn constant_vector_of(&self, v: Vector) -> Option<[f64; 3]> {
+        let VectorNode::Components([x, y, z]) = self.vector_node(v) else { return None };
+        Some([self.constant_of(x)?, self.constant_of(y)?, self.constant_of(z)?])
     }
 }

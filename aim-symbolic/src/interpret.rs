@@ -83,30 +83,31 @@ impl Program {
 
     /// The value of every operation.
     pub(crate) fn values<T: Number>(&self, inputs: &[T]) -> Vec<T> {
-        let zero = T::constant(0.0);
         let mut values: Vec<T> = Vec::with_capacity(self.ops().len());
         for op in self.ops() {
-            let value = match *op {
-                Op::Input(i) => inputs.get(i as usize).copied().unwrap_or(zero),
-                Op::Constant(c) => T::constant(c.value()),
-                Op::Tiny => T::tiny(),
-                Op::Add(a, b) => values[a.index()] + values[b.index()],
-                Op::Sub(a, b) => values[a.index()] - values[b.index()],
-                Op::Mul(a, b) => values[a.index()] * values[b.index()],
-                Op::Div(a, b) => values[a.index()] / values[b.index()],
-                Op::Neg(a) => -values[a.index()],
-                Op::Sqrt(a) => values[a.index()].sqrt(),
-                Op::Call(function, a) => values[a.index()].call(function),
-                Op::Atan2(y, x) => values[y.index()].atan2(values[x.index()]),
-                Op::SelectLess(a, b, then, otherwise) => T::select_less(
-                    values[a.index()],
-                    values[b.index()],
-                    values[then.index()],
-                    values[otherwise.index()],
-                ),
-            };
+            let value = op.map(|v| values[v.index()]).value(inputs);
             values.push(value);
         }
         values
+    }
+}
+
+impl<T: Number> Op<T> {
+    /// The result, the operands being numbers. A missing input counts as 0.
+    pub(crate) fn value(self, inputs: &[T]) -> T {
+        match self {
+            Self::Input(i) => inputs.get(i as usize).copied().unwrap_or_else(|| T::constant(0.0)),
+            Self::Constant(c) => T::constant(c.value()),
+            Self::Tiny => T::tiny(),
+            Self::Add(a, b) => a + b,
+            Self::Sub(a, b) => a - b,
+            Self::Mul(a, b) => a * b,
+            Self::Div(a, b) => a / b,
+            Self::Neg(a) => -a,
+            Self::Sqrt(a) => a.sqrt(),
+            Self::Call(function, a) => a.call(function),
+            Self::Atan2(y, x) => y.atan2(x),
+            Self::SelectLess(a, b, then, otherwise) => T::select_less(a, b, then, otherwise),
+        }
     }
 }

@@ -41,16 +41,18 @@ mod graph;
 mod interpret;
 mod lower;
 mod node;
+mod op;
 mod order;
 mod partial;
 pub mod print;
 mod products;
 mod program;
-mod reasons;
 mod rebuild;
+mod rotations;
 pub mod rules;
 mod scaling;
 mod signs;
+mod sums;
 mod table;
 mod tangent;
 mod tidy;
@@ -59,13 +61,13 @@ pub use count::Count;
 pub use derivation::{Aspect, Course, Derivation, Meaning, Passage, Rewrite, Step, Swept};
 pub use derive::Want;
 pub use evaluate::Bindings;
+pub use fold::Fold;
 pub use gradient::Placement;
 pub use graph::Graph;
 pub use interpret::Number;
 pub use node::{
-    Angle, Constant, Function, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Variable,
-    Vector, VectorNode,
+    Angle, Constant, Function, InputKind, Node, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit,
+    Variable, Vector, VectorNode,
 };
-pub use order::Node;
-pub use program::{Op, Program, Value};
-pub use reasons::reason;
+pub use op::{Op, Value};
+pub use program::Program;

@@ -8,72 +8,40 @@ use crate::{Constant, Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, 
 impl Graph {
     /// The components of `v` as scalars that only add, multiply, divide, take roots and select; 0 and ±1 are folded away.
     pub fn in_components(&mut self, v: impl Into<Vector>) -> [Scalar; 3] {
-        Lowering::new(self, &Rules::default()).vector(v.into())
+        let mut lowering = Lowering::new(core::mem::take(self), &Rules::default());
+        let components = lowering.vector(v.into());
+        *self = lowering.fold.g;
+        components
     }
 }
 
 /// Lowers expressions of one graph, each once.
-pub(crate) struct Lowering<'g> {
-    fold: Fold<'g>,
+pub(crate) struct Lowering {
+    pub(crate) fold: Fold,
     scalars: Table<Scalar, Scalar>,
     vectors: Table<Vector, [Scalar; 3]>,
 }
 
-impl<'g> Lowering<'g> {
-    pub(crate) fn new(g: &'g mut Graph, rules: &Rules<'_>) -> Self {
+impl Lowering {
+    pub(crate) fn new(g: Graph, rules: &Rules<'_>) -> Self {
         Self { fold: Fold::new(g, rules), scalars: Table::default(), vectors: Table::default() }
-    }
-
-    /// For what goes on folding where this ends.
-    pub(crate) fn into_fold(self) -> Fold<'g> {
-        self.fold
     }
 
     pub(crate) fn scalar(&mut self, scalar: Scalar) -> Scalar {
         if let Some(&done) = self.scalars.get(scalar) {
             return done;
         }
-        let lowered = match self.fold.g.scalar_node(scalar) {
-            ScalarNode::Constant(_) | ScalarNode::Input(_) | ScalarNode::Tiny => scalar,
-            ScalarNode::Add(a, b) => {
-                let (a, b) = (self.scalar(a), self.scalar(b));
-                self.fold.add(a, b)
-            }
-            ScalarNode::Sub(a, b) => {
-                let (a, b) = (self.scalar(a), self.scalar(b));
-                self.fold.sub(a, b)
-            }
-            ScalarNode::Mul(a, b) => {
-                let (a, b) = (self.scalar(a), self.scalar(b));
-                self.fold.mul(a, b)
-            }
-            ScalarNode::Div(a, b) => {
-                let (a, b) = (self.scalar(a), self.scalar(b));
-                self.fold.div(a, b)
-            }
-            ScalarNode::Neg(a) => {
-                let a = self.scalar(a);
-                self.fold.neg(a)
-            }
-            ScalarNode::Sqrt(a) => {
-                let a = self.scalar(a);
-                self.fold.sqrt(a)
-            }
+        let node = self.fold.g.scalar_node(scalar);
+        if let Some(op) = node.op() {
+            let op = op.map(|s| self.scalar(s));
+            let lowered = self.fold.op(op);
+            self.scalars.insert(scalar, lowered);
+            return lowered;
+        }
+        let lowered = match node {
             ScalarNode::Reciprocal(a) => {
                 let a = self.scalar(a);
                 self.guarded_reciprocal(a)
-            }
-            ScalarNode::SelectLess(a, b, then, otherwise) => {
-                let [a, b, then, otherwise] = [a, b, then, otherwise].map(|s| self.scalar(s));
-                self.fold.select_less(a, b, then, otherwise)
-            }
-            ScalarNode::Call(function, a) => {
-                let a = self.scalar(a);
-                self.fold.call(function, a)
-            }
-            ScalarNode::Atan2(y, x) => {
-                let (y, x) = (self.scalar(y), self.scalar(x));
-                self.fold.g.atan2(y, x)
             }
             ScalarNode::Dot(v, w) => {
                 let (v, w) = (self.vector(v), self.vector(w));
@@ -85,6 +53,7 @@ impl<'g> Lowering<'g> {
                 self.fold.sqrt(square)
             }
             ScalarNode::Component(v, axis) => self.vector(v)[usize::from(axis)],
+            node => unreachable!("{node:?} is an operation"),
         };
         self.scalars.insert(scalar, lowered);
         lowered

@@ -22,6 +22,15 @@ impl From<Unit> for Vector {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Rotation(pub(crate) u32);
 
+/// A part of an expression that has a value of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// A number.
+    Scalar(Scalar),
+    /// A vector.
+    Vector(Vector),
+}
+
 /// A rotation followed by a translation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Rigid {
@@ -103,19 +112,6 @@ impl Function {
             Self::Acos => "acos",
             Self::Exp => "exp",
             Self::Ln => "ln",
-        }
-    }
-
-    /// Its value at `x`.
-    pub fn of(self, x: f64) -> f64 {
-        match self {
-            Self::Sin => x.sin(),
-            Self::Cos => x.cos(),
-            Self::Tan => x.tan(),
-            Self::Asin => x.asin(),
-            Self::Acos => x.acos(),
-            Self::Exp => x.exp(),
-            Self::Ln => x.ln(),
         }
     }
 }

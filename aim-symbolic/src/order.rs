@@ -1,18 +1,8 @@
 //! What an expression is made of: each part after its own parts.
 
-use crate::node::Parts;
-use crate::rules::constant_components;
+use crate::node::{Node, Parts};
 use crate::table::{NodeSet, Table};
 use crate::{Angle, Graph, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
-
-/// A part of an expression that has a value of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Node {
-    /// A number.
-    Scalar(Scalar),
-    /// A vector.
-    Vector(Vector),
-}
 
 /// Whether an order goes on below a select.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -31,20 +21,26 @@ impl Graph {
 
     /// Everything that `outputs` are made of, each after its parts.
     pub(crate) fn order(&self, outputs: &[Scalar], selects: Selects) -> Vec<Node> {
+        let outputs: Vec<Node> = outputs.iter().map(|&s| Node::Scalar(s)).collect();
+        self.order_of_nodes(&outputs, selects)
+    }
+
+    /// Everything that `nodes` are made of, each after its parts.
+    pub(crate) fn order_of_nodes(&self, nodes: &[Node], selects: Selects) -> Vec<Node> {
         let mut seen = NodeSet::default();
         let mut order = Vec::new();
-        let mut stack: Vec<(Node, bool)> = outputs.iter().rev().map(|&s| (Node::Scalar(s), false)).collect();
+        let mut stack: Vec<(Node, bool)> = nodes.iter().rev().map(|&node| (node, false)).collect();
         let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
         while let Some((node, parts_done)) = stack.pop() {
             if parts_done {
                 order.push(node);
-            } else if seen.insert(node) {
+            } else if seen.insert(node, ()) {
                 stack.push((node, true));
                 let is_select =
                     matches!(node, Node::Scalar(s) if matches!(self.scalar_node(s), ScalarNode::SelectLess(..)));
                 if !(is_select && selects == Selects::Leaves) {
                     parts.nodes.clear();
-                    parts.of(node);
+                    parts.collect(node);
                     stack.extend(parts.nodes.iter().rev().map(|&part| (part, false)));
                 }
             }
@@ -55,9 +51,7 @@ impl Graph {
     /// Whether a constant vector of more than one component is among what `outputs` are made of.
     pub(crate) fn has_constant_direction(&self, outputs: &[Scalar]) -> bool {
         self.order(outputs, Selects::Through).iter().any(|node| match *node {
-            Node::Vector(v) => {
-                constant_components(self, v).is_some_and(|c| c.iter().filter(|&&c| c != 0.0).count() > 1)
-            }
+            Node::Vector(v) => self.constant_vector_of(v).is_some_and(|c| c.iter().filter(|&&c| c != 0.0).count() > 1),
             Node::Scalar(_) => false,
         })
     }
@@ -65,7 +59,7 @@ impl Graph {
     /// What `node` is made of, as far as it has a value of its own.
     pub fn parts(&self, node: Node) -> Vec<Node> {
         let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
-        parts.of(node);
+        parts.collect(node);
         parts.nodes
     }
 
@@ -77,7 +71,7 @@ impl Graph {
         let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
         for node in self.order(outputs, Selects::Through) {
             parts.nodes.clear();
-            parts.of(node);
+            parts.collect(node);
             let is_component =
                 matches!(node, Node::Scalar(s) if matches!(self.scalar_node(s), ScalarNode::Component(..)));
             for &part in &parts.nodes {
@@ -92,6 +86,11 @@ impl Graph {
         shared
     }
 
+    /// Whether `node` depends on any of `variables`. Matrices, quaternions and the axes of rotations count as constants.
+    pub fn depends_on(&self, node: Node, variables: &[Variable]) -> bool {
+        self.active(&self.order_of_nodes(&[node], Selects::Through), variables).contains(node)
+    }
+
     /// Of `order`, which goes through selects, what depends on any of `variables`.
     pub(crate) fn active(&self, order: &[Node], variables: &[Variable]) -> NodeSet {
         let mut active = NodeSet::default();
@@ -99,14 +98,14 @@ impl Graph {
         for &node in order {
             parts.nodes.clear();
             parts.angles.clear();
-            parts.of(node);
+            parts.collect(node);
             let is_variable = matches!(node, Node::Scalar(s) if match self.slope_of_input(s) {
                 Some((angle, _)) => variables.contains(&angle.into()),
                 None => variables.contains(&s.into()),
             });
             let turns = parts.angles.iter().any(|&angle| variables.contains(&Variable::Angle(angle)));
             if is_variable || turns || parts.nodes.iter().any(|part| active.contains(*part)) {
-                active.insert(node);
+                active.insert(node, ());
             }
         }
         active
@@ -121,7 +120,7 @@ struct Collect<'g> {
 }
 
 impl Collect<'_> {
-    fn of(&mut self, node: Node) {
+    fn collect(&mut self, node: Node) {
         match node {
             Node::Scalar(s) => {
                 self.g.scalar_node(s).map(self);

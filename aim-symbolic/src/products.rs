@@ -1,12 +1,11 @@
 //! Shared products on components: of `(a b) c` and `(b c) d` the product `b c` is made once.
 
+use rustc_hash::FxHashMap;
+
 use crate::fold::Fold;
 use crate::rebuild::{Exchange, Rebuild, Uses, operands};
-use crate::table::{NodeMap, Table};
+use crate::table::Table;
 use crate::{Scalar, ScalarNode};
-
-/// The rule's name.
-pub(crate) const SHARE: &str = "share products";
 
 /// A product of more than one factor.
 struct Chain {
@@ -31,8 +30,8 @@ const MOST_ROUNDS: usize = 48;
 const MOST_FACTORS: usize = 12;
 
 /// `outputs`, which are lowered, with products in the order in which they share most.
-pub(crate) fn share_products(fold: &mut Fold<'_>, outputs: Vec<Scalar>, open: Open) -> Vec<Scalar> {
-    let uses = Uses::of(fold.g, &outputs);
+pub(crate) fn share_products(fold: &mut Fold, outputs: Vec<Scalar>, open: Open) -> Vec<Scalar> {
+    let uses = Uses::count(&fold.g, &outputs);
     let mut chains = chains(fold, &uses, &outputs, open);
     for _ in 0..MOST_ROUNDS {
         let Some((a, b)) = most_shared(&chains) else { break };
@@ -59,7 +58,7 @@ struct Shared {
 }
 
 impl Exchange for Shared {
-    fn exchange(&mut self, rebuild: &mut Rebuild<'_, '_>, s: Scalar) -> Option<Scalar> {
+    fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Option<Scalar> {
         let factors = self.chains.get(s)?.clone();
         let factors: Vec<Scalar> = factors.into_iter().map(|factor| rebuild.scalar(self, factor)).collect();
         factors.into_iter().reduce(|a, b| rebuild.fold.mul(a, b))
@@ -67,7 +66,7 @@ impl Exchange for Shared {
 }
 
 /// The products that something else than a product needs, each with its factors.
-fn chains(fold: &Fold<'_>, uses: &Uses, outputs: &[Scalar], open: Open) -> Vec<Chain> {
+fn chains(fold: &Fold, uses: &Uses, outputs: &[Scalar], open: Open) -> Vec<Chain> {
     let is_product = |s: Scalar| matches!(fold.g.scalar_node(s), ScalarNode::Mul(..));
     let mut roots = Table::default();
     let mut inner = Table::default();
@@ -96,7 +95,7 @@ fn chains(fold: &Fold<'_>, uses: &Uses, outputs: &[Scalar], open: Open) -> Vec<C
         .collect()
 }
 
-fn collect(fold: &Fold<'_>, inner: &Table<Scalar, ()>, s: Scalar, factors: &mut Vec<Scalar>) {
+fn collect(fold: &Fold, inner: &Table<Scalar, ()>, s: Scalar, factors: &mut Vec<Scalar>) {
     if factors.len() > MOST_FACTORS {
         return;
     }
@@ -114,7 +113,7 @@ fn collect(fold: &Fold<'_>, inner: &Table<Scalar, ()>, s: Scalar, factors: &mut 
 /// The pair of factors that most chains have, the first of several; only pairs that save something.
 fn most_shared(chains: &[Chain]) -> Option<(Scalar, Scalar)> {
     // How many chains have the pair, and which pair came first. Only chains of more than two factors gain by one.
-    let mut found: NodeMap<(Scalar, Scalar), (usize, usize)> = NodeMap::default();
+    let mut found: FxHashMap<(Scalar, Scalar), (usize, usize)> = FxHashMap::default();
     for chain in chains.iter().filter(|chain| chain.factors.len() > 2) {
         let mut seen: Vec<(Scalar, Scalar)> = Vec::new();
         for (i, &a) in chain.factors.iter().enumerate() {

@@ -1,16 +1,13 @@
 //! Straight-line programs: what is emitted, interpreted and counted.
 
-use crate::factor::{FACTOR, factor};
+use crate::factor::factor;
 use crate::fold::Fold;
 use crate::lower::Lowering;
-use crate::products::{Open, SHARE, share_products};
+use crate::products::{Open, share_products};
 use crate::rebuild::Uses;
-use crate::rules::Rules;
+use crate::rules::{DIVIDE_ONCE, FACTOR, Rules, SHARE};
 use crate::table::Table;
-use crate::{Constant, Function, Graph, Scalar, ScalarNode};
-
-/// The name of the rule that turns a product with a reciprocal into a division.
-pub(crate) const DIVIDE_ONCE: &str = "a reciprocal used once is a division";
+use crate::{Constant, Graph, Op, Scalar, ScalarNode, Value};
 
 /// How much is tried.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,21 +19,21 @@ pub(crate) enum Effort {
 }
 
 /// Sums and products in the arrangement that needs the fewest operations, of the few that are tried.
-fn arranged(fold: &mut Fold<'_>, outputs: Vec<Scalar>, rules: &Rules<'_>, effort: Effort) -> Vec<Scalar> {
-    let factored = |fold: &mut Fold<'_>, outputs: Vec<Scalar>| {
-        if rules.has(FACTOR) { factor(fold, outputs) } else { outputs }
+fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>, effort: Effort) -> Vec<Scalar> {
+    let factored = |fold: &mut Fold, outputs: Vec<Scalar>| {
+        if rules.has(&FACTOR) { factor(fold, outputs) } else { outputs }
     };
-    if !rules.has(SHARE) {
+    if !rules.has(&SHARE) {
         return factored(fold, outputs);
     }
     let shared = share_products(fold, outputs.clone(), Open::Private);
     let mut best = factored(fold, shared);
     if effort == Effort::Finish {
-        let mut least = operations(fold.g, &best);
+        let mut least = operations(&fold.g, &best);
         for of_best in [false, true] {
             let shared = share_products(fold, if of_best { best.clone() } else { outputs.clone() }, Open::Shared);
             let tried = factored(fold, shared);
-            let needed = operations(fold.g, &tried);
+            let needed = operations(&fold.g, &tried);
             if needed < least {
                 (best, least) = (tried, needed);
             }
@@ -46,75 +43,11 @@ fn arranged(fold: &mut Fold<'_>, outputs: Vec<Scalar>, rules: &Rules<'_>, effort
 }
 
 fn operations(g: &Graph, outputs: &[Scalar]) -> usize {
-    Uses::of(g, outputs).operations(g)
+    Uses::count(g, outputs).operations(g)
 }
 
 /// How many operations one written step has at most, for its reader.
 const MOST_IN_A_STEP: usize = 6;
-
-/// The result of an operation of a [`Program`]: its place in the list.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Value(pub(crate) u32);
-
-impl Value {
-    /// The place in [`Program::ops`].
-    pub fn index(self) -> usize {
-        self.0 as usize
-    }
-}
-
-/// An operation on earlier values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Op {
-    /// The input with this index.
-    Input(u32),
-    /// A number.
-    Constant(Constant),
-    /// The smallest length that is divided by.
-    Tiny,
-    /// a + b
-    Add(Value, Value),
-    /// a − b
-    Sub(Value, Value),
-    /// a b
-    Mul(Value, Value),
-    /// a / b
-    Div(Value, Value),
-    /// −a
-    Neg(Value),
-    /// √a
-    Sqrt(Value),
-    /// The third where the first is below the second, else the fourth.
-    SelectLess(Value, Value, Value, Value),
-    /// A function of a.
-    Call(Function, Value),
-    /// The angle of the point (second, first) from the first axis.
-    Atan2(Value, Value),
-}
-
-impl Op {
-    /// Whether it is written as a step of its own.
-    fn is_step(self) -> bool {
-        !matches!(self, Self::Input(_) | Self::Constant(_) | Self::Tiny | Self::Neg(_))
-    }
-
-    fn is_arithmetic(self) -> bool {
-        matches!(self, Self::Add(..) | Self::Sub(..) | Self::Mul(..) | Self::Div(..))
-    }
-
-    /// The values it needs.
-    pub fn operands(self) -> impl Iterator<Item = Value> {
-        let operands = match self {
-            Self::Input(_) | Self::Constant(_) | Self::Tiny => [None; 4],
-            Self::Neg(a) | Self::Sqrt(a) | Self::Call(_, a) => [Some(a), None, None, None],
-            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) | Self::Atan2(a, b) => {
-                [Some(a), Some(b), None, None]
-            }
-            Self::SelectLess(a, b, c, d) => [Some(a), Some(b), Some(c), Some(d)],
-        };
-        operands.into_iter().flatten()
-    }
-}
 
 /// Operations in an order in which each comes after what it needs; no branch, no loop.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -136,15 +69,16 @@ impl Program {
 
     /// The same by some of the rules, products shared and sums factored unless that is switched off.
     pub(crate) fn compile_with(g: &mut Graph, outputs: &[Scalar], rules: &Rules<'_>, effort: Effort) -> Self {
-        let mut lowering = Lowering::new(g, rules);
+        let mut lowering = Lowering::new(core::mem::take(g), rules);
         let lowered: Vec<Scalar> = outputs.iter().map(|&s| lowering.scalar(s)).collect();
-        let lowered = arranged(&mut lowering.into_fold(), lowered, rules, effort);
+        let lowered = arranged(&mut lowering.fold, lowered, rules, effort);
+        *g = lowering.fold.g;
         let mut schedule = Schedule { g, ops: Vec::new(), values: Table::default() };
         let outputs = lowered.iter().map(|&s| schedule.value(s)).collect();
         let ops = schedule.ops;
         let inputs = g.inputs().iter().map(|(name, _)| name.clone()).collect();
         let mut program = Self { inputs, ops, outputs, numbers: Vec::new(), inline: Vec::new() };
-        if rules.has(DIVIDE_ONCE) {
+        if rules.has(&DIVIDE_ONCE) {
             program.divide_once();
         }
         program.drop_unused();
@@ -280,14 +214,14 @@ impl Program {
         for &op in &self.ops {
             let new = match self.single_reciprocal(op, &uses) {
                 Some((x, divisor, [tiny, length, _, zero])) => {
-                    ops.push(Op::Div(x, divisor).renumbered(&places));
-                    let quotient = Value(index(ops.len() - 1));
+                    ops.push(Op::Div(places[x.index()], places[divisor.index()]));
+                    let quotient = Value::at(ops.len() - 1);
                     let at = |v: Value| places[v.index()];
                     Op::SelectLess(at(tiny), at(length), quotient, at(zero))
                 }
-                None => op.renumbered(&places),
+                None => op.map(|v| places[v.index()]),
             };
-            places.push(Value(index(ops.len())));
+            places.push(Value::at(ops.len()));
             ops.push(new);
         }
         self.outputs = self.outputs.iter().map(|v| places[v.index()]).collect();
@@ -321,35 +255,13 @@ impl Program {
         let mut places = Vec::with_capacity(self.ops.len());
         let mut kept: Vec<Op> = Vec::new();
         for (place, &op) in self.ops.iter().enumerate() {
-            places.push(Value(index(kept.len())));
+            places.push(Value::at(kept.len()));
             if used[place] {
-                kept.push(op.renumbered(&places));
+                kept.push(op.map(|v| places[v.index()]));
             }
         }
         self.outputs = self.outputs.iter().map(|v| places[v.index()]).collect();
         self.ops = kept;
-    }
-}
-
-pub(crate) fn index(place: usize) -> u32 {
-    u32::try_from(place).expect("four billion operations do not fit in memory")
-}
-
-impl Op {
-    fn renumbered(self, places: &[Value]) -> Self {
-        let at = |v: Value| places[v.index()];
-        match self {
-            Self::Input(_) | Self::Constant(_) | Self::Tiny => self,
-            Self::Add(a, b) => Self::Add(at(a), at(b)),
-            Self::Sub(a, b) => Self::Sub(at(a), at(b)),
-            Self::Mul(a, b) => Self::Mul(at(a), at(b)),
-            Self::Div(a, b) => Self::Div(at(a), at(b)),
-            Self::Neg(a) => Self::Neg(at(a)),
-            Self::Sqrt(a) => Self::Sqrt(at(a)),
-            Self::Call(function, a) => Self::Call(function, at(a)),
-            Self::Atan2(y, x) => Self::Atan2(at(y), at(x)),
-            Self::SelectLess(a, b, c, d) => Self::SelectLess(at(a), at(b), at(c), at(d)),
-        }
     }
 }
 
@@ -364,32 +276,16 @@ impl Schedule<'_> {
         if let Some(&done) = self.values.get(scalar) {
             return done;
         }
-        let op = match self.g.scalar_node(scalar) {
-            ScalarNode::Constant(c) => Op::Constant(c),
-            ScalarNode::Input(i) => Op::Input(i),
-            ScalarNode::Tiny => Op::Tiny,
-            ScalarNode::Add(a, b) => {
-                // As one would write it: the longer part first, `x x + y y + z z`.
-                let is_sum = |s| matches!(self.g.scalar_node(s), ScalarNode::Add(..) | ScalarNode::Sub(..));
-                let (a, b) = if is_sum(b) && !is_sum(a) { (b, a) } else { (a, b) };
-                Op::Add(self.value(a), self.value(b))
-            }
-            ScalarNode::Sub(a, b) => Op::Sub(self.value(a), self.value(b)),
-            ScalarNode::Mul(a, b) => Op::Mul(self.value(a), self.value(b)),
-            ScalarNode::Div(a, b) => Op::Div(self.value(a), self.value(b)),
-            ScalarNode::Neg(a) => Op::Neg(self.value(a)),
-            ScalarNode::Sqrt(a) => Op::Sqrt(self.value(a)),
-            ScalarNode::Call(function, a) => Op::Call(function, self.value(a)),
-            ScalarNode::Atan2(y, x) => Op::Atan2(self.value(y), self.value(x)),
-            ScalarNode::SelectLess(a, b, c, d) => {
-                Op::SelectLess(self.value(a), self.value(b), self.value(c), self.value(d))
-            }
-            node @ (ScalarNode::Reciprocal(_)
-            | ScalarNode::Dot(..)
-            | ScalarNode::Norm(_)
-            | ScalarNode::Component(..)) => unreachable!("{node:?} is lowered before it is scheduled"),
+        let node = self.g.scalar_node(scalar);
+        let Some(op) = node.op() else { unreachable!("{node:?} is lowered before it is scheduled") };
+        // As one would write it: the longer part first, `x x + y y + z z`.
+        let is_sum = |s| matches!(self.g.scalar_node(s), ScalarNode::Add(..) | ScalarNode::Sub(..));
+        let op = match op {
+            Op::Add(a, b) if is_sum(b) && !is_sum(a) => Op::Add(b, a),
+            op => op,
         };
-        let value = Value(index(self.ops.len()));
+        let op = op.map(|s| self.value(s));
+        let value = Value::at(self.ops.len());
         self.ops.push(op);
         self.values.insert(scalar, value);
         value

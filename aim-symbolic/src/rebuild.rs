@@ -2,7 +2,7 @@
 
 use crate::fold::Fold;
 use crate::table::Table;
-use crate::{Graph, Scalar, ScalarNode};
+use crate::{Graph, Op, Scalar, ScalarNode};
 
 /// How often each scalar is used, by others and as an output.
 pub(crate) struct Uses {
@@ -11,7 +11,7 @@ pub(crate) struct Uses {
 }
 
 impl Uses {
-    pub(crate) fn of(g: &Graph, outputs: &[Scalar]) -> Self {
+    pub(crate) fn count(g: &Graph, outputs: &[Scalar]) -> Self {
         let mut uses = Self { counts: Table::default(), order: Vec::new() };
         let mut stack: Vec<Scalar> = outputs.iter().rev().copied().collect();
         while let Some(s) = stack.pop() {
@@ -32,12 +32,7 @@ impl Uses {
 
     /// How many operations there are.
     pub(crate) fn operations(&self, g: &Graph) -> usize {
-        let is_operation = |s: &&Scalar| {
-            !matches!(
-                g.scalar_node(**s),
-                ScalarNode::Constant(_) | ScalarNode::Input(_) | ScalarNode::Tiny | ScalarNode::Neg(_)
-            )
-        };
+        let is_operation = |s: &&Scalar| g.scalar_node(**s).op().is_some_and(|op| op.is_step());
         self.order.iter().filter(is_operation).count()
     }
 
@@ -48,36 +43,24 @@ impl Uses {
 }
 
 pub(crate) fn operands(node: ScalarNode) -> impl Iterator<Item = Scalar> {
-    let parts = match node {
-        ScalarNode::Add(a, b)
-        | ScalarNode::Sub(a, b)
-        | ScalarNode::Mul(a, b)
-        | ScalarNode::Div(a, b)
-        | ScalarNode::Atan2(a, b) => [Some(a), Some(b), None, None],
-        ScalarNode::Neg(a) | ScalarNode::Sqrt(a) | ScalarNode::Reciprocal(a) | ScalarNode::Call(_, a) => {
-            [Some(a), None, None, None]
-        }
-        ScalarNode::SelectLess(a, b, c, d) => [Some(a), Some(b), Some(c), Some(d)],
-        _ => [None; 4],
-    };
-    parts.into_iter().flatten()
+    node.op().into_iter().flat_map(Op::operands)
 }
 
 /// Makes expressions anew, each once.
-pub(crate) struct Rebuild<'f, 'g> {
-    pub(crate) fold: &'f mut Fold<'g>,
+pub(crate) struct Rebuild<'f> {
+    pub(crate) fold: &'f mut Fold,
     done: Table<Scalar, Scalar>,
 }
 
 /// Offers something else in the place of a node.
 pub(crate) trait Exchange: Sized {
     /// What takes the place of `s`, its own parts made anew by `rebuild`; `None` to keep `s`.
-    fn exchange(&mut self, rebuild: &mut Rebuild<'_, '_>, s: Scalar) -> Option<Scalar>;
+    fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Option<Scalar>;
 }
 
-impl<'f, 'g> Rebuild<'f, 'g> {
+impl<'f> Rebuild<'f> {
     /// `outputs` made anew.
-    pub(crate) fn outputs(fold: &'f mut Fold<'g>, outputs: &[Scalar], exchange: &mut impl Exchange) -> Vec<Scalar> {
+    pub(crate) fn outputs(fold: &'f mut Fold, outputs: &[Scalar], exchange: &mut impl Exchange) -> Vec<Scalar> {
         let mut rebuild = Self { fold, done: Table::default() };
         outputs.iter().map(|&s| rebuild.scalar(exchange, s)).collect()
     }
@@ -91,21 +74,10 @@ impl<'f, 'g> Rebuild<'f, 'g> {
         made
     }
 
+    /// The scalar with its operands made anew.
     fn kept(&mut self, exchange: &mut impl Exchange, s: Scalar) -> Scalar {
-        let node = self.fold.g.scalar_node(s);
-        let mut parts = operands(node).map(|part| self.scalar(exchange, part)).collect::<Vec<_>>().into_iter();
-        let mut part = || parts.next().unwrap_or(s);
-        match node {
-            ScalarNode::Add(..) => self.fold.add(part(), part()),
-            ScalarNode::Sub(..) => self.fold.sub(part(), part()),
-            ScalarNode::Mul(..) => self.fold.mul(part(), part()),
-            ScalarNode::Div(..) => self.fold.div(part(), part()),
-            ScalarNode::Neg(_) => self.fold.neg(part()),
-            ScalarNode::Sqrt(_) => self.fold.sqrt(part()),
-            ScalarNode::Call(function, _) => self.fold.call(function, part()),
-            ScalarNode::Atan2(..) => self.fold.g.atan2(part(), part()),
-            ScalarNode::SelectLess(..) => self.fold.select_less(part(), part(), part(), part()),
-            _ => s,
-        }
+        let Some(op) = self.fold.g.scalar_node(s).op() else { return s };
+        let op = op.map(|part| self.scalar(exchange, part));
+        self.fold.op(op)
     }
 }

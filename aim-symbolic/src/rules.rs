@@ -3,49 +3,67 @@
 //! One exception is stated where it is: the length of a cross product with a direction, where that is 0.
 //!
 //! A rule looks at one node whose parts are already rewritten and offers a replacement. [`Graph::rewrite`] applies
-//! them in the order of the tables, bottom up, until none applies.
+//! them in the order of their set, bottom up, until none applies.
 
-use crate::derive::ARITHMETIC;
-use crate::{Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode, directions, frames};
+use core::fmt;
 
-/// A cross product with a direction is as long as the part across it: one of two ways to the same length.
-pub(crate) const ACROSS_FOR_CROSS: &str = "the part across is as long as the cross product";
-/// A scaled vector that is needed elsewhere too gives up its factor all the same.
-pub(crate) const MERGE_SHARED: &str = "merge scales of shared vectors";
-/// A constant direction gives up its largest component as a factor.
-pub(crate) const CONSTANT_SCALE: &str = "a constant direction by its largest component";
-/// A scaled difference in a sum with its own subtrahend is taken apart: one of two ways to write the sum.
-pub(crate) const SPREAD: &str = "spread a scaled difference over its sum";
+use crate::node::Node;
+use crate::{Graph, Scalar, Vector, directions, frames, rotations, scaling, sums};
 
-/// Of a dot's two sides either can be rotated; how far to go is a choice.
-const OTHER_SIDE: &str = "rotation to the other side of a dot";
-/// The same for the terms of a sum of which only the norm is needed.
-const NORM_SIDE: &str = "pull a rotation out of a sum's norm";
-/// The same for its square.
-const SQUARE_SIDE: &str = "pull a rotation out of a sum's square";
-/// The rules that turn something else than before by as much.
-pub(crate) const OTHER_SIDES: [&str; 3] = [OTHER_SIDE, NORM_SIDE, SQUARE_SIDE];
-/// The rules by which rotations vanish.
-pub(crate) const CANCELLING: [&str; 2] =
-    ["same rotation in a direction and beside it", "rotation cancels on the other side of a dot"];
+/// A rewriting of expressions that keeps their value. Rules are compared by name.
+#[derive(Clone, Copy, Debug)]
+pub struct Rule {
+    /// The name that derivations list it by.
+    pub name: &'static str,
+    /// The reason why it holds and what it is good for, in a sentence or two.
+    pub why: &'static str,
+    rewriting: Rewriting,
+}
 
-/// A rule for vectors.
-pub type VectorRule = fn(&mut Graph, Vector) -> Option<Vector>;
-/// A rule for scalars.
-pub type ScalarRule = fn(&mut Graph, Scalar) -> Option<Scalar>;
+/// The expressions that a rule rewrites.
+#[derive(Clone, Copy, Debug)]
+enum Rewriting {
+    Vector(fn(&mut Graph, Vector) -> Option<Vector>),
+    Scalar(fn(&mut Graph, Scalar) -> Option<Scalar>),
+    /// Components: part of folding and arranging them, not applied node by node.
+    Components,
+}
 
-/// Rules applied together, in order, each with its name.
+impl PartialEq for Rule {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Eq for Rule {}
+
+impl fmt::Display for Rule {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)
+    }
+}
+
+impl Rule {
+    /// The replacement of `node`, if the rule has one for it.
+    pub(crate) fn apply(&self, g: &mut Graph, node: Node) -> Option<Node> {
+        match (self.rewriting, node) {
+            (Rewriting::Vector(rewrite), Node::Vector(v)) => rewrite(g, v).map(Node::Vector),
+            (Rewriting::Scalar(rewrite), Node::Scalar(s)) => rewrite(g, s).map(Node::Scalar),
+            _ => None,
+        }
+    }
+}
+
+/// Rules applied together, the first that fits first.
 #[derive(Clone, Copy, Debug)]
 pub struct RuleSet {
-    /// The rules for vectors.
-    pub vectors: &'static [(&'static str, VectorRule)],
-    /// The rules for scalars.
-    pub scalars: &'static [(&'static str, ScalarRule)],
-    /// What a sum's terms are.
+    /// The rules in order.
+    pub rules: &'static [Rule],
+    /// The terms that they see in a sum.
     pub sums: Sums,
 }
 
-/// What the terms of a sum are to the rules.
+/// The terms of a sum as the rules see them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sums {
     /// Also the terms of its partial sums.
@@ -54,402 +72,234 @@ pub enum Sums {
     Shared,
 }
 
-/// Which rules apply: all of them but a few.
+/// The rules that apply: all of them but a few.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Rules<'a> {
-    /// The names of those switched off.
-    pub without: &'a [&'a str],
+    /// Those switched off.
+    pub without: &'a [Rule],
     /// How often a rotation may go to the other side of a dot or norm without cancelling there; `None` for wherever it can.
     pub turned: Option<usize>,
 }
 
 impl Rules<'_> {
-    /// Whether the rule of this name applies.
-    pub fn has(&self, name: &str) -> bool {
-        !self.without.contains(&name)
+    /// Whether the rule applies.
+    pub fn has(&self, rule: &Rule) -> bool {
+        !self.without.contains(rule)
     }
 }
 
-/// The names of the rules of all sets, in the order of the passes that they belong to.
-pub(crate) fn of_sets() -> Vec<&'static str> {
-    let mut names: Vec<&str> = Vec::new();
-    for set in [WORDING, ROTATIONS, DIRECTIONS, FRAMES, SCALES] {
-        let vectors = set.vectors.iter().map(|(name, _)| *name);
-        for name in vectors.chain(set.scalars.iter().map(|(name, _)| *name)) {
-            if !names.contains(&name) {
-                names.push(name);
-            }
+/// The rules of all sets, each once, in the order of the passes that they belong to.
+pub(crate) fn of_sets() -> Vec<Rule> {
+    let mut all: Vec<Rule> = Vec::new();
+    for rule in [WORDING, ROTATIONS, DIRECTIONS, FRAMES, SCALES].iter().flat_map(|set| set.rules) {
+        if !all.contains(rule) {
+            all.push(*rule);
         }
     }
-    names
+    all
 }
 
-/// The names of all rules, those of arithmetic last.
-pub fn names() -> Vec<&'static str> {
+/// All rules, those of arithmetic last.
+pub fn all() -> Vec<Rule> {
     of_sets().into_iter().chain(ARITHMETIC).collect()
 }
 
-/// What a statement says in other words: norms and directions spelled out.
+/// Statement in other words: norms and directions spelled out.
 pub const WORDING: RuleSet = RuleSet {
-    vectors: &[("a vector over its length is a direction", directions::recognize_direction)],
-    scalars: &[
-        ("the root of a square is a norm", directions::root_of_square),
-        ("the square of a norm is a dot", directions::square_of_norm),
-        ("a division by a norm is guarded", directions::guard_division),
-        (ACROSS_FOR_CROSS, directions::norm_of_cross),
-    ],
+    rules: &[RECOGNIZE_DIRECTION, ROOT_OF_SQUARE, SQUARE_OF_NORM, GUARD_DIVISION, ACROSS_FOR_CROSS],
     sums: Sums::Open,
 };
 
 /// Rotations to where they cancel, or to the side where they cost least.
 pub const ROTATIONS: RuleSet = RuleSet {
-    vectors: &[
-        ("fold zero and one", fold_zero),
-        ("split composition", split_composition),
-        ("undo rotation", undo_rotation),
-        ("cancel terms", cancel_terms),
-        ("common rotation", common_rotation),
-        ("normalize what was rotated", normalize_rotated),
-    ],
-    scalars: &[
-        ("norm of what was rotated", norm_rotated),
-        (NORM_SIDE, norm_pulls),
-        (SQUARE_SIDE, square_pulls),
-        (CANCELLING[0], dot_direction),
-        (CANCELLING[1], dot_cancels),
-        (OTHER_SIDE, dot_other_side),
+    rules: &[
+        FOLD_ZERO,
+        SPLIT_COMPOSITION,
+        UNDO_ROTATION,
+        CANCEL_TERMS,
+        COMMON_ROTATION,
+        NORMALIZE_ROTATED,
+        NORM_OF_ROTATED,
+        PULL_OUT_OF_NORM,
+        PULL_OUT_OF_SQUARE,
+        CANCEL_BESIDE_DIRECTION,
+        CANCEL_ACROSS_DOT,
+        OTHER_SIDE_OF_DOT,
     ],
     sums: Sums::Open,
 };
 
-/// Compositions into the rotations that they are made of, as the reverse sweep needs them.
-pub(crate) const COMPOSITIONS: RuleSet =
-    RuleSet { vectors: &[("split composition", split_composition)], scalars: &[], sums: Sums::Open };
+/// Compositions into the rotations that they are made of, as both sweeps need them.
+pub(crate) const COMPOSITIONS: RuleSet = RuleSet { rules: &[SPLIT_COMPOSITION], sums: Sums::Open };
 
 /// A calculation in the frame before a turn that many vectors were turned back by.
-pub const FRAMES: RuleSet = RuleSet {
-    vectors: &[
-        ("fold zero and one", fold_zero),
-        ("undo rotation", undo_rotation),
-        ("a sum in another frame", frames::sum_in_frame),
-        ("an operation in another frame", frames::operation_in_frame),
-    ],
-    scalars: &[("a number in another frame", frames::number_in_frame)],
-    sums: Sums::Open,
-};
+pub const FRAMES: RuleSet =
+    RuleSet { rules: &[FOLD_ZERO, UNDO_ROTATION, SUM_IN_FRAME, OPERATION_IN_FRAME, NUMBER_IN_FRAME], sums: Sums::Open };
 
-/// What is along a direction or square to it, and what follows for sums and dots.
+/// Parts along a direction or square to it, and what follows for sums and dots.
 pub const DIRECTIONS: RuleSet = RuleSet {
-    vectors: &[
-        ("fold zero and one", fold_zero),
-        ("merge scales", crate::scaling::merge),
-        ("scale after the operation", crate::scaling::out_of_operation),
-        ("nothing of a direction is across it", directions::across_of_along),
-        ("all of what is across is across", directions::across_of_across),
-        ("the parts across of a sum", directions::across_of_sum),
-    ],
-    scalars: &[
-        ("dot, then scale", crate::scaling::out_of_dot),
-        ("dot, then sign", crate::scaling::sign_out_of_number),
-        ("drop the radial part", directions::dot_along_across),
+    rules: &[
+        FOLD_ZERO,
+        MERGE_SCALES,
+        SCALE_AFTER_OPERATION,
+        NOTHING_ACROSS,
+        ALL_ACROSS,
+        ACROSS_OF_SUM,
+        SCALE_AFTER_DOT,
+        SIGN_AFTER_DOT,
+        DROP_RADIAL,
     ],
     sums: Sums::Open,
 };
 
 /// Scale factors out of the vector operations that they pass through unchanged.
 pub const SCALES: RuleSet = RuleSet {
-    vectors: &[
-        ("fold zero and one", fold_zero),
-        ("undo rotation", undo_rotation),
-        ("one reciprocal for a direction", crate::scaling::expand_normalize),
-        ("merge scales", crate::scaling::merge),
-        (MERGE_SHARED, crate::scaling::merge_shared),
-        ("scale after the operation", crate::scaling::out_of_operation),
-        ("a part across is a difference", directions::expand_across),
-        (SPREAD, crate::scaling::spread),
-        ("common vector of a sum", crate::scaling::common_vector),
-        (CONSTANT_SCALE, crate::scaling::constant_scale),
+    rules: &[
+        FOLD_ZERO,
+        UNDO_ROTATION,
+        EXPAND_NORMALIZE,
+        MERGE_SCALES,
+        MERGE_SHARED,
+        SCALE_AFTER_OPERATION,
+        EXPAND_ACROSS,
+        SPREAD,
+        COMMON_VECTOR,
+        CONSTANT_SCALE,
+        SCALE_AFTER_DOT,
+        SIGN_AFTER_DOT,
     ],
-    scalars: &[("dot, then scale", crate::scaling::out_of_dot), ("dot, then sign", crate::scaling::sign_out_of_number)],
     sums: Sums::Shared,
 };
 
-/// A sum is taken apart into about so many terms at most: shared partial sums would double them again and again.
-const MOST_TERMS: usize = 64;
+/// Rules of components: what any compiler of formulas does, all at once.
+pub const ARITHMETIC: [Rule; 6] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, DIVIDE_ONCE];
 
-/// The terms of a sum with their signs (`true` = subtracted).
-pub(crate) fn terms(g: &Graph, v: Vector) -> Vec<(bool, Vector)> {
-    fn collect(g: &Graph, v: Vector, negative: bool, root: bool, out: &mut Vec<(bool, Vector)>) {
-        match g.vector_node(v) {
-            _ if !root && (g.is_closed(v) || out.len() >= MOST_TERMS) => out.push((negative, v)),
-            VectorNode::Add(a, b) => {
-                collect(g, a, negative, false, out);
-                collect(g, b, negative, false, out);
-            }
-            VectorNode::Sub(a, b) => {
-                collect(g, a, negative, false, out);
-                collect(g, b, !negative, false, out);
-            }
-            VectorNode::Neg(a) => collect(g, a, !negative, false, out),
-            _ => out.push((negative, v)),
+/// Rules that apply only where that is found to pay.
+pub(crate) const OPTIONAL: [Rule; 2] = [SPREAD, CONSTANT_SCALE];
+
+/// Rules that turn something else than before by as much: how far to go is a choice.
+pub(crate) const OTHER_SIDES: [Rule; 3] = [OTHER_SIDE_OF_DOT, PULL_OUT_OF_NORM, PULL_OUT_OF_SQUARE];
+
+/// Rules by which rotations vanish.
+pub(crate) const CANCELLING: [Rule; 2] = [CANCEL_BESIDE_DIRECTION, CANCEL_ACROSS_DOT];
+
+/// Defines rules; a rule's comment is its [`why`](Rule::why), for the readers of code and of derivations alike.
+macro_rules! rules {
+    ($( $(#[doc = $why:literal])+ $rule:ident = $name:literal: $kind:ident $(($rewrite:path))?; )+) => { $(
+        $(#[doc = $why])+
+        pub const $rule: Rule = Rule {
+            name: $name,
+            why: concat!($($why),+).trim_ascii_start(),
+            rewriting: Rewriting::$kind $(($rewrite))?,
+        };
+    )+ };
+}
+
+rules! {
+    /// A vector times one over its own length is its direction: one thing, with one derivative.
+    RECOGNIZE_DIRECTION = "a vector over its length is a direction": Vector(directions::recognize_direction);
+    /// The square of a vector is the dot product with itself, so its root is the vector's length.
+    ROOT_OF_SQUARE = "the root of a square is a norm": Scalar(directions::root_of_square);
+    /// A length times itself is the dot product of the vector with itself: no root is needed, nor its derivative.
+    SQUARE_OF_NORM = "the square of a norm is a dot": Scalar(directions::square_of_norm);
+    /// A length can be 0. The division becomes a product with a reciprocal that is 0 there, so that every result is
+    /// finite.
+    GUARD_DIVISION = "a division by a norm is guarded": Scalar(directions::guard_division);
+    /// Both have the length |v| sin of the angle between them. The part across has the simpler derivative.
+    ACROSS_FOR_CROSS = "the part across is as long as the cross product": Scalar(directions::norm_of_cross);
+    /// Adding 0 and multiplying by 1 change nothing, and 0 stays 0 when it is scaled or turned.
+    FOLD_ZERO = "fold zero and one": Vector(sums::fold_zero);
+    /// Turning by a product of rotations is turning by one after the other, the right one first. Apart, they can meet
+    /// what they cancel with.
+    SPLIT_COMPOSITION = "split composition": Vector(rotations::split_composition);
+    /// A rotation is undone by its transpose: R Rᵀ = 1.
+    UNDO_ROTATION = "undo rotation": Vector(rotations::undo_rotation);
+    /// What is added and subtracted leaves the sum.
+    CANCEL_TERMS = "cancel terms": Vector(sums::cancel_terms);
+    /// A rotation is linear, so two vectors that are turned alike can be added first and turned once.
+    COMMON_ROTATION = "common rotation": Vector(rotations::common_rotation);
+    /// A rotation keeps lengths, so it can come after the division by the length.
+    NORMALIZE_ROTATED = "normalize what was rotated": Vector(rotations::normalize_rotated);
+    /// A rotation keeps lengths, so it does not matter for the length whether there is one.
+    NORM_OF_ROTATED = "norm of what was rotated": Scalar(rotations::norm_rotated);
+    /// Turning a whole sum back keeps its length. One term loses its rotation, which then acts on what does not
+    /// depend on the joints within.
+    PULL_OUT_OF_NORM = "pull a rotation out of a sum's norm": Scalar(rotations::norm_pulls);
+    /// Turning a whole sum back keeps its square. One term loses its rotation.
+    PULL_OUT_OF_SQUARE = "pull a rotation out of a sum's square": Scalar(rotations::square_pulls);
+    /// A dot product does not change when both sides are turned back alike. The right side loses its rotation; on the
+    /// left the effector comes to rest and the target is turned back into its frame instead. This is where aiming
+    /// becomes cheap: one point is carried inward rather than two outward.
+    CANCEL_BESIDE_DIRECTION = "same rotation in a direction and beside it": Scalar(rotations::dot_direction);
+    /// A dot product does not change when both sides are turned back alike, and on the other side that rotation is
+    /// already there to cancel.
+    CANCEL_ACROSS_DOT = "rotation cancels on the other side of a dot": Scalar(rotations::dot_cancels);
+    /// v · R w = Rᵀ v · w: a dot product does not change when both sides are turned back alike. The rotation goes to
+    /// the side where it costs less.
+    OTHER_SIDE_OF_DOT = "rotation to the other side of a dot": Scalar(rotations::dot_other_side);
+    /// A number times a number times a vector: the numbers are multiplied first, once instead of three times.
+    MERGE_SCALES = "merge scales": Vector(scaling::merge);
+    /// Turning, taking the part across and multiplying by a number can change places. Last, the number meets fewer
+    /// components.
+    SCALE_AFTER_OPERATION = "scale after the operation": Vector(scaling::out_of_operation);
+    /// A multiple of a direction has no part across that direction.
+    NOTHING_ACROSS = "nothing of a direction is across it": Vector(directions::across_of_along);
+    /// What is square to a direction already is its own part across it.
+    ALL_ACROSS = "all of what is across is across": Vector(directions::across_of_across);
+    /// The part across of a sum is the sum of the parts across, of which those along the direction are 0 and those
+    /// square to it stay.
+    ACROSS_OF_SUM = "the parts across of a sum": Vector(directions::across_of_sum);
+    /// A number in a dot product can be multiplied afterwards, once instead of three times.
+    SCALE_AFTER_DOT = "dot, then scale": Scalar(scaling::out_of_dot);
+    /// A sign in a dot product or a length can come afterwards, where it costs nothing.
+    SIGN_AFTER_DOT = "dot, then sign": Scalar(scaling::sign_out_of_number);
+    /// What is square to the other side of a dot product adds nothing to it. A turn moves a point square to its way
+    /// from the pivot, so whatever points along that way drops out of the derivative.
+    DROP_RADIAL = "drop the radial part": Scalar(directions::dot_along_across);
+    /// Two vectors that are turned back alike are added first and turned back once.
+    SUM_IN_FRAME = "a sum in another frame": Vector(frames::sum_in_frame);
+    /// What is done to a vector alike in every frame can be done before it is turned back.
+    OPERATION_IN_FRAME = "an operation in another frame": Vector(frames::operation_in_frame);
+    /// Lengths and dot products are the same in every frame; the calculation stays in the one in which fewer vectors
+    /// have to be turned.
+    NUMBER_IN_FRAME = "a number in another frame": Scalar(frames::number_in_frame);
+    /// A direction is the vector times one over its length. That number is computed once, for the value and for its
+    /// derivatives.
+    EXPAND_NORMALIZE = "one reciprocal for a direction": Vector(scaling::expand_normalize);
+    /// A number times a number times a vector: the numbers are multiplied first, even where the scaled vector is
+    /// needed elsewhere, too.
+    MERGE_SHARED = "merge scales of shared vectors": Vector(scaling::merge_shared);
+    /// What is across a direction is what is left without the part along it: v − (v · u) u.
+    EXPAND_ACROSS = "a part across is a difference": Vector(directions::expand_across);
+    /// A scaled difference in a sum with the same vector is taken apart, so that this vector is multiplied once.
+    SPREAD = "spread a scaled difference over its sum": Vector(scaling::spread);
+    /// Two multiples of one vector are one multiple of it: the numbers are added, not the vectors.
+    COMMON_VECTOR = "common vector of a sum": Vector(scaling::common_vector);
+    /// A constant vector is divided by its largest component, which is multiplied afterwards: a factor of 1 is free.
+    CONSTANT_SCALE = "a constant direction by its largest component": Vector(scaling::constant_scale);
+    /// In components: a product with 0 is 0 and leaves its sum, a product with 1 is its other factor. The axes of the
+    /// bones are such zeros and ones.
+    CONSTANTS = "fold constants": Components;
+    /// In components: signs are moved outward through products and sums, where a sum becomes a difference and the
+    /// sign is free.
+    NEGATIONS = "negations outward": Components;
+    /// In components: a + b and b + a, a b and b a are computed once, being the same.
+    ORDER = "operands in order": Components;
+    /// In components: a product of several factors is multiplied in the order in which parts of it serve other
+    /// products, too.
+    SHARE = "share products": Components;
+    /// In components: a b + a c = a (b + c), one multiplication less.
+    FACTOR = "common factor of products": Components;
+    /// In components: one over a length that is needed for a single product becomes that product's division.
+    DIVIDE_ONCE = "a reciprocal used once is a division": Components;
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_rule_says_why() {
+        for rule in super::all() {
+            assert!(rule.why.ends_with('.') && rule.why.len() > 40, "{rule}: {}", rule.why);
         }
     }
-    let mut out = Vec::new();
-    collect(g, v, false, true, &mut out);
-    out
-}
-
-/// The sum of `terms`.
-pub(crate) fn sum(g: &mut Graph, terms: &[(bool, Vector)]) -> Vector {
-    let mut total: Option<Vector> = None;
-    for &(_, v) in terms.iter().filter(|(negative, _)| !negative) {
-        total = Some(total.map_or(v, |t| g.add_vectors(t, v)));
-    }
-    for &(_, v) in terms.iter().filter(|(negative, _)| *negative) {
-        total = Some(match total {
-            Some(t) => g.sub_vectors(t, v),
-            None => g.neg_vector(v),
-        });
-    }
-    total.unwrap_or_else(|| g.constant_vector([0.0; 3]))
-}
-
-pub(crate) fn is_zero(g: &Graph, v: Vector) -> bool {
-    constant_components(g, v) == Some([0.0; 3])
-}
-
-pub(crate) fn constant_components(g: &Graph, v: Vector) -> Option<[f64; 3]> {
-    let VectorNode::Components([x, y, z]) = g.vector_node(v) else { return None };
-    Some([g.constant_of(x)?, g.constant_of(y)?, g.constant_of(z)?])
-}
-
-/// The outermost rotation of `v`, and what it rotates.
-pub(crate) fn leading(g: &Graph, v: Vector) -> Option<(Rotation, Vector)> {
-    match g.vector_node(v) {
-        VectorNode::Rotate(rotation, inner) => Some((rotation, inner)),
-        _ => None,
-    }
-}
-
-fn is_forward(g: &Graph, rotation: Rotation) -> bool {
-    !matches!(g.rotation_node(rotation), RotationNode::Transpose(_))
-}
-
-fn is_basis(g: &Graph, rotation: Rotation) -> bool {
-    match g.rotation_node(rotation) {
-        RotationNode::Basis(_) => true,
-        RotationNode::Transpose(inner) => matches!(g.rotation_node(inner), RotationNode::Basis(_)),
-        _ => false,
-    }
-}
-
-/// Whether `v` is a constant vector after at most one rotation that is not a change of basis: nothing costs less.
-fn is_turned_constant(g: &Graph, v: Vector) -> bool {
-    match leading(g, v) {
-        Some((rotation, inner)) if is_basis(g, rotation) => is_turned_constant(g, inner),
-        Some((_, inner)) => constant_components(g, inner).is_some(),
-        None => constant_components(g, v).is_some(),
-    }
-}
-
-/// How many changes of basis stand before the rotation that pushed `v` forward and could be turned back instead;
-/// `None` where there is none.
-///
-/// Only such vectors give up their rotation, and of several the one with the fewest changes of basis does, so that
-/// nothing is turned back and forth.
-fn pushed_below(g: &Graph, v: Vector) -> Option<usize> {
-    let (rotation, inner) = leading(g, v)?;
-    if is_basis(g, rotation) {
-        let below = terms(g, inner).iter().filter_map(|&(_, term)| pushed_below(g, term)).min()?;
-        return Some(below + 1);
-    }
-    is_forward(g, rotation).then_some(0)
-}
-
-pub(crate) fn is_sum(g: &Graph, v: Vector) -> bool {
-    matches!(g.vector_node(v), VectorNode::Add(..) | VectorNode::Sub(..) | VectorNode::Neg(..))
-}
-
-/// 0 and 1 leave sums, scales and rotations.
-fn fold_zero(g: &mut Graph, v: Vector) -> Option<Vector> {
-    match g.vector_node(v) {
-        VectorNode::Add(a, b) if is_zero(g, a) => Some(b),
-        VectorNode::Add(a, b) | VectorNode::Sub(a, b) if is_zero(g, b) => Some(a),
-        VectorNode::Sub(a, b) if is_zero(g, a) => Some(g.neg_vector(b)),
-        VectorNode::Neg(a) | VectorNode::Rotate(_, a) | VectorNode::Perp(_, a) | VectorNode::Normalize(a)
-            if is_zero(g, a) =>
-        {
-            Some(a)
-        }
-        VectorNode::Cross(a, b) if a == b || is_zero(g, a) || is_zero(g, b) => Some(g.constant_vector([0.0; 3])),
-        VectorNode::Across(a, _) if is_zero(g, a) => Some(a),
-        VectorNode::Neg(a) => match g.vector_node(a) {
-            VectorNode::Neg(inner) => Some(inner),
-            _ => None,
-        },
-        VectorNode::Scale(_, a) if is_zero(g, a) => Some(a),
-        VectorNode::Scale(k, a) if g.constant_of(k) == Some(1.0) => Some(a),
-        VectorNode::Scale(k, a) if g.constant_of(k) == Some(-1.0) => Some(g.neg_vector(a)),
-        VectorNode::Scale(k, _) if g.constant_of(k) == Some(0.0) => Some(g.constant_vector([0.0; 3])),
-        _ => None,
-    }
-}
-
-/// `(A B) v = A (B v)`
-fn split_composition(g: &mut Graph, v: Vector) -> Option<Vector> {
-    let (rotation, inner) = leading(g, v)?;
-    let (outer, first) = match g.rotation_node(rotation) {
-        RotationNode::Compose(a, b) => (a, b),
-        RotationNode::Transpose(composed) => {
-            let RotationNode::Compose(a, b) = g.rotation_node(composed) else { return None };
-            (g.transpose(b), g.transpose(a))
-        }
-        _ => return None,
-    };
-    let once = g.rotate(first, inner);
-    Some(g.rotate(outer, once))
-}
-
-/// `R Rᵀ v = v`
-fn undo_rotation(g: &mut Graph, v: Vector) -> Option<Vector> {
-    let (outer, inner) = leading(g, v)?;
-    let (rotation, core) = leading(g, inner)?;
-    (g.transpose(rotation) == outer).then_some(core)
-}
-
-/// `a + b − a = b`
-fn cancel_terms(g: &mut Graph, v: Vector) -> Option<Vector> {
-    if !is_sum(g, v) {
-        return None;
-    }
-    let mut terms = terms(g, v);
-    let (i, j) = (0..terms.len()).find_map(|i| {
-        let (sign, term) = terms[i];
-        let j = (i + 1..terms.len()).find(|&j| terms[j] == (!sign, term))?;
-        Some((i, j))
-    })?;
-    terms.remove(j);
-    terms.remove(i);
-    Some(sum(g, &terms))
-}
-
-/// `R a + R b = R (a + b)`
-fn common_rotation(g: &mut Graph, v: Vector) -> Option<Vector> {
-    if !is_sum(g, v) {
-        return None;
-    }
-    let mut terms = terms(g, v);
-    let (i, j, rotation) = (0..terms.len()).find_map(|i| {
-        let (rotation, _) = leading(g, terms[i].1)?;
-        let j = (i + 1..terms.len()).find(|&j| leading(g, terms[j].1).is_some_and(|(r, _)| r == rotation))?;
-        Some((i, j, rotation))
-    })?;
-    let (sign_j, term_j) = terms.remove(j);
-    let (sign_i, term_i) = terms[i];
-    let inner = [(sign_i, leading(g, term_i)?.1), (sign_j, leading(g, term_j)?.1)];
-    let together = sum(g, &inner);
-    terms[i] = (false, g.rotate(rotation, together));
-    Some(sum(g, &terms))
-}
-
-/// `R v / |R v| = R (v / |v|)`
-fn normalize_rotated(g: &mut Graph, v: Vector) -> Option<Vector> {
-    let VectorNode::Normalize(inner) = g.vector_node(v) else { return None };
-    let (rotation, core) = leading(g, inner)?;
-    let direction = g.normalize(core);
-    Some(g.rotate(rotation, direction))
-}
-
-/// `Rᵀ (a + R b) = Rᵀ a + b`
-pub(crate) fn turned_back(g: &mut Graph, rotation: Rotation, v: Vector) -> Vector {
-    let (cores, rest): (Vec<_>, Vec<_>) =
-        terms(g, v).into_iter().partition(|&(_, term)| leading(g, term).is_some_and(|(r, _)| r == rotation));
-    let mut all: Vec<_> = cores.into_iter().filter_map(|(sign, term)| Some((sign, leading(g, term)?.1))).collect();
-    if !rest.is_empty() {
-        let back = g.transpose(rotation);
-        let rest = sum(g, &rest);
-        all.insert(0, (false, g.rotate(back, rest)));
-    }
-    sum(g, &all)
-}
-
-/// A rotation that a sum's norm does not see: `a + R b` is as long as `Rᵀ a + b`.
-fn pulled(g: &mut Graph, v: Vector) -> Option<(Rotation, Vector)> {
-    if !is_sum(g, v) {
-        return None;
-    }
-    let pushed = terms(g, v).into_iter().filter_map(|(_, term)| Some((pushed_below(g, term)?, term)));
-    let (_, term) = pushed.min_by_key(|&(below, _)| below)?;
-    let (rotation, _) = leading(g, term)?;
-    Some((rotation, turned_back(g, rotation, v)))
-}
-
-/// `(a + R b) / |a + R b| · R w = (Rᵀ a + b) / |Rᵀ a + b| · w`
-fn dot_direction(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return None };
-    [(a, b), (b, a)].into_iter().find_map(|(direction, other)| {
-        let VectorNode::Normalize(inner) = g.vector_node(direction) else { return None };
-        let (rotation, w) = leading(g, other)?;
-        let is_pushed = |&(_, term): &(bool, Vector)| leading(g, term).is_some_and(|(r, _)| r == rotation);
-        if !is_sum(g, inner) || !terms(g, inner).iter().any(is_pushed) {
-            return None;
-        }
-        if !is_basis(g, rotation) {
-            g.cancel(rotation);
-        }
-        let back = turned_back(g, rotation, inner);
-        let back = g.normalize(back);
-        Some(g.dot(back, w))
-    })
-}
-
-/// `|R v| = |v|`
-fn norm_rotated(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let ScalarNode::Norm(v) = g.scalar_node(s) else { return None };
-    let (_, core) = leading(g, v)?;
-    Some(g.norm(core))
-}
-
-/// `|a + R b| = |Rᵀ a + b|`
-fn norm_pulls(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let ScalarNode::Norm(v) = g.scalar_node(s) else { return None };
-    let (_, turned_back) = pulled(g, v)?;
-    Some(g.norm(turned_back))
-}
-
-/// `(a + R b)² = (Rᵀ a + b)²`
-fn square_pulls(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let ScalarNode::Dot(v, w) = g.scalar_node(s) else { return None };
-    let (_, turned_back) = if v == w { pulled(g, v)? } else { return None };
-    Some(g.dot(turned_back, turned_back))
-}
-
-/// The sides of a dot that a rotation pushed forward, the one with the fewest changes of basis before it first.
-fn pushed_sides(g: &Graph, s: Scalar) -> Vec<(Vector, Vector)> {
-    let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return Vec::new() };
-    let mut sides: Vec<_> =
-        [(a, b), (b, a)].into_iter().filter_map(|(v, pushed)| Some((pushed_below(g, pushed)?, v, pushed))).collect();
-    sides.sort_by_key(|&(below, ..)| below);
-    sides.into_iter().map(|(_, v, pushed)| (v, pushed)).collect()
-}
-
-fn turn_other_side(g: &mut Graph, v: Vector, pushed: Vector) -> Option<Scalar> {
-    let (rotation, w) = leading(g, pushed)?;
-    let back = turned_back(g, rotation, v);
-    Some(g.dot(back, w))
-}
-
-/// `(a + R b) · R w = (Rᵀ a + b) · w`
-fn dot_cancels(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let (v, pushed) = pushed_sides(g, s).into_iter().find(|&(v, pushed)| {
-        let (outer, _) = leading(g, pushed).unzip();
-        terms(g, v).iter().any(|&(_, t)| leading(g, t).unzip().0 == outer)
-    })?;
-    turn_other_side(g, v, pushed)
-}
-
-/// `v · R w = Rᵀ v · w`, unless `R w` is a rotated constant, which costs least.
-fn dot_other_side(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let (v, pushed) = pushed_sides(g, s).into_iter().find(|&(_, pushed)| !is_turned_constant(g, pushed))?;
-    turn_other_side(g, v, pushed)
 }

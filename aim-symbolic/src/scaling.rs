@@ -1,6 +1,6 @@
 //! Rules for scale factors and signs; part of [`DIRECTIONS`](crate::rules::DIRECTIONS) and [`SCALES`](crate::rules::SCALES).
 
-use crate::rules::{constant_components, is_sum, sum, terms};
+use crate::sums::{is_sum, sum, terms};
 use crate::{Graph, Scalar, ScalarNode, Vector, VectorNode};
 
 fn scaled(g: &Graph, v: Vector) -> Option<(Scalar, Vector)> {
@@ -150,7 +150,7 @@ pub(crate) fn common_vector(g: &mut Graph, v: Vector) -> Option<Vector> {
 
 /// `c = c_k (c / c_k)` with the largest component of a constant: one product less wherever it is multiplied.
 pub(crate) fn constant_scale(g: &mut Graph, v: Vector) -> Option<Vector> {
-    let c = constant_components(g, v)?;
+    let c = g.constant_vector_of(v)?;
     let largest = c.into_iter().fold(0.0, |largest: f64, c| if c.abs() > largest.abs() { c } else { largest });
     if largest == 0.0 || largest.abs() == 1.0 || c.iter().filter(|&&c| c != 0.0).count() < 2 {
         return None;

@@ -7,7 +7,6 @@
 
 use std::ops::Range;
 
-use crate::program::index;
 use crate::{Constant, Op, Program, Value};
 
 /// How many ways to turn differences are tried.
@@ -74,7 +73,6 @@ impl Program {
         for (&op, &turned) in self.ops().iter().zip(turned) {
             let at = |v: Value| new.stored[v.index()];
             let stored = match op {
-                Op::Input(_) | Op::Constant(_) | Op::Tiny => new.push(op, false),
                 Op::Neg(a) => Stored { negated: !at(a).negated, ..at(a) },
                 Op::Add(a, b) => new.sum(at(a), at(b), turned),
                 Op::Sub(a, b) => {
@@ -83,30 +81,14 @@ impl Program {
                 }
                 Op::Mul(a, b) => new.push(Op::Mul(at(a).value, at(b).value), at(a).negated != at(b).negated),
                 Op::Div(a, b) => new.push(Op::Div(at(a).value, at(b).value), at(a).negated != at(b).negated),
-                Op::Sqrt(a) => {
-                    let a = new.plain(at(a));
-                    new.push(Op::Sqrt(a), false)
+                Op::SelectLess(a, b, then, otherwise) if self.is_zero(otherwise) => {
+                    let (then, otherwise) = (at(then), at(otherwise));
+                    let [a, b] = [a, b].map(|v| new.plain(new.stored[v.index()]));
+                    new.push(Op::SelectLess(a, b, then.value, otherwise.value), then.negated)
                 }
-                Op::Call(function, a) => {
-                    let a = new.plain(at(a));
-                    new.push(Op::Call(function, a), false)
-                }
-                Op::Atan2(y, x) => {
-                    let (y, x) = (at(y), at(x));
-                    let (y, x) = (new.plain(y), new.plain(x));
-                    new.push(Op::Atan2(y, x), false)
-                }
-                Op::SelectLess(a, b, then, otherwise) => {
-                    let (then, zero) = (at(then), self.is_zero(otherwise));
-                    let otherwise = at(otherwise);
-                    let (a, b) = (at(a), at(b));
-                    let (a, b) = (new.plain(a), new.plain(b));
-                    if zero {
-                        new.push(Op::SelectLess(a, b, then.value, otherwise.value), then.negated)
-                    } else {
-                        let (then, otherwise) = (new.plain(then), new.plain(otherwise));
-                        new.push(Op::SelectLess(a, b, then, otherwise), false)
-                    }
+                op => {
+                    let op = op.map(|v| new.plain(new.stored[v.index()]));
+                    new.push(op, false)
                 }
             };
             new.stored.push(stored);
@@ -162,7 +144,7 @@ impl Search<'_> {
 impl Written {
     fn push(&mut self, op: Op, negated: bool) -> Stored {
         self.ops.push(op);
-        Stored { value: Value(index(self.ops.len() - 1)), negated }
+        Stored { value: Value::at(self.ops.len() - 1), negated }
     }
 
     /// a + b of stored values; where it is a difference, of the sign that is asked for.

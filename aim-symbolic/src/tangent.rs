@@ -1,7 +1,12 @@
-//! Derivatives by a forward sweep: everything's change with one variable.
+//! Derivatives by a forward sweep: each part's tangent, its derivative by one variable.
+//!
+//! With ẋ the tangent of x: (v · w)˙ = v̇ · w + v · ẇ; |v|˙ = v̇ · v/|v|; (R v)˙ = R v̇ + θ̇ J R v, where R turns by θ
+//! and J is the quarter turn in its plane or the cross product with its axis; (v/|v|)˙ is the part of v̇ across v, over
+//! |v|; (v − (v · u) u)˙ = across(v̇) − (v · u̇) u − (v · u) u̇.
 
 use crate::derivation::Passage;
-use crate::order::{Node, Selects};
+use crate::node::Node;
+use crate::order::Selects;
 use crate::rules::COMPOSITIONS;
 use crate::table::{NodeSet, Table};
 use crate::{Graph, Scalar, ScalarNode, Variable, Vector, VectorNode};
@@ -51,11 +56,11 @@ struct Sweep<'g> {
 }
 
 impl Sweep<'_> {
-    fn of_scalar(&mut self, scalar: Scalar) -> Scalar {
+    fn scalar_tangent(&mut self, scalar: Scalar) -> Scalar {
         self.scalars.copied(scalar).unwrap_or_else(|| self.g.constant(0.0))
     }
 
-    fn of_vector(&self, vector: Vector) -> Option<Vector> {
+    fn vector_tangent(&self, vector: Vector) -> Option<Vector> {
         self.vectors.copied(vector)
     }
 
@@ -75,23 +80,23 @@ impl Sweep<'_> {
                 vec![slope.unwrap_or(one)]
             }
             ScalarNode::SelectLess(a, b, then, otherwise) => {
-                let (then, otherwise) = (self.of_scalar(then), self.of_scalar(otherwise));
+                let (then, otherwise) = (self.scalar_tangent(then), self.scalar_tangent(otherwise));
                 vec![self.g.select_less(a, b, then, otherwise)]
             }
             ScalarNode::Dot(v, w) if v == w => {
-                let half = self.of_vector(v).map(|change| self.g.dot(change, v));
+                let half = self.vector_tangent(v).map(|change| self.g.dot(change, v));
                 half.map(|half| self.g.twice(half)).into_iter().collect()
             }
             ScalarNode::Dot(v, w) => {
-                let (of_v, of_w) = (self.of_vector(v), self.of_vector(w));
+                let (of_v, of_w) = (self.vector_tangent(v), self.vector_tangent(w));
                 [self.dot(of_v, w), self.dot(of_w, v)].into_iter().flatten().collect()
             }
             ScalarNode::Norm(v) => {
-                let (of_v, direction) = (self.of_vector(v), self.g.normalize(v));
+                let (of_v, direction) = (self.vector_tangent(v), self.g.normalize(v));
                 self.dot(of_v, direction.into()).into_iter().collect()
             }
             ScalarNode::Component(v, axis) => {
-                self.of_vector(v).map(|change| self.g.component(change, axis)).into_iter().collect()
+                self.vector_tangent(v).map(|change| self.g.component(change, axis)).into_iter().collect()
             }
             _ => {
                 let scalars = &self.scalars;
@@ -99,7 +104,7 @@ impl Sweep<'_> {
                 partials
                     .into_iter()
                     .map(|(part, partial)| {
-                        let change = self.of_scalar(part);
+                        let change = self.scalar_tangent(part);
                         self.g.times(change, partial)
                     })
                     .collect()
@@ -111,47 +116,47 @@ impl Sweep<'_> {
     fn vector(&mut self, vector: Vector) -> Option<Vector> {
         match self.g.vector_node(vector) {
             VectorNode::Components(c) => {
-                let c = c.map(|c| self.of_scalar(c));
+                let c = c.map(|c| self.scalar_tangent(c));
                 Some(self.g.components(c))
             }
             VectorNode::Add(v, w) => {
-                let terms = [self.of_vector(v), self.of_vector(w)];
+                let terms = [self.vector_tangent(v), self.vector_tangent(w)];
                 self.sum(terms)
             }
-            VectorNode::Sub(v, w) => match (self.of_vector(v), self.of_vector(w)) {
+            VectorNode::Sub(v, w) => match (self.vector_tangent(v), self.vector_tangent(w)) {
                 (Some(v), Some(w)) => Some(self.g.sub_vectors(v, w)),
                 (v, w) => v.or_else(|| w.map(|w| self.g.neg_vector(w))),
             },
-            VectorNode::Neg(v) => self.of_vector(v).map(|v| self.g.neg_vector(v)),
+            VectorNode::Neg(v) => self.vector_tangent(v).map(|v| self.g.neg_vector(v)),
             VectorNode::Scale(k, v) => {
                 let of_k = self.scalars.copied(k);
                 let of_k = of_k.map(|change| self.g.scale(change, v));
-                let of_v = self.of_vector(v).map(|change| self.g.scale(k, change));
+                let of_v = self.vector_tangent(v).map(|change| self.g.scale(k, change));
                 self.sum([of_k, of_v])
             }
             VectorNode::Rotate(rotation, v) => {
-                let of_v = self.of_vector(v).map(|change| self.g.rotate(rotation, change));
+                let of_v = self.vector_tangent(v).map(|change| self.g.rotate(rotation, change));
                 let of_angle = self.g.swing(rotation, vector).and_then(|(angle, perp)| match self.g.radians(angle) {
                     Some(radians) => self.scalars.copied(radians).map(|change| self.g.scale(change, perp)),
                     None => (self.variable == Variable::Angle(angle)).then_some(perp),
                 });
                 self.sum([of_angle, of_v])
             }
-            VectorNode::Normalize(v) => self.of_vector(v).map(|change| {
+            VectorNode::Normalize(v) => self.vector_tangent(v).map(|change| {
                 let across = self.g.across(change, crate::Unit(vector));
                 let norm = self.g.norm(v);
                 let reciprocal = self.g.reciprocal(norm);
                 self.g.scale(reciprocal, across)
             }),
-            VectorNode::Perp(plane, v) => self.of_vector(v).map(|change| self.g.perp(plane, change)),
+            VectorNode::Perp(plane, v) => self.vector_tangent(v).map(|change| self.g.perp(plane, change)),
             VectorNode::Cross(v, w) => {
-                let of_v = self.of_vector(v).map(|change| self.g.cross(change, w));
-                let of_w = self.of_vector(w).map(|change| self.g.cross(v, change));
+                let of_v = self.vector_tangent(v).map(|change| self.g.cross(change, w));
+                let of_w = self.vector_tangent(w).map(|change| self.g.cross(v, change));
                 self.sum([of_v, of_w])
             }
             VectorNode::Across(v, u) => {
-                let of_v = self.of_vector(v).map(|change| self.g.across(change, u));
-                let of_u = self.of_vector(u.into()).map(|change| {
+                let of_v = self.vector_tangent(v).map(|change| self.g.across(change, u));
+                let of_u = self.vector_tangent(u.into()).map(|change| {
                     let (along, moved) = (self.g.dot(v, u), self.g.dot(v, change));
                     let (first, second) = (self.g.scale(moved, u.into()), self.g.scale(along, change));
                     let sum = self.g.add_vectors(first, second);

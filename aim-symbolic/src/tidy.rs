@@ -1,10 +1,9 @@
 //! The driver of the rules: bottom up, each node once, until no rule applies.
 
 use crate::derivation::{Rewrite, Swept};
-use crate::node::Parts;
-use crate::order::Node;
-use crate::rules::{OTHER_SIDES, ROTATIONS, RuleSet, Rules, ScalarRule, Sums, VectorRule};
-use crate::table::Table;
+use crate::node::{Node, Parts};
+use crate::rules::{OTHER_SIDES, ROTATIONS, Rule, RuleSet, Rules, Sums};
+use crate::table::{NodeTable, Table};
 use crate::{Angle, Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector};
 
 /// Rewrites for each node of a statement. The rules end by themselves long before; this is what makes the end certain.
@@ -36,14 +35,12 @@ impl Graph {
         };
         let mut tidy = Tidy {
             g: self,
-            vector_rules: set.vectors.iter().copied().filter(|(name, _)| rules.has(name)).collect(),
-            scalar_rules: set.scalars.iter().copied().filter(|(name, _)| rules.has(name)).collect(),
+            rules: set.rules.iter().copied().filter(|rule| rules.has(rule)).collect(),
             turned: rules.turned,
             log,
             fuel,
             shared,
-            scalars: Table::default(),
-            vectors: Table::default(),
+            nodes: NodeTable::default(),
             rotations: Table::default(),
         };
         let rewritten = scalars.iter().map(|&s| tidy.scalar(s)).collect();
@@ -79,82 +76,79 @@ impl Log {
 
 struct Tidy<'g> {
     g: &'g mut Graph,
-    vector_rules: Vec<(&'static str, VectorRule)>,
-    scalar_rules: Vec<(&'static str, ScalarRule)>,
+    rules: Vec<Rule>,
     /// How many rotations may go to the other side.
     turned: Option<usize>,
     log: &'g mut Log,
     fuel: usize,
-    /// What is needed in more than one place.
+    /// Vectors that are needed in more than one place.
     shared: Table<Vector, ()>,
-    scalars: Table<Scalar, Scalar>,
-    vectors: Table<Vector, Vector>,
+    nodes: NodeTable<Node>,
     rotations: Table<Rotation, Rotation>,
 }
 
 impl Tidy<'_> {
-    fn may_apply(&self, rule: &str) -> bool {
+    fn may_apply(&self, rule: &Rule) -> bool {
         let within = |most| self.log.applied.iter().filter(|done| OTHER_SIDES.contains(&done.rule)).count() < most;
-        self.turned.is_none_or(|most| !OTHER_SIDES.contains(&rule) || within(most))
+        self.turned.is_none_or(|most| !OTHER_SIDES.contains(rule) || within(most))
     }
 
-    fn apply_scalar_rule(&mut self, scalar: Scalar) -> Option<(&'static str, Scalar)> {
-        (0..self.scalar_rules.len()).find_map(|i| {
-            let (name, rule) = self.scalar_rules[i];
-            if self.may_apply(name) { Some((name, rule(self.g, scalar)?)) } else { None }
+    /// The first rule that has a replacement for the node, and that.
+    fn replacement(&mut self, node: Node) -> Option<(Rule, Node)> {
+        (0..self.rules.len()).find_map(|i| {
+            let rule = self.rules[i];
+            if self.may_apply(&rule) { Some((rule, rule.apply(self.g, node)?)) } else { None }
         })
     }
 
-    fn apply_vector_rule(&mut self, vector: Vector) -> Option<(&'static str, Vector)> {
-        (0..self.vector_rules.len()).find_map(|i| {
-            let (name, rule) = self.vector_rules[i];
-            if self.may_apply(name) { Some((name, rule(self.g, vector)?)) } else { None }
-        })
+    /// The node with its parts rewritten.
+    fn with_parts_rewritten(&mut self, node: Node) -> Node {
+        match node {
+            Node::Scalar(s) => {
+                let node = self.g.scalar_node(s).map(self);
+                Node::Scalar(self.g.remade_scalar(node))
+            }
+            Node::Vector(v) => {
+                let node = self.g.vector_node(v).map(self);
+                Node::Vector(self.g.intern_vector(node))
+            }
+        }
     }
 
-    fn scalar_parts(&mut self, scalar: Scalar) -> Scalar {
-        let node = self.g.scalar_node(scalar).map(self);
-        self.g.remade_scalar(node)
-    }
-
-    fn vector_parts(&mut self, vector: Vector) -> Vector {
-        let node = self.g.vector_node(vector).map(self);
-        self.g.intern_vector(node)
+    fn node(&mut self, node: Node) -> Node {
+        if let Some(done) = self.nodes.copied(node) {
+            return done;
+        }
+        let mut current = self.with_parts_rewritten(node);
+        while self.fuel > 0 && self.log.may_apply() {
+            let Some((rule, next)) = self.replacement(current) else { break };
+            self.fuel -= 1;
+            self.log.applied.push(Rewrite { rule, from: current, to: next });
+            current = self.with_parts_rewritten(next);
+        }
+        if let (Node::Vector(before), Node::Vector(after)) = (node, current)
+            && self.shared.contains(before)
+        {
+            self.g.close(after);
+        }
+        self.nodes.insert(node, current);
+        current
     }
 }
 
 impl Parts for Tidy<'_> {
     fn scalar(&mut self, scalar: Scalar) -> Scalar {
-        if let Some(&done) = self.scalars.get(scalar) {
-            return done;
+        match self.node(Node::Scalar(scalar)) {
+            Node::Scalar(rewritten) => rewritten,
+            Node::Vector(_) => unreachable!("a number stays a number"),
         }
-        let mut current = self.scalar_parts(scalar);
-        while self.fuel > 0 && self.log.may_apply() {
-            let Some((name, next)) = self.apply_scalar_rule(current) else { break };
-            self.fuel -= 1;
-            self.log.applied.push(Rewrite { rule: name, from: Node::Scalar(current), to: Node::Scalar(next) });
-            current = self.scalar_parts(next);
-        }
-        self.scalars.insert(scalar, current);
-        current
     }
 
     fn vector(&mut self, vector: Vector) -> Vector {
-        if let Some(&done) = self.vectors.get(vector) {
-            return done;
+        match self.node(Node::Vector(vector)) {
+            Node::Vector(rewritten) => rewritten,
+            Node::Scalar(_) => unreachable!("a vector stays a vector"),
         }
-        let mut current = self.vector_parts(vector);
-        while self.fuel > 0 && self.log.may_apply() {
-            let Some((name, next)) = self.apply_vector_rule(current) else { break };
-            self.fuel -= 1;
-            self.log.applied.push(Rewrite { rule: name, from: Node::Vector(current), to: Node::Vector(next) });
-            current = self.vector_parts(next);
-        }
-        if self.shared.contains(vector) {
-            self.g.close(current);
-        }
-        self.vectors.insert(vector, current);
-        current
     }
 
     fn rotation(&mut self, rotation: Rotation) -> Rotation {

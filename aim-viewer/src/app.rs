@@ -23,7 +23,7 @@ pub(crate) struct App {
     pub(crate) after: After,
 }
 
-/// What is done after each frame.
+/// A callback after each frame.
 pub(crate) type After = Box<dyn FnMut(&egui::Context, &Viewer)>;
 
 impl eframe::App for App {

@@ -2,15 +2,15 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::picture::View;
+use crate::picture::Perspective;
 
-/// How far it can look up or down, radians.
+/// Largest angle of view up or down, radians.
 const STEEPEST: f32 = 1.5;
 
 /// A camera that turns around a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Camera {
-    /// What it turns around.
+    /// The point that it turns around.
     pub(crate) focus: Vec3,
     /// Around up, from the character's front towards its left, radians.
     pub(crate) yaw: f32,
@@ -23,7 +23,7 @@ pub(crate) struct Camera {
 }
 
 impl Camera {
-    /// How wide it sees from bottom to top, radians.
+    /// Vertical angle of view, radians.
     pub(crate) const FIELD: f32 = 0.6;
 
     /// Turns it.
@@ -71,8 +71,8 @@ impl Camera {
         [right, out.cross(right), out]
     }
 
-    pub(crate) fn view(&self, metre: f32) -> View {
-        View {
+    pub(crate) fn view(&self, metre: f32) -> Perspective {
+        Perspective {
             from: self.focus + self.out() * self.distance,
             at: self.focus,
             up: self.directions[0],
@@ -81,7 +81,7 @@ impl Camera {
         }
     }
 
-    /// Where a point is seen on a screen of this size, from its upper left; `None` behind the camera.
+    /// Place of a point on a screen of this size, from its upper left; `None` behind the camera.
     pub(crate) fn project(&self, point: Vec3, size: Vec2) -> Option<Vec2> {
         let [right, up, out] = self.axes();
         let from = point - (self.focus + out * self.distance);

@@ -3,14 +3,11 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use aim_character::{MANNEQUIN_RIG, Proposal, propose};
+use aim_character::{MANNEQUIN_RIG, Proposal, chain_nodes, propose};
 use aim_codegen::RigSpec;
 use aim_codegen::declare::from_toml;
-use aim_gltf::{ChainNodes, Clip, Document, Error, Measurement, PAPER_AXES, Skeleton, Surface, mannequin};
+use aim_gltf::{ChainNodes, Clip, Document, Measurement, PAPER_AXES, Skeleton, Surface, mannequin};
 use glam::{DVec3, Vec3};
-
-/// The height that a character's size is told by, metres.
-const HEIGHT: f64 = 1.7;
 
 /// Everything about a character that does not change while it moves.
 #[derive(Debug)]
@@ -23,9 +20,9 @@ pub(crate) struct Character {
     pub(crate) chain: ChainNodes,
     /// The rig as it was declared or proposed, with the reasons of a proposal.
     pub(crate) declared: Proposal,
-    /// What it stands on in the bind pose, below its effector.
+    /// The point of the floor below its effector in the bind pose.
     pub(crate) floor: Vec3,
-    /// Whether it is the mannequin with its own rig, for which there is compiled code.
+    /// True for the mannequin with its own rig, for which there is compiled code.
     pub(crate) is_mannequin: bool,
 }
 
@@ -46,11 +43,7 @@ impl Character {
     /// # Errors
     /// Files that cannot be read or do not fit, in words that name them.
     pub(crate) fn open(file: &Path, rig: Option<&Path>) -> Result<Self, String> {
-        let document = Document::load(file).map_err(|error| match &error {
-            // Named already.
-            Error::Read { path, .. } | Error::NotAFile { path } if path == file => error.to_string(),
-            _ => format!("{}: {error}", file.display()),
-        })?;
+        let document = Document::load(file).map_err(|error| error.in_file(file))?;
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         let text = rig.map(|rig| read(rig).map(|text| (rig.display().to_string(), text))).transpose()?;
         Self::new(&name, document, text.as_ref().map(|(name, text)| (name.as_str(), text.as_str())))
@@ -83,10 +76,7 @@ impl Character {
             }
             None => propose(&document, &measurement, None).map_err(|error| format!("{name}: {error}"))?,
         };
-        let joints = &declared.spec.joints;
-        let bones = joints.iter().map(|joint| joint.bones.as_slice());
-        let chain = ChainNodes::find(document.skeleton(), bones, joints[0].pair.as_deref())
-            .map_err(|error| format!("{name}: {error}"))?;
+        let chain = chain_nodes(&declared.spec, document.skeleton()).map_err(|error| format!("{name}: {error}"))?;
         let surface = Arc::new(document.surface());
         let mut character = Self {
             name: name.into(),
@@ -135,9 +125,9 @@ impl Character {
 
     /// A metre of a character of 1.7 m, in the file's units.
     pub(crate) fn metre(&self) -> f32 {
-        let height = self.measurement.height;
         #[expect(clippy::cast_possible_truncation, reason = "a size")]
-        if height > 0.0 { (height / HEIGHT) as f32 } else { 1.0 }
+        let metre = self.measurement.metre() as f32;
+        metre
     }
 
     /// Up, forward and left in the world.
@@ -146,7 +136,7 @@ impl Character {
         [up, forward, left].map(|direction| direction.as_vec3().normalize_or_zero())
     }
 
-    /// Where the effector is in the bind pose.
+    /// Place of the effector in the bind pose.
     pub(crate) fn effector(&self) -> Vec3 {
         let origin = DVec3::from_array(self.spec().effector.origin);
         self.measurement.bind_world[self.chain.joints[0]].transform_point3(origin).as_vec3()

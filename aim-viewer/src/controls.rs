@@ -7,12 +7,12 @@ use crate::camera::Camera;
 use crate::gizmos::{Shown, TARGET};
 use crate::stage::Stage;
 
-/// How fast held keys move the target, metres of a 1.7 m character a second; turn the camera, radians a second; and zoom,
+/// Speeds of held keys: of the target, metres of a 1.7 m character a second; of the camera, radians a second; of the zoom,
 /// to the power of seconds.
 const TARGET_SPEED: f32 = 1.2;
 const TURN_SPEED: f32 = 1.5;
 const ZOOM_SPEED: f32 = 0.4;
-/// How the mouse turns, radians a point, and its wheel zooms, to the power of points.
+/// Turn by the mouse, radians a point, and zoom by its wheel, to the power of points.
 const MOUSE_TURN: f32 = 0.008;
 const WHEEL_ZOOM: f32 = 0.998;
 /// The target is taken hold of within this distance from its edge, points.
@@ -32,7 +32,7 @@ pub(crate) const KEYS: [(&str, &str); 10] = [
     ("H", "this panel on, off"),
 ];
 
-/// What the mouse does in the scene.
+/// Actions of the mouse in the scene.
 pub(crate) const MOUSE: [(&str, &str); 4] = [
     ("Drag the target", "moves it across the view"),
     ("Drag elsewhere", "turns the camera"),
@@ -40,7 +40,7 @@ pub(crate) const MOUSE: [(&str, &str); 4] = [
     ("Wheel", "camera nearer, further"),
 ];
 
-/// What the mouse holds.
+/// The thing that the mouse drags.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Held {
     /// The target of the figure that stands so far aside.
@@ -141,7 +141,7 @@ pub(crate) fn mouse(scene: &Response, stage: &mut Stage, camera: &mut Camera, he
     }
 }
 
-/// How far aside the figure stands on whose target a point of the scene is, given from its upper left.
+/// Shift of the figure whose target is under a point of the scene, which is given from its upper left.
 fn figure_of_target(stage: &Stage, camera: &Camera, rect: Rect, at: Vec2) -> Option<Vec3> {
     let size = Vec2::new(rect.width(), rect.height());
     let edge = camera.axes()[1] * (TARGET * stage.character.metre());

@@ -22,10 +22,10 @@ use marks::Marks;
 use model::Model;
 use sheet::{Printer, Sheet};
 
-/// What lies on the graphics card.
+/// Resources on the graphics card.
 pub(crate) struct Canvas {
     context: Context,
-    /// What figures are made of, as long as they are made of that.
+    /// Model of the current surface.
     model: Option<Model>,
     figures: Figures,
     marks: Marks,
@@ -36,7 +36,7 @@ pub(crate) struct Canvas {
     printer: Printer,
 }
 
-/// Where on the screen to draw, in pixels from its lower left.
+/// Part of the screen to draw on, in pixels from its lower left.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
     pub(crate) x: i32,

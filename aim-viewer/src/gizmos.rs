@@ -1,10 +1,10 @@
-//! What is drawn of a stage: its figures, and what shows how they aim.
+//! The picture of a stage: its figures, and rays, cones, axes and trails that explain their aiming.
 
 use std::f32::consts::PI;
 
 use aim_codegen::AngleRange;
-use aim_gltf::Frame;
-use aim_runtime::{AimRig, Solver, Status};
+use aim_gltf::AimedFrame;
+use aim_runtime::{Solver, Status};
 use glam::{DAffine3, DVec3, Quat, Vec3};
 
 use crate::camera::Camera;
@@ -12,7 +12,7 @@ use crate::character::Character;
 use crate::picture::{Ball, Colour, Fan, Figure, Ground, Picture, Rod};
 use crate::stage::{Actor, Stage};
 
-/// What of it all is shown.
+/// Parts of the scene that are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shown {
     /// The reference frames of the bones.
@@ -21,11 +21,11 @@ pub struct Shown {
     pub gaze: bool,
     /// Limit cones.
     pub limits: bool,
-    /// Where the target has been.
+    /// Trail of the target.
     pub trail: bool,
     /// Error and angles over time.
     pub plots: bool,
-    /// How long solving takes.
+    /// Time of solving.
     pub timing: bool,
     /// The panel.
     pub panel: bool,
@@ -87,7 +87,7 @@ pub(crate) fn colour_of(status: Status) -> Colour {
 }
 
 impl Stage {
-    /// What there is to see.
+    /// The picture as the camera sees it.
     pub(crate) fn picture(&self, camera: &Camera, shown: Shown) -> Picture {
         let character = &self.character;
         let metre = character.metre();
@@ -118,7 +118,7 @@ impl Stage {
         picture
     }
 
-    fn figure(&self, frame: &Frame, shift: Vec3) -> Figure {
+    fn figure(&self, frame: &AimedFrame, shift: Vec3) -> Figure {
         let mut figure = Figure { positions: Vec::new(), normals: Vec::new() };
         let Character { surface, document, .. } = &self.character;
         surface.pose(document.skeleton(), &frame.world, &mut figure.positions, &mut figure.normals);
@@ -126,7 +126,7 @@ impl Stage {
         figure
     }
 
-    fn show(&self, picture: &mut Picture, actor: &Actor, frame: &Frame, shown: Shown) {
+    fn show(&self, picture: &mut Picture, actor: &Actor, frame: &AimedFrame, shown: Shown) {
         let metre = self.character.metre();
         picture.figures.push(self.figure(frame, actor.shift));
         let target = self.target_now() + actor.shift;
@@ -155,7 +155,7 @@ impl Stage {
     }
 
     /// From each eye as far as the target is away.
-    fn show_gaze(&self, picture: &mut Picture, frame: &Frame, shift: Vec3) {
+    fn show_gaze(&self, picture: &mut Picture, frame: &AimedFrame, shift: Vec3) {
         let radius = RAY * self.character.metre();
         let colour = colour_of(frame.outcome.status);
         let target = frame.target.as_vec3();
@@ -166,12 +166,12 @@ impl Stage {
     }
 
     /// The paper's reference frames: each bone's own X, Y and Z, those of the chain long.
-    fn show_axes(&self, picture: &mut Picture, frame: &Frame, shift: Vec3) {
+    fn show_axes(&self, picture: &mut Picture, frame: &AimedFrame, shift: Vec3) {
         let metre = self.character.metre();
         let chain = &self.character.chain;
         for bone in &self.character.measurement.bones {
             let at = &frame.world[bone.node];
-            let is_aimed = chain.joints.contains(&bone.node) || chain.pair == Some(bone.node);
+            let is_aimed = chain.joints.contains(&bone.node) || chain.other_eye == Some(bone.node);
             let (length, radius) = if is_aimed { (AXIS_LENGTH, AXIS) } else { (SMALL_AXIS_LENGTH, AXIS / 2.0) };
             let from = at.translation.as_vec3() + shift;
             for (axis, colour) in DVec3::AXES.into_iter().zip(AXES) {
@@ -183,9 +183,9 @@ impl Stage {
     }
 
     /// Each joint's range of motion about where its forward is without its own turn.
-    fn show_limits(&self, picture: &mut Picture, actor: &Actor, frame: &Frame) {
+    fn show_limits(&self, picture: &mut Picture, actor: &Actor, frame: &AimedFrame) {
         let length = CONE_LENGTH * self.character.metre();
-        for (at, correction) in actor.rig.corrections() {
+        for (at, &correction) in actor.character.corrections().iter().enumerate() {
             let Some(&node) = self.character.chain.joints.get(at) else { continue };
             let joint = &self.tuning.spec.joints[at];
             let [up, forward, left] = [joint.frame.up, joint.frame.forward, joint.frame.left].map(direction);

@@ -15,7 +15,7 @@ use crate::stage::Lineup;
 use crate::target::Path;
 use crate::viewer::Viewer;
 
-/// What to show.
+/// Options of the window.
 #[derive(Clone, Debug, Default)]
 #[non_exhaustive]
 pub struct Options {
@@ -27,11 +27,11 @@ pub struct Options {
     pub clip: Option<String>,
     /// Which solvers; what suits the rig if not given.
     pub lineup: Option<Lineup>,
-    /// How the target moves.
+    /// Path of the target.
     pub path: Path,
-    /// How many characters; 0 and 1 are one.
+    /// Number of characters; 0 counts as 1.
     pub crowd: usize,
-    /// What of it all is shown.
+    /// Parts of the scene that are shown.
     pub shown: Shown,
     /// A picture to take instead of staying open.
     pub shot: Option<Shot>,
@@ -71,7 +71,7 @@ pub struct Shot {
     pub frames: u32,
     /// Width and height, pixels.
     pub size: [u32; 2],
-    /// Whether what is to be told of it is JSON.
+    /// True to describe it as JSON.
     pub json: bool,
 }
 

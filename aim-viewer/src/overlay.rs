@@ -1,21 +1,22 @@
-//! What is written over the scene: names, status, how long solving takes, and trouble.
+//! Texts over the scene: names, status, time of solving, and trouble.
 
 use aim_runtime::Status;
 use eframe::egui::{self, Align2, Color32, Id, Pos2, Rect, RichText, Ui, Vec2};
 use glam::Vec3;
 
 use crate::gizmos::colour_of;
+use crate::panel::widgets::{button, named};
 use crate::picture::Colour;
 use crate::stage::{Actor, SIXTIETH, Stage, solver_name};
 use crate::viewer::Viewer;
 
-/// How far from the scene's edges, points.
+/// Distance from the scene's edges, points.
 const MARGIN: f32 = 10.0;
 /// Notes are not made narrower than this, points.
 const NARROWEST: f32 = 80.0;
 /// The height of a figure's label, points.
 const LABEL: f32 = 30.0;
-/// How long the hint stays, seconds, and how long it takes to go.
+/// Time that the hint stays, and time that it takes to fade, seconds.
 const HINT: f64 = 8.0;
 const FADE: f64 = 2.0;
 
@@ -135,20 +136,18 @@ fn label(context: &egui::Context, scene: Rect, viewer: &Viewer, at: usize, actor
     });
 }
 
-/// Where a point of the world is seen.
+/// Place of a point of the world on the screen; `None` behind the camera.
 pub(crate) fn on_screen(viewer: &Viewer, scene: Rect, point: Vec3) -> Option<Pos2> {
     let seen = viewer.camera.project(point, glam::Vec2::new(scene.width(), scene.height()))?;
     Some(scene.min + Vec2::new(seen.x, seen.y))
 }
 
-/// What brings the panel back, for those who do not know its key.
+/// A button that brings the panel back.
 fn open_panel(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
     let corner = Align2::RIGHT_TOP;
     let at = corner.pos_in_rect(&scene.shrink(MARGIN));
     area(scene, Id::new("open panel")).pivot(corner).fixed_pos(at).show(context, |ui| {
-        let button = ui.button("«");
-        context.accesskit_node_builder(button.id, |node| node.set_label("show the panel"));
-        if button.on_hover_text("Show the panel (H).").clicked() {
+        if button(ui, "«", "show the panel", "Show the panel (H).").clicked() {
             viewer.shown.panel = true;
         }
     });
@@ -168,9 +167,7 @@ fn trouble(context: &egui::Context, viewer: &mut Viewer) {
                 ui.add(egui::Label::new(RichText::new(text).monospace()).wrap());
             });
             ui.add_space(4.0);
-            let button = ui.button("Dismiss");
-            context.accesskit_node_builder(button.id, |node| node.set_label("dismiss"));
-            if button.clicked() {
+            if named(ui.button("Dismiss"), "dismiss").clicked() {
                 viewer.trouble = None;
             }
         });

@@ -1,7 +1,7 @@
 //! The panel at the side: everything that can be set.
 
 mod joint;
-mod widgets;
+pub(crate) mod widgets;
 
 use std::ops::RangeInclusive;
 
@@ -21,9 +21,9 @@ const WIDTH: f32 = 330.0;
 const WIDTHS: RangeInclusive<f32> = 250.0..=460.0;
 /// The animation's speed: 1 is real time.
 const SPEEDS: RangeInclusive<f32> = 0.0..=3.0;
-/// How many characters there may be.
+/// Number of characters.
 const CROWD: RangeInclusive<usize> = 1..=100;
-/// How far from the bind pose's effector a target is put here, metres of a 1.7 m character.
+/// Distance of a target from the bind pose's effector, metres of a 1.7 m character.
 const PLACES: RangeInclusive<f32> = -20.0..=20.0;
 
 pub(crate) fn show(ui: &mut Ui, viewer: &mut Viewer) {
@@ -110,7 +110,7 @@ fn aiming(ui: &mut Ui, stage: &mut Stage) {
     row(ui, "Solver", "What turns a target to joint angles.", |ui| {
         let hover = |lineup| match lineup {
             Lineup::One(Solver::Natural) => "Eyes leap to the target, head and spine follow as people's do.",
-            Lineup::One(Solver::Exact) => "All joints at once: the least comfort-weighted displacement.",
+            Lineup::One(Solver::Exact) => "All joints at once: the least stiffness-weighted displacement.",
             Lineup::One(_) => "The paper's steepest ascent, joint by joint.",
             Lineup::All => "All three, each with a figure and a target of its own.",
         };
@@ -127,7 +127,7 @@ fn aiming(ui: &mut Ui, stage: &mut Stage) {
     });
     row(ui, "Effector", "What is aimed (E).", |ui| {
         let joints = &stage.tuning.spec.joints;
-        let name = |at: usize| match (at, joints[at].role()) {
+        let name = |at: usize| match (at, joints[at].role) {
             (0, Role::Eye) => "eyes",
             _ => joints[at].name.as_str(),
         };
@@ -135,7 +135,7 @@ fn aiming(ui: &mut Ui, stage: &mut Stage) {
             (0..joints.len()).map(|at| (at, name(at), "Aim this one; those outward of it rest.")).collect();
         choice(ui, "effector", &mut stage.tuning.settings.effector, options);
     });
-    let has_pair = stage.character.chain.pair.is_some();
+    let has_pair = stage.character.chain.other_eye.is_some();
     row(ui, "", "", |ui| {
         let why = "The rig names no other eye as a pair.";
         let hover = "The other eye is aimed itself, so that both meet the target; else it turns as the first does.";
@@ -235,7 +235,7 @@ fn rig(ui: &mut Ui, viewer: &mut Viewer) {
         for (notation, text) in
             [("Rust", declared_as(stage, declaration::rust)), ("TOML", declared_as(stage, declaration::toml))]
         {
-            let hover = "The rig as it is set now, ranges, rates and comfort, to the clipboard.";
+            let hover = "The rig as it is set now, ranges, rates and stiffness, to the clipboard.";
             if button(ui, &format!("Copy as {notation}"), &format!("copy as {notation}"), hover).clicked() {
                 ui.ctx().copy_text(text);
                 viewer.copied = Some((notation, viewer.age));

@@ -13,8 +13,8 @@ pub(crate) type Colour = [u8; 4];
 #[derive(Clone, Debug)]
 pub(crate) struct Picture {
     /// From where it is seen.
-    pub(crate) view: View,
-    /// What the figures are made of: the same [`Arc`] as long as the character stays the same.
+    pub(crate) view: Perspective,
+    /// Surface of the figures: the same [`Arc`] as long as the character stays the same.
     pub(crate) surface: Arc<Surface>,
     /// The figures: one, several side by side, or a crowd.
     pub(crate) figures: Vec<Figure>,
@@ -24,20 +24,20 @@ pub(crate) struct Picture {
     pub(crate) balls: Vec<Ball>,
     /// Fans: limit cones.
     pub(crate) fans: Vec<Fan>,
-    /// What they stand on.
+    /// The floor.
     pub(crate) ground: Ground,
-    /// Whether on a dark background.
+    /// True for a dark background.
     pub(crate) dark: bool,
 }
 
 /// A perspective view.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct View {
-    /// Where the camera is.
+pub(crate) struct Perspective {
+    /// Place of the camera.
     pub(crate) from: Vec3,
-    /// What it looks at.
+    /// The point that it looks at.
     pub(crate) at: Vec3,
-    /// What is up for it, of length one.
+    /// Its up, of length one.
     pub(crate) up: Vec3,
     /// The vertical angle of view, radians.
     pub(crate) field_rad: f32,
@@ -65,7 +65,7 @@ pub(crate) struct Rod {
     pub(crate) radius: f32,
     /// Unlit.
     pub(crate) colour: Colour,
-    /// Whether it is seen through the figures: bones' axes are.
+    /// True to draw it over the figures, as bones' axes are.
     pub(crate) in_front: bool,
 }
 
@@ -96,7 +96,7 @@ pub(crate) struct Fan {
 pub(crate) struct Ground {
     /// Its middle.
     pub(crate) centre: Vec3,
-    /// What is up, of length one.
+    /// Its normal, of length one.
     pub(crate) up: Vec3,
     /// Its radius.
     pub(crate) radius: f32,

@@ -6,10 +6,11 @@ use egui_plot::{AxisHints, HLine, Line, LineStyle, Plot, PlotPoints, PlotUi};
 
 use crate::gizmos;
 use crate::overlay;
+use crate::panel::widgets::named;
 use crate::picture::Colour;
 use crate::stage::{Memory, Stage, solver_name};
 
-/// How much of the past is shown, seconds.
+/// Length of the past that is shown, seconds.
 const PAST: f64 = 10.0;
 /// Nothing is plotted in less room than this, points.
 const LEAST: [f32; 2] = [360.0, 300.0];
@@ -57,7 +58,7 @@ fn angles(ui: &mut Ui, stage: &Stage, chosen: &mut Option<usize>) {
                 overlay::dot(ui, gizmos::colour_of_joint(at));
             }
             let item = ui.selectable_label(*chosen == which, name);
-            ui.ctx().accesskit_node_builder(item.id, |node| node.set_label(format!("plot: {name}")));
+            let item = named(item, &format!("plot: {name}"));
             if item.on_hover_text("Whose heading (solid), pitch (dotted) and limits (dashed) are plotted.").clicked() {
                 *chosen = which;
             }

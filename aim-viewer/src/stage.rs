@@ -1,13 +1,14 @@
 //! [`Stage`]: a character that moves, a target, and the solvers that turn the one to the other, frame by frame.
 
 use std::collections::VecDeque;
+use std::sync::Arc;
 use std::time::Duration;
 
 use aim::rigs::Mannequin;
 use aim_character::InterpretedRig;
 use aim_codegen::{RigSpec, Role};
-use aim_gltf::{Frame, Live, Moment, Skeleton, Trs};
-use aim_runtime::{AimRig, Ascent, Joint, Settings, Solver};
+use aim_gltf::{AimedFrame, Live, Moment, Skeleton, Trs};
+use aim_runtime::{AimRig, Ascent, DynAim, Rig, Settings, Solver};
 use glam::{DAffine3, Vec3};
 use web_time::Instant;
 
@@ -18,9 +19,9 @@ use crate::target::{Path, Room, Target};
 pub(crate) const LONGEST: f32 = 0.1;
 /// A frame where frames are counted.
 pub(crate) const SIXTIETH: f32 = 1.0 / 60.0;
-/// How much is remembered for the plots and the trail, frames.
+/// Frames remembered for the plots and the trail.
 const REMEMBERED: usize = 600;
-/// How far apart characters stand, metres of a 1.7 m one.
+/// Distance between characters, metres of a 1.7 m one.
 const APART: f32 = 1.15;
 
 /// Which solvers are shown.
@@ -59,30 +60,30 @@ pub(crate) fn solver_name(solver: Solver) -> &'static str {
     }
 }
 
-/// What the user sets of the aiming.
+/// Settings of the aiming.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tuning {
-    /// The rig, with ranges, rates and comfort as they are set now.
+    /// The rig, with ranges, rates and stiffness as they are set now.
     pub(crate) spec: RigSpec,
     /// All but the solver.
     pub(crate) settings: Settings,
     pub(crate) lineup: Lineup,
-    /// Whether the other eye is aimed itself.
+    /// True to aim the other eye itself.
     pub(crate) both_eyes: bool,
-    /// Whether the ascent is the published one, without what was added to it.
+    /// True to use the ascent as published, without later additions.
     pub(crate) as_published: bool,
-    /// How many characters there are; more than one leave the lineup's first solver to all of them.
+    /// Number of characters; if there are more than one, all use the lineup's first solver.
     pub(crate) crowd: usize,
 }
 
 impl Tuning {
     fn new(character: &Character) -> Self {
         let spec = character.spec().clone();
-        let has_eyes = spec.joints[0].role() == Role::Eye;
+        let has_eyes = spec.joints[0].role.leads_naturally();
         Self {
             lineup: Lineup::One(if has_eyes { Solver::Natural } else { Solver::Exact }),
             settings: Settings::default(),
-            both_eyes: character.chain.pair.is_some(),
+            both_eyes: character.chain.other_eye.is_some(),
             as_published: false,
             crowd: 1,
             spec,
@@ -102,10 +103,10 @@ pub(crate) struct Clock {
     pub(crate) clip: Option<usize>,
     /// Seconds since the clip was begun.
     pub(crate) time: f32,
-    /// How fast the animation and the target's path go: 1 is real time.
+    /// Speed of the animation and of the target's path: 1 is real time.
     pub(crate) speed: f32,
     pub(crate) paused: bool,
-    /// Whether the next frame goes on by a sixtieth of a second although all is paused.
+    /// True to advance the next frame by a sixtieth of a second although all is paused.
     pub(crate) step: bool,
 }
 
@@ -113,55 +114,33 @@ pub(crate) struct Clock {
 #[derive(Debug)]
 pub(crate) struct Actor {
     pub(crate) solver: Solver,
-    /// Where it stands, from where the file has it.
+    /// Offset from its place in the file.
     pub(crate) shift: Vec3,
-    pub(crate) rig: InterpretedRig,
-    /// What came of the last frame; there from the first one on.
-    pub(crate) frame: Option<Frame>,
+    pub(crate) character: DynAim<Arc<InterpretedRig>>,
+    /// Result of the last frame; there from the first one on.
+    pub(crate) frame: Option<AimedFrame>,
 }
 
-/// One of a crowd: the mannequin's code is compiled, as a game's would be.
-#[derive(Debug)]
-enum Brain {
-    Compiled(Box<Mannequin>),
-    Interpreted(Box<InterpretedRig>),
-}
-
-impl Brain {
-    fn joint(&self, at: usize) -> Option<&Joint> {
-        match self {
-            Self::Compiled(rig) => rig.joint(at),
-            Self::Interpreted(rig) => rig.joint(at),
-        }
-    }
-
-    fn joint_mut(&mut self, at: usize) -> Option<&mut Joint> {
-        match self {
-            Self::Compiled(rig) => rig.joint_mut(at),
-            Self::Interpreted(rig) => rig.joint_mut(at),
-        }
-    }
-}
-
+/// One of a crowd, who all share one rig.
 #[derive(Debug)]
 pub(crate) struct Member {
     pub(crate) shift: Vec3,
     /// Seconds by which it is ahead in the clip.
     phase: f32,
-    brain: Brain,
-    pub(crate) frame: Option<Frame>,
+    character: DynAim<SharedRig>,
+    pub(crate) frame: Option<AimedFrame>,
 }
 
-impl Member {
-    /// With its joints where they are.
-    fn think_with(&mut self, mut brain: Brain) {
-        let mut at = 0;
-        while let (Some(old), Some(new)) = (self.brain.joint(at), brain.joint_mut(at)) {
-            *new = *old;
-            at += 1;
-        }
-        self.brain = brain;
+/// A rig that characters share: the mannequin's is compiled, as a game's would be.
+type SharedRig = Arc<dyn Rig>;
+
+/// The character of another rig, its joints at the angles of this one where there are as many.
+fn continued<A, B: Rig>(character: &DynAim<A>, rig: B) -> DynAim<B> {
+    let mut continued = DynAim::new(rig);
+    if continued.state.joints.len() == character.state.joints.len() {
+        continued.state.joints.clone_from(&character.state.joints);
     }
+    continued
 }
 
 /// A frame, remembered.
@@ -173,11 +152,11 @@ pub(crate) struct Memory {
     pub(crate) error_deg: Vec<f64>,
     /// The first actor's added heading and pitch, joint by joint, degrees.
     pub(crate) angles_deg: Vec<[f64; 2]>,
-    /// Where the target was.
+    /// Place of the target.
     pub(crate) target: Vec3,
 }
 
-/// How long solving takes: means over the last second or so.
+/// Times of solving: means over about the last second.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Timing {
     /// One character's solver, seconds a frame.
@@ -206,9 +185,11 @@ pub(crate) struct Stage {
     pub(crate) clock: Clock,
     pub(crate) actors: Vec<Actor>,
     pub(crate) crowd: Vec<Member>,
+    /// The rig of the crowd, and whether it is compiled and from which declaration it is.
+    crowd_rig: Option<((bool, RigSpec), SharedRig)>,
     pub(crate) memory: VecDeque<Memory>,
     pub(crate) timing: Timing,
-    /// Whether frames are counted and not timed: then nothing tells how many there are in a second.
+    /// True if frames are counted and not timed: then there is no frame rate to show.
     pub(crate) counts_frames: bool,
     live: Live,
     live_is_for_both_eyes: bool,
@@ -228,6 +209,7 @@ impl Stage {
             live_is_for_both_eyes: tuning.both_eyes,
             actors: Vec::new(),
             crowd: Vec::new(),
+            crowd_rig: None,
             memory: VecDeque::new(),
             timing: Timing::default(),
             counts_frames: false,
@@ -246,22 +228,22 @@ impl Stage {
         room(&self.character)
     }
 
-    /// Where the target is now.
+    /// Current place of the target.
     pub(crate) fn target_now(&self) -> Vec3 {
         self.target.at(&self.room())
     }
 
-    /// What came of the last frame for the first actor.
-    pub(crate) fn first(&self) -> Option<&Frame> {
+    /// Result of the last frame of the first actor.
+    pub(crate) fn first(&self) -> Option<&AimedFrame> {
         self.actors.first()?.frame.as_ref()
     }
 
-    /// Where everybody stands, from where the file has the character.
+    /// Offset of each character from its place in the file.
     pub(crate) fn shifts(&self) -> impl Iterator<Item = Vec3> {
         self.actors.iter().map(|actor| actor.shift).chain(self.crowd.iter().map(|member| member.shift))
     }
 
-    /// What is aimed: 0 is the rig's effector, else a joint.
+    /// The aimed joint: 0 is the rig's effector.
     pub(crate) fn effector(&self) -> usize {
         self.tuning.settings.effector
     }
@@ -270,9 +252,7 @@ impl Stage {
     pub(crate) fn restart(&mut self) {
         self.clock.time = 0.0;
         self.target.time = 0.0;
-        for Actor { rig, .. } in &mut self.actors {
-            rig.set_joints(rig.array(Joint::default()));
-        }
+        self.actors.iter_mut().for_each(|actor| actor.character.reset());
         self.crowd.clear();
         self.memory.clear();
     }
@@ -280,13 +260,13 @@ impl Stage {
     /// From the eyes to the neck, and back.
     pub(crate) fn switch_effector(&mut self) {
         let joints = &self.tuning.spec.joints;
-        let neck = joints.iter().skip(1).position(|joint| matches!(joint.role(), Role::Neck | Role::Head));
+        let neck = joints.iter().skip(1).position(|joint| matches!(joint.role, Role::Neck | Role::Head));
         let other = neck.map_or(usize::from(joints.len() > 1), |at| at + 1);
         self.tuning.settings.effector = if self.effector() == 0 { other } else { 0 };
     }
 
-    /// Where an actor's gazes start, and their directions: of both eyes, or of what else is aimed.
-    pub(crate) fn gazes(&self, frame: &Frame) -> Vec<[Vec3; 2]> {
+    /// Starts and directions of an actor's gazes: of both eyes, or of the other joint that is aimed.
+    pub(crate) fn gazes(&self, frame: &AimedFrame) -> Vec<[Vec3; 2]> {
         let gazes = self.live.gazes(self.effector(), &frame.world);
         gazes.into_iter().map(|gaze| gaze.map(|v| v.as_vec3())).collect()
     }
@@ -309,7 +289,7 @@ impl Stage {
         for actor in &mut self.actors {
             let aim = Aim { live: &self.live, skeleton: self.character.document.skeleton(), target, dt };
             let settings = self.tuning.settings(actor.solver);
-            let (frame, taken) = aim.frame(&mut actor.rig, &mut pose.clone(), &world, &settings);
+            let (frame, taken) = aim.frame(&mut actor.character, &mut pose.clone(), &world, &settings);
             actor.frame = Some(frame);
             // A frame without time asks little of a solver.
             if dt > 0.0 {
@@ -347,25 +327,30 @@ impl Stage {
             let metre = self.character.metre();
             let middle = (count(solvers.len()) - 1.0) / 2.0;
             let old = std::mem::take(&mut self.actors);
-            self.actors = solvers
-                .iter()
-                .enumerate()
-                .map(|(at, &solver)| {
-                    let known = old.iter().find(|actor| actor.solver == solver).or(old.first());
-                    let rig = known.map_or_else(|| InterpretedRig::new(&tuning.spec), |actor| actor.rig.clone());
-                    // As a row is read from in front.
-                    let shift = left * ((count(at) - middle) * APART * metre);
-                    Actor { solver, shift, rig, frame: None }
-                })
-                .collect();
+            for (at, &solver) in solvers.iter().enumerate() {
+                let known = old.iter().find(|actor| actor.solver == solver).or(old.first());
+                let character = known.map_or_else(
+                    || DynAim::new(Arc::new(InterpretedRig::new(&tuning.spec))),
+                    |actor| actor.character.clone(),
+                );
+                // As a row is read from in front.
+                let shift = left * ((count(at) - middle) * APART * metre);
+                self.actors.push(Actor { solver, shift, character, frame: None });
+            }
             self.memory.clear();
         }
-        for actor in &mut self.actors {
-            actor.rig.declare(&tuning.spec);
+        let rig = &self.actors[0].character.rig;
+        if *rig.spec() != tuning.spec {
+            let mut rig = InterpretedRig::clone(rig);
+            rig.declare(&tuning.spec);
+            let rig = Arc::new(rig);
+            for actor in &mut self.actors {
+                actor.character = continued(&actor.character, Arc::clone(&rig));
+            }
         }
         if !aimed_alike {
             let Character { document, measurement, chain, .. } = &self.character;
-            self.live = Live::new(&self.actors[0].rig, document, measurement, chain, both_eyes);
+            self.live = Live::new(&self.actors[0].character.rig, document, measurement, chain, both_eyes);
             self.live_is_for_both_eyes = both_eyes;
         }
         self.gather();
@@ -375,14 +360,14 @@ impl Stage {
     /// where anything of that is set otherwise, they are interpreted.
     fn gather(&mut self) {
         let compiled = self.character.is_mannequin && self.tuning.spec == *self.character.spec();
-        let rig = &self.actors[0].rig;
-        let brain =
-            || if compiled { Brain::Compiled(Box::default()) } else { Brain::Interpreted(Box::new(rig.clone())) };
-        for member in &mut self.crowd {
-            if compiled != matches!(member.brain, Brain::Compiled(_)) {
-                member.think_with(brain());
+        if self.crowd_rig.as_ref().is_none_or(|(of, _)| *of != (compiled, self.tuning.spec.clone())) {
+            let rig: SharedRig = if compiled { Arc::new(Mannequin::RIG) } else { self.actors[0].character.rig.clone() };
+            for member in &mut self.crowd {
+                member.character = continued(&member.character, Arc::clone(&rig));
             }
+            self.crowd_rig = Some(((compiled, self.tuning.spec.clone()), rig));
         }
+        let Some((_, rig)) = &self.crowd_rig else { return };
         let others = self.tuning.crowd.saturating_sub(1);
         if others == self.crowd.len() {
             return;
@@ -398,7 +383,8 @@ impl Stage {
         };
         self.crowd.truncate(others);
         for at in self.crowd.len()..others {
-            self.crowd.push(Member { shift: Vec3::ZERO, phase: count(at) * 0.37, brain: brain(), frame: None });
+            let character = DynAim::new(Arc::clone(rig));
+            self.crowd.push(Member { shift: Vec3::ZERO, phase: count(at) * 0.37, character, frame: None });
         }
         for (at, member) in self.crowd.iter_mut().enumerate() {
             member.shift = shift(at);
@@ -416,13 +402,7 @@ impl Stage {
         for member in &mut crowd {
             let (mut pose, world) = self.animated(member.phase);
             let aim = Aim { live: &self.live, skeleton: self.character.skeleton(), target: target - member.shift, dt };
-            let (frame, took) = match &mut member.brain {
-                Brain::Compiled(rig) => aim.frame(&mut **rig, &mut pose, &world, &settings),
-                Brain::Interpreted(rig) => {
-                    rig.declare(&self.tuning.spec);
-                    aim.frame(&mut **rig, &mut pose, &world, &settings)
-                }
-            };
+            let (frame, took) = aim.frame(&mut member.character, &mut pose, &world, &settings);
             member.frame = Some(frame);
             taken += took;
         }
@@ -449,7 +429,7 @@ impl Stage {
     }
 }
 
-/// How many of a crowd stand in a row.
+/// Characters of a crowd in a row.
 const ROW: usize = 10;
 
 fn room(character: &Character) -> Room {
@@ -461,7 +441,7 @@ fn count(n: usize) -> f32 {
     n as f32
 }
 
-/// What aiming one frame needs, whoever is aimed.
+/// Inputs of aiming one frame that do not depend on the rig.
 struct Aim<'a> {
     live: &'a Live,
     skeleton: &'a Skeleton,
@@ -471,19 +451,19 @@ struct Aim<'a> {
 
 impl Aim<'_> {
     /// Aims, and tells how long the solver took.
-    fn frame<R: AimRig>(
+    fn frame<R: Rig>(
         &self,
-        rig: &mut R,
+        character: &mut DynAim<R>,
         pose: &mut [Trs],
         world: &[DAffine3],
         settings: &Settings,
-    ) -> (Frame, Duration) {
-        let joints = self.live.animated(rig, self.skeleton, pose, world);
+    ) -> (AimedFrame, Duration) {
+        let joints = self.live.animated(self.skeleton, pose, world);
         let start = Instant::now();
-        let outcome = rig.aim_with(&joints, self.target, self.dt, settings);
+        let outcome = character.aim(&joints, self.target, self.dt, settings);
         let taken = start.elapsed();
         let target = self.target.as_dvec3();
         let moment = Moment { t: 0.0, target, world, joints: &joints, outcome, effector: settings.effector };
-        (self.live.aimed(rig, self.skeleton, pose, &moment), taken)
+        (self.live.aimed(character, self.skeleton, pose, &moment), taken)
     }
 }

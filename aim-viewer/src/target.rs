@@ -1,8 +1,8 @@
-//! Where the target is: where it was put, or on a path around the character.
+//! The target: still, or on a path around the character.
 
 use glam::Vec3;
 
-/// How a target moves.
+/// Path of a target.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Path {
     /// It stays where it is put.
@@ -32,7 +32,7 @@ impl Path {
 /// The room that paths are in, in the world.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Room {
-    /// Where the effector is in the bind pose.
+    /// Place of the effector in the bind pose.
     pub(crate) centre: Vec3,
     /// Up, forward and left, of length one.
     pub(crate) directions: [Vec3; 3],
@@ -47,7 +47,7 @@ impl Room {
         self.centre + (l * left + u * up + f * forward) * self.metre
     }
 
-    /// How many metres to the left, up, and in front a point is.
+    /// Metres to the left, up, and in front of a point.
     pub(crate) fn place(&self, point: Vec3) -> [f32; 3] {
         let [u, f, l] = self.directions;
         [l, u, f].map(|axis| (point - self.centre).dot(axis) / self.metre)
@@ -57,7 +57,7 @@ impl Room {
 /// A target that can be moved, and moves.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Target {
-    /// Where it was put, in the world.
+    /// Its place in the world if it is still.
     pub(crate) place: Vec3,
     pub(crate) path: Path,
     /// Seconds on its path.
@@ -74,7 +74,7 @@ impl Target {
         Self { place: room.point(0.7, 0.25, 1.4), path: Path::Still, time: 0.0 }
     }
 
-    /// Where it is now.
+    /// Its current place.
     pub(crate) fn at(&self, room: &Room) -> Vec3 {
         let t = self.time;
         let phase = |seconds: f32| std::f32::consts::TAU * t / seconds;
@@ -105,7 +105,7 @@ impl Target {
         self.path = path;
     }
 
-    /// Where it is in the course of time.
+    /// Places on its path from now on.
     pub(crate) fn way(&self, room: &Room) -> impl Iterator<Item = Vec3> {
         let (target, room) = (*self, *room);
         let steps: u8 = if self.path == Path::Still { 1 } else { 32 };

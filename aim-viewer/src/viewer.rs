@@ -5,16 +5,18 @@ use std::sync::Arc;
 
 use eframe::egui;
 use glam::{Vec2, Vec3};
+use serde_json::{Value, json};
 
 use crate::camera::Camera;
 use crate::character::Character;
 use crate::controls::{self, Held};
 use crate::gizmos::Shown;
+use crate::panel::widgets::named;
 use crate::picture::Picture;
 use crate::stage::{Actor, LONGEST, Stage, solver_name};
 use crate::{overlay, panel, plots};
 
-/// What a frame takes at most, seconds; what does not end is no frame.
+/// Longest time of a frame, seconds.
 const LONGEST_PAUSE: f32 = 60.0;
 
 /// A window narrower than this has no room for the panel, points.
@@ -26,17 +28,17 @@ pub(crate) struct Viewer {
     pub(crate) stage: Stage,
     pub(crate) camera: Camera,
     pub(crate) shown: Shown,
-    /// What went wrong last, until it is dismissed.
+    /// The last error, until it is dismissed.
     pub(crate) trouble: Option<String>,
     /// Of which joint the angles are plotted; of all if of none.
     pub(crate) plotted: Option<usize>,
-    /// What was copied last, and when.
+    /// The notation copied last, and the time of that.
     pub(crate) copied: Option<(&'static str, f64)>,
     /// Seconds since it was opened.
     pub(crate) age: f64,
-    /// Whether the camera has been put where all is in sight.
+    /// True once the camera has been placed so that all is in sight.
     is_framed: bool,
-    /// Where the scene is drawn, points.
+    /// Rectangle of the scene, points.
     scene: egui::Rect,
     held: Option<Held>,
 }
@@ -90,7 +92,7 @@ impl Viewer {
         }
         let scene = egui::CentralPanel::default().frame(egui::Frame::NONE).show_inside(ui, |ui| {
             let (_, scene) = ui.allocate_exact_size(ui.available_size(), egui::Sense::click_and_drag());
-            context.accesskit_node_builder(scene.id, |node| node.set_label("scene"));
+            let scene = named(scene, "scene");
             if !self.is_framed {
                 self.camera = camera(&self.stage, Vec2::new(scene.rect.width(), scene.rect.height()));
                 self.is_framed = true;
@@ -105,7 +107,7 @@ impl Viewer {
         context.request_repaint();
     }
 
-    /// What there is to see, in words: frame by frame the same for the same input.
+    /// Description of the scene in words, the same for the same input.
     pub(crate) fn caption(&self) -> String {
         let one = |actor: &Actor| {
             let frame = actor.frame.as_ref()?;
@@ -118,35 +120,29 @@ impl Viewer {
     /// The same as JSON, for programs: each actor's solver, status and error, degrees, where its target and its gazes'
     /// ends are in the world and, in points from the window's upper left, on the screen.
     pub(crate) fn state(&self) -> String {
-        let list = |numbers: &[f32]| {
-            let number = |x: &f32| if x.is_finite() { format!("{x:.4}") } else { "null".into() };
-            format!("[{}]", numbers.iter().map(number).collect::<Vec<_>>().join(","))
-        };
+        // Ten-thousandths are the same wherever it runs; what is not finite becomes null.
+        let rounded = |x: f64| (x * 1e4).round() / 1e4;
         let seen = |at: Vec3| {
-            let size = Vec2::new(self.scene.width(), self.scene.height());
-            let at = self.camera.project(at, size);
-            at.map_or_else(|| "null".into(), |at| list(&[at.x + self.scene.left(), at.y + self.scene.top()]))
+            let at = overlay::on_screen(self, self.scene, at)?;
+            Some([at.x, at.y].map(|x| rounded(x.into())))
         };
         let one = |actor: &Actor| {
             let frame = actor.frame.as_ref()?;
             let target = self.stage.target_now() + actor.shift;
             let gaze = |[from, direction]: [Vec3; 2]| {
                 let to = from + direction * from.distance(frame.target.as_vec3());
-                format!("[{},{}]", seen(from + actor.shift), seen(to + actor.shift))
+                [from, to].map(|end| seen(end + actor.shift))
             };
-            let gazes: Vec<String> = self.stage.gazes(frame).into_iter().map(gaze).collect();
-            Some(format!(
-                r#"{{"solver":"{}","status":"{:?}","error_deg":{:.4},"target":{},"target_seen":{},"gazes_seen":[{}]}}"#,
-                solver_name(actor.solver),
-                frame.outcome.status,
-                frame.error_deg,
-                list(&target.to_array()),
-                seen(target),
-                gazes.join(",")
-            ))
+            Some(json!({
+                "solver": solver_name(actor.solver),
+                "status": format!("{:?}", frame.outcome.status),
+                "error_deg": rounded(frame.error_deg),
+                "target": target.to_array().map(|x| rounded(x.into())),
+                "target_seen": seen(target),
+                "gazes_seen": self.stage.gazes(frame).into_iter().map(gaze).collect::<Vec<_>>(),
+            }))
         };
-        let each: Vec<String> = self.stage.actors.iter().filter_map(one).collect();
-        format!("[{}]", each.join(","))
+        self.stage.actors.iter().filter_map(one).collect::<Value>().to_string()
     }
 
     /// Another character, seen from where its face is; what is shown stays.

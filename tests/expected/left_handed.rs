@@ -1,5 +1,14 @@
 // What the derive makes of a declaration in tests/src/declarations.rs; rewritten by
-// AIM_BLESS=1 cargo test -p aim-tests --test golden
+// AIM_BLESS=1 cargo test -p aim-tests --test it golden
+///A value for each joint of [`LeftHanded`]: its pose, corrections, or anything else that is wanted by name.
+#[allow(dead_code, reason = "a rig may be used without it")]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+pub struct LeftHandedPose<T = ::aim::__private::Affine3A> {
+    ///Of the joint `eye`.
+    pub eye: T,
+    ///Of the joint `head`.
+    pub head: T,
+}
 #[allow(
     clippy::approx_constant,
     clippy::manual_range_patterns,
@@ -8,408 +17,308 @@
     reason = "derived code is for machines: its numbers and its length are those of the rig"
 )]
 const _: () = {
-    impl LeftHanded {
-        /// The names that each joint's bone may have in a model, from the effector inward.
-        #[allow(
-            dead_code,
-            unreachable_pub,
-            reason = "a rig need not be looked up by its bones' names"
-        )]
-        pub const BONES: [&'static [&'static ::core::primitive::str]; 2] = [
-            &["eye"],
-            &["head"],
-        ];
-    }
     #[automatically_derived]
-    impl ::core::default::Default for LeftHanded {
-        /// At rest: every angle 0.
-        fn default() -> Self {
-            Self {
-                eye: ::core::default::Default::default(),
-                head: ::core::default::Default::default(),
+    impl ::aim::__private::Rig for LeftHanded {
+        #[inline]
+        fn description(&self) -> ::aim::__private::Description<'_> {
+            const DESCRIPTION: ::aim::__private::Description<'static> = ::aim::__private::Description::new(
+                    &[
+                        ::aim::__private::JointInfo::new(
+                                ::aim::__private::Axes {
+                                    up: [1.0, 0.0, 0.0],
+                                    forward: [0.0, 1.0, 0.0],
+                                    left: [0.0, 0.0, -1.0],
+                                },
+                                7.8539815,
+                            )
+                            .with_heading(-0.61086524, 0.61086524)
+                            .with_pitch(-0.43633232, 0.34906584)
+                            .with_stiffness(1.0)
+                            .with_role(::aim::__private::Role::Eye),
+                        ::aim::__private::JointInfo::new(
+                                ::aim::__private::Axes {
+                                    up: [0.0, 0.0, -1.0],
+                                    forward: [-1.0, 0.0, 0.0],
+                                    left: [0.0, -1.0, 0.0],
+                                },
+                                2.9670596,
+                            )
+                            .with_heading(-1.0471976, 1.0471976)
+                            .with_pitch(-0.6981317, 0.61086524)
+                            .with_stiffness(1.0)
+                            .with_role(::aim::__private::Role::Head),
+                    ],
+                )
+                .with_effector(::aim::__private::Effector {
+                    forward: [0.0, 1.0, 0.0],
+                    origin: [0.0, 0.0, 0.0],
+                });
+            DESCRIPTION
+        }
+        fn joint_name(
+            &self,
+            __joint: ::core::primitive::usize,
+        ) -> ::core::option::Option<&::core::primitive::str> {
+            match __joint {
+                0 => ::core::option::Option::Some("eye"),
+                1 => ::core::option::Option::Some("head"),
+                _ => ::core::option::Option::None,
             }
         }
-    }
-    #[automatically_derived]
-    impl ::core::fmt::Debug for LeftHanded {
-        fn fmt(
+        fn bone_name(
             &self,
-            __formatter: &mut ::core::fmt::Formatter<'_>,
-        ) -> ::core::fmt::Result {
-            ::core::fmt::DebugStruct::finish(
-                ::core::fmt::DebugStruct::field(
-                    ::core::fmt::DebugStruct::field(
-                        &mut ::core::fmt::Formatter::debug_struct(
-                            __formatter,
-                            "LeftHanded",
-                        ),
-                        "eye",
-                        &self.eye,
-                    ),
-                    "head",
-                    &self.head,
-                ),
-            )
+            __joint: ::core::primitive::usize,
+            __candidate: ::core::primitive::usize,
+        ) -> ::core::option::Option<&::core::primitive::str> {
+            match (__joint, __candidate) {
+                (0, 0) => ::core::option::Option::Some("eye"),
+                (1, 0) => ::core::option::Option::Some("head"),
+                _ => ::core::option::Option::None,
+            }
+        }
+        ///The chain's stereographic residual (left, up), then the 4 derivatives of the first and of the second. 143 operations: 50 add, 90 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `LeftHanded`.
+        fn residual_jacobian(
+            &self,
+            __links: &[[::core::primitive::f32; 12]],
+            __target: &[::core::primitive::f32; 3],
+            __sin_cos: &[[::core::primitive::f32; 4]],
+            __out: &mut [::core::primitive::f32],
+        ) {
+            let (
+                [_,
+                __link_1,
+                ],
+                [__sin_cos_0,
+                __sin_cos_1,
+                ],
+                [__out_0,
+                __out_1,
+                __out_2,
+                __out_3,
+                __out_4,
+                __out_5,
+                __out_6,
+                __out_7,
+                __out_8,
+                __out_9,
+                ],
+            ) = (__links, __sin_cos, &mut *__out) else {
+                return <[::core::primitive::f32]>::fill(__out, 0.0);
+            };
+            let __v0 = __target[0] * __sin_cos_1[3] + __target[1] * __sin_cos_1[2];
+            let __v1 = __sin_cos_1[1] * __v0 + __target[2] * __sin_cos_1[0];
+            let __v2 = __link_1[9] - __v1;
+            let __v3 = __target[1] * __sin_cos_1[3] - __target[0] * __sin_cos_1[2];
+            let __v4 = __link_1[10] - __v3;
+            let __v5 = __target[2] * __sin_cos_1[1] - __sin_cos_1[0] * __v0;
+            let __v6 = __link_1[11] - __v5;
+            let __v7 = __link_1[3] * __v2 + __link_1[4] * __v4 + __link_1[5] * __v6;
+            let __v8 = __link_1[6] * __v2 + __link_1[7] * __v4 + __link_1[8] * __v6;
+            let __v9 = __sin_cos_0[2] * __v7 + __sin_cos_0[3] * __v8;
+            let __v10 = __v2 * __v2 + __v4 * __v4 + __v6 * __v6;
+            let __v11 = <::core::primitive::f32 as ::aim::__private::Scalar>::sqrt(
+                __v10,
+            );
+            let __v12 = __sin_cos_0[3] * __v7 - __sin_cos_0[2] * __v8;
+            let __v13 = __link_1[0] * __v2 + __link_1[1] * __v4 + __link_1[2] * __v6;
+            let __v14 = __sin_cos_0[1] * __v12 + __sin_cos_0[0] * __v13;
+            let __v15 = __v11 - __v14;
+            let __v16 = 1.0 / __v15;
+            let __v17 = if <::core::primitive::f32 as ::aim::__private::Scalar>::TINY
+                < __v15
+            {
+                __v16
+            } else {
+                0.0
+            };
+            let __v18 = 2.0 * __v17;
+            let __v19 = __v9 * __v18;
+            let __v20 = __sin_cos_0[1] * __v13 - __sin_cos_0[0] * __v12;
+            let __v21 = __v20 * __v18;
+            let __v22 = __v17 * __v18;
+            let __v23 = __v9 * __v22;
+            let __v24 = __v20 * __v23;
+            let __v25 = __sin_cos_0[1] * __v23;
+            let __v26 = __v12 * __v18 - __v9 * __v25;
+            let __v27 = __sin_cos_0[0] * __v23;
+            let __v28 = __sin_cos_0[2] * __v18 + __sin_cos_0[3] * __v25;
+            let __v29 = __sin_cos_0[3] * __v18 - __sin_cos_0[2] * __v25;
+            let __v30 = 1.0 / __v11;
+            let __v31 = if <::core::primitive::f32 as ::aim::__private::Scalar>::TINY
+                < __v11
+            {
+                __v30
+            } else {
+                0.0
+            };
+            let __v32 = __v31 * __v23;
+            let __v33 = __v2 * __v32;
+            let __v34 = __link_1[0] * __v27 + __link_1[3] * __v28 + __link_1[6] * __v29
+                - __v33;
+            let __v35 = __v6 * __v32;
+            let __v36 = __link_1[2] * __v27 + __link_1[5] * __v28 + __link_1[8] * __v29
+                - __v35;
+            let __v37 = __v1 * __v36 - __v5 * __v34;
+            let __v38 = __v4 * __v32;
+            let __v39 = __link_1[1] * __v27 + __link_1[4] * __v28 + __link_1[7] * __v29
+                - __v38;
+            let __v40 = __v0 * __v39
+                - __v3 * (__sin_cos_1[1] * __v34 - __sin_cos_1[0] * __v36);
+            let __v41 = __v20 * __v22;
+            let __v42 = __v14 * __v18 - __v20 * __v41;
+            let __v43 = __sin_cos_0[1] * __v41 - __sin_cos_0[0] * __v18;
+            let __v44 = __v9 * __v43;
+            let __v45 = __sin_cos_0[1] * __v18 + __sin_cos_0[0] * __v41;
+            let __v46 = __sin_cos_0[3] * __v43;
+            let __v47 = __sin_cos_0[2] * __v43;
+            let __v48 = __v31 * __v41;
+            let __v49 = __v2 * __v48;
+            let __v50 = __link_1[0] * __v45 + __link_1[3] * __v46 - __link_1[6] * __v47
+                - __v49;
+            let __v51 = __link_1[2] * __v45 + __link_1[5] * __v46 - __link_1[8] * __v47;
+            let __v52 = __v6 * __v48 - __v51;
+            let __v53 = __v5 * __v50 + __v1 * __v52;
+            let __v54 = __link_1[1] * __v45 + __link_1[4] * __v46 - __link_1[7] * __v47;
+            let __v55 = __v0 * (__v4 * __v48 - __v54);
+            let __v56 = __v3 * (__sin_cos_1[1] * __v50 + __sin_cos_1[0] * __v52) + __v55;
+            *__out_0 = __v19;
+            *__out_1 = -__v21;
+            *__out_2 = __v24;
+            *__out_3 = __v26;
+            *__out_4 = __v37;
+            *__out_5 = __v40;
+            *__out_6 = __v42;
+            *__out_7 = __v44;
+            *__out_8 = __v53;
+            *__out_9 = __v56;
+        }
+        ///Aim of joint `eye`, d aim / d pitch, d aim / d heading. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `LeftHanded`.
+        ///Aim of joint `head`, d aim / d pitch, d aim / d heading. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `LeftHanded`.
+        fn aim_gradient(
+            &self,
+            __joint: ::core::primitive::usize,
+            __effector_to_joint: &[::core::primitive::f32; 12],
+            __target: &[::core::primitive::f32; 3],
+            __sin_cos: &[::core::primitive::f32; 4],
+        ) -> [::core::primitive::f32; 3] {
+            match __joint {
+                0 => {
+                    let __v0 = __target[1] * __sin_cos[3] - __target[2] * __sin_cos[2];
+                    let __v1 = __target[0] * __sin_cos[1] - __sin_cos[0] * __v0;
+                    let __v2 = __v1 - __effector_to_joint[9];
+                    let __v3 = __sin_cos[1] * __v0 + __target[0] * __sin_cos[0];
+                    let __v4 = __v3 - __effector_to_joint[10];
+                    let __v5 = __target[1] * __sin_cos[2] + __target[2] * __sin_cos[3];
+                    let __v6 = __v5 - __effector_to_joint[11];
+                    let __v7 = __v2 * __v2 + __v4 * __v4 + __v6 * __v6;
+                    let __v8 = <::core::primitive::f32 as ::aim::__private::Scalar>::sqrt(
+                        __v7,
+                    );
+                    let __v9 = 1.0 / __v8;
+                    let __v10 = if <::core::primitive::f32 as ::aim::__private::Scalar>::TINY
+                        < __v8
+                    {
+                        __v9
+                    } else {
+                        0.0
+                    };
+                    let __v11 = __v10
+                        * (__effector_to_joint[3] * __v2 + __effector_to_joint[4] * __v4
+                            + __effector_to_joint[5] * __v6);
+                    let __v12 = __v10 * __v11;
+                    let __v13 = __effector_to_joint[4] - __v4 * __v12;
+                    let __v14 = __effector_to_joint[3] - __v2 * __v12;
+                    let __v15 = __v10 * (__v1 * __v13 - __v3 * __v14);
+                    let __v16 = __v5 * (__sin_cos[1] * __v13 - __sin_cos[0] * __v14);
+                    let __v17 = __v10
+                        * (__v0 * (__effector_to_joint[5] - __v6 * __v12) - __v16);
+                    [__v11, __v15, __v17]
+                }
+                1 => {
+                    let __v0 = __target[0] * __sin_cos[3] + __target[1] * __sin_cos[2];
+                    let __v1 = __sin_cos[1] * __v0 + __target[2] * __sin_cos[0];
+                    let __v2 = __v1 - __effector_to_joint[9];
+                    let __v3 = __target[1] * __sin_cos[3] - __target[0] * __sin_cos[2];
+                    let __v4 = __v3 - __effector_to_joint[10];
+                    let __v5 = __target[2] * __sin_cos[1] - __sin_cos[0] * __v0;
+                    let __v6 = __v5 - __effector_to_joint[11];
+                    let __v7 = __v2 * __v2 + __v4 * __v4 + __v6 * __v6;
+                    let __v8 = <::core::primitive::f32 as ::aim::__private::Scalar>::sqrt(
+                        __v7,
+                    );
+                    let __v9 = 1.0 / __v8;
+                    let __v10 = if <::core::primitive::f32 as ::aim::__private::Scalar>::TINY
+                        < __v8
+                    {
+                        __v9
+                    } else {
+                        0.0
+                    };
+                    let __v11 = __v10
+                        * (__effector_to_joint[3] * __v2 + __effector_to_joint[4] * __v4
+                            + __effector_to_joint[5] * __v6);
+                    let __v12 = __v10 * __v11;
+                    let __v13 = __effector_to_joint[3] - __v2 * __v12;
+                    let __v14 = __effector_to_joint[5] - __v6 * __v12;
+                    let __v15 = __v10 * (__v5 * __v13 - __v1 * __v14);
+                    let __v16 = __v0 * (__effector_to_joint[4] - __v4 * __v12);
+                    let __v17 = __v10
+                        * (__v3 * (__sin_cos[1] * __v13 - __sin_cos[0] * __v14) - __v16);
+                    [__v11, __v15, __v17]
+                }
+                _ => [0.0, 0.0, 0.0],
+            }
         }
     }
     #[automatically_derived]
     impl ::aim::__private::AimRig for LeftHanded {
         type Array<T: ::core::marker::Copy> = [T; 2];
+        const RIG: &'static Self = &Self {
+            eye: ::aim::__private::Joint::REST,
+            head: ::aim::__private::Joint::REST,
+        };
         #[inline]
-        fn array<T: ::core::marker::Copy>(&self, __value: T) -> [T; 2] {
+        fn array<T: ::core::marker::Copy>(__value: T) -> [T; 2] {
             [__value; 2]
         }
         #[inline]
-        fn joint_infos(&self) -> &[::aim::__private::JointInfo] {
-            const INFOS: [::aim::__private::JointInfo; 2] = [
-                ::aim::__private::JointInfo::new(
-                        ::aim::__private::Axes {
-                            up: [1.0, 0.0, 0.0],
-                            forward: [0.0, 1.0, 0.0],
-                            left: [0.0, 0.0, -1.0],
-                        },
-                        7.8539815,
-                    )
-                    .with_heading(-0.61086524, 0.61086524)
-                    .with_pitch(-0.43633232, 0.34906584)
-                    .with_comfort(1.0)
-                    .with_role(::aim::__private::Role::Eye),
-                ::aim::__private::JointInfo::new(
-                        ::aim::__private::Axes {
-                            up: [0.0, 0.0, -1.0],
-                            forward: [-1.0, 0.0, 0.0],
-                            left: [0.0, -1.0, 0.0],
-                        },
-                        2.9670596,
-                    )
-                    .with_heading(-1.0471976, 1.0471976)
-                    .with_pitch(-0.6981317, 0.61086524)
-                    .with_comfort(1.0)
-                    .with_role(::aim::__private::Role::Head),
-            ];
-            &INFOS
-        }
-        #[inline]
-        fn effector(&self) -> ::aim::__private::Effector {
-            ::aim::__private::Effector {
-                forward: [0.0, 1.0, 0.0],
-                origin: [0.0, 0.0, 0.0],
-            }
-        }
-        #[inline]
-        fn joints(&self) -> [::aim::__private::Joint; 2] {
-            [self.eye, self.head]
-        }
-        #[inline]
-        fn joint(
-            &self,
-            __index: ::core::primitive::usize,
-        ) -> ::core::option::Option<&::aim::__private::Joint> {
-            match __index {
-                0 => ::core::option::Option::Some(&self.eye),
-                1 => ::core::option::Option::Some(&self.head),
-                _ => ::core::option::Option::None,
-            }
-        }
-        #[inline]
-        fn joint_mut(
-            &mut self,
-            __index: ::core::primitive::usize,
-        ) -> ::core::option::Option<&mut ::aim::__private::Joint> {
-            match __index {
-                0 => ::core::option::Option::Some(&mut self.eye),
-                1 => ::core::option::Option::Some(&mut self.head),
-                _ => ::core::option::Option::None,
-            }
-        }
-        #[inline]
-        fn set_joints(&mut self, __states: [::aim::__private::Joint; 2]) {
-            [self.eye, self.head] = __states;
-        }
-        #[inline]
-        fn aim_gradient<S: ::aim::__private::Scalar>(
-            &self,
-            __joint: ::core::primitive::usize,
-            __effector_to_joint: &[S; 12],
-            __target: &[S; 3],
-            __sin_cos: &[S; 4],
-        ) -> [S; 3] {
-            match __joint {
-                0 => aim_gradient_0(__effector_to_joint, __target, __sin_cos),
-                1 => aim_gradient_1(__effector_to_joint, __target, __sin_cos),
-                _ => [<S as ::aim::__private::Scalar>::ZERO; 3],
-            }
-        }
-        #[inline]
-        fn chain_value_gradient<S: ::aim::__private::Scalar>(
-            &self,
-            __links: &[[S; 12]],
-            __target: &[S; 3],
-            __sin_cos: &[[S; 4]],
-            __out: &mut [S],
-        ) {
-            if let (
-                ::core::result::Result::Ok(__links),
-                ::core::result::Result::Ok(__sin_cos),
-                ::core::result::Result::Ok(__out),
-            ) = (
-                <&[[S; 12]; 2] as ::core::convert::TryFrom<
-                    &[[S; 12]],
-                >>::try_from(__links),
-                <&[[S; 4]; 2] as ::core::convert::TryFrom<
-                    &[[S; 4]],
-                >>::try_from(__sin_cos),
-                <&mut [S; 5] as ::core::convert::TryFrom<
-                    &mut [S],
-                >>::try_from(&mut *__out),
-            ) {
-                *__out = value_gradient(__links, __target, __sin_cos);
-            } else {
-                <[S]>::fill(__out, <S as ::aim::__private::Scalar>::ZERO);
-            }
-        }
-        #[inline]
-        fn chain_residual_jacobian<S: ::aim::__private::Scalar>(
-            &self,
-            __links: &[[S; 12]],
-            __target: &[S; 3],
-            __sin_cos: &[[S; 4]],
-            __out: &mut [S],
-        ) {
-            if let (
-                ::core::result::Result::Ok(__links),
-                ::core::result::Result::Ok(__sin_cos),
-                ::core::result::Result::Ok(__out),
-            ) = (
-                <&[[S; 12]; 2] as ::core::convert::TryFrom<
-                    &[[S; 12]],
-                >>::try_from(__links),
-                <&[[S; 4]; 2] as ::core::convert::TryFrom<
-                    &[[S; 4]],
-                >>::try_from(__sin_cos),
-                <&mut [S; 10] as ::core::convert::TryFrom<
-                    &mut [S],
-                >>::try_from(&mut *__out),
-            ) {
-                *__out = residual_jacobian(__links, __target, __sin_cos);
-            } else {
-                <[S]>::fill(__out, <S as ::aim::__private::Scalar>::ZERO);
+        fn from_joints([__joint_0, __joint_1]: [::aim::__private::Joint; 2]) -> Self {
+            Self {
+                eye: __joint_0,
+                head: __joint_1,
             }
         }
     }
-    ///Aim, ∂aim/∂pitch, ∂aim/∂heading of `eye`. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `LeftHanded`.
-    #[inline]
-    fn aim_gradient_0<S: ::aim::__private::Scalar>(
-        __effector_to_joint: &[S; 12],
-        __target: &[S; 3],
-        __sin_cos: &[S; 4],
-    ) -> [S; 3] {
-        let __v0 = __target[1] * __sin_cos[3] - __target[2] * __sin_cos[2];
-        let __v1 = __target[0] * __sin_cos[1] - __sin_cos[0] * __v0;
-        let __v2 = __v1 - __effector_to_joint[9];
-        let __v3 = __sin_cos[1] * __v0 + __target[0] * __sin_cos[0];
-        let __v4 = __v3 - __effector_to_joint[10];
-        let __v5 = __target[1] * __sin_cos[2] + __target[2] * __sin_cos[3];
-        let __v6 = __v5 - __effector_to_joint[11];
-        let __v7 = __v2 * __v2 + __v4 * __v4 + __v6 * __v6;
-        let __v8 = <S as ::aim::__private::Scalar>::sqrt(__v7);
-        let __v9 = <S as ::aim::__private::Scalar>::constant(1.0) / __v8;
-        let __v10 = <S as ::aim::__private::Scalar>::select_less(
-            <S as ::aim::__private::Scalar>::TINY,
-            __v8,
-            __v9,
-            <S as ::aim::__private::Scalar>::ZERO,
-        );
-        let __v11 = __v10
-            * (__effector_to_joint[3] * __v2 + __effector_to_joint[4] * __v4
-                + __effector_to_joint[5] * __v6);
-        let __v12 = __v10 * __v11;
-        let __v13 = __effector_to_joint[4] - __v4 * __v12;
-        let __v14 = __effector_to_joint[3] - __v2 * __v12;
-        let __v15 = __v10 * (__v1 * __v13 - __v3 * __v14);
-        let __v16 = __v5 * (__sin_cos[1] * __v13 - __sin_cos[0] * __v14);
-        let __v17 = __v10 * (__v0 * (__effector_to_joint[5] - __v6 * __v12) - __v16);
-        [__v11, __v15, __v17]
+    #[automatically_derived]
+    impl ::core::convert::From<LeftHanded> for [::aim::__private::Joint; 2] {
+        #[inline]
+        fn from(__value: LeftHanded) -> Self {
+            [__value.eye, __value.head]
+        }
     }
-    ///Aim, ∂aim/∂pitch, ∂aim/∂heading of `head`. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `LeftHanded`.
-    #[inline]
-    fn aim_gradient_1<S: ::aim::__private::Scalar>(
-        __effector_to_joint: &[S; 12],
-        __target: &[S; 3],
-        __sin_cos: &[S; 4],
-    ) -> [S; 3] {
-        let __v0 = __target[0] * __sin_cos[3] + __target[1] * __sin_cos[2];
-        let __v1 = __sin_cos[1] * __v0 + __target[2] * __sin_cos[0];
-        let __v2 = __v1 - __effector_to_joint[9];
-        let __v3 = __target[1] * __sin_cos[3] - __target[0] * __sin_cos[2];
-        let __v4 = __v3 - __effector_to_joint[10];
-        let __v5 = __target[2] * __sin_cos[1] - __sin_cos[0] * __v0;
-        let __v6 = __v5 - __effector_to_joint[11];
-        let __v7 = __v2 * __v2 + __v4 * __v4 + __v6 * __v6;
-        let __v8 = <S as ::aim::__private::Scalar>::sqrt(__v7);
-        let __v9 = <S as ::aim::__private::Scalar>::constant(1.0) / __v8;
-        let __v10 = <S as ::aim::__private::Scalar>::select_less(
-            <S as ::aim::__private::Scalar>::TINY,
-            __v8,
-            __v9,
-            <S as ::aim::__private::Scalar>::ZERO,
-        );
-        let __v11 = __v10
-            * (__effector_to_joint[3] * __v2 + __effector_to_joint[4] * __v4
-                + __effector_to_joint[5] * __v6);
-        let __v12 = __v10 * __v11;
-        let __v13 = __effector_to_joint[3] - __v2 * __v12;
-        let __v14 = __effector_to_joint[5] - __v6 * __v12;
-        let __v15 = __v10 * (__v5 * __v13 - __v1 * __v14);
-        let __v16 = __v0 * (__effector_to_joint[4] - __v4 * __v12);
-        let __v17 = __v10
-            * (__v3 * (__sin_cos[1] * __v13 - __sin_cos[0] * __v14) - __v16);
-        [__v11, __v15, __v17]
+    #[automatically_derived]
+    impl<T> ::core::convert::From<LeftHandedPose<T>> for [T; 2] {
+        #[inline]
+        fn from(__pose: LeftHandedPose<T>) -> Self {
+            [__pose.eye, __pose.head]
+        }
     }
-    ///The chain's aim, then its derivatives. 110 operations: 42 add, 66 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `LeftHanded`.
-    #[inline]
-    fn value_gradient<S: ::aim::__private::Scalar>(
-        __links: &[[S; 12]; 2],
-        __target: &[S; 3],
-        __sin_cos: &[[S; 4]; 2],
-    ) -> [S; 5] {
-        let __v0 = __target[0] * __sin_cos[1][3] + __target[1] * __sin_cos[1][2];
-        let __v1 = __sin_cos[1][1] * __v0 + __target[2] * __sin_cos[1][0];
-        let __v2 = __v1 - __links[1][9];
-        let __v3 = __target[1] * __sin_cos[1][3] - __target[0] * __sin_cos[1][2];
-        let __v4 = __v3 - __links[1][10];
-        let __v5 = __target[2] * __sin_cos[1][1] - __sin_cos[1][0] * __v0;
-        let __v6 = __v5 - __links[1][11];
-        let __v7 = __links[1][3] * __v2 + __links[1][4] * __v4 + __links[1][5] * __v6;
-        let __v8 = __links[1][6] * __v2 + __links[1][7] * __v4 + __links[1][8] * __v6;
-        let __v9 = __sin_cos[0][3] * __v7 - __sin_cos[0][2] * __v8;
-        let __v10 = __links[1][0] * __v2 + __links[1][1] * __v4 + __links[1][2] * __v6;
-        let __v11 = __sin_cos[0][1] * __v10 - __sin_cos[0][0] * __v9;
-        let __v12 = __v11 - __links[0][9];
-        let __v13 = __sin_cos[0][1] * __v9 + __sin_cos[0][0] * __v10;
-        let __v14 = __v13 - __links[0][10];
-        let __v15 = __sin_cos[0][2] * __v7 + __sin_cos[0][3] * __v8;
-        let __v16 = __v15 - __links[0][11];
-        let __v17 = __v12 * __v12 + __v14 * __v14 + __v16 * __v16;
-        let __v18 = <S as ::aim::__private::Scalar>::sqrt(__v17);
-        let __v19 = <S as ::aim::__private::Scalar>::constant(1.0) / __v18;
-        let __v20 = <S as ::aim::__private::Scalar>::select_less(
-            <S as ::aim::__private::Scalar>::TINY,
-            __v18,
-            __v19,
-            <S as ::aim::__private::Scalar>::ZERO,
-        );
-        let __v21 = __v20
-            * (__links[0][3] * __v12 + __links[0][4] * __v14 + __links[0][5] * __v16);
-        let __v22 = __v20 * __v21;
-        let __v23 = __v20 * (__links[0][4] - __v14 * __v22);
-        let __v24 = __v20 * (__links[0][3] - __v12 * __v22);
-        let __v25 = __v11 * __v23 - __v13 * __v24;
-        let __v26 = __sin_cos[0][1] * __v23 - __sin_cos[0][0] * __v24;
-        let __v27 = __v20 * (__links[0][5] - __v16 * __v22);
-        let __v28 = __v9 * __v27 - __v15 * __v26;
-        let __v29 = __sin_cos[0][2] * __v26 - __sin_cos[0][3] * __v27;
-        let __v30 = __sin_cos[0][0] * __v23 + __sin_cos[0][1] * __v24;
-        let __v31 = __sin_cos[0][3] * __v26 + __sin_cos[0][2] * __v27;
-        let __v32 = __links[1][6] * __v29
-            - (__links[1][0] * __v30 + __links[1][3] * __v31);
-        let __v33 = __links[1][8] * __v29
-            - (__links[1][2] * __v30 + __links[1][5] * __v31);
-        let __v34 = __v1 * __v33 - __v5 * __v32;
-        let __v35 = __v0
-            * (__links[1][7] * __v29 - (__links[1][1] * __v30 + __links[1][4] * __v31));
-        let __v36 = __v35 - __v3 * (__sin_cos[1][1] * __v32 - __sin_cos[1][0] * __v33);
-        [__v21, __v25, __v28, __v34, __v36]
+    #[automatically_derived]
+    impl<T> ::core::convert::From<[T; 2]> for LeftHandedPose<T> {
+        #[inline]
+        fn from([__joint_0, __joint_1]: [T; 2]) -> Self {
+            Self {
+                eye: __joint_0,
+                head: __joint_1,
+            }
+        }
     }
-    ///The chain's residual (left, up), then the derivatives of each. 183 operations: 68 add, 112 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `LeftHanded`.
-    #[inline]
-    fn residual_jacobian<S: ::aim::__private::Scalar>(
-        __links: &[[S; 12]; 2],
-        __target: &[S; 3],
-        __sin_cos: &[[S; 4]; 2],
-    ) -> [S; 10] {
-        let __v0 = __target[0] * __sin_cos[1][3] + __target[1] * __sin_cos[1][2];
-        let __v1 = __sin_cos[1][1] * __v0 + __target[2] * __sin_cos[1][0];
-        let __v2 = __links[1][9] - __v1;
-        let __v3 = __target[1] * __sin_cos[1][3] - __target[0] * __sin_cos[1][2];
-        let __v4 = __links[1][10] - __v3;
-        let __v5 = __target[2] * __sin_cos[1][1] - __sin_cos[1][0] * __v0;
-        let __v6 = __links[1][11] - __v5;
-        let __v7 = __links[1][3] * __v2 + __links[1][4] * __v4 + __links[1][5] * __v6;
-        let __v8 = __links[1][6] * __v2 + __links[1][7] * __v4 + __links[1][8] * __v6;
-        let __v9 = __sin_cos[0][3] * __v7 - __sin_cos[0][2] * __v8;
-        let __v10 = __links[1][0] * __v2 + __links[1][1] * __v4 + __links[1][2] * __v6;
-        let __v11 = __sin_cos[0][1] * __v9 + __sin_cos[0][0] * __v10;
-        let __v12 = __v11 + __links[0][10];
-        let __v13 = __sin_cos[0][2] * __v7 + __sin_cos[0][3] * __v8;
-        let __v14 = __v13 + __links[0][11];
-        let __v15 = __sin_cos[0][0] * __v9 - __sin_cos[0][1] * __v10;
-        let __v16 = __links[0][9] - __v15;
-        let __v17 = __v12 * __v12 + __v14 * __v14 + __v16 * __v16;
-        let __v18 = <S as ::aim::__private::Scalar>::sqrt(__v17);
-        let __v19 = __v18
-            - (__links[0][3] * __v16 + __links[0][4] * __v12 + __links[0][5] * __v14);
-        let __v20 = <S as ::aim::__private::Scalar>::constant(1.0) / __v19;
-        let __v21 = <S as ::aim::__private::Scalar>::select_less(
-            <S as ::aim::__private::Scalar>::TINY,
-            __v19,
-            __v20,
-            <S as ::aim::__private::Scalar>::ZERO,
-        );
-        let __v22 = <S as ::aim::__private::Scalar>::constant(2.0) * __v21;
-        let __v23 = __links[0][6] * __v16 + __links[0][7] * __v12
-            + __links[0][8] * __v14;
-        let __v24 = __v22 * __v23;
-        let __v25 = __links[0][0] * __v16 + __links[0][1] * __v12
-            + __links[0][2] * __v14;
-        let __v26 = __v22 * __v25;
-        let __v27 = <S as ::aim::__private::Scalar>::constant(1.0) / __v18;
-        let __v28 = <S as ::aim::__private::Scalar>::select_less(
-            <S as ::aim::__private::Scalar>::TINY,
-            __v18,
-            __v27,
-            <S as ::aim::__private::Scalar>::ZERO,
-        );
-        let __v29 = __links[0][4] - __v12 * __v28;
-        let __v30 = __v21 * __v22;
-        let __v31 = __v23 * __v30;
-        let __v32 = __links[0][7] * __v22 + __v29 * __v31;
-        let __v33 = __links[0][3] - __v16 * __v28;
-        let __v34 = __links[0][6] * __v22 + __v33 * __v31;
-        let __v35 = __v15 * __v32 + __v11 * __v34;
-        let __v36 = __sin_cos[0][1] * __v32 - __sin_cos[0][0] * __v34;
-        let __v37 = __links[0][5] - __v14 * __v28;
-        let __v38 = __links[0][8] * __v22 + __v37 * __v31;
-        let __v39 = __v9 * __v38 - __v13 * __v36;
-        let __v40 = __sin_cos[0][2] * __v36 - __sin_cos[0][3] * __v38;
-        let __v41 = __sin_cos[0][0] * __v32 + __sin_cos[0][1] * __v34;
-        let __v42 = __sin_cos[0][3] * __v36 + __sin_cos[0][2] * __v38;
-        let __v43 = __links[1][6] * __v40
-            - (__links[1][0] * __v41 + __links[1][3] * __v42);
-        let __v44 = __links[1][2] * __v41 + __links[1][5] * __v42
-            - __links[1][8] * __v40;
-        let __v45 = __v5 * __v43 + __v1 * __v44;
-        let __v46 = __v0
-            * (__links[1][1] * __v41 + __links[1][4] * __v42 - __links[1][7] * __v40);
-        let __v47 = __v3 * (__sin_cos[1][1] * __v43 + __sin_cos[1][0] * __v44) + __v46;
-        let __v48 = __v25 * __v30;
-        let __v49 = __links[0][1] * __v22 + __v29 * __v48;
-        let __v50 = __links[0][0] * __v22 + __v33 * __v48;
-        let __v51 = __v15 * __v49 + __v11 * __v50;
-        let __v52 = __sin_cos[0][1] * __v49 - __sin_cos[0][0] * __v50;
-        let __v53 = __links[0][2] * __v22 + __v37 * __v48;
-        let __v54 = __v13 * __v52 - __v9 * __v53;
-        let __v55 = __sin_cos[0][2] * __v52 - __sin_cos[0][3] * __v53;
-        let __v56 = __sin_cos[0][0] * __v49 + __sin_cos[0][1] * __v50;
-        let __v57 = __sin_cos[0][3] * __v52 + __sin_cos[0][2] * __v53;
-        let __v58 = __links[1][6] * __v55
-            - (__links[1][0] * __v56 + __links[1][3] * __v57);
-        let __v59 = __links[1][8] * __v55
-            - (__links[1][2] * __v56 + __links[1][5] * __v57);
-        let __v60 = __v1 * __v59 - __v5 * __v58;
-        let __v61 = __v0
-            * (__links[1][7] * __v55 - (__links[1][1] * __v56 + __links[1][4] * __v57));
-        let __v62 = __v61 - __v3 * (__sin_cos[1][1] * __v58 - __sin_cos[1][0] * __v59);
-        [__v24, -__v26, -__v35, __v39, __v45, __v47, __v51, __v54, __v60, __v62]
+    #[automatically_derived]
+    impl ::core::convert::From<LeftHandedPose>
+    for ::aim::__private::Pose<[::aim::__private::Affine3A; 2]> {
+        #[inline]
+        fn from(__pose: LeftHandedPose) -> Self {
+            Self::new(__pose.into())
+        }
     }
 };

@@ -4,7 +4,7 @@ use std::io::{Read, Write};
 use std::process::{Command, Stdio};
 
 use aim_codegen::emit::{self, Rig};
-use aim_codegen::{RigPrograms, RigSpec};
+use aim_codegen::{RigSpec, kernels};
 
 use crate::kinematics::Case;
 use crate::oracle::{assert_close, expected_chain, expected_joint, flat, single};
@@ -51,7 +51,7 @@ pub fn compare(specs: &[RigSpec], all_cases: &[Vec<Case>]) {
     let (source, program) = (folder.path().join("rigs.c"), folder.path().join("rigs"));
     let code: String = specs
         .iter()
-        .map(|spec| emit::c::emit(&Rig { spec, programs: &RigPrograms::derive(spec) }))
+        .map(|spec| emit::c::emit(&Rig { spec, kernels: &kernels(spec) }))
         .chain([harness(specs, all_cases[0].len())])
         .collect();
     std::fs::write(&source, code).expect("the temporary folder is writable");

@@ -1,10 +1,11 @@
 //! Compiled kernels against the oracle and against the interpreter.
 
-use aim::AimRig;
-use aim_codegen::{RigPrograms, RigSpec};
+use aim_codegen::RigSpec;
+use aim_codegen::objective::{CHAIN_RESIDUAL_JACOBIAN, CHAIN_VALUE_GRADIENT, FirstLink};
 
 use crate::kinematics::{Case, Link};
 use crate::oracle::{assert_close, doubled, expected_chain, expected_joint, flat, single};
+use crate::requested::RequestedKernels;
 
 /// What a rig's compiled kernels give for one case. Gathered in generic code, judged outside of it: a test with many
 /// rigs compiles many copies of the former.
@@ -19,12 +20,13 @@ pub struct Outputs {
 
 impl Outputs {
     /// The outputs of `rig` for each of `cases`.
-    pub fn of<R: AimRig>(rig: &R, cases: &[Case]) -> Vec<Self> {
+    pub fn of<R: RequestedKernels>(rig: &R, cases: &[Case]) -> Vec<Self> {
         cases.iter().map(|case| Self::of_case(rig, case)).collect()
     }
 
-    fn of_case<R: AimRig>(rig: &R, case: &Case) -> Self {
-        let infos = rig.joint_infos();
+    fn of_case<R: RequestedKernels>(rig: &R, case: &Case) -> Self {
+        let description = rig.description();
+        let infos = description.joints();
         let angles =
             infos.iter().map(|i| usize::from(i.pitch.is_some()) + usize::from(i.heading.is_some())).sum::<usize>();
         let inputs = Inputs::of(case);
@@ -36,11 +38,11 @@ impl Outputs {
             joints: Vec::new(),
         };
         let Inputs { links, sin_cos, links_f32, target_f32, sin_cos_f32 } = &inputs;
-        rig.chain_value_gradient(links, &case.target, sin_cos, &mut out.gradient);
-        rig.chain_residual_jacobian(links, &case.target, sin_cos, &mut out.jacobian);
-        rig.chain_value_gradient(links_f32, target_f32, sin_cos_f32, &mut out.gradient_f32);
-        rig.chain_residual_jacobian(links_f32, target_f32, sin_cos_f32, &mut out.jacobian_f32);
-        out.joints = (0..infos.len()).map(|i| rig.aim_gradient(i, &links[i], &case.target, &sin_cos[i])).collect();
+        R::value_gradient(links, &case.target, sin_cos, &mut out.gradient);
+        R::residual_with_jacobian(links, &case.target, sin_cos, &mut out.jacobian);
+        R::value_gradient(links_f32, target_f32, sin_cos_f32, &mut out.gradient_f32);
+        R::residual_with_jacobian(links_f32, target_f32, sin_cos_f32, &mut out.jacobian_f32);
+        out.joints = (0..infos.len()).map(|i| R::joint_gradient(i, &links[i], &case.target, &sin_cos[i])).collect();
         out
     }
 }
@@ -77,7 +79,8 @@ fn array<const N: usize>(numbers: &[f64; N]) -> [f32; N] {
 /// Where they differ.
 pub fn compare(spec: &RigSpec, cases: &[Case], outputs: &[Outputs]) {
     let name = &spec.name;
-    let programs = RigPrograms::derive(spec);
+    let [gradient_program, jacobian_program] = [&CHAIN_VALUE_GRADIENT, &CHAIN_RESIDUAL_JACOBIAN]
+        .map(|objective| objective.kernels(spec, FirstLink::Given).remove(0).program);
     assert_eq!(cases.len(), outputs.len(), "{name}");
     for (case, out) in cases.iter().zip(outputs) {
         let (gradient, jacobian) = expected_chain(spec, case);
@@ -95,8 +98,8 @@ pub fn compare(spec: &RigSpec, cases: &[Case], outputs: &[Outputs]) {
         let bits = |numbers: &[f64]| numbers.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
         let bits_f32 = |numbers: &[f32]| numbers.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
         let chain = [
-            (&programs.chain_value_gradient, &out.gradient, &out.gradient_f32),
-            (&programs.chain_residual_jacobian, &out.jacobian, &out.jacobian_f32),
+            (&gradient_program, &out.gradient, &out.gradient_f32),
+            (&jacobian_program, &out.jacobian, &out.jacobian_f32),
         ];
         for (program, found, found_f32) in chain {
             let (mut interpreted, mut interpreted_f32) = (vec![0.0; found.len()], vec![0.0; found.len()]);

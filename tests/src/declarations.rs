@@ -10,13 +10,13 @@ macro_rules! declarations {
         // The declaration of the documentation.
         $with! {
             thug
-            #[aim(bones(up = +X, forward = +Y, left = +Z))]
+            #[aim(axes(up = +X, forward = +Y, left = +Z))]
             pub struct Thug {
-                #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, comfort = 0.5)]
+                #[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, stiffness = 0.5)]
                 left_eye: Joint,
-                #[joint(heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg)]
+                #[joint(role = neck, heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg)]
                 neck: Joint,
-                #[joint(heading = -20deg..=20deg, pitch = -10deg..=10deg, rate = 70deg, comfort = 4.0)]
+                #[joint(role = chest, heading = -20deg..=20deg, pitch = -10deg..=10deg, rate = 70deg, stiffness = 4.0)]
                 spine3: Joint,
             }
         }
@@ -24,7 +24,7 @@ macro_rules! declarations {
         // Two hinges, one without limit, and a muzzle away from the barrel's bone.
         $with! {
             turret
-            #[aim(bones(up = +Y, forward = -Z), effector(origin = (0.0, 0.05, -0.8)))]
+            #[aim(axes(up = +Y, forward = -Z), effector(origin = (0.0, 0.05, -0.8)))]
             pub struct Turret {
                 #[joint(pitch = -10deg..=80deg, rate = 90deg)]
                 barrel: Joint,
@@ -36,11 +36,11 @@ macro_rules! declarations {
         // A left-handed engine, the third axis left out.
         $with! {
             left_handed
-            #[aim(bones(up = +X, forward = +Y), handedness = left)]
+            #[aim(axes(up = +X, forward = +Y), handedness = left)]
             pub struct LeftHanded {
-                #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]
+                #[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]
                 eye: Joint,
-                #[joint(heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg, bones(down = +Z, back = +X))]
+                #[joint(role = head, heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg, axes(down = +Z, back = +X))]
                 head: Joint,
             }
         }
@@ -49,29 +49,31 @@ macro_rules! declarations {
         $with! {
             general
             #[aim(
-                bones(up = (0.0, 0.96, 0.28), forward = (0.6, -0.224, 0.768)),
+                axes(up = (0.0, 0.96, 0.28), forward = (0.6, -0.224, 0.768)),
                 effector(forward = +Z),
                 natural(eyes_only = 10deg, head_share = 0.7, engage = 0.25rad, release = 5deg, delay = 0.05)
             )]
             pub struct General {
                 #[joint(
+                    role = eye,
                     heading = -0.6rad..=0.6rad,
                     pitch = -0.4rad..=0.35rad,
                     rate = 7.5rad,
                     acceleration = 200rad,
-                    comfort = 0.5,
+                    stiffness = 0.5,
                     bone = ["L_eye", "LeftEye"],
-                    pair = "R_eye"
+                    other_eye = "R_eye"
                 )]
                 left_eye: Joint,
                 #[joint(
+                    role = neck,
                     heading = -60deg..=60deg,
                     pitch = -40deg..=35deg,
                     rate = 170deg,
-                    level = 0.5,
-                    narrowing = 0.25,
-                    range = absolute,
-                    bones(up = -Z, forward = +X),
+                    upright = 0.5,
+                    pitch_taper = 0.25,
+                    limits_from = bind_pose,
+                    axes(up = -Z, forward = +X),
                     mirrored = true
                 )]
                 r#neck: Joint,

@@ -1,7 +1,7 @@
 //! Problems whose operation counts are recorded: what the rules are judged by.
 
-use aim_codegen::objective::{self, ChainInputs};
-use aim_codegen::{EffectorSpec, Frame, RigSpec};
+use aim_codegen::objective::{CHAIN_RESIDUAL_JACOBIAN, CHAIN_VALUE_GRADIENT, FirstLink};
+use aim_codegen::{EffectorSpec, Frame, Objective, RigSpec};
 use aim_symbolic::{Angle, Graph, Plane, Rigid, Scalar, Variable, Vector, VectorNode, Want};
 
 use crate::random::Random;
@@ -67,25 +67,29 @@ fn general() -> Frame {
 
 fn rig(frames: &[Frame], effector: Frame) -> RigSpec {
     let joints = (0..).zip(frames).map(|(i, &frame)| bare_joint(i, frame, true, true)).collect();
-    RigSpec { name: "Rig".into(), joints, effector: EffectorSpec { frame: effector, origin: [0.0; 3] }, natural: None }
+    RigSpec {
+        name: "Rig".into(),
+        joints,
+        effector: EffectorSpec { frame: effector, origin: [0.0; 3] },
+        natural: None,
+        kernels: Vec::new(),
+    }
 }
 
 /// The paper's objective over all joints of a rig.
 fn chain_aim(name: &'static str, operations: usize, frames: &[Frame], effector: Frame) -> Problem {
-    Problem::new(name, operations, |g| {
-        let spec = rig(frames, effector);
-        let inputs = ChainInputs::declare(g, frames.len());
-        (vec![objective::chain_aim(g, &spec, &inputs)], variables(&inputs.declared_angles(&spec)))
-    })
+    of_rig(name, operations, &CHAIN_VALUE_GRADIENT, &rig(frames, effector))
 }
 
 /// The chain's stereographic residual, with its Jacobian.
 fn residual() -> Problem {
-    Problem::new("residual and Jacobian", 183, |g| {
-        let spec = rig(&[CARDINAL; 2], CARDINAL);
-        let inputs = ChainInputs::declare(g, 2);
-        (objective::chain_residual(g, &spec, &inputs).to_vec(), variables(&inputs.declared_angles(&spec)))
-    })
+    of_rig("residual and Jacobian", 183, &CHAIN_RESIDUAL_JACOBIAN, &rig(&[CARDINAL; 2], CARDINAL))
+}
+
+/// An objective of a rig's chain.
+fn of_rig(name: &'static str, operations: usize, objective: &Objective, spec: &RigSpec) -> Problem {
+    let statement = objective.statement(spec, &[], FirstLink::Given);
+    Problem { name, wanted: statement.wanted(), g: statement.graph, operations }
 }
 
 /// Forward, left, up: pitch turns the first towards the third, heading the first towards the second.

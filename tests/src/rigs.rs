@@ -1,7 +1,7 @@
 //! The rigs that the numeric tests run over: every convention, general frames, hinges, chains of one to four joints.
 //! Shared by the build script, which emits them, and by the tests, which know what they should compute.
 
-use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, RigSpec};
+use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, LimitsFrom, RigSpec, Role};
 
 use crate::random::Random;
 
@@ -30,6 +30,7 @@ pub fn rigs() -> Vec<RigSpec> {
                 joints,
                 effector: EffectorSpec { frame, origin: [0.0; 3] },
                 natural: None,
+                kernels: Vec::new(),
             }
         })
         .collect()
@@ -41,16 +42,17 @@ pub fn bare_joint(number: usize, frame: Frame, pitch: bool, heading: bool) -> Jo
     JointSpec {
         name: format!("joint{number}"),
         bones: vec![format!("bone{number}")],
+        role: Role::None,
         frame,
         pitch: pitch.then_some(range),
         heading: heading.then_some(range),
-        absolute: false,
+        limits_from: LimitsFrom::Animation,
         rate: 3.0,
         acceleration: None,
-        comfort: 1.0,
-        level: None,
-        narrowing: None,
-        pair: None,
+        stiffness: 1.0,
+        upright: None,
+        pitch_taper: None,
+        other_eye: None,
     }
 }
 

@@ -5,9 +5,9 @@
 
 use std::path::Path;
 
-use aim_codegen::objective::{ChainInputs, JointInputs, chain_aim, chain_residual, joint_aim};
-use aim_codegen::{AngleRange, RigPrograms, RigSpec};
-use aim_symbolic::{Angle, Bindings, Graph, Op, Program, Scalar};
+use aim_codegen::objective::{FirstLink, Scope, Statement, functions};
+use aim_codegen::{AngleRange, Kernel, RigSpec, kernels};
+use aim_symbolic::{Angle, Bindings, Op, Program};
 
 use crate::args;
 use crate::failure::{Failure, Result};
@@ -19,11 +19,11 @@ pub(crate) const TOLERANCE_F32: f64 = 2e-4;
 
 pub(super) fn run(arguments: &args::Check) -> Result {
     let spec = files::load_rig(&arguments.rig)?;
-    let mut programs = RigPrograms::derive(&spec);
+    let mut kernels = kernels(&spec);
     if let Some(which) = arguments.flip_sign {
-        flip_signs(&mut programs, which);
+        flip_signs(&mut kernels, which);
     }
-    let verdicts = verdicts(&spec, &programs, arguments.samples);
+    let verdicts = verdicts(&spec, &kernels, arguments.samples);
     let mut report = String::new();
     for verdict in &verdicts {
         report += &format!(
@@ -56,12 +56,12 @@ impl Verdict {
 }
 
 /// Compares every program of a rig in so many random poses, the same in every run.
-pub(crate) fn verdicts(spec: &RigSpec, programs: &RigPrograms, samples: u32) -> Vec<Verdict> {
+pub(crate) fn verdicts(spec: &RigSpec, kernels: &[Kernel], samples: u32) -> Vec<Verdict> {
     let verdict = |trial: Trial<'_>| {
         let Worst { double, single } = trial.run(samples);
         Verdict { name: trial.name, double, single }
     };
-    trials(spec, programs).into_iter().map(verdict).collect()
+    trials(spec, kernels).into_iter().map(verdict).collect()
 }
 
 /// # Errors
@@ -83,56 +83,23 @@ pub(crate) fn all_passed(rig: &Path, spec: &RigSpec, verdicts: &[Verdict]) -> Re
 /// A program and what it should compute.
 struct Trial<'a> {
     name: String,
-    graph: Graph,
-    values: Vec<Scalar>,
-    angles: Vec<(Angle, Option<AngleRange>)>,
+    statement: Statement,
     links: usize,
     program: &'a Program,
-    /// Whether the outputs include derivatives by undeclared angles (which must be 0).
-    all_angles: bool,
 }
 
-fn trials<'a>(spec: &RigSpec, programs: &'a RigPrograms) -> Vec<Trial<'a>> {
-    let mut trials = Vec::new();
-    for (number, (joint, program)) in spec.joints.iter().zip(&programs.joints).enumerate() {
-        let mut graph = Graph::new();
-        let inputs = JointInputs::declare(&mut graph);
-        let aim = joint_aim(&mut graph, spec, number, &inputs);
-        trials.push(Trial {
-            name: format!("{}: aim and gradient", joint.name),
-            graph,
-            values: vec![aim],
-            angles: vec![(inputs.pitch, joint.pitch), (inputs.heading, joint.heading)],
-            links: 1,
+fn trials<'a>(spec: &RigSpec, kernels: &'a [Kernel]) -> Vec<Trial<'a>> {
+    let trials = functions(kernels).into_iter().map(|function| {
+        let Kernel { objective, joints, program } = function.kernel;
+        let joints = function.joint.map_or_else(|| joints.clone(), |joint| vec![joint]);
+        Trial {
+            name: format!("{}: {}", function.subject(spec), objective.title),
+            statement: objective.statement(spec, &joints, FirstLink::Given),
+            links: if objective.scope == Scope::Joint { 1 } else { spec.joints.len() },
             program,
-            all_angles: true,
-        });
-    }
-    let mut chain = |name: &str, program: &'a Program, state: &dyn Fn(&mut Graph, &ChainInputs) -> Vec<Scalar>| {
-        let mut graph = Graph::new();
-        let inputs = ChainInputs::declare(&mut graph, spec.joints.len());
-        let values = state(&mut graph, &inputs);
-        let angles = spec
-            .joints
-            .iter()
-            .zip(&inputs.angles)
-            .flat_map(|(joint, &(pitch, heading))| [(pitch, joint.pitch), (heading, joint.heading)]);
-        let angles = angles.collect();
-        trials.push(Trial {
-            name: name.into(),
-            graph,
-            values,
-            angles,
-            links: spec.joints.len(),
-            program,
-            all_angles: false,
-        });
-    };
-    chain("chain: aim and gradient", &programs.chain_value_gradient, &|g, inputs| vec![chain_aim(g, spec, inputs)]);
-    chain("chain: residual and Jacobian", &programs.chain_residual_jacobian, &|g, inputs| {
-        chain_residual(g, spec, inputs).to_vec()
+        }
     });
-    trials
+    trials.collect()
 }
 
 /// The largest relative deviations found.
@@ -169,16 +136,15 @@ impl Trial<'_> {
     /// The values, then their derivatives by central differences of sixth order.
     fn expected(&self, at: &Bindings) -> Vec<f64> {
         const STEP: f64 = 2e-3;
-        let mut expected: Vec<f64> = self.values.iter().map(|&v| self.graph.evaluate(v, at)).collect();
-        for &value in &self.values {
-            for &(angle, range) in &self.angles {
+        let Statement { graph, values, angles } = &self.statement;
+        let mut expected: Vec<f64> = values.iter().map(|&v| graph.evaluate(v, at)).collect();
+        for &value in values {
+            for &(angle, range) in angles {
                 if range.is_none() {
-                    if self.all_angles {
-                        expected.push(0.0);
-                    }
+                    expected.push(0.0);
                     continue;
                 }
-                let moved = |steps: f64| self.graph.evaluate(value, &at.moved(&self.graph, angle, steps * STEP));
+                let moved = |steps: f64| graph.evaluate(value, &at.moved(graph, angle, steps * STEP));
                 let weighted = |steps: f64, weight: f64| weight * (moved(steps) - moved(-steps));
                 let sum = weighted(1.0, 45.0) + weighted(2.0, -9.0) + weighted(3.0, 1.0);
                 expected.push(sum / (60.0 * STEP));
@@ -189,6 +155,7 @@ impl Trial<'_> {
 
     /// A random pose whose target is at a distance and not behind, where single precision means something.
     fn pose(&self, random: &mut Random) -> Bindings {
+        let Statement { graph, values, angles } = &self.statement;
         loop {
             let mut given = Vec::new();
             for _ in 0..self.links {
@@ -198,12 +165,12 @@ impl Trial<'_> {
             let target = [0; 3].map(|_| random.within(3.0));
             given.extend(target);
             let angles: Vec<(Angle, f64)> =
-                self.angles.iter().filter_map(|&(angle, range)| Some((angle, random.in_range(range?)))).collect();
-            let bindings = Bindings::new(&self.graph, &given, &angles);
+                angles.iter().filter_map(|&(angle, range)| Some((angle, random.in_range(range?)))).collect();
+            let bindings = Bindings::new(graph, &given, &angles);
             // Links reach half a metre each way at most.
             let reach = 0.9 * f64::from(u32::try_from(self.links).unwrap_or(u32::MAX));
             let distance = target.iter().map(|c| c * c).sum::<f64>().sqrt();
-            let moderate = self.values.iter().all(|&v| self.graph.evaluate(v, &bindings).abs() < 3.0);
+            let moderate = values.iter().all(|&v| graph.evaluate(v, &bindings).abs() < 3.0);
             if (distance > reach + 0.3 || self.links > 3) && moderate {
                 return bindings;
             }
@@ -212,9 +179,8 @@ impl Trial<'_> {
 }
 
 /// Makes a subtraction of the `which`-th addition of each program (or the other way round).
-fn flip_signs(programs: &mut RigPrograms, which: usize) {
-    let chain = [&mut programs.chain_value_gradient, &mut programs.chain_residual_jacobian];
-    for program in programs.joints.iter_mut().chain(chain) {
+fn flip_signs(kernels: &mut [Kernel], which: usize) {
+    for Kernel { program, .. } in kernels {
         let sums: Vec<usize> = program
             .ops()
             .iter()

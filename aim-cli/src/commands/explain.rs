@@ -2,14 +2,12 @@
 
 use std::path::Path;
 
-use aim_codegen::RigPrograms;
-use aim_codegen::emit::Rig;
+use aim_codegen::kernels;
 
 use crate::args::{self, Paper};
 use crate::commands::check::{all_passed, verdicts};
 use crate::commands::count::Counts;
-use crate::commands::generate;
-use crate::explain::{self, Subject};
+use crate::explain::{self, Explained};
 use crate::failure::{Failure, Result};
 use crate::files;
 use crate::outputs::Outputs;
@@ -18,16 +16,14 @@ pub(super) fn run(arguments: &args::Explain) -> Result {
     let paper = paper(arguments)?;
     let spec = files::load_rig(&arguments.rig)?;
     if let Some(path) = &arguments.output {
-        let mut outputs = Outputs::default();
-        outputs.reads(&arguments.rig, "the rig itself");
-        outputs.writes(path, "-o")?;
+        Outputs::reading([(arguments.rig.as_path(), "the rig itself")]).writes(path, "-o")?;
     }
-    let programs = RigPrograms::derive(&spec);
-    let verdicts = verdicts(&spec, &programs, arguments.samples);
-    let document = explain::document(&Subject {
+    let kernels = kernels(&spec);
+    let verdicts = verdicts(&spec, &kernels, arguments.samples);
+    let document = explain::document(&Explained {
         spec: &spec,
-        rust: &generate::rust(&Rig { spec: &spec, programs: &programs }),
-        counts: &Counts::of(&spec, &programs),
+        kernels: &kernels,
+        counts: &Counts::of(&spec, &kernels),
         verdicts: &verdicts,
         samples: arguments.samples,
     });
@@ -43,7 +39,7 @@ pub(super) fn run(arguments: &args::Explain) -> Result {
     all_passed(&arguments.rig, &spec, &verdicts)
 }
 
-/// How to write it: as asked, else as the file's name says, else as a page.
+/// Format of the output: as asked, else by the file's ending, else a page.
 fn paper(arguments: &args::Explain) -> Result<Paper> {
     let by_name = |path: &Path| {
         let ending = path.extension().unwrap_or_default().to_ascii_lowercase();

@@ -5,11 +5,12 @@ use std::fs;
 use std::path::Path;
 
 use aim_codegen::emit::{self, Rig};
-use aim_codegen::{Objective, RigPrograms, RigSpec};
-
+use aim_codegen::objective::functions;
+use aim_codegen::{RigSpec, kernels};
 use quote::quote;
 
 use crate::args::{self, Language};
+use crate::explain;
 use crate::failure::{Failure, Result};
 use crate::files;
 use crate::outputs::Outputs;
@@ -25,9 +26,7 @@ pub(super) fn run(arguments: &args::Generate) -> Result {
     }
     match &arguments.output {
         Some(path) => {
-            let mut outputs = Outputs::default();
-            outputs.reads(&arguments.rig, "the rig itself");
-            outputs.writes(path, "-o")?;
+            Outputs::reading([(arguments.rig.as_path(), "the rig itself")]).writes(path, "-o")?;
             files::write(path, code.as_bytes())
         }
         None => files::print(&code),
@@ -35,12 +34,12 @@ pub(super) fn run(arguments: &args::Generate) -> Result {
 }
 
 fn emit(spec: &RigSpec, language: Language) -> String {
-    let programs = RigPrograms::derive(spec);
-    let rig = Rig { spec, programs: &programs };
+    let kernels = kernels(spec);
+    let rig = Rig { spec, kernels: &kernels };
     match language {
         Language::C => emit::c::emit(&rig),
         Language::Wgsl => emit::wgsl::emit(&rig),
-        Language::Latex => emit::latex::emit(&rig),
+        Language::Latex => explain::latex(&explain::formulas(&rig)),
         Language::Maxima => emit::maxima::emit(&rig),
         Language::Rust => rust(&rig),
     }
@@ -52,23 +51,22 @@ fn trace(spec: &RigSpec) -> String {
         "{}: operations if rewriting stopped there and derivatives were taken of what was there (sines and cosines given)\n",
         spec.name
     );
-    for (objective, _) in aim_codegen::objectives(spec) {
-        let (of, outputs) = match objective {
-            Objective::Joint(joint) => {
-                (spec.joints[joint].name.as_str(), "aim and its derivatives by pitch and heading")
-            }
-            Objective::ChainAim => ("chain", "aim and all its derivatives"),
-            Objective::ChainResidual => ("chain", "residual and Jacobian"),
-        };
-        let _ = writeln!(out, "\n{of}: {outputs}");
-        for (i, step) in aim_codegen::derivation(spec, objective).steps.iter().enumerate() {
+    let kernels = kernels(spec);
+    for function in functions(&kernels) {
+        let kernel = function.kernel;
+        // Equal kernels once.
+        if function.joint.is_some_and(|joint| joint != kernel.joints[0]) {
+            continue;
+        }
+        let _ = writeln!(out, "\n{}: {}", function.subject(spec), kernel.objective.title);
+        for (i, step) in kernel.statement(spec).derivation().steps.iter().enumerate() {
             if i == 0 {
                 let _ = writeln!(out, "{:>6}  as stated", step.before.total());
             }
             let rules: Vec<String> = step
                 .rules
                 .iter()
-                .map(|(name, times)| if *times > 1 { format!("{name} (x{times})") } else { (*name).to_owned() })
+                .map(|(rule, times)| if *times > 1 { format!("{rule} (x{times})") } else { rule.to_string() })
                 .collect();
             let _ = writeln!(out, "{:>6}  {}", step.after.total(), rules.join(", "));
         }
@@ -77,7 +75,7 @@ fn trace(spec: &RigSpec) -> String {
 }
 
 /// The solver in Rust, formatted.
-pub(crate) fn rust(rig: &Rig<'_>) -> String {
+fn rust(rig: &Rig<'_>) -> String {
     let tokens = emit::rust::emit_with_struct(rig, &emit::rust::Item::of(rig.spec, quote!(::aim)));
     let header = format!(
         "// The rig {}, derived and written by aim {}. Do not edit: generate again.\n",

@@ -17,12 +17,12 @@ struct Inspection {
     file: String,
     up: [f64; 3],
     forward: [f64; 3],
-    bones: Vec<Bone>,
-    clips: Vec<Clip>,
+    bones: Vec<BoneReport>,
+    clips: Vec<ClipReport>,
 }
 
 #[derive(Serialize)]
-struct Bone {
+struct BoneReport {
     name: String,
     parent: Option<String>,
     role: Option<&'static str>,
@@ -34,7 +34,7 @@ struct Bone {
 }
 
 #[derive(Serialize)]
-struct Clip {
+struct ClipReport {
     name: String,
     seconds: f32,
 }
@@ -42,7 +42,7 @@ struct Clip {
 /// Beyond this, degrees, a signed axis is no description of a bone.
 const FAR_OFF_DEG: f64 = 20.0;
 
-/// What a table cannot say: the pose, the facing with all that told it, size, and which bones need a general frame.
+/// Summary of the measurement: facing with its evidence, pose, size, and bones that need a general frame.
 fn in_words(measurement: &Measurement, document: &Document) -> String {
     let mut out = format!("{}\n", evidence::facing(measurement, document));
     for against in evidence::against(measurement, document) {
@@ -63,12 +63,8 @@ fn in_words(measurement: &Measurement, document: &Document) -> String {
         _ => "Measured in the bind pose; the rest pose is the same.\n".to_owned(),
     };
     out += &format!("{:.4} high, in the file's units.\n", measurement.height);
-    let far: Vec<String> = measurement
-        .bones
-        .iter()
-        .filter(|bone| bone.role.is_some() && bone.deviation_deg > FAR_OFF_DEG)
-        .map(|bone| format!("{} ({:.0}°)", bone.name, bone.deviation_deg))
-        .collect();
+    let far = measurement.bones.iter().filter(|bone| bone.role.is_some() && bone.deviation_deg > FAR_OFF_DEG);
+    let far: Vec<String> = far.map(|bone| format!("{} ({:.0}°)", bone.name, bone.deviation_deg)).collect();
     if !far.is_empty() {
         out += &format!("Far off any axis, so that `aim rig` gives the exact frame: {}.\n", far.join(", "));
     }
@@ -76,9 +72,9 @@ fn in_words(measurement: &Measurement, document: &Document) -> String {
 }
 
 impl Inspection {
-    fn of(file: String, document: &Document, measurement: &Measurement) -> Self {
+    fn new(file: String, document: &Document, measurement: &Measurement) -> Self {
         let nodes = document.skeleton().nodes();
-        let bones = measurement.bones.iter().map(|bone| Bone {
+        let bones = measurement.bones.iter().map(|bone| BoneReport {
             name: bone.name.clone(),
             parent: bone.parent.map(|parent| nodes[parent].name.clone()),
             role: bone.role.map(aim_gltf::Role::as_str),
@@ -88,16 +84,13 @@ impl Inspection {
             deviation_deg: rounded(bone.deviation_deg),
             handedness: bone.handedness.as_str(),
         });
+        let clips = document.clips().iter().map(|clip| ClipReport { name: clip.name.clone(), seconds: clip.seconds() });
         Self {
             file,
             up: measurement.up.to_array().map(rounded),
             forward: measurement.forward.to_array().map(rounded),
             bones: bones.collect(),
-            clips: document
-                .clips()
-                .iter()
-                .map(|clip| Clip { name: clip.name.clone(), seconds: clip.seconds() })
-                .collect(),
+            clips: clips.collect(),
         }
     }
 
@@ -146,24 +139,17 @@ fn draw(arguments: &args::Inspect, page: &Path, document: &Document, measurement
     files::write(page, html::inspection_page(&inspected).as_bytes())
 }
 
-fn check_outputs(arguments: &args::Inspect, document: &Document) -> Result {
-    let mut outputs = Outputs::default();
-    outputs.reads_parts_of(document);
-    outputs.reads(&arguments.file, "the model itself");
-    if let Some(rig) = &arguments.rig {
-        outputs.reads(rig, "the rig");
-    }
-    arguments.html.as_ref().map_or(Ok(()), |page| outputs.writes(page, "--html"))
-}
-
 pub(super) fn run(arguments: &args::Inspect) -> Result {
     let document = files::load_model(&arguments.file)?;
-    check_outputs(arguments, &document)?;
+    let read =
+        [Some((arguments.file.as_path(), "the model itself")), arguments.rig.as_deref().map(|rig| (rig, "the rig"))];
+    let mut outputs = Outputs::reading(read.into_iter().flatten()).reading_parts_of(&document);
     let measurement = Measurement::of(&document);
     if let Some(page) = &arguments.html {
+        outputs.writes(page, "--html")?;
         draw(arguments, page, &document, &measurement)?;
     }
-    let inspection = Inspection::of(arguments.file.display().to_string(), &document, &measurement);
+    let inspection = Inspection::new(arguments.file.display().to_string(), &document, &measurement);
     files::print(&if arguments.json {
         files::to_json(&inspection)?
     } else {

@@ -4,7 +4,7 @@ use crate::args;
 use crate::failure::{Failure, Result};
 use crate::files;
 use crate::outputs::Outputs;
-use crate::plot::{self, Subject};
+use crate::plot::{self, JointPlot};
 
 pub(super) fn run(arguments: &args::Plot) -> Result {
     let ending = arguments.output.extension().map(|ending| ending.to_ascii_lowercase());
@@ -14,12 +14,10 @@ pub(super) fn run(arguments: &args::Plot) -> Result {
         _ => return Err(Failure::in_file(&arguments.output, "is neither .svg nor .png; give -o one of these endings")),
     };
     let spec = files::load_rig(&arguments.rig)?;
-    let mut outputs = Outputs::default();
-    outputs.reads(&arguments.rig, "the rig itself");
-    outputs.writes(&arguments.output, "-o")?;
+    Outputs::reading([(arguments.rig.as_path(), "the rig itself")]).writes(&arguments.output, "-o")?;
     let fail = |problem| Failure::in_file(&arguments.rig, problem);
     let target = arguments.target.map(|point| point.0);
-    let subject = Subject::new(&spec, arguments.joint.as_deref(), target).map_err(fail)?;
+    let subject = JointPlot::new(&spec, arguments.joint.as_deref(), target).map_err(fail)?;
     let picture = if arguments.surface {
         plot::surface(&subject, arguments.size).map_err(fail)?
     } else {

@@ -28,29 +28,25 @@ fn check_outputs(arguments: &args::View) -> Result {
     if !out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
         return Err(Failure::in_file(out, "would be a PNG picture; give --screenshot a name that ends in .png"));
     }
-    let mut outputs = crate::outputs::Outputs::default();
-    for (path, what) in [(&arguments.file, "the model itself"), (&arguments.rig, "the rig")] {
-        path.iter().for_each(|path| outputs.reads(path, what));
-    }
+    let read = [(&arguments.file, "the model itself"), (&arguments.rig, "the rig")];
+    let read = read.into_iter().filter_map(|(path, what)| Some((path.as_deref()?, what)));
+    let mut outputs = crate::outputs::Outputs::reading(read);
     if let Some(file) = &arguments.file {
-        outputs.reads_parts_of(&crate::files::load_model(file)?);
+        outputs = outputs.reading_parts_of(&crate::files::load_model(file)?);
     }
     outputs.writes(out, "--screenshot")
 }
 
 #[cfg(feature = "view")]
 fn options(arguments: args::View) -> aim_viewer::Options {
-    use aim_runtime::Solver;
     use aim_viewer::{Lineup, Options, Path, Shot, Shown};
-    use args::{Cast, Show, TargetPath};
+    use args::{Show, TargetPath};
 
     let shows = |what: Show| arguments.show.contains(&what);
     let mut options = Options::default();
-    options.lineup = arguments.solver.map(|cast| match cast {
-        Cast::Natural => Lineup::One(Solver::Natural),
-        Cast::Exact => Lineup::One(Solver::Exact),
-        Cast::Ascent => Lineup::One(Solver::Ascent),
-        Cast::All => Lineup::All,
+    options.lineup = arguments.solver.map(|solvers| match solvers {
+        [one] => Lineup::One(*one),
+        _ => Lineup::All,
     });
     options.path = match arguments.path {
         TargetPath::Still => Path::Still,

@@ -1,11 +1,12 @@
 //! What the derivation was held against, and what it costs.
 
 use super::document::{Block, Inline, Kind, Section, Table, Text, code, text};
-use super::{Subject, counted};
+use super::{Explained, counted};
 use crate::commands::check::{TOLERANCE_F32, TOLERANCE_F64};
+use crate::commands::count::Row;
 
 /// The comparison with central differences.
-pub(super) fn section(subject: &Subject<'_>) -> Section {
+pub(super) fn section(subject: &Explained<'_>) -> Section {
     let rows = subject.verdicts.iter().map(|verdict| {
         let result = if verdict.passed() { Inline::from("agrees") } else { Inline::Strong("FAILED".into()) };
         vec![
@@ -58,14 +59,15 @@ fn scientific(value: f64) -> String {
 }
 
 /// The table of `aim count`.
-pub(super) fn counts(subject: &Subject<'_>) -> Section {
+pub(super) fn counts(subject: &Explained<'_>) -> Section {
     let head: Vec<Text> = ["", "total", "add", "mul", "div", "sqrt", "pow", "select"].map(|name| text![name]).to_vec();
-    let rows = subject.counts.rows().map(|(name, count)| {
+    let rows = subject.counts.rows().iter().map(|Row { title, count, .. }| {
         let numbers = [count.total, count.add, count.mul, count.div, count.sqrt, count.pow, count.select];
-        let mut row = vec![text![name]];
+        let mut row = vec![text![title.clone()]];
         row.extend(numbers.map(|number| text![number.to_string()]));
         row
     });
+    let rows = rows.collect();
     Section {
         id: "counts",
         title: "What it costs".into(),
@@ -76,7 +78,7 @@ pub(super) fn counts(subject: &Subject<'_>) -> Section {
                 " tells them; the first four are of the joint next to the effector. Sines and cosines are given, subtractions count \
                  as additions, comparisons and selects are not in the total, and negations are free.",
             ]),
-            Block::Table(Table { kind: Kind::Numbers, caption: "Operations".into(), head, rows: rows.to_vec() }),
+            Block::Table(Table { kind: Kind::Numbers, caption: "Operations".into(), head, rows }),
         ],
     }
 }

@@ -1,14 +1,15 @@
 //! The bones' axes, what heading and pitch do in them, what symbols mean, and the chain.
 
-use aim_codegen::objective::{HEADING, PITCH, basis_symbols};
-use aim_codegen::{AngleRange, Frame, JointSpec, Objective, RigSpec};
+use aim_codegen::objective::{HEADING, PITCH, Scope, basis_symbols};
+use aim_codegen::{AngleRange, Frame, JointSpec, LimitsFrom, RigSpec};
 use aim_symbolic::print::{self, Formula, Notation, Sign};
 use aim_symbolic::{Graph, Rotation, Vector, VectorNode};
 
-use super::document::{Block, Equation, Inline, Kind, Section, Table, Text, code, text};
+use super::document::{Block, Equation, Inline, Kind, Section, Table, code, text};
 use super::drawing::{self, Drawing};
 use super::kernel::Kernel;
 use super::statement::Points;
+use crate::words;
 
 pub(super) fn section(spec: &RigSpec) -> Section {
     let frames = basis_symbols(spec);
@@ -42,7 +43,6 @@ pub(super) fn section(spec: &RigSpec) -> Section {
 }
 
 fn axes(spec: &RigSpec, frame: &Frame, joints: &[usize]) -> Drawing {
-    let of = |pick: fn(&JointSpec) -> bool| joints.iter().any(|&joint| pick(&spec.joints[joint]));
     let names = joints.iter().map(|&joint| spec.joints[joint].name.as_str()).collect::<Vec<_>>().join(", ");
     let [up, forward, left] = [frame.up, frame.forward, frame.left].map(axis);
     let hand = if frame.handedness() > 0.0 {
@@ -52,25 +52,24 @@ fn axes(spec: &RigSpec, frame: &Frame, joints: &[usize]) -> Drawing {
     };
     let mirrored = if frame.handedness() == spec.joints[0].frame.handedness() { "" } else { ", mirrored" };
     let said = format!("up = {up}, forward = {forward}, left = {left}; {hand}{mirrored}");
-    let turns = [of(|joint| joint.heading.is_some()), of(|joint| joint.pitch.is_some())];
     let told = format!("The axes of {names}, seen from the character’s front left: {said}.");
-    drawing::of_axes(frame, turns, told, text![code(names), format!(": {said}.")])
+    drawing::of_axes(frame, declared_turns(spec, joints), told, text![code(names), format!(": {said}.")])
 }
 
-/// `+X`, or the vector where it is no axis.
+/// True for heading and for pitch if any of these joints has it.
+fn declared_turns(spec: &RigSpec, joints: &[usize]) -> [bool; 2] {
+    let any = |has: fn(&JointSpec) -> bool| joints.iter().any(|&joint| has(&spec.joints[joint]));
+    [any(|joint| joint.heading.is_some()), any(|joint| joint.pitch.is_some())]
+}
+
+/// `+X`, or the components of a vector that is no axis, with the minus sign of print.
 fn axis(v: [f64; 3]) -> String {
-    for (name, component) in ["X", "Y", "Z"].iter().zip(v) {
-        if component.abs() == 1.0 {
-            return format!("{}{name}", if component < 0.0 { '−' } else { '+' });
-        }
-    }
-    let shown = v.map(|c| format!("{:.3}", c + 0.0).replace('-', "−"));
-    format!("({})", shown.join(", "))
+    words::axis(v).replace('-', "−")
 }
 
 /// The symbols that hold without any joint.
 fn letters(spec: &RigSpec) -> Notation {
-    aim_codegen::objective::notation(spec, Objective::Joint(0))
+    aim_codegen::objective::notation(spec, Scope::Joint)
 }
 
 /// The turns in the axes forward, left, up.
@@ -103,9 +102,7 @@ fn in_bones(spec: &RigSpec, frame: &Frame, symbol: &Formula, joints: &[usize]) -
     let mut g = Graph::new();
     let basis = g.basis([frame.forward, frame.left, frame.up]);
     let mut equations: Vec<Equation> = vec![(symbol.clone(), matrix(&mut g, basis, &notation)).into()];
-    let of = |pick: fn(&JointSpec) -> bool| joints.iter().any(|&joint| pick(&spec.joints[joint]));
-    let declared = [of(|joint| joint.heading.is_some()), of(|joint| joint.pitch.is_some())];
-    for ((name, plane), declared) in [("h", HEADING), ("p", PITCH)].into_iter().zip(declared) {
+    for ((name, plane), declared) in [("h", HEADING), ("p", PITCH)].into_iter().zip(declared_turns(spec, joints)) {
         if declared {
             let angle = g.angle(name);
             let turn = g.turn(plane, angle);
@@ -124,7 +121,7 @@ fn entry(axis: usize) -> Formula {
     Formula::italic("M").indexed(index)
 }
 
-/// What symbols mean.
+/// The section on symbols.
 pub(super) fn notation(spec: &RigSpec) -> Section {
     let letters = letters(spec);
     let [f, l, u] = ["f", "l", "u"].map(Formula::vector);
@@ -134,7 +131,11 @@ pub(super) fn notation(spec: &RigSpec) -> Section {
     let (v, w) = (Formula::vector("v"), Formula::vector("w"));
     let across =
         Formula::Index(Box::new(v.clone()), Box::new(Formula::Row(vec![Formula::Sign(Sign::Across), w.clone()])));
-    let rows: Vec<[Text; 2]> = vec![
+    let image = Formula::infix(Formula::italic("M"), Sign::Times, Formula::vector("x"));
+    let image = Formula::infix(image, Sign::Plus, Formula::vector("t"));
+    let i = Formula::italic("i");
+    let [forward, left, up] = [effector.forward, effector.left, effector.up].map(axis);
+    let rows = [
         [text![Formula::vector("P")], text!["the target, in the joint’s space (of a chain: in the last joint’s)"]],
         [
             text![Formula::italic("M"), ", ", Formula::vector("t")],
@@ -142,11 +143,7 @@ pub(super) fn notation(spec: &RigSpec) -> Section {
                 "from effector space to the joint’s space before its added rotation: the point ",
                 Formula::vector("x"),
                 " goes to ",
-                Formula::infix(
-                    Formula::infix(Formula::italic("M"), Sign::Times, Formula::vector("x")),
-                    Sign::Plus,
-                    Formula::vector("t"),
-                ),
+                image,
                 "; the image of axis ",
                 Formula::italic("k"),
                 " has the components ",
@@ -155,11 +152,7 @@ pub(super) fn notation(spec: &RigSpec) -> Section {
             ],
         ],
         [
-            text![
-                Formula::italic("L").indexed(Formula::italic("i")),
-                ", ",
-                Formula::vector("t").indexed(Formula::italic("i"))
-            ],
+            text![Formula::italic("L").indexed(i.clone()), ", ", Formula::vector("t").indexed(i)],
             text!["link i of a chain, in the same way: from the effector to joint 0, then from joint i − 1 to joint i"],
         ],
         [
@@ -172,12 +165,7 @@ pub(super) fn notation(spec: &RigSpec) -> Section {
         ],
         [
             text![f, ", ", l, ", ", u],
-            text![format!(
-                "the effector’s forward, left and up in its own space: {}, {} and {}",
-                axis(effector.forward),
-                axis(effector.left),
-                axis(effector.up)
-            )],
+            text![format!("the effector’s forward, left and up in its own space: {forward}, {left} and {up}")],
         ],
         [
             text![v.clone(), " · ", w.clone(), ", ", Formula::Bars(Box::new(v.clone()))],
@@ -185,7 +173,7 @@ pub(super) fn notation(spec: &RigSpec) -> Section {
         ],
         [
             text![across],
-            text!["what is left of ", v.clone(), " without its part along ", w, ": its part across that direction"],
+            text!["what is left of ", v, " without its part along ", w, ": its part across that direction"],
         ],
         [text![Formula::italic("R").transposed()], text!["the way back of a rotation, its transpose: R Rᵀ = 1"]],
         [
@@ -196,13 +184,12 @@ pub(super) fn notation(spec: &RigSpec) -> Section {
             ],
         ],
     ];
-    let rows = rows.into_iter().map(|row| row.to_vec()).collect();
-    let head = ["symbol", "what it is"].map(|name| text![name]).to_vec();
+    let rows = rows.map(Vec::from).to_vec();
     Section {
         id: "notation",
         title: "Notation".into(),
         blocks: vec![
-            Block::Table(Table { kind: Kind::Code, caption: "Symbols of the formulas".into(), head, rows }),
+            Block::Table(Table::new(Kind::Code, "Symbols of the formulas", &["symbol", "what it is"], rows)),
             Block::Paragraph(text![
                 "Two quarter turns come up in derivatives: what a vector’s part in the plane of heading, or of pitch, becomes when it is \
                  turned by 90°. In the axes forward, left, up:",
@@ -250,7 +237,7 @@ pub(super) fn chain(spec: &RigSpec, kernel: &Kernel<'_>) -> Section {
         blocks.push(Block::Equations(vec![(Formula::upright("direction"), formula).into()]));
     }
     blocks.push(Block::Paragraph(text![
-        "Ranges, rates and comfort are the solvers’ business: they decide how far along the gradient a joint may go, not what the \
+        "Ranges, rates and stiffness are the solvers’ business: they decide how far along the gradient a joint may go, not what the \
          gradient is. Nothing of them is in what follows.",
     ]));
     Section { id: "chain", title: "The chain".into(), blocks }
@@ -258,7 +245,7 @@ pub(super) fn chain(spec: &RigSpec, kernel: &Kernel<'_>) -> Section {
 
 /// The effector's direction in the chain's stated aim.
 fn direction(g: &Graph, kernel: &Kernel<'_>) -> Option<Vector> {
-    let Points { tip, .. } = Points::of(g, kernel.derivation.stated[0])?;
+    let Points { tip, .. } = Points::find(g, kernel.derivation.stated[0])?;
     match g.vector_node(tip) {
         VectorNode::Add(rotated, _) => Some(rotated),
         _ => None,
@@ -266,7 +253,7 @@ fn direction(g: &Graph, kernel: &Kernel<'_>) -> Option<Vector> {
 }
 
 fn joints(spec: &RigSpec) -> Table {
-    let head = ["", "joint", "bone", "heading", "pitch", "rate", "comfort", "more"];
+    let head = ["", "joint", "bone", "heading", "pitch", "rate", "stiffness", "more"];
     let rows = spec.joints.iter().enumerate().map(|(number, joint)| {
         vec![
             text![number.to_string()],
@@ -275,25 +262,20 @@ fn joints(spec: &RigSpec) -> Table {
             text![range(joint.heading)],
             text![range(joint.pitch)],
             text![format!("{}/s", degrees(joint.rate))],
-            text![format!("{}", joint.comfort)],
+            text![format!("{}", joint.stiffness)],
             text![more(joint)],
         ]
     });
-    Table {
-        kind: Kind::Facts,
-        caption: "The joints, from the effector inward".into(),
-        head: head.map(|name| text![name]).to_vec(),
-        rows: rows.collect(),
-    }
+    Table::new(Kind::Facts, "The joints, from the effector inward", &head, rows.collect())
 }
 
 fn more(joint: &JointSpec) -> String {
     let mut more = Vec::new();
-    more.extend(joint.pair.as_ref().map(|pair| format!("with {pair}")));
-    more.extend(joint.absolute.then(|| "ranges from the bind pose".to_owned()));
-    more.extend(joint.level.map(|level| format!("level {level}")));
+    more.extend(joint.other_eye.as_ref().map(|pair| format!("with {pair}")));
+    more.extend((joint.limits_from == LimitsFrom::BindPose).then(|| "ranges from the bind pose".to_owned()));
+    more.extend(joint.upright.map(|upright| format!("upright {upright}")));
     more.extend(joint.acceleration.map(|limit| format!("acceleration {}/s²", degrees(limit))));
-    more.extend(joint.narrowing.map(|part| format!("narrowing {part}")));
+    more.extend(joint.pitch_taper.map(|part| format!("pitch taper {part}")));
     more.join(", ")
 }
 

@@ -1,4 +1,4 @@
-//! What a document is made of, whatever it is written in.
+//! Parts of a document, independent of the language it is written in.
 
 use aim_symbolic::print::Formula;
 
@@ -69,7 +69,7 @@ pub(super) enum Block {
     Rewritings(Vec<Rewriting>),
     Table(Table),
     Drawings(Vec<Drawing>),
-    /// What is not needed at the first reading.
+    /// A part that a first reading can skip.
     Fold(Text, Vec<Self>),
     Heading(Text),
 }
@@ -80,11 +80,11 @@ pub(super) struct Rewriting {
     pub(super) from: Formula,
     pub(super) to: Formula,
     pub(super) times: usize,
-    /// What the letters stand for.
+    /// Letters with the formulas they stand for.
     pub(super) letters: Vec<(Formula, Formula)>,
 }
 
-/// How a table's columns are set.
+/// Layout of a table's columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// The first column names the row.
@@ -103,9 +103,16 @@ pub(super) struct Table {
     pub(super) rows: Vec<Vec<Text>>,
 }
 
+impl Table {
+    /// A table whose columns are called `head`.
+    pub(super) fn new(kind: Kind, caption: impl Into<String>, head: &[&str], rows: Vec<Vec<Text>>) -> Self {
+        Self { kind, caption: caption.into(), head: head.iter().map(|name| text![*name]).collect(), rows }
+    }
+}
+
 #[derive(Clone, Debug)]
 pub(super) struct Section {
-    /// What links call it.
+    /// Its name in links.
     pub(super) id: &'static str,
     pub(super) title: String,
     pub(super) blocks: Vec<Block>,
@@ -113,14 +120,14 @@ pub(super) struct Section {
 
 /// A whole document.
 #[derive(Clone, Debug)]
-pub(crate) struct Document {
+pub(crate) struct Explanation {
     pub(super) title: String,
     pub(super) lead: Vec<Block>,
     pub(super) sections: Vec<Section>,
 }
 
 impl Rewriting {
-    /// Whether it is the same as `other`, however often.
+    /// True if it differs from `other` at most in its count.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         (&self.from, &self.to, &self.letters) == (&other.from, &other.to, &other.letters)
     }

@@ -1,10 +1,12 @@
 //! Drawings of lines, arrows and words, and the one of a bone's axes.
 
 use aim_codegen::Frame;
+use glam::DVec3;
 
 use super::document::Text;
+use crate::projection::Projection;
 
-/// What a line is of; how it looks is the page's business.
+/// Meaning of a line; the page decides its look.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ink {
     /// One of the bone's own axes.
@@ -33,7 +35,7 @@ pub(super) struct Label {
 #[derive(Clone, Debug)]
 pub(super) struct Drawing {
     pub(super) size: [f64; 2],
-    /// What it shows, for those who cannot see it.
+    /// Description for readers who cannot see it.
     pub(super) told: String,
     pub(super) caption: Text,
     pub(super) arrows: Vec<Arrow>,
@@ -45,16 +47,15 @@ const CENTRE: [f64; 2] = [196.0, 178.0];
 /// Of a length of 1.
 const SCALE: f64 = 104.0;
 
-/// Where the viewer stands: so far from the character's front to its left, and so far above, degrees.
+/// Position of the viewer: angle from the character's front to its left, and angle above, degrees.
 const FROM_LEFT: f64 = 33.0;
 const FROM_ABOVE: f64 = 24.0;
 
 /// A point, given by its coordinates forward, left and up, as the viewer sees it.
-fn seen([forward, left, up]: [f64; 3]) -> [f64; 2] {
-    let ((sin_a, cos_a), (sin_e, cos_e)) = (FROM_LEFT.to_radians().sin_cos(), FROM_ABOVE.to_radians().sin_cos());
-    let right = left * cos_a - forward * sin_a;
-    let high = up * cos_e - (forward * cos_a + left * sin_a) * sin_e;
-    [CENTRE[0] + SCALE * right, CENTRE[1] - SCALE * high]
+fn seen(point: [f64; 3]) -> [f64; 2] {
+    let view = Projection::from_aside([DVec3::Z, DVec3::X, DVec3::Y], FROM_LEFT, FROM_ABOVE, CENTRE);
+    let DVec3 { x, y, .. } = Projection { scale: SCALE, ..view }.project(point.into());
+    [x, y]
 }
 
 fn along(direction: [f64; 3], length: f64) -> [f64; 2] {

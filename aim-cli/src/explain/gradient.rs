@@ -1,4 +1,4 @@
-//! How derivatives are taken: one sweep over whole vectors, part by part.
+//! The section on derivatives: one sweep over whole vectors, part by part.
 
 use aim_symbolic::print::{self, Formula, Notation};
 use aim_symbolic::{Course, Graph, Node, Passage, Rotation, RotationNode, Scalar, ScalarNode, Swept, VectorNode};
@@ -62,7 +62,7 @@ fn sweep(kernel: &Kernel<'_>, swept: &Swept) -> Table {
             forward(kernel, swept),
         ),
     };
-    Table { kind: Kind::Code, caption: caption.into(), head: head.map(|name| text![name]).to_vec(), rows }
+    Table::new(Kind::Code, caption, &head, rows)
 }
 
 /// Short enough to be written wherever it is needed.
@@ -119,7 +119,7 @@ fn turned(g: &Graph, rotation: Rotation, part: &Formula, notation: &Notation) ->
     ]
 }
 
-/// What needs the part, and how that hands its derivative on.
+/// The rules by which those parts that need this one hand their derivatives on to it.
 fn needed_by(g: &Graph, swept: &Swept, node: Node) -> Text {
     let mut reasons: Vec<&'static str> = Vec::new();
     let mut times = 0;
@@ -141,7 +141,7 @@ fn needed_by(g: &Graph, swept: &Swept, node: Node) -> Text {
     }
 }
 
-/// How the derivative of `whole` becomes that of its part.
+/// The rule that takes the derivative of `whole` to that of its part.
 fn handed_on(g: &Graph, whole: Node, part: Node) -> &'static str {
     match whole {
         Node::Scalar(scalar) => match g.scalar_node(scalar) {

@@ -1,39 +1,22 @@
 //! The document as one page that needs nothing but itself: no network, no script; light, dark and for paper.
 
 use aim_symbolic::print::{Formula, Sign, mathml};
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, PreEscaped, html};
 
-use super::document::{Block, Document, Equation, Inline, Kind, Rewriting, Section, Table};
+use super::document::{Block, Equation, Explanation, Inline, Kind, Rewriting, Section, Table};
 use super::drawing::{Arrow, Drawing, Ink};
 
-const STYLE: &str = include_str!("style.css");
-
 /// The page.
-pub(crate) fn page(document: &Document) -> String {
-    html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                meta name="generator" content=(concat!("aim ", env!("CARGO_PKG_VERSION")));
-                title { (document.title) }
-                style { (PreEscaped(STYLE)) }
-            }
-            body {
-                main {
-                    h1 { (document.title) }
-                    div.lead { (blocks(&document.lead)) }
-                    nav aria-label="Contents" {
-                        ol { @for section in &document.sections { li { a href={ "#" (section.id) } { (section.title) } } } }
-                    }
-                    @for (number, one) in document.sections.iter().enumerate() { (section(number + 1, one)) }
-                }
-            }
+pub(crate) fn page(document: &Explanation) -> String {
+    let content = html! {
+        h1 { (document.title) }
+        div.lead { (blocks(&document.lead)) }
+        nav aria-label="Contents" {
+            ol { @for section in &document.sections { li { a href={ "#" (section.id) } { (section.title) } } } }
         }
-    }
-    .into_string()
+        @for (number, one) in document.sections.iter().enumerate() { (section(number + 1, one)) }
+    };
+    crate::page::page(&document.title, include_str!("style.css"), &content)
 }
 
 fn section(number: usize, section: &Section) -> Markup {
@@ -81,7 +64,7 @@ fn math(formula: &Formula) -> Markup {
     html! { math { (PreEscaped(mathml(formula))) } }
 }
 
-/// What is wider than the page scrolls by itself, also by keys.
+/// Content that scrolls by itself, also by keys, if it is wider than the page.
 fn scrolling(class: &str, told: &str, content: &Markup) -> Markup {
     html! { div class=(class) tabindex="0" role="group" aria-label=(told) { (content) } }
 }

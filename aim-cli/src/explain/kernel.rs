@@ -1,18 +1,16 @@
 //! One kernel of a rig with its derivation and what its parts are called.
 
-use aim_codegen::objective::{ChainInputs, JointInputs, notation};
-use aim_codegen::{Objective, RigSpec, derivation};
+use aim_codegen::RigSpec;
+use aim_codegen::objective::{self, Scope, notation};
 use aim_symbolic::print::{self, Formula, Notation};
-use aim_symbolic::{Angle, Course, Derivation, Graph, Node, Variable};
+use aim_symbolic::{Course, Derivation, Node, Variable};
 
 use super::document::{Equation, Inline, code};
-use super::values;
 
 pub(super) struct Kernel<'a> {
     pub(super) spec: &'a RigSpec,
-    pub(super) objective: Objective,
-    /// The joints that it serves.
-    pub(super) joints: Vec<usize>,
+    /// The kernel as it is emitted.
+    pub(super) emitted: &'a objective::Kernel,
     pub(super) derivation: Derivation,
     pub(super) notation: Notation,
     /// What its outputs are called.
@@ -24,33 +22,30 @@ pub(super) struct Kernel<'a> {
 }
 
 impl<'a> Kernel<'a> {
-    pub(super) fn new(spec: &'a RigSpec, objective: Objective, joints: Vec<usize>) -> Self {
-        let derivation = derivation(spec, objective);
-        let notation = notation(spec, objective);
-        // Inputs are declared in the same order everywhere, so angles are the same, too.
-        let mut g = Graph::new();
-        let angles = match objective {
-            Objective::Joint(_) => {
-                let inputs = JointInputs::declare(&mut g);
-                vec![inputs.pitch, inputs.heading]
-            }
-            Objective::ChainAim | Objective::ChainResidual => {
-                ChainInputs::declare(&mut g, spec.joints.len()).declared_angles(spec)
-            }
-        };
-        let values = values(objective);
+    pub(super) fn new(spec: &'a RigSpec, emitted: &'a objective::Kernel) -> Self {
+        let notation = notation(spec, emitted.objective.scope);
+        let statement = emitted.statement(spec);
+        let derivation = statement.derivation();
+        let values = (emitted.objective.symbols)();
         let derivatives = values.iter().flat_map(|value| {
-            let by = |&angle: &Angle| Formula::derivative(value.clone(), notation.angle(&g, angle));
-            angles.iter().map(by).collect::<Vec<_>>()
+            let by = |&(angle, _): &_| Formula::derivative(value.clone(), notation.angle(&statement.graph, angle));
+            statement.angles.iter().map(by).collect::<Vec<_>>()
         });
         let outputs = values.iter().cloned().chain(derivatives).collect();
         let (named, parts) = parts(&derivation, &notation, &values);
-        Self { spec, objective, joints, derivation, notation, outputs, named, parts }
+        Self { spec, emitted, derivation, notation, outputs, named, parts }
     }
 
     /// Its joints' names.
     pub(super) fn names(&self) -> Inline {
-        code(self.joints.iter().map(|&joint| self.spec.joints[joint].name.as_str()).collect::<Vec<_>>().join(", "))
+        code(
+            self.emitted
+                .joints
+                .iter()
+                .map(|&joint| self.spec.joints[joint].name.as_str())
+                .collect::<Vec<_>>()
+                .join(", "),
+        )
     }
 
     /// Its values' names.
@@ -69,7 +64,7 @@ impl<'a> Kernel<'a> {
 
     /// Whether its formulas are short enough to be written out at every step.
     pub(super) fn is_small(&self) -> bool {
-        matches!(self.objective, Objective::Joint(_))
+        self.emitted.objective.scope == Scope::Joint
     }
 }
 

@@ -1,29 +1,17 @@
 //! The document for a LaTeX compiler, with amsmath, longtable and `TikZ`.
 
+use std::collections::HashMap;
 use std::fmt::Write;
 
 use aim_symbolic::print::{Formula, Sign, latex};
 
-use super::document::{Block, Document, Equation, Inline, Kind, Rewriting, Table};
+use super::document::{Block, Equation, Explanation, Inline, Kind, Rewriting, Table};
 use super::drawing::{Drawing, Ink};
 
-const PREAMBLE: &str = r"\documentclass{article}
-\usepackage[T1]{fontenc}
-\usepackage[utf8]{inputenc}
-\usepackage{amsmath}
-\usepackage{array}
-\usepackage{longtable}
-\usepackage{tikz}
-\usepackage[margin=22mm]{geometry}
-\allowdisplaybreaks
-\renewcommand{\arraystretch}{1.25}
-\setlength{\parindent}{0pt}
-\setlength{\parskip}{6pt}
-\begin{document}
-";
+const PREAMBLE: &str = include_str!("preamble.tex");
 
 /// The document's text.
-pub(crate) fn text(document: &Document) -> String {
+pub(crate) fn text(document: &Explanation) -> String {
     let mut out = format!("% Written by aim {}. Do not edit: write it again.\n", env!("CARGO_PKG_VERSION"));
     out += PREAMBLE;
     let _ = write!(out, "\\title{{{}}}\n\\date{{}}\n\\maketitle\n", plain(&document.title));
@@ -171,41 +159,21 @@ fn ink(ink: Ink) -> &'static str {
     }
 }
 
-/// Text without what LaTeX reads as orders; letters that its fonts lack as formulas.
+/// Each letter that LaTeX reads as an order, or that its fonts lack, and the text that prints it: a line each.
+const LETTERS: &str = include_str!("letters.txt");
+
+/// Text as LaTeX prints it.
 fn plain(text: &str) -> String {
+    let known: HashMap<&str, &str> = LETTERS.lines().filter_map(|line| line.split_once(' ')).collect();
+    let mut buffer = [0; 4];
     let mut out = String::new();
     for letter in text.chars() {
         match letter {
-            '\\' => out += r"\textbackslash{}",
-            '{' | '}' | '_' | '&' | '%' | '$' | '#' => out.extend(['\\', letter]),
-            '^' => out += r"\textasciicircum{}",
-            '~' => out += r"\textasciitilde{}",
-            '<' => out += "$<$",
-            '>' => out += "$>$",
-            '−' => out += "$-$",
-            '×' => out += r"$\times$",
-            '·' => out += r"$\cdot$",
-            '∂' => out += r"$\partial$",
-            'π' => out += r"$\pi$",
-            '½' => out += r"$\tfrac12$",
-            '≤' => out += r"$\leq$",
-            '°' => out += r"$^\circ$",
-            'ᵀ' => out += r"$^{\mathrm T}$",
-            '⁻' => out += "$^-$",
-            '±' => out += r"$\pm$",
-            '→' => out += r"$\to$",
-            '√' => out += r"$\surd$",
-            '⁰' | '¹' | '²' | '³' | '⁴' | '⁵' | '⁶' | '⁷' | '⁸' | '⁹' => {
-                let digit = "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == letter).unwrap_or_default();
-                let _ = write!(out, "$^{digit}$");
-            }
-            '…' => out += r"\ldots{}",
-            '–' => out += "--",
-            '“' => out += "``",
-            '”' => out += "''",
-            '’' => out += "'",
             '\u{a0}' | '\u{202f}' => out.push('~'),
-            letter => out.push(letter),
+            letter => {
+                let letter = letter.encode_utf8(&mut buffer);
+                out += known.get(&*letter).copied().unwrap_or(letter);
+            }
         }
     }
     out

@@ -1,13 +1,16 @@
 //! The emitted code, each line beside its formula and what that is.
 
-use aim_codegen::Objective;
+use aim_codegen::emit::rust_kernels;
+use aim_codegen::format_rust;
+use aim_codegen::objective::Scope;
 use aim_symbolic::print::{self, Formula, Sign};
 use aim_symbolic::{Aspect, Meaning, Node};
+use quote::{ToTokens, quote};
 
 use super::document::{Block, Inline, Kind, Section, Table, Text, code, text};
 use super::kernel::Kernel;
 
-pub(super) fn section(kernel: &Kernel<'_>, rust: &str) -> Section {
+pub(super) fn section(kernel: &Kernel<'_>) -> Section {
     let mut blocks = vec![Block::Paragraph(text![
         "In components the formulas become additions, multiplications, a root and a division, in an order in which each line \
          needs earlier lines only; equal parts are computed once. What is needed once stands where it is needed. The lines are \
@@ -17,13 +20,13 @@ pub(super) fn section(kernel: &Kernel<'_>, rust: &str) -> Section {
         kernel.names(),
         "; those in C and WGSL do the same in the same order.",
     ])];
-    blocks.extend(self::blocks(kernel, rust));
+    blocks.extend(self::blocks(kernel));
     Section { id: "code", title: "The code of one joint".into(), blocks }
 }
 
 /// What the function is given, and its lines.
-pub(super) fn blocks(kernel: &Kernel<'_>, rust: &str) -> Vec<Block> {
-    vec![Block::Table(inputs(kernel)), Block::Table(lines(kernel, rust))]
+pub(super) fn blocks(kernel: &Kernel<'_>) -> Vec<Block> {
+    vec![Block::Table(inputs(kernel)), Block::Table(lines(kernel))]
 }
 
 fn inputs(kernel: &Kernel<'_>) -> Table {
@@ -35,8 +38,8 @@ fn inputs(kernel: &Kernel<'_>) -> Table {
         text![Formula::list([s_p, c_p, s_h, c_h])]
     };
     let target = vec![text![code("target")], text![Formula::vector("P")], text!["the target, in the joint’s space"]];
-    let rows = match kernel.objective {
-        Objective::Joint(_) => vec![
+    let rows = match kernel.emitted.objective.scope {
+        Scope::Joint => vec![
             vec![
                 text![code("effector_to_joint[0..9]")],
                 text![input("m")],
@@ -46,7 +49,7 @@ fn inputs(kernel: &Kernel<'_>) -> Table {
             target,
             vec![text![code("sin_cos")], turns("p", "h"), text!["of the joint’s pitch and heading"]],
         ],
-        Objective::ChainAim | Objective::ChainResidual => {
+        Scope::Chain => {
             let [l, t] =
                 ["L", "t"].map(|letter| if letter == "t" { Formula::vector("t") } else { Formula::italic(letter) });
             let i = Formula::italic("i");
@@ -85,27 +88,27 @@ fn inputs(kernel: &Kernel<'_>) -> Table {
     }
 }
 
-fn lines(kernel: &Kernel<'_>, rust: &str) -> Table {
+fn lines(kernel: &Kernel<'_>) -> Table {
     let derivation = &kernel.derivation;
     let defined = print::defined(&derivation.graph, &derivation.outputs, &kernel.named);
     let told = print::told(&derivation.program, &kernel.notation);
-    let function = Function::find(rust, &name(kernel.objective));
+    let emitted = rust_kernels::lines(kernel.emitted, kernel.spec, &quote!(::aim));
     let mut rows = Vec::new();
     for ((number, symbol, right), meaning) in told.steps.iter().zip(derivation.meanings()) {
         let meaning = meaning.and_then(|meaning| self::meaning(kernel, &defined.notation, meaning));
         rows.push(vec![
-            text![code(function.step(*number))],
+            text![code(emitted.step(*number).map_or_else(String::new, formatted))],
             text![Formula::equals(symbol.clone(), right.clone())],
             meaning.map_or_else(Text::new, |meaning| text![meaning]),
         ]);
     }
     for (place, (result, name)) in told.outputs.iter().zip(&kernel.outputs).enumerate() {
-        let first = if place == 0 { text![code(function.result.clone())] } else { Text::new() };
+        let first = if place == 0 { text![code(formatted(&emitted.results))] } else { Text::new() };
         rows.push(vec![first, text![result.clone()], text![Inline::Math(name.clone())]]);
     }
     Table {
         kind: Kind::Code,
-        caption: format!("{}: {}", name(kernel.objective), derivation.program.count()),
+        caption: format!("{}: {}", rust_kernels::function_name(kernel.emitted), derivation.program.count()),
         head: ["line", "formula", "what it is"].map(|name| text![name]).to_vec(),
         rows,
     }
@@ -143,58 +146,10 @@ fn meaning(kernel: &Kernel<'_>, notation: &print::Notation, meaning: Meaning) ->
     })
 }
 
-/// The emitted function's name.
-fn name(objective: Objective) -> String {
-    match objective {
-        Objective::Joint(joint) => format!("aim_gradient_{joint}"),
-        Objective::ChainAim => "value_gradient".into(),
-        Objective::ChainResidual => "residual_jacobian".into(),
-    }
-}
-
-/// The lines of one emitted function.
-struct Function {
-    /// Each step's number and line.
-    steps: Vec<(usize, String)>,
-    /// What it returns.
-    result: String,
-}
-
-impl Function {
-    fn find(rust: &str, name: &str) -> Self {
-        let start = rust.find(&format!("fn {name}<")).unwrap_or(rust.len());
-        let mut function = Self { steps: Vec::new(), result: String::new() };
-        let mut open: Option<(usize, String)> = None;
-        for line in rust[start..].lines().map(str::trim) {
-            if let Some((number, text)) = &mut open {
-                *text += " ";
-                *text += line;
-                if line.ends_with(';') {
-                    let number = *number;
-                    function.steps.extend(open.take().map(|(_, text)| (number, text)));
-                }
-            } else if let Some(number) = step_number(line) {
-                if line.ends_with(';') {
-                    function.steps.push((number, line.to_owned()));
-                } else {
-                    open = Some((number, line.to_owned()));
-                }
-            } else if line == "}" {
-                break;
-            } else if !function.steps.is_empty() || line.starts_with('[') {
-                // After the steps come the results.
-                function.result += line;
-            }
-        }
-        function
-    }
-
-    fn step(&self, number: usize) -> &str {
-        self.steps.iter().find(|(known, _)| *known == number).map_or("", |(_, line)| line)
-    }
-}
-
-/// The number of the step that this line defines.
-fn step_number(line: &str) -> Option<usize> {
-    line.strip_prefix("let __v")?.split_once(' ')?.0.parse().ok()
+/// A line of the emitted code as it stands in the file, on one line.
+fn formatted(line: impl ToTokens) -> String {
+    // As deep as a kernel is in the file: so long lines are broken as they are there.
+    let text = format_rust(quote!(const _: () = { fn kernel() { #line } };));
+    let lines: Vec<&str> = text.lines().map(str::trim).collect();
+    lines[2..lines.len() - 2].join(" ")
 }

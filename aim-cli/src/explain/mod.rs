@@ -15,38 +15,39 @@ mod listing;
 mod rewriting;
 mod statement;
 
-use aim_codegen::{Objective, RigSpec, objectives};
-use aim_symbolic::print::Formula;
+use aim_codegen::RigSpec;
+use aim_codegen::emit::Rig;
+use aim_codegen::objective::{self, Scope, notation};
+use aim_symbolic::print::{self, Formula};
 
 use crate::commands::check::Verdict;
 use crate::commands::count::Counts;
+use crate::words::counted;
 
-pub(crate) use document::Document;
+pub(crate) use document::Explanation;
 pub(crate) use html::page as html;
 pub(crate) use latex::text as latex;
 
-use document::{Block, Inline, Section, code, text};
+use document::{Block, Equation, Inline, Section, code, text};
 use kernel::Kernel;
 
-/// What a document is about: everything is of the same rig.
-pub(crate) struct Subject<'a> {
+/// Subject of a document: all of it belongs to one rig.
+pub(crate) struct Explained<'a> {
     pub(crate) spec: &'a RigSpec,
-    /// The emitted Rust.
-    pub(crate) rust: &'a str,
+    pub(crate) kernels: &'a [objective::Kernel],
     pub(crate) counts: &'a Counts,
-    /// What the derived programs' comparison with central differences found,
+    /// Results of comparing the derived programs with central differences.
     pub(crate) verdicts: &'a [Verdict],
-    /// in so many poses.
+    /// Number of poses in that comparison.
     pub(crate) samples: u32,
 }
 
 /// The document.
-pub(crate) fn document(subject: &Subject<'_>) -> Document {
+pub(crate) fn document(subject: &Explained<'_>) -> Explanation {
     let spec = subject.spec;
-    let mut kernels: Vec<Kernel<'_>> =
-        objectives(spec).into_iter().map(|(objective, joints)| Kernel::new(spec, objective, joints)).collect();
-    let chain = kernels.split_off(kernels.len() - 2);
-    let first = &kernels[0];
+    let kernels = subject.kernels.iter().map(|kernel| Kernel::new(spec, kernel));
+    let (joints, chain): (Vec<_>, Vec<_>) = kernels.partition(|kernel| kernel.is_small());
+    let first = &joints[0];
     let mut sections = vec![
         conventions::section(spec),
         conventions::notation(spec),
@@ -54,22 +55,54 @@ pub(crate) fn document(subject: &Subject<'_>) -> Document {
         statement::section(first),
         rewriting::section(first),
         gradient::section(first),
-        listing::section(first, subject.rust),
+        listing::section(first),
     ];
-    if kernels.len() > 1 {
-        sections.push(other_joints(&kernels, subject.rust));
+    if joints.len() > 1 {
+        sections.push(other_joints(&joints));
     }
-    sections.push(whole_chain(&chain, subject.rust));
+    sections.push(whole_chain(&chain));
     sections.push(check::section(subject));
     sections.push(check::counts(subject));
-    Document {
+    Explanation {
         title: format!("How {} aims: its derivation, step by step", spec.name),
         lead: lead(subject, first),
         sections,
     }
 }
 
-fn lead(subject: &Subject<'_>, first: &Kernel<'_>) -> Vec<Block> {
+/// The formulas alone: each objective as stated and as rewritten, then the steps of its program.
+pub(crate) fn formulas(rig: &Rig<'_>) -> Explanation {
+    let section = |kernel: &objective::Kernel| {
+        let notation = notation(rig.spec, kernel.objective.scope);
+        let symbols = (kernel.objective.symbols)();
+        let mut statement = kernel.statement(rig.spec);
+        let stated = statement::defined(&statement.graph, &statement.values, &symbols, &notation);
+        let rewritten: Vec<_> = statement.values.iter().map(|&value| statement.graph.rewrite(value)).collect();
+        let rewritten = statement::defined(&statement.graph, &rewritten, &symbols, &notation);
+        let told = print::told(&kernel.program, &notation);
+        let steps = told.steps.into_iter().map(|(_, symbol, right)| Equation::from((symbol, right)));
+        let outputs = told.outputs.into_iter().enumerate();
+        let outputs = outputs.map(|(i, output)| Equation::from((Formula::italic("r").numbered(i), output)));
+        let names: Vec<&str> = kernel.joints.iter().map(|&joint| rig.spec.joints[joint].name.as_str()).collect();
+        let subject = if kernel.objective.scope == Scope::Joint { names.join(", ") } else { "chain".to_owned() };
+        Section {
+            id: kernel.objective.name,
+            title: format!("{subject}: {}", kernel.objective.title),
+            blocks: vec![
+                Block::Paragraph(text![format!("{}.", kernel.program.count())]),
+                Block::Paragraph(text!["As stated:"]),
+                stated,
+                Block::Paragraph(text!["With every rotation moved to where it cancels or costs least:"]),
+                rewritten,
+                Block::Paragraph(text!["Step by step:"]),
+                Block::Equations(steps.chain(outputs).collect()),
+            ],
+        }
+    };
+    Explanation { title: rig.spec.name.clone(), lead: Vec::new(), sections: rig.kernels.iter().map(section).collect() }
+}
+
+fn lead(subject: &Explained<'_>, first: &Kernel<'_>) -> Vec<Block> {
     let spec = subject.spec;
     let before = first.derivation.steps.first().map_or(0, |step| step.before.total());
     vec![
@@ -95,37 +128,32 @@ fn lead(subject: &Subject<'_>, first: &Kernel<'_>) -> Vec<Block> {
 }
 
 /// The kernels of the joints that have other axes or angles than the first.
-fn other_joints(kernels: &[Kernel<'_>], rust: &str) -> Section {
+fn other_joints(kernels: &[Kernel<'_>]) -> Section {
     let mut blocks = vec![Block::Paragraph(text![
         "The same was done for the joints whose axes or angles are others than those of ",
         kernels[0].names(),
         ".",
     ])];
-    blocks.extend(kernels[1..].iter().map(|kernel| whole(kernel, kernel.names(), rust)));
+    blocks.extend(kernels[1..].iter().map(|kernel| whole(kernel, kernel.names())));
     Section { id: "other-joints", title: "The other joints".into(), blocks }
 }
 
-fn whole_chain(chain: &[Kernel<'_>], rust: &str) -> Section {
+fn whole_chain(chain: &[Kernel<'_>]) -> Section {
     let mut blocks = vec![Block::Paragraph(text![
         "The solvers that move all joints at once need the chain as a whole: its aim, and its residual, which says not only \
          how far the effector is off but in which direction. The same rules lead from their statements to their code.",
     ])];
-    for (kernel, title) in
-        chain.iter().zip(["The chain’s aim and its derivatives", "The chain’s residual and its Jacobian"])
-    {
-        blocks.push(Block::Heading(text![title]));
+    for kernel in chain {
+        let title = format!("The chain’s {}", kernel.emitted.objective.title);
+        blocks.push(Block::Heading(text![title.clone()]));
         blocks.extend(statement::of_chain(kernel));
-        blocks.push(whole(kernel, text_of(&format!("{title}, derived")), rust));
+        blocks.push(whole(kernel, Inline::from(format!("{title}, derived"))));
     }
     Section { id: "whole-chain", title: "The whole chain".into(), blocks }
 }
 
-fn text_of(text: &str) -> Inline {
-    Inline::Text(text.to_owned())
-}
-
 /// A kernel's derivation from rewriting to code, to be opened by whoever wants to see it.
-fn whole(kernel: &Kernel<'_>, name: Inline, rust: &str) -> Block {
+fn whole(kernel: &Kernel<'_>, name: Inline) -> Block {
     let steps = &kernel.derivation.steps;
     let before = steps.first().map_or(0, |step| step.before.total());
     let summary =
@@ -134,29 +162,11 @@ fn whole(kernel: &Kernel<'_>, name: Inline, rust: &str) -> Block {
     blocks.push(Block::Heading(text!["The derivatives"]));
     blocks.extend(gradient::blocks(kernel));
     blocks.push(Block::Heading(text!["The code"]));
-    blocks.extend(listing::blocks(kernel, rust));
+    blocks.extend(listing::blocks(kernel));
     Block::Fold(summary, blocks)
-}
-
-/// `1 operation`, `2 operations`.
-fn counted(count: usize, noun: &str) -> String {
-    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }
 
 /// The symbol of what an objective is called.
 fn aim() -> Formula {
     Formula::upright("aim")
-}
-
-/// The residual's symbols: left, up.
-fn residual() -> [Formula; 2] {
-    ["left", "up"].map(|side| Formula::italic("s").indexed(Formula::upright(side)))
-}
-
-/// What the values of an objective are called.
-fn values(objective: Objective) -> Vec<Formula> {
-    match objective {
-        Objective::Joint(_) | Objective::ChainAim => vec![aim()],
-        Objective::ChainResidual => residual().to_vec(),
-    }
 }

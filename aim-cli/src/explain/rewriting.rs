@@ -2,15 +2,15 @@
 
 use std::ops::Range;
 
-use aim_codegen::Objective;
-use aim_codegen::objective::{JointInputs, notation};
+use aim_codegen::objective::{Inputs, Scope, notation};
 use aim_symbolic::print::{self, Formula, Notation, rewriting};
-use aim_symbolic::{Graph, Rewrite, Step, reason};
+use aim_symbolic::rules::Rule;
+use aim_symbolic::{Graph, Rewrite, Step};
 
-use super::counted;
 use super::document::{Block, Inline, Kind, Rewriting, Section, Table, Text, text};
 use super::kernel::Kernel;
 use super::statement::defined;
+use crate::words::counted;
 
 /// Rewriting the first joint's aim.
 pub(super) fn section(kernel: &Kernel<'_>) -> Section {
@@ -39,7 +39,7 @@ pub(super) fn blocks(kernel: &Kernel<'_>) -> Vec<Block> {
     blocks
 }
 
-/// What comes after derivatives have been taken.
+/// Rewriting after derivatives have been taken.
 pub(super) fn after_derivatives(kernel: &Kernel<'_>) -> Vec<Block> {
     let derivation = &kernel.derivation;
     let range = derivation.before_sweeps..derivation.rewrites.len();
@@ -63,16 +63,12 @@ fn overview(steps: &[Step]) -> Table {
     };
     let mut rows = vec![row(0, text!["as stated"], most)];
     for (place, step) in steps.iter().enumerate() {
-        let rules: Vec<String> = step.rules.iter().map(|&(name, times)| name.to_owned() + &multiplied(times)).collect();
+        let rules: Vec<String> =
+            step.rules.iter().map(|&(rule, times)| rule.to_string() + &multiplied(times)).collect();
         rows.push(row(place + 1, text![rules.join(", ")], step.after.total()));
     }
     let head = ["step", "rules", "operations", "of the statement’s"];
-    Table {
-        kind: Kind::Facts,
-        caption: "Which rules brought the count from what to what".into(),
-        head: head.map(|name| text![name]).to_vec(),
-        rows,
-    }
+    Table::new(Kind::Facts, "Which rules brought the count from what to what", &head, rows)
 }
 
 fn multiplied(times: usize) -> String {
@@ -81,18 +77,17 @@ fn multiplied(times: usize) -> String {
 
 /// The rules whose reasons have been given.
 #[derive(Default)]
-struct Told(Vec<&'static str>);
+struct Told(Vec<Rule>);
 
 impl Told {
     /// The rule with its reason, at the first time.
-    fn rule(&mut self, rule: &'static str, times: usize) -> Block {
-        let name = Inline::Strong(sentence(rule));
+    fn rule(&mut self, rule: Rule, times: usize) -> Block {
+        let name = Inline::Strong(sentence(rule.name));
         if self.0.contains(&rule) {
             return Block::Paragraph(text![name, format!("{}.", multiplied(times))]);
         }
         self.0.push(rule);
-        let reason = reason(rule).unwrap_or_default();
-        Block::Paragraph(text![name, format!("{}. {reason}", multiplied(times))])
+        Block::Paragraph(text![name, format!("{}. {}", multiplied(times), rule.why)])
     }
 }
 
@@ -133,10 +128,10 @@ fn arithmetic(kernel: &Kernel<'_>, told: &mut Told) -> Vec<Block> {
 /// The effector's direction in components: of nine products hardly one is left.
 fn example(kernel: &Kernel<'_>) -> Block {
     let mut g = Graph::new();
-    let inputs = JointInputs::declare(&mut g);
+    let inputs = Inputs::of_joint(&mut g);
     let forward = g.constant_vector(kernel.spec.effector.frame.forward);
-    let turned = g.rotate(inputs.effector_to_joint.rotation, forward);
-    let notation = notation(kernel.spec, Objective::Joint(0));
+    let turned = g.rotate(inputs.links[0].rotation, forward);
+    let notation = notation(kernel.spec, Scope::Joint);
     let left = print::vector(&g, turned, &notation);
     let components = g.in_components(turned).map(|c| vec![print::scalar(&g, c, &notation)]);
     Block::Equations(vec![(left, Formula::Matrix(components.to_vec())).into()])
@@ -180,7 +175,7 @@ fn steps(kernel: &Kernel<'_>, range: Range<usize>, notation: &Notation, told: &m
 
 /// Rules with their reasons, and what they were applied to.
 fn applied(kernel: &Kernel<'_>, rewrites: &[Rewrite], notation: &Notation, told: &mut Told) -> Vec<Block> {
-    let mut rules: Vec<(&'static str, usize, Vec<Rewriting>)> = Vec::new();
+    let mut rules: Vec<(Rule, usize, Vec<Rewriting>)> = Vec::new();
     let g = &kernel.derivation.graph;
     for rewrite in rewrites {
         let one = shown(g, rewrite, notation, kernel.is_small());
@@ -195,8 +190,7 @@ fn applied(kernel: &Kernel<'_>, rewrites: &[Rewrite], notation: &Notation, told:
             None => rules.push((rewrite.rule, 1, vec![one])),
         }
     }
-    let block =
-        |(rule, times, all): (&'static str, usize, Vec<Rewriting>)| [told.rule(rule, times), Block::Rewritings(all)];
+    let block = |(rule, times, all): (Rule, usize, Vec<Rewriting>)| [told.rule(rule, times), Block::Rewritings(all)];
     rules.into_iter().flat_map(block).collect()
 }
 

@@ -1,6 +1,6 @@
 //! The objectives as they are stated, taken apart at the effector's origin and tip.
 
-use aim_codegen::Objective;
+use aim_codegen::objective::CHAIN_RESIDUAL_JACOBIAN;
 use aim_symbolic::print::{self, Formula};
 use aim_symbolic::{Graph, Node, Scalar, ScalarNode, Vector, VectorNode};
 
@@ -15,7 +15,7 @@ pub(super) struct Points {
 
 impl Points {
     /// The points of `(P − origin) / |P − origin| · (tip − origin)`; `None` for what is stated in another way.
-    pub(super) fn of(g: &Graph, aim: Scalar) -> Option<Self> {
+    pub(super) fn find(g: &Graph, aim: Scalar) -> Option<Self> {
         let ScalarNode::Dot(a, b) = g.scalar_node(aim) else { return None };
         [(a, b), (b, a)].into_iter().find_map(|(direction, to_target)| {
             let VectorNode::Sub(tip, origin) = g.vector_node(direction) else { return None };
@@ -43,7 +43,7 @@ pub(super) fn section(kernel: &Kernel<'_>) -> Section {
     ])];
     let mut notation = kernel.notation.clone();
     let mut equations = Vec::new();
-    if let Some(Points { origin, tip }) = Points::of(g, aim) {
+    if let Some(Points { origin, tip }) = Points::find(g, aim) {
         for (point, index, paper) in [(origin, 0, 4), (tip, 1, 5)] {
             let symbol = Formula::vector("P").numbered(index);
             let right = print::definition(g, Node::Vector(point), &notation);
@@ -64,14 +64,15 @@ pub(super) fn section(kernel: &Kernel<'_>) -> Section {
 
 /// The statement of one of the chain's objectives.
 pub(super) fn of_chain(kernel: &Kernel<'_>) -> Vec<Block> {
-    let words = match kernel.objective {
-        Objective::ChainResidual => text![
+    let words = if *kernel.emitted.objective == CHAIN_RESIDUAL_JACOBIAN {
+        text![
             "The residual says by how much the effector misses the target, to the left and up. It is the stereographic picture of \
              the target’s direction, as a map of the globe from its antipode: its length is 2 tan(½ angle), 0 on target and \
              growing all the way to behind, where it is not defined and counts as 0. With the way from the effector to the \
              target, its length and its parts forward, left and up, it is stated as",
-        ],
-        _ => text!["The aim is stated as for one joint, through all joints at once:"],
+        ]
+    } else {
+        text!["The aim is stated as for one joint, through all joints at once:"]
     };
     let Kernel { derivation, notation, .. } = kernel;
     vec![Block::Paragraph(words), defined(&derivation.graph, &derivation.stated, kernel.values(), notation)]

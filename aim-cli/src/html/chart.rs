@@ -3,8 +3,8 @@
 
 use maud::{Markup, html};
 
-use super::words::{self, n, shown, trimmed};
-use crate::ticks::{multiples, nice};
+use crate::axis::{Axis, multiples, nice};
+use crate::words::{self, n, shown, trimmed};
 
 /// One line.
 pub(super) struct Series<'a> {
@@ -23,7 +23,7 @@ pub(super) struct Mark {
     pub(super) label: String,
 }
 
-/// How values become heights.
+/// Mapping of values to heights.
 #[derive(Clone, Copy)]
 pub(super) enum Scale {
     /// From the first to the second.
@@ -36,7 +36,7 @@ pub(super) enum Scale {
 
 /// A chart; `times` are shared by all series and the statuses.
 pub(super) struct Chart<'a> {
-    /// What is shown, for those who cannot see it.
+    /// Description for readers who cannot see the chart.
     pub(super) label: String,
     pub(super) unit: &'static str,
     pub(super) wide: bool,
@@ -47,7 +47,7 @@ pub(super) struct Chart<'a> {
     pub(super) wraps: Option<f64>,
     pub(super) series: Vec<Series<'a>>,
     pub(super) marks: Vec<Mark>,
-    /// Whether something is at its limit in a frame: then it is shaded.
+    /// Frames that are shaded because something is at its limit.
     pub(super) bound: Vec<bool>,
     /// Times at which something is to happen.
     pub(super) moments: &'a [f64],
@@ -74,15 +74,15 @@ impl Chart<'_> {
 
     fn x(&self, t: f64) -> f64 {
         let (start, end) = self.span();
-        LEFT + (t - start) / (end - start) * (self.size().0 - LEFT - RIGHT)
+        Axis { values: [start, end], places: [LEFT, self.size().0 - RIGHT] }.at(t)
     }
 
     fn y(&self, value: f64) -> f64 {
-        let share = match self.scale {
-            Scale::Linear(low, high) | Scale::Degrees(low, high) => (value - low) / (high - low),
-            Scale::Log(low, high) => ((value.max(low) / low).ln() / (high / low).ln()).clamp(0.0, 1.0),
-        };
-        self.size().1 - BELOW - share * (self.size().1 - TOP - BELOW)
+        let places = [self.size().1 - BELOW, TOP];
+        match self.scale {
+            Scale::Linear(low, high) | Scale::Degrees(low, high) => Axis { values: [low, high], places }.at(value),
+            Scale::Log(low, high) => Axis { values: [low, high].map(f64::ln), places }.at(value.clamp(low, high).ln()),
+        }
     }
 
     /// The chart with its title and key.
@@ -133,13 +133,8 @@ impl Chart<'_> {
                 }
             }
             Scale::Log(low, high) => {
-                let mut ticks = Vec::new();
-                let mut tick = low;
-                while tick <= high * 1.000_001 && ticks.len() < 20 {
-                    ticks.push(tick);
-                    tick *= 10.0;
-                }
-                ticks
+                let powers = std::iter::successors(Some(low), |tick| Some(tick * 10.0)).take(20);
+                powers.take_while(|tick| *tick <= high * 1.000_001).collect()
             }
         }
     }
@@ -165,7 +160,7 @@ impl Chart<'_> {
         format!("{}–{} s", trimmed(self.time(start), 2), trimmed(self.time(stop), 2))
     }
 
-    /// Where something is at its limit.
+    /// Shading of the frames at a limit.
     fn shading(&self, bottom: f64) -> Markup {
         html! {
             @for (start, stop) in runs(&self.bound).into_iter().filter(|(start, _)| self.bound[*start]) {
@@ -186,7 +181,7 @@ impl Chart<'_> {
                 g {
                     title { (name) ", " (self.stretch(start, stop)) }
                     rect class={ "status " (self.statuses[start]) } x=(trimmed(from, 2)) width=(trimmed((to - from).max(0.4), 2)) y=(n(top)) height=(n(thick)) {}
-                    @if thick > 12.0 && to - from > 7.0 + 5.8 * letters(name) {
+                    @if thick > 12.0 && to - from > 7.0 + 5.8 * words::count(name.chars().count()) {
                         text.on-status x=(n((from + to) / 2.0)) y=(n(top + 11.0)) text-anchor="middle" { (name) }
                     }
                 }
@@ -241,10 +236,6 @@ fn runs<T: PartialEq>(values: &[T]) -> Vec<(usize, usize)> {
         (from, start)
     };
     values.chunk_by(|a, b| a == b).map(run).collect()
-}
-
-fn letters(text: &str) -> f64 {
-    text.chars().fold(0.0, |sum, _| sum + 1.0)
 }
 
 /// All points, or the extremes of each stretch of many.

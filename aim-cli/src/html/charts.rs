@@ -6,17 +6,17 @@ use maud::{Markup, html};
 
 use super::chart::{Chart, Mark, Scale, Series};
 use super::directions::Directions;
-use super::words::{self, chip, shown, trimmed};
-use super::{Subject, gaze};
-use crate::report::{JointReport, Report, motion};
+use super::{BakePage, gaze};
+use crate::bake_report::{BakeReport, JointReport, motion};
+use crate::words::{self, chip, shown, trimmed};
 
 /// Every chart of the page.
-pub(super) fn all(subject: &Subject<'_>) -> Markup {
-    let Subject { spec, report, .. } = *subject;
+pub(super) fn all(subject: &BakePage<'_>) -> Markup {
+    let BakePage { spec, report, .. } = *subject;
     let times: Vec<f64> = report.frames.iter().map(|frame| frame.t.into()).collect();
     let statuses: Vec<&str> = report.frames.iter().map(|frame| frame.status).collect();
     let base = Base { times: &times, statuses: &statuses };
-    let directions = Directions::of(subject);
+    let directions = Directions::new(subject);
     let has_head = directions.as_ref().is_some_and(|directions| directions.head.is_some());
     html! {
         p {
@@ -41,7 +41,7 @@ pub(super) fn all(subject: &Subject<'_>) -> Markup {
     }
 }
 
-/// What the charts share.
+/// Times and statuses that all charts of a page share.
 pub(super) struct Base<'a> {
     pub(super) times: &'a [f64],
     pub(super) statuses: &'a [&'a str],
@@ -66,7 +66,7 @@ impl<'a> Base<'a> {
     }
 }
 
-fn error(base: &Base<'_>, report: &Report) -> Markup {
+fn error(base: &Base<'_>, report: &BakeReport) -> Markup {
     let values: Vec<f64> = report.frames.iter().map(|frame| frame.error_deg).collect();
     let worst = values.iter().copied().fold(0.0, f64::max);
     let tolerance = f64::from(Settings::default().tolerance).to_degrees();
@@ -87,7 +87,7 @@ fn error(base: &Base<'_>, report: &Report) -> Markup {
     chart.figure("Error: the angle between gaze and target")
 }
 
-fn roll(base: &Base<'_>, report: &Report) -> Markup {
+fn roll(base: &Base<'_>, report: &BakeReport) -> Markup {
     let values: Vec<f64> = report.frames.iter().map(|frame| frame.roll_deg).collect();
     let most = report.summary.max_roll_deg;
     let label = format!(
@@ -101,8 +101,8 @@ fn roll(base: &Base<'_>, report: &Report) -> Markup {
     chart.figure("Roll added about the gaze")
 }
 
-fn angles(base: &Base<'_>, subject: &Subject<'_>, index: usize) -> Markup {
-    let Subject { spec, report, .. } = *subject;
+fn angles(base: &Base<'_>, subject: &BakePage<'_>, index: usize) -> Markup {
+    let BakePage { spec, report, .. } = *subject;
     let joint = &spec.joints[index];
     let told = || report.frames.iter().filter_map(|frame| frame.joints.get(index));
     let bone = told().next().map_or(joint.name.as_str(), |joint| joint.bone.as_str());
@@ -153,10 +153,11 @@ fn angles(base: &Base<'_>, subject: &Subject<'_>, index: usize) -> Markup {
     let rate = joint.rate.to_degrees();
     let label = format!("Angular speed of {bone} over time; its rate is {}° a second.", trimmed(rate, 1));
     let mut speed = base.chart(label, "degrees a second", Scale::Linear(0.0, rate));
-    speed.series = parts
-        .iter()
-        .map(|(name, range, values)| Series { name, class: name, values: speeds(base.times, values, *range) })
-        .collect();
+    speed.series.extend(parts.iter().map(|(name, range, values)| Series {
+        name,
+        class: name,
+        values: speeds(base.times, values, *range),
+    }));
     let is_at_rate = |speed: &f64| *speed >= rate * (1.0 - AT_RATE);
     let at_rate = |k: usize| speed.series.iter().any(|series| series.values.get(k).is_some_and(is_at_rate));
     speed.bound = (0..base.times.len().min(report.frames.len())).map(at_rate).collect();
@@ -179,7 +180,7 @@ const HEADING_END: &str = "heading limit";
 const PITCH_END: &str = "pitch limit";
 
 /// The lower and upper ends of heading and pitch in every frame, degrees.
-fn ranges(subject: &Subject<'_>, index: usize) -> [[Vec<f64>; 2]; 2] {
+fn ranges(subject: &BakePage<'_>, index: usize) -> [[Vec<f64>; 2]; 2] {
     let mut ends: [[Vec<f64>; 2]; 2] = Default::default();
     for at in subject.baked.frames.iter().filter_map(|frame| frame.joints.get(index)) {
         for (ends, range) in ends.iter_mut().zip(motion(&subject.spec.joints[index], at)) {

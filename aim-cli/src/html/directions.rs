@@ -1,33 +1,32 @@
 //! Where the target, the gaze and the head are, as the effector would see them if no joint of the chain had moved from
 //! its bind pose: in its bind frame, carried by the bone that the chain hangs on.
 
+use aim_character::chain_nodes;
 use aim_codegen::Role;
-use aim_gltf::ChainNodes;
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::Subject;
+use super::BakePage;
 
 /// Azimuth and elevation of one thing in every frame, degrees; NaN where it has no direction.
-pub(super) type Course = Vec<[f64; 2]>;
+pub(super) type Bearings = Vec<[f64; 2]>;
 
 pub(super) struct Directions {
-    pub(super) target: Course,
-    pub(super) gaze: Course,
-    /// Where the gaze would be with joint 0, an eye, as it is in the bind pose.
-    pub(super) head: Option<Course>,
+    pub(super) target: Bearings,
+    pub(super) gaze: Bearings,
+    /// Direction of the gaze if joint 0, an eye, were as in the bind pose.
+    pub(super) head: Option<Bearings>,
 }
 
 impl Directions {
     /// Nothing where the rig's bones are not in the document.
-    pub(super) fn of(subject: &Subject<'_>) -> Option<Self> {
-        let Subject { spec, document, measurement, baked, .. } = *subject;
+    pub(super) fn new(subject: &BakePage<'_>) -> Option<Self> {
+        let BakePage { spec, document, measurement, baked, .. } = *subject;
         let skeleton = document.skeleton();
-        let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
-        let chain = ChainNodes::find(skeleton, bones, None).ok()?;
+        let chain = chain_nodes(spec, skeleton).ok()?;
         let bind = &measurement.bind_world;
         let eye = chain.joints[0];
         let carrier = chain.joints.last().and_then(|node| skeleton.nodes()[*node].parent);
-        let head = skeleton.nodes()[eye].parent.filter(|_| spec.joints[0].role() == Role::Eye);
+        let head = skeleton.nodes()[eye].parent.filter(|_| spec.joints[0].role == Role::Eye);
         let axes = [spec.effector.frame.left, spec.effector.frame.up, spec.effector.frame.forward];
         let rest = axes.map(|axis| bind[eye].transform_vector3(DVec3::from(axis)));
         let moved = |node: Option<usize>, world: &[DAffine3]| -> DMat3 {

@@ -1,27 +1,27 @@
 //! The film strip: drawings of the character evenly over time, always from the same side, with its line of sight.
 
-use aim_gltf::{ChainNodes, Frame};
+use aim_character::chain_nodes;
+use aim_gltf::AimedFrame;
 use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
-use super::Subject;
+use super::BakePage;
 use super::scene::{Eye, HEIGHT, Scene, WIDTH};
-use super::words::{self, n};
+use crate::words::{self, n, segment};
 
 /// Drawings in the strip.
 const DRAWINGS: usize = 8;
-/// Where the line of sight begins, from the eye.
+/// Distance of the drawn line of sight from the eye.
 const START: f64 = 13.0;
 /// Radius of the plan view in the corner.
 const PLAN: f64 = 24.0;
 
 /// The strip; nothing where the rig's bones are not in the document.
-pub(super) fn strip(subject: &Subject<'_>) -> Option<Markup> {
-    let Subject { spec, report, document, baked, .. } = *subject;
+pub(super) fn strip(subject: &BakePage<'_>) -> Option<Markup> {
+    let BakePage { spec, report, document, baked, .. } = *subject;
     let all = baked.frames.len().min(report.frames.len());
     let drawn: Vec<usize> = (0..DRAWINGS.min(all)).map(|k| k * all / DRAWINGS.min(all)).collect();
-    let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
-    let chain = ChainNodes::find(document.skeleton(), bones, spec.joints[0].pair.as_deref()).ok()?;
+    let chain = chain_nodes(spec, document.skeleton()).ok()?;
     let effector =
         Eye { node: chain.joints[0], centre: spec.effector.origin.into(), forward: spec.effector.frame.forward.into() };
     let scene = Scene::of_gaze(subject, &chain, effector, drawn.iter().map(|k| &baked.frames[*k]));
@@ -46,7 +46,7 @@ pub(super) fn strip(subject: &Subject<'_>) -> Option<Markup> {
 }
 
 impl Scene<'_> {
-    fn drawing(&self, effector: Eye, frame: &Frame, status: &str, error_deg: f64) -> Markup {
+    fn drawing(&self, effector: Eye, frame: &AimedFrame, status: &str, error_deg: f64) -> Markup {
         let world = &frame.world;
         let eye = &world[effector.node];
         let eye_ws = eye.transform_point3(effector.centre);
@@ -60,12 +60,12 @@ impl Scene<'_> {
             lines.push(self.sight(at.transform_point3(other.centre), gaze_ws, world));
         }
         let ray = html! {
-            @for (from, to) in lines.iter().filter(|(from, to)| from.is_finite() && to.is_finite()) {
-                line.ray-case x1=(n(from.x)) y1=(n(from.y)) x2=(n(to.x)) y2=(n(to.y)) {}
-                line class={ "ray " (status) } x1=(n(from.x)) y1=(n(from.y)) x2=(n(to.x)) y2=(n(to.y)) {}
+            @for &(from, to) in &lines {
+                (segment("ray-case", from, to))
+                (segment(&format!("ray {status}"), from, to))
             }
         };
-        let away = gaze_ws.dot(self.camera.toward) < 0.0;
+        let away = gaze_ws.dot(self.camera.view.toward) < 0.0;
         let label = format!(
             "At {} s: {}, {} between gaze and target.",
             words::fixed(frame.t.into(), 2),
@@ -85,7 +85,7 @@ impl Scene<'_> {
 
     /// The ends of a line of sight in the drawing; it begins a little in front of the eye, which stays visible.
     fn sight(&self, eye_ws: DVec3, gaze_ws: DVec3, world: &[DAffine3]) -> (DVec3, DVec3) {
-        let (near, far) = (START / self.camera.scale, HEIGHT / self.camera.scale * 4.0);
+        let (near, far) = (START / self.camera.view.scale, HEIGHT / self.camera.view.scale * 4.0);
         (self.camera.project(eye_ws + gaze_ws * near, world), self.camera.project(eye_ws + gaze_ws * far, world))
     }
 
@@ -114,9 +114,9 @@ impl Scene<'_> {
     }
 
     /// From above, the viewer at the lower edge: the front as a notch, the gaze, the target's direction.
-    fn plan(&self, frame: &Frame, gaze_ws: DVec3, eye_ws: DVec3, status: &str) -> Markup {
-        let level = self.camera.right.cross(self.measurement.up);
-        let plan = |v: DVec3| (v.dot(self.camera.right), v.dot(level));
+    fn plan(&self, frame: &AimedFrame, gaze_ws: DVec3, eye_ws: DVec3, status: &str) -> Markup {
+        let level = self.camera.view.right.cross(self.measurement.up);
+        let plan = |v: DVec3| (v.dot(self.camera.view.right), v.dot(level));
         let unit = |v: DVec3| {
             let (x, y) = plan(v);
             let length = x.hypot(y);

@@ -7,13 +7,13 @@ use maud::{Markup, html};
 
 use super::chart::{Scale, Series};
 use super::charts::Base;
-use super::directions::{Course, Directions, apart};
-use super::words::{self, trimmed};
+use super::directions::{Bearings, Directions, apart};
+use crate::words::{self, trimmed};
 
 /// The time in which a shift is looked for, seconds, and how far it has to go, degrees.
 const SHIFT_S: f64 = 0.3;
 const SHIFT_DEG: f64 = 20.0;
-/// What a close-up shows before and after a shift's beginning, seconds.
+/// Span of a close-up before and after the beginning of a shift, seconds.
 const BEFORE_S: f64 = 0.15;
 const AFTER_S: f64 = 1.05;
 
@@ -22,7 +22,7 @@ const STEP_DEG: f64 = 30.0;
 
 /// One of the two angles.
 #[derive(Clone, Copy)]
-struct Angle {
+struct GazeAngle {
     name: &'static str,
     unit: &'static str,
     index: usize,
@@ -30,14 +30,14 @@ struct Angle {
     wraps: Option<f64>,
 }
 
-const AZIMUTH: Angle =
-    Angle { name: "Azimuth", unit: "degrees, positive to the left", index: 0, most: 180.0, wraps: Some(360.0) };
-const ELEVATION: Angle =
-    Angle { name: "Elevation", unit: "degrees, positive upwards", index: 1, most: 90.0, wraps: None };
+const AZIMUTH: GazeAngle =
+    GazeAngle { name: "Azimuth", unit: "degrees, positive to the left", index: 0, most: 180.0, wraps: Some(360.0) };
+const ELEVATION: GazeAngle =
+    GazeAngle { name: "Elevation", unit: "degrees, positive upwards", index: 1, most: 90.0, wraps: None };
 
 /// Azimuth, the close-up where there is something to see, elevation.
 pub(super) fn charts(base: &Base<'_>, directions: &Directions) -> Markup {
-    let whole = |angle: Angle| {
+    let whole = |angle: GazeAngle| {
         let series = series(directions, angle, 0..base.times.len());
         let seen = series.iter().flat_map(|series| &series.values).filter(|value| value.is_finite());
         let most = seen.fold(0.0_f64, |most, value| most.max(value.abs()));
@@ -65,8 +65,8 @@ fn what(directions: &Directions) -> &'static str {
 }
 
 /// The lines of these frames; what is drawn later lies above.
-fn series(directions: &Directions, angle: Angle, frames: Range<usize>) -> Vec<Series<'static>> {
-    let pick = |course: &Course| course[frames.clone()].iter().map(|at| at[angle.index]).collect::<Vec<f64>>();
+fn series(directions: &Directions, angle: GazeAngle, frames: Range<usize>) -> Vec<Series<'static>> {
+    let pick = |course: &Bearings| course[frames.clone()].iter().map(|at| at[angle.index]).collect::<Vec<f64>>();
     let gaze = pick(&directions.gaze);
     let mut series = vec![Series { name: "target", class: "target-line", values: pick(&directions.target) }];
     if let Some(head) = &directions.head {
@@ -79,16 +79,16 @@ fn series(directions: &Directions, angle: Angle, frames: Range<usize>) -> Vec<Se
     series
 }
 
-/// Where the gaze goes furthest in a short time.
+/// The largest change of gaze in a short time.
 struct Shift {
     /// The frame that it begins in.
     begins: usize,
-    /// How far it goes, degrees.
+    /// Its size, degrees.
     degrees: f64,
-    angle: Angle,
+    angle: GazeAngle,
 }
 
-fn furthest_shift(times: &[f64], gaze: &Course) -> Option<Shift> {
+fn furthest_shift(times: &[f64], gaze: &Bearings) -> Option<Shift> {
     let count = times.len().min(gaze.len());
     let after = |k: usize| times.partition_point(|t| *t <= times[k] + SHIFT_S).clamp(1, count) - 1;
     let far = |a: usize, b: usize| between(gaze[a], gaze[b]);
@@ -146,9 +146,9 @@ mod tests {
     #[test]
     fn a_leap_is_found_where_it_begins_and_a_drift_is_none() {
         let times: Vec<f64> = (0..200_u32).map(|k| f64::from(k) / 60.0).collect();
-        let drift: Course = times.iter().map(|t| [20.0 * t, 0.0]).collect();
+        let drift: Bearings = times.iter().map(|t| [20.0 * t, 0.0]).collect();
         assert!(furthest_shift(&times, &drift).is_none());
-        let leap = |sign: f64| -> Course {
+        let leap = |sign: f64| -> Bearings {
             times.iter().map(|t| [170.0 + sign * (400.0 * (t - 1.0)).clamp(0.0, 40.0), 0.0]).collect()
         };
         for sign in [1.0, -1.0] {
@@ -156,7 +156,7 @@ mod tests {
             assert!((shift.degrees - 40.0).abs() < 1e-6, "{}", shift.degrees);
             assert!((times[shift.begins] - 1.0).abs() < 0.02, "{}", times[shift.begins]);
         }
-        let nod: Course = times.iter().map(|t| [10.0, (600.0 * (t - 2.0)).clamp(0.0, 30.0)]).collect();
+        let nod: Bearings = times.iter().map(|t| [10.0, (600.0 * (t - 2.0)).clamp(0.0, 30.0)]).collect();
         assert_eq!(furthest_shift(&times, &nod).expect("a nod of 30°").angle.index, 1);
         assert!(furthest_shift(&[], &Vec::new()).is_none() && furthest_shift(&times[..1], &nod).is_none());
     }

@@ -6,9 +6,11 @@ use aim_gltf::{Document, Measurement, Surface};
 use glam::DVec3;
 use maud::{Markup, html};
 
-use super::raster::{Corner, FADE, Face, Paint, Picture};
+use super::raster::{Corner, FADE, Face, Paint, Raster};
+use super::scene::ends;
 use super::whole;
-use super::words::n;
+use crate::projection::Projection;
+use crate::words::{n, points, segment};
 
 /// The size of a drawing, and pixels of its picture for each unit.
 const SIZE: f64 = 420.0;
@@ -22,37 +24,15 @@ const OF_CHAIN: f64 = 2.4;
 const CLAY: [f64; 3] = [0.80, 0.74, 0.68];
 const COLOURS: [&str; 3] = ["axis-up", "axis-forward", "axis-left"];
 
-/// What the page is about.
+/// Subject of the page.
 pub(crate) struct Inspected<'a> {
     pub(crate) file: &'a str,
     pub(crate) document: &'a Document,
     pub(crate) measurement: &'a Measurement,
     /// The rig whose axes are drawn, if any, and what of it is wrong.
     pub(crate) fit: Option<&'a Fit<'a>>,
-    /// Where that rig comes from.
+    /// Source of that rig, in words.
     pub(crate) rig: &'a str,
-}
-
-/// Parallel projection along `toward`, the middle of the drawing at `centre`.
-struct View {
-    name: &'static str,
-    right: DVec3,
-    up: DVec3,
-    toward: DVec3,
-    centre: DVec3,
-    /// Units of the drawing for a unit of the world.
-    scale: f64,
-}
-
-impl View {
-    fn project(&self, point: DVec3) -> DVec3 {
-        let v = point - self.centre;
-        DVec3::new(
-            SIZE / 2.0 + self.scale * v.dot(self.right),
-            SIZE / 2.0 - self.scale * v.dot(self.up),
-            v.dot(self.toward),
-        )
-    }
 }
 
 /// The page.
@@ -68,7 +48,7 @@ pub(crate) fn page(inspected: &Inspected<'_>) -> String {
         @for against in evidence::against(measurement, document) { p { "Against it: " (against) "." } }
         @if let Some(fit) = fit { (verdict(fit, rig)) }
         div.views {
-            @for view in &views { (drawing(inspected, view, &surface, &positions)) }
+            @for (name, view) in &views { (drawing(inspected, name, view, &surface, &positions)) }
         }
         @if let Some(fit) = fit { (table(fit)) }
     };
@@ -89,23 +69,20 @@ fn verdict(fit: &Fit<'_>, rig: &str) -> Markup {
 }
 
 /// From the front, from the left, from above, and the whole character.
-fn views(inspected: &Inspected<'_>, positions: &[DVec3]) -> Vec<View> {
+fn views(inspected: &Inspected<'_>, positions: &[DVec3]) -> Vec<(&'static str, Projection)> {
     let Measurement { up, forward, left, height, bones, .. } = inspected.measurement;
     let (up, forward, left) = (*up, *forward, *left);
     let places = bones.iter().map(|bone| bone.bind_world.translation).filter(|p| p.is_finite());
     let skin = positions.iter().copied().filter(|p| p.is_finite());
-    let extent = |places: &mut dyn Iterator<Item = DVec3>| {
-        places.map(|p| (p, p)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p)))
-    };
-    let whole = extent(&mut skin.chain(places)).unwrap_or_default();
+    let whole = ends(skin.chain(places)).unwrap_or_default();
     let joints = inspected.fit.map_or(&[][..], |fit| &fit.joints);
-    let chain = extent(&mut joints.iter().map(|joint| joint.bone.bind_world.translation)).unwrap_or(whole);
+    let chain = ends(joints.iter().map(|joint| joint.bone.bind_world.translation)).unwrap_or(whole);
     let size = |(low, high): (DVec3, DVec3)| (high - low).length().max(1e-9);
     let close = (OF_HEIGHT * height).max(OF_CHAIN * size(chain)).min(1.1 * size(whole)).max(1e-9);
     let middle = |(low, high): (DVec3, DVec3)| (low + high) * 0.5;
     let view = |name, toward: DVec3, upward: DVec3, centre: DVec3, window: f64| {
-        let right = upward.cross(toward).normalize_or(left);
-        View { name, right, up: toward.cross(right), toward, centre, scale: SIZE / window }
+        let view = Projection::new(toward, upward, left, [SIZE / 2.0; 2]);
+        (name, Projection { centre, scale: SIZE / window, ..view })
     };
     let aside = (forward * 0.75 + left * 0.6 + up * 0.28).normalize_or(forward);
     vec![
@@ -116,7 +93,7 @@ fn views(inspected: &Inspected<'_>, positions: &[DVec3]) -> Vec<View> {
     ]
 }
 
-fn drawing(inspected: &Inspected<'_>, view: &View, surface: &Surface, positions: &[DVec3]) -> Markup {
+fn drawing(inspected: &Inspected<'_>, name: &str, view: &Projection, surface: &Surface, positions: &[DVec3]) -> Markup {
     let Inspected { document, measurement, fit, .. } = inspected;
     let nodes = document.skeleton().nodes();
     let lines = measurement.bones.iter().filter_map(|bone| {
@@ -125,28 +102,24 @@ fn drawing(inspected: &Inspected<'_>, view: &View, surface: &Surface, positions:
     });
     html! {
         figure {
-            svg viewBox=(format!("0 0 {SIZE} {SIZE}")) role="img" aria-label=(view.name) {
+            svg viewBox=(format!("0 0 {SIZE} {SIZE}")) role="img" aria-label=(name) {
                 @if let Some(picture) = figure(view, surface, positions) {
                     image href=(picture) width=(n(SIZE)) height=(n(SIZE)) opacity="0.5" {}
                 }
-                @for (a, b) in lines {
-                    @if a.is_finite() && b.is_finite() {
-                        line.bone x1=(n(a.x)) y1=(n(a.y)) x2=(n(b.x)) y2=(n(b.y)) {}
-                    }
-                }
+                @for (bone, parent) in lines { (segment("bone", bone, parent)) }
                 @if let Some(fit) = fit {
                     @if let Some(effector) = fit.joints.first() { (gaze(effector, view)) }
                     @for joint in &fit.joints { (arrows(joint, view)) }
                 }
                 (compass(measurement, view))
             }
-            figcaption { (view.name) }
+            figcaption { (name) }
         }
     }
 }
 
 /// The three declared axes of a joint.
-fn arrows(joint: &JointFit<'_>, view: &View) -> Markup {
+fn arrows(joint: &JointFit<'_>, view: &Projection) -> Markup {
     let place = &joint.bone.bind_world;
     let length = ARROW * SIZE / view.scale;
     let tip = |axis: DVec3| place.transform_vector3(axis).normalize_or_zero() * length;
@@ -171,29 +144,28 @@ fn arrows(joint: &JointFit<'_>, view: &View) -> Markup {
     }
 }
 
-/// Where the effector looks.
-fn gaze(effector: &JointFit<'_>, view: &View) -> Markup {
+/// The effector's gaze.
+fn gaze(effector: &JointFit<'_>, view: &Projection) -> Markup {
     let place = &effector.bone.bind_world;
     let ahead = place.transform_vector3(effector.declared[1]).normalize_or_zero() * (GAZE * SIZE / view.scale);
     arrow(view, place.translation, ahead, "gaze", "gaze")
 }
 
 /// An arrow of the world; one that leads along the line of sight is a dot.
-fn arrow(view: &View, at: DVec3, along: DVec3, class: &str, label: &str) -> Markup {
+fn arrow(view: &Projection, at: DVec3, along: DVec3, class: &str, label: &str) -> Markup {
     let (a, b) = (view.project(at), view.project(at + along));
     let flat = DVec3::new(b.x - a.x, b.y - a.y, 0.0);
     let length = flat.length();
     let ahead = flat.normalize_or_zero();
     let aside = DVec3::new(-ahead.y, ahead.x, 0.0);
     let corners = [b, b - ahead * 9.0 + aside * 4.5, b - ahead * 9.0 - aside * 4.5];
-    let corners: Vec<String> = corners.iter().map(|p| format!("{},{}", n(p.x), n(p.y))).collect();
     let text = b + ahead * 12.0;
     html! {
         @if a.is_finite() && b.is_finite() {
             g class={ "arrow " (class) } {
                 @if length > 6.0 {
                     line x1=(n(a.x)) y1=(n(a.y)) x2=(n(b.x - ahead.x * 7.0)) y2=(n(b.y - ahead.y * 7.0)) {}
-                    polygon points=(corners.join(" ")) {}
+                    polygon points=(points(corners)) {}
                     @if !label.is_empty() {
                         text x=(n(text.x)) y=(n(text.y + 4.0)) text-anchor="middle" { (label) }
                     }
@@ -204,7 +176,7 @@ fn arrow(view: &View, at: DVec3, along: DVec3, class: &str, label: &str) -> Mark
 }
 
 /// Which way the character's own directions go in a view.
-fn compass(measurement: &Measurement, view: &View) -> Markup {
+fn compass(measurement: &Measurement, view: &Projection) -> Markup {
     let corner = view.centre + (view.up * -0.34 - view.right * 0.34) * (SIZE / view.scale);
     let length = 0.075 * SIZE / view.scale;
     let ways = [measurement.up, measurement.forward, measurement.left];
@@ -243,14 +215,14 @@ fn table(fit: &Fit<'_>) -> Markup {
 }
 
 /// The surface as a pale picture.
-fn figure(view: &View, surface: &Surface, positions: &[DVec3]) -> Option<String> {
+fn figure(view: &Projection, surface: &Surface, positions: &[DVec3]) -> Option<String> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a constant of some hundreds")]
     let pixels = (SIZE * PIXELS) as usize;
-    let mut picture = Picture::new(pixels, pixels, FADE);
+    let mut picture = Raster::new(pixels, pixels, FADE);
     for triangle in surface.triangles() {
         let [a, b, c] = triangle.vertices.map(|vertex| positions[vertex]);
         let flat = (b - a).cross(c - a).normalize_or_zero();
-        let normal = DVec3::new(flat.dot(view.right), flat.dot(view.up), flat.dot(view.toward));
+        let normal = view.turn(flat);
         let corner = |point: DVec3| {
             let screen = view.project(point);
             Corner { screen: DVec3::new(screen.x * PIXELS, screen.y * PIXELS, screen.z), normal, world: point }

@@ -7,6 +7,8 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use glam::DVec3;
 
+use crate::words::count;
+
 /// Samples a pixel in each direction.
 const SAMPLES: usize = 2;
 /// Towards the key light in camera space: x right, y up, z to the viewer.
@@ -18,7 +20,7 @@ const KEY: f64 = 0.52;
 /// The share of the picture at its lower end over which a figure fades out that the border cuts.
 pub(super) const FADE: f64 = 0.12;
 
-/// What a face looks like.
+/// Colour of a face.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Paint {
     /// One colour, sRGB in 0…1.
@@ -34,7 +36,7 @@ pub(super) struct Corner {
     pub(super) screen: DVec3,
     /// Unit normal in camera space.
     pub(super) normal: DVec3,
-    /// Where it is in the world, for [`Paint::Eye`].
+    /// Its place in the world, for [`Paint::Eye`].
     pub(super) world: DVec3,
 }
 
@@ -47,7 +49,7 @@ pub(super) struct Face {
 
 /// A picture in the making.
 #[derive(Debug)]
-pub(super) struct Picture {
+pub(super) struct Raster {
     width: usize,
     height: usize,
     fade: f64,
@@ -56,7 +58,7 @@ pub(super) struct Picture {
     colour: Vec<[f64; 3]>,
 }
 
-impl Picture {
+impl Raster {
     /// An empty picture of that many pixels; what is drawn fades out over the share `fade` at its lower end.
     pub(super) fn new(width: usize, height: usize, fade: f64) -> Self {
         let samples = width * height * SAMPLES * SAMPLES;
@@ -167,11 +169,6 @@ fn cross(a: DVec3, b: DVec3) -> f64 {
     a.x * b.y - a.y * b.x
 }
 
-#[expect(clippy::cast_precision_loss, reason = "sizes of pictures are small")]
-fn count(value: usize) -> f64 {
-    value as f64
-}
-
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the picture by the caller")]
 fn whole(value: f64) -> usize {
     value as usize
@@ -197,7 +194,7 @@ mod tests {
         let far = face(0.0, [1.0, 0.0, 0.0], [[0.0, 0.0], [8.0, 0.0], [0.0, 8.0]]);
         let near = face(1.0, [0.0, 1.0, 0.0], [[0.0, 8.0], [8.0, 0.0], [0.0, 0.0]]);
         for order in [[&far, &near], [&near, &far]] {
-            let mut picture = Picture::new(8, 8, FADE);
+            let mut picture = Raster::new(8, 8, FADE);
             order.into_iter().for_each(|face| picture.draw(face));
             let pixels = picture.pixels();
             let [red, green, _, alpha] = [pixels[0], pixels[1], pixels[2], pixels[3]];
@@ -208,7 +205,7 @@ mod tests {
 
     #[test]
     fn nothing_is_no_picture_and_wild_numbers_are_nothing() {
-        let mut picture = Picture::new(4, 4, FADE);
+        let mut picture = Raster::new(4, 4, FADE);
         assert_eq!(picture.data_uri(), None);
         picture.draw(&face(0.0, [1.0; 3], [[f64::NAN, 0.0], [1.0, 0.0], [0.0, 1.0]]));
         picture.draw(&face(0.0, [1.0; 3], [[0.0, 0.0], [0.0, 0.0], [0.0, 0.0]]));

@@ -1,14 +1,14 @@
 //! The rig as it was declared, and how much of it the bake used.
 
-use aim_codegen::{AngleRange, JointSpec, RigSpec};
+use aim_codegen::{AngleRange, JointSpec, LimitsFrom, RigSpec};
 use maud::{Markup, html};
 
 use super::charts::speeds;
-use super::words::{fixed, shown, trimmed};
-use crate::report::{JointReport, Report};
+use crate::bake_report::{BakeReport, JointReport};
+use crate::words::{axis, fixed, shown, trimmed};
 
 /// The table of joints.
-pub(super) fn section(spec: &RigSpec, report: &Report) -> Markup {
+pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
     let times: Vec<f64> = report.frames.iter().map(|frame| frame.t.into()).collect();
     html! {
         section.rig-table {
@@ -26,7 +26,7 @@ pub(super) fn section(spec: &RigSpec, report: &Report) -> Markup {
                             th scope="colgroup" colspan="2" { "Heading" }
                             th scope="colgroup" colspan="2" { "Pitch" }
                             th scope="colgroup" colspan="2" { "Speed, °/s" }
-                            th scope="col" rowspan="2" { "Comfort" }
+                            th scope="col" rowspan="2" { "Stiffness" }
                             th scope="col" rowspan="2" { "At a limit" }
                         }
                         tr {
@@ -45,17 +45,14 @@ pub(super) fn section(spec: &RigSpec, report: &Report) -> Markup {
     }
 }
 
-fn row(joint: &JointSpec, report: &Report, index: usize, times: &[f64]) -> Markup {
+fn row(joint: &JointSpec, report: &BakeReport, index: usize, times: &[f64]) -> Markup {
     let told: Vec<&JointReport> = report.frames.iter().filter_map(|frame| frame.joints.get(index)).collect();
     let bone = told.first().map_or(joint.bones[0].as_str(), |joint| joint.bone.as_str());
     let heading: Vec<f64> = told.iter().map(|joint| joint.heading_deg).collect();
     let pitch: Vec<f64> = told.iter().map(|joint| joint.pitch_deg).collect();
-    let fastest = [(joint.heading, &heading), (joint.pitch, &pitch)]
-        .into_iter()
-        .filter_map(|(range, values)| Some(speeds(times, values, range?)))
-        .flatten()
-        .filter(|speed| speed.is_finite())
-        .fold(0.0, f64::max);
+    let parts = [(joint.heading, &heading), (joint.pitch, &pitch)];
+    let speeds = parts.into_iter().filter_map(|(range, values)| Some(speeds(times, values, range?))).flatten();
+    let fastest = speeds.filter(|speed| speed.is_finite()).fold(0.0, f64::max);
     let limited = told.iter().filter(|joint| joint.at_limit).count();
     let frame = &joint.frame;
     html! {
@@ -65,17 +62,17 @@ fn row(joint: &JointSpec, report: &Report, index: usize, times: &[f64]) -> Marku
                 @if bone != joint.name { " " small { "declared as " (joint.name) } }
             }
             td.axes { @for one in [frame.up, frame.forward, frame.left] { span { (axis(one)) } " " } }
-            (angle(joint.heading, joint.absolute, &heading))
-            (angle(joint.pitch, joint.absolute, &pitch))
+            (angle(joint.heading, joint.limits_from, &heading))
+            (angle(joint.pitch, joint.limits_from, &pitch))
             td { (trimmed(joint.rate.to_degrees(), 1)) }
             td { (fixed(fastest, 1)) }
-            td { (trimmed(joint.comfort, 3)) }
+            td { (trimmed(joint.stiffness, 3)) }
             td { (limited) " of " (told.len()) }
         }
     }
 }
 
-fn angle(range: Option<AngleRange>, absolute: bool, values: &[f64]) -> Markup {
+fn angle(range: Option<AngleRange>, limits_from: LimitsFrom, values: &[f64]) -> Markup {
     let span = |low: f64, high: f64| format!("{}° … {}°", shown(low, 1), shown(high, 1));
     let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(*v), high.max(*v)));
     html! {
@@ -85,20 +82,10 @@ fn angle(range: Option<AngleRange>, absolute: bool, values: &[f64]) -> Markup {
                 Some(AngleRange::Free) => "free",
                 Some(AngleRange::Between(low, high)) => {
                     (span(low.to_degrees(), high.to_degrees()))
-                    @if absolute { " " small { "absolute" } }
+                    @if limits_from == LimitsFrom::BindPose { " " small { "from the bind pose" } }
                 }
             }
         }
         td { @if range.is_some() && low <= high { (span(low, high)) } @else { "–" } }
     }
-}
-
-/// `+X`, or the vector where it is no axis.
-fn axis(v: [f64; 3]) -> String {
-    for (k, name) in ["X", "Y", "Z"].iter().enumerate() {
-        if v[k].abs() > 1.0 - 1e-9 {
-            return format!("{}{name}", if v[k] < 0.0 { '-' } else { '+' });
-        }
-    }
-    format!("({})", v.map(|x| fixed(x, 3)).join(", "))
 }

@@ -2,13 +2,14 @@
 
 use std::collections::HashMap;
 
-use aim_gltf::{ChainNodes, Document, Frame, LimbNodes, Measurement, Role, Surface};
+use aim_gltf::{AimedFrame, ChainNodes, Document, LimbNodes, Measurement, Role, Surface};
 use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
-use super::Subject;
-use super::raster::{Corner, FADE, Face, Paint, Picture};
-use super::words::n;
+use super::BakePage;
+use super::raster::{Corner, FADE, Face, Paint, Raster};
+use crate::projection::Projection;
+use crate::words::{n, segment, span};
 
 /// The size of a drawing, and of its picture in pixels: so many for each unit of the drawing.
 pub(super) const WIDTH: f64 = 240.0;
@@ -25,7 +26,7 @@ const WIDE: f64 = 1.6;
 /// The window's height in heads, and as a share of a character without any surface.
 const HEADS: f64 = 2.5;
 const OF_HEIGHT: f64 = 0.9;
-/// How far above the middle of the window the head is, as a share of it.
+/// Height of the head above the middle of the window, as a share of the window.
 const RAISED: f64 = 0.14;
 /// The window for what it shows, and how far beyond the character it goes for a target, as a share of the character.
 const AROUND: f64 = 1.1;
@@ -44,7 +45,7 @@ pub(super) struct Scene<'a> {
     joints: Vec<usize>,
     /// Those whose surface is an eyeball.
     pub(super) eyes: Vec<Eye>,
-    pub(super) camera: Camera,
+    pub(super) camera: FollowingCamera,
     /// The share of the picture at its lower end over which the figure fades out.
     fade: f64,
 }
@@ -57,30 +58,21 @@ pub(super) struct Eye {
     pub(super) forward: DVec3,
 }
 
-/// Parallel projection along `toward`; it goes where the bone `follows` goes, and never turns.
-pub(super) struct Camera {
-    pub(super) right: DVec3,
-    up: DVec3,
-    pub(super) toward: DVec3,
+/// A camera that goes where the bone `follows` goes, and never turns; its centre is given from that bone.
+pub(super) struct FollowingCamera {
+    pub(super) view: Projection,
     follows: Option<usize>,
-    /// The middle of the drawing, from the bone that is followed.
-    middle: DVec3,
-    /// Units of the drawing for a unit of the world.
-    pub(super) scale: f64,
 }
 
-impl Camera {
+impl FollowingCamera {
     /// Before the character, a little above, to the side on which the effector is.
     fn new(measurement: &Measurement, aside_deg: f64, follows: Option<usize>, eye_bind: DVec3) -> Self {
-        let aside = measurement.bones.iter().map(|bone| bone.bind_world.translation.dot(measurement.left));
-        let (low, high) = aside.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
-        let is_right = eye_bind.dot(measurement.left) * 2.0 < low + high - 1e-6 * measurement.height;
-        let (aside, above) = (aside_deg.to_radians(), ABOVE_DEG.to_radians());
-        let aside = if is_right { -aside } else { aside };
-        let level = measurement.forward * aside.cos() + measurement.left * aside.sin();
-        let toward = level * above.cos() + measurement.up * above.sin();
-        let right = measurement.up.cross(toward).normalize_or(measurement.left);
-        Self { right, up: toward.cross(right), toward, follows, middle: DVec3::ZERO, scale: 1.0 }
+        let &Measurement { up, forward, left, height, .. } = measurement;
+        let (low, high) = span(measurement.bones.iter().map(|bone| bone.bind_world.translation.dot(left)));
+        let is_right = eye_bind.dot(left) * 2.0 < low + high - 1e-6 * height;
+        let aside_deg = if is_right { -aside_deg } else { aside_deg };
+        let middle = [WIDTH / 2.0, HEIGHT / 2.0];
+        Self { view: Projection::from_aside([up, forward, left], aside_deg, ABOVE_DEG, middle), follows }
     }
 
     /// Brings into the picture the `head`, given by its extent in the bind pose, wherever the effector is: at `eye_bind`
@@ -102,52 +94,39 @@ impl Camera {
             middle = (low + high) * 0.5 + measurement.up * ((extent.dot(measurement.up) - size) * 0.5) - eye_bind;
         }
         // A long neck moves its head further than a head is long.
-        let seen = places.filter(|place| place.is_finite()).map(|place| self.turn(place));
+        let seen = places.filter(|place| place.is_finite()).map(|place| self.view.turn(place));
         let (low, high) = ends(seen).unwrap_or_default();
         let spread = high - low;
         let room = (spread.x + 1.5 * size).max((spread.y + 1.1 * size) / (1.0 - 2.0 * RAISED));
         let window = (HEADS * size).max(room);
-        let centre = self.unturn((low + high) * 0.5);
-        self.scale = HEIGHT / window;
-        self.middle = centre + middle - self.up * (RAISED * window);
+        let centre = self.view.unturn((low + high) * 0.5);
+        self.view.scale = HEIGHT / window;
+        self.view.centre = centre + middle - self.view.up * (RAISED * window);
         self
     }
 
     /// Brings `character` into the picture, all its points, and `target` unless it is far away.
     fn around(mut self, character: impl Iterator<Item = DVec3>, target: DVec3) -> Self {
-        let seen = character.filter(|point| point.is_finite()).map(|point| self.turn(point));
+        let seen = character.filter(|point| point.is_finite()).map(|point| self.view.turn(point));
         let (low, high) = ends(seen).unwrap_or_default();
-        let target = self.turn(target);
+        let target = self.view.turn(target);
         let near = target.clamp(low, high).distance(target) < BEYOND * (high - low).max_element();
         let (low, high) = if near { (low.min(target), high.max(target)) } else { (low, high) };
         let (size, centre) = (high - low, (low + high) * 0.5);
         let window = AROUND * size.y.max(size.x * HEIGHT / WIDTH);
-        self.scale = HEIGHT / if window > 0.0 { window } else { 1.0 };
-        self.middle = self.unturn(centre);
+        self.view.scale = HEIGHT / if window > 0.0 { window } else { 1.0 };
+        self.view.centre = self.view.unturn(centre);
         self
     }
 
-    /// Right, down, and near.
+    /// Place of a point of the world in the drawing, with the nodes at `world`.
     pub(super) fn project(&self, point: DVec3, world: &[DAffine3]) -> DVec3 {
-        let v = point - self.middle - at(self.follows, world);
-        DVec3::new(
-            WIDTH / 2.0 + self.scale * v.dot(self.right),
-            HEIGHT / 2.0 - self.scale * v.dot(self.up),
-            v.dot(self.toward),
-        )
-    }
-
-    fn turn(&self, v: DVec3) -> DVec3 {
-        DVec3::new(v.dot(self.right), v.dot(self.up), v.dot(self.toward))
-    }
-
-    fn unturn(&self, v: DVec3) -> DVec3 {
-        self.right * v.x + self.up * v.y + self.toward * v.z
+        self.view.place(point - self.view.centre - at(self.follows, world))
     }
 }
 
 /// The lowest and highest coordinates.
-fn ends(points: impl Iterator<Item = DVec3>) -> Option<(DVec3, DVec3)> {
+pub(super) fn ends(points: impl Iterator<Item = DVec3>) -> Option<(DVec3, DVec3)> {
     points.map(|p| (p, p)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p)))
 }
 
@@ -158,23 +137,23 @@ fn at(node: Option<usize>, world: &[DAffine3]) -> DVec3 {
 impl<'a> Scene<'a> {
     /// The head, or what the `effector` is on, in all the frames that are `drawn`.
     pub(super) fn of_gaze<'f>(
-        subject: &Subject<'a>,
+        subject: &BakePage<'a>,
         chain: &ChainNodes,
         effector: Eye,
-        drawn: impl Iterator<Item = &'f Frame>,
+        drawn: impl Iterator<Item = &'f AimedFrame>,
     ) -> Self {
-        let Subject { document, measurement, .. } = *subject;
+        let BakePage { document, measurement, .. } = *subject;
         let skeleton = document.skeleton();
         let surface = document.surface();
         let Eye { node: first, centre: origin, forward } = effector;
         let bind = &measurement.bind_world;
         let role = |node: usize| measurement.bone(node).and_then(|bone| bone.role);
-        let is_eye = chain.pair.is_some() || matches!(role(first), Some(Role::LeftEye | Role::RightEye));
+        let is_eye = chain.other_eye.is_some() || matches!(role(first), Some(Role::LeftEye | Role::RightEye));
         let mut eyes = Vec::new();
         if is_eye {
             eyes.push(effector);
             let forward = bind[first].transform_vector3(forward);
-            eyes.extend(chain.pair.map(|node| Eye {
+            eyes.extend(chain.other_eye.map(|node| Eye {
                 node,
                 centre: DVec3::ZERO,
                 forward: bind[node].inverse().transform_vector3(forward).normalize_or_zero(),
@@ -188,8 +167,12 @@ impl<'a> Scene<'a> {
         let eye_bind = bind[first].transform_point3(origin);
         let follows = chain.joints.last().and_then(|node| skeleton.nodes()[*node].parent);
         let places = drawn.map(|frame| frame.world[first].transform_point3(origin) - at(follows, &frame.world));
-        let camera =
-            Camera::new(measurement, ASIDE_DEG, follows, eye_bind).framing(measurement, head, eye_bind, places);
+        let camera = FollowingCamera::new(measurement, ASIDE_DEG, follows, eye_bind).framing(
+            measurement,
+            head,
+            eye_bind,
+            places,
+        );
         let welded = weld(&positions, measurement.height);
         Self { document, measurement, surface, welded, joints: chain.joints.clone(), eyes, camera, fade: FADE }
     }
@@ -208,7 +191,7 @@ impl<'a> Scene<'a> {
             let bones = || measurement.bones.iter().map(|bone| world[bone.node].translation).collect();
             if skin.is_empty() { bones() } else { skin }
         });
-        let camera = Camera::new(measurement, LIMB_ASIDE_DEG, None, bind[limb.tip].translation);
+        let camera = FollowingCamera::new(measurement, LIMB_ASIDE_DEG, None, bind[limb.tip].translation);
         let camera = camera.around(character, target);
         let welded = weld(&surface.positions(skeleton, bind), measurement.height);
         let joints = vec![limb.upper, limb.lower, limb.tip];
@@ -228,28 +211,23 @@ impl<'a> Scene<'a> {
         let skeleton = self.document.skeleton();
         let positions = self.surface.positions(skeleton, world);
         let normals = self.normals(&positions);
-        let eyes: Vec<(usize, Paint)> = self
-            .eyes
-            .iter()
-            .map(|eye| {
-                let centre = world[eye.node].transform_point3(eye.centre);
-                let gaze = world[eye.node].transform_vector3(eye.forward).normalize_or_zero();
-                (eye.node, Paint::Eye { centre, gaze })
-            })
-            .collect();
-        let mut picture = Picture::new(PICTURE.0, PICTURE.1, self.fade);
+        let eye_of = |node: Option<usize>| {
+            let eye = self.eyes.iter().find(|eye| Some(eye.node) == node)?;
+            let centre = world[eye.node].transform_point3(eye.centre);
+            Some(Paint::Eye { centre, gaze: world[eye.node].transform_vector3(eye.forward).normalize_or_zero() })
+        };
+        let mut picture = Raster::new(PICTURE.0, PICTURE.1, self.fade);
         for triangle in self.surface.triangles() {
             let [a, b, c] = triangle.vertices.map(|vertex| positions[vertex]);
             let flat = (b - a).cross(c - a).normalize_or_zero();
-            let node = self.surface.node_of(skeleton, triangle.vertices[0]);
-            let eye = eyes.iter().find(|(eye, _)| Some(*eye) == node).map(|(_, paint)| *paint);
+            let eye = eye_of(self.surface.node_of(skeleton, triangle.vertices[0]));
             let corners = triangle.vertices.map(|vertex| {
                 let screen = self.camera.project(positions[vertex], world);
                 // Past 60° an edge is an edge.
                 let normal = if normals[vertex].dot(flat) > 0.5 { normals[vertex] } else { flat };
                 Corner {
                     screen: DVec3::new(screen.x * PIXELS, screen.y * PIXELS, screen.z),
-                    normal: self.camera.turn(normal),
+                    normal: self.camera.view.turn(normal),
                     world: positions[vertex],
                 }
             });
@@ -278,12 +256,7 @@ impl<'a> Scene<'a> {
         let shown = |node: usize| self.camera.project(world[node].translation, world);
         let lines = self.measurement.bones.iter().filter_map(|bone| Some((bone.node, nodes[bone.node].parent?)));
         html! {
-            @for (node, parent) in lines {
-                @let (a, b) = (shown(parent), shown(node));
-                @if a.is_finite() && b.is_finite() {
-                    line.bone x1=(n(a.x)) y1=(n(a.y)) x2=(n(b.x)) y2=(n(b.y)) {}
-                }
-            }
+            @for (node, parent) in lines { (segment("bone", shown(parent), shown(node))) }
             @for &joint in &self.joints {
                 @let p = shown(joint);
                 @if p.is_finite() { circle.joint cx=(n(p.x)) cy=(n(p.y)) r="4.5" {} }

@@ -3,21 +3,20 @@
 use aim_codegen::RigSpec;
 use maud::{Markup, html};
 
-use super::words::{self, STATUSES, chip, counted, fixed, listed, shown, status, tiny, trimmed};
-use crate::report::Report;
+use crate::bake_report::BakeReport;
+use crate::words::{self, STATUSES, chip, counted, fixed, listed, shown, status, tiny, trimmed};
 
 /// An excess over a rate or a range up to this is rounding.
 const ROUNDING: f64 = 1e-2;
 
 /// Frames of each status, in the order of [`STATUSES`].
-fn counts(report: &Report) -> Vec<(&'static str, usize)> {
+fn counts(report: &BakeReport) -> Vec<(&'static str, usize)> {
     let count = |word: &str| report.frames.iter().filter(|frame| frame.status == word).count();
     STATUSES.iter().map(|(word, ..)| (*word, count(word))).filter(|(_, frames)| *frames > 0).collect()
 }
 
-#[expect(clippy::cast_precision_loss, reason = "bakes have far fewer than 2^52 frames")]
 fn percent(part: usize, of: usize) -> f64 {
-    part as f64 / of.max(1) as f64 * 100.0
+    words::count(part) / words::count(of.max(1)) * 100.0
 }
 
 /// Names and values under a caption.
@@ -31,7 +30,7 @@ pub(super) fn table(caption: &str, rows: &[(&str, String)]) -> Markup {
 }
 
 /// The summary: a paragraph, the share of each status, the facts.
-pub(super) fn section(spec: &RigSpec, report: &Report) -> Markup {
+pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
     let counts = counts(report);
     let all = report.frames.len();
     html! {
@@ -66,7 +65,7 @@ fn solver(word: &str) -> &str {
     }
 }
 
-fn in_words(spec: &RigSpec, report: &Report) -> String {
+fn in_words(spec: &RigSpec, report: &BakeReport) -> String {
     let bones: Vec<&str> = match report.frames.first() {
         Some(frame) => frame.joints.iter().map(|joint| joint.bone.as_str()).collect(),
         None => spec.joints.iter().map(|joint| joint.name.as_str()).collect(),
@@ -89,14 +88,11 @@ fn in_words(spec: &RigSpec, report: &Report) -> String {
     if reached > 0 {
         text += &format!(", {} off it at worst", words::degrees(report.summary.max_error_deg_reached));
     }
-    let others: Vec<String> = counts(report)
-        .iter()
-        .filter(|(word, _)| *word != "reached")
-        .map(|(word, frames)| match *word {
-            "behind" => format!("{frames} with the target behind the character"),
-            word => format!("{frames} {}", status(word)),
-        })
-        .collect();
+    let others = counts(report).into_iter().filter(|(word, _)| *word != "reached").map(|(word, frames)| match word {
+        "behind" => format!("{frames} with the target behind the character"),
+        word => format!("{frames} {}", status(word)),
+    });
+    let others: Vec<String> = others.collect();
     if !others.is_empty() {
         text += &format!("; {}", listed(&others.iter().map(String::as_str).collect::<Vec<_>>()));
     }
@@ -111,7 +107,7 @@ fn in_words(spec: &RigSpec, report: &Report) -> String {
     text
 }
 
-fn seconds(report: &Report) -> f64 {
+fn seconds(report: &BakeReport) -> f64 {
     match (report.frames.first(), report.frames.last()) {
         (Some(first), Some(last)) => f64::from(last.t) - f64::from(first.t),
         _ => 0.0,
@@ -123,16 +119,13 @@ fn shares(counts: &[(&str, usize)], all: usize) -> Markup {
     let label: Vec<String> =
         counts.iter().map(|(word, n)| format!("{} {} %", status(word), fixed(percent(*n, all), 1))).collect();
     let mut start = 0.0;
-    let parts: Vec<(&str, f64, f64)> = counts
-        .iter()
-        .map(|(word, frames)| {
-            let (from, width) = (start, percent(*frames, all));
-            start += width;
-            (*word, from, width)
-        })
-        .collect();
+    let parts = counts.iter().map(|(word, frames)| {
+        let (from, width) = (start, percent(*frames, all));
+        start += width;
+        (word, from, width)
+    });
     html! {
-        @if !parts.is_empty() {
+        @if !counts.is_empty() {
             svg.shares viewBox="0 0 100 2" preserveAspectRatio="none" role="img" aria-label=(label.join(", ")) {
                 @for (word, from, width) in parts {
                     rect class={ "status " (word) } x=(trimmed(from, 3)) width=(trimmed(width, 3)) height="2" {}
@@ -142,7 +135,7 @@ fn shares(counts: &[(&str, usize)], all: usize) -> Markup {
     }
 }
 
-fn facts(spec: &RigSpec, report: &Report) -> Vec<(&'static str, String)> {
+fn facts(spec: &RigSpec, report: &BakeReport) -> Vec<(&'static str, String)> {
     let vector = |v: [f64; 3]| v.map(|x| shown(x, 4)).join(", ");
     let bone = report.frames.first().and_then(|frame| frame.joints.first()).map_or("", |joint| joint.bone.as_str());
     let mut facts = vec![
@@ -156,14 +149,14 @@ fn facts(spec: &RigSpec, report: &Report) -> Vec<(&'static str, String)> {
     if spec.effector.origin != [0.0; 3] {
         facts.push(("Its origin", format!("({})", vector(spec.effector.origin))));
     }
-    if let Some(pair) = &spec.joints[0].pair {
+    if let Some(pair) = &spec.joints[0].other_eye {
         let both = report.frames.iter().any(|frame| frame.pair_error_deg.is_some());
         facts.push((if both { "The other eye" } else { "Turns with it" }, pair.clone()));
     }
     facts
 }
 
-fn measured(report: &Report) -> Vec<(&'static str, String)> {
+fn measured(report: &BakeReport) -> Vec<(&'static str, String)> {
     let held = |value: f64, unit: &str| match value {
         x if x <= 0.0 => "held".to_owned(),
         x if x <= ROUNDING => format!("held, within {}", tiny(x, unit)),

@@ -5,7 +5,7 @@ use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
 use super::scene::{HEIGHT, Scene, WIDTH};
-use super::words::{self, n};
+use crate::words::{self, n};
 
 /// Moments drawn before a target's own and as many after it; of several targets each has fewer, for the page's size.
 const AROUND: i16 = 2;
@@ -28,7 +28,7 @@ pub(crate) struct Takes<'a> {
 }
 
 /// The character at one time, world ← node of every node.
-struct Moment {
+struct Take {
     t: f32,
     before: Vec<DAffine3>,
     after: Vec<DAffine3>,
@@ -54,16 +54,15 @@ impl Takes<'_> {
         let way = self.moments(goal, AROUND, POINTS);
         let worlds = moments.iter().flat_map(|moment| [&moment.before, &moment.after]);
         let scene = Scene::of_limb(self.document, self.measurement, self.limb, worlds, goal.target);
-        let line = |world: fn(&Moment) -> &[DAffine3]| {
+        let line = |world: fn(&Take) -> &[DAffine3]| {
             let points = way.iter().map(|moment| scene.camera.project(self.tip(world(moment)), &[]));
-            let points = points.filter(|p| p.is_finite()).map(|p| format!("{},{}", n(p.x), n(p.y)));
-            points.collect::<Vec<_>>().join(" ")
+            words::points(points.filter(|p| p.is_finite()))
         };
         let was = html! { (way_line("plain", &line(|moment| &moment.before))) };
         let is = html! { (was) (way_line("heading", &line(|moment| &moment.after))) };
         html! {
             ol.film.takes {
-                @for Moment { t, before, after } in &moments {
+                @for Take { t, before, after } in &moments {
                     @let time = words::fixed((*t).into(), 2);
                     li {
                         figure {
@@ -81,7 +80,7 @@ impl Takes<'_> {
     }
 
     /// `parts` moments to a step, in order.
-    fn moments(&self, goal: &Goal, around: i16, parts: i16) -> Vec<Moment> {
+    fn moments(&self, goal: &Goal, around: i16, parts: i16) -> Vec<Take> {
         let skeleton = self.document.skeleton();
         let seconds = self.before.seconds();
         let step = STEP.min(SHARE * seconds) / f32::from(parts);
@@ -89,7 +88,7 @@ impl Takes<'_> {
         let mut times: Vec<f32> = times.filter(|t| *t == goal.at || (0.0..=seconds).contains(t)).collect();
         times.dedup();
         let world = |clip, t| skeleton.world_f64(&skeleton.pose(clip, t));
-        times.iter().map(|&t| Moment { t, before: world(self.before, t), after: world(self.after, t) }).collect()
+        times.iter().map(|&t| Take { t, before: world(self.before, t), after: world(self.after, t) }).collect()
     }
 
     /// The angle between the limb's two bones at each time, degrees; 180 is straight.

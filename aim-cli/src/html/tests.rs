@@ -2,12 +2,12 @@
 
 use aim_codegen::{AngleRange, RigSpec};
 use aim_gltf::{Baked, ChainNodes, Document, Measurement, PAPER_AXES, Plan, Settle, bake, mannequin};
-use aim_runtime::Settings;
+use aim_runtime::{DynAim, Settings};
 use glam::DVec3;
 use scraper::{Html, Selector};
 
-use super::{Subject, page};
-use crate::report::{JointReport, Report};
+use super::{BakePage, page};
+use crate::bake_report::{BakeReport, JointReport};
 use aim_character::InterpretedRig;
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");
@@ -21,14 +21,16 @@ const BONES: &str = r#"{"asset":{"version":"2.0"},"nodes":[
 const BONES_RIG: &str = r#"
     name = "Bones"
     handedness = "right"
-    bones = { up = "+Y", forward = "+Z", left = "+X" }
+    axes = { up = "+Y", forward = "+Z", left = "+X" }
     [[joint]]
     name = "eye"
+    role = "eye"
     bone = "<script>alert(\"1\")</script>&'"
     heading = ["-30deg", "30deg"]
     rate = "90deg"
     [[joint]]
     name = "neck"
+    role = "neck"
     heading = "free"
     pitch = ["-40deg", "30deg"]
     rate = "60deg"
@@ -39,7 +41,7 @@ struct Case {
     document: Document,
     measurement: Measurement,
     baked: Baked,
-    report: Report,
+    report: BakeReport,
 }
 
 impl Case {
@@ -47,7 +49,7 @@ impl Case {
         let spec = aim_codegen::declare::from_toml("rig.toml", rig).expect("a sound rig");
         let document = Document::from_bytes(model).expect("a sound model");
         let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
-        let chain = ChainNodes::find(document.skeleton(), bones, spec.joints[0].pair.as_deref()).expect("bones");
+        let chain = ChainNodes::find(document.skeleton(), bones, spec.joints[0].other_eye.as_deref()).expect("bones");
         let measurement = Measurement::of(&document);
         let plan = Plan {
             document: &document,
@@ -62,10 +64,10 @@ impl Case {
             settings: Settings::default(),
         };
         let target = |t: f32, _: &[_]| DVec3::new(2.0 * f64::from(t).sin(), 1.7, 2.0 * f64::from(t).cos());
-        let baked = bake(&mut InterpretedRig::new(&spec), &plan, target, |_, _| {}).expect("a clip");
+        let baked = bake(&mut DynAim::new(InterpretedRig::new(&spec)), &plan, target, |_, _| {}).expect("a clip");
         let names: Vec<String> =
             chain.joints.iter().map(|&node| document.skeleton().nodes()[node].name.clone()).collect();
-        let report = Report::new(&spec, "ascent", 30.0, &names, None, &baked);
+        let report = BakeReport::new(&spec, "ascent", 30.0, &names, None, &baked);
         Self { spec, document, measurement, baked, report }
     }
 
@@ -82,7 +84,7 @@ impl Case {
 
     fn page(&self) -> String {
         let Self { spec, report, document, measurement, baked } = self;
-        page(&Subject { spec, report, document, measurement, baked })
+        page(&BakePage { spec, report, document, measurement, baked })
     }
 }
 
@@ -219,9 +221,9 @@ fn an_hour_is_hardly_larger_than_a_second() {
     let mut case = Case::mannequin(0.5);
     let frame = case.baked.frames[0].clone();
     let times = (0_u16..20_000).map(|k| f32::from(k) * 0.18);
-    case.baked.frames = times.map(|t| aim_gltf::Frame { t, ..frame.clone() }).collect();
+    case.baked.frames = times.map(|t| aim_gltf::AimedFrame { t, ..frame.clone() }).collect();
     let names: Vec<String> = case.spec.joints.iter().map(|joint| joint.name.clone()).collect();
-    case.report = Report::new(&case.spec, "ascent", 30.0, &names, None, &case.baked);
+    case.report = BakeReport::new(&case.spec, "ascent", 30.0, &names, None, &case.baked);
     let size = case.page().len();
     assert!(size < 1_500_000, "{size} bytes");
 }

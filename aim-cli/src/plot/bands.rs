@@ -22,7 +22,7 @@ impl Bands {
         Self { step, first, last: ((far / step).ceil() * step).max(first + step) }
     }
 
-    /// Where bands meet and end, degrees off, the nearest first.
+    /// Borders of the bands, degrees off, the nearest first.
     pub(super) fn edges(&self) -> Vec<f64> {
         let edge = |k: u8| self.first + f64::from(k) * self.step;
         (0..=u8::MAX).map(edge).take_while(|edge| *edge < self.last + self.step / 2.0).collect()

@@ -7,36 +7,35 @@ use maud::{Markup, html};
 use super::bands::{Bands, aim};
 use super::key;
 use super::labels::Ground;
-use super::layout::{Panel, angle_ticks, heading};
-use super::picture::{Picture, Size, c, cased, path};
-use super::subject::{Subject, degrees};
-use crate::html::words::{fixed, shown, trimmed};
+use super::layout::{Panel, angle_ticks, finished, heading};
+use super::picture::{PlotPicture, Size, c, cased, path};
+use super::subject::{JointPlot, degrees};
+use crate::words::{fixed, shown, trimmed};
 
 /// Values to a side of the panel; those beyond its border let contour lines leave it.
 const CELLS: u16 = 180;
-const BEYOND: f64 = 2.0;
+const BEYOND: u16 = 2;
 
-pub(super) fn picture(subject: &Subject, size: Size) -> Picture {
+pub(super) fn picture(subject: &JointPlot, size: Size) -> PlotPicture {
     let [x, y] = window(subject, Panel::aspect(size));
     let panel = Panel::new(size, x, y);
     let [left, top, width, height] = panel.rectangle();
-    let grid = Grid::of(subject, &panel);
+    let grid = Grid::sample(subject, &panel);
     let bands = Bands::over(grid.least, grid.most);
     let ranges: Vec<Vec<[f64; 2]>> =
         subject.range_outlines(x).iter().map(|line| line.iter().map(|at| panel.at(*at)).collect()).collect();
     let courses = subject.courses.each_ref().map(|course| pieces(&course.angles, &panel));
     let marks = key::frames_a_mark(&courses.concat());
+    let drawn = subject.courses.each_ref().map(|course| course.angles.iter().map(|at| panel.at(*at)).collect());
     let mut ground = Ground::new(panel.rectangle());
     for line in courses.iter().flatten().chain(&ranges) {
         ground.keep_clear_of(line);
     }
     let contours: Vec<(f64, Vec<Vec<[f64; 2]>>)> =
         bands.levels().into_iter().map(|off| (off, grid.lines(aim(off), &panel))).collect();
-    let title = title(subject);
-    let about = about(subject);
     let content = html! {
         defs { clipPath id="panel" { rect x=(c(left)) y=(c(top)) width=(c(width)) height=(c(height)) {} } }
-        (heading(&title, &about))
+        (heading(subject))
         g clip-path="url(#panel)" {
             rect x=(c(left)) y=(c(top)) width=(c(width)) height=(c(height)) fill=(bands.beginning_at(furthest(&bands))) {}
             @for (off, rings) in &contours { (filled(*off, rings, &bands)) }
@@ -46,47 +45,21 @@ pub(super) fn picture(subject: &Subject, size: Size) -> Picture {
                 }
             }
             @for line in &ranges { (key::range(line)) }
-            (ways(subject, &panel, &courses, marks))
+            @for (pieces, course) in courses.iter().zip(&subject.courses) {
+                @for piece in pieces { (key::line(piece, course.colour)) }
+            }
+            (key::frames(subject, &drawn, marks, [3.2; 2], |_| true))
         }
         (panel.axes(&angle_ticks(x), "heading, degrees to the left", &angle_ticks(y), "pitch, degrees up"))
         (key::scale(&bands, size, top, top + height))
         (key::legend(subject, size, marks, &key::range_patch()))
     };
-    let description = describe(subject, "filled contours", &about, &[("heading", x), ("pitch", y)]);
-    Picture::new(size, &title, &description, &content)
-}
-
-pub(super) fn title(subject: &Subject) -> String {
-    let angles = match (subject.joint.heading, subject.joint.pitch) {
-        (Some(_), Some(_)) => "heading and pitch",
-        (Some(_), None) => "heading",
-        _ => "pitch",
-    };
-    format!("{}, {}: aim over {angles}", subject.rig_name, subject.joint.name)
-}
-
-pub(super) fn about(subject: &Subject) -> String {
-    let point = subject.target.to_array().map(|x| shown(x, 3)).join(", ");
-    format!("Target {}, at ({point}) in the joint’s space", subject.target_in_words())
-}
-
-/// For those who cannot see it: how the aim is drawn, over which angles.
-pub(super) fn describe(subject: &Subject, how: &str, about: &str, over: &[(&str, [f64; 2])]) -> String {
-    let over: Vec<String> =
-        over.iter().map(|(angle, [lo, hi])| format!("{angle} {}° to {}°", shown(*lo, 2), shown(*hi, 2))).collect();
-    let courses: Vec<String> = subject.courses.iter().map(key::ending).collect();
-    format!(
-        "The aim of {}, the cosine of its angle off the target, as {how} over {}, with its range of motion and the ways of \
-         two solvers. {about}. From rest, {}.",
-        subject.joint.name,
-        over.join(" and "),
-        courses.join("; ")
-    )
+    finished(subject, size, "filled contours", &[("heading", x), ("pitch", y)], &content)
 }
 
 /// Heading and pitch that are drawn, degrees: the range of motion and some room around it, both to one scale where that
 /// does not lead beyond the poles.
-pub(super) fn window(subject: &Subject, aspect: f64) -> [[f64; 2]; 2] {
+pub(super) fn window(subject: &JointPlot, aspect: f64) -> [[f64; 2]; 2] {
     let [x, y] = [subject.joint.heading, subject.joint.pitch].map(|range| with_room(range, 0.18));
     let span = |[lo, hi]: [f64; 2]| hi - lo;
     let grown = |[lo, hi]: [f64; 2], to: f64, most: f64| {
@@ -117,7 +90,7 @@ fn ink(bands: &Bands, off: f64) -> &'static str {
     if bands.lightness(off) < 0.55 { "#ffffff" } else { "#000000" }
 }
 
-/// What is nearer than `off`, with its border as a contour line.
+/// The area nearer than `off`, with its border as a contour line.
 fn filled(off: f64, rings: &[Vec<[f64; 2]>], bands: &Bands) -> Markup {
     let nearer = bands.edges().into_iter().rfind(|edge| *edge < off - 1e-9).unwrap_or(off);
     let d: String = rings.iter().map(|ring| path(ring, true)).collect();
@@ -125,20 +98,6 @@ fn filled(off: f64, rings: &[Vec<[f64; 2]>], bands: &Bands) -> Markup {
         path class="contour" d=(d) fill=(bands.beginning_at(nearer)) fill-rule="evenodd" stroke=(ink(bands, off)) stroke-opacity="0.7" stroke-width="0.8" {
             title { (trimmed(off, 1)) "° off target, aim " (fixed(aim(off), 4)) }
         }
-    }
-}
-
-/// Both solvers' ways, with their marks, starts and ends.
-fn ways(subject: &Subject, panel: &Panel, courses: &[Vec<Vec<[f64; 2]>>; 2], marks: usize) -> Markup {
-    html! {
-        @for (pieces, course) in courses.iter().zip(&subject.courses) {
-            @for piece in pieces { (key::line(piece, course.colour)) }
-        }
-        @for (k, course) in subject.courses.iter().enumerate() {
-            @for angles in course.angles.iter().step_by(marks).skip(1) { (key::mark(k, course.colour, panel.at(*angles), 3.2)) }
-        }
-        (key::start(panel.at([0.0, 0.0])))
-        @for (k, course) in subject.courses.iter().enumerate() { (key::end(k, course.colour, panel.at(course.end()))) }
     }
 }
 
@@ -163,18 +122,13 @@ struct Grid {
 }
 
 impl Grid {
-    fn of(subject: &Subject, panel: &Panel) -> Self {
+    fn sample(subject: &JointPlot, panel: &Panel) -> Self {
         let cells = f64::from(CELLS);
         let steps = [panel.x.span() / cells, panel.y.span() / cells];
-        let first = [panel.x.values[0] - BEYOND * steps[0], panel.y.values[0] - BEYOND * steps[1]];
-        let along = |k: usize| {
-            let mut places = Vec::new();
-            let mut place = 0.0;
-            while place <= cells + 2.0 * BEYOND {
-                places.push(first[k] + place * steps[k]);
-                place += 1.0;
-            }
-            places
+        let first =
+            [panel.x.values[0] - f64::from(BEYOND) * steps[0], panel.y.values[0] - f64::from(BEYOND) * steps[1]];
+        let along = |k: usize| -> Vec<f64> {
+            (0..=CELLS + 2 * BEYOND).map(|place| first[k] + f64::from(place) * steps[k]).collect()
         };
         let (headings, pitches) = (along(0), along(1));
         let values: Vec<f64> =

@@ -3,19 +3,19 @@
 use maud::{Markup, html};
 
 use super::bands::{Bands, aim};
-use super::contours::{about, describe, title, with_room};
+use super::contours::with_room;
 use super::key;
-use super::layout::{Panel, angle_ticks, heading};
-use super::picture::{Picture, Size, c, path};
-use super::subject::{Course, Subject, degrees};
-use crate::html::words::shown;
-use crate::ticks::nice;
+use super::layout::{Panel, angle_ticks, finished, heading};
+use super::picture::{PlotPicture, Size, c, path};
+use super::subject::{JointPlot, SolverPath, degrees};
+use crate::axis::nice;
+use crate::words::{shown, span};
 
 /// Steps of the curve.
 const STEPS: u16 = 360;
 const CURVE: &str = "#0072b2";
 
-pub(super) fn picture(subject: &Subject, size: Size) -> Picture {
+pub(super) fn picture(subject: &JointPlot, size: Size) -> PlotPicture {
     let turns = subject.joint.heading.is_some();
     let angles = move |angle: f64| if turns { [angle, 0.0] } else { [0.0, angle] };
     let (axis, range) = if turns {
@@ -27,38 +27,29 @@ pub(super) fn picture(subject: &Subject, size: Size) -> Picture {
     let step = (x[1] - x[0]) / f64::from(STEPS);
     let curve: Vec<[f64; 2]> =
         (0..=STEPS).map(|k| x[0] + f64::from(k) * step).map(|angle| [angle, subject.aim(angles(angle))]).collect();
-    let least = curve.iter().map(|[_, aim]| *aim).fold(1.0, f64::min);
-    let most = curve.iter().map(|[_, aim]| *aim).fold(-1.0, f64::max);
+    let (least, most) = span(curve.iter().map(|[_, aim]| *aim));
     let room = 0.06 * (most - least).max(1e-3);
     let panel = Panel::new(size, x, [least - room, most + room]);
     let [left, top, width, height] = panel.rectangle();
-    let on_curve = |course: &Course| -> Vec<[f64; 2]> {
+    let on_curve = |course: &SolverPath| -> Vec<[f64; 2]> {
         course.angles.iter().map(|at| panel.at([at[usize::from(!turns)], subject.aim(*at)])).collect()
     };
     let ways = subject.courses.each_ref().map(on_curve);
     let marks = key::frames_a_mark(&ways);
-    let [title, about] = [title(subject), about(subject)];
     let [lo, hi] = range.map_or([0.0; 2], degrees);
     let [from, to] = [lo.max(x[0]), hi.min(x[1])].map(|end| panel.x.at(end));
     let drawn: Vec<[f64; 2]> = curve.iter().map(|at| panel.at(*at)).collect();
     let content = html! {
-        (heading(&title, &about))
+        (heading(subject))
         rect x=(c(from)) y=(c(top)) width=(c(to - from)) height=(c(height)) fill="#e6ebf0" {}
         @if lo.is_finite() { (ends(&panel, [lo, hi])) }
         path class="curve" d=(path(&drawn, false)) fill="none" stroke=(CURVE) stroke-width="2.2" stroke-linejoin="round" {}
-        @for (k, (way, course)) in ways.iter().zip(&subject.courses).enumerate() {
-            @for at in way.iter().step_by(marks).skip(1) { (key::mark(k, course.colour, *at, if k == 0 { 5.0 } else { 2.8 })) }
-        }
-        (key::start(ways[0][0]))
-        @for (k, (way, course)) in ways.iter().zip(&subject.courses).enumerate() {
-            (key::end(k, course.colour, way[way.len() - 1]))
-        }
+        (key::frames(subject, &ways, marks, [5.0, 2.8], |_| true))
         (panel.axes(&angle_ticks(x), axis, &nice(panel.y.values[0], panel.y.values[1], 8.0), "aim, cosine of the angle off the target"))
         (degrees_off(&panel, &Bands::over(least, most), left + width))
         (key::legend(subject, size, marks, &patch()))
     };
-    let description = describe(subject, "a curve", &about, &[(if turns { "heading" } else { "pitch" }, x)]);
-    Picture::new(size, &title, &description, &content)
+    finished(subject, size, "a curve", &[(if turns { "heading" } else { "pitch" }, x)], &content)
 }
 
 /// Both ends of the range, as lines.

@@ -1,22 +1,20 @@
-//! What colours, lines and marks mean; and the lines and marks themselves.
+//! Lines and marks of a plot, and the key to them.
 
 use maud::{Markup, html};
 
 use super::bands::{Bands, aim};
 use super::picture::{Size, c, path};
-use super::subject::{Course, FPS, Subject};
-use crate::html::words::{counted, degrees, fixed, shown};
+use super::subject::{FPS, JointPlot, SolverPath};
+use crate::words::{count, counted, degrees, fixed, shown};
 
 /// Marks nearer together than this are thinned out.
 const APART: f64 = 7.0;
 
-/// How many frames there are to a mark, so that none touch: `length` is of the whole way, as drawn.
+/// Number of frames from mark to mark, so that marks do not touch on these drawn paths.
 pub(super) fn frames_a_mark(ways: &[Vec<[f64; 2]>]) -> usize {
     let apart = |way: &Vec<[f64; 2]>| {
         let length: f64 = way.windows(2).map(|pair| distance(pair[0], pair[1])).sum();
-        #[expect(clippy::cast_precision_loss, reason = "ways have far fewer than 2^52 frames")]
-        let frames = way.len().saturating_sub(1).max(1) as f64;
-        length / frames
+        length / count(way.len().saturating_sub(1).max(1))
     };
     let apart = ways.iter().map(apart).fold(f64::INFINITY, f64::min);
     let fits = |frames: &u16| f64::from(*frames) * apart >= APART;
@@ -37,7 +35,7 @@ pub(super) fn line(points: &[[f64; 2]], colour: &str) -> Markup {
 }
 
 /// A frame's mark of the first (round) or the second course (square).
-pub(super) fn mark(course: usize, colour: &str, [x, y]: [f64; 2], size: f64) -> Markup {
+fn mark(course: usize, colour: &str, [x, y]: [f64; 2], size: f64) -> Markup {
     html! {
         @if course == 0 {
             circle cx=(c(x)) cy=(c(y)) r=(c(size)) fill=(colour) stroke="#ffffff" stroke-width="1.2" {}
@@ -47,13 +45,13 @@ pub(super) fn mark(course: usize, colour: &str, [x, y]: [f64; 2], size: f64) -> 
     }
 }
 
-/// Where both ways begin.
-pub(super) fn start([x, y]: [f64; 2]) -> Markup {
+/// Mark of the start of both paths.
+fn start([x, y]: [f64; 2]) -> Markup {
     html! { circle class="start" cx=(c(x)) cy=(c(y)) r="6" fill="#ffffff" stroke="#000000" stroke-width="2" {} }
 }
 
-/// Where a way ends: a ring for the first course, a lozenge within it for the second.
-pub(super) fn end(course: usize, colour: &str, [x, y]: [f64; 2]) -> Markup {
+/// Mark of the end of a path: a ring for the first, a lozenge within it for the second.
+fn end(course: usize, colour: &str, [x, y]: [f64; 2]) -> Markup {
     html! {
         @if course == 0 {
             circle class="end" cx=(c(x)) cy=(c(y)) r="9.5" fill="none" stroke="#ffffff" stroke-width="5.5" {}
@@ -62,6 +60,27 @@ pub(super) fn end(course: usize, colour: &str, [x, y]: [f64; 2]) -> Markup {
             rect class="end" x=(c(x - 4.2)) y=(c(y - 4.2)) width="8.4" height="8.4" transform=(format!("rotate(45 {} {})", c(x), c(y)))
                 fill=(colour) stroke="#ffffff" stroke-width="1.6" {}
         }
+    }
+}
+
+/// The frames of both courses as they are drawn, a mark each `frames_a_mark` of them where they are seen; their start and
+/// their ends.
+pub(super) fn frames(
+    subject: &JointPlot,
+    drawn: &[Vec<[f64; 2]>; 2],
+    frames_a_mark: usize,
+    sizes: [f64; 2],
+    is_seen: impl Fn([f64; 2]) -> bool,
+) -> Markup {
+    let all = || drawn.iter().zip(&subject.courses).enumerate();
+    html! {
+        @for (k, (way, course)) in all() {
+            @for (at, _) in way.iter().zip(&course.angles).step_by(frames_a_mark).skip(1).filter(|(_, angles)| is_seen(**angles)) {
+                (mark(k, course.colour, *at, sizes[k]))
+            }
+        }
+        (start(drawn[0][0]))
+        @for (k, (way, course)) in all() { (end(k, course.colour, way[way.len() - 1])) }
     }
 }
 
@@ -75,7 +94,7 @@ pub(super) fn range(outline: &[[f64; 2]]) -> Markup {
 }
 
 /// Lines and marks with their meaning, two in a row, in the picture's lowest part.
-pub(super) fn legend(subject: &Subject, size: Size, frames_a_mark: usize, range_patch: &Markup) -> Markup {
+pub(super) fn legend(subject: &JointPlot, size: Size, frames_a_mark: usize, range_patch: &Markup) -> Markup {
     let [width, height] = size.units();
     let (first, second) = (74.0, 74.0 + 0.56 * (width - 74.0));
     let row = |k: usize| height - if k == 0 { 44.0 } else { 18.0 };
@@ -100,8 +119,8 @@ pub(super) fn legend(subject: &Subject, size: Size, frames_a_mark: usize, range_
     }
 }
 
-/// What came of a solver's way.
-pub(super) fn ending(course: &Course) -> String {
+/// Result of a solver's path, in words.
+pub(super) fn ending(course: &SolverPath) -> String {
     format!("{}: {}, ends {} off", course.name, counted(course.angles.len() - 1, "frame"), degrees(course.off_deg))
 }
 

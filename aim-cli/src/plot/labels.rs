@@ -1,4 +1,4 @@
-//! Where contour lines are labelled: on straight stretches, clear of everything else.
+//! Places of labels on contour lines: on straight stretches, clear of everything else.
 
 use super::key::distance;
 
@@ -9,14 +9,14 @@ pub(super) struct Place {
     pub(super) turned: f64,
 }
 
-/// How much of a line a label covers to either side of its middle.
+/// Half of the length of a line that a label covers.
 const HALF: f64 = 19.0;
-/// How near to anything else a label may be.
+/// Least distance of a label from anything else.
 const CLEAR: f64 = 22.0;
 /// Further away than this is not better.
 const FAR: f64 = 90.0;
 
-/// What labels keep clear of.
+/// Area for labels, and obstacles in it.
 pub(super) struct Ground {
     /// Left, top, right and bottom of where labels may be.
     within: [f64; 4],
@@ -36,11 +36,9 @@ impl Ground {
         self.obstacles.extend(line);
         for pair in line.windows(2) {
             let pieces = (distance(pair[0], pair[1]) / 6.0).ceil().clamp(1.0, 1e4);
-            let mut piece = 1.0;
-            while piece < pieces {
+            for piece in (1..10_000_u16).map(f64::from).take_while(|piece| *piece < pieces) {
                 let part = piece / pieces;
                 self.obstacles.push([0, 1].map(|k| pair[0][k] + part * (pair[1][k] - pair[0][k])));
-                piece += 1.0;
             }
         }
     }

@@ -1,10 +1,12 @@
-//! Where things are in a flat plot: the panel, its axes and ticks.
+//! Layout of a plot: heading, panel, axes and ticks.
 
 use maud::{Markup, html};
 
-use super::picture::{Size, c};
-use crate::html::words::shown;
-use crate::ticks::multiples;
+use super::key;
+use super::picture::{PlotPicture, Size, c};
+use super::subject::JointPlot;
+use crate::axis::{Axis, multiples};
+use crate::words::shown;
 
 /// The room around the panel, in units of the picture.
 const LEFT: f64 = 74.0;
@@ -12,24 +14,6 @@ const RIGHT: f64 = 148.0;
 const TOP: f64 = 76.0;
 const BOTTOM: f64 = 126.0;
 const SOFT: &str = "#55606b";
-
-/// An axis: values and where they are drawn.
-#[derive(Clone, Copy)]
-pub(super) struct Axis {
-    pub(super) values: [f64; 2],
-    pub(super) places: [f64; 2],
-}
-
-impl Axis {
-    pub(super) fn at(&self, value: f64) -> f64 {
-        let [(lo, hi), (from, to)] = [self.values, self.places].map(|[a, b]| (a, b));
-        from + (value - lo) / (hi - lo) * (to - from)
-    }
-
-    pub(super) fn span(&self) -> f64 {
-        self.values[1] - self.values[0]
-    }
-}
 
 /// The panel that values are drawn in.
 pub(super) struct Panel {
@@ -89,11 +73,47 @@ impl Panel {
 }
 
 /// The picture's name and, smaller, what it is of.
-pub(super) fn heading(title: &str, about: &str) -> Markup {
+pub(super) fn heading(subject: &JointPlot) -> Markup {
     html! {
-        text x=(c(LEFT)) y="34" font-size="18" font-weight="bold" { (title) }
-        text x=(c(LEFT)) y="57" fill=(SOFT) { (about) }
+        text x=(c(LEFT)) y="34" font-size="18" font-weight="bold" { (title(subject)) }
+        text x=(c(LEFT)) y="57" fill=(SOFT) { (about(subject)) }
     }
+}
+
+fn title(subject: &JointPlot) -> String {
+    let angles = match (subject.joint.heading, subject.joint.pitch) {
+        (Some(_), Some(_)) => "heading and pitch",
+        (Some(_), None) => "heading",
+        _ => "pitch",
+    };
+    format!("{}, {}: aim over {angles}", subject.rig_name, subject.joint.name)
+}
+
+fn about(subject: &JointPlot) -> String {
+    let point = subject.target.to_array().map(|x| shown(x, 3)).join(", ");
+    format!("Target {}, at ({point}) in the joint’s space", subject.target_in_words())
+}
+
+/// The picture with a description for those who cannot see it: how the aim is drawn, over which angles.
+pub(super) fn finished(
+    subject: &JointPlot,
+    size: Size,
+    how: &str,
+    over: &[(&str, [f64; 2])],
+    content: &Markup,
+) -> PlotPicture {
+    let over: Vec<String> =
+        over.iter().map(|(angle, [lo, hi])| format!("{angle} {}° to {}°", shown(*lo, 2), shown(*hi, 2))).collect();
+    let courses: Vec<String> = subject.courses.iter().map(key::ending).collect();
+    let description = format!(
+        "The aim of {}, the cosine of its angle off the target, as {how} over {}, with its range of motion and the ways of \
+         two solvers. {}. From rest, {}.",
+        subject.joint.name,
+        over.join(" and "),
+        about(subject),
+        courses.join("; ")
+    );
+    PlotPicture::new(size, &title(subject), &description, content)
 }
 
 /// Round angles over this span, degrees.

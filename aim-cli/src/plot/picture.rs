@@ -1,14 +1,11 @@
 //! A finished picture: SVG, and the same drawn as PNG with fonts of our own, so that no machine's fonts matter.
 
 use std::str::FromStr;
-use std::sync::Arc;
 
 use maud::{Markup, html};
-use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::{Options, Tree, fontdb};
 
 use crate::failure::{Failure, Result};
-use crate::html::words::{fixed, trimmed};
+use crate::words::{fixed, trimmed};
 
 /// Width and height in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,11 +43,11 @@ impl Size {
 }
 
 /// A finished picture.
-pub(crate) struct Picture {
+pub(crate) struct PlotPicture {
     svg: String,
 }
 
-impl Picture {
+impl PlotPicture {
     /// `content` in [units](Size::units), with its `title` and `description` for those who cannot see it.
     pub(super) fn new(size: Size, title: &str, description: &str, content: &Markup) -> Self {
         let [width, height] = size.units();
@@ -76,7 +73,13 @@ impl Picture {
     ///
     /// # Errors
     /// It is larger than memory.
+    #[cfg(feature = "pictures")]
     pub(crate) fn png(&self) -> Result<Vec<u8>> {
+        use std::sync::Arc;
+
+        use resvg::tiny_skia::{Pixmap, Transform};
+        use resvg::usvg::{Options, Tree, fontdb};
+
         let fail = |problem: String| Failure::input(format!("the picture cannot be drawn as PNG: {problem}"));
         let mut fonts = fontdb::Database::new();
         for font in [dejavu::sans::regular(), dejavu::sans::bold()] {
@@ -89,6 +92,15 @@ impl Picture {
             .ok_or_else(|| fail("it is too large; give a smaller --size".into()))?;
         resvg::render(&tree, Transform::identity(), &mut pixels.as_mut());
         pixels.encode_png().map_err(|error| fail(error.to_string()))
+    }
+
+    /// As a PNG file, which needs the feature `pictures`.
+    #[cfg(not(feature = "pictures"))]
+    pub(crate) fn png(&self) -> Result<Vec<u8>> {
+        Err(Failure::input(
+            "this aim was built without PNG; write an .svg, or build it with the feature `pictures`, as in \
+             cargo run --release --features pictures -- plot",
+        ))
     }
 }
 

@@ -1,11 +1,13 @@
-//! What is drawn: a joint's aim function for one target, and how the solvers come to that target from rest.
+//! Subject of a plot: a joint's aim function for one target, and the solvers' paths from rest to that target.
 
 use aim_character::InterpretedRig;
+use aim_codegen::objective::{AIM_GRADIENT, FirstLink};
 use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, RigSpec};
-use aim_runtime::{AimRig, Ascent, Axes, Joint, Pose, Settings, Solver, Status};
+use aim_runtime::{Ascent, Axes, DynAim, JointInfo, Pose, Rig, Settings, Solver, Status};
+use aim_symbolic::Program;
 use glam::{Affine3A, DVec3, Vec3};
 
-use crate::html::words::{listed, shown};
+use crate::words::{listed, shown};
 
 /// Frames a second.
 pub(super) const FPS: f32 = 60.0;
@@ -16,7 +18,7 @@ const SETTLED: f64 = 2e-5;
 
 /// One joint, the others at rest, with the effector's direction as the standing character has it. For the joint that
 /// carries the effector its origin is the declared one, for those further in the joint's own.
-pub(crate) struct Subject {
+pub(crate) struct JointPlot {
     /// The rig's name.
     pub(super) rig_name: String,
     /// The joint that turns.
@@ -25,25 +27,24 @@ pub(crate) struct Subject {
     pub(super) target: DVec3,
     /// Of the effector at rest, in the joint's space.
     effector: EffectorSpec,
-    index: usize,
-    rig: InterpretedRig,
+    program: Program,
     /// From effector space to the joint's, as the kernels take it.
     link: [f64; 12],
-    /// How the solvers go: the paper's ascent, then the exact solver.
-    pub(super) courses: [Course; 2],
+    /// Paths of the solvers: the paper's ascent, then the exact solver.
+    pub(super) courses: [SolverPath; 2],
 }
 
 /// A solver's way from rest.
-pub(super) struct Course {
+pub(super) struct SolverPath {
     pub(super) name: &'static str,
     pub(super) colour: &'static str,
     /// Heading and pitch, degrees, a frame each; the first is rest.
     pub(super) angles: Vec<[f64; 2]>,
-    /// How far off the target it ends, degrees, by forward kinematics.
+    /// Final angle off the target by forward kinematics, degrees.
     pub(super) off_deg: f64,
 }
 
-impl Subject {
+impl JointPlot {
     /// The joint called `joint` (the first if `None`) and a `target` in its space; if `None`, one that needs every angle.
     ///
     /// # Errors
@@ -62,11 +63,18 @@ impl Subject {
         let frame = Frame { up: seen(up, from, to), forward: seen(forward, from, to), left: seen(left, from, to) };
         let effector = EffectorSpec { frame, origin: if index == 0 { spec.effector.origin } else { [0.0; 3] } };
         let target = target.unwrap_or_else(|| usual_target(&joint, &effector));
-        let alone = RigSpec { name: spec.name.clone(), joints: vec![joint.clone()], effector, natural: None };
+        let alone = RigSpec {
+            name: spec.name.clone(),
+            joints: vec![joint.clone()],
+            effector,
+            natural: None,
+            kernels: Vec::new(),
+        };
         let solvers =
             [("steepest ascent, as published", "#d55e00", Solver::Ascent), ("exact solver", "#000000", Solver::Exact)];
         let rig = InterpretedRig::new(&alone);
-        if rig.clone().snap(&standing(), target.as_vec3()).status == Status::Degenerate {
+        let snapped = DynAim::new(&rig).snap(&standing(), target.as_vec3(), &Settings::default());
+        if snapped.status == Status::Degenerate {
             return Err(format!(
                 "--target {},{},{} is nothing to aim at: it is at the effector, or too far away for single precision; give \
                  another point in the space of the joint {}",
@@ -74,33 +82,29 @@ impl Subject {
             ));
         }
         let courses =
-            solvers.map(|(name, colour, solver)| Course::of(rig.clone(), target.as_vec3(), solver, name, colour));
+            solvers.map(|(name, colour, solver)| SolverPath::follow(&rig, target.as_vec3(), solver, name, colour));
+        let kernels = AIM_GRADIENT.kernels(spec, FirstLink::Given);
+        let kernel = kernels.into_iter().find(|kernel| kernel.joints.contains(&index));
+        let program = kernel.map(|kernel| kernel.program).ok_or("the rig has no such joint")?;
         let rows = DVec3::AXES.map(|axis| seen(axis.to_array(), from, to));
         let mut link = [0.0; 12];
         for (number, of) in link.iter_mut().zip(rows.iter().flatten().chain(&effector.origin)) {
             *number = *of;
         }
-        Ok(Self {
-            rig_name: spec.name.clone(),
-            joint,
-            target,
-            effector,
-            index,
-            rig: InterpretedRig::new(spec),
-            link,
-            courses,
-        })
+        Ok(Self { rig_name: spec.name.clone(), joint, target, effector, program, link, courses })
     }
 
     /// The aim at this heading and pitch, degrees: the rig's derived program.
     pub(super) fn aim(&self, [heading, pitch]: [f64; 2]) -> f64 {
         let ((sin_h, cos_h), (sin_p, cos_p)) = (heading.to_radians().sin_cos(), pitch.to_radians().sin_cos());
-        let [aim, ..] =
-            self.rig.aim_gradient(self.index, &self.link, &self.target.to_array(), &[sin_p, cos_p, sin_h, cos_h]);
-        aim
+        let (target, sin_cos) = (self.target.to_array(), [sin_p, cos_p, sin_h, cos_h]);
+        let inputs: Vec<f64> = self.link.into_iter().chain(target).chain(sin_cos).collect();
+        let mut out = [0.0; 3];
+        self.program.run(&inputs, &mut out);
+        out[0]
     }
 
-    /// Whether there is one angle only.
+    /// True if the joint has one angle only.
     pub(super) fn is_hinge(&self) -> bool {
         self.joint.angles() == 1
     }
@@ -112,9 +116,7 @@ impl Subject {
         let is_free = lo.is_infinite();
         // Pitch narrows linearly to either side of rest.
         let headings = if is_free { over.to_vec() } else { vec![lo, 0.0, hi] };
-        let side = |end: usize| -> Vec<[f64; 2]> {
-            headings.iter().map(|h| [*h, self.pitch_range(*h).unwrap_or_default()[end]]).collect()
-        };
+        let side = |end: usize| -> Vec<[f64; 2]> { headings.iter().map(|h| [*h, self.pitch_range(*h)[end]]).collect() };
         if is_free {
             return vec![side(0), side(1)];
         }
@@ -125,16 +127,9 @@ impl Subject {
     }
 
     /// The pitch's range at a heading, degrees.
-    fn pitch_range(&self, heading: f64) -> Option<[f64; 2]> {
-        let range = degrees(self.joint.pitch?);
-        let lost = match self.joint.heading.map(degrees) {
-            Some([lo, hi]) if lo.is_finite() => {
-                let end = if heading < 0.0 { lo } else { hi };
-                if end == 0.0 { 0.0 } else { self.joint.narrowing.unwrap_or(0.0) * (heading / end).clamp(0.0, 1.0) }
-            }
-            _ => 0.0,
-        };
-        Some(range.map(|end| end * (1.0 - lost)))
+    fn pitch_range(&self, heading: f64) -> [f64; 2] {
+        let range = self.joint.range_of_motion(None).pitch_at(heading.to_radians());
+        range.ends().map(f64::to_degrees)
     }
 
     /// The target's direction from the effector, as it looks at rest, in words.
@@ -144,31 +139,30 @@ impl Subject {
         let along = |axis: [f64; 3]| to_target.dot(axis.into());
         let azimuth = along(left).atan2(along(forward)).to_degrees();
         let elevation = (along(up) / to_target.length()).clamp(-1.0, 1.0).asin().to_degrees();
-        let parts: Vec<String> = [(azimuth, "to the left", "to the right"), (elevation, "up", "down")]
-            .into_iter()
-            .filter(|(angle, ..)| angle.abs() >= 0.05)
-            .map(|(angle, positive, negative)| {
-                format!("{}° {}", shown(angle.abs(), 1), if angle < 0.0 { negative } else { positive })
-            })
-            .collect();
+        let parts = [(azimuth, "to the left", "to the right"), (elevation, "up", "down")];
+        let parts = parts.into_iter().filter(|(angle, ..)| angle.abs() >= 0.05).map(|(angle, positive, negative)| {
+            format!("{}° {}", shown(angle.abs(), 1), if angle < 0.0 { negative } else { positive })
+        });
+        let parts: Vec<String> = parts.collect();
         if parts.is_empty() { "straight ahead".into() } else { parts.join(" and ") }
     }
 }
 
-impl Course {
-    fn of(mut rig: InterpretedRig, target: Vec3, solver: Solver, name: &'static str, colour: &'static str) -> Self {
+impl SolverPath {
+    fn follow(rig: &InterpretedRig, target: Vec3, solver: Solver, name: &'static str, colour: &'static str) -> Self {
         let settings = Settings::default().with_solver(solver).with_ascent(Ascent::paper());
         let mut angles = vec![[0.0; 2]];
         let mut off_deg = f64::NAN;
-        let rate = rig.joint_infos().first().map_or(0.0, |info| f64::from(info.rate));
+        let rate = rig.description().joints().first().map_or(0.0, |info| f64::from(info.rate));
+        let mut character = DynAim::new(rig);
         let settled = SETTLED.min(0.01 * rate / f64::from(FPS)).to_degrees();
         for _ in 0..MOST_FRAMES {
-            let outcome = rig.aim_with(&standing(), target, FPS.recip(), &settings);
+            let outcome = character.aim(&standing(), target, FPS.recip(), &settings);
             off_deg = f64::from(outcome.remaining).to_degrees();
-            let now = rig
-                .joints()
-                .first()
-                .map_or([0.0; 2], |joint| [joint.heading(), joint.pitch()].map(|angle| f64::from(angle).to_degrees()));
+            let now =
+                character.state.joints.first().map_or([0.0; 2], |joint| {
+                    [joint.heading(), joint.pitch()].map(|angle| f64::from(angle).to_degrees())
+                });
             let before = angles[angles.len() - 1];
             if (0..2).all(|k| (now[k] - before[k]).abs() < settled) {
                 break;
@@ -185,7 +179,7 @@ impl Course {
 
 /// The joint's space is the world.
 fn standing() -> Pose<Vec<Affine3A>> {
-    Pose { joints: vec![Affine3A::IDENTITY] }
+    Pose::new(vec![Affine3A::IDENTITY])
 }
 
 /// A vector of one bone's space in another's that stands alike.
@@ -199,13 +193,11 @@ fn seen(v: [f64; 3], from: &Frame, to: &Frame) -> [f64; 3] {
 
 /// A range in degrees; a free one is without ends.
 pub(super) fn degrees(range: AngleRange) -> [f64; 2] {
-    match range {
-        AngleRange::Between(lo, hi) => [lo.to_degrees(), hi.to_degrees()],
-        AngleRange::Free => [f64::NEG_INFINITY, f64::INFINITY],
-    }
+    range.ends().map(f64::to_degrees)
 }
 
-/// Where the effector looks with each angle well inside its range: ten lengths of its lever away, or 2 where it has none.
+/// The point that the effector looks at with each angle well inside its range: ten lengths of its lever away, or 2 if it
+/// has none.
 fn usual_target(joint: &JointSpec, effector: &EffectorSpec) -> DVec3 {
     let well_inside = |range: Option<AngleRange>, most: f64| {
         let [lo, hi] = range.map_or([0.0; 2], degrees);
@@ -213,12 +205,12 @@ fn usual_target(joint: &JointSpec, effector: &EffectorSpec) -> DVec3 {
         far.clamp(-most, most)
     };
     let heading = well_inside(joint.heading, 60.0);
-    let pitch = well_inside(joint.pitch, 45.0) * (1.0 - joint.narrowing.unwrap_or(0.0));
+    let pitch = well_inside(joint.pitch, 45.0) * (1.0 - joint.pitch_taper.unwrap_or(0.0));
     let Frame { up, forward, left } = joint.frame;
     #[expect(clippy::cast_possible_truncation, reason = "joints turn in single precision")]
     let turn = {
         let axes = Axes { up: up.map(|c| c as f32), forward: forward.map(|c| c as f32), left: left.map(|c| c as f32) };
-        Joint::with_angles(heading.to_radians() as f32, pitch.to_radians() as f32).correction(&axes).as_dquat()
+        JointInfo::new(axes, 0.0).rotation(heading.to_radians() as f32, pitch.to_radians() as f32).as_dquat()
     };
     let origin = DVec3::from(effector.origin);
     let distance = if origin == DVec3::ZERO { 2.0 } else { 10.0 * origin.length() };

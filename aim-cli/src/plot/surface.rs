@@ -1,15 +1,17 @@
 //! The aim over heading and pitch as a surface in space, its height the aim, seen from where the target lies uphill.
 
+use glam::DVec3;
 use maud::{Markup, html};
 
 use super::bands::{Bands, off};
-use super::contours::{about, describe, title, window};
+use super::contours::window;
 use super::key;
-use super::layout::{angle_ticks, heading};
-use super::picture::{Picture, Size, c, path};
-use super::subject::Subject;
-use crate::html::words::shown;
-use crate::ticks::nice;
+use super::layout::{angle_ticks, finished, heading};
+use super::picture::{PlotPicture, Size, c, path};
+use super::subject::JointPlot;
+use crate::axis::nice;
+use crate::projection::Projection;
+use crate::words::{shown, span};
 
 /// Meshes to a side.
 const MESHES: u16 = 46;
@@ -19,51 +21,47 @@ const DOWN: f64 = 30.0;
 /// The height of the surface's box; its longer side is 1.
 const HEIGHT: f64 = 0.52;
 
-/// Heading, pitch and aim in the picture.
-struct View {
-    /// Heading, pitch and aim that the box is for.
+/// The box that heading, pitch and aim are drawn in.
+struct Room {
+    /// Heading, pitch and aim from side to side.
     ends: [[f64; 2]; 3],
     /// The box's sides.
     sides: [f64; 3],
-    /// Along heading and pitch, away from who looks.
+    /// Along heading and pitch, away from the viewer.
     away: [f64; 2],
-    /// Units of the picture to a unit of the box, and where its middle is.
-    scale: f64,
-    middle: [f64; 2],
+    view: Projection,
 }
 
-impl View {
+impl Room {
     fn new(size: Size, ends: [[f64; 2]; 3], target_is: [f64; 2]) -> Self {
         let spans = [0, 1].map(|k| ends[k][1] - ends[k][0]);
         let longest = spans[0].max(spans[1]);
         let [wide, deep] = spans.map(|span| (span / longest).max(0.6));
-        let (sin, cos) = TURNED.to_radians().sin_cos();
         let sign = |angle: f64| if angle < 0.0 { -1.0 } else { 1.0 };
+        let (sin, cos) = TURNED.to_radians().sin_cos();
         let away = [sin * sign(target_is[0]), cos * sign(target_is[1])];
-        let mut view = Self { ends, sides: [wide, deep, HEIGHT], away, scale: 1.0, middle: [0.0; 2] };
+        let (sin, cos) = DOWN.to_radians().sin_cos();
+        let toward = DVec3::new(-cos * away[0], -cos * away[1], sin);
+        let view = Projection::new(toward, DVec3::Z, DVec3::X, [0.0; 2]);
+        let mut room = Self { ends, sides: [wide, deep, HEIGHT], away, view };
         let [width, height] = size.units();
         let (left, top, right, bottom) = (84.0, 84.0, width - 150.0, height - 126.0);
-        let corners = (0..8).map(|k| view.at([0, 1, 2].map(|axis| view.ends[axis][(k >> axis) & 1])));
-        let fold = |k: usize, f: fn(f64, f64) -> f64, start: f64| corners.clone().map(|at| at[k]).fold(start, f);
-        let [low, high] =
-            [[0, 1].map(|k| fold(k, f64::min, f64::INFINITY)), [0, 1].map(|k| fold(k, f64::max, f64::NEG_INFINITY))];
-        let scale = ((right - left) / (high[0] - low[0])).min((bottom - top) / (high[1] - low[1]));
-        view.middle =
-            [0.5 * (left + right - scale * (low[0] + high[0])), 0.5 * (top + bottom - scale * (low[1] + high[1]))];
-        view.scale = scale;
-        view
+        let corners = (0..8).map(|k| room.at([0, 1, 2].map(|axis| room.ends[axis][(k >> axis) & 1])));
+        let [(x0, x1), (y0, y1)] = [0, 1].map(|k| span(corners.clone().map(|at| at[k])));
+        let scale = ((right - left) / (x1 - x0)).min((bottom - top) / (y1 - y0));
+        room.view.middle = [0.5 * (left + right - scale * (x0 + x1)), 0.5 * (top + bottom - scale * (y0 + y1))];
+        room.view.scale = scale;
+        room
     }
 
-    /// Where a heading, pitch and aim are drawn.
+    /// Place of a heading, pitch and aim in the picture.
     fn at(&self, point: [f64; 3]) -> [f64; 2] {
-        let [x, y, z] = [0, 1, 2].map(|k| {
+        let in_box = [0, 1, 2].map(|k| {
             let [lo, hi] = self.ends[k];
             self.sides[k] * ((point[k] - lo) / (hi - lo) - 0.5)
         });
-        let (sin, cos) = DOWN.to_radians().sin_cos();
-        let across = self.away[1] * x - self.away[0] * y;
-        let up = cos * z + sin * (self.away[0] * x + self.away[1] * y);
-        [self.middle[0] + self.scale * across, self.middle[1] - self.scale * up]
+        let DVec3 { x, y, .. } = self.view.project(in_box.into());
+        [x, y]
     }
 
     /// The nearer (0) or further (1) end of heading or pitch.
@@ -71,8 +69,8 @@ impl View {
         self.ends[axis][usize::from((self.away[axis] > 0.0) == far)]
     }
 
-    /// Whether nothing of the surface is before this point of it.
-    fn sees(&self, subject: &Subject, [heading, pitch]: [f64; 2]) -> bool {
+    /// True if no other part of the surface hides this point of it.
+    fn sees(&self, subject: &JointPlot, [heading, pitch]: [f64; 2]) -> bool {
         const STEP: f64 = 0.01;
         let height = |aim: f64| HEIGHT * (aim - self.ends[2][0]) / (self.ends[2][1] - self.ends[2][0]);
         let start = height(subject.aim([heading, pitch]));
@@ -85,7 +83,7 @@ impl View {
     }
 }
 
-pub(super) fn picture(subject: &Subject, size: Size) -> Picture {
+pub(super) fn picture(subject: &JointPlot, size: Size) -> PlotPicture {
     let [x, y] = window(subject, 1.3);
     let meshes = f64::from(MESHES);
     let places =
@@ -93,32 +91,29 @@ pub(super) fn picture(subject: &Subject, size: Size) -> Picture {
     let (headings, pitches) = (places(x), places(y));
     let aims: Vec<Vec<f64>> =
         pitches.iter().map(|pitch| headings.iter().map(|heading| subject.aim([*heading, *pitch])).collect()).collect();
-    let least = aims.iter().flatten().copied().fold(1.0, f64::min);
-    let most = aims.iter().flatten().copied().fold(-1.0, f64::max);
+    let (least, most) = span(aims.iter().flatten().copied());
     let ticks = nice(least, most.max(least + 1e-3), 5.0);
     let step = if ticks.len() > 1 { ticks[1] - ticks[0] } else { 0.1 };
     let floor = (least / step - 1e-9).floor() * step;
-    let view = View::new(
+    let room = Room::new(
         size,
         [x, y, [floor, ((most / step - 1e-9).ceil() * step).max(floor + step)]],
         subject.courses[1].end(),
     );
     let bands = Bands::over(least, most);
-    let [title, about] = [title(subject), about(subject)];
     let order = |count: usize, axis: usize| -> Vec<usize> {
-        if view.away[axis] > 0.0 { (0..count).rev().collect() } else { (0..count).collect() }
+        if room.away[axis] > 0.0 { (0..count).rev().collect() } else { (0..count).collect() }
     };
-    let ways = subject.courses.each_ref().map(|course| course.angles.clone());
-    let on_surface = |angles: &[f64; 2]| view.at([angles[0], angles[1], subject.aim(*angles)]);
-    let drawn = ways.each_ref().map(|way| way.iter().map(on_surface).collect::<Vec<_>>());
+    let on_surface = |angles: &[f64; 2]| room.at([angles[0], angles[1], subject.aim(*angles)]);
+    let drawn = subject.courses.each_ref().map(|course| course.angles.iter().map(on_surface).collect());
     let marks = key::frames_a_mark(&drawn);
     let content = html! {
-        (heading(&title, &about))
-        (room(&view, &angle_ticks(x), &angle_ticks(y), &nice(view.ends[2][0], view.ends[2][1], 5.0)))
+        (heading(subject))
+        (walls(&room, &angle_ticks(x), &angle_ticks(y), &nice(room.ends[2][0], room.ends[2][1], 5.0)))
         g class="surface" stroke-width="0.5" stroke="#ffffff" stroke-opacity="0.35" stroke-linejoin="round" {
             @for j in order(pitches.len() - 1, 1) {
                 @for i in order(headings.len() - 1, 0) {
-                    @let corner = |i: usize, j: usize| view.at([headings[i], pitches[j], aims[j][i]]);
+                    @let corner = |i: usize, j: usize| room.at([headings[i], pitches[j], aims[j][i]]);
                     @let mean = 0.25 * (aims[j][i] + aims[j][i + 1] + aims[j + 1][i] + aims[j + 1][i + 1]);
                     @let fill = bands.colour(off(mean));
                     @let d = path(&[corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)], true);
@@ -127,26 +122,19 @@ pub(super) fn picture(subject: &Subject, size: Size) -> Picture {
                 }
             }
         }
-        @for line in subject.range_outlines(x) { (lying(subject, &view, &line, &key::range)) }
-        @for (way, course) in ways.iter().zip(&subject.courses) {
-            (lying(subject, &view, way, &|line| key::line(line, course.colour)))
+        @for line in subject.range_outlines(x) { (lying(subject, &room, &line, &key::range)) }
+        @for course in &subject.courses {
+            (lying(subject, &room, &course.angles, &|line| key::line(line, course.colour)))
         }
-        @for (k, (way, course)) in ways.iter().zip(&subject.courses).enumerate() {
-            @for at in way.iter().step_by(marks).skip(1).filter(|at| view.sees(subject, **at)) {
-                (key::mark(k, course.colour, on_surface(at), 3.2))
-            }
-        }
-        (key::start(on_surface(&[0.0; 2])))
-        @for (k, course) in subject.courses.iter().enumerate() { (key::end(k, course.colour, on_surface(&course.end()))) }
+        (key::frames(subject, &drawn, marks, [3.2; 2], |angles| room.sees(subject, angles)))
         (key::scale(&bands, size, 110.0, size.units()[1] - 126.0))
         (key::legend(subject, size, marks, &key::range_patch()))
     };
-    let description = describe(subject, "a surface", &about, &[("heading", x), ("pitch", y)]);
-    Picture::new(size, &title, &description, &content)
+    finished(subject, size, "a surface", &[("heading", x), ("pitch", y)], &content)
 }
 
 /// A line over the surface as far as it can be seen; the rest is dashed.
-fn lying(subject: &Subject, view: &View, line: &[[f64; 2]], seen: &dyn Fn(&[[f64; 2]]) -> Markup) -> Markup {
+fn lying(subject: &JointPlot, room: &Room, line: &[[f64; 2]], seen: &dyn Fn(&[[f64; 2]]) -> Markup) -> Markup {
     let mut fine: Vec<[f64; 2]> = line.first().copied().into_iter().collect();
     for pair in line.windows(2).filter(|pair| (pair[0][0] - pair[1][0]).abs() < 180.0) {
         fine.extend((1..=24_u8).map(|k| {
@@ -154,17 +142,12 @@ fn lying(subject: &Subject, view: &View, line: &[[f64; 2]], seen: &dyn Fn(&[[f64
             [0, 1].map(|axis| pair[0][axis] + part * (pair[1][axis] - pair[0][axis]))
         }));
     }
-    let points: Vec<([f64; 2], bool)> = fine
-        .iter()
-        .map(|angles| (view.at([angles[0], angles[1], subject.aim(*angles)]), view.sees(subject, *angles)))
-        .collect();
-    let pieces = points.chunk_by(|a, b| a.1 == b.1).map(|piece| {
-        let line: Vec<[f64; 2]> = piece.iter().map(|(at, _)| *at).collect();
-        (line, piece[0].1)
-    });
+    let drawn = |[heading, pitch]: [f64; 2]| room.at([heading, pitch, subject.aim([heading, pitch])]);
+    let points: Vec<_> = fine.into_iter().map(|angles| (drawn(angles), room.sees(subject, angles))).collect();
     html! {
-        @for (line, is_seen) in pieces {
-            @if is_seen { (seen(&line)) } @else {
+        @for piece in points.chunk_by(|a, b| a.1 == b.1) {
+            @let line: Vec<[f64; 2]> = piece.iter().map(|(at, _)| *at).collect();
+            @if piece[0].1 { (seen(&line)) } @else {
                 path d=(path(&line, false)) fill="none" stroke="#000000" stroke-opacity="0.45" stroke-dasharray="2 4" {}
             }
         }
@@ -172,39 +155,39 @@ fn lying(subject: &Subject, view: &View, line: &[[f64; 2]], seen: &dyn Fn(&[[f64
 }
 
 /// Floor, back walls, and the axes along the nearer edges.
-fn room(view: &View, headings: &[f64], pitches: &[f64], aims: &[f64]) -> Markup {
-    let [near, far] = [false, true].map(|far| [view.end(0, far), view.end(1, far)]);
-    let [floor, ceiling] = view.ends[2];
-    let quad = |corners: [[f64; 3]; 4]| path(&corners.map(|corner| view.at(corner)), true);
-    let line = |a: [f64; 3], b: [f64; 3]| path(&[view.at(a), view.at(b)], false);
+fn walls(room: &Room, headings: &[f64], pitches: &[f64], aims: &[f64]) -> Markup {
+    let [near, far] = [false, true].map(|far| [room.end(0, far), room.end(1, far)]);
+    let [floor, ceiling] = room.ends[2];
+    let quad = |corners: [[f64; 3]; 4]| path(&corners.map(|corner| room.at(corner)), true);
+    let line = |a: [f64; 3], b: [f64; 3]| path(&[room.at(a), room.at(b)], false);
     let beyond = |at: [f64; 3], axis: usize, by: f64| {
         // From the far edge over the near one, so far in the picture.
         let mut from = at;
         from[axis] = far[axis];
-        let ([ax, ay], [bx, by_]) = (view.at(from), view.at(at));
+        let ([ax, ay], [bx, by_]) = (room.at(from), room.at(at));
         let length = (bx - ax).hypot(by_ - ay).max(1e-9);
         [bx + (bx - ax) / length * by, by_ + (by_ - ay) / length * by]
     };
     let anchor = |[x, _]: [f64; 2], [edge, _]: [f64; 2]| if x < edge - 1.0 { "end" } else { "start" };
     // The aims stand at the edge that is furthest to the left.
     let posts = [[near[0], far[1]], [far[0], near[1]]];
-    let post = if view.at([posts[0][0], posts[0][1], floor])[0] < view.at([posts[1][0], posts[1][1], floor])[0] {
+    let post = if room.at([posts[0][0], posts[0][1], floor])[0] < room.at([posts[1][0], posts[1][1], floor])[0] {
         posts[0]
     } else {
         posts[1]
     };
-    let foot = view.at([post[0], post[1], floor]);
+    let foot = room.at([post[0], post[1], floor]);
     let tick = |at: [f64; 3], axis: usize, text: String| {
-        let (on, off) = (view.at(at), beyond(at, axis, 14.0));
+        let (on, off) = (room.at(at), beyond(at, axis, 14.0));
         html! {
             path d=(path(&[on, beyond(at, axis, 6.0)], false)) stroke="#1b2127" {}
             // At the foot of the aims there is no room for two numbers.
             @if key::distance(on, foot) > 22.0 { text x=(c(off[0])) y=(c(off[1] + 8.0)) text-anchor=(anchor(off, on)) { (text) } }
         }
     };
-    let x_title = along(view, [near[0], near[1], floor], [far[0], near[1], floor], "heading, degrees to the left");
-    let y_title = along(view, [near[0], near[1], floor], [near[0], far[1], floor], "pitch, degrees up");
-    let on_post = |aim: f64| view.at([post[0], post[1], aim]);
+    let x_title = along(room, [near[0], near[1], floor], [far[0], near[1], floor], "heading, degrees to the left");
+    let y_title = along(room, [near[0], near[1], floor], [near[0], far[1], floor], "pitch, degrees up");
+    let on_post = |aim: f64| room.at([post[0], post[1], aim]);
     let z_title = on_post(0.5 * (floor + ceiling));
     html! {
         g fill="#f3f5f7" stroke="#c3cad1" stroke-width="0.8" {
@@ -244,9 +227,9 @@ fn room(view: &View, headings: &[f64], pitches: &[f64], aims: &[f64]) -> Markup 
 }
 
 /// Text below a lower edge of the room, along it.
-fn along(view: &View, from: [f64; 3], to: [f64; 3], text: &str) -> Markup {
+fn along(room: &Room, from: [f64; 3], to: [f64; 3], text: &str) -> Markup {
     const BELOW: f64 = 52.0;
-    let [a, b] = [from, to].map(|at| view.at(at));
+    let [a, b] = [from, to].map(|at| room.at(at));
     let [left, right] = if a[0] < b[0] { [a, b] } else { [b, a] };
     let (dx, dy) = (right[0] - left[0], right[1] - left[1]);
     let length = dx.hypot(dy).max(1e-9);

@@ -7,13 +7,7 @@ use quote::quote_spanned;
 
 use super::place::Place;
 use super::render;
-
-/// What a message says and what to do about it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Text {
-    pub(crate) message: String,
-    pub(crate) help: String,
-}
+use crate::text::Text;
 
 /// One error in a declaration.
 #[derive(Clone, Debug)]

@@ -1,20 +1,18 @@
 //! What a faulty declaration expands to beside its errors: just enough that nothing else is reported.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 use syn::{Data, DeriveInput};
 
 use super::input;
 
 /// Implements for the item, whatever it is, what the derive would have: the user then reads the errors of the
-/// declaration, and not that `Thug` has no `default`.
+/// declaration, and not that `Thug` has no `RIG`.
 pub fn fallback(input: &DeriveInput) -> TokenStream {
     let krate = input::crate_override(input).unwrap_or_else(|| quote!(::aim));
     let private = quote!(#krate::__private);
     let name = &input.ident;
     let (generics, arguments, clause) = input.generics.split_for_impl();
-    let siblings = input::sibling_derives(input);
-    let has = |derive: &str| siblings.iter().any(|sibling| sibling == derive);
     // As many joints as fields: a correct use of a wrong declaration is no mistake of its own.
     let joints = Literal::usize_unsuffixed(match &input.data {
         Data::Struct(data) => data.fields.len(),
@@ -22,59 +20,54 @@ pub fn fallback(input: &DeriveInput) -> TokenStream {
     });
     // It never runs, as the errors beside it keep it from being compiled; but it must not warn either.
     let body = quote!({ ::core::unreachable!() });
-    let default = (!has("Default")).then(|| {
+    let f32 = quote!(::core::primitive::f32);
+    let usize = quote!(::core::primitive::usize);
+    let name_of = quote!(::core::option::Option<&::core::primitive::str>);
+    let pose = format_ident!("{name}Pose");
+    let vis = &input.vis;
+    let fields: Vec<&syn::Ident> = match &input.data {
+        Data::Struct(data) => data.fields.iter().filter_map(|field| field.ident.as_ref()).collect(),
+        Data::Enum(_) | Data::Union(_) => Vec::new(),
+    };
+    // A parameter that no field has is an error of its own.
+    let no_fields = fields.is_empty().then(|| quote!(__values: ::core::marker::PhantomData<__T>,));
+    // Generic rigs, which are an error, live as long as their parameters.
+    let is_static = input.generics.params.is_empty();
+    let aim_rig = is_static.then(|| {
         quote! {
             #[automatically_derived]
-            impl #generics ::core::default::Default for #name #arguments #clause {
-                fn default() -> Self #body
-            }
-        }
-    });
-    let debug = (!has("Debug")).then(|| {
-        quote! {
-            #[automatically_derived]
-            impl #generics ::core::fmt::Debug for #name #arguments #clause {
-                fn fmt(&self, _: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result #body
+            impl #generics #private::AimRig for #name #arguments #clause {
+                type Array<__T: ::core::marker::Copy> = [__T; #joints];
+                const RIG: &'static Self = ::core::unreachable!();
+                fn array<__T: ::core::marker::Copy>(_: __T) -> [__T; #joints] #body
+                fn from_joints(_: [#private::Joint; #joints]) -> Self #body
             }
         }
     });
     quote! {
-        #default
-        #debug
-        #[automatically_derived]
-        impl #generics #name #arguments #clause {
-            #[doc(hidden)]
-            pub const BONES: [&'static [&'static ::core::primitive::str]; 0] = [];
+        #[doc(hidden)]
+        #[allow(dead_code)]
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+        #vis struct #pose<__T = #private::Affine3A> {
+            #(#vis #fields: __T,)*
+            #no_fields
         }
         #[automatically_derived]
-        impl #generics #private::AimRig for #name #arguments #clause {
-            type Array<__T: ::core::marker::Copy> = [__T; #joints];
-            fn array<__T: ::core::marker::Copy>(&self, _: __T) -> [__T; #joints] #body
-            fn joint_infos(&self) -> &[#private::JointInfo] #body
-            fn effector(&self) -> #private::Effector #body
-            fn joints(&self) -> [#private::Joint; #joints] #body
-            fn set_joints(&mut self, _: [#private::Joint; #joints]) #body
-            fn aim_gradient<__S: #private::Scalar>(
-                &self,
-                _: ::core::primitive::usize,
-                _: &[__S; 12],
-                _: &[__S; 3],
-                _: &[__S; 4],
-            ) -> [__S; 3] #body
-            fn chain_value_gradient<__S: #private::Scalar>(
-                &self,
-                _: &[[__S; 12]],
-                _: &[__S; 3],
-                _: &[[__S; 4]],
-                _: &mut [__S],
-            ) #body
-            fn chain_residual_jacobian<__S: #private::Scalar>(
-                &self,
-                _: &[[__S; 12]],
-                _: &[__S; 3],
-                _: &[[__S; 4]],
-                _: &mut [__S],
-            ) #body
+        impl<__T> ::core::convert::From<#pose<__T>> for [__T; #joints] {
+            fn from(_: #pose<__T>) -> Self #body
         }
+        #[automatically_derived]
+        impl<__T> ::core::convert::From<[__T; #joints]> for #pose<__T> {
+            fn from(_: [__T; #joints]) -> Self #body
+        }
+        #[automatically_derived]
+        impl #generics #private::Rig for #name #arguments #clause {
+            fn description(&self) -> #private::Description<'_> #body
+            fn joint_name(&self, _: #usize) -> #name_of #body
+            fn bone_name(&self, _: #usize, _: #usize) -> #name_of #body
+            fn residual_jacobian(&self, _: &[[#f32; 12]], _: &[#f32; 3], _: &[[#f32; 4]], _: &mut [#f32]) #body
+            fn aim_gradient(&self, _: #usize, _: &[#f32; 12], _: &[#f32; 3], _: &[#f32; 4]) -> [#f32; 3] #body
+        }
+        #aim_rig
     }
 }

@@ -1,6 +1,6 @@
 //! A derive macro's input → the neutral tree. Reports nothing.
 
-use proc_macro2::{Span, TokenStream, TokenTree};
+use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use syn::{Data, DeriveInput, Fields, Meta};
 
@@ -32,8 +32,6 @@ pub(crate) fn read(input: &DeriveInput) -> Rig {
     for attribute in &input.attrs {
         if attribute.path().is_ident("joint") {
             item.misplaced.push(Word { text: "joint".into(), place: Place::of(attribute.path()) });
-        } else if attribute.path().is_ident("derive") {
-            read_derives(&attribute.meta, &mut item);
         }
     }
     Rig {
@@ -57,16 +55,6 @@ pub(crate) fn crate_override(input: &DeriveInput) -> Option<TokenStream> {
     })
 }
 
-/// The sibling derives that a macro can see: those of later `#[derive]` attributes. Rustc takes those of its own
-/// attribute and of earlier ones away before it calls us, and then reports the conflict itself.
-pub(crate) fn sibling_derives(input: &DeriveInput) -> Vec<String> {
-    let mut item = ItemFacts::default();
-    for attribute in input.attrs.iter().filter(|attribute| attribute.path().is_ident("derive")) {
-        read_derives(&attribute.meta, &mut item);
-    }
-    item.derives.into_iter().map(|word| word.text).collect()
-}
-
 fn wrong_shape(item: &mut ItemFacts, what: &'static str, tokens: &impl ToTokens) -> Vec<Joint> {
     item.wrong_shape = Some((what, Place::of(tokens)));
     Vec::new()
@@ -80,7 +68,62 @@ fn read_joint(field: &syn::Field, item: &mut ItemFacts) -> Joint {
     // Fields of a named struct have names; a call site span is only what keeps this total.
     let fallback = proc_macro2::Ident::new("_joint", Span::call_site());
     let section = read_section(&field.attrs, "joint", name.unwrap_or(&fallback));
+    if let (Some(name), false) = (name, section.attributes.is_empty()) {
+        if !may_be_joint(&field.ty) {
+            let text = field.ty.to_token_stream().to_string();
+            let text = [("& ", "&"), (" < ", "<"), (" >", ">"), (" :: ", "::")]
+                .iter()
+                .fold(text, |text, (spaced, usual)| text.replace(spaced, usual));
+            item.foreign.push((name.to_string(), Word { text, place: Place::of(&field.ty) }));
+        }
+    }
     Joint { name: name.map(name_of), section }
+}
+
+/// Whether a type may be `Joint`, as far as tokens tell: a path of any name may be an alias of it, but for those of
+/// numbers and the like, which nobody gives to another type.
+fn may_be_joint(found: &syn::Type) -> bool {
+    const OTHERS: [&str; 28] = [
+        "bool",
+        "char",
+        "str",
+        "String",
+        "f32",
+        "f64",
+        "i8",
+        "i16",
+        "i32",
+        "i64",
+        "i128",
+        "isize",
+        "u8",
+        "u16",
+        "u32",
+        "u64",
+        "u128",
+        "usize",
+        "Vec2",
+        "Vec3",
+        "Vec3A",
+        "Vec4",
+        "Quat",
+        "Mat3",
+        "Mat4",
+        "Affine3A",
+        "Transform",
+        "Entity",
+    ];
+    match found {
+        syn::Type::Group(group) => may_be_joint(&group.elem),
+        syn::Type::Paren(paren) => may_be_joint(&paren.elem),
+        syn::Type::Macro(_) => true,
+        syn::Type::Path(path) => path
+            .path
+            .segments
+            .last()
+            .is_some_and(|last| last.arguments.is_none() && !OTHERS.iter().any(|other| last.ident == other)),
+        _ => false,
+    }
 }
 
 fn read_section(attributes: &[syn::Attribute], name: &str, owner: &syn::Ident) -> Section {
@@ -96,17 +139,6 @@ fn read_section(attributes: &[syn::Attribute], name: &str, owner: &syn::Ident) -
         section.entries.extend(entries(list.unwrap_or_default()));
     }
     section
-}
-
-fn read_derives(meta: &Meta, item: &mut ItemFacts) {
-    let Meta::List(list) = meta else { return };
-    for token in list.tokens.clone() {
-        if let TokenTree::Ident(ident) = token {
-            if ident == "Default" || ident == "Debug" {
-                item.derives.push(word_of(&ident));
-            }
-        }
-    }
 }
 
 fn name_of(ident: &syn::Ident) -> Value {

@@ -2,12 +2,9 @@
 //!
 //! Messages are the same in both front ends; help lines quote the declaration in the notation it was written in.
 
-use super::diagnostics::Text;
-use super::tree::Notation;
-
-fn text(message: impl Into<String>, help: impl Into<String>) -> Text {
-    Text { message: message.into(), help: help.into() }
-}
+use super::tree::{Kind, Notation, Value};
+use crate::Role;
+use crate::text::{Text, did_you_mean, list, text};
 
 /// A choice by notation.
 fn by<T>(notation: Notation, rust: T, toml: T) -> T {
@@ -31,10 +28,12 @@ pub(crate) enum Expected {
     Axes,
     Effector,
     Natural,
+    Kernels,
     Seconds,
     Flag,
     Side,
-    RangeKind,
+    LimitsFrom,
+    Role,
     NodeName,
     NodeNames,
     Name,
@@ -56,10 +55,12 @@ impl Expected {
             Self::Axes => "two or three axes",
             Self::Effector => "`forward`, `origin` or both",
             Self::Natural => "settings such as `eyes_only`",
+            Self::Kernels => "a list of kernels",
             Self::Seconds => "a number of seconds",
             Self::Flag => "`true` or `false`",
             Self::Side => "`left` or `right`",
-            Self::RangeKind => "`absolute` or `relative`",
+            Self::LimitsFrom => "`animation` or `bind_pose`",
+            Self::Role => "`eye`, `head`, `neck`, `chest` or `none`",
             Self::NodeName => "a node's name",
             Self::NodeNames => "a node's name or a list of names",
             Self::Name => "a name",
@@ -79,8 +80,7 @@ impl Expected {
             Self::Direction => by(notation, "+Y", "\"+Y\""),
             Self::Point => by(notation, "(0.0, 0.1, 0.0)", "[0.0, 0.1, 0.0]"),
             Self::Axes => {
-                return by(notation, "bones(up = +X, forward = +Y)", "bones = { up = \"+X\", forward = \"+Y\" }")
-                    .into();
+                return by(notation, "axes(up = +X, forward = +Y)", "axes = { up = \"+X\", forward = \"+Y\" }").into();
             }
             Self::Effector => {
                 return by(notation, "effector(origin = (0.0, 0.1, 0.0))", "effector = { origin = [0.0, 0.1, 0.0] }")
@@ -90,10 +90,14 @@ impl Expected {
                 let (rust, toml) = ("natural(eyes_only = 15deg)", "natural = { eyes_only = \"15deg\" }");
                 return by(notation, rust, toml).into();
             }
+            Self::Kernels => {
+                return by(notation, "kernels(aim_gradient)", "kernels = [\"aim_gradient\"]").into();
+            }
             Self::Seconds => "0.05",
             Self::Flag => "true",
             Self::Side => by(notation, "left", "\"left\""),
-            Self::RangeKind => by(notation, "absolute", "\"absolute\""),
+            Self::LimitsFrom => by(notation, "bind_pose", "\"bind_pose\""),
+            Self::Role => by(notation, "eye", "\"eye\""),
             Self::NodeName | Self::NodeNames => "\"L_eye\"",
             Self::Name => "\"left_eye\"",
             Self::Path => "::aim",
@@ -155,16 +159,46 @@ pub(crate) fn stray(found: &str) -> Text {
     )
 }
 
-pub(crate) fn no_comma(key: &str) -> Text {
-    text(format!("expected `,` before `{key}`"), "put a comma between two settings")
-}
-
 pub(crate) fn unknown_key(key: &str, nearest: Option<&str>, known: &[&str]) -> Text {
     let help = match nearest {
         Some(nearest) => format!("did you mean `{nearest}`?"),
-        None => format!("known here: {}", list(known)),
+        None => format!("known here: {}", list(known.iter().copied())),
     };
     text(format!("unknown setting `{key}`"), help)
+}
+
+pub(crate) fn renamed_key(old: &str, new: &str, value: &Value, notation: Notation) -> Text {
+    let word = |text: &str| literal(text, notation);
+    let help = match (&value.kind, old) {
+        (Kind::Word(kind), "range") if kind == "absolute" => format!("write `{new} = {}`", word("bind_pose")),
+        (Kind::Word(kind), "range") if kind == "relative" => {
+            format!("write `{new} = {}` or leave it out: ranges count from the animation by default", word("animation"))
+        }
+        (_, "range") => {
+            let (animation, bind_pose) = (word("animation"), word("bind_pose"));
+            format!(
+                "write `{new} = {animation}` or `{new} = {bind_pose}`; the ranges are those of `heading` and `pitch`"
+            )
+        }
+        _ => format!("write `{new}` for `{old}`: its value stays as it is"),
+    };
+    text(format!("`{old}` is now called `{new}`"), help)
+}
+
+pub(crate) fn unknown_role(found: &str, nearest: Option<Role>, notation: Notation) -> Text {
+    let meant =
+        nearest.map_or(String::new(), |role| format!("; did you mean `role = {}`?", literal(role.as_str(), notation)));
+    text(format!("unknown role `{found}`"), format!("a role is `eye`, `head`, `neck`, `chest` or `none`{meant}"))
+}
+
+pub(crate) fn unknown_kernel(name: &str, known: &[&str]) -> Text {
+    let known = known.iter().copied();
+    let help = did_you_mean(name, known.clone(), || format!("known kernels: {}", list(known)));
+    text(format!("unknown kernel `{name}`"), help)
+}
+
+pub(crate) fn duplicate_kernel(name: &str) -> Text {
+    text(format!("the kernel `{name}` is listed twice"), "keep one of the two")
 }
 
 pub(crate) fn key_of_rig(key: &str, notation: Notation) -> Text {
@@ -179,10 +213,6 @@ pub(crate) fn key_of_joint(key: &str, notation: Notation) -> Text {
 
 pub(crate) fn duplicate_key(key: &str) -> Text {
     text(format!("`{key}` is set twice"), "keep one of the two")
-}
-
-pub(crate) fn first_use(what: &str) -> String {
-    format!("`{what}` was first used here")
 }
 
 pub(crate) fn declared_here(what: &str) -> String {
@@ -249,7 +279,7 @@ pub(crate) fn not_positive(key: &str, number: &str, zero: bool) -> Text {
     let help = match key {
         "rate" => "a rate is a speed above 0; a joint that holds still has no place in a rig",
         "acceleration" => "an acceleration is above 0; leave it out for no bound",
-        _ => "a comfort is above 0: large for a reluctant joint, 1 if left out",
+        _ => "a stiffness is above 0: large for a reluctant joint, 1 if left out",
     };
     text(format!("`{key}` must be positive, `{number}` is {found}"), help)
 }
@@ -265,8 +295,8 @@ pub(crate) fn not_finite(key: &str, number: &str) -> Text {
 
 pub(crate) fn share_outside(key: &str, number: &str) -> Text {
     let help = match key {
-        "level" => "0 turns about the bone's own up, 1 about the character's up",
-        "narrowing" => "0 keeps the whole range of pitch at the ends of heading, 1 leaves nothing of it",
+        "upright" => "0 turns about the bone's own up, 1 about the character's up",
+        "pitch_taper" => "0 keeps the whole range of pitch at the ends of heading, 1 leaves nothing of it",
         _ => "0 leaves the gaze to the eyes, 1 hands all beyond their own zone to the head",
     };
     text(format!("`{key}` must lie in 0 to 1, found `{number}`"), help)
@@ -312,6 +342,34 @@ pub(crate) fn range_without_zero(key: &str, low: &str, high: &str) -> Text {
     )
 }
 
+pub(crate) fn range_tiny(key: &str, [low, high]: [&str; 2], notation: Notation) -> Text {
+    let leave_out = format!("leave `{key}` out if the joint cannot turn that way");
+    let help = match (low.strip_suffix("deg"), high.strip_suffix("deg")) {
+        (Some(low), Some(high)) => {
+            let range = by(notation, format!("{low}rad..={high}rad"), format!("[\"{low}rad\", \"{high}rad\"]"));
+            format!("write `{key} = {range}` if radians are meant; {leave_out}")
+        }
+        _ => leave_out,
+    };
+    text(format!("the range of `{key}`, {low} to {high}, is less than 1° to either side"), help)
+}
+
+pub(crate) fn rate_beyond(found: &str, rate: f64, notation: Notation) -> Text {
+    let help = match found.trim_matches('`').strip_suffix("rad") {
+        Some(digits) => format!("write `rate = {}` if degrees are meant", literal(format!("{digits}deg"), notation)),
+        None => "the largest rate that is accepted is 100rad, 5729deg".to_owned(),
+    };
+    let turns = rate / core::f64::consts::TAU;
+    text(format!("the rate {found} is {turns:.0} turns a second"), help)
+}
+
+pub(crate) fn foreign_field(field: &str, found: &str) -> Text {
+    text(
+        format!("the field `{field}` is of type `{found}`, not `Joint`"),
+        format!("every field of a rig is a joint: write `{field}: Joint`, or move the field to another struct"),
+    )
+}
+
 pub(crate) fn range_beyond(key: &str, number: &str) -> Text {
     let help = match key {
         "heading" => "a joint turns 180deg to each side at most; `heading = free` turns without limit",
@@ -327,15 +385,15 @@ pub(crate) fn pitch_free(notation: Notation) -> Text {
     )
 }
 
-pub(crate) fn narrowing_without_ends(has_heading: bool, has_pitch: bool) -> Text {
+pub(crate) fn pitch_taper_without_ends(has_heading: bool, has_pitch: bool) -> Text {
     let (needs, help) = match (has_heading, has_pitch) {
         (true, true) => {
-            ("a heading with ends", "a free heading has no ends: give it a range, or leave `narrowing` out")
+            ("a heading with ends", "a free heading has no ends: give it a range, or leave `pitch_taper` out")
         }
-        (true, false) => ("a pitch", "it takes from the pitch's range: declare the pitch, or leave `narrowing` out"),
-        _ => ("a heading", "it grows with the heading: declare one, or leave `narrowing` out"),
+        (true, false) => ("a pitch", "it takes from the pitch's range: declare the pitch, or leave `pitch_taper` out"),
+        _ => ("a heading", "it grows with the heading: declare one, or leave `pitch_taper` out"),
     };
-    text(format!("`narrowing` needs {needs}"), help)
+    text(format!("`pitch_taper` needs {needs}"), help)
 }
 
 // Natural gaze.
@@ -408,23 +466,20 @@ pub(crate) fn not_square(first: &str, second: &str, degrees: f64, nearest: &str)
 pub(crate) fn no_axes(notation: Notation) -> Text {
     let example = by(
         notation,
-        "#[aim(bones(up = +X, forward = +Y, left = +Z))]",
-        "bones = { up = \"+X\", forward = \"+Y\", left = \"+Z\" }",
+        "#[aim(axes(up = +X, forward = +Y, left = +Z))]",
+        "axes = { up = \"+X\", forward = \"+Y\", left = \"+Z\" }",
     );
     text("the bones' axes are missing", format!("declare which axes point up and forward, as in `{example}`"))
 }
 
 pub(crate) fn empty_axes(notation: Notation) -> Text {
-    text(
-        "`bones` declares no axis",
-        format!("give two or three, as in `{}`", Expected::Axes.example("bones", notation)),
-    )
+    text("`axes` declares no axis", format!("give two or three, as in `{}`", Expected::Axes.example("axes", notation)))
 }
 
 pub(crate) fn one_axis(only: &str) -> Text {
     let other = if matches!(only, "forward" | "back") { "up" } else { "forward" };
     text(
-        format!("`bones` declares `{only}` alone"),
+        format!("`axes` declares `{only}` alone"),
         format!("one axis leaves the bone free to roll: give `{other}`, too, the third follows"),
     )
 }
@@ -460,7 +515,7 @@ pub(crate) fn wrong_hand(owner: Owner, rig_is_right: bool, flip: &str, notation:
 pub(crate) fn mirrored_without_axes(notation: Notation) -> Text {
     text(
         "a mirrored joint cannot share all three axes of the rig",
-        format!("declare its own, as in `{}`", Expected::Axes.example("bones", notation)),
+        format!("declare its own, as in `{}`", Expected::Axes.example("axes", notation)),
     )
 }
 
@@ -494,9 +549,9 @@ pub(crate) fn no_rate(name: &str, notation: Notation) -> Text {
     )
 }
 
-pub(crate) fn pair_inward() -> Text {
+pub(crate) fn other_eye_inward() -> Text {
     text(
-        "`pair` is not on the first joint",
+        "`other_eye` is not on the first joint",
         "it names the other eye, and the eye is the outermost joint: move it there",
     )
 }
@@ -574,10 +629,6 @@ pub(crate) fn generics() -> Text {
     text("a rig cannot be generic", "its kernels are derived for one set of axes: remove the parameters")
 }
 
-pub(crate) fn sibling_derive(name: &str) -> Text {
-    text(format!("`AimRig` implements `{name}` already"), format!("remove `{name}` from the other derives"))
-}
-
 pub(crate) fn misplaced(attribute: &str) -> Text {
     let help = match attribute {
         "aim" => "put the rig's settings above the struct; a joint's are in `#[joint(…)]`",
@@ -592,7 +643,7 @@ pub(crate) fn misplaced(attribute: &str) -> Text {
 
 pub(crate) fn no_list(attribute: &str) -> Text {
     let example = match attribute {
-        "aim" => "#[aim(bones(up = +X, forward = +Y))]",
+        "aim" => "#[aim(axes(up = +X, forward = +Y))]",
         _ => "#[joint(heading = -35deg..=35deg, rate = 450deg)]",
     };
     text(format!("`#[{attribute}]` has no settings"), format!("give them in parentheses, as in `{example}`"))
@@ -608,8 +659,4 @@ pub(crate) fn no_attribute(name: &str) -> Text {
 pub(crate) fn several_attributes(attribute: &str) -> Text {
     let owner = if attribute == "aim" { "struct" } else { "field" };
     text(format!("the {owner} has a second `#[{attribute}]`"), format!("put all settings into one `#[{attribute}(…)]`"))
-}
-
-fn list(words: &[&str]) -> String {
-    words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")
 }

@@ -21,10 +21,10 @@ mod tests;
 
 use core::fmt;
 
+use proc_macro2::TokenStream;
 use quote::ToTokens;
 use syn::{Data, DeriveInput};
 
-pub(crate) use self::diagnostics::Text;
 pub use self::diagnostics::{Diagnostic, Diagnostics};
 pub use self::fallback::fallback;
 pub use self::place::Place;
@@ -39,6 +39,8 @@ pub struct Declared {
     pub ident: syn::Ident,
     /// The joints' fields, with their spans, `r#` and all; as many as the rig has joints.
     pub fields: Vec<syn::Ident>,
+    /// The struct's visibility.
+    pub vis: TokenStream,
     /// The path of `crate = …`, where it is not `::aim`.
     pub krate: Option<syn::Path>,
 }
@@ -68,7 +70,8 @@ pub fn from_derive_input(input: &DeriveInput) -> Result<Declared, Diagnostics> {
         Data::Enum(_) | Data::Union(_) => Vec::new(),
     };
     let krate = checked.krate.and_then(|path| syn::parse::Parser::parse2(syn::Path::parse_mod_style, path).ok());
-    Ok(Declared { spec: checked.spec, ident: input.ident.clone(), fields, krate })
+    let vis = input.vis.to_token_stream();
+    Ok(Declared { spec: checked.spec, ident: input.ident.clone(), fields, vis, krate })
 }
 
 /// Reads and checks a rig's TOML file. `file_name` is what the errors call it.

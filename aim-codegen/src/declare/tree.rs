@@ -59,8 +59,8 @@ pub(crate) struct ItemFacts {
     pub(crate) wrong_shape: Option<(&'static str, Place)>,
     /// Its generic parameters.
     pub(crate) generics: Option<Place>,
-    /// Sibling derives that ours implements, too: `Default`, `Debug`.
-    pub(crate) derives: Vec<Word>,
+    /// Joints' fields of a type that cannot be `Joint`: the field's name, and the type with its place.
+    pub(crate) foreign: Vec<(String, Word)>,
     /// Attributes of ours where they do not belong.
     pub(crate) misplaced: Vec<Word>,
 }

@@ -1,132 +1,159 @@
 //! A program as Rust statements, for the kernels of rigs and for differentiated functions alike.
 
+use core::fmt;
+
+use aim_symbolic::print::{Printer, Written};
 use aim_symbolic::{Count, Function, Op, Program, Value};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 /// The body of one function.
-pub(crate) struct Body<'a> {
-    pub(crate) program: &'a Program,
-    /// The number type that it computes in.
-    pub(crate) number: &'a TokenStream,
+pub struct Body<'a> {
+    /// The program that it computes.
+    pub program: &'a Program,
+    /// The numbers that it computes with.
+    pub number: Arithmetic<'a>,
     /// The facade's hidden module.
-    pub(crate) private: &'a TokenStream,
-    /// What an input is called.
-    pub(crate) input: &'a dyn Fn(usize) -> TokenStream,
+    pub private: &'a TokenStream,
+    /// The expression of an input, by its number.
+    pub input: &'a dyn Fn(usize) -> TokenStream,
+}
+
+/// The numbers that a body computes with.
+#[derive(Clone, Copy, Debug)]
+pub enum Arithmetic<'a> {
+    /// Those of a type that implements the runtime's `Scalar`, through that.
+    Generic(&'a TokenStream),
+    /// `f32`, by its own operators and literals wherever there are such: in a build without optimisation, everything else
+    /// is a call.
+    F32,
+}
+
+impl Arithmetic<'_> {
+    fn number(self) -> TokenStream {
+        match self {
+            Self::Generic(number) => number.clone(),
+            Self::F32 => quote!(::core::primitive::f32),
+        }
+    }
+}
+
+impl fmt::Debug for Body<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Body").field("program", self.program).finish_non_exhaustive()
+    }
 }
 
 impl Body<'_> {
-    /// The program's steps.
-    pub(crate) fn steps(&self) -> TokenStream {
-        let Self { number: ty, private, .. } = self;
-        let scalar = quote!(<#ty as #private::Scalar>);
-        let real = quote!(<#ty as #private::Real>);
-        let mut steps = TokenStream::new();
+    /// The program's steps, one after another.
+    pub fn steps(&self) -> TokenStream {
+        self.statements().into_iter().map(|(_, statement)| statement).collect()
+    }
+
+    /// The numbers of the program's steps, each with the statement that computes it.
+    pub fn statements(&self) -> Vec<(usize, TokenStream)> {
+        let written = Written { program: self.program, printer: self };
+        let real = self.real();
+        let mut statements = Vec::new();
         for (number, op) in self.program.steps() {
-            let at = |v: Value| self.operand(v);
-            let right = match op {
-                Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Neg(_) => continue,
-                Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Div(..) => self.arithmetic(op),
-                Op::Sqrt(a) => {
-                    let a = at(a);
-                    quote!(#scalar::sqrt(#a))
+            if let Op::Call(function, a) = op
+                && let Some((first, sin, cos)) = self.sin_and_cos(function, a)
+            {
+                if number == first {
+                    let [sin, cos] = [sin, cos].map(step);
+                    let a = written.operand(a);
+                    statements.push((number, quote!(let (#sin, #cos) = #real::sin_cos(#a);)));
                 }
-                Op::Call(function, a) => {
-                    if let Some((first, sin, cos)) = self.pair(function, a) {
-                        if number == first {
-                            let [sin, cos] = [sin, cos].map(step);
-                            let a = at(a);
-                            steps.extend(quote!(let (#sin, #cos) = #real::sin_cos(#a);));
-                        }
-                        continue;
-                    }
-                    let (function, a) = (format_ident!("{}", function.name()), at(a));
-                    quote!(#real::#function(#a))
-                }
-                Op::Atan2(y, x) => {
-                    let (y, x) = (at(y), at(x));
-                    quote!(#real::atan2(#y, #x))
-                }
-                Op::SelectLess(a, b, c, d) => {
-                    let (a, b, c, d) = (at(a), at(b), at(c), at(d));
-                    quote!(#scalar::select_less(#a, #b, #c, #d))
-                }
-            };
+                continue;
+            }
+            let right = written.operation(op);
             let name = step(number);
-            steps.extend(quote!(let #name = #right;));
+            statements.push((number, quote!(let #name = #right;)));
         }
-        steps
+        statements
     }
 
-    /// Where the sine and the cosine of one number are both needed: the first of the two steps, the sine's and the
-    /// cosine's.
-    fn pair(&self, function: Function, of: Value) -> Option<(usize, usize, usize)> {
-        if !matches!(function, Function::Sin | Function::Cos) {
-            return None;
-        }
-        let find =
-            |function| self.program.steps().find(|(_, op)| *op == Op::Call(function, of)).map(|(number, _)| number);
-        let (sin, cos) = (find(Function::Sin)?, find(Function::Cos)?);
-        Some((sin.min(cos), sin, cos))
-    }
-
-    /// Grouped as it is computed, since sums and products round.
-    fn arithmetic(&self, op: Op) -> TokenStream {
-        match op {
-            Op::Add(a, b) => infix(self.operand(a), '+', self.above(b, Binding::Sum)),
-            Op::Sub(a, b) => infix(self.operand(a), '-', self.above(b, Binding::Sum)),
-            Op::Mul(a, b) => infix(self.above(a, Binding::Sum), '*', self.above(b, Binding::Product)),
-            Op::Div(a, b) => infix(self.above(a, Binding::Sum), '/', self.above(b, Binding::Product)),
-            other => unreachable!("{other:?} is not arithmetic"),
-        }
-    }
-
-    /// An operand, in parentheses unless it binds more tightly.
-    fn above(&self, v: Value, binding: Binding) -> TokenStream {
-        let operand = self.operand(v);
-        let own = match self.program.ops()[v.index()] {
-            Op::Add(..) | Op::Sub(..) if self.program.is_inline(v) => Binding::Sum,
-            Op::Mul(..) | Op::Div(..) if self.program.is_inline(v) => Binding::Product,
-            _ => Binding::Atom,
-        };
-        if own > binding { operand } else { quote!((#operand)) }
+    /// The program's outputs, in their order.
+    pub fn results(&self) -> impl Iterator<Item = TokenStream> {
+        self.program.outputs().iter().map(|&v| self.operand(v))
     }
 
     /// A value where it is used.
     pub(crate) fn operand(&self, v: Value) -> TokenStream {
-        let Self { number: ty, private, .. } = self;
-        let scalar = quote!(<#ty as #private::Scalar>);
-        match self.program.ops()[v.index()] {
-            Op::Input(i) => (self.input)(i as usize),
-            Op::Constant(c) if c.value() == 0.0 => quote!(#scalar::ZERO),
-            Op::Constant(c) => {
-                let magnitude = magnitude(c.value());
-                if c.value() < 0.0 {
-                    quote!(#scalar::constant(-#magnitude))
-                } else {
-                    quote!(#scalar::constant(#magnitude))
-                }
-            }
-            Op::Tiny => quote!(#scalar::TINY),
-            Op::Neg(a) => {
-                let a = self.above(a, Binding::Product);
-                quote!(-#a)
-            }
-            op if self.program.is_inline(v) => self.arithmetic(op),
-            _ => {
-                let name = step(self.program.step_number(v));
-                quote!(#name)
-            }
+        Written { program: self.program, printer: self }.operand(v)
+    }
+
+    /// If both the sine and the cosine of `a` are needed: the number of the first of the two steps, of the sine's and of
+    /// the cosine's.
+    fn sin_and_cos(&self, function: Function, a: Value) -> Option<(usize, usize, usize)> {
+        if !matches!(function, Function::Sin | Function::Cos) {
+            return None;
         }
+        let find =
+            |function| self.program.steps().find(|(_, op)| *op == Op::Call(function, a)).map(|(number, _)| number);
+        let (sin, cos) = (find(Function::Sin)?, find(Function::Cos)?);
+        Some((sin.min(cos), sin, cos))
+    }
+
+    fn scalar(&self) -> TokenStream {
+        let (number, private) = (self.number.number(), self.private);
+        quote!(<#number as #private::Scalar>)
+    }
+
+    fn real(&self) -> TokenStream {
+        let (number, private) = (self.number.number(), self.private);
+        quote!(<#number as #private::Real>)
     }
 }
 
-/// What binds an expression together, the loosest first.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Binding {
-    Sum,
-    Product,
-    Atom,
+impl Printer for Body<'_> {
+    type Text = TokenStream;
+
+    fn operation(&self, op: Op<TokenStream>) -> TokenStream {
+        let (scalar, real) = (self.scalar(), self.real());
+        match op {
+            Op::Input(i) => (self.input)(i as usize),
+            Op::Constant(c) => {
+                let sign = (c.value() < 0.0).then(|| quote!(-));
+                match self.number {
+                    Arithmetic::Generic(_) if c.value() == 0.0 => quote!(#scalar::ZERO),
+                    Arithmetic::Generic(_) => {
+                        let magnitude = magnitude(c.value());
+                        quote!(#scalar::constant(#sign #magnitude))
+                    }
+                    Arithmetic::F32 => {
+                        let magnitude = magnitude_f32(c.value());
+                        quote!(#sign #magnitude)
+                    }
+                }
+            }
+            Op::Tiny => quote!(#scalar::TINY),
+            Op::Add(a, b) => quote!(#a + #b),
+            Op::Sub(a, b) => quote!(#a - #b),
+            Op::Mul(a, b) => quote!(#a * #b),
+            Op::Div(a, b) => quote!(#a / #b),
+            Op::Neg(a) => quote!(-#a),
+            Op::Sqrt(a) => quote!(#scalar::sqrt(#a)),
+            Op::SelectLess(a, b, then, otherwise) => match self.number {
+                Arithmetic::Generic(_) => quote!(#scalar::select_less(#a, #b, #then, #otherwise)),
+                Arithmetic::F32 => quote!(if #a < #b { #then } else { #otherwise }),
+            },
+            Op::Call(function, a) => {
+                let function = format_ident!("{}", function.name());
+                quote!(#real::#function(#a))
+            }
+            Op::Atan2(y, x) => quote!(#real::atan2(#y, #x)),
+        }
+    }
+
+    fn group(&self, operand: TokenStream) -> TokenStream {
+        quote!((#operand))
+    }
+
+    fn step(&self, number: usize) -> TokenStream {
+        let name = step(number);
+        quote!(#name)
+    }
 }
 
 /// A constant without its sign; folding may have made it infinite or no number.
@@ -141,9 +168,23 @@ fn magnitude(value: f64) -> TokenStream {
     }
 }
 
+/// The same in `f32`.
+#[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is the purpose")]
+fn magnitude_f32(value: f64) -> TokenStream {
+    let value = value as f32;
+    if value.is_nan() {
+        quote!(<::core::primitive::f32>::NAN)
+    } else if value.is_infinite() {
+        quote!(<::core::primitive::f32>::INFINITY)
+    } else {
+        let literal = Literal::f32_unsuffixed(value.abs());
+        quote!(#literal)
+    }
+}
+
 /// A variable of emitted code. Mixed-site spans keep it apart from variables, but a pattern called as a constant at the
 /// call site would compare instead of bind: hence the prefix, which declarations may not use.
-pub(crate) fn local(name: &str) -> Ident {
+pub fn local(name: &str) -> Ident {
     format_ident!("__{name}", span = Span::mixed_site())
 }
 
@@ -153,13 +194,8 @@ fn step(number: usize) -> Ident {
 }
 
 /// A count at the start of a sentence.
-pub(crate) fn counted(count: Count) -> String {
+pub fn counted(count: Count) -> String {
     let text = count.to_string();
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
-}
-
-fn infix(a: TokenStream, operator: char, b: TokenStream) -> TokenStream {
-    let operator = proc_macro2::Punct::new(operator, proc_macro2::Spacing::Alone);
-    quote!(#a #operator #b)
 }

@@ -1,83 +1,57 @@
-//! C: one function a joint and two for the chain, in float, with nothing but `sqrtf` of the library.
+//! C: a function for each kernel and joint, in float, with nothing but `sqrtf` of the library.
 
 use std::fmt::Write;
 
+use aim_symbolic::Function as Mathematical;
 use aim_symbolic::print::{Dialect, steps};
-use aim_symbolic::{Function, Program};
 
 use super::Rig;
-use super::inputs::{Inputs, TINY, library_name, literal};
-use crate::names::snake_case;
+use super::text::{self, Parameters, TINY, Target, library_name, literal};
+use crate::objective::{Function, Scope};
 
 /// The source file.
 pub fn emit(rig: &Rig<'_>) -> String {
-    let name = snake_case(&rig.spec.name);
-    let joints = rig.spec.joints.len();
-    let mut out = String::new();
-    header(&mut out, rig);
-    for (joint, program) in rig.spec.joints.iter().zip(&rig.programs.joints) {
-        let signature = format!(
-            "void {name}_{}_aim_gradient(const float effector_to_joint[12], const float target[3],\n    \
-             float sin_p, float cos_p, float sin_h, float cos_h, float out[3])",
-            snake_case(&joint.name)
-        );
-        let doc = format!(
-            "Aim of joint {}, d aim / d pitch, d aim / d heading.\n \
-             * effector_to_joint: rows m0, m1, m2 of the 3x3, then the translation (row vectors, rigid);\n \
-             * target in the joint's space; zeros where the target is on the effector.",
-            joint.name
-        );
-        function(&mut out, &doc, &signature, program, Inputs::Joint);
+    let mut header = text::header(rig.spec);
+    header.push(
+        "Inputs must be finite. The same bits as in Rust come of compiling without contraction (-ffp-contract=off)."
+            .to_owned(),
+    );
+    let mut out = comment(&header);
+    out += "#include <math.h>\n\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
+    for function in rig.functions() {
+        write_function(&mut out, rig, &function);
     }
-    let chain_inputs =
-        format!("const float links[{}], const float target[3], const float sin_cos[{}]", 12 * joints, 4 * joints);
-    let layout = "links: effector to joint 0, then joint i-1 to joint i; target in the last joint's space;\n \
-                  * sin_cos: sin_p, cos_p, sin_h, cos_h per joint from the effector inward.";
-    let angles = rig.spec.angles();
-    function(
-        &mut out,
-        &format!("The chain's aim, then its {angles} derivatives, pitch before heading, joint by joint.\n * {layout}"),
-        &format!("void {name}_chain_value_gradient({chain_inputs},\n    float out[{}])", 1 + angles),
-        &rig.programs.chain_value_gradient,
-        Inputs::Chain { joints },
-    );
-    function(
-        &mut out,
-        &format!(
-            "The chain's stereographic residual (left, up), then the {angles} derivatives of the first and of the \
-             second.\n * {layout}"
-        ),
-        &format!("void {name}_chain_residual_jacobian({chain_inputs},\n    float out[{}])", 2 + 2 * angles),
-        &rig.programs.chain_residual_jacobian,
-        Inputs::Chain { joints },
-    );
     out += "\n#ifdef __cplusplus\n}\n#endif\n";
     out
 }
 
-fn header(out: &mut String, rig: &Rig<'_>) {
-    let spec = rig.spec;
-    let _ = write!(
-        out,
-        "/* Aim solver kernels of the rig {}, derived and written by aim {}. Do not edit: generate again.\n \
-         * Pitch turns a joint's forward towards its up, heading towards its left; pitch acts first.\n",
-        spec.name,
-        env!("CARGO_PKG_VERSION")
-    );
-    for joint in &spec.joints {
-        let frame = joint.frame;
-        let _ =
-            writeln!(out, " * {}: up {:?}, forward {:?}, left {:?}", joint.name, frame.up, frame.forward, frame.left);
-    }
-    *out += " * Inputs must be finite. The same bits as in Rust come of compiling without contraction (-ffp-contract=off). */\n#include <math.h>\n\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
+fn comment(lines: &[String]) -> String {
+    format!("/* {} */\n", lines.join("\n * "))
 }
 
-fn function(out: &mut String, doc: &str, signature: &str, program: &Program, inputs: Inputs) {
-    let _ = writeln!(out, "\n/* {doc}\n * {}. */\n{signature}\n{{", program.count());
-    for parameter in parameters(inputs) {
-        let _ = writeln!(out, "    (void){parameter};");
+fn write_function(out: &mut String, rig: &Rig<'_>, function: &Function<'_>) {
+    let program = &function.kernel.program;
+    let scope = function.kernel.objective.scope;
+    let parameters = Parameters::of(scope, rig.spec);
+    let _ = write!(out, "\n{}void {}(", comment(&text::doc(function, rig.spec, TARGET)), function.name(rig.spec));
+    let declared: Vec<String> = parameters
+        .list(TARGET.name)
+        .into_iter()
+        .map(|(name, elements)| match elements {
+            Some(elements) => format!("const float {name}[{elements}]"),
+            None => format!("float {name}"),
+        })
+        .collect();
+    // Arrays of a joint in the first line, numbers in the second.
+    let first_line = if scope == Scope::Joint { 2 } else { declared.len() };
+    let result = format!("float out[{}]", program.outputs().len());
+    let second_line: Vec<&str> = declared[first_line..].iter().chain([&result]).map(String::as_str).collect();
+    let _ = writeln!(out, "{},\n    {})\n{{", declared[..first_line].join(", "), second_line.join(", "));
+    // Any of them may be unused.
+    for (name, _) in parameters.list(TARGET.name) {
+        let _ = writeln!(out, "    (void){name};");
     }
-    let (steps, outputs) = steps(program, &C(inputs));
+    let (steps, outputs) = steps(program, &C(parameters));
     for (step, expression) in steps {
         let _ = writeln!(out, "    const float {step} = {expression};");
     }
@@ -87,21 +61,13 @@ fn function(out: &mut String, doc: &str, signature: &str, program: &Program, inp
     *out += "}\n";
 }
 
-/// The parameters, any of which a program may leave unused.
-fn parameters(inputs: Inputs) -> &'static [&'static str] {
-    match inputs {
-        Inputs::Joint => &["effector_to_joint", TARGET, "sin_p", "cos_p", "sin_h", "cos_h"],
-        Inputs::Chain { .. } => &["links", TARGET, "sin_cos"],
-    }
-}
+const TARGET: Target = Target { name: "target", again: "the target" };
 
-const TARGET: &str = "target";
-
-struct C(Inputs);
+struct C(Parameters);
 
 impl Dialect for C {
     fn input(&self, index: usize) -> String {
-        self.0.name(index, TARGET)
+        self.0.input(index, TARGET.name)
     }
 
     fn constant(&self, value: f64) -> String {
@@ -120,7 +86,7 @@ impl Dialect for C {
         format!("{a} < {b} ? {then} : {otherwise}")
     }
 
-    fn call(&self, function: Function, a: &str) -> String {
+    fn call(&self, function: Mathematical, a: &str) -> String {
         format!("{}f({a})", library_name(function))
     }
 

@@ -1,21 +1,31 @@
 //! Back ends, one file each. A checked rig always has code: nothing here can fail.
+//!
+//! `rust` writes the items of a rig and `rust_kernels` the functions in them, from statements that `body` makes; `c` and `wgsl` write text and say the same in it, which
+//! is in `text`; `maxima` writes a batch file. Formulas for readers are `aim-symbolic`'s `print`.
 
-pub(crate) mod body;
+pub mod body;
 pub mod c;
-mod inputs;
-pub mod latex;
 pub mod maxima;
 pub mod rust;
-pub mod trajectory;
+pub mod rust_kernels;
+mod text;
 pub mod wgsl;
 
-use crate::{RigPrograms, RigSpec};
+use crate::RigSpec;
+use crate::objective::{Function, Kernel, functions};
 
-/// A rig with its derived programs: what every back end emits from.
-#[derive(Clone, Debug)]
+/// A rig with the kernels that are emitted of it.
+#[derive(Clone, Copy, Debug)]
 pub struct Rig<'a> {
-    /// What was declared.
+    /// The declaration.
     pub spec: &'a RigSpec,
-    /// What was derived from it.
-    pub programs: &'a RigPrograms,
+    /// The kernels, those of one objective side by side.
+    pub kernels: &'a [Kernel],
+}
+
+impl<'a> Rig<'a> {
+    /// The functions that compute the kernels.
+    pub fn functions(&self) -> Vec<Function<'a>> {
+        functions(self.kernels)
+    }
 }

@@ -10,27 +10,40 @@
 //!
 //! The small form, which turns the target back into the effector's frame, is found by rewriting.
 
-use aim_symbolic::{Graph, Rigid, Scalar, Vector};
+use aim_symbolic::print::Formula;
+use aim_symbolic::{Graph, Scalar};
 
-use super::statement::{ChainInputs, Effector, JointInputs, effector_to_end, turned};
-use crate::RigSpec;
+use super::chain::Chain;
+use super::statement::{Objective, Scope};
 
-/// The aim as a function of one joint's pitch and heading.
-pub fn joint_aim(g: &mut Graph, spec: &RigSpec, joint: usize, inputs: &JointInputs) -> Scalar {
-    let to_end = turned(g, &spec.joints[joint], inputs.effector_to_joint, inputs.pitch, inputs.heading);
-    aim(g, spec, to_end, inputs.target)
+/// One joint's aim, everything nearer the effector held still.
+pub const AIM_GRADIENT: Objective = Objective {
+    name: "aim_gradient",
+    title: "aim and gradient",
+    scope: Scope::Joint,
+    outputs: |joint, _| format!("Aim of joint {joint}, d aim / d pitch, d aim / d heading."),
+    symbols,
+    state,
+};
+
+/// The aim through all joints.
+pub const CHAIN_VALUE_GRADIENT: Objective = Objective {
+    name: "chain_value_gradient",
+    scope: Scope::Chain,
+    outputs: |_, angles| {
+        format!("The chain's aim, then its {angles} derivatives, pitch before heading, joint by joint.")
+    },
+    ..AIM_GRADIENT
+};
+
+fn symbols() -> Vec<Formula> {
+    vec![Formula::upright("aim")]
 }
 
-/// The aim as a function of all joints' angles.
-pub fn chain_aim(g: &mut Graph, spec: &RigSpec, inputs: &ChainInputs) -> Scalar {
-    let to_end = effector_to_end(g, spec, inputs);
-    aim(g, spec, to_end, inputs.target)
-}
-
-fn aim(g: &mut Graph, spec: &RigSpec, to_end: Rigid, target: Vector) -> Scalar {
-    let effector = Effector::at(g, to_end);
-    let direction = effector.direction(g, spec.effector.frame.forward);
-    let to_target = g.sub_vectors(target, effector.origin);
+fn state(g: &mut Graph, chain: &Chain<'_>) -> Vec<Scalar> {
+    let effector = chain.effector_at_end(g);
+    let direction = effector.direction(g, chain.effector.frame.forward);
+    let to_target = g.sub_vectors(chain.inputs.target, effector.origin);
     let to_target = g.normalize(to_target);
-    g.dot(to_target, direction)
+    vec![g.dot(to_target, direction)]
 }

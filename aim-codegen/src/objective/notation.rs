@@ -2,18 +2,18 @@
 
 use aim_symbolic::print::{Formula, Notation};
 
-use super::Objective;
-use super::statement::{HEADING, PITCH};
+use super::chain::{HEADING, PITCH};
+use super::statement::Scope;
 use crate::{Frame, RigSpec};
 
-/// The symbols of an objective's formulas.
+/// The symbols of the formulas of objectives with this scope.
 ///
 /// **P** is the target, M and **t** the effector's rotation and place in a joint's space, Lᵢ and **t**ᵢ those of link i, p and
 /// h (with i in a chain) pitch and heading, B the bones' axes, **f**, **l**, **u** the effector's; J turns by a quarter.
-pub fn notation(spec: &RigSpec, objective: Objective) -> Notation {
+pub fn notation(spec: &RigSpec, scope: Scope) -> Notation {
     let mut inputs = vec![("target".to_owned(), Formula::vector("P"))];
-    match objective {
-        Objective::Joint(_) => {
+    match scope {
+        Scope::Joint => {
             inputs.extend([
                 ("m".to_owned(), Formula::italic("M")),
                 ("m_t".to_owned(), Formula::vector("t")),
@@ -21,7 +21,7 @@ pub fn notation(spec: &RigSpec, objective: Objective) -> Notation {
                 ("h".to_owned(), Formula::italic("h")),
             ]);
         }
-        Objective::ChainAim | Objective::ChainResidual => {
+        Scope::Chain => {
             inputs.extend((0..spec.joints.len()).flat_map(|i| {
                 [
                     (format!("l{i}"), Formula::italic("L").numbered(i)),

@@ -10,27 +10,41 @@
 //! singular; there, and with the target on the effector, it is 0 with a zero Jacobian, so success must be judged by
 //! the angle.
 
+use aim_symbolic::print::Formula;
 use aim_symbolic::{Graph, Scalar};
 
-use super::statement::{ChainInputs, Effector, effector_to_end};
-use crate::RigSpec;
+use super::chain::Chain;
+use super::statement::{Objective, Scope};
 
-/// The residual, left and up, as functions of all joints' angles.
-pub fn chain_residual(g: &mut Graph, spec: &RigSpec, inputs: &ChainInputs) -> [Scalar; 2] {
-    let to_end = effector_to_end(g, spec, inputs);
-    let effector = Effector::at(g, to_end);
-    let frame = spec.effector.frame;
+/// The residual, left and up, and its Jacobian.
+pub const CHAIN_RESIDUAL_JACOBIAN: Objective = Objective {
+    name: "chain_residual_jacobian",
+    title: "residual and Jacobian",
+    scope: Scope::Chain,
+    outputs: |_, angles| {
+        format!(
+            "The chain's stereographic residual (left, up), then the {angles} derivatives of the first and of the second."
+        )
+    },
+    symbols: || ["left", "up"].map(|side| Formula::italic("s").indexed(Formula::upright(side))).to_vec(),
+    state,
+};
+
+fn state(g: &mut Graph, chain: &Chain<'_>) -> Vec<Scalar> {
+    let effector = chain.effector_at_end(g);
+    let frame = chain.effector.frame;
     let [forward, left, up] = [frame.forward, frame.left, frame.up].map(|axis| effector.direction(g, axis));
 
-    let to_target = g.sub_vectors(inputs.target, effector.origin);
+    let to_target = g.sub_vectors(chain.inputs.target, effector.origin);
     let distance = g.norm(to_target);
     let ahead = g.dot(to_target, forward);
     let sum = g.add(distance, ahead);
     let reciprocal = g.reciprocal(sum);
     let two = g.constant(2.0);
     let twice = g.mul(two, reciprocal);
-    [left, up].map(|axis| {
+    let aside = [left, up].map(|axis| {
         let aside = g.dot(to_target, axis);
         g.mul(twice, aside)
-    })
+    });
+    aside.to_vec()
 }

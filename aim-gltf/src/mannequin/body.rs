@@ -3,10 +3,10 @@
 use glam::DVec3;
 
 use super::joints::Joint;
-use super::shape::{Binding, Ring, Surface, between, rigid};
+use super::shape::{Binding, Ring, ShapeMesh, between, rigid};
 
 /// A material of the mannequin.
-pub(crate) struct Material {
+pub(crate) struct Tint {
     pub(crate) name: &'static str,
     /// Linear RGB.
     pub(crate) colour: [f64; 3],
@@ -14,28 +14,28 @@ pub(crate) struct Material {
 }
 
 /// Materials in the order of [`surfaces`].
-pub(crate) const MATERIALS: [Material; 8] = [
-    Material { name: "skin", colour: [0.72, 0.42, 0.29], roughness: 0.7 },
-    Material { name: "shirt", colour: [0.06, 0.22, 0.34], roughness: 0.9 },
-    Material { name: "trousers", colour: [0.09, 0.09, 0.12], roughness: 0.9 },
-    Material { name: "shoes", colour: [0.16, 0.07, 0.03], roughness: 0.6 },
-    Material { name: "hair", colour: [0.06, 0.03, 0.015], roughness: 0.8 },
-    Material { name: "eye_white", colour: [0.88, 0.88, 0.86], roughness: 0.25 },
-    Material { name: "iris", colour: [0.05, 0.2, 0.3], roughness: 0.25 },
-    Material { name: "pupil", colour: [0.005, 0.005, 0.005], roughness: 0.2 },
+pub(crate) const MATERIALS: [Tint; 8] = [
+    Tint { name: "skin", colour: [0.72, 0.42, 0.29], roughness: 0.7 },
+    Tint { name: "shirt", colour: [0.06, 0.22, 0.34], roughness: 0.9 },
+    Tint { name: "trousers", colour: [0.09, 0.09, 0.12], roughness: 0.9 },
+    Tint { name: "shoes", colour: [0.16, 0.07, 0.03], roughness: 0.6 },
+    Tint { name: "hair", colour: [0.06, 0.03, 0.015], roughness: 0.8 },
+    Tint { name: "eye_white", colour: [0.88, 0.88, 0.86], roughness: 0.25 },
+    Tint { name: "iris", colour: [0.05, 0.2, 0.3], roughness: 0.25 },
+    Tint { name: "pupil", colour: [0.005, 0.005, 0.005], roughness: 0.2 },
 ];
 
 /// Radius of an eyeball, metres.
 const EYE: f64 = 0.0185;
 
-struct Body<'a> {
+struct BodyBuilder<'a> {
     joints: &'a [Joint],
-    surfaces: [Surface; 8],
+    surfaces: [ShapeMesh; 8],
 }
 
 /// The surfaces of all materials.
-pub(crate) fn surfaces(joints: &[Joint]) -> [Surface; 8] {
-    let mut body = Body { joints, surfaces: Default::default() };
+pub(crate) fn surfaces(joints: &[Joint]) -> [ShapeMesh; 8] {
+    let mut body = BodyBuilder { joints, surfaces: Default::default() };
     body.trunk();
     body.head();
     for (side, sign) in [("left", 1.0), ("right", -1.0)] {
@@ -46,7 +46,7 @@ pub(crate) fn surfaces(joints: &[Joint]) -> [Surface; 8] {
     body.surfaces
 }
 
-impl Body<'_> {
+impl BodyBuilder<'_> {
     fn joint(&self, name: &str) -> usize {
         self.joints.iter().position(|joint| joint.name == name).unwrap_or(0)
     }

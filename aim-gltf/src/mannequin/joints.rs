@@ -4,7 +4,7 @@ use glam::DVec3;
 
 /// One joint in the bind pose.
 pub(crate) struct Joint {
-    pub(crate) name: &'static str,
+    pub(crate) name: String,
     pub(crate) parent: Option<usize>,
     /// Relative to the ground between the feet.
     pub(crate) position: DVec3,
@@ -33,43 +33,20 @@ const LIMBS: [(&str, &str, [f64; 3]); 9] = [
     ("toes", "foot", [0.1, 0.025, 0.09]),
 ];
 
-const LEFT: [&str; 9] = [
-    "left_eye",
-    "left_clavicle",
-    "left_upper_arm",
-    "left_lower_arm",
-    "left_hand",
-    "left_upper_leg",
-    "left_lower_leg",
-    "left_foot",
-    "left_toes",
-];
-const RIGHT: [&str; 9] = [
-    "right_eye",
-    "right_clavicle",
-    "right_upper_arm",
-    "right_lower_arm",
-    "right_hand",
-    "right_upper_leg",
-    "right_lower_leg",
-    "right_foot",
-    "right_toes",
-];
-
 /// All joints; indices are the order used everywhere in the mannequin.
 pub(crate) fn joints() -> Vec<Joint> {
     let mut out: Vec<Joint> = Vec::new();
     let index = |out: &[Joint], name: &str| out.iter().position(|joint| joint.name == name);
     for (name, parent, position) in COLUMN {
         let parent = parent.and_then(|parent| index(&out, parent));
-        out.push(Joint { name, parent, position: position.into() });
+        out.push(Joint { name: name.to_owned(), parent, position: position.into() });
     }
-    for (names, side) in [(LEFT, 1.0), (RIGHT, -1.0)] {
+    for (side, sign) in [("left", 1.0), ("right", -1.0)] {
         let first = out.len();
-        for (k, (_, parent, [x, y, z])) in LIMBS.into_iter().enumerate() {
+        for (name, parent, [x, y, z]) in LIMBS {
             let limb = LIMBS.iter().position(|(name, ..)| *name == parent).map(|at| first + at);
             let parent = limb.or_else(|| index(&out, parent));
-            out.push(Joint { name: names[k], parent, position: DVec3::new(x * side, y, z) });
+            out.push(Joint { name: format!("{side}_{name}"), parent, position: DVec3::new(x * sign, y, z) });
         }
     }
     out

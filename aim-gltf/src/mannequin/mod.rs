@@ -28,33 +28,24 @@ pub const PAPER_AXES: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0
 /// [`Error::Axes`] for a joint whose three vectors are not orthonormal to within 1e-3.
 pub fn mannequin(axes_of: impl Fn(&str) -> [[f32; 3]; 3]) -> Result<Vec<u8>, Error> {
     let joints = joints::joints();
-    let mut frames = Vec::with_capacity(joints.len());
-    for joint in &joints {
-        frames.push(frame(joint.name, axes_of(joint.name))?);
-    }
-    let rig: Vec<Bone> = joints
-        .iter()
-        .zip(&frames)
-        .map(|(joint, frame)| {
-            let (parent_frame, parent_position) =
-                joint.parent.map_or((DMat3::IDENTITY, DVec3::ZERO), |p| (frames[p], joints[p].position));
-            Bone {
-                frame: *frame,
-                // Frames are orthonormal, so the transpose is the inverse, mirrored or not.
-                to_parent: parent_frame.transpose(),
-                offset: joint.position - parent_position,
-                mirror: if parent_frame.determinant() * frame.determinant() < 0.0 {
-                    DVec3::new(-1.0, 1.0, 1.0)
-                } else {
-                    DVec3::ONE
-                },
-            }
-        })
-        .collect();
+    let frames = joints.iter().map(|joint| frame(&joint.name, axes_of(&joint.name))).collect::<Result<Vec<_>, _>>()?;
+    let bone = |(joint, &frame): (&joints::Joint, &DMat3)| {
+        let parent = joint.parent.map(|parent| (frames[parent], joints[parent].position));
+        let (parent_frame, parent_position) = parent.unwrap_or((DMat3::IDENTITY, DVec3::ZERO));
+        let mirrors = parent_frame.determinant() * frame.determinant() < 0.0;
+        Bone {
+            frame,
+            // Frames are orthonormal, so the transpose is the inverse, mirrored or not.
+            to_parent: parent_frame.transpose(),
+            offset: joint.position - parent_position,
+            mirror: if mirrors { DVec3::new(-1.0, 1.0, 1.0) } else { DVec3::ONE },
+        }
+    };
+    let rig: Vec<Bone> = joints.iter().zip(&frames).map(bone).collect();
     pack::pack(&joints, &rig)
 }
 
-/// What one joint's numbers are made from.
+/// Frame and place of one joint, from which its numbers follow.
 struct Bone {
     /// Character ← bone, orthonormal, mirrored or not.
     frame: DMat3,
@@ -87,7 +78,7 @@ fn frame(bone: &str, [up, forward, left]: [[f32; 3]; 3]) -> Result<DMat3, Error>
     let gram = given.transpose() * given;
     let off = (gram - DMat3::IDENTITY).to_cols_array().iter().fold(0.0_f64, |a, b| a.max(b.abs()));
     if !given.is_finite() || off > near {
-        return Err(Error::Axes { bone: bone.into() });
+        return Err(Error::Axes(bone.into()));
     }
     Ok(crate::trs::orthonormal(&given).0.transpose())
 }

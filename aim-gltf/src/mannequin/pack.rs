@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use super::Bone;
 use super::body::{MATERIALS, surfaces};
 use super::joints::Joint;
-use super::shape::Surface;
+use super::shape::ShapeMesh;
 use super::walk;
 use crate::container;
 use crate::error::Error;
@@ -67,7 +67,7 @@ pub(super) fn pack(joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
     let binds = data.floats(&binds, None, false);
     let mut nodes: Vec<Value> = (0..joints.len()).map(|index| node(joints, rig, index)).collect();
     nodes.push(json!({ "name": "body", "mesh": 0, "skin": 0 }));
-    let material = |m: &super::body::Material| {
+    let material = |m: &super::body::Tint| {
         let [r, g, b] = m.colour;
         json!({
             "name": m.name,
@@ -88,7 +88,7 @@ pub(super) fn pack(joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
         "bufferViews": data.views,
         "buffers": [{ "byteLength": data.bytes.len() }],
     });
-    let text = serde_json::to_vec(&json).map_err(|e| Error::Json { message: e.to_string() })?;
+    let text = serde_json::to_vec(&json).map_err(|e| Error::Json(e.to_string()))?;
     container::join(&text, Some(&data.bytes))
 }
 
@@ -125,7 +125,7 @@ fn inverse_bind(joint: &Joint, bone: &Bone) -> [f32; 16] {
     [x[0], x[1], x[2], 0.0, y[0], y[1], y[2], 0.0, z[0], z[1], z[2], 0.0, t[0], t[1], t[2], 1.0]
 }
 
-fn primitive(data: &mut Data, surface: &Surface, material: usize) -> Value {
+fn primitive(data: &mut Data, surface: &ShapeMesh, material: usize) -> Value {
     let positions: Vec<[f32; 3]> = surface.positions.iter().map(|p| narrow3(*p)).collect();
     let normals: Vec<[f32; 3]> = surface.normals.iter().map(|n| narrow3(*n)).collect();
     let weights: Vec<[f32; 4]> = surface.bindings.iter().map(|b| b.map(|(_, w)| num::narrow(w))).collect();
@@ -138,17 +138,11 @@ fn primitive(data: &mut Data, surface: &Surface, material: usize) -> Value {
     let indices: Vec<u8> = surface.triangles.iter().flatten().flat_map(index).collect();
     let position = data.floats(&positions, Some(ARRAY_BUFFER), true);
     let normal = data.floats(&normals, Some(ARRAY_BUFFER), false);
-    let joints = data.add(
-        &joints,
-        Some(ARRAY_BUFFER),
-        json!({ "componentType": 5121, "count": surface.bindings.len(), "type": "VEC4" }),
-    );
+    let described = json!({ "componentType": 5121, "count": surface.bindings.len(), "type": "VEC4" });
+    let joints = data.add(&joints, Some(ARRAY_BUFFER), described);
     let weights = data.floats(&weights, Some(ARRAY_BUFFER), false);
-    let indices = data.add(
-        &indices,
-        Some(ELEMENT_ARRAY_BUFFER),
-        json!({ "componentType": 5123, "count": surface.triangles.len() * 3, "type": "SCALAR" }),
-    );
+    let described = json!({ "componentType": 5123, "count": surface.triangles.len() * 3, "type": "SCALAR" });
+    let indices = data.add(&indices, Some(ELEMENT_ARRAY_BUFFER), described);
     json!({
         "attributes": { "POSITION": position, "NORMAL": normal, "JOINTS_0": joints, "WEIGHTS_0": weights },
         "indices": indices,
@@ -172,10 +166,11 @@ fn walk_clip(data: &mut Data, joints: &[Joint], rig: &[Bone]) -> Value {
                 (0..=walk::KEYS).map(|k| narrow3(bone.translation(walk::hips_offset(phase(k))))).collect();
             push(index, "translation", data.floats(&places, None, false));
         }
-        if (0..walk::KEYS).all(|k| walk::turn(joint.name, phase(k)) == DQuat::IDENTITY) {
+        if (0..walk::KEYS).all(|k| walk::turn(&joint.name, phase(k)) == DQuat::IDENTITY) {
             continue;
         }
-        let mut turns: Vec<DQuat> = (0..=walk::KEYS).map(|k| bone.rotation(walk::turn(joint.name, phase(k)))).collect();
+        let mut turns: Vec<DQuat> =
+            (0..=walk::KEYS).map(|k| bone.rotation(walk::turn(&joint.name, phase(k)))).collect();
         // q and −q are the same turn; neighbours on one side read and blend better.
         for k in 1..turns.len() {
             if turns[k].dot(turns[k - 1]) < 0.0 {

@@ -4,6 +4,8 @@ use core::f64::consts::TAU;
 
 use glam::DVec3;
 
+use crate::num::count;
+
 /// Up to four (joint, weight) pairs; weights sum to 1.
 pub(crate) type Binding = [(usize, f64); 4];
 
@@ -24,9 +26,14 @@ pub(crate) fn between(a: usize, b: usize, t: f64) -> Binding {
     }
 }
 
+/// Sine and cosine of part `at` of a turn that has so many parts.
+fn around(at: usize, parts: usize) -> (f64, f64) {
+    (TAU * count(at) / count(parts)).sin_cos()
+}
+
 /// Triangles of one material, in the character's space, metres.
 #[derive(Default)]
-pub(crate) struct Surface {
+pub(crate) struct ShapeMesh {
     pub(crate) positions: Vec<DVec3>,
     pub(crate) normals: Vec<DVec3>,
     pub(crate) bindings: Vec<Binding>,
@@ -46,7 +53,7 @@ impl Ring {
     }
 }
 
-impl Surface {
+impl ShapeMesh {
     /// A tube through rings, closed at both ends; each ring lies across the path.
     pub(crate) fn loft(&mut self, rings: &[Ring], sides: usize, bind: impl Fn(DVec3) -> Binding) {
         self.tube(rings, sides, None, bind);
@@ -68,7 +75,7 @@ impl Surface {
             let ahead = (DVec3::Z - along * along.z).normalize_or_zero();
             let aside = along.cross(ahead);
             let point = |j: usize| {
-                let (sin, cos) = (TAU * crate::num::count(j) / crate::num::count(sides)).sin_cos();
+                let (sin, cos) = around(j, sides);
                 ring.centre + ahead * (ring.ahead * cos) + aside * (ring.aside * sin)
             };
             rows.push((0..sides).map(point).collect());
@@ -86,9 +93,9 @@ impl Surface {
     ) {
         let (centre, radii): (DVec3, DVec3) = (centre.into(), radii.into());
         let row = |i: usize| {
-            let (polar, sides) = (TAU / 2.0 * crate::num::count(i) / crate::num::count(steps), steps * 2);
+            let (polar, sides) = (TAU / 2.0 * count(i) / count(steps), steps * 2);
             let point = move |j: usize| {
-                let (sin, cos) = (TAU * crate::num::count(j) / crate::num::count(sides)).sin_cos();
+                let (sin, cos) = around(j, sides);
                 let unit = DVec3::new(polar.sin() * sin, -polar.cos(), polar.sin() * cos);
                 centre + unit * radii
             };
@@ -102,9 +109,9 @@ impl Surface {
     pub(crate) fn cap(&mut self, centre: DVec3, radius: f64, half_angle: f64, bind: impl Fn(DVec3) -> Binding) {
         let (steps, sides) = (5, 24);
         let ring = |i: usize| {
-            let polar = half_angle * crate::num::count(i) / crate::num::count(steps);
+            let polar = half_angle * count(i) / count(steps);
             let point = move |j: usize| {
-                let (sin, cos) = (TAU * crate::num::count(j) / crate::num::count(sides)).sin_cos();
+                let (sin, cos) = around(j, sides);
                 centre + DVec3::new(polar.sin() * cos, polar.sin() * sin, polar.cos()) * radius
             };
             (0..sides).map(point).collect::<Vec<_>>()

@@ -9,7 +9,7 @@ pub(crate) const SECONDS: f64 = 1.2;
 /// Keys of one period, the repeated first one not counted.
 pub(crate) const KEYS: u32 = 36;
 
-/// Where the hips are at a phase (0…1), relative to their bind place, metres.
+/// Offset of the hips from their bind place at a phase (0…1), metres.
 pub(crate) fn hips_offset(phase: f64) -> DVec3 {
     let p = TAU * phase;
     DVec3::new(0.012 * p.cos(), 0.016 * (2.0 * p).cos() - 0.022, 0.0)

@@ -43,7 +43,7 @@ pub struct AimPose<'a> {
 /// ```
 ///
 /// Then comes what this cannot know: limits, and a direction beyond the poses. Give the blended pose to
-/// [`AimRig::aim`](crate::AimRig::aim) as the animation; it adds what is left.
+/// [`Aim::aim`](crate::Aim::aim) as the animation; it adds what is left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct AimPoses<'a> {

@@ -7,9 +7,9 @@ use glam::{Quat, Vec3, Vec3A, Vec4};
 
 use super::turn::{about, angle, at_most, normalized, shortest};
 use crate::JointSet;
-use crate::limits::{AT_LIMIT_RAD, Range};
+use crate::limits::reach::{AT_LIMIT_RAD, Range};
+use crate::math::trig::atan2;
 use crate::math::{self, cross, direction, product, turned};
-use crate::trig::atan2;
 
 /// How far a joint of a chain may be turned away from the animation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

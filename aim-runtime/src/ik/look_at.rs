@@ -9,10 +9,10 @@ use glam::{Affine3A, Quat, Vec3, Vec3A};
 
 use super::turn::{across, at_most, between};
 use crate::Axes;
-use crate::frame::LONGEST_FRAME_S;
-use crate::limits::Range;
+use crate::limits::reach::Range;
+use crate::math::trig::{atan2, sin_cos};
 use crate::math::{self, angle_between, cross, direction, turned};
-use crate::trig::{atan2, sin_cos};
+use crate::solve::LONGEST_FRAME_S;
 
 /// What becomes of a target beyond the limits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -11,7 +11,7 @@
 //! | put the end of a longer chain on a point | [`Ccd`] |
 //! | point one bone along a direction | [`OneBone`] |
 //! | turn a head alone, as it sits on its neck | [`LookAt`] |
-//! | lead a limb through points at given times | [`reach`](crate::reach) |
+//! | lead a limb through points at given times | [`trajectory`](crate::trajectory) |
 //! | aim as an animator posed it | [`AimPoses`] |
 //! | aim eyes, neck and spine together | [`AimRig`](crate::AimRig) |
 //!

@@ -127,7 +127,7 @@ pub fn to_local(parents: &[Option<usize>], model: &[Affine3A], local: &mut [Loca
     let of = |bone: usize| {
         let inverse = |parent: usize| -> Option<Affine3A> {
             math::orthonormal(model[parent].matrix3)?;
-            Some(crate::chain::inverse(&model[parent]))
+            Some(crate::kinematics::chain::inverse(&model[parent]))
         };
         match parents[bone] {
             Some(parent) => Local::from_affine(&(inverse(parent)? * model[bone])),
@@ -234,7 +234,7 @@ pub fn attached(bone: &Affine3A, grip: &Affine3A) -> Affine3A {
 /// world. `None` where `attachment` does not span space.
 pub fn root_for(attachment: &Affine3A, held: &Affine3A) -> Option<Affine3A> {
     math::orthonormal(attachment.matrix3)?;
-    let root = *held * crate::chain::inverse(attachment);
+    let root = *held * crate::kinematics::chain::inverse(attachment);
     root.is_finite().then_some(root)
 }
 

@@ -4,8 +4,8 @@ use core::f32::consts::FRAC_PI_2;
 
 use glam::{Mat3A, Quat, Vec3A, Vec4};
 
+use crate::math::trig::{atan2, sin_cos};
 use crate::math::{self, cross, direction};
-use crate::trig::{atan2, sin_cos};
 
 /// Directions less than this apart in sine have no plane between them.
 pub(super) const FLAT: f32 = 1e-5;

@@ -1,8 +1,11 @@
 //! Long formulas with names for their parts.
 
+use std::collections::{HashMap, HashSet};
+
 use super::expression::{self, Notation};
 use super::formula::Formula;
-use crate::order::{Node, Selects};
+use crate::node::Node;
+use crate::order::Selects;
 use crate::{Graph, Scalar, ScalarNode, Vector, VectorNode};
 
 /// Expressions with names for the parts that are needed more than once.
@@ -33,7 +36,7 @@ const LONG: usize = 16;
 /// numbers.
 pub fn defined(g: &Graph, outputs: &[Scalar], notation: &Notation) -> Defined {
     let order = g.order(outputs, Selects::Through);
-    let mut uses: std::collections::HashMap<Node, usize> = std::collections::HashMap::new();
+    let mut uses: HashMap<Node, usize> = HashMap::new();
     for &node in &order {
         for part in g.parts(node) {
             // A direction is written with its vector twice.
@@ -88,20 +91,11 @@ fn is_given_vector(g: &Graph, v: Vector) -> bool {
 ///
 /// Returns the two sides and what the letters stand for.
 pub fn rewriting(g: &Graph, from: Node, to: Node, notation: &Notation) -> ([Formula; 2], Vec<(Formula, Formula)>) {
-    let reachable = |root: Node| -> std::collections::HashSet<Node> {
-        let mut seen = std::collections::HashSet::new();
-        let mut stack = vec![root];
-        while let Some(node) = stack.pop() {
-            if seen.insert(node) {
-                stack.extend(g.parts(node));
-            }
-        }
-        seen
-    };
+    let reachable = |root| -> HashSet<Node> { g.order_of_nodes(&[root], Selects::Through).into_iter().collect() };
     let (of_from, of_to) = (reachable(from), reachable(to));
     let mut letters = Letters { g, notation: notation.clone(), meanings: Vec::new(), vectors: 0, scalars: 0 };
     let mut stack = vec![to, from];
-    let mut seen = std::collections::HashSet::new();
+    let mut seen = HashSet::new();
     while let Some(node) = stack.pop() {
         if !seen.insert(node) || is_given(g, node) {
             continue;

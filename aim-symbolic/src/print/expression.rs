@@ -1,9 +1,10 @@
 //! Expressions and programs as formulas.
 
 use super::formula::{Formula, Sign};
-use crate::order::Node;
+use super::steps::{Binding, Printer, Written};
+use crate::node::Node;
 use crate::{
-    Angle, Function, Graph, Op, Plane, Program, Rotation, RotationNode, Scalar, ScalarNode, Value, Vector, VectorNode,
+    Angle, Function, Graph, Op, Plane, Program, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode,
 };
 
 /// What things are called. What is not named here is called as it was declared.
@@ -86,15 +87,6 @@ fn declared(name: &str) -> Formula {
     parts.fold(stem, |stem, index| stem.indexed(part(index)))
 }
 
-/// What binds a formula together, the loosest first.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Binding {
-    Sum,
-    Dot,
-    Product,
-    Atom,
-}
-
 type Bound = (Formula, Binding);
 
 fn group(bound: Bound, above: Binding) -> Formula {
@@ -146,35 +138,36 @@ fn quotient(a: Formula, b: Formula) -> Bound {
     (Formula::Fraction(Box::new(a), Box::new(b)), Binding::Atom)
 }
 
-fn constant(value: f64) -> Bound {
-    (Formula::number(value), if value < 0.0 { Binding::Sum } else { Binding::Atom })
-}
-
-fn root(a: Formula) -> Bound {
-    (Formula::Root(Box::new(a)), Binding::Atom)
-}
-
-fn call(function: Function, a: Formula) -> Bound {
-    let name = match function {
-        Function::Asin => "arcsin",
-        Function::Acos => "arccos",
-        other => other.name(),
+/// An operation as a formula, in which parentheses are left out where they make no difference to a reader.
+fn operation(op: Op<Bound>, input: impl Fn(usize) -> Formula) -> Bound {
+    let formula = match op {
+        Op::Add(a, b) => return sum(a, b),
+        Op::Sub(a, b) => return difference(a, b),
+        Op::Mul(a, b) => return product(a, b),
+        Op::Neg(a) => return negated(a),
+        Op::Div((a, _), (b, _)) => return quotient(a, b),
+        Op::Constant(c) if c.value() < 0.0 => return (Formula::number(c.value()), Binding::Sum),
+        Op::Constant(c) => Formula::number(c.value()),
+        Op::Input(i) => input(i as usize),
+        Op::Tiny => Formula::italic("ε"),
+        Op::Sqrt((a, _)) => Formula::Root(Box::new(a)),
+        Op::Call(function, (a, _)) => {
+            let name = match function {
+                Function::Asin => "arcsin",
+                Function::Acos => "arccos",
+                other => other.name(),
+            };
+            Formula::Row(vec![Formula::upright(name), Formula::Group(Box::new(a))])
+        }
+        Op::Atan2((y, _), (x, _)) => {
+            let both = Formula::infix(y, Sign::Comma, x);
+            Formula::Row(vec![Formula::upright("atan2"), Formula::Group(Box::new(both))])
+        }
+        Op::SelectLess((a, _), (b, _), (then, _), (otherwise, _)) => {
+            Formula::Cases(Box::new([then, otherwise]), Box::new(Formula::infix(a, Sign::Less, b)))
+        }
     };
-    (Formula::Row(vec![Formula::upright(name), Formula::Group(Box::new(a))]), Binding::Atom)
-}
-
-fn atan2(y: Formula, x: Formula) -> Bound {
-    let both = Formula::infix(y, Sign::Comma, x);
-    (Formula::Row(vec![Formula::upright("atan2"), Formula::Group(Box::new(both))]), Binding::Atom)
-}
-
-fn cases(a: Formula, b: Formula, then: Formula, otherwise: Formula) -> Bound {
-    let condition = Formula::infix(a, Sign::Less, b);
-    (Formula::Cases(Box::new([then, otherwise]), Box::new(condition)), Binding::Atom)
-}
-
-fn tiny() -> Formula {
-    Formula::italic("ε")
+    (formula, Binding::Atom)
 }
 
 /// The expression as a formula.
@@ -228,21 +221,8 @@ impl Writer<'_> {
         if let Some(symbol) = self.symbol(Node::Scalar(expression)) {
             return (symbol, Binding::Atom);
         }
-        let s = |e| self.scalar(e);
         match self.g.scalar_node(expression) {
-            ScalarNode::Constant(c) => constant(c.value()),
-            ScalarNode::Input(i) => (self.notation.scalar_input(&self.g.inputs()[i as usize].0), Binding::Atom),
-            ScalarNode::Tiny => (tiny(), Binding::Atom),
-            ScalarNode::Add(a, b) => sum(s(a), s(b)),
-            ScalarNode::Sub(a, b) => difference(s(a), s(b)),
-            ScalarNode::Mul(a, b) => product(s(a), s(b)),
-            ScalarNode::Div(a, b) => quotient(s(a).0, s(b).0),
-            ScalarNode::Neg(a) => negated(s(a)),
-            ScalarNode::Sqrt(a) => root(s(a).0),
-            ScalarNode::Reciprocal(a) => quotient(Formula::number(1.0), s(a).0),
-            ScalarNode::SelectLess(a, b, c, d) => cases(s(a).0, s(b).0, s(c).0, s(d).0),
-            ScalarNode::Call(function, a) => call(function, s(a).0),
-            ScalarNode::Atan2(a, b) => atan2(s(a).0, s(b).0),
+            ScalarNode::Reciprocal(a) => quotient(Formula::number(1.0), self.scalar(a).0),
             ScalarNode::Dot(a, b) => {
                 let [a, b] = [a, b].map(|v| group(self.vector(v), Binding::Dot));
                 (Formula::infix(a, Sign::Dot, b), Binding::Dot)
@@ -251,6 +231,10 @@ impl Writer<'_> {
             ScalarNode::Component(a, axis) => {
                 let a = group(self.vector(a), Binding::Product);
                 (a.indexed(Formula::italic(["x", "y", "z"][usize::from(axis)])), Binding::Atom)
+            }
+            node => {
+                let Some(op) = node.op() else { unreachable!("{node:?} is an operation") };
+                operation(op.map(|s| self.scalar(s)), |i| self.notation.scalar_input(&self.g.inputs()[i].0))
             }
         }
     }
@@ -357,7 +341,7 @@ impl Writer<'_> {
 }
 
 /// The name of a vector whose components are the inputs `name_x`, `name_y`, `name_z`.
-pub(super) fn common_name(g: &Graph, components: [Scalar; 3]) -> Option<String> {
+fn common_name(g: &Graph, components: [Scalar; 3]) -> Option<String> {
     let names = components.map(|c| match g.scalar_node(c) {
         ScalarNode::Input(i) => Some(g.inputs()[i as usize].0.as_str()),
         _ => None,
@@ -377,45 +361,33 @@ pub struct Told {
 
 /// The program as formulas, step by step as every back end writes it.
 pub fn program(program: &Program, notation: &Notation) -> Told {
-    let writer = Steps { program, notation };
-    let steps = program.steps().map(|(number, op)| (number, step(number), writer.operation(op).0)).collect();
-    Told { steps, outputs: program.outputs().iter().map(|&v| writer.operand(v).0).collect() }
+    let steps = Steps { inputs: program.inputs(), notation };
+    let written = Written { program, printer: &steps };
+    Told {
+        steps: written.steps().map(|(number, (formula, _))| (number, steps.step(number).0, formula)).collect(),
+        outputs: written.outputs().into_iter().map(|(formula, _)| formula).collect(),
+    }
 }
 
-/// The symbol of a step.
-fn step(number: usize) -> Formula {
-    Formula::italic("v").numbered(number)
-}
-
+/// Steps as formulas.
 struct Steps<'a> {
-    program: &'a Program,
+    inputs: &'a [String],
     notation: &'a Notation,
 }
 
-impl Steps<'_> {
-    fn operation(&self, op: Op) -> Bound {
-        let at = |v| self.operand(v);
-        match op {
-            Op::Add(a, b) => sum(at(a), at(b)),
-            Op::Sub(a, b) => difference(at(a), at(b)),
-            Op::Mul(a, b) => product(at(a), at(b)),
-            Op::Div(a, b) => quotient(at(a).0, at(b).0),
-            Op::Sqrt(a) => root(at(a).0),
-            Op::SelectLess(a, b, c, d) => cases(at(a).0, at(b).0, at(c).0, at(d).0),
-            Op::Call(function, a) => call(function, at(a).0),
-            Op::Atan2(y, x) => atan2(at(y).0, at(x).0),
-            Op::Input(i) => (self.notation.scalar_input(&self.program.inputs()[i as usize]), Binding::Atom),
-            Op::Constant(c) => constant(c.value()),
-            Op::Tiny => (tiny(), Binding::Atom),
-            Op::Neg(a) => negated(at(a)),
-        }
+impl Printer for Steps<'_> {
+    type Text = Bound;
+
+    fn operation(&self, op: Op<Bound>) -> Bound {
+        operation(op, |i| self.notation.scalar_input(&self.inputs[i]))
     }
 
-    fn operand(&self, v: Value) -> Bound {
-        match self.program.ops()[v.index()] {
-            op @ (Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Neg(_)) => self.operation(op),
-            op if self.program.is_inline(v) => self.operation(op),
-            _ => (step(self.program.step_number(v)), Binding::Atom),
-        }
+    /// The operand itself: in a formula, other parentheses are needed than in source.
+    fn group(&self, operand: Bound) -> Bound {
+        operand
+    }
+
+    fn step(&self, number: usize) -> Bound {
+        (Formula::italic("v").numbered(number), Binding::Atom)
     }
 }

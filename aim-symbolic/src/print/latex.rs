@@ -1,19 +1,6 @@
 //! LaTeX, with amsmath.
 
-use super::expression;
-use super::expression::Notation;
 use super::formula::{Face, Formula, Sign};
-use crate::Program;
-
-/// The program as the body of an `align*` environment.
-pub fn program(program: &Program, notation: &Notation) -> String {
-    let told = expression::program(program, notation);
-    let mut lines: Vec<String> =
-        told.steps.iter().map(|(_, name, right)| format!("{} &= {}", formula(name), formula(right))).collect();
-    let outputs: Vec<String> = told.outputs.iter().map(formula).collect();
-    lines.push(format!(r"\text{{result}} &= \left({}\right)", outputs.join(", ")));
-    lines.join(" \\\\\n") + "\n"
-}
 
 /// The formula, for use in an environment of mathematics.
 pub fn formula(formula: &Formula) -> String {

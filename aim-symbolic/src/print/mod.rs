@@ -6,14 +6,14 @@ mod formula;
 mod latex;
 mod mathml;
 mod maxima;
-mod plain;
 mod source;
+mod steps;
 
 pub use definitions::{Defined, defined, rewriting};
 pub use expression::{Notation, Told, definition, node, program as told, rotation, scalar, vector};
 pub use formula::{Face, Formula, Sign};
-pub use latex::{formula as latex, program as latex_program};
+pub use latex::formula as latex;
 pub use mathml::formula as mathml;
 pub use maxima::program as maxima;
-pub use plain::{program as plain, scalar as plain_scalar};
 pub use source::{Dialect, steps};
+pub use steps::{Printer, Written};

@@ -13,7 +13,7 @@ pub(super) struct Figures {
     context: Context,
     program: Program,
     posed: Vec<Posed>,
-    /// How many of them are in the picture.
+    /// Number of them in the picture.
     shown: usize,
     bounds: Option<[Vec3; 2]>,
     scratch: Vec<[f32; 3]>,
@@ -24,7 +24,7 @@ struct Posed {
     normals: VertexBuffer<[f32; 3]>,
 }
 
-/// What is drawn: first what hides what is behind it, then what does not.
+/// Pass of drawing: opaque parts first, then translucent ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pass {
     Opaque,

@@ -1,4 +1,4 @@
-//! What is behind and below: the backdrop, the floor with its grid, and the figures' soft shadow on it.
+//! Backdrop and floor: the floor has a grid and shows the figures' soft shadow.
 
 use std::convert::Infallible;
 
@@ -16,9 +16,9 @@ use crate::picture::Ground;
 
 /// Pixels along a side of the shadow.
 const SHADOW: u32 = 512;
-/// How far beyond the figures it reaches, in parts of their height.
+/// Margin of the shadow around the figures, in parts of their height.
 const MARGIN: f32 = 0.25;
-/// How far it is blurred, and how high above the floor it is a third as strong: in parts of their height.
+/// Radius of its blur, and the height at which it is a third as strong, in parts of the figures' height.
 const BLUR: f32 = 0.05;
 const FADING: f32 = 0.25;
 
@@ -27,7 +27,7 @@ pub(super) struct Floor {
     floor: Program,
     caster: Program,
     square: VertexBuffer<[f32; 2]>,
-    /// How near above each place of the floor something is: 1 on it, less the higher.
+    /// Nearness of the lowest thing above each place of the floor: 1 on it, less the higher.
     shadow: Texture2D,
     shadowed: Shadowed,
 }
@@ -38,7 +38,7 @@ struct Shadowed {
     middle: Vec2,
     /// Half of its side; nothing casts a shadow if it is zero.
     extent: f32,
-    /// How far it is blurred.
+    /// Radius of its blur.
     blur: f32,
 }
 
@@ -73,10 +73,8 @@ impl Floor {
             return;
         };
         let corners = corners(bounds);
-        let (low, high) = corners
-            .iter()
-            .map(|corner| flat(*corner))
-            .fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
+        let low = corners.map(flat).into_iter().fold(Vec2::INFINITY, Vec2::min);
+        let high = corners.map(flat).into_iter().fold(Vec2::NEG_INFINITY, Vec2::max);
         let height = corners.iter().map(|corner| (*corner - ground.centre).dot(ground.up)).fold(0.0, f32::max);
         let shadowed = Shadowed {
             middle: 0.5 * (low + high),

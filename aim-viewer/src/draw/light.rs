@@ -21,7 +21,7 @@ pub(super) struct Light {
     key: Vec3,
     fill: Vec3,
     sky: Vec3,
-    /// How large a pixel is at distance one.
+    /// Size of a pixel at distance one.
     pixel: f32,
 }
 

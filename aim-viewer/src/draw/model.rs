@@ -1,4 +1,4 @@
-//! What the figures share: triangles by material, texture coordinates, pictures.
+//! Geometry that figures share: triangles by material, texture coordinates, pictures.
 
 use std::collections::{BTreeMap, HashMap};
 use std::io::Cursor;
@@ -60,7 +60,7 @@ impl Model {
 }
 
 impl Part {
-    /// Whether what is behind it can be seen through it.
+    /// True if it does not hide what is behind it.
     pub(super) fn is_translucent(&self) -> bool {
         self.material.alpha == Alpha::Blend
     }

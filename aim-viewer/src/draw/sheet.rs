@@ -1,4 +1,4 @@
-//! Where it is drawn before it is on the screen: with four samples a pixel whatever the window has, and a depth of its own.
+//! Off-screen target with four samples a pixel, whatever the window has, and a depth of its own.
 
 use std::convert::Infallible;
 

@@ -1,18 +1,18 @@
 //! One joint's settings. Whatever is set here, the declaration stays one that passes every check.
 
-use aim_codegen::{AngleRange, JointSpec};
+use aim_codegen::{AngleRange, JointSpec, LimitsFrom};
 use eframe::egui::{self, Ui};
 
 use super::widgets::{button, check, named, row};
 
-/// A range's ends are at least this far apart, degrees: an empty one is none.
-const NARROWEST: f64 = 0.5;
-/// What a range is limited to that was free, degrees to either side.
+/// A range goes this far to one side at least, degrees: less cannot be declared.
+const NARROWEST: f64 = 1.0;
+/// Range given to an angle that was free, degrees to either side.
 const LIMITED: f64 = 90.0;
 /// Rates and accelerations, degrees a second (and that a second); more may have been declared.
 const RATES: std::ops::RangeInclusive<f64> = 1.0..=2000.0;
 const ACCELERATIONS: std::ops::RangeInclusive<f64> = 10.0..=20_000.0;
-const COMFORTS: std::ops::RangeInclusive<f64> = 0.01..=100.0;
+const STIFFNESSES: std::ops::RangeInclusive<f64> = 0.01..=100.0;
 
 pub(super) fn show(ui: &mut Ui, joint: &mut JointSpec, declared: &JointSpec) {
     let name = joint.name.clone();
@@ -24,12 +24,12 @@ pub(super) fn show(ui: &mut Ui, joint: &mut JointSpec, declared: &JointSpec) {
 
 fn settings(ui: &mut Ui, joint: &mut JointSpec, declared: &JointSpec) {
     let name = joint.name.clone();
-    let from = if joint.absolute { "the bind pose" } else { "the animation" };
+    let from = if joint.limits_from == LimitsFrom::BindPose { "the bind pose" } else { "the animation" };
     if let Some(heading) = &mut joint.heading {
         row(ui, "Heading", &format!("How far it turns to the left, from {from}, degrees."), |ui| {
             ends(ui, heading, &format!("{name} heading"));
             let mut free = *heading == AngleRange::Free;
-            let can = (joint.narrowing.is_none(), "The declared narrowing needs a heading with ends.");
+            let can = (joint.pitch_taper.is_none(), "The declared narrowing needs a heading with ends.");
             let hover = "Turns without end, as a turret does.";
             if check(ui, &mut free, "Free", &format!("{name} heading free"), can, hover).changed() {
                 *heading = match (free, declared.heading) {
@@ -53,9 +53,9 @@ fn settings(ui: &mut Ui, joint: &mut JointSpec, declared: &JointSpec) {
             degrees(ui, acceleration, ACCELERATIONS, "°/s²", &format!("{name} acceleration"));
         });
     }
-    row(ui, "Comfort", "What a turn of this joint costs: the more, the more reluctant it is.", |ui| {
-        let value = egui::DragValue::new(&mut joint.comfort).speed(0.02).range(COMFORTS).max_decimals(2);
-        named(ui.add(value.clamp_existing_to_range(false)), &format!("{name} comfort"));
+    row(ui, "Stiffness", "What a turn of this joint costs: the more, the more reluctant it is.", |ui| {
+        let value = egui::DragValue::new(&mut joint.stiffness).speed(0.02).range(STIFFNESSES).max_decimals(2);
+        named(ui.add(value.clamp_existing_to_range(false)), &format!("{name} stiffness"));
     });
     row(ui, "", "", |ui| {
         let reset = button(ui, "↺ As declared", &format!("{name} as declared"), "What the rig declares of this joint.");
@@ -69,9 +69,11 @@ fn settings(ui: &mut Ui, joint: &mut JointSpec, declared: &JointSpec) {
 fn ends(ui: &mut Ui, range: &mut AngleRange, name: &str) {
     let AngleRange::Between(lo, hi) = range else { return };
     let shown = [lo.to_degrees(), hi.to_degrees()];
-    degrees(ui, lo, -180.0..=(shown[1] - NARROWEST).min(0.0), "°", &format!("{name} from"));
+    // Whichever end is nearer than that, the other one must not be.
+    let least = |other: f64| if other.abs() >= NARROWEST { 0.0 } else { NARROWEST };
+    degrees(ui, lo, -180.0..=-least(shown[1]), "°", &format!("{name} from"));
     ui.label("…");
-    degrees(ui, hi, (shown[0] + NARROWEST).max(0.0)..=180.0, "°", &format!("{name} to"));
+    degrees(ui, hi, least(shown[0])..=180.0, "°", &format!("{name} to"));
 }
 
 /// An angle in degrees. What is not touched stays to the last bit.

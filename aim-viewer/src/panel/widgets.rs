@@ -10,7 +10,7 @@ const NAMES: f32 = 62.0;
 const VALUE: f32 = 40.0;
 
 /// The same response, with a name.
-pub(super) fn named(response: Response, name: &str) -> Response {
+pub(crate) fn named(response: Response, name: &str) -> Response {
     response.ctx.accesskit_node_builder(response.id, |node| node.set_label(name));
     response
 }
@@ -49,7 +49,7 @@ pub(super) fn note(ui: &mut Ui, text: &str) {
     ui.add(egui::Label::new(RichText::new(text).weak().small()).wrap());
 }
 
-pub(super) fn button(ui: &mut Ui, text: &str, name: &str, hover: &str) -> Response {
+pub(crate) fn button(ui: &mut Ui, text: &str, name: &str, hover: &str) -> Response {
     named(ui.button(text), name).on_hover_text(hover)
 }
 

@@ -19,9 +19,10 @@ const TANK: &str = r#"{ "asset": { "version": "2.0" }, "nodes": [
 
 const STIFF: &str = r#"
 name = "Stiff"
-bones = { up = "+X", forward = "+Y", left = "+Z" }
+axes = { up = "+X", forward = "+Y", left = "+Z" }
 [[joint]]
 name = "head"
+role = "head"
 heading = ["-5deg", "5deg"]
 rate = "30deg"
 "#;

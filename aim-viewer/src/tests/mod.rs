@@ -56,7 +56,7 @@ impl Window {
         self.harness.run_steps(count);
     }
 
-    /// Where a point of the world is seen.
+    /// Place of a point of the world on the screen; `None` behind the camera.
     fn seen(&self, point: glam::Vec3) -> Pos2 {
         on_screen(self.viewer(), self.scene.get(), point).expect("it is in front of the camera")
     }

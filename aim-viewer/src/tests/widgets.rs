@@ -13,27 +13,30 @@ use crate::target::Path;
 /// A rig for the mannequin with whatever a panel can show of a joint.
 const RICH: &str = r#"
 name = "Rich"
-bones = { up = "+X", forward = "+Y", left = "+Z" }
+axes = { up = "+X", forward = "+Y", left = "+Z" }
 [[joint]]
 name = "left_eye"
-pair = "right_eye"
+role = "eye"
+other_eye = "right_eye"
 heading = ["-35deg", "35deg"]
 pitch = ["-25deg", "20deg"]
-narrowing = 0.3
+pitch_taper = 0.3
 rate = "450deg"
-comfort = 0.5
+stiffness = 0.5
 [[joint]]
 name = "neck"
+role = "neck"
 heading = ["-60deg", "60deg"]
 pitch = ["-40deg", "35deg"]
-range = "absolute"
+limits_from = "bind_pose"
 rate = "170deg"
 acceleration = "900deg"
 [[joint]]
 name = "spine3"
+role = "chest"
 heading = "free"
 rate = "70deg"
-level = 0.5
+upright = 0.5
 "#;
 
 fn rich() -> Window {
@@ -115,16 +118,16 @@ const DRAGS: &[Drag] = &[
     ("left_eye pitch from", |v| ends(spec(v).joints[0].pitch)[0]),
     ("left_eye pitch to", |v| ends(spec(v).joints[0].pitch)[1]),
     ("left_eye rate", |v| spec(v).joints[0].rate),
-    ("left_eye comfort", |v| spec(v).joints[0].comfort),
+    ("left_eye stiffness", |v| spec(v).joints[0].stiffness),
     ("neck heading from", |v| ends(spec(v).joints[1].heading)[0]),
     ("neck heading to", |v| ends(spec(v).joints[1].heading)[1]),
     ("neck pitch from", |v| ends(spec(v).joints[1].pitch)[0]),
     ("neck pitch to", |v| ends(spec(v).joints[1].pitch)[1]),
     ("neck rate", |v| spec(v).joints[1].rate),
     ("neck acceleration", |v| spec(v).joints[1].acceleration.unwrap_or_default()),
-    ("neck comfort", |v| spec(v).joints[1].comfort),
+    ("neck stiffness", |v| spec(v).joints[1].stiffness),
     ("spine3 rate", |v| spec(v).joints[2].rate),
-    ("spine3 comfort", |v| spec(v).joints[2].comfort),
+    ("spine3 stiffness", |v| spec(v).joints[2].stiffness),
 ];
 
 /// What unfolds, and something of its inside.
@@ -321,9 +324,10 @@ fn assert_declarable(joint: &JointSpec) {
     for range in [joint.heading, joint.pitch].into_iter().flatten() {
         if let AngleRange::Between(lo, hi) = range {
             assert!((-PI..=0.0).contains(&lo) && (0.0..=PI).contains(&hi) && lo < hi, "{lo} {hi}");
+            assert!(lo <= -PI / 180.0 || hi >= PI / 180.0, "{lo} {hi}");
         }
     }
-    assert!(joint.rate > 0.0 && joint.comfort > 0.0 && joint.acceleration.is_none_or(|a| a > 0.0), "{joint:?}");
+    assert!(joint.rate > 0.0 && joint.stiffness > 0.0 && joint.acceleration.is_none_or(|a| a > 0.0), "{joint:?}");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use std::hint::black_box;
 use std::process::ExitCode;
 
 use aim::glam::Vec3;
-use aim::reach::{Node, Trajectory, Waypoint};
+use aim::trajectory::{Node, Trajectory, Waypoint};
 
 const EVALUATIONS: usize = 3;
 

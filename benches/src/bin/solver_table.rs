@@ -26,7 +26,7 @@ const EXACT: &[Measurement] = &[
     ("noise", exact::noise),
     ("rate", exact::output_rate),
     ("holding", exact::holding),
-    ("comforts", exact::comforts),
+    ("stiffnesses", exact::stiffnesses),
     ("roll", exact::roll),
     ("track", exact::tracking),
 ];

@@ -7,9 +7,9 @@ use std::env;
 use std::hint::black_box;
 use std::process::ExitCode;
 
-use aim::glam::{Affine3A, Vec3};
-use aim::{AimRig, Ascent, Behind, Settings, Solver};
-use aim_benches::solver::chain::{EyeOnly, Gazer, pose_for};
+use aim::glam::Affine3A;
+use aim::{Aim, AimRig, Ascent, Behind, Pose, Settings, Solver};
+use aim_benches::solver::chain::{EyeOnly, Gazer};
 use aim_benches::solver::instructions::{CHARACTERS, FRAMES};
 use aim_benches::solver::workload::{Motion, blocked, track};
 
@@ -26,14 +26,14 @@ fn main() -> ExitCode {
     let settings = Settings::default().with_behind(Behind::Off);
     let exact = settings.with_solver(Solver::Exact);
     match solver {
-        "exact" => follow(&Gazer::default(), &motions, frames, &exact),
-        "natural" => follow(&Gazer::default(), &motions, frames, &settings.with_solver(Solver::Natural)),
-        "ascent" => follow(&Gazer::default(), &motions, frames, &settings.with_solver(Solver::Ascent)),
+        "exact" => follow::<Gazer>(&motions, frames, &exact),
+        "natural" => follow::<Gazer>(&motions, frames, &settings.with_solver(Solver::Natural)),
+        "ascent" => follow::<Gazer>(&motions, frames, &settings.with_solver(Solver::Ascent)),
         "paper" => {
             let paper = settings.with_solver(Solver::Ascent).with_ascent(Ascent::paper());
-            follow(&Gazer::default(), &motions, frames, &paper);
+            follow::<Gazer>(&motions, frames, &paper);
         }
-        "eye" => follow(&EyeOnly::default(), &motions, frames, &exact),
+        "eye" => follow::<EyeOnly>(&motions, frames, &exact),
         _ => return usage(),
     }
     ExitCode::SUCCESS
@@ -45,26 +45,24 @@ fn usage() -> ExitCode {
 }
 
 /// Frame by frame, all characters in each.
-fn follow<R: AimRig + Clone>(rig: &R, motions: &[Motion], frames: usize, settings: &Settings) {
+fn follow<R: AimRig>(motions: &[Motion], frames: usize, settings: &Settings) {
     const DT: f32 = 1.0 / 60.0;
-    let mut rigs = vec![rig.clone(); motions.len()];
-    let inputs: Vec<Vec<([Affine3A; 3], Vec3)>> = (0..FRAMES)
+    let mut characters = vec![Aim::<R>::new(); motions.len()];
+    let pose = |joints: [Affine3A; 3]| {
+        let mut array = R::array(Affine3A::IDENTITY);
+        array.as_mut().iter_mut().zip(joints).for_each(|(to, joint)| *to = joint);
+        Pose::new(array)
+    };
+    let poses: Vec<Vec<_>> = (0..FRAMES)
         .map(|frame| {
             let t = f32::from(frame) * DT;
-            motions.iter().map(|motion| (motion.body.at(t), motion.path.at(t))).collect()
+            motions.iter().map(|motion| (pose(motion.body.at(t)), motion.path.at(t))).collect()
         })
         .collect();
-    let poses: Vec<Vec<_>> = inputs
-        .iter()
-        .map(|frame| frame.iter().map(|(pose, target)| (pose_for(rig, pose), *target)).collect())
-        .collect();
     for frame in poses.iter().take(frames) {
-        for (rig, (pose, target)) in rigs.iter_mut().zip(frame) {
-            black_box(rig.aim_with(black_box(pose), *black_box(target), DT, black_box(settings)));
-            for correction in rig.corrections() {
-                black_box(correction);
-            }
+        for (character, (pose, target)) in characters.iter_mut().zip(frame) {
+            black_box(character.aim(black_box(pose), *black_box(target), DT, black_box(settings)));
         }
     }
-    black_box(rigs);
+    black_box(characters);
 }

@@ -1,7 +1,7 @@
 //! The character of the workloads: chest, head and eye in their proportions, posed at random or moving.
 
 use aim::glam::{Affine3A, Mat3A, Quat, Vec3};
-use aim::{AimRig, Joint, Pose};
+use aim::{AimRig, Joint, Rig};
 
 /// One degree in radians.
 pub const DEG: f64 = std::f64::consts::PI / 180.0;
@@ -10,22 +10,22 @@ pub const DEG: f64 = std::f64::consts::PI / 180.0;
 ///
 /// The neck's heading is not levelled: level headings are judged on their own, and everything else then has a
 /// definition that needs no solver to be written down.
-#[derive(AimRig, Clone)]
-#[aim(bones(up = +X, forward = +Y, left = +Z))]
+#[derive(Debug, AimRig)]
+#[aim(axes(up = +X, forward = +Y, left = +Z))]
 pub struct Gazer {
-    #[joint(heading = -35deg..=35deg, pitch = -25deg..=25deg, rate = 8rad, comfort = 0.5)]
+    #[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=25deg, rate = 8rad, stiffness = 0.5)]
     eye: Joint,
-    #[joint(heading = -60deg..=60deg, pitch = -40deg..=40deg, rate = 3rad, acceleration = 1200deg, level = 0.0)]
+    #[joint(role = neck, heading = -60deg..=60deg, pitch = -40deg..=40deg, rate = 3rad, acceleration = 1200deg, upright = 0.0)]
     neck: Joint,
-    #[joint(heading = -20deg..=20deg, pitch = -15deg..=15deg, rate = 1.2rad, acceleration = 500deg, comfort = 4.0)]
+    #[joint(role = chest, heading = -20deg..=20deg, pitch = -15deg..=15deg, rate = 1.2rad, acceleration = 500deg, stiffness = 4.0)]
     spine3: Joint,
 }
 
 /// The eye alone.
-#[derive(AimRig, Clone)]
-#[aim(bones(up = +X, forward = +Y, left = +Z))]
+#[derive(Debug, AimRig)]
+#[aim(axes(up = +X, forward = +Y, left = +Z))]
 pub struct EyeOnly {
-    #[joint(heading = -35deg..=35deg, pitch = -25deg..=25deg, rate = 8rad)]
+    #[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=25deg, rate = 8rad)]
     eye: Joint,
 }
 
@@ -102,25 +102,17 @@ impl Animation {
     }
 }
 
-/// The pose as a rig takes it.
-pub fn pose_for<R: AimRig>(rig: &R, joints: &[Affine3A]) -> Pose<R::Array<Affine3A>> {
-    let mut array = rig.array(Affine3A::IDENTITY);
-    for (to, joint) in array.as_mut().iter_mut().zip(joints) {
-        *to = *joint;
-    }
-    Pose { joints: array }
-}
-
 /// Angles anywhere in the ranges, as a state.
-pub fn random_state<R: AimRig>(rig: &R, random: &mut fastrand::Rng) -> R::Array<Joint> {
-    let mut state = rig.array(Joint::default());
-    for (joint, info) in state.as_mut().iter_mut().zip(rig.joint_infos()) {
-        let mut anywhere = |range: Option<[f32; 2]>| {
-            let [lo, hi] = range.map_or([0.0; 2], |range| range.map(|x| x.clamp(-3.1, 3.1)));
-            lo + (hi - lo) * random.f32()
-        };
-        let heading = anywhere(info.heading);
-        *joint = Joint::with_angles(heading, anywhere(info.pitch));
-    }
-    state
+pub fn random_state(rig: &dyn Rig, random: &mut fastrand::Rng) -> Vec<Joint> {
+    let mut anywhere = |range: Option<[f32; 2]>| {
+        let [lo, hi] = range.map_or([0.0; 2], |range| range.map(|x| x.clamp(-3.1, 3.1)));
+        lo + (hi - lo) * random.f32()
+    };
+    let joints = rig.description().joints().iter();
+    joints
+        .map(|info| {
+            let heading = anywhere(info.heading);
+            Joint::from_angles(heading, anywhere(info.pitch))
+        })
+        .collect()
 }

@@ -3,7 +3,7 @@
 
 use aim::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim::ik::{AimPose, AimPoses, Ccd, CcdJoint, CcdLimit, LookAt, OneBone, grid};
-use aim::{AimRig, Ascent, Behind, JointInfo, Pose, Settings, Solver};
+use aim::{Aim, AimRig, Ascent, Behind, JointInfo, Pose, Rig, Settings, Solver};
 
 use super::chain::{Gazer, posed};
 use super::workload::{Still, Where, bearing};
@@ -74,15 +74,7 @@ fn settings(solver: Solver) -> Settings {
 }
 
 fn corrections(pose: &Bones, target: Vec3, solver: Solver) -> [Quat; 3] {
-    let mut rig = Gazer::default();
-    rig.snap_with(&Pose { joints: *pose }, target, &settings(solver));
-    read(&rig)
-}
-
-fn read(rig: &Gazer) -> [Quat; 3] {
-    let mut turns = [Quat::IDENTITY; 3];
-    rig.corrections().for_each(|(joint, turn)| turns[joint] = turn);
-    turns
+    Aim::<Gazer>::new().snap(&Pose::new(*pose), target, &settings(solver)).corrections
 }
 
 fn snapped(case: &Still, solver: Solver) -> Bones {
@@ -90,12 +82,13 @@ fn snapped(case: &Still, solver: Solver) -> Bones {
 }
 
 fn ascended(case: &Still) -> Bones {
-    let mut rig = Gazer::default();
+    let mut gazer = Aim::<Gazer>::new();
     let settings = settings(Solver::Ascent).with_ascent(Ascent::paper());
+    let mut turns = [Quat::IDENTITY; 3];
     for _ in 0..120 {
-        rig.aim_with(&Pose { joints: case.pose }, case.target, 1.0 / 60.0, &settings);
+        turns = gazer.aim(&Pose::new(case.pose), case.target, 1.0 / 60.0, &settings).corrections;
     }
-    corrected(&case.pose, read(&rig))
+    corrected(&case.pose, turns)
 }
 
 fn one_bone(case: &Still) -> Bones {
@@ -150,8 +143,8 @@ fn by_poses(case: &Still, authored: &Authored) -> Bones {
 }
 
 fn infos() -> [JointInfo; 3] {
-    let rig = Gazer::default();
-    [0, 1, 2].map(|joint| rig.joint_infos()[joint])
+    let rig = Gazer::RIG;
+    [0, 1, 2].map(|joint| rig.description().joints()[joint])
 }
 
 fn turned(turn: Quat, bone: &Affine3A) -> Affine3A {
@@ -176,7 +169,7 @@ pub struct Judged {
     pub error_deg: f64,
     /// How far the worst angle is beyond its range, degrees; of what is no heading and no pitch, all of it.
     pub beyond_deg: f64,
-    /// The comfort-weighted squares of the joints' turns, halved.
+    /// The stiffness-weighted squares of the joints' turns, halved.
     pub displacement: f64,
     /// How far the eye is rolled about its gaze beyond the animation, degrees.
     pub roll_deg: f64,
@@ -200,7 +193,7 @@ pub fn judged(case: &Still, bones: &Bones) -> Judged {
             beyond = beyond.max(lo - angle).max(angle - hi);
         }
         let turn = f64::from(correction.angle_between(Quat::IDENTITY));
-        displacement += 0.5 * f64::from(info.comfort) * turn * turn;
+        displacement += 0.5 * f64::from(info.stiffness) * turn * turn;
     }
     let roll = |bones: &Bones| {
         let (gaze, up) = (gaze(bones), bones[0].transform_vector3(Vec3::X));

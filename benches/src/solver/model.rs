@@ -1,7 +1,8 @@
 //! [`Model`]: a rig in a pose as the definitions have it, in double precision: what the solvers are judged by.
 
+use aim::glam::Quat;
 use aim::glam::{Affine3A, Vec3A};
-use aim::{AimRig, Joint};
+use aim::{Joint, Rig};
 
 use super::vector::{V, add, angle, cross, dot, rotate, scale, sub, turn, unit};
 
@@ -23,7 +24,7 @@ pub struct Angle {
     /// Its largest speed, rad/s.
     pub rate: f64,
     /// Its weight in the displacement cost.
-    pub comfort: f64,
+    pub stiffness: f64,
     /// The plane it turns in, from the first direction towards the second, in the joint's space.
     plane: [V; 2],
 }
@@ -68,8 +69,9 @@ fn within(a: &[V; 4], b: &[V; 4]) -> [V; 4] {
 
 impl Model {
     /// The rig in this pose, its joints from the effector inward.
-    pub fn new<R: AimRig>(rig: &R, pose: &[Affine3A]) -> Self {
-        let infos = rig.joint_infos();
+    pub fn new(rig: &dyn Rig, pose: &[Affine3A]) -> Self {
+        let description = rig.description();
+        let infos = description.joints();
         let mut angles = Vec::new();
         for (joint, info) in infos.iter().enumerate() {
             let [forward, up, left] = [info.axes().forward, info.axes().up, info.axes().left].map(|v| v.map(f64::from));
@@ -80,7 +82,7 @@ impl Model {
                         heading,
                         range: range.map(f64::from),
                         rate: info.rate.into(),
-                        comfort: info.comfort.into(),
+                        stiffness: info.stiffness.into(),
                         plane: [forward, towards],
                     });
                 }
@@ -93,7 +95,7 @@ impl Model {
                 None => frames[i],
             })
             .collect();
-        let effector = rig.effector();
+        let effector = description.effector();
         let forward = unit(effector.forward.map(f64::from));
         // Any direction square to forward does: only lengths of residuals and their zeros count.
         let helper = if forward[0].abs() < 0.6 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
@@ -185,15 +187,15 @@ impl Model {
         jacobian
     }
 
-    /// Σ comfort θ², comforts as declared.
+    /// Σ stiffness θ², stiffnesses as declared.
     pub fn cost(&self, values: &Angles) -> f64 {
-        self.angles.iter().zip(values).map(|(angle, value)| angle.comfort * value * value).sum()
+        self.angles.iter().zip(values).map(|(angle, value)| angle.stiffness * value * value).sum()
     }
 
-    /// The effector's gaze as the rig's *corrections* turn it: what a user sees of the rig.
-    pub fn seen<R: AimRig>(&self, rig: &R) -> [V; 2] {
+    /// The effector's gaze as *corrections* turn it: what a user sees of the rig.
+    pub fn seen(&self, corrections: &[Quat]) -> [V; 2] {
         let mut carried = [self.origin, self.forward];
-        for ((_, correction), link) in rig.corrections().zip(&self.links) {
+        for (correction, link) in corrections.iter().zip(&self.links) {
             let correction = correction.to_array().map(f64::from);
             carried = carried.map(|v| vector(link, rotate(v, correction)));
             carried[0] = add(carried[0], link[3]);
@@ -202,8 +204,8 @@ impl Model {
     }
 
     /// The angle between that gaze and the target, radians.
-    pub fn seen_remaining<R: AimRig>(&self, rig: &R, target: V) -> f64 {
-        let [origin, forward] = self.seen(rig);
+    pub fn seen_remaining(&self, corrections: &[Quat], target: V) -> f64 {
+        let [origin, forward] = self.seen(corrections);
         angle(forward, sub(target, origin))
     }
 

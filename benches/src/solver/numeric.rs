@@ -2,7 +2,7 @@
 //!
 //! Its kernels are the geometry of turning about a pivot, not derived; those of the compiled rigs are judged elsewhere.
 
-use aim::{AimRig, Axes, Effector, Joint, JointInfo, Scalar};
+use aim::{Axes, Description, Effector, JointInfo, Rig, Scalar};
 
 /// The most joints of such a rig.
 pub const MOST_JOINTS: usize = 7;
@@ -33,7 +33,6 @@ pub struct NumericRig {
     pub infos: Few<JointInfo>,
     /// What is aimed.
     pub effector: Effector,
-    joints: Few<Joint>,
 }
 
 impl NumericRig {
@@ -46,16 +45,13 @@ impl NumericRig {
         let count = infos.len();
         let items = std::array::from_fn(|i| *infos.get(i).unwrap_or(&infos[0]));
         let effector = Effector { forward: infos[0].axes().forward, origin: [0.0; 3] };
-        let joints = Few { items: [Joint::default(); MOST_JOINTS], count };
-        Self { infos: Few { items, count }, effector, joints }
+        Self { infos: Few { items, count }, effector }
     }
 
-    /// The same rig as another declares it, its state with it.
-    pub fn like<R: AimRig>(rig: &R) -> Self {
-        let mut like = Self::new(rig.joint_infos());
-        like.effector = rig.effector();
-        like.joints.as_mut().copy_from_slice(rig.joints().as_ref());
-        like
+    /// The same rig as another declares it.
+    pub fn like(rig: &dyn Rig) -> Self {
+        let description = rig.description();
+        Self { effector: *description.effector(), ..Self::new(description.joints()) }
     }
 }
 
@@ -200,38 +196,34 @@ fn squared(forward: [f32; 3], axes: &Axes) -> [[f32; 3]; 3] {
     [forward, left, up]
 }
 
-impl AimRig for NumericRig {
-    type Array<T: Copy> = Few<T>;
-
-    fn array<T: Copy>(&self, value: T) -> Few<T> {
-        Few { items: [value; MOST_JOINTS], count: self.infos.count }
+impl Rig for NumericRig {
+    fn description(&self) -> Description<'_> {
+        Description::new(self.infos.as_ref()).with_effector(self.effector)
     }
 
-    fn joint_infos(&self) -> &[JointInfo] {
-        self.infos.as_ref()
+    fn joint_name(&self, _: usize) -> Option<&str> {
+        None
     }
 
-    fn effector(&self) -> Effector {
-        self.effector
+    fn bone_name(&self, _: usize, _: usize) -> Option<&str> {
+        None
     }
 
-    fn joints(&self) -> Few<Joint> {
-        self.joints
+    fn residual_jacobian(&self, links: &[[f32; 12]], target: &[f32; 3], sin_cos: &[[f32; 4]], out: &mut [f32]) {
+        let infos = self.infos.as_ref();
+        let axes = squared(self.effector.forward, infos[0].axes());
+        Carried::new(infos, links, sin_cos).residual(axes, target, out);
     }
 
-    fn set_joints(&mut self, joints: Few<Joint>) {
-        self.joints = joints;
-    }
-
-    fn aim_gradient<S: Scalar>(
+    fn aim_gradient(
         &self,
         joint: usize,
-        effector_to_joint: &[S; 12],
-        target: &[S; 3],
-        sin_cos: &[S; 4],
-    ) -> [S; 3] {
-        let mut out = [S::ZERO; 3];
-        let Some(info) = self.joint_infos().get(joint) else {
+        effector_to_joint: &[f32; 12],
+        target: &[f32; 3],
+        sin_cos: &[f32; 4],
+    ) -> [f32; 3] {
+        let mut out = [0.0; 3];
+        let Some(info) = self.infos.as_ref().get(joint) else {
             return out;
         };
         Carried::new(&[*info], &[*effector_to_joint], &[*sin_cos]).aim(self.effector.forward, target, &mut out);
@@ -239,20 +231,5 @@ impl AimRig for NumericRig {
             out.swap(1, 2);
         }
         out
-    }
-
-    fn chain_value_gradient<S: Scalar>(&self, links: &[[S; 12]], target: &[S; 3], sin_cos: &[[S; 4]], out: &mut [S]) {
-        Carried::new(self.joint_infos(), links, sin_cos).aim(self.effector.forward, target, out);
-    }
-
-    fn chain_residual_jacobian<S: Scalar>(
-        &self,
-        links: &[[S; 12]],
-        target: &[S; 3],
-        sin_cos: &[[S; 4]],
-        out: &mut [S],
-    ) {
-        let axes = squared(self.effector.forward, self.joint_infos()[0].axes());
-        Carried::new(self.joint_infos(), links, sin_cos).residual(axes, target, out);
     }
 }

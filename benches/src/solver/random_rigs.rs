@@ -1,19 +1,20 @@
-//! Rigs at random: one to seven joints in any convention, any subset of angles, any ranges, rates and comforts, effectors
+//! Rigs at random: one to seven joints in any convention, any subset of angles, any ranges, rates and stiffnesses, effectors
 //! off their joint, some headings free.
 
 use aim::glam::{Affine3A, Quat, Vec3};
-use aim::{Axes, JointInfo};
+use aim::{Axes, DynAim, Joint, JointInfo, State};
 
 use super::chain::{DEG, direction, random_state};
 use super::model::Model;
 use super::numeric::{MOST_JOINTS, NumericRig};
-use aim::AimRig;
 
 /// A rig in a pose with a target.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// The rig, at rest or anywhere in its ranges.
+    /// The rig.
     pub rig: NumericRig,
+    /// Its joints, at rest or anywhere in their ranges.
+    pub joints: Vec<Joint>,
     /// Its joints, from the effector inward.
     pub pose: Vec<Affine3A>,
     /// The target.
@@ -22,6 +23,15 @@ pub struct Case {
     pub hz: f32,
     /// Whether the target was put where some angles within the ranges look: it can be reached, without a search.
     pub reachable: bool,
+}
+
+impl Case {
+    /// The rig's character as the case finds it.
+    pub fn character(&self) -> DynAim<NumericRig> {
+        let mut character = DynAim::new(self.rig);
+        character.state = State::new(self.joints.clone());
+        character
+    }
 }
 
 /// The case of this number, the same on every run.
@@ -46,24 +56,21 @@ pub fn case(number: usize) -> Case {
     let target = if reachable {
         let state = random_state(&rig, &mut random);
         #[expect(clippy::cast_possible_truncation, reason = "targets are in f32")]
-        let target = model.ahead(&model.read(state.as_ref()), distance).map(|x| x as f32);
+        let target = model.ahead(&model.read(&state), distance).map(|x| x as f32);
         Vec3::from(target)
     } else {
         #[expect(clippy::cast_possible_truncation, reason = "targets are in f32")]
         let distance = distance as f32;
         pose[0].transform_point3(Vec3::from(rig.effector.origin)) + distance * direction(&mut random)
     };
-    if random.bool() {
-        let state = random_state(&rig, &mut random);
-        rig.set_joints(state);
-    }
+    let joints = if random.bool() { random_state(&rig, &mut random) } else { vec![Joint::REST; infos.len()] };
     let hz = [30.0, 60.0, 144.0][random.usize(..3)];
-    Case { rig, pose, target, hz, reachable }
+    Case { rig, joints, pose, target, hz, reachable }
 }
 
 fn joint(random: &mut fastrand::Rng) -> JointInfo {
     let rate = 2.0 * 5.0_f32.powf(random.f32());
-    let mut info = JointInfo::new(axes(random), rate).with_comfort(0.1 * 100.0_f32.powf(random.f32()));
+    let mut info = JointInfo::new(axes(random), rate).with_stiffness(0.1 * 100.0_f32.powf(random.f32()));
     let declared = random.u8(1..4);
     if declared & 1 != 0 {
         let [lo, hi] = range(random, 150.0);
@@ -77,7 +84,7 @@ fn joint(random: &mut fastrand::Rng) -> JointInfo {
         info = info.with_pitch(lo, hi);
     }
     // Level headings are judged on their own.
-    info.with_level(0.0)
+    info.with_upright(0.0)
 }
 
 /// Around 0, each side on its own, small ones as likely as large ones; now and then nothing to one side.

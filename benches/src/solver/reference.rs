@@ -23,7 +23,7 @@ pub struct Found {
     pub angles: Angles,
     /// The remaining angle, radians.
     pub remaining: f64,
-    /// Σ comfort θ².
+    /// Σ stiffness θ².
     pub cost: f64,
     /// Whether the search ended because nothing was left to gain.
     pub settled: bool,
@@ -126,9 +126,9 @@ impl<'a> Problem<'a> {
     pub fn descend(&self, start: &Angles) -> Found {
         let model = self.model;
         let mut weights = [1.0; MOST];
-        let mean = model.angles.iter().map(|angle| angle.comfort).sum::<f64>() / model.count() as f64;
+        let mean = model.angles.iter().map(|angle| angle.stiffness).sum::<f64>() / model.count() as f64;
         for (weight, angle) in weights.iter_mut().zip(&model.angles) {
-            *weight = angle.comfort / mean;
+            *weight = angle.stiffness / mean;
         }
         let displacement = |x: &Angles| 0.5 * x.iter().zip(&weights).map(|(x, w)| w * x * x).sum::<f64>();
         let off = |x: &Angles| {

@@ -1,9 +1,8 @@
 //! [`Sample`]: how much is measured, and of which solver; and what the measurements share.
 
 use aim::glam::{Affine3A, Vec3};
-use aim::{AimRig, Behind, Outcome, Settings};
+use aim::{Behind, DynAim, Outcome, Pose, Rig, Settings};
 
-use super::chain::pose_for;
 use super::model::{Angles, Model};
 use super::workload::{Motion, double};
 
@@ -39,26 +38,25 @@ pub fn frames(seconds: f64, hz: f32) -> usize {
 
 /// A rig in a pose and its target, for as long as neither moves.
 #[derive(Clone, Debug)]
-pub struct Scene<R: AimRig> {
-    /// The rig.
-    pub rig: R,
+pub struct Scene<R> {
+    /// The character.
+    pub rig: DynAim<R>,
     /// The joints in the pose's space.
     pub pose: Vec<Affine3A>,
     /// The target in the pose's space.
     pub target: Vec3,
 }
 
-impl<R: AimRig> Scene<R> {
+impl<R: Rig> Scene<R> {
     /// The rig in this pose.
     pub fn new(rig: R, pose: &[Affine3A], target: Vec3) -> Self {
-        let joints = rig.joint_infos().len();
-        Self { rig, pose: pose[..joints].to_vec(), target }
+        let joints = rig.description().joints().len();
+        Self { rig: DynAim::new(rig), pose: pose[..joints].to_vec(), target }
     }
 
     /// One frame.
     pub fn step(&mut self, dt: f32, settings: &Settings) -> Outcome {
-        let pose = pose_for(&self.rig, &self.pose);
-        self.rig.aim_with(&pose, self.target, dt, settings)
+        self.rig.aim(&Pose::new(self.pose.as_slice()), self.target, dt, settings)
     }
 
     /// So many frames.
@@ -70,17 +68,17 @@ impl<R: AimRig> Scene<R> {
 
     /// The rig in its pose as the definitions have it.
     pub fn model(&self) -> Model {
-        Model::new(&self.rig, &self.pose)
+        Model::new(&self.rig.rig, &self.pose)
     }
 
     /// The angles as they are.
     pub fn angles(&self, model: &Model) -> Angles {
-        model.read(self.rig.joints().as_ref())
+        model.read(&self.rig.state.joints)
     }
 
     /// What a user sees: the angle between the corrected gaze and the target, radians.
     pub fn remaining(&self, model: &Model) -> f64 {
-        model.seen_remaining(&self.rig, double(self.target))
+        model.seen_remaining(self.rig.corrections(), double(self.target))
     }
 
     /// The pose and the target of a motion at this time.

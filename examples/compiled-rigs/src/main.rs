@@ -12,7 +12,7 @@ mod built {
 use std::error::Error;
 
 use aim::glam::{Affine3A, Vec3};
-use aim::{AimRig, Pose, Status};
+use aim::{AimRig, DynAim, Pose, Rig, Settings, Status};
 use aim_gltf::{Document, PAPER_AXES, mannequin};
 
 /// In metres: the character walks at the origin, faces +Z, its left is +X.
@@ -25,12 +25,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     for target in TARGETS {
         println!("target {}", shown(target));
-        let hero = look("Hero", built::Hero::default(), &built::Hero::BONES, &model, target)?;
-        let extra = look("Extra", built::Extra::default(), &built::Extra::BONES, &model, target)?;
+        let hero = look("Hero", built::Hero::RIG, &model, target)?;
+        let extra = look("Extra", built::Extra::RIG, &model, target)?;
         println!("{hero}{extra}");
         let checked_in = [
-            look("Hero", checked_in::Hero::default(), &checked_in::Hero::BONES, &model, target)?,
-            look("Extra", checked_in::Extra::default(), &checked_in::Extra::BONES, &model, target)?,
+            look("Hero", checked_in::Hero::RIG, &model, target)?,
+            look("Extra", checked_in::Extra::RIG, &model, target)?,
         ];
         if [hero, extra] != checked_in {
             return Err("the checked-in rigs aim otherwise: are they out of date?".into());
@@ -40,51 +40,48 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Lets the rig follow the target for a second of the model's first clip, and tells in words where it looks then.
-fn look<R: AimRig>(
-    name: &str,
-    mut rig: R,
-    bones: &[&[&str]],
-    model: &Document,
-    target: Vec3,
-) -> Result<String, Box<dyn Error>> {
+fn look(name: &str, rig: &dyn Rig, model: &Document, target: Vec3) -> Result<String, Box<dyn Error>> {
     const STEP: f32 = 1.0 / 60.0;
     let skeleton = model.skeleton();
-    let node = |names: &&[&str]| names.iter().find_map(|name| skeleton.find(name).ok());
-    let nodes: Vec<usize> = bones
-        .iter()
-        .map(|names| node(names).ok_or(format!("the model has no bone {names:?}")))
+    let bones = |joint| (0..).map_while(move |candidate| rig.bone_name(joint, candidate));
+    let node = |joint| bones(joint).find_map(|name| skeleton.find(name).ok());
+    let nodes: Vec<usize> = (0..rig.description().joints().len())
+        .map(|joint| node(joint).ok_or(format!("the model has none of the bones of joint {joint}")))
         .collect::<Result<_, _>>()?;
 
+    let mut character = DynAim::new(rig);
     let mut pose = skeleton.rest_pose();
     let mut status = Status::Degenerate;
     for frame in 0..60_u8 {
         let time = STEP * f32::from(frame);
         pose = model.clips().first().map_or_else(|| skeleton.rest_pose(), |clip| skeleton.pose(clip, time));
         let animated = skeleton.world(&pose);
-        let mut joints = rig.array(Affine3A::IDENTITY);
-        for (joint, node) in joints.as_mut().iter_mut().zip(&nodes) {
-            *joint = animated[*node];
-        }
-        status = rig.aim(&Pose { joints }, target, STEP).status;
-        for (joint, correction) in rig.corrections() {
-            pose[nodes[joint]].turn(correction);
+        let joints: Vec<Affine3A> = nodes.iter().map(|&node| animated[node]).collect();
+        status = character.aim(&Pose::new(joints), target, STEP, &Settings::default()).status;
+        for (&node, &correction) in nodes.iter().zip(character.corrections()) {
+            pose[node].turn(correction);
         }
     }
 
     let eye = skeleton.world(&pose)[nodes[0]];
-    let gaze = eye.transform_vector3(rig.effector().forward.into()).normalize();
-    let from = eye.transform_point3(rig.effector().origin.into());
+    let gaze = eye.transform_vector3(rig.description().effector().forward.into()).normalize();
+    let from = eye.transform_point3(rig.description().effector().origin.into());
     let mut text = format!(
         "  {name:<6} {status:?}: from {} along {}, {:.2}° off\n",
         shown(from),
         shown(gaze),
         gaze.angle_between(target - from).to_degrees()
     );
-    for (joint, names) in rig.joints().as_ref().iter().zip(bones) {
+    for (index, joint) in character.state.joints.iter().enumerate() {
         let (heading, pitch) = (joint.heading().to_degrees(), joint.pitch().to_degrees());
         let side = if heading < 0.0 { "right" } else { "left" };
         let height = if pitch < 0.0 { "down" } else { "up" };
-        text += &format!("    {:<9} {:4.1}° {side}, {:4.1}° {height}\n", names[0], heading.abs(), pitch.abs());
+        text += &format!(
+            "    {:<9} {:4.1}° {side}, {:4.1}° {height}\n",
+            bones(index).next().unwrap_or_default(),
+            heading.abs(),
+            pitch.abs()
+        );
     }
     Ok(text)
 }

@@ -6,22 +6,21 @@
 #![forbid(unsafe_code)]
 
 use aim::glam::{Affine3A, Vec3};
-use aim::{AimRig, Joint, Pose};
+use aim::{Aim, AimRig, Joint, Pose, Settings};
 
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y, left = +Z))]
+#[aim(axes(up = +X, forward = +Y, left = +Z), kernels(aim_gradient))]
 struct Thug {
-    #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, comfort = 0.5)]
+    #[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, stiffness = 0.5)]
     left_eye: Joint,
-    #[joint(heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg)]
+    #[joint(role = neck, heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg)]
     neck: Joint,
 }
 
 /// The remaining angle after one frame, in radians.
 pub extern "C" fn aimed(x: f32, y: f32, z: f32) -> f32 {
-    let mut thug = Thug::default();
-    let pose = Pose { joints: [Affine3A::IDENTITY; 2] };
-    thug.aim(&pose, Vec3::new(x, y, z), 1.0 / 60.0).remaining
+    let pose = Pose::new([Affine3A::IDENTITY; 2]);
+    Aim::<Thug>::new().aim(&pose, Vec3::new(x, y, z), 1.0 / 60.0, &Settings::default()).outcome.remaining
 }
 
 /// The eye's aim, for four characters at once.
@@ -31,7 +30,7 @@ pub extern "C" fn aims(x: &[f32; 4], y: &[f32; 4], z: &[f32; 4], aims: &mut [f32
     let (zero, one) = (f32x4::ZERO, f32x4::ONE);
     let link = [one, zero, zero, zero, one, zero, zero, zero, one, zero, zero, zero];
     let target = [x, y, z].map(|coordinates| f32x4::new(*coordinates));
-    let [aim, ..] = Thug::default().aim_gradient(0, &link, &target, &[zero, one, zero, one]);
+    let [aim, ..] = Thug::aim_gradient(0, &link, &target, &[zero, one, zero, one]);
     *aims = aim.to_array();
 }
 

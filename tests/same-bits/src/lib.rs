@@ -9,50 +9,50 @@
 mod limbs;
 
 use aim::glam::{Affine3A, Quat, Vec3};
-use aim::{AimRig, Ascent, Behind, DetailedPose, Joint, Outcome, Pose, Settings, Solver, Status, Target};
+use aim::{Aim, AimRig, Aimed, Ascent, Behind, Joint, Outcome, Pose, Settings, Solver, State, Status, Target};
 
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y, left = +Z), effector(forward = (0.6, 0.8, 0.0), origin = (0.01, 0.02, 0.0)))]
+#[aim(axes(up = +X, forward = +Y, left = +Z), effector(forward = (0.6, 0.8, 0.0), origin = (0.01, 0.02, 0.0)))]
 struct Gazer {
-    #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, comfort = 0.5)]
+    #[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, stiffness = 0.5)]
     left_eye: Joint,
-    #[joint(heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg, acceleration = 1200deg, level = 1.0)]
+    #[joint(role = neck, heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg, acceleration = 1200deg, upright = 1.0)]
     neck: Joint,
-    #[joint(bones(up = +Y, forward = +Z), heading = -20deg..=20deg, pitch = -10deg..=10deg, rate = 70deg,
-        comfort = 4.0, acceleration = 500deg, range = absolute)]
+    #[joint(role = chest, axes(up = +Y, forward = +Z), heading = -20deg..=20deg, pitch = -10deg..=10deg, rate = 70deg,
+        stiffness = 4.0, acceleration = 500deg, limits_from = bind_pose)]
     spine3: Joint,
 }
 
 /// The same without an offset, so that two eyes converge.
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y, left = +Z))]
+#[aim(axes(up = +X, forward = +Y, left = +Z))]
 struct Eyes {
-    #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, comfort = 0.5)]
+    #[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, stiffness = 0.5)]
     left_eye: Joint,
-    #[joint(heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg, acceleration = 1200deg)]
+    #[joint(role = neck, heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg, acceleration = 1200deg)]
     neck: Joint,
-    #[joint(heading = free, rate = 70deg, comfort = 4.0)]
+    #[joint(role = chest, heading = free, rate = 70deg, stiffness = 4.0)]
     spine3: Joint,
 }
 
 /// What most rigs are: no option, and so the way of ordinary frames.
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y, left = +Z))]
+#[aim(axes(up = +X, forward = +Y, left = +Z))]
 struct Plain {
-    #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, comfort = 0.5)]
+    #[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, stiffness = 0.5)]
     left_eye: Joint,
-    #[joint(heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg)]
+    #[joint(role = neck, heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg)]
     neck: Joint,
-    #[joint(bones(up = +Y, forward = +Z), heading = -20deg..=20deg, pitch = -10deg..=10deg, rate = 70deg,
-        comfort = 4.0)]
+    #[joint(role = chest, axes(up = +Y, forward = +Z), heading = -20deg..=20deg, pitch = -10deg..=10deg, rate = 70deg,
+        stiffness = 4.0)]
     spine3: Joint,
 }
 
 /// An eye and nothing else, in closed form.
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y, left = +Z))]
+#[aim(axes(up = +X, forward = +Y, left = +Z))]
 struct Alone {
-    #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]
+    #[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]
     left_eye: Joint,
 }
 
@@ -90,7 +90,7 @@ pub extern "C" fn hash(run: u32) -> u64 {
         settings = settings.with_ascent(Ascent::paper());
     }
     let (mut gazer, mut eyes, mut plain, mut alone) =
-        (Gazer::default(), Eyes::default(), Plain::default(), Alone::default());
+        (Aim::<Gazer>::new(), Aim::<Eyes>::new(), Aim::<Plain>::new(), Aim::<Alone>::new());
     let (mut world, mut hash) = (World::new(u64::from(run)), Fnv::default());
     for frame in 0..FRAMES {
         world.pass(frame, *name == "stretched poses");
@@ -105,25 +105,22 @@ pub extern "C" fn hash(run: u32) -> u64 {
             }
         }
         let pose = world.pose();
-        let outcome = match *name {
-            "snaps" => gazer.snap_with(&pose, world.target, &settings),
+        match *name {
+            "snaps" => hash.aimed(&gazer.snap(&pose, world.target, &settings), &gazer.state),
             "both eyes" => {
-                eyes.aim_with(&DetailedPose::from(pose).with_pair(world.pair()), world.target, world.dt, &settings)
+                let pose = pose.with_other_eye(world.pair());
+                hash.aimed(&eyes.aim(&pose, world.target, world.dt, &settings), &eyes.state);
             }
             "several targets" => {
                 let targets = [Target::new(world.target, 0.6), Target::new(-world.target, 0.3)];
-                gazer.aim_at(&pose, &targets, world.dt, &settings)
+                hash.aimed(&gazer.aim(&pose, &targets, world.dt, &settings), &gazer.state);
             }
-            "ordinary frames" => plain.aim_with(&pose, world.target, world.dt, &settings),
-            "an eye alone" => alone.aim_with(&Pose { joints: [pose.joints[0]] }, world.target, world.dt, &settings),
-            _ => gazer.aim_with(&pose, world.target, world.dt, &settings),
-        };
-        hash.outcome(&outcome);
-        match *name {
-            "both eyes" => hash.rig(&eyes),
-            "ordinary frames" => hash.rig(&plain),
-            "an eye alone" => hash.rig(&alone),
-            _ => hash.rig(&gazer),
+            "ordinary frames" => hash.aimed(&plain.aim(&pose, world.target, world.dt, &settings), &plain.state),
+            "an eye alone" => {
+                let pose = Pose::new([pose.joints[0]]);
+                hash.aimed(&alone.aim(&pose, world.target, world.dt, &settings), &alone.state);
+            }
+            _ => hash.aimed(&gazer.aim(&pose, world.target, world.dt, &settings), &gazer.state),
         }
     }
     hash.0
@@ -161,15 +158,14 @@ impl Fnv {
         });
     }
 
-    fn rig(&mut self, rig: &impl AimRig) {
-        for joint in rig.joints().as_ref() {
+    fn aimed<const N: usize>(&mut self, aimed: &Aimed<[Quat; N]>, state: &State<[Joint; N]>) {
+        self.outcome(&aimed.outcome);
+        for joint in &state.joints {
             self.float(joint.heading());
             self.float(joint.pitch());
         }
-        for (_, correction) in rig.corrections() {
-            self.turns(&[correction]);
-        }
-        if let Some(correction) = rig.pair_correction() {
+        self.turns(&aimed.corrections);
+        if let Some(correction) = aimed.outcome.other_eye_correction {
             self.turns(&[correction]);
         }
     }
@@ -265,13 +261,11 @@ impl World {
     /// The character faces −Z, its up is +Y.
     fn pose(&self) -> Pose<[Affine3A; 3]> {
         let [up, forward, left] = [Vec3::Y, Vec3::NEG_Z, Vec3::NEG_X];
-        Pose {
-            joints: [
-                self.bone(0, [up, forward, left], Vec3::new(-0.03, 1.68, -0.1)),
-                self.bone(1, [up, forward, left], Vec3::new(0.0, 1.55, 0.02)),
-                self.bone(2, [left, up, forward], Vec3::new(0.0, 1.3, 0.03)),
-            ],
-        }
+        Pose::new([
+            self.bone(0, [up, forward, left], Vec3::new(-0.03, 1.68, -0.1)),
+            self.bone(1, [up, forward, left], Vec3::new(0.0, 1.55, 0.02)),
+            self.bone(2, [left, up, forward], Vec3::new(0.0, 1.3, 0.03)),
+        ])
     }
 
     fn pair(&self) -> Affine3A {

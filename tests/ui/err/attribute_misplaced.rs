@@ -1,7 +1,7 @@
 use aim::{AimRig, Joint};
 
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y, left = +Z))]
+#[aim(axes(up = +X, forward = +Y, left = +Z))]
 #[joint(rate = 450deg)]
 struct Thug {
     #[joint(heading = -35deg..=35deg, rate = 450deg)]

@@ -1,7 +1,7 @@
 use aim::{AimRig, Joint};
 
 #[derive(AimRig)]
-#[aim(bones(up = +X, down = -X, forward = +Y))]
+#[aim(axes(up = +X, down = -X, forward = +Y))]
 struct Thug {
     #[joint(heading = -35deg..=35deg, rate = 450deg)]
     left_eye: Joint,

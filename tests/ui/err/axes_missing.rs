@@ -14,7 +14,7 @@ struct Guard {
 }
 
 #[derive(AimRig)]
-#[aim(bones())]
+#[aim(axes())]
 struct Turret {
     #[joint(heading = -35deg..=35deg, rate = 450deg)]
     left_eye: Joint,

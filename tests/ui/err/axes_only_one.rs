@@ -1,14 +1,14 @@
 use aim::{AimRig, Joint};
 
 #[derive(AimRig)]
-#[aim(bones(up = +X))]
+#[aim(axes(up = +X))]
 struct Thug {
     #[joint(heading = -35deg..=35deg, rate = 450deg)]
     left_eye: Joint,
 }
 
 #[derive(AimRig)]
-#[aim(bones(forward = +Y))]
+#[aim(axes(forward = +Y))]
 struct Guard {
     #[joint(heading = -35deg..=35deg, rate = 450deg)]
     left_eye: Joint,

@@ -1,14 +1,14 @@
 use aim::{AimRig, Joint};
 
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = -X))]
+#[aim(axes(up = +X, forward = -X))]
 struct Thug {
     #[joint(heading = -35deg..=35deg, rate = 450deg)]
     left_eye: Joint,
 }
 
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y, left = +Y))]
+#[aim(axes(up = +X, forward = +Y, left = +Y))]
 struct Guard {
     #[joint(heading = -35deg..=35deg, rate = 450deg)]
     left_eye: Joint,

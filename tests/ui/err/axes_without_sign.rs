@@ -1,14 +1,14 @@
 use aim::{AimRig, Joint};
 
 #[derive(AimRig)]
-#[aim(bones(up = X, forward = +Y))]
+#[aim(axes(up = X, forward = +Y))]
 struct Thug {
     #[joint(heading = -35deg..=35deg, rate = 450deg)]
     left_eye: Joint,
 }
 
 #[derive(AimRig)]
-#[aim(bones(up = +W, forward = +y))]
+#[aim(axes(up = +W, forward = +y))]
 struct Guard {
     #[joint(heading = -35deg..=35deg, rate = 450deg)]
     left_eye: Joint,

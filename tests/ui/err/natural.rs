@@ -2,7 +2,7 @@ use aim::{AimRig, Joint};
 
 #[derive(AimRig)]
 #[aim(
-    bones(up = +X, forward = +Y, left = +Z),
+    axes(up = +X, forward = +Y, left = +Z),
     natural(eyes_only = 200deg, head_share = 80, engage = 8deg, release = 15deg, delay = 50ms, attention = 1)
 )]
 struct Thug {

@@ -1,7 +1,7 @@
 use aim::{AimRig, Joint};
 
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y, left = +Z))]
+#[aim(axes(up = +X, forward = +Y, left = +Z))]
 struct Thug {
     #[joint(heading = 35deg, pitch = 20, rate = 450deg)]
     left_eye: Joint,

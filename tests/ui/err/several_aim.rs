@@ -1,7 +1,7 @@
 use aim::{AimRig, Joint};
 
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y))]
+#[aim(axes(up = +X, forward = +Y))]
 #[aim(handedness = right)]
 struct Thug {
     #[joint(heading = -35deg..=35deg, rate = 450deg)]

@@ -2,14 +2,14 @@
 use aim::{AimRig, Joint};
 
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y, left = +Z))]
+#[aim(axes(up = +X, forward = +Y, left = +Z))]
 struct Thug {
     #[joint(heading = -35deg..=35deg, rate = "450°")]
     left_eye: Joint,
 }
 
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y, left = +Z))]
+#[aim(axes(up = +X, forward = +Y, left = +Z))]
 struct Guard {
     #[joint(heading = -35°..=35°, rate = 450deg)]
     left_eye: Joint,

@@ -1,9 +1,9 @@
 use aim::{AimRig, Joint};
 
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y, left = +Z))]
+#[aim(axes(up = +X, forward = +Y, left = +Z))]
 struct Thug {
-    #[joint(heading = -35deg..=35deg, rate = 450deg, comfort = 0.5deg, level = 1rad)]
+    #[joint(heading = -35deg..=35deg, rate = 450deg, stiffness = 0.5deg, upright = 1rad)]
     left_eye: Joint,
 }
 

@@ -1,7 +1,7 @@
 use aim::{AimRig, Joint};
 
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y, sideways = +Z), hand = left, comfort = 2.0)]
+#[aim(axes(up = +X, forward = +Y, sideways = +Z), hand = left, stiffness = 2.0)]
 struct Thug {
     #[joint(headng = -35deg..=35deg, speed = 450deg, handedness = left, colour = 3)]
     left_eye: Joint,

@@ -6,7 +6,7 @@ mod reexport {
 macro_rules! rig {
     ($name:ident, $eye:ident, $low:literal, $high:expr, $rate:literal, $facade:path, $side:tt, [$($x:literal),*]) => {
         #[derive(::aim::AimRig)]
-        #[aim(bones(up = +X, forward = +Y), handedness = $side, effector(origin = ($($x),*)), crate = $facade)]
+        #[aim(axes(up = +X, forward = +Y), handedness = $side, effector(origin = ($($x),*)), crate = $facade)]
         struct $name {
             #[joint(heading = $low..=$high, rate = $rate, bone = "eye")]
             $eye: ::aim::Joint,
@@ -23,5 +23,5 @@ macro_rules! outer {
 outer!(-20deg, 450deg);
 
 fn main() {
-    let _ = Thug::default();
+    let _ = <Thug as ::aim::AimRig>::RIG;
 }

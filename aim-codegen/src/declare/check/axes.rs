@@ -12,7 +12,7 @@ use crate::declare::tree::{Kind, Notation, Value};
 /// How far a vector's length may be from 1.
 const UNIT_TOLERANCE: f64 = 1e-3;
 
-/// What `bones` may say; each direction is followed by its opposite.
+/// What `axes` may say; each direction is followed by its opposite.
 const KEYS: [Key; 6] = [
     ("up", Expected::Direction),
     ("down", Expected::Direction),
@@ -81,10 +81,10 @@ impl Axes<'_> {
     }
 }
 
-/// Reads `bones`. A triple that is skewed gets its handedness checked here, as there will be no frame to check.
+/// Reads `axes`. A triple that is skewed gets its handedness checked here, as there will be no frame to check.
 pub(super) fn read<'t>(report: &mut Report, owner: Owner, hand: f64, value: &'t Value) -> Option<Axes<'t>> {
     let Kind::Table(entries) = &value.kind else {
-        read::mismatch(report, "bones", Expected::Axes, value);
+        read::mismatch(report, "axes", Expected::Axes, value);
         return None;
     };
     let settings = Settings::read(entries, &KEYS, Level::Table, report);

@@ -8,23 +8,28 @@ use super::report::Report;
 use super::settings::{Key, Settings};
 use crate::declare::messages::{self, Expected, Owner};
 use crate::declare::tree::{Joint, Kind, Value};
-use crate::{AngleRange, Frame, JointSpec};
+use crate::{AngleRange, Frame, JointSpec, LimitsFrom, Role};
 
 /// What a joint may say.
 pub(super) const KEYS: &[Key] = &[
+    ("role", Expected::Role),
     ("heading", Expected::HeadingRange),
     ("pitch", Expected::AngleRange),
     ("rate", Expected::Rate),
     ("acceleration", Expected::Acceleration),
-    ("comfort", Expected::Number),
-    ("level", Expected::Number),
-    ("narrowing", Expected::Number),
-    ("range", Expected::RangeKind),
+    ("stiffness", Expected::Number),
+    ("upright", Expected::Number),
+    ("pitch_taper", Expected::Number),
+    ("limits_from", Expected::LimitsFrom),
     ("bone", Expected::NodeNames),
-    ("pair", Expected::NodeName),
-    ("bones", Expected::Axes),
+    ("other_eye", Expected::NodeName),
+    ("axes", Expected::Axes),
     ("mirrored", Expected::Flag),
 ];
+
+/// The largest rate that is accepted, rad/s (5730°/s). Human eyes reach 700°/s and fast machines a few turns a second;
+/// beyond, degrees were written as radians.
+const FASTEST_RAD_S: f64 = 100.0;
 
 /// Checks a joint; `None` if anything of it was reported.
 pub(super) fn check(
@@ -41,30 +46,42 @@ pub(super) fn check(
         report.error(name_place(joint), messages::no_angle(&name, report.notation));
     }
     let rate = settings.get("rate").and_then(|value| read::positive_angle(report, "rate", Expected::Rate, value));
+    if let Some(fast) = rate.filter(|rate| *rate > FASTEST_RAD_S) {
+        if let Some(value) = settings.get("rate") {
+            report.error(&value.place, messages::rate_beyond(&value.describe(), fast, report.notation));
+        }
+    }
+    let rate = rate.filter(|rate| *rate <= FASTEST_RAD_S);
     if !settings.has("rate") {
         report.error(name_place(joint), messages::no_rate(&name, report.notation));
     }
     let acceleration = settings
         .get("acceleration")
         .map(|value| read::positive_angle(report, "acceleration", Expected::Acceleration, value));
-    let comfort = settings.get("comfort").map_or(Some(1.0), |value| read::positive_number(report, "comfort", value));
-    let level = settings.get("level").map(|value| read::share(report, "level", value));
+    let stiffness =
+        settings.get("stiffness").map_or(Some(1.0), |value| read::positive_number(report, "stiffness", value));
+    let upright = settings.get("upright").map(|value| read::share(report, "upright", value));
     let has_ends = settings.has("heading") && settings.has("pitch") && heading != Some(Some(AngleRange::Free));
-    let narrowing = settings.get("narrowing").map(|value| {
+    let pitch_taper = settings.get("pitch_taper").map(|value| {
         if !has_ends {
-            report
-                .error(&value.place, messages::narrowing_without_ends(settings.has("heading"), settings.has("pitch")));
+            report.error(
+                &value.place,
+                messages::pitch_taper_without_ends(settings.has("heading"), settings.has("pitch")),
+            );
         }
-        read::share(report, "narrowing", value)
+        read::share(report, "pitch_taper", value)
     });
-    let absolute = settings.get("range").map_or(Some(false), |value| {
-        read::either(report, "range", Expected::RangeKind, ["absolute", "relative"], value)
+    let limits_from = settings.get("limits_from").map_or(Some(LimitsFrom::Animation), |value| {
+        let words = ["bind_pose", "animation"];
+        let is_bind_pose = read::either(report, "limits_from", Expected::LimitsFrom, words, value)?;
+        Some(if is_bind_pose { LimitsFrom::BindPose } else { LimitsFrom::Animation })
     });
-    let pair = settings.get("pair").and_then(|value| {
+    let role = settings.get("role").map_or(Some(Role::None), |value| read::role(report, "role", value));
+    let other_eye = settings.get("other_eye").and_then(|value| {
         if !is_first {
-            report.error(&value.place, messages::pair_inward());
+            report.error(&value.place, messages::other_eye_inward());
         }
-        read::node(report, "pair", Expected::NodeName, value).map(|(pair, _)| pair.to_owned())
+        read::node(report, "other_eye", Expected::NodeName, value).map(|(node, _)| node.to_owned())
     });
     let bones = match settings.get("bone") {
         Some(value) => read::nodes(report, "bone", value).into_iter().map(|(bone, _)| bone.to_owned()).collect(),
@@ -76,25 +93,26 @@ pub(super) fn check(
     Some(JointSpec {
         name,
         bones,
+        role: role?,
         frame: frame?,
         pitch: optional(pitch)?,
         heading: optional(heading)?,
-        absolute: absolute?,
+        limits_from: limits_from?,
         rate: rate?,
         acceleration: match acceleration {
             Some(acceleration) => Some(acceleration?),
             None => None,
         },
-        comfort: comfort?,
-        level: match level {
-            Some(level) => Some(level?),
+        stiffness: stiffness?,
+        upright: match upright {
+            Some(upright) => Some(upright?),
             None => None,
         },
-        narrowing: match narrowing {
-            Some(narrowing) => Some(narrowing?),
+        pitch_taper: match pitch_taper {
+            Some(taper) => Some(taper?),
             None => None,
         },
-        pair,
+        other_eye,
     })
 }
 
@@ -119,7 +137,7 @@ fn frame(settings: &Settings<'_>, conventions: &Conventions<'_>, report: &mut Re
     };
     let (owner, hand) =
         if mirrored { (Owner::MirroredJoint, -conventions.hand) } else { (Owner::Joint, conventions.hand) };
-    if let Some(value) = settings.get("bones") {
+    if let Some(value) = settings.get("axes") {
         let axes = axes::read(report, owner, hand, value)?;
         return axes.frame(report, owner, hand);
     }

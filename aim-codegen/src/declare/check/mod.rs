@@ -3,6 +3,7 @@
 mod axes;
 mod frame;
 mod joint;
+mod kernels;
 mod names;
 mod natural;
 mod range;
@@ -22,10 +23,11 @@ use crate::{EffectorSpec, Frame, JointSpec, RigSpec};
 
 /// What a rig may say; `crate` in a macro only, `joint` in TOML only.
 const RIG_KEYS: &[Key] = &[
-    ("bones", Expected::Axes),
+    ("axes", Expected::Axes),
     ("handedness", Expected::Side),
     ("effector", Expected::Effector),
     ("natural", Expected::Natural),
+    ("kernels", Expected::Kernels),
     ("crate", Expected::Path),
     ("joint", Expected::Joints),
 ];
@@ -74,7 +76,7 @@ fn check_rig(rig: &Rig, report: &mut Report) -> Option<Checked> {
         .get("handedness")
         .map_or(Some(true), |value| read::either(report, "handedness", Expected::Side, ["right", "left"], value));
     let hand = if right == Some(false) { -1.0 } else { 1.0 };
-    let axes = settings.get("bones").and_then(|value| axes::read(report, Owner::Rig, hand, value));
+    let axes = settings.get("axes").and_then(|value| axes::read(report, Owner::Rig, hand, value));
     let frame = axes.as_ref().and_then(|axes| axes.frame(report, Owner::Rig, hand));
     let conventions = Conventions { hand, axes, frame };
 
@@ -99,10 +101,10 @@ fn check_rig(rig: &Rig, report: &mut Report) -> Option<Checked> {
             joints.push((joint, settings));
         }
     }
-    let inherits = joints.iter().any(|(_, settings)| !settings.has("bones"));
+    let inherits = joints.iter().any(|(_, settings)| !settings.has("axes"));
     let declares_nothing =
         report.notation == Notation::Rust && rig.section.attributes.iter().any(|found| !found.has_list);
-    if inherits && !settings.has("bones") && !declares_nothing {
+    if inherits && !settings.has("axes") && !declares_nothing {
         report.error(missing_axes_place(rig), messages::no_axes(rig.notation));
     }
 
@@ -117,6 +119,7 @@ fn check_rig(rig: &Rig, report: &mut Report) -> Option<Checked> {
     let first = specs.as_ref().and_then(|specs| specs.first()).map(|joint| joint.frame);
     let effector = effector(settings.get("effector"), first, report);
     let natural = settings.get("natural").map(|value| natural::check(value, report));
+    let kernels = settings.get("kernels").map_or_else(Vec::new, |value| kernels::check(value, report));
     let name = match &rig.name {
         Some(Value { kind: Kind::Text(name), .. }) => name.clone(),
         _ => return None,
@@ -125,7 +128,7 @@ fn check_rig(rig: &Rig, report: &mut Report) -> Option<Checked> {
         Some(natural) => Some(natural?),
         None => None,
     };
-    Some(Checked { spec: RigSpec { name, joints: specs?, effector: effector?, natural }, krate })
+    Some(Checked { spec: RigSpec { name, joints: specs?, effector: effector?, natural, kernels }, krate })
 }
 
 /// The attribute that should hold them, or the struct's name; in TOML the file's beginning.
@@ -142,8 +145,8 @@ fn check_item(rig: &Rig, report: &mut Report) {
     if let Some(place) = &item.generics {
         report.error(place, messages::generics());
     }
-    for derive in &item.derives {
-        report.error(&derive.place, messages::sibling_derive(&derive.text));
+    for (field, found) in &item.foreign {
+        report.error(&found.place, messages::foreign_field(field, &found.text));
     }
     for attribute in &item.misplaced {
         report.error(&attribute.place, messages::misplaced(&attribute.text));

@@ -7,6 +7,7 @@ use crate::declare::messages::{self, Expected};
 use crate::declare::place::Place;
 use crate::declare::tree::{Joint, Kind, Notation, Rig, Value};
 use crate::names::{is_rust_keyword, keyword_of, snake_case};
+use crate::text;
 
 /// Checks the names of the rig and of its joints.
 pub(super) fn check(rig: &Rig, report: &mut Report) {
@@ -31,7 +32,7 @@ pub(super) fn check(rig: &Rig, report: &mut Report) {
                 } else {
                     messages::name_collision(first, name, &snake)
                 };
-                report.error_with_note(&value.place, text, messages::first_use(first), place);
+                report.error_with_note(&value.place, text, text::first_use(first), place);
             }
             None => seen.push((name, snake, &value.place)),
         }
@@ -84,7 +85,7 @@ pub(super) fn check_bones(joints: &[(&Joint, Settings<'_>)], report: &mut Report
             (None, Some(Value { kind: Kind::Text(name), place })) => own.push((name, place, true)),
             _ => {}
         }
-        if let Some(value) = settings.get("pair") {
+        if let Some(value) = settings.get("other_eye") {
             own.extend(texts(value).map(|(bone, place)| (bone, place, false)));
         }
         for (bone, place, by_name) in own {
@@ -95,7 +96,7 @@ pub(super) fn check_bones(joints: &[(&Joint, Settings<'_>)], report: &mut Report
                     let note = if *first_by_name || by_name {
                         messages::default_bone_here(bone)
                     } else {
-                        messages::first_use(bone)
+                        text::first_use(bone)
                     };
                     // The explicit name is the one to change, so it carries the error.
                     let (place, other) = if by_name { (*first, place) } else { (place, *first) };

@@ -11,6 +11,9 @@ use crate::declare::tree::{Kind, Notation, Value};
 /// How far beyond ±π a range's end may lie to mean ±π: radians are written with few digits.
 const ROUNDING_RAD: f64 = 1e-5;
 
+/// Less than this to both sides is no range of motion, radians (1°): radians were written as degrees.
+const SMALLEST_RAD: f64 = PI / 180.0;
+
 /// Reads the range of `heading` or `pitch`.
 pub(super) fn range(report: &mut Report, key: &str, value: &Value) -> Option<AngleRange> {
     let expected = if key == "heading" { Expected::HeadingRange } else { Expected::AngleRange };
@@ -71,6 +74,8 @@ fn between(report: &mut Report, key: &str, low: &Value, high: &Value, whole: &Va
         messages::range_empty(key)
     } else if from > 0.0 || to < 0.0 {
         messages::range_without_zero(key, text(low), text(high))
+    } else if -from < SMALLEST_RAD && to < SMALLEST_RAD {
+        messages::range_tiny(key, [text(low), text(high)], report.notation)
     } else {
         return Some(AngleRange::Between(from, to));
     };

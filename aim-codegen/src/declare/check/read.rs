@@ -2,11 +2,12 @@
 
 use super::frame;
 use super::report::Report;
-use crate::declare::diagnostics::Text;
 use crate::declare::literal;
 use crate::declare::messages::{self, Expected};
 use crate::declare::place::Place;
 use crate::declare::tree::{Kind, Notation, Number, Value};
+use crate::text::Text;
+use crate::{Role, names};
 
 /// Reports a value of the wrong kind, with the help that fits what was found.
 pub(super) fn mismatch(report: &mut Report, key: &str, expected: Expected, value: &Value) {
@@ -36,7 +37,7 @@ pub(super) fn mismatch(report: &mut Report, key: &str, expected: Expected, value
 }
 
 fn takes_words(expected: Expected) -> bool {
-    matches!(expected, Expected::Side | Expected::RangeKind | Expected::Flag)
+    matches!(expected, Expected::Side | Expected::LimitsFrom | Expected::Role | Expected::Flag)
 }
 
 fn takes_strings(expected: Expected) -> bool {
@@ -173,6 +174,24 @@ pub(super) fn either(
             None
         }
     }
+}
+
+/// A role.
+pub(super) fn role(report: &mut Report, key: &str, value: &Value) -> Option<Role> {
+    let Kind::Word(word) = &value.kind else {
+        mismatch(report, key, Expected::Role, value);
+        return None;
+    };
+    if let Some(role) = Role::ALL.into_iter().find(|role| role.as_str() == word) {
+        return Some(role);
+    }
+    let nearest = names::nearest(word, Role::ALL.into_iter().map(Role::as_str));
+    let nearest = nearest.and_then(|near| Role::ALL.into_iter().find(|role| role.as_str() == near));
+    report.error(
+        &value.place,
+        messages::unknown_role(word, nearest.or_else(|| aim_model::BoneName::new(word).role()), report.notation),
+    );
+    None
 }
 
 /// A node's name.

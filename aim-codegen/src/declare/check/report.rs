@@ -1,8 +1,9 @@
 //! [`Report`]: collects what is wrong; nothing stops at the first error.
 
-use crate::declare::diagnostics::{Diagnostic, Text};
+use crate::declare::diagnostics::Diagnostic;
 use crate::declare::place::Place;
 use crate::declare::tree::Notation;
+use crate::text::Text;
 
 /// The errors found so far.
 pub(super) struct Report {

@@ -4,6 +4,7 @@ use super::report::Report;
 use crate::declare::messages::{self, Expected};
 use crate::declare::tree::{Entry, Item, Kind, Value};
 use crate::names;
+use crate::text;
 
 /// A known key and what its value has to be.
 pub(super) type Key = (&'static str, Expected);
@@ -32,13 +33,21 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("speed", "rate"),
     ("velocity", "rate"),
     ("accel", "acceleration"),
-    ("weight", "comfort"),
-    ("stiffness", "comfort"),
+    ("weight", "stiffness"),
     ("node", "bone"),
-    ("axes", "bones"),
     ("backward", "back"),
     ("front", "forward"),
     ("mirror", "mirrored"),
+];
+
+/// Keys of earlier versions and what they are called now.
+const RENAMED: &[(&str, &str)] = &[
+    ("bones", "axes"),
+    ("comfort", "stiffness"),
+    ("level", "upright"),
+    ("narrowing", "pitch_taper"),
+    ("pair", "other_eye"),
+    ("range", "limits_from"),
 ];
 
 impl<'t> Settings<'t> {
@@ -48,13 +57,13 @@ impl<'t> Settings<'t> {
             match entry {
                 Entry::Item(item) => settings.add(item, known, level, report),
                 Entry::Stray(word) => report.error(&word.place, messages::stray(&word.text)),
-                Entry::NoComma(word) => report.error(&word.place, messages::no_comma(&word.text)),
+                Entry::NoComma(word) => report.error(&word.place, text::no_comma(&word.text, "settings")),
                 #[cfg(feature = "toml")]
                 Entry::Repeated { key, first } => {
                     let text = messages::duplicate_key(&key.text);
                     match first {
                         Some(first) => {
-                            report.error_with_note(&key.place, text, messages::first_use(&key.text), first);
+                            report.error_with_note(&key.place, text, text::first_use(&key.text), first);
                         }
                         None => report.error(&key.place, text),
                     }
@@ -81,7 +90,7 @@ impl<'t> Settings<'t> {
             return;
         };
         if let Some(first) = self.items.iter().find(|first| first.key.text == key) {
-            let note = messages::first_use(key);
+            let note = text::first_use(key);
             report.error_with_note(&item.key.place, messages::duplicate_key(key), note, &first.key.place);
             return;
         }
@@ -98,7 +107,13 @@ impl<'t> Settings<'t> {
         let names: Vec<&'static str> = known.iter().map(|(name, _)| *name).collect();
         let (is_rig, is_joint) = (super::RIG_KEYS, super::JOINT_KEYS);
         let of = |keys: &[Key]| keys.iter().any(|(name, _)| *name == key);
+        let renamed = RENAMED.iter().find(|(old, new)| *old == key && names.contains(new));
         let text = match level {
+            _ if renamed.is_some() => {
+                let new = renamed.map_or("", |(_, new)| new);
+                self.present.push(new);
+                messages::renamed_key(key, new, &item.value, report.notation)
+            }
             Level::Joint if of(is_rig) => messages::key_of_rig(key, report.notation),
             Level::Rig if of(is_joint) => messages::key_of_joint(key, report.notation),
             _ => {
@@ -126,7 +141,7 @@ mod tests {
 
     #[test]
     fn the_nearest_key_is_found_or_none() {
-        let known = ["heading", "pitch", "rate", "comfort", "bone", "bones", "back"];
+        let known = ["heading", "pitch", "rate", "stiffness", "bone", "axes", "back"];
         for (key, meant) in [
             ("headng", Some("heading")),
             ("haeding", Some("heading")),

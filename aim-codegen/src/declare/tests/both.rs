@@ -13,7 +13,7 @@ struct Case {
     errors: &'static [[&'static str; 3]],
 }
 
-const RIG: [&str; 2] = ["bones(up = +X, forward = +Y)", r#"bones = { up = "+X", forward = "+Y" }"#];
+const RIG: [&str; 2] = ["axes(up = +X, forward = +Y)", r#"axes = { up = "+X", forward = "+Y" }"#];
 const JOINT: [&str; 2] =
     ["heading = -35deg..=35deg, rate = 450deg", "heading = [\"-35deg\", \"35deg\"]\nrate = \"450deg\""];
 
@@ -76,9 +76,20 @@ macro_rules! setting {
     };
 }
 
-macro_rules! bones {
+/// A joint's rate in otherwise good order.
+macro_rules! for_rate {
+    ($rate:literal, $message:literal) => {
+        joint(
+            concat!("heading = free, rate = ", $rate),
+            concat!("heading = \"free\"\nrate = \"", $rate, "\""),
+            &[[$message, $rate, concat!("\"", $rate, "\"")]],
+        )
+    };
+}
+
+macro_rules! axes {
     ($rust:literal, $toml:literal, $($error:expr),+) => {
-        rig(concat!("bones(", $rust, ")"), concat!("bones = { ", $toml, " }"), &[$($error),+])
+        rig(concat!("axes(", $rust, ")"), concat!("axes = { ", $toml, " }"), &[$($error),+])
     };
 }
 
@@ -158,17 +169,22 @@ fn positive_numbers() {
         "\"1e999deg\"",
         ["`acceleration` must be finite, `1e999deg` is not", "1e999deg", "\"1e999deg\""]
     );
-    setting!("comfort", "0", "0", ["`comfort` must be positive, `0` is zero", "0", "0"]);
-    setting!("comfort", "-0.5", "-0.5", ["`comfort` must be positive, `-0.5` is negative", "-0.5", "-0.5"]);
-    setting!("comfort", "1e39", "1e39", ["`comfort` must be finite, `1e39` is not", "1e39", "1e39"]);
-    setting!("comfort", "1deg", "\"1deg\"", ["`comfort` is a plain number, found the unit `deg`", "1deg", "\"1deg\""]);
-    setting!("level", "1.5", "1.5", ["`level` must lie in 0 to 1, found `1.5`", "1.5", "1.5"]);
-    setting!("level", "-0.1", "-0.1", ["`level` must lie in 0 to 1, found `-0.1`", "-0.1", "-0.1"]);
-    let both = "heading = -35deg..=35deg, pitch = -9deg..=9deg, rate = 450deg, narrowing = 1.1";
+    setting!("stiffness", "0", "0", ["`stiffness` must be positive, `0` is zero", "0", "0"]);
+    setting!("stiffness", "-0.5", "-0.5", ["`stiffness` must be positive, `-0.5` is negative", "-0.5", "-0.5"]);
+    setting!("stiffness", "1e39", "1e39", ["`stiffness` must be finite, `1e39` is not", "1e39", "1e39"]);
+    setting!(
+        "stiffness",
+        "1deg",
+        "\"1deg\"",
+        ["`stiffness` is a plain number, found the unit `deg`", "1deg", "\"1deg\""]
+    );
+    setting!("upright", "1.5", "1.5", ["`upright` must lie in 0 to 1, found `1.5`", "1.5", "1.5"]);
+    setting!("upright", "-0.1", "-0.1", ["`upright` must lie in 0 to 1, found `-0.1`", "-0.1", "-0.1"]);
+    let both = "heading = -35deg..=35deg, pitch = -9deg..=9deg, rate = 450deg, pitch_taper = 1.1";
     joint(
         both,
-        "heading = [\"-35deg\", \"35deg\"]\npitch = [\"-9deg\", \"9deg\"]\nrate = \"450deg\"\nnarrowing = 1.1",
-        &[["`narrowing` must lie in 0 to 1, found `1.1`", "1.1", "1.1"]],
+        "heading = [\"-35deg\", \"35deg\"]\npitch = [\"-9deg\", \"9deg\"]\nrate = \"450deg\"\npitch_taper = 1.1",
+        &[["`pitch_taper` must lie in 0 to 1, found `1.1`", "1.1", "1.1"]],
     );
     joint(
         "heading = -1deg..=1deg, rate = 0rad",
@@ -186,17 +202,17 @@ fn positive_numbers() {
 fn wrong_kinds() {
     setting!("mirrored", "left", "\"left\"", ["`mirrored` needs `true` or `false`, found `left`", "left", "\"left\""]);
     setting!(
-        "range",
+        "limits_from",
         "total",
         "\"total\"",
-        ["`range` needs `absolute` or `relative`, found `total`", "total", "\"total\""]
+        ["`limits_from` needs `animation` or `bind_pose`, found `total`", "total", "\"total\""]
     );
     setting!("bone", "3", "3", ["`bone` needs a node's name or a list of names, found `3`", "3", "3"]);
     setting!("bone", "[\"a\", 3]", "[\"a\", 3]", ["`bone` needs a node's name, found `3`", "3", "3"]);
     setting!("bone", "[]", "[]", ["`bone` names no node", "[]", "[]"]);
-    setting!("pair", "\"\"", "\"\"", ["`pair` names no node", "\"\"", "\"\""]);
-    setting!("comfort", "much", "\"much\"", ["`comfort` needs a plain number, found `much`", "much", "\"much\""]);
-    setting!("bones", "+X", "\"+X\"", ["`bones` needs two or three axes, found `+X`", "+X", "\"+X\""]);
+    setting!("other_eye", "\"\"", "\"\"", ["`other_eye` names no node", "\"\"", "\"\""]);
+    setting!("stiffness", "much", "\"much\"", ["`stiffness` needs a plain number, found `much`", "much", "\"much\""]);
+    setting!("axes", "+X", "\"+X\"", ["`axes` needs two or three axes, found `+X`", "+X", "\"+X\""]);
 }
 
 #[test]
@@ -226,16 +242,16 @@ fn keys() {
         ["`handedness` is a setting of the rig, not of a joint", "handedness", "handedness"]
     );
     rig(
-        "bones(up = +X, forward = +Y), comfort = 1",
-        "bones = { up = \"+X\", forward = \"+Y\" }\ncomfort = 1",
-        &[["`comfort` is a setting of a joint, not of the rig", "comfort", "comfort"]],
+        "axes(up = +X, forward = +Y), stiffness = 1",
+        "axes = { up = \"+X\", forward = \"+Y\" }\nstiffness = 1",
+        &[["`stiffness` is a setting of a joint, not of the rig", "stiffness", "stiffness"]],
     );
-    bones!(
+    axes!(
         "up = +X, forward = +Y, sideways = +Z",
         r#"up = "+X", forward = "+Y", sideways = "+Z""#,
         ["unknown setting `sideways`", "sideways", "sideways"]
     );
-    bones!(
+    axes!(
         "up = +X, forward = +Y, up = +X",
         r#"up = "+X", forward = "+Y", up = "+X""#,
         ["`up` is set twice", "up", "up"]
@@ -243,22 +259,69 @@ fn keys() {
 }
 
 #[test]
+fn keys_of_earlier_versions_name_the_new_ones() {
+    // The new key counts as there: one mistake, one error.
+    rig(
+        "bones(up = +X, forward = +Y)",
+        "bones = { up = \"+X\", forward = \"+Y\" }",
+        &[["`bones` is now called `axes`", "bones", "bones"]],
+    );
+    setting!("comfort", "0.5", "0.5", ["`comfort` is now called `stiffness`", "comfort", "comfort"]);
+    setting!("level", "0.5", "0.5", ["`level` is now called `upright`", "level", "level"]);
+    setting!("narrowing", "0.5", "0.5", ["`narrowing` is now called `pitch_taper`", "narrowing", "narrowing"]);
+    setting!("pair", "\"R_eye\"", "\"R_eye\"", ["`pair` is now called `other_eye`", "pair", "pair"]);
+    setting!("range", "absolute", "\"absolute\"", ["`range` is now called `limits_from`", "range", "range"]);
+    setting!("range", "total", "\"total\"", ["`range` is now called `limits_from`", "range", "range"]);
+}
+
+#[test]
+fn radians_written_as_degrees_and_degrees_as_radians() {
+    heading!(
+        "-0.6deg..=0.6deg",
+        r#"["-0.6deg", "0.6deg"]"#,
+        [
+            "the range of `heading`, -0.6deg to 0.6deg, is less than 1° to either side",
+            "-0.6deg..=0.6deg",
+            r#"["-0.6deg", "0.6deg"]"#
+        ]
+    );
+    heading!(
+        "-0.01rad..=0rad",
+        r#"["-0.01rad", "0rad"]"#,
+        [
+            "the range of `heading`, -0.01rad to 0rad, is less than 1° to either side",
+            "-0.01rad..=0rad",
+            r#"["-0.01rad", "0rad"]"#
+        ]
+    );
+    for_rate!("450rad", "the rate `450rad` is 72 turns a second");
+    for_rate!("5731deg", "the rate `5731deg` is 16 turns a second");
+}
+
+#[test]
+fn roles_are_known_words() {
+    setting!("role", "spine", "\"spine\"", ["unknown role `spine`", "spine", "\"spine\""]);
+    setting!("role", "Eye", "\"Eye\"", ["unknown role `Eye`", "Eye", "\"Eye\""]);
+    setting!("role", "3", "3", ["`role` needs `eye`, `head`, `neck`, `chest` or `none`, found `3`", "3", "3"]);
+}
+
+#[test]
 fn missing_or_too_few_axes() {
     rig("", "", &[["the bones' axes are missing", "aim", ""]]);
-    bones!("", "", ["`bones` declares no axis", "()", "{  }"]);
-    bones!("up = +X", r#"up = "+X""#, ["`bones` declares `up` alone", "+X", "\"+X\""]);
+    axes!("", "", ["`axes` declares no axis", "()", "{  }"]);
+    axes!("up = +X", r#"up = "+X""#, ["`axes` declares `up` alone", "+X", "\"+X\""]);
 }
 
 #[test]
 fn signs_and_letters_of_axes() {
-    bones!("up = X, forward = +Y", r#"up = "X", forward = "+Y""#, ["the axis `X` has no sign", "X", "\"X\""]);
-    bones!(
+    axes!("up = X, forward = +Y", r#"up = "X", forward = "+Y""#, ["the axis `X` has no sign", "X", "\"X\""]);
+    axes!(
         "up = +W, forward = -y",
         r#"up = "+W", forward = "-y""#,
         ["`+W` is not an axis", "+W", "\"+W\""],
         ["`-y` is not an axis", "-y", "\"-y\""]
     );
-    bones!(
+    axes!(
         "up = 5, forward = +Y",
         r#"up = 5, forward = "+Y""#,
         ["`up` needs a signed axis or a vector, found `5`", "5", "5"]
@@ -267,25 +330,21 @@ fn signs_and_letters_of_axes() {
 
 #[test]
 fn contradictory_parallel_and_skewed_axes() {
-    bones!(
+    axes!(
         "up = +X, down = -X, forward = +Y",
         r#"up = "+X", down = "-X", forward = "+Y""#,
         ["`up` and `down` declare the same axis", "-X", "\"-X\""]
     );
-    bones!(
-        "up = +X, forward = -X",
-        r#"up = "+X", forward = "-X""#,
-        ["`up` and `forward` are parallel", "-X", "\"-X\""]
-    );
+    axes!("up = +X, forward = -X", r#"up = "+X", forward = "-X""#, ["`up` and `forward` are parallel", "-X", "\"-X\""]);
     assert_case(&Case {
-        rig: ["bones(up = (0.0, 0.8, 0.6), forward = +Z)", r#"bones = { up = [0.0, 0.8, 0.6], forward = "+Z" }"#],
+        rig: ["axes(up = (0.0, 0.8, 0.6), forward = +Z)", r#"axes = { up = [0.0, 0.8, 0.6], forward = "+Z" }"#],
         joint: JOINT,
         errors: &[["`up` and `forward` are not square: 53.1° lie between them", "+Z", "\"+Z\""]],
     });
     assert_case(&Case {
         rig: [
-            "bones(up = (0.0, 2.0, 0.0), forward = (0, 0, 0))",
-            "bones = { up = [0.0, 2.0, 0.0], forward = [0, 0, 0] }",
+            "axes(up = (0.0, 2.0, 0.0), forward = (0, 0, 0))",
+            "axes = { up = [0.0, 2.0, 0.0], forward = [0, 0, 0] }",
         ],
         joint: JOINT,
         errors: &[
@@ -295,8 +354,8 @@ fn contradictory_parallel_and_skewed_axes() {
     });
     assert_case(&Case {
         rig: [
-            "bones(up = (1.0, 0.0), forward = (0.0, 1deg, true))",
-            r#"bones = { up = [1.0, 0.0], forward = [0.0, "1deg", true] }"#,
+            "axes(up = (1.0, 0.0), forward = (0.0, 1deg, true))",
+            r#"axes = { up = [1.0, 0.0], forward = [0.0, "1deg", true] }"#,
         ],
         joint: JOINT,
         errors: &[
@@ -309,25 +368,25 @@ fn contradictory_parallel_and_skewed_axes() {
 
 #[test]
 fn handedness() {
-    bones!(
+    axes!(
         "up = +X, forward = +Y, left = -Z",
         r#"up = "+X", forward = "+Y", left = "-Z""#,
         ["the axes are a left-handed triple in a right-handed rig", "-Z", "\"-Z\""]
     );
     assert_case(&Case {
         rig: [
-            "bones(up = +X, forward = +Y, right = -Z), handedness = left",
-            "handedness = \"left\"\nbones = { up = \"+X\", forward = \"+Y\", right = \"-Z\" }",
+            "axes(up = +X, forward = +Y, right = -Z), handedness = left",
+            "handedness = \"left\"\naxes = { up = \"+X\", forward = \"+Y\", right = \"-Z\" }",
         ],
         joint: JOINT,
         errors: &[["the axes are a right-handed triple in a left-handed rig", "-Z", "\"-Z\""]],
     });
-    let own = ["bones(up = +X, forward = +Y, left = +Z)", r#"bones = { up = "+X", forward = "+Y", left = "+Z" }"#];
+    let own = ["axes(up = +X, forward = +Y, left = +Z)", r#"axes = { up = "+X", forward = "+Y", left = "+Z" }"#];
     assert_case(&Case {
         rig: own,
         joint: [
-            "heading = free, rate = 1rad, mirrored = true, bones(up = +X, forward = +Y, left = +Z)",
-            "heading = \"free\"\nrate = \"1rad\"\nmirrored = true\nbones = { up = \"+X\", forward = \"+Y\", left = \"+Z\" }",
+            "heading = free, rate = 1rad, mirrored = true, axes(up = +X, forward = +Y, left = +Z)",
+            "heading = \"free\"\nrate = \"1rad\"\nmirrored = true\naxes = { up = \"+X\", forward = \"+Y\", left = \"+Z\" }",
         ],
         errors: &[[
             "the axes are a right-handed triple, but the joint is mirrored in a right-handed rig",
@@ -342,8 +401,8 @@ fn handedness() {
     });
     assert_case(&Case {
         rig: [
-            "bones(up = +X, forward = +Y), handedness = up",
-            "bones = { up = \"+X\", forward = \"+Y\" }\nhandedness = \"up\"",
+            "axes(up = +X, forward = +Y), handedness = up",
+            "axes = { up = \"+X\", forward = \"+Y\" }\nhandedness = \"up\"",
         ],
         joint: JOINT,
         errors: &[["`handedness` needs `left` or `right`, found `up`", "up", "\"up\""]],
@@ -354,8 +413,8 @@ fn handedness() {
 fn effector() {
     assert_case(&Case {
         rig: [
-            "bones(up = +X, forward = +Y), effector(forward = (0.0, 3.0, 0.0), origin = (0.0, 0.0), aim = 1)",
-            "bones = { up = \"+X\", forward = \"+Y\" }\neffector = { forward = [0.0, 3.0, 0.0], origin = [0.0, 0.0], aim = 1 }",
+            "axes(up = +X, forward = +Y), effector(forward = (0.0, 3.0, 0.0), origin = (0.0, 0.0), aim = 1)",
+            "axes = { up = \"+X\", forward = \"+Y\" }\neffector = { forward = [0.0, 3.0, 0.0], origin = [0.0, 0.0], aim = 1 }",
         ],
         joint: JOINT,
         errors: &[
@@ -368,23 +427,23 @@ fn effector() {
 
 #[test]
 fn narrowing_needs_both_angles_and_ends() {
-    setting!("narrowing", "0.5", "0.5", ["`narrowing` needs a pitch", "0.5", "0.5"]);
+    setting!("pitch_taper", "0.5", "0.5", ["`pitch_taper` needs a pitch", "0.5", "0.5"]);
     setting!(
-        "narrowing",
+        "pitch_taper",
         "-0.5",
         "-0.5",
-        ["`narrowing` must lie in 0 to 1, found `-0.5`", "-0.5", "-0.5"],
-        ["`narrowing` needs a pitch", "-0.5", "-0.5"]
+        ["`pitch_taper` must lie in 0 to 1, found `-0.5`", "-0.5", "-0.5"],
+        ["`pitch_taper` needs a pitch", "-0.5", "-0.5"]
     );
     joint(
-        "pitch = -1deg..=1deg, rate = 1rad, narrowing = 0",
-        "pitch = [\"-1deg\", \"1deg\"]\nrate = \"1rad\"\nnarrowing = 0",
-        &[["`narrowing` needs a heading", "0", "0"]],
+        "pitch = -1deg..=1deg, rate = 1rad, pitch_taper = 0",
+        "pitch = [\"-1deg\", \"1deg\"]\nrate = \"1rad\"\npitch_taper = 0",
+        &[["`pitch_taper` needs a heading", "0", "0"]],
     );
     joint(
-        "heading = free, pitch = -1deg..=1deg, rate = 1rad, narrowing = 0.5",
-        "heading = \"free\"\npitch = [\"-1deg\", \"1deg\"]\nrate = \"1rad\"\nnarrowing = 0.5",
-        &[["`narrowing` needs a heading with ends", "0.5", "0.5"]],
+        "heading = free, pitch = -1deg..=1deg, rate = 1rad, pitch_taper = 0.5",
+        "heading = \"free\"\npitch = [\"-1deg\", \"1deg\"]\nrate = \"1rad\"\npitch_taper = 0.5",
+        &[["`pitch_taper` needs a heading with ends", "0.5", "0.5"]],
     );
 }
 
@@ -392,8 +451,8 @@ fn narrowing_needs_both_angles_and_ends() {
 macro_rules! natural {
     ($rust:literal, $toml:literal, $($error:expr),+) => {
         rig(
-            concat!("bones(up = +X, forward = +Y), natural(", $rust, ")"),
-            concat!("bones = { up = \"+X\", forward = \"+Y\" }\nnatural = { ", $toml, " }"),
+            concat!("axes(up = +X, forward = +Y), natural(", $rust, ")"),
+            concat!("axes = { up = \"+X\", forward = \"+Y\" }\nnatural = { ", $toml, " }"),
             &[$($error),+],
         )
     };
@@ -430,8 +489,8 @@ fn natural_gazes() {
     natural!("eyes = 5deg", r#"eyes = "5deg""#, ["unknown setting `eyes`", "eyes", "eyes"]);
     natural!("share = 0.5", "share = 0.5", ["unknown setting `share`", "share", "share"]);
     rig(
-        "bones(up = +X, forward = +Y), natural = true",
-        "bones = { up = \"+X\", forward = \"+Y\" }\nnatural = true",
+        "axes(up = +X, forward = +Y), natural = true",
+        "axes = { up = \"+X\", forward = \"+Y\" }\nnatural = true",
         &[["`natural` needs settings such as `eyes_only`, found `true`", "true", "true"]],
     );
     joint(
@@ -450,14 +509,14 @@ fn bones_named_twice() {
         "[\"a\", \"b\", \"a\"]",
         ["the bone `a` is named twice", "\"a\"", "\"a\""]
     );
-    setting!("pair", "\"eye\"", "\"eye\"", ["the bone `eye` is named twice", "\"eye\"", "\"eye\""]);
+    setting!("other_eye", "\"eye\"", "\"eye\"", ["the bone `eye` is named twice", "\"eye\"", "\"eye\""]);
 }
 
 #[test]
 fn several_mistakes_are_all_reported() {
     let rust = errors_of(
-        "#[aim(bones(up = +X, forward = +X), hand = left)] struct float {
-            #[joint(heading = 5deg..=9deg, rate = 0deg, level = 2)] é: Joint,
+        "#[aim(axes(up = +X, forward = +X), hand = left)] struct float {
+            #[joint(heading = 5deg..=9deg, rate = 0deg, upright = 2)] é: Joint,
             eye: Joint,
         }",
     );
@@ -466,7 +525,7 @@ fn several_mistakes_are_all_reported() {
 
 #[test]
 fn the_second_place_is_the_first_use() {
-    let item = "#[aim(bones(up = +X, forward = +Y))] struct Thug { #[joint(heading = free, rate = 1rad, rate = 2rad)] eye: Joint }";
+    let item = "#[aim(axes(up = +X, forward = +Y))] struct Thug { #[joint(heading = free, rate = 1rad, rate = 2rad)] eye: Joint }";
     let found = errors_of(item);
     let (note, place) = found.iter().next().and_then(|error| error.note()).expect("a note");
     assert_eq!((note, excerpt(item, place).as_str()), ("`rate` was first used here", "rate"));

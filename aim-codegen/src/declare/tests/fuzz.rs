@@ -19,20 +19,20 @@ impl Random {
 }
 
 const SEEDS: [&str; 3] = [
-    "#[aim(bones(up = +X, forward = +Y, left = +Z), handedness = left, effector(forward = (0.0, 1.0, 0.0), origin = (0.0, 0.1, 0.0)), natural(eyes_only = 9deg, head_share = 0.5, engage = 9deg, release = 9deg, delay = 1), crate = a::b)]
+    "#[aim(axes(up = +X, forward = +Y, left = +Z), handedness = left, effector(forward = (0.0, 1.0, 0.0), origin = (0.0, 0.1, 0.0)), natural(eyes_only = 9deg, head_share = 0.5, engage = 9deg, release = 9deg, delay = 1), crate = a::b)]
     struct Thug {
-        #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, comfort = 0.5, bone = [\"a\", \"b\"], pair = \"r\")]
+        #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, stiffness = 0.5, bone = [\"a\", \"b\"], other_eye = \"r\")]
         left_eye: Joint,
-        #[joint(heading = free, rate = 170deg, level = 0.5, range = absolute, mirrored = true, bones(up = +Z, forward = +Y))]
+        #[joint(heading = free, rate = 170deg, upright = 0.5, limits_from = bind_pose, mirrored = true, axes(up = +Z, forward = +Y))]
         neck: Joint,
     }",
-    "#[aim(bones(up = (0.6, 0.8, 0.0), back = (0.8, -0.6, 0.0)))] struct R { #[joint(pitch = -1rad..=1rad, rate = 1rad)] r#in: Joint }",
+    "#[aim(axes(up = (0.6, 0.8, 0.0), back = (0.8, -0.6, 0.0)))] struct R { #[joint(pitch = -1rad..=1rad, rate = 1rad)] r#in: Joint }",
     "#[derive(Debug)] #[aim] enum E<'a, T> where T: Copy { #[joint(x)] A(T) }",
 ];
 
 fn token(random: &mut Random, depth: usize) -> TokenTree {
     const WORDS: [&str; 12] =
-        ["X", "up", "down", "deg", "free", "true", "crate", "self", "heading", "bones", "rate", "left"];
+        ["X", "up", "down", "deg", "free", "true", "crate", "self", "heading", "axes", "rate", "left"];
     const LITERALS: [&str; 10] =
         ["0", "35deg", "1e999deg", "0x1", "1.5rad", "\"s\"", "'c'", "b\"x\"", "1_f32", "r#\"é\"#"];
     const PUNCTS: [char; 10] = ['=', '.', ',', '-', '+', ':', '#', '<', '$', '\''];
@@ -125,7 +125,7 @@ fn mutated_attributes_never_panic() {
 #[cfg(feature = "toml")]
 #[test]
 fn mutated_files_never_panic() {
-    let seed = "name = \"Thug\"\nhandedness = \"left\"\nbones = { up = \"+X\", forward = [0.0, 1.0, 0.0] }\neffector = { forward = \"+Y\", origin = [0, 0.1, 0] }\nnatural = { eyes_only = \"9deg\", delay = 0.1 }\n[[joint]]\nname = \"eye\"\nbone = [\"a\", \"ü\"]\nheading = [\"-35deg\", \"35deg\"]\nrate = \"450deg\"\nmirrored = true\n";
+    let seed = "name = \"Thug\"\nhandedness = \"left\"\naxes = { up = \"+X\", forward = [0.0, 1.0, 0.0] }\neffector = { forward = \"+Y\", origin = [0, 0.1, 0] }\nnatural = { eyes_only = \"9deg\", delay = 0.1 }\n[[joint]]\nname = \"eye\"\nbone = [\"a\", \"ü\"]\nheading = [\"-35deg\", \"35deg\"]\nrate = \"450deg\"\nmirrored = true\n";
     let pieces = [
         "\"",
         "[",

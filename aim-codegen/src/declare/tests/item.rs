@@ -4,7 +4,7 @@ use super::{errors_of, listed};
 
 /// Wraps one joint's attribute.
 fn joint(settings: &str) -> String {
-    format!("#[aim(bones(up = +X, forward = +Y))] struct Thug {{ #[joint({settings})] eye: Joint }}")
+    format!("#[aim(axes(up = +X, forward = +Y))] struct Thug {{ #[joint({settings})] eye: Joint }}")
 }
 
 fn assert_errors(item: &str, expected: &[(&str, &str)]) {
@@ -17,17 +17,17 @@ fn assert_errors(item: &str, expected: &[(&str, &str)]) {
 #[test]
 fn shapes() {
     for (item, what, at) in [
-        ("#[aim(bones(up = +X, forward = +Y))] struct Thug(Joint);", "a tuple struct", "Thug"),
-        ("#[aim(bones(up = +X, forward = +Y))] struct Thug;", "a unit struct", "Thug"),
-        ("#[aim(bones(up = +X, forward = +Y))] enum Thug { A }", "an enum", "enum"),
-        ("#[aim(bones(up = +X, forward = +Y))] union Thug { a: u8 }", "a union", "union"),
+        ("#[aim(axes(up = +X, forward = +Y))] struct Thug(Joint);", "a tuple struct", "Thug"),
+        ("#[aim(axes(up = +X, forward = +Y))] struct Thug;", "a unit struct", "Thug"),
+        ("#[aim(axes(up = +X, forward = +Y))] enum Thug { A }", "an enum", "enum"),
+        ("#[aim(axes(up = +X, forward = +Y))] union Thug { a: u8 }", "a union", "union"),
     ] {
         assert_errors(item, &[(&format!("a rig is a struct with named fields, found {what}"), at)]);
     }
-    assert_errors("#[aim(bones(up = +X, forward = +Y))] struct Thug {}", &[("a rig needs a joint", "Thug")]);
+    assert_errors("#[aim(axes(up = +X, forward = +Y))] struct Thug {}", &[("a rig needs a joint", "Thug")]);
     for (generics, at) in [("<T>", "T"), ("<'a, T: Copy>", "'a, T: Copy"), ("<const N: usize>", "const N: usize")] {
         let item = format!(
-            "#[aim(bones(up = +X, forward = +Y))] struct Thug{generics} {{ #[joint(heading = free, rate = 1rad)] eye: Joint }}"
+            "#[aim(axes(up = +X, forward = +Y))] struct Thug{generics} {{ #[joint(heading = free, rate = 1rad)] eye: Joint }}"
         );
         assert_errors(&item, &[("a rig cannot be generic", at)]);
     }
@@ -40,11 +40,11 @@ fn attributes() {
         &[("the bones' axes are missing", "Thug")],
     );
     assert_errors(
-        "#[aim(bones(up = +X, forward = +Y))] struct Thug { eye: Joint }",
+        "#[aim(axes(up = +X, forward = +Y))] struct Thug { eye: Joint }",
         &[("the field `eye` has no `#[joint]`", "eye")],
     );
     assert_errors(
-        "#[aim(bones(up = +X, forward = +Y))] struct Thug { #[joint] eye: Joint }",
+        "#[aim(axes(up = +X, forward = +Y))] struct Thug { #[joint] eye: Joint }",
         &[("`#[joint]` has no settings", "joint")],
     );
     assert_errors(
@@ -52,17 +52,34 @@ fn attributes() {
         &[("`#[aim]` has no settings", "aim")],
     );
     assert_errors(
-        "#[aim(bones(up = +X, forward = +Y))] #[aim()] struct Thug { #[joint(heading = free)] #[joint(rate = 1rad)] eye: Joint }",
+        "#[aim(axes(up = +X, forward = +Y))] #[aim()] struct Thug { #[joint(heading = free)] #[joint(rate = 1rad)] eye: Joint }",
         &[("the struct has a second `#[aim]`", "aim"), ("the field has a second `#[joint]`", "joint")],
     );
     assert_errors(
-        "#[aim(bones(up = +X, forward = +Y))] #[joint()] struct Thug { #[aim()] #[joint(heading = free, rate = 1rad)] eye: Joint }",
+        "#[aim(axes(up = +X, forward = +Y))] #[joint()] struct Thug { #[aim()] #[joint(heading = free, rate = 1rad)] eye: Joint }",
         &[("`#[aim]` is on a field", "aim"), ("`#[joint]` is on the struct", "joint")],
     );
+}
+
+#[test]
+fn kernels() {
+    let rig = |kernels: &str| {
+        format!(
+            "#[aim(axes(up = +X, forward = +Y), {kernels})] struct Thug {{ #[joint(heading = free, rate = 1rad)] eye: Joint }}"
+        )
+    };
     assert_errors(
-        "#[derive(Clone, Debug)] #[aim(bones(up = +X, forward = +Y))] struct Thug { #[joint(heading = free, rate = 1rad)] eye: Joint }",
-        &[("`AimRig` implements `Debug` already", "Debug")],
+        &rig("kernels(aim_gradiant, chain_value_gradient, residual, chain_value_gradient)"),
+        &[
+            ("unknown kernel `aim_gradiant`", "aim_gradiant"),
+            ("unknown kernel `residual`", "residual"),
+            ("the kernel `chain_value_gradient` is listed twice", "chain_value_gradient"),
+        ],
     );
+    assert_errors(&rig("kernels = 5"), &[("`kernels` needs a list of kernels, found `5`", "5")]);
+    let item = syn::parse_str(&rig("kernels(chain_value_gradient, aim_gradient)")).expect("it is a struct");
+    let declared = crate::declare::from_derive_input(&item).expect("it is right");
+    assert_eq!(declared.spec.kernels, ["chain_value_gradient", "aim_gradient"]);
 }
 
 #[test]
@@ -98,8 +115,8 @@ fn expressions() {
 fn punctuation() {
     assert_errors(&joint("heading = free rate = 1rad"), &[("expected `,` before `rate`", "rate")]);
     assert_errors(
-        &joint("heading = free rate = 1rad bones(up = +X, forward = +Y)"),
-        &[("expected `,` before `rate`", "rate"), ("expected `,` before `bones`", "bones")],
+        &joint("heading = free rate = 1rad axes(up = +X, forward = +Y)"),
+        &[("expected `,` before `rate`", "rate"), ("expected `,` before `axes`", "axes")],
     );
     assert_errors(
         &joint("heading = free,, rate = 1rad, mirrored"),
@@ -123,7 +140,7 @@ fn punctuation() {
 fn names() {
     let rig = |rig: &str, first: &str, second: &str| {
         format!(
-            "#[aim(bones(up = +X, forward = +Y))] struct {rig} {{ #[joint(heading = free, rate = 1rad)] {first}: Joint, #[joint(heading = free, rate = 1rad)] {second}: Joint }}"
+            "#[aim(axes(up = +X, forward = +Y))] struct {rig} {{ #[joint(heading = free, rate = 1rad)] {first}: Joint, #[joint(heading = free, rate = 1rad)] {second}: Joint }}"
         )
     };
     assert_errors(
@@ -145,15 +162,15 @@ fn names() {
 #[test]
 fn pair_belongs_to_the_first_joint() {
     assert_errors(
-        "#[aim(bones(up = +X, forward = +Y))] struct Thug { #[joint(heading = free, rate = 1rad)] eye: Joint, #[joint(heading = free, rate = 1rad, pair = \"R\")] neck: Joint }",
-        &[("`pair` is not on the first joint", "\"R\"")],
+        "#[aim(axes(up = +X, forward = +Y))] struct Thug { #[joint(heading = free, rate = 1rad)] eye: Joint, #[joint(heading = free, rate = 1rad, other_eye = \"R\")] neck: Joint }",
+        &[("`other_eye` is not on the first joint", "\"R\"")],
     );
 }
 
 #[test]
 fn the_facade_path_is_a_path() {
     assert_errors(
-        "#[aim(bones(up = +X, forward = +Y), crate = 5)] struct Thug { #[joint(heading = free, rate = 1rad)] eye: Joint }",
+        "#[aim(axes(up = +X, forward = +Y), crate = 5)] struct Thug { #[joint(heading = free, rate = 1rad)] eye: Joint }",
         &[("`crate` needs a path, found `5`", "5")],
     );
 }

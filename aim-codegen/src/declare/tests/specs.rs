@@ -7,14 +7,14 @@ use syn::DeriveInput;
 
 use super::parse;
 use crate::declare::{Declared, from_derive_input};
-use crate::{AngleRange, Frame, NaturalSpec, Role};
+use crate::{AngleRange, Frame, LimitsFrom, NaturalSpec, Role};
 
 fn declared(item: &str) -> Declared {
     from_derive_input(&parse(item)).unwrap_or_else(|errors| panic!("{errors}"))
 }
 
 fn joint(settings: &str) -> Declared {
-    declared(&format!("#[aim(bones(up = +X, forward = +Y))] struct Thug {{ #[joint({settings})] eye: Joint }}"))
+    declared(&format!("#[aim(axes(up = +X, forward = +Y))] struct Thug {{ #[joint({settings})] eye: Joint }}"))
 }
 
 fn frame(rig: &str) -> Frame {
@@ -26,13 +26,13 @@ fn frame(rig: &str) -> Frame {
 #[test]
 fn everything_at_once() {
     let found = declared(
-        "#[aim(bones(up = +X, forward = +Y, left = +Z), crate = some::path, effector(origin = (0.0, 0.1, -2)),
+        "#[aim(axes(up = +X, forward = +Y, left = +Z), crate = some::path, effector(origin = (0.0, 0.1, -2)),
             natural(eyes_only = 10deg, head_share = 1, engage = 3.141593rad, delay = 0.25))]
         pub struct Thug {
-            #[joint(heading = -35deg..=35.5deg, pitch = -1e-1rad..=0deg, rate = 450deg, comfort = 0.5, acceleration = 1_200deg,
-                bone = [\"a\", \"b\"], pair = \"R_eye\", level = 0.5, narrowing = 0.25, range = absolute,)]
+            #[joint(heading = -35deg..=35.5deg, pitch = -1e-1rad..=0deg, rate = 450deg, stiffness = 0.5, acceleration = 1_200deg,
+                role = eye, bone = [\"a\", \"b\"], other_eye = \"R_eye\", upright = 0.5, pitch_taper = 0.25, limits_from = bind_pose,)]
             pub r#type: Joint,
-            #[joint(heading = free, rate = 2rad, range = relative, bones(up = +Z, forward = +Y), mirrored = true)]
+            #[joint(heading = free, rate = 2rad, limits_from = animation, axes(up = +Z, forward = +Y), mirrored = true)]
             neck: Joint,
         }",
     );
@@ -45,14 +45,17 @@ fn everything_at_once() {
     assert_eq!(eye.heading, Some(AngleRange::Between(-35f64.to_radians(), 35.5f64.to_radians())));
     assert_eq!(eye.pitch, Some(AngleRange::Between(-0.1, 0.0)));
     assert_eq!((eye.rate, eye.acceleration), (450f64.to_radians(), Some(1200f64.to_radians())));
-    assert_eq!((eye.comfort, eye.level, eye.narrowing, eye.absolute), (0.5, Some(0.5), Some(0.25), true));
-    assert_eq!(eye.pair.as_deref(), Some("R_eye"));
+    assert_eq!(
+        (eye.stiffness, eye.upright, eye.pitch_taper, eye.limits_from),
+        (0.5, Some(0.5), Some(0.25), LimitsFrom::BindPose)
+    );
+    assert_eq!(eye.other_eye.as_deref(), Some("R_eye"));
     assert_eq!(neck.bones, ["neck"]);
     assert_eq!((neck.heading, neck.pitch), (Some(AngleRange::Free), None));
-    assert_eq!((neck.comfort, neck.level, neck.narrowing), (1.0, None, None));
-    assert_eq!((neck.acceleration, neck.absolute), (None, false));
-    // The field's name tells nothing, so the bones' do; they tell nothing either.
-    assert_eq!((eye.role(), neck.role()), (Role::Other, Role::Neck));
+    assert_eq!((neck.stiffness, neck.upright, neck.pitch_taper), (1.0, None, None));
+    assert_eq!((neck.acceleration, neck.limits_from), (None, LimitsFrom::Animation));
+    // What is not declared is none, whatever the names tell.
+    assert_eq!((eye.role, neck.role), (Role::Eye, Role::None));
     let natural = found.spec.natural.expect("it is declared");
     assert_eq!((natural.eyes_only, natural.head_share, natural.engage), (10f64.to_radians(), 1.0, PI));
     assert_eq!((natural.release, natural.delay), (NaturalSpec::default().release, 0.25));
@@ -82,7 +85,7 @@ fn all_48_conventions_are_accepted_and_their_mirrors_refused() {
         let [up, forward, left] = [wanted.up, wanted.forward, wanted.left].map(name);
         let [down, back, right] = [wanted.up, wanted.forward, wanted.left].map(|v| name(v.map(|x| -x)));
         let (hand, other) = if wanted.handedness() > 0.0 { ("right", "left") } else { ("left", "right") };
-        let declare = |axes: &str, hand: &str| format!("bones({axes}), handedness = {hand}");
+        let declare = |axes: &str, hand: &str| format!("axes({axes}), handedness = {hand}");
         for axes in [
             format!("up = {up}, forward = {forward}, left = {left}"),
             format!("up = {up}, forward = {forward}"),
@@ -110,7 +113,7 @@ fn all_48_conventions_are_accepted_and_their_mirrors_refused() {
 
 #[test]
 fn slightly_skewed_vectors_are_squared_with_forward_kept() {
-    let found = frame("bones(up = (0.0, 1.0003, 0.008), forward = (0.0, 0.0, 1.0))");
+    let found = frame("axes(up = (0.0, 1.0003, 0.008), forward = (0.0, 0.0, 1.0))");
     assert_eq!((found.up, found.forward, found.left), ([0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]));
 }
 
@@ -123,12 +126,12 @@ fn the_nearest_frame_of_a_message_passes_the_checks() {
     ] {
         for hand in ["left", "right"] {
             let item = format!(
-                "#[aim(bones({bones}), handedness = {hand})] struct Thug {{ #[joint(heading = free, rate = 1rad)] eye: Joint }}"
+                "#[aim(axes({bones}), handedness = {hand})] struct Thug {{ #[joint(heading = free, rate = 1rad)] eye: Joint }}"
             );
             let errors = from_derive_input(&parse(&item)).expect_err(bones);
             let help = errors.iter().find(|error| error.message().contains("square")).expect("not square").help();
             let nearest = help.strip_prefix("the nearest proper frame is ").expect("a frame");
-            frame(&format!("bones({nearest}), handedness = {hand}"));
+            frame(&format!("axes({nearest}), handedness = {hand}"));
         }
     }
 }
@@ -137,7 +140,7 @@ fn the_nearest_frame_of_a_message_passes_the_checks() {
 fn the_effector_keeps_its_forward_and_squares_up_to_it() {
     let effector = |forward: &str| {
         let item = format!(
-            "#[aim(bones(up = +X, forward = +Y), effector(forward = {forward}))] struct Thug {{ #[joint(heading = free, rate = 1rad)] eye: Joint }}"
+            "#[aim(axes(up = +X, forward = +Y), effector(forward = {forward}))] struct Thug {{ #[joint(heading = free, rate = 1rad)] eye: Joint }}"
         );
         declared(&item).spec.effector.frame
     };
@@ -157,7 +160,7 @@ fn the_effector_keeps_its_forward_and_squares_up_to_it() {
 
 #[test]
 fn joints_with_axes_of_their_own_need_none_of_the_rig() {
-    declared("struct Thug { #[joint(heading = free, rate = 1rad, bones(up = +X, forward = +Y))] eye: Joint }");
+    declared("struct Thug { #[joint(heading = free, rate = 1rad, axes(up = +X, forward = +Y))] eye: Joint }");
 }
 
 #[test]
@@ -169,7 +172,7 @@ fn the_facade_path_may_be_a_string_as_in_serde() {
         ("self::x", "self :: x"),
     ] {
         let item = format!(
-            "#[aim(bones(up = +X, forward = +Y), crate = {path})] struct Thug {{ #[joint(heading = free, rate = 1rad)] eye: Joint }}"
+            "#[aim(axes(up = +X, forward = +Y), crate = {path})] struct Thug {{ #[joint(heading = free, rate = 1rad)] eye: Joint }}"
         );
         assert!(format!("{:?}", declared(&item)).contains(&format!("{wanted:?}")), "{path}");
     }
@@ -195,7 +198,7 @@ fn hide(tokens: TokenStream) -> TokenStream {
 
 #[test]
 fn invisible_groups_are_seen_through() {
-    let item = "#[aim(bones(up = (0.0, 1.0, 0.0), forward = +Z), effector(origin = (0.0, -1.0, 2)))]
+    let item = "#[aim(axes(up = (0.0, 1.0, 0.0), forward = +Z), effector(origin = (0.0, -1.0, 2)))]
         struct Thug { #[joint(heading = -35deg..=35deg, rate = 450deg, bone = [\"a\", \"b\"])] eye: Joint }";
     let mut input: DeriveInput = parse(item);
     let plain = from_derive_input(&input).expect("no error").spec;

@@ -5,21 +5,21 @@ use crate::declare::{from_derive_input, from_toml};
 
 const THUG: &str = r#"name = "Thug"
 handedness = "right"
-bones = { up = "+X", forward = "+Y", left = "+Z" }
+axes = { up = "+X", forward = "+Y", left = "+Z" }
 [[joint]]
 name = "left_eye"
 bone = "L_eyeBall_joint2"
 heading = ["-35deg", "35deg"]
 pitch = ["-25deg", "20deg"]
 rate = "450deg"
-comfort = 0.5
+stiffness = 0.5
 [[joint]]
 name = "neck"
 heading = "free"
 rate = "170deg"
-range = "absolute"
-bones = { up = [0.0, 0.0, 1.0], forward = "+Y" }
-level = 1
+limits_from = "bind_pose"
+axes = { up = [0.0, 0.0, 1.0], forward = "+Y" }
+upright = 1
 "#;
 
 fn assert_errors(text: &str, expected: &[(&str, &str)]) {
@@ -32,10 +32,10 @@ fn assert_errors(text: &str, expected: &[(&str, &str)]) {
 #[test]
 fn both_front_ends_give_the_same_rig() {
     let rust = from_derive_input(&parse(
-        "#[aim(bones(up = +X, forward = +Y, left = +Z))] struct Thug {
-            #[joint(bone = \"L_eyeBall_joint2\", heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, comfort = 0.5)]
+        "#[aim(axes(up = +X, forward = +Y, left = +Z))] struct Thug {
+            #[joint(bone = \"L_eyeBall_joint2\", heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, stiffness = 0.5)]
             left_eye: Joint,
-            #[joint(heading = free, rate = 170deg, range = absolute, bones(up = +Z, forward = +Y), level = 1)]
+            #[joint(heading = free, rate = 170deg, limits_from = bind_pose, axes(up = +Z, forward = +Y), upright = 1)]
             neck: Joint,
         }",
     ));
@@ -44,7 +44,7 @@ fn both_front_ends_give_the_same_rig() {
 
 #[test]
 fn errors_look_like_a_compilers() {
-    let text = THUG.replace("\"35deg\"]", "\"35\"]").replace("comfort", "comfrot");
+    let text = THUG.replace("\"35deg\"]", "\"35\"]").replace("stiffness", "stifness");
     let found = from_toml("rigs/thug.toml", &text).expect_err("two errors");
     assert_eq!(
         found.to_string(),
@@ -55,14 +55,50 @@ fn errors_look_like_a_compilers() {
   |                      ^^^^
   = help: write `"35deg"` or `"35rad"`
 
-error: unknown setting `comfrot`
+error: unknown setting `stifness`
   --> rigs/thug.toml:10:1
    |
-10 | comfrot = 0.5
-   | ^^^^^^^
-   = help: did you mean `comfort`?
+10 | stifness = 0.5
+   | ^^^^^^^^
+   = help: did you mean `stiffness`?
 "#
     );
+}
+
+#[test]
+fn keys_of_earlier_versions_tell_what_to_write() {
+    let old = THUG.replace("axes = { up = \"+X", "bones = { up = \"+X").replace("stiffness", "comfort");
+    let old = old.replace("limits_from = \"bind_pose\"", "range = \"absolute\"").replace("upright = 1", "level = 1");
+    let old = old.replace("rate = \"450deg\"", "rate = \"450deg\"\npitch_taper = 0.5\nother_eye = \"R_eye\"");
+    let old = old.replace("pitch_taper", "narrowing").replace("other_eye", "pair");
+    let found = from_toml("rigs/thug.toml", &old).expect_err("six keys of earlier versions");
+    let found: Vec<(&str, &str)> = found.iter().map(|error| (error.message(), error.help())).collect();
+    let stays = |old: &str, new: &str| format!("write `{new}` for `{old}`: its value stays as it is");
+    let helps = [
+        ("bones", "axes", stays("bones", "axes")),
+        ("narrowing", "pitch_taper", stays("narrowing", "pitch_taper")),
+        ("pair", "other_eye", stays("pair", "other_eye")),
+        ("comfort", "stiffness", stays("comfort", "stiffness")),
+        ("range", "limits_from", "write `limits_from = \"bind_pose\"`".to_owned()),
+        ("level", "upright", stays("level", "upright")),
+    ];
+    let expected: Vec<(String, String)> =
+        helps.map(|(old, new, help)| (format!("`{old}` is now called `{new}`"), help)).into();
+    assert_eq!(found, expected.iter().map(|(text, help)| (text.as_str(), help.as_str())).collect::<Vec<_>>());
+}
+
+#[test]
+fn an_unknown_role_names_the_known_ones() {
+    for (word, meant) in
+        [("spine", "chest"), ("eyes", "eye"), ("Head", "head"), ("nek", "neck"), ("hand", ""), ("hips", "")]
+    {
+        let text = THUG.replace("rate = \"170deg\"", &format!("rate = \"170deg\"\nrole = \"{word}\""));
+        let found = from_toml("rigs/thug.toml", &text).expect_err(word);
+        let error = found.iter().next().expect("an error");
+        assert_eq!(error.message(), format!("unknown role `{word}`"));
+        let meant = if meant.is_empty() { String::new() } else { format!("; did you mean `role = \"{meant}\"`?") };
+        assert_eq!(error.help(), format!("a role is `eye`, `head`, `neck`, `chest` or `none`{meant}"));
+    }
 }
 
 #[test]
@@ -88,7 +124,7 @@ note: `left_eye` was first used here
 
 #[test]
 fn lines_count_characters_and_survive_tabs_and_carriage_returns() {
-    let text = "\u{feff}name = \"Thug\"\r\nbones = { up = \"+X\", forward = \"+Y\" }\r\n# ü\r\n\u{9}é = 1\r\n";
+    let text = "\u{feff}name = \"Thug\"\r\naxes = { up = \"+X\", forward = \"+Y\" }\r\n# ü\r\n\u{9}é = 1\r\n";
     let text = text.trim_start_matches('\u{feff}');
     let found = from_toml("t.toml", text).expect_err("errors").to_string();
     assert!(found.contains(":4:2\n") && found.contains("4 |  é = 1\n  |  ^\n"), "{found}");
@@ -124,8 +160,8 @@ fn what_toml_wants_in_quotes_is_told_in_quotes() {
         let key = match right {
             "\"right\"" => "handedness",
             "\"450deg\"" => "rate",
-            "0.1" => "comfort",
-            _ => "bones.up",
+            "0.1" => "stiffness",
+            _ => "axes.up",
         };
         let found = from_toml("t.toml", &format!("{key} = {wrong}\n[[joint]]\n{key} = {wrong}\n"))
             .expect_err(wrong)
@@ -174,7 +210,7 @@ fn names() {
 
 #[test]
 fn joints_are_a_list() {
-    let rig = "name = \"Thug\"\nbones = { up = \"+X\", forward = \"+Y\" }\n";
+    let rig = "name = \"Thug\"\naxes = { up = \"+X\", forward = \"+Y\" }\n";
     assert_errors(rig, &[("a rig needs a joint", "\"Thug\"")]);
     assert_errors(
         &format!("{rig}[joint]\nname = \"eye\""),

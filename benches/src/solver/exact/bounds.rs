@@ -37,7 +37,7 @@ pub fn noise(sample: &Sample) -> Vec<Row> {
 
 /// The largest movement of an angle in a frame, degrees.
 fn trembling(pose: &[Affine3A], target: Vec3, settings: &Settings, random: &mut fastrand::Rng) -> f64 {
-    let mut scene = Scene::new(Gazer::default(), pose, target);
+    let mut scene = Scene::new(Gazer::RIG, pose, target);
     let model = scene.model();
     let settle = frames(model.longest() + 2.0, 60.0);
     let mut worst: f64 = 0.0;
@@ -96,12 +96,12 @@ pub fn output_rate(sample: &Sample) -> Vec<Row> {
 /// The largest speed over the declared rate within 300 frames.
 fn fastest(jump: Jump, number: usize, hz: f32, settings: &Settings) -> f64 {
     let mut random = fastrand::Rng::with_seed(0xfa_0000 + number as u64);
-    let mut scene = Scene::new(NumericRig::like(&Gazer::default()), &random_pose(&mut random), Vec3::ONE);
+    let mut scene = Scene::new(NumericRig::like(Gazer::RIG), &random_pose(&mut random), Vec3::ONE);
     if number.is_multiple_of(5) {
-        let state = random_state(&scene.rig, &mut random);
-        scene.rig.set_joints(state);
+        let state = random_state(&scene.rig.rig, &mut random);
+        scene.rig.state.joints = state;
     }
-    let declared = *scene.rig.infos.as_ref().first_chunk::<3>().expect("three joints");
+    let declared = *scene.rig.rig.infos.as_ref().first_chunk::<3>().expect("three joints");
     let mut settings = *settings;
     let (mut fastest, mut passing) = (0.0_f64, direction(&mut random));
     for frame in 0_u16..300 {
@@ -127,7 +127,7 @@ fn fastest(jump: Jump, number: usize, hz: f32, settings: &Settings) -> f64 {
             settings = settings.with_weight([0.0, 1.0, random.f32()][random.usize(..3)]);
         }
         if jump == Jump::Limits && every(20) {
-            for (info, declared) in scene.rig.infos.as_mut().iter_mut().zip(&declared) {
+            for (info, declared) in scene.rig.rig.infos.as_mut().iter_mut().zip(&declared) {
                 let share = random.f32();
                 info.heading = declared.heading.map(|range| range.map(|x| share * x));
                 info.pitch = declared.pitch.map(|range| range.map(|x| share * x));

@@ -62,12 +62,12 @@ pub fn least_displacement(sample: &Sample) -> Vec<Row> {
 /// `None` where the target cannot be reached.
 fn settle(sample: &Sample, case: &Still, number: usize, hz: f32, from_rest: bool) -> Option<Settled> {
     let mut random = fastrand::Rng::with_seed(0xd15_0000 + number as u64);
-    let mut scene = Scene::new(Gazer::default(), &case.pose, case.target);
+    let mut scene = Scene::new(Gazer::RIG, &case.pose, case.target);
     let model = scene.model();
     let problem = Problem::within_ranges(&model, double(case.target));
     if !from_rest {
-        let state = random_state(&scene.rig, &mut random);
-        scene.rig.set_joints(state);
+        let state = random_state(&scene.rig.rig, &mut random);
+        scene.rig.state.joints = state;
     }
     scene.run(frames(model.longest() + 0.5, hz), 1.0 / hz, &sample.plain());
 
@@ -103,7 +103,7 @@ pub fn tracking_of(sample: &Sample, name: &str) -> Vec<Row> {
 fn tracked(sample: &Sample, name: &str, moving: bool, hz: f32) -> Vec<Row> {
     let motions = track(sample.of(256), moving);
     let tracked = parallel::map(motions.len(), |i| {
-        let mut scene = Scene::new(Gazer::default(), &motions[i].body.at(0.0), motions[i].path.at(0.0));
+        let mut scene = Scene::new(Gazer::RIG, &motions[i].body.at(0.0), motions[i].path.at(0.0));
         let mut tracked = Tracked { lags: Vec::new(), cost: 0.0, least: 0.0 };
         for frame in 0_u16..600 {
             scene.follow(&motions[i], f32::from(frame) / hz);

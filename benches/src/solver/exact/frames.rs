@@ -1,5 +1,6 @@
 //! Single frames: whatever can be reached within ranges and rates is reached at once.
 
+use aim::AimRig;
 use aim::Status;
 
 use super::super::chain::{DEG, Gazer};
@@ -28,7 +29,7 @@ pub fn unreached_frames(sample: &Sample) -> Vec<Row> {
 /// Missed frames, and frames that could be.
 fn judge(sample: &Sample, motion: &Motion, hz: f32, number: usize) -> (usize, usize) {
     let settings = sample.plain();
-    let mut scene = Scene::new(Gazer::default(), &motion.body.at(0.0), motion.path.at(0.0));
+    let mut scene = Scene::new(Gazer::RIG, &motion.body.at(0.0), motion.path.at(0.0));
     let (mut missed, mut all) = (0, 0);
     for frame in 0_u16..600 {
         scene.follow(motion, f32::from(frame) / hz);

@@ -11,5 +11,5 @@ pub use bounds::{noise, output_rate};
 pub use displacement::{least_displacement, tracking, tracking_of};
 pub use frames::unreached_frames;
 pub use reach::{cold, unreachable};
-pub use small::{comforts, holding, roll};
+pub use small::{holding, roll, stiffnesses};
 pub use stuck::{stuck_on_orbits, stuck_on_random_rigs, stuck_still};

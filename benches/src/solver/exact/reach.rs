@@ -1,6 +1,6 @@
 //! From rest without rates, and what is out of reach.
 
-use aim::{AimRig, JointInfo};
+use aim::{AimRig, JointInfo, Pose, Rig};
 
 use super::super::chain::{DEG, Gazer, random_state};
 use super::super::numeric::NumericRig;
@@ -13,7 +13,7 @@ use super::super::workload::{Where, double};
 /// `cone` from rest without rates: solved within three frames, and by one `snap`.
 pub fn cold(sample: &Sample) -> Vec<Row> {
     let cases = Where::Cone.cases(sample.of(4096));
-    let mut quick: Vec<JointInfo> = Gazer::default().joint_infos().to_vec();
+    let mut quick: Vec<JointInfo> = Gazer::RIG.description().joints().to_vec();
     for info in &mut quick {
         info.rate = 1e6;
     }
@@ -29,9 +29,8 @@ pub fn cold(sample: &Sample) -> Vec<Row> {
             scene.step(0.1, &sample.plain());
             scene.remaining(&model) / DEG
         });
-        let mut snapped = Scene::new(Gazer::default(), &case.pose, case.target);
-        let pose = super::super::chain::pose_for(&snapped.rig, &snapped.pose);
-        snapped.rig.snap_with(&pose, case.target, &sample.plain());
+        let mut snapped = Scene::new(Gazer::RIG, &case.pose, case.target);
+        snapped.rig.snap(&Pose::new(case.pose), case.target, &sample.plain());
         Some((after, snapped.remaining(&model) / DEG))
     });
     let ends: Vec<([f64; 3], f64)> = ends.into_iter().flatten().collect();
@@ -59,11 +58,11 @@ pub fn unreachable(sample: &Sample) -> Vec<Row> {
     for from_rest in [true, false] {
         let worse = parallel::map(cases.len(), |i| {
             let case = &cases[i];
-            let mut scene = Scene::new(Gazer::default(), &case.pose, case.target);
+            let mut scene = Scene::new(Gazer::RIG, &case.pose, case.target);
             let model = scene.model();
             if !from_rest {
-                let state = random_state(&scene.rig, &mut fastrand::Rng::with_seed(0x0ff_0000 + i as u64));
-                scene.rig.set_joints(state);
+                let state = random_state(&scene.rig.rig, &mut fastrand::Rng::with_seed(0x0ff_0000 + i as u64));
+                scene.rig.state.joints = state;
             }
             // Twice the time: it may be the long way round.
             scene.run(frames(2.0 * model.longest() + 1.0, 60.0), 1.0 / 60.0, &sample.plain());

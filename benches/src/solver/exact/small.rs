@@ -1,7 +1,7 @@
-//! Holding a target, the scale of comforts, and level heads.
+//! Holding a target, the scale of stiffnesses, and level heads.
 
 use aim::glam::{Quat, Vec3};
-use aim::{AimRig, Axes, JointInfo, Pose, Role};
+use aim::{AimRig, Axes, DynAim, JointInfo, Pose, Rig, Role};
 
 use super::super::chain::{DEG, Gazer, posed};
 use super::super::numeric::NumericRig;
@@ -18,7 +18,7 @@ pub fn holding(sample: &Sample) -> Vec<Row> {
         .map(|hz| {
             let cases = Where::Cone.cases(sample.of(2048));
             let lost = parallel::map(cases.len(), |i| {
-                let mut scene = Scene::new(Gazer::default(), &cases[i].pose, cases[i].target);
+                let mut scene = Scene::new(Gazer::RIG, &cases[i].pose, cases[i].target);
                 let model = scene.model();
                 let (mut arrived, mut lost) = (false, 0.0_f64);
                 for _ in 0..frames(model.longest() + 0.5, hz) {
@@ -37,17 +37,21 @@ pub fn holding(sample: &Sample) -> Vec<Row> {
         .collect()
 }
 
-/// All comforts times 1e±3.
-pub fn comforts(sample: &Sample) -> Vec<Row> {
+/// All stiffnesses times 1e±3.
+pub fn stiffnesses(sample: &Sample) -> Vec<Row> {
     [1e3, 1e-3]
         .into_iter()
         .map(|factor| {
-            let scaled: Vec<JointInfo> =
-                Gazer::default().joint_infos().iter().map(|info| info.with_comfort(info.comfort * factor)).collect();
+            let scaled: Vec<JointInfo> = Gazer::RIG
+                .description()
+                .joints()
+                .iter()
+                .map(|info| info.with_stiffness(info.stiffness * factor))
+                .collect();
             let motions = track(sample.of(64), true);
             let changes = parallel::map(motions.len(), |i| {
                 let (pose, target) = (motions[i].body.at(0.0), motions[i].path.at(0.0));
-                let mut plain = Scene::new(NumericRig::like(&Gazer::default()), &pose, target);
+                let mut plain = Scene::new(NumericRig::like(Gazer::RIG), &pose, target);
                 let mut other = Scene::new(NumericRig::new(&scaled), &pose, target);
                 let mut change = 0.0_f64;
                 for frame in 0_u16..300 {
@@ -60,7 +64,7 @@ pub fn comforts(sample: &Sample) -> Vec<Row> {
                 }
                 change / DEG
             });
-            Row::at_most(format!("all comforts × {factor:e}: change of any angle"), 1e-3, "°", largest(changes))
+            Row::at_most(format!("all stiffnesses × {factor:e}: change of any angle"), 1e-3, "°", largest(changes))
         })
         .collect()
 }
@@ -76,21 +80,19 @@ pub fn roll(sample: &Sample) -> Vec<Row> {
             let neck = JointInfo::new(axes, 3.0)
                 .with_heading(-range, range)
                 .with_pitch(-range, range)
-                .with_level(level)
+                .with_upright(level)
                 .with_role(Role::Neck);
-            let mut rig = NumericRig::new(&[neck]);
+            let mut rig = DynAim::new(NumericRig::new(&[neck]));
             let leaning = Quat::from_rotation_x(30_f32.to_radians());
             let bone = posed([Quat::IDENTITY, leaning, Quat::IDENTITY])[1];
-            let mut joints = rig.array(bone);
-            joints.as_mut()[0] = bone;
-            let pose = Pose { joints }.with_up(Vec3::Y);
+            let pose = Pose::new([bone]).with_up(Vec3::Y);
             // Where a heading of 60° leads: about the world's up, or about the bone's own.
             let at: Vec3 = bone.translation.into();
             let towards = if level == 1.0 { bearing(60.0, -30.0) } else { leaning * bearing(60.0, 0.0) };
             for _ in 0..120 {
-                rig.aim_with(&pose, at + 2.0 * towards, 1.0 / 60.0, &sample.plain());
+                rig.aim(&pose, at + 2.0 * towards, 1.0 / 60.0, &sample.plain());
             }
-            let (_, correction) = rig.corrections().next().expect("one joint");
+            let correction = rig.corrections()[0];
             let left = rotate(axes.left.map(f64::from), correction.to_array().map(f64::from));
             #[expect(clippy::cast_possible_truncation, reason = "back to f32")]
             let left = bone.transform_vector3(Vec3::from(left.map(|x| x as f32)));

@@ -1,8 +1,8 @@
 //! Whether a target that can be reached is.
 
-use aim::{AimRig, Behind, Settings};
+use aim::{AimRig, Behind, Pose, Settings};
 
-use super::super::chain::{DEG, Gazer, pose_for, random_state};
+use super::super::chain::{DEG, Gazer, random_state};
 use super::super::model::Model;
 use super::super::parallel;
 use super::super::random_rigs;
@@ -22,11 +22,11 @@ pub fn stuck_still(sample: &Sample) -> Vec<Row> {
             let cases = place.cases(sample.of(if hz == 60.0 { 4096 } else { 1024 }));
             let ends = parallel::map(2 * cases.len(), |i| {
                 let case = &cases[i / 2];
-                let mut scene = Scene::new(Gazer::default(), &case.pose, case.target);
+                let mut scene = Scene::new(Gazer::RIG, &case.pose, case.target);
                 let model = scene.model();
                 if i % 2 == 1 {
-                    let state = random_state(&scene.rig, &mut fastrand::Rng::with_seed(0x57_0000 + i as u64));
-                    scene.rig.set_joints(state);
+                    let state = random_state(&scene.rig.rig, &mut fastrand::Rng::with_seed(0x57_0000 + i as u64));
+                    scene.rig.state.joints = state;
                 }
                 scene.run(frames(model.longest() + 0.5, hz), 1.0 / hz, &sample.plain());
                 if scene.remaining(&model) <= TOLERANCE_RAD {
@@ -83,7 +83,7 @@ struct Orbited {
 }
 
 fn orbit(motion: &Motion, hz: f32, settings: &Settings, number: usize) -> Orbited {
-    let mut scene = Scene::new(Gazer::default(), &motion.body.at(0.0), motion.path.at(0.0));
+    let mut scene = Scene::new(Gazer::RIG, &motion.body.at(0.0), motion.path.at(0.0));
     let mut orbited = Orbited::default();
     let Path::Orbit { seconds } = motion.path else { return orbited };
     for frame in 0..frames(2.0 * f64::from(seconds.abs()), hz) {
@@ -117,15 +117,15 @@ pub fn stuck_on_random_rigs(sample: &Sample) -> Vec<Row> {
     let settings = sample.plain();
     let ends = parallel::map(count, |number| {
         let case = random_rigs::case(number);
-        let (mut rig, pose) = (case.rig, pose_for(&case.rig, &case.pose));
-        let model = Model::new(&rig, &case.pose);
+        let (mut rig, pose) = (case.character(), Pose::new(case.pose.as_slice()));
+        let model = Model::new(&case.rig, &case.pose);
         let target = double(case.target);
         if !(case.reachable || within_reach(&Problem::within_ranges(&model, target), number)) {
             return (false, false);
         }
         for _ in 0..frames(model.longest() + 0.5, case.hz) {
-            rig.aim_with(&pose, case.target, 1.0 / case.hz, &settings);
-            if model.seen_remaining(&rig, target) <= TOLERANCE_RAD {
+            rig.aim(&pose, case.target, 1.0 / case.hz, &settings);
+            if model.seen_remaining(rig.corrections(), target) <= TOLERANCE_RAD {
                 return (true, true);
             }
         }

@@ -6,6 +6,7 @@ use super::super::reference::Problem;
 use super::super::row::{Row, largest, quantile};
 use super::super::sample::{FRAME_RATES, Sample, Scene, frames};
 use super::super::workload::{Where, double, track};
+use aim::AimRig;
 
 /// The lag behind a swinging target.
 pub fn following(sample: &Sample) -> Vec<Row> {
@@ -13,7 +14,7 @@ pub fn following(sample: &Sample) -> Vec<Row> {
     for (moving, hz) in [(false, 60.0), (false, 30.0), (false, 144.0), (true, 60.0)] {
         let motions = track(sample.of(256), moving);
         let followed = parallel::map(motions.len(), |i| {
-            let mut scene = Scene::new(Gazer::default(), &motions[i].body.at(0.0), motions[i].path.at(0.0));
+            let mut scene = Scene::new(Gazer::RIG, &motions[i].body.at(0.0), motions[i].path.at(0.0));
             let mut lags = Vec::new();
             for frame in 0_u16..600 {
                 scene.follow(&motions[i], f32::from(frame) / hz);
@@ -43,7 +44,7 @@ pub fn resting(sample: &Sample) -> Vec<Row> {
     for hz in FRAME_RATES {
         let cases = Where::Front.cases(sample.of(if hz == 60.0 { 4096 } else { 1024 }));
         let ends = parallel::map(cases.len(), |i| {
-            let mut scene = Scene::new(Gazer::default(), &cases[i].pose, cases[i].target);
+            let mut scene = Scene::new(Gazer::RIG, &cases[i].pose, cases[i].target);
             let model = scene.model();
             scene.run(frames(model.longest() + 1.0, hz), 1.0 / hz, &sample.plain());
             let problem = Problem::within_ranges(&model, double(cases[i].target));

@@ -1,7 +1,7 @@
 //! [`Shift`]: one shift of the gaze, from a target straight ahead to one that appears aside, frame by frame.
 
-use aim::glam::{Affine3A, Vec3};
-use aim::{AimRig, Settings};
+use aim::glam::{Affine3A, Quat, Vec3};
+use aim::{AimRig, Rig, Settings};
 
 use super::super::chain::{DEG, Gazer};
 use super::super::model::{Angles, Model};
@@ -42,9 +42,9 @@ pub(crate) struct Shift {
 impl Shift {
     /// A target at 2 m jumps by so many degrees, in this direction: 0 is left, a quarter turn up.
     pub(crate) fn new(pose: &[Affine3A; 3], degrees: f64, direction: f64, hz: f32, settings: &Settings) -> Self {
-        let rig = Gazer::default();
-        let model = Model::new(&rig, pose);
-        let [origin, ahead] = model.seen(&rig);
+        let rig = Gazer::RIG;
+        let model = Model::new(rig, pose);
+        let [origin, ahead] = model.seen(&[Quat::IDENTITY; 3]);
         let up = [0.0, 1.0, 0.0];
         let left = unit(cross(up, ahead));
         let up = cross(ahead, left);
@@ -56,7 +56,7 @@ impl Shift {
             Vec3::from(point)
         };
         let accelerations =
-            model.angles.iter().map(|angle| f64::from(rig.joint_infos()[angle.joint].acceleration)).collect();
+            model.angles.iter().map(|angle| f64::from(rig.description().joints()[angle.joint].acceleration)).collect();
         let mut scene = Scene::new(rig, pose, at(ahead));
         scene.run(frames(0.5, hz), 1.0 / hz, settings);
         scene.target = at(aside);
@@ -65,7 +65,7 @@ impl Shift {
             if frame > 0 {
                 scene.step(1.0 / hz, settings);
             }
-            let [_, gaze] = model.seen(&scene.rig);
+            let [_, gaze] = model.seen(scene.rig.corrections());
             seen.push(Frame { angles: scene.angles(&model), gaze, remaining: scene.remaining(&model) });
         }
         Self { frames: seen, hz: hz.into(), ahead, aside, accelerations }

@@ -51,20 +51,20 @@ use aim::glam::Vec3;
 use aim::{AimRig, Joint, Rigid, differentiate};
 
 /// For everyone.
-#[derive(AimRig)]
-#[aim(bones(up = (0.0, 0.96, 0.28), forward = (0.6, -0.224, 0.768)), effector(forward = +Z))]
+#[derive(Debug, AimRig)]
+#[aim(axes(up = (0.0, 0.96, 0.28), forward = (0.6, -0.224, 0.768)), effector(forward = +Z))]
 pub struct Public {
     /// The eye.
-    #[joint(heading = -0.6rad..=0.6rad, pitch = -0.4rad..=0.35rad, rate = 7.5rad, comfort = 0.5)]
+    #[joint(role = eye, heading = -0.6rad..=0.6rad, pitch = -0.4rad..=0.35rad, rate = 7.5rad, stiffness = 0.5)]
     pub eye: Joint,
-    #[joint(heading = free, rate = 170deg, bones(up = -Z, forward = +X), mirrored = true)]
+    #[joint(role = neck, heading = free, rate = 170deg, axes(up = -Z, forward = +X), mirrored = true)]
     neck: Joint,
 }
 
-#[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y))]
+#[derive(Debug, AimRig)]
+#[aim(axes(up = +X, forward = +Y))]
 pub(crate) struct Inside {
-    #[joint(heading = -35deg..=35deg, rate = 450deg)]
+    #[joint(role = eye, heading = -35deg..=35deg, rate = 450deg)]
     pub(crate) eye: Joint,
 }
 
@@ -72,27 +72,27 @@ pub(crate) struct Inside {
 pub use private::Hidden;
 
 mod private {
-    use aim::{AimRig, Joint};
+    use aim::{AimRig, Joint, Rig};
 
     /// The rig.
-    #[derive(AimRig)]
-    #[aim(bones(up = +X, forward = +Y))]
+    #[derive(Debug, AimRig)]
+    #[aim(axes(up = +X, forward = +Y))]
     pub struct Hidden {
-        #[joint(pitch = -35deg..=35deg, rate = 450deg)]
+        #[joint(role = eye, pitch = -35deg..=35deg, rate = 450deg)]
         eye: Joint,
     }
 
-    #[derive(AimRig)]
-    #[aim(bones(up = +X, forward = +Y))]
+    #[derive(Debug, AimRig)]
+    #[aim(axes(up = +X, forward = +Y))]
     struct Private {
-        #[joint(pitch = -35deg..=35deg, rate = 450deg)]
+        #[joint(role = eye, pitch = -35deg..=35deg, rate = 450deg)]
         eye: Joint,
     }
 
     /// The joints of a rig that nobody else sees.
     #[must_use]
     pub fn joints() -> usize {
-        Private::default().joint_infos().len()
+        Private::RIG.description().joints().len()
     }
 }
 
@@ -101,7 +101,7 @@ pub use private::joints;
 /// The joints of a rig that only this crate sees.
 #[must_use]
 pub fn inside() -> Joint {
-    Inside::default().eye
+    Inside::RIG.eye
 }
 
 /// The cosine between an eye's direction and the target's.
@@ -128,6 +128,7 @@ pub mod generated {
     use aim::Joint;
 
     /// The golden expansion's struct.
+    #[derive(Debug)]
     pub struct Thug {
         left_eye: Joint,
         neck: Joint,
@@ -137,6 +138,7 @@ pub mod generated {
     include!("../../../expected/thug.rs");
 
     /// The golden expansion's struct.
+    #[derive(Debug)]
     pub struct General {
         left_eye: Joint,
         r#neck: Joint,
@@ -148,6 +150,8 @@ pub mod generated {
 /// A strict crate lints what `build.rs` wrote, too: the bundled rigs stand under the facade's own lints.
 #[cfg(test)]
 mod tests {
+    use aim::Rig;
+
     use super::{AimRig, Public, generated};
 
     #[test]
@@ -158,8 +162,8 @@ mod tests {
         let (value, ..) = super::looks_hessian(0.0, &super::Vec3::Y, super::Rigid::IDENTITY);
         assert!((value - super::looks(0.0, &super::Vec3::Y, super::Rigid::IDENTITY)).abs() < 1e-6);
         assert!((value - super::looks_gradient(0.0, &super::Vec3::Y, super::Rigid::IDENTITY).0).abs() < 1e-6);
-        assert_eq!(Public::default().joints().len(), 2);
-        assert_eq!(generated::Thug::default().joints().len(), 3);
-        assert_eq!(generated::General::default().joints().len(), 2);
+        assert_eq!(Public::RIG.description().joints().len(), 2);
+        assert_eq!(generated::Thug::RIG.description().joints().len(), 3);
+        assert_eq!(generated::General::RIG.description().joints().len(), 2);
     }
 }

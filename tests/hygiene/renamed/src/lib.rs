@@ -5,17 +5,17 @@ use aim2::{AimRig, Joint};
 
 /// Named from the roots of the crates.
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y), crate = ::aim2)]
+#[aim(axes(up = +X, forward = +Y), crate = ::aim2)]
 pub struct Absolute {
-    #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]
+    #[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]
     eye: Joint,
 }
 
 /// Named as a `use` would.
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y), crate = aim2)]
+#[aim(axes(up = +X, forward = +Y), crate = aim2)]
 pub struct Relative {
-    #[joint(heading = -35deg..=35deg, rate = 450deg)]
+    #[joint(role = eye, heading = -35deg..=35deg, rate = 450deg)]
     eye: Joint,
 }
 
@@ -25,9 +25,9 @@ mod engine {
 
 /// Named as a re-export of another library is.
 #[derive(AimRig)]
-#[aim(bones(up = +X, forward = +Y), crate = crate::engine::looking)]
+#[aim(axes(up = +X, forward = +Y), crate = crate::engine::looking)]
 pub struct Reexported {
-    #[joint(pitch = -25deg..=20deg, rate = 450deg)]
+    #[joint(role = eye, pitch = -25deg..=20deg, rate = 450deg)]
     eye: Joint,
 }
 
@@ -41,10 +41,11 @@ pub fn squared(v: Vec3) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use aim2::glam::{Affine3A, Vec3};
-    use aim2::{AimRig, Pose};
+    use aim2::{Aim, AimRig, Pose, Settings};
 
-    fn turns<R: for<'a> AimRig<Array<Affine3A> = [Affine3A; 1]>>(mut rig: R, target: Vec3) {
-        let outcome = rig.snap(&Pose { joints: [Affine3A::IDENTITY] }, target);
+    fn turns<R: for<'a> AimRig<Array<Affine3A> = [Affine3A; 1]>>(target: Vec3) {
+        let pose = Pose::new([Affine3A::IDENTITY]);
+        let outcome = Aim::<R>::new().snap(&pose, target, &Settings::default()).outcome;
         assert_eq!(outcome.status, aim2::Status::Reached, "{outcome:?}");
     }
 
@@ -56,8 +57,8 @@ mod tests {
 
     #[test]
     fn every_path_leads_to_the_facade() {
-        turns(super::Absolute::default(), Vec3::new(0.1, 1.0, 0.1));
-        turns(super::Relative::default(), Vec3::new(0.0, 1.0, 0.1));
-        turns(super::Reexported::default(), Vec3::new(0.1, 1.0, 0.0));
+        turns::<super::Absolute>(Vec3::new(0.1, 1.0, 0.1));
+        turns::<super::Relative>(Vec3::new(0.0, 1.0, 0.1));
+        turns::<super::Reexported>(Vec3::new(0.1, 1.0, 0.0));
     }
 }

@@ -112,11 +112,11 @@ impl<Any> Methods for Any {}
 
 /// Two joints with kernels of their own.
 #[derive(::aim::AimRig)]
-#[aim(bones(up = +X, forward = +Y), effector(forward = (0.0, 0.8, 0.6), origin = (0.0, 0.1, 0.0)), natural(delay = 0.1))]
+#[aim(axes(up = +X, forward = +Y), effector(forward = (0.0, 0.8, 0.6), origin = (0.0, 0.1, 0.0)), natural(delay = 0.1))]
 pub struct Thug {
-    #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, acceleration = 90rad)]
+    #[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, acceleration = 90rad)]
     left_eye: ::aim::Joint,
-    #[joint(heading = free, pitch = -25deg..=20deg, rate = 90deg, bones(up = +Z, forward = +X), level = 0.5)]
+    #[joint(role = neck, heading = free, pitch = -25deg..=20deg, rate = 90deg, axes(up = +Z, forward = +X), upright = 0.5)]
     neck: ::aim::Joint,
 }
 
@@ -136,14 +136,14 @@ pub fn scaled(v: ::aim::glam::Vec3) -> ::aim::glam::Vec3 {
 /// Rigs called as the type parameters of emitted code are.
 mod parameters {
     #[derive(::aim::AimRig)]
-    #[aim(bones(up = +X, forward = +Y))]
+    #[aim(axes(up = +X, forward = +Y))]
     struct S {
         #[joint(heading = -35deg..=35deg, rate = 450deg)]
         s: ::aim::Joint,
     }
 
     #[derive(::aim::AimRig)]
-    #[aim(bones(up = +X, forward = +Y))]
+    #[aim(axes(up = +X, forward = +Y))]
     struct T {
         #[joint(heading = -35deg..=35deg, rate = 450deg)]
         t: ::aim::Joint,
@@ -153,7 +153,7 @@ mod parameters {
 #[cfg(test)]
 mod tests {
     use ::std::prelude::rust_2024::*;
-    use ::std::{assert, assert_eq, format};
+    use ::std::{assert, assert_eq};
 
     #[test]
     fn the_function_means_what_it_says() {
@@ -165,13 +165,13 @@ mod tests {
 
     #[test]
     fn the_rig_means_what_it_says() {
-        use ::aim::AimRig as _;
-        let mut thug = super::Thug::default();
-        assert_eq!(format!("{:?}", ::aim::AimRig::joints(&thug)[0]), format!("{:?}", ::aim::Joint::default()));
-        assert!(format!("{thug:?}").starts_with("Thug { left_eye: Joint"), "{thug:?}");
-        assert_eq!(super::Thug::BONES, [["left_eye"], ["neck"]]);
-        let pose = ::aim::Pose { joints: [::aim::glam::Affine3A::IDENTITY; 2] };
-        let outcome = thug.snap(&pose, ::aim::glam::Vec3::new(0.5, 2.0, 2.0));
+        let mut thug = <::aim::Aim<super::Thug>>::new();
+        assert!(thug.joints().left_eye == ::aim::Joint::REST && thug.joints().neck == ::aim::Joint::REST);
+        let rig = <super::Thug as ::aim::AimRig>::RIG;
+        assert_eq!([0, 1].map(|joint| ::aim::Rig::bone_name(rig, joint, 0)), [Some("left_eye"), Some("neck")]);
+        let pose = <::aim::Pose<_>>::new([::aim::glam::Affine3A::IDENTITY; 2]);
+        let settings = <::aim::Settings as ::core::default::Default>::default();
+        let outcome = thug.snap(&pose, ::aim::glam::Vec3::new(0.5, 2.0, 2.0), &settings).outcome;
         assert_eq!(outcome.status, ::aim::Status::Reached, "{outcome:?}");
     }
 }

@@ -1,0 +1,4 @@
+//! Declarations proposed for characters, and rigs interpreted on them.
+
+mod declaration;
+mod mixed_rigs;

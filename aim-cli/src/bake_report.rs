@@ -1,0 +1,202 @@
+//! The report of a bake: every frame, and a summary.
+
+use std::path::Path;
+
+use aim_codegen::{AngleRange, Angles, JointSpec, RigSpec};
+use aim_gltf::{AimedFrame, Baked, JointFrame};
+use aim_runtime::Status;
+use serde::Serialize;
+
+/// Content of `--report`. Angles are in degrees.
+#[derive(Debug, Serialize)]
+pub(crate) struct BakeReport {
+    pub(crate) rig: String,
+    pub(crate) solver: &'static str,
+    pub(crate) clip: String,
+    pub(crate) fps: f32,
+    pub(crate) effector: Effector,
+    pub(crate) frames: Vec<BakeFrame>,
+    pub(crate) summary: BakeSummary,
+}
+
+/// The effector, in its bone's local space.
+#[derive(Debug, Serialize)]
+pub(crate) struct Effector {
+    bone: String,
+    forward: [f64; 3],
+    origin: [f64; 3],
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct BakeFrame {
+    pub(crate) t: f32,
+    pub(crate) target: [f64; 3],
+    pub(crate) error_deg: f64,
+    /// By how much the effector's joint is rolled about the gaze more than in the animation, positive to the left; see
+    /// [`AimedFrame::roll_deg`].
+    pub(crate) roll_deg: f64,
+    /// The other eye's error, where both are aimed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) pair_error_deg: Option<f64>,
+    pub(crate) status: &'static str,
+    pub(crate) joints: Vec<JointReport>,
+    followers: Vec<Follower>,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct JointReport {
+    pub(crate) bone: String,
+    pub(crate) heading_deg: f64,
+    pub(crate) pitch_deg: f64,
+    pub(crate) at_limit: bool,
+    pub(crate) recovering: bool,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Follower {
+    bone: String,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct BakeSummary {
+    pub(crate) frames: usize,
+    pub(crate) reached: usize,
+    pub(crate) max_error_deg_reached: f64,
+    pub(crate) max_rate_violation_deg_s: f64,
+    pub(crate) max_limit_violation_deg: f64,
+    /// The largest roll to either side.
+    pub(crate) max_roll_deg: f64,
+}
+
+/// The word of the contract.
+pub(crate) fn status_word(status: Status) -> &'static str {
+    match status {
+        Status::Reached => "reached",
+        Status::RateLimited => "rate_limited",
+        Status::AtLimit => "at_limit",
+        Status::Behind => "behind",
+        _ => "degenerate",
+    }
+}
+
+impl BakeReport {
+    /// Reports `baked`; `bones` are the names of the chain's nodes, `other_eye` that of the other eye's.
+    pub(crate) fn new(
+        spec: &RigSpec,
+        solver: &'static str,
+        fps: f32,
+        bones: &[String],
+        other_eye: Option<String>,
+        baked: &Baked,
+    ) -> Self {
+        let followers: Vec<Follower> = other_eye.into_iter().map(|bone| Follower { bone }).collect();
+        let joint = |(joint, bone): (&JointFrame, &String)| JointReport {
+            bone: bone.clone(),
+            heading_deg: f64::from(joint.heading).to_degrees(),
+            pitch_deg: f64::from(joint.pitch).to_degrees(),
+            at_limit: joint.at_limit,
+            recovering: joint.recovering,
+        };
+        let frames = baked.frames.iter().map(|frame| BakeFrame {
+            t: frame.t,
+            target: frame.target.to_array(),
+            error_deg: frame.error_deg,
+            roll_deg: frame.roll_deg,
+            pair_error_deg: frame.pair_error_deg,
+            status: status_word(frame.outcome.status),
+            joints: frame.joints.iter().zip(bones).map(joint).collect(),
+            followers: followers.clone(),
+        });
+        let effector = &spec.effector;
+        Self {
+            rig: spec.name.clone(),
+            solver,
+            clip: baked.clip.name.clone(),
+            fps,
+            effector: Effector { bone: bones[0].clone(), forward: effector.frame.forward, origin: effector.origin },
+            summary: BakeSummary::new(spec, baked),
+            frames: frames.collect(),
+        }
+    }
+
+    /// The summary in words; `file` is what was written.
+    pub(crate) fn in_words(&self, file: &Path) -> String {
+        let count = |status: &str| self.frames.iter().filter(|frame| frame.status == status).count();
+        let BakeSummary { frames, reached, max_error_deg_reached, .. } = self.summary;
+        let mut out = format!("wrote {}: {frames} frames of {:?} aimed by {}, ", file.display(), self.clip, self.rig);
+        out += &match reached {
+            0 => "none of them on target".to_owned(),
+            _ => format!("{reached} of them on target (error at most {max_error_deg_reached:.3}°)"),
+        };
+        let others = [
+            ("rate_limited", "on the way"),
+            ("at_limit", "out of reach"),
+            ("behind", "behind the character"),
+            ("degenerate", "without a direction"),
+        ];
+        for (status, words) in others {
+            let frames = count(status);
+            if frames > 0 {
+                out += &format!(", {frames} {words}");
+            }
+        }
+        out
+    }
+}
+
+impl BakeSummary {
+    fn new(spec: &RigSpec, baked: &Baked) -> Self {
+        let reached = baked.frames.iter().filter(|frame| frame.outcome.status == Status::Reached);
+        Self {
+            frames: baked.frames.len(),
+            reached: reached.clone().count(),
+            max_error_deg_reached: reached.map(|frame| frame.error_deg).fold(0.0, f64::max),
+            max_rate_violation_deg_s: rate_violation(spec, &baked.frames),
+            max_limit_violation_deg: limit_violation(spec, &baked.frames),
+            max_roll_deg: baked.frames.iter().map(|frame| frame.roll_deg.abs()).fold(0.0, f64::max),
+        }
+    }
+}
+
+/// By how much an angle's speed between two frames exceeds its rate at most, degrees a second.
+fn rate_violation(spec: &RigSpec, frames: &[AimedFrame]) -> f64 {
+    let mut worst: f64 = 0.0;
+    for pair in frames.windows(2) {
+        let seconds = f64::from(pair[1].t - pair[0].t);
+        for ((joint, before), after) in spec.joints.iter().zip(&pair[0].joints).zip(&pair[1].joints) {
+            let heading = change(joint.heading, before.heading, after.heading);
+            let pitch = change(joint.pitch, before.pitch, after.pitch);
+            worst = worst.max(heading.max(pitch) / seconds - joint.rate);
+        }
+    }
+    worst.to_degrees()
+}
+
+fn change(range: Option<AngleRange>, before: f32, after: f32) -> f64 {
+    let change = f64::from(after) - f64::from(before);
+    match range {
+        Some(AngleRange::Free) => {
+            let turn = std::f64::consts::TAU;
+            (change - turn * (change / turn).round()).abs()
+        }
+        _ => change.abs(),
+    }
+}
+
+/// By how much an angle leaves its range at most, degrees.
+fn limit_violation(spec: &RigSpec, frames: &[AimedFrame]) -> f64 {
+    let all = frames.iter().flat_map(|frame| spec.joints.iter().zip(&frame.joints));
+    all.flat_map(|(joint, at)| {
+        let angles = [at.heading, at.pitch].map(f64::from);
+        motion(joint, at).into_iter().zip(angles).map(|([lo, hi], angle)| (lo - angle).max(angle - hi))
+    })
+    .fold(0.0, f64::max)
+    .to_degrees()
+}
+
+/// The ranges of heading and pitch in one frame, as added angles in radians: nothing where an angle is not declared,
+/// infinite where it is free. Whatever the animation does, 0 belongs to them.
+pub(crate) fn motion(joint: &JointSpec, at: &JointFrame) -> [[f64; 2]; 2] {
+    let range = joint.range_of_motion(at.led.map(|[heading, pitch]| Angles { heading, pitch }));
+    [range.heading.ends(), range.pitch_at(f64::from(at.heading)).ends()]
+}

@@ -1,0 +1,23 @@
+//! The shell of every page that the command writes: one file that needs no network and no script. The same content gives
+//! the same bytes.
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+/// A page with that title, style sheet and main content.
+pub(crate) fn page(title: &str, style: &str, content: &Markup) -> String {
+    html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                meta name="generator" content=(concat!("aim ", env!("CARGO_PKG_VERSION")));
+                title { (title) }
+                style { (PreEscaped(style)) }
+            }
+            body { main { (content) } }
+        }
+    }
+    .into_string()
+}

@@ -1,0 +1,166 @@
+//! The report of `aim reach`: targets, trajectory and frames, and a summary in words.
+
+use aim_gltf::{Arrival, Clip, Document, ReachPlan, Reached};
+use aim_runtime::ik::TwoBoneStatus;
+use aim_runtime::trajectory::Status;
+use glam::DVec3;
+use serde::Serialize;
+
+use crate::words::tiny;
+
+/// Content of `--report`; the command's help describes it.
+#[derive(Debug, Serialize)]
+pub(crate) struct ReachReport {
+    pub(crate) clip: String,
+    pub(crate) bone: String,
+    pub(crate) limb: [String; 3],
+    pub(crate) fps: f32,
+    pub(crate) length: f64,
+    pub(crate) targets: Vec<TargetReport>,
+    pub(crate) trajectory: TrajectoryReport,
+    pub(crate) frames: Vec<ReachFrame>,
+    pub(crate) summary: ReachSummary,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct TargetReport {
+    pub(crate) at: f32,
+    pub(crate) target: [f64; 3],
+    pub(crate) aimed: [f64; 3],
+    pub(crate) status: &'static str,
+    pub(crate) error: f64,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct TrajectoryReport {
+    pub(crate) status: &'static str,
+    pub(crate) evaluations: usize,
+    pub(crate) gradient: f64,
+    pub(crate) distortion: f64,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct ReachFrame {
+    pub(crate) t: f32,
+    pub(crate) before: [f64; 3],
+    pub(crate) wanted: [f64; 3],
+    pub(crate) after: [f64; 3],
+    pub(crate) status: &'static str,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct ReachSummary {
+    pub(crate) frames: usize,
+    pub(crate) reached: usize,
+    pub(crate) stretched: usize,
+    pub(crate) max_error: f64,
+}
+
+/// Largest distance from a target that counts as reached, in lengths of the limb.
+const REACHED: f64 = 1e-4;
+
+impl ReachFrame {
+    /// Distance from where the deformed trajectory wants the bone.
+    pub(crate) fn error(&self) -> f64 {
+        DVec3::from(self.after).distance(self.wanted.into())
+    }
+
+    /// Distance from where the bone was.
+    pub(crate) fn moved(&self) -> f64 {
+        DVec3::from(self.after).distance(self.before.into())
+    }
+}
+
+impl ReachReport {
+    /// Largest distance from a target that counts as reached.
+    pub(crate) fn tolerance(&self) -> f64 {
+        REACHED * self.length
+    }
+
+    /// `clip` is of `written`, the model as it was written: what the report claims is so in the file.
+    pub(crate) fn new(bone: &str, plan: &ReachPlan<'_>, reached: &Reached, written: &Document, clip: &Clip) -> Self {
+        let limb = plan.limb;
+        let skeleton = written.skeleton();
+        let after = |t: f32| skeleton.world_f64(&skeleton.pose(clip, t))[limb.tip].translation;
+        let target = |arrival: &Arrival| {
+            let error = after(arrival.goal.at).distance(arrival.goal.target);
+            TargetReport {
+                at: arrival.goal.at,
+                target: arrival.goal.target.to_array(),
+                aimed: arrival.aimed.to_array(),
+                status: match arrival.reach {
+                    _ if error <= REACHED * reached.length => "reached",
+                    TwoBoneStatus::TooNear => "too_near",
+                    _ => "too_far",
+                },
+                error,
+            }
+        };
+        let targets: Vec<_> = reached.arrivals.iter().map(target).collect();
+        let frames = reached.frames.iter().map(|frame| ReachFrame {
+            t: frame.t,
+            before: frame.before.to_array(),
+            wanted: frame.wanted.to_array(),
+            after: after(frame.t).to_array(),
+            status: match frame.status {
+                TwoBoneStatus::TooFar => "stretched",
+                TwoBoneStatus::TooNear => "folded",
+                TwoBoneStatus::Degenerate => "degenerate",
+                _ => "reached",
+            },
+        });
+        let frames: Vec<_> = frames.collect();
+        Self {
+            clip: reached.clip.name.clone(),
+            bone: bone.to_owned(),
+            limb: [limb.upper, limb.lower, limb.tip].map(|node| skeleton.nodes()[node].name.clone()),
+            fps: plan.fps,
+            length: reached.length,
+            summary: ReachSummary {
+                frames: frames.len(),
+                reached: targets.iter().filter(|target| target.status == "reached").count(),
+                stretched: frames.iter().filter(|frame| frame.status == "stretched").count(),
+                max_error: frames.iter().map(ReachFrame::error).fold(0.0, f64::max),
+            },
+            targets,
+            trajectory: TrajectoryReport {
+                status: match reached.outcome.status {
+                    Status::Met => "met",
+                    Status::Unsettled => "unsettled",
+                    Status::Missed => "missed",
+                    Status::Degenerate => "degenerate",
+                },
+                evaluations: reached.outcome.evaluations,
+                gradient: reached.outcome.gradient,
+                distortion: reached.outcome.distortion * reached.length * reached.length,
+            },
+            frames,
+        }
+    }
+
+    /// The result for each target and for the limb, one sentence a line.
+    pub(crate) fn in_words(&self) -> String {
+        let mut words = String::new();
+        for target in &self.targets {
+            let [x, y, z] = target.aimed;
+            words += &match target.status {
+                "reached" => format!("{} is on its target at {} s", self.bone, target.at),
+                too => format!(
+                    "{} cannot get to its target at {} s, it is {}: it comes as near as {}, at {x:.4},{y:.4},{z:.4}",
+                    self.bone,
+                    target.at,
+                    too.replace('_', " "),
+                    tiny(target.error, "")
+                ),
+            };
+            words += "\n";
+        }
+        if self.summary.stretched > 0 {
+            words += &format!(
+                "In {} of {} frames the way there is beyond the limb, which is stretched towards it\n",
+                self.summary.stretched, self.summary.frames
+            );
+        }
+        words
+    }
+}

@@ -1,0 +1,148 @@
+//! Numbers and statuses as people read them; the same number always becomes the same text.
+
+use glam::DVec3;
+use maud::{Markup, html};
+
+/// Statuses in the order in which they are listed: the contract's word, ours, what it means.
+pub(crate) const STATUSES: [(&str, &str, &str); 5] = [
+    ("reached", "on target", "within the tolerance of the target"),
+    ("rate_limited", "on the way", "within reach as soon as the rates allow"),
+    ("at_limit", "out of reach", "beyond the ranges of motion"),
+    ("behind", "behind", "the target is behind the character"),
+    ("degenerate", "no direction", "the target or the pose has no direction to aim along"),
+];
+
+/// A status in our words; one that is not known in its own.
+pub(crate) fn status(word: &str) -> &str {
+    STATUSES.iter().find(|(own, ..)| *own == word).map_or(word, |(_, ours, _)| ours)
+}
+
+/// A small patch of a status's colour.
+pub(crate) fn chip(status: &str) -> Markup {
+    html! { svg.patch viewBox="0 0 10 10" aria-hidden="true" { rect class={ "status " (status) } width="10" height="10" rx="2" {} } }
+}
+
+/// A coordinate of a drawing: one decimal, nothing superfluous.
+pub(crate) fn n(value: f64) -> String {
+    trimmed(value, 1)
+}
+
+/// A straight line of a drawing, in that class; nothing if one of its ends is not finite.
+pub(crate) fn segment(class: &str, from: DVec3, to: DVec3) -> Markup {
+    html! {
+        @if from.is_finite() && to.is_finite() {
+            line class=(class) x1=(n(from.x)) y1=(n(from.y)) x2=(n(to.x)) y2=(n(to.y)) {}
+        }
+    }
+}
+
+/// The attribute `points` of these points of a drawing.
+pub(crate) fn points(points: impl IntoIterator<Item = DVec3>) -> String {
+    points.into_iter().map(|p| format!("{},{}", n(p.x), n(p.y))).collect::<Vec<_>>().join(" ")
+}
+
+/// With that many decimals, less the zeros at the end.
+pub(crate) fn trimmed(value: f64, decimals: usize) -> String {
+    let text = fixed(value, decimals);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// With exactly that many decimals; zero has no sign.
+pub(crate) fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let is_zero = text.starts_with('-') && text.chars().all(|c| matches!(c, '-' | '0' | '.'));
+    if is_zero { text[1..].to_owned() } else { text }
+}
+
+/// For reading: [`trimmed`], with the minus sign of print.
+pub(crate) fn shown(value: f64, decimals: usize) -> String {
+    trimmed(value, decimals).replace('-', "−")
+}
+
+/// An angle: more decimals where it is small.
+pub(crate) fn degrees(value: f64) -> String {
+    let decimals = match value.abs() {
+        x if x < 1.0 => 3,
+        x if x < 10.0 => 2,
+        _ => 1,
+    };
+    format!("{}°", fixed(value, decimals))
+}
+
+/// Something that ought to be nothing: its size to two digits, such as `4.9 × 10⁻⁵°/s`.
+pub(crate) fn tiny(value: f64, unit: &str) -> String {
+    if value >= 1e-3 || value <= 0.0 {
+        return format!("{}{unit}", trimmed(value, 3));
+    }
+    let text = format!("{value:.1e}");
+    let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+    let gap = if unit.is_empty() { "" } else { "\u{202f}" };
+    format!("{digits} × 10{}{gap}{unit}", raised(power))
+}
+
+fn raised(power: &str) -> String {
+    let raised = |c: char| match c.to_digit(10) {
+        Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
+        None => '⁻',
+    };
+    power.chars().map(raised).collect()
+}
+
+/// A power of ten on an axis: small ones as such, `10⁻⁵`.
+pub(crate) fn power_of_ten(value: f64) -> String {
+    if value >= 0.99e-3 { shown(value, 3) } else { format!("10{}", raised(&fixed(value.log10(), 0))) }
+}
+
+/// `+X`, or the components of a vector that is no axis.
+pub(crate) fn axis(v: [f64; 3]) -> String {
+    let along = ["X", "Y", "Z"].into_iter().zip(v).find(|(_, component)| component.abs() > 1.0 - 1e-9);
+    match along {
+        Some((name, component)) => format!("{}{name}", if component < 0.0 { '-' } else { '+' }),
+        None => format!("({})", v.map(|x| fixed(x, 3)).join(", ")),
+    }
+}
+
+/// The smallest and the largest of some numbers; of none the largest number and the smallest.
+pub(crate) fn span(numbers: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    numbers.into_iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)))
+}
+
+/// A number of things; exact below 2^52.
+#[expect(clippy::cast_precision_loss, reason = "frames, letters and pixels are far fewer")]
+pub(crate) fn count(value: usize) -> f64 {
+    value as f64
+}
+
+/// `1 frame`, `2 frames`.
+pub(crate) fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
+/// Names in a row: `a`, `a and b`, `a, b and c`.
+pub(crate) fn listed(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [only] => (*only).to_owned(),
+        [front @ .., last] => format!("{} and {last}", front.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short_and_zero_has_no_sign() {
+        assert_eq!([n(-0.04), n(12.0), n(-3.25), n(0.06)], ["0", "12", "-3.2", "0.1"]);
+        assert_eq!([degrees(0.06392), degrees(3.2149), degrees(179.96)], ["0.064°", "3.21°", "180.0°"]);
+        assert_eq!([shown(-2.50, 2), shown(-0.001, 2)], ["−2.5", "0"]);
+        assert_eq!([power_of_ten(100.0), power_of_ten(1e-3), power_of_ten(1e-8)], ["100", "0.001", "10⁻⁸"]);
+        assert_eq!([tiny(0.0, "°"), tiny(4.9e-5, "°/s"), tiny(2.5, "°")], ["0°", "4.9 × 10⁻⁵\u{202f}°/s", "2.5°"]);
+    }
+
+    #[test]
+    fn lists_read_as_sentences() {
+        assert_eq!([listed(&["a"]), listed(&["a", "b"]), listed(&["a", "b", "c"])], ["a", "a and b", "a, b and c"]);
+        assert_eq!([counted(1, "frame"), counted(0, "frame")], ["1 frame", "0 frames"]);
+    }
+}

@@ -1,0 +1,195 @@
+//! The options of a bake: how it begins, how long it is, how many keys it has, whether it loops, which clip it takes.
+
+use crate::common::Place;
+use crate::common::forward::{Bake, both_eyes, list, number};
+use crate::common::rig::joints;
+use serde_json::{Value, json};
+
+/// Bakes `m.glb` with `m.toml` in `place` and checks everything; returns the report.
+#[track_caller]
+fn bake(place: &Place, options: &str) -> Value {
+    place.done(&format!("bake m.glb --rig m.toml --out out.glb --report r.json {options}"));
+    let rig = String::from_utf8(place.read("m.toml")).expect("text");
+    let (source, output, report) = (place.read("m.glb"), place.read("out.glb"), place.json("r.json"));
+    Bake { source: &source, output: &output, report: &report, joints: Some(&joints(&rig)) }.check();
+    report
+}
+
+fn angles(frame: &Value) -> Vec<f64> {
+    list(&frame["joints"]).iter().flat_map(|j| [number(&j["heading_deg"]), number(&j["pitch_deg"])]).collect()
+}
+
+fn frames(report: &Value) -> (&Value, &Value, usize) {
+    let frames = list(&report["frames"]);
+    (&frames[0], &frames[frames.len() - 1], frames.len())
+}
+
+const ASIDE: &str = "--target 1.2,1.9,1.5";
+
+#[test]
+fn settling_by_a_snap_begins_on_the_target() {
+    let report = bake(&Place::with_mannequin(), ASIDE);
+    assert_eq!(frames(&report).0["status"], "reached");
+    assert_eq!(report["frames"], bake(&Place::with_mannequin(), &format!("{ASIDE} --settle snap"))["frames"]);
+}
+
+#[test]
+fn settling_from_the_animation_begins_at_rest() {
+    let report = bake(&Place::with_mannequin(), &format!("{ASIDE} --settle animation"));
+    let (first, last, _) = frames(&report);
+    assert_eq!((angles(first), &first["status"]), (vec![0.0; 6], &json!("rate_limited")));
+    assert_eq!(last["status"], "reached");
+}
+
+#[test]
+fn a_bake_covers_the_clip_once_or_as_long_as_asked() {
+    let place = Place::with_mannequin();
+    for (options, seconds, count) in [
+        ("", 1.2, 73),
+        ("--seconds 0.5", 0.5, 31),
+        ("--seconds 4.3", 4.3, 259),
+        ("--seconds 2.4 --fps 24", 2.4, 59),
+        ("--fps 144", 1.2, 174),
+        ("--seconds 1 --fps 59.94", 1.0, 61),
+        ("--seconds 0.001 --fps 1000", 0.001, 2),
+        ("--seconds 0.00005 --fps 200000", 0.00005, 11),
+        ("--seconds 7 --fps 0.5", 7.0, 5),
+    ] {
+        let report = bake(&place, &format!("{ASIDE} {options}"));
+        let (first, last, found) = frames(&report);
+        assert_eq!((number(&first["t"]), found), (0.0, count), "{options}");
+        assert!((number(&last["t"]) - seconds).abs() < 1e-6 * seconds, "{options}: {}", last["t"]);
+    }
+}
+
+#[test]
+fn a_loop_ends_where_it_begins() {
+    let place = Place::with_mannequin();
+    for options in [
+        "--target orbit:2,0.2,2.4 --seconds 2.4",
+        "--target orbit:2,0.2,2.4 --seconds 2.4 --settle animation",
+        "--target orbit:2,0,12 --seconds 12",
+        // Too short to arrive in one round.
+        "--target 1.5,1.9,0.5 --seconds 0.3 --settle animation",
+        "--target -1.5,1.2,0.2",
+    ] {
+        let report = bake(&place, &format!("{options} --loop"));
+        let (first, last, _) = frames(&report);
+        for (a, b) in angles(first).iter().zip(angles(last)) {
+            assert!((a - b).abs() < 1e-3, "{options}: {first} to {last}");
+        }
+    }
+}
+
+#[test]
+fn the_named_clip_is_aimed_over_and_the_others_stay() {
+    let place = Place::with_mannequin();
+    let (mut json, bin) = crate::common::gltf::take_apart(&place.read("m.glb"));
+    let mut other = json["animations"][0].clone();
+    other["name"] = json!("wälk <2>");
+    other["extras"] = json!({ "kept": true });
+    json["animations"].as_array_mut().expect("clips").push(other);
+    place.write("m.glb", &crate::common::gltf::put_together(&json, &bin));
+    let report = bake(&place, ASIDE);
+    assert_eq!(report["clip"], "walk");
+    place.done("inspect out.glb");
+    let ran = place.run(
+        "bake m.glb --rig m.toml --target 0,1,2 --out b.glb --report r.json --clip".split(' ').chain(["wälk <2>"]),
+    );
+    assert_eq!((ran.code, ran.stderr.as_str()), (0, ""));
+    let (output, _) = crate::common::gltf::take_apart(&place.read("b.glb"));
+    assert_eq!(output["animations"][0], json["animations"][0]);
+    assert_eq!(output["animations"][1]["extras"], json["animations"][1]["extras"]);
+    assert_ne!(output["animations"][1], json["animations"][1]);
+    place.refused(
+        "bake m.glb --rig m.toml --target 0,1,2 --out c.glb --clip run",
+        &["m.glb", "run", "walk", "wälk <2>"],
+    );
+}
+
+#[test]
+fn a_character_without_clips_stands_still_and_aims() {
+    let place = Place::with_mannequin();
+    place.write(
+        "m.glb",
+        &crate::common::changed(|json| drop(json.as_object_mut().expect("an object").remove("animations"))),
+    );
+    place.refused(&format!("bake m.glb --rig m.toml {ASIDE} --out out.glb"), &["m.glb", "no clip", "--seconds"]);
+    let report = bake(&place, &format!("{ASIDE} --seconds 0.5"));
+    assert_eq!((&report["clip"], frames(&report).2), (&json!("aim"), 31));
+}
+
+#[test]
+fn the_output_may_take_the_place_of_the_input() {
+    let place = Place::with_mannequin();
+    place.done(&format!("bake m.glb --rig m.toml {ASIDE} --out apart.glb"));
+    place.done(&format!("bake m.glb --rig m.toml {ASIDE} --out m.glb"));
+    assert_eq!(place.read("m.glb"), place.read("apart.glb"));
+    assert_eq!(place.names(), ["apart.glb", "m.glb", "m.toml"]);
+}
+
+#[test]
+fn the_same_bake_twice_is_the_same_file() {
+    let place = Place::with_mannequin();
+    bake(&place, ASIDE);
+    let first = (place.read("out.glb"), place.read("r.json"));
+    bake(&place, ASIDE);
+    assert_eq!(first, (place.read("out.glb"), place.read("r.json")));
+}
+
+#[test]
+fn the_solver_is_the_one_asked_for_else_the_one_that_suits_the_rig() {
+    let place = Place::with_mannequin();
+    for solver in ["natural", "exact", "ascent"] {
+        assert_eq!(bake(&place, &format!("{ASIDE} --seconds 0.2 --solver {solver}"))["solver"], solver);
+    }
+    assert_eq!(bake(&place, &format!("{ASIDE} --seconds 0.2"))["solver"], "natural");
+    let eyeless = String::from_utf8(place.read("m.toml")).expect("text");
+    let at = eyeless.find("[[joint]]").expect("a joint");
+    let neck = at + 1 + eyeless[at + 1..].find("[[joint]]").expect("a second joint");
+    place.write("m.toml", &format!("{}{}", &eyeless[..at], &eyeless[neck..]));
+    assert_eq!(bake(&place, &format!("{ASIDE} --seconds 0.2"))["solver"], "exact");
+    place.refused(
+        &format!("bake m.glb --rig m.toml {ASIDE} --out out2.glb --solver newton"),
+        &["newton", "natural", "exact", "ascent"],
+    );
+}
+
+#[test]
+fn both_eyes_are_aimed_where_there_are_two() {
+    let place = Place::with_mannequin();
+    let near = "--target 0.05,1.6,0.35 --seconds 0.2";
+    let one = bake(&place, near);
+    assert!(list(&one["frames"]).iter().all(|frame| frame.get("pair_error_deg").is_none()), "one eye, one error");
+    for (target, apart_deg) in [("0.05,1.68,0.4", [5.0, 20.0]), ("0,1.68,50", [0.0, 0.1])] {
+        place.done(&format!("bake m.glb --rig m.toml --target {target} --both-eyes --out out.glb --report r.json"));
+        let (source, output, report) = (place.read("m.glb"), place.read("out.glb"), place.json("r.json"));
+        let found = both_eyes(&source, &output, &report, ["left_eye", "right_eye"]);
+        assert!(apart_deg[0] < found && found < apart_deg[1], "{target}: the eyes are {found}° apart");
+        assert_eq!(report["summary"]["frames"], report["summary"]["reached"], "{target}");
+    }
+    let single = String::from_utf8(place.read("m.toml")).expect("text").replace("other_eye = \"right_eye\"\n", "");
+    place.write("m.toml", &single);
+    place.refused(
+        &format!("bake m.glb --rig m.toml {near} --both-eyes --out out2.glb"),
+        &["Mannequin", "no other eye", "other_eye", "--both-eyes"],
+    );
+}
+
+#[test]
+fn ranges_that_narrow_or_count_from_the_bind_pose_hold() {
+    let place = Place::with_mannequin();
+    let rig = String::from_utf8(place.read("m.toml")).expect("text");
+    for more in ["pitch_taper = 0.6", "limits_from = \"bind_pose\"", "pitch_taper = 0.6\nlimits_from = \"bind_pose\""] {
+        let rig = rig.replace("rate = ", &format!("{more}\nrate = "));
+        place.write("m.toml", &rig);
+        place.done(
+            "bake m.glb --rig m.toml --target orbit:2,0.4,4 --seconds 4 --out out.glb --report r.json --html r.html",
+        );
+        let report = place.json("r.json");
+        let violation = number(&report["summary"]["max_limit_violation_deg"]);
+        assert!(violation < 1e-3, "{more}: a range is left by {violation}°");
+        let limited = |frame: &Value| list(&frame["joints"]).iter().any(|joint| joint["at_limit"] == true);
+        assert!(list(&report["frames"]).iter().any(limited), "{more}: no range is reached");
+    }
+}

@@ -1,0 +1,116 @@
+//! Where the four kinds of targets are, computed again by the tests.
+
+use crate::common::Place;
+use crate::common::forward::{Bake, list, number, vector};
+use crate::common::gltf::Model;
+use crate::common::rig::joints;
+use glam::DVec3;
+use serde_json::Value;
+
+#[track_caller]
+fn bake(place: &Place, options: &str) -> Value {
+    place.done(&format!("bake m.glb --rig m.toml --out out.glb --report r.json {options}"));
+    let rig = String::from_utf8(place.read("m.toml")).expect("text");
+    let (source, output, report) = (place.read("m.glb"), place.read("out.glb"), place.json("r.json"));
+    Bake { source: &source, output: &output, report: &report, joints: Some(&joints(&rig)) }.check();
+    report
+}
+
+#[track_caller]
+fn targets_are(report: &Value, expected: impl Fn(f64) -> DVec3) {
+    for frame in list(&report["frames"]) {
+        let (t, found) = (number(&frame["t"]), vector(&frame["target"]));
+        assert!((found - expected(t)).length() < 1e-5, "t {t}: {found} instead of {}", expected(t));
+    }
+}
+
+#[test]
+fn a_point() {
+    targets_are(&bake(&Place::with_mannequin(), "--target -0.5,1.25,3e0"), |_| DVec3::new(-0.5, 1.25, 3.0));
+    targets_are(&bake(&Place::with_mannequin(), "--target=0,1,2"), |_| DVec3::new(0.0, 1.0, 2.0));
+}
+
+#[test]
+fn an_orbit_goes_from_the_front_to_the_left_in_metres_of_the_characters_size() {
+    let place = Place::with_mannequin();
+    let model = Model::new(&place.read("m.glb"));
+    let primitives = list(&model.json["meshes"]).iter().flat_map(|mesh| list(&mesh["primitives"]));
+    let heights: Vec<f64> = primitives
+        .flat_map(|part| {
+            model.accessor(usize::try_from(part["attributes"]["POSITION"].as_u64().expect("one")).expect("small"))
+        })
+        .skip(1)
+        .step_by(3)
+        .collect();
+    let height = heights.iter().copied().fold(f64::MIN, f64::max) - heights.iter().copied().fold(f64::MAX, f64::min);
+    let (metre, eye) = (height / 1.7, DVec3::new(0.03, 1.66, 0.09));
+    assert!((0.9..1.1).contains(&metre), "the mannequin is {height} m high");
+    // Faces +Z, its left is +X.
+    let report = bake(&place, "--target orbit:2,0.25,8 --seconds 8");
+    targets_are(&report, |t| {
+        let (sin, cos) = (std::f64::consts::TAU * t / 8.0).sin_cos();
+        eye + metre * DVec3::new(2.0 * sin, 0.25, 2.0 * cos)
+    });
+    // The other way round.
+    let report = bake(&place, "--target orbit:1,0,-4");
+    targets_are(&report, |t| {
+        let (sin, cos) = (std::f64::consts::TAU * t / 4.0).sin_cos();
+        eye + metre * DVec3::new(-sin, 0.0, cos)
+    });
+}
+
+#[test]
+fn a_node_where_the_animation_puts_it() {
+    let place = Place::with_mannequin();
+    let model = Model::new(&place.read("m.glb"));
+    let (clip, hand) = (model.clip(0), model.node("left_hand"));
+    let report = bake(&place, "--target node:left_hand");
+    targets_are(&report, |t| model.world(&model.pose(&clip, t), hand).transform_point3(DVec3::ZERO));
+}
+
+#[test]
+fn a_node_of_the_chain_itself_is_answered_truthfully() {
+    // The eye itself has no direction, but the chain may lean until the eye sees where it was; what hangs on it, or is
+    // below it, has one.
+    for solver in ["natural", "exact", "ascent"] {
+        bake(&Place::with_mannequin(), &format!("--target node:left_eye --solver {solver}"));
+    }
+    for node in ["right_eye", "head", "neck", "spine3", "hips"] {
+        bake(&Place::with_mannequin(), &format!("--target node:{node}"));
+    }
+}
+
+#[test]
+fn a_path_is_linear_between_rows_and_stands_still_outside() {
+    let place = Place::with_mannequin();
+    place.write("path.csv", "t,x,y,z\n0.25,0,1.6,2\n0.5, 0.5 ,1.6,2\n1.0,0.5,1.1,1.5\n");
+    let report = bake(&place, "--target file:path.csv");
+    targets_are(&report, |t| match t {
+        t if t <= 0.25 => DVec3::new(0.0, 1.6, 2.0),
+        t if t <= 0.5 => DVec3::new((t - 0.25) * 2.0, 1.6, 2.0),
+        t if t <= 1.0 => DVec3::new(0.5, 1.6 - (t - 0.5), 2.0 - (t - 0.5)),
+        _ => DVec3::new(0.5, 1.1, 1.5),
+    });
+}
+
+#[test]
+fn paths_as_spreadsheets_write_them() {
+    let place = Place::with_mannequin();
+    for text in [
+        "\u{feff}t,x,y,z\r\n0,0,1.6,2\r\n1,1,1.6,2\r\n",
+        "t, x, y, z\n0,0,1.6,2\n1,1,1.6,2",
+        "t,x,y,z\n\n0,0,1.6,2\n\n1,1,1.6,2\n\n",
+    ] {
+        place.write("path.csv", text);
+        targets_are(&bake(&place, "--target file:path.csv --seconds 1"), |t| DVec3::new(t, 1.6, 2.0));
+    }
+}
+
+#[test]
+fn targets_without_a_direction_or_beyond_all_sense() {
+    let place = Place::with_mannequin();
+    for target in ["0.03,1.66,0.09", "0,1.66,-5", "0,1e30,0", "1e-30,1.6,1e-30", "0,0,0", "0,200,0", "3e38,3e38,3e38"] {
+        bake(&place, &format!("--target {target}"));
+        bake(&place, &format!("--target {target} --settle animation"));
+    }
+}

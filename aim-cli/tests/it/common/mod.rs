@@ -1,0 +1,191 @@
+//! Runs the command as its users do, and looks at what it says and leaves behind.
+
+pub(crate) mod forward;
+pub(crate) mod gltf;
+pub(crate) mod latex;
+pub(crate) mod plot;
+pub(crate) mod rig;
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+/// What a run of the command left.
+#[derive(Debug)]
+pub(crate) struct Ran {
+    pub(crate) code: i32,
+    pub(crate) stdout: String,
+    pub(crate) stderr: String,
+}
+
+impl Ran {
+    /// Whether nothing but warnings was said beside the result.
+    pub(crate) fn only_warns(&self) -> bool {
+        self.stderr.lines().all(|line| line.starts_with("warning: "))
+    }
+}
+
+/// The command, to be run in `folder` with nothing on its standard input.
+pub(crate) fn command(folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_aim"));
+    command.current_dir(folder).stdin(Stdio::null());
+    command
+}
+
+/// A folder of its own for one test.
+pub(crate) struct Place {
+    folder: TempDir,
+}
+
+impl Place {
+    pub(crate) fn new() -> Self {
+        Self { folder: tempfile::tempdir().expect("a temporary folder can be made") }
+    }
+
+    /// A folder with the mannequin of the paper's axes as `m.glb` and its rig as `m.toml`.
+    pub(crate) fn with_mannequin() -> Self {
+        let place = Self::new();
+        place.write("m.glb", &mannequin());
+        place.write("m.toml", &std::fs::read(bundled_rig("mannequin")).expect("the rig is there"));
+        place
+    }
+
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    pub(crate) fn write(&self, name: &str, bytes: &(impl AsRef<[u8]> + ?Sized)) {
+        std::fs::write(self.path(name), bytes).expect("the temporary folder is writable");
+    }
+
+    pub(crate) fn read(&self, name: &str) -> Vec<u8> {
+        std::fs::read(self.path(name)).unwrap_or_else(|error| panic!("{name} cannot be read: {error}"))
+    }
+
+    pub(crate) fn json(&self, name: &str) -> Value {
+        serde_json::from_slice(&self.read(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+
+    /// The names in the folder, sorted.
+    pub(crate) fn names(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(self.folder.path()).expect("the folder can be listed");
+        let mut names: Vec<String> =
+            entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+
+    /// Runs the command in this folder.
+    pub(crate) fn run<I: AsRef<OsStr>>(&self, arguments: impl IntoIterator<Item = I>) -> Ran {
+        let output = command(self.folder.path()).args(arguments).output().expect("the command starts");
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the command prints UTF-8");
+        let ran = Ran {
+            code: output.status.code().expect("the command ends by itself"),
+            stdout: text(output.stdout),
+            stderr: text(output.stderr),
+        };
+        assert!(!ran.stderr.contains("panicked") && !ran.stdout.contains("panicked"), "{ran:?}");
+        ran
+    }
+
+    /// The same with the arguments in one text, separated by spaces.
+    pub(crate) fn aim(&self, arguments: &str) -> Ran {
+        self.run(arguments.split_whitespace())
+    }
+
+    /// Runs it, and it has to be done: exit code 0 and nothing on standard error.
+    #[track_caller]
+    pub(crate) fn done(&self, arguments: &str) -> Ran {
+        let ran = self.aim(arguments);
+        assert!(ran.code == 0 && ran.only_warns(), "aim {arguments}: {ran:?}");
+        ran
+    }
+
+    /// Runs it, and it has to refuse: exit code 2, one message with `words` in it, and no file more than before.
+    #[track_caller]
+    pub(crate) fn refused(&self, arguments: &str, words: &[&str]) -> Ran {
+        self.refuses(&arguments.split_whitespace().collect::<Vec<_>>(), words)
+    }
+
+    /// The same with the arguments apart.
+    #[track_caller]
+    pub(crate) fn refuses(&self, arguments: &[&str], words: &[&str]) -> Ran {
+        let ran = self.refuses_after_words(arguments, words);
+        assert_eq!(ran.stdout, "", "aim {arguments:?}");
+        ran
+    }
+
+    /// The same where the command may have said what it is about to do.
+    #[track_caller]
+    pub(crate) fn refuses_after_words(&self, arguments: &[&str], words: &[&str]) -> Ran {
+        let before = self.names();
+        let ran = self.run(arguments);
+        assert_eq!(ran.code, 2, "aim {arguments:?}: {}", ran.stderr);
+        let messages = ran.stderr.lines().filter(|line| line.starts_with("error")).count();
+        assert_eq!(messages, 1, "one message for {arguments:?}: {}", ran.stderr);
+        for word in words {
+            assert!(ran.stderr.contains(word), "{arguments:?} is answered without {word:?}: {}", ran.stderr);
+        }
+        assert_eq!(self.names(), before, "aim {arguments:?} left something behind");
+        ran
+    }
+}
+
+/// The mannequin in the paper's axes.
+pub(crate) fn mannequin() -> Vec<u8> {
+    aim_gltf::mannequin(|_| aim_gltf::PAPER_AXES).expect("the paper's axes are orthonormal")
+}
+
+/// The mannequin with its JSON changed.
+pub(crate) fn changed(change: impl FnOnce(&mut Value)) -> Vec<u8> {
+    let (mut json, bin) = gltf::take_apart(&mannequin());
+    change(&mut json);
+    gltf::put_together(&json, &bin)
+}
+
+/// The file of a bundled rig.
+pub(crate) fn bundled_rig(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../rigs").join(name).with_extension("toml")
+}
+
+/// All bundled rigs.
+pub(crate) fn bundled_rigs() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../rigs");
+    let entries = std::fs::read_dir(folder).expect("the rigs are there");
+    let mut rigs: Vec<PathBuf> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+        .collect();
+    rigs.sort();
+    assert!(rigs.len() >= 8, "{rigs:?}");
+    rigs
+}
+
+/// The folder with real characters. Tests that call this are ignored unless asked for.
+pub(crate) fn real_rigs() -> PathBuf {
+    let folder = std::env::var_os("AIM_RIGS").expect("AIM_RIGS names a folder of real characters");
+    let folder = PathBuf::from(folder);
+    // Relative to the repository, as the command that sets it sees it; tests run in the crate's folder.
+    let folder =
+        if folder.is_relative() { Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder) } else { folder };
+    assert!(folder.is_dir(), "AIM_RIGS names {}, which is no folder", folder.display());
+    folder
+}
+
+/// Whether a program is installed.
+pub(crate) fn installed(program: &str) -> bool {
+    let found = Command::new(program)
+        .arg("--version")
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .status()
+        .is_ok_and(|status| status.success());
+    if !found {
+        println!("SKIPPED what needs {program}: it is not installed");
+    }
+    found
+}

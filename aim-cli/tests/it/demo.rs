@@ -1,0 +1,49 @@
+//! `aim demo`: what it writes, how well it aims, and how quiet it is in a pipe.
+
+use crate::common::forward::{Bake, list, number};
+use crate::common::rig::joints;
+use crate::common::{Place, mannequin};
+use serde_json::Value;
+
+#[test]
+fn the_demo_aims_well_and_writes_three_files() {
+    let place = Place::new();
+    let ran = place.done("demo");
+    assert_eq!(place.names(), ["aim-demo"]);
+    for file in ["aimed.glb", "report.html", "report.json"] {
+        assert!(place.read(&format!("aim-demo/{file}")).len() > 1000, "{file} is next to nothing");
+        assert!(ran.stdout.contains(file), "{file} is not mentioned in {}", ran.stdout);
+    }
+    assert!(!ran.stdout.contains(['\r', '\u{1b}']), "a progress bar in a pipe: {:?}", ran.stdout);
+
+    let report = place.json("aim-demo/report.json");
+    let rig = std::fs::read_to_string(crate::common::bundled_rig("mannequin")).expect("the rig is there");
+    let (source, output) = (mannequin(), place.read("aim-demo/aimed.glb"));
+    Bake { source: &source, output: &output, report: &report, joints: Some(&joints(&rig)) }.check();
+
+    let followed = |frame: &&Value| frame["status"] == "reached" || frame["status"] == "rate_limited";
+    let mut errors: Vec<f64> =
+        list(&report["frames"]).iter().filter(followed).map(|frame| number(&frame["error_deg"])).collect();
+    errors.sort_by(f64::total_cmp);
+    assert!(errors.len() > 300, "only {} frames can be followed", errors.len());
+    let (median, p99) = (errors[errors.len() / 2], errors[errors.len() * 99 / 100]);
+    assert!(median <= 0.5 && p99 <= 2.0, "median {median}°, 99th percentile {p99}°");
+}
+
+#[test]
+fn the_demo_is_the_same_each_time_and_goes_where_it_is_told() {
+    let place = Place::new();
+    place.done("demo --out a/b/c");
+    place.done("demo --out d");
+    for file in ["aimed.glb", "report.html", "report.json"] {
+        assert_eq!(place.read(&format!("a/b/c/{file}")), place.read(&format!("d/{file}")), "{file}");
+    }
+}
+
+#[test]
+fn a_demo_that_has_nowhere_to_go_says_so() {
+    let place = Place::new();
+    place.write("taken", "a file");
+    place.refuses_after_words(&["demo", "--out", "taken"], &["taken", "--out"]);
+    place.refuses_after_words(&["demo", "--out", "taken/below"], &["taken", "--out"]);
+}

@@ -1,0 +1,312 @@
+//! `aim explain`: the page is whole, its formulas, counts and lines are those of the derivation and of the other commands.
+
+use std::path::Path;
+use std::sync::OnceLock;
+
+use crate::common::{Place, bundled_rigs, installed};
+use aim_codegen::objective::Scope;
+use aim_codegen::{RigSpec, emit, kernels};
+use scraper::{ElementRef, Html, Selector};
+
+/// Hinges, a free heading, a mirrored joint, a frame that is no signed axes, and names that want to be markup.
+const ODD: &str = r#"
+    name = "Odd"
+    handedness = "left"
+    axes = { up = "+Y", forward = "+Z" }
+    effector = { forward = [0.0, 0.6, 0.8], origin = [0.1, -0.2, 0.3] }
+    [[joint]]
+    name = "barrel"
+    bone = ["<b>\"barrel\"</b>", "a & b_c #1 $x^2$ 50% {~\\}"]
+    pitch = ["-10deg", "80deg"]
+    rate = "90deg"
+    [[joint]]
+    name = "base"
+    axes = { up = [0.0, 0.8, 0.6], forward = [0.0, -0.6, 0.8] }
+    heading = "free"
+    rate = "120deg"
+    [[joint]]
+    name = "mount"
+    mirrored = true
+    axes = { up = "+X", forward = "+Y", left = "+Z" }
+    heading = ["-20deg", "20deg"]
+    pitch = ["-20deg", "20deg"]
+    rate = "20deg"
+"#;
+
+/// A rig of one joint with one angle: nothing is simpler.
+const HINGE: &str = r#"
+    name = "Hinge"
+    axes = { up = "+Z", forward = "+X" }
+    [[joint]]
+    name = "lid"
+    pitch = ["0deg", "90deg"]
+    rate = "90deg"
+"#;
+
+/// Every bundled rig and the odd ones: name, declaration.
+fn rigs() -> Vec<(String, String)> {
+    let read = |path: &Path| {
+        let name = path.file_stem().expect("a rig's file has a name").to_string_lossy().into_owned();
+        (name, std::fs::read_to_string(path).expect("the rig is there"))
+    };
+    let mut rigs: Vec<_> = bundled_rigs().iter().map(|path| read(path)).collect();
+    rigs.extend([("odd".to_owned(), ODD.to_owned()), ("hinge".to_owned(), HINGE.to_owned())]);
+    rigs
+}
+
+/// A rig with its page.
+struct Page {
+    name: String,
+    rig: String,
+    page: String,
+}
+
+/// The pages of all these rigs, and of a chain of ten joints: made once for all tests.
+fn pages() -> &'static [Page] {
+    static PAGES: OnceLock<Vec<Page>> = OnceLock::new();
+    PAGES.get_or_init(|| {
+        let place = Place::new();
+        let mut rigs = rigs();
+        rigs.push((TEN.to_owned(), ten()));
+        rigs.into_iter().map(|(name, rig)| Page { page: page(&place, &rig), name, rig }).collect()
+    })
+}
+
+/// Whose derivation alone takes as long as those of all others.
+const TEN: &str = "ten";
+
+/// All but the chain of ten joints.
+fn short_pages() -> impl Iterator<Item = &'static Page> {
+    pages().iter().filter(|page| page.name != TEN)
+}
+
+/// A chain of ten joints.
+fn ten() -> String {
+    let joint = |i: usize| {
+        format!(
+            "[[joint]]\nname = \"j{i}\"\nheading = [\"-20deg\", \"20deg\"]\npitch = [\"-9deg\", \"9deg\"]\nrate = \"9deg\"\n"
+        )
+    };
+    let joints: String = (0..10).map(joint).collect();
+    format!("name = \"Ten\"\naxes = {{ up = \"+X\", forward = \"+Y\", left = \"+Z\" }}\n{joints}")
+}
+
+fn spec(text: &str) -> RigSpec {
+    aim_codegen::declare::from_toml("rig.toml", text).expect("a sound rig")
+}
+
+/// The page of this declaration.
+#[track_caller]
+fn page(place: &Place, rig: &str) -> String {
+    place.write("rig.toml", rig);
+    place.done("explain rig.toml -o rig.html --samples 5");
+    String::from_utf8(place.read("rig.html")).expect("a page is text")
+}
+
+/// The page of the paper's own rig.
+fn thug() -> &'static str {
+    let page = pages().iter().find(|page| page.name == "thug");
+    &page.expect("the thug is bundled").page
+}
+
+/// Parses, and fails on anything that a strict parser has to mend.
+#[track_caller]
+fn parsed(page: &str) -> Html {
+    let html = Html::parse_document(page);
+    assert!(html.errors.is_empty(), "{:?}", html.errors);
+    html
+}
+
+fn all<'a>(html: &'a Html, selector: &str) -> Vec<ElementRef<'a>> {
+    html.select(&Selector::parse(selector).expect("a selector")).collect()
+}
+
+fn text(element: &ElementRef<'_>) -> String {
+    element.text().collect()
+}
+
+/// The cells of a table's rows.
+fn rows(table: &ElementRef<'_>) -> Vec<Vec<String>> {
+    let [row, cell] = ["tbody tr", "th, td"].map(|one| Selector::parse(one).expect("a selector"));
+    table.select(&row).map(|row| row.select(&cell).map(|cell| text(&cell)).collect()).collect()
+}
+
+#[test]
+fn every_page_is_whole_and_needs_nothing_else() {
+    for Page { name, page, .. } in pages() {
+        let html = parsed(page);
+        for outside in ["http:", "https:", "<script", "<link", "@import", "NaN", "<b>"] {
+            assert!(!page.contains(outside), "{name}: {outside}");
+        }
+        let ids: Vec<&str> = all(&html, "[id]").iter().filter_map(|one| one.value().attr("id")).collect();
+        let links: Vec<&str> = all(&html, "nav a").iter().filter_map(|one| one.value().attr("href")).collect();
+        assert_eq!(links, ids.iter().map(|id| format!("#{id}")).collect::<Vec<_>>(), "{name}");
+        let formulas = all(&html, "math");
+        assert!(formulas.len() > 100, "{name}");
+        assert!(formulas.iter().all(|formula| !text(formula).trim().is_empty()), "{name}: a formula is empty");
+        assert!(all(&html, "svg").iter().all(|svg| svg.value().attr("aria-label").is_some()), "{name}");
+        for wide in all(&html, "table, math[display=block]") {
+            let parent = wide.parent().and_then(ElementRef::wrap).expect("it is in something");
+            assert_eq!(parent.value().attr("tabindex"), Some("0"), "{name}: what is wide scrolls, by keys, too");
+        }
+        assert!(page.len() < 2_500_000, "{name}: {} bytes", page.len());
+    }
+}
+
+#[test]
+fn counts_are_those_of_aim_count_and_of_the_trace() {
+    let place = Place::new();
+    for Page { name, rig, page } in short_pages() {
+        place.write("rig.toml", rig);
+        let html = parsed(page);
+        place.write("counts.json", &place.done("count rig.toml --json").stdout);
+        let counts = place.json("counts.json");
+        let table = *all(&html, "#counts table").first().expect("the counts");
+        let keys =
+            ["aim", "aim_pitch", "aim_heading", "aim_gradient", "chain_value_gradient", "chain_residual_jacobian"];
+        let expected: Vec<Vec<String>> = keys
+            .iter()
+            .map(|key| {
+                let number = |kind: &str| counts[key][kind].to_string();
+                ["total", "add", "mul", "div", "sqrt", "pow", "select"].map(number).to_vec()
+            })
+            .collect();
+        let found: Vec<Vec<String>> = rows(&table).into_iter().map(|row| row[1..].to_vec()).collect();
+        assert_eq!(found, expected, "{name}");
+
+        // Every kernel's derivation ends at the count of what is emitted, and its listing says so.
+        let spec = spec(rig);
+        let captions: Vec<String> = all(&html, "caption").iter().map(text).collect();
+        let traced = place.done("generate rig.toml --trace").stdout;
+        let headings: Vec<String> = all(&html, "h3").iter().map(text).collect();
+        for kernel in kernels(&spec) {
+            let derivation = kernel.statement(&spec).derivation();
+            let function = emit::rust_kernels::function_name(&kernel);
+            let is_counted = kernel.objective.scope == Scope::Chain || kernel.joints[0] == 0;
+            let key = is_counted.then_some(kernel.objective.name);
+            let count = derivation.program.count();
+            assert!(captions.contains(&format!("{function}: {count}")), "{name} {function}: {captions:?}");
+            if let Some(key) = key {
+                assert_eq!(counts[key]["total"], count.total(), "{name} {key}");
+            }
+            for (place, step) in derivation.steps.iter().enumerate() {
+                let (before, after) = (step.before.total(), step.after.total());
+                let heading = format!("Step {}: {before} → {after} operations", place + 1);
+                assert!(headings.contains(&heading), "{name}: {heading}");
+                assert!(traced.contains(&format!("{after:>6}  ")), "{name}: {after}");
+            }
+        }
+    }
+}
+
+#[test]
+fn lines_are_those_of_aim_generate() {
+    let place = Place::new();
+    for Page { name, rig, page } in short_pages() {
+        place.write("rig.toml", rig);
+        let html = parsed(page);
+        let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<String>>();
+        let emitted = words(&place.done("generate rig.toml --lang rust").stdout).join(" ");
+        let mut steps = 0;
+        for table in all(&html, "table.code") {
+            for row in rows(&table) {
+                if row[0].starts_with("let ") {
+                    steps += 1;
+                    let line = words(&row[0]).join(" ");
+                    assert!(emitted.contains(&line), "{name}: {line}");
+                    assert!(row[1].starts_with('v'), "{name}: beside it stands its formula: {row:?}");
+                }
+            }
+        }
+        // After the kernels of the trait, which compute the same in `f32`.
+        let (_, generic) = emitted.split_once("fn aim_gradient_0<").expect("the generic kernels are emitted");
+        assert_eq!(steps, generic.matches("let __v").count(), "{name}: every line is there");
+    }
+}
+
+#[test]
+fn most_lines_say_what_they_compute() {
+    let html = parsed(thug());
+    let listing = *all(&html, "#code table").last().expect("the listing");
+    let rows = rows(&listing);
+    assert_eq!(rows.len(), 18 + 3, "eighteen lines and three results");
+    let told = rows.iter().filter(|row| !row[2].is_empty()).count();
+    assert!(told >= 19, "{told} of {}", rows.len());
+    // The derivative by pitch is what the second result is called, and so is the line that gives it.
+    assert_eq!(rows[rows.len() - 2][2], "∂aim∂p");
+    assert!(rows.iter().any(|row| row[0].starts_with("let __v15") && row[2] == "∂aim∂p"), "{rows:?}");
+}
+
+#[test]
+fn the_paper_is_met_where_it_has_numbers() {
+    let html = parsed(thug());
+    let statement = text(all(&html, "#aim math[display=block]").first().expect("the statement"));
+    for number in 4..=6 {
+        assert!(statement.contains(&format!("paper ({number})")), "{statement}");
+    }
+    // Johnson's (1) is the transpose of heading in the thug's axes, (3) that of pitch with the other sign.
+    let matrices = text(all(&html, "#conventions math[display=block]").last().expect("the turns in the bones' axes"));
+    let plain: String = matrices.chars().filter(|letter| !letter.is_whitespace() && *letter != '\u{2062}').collect();
+    assert!(plain.contains("BRhBᵀ=1000ch−sh0shch"), "{plain}");
+    assert!(plain.contains("BRpBᵀ=cpsp0−spcp0001"), "{plain}");
+}
+
+#[test]
+fn latex_is_balanced_and_says_the_same() {
+    let place = Place::new();
+    for (name, rig) in rigs() {
+        place.write("rig.toml", &rig);
+        place.done("explain rig.toml -o rig.tex --samples 5");
+        let text = String::from_utf8(place.read("rig.tex")).expect("text");
+        crate::common::latex::assert_balanced(&text, &name);
+        assert!(text.is_ascii(), "{name}: a compiler without Unicode fonts stumbles over {:?}", odd(&text));
+        for kernel in kernels(&spec(&rig)) {
+            let total = kernel.program.count().total();
+            assert!(text.contains(&total.to_string()), "{name}: {total}");
+        }
+    }
+}
+
+#[test]
+fn latex_compiles() {
+    let Some(compiler) = ["tectonic", "pdflatex"].into_iter().find(|program| installed(program)) else { return };
+    let place = Place::new();
+    for (name, rig) in rigs().into_iter().filter(|(name, _)| ["thug", "odd", "hinge"].contains(&name.as_str())) {
+        place.write("rig.toml", &rig);
+        place.done("explain rig.toml -o rig.tex --samples 5");
+        crate::common::latex::compile(&place, compiler, "rig.tex", &name);
+    }
+}
+
+fn odd(text: &str) -> Vec<char> {
+    let mut letters: Vec<char> = text.chars().filter(|c| !c.is_ascii()).collect();
+    letters.sort_unstable();
+    letters.dedup();
+    letters
+}
+
+#[test]
+fn the_same_rig_gives_the_same_bytes() {
+    let place = Place::with_mannequin();
+    for format in ["html", "latex"] {
+        let printed = place.done(&format!("explain m.toml --format {format} --samples 5")).stdout;
+        place.done(&format!("explain m.toml --format {format} --samples 5 -o again"));
+        assert!(printed.as_bytes() == place.read("again"), "{format}");
+    }
+}
+
+#[test]
+fn bad_input_is_told() {
+    let place = Place::with_mannequin();
+    place.refused("explain gone.toml -o out.html", &["gone.toml", "rig's TOML file"]);
+    place.refused("explain m.glb -o out.html", &["m.glb"]);
+    place.refused("explain m.toml -o out.pdf", &["out.pdf", ".html", ".tex", "--format"]);
+    place.refused("explain m.toml -o out", &["out", "--format"]);
+    place.refused("explain m.toml -o m.toml --format html", &["m.toml", "the rig itself"]);
+    place.refused("explain m.toml -o no-folder/out.html", &["no-folder"]);
+    place.write("bad.toml", "name = \"Bad\"\n[[joint]]\nname = \"eye\"\nrole = \"eye\"\n");
+    assert_eq!(place.aim("explain bad.toml -o out.html").code, 2);
+    assert_eq!(place.names(), ["bad.toml", "m.glb", "m.toml"]);
+    place.done("explain m.toml -o out.pdf --format latex --samples 5");
+    place.done("explain m.toml -o OUT.HTM --samples 5");
+}

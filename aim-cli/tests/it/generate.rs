@@ -1,0 +1,218 @@
+//! `aim generate`, `aim check` and `aim count` over every bundled rig: deterministic, and usable where it is meant to go.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use crate::common::{Place, bundled_rigs, installed};
+use aim_codegen::objective::{CHAIN_RESIDUAL_JACOBIAN, FirstLink};
+
+const LANGUAGES: [&str; 5] = ["rust", "c", "wgsl", "latex", "maxima"];
+
+fn name(rig: &Path) -> &str {
+    rig.file_stem().and_then(|stem| stem.to_str()).expect("a rig's file has a name")
+}
+
+/// Writes the rig in this language to `NAME.LANGUAGE`; returns the file's name.
+#[track_caller]
+fn generate(place: &Place, rig: &Path, language: &str) -> String {
+    let file = format!("{}.{language}", name(rig));
+    let ran = place.run([
+        "generate".as_ref(),
+        rig.as_os_str(),
+        "--lang".as_ref(),
+        language.as_ref(),
+        "-o".as_ref(),
+        file.as_ref(),
+    ]);
+    assert_eq!((ran.code, ran.stderr.as_str(), ran.stdout.as_str()), (0, "", ""), "{file}");
+    file
+}
+
+#[test]
+fn every_language_for_every_rig_twice_the_same() {
+    let place = Place::new();
+    for rig in bundled_rigs() {
+        for language in LANGUAGES {
+            let file = generate(&place, &rig, language);
+            let printed = place.run(["generate".as_ref(), rig.as_os_str(), "--lang".as_ref(), language.as_ref()]);
+            assert_eq!(printed.stdout.as_bytes(), place.read(&file), "{file}");
+            assert!(!printed.stdout.contains(env!("CARGO_MANIFEST_DIR")), "{file} names a folder of this machine");
+            assert!(printed.stdout.ends_with('\n') && !printed.stdout.contains('\r'), "{file}");
+        }
+    }
+}
+
+#[test]
+fn a_check_tells_fresh_from_stale() {
+    let place = Place::with_mannequin();
+    for language in LANGUAGES {
+        place.done(&format!("generate m.toml --lang {language} -o code"));
+        let fresh = place.done(&format!("generate m.toml --lang {language} --check code"));
+        assert_eq!(fresh.stdout, "");
+        let text = String::from_utf8(place.read("code")).expect("text");
+        // Line ends are git's business.
+        place.write("code", &text.replace('\n', "\r\n"));
+        place.done(&format!("generate m.toml --lang {language} --check code"));
+        place.write("code", &text.replacen('1', "2", 1));
+        let stale = place.aim(&format!("generate m.toml --lang {language} --check code"));
+        assert_eq!((stale.code, stale.stdout.as_str()), (1, ""), "{}", stale.stderr);
+        let again = format!("aim generate m.toml --lang {language} -o code");
+        assert!(stale.stderr.contains("stale") && stale.stderr.contains(&again), "{}", stale.stderr);
+        place.write("code", "");
+        assert_eq!(place.aim(&format!("generate m.toml --lang {language} --check code")).code, 1);
+    }
+    place.refused("generate m.toml --lang c --check gone.c", &["gone.c", "-o"]);
+    assert_eq!(place.names(), ["code", "m.glb", "m.toml"]);
+}
+
+#[test]
+fn c_compiles_without_a_warning() {
+    let place = Place::new();
+    let mut all = String::new();
+    for rig in bundled_rigs() {
+        let file = generate(&place, &rig, "c");
+        all += &format!("#include \"{file}\"\n");
+    }
+    place.write("all.c", &all);
+    for (standard, more) in [("-std=c99", "-pedantic"), ("-std=c17", "-Wconversion")] {
+        let compiler = Command::new("cc")
+            .current_dir(place.path("."))
+            .args([standard, more, "-O2", "-Wall", "-Wextra", "-Werror", "-c", "all.c", "-o", "all.o"])
+            .output()
+            .expect("a C compiler called cc is installed");
+        assert!(compiler.status.success(), "{standard}: {}", String::from_utf8_lossy(&compiler.stderr));
+    }
+}
+
+#[test]
+fn maxima_computes_what_the_interpreter_does() {
+    if !installed("maxima") {
+        return;
+    }
+    let place = Place::new();
+    let (mut batch, mut expected) = (String::from("display2d: false$ fpprintprec: 12$\n"), Vec::new());
+    for rig in bundled_rigs() {
+        let file = generate(&place, &rig, "maxima");
+        let text = std::fs::read_to_string(&rig).expect("the rig is there");
+        let spec = aim_codegen::declare::from_toml("rig.toml", &text).expect("a bundled rig is right");
+        let program = CHAIN_RESIDUAL_JACOBIAN.kernels(&spec, FirstLink::Given).remove(0).program;
+        // A chain bent a little, and a target in front of it.
+        let (n, turn) = (spec.joints.len(), [0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0, 1.0, 0.02, 0.1, 0.05]);
+        let mut inputs: Vec<f64> = turn.repeat(n);
+        inputs.extend([1.3, 2.1, -0.7]);
+        inputs.extend([0.28, 0.96, -0.6, 0.8].repeat(n));
+        let mut out = vec![0.0; program.outputs().len()];
+        program.run(&inputs, &mut out);
+        let function = format!("{}_chain_residual_jacobian", aim_codegen::snake_case(&spec.name));
+        let arguments: Vec<String> = inputs.iter().map(f64::to_string).collect();
+        batch += &format!(
+            "batchload(\"{file}\")$\nfor x in {function}({}) do print(\"=\", float(x))$\n",
+            arguments.join(",")
+        );
+        expected.extend(out);
+    }
+    place.write("all.mac", &batch);
+    let maxima = Command::new("maxima")
+        .current_dir(place.path("."))
+        .args(["--very-quiet", "--batch=all.mac"])
+        .stdin(Stdio::null())
+        .output()
+        .expect("maxima starts");
+    let said = String::from_utf8_lossy(&maxima.stdout);
+    let found: Vec<f64> = said.lines().filter_map(|line| line.trim().strip_prefix("= ")?.trim().parse().ok()).collect();
+    assert_eq!(found.len(), expected.len(), "{said}");
+    for (found, expected) in found.iter().zip(&expected) {
+        assert!((found - expected).abs() < 1e-9 * expected.abs().max(1.0), "{found} instead of {expected}");
+    }
+}
+
+#[test]
+fn latex_compiles() {
+    let Some(compiler) = ["tectonic", "pdflatex"].into_iter().find(|program| installed(program)) else { return };
+    let place = Place::new();
+    for rig in bundled_rigs() {
+        let file = generate(&place, &rig, "latex");
+        crate::common::latex::compile(&place, compiler, &file, name(&rig));
+    }
+}
+
+#[test]
+fn latex_is_balanced() {
+    let place = Place::new();
+    for rig in bundled_rigs() {
+        let text = String::from_utf8(place.read(&generate(&place, &rig, "latex"))).expect("text");
+        crate::common::latex::assert_balanced(&text, name(&rig));
+    }
+}
+
+#[test]
+fn derivatives_are_right_and_a_wrong_sign_is_found() {
+    let place = Place::new();
+    for rig in bundled_rigs() {
+        let check = |more: &[&str]| {
+            place.run(["check".as_ref(), rig.as_os_str()].into_iter().chain(more.iter().map(AsRef::as_ref)))
+        };
+        let right = check(&["--samples", "50"]);
+        assert_eq!((right.code, right.stderr.as_str()), (0, ""), "{}", rig.display());
+        for flip in ["0", "3", "11", "18446744073709551615"] {
+            let wrong = check(&["--samples", "50", "--flip-sign", flip]);
+            assert_eq!(wrong.code, 1, "{} with sign {flip} flipped: {}", rig.display(), wrong.stdout);
+            assert!(wrong.stderr.contains(name(&rig)) && wrong.stdout.contains("FAILED"), "{}", wrong.stderr);
+        }
+    }
+}
+
+#[test]
+fn a_trace_leads_from_the_statement_to_what_is_counted() {
+    let place = Place::with_mannequin();
+    let trace = place.done("generate m.toml --trace").stdout;
+    let sections: Vec<&str> = trace.split("\n\n").skip(1).collect();
+    assert!(sections.len() >= 3, "a joint, the chain's gradient and its Jacobian: {trace}");
+    for section in sections {
+        let counts: Vec<usize> = section
+            .lines()
+            .skip(1)
+            .map(|line| {
+                line.split_whitespace().next().and_then(|n| n.parse().ok()).expect("a line starts with a count")
+            })
+            .collect();
+        assert!(section.lines().nth(1).is_some_and(|line| line.ends_with("as stated")), "{section}");
+        assert!(counts.is_sorted_by(|a, b| a > b), "{section}");
+    }
+    assert!(trace.contains("\n    46  "), "one joint ends at 46: {trace}");
+    // It is no code, so it has no language and cannot be stale.
+    assert_eq!(place.aim("generate m.toml --trace --lang c").code, 2);
+    assert_eq!(place.aim("generate m.toml --trace --check m.toml").code, 2);
+    assert_eq!(place.aim("generate m.toml").code, 2);
+}
+
+#[test]
+fn every_cardinal_rig_is_at_the_floor() {
+    let is_cardinal = |axis: [f64; 3]| axis.iter().filter(|&&c| c == 0.0).count() == 2;
+    let place = Place::new();
+    let mut counted = 0;
+    for rig in bundled_rigs() {
+        let text = std::fs::read_to_string(&rig).expect("a bundled rig can be read");
+        let spec = aim_codegen::declare::from_toml(name(&rig), &text).expect("a bundled rig is right");
+        let frames = spec.joints.iter().map(|joint| joint.frame).chain([spec.effector.frame]);
+        if frames.into_iter().any(|f| ![f.up, f.forward, f.left].into_iter().all(is_cardinal))
+            || spec.angles() != 2 * spec.joints.len()
+        {
+            continue;
+        }
+        let ran = place.run(["count".as_ref(), rig.as_os_str(), "--json".as_ref()]);
+        let counts: serde_json::Value = serde_json::from_str(&ran.stdout).expect("JSON");
+        let total = |of: &str| counts[of]["total"].as_u64();
+        let joints = spec.joints.len() as u64;
+        let of_single = ["aim", "aim_pitch", "aim_heading", "aim_gradient"].map(total);
+        assert_eq!(of_single, [27, 37, 42, 46].map(Some), "{}", rig.display());
+        assert_eq!(
+            total("chain_value_gradient"),
+            Some(if joints == 1 { 46 } else { 63 * joints - 16 }),
+            "{}",
+            rig.display()
+        );
+        counted += 1;
+    }
+    assert!(counted >= 5, "{counted} rigs");
+}

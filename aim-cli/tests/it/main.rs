@@ -1,0 +1,21 @@
+//! The command as its users meet it.
+
+mod bad_arguments;
+mod bad_models;
+mod bake_conventions;
+mod bake_odd_clips;
+mod bake_odd_rigs;
+mod bake_options;
+mod bake_real;
+mod bake_targets;
+mod check_model;
+mod common;
+mod demo;
+mod example;
+mod explain;
+mod generate;
+mod manners;
+mod plot;
+mod reach;
+mod rig;
+mod shapes;

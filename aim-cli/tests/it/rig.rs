@@ -1,0 +1,196 @@
+//! `aim rig`: what it proposes is a declaration that every other command takes, in either notation.
+
+use crate::common::forward::list;
+use crate::common::rig::{conventions, joints};
+use crate::common::{Place, changed};
+use glam::DVec3;
+use serde_json::json;
+
+#[test]
+fn the_mannequins_rig_is_proposed_with_its_axes_and_human_ranges() {
+    let place = Place::with_mannequin();
+    let text = place.done("rig m.glb").stdout;
+    place.write("p.toml", &text);
+    assert!(
+        text.contains("name = \"M\"") && text.starts_with("# Measured from m.glb. Faces +Z, up is +Y, by "),
+        "{text}"
+    );
+    assert!(text.contains("axes = { up = \"+X\", forward = \"+Y\", left = \"+Z\" }"), "{text}");
+    assert!(text.contains("# eyes can turn by about 50 degrees"), "every joint says why: {text}");
+    let rig: serde_json::Value = toml::from_str(&text).expect("it is TOML");
+    let names: Vec<_> = list(&rig["joint"]).iter().map(|joint| joint["name"].as_str().unwrap_or("")).collect();
+    assert_eq!(names, ["left_eye", "neck", "spine"]);
+    assert_eq!(rig["joint"][0]["other_eye"], "right_eye");
+    place.done("check p.toml --samples 50");
+    place.done("check m.glb --rig p.toml");
+    place.done("generate p.toml --lang rust -o p.rs");
+    place.done("bake m.glb --rig p.toml --target orbit:2,0,8 --out a.glb --report a.json");
+    place.done("bake m.glb --target orbit:2,0,8 --out b.glb --report b.json");
+    assert!(place.read("a.glb") == place.read("b.glb"), "without a rig the proposed one is aimed");
+}
+
+#[test]
+fn every_convention_and_every_frame_between_comes_back() {
+    let conventions = conventions();
+    let turn = glam::Quat::from_euler(glam::EulerRot::XYZ, 0.3, -0.4, 0.2);
+    for (number, axes) in conventions.iter().enumerate() {
+        // The spine's bone stands between all axes.
+        let between = axes.map(|axis| (turn * glam::Vec3::from_array(axis)).to_array());
+        let axes_of = |bone: &str| if bone == "spine3" { between } else { *axes };
+        let place = Place::new();
+        place.write("m.glb", &aim_gltf::mannequin(axes_of).expect("frames"));
+        let text = place.done("rig m.glb").stdout;
+        for (joint, bone) in joints(&text).iter().zip(["left_eye", "neck", "spine3"]) {
+            let declared = axes_of(bone).map(|axis| DVec3::from_array(axis.map(f64::from)));
+            let found = [joint.up, joint.forward, joint.left];
+            let off = declared.iter().zip(found).map(|(a, b)| a.distance(b)).fold(0.0, f64::max);
+            assert!(off < 1e-5, "convention {number}, {bone}: {found:?} instead of {declared:?}\n{text}");
+        }
+        if number % 7 == 0 {
+            place.write("p.toml", &text);
+            place.done("check m.glb --rig p.toml");
+            place.done("check p.toml --samples 20");
+        }
+    }
+}
+
+#[test]
+fn the_derive_is_accepted_by_the_macro() {
+    let place = Place::new();
+    place.write("hero-of 2.glb", &crate::common::mannequin());
+    for (number, axes) in conventions().into_iter().enumerate().step_by(5) {
+        place.write("hero-of 2.glb", &aim_gltf::mannequin(|_| axes).expect("frames"));
+        let ran = place.run(["rig", "hero-of 2.glb", "--format", "rust"]);
+        assert_eq!(ran.code, 0, "{}", ran.stderr);
+        let (import, item) = ran.stdout.split_once("\n\n").expect("an import and a struct");
+        assert_eq!(import, "use aim::{AimRig, Joint};");
+        assert!(item.contains("pub struct HeroOf2 {"), "{item}");
+        let derived = aim_codegen::derive(item.replace("#[derive(AimRig)]", "").parse().expect("tokens")).to_string();
+        assert!(!derived.contains("compile_error"), "convention {number}: {derived}\n{item}");
+    }
+}
+
+#[test]
+fn a_chain_may_be_named_and_has_to_be_one() {
+    let place = Place::with_mannequin();
+    let text = place.done("rig m.glb --chain head,spine2,hips").stdout;
+    let rig: serde_json::Value = toml::from_str(&text).expect("it is TOML");
+    let bones: Vec<_> = list(&rig["joint"]).iter().map(|joint| joint["bone"].as_str().unwrap_or("")).collect();
+    assert_eq!(bones, ["head", "spine2", "hips"]);
+    let hands = place.done("rig m.glb --chain left_hand,left_lower_arm").stdout;
+    place.write("hands.toml", &hands);
+    place.done("check m.glb --rig hands.toml");
+    place.refused("rig m.glb --chain hed", &["m.glb", "\"hed\"", "head"]);
+    place.refused("rig m.glb --chain spine,head", &["m.glb", "does not hang on"]);
+    place.write("thing.gltf", r#"{"asset":{"version":"2.0"},"nodes":[{"name":"thing"}]}"#);
+    place.refused("rig thing.gltf", &["thing.gltf", "--chain"]);
+}
+
+#[test]
+fn a_turret_turns_without_end_and_raises_its_barrel() {
+    let place = Place::new();
+    let json = json!({ "asset": { "version": "2.0" }, "nodes": [
+        { "name": "hull", "children": [1] },
+        { "name": "turret base", "children": [2], "translation": [0.0, 1.0, 0.0] },
+        { "name": "barrel", "children": [3] },
+        { "name": "end", "translation": [0.0, 0.0, -2.0] },
+    ]});
+    place.write("tank.gltf", &json.to_string());
+    let text = place.done("rig tank.gltf").stdout;
+    let rig: serde_json::Value = toml::from_str(&text).expect("it is TOML");
+    let names: Vec<_> = list(&rig["joint"]).iter().map(|joint| joint["bone"].as_str().unwrap_or("")).collect();
+    assert_eq!(names, ["barrel", "turret base"]);
+    assert_eq!((&rig["joint"][1]["heading"], rig["joint"][0].get("heading")), (&json!("free"), None));
+    assert!(text.contains("forward = \"-Z\""), "{text}");
+    place.done("bake tank.gltf --target 3,2,1 --seconds 3 --out o.glb --report r.json");
+    let report = place.json("r.json");
+    assert_eq!(report["frames"][180]["status"], "reached", "{}", report["frames"][180]);
+}
+
+#[test]
+fn a_long_neck_bends_in_all_its_bones() {
+    let place = Place::new();
+    // The column of the mannequin as a neck.
+    let necks = ["spine", "spine1", "spine2", "spine3"];
+    place.write(
+        "dino.glb",
+        &changed(|json| {
+            for node in json["nodes"].as_array_mut().expect("nodes") {
+                if let Some(at) = necks.iter().position(|name| node["name"] == *name) {
+                    node["name"] = format!("Neck{}", at + 1).into();
+                }
+            }
+        }),
+    );
+    let text = place.done("rig dino.glb").stdout;
+    let rig: serde_json::Value = toml::from_str(&text).expect("it is TOML");
+    let names: Vec<_> = list(&rig["joint"]).iter().map(|joint| joint["name"].as_str().unwrap_or("")).collect();
+    assert_eq!(names, ["left_eye", "head", "neck5", "neck4", "neck3", "neck2", "neck1"]);
+    let heading: f64 = joints(&text)[2..].iter().filter_map(|joint| joint.heading).map(|[_, hi]| hi).sum();
+    assert!((heading - 90.0).abs() < 1.0, "together they turn by {heading}°");
+}
+
+#[test]
+fn the_eyes_of_a_vrm_file_have_the_ranges_of_its_maps() {
+    let place = Place::new();
+    let map = |scale: f64| json!({ "inputMaxValue": 90.0, "outputScale": scale });
+    place.write(
+        "v.vrm",
+        &changed(|json| {
+            json["extensions"] = json!({ "VRMC_vrm": { "lookAt": {
+                "type": "bone", "rangeMapHorizontalInner": map(8.0), "rangeMapHorizontalOuter": map(12.0),
+                "rangeMapVerticalDown": map(10.0), "rangeMapVerticalUp": map(9.0),
+            } } });
+        }),
+    );
+    let text = place.done("rig v.vrm").stdout;
+    let eye = &joints(&text)[0];
+    assert_eq!((eye.heading, eye.pitch), (Some([-8.0, 12.0]), Some([-10.0, 9.0])), "{text}");
+    assert!(text.contains("the range maps of the file's lookAt"), "{text}");
+}
+
+#[test]
+#[ignore = "needs AIM_RIGS"]
+fn what_is_proposed_for_real_characters_is_accepted_and_fits() {
+    let folder = crate::common::real_rigs();
+    for entry in std::fs::read_dir(folder).expect("the folder can be listed") {
+        let file = entry.expect("an entry").path();
+        if !file.extension().is_some_and(|extension| extension == "glb" || extension == "gltf") {
+            continue;
+        }
+        let place = Place::new();
+        let run = |arguments: &[&str]| {
+            let arguments = arguments.iter().map(|word| if *word == "FILE" { file.as_os_str() } else { word.as_ref() });
+            let ran = place.run(arguments);
+            assert_eq!(ran.code, 0, "{}: {}", file.display(), ran.stderr);
+            ran.stdout
+        };
+        place.write("p.toml", &run(&["rig", "FILE"]));
+        run(&["check", "FILE", "--rig", "p.toml"]);
+        run(&["check", "p.toml", "--samples", "50"]);
+        let item = run(&["rig", "FILE", "--format", "rust"]).replace("use aim::{AimRig, Joint};", "");
+        let derived = aim_codegen::derive(item.replace("#[derive(AimRig)]", "").parse().expect("tokens")).to_string();
+        assert!(!derived.contains("compile_error"), "{}: {item}", file.display());
+        let page = run(&["inspect", "FILE", "--html", "page.html"]);
+        assert!(page.contains("Confidence") && place.read("page.html").len() > 10_000, "{}", file.display());
+    }
+}
+
+#[test]
+fn names_that_no_language_takes_and_bones_that_no_terminal_shows() {
+    let place = Place::new();
+    let model = changed(|json| {
+        for node in json["nodes"].as_array_mut().expect("nodes") {
+            if node["name"] == "neck" {
+                node["name"] = "neck\u{1b}".into();
+            }
+        }
+    });
+    place.write("default.glb", &model);
+    let toml = place.done("rig default.glb --chain head,neck\u{1b}").stdout;
+    assert!(toml.contains("name = \"DefaultRig\"") && toml.contains(r#"bone = "neck\u001B""#), "{toml}");
+    place.write("r.toml", &toml);
+    place.done("check default.glb --rig r.toml");
+    let rust = place.done("rig default.glb --format rust --chain head,neck\u{1b}").stdout;
+    assert!(rust.contains(r#"bone = "neck\u{1B}""#), "{rust}");
+}

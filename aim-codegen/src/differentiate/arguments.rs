@@ -1,0 +1,235 @@
+//! The function's signature: its arguments as inputs of the graph, and its result.
+
+use aim_symbolic::{Scalar, Vector};
+use proc_macro2::{Ident, TokenStream};
+use syn::{FnArg, Pat, ReturnType, Signature};
+
+use super::errors::Errors;
+use super::lower::{Affine, Algebra, Map, Quaternion, Value};
+use super::messages;
+use super::options::Options;
+use super::types::{Shape, Type, Unknown};
+use crate::declare::tree::Word;
+
+/// An argument of a known type.
+pub(super) struct Argument {
+    /// `None` for `_`.
+    pub(super) name: Option<Ident>,
+    pub(super) ty: Type,
+    /// Its place among the variables, if it is one.
+    variable: Option<usize>,
+}
+
+/// What is known of a signature.
+pub(super) struct Arguments {
+    pub(super) list: Vec<Argument>,
+    /// The names of the others, of whose types an error was reported.
+    pub(super) faulty: Vec<Ident>,
+    /// The result's type, where it is one of ours.
+    pub(super) result: Option<Type>,
+}
+
+impl Arguments {
+    /// Reads a signature; what is wrong with it is reported and left out.
+    pub(super) fn check(signature: &Signature, options: &Options, errors: &mut Errors) -> Self {
+        let generic = refuse_qualifiers(signature, errors);
+        let (mut list, mut faulty) = (Vec::new(), Vec::new());
+        for input in &signature.inputs {
+            let typed = match input {
+                FnArg::Typed(typed) => typed,
+                FnArg::Receiver(receiver) => {
+                    errors.add(receiver, messages::RECEIVER);
+                    faulty.push(Ident::new("self", receiver.self_token.span));
+                    continue;
+                }
+            };
+            let name = match &*typed.pat {
+                Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => {
+                    if let Some(mutability) = &name.mutability {
+                        errors.add(mutability, messages::MUTABLE);
+                    }
+                    Some(name.ident.clone())
+                }
+                Pat::Wild(_) => None,
+                other => {
+                    errors.add(other, messages::ARGUMENT_PATTERN);
+                    continue;
+                }
+            };
+            // Of a generic argument that was said.
+            let known = if generic { Type::parse(&typed.ty).ok() } else { known_type(&typed.ty, errors) };
+            match known {
+                Some(ty) => {
+                    let variable = name.as_ref().and_then(|name| place_among(options.wrt.as_deref(), name));
+                    list.push(Argument { name, ty, variable });
+                }
+                None => faulty.extend(name),
+            }
+        }
+        let result = match &signature.output {
+            ReturnType::Default => {
+                errors.add(&signature.ident, messages::NO_RESULT);
+                None
+            }
+            ReturnType::Type(_, ty) => known_type(ty, errors).filter(|result| {
+                let fits = matches!(result.shape, Shape::Scalar | Shape::Planar | Shape::Vector) && !result.borrowed;
+                if !fits {
+                    errors.add(ty, messages::RESULT_TYPE);
+                }
+                fits
+            }),
+        };
+        let arguments = Self { list, faulty, result };
+        arguments.check_precision(errors);
+        arguments.check_variables(signature, options, errors);
+        arguments
+    }
+
+    /// The variables, in the order of `wrt`.
+    pub(super) fn variables(&self) -> Vec<&Argument> {
+        let mut variables: Vec<&Argument> = self.list.iter().filter(|argument| argument.variable.is_some()).collect();
+        variables.sort_by_key(|argument| argument.variable);
+        variables
+    }
+
+    fn check_precision(&self, errors: &mut Errors) {
+        let types = || self.list.iter().map(|argument| &argument.ty).chain(&self.result);
+        let Some(first) = self.result.as_ref().or_else(|| types().next()) else { return };
+        for other in types().filter(|ty| ty.precision != first.precision) {
+            errors.add(&other.tokens, messages::mixed(first.precision.name(), other.precision.name()));
+        }
+    }
+
+    fn check_variables(&self, signature: &Signature, options: &Options, errors: &mut Errors) {
+        let Some(wrt) = &options.wrt else {
+            errors.add(&signature.ident, messages::NO_WRT);
+            return;
+        };
+        let names: Vec<String> = self.list.iter().filter_map(|argument| argument.name.as_ref().map(plain)).collect();
+        for word in wrt {
+            let found = self.list.iter().find(|argument| argument.name.as_ref().is_some_and(|name| is(name, word)));
+            match found {
+                None if self.faulty.iter().any(|name| is(name, word)) => {}
+                None => errors.at(&word.place, messages::unknown_variable(&word.text, &names)),
+                Some(argument) if argument.ty.shape == Shape::Rigid => {
+                    errors.at(&word.place, messages::rigid_variable(&word.text));
+                }
+                Some(_) => {}
+            }
+        }
+    }
+
+    /// Declares every number of the arguments as an input: their values by name, and what the inputs are called.
+    pub(super) fn declare(&self, a: &mut Algebra) -> Declared {
+        let mut declared = Declared { values: Vec::new(), variables: Vec::new(), inputs: Vec::new() };
+        let mut variables = Vec::new();
+        for argument in &self.list {
+            let Some(name) = &argument.name else { continue };
+            let inputs: Vec<Scalar> = (0..argument.ty.components())
+                .map(|index| {
+                    declared.inputs.push(argument.ty.component(name, index));
+                    let input = a.g.input(&format!("{}_{index}", plain(name)));
+                    if argument.variable.is_some() {
+                        a.differentiate_by(input);
+                    }
+                    input
+                })
+                .collect();
+            let value = value(a, argument.ty.shape, &inputs, argument.variable.is_some());
+            declared.values.push((name.to_string(), value));
+            if let Some(place) = argument.variable {
+                variables.push((place, inputs));
+            }
+        }
+        declared.values.extend(self.faulty.iter().map(|name| (name.to_string(), Value::Unknown)));
+        variables.sort_by_key(|(place, _)| *place);
+        declared.variables = variables.into_iter().map(|(_, inputs)| inputs).collect();
+        declared
+    }
+}
+
+/// The arguments as the graph knows them.
+pub(super) struct Declared {
+    /// Their values, by name.
+    pub(super) values: Vec<(String, Value)>,
+    /// The inputs of each variable, in the order of `wrt`.
+    pub(super) variables: Vec<Vec<Scalar>>,
+    /// What each input is called in emitted code.
+    pub(super) inputs: Vec<TokenStream>,
+}
+
+/// The value that these numbers make. A transform is rigid, a quaternion that is no variable has length 1; a matrix is
+/// any matrix.
+fn value(a: &mut Algebra, shape: Shape, numbers: &[Scalar], varies: bool) -> Value {
+    let column = |a: &mut Algebra, numbers: &[Scalar]| -> Vector { a.vector([numbers[0], numbers[1], numbers[2]]) };
+    match shape {
+        Shape::Scalar => Value::Scalar(numbers[0]),
+        Shape::Planar => {
+            let zero = a.number(0.0);
+            Value::Planar(a.vector([numbers[0], numbers[1], zero]))
+        }
+        Shape::Vector => Value::Vector(column(a, numbers)),
+        Shape::Quaternion => {
+            let (u, w) = (column(a, numbers), numbers[3]);
+            Value::Quaternion(if varies { Quaternion::from_parts(u, w) } else { Quaternion::unit(a, u, w) })
+        }
+        Shape::Matrix => Value::Matrix(Map::Columns([0, 3, 6].map(|k| column(a, &numbers[k..])))),
+        Shape::Rigid => {
+            // glam's columns are the images of the axes, and so are the graph's rows.
+            let rows: [Scalar; 9] = core::array::from_fn(|i| numbers[i]);
+            let map = Map::Rotation(a.g.matrix(rows));
+            Value::Affine(Affine { map, translation: column(a, &numbers[9..]) })
+        }
+        Shape::Array(_) => Value::Array(numbers.iter().map(|&number| Value::Scalar(number)).collect()),
+    }
+}
+
+/// An identifier without `r#`.
+fn plain(ident: &Ident) -> String {
+    let text = ident.to_string();
+    text.strip_prefix("r#").map_or(text.clone(), str::to_owned)
+}
+
+fn is(name: &Ident, word: &Word) -> bool {
+    plain(name) == word.text
+}
+
+fn place_among(wrt: Option<&[Word]>, name: &Ident) -> Option<usize> {
+    wrt?.iter().position(|word| is(name, word))
+}
+
+fn known_type(ty: &syn::Type, errors: &mut Errors) -> Option<Type> {
+    match Type::parse(ty) {
+        Ok(ty) => Some(ty),
+        Err(Unknown::Mutable(word)) => {
+            errors.add(&word, messages::MUTABLE_REFERENCE);
+            None
+        }
+        Err(Unknown::Name(tokens)) => {
+            errors.add(&tokens, messages::unknown_type(&tokens.to_string()));
+            None
+        }
+    }
+}
+
+/// A function that is generic, asynchronous and so on cannot be written beside. Whether it is generic.
+fn refuse_qualifiers(signature: &Signature, errors: &mut Errors) -> bool {
+    if let Some(word) = &signature.asyncness {
+        errors.add(word, messages::qualifier("async"));
+    }
+    if let syn::Safety::Unsafe(word) = &signature.safety {
+        errors.add(word, messages::qualifier("unsafe"));
+    }
+    if let Some(abi) = &signature.abi {
+        errors.add(abi, messages::qualifier("extern"));
+    }
+    if !signature.generics.params.is_empty() {
+        errors.add(&signature.generics.params, messages::GENERIC);
+    } else if let Some(clause) = &signature.generics.where_clause {
+        errors.add(clause, messages::GENERIC);
+    }
+    if let Some(dots) = &signature.variadic {
+        errors.add(dots, messages::qualifier("variadic"));
+    }
+    !signature.generics.params.is_empty()
+}

@@ -1,0 +1,331 @@
+//! [`Algebra`]: the graph's constructors, with constants folded and angles brought to one form.
+
+use core::ops::{Deref, DerefMut};
+
+use aim_symbolic::rules::{NEGATIONS, ORDER, Rules};
+use aim_symbolic::{
+    Bindings, Fold, Function, Graph, Node, Plane, Rotation, Scalar, ScalarNode, Variable, Vector, VectorNode,
+};
+
+/// The graph that a function's value is built in, its constants folded.
+pub(crate) struct Algebra {
+    fold: Fold,
+    /// The inputs that derivatives are taken by.
+    variables: Vec<Variable>,
+}
+
+impl Deref for Algebra {
+    type Target = Fold;
+
+    fn deref(&self) -> &Fold {
+        &self.fold
+    }
+}
+
+impl DerefMut for Algebra {
+    fn deref_mut(&mut self) -> &mut Fold {
+        &mut self.fold
+    }
+}
+
+/// The planes of the right-handed turns about X, Y and Z.
+const ABOUT: [Plane; 3] = [Plane::YZ, Plane { from: 2, towards: 0 }, Plane::XY];
+
+impl Algebra {
+    /// An empty graph. Signs and the order of operands stay as the user wrote them; lowering sees to both.
+    pub(crate) fn new() -> Self {
+        let rules = Rules { without: &[NEGATIONS, ORDER], turned: None };
+        Self { fold: Fold::new(Graph::new(), &rules), variables: Vec::new() }
+    }
+
+    /// Derivatives will be taken by this input.
+    pub(crate) fn differentiate_by(&mut self, input: Scalar) {
+        self.variables.push(input.into());
+    }
+
+    /// Whether the node depends on what derivatives are taken by.
+    pub(crate) fn varies(&self, node: Node) -> bool {
+        self.g.depends_on(node, &self.variables)
+    }
+
+    // Scalars.
+
+    pub(crate) fn number(&mut self, value: f64) -> Scalar {
+        self.g.constant(value)
+    }
+
+    /// a b; a number times a reciprocal is a division.
+    pub(crate) fn mul(&mut self, a: Scalar, b: Scalar) -> Scalar {
+        for (factor, reciprocal) in [(a, b), (b, a)] {
+            if let ScalarNode::Div(one, divisor) = self.g.scalar_node(reciprocal) {
+                if self.constant_of(one) == Some(1.0) {
+                    return self.div(factor, divisor);
+                }
+            }
+        }
+        self.fold.mul(a, b)
+    }
+
+    /// √a; that of a vector's square is its length.
+    pub(crate) fn sqrt(&mut self, a: Scalar) -> Scalar {
+        if let ScalarNode::Dot(v, w) = self.g.scalar_node(a) {
+            if v == w {
+                return self.norm(v);
+            }
+        }
+        self.fold.sqrt(a)
+    }
+
+    pub(crate) fn recip(&mut self, a: Scalar) -> Scalar {
+        let one = self.number(1.0);
+        self.div(one, a)
+    }
+
+    pub(crate) fn min(&mut self, a: Scalar, b: Scalar) -> Scalar {
+        self.select_less(b, a, b, a)
+    }
+
+    pub(crate) fn max(&mut self, a: Scalar, b: Scalar) -> Scalar {
+        self.select_less(a, b, b, a)
+    }
+
+    pub(crate) fn clamp(&mut self, x: Scalar, low: Scalar, high: Scalar) -> Scalar {
+        let x = self.max(x, low);
+        self.min(x, high)
+    }
+
+    pub(crate) fn abs(&mut self, a: Scalar) -> Scalar {
+        let (zero, minus) = (self.number(0.0), self.neg(a));
+        self.select_less(a, zero, minus, a)
+    }
+
+    pub(crate) fn signum(&mut self, a: Scalar) -> Scalar {
+        let [zero, one, minus] = [0.0, 1.0, -1.0].map(|value| self.number(value));
+        self.select_less(a, zero, minus, one)
+    }
+
+    /// x to a whole power: squares and products, shared.
+    pub(crate) fn power(&mut self, x: Scalar, exponent: i32) -> Scalar {
+        let power = self.unsigned_power(x, exponent.unsigned_abs());
+        if exponent < 0 { self.recip(power) } else { power }
+    }
+
+    fn unsigned_power(&mut self, x: Scalar, exponent: u32) -> Scalar {
+        match exponent {
+            0 => self.number(1.0),
+            1 => x,
+            _ if exponent % 2 == 0 => {
+                let root = self.unsigned_power(x, exponent / 2);
+                self.mul(root, root)
+            }
+            _ => {
+                let even = self.unsigned_power(x, exponent - 1);
+                self.mul(even, x)
+            }
+        }
+    }
+
+    pub(crate) fn atan2(&mut self, y: Scalar, x: Scalar) -> Scalar {
+        match (self.constant_of(y), self.constant_of(x)) {
+            (Some(y), Some(x)) => self.number(y.atan2(x)),
+            _ => self.g.atan2(y, x),
+        }
+    }
+
+    /// sin x and cos x, those of −x being the same but for a sign.
+    pub(crate) fn sin_cos(&mut self, x: Scalar) -> (Scalar, Scalar) {
+        let (negative, x) = self.unsigned_angle(x);
+        let (sin, cos) = (self.call(Function::Sin, x), self.call(Function::Cos, x));
+        (if negative { self.neg(sin) } else { sin }, cos)
+    }
+
+    /// The angle without its sign and with one factor in front: whether it had a sign, and the rest.
+    fn unsigned_angle(&mut self, x: Scalar) -> (bool, Scalar) {
+        let (mut factor, mut base) = (1.0, x);
+        loop {
+            base = match self.g.scalar_node(base) {
+                ScalarNode::Neg(inner) => {
+                    factor = -factor;
+                    inner
+                }
+                ScalarNode::Mul(a, b) => match (self.constant_of(a), self.constant_of(b)) {
+                    (Some(k), _) => {
+                        factor *= k;
+                        b
+                    }
+                    (None, Some(k)) => {
+                        factor *= k;
+                        a
+                    }
+                    (None, None) => break,
+                },
+                ScalarNode::Div(a, b) => match self.constant_of(b) {
+                    Some(k) if k != 0.0 => {
+                        factor /= k;
+                        a
+                    }
+                    _ => break,
+                },
+                ScalarNode::Constant(c) => {
+                    let value = factor * c.value();
+                    if !value.is_finite() {
+                        return (false, x);
+                    }
+                    return (value < 0.0, self.number(value.abs()));
+                }
+                _ => break,
+            };
+        }
+        if !f64::is_finite(factor) {
+            return (false, x);
+        }
+        let size = factor.abs();
+        let angle = if size == 1.0 {
+            base
+        } else {
+            let size = self.number(size);
+            self.mul(size, base)
+        };
+        (factor < 0.0, angle)
+    }
+
+    // Vectors.
+
+    pub(crate) fn vector(&mut self, components: [Scalar; 3]) -> Vector {
+        self.g.components(components)
+    }
+
+    pub(crate) fn number_vector(&mut self, components: [f64; 3]) -> Vector {
+        self.g.constant_vector(components)
+    }
+
+    pub(crate) fn axis(&mut self, axis: usize) -> Vector {
+        let mut components = [0.0; 3];
+        components[axis] = 1.0;
+        self.number_vector(components)
+    }
+
+    /// The vector, its components computed where all its parts are constants.
+    fn computed(&mut self, v: Vector) -> Vector {
+        let is_constant = |part| match part {
+            Node::Scalar(s) => self.g.constant_of(s).is_some(),
+            Node::Vector(v) => self.g.constant_vector_of(v).is_some(),
+        };
+        if !self.g.parts(Node::Vector(v)).into_iter().all(is_constant) {
+            return v;
+        }
+        let value = self.g.evaluate_vector(v, &Bindings::default());
+        if value.iter().all(|c| c.is_finite()) { self.g.constant_vector(value) } else { v }
+    }
+
+    pub(crate) fn component(&mut self, v: Vector, axis: usize) -> Scalar {
+        match self.g.vector_node(v) {
+            VectorNode::Components(components) => components[axis],
+            _ => self.g.component(v, u8::try_from(axis).unwrap_or_default()),
+        }
+    }
+
+    pub(crate) fn parts(&mut self, v: Vector) -> [Scalar; 3] {
+        [0, 1, 2].map(|axis| self.component(v, axis))
+    }
+
+    /// Component by component.
+    pub(crate) fn map(&mut self, v: Vector, of: impl Fn(&mut Self, Scalar) -> Scalar) -> Vector {
+        let parts = self.parts(v);
+        let parts = parts.map(|c| of(self, c));
+        self.vector(parts)
+    }
+
+    /// Component by component of two.
+    pub(crate) fn zip(&mut self, v: Vector, w: Vector, of: impl Fn(&mut Self, Scalar, Scalar) -> Scalar) -> Vector {
+        let (v, w) = (self.parts(v), self.parts(w));
+        let parts = [0, 1, 2].map(|k| of(self, v[k], w[k]));
+        self.vector(parts)
+    }
+
+    pub(crate) fn add_vectors(&mut self, v: Vector, w: Vector) -> Vector {
+        let sum = self.g.add_vectors(v, w);
+        self.computed(sum)
+    }
+
+    pub(crate) fn sub_vectors(&mut self, v: Vector, w: Vector) -> Vector {
+        let difference = self.g.sub_vectors(v, w);
+        self.computed(difference)
+    }
+
+    pub(crate) fn neg_vector(&mut self, v: Vector) -> Vector {
+        let negation = self.g.neg_vector(v);
+        self.computed(negation)
+    }
+
+    pub(crate) fn scale(&mut self, k: Scalar, v: Vector) -> Vector {
+        let scaled = self.g.scale(k, v);
+        self.computed(scaled)
+    }
+
+    pub(crate) fn cross(&mut self, v: Vector, w: Vector) -> Vector {
+        let product = self.g.cross(v, w);
+        self.computed(product)
+    }
+
+    pub(crate) fn dot(&mut self, v: Vector, w: Vector) -> Scalar {
+        match (self.g.constant_vector_of(v), self.g.constant_vector_of(w)) {
+            (Some(v), Some(w)) => self.number(v[0] * w[0] + v[1] * w[1] + v[2] * w[2]),
+            _ => self.g.dot(v, w),
+        }
+    }
+
+    pub(crate) fn norm(&mut self, v: Vector) -> Scalar {
+        match self.g.constant_vector_of(v) {
+            Some([x, y, z]) => self.number((x * x + y * y + z * z).sqrt()),
+            None => self.g.norm(v),
+        }
+    }
+
+    pub(crate) fn normalize(&mut self, v: Vector) -> Vector {
+        let Some(known) = self.g.constant_vector_of(v) else { return self.g.normalize(v).into() };
+        let norm = known.iter().map(|c| c * c).sum::<f64>().sqrt();
+        self.number_vector(known.map(|c| if norm > 0.0 { c / norm } else { 0.0 }))
+    }
+
+    // Rotations.
+
+    /// The right-handed turn about X, Y or Z.
+    pub(crate) fn turn(&mut self, axis: usize, radians: Scalar) -> Rotation {
+        let plane = ABOUT[axis];
+        let (negative, radians) = self.unsigned_angle(radians);
+        let rotation = match self.constant_of(radians) {
+            Some(radians) => {
+                // A quarter turn is one, though its angle is no number that is stored exactly.
+                let exact = |x: f64| if (x - x.round()).abs() < 1e-15 { x.round() } else { x };
+                let (sin, cos) = (exact(radians.sin()), exact(radians.cos()));
+                let (from, towards) = (usize::from(plane.from), usize::from(plane.towards));
+                let mut images = IDENTITY;
+                images[from][from] = cos;
+                images[from][towards] = sin;
+                images[towards][from] = -sin;
+                images[towards][towards] = cos;
+                self.g.basis(images)
+            }
+            None => {
+                let angle = self.g.angle_of(radians);
+                self.g.turn(plane, angle)
+            }
+        };
+        if negative { self.g.transpose(rotation) } else { rotation }
+    }
+
+    /// The right-handed turn about an axis of length 1 that no variable moves.
+    pub(crate) fn about(&mut self, axis: Vector, radians: Scalar) -> Rotation {
+        let (negative, radians) = self.unsigned_angle(radians);
+        let angle = self.g.angle_of(radians);
+        let rotation = self.g.about(axis, angle);
+        if negative { self.g.transpose(rotation) } else { rotation }
+    }
+
+    pub(crate) fn identity(&mut self) -> Rotation {
+        self.g.basis(IDENTITY)
+    }
+}
+
+const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

@@ -1,0 +1,95 @@
+//! Constants that may be named: those of the numbers and of the types.
+
+use core::f64::consts;
+
+use super::algebra::Algebra;
+use super::map::{Affine, Map, Quaternion};
+use super::value::Value;
+use crate::differentiate::types::{self, Precision, Shape};
+
+/// `core::f32::consts::PI` and its like.
+const NUMBERS: &[(&str, f64)] = &[
+    ("E", consts::E),
+    ("FRAC_1_PI", consts::FRAC_1_PI),
+    ("FRAC_1_SQRT_2", consts::FRAC_1_SQRT_2),
+    ("FRAC_2_PI", consts::FRAC_2_PI),
+    ("FRAC_2_SQRT_PI", consts::FRAC_2_SQRT_PI),
+    ("FRAC_PI_2", consts::FRAC_PI_2),
+    ("FRAC_PI_3", consts::FRAC_PI_3),
+    ("FRAC_PI_4", consts::FRAC_PI_4),
+    ("FRAC_PI_6", consts::FRAC_PI_6),
+    ("FRAC_PI_8", consts::FRAC_PI_8),
+    ("LN_10", consts::LN_10),
+    ("LN_2", consts::LN_2),
+    ("LOG10_2", consts::LOG10_2),
+    ("LOG10_E", consts::LOG10_E),
+    ("LOG2_10", consts::LOG2_10),
+    ("LOG2_E", consts::LOG2_E),
+    ("PI", consts::PI),
+    ("SQRT_2", consts::SQRT_2),
+    ("TAU", consts::TAU),
+];
+
+/// The mathematical constant of this name.
+pub(super) fn mathematical(name: &str) -> Option<f64> {
+    NUMBERS.iter().find(|(known, _)| *known == name).map(|&(_, value)| value)
+}
+
+/// An associated constant, such as `Vec3::X`.
+pub(super) fn associated(a: &mut Algebra, ty: &str, name: &str) -> Option<Value> {
+    let (shape, precision) = types::named(ty)?;
+    Some(match shape {
+        Shape::Scalar => Value::Scalar(a.number(of_numbers(precision, name)?)),
+        Shape::Planar => {
+            let [x, y, _] = direction(name, 2)?;
+            Value::Planar(a.number_vector([x, y, 0.0]))
+        }
+        Shape::Vector => {
+            let components = direction(name, 3)?;
+            Value::Vector(a.number_vector(components))
+        }
+        Shape::Quaternion if name == "IDENTITY" => Value::Quaternion(Quaternion::identity(a)),
+        Shape::Matrix if name == "IDENTITY" => Value::Matrix(Map::identity(a)),
+        Shape::Matrix if name == "ZERO" => {
+            let zero = a.number_vector([0.0; 3]);
+            Value::Matrix(Map::Columns([zero; 3]))
+        }
+        Shape::Rigid if name == "IDENTITY" => {
+            let map = Map::identity(a);
+            Value::Affine(Affine::about_origin(a, map))
+        }
+        _ => return None,
+    })
+}
+
+fn of_numbers(precision: Precision, name: &str) -> Option<f64> {
+    let (epsilon, least, most) = match precision {
+        Precision::Single => (f32::EPSILON.into(), f32::MIN_POSITIVE.into(), f32::MAX.into()),
+        Precision::Double => (f64::EPSILON, f64::MIN_POSITIVE, f64::MAX),
+    };
+    match name {
+        "EPSILON" => Some(epsilon),
+        "MIN_POSITIVE" => Some(least),
+        "MAX" => Some(most),
+        "MIN" => Some(-most),
+        _ => None,
+    }
+}
+
+fn direction(name: &str, axes: usize) -> Option<[f64; 3]> {
+    let along = |letter: &str, value: f64| {
+        let axis = ["X", "Y", "Z"][..axes].iter().position(|&known| known == letter)?;
+        let mut components = [0.0; 3];
+        components[axis] = value;
+        Some(components)
+    };
+    match name {
+        "ZERO" => Some([0.0; 3]),
+        "ONE" => Some([1.0; 3]),
+        "NEG_ONE" => Some([-1.0; 3]),
+        _ => match name.strip_prefix("NEG_") {
+            Some(letter) => along(letter, -1.0),
+            None => along(name, 1.0),
+        },
+    }
+}

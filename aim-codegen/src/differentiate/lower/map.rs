@@ -1,0 +1,310 @@
+//! Linear maps, quaternions and affine transforms of a function.
+//!
+//! A map is kept as it was made, so that what is a rotation stays one: the rules of the engine know `R Rᵀ = 1` of
+//! rotations alone. Only where its numbers are asked for are they worked out.
+
+use std::rc::Rc;
+
+use aim_symbolic::{Rotation, Scalar, Vector};
+
+use super::algebra::Algebra;
+use super::value::Condition;
+
+/// A linear map of vectors.
+#[derive(Clone, Debug)]
+pub(crate) enum Map {
+    /// A rotation, so that its transpose is its inverse.
+    Rotation(Rotation),
+    /// The images of the three axes.
+    Columns([Vector; 3]),
+    /// The transpose of that.
+    Rows([Vector; 3]),
+    /// v ↦ q v q*, for a quaternion of any length: its vector part and its scalar part.
+    Spin(Vector, Scalar),
+    /// The second, then the first.
+    Compose(Rc<(Self, Self)>),
+    /// The first where the condition holds, else the second.
+    Select(Rc<(Condition, Self, Self)>),
+}
+
+impl Map {
+    /// The right-handed turn about X, Y or Z.
+    pub(crate) fn turn(a: &mut Algebra, axis: usize, radians: Scalar) -> Self {
+        Self::Rotation(a.turn(axis, radians))
+    }
+
+    pub(crate) fn identity(a: &mut Algebra) -> Self {
+        Self::Rotation(a.identity())
+    }
+
+    pub(crate) fn apply(&self, a: &mut Algebra, v: Vector) -> Vector {
+        match self {
+            Self::Rotation(rotation) => a.g.rotate(*rotation, v),
+            Self::Columns(columns) => {
+                let parts = a.parts(v);
+                let [x, y, z] = [0, 1, 2].map(|k| a.scale(parts[k], columns[k]));
+                let xy = a.add_vectors(x, y);
+                a.add_vectors(xy, z)
+            }
+            Self::Rows(rows) => {
+                let parts = rows.map(|row| a.dot(row, v));
+                a.vector(parts)
+            }
+            Self::Spin(u, w) => spin(a, *u, *w, v),
+            Self::Compose(pair) => {
+                let once = pair.1.apply(a, v);
+                pair.0.apply(a, once)
+            }
+            Self::Select(choice) => {
+                let (then, otherwise) = (choice.1.apply(a, v), choice.2.apply(a, v));
+                choice.0.select_vector(a, then, otherwise)
+            }
+        }
+    }
+
+    /// `inner`, then `self`.
+    pub(crate) fn compose(&self, a: &mut Algebra, inner: &Self) -> Self {
+        match (self, inner) {
+            (Self::Rotation(outer), Self::Rotation(inner)) => Self::Rotation(a.g.compose(*outer, *inner)),
+            (Self::Compose(pair), _) => {
+                let inner = pair.1.compose(a, inner);
+                pair.0.compose(a, &inner)
+            }
+            (Self::Rotation(outer), Self::Compose(pair)) => match &pair.0 {
+                Self::Rotation(middle) => {
+                    let outer = a.g.compose(*outer, *middle);
+                    Self::Compose(Rc::new((Self::Rotation(outer), pair.1.clone())))
+                }
+                _ => Self::Compose(Rc::new((self.clone(), inner.clone()))),
+            },
+            _ => Self::Compose(Rc::new((self.clone(), inner.clone()))),
+        }
+    }
+
+    pub(crate) fn transpose(&self, a: &mut Algebra) -> Self {
+        match self {
+            Self::Rotation(rotation) => Self::Rotation(a.g.transpose(*rotation)),
+            Self::Columns(columns) => Self::Rows(*columns),
+            Self::Rows(rows) => Self::Columns(*rows),
+            Self::Spin(u, w) => Self::Spin(a.neg_vector(*u), *w),
+            Self::Compose(pair) => {
+                let (first, second) = (pair.0.transpose(a), pair.1.transpose(a));
+                second.compose(a, &first)
+            }
+            Self::Select(choice) => {
+                let (then, otherwise) = (choice.1.transpose(a), choice.2.transpose(a));
+                Self::Select(Rc::new((choice.0.clone(), then, otherwise)))
+            }
+        }
+    }
+
+    /// The map back: of a rotation its transpose, else the adjugate over the determinant.
+    pub(crate) fn inverse(&self, a: &mut Algebra) -> Self {
+        if self.is_rotation() {
+            return self.transpose(a);
+        }
+        if let Self::Compose(pair) = self {
+            let (first, second) = (pair.0.inverse(a), pair.1.inverse(a));
+            return second.compose(a, &first);
+        }
+        let [x, y, z] = self.columns(a);
+        let normals = [a.cross(y, z), a.cross(z, x), a.cross(x, y)];
+        let determinant = a.dot(z, normals[2]);
+        let reciprocal = a.recip(determinant);
+        Self::Rows(normals.map(|normal| a.scale(reciprocal, normal)))
+    }
+
+    /// Whether it is known to be a rotation.
+    pub(crate) fn is_rotation(&self) -> bool {
+        match self {
+            Self::Rotation(_) => true,
+            Self::Columns(_) | Self::Rows(_) | Self::Spin(..) => false,
+            Self::Compose(pair) => pair.0.is_rotation() && pair.1.is_rotation(),
+            Self::Select(choice) => choice.1.is_rotation() && choice.2.is_rotation(),
+        }
+    }
+
+    /// The images of the axes.
+    pub(crate) fn columns(&self, a: &mut Algebra) -> [Vector; 3] {
+        [0, 1, 2].map(|axis| self.column(a, axis))
+    }
+
+    /// The image of an axis.
+    pub(crate) fn column(&self, a: &mut Algebra, axis: usize) -> Vector {
+        match self {
+            Self::Columns(columns) => columns[axis],
+            Self::Rows(rows) => {
+                let parts = rows.map(|row| a.component(row, axis));
+                a.vector(parts)
+            }
+            _ => {
+                let axis = a.axis(axis);
+                self.apply(a, axis)
+            }
+        }
+    }
+
+    pub(crate) fn determinant(&self, a: &mut Algebra) -> Scalar {
+        let [x, y, z] = self.columns(a);
+        let normal = a.cross(x, y);
+        a.dot(z, normal)
+    }
+
+    /// Column by column of two.
+    pub(crate) fn zip(&self, a: &mut Algebra, other: &Self, of: fn(&mut Algebra, Vector, Vector) -> Vector) -> Self {
+        let (mine, theirs) = (self.columns(a), other.columns(a));
+        Self::Columns([0, 1, 2].map(|k| of(a, mine[k], theirs[k])))
+    }
+
+    /// Each column by itself.
+    pub(crate) fn map(&self, a: &mut Algebra, of: impl Fn(&mut Algebra, Vector) -> Vector) -> Self {
+        let columns = self.columns(a);
+        Self::Columns(columns.map(|column| of(a, column)))
+    }
+
+    /// The right-handed turn about an axis that the variables move, as a matrix writes it: by Rodrigues' formula.
+    pub(crate) fn rodrigues(a: &mut Algebra, axis: Vector, radians: Scalar) -> Self {
+        let (sin, cos) = a.sin_cos(radians);
+        let one = a.number(1.0);
+        let rest = a.sub(one, cos);
+        let parts = a.parts(axis);
+        Self::Columns([0, 1, 2].map(|k| {
+            let unit = a.axis(k);
+            let kept = a.scale(cos, unit);
+            let along = a.mul(rest, parts[k]);
+            let along = a.scale(along, axis);
+            let aside = a.cross(axis, unit);
+            let aside = a.scale(sin, aside);
+            let sum = a.add_vectors(kept, along);
+            a.add_vectors(sum, aside)
+        }))
+    }
+}
+
+/// q v q* = v (w² − u·u) + 2 u (u·v) + 2 w (u × v)
+fn spin(a: &mut Algebra, u: Vector, w: Scalar, v: Vector) -> Vector {
+    let two = a.number(2.0);
+    let (w2, u2) = (a.mul(w, w), a.dot(u, u));
+    let rest = a.sub(w2, u2);
+    let kept = a.scale(rest, v);
+    let along = a.dot(u, v);
+    let along = a.mul(two, along);
+    let along = a.scale(along, u);
+    let aside = a.cross(u, v);
+    let twice = a.mul(two, w);
+    let aside = a.scale(twice, aside);
+    let sum = a.add_vectors(kept, along);
+    a.add_vectors(sum, aside)
+}
+
+/// A quaternion: the map that it is used for, and its numbers where they are known.
+#[derive(Clone, Debug)]
+pub(crate) struct Quaternion {
+    pub(crate) map: Map,
+    /// The vector part and the scalar part.
+    pub(crate) parts: Option<(Vector, Scalar)>,
+}
+
+impl Quaternion {
+    /// The quaternion of these parts, of whatever length.
+    pub(crate) fn from_parts(u: Vector, w: Scalar) -> Self {
+        Self { map: Map::Spin(u, w), parts: Some((u, w)) }
+    }
+
+    /// One of length 1 that no variable moves.
+    pub(crate) fn unit(a: &mut Algebra, u: Vector, w: Scalar) -> Self {
+        let map = match (a.g.constant_vector_of(u), a.constant_of(w)) {
+            (Some([x, y, z]), Some(w)) => Map::Rotation(a.g.basis(images(x, y, z, w))),
+            _ => Map::Rotation(a.g.quaternion(u, w)),
+        };
+        Self { map, parts: Some((u, w)) }
+    }
+
+    pub(crate) fn identity(a: &mut Algebra) -> Self {
+        let (u, w) = (a.number_vector([0.0; 3]), a.number(1.0));
+        Self { map: Map::identity(a), parts: Some((u, w)) }
+    }
+
+    /// The right-handed turn about X, Y or Z.
+    pub(crate) fn turn(a: &mut Algebra, axis: usize, radians: Scalar) -> Self {
+        let unit = a.axis(axis);
+        let parts = half_turn(a, unit, radians);
+        Self { map: Map::turn(a, axis, radians), parts: Some(parts) }
+    }
+
+    pub(crate) fn about(a: &mut Algebra, axis: Vector, radians: Scalar) -> Self {
+        let parts = half_turn(a, axis, radians);
+        Self { map: Map::Rotation(a.about(axis, radians)), parts: Some(parts) }
+    }
+
+    /// The turn about an axis that the variables move.
+    pub(crate) fn about_varying(a: &mut Algebra, axis: Vector, radians: Scalar) -> Self {
+        let (u, w) = half_turn(a, axis, radians);
+        Self::from_parts(u, w)
+    }
+
+    pub(crate) fn conjugate(&self, a: &mut Algebra) -> Self {
+        Self { map: self.map.transpose(a), parts: self.parts.map(|(u, w)| (a.neg_vector(u), w)) }
+    }
+
+    /// `inner`, then `self`.
+    pub(crate) fn compose(&self, a: &mut Algebra, inner: &Self) -> Self {
+        let parts = self.parts.zip(inner.parts).map(|((u, w), (v, x))| {
+            let (wv, xu, uv) = (a.scale(w, v), a.scale(x, u), a.cross(u, v));
+            let vector = a.add_vectors(wv, xu);
+            let vector = a.add_vectors(vector, uv);
+            let (wx, dot) = (a.mul(w, x), a.dot(u, v));
+            (vector, a.sub(wx, dot))
+        });
+        Self { map: self.map.compose(a, &inner.map), parts }
+    }
+}
+
+/// The parts of the quaternion that turns about `axis`.
+fn half_turn(a: &mut Algebra, axis: Vector, radians: Scalar) -> (Vector, Scalar) {
+    let half = a.number(0.5);
+    let half = a.mul(half, radians);
+    let (sin, cos) = a.sin_cos(half);
+    (a.scale(sin, axis), cos)
+}
+
+/// The images of the axes under a constant quaternion, made of length 1.
+fn images(x: f64, y: f64, z: f64, w: f64) -> [[f64; 3]; 3] {
+    let norm = (x * x + y * y + z * z + w * w).sqrt();
+    let [x, y, z, w] = [x, y, z, w].map(|c| c / norm);
+    [
+        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)],
+        [2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x)],
+        [2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)],
+    ]
+}
+
+/// A linear map, then a translation.
+#[derive(Clone, Debug)]
+pub(crate) struct Affine {
+    pub(crate) map: Map,
+    pub(crate) translation: Vector,
+}
+
+impl Affine {
+    pub(crate) fn apply(&self, a: &mut Algebra, point: Vector) -> Vector {
+        let image = self.map.apply(a, point);
+        a.add_vectors(image, self.translation)
+    }
+
+    /// `inner`, then `self`.
+    pub(crate) fn compose(&self, a: &mut Algebra, inner: &Self) -> Self {
+        Self { map: self.map.compose(a, &inner.map), translation: self.apply(a, inner.translation) }
+    }
+
+    pub(crate) fn inverse(&self, a: &mut Algebra) -> Self {
+        let map = self.map.inverse(a);
+        let back = map.apply(a, self.translation);
+        Self { map, translation: a.neg_vector(back) }
+    }
+
+    /// A linear map about the origin.
+    pub(crate) fn about_origin(a: &mut Algebra, map: Map) -> Self {
+        Self { map, translation: a.number_vector([0.0; 3]) }
+    }
+}

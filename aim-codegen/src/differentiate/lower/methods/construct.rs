@@ -1,0 +1,173 @@
+//! Functions that make a value of a type.
+
+use aim_symbolic::{Node, Scalar, Vector};
+
+use super::functions;
+use crate::differentiate::lower::algebra::Algebra;
+use crate::differentiate::lower::map::{Affine, Map, Quaternion};
+use crate::differentiate::lower::value::Value;
+use crate::differentiate::messages;
+use crate::text::Text;
+
+functions! {
+    PLANAR(a):
+    new(x: Scalar, y: Scalar) -> Planar { planar(a, x, y) }
+    splat(x: Scalar) -> Planar { planar(a, x, x) }
+    from_angle(x: Scalar) -> Planar {
+        let (sin, cos) = a.sin_cos(x);
+        planar(a, cos, sin)
+    }
+    from_array(numbers: Array) -> Planar {
+        let [x, y] = scalars(&numbers)?;
+        planar(a, x, y)
+    }
+    from(v: Planar) -> Planar { v }
+}
+
+functions! {
+    VECTOR(a):
+    new(x: Scalar, y: Scalar, z: Scalar) -> Vector { a.vector([x, y, z]) }
+    splat(x: Scalar) -> Vector { a.vector([x; 3]) }
+    from_array(numbers: Array) -> Vector {
+        let numbers = scalars(&numbers)?;
+        a.vector(numbers)
+    }
+    from(numbers: Array) -> Vector {
+        let numbers = scalars(&numbers)?;
+        a.vector(numbers)
+    }
+    from(v: Vector) -> Vector { v }
+}
+
+functions! {
+    QUATERNION(a):
+    from_rotation_x(radians: Scalar) -> Quaternion { Quaternion::turn(a, 0, radians) }
+    from_rotation_y(radians: Scalar) -> Quaternion { Quaternion::turn(a, 1, radians) }
+    from_rotation_z(radians: Scalar) -> Quaternion { Quaternion::turn(a, 2, radians) }
+    from_axis_angle(axis: Vector, radians: Scalar) -> Quaternion {
+        match still_turn(a, axis, radians)? {
+            Some(turn) => turn,
+            None => Quaternion::about_varying(a, axis, radians),
+        }
+    }
+    from_xyzw(x: Scalar, y: Scalar, z: Scalar, w: Scalar) -> Quaternion { quaternion(a, [x, y, z, w]) }
+    from_array(numbers: Array) -> Quaternion {
+        let numbers = scalars(&numbers)?;
+        quaternion(a, numbers)
+    }
+    from_mat3(m: Matrix) -> Quaternion { rotation_of(m)? }
+    from_mat3a(m: Matrix) -> Quaternion { rotation_of(m)? }
+    from_affine3(m: Affine) -> Quaternion { rotation_of(m.map)? }
+}
+
+functions! {
+    MATRIX(a):
+    from_rotation_x(radians: Scalar) -> Matrix { Map::turn(a, 0, radians) }
+    from_rotation_y(radians: Scalar) -> Matrix { Map::turn(a, 1, radians) }
+    from_rotation_z(radians: Scalar) -> Matrix { Map::turn(a, 2, radians) }
+    from_axis_angle(axis: Vector, radians: Scalar) -> Matrix { about(a, axis, radians)? }
+    from_quat(q: Quaternion) -> Matrix { q.map }
+    from_cols(x: Vector, y: Vector, z: Vector) -> Matrix { Map::Columns([x, y, z]) }
+    from_cols_array(numbers: Array) -> Matrix {
+        let [xx, xy, xz, yx, yy, yz, zx, zy, zz] = scalars(&numbers)?;
+        Map::Columns([[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]].map(|column| a.vector(column)))
+    }
+    from_diagonal(v: Vector) -> Matrix {
+        let parts = a.parts(v);
+        Map::Columns([0, 1, 2].map(|k| {
+            let unit = a.axis(k);
+            a.scale(parts[k], unit)
+        }))
+    }
+    from(m: Matrix) -> Matrix { m }
+}
+
+functions! {
+    AFFINE(a):
+    from_translation(v: Vector) -> Affine {
+        Affine { map: Map::identity(a), translation: v }
+    }
+    from_rotation_translation(q: Quaternion, v: Vector) -> Affine {
+        Affine { map: q.map, translation: v }
+    }
+    from_mat3_translation(m: Matrix, v: Vector) -> Affine {
+        Affine { map: m, translation: v }
+    }
+    from_quat(q: Quaternion) -> Affine { Affine::about_origin(a, q.map) }
+    from_mat3(m: Matrix) -> Affine { Affine::about_origin(a, m) }
+    from_rotation_x(radians: Scalar) -> Affine {
+        let map = Map::turn(a, 0, radians);
+        Affine::about_origin(a, map)
+    }
+    from_rotation_y(radians: Scalar) -> Affine {
+        let map = Map::turn(a, 1, radians);
+        Affine::about_origin(a, map)
+    }
+    from_rotation_z(radians: Scalar) -> Affine {
+        let map = Map::turn(a, 2, radians);
+        Affine::about_origin(a, map)
+    }
+    from_axis_angle(axis: Vector, radians: Scalar) -> Affine {
+        let map = about(a, axis, radians)?;
+        Affine::about_origin(a, map)
+    }
+}
+
+/// The turn about an axis that no variable moves; `None` if one does.
+fn still_turn(a: &mut Algebra, axis: Vector, radians: Scalar) -> Result<Option<Quaternion>, Text> {
+    let Some(known) = a.g.constant_vector_of(axis) else {
+        let moves = a.varies(Node::Vector(axis));
+        return Ok((!moves).then(|| Quaternion::about(a, axis, radians)));
+    };
+    let length = known.iter().map(|c| c * c).sum::<f64>().sqrt();
+    if (length - 1.0).abs() > 1e-4 {
+        return Err(messages::axis_not_unit(length));
+    }
+    Ok(Some(match known.iter().position(|c| c.abs() == 1.0) {
+        // ±X, ±Y, ±Z
+        Some(cardinal) => {
+            let radians = if known[cardinal] < 0.0 { a.neg(radians) } else { radians };
+            Quaternion::turn(a, cardinal, radians)
+        }
+        None => Quaternion::about(a, axis, radians),
+    }))
+}
+
+fn about(a: &mut Algebra, axis: Vector, radians: Scalar) -> Result<Map, Text> {
+    Ok(match still_turn(a, axis, radians)? {
+        Some(turn) => turn.map,
+        None => Map::rodrigues(a, axis, radians),
+    })
+}
+
+fn planar(a: &mut Algebra, x: Scalar, y: Scalar) -> Vector {
+    let zero = a.number(0.0);
+    a.vector([x, y, zero])
+}
+
+/// A quaternion of numbers: a rotation only where they are known to have length 1.
+fn quaternion(a: &mut Algebra, [x, y, z, w]: [Scalar; 4]) -> Quaternion {
+    let u = a.vector([x, y, z]);
+    let square: Option<f64> = [x, y, z, w].iter().map(|&c| a.constant_of(c).map(|c| c * c)).sum();
+    if square.is_some_and(|square| (square - 1.0).abs() < 1e-6) {
+        Quaternion::unit(a, u, w)
+    } else {
+        Quaternion::from_parts(u, w)
+    }
+}
+
+/// The quaternion of a rotation, without its numbers.
+fn rotation_of(map: Map) -> Result<Quaternion, Text> {
+    if map.is_rotation() { Ok(Quaternion { map, parts: None }) } else { Err(messages::MATRIX_NOT_ROTATION.into()) }
+}
+
+fn scalars<const N: usize>(values: &[Value]) -> Result<[Scalar; N], Text> {
+    let numbers: Option<Vec<Scalar>> = values
+        .iter()
+        .map(|value| match value {
+            Value::Scalar(x) => Some(*x),
+            _ => None,
+        })
+        .collect();
+    numbers.and_then(|numbers| numbers.try_into().ok()).ok_or_else(|| messages::numbers_expected(N))
+}

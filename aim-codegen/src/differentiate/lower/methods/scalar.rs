@@ -1,0 +1,51 @@
+//! Functions of numbers.
+
+use aim_symbolic::Function::{Acos, Asin, Exp, Ln, Tan};
+
+use super::functions;
+use crate::differentiate::lower::value::Value;
+
+functions! {
+    METHODS(a):
+    sin(x: Scalar) -> Scalar { a.sin_cos(x).0 }
+    cos(x: Scalar) -> Scalar { a.sin_cos(x).1 }
+    sin_cos(x: Scalar) -> Tuple {
+        let (sin, cos) = a.sin_cos(x);
+        vec![Value::Scalar(sin), Value::Scalar(cos)]
+    }
+    tan(x: Scalar) -> Scalar { a.call(Tan, x) }
+    asin(x: Scalar) -> Scalar { a.call(Asin, x) }
+    acos(x: Scalar) -> Scalar { a.call(Acos, x) }
+    atan(x: Scalar) -> Scalar {
+        let one = a.number(1.0);
+        a.atan2(x, one)
+    }
+    atan2(y: Scalar, x: Scalar) -> Scalar { a.atan2(y, x) }
+    sqrt(x: Scalar) -> Scalar { a.sqrt(x) }
+    exp(x: Scalar) -> Scalar { a.call(Exp, x) }
+    ln(x: Scalar) -> Scalar { a.call(Ln, x) }
+    abs(x: Scalar) -> Scalar { a.abs(x) }
+    signum(x: Scalar) -> Scalar { a.signum(x) }
+    min(x: Scalar, y: Scalar) -> Scalar { a.min(x, y) }
+    max(x: Scalar, y: Scalar) -> Scalar { a.max(x, y) }
+    clamp(x: Scalar, low: Scalar, high: Scalar) -> Scalar { a.clamp(x, low, high) }
+    recip(x: Scalar) -> Scalar { a.recip(x) }
+    mul_add(x: Scalar, factor: Scalar, summand: Scalar) -> Scalar {
+        let product = a.mul(x, factor);
+        a.add(product, summand)
+    }
+    hypot(x: Scalar, y: Scalar) -> Scalar {
+        let zero = a.number(0.0);
+        let v = a.vector([x, y, zero]);
+        a.norm(v)
+    }
+    to_radians(x: Scalar) -> Scalar {
+        let factor = a.number(core::f64::consts::PI / 180.0);
+        a.mul(factor, x)
+    }
+    to_degrees(x: Scalar) -> Scalar {
+        let factor = a.number(180.0 / core::f64::consts::PI);
+        a.mul(factor, x)
+    }
+    clone(x: Scalar) -> Scalar { x }
+}

@@ -1,0 +1,127 @@
+//! Operators: what each makes of two values, as glam and the language define it.
+
+use aim_symbolic::{Fold, Scalar, Vector};
+use syn::BinOp;
+
+use super::algebra::Algebra;
+use super::map::{Affine, Quaternion};
+use super::value::{Condition, Value};
+
+/// The value of `left operator right`; `None` where there is no such operation.
+pub(super) fn binary(a: &mut Algebra, operator: &BinOp, left: &Value, right: &Value) -> Option<Value> {
+    match operator {
+        BinOp::Add(_) => sum(a, (left, right), Fold::add, Algebra::add_vectors),
+        BinOp::Sub(_) => sum(a, (left, right), Fold::sub, Algebra::sub_vectors),
+        BinOp::Mul(_) => multiply(a, left, right),
+        BinOp::Div(_) => divide(a, left, right),
+        _ => compare(operator, left, right).map(Value::Truth),
+    }
+}
+
+/// A sum or a difference, in which a number beside a vector counts as each of its components.
+fn sum(
+    a: &mut Algebra,
+    (left, right): (&Value, &Value),
+    of_scalars: fn(&mut Fold, Scalar, Scalar) -> Scalar,
+    of_vectors: fn(&mut Algebra, Vector, Vector) -> Vector,
+) -> Option<Value> {
+    Some(match (left, right) {
+        (Value::Scalar(x), Value::Scalar(y)) => Value::Scalar(of_scalars(a, *x, *y)),
+        (Value::Planar(v), Value::Planar(w)) => Value::Planar(of_vectors(a, *v, *w)),
+        (Value::Vector(v), Value::Vector(w)) => Value::Vector(of_vectors(a, *v, *w)),
+        (Value::Vector(v), Value::Scalar(x)) => {
+            let w = a.vector([*x; 3]);
+            Value::Vector(of_vectors(a, *v, w))
+        }
+        (Value::Scalar(x), Value::Vector(w)) => {
+            let v = a.vector([*x; 3]);
+            Value::Vector(of_vectors(a, v, *w))
+        }
+        (Value::Matrix(m), Value::Matrix(n)) => Value::Matrix(m.zip(a, n, of_vectors)),
+        (Value::Quaternion(q), Value::Quaternion(r)) => {
+            let ((u, w), (v, x)) = q.parts.zip(r.parts)?;
+            Value::Quaternion(Quaternion::from_parts(of_vectors(a, u, v), of_scalars(a, w, x)))
+        }
+        _ => return None,
+    })
+}
+
+fn multiply(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
+    Some(match (left, right) {
+        (Value::Scalar(x), Value::Scalar(y)) => Value::Scalar(a.mul(*x, *y)),
+        (Value::Scalar(k), Value::Planar(v)) | (Value::Planar(v), Value::Scalar(k)) => Value::Planar(a.scale(*k, *v)),
+        (Value::Scalar(k), Value::Vector(v)) | (Value::Vector(v), Value::Scalar(k)) => Value::Vector(a.scale(*k, *v)),
+        (Value::Planar(v), Value::Planar(w)) => Value::Planar(a.zip(*v, *w, Algebra::mul)),
+        (Value::Vector(v), Value::Vector(w)) => Value::Vector(a.zip(*v, *w, Algebra::mul)),
+        (Value::Quaternion(q), Value::Vector(v)) => Value::Vector(q.map.apply(a, *v)),
+        (Value::Quaternion(q), Value::Quaternion(r)) => Value::Quaternion(q.compose(a, r)),
+        (Value::Quaternion(q), Value::Scalar(k)) => {
+            let (u, w) = q.parts?;
+            Value::Quaternion(Quaternion::from_parts(a.scale(*k, u), a.mul(*k, w)))
+        }
+        (Value::Matrix(m), Value::Vector(v)) => Value::Vector(m.apply(a, *v)),
+        (Value::Matrix(m), Value::Matrix(n)) => Value::Matrix(m.compose(a, n)),
+        (Value::Matrix(m), Value::Scalar(k)) | (Value::Scalar(k), Value::Matrix(m)) => {
+            Value::Matrix(m.map(a, |a, column| a.scale(*k, column)))
+        }
+        (Value::Affine(m), Value::Affine(n)) => Value::Affine(m.compose(a, n)),
+        (Value::Matrix(m), Value::Affine(n)) => {
+            let m = Affine::about_origin(a, m.clone());
+            Value::Affine(m.compose(a, n))
+        }
+        (Value::Affine(m), Value::Matrix(n)) => {
+            let n = Affine::about_origin(a, n.clone());
+            Value::Affine(m.compose(a, &n))
+        }
+        _ => return None,
+    })
+}
+
+fn divide(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
+    match (left, right) {
+        (Value::Scalar(x), Value::Scalar(y)) => Some(Value::Scalar(a.div(*x, *y))),
+        (Value::Vector(v), Value::Vector(w)) => Some(Value::Vector(a.zip(*v, *w, |a, x, y| a.div(x, y)))),
+        (Value::Planar(_) | Value::Vector(_) | Value::Matrix(_) | Value::Quaternion(_), Value::Scalar(k)) => {
+            let reciprocal = Value::Scalar(a.recip(*k));
+            multiply(a, left, &reciprocal)
+        }
+        _ => None,
+    }
+}
+
+fn compare(operator: &BinOp, left: &Value, right: &Value) -> Option<Condition> {
+    use std::rc::Rc;
+    Some(match (left, right) {
+        (Value::Scalar(x), Value::Scalar(y)) => match operator {
+            BinOp::Lt(_) => Condition::Less(*x, *y),
+            BinOp::Gt(_) => Condition::Less(*y, *x),
+            BinOp::Le(_) => Condition::at_most(*x, *y),
+            BinOp::Ge(_) => Condition::at_most(*y, *x),
+            BinOp::Eq(_) => Condition::equal(*x, *y),
+            BinOp::Ne(_) => Condition::equal(*x, *y).not(),
+            _ => return None,
+        },
+        (Value::Truth(x), Value::Truth(y)) => match operator {
+            BinOp::And(_) | BinOp::BitAnd(_) => Condition::And(Rc::new((x.clone(), y.clone()))),
+            BinOp::Or(_) | BinOp::BitOr(_) => Condition::Or(Rc::new((x.clone(), y.clone()))),
+            _ => return None,
+        },
+        _ => return None,
+    })
+}
+
+/// The value of `−operand`.
+pub(super) fn negate(a: &mut Algebra, operand: &Value) -> Option<Value> {
+    Some(match operand {
+        Value::Scalar(x) => Value::Scalar(a.neg(*x)),
+        Value::Planar(v) => Value::Planar(a.neg_vector(*v)),
+        Value::Vector(v) => Value::Vector(a.neg_vector(*v)),
+        Value::Matrix(m) => Value::Matrix(m.map(a, Algebra::neg_vector)),
+        // Both turn the same way.
+        Value::Quaternion(q) => Value::Quaternion(Quaternion {
+            map: q.map.clone(),
+            parts: q.parts.map(|(u, w)| (a.neg_vector(u), a.neg(w))),
+        }),
+        _ => return None,
+    })
+}

@@ -1,0 +1,150 @@
+//! `#[differentiate]`: an ordinary function → the same function, and its derivatives beside it.
+//!
+//! 1. [`options`] reads the attribute's arguments, [`arguments`] the function's: the numbers of each argument become
+//!    inputs of a graph.
+//! 2. [`lower`] walks through the body and builds its value there. What is a rotation stays one.
+//! 3. The graph is differentiated and compiled as the objectives of rigs are.
+//! 4. [`emit`] writes the programs as functions of the same arguments.
+//!
+//! Every error is collected, with its place. The function itself is always emitted as it was written.
+
+mod arguments;
+mod emit;
+mod errors;
+mod lower;
+mod messages;
+mod options;
+mod types;
+
+#[cfg(test)]
+mod tests;
+
+use aim_symbolic::{Graph, Program, Scalar, Want};
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::ItemFn;
+
+use self::arguments::{Arguments, Declared};
+use self::emit::{Companions, Derived};
+use self::errors::Errors;
+use self::lower::{Algebra, Translation, Value};
+use self::options::Options;
+use self::types::{Shape, Type};
+
+/// What `#[differentiate(…)]` on `item` expands to.
+pub fn differentiate(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    let mut errors = Errors::default();
+    let function: ItemFn = match syn::parse2(item.clone()) {
+        Ok(function) => function,
+        // What is no function at all is said in our words, what does not parse in the parser's.
+        Err(_) if syn::parse2::<syn::Item>(item.clone()).is_ok() => {
+            errors.add(&item.clone().into_iter().next(), messages::NOT_A_FUNCTION);
+            let errors = errors.into_diagnostics().into_compile_error();
+            return quote!(#item #errors);
+        }
+        Err(error) => {
+            let errors = error.into_compile_error();
+            return quote!(#item #errors);
+        }
+    };
+    let options = Options::parse(attribute, &mut errors);
+    let arguments = Arguments::check(&function.sig, &options, &mut errors);
+    let programs = Programs::derive(&function, &options, &arguments, &mut errors);
+    let krate = options.krate.clone().unwrap_or_else(|| quote!(::aim));
+    let companions = Companions { item: &function, arguments: &arguments, krate: &krate };
+    let derived = |program| programs.as_ref().map(|Programs { inputs, .. }| Derived { program, inputs });
+    let first = companions.first_derivatives(programs.as_ref().and_then(|p| derived(&p.first)).as_ref());
+    let second = options.hessian.as_ref().and_then(|_| {
+        let derived = programs.as_ref().and_then(|p| derived(p.second.as_ref()?));
+        companions.hessian(derived.as_ref())
+    });
+    // Where `self` or a type is in the way, a stub would only be another error.
+    let (first, second) =
+        if arguments.faulty.is_empty() && function.sig.receiver().is_none() { (first, second) } else { (None, None) };
+    let errors = (!errors.is_empty()).then(|| errors.into_diagnostics().into_compile_error());
+    quote! {
+        #[allow(dead_code, reason = "its derivatives may be all that is used")]
+        #item
+        #first
+        #second
+        #errors
+    }
+}
+
+/// The derived programs.
+struct Programs {
+    /// The value, then by each component of each variable the derivative of each component of the value.
+    first: Program,
+    /// The value, the gradient, then the upper triangle of the second derivatives, row by row.
+    second: Option<Program>,
+    /// What the inputs are called.
+    inputs: Vec<TokenStream>,
+}
+
+impl Programs {
+    /// Derives them, unless there are errors.
+    fn derive(function: &ItemFn, options: &Options, arguments: &Arguments, errors: &mut Errors) -> Option<Self> {
+        let mut algebra = Algebra::new();
+        let Declared { values, variables, inputs } = arguments.declare(&mut algebra);
+        let body = Translation::new(&mut algebra, errors, values).block(&function.block);
+        let result = arguments.result.as_ref()?;
+        if let (Some(place), true) = (&options.hessian, result.shape != Shape::Scalar) {
+            errors.at(place, messages::HESSIAN_OF_VECTOR);
+        }
+        let numbers = numbers(&mut algebra, &body, result, errors)?;
+        if !errors.is_empty() {
+            return None;
+        }
+        let variables: Vec<Scalar> = variables.into_iter().flatten().collect();
+        let values = numbers.iter().map(|&number| Want::Value(number));
+        let by = |variable: Scalar| numbers.iter().map(move |&number| Want::Derivative(number, variable.into()));
+        let mut wanted: Vec<Want> = values.chain(variables.iter().flat_map(|&variable| by(variable))).collect();
+        let first = derived(&algebra.g, &wanted);
+        if let Some((budget, place)) = &options.budget {
+            let count = first.count();
+            if count.total() > *budget {
+                errors.at(place, messages::over_budget(*budget, count));
+                return None;
+            }
+        }
+        let second = options.hessian.is_some().then(|| {
+            for (i, &a) in variables.iter().enumerate() {
+                wanted.extend(variables[i..].iter().map(|&b| Want::Second(numbers[0], a.into(), b.into())));
+            }
+            derived(&algebra.g, &wanted)
+        });
+        Some(Self { first, second, inputs })
+    }
+}
+
+/// What a thread needs to walk down the longest functions that people write: each operation is a step down.
+const STACK: usize = 512 << 20;
+
+/// The program, derived where there is room for deep expressions; compilers give macros little of it.
+fn derived(g: &Graph, wanted: &[Want]) -> Program {
+    std::thread::scope(|scope| {
+        let roomy = std::thread::Builder::new().stack_size(STACK);
+        let thread = roomy.spawn_scoped(scope, || Program::derive_wanted(g, wanted)).ok();
+        thread.and_then(|thread| thread.join().ok()).unwrap_or_else(|| Program::derive_wanted(g, wanted))
+    })
+}
+
+/// The numbers of the function's value; `None` where it is not what the function's type says.
+fn numbers(a: &mut Algebra, value: &Value, result: &Type, errors: &mut Errors) -> Option<Vec<Scalar>> {
+    let numbers = match (value, result.shape) {
+        (Value::Scalar(number), Shape::Scalar) => vec![*number],
+        (Value::Planar(v), Shape::Planar) => a.parts(*v)[..2].to_vec(),
+        (Value::Vector(v), Shape::Vector) => a.parts(*v).to_vec(),
+        (Value::Unknown, _) => return None,
+        (other, _) => {
+            let expected = match result.shape {
+                Shape::Scalar => "a number",
+                Shape::Planar => "a vector of two",
+                _ => "a vector",
+            };
+            errors.add(&result.tokens, messages::wrong_result(&other.describe(), expected));
+            return None;
+        }
+    };
+    Some(numbers)
+}

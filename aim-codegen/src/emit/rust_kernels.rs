@@ -1,0 +1,316 @@
+//! The kernels of a rig as Rust: those that [`Rig`](crate::emit::Rig)'s trait needs in plain `f32`, the others generic
+//! over the runtime's `Scalar`.
+//!
+//! The trait's kernels run in users' debug builds, where every operator of a generic type is a call and every `get` and
+//! `try_from` another: they are written with the operators of `f32`, constant indices and slice patterns alone.
+
+use aim_symbolic::Op;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::body::{Arithmetic, Body, counted, local};
+use crate::RigSpec;
+use crate::objective::{AIM_GRADIENT, CHAIN_RESIDUAL_JACOBIAN, FirstLink, Kernel, Objective, Scope};
+
+/// The objectives that the runtime's trait needs.
+pub const TRAIT_OBJECTIVES: [&Objective; 2] = [&CHAIN_RESIDUAL_JACOBIAN, &AIM_GRADIENT];
+
+/// The kernels that the runtime's trait needs. Where the first link is always the identity they do without it.
+pub fn trait_kernels(spec: &RigSpec) -> Vec<Kernel> {
+    let first_link = |objective: &Objective| match objective.scope {
+        // The link of a joint leads from the effector through all joints between.
+        Scope::Joint => FirstLink::Given,
+        Scope::Chain => FirstLink::of(spec),
+    };
+    TRAIT_OBJECTIVES.into_iter().flat_map(|objective| objective.kernels(spec, first_link(objective))).collect()
+}
+
+/// The names of a kernel's parameters.
+struct Parameters {
+    joint: Ident,
+    link: Ident,
+    links: Ident,
+    target: Ident,
+    sin_cos: Ident,
+    out: Ident,
+}
+
+impl Parameters {
+    fn new() -> Self {
+        let [joint, link, links, target, sin_cos, out] =
+            ["joint", "effector_to_joint", "links", "target", "sin_cos", "out"].map(local);
+        Self { joint, link, links, target, sin_cos, out }
+    }
+
+    /// The expression of an input of a kernel of `joints` joints.
+    fn input(&self, scope: Scope, joints: usize, i: usize) -> TokenStream {
+        let Self { link, links, target, sin_cos, .. } = self;
+        let numbers = if scope == Scope::Joint { 12 } else { 12 * joints };
+        match scope {
+            _ if (numbers..numbers + 3).contains(&i) => index(target, i - numbers),
+            Scope::Joint if i < numbers => index(link, i),
+            Scope::Joint => index(sin_cos, i - numbers - 3),
+            Scope::Chain if i < numbers => index_twice(links, i / 12, i % 12),
+            Scope::Chain => index_twice(sin_cos, (i - numbers - 3) / 4, (i - numbers - 3) % 4),
+        }
+    }
+}
+
+/// The name of the function of a kernel.
+pub fn function_name(kernel: &Kernel) -> String {
+    let Objective { name, scope, .. } = kernel.objective;
+    match scope {
+        Scope::Joint => format!("{name}_{}", kernel.joints[0]),
+        Scope::Chain => (*name).to_owned(),
+    }
+}
+
+/// The body of a kernel's function.
+#[derive(Clone, Debug)]
+pub struct Lines {
+    steps: Vec<(usize, TokenStream)>,
+    /// The array of the outputs.
+    pub results: TokenStream,
+}
+
+impl Lines {
+    /// The statement of the step with this number.
+    pub fn step(&self, number: usize) -> Option<&TokenStream> {
+        self.steps.iter().find(|(known, _)| *known == number).map(|(_, line)| line)
+    }
+
+    fn statements(&self) -> impl Iterator<Item = &TokenStream> {
+        self.steps.iter().map(|(_, statement)| statement)
+    }
+}
+
+/// The body of a kernel's generic function, step by step; `krate` is the facade's path.
+pub fn lines(kernel: &Kernel, spec: &RigSpec, krate: &TokenStream) -> Lines {
+    let number = quote!(S);
+    let parameters = Parameters::new();
+    body(kernel, &quote!(#krate::__private), Arithmetic::Generic(&number), &|i| {
+        parameters.input(kernel.objective.scope, spec.joints.len(), i)
+    })
+}
+
+fn body(kernel: &Kernel, private: &TokenStream, number: Arithmetic<'_>, input: &dyn Fn(usize) -> TokenStream) -> Lines {
+    let body = Body { program: &kernel.program, number, private, input };
+    let results = body.results();
+    Lines { steps: body.statements(), results: quote!([#(#results),*]) }
+}
+
+/// What a kernel computes, for its documentation.
+fn doc(kernel: &Kernel, spec: &RigSpec) -> String {
+    let names: Vec<String> = kernel.joints.iter().map(|&j| format!("`{}`", spec.joints[j].name)).collect();
+    let outputs = (kernel.objective.outputs)(&names.join(", "), spec.angles());
+    format!("{outputs} {}. Derived for the rig `{}`.", counted(kernel.program.count()), spec.name)
+}
+
+/// The methods of the runtime's trait that compute `kernels`, which are [`trait_kernels`].
+pub(super) fn trait_methods(kernels: &[Kernel], spec: &RigSpec, private: &TokenStream) -> TokenStream {
+    kernels
+        .chunk_by(|a, b| a.objective == b.objective)
+        .map(|kernels| match kernels[0].objective.scope {
+            Scope::Joint => joint_method(kernels, spec, private),
+            Scope::Chain => chain_method(&kernels[0], spec, private),
+        })
+        .collect()
+}
+
+fn joint_method(kernels: &[Kernel], spec: &RigSpec, private: &TokenStream) -> TokenStream {
+    let parameters = Parameters::new();
+    let Parameters { joint, link, target, sin_cos, .. } = &parameters;
+    let arms = kernels.iter().map(|kernel| {
+        let joints = kernel.joints.iter().map(|&j| Literal::usize_unsuffixed(j));
+        let lines = body(kernel, private, Arithmetic::F32, &|i| parameters.input(Scope::Joint, 1, i));
+        let (statements, results) = (lines.statements(), &lines.results);
+        quote!(#(#joints)|* => { #(#statements)* #results })
+    });
+    let docs = kernels.iter().map(|kernel| doc(kernel, spec));
+    quote! {
+        #(#[doc = #docs])*
+        fn aim_gradient(
+            &self,
+            #joint: ::core::primitive::usize,
+            #link: &[::core::primitive::f32; 12],
+            #target: &[::core::primitive::f32; 3],
+            #sin_cos: &[::core::primitive::f32; 4],
+        ) -> [::core::primitive::f32; 3] {
+            match #joint {
+                #(#arms)*
+                _ => [0.0, 0.0, 0.0],
+            }
+        }
+    }
+}
+
+fn chain_method(kernel: &Kernel, spec: &RigSpec, private: &TokenStream) -> TokenStream {
+    let parameters = Parameters::new();
+    let Parameters { links, target, sin_cos, out, .. } = &parameters;
+    let joints = spec.joints.len();
+    let element = |name: &str, i: usize| local(&format!("{name}_{i}"));
+    // An array for each joint, found by a pattern: a slice's length is checked once and without a call.
+    let numbers = 12 * joints;
+    let input = |i: usize| match i {
+        _ if i < numbers => index(&element("link", i / 12), i % 12),
+        _ if i < numbers + 3 => index(target, i - numbers),
+        _ => index(&element("sin_cos", (i - numbers - 3) / 4), (i - numbers - 3) % 4),
+    };
+    let used = kernel.program.ops().iter().filter_map(|op| match op {
+        Op::Input(i) => Some(*i as usize),
+        _ => None,
+    });
+    let used: Vec<usize> = used.collect();
+    let pattern = |name: &str, first: usize, length: usize| {
+        let elements = (0..joints).map(|joint| {
+            let from = first + length * joint;
+            let is_used = used.iter().any(|input| (from..from + length).contains(input));
+            if is_used {
+                let name = element(name, joint);
+                quote!(#name)
+            } else {
+                quote!(_)
+            }
+        });
+        let elements: Vec<TokenStream> = elements.collect();
+        quote!([#(#elements),*])
+    };
+    let (link_pattern, angle_pattern) = (pattern("link", 0, 12), pattern("sin_cos", numbers + 3, 4));
+    let outputs: Vec<Ident> = (0..kernel.program.outputs().len()).map(|i| element("out", i)).collect();
+    let body = Body { program: &kernel.program, number: Arithmetic::F32, private, input: &input };
+    let (steps, results) = (body.steps(), body.results());
+    let doc = doc(kernel, spec);
+    quote! {
+        #[doc = #doc]
+        fn residual_jacobian(
+            &self,
+            #links: &[[::core::primitive::f32; 12]],
+            #target: &[::core::primitive::f32; 3],
+            #sin_cos: &[[::core::primitive::f32; 4]],
+            #out: &mut [::core::primitive::f32],
+        ) {
+            let (#link_pattern, #angle_pattern, [#(#outputs),*]) = (#links, #sin_cos, &mut *#out) else {
+                return <[::core::primitive::f32]>::fill(#out, 0.0);
+            };
+            #steps
+            #( *#outputs = #results; )*
+        }
+    }
+}
+
+/// The functions of `kernels`, generic over `Scalar`, and the associated functions of the rig that lead to them.
+pub(super) fn generic(kernels: &[Kernel], spec: &RigSpec, name: &Ident, krate: &TokenStream) -> Option<TokenStream> {
+    let associated = kernels.chunk_by(|a, b| a.objective == b.objective);
+    let associated: Vec<TokenStream> = associated
+        .map(|kernels| match kernels[0].objective.scope {
+            Scope::Joint => by_joint(kernels, spec, krate),
+            Scope::Chain => by_slices(&kernels[0], spec, krate),
+        })
+        .collect();
+    let functions = kernels.iter().map(|kernel| function(kernel, spec, krate));
+    (!kernels.is_empty()).then(|| {
+        quote! {
+            #(#functions)*
+
+            #[allow(dead_code, unreachable_pub, reason = "they were asked for, and may be called in one build only")]
+            impl #name {
+                #(#associated)*
+            }
+        }
+    })
+}
+
+/// The function that finds a joint's kernel.
+fn by_joint(kernels: &[Kernel], spec: &RigSpec, krate: &TokenStream) -> TokenStream {
+    let Parameters { joint, link, target, sin_cos, .. } = Parameters::new();
+    let arms = kernels.iter().map(|kernel| {
+        let function = format_ident!("{}", function_name(kernel));
+        let joints = kernel.joints.iter().map(|&j| Literal::usize_unsuffixed(j));
+        quote!(#(#joints)|* => #function(#link, #target, #sin_cos),)
+    });
+    let name = format_ident!("{}", kernels[0].objective.name);
+    let outputs = Literal::usize_unsuffixed(kernels[0].program.outputs().len());
+    let docs = kernels.iter().map(|kernel| doc(kernel, spec));
+    quote! {
+        #(#[doc = #docs])*
+        /// Zeros where there is no such joint.
+        #[inline]
+        pub fn #name<S: #krate::__private::Scalar>(
+            #joint: ::core::primitive::usize,
+            #link: &[S; 12],
+            #target: &[S; 3],
+            #sin_cos: &[S; 4],
+        ) -> [S; #outputs] {
+            match #joint {
+                #(#arms)*
+                _ => [<S as #krate::__private::Scalar>::ZERO; #outputs],
+            }
+        }
+    }
+}
+
+/// The function that takes slices instead of arrays; those of other lengths give zeros.
+fn by_slices(kernel: &Kernel, spec: &RigSpec, krate: &TokenStream) -> TokenStream {
+    let Parameters { links, target, sin_cos, out, .. } = Parameters::new();
+    let name = format_ident!("{}", function_name(kernel));
+    let joints = Literal::usize_unsuffixed(spec.joints.len());
+    let outputs = Literal::usize_unsuffixed(kernel.program.outputs().len());
+    let doc = doc(kernel, spec);
+    quote! {
+        #[doc = #doc]
+        /// Slices of other lengths give zeros.
+        #[inline]
+        pub fn #name<S: #krate::__private::Scalar>(
+            #links: &[[S; 12]],
+            #target: &[S; 3],
+            #sin_cos: &[[S; 4]],
+            #out: &mut [S],
+        ) {
+            if let (
+                ::core::result::Result::Ok(#links),
+                ::core::result::Result::Ok(#sin_cos),
+                ::core::result::Result::Ok(#out),
+            ) = (
+                <&[[S; 12]; #joints] as ::core::convert::TryFrom<&[[S; 12]]>>::try_from(#links),
+                <&[[S; 4]; #joints] as ::core::convert::TryFrom<&[[S; 4]]>>::try_from(#sin_cos),
+                <&mut [S; #outputs] as ::core::convert::TryFrom<&mut [S]>>::try_from(&mut *#out),
+            ) {
+                *#out = #name(#links, #target, #sin_cos);
+            } else {
+                <[S]>::fill(#out, <S as #krate::__private::Scalar>::ZERO);
+            }
+        }
+    }
+}
+
+/// A kernel as a function of arrays.
+fn function(kernel: &Kernel, spec: &RigSpec, krate: &TokenStream) -> TokenStream {
+    let Parameters { link, links, target, sin_cos, .. } = Parameters::new();
+    let joints = Literal::usize_unsuffixed(spec.joints.len());
+    let parameters = match kernel.objective.scope {
+        Scope::Joint => quote!(#link: &[S; 12], #target: &[S; 3], #sin_cos: &[S; 4]),
+        Scope::Chain => quote!(#links: &[[S; 12]; #joints], #target: &[S; 3], #sin_cos: &[[S; 4]; #joints]),
+    };
+    let outputs = Literal::usize_unsuffixed(kernel.program.outputs().len());
+    let lines = lines(kernel, spec, krate);
+    let (statements, results) = (lines.statements(), &lines.results);
+    let (name, doc) = (format_ident!("{}", function_name(kernel)), doc(kernel, spec));
+    quote! {
+        #[doc = #doc]
+        #[inline]
+        fn #name<S: #krate::__private::Scalar>(#parameters) -> [S; #outputs] {
+            #(#statements)*
+            #results
+        }
+    }
+}
+
+fn index(array: &Ident, i: usize) -> TokenStream {
+    let i = Literal::usize_unsuffixed(i);
+    quote!(#array[#i])
+}
+
+fn index_twice(array: &Ident, i: usize, k: usize) -> TokenStream {
+    let (i, k) = (Literal::usize_unsuffixed(i), Literal::usize_unsuffixed(k));
+    quote!(#array[#i][#k])
+}

@@ -1,0 +1,143 @@
+//! The geometry that objectives are stated over: joints from the effector inward, each a link and an added rotation.
+
+use aim_symbolic::{Angle, Graph, Plane, Rigid, Rotation, Vector};
+
+use crate::{EffectorSpec, Frame, JointSpec, RigSpec, Role};
+
+/// The plane of heading, in the axes forward, left, up: forward turns towards left.
+pub const HEADING: Plane = Plane { from: 0, towards: 1 };
+/// The plane of pitch, in the same axes: forward turns towards up.
+pub const PITCH: Plane = Plane { from: 0, towards: 2 };
+
+/// The inputs of a kernel, in the order in which emitted functions take them.
+#[derive(Clone, Debug)]
+pub struct Inputs {
+    /// From effector space to the first joint's space before its added rotation, then from each joint to the next.
+    pub links: Vec<Rigid>,
+    /// The target, in the last joint's space.
+    pub target: Vector,
+    /// Each joint's pitch and heading.
+    pub angles: Vec<(Angle, Angle)>,
+}
+
+impl Inputs {
+    /// Declares those of one joint in `g`: link, target, sin p, cos p, sin h, cos h.
+    pub fn of_joint(g: &mut Graph) -> Self {
+        Self {
+            links: vec![g.rigid_input("m")],
+            target: g.vector_input("target"),
+            angles: vec![(g.angle("p"), g.angle("h"))],
+        }
+    }
+
+    /// Declares those of a chain in `g`: links, target, then sin p, cos p, sin h, cos h of each joint.
+    pub fn of_chain(g: &mut Graph, joints: usize) -> Self {
+        Self {
+            links: (0..joints).map(|i| g.rigid_input(&format!("l{i}"))).collect(),
+            target: g.vector_input("target"),
+            angles: (0..joints).map(|i| (g.angle(&format!("p{i}")), g.angle(&format!("h{i}")))).collect(),
+        }
+    }
+}
+
+/// The link from effector space to the first joint.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FirstLink {
+    /// An input like the other links.
+    #[default]
+    Given,
+    /// Known to be the identity. The input stays, so that all others keep their places, and is not read.
+    Identity,
+}
+
+impl FirstLink {
+    /// What is known of a rig's first link in calls of the runtime. It leads from the effector to joint 0 as the animation
+    /// has it: without an origin of its own, and without a heading that is turned upright, the effector is joint 0.
+    pub fn of(spec: &RigSpec) -> Self {
+        let is_upright = spec.joints.first().is_some_and(|joint| match joint.upright {
+            Some(upright) => upright > 0.0,
+            None => matches!(joint.role, Role::Head | Role::Neck),
+        });
+        if is_upright || spec.effector.origin != [0.0; 3] { Self::Given } else { Self::Identity }
+    }
+}
+
+/// The joints that an objective is stated over, from the effector inward, and their inputs.
+#[derive(Clone, Debug)]
+pub struct Chain<'a> {
+    /// What is aimed.
+    pub effector: &'a EffectorSpec,
+    /// The joints; as many as there are links.
+    pub joints: &'a [JointSpec],
+    /// What is known of the first link.
+    pub first_link: FirstLink,
+    /// The inputs.
+    pub inputs: Inputs,
+}
+
+impl Chain<'_> {
+    /// The effector as seen from the last joint's space.
+    pub fn effector_at_end(&self, g: &mut Graph) -> Effector {
+        let to_end = self.effector_to_end(g);
+        let zero = g.constant_vector([0.0; 3]);
+        Effector { to_end, origin: g.transform_point(to_end, zero) }
+    }
+
+    /// From effector space through all links and added rotations to the last joint's space.
+    fn effector_to_end(&self, g: &mut Graph) -> Rigid {
+        let mut to_end: Option<Rigid> = None;
+        let joints = self.joints.iter().zip(&self.inputs.links).zip(&self.inputs.angles);
+        for (place, ((joint, &link), &(pitch, heading))) in joints.enumerate() {
+            let to_joint = match to_end {
+                Some(inner) => Some(g.compose_rigid(link, inner)),
+                None => (place > 0 || self.first_link == FirstLink::Given).then_some(link),
+            };
+            let rotation = added_rotation(g, joint, pitch, heading);
+            let rotation = g.about_origin(rotation);
+            to_end = Some(match to_joint {
+                Some(to_joint) => g.compose_rigid(rotation, to_joint),
+                None => rotation,
+            });
+        }
+        to_end.unwrap_or_else(|| {
+            let nothing = g.basis([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+            g.about_origin(nothing)
+        })
+    }
+}
+
+/// The place and the image of a direction of the effector at the end of a chain.
+#[derive(Clone, Copy, Debug)]
+pub struct Effector {
+    to_end: Rigid,
+    /// The effector's origin.
+    pub origin: Vector,
+}
+
+impl Effector {
+    /// `direction` of effector space as a difference of two points: the paper's P₁ − P₀.
+    pub fn direction(&self, g: &mut Graph, direction: [f64; 3]) -> Vector {
+        let tip = g.constant_vector(direction);
+        let tip = g.transform_point(self.to_end, tip);
+        g.sub_vectors(tip, self.origin)
+    }
+}
+
+/// The joint's added rotation: pitch first, then heading, both in the joint's own axes.
+///
+/// In the axes forward, left, up, heading turns the first towards the second and pitch the first towards the third,
+/// whatever the bone's convention and handedness: those are in the change of basis alone.
+fn added_rotation(g: &mut Graph, joint: &JointSpec, pitch: Angle, heading: Angle) -> Rotation {
+    let Frame { up, forward, left } = joint.frame;
+    let to_bone = g.basis([forward, left, up]);
+    let mut rotation = g.transpose(to_bone);
+    if joint.pitch.is_some() {
+        let turn = g.turn(PITCH, pitch);
+        rotation = g.compose(turn, rotation);
+    }
+    if joint.heading.is_some() {
+        let turn = g.turn(HEADING, heading);
+        rotation = g.compose(turn, rotation);
+    }
+    g.compose(to_bone, rotation)
+}

@@ -1,0 +1,5 @@
+//! Operation counts of derived programs, and the checked-in code that is generated.
+
+mod counts;
+mod objectives;
+mod trajectory;

@@ -1,0 +1,168 @@
+//! Sampling against values worked out by hand.
+
+use crate::support::{bytes_of, one_channel};
+use aim_gltf::{Channel, Clip, Document, Interpolation, Trs};
+use glam::{Quat, Vec3};
+use serde_json::{Value, json};
+
+fn sample(json: &Value, seconds: f32) -> Trs {
+    let document = Document::from_bytes(&serde_json::to_vec(json).unwrap()).unwrap();
+    document.skeleton().pose(&document.clips()[0], seconds)[0]
+}
+
+fn floats(path: &str, interpolation: &str, times: &[f32], values: &[f32]) -> Value {
+    let (shape, width) = if path == "rotation" { ("VEC4", 4) } else { ("VEC3", 3) };
+    let output = json!({ "componentType": 5126, "count": values.len() / width, "type": shape });
+    one_channel(path, interpolation, times, &bytes_of(values), output, None)
+}
+
+#[track_caller]
+fn close(a: Vec3, b: [f32; 3]) {
+    assert!((a - Vec3::from(b)).length() < 1e-5, "{a} is not {b:?}");
+}
+
+#[track_caller]
+fn same_turn(a: Quat, b: Quat) {
+    assert!(a.dot(b).abs() > 1.0 - 1e-6, "{a} is not {b}");
+    assert!((a.length() - 1.0).abs() < 1e-6, "{a} is not unit");
+}
+
+#[test]
+fn step_holds_and_linear_mixes() {
+    let keys = [0.0, 0.0, 0.0, 4.0, 8.0, -2.0];
+    let step = floats("translation", "STEP", &[1.0, 3.0], &keys);
+    close(sample(&step, 2.999).translation, [0.0, 0.0, 0.0]);
+    close(sample(&step, 3.0).translation, [4.0, 8.0, -2.0]);
+    let linear = floats("translation", "LINEAR", &[1.0, 3.0], &keys);
+    close(sample(&linear, 1.5).translation, [1.0, 2.0, -0.5]);
+    // Clamped outside, and NaN does no harm.
+    close(sample(&linear, -5.0).translation, [0.0, 0.0, 0.0]);
+    close(sample(&linear, 99.0).translation, [4.0, 8.0, -2.0]);
+    close(sample(&linear, f32::NAN).translation, [0.0, 0.0, 0.0]);
+}
+
+#[test]
+fn a_single_key_holds_everywhere() {
+    let json = floats("scale", "LINEAR", &[0.7], &[2.0, 3.0, 4.0]);
+    for t in [0.0, 0.7, 5.0] {
+        close(sample(&json, t).scale, [2.0, 3.0, 4.0]);
+    }
+}
+
+#[test]
+fn rotations_take_the_shorter_arc_at_constant_speed() {
+    let (a, b) = (Quat::from_rotation_y(0.2), Quat::from_rotation_y(1.4));
+    let mut keys = a.to_array().to_vec();
+    keys.extend((-b).to_array());
+    let json = floats("rotation", "LINEAR", &[0.0, 1.0], &keys);
+    same_turn(sample(&json, 0.25).rotation, Quat::from_rotation_y(0.5));
+    same_turn(sample(&json, 1.0).rotation, b);
+}
+
+#[test]
+fn cubic_splines_scale_their_tangents_by_the_interval() {
+    // From 1 to 3 over two seconds, leaving with slope 2, arriving with slope −1, along x.
+    let keys = [
+        9.0, 9.0, 9.0, 1.0, 0.0, 0.0, 2.0, 0.0, 0.0, // in-tangent (unused), value, out-tangent
+        -1.0, 0.0, 0.0, 3.0, 0.0, 0.0, 9.0, 9.0, 9.0,
+    ];
+    let json = floats("translation", "CUBICSPLINE", &[1.0, 3.0], &keys);
+    // u = 1/2: h00 = h01 = 1/2, h10 = 1/8, h11 = −1/8; 0.5 + 1.5 + 2·2/8 + 2·1/8 = 2.75
+    close(sample(&json, 2.0).translation, [2.75, 0.0, 0.0]);
+    // u = 1/4: h00 = 27/32, h10 = 9/64, h01 = 5/32, h11 = −3/64
+    close(
+        sample(&json, 1.5).translation,
+        [27.0 / 32.0 + 2.0 * 2.0 * 9.0 / 64.0 + 15.0 / 32.0 + 2.0 * 3.0 / 64.0, 0.0, 0.0],
+    );
+    close(sample(&json, 3.0).translation, [3.0, 0.0, 0.0]);
+}
+
+#[test]
+fn cubic_rotations_come_out_unit() {
+    let (a, b) = (Quat::from_rotation_x(0.0), Quat::from_rotation_x(1.0));
+    let mut keys = vec![0.0; 4];
+    keys.extend(a.to_array());
+    keys.extend([0.0; 8]);
+    keys.extend(b.to_array());
+    keys.extend([0.0; 4]);
+    let json = floats("rotation", "CUBICSPLINE", &[0.0, 1.0], &keys);
+    same_turn(sample(&json, 0.5).rotation, Quat::from_rotation_x(0.5));
+}
+
+#[test]
+fn normalised_integers_of_every_width() {
+    let half = std::f32::consts::FRAC_1_SQRT_2;
+    let quarter = Quat::from_xyzw(half, 0.0, 0.0, half);
+    let check = |component: u32, bytes: Vec<u8>, stride: Option<usize>| {
+        let output = json!({ "componentType": component, "count": 1, "type": "VEC4", "normalized": true });
+        let json = one_channel("rotation", "LINEAR", &[0.0], &bytes, output, stride);
+        let found = sample(&json, 0.0).rotation;
+        assert!(found.dot(quarter) > 0.9999, "{component}: {found}");
+        assert!((found.length() - 1.0).abs() < 1e-6);
+    };
+    check(5120, vec![90, 0, 0, 90], None);
+    check(5121, vec![180, 0, 0, 180], None);
+    check(5122, [23170_i16, 0, 0, 23170].iter().flat_map(|v| v.to_le_bytes()).collect(), None);
+    check(5123, [46340_u16, 0, 0, 46340].iter().flat_map(|v| v.to_le_bytes()).collect(), None);
+    // Signed integers reach −1 twice: −128 counts as −127.
+    let output = json!({ "componentType": 5120, "count": 1, "type": "VEC4", "normalized": true });
+    let json = one_channel("rotation", "LINEAR", &[0.0], &[0x80, 0, 0, 0], output, None);
+    same_turn(sample(&json, 0.0).rotation, Quat::from_xyzw(-1.0, 0.0, 0.0, 0.0));
+}
+
+#[test]
+fn interleaved_keys_are_found_by_their_stride() {
+    let values = bytes_of(&[1.0, 2.0, 3.0, 77.0, 5.0, 6.0, 7.0, 77.0]);
+    let output = json!({ "componentType": 5126, "count": 2, "type": "VEC3" });
+    let json = one_channel("translation", "LINEAR", &[0.0, 1.0], &values, output, Some(16));
+    close(sample(&json, 1.0).translation, [5.0, 6.0, 7.0]);
+}
+
+#[test]
+fn accessors_without_bytes_are_zeros_and_sparse_ones_are_patched() {
+    let mut json = floats("translation", "LINEAR", &[0.0, 1.0, 2.0], &[1.0; 9]);
+    let accessor = &mut json["accessors"][1];
+    accessor.as_object_mut().unwrap().remove("bufferView");
+    close(sample(&json, 1.0).translation, [0.0; 3]);
+    let patch: Vec<u8> = [1_u8, 0, 0, 0].into_iter().chain(bytes_of(&[4.0, 5.0, 6.0])).collect();
+    json["buffers"]
+        .as_array_mut()
+        .unwrap()
+        .push(json!({ "byteLength": patch.len(), "uri": crate::support::data_uri(&patch) }));
+    json["bufferViews"].as_array_mut().unwrap().push(json!({ "buffer": 1, "byteLength": 4 }));
+    json["bufferViews"].as_array_mut().unwrap().push(json!({ "buffer": 1, "byteOffset": 4, "byteLength": 12 }));
+    json["accessors"][1]["sparse"] = json!({
+        "count": 1,
+        "indices": { "bufferView": 2, "componentType": 5121 },
+        "values": { "bufferView": 3 },
+    });
+    close(sample(&json, 1.0).translation, [4.0, 5.0, 6.0]);
+    close(sample(&json, 0.5).translation, [2.0, 2.5, 3.0]);
+    close(sample(&json, 2.0).translation, [0.0; 3]);
+}
+
+#[test]
+fn a_repeated_clip_equals_itself_modulo_its_length() {
+    let times: std::sync::Arc<[f32]> = [0.25, 0.5, 1.0].into();
+    let linear = Channel::translation(0, times.clone(), &[Vec3::ZERO, Vec3::X, Vec3::Y]);
+    let late =
+        Channel::scale(0, [0.0, 2.0].into(), &[Vec3::ONE, Vec3::splat(3.0)]).with_interpolation(Interpolation::Step);
+    let tangents = [Vec3::ONE, Vec3::X, Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::NEG_X, Vec3::ZERO, Vec3::Z, Vec3::ONE];
+    let cubic = Channel::translation(1, times, &tangents).with_interpolation(Interpolation::CubicSpline);
+    let clip = Clip::new("c", vec![linear, late, cubic]);
+    assert_eq!(clip.seconds(), 2.0);
+    for seconds in [0.4_f32, 1.7, 2.0, 5.3, 6.0] {
+        let long = clip.repeated(seconds);
+        assert_eq!(long.seconds(), seconds);
+        for k in 0..500_u16 {
+            let t = seconds * (f32::from(k) + 0.37) / 500.0;
+            let (mut a, mut b) = ([Trs::IDENTITY; 2], [Trs::IDENTITY; 2]);
+            clip.sample(t % 2.0, &mut a);
+            long.sample(t, &mut b);
+            for (a, b) in a.iter().zip(&b) {
+                let far = (a.translation - b.translation).length().max((a.scale - b.scale).length());
+                assert!(far < 2e-4, "{seconds} s at {t}: {a:?} {b:?}");
+            }
+        }
+    }
+}

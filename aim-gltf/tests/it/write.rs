@@ -1,0 +1,175 @@
+//! Writing: what was there stays, what is new reads back, files appear whole.
+
+use std::fs;
+use std::path::PathBuf;
+
+use crate::support::{put_together, take_apart};
+use aim_gltf::{Channel, Clip, Document, Error, Interpolation, PAPER_AXES, Property, mannequin, write_file};
+use glam::{Quat, Vec3};
+use serde_json::{Value, json};
+
+fn mannequin_glb() -> Vec<u8> {
+    mannequin(|_| PAPER_AXES).unwrap()
+}
+
+fn nod(node: usize) -> Clip {
+    let times: std::sync::Arc<[f32]> = [0.0, 0.4, 1.0].into();
+    let turns = [Quat::IDENTITY, Quat::from_rotation_z(0.3), Quat::from_rotation_x(-0.2)];
+    Clip::new("nod", vec![Channel::rotation(node, times, &turns)])
+}
+
+/// A folder of its own for one test, removed at the end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("aim-gltf-{name}-{}", std::process::id()));
+        fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+#[test]
+fn a_written_clip_reads_back_the_same() {
+    let document = Document::from_bytes(&mannequin_glb()).unwrap();
+    let head = document.skeleton().find("head").unwrap();
+    let mut clip = document.clips()[0].repeated(3.0);
+    clip.name = "aimed".into();
+    for channel in nod(head).channels {
+        clip.set(channel);
+    }
+    let written = Document::from_bytes(&document.with_clips(&[clip.clone()]).unwrap()).unwrap();
+    assert_eq!(written.clips().len(), 2);
+    assert_eq!(written.clips()[0], document.clips()[0]);
+    let found = written.clip("aimed").unwrap();
+    for k in 0..100_u8 {
+        let t = f32::from(k) * 0.031;
+        let (a, b) = (document.skeleton().pose(&clip, t), written.skeleton().pose(found, t));
+        for (a, b) in a.iter().zip(&b) {
+            assert!(a.rotation.dot(b.rotation).abs() > 1.0 - 1e-6 && (a.translation - b.translation).length() < 1e-6);
+        }
+    }
+    assert!(found.channels.iter().filter(|c| (c.node(), c.property()) == (head, Property::Rotation)).count() == 1);
+}
+
+#[test]
+fn old_bytes_and_unknown_members_survive_in_place() {
+    let (mut json, mut bin) = take_apart(&mannequin_glb());
+    json["extras"] = json!({ "z": 1, "a": [0.1, 1e-7, 123_456_789_012_345_678_u64] });
+    json["extensionsUsed"] = json!(["VENDOR_x"]);
+    json["extensions"] = json!({ "VENDOR_x": { "keep": "this", "b": null } });
+    json["nodes"][3]["extras"] = json!({ "note": "kept" });
+    // Bytes that nothing refers to stay as well.
+    bin.extend_from_slice(b"unreferenced");
+    json["buffers"][0]["byteLength"] = bin.len().into();
+    let document = Document::from_bytes(&put_together(&json, &bin)).unwrap();
+    let (new_json, new_bin) = take_apart(&document.with_clips(&[nod(6)]).unwrap());
+    assert!(new_bin.starts_with(&bin));
+    assert_eq!(new_json["buffers"][0]["byteLength"], new_bin.len());
+    for (key, old) in json.as_object().unwrap() {
+        match (old, &new_json[key]) {
+            (_, new) if key == "buffers" => assert!(new.is_array()),
+            (Value::Array(old), Value::Array(new)) => {
+                assert_eq!(old[..], new[..old.len()], "{key}");
+            }
+            (old, new) => assert_eq!(old, new, "{key}"),
+        }
+    }
+    let keys = |v: &Value| v.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
+    assert_eq!(keys(&json), keys(&new_json));
+    assert_eq!(keys(&new_json["extras"]), ["z", "a"]);
+}
+
+#[test]
+fn without_new_clips_nothing_changes() {
+    let glb = mannequin_glb();
+    let document = Document::from_bytes(&glb).unwrap();
+    assert_eq!(document.with_clips(&[]).unwrap(), glb);
+}
+
+#[test]
+fn external_parts_move_into_the_file() {
+    let folder = Folder::new("external");
+    let (mut json, bin) = take_apart(&mannequin_glb());
+    let split = json["bufferViews"][4]["byteOffset"].as_u64().unwrap();
+    let at = usize::try_from(split).unwrap();
+    for (index, view) in json["bufferViews"].as_array_mut().unwrap().iter_mut().enumerate().skip(4) {
+        assert!(index >= 4);
+        view["buffer"] = 1.into();
+        view["byteOffset"] = (view["byteOffset"].as_u64().unwrap() - split).into();
+    }
+    json["buffers"] =
+        json!([{ "byteLength": at, "uri": "first%20part.bin" }, { "byteLength": bin.len() - at, "uri": "second.bin" }]);
+    json["images"] = json!([{ "uri": "dot.png" }, { "uri": "missing.png" }, { "uri": "secret.png" }]);
+    fs::write(folder.0.join("first part.bin"), &bin[..at]).unwrap();
+    fs::write(folder.0.join("second.bin"), &bin[at..]).unwrap();
+    fs::write(folder.0.join("dot.png"), b"\x89PNG and so on").unwrap();
+    fs::write(folder.0.join("secret.png"), b"not an image").unwrap();
+    let path = folder.0.join("figure.gltf");
+    fs::write(&path, serde_json::to_vec_pretty(&json).unwrap()).unwrap();
+    let document = Document::load(&path).unwrap();
+    assert!(!document.is_glb());
+    let glb = document.with_clips(&[nod(6)]).unwrap();
+    let (new_json, new_bin) = take_apart(&glb);
+    assert!(new_bin.starts_with(&bin[..at]) && new_json["buffers"][0].get("uri").is_none());
+    assert!(new_json["images"][0]["uri"].as_str().unwrap().starts_with("data:image/png;base64,"));
+    assert_eq!(new_json["images"][1]["uri"], "missing.png");
+    assert_eq!(new_json["images"][2]["uri"], "secret.png");
+    // Now it needs no folder any more.
+    let written = Document::from_bytes(&glb).unwrap();
+    assert_eq!(written.clips()[0], document.clips()[0]);
+    assert!(matches!(Document::from_bytes(&fs::read(&path).unwrap()), Err(Error::NoData { .. })));
+}
+
+#[test]
+fn a_node_with_a_matrix_gets_its_parts_when_animated() {
+    let json = json!({
+        "asset": { "version": "2.0" },
+        "nodes": [{ "matrix": [0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 5, 6, 7, 1], "name": "m" }],
+    });
+    let document = Document::from_bytes(&serde_json::to_vec(&json).unwrap()).unwrap();
+    let rest = document.skeleton().nodes()[0].rest;
+    assert!((rest.scale - Vec3::splat(2.0)).length() < 1e-6 && rest.translation == Vec3::new(5.0, 6.0, 7.0));
+    let (new_json, _) = take_apart(&document.with_clips(&[nod(0)]).unwrap());
+    assert!(new_json["nodes"][0].get("matrix").is_none());
+    let written = Document::from_bytes(&document.with_clips(&[nod(0)]).unwrap()).unwrap();
+    let (a, b) = (document.skeleton().world_f64(&[])[0], written.skeleton().world_f64(&[])[0]);
+    assert!(a.abs_diff_eq(b, 1e-6));
+}
+
+#[test]
+fn clips_that_do_not_fit_are_refused() {
+    let document = Document::from_bytes(&mannequin_glb()).unwrap();
+    let refused = |channels: Vec<Channel>| {
+        let error = document.with_clips(&[Clip::new("bad", channels)]).unwrap_err();
+        assert!(matches!(error, Error::Clip { .. }), "{error}");
+    };
+    let turn = |node: usize, times: &[f32]| Channel::rotation(node, times.into(), &vec![Quat::IDENTITY; times.len()]);
+    refused(vec![turn(999, &[0.0])]);
+    refused(vec![turn(1, &[0.0]), turn(1, &[0.0])]);
+    refused(vec![turn(1, &[1.0, 1.0])]);
+    refused(vec![turn(1, &[-1.0])]);
+    refused(vec![turn(1, &[f32::NAN])]);
+    refused(vec![turn(1, &[])]);
+    refused(vec![Channel::rotation(1, [0.0, 1.0].into(), &[Quat::IDENTITY])]);
+    refused(vec![turn(1, &[0.0]).with_interpolation(Interpolation::CubicSpline)]);
+    refused(vec![Channel::translation(1, [0.0].into(), &[Vec3::NAN])]);
+}
+
+#[test]
+fn files_appear_whole_or_not_at_all() {
+    let folder = Folder::new("atomic");
+    let path = folder.0.join("out.glb");
+    write_file(&path, b"first").unwrap();
+    write_file(&path, b"second").unwrap();
+    assert_eq!(fs::read(&path).unwrap(), b"second");
+    assert_eq!(fs::read_dir(&folder.0).unwrap().count(), 1, "no temporary file is left");
+    assert!(matches!(write_file(folder.0.join("no/such/folder.glb"), b""), Err(Error::Write { .. })));
+    assert!(matches!(write_file(&folder.0, b""), Err(Error::NotAFile { .. })));
+}

@@ -1,0 +1,237 @@
+//! [`Aim`]: one character of a derived rig; and [`dyn Rig`](Rig), which drives any rig by slices.
+
+use core::fmt;
+
+use glam::{Affine3A, Quat, Vec3};
+
+use crate::rig::{ChainRig, MOST_JOINTS, PoseSlices, StateSlices};
+use crate::solve::{self, judge};
+use crate::target::blend;
+use crate::{AimRig, Joint, Outcome, Pose, Rig, Settings, State, Target};
+
+/// One character of a rig known at compile time: its state, 64 bytes and 24 for each joint.
+///
+/// ```ignore
+/// let mut hero = Aim::<Hero>::new();
+/// // Each frame, after the animation:
+/// let aimed = hero.aim(&pose, target, dt, &Settings::default());
+/// for (local, correction) in local_rotations.iter_mut().zip(aimed.corrections) {
+///     *local *= correction;
+/// }
+/// ```
+pub struct Aim<R: AimRig> {
+    /// The angles and the memory.
+    pub state: State<R::Array<Joint>>,
+}
+
+/// What a call of [`Aim`] gives back.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aimed<A> {
+    /// What became of the call.
+    pub outcome: Outcome,
+    /// Each joint's correction, from the effector inward: what the bone's animated local rotation is multiplied by on the
+    /// right. Unit to 1e-6; the exact identity at rest.
+    ///
+    /// A local *rotation* may be multiplied by it where the bone's own scale mirrors no axis, or all three. With scale −1
+    /// along one axis the turn is behind the mirror: about the axis mirrored, the other way round.
+    pub corrections: A,
+}
+
+impl<R: AimRig> Aim<R> {
+    /// A character at rest.
+    #[must_use]
+    pub fn new() -> Self {
+        Self { state: State::new(R::array(Joint::REST)) }
+    }
+
+    /// A character with these joints: a stored state put back.
+    #[must_use]
+    pub fn from_joints(joints: R::Array<Joint>) -> Self {
+        Self { state: State::new(joints) }
+    }
+
+    /// The joints by name.
+    #[must_use]
+    pub fn joints(&self) -> R {
+        R::from_joints(self.state.joints)
+    }
+
+    /// Turns the character towards the target for one frame of `dt` seconds.
+    ///
+    /// `pose` and target are in one common space, global and not local. No angle changes by more than its joint's rate ×
+    /// `dt` (a free heading modulo a full turn), and none leaves its range of motion; one found outside goes back at its
+    /// rate. With `dt` zero, negative or NaN nothing moves; above 0.1 s it counts as 0.1 s. Where there is nothing to aim
+    /// ([`Status::Degenerate`](crate::Status::Degenerate)) the angles hold.
+    ///
+    /// The target is a point, or several weighted [targets](Targets).
+    pub fn aim<'a>(
+        &mut self,
+        pose: &Pose<R::Array<Affine3A>>,
+        target: impl Into<Targets<'a>>,
+        dt: f32,
+        settings: &Settings,
+    ) -> Aimed<R::Array<Quat>> {
+        self.call(pose, &Call { targets: target.into(), dt: Some(dt), settings })
+    }
+
+    /// Puts the character on the target at once, whatever the rates, within the ranges of motion: for a spawn, a camera
+    /// cut, scrubbing. The only jump.
+    ///
+    /// Starts from rest, so that the result does not depend on what came before wherever the target can be reached.
+    /// Never [`RateLimited`](crate::Status::RateLimited).
+    pub fn snap<'a>(
+        &mut self,
+        pose: &Pose<R::Array<Affine3A>>,
+        target: impl Into<Targets<'a>>,
+        settings: &Settings,
+    ) -> Aimed<R::Array<Quat>> {
+        self.call(pose, &Call { targets: target.into(), dt: None, settings })
+    }
+
+    /// Puts every joint at rest at once and forgets what was seen.
+    pub fn reset(&mut self) {
+        *self = Self::new();
+    }
+
+    #[inline]
+    fn call(&mut self, pose: &Pose<R::Array<Affine3A>>, call: &Call<'_>) -> Aimed<R::Array<Quat>> {
+        let mut corrections = R::array(Quat::IDENTITY);
+        let outcome = aim_slices(R::RIG, self.state.slices(), &pose.slices(), call, corrections.as_mut());
+        Aimed { outcome, corrections }
+    }
+}
+
+impl<R: AimRig> Default for Aim<R> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<R: AimRig> Clone for Aim<R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<R: AimRig> Copy for Aim<R> {}
+
+impl<R: AimRig> PartialEq for Aim<R> {
+    fn eq(&self, other: &Self) -> bool {
+        (self.state.joints.as_ref(), self.state.memory) == (other.state.joints.as_ref(), other.state.memory)
+    }
+}
+
+impl<R: AimRig> fmt::Debug for Aim<R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut angles = f.debug_map();
+        for (index, joint) in self.state.joints.as_ref().iter().enumerate() {
+            let [heading, pitch] = joint.angles().map(f32::to_degrees);
+            angles.entry(&R::RIG.joint_name(index).unwrap_or("?"), &format_args!("{heading:.1}°, {pitch:.1}°"));
+        }
+        angles.finish()
+    }
+}
+
+/// What is aimed at: a point, or several weighted ones.
+///
+/// Several targets are blended by their directions as the animated effector sees them (the weighted sum of unit vectors),
+/// and by how near they are; their order does not matter, and where no directions cancel the blend is continuous in
+/// points and weights. Weights that add up to less than 1 fade towards the animation as
+/// [`Settings::weight`] does, which multiplies them. A target that is not finite, or on the effector, is left out. Where
+/// directions cancel the heaviest target is aimed at, and of equals the first. No target at all is weight 0. A single
+/// finite target of weight 1 is its point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Targets<'a> {
+    /// A point, in the pose's space.
+    Point(Vec3),
+    /// Several points.
+    Weighted(&'a [Target]),
+}
+
+impl From<Vec3> for Targets<'_> {
+    fn from(point: Vec3) -> Self {
+        Self::Point(point)
+    }
+}
+
+impl<'a> From<&'a [Target]> for Targets<'a> {
+    fn from(targets: &'a [Target]) -> Self {
+        Self::Weighted(targets)
+    }
+}
+
+impl<'a, const N: usize> From<&'a [Target; N]> for Targets<'a> {
+    fn from(targets: &'a [Target; N]) -> Self {
+        Self::Weighted(targets)
+    }
+}
+
+/// A call of [`dyn Rig`](Rig).
+#[derive(Clone, Copy, Debug)]
+pub struct Call<'a> {
+    /// What is aimed at.
+    pub targets: Targets<'a>,
+    /// The frame's length, seconds; `None` puts the character on the target at once, as [`Aim::snap`] does.
+    pub dt: Option<f32>,
+    /// How it is aimed.
+    pub settings: &'a Settings,
+}
+
+impl fmt::Debug for dyn Rig + '_ {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names = (0..self.description().joints.len()).map(|joint| self.joint_name(joint).unwrap_or("?"));
+        f.debug_list().entries(names).finish()
+    }
+}
+
+impl dyn Rig + '_ {
+    /// Serves a call of [`Aim::aim`] or [`Aim::snap`] for a rig of any number of joints: moves `state` and writes the
+    /// joints' corrections.
+    ///
+    /// `state`, `pose` and `corrections` hold one element for each joint of the rig, from the effector inward; with
+    /// another number the call is [`Degenerate`](crate::Status::Degenerate) and changes nothing.
+    pub fn aim<J: AsMut<[Joint]>, A: AsRef<[Affine3A]>>(
+        &self,
+        state: &mut State<J>,
+        pose: &Pose<A>,
+        call: &Call<'_>,
+        corrections: &mut [Quat],
+    ) -> Outcome {
+        aim_slices(self, state.slices(), &pose.slices(), call, corrections)
+    }
+}
+
+/// Serves a call; compiled once for all rigs, for three sizes of scratch memory.
+fn aim_slices(
+    rig: &dyn Rig,
+    mut state: StateSlices<'_>,
+    pose: &PoseSlices<'_>,
+    call: &Call<'_>,
+    corrections: &mut [Quat],
+) -> Outcome {
+    let description = rig.description();
+    let count = description.joints.len();
+    let is_complete = state.joints.len() == count && pose.joints.len() == count && corrections.len() == count;
+    if !(is_complete && (1..=MOST_JOINTS).contains(&count)) {
+        return judge::nothing_to_aim();
+    }
+    let faded;
+    let (target_ps, settings) = match call.targets {
+        Targets::Point(point) => (point, call.settings),
+        Targets::Weighted(targets) => {
+            let (point, weight) = blend::blended(&description, pose, targets, call.settings.effector);
+            faded = call.settings.with_weight(call.settings.effective_weight() * weight);
+            (point, &faded)
+        }
+    };
+    let call = solve::Call::new(target_ps, call.dt, settings);
+    let (kernels, description, state) = (rig, &description, &mut state);
+    if let Some(outcome) = solve::solve_followed(kernels, description, state, pose, &call, corrections) {
+        return outcome;
+    }
+    match count {
+        0..=4 => solve::solve(&ChainRig::<4> { kernels, description }, state, pose, &call, corrections),
+        5..=16 => solve::solve(&ChainRig::<16> { kernels, description }, state, pose, &call, corrections),
+        _ => solve::solve(&ChainRig::<MOST_JOINTS> { kernels, description }, state, pose, &call, corrections),
+    }
+}

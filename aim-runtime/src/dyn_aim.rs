@@ -1,0 +1,81 @@
+//! [`DynAim`]: one character of a rig known at run time.
+
+extern crate std;
+
+use std::vec::Vec;
+
+use glam::{Affine3A, Quat};
+
+use crate::{Call, Joint, Outcome, Pose, Rig, Settings, State, Targets};
+
+/// One character of a rig known only at run time: its state and its corrections on the heap, allocated once.
+///
+/// `R` is a rig or a reference to a shared one: `&dyn Rig`, `Arc<dyn Rig>`, `Arc<InterpretedRig>`. Without a heap,
+/// [`dyn Rig`](Rig) is driven by slices.
+#[derive(Clone, Debug)]
+pub struct DynAim<R> {
+    /// The rig.
+    pub rig: R,
+    /// The angles and the memory.
+    pub state: State<Vec<Joint>>,
+    corrections: Vec<Quat>,
+    other_eye_correction: Option<Quat>,
+}
+
+impl<R: Rig> DynAim<R> {
+    /// A character at rest.
+    pub fn new(rig: R) -> Self {
+        let count = rig.description().joints().len();
+        let (state, corrections) = (State::new(std::vec![Joint::REST; count]), std::vec![Quat::IDENTITY; count]);
+        Self { rig, state, corrections, other_eye_correction: None }
+    }
+
+    /// Turns the character towards the target for one frame of `dt` seconds; see [`Aim::aim`](crate::Aim::aim).
+    pub fn aim<'a, A: AsRef<[Affine3A]>>(
+        &mut self,
+        pose: &Pose<A>,
+        target: impl Into<Targets<'a>>,
+        dt: f32,
+        settings: &Settings,
+    ) -> Outcome {
+        self.call(pose, &Call { targets: target.into(), dt: Some(dt), settings })
+    }
+
+    /// Puts the character on the target at once; see [`Aim::snap`](crate::Aim::snap).
+    pub fn snap<'a, A: AsRef<[Affine3A]>>(
+        &mut self,
+        pose: &Pose<A>,
+        target: impl Into<Targets<'a>>,
+        settings: &Settings,
+    ) -> Outcome {
+        self.call(pose, &Call { targets: target.into(), dt: None, settings })
+    }
+
+    /// Each joint's correction as of the last call; see [`Aimed::corrections`](crate::Aimed::corrections).
+    #[must_use]
+    pub fn corrections(&self) -> &[Quat] {
+        &self.corrections
+    }
+
+    /// The other eye's correction as of the last call, kept where that call had no usable pose; `None` where the pose had
+    /// [no other eye](Pose::with_other_eye).
+    #[must_use]
+    pub fn other_eye_correction(&self) -> Option<Quat> {
+        self.other_eye_correction
+    }
+
+    /// Puts every joint at rest at once and forgets what was seen.
+    pub fn reset(&mut self) {
+        self.state = State::new(std::vec![Joint::REST; self.state.joints.len()]);
+        self.corrections.fill(Quat::IDENTITY);
+        self.other_eye_correction = None;
+    }
+
+    fn call<A: AsRef<[Affine3A]>>(&mut self, pose: &Pose<A>, call: &Call<'_>) -> Outcome {
+        let outcome = (&self.rig as &dyn Rig).aim(&mut self.state, pose, call, &mut self.corrections);
+        if pose.other_eye.is_none() || outcome.other_eye_correction.is_some() {
+            self.other_eye_correction = outcome.other_eye_correction;
+        }
+        outcome
+    }
+}

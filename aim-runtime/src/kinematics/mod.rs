@@ -1,0 +1,5 @@
+//! Where the joints are and what the effector sees: rotations, the pose made ready, forward kinematics.
+
+pub(crate) mod chain;
+pub(crate) mod rotation;
+pub(crate) mod view;

@@ -1,0 +1,101 @@
+//! The rotation that a joint adds: heading and pitch about its bone's axes, as a quaternion.
+
+use glam::{Quat, Vec3A, Vec4, Vec4Swizzles};
+
+use crate::math::trig::{self, Halves};
+use crate::{Axes, Joint, JointInfo, math};
+
+/// What heading and pitch turn about, padded to vectors of four.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Planes {
+    by_heading: [f32; 4],
+    by_pitch: [f32; 4],
+    by_both: [f32; 4],
+    /// See [`are_square`](Self::are_square).
+    square: bool,
+}
+
+impl Planes {
+    /// Going by the planes and not by handed axes is what makes it right for mirrored and left-handed triples too.
+    pub(crate) const fn new(axes: &Axes) -> Self {
+        const OFF: f32 = 2e-7;
+        const fn cross(a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+            [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0], 0.0]
+        }
+        const fn padded([x, y, z]: [f32; 3]) -> [f32; 4] {
+            [x, y, z, 0.0]
+        }
+        const fn is_zero(a: [f32; 4], b: [f32; 4], less: f32) -> bool {
+            let dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] - less;
+            -OFF <= dot && dot <= OFF
+        }
+        let (up, forward, left) = (padded(axes.up), padded(axes.forward), padded(axes.left));
+        let (by_heading, by_pitch) = (cross(forward, left), cross(forward, up));
+        let unit = is_zero(up, up, 1.0) && is_zero(forward, forward, 1.0) && is_zero(left, left, 1.0);
+        let square = unit && is_zero(forward, up, 0.0) && is_zero(forward, left, 0.0);
+        let by_both = cross(by_heading, by_pitch);
+        Self { by_heading, by_pitch, by_both, square }
+    }
+
+    /// Whether the axes are unit and square to each other as far as a correction has to be unit.
+    pub(crate) const fn are_square(&self) -> bool {
+        self.square
+    }
+}
+
+/// The rotation that a joint adds at its angles in its upright frame.
+#[inline(always)]
+pub(crate) fn joint_turn(info: &JointInfo, joint: &Joint) -> Quat {
+    turn(&info.axes, &info.planes, trig::halves(joint.pitch, joint.heading))
+}
+
+/// The correction of a joint whose upright frame stands in its bone by `tilt`: what the bone's animated local rotation
+/// is multiplied by on the right, `local' = local · R_heading · R_pitch` (pitch acts first).
+///
+/// Unit to 1e-6 for unit axes square to each other, and the exact identity where both angles are 0.
+#[inline(always)]
+pub(crate) fn correction(info: &JointInfo, joint: &Joint, tilt: Quat) -> Quat {
+    tilted(joint_turn(info, joint), tilt)
+}
+
+/// A rotation in the upright frame as one of the bone.
+#[inline(always)]
+pub(crate) fn tilted(turn: Quat, tilt: Quat) -> Quat {
+    if is_identity(tilt) {
+        return turn;
+    }
+    let axis = math::turned(tilt, Vec3A::new(turn.x, turn.y, turn.z));
+    Quat::from_xyzw(axis.x, axis.y, axis.z, turn.w)
+}
+
+/// The rotation by these halves of pitch and heading in the (levelled) bone.
+#[inline(always)]
+pub(crate) fn turn(axes: &Axes, planes: &Planes, halves: Halves) -> Quat {
+    if !planes.square {
+        return turn_by_planes(axes, halves);
+    }
+    let load = |v: &[f32; 4]| Vec4::from_array(*v);
+    let halves = Vec4::from_array(halves);
+    // sin h cos p, cos h sin p, sin h sin p, cos h cos p.
+    let products = halves.zwzw() * halves.yxxy();
+    let [by_heading, by_pitch, by_both, _] = products.to_array();
+    let axis =
+        load(&planes.by_heading) * by_heading + load(&planes.by_pitch) * by_pitch + load(&planes.by_both) * by_both;
+    Quat::from_vec4(axis + Vec4::W * products)
+}
+
+/// [`turn`] for axes that are not quite square, or not at all: each angle in its plane, none where there is none.
+#[cold]
+fn turn_by_planes(axes: &Axes, [sin_p, cos_p, sin_h, cos_h]: Halves) -> Quat {
+    let [up, forward, left] = [axes.up, axes.forward, axes.left].map(Vec3A::from);
+    let turn = |to: Vec3A, sin: f32, cos: f32| {
+        let axis = math::direction(math::cross(forward, to)).unwrap_or(Vec3A::ZERO) * sin;
+        if axis == Vec3A::ZERO { Quat::IDENTITY } else { Quat::from_xyzw(axis.x, axis.y, axis.z, cos) }
+    };
+    math::product(turn(left, sin_h, cos_h), turn(up, sin_p, cos_p))
+}
+
+#[inline(always)]
+pub(crate) fn is_identity(turn: Quat) -> bool {
+    turn.x == 0.0 && turn.y == 0.0 && turn.z == 0.0
+}

@@ -1,0 +1,81 @@
+//! The number type of the emitted kernels: `f32`, `f64`, and with the feature `wide` vectors of them.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+#[cfg(feature = "wide")]
+mod lanes;
+
+mod sealed {
+    #[expect(unnameable_types, reason = "being unnameable is what seals")]
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+/// What an emitted kernel computes with: `f32` and `f64`. Sealed: kernels rely on IEEE 754 arithmetic.
+///
+/// With the feature `wide` also `f32x4`, `f32x8`, `f32x16`, `f64x2`, `f64x4` and `f64x8` of the crate `wide`: then each
+/// lane is a character of its own, and one call of a kernel of [`AimRig`](crate::AimRig) serves them all. Guards of the
+/// kernels are selects, never branches, so a lane gives the very bits that the scalar kernel gives for its numbers,
+/// whatever stands in the others. (Of a NaN only that it is one; none arises where the numbers that come in are finite.)
+pub trait Scalar:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + sealed::Sealed
+{
+    /// 0.
+    const ZERO: Self;
+    /// The smallest length that a kernel divides by: its square is still a normal number.
+    const TINY: Self;
+    /// The value of this type nearest to `value`.
+    fn constant(value: f64) -> Self;
+    /// The square root, correctly rounded; NaN below 0.
+    fn sqrt(self) -> Self;
+    /// `then` where `a < b`, else `otherwise` (also where either is NaN).
+    fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self;
+}
+
+macro_rules! scalar {
+    ($float:ident, $tiny:literal, $libm_sqrt:ident) => {
+        impl Scalar for $float {
+            const ZERO: Self = 0.0;
+            const TINY: Self = $tiny;
+
+            #[inline(always)]
+            #[allow(
+                clippy::cast_possible_truncation,
+                trivial_numeric_casts,
+                reason = "rounding the constant to this type is the purpose"
+            )]
+            fn constant(value: f64) -> Self {
+                value as Self
+            }
+
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                #[cfg(feature = "std")]
+                {
+                    extern crate std;
+                    self.sqrt()
+                }
+                #[cfg(not(feature = "std"))]
+                {
+                    libm::$libm_sqrt(self)
+                }
+            }
+
+            #[inline(always)]
+            fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self {
+                if a < b { then } else { otherwise }
+            }
+        }
+    };
+}
+
+// The square roots of the smallest normal numbers, 2^-126 and 2^-1022.
+scalar!(f32, 1.084_202_2e-19, sqrtf);
+scalar!(f64, 1.491_668_146_240_041_3e-154, sqrt);

@@ -1,0 +1,201 @@
+//! Sines, cosines and arctangents by polynomials of our own: the same bits on every machine, in debug and in release,
+//! and no call into a library. Sines are finite whatever the bits; of a NaN an arctangent is one.
+//!
+//! Corrections are quaternions, so angles are taken by their halves: of a range within ±180° a half lies within ±90°,
+//! where one polynomial serves. The coefficients are those of least greatest error there (relative for sines and
+//! arctangents), rounded to f32.
+
+use core::f32::consts::{FRAC_PI_2, PI};
+
+use glam::{Vec4, Vec4Swizzles};
+
+use super::scalar::Scalar;
+use crate::math;
+
+/// sin(p/2), cos(p/2), sin(h/2), cos(h/2) of a pitch p and a heading h.
+pub(crate) type Halves = [f32; 4];
+
+/// The series of the sine after x, and of the cosine after 1 − x²/2.
+const SIN: [f32; 4] = [-0.166_666_61, 0.008_333_088, -0.000_198_111_11, 2.608_929_2e-6];
+const COS: [f32; 4] = [0.041_666_657, -0.001_388_856_9, 2.476_930_2e-5, -2.619_379e-7];
+/// The series of the arctangent after x.
+const ATAN: [f32; 8] = [
+    -0.333_331_67,
+    0.199_941_37,
+    -0.142_142_07,
+    0.106_789_31,
+    -0.075_805_56,
+    0.043_553_248,
+    -0.016_580_988,
+    0.002_974_536_7,
+];
+
+/// The sine and cosine of an angle within ±90°; their squares add up to 1 within 2e-7.
+#[inline(always)]
+fn within_quarter(x: f32) -> (f32, f32) {
+    let xx = x * x;
+    let sin = xx * (SIN[0] + xx * (SIN[1] + xx * (SIN[2] + xx * SIN[3])));
+    let cos = xx * (-0.5 + xx * (COS[0] + xx * (COS[1] + xx * (COS[2] + xx * COS[3]))));
+    (x + x * sin, 1.0 + cos)
+}
+
+/// The sine and cosine of half an angle, radians; beyond ±180° of the angle within that by whole turns.
+#[inline(always)]
+pub(crate) fn half_sin_cos(angle_rad: f32) -> (f32, f32) {
+    half_sin_cos_within(math::wrap_pi(angle_rad))
+}
+
+/// The same of an angle within ±180°.
+#[inline(always)]
+pub(crate) fn half_sin_cos_within(angle_rad: f32) -> (f32, f32) {
+    within_quarter(0.5 * angle_rad)
+}
+
+/// The same of the angle whose half has this tangent.
+#[inline(always)]
+pub(crate) fn half_by_tangent(half_tangent: f32) -> (f32, f32) {
+    let cos = 1.0 / <f32 as Scalar>::sqrt(1.0 + half_tangent * half_tangent);
+    (half_tangent * cos, cos)
+}
+
+/// The sines and cosines of the halves of four angles within ±180°, radians: the same bits as one by one.
+#[inline(always)]
+pub(crate) fn half_sin_cos_4(angles_rad: Vec4) -> (Vec4, Vec4) {
+    let splat = Vec4::splat;
+    let x = angles_rad * 0.5;
+    let xx = x * x;
+    let sin = xx * splat(SIN[3]);
+    let sin = xx * (sin + splat(SIN[2]));
+    let sin = xx * (sin + splat(SIN[1]));
+    let sin = x + x * (xx * (sin + splat(SIN[0])));
+    let cos = xx * splat(COS[3]);
+    let cos = xx * (cos + splat(COS[2]));
+    let cos = xx * (cos + splat(COS[1]));
+    let cos = xx * (cos + splat(COS[0]));
+    let cos = splat(1.0) + xx * (cos + splat(-0.5));
+    (sin, cos)
+}
+
+/// The sine and cosine of an angle, radians.
+pub(crate) fn sin_cos(angle_rad: f32) -> (f32, f32) {
+    let (sin, cos) = half_sin_cos(angle_rad);
+    (2.0 * sin * cos, 1.0 - 2.0 * sin * sin)
+}
+
+/// The sines and cosines of the halves of a pitch and a heading, radians.
+#[inline(always)]
+pub(crate) fn halves(pitch_rad: f32, heading_rad: f32) -> Halves {
+    let (sin_p, cos_p) = half_sin_cos(pitch_rad);
+    let (sin_h, cos_h) = half_sin_cos(heading_rad);
+    [sin_p, cos_p, sin_h, cos_h]
+}
+
+/// sin p, cos p, sin h, cos h, as kernels take them, from the halves.
+#[inline(always)]
+pub(crate) fn doubled(halves: Halves) -> [f32; 4] {
+    let halves = Vec4::from_array(halves);
+    (halves.xxzz() * halves.yxwz() * Vec4::new(2.0, -2.0, 2.0, -2.0) + Vec4::new(0.0, 1.0, 0.0, 1.0)).to_array()
+}
+
+/// The angle of the point (x, y), −π…π; 0 for the origin.
+pub(crate) fn atan2(y: f32, x: f32) -> f32 {
+    let (across, along) = (y.abs(), x.abs());
+    let turn = if across.max(along) > 0.0 { within_right_angle(across, along) } else { along };
+    let turn = if x < 0.0 { PI - turn } else { turn };
+    if y < 0.0 { -turn } else { turn }
+}
+
+/// The same for a point other than the origin with neither coordinate negative.
+#[inline(always)]
+fn within_right_angle(across: f32, along: f32) -> f32 {
+    let (small, large) = if across > along { (along, across) } else { (across, along) };
+    let t = small / large;
+    let turn = atan_within(t);
+    if across > along { FRAC_PI_2 - turn } else { turn }
+}
+
+/// Twice the arctangent of a number within ±1: the angle whose half has this tangent.
+#[inline(always)]
+pub(crate) fn twice_atan(half_tangent: f32) -> f32 {
+    2.0 * atan_within(half_tangent)
+}
+
+/// The same of two numbers at once: the same bits as one by one.
+#[inline(always)]
+pub(crate) fn twice_atan_of_both([a, b]: [f32; 2]) -> [f32; 2] {
+    let t = Vec4::new(a, b, a, b);
+    let tt = t * t;
+    let series = ATAN[..7].iter().rev().fold(Vec4::splat(ATAN[7]), |sum, &next| sum * tt + Vec4::splat(next));
+    let [a, b, ..] = ((t + t * tt * series) * 2.0).to_array();
+    [a, b]
+}
+
+/// The arctangent of a number within ±1.
+#[inline(always)]
+fn atan_within(t: f32) -> f32 {
+    let tt = t * t;
+    t + t * tt * ATAN[..7].iter().rev().fold(ATAN[7], |sum, &next| sum * tt + next)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn near_the_library_everywhere() {
+        for step in -32_000_i16..=32_000 {
+            let angle = f32::from(step) * 2e-4;
+            let (sin, cos) = sin_cos(angle);
+            let exact = f64::from(angle).sin_cos();
+            // A turn is rounded to f32.
+            let error = if angle.abs() > PI { 2e-6 } else { 7e-7 };
+            assert!((f64::from(sin) - exact.0).abs() < error, "{angle}: {sin}");
+            assert!((f64::from(cos) - exact.1).abs() < error, "{angle}: {cos}");
+            let (sin, cos) = half_sin_cos(angle);
+            assert!((sin * sin + cos * cos - 1.0).abs() < 4e-7, "{angle}");
+            for radius in [1e-20_f32, 1e-3, 1.0, 1e15] {
+                let (y, x) = (radius * angle.sin(), radius * angle.cos());
+                let exact = f64::from(y).atan2(f64::from(x));
+                assert!((f64::from(atan2(y, x)) - exact).abs() < 4e-7, "{y}, {x}");
+            }
+        }
+        for step in -3141_i16..=3141 {
+            let angle = f32::from(step) * 1e-3;
+            let (sin, cos) = half_sin_cos_4(Vec4::new(0.1, angle, -angle, 3.0));
+            assert_eq!((sin.y, cos.y), half_sin_cos(angle));
+        }
+        for step in -1000_i16..=1000 {
+            let tangent = f32::from(step) * 1e-3;
+            let angle = twice_atan(tangent);
+            assert!((f64::from(angle) - 2.0 * f64::from(tangent).atan()).abs() < 4e-7, "{tangent}: {angle}");
+            assert_eq!(twice_atan_of_both([tangent, 0.3]), [angle, twice_atan(0.3)]);
+            let ((sin, cos), by_angle) = (half_by_tangent(tangent), half_sin_cos(angle));
+            assert!((sin - by_angle.0).abs().max((cos - by_angle.1).abs()) < 4e-7, "{tangent}: {sin}, {cos}");
+        }
+        assert_eq!((half_by_tangent(0.0), twice_atan(0.0)), ((0.0, 1.0), 0.0));
+        assert_eq!((half_sin_cos(0.0), atan2(0.0, 0.0), atan2(0.0, 1.0)), ((0.0, 1.0), 0.0, 0.0));
+    }
+
+    /// A small angle is as exact as a large one, in relation to itself.
+    #[test]
+    fn small_angles() {
+        for exponent in 1..37 {
+            let angle = 0.7 * 10.0_f32.powi(-exponent);
+            assert!((sin_cos(angle).0 / angle - 1.0).abs() < 1e-2, "{angle}");
+            assert!((atan2(angle, 1.0) / angle - 1.0).abs() < 1e-2, "{angle}");
+        }
+    }
+
+    #[test]
+    fn whatever_the_bits() {
+        for bits in (0..=u32::MAX).step_by(65_521) {
+            let x = f32::from_bits(bits);
+            let (sin, cos) = sin_cos(x);
+            assert!(sin.abs() < 1.000_001 && cos.abs() < 1.000_001, "{x}: {sin}, {cos}");
+            for y in [0.0, 1.0, -1e30] {
+                let angle = atan2(x, y);
+                assert!(x.is_nan() || angle.abs() <= PI + 1e-6, "{x}, {y}: {angle}");
+            }
+        }
+    }
+}

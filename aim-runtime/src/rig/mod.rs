@@ -1,0 +1,129 @@
+//! A rig as data: what is declared and derived of it ([`Rig`], [`Description`]), a character's state ([`State`],
+//! [`Joint`], [`Memory`]), and what goes in and out of a call ([`Pose`], [`Settings`], [`Outcome`]).
+//!
+//! Nothing here solves anything; [`aim`](crate::aim) is where these meet the solvers.
+
+mod chain_rig;
+mod description;
+mod joint_info;
+mod outcome;
+mod pose;
+mod settings;
+mod state;
+
+#[cfg(feature = "std")]
+extern crate std;
+
+pub(crate) use chain_rig::{ChainRig, MOST_JOINTS, PerJoint};
+pub use description::{Description, Effector};
+pub use joint_info::JointInfo;
+pub use outcome::{JointSet, Outcome, Status};
+pub use pose::Pose;
+pub(crate) use pose::PoseSlices;
+pub use settings::{Ascent, Behind, Settings, Solver};
+pub use state::{Joint, Memory, State};
+pub(crate) use state::{Side, StateSlices, Support};
+
+/// An immutable rig: its description and the kernels derived for it. One serves any number of characters.
+///
+/// Implemented by `#[derive(AimRig)]`, by rigs that are interpreted at run time, and by anything else that can evaluate
+/// the two kernels. Object-safe: [`Rig::aim`](trait.Rig.html#method.aim) drives a `&dyn Rig` by slices.
+///
+/// Kernels take links and targets as the generated C functions do: a link is a rigid transform of twelve numbers, the
+/// three rows of the rotation in the row-vector layout of the paper (`p' = p · M`), then the translation. Its rotation
+/// part only has to be orthogonal: it may contain a mirror.
+pub trait Rig {
+    /// What was declared: joints from the effector inward, effector, sharing of the gaze.
+    fn description(&self) -> Description<'_>;
+
+    /// The name of a joint, such as `left_eye`; `None` past the last joint.
+    fn joint_name(&self, joint: usize) -> Option<&str>;
+
+    /// A name that the joint's bone may have in a model; `None` past the last name.
+    fn bone_name(&self, joint: usize, candidate: usize) -> Option<&str>;
+
+    /// The stereographic residual of the chain (left, up), then its Jacobian: the derivatives of the first by the
+    /// declared angles (pitch before heading, joint by joint), then those of the second.
+    ///
+    /// `links[0]` leads from effector space (joint 0's axes, origin at the effector) to joint 0, `links[i]` from joint
+    /// i−1 to joint i; `target` is in the last joint's space; `sin_cos` is sin p, cos p, sin h, cos h of each joint.
+    /// `links[0]` is the identity, and may be ignored, for a rig without an effector origin whose joint 0 has no upright
+    /// heading.
+    ///
+    /// The residual is `2 lateral / (distance + forward)` of the target as seen from the effector, that is
+    /// 2·tan(angle/2) in its direction, along joint 0's left and up squared to the effector's forward (where that points
+    /// along up, up is where the back of the head was, and where it points down, the face). Zero where that is singular
+    /// (target on the effector or exactly behind): success is judged by the angle, never by this. `out` holds
+    /// 2 + 2 × the number of declared angles; slices of other lengths give zeros.
+    fn residual_jacobian(&self, links: &[[f32; 12]], target: &[f32; 3], sin_cos: &[[f32; 4]], out: &mut [f32]);
+
+    /// Joint `joint`'s aim, ∂aim/∂pitch and ∂aim/∂heading, everything nearer the effector held still.
+    ///
+    /// `effector_to_joint` leads from effector space to the joint's space before its added rotation; `target` is in that
+    /// joint's space. All zero where the target is on the effector, or where there is no such joint; finite for finite
+    /// input.
+    fn aim_gradient(
+        &self,
+        joint: usize,
+        effector_to_joint: &[f32; 12],
+        target: &[f32; 3],
+        sin_cos: &[f32; 4],
+    ) -> [f32; 3];
+}
+
+/// A reference to a rig is a rig.
+macro_rules! rig_behind {
+    ($pointer:ty) => {
+        impl<R: Rig + ?Sized> Rig for $pointer {
+            fn description(&self) -> Description<'_> {
+                (**self).description()
+            }
+
+            fn joint_name(&self, joint: usize) -> Option<&str> {
+                (**self).joint_name(joint)
+            }
+
+            fn bone_name(&self, joint: usize, candidate: usize) -> Option<&str> {
+                (**self).bone_name(joint, candidate)
+            }
+
+            fn residual_jacobian(&self, links: &[[f32; 12]], target: &[f32; 3], sin_cos: &[[f32; 4]], out: &mut [f32]) {
+                (**self).residual_jacobian(links, target, sin_cos, out);
+            }
+
+            fn aim_gradient(
+                &self,
+                joint: usize,
+                effector_to_joint: &[f32; 12],
+                target: &[f32; 3],
+                sin_cos: &[f32; 4],
+            ) -> [f32; 3] {
+                (**self).aim_gradient(joint, effector_to_joint, target, sin_cos)
+            }
+        }
+    };
+}
+
+rig_behind!(&R);
+#[cfg(feature = "std")]
+rig_behind!(std::sync::Arc<R>);
+#[cfg(feature = "std")]
+rig_behind!(std::boxed::Box<R>);
+
+/// A rig known at compile time: what `#[derive(AimRig)]` implements, besides [`Rig`].
+///
+/// A value of such a struct is one [`Joint`] for each field: the angles of a character by name
+/// ([`Aim::joints`](crate::Aim::joints)). The rig itself is [`RIG`](Self::RIG).
+pub trait AimRig: Rig + Sized + 'static {
+    /// One value a joint: `[T; N]`.
+    type Array<T: Copy>: Copy + AsRef<[T]> + AsMut<[T]>;
+
+    /// The rig, to be shared by all characters.
+    const RIG: &'static Self;
+
+    /// `value` for every joint.
+    fn array<T: Copy>(value: T) -> Self::Array<T>;
+
+    /// The joints by name.
+    fn from_joints(joints: Self::Array<Joint>) -> Self;
+}

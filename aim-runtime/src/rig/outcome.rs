@@ -1,0 +1,88 @@
+//! [`Outcome`]: what a call achieved, judged by forward kinematics.
+
+use glam::Quat;
+
+/// What became of a call.
+///
+/// Angles and status are measured with the true forward kinematics of the pose, never with the solver's own model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Outcome {
+    /// Cosine of [`remaining`](Self::remaining), −1…1; 0 where the call is degenerate.
+    pub aim: f32,
+    /// The angle between the effector's direction and the direction to the target, radians, 0…π; π/2 where the call
+    /// is degenerate. With a [weight](crate::Settings::weight) below 1 the target is the weighted goal.
+    pub remaining: f32,
+    /// The same angle for the other eye, from its own origin; `None` where the pose has
+    /// [no other eye](crate::Pose::with_other_eye), or the call is degenerate. [`remaining`](Self::remaining) is joint 0's
+    /// own.
+    pub other_eye_remaining: Option<f32>,
+    /// The other eye's correction: what its bone's animated local rotation is multiplied by on the right. Unit to 1e-6; the
+    /// exact identity at rest; `None` where the pose has no other eye.
+    pub other_eye_correction: Option<Quat>,
+    /// Whether the target is reached, and if not, why.
+    pub status: Status,
+    /// The joints that have an angle at (or past) an end of its range. Joint 0 stands for both eyes.
+    pub at_limit: JointSet,
+    /// The joints that have an angle outside its range, because the range moved: it goes back at its rate.
+    pub recovering: JointSet,
+}
+
+/// Whether the target is reached; if not, the first reason that holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Status {
+    /// Forward kinematics puts the remaining angle within the tolerance: of the target, or of the weighted goal where
+    /// the weight is below 1. With [two eyes](crate::Pose::with_other_eye), of both.
+    Reached,
+    /// There is nothing to aim: the pose or the target is not finite, a joint's scale is zero or flat, or the target
+    /// lies on the effector. The angles hold.
+    Degenerate,
+    /// The target is behind the character, out of reach: the [policy](crate::Behind) for that is active.
+    Behind,
+    /// Out of reach of the ranges of motion, even if the joints had all the time they need.
+    AtLimit,
+    /// On the way: within reach, as soon as the rates allow.
+    RateLimited,
+}
+
+/// A set of joints, by their index from the effector inward. Joints from 64 on are not recorded.
+#[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub struct JointSet(u64);
+
+impl JointSet {
+    /// The set without joints.
+    pub const EMPTY: Self = Self(0);
+
+    /// Whether the joint is in the set; false for indices from 64 on.
+    pub const fn contains(self, joint: usize) -> bool {
+        joint < 64 && self.0 >> joint & 1 == 1
+    }
+
+    /// Whether no joint is in the set.
+    pub const fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// How many joints are in the set.
+    pub const fn len(self) -> usize {
+        self.0.count_ones() as usize
+    }
+
+    /// The joints in the set, ascending.
+    pub fn iter(self) -> impl Iterator<Item = usize> {
+        (0..64).filter(move |&joint| self.contains(joint))
+    }
+
+    pub(crate) fn insert(&mut self, joint: usize) {
+        if joint < 64 {
+            self.0 |= 1 << joint;
+        }
+    }
+}
+
+impl core::fmt::Debug for JointSet {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_set().entries(self.iter()).finish()
+    }
+}

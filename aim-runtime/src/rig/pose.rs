@@ -1,0 +1,90 @@
+//! [`Pose`]: where the animation put the joints in this frame.
+
+use glam::{Affine3A, Vec3};
+
+/// The animated transforms of a rig's joints, read after the animation system ran.
+///
+/// All in one common space, the same as the target's: global (model or world) transforms, not local ones; from the
+/// effector inward; **without** earlier corrections, which are added to the animation and never to themselves. A call
+/// cannot tell when that is not so; in debug builds [`check::Frame`](crate::check::Frame) can. Uniform
+/// scale and mirrors are taken out exactly. Non-uniform scale is followed by forward kinematics; only the search
+/// direction is then approximate. A transform that is not finite or does not span space makes the call
+/// [`Degenerate`](crate::Status::Degenerate), and so does another number of joints than the rig has.
+///
+/// `A` is `[Affine3A; N]` for a derived rig of `N` joints, so that a wrong number of joints does not compile, and
+/// `&[Affine3A]` for a rig known only at run time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Pose<A> {
+    /// Each joint's transform, from the effector inward.
+    pub joints: A,
+    /// The direction that is up for the character, of any length but zero: upright headings turn about it. Without it
+    /// they turn about the innermost joint's animated up.
+    pub up: Option<Vec3>,
+    /// Each joint's transform in the bind pose, from the effector inward, in a space of its own: only how the joints
+    /// stand to each other counts, and how the innermost stands in the pose's space.
+    pub bind: Option<A>,
+    /// The other eye's animated transform, in the joints' space.
+    pub other_eye: Option<Affine3A>,
+}
+
+impl<A> Pose<A> {
+    /// A pose of these joints: an array from the effector inward, or the rig's named pose (`HeroPose { .. }`).
+    #[must_use]
+    pub const fn new(joints: A) -> Self {
+        Self { joints, up: None, bind: None, other_eye: None }
+    }
+
+    /// With the direction that is [up](Self::up) for the character, in the pose's space.
+    #[must_use]
+    pub fn with_up(mut self, up: Vec3) -> Self {
+        self.up = Some(up);
+        self
+    }
+
+    /// With the joints' bind pose: what ranges [from the bind pose](crate::LimitsFrom::BindPose) are counted from.
+    #[must_use]
+    pub fn with_bind(mut self, bind: A) -> Self {
+        self.bind = Some(bind);
+        self
+    }
+
+    /// With the other eye, which is aimed too: joint 0's partner on the same parent, whatever the axes of its bone.
+    ///
+    /// In the animation it counts as looking in parallel with joint 0. Then an eye in the middle leads, and each eye
+    /// converges on the target from its own origin, within its own range (joint 0's, mirrored) and rate. Eyes converge
+    /// on nothing nearer than 10 cm where they are 6 cm apart: a target nearer than that is looked at as if it were there.
+    /// They never diverge. Where the rig's effector is not joint 0's own forward from its own origin, or joint 0's heading
+    /// is upright, joint 0 leads alone and the other eye only follows: it turns in parallel.
+    ///
+    /// Each call with the other eye moves it; its correction is
+    /// [`Outcome::other_eye_correction`](crate::Outcome::other_eye_correction). A call without it forgets it. A transform
+    /// that is not finite or does not span space makes the call [`Degenerate`](crate::Status::Degenerate).
+    #[must_use]
+    pub fn with_other_eye(mut self, other_eye: Affine3A) -> Self {
+        self.other_eye = Some(other_eye);
+        self
+    }
+}
+
+impl<A: AsRef<[Affine3A]>> Pose<A> {
+    /// The pose by slices, as the solvers read it.
+    #[inline]
+    pub(crate) fn slices(&self) -> PoseSlices<'_> {
+        PoseSlices {
+            joints: self.joints.as_ref(),
+            up: self.up,
+            bind: self.bind.as_ref().map(A::as_ref),
+            other_eye: self.other_eye.as_ref(),
+        }
+    }
+}
+
+/// A [`Pose`] of any number of joints.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PoseSlices<'a> {
+    pub(crate) joints: &'a [Affine3A],
+    pub(crate) up: Option<Vec3>,
+    pub(crate) bind: Option<&'a [Affine3A]>,
+    pub(crate) other_eye: Option<&'a Affine3A>,
+}

@@ -1,0 +1,279 @@
+//! [`State`]: what a character remembers from frame to frame, 64 bytes and 24 for each joint.
+
+use core::f32::consts::TAU;
+
+use glam::Vec3A;
+
+use crate::math;
+
+/// A character's state: the angles of its joints and the memory of its chain. The default of an array is rest.
+///
+/// `J` holds one [`Joint`] for each joint of the rig: `[Joint; N]`, a `Vec`, a boxed or borrowed slice.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct State<J> {
+    /// The joints' angles, from the effector inward.
+    pub joints: J,
+    /// What is remembered of the chain as a whole.
+    pub memory: Memory,
+}
+
+impl<J> State<J> {
+    /// A state with these joints that has not seen a target yet.
+    #[must_use]
+    pub const fn new(joints: J) -> Self {
+        Self { joints, memory: Memory::NONE }
+    }
+}
+
+/// A [`State`] of any number of joints, in place.
+#[derive(Debug)]
+pub(crate) struct StateSlices<'a> {
+    pub(crate) joints: &'a mut [Joint],
+    pub(crate) memory: &'a mut Memory,
+}
+
+impl<J: AsMut<[Joint]>> State<J> {
+    /// The state by slices, as the solvers move it.
+    #[inline]
+    pub(crate) fn slices(&mut self) -> StateSlices<'_> {
+        StateSlices { joints: self.joints.as_mut(), memory: &mut self.memory }
+    }
+}
+
+/// A joint's state: the two angles added to the animation, radians. The default is rest: both 0.
+///
+/// Always finite. Besides the angles a joint remembers its velocity, where it has inertia, and where it is bound for.
+#[derive(Clone, Copy, Debug)]
+pub struct Joint {
+    // In the order that solvers and kernels take them.
+    pub(crate) pitch: f32,
+    pub(crate) heading: f32,
+    /// Velocity of heading and pitch, rad/s; 0 for a joint without inertia.
+    pub(crate) velocity: [f32; 2],
+    /// Heading and pitch that the joint goes to, NaN for none: while the joints turn round together, though the aim
+    /// gets worse on the way, and for a supporting joint of a natural gaze.
+    pub(crate) destination: [f32; 2],
+}
+
+impl PartialEq for Joint {
+    fn eq(&self, other: &Self) -> bool {
+        let all = |joint: &Self| (joint.heading, joint.pitch, joint.velocity, joint.destination());
+        all(self) == all(other)
+    }
+}
+
+impl Default for Joint {
+    #[inline]
+    fn default() -> Self {
+        Self::REST
+    }
+}
+
+impl Joint {
+    /// Both angles 0 and nothing remembered.
+    pub const REST: Self = Self { heading: 0.0, pitch: 0.0, velocity: [0.0; 2], destination: [f32::NAN; 2] };
+
+    /// A joint at these added angles, radians: a stored state put back.
+    ///
+    /// An angle that is not finite counts as 0, one beyond a full turn as what is left of it; one outside its range goes
+    /// back to it at the joint's rate.
+    #[must_use]
+    pub fn from_angles(heading_rad: f32, pitch_rad: f32) -> Self {
+        // No range goes beyond a full turn, and beyond a thousand radians no digits are left for a turn.
+        let sane = |angle: f32| match angle.abs() {
+            small if small <= TAU => angle,
+            large if large < 1e3 => math::wrap_pi(angle),
+            _ => 0.0,
+        };
+        Self::REST.turned_to(sane(heading_rad), sane(pitch_rad))
+    }
+
+    /// The added heading, radians: positive turns forward towards left.
+    #[must_use]
+    pub const fn heading(&self) -> f32 {
+        self.heading
+    }
+
+    /// The added pitch, radians: positive turns forward towards up.
+    #[must_use]
+    pub const fn pitch(&self) -> f32 {
+        self.pitch
+    }
+
+    /// The joint at other angles.
+    #[inline(always)]
+    pub(crate) const fn turned_to(self, heading: f32, pitch: f32) -> Self {
+        Self { heading, pitch, ..self }
+    }
+
+    /// Heading and pitch.
+    pub(crate) const fn angles(&self) -> [f32; 2] {
+        [self.heading, self.pitch]
+    }
+
+    /// Heading and pitch that the joint goes to.
+    #[inline(always)]
+    pub(crate) fn destination(&self) -> Option<[f32; 2]> {
+        if self.destination[0].is_nan() { None } else { Some(self.destination) }
+    }
+
+    #[inline(always)]
+    pub(crate) fn set_destination(&mut self, destination: Option<[f32; 2]>) {
+        self.destination = destination.unwrap_or([f32::NAN; 2]);
+    }
+
+    /// Whether both angles are within `angle_rad` of another joint's.
+    pub(crate) fn is_near(&self, other: &Self, angle_rad: f32) -> bool {
+        (self.heading - other.heading).abs() <= angle_rad && (self.pitch - other.pitch).abs() <= angle_rad
+    }
+}
+
+/// What is remembered of a chain from frame to frame: 64 bytes.
+#[derive(Clone, Copy, Debug)]
+pub struct Memory {
+    /// The dual point that the last frame ended at.
+    pub(crate) lambda: [f32; 2],
+    /// The rest of the strain of the last strained frame, 0…1.
+    pub(crate) strain: f32,
+    /// The target of the last strained frame, in the innermost joint's space.
+    pub(crate) target: [f32; 3],
+    /// Time for which that target has stood still, seconds.
+    pub(crate) still_s: f32,
+    /// Time for which the target has been out of reach, seconds.
+    pub(crate) blocked_s: f32,
+    /// Time left until the supporting joints of a natural gaze set out, seconds.
+    pub(crate) wait_s: f32,
+    /// Heading and pitch of the other eye, about axes parallel to joint 0's; NaN where the last pose had none.
+    other_eye: [f32; 2],
+    /// Heading and pitch of the eye midway between the two, which leads.
+    leading_eye: [f32; 2],
+    /// The target, in the innermost joint's space, when the joints were last started from everywhere: the upper halves
+    /// of single-precision numbers.
+    searched: [u16; 3],
+    /// The number of blocked frames since then, or so; 0 where that has never been.
+    pub(crate) turn: u16,
+    /// The number of halvings that make a step a gain.
+    pub(crate) caution: u8,
+    pub(crate) support: Support,
+    pub(crate) side: Side,
+    /// Whether the target was behind.
+    pub(crate) behind: bool,
+}
+
+impl PartialEq for Memory {
+    fn eq(&self, other: &Self) -> bool {
+        let numbers = |m: &Self| (m.lambda, m.strain, m.target, m.still_s, m.blocked_s, m.wait_s, m.eyes());
+        let flags = |m: &Self| (m.searched, m.turn, m.caution, m.support, m.side, m.behind);
+        numbers(self) == numbers(other) && flags(self) == flags(other)
+    }
+}
+
+impl Default for Memory {
+    fn default() -> Self {
+        Self::NONE
+    }
+}
+
+impl Memory {
+    /// Nothing seen yet.
+    pub const NONE: Self = Self {
+        lambda: [0.0; 2],
+        strain: 0.0,
+        target: [0.0; 3],
+        still_s: 0.0,
+        blocked_s: 0.0,
+        wait_s: 0.0,
+        other_eye: [f32::NAN; 2],
+        leading_eye: [0.0; 2],
+        searched: [0; 3],
+        turn: 0,
+        caution: 0,
+        support: Support::Rests,
+        side: Side::Unseen,
+        behind: false,
+    };
+
+    /// The added heading and pitch of the other eye, radians, about axes parallel to joint 0's; `None` where the last
+    /// pose had [no other eye](crate::Pose::with_other_eye).
+    #[must_use]
+    pub fn other_eye(&self) -> Option<[f32; 2]> {
+        self.eyes().map(|[other, _]| other)
+    }
+
+    /// Heading and pitch of the other eye and of the leading one between the two.
+    pub(crate) fn eyes(&self) -> Option<[[f32; 2]; 2]> {
+        if self.other_eye[0].is_nan() { None } else { Some([self.other_eye, self.leading_eye]) }
+    }
+
+    pub(crate) fn set_eyes(&mut self, eyes: Option<[[f32; 2]; 2]>) {
+        [self.other_eye, self.leading_eye] = eyes.unwrap_or([[f32::NAN; 2], [0.0; 2]]);
+    }
+
+    /// The target when the joints were last started from everywhere, to 8 bits.
+    pub(crate) fn searched(&self) -> Vec3A {
+        Vec3A::from_array(self.searched.map(|bits| f32::from_bits(u32::from(bits) << 16)))
+    }
+
+    pub(crate) fn set_searched(&mut self, target: Vec3A) {
+        let upper_half = |x: f32| (x.to_bits() >> 16) as u16;
+        self.searched = target.to_array().map(upper_half);
+    }
+}
+
+/// The activity of the joints that support a natural gaze.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Support {
+    /// They rest where they were bound for: the eye moves alone.
+    Rests,
+    /// They set out in [`Memory::wait_s`] seconds.
+    Waits,
+    /// They follow their share of the gaze shift.
+    Shares,
+    /// They do more than their share, or other than it, for an eye that cannot do the rest.
+    Helps,
+}
+
+/// The side that a target was last seen on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// No target was seen yet.
+    #[default]
+    Unseen,
+    Left,
+    Right,
+}
+
+impl Side {
+    /// The side of a coordinate along left.
+    pub(crate) fn of_coordinate(left: f32) -> Self {
+        if left < 0.0 { Self::Right } else { Self::Left }
+    }
+
+    /// 1 for left and for a target never seen, −1 for right.
+    pub(crate) fn sign(self) -> f32 {
+        if self == Self::Right { -1.0 } else { 1.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes() {
+        assert_eq!((size_of::<Memory>(), size_of::<Joint>()), (64, 24));
+        assert_eq!(size_of::<State<[Joint; 3]>>(), 64 + 24 * 3);
+    }
+
+    #[test]
+    fn optional_angles() {
+        let (mut joint, mut memory) = (Joint::REST, Memory::NONE);
+        assert_eq!((joint.destination(), memory.eyes(), joint, memory), (None, None, Joint::REST, Memory::NONE));
+        joint.set_destination(Some([0.5, -0.25]));
+        memory.set_eyes(Some([[0.5, 0.0], [0.25, -1.0]]));
+        assert_eq!((joint.destination(), memory.other_eye()), (Some([0.5, -0.25]), Some([0.5, 0.0])));
+        assert!(joint != Joint::REST && memory != Memory::NONE);
+        memory.set_searched(Vec3A::new(1.0, -0.3, 1e-20));
+        assert!((memory.searched() - Vec3A::new(1.0, -0.3, 0.0)).length() < 2e-3);
+    }
+}

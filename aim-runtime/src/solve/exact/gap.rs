@@ -1,0 +1,233 @@
+//! Where a gap remains between the gaze and the target: out of reach, or for this frame's rates, or as far as the linear
+//! model can tell; and joints that have all the time they need.
+
+use super::dual;
+use super::settle::Search;
+use super::strain::LOOSE_RAD;
+use super::{BENT_MENDINGS, ENOUGH_RAD, FINE_RAD, Home, ROUNDS, STILL_RAD, Solver};
+use crate::kinematics::chain::TOO_NEAR;
+use crate::limits::reach::Reach;
+use crate::rig::Memory;
+use crate::{Joint, math};
+
+/// How many Jacobians joints without rates take at most.
+const MOST_ROUNDS: usize = 24;
+/// The largest change of an angle in one round, radians: beyond it the linear model says nothing.
+const LONGEST_STEP_RAD: f32 = 1.2;
+/// How much a step may be shortened before it is given up.
+const HALVINGS: usize = 5;
+/// After this time without reaching the target, seconds…
+const BLOCKED_S: f32 = 1.0;
+/// … a frame takes so many Jacobians at most.
+const BLOCKED_ROUNDS: usize = 2;
+/// Where a gap remains a step as short as this is none, radians (6e-3°).
+const SLIGHT_RAD: f32 = 1e-4;
+/// Displacement of a joint from where it is costs this much of the gap it closes, radians a second and radian: where a
+/// gap remains, what gains next to nothing does not move.
+const INERTIA_S: f32 = 3.0 / 60.0;
+/// Nearer to the best than this the joints move slowly where a gap remains, radians (0.34°).
+const SLOW_RAD: f32 = 0.006;
+
+/// How far from the effector a target has to be where joints come to rest, as a part of how far the animation has it; of
+/// the rig's size, if the animation has it on the effector.
+const BESIDE: f32 = 1e-3;
+/// How well a remaining angle is known, radians.
+const ROUNDING_RAD: f32 = 4e-7;
+
+/// How a round ended.
+struct Round {
+    remaining: f32,
+    closed: bool,
+    /// The longest change of an angle, radians.
+    step: f32,
+    halvings: usize,
+}
+
+impl<const C: usize> Solver<'_, C> {
+    /// The rest of a frame in which the reach has no solution: rates or ranges end it, or the linear model is too far
+    /// off to tell.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn advance_with_a_gap(
+        &mut self,
+        joints: &mut [Joint],
+        reaches: &[Reach],
+        dt: f32,
+        memory: &mut Memory,
+    ) -> Option<f32> {
+        if memory.strain == 0.0 {
+            // Else it has been watched already.
+            self.watch(memory, dt);
+        }
+        let mut start = self.rig.array(Joint::REST);
+        start.copy_from_slice(joints);
+        // As near as it gets; there a linear model may find a solution after all.
+        let mut remaining = f32::INFINITY;
+        // What is blocked frame after frame has had its rounds.
+        let rounds = if memory.blocked_s > BLOCKED_S { BLOCKED_ROUNDS } else { ROUNDS };
+        let mut rides = false;
+        for _ in 0..rounds {
+            let ended = self.improve(joints, reaches, &mut memory.lambda, LONGEST_STEP_RAD, rides)?;
+            let gained = remaining - ended.remaining;
+            remaining = ended.remaining;
+            self.spent = !ended.closed && Search::Quick { below: f32::INFINITY }.is_over(gained, remaining);
+            let settled = if ended.closed { STILL_RAD } else { SLIGHT_RAD };
+            if ended.step < settled || (ended.closed && remaining <= ENOUGH_RAD) {
+                if rides || remaining <= ENOUGH_RAD {
+                    break;
+                }
+                rides = true;
+            }
+        }
+        if Self::is_calm(memory) {
+            return Some(remaining);
+        }
+        // What gains next to nothing does not move: a target out of reach overhead would set the head turning with
+        // every tremble.
+        let offset = self.linearise(&start, reaches)?;
+        let inertia = self.dearest * INERTIA_S / dt.max(1e-4);
+        for (angles, joint) in self.model.iter_mut().zip(&*start) {
+            for (angle, now) in angles.iter_mut().zip([joint.pitch, joint.heading]) {
+                let weight = 1.0 / angle.ease;
+                angle.rest = (weight * angle.rest + inertia * now) / (weight + inertia);
+                angle.ease = 1.0 / (weight + inertia);
+            }
+        }
+        let solution = dual::solve(&self.model, self.wanted(&start, offset), memory.lambda, self.dearest);
+        self.try_dual(&start, reaches, &solution);
+        let Some(slow) = self.see(&self.trial) else { return Some(remaining) };
+        let Some(slow) = self.ease_in(&start, offset, reaches, dt, slow) else { return Some(remaining) };
+        let (before, slow) = (length(offset), slow.angle());
+        if before.max(remaining) < LOOSE_RAD {
+            // The edge of what can be reached runs through here.
+            memory.strain = 1.0;
+        }
+        // As near as the reach gets, or nearly: then slowly.
+        if slow <= before + 0.1 * SLOW_RAD && slow - remaining < SLOW_RAD {
+            self.accept(joints);
+        }
+        Some(remaining)
+    }
+
+    /// Moves `joints` to the optimum within `reaches`, whatever it takes (within bounds); returns what remains.
+    pub(crate) fn settle(&mut self, joints: &mut [Joint], reaches: &[Reach], search: Search) -> Option<f32> {
+        self.hold(joints, reaches);
+        let mut lambda = [0.0; 2];
+        let mut remaining = f32::INFINITY;
+        let mut longest = LONGEST_STEP_RAD;
+        let mut rides = false;
+        for _ in 0..MOST_ROUNDS {
+            let ended = self.improve(joints, reaches, &mut lambda, longest, rides)?;
+            longest = if ended.halvings == 0 { LONGEST_STEP_RAD } else { 2.0 * ended.step };
+            let gained = remaining - ended.remaining;
+            remaining = ended.remaining;
+            let settled = if ended.closed && remaining <= FINE_RAD { 1e-5 } else { STILL_RAD };
+            if ended.step < settled || (!ended.closed && search.is_over(gained, remaining)) {
+                if rides || remaining <= ENOUGH_RAD {
+                    break;
+                }
+                rides = true;
+            }
+        }
+        // With the target on the effector the joints may come to rest, but they aim at nothing.
+        let view = self.see(joints)?;
+        let animated = (self.goal.aimed - self.chain.animated_gaze().origin).length();
+        let usual = if animated > TOO_NEAR { animated } else { 1.0 };
+        let distance = view.forward * view.forward + view.left * view.left + view.up * view.up;
+        (distance > (BESIDE * usual) * (BESIDE * usual)).then_some(if remaining.is_finite() {
+            remaining
+        } else {
+            view.angle()
+        })
+    }
+
+    /// One round: the optimum of the linear model, mended, and shortened until it is an improvement. With `rides` one in
+    /// which pitches [go along](Self::ride) with headings, or none where there are no such.
+    fn improve(
+        &mut self,
+        joints: &mut [Joint],
+        reaches: &[Reach],
+        lambda: &mut [f32; 2],
+        longest: f32,
+        rides: bool,
+    ) -> Option<Round> {
+        let offset = self.linearise(joints, reaches)?;
+        if rides && !self.ride(joints, reaches) {
+            return Some(Round { remaining: length(offset), closed: false, step: 0.0, halvings: HALVINGS });
+        }
+        for (angles, joint) in self.model.iter_mut().zip(&*joints) {
+            for (angle, now) in angles.iter_mut().zip([joint.pitch, joint.heading]) {
+                angle.lo = angle.lo.max(now - longest);
+                angle.hi = angle.hi.min(now + longest);
+            }
+        }
+        let before = (self.cost(joints), length(offset));
+        let mut solution = dual::solve(&self.model, self.wanted(joints, offset), *lambda, self.dearest);
+        self.try_dual(joints, reaches, &solution);
+        if !self.chain.is_rigid() {
+            for _ in 0..BENT_MENDINGS {
+                let Some(view) = self.see(&self.trial) else { break };
+                if view.is_within(ENOUGH_RAD) {
+                    break;
+                }
+                self.learn(joints, offset, view.offset());
+                solution = dual::solve(&self.model, self.wanted(joints, offset), solution.lambda, self.dearest);
+                self.try_dual(joints, reaches, &solution);
+            }
+        }
+        *lambda = solution.lambda;
+        let mut goal = self.rig.array(Joint::REST);
+        goal.copy_from_slice(&self.trial);
+        let whole = self.step(joints);
+        for halvings in 0..=HALVINGS {
+            #[expect(clippy::cast_precision_loss, reason = "a handful")]
+            let part = 1.0 / (1_u32 << halvings) as f32;
+            self.try_part(joints, &goal, reaches, part);
+            let Some(mut view) = self.see(&self.trial) else { continue };
+            if solution.closed && halvings == 0 {
+                self.mend(joints, offset, reaches, lambda, &mut view);
+            }
+            let remaining = view.angle();
+            if self.is_gain(before, (self.cost(&self.trial), remaining)) {
+                let step = self.step(joints);
+                self.accept(joints);
+                return Some(Round { remaining, closed: solution.closed, step, halvings });
+            }
+            if part * whole < SLIGHT_RAD {
+                break;
+            }
+        }
+        let remaining = self.see(joints)?.angle();
+        Some(Round { remaining, closed: solution.closed, step: 0.0, halvings: HALVINGS })
+    }
+
+    /// Whether a round that came from this displacement and angle to that lessened their sum, the angle at its price.
+    /// Angles are known so well and no better: what seems less of one is not to be paid for.
+    fn is_gain(&self, before: (f32, f32), there: (f32, f32)) -> bool {
+        let nearer = before.1 - there.1;
+        let nearer = if nearer.abs() < ROUNDING_RAD { 0.0 } else { nearer };
+        before.0 - there.0 + self.dearest * nearer > 0.0
+    }
+
+    /// The displacement of the angles that can move.
+    fn cost(&self, joints: &[Joint]) -> f32 {
+        let mut cost = 0.0;
+        for (index, (angles, joint)) in self.model.iter().zip(joints).enumerate() {
+            let mut angles = *angles;
+            if self.rides[index] != 0.0 {
+                // The model counts the pitch's displacement with the heading's.
+                let Home { rest, ease } = self.homes[index][1];
+                (angles[1].rest, angles[1].ease) = (rest, ease);
+            }
+            for (angle, now) in angles.iter().zip([joint.pitch, joint.heading]) {
+                let moved = if angle.column == [0.0; 2] && angle.lo == angle.hi { 0.0 } else { now - angle.rest };
+                cost += moved * moved / angle.ease;
+            }
+        }
+        0.5 * cost
+    }
+}
+
+fn length(offset: [f32; 2]) -> f32 {
+    math::sqrt(offset[0] * offset[0] + offset[1] * offset[1])
+}

@@ -1,0 +1,522 @@
+//! The whole chain at once: of all angles within reach that put the gaze on the target, those of the least
+//! comfort-weighted displacement.
+//!
+//! Each round takes the derived residual and Jacobian at the present angles, solves the linear model to its optimum
+//! within the reach ([`dual`]), and judges the result by forward kinematics. What the linear model missed is mended with
+//! the same Jacobian, which costs a fraction of a new one.
+
+pub(crate) mod advance;
+pub(crate) mod dual;
+pub(crate) mod following;
+mod gap;
+pub(crate) mod settle;
+pub(crate) mod single;
+mod strain;
+
+use core::f32::consts::PI;
+
+use glam::Vec3A;
+
+use self::dual::{Angle, NO_ANGLE, Solution};
+use crate::kinematics::chain::{Chain, Ray, TOO_NEAR, rigid_effector};
+use crate::kinematics::rotation::joint_turn;
+use crate::kinematics::view::{Stretch, View};
+use crate::limits::reach::Reach;
+use crate::math::trig;
+use crate::rig::{ChainRig, Memory, PerJoint};
+use crate::target::goal::Goal;
+use crate::{Joint, math};
+
+/// An angle to the target that needs no mending, radians (6e-4°).
+const FINE_RAD: f32 = 1e-5;
+/// An angle to the target that the linear model closes to 0.04°, radians.
+const NEAR_RAD: f32 = 0.035;
+/// An angle to the target after which no new Jacobian is worth its while, radians (6e-3°).
+pub(crate) const ENOUGH_RAD: f32 = 1e-4;
+/// How often a Jacobian is used again.
+const MENDINGS: usize = 3;
+/// How often it is where the pose is not rigid: then it learns from each step.
+const BENT_MENDINGS: usize = 8;
+/// How many Jacobians a frame takes at most.
+const ROUNDS: usize = 4;
+/// Nearer than this to exactly behind, the residual has no length to speak of.
+const OPPOSITE_RAD: f32 = 0.03;
+/// The part of the way to the optimum that joints go in a frame, where the target leaves them free.
+const USUAL_PART: f32 = 0.5;
+/// Joints that would all move by less than this stay where they are, radians.
+pub(crate) const STILL_RAD: f32 = 1e-6;
+
+/// The chain, its target, and the linear model of the gaze.
+pub(crate) struct Solver<'a, const C: usize> {
+    rig: &'a ChainRig<'a, C>,
+    chain: &'a Chain<C>,
+    goal: &'a Goal,
+    /// The target in the last joint's levelled space, for a rigid pose.
+    target: Vec3A,
+    links: PerJoint<[f32; 12], C>,
+    /// Pitch and heading of each joint.
+    model: PerJoint<[Angle; 2], C>,
+    /// How much a pitch moves with its joint's heading because it is at an end that does.
+    rides: PerJoint<f32, C>,
+    /// What displacement means for them.
+    homes: PerJoint<[Home; 2], C>,
+    /// What a radian of gap may cost.
+    dearest: f32,
+    /// The number of declared angles.
+    declared: usize,
+    /// What the residual is measured along in effector space: forward, left, up.
+    axes: [Vec3A; 3],
+    trial: PerJoint<Joint, C>,
+    /// Whether a gap remained and another round would hardly have lessened it.
+    spent: bool,
+}
+
+impl<'a, const C: usize> Solver<'a, C> {
+    /// A solver for a goal, with every joint's displacement counted from the animation.
+    #[inline]
+    pub(crate) fn new(rig: &'a ChainRig<'a, C>, chain: &'a Chain<C>, goal: &'a Goal) -> Self {
+        let infos = rig.joints;
+        let mut links = rig.array(IDENTITY_LINK);
+        let mut least_ease = 1.0_f32;
+        let mut homes = rig.array([Home { rest: 0.0, ease: 1.0 }; 2]);
+        for (index, info) in infos.iter().enumerate().skip(chain.first) {
+            links[index] = chain.links[index].to_cols_array();
+            // NaN and zero count as the most willing.
+            let ease = (rig.least_stiffness / info.stiffness).max(1e-6).min(1.0);
+            least_ease = least_ease.min(ease);
+            homes[index] = [Home { rest: 0.0, ease }; 2];
+        }
+        Self {
+            rig,
+            chain,
+            goal,
+            target: chain.base.matrix3.transpose() * goal.aimed,
+            links,
+            model: rig.array([NO_ANGLE; 2]),
+            rides: rig.array(0.0),
+            homes,
+            dearest: dual::dearest(least_ease),
+            declared: rig.angles,
+            axes: rig.effector.axes(&infos[0].axes),
+            trial: rig.array(Joint::REST),
+            spent: false,
+        }
+    }
+
+    /// The solver with one joint's displacement counted from these angles, pitch and heading, at `ease` times its ease.
+    pub(crate) fn prefer(&mut self, joint: usize, angles: [f32; 2], ease: f32) {
+        for (home, rest) in self.homes[joint].iter_mut().zip(angles) {
+            *home = Home { rest, ease: (home.ease * ease).max(1e-6) };
+            self.dearest = self.dearest.max(dual::dearest(home.ease));
+        }
+    }
+
+    /// Moves `joints` to the optimum within `reaches`, as far as one frame needs it; returns the angle that remains, or
+    /// would if they were not slow. `None` where the aim is undefined.
+    #[inline]
+    pub(crate) fn advance(
+        &mut self,
+        joints: &mut [Joint],
+        reaches: &[Reach],
+        dt: f32,
+        memory: &mut Memory,
+    ) -> Option<f32> {
+        self.hold(joints, reaches);
+        if memory.strain > 0.0 {
+            self.recover(memory, dt);
+        }
+        for _ in 0..ROUNDS {
+            let offset = self.linearise(joints, reaches)?;
+            self.go_part_way(joints, USUAL_PART);
+            let solution = dual::solve(&self.model, self.wanted(joints, offset), memory.lambda, self.dearest);
+            let view = if solution.closed { self.try_closed(joints, reaches, &solution) } else { None };
+            let Some(mut view) = view else {
+                return self.advance_with_a_gap(joints, reaches, dt, memory);
+            };
+            memory.lambda = solution.lambda;
+            self.mend(joints, offset, reaches, &mut memory.lambda, &mut view);
+            if solution.strained {
+                memory.strain = 1.0;
+            }
+            let is_slow = memory.strain > 0.0 && self.take_care(joints, offset, reaches, dt, memory, &mut view)?;
+            self.accept(joints);
+            if is_slow || view.is_within(ENOUGH_RAD) {
+                return Some(view.angle());
+            }
+        }
+        Some(self.see(joints)?.angle())
+    }
+
+    /// [`advance`](Self::advance) for a goal that has hardly moved, by the linear model alone: what that misses is left to
+    /// the next frame, and is of the second order. False, with nothing changed, where more has to be done.
+    pub(crate) fn advance_roughly(&mut self, joints: &mut [Joint], reaches: &[Reach], memory: &mut Memory) -> bool {
+        if memory.strain > 0.0 {
+            return false;
+        }
+        let Some(offset) = self.linearise(joints, reaches) else { return false };
+        if offset[0] * offset[0] + offset[1] * offset[1] > NEAR_RAD * NEAR_RAD {
+            return false;
+        }
+        self.go_part_way(joints, USUAL_PART);
+        let solution = dual::solve(&self.model, self.wanted(joints, offset), memory.lambda, self.dearest);
+        if !solution.closed || solution.strained {
+            return false;
+        }
+        memory.lambda = solution.lambda;
+        for (index, (joint, angles)) in joints.iter_mut().zip(&*self.model).enumerate().skip(self.chain.first) {
+            [joint.pitch, joint.heading] = angles.map(|angle| solution.of(&angle));
+            joint.pitch = reaches[index].pitch_at(joint.heading).hold(joint.pitch);
+        }
+        true
+    }
+
+    /// Whether [`advance`](Self::advance) went as near as it gets within its reaches.
+    pub(crate) fn is_spent(&self) -> bool {
+        self.spent
+    }
+
+    /// Counts displacement from this part of the way from where the joints are to where they rest: as far as the target
+    /// leaves them free they go this part of the way to the optimum in a frame. All of it would be too far where the
+    /// gaze bends much (the model does not know), and joints would swing from side to side of the optimum for ever.
+    #[inline]
+    fn go_part_way(&mut self, joints: &[Joint], part: f32) {
+        for (angles, joint) in self.model.iter_mut().zip(joints) {
+            for (angle, now) in angles.iter_mut().zip([joint.pitch, joint.heading]) {
+                angle.rest = now + part * (angle.rest - now);
+                angle.ease *= part;
+            }
+        }
+    }
+
+    /// The trial of a solution, and what is seen from it.
+    #[inline]
+    fn try_closed(&mut self, joints: &[Joint], reaches: &[Reach], solution: &Solution) -> Option<View> {
+        self.try_dual(joints, reaches, solution);
+        self.see(&self.trial)
+    }
+
+    /// The longest change of an angle from `joints` to the trial.
+    fn step(&self, joints: &[Joint]) -> f32 {
+        let pairs = self.trial.iter().zip(joints);
+        pairs.fold(0.0, |step, (a, b)| step.max((a.pitch - b.pitch).abs()).max((a.heading - b.heading).abs()))
+    }
+
+    #[inline]
+    fn hold(&self, joints: &mut [Joint], reaches: &[Reach]) {
+        for index in self.chain.first..self.chain.count {
+            joints[index] = reaches[index].hold(&joints[index]);
+        }
+    }
+
+    /// The joints as they will be: those of the trial, or as they are if that is no movement at all.
+    #[inline]
+    fn accept(&self, joints: &mut [Joint]) {
+        if self.step(joints) >= STILL_RAD {
+            joints.copy_from_slice(&self.trial);
+        }
+    }
+
+    /// Mends the trial, which came from `joints` and their offset, with the same Jacobian until it is fine.
+    #[inline]
+    fn mend(&mut self, joints: &[Joint], offset: [f32; 2], reaches: &[Reach], lambda: &mut [f32; 2], view: &mut View) {
+        if !view.is_within(FINE_RAD) {
+            self.mend_coarse(joints, offset, reaches, lambda, view);
+        }
+    }
+
+    #[inline(never)]
+    fn mend_coarse(
+        &mut self,
+        joints: &[Joint],
+        offset: [f32; 2],
+        reaches: &[Reach],
+        lambda: &mut [f32; 2],
+        view: &mut View,
+    ) {
+        let mut before = self.rig.array(Joint::REST);
+        before.copy_from_slice(joints);
+        let mut offset = offset;
+        let mendings = if self.chain.is_rigid() { MENDINGS } else { BENT_MENDINGS };
+        for _ in 0..mendings {
+            if view.is_within(FINE_RAD) {
+                return;
+            }
+            if !self.chain.is_rigid() {
+                self.learn(&before, offset, view.offset());
+            }
+            before.copy_from_slice(&self.trial);
+            offset = view.offset();
+            let solution = dual::solve(&self.model, self.wanted(&before, offset), *lambda, self.dearest);
+            self.try_dual(&before, reaches, &solution);
+            match self.see(&self.trial) {
+                Some(better) if solution.closed && better.angle() < view.angle() => {
+                    *view = better;
+                    *lambda = solution.lambda;
+                }
+                _ => {
+                    self.trial.copy_from_slice(&before);
+                    return;
+                }
+            }
+        }
+    }
+
+    /// Bends the Jacobian so that it says what happened between `joints`, with this offset, and the trial: the least
+    /// change that does (Broyden). Under shear and non-uniform scale the kernels' Jacobian is not that of the pose.
+    fn learn(&mut self, joints: &[Joint], before: [f32; 2], after: [f32; 2]) {
+        let trial = &self.trial;
+        let mut missed = [after[0] - before[0], after[1] - before[1]];
+        let mut square = 0.0;
+        let changes = |joint: usize| {
+            let heading = trial[joint].heading - joints[joint].heading;
+            [trial[joint].pitch - joints[joint].pitch - self.rides[joint] * heading, heading]
+        };
+        for (index, angles) in self.model.iter().enumerate() {
+            for (angle, change) in angles.iter().zip(changes(index)) {
+                missed = [missed[0] - angle.column[0] * change, missed[1] - angle.column[1] * change];
+                square += change * change;
+            }
+        }
+        if !(square > STILL_RAD * STILL_RAD) {
+            return;
+        }
+        for (index, angles) in self.model.iter_mut().enumerate() {
+            for (angle, change) in angles.iter_mut().zip(changes(index)) {
+                let part = change / square;
+                angle.column = [angle.column[0] + missed[0] * part, angle.column[1] + missed[1] * part];
+            }
+        }
+    }
+
+    /// The trial: the model's angles in a solution, within reach.
+    #[inline]
+    fn try_dual(&mut self, joints: &[Joint], reaches: &[Reach], solution: &Solution) {
+        let (trial, model, rides) = (&mut self.trial, &self.model, &self.rides);
+        for index in 0..joints.len() {
+            let joint = joints[index];
+            trial[index] = if index < self.chain.first {
+                joint
+            } else {
+                let [pitch, heading] = model[index].map(|angle| solution.of(&angle));
+                let pitch = pitch + rides[index] * (heading - joint.heading);
+                reaches[index].hold(&Joint { pitch, heading, ..joint })
+            };
+        }
+    }
+
+    /// The trial: a part of the way from `joints` to `goal`, within reach.
+    fn try_part(&mut self, joints: &[Joint], goal: &[Joint], reaches: &[Reach], part: f32) {
+        let trial = &mut self.trial;
+        trial.copy_from_slice(goal);
+        if part < 1.0 {
+            for index in self.chain.first..self.chain.count {
+                let (from, to) = (joints[index], goal[index]);
+                trial[index] = reaches[index].hold(&Joint {
+                    pitch: from.pitch + part * (to.pitch - from.pitch),
+                    heading: from.heading + part * (to.heading - from.heading),
+                    ..from
+                });
+            }
+        }
+    }
+
+    /// What the model has to come to so that the offset at `joints` is gone.
+    #[inline]
+    fn wanted(&self, joints: &[Joint], offset: [f32; 2]) -> [f32; 2] {
+        let mut wanted = [-offset[0], -offset[1]];
+        for (angles, joint) in self.model.iter().zip(joints) {
+            for (angle, now) in angles.iter().zip([joint.pitch, joint.heading]) {
+                wanted = [wanted[0] + angle.column[0] * now, wanted[1] + angle.column[1] * now];
+            }
+        }
+        wanted
+    }
+
+    /// Makes the linear model at `joints`; returns the offset of the target there: its angle, left and up.
+    #[inline]
+    fn linearise(&mut self, joints: &[Joint], reaches: &[Reach]) -> Option<[f32; 2]> {
+        let mut sin_cos = self.rig.array([0.0, 1.0, 0.0, 1.0]);
+        for (sin_cos, joint) in sin_cos.iter_mut().zip(joints).skip(self.chain.first) {
+            *sin_cos = trig::doubled(trig::halves(joint.pitch, joint.heading));
+        }
+        let mut out = self.rig.array([0.0; 6]);
+        let out = &mut out.as_flattened_mut()[..2 + 2 * self.declared];
+        let target = self.target_seen(joints)?;
+        let mut kernel = |target: Vec3A| {
+            self.rig.kernels.residual_jacobian(&self.links, &target.to_array(), &sin_cos, out);
+            [out[0], out[1]]
+        };
+        let mut residual = kernel(target);
+        // None at all: straight ahead, or so far behind that the kernel sees nothing.
+        let far = residual[0] * residual[0] + residual[1] * residual[1] > FAR_RESIDUAL;
+        if far || residual == [0.0; 2] {
+            if let Some(aside) = self.aside(joints) {
+                residual = kernel(aside);
+            }
+        }
+        let (offset, stretch) = Stretch::of(residual);
+        let (left, up) = out[2..].split_at(self.declared);
+        let mut row = 0;
+        for (index, info) in self.rig.joints.iter().enumerate() {
+            let Some(reach) = reaches.get(index) else { break };
+            let joint = &joints[index];
+            let ranges = [reach.pitch_at(joint.heading), reach.heading];
+            let now = [joint.pitch, joint.heading];
+            for (which, is_declared) in [info.pitch.is_some(), info.heading.is_some()].into_iter().enumerate() {
+                if !is_declared {
+                    continue;
+                }
+                let column = [left[row], up[row]];
+                row += 1;
+                if index < self.chain.first {
+                    continue;
+                }
+                self.rides[index] = 0.0;
+                let angle = &mut self.model[index][which];
+                angle.column = match &stretch {
+                    Some(stretch) => stretch.derivative(column),
+                    None => column,
+                };
+                (angle.lo, angle.hi) = (ranges[which].lo(), ranges[which].hi());
+                let home = &self.homes[index][which];
+                (angle.rest, angle.ease) = (home.rest, home.ease);
+                if ranges[which].is_free() {
+                    angle.rest = now[which];
+                    (angle.lo, angle.hi) = (now[which] - PI, now[which] + PI);
+                }
+            }
+        }
+        // A target nearly on the effector makes derivatives large, and the first step would leave it. Also catches NaN.
+        let largest = out.iter().fold(0.0, |largest: f32, x| largest + x.abs());
+        if !(largest < SUSPICIOUS) {
+            self.see(joints)?;
+        }
+        largest.is_finite().then_some(offset)
+    }
+
+    /// Lets pitches at an end that narrows with the heading go along with it: within a box the heading could not make
+    /// room for them. Returns whether there are any.
+    #[cold]
+    fn ride(&mut self, joints: &[Joint], reaches: &[Reach]) -> bool {
+        let mut any = false;
+        for (index, (reach, joint)) in reaches.iter().zip(joints).enumerate().skip(self.chain.first) {
+            let ride = reach.ride(joint);
+            self.rides[index] = ride;
+            if ride == 0.0 {
+                continue;
+            }
+            any = true;
+            let [pitch, heading] = &mut self.model[index];
+            heading.column = [0, 1].map(|k| heading.column[k] + ride * pitch.column[k]);
+            // The displacement of both, as functions of the heading.
+            let [own, along] = [1.0 / heading.ease, ride * ride / pitch.ease];
+            let rest = joint.heading + (pitch.rest - joint.pitch) / ride;
+            heading.rest = (own * heading.rest + along * rest) / (own + along);
+            heading.ease = 1.0 / (own + along);
+        }
+        any
+    }
+
+    /// The target that the rigid links are to see, in the last joint's levelled space.
+    #[inline]
+    fn target_seen(&self, joints: &[Joint]) -> Option<Vec3A> {
+        if self.chain.is_rigid() { Some(self.target) } else { self.target_seen_bent(joints) }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn target_seen_bent(&self, joints: &[Joint]) -> Option<Vec3A> {
+        let gaze = self.chain.gaze_of(self.rig, joints);
+        gaze.angle_to(self.goal.aimed)?;
+        let rigid = self.rigid_gaze(joints);
+        let seen = self.chain.seen_target(self.goal.aimed, gaze, rigid);
+        Some(self.chain.base.matrix3.transpose() * seen)
+    }
+
+    /// The effector as the rigid links have it, in solver space.
+    fn rigid_gaze(&self, joints: &[Joint]) -> Ray {
+        let (infos, links) = (self.rig.joints, self.chain.links);
+        let mut ray = rigid_effector(&self.rig.effector, &links[self.chain.first]);
+        for index in self.chain.first..self.chain.count {
+            ray = ray.turned(joint_turn(&infos[index], &joints[index]));
+            ray = match links.get(index + 1) {
+                Some(link) => ray.through(link),
+                None => ray.through(&self.chain.base),
+            };
+        }
+        ray
+    }
+
+    /// The target as the effector sees it; `None` where it has no direction.
+    #[inline]
+    pub(crate) fn see(&self, joints: &[Joint]) -> Option<View> {
+        let mut target = self.target_seen(joints)?;
+        let (infos, links) = (self.rig.joints, self.chain.links);
+        for index in (self.chain.first..self.chain.count).rev() {
+            let turn = joint_turn(&infos[index], &joints[index]);
+            target = math::turned(turn.conjugate(), target);
+            let link = &links[index];
+            target = link.matrix3.transpose() * (target - link.translation);
+        }
+        let distance = target.dot(target);
+        if !(distance > TOO_NEAR * TOO_NEAR && distance.is_finite()) {
+            return None;
+        }
+        let [forward, left, up] = self.axes.map(|axis| target.dot(axis));
+        Some(View { forward, left, up })
+    }
+
+    /// A target to the side for one exactly behind, where neither residual nor derivative says which way: on the side
+    /// that it is remembered on. `None` where it is not behind.
+    #[cold]
+    #[inline(never)]
+    fn aside(&self, joints: &[Joint]) -> Option<Vec3A> {
+        let view = self.see(joints)?;
+        let angle = view.angle();
+        if angle < PI - OPPOSITE_RAD {
+            return None;
+        }
+        let gaze = self.rigid_gaze(joints);
+        let seen = self.chain.base.matrix3 * self.target_seen(joints)?;
+        let to_target = seen - gaze.origin;
+        let forward = math::direction(gaze.direction)?;
+        let lateral = to_target - forward * forward.dot(to_target);
+        let distance = to_target.length();
+        let front = self.chain.base.matrix3 * Vec3A::from(self.rig.joints[self.chain.count - 1].axes.left);
+        let side = front - forward * forward.dot(front);
+        // Near the opposite the lateral part is noise; the remembered side is not.
+        let lateral = math::direction(lateral * 1e-3 + side * (self.goal.side.sign() * distance))
+            .or_else(|| math::direction(forward.any_orthonormal_vector()))?;
+        let (sin, cos) = trig::sin_cos(PI - OPPOSITE_RAD);
+        let aside = gaze.origin + (forward * cos + lateral * sin) * distance;
+        Some(self.chain.base.matrix3.transpose() * aside)
+    }
+}
+
+/// What an angle's displacement is counted from, and one over its weight.
+#[derive(Clone, Copy, Debug)]
+struct Home {
+    rest: f32,
+    ease: f32,
+}
+
+/// Derivatives that only a target near the effector, or behind it, has.
+const SUSPICIOUS: f32 = 1e3;
+
+/// The square of the residual of a target at [`OPPOSITE_RAD`] from exactly behind.
+const FAR_RESIDUAL: f32 = 17_000.0;
+
+/// What stands in for the links of joints that have no part in the chain.
+const IDENTITY_LINK: [f32; 12] = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+
+/// The reaches of joints that have all the time they need.
+pub(crate) fn unhurried<const C: usize>(
+    rig: &ChainRig<'_, C>,
+    motions: &[crate::limits::motion::Motion],
+) -> PerJoint<Reach, C> {
+    let mut reaches = rig.array(Reach::REST);
+    for (reach, motion) in reaches.iter_mut().zip(motions) {
+        *reach = Reach::range(motion);
+    }
+    reaches
+}

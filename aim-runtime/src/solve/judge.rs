@@ -1,0 +1,90 @@
+//! The judge: the one place where status and [`Outcome`] are decided, from the angle that forward kinematics measured.
+
+use crate::limits::motion::Motion;
+use crate::limits::reach::AT_LIMIT_RAD;
+use crate::math::trig;
+use crate::rig::ChainRig;
+use crate::{Joint, JointInfo, JointSet, Outcome, Status, math};
+
+/// The largest angle whose cosine is 1 to the last bit of single precision, radians: 1 − cos x < ε/4.
+const COSINE_IS_1_RAD: f32 = 2e-4;
+
+/// What a frame found out.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Verdict {
+    /// The angle between gaze and target by forward kinematics, radians, 0…π.
+    pub(crate) remaining: f32,
+    /// The angle at which the target counts as reached, radians.
+    pub(crate) tolerance: f32,
+    /// Whether the policy for targets behind is active.
+    pub(crate) behind: bool,
+    /// Whether the joints would reach the target, had they the time.
+    pub(crate) within_reach: bool,
+}
+
+impl Verdict {
+    /// `Reached` iff the angle is within the tolerance; else the first reason that holds.
+    #[inline(always)]
+    pub(crate) fn status(&self) -> Status {
+        if self.remaining <= self.tolerance {
+            Status::Reached
+        } else if self.behind {
+            Status::Behind
+        } else if self.within_reach {
+            Status::RateLimited
+        } else {
+            Status::AtLimit
+        }
+    }
+
+    /// The outcome for joints whose limits are these sets.
+    #[inline(always)]
+    pub(crate) fn outcome_at(&self, at_limit: JointSet, recovering: JointSet) -> Outcome {
+        let remaining = self.remaining;
+        let aim = if remaining <= COSINE_IS_1_RAD { 1.0 } else { trig::sin_cos(remaining).1.max(-1.0).min(1.0) };
+        let status = self.status();
+        Outcome { aim, remaining, status, at_limit, recovering, other_eye_remaining: None, other_eye_correction: None }
+    }
+
+    /// The outcome for joints at these angles.
+    pub(crate) fn outcome<const C: usize>(
+        &self,
+        rig: &ChainRig<'_, C>,
+        motions: &[Motion],
+        joints: &[Joint],
+    ) -> Outcome {
+        let (at_limit, recovering) = limits_met(rig.joints, motions, joints);
+        self.outcome_at(at_limit, recovering)
+    }
+}
+
+/// The outcome where there is nothing to aim: the angles hold.
+pub(crate) fn degenerate<const C: usize>(rig: &ChainRig<'_, C>, motions: &[Motion], joints: &[Joint]) -> Outcome {
+    let (at_limit, recovering) = limits_met(rig.joints, motions, joints);
+    Outcome { at_limit, recovering, ..nothing_to_aim() }
+}
+
+/// The outcome of a call that has no chain to aim.
+pub(crate) fn nothing_to_aim() -> Outcome {
+    let verdict = Verdict { remaining: math::UNDEFINED_RAD, tolerance: 0.0, behind: false, within_reach: false };
+    Outcome { aim: 0.0, status: Status::Degenerate, ..verdict.outcome_at(JointSet::EMPTY, JointSet::EMPTY) }
+}
+
+/// The joints with an angle at or past an end of its range, and those with one outside its range.
+pub(crate) fn limits_met(infos: &[JointInfo], motions: &[Motion], joints: &[Joint]) -> (JointSet, JointSet) {
+    let (mut at_limit, mut recovering) = (JointSet::EMPTY, JointSet::EMPTY);
+    for (index, ((info, motion), joint)) in infos.iter().zip(motions).zip(joints).enumerate() {
+        for (declared, range, angle) in
+            [(info.heading, motion.heading, joint.heading), (info.pitch, motion.pitch_at(joint.heading), joint.pitch)]
+        {
+            if declared.is_some() && (angle <= range.lo() + AT_LIMIT_RAD || angle >= range.hi() - AT_LIMIT_RAD) {
+                at_limit.insert(index);
+            }
+            // An angle that went back to its range may miss the end by rounding.
+            if angle < range.lo() - AT_LIMIT_RAD || angle > range.hi() + AT_LIMIT_RAD {
+                recovering.insert(index);
+            }
+        }
+    }
+    (at_limit, recovering)
+}

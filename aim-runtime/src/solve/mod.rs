@@ -1,0 +1,275 @@
+//! One call: pose and target in, angles moved within range and rate, and an outcome judged by forward kinematics.
+//!
+//! [`solve_followed`] serves the frames that need no search, by [`single`](exact::single) and
+//! [`following`](exact::following). In every other frame [`solve`] makes the pose ready ([`Chain`]), decides what to turn to
+//! ([`Goal`](crate::target::goal::Goal)), lets one of the solvers move the joints ([`exact`], [`natural`], [`ascent`]),
+//! both eyes where the pose has them ([`eyes`]), and is judged ([`judge`]). When blocked joints go the other way round is
+//! decided in [`turn_round`].
+
+pub(crate) mod ascent;
+pub(crate) mod exact;
+pub(crate) mod eyes;
+mod frame;
+pub(crate) mod judge;
+mod natural;
+mod turn_round;
+
+use glam::{Quat, Vec3};
+
+use self::exact::settle::{settle, settle_from_rest};
+
+use self::exact::{following, single};
+use self::eyes::{Eyes, Solved};
+use self::frame::Frame;
+use self::judge::{Verdict, degenerate};
+use self::natural::Gaze;
+use crate::kinematics::chain::{Chain, Upright, tilts};
+use crate::kinematics::rotation::correction;
+use crate::limits::motion::{Motion, motions};
+use crate::limits::reach::Reach;
+use crate::rig::{ChainRig, Memory, PoseSlices, StateSlices, Support};
+use crate::target::goal::{Course, Goal};
+use crate::{Description, Joint, Outcome, Rig, Settings, Solver, math};
+
+/// The longest frame, seconds: after a hitch nothing leaps.
+pub(crate) const LONGEST_FRAME_S: f32 = 0.1;
+
+/// What a call asks for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Call<'a> {
+    /// The target, in the pose's space.
+    pub(crate) target_ps: Vec3,
+    /// The frame's length, seconds; `None` for a snap.
+    pub(crate) dt: Option<f32>,
+    pub(crate) settings: &'a Settings,
+}
+
+impl<'a> Call<'a> {
+    /// A call with the frame's length as it counts: 0…0.1 s, 0 for NaN.
+    #[inline(always)]
+    pub(crate) fn new(target_ps: Vec3, dt: Option<f32>, settings: &'a Settings) -> Self {
+        Self { target_ps, dt: dt.map(|dt| dt.max(0.0).min(LONGEST_FRAME_S)), settings }
+    }
+}
+
+/// Serves a frame that needs no search, if it is one: moves `state` and writes the joints' corrections. Else `None`, with
+/// nothing changed.
+#[inline(always)]
+pub(crate) fn solve_followed(
+    kernels: &dyn Rig,
+    rig: &Description<'_>,
+    state: &mut StateSlices<'_>,
+    pose: &PoseSlices<'_>,
+    call: &Call<'_>,
+    corrections: &mut [Quat],
+) -> Option<Outcome> {
+    let solver = call.settings.solver.unwrap_or(rig.default_solver());
+    if !call.dt.is_some_and(|dt| dt > 0.0) || pose.other_eye.is_some() || solver == Solver::Ascent {
+        return None;
+    }
+    if rig.joints.len() == 1 {
+        if let Some(outcome) = single::aim(rig, state, pose, call, corrections) {
+            return Some(outcome);
+        }
+    }
+    if solver == Solver::Exact { following::aim(kernels, rig, state, pose, call, corrections) } else { None }
+}
+
+/// Serves any call: moves `state` and writes the joints' corrections, one for each joint.
+#[inline(never)]
+pub(crate) fn solve<const C: usize>(
+    rig: &ChainRig<'_, C>,
+    state: &mut StateSlices<'_>,
+    pose: &PoseSlices<'_>,
+    call: &Call<'_>,
+    corrections: &mut [Quat],
+) -> Outcome {
+    let motions = motions(rig, pose);
+    let about = upright_axis(pose, solver(rig, call.settings));
+    let (mut joints, mut memory) = (rig.array(Joint::REST), *state.memory);
+    joints.copy_from_slice(state.joints);
+    let solve_chain =
+        |pose: &PoseSlices<'_>, motions: &[Motion], joints: &mut [Joint], memory: &mut Memory| match call.dt {
+            Some(dt) => aim_joints(rig, pose, motions, call, dt, joints, memory),
+            None => snap_joints(rig, pose, motions, call, joints, memory),
+        };
+    let solved = match pose.other_eye {
+        Some(other_eye) => Eyes::new(rig, pose, other_eye, &motions, about)
+            .and_then(|eyes| eyes.aim(call, &mut joints, &mut memory, solve_chain)),
+        None => {
+            memory.set_eyes(None);
+            solve_chain(pose, &motions, &mut joints, &mut memory)
+        }
+    };
+    let (outcome, tilts) = match solved {
+        Some(solved) => {
+            if call.dt != Some(0.0) {
+                state.joints.copy_from_slice(&joints);
+                *state.memory = memory;
+            }
+            (solved.outcome, solved.tilts)
+        }
+        None => {
+            let eyes = pose.other_eye.and_then(|other_eye| Eyes::new(rig, pose, other_eye, &motions, about));
+            let held = eyes.and_then(|eyes| Some(eyes.correction(&state.memory.other_eye()?)));
+            let outcome = Outcome { other_eye_correction: held, ..degenerate(rig, &motions, state.joints) };
+            (outcome, tilts(rig, pose.joints, about))
+        }
+    };
+    for (((to, joint), info), tilt) in corrections.iter_mut().zip(&*state.joints).zip(rig.joints).zip(&*tilts) {
+        *to = correction(info, joint, *tilt);
+    }
+    outcome
+}
+
+/// The solver that moves the joints.
+fn solver<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) -> Solver {
+    settings.solver.unwrap_or(rig.default_solver())
+}
+
+/// What upright headings turn about in this pose. The paper's method knows bones only.
+pub(crate) fn upright_axis(pose: &PoseSlices<'_>, solver: Solver) -> Upright {
+    if solver == Solver::Ascent {
+        return Upright::Off;
+    }
+    pose.up.and_then(|up| math::direction(up.into())).map_or(Upright::Innermost, Upright::About)
+}
+
+/// Whether joint 0 leads others as an eye does; aimed alone, or left out, it needs no coordination.
+fn is_natural<const C: usize>(chain: &Chain<C>, solver: Solver) -> bool {
+    chain.first == 0 && chain.count > 1 && solver == Solver::Natural
+}
+
+/// Moves `joints` by a frame of `dt` seconds; `None` where there is nothing to aim.
+fn aim_joints<const C: usize>(
+    rig: &ChainRig<'_, C>,
+    pose: &PoseSlices<'_>,
+    motions: &[Motion],
+    call: &Call<'_>,
+    dt: f32,
+    joints: &mut [Joint],
+    memory: &mut Memory,
+) -> Option<Solved<C>> {
+    let settings = call.settings;
+    let solver = solver(rig, settings);
+    let chain = Chain::new(rig, pose.joints, settings.effector, upright_axis(pose, solver))?;
+    let goal = goal(rig, &chain, pose, motions, call, memory)?;
+    let frame = Frame::new(rig, &chain, motions, &goal, dt, settings.effective_tolerance(), joints);
+
+    for (joint, reach) in joints.iter_mut().zip(&*frame.reaches) {
+        *joint = reach.hold(joint);
+    }
+    let mut within_reach = true;
+    frame.go_to_rest(joints, 0..chain.first);
+    let is_natural = is_natural(&chain, solver);
+    match goal.course {
+        _ if is_natural => {
+            let gaze = Gaze::new(rig, &chain, motions, &goal, settings);
+            within_reach = gaze.aim(joints, memory, &frame.reaches, dt)?;
+        }
+        Course::Rest => frame.go_to_rest(joints, chain.first..chain.count),
+        Course::Stay => {}
+        Course::Aim => {
+            within_reach = match solver {
+                Solver::Ascent => ascent::advance(&frame, joints, dt, &settings.ascent)?,
+                Solver::Exact | Solver::Natural => exact::advance::advance(&frame, joints, dt, memory)?,
+            };
+        }
+    }
+    if dt == 0.0 {
+        joints.copy_from_slice(&frame.start);
+    } else if !is_natural {
+        joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
+    }
+    finish(rig, &chain, motions, &goal, joints, memory, frame.tolerance, within_reach)
+}
+
+/// Puts `joints` on the target whatever the rates; `None` where there is nothing to aim.
+fn snap_joints<const C: usize>(
+    rig: &ChainRig<'_, C>,
+    pose: &PoseSlices<'_>,
+    motions: &[Motion],
+    call: &Call<'_>,
+    joints: &mut [Joint],
+    memory: &mut Memory,
+) -> Option<Solved<C>> {
+    let settings = call.settings;
+    let solver = solver(rig, settings);
+    let chain = Chain::new(rig, pose.joints, settings.effector, upright_axis(pose, solver))?;
+    let tolerance = settings.effective_tolerance();
+    // Nothing but the side is remembered: the result is to depend on the past as little as it can.
+    let mut before = *memory;
+    before.behind = false;
+    let goal = goal(rig, &chain, pose, motions, call, &before)?;
+    joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
+    memory.support = Support::Rests;
+
+    let mut from_here = rig.array(Joint::REST);
+    from_here.copy_from_slice(joints);
+    from_here[..chain.first].fill(Joint::REST);
+    joints.fill(Joint::REST);
+    if goal.course == Course::Stay {
+        joints.copy_from_slice(&from_here);
+    }
+    for (joint, motion) in joints.iter_mut().zip(motions) {
+        *joint = Reach::range(motion).hold(joint);
+    }
+    let snapped = is_natural(&chain, solver)
+        && Gaze::new(rig, &chain, motions, &goal, settings).snap(joints, memory) == Some(true);
+    if goal.course == Course::Aim && !snapped {
+        // The aim may be undefined at rest and yet defined here, or the reverse.
+        let from_rest = settle_from_rest(rig, &chain, motions, &goal, joints, tolerance).unwrap_or(f32::INFINITY);
+        if from_rest > tolerance {
+            let from_here_rad = settle(rig, &chain, motions, &goal, &mut from_here);
+            if from_here_rad.is_some_and(|from_here_rad| from_here_rad < 0.999 * from_rest) {
+                joints.copy_from_slice(&from_here);
+            }
+        }
+        // Joints that have no part rest, as far as their ranges let them.
+        for (joint, motion) in joints[..chain.first].iter_mut().zip(motions) {
+            *joint = Reach::range(motion).hold(joint);
+        }
+    }
+    finish(rig, &chain, motions, &goal, joints, memory, tolerance, false)
+}
+
+/// What to turn to. At weight 0 that is the animation, whatever the target.
+fn goal<const C: usize>(
+    rig: &ChainRig<'_, C>,
+    chain: &Chain<C>,
+    pose: &PoseSlices<'_>,
+    motions: &[Motion],
+    call: &Call<'_>,
+    memory: &Memory,
+) -> Option<Goal> {
+    let weight = call.settings.effective_weight();
+    let goal = if weight == 0.0 {
+        Goal::animation(chain, memory)
+    } else {
+        Goal::new(rig, chain, motions, chain.to_solver(call.target_ps.into())?, call.settings, memory)
+    };
+    Some(if pose.other_eye.is_some() && weight < 1.0 { goal.receding(chain, weight) } else { goal })
+}
+
+/// Remembers what was seen, and judges the joints as they are now.
+#[expect(clippy::too_many_arguments, reason = "all that a frame has found out")]
+fn finish<const C: usize>(
+    rig: &ChainRig<'_, C>,
+    chain: &Chain<C>,
+    motions: &[Motion],
+    goal: &Goal,
+    joints: &mut [Joint],
+    memory: &mut Memory,
+    tolerance: f32,
+    within_reach: bool,
+) -> Option<Solved<C>> {
+    for (joint, motion) in joints.iter_mut().zip(motions) {
+        motion.wrap(joint);
+    }
+    (memory.side, memory.behind) = (goal.side, goal.behind);
+    let remaining = chain.gaze_of(rig, joints).angle_to(goal.wanted)?;
+    let verdict = Verdict { remaining, tolerance, behind: goal.behind, within_reach };
+    let outcome = verdict.outcome(rig, motions, joints);
+    let [wanted_ps, aimed_ps] = [goal.wanted, goal.aimed].map(|point| chain.to_pose(point));
+    Some(Solved { outcome, tilts: chain.tilts, wanted_ps, aimed_ps, course: goal.course, behind: goal.behind })
+}

@@ -1,0 +1,115 @@
+//! Whether a target is behind the character, and on which side it counts as being.
+//!
+//! A target passing behind a chain that cannot follow it would otherwise throw the chain from one end of its range to
+//! the other and back with every tremble. Both answers look only at the animated pose and the target, never at the
+//! corrections, so they cannot feed back into themselves; and both remember, so that a tremble changes neither.
+
+use core::f32::consts::PI;
+
+use glam::Vec3A;
+
+use crate::kinematics::chain::{Chain, Ray};
+use crate::limits::motion::Motion;
+use crate::math;
+use crate::math::trig;
+use crate::rig::{ChainRig, Side};
+
+/// From this angle off the innermost joint's animated forward a target is behind.
+const BEHIND_RAD: f32 = 150.0 * PI / 180.0;
+/// The cosine of what is left of half a turn.
+const COS_BACK: f32 = 0.866_025_4;
+/// The same once a target is behind, 10° further out: one that trembles at the edge does not switch a policy on and off.
+const COS_STILL_BACK: f32 = 0.766_044_4;
+/// The sine and cosine of how far a target has to pass the middle of the back before it counts as on the other side.
+const HELD: (f32, f32) = (0.173_648_18, 0.984_807_7);
+
+/// The character's front as the animation has it: the innermost joint's axes, seen from the effector.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Front {
+    origin: Vec3A,
+    pub(crate) forward: Vec3A,
+    pub(crate) left: Vec3A,
+    pub(crate) up: Vec3A,
+    /// Whether targets behind are out of reach, so that the policy applies.
+    guarded: bool,
+}
+
+impl Front {
+    /// The front of a chain whose animated effector is `gaze`, in solver space.
+    pub(crate) fn new<const C: usize>(rig: &ChainRig<'_, C>, chain: &Chain<C>, motions: &[Motion], gaze: Ray) -> Self {
+        let axes = &rig.joints[chain.count - 1].axes;
+        let axis = |axis: [f32; 3]| chain.base.transform_vector3a(Vec3A::from(axis));
+        let mut front = Self {
+            origin: gaze.origin,
+            forward: axis(axes.forward),
+            left: axis(axes.left),
+            up: axis(axes.up),
+            guarded: false,
+        };
+
+        let [mut right_rad, mut left_rad, mut down_rad, mut up_rad] = [0.0_f32; 4];
+        for motion in &motions[chain.first..chain.count] {
+            right_rad += motion.heading.lo();
+            left_rad += motion.heading.hi();
+            down_rad += motion.pitch.lo();
+            up_rad += motion.pitch.hi();
+        }
+        let gaze_rad = trig::atan2(gaze.direction.dot(front.left), gaze.direction.dot(front.forward));
+        let around = left_rad + gaze_rad >= BEHIND_RAD || right_rad + gaze_rad <= -BEHIND_RAD;
+        let over = up_rad >= 0.5 * PI || down_rad <= -0.5 * PI;
+        front.guarded = !(around || over);
+        front
+    }
+
+    /// A point as its distance and its unit direction along forward, left, up.
+    fn look(&self, target: Vec3A) -> Option<(f32, [f32; 3])> {
+        let to_target = target - self.origin;
+        let toward = math::direction(to_target)?;
+        let look = [toward.dot(self.forward), toward.dot(self.left), toward.dot(self.up)];
+        Some((to_target.length(), look))
+    }
+
+    fn point(&self, distance: f32, [forward, left, up]: [f32; 3]) -> Vec3A {
+        self.origin + (self.forward * forward + self.left * left + self.up * up) * distance
+    }
+
+    /// The side that `target` is on: the one it was on before while it is near the middle of the back.
+    pub(crate) fn side(&self, target: Vec3A, before: Side) -> Side {
+        match self.look(target) {
+            Some((_, [forward, left, _])) => {
+                let (sin, cos) = HELD;
+                let middle = forward < 0.0 && left.abs() * cos <= -forward * sin;
+                if before != Side::Unseen && (middle || left == 0.0) { before } else { Side::of_coordinate(left) }
+            }
+            None => before,
+        }
+    }
+
+    /// `target` where it is on `side`; just on that side of the middle where it is held there against its position.
+    pub(crate) fn on_side(&self, target: Vec3A, side: Side) -> Vec3A {
+        match self.look(target) {
+            Some((distance, [forward, left, up])) if forward < 0.0 && left * side.sign() <= 0.0 => {
+                self.point(distance, [forward, 1e-3 * side.sign(), up])
+            }
+            _ => target,
+        }
+    }
+
+    /// Whether `target` is behind, where the ranges do not reach; `before` is whether it was so far.
+    pub(crate) fn is_behind(&self, target: Vec3A, before: bool) -> bool {
+        let edge = if before { COS_STILL_BACK } else { COS_BACK };
+        self.guarded && self.look(target).is_some_and(|(_, [forward, ..])| forward < -edge)
+    }
+
+    /// `target` brought to the edge of the cone behind the character, at its own height; itself where it is not in the
+    /// cone.
+    pub(crate) fn clip(&self, target: Vec3A, side: Side) -> Vec3A {
+        match self.look(target) {
+            Some((distance, [forward, _, up])) if forward < -COS_BACK => {
+                let left = side.sign() * math::sqrt(1.0 - COS_BACK * COS_BACK - up * up);
+                self.point(distance, [-COS_BACK, left, up])
+            }
+            _ => target,
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! [`Goal`]: what a call turns to, after the weight and the policy for targets behind.
+
+use glam::Vec3A;
+
+use crate::kinematics::chain::{Chain, Ray};
+use crate::limits::motion::Motion;
+use crate::math::trig;
+use crate::rig::{ChainRig, Memory, Side};
+use crate::target::behind::Front;
+use crate::{Behind, Settings, math};
+
+/// What a call turns to, in solver space.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Goal {
+    /// The target, or the point on the arc from the animated gaze to it: what the outcome is measured against.
+    pub(crate) wanted: Vec3A,
+    /// What the joints are turned to: `wanted`, or the edge of the cone behind.
+    pub(crate) aimed: Vec3A,
+    /// What the joints do about it.
+    pub(crate) course: Course,
+    /// Whether the policy for targets behind is active.
+    pub(crate) behind: bool,
+    /// The side the target counts as being on.
+    pub(crate) side: Side,
+}
+
+/// What the joints do in a call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Course {
+    /// They turn to [`Goal::aimed`].
+    Aim,
+    /// They stay as they are, but for those outside their ranges.
+    Stay,
+    /// They return to the animation.
+    Rest,
+}
+
+impl Goal {
+    /// The goal for a target; `before` remembers where the target was seen.
+    pub(crate) fn new<const C: usize>(
+        rig: &ChainRig<'_, C>,
+        chain: &Chain<C>,
+        motions: &[Motion],
+        target: Vec3A,
+        settings: &Settings,
+        before: &Memory,
+    ) -> Self {
+        let gaze = chain.animated_gaze();
+        let front = Front::new(rig, chain, motions, gaze);
+        let side = front.side(target, before.side);
+        let weight = settings.effective_weight();
+        let wanted =
+            if weight < 1.0 { part_way(|| front, gaze, front.on_side(target, side), weight, side) } else { target };
+        let behind = settings.behind != Behind::Off && front.is_behind(wanted, before.behind);
+        let (course, aimed) = match settings.behind {
+            Behind::Hold if behind => (Course::Stay, wanted),
+            Behind::Release if behind => (Course::Rest, wanted),
+            Behind::Clip if behind => (Course::Aim, front.clip(wanted, side)),
+            _ => (Course::Aim, wanted),
+        };
+        Self { wanted, aimed, course, behind, side }
+    }
+
+    /// The same with what is aimed at this part of the way along the arc from the animated gaze.
+    pub(crate) fn part_way<const C: usize>(
+        &self,
+        rig: &ChainRig<'_, C>,
+        chain: &Chain<C>,
+        motions: &[Motion],
+        part: f32,
+    ) -> Self {
+        let gaze = chain.animated_gaze();
+        let front = || Front::new(rig, chain, motions, gaze);
+        Self { aimed: part_way(front, gaze, self.aimed, part, self.side), ..*self }
+    }
+
+    /// The goal of weight 0: the animated gaze itself.
+    pub(crate) fn animation<const C: usize>(chain: &Chain<C>, before: &Memory) -> Self {
+        let gaze = chain.animated_gaze();
+        // Far enough that no correction brings the effector near it.
+        let ahead = gaze.origin + math::direction(gaze.direction).unwrap_or(Vec3A::X) * 1e3;
+        Self { wanted: ahead, aimed: ahead, course: Course::Rest, behind: false, side: before.side }
+    }
+
+    /// The same directions further away by as much as the weight is below 1, so that two eyes converge by that much less.
+    pub(crate) fn receding<const C: usize>(self, chain: &Chain<C>, weight: f32) -> Self {
+        let origin = chain.animated_gaze().origin;
+        let further = 1.0 / weight.max(1e-3);
+        let recede = |point: Vec3A| origin + (point - origin) * further;
+        Self { wanted: recede(self.wanted), aimed: recede(self.aimed), ..self }
+    }
+}
+
+/// The point `weight` of the way along the arc about the effector from the animated gaze to the target.
+fn part_way(front: impl Fn() -> Front, gaze: Ray, target: Vec3A, weight: f32, side: Side) -> Vec3A {
+    let to_target = target - gaze.origin;
+    let (Some(from), Some(to)) = (math::direction(gaze.direction), math::direction(to_target)) else {
+        return target;
+    };
+    let angle = math::angle_between(from, to);
+    // The arc's direction at its start; opposite directions have every arc, and the remembered side picks one.
+    let square_to_gaze = |v: Vec3A| math::direction(v - from * from.dot(v));
+    let lateral = to - from * from.dot(to);
+    let start = if lateral.length() > 1e-5 {
+        square_to_gaze(lateral)
+    } else if angle < 1.0 {
+        None
+    } else {
+        let front = front();
+        square_to_gaze(front.left * side.sign()).or_else(|| square_to_gaze(front.forward))
+    };
+    let (sin, cos) = trig::sin_cos(weight * angle);
+    let toward = start.map_or(from, |start| from * cos + start * sin);
+    gaze.origin + toward * to_target.length()
+}

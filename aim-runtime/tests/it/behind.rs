@@ -1,0 +1,177 @@
+//! What becomes of a target behind: each policy, its edges, and the turn to the other side.
+#![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "frames are counted")]
+
+use crate::common::*;
+use aim_runtime::glam::{Quat, Vec3};
+use aim_runtime::{Behind, Joint, Outcome, Pose, Settings, Status};
+
+const POLICIES: [Behind; 4] = [Behind::Off, Behind::Clip, Behind::Hold, Behind::Release];
+
+/// A target so many degrees to the left of straight ahead, at the eyes' height.
+fn at(heading_deg: f32) -> Vec3 {
+    Vec3::new(-0.03, 1.68, -0.1) + Quat::from_rotation_y(heading_deg * DEG) * WORLD[0] * 3.0
+}
+
+/// One frame; no angle exceeds its rate or its range.
+fn aim(rig: &mut NumericRig, target: Vec3, policy: Behind) -> Outcome {
+    let before = rig.joints.clone();
+    let pose = Pose::new(upright(rig));
+    let outcome = rig.aim_with(&pose, target, 1.0 / 60.0, &Settings::default().with_behind(policy));
+    for ((info, old), new) in rig.infos.iter().zip(&before).zip(&rig.joints) {
+        for (range, old, new) in [(info.heading, old.heading(), new.heading()), (info.pitch, old.pitch(), new.pitch())]
+        {
+            assert!((new - old).abs() <= info.rate / 60.0 + 1e-6, "{policy:?}: {old} to {new}");
+            assert!(range.is_some_and(|[lo, hi]| (lo..=hi).contains(&new)), "{policy:?}: {new}");
+        }
+    }
+    assert!(sound(rig));
+    outcome
+}
+
+fn angles(rig: &NumericRig) -> Vec<(f32, f32)> {
+    rig.joints.iter().map(|joint| (joint.heading(), joint.pitch())).collect()
+}
+
+/// A thug that has looked at a target going from ahead to so far.
+fn following(policy: Behind, to_deg: f32) -> NumericRig {
+    let mut rig = NumericRig::thug();
+    let frames = 120;
+    for frame in 0..=frames {
+        aim(&mut rig, at(to_deg * frame as f32 / frames as f32), policy);
+    }
+    rig
+}
+
+#[test]
+fn hold_stays_as_it_is() {
+    for side in [1.0, -1.0] {
+        let mut rig = following(Behind::Hold, side * 149.0);
+        for _ in 0..60 {
+            assert_eq!(aim(&mut rig, at(side * 149.0), Behind::Hold).status, Status::AtLimit);
+        }
+        let held = angles(&rig);
+        for heading in [151.0, 170.0, 180.0, 190.0, 209.0, 219.0] {
+            assert_eq!(aim(&mut rig, at(side * heading), Behind::Hold).status, Status::Behind);
+            assert_eq!(angles(&rig), held, "{heading}");
+        }
+        // Out on the other side, 10° further than it came in, it is picked up there.
+        assert_eq!(aim(&mut rig, at(side * 221.0), Behind::Hold).status, Status::AtLimit);
+        for _ in 0..120 {
+            aim(&mut rig, at(side * 235.0), Behind::Hold);
+        }
+        assert!(rig.joints[1].heading() * side < -50.0 * DEG, "{:?}", rig.joints);
+    }
+}
+
+/// What holds still goes back into a range that moved.
+#[test]
+fn hold_recovers() {
+    let mut rig = following(Behind::Hold, 149.0);
+    rig.infos[1].heading = Some([-60.0 * DEG, 20.0 * DEG]);
+    let pose = Pose::new(upright(&rig));
+    let settings = Settings::default().with_behind(Behind::Hold);
+    let mut last = rig.joints[1].heading();
+    while last > 20.0 * DEG {
+        let outcome = rig.aim_with(&pose, at(180.0), 1.0 / 60.0, &settings);
+        let heading = rig.joints[1].heading();
+        assert_eq!(outcome.recovering.contains(1), heading > 20.0 * DEG);
+        assert!(outcome.status == Status::Behind && heading < last && last - heading <= 170.0 * DEG / 60.0 + 1e-6);
+        last = heading;
+    }
+}
+
+#[test]
+fn release_returns_to_the_animation() {
+    let mut rig = following(Behind::Release, 149.0);
+    assert!(rig.joints[1].heading() > 50.0 * DEG);
+    for _ in 0..60 {
+        assert_eq!(aim(&mut rig, at(160.0), Behind::Release).status, Status::Behind);
+    }
+    assert!(rig.corrections().all(|(_, q)| q == Quat::IDENTITY));
+    // Still behind until 10° further out than it came in.
+    assert_eq!(aim(&mut rig, at(141.0), Behind::Release).status, Status::Behind);
+    assert_eq!(angles(&rig), [(0.0, 0.0); 3]);
+    assert_eq!(aim(&mut rig, at(139.0), Behind::Release).status, Status::AtLimit);
+    assert!(rig.joints[1].heading() > 0.0);
+}
+
+/// A target that trembles at the edge switches no policy on and off.
+#[test]
+fn the_edge_has_hysteresis() {
+    for policy in [Behind::Clip, Behind::Hold, Behind::Release] {
+        let mut rig = following(policy, 149.0);
+        aim(&mut rig, at(152.0), policy);
+        let mut rng = Rng(4);
+        for _ in 0..200 {
+            assert_eq!(aim(&mut rig, at(150.0 + rng.between(-8.0, 8.0)), policy).status, Status::Behind);
+        }
+    }
+}
+
+/// Without a policy the status is that of any target out of reach, and the joints stay on their side while the target
+/// trembles behind.
+#[test]
+fn off_has_no_policy() {
+    let mut rig = following(Behind::Off, 170.0);
+    assert!(rig.joints[1].heading() > 55.0 * DEG);
+    let mut rng = Rng(4);
+    for _ in 0..200 {
+        let outcome = aim(&mut rig, at(180.0 + rng.between(-2.0, 2.0)), Behind::Off);
+        assert_eq!(outcome.status, Status::AtLimit);
+        assert!(rig.joints[1].heading() > 55.0 * DEG);
+    }
+}
+
+/// Round and round, both ways: picked up on the other side, whatever the policy, without a jump.
+#[test]
+fn orbits_are_picked_up_on_the_other_side() {
+    for policy in POLICIES {
+        for turn in [1.0, -1.0] {
+            let mut rig = NumericRig::thug();
+            let mut reached = 0;
+            let frames = 8 * 60;
+            for frame in 0..2 * frames {
+                let outcome = aim(&mut rig, at(turn * 360.0 * (frame % frames) as f32 / frames as f32), policy);
+                reached += usize::from(outcome.status == Status::Reached);
+            }
+            // Within ±115° of ahead, less what the turn round takes.
+            let within = 2 * frames * 230 / 360;
+            assert!(reached > within - 2 * 60, "{policy:?}: {reached} of {within}");
+        }
+    }
+}
+
+/// A snap obeys the policy at once and forgets that the target was behind.
+#[test]
+fn snap() {
+    let snap = |rig: &mut NumericRig, heading: f32, policy: Behind| {
+        let pose = Pose::new(upright(rig));
+        rig.snap_with(&pose, at(heading), &Settings::default().with_behind(policy)).status
+    };
+    let mut rig = following(Behind::Hold, 100.0);
+    let held = angles(&rig);
+    assert_eq!(snap(&mut rig, 170.0, Behind::Hold), Status::Behind);
+    assert_eq!(angles(&rig), held);
+    assert_eq!(snap(&mut rig, 170.0, Behind::Release), Status::Behind);
+    assert_eq!(angles(&rig), [(0.0, 0.0); 3]);
+    assert_eq!(snap(&mut rig, 145.0, Behind::Release), Status::AtLimit);
+    assert!(rig.joints[1].heading() > 50.0 * DEG);
+    assert_eq!(snap(&mut rig, 180.0, Behind::Clip), Status::Behind);
+    assert!(rig.joints[1].heading() > 50.0 * DEG);
+    rig.joints = vec![Joint::default(); 3];
+    assert_eq!(snap(&mut rig, 180.0, Behind::Off), Status::AtLimit);
+}
+
+/// A rig that can look behind has no behind.
+#[test]
+fn within_reach_nothing_is_behind() {
+    for policy in POLICIES {
+        let mut rig = NumericRig::ball(THUG);
+        let pose = Pose::new(vec![bone(&THUG, Quat::IDENTITY, Vec3::ZERO)]);
+        let settings = Settings::default().with_behind(policy);
+        for _ in 0..60 {
+            rig.aim_with(&pose, -WORLD[0] + 0.01 * WORLD[2], 1.0 / 60.0, &settings);
+        }
+        assert!(rig.joints[0].heading() > 178.0 * DEG);
+    }
+}

@@ -1,0 +1,9 @@
+//! The solvers beside the aim solvers, judged by forward kinematics in f64.
+
+mod aim_poses;
+mod ccd;
+mod conventions;
+mod look_at;
+mod one_bone;
+mod poses;
+mod two_bone_cases;

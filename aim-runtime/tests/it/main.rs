@@ -1,0 +1,23 @@
+//! The solvers through their public interface; `common` holds the rigs, poses and truths they are judged by.
+
+mod alone;
+mod behind;
+mod check;
+mod common;
+mod conventions;
+mod degenerate;
+mod eyes;
+mod fixed;
+mod ik;
+mod natural;
+mod oracle;
+mod peers;
+mod properties;
+mod ranges;
+mod reach;
+mod sequences;
+mod snap;
+mod specialised;
+mod targets;
+mod traps;
+mod two_bone;

@@ -1,0 +1,533 @@
+//! The natural gaze: the eye leads and holds, neck and spine follow by their share with their inertia.
+#![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "frames are counted")]
+
+use crate::common::*;
+use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
+use aim_runtime::{Behind, GazeSharing, Joint, JointInfo, Outcome, Pose, Role, Settings, Solver, Status};
+
+const FRAME_RATES: [f32; 3] = [30.0, 60.0, 144.0];
+const EYE: Vec3 = Vec3::new(-0.03, 1.68, -0.10);
+
+/// The thug, whose joints know what they are: so the natural solver is its default.
+fn thug() -> NumericRig {
+    let mut rig = NumericRig::thug();
+    for (info, role) in rig.infos.iter_mut().zip([Role::Eye, Role::Neck, Role::Chest]) {
+        // The independent forward kinematics knows no levels; they are judged on their own.
+        *info = info.with_role(role).with_upright(0.0);
+    }
+    rig
+}
+
+/// What the roles make of an acceleration that is not declared.
+const ACCELERATIONS: [f32; 2] = [1200.0 * DEG, 500.0 * DEG];
+
+/// A target at 3 m, so many degrees to the left and up of straight ahead.
+fn at(heading_deg: f32, pitch_deg: f32) -> Vec3 {
+    EYE + Quat::from_rotation_y(heading_deg * DEG) * Quat::from_rotation_x(pitch_deg * DEG) * WORLD[0] * 3.0
+}
+
+fn angles(joint: &Joint) -> [f32; 2] {
+    [joint.heading(), joint.pitch()]
+}
+
+/// How far a joint is turned, degrees.
+fn turned(joint: &Joint) -> f32 {
+    joint.heading().hypot(joint.pitch()) / DEG
+}
+
+/// One frame: ranges and rates hold, corrections are sound, the outcome is true.
+fn aim(rig: &mut NumericRig, pose: &[Affine3A], target: Vec3, dt: f32, settings: &Settings) -> Outcome {
+    let before = rig.joints.clone();
+    let outcome = rig.aim_with(&Pose::new(pose.to_vec()), target, dt, settings);
+    for ((info, old), new) in rig.infos.iter().zip(&before).zip(&rig.joints) {
+        let ranges = [info.heading, info.pitch].map(|range| range.unwrap_or_default());
+        for ((range, old), new) in ranges.into_iter().zip(angles(old)).zip(angles(new)) {
+            assert!((new - old).abs() <= info.rate * dt + 1e-6, "{old} to {new}");
+            assert!((range[0]..=range[1]).contains(&new), "{new} in {range:?}");
+        }
+    }
+    assert!(sound(rig));
+    if settings.weight == 1.0 && outcome.status == Status::Reached {
+        assert!(remaining64(rig, pose, 0, target) <= f64::from(settings.tolerance) + 1e-6);
+    }
+    outcome
+}
+
+/// Watches that no supporting joint changes its speed by more than its acceleration allows.
+struct Jerk {
+    before: Vec<[f32; 2]>,
+    velocities: Vec<[f32; 2]>,
+}
+
+impl Jerk {
+    fn new(rig: &NumericRig) -> Self {
+        Self { before: rig.joints.iter().map(angles).collect(), velocities: vec![[0.0; 2]; rig.joints.len()] }
+    }
+
+    fn watch(&mut self, rig: &NumericRig, dt: f32) {
+        for (index, acceleration) in [1, 2].into_iter().zip(ACCELERATIONS) {
+            let now = angles(&rig.joints[index]);
+            let velocity = [0, 1].map(|k| (now[k] - self.before[index][k]) / dt);
+            for (new, old) in velocity.into_iter().zip(self.velocities[index]) {
+                // What is left of an angle's digits after two differences.
+                let rounding = 2e-7 / dt;
+                assert!((new - old).abs() <= 1.002 * acceleration * dt + rounding, "joint {index}: {old} to {new}");
+            }
+            (self.before[index], self.velocities[index]) = (now, velocity);
+        }
+    }
+}
+
+/// A still target: when the gaze arrived, and by the frame: the eye's and the neck's turn and what remains, degrees.
+fn step(rig: &mut NumericRig, target: Vec3, hz: f32, settings: &Settings) -> (Option<usize>, Vec<[f32; 3]>) {
+    let pose = upright(rig);
+    let mut jerk = Jerk::new(rig);
+    let mut frames = Vec::new();
+    for _ in 0..(1.5 * hz) as usize {
+        aim(rig, &pose, target, 1.0 / hz, settings);
+        jerk.watch(rig, 1.0 / hz);
+        let remaining = (remaining64(rig, &pose, 0, target) as f32) / DEG;
+        frames.push([turned(&rig.joints[0]), turned(&rig.joints[1]), remaining]);
+    }
+    (frames.iter().position(|frame| frame[2] < 0.1), frames)
+}
+
+/// When a turn first comes to a degree, seconds.
+fn begins(turns: impl Iterator<Item = f32>, hz: f32) -> f32 {
+    let mut before = 0.0;
+    for (frame, now) in turns.enumerate() {
+        if now >= 1.0 {
+            return (frame as f32 + (1.0 - before) / (now - before)) / hz;
+        }
+        before = now;
+    }
+    f32::INFINITY
+}
+
+#[test]
+fn the_eye_leads_and_returns() {
+    for hz in FRAME_RATES {
+        for (degrees, most_ms) in [(10.0_f32, 40.0), (30.0, 80.0), (60.0, 220.0)] {
+            for side in [1.0, -1.0] {
+                let case = format!("{degrees}°, {hz} Hz");
+                let mut rig = thug();
+                let (arrival, frames) = step(&mut rig, at(side * degrees, 0.0), hz, &Settings::default());
+                let arrival = arrival.expect("a gaze that arrives");
+                assert!((arrival + 1) as f32 / hz * 1e3 <= most_ms, "{case}: frame {arrival}");
+                let [eye, neck, _] = frames[frames.len() - 1];
+                for [_, turned, remaining] in &frames[arrival..] {
+                    assert!(*remaining < 0.1, "{case}: {remaining}");
+                    assert!(*turned <= neck + 0.5, "{case}: overshoot to {turned} of {neck}");
+                }
+                if degrees < 20.0 {
+                    assert!(frames.iter().all(|frame| frame[1] < 1.0), "{case}: a glance is the eyes'");
+                    continue;
+                }
+                let lag_s =
+                    begins(frames.iter().map(|frame| frame[1]), hz) - begins(frames.iter().map(|frame| frame[0]), hz);
+                assert!((0.02..=0.06).contains(&lag_s), "{case}: the neck is {lag_s} s later");
+                let most = frames.iter().fold(0.0_f32, |most, frame| most.max(frame[0]));
+                assert!(most > eye + 5.0 && eye <= 25.0, "{case}: the eye ends at {eye} after {most}");
+                assert!(neck > frames[arrival][1] + 3.0, "{case}: the neck goes on");
+            }
+        }
+    }
+}
+
+/// The same places at the same times, whatever the frame rate.
+#[test]
+fn at_any_frame_rate() {
+    let necks = |hz: f32| {
+        let frames = step(&mut thug(), at(60.0, 10.0), hz, &Settings::default()).1;
+        [0.1, 0.2, 0.3, 0.4].map(|t| frames[(t * hz).round() as usize - 1][1])
+    };
+    let [slow, quick] = [necks(30.0), necks(120.0)];
+    for (slow, quick) in slow.into_iter().zip(quick) {
+        assert!((slow - quick).abs() < 0.3, "{slow} and {quick}");
+    }
+}
+
+#[test]
+fn an_oblique_gaze_keeps_to_its_arc() {
+    for (heading, pitch) in [(45.0, 20.0), (-30.0, 30.0), (25.0, -35.0), (50.0, -30.0)] {
+        for hz in FRAME_RATES {
+            let mut rig = thug();
+            let (pose, target) = (upright(&rig), at(heading, pitch));
+            let ahead = gaze64(&rig, &pose, 0).1.map(|x| x as f32);
+            let normal = Vec3::from(ahead).cross(target - EYE).normalize();
+            for _ in 0..(0.6 * hz) as usize {
+                aim(&mut rig, &pose, target, 1.0 / hz, &Settings::default());
+                let gaze = Vec3::from(gaze64(&rig, &pose, 0).1.map(|x| x as f32));
+                let off = gaze.dot(normal).asin() / DEG;
+                assert!(off.abs() < 3.0, "{heading}°, {pitch}°, {hz} Hz: {off}");
+            }
+        }
+    }
+}
+
+/// Once on the target the gaze stays there, wherever the target goes and whatever the body does.
+#[test]
+fn it_follows() {
+    let mut rng = Rng(5);
+    for hz in FRAME_RATES {
+        let mut rig = thug();
+        let swings: Vec<(Vec3, f32)> = (0..3).map(|_| (rng.direction(), rng.between(2.0, 5.0))).collect();
+        for frame in 0..(6.0 * hz) as usize {
+            let t = frame as f32 / hz;
+            let mut pose = upright(&rig);
+            for (joint, (axis, speed)) in pose.iter_mut().zip(&swings) {
+                joint.matrix3 =
+                    Mat3A::from_quat(Quat::from_axis_angle(*axis, 0.08 * (speed * t).sin())) * joint.matrix3;
+            }
+            let outcome =
+                aim(&mut rig, &pose, at(50.0 * (1.3 * t).sin(), 10.0 * t.cos()), 1.0 / hz, &Settings::default());
+            assert!(t < 0.5 || outcome.status == Status::Reached, "{t} s: {outcome:?}");
+        }
+    }
+}
+
+/// Attention turns the head fully to the target; the eye never leaves it meanwhile.
+#[test]
+fn attention_turns_the_head() {
+    let mut rig = thug();
+    let (pose, target) = (upright(&rig), at(40.0, 10.0));
+    rig.snap(&Pose::new(pose.clone()), target);
+    let glancing = turned(&rig.joints[0]);
+    assert!(glancing > 15.0);
+    let mut jerk = Jerk::new(&rig);
+    for frame in 0..180 {
+        let settings = Settings::default().with_attention(frame as f32 / 60.0);
+        let outcome = aim(&mut rig, &pose, target, 1.0 / 60.0, &settings);
+        jerk.watch(&rig, 1.0 / 60.0);
+        assert!(outcome.status == Status::Reached && outcome.remaining < 0.01 * DEG, "{frame}: {outcome:?}");
+    }
+    assert!(turned(&rig.joints[0]) < 0.5, "{}", turned(&rig.joints[0]));
+    // And back, as if nothing had been; NaN is none.
+    for _ in 0..180 {
+        let outcome = aim(&mut rig, &pose, target, 1.0 / 60.0, &Settings::default().with_attention(f32::NAN));
+        assert!(outcome.remaining < 0.01 * DEG);
+    }
+    assert!((turned(&rig.joints[0]) - glancing).abs() < 0.1);
+}
+
+/// Targets that leap anywhere, weights and attentions that jump: speeds change by acceleration alone.
+#[test]
+fn nothing_jerks() {
+    let mut rng = Rng(8);
+    for hz in FRAME_RATES {
+        let mut rig = thug();
+        let pose = upright(&rig);
+        let mut jerk = Jerk::new(&rig);
+        let (mut target, mut settings) = (at(0.0, 0.0), Settings::default());
+        for frame in 0..3000 {
+            if frame % 20 == 0 {
+                target = EYE + rng.direction() * rng.between(0.3, 5.0);
+                settings = settings.with_weight(rng.between(-0.5, 1.5)).with_attention(rng.between(-0.5, 1.5));
+                settings.behind = [Behind::Off, Behind::Clip, Behind::Hold, Behind::Release][rng.below(4)];
+            }
+            aim(&mut rig, &pose, target, 1.0 / hz, &settings);
+            jerk.watch(&rig, 1.0 / hz);
+        }
+    }
+}
+
+/// At weight 0 the joints come to the exact identity; the gaze gets there first, and nothing jerks.
+#[test]
+fn weight_out_and_in() {
+    let mut rig = thug();
+    let (pose, target) = (upright(&rig), at(55.0, -10.0));
+    rig.snap(&Pose::new(pose.clone()), target);
+    let mut jerk = Jerk::new(&rig);
+    let animated = ahead(&thug(), &pose, 0, 1e6);
+    for frame in 0..120 {
+        let outcome = aim(&mut rig, &pose, target, 1.0 / 60.0, &Settings::default().with_weight(0.0));
+        jerk.watch(&rig, 1.0 / 60.0);
+        let off = remaining64(&rig, &pose, 0, animated) as f32 / DEG;
+        assert!(frame < 20 || (off < 0.1 && outcome.status == Status::Reached), "{frame}: {off}");
+    }
+    assert_eq!(rig.joints.iter().map(turned).fold(0.0, f32::max), 0.0);
+    assert!(rig.corrections().all(|(_, q)| q == Quat::IDENTITY));
+    for frame in 0..120 {
+        aim(&mut rig, &pose, target, 1.0 / 60.0, &Settings::default().with_weight(frame as f32 / 60.0));
+        jerk.watch(&rig, 1.0 / 60.0);
+    }
+    assert!(remaining64(&rig, &pose, 0, target) < 1e-4);
+}
+
+/// An orbiting target is picked up on the other side, whichever way it goes and whatever becomes of it behind.
+#[test]
+fn orbits() {
+    for policy in [Behind::Off, Behind::Clip, Behind::Hold, Behind::Release] {
+        for turn_s in [6.0, -6.0, 15.0, -15.0_f32] {
+            let mut rig = thug();
+            let pose = upright(&rig);
+            let mut jerk = Jerk::new(&rig);
+            for frame in 0..(120.0 * turn_s.abs()) as usize {
+                let heading = 360.0 * (frame as f32 / 60.0 / turn_s);
+                let settings = Settings::default().with_behind(policy);
+                let outcome = aim(&mut rig, &pose, at(heading, 0.0), 1.0 / 60.0, &settings);
+                jerk.watch(&rig, 1.0 / 60.0);
+                let off_front = (heading.abs() % 360.0 - 180.0).abs();
+                if off_front > 120.0 && frame > 30 {
+                    assert_eq!(outcome.status, Status::Reached, "{policy:?}, {turn_s} s, {heading}°: {outcome:?}");
+                }
+                assert!(off_front > 60.0 || outcome.status != Status::Reached);
+            }
+        }
+    }
+}
+
+/// Out of reach the gaze comes as near as the exact solver's, and says so.
+#[test]
+fn out_of_reach() {
+    let mut rng = Rng(3);
+    let mut judged = 0;
+    for _ in 0..60 {
+        let target = EYE + rng.direction() * 2.0;
+        let [natural, exact] = [Solver::Natural, Solver::Exact].map(|solver| {
+            let mut rig = thug();
+            let pose = upright(&rig);
+            let settings = Settings::default().with_solver(solver).with_behind(Behind::Off);
+            let mut outcome = aim(&mut rig, &pose, target, 1.0 / 60.0, &settings);
+            for _ in 0..180 {
+                outcome = aim(&mut rig, &pose, target, 1.0 / 60.0, &settings);
+            }
+            outcome
+        });
+        assert_eq!(natural.status == Status::Reached, exact.status == Status::Reached, "{natural:?}, {exact:?}");
+        if exact.status == Status::AtLimit {
+            judged += 1;
+            assert_eq!(natural.status, Status::AtLimit);
+            assert!(natural.remaining <= exact.remaining + 0.1 * DEG, "{natural:?}, {exact:?}");
+        }
+    }
+    assert!(judged > 10);
+}
+
+/// A snap is where the gaze would come to rest, and stays there.
+#[test]
+fn snap_is_the_end_of_the_way() {
+    let mut rng = Rng(11);
+    for _ in 0..100 {
+        let target = at(rng.between(-70.0, 70.0), rng.between(-30.0, 30.0));
+        let mut rig = thug();
+        let pose = animated(&rig, &mut rng, 0.1);
+        let mut slow = rig.clone();
+        let outcome = rig.snap(&Pose::new(pose.clone()), target);
+        assert_eq!(outcome.status, Status::Reached);
+        let snapped = rig.joints.clone();
+        for _ in 0..180 {
+            aim(&mut slow, &pose, target, 1.0 / 60.0, &Settings::default());
+            let outcome = aim(&mut rig, &pose, target, 1.0 / 60.0, &Settings::default());
+            assert_eq!(outcome.status, Status::Reached);
+        }
+        for ((snapped, stayed), came) in snapped.iter().zip(&rig.joints).zip(&slow.joints) {
+            for ((a, b), c) in angles(snapped).into_iter().zip(angles(stayed)).zip(angles(came)) {
+                assert!((a - b).abs() < 0.1 * DEG && (a - c).abs() < 0.2 * DEG, "{a}, {b}, {c}");
+            }
+        }
+    }
+}
+
+/// Supporting joints set out above one angle, and rest again below another.
+#[test]
+fn engagement_has_two_thresholds() {
+    let natural = GazeSharing::default().with_eyes_only(5.0 * DEG).with_engagement(15.0 * DEG, 6.0 * DEG);
+    let settings = Settings::default().with_sharing(natural);
+    let mut rig = thug();
+    let pose = upright(&rig);
+    let mut neck_at = |heading: f32| {
+        for _ in 0..90 {
+            aim(&mut rig, &pose, at(heading, 0.0), 1.0 / 60.0, &settings);
+        }
+        turned(&rig.joints[1])
+    };
+    // It has to be found out first where they belong.
+    assert_eq!(neck_at(0.0), 0.0);
+    assert_eq!(neck_at(12.0), 0.0);
+    let there = neck_at(20.0);
+    assert!(there > 8.0);
+    let back = neck_at(16.0);
+    assert!(back > 5.0 && back < there - 2.0, "still following: {back}");
+    let little = neck_at(9.0);
+    assert!(little > 1.0 && little < back, "{little}");
+    // The eye is near its middle now, so they rest where they are.
+    let resting = neck_at(13.0);
+    assert!((resting - little).abs() < 0.1, "{resting} is not {little}");
+}
+
+#[test]
+fn a_delay_is_the_heads_alone() {
+    let delayed = Settings::default().with_sharing(GazeSharing::default().with_delay(0.1));
+    let lag_s = |settings: &Settings| {
+        let frames = step(&mut thug(), at(50.0, 0.0), 60.0, settings).1;
+        assert!(frames[1][0] > 10.0, "the eye does not wait");
+        begins(frames.iter().map(|frame| frame[1]), 60.0)
+    };
+    let more = lag_s(&delayed) - lag_s(&Settings::default());
+    assert!((0.09..0.13).contains(&more), "{more}");
+}
+
+/// What a rig declares of its accelerations counts, and what it says about its natural gaze.
+#[test]
+fn accelerations_are_declared() {
+    let reach_s = |acceleration: f32| {
+        let mut rig = thug();
+        for info in &mut rig.infos[1..] {
+            *info = info.with_acceleration(acceleration * DEG);
+        }
+        let pose = upright(&rig);
+        (0..600).find(|_| {
+            aim(&mut rig, &pose, at(60.0, 0.0), 1.0 / 60.0, &Settings::default());
+            turned(&rig.joints[1]) > 10.0
+        })
+    };
+    let [quick, slow] = [4000.0, 200.0].map(|acceleration| reach_s(acceleration).unwrap());
+    assert!(quick < 8 && slow > 15, "{quick}, {slow}");
+}
+
+/// Whatever was declared: hinges, an effector that is not the eye's own, a leaning neck, a stretched pose, a free base.
+#[test]
+fn any_rig() {
+    let eye = JointInfo::new(THUG, 450.0 * DEG).with_heading(-35.0 * DEG, 35.0 * DEG).with_role(Role::Eye);
+    let yaw = JointInfo::new(THUG, 170.0 * DEG).with_heading(-60.0 * DEG, 60.0 * DEG);
+    let nod = JointInfo::new(THUG, 120.0 * DEG).with_pitch(-40.0 * DEG, 40.0 * DEG);
+    let turret = JointInfo::new(THUG, 120.0 * DEG).with_heading(f32::NEG_INFINITY, f32::INFINITY);
+    let hinged = NumericRig::new(vec![eye, yaw, nod]);
+    let mut offset = thug();
+    offset.effector.origin = [0.01, 0.02, -0.01];
+    offset.effector.forward = Vec3::new(0.1, 1.0, -0.1).normalize().into();
+    let mut turning = thug();
+    turning.infos[2] = turret;
+    let mut leaning = thug();
+    leaning.infos[..2].iter_mut().for_each(|info| *info = info.with_upright(1.0));
+    let stretch = Affine3A::from_scale(Vec3::new(1.0, 1.3, 0.9));
+    let rigs = [("hinged", hinged), ("offset", offset), ("turning", turning), ("leaning", leaning), ("plain", thug())];
+    for (name, rig) in rigs {
+        for stretched in [false, true] {
+            for (heading, pitch) in [(5.0, 0.0), (-30.0, 0.0), (50.0, 15.0), (-65.0, -10.0)] {
+                let mut rig = rig.clone();
+                let mut rng = Rng(2);
+                let mut pose = animated(&rig, &mut rng, 0.1);
+                let mut target = at(heading, pitch);
+                if stretched {
+                    pose.iter_mut().for_each(|joint| *joint = stretch * *joint);
+                    target = stretch.transform_point3(target);
+                }
+                let mut outcome = rig.aim(&Pose::new(pose.clone()), target, 1.0 / 60.0);
+                for _ in 0..180 {
+                    outcome = rig.aim(&Pose::new(pose.clone()), target, 1.0 / 60.0);
+                }
+                let case = format!("{name}, stretched {stretched}, {heading}°: {outcome:?}");
+                assert_eq!(outcome.status, Status::Reached, "{case}");
+                assert!(name == "leaning" || remaining64(&rig, &pose, 0, target) < 2e-3, "{case}");
+            }
+        }
+    }
+}
+
+/// A change of the solver on the way: no supporting joint keeps a speed that it no longer has.
+#[test]
+fn other_solvers_leave_no_speed_behind() {
+    let mut rig = thug();
+    let pose = upright(&rig);
+    for _ in 0..8 {
+        aim(&mut rig, &pose, at(60.0, 0.0), 1.0 / 60.0, &Settings::default());
+    }
+    let exact = Settings::default().with_solver(Solver::Exact);
+    for _ in 0..120 {
+        aim(&mut rig, &pose, at(60.0, 0.0), 1.0 / 60.0, &exact);
+    }
+    let mut jerk = Jerk::new(&rig);
+    for _ in 0..120 {
+        let outcome = aim(&mut rig, &pose, at(60.0, 0.0), 1.0 / 60.0, &Settings::default());
+        jerk.watch(&rig, 1.0 / 60.0);
+        assert_eq!(outcome.status, Status::Reached);
+    }
+}
+
+/// Nothing to coordinate: a joint alone, or one further in that is aimed, moves as the exact solver has it.
+#[test]
+fn alone_it_is_the_exact_solver() {
+    for effector in [0, 1, 2] {
+        let mut rigs = [Solver::Natural, Solver::Exact].map(|solver| (thug(), Settings::default().with_solver(solver)));
+        for frame in 0..60 {
+            for (rig, settings) in &mut rigs {
+                if effector == 0 {
+                    rig.infos.truncate(1);
+                    rig.joints.truncate(1);
+                }
+                let pose = upright(rig);
+                let settings = settings.with_effector(effector);
+                rig.aim_with(&Pose::new(pose), at(frame as f32, 5.0), 1.0 / 60.0, &settings);
+            }
+            assert_eq!(rigs[0].0.joints, rigs[1].0.joints);
+        }
+    }
+}
+
+/// Two eyes converge while the head follows them, and come to rest together.
+#[test]
+fn both_eyes() {
+    let mut rig = thug();
+    let joints = upright(&rig);
+    let mut other = joints[0];
+    other.translation.x = 0.03;
+    let pose = Pose::new(joints.clone()).with_other_eye(other);
+    let target = Vec3::new(0.0, 1.68, -0.10) + Quat::from_rotation_y(50.0 * DEG) * WORLD[0] * 0.5;
+    let mut arrived = None;
+    let mut jerk = Jerk::new(&rig);
+    for frame in 0..120 {
+        let outcome = rig.aim(&pose, target, 1.0 / 60.0);
+        jerk.watch(&rig, 1.0 / 60.0);
+        let left = remaining64(&rig, &joints, 0, target).max(off64(pair_gaze64(&rig, &joints, &other), target));
+        if arrived.is_none() && outcome.status == Status::Reached {
+            arrived = Some(frame);
+        }
+        assert!(arrived.is_none() || left < 2e-3, "{frame}: {left}");
+    }
+    assert!(arrived.is_some_and(|frame| frame < 18), "{arrived:?}");
+    assert!(turned(&rig.joints[1]) > 10.0);
+    for _ in 0..120 {
+        rig.aim_with(&pose, target, 1.0 / 60.0, &Settings::default().with_weight(0.0));
+        jerk.watch(&rig, 1.0 / 60.0);
+    }
+    assert!(rig.corrections().all(|(_, q)| q == Quat::IDENTITY));
+    assert_eq!(rig.other_eye_correction(), Some(Quat::IDENTITY));
+}
+
+/// No bits of any setting, pose, target or declaration do harm.
+#[test]
+fn any_bits() {
+    let mut rng = Rng(77);
+    for _ in 0..3000 {
+        let mut rig = thug();
+        for info in &mut rig.infos {
+            if rng.below(3) == 0 {
+                info.acceleration = rng.any();
+                info.rate = rng.any();
+                info.stiffness = rng.any();
+                info.heading = Some([rng.any(), rng.any()]);
+            }
+        }
+        let mut pose = upright(&rig);
+        for _ in 0..6 {
+            if rng.below(4) == 0 {
+                pose[rng.below(3)].translation = Vec3::new(rng.any(), rng.any(), rng.any()).into();
+            }
+            let mut natural = GazeSharing::default().with_eyes_only(rng.any()).with_head_share(rng.any());
+            natural = natural.with_engagement(rng.any(), rng.any()).with_delay(rng.any());
+            let settings = Settings::default().with_sharing(natural).with_attention(rng.any()).with_weight(rng.any());
+            let target =
+                if rng.below(2) == 0 { Vec3::new(rng.any(), rng.any(), rng.any()) } else { EYE + rng.direction() };
+            let dt = if rng.below(3) == 0 { rng.any() } else { 1.0 / 60.0 };
+            let pose = Pose::new(pose.clone());
+            let outcome = match rng.below(8) {
+                0 => rig.snap_with(&pose, target, &settings),
+                _ => rig.aim_with(&pose, target, dt, &settings),
+            };
+            assert!(sound(&rig) && outcome.remaining.is_finite() && outcome.aim.is_finite());
+            assert!(rig.joints.iter().flat_map(angles).all(f32::is_finite));
+        }
+    }
+}

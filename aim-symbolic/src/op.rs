@@ -1,0 +1,107 @@
+//! Operations on numbers: what programs consist of, and what expressions are lowered to.
+
+use crate::node::{Constant, Function, Scalar, ScalarNode};
+
+/// The result of an operation of a [`Program`](crate::Program): its place in the list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Value(pub(crate) u32);
+
+impl Value {
+    pub(crate) fn at(place: usize) -> Self {
+        Self(u32::try_from(place).expect("four billion operations do not fit in memory"))
+    }
+
+    /// The place in [`Program::ops`](crate::Program::ops).
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// An operation on operands of one type: earlier values of a program, scalars of a graph, numbers, pieces of text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Op<V = Value> {
+    /// The input with this index.
+    Input(u32),
+    /// A number.
+    Constant(Constant),
+    /// The smallest length that is divided by.
+    Tiny,
+    /// a + b
+    Add(V, V),
+    /// a − b
+    Sub(V, V),
+    /// a b
+    Mul(V, V),
+    /// a / b
+    Div(V, V),
+    /// −a
+    Neg(V),
+    /// √a
+    Sqrt(V),
+    /// The third where the first is below the second, else the fourth.
+    SelectLess(V, V, V, V),
+    /// A function of a.
+    Call(Function, V),
+    /// The angle of the point (second, first) from the first axis.
+    Atan2(V, V),
+}
+
+impl<V> Op<V> {
+    /// Whether it computes something: inputs and constants are at hand, and a negation is free.
+    pub(crate) fn is_step(&self) -> bool {
+        !matches!(self, Self::Input(_) | Self::Constant(_) | Self::Tiny | Self::Neg(_))
+    }
+
+    /// Whether it is written with an operator between its operands.
+    pub(crate) fn is_arithmetic(&self) -> bool {
+        matches!(self, Self::Add(..) | Self::Sub(..) | Self::Mul(..) | Self::Div(..))
+    }
+
+    /// The same operation with its operands exchanged, the first one first.
+    pub fn map<W>(self, mut exchange: impl FnMut(V) -> W) -> Op<W> {
+        match self {
+            Self::Input(i) => Op::Input(i),
+            Self::Constant(c) => Op::Constant(c),
+            Self::Tiny => Op::Tiny,
+            Self::Add(a, b) => Op::Add(exchange(a), exchange(b)),
+            Self::Sub(a, b) => Op::Sub(exchange(a), exchange(b)),
+            Self::Mul(a, b) => Op::Mul(exchange(a), exchange(b)),
+            Self::Div(a, b) => Op::Div(exchange(a), exchange(b)),
+            Self::Neg(a) => Op::Neg(exchange(a)),
+            Self::Sqrt(a) => Op::Sqrt(exchange(a)),
+            Self::SelectLess(a, b, c, d) => Op::SelectLess(exchange(a), exchange(b), exchange(c), exchange(d)),
+            Self::Call(function, a) => Op::Call(function, exchange(a)),
+            Self::Atan2(y, x) => Op::Atan2(exchange(y), exchange(x)),
+        }
+    }
+
+    /// The operands.
+    pub fn operands(self) -> impl Iterator<Item = V> {
+        let mut operands = [None, None, None, None];
+        let mut free = operands.iter_mut();
+        self.map(|v| free.next().map(|place| *place = Some(v)));
+        operands.into_iter().flatten()
+    }
+}
+
+impl ScalarNode {
+    /// The operation that the node is; `None` for what has to be lowered first: guarded reciprocals and what is made of
+    /// vectors.
+    pub(crate) fn op(self) -> Option<Op<Scalar>> {
+        Some(match self {
+            Self::Constant(c) => Op::Constant(c),
+            Self::Input(i) => Op::Input(i),
+            Self::Tiny => Op::Tiny,
+            Self::Add(a, b) => Op::Add(a, b),
+            Self::Sub(a, b) => Op::Sub(a, b),
+            Self::Mul(a, b) => Op::Mul(a, b),
+            Self::Div(a, b) => Op::Div(a, b),
+            Self::Neg(a) => Op::Neg(a),
+            Self::Sqrt(a) => Op::Sqrt(a),
+            Self::SelectLess(a, b, c, d) => Op::SelectLess(a, b, c, d),
+            Self::Call(function, a) => Op::Call(function, a),
+            Self::Atan2(y, x) => Op::Atan2(y, x),
+            Self::Reciprocal(_) | Self::Dot(..) | Self::Norm(_) | Self::Component(..) => return None,
+        })
+    }
+}

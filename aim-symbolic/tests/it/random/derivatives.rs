@@ -1,0 +1,153 @@
+//! Whole derivations: values, first and second derivatives by the program are those by dual numbers.
+
+use std::cell::Cell;
+
+use aim_symbolic::rules::{ARITHMETIC, Rule};
+use aim_symbolic::{Bindings, Graph, InputKind, Program, Variable, Want};
+use fastrand::Rng;
+
+use super::bounded::Bounded;
+use super::dual::{Dual, Oracle};
+use super::evaluate::Evaluation;
+use super::field::Field;
+use super::judge::{Tally, Verdict, anywhere, for_each, regular, same, single_rules};
+use super::material::moving;
+use super::recipe::{Recipe, Stated};
+
+/// Random questions: values, their derivatives by one to three variables, or second derivatives.
+pub(crate) fn wanted(stated: &Stated, random: &mut Rng) -> Vec<Want> {
+    let mut variables = stated.pools.variables.clone();
+    random.shuffle(&mut variables);
+    // Most statements depend on angles.
+    if random.bool() {
+        variables.sort_by_key(|v| matches!(v, Variable::Input(_)));
+    }
+    variables.truncate(random.usize(1..=3));
+    let mut wanted: Vec<Want> = stated.outputs.iter().map(|&s| Want::Value(s)).collect();
+    for &s in &stated.outputs {
+        wanted.extend(variables.iter().map(|&x| Want::Derivative(s, x)));
+    }
+    if random.u8(..3) == 0 {
+        let s = stated.outputs[0];
+        wanted.extend(variables.iter().map(|&y| Want::Second(s, variables[0], y)));
+    }
+    wanted
+}
+
+/// What dual numbers say; `None` for second derivatives of what counts as a constant but is none.
+fn expected<T: Oracle>(stated: &Stated, inputs: &[T], want: Want) -> Option<T> {
+    let g = &stated.pools.g;
+    match want {
+        Want::Value(s) => Some(Evaluation::new(inputs.to_vec()).scalar(g, s)),
+        Want::Derivative(s, x) => Some(Evaluation::new(moving(g, inputs, x)).scalar(g, s).slope),
+        Want::Second(s, x, y) => {
+            let mut evaluation: Evaluation<Dual<Dual<T>>> = Evaluation::new(moving(g, &moving(g, inputs, x), y));
+            let value = evaluation.scalar(g, s);
+            (!evaluation.frozen).then_some(value.slope.slope)
+        }
+    }
+}
+
+/// That the program gives what dual numbers say.
+fn agree(stated: &Stated, inputs: &[Field], wanted: &[Want], program: &Program, what: &str) -> Verdict {
+    let mut results = vec![Field::ZERO; wanted.len()];
+    program.run(inputs, &mut results);
+    for (&want, result) in wanted.iter().zip(results) {
+        if let Some(value) = expected(stated, inputs, want) {
+            same(value, result, &format!("{what}: {want:?}"))?;
+        }
+    }
+    Ok(())
+}
+
+fn derived(
+    recipe: &Recipe,
+    tally: &Tally,
+    judge: impl Fn(&mut Stated, &[Field], &[Want], &mut Rng) -> Verdict,
+) -> Verdict {
+    let mut stated = recipe.build();
+    let Some(regular) = regular(&stated, recipe.seed) else { return tally.discard() };
+    let mut random = Rng::with_seed(recipe.seed);
+    let wanted = wanted(&stated, &mut random);
+    tally.judge();
+    judge(&mut stated, regular.evaluation.inputs(), &wanted, &mut random)
+}
+
+#[test]
+fn derived_programs_agree_with_dual_numbers() {
+    let tally = Tally::default();
+    for_each(30_000, 8, |recipe| {
+        derived(recipe, &tally, |stated, inputs, wanted, _| {
+            let program = Program::derive_wanted(&stated.pools.g, wanted);
+            agree(stated, inputs, wanted, &program, "derived")
+        })
+    });
+    tally.assert_few_discards();
+}
+
+#[test]
+fn programs_derived_without_some_rules_agree_too() {
+    let all: Vec<Rule> = single_rules().iter().map(|(_, rule, _)| *rule).chain(ARITHMETIC).collect();
+    let (tally, turn) = (Tally::default(), Cell::new(0));
+    for_each(30_000, 8, |recipe| {
+        derived(recipe, &tally, |stated, inputs, wanted, random| {
+            // Every rule alone in turn, and sometimes others with it.
+            let mut without = vec![all[turn.replace(turn.get() + 1) % all.len()]];
+            if random.u8(..4) == 0 {
+                without.extend((0..4).map(|_| all[random.usize(..all.len())]));
+            }
+            let program = Program::derive_without(&stated.pools.g, wanted, &without);
+            agree(stated, inputs, wanted, &program, &format!("without {without:?}"))
+        })
+    });
+    tally.assert_few_discards();
+}
+
+/// The point as the library's evaluation takes it.
+fn bindings(g: &Graph, inputs: &[Bounded]) -> Bindings {
+    let given = g.inputs().iter().zip(inputs).filter(|((_, kind), _)| *kind == InputKind::Given);
+    let given: Vec<f64> = given.map(|(_, x)| x.value).collect();
+    let mut inputs = g.inputs().iter().zip(inputs);
+    let mut angles = Vec::new();
+    while let Some(((_, kind), sin)) = inputs.next() {
+        if let (InputKind::Sin(angle), Some((_, cos))) = (*kind, inputs.clone().next()) {
+            angles.push((angle, sin.value.atan2(cos.value)));
+        }
+    }
+    Bindings::new(g, &given, &angles)
+}
+
+#[test]
+fn derived_programs_agree_with_dual_numbers_within_rounding() {
+    let tally = Tally::default();
+    for_each(20_000, 8, |recipe| {
+        let stated = recipe.build();
+        let mut random = Rng::with_seed(recipe.seed);
+        let wanted = wanted(&stated, &mut random);
+        let mut evaluation: Evaluation<Bounded> = anywhere(recipe.seed);
+        let known = stated.outputs.iter().all(|&s| evaluation.scalar(&stated.pools.g, s).is_known());
+        if !known || evaluation.singular {
+            return tally.discard();
+        }
+        // The library's own evaluation, from angles.
+        let bindings = bindings(&stated.pools.g, evaluation.inputs());
+        for &s in &stated.outputs {
+            let (value, found) = (evaluation.scalar(&stated.pools.g, s), stated.pools.g.evaluate(s, &bindings));
+            if !value.meets(Bounded { value: found, error: value.error }) {
+                return Err(format!("evaluated to {found} instead of {value:?}"));
+            }
+        }
+        let program = Program::derive_wanted(&stated.pools.g, &wanted);
+        let mut results = vec![Bounded::exact(0.0); wanted.len()];
+        program.run(evaluation.inputs(), &mut results);
+        for (&want, result) in wanted.iter().zip(results) {
+            let Some(value) = expected(&stated, evaluation.inputs(), want) else { continue };
+            if !value.meets(result) {
+                return Err(format!("{want:?}: {result:?} instead of {value:?}"));
+            }
+            tally.judge();
+        }
+        Ok(())
+    });
+    tally.assert_few_discards();
+}

@@ -1,0 +1,132 @@
+//! Numbers with a derivative, over any numbers; and what the oracle asks of a number type.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use aim_symbolic::{Function, Number};
+
+use super::field::Field;
+
+/// A number type that expressions are evaluated in.
+pub(crate) trait Oracle: Number {
+    /// Whether it is 0, by its value.
+    fn is_zero(self) -> bool;
+
+    /// The same value as a constant, and whether a derivative was lost.
+    fn frozen(self) -> (Self, bool);
+}
+
+impl Oracle for Field {
+    fn is_zero(self) -> bool {
+        self == Self::ZERO
+    }
+
+    fn frozen(self) -> (Self, bool) {
+        (self, false)
+    }
+}
+
+/// A value and its derivative.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Dual<T> {
+    pub(crate) value: T,
+    pub(crate) slope: T,
+}
+
+impl<T: Number> Dual<T> {
+    pub(crate) fn fixed(value: T) -> Self {
+        Self { value, slope: T::constant(0.0) }
+    }
+}
+
+impl<T: Number> Add for Dual<T> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { value: self.value + other.value, slope: self.slope + other.slope }
+    }
+}
+
+impl<T: Number> Sub for Dual<T> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self { value: self.value - other.value, slope: self.slope - other.slope }
+    }
+}
+
+impl<T: Number> Mul for Dual<T> {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self { value: self.value * other.value, slope: self.slope * other.value + self.value * other.slope }
+    }
+}
+
+impl<T: Number> Div for Dual<T> {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        Self { value, slope: (self.slope - value * other.slope) / other.value }
+    }
+}
+
+impl<T: Number> Neg for Dual<T> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { value: -self.value, slope: -self.slope }
+    }
+}
+
+impl<T: Number> Number for Dual<T> {
+    fn constant(value: f64) -> Self {
+        Self::fixed(T::constant(value))
+    }
+
+    fn tiny() -> Self {
+        Self::fixed(T::tiny())
+    }
+
+    fn sqrt(self) -> Self {
+        let value = self.value.sqrt();
+        Self { value, slope: self.slope / (value + value) }
+    }
+
+    fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self {
+        let select = |then, otherwise| T::select_less(a.value, b.value, then, otherwise);
+        Self { value: select(then.value, otherwise.value), slope: select(then.slope, otherwise.slope) }
+    }
+
+    fn call(self, function: Function) -> Self {
+        let (x, one) = (self.value, T::constant(1.0));
+        let value = x.call(function);
+        let slope = match function {
+            Function::Sin => self.slope * x.call(Function::Cos),
+            Function::Cos => -self.slope * x.call(Function::Sin),
+            Function::Tan => self.slope / (x.call(Function::Cos) * x.call(Function::Cos)),
+            Function::Asin => self.slope / (one - x * x).sqrt(),
+            Function::Acos => -self.slope / (one - x * x).sqrt(),
+            Function::Exp => self.slope * value,
+            Function::Ln => self.slope / x,
+        };
+        Self { value, slope }
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        let y = self;
+        let square = x.value * x.value + y.value * y.value;
+        Self { value: y.value.atan2(x.value), slope: (y.slope * x.value - y.value * x.slope) / square }
+    }
+}
+
+impl<T: Oracle> Oracle for Dual<T> {
+    fn is_zero(self) -> bool {
+        self.value.is_zero()
+    }
+
+    fn frozen(self) -> (Self, bool) {
+        let (value, lost) = self.value.frozen();
+        (Self::fixed(value), lost || !self.slope.is_zero())
+    }
+}

@@ -1,0 +1,263 @@
+//! The meaning of expressions, in any number type: written from the definitions, with matrices for all rotations.
+//!
+//! Each expression is evaluated once, and stays known while the graph grows: what rules add shares what was there.
+
+use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hash, Hasher};
+
+use aim_symbolic::{Function, Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+
+use super::dual::Oracle;
+
+/// A hash for keys of one number.
+#[derive(Default)]
+pub(crate) struct OneNumber(u64);
+
+impl Hasher for OneNumber {
+    fn finish(&self) -> u64 {
+        self.0
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            self.write_u32(byte.into());
+        }
+    }
+
+    fn write_u32(&mut self, number: u32) {
+        self.0 = (self.0 ^ u64::from(number)).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(20);
+    }
+}
+
+type Known<K, V> = HashMap<K, V, BuildHasherDefault<OneNumber>>;
+
+type Triple<T> = [T; 3];
+
+/// The values of expressions of one graph at one point.
+pub(crate) struct Evaluation<T> {
+    inputs: Vec<T>,
+    scalars: Known<Scalar, T>,
+    vectors: Known<Vector, Triple<T>>,
+    rotations: Known<Rotation, Triple<Triple<T>>>,
+    /// Whether something of no length was divided by, the root of 0 was taken, or a function has no slope.
+    pub(crate) singular: bool,
+    /// Whether a rotation's axis has no length: what that means is nobody's business.
+    pub(crate) no_axis: bool,
+    /// Whether something that counts as a constant has a derivative.
+    pub(crate) frozen: bool,
+}
+
+fn known<K: Hash + Eq, V: Copy>(map: &Known<K, V>, key: K) -> Option<V> {
+    map.get(&key).copied()
+}
+
+fn dot<T: Oracle>(v: Triple<T>, w: Triple<T>) -> T {
+    v[0] * w[0] + v[1] * w[1] + v[2] * w[2]
+}
+
+fn cross<T: Oracle>(v: Triple<T>, w: Triple<T>) -> Triple<T> {
+    [v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]]
+}
+
+fn times<T: Oracle>(k: T, v: Triple<T>) -> Triple<T> {
+    v.map(|c| k * c)
+}
+
+fn plus<T: Oracle>(v: Triple<T>, w: Triple<T>) -> Triple<T> {
+    [v[0] + w[0], v[1] + w[1], v[2] + w[2]]
+}
+
+fn minus<T: Oracle>(v: Triple<T>, w: Triple<T>) -> Triple<T> {
+    [v[0] - w[0], v[1] - w[1], v[2] - w[2]]
+}
+
+/// A row vector by a matrix.
+fn image<T: Oracle>(v: Triple<T>, rows: Triple<Triple<T>>) -> Triple<T> {
+    plus(plus(times(v[0], rows[0]), times(v[1], rows[1])), times(v[2], rows[2]))
+}
+
+fn rows<T: Copy>(entries: [T; 9]) -> Triple<Triple<T>> {
+    core::array::from_fn(|i| core::array::from_fn(|k| entries[3 * i + k]))
+}
+
+fn identity<T: Oracle>() -> Triple<Triple<T>> {
+    core::array::from_fn(|i| core::array::from_fn(|k| T::constant(f64::from(u8::from(i == k)))))
+}
+
+fn axes(plane: Plane) -> (usize, usize) {
+    (plane.from.into(), plane.towards.into())
+}
+
+/// The matrix of `v → a × v` for row vectors.
+fn crossing<T: Oracle>(a: Triple<T>) -> Triple<Triple<T>> {
+    identity().map(|axis| cross(a, axis))
+}
+
+impl<T: Oracle> Evaluation<T> {
+    pub(crate) fn new(inputs: Vec<T>) -> Self {
+        let (scalars, vectors, rotations) = Default::default();
+        Self { inputs, scalars, vectors, rotations, singular: false, no_axis: false, frozen: false }
+    }
+
+    pub(crate) fn inputs(&self) -> &[T] {
+        &self.inputs
+    }
+
+    fn constant_part(&mut self, value: T) -> T {
+        let (value, lost) = value.frozen();
+        self.frozen |= lost;
+        value
+    }
+
+    fn reciprocal(&mut self, length: T) -> T {
+        self.singular |= length.is_zero();
+        T::select_less(T::tiny(), length, T::constant(1.0) / length, T::constant(0.0))
+    }
+
+    fn root(&mut self, square: T) -> T {
+        self.singular |= square.is_zero();
+        square.sqrt()
+    }
+
+    pub(crate) fn scalar(&mut self, g: &Graph, scalar: Scalar) -> T {
+        if let Some(value) = known(&self.scalars, scalar) {
+            return value;
+        }
+        let value = match g.scalar_node(scalar) {
+            ScalarNode::Constant(c) => T::constant(c.value()),
+            ScalarNode::Input(i) => self.inputs[i as usize],
+            ScalarNode::Tiny => T::tiny(),
+            ScalarNode::Add(a, b) => self.scalar(g, a) + self.scalar(g, b),
+            ScalarNode::Sub(a, b) => self.scalar(g, a) - self.scalar(g, b),
+            ScalarNode::Mul(a, b) => self.scalar(g, a) * self.scalar(g, b),
+            ScalarNode::Div(a, b) => self.scalar(g, a) / self.scalar(g, b),
+            ScalarNode::Neg(a) => -self.scalar(g, a),
+            ScalarNode::Sqrt(a) => {
+                let square = self.scalar(g, a);
+                self.root(square)
+            }
+            ScalarNode::Reciprocal(a) => {
+                let length = self.scalar(g, a);
+                self.reciprocal(length)
+            }
+            ScalarNode::SelectLess(a, b, then, otherwise) => {
+                let [a, b, then, otherwise] = [a, b, then, otherwise].map(|s| self.scalar(g, s));
+                T::select_less(a, b, then, otherwise)
+            }
+            ScalarNode::Call(function, a) => {
+                let a = self.scalar(g, a);
+                self.singular |= match function {
+                    Function::Sin | Function::Cos | Function::Tan | Function::Exp => false,
+                    Function::Asin | Function::Acos => (T::constant(1.0) - a * a).is_zero(),
+                    Function::Ln => a.is_zero(),
+                };
+                a.call(function)
+            }
+            ScalarNode::Atan2(y, x) => {
+                let (y, x) = (self.scalar(g, y), self.scalar(g, x));
+                self.singular |= (y * y + x * x).is_zero();
+                y.atan2(x)
+            }
+            ScalarNode::Dot(v, w) => dot(self.vector(g, v), self.vector(g, w)),
+            ScalarNode::Norm(v) => {
+                let v = self.vector(g, v);
+                self.root(dot(v, v))
+            }
+            ScalarNode::Component(v, axis) => self.vector(g, v)[usize::from(axis)],
+        };
+        self.scalars.insert(scalar, value);
+        value
+    }
+
+    fn vector(&mut self, g: &Graph, vector: Vector) -> Triple<T> {
+        if let Some(value) = known(&self.vectors, vector) {
+            return value;
+        }
+        let value = match g.vector_node(vector) {
+            VectorNode::Components(c) => c.map(|c| self.scalar(g, c)),
+            VectorNode::Add(v, w) => plus(self.vector(g, v), self.vector(g, w)),
+            VectorNode::Sub(v, w) => minus(self.vector(g, v), self.vector(g, w)),
+            VectorNode::Neg(v) => self.vector(g, v).map(|c| -c),
+            VectorNode::Scale(k, v) => times(self.scalar(g, k), self.vector(g, v)),
+            VectorNode::Rotate(rotation, v) => {
+                let rows = self.rotation(g, rotation);
+                image(self.vector(g, v), rows)
+            }
+            VectorNode::Normalize(v) => {
+                let v = self.vector(g, v);
+                let length = self.root(dot(v, v));
+                times(self.reciprocal(length), v)
+            }
+            VectorNode::Perp(plane, v) => {
+                let v = self.vector(g, v);
+                let (from, towards) = axes(plane);
+                let mut perp = [T::constant(0.0); 3];
+                perp[towards] = v[from];
+                perp[from] = -v[towards];
+                perp
+            }
+            VectorNode::Cross(v, w) => cross(self.vector(g, v), self.vector(g, w)),
+            VectorNode::Across(v, unit) => {
+                let (v, unit) = (self.vector(g, v), self.vector(g, unit.into()));
+                minus(v, times(dot(v, unit), unit))
+            }
+        };
+        self.vectors.insert(vector, value);
+        value
+    }
+
+    fn rotation(&mut self, g: &Graph, rotation: Rotation) -> Triple<Triple<T>> {
+        if let Some(value) = known(&self.rotations, rotation) {
+            return value;
+        }
+        let value = match g.rotation_node(rotation) {
+            RotationNode::Matrix(entries) => rows(entries.map(|s| {
+                let entry = self.scalar(g, s);
+                self.constant_part(entry)
+            })),
+            RotationNode::Basis(entries) => rows(entries.map(|c| T::constant(c.value()))),
+            RotationNode::Turn(plane, angle) => {
+                let (sin, cos) = g.sin_cos(angle);
+                let (sin, cos) = (self.scalar(g, sin), self.scalar(g, cos));
+                let (from, towards) = axes(plane);
+                let mut rows = identity();
+                (rows[from][from], rows[from][towards]) = (cos, sin);
+                (rows[towards][from], rows[towards][towards]) = (-sin, cos);
+                rows
+            }
+            RotationNode::About(axis, angle) => {
+                // 1 + sin K + (1 − cos) K², where K takes v to axis × v.
+                let (sin, cos) = g.sin_cos(angle);
+                let (sin, cos) = (self.scalar(g, sin), self.scalar(g, cos));
+                let axis = self.vector(g, axis).map(|c| self.constant_part(c));
+                self.no_axis |= dot(axis, axis).is_zero();
+                let crossing = crossing(axis);
+                let twice = crossing.map(|row| image(row, crossing));
+                let versine = T::constant(1.0) - cos;
+                let one = identity();
+                core::array::from_fn(|i| plus(one[i], plus(times(sin, crossing[i]), times(versine, twice[i]))))
+            }
+            RotationNode::Quaternion(u, w) => {
+                let [x, y, z] = self.vector(g, u).map(|c| self.constant_part(c));
+                let w = self.scalar(g, w);
+                let w = self.constant_part(w);
+                let (one, two) = (T::constant(1.0), T::constant(2.0));
+                [
+                    [one - two * (y * y + z * z), two * (x * y + w * z), two * (x * z - w * y)],
+                    [two * (x * y - w * z), one - two * (x * x + z * z), two * (y * z + w * x)],
+                    [two * (x * z + w * y), two * (y * z - w * x), one - two * (x * x + y * y)],
+                ]
+            }
+            RotationNode::Compose(outer, inner) => {
+                let (outer, inner) = (self.rotation(g, outer), self.rotation(g, inner));
+                inner.map(|row| image(row, outer))
+            }
+            RotationNode::Transpose(inner) => {
+                let rows = self.rotation(g, inner);
+                core::array::from_fn(|i| core::array::from_fn(|k| rows[k][i]))
+            }
+        };
+        self.rotations.insert(rotation, value);
+        value
+    }
+}

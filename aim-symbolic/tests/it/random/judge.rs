@@ -1,0 +1,154 @@
+//! Runs tests on random statements and judges what became of them.
+//!
+//! `AIM_RANDOM_TIMES=20` runs twenty times as many cases, `AIM_RANDOM_SEED=7` other ones, `AIM_RANDOM_STEPS=16` larger ones.
+
+use std::cell::Cell;
+
+use aim_symbolic::rules::{DIRECTIONS, FRAMES, ROTATIONS, Rule, RuleSet, SCALES, WORDING};
+use aim_symbolic::{Program, Scalar};
+use fastrand::Rng;
+use proptest::test_runner::{Config, RngSeed, TestCaseError, TestError, TestRunner};
+
+use super::evaluate::Evaluation;
+use super::field::{Field, Gone, hash};
+use super::material::{Sample, point};
+use super::recipe::{Recipe, Recipes, Stated};
+
+/// The sets of rules in the order in which they are applied.
+pub(crate) const SETS: [(&str, RuleSet); 5] = [
+    ("wording", WORDING),
+    ("rotations", ROTATIONS),
+    ("directions", DIRECTIONS),
+    ("frames", FRAMES),
+    ("scales", SCALES),
+];
+
+fn setting(name: &str) -> Option<u64> {
+    std::env::var(name).ok()?.parse().ok()
+}
+
+/// Whether all cases are tested, as `.ci/run` does, or an eighth of them, as `cargo test` does by itself.
+pub(crate) fn in_full() -> bool {
+    std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
+}
+
+/// What a test says of a recipe.
+pub(crate) type Verdict = Result<(), String>;
+
+/// Tests `cases` random statements of at most `most` steps. The smallest that fails is told.
+pub(crate) fn for_each(cases: u64, most: usize, test: impl Fn(&Recipe) -> Verdict) {
+    if let Err((recipe, reason)) = smallest_failure(cases, most, test) {
+        panic!("{reason}\nin the statement {recipe:?}");
+    }
+}
+
+/// The smallest statement found that fails, and why.
+pub(crate) fn smallest_failure(
+    cases: u64,
+    most: usize,
+    test: impl Fn(&Recipe) -> Verdict,
+) -> Result<(), (Recipe, String)> {
+    let cases = if in_full() { cases } else { cases.div_ceil(8) } * setting("AIM_RANDOM_TIMES").unwrap_or(1);
+    let mut runner = TestRunner::new(Config {
+        cases: u32::try_from(cases).expect("fewer than four billion"),
+        rng_seed: RngSeed::Fixed(setting("AIM_RANDOM_SEED").unwrap_or(1)),
+        failure_persistence: None,
+        max_shrink_iters: 100_000,
+        ..Config::default()
+    });
+    let most = setting("AIM_RANDOM_STEPS").map_or(most, |steps| usize::try_from(steps).expect("a few"));
+    match runner.run(&Recipes { most }, |recipe| test(&recipe).map_err(TestCaseError::fail)) {
+        Ok(()) => Ok(()),
+        Err(TestError::Fail(reason, recipe)) => Err((recipe, reason.message().to_owned())),
+        Err(TestError::Abort(reason)) => panic!("{reason}"),
+    }
+}
+
+/// The rule sets of one rule each: the set's name, the rule, the set.
+pub(crate) fn single_rules() -> Vec<(&'static str, Rule, RuleSet)> {
+    let mut single = Vec::new();
+    for (name, set) in SETS {
+        for (i, rule) in set.rules.iter().enumerate() {
+            single.push((name, *rule, RuleSet { rules: &set.rules[i..=i], sums: set.sums }));
+        }
+    }
+    single
+}
+
+/// Where a statement has a value that is not singular.
+pub(crate) struct Regular {
+    pub(crate) evaluation: Evaluation<Field>,
+    pub(crate) values: Vec<Field>,
+}
+
+/// Looks for a regular point; roots have to exist, which half of the points grant a root of a root.
+pub(crate) fn regular(stated: &Stated, seed: u64) -> Option<Regular> {
+    for attempt in 0..16 {
+        let mut random = Rng::with_seed(hash(&[seed, attempt]));
+        let mut evaluation = Evaluation::new(point(&mut random));
+        let values: Vec<Field> = stated.outputs.iter().map(|&s| evaluation.scalar(&stated.pools.g, s)).collect();
+        let gone = values.iter().find_map(|v| v.gone());
+        match gone {
+            None if !evaluation.singular => return Some(Regular { evaluation, values }),
+            Some(Gone::Root) => {}
+            _ => return None,
+        }
+    }
+    None
+}
+
+/// Any point, for numbers that have all roots.
+pub(crate) fn anywhere<T: Sample>(seed: u64) -> Evaluation<T> {
+    Evaluation::new(point(&mut Rng::with_seed(seed)))
+}
+
+impl Regular {
+    /// That `rewritten` means the same.
+    pub(crate) fn same_values(&mut self, stated: &Stated, rewritten: &[Scalar], what: &str) -> Verdict {
+        for (i, &s) in rewritten.iter().enumerate() {
+            let value = self.evaluation.scalar(&stated.pools.g, s);
+            same(self.values[i], value, what)?;
+        }
+        Ok(())
+    }
+
+    /// That `program` gives the same.
+    pub(crate) fn same_results(&self, program: &Program, what: &str) -> Verdict {
+        let mut results = vec![Field::ZERO; self.values.len()];
+        program.run(self.evaluation.inputs(), &mut results);
+        self.values.iter().zip(results).try_for_each(|(&value, result)| same(value, result, what))
+    }
+}
+
+/// That `found` is `expected`. What is lost to roots or constants that the field does not have is not judged.
+pub(crate) fn same(expected: Field, found: Field, what: &str) -> Verdict {
+    let lost = matches!(expected.gone(), Some(Gone::Root | Gone::Constant)) || found.gone() == Some(Gone::Constant);
+    if lost || (expected == found && expected.gone().is_none()) {
+        return Ok(());
+    }
+    Err(format!("{what}: {found:?} instead of {expected:?}"))
+}
+
+/// How many statements were judged, and how many could not be.
+#[derive(Default)]
+pub(crate) struct Tally {
+    judged: Cell<u32>,
+    discarded: Cell<u32>,
+}
+
+impl Tally {
+    pub(crate) fn judge(&self) {
+        self.judged.set(self.judged.get() + 1);
+    }
+
+    pub(crate) fn discard(&self) -> Verdict {
+        self.discarded.set(self.discarded.get() + 1);
+        Ok(())
+    }
+
+    pub(crate) fn assert_few_discards(&self) {
+        let (judged, discarded) = (self.judged.get(), self.discarded.get());
+        println!("{judged} judged, {discarded} discarded");
+        assert!(discarded * 3 < judged, "{judged} judged, {discarded} discarded");
+    }
+}

@@ -1,0 +1,212 @@
+//! Random statements as recipes, which shrink: a step becomes what is there already, a part something simpler.
+
+use std::fmt;
+
+use aim_symbolic::{Rotation, RotationNode, Scalar};
+use fastrand::Rng;
+use proptest::prelude::RngCore;
+use proptest::strategy::{NewTree, Strategy, ValueTree};
+use proptest::test_runner::TestRunner;
+
+use super::material::Pools;
+use super::plain;
+use super::steps::{PARTS, Sort, Step, WEIGHTS, What};
+
+/// How a statement is built.
+#[derive(Clone, PartialEq, Eq)]
+pub(crate) struct Recipe {
+    steps: Vec<Step>,
+    /// Places in the pool of scalars.
+    outputs: Vec<u16>,
+    /// What else is random about it: the points where it is evaluated, what derivatives are taken by.
+    pub(crate) seed: u64,
+}
+
+/// A built recipe.
+pub(crate) struct Stated {
+    pub(crate) pools: Pools,
+    pub(crate) outputs: Vec<Scalar>,
+}
+
+thread_local! {
+    /// What all recipes begin with.
+    static START: Pools = Pools::new();
+}
+
+/// How much is in each pool.
+#[derive(Clone, Copy)]
+struct Sizes([u16; 5]);
+
+impl Sizes {
+    fn start() -> Self {
+        START.with(|pools| {
+            let sizes = [
+                pools.scalars.len(),
+                pools.vectors.len(),
+                pools.units.len(),
+                pools.rotations.len(),
+                pools.angles.len(),
+            ];
+            Self(sizes.map(|size| size.try_into().expect("a few")))
+        })
+    }
+
+    fn of(&mut self, sort: Sort) -> &mut u16 {
+        &mut self.0[sort as usize]
+    }
+}
+
+impl Recipe {
+    fn random(seed: u64, most: usize) -> Self {
+        let mut random = Rng::with_seed(seed);
+        let mut sizes = Sizes::start();
+        let total = |allowed: &dyn Fn(What) -> bool| WEIGHTS.iter().filter(|(w, _)| allowed(*w)).map(|(_, n)| n).sum();
+        let [all, numbers]: [u32; 2] = [total(&|_| true), total(&is_result)];
+        let count = random.usize(1..=most);
+        let steps = (0..count)
+            .map(|i| {
+                // The last step makes a number of what is there.
+                let last = i + 1 == count;
+                let mut left = random.u32(..if last { numbers } else { all });
+                let mut kinds = WEIGHTS.iter().filter(|(what, _)| !last || is_result(*what));
+                let what = loop {
+                    let &(what, weight) = kinds.next().expect("the weights add up");
+                    match left.checked_sub(weight) {
+                        Some(rest) => left = rest,
+                        None => break what,
+                    }
+                };
+                let mut parts = [0; PARTS];
+                for (part, &sort) in parts.iter_mut().zip(what.parts()) {
+                    let size = *sizes.of(sort);
+                    // What came last is most likely wanted, but anything may be.
+                    *part = if random.bool() { random.u16(..size) } else { size - 1 - random.u16(..size.min(3)) };
+                }
+                *sizes.of(what.sort()) += 1;
+                Step { what, parts, number: random.u8(..) }
+            })
+            .collect();
+        let last = *sizes.of(Sort::Scalar) - 1;
+        let mut outputs = vec![last];
+        if random.u8(..4) == 0 {
+            outputs.push(last - random.u16(..last.min(4)));
+        }
+        Self { steps, outputs, seed }
+    }
+
+    /// The statement.
+    pub(crate) fn build(&self) -> Stated {
+        let mut pools = START.with(Pools::clone);
+        for &step in &self.steps {
+            pools.take(step);
+        }
+        let turns =
+            |r: &Rotation| !matches!(pools.g.rotation_node(*r), RotationNode::Transpose(_) | RotationNode::Basis(_));
+        let kept: Vec<Rotation> = pools.rotations.iter().copied().filter(turns).collect();
+        pools.g.keep(&kept);
+        let outputs = self.outputs.iter().map(|&place| pools.scalars[usize::from(place)]).collect();
+        Stated { pools, outputs }
+    }
+
+    /// Each simpler recipe has less of this.
+    fn size(&self) -> (usize, usize, usize) {
+        let steps = self.steps.iter().filter(|step| !matches!(step.what, What::Same(_))).count();
+        let parts = self.steps.iter().flat_map(|s| s.parts.iter().map(|&p| usize::from(p)).chain([s.number.into()]));
+        (self.outputs.len(), steps, parts.sum())
+    }
+
+    /// Recipes that are a little simpler.
+    fn simpler(&self) -> Vec<Self> {
+        let mut found = Vec::new();
+        for (place, _) in self.outputs.iter().enumerate().filter(|_| self.outputs.len() > 1) {
+            let mut fewer = self.clone();
+            fewer.outputs.remove(place);
+            found.push(fewer);
+        }
+        let mut sizes = Sizes::start();
+        let starts = sizes;
+        for (i, step) in self.steps.iter().enumerate() {
+            let mut with = |step| {
+                let mut changed = self.clone();
+                changed.steps[i] = step;
+                found.push(changed);
+            };
+            let sort = step.what.sort();
+            let same = |place| Step { what: What::Same(sort), parts: [place, 0, 0, 0, 0], number: 0 };
+            let operands = step.what.parts().iter().zip(step.parts).filter(|(part, _)| **part == sort);
+            if !matches!(step.what, What::Same(_)) {
+                operands.for_each(|(_, place)| with(same(place)));
+            }
+            (0..*starts.clone().of(sort)).for_each(|place| with(same(place)));
+            for (part, &sort) in step.what.parts().iter().enumerate() {
+                for place in (0..step.parts[part]).filter(|&place| place < *starts.clone().of(sort)) {
+                    let mut parts = step.parts;
+                    parts[part] = place;
+                    with(Step { parts, ..*step });
+                }
+            }
+            (0..step.number.min(12)).for_each(|number| with(Step { number, ..*step }));
+            *sizes.of(sort) += 1;
+        }
+        found.retain(|simpler| simpler.size() < self.size());
+        found
+    }
+}
+
+fn is_result(what: What) -> bool {
+    what.sort() == Sort::Scalar && !what.parts().is_empty()
+}
+
+impl fmt::Debug for Recipe {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let stated = self.build();
+        let texts: Vec<String> = stated.outputs.iter().map(|&s| plain::scalar(&stated.pools.g, s)).collect();
+        write!(f, "{}", texts.join(" ; "))
+    }
+}
+
+/// Recipes of at most so many steps.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Recipes {
+    pub(crate) most: usize,
+}
+
+/// A recipe and what it may shrink to.
+pub(crate) struct Shrinking {
+    best: Recipe,
+    current: Recipe,
+    candidates: std::vec::IntoIter<Recipe>,
+}
+
+impl Strategy for Recipes {
+    type Tree = Shrinking;
+    type Value = Recipe;
+
+    fn new_tree(&self, runner: &mut TestRunner) -> NewTree<Self> {
+        let recipe = Recipe::random(runner.rng().next_u64(), self.most);
+        Ok(Shrinking { best: recipe.clone(), current: recipe, candidates: Vec::new().into_iter() })
+    }
+}
+
+impl ValueTree for Shrinking {
+    type Value = Recipe;
+
+    fn current(&self) -> Recipe {
+        self.current.clone()
+    }
+
+    /// The current recipe fails: something simpler than that.
+    fn simplify(&mut self) -> bool {
+        self.best = self.current.clone();
+        self.candidates = self.best.simpler().into_iter();
+        self.complicate()
+    }
+
+    /// The current recipe does not fail: another one that is simpler than what does.
+    fn complicate(&mut self) -> bool {
+        let next = self.candidates.next();
+        let found = next.is_some();
+        self.current = next.unwrap_or_else(|| self.best.clone());
+        found
+    }
+}

@@ -1,0 +1,97 @@
+//! Rewriting ends where it would end again, and the same statement always leads to the same program.
+
+use std::cell::Cell;
+
+use aim_symbolic::rules::Sums;
+use aim_symbolic::{Placement, Program, Variable, print};
+use fastrand::Rng;
+
+use super::derivatives::wanted;
+use super::evaluate::Evaluation;
+use super::judge::{SETS, Tally, for_each, in_full, regular, same};
+use super::material::moving;
+use super::plain;
+
+#[test]
+fn rewriting_settles() {
+    for_each(20_000, 8, |recipe| {
+        let mut stated = recipe.build();
+        // A sum that was shared may no longer be after its users were rewritten: those sets may find more.
+        for (name, set) in SETS.into_iter().filter(|(_, set)| set.sums == Sums::Open) {
+            let once = stated.pools.g.rewrite_by(&stated.outputs, &set);
+            let twice = stated.pools.g.rewrite_by(&once, &set);
+            if once != twice {
+                let texts = [once, twice].map(|all| plain::scalar(&stated.pools.g, all[0]));
+                return Err(format!("{name}: {} becomes {}", texts[0], texts[1]));
+            }
+        }
+        Ok(())
+    });
+}
+
+/// Both sweeps on what is stated, with rotations where they stand.
+#[test]
+fn derivatives_need_no_rewriting_first() {
+    let tally = Tally::default();
+    for_each(20_000, 8, |recipe| {
+        let mut stated = recipe.build();
+        let Some(mut regular) = regular(&stated, recipe.seed) else { return tally.discard() };
+        tally.judge();
+        let mut random = Rng::with_seed(recipe.seed);
+        let variable = stated.pools.variables[random.usize(..stated.pools.variables.len())];
+        let g = &mut stated.pools.g;
+        for &s in &stated.outputs {
+            let moving = moving(g, regular.evaluation.inputs(), variable);
+            let slope = Evaluation::new(moving).scalar(g, s).slope;
+            let found = [
+                g.gradient(s, &[variable], Placement::Late)[0],
+                g.gradient(s, &[variable], Placement::Early)[0],
+                g.tangents(&[s], variable)[0],
+            ];
+            for (found, how) in found.into_iter().zip(["late", "early", "forward"]) {
+                let found = regular.evaluation.scalar(g, found);
+                same(slope, found, &format!("by {variable:?}, {how}"))?;
+            }
+        }
+        Ok(())
+    });
+    tally.assert_few_discards();
+}
+
+#[test]
+fn derivation_is_deterministic() {
+    for_each(5_000, 8, |recipe| {
+        let [first, second] = [(); 2].map(|()| {
+            let stated = recipe.build();
+            let wanted = wanted(&stated, &mut Rng::with_seed(recipe.seed));
+            Program::derive_wanted(&stated.pools.g, &wanted)
+        });
+        let prints: [fn(&Program) -> String; 3] = [plain::program, plain::latex, |p| print::maxima("f", p)];
+        if first != second || prints.iter().any(|print| print(&first) != print(&second)) {
+            return Err(format!("{}\nand\n{}", plain::program(&first), plain::program(&second)));
+        }
+        Ok(())
+    });
+}
+
+/// The judge can say no: a sign that is flipped somewhere in a program changes its results.
+#[test]
+fn a_flipped_sign_is_noticed() {
+    let (noticed, flipped) = (Cell::new(0), Cell::new(0));
+    for_each(2_000, 8, |recipe| {
+        let stated = recipe.build();
+        let Some(regular) = regular(&stated, recipe.seed) else { return Ok(()) };
+        let program = Program::derive::<Variable>(&stated.pools.g, &stated.outputs, &[]);
+        for place in 0..program.ops().len() {
+            let wrong = program.with_sign_flipped(place);
+            if wrong != program {
+                flipped.set(flipped.get() + 1);
+                noticed.set(noticed.get() + usize::from(regular.same_results(&wrong, "").is_err()));
+            }
+        }
+        Ok(())
+    });
+    let (noticed, flipped) = (noticed.get(), flipped.get());
+    let least = if in_full() { 2_000 } else { 250 };
+    assert!(flipped > least && noticed * 100 > flipped * 95, "{noticed} of {flipped} were noticed");
+}

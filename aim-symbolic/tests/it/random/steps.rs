@@ -1,0 +1,386 @@
+//! The steps that statements are built by: the constructors of the graph, and idioms that rules look for.
+
+use super::material::{BASES, FUNCTIONS, NUMBERS, PLANES, Pools, UNITS, VECTORS};
+use Sort::{Angle, Rotation, Scalar, Unit, Vector};
+
+/// What a step makes or needs: one of the pools.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sort {
+    Scalar,
+    Vector,
+    Unit,
+    Rotation,
+    Angle,
+}
+
+/// The most parts that a step needs.
+pub(crate) const PARTS: usize = 5;
+
+/// Adds to a pool what it makes of `parts`, places in the pools; `number` chooses between constants, planes, functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Step {
+    pub(crate) what: What,
+    pub(crate) parts: [u16; PARTS],
+    pub(crate) number: u8,
+}
+
+macro_rules! steps {
+    ($($name:ident: $weight:literal [$($part:ident),*] => $sort:ident,)*) => {
+        /// A kind of step.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub(crate) enum What {
+            /// What is there already: what steps shrink to.
+            Same(Sort),
+            $($name,)*
+        }
+
+        /// How often each kind comes.
+        pub(crate) const WEIGHTS: &[(What, u32)] = &[$((What::$name, $weight),)*];
+
+        impl What {
+            /// What it makes.
+            pub(crate) fn sort(self) -> Sort {
+                match self {
+                    Self::Same(sort) => sort,
+                    $(Self::$name => $sort,)*
+                }
+            }
+
+            /// What it needs.
+            pub(crate) fn parts(self) -> &'static [Sort] {
+                match self {
+                    Self::Same(Scalar) => &[Scalar],
+                    Self::Same(Vector) => &[Vector],
+                    Self::Same(Unit) => &[Unit],
+                    Self::Same(Rotation) => &[Rotation],
+                    Self::Same(Angle) => &[Angle],
+                    $(Self::$name => &[$($part),*],)*
+                }
+            }
+        }
+    };
+}
+
+steps! {
+    Constant: 3 [] => Scalar,
+    Add: 4 [Scalar, Scalar] => Scalar,
+    Sub: 4 [Scalar, Scalar] => Scalar,
+    Mul: 4 [Scalar, Scalar] => Scalar,
+    Div: 2 [Scalar, Scalar] => Scalar,
+    Neg: 2 [Scalar] => Scalar,
+    Sqrt: 1 [Scalar] => Scalar,
+    Reciprocal: 2 [Scalar] => Scalar,
+    Select: 3 [Scalar, Scalar, Scalar, Scalar] => Scalar,
+    Call: 4 [Scalar] => Scalar,
+    Atan2: 3 [Scalar, Scalar] => Scalar,
+    Dot: 10 [Vector, Vector] => Scalar,
+    Norm: 7 [Vector] => Scalar,
+    Component: 3 [Vector] => Scalar,
+    RootOfSquare: 2 [Vector] => Scalar,
+    OverLength: 2 [Scalar, Vector] => Scalar,
+    DotOverLength: 2 [Vector, Vector] => Scalar,
+    LengthOfCross: 4 [Vector, Unit] => Scalar,
+    LengthOfConstantCross: 3 [Vector] => Scalar,
+    DotOfTurned: 3 [Rotation, Vector, Vector] => Scalar,
+    DotWithConstant: 3 [Rotation, Vector] => Scalar,
+    DotBesideDirection: 3 [Vector, Rotation, Vector, Vector] => Scalar,
+    TwoTargets: 3 [Vector, Vector, Rotation, Vector] => Scalar,
+    LengthToEffector: 3 [Vector, Rotation, Vector] => Scalar,
+    SquareToEffector: 2 [Vector, Rotation, Vector] => Scalar,
+    DotAcrossPerp: 2 [Vector, Unit] => Scalar,
+    DotAcrossAlong: 2 [Vector, Vector, Scalar, Unit] => Scalar,
+    ConstantVector: 3 [] => Vector,
+    Components: 3 [Scalar, Scalar, Scalar] => Vector,
+    AddVectors: 6 [Vector, Vector] => Vector,
+    SubVectors: 6 [Vector, Vector] => Vector,
+    NegVector: 4 [Vector] => Vector,
+    Scale: 8 [Scalar, Vector] => Vector,
+    Rotate: 14 [Rotation, Vector] => Vector,
+    RotateBack: 4 [Rotation, Vector] => Vector,
+    Direction: 8 [Unit] => Vector,
+    Perp: 3 [Vector] => Vector,
+    Cross: 5 [Vector, Vector] => Vector,
+    Across: 5 [Vector, Unit] => Vector,
+    OperationTurnedBack: 4 [Rotation, Vector, Scalar] => Vector,
+    ToEffector: 4 [Vector, Rotation, Vector] => Vector,
+    VectorOverLength: 3 [Vector] => Vector,
+    ScaleTwice: 3 [Scalar, Scalar, Vector] => Vector,
+    WeightedSum: 3 [Scalar, Vector, Scalar, Vector] => Vector,
+    SameFactor: 3 [Scalar, Vector, Vector] => Vector,
+    SameVector: 3 [Scalar, Scalar, Vector] => Vector,
+    TurnedSum: 3 [Rotation, Vector, Vector] => Vector,
+    ThereAndBack: 2 [Rotation, Vector] => Vector,
+    MeetInverse: 3 [Rotation, Vector, Vector] => Vector,
+    Spread: 3 [Scalar, Vector, Scalar, Vector, Scalar] => Vector,
+    AcrossOfSum: 3 [Vector, Scalar, Unit] => Vector,
+    AcrossOfAcross: 2 [Vector, Unit] => Vector,
+    AcrossOfCross: 2 [Vector, Unit] => Vector,
+    Normalize: 8 [Vector] => Unit,
+    ToEffectorDirection: 5 [Vector, Rotation, Vector] => Unit,
+    NormalizeTurned: 4 [Rotation, Vector] => Unit,
+    Turn: 4 [Angle] => Rotation,
+    About: 2 [Unit, Angle] => Rotation,
+    AboutConstant: 2 [Angle] => Rotation,
+    Basis: 3 [] => Rotation,
+    Compose: 5 [Rotation, Rotation] => Rotation,
+    Transpose: 4 [Rotation] => Rotation,
+    Conjugate: 3 [Rotation] => Rotation,
+    AngleOf: 4 [Scalar] => Angle,
+}
+
+fn choice<T: Copy>(all: &[T], number: u8) -> T {
+    all[usize::from(number) % all.len()]
+}
+
+/// What a step has made.
+enum Made {
+    Scalar(aim_symbolic::Scalar),
+    Vector(aim_symbolic::Vector),
+    Unit(aim_symbolic::Unit),
+    Rotation(aim_symbolic::Rotation),
+    Angle(aim_symbolic::Angle),
+}
+
+macro_rules! made {
+    ($($sort:ident),*) => { $(
+        impl From<aim_symbolic::$sort> for Made {
+            fn from(made: aim_symbolic::$sort) -> Self {
+                Self::$sort(made)
+            }
+        }
+    )* };
+}
+made!(Scalar, Vector, Unit, Rotation, Angle);
+
+impl Pools {
+    /// Takes a step.
+    pub(crate) fn take(&mut self, step: Step) {
+        match self.make(step) {
+            Made::Scalar(made) => self.scalars.push(made),
+            Made::Vector(made) => self.vectors.push(made),
+            Made::Unit(made) => self.units.push(made),
+            Made::Rotation(made) => self.rotations.push(made),
+            Made::Angle(made) => self.angles.push(made),
+        }
+    }
+
+    fn make(&mut self, Step { what, parts, number }: Step) -> Made {
+        let s = |i: usize| self.scalars[usize::from(parts[i])];
+        let v = |i: usize| self.vectors[usize::from(parts[i])];
+        let u = |i: usize| self.units[usize::from(parts[i])];
+        let r = |i: usize| self.rotations[usize::from(parts[i])];
+        let a = |i: usize| self.angles[usize::from(parts[i])];
+        let g = &mut self.g;
+        match what {
+            What::Same(Scalar) => s(0).into(),
+            What::Same(Vector) => v(0).into(),
+            What::Same(Unit) => u(0).into(),
+            What::Same(Rotation) => r(0).into(),
+            What::Same(Angle) => a(0).into(),
+            What::Constant => g.constant(choice(&NUMBERS, number)).into(),
+            What::Add => g.add(s(0), s(1)).into(),
+            What::Sub => g.sub(s(0), s(1)).into(),
+            What::Mul => g.mul(s(0), s(1)).into(),
+            What::Div => g.div(s(0), s(1)).into(),
+            What::Neg => g.neg(s(0)).into(),
+            What::Sqrt => g.sqrt(s(0)).into(),
+            What::Reciprocal => g.reciprocal(s(0)).into(),
+            What::Select => g.select_less(s(0), s(1), s(2), s(3)).into(),
+            What::Call => {
+                let argument = if number % 2 == 0 { s(0) } else { g.neg(s(0)) };
+                g.call(choice(&FUNCTIONS, number / 2), argument).into()
+            }
+            What::Atan2 => g.atan2(s(0), s(1)).into(),
+            What::Dot => g.dot(v(0), v(1)).into(),
+            What::Norm => g.norm(v(0)).into(),
+            What::Component => g.component(v(0), number % 3).into(),
+            What::RootOfSquare => {
+                let square = g.dot(v(0), v(0));
+                g.sqrt(square).into()
+            }
+            What::OverLength => {
+                let norm = g.norm(v(1));
+                g.div(s(0), norm).into()
+            }
+            What::DotOverLength => {
+                let (dot, norm) = (g.dot(v(0), v(1)), g.norm(v(0)));
+                g.div(dot, norm).into()
+            }
+            What::LengthOfCross => {
+                let cross = if number % 2 == 0 { g.cross(v(0), u(1).into()) } else { g.cross(u(1).into(), v(0)) };
+                g.norm(cross).into()
+            }
+            What::LengthOfConstantCross => {
+                let unit = g.constant_vector(choice(&UNITS, number));
+                let cross = g.cross(v(0), unit);
+                g.norm(cross).into()
+            }
+            What::DotOfTurned => {
+                let (v, w) = (g.rotate(r(0), v(1)), g.rotate(r(0), v(2)));
+                g.dot(v, w).into()
+            }
+            What::DotWithConstant => {
+                let (constant, back) = (g.constant_vector(choice(&VECTORS, number)), g.transpose(r(0)));
+                let turned = g.rotate(if number % 2 == 0 { back } else { r(0) }, v(1));
+                g.dot(turned, constant).into()
+            }
+            What::DotBesideDirection => {
+                let (effector, other) = (g.rotate(r(1), v(2)), g.rotate(r(1), v(3)));
+                let sum = if number % 2 == 0 { g.sub_vectors(v(0), effector) } else { g.add_vectors(effector, v(0)) };
+                let direction = g.normalize(sum);
+                g.dot(direction, other).into()
+            }
+            What::TwoTargets => {
+                let effector = g.rotate(r(2), v(3));
+                let axis = g.constant_vector(choice(&VECTORS, number));
+                let forward = g.rotate(r(2), axis);
+                let [first, second] = [v(0), v(1)].map(|target| {
+                    let difference = g.sub_vectors(target, effector);
+                    let direction = g.normalize(difference);
+                    g.dot(direction, forward)
+                });
+                g.add(first, second).into()
+            }
+            What::LengthToEffector => {
+                let effector = g.rotate(r(1), v(2));
+                let sum = if number % 2 == 0 { g.sub_vectors(v(0), effector) } else { g.add_vectors(v(0), effector) };
+                g.norm(sum).into()
+            }
+            What::SquareToEffector => {
+                let effector = g.rotate(r(1), v(2));
+                let sum = if number % 2 == 0 { g.sub_vectors(v(0), effector) } else { g.add_vectors(v(0), effector) };
+                g.dot(sum, sum).into()
+            }
+            What::DotAcrossPerp => {
+                let across = g.across(v(0), u(1));
+                let perp = g.perp(choice(&PLANES, number), u(1).into());
+                g.dot(across, perp).into()
+            }
+            What::DotAcrossAlong => {
+                let across = g.across(v(1), u(3));
+                let along = g.scale(s(2), u(3).into());
+                let sum = g.add_vectors(v(0), along);
+                g.dot(sum, across).into()
+            }
+            What::ConstantVector => g.constant_vector(choice(&VECTORS, number)).into(),
+            What::Components => g.components([s(0), s(1), s(2)]).into(),
+            What::AddVectors => g.add_vectors(v(0), v(1)).into(),
+            What::SubVectors => g.sub_vectors(v(0), v(1)).into(),
+            What::NegVector => g.neg_vector(v(0)).into(),
+            What::Scale => g.scale(s(0), v(1)).into(),
+            What::Rotate => g.rotate(r(0), v(1)).into(),
+            What::RotateBack => {
+                let back = g.transpose(r(0));
+                g.rotate(back, v(1)).into()
+            }
+            What::Direction => aim_symbolic::Vector::from(u(0)).into(),
+            What::Perp => g.perp(choice(&PLANES, number), v(0)).into(),
+            What::Cross => g.cross(v(0), v(1)).into(),
+            What::Across => g.across(v(0), u(1)).into(),
+            What::OperationTurnedBack => {
+                let back = g.transpose(r(0));
+                let turned = g.rotate(back, v(1));
+                match number % 5 {
+                    0 => g.scale(s(2), turned).into(),
+                    1 => g.neg_vector(turned).into(),
+                    2 => aim_symbolic::Vector::from(g.normalize(turned)).into(),
+                    3 => {
+                        let direction = g.normalize(turned);
+                        g.across(v(1), direction).into()
+                    }
+                    _ => g.perp(choice(&PLANES, number / 5), turned).into(),
+                }
+            }
+            What::ToEffector => {
+                let effector = g.rotate(r(1), v(2));
+                g.sub_vectors(v(0), effector).into()
+            }
+            What::VectorOverLength => {
+                let norm = g.norm(v(0));
+                let one = g.constant(1.0);
+                let over = if number % 2 == 0 { g.reciprocal(norm) } else { g.div(one, norm) };
+                g.scale(over, v(0)).into()
+            }
+            What::ScaleTwice => {
+                let once = g.scale(s(1), v(2));
+                g.scale(s(0), once).into()
+            }
+            What::WeightedSum => {
+                let (first, second) = (g.scale(s(0), v(1)), g.scale(s(2), v(3)));
+                if number % 2 == 0 { g.add_vectors(first, second).into() } else { g.sub_vectors(first, second).into() }
+            }
+            What::SameFactor => {
+                let (first, second) = (g.scale(s(0), v(1)), g.scale(s(0), v(2)));
+                if number % 2 == 0 { g.add_vectors(first, second).into() } else { g.sub_vectors(first, second).into() }
+            }
+            What::SameVector => {
+                let (first, second) = (g.scale(s(0), v(2)), g.scale(s(1), v(2)));
+                if number % 2 == 0 { g.add_vectors(first, second).into() } else { g.sub_vectors(first, second).into() }
+            }
+            What::TurnedSum => {
+                let (first, second) = (g.rotate(r(0), v(1)), g.rotate(r(0), v(2)));
+                if number % 2 == 0 { g.add_vectors(first, second).into() } else { g.sub_vectors(first, second).into() }
+            }
+            What::ThereAndBack => {
+                let (there, back) = (g.rotate(r(0), v(1)), g.transpose(r(0)));
+                g.rotate(back, there).into()
+            }
+            What::MeetInverse => {
+                let back = g.transpose(r(0));
+                let (first, second) = if number % 4 < 2 { (r(0), back) } else { (back, r(0)) };
+                let there = g.rotate(first, v(1));
+                let sum = if number % 2 == 0 { g.add_vectors(v(2), there) } else { g.sub_vectors(v(2), there) };
+                g.rotate(second, sum).into()
+            }
+            What::Spread => {
+                let (k, m) = (s(0), s(2));
+                let along = g.scale(m, v(3));
+                let difference = g.sub_vectors(v(1), along);
+                let first = g.scale(k, difference);
+                let n = if number % 2 == 0 { s(4) } else { g.mul(m, s(4)) };
+                let second = g.scale(n, v(3));
+                g.add_vectors(first, second).into()
+            }
+            What::AcrossOfSum => {
+                let along = g.scale(s(1), u(2).into());
+                let sum = if number % 2 == 0 { g.add_vectors(v(0), along) } else { g.sub_vectors(along, v(0)) };
+                g.across(sum, u(2)).into()
+            }
+            What::AcrossOfAcross => {
+                let across = g.across(v(0), u(1));
+                g.across(across, u(1)).into()
+            }
+            What::AcrossOfCross => {
+                let cross = g.cross(v(0), u(1).into());
+                let sum = if number % 2 == 0 { cross } else { g.add_vectors(cross, v(0)) };
+                g.across(sum, u(1)).into()
+            }
+            What::Normalize => g.normalize(v(0)).into(),
+            What::ToEffectorDirection => {
+                let effector = g.rotate(r(1), v(2));
+                let difference = g.sub_vectors(v(0), effector);
+                g.normalize(difference).into()
+            }
+            What::NormalizeTurned => {
+                let turned = g.rotate(r(0), v(1));
+                g.normalize(turned).into()
+            }
+            What::Turn => g.turn(choice(&PLANES, number), a(0)).into(),
+            What::About => g.about(u(0).into(), a(1)).into(),
+            What::AboutConstant => {
+                let axis = g.constant_vector(choice(&UNITS, number));
+                g.about(axis, a(0)).into()
+            }
+            What::Basis => g.basis(choice(&BASES, number)).into(),
+            What::Compose => g.compose(r(0), r(1)).into(),
+            What::Transpose => g.transpose(r(0)).into(),
+            What::Conjugate => {
+                let basis = g.basis(choice(&BASES, number));
+                let back = g.transpose(basis);
+                let inner = g.compose(r(0), basis);
+                g.compose(back, inner).into()
+            }
+            What::AngleOf => g.angle_of(s(0)).into(),
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! Rules keep the value: each alone, each set, one set after the other.
+
+use std::cell::RefCell;
+
+use aim_symbolic::rules::{ACROSS_FOR_CROSS, Rule};
+use aim_symbolic::{Program, Want};
+
+use super::evaluate::Evaluation;
+use super::field::Field;
+use super::judge::{Regular, SETS, Tally, anywhere, for_each, in_full, regular, single_rules};
+
+#[test]
+fn every_rule_is_named_once() {
+    for (set, rules) in SETS {
+        let mut names: Vec<&str> = rules.rules.iter().map(|rule| rule.name).collect();
+        let count = names.len();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), count, "{set}: {names:?}");
+    }
+}
+
+/// How often each rule has to apply, of so many statements; once, where fewer are tested.
+const CASES: u64 = 80_000;
+const LEAST: usize = 50;
+
+#[test]
+fn each_rule_alone_applies_and_keeps_the_value() {
+    let rules = single_rules();
+    let applied = RefCell::new(vec![0; rules.len()]);
+    let tally = Tally::default();
+    for_each(CASES, 8, |recipe| {
+        let mut stated = recipe.build();
+        let Some(mut regular) = regular(&stated, recipe.seed) else { return tally.discard() };
+        tally.judge();
+        for (i, (set, rule, alone)) in rules.iter().enumerate() {
+            let rewritten = stated.pools.g.rewrite_by(&stated.outputs, alone);
+            if rewritten != stated.outputs {
+                applied.borrow_mut()[i] += 1;
+                regular.same_values(&stated, &rewritten, &format!("{set}: {rule}"))?;
+            }
+        }
+        Ok(())
+    });
+    tally.assert_few_discards();
+    let least = if in_full() { LEAST } else { 1 };
+    for ((set, rule, _), applied) in rules.iter().zip(applied.into_inner()) {
+        println!("{applied} {set}: {rule}");
+        assert!(applied >= least, "{set}: {rule} applied to {applied} statements");
+    }
+}
+
+#[test]
+fn sets_keep_the_value() {
+    let tally = Tally::default();
+    for_each(20_000, 12, |recipe| {
+        let mut stated = recipe.build();
+        let Some(mut regular) = regular(&stated, recipe.seed) else { return tally.discard() };
+        tally.judge();
+        let program = Program::compile(&mut stated.pools.g, &stated.outputs);
+        regular.same_results(&program, "as stated")?;
+        let mut chained = stated.outputs.clone();
+        for (name, set) in SETS {
+            let alone = stated.pools.g.rewrite_by(&stated.outputs, &set);
+            regular.same_values(&stated, &alone, name)?;
+            let program = Program::compile(&mut stated.pools.g, &alone);
+            regular.same_results(&program, name)?;
+            chained = stated.pools.g.rewrite_by(&chained, &set);
+            regular.same_values(&stated, &chained, &format!("up to {name}"))?;
+        }
+        Ok(())
+    });
+    tally.assert_few_discards();
+}
+
+/// Where something has no direction, only this rule gives another value: |v × 0| is 0, |v − (v · 0) 0| is |v|.
+const NEEDS_A_DIRECTION: Rule = ACROSS_FOR_CROSS;
+
+#[test]
+fn rules_keep_the_value_where_something_has_no_direction() {
+    let rules = single_rules();
+    let tally = Tally::default();
+    for_each(50_000, 8, |recipe| {
+        let mut stated = recipe.build();
+        let mut evaluation: Evaluation<Field> = anywhere(recipe.seed);
+        let g = &mut stated.pools.g;
+        let values: Vec<Field> = stated.outputs.iter().map(|&s| evaluation.scalar(g, s)).collect();
+        if !evaluation.singular || evaluation.no_axis || values.iter().any(|v| v.gone().is_some()) {
+            return Ok(());
+        }
+        tally.judge();
+        let mut regular = Regular { evaluation, values };
+        for (set, rule, alone) in rules.iter().filter(|(_, rule, _)| *rule != NEEDS_A_DIRECTION) {
+            let rewritten = stated.pools.g.rewrite_by(&stated.outputs, alone);
+            regular.same_values(&stated, &rewritten, &format!("{set}: {rule}"))?;
+        }
+        let wanted: Vec<Want> = stated.outputs.iter().map(|&s| Want::Value(s)).collect();
+        let program = Program::derive_without(&stated.pools.g, &wanted, &[NEEDS_A_DIRECTION]);
+        regular.same_results(&program, "derived")
+    });
+    tally.assert_few_discards();
+}

@@ -1,0 +1,8 @@
+//! Objectives as users write them, judged by dual numbers.
+
+mod aiming;
+mod distances;
+mod energies;
+mod harness;
+mod limits;
+mod rotations;

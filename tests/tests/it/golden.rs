@@ -1,0 +1,110 @@
+//! What the derive, the C and the WGSL back end write is golden, and the same in every run.
+//!
+//! `AIM_BLESS=1 cargo test -p aim-tests --test it golden` rewrites `tests/expected`. That the Rust files compile, and
+//! that they are what the derive really gives, is the test `expanded`.
+
+use std::path::Path;
+use std::process::Command;
+use std::{env, fs};
+
+use aim_codegen::emit::{self, Rig};
+use aim_codegen::{declare, kernels};
+use aim_tests::rigs;
+
+/// Where the second process writes what it expanded.
+const SECOND_PROCESS: &str = "AIM_EXPANSIONS_TO";
+
+/// What the derive makes of a declaration, in the layout of rustfmt.
+fn expansion(declaration: &str) -> String {
+    let tokens = format!("#[derive(AimRig)] {declaration}").parse().expect("a declaration is made of tokens");
+    aim_codegen::format_rust(aim_codegen::derive(tokens))
+}
+
+/// What a back end writes for `rigs/thug.toml`.
+fn of_the_thug(emit: impl Fn(&Rig<'_>) -> String) -> String {
+    let spec = declare::from_toml("rigs/thug.toml", include_str!("../../../rigs/thug.toml"))
+        .unwrap_or_else(|errors| panic!("{}", errors.render()));
+    emit(&Rig { spec: &spec, kernels: &kernels(&spec) })
+}
+
+fn compare(file: &str, found: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("expected").join(file);
+    if env::var_os("AIM_BLESS").is_some_and(|bless| bless == "1") {
+        fs::write(&path, found).expect("the folder of the expected files is writable");
+        return;
+    }
+    let expected = fs::read_to_string(&path).unwrap_or_default().replace("\r\n", "\n");
+    if let Some((line, (was, is))) =
+        expected.lines().chain([""]).zip(found.lines().chain([""])).enumerate().find(|(_, (was, is))| was != is)
+    {
+        panic!(
+            "tests/expected/{file} differs from what is emitted, first in line {}:\n  expected {was}\n  emitted  {is}\n\
+             If the emitted code is meant to be so: AIM_BLESS=1 cargo test -p aim-tests --test it golden",
+            line + 1
+        );
+    }
+    assert_eq!(expected, found, "tests/expected/{file} differs in its end");
+}
+
+macro_rules! golden {
+    ($name:ident $($declaration:tt)*) => {
+        #[test]
+        fn $name() {
+            let file = concat!(stringify!($name), ".rs");
+            let header = "// What the derive makes of a declaration in tests/src/declarations.rs; rewritten by\n\
+                          // AIM_BLESS=1 cargo test -p aim-tests --test it golden\n";
+            compare(file, &(header.to_owned() + &expansion(stringify!($($declaration)*))));
+        }
+    };
+}
+
+aim_tests::declarations!(golden);
+
+#[test]
+fn thug_in_c() {
+    compare("thug.c", &of_the_thug(emit::c::emit));
+}
+
+#[test]
+fn thug_in_wgsl() {
+    compare("thug.wgsl", &of_the_thug(emit::wgsl::emit));
+}
+
+/// All that the goldens hold, and every language for the rigs of every convention.
+fn everything() -> String {
+    let mut all = String::new();
+    macro_rules! append {
+        ($name:ident $($declaration:tt)*) => { all += &expansion(stringify!($($declaration)*)); };
+    }
+    aim_tests::declarations!(append);
+    for spec in rigs::rigs() {
+        let kernels = kernels(&spec);
+        let rig = Rig { spec: &spec, kernels: &kernels };
+        let item = emit::rust::Item::of(&spec, quote::quote!(::aim));
+        all += &emit::rust::emit_with_struct(&rig, &item).to_string();
+        all += &emit::c::emit(&rig);
+        all += &emit::wgsl::emit(&rig);
+        all += &emit::maxima::emit(&rig);
+    }
+    all
+}
+
+#[test]
+fn a_second_expansion_and_a_second_process_write_the_same_bytes() {
+    if let Some(file) = env::var_os(SECOND_PROCESS) {
+        fs::write(file, everything()).expect("the first process has made the folder");
+        return;
+    }
+    let here = everything();
+    assert!(here == everything(), "two expansions in one process differ");
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let file = folder.path().join("expansions");
+    // Another process has other hash seeds and other addresses.
+    let child = Command::new(env::current_exe().expect("a test knows its own file"))
+        .args(["--exact", "golden::a_second_expansion_and_a_second_process_write_the_same_bytes"])
+        .env(SECOND_PROCESS, &file)
+        .output()
+        .expect("the test can be started once more");
+    assert!(child.status.success(), "{}", String::from_utf8_lossy(&child.stdout));
+    assert!(fs::read_to_string(&file).expect("the second process wrote it") == here, "two processes differ");
+}

@@ -1,0 +1,18 @@
+//! The facade as its users meet it, judged by independent oracles.
+
+mod accuracy;
+mod bundled;
+mod by_hand;
+mod dependencies;
+mod derivation;
+mod differentiate;
+mod emitted;
+mod expanded;
+mod golden;
+mod gradients;
+mod kernels;
+mod lanes;
+mod mannequin;
+mod same_code;
+mod settling;
+mod wgsl;

@@ -1,0 +1,12 @@
+use aim::{AimRig, Joint};
+
+#[derive(AimRig)]
+#[aim(axes(up = +X, forward = +Y, left = +Z))]
+struct Thug {
+    #[joint(heading = -35deg..=35deg, rate = 450deg)]
+    left_eye: Joint,
+    #[joint(heading = -35deg..=35deg, rate = 450deg, other_eye = "R_eye")]
+    neck: Joint,
+}
+
+fn main() {}

@@ -1,0 +1,10 @@
+use aim::{AimRig, Joint};
+
+#[derive(AimRig)]
+#[aim(axes(up = +X, forward = +Y, left = +Z))]
+struct Thug {
+    #[joint(heading = -35deg..=35deg, rate = 450deg, upright = 1.5)]
+    left_eye: Joint,
+}
+
+fn main() {}
