@@ -363,7 +363,7 @@ const _: () = {
     for ::aim::__private::Pose<[::aim::__private::Affine3A; 2]> {
         #[inline]
         fn from(__pose: GeneralPose) -> Self {
-            Self::new(__pose.into())
+            Self::new(::core::convert::Into::into(__pose))
         }
     }
 };
