@@ -350,7 +350,7 @@ const _: () = {
     for ::aim::__private::Pose<[::aim::__private::Affine3A; 3]> {
         #[inline]
         fn from(__pose: ThugPose) -> Self {
-            Self::new(::core::convert::Into::into(__pose))
+            ::aim::__private::Pose::new(::core::convert::Into::into(__pose))
         }
     }
 };

@@ -286,7 +286,7 @@ const _: () = {
     for ::aim::__private::Pose<[::aim::__private::Affine3A; 2]> {
         #[inline]
         fn from(__pose: TurretPose) -> Self {
-            Self::new(::core::convert::Into::into(__pose))
+            ::aim::__private::Pose::new(::core::convert::Into::into(__pose))
         }
     }
 };
