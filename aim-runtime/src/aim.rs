@@ -7,7 +7,7 @@ use glam::{Affine3A, Quat, Vec3};
 use crate::rig::{ChainRig, MOST_JOINTS, PoseSlices, StateSlices};
 use crate::solve::{self, judge};
 use crate::target::blend;
-use crate::{AimRig, Joint, Outcome, Pose, Rig, Settings, State, Target};
+use crate::{AimRig, Description, Joint, Outcome, Pose, Rig, Settings, State, Target};
 
 /// One character of a rig known at compile time: its state, 64 bytes and 24 for each joint.
 ///
@@ -74,6 +74,32 @@ impl<R: AimRig> Aim<R> {
         self.call(pose, &Call { targets: target.into(), dt: Some(dt), settings })
     }
 
+    /// [`aim`](Self::aim), with the solvers of frames that need no search compiled into the caller for this rig alone: its
+    /// constants folded, its kernel inlined. The same bits.
+    ///
+    /// For crowds: a target followed by [`Solver::Exact`](crate::Solver::Exact), or by a single joint, costs up to a third
+    /// less, and the program grows by some 10 kB for each rig. Other frames cost what they cost in `aim`.
+    #[inline]
+    pub fn aim_inlined<'a>(
+        &mut self,
+        pose: &Pose<R::Array<Affine3A>>,
+        target: impl Into<Targets<'a>>,
+        dt: f32,
+        settings: &Settings,
+    ) -> Aimed<R::Array<Quat>> {
+        let call = Call { targets: target.into(), dt: Some(dt), settings };
+        if let Targets::Point(target_ps) = call.targets {
+            let call = solve::Call::new(target_ps, call.dt, settings);
+            let mut corrections = R::array(Quat::IDENTITY);
+            let (mut state, pose) = (self.state.slices(), pose.slices());
+            let rig = R::RIG.description();
+            if let Some(outcome) = solve::follow(R::RIG, &rig, &mut state, &pose, &call, corrections.as_mut()) {
+                return Aimed { outcome, corrections };
+            }
+        }
+        self.call(pose, &call)
+    }
+
     /// Puts the character on the target at once, whatever the rates, within the ranges of motion: for a spawn, a camera
     /// cut, scrubbing. The only jump.
     ///
@@ -96,7 +122,8 @@ impl<R: AimRig> Aim<R> {
     #[inline]
     fn call(&mut self, pose: &Pose<R::Array<Affine3A>>, call: &Call<'_>) -> Aimed<R::Array<Quat>> {
         let mut corrections = R::array(Quat::IDENTITY);
-        let outcome = aim_slices(R::RIG, self.state.slices(), &pose.slices(), call, corrections.as_mut());
+        let outcome =
+            aim_slices(R::RIG, &R::RIG.description(), self.state.slices(), &pose.slices(), call, corrections.as_mut());
         Aimed { outcome, corrections }
     }
 }
@@ -197,41 +224,55 @@ impl dyn Rig + '_ {
         call: &Call<'_>,
         corrections: &mut [Quat],
     ) -> Outcome {
-        aim_slices(self, state.slices(), &pose.slices(), call, corrections)
+        aim_slices(self, &self.description(), state.slices(), &pose.slices(), call, corrections)
     }
 }
 
-/// Serves a call; compiled once for all rigs, for three sizes of scratch memory.
+/// Serves a call; compiled once for all rigs.
 fn aim_slices(
     rig: &dyn Rig,
+    description: &Description<'_>,
     mut state: StateSlices<'_>,
     pose: &PoseSlices<'_>,
     call: &Call<'_>,
     corrections: &mut [Quat],
 ) -> Outcome {
-    let description = rig.description();
-    let count = description.joints.len();
-    let is_complete = state.joints.len() == count && pose.joints.len() == count && corrections.len() == count;
-    if !(is_complete && (1..=MOST_JOINTS).contains(&count)) {
-        return judge::nothing_to_aim();
-    }
     let faded;
     let (target_ps, settings) = match call.targets {
         Targets::Point(point) => (point, call.settings),
         Targets::Weighted(targets) => {
-            let (point, weight) = blend::blended(&description, pose, targets, call.settings.effector);
+            let (point, weight) = blend::blended(description, pose, targets, call.settings.effector);
             faded = call.settings.with_weight(call.settings.effective_weight() * weight);
             (point, &faded)
         }
     };
     let call = solve::Call::new(target_ps, call.dt, settings);
-    let (kernels, description, state) = (rig, &description, &mut state);
-    if let Some(outcome) = solve::solve_followed(kernels, description, state, pose, &call, corrections) {
-        return outcome;
+    match solve::follow(rig, description, &mut state, pose, &call, corrections) {
+        Some(outcome) => outcome,
+        None => search(rig, description, &mut state, pose, &call, corrections),
+    }
+}
+
+/// Serves a call that [`solve::follow`] does not, for three sizes of scratch memory.
+#[inline(never)]
+fn search(
+    kernels: &dyn Rig,
+    description: &Description<'_>,
+    state: &mut StateSlices<'_>,
+    pose: &PoseSlices<'_>,
+    call: &solve::Call<'_>,
+    corrections: &mut [Quat],
+) -> Outcome {
+    let count = description.joints.len();
+    if state.joints.len() != count || pose.joints.len() != count || corrections.len() != count {
+        return judge::nothing_to_aim();
     }
     match count {
-        0..=4 => solve::solve(&ChainRig::<4> { kernels, description }, state, pose, &call, corrections),
-        5..=16 => solve::solve(&ChainRig::<16> { kernels, description }, state, pose, &call, corrections),
-        _ => solve::solve(&ChainRig::<MOST_JOINTS> { kernels, description }, state, pose, &call, corrections),
+        1..=4 => solve::solve(&ChainRig::<4> { kernels, description }, state, pose, call, corrections),
+        5..=16 => solve::solve(&ChainRig::<16> { kernels, description }, state, pose, call, corrections),
+        17..=MOST_JOINTS => {
+            solve::solve(&ChainRig::<MOST_JOINTS> { kernels, description }, state, pose, call, corrections)
+        }
+        _ => judge::nothing_to_aim(),
     }
 }

@@ -89,6 +89,7 @@ const _: () = {
             }
         }
         ///The chain's stereographic residual (left, up), then the 4 derivatives of the first and of the second. 229 operations: 84 add, 142 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `General`.
+        #[inline(always)]
         fn residual_jacobian(
             &self,
             __links: &[[::core::primitive::f32; 12]],

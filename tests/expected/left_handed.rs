@@ -77,6 +77,7 @@ const _: () = {
             }
         }
         ///The chain's stereographic residual (left, up), then the 4 derivatives of the first and of the second. 143 operations: 50 add, 90 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `LeftHanded`.
+        #[inline(always)]
         fn residual_jacobian(
             &self,
             __links: &[[::core::primitive::f32; 12]],

@@ -93,6 +93,7 @@ const _: () = {
             }
         }
         ///The chain's stereographic residual (left, up), then the 6 derivatives of the first and of the second. 239 operations: 87 add, 149 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `Thug`.
+        #[inline(always)]
         fn residual_jacobian(
             &self,
             __links: &[[::core::primitive::f32; 12]],

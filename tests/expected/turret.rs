@@ -76,6 +76,7 @@ const _: () = {
             }
         }
         ///The chain's stereographic residual (left, up), then the 2 derivatives of the first and of the second. 126 operations: 48 add, 75 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `Turret`.
+        #[inline(always)]
         fn residual_jacobian(
             &self,
             __links: &[[::core::primitive::f32; 12]],

@@ -182,6 +182,7 @@ fn chain_method(kernel: &Kernel, spec: &RigSpec, private: &TokenStream) -> Token
     let doc = doc(kernel, spec);
     quote! {
         #[doc = #doc]
+        #[inline(always)]
         fn residual_jacobian(
             &self,
             #links: &[[::core::primitive::f32; 12]],

@@ -106,7 +106,8 @@ impl<const C: usize> Chain<C> {
             Ray { origin: Vec3A::ZERO, direction: Vec3A::from(infos[first].axes.forward) }
         };
 
-        let (mut frames, rigid) = orthogonal_frames(rig, pose, first)?;
+        let mut frames = rig.array(Mat3A::IDENTITY);
+        let rigid = orthogonal_frames(pose, first, &mut frames)?;
         let origin = pose[count - 1].translation;
         let offset = pose[first].transform_vector3a(effector.origin);
         let size = size(&pose[first..], offset);
@@ -190,7 +191,7 @@ impl<const C: usize> Chain<C> {
             Some(local) => ray.through(&local[joint]),
             None => {
                 // Links stand between upright frames.
-                let tilts = self.tilts;
+                let tilts = &self.tilts;
                 let turned = |ray: Ray, tilt: Quat| if is_identity(tilt) { ray } else { ray.turned(tilt) };
                 let ray = turned(ray, tilts[joint].conjugate());
                 match tilts.get(joint + 1) {
@@ -214,7 +215,7 @@ impl<const C: usize> Chain<C> {
 
     /// The same for the rigid links. Both only for chains without upright headings.
     pub(crate) fn rigid_frames(&self, turns: &[Quat], frames: &mut [Affine3A]) {
-        let links = self.links;
+        let links = &self.links;
         let mut frame = self.base;
         for index in (self.first..self.count).rev() {
             frames[index] = frame;
@@ -272,31 +273,25 @@ impl<const C: usize> Chain<C> {
     }
 }
 
-/// Each joint's orthogonal frame from `first` on, and whether the pose is rigid but for scale; `None` where a joint does
-/// not span space.
+/// Finds each joint's orthogonal frame from `first` on, and whether the pose is rigid but for scale; `None` where a joint
+/// does not span space.
 #[inline(always)]
-fn orthogonal_frames<const C: usize>(
-    rig: &ChainRig<'_, C>,
-    pose: &[Affine3A],
-    first: usize,
-) -> Option<(PerJoint<Mat3A, C>, bool)> {
-    let mut frames = rig.array(Mat3A::IDENTITY);
+fn orthogonal_frames(pose: &[Affine3A], first: usize, frames: &mut [Mat3A]) -> Option<bool> {
     let rigid = similar(&pose[first..], &mut frames[first..]);
     if !rigid {
         for (frame, joint) in frames.iter_mut().zip(pose).skip(first) {
             *frame = math::orthonormal(joint.matrix3)?;
         }
     }
-    Some((frames, rigid))
+    Some(rigid)
 }
 
 /// How each joint's upright frame stands in its bone; not at all where a joint does not span space.
 pub(crate) fn tilts<const C: usize>(rig: &ChainRig<'_, C>, pose: &[Affine3A], about: Upright) -> PerJoint<Quat, C> {
     let mut tilts = rig.array(Quat::IDENTITY);
-    if pose.len() == rig.joints.len() {
-        if let Some((mut frames, _)) = orthogonal_frames(rig, pose, 0) {
-            upright(rig.joints, 0, about, &mut frames, &mut tilts);
-        }
+    let mut frames = rig.array(Mat3A::IDENTITY);
+    if pose.len() == rig.joints.len() && orthogonal_frames(pose, 0, &mut frames).is_some() {
+        upright(rig.joints, 0, about, &mut frames, &mut tilts);
     }
     tilts
 }

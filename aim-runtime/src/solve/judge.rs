@@ -6,9 +6,6 @@ use crate::math::trig;
 use crate::rig::ChainRig;
 use crate::{Joint, JointInfo, JointSet, Outcome, Status, math};
 
-/// The largest angle whose cosine is 1 to the last bit of single precision, radians: 1 − cos x < ε/4.
-const COSINE_IS_1_RAD: f32 = 2e-4;
-
 /// What a frame found out.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Verdict {
@@ -41,7 +38,8 @@ impl Verdict {
     #[inline(always)]
     pub(crate) fn outcome_at(&self, at_limit: JointSet, recovering: JointSet) -> Outcome {
         let remaining = self.remaining;
-        let aim = if remaining <= COSINE_IS_1_RAD { 1.0 } else { trig::sin_cos(remaining).1.max(-1.0).min(1.0) };
+        let (sin_half, _) = trig::half_sin_cos_within(remaining);
+        let aim = (1.0 - 2.0 * sin_half * sin_half).max(-1.0);
         let status = self.status();
         Outcome { aim, remaining, status, at_limit, recovering, other_eye_remaining: None, other_eye_correction: None }
     }

@@ -1,6 +1,6 @@
 //! One call: pose and target in, angles moved within range and rate, and an outcome judged by forward kinematics.
 //!
-//! [`solve_followed`] serves the frames that need no search, by [`single`](exact::single) and
+//! [`follow`] serves the frames that need no search, by [`single`](exact::single) and
 //! [`following`](exact::following). In every other frame [`solve`] makes the pose ready ([`Chain`]), decides what to turn to
 //! ([`Goal`](crate::target::goal::Goal)), lets one of the solvers move the joints ([`exact`], [`natural`], [`ascent`]),
 //! both eyes where the pose has them ([`eyes`]), and is judged ([`judge`]). When blocked joints go the other way round is
@@ -48,15 +48,25 @@ impl<'a> Call<'a> {
     /// A call with the frame's length as it counts: 0…0.1 s, 0 for NaN.
     #[inline(always)]
     pub(crate) fn new(target_ps: Vec3, dt: Option<f32>, settings: &'a Settings) -> Self {
-        Self { target_ps, dt: dt.map(|dt| dt.max(0.0).min(LONGEST_FRAME_S)), settings }
+        // Not `max` and `min`: what those do about NaN takes as many instructions again.
+        let counted = |dt: f32| {
+            if dt < LONGEST_FRAME_S {
+                dt.max(0.0)
+            } else if dt.is_nan() {
+                0.0
+            } else {
+                LONGEST_FRAME_S
+            }
+        };
+        Self { target_ps, dt: dt.map(counted), settings }
     }
 }
 
 /// Serves a frame that needs no search, if it is one: moves `state` and writes the joints' corrections. Else `None`, with
 /// nothing changed.
 #[inline(always)]
-pub(crate) fn solve_followed(
-    kernels: &dyn Rig,
+pub(crate) fn follow<K: Rig + ?Sized>(
+    kernels: &K,
     rig: &Description<'_>,
     state: &mut StateSlices<'_>,
     pose: &PoseSlices<'_>,
@@ -67,10 +77,8 @@ pub(crate) fn solve_followed(
     if !call.dt.is_some_and(|dt| dt > 0.0) || pose.other_eye.is_some() || solver == Solver::Ascent {
         return None;
     }
-    if rig.joints.len() == 1 {
-        if let Some(outcome) = single::aim(rig, state, pose, call, corrections) {
-            return Some(outcome);
-        }
+    if let Some(outcome) = single::aim(rig, state, pose, call, corrections) {
+        return Some(outcome);
     }
     if solver == Solver::Exact { following::aim(kernels, rig, state, pose, call, corrections) } else { None }
 }

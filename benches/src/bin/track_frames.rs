@@ -1,6 +1,6 @@
 //! What is counted: characters that follow a swinging target, and nothing else in the frames that are asked for.
 //!
-//! `track_frames exact|natural|ascent|paper|eye FRAMES [moving|blocked]`: everything that comes in is made ready for all frames,
+//! `track_frames exact|exact-inlined|natural|ascent|paper|eye|eye-inlined FRAMES [moving|blocked]`: everything that comes in is made ready for all frames,
 //! so that two runs differ by the solver's work in the frames by which they differ.
 
 use std::env;
@@ -26,26 +26,28 @@ fn main() -> ExitCode {
     let settings = Settings::default().with_behind(Behind::Off);
     let exact = settings.with_solver(Solver::Exact);
     match solver {
-        "exact" => follow::<Gazer>(&motions, frames, &exact),
-        "natural" => follow::<Gazer>(&motions, frames, &settings.with_solver(Solver::Natural)),
-        "ascent" => follow::<Gazer>(&motions, frames, &settings.with_solver(Solver::Ascent)),
+        "exact" => follow::<Gazer, false>(&motions, frames, &exact),
+        "exact-inlined" => follow::<Gazer, true>(&motions, frames, &exact),
+        "natural" => follow::<Gazer, false>(&motions, frames, &settings.with_solver(Solver::Natural)),
+        "ascent" => follow::<Gazer, false>(&motions, frames, &settings.with_solver(Solver::Ascent)),
         "paper" => {
             let paper = settings.with_solver(Solver::Ascent).with_ascent(Ascent::paper());
-            follow::<Gazer>(&motions, frames, &paper);
+            follow::<Gazer, false>(&motions, frames, &paper);
         }
-        "eye" => follow::<EyeOnly>(&motions, frames, &exact),
+        "eye" => follow::<EyeOnly, false>(&motions, frames, &exact),
+        "eye-inlined" => follow::<EyeOnly, true>(&motions, frames, &exact),
         _ => return usage(),
     }
     ExitCode::SUCCESS
 }
 
 fn usage() -> ExitCode {
-    eprintln!("track_frames exact|natural|ascent|paper|eye FRAMES [moving|blocked]");
+    eprintln!("track_frames exact|exact-inlined|natural|ascent|paper|eye|eye-inlined FRAMES [moving|blocked]");
     ExitCode::FAILURE
 }
 
 /// Frame by frame, all characters in each.
-fn follow<R: AimRig>(motions: &[Motion], frames: usize, settings: &Settings) {
+fn follow<R: AimRig, const INLINED: bool>(motions: &[Motion], frames: usize, settings: &Settings) {
     const DT: f32 = 1.0 / 60.0;
     let mut characters = vec![Aim::<R>::new(); motions.len()];
     let pose = |joints: [Affine3A; 3]| {
@@ -61,7 +63,12 @@ fn follow<R: AimRig>(motions: &[Motion], frames: usize, settings: &Settings) {
         .collect();
     for frame in poses.iter().take(frames) {
         for (character, (pose, target)) in characters.iter_mut().zip(frame) {
-            black_box(character.aim(black_box(pose), *black_box(target), DT, black_box(settings)));
+            let (pose, target, settings) = (black_box(pose), *black_box(target), black_box(settings));
+            if INLINED {
+                black_box(&character.aim_inlined(pose, target, DT, settings));
+            } else {
+                black_box(&character.aim(pose, target, DT, settings));
+            }
         }
     }
     black_box(characters);

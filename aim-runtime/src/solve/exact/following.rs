@@ -24,7 +24,7 @@ use crate::math::trig;
 use crate::rig::{PoseSlices, Side, StateSlices};
 use crate::solve::judge::Verdict;
 use crate::solve::{Call, upright_axis};
-use crate::{Description, Joint, JointInfo, JointSet, Outcome, Rig, Solver, math};
+use crate::{Axes, Description, Joint, JointInfo, JointSet, Outcome, Rig, Solver, math};
 
 /// The largest number of joints that this is compiled for.
 const MOST_JOINTS: usize = 8;
@@ -43,8 +43,8 @@ const NOTHING: f32 = -0.0;
 
 /// Aims for one frame, of positive length, if the conditions above hold.
 #[inline(always)]
-pub(crate) fn aim(
-    kernels: &dyn Rig,
+pub(crate) fn aim<K: Rig + ?Sized>(
+    kernels: &K,
     rig: &Description<'_>,
     state: &mut StateSlices<'_>,
     pose: &PoseSlices<'_>,
@@ -58,14 +58,14 @@ pub(crate) fn aim(
     }
     const { assert!(MOST_JOINTS == 8, "one arm for each number of joints") }
     let (remaining, at_limit) = match rig.joints.len() {
-        1 => aim_joints::<1, 1>(kernels, rig, state, pose, call, corrections),
-        2 => aim_joints::<2, 1>(kernels, rig, state, pose, call, corrections),
-        3 => aim_joints::<3, 2>(kernels, rig, state, pose, call, corrections),
-        4 => aim_joints::<4, 2>(kernels, rig, state, pose, call, corrections),
-        5 => aim_joints::<5, 3>(kernels, rig, state, pose, call, corrections),
-        6 => aim_joints::<6, 3>(kernels, rig, state, pose, call, corrections),
-        7 => aim_joints::<7, 4>(kernels, rig, state, pose, call, corrections),
-        8 => aim_joints::<8, 4>(kernels, rig, state, pose, call, corrections),
+        1 => aim_joints::<1, 1, K>(kernels, rig, state, pose, call, corrections),
+        2 => aim_joints::<2, 1, K>(kernels, rig, state, pose, call, corrections),
+        3 => aim_joints::<3, 2, K>(kernels, rig, state, pose, call, corrections),
+        4 => aim_joints::<4, 2, K>(kernels, rig, state, pose, call, corrections),
+        5 => aim_joints::<5, 3, K>(kernels, rig, state, pose, call, corrections),
+        6 => aim_joints::<6, 3, K>(kernels, rig, state, pose, call, corrections),
+        7 => aim_joints::<7, 4, K>(kernels, rig, state, pose, call, corrections),
+        8 => aim_joints::<8, 4, K>(kernels, rig, state, pose, call, corrections),
         _ => None,
     }?;
     let tolerance = settings.effective_tolerance();
@@ -101,9 +101,9 @@ macro_rules! each {
 }
 
 /// Moves the joints; returns the angle that remains and the joints at a limit.
-#[inline(never)]
-fn aim_joints<const N: usize, const V: usize>(
-    kernels: &dyn Rig,
+#[inline(always)]
+fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
+    kernels: &K,
     rig: &Description<'_>,
     state: &mut StateSlices<'_>,
     pose: &PoseSlices<'_>,
@@ -409,9 +409,9 @@ impl<const N: usize, const V: usize> Angles<N, V> {
 
     /// Makes the linear model where the angles are; returns the residual there, `None` where it is not small.
     #[inline(always)]
-    fn linearise(
+    fn linearise<K: Rig + ?Sized>(
         &mut self,
-        kernels: &dyn Rig,
+        kernels: &K,
         rig: &Description<'_>,
         infos: &[JointInfo; N],
         links: &[[f32; 12]; N],
@@ -421,9 +421,9 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         each!(V, k => {
             let (sin, cos) = trig::half_sin_cos_4(self.start[k]);
             let (sin, cos) = (sin * cos * 2.0, Vec4::ONE - sin * sin * 2.0);
-            sin_cos[2 * k] = [sin.x, cos.x, sin.y, cos.y];
+            sin_cos[2 * k] = Vec4::new(sin.x, cos.x, sin.y, cos.y).to_array();
             if 2 * k + 1 < N {
-                sin_cos[2 * k + 1] = [sin.z, cos.z, sin.w, cos.w];
+                sin_cos[2 * k + 1] = Vec4::new(sin.z, cos.z, sin.w, cos.w).to_array();
             }
         });
         // The residual, then a row of derivatives by the declared angles, left and up.
@@ -601,11 +601,7 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         }
         let axes = &infos[0].axes;
         if rig.aims_forward {
-            return View {
-                forward: dot(&axes.forward, target),
-                left: dot(&axes.left, target),
-                up: dot(&axes.up, target),
-            };
+            return view(axes, target);
         }
         let [forward, left, up] = rig.effector.axes(axes);
         View { forward: forward.dot(target), left: left.dot(target), up: up.dot(target) }
@@ -642,9 +638,17 @@ fn pair<const N: usize>(rows: &[[f32; 6]; N], i: usize) -> [f32; 2] {
     [row[2 * (i % 3)], row[2 * (i % 3) + 1]]
 }
 
+/// A vector of the bone's space along its axes.
+#[inline(always)]
+pub(crate) fn view(axes: &Axes, v: Vec3A) -> View {
+    let axes = Mat3A::from_cols(axes.forward.into(), axes.left.into(), axes.up.into());
+    let [forward, left, up] = transposed_product(&axes, v).to_array();
+    View { forward, left, up }
+}
+
 /// The dot product of an axis and a vector.
 #[inline(always)]
-pub(crate) fn dot(axis: &[f32; 3], v: Vec3A) -> f32 {
+fn dot(axis: &[f32; 3], v: Vec3A) -> f32 {
     axis[0] * v.x + axis[1] * v.y + axis[2] * v.z
 }
 

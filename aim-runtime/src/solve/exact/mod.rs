@@ -297,7 +297,8 @@ impl<'a, const C: usize> Solver<'a, C> {
             trial[index] = if index < self.chain.first {
                 joint
             } else {
-                let [pitch, heading] = model[index].map(|angle| solution.of(&angle));
+                let [pitch, heading] = &model[index];
+                let (pitch, heading) = (solution.of(pitch), solution.of(heading));
                 let pitch = pitch + rides[index] * (heading - joint.heading);
                 reaches[index].hold(&Joint { pitch, heading, ..joint })
             };
@@ -435,7 +436,7 @@ impl<'a, const C: usize> Solver<'a, C> {
 
     /// The effector as the rigid links have it, in solver space.
     fn rigid_gaze(&self, joints: &[Joint]) -> Ray {
-        let (infos, links) = (self.rig.joints, self.chain.links);
+        let (infos, links) = (self.rig.joints, &self.chain.links);
         let mut ray = rigid_effector(&self.rig.effector, &links[self.chain.first]);
         for index in self.chain.first..self.chain.count {
             ray = ray.turned(joint_turn(&infos[index], &joints[index]));
@@ -451,7 +452,7 @@ impl<'a, const C: usize> Solver<'a, C> {
     #[inline]
     pub(crate) fn see(&self, joints: &[Joint]) -> Option<View> {
         let mut target = self.target_seen(joints)?;
-        let (infos, links) = (self.rig.joints, self.chain.links);
+        let (infos, links) = (self.rig.joints, &self.chain.links);
         for index in (self.chain.first..self.chain.count).rev() {
             let turn = joint_turn(&infos[index], &joints[index]);
             target = math::turned(turn.conjugate(), target);

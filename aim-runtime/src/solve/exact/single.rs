@@ -16,9 +16,9 @@
 use core::f32::consts::{FRAC_PI_2, PI};
 use core::slice;
 
-use glam::{Mat3A, Quat, Vec3A};
+use glam::{Affine3A, Mat3A, Quat, Vec3A};
 
-use super::following::{dot, unturned};
+use super::following::{unturned, view};
 use crate::kinematics::chain::common_scale;
 use crate::kinematics::rotation::turn;
 use crate::kinematics::view::View;
@@ -27,7 +27,7 @@ use crate::math::trig;
 use crate::rig::{PoseSlices, Side, StateSlices};
 use crate::solve::Call;
 use crate::solve::judge::Verdict;
-use crate::{Axes, Description, Joint, JointInfo, JointSet, Outcome, Scalar};
+use crate::{Description, Joint, JointInfo, JointSet, Outcome, Scalar};
 
 /// The squared tangent of the elevation, 60°, beyond which headings tremble with their target.
 const STEEP: f32 = 3.0;
@@ -47,13 +47,17 @@ pub(crate) fn aim(
     call: &Call<'_>,
     corrections: &mut [Quat],
 ) -> Option<Outcome> {
-    let memory = &*state.memory;
+    let ([joint], [animated], [correction], memory) =
+        (&mut *state.joints, pose.joints, corrections, &mut *state.memory)
+    else {
+        return None;
+    };
     let is_undisturbed = !(memory.behind || memory.strain > 0.0) && memory.eyes().is_none();
-    if !(is_undisturbed && call.settings.weight >= 1.0 && state.joints[0].destination().is_none()) {
+    if !(is_undisturbed && call.settings.weight >= 1.0 && joint.destination().is_none()) {
         return None;
     }
-    let eye = Eye::new(rig, pose, call)?;
-    let (dt, joint) = (call.dt?, &mut state.joints[0]);
+    let eye = Eye::new(rig, animated, call.target_ps.into())?;
+    let dt = call.dt?;
     let gaze = eye.gaze(joint, eye.reach(joint, dt))?;
     let tolerance = call.settings.effective_tolerance();
     // Does the rate keep it from there, or in the end its ranges too?
@@ -63,8 +67,7 @@ pub(crate) fn aim(
 
     *joint = joint.turned_to(gaze.angles[1], gaze.angles[0]);
     joint.velocity = [0.0; 2];
-    corrections[0] = gaze.sight.turn;
-    let memory = &mut *state.memory;
+    *correction = gaze.sight.turn;
     memory.side = Side::of_coordinate(eye.animated.left);
     memory.blocked_s = if gaze.remaining <= tolerance { 0.0 } else { memory.blocked_s + dt };
     Some(outcome)
@@ -84,8 +87,8 @@ struct Eye<'a> {
 
 impl<'a> Eye<'a> {
     #[inline(always)]
-    fn new(rig: &Description<'a>, pose: &PoseSlices<'_>, call: &Call<'_>) -> Option<Self> {
-        let info = &rig.joints[0];
+    fn new(rig: &Description<'a>, animated: &Affine3A, target_ps: Vec3A) -> Option<Self> {
+        let [info] = rig.joints else { return None };
         let ranges = [info.pitch?, info.heading?];
         if !(rig.has_fixed_ranges
             && !rig.has_upright
@@ -96,11 +99,10 @@ impl<'a> Eye<'a> {
         {
             return None;
         }
-        let joint = &pose.joints[0];
-        let square_scale = common_scale(slice::from_ref(joint))?;
+        let square_scale = common_scale(slice::from_ref(animated))?;
         // The inverse of a frame that is turned and scaled is its transpose, divided by the square of its scale.
-        let to_target = (Vec3A::from(call.target_ps) - joint.translation) / square_scale;
-        let Mat3A { x_axis: x, y_axis: y, z_axis: z } = joint.matrix3;
+        let to_target = (target_ps - animated.translation) / square_scale;
+        let Mat3A { x_axis: x, y_axis: y, z_axis: z } = animated.matrix3;
         let products = Mat3A::from_cols(x * to_target, y * to_target, z * to_target).transpose();
         let target = products.x_axis + products.y_axis + products.z_axis;
         let animated = view(&info.axes, target);
@@ -236,12 +238,6 @@ struct Sight {
     turn: Quat,
     /// The tangent of half that angle.
     half_tangent: f32,
-}
-
-/// A vector of the bone's space along its axes.
-#[inline(always)]
-fn view(axes: &Axes, v: Vec3A) -> View {
-    View { forward: dot(&axes.forward, v), left: dot(&axes.left, v), up: dot(&axes.up, v) }
 }
 
 /// How far ahead of a heading with these halves a target is, seen from above, and how far aside to the left.

@@ -457,7 +457,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
 
     /// A point in the eye's space, before its added rotation; for a rigid chain.
     fn seen(&self, joints: &[Joint], point: Vec3A) -> Vec3A {
-        let (infos, links) = (self.rig.joints, self.chain.links);
+        let (infos, links) = (self.rig.joints, &self.chain.links);
         let mut seen = self.chain.base.matrix3.transpose() * point;
         for index in self.supporting().rev() {
             let turn = joint_turn(&infos[index], &joints[index]);
