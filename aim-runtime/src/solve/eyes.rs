@@ -17,7 +17,7 @@ use crate::limits::motion::{Motion, mirrored};
 use crate::limits::reach::{Range, Reach};
 use crate::math::trig;
 use crate::rig::{ChainRig, Memory, PerJoint, PoseSlices};
-use crate::solve::Call;
+use crate::solve::call::Call;
 use crate::solve::judge::{Verdict, limits_met};
 use crate::target::goal::Course;
 use crate::{Axes, Joint, JointSet, Outcome, Status, math};

@@ -7,6 +7,7 @@
 //! decided in [`turn_round`].
 
 pub(crate) mod ascent;
+mod call;
 pub(crate) mod exact;
 pub(crate) mod eyes;
 mod frame;
@@ -14,8 +15,10 @@ pub(crate) mod judge;
 mod natural;
 mod turn_round;
 
-use glam::{Quat, Vec3};
+use glam::Quat;
 
+use self::call::upright_axis;
+pub(crate) use self::call::{Call, LONGEST_FRAME_S};
 use self::exact::settle::{settle, settle_from_rest};
 
 use self::exact::{following, single};
@@ -23,44 +26,13 @@ use self::eyes::{Eyes, Solved};
 use self::frame::Frame;
 use self::judge::{Verdict, degenerate};
 use self::natural::Gaze;
-use crate::kinematics::chain::{Chain, Upright, tilts};
+use crate::kinematics::chain::{Chain, tilts};
 use crate::kinematics::rotation::correction;
 use crate::limits::motion::{Motion, motions};
 use crate::limits::reach::Reach;
 use crate::rig::{ChainRig, Memory, PoseSlices, StateSlices, Support};
 use crate::target::goal::{Course, Goal};
-use crate::{Description, Joint, Outcome, Rig, Settings, Solver, math};
-
-/// The longest frame, seconds: after a hitch nothing leaps.
-pub(crate) const LONGEST_FRAME_S: f32 = 0.1;
-
-/// What a call asks for.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Call<'a> {
-    /// The target, in the pose's space.
-    pub(crate) target_ps: Vec3,
-    /// The frame's length, seconds; `None` for a snap.
-    pub(crate) dt: Option<f32>,
-    pub(crate) settings: &'a Settings,
-}
-
-impl<'a> Call<'a> {
-    /// A call with the frame's length as it counts: 0…0.1 s, 0 for NaN.
-    #[inline(always)]
-    pub(crate) fn new(target_ps: Vec3, dt: Option<f32>, settings: &'a Settings) -> Self {
-        // Not `max` and `min`: what those do about NaN takes as many instructions again.
-        let counted = |dt: f32| {
-            if dt < LONGEST_FRAME_S {
-                dt.max(0.0)
-            } else if dt.is_nan() {
-                0.0
-            } else {
-                LONGEST_FRAME_S
-            }
-        };
-        Self { target_ps, dt: dt.map(counted), settings }
-    }
-}
+use crate::{Description, Joint, Outcome, Rig, Settings, Solver};
 
 /// Serves a frame that needs no search, if it is one: moves `state` and writes the joints' corrections. Else `None`, with
 /// nothing changed.
@@ -133,14 +105,6 @@ pub(crate) fn solve<const C: usize>(
 /// The solver that moves the joints.
 fn solver<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) -> Solver {
     settings.solver.unwrap_or(rig.default_solver())
-}
-
-/// What upright headings turn about in this pose. The paper's method knows bones only.
-pub(crate) fn upright_axis(pose: &PoseSlices<'_>, solver: Solver) -> Upright {
-    if solver == Solver::Ascent {
-        return Upright::Off;
-    }
-    pose.up.and_then(|up| math::direction(up.into())).map_or(Upright::Innermost, Upright::About)
 }
 
 /// Whether joint 0 leads others as an eye does; aimed alone, or left out, it needs no coordination.

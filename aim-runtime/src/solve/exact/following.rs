@@ -22,8 +22,8 @@ use crate::kinematics::view::{Stretch, View};
 use crate::limits::reach::AT_LIMIT_RAD;
 use crate::math::trig;
 use crate::rig::{PoseSlices, Side, StateSlices};
+use crate::solve::call::{Call, upright_axis};
 use crate::solve::judge::Verdict;
-use crate::solve::{Call, upright_axis};
 use crate::{Axes, Description, Joint, JointInfo, JointSet, Outcome, Rig, Solver, math};
 
 /// The largest number of joints that this is compiled for.

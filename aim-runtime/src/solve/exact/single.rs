@@ -25,7 +25,7 @@ use crate::kinematics::view::View;
 use crate::limits::reach::AT_LIMIT_RAD;
 use crate::math::trig;
 use crate::rig::{PoseSlices, Side, StateSlices};
-use crate::solve::Call;
+use crate::solve::call::Call;
 use crate::solve::judge::Verdict;
 use crate::{Description, Joint, JointInfo, JointSet, Outcome, Scalar};
 
