@@ -51,13 +51,7 @@ impl<T: Float> Interval<T> {
             Some([lo, hi]) if lo == -T::INFINITY && hi == T::INFINITY => Self { lo, hi },
             Some([lo, hi]) if lo <= hi || lo > hi => {
                 let within_a_turn = |angle: T| angle.max(-T::TAU).min(T::TAU);
-                let (lo, hi) = (within_a_turn(lo), within_a_turn(hi));
-                if lo <= hi {
-                    Self { lo, hi }
-                } else {
-                    let middle = T::HALF * (lo + hi);
-                    Self { lo: middle, hi: middle }
-                }
+                Self::between(within_a_turn(lo), within_a_turn(hi))
             }
             _ => Self::REST,
         }
@@ -89,6 +83,100 @@ impl<T: Float> Interval<T> {
     #[must_use]
     pub fn is_free(self) -> bool {
         self.lo == -T::INFINITY && self.hi == T::INFINITY
+    }
+
+    /// The one angle.
+    #[inline]
+    #[must_use]
+    pub const fn point(angle: T) -> Self {
+        Self { lo: angle, hi: angle }
+    }
+
+    /// The angles that a change by `step` at most leads to.
+    #[inline]
+    #[must_use]
+    pub fn around(from: T, step: T) -> Self {
+        Self { lo: from - step, hi: from + step }
+    }
+
+    /// From `lo` to `hi`; their middle where they are inverted, rest where that is undefined.
+    #[inline]
+    fn between(lo: T, hi: T) -> Self {
+        if lo <= hi {
+            Self { lo, hi }
+        } else {
+            let middle = T::HALF * (lo + hi);
+            if middle.is_finite() { Self::point(middle) } else { Self::REST }
+        }
+    }
+
+    /// Whether the angle is in the interval.
+    #[inline]
+    #[must_use]
+    pub fn contains(self, angle: T) -> bool {
+        self.lo <= angle && angle <= self.hi
+    }
+
+    /// Whether it is a single angle.
+    #[inline]
+    #[must_use]
+    pub fn is_point(self) -> bool {
+        self.lo >= self.hi
+    }
+
+    /// The angle of the interval nearest to `angle`.
+    #[inline]
+    #[must_use]
+    pub fn hold(self, angle: T) -> T {
+        angle.max(self.lo).min(self.hi)
+    }
+
+    /// Whether `angle` cannot move on in the direction of `change`.
+    #[inline]
+    #[must_use]
+    pub fn blocks(self, angle: T, change: T) -> bool {
+        (change > T::ZERO && angle >= self.hi) || (change < T::ZERO && angle <= self.lo)
+    }
+
+    /// What is left of the interval within `bounds`. Where that is nothing, the point of `bounds` nearest to it.
+    #[inline]
+    #[must_use]
+    pub fn within(self, bounds: Self) -> Self {
+        if bounds.lo > self.hi {
+            Self::point(bounds.lo)
+        } else if bounds.hi < self.lo {
+            Self::point(bounds.hi)
+        } else {
+            Self { lo: self.lo.max(bounds.lo), hi: self.hi.min(bounds.hi) }
+        }
+    }
+
+    /// What both intervals have in common; the middle between them where that is nothing.
+    #[inline]
+    #[must_use]
+    pub fn common(self, other: Self) -> Self {
+        Self::between(self.lo.max(other.lo), self.hi.min(other.hi))
+    }
+
+    /// The interval without what is above the other's.
+    #[inline]
+    #[must_use]
+    pub fn no_further_up_than(self, other: Self) -> Self {
+        Self::between(self.lo, self.hi.min(other.hi))
+    }
+
+    /// The interval without what is below the other's.
+    #[inline]
+    #[must_use]
+    pub fn no_further_down_than(self, other: Self) -> Self {
+        Self::between(self.lo.max(other.lo), self.hi)
+    }
+
+    /// The interval with both ends moved by `by`.
+    #[inline]
+    #[must_use]
+    pub fn moved(self, by: T) -> Self {
+        Self { lo: self.lo + by, hi: self.hi + by }
     }
 
     /// This part of the interval, 0…1; finite intervals only.
@@ -132,8 +220,7 @@ impl<T: Float> Taper<T> {
 
     /// The taper of this part of the range, 0…1.
     #[inline]
-    #[must_use]
-    pub fn shrunk(self, part: T) -> Self {
+    fn shrunk(self, part: T) -> Self {
         Self { pitch: self.pitch.scaled(part), ..self }
     }
 
@@ -185,6 +272,17 @@ impl<T: Float> RangeOfMotion<T> {
             }
         }
         range
+    }
+
+    /// With another interval of the heading, and this part of the pitch's, 0…1.
+    #[inline]
+    #[must_use]
+    pub fn shrunk(&self, heading: Interval<T>, pitch_part: T) -> Self {
+        Self {
+            heading,
+            pitch: if self.pitch.is_free() { self.pitch } else { self.pitch.scaled(pitch_part) },
+            taper: self.taper.map(|taper| taper.shrunk(pitch_part)),
+        }
     }
 
     /// The pitch's interval at this added heading.

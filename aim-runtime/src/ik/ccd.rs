@@ -7,7 +7,8 @@ use glam::{Quat, Vec3, Vec3A, Vec4};
 
 use super::turn::{about, angle, at_most, normalized, shortest};
 use crate::JointSet;
-use crate::limits::reach::{AT_LIMIT_RAD, Range};
+use crate::limits::Interval;
+use crate::limits::reach::AT_LIMIT_RAD;
 use crate::math::trig::atan2;
 use crate::math::{self, cross, direction, product, turned};
 
@@ -300,12 +301,12 @@ impl Chain {
 
 impl CcdLimit {
     /// The axis and range of a hinge; the axis is zero where it has none.
-    fn hinge(&self) -> Option<(Vec3A, Range)> {
+    fn hinge(&self) -> Option<(Vec3A, Interval)> {
         match *self {
             Self::Hinge { axis, least_rad, most_rad } => {
                 let axis = direction(axis.into());
-                let range = Range::declared(axis.map(|_| [least_rad, most_rad]));
-                let half_turn = Range::declared(Some([-PI, PI]));
+                let range = Interval::declared(axis.map(|_| [least_rad, most_rad]));
+                let half_turn = Interval::declared(Some([-PI, PI]));
                 Some((axis.unwrap_or(Vec3A::X), if range.is_free() { range } else { range.common(half_turn) }))
             }
             _ => None,

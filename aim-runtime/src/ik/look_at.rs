@@ -9,7 +9,7 @@ use glam::{Affine3A, Quat, Vec3, Vec3A};
 
 use super::turn::{across, at_most, between};
 use crate::Axes;
-use crate::limits::reach::Range;
+use crate::limits::Interval;
 use crate::math::trig::{atan2, sin_cos};
 use crate::math::{self, angle_between, cross, direction, turned};
 use crate::solve::LONGEST_FRAME_S;
@@ -209,15 +209,15 @@ impl LookAt {
     }
 
     /// The limits as they count.
-    fn ranges(&self) -> [Range; 2] {
-        let [heading, pitch] = [self.heading, self.pitch].map(|range| Range::declared(Some(range)));
-        let within = |range: Range, most: f32| range.common(Range::declared(Some([-most, most])));
+    fn ranges(&self) -> [Interval; 2] {
+        let [heading, pitch] = [self.heading, self.pitch].map(|range| Interval::declared(Some(range)));
+        let within = |range: Interval, most: f32| range.common(Interval::declared(Some([-most, most])));
         [if heading.is_free() { heading } else { within(heading, PI) }, within(pitch, PI / 2.0)]
     }
 }
 
 /// The angle of a range that a heading is brought to: of those that are the same heading, the nearest.
-fn hold(range: Range, heading: f32) -> f32 {
+fn hold(range: Interval, heading: f32) -> f32 {
     let there = |heading: f32| (range.hold(heading), (range.hold(heading) - heading).abs());
     let (mut best, mut off) = there(heading);
     for other in [heading - 2.0 * PI, heading + 2.0 * PI] {

@@ -1,126 +1,52 @@
-//! [`Motion`]: the ranges of motion that a call works with, made once a call from what was declared and, where ranges
-//! are absolute, from how the animation stands to the bind pose. The one place that reads declared ranges.
+//! The ranges of motion that a call works with, made once a call from what was declared and, where they count from the
+//! bind pose, from how the animation stands to it. The one place that reads declared ranges.
 
 use glam::{Affine3A, Mat3A, Vec3A};
 
-use crate::limits::reach::Range;
+use crate::limits::{Angles, RangeOfMotion};
 use crate::math::trig;
 use crate::rig::{ChainRig, PerJoint, PoseSlices};
 use crate::{Joint, JointInfo, LimitsFrom, math};
 
-/// A joint's ranges of motion in this call, as intervals of its added angles.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Motion {
-    pub(crate) heading: Range,
-    /// The pitch's range where the heading takes nothing of it. See [`pitch_at`](Self::pitch_at).
-    pub(crate) pitch: Range,
-    pub(crate) narrowing: Option<Narrowing>,
+/// The ranges of a joint that the animation turns by these angles out of the bind pose; `None` where they are counted from
+/// the animation.
+fn ranges(info: &JointInfo, animated: Option<Angles>) -> RangeOfMotion {
+    RangeOfMotion::new(Angles { heading: info.heading, pitch: info.pitch }, info.pitch_taper, animated)
 }
 
-/// How a pitch's range narrows as the heading nears the ends of its own.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Narrowing {
-    /// What is lost of the range at either end, 0…1.
-    most: f32,
-    /// What is lost of it for each radian to the right and to the left.
-    per_rad: [f32; 2],
-    /// The range that narrows, and the heading and pitch that it is counted from.
-    pitch: Range,
-    animated: Option<[f32; 2]>,
-}
-
-impl Motion {
-    pub(crate) const REST: Self = Self { heading: Range::REST, pitch: Range::REST, narrowing: None };
-
-    /// The ranges of a joint that `animated` leads by this heading and pitch; `None` where ranges are relative.
-    fn new(info: &JointInfo, animated: Option<[f32; 2]>) -> Self {
-        let [heading, pitch] = [info.heading, info.pitch].map(Range::declared);
-        let narrowing = Narrowing::new(info.pitch_taper, heading, pitch, animated);
-        let mut motion = Self { heading, pitch, narrowing };
-        // An angle that was not declared has no range to be counted from anywhere.
-        if let Some([animated_heading, animated_pitch]) = animated {
-            if info.heading.is_some() {
-                motion.heading = heading.counted_from(animated_heading);
-            }
-            if info.pitch.is_some() {
-                motion.pitch = pitch.counted_from(animated_pitch);
-            }
-        }
-        motion
+/// Brings free angles back within half a turn; leaves the others.
+pub(crate) fn wrap(motion: &RangeOfMotion, joint: &mut Joint) {
+    if motion.heading.is_free() {
+        joint.heading = math::wrap_pi(joint.heading);
     }
-
-    /// Brings free angles back within half a turn; leaves the others.
-    pub(crate) fn wrap(&self, joint: &mut Joint) {
-        if self.heading.is_free() {
-            joint.heading = math::wrap_pi(joint.heading);
-        }
-        if self.pitch.is_free() {
-            joint.pitch = math::wrap_pi(joint.pitch);
-        }
-    }
-
-    /// The pitch's range at this added heading.
-    pub(crate) fn pitch_at(&self, heading: f32) -> Range {
-        match &self.narrowing {
-            Some(narrowing) => narrowing.pitch_at(heading),
-            None => self.pitch,
-        }
-    }
-}
-
-impl Narrowing {
-    /// `None` where nothing narrows: not asked for, no pitch, no end of the heading.
-    fn new(most: f32, heading: Range, pitch: Range, animated: Option<[f32; 2]>) -> Option<Self> {
-        // NaN is none.
-        let most = most.max(0.0).min(1.0);
-        let per_rad = [-heading.lo(), heading.hi()].map(|end| if end > 0.0 { most / end } else { 0.0 });
-        if pitch.is_free() || pitch == Range::REST || per_rad == [0.0; 2] {
-            return None;
-        }
-        Some(Self { most, per_rad, pitch, animated })
-    }
-
-    /// Narrowing what is left of the range at this part of it.
-    pub(crate) fn shrunk(self, part: f32) -> Self {
-        Self { pitch: self.pitch.scaled(part), ..self }
-    }
-
-    pub(crate) fn pitch_at(&self, heading: f32) -> Range {
-        let [animated_heading, animated_pitch] = self.animated.unwrap_or_default();
-        let heading = heading + animated_heading;
-        let [right, left] = self.per_rad;
-        let lost = if heading < 0.0 { -heading * right } else { heading * left };
-        let narrowed = self.pitch.scaled(1.0 - lost.max(0.0).min(self.most));
-        match self.animated {
-            Some(_) => narrowed.counted_from(animated_pitch),
-            None => narrowed,
-        }
+    if motion.pitch.is_free() {
+        joint.pitch = math::wrap_pi(joint.pitch);
     }
 }
 
 /// Every joint's ranges of motion in this pose. Without a bind pose, and for a joint whose animated or bind transform
 /// has no rotation, absolute ranges count as relative.
-pub(crate) fn motions<const C: usize>(rig: &ChainRig<'_, C>, pose: &PoseSlices<'_>) -> PerJoint<Motion, C> {
-    let mut motions = rig.array(Motion::REST);
+pub(crate) fn motions<const C: usize>(rig: &ChainRig<'_, C>, pose: &PoseSlices<'_>) -> PerJoint<RangeOfMotion, C> {
+    let mut motions = rig.array(RangeOfMotion::REST);
     for (index, (motion, info)) in motions.iter_mut().zip(rig.joints).enumerate() {
         let animated = if info.limits_from == LimitsFrom::BindPose { animated_angles(info, pose, index) } else { None };
-        *motion = Motion::new(info, animated);
+        *motion = ranges(info, animated);
     }
     motions
 }
 
 /// The ranges of motion of joint 0's mirror image, which the animation leads in parallel with it: heading to the left
 /// becomes heading to the right.
-pub(crate) fn mirrored<const C: usize>(rig: &ChainRig<'_, C>, pose: &PoseSlices<'_>) -> Option<Motion> {
+pub(crate) fn mirrored<const C: usize>(rig: &ChainRig<'_, C>, pose: &PoseSlices<'_>) -> Option<RangeOfMotion> {
     let mut info = *rig.joints.first()?;
     info.heading = info.heading.map(|[lo, hi]| [-hi, -lo]);
     let animated = if info.limits_from == LimitsFrom::BindPose { animated_angles(&info, pose, 0) } else { None };
-    Some(Motion::new(&info, animated))
+    Some(ranges(&info, animated))
 }
 
 /// The heading and pitch by which the animation turns a joint's forward out of the bind pose:
 /// `bind⁻¹ · local = R_heading · R_pitch · R_roll`. Where forward points straight up or down its heading is 0.
-fn animated_angles(info: &JointInfo, pose: &PoseSlices<'_>, index: usize) -> Option<[f32; 2]> {
+fn animated_angles(info: &JointInfo, pose: &PoseSlices<'_>, index: usize) -> Option<Angles> {
     let local = local_rotation(pose.joints, index)?;
     let bind = local_rotation(pose.bind?, index)?;
     let axes = &info.axes;
@@ -129,7 +55,7 @@ fn animated_angles(info: &JointInfo, pose: &PoseSlices<'_>, index: usize) -> Opt
     let level = math::sqrt(ahead * ahead + left * left);
     let heading = if level > 1e-6 { trig::atan2(left, ahead) } else { 0.0 };
     let pitch = trig::atan2(up, level);
-    (heading.is_finite() && pitch.is_finite()).then_some([heading, pitch])
+    (heading.is_finite() && pitch.is_finite()).then_some(Angles { heading, pitch })
 }
 
 /// A joint's rotation in the next joint's frame, scale taken out; the innermost one's in the pose's space.

@@ -13,8 +13,9 @@ use glam::{Affine3A, Mat3A, Quat, Vec3A};
 use crate::kinematics::chain::{Ray, inverse};
 use crate::kinematics::chain::{Upright, can_lead, leading_eye, tilts};
 use crate::kinematics::rotation::correction;
-use crate::limits::motion::{Motion, mirrored};
-use crate::limits::reach::{Range, Reach};
+use crate::limits::RangeOfMotion;
+use crate::limits::motion::mirrored;
+use crate::limits::reach::Reach;
 use crate::math::trig;
 use crate::rig::{ChainRig, Memory, PerJoint, PoseSlices};
 use crate::solve::call::Call;
@@ -72,8 +73,8 @@ pub(crate) struct Eyes<'a, const C: usize> {
     rig: &'a ChainRig<'a, C>,
     pose: &'a PoseSlices<'a>,
     /// The declared ranges of motion, then both eyes' own: the other's are joint 0's mirrored.
-    declared: &'a [Motion],
-    motions: [Motion; 2],
+    declared: &'a [RangeOfMotion],
+    motions: [RangeOfMotion; 2],
     leads: bool,
     middle: Vec3A,
     /// The eyes' animated transforms.
@@ -96,7 +97,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         rig: &'a ChainRig<'a, C>,
         pose: &'a PoseSlices<'a>,
         other_eye: &Affine3A,
-        declared: &'a [Motion],
+        declared: &'a [RangeOfMotion],
         about: Upright,
     ) -> Option<Self> {
         let (joint, info) = (*pose.joints.first()?, rig.joints.first()?);
@@ -141,7 +142,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         call: &Call<'_>,
         joints: &mut [Joint],
         memory: &mut Memory,
-        solve: impl Fn(&PoseSlices<'_>, &[Motion], &mut [Joint], &mut Memory) -> Option<Solved<C>>,
+        solve: impl Fn(&PoseSlices<'_>, &[RangeOfMotion], &mut [Joint], &mut Memory) -> Option<Solved<C>>,
     ) -> Option<Solved<C>> {
         let own = *joints.first()?;
         let [other, leading] = memory.eyes().unwrap_or([[0.0; 2], own.angles()]);
@@ -153,7 +154,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         transforms.iter_mut().zip(self.pose.joints).for_each(|(to, joint)| *to = *joint);
         transforms[0] = leading_eye(self.rig.description, self.pose)?;
         let pose = PoseSlices { joints: &transforms, ..*self.pose };
-        let mut motions = self.rig.array(Motion::REST);
+        let mut motions = self.rig.array(RangeOfMotion::REST);
         motions.copy_from_slice(self.declared);
         let (mut found, mut remembered) = (self.rig.array(Joint::REST), *memory);
         // How much room convergence takes depends on where the head comes to be. A frame takes that from the last one,
@@ -204,7 +205,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
     }
 
     /// What the leading eye may do so that either eye can look where it looks.
-    fn leading_motion(&self, call: &Call<'_>, joints: &[Joint]) -> Motion {
+    fn leading_motion(&self, call: &Call<'_>, joints: &[Joint]) -> RangeOfMotion {
         let distance = self.seen(joints, call.target_ps.into()).map_or(f32::INFINITY, math::length);
         // NaN where there is no distance to speak of.
         let half = (0.5 * self.apart * call.settings.effective_weight() / distance).max(0.0).min(0.5);
@@ -225,7 +226,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         let headings = if self.side > 0.0 { [left_heading, right_heading] } else { [right_heading, left_heading] };
         let rate = self.rig.joints.first().map_or(0.0, |info| info.rate);
         [0, 1].map(|eye| {
-            let motion = Motion { heading: headings[eye], ..self.motions[eye] };
+            let motion = RangeOfMotion { heading: headings[eye], ..self.motions[eye] };
             match call.dt {
                 Some(dt) => Reach::frame(&motion, rate, &start[eye], dt),
                 None => Reach::range(&motion),
@@ -385,16 +386,5 @@ impl Reach {
     fn angles_nearest(&self, joint: &Joint) -> [f32; 2] {
         let held = self.hold(joint);
         [held.heading, held.pitch]
-    }
-}
-
-impl Motion {
-    /// With another range of the heading, and this part of the pitch's.
-    fn shrunk(&self, heading: Range, pitch_part: f32) -> Self {
-        Self {
-            heading,
-            pitch: if self.pitch.is_free() { self.pitch } else { self.pitch.scaled(pitch_part) },
-            narrowing: self.narrowing.map(|narrowing| narrowing.shrunk(pitch_part)),
-        }
     }
 }

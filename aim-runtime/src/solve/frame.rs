@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use crate::Joint;
 use crate::kinematics::chain::Chain;
-use crate::limits::motion::Motion;
+use crate::limits::RangeOfMotion;
 use crate::limits::reach::Reach;
 use crate::rig::{ChainRig, PerJoint};
 use crate::target::goal::Goal;
@@ -14,7 +14,7 @@ pub(crate) struct Frame<'a, const C: usize> {
     pub(crate) rig: &'a ChainRig<'a, C>,
     pub(crate) chain: &'a Chain<C>,
     /// The ranges of motion.
-    pub(crate) motions: &'a [Motion],
+    pub(crate) motions: &'a [RangeOfMotion],
     pub(crate) goal: &'a Goal,
     pub(crate) tolerance: f32,
     /// How far each joint can go in this frame.
@@ -27,7 +27,7 @@ impl<'a, const C: usize> Frame<'a, C> {
     pub(crate) fn new(
         rig: &'a ChainRig<'a, C>,
         chain: &'a Chain<C>,
-        motions: &'a [Motion],
+        motions: &'a [RangeOfMotion],
         goal: &'a Goal,
         dt: f32,
         tolerance: f32,

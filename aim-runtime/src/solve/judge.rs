@@ -1,6 +1,6 @@
 //! The judge: the one place where status and [`Outcome`] are decided, from the angle that forward kinematics measured.
 
-use crate::limits::motion::Motion;
+use crate::limits::RangeOfMotion;
 use crate::limits::reach::AT_LIMIT_RAD;
 use crate::math::trig;
 use crate::rig::ChainRig;
@@ -48,7 +48,7 @@ impl Verdict {
     pub(crate) fn outcome<const C: usize>(
         &self,
         rig: &ChainRig<'_, C>,
-        motions: &[Motion],
+        motions: &[RangeOfMotion],
         joints: &[Joint],
     ) -> Outcome {
         let (at_limit, recovering) = limits_met(rig.joints, motions, joints);
@@ -57,7 +57,11 @@ impl Verdict {
 }
 
 /// The outcome where there is nothing to aim: the angles hold.
-pub(crate) fn degenerate<const C: usize>(rig: &ChainRig<'_, C>, motions: &[Motion], joints: &[Joint]) -> Outcome {
+pub(crate) fn degenerate<const C: usize>(
+    rig: &ChainRig<'_, C>,
+    motions: &[RangeOfMotion],
+    joints: &[Joint],
+) -> Outcome {
     let (at_limit, recovering) = limits_met(rig.joints, motions, joints);
     Outcome { at_limit, recovering, ..nothing_to_aim() }
 }
@@ -69,7 +73,7 @@ pub(crate) fn nothing_to_aim() -> Outcome {
 }
 
 /// The joints with an angle at or past an end of its range, and those with one outside its range.
-pub(crate) fn limits_met(infos: &[JointInfo], motions: &[Motion], joints: &[Joint]) -> (JointSet, JointSet) {
+pub(crate) fn limits_met(infos: &[JointInfo], motions: &[RangeOfMotion], joints: &[Joint]) -> (JointSet, JointSet) {
     let (mut at_limit, mut recovering) = (JointSet::EMPTY, JointSet::EMPTY);
     for (index, ((info, motion), joint)) in infos.iter().zip(motions).zip(joints).enumerate() {
         for (declared, range, angle) in

@@ -28,7 +28,8 @@ use self::judge::{Verdict, degenerate};
 use self::natural::Gaze;
 use crate::kinematics::chain::{Chain, tilts};
 use crate::kinematics::rotation::correction;
-use crate::limits::motion::{Motion, motions};
+use crate::limits::RangeOfMotion;
+use crate::limits::motion::{motions, wrap};
 use crate::limits::reach::Reach;
 use crate::rig::{ChainRig, Memory, PoseSlices, StateSlices, Support};
 use crate::target::goal::{Course, Goal};
@@ -69,7 +70,7 @@ pub(crate) fn solve<const C: usize>(
     let (mut joints, mut memory) = (rig.array(Joint::REST), *state.memory);
     joints.copy_from_slice(state.joints);
     let solve_chain =
-        |pose: &PoseSlices<'_>, motions: &[Motion], joints: &mut [Joint], memory: &mut Memory| match call.dt {
+        |pose: &PoseSlices<'_>, motions: &[RangeOfMotion], joints: &mut [Joint], memory: &mut Memory| match call.dt {
             Some(dt) => aim_joints(rig, pose, motions, call, dt, joints, memory),
             None => snap_joints(rig, pose, motions, call, joints, memory),
         };
@@ -116,7 +117,7 @@ fn is_natural<const C: usize>(chain: &Chain<C>, solver: Solver) -> bool {
 fn aim_joints<const C: usize>(
     rig: &ChainRig<'_, C>,
     pose: &PoseSlices<'_>,
-    motions: &[Motion],
+    motions: &[RangeOfMotion],
     call: &Call<'_>,
     dt: f32,
     joints: &mut [Joint],
@@ -160,7 +161,7 @@ fn aim_joints<const C: usize>(
 fn snap_joints<const C: usize>(
     rig: &ChainRig<'_, C>,
     pose: &PoseSlices<'_>,
-    motions: &[Motion],
+    motions: &[RangeOfMotion],
     call: &Call<'_>,
     joints: &mut [Joint],
     memory: &mut Memory,
@@ -210,7 +211,7 @@ fn goal<const C: usize>(
     rig: &ChainRig<'_, C>,
     chain: &Chain<C>,
     pose: &PoseSlices<'_>,
-    motions: &[Motion],
+    motions: &[RangeOfMotion],
     call: &Call<'_>,
     memory: &Memory,
 ) -> Option<Goal> {
@@ -228,7 +229,7 @@ fn goal<const C: usize>(
 fn finish<const C: usize>(
     rig: &ChainRig<'_, C>,
     chain: &Chain<C>,
-    motions: &[Motion],
+    motions: &[RangeOfMotion],
     goal: &Goal,
     joints: &mut [Joint],
     memory: &mut Memory,
@@ -236,7 +237,7 @@ fn finish<const C: usize>(
     within_reach: bool,
 ) -> Option<Solved<C>> {
     for (joint, motion) in joints.iter_mut().zip(motions) {
-        motion.wrap(joint);
+        wrap(motion, joint);
     }
     (memory.side, memory.behind) = (goal.side, goal.behind);
     let remaining = chain.gaze_of(rig, joints).angle_to(goal.wanted)?;

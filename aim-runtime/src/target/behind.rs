@@ -9,7 +9,7 @@ use core::f32::consts::PI;
 use glam::Vec3A;
 
 use crate::kinematics::chain::{Chain, Ray};
-use crate::limits::motion::Motion;
+use crate::limits::RangeOfMotion;
 use crate::math;
 use crate::math::trig;
 use crate::rig::{ChainRig, Side};
@@ -36,7 +36,12 @@ pub(crate) struct Front {
 
 impl Front {
     /// The front of a chain whose animated effector is `gaze`, in solver space.
-    pub(crate) fn new<const C: usize>(rig: &ChainRig<'_, C>, chain: &Chain<C>, motions: &[Motion], gaze: Ray) -> Self {
+    pub(crate) fn new<const C: usize>(
+        rig: &ChainRig<'_, C>,
+        chain: &Chain<C>,
+        motions: &[RangeOfMotion],
+        gaze: Ray,
+    ) -> Self {
         let axes = &rig.joints[chain.count - 1].axes;
         let axis = |axis: [f32; 3]| chain.base.transform_vector3a(Vec3A::from(axis));
         let mut front = Self {

@@ -3,7 +3,7 @@
 use glam::Vec3A;
 
 use crate::kinematics::chain::{Chain, Ray};
-use crate::limits::motion::Motion;
+use crate::limits::RangeOfMotion;
 use crate::math::trig;
 use crate::rig::{ChainRig, Memory, Side};
 use crate::target::behind::Front;
@@ -40,7 +40,7 @@ impl Goal {
     pub(crate) fn new<const C: usize>(
         rig: &ChainRig<'_, C>,
         chain: &Chain<C>,
-        motions: &[Motion],
+        motions: &[RangeOfMotion],
         target: Vec3A,
         settings: &Settings,
         before: &Memory,
@@ -66,7 +66,7 @@ impl Goal {
         &self,
         rig: &ChainRig<'_, C>,
         chain: &Chain<C>,
-        motions: &[Motion],
+        motions: &[RangeOfMotion],
         part: f32,
     ) -> Self {
         let gaze = chain.animated_gaze();

@@ -513,7 +513,7 @@ const IDENTITY_LINK: [f32; 12] = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0
 /// The reaches of joints that have all the time they need.
 pub(crate) fn unhurried<const C: usize>(
     rig: &ChainRig<'_, C>,
-    motions: &[crate::limits::motion::Motion],
+    motions: &[crate::limits::RangeOfMotion],
 ) -> PerJoint<Reach, C> {
     let mut reaches = rig.array(Reach::REST);
     for (reach, motion) in reaches.iter_mut().zip(motions) {

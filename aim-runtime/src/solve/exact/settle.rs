@@ -4,8 +4,9 @@
 use super::{Solver, unhurried};
 use crate::Joint;
 use crate::kinematics::chain::Chain;
-use crate::limits::motion::Motion;
-use crate::limits::reach::Range;
+use crate::limits::Interval;
+use crate::limits::RangeOfMotion;
+use crate::limits::motion::wrap;
 use crate::rig::{ChainRig, Memory};
 use crate::target::goal::Goal;
 
@@ -41,7 +42,7 @@ impl Search {
 pub(crate) fn settle<const C: usize>(
     rig: &ChainRig<'_, C>,
     chain: &Chain<C>,
-    motions: &[Motion],
+    motions: &[RangeOfMotion],
     goal: &Goal,
     joints: &mut [Joint],
 ) -> Option<f32> {
@@ -52,14 +53,14 @@ pub(crate) fn settle<const C: usize>(
 pub(crate) fn search<const C: usize>(
     rig: &ChainRig<'_, C>,
     chain: &Chain<C>,
-    motions: &[Motion],
+    motions: &[RangeOfMotion],
     goal: &Goal,
     joints: &mut [Joint],
     search: Search,
 ) -> Option<f32> {
     let remaining = Solver::new(rig, chain, goal).settle(joints, &unhurried(rig, motions), search)?;
     for (joint, motion) in joints.iter_mut().zip(motions) {
-        motion.wrap(joint);
+        wrap(motion, joint);
     }
     Some(remaining)
 }
@@ -87,7 +88,7 @@ const STARTS: [[f32; 2]; 10] = [
 pub(crate) fn settle_from_rest<const C: usize>(
     rig: &ChainRig<'_, C>,
     chain: &Chain<C>,
-    motions: &[Motion],
+    motions: &[RangeOfMotion],
     goal: &Goal,
     joints: &mut [Joint],
     tolerance: f32,
@@ -132,7 +133,7 @@ pub(crate) struct Blocked {
 pub(crate) fn settle_from_elsewhere<const C: usize>(
     rig: &ChainRig<'_, C>,
     chain: &Chain<C>,
-    motions: &[Motion],
+    motions: &[RangeOfMotion],
     goal: &Goal,
     joints: &mut [Joint],
     blocked: Blocked,
@@ -181,10 +182,10 @@ pub(crate) fn settle_from_elsewhere<const C: usize>(
 
 /// Puts joints, the first of which has this index, where the search of this number starts: the regular starts first,
 /// then anywhere.
-fn start(number: usize, motions: &[Motion], goal: &Goal, joints: &mut [Joint], first: usize) {
+fn start(number: usize, motions: &[RangeOfMotion], goal: &Goal, joints: &mut [Joint], first: usize) {
     for (index, joint) in joints.iter_mut().enumerate() {
         let motion = &motions[first + index];
-        let ends = |range: Range| [range.lo().max(-2.0), range.hi().min(2.0)];
+        let ends = |range: Interval| [range.lo().max(-2.0), range.hi().min(2.0)];
         let ([right, left], [down, up]) = (ends(motion.heading), ends(motion.pitch));
         (joint.heading, joint.pitch) = match STARTS.get(number) {
             Some([heading, pitch]) => {

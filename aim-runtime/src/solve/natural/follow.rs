@@ -7,7 +7,7 @@
 
 use core::f32::consts::PI;
 
-use crate::limits::motion::Motion;
+use crate::limits::RangeOfMotion;
 use crate::limits::reach::{Reach, way};
 use crate::{Joint, JointInfo, Role, math};
 
@@ -27,7 +27,7 @@ fn acceleration(info: &JointInfo) -> f32 {
 
 /// One joint in one frame.
 pub(crate) struct Follower<'a> {
-    motion: &'a Motion,
+    motion: &'a RangeOfMotion,
     reach: &'a Reach,
     dt: f32,
     rate: f32,
@@ -37,7 +37,7 @@ pub(crate) struct Follower<'a> {
 
 impl<'a> Follower<'a> {
     /// `reach` is that of this frame; `dt` seconds, positive.
-    pub(crate) fn new(info: &JointInfo, motion: &'a Motion, reach: &'a Reach, dt: f32) -> Self {
+    pub(crate) fn new(info: &JointInfo, motion: &'a RangeOfMotion, reach: &'a Reach, dt: f32) -> Self {
         Self { motion, reach, dt, rate: reach.step / dt, gain: acceleration(info) * dt }
     }
 

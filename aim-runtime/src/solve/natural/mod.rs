@@ -14,7 +14,8 @@ use glam::Vec3A;
 use self::follow::Follower;
 use crate::kinematics::chain::{Chain, Ray};
 use crate::kinematics::rotation::{is_identity, joint_turn};
-use crate::limits::motion::Motion;
+use crate::limits::RangeOfMotion;
+use crate::limits::motion::wrap;
 use crate::limits::reach::Reach;
 use crate::math::trig;
 use crate::rig::{ChainRig, Memory, PerJoint, Support};
@@ -108,7 +109,7 @@ struct Goals {
 pub(crate) struct Gaze<'a, const C: usize> {
     rig: &'a ChainRig<'a, C>,
     chain: &'a Chain<C>,
-    motions: &'a [Motion],
+    motions: &'a [RangeOfMotion],
     goal: &'a Goal,
     tolerance: f32,
     sharing: Sharing,
@@ -123,7 +124,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
     pub(crate) fn new(
         rig: &'a ChainRig<'a, C>,
         chain: &'a Chain<C>,
-        motions: &'a [Motion],
+        motions: &'a [RangeOfMotion],
         goal: &'a Goal,
         settings: &Settings,
     ) -> Self {
@@ -343,7 +344,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
             }
         }
         for (joint, motion) in joints.iter_mut().zip(motions) {
-            motion.wrap(joint);
+            wrap(motion, joint);
         }
         Some(Goals { reach: here <= tolerance, eye_reaches: false })
     }
@@ -376,7 +377,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
             let _ = solver.settle(joints, &reaches, Search::Thorough);
         }
         for (joint, motion) in joints.iter_mut().zip(motions) {
-            motion.wrap(joint);
+            wrap(motion, joint);
         }
     }
 
