@@ -14,7 +14,7 @@ pub(crate) const TOO_NEAR: f32 = 1e-5;
 /// How far from square or from equal length joints' axes may be in a rigid pose, all that is off taken together.
 const OFF: f32 = 1e-4;
 /// Farther than this many sizes of the rig a target is a mere direction.
-const FAR: f32 = 1e6;
+const FAR: f32 = 1e7;
 
 /// A point and a direction (of any length but zero).
 #[derive(Clone, Copy, Debug)]

@@ -319,10 +319,12 @@ impl<'a, const C: usize> Gaze<'a, C> {
         for index in self.supporting() {
             solver.prefer(index, [shared[index].pitch, shared[index].heading], 1.0);
         }
-        let mut here = match dt {
-            Some(dt) => solver.advance(joints, ranges, dt, memory)?,
-            None => solver.settle(joints, ranges, Search::Thorough)?,
+        // Where they are bound for they may put the effector on a target that it is not on now: no way leads on from there.
+        let here = match dt {
+            Some(dt) => solver.advance(joints, ranges, dt, memory),
+            None => solver.settle(joints, ranges, Search::Thorough),
         };
+        let mut here = here.unwrap_or(f32::INFINITY);
         // A frame's step goes but a part of the way to the optimum, and which part that is rounding may decide.
         if dt.is_some() {
             shared.copy_from_slice(joints);
@@ -356,7 +358,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         let shift = chain.animated_gaze().angle_to(goal.aimed).unwrap_or(0.0);
         let part = self.sharing.head_part(shift);
         if !(part > 0.0) {
-            return at_rest(joints);
+            return self.rest(joints);
         }
         let partial = goal.part_way(rig, chain, motions, part);
         let mut reaches = rig.array(Reach::REST);
@@ -372,12 +374,20 @@ impl<'a, const C: usize> Gaze<'a, C> {
             None => None,
         };
         if !near.is_some_and(|near| near <= self.tolerance.max(SHARED_RAD)) {
-            at_rest(joints);
+            self.rest(joints);
             // At rest they stay where that leads nowhere either.
             let _ = solver.settle(joints, &reaches, Search::Thorough);
         }
         for (joint, motion) in joints.iter_mut().zip(motions) {
             wrap(motion, joint);
+        }
+    }
+
+    /// Puts all joints at rest, the supporting ones as near to it as their ranges let them.
+    fn rest(&self, joints: &mut [Joint]) {
+        at_rest(joints);
+        for index in self.supporting() {
+            joints[index] = self.ranges[index].hold(&joints[index]);
         }
     }
 

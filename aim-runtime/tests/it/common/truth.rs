@@ -300,6 +300,17 @@ impl Call<'_> {
         Ok(())
     }
 
+    /// How much of its digits a direction loses on the way through the bones' spaces: nothing in the animations of
+    /// characters, but an awkward number may make one axis of a bone a thousand times as long as another.
+    fn lost(&self) -> f64 {
+        let stretch = |joint: &Affine3A| {
+            let lengths = Transform64::of(joint).columns.map(|v| dot(v, v).sqrt());
+            lengths.into_iter().fold(0.0, f64::max) / lengths.into_iter().fold(f64::INFINITY, f64::min)
+        };
+        let longest = self.joints.iter().chain(self.pair).map(stretch).fold(1.0, f64::max);
+        if longest > 10.0 { longest } else { 1.0 }
+    }
+
     /// The remaining angle, by forward kinematics.
     fn check_gazes(&self, rig: &NumericRig, outcome: &Outcome) -> Result<(), String> {
         // The gaze of less weight goes to another point than the target.
@@ -348,8 +359,8 @@ impl Call<'_> {
         let largest = points.map(|point| point.abs().max_element()).fold(0.0, f32::max);
         let v = sub(self.target.to_array().map(f64::from), origin);
         let nearness = f64::from(largest) / dot(v, v).sqrt();
-        let roundings = if nearness > 30.0 { 8.0 } else { 4.0 };
-        let blur = 1e-5 + roundings * f64::from(f32::EPSILON) * nearness;
+        let roundings = if nearness > 30.0 { 9.0 } else { 4.0 };
+        let blur = self.lost() * 1e-5 + roundings * f64::from(f32::EPSILON) * nearness;
         let truth = off64((origin, direction), self.target);
         let told = f64::from(told);
         if (truth - told).abs() <= blur {
@@ -378,7 +389,7 @@ impl Call<'_> {
         let v = sub(self.target.to_array().map(f64::from), origin);
         let near = f64::from(self.size) / dot(v, v).sqrt();
         let bent = if self.similar { 1.0 } else { 10.0 };
-        bent * (3e-5 + 4e-6 * near)
+        self.lost().max(bent) * (3e-5 + 4e-6 * near)
     }
 
     /// Whether there is nothing to aim, or nearly.
