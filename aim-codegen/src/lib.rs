@@ -13,7 +13,6 @@ pub mod emit;
 mod names;
 pub mod objective;
 mod spec;
-mod text;
 
 use objective::{FirstLink, OBJECTIVES};
 

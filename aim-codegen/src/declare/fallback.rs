@@ -4,12 +4,12 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::{Data, DeriveInput};
 
-use super::input;
+use super::parse::item;
 
 /// Implements for the item, whatever it is, what the derive would have: the user then reads the errors of the
 /// declaration, and not that `Thug` has no `RIG`.
 pub fn fallback(input: &DeriveInput) -> TokenStream {
-    let krate = input::crate_override(input).unwrap_or_else(|| quote!(::aim));
+    let krate = item::crate_override(input).unwrap_or_else(|| quote!(::aim));
     let private = quote!(#krate::__private);
     let name = &input.ident;
     let (generics, arguments, clause) = input.generics.split_for_impl();

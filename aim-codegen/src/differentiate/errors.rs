@@ -2,8 +2,8 @@
 
 use quote::ToTokens;
 
+use crate::declare::report::text::Text;
 use crate::declare::{Diagnostic, Diagnostics, Place};
-use crate::text::Text;
 
 /// The errors found so far.
 #[derive(Default)]

@@ -4,7 +4,7 @@ use aim_symbolic::Count;
 use syn::BinOp;
 
 use super::types;
-use crate::text::{Text, did_you_mean, list, text};
+use crate::declare::report::text::{Text, did_you_mean, list, text};
 
 /// A text that is always the same: the message and the help.
 type Fixed = (&'static str, &'static str);

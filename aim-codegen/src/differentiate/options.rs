@@ -5,9 +5,9 @@ use proc_macro2::TokenStream;
 use super::errors::Errors;
 use super::messages;
 use crate::declare::Place;
-use crate::declare::tokens::entries;
+use crate::declare::parse::tokens::entries;
+use crate::declare::report::text;
 use crate::declare::tree::{Entry, Kind, Value, Word};
-use crate::text;
 
 /// What the attribute asks for.
 #[derive(Default)]

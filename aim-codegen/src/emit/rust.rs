@@ -9,7 +9,8 @@ use quote::{format_ident, quote};
 use super::Rig;
 use super::body::local;
 use super::rust_kernels::{self, trait_kernels};
-use crate::{AngleRange, JointSpec, LimitsFrom, NaturalSpec, RigSpec, Role};
+use crate::{AngleRange, JointSpec, NaturalSpec, RigSpec};
+use aim_model::{LimitsFrom, Role};
 
 /// The names that emitted code stands among.
 #[derive(Clone, Debug)]

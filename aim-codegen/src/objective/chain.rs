@@ -2,7 +2,8 @@
 
 use aim_symbolic::{Angle, Graph, Plane, Rigid, Rotation, Vector};
 
-use crate::{EffectorSpec, Frame, JointSpec, RigSpec, Role};
+use crate::{EffectorSpec, Frame, JointSpec, RigSpec};
+use aim_model::Role;
 
 /// The plane of heading, in the axes forward, left, up: forward turns towards left.
 pub const HEADING: Plane = Plane { from: 0, towards: 1 };

@@ -1,26 +1,17 @@
 //! Declared axes: unit, square, not contradictory, enough of them, and of the right handedness.
 
 use super::frame::{self, SQUARE_SIN, Vector};
+use super::keys::AXES_KEYS;
 use super::read;
-use super::report::Report;
-use super::settings::{Key, Level, Settings};
+use super::settings::{Level, Settings};
 use crate::Frame;
-use crate::declare::messages::{self, Expected, Owner};
 use crate::declare::place::Place;
+use crate::declare::report::Report;
+use crate::declare::report::messages::{self, Expected, Owner};
 use crate::declare::tree::{Kind, Notation, Value};
 
 /// How far a vector's length may be from 1.
 const UNIT_TOLERANCE: f64 = 1e-3;
-
-/// What `axes` may say; each direction is followed by its opposite.
-const KEYS: [Key; 6] = [
-    ("up", Expected::Direction),
-    ("down", Expected::Direction),
-    ("forward", Expected::Direction),
-    ("back", Expected::Direction),
-    ("left", Expected::Direction),
-    ("right", Expected::Direction),
-];
 
 /// A declared direction.
 struct Direction<'t> {
@@ -87,10 +78,10 @@ pub(super) fn read<'t>(report: &mut Report, owner: Owner, hand: f64, value: &'t 
         read::mismatch(report, "axes", Expected::Axes, value);
         return None;
     };
-    let settings = Settings::read(entries, &KEYS, Level::Table, report);
+    let settings = Settings::read(entries, &AXES_KEYS, Level::Table, report);
     let mut complete = true;
     let mut axes = Axes { directions: [None, None, None], place: &value.place };
-    for (pair, slot) in KEYS.chunks_exact(2).zip(&mut axes.directions) {
+    for (pair, slot) in AXES_KEYS.chunks_exact(2).zip(&mut axes.directions) {
         let [(first, _), (second, _)] = [pair[0], pair[1]];
         if let (Some(one), Some(other)) = (settings.get(first), settings.get(second)) {
             let note = messages::declared_here(first);

@@ -1,31 +1,15 @@
 //! One joint's settings.
 
-use super::Conventions;
 use super::axes;
+use super::conventions::Conventions;
 use super::range::range;
 use super::read;
-use super::report::Report;
-use super::settings::{Key, Settings};
-use crate::declare::messages::{self, Expected, Owner};
+use super::settings::Settings;
+use crate::declare::report::Report;
+use crate::declare::report::messages::{self, Expected, Owner};
 use crate::declare::tree::{Joint, Kind, Value};
-use crate::{AngleRange, Frame, JointSpec, LimitsFrom, Role};
-
-/// What a joint may say.
-pub(super) const KEYS: &[Key] = &[
-    ("role", Expected::Role),
-    ("heading", Expected::HeadingRange),
-    ("pitch", Expected::AngleRange),
-    ("rate", Expected::Rate),
-    ("acceleration", Expected::Acceleration),
-    ("stiffness", Expected::Number),
-    ("upright", Expected::Number),
-    ("pitch_taper", Expected::Number),
-    ("limits_from", Expected::LimitsFrom),
-    ("bone", Expected::NodeNames),
-    ("other_eye", Expected::NodeName),
-    ("axes", Expected::Axes),
-    ("mirrored", Expected::Flag),
-];
+use crate::{AngleRange, Frame, JointSpec};
+use aim_model::{LimitsFrom, Role};
 
 /// The largest rate that is accepted, rad/s (5730°/s). Human eyes reach 700°/s and fast machines a few turns a second;
 /// beyond, degrees were written as radians.

@@ -1,12 +1,12 @@
 //! The kernels that are wanted as functions of the rig: names of objectives, each once.
 
 use super::read;
-use super::report::Report;
-use crate::declare::messages::{self, Expected};
 use crate::declare::place::Place;
+use crate::declare::report::Report;
+use crate::declare::report::messages::{self, Expected};
+use crate::declare::report::text;
 use crate::declare::tree::{Entry, Item, Kind, Value};
 use crate::objective::OBJECTIVES;
-use crate::text;
 
 /// Checks `kernels`; what was reported is left out.
 pub(super) fn check(value: &Value, report: &mut Report) -> Vec<&'static str> {

@@ -1,47 +1,27 @@
 //! The neutral tree → a checked rig. The only source of user errors; finds them all.
 
 mod axes;
+mod conventions;
 mod frame;
 mod joint;
 mod kernels;
+mod keys;
 mod names;
 mod natural;
 mod range;
 mod read;
-mod report;
 mod settings;
 
 use proc_macro2::TokenStream;
 
-use self::axes::Axes;
-use self::report::Report;
-use self::settings::{Key, Level, Settings};
-use super::diagnostics::Diagnostic;
-use super::messages::{self, Expected, Owner};
+use self::conventions::Conventions;
+use self::keys::{EFFECTOR_KEYS, JOINT_KEYS, Key, RIG_KEYS};
+use self::settings::{Level, Settings};
+use super::report::Report;
+use super::report::diagnostics::Diagnostic;
+use super::report::messages::{self, Expected, Owner};
 use super::tree::{Joint, Kind, Notation, Rig, Section, Value};
 use crate::{EffectorSpec, Frame, JointSpec, RigSpec};
-
-/// What a rig may say; `crate` in a macro only, `joint` in TOML only.
-const RIG_KEYS: &[Key] = &[
-    ("axes", Expected::Axes),
-    ("handedness", Expected::Side),
-    ("effector", Expected::Effector),
-    ("natural", Expected::Natural),
-    ("kernels", Expected::Kernels),
-    ("crate", Expected::Path),
-    ("joint", Expected::Joints),
-];
-const JOINT_KEYS: &[Key] = joint::KEYS;
-const EFFECTOR_KEYS: &[Key] = &[("forward", Expected::Direction), ("origin", Expected::Point)];
-
-/// What the joints inherit from the rig.
-struct Conventions<'t> {
-    /// The sign of `up × forward · left` that unmirrored axes have: 1 in a right-handed rig.
-    hand: f64,
-    axes: Option<Axes<'t>>,
-    /// The frame of the rig's axes.
-    frame: Option<Frame>,
-}
 
 /// A checked declaration.
 pub(super) struct Checked {

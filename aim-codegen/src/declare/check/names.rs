@@ -1,13 +1,13 @@
 //! Names of rigs, joints and bones: usable in Rust, C and WGSL, and each used once.
 
 use super::read;
-use super::report::Report;
 use super::settings::Settings;
-use crate::declare::messages::{self, Expected};
 use crate::declare::place::Place;
+use crate::declare::report::Report;
+use crate::declare::report::messages::{self, Expected};
+use crate::declare::report::text;
 use crate::declare::tree::{Joint, Kind, Notation, Rig, Value};
 use crate::names::{is_rust_keyword, keyword_of, snake_case};
-use crate::text;
 
 /// Checks the names of the rig and of its joints.
 pub(super) fn check(rig: &Rig, report: &mut Report) {

@@ -2,20 +2,13 @@
 
 use core::f64::consts::PI;
 
+use super::keys::NATURAL_KEYS;
 use super::read;
-use super::report::Report;
-use super::settings::{Key, Level, Settings};
+use super::settings::{Level, Settings};
 use crate::NaturalSpec;
-use crate::declare::messages::{self, Expected};
+use crate::declare::report::Report;
+use crate::declare::report::messages::{self, Expected};
 use crate::declare::tree::{Kind, Value};
-
-const KEYS: &[Key] = &[
-    ("eyes_only", Expected::Angle),
-    ("head_share", Expected::Number),
-    ("engage", Expected::Angle),
-    ("release", Expected::Angle),
-    ("delay", Expected::Seconds),
-];
 
 /// Checks `natural`; `None` if anything of it was reported.
 pub(super) fn check(value: &Value, report: &mut Report) -> Option<NaturalSpec> {
@@ -23,7 +16,7 @@ pub(super) fn check(value: &Value, report: &mut Report) -> Option<NaturalSpec> {
         read::mismatch(report, "natural", Expected::Natural, value);
         return None;
     };
-    let settings = Settings::read(entries, KEYS, Level::Table, report);
+    let settings = Settings::read(entries, NATURAL_KEYS, Level::Table, report);
     let usual = NaturalSpec::default();
     let mut angle = |key: &str, usual: f64| settings.get(key).map_or(Some(usual), |value| angle(report, key, value));
     let [eyes_only, engage, release] =

@@ -3,9 +3,9 @@
 use core::f64::consts::PI;
 
 use super::read;
-use super::report::Report;
 use crate::AngleRange;
-use crate::declare::messages::{self, Expected};
+use crate::declare::report::Report;
+use crate::declare::report::messages::{self, Expected};
 use crate::declare::tree::{Kind, Notation, Value};
 
 /// How far beyond ±π a range's end may lie to mean ±π: radians are written with few digits.

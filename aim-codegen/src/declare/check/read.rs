@@ -1,13 +1,14 @@
 //! Values of the tree → typed values; each either comes out whole or is reported.
 
 use super::frame;
-use super::report::Report;
-use crate::declare::literal;
-use crate::declare::messages::{self, Expected};
+use crate::declare::parse::literal;
 use crate::declare::place::Place;
+use crate::declare::report::Report;
+use crate::declare::report::messages::{self, Expected};
+use crate::declare::report::text::Text;
 use crate::declare::tree::{Kind, Notation, Number, Value};
-use crate::text::Text;
-use crate::{Role, names};
+use crate::names;
+use aim_model::Role;
 
 /// Reports a value of the wrong kind, with the help that fits what was found.
 pub(super) fn mismatch(report: &mut Report, key: &str, expected: Expected, value: &Value) {

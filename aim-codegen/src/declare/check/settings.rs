@@ -1,13 +1,11 @@
 //! [`Settings`]: entries sorted by key; unknown, repeated and misplaced keys are reported here, once.
 
-use super::report::Report;
-use crate::declare::messages::{self, Expected};
+use super::keys::{JOINT_KEYS, Key, RIG_KEYS};
+use crate::declare::report::Report;
+use crate::declare::report::messages;
+use crate::declare::report::text;
 use crate::declare::tree::{Entry, Item, Kind, Value};
 use crate::names;
-use crate::text;
-
-/// A known key and what its value has to be.
-pub(super) type Key = (&'static str, Expected);
 
 /// Where settings stand, for keys that belong elsewhere.
 #[derive(Clone, Copy)]
@@ -105,7 +103,7 @@ impl<'t> Settings<'t> {
     fn unknown(&mut self, item: &'t Item, known: &[Key], level: Level, report: &mut Report) {
         let key = item.key.text.as_str();
         let names: Vec<&'static str> = known.iter().map(|(name, _)| *name).collect();
-        let (is_rig, is_joint) = (super::RIG_KEYS, super::JOINT_KEYS);
+        let (is_rig, is_joint) = (RIG_KEYS, JOINT_KEYS);
         let of = |keys: &[Key]| keys.iter().any(|(name, _)| *name == key);
         let renamed = RENAMED.iter().find(|(old, new)| *old == key && names.contains(new));
         let text = match level {

@@ -8,7 +8,7 @@ use std::rc::Rc;
 use aim_symbolic::{Rotation, Scalar, Vector};
 
 use super::algebra::Algebra;
-use super::value::Condition;
+use super::condition::Condition;
 
 /// A linear map of vectors.
 #[derive(Clone, Debug)]

@@ -3,10 +3,12 @@
 
 mod algebra;
 mod calls;
+mod condition;
 mod constants;
 mod map;
 mod methods;
 mod operators;
+mod paths;
 mod value;
 
 use quote::ToTokens;
@@ -15,8 +17,8 @@ use syn::token::Comma;
 use syn::{Block, Expr, Member, Pat, Stmt, UnOp};
 
 pub(super) use self::algebra::Algebra;
+use self::condition::Condition;
 pub(super) use self::map::{Affine, Map, Quaternion};
-use self::value::Condition;
 pub(super) use self::value::Value;
 use super::errors::Errors;
 use super::messages;
@@ -209,12 +211,12 @@ impl<'a> Translation<'a> {
                 }
             }
         }
-        if let Some((Some(ty), name)) = calls::type_and_name(path) {
+        if let Some((Some(ty), name)) = paths::type_and_name(path) {
             if let Some(value) = constants::associated(self.algebra, &ty, &name.to_string()) {
                 return value;
             }
         }
-        self.errors.add(&path.path, messages::outside_constant(&calls::path_text(path)));
+        self.errors.add(&path.path, messages::outside_constant(&paths::path_text(path)));
         Value::Unknown
     }
 

@@ -2,12 +2,12 @@
 
 use aim_symbolic::{Node, Scalar, Vector};
 
-use super::functions;
+use super::function::functions;
+use crate::declare::report::text::Text;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::map::Quaternion;
 use crate::differentiate::lower::value::Value;
 use crate::differentiate::messages;
-use crate::text::Text;
 
 functions! {
     METHODS(a):

@@ -2,7 +2,7 @@
 
 use aim_symbolic::Function::{Acos, Asin, Exp, Ln, Tan};
 
-use super::functions;
+use super::function::functions;
 use crate::differentiate::lower::value::Value;
 
 functions! {

@@ -2,7 +2,7 @@
 
 use aim_symbolic::{Function, Scalar, Vector};
 
-use super::functions;
+use super::function::functions;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::map::Map;
 use crate::differentiate::lower::value::Value;

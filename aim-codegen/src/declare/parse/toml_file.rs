@@ -5,11 +5,11 @@ use core::ops::Range;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
-use super::diagnostics::Diagnostic;
 use super::literal;
-use super::messages;
-use super::place::Place;
-use super::tree::{Entry, Item, ItemFacts, Joint, Kind, Notation, Number, Rig, Section, Value, Word};
+use crate::declare::place::Place;
+use crate::declare::report::diagnostics::Diagnostic;
+use crate::declare::report::messages;
+use crate::declare::tree::{Entry, Item, ItemFacts, Joint, Kind, Notation, Number, Rig, Section, Value, Word};
 
 /// Reads the text; the diagnostics are syntax errors.
 pub(crate) fn read(text: &str) -> (Rig, Vec<Diagnostic>) {

@@ -2,9 +2,9 @@
 //!
 //! Messages are the same in both front ends; help lines quote the declaration in the notation it was written in.
 
-use super::tree::{Kind, Notation, Value};
-use crate::Role;
-use crate::text::{Text, did_you_mean, list, text};
+use crate::declare::report::text::{Text, did_you_mean, list, text};
+use crate::declare::tree::{Kind, Notation, Value};
+use aim_model::Role;
 
 /// A choice by notation.
 fn by<T>(notation: Notation, rust: T, toml: T) -> T {

@@ -4,9 +4,9 @@ use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use syn::{Data, DeriveInput, Fields, Meta};
 
-use super::place::Place;
 use super::tokens::{entries, word_of};
-use super::tree::{Attribute, Entry, ItemFacts, Joint, Kind, Notation, Rig, Section, Value, Word};
+use crate::declare::place::Place;
+use crate::declare::tree::{Attribute, Entry, ItemFacts, Joint, Kind, Notation, Rig, Section, Value, Word};
 
 /// Reads the whole input.
 pub(crate) fn read(input: &DeriveInput) -> Rig {

@@ -1,7 +1,7 @@
 //! Literals by their text alone: numbers with a unit, and the words of TOML strings.
 
-use super::place::Place;
-use super::tree::{Kind, Number, Value};
+use crate::declare::place::Place;
+use crate::declare::tree::{Kind, Number, Value};
 
 /// Reads a number with an optional sign and an optional unit behind it; `None` if it does not start like one.
 pub(crate) fn number(text: &str) -> Option<Number> {

@@ -1,36 +1,48 @@
 //! Renders diagnostics for a terminal, in the shape compilers have made familiar. Plain text, no colours.
 
-use core::fmt::Write;
+use core::fmt::{self, Write};
 use core::ops::Range;
 
 use super::diagnostics::{Diagnostics, Source};
-use super::place::Place;
+use crate::declare::place::Place;
 
 /// How much of a line is shown before a place, and from it on, characters.
 const LONGEST: usize = 200;
 
-/// All diagnostics, separated by empty lines; ends with a newline.
-pub(crate) fn render(diagnostics: &Diagnostics, source: Option<&Source>) -> String {
-    let mut out = String::new();
-    for diagnostic in diagnostics {
-        if !out.is_empty() {
-            out.push('\n');
+impl Diagnostics {
+    /// The errors as a compiler prints them, separated by empty lines: message, file, line and column, the line itself,
+    /// help. Ends with a newline.
+    pub fn render(&self) -> String {
+        let source = self.source.as_ref();
+        let mut out = String::new();
+        for diagnostic in self {
+            if !out.is_empty() {
+                out.push('\n');
+            }
+            // Writing to a string cannot fail.
+            let _ = writeln!(out, "error: {}", diagnostic.message());
+            let gutter = match (source, diagnostic.place()) {
+                (Some(source), Place::Text(range)) => snippet(&mut out, source, range),
+                _ => 1,
+            };
+            let help = diagnostic.help().replace('\n', &format!("\n{:gutter$}           ", ""));
+            let _ = writeln!(out, "{:gutter$} = help: {help}", "");
+            if let (Some((note, Place::Text(range))), Some(source)) = (diagnostic.note(), source) {
+                let _ = writeln!(out, "note: {note}");
+                snippet(&mut out, source, range);
+            }
         }
-        // Writing to a string cannot fail.
-        let _ = writeln!(out, "error: {}", diagnostic.message());
-        let gutter = match (source, diagnostic.place()) {
-            (Some(source), Place::Text(range)) => snippet(&mut out, source, range),
-            _ => 1,
-        };
-        let help = diagnostic.help().replace('\n', &format!("\n{:gutter$}           ", ""));
-        let _ = writeln!(out, "{:gutter$} = help: {help}", "");
-        if let (Some((note, Place::Text(range))), Some(source)) = (diagnostic.note(), source) {
-            let _ = writeln!(out, "note: {note}");
-            snippet(&mut out, source, range);
-        }
+        out
     }
-    out
 }
+
+impl fmt::Display for Diagnostics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.render())
+    }
+}
+
+impl core::error::Error for Diagnostics {}
 
 /// Writes ` --> file:line:column` and the underlined line; returns the gutter's width.
 fn snippet(out: &mut String, source: &Source, range: &Range<usize>) -> usize {
