@@ -3,7 +3,7 @@
 //! Three passes: `parse` turns a derive macro's tokens ([`from_derive_input`]) or a TOML file ([`from_toml`]) into one
 //! neutral `tree`; `check` judges that; `report` says what is wrong, the same of both.
 
-mod check;
+pub(crate) mod check;
 mod fallback;
 pub(crate) mod parse;
 mod place;

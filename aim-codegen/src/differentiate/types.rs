@@ -54,8 +54,8 @@ const KNOWN: &[(&str, Shape, Precision)] = &[
 ];
 
 /// The names of the known types.
-pub(super) fn names() -> impl Iterator<Item = &'static str> + Clone {
-    KNOWN.iter().map(|(name, ..)| *name)
+pub(super) fn names() -> Vec<&'static str> {
+    KNOWN.iter().map(|(name, ..)| *name).collect()
 }
 
 /// What the type of this name holds.

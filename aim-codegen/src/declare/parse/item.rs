@@ -83,36 +83,8 @@ fn read_joint(field: &syn::Field, item: &mut ItemFacts) -> Joint {
 /// Whether a type may be `Joint`, as far as tokens tell: a path of any name may be an alias of it, but for those of
 /// numbers and the like, which nobody gives to another type.
 fn may_be_joint(found: &syn::Type) -> bool {
-    const OTHERS: [&str; 28] = [
-        "bool",
-        "char",
-        "str",
-        "String",
-        "f32",
-        "f64",
-        "i8",
-        "i16",
-        "i32",
-        "i64",
-        "i128",
-        "isize",
-        "u8",
-        "u16",
-        "u32",
-        "u64",
-        "u128",
-        "usize",
-        "Vec2",
-        "Vec3",
-        "Vec3A",
-        "Vec4",
-        "Quat",
-        "Mat3",
-        "Mat4",
-        "Affine3A",
-        "Transform",
-        "Entity",
-    ];
+    const OTHERS: &str = "bool char str String f32 f64 i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize \
+                          Vec2 Vec3 Vec3A Vec4 Quat Mat3 Mat4 Affine3A Transform Entity";
     match found {
         syn::Type::Group(group) => may_be_joint(&group.elem),
         syn::Type::Paren(paren) => may_be_joint(&paren.elem),
@@ -121,7 +93,7 @@ fn may_be_joint(found: &syn::Type) -> bool {
             .path
             .segments
             .last()
-            .is_some_and(|last| last.arguments.is_none() && !OTHERS.iter().any(|other| last.ident == other)),
+            .is_some_and(|last| last.arguments.is_none() && !OTHERS.split(' ').any(|other| last.ident == other)),
         _ => false,
     }
 }

@@ -78,7 +78,8 @@ pub(crate) fn word(text: &str, place: &Place) -> Kind {
     if is_word(trimmed) { Kind::Word(trimmed.to_owned()) } else { Kind::Text(text.to_owned()) }
 }
 
-fn is_word(text: &str) -> bool {
+/// Whether it has the form of an identifier, in any script.
+pub(crate) fn is_word(text: &str) -> bool {
     text.starts_with(|c: char| c.is_alphabetic() || c == '_') && text.chars().all(|c| c.is_alphanumeric() || c == '_')
 }
 

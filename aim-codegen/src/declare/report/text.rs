@@ -1,42 +1,49 @@
-//! Texts of error messages: what the messages of declarations and of `#[differentiate]` share.
+//! [`Text`] of an error, and what the messages of declarations and of `#[differentiate]` share.
+
+use core::fmt::Display;
 
 use crate::names::nearest;
 
 /// An error's message and what to do about it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub(crate) struct Text {
     pub(crate) message: String,
     pub(crate) help: String,
 }
 
-impl From<(&str, &str)> for Text {
-    fn from((message, help): (&str, &str)) -> Self {
-        text(message, help)
+impl Text {
+    pub(crate) fn new(message: impl Display, help: impl Display) -> Self {
+        Self { message: message.to_string(), help: help.to_string() }
     }
 }
 
-pub(crate) fn text(message: impl Into<String>, help: impl Into<String>) -> Text {
-    Text { message: message.into(), help: help.into() }
+/// Messages as functions of what they name:
+/// `name(argument: Type, …) where variable = expression, … => message, help;`, the last two as formats.
+macro_rules! messages {
+    ($(
+        $(#[$attribute:meta])*
+        $name:ident($($argument:ident: $type:ty),*) $(where $($variable:pat_param = $value:expr),+)? =>
+            $message:literal, $help:literal;
+    )*) => {$(
+        $(#[$attribute])*
+        pub(crate) fn $name($($argument: $type),*) -> $crate::declare::report::text::Text {
+            $($(let $variable = $value;)+)?
+            $crate::declare::report::text::Text::new(format_args!($message), format_args!($help))
+        }
+    )*};
+}
+pub(crate) use messages;
+
+messages! {
+    no_comma(key: &str, things: &str) => "expected `,` before `{key}`", "put a comma between two {things}";
 }
 
 /// Names in backquotes, with commas between them.
-pub(crate) fn list<'n>(names: impl IntoIterator<Item = &'n str>) -> String {
-    names.into_iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+pub(crate) fn list(names: &[&str]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
 /// The help for an unknown name: the known one that was probably meant, or else `otherwise`.
-pub(crate) fn did_you_mean<'n>(
-    name: &str,
-    known: impl Iterator<Item = &'n str> + Clone,
-    otherwise: impl FnOnce() -> String,
-) -> String {
+pub(crate) fn did_you_mean(name: &str, known: &[&str], otherwise: impl FnOnce() -> String) -> String {
     nearest(name, known).map_or_else(otherwise, |nearest| format!("did you mean `{nearest}`?"))
-}
-
-pub(crate) fn no_comma(key: &str, things: &str) -> Text {
-    text(format!("expected `,` before `{key}`"), format!("put a comma between two {things}"))
-}
-
-pub(crate) fn first_use(what: &str) -> String {
-    format!("`{what}` was first used here")
 }

@@ -8,7 +8,7 @@ use super::map::Quaternion;
 use super::methods::{self, Fault, Function};
 use super::paths::{path_text, type_and_name};
 use super::value::Value;
-use super::{Translation, strip};
+use super::{Translation, strip, whole_number};
 use crate::differentiate::messages;
 use crate::differentiate::types::{self, Shape};
 
@@ -30,8 +30,7 @@ impl Translation<'_> {
     pub(super) fn method_call(&mut self, call: &ExprMethodCall) -> Value {
         let receiver = self.expression(&call.receiver);
         if let Some(turbofish) = &call.turbofish {
-            self.errors.add(turbofish, messages::NO_GENERICS);
-            return Value::Unknown;
+            return self.refuse(turbofish, messages::no_generics());
         }
         if call.method == "powi" {
             return self.power(&receiver, &call.method, call.args.iter());
@@ -58,19 +57,16 @@ impl Translation<'_> {
 
     pub(super) fn call(&mut self, call: &ExprCall) -> Value {
         let Expr::Path(path) = strip(&call.func) else {
-            self.errors.add(&call.func, messages::CALL_OF_VALUE);
             for argument in &call.args {
                 self.expression(argument);
             }
-            return Value::Unknown;
+            return self.refuse(&call.func, messages::call_of_value());
         };
         let Some((ty, name)) = type_and_name(path) else {
-            self.errors.add(&path.path, messages::unknown_function(&path_text(path)));
-            return Value::Unknown;
+            return self.refuse(&path.path, messages::unknown_function(&path_text(path)));
         };
         if path.path.segments.last().is_some_and(|last| !last.arguments.is_none()) {
-            self.errors.add(&path.path, messages::NO_GENERICS);
-            return Value::Unknown;
+            return self.refuse(&path.path, messages::no_generics());
         }
         let (ty, name_text) = match ty {
             Some(ty) => (ty, name.to_string()),
@@ -85,15 +81,11 @@ impl Translation<'_> {
                 }
                 // It is a closure, and that was said.
                 None if self.named(&name.to_string()).is_some_and(Value::is_unknown) => return Value::Unknown,
-                None => {
-                    self.errors.add(name, messages::unknown_function(&name.to_string()));
-                    return Value::Unknown;
-                }
+                None => return self.refuse(name, messages::unknown_function(&name.to_string())),
             },
         };
         let Some((shape, _)) = types::named(&ty) else {
-            self.errors.add(&path.path, messages::unknown_function(&path_text(path)));
-            return Value::Unknown;
+            return self.refuse(&path.path, messages::unknown_function(&path_text(path)));
         };
         if name_text == "from_euler" {
             return self.euler(shape, name, call);
@@ -128,21 +120,19 @@ impl Translation<'_> {
             Err(fault) => fault,
         };
         match fault {
-            Fault::Text(text) if written.to_token_stream().is_empty() => self.errors.add(name, text),
-            Fault::Text(text) => self.errors.add(written, text),
+            Fault::Text(text) if written.to_token_stream().is_empty() => self.refuse(name, text),
+            Fault::Text(text) => self.refuse(written, text),
             Fault::Arguments => {
                 let found = arguments[usize::from(of_a_method)..].iter().map(Value::describe).collect::<Vec<_>>();
                 let text = messages::wrong_arguments(function.name, &function.takes(of_a_method), &found.join(", "));
-                self.errors.add(name, text);
+                self.refuse(name, text)
             }
         }
-        Value::Unknown
     }
 
     fn unknown_function(&mut self, name: &Ident, tables: &'static [&'static [Function]], kind: &str) -> Value {
-        let known = tables.iter().copied().flatten().map(|function| function.name);
-        self.errors.add(name, messages::unknown_method(&name.to_string(), kind, known));
-        Value::Unknown
+        let known: Vec<&str> = tables.iter().copied().flatten().map(|function| function.name).collect();
+        self.refuse(name, messages::unknown_method(&name.to_string(), kind, &known))
     }
 
     /// `x.powi(n)`, with a number as written for n.
@@ -150,19 +140,16 @@ impl Translation<'_> {
         let exponent = arguments.next().map(strip);
         let whole = exponent.and_then(|exponent| match exponent {
             Expr::Unary(unary) if matches!(unary.op, syn::UnOp::Neg(_)) => {
-                literal(strip(&unary.expr)).and_then(i32::checked_neg)
+                whole_number(&unary.expr).and_then(i32::checked_neg)
             }
-            other => literal(other),
+            other => whole_number(other),
         });
         match (receiver, whole) {
             (Value::Unknown, _) => Value::Unknown,
             (Value::Scalar(x), Some(exponent)) => Value::Scalar(self.algebra.power(*x, exponent)),
             (Value::Scalar(_), None) => {
-                match exponent {
-                    Some(exponent) => self.errors.add(exponent, messages::POWER_NOT_LITERAL),
-                    None => self.errors.add(name, messages::POWER_NOT_LITERAL),
-                }
-                Value::Unknown
+                let place = exponent.map_or_else(|| name.to_token_stream(), ToTokens::to_token_stream);
+                self.refuse(&place, messages::power_not_literal())
             }
             (other, _) => self.unknown_function(name, methods::methods_of(other), &other.describe()),
         }
@@ -183,11 +170,9 @@ impl Translation<'_> {
         let (Some((mut axes, extrinsic)), [Value::Scalar(x), Value::Scalar(y), Value::Scalar(z)]) =
             (axes, angles.as_slice())
         else {
-            match order {
-                Some(order) if axes.is_none() => self.errors.add(order, messages::EULER_ORDER),
-                _ => self.errors.add(name, messages::EULER_ORDER),
-            }
-            return Value::Unknown;
+            let order = order.filter(|_| axes.is_none());
+            let place = order.map_or_else(|| name.to_token_stream(), ToTokens::to_token_stream);
+            return self.refuse(&place, messages::euler_order());
         };
         let mut angles = [*x, *y, *z];
         if extrinsic {
@@ -200,10 +185,7 @@ impl Translation<'_> {
         match shape {
             Shape::Quaternion => Value::Quaternion(rotation),
             Shape::Matrix => Value::Matrix(rotation.map),
-            _ => {
-                self.errors.add(name, messages::EULER_ORDER);
-                Value::Unknown
-            }
+            _ => self.refuse(name, messages::euler_order()),
         }
     }
 }
@@ -216,12 +198,4 @@ fn euler_axes(name: &str) -> Option<([usize; 3], bool)> {
     };
     let axes: Option<Vec<usize>> = letters.chars().map(|letter| "XYZ".find(letter)).collect();
     Some((axes?.try_into().ok()?, extrinsic))
-}
-
-/// A whole number as written.
-fn literal(expression: &Expr) -> Option<i32> {
-    match expression {
-        Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(number), .. }) => number.base10_parse().ok(),
-        _ => None,
-    }
 }

@@ -158,7 +158,7 @@ fn quaternion(a: &mut Algebra, [x, y, z, w]: [Scalar; 4]) -> Quaternion {
 
 /// The quaternion of a rotation, without its numbers.
 fn rotation_of(map: Map) -> Result<Quaternion, Text> {
-    if map.is_rotation() { Ok(Quaternion { map, parts: None }) } else { Err(messages::MATRIX_NOT_ROTATION.into()) }
+    if map.is_rotation() { Ok(Quaternion { map, parts: None }) } else { Err(messages::matrix_not_rotation()) }
 }
 
 fn scalars<const N: usize>(values: &[Value]) -> Result<[Scalar; N], Text> {

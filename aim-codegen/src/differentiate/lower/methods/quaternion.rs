@@ -38,7 +38,7 @@ functions! {
 
 /// The numbers of a quaternion.
 pub(in crate::differentiate::lower) fn parts(q: &Quaternion) -> Result<(Vector, Scalar), Text> {
-    q.parts.ok_or_else(|| messages::QUATERNION_OF_MATRIX.into())
+    q.parts.ok_or_else(messages::quaternion_of_matrix)
 }
 
 fn square(a: &mut Algebra, (u, w): (Vector, Scalar)) -> Scalar {

@@ -43,5 +43,5 @@ functions! {
 /// The index of an axis, which has to be a number as written.
 fn axis(a: &Algebra, index: aim_symbolic::Scalar) -> Result<usize, crate::declare::report::text::Text> {
     let known = a.constant_of(index).and_then(|index| [0.0, 1.0, 2.0].iter().position(|&axis| axis == index));
-    known.ok_or_else(|| messages::INDEX_NOT_LITERAL.into())
+    known.ok_or_else(messages::index_not_literal)
 }
