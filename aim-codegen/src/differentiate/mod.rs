@@ -24,7 +24,7 @@ use quote::quote;
 use syn::ItemFn;
 
 use self::arguments::{Arguments, Declared};
-use self::emit::{Companions, Derived};
+use self::emit::Companions;
 use self::lower::{Algebra, Translation, Value};
 use self::options::Options;
 use self::types::{Shape, Type};
@@ -36,14 +36,14 @@ pub fn differentiate(attribute: TokenStream, item: TokenStream) -> TokenStream {
     let mut report = Report::new(Notation::Rust);
     let function: ItemFn = match syn::parse2(item.clone()) {
         Ok(function) => function,
-        // What is no function at all is said in our words, what does not parse in the parser's.
-        Err(_) if syn::parse2::<syn::Item>(item.clone()).is_ok() => {
-            report.error_in(&item.clone().into_iter().next(), messages::not_a_function());
-            let errors = report.into_compile_error();
-            return quote!(#item #errors);
-        }
         Err(error) => {
-            let errors = error.into_compile_error();
+            // What is no function at all is said in our words, what does not parse in the parser's.
+            let errors = if syn::parse2::<syn::Item>(item.clone()).is_ok() {
+                report.error_in(&item.clone().into_iter().next(), messages::not_a_function());
+                report.into_compile_error()
+            } else {
+                error.into_compile_error()
+            };
             return quote!(#item #errors);
         }
     };
@@ -51,13 +51,13 @@ pub fn differentiate(attribute: TokenStream, item: TokenStream) -> TokenStream {
     let arguments = Arguments::check(&function.sig, &options, &mut report);
     let programs = Programs::derive(&function, &options, &arguments, &mut report);
     let krate = options.krate.clone().unwrap_or_else(|| quote!(::aim));
-    let companions = Companions { item: &function, arguments: &arguments, krate: &krate };
-    let derived = |program| programs.as_ref().map(|Programs { inputs, .. }| Derived { program, inputs });
-    let first = companions.first_derivatives(programs.as_ref().and_then(|p| derived(&p.first)).as_ref());
-    let second = options.hessian.as_ref().and_then(|_| {
-        let derived = programs.as_ref().and_then(|p| derived(p.second.as_ref()?));
-        companions.hessian(derived.as_ref())
-    });
+    let inputs = programs.as_ref().map_or(&[][..], |programs| &programs.inputs);
+    let companions = Companions { item: &function, arguments: &arguments, krate: &krate, inputs };
+    let first = companions.first_derivatives(programs.as_ref().map(|programs| &programs.first));
+    let second = options
+        .hessian
+        .as_ref()
+        .and_then(|_| companions.hessian(programs.as_ref().and_then(|programs| programs.second.as_ref())));
     // Where `self` or a type is in the way, a stub would only be another error.
     let (first, second) =
         if arguments.faulty.is_empty() && function.sig.receiver().is_none() { (first, second) } else { (None, None) };

@@ -163,8 +163,7 @@ impl Type {
             Shape::Scalar => quote!(#(#components)*),
             Shape::Planar | Shape::Vector => quote!(<#ty>::new(#(#components),*)),
             Shape::Quaternion => quote!(<#ty>::from_xyzw(#(#components),*)),
-            Shape::Matrix => quote!(<#ty>::from_cols_array(&[#(#components),*])),
-            Shape::Rigid => quote!(<#ty>::from_cols_array(&[#(#components),*])),
+            Shape::Matrix | Shape::Rigid => quote!(<#ty>::from_cols_array(&[#(#components),*])),
             Shape::Array(_) => quote!([#(#components),*]),
         }
     }

@@ -130,7 +130,7 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
 }
 
 /// The struct of one value for each joint, by name.
-fn pose(item: &Item) -> TokenStream {
+pub(super) fn pose(item: &Item) -> TokenStream {
     let Item { name, fields, vis, krate } = item;
     let pose = item.pose();
     let doc = format!(
@@ -148,7 +148,7 @@ fn pose(item: &Item) -> TokenStream {
 }
 
 /// Poses by name to arrays, and back.
-fn conversions(item: &Item) -> TokenStream {
+pub(super) fn conversions(item: &Item) -> TokenStream {
     let Item { fields, krate, .. } = item;
     let (pose, value) = (item.pose(), local("pose"));
     let joints = Literal::usize_unsuffixed(fields.len());

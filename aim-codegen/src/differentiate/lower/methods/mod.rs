@@ -3,6 +3,7 @@
 //! A method is a function whose first argument is the receiver, so `v.dot(w)` and `Vec3::dot(v, w)` are one entry.
 
 mod construct;
+mod formula;
 mod function;
 mod quaternion;
 mod scalar;
@@ -17,9 +18,9 @@ use crate::differentiate::types::Shape;
 /// The methods of a value.
 pub(super) fn methods_of(receiver: &Value) -> &'static [&'static [Function]] {
     match receiver {
-        Value::Scalar(_) => &[scalar::METHODS],
-        Value::Planar(_) => &[vector::PLANAR, vector::EITHER],
-        Value::Vector(_) => &[vector::METHODS, vector::EITHER],
+        Value::Scalar(_) => &[scalar::METHODS, scalar::FORMULAS],
+        Value::Planar(_) => &[vector::PLANAR, vector::PLANAR_FORMULAS, vector::EITHER, vector::EITHER_FORMULAS],
+        Value::Vector(_) => &[vector::METHODS, vector::FORMULAS, vector::EITHER, vector::EITHER_FORMULAS],
         Value::Quaternion(_) => &[quaternion::METHODS],
         Value::Matrix(_) => &[transform::MATRIX],
         Value::Affine(_) => &[transform::AFFINE],
@@ -30,9 +31,13 @@ pub(super) fn methods_of(receiver: &Value) -> &'static [&'static [Function]] {
 /// The functions of a type that make a value of it, and its methods.
 pub(super) fn functions_of(shape: Shape) -> &'static [&'static [Function]] {
     match shape {
-        Shape::Scalar => &[scalar::METHODS],
-        Shape::Planar => &[construct::PLANAR, vector::PLANAR, vector::EITHER],
-        Shape::Vector => &[construct::VECTOR, vector::METHODS, vector::EITHER],
+        Shape::Scalar => &[scalar::METHODS, scalar::FORMULAS],
+        Shape::Planar => {
+            &[construct::PLANAR, vector::PLANAR, vector::PLANAR_FORMULAS, vector::EITHER, vector::EITHER_FORMULAS]
+        }
+        Shape::Vector => {
+            &[construct::VECTOR, vector::METHODS, vector::FORMULAS, vector::EITHER, vector::EITHER_FORMULAS]
+        }
         Shape::Quaternion => &[construct::QUATERNION, quaternion::METHODS],
         Shape::Matrix => &[construct::MATRIX, transform::MATRIX],
         Shape::Rigid => &[construct::AFFINE, transform::AFFINE],

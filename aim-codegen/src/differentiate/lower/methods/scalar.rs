@@ -2,6 +2,7 @@
 
 use aim_symbolic::Function::{Acos, Asin, Exp, Ln, Tan};
 
+use super::formula::formulas;
 use super::function::functions;
 use crate::differentiate::lower::value::Value;
 
@@ -16,10 +17,6 @@ functions! {
     tan(x: Scalar) -> Scalar { a.call(Tan, x) }
     asin(x: Scalar) -> Scalar { a.call(Asin, x) }
     acos(x: Scalar) -> Scalar { a.call(Acos, x) }
-    atan(x: Scalar) -> Scalar {
-        let one = a.number(1.0);
-        a.atan2(x, one)
-    }
     atan2(y: Scalar, x: Scalar) -> Scalar { a.atan2(y, x) }
     sqrt(x: Scalar) -> Scalar { a.sqrt(x) }
     exp(x: Scalar) -> Scalar { a.call(Exp, x) }
@@ -30,15 +27,6 @@ functions! {
     max(x: Scalar, y: Scalar) -> Scalar { a.max(x, y) }
     clamp(x: Scalar, low: Scalar, high: Scalar) -> Scalar { a.clamp(x, low, high) }
     recip(x: Scalar) -> Scalar { a.recip(x) }
-    mul_add(x: Scalar, factor: Scalar, summand: Scalar) -> Scalar {
-        let product = a.mul(x, factor);
-        a.add(product, summand)
-    }
-    hypot(x: Scalar, y: Scalar) -> Scalar {
-        let zero = a.number(0.0);
-        let v = a.vector([x, y, zero]);
-        a.norm(v)
-    }
     to_radians(x: Scalar) -> Scalar {
         let factor = a.number(core::f64::consts::PI / 180.0);
         a.mul(factor, x)
@@ -48,4 +36,12 @@ functions! {
         a.mul(factor, x)
     }
     clone(x: Scalar) -> Scalar { x }
+}
+
+formulas! {
+    /// In the language of the functions themselves.
+    FORMULAS:
+    atan(x: Scalar) = x.atan2(1.0);
+    mul_add(x: Scalar, factor: Scalar, summand: Scalar) = x * factor + summand;
+    hypot(x: Scalar, y: Scalar) = Vec2::new(x, y).length();
 }
