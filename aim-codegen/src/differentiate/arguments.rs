@@ -2,12 +2,14 @@
 
 use aim_symbolic::{Scalar, Vector};
 use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, quote};
 use syn::{FnArg, Pat, ReturnType, Signature};
 
 use super::lower::{Affine, Algebra, Map, Quaternion, Value};
 use super::messages;
 use super::options::Options;
-use super::types::{Shape, Type, Unknown};
+use super::types::{Shape, Type};
+use crate::declare::parse::tokens::word_of;
 use crate::declare::report::Report;
 use crate::declare::tree::Word;
 
@@ -105,7 +107,8 @@ impl Arguments {
             report.error_in(&signature.ident, messages::no_wrt());
             return;
         };
-        let names: Vec<String> = self.list.iter().filter_map(|argument| argument.name.as_ref().map(plain)).collect();
+        let names: Vec<String> =
+            self.list.iter().filter_map(|argument| Some(word_of(argument.name.as_ref()?).text)).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         for word in wrt {
             let found = self.list.iter().find(|argument| argument.name.as_ref().is_some_and(|name| is(name, word)));
@@ -129,7 +132,7 @@ impl Arguments {
             let inputs: Vec<Scalar> = (0..argument.ty.components())
                 .map(|index| {
                     declared.inputs.push(argument.ty.component(name, index));
-                    let input = a.g.input(&format!("{}_{index}", plain(name)));
+                    let input = a.g.input(&format!("{}_{index}", word_of(name).text));
                     if argument.variable.is_some() {
                         a.differentiate_by(input);
                     }
@@ -185,14 +188,8 @@ fn value(a: &mut Algebra, shape: Shape, numbers: &[Scalar], varies: bool) -> Val
     }
 }
 
-/// An identifier without `r#`.
-fn plain(ident: &Ident) -> String {
-    let text = ident.to_string();
-    text.strip_prefix("r#").map_or(text.clone(), str::to_owned)
-}
-
 fn is(name: &Ident, word: &Word) -> bool {
-    plain(name) == word.text
+    word_of(name).text == word.text
 }
 
 fn place_among(wrt: Option<&[Word]>, name: &Ident) -> Option<usize> {
@@ -200,37 +197,26 @@ fn place_among(wrt: Option<&[Word]>, name: &Ident) -> Option<usize> {
 }
 
 fn known_type(ty: &syn::Type, report: &mut Report) -> Option<Type> {
-    match Type::parse(ty) {
-        Ok(ty) => Some(ty),
-        Err(Unknown::Mutable(word)) => {
-            report.error_in(&word, messages::mutable_reference());
-            None
-        }
-        Err(Unknown::Name(tokens)) => {
-            report.error_in(&tokens, messages::unknown_type(&tokens.to_string()));
-            None
-        }
-    }
+    Type::parse(ty).map_err(|(place, text)| report.error_in(&place, text)).ok()
 }
 
 /// A function that is generic, asynchronous and so on cannot be written beside. Whether it is generic.
 fn refuse_qualifiers(signature: &Signature, report: &mut Report) -> bool {
-    if let Some(word) = &signature.asyncness {
-        report.error_in(word, messages::qualifier("async"));
+    let Signature { asyncness, safety, abi, variadic, generics, .. } = signature;
+    let qualifiers = [
+        (asyncness.to_token_stream(), "async"),
+        (if let syn::Safety::Unsafe(word) = safety { quote!(#word) } else { quote!() }, "unsafe"),
+        (abi.to_token_stream(), "extern"),
+        (variadic.to_token_stream(), "variadic"),
+    ];
+    for (word, qualifier) in qualifiers.into_iter().filter(|(word, _)| !word.is_empty()) {
+        report.error_in(&word, messages::qualifier(qualifier));
     }
-    if let syn::Safety::Unsafe(word) = &signature.safety {
-        report.error_in(word, messages::qualifier("unsafe"));
-    }
-    if let Some(abi) = &signature.abi {
-        report.error_in(abi, messages::qualifier("extern"));
-    }
-    if !signature.generics.params.is_empty() {
-        report.error_in(&signature.generics.params, messages::generic());
-    } else if let Some(clause) = &signature.generics.where_clause {
+    let is_generic = !generics.params.is_empty();
+    if is_generic {
+        report.error_in(&generics.params, messages::generic());
+    } else if let Some(clause) = &generics.where_clause {
         report.error_in(clause, messages::generic());
     }
-    if let Some(dots) = &signature.variadic {
-        report.error_in(dots, messages::qualifier("variadic"));
-    }
-    !signature.generics.params.is_empty()
+    is_generic
 }

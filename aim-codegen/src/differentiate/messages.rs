@@ -3,7 +3,6 @@
 use aim_symbolic::Count;
 use syn::BinOp;
 
-use super::types;
 use crate::declare::report::text::{did_you_mean, list, messages};
 
 // The attribute.
@@ -55,10 +54,10 @@ messages! {
 
     argument_pattern() => "an argument needs a name", "take the argument apart inside the function";
 
-    unknown_type(found: &str)
+    unknown_type(found: &str, known: &[&str])
         where found = found.replace(' ', ""), name = found.rsplit("::").next().unwrap_or_default(),
-        known = types::names(), help = did_you_mean(name, &known, || {
-            format!("types are known by their names: {}, `[f32; N]`, and references to them", list(&known))
+        help = did_you_mean(name, known, || {
+            format!("types are known by their names: {}, `[f32; N]`, and references to them", list(known))
         }) =>
         "`{found}` is no type that can be differentiated through",
         "{help}";

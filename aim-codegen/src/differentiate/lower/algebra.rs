@@ -81,29 +81,6 @@ impl Algebra {
         self.div(one, a)
     }
 
-    pub(crate) fn min(&mut self, a: Scalar, b: Scalar) -> Scalar {
-        self.select_less(b, a, b, a)
-    }
-
-    pub(crate) fn max(&mut self, a: Scalar, b: Scalar) -> Scalar {
-        self.select_less(a, b, b, a)
-    }
-
-    pub(crate) fn clamp(&mut self, x: Scalar, low: Scalar, high: Scalar) -> Scalar {
-        let x = self.max(x, low);
-        self.min(x, high)
-    }
-
-    pub(crate) fn abs(&mut self, a: Scalar) -> Scalar {
-        let (zero, minus) = (self.number(0.0), self.neg(a));
-        self.select_less(a, zero, minus, a)
-    }
-
-    pub(crate) fn signum(&mut self, a: Scalar) -> Scalar {
-        let [zero, one, minus] = [0.0, 1.0, -1.0].map(|value| self.number(value));
-        self.select_less(a, zero, minus, one)
-    }
-
     /// x to a whole power: squares and products, shared.
     pub(crate) fn power(&mut self, x: Scalar, exponent: i32) -> Scalar {
         let power = self.unsigned_power(x, exponent.unsigned_abs());
@@ -227,13 +204,6 @@ impl Algebra {
 
     pub(crate) fn parts(&mut self, v: Vector) -> [Scalar; 3] {
         [0, 1, 2].map(|axis| self.component(v, axis))
-    }
-
-    /// Component by component.
-    pub(crate) fn map(&mut self, v: Vector, of: impl Fn(&mut Self, Scalar) -> Scalar) -> Vector {
-        let parts = self.parts(v);
-        let parts = parts.map(|c| of(self, c));
-        self.vector(parts)
     }
 
     /// Component by component of two.

@@ -1,6 +1,9 @@
 //! [`Function`]: an entry of the tables of what can be called.
 
+use crate::declare::report::Report;
 use crate::declare::report::text::Text;
+use crate::declare::tree::Notation;
+use crate::differentiate::lower::Translation;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::value::Value;
 
@@ -55,10 +58,21 @@ fn words(kind: &str) -> &'static str {
     }
 }
 
-/// `name(argument: Kind, …) -> Kind { body }` as entries of a table; the kinds are the variants of [`Value`].
+/// The value of an expression of the language that is translated.
+pub(super) fn evaluate(a: &mut Algebra, formula: &str, names: &[&str], values: &[Value]) -> Value {
+    let names = names.iter().zip(values).map(|(&name, value)| (name.to_owned(), value.clone())).collect();
+    let mut report = Report::new(Notation::Rust);
+    let expression = syn::parse_str(formula);
+    let value = expression.map_or(Value::Unknown, |it| Translation::new(a, &mut report, names).expression(&it));
+    debug_assert!(report.is_empty() && !value.is_unknown(), "`{formula}` has a value");
+    value
+}
+
+/// Entries of a table, of arguments whose kinds are variants of [`Value`]: `name(argument: Kind, …) -> Kind { body }`, or
+/// `name(argument: Kind, …) = expression;` in the language that is translated.
 macro_rules! functions {
     ($(#[$doc:meta])* $table:ident($a:ident):
-        $( $name:ident ( $($argument:ident : $kind:ident),* ) -> $result:ident $body:block )*
+        $( $name:ident ($($argument:ident : $kind:ident),*) $(-> $result:ident $body:block)? $(= $formula:expr;)? )*
     ) => {
         $(#[$doc])*
         pub(super) const $table: &[$crate::differentiate::lower::methods::function::Function] = &[$(
@@ -68,10 +82,8 @@ macro_rules! functions {
                 make: |$a, arguments| {
                     let _ = &$a;
                     match arguments {
-                        [$(Value::$kind($argument)),*] => {
-                            $( let $argument = Clone::clone($argument); )*
-                            let result = $body;
-                            Ok(Value::$result(result))
+                        functions!(@pattern [$($argument: $kind),*] $($result)?) => {
+                            Ok(functions!(@value $a arguments [$($argument),*] $($result $body)? $($formula)?))
                         }
                         _ => Err($crate::differentiate::lower::methods::function::Fault::Arguments),
                     }
@@ -79,5 +91,15 @@ macro_rules! functions {
             },
         )*];
     };
+    (@pattern [$($argument:ident: $kind:ident),*] $result:ident) => { [$(Value::$kind($argument)),*] };
+    (@pattern [$($argument:ident: $kind:ident),*]) => { [$(Value::$kind(_)),*] };
+    (@value $a:ident $arguments:ident [$($argument:ident),*] $result:ident $body:block) => {{
+        $( let $argument = Clone::clone($argument); )*
+        Value::$result($body)
+    }};
+    (@value $a:ident $arguments:ident [$($argument:ident),*] $formula:expr) => {{
+        let names = &[$(stringify!($argument)),*];
+        $crate::differentiate::lower::methods::function::evaluate($a, stringify!($formula), names, $arguments)
+    }};
 }
 pub(super) use functions;

@@ -3,7 +3,6 @@
 //! A method is a function whose first argument is the receiver, so `v.dot(w)` and `Vec3::dot(v, w)` are one entry.
 
 mod construct;
-mod formula;
 mod function;
 mod quaternion;
 mod scalar;
@@ -18,9 +17,9 @@ use crate::differentiate::types::Shape;
 /// The methods of a value.
 pub(super) fn methods_of(receiver: &Value) -> &'static [&'static [Function]] {
     match receiver {
-        Value::Scalar(_) => &[scalar::METHODS, scalar::FORMULAS],
-        Value::Planar(_) => &[vector::PLANAR, vector::PLANAR_FORMULAS, vector::EITHER, vector::EITHER_FORMULAS],
-        Value::Vector(_) => &[vector::METHODS, vector::FORMULAS, vector::EITHER, vector::EITHER_FORMULAS],
+        Value::Scalar(_) => &[scalar::METHODS],
+        Value::Planar(_) => &[vector::PLANAR, vector::EITHER],
+        Value::Vector(_) => &[vector::METHODS, vector::EITHER],
         Value::Quaternion(_) => &[quaternion::METHODS],
         Value::Matrix(_) => &[transform::MATRIX],
         Value::Affine(_) => &[transform::AFFINE],
@@ -31,13 +30,9 @@ pub(super) fn methods_of(receiver: &Value) -> &'static [&'static [Function]] {
 /// The functions of a type that make a value of it, and its methods.
 pub(super) fn functions_of(shape: Shape) -> &'static [&'static [Function]] {
     match shape {
-        Shape::Scalar => &[scalar::METHODS, scalar::FORMULAS],
-        Shape::Planar => {
-            &[construct::PLANAR, vector::PLANAR, vector::PLANAR_FORMULAS, vector::EITHER, vector::EITHER_FORMULAS]
-        }
-        Shape::Vector => {
-            &[construct::VECTOR, vector::METHODS, vector::FORMULAS, vector::EITHER, vector::EITHER_FORMULAS]
-        }
+        Shape::Scalar => &[scalar::METHODS],
+        Shape::Planar => &[construct::PLANAR, vector::PLANAR, vector::EITHER],
+        Shape::Vector => &[construct::VECTOR, vector::METHODS, vector::EITHER],
         Shape::Quaternion => &[construct::QUATERNION, quaternion::METHODS],
         Shape::Matrix => &[construct::MATRIX, transform::MATRIX],
         Shape::Rigid => &[construct::AFFINE, transform::AFFINE],
@@ -85,4 +80,37 @@ fn lifted(arguments: &[Value]) -> Option<Vec<Value>> {
             other => Some(other.clone()),
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::differentiate::lower::map::{Affine, Map, Quaternion};
+
+    #[test]
+    fn every_formula_has_a_value() {
+        let mut a = Algebra::new();
+        let x = a.g.input("x");
+        let (v, zero) = (a.vector([x; 3]), a.number(0.0));
+        let planar = a.vector([x, x, zero]);
+        let matrix = Map::Columns([v; 3]);
+        let value = |kind: &&str| match *kind {
+            "Scalar" => Value::Scalar(x),
+            "Planar" => Value::Planar(planar),
+            "Vector" => Value::Vector(v),
+            "Quaternion" => Value::Quaternion(Quaternion::from_parts(v, x)),
+            "Matrix" => Value::Matrix(matrix.clone()),
+            "Affine" => Value::Affine(Affine { map: matrix.clone(), translation: v }),
+            _ => Value::Array(vec![Value::Scalar(x); 3]),
+        };
+        use Shape::{Matrix, Planar, Quaternion as Turn, Rigid, Scalar, Vector};
+        for function in
+            [Scalar, Planar, Vector, Turn, Matrix, Rigid].into_iter().flat_map(functions_of).copied().flatten()
+        {
+            let arguments: Vec<Value> = function.takes.iter().map(value).collect();
+            if let Ok(found) = function.call(&mut a, &arguments) {
+                assert!(!found.is_unknown(), "{}", function.name);
+            }
+        }
+    }
 }

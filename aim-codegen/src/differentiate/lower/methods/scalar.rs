@@ -2,7 +2,6 @@
 
 use aim_symbolic::Function::{Acos, Asin, Exp, Ln, Tan};
 
-use super::formula::formulas;
 use super::function::functions;
 use crate::differentiate::lower::value::Value;
 
@@ -17,16 +16,19 @@ functions! {
     tan(x: Scalar) -> Scalar { a.call(Tan, x) }
     asin(x: Scalar) -> Scalar { a.call(Asin, x) }
     acos(x: Scalar) -> Scalar { a.call(Acos, x) }
+    atan(x: Scalar) = x.atan2(1.0);
     atan2(y: Scalar, x: Scalar) -> Scalar { a.atan2(y, x) }
     sqrt(x: Scalar) -> Scalar { a.sqrt(x) }
     exp(x: Scalar) -> Scalar { a.call(Exp, x) }
     ln(x: Scalar) -> Scalar { a.call(Ln, x) }
-    abs(x: Scalar) -> Scalar { a.abs(x) }
-    signum(x: Scalar) -> Scalar { a.signum(x) }
-    min(x: Scalar, y: Scalar) -> Scalar { a.min(x, y) }
-    max(x: Scalar, y: Scalar) -> Scalar { a.max(x, y) }
-    clamp(x: Scalar, low: Scalar, high: Scalar) -> Scalar { a.clamp(x, low, high) }
+    abs(x: Scalar) = if x < 0.0 { -x } else { x };
+    signum(x: Scalar) = if x < 0.0 { -1.0 } else { 1.0 };
+    min(x: Scalar, y: Scalar) = if y < x { y } else { x };
+    max(x: Scalar, y: Scalar) = if x < y { y } else { x };
+    clamp(x: Scalar, low: Scalar, high: Scalar) = x.max(low).min(high);
     recip(x: Scalar) -> Scalar { a.recip(x) }
+    mul_add(x: Scalar, factor: Scalar, summand: Scalar) = x * factor + summand;
+    hypot(x: Scalar, y: Scalar) = Vec2::new(x, y).length();
     to_radians(x: Scalar) -> Scalar {
         let factor = a.number(core::f64::consts::PI / 180.0);
         a.mul(factor, x)
@@ -36,12 +38,4 @@ functions! {
         a.mul(factor, x)
     }
     clone(x: Scalar) -> Scalar { x }
-}
-
-formulas! {
-    /// In the language of the functions themselves.
-    FORMULAS:
-    atan(x: Scalar) = x.atan2(1.0);
-    mul_add(x: Scalar, factor: Scalar, summand: Scalar) = x * factor + summand;
-    hypot(x: Scalar, y: Scalar) = Vec2::new(x, y).length();
 }
