@@ -173,6 +173,11 @@ pub(crate) struct Number {
 }
 
 impl Number {
+    /// A number without a unit.
+    pub(crate) fn plain(text: &str, value: f64) -> Self {
+        Self { text: text.to_owned(), value, unit: String::new(), radix: None, detached: false }
+    }
+
     /// The number as written, without its unit.
     pub(crate) fn digits(&self) -> &str {
         self.text.strip_suffix(self.unit.as_str()).unwrap_or(&self.text).trim_end()

@@ -165,7 +165,7 @@ pub(super) fn direction(report: &mut Report, setting: Setting<'_>) -> Option<Vec
 /// A direction as it is declared, with four decimals at most: a frame shown so passes the checks.
 fn show(vector: Vector, notation: Notation) -> String {
     if let Some(name) = frame::cardinal(vector) {
-        return notation.pick(name.to_owned(), format!("\"{name}\""));
+        return notation.pick(name.clone(), format!("\"{name}\""));
     }
     let parts = vector.map(|x| format!("{:?}", (x * 1e4).round() / 1e4 + 0.0)).join(", ");
     notation.pick(format!("({parts})"), format!("[{parts}]"))

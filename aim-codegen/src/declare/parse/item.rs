@@ -37,7 +37,7 @@ pub(crate) fn read(input: &DeriveInput) -> Rig {
     Rig {
         notation: Notation::Rust,
         name: Some(name_of(&input.ident)),
-        section: read_section(&input.attrs, "aim", &input.ident),
+        section: read_section(&input.attrs, "aim", input.ident.span()),
         joints,
         item,
     }
@@ -45,7 +45,7 @@ pub(crate) fn read(input: &DeriveInput) -> Rig {
 
 /// The path of `crate = …`, whatever else is wrong.
 pub(crate) fn crate_override(input: &DeriveInput) -> Option<TokenStream> {
-    let section = read_section(&input.attrs, "aim", &input.ident);
+    let section = read_section(&input.attrs, "aim", input.ident.span());
     section.entries.into_iter().find_map(|entry| match entry {
         Entry::Item(item) if item.key.text == "crate" => match item.value.kind {
             Kind::Path(path) => Some(path),
@@ -66,8 +66,7 @@ fn read_joint(field: &syn::Field, item: &mut ItemFacts) -> Joint {
     }
     let name = field.ident.as_ref();
     // Fields of a named struct have names; a call site span is only what keeps this total.
-    let fallback = proc_macro2::Ident::new("_joint", Span::call_site());
-    let section = read_section(&field.attrs, "joint", name.unwrap_or(&fallback));
+    let section = read_section(&field.attrs, "joint", name.map_or_else(Span::call_site, syn::Ident::span));
     if let (Some(name), false) = (name, section.attributes.is_empty()) {
         if !may_be_joint(&field.ty) {
             let text = field.ty.to_token_stream().to_string();
@@ -98,9 +97,9 @@ fn may_be_joint(found: &syn::Type) -> bool {
     }
 }
 
-fn read_section(attributes: &[syn::Attribute], name: &str, owner: &syn::Ident) -> Section {
+fn read_section(attributes: &[syn::Attribute], name: &str, owner: Span) -> Section {
     let ours = attributes.iter().filter(|attribute| attribute.path().is_ident(name));
-    let mut section = Section { place: Place::span(owner.span()), attributes: Vec::new(), entries: Vec::new() };
+    let mut section = Section { place: Place::span(owner), attributes: Vec::new(), entries: Vec::new() };
     for attribute in ours {
         let place = Place::of(attribute.path());
         let list = match &attribute.meta {

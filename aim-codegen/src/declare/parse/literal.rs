@@ -17,20 +17,14 @@ pub(crate) fn number(text: &str) -> Option<Number> {
         _ => None,
     };
     if radix.is_some() {
-        let (text, unit) = (text.to_owned(), String::new());
-        return Some(Number { text, value: f64::NAN, unit, radix, detached: false });
+        return Some(Number { radix, ..Number::plain(text, f64::NAN) });
     }
     let end = digits_end(unsigned)?;
     let (digits, rest) = unsigned.split_at(end);
     let unit = rest.trim_start();
     let value: f64 = digits.replace('_', "").parse().ok()?;
-    Some(Number {
-        text: text.to_owned(),
-        value: if negative { -value } else { value },
-        unit: unit.to_owned(),
-        radix: None,
-        detached: unit.len() < rest.len(),
-    })
+    let value = if negative { -value } else { value };
+    Some(Number { unit: unit.to_owned(), detached: unit.len() < rest.len(), ..Number::plain(text, value) })
 }
 
 /// Where the digits, the fraction and the exponent end and the unit starts.

@@ -46,7 +46,9 @@ impl core::error::Error for Diagnostics {}
 
 /// Writes ` --> file:line:column` and the underlined line; returns the gutter's width.
 fn snippet(out: &mut String, source: &Source, range: &Range<usize>) -> usize {
-    let Located { line, column, start, text } = locate(&source.text, range.start);
+    let (start, text) = line_at(&source.text, range.start);
+    let line = source.text[..start].matches('\n').count() + 1;
+    let column = source.text[start..].char_indices().take_while(|(at, _)| start + at < range.start).count() + 1;
     let gutter = line.to_string().len();
     let from = range.start.saturating_sub(start).min(text.len());
     let to = range.end.saturating_sub(start).clamp(from, text.len());
@@ -63,29 +65,10 @@ fn snippet(out: &mut String, source: &Source, range: &Range<usize>) -> usize {
     gutter
 }
 
-/// A byte's position among the lines.
-struct Located<'t> {
-    /// From 1.
-    line: usize,
-    /// From 1, in characters.
-    column: usize,
-    /// Where the line starts.
-    start: usize,
-    /// The line without its end.
-    text: &'t str,
-}
-
-fn locate(text: &str, offset: usize) -> Located<'_> {
-    let mut offset = offset.min(text.len());
-    while !text.is_char_boundary(offset) {
-        offset -= 1;
-    }
-    let start = text[..offset].rfind('\n').map_or(0, |at| at + 1);
-    let end = text[start..].find('\n').map_or(text.len(), |at| start + at);
-    Located {
-        line: text[..start].matches('\n').count() + 1,
-        column: text[start..offset].chars().count() + 1,
-        start,
-        text: text[start..end].trim_end_matches('\r'),
-    }
+/// Where the line of this byte starts, and its text without its end.
+fn line_at(text: &str, offset: usize) -> (usize, &str) {
+    let before = text.bytes().take(offset).rposition(|byte| byte == b'\n');
+    let start = before.map_or(0, |at| at + 1);
+    let line = text[start..].lines().next().unwrap_or_default();
+    (start, line.trim_end_matches('\r'))
 }

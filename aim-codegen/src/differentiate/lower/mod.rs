@@ -293,7 +293,7 @@ impl<'a> Translation<'a> {
 
     fn index(&mut self, index: &syn::ExprIndex) -> Value {
         let base = self.expression(&index.expr);
-        let Some(place) = whole_number::<usize>(&index.index) else {
+        let Some(place) = whole_number(&index.index) else {
             return self.refuse(&index.index, messages::index_not_literal());
         };
         let value = match &base {
@@ -363,7 +363,7 @@ fn strip(expression: &Expr) -> &Expr {
 }
 
 /// A whole number as written.
-fn whole_number<N: core::str::FromStr<Err: core::fmt::Display>>(expression: &Expr) -> Option<N> {
+fn whole_number(expression: &Expr) -> Option<usize> {
     match strip(expression) {
         Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(number), .. }) => number.base10_parse().ok(),
         _ => None,

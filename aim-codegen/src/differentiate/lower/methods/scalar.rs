@@ -1,9 +1,13 @@
 //! Functions of numbers.
 
 use aim_symbolic::Function::{Acos, Asin, Exp, Ln, Tan};
+use aim_symbolic::Scalar;
 
 use super::function::functions;
+use crate::declare::report::text::Text;
+use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::value::Value;
+use crate::differentiate::messages;
 
 functions! {
     METHODS(a):
@@ -18,6 +22,10 @@ functions! {
     acos(x: Scalar) -> Scalar { a.call(Acos, x) }
     atan(x: Scalar) = x.atan2(1.0);
     atan2(y: Scalar, x: Scalar) -> Scalar { a.atan2(y, x) }
+    powi(x: Scalar, exponent: Scalar) -> Scalar {
+        let exponent = whole(a, exponent)?;
+        a.power(x, exponent)
+    }
     sqrt(x: Scalar) -> Scalar { a.sqrt(x) }
     exp(x: Scalar) -> Scalar { a.call(Exp, x) }
     ln(x: Scalar) -> Scalar { a.call(Ln, x) }
@@ -38,4 +46,11 @@ functions! {
         a.mul(factor, x)
     }
     clone(x: Scalar) -> Scalar { x }
+}
+
+/// The exponent of a power, which has to be a number as written.
+fn whole(a: &Algebra, exponent: Scalar) -> Result<i32, Text> {
+    let known = a.constant_of(exponent).filter(|x| x.fract() == 0.0 && (i32::MIN.into()..=i32::MAX.into()).contains(x));
+    #[expect(clippy::cast_possible_truncation, reason = "it is whole and within bounds")]
+    known.map(|exponent| exponent as i32).ok_or_else(messages::power_not_literal)
 }

@@ -26,6 +26,7 @@ functions! {
         let index = axis(a, index)?;
         m.transpose(a).column(a, index)
     }
+    into(m: Matrix) -> Matrix { m }
     clone(m: Matrix) -> Matrix { m }
 }
 

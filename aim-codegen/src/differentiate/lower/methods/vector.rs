@@ -49,6 +49,7 @@ functions! {
     truncate(v: Vector) = Vec2::new(v.x, v.y);
     to_vec3a(v: Vector) -> Vector { v }
     to_vec3(v: Vector) -> Vector { v }
+    into(v: Vector) -> Vector { v }
     to_array(v: Vector) -> Array { a.parts(v).map(Value::Scalar).to_vec() }
 }
 
