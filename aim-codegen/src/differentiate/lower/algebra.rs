@@ -182,8 +182,9 @@ impl Algebra {
         self.number_vector(components)
     }
 
-    /// The vector, its components computed where all its parts are constants.
-    fn computed(&mut self, v: Vector) -> Vector {
+    /// A vector of the graph, its components computed where all its parts are constants.
+    fn computed(&mut self, make: impl FnOnce(&mut Graph) -> Vector) -> Vector {
+        let v = make(&mut self.g);
         let is_constant = |part| match part {
             Node::Scalar(s) => self.g.constant_of(s).is_some(),
             Node::Vector(v) => self.g.constant_vector_of(v).is_some(),
@@ -214,28 +215,23 @@ impl Algebra {
     }
 
     pub(crate) fn add_vectors(&mut self, v: Vector, w: Vector) -> Vector {
-        let sum = self.g.add_vectors(v, w);
-        self.computed(sum)
+        self.computed(|g| g.add_vectors(v, w))
     }
 
     pub(crate) fn sub_vectors(&mut self, v: Vector, w: Vector) -> Vector {
-        let difference = self.g.sub_vectors(v, w);
-        self.computed(difference)
+        self.computed(|g| g.sub_vectors(v, w))
     }
 
     pub(crate) fn neg_vector(&mut self, v: Vector) -> Vector {
-        let negation = self.g.neg_vector(v);
-        self.computed(negation)
+        self.computed(|g| g.neg_vector(v))
     }
 
     pub(crate) fn scale(&mut self, k: Scalar, v: Vector) -> Vector {
-        let scaled = self.g.scale(k, v);
-        self.computed(scaled)
+        self.computed(|g| g.scale(k, v))
     }
 
     pub(crate) fn cross(&mut self, v: Vector, w: Vector) -> Vector {
-        let product = self.g.cross(v, w);
-        self.computed(product)
+        self.computed(|g| g.cross(v, w))
     }
 
     pub(crate) fn dot(&mut self, v: Vector, w: Vector) -> Scalar {
