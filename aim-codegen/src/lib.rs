@@ -13,7 +13,6 @@ pub mod emit;
 mod names;
 pub mod objective;
 mod spec;
-mod text;
 
 use objective::{FirstLink, OBJECTIVES};
 
@@ -33,7 +32,7 @@ pub fn derive(input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
         Ok(declared) => {
             let kernels = requested_kernels(&declared.spec);
             let rig = emit::Rig { spec: &declared.spec, kernels: &kernels };
-            let krate = declared.krate.map_or_else(|| quote::quote!(::aim), |path| quote::quote!(#path));
+            let krate = declared.krate.unwrap_or_else(|| quote::quote!(::aim));
             emit::rust::emit(
                 &rig,
                 &emit::rust::Item { name: declared.ident, fields: declared.fields, vis: declared.vis, krate },
@@ -41,7 +40,7 @@ pub fn derive(input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
         }
         Err(errors) => {
             let mut tokens = errors.into_compile_error();
-            tokens.extend(declare::fallback(&input));
+            tokens.extend(emit::fallback(&input));
             tokens
         }
     }

@@ -21,7 +21,7 @@ pub fn snake_case(name: &str) -> String {
 /// Words that WGSL merely reserves (`target`, `filter`, …) are not among them: what is emitted is always
 /// `rig_joint_function`, so they cannot stand alone, and many are good names for a joint.
 pub(crate) fn keyword_of(snake: &str) -> Option<&'static str> {
-    match (C.contains(&snake), WGSL.contains(&snake)) {
+    match (is_among(snake, C), is_among(snake, WGSL)) {
         (true, true) => Some("C and WGSL"),
         (true, false) => Some("C"),
         (false, true) => Some("WGSL"),
@@ -31,18 +31,21 @@ pub(crate) fn keyword_of(snake: &str) -> Option<&'static str> {
 
 /// Whether Rust keeps this word for itself, in edition 2024.
 pub(crate) fn is_rust_keyword(name: &str) -> bool {
-    RUST.contains(&name)
+    is_among(name, RUST)
+}
+
+fn is_among(word: &str, words: &str) -> bool {
+    words.split_whitespace().any(|other| other == word)
 }
 
 /// The known name that was probably meant.
-pub(crate) fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str> + Clone) -> Option<&'n str> {
+pub(crate) fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
     let name = name.to_lowercase();
-    let shortened = |known: &&str| name.len() >= 3 && known.starts_with(name.as_str());
-    if let Some(known) = known.clone().find(shortened) {
-        return Some(known);
-    }
-    let (distance, nearest) = known.map(|known| (distance(&name, known), known)).min()?;
-    (distance <= (nearest.len() / 3).max(1)).then_some(nearest)
+    let is_shortened = |known: &&&str| name.len() >= 3 && known.starts_with(name.as_str());
+    known.iter().find(is_shortened).copied().or_else(|| {
+        let (distance, nearest) = known.iter().map(|known| (distance(&name, known), *known)).min()?;
+        (distance <= (nearest.len() / 3).max(1)).then_some(nearest)
+    })
 }
 
 /// How many letters have to be put in, left out, replaced or swapped with their neighbour.
@@ -64,89 +67,19 @@ fn distance(from: &str, to: &str) -> usize {
     rows[from.len()][to.len()]
 }
 
-const C: &[&str] = &[
-    "alignas",
-    "alignof",
-    "auto",
-    "bool",
-    "break",
-    "case",
-    "char",
-    "const",
-    "constexpr",
-    "continue",
-    "default",
-    "do",
-    "double",
-    "else",
-    "enum",
-    "extern",
-    "false",
-    "float",
-    "for",
-    "goto",
-    "if",
-    "inline",
-    "int",
-    "long",
-    "nullptr",
-    "register",
-    "restrict",
-    "return",
-    "short",
-    "signed",
-    "sizeof",
-    "static",
-    "static_assert",
-    "struct",
-    "switch",
-    "thread_local",
-    "true",
-    "typedef",
-    "typeof",
-    "typeof_unqual",
-    "union",
-    "unsigned",
-    "void",
-    "volatile",
-    "while",
-];
+const C: &str = "
+    alignas alignof auto bool break case char const constexpr continue default do double else enum extern false float for
+    goto if inline int long nullptr register restrict return short signed sizeof static static_assert struct switch
+    thread_local true typedef typeof typeof_unqual union unsigned void volatile while";
 
-const WGSL: &[&str] = &[
-    "alias",
-    "break",
-    "case",
-    "const",
-    "const_assert",
-    "continue",
-    "continuing",
-    "default",
-    "diagnostic",
-    "discard",
-    "else",
-    "enable",
-    "false",
-    "fn",
-    "for",
-    "if",
-    "let",
-    "loop",
-    "override",
-    "requires",
-    "return",
-    "struct",
-    "switch",
-    "true",
-    "var",
-    "while",
-];
+const WGSL: &str = "
+    alias break case const const_assert continue continuing default diagnostic discard else enable false fn for if let
+    loop override requires return struct switch true var while";
 
-const RUST: &[&str] = &[
-    "Self", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn",
-    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro",
-    "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "struct", "super",
-    "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
-];
+const RUST: &str = "
+    Self abstract as async await become box break const continue crate do dyn else enum extern false final fn for gen if
+    impl in let loop macro match mod move mut override priv pub ref return self static struct super trait true try type
+    typeof unsafe unsized use virtual where while yield";
 
 #[cfg(test)]
 mod tests {

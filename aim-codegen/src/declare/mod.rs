@@ -1,36 +1,30 @@
 //! What the user declared → a checked [`RigSpec`], or every error in it, each at its place.
 //!
-//! A derive macro's tokens ([`from_derive_input`]) and a TOML file ([`from_toml`]) become one neutral tree, which one
-//! `check` judges; so both report the same mistakes in the same words.
+//! Three passes: `parse` turns a derive macro's tokens ([`from_derive_input`]) or a TOML file ([`from_toml`]) into one
+//! neutral `tree`; `check` judges that; `report` says what is wrong, the same of both.
 
-mod check;
-mod diagnostics;
-mod fallback;
-mod input;
-mod literal;
-mod messages;
+pub(crate) mod check;
+pub(crate) mod parse;
 mod place;
-mod render;
-pub(crate) mod tokens;
-#[cfg(feature = "toml")]
-mod toml_file;
+pub(crate) mod report;
 pub(crate) mod tree;
 
 #[cfg(test)]
 mod tests;
 
-use core::fmt;
-
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 use syn::{Data, DeriveInput};
 
-pub use self::diagnostics::{Diagnostic, Diagnostics};
-pub use self::fallback::fallback;
+use self::parse::item;
+#[cfg(feature = "toml")]
+use self::parse::toml_file;
 pub use self::place::Place;
+pub use self::report::diagnostics::{Diagnostic, Diagnostics};
 use crate::RigSpec;
 
 /// A checked declaration of a derive macro.
+#[derive(Debug)]
 #[non_exhaustive]
 pub struct Declared {
     /// The rig.
@@ -42,36 +36,22 @@ pub struct Declared {
     /// The struct's visibility.
     pub vis: TokenStream,
     /// The path of `crate = …`, where it is not `::aim`.
-    pub krate: Option<syn::Path>,
-}
-
-/// Without the spans, which say nothing in print.
-impl fmt::Debug for Declared {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let krate = self.krate.as_ref().map(|path| path.to_token_stream().to_string());
-        f.debug_struct("Declared")
-            .field("spec", &self.spec)
-            .field("ident", &self.ident)
-            .field("fields", &self.fields)
-            .field("krate", &krate)
-            .finish()
-    }
+    pub krate: Option<TokenStream>,
 }
 
 /// Reads and checks the item that carries `#[derive(AimRig)]`.
 ///
 /// # Errors
 ///
-/// Everything that is wrong with the declaration. [`fallback`] gives what to emit beside them.
+/// Everything that is wrong with the declaration. [`fallback`](crate::emit::fallback) gives what to emit beside them.
 pub fn from_derive_input(input: &DeriveInput) -> Result<Declared, Diagnostics> {
-    let checked = check::check(&input::read(input)).map_err(|found| Diagnostics::new(found, None))?;
+    let checked = check::check(&item::read(input)).map_err(|found| Diagnostics::new(found, None))?;
     let fields = match &input.data {
         Data::Struct(data) => data.fields.iter().filter_map(|field| field.ident.clone()).collect(),
         Data::Enum(_) | Data::Union(_) => Vec::new(),
     };
-    let krate = checked.krate.and_then(|path| syn::parse::Parser::parse2(syn::Path::parse_mod_style, path).ok());
     let vis = input.vis.to_token_stream();
-    Ok(Declared { spec: checked.spec, ident: input.ident.clone(), fields, vis, krate })
+    Ok(Declared { spec: checked.spec, ident: input.ident.clone(), fields, vis, krate: checked.krate })
 }
 
 /// Reads and checks a rig's TOML file. `file_name` is what the errors call it.
@@ -85,7 +65,7 @@ pub fn from_toml(file_name: &str, text: &str) -> Result<RigSpec, Diagnostics> {
     // What is missing from a file that does not parse is no mistake of its own.
     let checked = if syntax.is_empty() { check::check(&rig) } else { Err(syntax) };
     checked.map(|checked| checked.spec).map_err(|found| {
-        let source = diagnostics::Source { name: file_name.to_owned(), text: text.to_owned() };
+        let source = report::diagnostics::Source { name: file_name.to_owned(), text: text.to_owned() };
         Diagnostics::new(found, Some(source))
     })
 }

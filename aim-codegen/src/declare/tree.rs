@@ -16,6 +16,16 @@ pub(crate) enum Notation {
     Toml,
 }
 
+impl Notation {
+    /// One of two, by notation.
+    pub(crate) fn pick<T>(self, rust: T, toml: T) -> T {
+        match self {
+            Self::Rust => rust,
+            Self::Toml => toml,
+        }
+    }
+}
+
 /// A whole declaration.
 #[derive(Debug)]
 pub(crate) struct Rig {
@@ -32,6 +42,18 @@ pub(crate) struct Rig {
 pub(crate) struct Joint {
     pub(crate) name: Option<Value>,
     pub(crate) section: Section,
+}
+
+impl Joint {
+    /// Its name, as far as it has one.
+    pub(crate) fn name_or_joint(&self) -> &str {
+        self.name.as_ref().and_then(Value::text).unwrap_or("joint")
+    }
+
+    /// Where something missing is reported: at the name, the smallest place that tells which joint it is.
+    pub(crate) fn name_place(&self) -> &Place {
+        self.name.as_ref().map_or(&self.section.place, |name| &name.place)
+    }
 }
 
 /// The settings of a rig or of a joint.
@@ -151,6 +173,11 @@ pub(crate) struct Number {
 }
 
 impl Number {
+    /// A number without a unit.
+    pub(crate) fn plain(text: &str, value: f64) -> Self {
+        Self { text: text.to_owned(), value, unit: String::new(), radix: None, detached: false }
+    }
+
     /// The number as written, without its unit.
     pub(crate) fn digits(&self) -> &str {
         self.text.strip_suffix(self.unit.as_str()).unwrap_or(&self.text).trim_end()
@@ -158,6 +185,16 @@ impl Number {
 }
 
 impl Value {
+    /// The string, if it is meant as one.
+    pub(crate) fn text(&self) -> Option<&str> {
+        if let Kind::Text(text) = &self.kind { Some(text) } else { None }
+    }
+
+    /// A number as written; empty if it is none.
+    pub(crate) fn number(&self) -> &str {
+        if let Kind::Number(number) = &self.kind { &number.text } else { "" }
+    }
+
     /// What was found, for a message.
     pub(crate) fn describe(&self) -> String {
         match &self.kind {

@@ -2,13 +2,15 @@
 
 use aim_symbolic::{Scalar, Vector};
 use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, quote};
 use syn::{FnArg, Pat, ReturnType, Signature};
 
-use super::errors::Errors;
 use super::lower::{Affine, Algebra, Map, Quaternion, Value};
 use super::messages;
 use super::options::Options;
-use super::types::{Shape, Type, Unknown};
+use super::types::{Shape, Type};
+use crate::declare::parse::tokens::word_of;
+use crate::declare::report::Report;
 use crate::declare::tree::Word;
 
 /// An argument of a known type.
@@ -31,14 +33,14 @@ pub(super) struct Arguments {
 
 impl Arguments {
     /// Reads a signature; what is wrong with it is reported and left out.
-    pub(super) fn check(signature: &Signature, options: &Options, errors: &mut Errors) -> Self {
-        let generic = refuse_qualifiers(signature, errors);
+    pub(super) fn check(signature: &Signature, options: &Options, report: &mut Report) -> Self {
+        let generic = refuse_qualifiers(signature, report);
         let (mut list, mut faulty) = (Vec::new(), Vec::new());
         for input in &signature.inputs {
             let typed = match input {
                 FnArg::Typed(typed) => typed,
                 FnArg::Receiver(receiver) => {
-                    errors.add(receiver, messages::RECEIVER);
+                    report.error_in(receiver, messages::receiver());
                     faulty.push(Ident::new("self", receiver.self_token.span));
                     continue;
                 }
@@ -46,18 +48,18 @@ impl Arguments {
             let name = match &*typed.pat {
                 Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => {
                     if let Some(mutability) = &name.mutability {
-                        errors.add(mutability, messages::MUTABLE);
+                        report.error_in(mutability, messages::mutable());
                     }
                     Some(name.ident.clone())
                 }
                 Pat::Wild(_) => None,
                 other => {
-                    errors.add(other, messages::ARGUMENT_PATTERN);
+                    report.error_in(other, messages::argument_pattern());
                     continue;
                 }
             };
             // Of a generic argument that was said.
-            let known = if generic { Type::parse(&typed.ty).ok() } else { known_type(&typed.ty, errors) };
+            let known = if generic { Type::parse(&typed.ty).ok() } else { known_type(&typed.ty, report) };
             match known {
                 Some(ty) => {
                     let variable = name.as_ref().and_then(|name| place_among(options.wrt.as_deref(), name));
@@ -68,20 +70,20 @@ impl Arguments {
         }
         let result = match &signature.output {
             ReturnType::Default => {
-                errors.add(&signature.ident, messages::NO_RESULT);
+                report.error_in(&signature.ident, messages::no_result());
                 None
             }
-            ReturnType::Type(_, ty) => known_type(ty, errors).filter(|result| {
+            ReturnType::Type(_, ty) => known_type(ty, report).filter(|result| {
                 let fits = matches!(result.shape, Shape::Scalar | Shape::Planar | Shape::Vector) && !result.borrowed;
                 if !fits {
-                    errors.add(ty, messages::RESULT_TYPE);
+                    report.error_in(ty, messages::result_type());
                 }
                 fits
             }),
         };
         let arguments = Self { list, faulty, result };
-        arguments.check_precision(errors);
-        arguments.check_variables(signature, options, errors);
+        arguments.check_precision(report);
+        arguments.check_variables(signature, options, report);
         arguments
     }
 
@@ -92,27 +94,29 @@ impl Arguments {
         variables
     }
 
-    fn check_precision(&self, errors: &mut Errors) {
+    fn check_precision(&self, report: &mut Report) {
         let types = || self.list.iter().map(|argument| &argument.ty).chain(&self.result);
         let Some(first) = self.result.as_ref().or_else(|| types().next()) else { return };
         for other in types().filter(|ty| ty.precision != first.precision) {
-            errors.add(&other.tokens, messages::mixed(first.precision.name(), other.precision.name()));
+            report.error_in(&other.tokens, messages::mixed(first.precision.name(), other.precision.name()));
         }
     }
 
-    fn check_variables(&self, signature: &Signature, options: &Options, errors: &mut Errors) {
+    fn check_variables(&self, signature: &Signature, options: &Options, report: &mut Report) {
         let Some(wrt) = &options.wrt else {
-            errors.add(&signature.ident, messages::NO_WRT);
+            report.error_in(&signature.ident, messages::no_wrt());
             return;
         };
-        let names: Vec<String> = self.list.iter().filter_map(|argument| argument.name.as_ref().map(plain)).collect();
+        let names: Vec<String> =
+            self.list.iter().filter_map(|argument| Some(word_of(argument.name.as_ref()?).text)).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
         for word in wrt {
             let found = self.list.iter().find(|argument| argument.name.as_ref().is_some_and(|name| is(name, word)));
             match found {
                 None if self.faulty.iter().any(|name| is(name, word)) => {}
-                None => errors.at(&word.place, messages::unknown_variable(&word.text, &names)),
+                None => report.error(&word.place, messages::unknown_variable(&word.text, &names)),
                 Some(argument) if argument.ty.shape == Shape::Rigid => {
-                    errors.at(&word.place, messages::rigid_variable(&word.text));
+                    report.error(&word.place, messages::rigid_variable(&word.text));
                 }
                 Some(_) => {}
             }
@@ -128,7 +132,7 @@ impl Arguments {
             let inputs: Vec<Scalar> = (0..argument.ty.components())
                 .map(|index| {
                     declared.inputs.push(argument.ty.component(name, index));
-                    let input = a.g.input(&format!("{}_{index}", plain(name)));
+                    let input = a.g.input(&format!("{}_{index}", word_of(name).text));
                     if argument.variable.is_some() {
                         a.differentiate_by(input);
                     }
@@ -184,52 +188,35 @@ fn value(a: &mut Algebra, shape: Shape, numbers: &[Scalar], varies: bool) -> Val
     }
 }
 
-/// An identifier without `r#`.
-fn plain(ident: &Ident) -> String {
-    let text = ident.to_string();
-    text.strip_prefix("r#").map_or(text.clone(), str::to_owned)
-}
-
 fn is(name: &Ident, word: &Word) -> bool {
-    plain(name) == word.text
+    word_of(name).text == word.text
 }
 
 fn place_among(wrt: Option<&[Word]>, name: &Ident) -> Option<usize> {
     wrt?.iter().position(|word| is(name, word))
 }
 
-fn known_type(ty: &syn::Type, errors: &mut Errors) -> Option<Type> {
-    match Type::parse(ty) {
-        Ok(ty) => Some(ty),
-        Err(Unknown::Mutable(word)) => {
-            errors.add(&word, messages::MUTABLE_REFERENCE);
-            None
-        }
-        Err(Unknown::Name(tokens)) => {
-            errors.add(&tokens, messages::unknown_type(&tokens.to_string()));
-            None
-        }
-    }
+fn known_type(ty: &syn::Type, report: &mut Report) -> Option<Type> {
+    Type::parse(ty).map_err(|(place, text)| report.error_in(&place, text)).ok()
 }
 
 /// A function that is generic, asynchronous and so on cannot be written beside. Whether it is generic.
-fn refuse_qualifiers(signature: &Signature, errors: &mut Errors) -> bool {
-    if let Some(word) = &signature.asyncness {
-        errors.add(word, messages::qualifier("async"));
+fn refuse_qualifiers(signature: &Signature, report: &mut Report) -> bool {
+    let Signature { asyncness, safety, abi, variadic, generics, .. } = signature;
+    let qualifiers = [
+        (asyncness.to_token_stream(), "async"),
+        (if let syn::Safety::Unsafe(word) = safety { quote!(#word) } else { quote!() }, "unsafe"),
+        (abi.to_token_stream(), "extern"),
+        (variadic.to_token_stream(), "variadic"),
+    ];
+    for (word, qualifier) in qualifiers.into_iter().filter(|(word, _)| !word.is_empty()) {
+        report.error_in(&word, messages::qualifier(qualifier));
     }
-    if let syn::Safety::Unsafe(word) = &signature.safety {
-        errors.add(word, messages::qualifier("unsafe"));
+    let is_generic = !generics.params.is_empty();
+    if is_generic {
+        report.error_in(&generics.params, messages::generic());
+    } else if let Some(clause) = &generics.where_clause {
+        report.error_in(clause, messages::generic());
     }
-    if let Some(abi) = &signature.abi {
-        errors.add(abi, messages::qualifier("extern"));
-    }
-    if !signature.generics.params.is_empty() {
-        errors.add(&signature.generics.params, messages::GENERIC);
-    } else if let Some(clause) = &signature.generics.where_clause {
-        errors.add(clause, messages::GENERIC);
-    }
-    if let Some(dots) = &signature.variadic {
-        errors.add(dots, messages::qualifier("variadic"));
-    }
-    !signature.generics.params.is_empty()
+    is_generic
 }

@@ -14,41 +14,37 @@ pub(super) struct Companions<'a> {
     pub(super) item: &'a ItemFn,
     pub(super) arguments: &'a Arguments,
     pub(super) krate: &'a TokenStream,
-}
-
-/// A companion's program and the expressions of its inputs.
-pub(super) struct Derived<'a> {
-    pub(super) program: &'a Program,
+    /// What the inputs of the programs are called.
     pub(super) inputs: &'a [TokenStream],
 }
 
-/// A further part of a companion's result: its type and its value, each with a comma before it.
-type More<'a> = (TokenStream, &'a dyn Fn(&Outputs<'_>) -> TokenStream);
+/// A further part of a companion's result: its type and, of the program's outputs, its value, each with a comma before it.
+type More<'a> = (TokenStream, &'a dyn Fn(&[TokenStream]) -> TokenStream);
 
 impl Companions<'_> {
     /// `…_gradient` of a number, `…_jacobian` of a vector; with a stub for a body where there is no program.
-    pub(super) fn first_derivatives(&self, derived: Option<&Derived<'_>>) -> Option<TokenStream> {
+    pub(super) fn first_derivatives(&self, program: Option<&Program>) -> Option<TokenStream> {
         let result = self.arguments.result.as_ref()?;
         let (suffix, words) =
             if result.shape == Shape::Scalar { ("gradient", "gradient") } else { ("jacobian", "Jacobian") };
-        Some(self.companion(result, (suffix, words), derived, None))
+        Some(self.companion(result, (suffix, words), program, None))
     }
 
     /// `…_hessian` of a number.
-    pub(super) fn hessian(&self, derived: Option<&Derived<'_>>) -> Option<TokenStream> {
+    pub(super) fn hessian(&self, program: Option<&Program>) -> Option<TokenStream> {
         let result = self.arguments.result.as_ref().filter(|result| result.shape == Shape::Scalar)?;
         let original = &result.tokens;
         let count: usize = self.arguments.variables().iter().map(|variable| variable.ty.components()).sum();
         let size = Literal::usize_unsuffixed(count);
-        let rows = |outputs: &Outputs<'_>| {
+        let rows = |outputs: &[TokenStream]| {
             let rows = (0..count).map(|i| {
-                let entries = (0..count).map(|k| outputs.number(1 + count + triangle(count, i.min(k), i.max(k))));
+                let entries = (0..count).map(|k| &outputs[1 + count + triangle(count, i.min(k), i.max(k))]);
                 quote!([#(#entries),*])
             });
             quote!(, [#(#rows),*])
         };
         let more: More<'_> = (quote!(, [[#original; #size]; #size]), &rows);
-        Some(self.companion(result, ("hessian", "Hessian"), derived, Some(more)))
+        Some(self.companion(result, ("hessian", "Hessian"), program, Some(more)))
     }
 
     /// A function beside the user's: of the value, its derivatives by each variable, and, if there is `more`, something of
@@ -57,78 +53,63 @@ impl Companions<'_> {
         &self,
         result: &Type,
         (suffix, words): (&str, &str),
-        derived: Option<&Derived<'_>>,
+        program: Option<&Program>,
         more: Option<More<'_>>,
     ) -> TokenStream {
         let name = format_ident!("{}_{suffix}", self.item.sig.ident);
-        let original = &result.tokens;
-        let derivatives = self.arguments.variables().into_iter().map(|variable| self.derivative_type(&variable.ty));
+        let (krate, number) = (self.krate, format_ident!("{}", result.precision.name()));
+        let (private, number) = (quote!(#krate::__private), quote!(::core::primitive::#number));
+        let input = |i: usize| self.inputs[i].clone();
+        let body = program.map(|program| Body {
+            program,
+            number: Arithmetic::Generic(&number),
+            private: &private,
+            input: &input,
+        });
+        let outputs: Vec<TokenStream> = body.iter().flat_map(Body::results).collect();
+        let (types, derivatives) = self.derivatives(result, &outputs);
         let (more_type, more) = more.unzip();
-        let returns = quote!((#original, (#(#derivatives,)*) #more_type));
-        let body = derived.map(|derived| {
-            let outputs = Outputs::new(self, derived);
-            let steps = outputs.steps();
-            let value = result.build(&outputs.numbers(0, result.components()));
-            let derivatives = self.derivatives(&outputs);
+        let original = &result.tokens;
+        let returns = quote!((#original, (#(#types,)*) #more_type));
+        let body = body.map(|body| {
+            let (steps, value) = (body.steps(), result.build(&outputs[..result.components()]));
             let more = more.map(|more| more(&outputs));
             quote!(#steps (#value, (#(#derivatives,)*) #more))
         });
-        self.function(&name, &self.doc(words, derived), &returns, body)
+        self.function(&name, &self.doc(words, program), &returns, body)
     }
 
-    /// The type of a derivative by a variable of this type.
-    fn derivative_type(&self, variable: &Type) -> TokenStream {
-        let Some(result) = &self.arguments.result else { return TokenStream::new() };
-        let original = &result.tokens;
-        match (result.shape, variable.shape) {
-            (Shape::Scalar, _) => {
-                let ty = &variable.tokens;
-                quote!(#ty)
-            }
-            (_, Shape::Scalar) => quote!(#original),
-            (Shape::Vector, Shape::Vector) => {
-                let matrix = result.matrix(self.krate);
-                quote!(#matrix)
-            }
-            (_, other) => {
-                let length = Literal::usize_unsuffixed(other.components());
-                quote!([#original; #length])
-            }
-        }
-    }
-
-    /// The derivatives by each variable. The outputs hold the value, then by each component of each variable the
-    /// derivative of the value.
-    fn derivatives(&self, outputs: &Outputs<'_>) -> Vec<TokenStream> {
-        let Some(result) = &self.arguments.result else { return Vec::new() };
-        let size = result.components();
-        let mut at = size;
-        let mut derivatives = Vec::new();
-        for variable in self.arguments.variables() {
-            let count = variable.ty.components();
-            let numbers = outputs.numbers(at, count * size);
-            at += count * size;
-            derivatives.push(match (result.shape, variable.ty.shape) {
-                (Shape::Scalar, _) => variable.ty.build(&numbers),
-                (_, Shape::Scalar) => result.build(&numbers),
+    /// The types and the values of the derivatives by each variable. The outputs hold the value, then by each component
+    /// of each variable the derivative of the value; without a program there are none, and the values are of no use.
+    fn derivatives(&self, result: &Type, outputs: &[TokenStream]) -> (Vec<TokenStream>, Vec<TokenStream>) {
+        let (original, size) = (&result.tokens, result.components());
+        let mut rest = outputs.get(size..).unwrap_or_default();
+        let by = |variable: &Type| {
+            let count = variable.components();
+            let (numbers, after) = rest.split_at_checked(count * size).unwrap_or_default();
+            rest = after;
+            match (result.shape, variable.shape) {
+                (Shape::Scalar, _) => (variable.tokens.clone(), variable.build(numbers)),
+                (_, Shape::Scalar) => (original.clone(), result.build(numbers)),
                 (Shape::Vector, Shape::Vector) => {
                     let matrix = result.matrix(self.krate);
-                    quote!(<#matrix>::from_cols_array(&[#(#numbers),*]))
+                    (matrix.clone(), quote!(<#matrix>::from_cols_array(&[#(#numbers),*])))
                 }
                 _ => {
+                    let length = Literal::usize_unsuffixed(count);
                     let vectors = numbers.chunks(size).map(|numbers| result.build(numbers));
-                    quote!([#(#vectors),*])
+                    (quote!([#original; #length]), quote!([#(#vectors),*]))
                 }
-            });
-        }
-        derivatives
+            }
+        };
+        self.arguments.variables().into_iter().map(|variable| &variable.ty).map(by).unzip()
     }
 
-    fn doc(&self, what: &str, derived: Option<&Derived<'_>>) -> String {
+    fn doc(&self, what: &str, program: Option<&Program>) -> String {
         let function = self.item.sig.ident.to_string();
         let names = self.arguments.variables().into_iter().filter_map(|variable| variable.name.as_ref());
         let names = names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-        let count = derived.map(|derived| format!(" {}.", counted(derived.program.count()))).unwrap_or_default();
+        let count = program.map(|program| format!(" {}.", counted(program.count()))).unwrap_or_default();
         format!("The value of `{function}` and its {what} by {names}.{count}")
     }
 
@@ -178,39 +159,4 @@ fn is_kept(attribute: &Attribute) -> bool {
 /// Where the second derivative by the variables `i` ≤ `k` of `count` stands in the upper triangle, row by row.
 fn triangle(count: usize, i: usize, k: usize) -> usize {
     i * (2 * count + 1 - i) / 2 + (k - i)
-}
-
-/// A program's outputs as expressions.
-struct Outputs<'a> {
-    derived: &'a Derived<'a>,
-    number: TokenStream,
-    private: TokenStream,
-}
-
-impl<'a> Outputs<'a> {
-    fn new(companions: &Companions<'_>, derived: &'a Derived<'a>) -> Self {
-        let krate = companions.krate;
-        let number = companions.arguments.result.as_ref().map_or("f32", |result| result.precision.name());
-        let number = format_ident!("{number}");
-        Self { derived, number: quote!(::core::primitive::#number), private: quote!(#krate::__private) }
-    }
-
-    fn with_body<T>(&self, of: impl FnOnce(&Body<'_>) -> T) -> T {
-        let Self { derived, number, private } = self;
-        let input = |i: usize| derived.inputs[i].clone();
-        let number = Arithmetic::Generic(number);
-        of(&Body { program: derived.program, number, private, input: &input })
-    }
-
-    fn steps(&self) -> TokenStream {
-        self.with_body(|body| body.steps())
-    }
-
-    fn number(&self, output: usize) -> TokenStream {
-        self.with_body(|body| body.operand(self.derived.program.outputs()[output]))
-    }
-
-    fn numbers(&self, from: usize, count: usize) -> Vec<TokenStream> {
-        (from..from + count).map(|output| self.number(output)).collect()
-    }
 }

@@ -10,7 +10,6 @@
 
 mod arguments;
 mod emit;
-mod errors;
 mod lower;
 mod messages;
 mod options;
@@ -25,43 +24,44 @@ use quote::quote;
 use syn::ItemFn;
 
 use self::arguments::{Arguments, Declared};
-use self::emit::{Companions, Derived};
-use self::errors::Errors;
+use self::emit::Companions;
 use self::lower::{Algebra, Translation, Value};
 use self::options::Options;
 use self::types::{Shape, Type};
+use crate::declare::report::Report;
+use crate::declare::tree::Notation;
 
 /// What `#[differentiate(…)]` on `item` expands to.
 pub fn differentiate(attribute: TokenStream, item: TokenStream) -> TokenStream {
-    let mut errors = Errors::default();
+    let mut report = Report::new(Notation::Rust);
     let function: ItemFn = match syn::parse2(item.clone()) {
         Ok(function) => function,
-        // What is no function at all is said in our words, what does not parse in the parser's.
-        Err(_) if syn::parse2::<syn::Item>(item.clone()).is_ok() => {
-            errors.add(&item.clone().into_iter().next(), messages::NOT_A_FUNCTION);
-            let errors = errors.into_diagnostics().into_compile_error();
-            return quote!(#item #errors);
-        }
         Err(error) => {
-            let errors = error.into_compile_error();
+            // What is no function at all is said in our words, what does not parse in the parser's.
+            let errors = if syn::parse2::<syn::Item>(item.clone()).is_ok() {
+                report.error_in(&item.clone().into_iter().next(), messages::not_a_function());
+                report.into_compile_error()
+            } else {
+                error.into_compile_error()
+            };
             return quote!(#item #errors);
         }
     };
-    let options = Options::parse(attribute, &mut errors);
-    let arguments = Arguments::check(&function.sig, &options, &mut errors);
-    let programs = Programs::derive(&function, &options, &arguments, &mut errors);
+    let options = Options::parse(attribute, &mut report);
+    let arguments = Arguments::check(&function.sig, &options, &mut report);
+    let programs = Programs::derive(&function, &options, &arguments, &mut report);
     let krate = options.krate.clone().unwrap_or_else(|| quote!(::aim));
-    let companions = Companions { item: &function, arguments: &arguments, krate: &krate };
-    let derived = |program| programs.as_ref().map(|Programs { inputs, .. }| Derived { program, inputs });
-    let first = companions.first_derivatives(programs.as_ref().and_then(|p| derived(&p.first)).as_ref());
-    let second = options.hessian.as_ref().and_then(|_| {
-        let derived = programs.as_ref().and_then(|p| derived(p.second.as_ref()?));
-        companions.hessian(derived.as_ref())
-    });
+    let inputs = programs.as_ref().map_or(&[][..], |programs| &programs.inputs);
+    let companions = Companions { item: &function, arguments: &arguments, krate: &krate, inputs };
+    let first = companions.first_derivatives(programs.as_ref().map(|programs| &programs.first));
+    let second = options
+        .hessian
+        .as_ref()
+        .and_then(|_| companions.hessian(programs.as_ref().and_then(|programs| programs.second.as_ref())));
     // Where `self` or a type is in the way, a stub would only be another error.
     let (first, second) =
         if arguments.faulty.is_empty() && function.sig.receiver().is_none() { (first, second) } else { (None, None) };
-    let errors = (!errors.is_empty()).then(|| errors.into_diagnostics().into_compile_error());
+    let errors = report.into_compile_error();
     quote! {
         #[allow(dead_code, reason = "its derivatives may be all that is used")]
         #item
@@ -83,16 +83,16 @@ struct Programs {
 
 impl Programs {
     /// Derives them, unless there are errors.
-    fn derive(function: &ItemFn, options: &Options, arguments: &Arguments, errors: &mut Errors) -> Option<Self> {
+    fn derive(function: &ItemFn, options: &Options, arguments: &Arguments, report: &mut Report) -> Option<Self> {
         let mut algebra = Algebra::new();
         let Declared { values, variables, inputs } = arguments.declare(&mut algebra);
-        let body = Translation::new(&mut algebra, errors, values).block(&function.block);
+        let body = Translation::new(&mut algebra, report, values).block(&function.block);
         let result = arguments.result.as_ref()?;
         if let (Some(place), true) = (&options.hessian, result.shape != Shape::Scalar) {
-            errors.at(place, messages::HESSIAN_OF_VECTOR);
+            report.error(place, messages::hessian_of_vector());
         }
-        let numbers = numbers(&mut algebra, &body, result, errors)?;
-        if !errors.is_empty() {
+        let numbers = numbers(&mut algebra, &body, result, report)?;
+        if !report.is_empty() {
             return None;
         }
         let variables: Vec<Scalar> = variables.into_iter().flatten().collect();
@@ -103,7 +103,7 @@ impl Programs {
         if let Some((budget, place)) = &options.budget {
             let count = first.count();
             if count.total() > *budget {
-                errors.at(place, messages::over_budget(*budget, count));
+                report.error(place, messages::over_budget(*budget, count));
                 return None;
             }
         }
@@ -130,7 +130,7 @@ fn derived(g: &Graph, wanted: &[Want]) -> Program {
 }
 
 /// The numbers of the function's value; `None` where it is not what the function's type says.
-fn numbers(a: &mut Algebra, value: &Value, result: &Type, errors: &mut Errors) -> Option<Vec<Scalar>> {
+fn numbers(a: &mut Algebra, value: &Value, result: &Type, report: &mut Report) -> Option<Vec<Scalar>> {
     let numbers = match (value, result.shape) {
         (Value::Scalar(number), Shape::Scalar) => vec![*number],
         (Value::Planar(v), Shape::Planar) => a.parts(*v)[..2].to_vec(),
@@ -142,7 +142,7 @@ fn numbers(a: &mut Algebra, value: &Value, result: &Type, errors: &mut Errors) -
                 Shape::Planar => "a vector of two",
                 _ => "a vector",
             };
-            errors.add(&result.tokens, messages::wrong_result(&other.describe(), expected));
+            report.error_in(&result.tokens, messages::wrong_result(&other.describe(), expected));
             return None;
         }
     };

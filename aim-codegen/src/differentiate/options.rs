@@ -2,15 +2,17 @@
 
 use proc_macro2::TokenStream;
 
-use super::errors::Errors;
 use super::messages;
 use crate::declare::Place;
-use crate::declare::tokens::entries;
-use crate::declare::tree::{Entry, Kind, Value, Word};
-use crate::text;
+use crate::declare::check::keys::Key;
+use crate::declare::check::read;
+use crate::declare::check::settings::{Level, Setting, Settings};
+use crate::declare::parse::tokens::entries;
+use crate::declare::report::Report;
+use crate::declare::report::expected::Expected;
+use crate::declare::tree::{Kind, Word};
 
 /// What the attribute asks for.
-#[derive(Default)]
 pub(super) struct Options {
     /// The names of the variables, each once; `None` where `wrt` is missing.
     pub(super) wrt: Option<Vec<Word>>,
@@ -20,95 +22,46 @@ pub(super) struct Options {
     pub(super) krate: Option<TokenStream>,
 }
 
-const KEYS: [&str; 4] = ["wrt", "budget", "hessian", "crate"];
+const KEYS: &[Key] = &[
+    ("wrt", Expected::ARGUMENTS),
+    ("budget", Expected::OPERATIONS),
+    ("hessian", Expected::PRESENCE),
+    ("crate", Expected::PATH),
+];
 
 impl Options {
-    pub(super) fn parse(attribute: TokenStream, errors: &mut Errors) -> Self {
-        let mut options = Self::default();
-        let mut seen: Vec<Word> = Vec::new();
-        for entry in entries(attribute) {
-            let item = match entry {
-                Entry::Item(item) => item,
-                Entry::Stray(word) => {
-                    errors.at(&word.place, messages::stray_option(&word.text));
-                    continue;
-                }
-                Entry::NoComma(word) => {
-                    errors.at(&word.place, text::no_comma(&word.text, "options"));
-                    continue;
-                }
-                #[cfg(feature = "toml")]
-                Entry::Repeated { .. } => continue,
-            };
-            let key = item.key.text.as_str();
-            if let Some(first) = seen.iter().find(|word| word.text == key) {
-                let note = text::first_use(key);
-                errors.at_with_note(&item.key.place, messages::option_twice(key), note, &first.place);
-                continue;
-            }
-            match key {
-                "wrt" => options.wrt = Some(variables(&item.key, item.value, errors)),
-                "budget" => options.budget = budget(&item.value, errors),
-                "hessian" => match item.value.kind {
-                    Kind::Absent | Kind::Bool(true) => options.hessian = Some(item.key.place.clone()),
-                    Kind::Bool(false) => {}
-                    _ => errors.at(&item.value.place, messages::flag_with_value(key)),
-                },
-                "crate" => match item.value.kind {
-                    Kind::Path(path) => options.krate = Some(path),
-                    _ => errors.at(&item.value.place, messages::CRATE_NOT_A_PATH),
-                },
-                _ => errors.at(&item.key.place, messages::unknown_option(key, &KEYS)),
-            }
-            seen.push(item.key);
+    pub(super) fn parse(attribute: TokenStream, report: &mut Report) -> Self {
+        let entries = entries(attribute);
+        let settings = Settings::read(&entries, KEYS, Level::Options, report);
+        let wrt = settings.get("wrt").map(|setting| variables(report, setting));
+        Self {
+            wrt: wrt.or_else(|| settings.has("wrt").then(Vec::new)),
+            budget: settings.read_value("budget", report, budget),
+            hessian: settings.read_value("hessian", report, hessian),
+            krate: settings.read_value("crate", report, read::path),
         }
-        options
     }
 }
 
-fn variables(key: &Word, value: Value, errors: &mut Errors) -> Vec<Word> {
-    let Kind::Table(entries) = value.kind else {
-        errors.at(&value.place, messages::WRT_FORM);
-        return Vec::new();
-    };
-    let mut names: Vec<Word> = Vec::new();
-    if entries.is_empty() {
-        errors.at(&key.place, messages::WRT_EMPTY);
+fn variables(report: &mut Report, wrt: Setting<'_>) -> Vec<Word> {
+    if matches!(&wrt.value.kind, Kind::Table(entries) if entries.is_empty()) {
+        report.error(wrt.place(), messages::wrt_empty());
     }
-    for entry in entries {
-        let word = match entry {
-            Entry::Item(item) if matches!(item.value.kind, Kind::Absent) => item.key,
-            Entry::Item(item) => {
-                errors.at(&item.value.place, messages::WRT_FORM);
-                continue;
-            }
-            Entry::Stray(word) | Entry::NoComma(word) => {
-                errors.at(&word.place, messages::WRT_FORM);
-                continue;
-            }
-            #[cfg(feature = "toml")]
-            Entry::Repeated { .. } => continue,
-        };
-        if let Some(first) = names.iter().find(|name| name.text == word.text) {
-            let note = text::first_use(&word.text);
-            errors.at_with_note(&word.place, messages::wrt_twice(&word.text), note, &first.place);
-        } else {
-            names.push(word);
-        }
-    }
-    names
+    let words = read::words(report, wrt, "arguments");
+    words.into_iter().map(|(text, place)| Word { text: text.to_owned(), place: place.clone() }).collect()
 }
 
-fn budget(value: &Value, errors: &mut Errors) -> Option<(usize, Place)> {
-    let Kind::Number(number) = &value.kind else {
-        errors.at(&value.place, messages::BUDGET_FORM);
-        return None;
-    };
-    match number.text.replace('_', "").parse() {
-        Ok(budget) => Some((budget, value.place.clone())),
-        Err(_) => {
-            errors.at(&value.place, messages::BUDGET_FORM);
-            None
-        }
+fn budget(report: &mut Report, setting: Setting<'_>) -> Option<(usize, Place)> {
+    match setting.value.number().replace('_', "").parse() {
+        Ok(budget) => Some((budget, setting.place().clone())),
+        Err(_) => read::mismatch(report, setting),
+    }
+}
+
+fn hessian(report: &mut Report, setting: Setting<'_>) -> Option<Place> {
+    match setting.value.kind {
+        Kind::Absent | Kind::Bool(true) => Some(setting.place().clone()),
+        Kind::Bool(false) => None,
+        _ => report.refuse(setting.place(), messages::flag_with_value(setting.key)),
     }
 }

@@ -103,3 +103,11 @@ fn long_sums_are_no_trouble() {
     let expansion = expand("wrt(x)", &format!("fn f(x: f32, k: f32) -> f32 {{ {sum} }}"));
     assert_eq!(errors(&expansion), 0);
 }
+
+#[test]
+fn integers_are_not_computed_with() {
+    for value in ["x.powi(7 / 2 * 2)", "f32::powi(x, 1 + 1)", "(Mat3::IDENTITY * x).col(1 / 2 * 2).x", "x.powi(x)"] {
+        assert_eq!(errors(&expand("wrt(x)", &format!("fn f(x: f32) -> f32 {{ {value} }}"))), 1, "{value}");
+    }
+    assert_eq!(errors(&expand("wrt(x)", "fn f(x: f32) -> f32 { f32::powi(x, -(2)) + x.powi(-2147483648) }")), 0);
+}

@@ -4,6 +4,9 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::messages;
+use crate::declare::report::text::Text;
+
 /// The number type of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Precision {
@@ -34,7 +37,7 @@ pub(super) enum Shape {
 }
 
 /// Names that are types of ours.
-const KNOWN: &[(&str, Shape, Precision)] = &[
+const KNOWN: [(&str, Shape, Precision); 16] = [
     ("f32", Shape::Scalar, Precision::Single),
     ("f64", Shape::Scalar, Precision::Double),
     ("Vec2", Shape::Planar, Precision::Single),
@@ -52,11 +55,6 @@ const KNOWN: &[(&str, Shape, Precision)] = &[
     ("DRigid", Shape::Rigid, Precision::Double),
     ("DAffine3", Shape::Rigid, Precision::Double),
 ];
-
-/// The names of the known types.
-pub(super) fn names() -> impl Iterator<Item = &'static str> + Clone {
-    KNOWN.iter().map(|(name, ..)| *name)
-}
 
 /// What the type of this name holds.
 pub(super) fn named(name: &str) -> Option<(Shape, Precision)> {
@@ -77,24 +75,20 @@ pub(super) struct Type {
     pub(super) borrowed: bool,
 }
 
-/// Why a type is none of ours.
-pub(super) enum Unknown {
-    /// `&mut`, with the word to point at.
-    Mutable(TokenStream),
-    /// A name that is not known.
-    Name(TokenStream),
-}
-
 impl Type {
-    /// Reads a type, in invisible groups and behind one reference too.
-    pub(super) fn parse(written: &syn::Type) -> Result<Self, Unknown> {
-        let unknown = || Unknown::Name(quote!(#written));
+    /// Reads a type, in invisible groups and behind one reference too; or tells why it is none of ours, and where.
+    pub(super) fn parse(written: &syn::Type) -> Result<Self, (TokenStream, Text)> {
+        let unknown = || {
+            let (tokens, known) = (quote!(#written), KNOWN.map(|(name, ..)| name));
+            let text = messages::unknown_type(&tokens.to_string(), &known);
+            (tokens, text)
+        };
         match written {
             syn::Type::Group(group) => Self::parse(&group.elem),
             syn::Type::Paren(paren) => Self::parse(&paren.elem),
             syn::Type::Reference(reference) => {
                 if let Some(mutability) = &reference.mutability {
-                    return Err(Unknown::Mutable(quote!(#mutability)));
+                    return Err((quote!(#mutability), messages::mutable_reference()));
                 }
                 let inner = Self::parse(&reference.elem)?;
                 if inner.borrowed { Err(unknown()) } else { Ok(Self { borrowed: true, ..inner }) }
@@ -163,8 +157,7 @@ impl Type {
             Shape::Scalar => quote!(#(#components)*),
             Shape::Planar | Shape::Vector => quote!(<#ty>::new(#(#components),*)),
             Shape::Quaternion => quote!(<#ty>::from_xyzw(#(#components),*)),
-            Shape::Matrix => quote!(<#ty>::from_cols_array(&[#(#components),*])),
-            Shape::Rigid => quote!(<#ty>::from_cols_array(&[#(#components),*])),
+            Shape::Matrix | Shape::Rigid => quote!(<#ty>::from_cols_array(&[#(#components),*])),
             Shape::Array(_) => quote!([#(#components),*]),
         }
     }

@@ -2,11 +2,10 @@
 
 use std::fmt::Write;
 
-use aim_symbolic::Function as Mathematical;
-use aim_symbolic::print::{Dialect, steps};
+use aim_symbolic::print::steps;
 
 use super::Rig;
-use super::text::{self, Parameters, TINY, Target, library_name, literal};
+use super::text::{self, Expressions, Parameters, Target};
 use crate::objective::{Function, Scope};
 
 /// The source file.
@@ -51,7 +50,13 @@ fn write_function(out: &mut String, rig: &Rig<'_>, function: &Function<'_>) {
     for (name, _) in parameters.list(TARGET.name) {
         let _ = writeln!(out, "    (void){name};");
     }
-    let (steps, outputs) = steps(program, &C(parameters));
+    let expressions = Expressions {
+        parameters,
+        target: TARGET,
+        suffix: "f",
+        select_less: |a, b, then, otherwise| format!("{a} < {b} ? {then} : {otherwise}"),
+    };
+    let (steps, outputs) = steps(program, &expressions);
     for (step, expression) in steps {
         let _ = writeln!(out, "    const float {step} = {expression};");
     }
@@ -62,35 +67,3 @@ fn write_function(out: &mut String, rig: &Rig<'_>, function: &Function<'_>) {
 }
 
 const TARGET: Target = Target { name: "target", again: "the target" };
-
-struct C(Parameters);
-
-impl Dialect for C {
-    fn input(&self, index: usize) -> String {
-        self.0.input(index, TARGET.name)
-    }
-
-    fn constant(&self, value: f64) -> String {
-        literal(value)
-    }
-
-    fn tiny(&self) -> String {
-        TINY.to_owned()
-    }
-
-    fn sqrt(&self, a: &str) -> String {
-        format!("sqrtf({a})")
-    }
-
-    fn select_less(&self, a: &str, b: &str, then: &str, otherwise: &str) -> String {
-        format!("{a} < {b} ? {then} : {otherwise}")
-    }
-
-    fn call(&self, function: Mathematical, a: &str) -> String {
-        format!("{}f({a})", library_name(function))
-    }
-
-    fn atan2(&self, y: &str, x: &str) -> String {
-        format!("atan2f({y}, {x})")
-    }
-}

@@ -9,7 +9,8 @@ use quote::{format_ident, quote};
 use super::Rig;
 use super::body::local;
 use super::rust_kernels::{self, trait_kernels};
-use crate::{AngleRange, JointSpec, LimitsFrom, NaturalSpec, RigSpec, Role};
+use crate::{AngleRange, JointSpec, NaturalSpec, RigSpec};
+use aim_model::{LimitsFrom, Role};
 
 /// The names that emitted code stands among.
 #[derive(Clone, Debug)]
@@ -129,7 +130,7 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
 }
 
 /// The struct of one value for each joint, by name.
-fn pose(item: &Item) -> TokenStream {
+pub(super) fn pose(item: &Item) -> TokenStream {
     let Item { name, fields, vis, krate } = item;
     let pose = item.pose();
     let doc = format!(
@@ -147,7 +148,7 @@ fn pose(item: &Item) -> TokenStream {
 }
 
 /// Poses by name to arrays, and back.
-fn conversions(item: &Item) -> TokenStream {
+pub(super) fn conversions(item: &Item) -> TokenStream {
     let Item { fields, krate, .. } = item;
     let (pose, value) = (item.pose(), local("pose"));
     let joints = Literal::usize_unsuffixed(fields.len());

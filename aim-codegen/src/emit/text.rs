@@ -1,6 +1,7 @@
-//! The text that C and WGSL have in common: comments, the inputs' places, and numbers.
+//! The text that C and WGSL have in common: comments, the inputs' places, and expressions.
 
 use aim_symbolic::Function as Mathematical;
+use aim_symbolic::print::Dialect;
 
 use crate::RigSpec;
 use crate::objective::{Function, Scope};
@@ -89,19 +90,47 @@ impl Parameters {
     }
 }
 
-/// The smallest length that is divided by: the square root of the smallest normal number.
-pub(super) const TINY: &str = "1.0842022e-19f";
-
-/// The shortest decimal that reads back as the same float; with the suffix it is of that type in either language.
-#[expect(clippy::cast_possible_truncation, reason = "the emitted functions compute in 32 bits")]
-pub(super) fn literal(value: f64) -> String {
-    format!("{:?}f", value as f32)
+/// The expressions of a function.
+pub(super) struct Expressions {
+    pub(super) parameters: Parameters,
+    pub(super) target: Target,
+    /// What follows the names of the library's functions.
+    pub(super) suffix: &'static str,
+    /// `then` where `a < b`, else `otherwise`.
+    pub(super) select_less: fn(a: &str, b: &str, then: &str, otherwise: &str) -> String,
 }
 
-/// The name of a function where the natural logarithm is `log`.
-pub(super) fn library_name(function: Mathematical) -> &'static str {
-    match function {
-        Mathematical::Ln => "log",
-        other => other.name(),
+impl Dialect for Expressions {
+    fn input(&self, index: usize) -> String {
+        self.parameters.input(index, self.target.name)
+    }
+
+    /// The shortest decimal that reads back as the same float; with the suffix it is of that type in either language.
+    #[expect(clippy::cast_possible_truncation, reason = "the emitted functions compute in 32 bits")]
+    fn constant(&self, value: f64) -> String {
+        format!("{:?}f", value as f32)
+    }
+
+    /// The square root of the smallest normal number.
+    fn tiny(&self) -> String {
+        "1.0842022e-19f".to_owned()
+    }
+
+    fn sqrt(&self, a: &str) -> String {
+        format!("sqrt{}({a})", self.suffix)
+    }
+
+    fn select_less(&self, a: &str, b: &str, then: &str, otherwise: &str) -> String {
+        (self.select_less)(a, b, then, otherwise)
+    }
+
+    fn call(&self, function: Mathematical, a: &str) -> String {
+        // The natural logarithm is `log` in both languages.
+        let name = if function == Mathematical::Ln { "log" } else { function.name() };
+        format!("{name}{}({a})", self.suffix)
+    }
+
+    fn atan2(&self, y: &str, x: &str) -> String {
+        format!("atan2{}({y}, {x})", self.suffix)
     }
 }

@@ -5,11 +5,10 @@
 
 use std::fmt::Write;
 
-use aim_symbolic::Function as Mathematical;
-use aim_symbolic::print::{Dialect, steps};
+use aim_symbolic::print::steps;
 
 use super::Rig;
-use super::text::{self, Parameters, TINY, Target, library_name, literal};
+use super::text::{self, Expressions, Parameters, Target};
 use crate::objective::Function;
 
 /// The module.
@@ -36,7 +35,13 @@ fn write_function(out: &mut String, rig: &Rig<'_>, function: &Function<'_>) {
     }
     let result = array(program.outputs().len());
     let _ = writeln!(out, ") -> {result} {{");
-    let (steps, outputs) = steps(program, &Wgsl(parameters));
+    let expressions = Expressions {
+        parameters,
+        target: TARGET,
+        suffix: "",
+        select_less: |a, b, then, otherwise| format!("select({otherwise}, {then}, {a} < {b})"),
+    };
+    let (steps, outputs) = steps(program, &expressions);
     for (step, expression) in steps {
         let _ = writeln!(out, "    let {step} = {expression};");
     }
@@ -53,31 +58,3 @@ fn array(length: usize) -> String {
 
 /// `target` alone is a word that WGSL reserves.
 const TARGET: Target = Target { name: "target_point", again: "it" };
-
-struct Wgsl(Parameters);
-
-impl Dialect for Wgsl {
-    fn input(&self, index: usize) -> String {
-        self.0.input(index, TARGET.name)
-    }
-
-    fn constant(&self, value: f64) -> String {
-        literal(value)
-    }
-
-    fn tiny(&self) -> String {
-        TINY.to_owned()
-    }
-
-    fn sqrt(&self, a: &str) -> String {
-        format!("sqrt({a})")
-    }
-
-    fn select_less(&self, a: &str, b: &str, then: &str, otherwise: &str) -> String {
-        format!("select({otherwise}, {then}, {a} < {b})")
-    }
-
-    fn call(&self, function: Mathematical, a: &str) -> String {
-        format!("{}({a})", library_name(function))
-    }
-}

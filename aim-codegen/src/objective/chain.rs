@@ -2,7 +2,7 @@
 
 use aim_symbolic::{Angle, Graph, Plane, Rigid, Rotation, Vector};
 
-use crate::{EffectorSpec, Frame, JointSpec, RigSpec, Role};
+use crate::{EffectorSpec, Frame, JointSpec, RigSpec};
 
 /// The plane of heading, in the axes forward, left, up: forward turns towards left.
 pub const HEADING: Plane = Plane { from: 0, towards: 1 };
@@ -54,10 +54,8 @@ impl FirstLink {
     /// What is known of a rig's first link in calls of the runtime. It leads from the effector to joint 0 as the animation
     /// has it: without an origin of its own, and without a heading that is turned upright, the effector is joint 0.
     pub fn of(spec: &RigSpec) -> Self {
-        let is_upright = spec.joints.first().is_some_and(|joint| match joint.upright {
-            Some(upright) => upright > 0.0,
-            None => matches!(joint.role, Role::Head | Role::Neck),
-        });
+        let is_upright = |joint: &JointSpec| joint.upright.map_or(joint.role.is_upright(), |upright| upright > 0.0);
+        let is_upright = spec.joints.first().is_some_and(is_upright);
         if is_upright || spec.effector.origin != [0.0; 3] { Self::Given } else { Self::Identity }
     }
 }

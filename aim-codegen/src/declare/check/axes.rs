@@ -1,26 +1,17 @@
 //! Declared axes: unit, square, not contradictory, enough of them, and of the right handedness.
 
 use super::frame::{self, SQUARE_SIN, Vector};
+use super::keys::AXES_KEYS;
 use super::read;
-use super::report::Report;
-use super::settings::{Key, Level, Settings};
+use super::settings::{Level, Setting, Settings};
 use crate::Frame;
-use crate::declare::messages::{self, Expected, Owner};
 use crate::declare::place::Place;
-use crate::declare::tree::{Kind, Notation, Value};
+use crate::declare::report::Report;
+use crate::declare::report::messages::{self, Owner};
+use crate::declare::tree::{Kind, Notation};
 
 /// How far a vector's length may be from 1.
 const UNIT_TOLERANCE: f64 = 1e-3;
-
-/// What `axes` may say; each direction is followed by its opposite.
-const KEYS: [Key; 6] = [
-    ("up", Expected::Direction),
-    ("down", Expected::Direction),
-    ("forward", Expected::Direction),
-    ("back", Expected::Direction),
-    ("left", Expected::Direction),
-    ("right", Expected::Direction),
-];
 
 /// A declared direction.
 struct Direction<'t> {
@@ -82,35 +73,28 @@ impl Axes<'_> {
 }
 
 /// Reads `axes`. A triple that is skewed gets its handedness checked here, as there will be no frame to check.
-pub(super) fn read<'t>(report: &mut Report, owner: Owner, hand: f64, value: &'t Value) -> Option<Axes<'t>> {
-    let Kind::Table(entries) = &value.kind else {
-        read::mismatch(report, "axes", Expected::Axes, value);
-        return None;
-    };
-    let settings = Settings::read(entries, &KEYS, Level::Table, report);
+pub(super) fn read<'t>(report: &mut Report, owner: Owner, hand: f64, declared: Setting<'t>) -> Option<Axes<'t>> {
+    let Kind::Table(entries) = &declared.value.kind else { return read::mismatch(report, declared) };
+    let settings = Settings::read(entries, &AXES_KEYS, Level::Table, report);
     let mut complete = true;
-    let mut axes = Axes { directions: [None, None, None], place: &value.place };
-    for (pair, slot) in KEYS.chunks_exact(2).zip(&mut axes.directions) {
+    let mut axes = Axes { directions: [None, None, None], place: declared.place() };
+    for (pair, slot) in AXES_KEYS.chunks_exact(2).zip(&mut axes.directions) {
         let [(first, _), (second, _)] = [pair[0], pair[1]];
         if let (Some(one), Some(other)) = (settings.get(first), settings.get(second)) {
             let note = messages::declared_here(first);
-            report.error_with_note(&other.place, messages::contradictory(first, second), note, &one.place);
+            report.error_with_note(other.place(), messages::contradictory(first, second), note, one.place());
             complete = false;
         }
-        for key in [first, second] {
-            if let Some(value) = settings.get(key) {
-                match direction(report, key, value) {
-                    Some(vector) => *slot = Some(Direction { key, vector, place: &value.place }),
-                    None => complete = false,
-                }
-            } else if settings.has(key) {
-                complete = false;
+        for key in [first, second].into_iter().filter(|key| settings.has(key)) {
+            match settings.get(key).and_then(|setting| Some((direction(report, setting)?, setting.place()))) {
+                Some((vector, place)) => *slot = Some(Direction { key, vector, place }),
+                None => complete = false,
             }
         }
     }
     let found: Vec<&Direction<'_>> = axes.directions.iter().flatten().collect();
     match found.as_slice() {
-        [] if complete => report.error(&value.place, messages::empty_axes(report.notation)),
+        [] if complete => report.error(declared.place(), messages::empty_axes(report.notation)),
         [only] if complete => report.error(only.place, messages::one_axis(only.key)),
         _ => complete &= are_square(report, &axes, owner, hand),
     }
@@ -136,13 +120,10 @@ fn are_square(report: &mut Report, axes: &Axes<'_>, owner: Owner, hand: f64) -> 
     let [up, forward, left] = axes.vectors();
     if let Some(nearest) = frame::nearest(up, forward, left, hand) {
         let positive = [nearest.up, nearest.forward, nearest.left];
-        let shown: Vec<String> = ["up", "forward", "left"]
-            .iter()
-            .zip(positive)
-            .map(|(key, vector)| format!("{key} = {}", show(vector, report.notation)))
-            .collect();
+        let [up, forward, left] = positive.map(|axis| show(axis, report.notation));
+        let shown = format!("up = {up}, forward = {forward}, left = {left}");
         let degrees = cosine.clamp(-1.0, 1.0).acos().to_degrees();
-        let text = messages::not_square(first.key, second.key, degrees, &shown.join(", "));
+        let text = messages::not_square(first.key, second.key, degrees, &shown);
         report.error(second.place, text);
     }
     axes.check_hand(report, owner, hand);
@@ -150,54 +131,42 @@ fn are_square(report: &mut Report, axes: &Axes<'_>, owner: Owner, hand: f64) -> 
 }
 
 /// A signed axis or a unit vector.
-pub(super) fn direction(report: &mut Report, key: &str, value: &Value) -> Option<Vector> {
-    match &value.kind {
+pub(super) fn direction(report: &mut Report, setting: Setting<'_>) -> Option<Vector> {
+    let notation = report.notation;
+    let text = match &setting.value.kind {
         Kind::Axis { negative, letter } => {
-            let axis = frame::axis(letter, *negative);
-            if axis.is_none() {
-                let sign = if *negative { '-' } else { '+' };
-                report.error(&value.place, messages::axis_unknown(sign, letter, report.notation));
+            if let Some(axis) = frame::axis(letter, *negative) {
+                return Some(axis);
             }
-            axis
+            messages::axis_unknown(if *negative { '-' } else { '+' }, letter, notation)
         }
         Kind::Word(word) if matches!(word.as_str(), "X" | "Y" | "Z" | "x" | "y" | "z") => {
-            report.error(&value.place, messages::axis_without_sign(word, report.notation));
-            None
+            messages::axis_without_sign(word, notation)
         }
         _ => {
-            let vector = read::vector(report, key, Expected::Direction, value)?;
+            let vector = read::vector(report, setting)?;
             let length = frame::length(vector);
             if (length - 1.0).abs() <= UNIT_TOLERANCE {
                 return Some(frame::unit(vector));
             }
             // Divided by the largest component first: the length of what was written may be out of reach.
             let largest = vector.iter().fold(0.0f64, |most, x| most.max(x.abs()));
-            let text = if largest > 0.0 {
+            if largest > 0.0 {
                 let unit = frame::unit(vector.map(|x| x / largest));
-                messages::not_unit(key, length, &format!("{key} = {}", show(unit, report.notation)))
+                messages::not_unit(setting.key, length, &show(unit, notation))
             } else {
-                messages::zero_vector(key)
-            };
-            report.error(&value.place, text);
-            None
+                messages::zero_vector(setting.key)
+            }
         }
-    }
+    };
+    report.refuse(setting.place(), text)
 }
 
 /// A direction as it is declared, with four decimals at most: a frame shown so passes the checks.
 fn show(vector: Vector, notation: Notation) -> String {
     if let Some(name) = frame::cardinal(vector) {
-        return match notation {
-            Notation::Rust => name.to_owned(),
-            Notation::Toml => format!("\"{name}\""),
-        };
+        return notation.pick(name.clone(), format!("\"{name}\""));
     }
-    let parts = vector.map(|x| {
-        let rounded = (x * 1e4).round() / 1e4 + 0.0;
-        format!("{rounded:?}")
-    });
-    match notation {
-        Notation::Rust => format!("({})", parts.join(", ")),
-        Notation::Toml => format!("[{}]", parts.join(", ")),
-    }
+    let parts = vector.map(|x| format!("{:?}", (x * 1e4).round() / 1e4 + 0.0)).join(", ");
+    notation.pick(format!("({parts})"), format!("[{parts}]"))
 }

@@ -80,28 +80,20 @@ pub(super) fn nearest(up: Option<Vector>, forward: Option<Vector>, left: Option<
     Some(Frame { up: rows[0], forward: rows[1], left: rows[2] })
 }
 
+const LETTERS: [&str; 3] = ["X", "Y", "Z"];
+
 /// `+X` … `-Z`, if the direction is one.
-pub(super) fn cardinal(a: Vector) -> Option<&'static str> {
-    const NAMES: [(&str, Vector); 6] = [
-        ("+X", [1.0, 0.0, 0.0]),
-        ("-X", [-1.0, 0.0, 0.0]),
-        ("+Y", [0.0, 1.0, 0.0]),
-        ("-Y", [0.0, -1.0, 0.0]),
-        ("+Z", [0.0, 0.0, 1.0]),
-        ("-Z", [0.0, 0.0, -1.0]),
-    ];
-    NAMES.iter().find(|(_, axis)| dot(*axis, a) > 1.0 - 1e-9).map(|(name, _)| *name)
+pub(super) fn cardinal(a: Vector) -> Option<String> {
+    let axis = a.iter().position(|x| x.abs() > 1.0 - 1e-9)?;
+    Some(format!("{}{}", if a[axis] < 0.0 { '-' } else { '+' }, LETTERS[axis]))
 }
 
 /// The direction of a letter.
 pub(super) fn axis(letter: &str, negative: bool) -> Option<Vector> {
-    let size = if negative { -1.0 } else { 1.0 };
-    Some(match letter {
-        "X" => [size, 0.0, 0.0],
-        "Y" => [0.0, size, 0.0],
-        "Z" => [0.0, 0.0, size],
-        _ => return None,
-    })
+    let axis = LETTERS.iter().position(|known| *known == letter)?;
+    let mut direction = [0.0; 3];
+    direction[axis] = if negative { -1.0 } else { 1.0 };
+    Some(direction)
 }
 
 #[cfg(test)]

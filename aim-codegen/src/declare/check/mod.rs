@@ -1,47 +1,27 @@
 //! The neutral tree → a checked rig. The only source of user errors; finds them all.
 
 mod axes;
+mod conventions;
 mod frame;
 mod joint;
 mod kernels;
+pub(crate) mod keys;
 mod names;
 mod natural;
 mod range;
-mod read;
-mod report;
-mod settings;
+pub(crate) mod read;
+pub(crate) mod settings;
 
 use proc_macro2::TokenStream;
 
-use self::axes::Axes;
-use self::report::Report;
-use self::settings::{Key, Level, Settings};
-use super::diagnostics::Diagnostic;
-use super::messages::{self, Expected, Owner};
+use self::conventions::Conventions;
+use self::keys::{EFFECTOR_KEYS, JOINT_KEYS, Key, RIG_KEYS};
+use self::settings::{Level, Setting, Settings};
+use super::report::Report;
+use super::report::diagnostics::Diagnostic;
+use super::report::messages::{self, Owner};
 use super::tree::{Joint, Kind, Notation, Rig, Section, Value};
 use crate::{EffectorSpec, Frame, JointSpec, RigSpec};
-
-/// What a rig may say; `crate` in a macro only, `joint` in TOML only.
-const RIG_KEYS: &[Key] = &[
-    ("axes", Expected::Axes),
-    ("handedness", Expected::Side),
-    ("effector", Expected::Effector),
-    ("natural", Expected::Natural),
-    ("kernels", Expected::Kernels),
-    ("crate", Expected::Path),
-    ("joint", Expected::Joints),
-];
-const JOINT_KEYS: &[Key] = joint::KEYS;
-const EFFECTOR_KEYS: &[Key] = &[("forward", Expected::Direction), ("origin", Expected::Point)];
-
-/// What the joints inherit from the rig.
-struct Conventions<'t> {
-    /// The sign of `up × forward · left` that unmirrored axes have: 1 in a right-handed rig.
-    hand: f64,
-    axes: Option<Axes<'t>>,
-    /// The frame of the rig's axes.
-    frame: Option<Frame>,
-}
 
 /// A checked declaration.
 pub(super) struct Checked {
@@ -64,32 +44,21 @@ fn check_rig(rig: &Rig, report: &mut Report) -> Option<Checked> {
     check_item(rig, report);
     names::check(rig, report);
 
-    let keys: Vec<Key> = RIG_KEYS
-        .iter()
-        .copied()
-        .filter(|(key, _)| *key != if rig.notation == Notation::Rust { "joint" } else { "crate" })
-        .collect();
+    let foreign = rig.notation.pick("joint", "crate");
+    let keys: Vec<Key> = RIG_KEYS.iter().copied().filter(|(key, _)| *key != foreign).collect();
     let settings = Settings::read(&rig.section.entries, &keys, Level::Rig, report);
     check_attributes("aim", &rig.section, report);
 
-    let right = settings
-        .get("handedness")
-        .map_or(Some(true), |value| read::either(report, "handedness", Expected::Side, ["right", "left"], value));
-    let hand = if right == Some(false) { -1.0 } else { 1.0 };
-    let axes = settings.get("axes").and_then(|value| axes::read(report, Owner::Rig, hand, value));
+    let is_right = settings
+        .read_value("handedness", report, |report, setting| read::is_first_of(report, setting, ["right", "left"]));
+    let hand = if is_right == Some(false) { -1.0 } else { 1.0 };
+    let axes = settings.read_value("axes", report, |report, setting| axes::read(report, Owner::Rig, hand, setting));
     let frame = axes.as_ref().and_then(|axes| axes.frame(report, Owner::Rig, hand));
     let conventions = Conventions { hand, axes, frame };
 
-    let krate = settings.get("crate").and_then(|value| match &value.kind {
-        Kind::Path(path) => Some(path.clone()),
-        _ => {
-            read::mismatch(report, "crate", Expected::Path, value);
-            None
-        }
-    });
-    if let Some(value) = settings.get("joint") {
-        read::mismatch(report, "joint", Expected::Joints, value);
-    } else if rig.joints.is_empty() && rig.item.wrong_shape.is_none() && !settings.has("joint") {
+    let krate = settings.read_value("crate", report, read::path);
+    settings.read_value("joint", report, read::mismatch::<()>);
+    if rig.joints.is_empty() && rig.item.wrong_shape.is_none() && !settings.has("joint") {
         let place = rig.name.as_ref().map_or(&rig.section.place, |name| &name.place);
         report.error(place, messages::no_joints(rig.notation));
     }
@@ -108,26 +77,17 @@ fn check_rig(rig: &Rig, report: &mut Report) -> Option<Checked> {
         report.error(missing_axes_place(rig), messages::no_axes(rig.notation));
     }
 
-    let specs: Vec<Option<JointSpec>> = joints
-        .iter()
-        .enumerate()
-        .map(|(at, (joint, settings))| joint::check(joint, settings, at == 0, &conventions, report))
-        .collect();
+    let specs = joints.iter().enumerate();
+    let specs: Vec<Option<JointSpec>> =
+        specs.map(|(at, (joint, settings))| joint::check(joint, settings, at == 0, &conventions, report)).collect();
     names::check_bones(&joints, report);
 
     let specs: Option<Vec<JointSpec>> = specs.into_iter().collect();
     let first = specs.as_ref().and_then(|specs| specs.first()).map(|joint| joint.frame);
     let effector = effector(settings.get("effector"), first, report);
-    let natural = settings.get("natural").map(|value| natural::check(value, report));
-    let kernels = settings.get("kernels").map_or_else(Vec::new, |value| kernels::check(value, report));
-    let name = match &rig.name {
-        Some(Value { kind: Kind::Text(name), .. }) => name.clone(),
-        _ => return None,
-    };
-    let natural = match natural {
-        Some(natural) => Some(natural?),
-        None => None,
-    };
+    let natural = settings.read_value("natural", report, natural::check);
+    let kernels = settings.get("kernels").map_or_else(Vec::new, |setting| kernels::check(report, setting));
+    let name = rig.name.as_ref().and_then(Value::text)?.to_owned();
     Some(Checked { spec: RigSpec { name, joints: specs?, effector: effector?, natural, kernels }, krate })
 }
 
@@ -169,30 +129,21 @@ fn check_attributes(name: &str, section: &Section, report: &mut Report) {
 fn check_joint_attributes(notation: Notation, joint: &Joint, report: &mut Report) -> bool {
     check_attributes("joint", &joint.section, report);
     if notation == Notation::Rust && joint.section.attributes.is_empty() {
-        report.error(&joint.section.place, messages::no_attribute(&joint::name_of(joint)));
+        report.error(&joint.section.place, messages::no_attribute(joint.name_or_joint()));
         return false;
     }
     joint.section.attributes.iter().all(|attribute| attribute.has_list)
 }
 
 /// The effector in the first joint's bone space; its own forward, if it has one, keeps up as near as it can.
-fn effector(value: Option<&Value>, first: Option<Frame>, report: &mut Report) -> Option<EffectorSpec> {
-    let at_rest = |frame| EffectorSpec { frame, origin: [0.0; 3] };
-    let Some(value) = value else { return first.map(at_rest) };
-    let Kind::Table(entries) = &value.kind else {
-        read::mismatch(report, "effector", Expected::Effector, value);
-        return None;
-    };
+fn effector(declared: Option<Setting<'_>>, first: Option<Frame>, report: &mut Report) -> Option<EffectorSpec> {
+    let Some(declared) = declared else { return Some(EffectorSpec { frame: first?, origin: [0.0; 3] }) };
+    let Kind::Table(entries) = &declared.value.kind else { return read::mismatch(report, declared) };
     let settings = Settings::read(entries, EFFECTOR_KEYS, Level::Table, report);
-    let forward = settings.get("forward").map(|value| axes::direction(report, "forward", value));
-    let origin =
-        settings.get("origin").map_or(Some([0.0; 3]), |value| read::vector(report, "origin", Expected::Point, value));
+    let forward = settings.read_value("forward", report, axes::direction);
+    let origin = settings.read_value("origin", report, read::vector).unwrap_or_default();
     let first = first?;
-    let frame = match forward {
-        Some(forward) => turned(first, forward?),
-        None => first,
-    };
-    Some(EffectorSpec { frame, origin: origin? })
+    Some(EffectorSpec { frame: forward.map_or(first, |forward| turned(first, forward)), origin })
 }
 
 /// The first joint's frame, turned to another forward by squaring its up to that.

@@ -1,20 +1,18 @@
 //! Names of rigs, joints and bones: usable in Rust, C and WGSL, and each used once.
 
 use super::read;
-use super::report::Report;
-use super::settings::Settings;
-use crate::declare::messages::{self, Expected};
+use super::settings::{Setting, Settings};
+use crate::declare::parse::literal::is_word;
 use crate::declare::place::Place;
+use crate::declare::report::expected::Expected;
+use crate::declare::report::{Report, messages};
 use crate::declare::tree::{Joint, Kind, Notation, Rig, Value};
 use crate::names::{is_rust_keyword, keyword_of, snake_case};
-use crate::text;
 
 /// Checks the names of the rig and of its joints.
 pub(super) fn check(rig: &Rig, report: &mut Report) {
     match &rig.name {
-        Some(name) => {
-            check_name(name, report);
-        }
+        Some(name) => _ = check_name(name, report),
         None => report.error(&rig.section.place, messages::no_name("rig")),
     }
     let mut seen: Vec<(&str, String, &Place)> = Vec::new();
@@ -32,7 +30,7 @@ pub(super) fn check(rig: &Rig, report: &mut Report) {
                 } else {
                     messages::name_collision(first, name, &snake)
                 };
-                report.error_with_note(&value.place, text, text::first_use(first), place);
+                report.error_with_note(&value.place, text, messages::first_use(first), place);
             }
             None => seen.push((name, snake, &value.place)),
         }
@@ -41,12 +39,12 @@ pub(super) fn check(rig: &Rig, report: &mut Report) {
 
 /// Checks one name; `None` if it was reported.
 fn check_name<'t>(value: &'t Value, report: &mut Report) -> Option<&'t str> {
-    let Kind::Text(name) = &value.kind else {
-        read::mismatch(report, "name", Expected::Name, value);
-        return None;
+    let Some(name) = value.text() else {
+        return read::mismatch(report, Setting { key: "name", expected: Expected::NAME, value });
     };
     let snake = snake_case(name);
-    let text = if !is_identifier(name) && (name.is_ascii() || report.notation == Notation::Toml && !is_word(name)) {
+    let is_identifier = is_word(name) && name != "_";
+    let text = if !is_identifier && (name.is_ascii() || report.notation == Notation::Toml && !is_word(name)) {
         messages::not_identifier(name)
     } else if !name.is_ascii() {
         messages::not_ascii(name)
@@ -60,19 +58,7 @@ fn check_name<'t>(value: &'t Value, report: &mut Report) -> Option<&'t str> {
     } else {
         return Some(name);
     };
-    report.error(&value.place, text);
-    None
-}
-
-fn is_identifier(name: &str) -> bool {
-    name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
-        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
-        && name != "_"
-}
-
-/// Like an identifier, in any script: then it is the script that is reported.
-fn is_word(name: &str) -> bool {
-    name.starts_with(|c: char| c.is_alphabetic() || c == '_') && name.chars().all(|c| c.is_alphanumeric() || c == '_')
+    report.refuse(&value.place, text)
 }
 
 /// Reports bones that are named twice, among all joints, their alternatives and their pairs.
@@ -80,13 +66,10 @@ pub(super) fn check_bones(joints: &[(&Joint, Settings<'_>)], report: &mut Report
     let mut seen: Vec<(&str, &Place, bool)> = Vec::new();
     for (joint, settings) in joints {
         let mut own: Vec<(&str, &Place, bool)> = Vec::new();
-        match (settings.get("bone"), &joint.name) {
-            (Some(value), _) => own.extend(texts(value).map(|(bone, place)| (bone, place, false))),
-            (None, Some(Value { kind: Kind::Text(name), place })) => own.push((name, place, true)),
-            _ => {}
-        }
-        if let Some(value) = settings.get("other_eye") {
-            own.extend(texts(value).map(|(bone, place)| (bone, place, false)));
+        let name = joint.name.as_ref().filter(|_| settings.get("bone").is_none());
+        own.extend(name.and_then(|name| Some((name.text()?, &name.place, true))));
+        for setting in [settings.get("bone"), settings.get("other_eye")].into_iter().flatten() {
+            own.extend(texts(setting.value).map(|(bone, place)| (bone, place, false)));
         }
         for (bone, place, by_name) in own {
             match seen.iter().find(|(first, ..)| *first == bone) {
@@ -96,7 +79,7 @@ pub(super) fn check_bones(joints: &[(&Joint, Settings<'_>)], report: &mut Report
                     let note = if *first_by_name || by_name {
                         messages::default_bone_here(bone)
                     } else {
-                        text::first_use(bone)
+                        messages::first_use(bone)
                     };
                     // The explicit name is the one to change, so it carries the error.
                     let (place, other) = if by_name { (*first, place) } else { (place, *first) };
@@ -114,8 +97,5 @@ fn texts(value: &Value) -> impl Iterator<Item = (&str, &Place)> {
         Kind::List(values) => values.as_slice(),
         _ => core::slice::from_ref(value),
     };
-    values.iter().filter_map(|value| match &value.kind {
-        Kind::Text(text) => Some((text.as_str(), &value.place)),
-        _ => None,
-    })
+    values.iter().filter_map(|value| Some((value.text()?, &value.place)))
 }

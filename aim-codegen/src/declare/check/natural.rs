@@ -2,66 +2,50 @@
 
 use core::f64::consts::PI;
 
+use super::keys::NATURAL_KEYS;
 use super::read;
-use super::report::Report;
-use super::settings::{Key, Level, Settings};
+use super::settings::{Level, Setting, Settings};
 use crate::NaturalSpec;
-use crate::declare::messages::{self, Expected};
-use crate::declare::tree::{Kind, Value};
-
-const KEYS: &[Key] = &[
-    ("eyes_only", Expected::Angle),
-    ("head_share", Expected::Number),
-    ("engage", Expected::Angle),
-    ("release", Expected::Angle),
-    ("delay", Expected::Seconds),
-];
+use crate::declare::report::{Report, messages};
+use crate::declare::tree::Kind;
 
 /// Checks `natural`; `None` if anything of it was reported.
-pub(super) fn check(value: &Value, report: &mut Report) -> Option<NaturalSpec> {
-    let Kind::Table(entries) = &value.kind else {
-        read::mismatch(report, "natural", Expected::Natural, value);
-        return None;
+pub(super) fn check(report: &mut Report, natural: Setting<'_>) -> Option<NaturalSpec> {
+    let Kind::Table(entries) = &natural.value.kind else { return read::mismatch(report, natural) };
+    let settings = Settings::read(entries, NATURAL_KEYS, Level::Table, report);
+    let mut number = |key: &str, usual: f64, read: fn(&mut Report, Setting<'_>) -> Option<f64>| {
+        settings.get(key).map_or(Some(usual), |setting| read(report, setting))
     };
-    let settings = Settings::read(entries, KEYS, Level::Table, report);
     let usual = NaturalSpec::default();
-    let mut angle = |key: &str, usual: f64| settings.get(key).map_or(Some(usual), |value| angle(report, key, value));
-    let [eyes_only, engage, release] =
-        [("eyes_only", usual.eyes_only), ("engage", usual.engage), ("release", usual.release)]
-            .map(|(key, usual)| angle(key, usual));
-    let head_share =
-        settings.get("head_share").map_or(Some(usual.head_share), |value| read::share(report, "head_share", value));
-    let delay = settings.get("delay").map_or(Some(usual.delay), |value| delay(report, value));
+    let eyes_only = number("eyes_only", usual.eyes_only, angle);
+    let engage = number("engage", usual.engage, angle);
+    let release = number("release", usual.release, angle);
+    let head_share = number("head_share", usual.head_share, read::share);
+    let delay = number("delay", usual.delay, delay);
     let (engage, release) = (engage?, release?);
     if release > engage {
         // Where both are set the second is the one to change.
-        let place = settings.get("release").or_else(|| settings.get("engage")).map_or(&value.place, |set| &set.place);
-        report.error(place, messages::release_above_engage(shown_deg(engage), shown_deg(release)));
-        return None;
+        let at = settings.get("release").or_else(|| settings.get("engage")).unwrap_or(natural);
+        let [engage_deg, release_deg] = [engage, release].map(|angle| (angle.to_degrees() * 1e3).round() / 1e3);
+        return report.refuse(at.place(), messages::release_above_engage(engage_deg, release_deg));
     }
     Some(NaturalSpec { eyes_only: eyes_only?, head_share: head_share?, engage, release, delay: delay? })
 }
 
 /// An angle between two directions, radians.
-fn angle(report: &mut Report, key: &str, value: &Value) -> Option<f64> {
-    let angle = read::angle(report, key, Expected::Angle, value)?;
+fn angle(report: &mut Report, setting: Setting<'_>) -> Option<f64> {
+    let angle = read::angle(report, setting)?;
     // Radians are written with few digits: a little more than π is π.
     if (0.0..=PI + 1e-5).contains(&angle) {
         return Some(angle.min(PI) + 0.0);
     }
-    report.error(&value.place, messages::angle_outside(key, value.describe().trim_matches('`')));
-    None
+    report.refuse(setting.place(), messages::angle_outside(setting.key, setting.value.number()))
 }
 
-fn delay(report: &mut Report, value: &Value) -> Option<f64> {
-    let delay = read::plain(report, "delay", Expected::Seconds, value)?;
+fn delay(report: &mut Report, setting: Setting<'_>) -> Option<f64> {
+    let delay = read::plain(report, setting)?;
     if delay >= 0.0 {
         return Some(delay + 0.0);
     }
-    report.error(&value.place, messages::negative_delay(value.describe().trim_matches('`')));
-    None
-}
-
-fn shown_deg(angle_rad: f64) -> f64 {
-    (angle_rad.to_degrees() * 1e3).round() / 1e3
+    report.refuse(setting.place(), messages::negative_delay(setting.value.number()))
 }

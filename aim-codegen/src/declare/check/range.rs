@@ -3,9 +3,10 @@
 use core::f64::consts::PI;
 
 use super::read;
-use super::report::Report;
+use super::settings::Setting;
 use crate::AngleRange;
-use crate::declare::messages::{self, Expected};
+use crate::declare::report::expected::Expected;
+use crate::declare::report::{Report, messages};
 use crate::declare::tree::{Kind, Notation, Value};
 
 /// How far beyond ±π a range's end may lie to mean ±π: radians are written with few digits.
@@ -15,78 +16,55 @@ const ROUNDING_RAD: f64 = 1e-5;
 const SMALLEST_RAD: f64 = PI / 180.0;
 
 /// Reads the range of `heading` or `pitch`.
-pub(super) fn range(report: &mut Report, key: &str, value: &Value) -> Option<AngleRange> {
-    let expected = if key == "heading" { Expected::HeadingRange } else { Expected::AngleRange };
-    let notation = report.notation;
-    match (&value.kind, notation) {
-        (Kind::Word(word), _) if word == "free" => {
-            if key == "heading" {
-                return Some(AngleRange::Free);
-            }
-            report.error(&value.place, messages::pitch_free(notation));
-            None
-        }
+pub(super) fn range(report: &mut Report, setting: Setting<'_>) -> Option<AngleRange> {
+    let (key, notation) = (setting.key, report.notation);
+    match (&setting.value.kind, notation) {
+        (Kind::Word(word), _) if word == "free" && key == "heading" => Some(AngleRange::Free),
+        (Kind::Word(word), _) if word == "free" => report.refuse(setting.place(), messages::pitch_free(notation)),
         (Kind::Range { low: Some(low), high: Some(high), inclusive: true }, Notation::Rust) => {
-            between(report, key, low, high, value)
+            between(report, setting, [low, high])
         }
         (Kind::Range { low, high, .. }, Notation::Rust) => {
-            report.error(&value.place, messages::range_open(key, notation));
+            report.error(setting.place(), messages::range_open(key, notation));
             for end in [low, high].into_iter().flatten() {
-                read::angle(report, key, Expected::Angle, end);
+                read::angle(report, setting.part(Expected::ANGLE, end));
             }
             None
         }
         (Kind::List(ends), Notation::Toml) => match ends.as_slice() {
-            [low, high] => between(report, key, low, high, value),
-            _ => {
-                report.error(&value.place, messages::range_list(key, ends.len()));
-                None
-            }
+            [low, high] => between(report, setting, [low, high]),
+            _ => report.refuse(setting.place(), messages::range_list(key, ends.len())),
         },
         (Kind::Number(number), _) => {
             // A number that is itself wrong is reported as such first.
-            if read::angle(report, key, expected, value).is_some() {
-                let size = number.text.trim_start_matches(['-', '+', ' ']);
-                report.error(&value.place, messages::range_single(key, &value.describe(), size, notation));
-            }
-            None
+            read::angle(report, setting)?;
+            let size = number.text.trim_start_matches(['-', '+', ' ']);
+            report.refuse(setting.place(), messages::range_single(key, &setting.value.describe(), size, notation))
         }
-        _ => {
-            read::mismatch(report, key, expected, value);
-            None
-        }
+        _ => read::mismatch(report, setting),
     }
 }
 
-fn between(report: &mut Report, key: &str, low: &Value, high: &Value, whole: &Value) -> Option<AngleRange> {
-    let ends = [low, high].map(|end| {
-        let angle = read::angle(report, key, Expected::Angle, end)?;
+fn between(report: &mut Report, setting: Setting<'_>, ends: [&Value; 2]) -> Option<AngleRange> {
+    let (key, [low, high]) = (setting.key, ends.map(Value::number));
+    let ends = ends.map(|end| {
+        let angle = read::angle(report, setting.part(Expected::ANGLE, end))?;
         if angle.abs() > PI + ROUNDING_RAD {
-            report.error(&end.place, messages::range_beyond(key, text(end)));
-            return None;
+            return report.refuse(&end.place, messages::range_beyond(key, end.number()));
         }
         Some(angle.clamp(-PI, PI) + 0.0)
     });
     let [Some(from), Some(to)] = ends else { return None };
     let wrong = if from > to {
-        messages::range_inverted(key, text(low), text(high), report.notation)
+        messages::range_inverted(key, low, high, report.notation)
     } else if from == to {
         messages::range_empty(key)
     } else if from > 0.0 || to < 0.0 {
-        messages::range_without_zero(key, text(low), text(high))
+        messages::range_without_zero(key, low, high)
     } else if -from < SMALLEST_RAD && to < SMALLEST_RAD {
-        messages::range_tiny(key, [text(low), text(high)], report.notation)
+        messages::range_tiny(key, low, high, report.notation)
     } else {
         return Some(AngleRange::Between(from, to));
     };
-    report.error(&whole.place, wrong);
-    None
-}
-
-/// A number as written.
-fn text(value: &Value) -> &str {
-    match &value.kind {
-        Kind::Number(number) => &number.text,
-        _ => "",
-    }
+    report.refuse(setting.place(), wrong)
 }

@@ -1,29 +1,33 @@
 //! Values of the tree → typed values; each either comes out whole or is reported.
 
+use aim_model::{BoneName, Role};
+
 use super::frame;
-use super::report::Report;
-use crate::declare::literal;
-use crate::declare::messages::{self, Expected};
+use super::settings::Setting;
+use crate::declare::parse::literal;
 use crate::declare::place::Place;
-use crate::declare::tree::{Kind, Notation, Number, Value};
-use crate::text::Text;
-use crate::{Role, names};
+use crate::declare::report::expected::{Expected, Form};
+use crate::declare::report::text::Text;
+use crate::declare::report::{Report, messages, text};
+use crate::declare::tree::{Entry, Item, Kind, Notation, Number, Value};
+use crate::names;
 
 /// Reports a value of the wrong kind, with the help that fits what was found.
-pub(super) fn mismatch(report: &mut Report, key: &str, expected: Expected, value: &Value) {
-    let found = value.describe();
-    let notation = report.notation;
+pub(crate) fn mismatch<T>(report: &mut Report, setting: Setting<'_>) -> Option<T> {
+    let Setting { key, expected, value } = setting;
+    let (found, notation) = (value.describe(), report.notation);
     let text = match &value.kind {
-        Kind::Word(_) if takes_words(expected) => messages::expected(key, expected, &found, notation),
+        Kind::Word(_) if expected.form == Form::Word => messages::expected(key, expected, &found, notation),
         Kind::Word(_) | Kind::Path(_) | Kind::Other(_) => messages::not_literal(key, expected, &found, notation),
         // `-LIMIT`: it has the form of an axis, but a constant is what was meant.
         Kind::Axis { letter, .. } if frame::axis(letter, false).is_none() => {
             messages::not_literal(key, expected, &found, notation)
         }
-        Kind::Text(text) if notation == Notation::Rust && !takes_strings(expected) => {
+        Kind::Text(text) if notation == Notation::Rust && expected.form != Form::Text => {
             match literal::word(text, &value.place) {
                 Kind::Text(_) => messages::expected(key, expected, &found, notation),
-                Kind::Number(number) if takes_units(expected) => match radians(key, &number, notation) {
+                Kind::Word(_) if expected.form == Form::Other => messages::expected(key, expected, &found, notation),
+                Kind::Number(number) if expected.form == Form::Angle => match radians(key, &number, notation) {
                     Ok(_) => messages::quoted(key, expected, &found, text),
                     // The quotes were put around what does not lex without, such as `35°`.
                     Err(text) => text,
@@ -33,37 +37,14 @@ pub(super) fn mismatch(report: &mut Report, key: &str, expected: Expected, value
         }
         _ => messages::expected(key, expected, &found, notation),
     };
-    report.error(&value.place, text);
-}
-
-fn takes_words(expected: Expected) -> bool {
-    matches!(expected, Expected::Side | Expected::LimitsFrom | Expected::Role | Expected::Flag)
-}
-
-fn takes_strings(expected: Expected) -> bool {
-    matches!(expected, Expected::NodeName | Expected::NodeNames | Expected::Name)
-}
-
-fn takes_units(expected: Expected) -> bool {
-    matches!(
-        expected,
-        Expected::Angle | Expected::AngleRange | Expected::HeadingRange | Expected::Rate | Expected::Acceleration
-    )
+    report.refuse(&value.place, text)
 }
 
 /// An angle in radians, finite or not.
-pub(super) fn angle(report: &mut Report, key: &str, expected: Expected, value: &Value) -> Option<f64> {
-    let Kind::Number(number) = &value.kind else {
-        mismatch(report, key, expected, value);
-        return None;
-    };
-    match radians(key, number, report.notation) {
-        Ok(angle) => Some(angle),
-        Err(text) => {
-            report.error(&value.place, text);
-            None
-        }
-    }
+pub(super) fn angle(report: &mut Report, setting: Setting<'_>) -> Option<f64> {
+    let Kind::Number(number) = &setting.value.kind else { return mismatch(report, setting) };
+    let angle = radians(setting.key, number, report.notation);
+    report.accept(setting.place(), angle)
 }
 
 /// The number in radians, or what is wrong with its unit.
@@ -84,31 +65,19 @@ fn radians(key: &str, number: &Number, notation: Notation) -> Result<f64, Text> 
     })
 }
 
-/// A positive, finite angle, in radians: a rate or an acceleration.
-pub(super) fn positive_angle(report: &mut Report, key: &str, expected: Expected, value: &Value) -> Option<f64> {
-    let angle = angle(report, key, expected, value)?;
-    positive(report, key, angle, value)
-}
-
-/// A positive, finite number without a unit.
-pub(super) fn positive_number(report: &mut Report, key: &str, value: &Value) -> Option<f64> {
-    let number = plain(report, key, Expected::Number, value)?;
-    positive(report, key, number, value)
-}
-
-fn positive(report: &mut Report, key: &str, found: f64, value: &Value) -> Option<f64> {
-    let text = value.describe();
-    let text = text.trim_matches('`');
+/// A positive, finite number: in radians where it is an angle, a rate or an acceleration, else without a unit.
+pub(super) fn positive(report: &mut Report, setting: Setting<'_>) -> Option<f64> {
+    let found = if setting.expected.form == Form::Angle { angle } else { plain }(report, setting)?;
+    let text = setting.value.number();
     // The runtime holds single precision: beyond its largest number is infinite to it, below its smallest is zero.
     if !fits(found) {
-        report.error(&value.place, messages::not_finite(key, text));
+        report.refuse(setting.place(), messages::not_finite(setting.key, text))
     } else if found < f64::from(f32::MIN_POSITIVE) {
         let zero = found > -f64::from(f32::MIN_POSITIVE);
-        report.error(&value.place, messages::not_positive(key, text, zero));
+        report.refuse(setting.place(), messages::not_positive(setting.key, text, zero))
     } else {
-        return Some(found);
+        Some(found)
     }
-    None
 }
 
 fn fits(value: f64) -> bool {
@@ -116,126 +85,138 @@ fn fits(value: f64) -> bool {
 }
 
 /// A finite number without a unit.
-pub(super) fn plain(report: &mut Report, key: &str, expected: Expected, value: &Value) -> Option<f64> {
-    let Kind::Number(number) = &value.kind else {
-        mismatch(report, key, expected, value);
-        return None;
-    };
+pub(super) fn plain(report: &mut Report, setting: Setting<'_>) -> Option<f64> {
+    let Kind::Number(number) = &setting.value.kind else { return mismatch(report, setting) };
     let Number { text, unit, .. } = number;
     let text = if let Some(radix) = number.radix {
         messages::radix(text, radix)
     } else if !unit.is_empty() {
-        messages::unit_on_plain(key, number.digits(), unit)
+        messages::unit_on_plain(setting.key, number.digits(), unit)
     } else if !fits(number.value) {
-        messages::not_finite(key, text)
+        messages::not_finite(setting.key, text)
     } else {
         return Some(number.value);
     };
-    report.error(&value.place, text);
-    None
+    report.refuse(setting.place(), text)
 }
 
 /// A number from 0 to 1.
-pub(super) fn share(report: &mut Report, key: &str, value: &Value) -> Option<f64> {
-    let share = plain(report, key, Expected::Number, value)?;
+pub(super) fn share(report: &mut Report, setting: Setting<'_>) -> Option<f64> {
+    let share = plain(report, setting)?;
     if (0.0..=1.0).contains(&share) {
         return Some(share + 0.0);
     }
-    report.error(&value.place, messages::share_outside(key, value.describe().trim_matches('`')));
-    None
+    report.refuse(setting.place(), messages::share_outside(setting.key, setting.value.number()))
 }
 
 /// `true` or `false`.
-pub(super) fn flag(report: &mut Report, key: &str, value: &Value) -> Option<bool> {
-    if let Kind::Bool(flag) = value.kind {
-        return Some(flag);
-    }
-    mismatch(report, key, Expected::Flag, value);
-    None
+pub(super) fn flag(report: &mut Report, setting: Setting<'_>) -> Option<bool> {
+    if let Kind::Bool(flag) = setting.value.kind { Some(flag) } else { mismatch(report, setting) }
 }
 
 /// One of two words: whether it is the first.
-pub(super) fn either(
-    report: &mut Report,
-    key: &str,
-    expected: Expected,
-    words: [&str; 2],
-    value: &Value,
-) -> Option<bool> {
-    match &value.kind {
-        Kind::Word(word) if word == words[0] => Some(true),
-        Kind::Word(word) if word == words[1] => Some(false),
+pub(super) fn is_first_of(report: &mut Report, setting: Setting<'_>, words: [&str; 2]) -> Option<bool> {
+    match &setting.value.kind {
+        Kind::Word(word) if words.contains(&word.as_str()) => Some(word == words[0]),
         Kind::Word(word) if words.contains(&word.to_lowercase().as_str()) => {
-            report.error(&value.place, messages::capitals(key, expected, word, report.notation));
-            None
+            let text = messages::capitals(setting.key, setting.expected, word, report.notation);
+            report.refuse(setting.place(), text)
         }
-        _ => {
-            mismatch(report, key, expected, value);
-            None
-        }
+        _ => mismatch(report, setting),
     }
 }
 
 /// A role.
-pub(super) fn role(report: &mut Report, key: &str, value: &Value) -> Option<Role> {
-    let Kind::Word(word) = &value.kind else {
-        mismatch(report, key, Expected::Role, value);
-        return None;
-    };
-    if let Some(role) = Role::ALL.into_iter().find(|role| role.as_str() == word) {
-        return Some(role);
-    }
-    let nearest = names::nearest(word, Role::ALL.into_iter().map(Role::as_str));
-    let nearest = nearest.and_then(|near| Role::ALL.into_iter().find(|role| role.as_str() == near));
-    report.error(
-        &value.place,
-        messages::unknown_role(word, nearest.or_else(|| aim_model::BoneName::new(word).role()), report.notation),
-    );
-    None
+pub(super) fn role(report: &mut Report, setting: Setting<'_>) -> Option<Role> {
+    let Kind::Word(word) = &setting.value.kind else { return mismatch(report, setting) };
+    let named = |name: &str| Role::ALL.into_iter().find(|role| role.as_str() == name);
+    named(word).or_else(|| {
+        let nearest = names::nearest(word, &Role::ALL.map(Role::as_str)).and_then(named);
+        let meant = nearest.or_else(|| BoneName::new(word).role());
+        report.refuse(setting.place(), messages::unknown_role(word, meant, report.notation))
+    })
+}
+
+/// A path, as tokens.
+pub(crate) fn path(report: &mut Report, setting: Setting<'_>) -> Option<proc_macro2::TokenStream> {
+    if let Kind::Path(path) = &setting.value.kind { Some(path.clone()) } else { mismatch(report, setting) }
 }
 
 /// A node's name.
-pub(super) fn node<'t>(
-    report: &mut Report,
-    key: &str,
-    expected: Expected,
-    value: &'t Value,
-) -> Option<(&'t str, &'t Place)> {
-    let Kind::Text(text) = &value.kind else {
-        mismatch(report, key, expected, value);
-        return None;
-    };
-    if text.trim().is_empty() {
-        report.error(&value.place, messages::empty_bone(key));
-        return None;
+pub(super) fn node(report: &mut Report, setting: Setting<'_>) -> Option<String> {
+    match &setting.value.kind {
+        Kind::Text(text) if text.trim().is_empty() => report.refuse(setting.place(), messages::empty_bone(setting.key)),
+        Kind::Text(text) => Some(text.clone()),
+        _ => mismatch(report, setting),
     }
-    Some((text, &value.place))
 }
 
 /// A node's name, or a list of them.
-pub(super) fn nodes<'t>(report: &mut Report, key: &str, value: &'t Value) -> Vec<(&'t str, &'t Place)> {
-    match &value.kind {
-        Kind::List(values) if values.is_empty() => {
-            report.error(&value.place, messages::empty_bone(key));
-            Vec::new()
+pub(super) fn nodes(report: &mut Report, setting: Setting<'_>) -> Option<Vec<String>> {
+    match &setting.value.kind {
+        Kind::List(values) if values.is_empty() => report.refuse(setting.place(), messages::empty_bone(setting.key)),
+        Kind::List(values) => {
+            values.iter().map(|value| node(report, setting.part(Expected::NODE_NAME, value))).collect()
         }
-        Kind::List(values) => values.iter().filter_map(|value| node(report, key, Expected::NodeName, value)).collect(),
-        _ => node(report, key, Expected::NodeNames, value).into_iter().collect(),
+        _ => node(report, setting).map(|node| vec![node]),
     }
 }
 
+/// Bare words, `key(a, b)` or `key = ["a", "b"]`, each once; `things` is what they name.
+pub(crate) fn words<'t>(report: &mut Report, setting: Setting<'t>, things: &str) -> Vec<(&'t str, &'t Place)> {
+    let (mut words, key): (Vec<(&str, &Place)>, _) = (Vec::new(), setting.key);
+    let mut add =
+        |report: &mut Report, word: &'t str, place: &'t Place| match words.iter().find(|(other, _)| *other == word) {
+            Some((_, first)) => {
+                let note = messages::first_use(word);
+                report.error_with_note(place, messages::duplicate_word(word), note, first);
+            }
+            None => words.push((word, place)),
+        };
+    let wrong = |report: &mut Report, value: &Value| mismatch::<()>(report, Setting { value, ..setting });
+    match &setting.value.kind {
+        Kind::List(values) => {
+            for value in values {
+                match &value.kind {
+                    Kind::Word(word) => add(report, word, &value.place),
+                    _ => _ = wrong(report, value),
+                }
+            }
+        }
+        Kind::Table(entries) => {
+            for entry in entries {
+                match entry {
+                    Entry::Item(Item { key, value: Value { kind: Kind::Absent, .. } }) => {
+                        add(report, &key.text, &key.place);
+                    }
+                    Entry::Item(Item { value, .. }) => _ = wrong(report, value),
+                    Entry::Stray(word) => {
+                        let found = format!("`{}`", word.text);
+                        let text = messages::expected(key, setting.expected, &found, report.notation);
+                        report.error(&word.place, text);
+                    }
+                    Entry::NoComma(word) => report.error(&word.place, text::no_comma(&word.text, things)),
+                    #[cfg(feature = "toml")]
+                    Entry::Repeated { key, .. } => report.error(&key.place, messages::duplicate_key(&key.text)),
+                }
+            }
+        }
+        _ => _ = wrong(report, setting.value),
+    }
+    words
+}
+
 /// Three finite numbers, in the notation's brackets.
-pub(super) fn vector(report: &mut Report, key: &str, expected: Expected, value: &Value) -> Option<[f64; 3]> {
-    let ((Kind::Tuple(values), Notation::Rust) | (Kind::List(values), Notation::Toml)) = (&value.kind, report.notation)
+pub(super) fn vector(report: &mut Report, setting: Setting<'_>) -> Option<[f64; 3]> {
+    let ((Kind::Tuple(values), Notation::Rust) | (Kind::List(values), Notation::Toml)) =
+        (&setting.value.kind, report.notation)
     else {
-        mismatch(report, key, expected, value);
-        return None;
+        return mismatch(report, setting);
     };
     let [x, y, z] = values.as_slice() else {
-        report.error(&value.place, messages::vector_length(key, values.len()));
-        return None;
+        return report.refuse(setting.place(), messages::vector_length(setting.key, values.len()));
     };
     // All three are read before any is given up.
-    let [x, y, z] = [x, y, z].map(|value| plain(report, key, Expected::Number, value));
+    let [x, y, z] = [x, y, z].map(|value| plain(report, setting.part(Expected::NUMBER, value)));
     Some([x?, y?, z?])
 }

@@ -1,25 +1,45 @@
 //! [`Settings`]: entries sorted by key; unknown, repeated and misplaced keys are reported here, once.
 
-use super::report::Report;
-use crate::declare::messages::{self, Expected};
+use super::keys::{JOINT_KEYS, Key, RIG_KEYS};
+use crate::declare::place::Place;
+use crate::declare::report::Report;
+use crate::declare::report::expected::{Expected, Form};
+use crate::declare::report::{messages, text};
 use crate::declare::tree::{Entry, Item, Kind, Value};
 use crate::names;
-use crate::text;
 
-/// A known key and what its value has to be.
-pub(super) type Key = (&'static str, Expected);
-
-/// Where settings stand, for keys that belong elsewhere.
-#[derive(Clone, Copy)]
-pub(super) enum Level {
+/// Where settings stand: for keys that belong elsewhere, and for what they are called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Level {
     Rig,
     Joint,
     Table,
+    /// In the attribute of `#[differentiate]`.
+    Options,
+}
+
+/// A setting of a known key.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Setting<'t> {
+    pub(crate) key: &'t str,
+    pub(crate) expected: Expected,
+    pub(crate) value: &'t Value,
+}
+
+impl<'t> Setting<'t> {
+    /// A part of the value, by itself.
+    pub(super) fn part(self, expected: Expected, value: &'t Value) -> Self {
+        Self { expected, value, ..self }
+    }
+
+    pub(crate) fn place(self) -> &'t Place {
+        &self.value.place
+    }
 }
 
 /// The usable settings of a section.
-pub(super) struct Settings<'t> {
-    items: Vec<&'t Item>,
+pub(crate) struct Settings<'t> {
+    items: Vec<(&'t Item, Expected)>,
     /// Keys that are there in some form, so that they are not reported as missing, too.
     present: Vec<&'t str>,
 }
@@ -51,78 +71,91 @@ const RENAMED: &[(&str, &str)] = &[
 ];
 
 impl<'t> Settings<'t> {
-    pub(super) fn read(entries: &'t [Entry], known: &[Key], level: Level, report: &mut Report) -> Self {
+    pub(crate) fn read(entries: &'t [Entry], known: &[Key], level: Level, report: &mut Report) -> Self {
         let mut settings = Self { items: Vec::new(), present: Vec::new() };
         for entry in entries {
             match entry {
                 Entry::Item(item) => settings.add(item, known, level, report),
-                Entry::Stray(word) => report.error(&word.place, messages::stray(&word.text)),
-                Entry::NoComma(word) => report.error(&word.place, text::no_comma(&word.text, "settings")),
-                #[cfg(feature = "toml")]
-                Entry::Repeated { key, first } => {
-                    let text = messages::duplicate_key(&key.text);
-                    match first {
-                        Some(first) => {
-                            report.error_with_note(&key.place, text, text::first_use(&key.text), first);
-                        }
-                        None => report.error(&key.place, text),
-                    }
+                Entry::Stray(word) if level == Level::Options => {
+                    report.error(&word.place, messages::stray_option(&word.text));
                 }
+                Entry::Stray(word) => report.error(&word.place, messages::stray(&word.text)),
+                Entry::NoComma(word) => {
+                    let things = if level == Level::Options { "options" } else { "settings" };
+                    report.error(&word.place, text::no_comma(&word.text, things));
+                }
+                #[cfg(feature = "toml")]
+                Entry::Repeated { key, first } => repeated(report, &key.text, &key.place, first.as_ref()),
             }
         }
         settings
     }
 
-    /// The value of this key, if it has one.
-    pub(super) fn get(&self, key: &str) -> Option<&'t Value> {
-        self.items.iter().find(|item| item.key.text == key).map(|item| &item.value)
+    /// The setting of this key, if it has a value.
+    pub(crate) fn get(&self, key: &str) -> Option<Setting<'t>> {
+        let &(item, expected) = self.items.iter().find(|(item, _)| item.key.text == key)?;
+        Some(Setting { key: &item.key.text, expected, value: &item.value })
+    }
+
+    /// The value of this key as `read` understands it; `None` if there is none, or if it was reported.
+    pub(crate) fn read_value<T>(
+        &self,
+        key: &str,
+        report: &mut Report,
+        read: impl FnOnce(&mut Report, Setting<'t>) -> Option<T>,
+    ) -> Option<T> {
+        self.get(key).and_then(|setting| read(report, setting))
     }
 
     /// Whether the key was at least meant.
-    pub(super) fn has(&self, key: &str) -> bool {
+    pub(crate) fn has(&self, key: &str) -> bool {
         self.present.contains(&key)
     }
 
     fn add(&mut self, item: &'t Item, known: &[Key], level: Level, report: &mut Report) {
         let key = item.key.text.as_str();
-        let Some((_, expected)) = known.iter().find(|(name, _)| *name == key) else {
+        let Some(&(_, expected)) = known.iter().find(|(name, _)| *name == key) else {
             self.unknown(item, known, level, report);
             return;
         };
-        if let Some(first) = self.items.iter().find(|first| first.key.text == key) {
-            let note = text::first_use(key);
-            report.error_with_note(&item.key.place, messages::duplicate_key(key), note, &first.key.place);
+        if let Some((first, _)) = self.items.iter().find(|(first, _)| first.key.text == key) {
+            repeated(report, key, &item.key.place, Some(&first.key.place));
             return;
         }
         self.present.push(key);
-        if matches!(item.value.kind, Kind::Absent | Kind::Unassigned) {
-            report.error(&item.value.place, messages::no_value(key, Some(*expected), report.notation));
+        if matches!(item.value.kind, Kind::Absent | Kind::Unassigned) && expected.form != Form::Nothing {
+            report.error(&item.value.place, messages::no_value(key, expected, report.notation));
         } else {
-            self.items.push(item);
+            self.items.push((item, expected));
         }
     }
 
     fn unknown(&mut self, item: &'t Item, known: &[Key], level: Level, report: &mut Report) {
         let key = item.key.text.as_str();
         let names: Vec<&'static str> = known.iter().map(|(name, _)| *name).collect();
-        let (is_rig, is_joint) = (super::RIG_KEYS, super::JOINT_KEYS);
-        let of = |keys: &[Key]| keys.iter().any(|(name, _)| *name == key);
-        let renamed = RENAMED.iter().find(|(old, new)| *old == key && names.contains(new));
-        let text = match level {
-            _ if renamed.is_some() => {
-                let new = renamed.map_or("", |(_, new)| new);
-                self.present.push(new);
-                messages::renamed_key(key, new, &item.value, report.notation)
-            }
-            Level::Joint if of(is_rig) => messages::key_of_rig(key, report.notation),
-            Level::Rig if of(is_joint) => messages::key_of_joint(key, report.notation),
-            _ => {
-                let nearest = nearest(key, &names);
-                self.present.extend(nearest);
-                messages::unknown_key(key, nearest, &names)
-            }
+        let is_of = |keys: &[Key]| keys.iter().any(|(name, _)| *name == key);
+        let text = if let Some((_, new)) = RENAMED.iter().find(|(old, new)| *old == key && names.contains(new)) {
+            self.present.push(new);
+            messages::renamed_key(key, new, &item.value, report.notation)
+        } else if level == Level::Joint && is_of(RIG_KEYS) {
+            messages::key_of_rig(key, report.notation)
+        } else if level == Level::Rig && is_of(JOINT_KEYS) {
+            messages::key_of_joint(key, report.notation)
+        } else {
+            let kind = if level == Level::Options { "option" } else { "setting" };
+            let nearest = nearest(key, &names);
+            self.present.extend(nearest);
+            messages::unknown_key(kind, key, nearest, &names)
         };
         report.error(&item.key.place, text);
+    }
+}
+
+fn repeated(report: &mut Report, key: &str, place: &Place, first: Option<&Place>) {
+    let text = messages::duplicate_key(key);
+    match first {
+        Some(first) => report.error_with_note(place, text, messages::first_use(key), first),
+        None => report.error(place, text),
     }
 }
 
@@ -132,7 +165,7 @@ fn nearest(key: &str, known: &[&'static str]) -> Option<&'static str> {
     if let Some((_, meant)) = SYNONYMS.iter().find(|(other, meant)| *other == lower && known.contains(meant)) {
         return Some(meant);
     }
-    names::nearest(key, known.iter().copied())
+    names::nearest(key, known)
 }
 
 #[cfg(test)]

@@ -4,7 +4,8 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenS
 use syn::DeriveInput;
 
 use super::parse;
-use crate::declare::{fallback, from_derive_input};
+use crate::declare::from_derive_input;
+use crate::emit::fallback;
 
 /// A small deterministic generator (xorshift), so that a failure can be repeated.
 struct Random(u64);

@@ -71,9 +71,9 @@ fn kernels() {
     assert_errors(
         &rig("kernels(aim_gradiant, chain_value_gradient, residual, chain_value_gradient)"),
         &[
+            ("`chain_value_gradient` is named twice", "chain_value_gradient"),
             ("unknown kernel `aim_gradiant`", "aim_gradiant"),
             ("unknown kernel `residual`", "residual"),
-            ("the kernel `chain_value_gradient` is listed twice", "chain_value_gradient"),
         ],
     );
     assert_errors(&rig("kernels = 5"), &[("`kernels` needs a list of kernels, found `5`", "5")]);

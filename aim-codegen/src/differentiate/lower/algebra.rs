@@ -81,29 +81,6 @@ impl Algebra {
         self.div(one, a)
     }
 
-    pub(crate) fn min(&mut self, a: Scalar, b: Scalar) -> Scalar {
-        self.select_less(b, a, b, a)
-    }
-
-    pub(crate) fn max(&mut self, a: Scalar, b: Scalar) -> Scalar {
-        self.select_less(a, b, b, a)
-    }
-
-    pub(crate) fn clamp(&mut self, x: Scalar, low: Scalar, high: Scalar) -> Scalar {
-        let x = self.max(x, low);
-        self.min(x, high)
-    }
-
-    pub(crate) fn abs(&mut self, a: Scalar) -> Scalar {
-        let (zero, minus) = (self.number(0.0), self.neg(a));
-        self.select_less(a, zero, minus, a)
-    }
-
-    pub(crate) fn signum(&mut self, a: Scalar) -> Scalar {
-        let [zero, one, minus] = [0.0, 1.0, -1.0].map(|value| self.number(value));
-        self.select_less(a, zero, minus, one)
-    }
-
     /// x to a whole power: squares and products, shared.
     pub(crate) fn power(&mut self, x: Scalar, exponent: i32) -> Scalar {
         let power = self.unsigned_power(x, exponent.unsigned_abs());
@@ -205,8 +182,9 @@ impl Algebra {
         self.number_vector(components)
     }
 
-    /// The vector, its components computed where all its parts are constants.
-    fn computed(&mut self, v: Vector) -> Vector {
+    /// A vector of the graph, its components computed where all its parts are constants.
+    fn computed(&mut self, make: impl FnOnce(&mut Graph) -> Vector) -> Vector {
+        let v = make(&mut self.g);
         let is_constant = |part| match part {
             Node::Scalar(s) => self.g.constant_of(s).is_some(),
             Node::Vector(v) => self.g.constant_vector_of(v).is_some(),
@@ -229,13 +207,6 @@ impl Algebra {
         [0, 1, 2].map(|axis| self.component(v, axis))
     }
 
-    /// Component by component.
-    pub(crate) fn map(&mut self, v: Vector, of: impl Fn(&mut Self, Scalar) -> Scalar) -> Vector {
-        let parts = self.parts(v);
-        let parts = parts.map(|c| of(self, c));
-        self.vector(parts)
-    }
-
     /// Component by component of two.
     pub(crate) fn zip(&mut self, v: Vector, w: Vector, of: impl Fn(&mut Self, Scalar, Scalar) -> Scalar) -> Vector {
         let (v, w) = (self.parts(v), self.parts(w));
@@ -244,28 +215,23 @@ impl Algebra {
     }
 
     pub(crate) fn add_vectors(&mut self, v: Vector, w: Vector) -> Vector {
-        let sum = self.g.add_vectors(v, w);
-        self.computed(sum)
+        self.computed(|g| g.add_vectors(v, w))
     }
 
     pub(crate) fn sub_vectors(&mut self, v: Vector, w: Vector) -> Vector {
-        let difference = self.g.sub_vectors(v, w);
-        self.computed(difference)
+        self.computed(|g| g.sub_vectors(v, w))
     }
 
     pub(crate) fn neg_vector(&mut self, v: Vector) -> Vector {
-        let negation = self.g.neg_vector(v);
-        self.computed(negation)
+        self.computed(|g| g.neg_vector(v))
     }
 
     pub(crate) fn scale(&mut self, k: Scalar, v: Vector) -> Vector {
-        let scaled = self.g.scale(k, v);
-        self.computed(scaled)
+        self.computed(|g| g.scale(k, v))
     }
 
     pub(crate) fn cross(&mut self, v: Vector, w: Vector) -> Vector {
-        let product = self.g.cross(v, w);
-        self.computed(product)
+        self.computed(|g| g.cross(v, w))
     }
 
     pub(crate) fn dot(&mut self, v: Vector, w: Vector) -> Scalar {

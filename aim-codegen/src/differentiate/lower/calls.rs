@@ -1,170 +1,111 @@
 //! Calls: methods, functions of a type, glam's short constructors, and what their names lead to.
 
 use quote::ToTokens;
+use syn::punctuated::Punctuated;
+use syn::token::Comma;
 use syn::{Expr, ExprCall, ExprMethodCall, Ident};
 
 use super::algebra::Algebra;
 use super::map::Quaternion;
 use super::methods::{self, Fault, Function};
+use super::paths::{path_text, type_and_name};
 use super::value::Value;
-use super::{Translation, strip};
+use super::{Translation, strip, whole_number};
+use crate::declare::report::text::Text;
 use crate::differentiate::messages;
 use crate::differentiate::types::{self, Shape};
 
-/// glam's functions in lower case, with the types that they make.
-const SHORT: &[(&str, &str)] = &[
-    ("vec2", "Vec2"),
-    ("dvec2", "DVec2"),
-    ("vec3", "Vec3"),
-    ("vec3a", "Vec3A"),
-    ("dvec3", "DVec3"),
-    ("quat", "Quat"),
-    ("dquat", "DQuat"),
-    ("mat3", "Mat3"),
-    ("mat3a", "Mat3A"),
-    ("dmat3", "DMat3"),
+/// glam's functions in lower case, with the types that they make and the functions that they are short for.
+const SHORT: &[(&str, &str, &str)] = &[
+    ("vec2", "Vec2", "new"),
+    ("dvec2", "DVec2", "new"),
+    ("vec3", "Vec3", "new"),
+    ("vec3a", "Vec3A", "new"),
+    ("dvec3", "DVec3", "new"),
+    ("quat", "Quat", "from_xyzw"),
+    ("dquat", "DQuat", "from_xyzw"),
+    ("mat3", "Mat3", "from_cols"),
+    ("mat3a", "Mat3A", "from_cols"),
+    ("dmat3", "DMat3", "from_cols"),
 ];
+
+/// What is called.
+struct Callee<'a> {
+    /// As it is written.
+    name: &'a Ident,
+    /// The entry of the tables.
+    function: String,
+    tables: &'static [&'static [Function]],
+    /// What it is a function of, in words.
+    kind: String,
+}
 
 impl Translation<'_> {
     pub(super) fn method_call(&mut self, call: &ExprMethodCall) -> Value {
         let receiver = self.expression(&call.receiver);
         if let Some(turbofish) = &call.turbofish {
-            self.errors.add(turbofish, messages::NO_GENERICS);
-            return Value::Unknown;
+            return self.refuse(turbofish, messages::no_generics());
         }
-        if call.method == "powi" {
-            return self.power(&receiver, &call.method, call.args.iter());
-        }
-        let mut arguments = vec![receiver];
-        arguments.extend(call.args.iter().map(|argument| self.expression(argument)));
-        let receiver = &arguments[0];
-        if arguments.iter().any(Value::is_unknown) {
-            return Value::Unknown;
-        }
-        if call.method == "into" && arguments.len() == 1 && matches!(receiver, Value::Vector(_) | Value::Matrix(_)) {
-            return receiver.clone();
-        }
-        let tables = methods::methods_of(receiver);
-        let found = methods::call(tables, &call.method.to_string(), self.algebra, &arguments);
-        match found {
-            Some(found) => self.called(found, &call.method, &call.args, &arguments, true),
-            None => {
-                let kind = receiver.describe();
-                self.unknown_function(&call.method, tables, &kind)
-            }
-        }
+        let (function, tables, kind) = (call.method.to_string(), methods::methods_of(&receiver), receiver.describe());
+        self.apply(&Callee { name: &call.method, function, tables, kind }, Some(receiver), &call.args)
     }
 
     pub(super) fn call(&mut self, call: &ExprCall) -> Value {
         let Expr::Path(path) = strip(&call.func) else {
-            self.errors.add(&call.func, messages::CALL_OF_VALUE);
             for argument in &call.args {
                 self.expression(argument);
             }
-            return Value::Unknown;
+            return self.refuse(&call.func, messages::call_of_value());
         };
         let Some((ty, name)) = type_and_name(path) else {
-            self.errors.add(&path.path, messages::unknown_function(&path_text(path)));
-            return Value::Unknown;
+            return self.refuse(&path.path, messages::unknown_function(&path_text(path)));
         };
         if path.path.segments.last().is_some_and(|last| !last.arguments.is_none()) {
-            self.errors.add(&path.path, messages::NO_GENERICS);
-            return Value::Unknown;
+            return self.refuse(&path.path, messages::no_generics());
         }
-        let (ty, name_text) = match ty {
-            Some(ty) => (ty, name.to_string()),
-            None => match SHORT.iter().find(|(short, _)| name == short) {
-                Some((short, ty)) => {
-                    let function = match *short {
-                        "quat" | "dquat" => "from_xyzw",
-                        "mat3" | "mat3a" | "dmat3" => "from_cols",
-                        _ => "new",
-                    };
-                    ((*ty).to_owned(), function.to_owned())
-                }
-                // It is a closure, and that was said.
-                None if self.named(&name.to_string()).is_some_and(Value::is_unknown) => return Value::Unknown,
-                None => {
-                    self.errors.add(name, messages::unknown_function(&name.to_string()));
-                    return Value::Unknown;
-                }
-            },
+        let (ty, function) = match (ty, SHORT.iter().find(|(short, ..)| name == short)) {
+            (Some(ty), _) => (ty, name.to_string()),
+            (None, Some((_, ty, function))) => ((*ty).to_owned(), (*function).to_owned()),
+            // It is a closure, and that was said.
+            (None, None) if self.named(&name.to_string()).is_some_and(Value::is_unknown) => return Value::Unknown,
+            (None, None) => return self.refuse(name, messages::unknown_function(&name.to_string())),
         };
         let Some((shape, _)) = types::named(&ty) else {
-            self.errors.add(&path.path, messages::unknown_function(&path_text(path)));
-            return Value::Unknown;
+            return self.refuse(&path.path, messages::unknown_function(&path_text(path)));
         };
-        if name_text == "from_euler" {
+        if function == "from_euler" {
             return self.euler(shape, name, call);
         }
-        if name_text == "powi" {
-            let mut arguments = call.args.iter();
-            let receiver = arguments.next().map_or(Value::Unknown, |receiver| self.expression(receiver));
-            return self.power(&receiver, name, arguments);
-        }
-        let arguments: Vec<Value> = call.args.iter().map(|argument| self.expression(argument)).collect();
+        let (tables, kind) = (methods::functions_of(shape), format!("`{ty}`"));
+        self.apply(&Callee { name, function, tables, kind }, None, &call.args)
+    }
+
+    /// The value of a call; a method has its receiver before the arguments as written.
+    fn apply(&mut self, callee: &Callee<'_>, receiver: Option<Value>, written: &Punctuated<Expr, Comma>) -> Value {
+        let of_a_method = receiver.is_some();
+        let mut arguments: Vec<Value> = receiver.into_iter().collect();
+        arguments.extend(written.iter().map(|argument| self.expression(argument)));
         if arguments.iter().any(Value::is_unknown) {
             return Value::Unknown;
         }
-        let tables = methods::functions_of(shape);
-        match methods::call(tables, &name_text, self.algebra, &arguments) {
-            Some(found) => self.called(found, name, &call.args, &arguments, false),
-            None => self.unknown_function(name, tables, &format!("`{ty}`")),
+        let Callee { name, function, tables, kind } = callee;
+        if let (Some(text), Some(last)) = (needs_literal(function), written.last().filter(|last| !is_whole(last))) {
+            return self.refuse(last, text);
         }
-    }
-
-    /// What a found function gave, or its fault at the name.
-    fn called(
-        &mut self,
-        found: Result<Value, (Fault, &'static Function)>,
-        name: &Ident,
-        written: &impl ToTokens,
-        arguments: &[Value],
-        of_a_method: bool,
-    ) -> Value {
-        let (fault, function) = match found {
-            Ok(value) => return value,
-            Err(fault) => fault,
+        let text = match methods::call(tables, function, self.algebra, &arguments) {
+            Some(Ok(value)) => return value,
+            Some(Err((Fault::Text(text), _))) if !written.is_empty() => return self.refuse(written, text),
+            Some(Err((Fault::Text(text), _))) => text,
+            Some(Err((Fault::Arguments, function))) => {
+                let found: Vec<String> = arguments[usize::from(of_a_method)..].iter().map(Value::describe).collect();
+                messages::wrong_arguments(function.name, &function.takes(of_a_method), &found.join(", "))
+            }
+            None => {
+                let known: Vec<&str> = tables.iter().copied().flatten().map(|function| function.name).collect();
+                messages::unknown_method(function, kind, &known)
+            }
         };
-        match fault {
-            Fault::Text(text) if written.to_token_stream().is_empty() => self.errors.add(name, text),
-            Fault::Text(text) => self.errors.add(written, text),
-            Fault::Arguments => {
-                let found = arguments[usize::from(of_a_method)..].iter().map(Value::describe).collect::<Vec<_>>();
-                let text = messages::wrong_arguments(function.name, &function.takes(of_a_method), &found.join(", "));
-                self.errors.add(name, text);
-            }
-        }
-        Value::Unknown
-    }
-
-    fn unknown_function(&mut self, name: &Ident, tables: &'static [&'static [Function]], kind: &str) -> Value {
-        let known = tables.iter().copied().flatten().map(|function| function.name);
-        self.errors.add(name, messages::unknown_method(&name.to_string(), kind, known));
-        Value::Unknown
-    }
-
-    /// `x.powi(n)`, with a number as written for n.
-    fn power<'e>(&mut self, receiver: &Value, name: &Ident, mut arguments: impl Iterator<Item = &'e Expr>) -> Value {
-        let exponent = arguments.next().map(strip);
-        let whole = exponent.and_then(|exponent| match exponent {
-            Expr::Unary(unary) if matches!(unary.op, syn::UnOp::Neg(_)) => {
-                literal(strip(&unary.expr)).and_then(i32::checked_neg)
-            }
-            other => literal(other),
-        });
-        match (receiver, whole) {
-            (Value::Unknown, _) => Value::Unknown,
-            (Value::Scalar(x), Some(exponent)) => Value::Scalar(self.algebra.power(*x, exponent)),
-            (Value::Scalar(_), None) => {
-                match exponent {
-                    Some(exponent) => self.errors.add(exponent, messages::POWER_NOT_LITERAL),
-                    None => self.errors.add(name, messages::POWER_NOT_LITERAL),
-                }
-                Value::Unknown
-            }
-            (other, _) => self.unknown_function(name, methods::methods_of(other), &other.describe()),
-        }
+        self.refuse(*name, text)
     }
 
     /// `from_euler(EulerRot::YXZ, a, b, c)`: the turns about those axes, the first outermost; with `Ex`, innermost.
@@ -182,11 +123,9 @@ impl Translation<'_> {
         let (Some((mut axes, extrinsic)), [Value::Scalar(x), Value::Scalar(y), Value::Scalar(z)]) =
             (axes, angles.as_slice())
         else {
-            match order {
-                Some(order) if axes.is_none() => self.errors.add(order, messages::EULER_ORDER),
-                _ => self.errors.add(name, messages::EULER_ORDER),
-            }
-            return Value::Unknown;
+            let order = order.filter(|_| axes.is_none());
+            let place = order.map_or_else(|| name.to_token_stream(), ToTokens::to_token_stream);
+            return self.refuse(&place, messages::euler_order());
         };
         let mut angles = [*x, *y, *z];
         if extrinsic {
@@ -199,11 +138,26 @@ impl Translation<'_> {
         match shape {
             Shape::Quaternion => Value::Quaternion(rotation),
             Shape::Matrix => Value::Matrix(rotation.map),
-            _ => {
-                self.errors.add(name, messages::EULER_ORDER);
-                Value::Unknown
-            }
+            _ => self.refuse(name, messages::euler_order()),
         }
+    }
+}
+
+/// What is said where the last argument of this function is no whole number as written, if it has to be. Integers are not
+/// computed with: `7 / 2` is 3 to the user's function and would be 3.5 in the graph.
+fn needs_literal(function: &str) -> Option<Text> {
+    match function {
+        "powi" => Some(messages::power_not_literal()),
+        "col" | "row" => Some(messages::index_not_literal()),
+        _ => None,
+    }
+}
+
+/// Whether this is a whole number as written, of either sign.
+fn is_whole(expression: &Expr) -> bool {
+    match strip(expression) {
+        Expr::Unary(unary) => matches!(unary.op, syn::UnOp::Neg(_)) && whole_number(&unary.expr).is_some(),
+        other => whole_number(other).is_some(),
     }
 }
 
@@ -215,31 +169,4 @@ fn euler_axes(name: &str) -> Option<([usize; 3], bool)> {
     };
     let axes: Option<Vec<usize>> = letters.chars().map(|letter| "XYZ".find(letter)).collect();
     Some((axes?.try_into().ok()?, extrinsic))
-}
-
-/// A whole number as written.
-fn literal(expression: &Expr) -> Option<i32> {
-    match expression {
-        Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(number), .. }) => number.base10_parse().ok(),
-        _ => None,
-    }
-}
-
-/// The type's name and the last word of a path: `Vec3` and `new` of `glam::Vec3::new`, and of `<Vec3>::new` too.
-pub(super) fn type_and_name(path: &syn::ExprPath) -> Option<(Option<String>, &Ident)> {
-    let segments = &path.path.segments;
-    let name = &segments.last()?.ident;
-    let ty = match &path.qself {
-        Some(qself) if qself.position == 0 => Some(types::Type::parse(&qself.ty).ok()?.name),
-        Some(_) => return None,
-        None => segments.len().checked_sub(2).map(|at| segments[at].ident.to_string()),
-    };
-    // `glam::vec3`: a module, not a type.
-    let ty = ty.filter(|ty| types::named(ty).is_some() || ty.starts_with(|c: char| c.is_ascii_uppercase()));
-    Some((ty, name))
-}
-
-/// A path as written.
-pub(super) fn path_text(path: &syn::ExprPath) -> String {
-    path.path.segments.iter().map(|segment| segment.ident.to_string()).collect::<Vec<_>>().join("::")
 }

@@ -7,28 +7,15 @@ use super::map::{Affine, Map, Quaternion};
 use super::value::Value;
 use crate::differentiate::types::{self, Precision, Shape};
 
+macro_rules! by_name {
+    ($($name:ident)*) => { &[$((stringify!($name), consts::$name)),*] };
+}
+
 /// `core::f32::consts::PI` and its like.
-const NUMBERS: &[(&str, f64)] = &[
-    ("E", consts::E),
-    ("FRAC_1_PI", consts::FRAC_1_PI),
-    ("FRAC_1_SQRT_2", consts::FRAC_1_SQRT_2),
-    ("FRAC_2_PI", consts::FRAC_2_PI),
-    ("FRAC_2_SQRT_PI", consts::FRAC_2_SQRT_PI),
-    ("FRAC_PI_2", consts::FRAC_PI_2),
-    ("FRAC_PI_3", consts::FRAC_PI_3),
-    ("FRAC_PI_4", consts::FRAC_PI_4),
-    ("FRAC_PI_6", consts::FRAC_PI_6),
-    ("FRAC_PI_8", consts::FRAC_PI_8),
-    ("LN_10", consts::LN_10),
-    ("LN_2", consts::LN_2),
-    ("LOG10_2", consts::LOG10_2),
-    ("LOG10_E", consts::LOG10_E),
-    ("LOG2_10", consts::LOG2_10),
-    ("LOG2_E", consts::LOG2_E),
-    ("PI", consts::PI),
-    ("SQRT_2", consts::SQRT_2),
-    ("TAU", consts::TAU),
-];
+const NUMBERS: &[(&str, f64)] = by_name! {
+    E FRAC_1_PI FRAC_1_SQRT_2 FRAC_2_PI FRAC_2_SQRT_PI FRAC_PI_2 FRAC_PI_3 FRAC_PI_4 FRAC_PI_6 FRAC_PI_8 LN_10 LN_2
+    LOG10_2 LOG10_E LOG2_10 LOG2_E PI SQRT_2 TAU
+};
 
 /// The mathematical constant of this name.
 pub(super) fn mathematical(name: &str) -> Option<f64> {

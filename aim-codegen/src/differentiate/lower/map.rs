@@ -8,7 +8,7 @@ use std::rc::Rc;
 use aim_symbolic::{Rotation, Scalar, Vector};
 
 use super::algebra::Algebra;
-use super::value::Condition;
+use super::condition::Condition;
 
 /// A linear map of vectors.
 #[derive(Clone, Debug)]
@@ -169,14 +169,8 @@ impl Map {
         let rest = a.sub(one, cos);
         let parts = a.parts(axis);
         Self::Columns([0, 1, 2].map(|k| {
-            let unit = a.axis(k);
-            let kept = a.scale(cos, unit);
-            let along = a.mul(rest, parts[k]);
-            let along = a.scale(along, axis);
-            let aside = a.cross(axis, unit);
-            let aside = a.scale(sin, aside);
-            let sum = a.add_vectors(kept, along);
-            a.add_vectors(sum, aside)
+            let (unit, along) = (a.axis(k), a.mul(rest, parts[k]));
+            about(a, unit, axis, [cos, along, sin])
         }))
     }
 }
@@ -184,16 +178,15 @@ impl Map {
 /// q v q* = v (w² − u·u) + 2 u (u·v) + 2 w (u × v)
 fn spin(a: &mut Algebra, u: Vector, w: Scalar, v: Vector) -> Vector {
     let two = a.number(2.0);
-    let (w2, u2) = (a.mul(w, w), a.dot(u, u));
-    let rest = a.sub(w2, u2);
-    let kept = a.scale(rest, v);
-    let along = a.dot(u, v);
-    let along = a.mul(two, along);
-    let along = a.scale(along, u);
-    let aside = a.cross(u, v);
-    let twice = a.mul(two, w);
-    let aside = a.scale(twice, aside);
-    let sum = a.add_vectors(kept, along);
+    let (w2, u2, along) = (a.mul(w, w), a.dot(u, u), a.dot(u, v));
+    let factors = [a.sub(w2, u2), a.mul(two, along), a.mul(two, w)];
+    about(a, v, u, factors)
+}
+
+/// kept v + along u + aside (u × v)
+fn about(a: &mut Algebra, v: Vector, u: Vector, [kept, along, aside]: [Scalar; 3]) -> Vector {
+    let (kept, along, across) = (a.scale(kept, v), a.scale(along, u), a.cross(u, v));
+    let (sum, aside) = (a.add_vectors(kept, along), a.scale(aside, across));
     a.add_vectors(sum, aside)
 }
 

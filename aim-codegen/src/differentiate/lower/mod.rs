@@ -3,10 +3,12 @@
 
 mod algebra;
 mod calls;
+mod condition;
 mod constants;
 mod map;
 mod methods;
 mod operators;
+mod paths;
 mod value;
 
 use quote::ToTokens;
@@ -15,24 +17,25 @@ use syn::token::Comma;
 use syn::{Block, Expr, Member, Pat, Stmt, UnOp};
 
 pub(super) use self::algebra::Algebra;
+use self::condition::Condition;
 pub(super) use self::map::{Affine, Map, Quaternion};
-use self::value::Condition;
 pub(super) use self::value::Value;
-use super::errors::Errors;
 use super::messages;
+use crate::declare::report::Report;
+use crate::declare::report::text::Text;
 
 /// The translation of one body.
 pub(super) struct Translation<'a> {
     pub(super) algebra: &'a mut Algebra,
-    pub(super) errors: &'a mut Errors,
+    pub(super) report: &'a mut Report,
     /// The names in scope, the innermost last.
     names: Vec<(String, Value)>,
 }
 
 impl<'a> Translation<'a> {
     /// A body that knows these names.
-    pub(super) fn new(algebra: &'a mut Algebra, errors: &'a mut Errors, names: Vec<(String, Value)>) -> Self {
-        Self { algebra, errors, names }
+    pub(super) fn new(algebra: &'a mut Algebra, report: &'a mut Report, names: Vec<(String, Value)>) -> Self {
+        Self { algebra, report, names }
     }
 
     /// The value of a block.
@@ -55,14 +58,11 @@ impl<'a> Translation<'a> {
                 let value = match &local.init {
                     Some(init) => {
                         if let Some((otherwise, _)) = &init.diverge {
-                            self.errors.add(otherwise, messages::LET_ELSE);
+                            self.unsupported(otherwise, "`let … else`", CHOICE);
                         }
                         self.expression(&init.expr)
                     }
-                    None => {
-                        self.errors.add(&local.pat, messages::LET_WITHOUT_VALUE);
-                        Value::Unknown
-                    }
+                    None => self.refuse(&local.pat, messages::let_without_value()),
                 };
                 self.bind(&local.pat, value);
             }
@@ -71,14 +71,12 @@ impl<'a> Translation<'a> {
                 self.names.push((item.ident.to_string(), value));
             }
             Stmt::Item(syn::Item::Use(_)) => {}
-            Stmt::Item(item) => self.errors.add(item, messages::INNER_ITEM),
-            Stmt::Macro(statement) => self.errors.add(&statement.mac.path, messages::MACRO_CALL),
+            Stmt::Item(item) => _ = self.refuse(item, messages::inner_item()),
+            Stmt::Macro(statement) => _ = self.refuse(&statement.mac.path, messages::macro_call()),
             Stmt::Expr(expression, None) => return self.expression(expression),
             Stmt::Expr(expression, Some(semicolon)) => {
-                if !self.expression(expression).is_unknown() {
-                    self.errors.add(semicolon, messages::NO_EFFECT);
-                }
-                return Value::Unknown;
+                let value = self.expression(expression);
+                return self.refuse_known(&value, semicolon, messages::no_effect());
             }
         }
         Value::Tuple(Vec::new())
@@ -88,17 +86,16 @@ impl<'a> Translation<'a> {
     fn bind(&mut self, pattern: &Pat, value: Value) {
         match pattern {
             Pat::Ident(name) => {
-                let mut value = value;
-                if let Some(mutability) = &name.mutability {
-                    self.errors.add(mutability, messages::MUTABLE);
+                let value = match &name.mutability {
                     // What is assigned to it later is no mistake of its own.
-                    value = Value::Unknown;
-                }
+                    Some(mutability) => self.refuse(mutability, messages::mutable()),
+                    None => value,
+                };
                 if let Some(by_ref) = &name.by_ref {
-                    self.errors.add(by_ref, messages::PATTERN);
+                    self.refuse(by_ref, messages::pattern());
                 }
                 if let Some((at, _)) = &name.subpat {
-                    self.errors.add(at, messages::PATTERN);
+                    self.refuse(at, messages::pattern());
                 }
                 self.names.push((name.ident.to_string(), value));
             }
@@ -114,7 +111,7 @@ impl<'a> Translation<'a> {
                 let is_array = matches!(value, Value::Array(_));
                 self.bind_parts(slice, &slice.elems, value, is_array);
             }
-            other => self.errors.add(other, messages::PATTERN),
+            other => _ = self.refuse(other, messages::pattern()),
         }
     }
 
@@ -123,10 +120,7 @@ impl<'a> Translation<'a> {
         let values = match value {
             Value::Tuple(values) | Value::Array(values) if fits && values.len() == patterns.len() => values,
             other => {
-                if !other.is_unknown() {
-                    self.errors.add(whole, messages::pattern_of(&other.describe()));
-                }
-                vec![Value::Unknown; patterns.len()]
+                vec![self.refuse_known(&other, whole, messages::pattern_of(&other.describe())); patterns.len()]
             }
         };
         for (pattern, value) in patterns.iter().zip(values) {
@@ -145,8 +139,7 @@ impl<'a> Translation<'a> {
             Expr::Binary(binary) => self.binary(binary),
             Expr::Reference(reference) => {
                 if let Some(mutability) = &reference.mutability {
-                    self.errors.add(mutability, messages::MUTABLE);
-                    return Value::Unknown;
+                    return self.refuse(mutability, messages::mutable());
                 }
                 self.expression(&reference.expr)
             }
@@ -163,12 +156,12 @@ impl<'a> Translation<'a> {
             Expr::Array(array) => Value::Array(array.elems.iter().map(|element| self.expression(element)).collect()),
             Expr::Repeat(repeat) => {
                 let value = self.expression(&repeat.expr);
-                match strip(&repeat.len) {
-                    Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(length), .. }) => match length.base10_parse() {
-                        Ok(length @ 0..=256) => Value::Array(vec![value; length]),
-                        _ => self.unsupported(length, "so long an array", "arrays hold up to 256 numbers"),
-                    },
-                    other => self.unsupported(other, "a length that is no number", "write the number"),
+                match (whole_number(&repeat.len), strip(&repeat.len)) {
+                    (Some(length @ 0..=256), _) => Value::Array(vec![value; length]),
+                    (_, length @ Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(_), .. })) => {
+                        self.unsupported(length, "so long an array", "arrays hold up to 256 numbers")
+                    }
+                    (_, other) => self.unsupported(other, "a length that is no number", "write the number"),
                 }
             }
             other => self.unsupported_expression(other),
@@ -193,29 +186,25 @@ impl<'a> Translation<'a> {
     fn path(&mut self, path: &syn::ExprPath) -> Value {
         if let (None, Some(name)) = (&path.qself, path.path.get_ident()) {
             let name_text = name.to_string();
-            if let Some(value) = self.named(&name_text) {
-                return value.clone();
-            }
-            let known = self.names.iter().map(|(known, _)| known.as_str());
-            let text = messages::outside_name(&name_text, known);
-            self.errors.add(name, text);
-            return Value::Unknown;
+            let known: Vec<&str> = self.names.iter().map(|(known, _)| known.as_str()).collect();
+            return match self.named(&name_text) {
+                Some(value) => value.clone(),
+                None => self.refuse(name, messages::outside_name(&name_text, &known)),
+            };
         }
         let segments: Vec<String> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
-        if let [.., module, name] = segments.as_slice() {
-            if module == "consts" {
-                if let Some(value) = constants::mathematical(name) {
-                    return Value::Scalar(self.algebra.number(value));
-                }
-            }
+        if let [.., module, name] = segments.as_slice()
+            && module == "consts"
+            && let Some(value) = constants::mathematical(name)
+        {
+            return Value::Scalar(self.algebra.number(value));
         }
-        if let Some((Some(ty), name)) = calls::type_and_name(path) {
-            if let Some(value) = constants::associated(self.algebra, &ty, &name.to_string()) {
-                return value;
-            }
+        if let Some((Some(ty), name)) = paths::type_and_name(path)
+            && let Some(value) = constants::associated(self.algebra, &ty, &name.to_string())
+        {
+            return value;
         }
-        self.errors.add(&path.path, messages::outside_constant(&calls::path_text(path)));
-        Value::Unknown
+        self.refuse(&path.path, messages::outside_constant(&paths::path_text(path)))
     }
 
     /// The value of a name in scope.
@@ -234,28 +223,21 @@ impl<'a> Translation<'a> {
             (UnOp::Neg(_), _) => operators::negate(self.algebra, &operand),
             _ => None,
         };
-        value.unwrap_or_else(|| {
-            self.errors.add(&unary.op, messages::no_unary(&operand.describe()));
-            Value::Unknown
-        })
+        value.unwrap_or_else(|| self.refuse(&unary.op, messages::no_unary(&operand.describe())))
     }
 
     fn binary(&mut self, binary: &syn::ExprBinary) -> Value {
         let (left, right) = (self.expression(&binary.left), self.expression(&binary.right));
         if is_assignment(&binary.op) {
             // Of a name that is unknown because it is `mut`, that was said.
-            if !left.is_unknown() {
-                self.errors.add(&binary.op, messages::ASSIGNMENT);
-            }
-            return Value::Unknown;
+            return self.refuse_known(&left, &binary.op, messages::assignment());
         }
         if left.is_unknown() || right.is_unknown() {
             return Value::Unknown;
         }
         operators::binary(self.algebra, &binary.op, &left, &right).unwrap_or_else(|| {
             let text = messages::no_operation(&binary.op, &left.describe(), &right.describe());
-            self.errors.add(&binary.op, text);
-            Value::Unknown
+            self.refuse(&binary.op, text)
         })
     }
 
@@ -263,24 +245,16 @@ impl<'a> Translation<'a> {
         let condition = self.expression(&choice.cond);
         let then = self.block(&choice.then_branch);
         let Some((_, otherwise)) = &choice.else_branch else {
-            if !then.is_unknown() {
-                self.errors.add(&choice.if_token, messages::IF_WITHOUT_ELSE);
-            }
-            return Value::Unknown;
+            return self.refuse_known(&then, &choice.if_token, messages::if_without_else());
         };
         let otherwise = self.expression(otherwise);
-        let condition = match condition {
-            Value::Truth(condition) => condition,
-            Value::Unknown => return Value::Unknown,
-            other => {
-                self.errors.add(&choice.cond, messages::not_a_condition(&other.describe()));
-                return Value::Unknown;
-            }
+        let Value::Truth(condition) = condition else {
+            let text = messages::not_a_condition(&condition.describe());
+            return self.refuse_known(&condition, &choice.cond, text);
         };
         then.select(self.algebra, &condition, &otherwise).unwrap_or_else(|| {
             let text = messages::branches_differ(&then.describe(), &otherwise.describe());
-            self.errors.add(&choice.if_token, text);
-            Value::Unknown
+            self.refuse(&choice.if_token, text)
         })
     }
 
@@ -302,10 +276,7 @@ impl<'a> Translation<'a> {
             Value::Quaternion(q) => match (letter("xyzw"), q.parts) {
                 (Some(3), Some((_, w))) => Some(Value::Scalar(w)),
                 (Some(axis), Some((u, _))) => Some(Value::Scalar(a.component(u, axis))),
-                (Some(_), None) => {
-                    self.errors.add(&field.member, messages::QUATERNION_OF_MATRIX);
-                    return Value::Unknown;
-                }
+                (Some(_), None) => return self.refuse(&field.member, messages::quaternion_of_matrix()),
                 (None, _) => None,
             },
             Value::Matrix(m) => column().map(|axis| Value::Vector(m.column(a, axis))),
@@ -317,21 +288,13 @@ impl<'a> Translation<'a> {
             Value::Tuple(values) => name.parse::<usize>().ok().and_then(|index| values.get(index).cloned()),
             _ => None,
         };
-        value.unwrap_or_else(|| {
-            self.errors.add(&field.member, messages::unknown_field(&name, &base.describe()));
-            Value::Unknown
-        })
+        value.unwrap_or_else(|| self.refuse(&field.member, messages::unknown_field(&name, &base.describe())))
     }
 
     fn index(&mut self, index: &syn::ExprIndex) -> Value {
         let base = self.expression(&index.expr);
-        let place = match strip(&index.index) {
-            Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(place), .. }) => place.base10_parse::<usize>().ok(),
-            _ => None,
-        };
-        let Some(place) = place else {
-            self.errors.add(&index.index, messages::INDEX_NOT_LITERAL);
-            return Value::Unknown;
+        let Some(place) = whole_number(&index.index) else {
+            return self.refuse(&index.index, messages::index_not_literal());
         };
         let value = match &base {
             Value::Unknown => return base,
@@ -340,26 +303,30 @@ impl<'a> Translation<'a> {
             Value::Vector(v) if place < 3 => Some(Value::Scalar(self.algebra.component(*v, place))),
             _ => None,
         };
-        value.unwrap_or_else(|| {
-            self.errors.add(&index.index, messages::index_outside(&base.describe()));
-            Value::Unknown
-        })
+        value.unwrap_or_else(|| self.refuse(&index.index, messages::index_outside(&base.describe())))
+    }
+
+    /// Reports what has no value.
+    pub(super) fn refuse(&mut self, place: &impl ToTokens, text: Text) -> Value {
+        self.report.error_in(place, text);
+        Value::Unknown
+    }
+
+    /// The same because of a value; of an unknown one all has been said.
+    fn refuse_known(&mut self, value: &Value, place: &impl ToTokens, text: Text) -> Value {
+        if value.is_unknown() { Value::Unknown } else { self.refuse(place, text) }
     }
 
     fn unsupported(&mut self, place: &impl ToTokens, what: &str, help: &str) -> Value {
-        self.errors.add(place, messages::unsupported(what, help));
-        Value::Unknown
+        self.refuse(place, messages::unsupported(what, help))
     }
 
     fn unsupported_expression(&mut self, expression: &Expr) -> Value {
         const LOOP: &str = "write the terms one by one: what is derived has no loops";
-        const CHOICE: &str = "write it with `if` and `else`";
         match expression {
             Expr::Assign(assign) => {
-                if !self.expression(&assign.left).is_unknown() {
-                    self.errors.add(&assign.eq_token, messages::ASSIGNMENT);
-                }
-                Value::Unknown
+                let left = self.expression(&assign.left);
+                self.refuse_known(&left, &assign.eq_token, messages::assignment())
             }
             Expr::ForLoop(e) => self.unsupported(&e.for_token, "a loop", LOOP),
             Expr::While(e) => self.unsupported(&e.while_token, "a loop", LOOP),
@@ -369,10 +336,7 @@ impl<'a> Translation<'a> {
             Expr::Return(e) => {
                 self.unsupported(&e.return_token, "`return`", "make it the last expression, or a branch of an `if`")
             }
-            Expr::Macro(e) => {
-                self.errors.add(&e.mac.path, messages::MACRO_CALL);
-                Value::Unknown
-            }
+            Expr::Macro(e) => self.refuse(&e.mac.path, messages::macro_call()),
             Expr::Closure(e) => self.unsupported(&e.inputs_begin, "a closure", "bind what it gives with `let`"),
             Expr::Cast(e) => self.unsupported(
                 &e.as_token,
@@ -398,22 +362,18 @@ fn strip(expression: &Expr) -> &Expr {
     }
 }
 
-fn is_assignment(operator: &syn::BinOp) -> bool {
-    use syn::BinOp::{
-        AddAssign, BitAndAssign, BitOrAssign, BitXorAssign, DivAssign, MulAssign, RemAssign, ShlAssign, ShrAssign,
-        SubAssign,
-    };
-    matches!(
-        operator,
-        AddAssign(_)
-            | SubAssign(_)
-            | MulAssign(_)
-            | DivAssign(_)
-            | RemAssign(_)
-            | BitXorAssign(_)
-            | BitAndAssign(_)
-            | BitOrAssign(_)
-            | ShlAssign(_)
-            | ShrAssign(_)
-    )
+/// A whole number as written.
+fn whole_number(expression: &Expr) -> Option<usize> {
+    match strip(expression) {
+        Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(number), .. }) => number.base10_parse().ok(),
+        _ => None,
+    }
 }
+
+/// `=` behind another operator; comparisons end in it, too.
+fn is_assignment(operator: &syn::BinOp) -> bool {
+    let text = operator.to_token_stream().to_string();
+    text.ends_with('=') && !matches!(text.as_str(), "==" | "!=" | "<=" | ">=")
+}
+
+const CHOICE: &str = "write it with `if` and `else`";

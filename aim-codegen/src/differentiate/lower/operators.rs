@@ -4,8 +4,9 @@ use aim_symbolic::{Fold, Scalar, Vector};
 use syn::BinOp;
 
 use super::algebra::Algebra;
+use super::condition::Condition;
 use super::map::{Affine, Quaternion};
-use super::value::{Condition, Value};
+use super::value::Value;
 
 /// The value of `left operator right`; `None` where there is no such operation.
 pub(super) fn binary(a: &mut Algebra, operator: &BinOp, left: &Value, right: &Value) -> Option<Value> {

@@ -2,21 +2,18 @@
 
 use aim_symbolic::{Node, Scalar, Vector};
 
-use super::functions;
+use super::function::functions;
+use crate::declare::report::text::Text;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::map::{Affine, Map, Quaternion};
 use crate::differentiate::lower::value::Value;
 use crate::differentiate::messages;
-use crate::text::Text;
 
 functions! {
     PLANAR(a):
     new(x: Scalar, y: Scalar) -> Planar { planar(a, x, y) }
-    splat(x: Scalar) -> Planar { planar(a, x, x) }
-    from_angle(x: Scalar) -> Planar {
-        let (sin, cos) = a.sin_cos(x);
-        planar(a, cos, sin)
-    }
+    splat(x: Scalar) = Vec2::new(x, x);
+    from_angle(x: Scalar) = Vec2::new(x.cos(), x.sin());
     from_array(numbers: Array) -> Planar {
         let [x, y] = scalars(&numbers)?;
         planar(a, x, y)
@@ -72,41 +69,22 @@ functions! {
         let [xx, xy, xz, yx, yy, yz, zx, zy, zz] = scalars(&numbers)?;
         Map::Columns([[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]].map(|column| a.vector(column)))
     }
-    from_diagonal(v: Vector) -> Matrix {
-        let parts = a.parts(v);
-        Map::Columns([0, 1, 2].map(|k| {
-            let unit = a.axis(k);
-            a.scale(parts[k], unit)
-        }))
-    }
+    from_diagonal(v: Vector) = Mat3::from_cols(Vec3::X * v.x, Vec3::Y * v.y, Vec3::Z * v.z);
     from(m: Matrix) -> Matrix { m }
 }
 
 functions! {
     AFFINE(a):
-    from_translation(v: Vector) -> Affine {
-        Affine { map: Map::identity(a), translation: v }
-    }
-    from_rotation_translation(q: Quaternion, v: Vector) -> Affine {
-        Affine { map: q.map, translation: v }
-    }
+    from_translation(v: Vector) = Affine3A::from_mat3_translation(Mat3::IDENTITY, v);
+    from_rotation_translation(q: Quaternion, v: Vector) = Affine3A::from_mat3_translation(Mat3::from_quat(q), v);
     from_mat3_translation(m: Matrix, v: Vector) -> Affine {
         Affine { map: m, translation: v }
     }
     from_quat(q: Quaternion) -> Affine { Affine::about_origin(a, q.map) }
     from_mat3(m: Matrix) -> Affine { Affine::about_origin(a, m) }
-    from_rotation_x(radians: Scalar) -> Affine {
-        let map = Map::turn(a, 0, radians);
-        Affine::about_origin(a, map)
-    }
-    from_rotation_y(radians: Scalar) -> Affine {
-        let map = Map::turn(a, 1, radians);
-        Affine::about_origin(a, map)
-    }
-    from_rotation_z(radians: Scalar) -> Affine {
-        let map = Map::turn(a, 2, radians);
-        Affine::about_origin(a, map)
-    }
+    from_rotation_x(radians: Scalar) = Affine3A::from_mat3(Mat3::from_rotation_x(radians));
+    from_rotation_y(radians: Scalar) = Affine3A::from_mat3(Mat3::from_rotation_y(radians));
+    from_rotation_z(radians: Scalar) = Affine3A::from_mat3(Mat3::from_rotation_z(radians));
     from_axis_angle(axis: Vector, radians: Scalar) -> Affine {
         let map = about(a, axis, radians)?;
         Affine::about_origin(a, map)
@@ -158,7 +136,7 @@ fn quaternion(a: &mut Algebra, [x, y, z, w]: [Scalar; 4]) -> Quaternion {
 
 /// The quaternion of a rotation, without its numbers.
 fn rotation_of(map: Map) -> Result<Quaternion, Text> {
-    if map.is_rotation() { Ok(Quaternion { map, parts: None }) } else { Err(messages::MATRIX_NOT_ROTATION.into()) }
+    if map.is_rotation() { Ok(Quaternion { map, parts: None }) } else { Err(messages::matrix_not_rotation()) }
 }
 
 fn scalars<const N: usize>(values: &[Value]) -> Result<[Scalar; N], Text> {

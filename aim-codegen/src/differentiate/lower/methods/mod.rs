@@ -3,93 +3,16 @@
 //! A method is a function whose first argument is the receiver, so `v.dot(w)` and `Vec3::dot(v, w)` are one entry.
 
 mod construct;
+mod function;
 mod quaternion;
 mod scalar;
 mod transform;
 mod vector;
 
+pub(super) use self::function::{Fault, Function};
 use super::algebra::Algebra;
 use super::value::Value;
 use crate::differentiate::types::Shape;
-use crate::text::Text;
-
-/// Why a call came to nothing.
-pub(super) enum Fault {
-    /// The arguments are of other kinds.
-    Arguments,
-    /// They are wrong in another way.
-    Text(Text),
-}
-
-impl From<Text> for Fault {
-    fn from(text: Text) -> Self {
-        Self::Text(text)
-    }
-}
-
-/// A function, and the kinds of values that it takes.
-pub(super) struct Function {
-    pub(super) name: &'static str,
-    takes: &'static [&'static str],
-    make: fn(&mut Algebra, &[Value]) -> Result<Value, Fault>,
-}
-
-impl Function {
-    pub(super) fn call(&self, a: &mut Algebra, arguments: &[Value]) -> Result<Value, Fault> {
-        (self.make)(a, arguments)
-    }
-
-    /// Its arguments in words; those of a method stand without the receiver.
-    pub(super) fn takes(&self, of_a_method: bool) -> String {
-        let takes = &self.takes[usize::from(of_a_method)..];
-        if takes.is_empty() {
-            return "nothing".into();
-        }
-        takes.iter().map(|kind| words(kind)).collect::<Vec<_>>().join(", ")
-    }
-}
-
-/// A variant of [`Value`] in words.
-fn words(kind: &str) -> &'static str {
-    match kind {
-        "Scalar" => "a number",
-        "Truth" => "a condition",
-        "Planar" => "a vector of two",
-        "Vector" => "a vector",
-        "Quaternion" => "a quaternion",
-        "Matrix" => "a matrix",
-        "Affine" => "a transform",
-        "Tuple" => "a tuple",
-        _ => "an array",
-    }
-}
-
-/// `name(argument: Kind, …) -> Kind { body }` as entries of a table; the kinds are the variants of [`Value`].
-macro_rules! functions {
-    ($(#[$doc:meta])* $table:ident($a:ident):
-        $( $name:ident ( $($argument:ident : $kind:ident),* ) -> $result:ident $body:block )*
-    ) => {
-        $(#[$doc])*
-        pub(super) const $table: &[$crate::differentiate::lower::methods::Function] = &[$(
-            $crate::differentiate::lower::methods::Function {
-                name: stringify!($name),
-                takes: &[$(stringify!($kind)),*],
-                make: |$a, arguments| {
-                    let _ = &$a;
-                    match arguments {
-                        [$(Value::$kind($argument)),*] => {
-                            $( let $argument = Clone::clone($argument); )*
-                            let result = $body;
-                            Ok(Value::$result(result))
-                        }
-                        _ => Err($crate::differentiate::lower::methods::Fault::Arguments),
-                    }
-                },
-            },
-        )*];
-    };
-}
-use functions;
 
 /// The methods of a value.
 pub(super) fn methods_of(receiver: &Value) -> &'static [&'static [Function]] {
@@ -157,4 +80,37 @@ fn lifted(arguments: &[Value]) -> Option<Vec<Value>> {
             other => Some(other.clone()),
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::differentiate::lower::map::{Affine, Map, Quaternion};
+
+    #[test]
+    fn every_formula_has_a_value() {
+        let mut a = Algebra::new();
+        let x = a.g.input("x");
+        let (v, zero) = (a.vector([x; 3]), a.number(0.0));
+        let planar = a.vector([x, x, zero]);
+        let matrix = Map::Columns([v; 3]);
+        let value = |kind: &&str| match *kind {
+            "Scalar" => Value::Scalar(x),
+            "Planar" => Value::Planar(planar),
+            "Vector" => Value::Vector(v),
+            "Quaternion" => Value::Quaternion(Quaternion::from_parts(v, x)),
+            "Matrix" => Value::Matrix(matrix.clone()),
+            "Affine" => Value::Affine(Affine { map: matrix.clone(), translation: v }),
+            _ => Value::Array(vec![Value::Scalar(x); 3]),
+        };
+        use Shape::{Matrix, Planar, Quaternion as Turn, Rigid, Scalar, Vector};
+        for function in
+            [Scalar, Planar, Vector, Turn, Matrix, Rigid].into_iter().flat_map(functions_of).copied().flatten()
+        {
+            let arguments: Vec<Value> = function.takes.iter().map(value).collect();
+            if let Ok(found) = function.call(&mut a, &arguments) {
+                assert!(!found.is_unknown(), "{}", function.name);
+            }
+        }
+    }
 }

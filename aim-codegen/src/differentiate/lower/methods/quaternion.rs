@@ -2,12 +2,12 @@
 
 use aim_symbolic::{Node, Scalar, Vector};
 
-use super::functions;
+use super::function::functions;
+use crate::declare::report::text::Text;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::map::Quaternion;
 use crate::differentiate::lower::value::Value;
 use crate::differentiate::messages;
-use crate::text::Text;
 
 functions! {
     METHODS(a):
@@ -38,7 +38,7 @@ functions! {
 
 /// The numbers of a quaternion.
 pub(in crate::differentiate::lower) fn parts(q: &Quaternion) -> Result<(Vector, Scalar), Text> {
-    q.parts.ok_or_else(|| messages::QUATERNION_OF_MATRIX.into())
+    q.parts.ok_or_else(messages::quaternion_of_matrix)
 }
 
 fn square(a: &mut Algebra, (u, w): (Vector, Scalar)) -> Scalar {

@@ -1,9 +1,13 @@
 //! Functions of numbers.
 
 use aim_symbolic::Function::{Acos, Asin, Exp, Ln, Tan};
+use aim_symbolic::Scalar;
 
-use super::functions;
+use super::function::functions;
+use crate::declare::report::text::Text;
+use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::value::Value;
+use crate::differentiate::messages;
 
 functions! {
     METHODS(a):
@@ -16,29 +20,23 @@ functions! {
     tan(x: Scalar) -> Scalar { a.call(Tan, x) }
     asin(x: Scalar) -> Scalar { a.call(Asin, x) }
     acos(x: Scalar) -> Scalar { a.call(Acos, x) }
-    atan(x: Scalar) -> Scalar {
-        let one = a.number(1.0);
-        a.atan2(x, one)
-    }
+    atan(x: Scalar) = x.atan2(1.0);
     atan2(y: Scalar, x: Scalar) -> Scalar { a.atan2(y, x) }
+    powi(x: Scalar, exponent: Scalar) -> Scalar {
+        let exponent = whole(a, exponent)?;
+        a.power(x, exponent)
+    }
     sqrt(x: Scalar) -> Scalar { a.sqrt(x) }
     exp(x: Scalar) -> Scalar { a.call(Exp, x) }
     ln(x: Scalar) -> Scalar { a.call(Ln, x) }
-    abs(x: Scalar) -> Scalar { a.abs(x) }
-    signum(x: Scalar) -> Scalar { a.signum(x) }
-    min(x: Scalar, y: Scalar) -> Scalar { a.min(x, y) }
-    max(x: Scalar, y: Scalar) -> Scalar { a.max(x, y) }
-    clamp(x: Scalar, low: Scalar, high: Scalar) -> Scalar { a.clamp(x, low, high) }
+    abs(x: Scalar) = if x < 0.0 { -x } else { x };
+    signum(x: Scalar) = if x < 0.0 { -1.0 } else { 1.0 };
+    min(x: Scalar, y: Scalar) = if y < x { y } else { x };
+    max(x: Scalar, y: Scalar) = if x < y { y } else { x };
+    clamp(x: Scalar, low: Scalar, high: Scalar) = x.max(low).min(high);
     recip(x: Scalar) -> Scalar { a.recip(x) }
-    mul_add(x: Scalar, factor: Scalar, summand: Scalar) -> Scalar {
-        let product = a.mul(x, factor);
-        a.add(product, summand)
-    }
-    hypot(x: Scalar, y: Scalar) -> Scalar {
-        let zero = a.number(0.0);
-        let v = a.vector([x, y, zero]);
-        a.norm(v)
-    }
+    mul_add(x: Scalar, factor: Scalar, summand: Scalar) = x * factor + summand;
+    hypot(x: Scalar, y: Scalar) = Vec2::new(x, y).length();
     to_radians(x: Scalar) -> Scalar {
         let factor = a.number(core::f64::consts::PI / 180.0);
         a.mul(factor, x)
@@ -48,4 +46,11 @@ functions! {
         a.mul(factor, x)
     }
     clone(x: Scalar) -> Scalar { x }
+}
+
+/// The exponent of a power, which has to be a number as written.
+fn whole(a: &Algebra, exponent: Scalar) -> Result<i32, Text> {
+    let known = a.constant_of(exponent).filter(|x| x.fract() == 0.0 && (i32::MIN.into()..=i32::MAX.into()).contains(x));
+    #[expect(clippy::cast_possible_truncation, reason = "it is whole and within bounds")]
+    known.map(|exponent| exponent as i32).ok_or_else(messages::power_not_literal)
 }

@@ -1,6 +1,6 @@
 //! Methods of matrices and transforms.
 
-use super::functions;
+use super::function::functions;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::value::Value;
 use crate::differentiate::messages;
@@ -26,6 +26,7 @@ functions! {
         let index = axis(a, index)?;
         m.transpose(a).column(a, index)
     }
+    into(m: Matrix) -> Matrix { m }
     clone(m: Matrix) -> Matrix { m }
 }
 
@@ -41,7 +42,7 @@ functions! {
 }
 
 /// The index of an axis, which has to be a number as written.
-fn axis(a: &Algebra, index: aim_symbolic::Scalar) -> Result<usize, crate::text::Text> {
+fn axis(a: &Algebra, index: aim_symbolic::Scalar) -> Result<usize, crate::declare::report::text::Text> {
     let known = a.constant_of(index).and_then(|index| [0.0, 1.0, 2.0].iter().position(|&axis| axis == index));
-    known.ok_or_else(|| messages::INDEX_NOT_LITERAL.into())
+    known.ok_or_else(messages::index_not_literal)
 }

@@ -1,10 +1,6 @@
 //! Methods of vectors.
 
-use aim_symbolic::{Function, Scalar, Vector};
-
-use super::functions;
-use crate::differentiate::lower::algebra::Algebra;
-use crate::differentiate::lower::map::Map;
+use super::function::functions;
 use crate::differentiate::lower::value::Value;
 
 functions! {
@@ -13,66 +9,25 @@ functions! {
     dot(v: Vector, w: Vector) -> Scalar { a.dot(v, w) }
     length(v: Vector) -> Scalar { a.norm(v) }
     length_squared(v: Vector) -> Scalar { a.dot(v, v) }
-    length_recip(v: Vector) -> Scalar {
-        let length = a.norm(v);
-        a.recip(length)
-    }
-    distance(v: Vector, w: Vector) -> Scalar {
-        let between = a.sub_vectors(v, w);
-        a.norm(between)
-    }
-    distance_squared(v: Vector, w: Vector) -> Scalar {
-        let between = a.sub_vectors(v, w);
-        a.dot(between, between)
-    }
+    length_recip(v: Vector) = v.length().recip();
+    distance(v: Vector, w: Vector) = (v - w).length();
+    distance_squared(v: Vector, w: Vector) = (v - w).length_squared();
     normalize(v: Vector) -> Vector { a.normalize(v) }
     normalize_or_zero(v: Vector) -> Vector { a.normalize(v) }
-    lerp(v: Vector, w: Vector, k: Scalar) -> Vector {
-        let between = a.sub_vectors(w, v);
-        let way = a.scale(k, between);
-        a.add_vectors(v, way)
-    }
-    midpoint(v: Vector, w: Vector) -> Vector {
-        let (sum, half) = (a.add_vectors(v, w), a.number(0.5));
-        a.scale(half, sum)
-    }
-    project_onto(v: Vector, w: Vector) -> Vector { project(a, v, w) }
-    project_onto_normalized(v: Vector, w: Vector) -> Vector {
-        let along = a.dot(v, w);
-        a.scale(along, w)
-    }
-    reject_from(v: Vector, w: Vector) -> Vector {
-        let along = project(a, v, w);
-        a.sub_vectors(v, along)
-    }
-    reject_from_normalized(v: Vector, w: Vector) -> Vector {
-        let along = a.dot(v, w);
-        let along = a.scale(along, w);
-        a.sub_vectors(v, along)
-    }
-    reflect(v: Vector, normal: Vector) -> Vector {
-        let (two, along) = (a.number(2.0), a.dot(v, normal));
-        let twice = a.mul(two, along);
-        let twice = a.scale(twice, normal);
-        a.sub_vectors(v, twice)
-    }
-    mul_add(v: Vector, factor: Vector, summand: Vector) -> Vector {
-        let product = a.zip(v, factor, Algebra::mul);
-        a.add_vectors(product, summand)
-    }
-    angle_between(v: Vector, w: Vector) -> Scalar { angle_between(a, v, w) }
-    abs(v: Vector) -> Vector { a.map(v, Algebra::abs) }
-    min(v: Vector, w: Vector) -> Vector { a.zip(v, w, Algebra::min) }
-    max(v: Vector, w: Vector) -> Vector { a.zip(v, w, Algebra::max) }
-    clamp(v: Vector, low: Vector, high: Vector) -> Vector {
-        let v = a.zip(v, low, Algebra::max);
-        a.zip(v, high, Algebra::min)
-    }
-    element_sum(v: Vector) -> Scalar {
-        let [x, y, z] = a.parts(v);
-        let sum = a.add(x, y);
-        a.add(sum, z)
-    }
+    lerp(v: Vector, w: Vector, k: Scalar) = v + (w - v) * k;
+    midpoint(v: Vector, w: Vector) = (v + w) * 0.5;
+    project_onto(v: Vector, w: Vector) = w * (v.dot(w) * w.dot(w).recip());
+    project_onto_normalized(v: Vector, w: Vector) = w * v.dot(w);
+    reject_from(v: Vector, w: Vector) = v - v.project_onto(w);
+    reject_from_normalized(v: Vector, w: Vector) = v - v.project_onto_normalized(w);
+    reflect(v: Vector, normal: Vector) = v - normal * (2.0 * v.dot(normal));
+    mul_add(v: Vector, factor: Vector, summand: Vector) = v * factor + summand;
+    angle_between(v: Vector, w: Vector) = (v.dot(w) / (v.dot(v) * w.dot(w)).sqrt()).clamp(-1.0, 1.0).acos();
+    abs(v: Vector) = Vec3::new(v.x.abs(), v.y.abs(), v.z.abs());
+    min(v: Vector, w: Vector) = Vec3::new(v.x.min(w.x), v.y.min(w.y), v.z.min(w.z));
+    max(v: Vector, w: Vector) = Vec3::new(v.x.max(w.x), v.y.max(w.y), v.z.max(w.z));
+    clamp(v: Vector, low: Vector, high: Vector) = v.max(low).min(high);
+    element_sum(v: Vector) = v.x + v.y + v.z;
     clone(v: Vector) -> Vector { v }
 }
 
@@ -80,88 +35,36 @@ functions! {
     /// Of vectors of three.
     METHODS(a):
     cross(v: Vector, w: Vector) -> Vector { a.cross(v, w) }
-    recip(v: Vector) -> Vector { a.map(v, Algebra::recip) }
-    signum(v: Vector) -> Vector { a.map(v, Algebra::signum) }
-    min_element(v: Vector) -> Scalar {
-        let [x, y, z] = a.parts(v);
-        let least = a.min(x, y);
-        a.min(least, z)
-    }
-    max_element(v: Vector) -> Scalar {
-        let [x, y, z] = a.parts(v);
-        let most = a.max(x, y);
-        a.max(most, z)
-    }
-    element_product(v: Vector) -> Scalar {
-        let [x, y, z] = a.parts(v);
-        let product = a.mul(x, y);
-        a.mul(product, z)
-    }
-    rotate_x(v: Vector, radians: Scalar) -> Vector { Map::turn(a, 0, radians).apply(a, v) }
-    rotate_y(v: Vector, radians: Scalar) -> Vector { Map::turn(a, 1, radians).apply(a, v) }
-    rotate_z(v: Vector, radians: Scalar) -> Vector { Map::turn(a, 2, radians).apply(a, v) }
-    with_x(v: Vector, c: Scalar) -> Vector { with(a, v, 0, c) }
-    with_y(v: Vector, c: Scalar) -> Vector { with(a, v, 1, c) }
-    with_z(v: Vector, c: Scalar) -> Vector { with(a, v, 2, c) }
-    truncate(v: Vector) -> Planar {
-        let zero = a.number(0.0);
-        with(a, v, 2, zero)
-    }
+    recip(v: Vector) = Vec3::new(v.x.recip(), v.y.recip(), v.z.recip());
+    signum(v: Vector) = Vec3::new(v.x.signum(), v.y.signum(), v.z.signum());
+    min_element(v: Vector) = v.x.min(v.y).min(v.z);
+    max_element(v: Vector) = v.x.max(v.y).max(v.z);
+    element_product(v: Vector) = v.x * v.y * v.z;
+    rotate_x(v: Vector, radians: Scalar) = Mat3::from_rotation_x(radians) * v;
+    rotate_y(v: Vector, radians: Scalar) = Mat3::from_rotation_y(radians) * v;
+    rotate_z(v: Vector, radians: Scalar) = Mat3::from_rotation_z(radians) * v;
+    with_x(v: Vector, c: Scalar) = Vec3::new(c, v.y, v.z);
+    with_y(v: Vector, c: Scalar) = Vec3::new(v.x, c, v.z);
+    with_z(v: Vector, c: Scalar) = Vec3::new(v.x, v.y, c);
+    truncate(v: Vector) = Vec2::new(v.x, v.y);
     to_vec3a(v: Vector) -> Vector { v }
     to_vec3(v: Vector) -> Vector { v }
+    into(v: Vector) -> Vector { v }
     to_array(v: Vector) -> Array { a.parts(v).map(Value::Scalar).to_vec() }
 }
 
 functions! {
     /// Of vectors of two.
     PLANAR(a):
-    perp(v: Planar) -> Planar {
-        let [x, y, zero] = a.parts(v);
-        let minus = a.neg(y);
-        a.vector([minus, x, zero])
-    }
-    perp_dot(v: Planar, w: Planar) -> Scalar {
-        let normal = a.cross(v, w);
-        a.component(normal, 2)
-    }
-    min_element(v: Planar) -> Scalar {
-        let [x, y, _] = a.parts(v);
-        a.min(x, y)
-    }
-    max_element(v: Planar) -> Scalar {
-        let [x, y, _] = a.parts(v);
-        a.max(x, y)
-    }
-    with_x(v: Planar, c: Scalar) -> Planar { with(a, v, 0, c) }
-    with_y(v: Planar, c: Scalar) -> Planar { with(a, v, 1, c) }
-    extend(v: Planar, z: Scalar) -> Vector { with(a, v, 2, z) }
+    perp(v: Planar) = Vec2::new(-v.y, v.x);
+    perp_dot(v: Planar, w: Planar) = v.extend(0.0).cross(w.extend(0.0)).z;
+    min_element(v: Planar) = v.x.min(v.y);
+    max_element(v: Planar) = v.x.max(v.y);
+    with_x(v: Planar, c: Scalar) = Vec2::new(c, v.y);
+    with_y(v: Planar, c: Scalar) = Vec2::new(v.x, c);
+    extend(v: Planar, z: Scalar) = Vec3::new(v.x, v.y, z);
     to_array(v: Planar) -> Array {
         let [x, y, _] = a.parts(v);
         vec![Value::Scalar(x), Value::Scalar(y)]
     }
-}
-
-/// w (v · w) / (w · w)
-fn project(a: &mut Algebra, v: Vector, w: Vector) -> Vector {
-    let (along, square) = (a.dot(v, w), a.dot(w, w));
-    let reciprocal = a.recip(square);
-    let along = a.mul(along, reciprocal);
-    a.scale(along, w)
-}
-
-/// acos (v · w / √(v² w²)), the quotient kept within ±1.
-fn angle_between(a: &mut Algebra, v: Vector, w: Vector) -> Scalar {
-    let (along, v2, w2) = (a.dot(v, w), a.dot(v, v), a.dot(w, w));
-    let square = a.mul(v2, w2);
-    let root = a.sqrt(square);
-    let cosine = a.div(along, root);
-    let [low, high] = [-1.0, 1.0].map(|c| a.number(c));
-    let cosine = a.clamp(cosine, low, high);
-    a.call(Function::Acos, cosine)
-}
-
-fn with(a: &mut Algebra, v: Vector, axis: usize, component: Scalar) -> Vector {
-    let mut parts = a.parts(v);
-    parts[axis] = component;
-    a.vector(parts)
 }

@@ -1,13 +1,10 @@
 //! [`Diagnostics`]: every error of one declaration, each with its place and what to do about it.
 
-use core::fmt;
-
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
-use super::place::Place;
-use super::render;
-use crate::text::Text;
+use crate::declare::place::Place;
+use crate::declare::report::text::Text;
 
 /// One error in a declaration.
 #[derive(Clone, Debug)]
@@ -52,7 +49,7 @@ impl Diagnostic {
 #[derive(Clone, Debug)]
 pub struct Diagnostics {
     list: Vec<Diagnostic>,
-    source: Option<Source>,
+    pub(super) source: Option<Source>,
 }
 
 /// The file that the places are in.
@@ -85,11 +82,6 @@ impl Diagnostics {
         }
         tokens
     }
-
-    /// The errors as a compiler prints them: message, file, line and column, the line itself, help.
-    pub fn render(&self) -> String {
-        render::render(self, self.source.as_ref())
-    }
 }
 
 impl<'a> IntoIterator for &'a Diagnostics {
@@ -100,14 +92,6 @@ impl<'a> IntoIterator for &'a Diagnostics {
         self.iter()
     }
 }
-
-impl fmt::Display for Diagnostics {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.render())
-    }
-}
-
-impl core::error::Error for Diagnostics {}
 
 /// Rustc underlines from the macro's path to its arguments, so these carry the first and the last span.
 fn compile_error(message: &str, place: &Place) -> TokenStream {

@@ -5,11 +5,11 @@ use core::ops::Range;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
-use super::diagnostics::Diagnostic;
 use super::literal;
-use super::messages;
-use super::place::Place;
-use super::tree::{Entry, Item, ItemFacts, Joint, Kind, Notation, Number, Rig, Section, Value, Word};
+use crate::declare::place::Place;
+use crate::declare::report::diagnostics::Diagnostic;
+use crate::declare::report::messages;
+use crate::declare::tree::{Entry, Item, ItemFacts, Joint, Kind, Notation, Number, Rig, Section, Value, Word};
 
 /// Reads the text; the diagnostics are syntax errors.
 pub(crate) fn read(text: &str) -> (Rig, Vec<Diagnostic>) {
@@ -44,7 +44,7 @@ pub(crate) fn read(text: &str) -> (Rig, Vec<Diagnostic>) {
     let joints = joints(&mut table);
     let rig = Rig {
         notation: Notation::Toml,
-        name: take(&mut table, "name"),
+        name: take(&mut table, "name", |_| true),
         section: Section { place: start, attributes: Vec::new(), entries: table },
         joints,
         item: ItemFacts::default(),
@@ -54,30 +54,22 @@ pub(crate) fn read(text: &str) -> (Rig, Vec<Diagnostic>) {
 
 /// The joints of `[[joint]]`, taken out of the table where they have that form.
 fn joints(table: &mut Vec<Entry>) -> Vec<Joint> {
-    let is_list = |entry: &Entry| {
-        matches!(entry, Entry::Item(Item { key, value: Value { kind: Kind::List(all), .. } })
-            if key.text == "joint" && all.iter().all(|joint| matches!(joint.kind, Kind::Table(_))))
+    let is_table = |value: &Value| matches!(value.kind, Kind::Table(_));
+    let is_list = |value: &Value| matches!(&value.kind, Kind::List(all) if all.iter().all(is_table));
+    let Some(Value { kind: Kind::List(all), .. }) = take(table, "joint", is_list) else { return Vec::new() };
+    let joint = |Value { kind, place }| {
+        let Kind::Table(mut entries) = kind else { return None };
+        let name = take(&mut entries, "name", |_| true);
+        Some(Joint { name, section: Section { place, attributes: Vec::new(), entries } })
     };
-    let Some(at) = table.iter().position(is_list) else { return Vec::new() };
-    let Entry::Item(Item { value: Value { kind: Kind::List(all), .. }, .. }) = table.remove(at) else {
-        return Vec::new();
-    };
-    let mut joints = Vec::new();
-    for Value { kind, place } in all {
-        if let Kind::Table(mut entries) = kind {
-            let name = take(&mut entries, "name");
-            joints.push(Joint { name, section: Section { place, attributes: Vec::new(), entries } });
-        }
-    }
-    joints
+    all.into_iter().filter_map(joint).collect()
 }
 
-fn take(entries: &mut Vec<Entry>, key: &str) -> Option<Value> {
-    let at = entries.iter().position(|entry| matches!(entry, Entry::Item(item) if item.key.text == key))?;
-    match entries.remove(at) {
-        Entry::Item(item) => Some(item.value),
-        _ => None,
-    }
+/// The value of a key, taken out of the table if it is a fitting one.
+fn take(entries: &mut Vec<Entry>, key: &str, fits: impl Fn(&Value) -> bool) -> Option<Value> {
+    let is_it = |entry: &Entry| matches!(entry, Entry::Item(item) if item.key.text == key && fits(&item.value));
+    let at = entries.iter().position(is_it)?;
+    if let Entry::Item(item) = entries.remove(at) { Some(item.value) } else { None }
 }
 
 fn entries(table: &DeTable<'_>) -> Vec<Entry> {
@@ -98,24 +90,17 @@ fn word(key: &Spanned<DeString<'_>>) -> Word {
 
 fn read_value(key: &str, value: &Spanned<DeValue<'_>>) -> Value {
     let place = Place::Text(value.span());
-    let number = |text: String| {
-        let special = match text.trim_start_matches(['+', '-']) {
-            "inf" => Some(f64::INFINITY),
-            "nan" => Some(f64::NAN),
-            _ => None,
-        };
-        let value = special.map(|value| if text.starts_with('-') { -value } else { value });
-        match value {
-            Some(value) => Kind::Number(Number { text, value, unit: String::new(), radix: None, detached: false }),
-            None => literal::number(&text).map_or(Kind::Other("a number out of reach"), Kind::Number),
-        }
+    let number = |text: &str| {
+        // Infinities and what is no number have no digits.
+        let special = || text.parse().ok().map(|value| Number::plain(text, value));
+        literal::number(text).or_else(special).map_or(Kind::Other("a number out of reach"), Kind::Number)
     };
     let kind = match value.get_ref() {
         // Names are strings; everything else that stands in a string has a form of its own.
         DeValue::String(text) if matches!(key, "name" | "bone" | "other_eye") => Kind::Text(text.to_string()),
         DeValue::String(text) => literal::word(text, &place),
-        DeValue::Integer(integer) => number(integer.to_string()),
-        DeValue::Float(float) => number(float.as_str().to_owned()),
+        DeValue::Integer(integer) => number(&integer.to_string()),
+        DeValue::Float(float) => number(float.as_str()),
         DeValue::Boolean(flag) => Kind::Bool(*flag),
         DeValue::Datetime(_) => Kind::Other("a date"),
         DeValue::Array(values) => Kind::List(values.iter().map(|value| read_value(key, value)).collect()),

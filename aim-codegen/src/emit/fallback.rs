@@ -1,36 +1,33 @@
 //! What a faulty declaration expands to beside its errors: just enough that nothing else is reported.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens, quote};
 use syn::{Data, DeriveInput};
 
-use super::input;
+use super::rust::{Item, conversions, pose};
+use crate::declare::parse::item;
 
 /// Implements for the item, whatever it is, what the derive would have: the user then reads the errors of the
 /// declaration, and not that `Thug` has no `RIG`.
 pub fn fallback(input: &DeriveInput) -> TokenStream {
-    let krate = input::crate_override(input).unwrap_or_else(|| quote!(::aim));
-    let private = quote!(#krate::__private);
-    let name = &input.ident;
-    let (generics, arguments, clause) = input.generics.split_for_impl();
     // As many joints as fields: a correct use of a wrong declaration is no mistake of its own.
-    let joints = Literal::usize_unsuffixed(match &input.data {
-        Data::Struct(data) => data.fields.len(),
-        Data::Enum(_) | Data::Union(_) => 0,
-    });
-    // It never runs, as the errors beside it keep it from being compiled; but it must not warn either.
-    let body = quote!({ ::core::unreachable!() });
-    let f32 = quote!(::core::primitive::f32);
-    let usize = quote!(::core::primitive::usize);
-    let name_of = quote!(::core::option::Option<&::core::primitive::str>);
-    let pose = format_ident!("{name}Pose");
-    let vis = &input.vis;
-    let fields: Vec<&syn::Ident> = match &input.data {
-        Data::Struct(data) => data.fields.iter().filter_map(|field| field.ident.as_ref()).collect(),
+    let fields: Vec<syn::Ident> = match &input.data {
+        Data::Struct(data) => data.fields.iter().filter_map(|field| field.ident.clone()).collect(),
         Data::Enum(_) | Data::Union(_) => Vec::new(),
     };
-    // A parameter that no field has is an error of its own.
-    let no_fields = fields.is_empty().then(|| quote!(__values: ::core::marker::PhantomData<__T>,));
+    let count = if let Data::Struct(data) = &input.data { data.fields.len() } else { 0 };
+    let joints = Literal::usize_unsuffixed(count);
+    let krate = item::crate_override(input).unwrap_or_else(|| quote!(::aim));
+    let private = quote!(#krate::__private);
+    let item = Item { name: input.ident.clone(), fields, vis: input.vis.to_token_stream(), krate };
+    // Without fields, its parameter would be an error of its own.
+    let pose = (!item.fields.is_empty()).then(|| [pose(&item), conversions(&item)]).into_iter().flatten();
+    let name = &input.ident;
+    let (generics, arguments, clause) = input.generics.split_for_impl();
+    // It never runs, as the errors beside it keep it from being compiled; but it must not warn either.
+    let body = quote!({ ::core::unreachable!() });
+    let [f32, usize] = [quote!(::core::primitive::f32), quote!(::core::primitive::usize)];
+    let name_of = quote!(::core::option::Option<&::core::primitive::str>);
     // Generic rigs, which are an error, live as long as their parameters.
     let is_static = input.generics.params.is_empty();
     let aim_rig = is_static.then(|| {
@@ -45,21 +42,7 @@ pub fn fallback(input: &DeriveInput) -> TokenStream {
         }
     });
     quote! {
-        #[doc(hidden)]
-        #[allow(dead_code)]
-        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
-        #vis struct #pose<__T = #private::Affine3A> {
-            #(#vis #fields: __T,)*
-            #no_fields
-        }
-        #[automatically_derived]
-        impl<__T> ::core::convert::From<#pose<__T>> for [__T; #joints] {
-            fn from(_: #pose<__T>) -> Self #body
-        }
-        #[automatically_derived]
-        impl<__T> ::core::convert::From<[__T; #joints]> for #pose<__T> {
-            fn from(_: [__T; #joints]) -> Self #body
-        }
+        #(#pose)*
         #[automatically_derived]
         impl #generics #private::Rig for #name #arguments #clause {
             fn description(&self) -> #private::Description<'_> #body

@@ -4,9 +4,9 @@ use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use syn::{Data, DeriveInput, Fields, Meta};
 
-use super::place::Place;
 use super::tokens::{entries, word_of};
-use super::tree::{Attribute, Entry, ItemFacts, Joint, Kind, Notation, Rig, Section, Value, Word};
+use crate::declare::place::Place;
+use crate::declare::tree::{Attribute, Entry, ItemFacts, Joint, Kind, Notation, Rig, Section, Value, Word};
 
 /// Reads the whole input.
 pub(crate) fn read(input: &DeriveInput) -> Rig {
@@ -37,7 +37,7 @@ pub(crate) fn read(input: &DeriveInput) -> Rig {
     Rig {
         notation: Notation::Rust,
         name: Some(name_of(&input.ident)),
-        section: read_section(&input.attrs, "aim", &input.ident),
+        section: read_section(&input.attrs, "aim", input.ident.span()),
         joints,
         item,
     }
@@ -45,7 +45,7 @@ pub(crate) fn read(input: &DeriveInput) -> Rig {
 
 /// The path of `crate = …`, whatever else is wrong.
 pub(crate) fn crate_override(input: &DeriveInput) -> Option<TokenStream> {
-    let section = read_section(&input.attrs, "aim", &input.ident);
+    let section = read_section(&input.attrs, "aim", input.ident.span());
     section.entries.into_iter().find_map(|entry| match entry {
         Entry::Item(item) if item.key.text == "crate" => match item.value.kind {
             Kind::Path(path) => Some(path),
@@ -66,8 +66,7 @@ fn read_joint(field: &syn::Field, item: &mut ItemFacts) -> Joint {
     }
     let name = field.ident.as_ref();
     // Fields of a named struct have names; a call site span is only what keeps this total.
-    let fallback = proc_macro2::Ident::new("_joint", Span::call_site());
-    let section = read_section(&field.attrs, "joint", name.unwrap_or(&fallback));
+    let section = read_section(&field.attrs, "joint", name.map_or_else(Span::call_site, syn::Ident::span));
     if let (Some(name), false) = (name, section.attributes.is_empty()) {
         if !may_be_joint(&field.ty) {
             let text = field.ty.to_token_stream().to_string();
@@ -83,36 +82,8 @@ fn read_joint(field: &syn::Field, item: &mut ItemFacts) -> Joint {
 /// Whether a type may be `Joint`, as far as tokens tell: a path of any name may be an alias of it, but for those of
 /// numbers and the like, which nobody gives to another type.
 fn may_be_joint(found: &syn::Type) -> bool {
-    const OTHERS: [&str; 28] = [
-        "bool",
-        "char",
-        "str",
-        "String",
-        "f32",
-        "f64",
-        "i8",
-        "i16",
-        "i32",
-        "i64",
-        "i128",
-        "isize",
-        "u8",
-        "u16",
-        "u32",
-        "u64",
-        "u128",
-        "usize",
-        "Vec2",
-        "Vec3",
-        "Vec3A",
-        "Vec4",
-        "Quat",
-        "Mat3",
-        "Mat4",
-        "Affine3A",
-        "Transform",
-        "Entity",
-    ];
+    const OTHERS: &str = "bool char str String f32 f64 i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize \
+                          Vec2 Vec3 Vec3A Vec4 Quat Mat3 Mat4 Affine3A Transform Entity";
     match found {
         syn::Type::Group(group) => may_be_joint(&group.elem),
         syn::Type::Paren(paren) => may_be_joint(&paren.elem),
@@ -121,14 +92,14 @@ fn may_be_joint(found: &syn::Type) -> bool {
             .path
             .segments
             .last()
-            .is_some_and(|last| last.arguments.is_none() && !OTHERS.iter().any(|other| last.ident == other)),
+            .is_some_and(|last| last.arguments.is_none() && !OTHERS.split(' ').any(|other| last.ident == other)),
         _ => false,
     }
 }
 
-fn read_section(attributes: &[syn::Attribute], name: &str, owner: &syn::Ident) -> Section {
+fn read_section(attributes: &[syn::Attribute], name: &str, owner: Span) -> Section {
     let ours = attributes.iter().filter(|attribute| attribute.path().is_ident(name));
-    let mut section = Section { place: Place::span(owner.span()), attributes: Vec::new(), entries: Vec::new() };
+    let mut section = Section { place: Place::span(owner), attributes: Vec::new(), entries: Vec::new() };
     for attribute in ours {
         let place = Place::of(attribute.path());
         let list = match &attribute.meta {

@@ -3,8 +3,8 @@
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 
 use super::literal;
-use super::place::Place;
-use super::tree::{Entry, Item, Kind, Value, Word};
+use crate::declare::place::Place;
+use crate::declare::tree::{Entry, Item, Kind, Value, Word};
 
 /// The entries of `#[attribute(…)]`'s tokens.
 pub(crate) fn entries(tokens: TokenStream) -> Vec<Entry> {

@@ -1,7 +1,7 @@
 //! Literals by their text alone: numbers with a unit, and the words of TOML strings.
 
-use super::place::Place;
-use super::tree::{Kind, Number, Value};
+use crate::declare::place::Place;
+use crate::declare::tree::{Kind, Number, Value};
 
 /// Reads a number with an optional sign and an optional unit behind it; `None` if it does not start like one.
 pub(crate) fn number(text: &str) -> Option<Number> {
@@ -17,20 +17,14 @@ pub(crate) fn number(text: &str) -> Option<Number> {
         _ => None,
     };
     if radix.is_some() {
-        let (text, unit) = (text.to_owned(), String::new());
-        return Some(Number { text, value: f64::NAN, unit, radix, detached: false });
+        return Some(Number { radix, ..Number::plain(text, f64::NAN) });
     }
     let end = digits_end(unsigned)?;
     let (digits, rest) = unsigned.split_at(end);
     let unit = rest.trim_start();
     let value: f64 = digits.replace('_', "").parse().ok()?;
-    Some(Number {
-        text: text.to_owned(),
-        value: if negative { -value } else { value },
-        unit: unit.to_owned(),
-        radix: None,
-        detached: unit.len() < rest.len(),
-    })
+    let value = if negative { -value } else { value };
+    Some(Number { unit: unit.to_owned(), detached: unit.len() < rest.len(), ..Number::plain(text, value) })
 }
 
 /// Where the digits, the fraction and the exponent end and the unit starts.
@@ -78,7 +72,8 @@ pub(crate) fn word(text: &str, place: &Place) -> Kind {
     if is_word(trimmed) { Kind::Word(trimmed.to_owned()) } else { Kind::Text(text.to_owned()) }
 }
 
-fn is_word(text: &str) -> bool {
+/// Whether it has the form of an identifier, in any script.
+pub(crate) fn is_word(text: &str) -> bool {
     text.starts_with(|c: char| c.is_alphabetic() || c == '_') && text.chars().all(|c| c.is_alphanumeric() || c == '_')
 }
 

@@ -1,0 +1,56 @@
+//! The keys of each group of settings, with what the value of each has to be.
+
+use crate::declare::report::expected::Expected;
+
+/// A known key and what its value has to be.
+pub(crate) type Key = (&'static str, Expected);
+
+/// What a rig may say; `crate` in a macro only, `joint` in TOML only.
+pub(super) const RIG_KEYS: &[Key] = &[
+    ("axes", Expected::AXES),
+    ("handedness", Expected::SIDE),
+    ("effector", Expected::EFFECTOR),
+    ("natural", Expected::NATURAL),
+    ("kernels", Expected::KERNELS),
+    ("crate", Expected::PATH),
+    ("joint", Expected::JOINTS),
+];
+
+/// What a joint may say.
+pub(super) const JOINT_KEYS: &[Key] = &[
+    ("role", Expected::ROLE),
+    ("heading", Expected::HEADING_RANGE),
+    ("pitch", Expected::ANGLE_RANGE),
+    ("rate", Expected::RATE),
+    ("acceleration", Expected::ACCELERATION),
+    ("stiffness", Expected::NUMBER),
+    ("upright", Expected::NUMBER),
+    ("pitch_taper", Expected::NUMBER),
+    ("limits_from", Expected::LIMITS_FROM),
+    ("bone", Expected::NODE_NAMES),
+    ("other_eye", Expected::NODE_NAME),
+    ("axes", Expected::AXES),
+    ("mirrored", Expected::FLAG),
+];
+
+/// What `effector` may say.
+pub(super) const EFFECTOR_KEYS: &[Key] = &[("forward", Expected::DIRECTION), ("origin", Expected::POINT)];
+
+/// What `natural` may say.
+pub(super) const NATURAL_KEYS: &[Key] = &[
+    ("eyes_only", Expected::ANGLE),
+    ("head_share", Expected::NUMBER),
+    ("engage", Expected::ANGLE),
+    ("release", Expected::ANGLE),
+    ("delay", Expected::SECONDS),
+];
+
+/// What `axes` may say; each direction is followed by its opposite.
+pub(super) const AXES_KEYS: [Key; 6] = [
+    ("up", Expected::DIRECTION),
+    ("down", Expected::DIRECTION),
+    ("forward", Expected::DIRECTION),
+    ("back", Expected::DIRECTION),
+    ("left", Expected::DIRECTION),
+    ("right", Expected::DIRECTION),
+];

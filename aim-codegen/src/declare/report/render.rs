@@ -1,0 +1,74 @@
+//! Renders diagnostics for a terminal, in the shape compilers have made familiar. Plain text, no colours.
+
+use core::fmt::{self, Write};
+use core::ops::Range;
+
+use super::diagnostics::{Diagnostics, Source};
+use crate::declare::place::Place;
+
+/// How much of a line is shown before a place, and from it on, characters.
+const LONGEST: usize = 200;
+
+impl Diagnostics {
+    /// The errors as a compiler prints them, separated by empty lines: message, file, line and column, the line itself,
+    /// help. Ends with a newline.
+    pub fn render(&self) -> String {
+        let source = self.source.as_ref();
+        let mut out = String::new();
+        for diagnostic in self {
+            if !out.is_empty() {
+                out.push('\n');
+            }
+            // Writing to a string cannot fail.
+            let _ = writeln!(out, "error: {}", diagnostic.message());
+            let gutter = match (source, diagnostic.place()) {
+                (Some(source), Place::Text(range)) => snippet(&mut out, source, range),
+                _ => 1,
+            };
+            let help = diagnostic.help().replace('\n', &format!("\n{:gutter$}           ", ""));
+            let _ = writeln!(out, "{:gutter$} = help: {help}", "");
+            if let (Some((note, Place::Text(range))), Some(source)) = (diagnostic.note(), source) {
+                let _ = writeln!(out, "note: {note}");
+                snippet(&mut out, source, range);
+            }
+        }
+        out
+    }
+}
+
+impl fmt::Display for Diagnostics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.render())
+    }
+}
+
+impl core::error::Error for Diagnostics {}
+
+/// Writes ` --> file:line:column` and the underlined line; returns the gutter's width.
+fn snippet(out: &mut String, source: &Source, range: &Range<usize>) -> usize {
+    let (start, text) = line_at(&source.text, range.start);
+    let line = source.text[..start].matches('\n').count() + 1;
+    let column = source.text[start..].char_indices().take_while(|(at, _)| start + at < range.start).count() + 1;
+    let gutter = line.to_string().len();
+    let from = range.start.saturating_sub(start).min(text.len());
+    let to = range.end.saturating_sub(start).clamp(from, text.len());
+    let width = text.get(from..to).map_or(1, |part| part.chars().count()).clamp(1, LONGEST);
+    // Of a line longer than any screen what is around the place.
+    let skipped = (column - 1).saturating_sub(LONGEST);
+    let indent = column - 1 - skipped;
+    // Tabs become one space each, so that the underline stands below its text whatever the terminal's tab width.
+    let shown = text.chars().skip(skipped).take(indent + LONGEST).collect::<String>().replace('\t', " ");
+    let _ = writeln!(out, "{:gutter$}--> {}:{line}:{column}", "", source.name);
+    let _ = writeln!(out, "{:gutter$} |", "");
+    let _ = writeln!(out, "{line} | {shown}");
+    let _ = writeln!(out, "{:gutter$} | {}{}", "", " ".repeat(indent), "^".repeat(width));
+    gutter
+}
+
+/// Where the line of this byte starts, and its text without its end.
+fn line_at(text: &str, offset: usize) -> (usize, &str) {
+    let before = text.bytes().take(offset).rposition(|byte| byte == b'\n');
+    let start = before.map_or(0, |at| at + 1);
+    let line = text[start..].lines().next().unwrap_or_default();
+    (start, line.trim_end_matches('\r'))
+}

@@ -1,0 +1,49 @@
+//! [`Text`] of an error, and what the messages of declarations and of `#[differentiate]` share.
+
+use core::fmt::Display;
+
+use crate::names::nearest;
+
+/// An error's message and what to do about it.
+#[derive(Clone, Debug)]
+pub(crate) struct Text {
+    pub(crate) message: String,
+    pub(crate) help: String,
+}
+
+impl Text {
+    pub(crate) fn new(message: impl Display, help: impl Display) -> Self {
+        Self { message: message.to_string(), help: help.to_string() }
+    }
+}
+
+/// Messages as functions of what they name:
+/// `name(argument: Type, …) where variable = expression, … => message, help;`, the last two as formats.
+macro_rules! messages {
+    ($(
+        $(#[$attribute:meta])*
+        $name:ident($($argument:ident: $type:ty),*) $(where $($variable:pat_param = $value:expr),+)? =>
+            $message:literal, $help:literal;
+    )*) => {$(
+        $(#[$attribute])*
+        pub(crate) fn $name($($argument: $type),*) -> $crate::declare::report::text::Text {
+            $($(let $variable = $value;)+)?
+            $crate::declare::report::text::Text::new(format_args!($message), format_args!($help))
+        }
+    )*};
+}
+pub(crate) use messages;
+
+messages! {
+    no_comma(key: &str, things: &str) => "expected `,` before `{key}`", "put a comma between two {things}";
+}
+
+/// Names in backquotes, with commas between them.
+pub(crate) fn list(names: &[&str]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
+/// The help for an unknown name: the known one that was probably meant, or else `otherwise`.
+pub(crate) fn did_you_mean(name: &str, known: &[&str], otherwise: impl FnOnce() -> String) -> String {
+    nearest(name, known).map_or_else(otherwise, |nearest| format!("did you mean `{nearest}`?"))
+}

@@ -1,0 +1,105 @@
+//! [`Function`]: an entry of the tables of what can be called.
+
+use crate::declare::report::Report;
+use crate::declare::report::text::Text;
+use crate::declare::tree::Notation;
+use crate::differentiate::lower::Translation;
+use crate::differentiate::lower::algebra::Algebra;
+use crate::differentiate::lower::value::Value;
+
+/// Why a call came to nothing.
+pub(in crate::differentiate::lower) enum Fault {
+    /// The arguments are of other kinds.
+    Arguments,
+    /// They are wrong in another way.
+    Text(Text),
+}
+
+impl From<Text> for Fault {
+    fn from(text: Text) -> Self {
+        Self::Text(text)
+    }
+}
+
+/// A function, and the kinds of values that it takes.
+pub(in crate::differentiate::lower) struct Function {
+    pub(in crate::differentiate::lower) name: &'static str,
+    pub(super) takes: &'static [&'static str],
+    pub(super) make: fn(&mut Algebra, &[Value]) -> Result<Value, Fault>,
+}
+
+impl Function {
+    pub(super) fn call(&self, a: &mut Algebra, arguments: &[Value]) -> Result<Value, Fault> {
+        (self.make)(a, arguments)
+    }
+
+    /// Its arguments in words; those of a method stand without the receiver.
+    pub(in crate::differentiate::lower) fn takes(&self, of_a_method: bool) -> String {
+        let takes = &self.takes[usize::from(of_a_method)..];
+        if takes.is_empty() {
+            return "nothing".into();
+        }
+        takes.iter().map(|kind| words(kind)).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// A variant of [`Value`] in words.
+fn words(kind: &str) -> &'static str {
+    match kind {
+        "Scalar" => "a number",
+        "Truth" => "a condition",
+        "Planar" => "a vector of two",
+        "Vector" => "a vector",
+        "Quaternion" => "a quaternion",
+        "Matrix" => "a matrix",
+        "Affine" => "a transform",
+        "Tuple" => "a tuple",
+        _ => "an array",
+    }
+}
+
+/// The value of an expression of the language that is translated.
+pub(super) fn evaluate(a: &mut Algebra, formula: &str, names: &[&str], values: &[Value]) -> Value {
+    let names = names.iter().zip(values).map(|(&name, value)| (name.to_owned(), value.clone())).collect();
+    let mut report = Report::new(Notation::Rust);
+    let expression = syn::parse_str(formula);
+    let value = expression.map_or(Value::Unknown, |it| Translation::new(a, &mut report, names).expression(&it));
+    debug_assert!(report.is_empty() && !value.is_unknown(), "`{formula}` has a value");
+    value
+}
+
+/// Entries of a table, of arguments whose kinds are variants of [`Value`]: `name(argument: Kind, …) -> Kind { body }`, or
+/// `name(argument: Kind, …) = expression;` in the language that is translated.
+macro_rules! functions {
+    ($(#[$doc:meta])* $table:ident($a:ident):
+        $( $name:ident ($($argument:ident : $kind:ident),*) $(-> $result:ident $body:block)? $(= $formula:expr;)? )*
+    ) => {
+        $(#[$doc])*
+        pub(super) const $table: &[$crate::differentiate::lower::methods::function::Function] = &[$(
+            $crate::differentiate::lower::methods::function::Function {
+                name: stringify!($name),
+                takes: &[$(stringify!($kind)),*],
+                make: |$a, arguments| {
+                    let _ = &$a;
+                    match arguments {
+                        functions!(@pattern [$($argument: $kind),*] $($result)?) => {
+                            Ok(functions!(@value $a arguments [$($argument),*] $($result $body)? $($formula)?))
+                        }
+                        _ => Err($crate::differentiate::lower::methods::function::Fault::Arguments),
+                    }
+                },
+            },
+        )*];
+    };
+    (@pattern [$($argument:ident: $kind:ident),*] $result:ident) => { [$(Value::$kind($argument)),*] };
+    (@pattern [$($argument:ident: $kind:ident),*]) => { [$(Value::$kind(_)),*] };
+    (@value $a:ident $arguments:ident [$($argument:ident),*] $result:ident $body:block) => {{
+        $( let $argument = Clone::clone($argument); )*
+        Value::$result($body)
+    }};
+    (@value $a:ident $arguments:ident [$($argument:ident),*] $formula:expr) => {{
+        let names = &[$(stringify!($argument)),*];
+        $crate::differentiate::lower::methods::function::evaluate($a, stringify!($formula), names, $arguments)
+    }};
+}
+pub(super) use functions;
