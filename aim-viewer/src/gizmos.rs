@@ -2,7 +2,7 @@
 
 use std::f32::consts::PI;
 
-use aim_codegen::AngleRange;
+use aim_character::range_in_frame;
 use aim_gltf::AimedFrame;
 use aim_runtime::{Solver, Status};
 use glam::{DAffine3, DVec3, Quat, Vec3};
@@ -190,9 +190,8 @@ impl Stage {
             let joint = &self.tuning.spec.joints[at];
             let [up, forward, left] = [joint.frame.up, joint.frame.forward, joint.frame.left].map(direction);
             let unturned = unturned(&frame.world[node], correction);
-            let led = frame.joints[at].led.map_or([0.0; 2], |led| led.map(single));
-            let heading = range(joint.heading, led[0]);
-            let pitch = range(joint.pitch, led[1]);
+            let ends = |ends: [f64; 2]| ends.map(|end| single(end).clamp(-PI, PI));
+            let [heading, pitch] = range_in_frame(joint, &frame.joints[at]).map(ends);
             let apex = frame.world[node].translation.as_vec3() + actor.shift;
             let point = |[heading, pitch]: [f32; 2]| {
                 let ((sh, ch), (sp, cp)) = (heading.sin_cos(), pitch.sin_cos());
@@ -217,15 +216,6 @@ fn direction(v: [f64; 3]) -> Vec3 {
 fn unturned(world: &DAffine3, correction: Quat) -> impl Fn(Vec3) -> Vec3 {
     let (world, back) = (*world, correction.inverse());
     move |v| world.transform_vector3((back * v).as_dvec3()).as_vec3().normalize_or_zero()
-}
-
-/// An angle's ends, radians, as counted from the animation; an angle that is not there stays at 0.
-fn range(range: Option<AngleRange>, led: f32) -> [f32; 2] {
-    match range {
-        Some(AngleRange::Between(lo, hi)) => [single(lo) - led, single(hi) - led],
-        Some(AngleRange::Free) => [-PI, PI],
-        None => [0.0; 2],
-    }
 }
 
 /// Points around a box of heading × pitch, in order.
