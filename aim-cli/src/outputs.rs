@@ -16,9 +16,10 @@ pub(crate) struct Outputs {
 }
 
 impl Outputs {
-    /// Starts with files that are read, each with its name in messages: nothing may be written over them.
-    pub(crate) fn reading<'a>(inputs: impl IntoIterator<Item = (&'a Path, &'a str)>) -> Self {
-        Self { taken: inputs.into_iter().map(|(path, what)| (place(path), what.to_owned())).collect() }
+    /// Starts with files that are read, if given, each with its name in messages: nothing may be written over them.
+    pub(crate) fn reading<'a>(inputs: impl IntoIterator<Item = (Option<&'a PathBuf>, &'a str)>) -> Self {
+        let taken = inputs.into_iter().filter_map(|(path, what)| Some((place(path?), what.to_owned())));
+        Self { taken: taken.collect() }
     }
 
     /// Adds the files that a model refers to.

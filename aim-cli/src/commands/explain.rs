@@ -16,7 +16,7 @@ pub(super) fn run(arguments: &args::Explain) -> Result {
     let paper = paper(arguments)?;
     let spec = files::load_rig(&arguments.rig)?;
     if let Some(path) = &arguments.output {
-        Outputs::reading([(arguments.rig.as_path(), "the rig itself")]).writes(path, "-o")?;
+        Outputs::reading([(Some(&arguments.rig), "the rig itself")]).writes(path, "-o")?;
     }
     let kernels = kernels(&spec);
     let verdicts = verdicts(&spec, &kernels, arguments.samples);

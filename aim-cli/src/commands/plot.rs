@@ -14,7 +14,7 @@ pub(super) fn run(arguments: &args::Plot) -> Result {
         _ => return Err(Failure::in_file(&arguments.output, "is neither .svg nor .png; give -o one of these endings")),
     };
     let spec = files::load_rig(&arguments.rig)?;
-    Outputs::reading([(arguments.rig.as_path(), "the rig itself")]).writes(&arguments.output, "-o")?;
+    Outputs::reading([(Some(&arguments.rig), "the rig itself")]).writes(&arguments.output, "-o")?;
     let fail = |problem| Failure::in_file(&arguments.rig, problem);
     let target = arguments.target.map(|point| point.0);
     let subject = JointPlot::new(&spec, arguments.joint.as_deref(), target).map_err(fail)?;
