@@ -9,7 +9,7 @@ use glam::{DAffine3, DVec3, Quat, Vec3};
 
 use crate::camera::Camera;
 use crate::character::Character;
-use crate::picture::{Ball, Colour, Fan, Figure, Ground, Picture, Rod};
+use crate::picture::{Colour, Fan, Figure, Ground, Picture, Rod};
 use crate::stage::{Actor, Stage};
 
 /// Parts of the scene that are shown.
@@ -97,7 +97,6 @@ impl Stage {
             surface: character.surface.clone(),
             figures: Vec::new(),
             rods: Vec::new(),
-            balls: Vec::new(),
             fans: Vec::new(),
             ground: Ground { centre: character.floor, up, radius: 6.0 * metre, step: 0.5 * metre },
             dark: shown.dark,
@@ -130,7 +129,8 @@ impl Stage {
         let metre = self.character.metre();
         picture.figures.push(self.figure(frame, actor.shift));
         let target = self.target_now() + actor.shift;
-        picture.balls.push(Ball { centre: target, radius: TARGET * metre, colour: VERMILION });
+        let (radius, colour) = (TARGET * metre, VERMILION);
+        picture.rods.push(Rod { from: target, to: target, radius, colour, is_lit: true, in_front: false });
         if shown.gaze {
             self.show_gaze(picture, frame, actor.shift);
         }
@@ -140,7 +140,7 @@ impl Stage {
                 to: b.target + actor.shift,
                 radius: TRAIL * metre,
                 colour: [213, 94, 0, 120],
-                in_front: false,
+                ..Rod::default()
             };
             let (before, after) = (self.memory.iter(), self.memory.iter().skip(1));
             let moved = before.zip(after).filter(|(a, b)| a.target.distance(b.target) > 1e-4 * metre);
@@ -161,7 +161,7 @@ impl Stage {
         let target = frame.target.as_vec3();
         picture.rods.extend(self.gazes(frame).into_iter().map(|[from, direction]| {
             let to = from + direction * from.distance(target);
-            Rod { from: from + shift, to: to + shift, radius, colour, in_front: false }
+            Rod { from: from + shift, to: to + shift, radius, colour, ..Rod::default() }
         }));
     }
 
@@ -177,7 +177,7 @@ impl Stage {
             for (axis, colour) in DVec3::AXES.into_iter().zip(AXES) {
                 let direction = at.transform_vector3(axis).as_vec3().normalize_or_zero();
                 let to = from + direction * (length * metre);
-                picture.rods.push(Rod { from, to, radius: radius * metre, colour, in_front: true });
+                picture.rods.push(Rod { from, to, radius: radius * metre, colour, is_lit: false, in_front: true });
             }
         }
     }
