@@ -1,10 +1,22 @@
 //! What the derivation was held against, and what it costs.
 
+use aim_codegen::{Kernel, RigSpec};
+
 use super::document::{Block, Inline, Kind, Section, Table, code, text};
-use super::{Explained, counted};
-use crate::commands::check::{TOLERANCE_F32, TOLERANCE_F64};
-use crate::commands::count::{Row, numbers};
-use crate::words::scientific;
+use crate::commands::check::{TOLERANCE_F32, TOLERANCE_F64, Verdict};
+use crate::commands::count::{Counts, Row, numbers};
+use crate::words::{counted, scientific};
+
+/// Subject of a document: all of it belongs to one rig.
+pub(crate) struct Explained<'a> {
+    pub(crate) spec: &'a RigSpec,
+    pub(crate) kernels: &'a [Kernel],
+    pub(crate) counts: &'a Counts,
+    /// Results of comparing the derived programs with central differences.
+    pub(crate) verdicts: &'a [Verdict],
+    /// Number of poses in that comparison.
+    pub(crate) samples: u32,
+}
 
 /// The comparison with central differences.
 pub(super) fn section(subject: &Explained<'_>) -> Section {

@@ -3,8 +3,7 @@
 use aim_symbolic::print::{Formula, Sign, mathml};
 use maud::{Markup, PreEscaped, html};
 
-use super::document::{Block, Equation, Explanation, Inline, Kind, Rewriting, Section, Table};
-use super::drawing::{Arrow, Drawing, Ink};
+use super::document::{Arrow, Block, Drawing, Equation, Explanation, Ink, Inline, Kind, Rewriting, Section, Table};
 use crate::words::n;
 
 /// The page.

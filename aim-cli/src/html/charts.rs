@@ -5,9 +5,10 @@ use aim_codegen::AngleRange;
 use aim_runtime::Settings;
 use maud::{Markup, html};
 
-use super::chart::{Chart, Mark, Scale, Series};
+use super::chart::{Base, Mark, Scale, Series};
 use super::directions::Directions;
-use super::{BakePage, gaze};
+use super::gaze;
+use super::subject::BakePage;
 use crate::bake_report::{BakeReport, JointReport};
 use crate::words::{self, chip, shown, trimmed};
 
@@ -38,31 +39,6 @@ pub(super) fn all(subject: &BakePage<'_>) -> Markup {
             @if let Some(directions) = &directions { (gaze::charts(&base, directions)) }
             (roll(&base, report))
             @for k in 0..spec.joints.len() { (angles(&base, subject, k)) }
-        }
-    }
-}
-
-/// Times and statuses that all charts of a page share.
-pub(super) struct Base<'a> {
-    pub(super) times: &'a [f64],
-    pub(super) statuses: &'a [&'a str],
-}
-
-impl<'a> Base<'a> {
-    pub(super) fn chart(&self, label: String, unit: &'static str, scale: Scale) -> Chart<'a> {
-        let (times, statuses) = (self.times, self.statuses);
-        Chart {
-            label,
-            unit,
-            wide: false,
-            times,
-            statuses,
-            scale,
-            wraps: None,
-            series: Vec::new(),
-            marks: Vec::new(),
-            bound: Vec::new(),
-            moments: &[],
         }
     }
 }

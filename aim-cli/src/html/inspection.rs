@@ -8,7 +8,7 @@ use maud::{Markup, html};
 
 use super::raster::{FADE, Paint, Raster};
 use super::scene::ends;
-use super::whole;
+use crate::page::report as report_page;
 use crate::projection::Projection;
 use crate::words::{n, points, segment};
 
@@ -52,7 +52,7 @@ pub(crate) fn page(inspected: &Inspected<'_>) -> String {
         }
         @if let Some(fit) = fit { (table(fit)) }
     };
-    whole(&title, &content)
+    report_page(&title, &content)
 }
 
 fn verdict(fit: &Fit<'_>, rig: &str) -> Markup {

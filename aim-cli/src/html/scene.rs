@@ -4,8 +4,8 @@ use aim_gltf::{AimedFrame, ChainNodes, Document, LimbNodes, Measurement, Role, S
 use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
-use super::BakePage;
 use super::raster::{FADE, Paint, Raster};
+use super::subject::BakePage;
 use crate::projection::Projection;
 use crate::words::{n, segment, span};
 

@@ -6,12 +6,12 @@ use aim_gltf::Goal;
 use glam::DVec3;
 use maud::{Markup, html};
 
-use super::chart::{Chart, Mark, Scale, Series};
-use super::charts::{Base, speeds};
+use super::chart::{Base, Chart, Mark, Scale, Series};
+use super::charts::speeds;
 use super::scene::ends;
 use super::summary::table;
 use super::takes::Takes;
-use super::whole;
+use crate::page::report as report_page;
 use crate::projection::Projection;
 use crate::reach_report::{ReachFrame, ReachReport};
 use crate::words::{chip, counted, n, points, shown, tiny, trimmed};
@@ -69,7 +69,7 @@ pub(crate) fn page(report: &ReachReport, goals: &[Goal], takes: &Takes<'_>) -> S
             (charts(report, takes))
         }
     };
-    whole(&title, &content)
+    report_page(&title, &content)
 }
 
 fn summary(report: &ReachReport) -> Markup {

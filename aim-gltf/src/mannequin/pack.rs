@@ -5,9 +5,8 @@ use std::sync::Arc;
 use glam::{DQuat, DVec3, Quat, Vec3};
 use serde_json::{Value, json};
 
-use super::Bone;
 use super::body::{MATERIALS, surfaces};
-use super::joints::Joint;
+use super::joints::{Bone, Joint};
 use super::shape::ShapeMesh;
 use super::walk;
 use crate::bake::continuous;
