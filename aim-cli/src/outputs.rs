@@ -48,7 +48,7 @@ impl Outputs {
     /// A file is one of the others, or `--out` has the ending of a text file.
     pub(crate) fn write_model(mut self, written: &Written, model: &Path) -> Result {
         let Written { out, report, html } = written;
-        if out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gltf")) {
+        if files::ending(out) == "gltf" {
             return Err(Failure::in_file(out, "would be a binary file; give --out a name that ends in .glb"));
         }
         if place(out) != place(model) {
