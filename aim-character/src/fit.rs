@@ -1,7 +1,7 @@
 //! Whether a declaration and a file agree: each joint's declared axes against those measured in the bind pose.
 
-use aim_codegen::{Frame, RigSpec};
-use aim_gltf::{BoneAxes, ChainNodes, Document, Handedness, Measurement, Role, SignedAxis, Skeleton};
+use aim_codegen::{Angles, Frame, JointSpec, RigSpec};
+use aim_gltf::{BoneAxes, ChainNodes, Document, Handedness, JointFrame, Measurement, Role, SignedAxis, Skeleton};
 use glam::DVec3;
 
 /// A declared direction this near to the measured one is right, degrees.
@@ -35,6 +35,13 @@ pub struct Fit<'a> {
     pub joints: Vec<JointFit<'a>>,
     /// What does not fit, a sentence each.
     pub problems: Vec<String>,
+}
+
+/// The ranges of heading and pitch in one frame, as added angles in radians: nothing where an angle is not declared,
+/// infinite where it is free. Whatever the animation does, 0 belongs to them.
+pub fn range_in_frame(joint: &JointSpec, at: &JointFrame) -> [[f64; 2]; 2] {
+    let range = joint.range_of_motion(at.led.map(|[heading, pitch]| Angles { heading, pitch }));
+    [range.heading.ends(), range.pitch_at(f64::from(at.heading)).ends()]
 }
 
 /// The nodes of a file that the joints of a rig are.

@@ -95,27 +95,17 @@ fn single(v: [f64; 3]) -> [f32; 3] {
 fn joint_info(joint: &JointSpec) -> JointInfo {
     let Frame { up, forward, left } = joint.frame;
     let axes = Axes { up: single(up), forward: single(forward), left: single(left) };
-    let range = |range: AngleRange| match range {
-        AngleRange::Between(lo, hi) => (lo as f32, hi as f32),
-        AngleRange::Free => (f32::NEG_INFINITY, f32::INFINITY),
-    };
-    let mut info = JointInfo::new(axes, joint.rate as f32).with_stiffness(joint.stiffness as f32);
-    if let Some((lo, hi)) = joint.heading.map(range) {
-        info = info.with_heading(lo, hi);
-    }
-    if let Some((lo, hi)) = joint.pitch.map(range) {
-        info = info.with_pitch(lo, hi);
-    }
-    if let Some(acceleration) = joint.acceleration {
-        info = info.with_acceleration(acceleration as f32);
-    }
-    if let Some(upright) = joint.upright {
-        info = info.with_upright(upright as f32);
-    }
-    if let Some(taper) = joint.pitch_taper {
-        info = info.with_pitch_taper(taper as f32);
-    }
-    info.with_role(joint.role).with_limits_from(joint.limits_from)
+    let range = |range: AngleRange| range.ends().map(|end| end as f32);
+    let mut info = JointInfo::new(axes, joint.rate as f32)
+        .with_stiffness(joint.stiffness as f32)
+        .with_role(joint.role)
+        .with_limits_from(joint.limits_from);
+    info.heading = joint.heading.map(range);
+    info.pitch = joint.pitch.map(range);
+    info.acceleration = joint.acceleration.map_or(f32::INFINITY, |acceleration| acceleration as f32);
+    info.upright = joint.upright.map(|upright| upright as f32);
+    info.pitch_taper = joint.pitch_taper.map_or(0.0, |taper| taper as f32);
+    info
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "declared numbers are stored in f32")]

@@ -32,41 +32,39 @@ impl Proposal {
 
 /// What a joint of some part does, degrees and degrees a second.
 struct Habit {
-    heading: Option<Turn>,
+    heading: Option<[f64; 2]>,
     pitch: Option<[f64; 2]>,
     rate: f64,
     stiffness: f64,
     why: &'static str,
 }
 
-enum Turn {
-    Between(f64, f64),
-    Free,
-}
+/// Without end.
+const FREE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 const EYE: Habit = Habit {
-    heading: Some(Turn::Between(-35.0, 35.0)),
+    heading: Some([-35.0, 35.0]),
     pitch: Some([-25.0, 20.0]),
     rate: 450.0,
     stiffness: 0.5,
     why: "eyes can turn by about 50 degrees but seldom pass 35; saccades peak at 400 to 700 deg/s",
 };
 const NECK: Habit = Habit {
-    heading: Some(Turn::Between(-60.0, 60.0)),
+    heading: Some([-60.0, 60.0]),
     pitch: Some([-40.0, 35.0]),
     rate: 170.0,
     stiffness: 1.0,
     why: "cervical spines turn by 70 to 80 degrees and bend by 45 to 60; heads follow a gaze at 100 to 300 deg/s",
 };
 const SPINE: Habit = Habit {
-    heading: Some(Turn::Between(-20.0, 20.0)),
+    heading: Some([-20.0, 20.0]),
     pitch: Some([-10.0, 10.0]),
     rate: 70.0,
     stiffness: 4.0,
     why: "thoracic spines turn by about 35 degrees in all; the trunk is the last to move and the slowest",
 };
 const BASE: Habit = Habit {
-    heading: Some(Turn::Free),
+    heading: Some(FREE),
     pitch: None,
     rate: 120.0,
     stiffness: 1.0,
@@ -80,7 +78,7 @@ const BARREL: Habit = Habit {
     why: "its name says that it is raised and lowered",
 };
 const HINGE: Habit = Habit {
-    heading: Some(Turn::Between(-45.0, 45.0)),
+    heading: Some([-45.0, 45.0]),
     pitch: Some([-45.0, 45.0]),
     rate: 90.0,
     stiffness: 2.0,
@@ -130,7 +128,7 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         if at == 0 {
             joint.other_eye = other_eye(measurement, bone).map(|eye| eye.name.clone());
             if let Some(range) = bone.role.and_then(|role| vrm_range(document, role)) {
-                [joint.heading, joint.pitch] = range.map(|[lo, hi]| Some(between(lo, hi)));
+                [joint.heading, joint.pitch] = range.map(|ends| Some(between(ends)));
                 why = "the range maps of the file's lookAt".into();
             }
         }
@@ -241,7 +239,7 @@ fn frame(bone: &BoneAxes) -> Frame {
     Frame { up: up.to_array(), forward: forward.to_array(), left: left.to_array() }
 }
 
-fn between(lo: f64, hi: f64) -> AngleRange {
+fn between([lo, hi]: [f64; 2]) -> AngleRange {
     // A share of a habit, or a file's single precision: thousandths of a degree are enough, and read well.
     let rounded = |degrees: f64| ((degrees * 1e3).round() / 1e3).to_radians();
     AngleRange::Between(rounded(lo), rounded(hi))
@@ -261,17 +259,14 @@ fn role(bone: &BoneAxes) -> aim_model::Role {
 }
 
 fn joint(name: String, habit: &Habit, bone: &BoneAxes, share: f64) -> JointSpec {
-    let heading = habit.heading.as_ref().map(|turn| match turn {
-        Turn::Between(lo, hi) => between(lo * share, hi * share),
-        Turn::Free => AngleRange::Free,
-    });
+    let range = |range: [f64; 2]| if range == FREE { AngleRange::Free } else { between(range.map(|end| end * share)) };
     JointSpec {
         name,
         role: role(bone),
         bones: vec![bone.name.clone()],
         frame: frame(bone),
-        pitch: habit.pitch.map(|[lo, hi]| between(lo * share, hi * share)),
-        heading,
+        pitch: habit.pitch.map(range),
+        heading: habit.heading.map(range),
         limits_from: LimitsFrom::Animation,
         rate: habit.rate.to_radians(),
         acceleration: None,

@@ -2,10 +2,14 @@
 
 use std::path::Path;
 
-use aim_codegen::{AngleRange, Angles, JointSpec, RigSpec};
+use aim_character::range_in_frame;
+use aim_codegen::{AngleRange, RigSpec};
 use aim_gltf::{AimedFrame, Baked, JointFrame};
 use aim_runtime::Status;
 use serde::Serialize;
+use serde_json::{Value, json};
+
+use crate::words::STATUSES;
 
 /// Content of `--report`. Angles are in degrees.
 #[derive(Debug, Serialize)]
@@ -14,17 +18,10 @@ pub(crate) struct BakeReport {
     pub(crate) solver: &'static str,
     pub(crate) clip: String,
     pub(crate) fps: f32,
-    pub(crate) effector: Effector,
+    /// Its bone, and its direction and point in that bone's local space.
+    effector: Value,
     pub(crate) frames: Vec<BakeFrame>,
     pub(crate) summary: BakeSummary,
-}
-
-/// The effector, in its bone's local space.
-#[derive(Debug, Serialize)]
-pub(crate) struct Effector {
-    bone: String,
-    forward: [f64; 3],
-    origin: [f64; 3],
 }
 
 #[derive(Debug, Serialize)]
@@ -40,7 +37,7 @@ pub(crate) struct BakeFrame {
     pub(crate) pair_error_deg: Option<f64>,
     pub(crate) status: &'static str,
     pub(crate) joints: Vec<JointReport>,
-    followers: Vec<Follower>,
+    followers: Vec<Value>,
 }
 
 #[derive(Debug, Serialize)]
@@ -50,11 +47,6 @@ pub(crate) struct JointReport {
     pub(crate) pitch_deg: f64,
     pub(crate) at_limit: bool,
     pub(crate) recovering: bool,
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct Follower {
-    bone: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -89,7 +81,7 @@ impl BakeReport {
         other_eye: Option<String>,
         baked: &Baked,
     ) -> Self {
-        let followers: Vec<Follower> = other_eye.into_iter().map(|bone| Follower { bone }).collect();
+        let followers: Vec<Value> = other_eye.iter().map(|bone| json!({ "bone": bone })).collect();
         let joint = |(joint, bone): (&JointFrame, &String)| JointReport {
             bone: bone.clone(),
             heading_deg: f64::from(joint.heading).to_degrees(),
@@ -113,32 +105,29 @@ impl BakeReport {
             solver,
             clip: baked.clip.name.clone(),
             fps,
-            effector: Effector { bone: bones[0].clone(), forward: effector.frame.forward, origin: effector.origin },
+            effector: json!({ "bone": bones[0], "forward": effector.frame.forward, "origin": effector.origin }),
             summary: BakeSummary::new(spec, baked),
             frames: frames.collect(),
         }
     }
 
+    /// The statuses that frames have, in the order of [`STATUSES`]: each with their number, and in words that follow it.
+    pub(crate) fn counts(&self) -> Vec<(&'static str, usize, &'static str)> {
+        let count = |word: &str| self.frames.iter().filter(|frame| frame.status == word).count();
+        let counts = STATUSES.iter().map(|(word, _, after, _)| (*word, count(word), *after));
+        counts.filter(|(_, frames, _)| *frames > 0).collect()
+    }
+
     /// The summary in words; `file` is what was written.
     pub(crate) fn in_words(&self, file: &Path) -> String {
-        let count = |status: &str| self.frames.iter().filter(|frame| frame.status == status).count();
         let BakeSummary { frames, reached, max_error_deg_reached, .. } = self.summary;
         let mut out = format!("wrote {}: {frames} frames of {:?} aimed by {}, ", file.display(), self.clip, self.rig);
         out += &match reached {
             0 => "none of them on target".to_owned(),
             _ => format!("{reached} of them on target (error at most {max_error_deg_reached:.3}°)"),
         };
-        let others = [
-            ("rate_limited", "on the way"),
-            ("at_limit", "out of reach"),
-            ("behind", "behind the character"),
-            ("degenerate", "without a direction"),
-        ];
-        for (status, words) in others {
-            let frames = count(status);
-            if frames > 0 {
-                out += &format!(", {frames} {words}");
-            }
+        for (_, frames, words) in self.counts().into_iter().filter(|(status, ..)| *status != "reached") {
+            out += &format!(", {frames} {words}");
         }
         out
     }
@@ -188,15 +177,8 @@ fn limit_violation(spec: &RigSpec, frames: &[AimedFrame]) -> f64 {
     let all = frames.iter().flat_map(|frame| spec.joints.iter().zip(&frame.joints));
     all.flat_map(|(joint, at)| {
         let angles = [at.heading, at.pitch].map(f64::from);
-        motion(joint, at).into_iter().zip(angles).map(|([lo, hi], angle)| (lo - angle).max(angle - hi))
+        range_in_frame(joint, at).into_iter().zip(angles).map(|([lo, hi], angle)| (lo - angle).max(angle - hi))
     })
     .fold(0.0, f64::max)
     .to_degrees()
-}
-
-/// The ranges of heading and pitch in one frame, as added angles in radians: nothing where an angle is not declared,
-/// infinite where it is free. Whatever the animation does, 0 belongs to them.
-pub(crate) fn motion(joint: &JointSpec, at: &JointFrame) -> [[f64; 2]; 2] {
-    let range = joint.range_of_motion(at.led.map(|[heading, pitch]| Angles { heading, pitch }));
-    [range.heading.ends(), range.pitch_at(f64::from(at.heading)).ends()]
 }

@@ -15,6 +15,11 @@ pub(crate) fn load_rig(path: &Path) -> Result<RigSpec> {
     Ok(aim_codegen::declare::from_toml(&path.display().to_string(), &text)?)
 }
 
+/// The ending of a file's name, in small letters.
+pub(crate) fn ending(path: &Path) -> String {
+    path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
+}
+
 /// Reads a glTF, GLB or VRM file.
 pub(crate) fn load_model(path: &Path) -> Result<Document> {
     Document::load(path).map_err(|error| Failure::input(error.in_file(path)))

@@ -10,31 +10,19 @@ mod inspection;
 mod raster;
 mod rig;
 mod scene;
+mod subject;
 mod summary;
 mod takes;
 #[cfg(test)]
 mod tests;
 mod trajectory;
 
-use aim_codegen::RigSpec;
-use aim_gltf::{Baked, Document, Measurement};
 use maud::{Markup, html};
 
-use crate::bake_report::BakeReport;
-
 pub(crate) use inspection::{Inspected, page as inspection_page};
+pub(crate) use subject::BakePage;
 pub(crate) use takes::Takes;
 pub(crate) use trajectory::page as trajectory_page;
-
-/// Subject of a page: `report` describes `baked`, which is `document` aimed by `spec`.
-pub(crate) struct BakePage<'a> {
-    pub(crate) spec: &'a RigSpec,
-    pub(crate) report: &'a BakeReport,
-    pub(crate) document: &'a Document,
-    /// Of the document.
-    pub(crate) measurement: &'a Measurement,
-    pub(crate) baked: &'a Baked,
-}
 
 /// The page about one bake.
 pub(crate) fn page(subject: &BakePage<'_>) -> String {
@@ -50,12 +38,7 @@ pub(crate) fn page(subject: &BakePage<'_>) -> String {
             (charts::all(subject))
         }
     };
-    whole(&title, &content)
-}
-
-/// A page in the style of reports.
-fn whole(title: &str, content: &Markup) -> String {
-    crate::page::page(title, include_str!("html/style.css"), content)
+    crate::page::report(&title, &content)
 }
 
 fn film(strip: Markup) -> Markup {

@@ -16,9 +16,10 @@ pub(crate) struct Outputs {
 }
 
 impl Outputs {
-    /// Starts with files that are read, each with its name in messages: nothing may be written over them.
-    pub(crate) fn reading<'a>(inputs: impl IntoIterator<Item = (&'a Path, &'a str)>) -> Self {
-        Self { taken: inputs.into_iter().map(|(path, what)| (place(path), what.to_owned())).collect() }
+    /// Starts with files that are read, if given, each with its name in messages: nothing may be written over them.
+    pub(crate) fn reading<'a>(inputs: impl IntoIterator<Item = (Option<&'a PathBuf>, &'a str)>) -> Self {
+        let taken = inputs.into_iter().filter_map(|(path, what)| Some((place(path?), what.to_owned())));
+        Self { taken: taken.collect() }
     }
 
     /// Adds the files that a model refers to.
@@ -47,7 +48,7 @@ impl Outputs {
     /// A file is one of the others, or `--out` has the ending of a text file.
     pub(crate) fn write_model(mut self, written: &Written, model: &Path) -> Result {
         let Written { out, report, html } = written;
-        if out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gltf")) {
+        if files::ending(out) == "gltf" {
             return Err(Failure::in_file(out, "would be a binary file; give --out a name that ends in .glb"));
         }
         if place(out) != place(model) {

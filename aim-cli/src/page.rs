@@ -3,6 +3,11 @@
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
+/// A page in the style of reports.
+pub(crate) fn report(title: &str, content: &Markup) -> String {
+    page(title, include_str!("html/style.css"), content)
+}
+
 /// A page with that title, style sheet and main content.
 pub(crate) fn page(title: &str, style: &str, content: &Markup) -> String {
     html! {

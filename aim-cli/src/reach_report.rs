@@ -5,6 +5,7 @@ use aim_runtime::ik::TwoBoneStatus;
 use aim_runtime::trajectory::Status;
 use glam::DVec3;
 use serde::Serialize;
+use serde_json::{Value, json};
 
 use crate::words::tiny;
 
@@ -17,7 +18,7 @@ pub(crate) struct ReachReport {
     pub(crate) fps: f32,
     pub(crate) length: f64,
     pub(crate) targets: Vec<TargetReport>,
-    pub(crate) trajectory: TrajectoryReport,
+    trajectory: Value,
     pub(crate) frames: Vec<ReachFrame>,
     pub(crate) summary: ReachSummary,
 }
@@ -29,14 +30,6 @@ pub(crate) struct TargetReport {
     pub(crate) aimed: [f64; 3],
     pub(crate) status: &'static str,
     pub(crate) error: f64,
-}
-
-#[derive(Debug, Serialize)]
-pub(crate) struct TrajectoryReport {
-    pub(crate) status: &'static str,
-    pub(crate) evaluations: usize,
-    pub(crate) gradient: f64,
-    pub(crate) distortion: f64,
 }
 
 #[derive(Debug, Serialize)]
@@ -123,17 +116,17 @@ impl ReachReport {
                 max_error: frames.iter().map(ReachFrame::error).fold(0.0, f64::max),
             },
             targets,
-            trajectory: TrajectoryReport {
-                status: match reached.outcome.status {
+            trajectory: json!({
+                "status": match reached.outcome.status {
                     Status::Met => "met",
                     Status::Unsettled => "unsettled",
                     Status::Missed => "missed",
                     Status::Degenerate => "degenerate",
                 },
-                evaluations: reached.outcome.evaluations,
-                gradient: reached.outcome.gradient,
-                distortion: reached.outcome.distortion * reached.length * reached.length,
-            },
+                "evaluations": reached.outcome.evaluations,
+                "gradient": reached.outcome.gradient,
+                "distortion": reached.outcome.distortion * reached.length * reached.length,
+            }),
             frames,
         }
     }

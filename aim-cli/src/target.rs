@@ -27,25 +27,21 @@ impl FromStr for TargetSpec {
 
     fn from_str(text: &str) -> std::result::Result<Self, String> {
         const EXPECTED: &str = "expected x,y,z · orbit:RADIUS,HEIGHT,SECONDS · node:NAME · file:PATH.csv";
-        if let Some(orbit) = text.strip_prefix("orbit:") {
-            let [radius, height, seconds] = three_numbers(orbit)
-                .ok_or("orbit: needs three numbers, such as orbit:2,0,8 (radius, height, seconds a turn)")?;
-            if radius <= 0.0 || seconds.abs() < 1e-6 {
-                return Err("orbit: needs a positive radius and a time for one turn that is not 0".into());
+        match text.split_once(':') {
+            Some(("orbit", orbit)) => {
+                let [radius, height, seconds] = three_numbers(orbit)
+                    .ok_or("orbit: needs three numbers, such as orbit:2,0,8 (radius, height, seconds a turn)")?;
+                if radius <= 0.0 || seconds.abs() < 1e-6 {
+                    return Err("orbit: needs a positive radius and a time for one turn that is not 0".into());
+                }
+                Ok(Self::Orbit { radius, height, seconds })
             }
-            return Ok(Self::Orbit { radius, height, seconds });
+            Some(("node", "")) => Err("node: needs a node's name".into()),
+            Some(("node", name)) => Ok(Self::Node(name.into())),
+            Some(("file", "")) => Err("file: needs the path of a CSV file".into()),
+            Some(("file", path)) => Ok(Self::File(path.into())),
+            _ => three_numbers(text).map(|p| Self::Point(DVec3::from_array(p))).ok_or_else(|| EXPECTED.into()),
         }
-        if let Some(name) = text.strip_prefix("node:") {
-            return if name.is_empty() { Err("node: needs a node's name".into()) } else { Ok(Self::Node(name.into())) };
-        }
-        if let Some(path) = text.strip_prefix("file:") {
-            return if path.is_empty() {
-                Err("file: needs the path of a CSV file".into())
-            } else {
-                Ok(Self::File(path.into()))
-            };
-        }
-        three_numbers(text).map(|p| Self::Point(DVec3::from_array(p))).ok_or_else(|| EXPECTED.into())
     }
 }
 

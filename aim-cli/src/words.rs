@@ -3,18 +3,19 @@
 use glam::DVec3;
 use maud::{Markup, html};
 
-/// Statuses in the order in which they are listed: the contract's word, ours, what it means.
-pub(crate) const STATUSES: [(&str, &str, &str); 5] = [
-    ("reached", "on target", "within the tolerance of the target"),
-    ("rate_limited", "on the way", "within reach as soon as the rates allow"),
-    ("at_limit", "out of reach", "beyond the ranges of motion"),
-    ("behind", "behind", "the target is behind the character"),
-    ("degenerate", "no direction", "the target or the pose has no direction to aim along"),
+/// Statuses in the order in which they are listed: the contract's word, ours, ours behind a number of frames, what it
+/// means.
+pub(crate) const STATUSES: [(&str, &str, &str, &str); 5] = [
+    ("reached", "on target", "on target", "within the tolerance of the target"),
+    ("rate_limited", "on the way", "on the way", "within reach as soon as the rates allow"),
+    ("at_limit", "out of reach", "out of reach", "beyond the ranges of motion"),
+    ("behind", "behind", "with the target behind the character", "the target is behind the character"),
+    ("degenerate", "no direction", "without a direction", "the target or the pose has no direction to aim along"),
 ];
 
 /// A status in our words; one that is not known in its own.
 pub(crate) fn status(word: &str) -> &str {
-    STATUSES.iter().find(|(own, ..)| *own == word).map_or(word, |(_, ours, _)| ours)
+    STATUSES.iter().find(|(own, ..)| *own == word).map_or(word, |(_, ours, ..)| ours)
 }
 
 /// A small patch of a status's colour.
@@ -74,10 +75,17 @@ pub(crate) fn tiny(value: f64, unit: &str) -> String {
     if value >= 1e-3 || value <= 0.0 {
         return format!("{}{unit}", trimmed(value, 3));
     }
-    let text = format!("{value:.1e}");
-    let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
     let gap = if unit.is_empty() { "" } else { "\u{202f}" };
-    format!("{digits} × 10{}{gap}{unit}", raised(power))
+    format!("{}{gap}{unit}", scientific(value))
+}
+
+/// To two digits, such as `1.3 × 10⁻¹²`.
+pub(crate) fn scientific(value: f64) -> String {
+    let text = format!("{value:.1e}");
+    match text.split_once('e') {
+        None | Some((_, "0")) => text.trim_end_matches("e0").to_owned(),
+        Some((digits, power)) => format!("{} × 10{}", digits.trim_end_matches(".0"), raised(power)),
+    }
 }
 
 fn raised(power: &str) -> String {

@@ -13,7 +13,6 @@ pub(crate) struct Parts<'a> {
     pub(crate) json: &'a [u8],
     /// Range of the chunk in the file.
     pub(crate) bin: Option<Range<usize>>,
-    pub(crate) is_glb: bool,
 }
 
 fn word(bytes: &[u8], at: usize) -> Option<u32> {
@@ -36,7 +35,7 @@ pub(crate) fn split(bytes: &[u8]) -> Result<Parts<'_>, Error> {
     // A byte order mark is against the specification, but harmless.
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     match text.iter().find(|b| !b.is_ascii_whitespace()) {
-        Some(b'{') => Ok(Parts { json: text, bin: None, is_glb: false }),
+        Some(b'{') => Ok(Parts { json: text, bin: None }),
         _ => Err(Error::NotGltf(bytes.iter().take(4).copied().collect())),
     }
 }
@@ -72,7 +71,7 @@ fn split_glb(bytes: &[u8]) -> Result<Parts<'_>, Error> {
         index += 1;
     }
     let json = json.ok_or_else(|| damaged("it has no JSON chunk"))?;
-    Ok(Parts { json, bin, is_glb: true })
+    Ok(Parts { json, bin })
 }
 
 /// Builds a GLB. Pads JSON with spaces and the binary chunk with zeros, as the format asks.

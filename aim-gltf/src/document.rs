@@ -42,7 +42,6 @@ pub struct Document {
     pub(crate) chunk: Option<Vec<u8>>,
     pub(crate) buffers: Vec<Buffer>,
     pub(crate) folder: Option<PathBuf>,
-    is_glb: bool,
     skeleton: Skeleton,
     clips: Vec<Clip>,
     points: Vec<SkinnedPoint>,
@@ -78,7 +77,6 @@ impl Document {
 
     fn parse(mut bytes: Vec<u8>, folder: Option<&Path>) -> Result<Self, Error> {
         let parts = container::split(&bytes)?;
-        let is_glb = parts.is_glb;
         let text = parts.json.to_vec();
         let (raw, extensions) = Raw::parse(&text)?;
         // What remains of the bytes is the chunk: large files are held once.
@@ -97,7 +95,6 @@ impl Document {
         Ok(Self {
             chunk,
             folder: folder.map(Path::to_path_buf),
-            is_glb,
             skeleton,
             clips,
             points,
@@ -105,12 +102,6 @@ impl Document {
             text,
             json: OnceLock::new(),
         })
-    }
-
-    /// True when the document came as a binary container.
-    #[must_use]
-    pub fn is_glb(&self) -> bool {
-        self.is_glb
     }
 
     /// The nodes, their rest pose and bind pose.

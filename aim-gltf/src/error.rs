@@ -1,17 +1,19 @@
 //! The error type: each way in which a file can be unusable, with what was expected and what to do.
 
-use core::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
+
+use thiserror::Error;
 
 /// Why a file could not be read, understood or written.
 ///
 /// `Display` is one line: what is wrong, what was expected, what to do. Paths appear only where the
 /// failure belongs to a file other than the one that the caller named, or to the file system.
-#[derive(Debug)]
+#[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum Error {
     /// The file system refused to hand out a file.
+    #[error("cannot read {}: {source}", .path.display())]
     Read {
         /// The file.
         path: PathBuf,
@@ -19,6 +21,7 @@ pub enum Error {
         source: io::Error,
     },
     /// The file system refused to take a file; nothing was left behind.
+    #[error("cannot write {}: {source}; nothing was changed, {}", .path.display(), remedy(.source))]
     Write {
         /// The file that should have appeared.
         path: PathBuf,
@@ -26,18 +29,28 @@ pub enum Error {
         source: io::Error,
     },
     /// A folder, a pipe or a device at this path, where a file is needed.
+    #[error("{} is a folder or a device; give the path of a file", .0.display())]
     NotAFile(PathBuf),
     /// No bytes at all.
+    #[error("the file is empty; expected a .glb, .gltf or .vrm file")]
     Empty,
     /// Neither a GLB container nor JSON text; its first bytes, at most four.
+    #[error(
+        "not a glTF file: it starts with the bytes {0:02x?}, but a .glb or .vrm starts with \"glTF\" and a .gltf with \"{{\"; \
+         export the character as glTF 2.0"
+    )]
     NotGltf(Vec<u8>),
     /// A GLB container whose header or chunks contradict the file's length, and what was expected.
+    #[error("the GLB container is damaged: {0}; export or download the file again")]
     Container(String),
     /// A version other than glTF 2, as the file states it.
+    #[error("this is glTF {0}, and only version 2 is understood; convert it to glTF 2.0")]
     Version(String),
     /// JSON that does not parse; the parser's message, with line and column.
+    #[error("the JSON part does not parse: {0}; export or download the file again")]
     Json(String),
     /// A part of the document contradicts the glTF 2.0 specification.
+    #[error("{place}: {problem}; the file breaks the glTF 2.0 specification, export it again")]
     Invalid {
         /// The place, such as `nodes[3].children[0]`.
         place: String,
@@ -45,6 +58,7 @@ pub enum Error {
         problem: String,
     },
     /// A buffer's bytes are needed and not at hand.
+    #[error("{place}: {problem}")]
     NoData {
         /// The place, such as `buffers[1]`.
         place: String,
@@ -52,6 +66,7 @@ pub enum Error {
         problem: String,
     },
     /// No node of that name.
+    #[error("no node is called \"{name}\"; {}", known(.nearest, "the nearest names are", "nodes"))]
     UnknownNode {
         /// The name asked for.
         name: String,
@@ -59,6 +74,7 @@ pub enum Error {
         nearest: Vec<String>,
     },
     /// Several nodes of that name, and not exactly one of them is a joint.
+    #[error("{} nodes are called \"{name}\" (node indices {nodes:?}); rename all but one of them", .nodes.len())]
     AmbiguousNode {
         /// The name asked for.
         name: String,
@@ -66,6 +82,7 @@ pub enum Error {
         nodes: Vec<usize>,
     },
     /// No clip of that name.
+    #[error("no clip is called \"{name}\"; {}", known(.available, "the file has", "clips"))]
     UnknownClip {
         /// The name asked for.
         name: String,
@@ -73,10 +90,13 @@ pub enum Error {
         available: Vec<String>,
     },
     /// A clip handed over for writing that does not fit the document, and what was expected.
+    #[error("the clip cannot be written: {0}")]
     Clip(String),
     /// A rig's joints that are no chain in this document, and what was expected.
+    #[error("the rig does not fit the file: {0}")]
     Chain(String),
     /// The bone of the mannequin whose given axes are no orthonormal triple.
+    #[error("the axes of \"{0}\" are not three unit vectors at right angles; give up, forward and left so")]
     Axes(String),
 }
 
@@ -95,80 +115,16 @@ impl Error {
     }
 }
 
-/// `a, b, c`, cut after eight names.
-fn list(names: &[String]) -> String {
-    let mut text = names.iter().take(8).map(String::as_str).collect::<Vec<_>>().join(", ");
-    if names.len() > 8 {
-        text.push_str(&format!(" and {} more", names.len() - 8));
-    }
-    text
-}
-
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Read { path, source } => write!(f, "cannot read {}: {source}", path.display()),
-            Self::Write { path, source } => {
-                let hint = match source.kind() {
-                    io::ErrorKind::NotFound => "make its folder first",
-                    _ => "choose another place",
-                };
-                write!(f, "cannot write {}: {source}; nothing was changed, {hint}", path.display())
-            }
-            Self::NotAFile(path) => {
-                write!(f, "{} is a folder or a device; give the path of a file", path.display())
-            }
-            Self::Empty => write!(f, "the file is empty; expected a .glb, .gltf or .vrm file"),
-            Self::NotGltf(found) => write!(
-                f,
-                "not a glTF file: it starts with the bytes {found:02x?}, but a .glb or .vrm starts with \"glTF\" \
-                 and a .gltf with \"{{\"; export the character as glTF 2.0"
-            ),
-            Self::Container(problem) => {
-                write!(f, "the GLB container is damaged: {problem}; export or download the file again")
-            }
-            Self::Version(found) => {
-                write!(f, "this is glTF {found}, and only version 2 is understood; convert it to glTF 2.0")
-            }
-            Self::Json(message) => {
-                write!(f, "the JSON part does not parse: {message}; export or download the file again")
-            }
-            Self::Invalid { place, problem } => {
-                write!(f, "{place}: {problem}; the file breaks the glTF 2.0 specification, export it again")
-            }
-            Self::NoData { place, problem } => write!(f, "{place}: {problem}"),
-            Self::UnknownNode { name, nearest } if nearest.is_empty() => {
-                write!(f, "no node is called \"{name}\"; the file has no nodes")
-            }
-            Self::UnknownNode { name, nearest } => {
-                write!(f, "no node is called \"{name}\"; the nearest names are {}", list(nearest))
-            }
-            Self::AmbiguousNode { name, nodes } => write!(
-                f,
-                "{} nodes are called \"{name}\" (node indices {nodes:?}); rename all but one of them",
-                nodes.len()
-            ),
-            Self::UnknownClip { name, available } if available.is_empty() => {
-                write!(f, "no clip is called \"{name}\"; the file has no clips")
-            }
-            Self::UnknownClip { name, available } => {
-                write!(f, "no clip is called \"{name}\"; the file has {}", list(available))
-            }
-            Self::Clip(problem) => write!(f, "the clip cannot be written: {problem}"),
-            Self::Chain(problem) => write!(f, "the rig does not fit the file: {problem}"),
-            Self::Axes(bone) => write!(
-                f,
-                "the axes of \"{bone}\" are not three unit vectors at right angles; give up, forward and left so"
-            ),
-        }
+/// `introduction a, b, c`, cut after eight names; without names, that the file has no `things`.
+fn known(names: &[String], introduction: &str, things: &str) -> String {
+    match names {
+        [] => format!("the file has no {things}"),
+        _ if names.len() > 8 => format!("{introduction} {} and {} more", names[..8].join(", "), names.len() - 8),
+        _ => format!("{introduction} {}", names.join(", ")),
     }
 }
 
-impl core::error::Error for Error {
-    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        match self {
-            Self::Read { source, .. } | Self::Write { source, .. } => Some(source),
-            _ => None,
-        }
-    }
+/// What to do about a file that cannot be written.
+fn remedy(error: &io::Error) -> &'static str {
+    if error.kind() == io::ErrorKind::NotFound { "make its folder first" } else { "choose another place" }
 }

@@ -5,47 +5,8 @@
 
 use glam::DVec3;
 
-use crate::clues::{self, Body, Hint};
+use crate::clues::{self, Body, Clue, Hint};
 use crate::trs::nearest_axis;
-
-/// A source of evidence about the character's up or forward.
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Clue {
-    /// A pair of nodes that their names (or VRM) call left and right.
-    Names {
-        /// Node index.
-        left: usize,
-        /// Node index.
-        right: usize,
-    },
-    /// A pair of limbs alike in the tree and mirrored in place, whichever is left.
-    Limbs {
-        /// Node index.
-        one: usize,
-        /// Node index.
-        other: usize,
-    },
-    /// The joints' places mirror each other.
-    Symmetry,
-    /// Legs reach down from the hips.
-    Legs,
-    /// Toes lie ahead of ankles.
-    Feet,
-    /// Soles reach further ahead of ankles than behind them.
-    Soles,
-    /// Eyes lie ahead of the head's joint.
-    Eyes,
-    /// The head of who goes on all fours lies ahead of the hips.
-    Trunk,
-    /// A barrel, a lens or a lamp shade reaches out to where it points.
-    Reach {
-        /// Node index.
-        node: usize,
-    },
-    /// glTF says that +Y is up and that models face +Z.
-    Convention,
-}
 
 /// The statement of one clue, in world space.
 #[derive(Debug, Clone, PartialEq)]

@@ -95,8 +95,10 @@ impl Live {
     /// The joints as the solvers take them, for a pose and its nodes in the world. Where both eyes are aimed, the other
     /// one is first turned as joint 0 is: the eyes of animations are seldom parallel.
     pub fn animated(&self, skeleton: &Skeleton, pose: &mut [Trs], world: &[DAffine3]) -> Pose<Vec<Affine3A>> {
-        let joints = Pose::new(joint_transforms(&self.stance.chain, pose, world));
-        let joints = joints.with_up(self.stance.up(world).as_vec3()).with_bind(self.stance.bind(world));
+        let joints = self.stance.chain.joints.iter().map(|&node| joint_transform(pose, world, node));
+        let joints = Pose::new(joints.collect::<Vec<_>>())
+            .with_up(self.stance.up(world).as_vec3())
+            .with_bind(self.stance.bind(world));
         match self.stance.chain.other_eye.filter(|_| self.both_eyes) {
             Some(pair) => {
                 pose[pair].rotation = self.stance.parallel(skeleton, pose, world).unwrap_or(pose[pair].rotation);
@@ -137,11 +139,6 @@ impl Live {
         let pair = self.stance.other_eye.as_ref().filter(|_| effector == 0);
         core::iter::once(self.stance.sight(effector)).chain(pair).map(|sight| sight.gaze(world)).collect()
     }
-}
-
-/// The joints in the world as the solver takes them.
-fn joint_transforms(chain: &ChainNodes, pose: &[Trs], world: &[DAffine3]) -> Vec<Affine3A> {
-    chain.joints.iter().map(|&node| joint_transform(pose, world, node)).collect()
 }
 
 /// A node in the world without its own non-uniform scale, so that a correction acts where the node's rotation does.

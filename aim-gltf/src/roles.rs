@@ -38,11 +38,6 @@ impl Role {
             Self::Hips => "hips",
         }
     }
-
-    /// True where a character has only one such bone.
-    fn is_single(self) -> bool {
-        !matches!(self, Self::Neck | Self::Spine)
-    }
 }
 
 impl fmt::Display for Role {
@@ -191,7 +186,6 @@ fn keep_carrying(skeleton: &Skeleton, roles: &mut [Option<Role>]) {
 /// Of several claimants to a single role a joint wins, then a node named in fewer letters, then the first.
 fn keep_best(nodes: &[Node], roles: &mut [Option<Role>]) {
     for role in [Role::LeftEye, Role::RightEye, Role::Head, Role::Hips] {
-        debug_assert!(role.is_single(), "only single roles have a best claimant");
         let claimants: Vec<usize> = (0..nodes.len()).filter(|i| roles[*i] == Some(role)).collect();
         let rank = |i: &&usize| (nodes[**i].vrm_bone.is_none(), !nodes[**i].is_joint, nodes[**i].name.len(), **i);
         let best = claimants.iter().min_by_key(rank).copied();

@@ -257,15 +257,13 @@ fn inverse_binds(data: &Data<'_>, skin: &raw::Skin, place: &str) -> Result<Vec<O
     };
     let place = format!("{place}.inverseBindMatrices");
     let floats = data.floats(accessor, &["MAT4"], &place)?;
-    let matrices: Vec<[f64; 16]> = floats.chunks_exact(16).map(|m| core::array::from_fn(|i| f64::from(m[i]))).collect();
+    let (matrices, _) = floats.as_chunks::<16>();
     if matrices.len() < skin.joints.len() {
         return Err(Error::invalid(place, format!("{} matrices for {} joints", matrices.len(), skin.joints.len())));
     }
-    let usable = |m: &[f64; 16]| {
-        let affine = affine_of(m);
-        // A singular matrix hides a joint; it says nothing about its axes.
-        Some(affine).filter(|a| a.matrix3.determinant().abs() > 1e-30 && a.inverse().is_finite())
-    };
+    // A singular matrix hides a joint; it says nothing about its axes.
+    let is_usable = |a: &DAffine3| a.matrix3.determinant().abs() > 1e-30 && a.inverse().is_finite();
+    let usable = |m: &[f32; 16]| Some(affine_of(&m.map(f64::from))).filter(is_usable);
     Ok(matrices.iter().take(skin.joints.len()).map(usable).collect())
 }
 

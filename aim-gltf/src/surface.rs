@@ -78,8 +78,7 @@ impl Part<'_> {
     fn attribute<const N: usize>(&self, name: &str, shape: &str, vertices: usize) -> Option<Vec<[f32; N]>> {
         let accessor = *self.primitive.attributes.get(name)?;
         let floats = self.data.floats(accessor, &[shape], name).ok()?;
-        let element = |part: &[f32]| core::array::from_fn(|i| part[i]);
-        (floats.len() == N * vertices).then(|| floats.chunks_exact(N).map(element).collect())
+        (floats.len() == N * vertices).then(|| floats.as_chunks().0.to_vec())
     }
 
     /// Linear colours that the vertices multiply the material's by.

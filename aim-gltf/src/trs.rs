@@ -1,6 +1,6 @@
 //! A node's local transform as translation, rotation and scale, always with a unit rotation.
 
-use glam::{Affine3A, DAffine3, DMat3, DMat4, DQuat, DVec3, Quat, Vec3};
+use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, Quat, Vec3};
 
 /// A local transform: scale first, then rotation, then translation, relative to the parent node.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,13 +17,7 @@ impl Trs {
     /// Nothing moved, turned or scaled.
     pub const IDENTITY: Self = Self { translation: Vec3::ZERO, rotation: Quat::IDENTITY, scale: Vec3::ONE };
 
-    /// The same transform as an affine map, parent ← node.
-    #[must_use]
-    pub fn affine(&self) -> Affine3A {
-        Affine3A::from_scale_rotation_translation(self.scale, self.rotation, self.translation)
-    }
-
-    /// The same in double precision, with the rotation made unit to double precision.
+    /// The same transform as an affine map, parent ← node, with the rotation made unit to double precision.
     #[must_use]
     pub fn affine_f64(&self) -> DAffine3 {
         let rotation = self.rotation.as_dquat().normalize();
@@ -50,12 +44,6 @@ impl Trs {
             rotation: rotation.as_quat(),
             scale: (lengths * mirror).as_vec3(),
         }
-    }
-}
-
-impl Default for Trs {
-    fn default() -> Self {
-        Self::IDENTITY
     }
 }
 

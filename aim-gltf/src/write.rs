@@ -217,8 +217,8 @@ fn array<'a>(json: &'a mut Value, key: &str) -> &'a mut Vec<Value> {
 
 /// New bytes and the accessors on them.
 #[derive(Default)]
-struct Appended {
-    bytes: Vec<u8>,
+pub(crate) struct Appended {
+    pub(crate) bytes: Vec<u8>,
     accessors: Vec<Value>,
     /// Key times written already, by their bits.
     times: BTreeMap<Vec<u32>, usize>,
@@ -244,7 +244,7 @@ impl Appended {
     }
 
     /// One animation's JSON; `first` is the index its first new accessor will have, `view` that of the new view.
-    fn animation(&mut self, clip: &Clip, first: usize, view: usize) -> Value {
+    pub(crate) fn animation(&mut self, clip: &Clip, first: usize, view: usize) -> Value {
         let (mut channels, mut samplers) = (Vec::new(), Vec::new());
         for channel in &clip.channels {
             let bits: Vec<u32> = channel.times.iter().map(|t| t.to_bits()).collect();
@@ -262,7 +262,7 @@ impl Appended {
     }
 
     /// Adds the buffer view and the accessors to the document.
-    fn describe(self, json: &mut Value, buffer: usize, start: usize) {
+    pub(crate) fn describe(self, json: &mut Value, buffer: usize, start: usize) {
         let mut view = Map::new();
         view.insert("buffer".into(), buffer.into());
         if start > 0 {

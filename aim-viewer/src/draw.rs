@@ -13,13 +13,14 @@ use std::sync::Arc;
 use eframe::glow;
 use three_d::{ClearState, Context, CoreError, Viewport};
 
-use crate::picture::{Colour, Picture};
+use crate::picture::Picture;
 use fans::Fans;
 use figures::{Figures, Pass};
 use floor::Floor;
 use light::Light;
 use marks::Marks;
 use model::Model;
+pub(crate) use sheet::Place;
 use sheet::{Printer, Sheet};
 
 /// Resources on the graphics card.
@@ -34,17 +35,6 @@ pub(crate) struct Canvas {
     /// As large as the place.
     sheet: Option<Sheet>,
     printer: Printer,
-}
-
-/// Part of the screen to draw on, in pixels from its lower left.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
-    pub(crate) x: i32,
-    pub(crate) y: i32,
-    pub(crate) width: u32,
-    pub(crate) height: u32,
-    /// The whole screen.
-    pub(crate) screen: [u32; 2],
 }
 
 impl Canvas {
@@ -94,24 +84,5 @@ impl Canvas {
         });
         sheet.draw(ClearState::depth(1.0), || self.marks.draw(&light, true));
         self.printer.print(context, sheet, place);
-    }
-}
-
-/// An sRGB colour as linear light, its opacity as it is.
-fn linear(colour: Colour) -> [f32; 4] {
-    let [red, green, blue, opacity] = colour.map(|part| f32::from(part) / 255.0);
-    let part = |x: f32| if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) };
-    [part(red), part(green), part(blue), opacity]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn colours_become_light() {
-        assert_eq!(linear([0, 255, 0, 255]), [0.0, 1.0, 0.0, 1.0]);
-        let grey = linear([188, 188, 188, 51]);
-        assert!((grey[0] - 0.503).abs() < 1e-3 && (grey[3] - 0.2).abs() < 1e-6, "{grey:?}");
     }
 }

@@ -2,14 +2,14 @@
 
 use std::f32::consts::PI;
 
-use aim_codegen::AngleRange;
+use aim_character::range_in_frame;
 use aim_gltf::AimedFrame;
 use aim_runtime::{Solver, Status};
 use glam::{DAffine3, DVec3, Quat, Vec3};
 
 use crate::camera::Camera;
 use crate::character::Character;
-use crate::picture::{Ball, Colour, Fan, Figure, Ground, Picture, Rod};
+use crate::picture::{Colour, Fan, Figure, Ground, Picture, Rod};
 use crate::stage::{Actor, Stage};
 
 /// Parts of the scene that are shown.
@@ -97,7 +97,6 @@ impl Stage {
             surface: character.surface.clone(),
             figures: Vec::new(),
             rods: Vec::new(),
-            balls: Vec::new(),
             fans: Vec::new(),
             ground: Ground { centre: character.floor, up, radius: 6.0 * metre, step: 0.5 * metre },
             dark: shown.dark,
@@ -130,7 +129,8 @@ impl Stage {
         let metre = self.character.metre();
         picture.figures.push(self.figure(frame, actor.shift));
         let target = self.target_now() + actor.shift;
-        picture.balls.push(Ball { centre: target, radius: TARGET * metre, colour: VERMILION });
+        let (radius, colour) = (TARGET * metre, VERMILION);
+        picture.rods.push(Rod { from: target, to: target, radius, colour, is_lit: true, in_front: false });
         if shown.gaze {
             self.show_gaze(picture, frame, actor.shift);
         }
@@ -140,7 +140,7 @@ impl Stage {
                 to: b.target + actor.shift,
                 radius: TRAIL * metre,
                 colour: [213, 94, 0, 120],
-                in_front: false,
+                ..Rod::default()
             };
             let (before, after) = (self.memory.iter(), self.memory.iter().skip(1));
             let moved = before.zip(after).filter(|(a, b)| a.target.distance(b.target) > 1e-4 * metre);
@@ -161,7 +161,7 @@ impl Stage {
         let target = frame.target.as_vec3();
         picture.rods.extend(self.gazes(frame).into_iter().map(|[from, direction]| {
             let to = from + direction * from.distance(target);
-            Rod { from: from + shift, to: to + shift, radius, colour, in_front: false }
+            Rod { from: from + shift, to: to + shift, radius, colour, ..Rod::default() }
         }));
     }
 
@@ -177,7 +177,7 @@ impl Stage {
             for (axis, colour) in DVec3::AXES.into_iter().zip(AXES) {
                 let direction = at.transform_vector3(axis).as_vec3().normalize_or_zero();
                 let to = from + direction * (length * metre);
-                picture.rods.push(Rod { from, to, radius: radius * metre, colour, in_front: true });
+                picture.rods.push(Rod { from, to, radius: radius * metre, colour, is_lit: false, in_front: true });
             }
         }
     }
@@ -190,9 +190,8 @@ impl Stage {
             let joint = &self.tuning.spec.joints[at];
             let [up, forward, left] = [joint.frame.up, joint.frame.forward, joint.frame.left].map(direction);
             let unturned = unturned(&frame.world[node], correction);
-            let led = frame.joints[at].led.map_or([0.0; 2], |led| led.map(single));
-            let heading = range(joint.heading, led[0]);
-            let pitch = range(joint.pitch, led[1]);
+            let ends = |ends: [f64; 2]| ends.map(|end| single(end).clamp(-PI, PI));
+            let [heading, pitch] = range_in_frame(joint, &frame.joints[at]).map(ends);
             let apex = frame.world[node].translation.as_vec3() + actor.shift;
             let point = |[heading, pitch]: [f32; 2]| {
                 let ((sh, ch), (sp, cp)) = (heading.sin_cos(), pitch.sin_cos());
@@ -217,15 +216,6 @@ fn direction(v: [f64; 3]) -> Vec3 {
 fn unturned(world: &DAffine3, correction: Quat) -> impl Fn(Vec3) -> Vec3 {
     let (world, back) = (*world, correction.inverse());
     move |v| world.transform_vector3((back * v).as_dvec3()).as_vec3().normalize_or_zero()
-}
-
-/// An angle's ends, radians, as counted from the animation; an angle that is not there stays at 0.
-fn range(range: Option<AngleRange>, led: f32) -> [f32; 2] {
-    match range {
-        Some(AngleRange::Between(lo, hi)) => [single(lo) - led, single(hi) - led],
-        Some(AngleRange::Free) => [-PI, PI],
-        None => [0.0; 2],
-    }
 }
 
 /// Points around a box of heading × pitch, in order.

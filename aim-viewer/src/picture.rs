@@ -18,10 +18,8 @@ pub(crate) struct Picture {
     pub(crate) surface: Arc<Surface>,
     /// The figures: one, several side by side, or a crowd.
     pub(crate) figures: Vec<Figure>,
-    /// Rods: gaze rays, bones' axes, trails.
+    /// Rods: gaze rays, bones' axes, trails, and targets, which are rods without length.
     pub(crate) rods: Vec<Rod>,
-    /// Balls: targets, where a gaze ends.
-    pub(crate) balls: Vec<Ball>,
     /// Fans: limit cones.
     pub(crate) fans: Vec<Fan>,
     /// The floor.
@@ -54,8 +52,8 @@ pub(crate) struct Figure {
     pub(crate) normals: Vec<Vec3>,
 }
 
-/// A cylinder with round ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A cylinder with round ends; without length a ball.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Rod {
     /// One end.
     pub(crate) from: Vec3,
@@ -63,21 +61,11 @@ pub(crate) struct Rod {
     pub(crate) to: Vec3,
     /// Half as thick as it is.
     pub(crate) radius: f32,
-    /// Unlit.
     pub(crate) colour: Colour,
+    /// True if it is shaded.
+    pub(crate) is_lit: bool,
     /// True to draw it over the figures, as bones' axes are.
     pub(crate) in_front: bool,
-}
-
-/// A ball.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Ball {
-    /// Its middle.
-    pub(crate) centre: Vec3,
-    /// Its radius.
-    pub(crate) radius: f32,
-    /// Lit.
-    pub(crate) colour: Colour,
 }
 
 /// A translucent cone of any shape: triangles from the apex to each piece of the closed rim, seen from both sides.

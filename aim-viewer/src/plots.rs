@@ -1,6 +1,7 @@
 //! Error and angles over the last seconds.
 
-use aim_codegen::{AngleRange, JointSpec};
+use aim_character::range_in_frame;
+use aim_codegen::JointSpec;
 use eframe::egui::{self, Color32, Ui};
 use egui_plot::{AxisHints, HLine, Line, LineStyle, Plot, PlotPoints, PlotUi};
 
@@ -87,14 +88,12 @@ fn angles(ui: &mut Ui, stage: &Stage, chosen: &mut Option<usize>) {
 
 /// The ends of a joint's range, as the added angles are counted now.
 fn limits(plot: &mut PlotUi<'_>, stage: &Stage, at: usize, joint: &JointSpec, colour: Color32) {
-    let led = stage.first().and_then(|frame| frame.joints.get(at)?.led).unwrap_or_default();
-    for (way, range) in [joint.heading, joint.pitch].into_iter().enumerate() {
-        if let Some(AngleRange::Between(lo, hi)) = range {
-            let length = if way == 0 { 10.0 } else { 4.0 };
-            for end in [lo, hi] {
-                let line = HLine::new("limit", (end - led[way]).to_degrees()).allow_hover(false);
-                plot.hline(line.color(colour).style(LineStyle::Dashed { length }).width(1.0));
-            }
+    let Some(frame) = stage.first().and_then(|frame| frame.joints.get(at)) else { return };
+    let declared = [(joint.heading, 10.0), (joint.pitch, 4.0)];
+    for ((declared, length), ends) in declared.into_iter().zip(range_in_frame(joint, frame)) {
+        for end in ends.into_iter().filter(|end| declared.is_some() && end.is_finite()) {
+            let line = HLine::new("limit", end.to_degrees()).allow_hover(false);
+            plot.hline(line.color(colour).style(LineStyle::Dashed { length }).width(1.0));
         }
     }
 }

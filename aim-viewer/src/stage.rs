@@ -7,7 +7,7 @@ use std::time::Duration;
 use aim::rigs::Mannequin;
 use aim_character::InterpretedRig;
 use aim_codegen::{RigSpec, Role};
-use aim_gltf::{AimedFrame, Live, Moment, Skeleton, Trs};
+use aim_gltf::{AimedFrame, Live, Moment, Trs};
 use aim_runtime::{AimRig, Ascent, DynAim, Rig, Settings, Solver};
 use glam::{DAffine3, Vec3};
 use web_time::Instant;
@@ -110,37 +110,31 @@ pub(crate) struct Clock {
     pub(crate) step: bool,
 }
 
+/// A rig that characters share: the crowd of mannequins has a compiled one, as a game's would be.
+type SharedRig = Arc<dyn Rig>;
+
 /// A character with a solver.
 #[derive(Debug)]
 pub(crate) struct Actor {
     pub(crate) solver: Solver,
     /// Offset from its place in the file.
     pub(crate) shift: Vec3,
-    pub(crate) character: DynAim<Arc<InterpretedRig>>,
+    /// Seconds by which it is ahead in the clip.
+    phase: f32,
+    pub(crate) character: DynAim<SharedRig>,
     /// Result of the last frame; there from the first one on.
     pub(crate) frame: Option<AimedFrame>,
 }
 
-/// One of a crowd, who all share one rig.
-#[derive(Debug)]
-pub(crate) struct Member {
-    pub(crate) shift: Vec3,
-    /// Seconds by which it is ahead in the clip.
-    phase: f32,
-    character: DynAim<SharedRig>,
-    pub(crate) frame: Option<AimedFrame>,
-}
-
-/// A rig that characters share: the mannequin's is compiled, as a game's would be.
-type SharedRig = Arc<dyn Rig>;
-
-/// The character of another rig, its joints at the angles of this one where there are as many.
-fn continued<A, B: Rig>(character: &DynAim<A>, rig: B) -> DynAim<B> {
-    let mut continued = DynAim::new(rig);
-    if continued.state.joints.len() == character.state.joints.len() {
-        continued.state.joints.clone_from(&character.state.joints);
+impl Actor {
+    /// Gives it another rig; its joints keep their angles where there are as many.
+    fn change_rig(&mut self, rig: SharedRig) {
+        let mut character = DynAim::new(rig);
+        if character.state.joints.len() == self.character.state.joints.len() {
+            character.state.joints.clone_from(&self.character.state.joints);
+        }
+        self.character = character;
     }
-    continued
 }
 
 /// A frame, remembered.
@@ -184,9 +178,10 @@ pub(crate) struct Stage {
     pub(crate) target: Target,
     pub(crate) clock: Clock,
     pub(crate) actors: Vec<Actor>,
-    pub(crate) crowd: Vec<Member>,
-    /// The rig of the crowd, and whether it is compiled and from which declaration it is.
-    crowd_rig: Option<((bool, RigSpec), SharedRig)>,
+    /// Those who look at the first actor's target, from behind it.
+    pub(crate) crowd: Vec<Actor>,
+    /// The rig as it is set now.
+    rig: Arc<InterpretedRig>,
     pub(crate) memory: VecDeque<Memory>,
     pub(crate) timing: Timing,
     /// True if frames are counted and not timed: then there is no frame rate to show.
@@ -200,8 +195,8 @@ pub(crate) struct Stage {
 impl Stage {
     pub(crate) fn new(character: Character) -> Self {
         let tuning = Tuning::new(&character);
-        let rig = InterpretedRig::new(&tuning.spec);
-        let live = Live::new(&rig, &character.document, &character.measurement, &character.chain, tuning.both_eyes);
+        let rig = Arc::new(InterpretedRig::new(&tuning.spec));
+        let live = Live::new(&*rig, &character.document, &character.measurement, &character.chain, tuning.both_eyes);
         let clip = (!character.clips().is_empty()).then_some(0);
         let mut stage = Self {
             target: Target::new(&room(&character)),
@@ -209,7 +204,7 @@ impl Stage {
             live_is_for_both_eyes: tuning.both_eyes,
             actors: Vec::new(),
             crowd: Vec::new(),
-            crowd_rig: None,
+            rig,
             memory: VecDeque::new(),
             timing: Timing::default(),
             counts_frames: false,
@@ -285,19 +280,16 @@ impl Stage {
             self.target.time += dt * self.clock.speed;
         }
         let target = self.target_now();
-        let (pose, world) = self.animated(0.0);
-        for actor in &mut self.actors {
-            let aim = Aim { live: &self.live, skeleton: self.character.document.skeleton(), target, dt };
-            let settings = self.tuning.settings(actor.solver);
-            let (frame, taken) = aim.frame(&mut actor.character, &mut pose.clone(), &world, &settings);
-            actor.frame = Some(frame);
-            // A frame without time asks little of a solver.
-            if dt > 0.0 {
-                Timing::note(&mut self.timing.one, taken.as_secs_f64());
-            }
-        }
-        self.advance_crowd(target, dt);
+        let (mut actors, mut crowd) = (std::mem::take(&mut self.actors), std::mem::take(&mut self.crowd));
+        let taken: Vec<Duration> = actors.iter_mut().map(|actor| self.aim(actor, target, dt)).collect();
+        let taken_by_crowd: Duration = crowd.iter_mut().map(|actor| self.aim(actor, target - actor.shift, dt)).sum();
+        (self.actors, self.crowd) = (actors, crowd);
+        // A frame without time asks little of a solver.
         if dt > 0.0 {
+            taken.iter().for_each(|taken| Timing::note(&mut self.timing.one, taken.as_secs_f64()));
+            if !self.crowd.is_empty() {
+                Timing::note(&mut self.timing.crowd, taken_by_crowd.as_secs_f64());
+            }
             self.remember(target, dt);
         }
     }
@@ -315,59 +307,64 @@ impl Stage {
         (pose, world)
     }
 
+    /// Aims one of them for a frame, and tells how long the solver took.
+    fn aim(&self, actor: &mut Actor, target: Vec3, dt: f32) -> Duration {
+        let skeleton = self.character.skeleton();
+        let settings = self.tuning.settings(actor.solver);
+        let (mut pose, world) = self.animated(actor.phase);
+        let joints = self.live.animated(skeleton, &mut pose, &world);
+        let start = Instant::now();
+        let outcome = actor.character.aim(&joints, target, dt, &settings);
+        let taken = start.elapsed();
+        let (target, effector) = (target.as_dvec3(), settings.effector);
+        let moment = Moment { t: 0.0, target, world: &world, joints: &joints, outcome, effector };
+        actor.frame = Some(self.live.aimed(&actor.character, skeleton, &mut pose, &moment));
+        taken
+    }
+
     /// Has as many actors and rigs as the tuning wants.
     fn recast(&mut self) {
         let tuning = &self.tuning;
-        let both_eyes = tuning.both_eyes;
         let solvers = if tuning.crowd > 1 { tuning.lineup.solvers()[..1].to_vec() } else { tuning.lineup.solvers() };
-        let aimed_alike = both_eyes == self.live_is_for_both_eyes;
-        let same = self.actors.iter().map(|actor| actor.solver).eq(solvers.iter().copied());
-        if !same {
+        if !self.actors.iter().map(|actor| actor.solver).eq(solvers.iter().copied()) {
             let [_, _, left] = self.character.directions();
-            let metre = self.character.metre();
             let middle = (count(solvers.len()) - 1.0) / 2.0;
             let old = std::mem::take(&mut self.actors);
             for (at, &solver) in solvers.iter().enumerate() {
                 let known = old.iter().find(|actor| actor.solver == solver).or(old.first());
-                let character = known.map_or_else(
-                    || DynAim::new(Arc::new(InterpretedRig::new(&tuning.spec))),
-                    |actor| actor.character.clone(),
-                );
+                let character =
+                    known.map_or_else(|| DynAim::new(self.rig.clone() as SharedRig), |actor| actor.character.clone());
                 // As a row is read from in front.
-                let shift = left * ((count(at) - middle) * APART * metre);
-                self.actors.push(Actor { solver, shift, character, frame: None });
+                let shift = left * ((count(at) - middle) * APART * self.character.metre());
+                self.actors.push(Actor { solver, shift, phase: 0.0, character, frame: None });
             }
             self.memory.clear();
         }
-        let rig = &self.actors[0].character.rig;
-        if *rig.spec() != tuning.spec {
-            let mut rig = InterpretedRig::clone(rig);
-            rig.declare(&tuning.spec);
-            let rig = Arc::new(rig);
-            for actor in &mut self.actors {
-                actor.character = continued(&actor.character, Arc::clone(&rig));
-            }
+        if *self.rig.spec() != self.tuning.spec {
+            Arc::make_mut(&mut self.rig).declare(&self.tuning.spec);
+            self.actors.iter_mut().for_each(|actor| actor.change_rig(self.rig.clone()));
+            let rig = self.crowd_rig();
+            self.crowd.iter_mut().for_each(|actor| actor.change_rig(rig.clone()));
         }
-        if !aimed_alike {
+        let both_eyes = self.tuning.both_eyes;
+        if both_eyes != self.live_is_for_both_eyes {
             let Character { document, measurement, chain, .. } = &self.character;
-            self.live = Live::new(&self.actors[0].character.rig, document, measurement, chain, both_eyes);
+            self.live = Live::new(&*self.rig, document, measurement, chain, both_eyes);
             self.live_is_for_both_eyes = both_eyes;
         }
         self.gather();
     }
 
-    /// Has as many of the crowd as there should be, in rows behind the first. Compiled code has the declared rig only:
-    /// where anything of that is set otherwise, they are interpreted.
+    /// Compiled code has the declared rig only: where anything of that is set otherwise, the crowd's is interpreted.
+    fn crowd_rig(&self) -> SharedRig {
+        let is_compiled = self.character.is_mannequin && self.tuning.spec == *self.character.spec();
+        if is_compiled { Arc::new(Mannequin::RIG) } else { self.rig.clone() }
+    }
+
+    /// Has as many of the crowd as there should be, in rows behind the first.
     fn gather(&mut self) {
-        let compiled = self.character.is_mannequin && self.tuning.spec == *self.character.spec();
-        if self.crowd_rig.as_ref().is_none_or(|(of, _)| *of != (compiled, self.tuning.spec.clone())) {
-            let rig: SharedRig = if compiled { Arc::new(Mannequin::RIG) } else { self.actors[0].character.rig.clone() };
-            for member in &mut self.crowd {
-                member.character = continued(&member.character, Arc::clone(&rig));
-            }
-            self.crowd_rig = Some(((compiled, self.tuning.spec.clone()), rig));
-        }
-        let Some((_, rig)) = &self.crowd_rig else { return };
+        let solver = self.actors[0].solver;
+        self.crowd.iter_mut().for_each(|actor| actor.solver = solver);
         let others = self.tuning.crowd.saturating_sub(1);
         if others == self.crowd.len() {
             return;
@@ -375,41 +372,19 @@ impl Stage {
         let [_, forward, left] = self.character.directions();
         let metre = self.character.metre();
         let rows = ROW.min(others.max(1));
-        let shift = |at: usize| {
+        let rig = self.crowd_rig();
+        self.crowd.truncate(others);
+        for at in self.crowd.len()..others {
+            let (phase, character) = (count(at) * 0.37, DynAim::new(rig.clone()));
+            self.crowd.push(Actor { solver, shift: Vec3::ZERO, phase, character, frame: None });
+        }
+        for (at, actor) in self.crowd.iter_mut().enumerate() {
             // Outward from the middle, row by row; the first place is the actor's.
             let (row, column) = ((at + 1) / rows, (at + 1) % rows);
             let aside = count(column.div_ceil(2)) * if column % 2 == 0 { 1.0 } else { -1.0 };
-            (left * aside - forward * count(row)) * (APART * metre)
-        };
-        self.crowd.truncate(others);
-        for at in self.crowd.len()..others {
-            let character = DynAim::new(Arc::clone(rig));
-            self.crowd.push(Member { shift: Vec3::ZERO, phase: count(at) * 0.37, character, frame: None });
-        }
-        for (at, member) in self.crowd.iter_mut().enumerate() {
-            member.shift = shift(at);
+            actor.shift = (left * aside - forward * count(row)) * (APART * metre);
         }
         self.timing.crowd = 0.0;
-    }
-
-    fn advance_crowd(&mut self, target: Vec3, dt: f32) {
-        let Some(solver) = self.actors.first().map(|actor| actor.solver).filter(|_| !self.crowd.is_empty()) else {
-            return;
-        };
-        let settings = self.tuning.settings(solver);
-        let mut crowd = std::mem::take(&mut self.crowd);
-        let mut taken = Duration::ZERO;
-        for member in &mut crowd {
-            let (mut pose, world) = self.animated(member.phase);
-            let aim = Aim { live: &self.live, skeleton: self.character.skeleton(), target: target - member.shift, dt };
-            let (frame, took) = aim.frame(&mut member.character, &mut pose, &world, &settings);
-            member.frame = Some(frame);
-            taken += took;
-        }
-        self.crowd = crowd;
-        if dt > 0.0 {
-            Timing::note(&mut self.timing.crowd, taken.as_secs_f64());
-        }
     }
 
     fn remember(&mut self, target: Vec3, dt: f32) {
@@ -439,31 +414,4 @@ fn room(character: &Character) -> Room {
 #[expect(clippy::cast_precision_loss, reason = "small counts")]
 fn count(n: usize) -> f32 {
     n as f32
-}
-
-/// Inputs of aiming one frame that do not depend on the rig.
-struct Aim<'a> {
-    live: &'a Live,
-    skeleton: &'a Skeleton,
-    target: Vec3,
-    dt: f32,
-}
-
-impl Aim<'_> {
-    /// Aims, and tells how long the solver took.
-    fn frame<R: Rig>(
-        &self,
-        character: &mut DynAim<R>,
-        pose: &mut [Trs],
-        world: &[DAffine3],
-        settings: &Settings,
-    ) -> (AimedFrame, Duration) {
-        let joints = self.live.animated(self.skeleton, pose, world);
-        let start = Instant::now();
-        let outcome = character.aim(&joints, self.target, self.dt, settings);
-        let taken = start.elapsed();
-        let target = self.target.as_dvec3();
-        let moment = Moment { t: 0.0, target, world, joints: &joints, outcome, effector: settings.effector };
-        (self.live.aimed(character, self.skeleton, pose, &moment), taken)
-    }
 }

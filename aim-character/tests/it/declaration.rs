@@ -5,16 +5,7 @@ use aim_codegen::declare::{from_derive_input, from_toml};
 use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, LimitsFrom, NaturalSpec, RigSpec, Role};
 use aim_gltf::{Document, Measurement, mannequin};
 
-const RIGS: [(&str, &str); 8] = [
-    ("mannequin", include_str!("../../../rigs/mannequin.toml")),
-    ("mixamo", include_str!("../../../rigs/mixamo.toml")),
-    ("rigify", include_str!("../../../rigs/rigify.toml")),
-    ("rocketbox", include_str!("../../../rigs/rocketbox.toml")),
-    ("thug", include_str!("../../../rigs/thug.toml")),
-    ("turret", include_str!("../../../rigs/turret.toml")),
-    ("unreal", include_str!("../../../rigs/unreal.toml")),
-    ("vrm", include_str!("../../../rigs/vrm.toml")),
-];
+use crate::RIGS;
 
 fn without_reasons(spec: RigSpec) -> Proposal {
     Proposal { spec, reasons: Vec::new() }

@@ -21,7 +21,6 @@ pub(super) fn run(arguments: &args::Bake) -> Result {
     let document = files::load_model(&arguments.file)?;
     let path = if let TargetSpec::File(path) = &arguments.target { Some(path) } else { None };
     let read = [(arguments.rig.as_ref(), "the rig"), (path, "the target's path")];
-    let read = read.into_iter().filter_map(|(path, what)| Some((path?.as_path(), what)));
     Outputs::reading(read).reading_parts_of(&document).write_model(&arguments.written, &arguments.file)?;
     let measurement = Measurement::of(&document);
     let spec = match &arguments.rig {

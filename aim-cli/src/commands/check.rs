@@ -57,11 +57,7 @@ impl Verdict {
 
 /// Compares every program of a rig in so many random poses, the same in every run.
 pub(crate) fn verdicts(spec: &RigSpec, kernels: &[Kernel], samples: u32) -> Vec<Verdict> {
-    let verdict = |trial: Trial<'_>| {
-        let Worst { double, single } = trial.run(samples);
-        Verdict { name: trial.name, double, single }
-    };
-    trials(spec, kernels).into_iter().map(verdict).collect()
+    trials(spec, kernels).into_iter().map(|trial| trial.run(samples)).collect()
 }
 
 /// # Errors
@@ -102,16 +98,10 @@ fn trials<'a>(spec: &RigSpec, kernels: &'a [Kernel]) -> Vec<Trial<'a>> {
     trials.collect()
 }
 
-/// The largest relative deviations found.
-struct Worst {
-    double: f64,
-    single: f64,
-}
-
 impl Trial<'_> {
-    fn run(&self, samples: u32) -> Worst {
+    fn run(self, samples: u32) -> Verdict {
         let mut random = Random(fastrand::Rng::with_seed(0x5eed));
-        let mut worst = Worst { double: 0.0, single: 0.0 };
+        let mut worst = Verdict { name: self.name.clone(), double: 0.0, single: 0.0 };
         for _ in 0..samples {
             let bindings = self.pose(&mut random);
             let expected = self.expected(&bindings);

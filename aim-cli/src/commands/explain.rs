@@ -1,7 +1,5 @@
 //! `aim explain`: the derivation as a document.
 
-use std::path::Path;
-
 use aim_codegen::kernels;
 
 use crate::args::{self, Paper};
@@ -16,7 +14,7 @@ pub(super) fn run(arguments: &args::Explain) -> Result {
     let paper = paper(arguments)?;
     let spec = files::load_rig(&arguments.rig)?;
     if let Some(path) = &arguments.output {
-        Outputs::reading([(arguments.rig.as_path(), "the rig itself")]).writes(path, "-o")?;
+        Outputs::reading([(Some(&arguments.rig), "the rig itself")]).writes(path, "-o")?;
     }
     let kernels = kernels(&spec);
     let verdicts = verdicts(&spec, &kernels, arguments.samples);
@@ -41,20 +39,16 @@ pub(super) fn run(arguments: &args::Explain) -> Result {
 
 /// Format of the output: as asked, else by the file's ending, else a page.
 fn paper(arguments: &args::Explain) -> Result<Paper> {
-    let by_name = |path: &Path| {
-        let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
-        match ending.to_str() {
-            Some("html" | "htm") => Ok(Paper::Html),
-            Some("tex") => Ok(Paper::Latex),
-            _ => Err(Failure::in_file(
-                path,
-                "does not tell by its ending what to write; give -o a name that ends in .html or .tex, or add --format",
-            )),
-        }
+    let (format, Some(path)) = (arguments.format, &arguments.output) else {
+        return Ok(arguments.format.unwrap_or(Paper::Html));
     };
-    match (arguments.format, &arguments.output) {
+    match (format, &*files::ending(path)) {
         (Some(paper), _) => Ok(paper),
-        (None, Some(path)) => by_name(path),
-        (None, None) => Ok(Paper::Html),
+        (None, "html" | "htm") => Ok(Paper::Html),
+        (None, "tex") => Ok(Paper::Latex),
+        (None, _) => Err(Failure::in_file(
+            path,
+            "does not tell by its ending what to write; give -o a name that ends in .html or .tex, or add --format",
+        )),
     }
 }

@@ -26,7 +26,7 @@ pub(super) fn run(arguments: &args::Generate) -> Result {
     }
     match &arguments.output {
         Some(path) => {
-            Outputs::reading([(arguments.rig.as_path(), "the rig itself")]).writes(path, "-o")?;
+            Outputs::reading([(Some(&arguments.rig), "the rig itself")]).writes(path, "-o")?;
             files::write(path, code.as_bytes())
         }
         None => files::print(&code),

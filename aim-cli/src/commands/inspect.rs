@@ -3,41 +3,14 @@
 use std::path::Path;
 
 use aim_character::{Fit, evidence, propose};
-use aim_gltf::{BoneAxes, Document, MeasuredPose, Measurement};
-use serde::Serialize;
+use aim_gltf::{BoneAxes, Clip, Document, MeasuredPose, Measurement, Role};
+use serde_json::{Value, json};
 
 use crate::args;
 use crate::failure::Result;
 use crate::files;
 use crate::html::{self, Inspected};
 use crate::outputs::Outputs;
-
-#[derive(Serialize)]
-struct Inspection {
-    file: String,
-    up: [f64; 3],
-    forward: [f64; 3],
-    bones: Vec<BoneReport>,
-    clips: Vec<ClipReport>,
-}
-
-#[derive(Serialize)]
-struct BoneReport {
-    name: String,
-    parent: Option<String>,
-    role: Option<&'static str>,
-    up: &'static str,
-    forward: &'static str,
-    left: &'static str,
-    deviation_deg: f64,
-    handedness: &'static str,
-}
-
-#[derive(Serialize)]
-struct ClipReport {
-    name: String,
-    seconds: f32,
-}
 
 /// Beyond this, degrees, a signed axis is no description of a bone.
 const FAR_OFF_DEG: f64 = 20.0;
@@ -71,52 +44,46 @@ fn in_words(measurement: &Measurement, document: &Document) -> String {
     out
 }
 
-impl Inspection {
-    fn new(file: String, document: &Document, measurement: &Measurement) -> Self {
-        let nodes = document.skeleton().nodes();
-        let bones = measurement.bones.iter().map(|bone| BoneReport {
-            name: bone.name.clone(),
-            parent: bone.parent.map(|parent| nodes[parent].name.clone()),
-            role: bone.role.map(aim_gltf::Role::as_str),
-            up: bone.up.as_str(),
-            forward: bone.forward.as_str(),
-            left: bone.left.as_str(),
-            deviation_deg: rounded(bone.deviation_deg),
-            handedness: bone.handedness.as_str(),
-        });
-        let clips = document.clips().iter().map(|clip| ClipReport { name: clip.name.clone(), seconds: clip.seconds() });
-        Self {
-            file,
-            up: measurement.up.to_array().map(rounded),
-            forward: measurement.forward.to_array().map(rounded),
-            bones: bones.collect(),
-            clips: clips.collect(),
-        }
-    }
+/// What `--json` prints.
+fn json(file: &str, document: &Document, measurement: &Measurement) -> Value {
+    let nodes = document.skeleton().nodes();
+    let bone = |bone: &BoneAxes| {
+        json!({
+            "name": bone.name,
+            "parent": bone.parent.map(|parent| &nodes[parent].name),
+            "role": bone.role.map(Role::as_str),
+            "up": bone.up.as_str(),
+            "forward": bone.forward.as_str(),
+            "left": bone.left.as_str(),
+            "deviation_deg": rounded(bone.deviation_deg),
+            "handedness": bone.handedness.as_str(),
+        })
+    };
+    let clip = |clip: &Clip| json!({ "name": clip.name, "seconds": clip.seconds() });
+    json!({
+        "file": file,
+        "up": measurement.up.to_array().map(rounded),
+        "forward": measurement.forward.to_array().map(rounded),
+        "bones": measurement.bones.iter().map(bone).collect::<Value>(),
+        "clips": document.clips().iter().map(clip).collect::<Value>(),
+    })
+}
 
-    fn table(&self) -> String {
-        let mut out = String::new();
-        let width = |texts: &mut dyn Iterator<Item = usize>| texts.max().unwrap_or(0).max(4);
-        let name_width = width(&mut self.bones.iter().map(|b| b.name.chars().count()));
-        out += &format!("{:<name_width$}  {:<9}  up  fwd  left   off  hand\n", "bone", "role");
-        for bone in &self.bones {
-            out += &format!(
-                "{:<name_width$}  {:<9}  {}  {}   {}   {:>4.1}°  {}\n",
-                bone.name,
-                bone.role.unwrap_or(""),
-                bone.up,
-                bone.forward,
-                bone.left,
-                bone.deviation_deg,
-                bone.handedness
-            );
-        }
-        out += if self.clips.is_empty() { "\nno clips\n" } else { "\nclips\n" };
-        for clip in &self.clips {
-            out += &format!("  {} {:.3} s\n", clip.name, clip.seconds);
-        }
-        out
+/// Bones and clips, a line each.
+fn table(document: &Document, measurement: &Measurement) -> String {
+    let widths = measurement.bones.iter().map(|bone| bone.name.chars().count());
+    let width = widths.max().unwrap_or(0).max(4);
+    let mut out = format!("{:<width$}  {:<9}  up  fwd  left   off  hand\n", "bone", "role");
+    for bone in &measurement.bones {
+        let BoneAxes { name, role, up, forward, left, deviation_deg, handedness, .. } = bone;
+        let (role, hand) = (role.map_or("", Role::as_str), handedness.as_str());
+        out += &format!("{name:<width$}  {role:<9}  {up}  {forward}   {left}   {deviation_deg:>4.1}°  {hand}\n");
     }
+    out += if document.clips().is_empty() { "\nno clips\n" } else { "\nclips\n" };
+    for clip in document.clips() {
+        out += &format!("  {} {:.3} s\n", clip.name, clip.seconds());
+    }
+    out
 }
 
 /// To a millionth: what is beyond is noise of the file.
@@ -141,18 +108,17 @@ fn draw(arguments: &args::Inspect, page: &Path, document: &Document, measurement
 
 pub(super) fn run(arguments: &args::Inspect) -> Result {
     let document = files::load_model(&arguments.file)?;
-    let read =
-        [Some((arguments.file.as_path(), "the model itself")), arguments.rig.as_deref().map(|rig| (rig, "the rig"))];
-    let mut outputs = Outputs::reading(read.into_iter().flatten()).reading_parts_of(&document);
+    let read = [(Some(&arguments.file), "the model itself"), (arguments.rig.as_ref(), "the rig")];
+    let mut outputs = Outputs::reading(read).reading_parts_of(&document);
     let measurement = Measurement::of(&document);
     if let Some(page) = &arguments.html {
         outputs.writes(page, "--html")?;
         draw(arguments, page, &document, &measurement)?;
     }
-    let inspection = Inspection::new(arguments.file.display().to_string(), &document, &measurement);
+    let file = arguments.file.display().to_string();
     files::print(&if arguments.json {
-        files::to_json(&inspection)?
+        files::to_json(&json(&file, &document, &measurement))?
     } else {
-        format!("{}\n{}\n{}", inspection.file, in_words(&measurement, &document), inspection.table())
+        format!("{file}\n{}\n{}", in_words(&measurement, &document), table(&document, &measurement))
     })
 }

@@ -7,14 +7,13 @@ use crate::outputs::Outputs;
 use crate::plot::{self, JointPlot};
 
 pub(super) fn run(arguments: &args::Plot) -> Result {
-    let ending = arguments.output.extension().map(|ending| ending.to_ascii_lowercase());
-    let as_png = match ending.as_ref().and_then(|ending| ending.to_str()) {
-        Some("svg") => false,
-        Some("png") => true,
+    let as_png = match &*files::ending(&arguments.output) {
+        "svg" => false,
+        "png" => true,
         _ => return Err(Failure::in_file(&arguments.output, "is neither .svg nor .png; give -o one of these endings")),
     };
     let spec = files::load_rig(&arguments.rig)?;
-    Outputs::reading([(arguments.rig.as_path(), "the rig itself")]).writes(&arguments.output, "-o")?;
+    Outputs::reading([(Some(&arguments.rig), "the rig itself")]).writes(&arguments.output, "-o")?;
     let fail = |problem| Failure::in_file(&arguments.rig, problem);
     let target = arguments.target.map(|point| point.0);
     let subject = JointPlot::new(&spec, arguments.joint.as_deref(), target).map_err(fail)?;

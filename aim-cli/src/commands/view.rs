@@ -25,11 +25,10 @@ pub(super) fn run(arguments: args::View) -> Result {
 #[cfg(feature = "view")]
 fn check_outputs(arguments: &args::View) -> Result {
     let Some(out) = &arguments.screenshot else { return Ok(()) };
-    if !out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
+    if crate::files::ending(out) != "png" {
         return Err(Failure::in_file(out, "would be a PNG picture; give --screenshot a name that ends in .png"));
     }
-    let read = [(&arguments.file, "the model itself"), (&arguments.rig, "the rig")];
-    let read = read.into_iter().filter_map(|(path, what)| Some((path.as_deref()?, what)));
+    let read = [(arguments.file.as_ref(), "the model itself"), (arguments.rig.as_ref(), "the rig")];
     let mut outputs = crate::outputs::Outputs::reading(read);
     if let Some(file) = &arguments.file {
         outputs = outputs.reading_parts_of(&crate::files::load_model(file)?);

@@ -1,9 +1,22 @@
 //! What the derivation was held against, and what it costs.
 
-use super::document::{Block, Inline, Kind, Section, Table, Text, code, text};
-use super::{Explained, counted};
-use crate::commands::check::{TOLERANCE_F32, TOLERANCE_F64};
-use crate::commands::count::Row;
+use aim_codegen::{Kernel, RigSpec};
+
+use super::document::{Block, Inline, Kind, Section, Table, code, text};
+use crate::commands::check::{TOLERANCE_F32, TOLERANCE_F64, Verdict};
+use crate::commands::count::{Counts, Row, numbers};
+use crate::words::{counted, scientific};
+
+/// Subject of a document: all of it belongs to one rig.
+pub(crate) struct Explained<'a> {
+    pub(crate) spec: &'a RigSpec,
+    pub(crate) kernels: &'a [Kernel],
+    pub(crate) counts: &'a Counts,
+    /// Results of comparing the derived programs with central differences.
+    pub(crate) verdicts: &'a [Verdict],
+    /// Number of poses in that comparison.
+    pub(crate) samples: u32,
+}
 
 /// The comparison with central differences.
 pub(super) fn section(subject: &Explained<'_>) -> Section {
@@ -16,10 +29,7 @@ pub(super) fn section(subject: &Explained<'_>) -> Section {
             text![result],
         ]
     });
-    let rows = rows.collect();
-    let head: Vec<Text> = ["derived program", "largest deviation, f64", "largest deviation, f32", "verdict"]
-        .map(|name| text![name])
-        .to_vec();
+    let head = ["derived program", "largest deviation, f64", "largest deviation, f32", "verdict"];
     let caption = format!("{} against central differences", counted(subject.samples as usize, "random pose"));
     Section {
         id: "check",
@@ -38,36 +48,18 @@ pub(super) fn section(subject: &Explained<'_>) -> Section {
                 code("aim check"),
                 " does the same with as many poses as one likes.",
             ]),
-            Block::Table(Table { kind: Kind::Numbers, caption, head, rows }),
+            Block::Table(Table::new(Kind::Numbers, caption, &head, rows.collect())),
         ],
     }
 }
 
-/// Such as `1.3 × 10⁻¹²`.
-fn scientific(value: f64) -> String {
-    let text = format!("{value:.1e}");
-    let Some((digits, power)) = text.split_once('e') else { return text };
-    let raised = |letter: char| match letter.to_digit(10) {
-        Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
-        None => '⁻',
-    };
-    if power == "0" {
-        return digits.to_owned();
-    }
-    let power: String = power.chars().map(raised).collect();
-    format!("{} × 10{power}", digits.trim_end_matches(".0"))
-}
-
 /// The table of `aim count`.
 pub(super) fn counts(subject: &Explained<'_>) -> Section {
-    let head: Vec<Text> = ["", "total", "add", "mul", "div", "sqrt", "pow", "select"].map(|name| text![name]).to_vec();
+    let head = ["", "total", "add", "mul", "div", "sqrt", "pow", "select"];
     let rows = subject.counts.rows().iter().map(|Row { title, count, .. }| {
-        let numbers = [count.total, count.add, count.mul, count.div, count.sqrt, count.pow, count.select];
-        let mut row = vec![text![title.clone()]];
-        row.extend(numbers.map(|number| text![number.to_string()]));
-        row
+        let numbers = numbers(*count).map(|(_, number)| text![number.to_string()]);
+        std::iter::once(text![title.clone()]).chain(numbers).collect()
     });
-    let rows = rows.collect();
     Section {
         id: "counts",
         title: "What it costs".into(),
@@ -78,7 +70,7 @@ pub(super) fn counts(subject: &Explained<'_>) -> Section {
                 " tells them; the first four are of the joint next to the effector. Sines and cosines are given, subtractions count \
                  as additions, comparisons and selects are not in the total, and negations are free.",
             ]),
-            Block::Table(Table { kind: Kind::Numbers, caption: "Operations".into(), head, rows }),
+            Block::Table(Table::new(Kind::Numbers, "Operations", &head, rows.collect())),
         ],
     }
 }

@@ -5,9 +5,9 @@ use aim_codegen::{AngleRange, Frame, JointSpec, LimitsFrom, RigSpec};
 use aim_symbolic::print::{self, Formula, Notation, Sign};
 use aim_symbolic::{Graph, Rotation, Vector, VectorNode};
 
-use super::document::{Block, Equation, Inline, Kind, Section, Table, code, text};
-use super::drawing::{self, Drawing};
-use super::kernel::Kernel;
+use super::document::{Block, Drawing, Equation, Inline, Kind, Section, Table, code, text};
+use super::drawing;
+use super::kernel::{Kernel, joint_names};
 use super::statement::Points;
 use crate::words;
 
@@ -43,7 +43,7 @@ pub(super) fn section(spec: &RigSpec) -> Section {
 }
 
 fn axes(spec: &RigSpec, frame: &Frame, joints: &[usize]) -> Drawing {
-    let names = joints.iter().map(|&joint| spec.joints[joint].name.as_str()).collect::<Vec<_>>().join(", ");
+    let names = joint_names(spec, joints);
     let [up, forward, left] = [frame.up, frame.forward, frame.left].map(axis);
     let hand = if frame.handedness() > 0.0 {
         "a right-handed frame: up × forward = left"

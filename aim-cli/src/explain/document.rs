@@ -2,8 +2,6 @@
 
 use aim_symbolic::print::Formula;
 
-use super::drawing::Drawing;
-
 /// A part of a line.
 #[derive(Clone, Debug)]
 pub(super) enum Inline {
@@ -108,6 +106,42 @@ impl Table {
     pub(super) fn new(kind: Kind, caption: impl Into<String>, head: &[&str], rows: Vec<Vec<Text>>) -> Self {
         Self { kind, caption: caption.into(), head: head.iter().map(|name| text![*name]).collect(), rows }
     }
+}
+
+/// Meaning of a line; the page decides its look.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Ink {
+    /// One of the bone's own axes.
+    Axis(usize),
+    /// A direction of the character.
+    Direction,
+    Heading,
+    Pitch,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Arrow {
+    /// From the first to the last, where its head is.
+    pub(super) points: Vec<[f64; 2]>,
+    pub(super) ink: Ink,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Label {
+    pub(super) at: [f64; 2],
+    pub(super) text: String,
+    pub(super) ink: Ink,
+}
+
+/// A drawing, y downwards; labels are centred on their points.
+#[derive(Clone, Debug)]
+pub(super) struct Drawing {
+    pub(super) size: [f64; 2],
+    /// Description for readers who cannot see it.
+    pub(super) told: String,
+    pub(super) caption: Text,
+    pub(super) arrows: Vec<Arrow>,
+    pub(super) labels: Vec<Label>,
 }
 
 #[derive(Clone, Debug)]

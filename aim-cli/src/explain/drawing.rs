@@ -1,46 +1,10 @@
-//! Drawings of lines, arrows and words, and the one of a bone's axes.
+//! The drawing of a bone's axes.
 
 use aim_codegen::Frame;
 use glam::DVec3;
 
-use super::document::Text;
+use super::document::{Arrow, Drawing, Ink, Label, Text};
 use crate::projection::Projection;
-
-/// Meaning of a line; the page decides its look.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Ink {
-    /// One of the bone's own axes.
-    Axis(usize),
-    /// A direction of the character.
-    Direction,
-    Heading,
-    Pitch,
-}
-
-#[derive(Clone, Debug)]
-pub(super) struct Arrow {
-    /// From the first to the last, where its head is.
-    pub(super) points: Vec<[f64; 2]>,
-    pub(super) ink: Ink,
-}
-
-#[derive(Clone, Debug)]
-pub(super) struct Label {
-    pub(super) at: [f64; 2],
-    pub(super) text: String,
-    pub(super) ink: Ink,
-}
-
-/// A drawing, y downwards; labels are centred on their points.
-#[derive(Clone, Debug)]
-pub(super) struct Drawing {
-    pub(super) size: [f64; 2],
-    /// Description for readers who cannot see it.
-    pub(super) told: String,
-    pub(super) caption: Text,
-    pub(super) arrows: Vec<Arrow>,
-    pub(super) labels: Vec<Label>,
-}
 
 const SIZE: [f64; 2] = [400.0, 300.0];
 const CENTRE: [f64; 2] = [196.0, 178.0];

@@ -126,7 +126,7 @@ fn needed_by(g: &Graph, swept: &Swept, node: Node) -> Text {
     for Passage { node: needing, .. } in &swept.passages {
         if g.parts(*needing).contains(&node) {
             times += 1;
-            let reason = handed_on(g, *needing, node);
+            let reason = rule(g, *needing, Some(node));
             if !reasons.contains(&reason) {
                 reasons.push(reason);
             }
@@ -141,8 +141,13 @@ fn needed_by(g: &Graph, swept: &Swept, node: Node) -> Text {
     }
 }
 
-/// The rule that takes the derivative of `whole` to that of its part.
-fn handed_on(g: &Graph, whole: Node, part: Node) -> &'static str {
+/// The rule by which an expression changes: with all of its parts, or with the one that is given.
+fn rule(g: &Graph, whole: Node, part: Option<Node>) -> &'static str {
+    const SUM: &str = "a sum changes as its terms do";
+    const FIRST_TERM: &str = "a difference changes as its first term does";
+    const SECOND_TERM: &str = "a difference changes against its second term";
+    const SIGN: &str = "the sign stays";
+    const PRODUCT: &str = "a product changes by the change of one factor, times the other";
     match whole {
         Node::Scalar(scalar) => match g.scalar_node(scalar) {
             ScalarNode::Dot(v, w) if v == w => "the derivative of a square is twice its root",
@@ -150,13 +155,11 @@ fn handed_on(g: &Graph, whole: Node, part: Node) -> &'static str {
             ScalarNode::Norm(_) => "a length changes by as much as its vector moves along its own direction",
             ScalarNode::Component(..) => "a component is a dot product with its axis",
             ScalarNode::Reciprocal(_) => "the derivative of 1/x is −1/x²",
-            ScalarNode::Add(..) => "a sum changes as its terms do",
-            ScalarNode::Sub(_, second) if Node::Scalar(second) == part => {
-                "a difference changes against its second term"
-            }
-            ScalarNode::Sub(..) => "a difference changes as its first term does",
-            ScalarNode::Neg(_) => "the sign stays",
-            ScalarNode::Mul(..) => "a product changes by the change of one factor, times the other",
+            ScalarNode::Sub(_, second) if part == Some(Node::Scalar(second)) => SECOND_TERM,
+            ScalarNode::Sub(..) if part.is_some() => FIRST_TERM,
+            ScalarNode::Add(..) | ScalarNode::Sub(..) => SUM,
+            ScalarNode::Neg(_) => SIGN,
+            ScalarNode::Mul(..) => PRODUCT,
             ScalarNode::Div(..) => "the quotient rule",
             ScalarNode::Sqrt(_) => "the derivative of √x is 1/(2√x)",
             _ => "the chain rule",
@@ -167,13 +170,11 @@ fn handed_on(g: &Graph, whole: Node, part: Node) -> &'static str {
                  the length alone"
             }
             VectorNode::Rotate(..) => "v · R w = Rᵀ v · w, so the derivative is turned back",
-            VectorNode::Add(..) => "a sum changes as its terms do",
-            VectorNode::Sub(_, second) if Node::Vector(second) == part => {
-                "a difference changes against its second term"
-            }
-            VectorNode::Sub(..) => "a difference changes as its first term does",
-            VectorNode::Neg(_) => "the sign stays",
-            VectorNode::Scale(..) => "a product changes by the change of one factor, times the other",
+            VectorNode::Sub(_, second) if part == Some(Node::Vector(second)) => SECOND_TERM,
+            VectorNode::Sub(..) if part.is_some() => FIRST_TERM,
+            VectorNode::Add(..) | VectorNode::Sub(..) => SUM,
+            VectorNode::Neg(_) => SIGN,
+            VectorNode::Scale(..) => PRODUCT,
             VectorNode::Perp(..) => "the quarter turn is turned back",
             VectorNode::Cross(..) => "the product rule for the cross product",
             _ => "the chain rule",
@@ -196,19 +197,9 @@ fn forward(kernel: &Kernel<'_>, swept: &Swept) -> Vec<Vec<Text>> {
                     let moves = swept.passages.iter().any(|passage| passage.node == Node::Vector(inner));
                     if moves { text!["the rotation takes the change along"] } else { turns }
                 }
-                VectorNode::Normalize(_) => {
-                    text!["a direction changes only by what its vector moves across it, divided by the length"]
-                }
-                VectorNode::Add(..) | VectorNode::Sub(..) => text!["a sum changes as its terms do"],
-                _ => text!["the product rule"],
+                _ => text![rule(g, *node, None)],
             },
-            Node::Scalar(scalar) => match g.scalar_node(scalar) {
-                ScalarNode::Dot(..) => text!["a dot product changes by the change of one side, dot the other side"],
-                ScalarNode::Norm(_) => text!["a length changes by as much as its vector moves along its own direction"],
-                ScalarNode::Reciprocal(_) => text!["the derivative of 1/x is −1/x²"],
-                ScalarNode::Add(..) | ScalarNode::Sub(..) => text!["a sum changes as its terms do"],
-                _ => text!["the product rule"],
-            },
+            Node::Scalar(_) => text![rule(g, *node, None)],
         };
         rows.push(vec![text![symbol.clone()], text![right.clone()], because]);
         if right.length() > SHORT && !notation.parts.iter().any(|(known, _)| known == derivative) {

@@ -3,8 +3,8 @@
 use aim_symbolic::print::{Formula, Sign, mathml};
 use maud::{Markup, PreEscaped, html};
 
-use super::document::{Block, Equation, Explanation, Inline, Kind, Rewriting, Section, Table};
-use super::drawing::{Arrow, Drawing, Ink};
+use super::document::{Arrow, Block, Drawing, Equation, Explanation, Ink, Inline, Kind, Rewriting, Section, Table};
+use crate::words::n;
 
 /// The page.
 pub(crate) fn page(document: &Explanation) -> String {
@@ -134,7 +134,7 @@ fn drawing(drawing: &Drawing) -> Markup {
             svg viewBox={ "0 0 " (width) " " (height) } role="img" aria-label=(drawing.told) {
                 @for arrow in &drawing.arrows { (self::arrow(arrow)) }
                 @for label in &drawing.labels {
-                    text class=(ink(label.ink)) x=(rounded(label.at[0])) y=(rounded(label.at[1])) { (label.text) }
+                    text class=(ink(label.ink)) x=(n(label.at[0])) y=(n(label.at[1])) { (label.text) }
                 }
             }
             figcaption { (line(&drawing.caption)) }
@@ -159,11 +159,7 @@ fn arrow(Arrow { points, ink }: &Arrow) -> Markup {
 }
 
 fn list(points: &[[f64; 2]]) -> String {
-    points.iter().map(|[x, y]| format!("{},{}", rounded(*x), rounded(*y))).collect::<Vec<_>>().join(" ")
-}
-
-fn rounded(value: f64) -> f64 {
-    (10.0 * value).round() / 10.0
+    points.iter().map(|[x, y]| format!("{},{}", n(*x), n(*y))).collect::<Vec<_>>().join(" ")
 }
 
 fn ink(ink: Ink) -> &'static str {

@@ -38,14 +38,7 @@ impl<'a> Kernel<'a> {
 
     /// Its joints' names.
     pub(super) fn names(&self) -> Inline {
-        code(
-            self.emitted
-                .joints
-                .iter()
-                .map(|&joint| self.spec.joints[joint].name.as_str())
-                .collect::<Vec<_>>()
-                .join(", "),
-        )
+        code(joint_names(self.spec, &self.emitted.joints))
     }
 
     /// Its values' names.
@@ -66,6 +59,11 @@ impl<'a> Kernel<'a> {
     pub(super) fn is_small(&self) -> bool {
         self.emitted.objective.scope == Scope::Joint
     }
+}
+
+/// These joints' names in a row.
+pub(super) fn joint_names(spec: &RigSpec, joints: &[usize]) -> String {
+    joints.iter().map(|&joint| spec.joints[joint].name.as_str()).collect::<Vec<_>>().join(", ")
 }
 
 /// Names for what was swept over, and the equations that say what they stand for.

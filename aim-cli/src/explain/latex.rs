@@ -5,8 +5,7 @@ use std::fmt::Write;
 
 use aim_symbolic::print::{Formula, Sign, latex};
 
-use super::document::{Block, Equation, Explanation, Inline, Kind, Rewriting, Table};
-use super::drawing::{Drawing, Ink};
+use super::document::{Block, Drawing, Equation, Explanation, Ink, Inline, Kind, Rewriting, Table};
 
 const PREAMBLE: &str = include_str!("preamble.tex");
 

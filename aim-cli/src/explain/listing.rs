@@ -80,12 +80,7 @@ fn inputs(kernel: &Kernel<'_>) -> Table {
             ]
         }
     };
-    Table {
-        kind: Kind::Code,
-        caption: "What the function is given".into(),
-        head: ["input", "symbol", "what it is"].map(|name| text![name]).to_vec(),
-        rows,
-    }
+    Table::new(Kind::Code, "What the function is given", &["input", "symbol", "what it is"], rows)
 }
 
 fn lines(kernel: &Kernel<'_>) -> Table {
@@ -106,12 +101,8 @@ fn lines(kernel: &Kernel<'_>) -> Table {
         let first = if place == 0 { text![code(formatted(&emitted.results))] } else { Text::new() };
         rows.push(vec![first, text![result.clone()], text![Inline::Math(name.clone())]]);
     }
-    Table {
-        kind: Kind::Code,
-        caption: format!("{}: {}", rust_kernels::function_name(kernel.emitted), derivation.program.count()),
-        head: ["line", "formula", "what it is"].map(|name| text![name]).to_vec(),
-        rows,
-    }
+    let caption = format!("{}: {}", rust_kernels::function_name(kernel.emitted), derivation.program.count());
+    Table::new(Kind::Code, caption, &["line", "formula", "what it is"], rows)
 }
 
 /// The longest formula that tells a line's meaning better than nothing.

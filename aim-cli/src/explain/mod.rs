@@ -15,32 +15,19 @@ mod listing;
 mod rewriting;
 mod statement;
 
-use aim_codegen::RigSpec;
 use aim_codegen::emit::Rig;
 use aim_codegen::objective::{self, Scope, notation};
 use aim_symbolic::print::{self, Formula};
 
-use crate::commands::check::Verdict;
-use crate::commands::count::Counts;
 use crate::words::counted;
 
+pub(crate) use check::Explained;
 pub(crate) use document::Explanation;
 pub(crate) use html::page as html;
 pub(crate) use latex::text as latex;
 
 use document::{Block, Equation, Inline, Section, code, text};
-use kernel::Kernel;
-
-/// Subject of a document: all of it belongs to one rig.
-pub(crate) struct Explained<'a> {
-    pub(crate) spec: &'a RigSpec,
-    pub(crate) kernels: &'a [objective::Kernel],
-    pub(crate) counts: &'a Counts,
-    /// Results of comparing the derived programs with central differences.
-    pub(crate) verdicts: &'a [Verdict],
-    /// Number of poses in that comparison.
-    pub(crate) samples: u32,
-}
+use kernel::{Kernel, joint_names};
 
 /// The document.
 pub(crate) fn document(subject: &Explained<'_>) -> Explanation {
@@ -83,8 +70,8 @@ pub(crate) fn formulas(rig: &Rig<'_>) -> Explanation {
         let steps = told.steps.into_iter().map(|(_, symbol, right)| Equation::from((symbol, right)));
         let outputs = told.outputs.into_iter().enumerate();
         let outputs = outputs.map(|(i, output)| Equation::from((Formula::italic("r").numbered(i), output)));
-        let names: Vec<&str> = kernel.joints.iter().map(|&joint| rig.spec.joints[joint].name.as_str()).collect();
-        let subject = if kernel.objective.scope == Scope::Joint { names.join(", ") } else { "chain".to_owned() };
+        let is_joint = kernel.objective.scope == Scope::Joint;
+        let subject = if is_joint { joint_names(rig.spec, &kernel.joints) } else { "chain".to_owned() };
         Section {
             id: kernel.objective.name,
             title: format!("{subject}: {}", kernel.objective.title),
@@ -164,9 +151,4 @@ fn whole(kernel: &Kernel<'_>, name: Inline) -> Block {
     blocks.push(Block::Heading(text!["The code"]));
     blocks.extend(listing::blocks(kernel));
     Block::Fold(summary, blocks)
-}
-
-/// The symbol of what an objective is called.
-fn aim() -> Formula {
-    Formula::upright("aim")
 }

@@ -52,7 +52,7 @@ pub(super) fn section(kernel: &Kernel<'_>) -> Section {
         }
     }
     let right = print::scalar(g, aim, &notation);
-    equations.push(Equation { left: super::aim(), right, paper: Some(6) });
+    equations.push(Equation { left: Formula::upright("aim"), right, paper: Some(6) });
     blocks.push(Block::Equations(equations));
     blocks.push(Block::Paragraph(text![
         "The aim is the cosine of the angle between where the effector points and where the target is: the dot product of two \

@@ -53,6 +53,31 @@ pub(super) struct Chart<'a> {
     pub(super) moments: &'a [f64],
 }
 
+/// Times and statuses that all charts of a page share.
+pub(super) struct Base<'a> {
+    pub(super) times: &'a [f64],
+    pub(super) statuses: &'a [&'a str],
+}
+
+impl<'a> Base<'a> {
+    pub(super) fn chart(&self, label: String, unit: &'static str, scale: Scale) -> Chart<'a> {
+        let (times, statuses) = (self.times, self.statuses);
+        Chart {
+            label,
+            unit,
+            wide: false,
+            times,
+            statuses,
+            scale,
+            wraps: None,
+            series: Vec::new(),
+            marks: Vec::new(),
+            bound: Vec::new(),
+            moments: &[],
+        }
+    }
+}
+
 /// The room around the plot.
 const LEFT: f64 = 44.0;
 const RIGHT: f64 = 44.0;

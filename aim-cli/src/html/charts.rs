@@ -1,13 +1,15 @@
 //! The charts: what each shows and over which values; drawn by [`Chart`].
 
+use aim_character::range_in_frame;
 use aim_codegen::AngleRange;
 use aim_runtime::Settings;
 use maud::{Markup, html};
 
-use super::chart::{Chart, Mark, Scale, Series};
+use super::chart::{Base, Mark, Scale, Series};
 use super::directions::Directions;
-use super::{BakePage, gaze};
-use crate::bake_report::{BakeReport, JointReport, motion};
+use super::gaze;
+use super::subject::BakePage;
+use crate::bake_report::{BakeReport, JointReport};
 use crate::words::{self, chip, shown, trimmed};
 
 /// Every chart of the page.
@@ -28,7 +30,7 @@ pub(super) fn all(subject: &BakePage<'_>) -> Markup {
              its rate. The band below each chart tells the status:"
         }
         p.statuses {
-            @for (word, ours, meaning) in words::STATUSES.iter().filter(|(word, ..)| statuses.contains(word)) {
+            @for (word, ours, _, meaning) in words::STATUSES.iter().filter(|(word, ..)| statuses.contains(word)) {
                 span.chip title=(meaning) { (chip(word)) (ours) }
             }
         }
@@ -37,31 +39,6 @@ pub(super) fn all(subject: &BakePage<'_>) -> Markup {
             @if let Some(directions) = &directions { (gaze::charts(&base, directions)) }
             (roll(&base, report))
             @for k in 0..spec.joints.len() { (angles(&base, subject, k)) }
-        }
-    }
-}
-
-/// Times and statuses that all charts of a page share.
-pub(super) struct Base<'a> {
-    pub(super) times: &'a [f64],
-    pub(super) statuses: &'a [&'a str],
-}
-
-impl<'a> Base<'a> {
-    pub(super) fn chart(&self, label: String, unit: &'static str, scale: Scale) -> Chart<'a> {
-        let (times, statuses) = (self.times, self.statuses);
-        Chart {
-            label,
-            unit,
-            wide: false,
-            times,
-            statuses,
-            scale,
-            wraps: None,
-            series: Vec::new(),
-            marks: Vec::new(),
-            bound: Vec::new(),
-            moments: &[],
         }
     }
 }
@@ -183,7 +160,7 @@ const PITCH_END: &str = "pitch limit";
 fn ranges(subject: &BakePage<'_>, index: usize) -> [[Vec<f64>; 2]; 2] {
     let mut ends: [[Vec<f64>; 2]; 2] = Default::default();
     for at in subject.baked.frames.iter().filter_map(|frame| frame.joints.get(index)) {
-        for (ends, range) in ends.iter_mut().zip(motion(&subject.spec.joints[index], at)) {
+        for (ends, range) in ends.iter_mut().zip(range_in_frame(&subject.spec.joints[index], at)) {
             for (ends, end) in ends.iter_mut().zip(range) {
                 ends.push(end.to_degrees());
             }

@@ -5,7 +5,7 @@ use aim_character::chain_nodes;
 use aim_codegen::Role;
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::BakePage;
+use super::subject::BakePage;
 
 /// Azimuth and elevation of one thing in every frame, degrees; NaN where it has no direction.
 pub(super) type Bearings = Vec<[f64; 2]>;

@@ -5,8 +5,8 @@ use aim_gltf::AimedFrame;
 use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
-use super::BakePage;
 use super::scene::{Eye, HEIGHT, Scene, WIDTH};
+use super::subject::BakePage;
 use crate::words::{self, n, segment};
 
 /// Drawings in the strip.

@@ -5,8 +5,7 @@ use std::ops::Range;
 
 use maud::{Markup, html};
 
-use super::chart::{Scale, Series};
-use super::charts::Base;
+use super::chart::{Base, Scale, Series};
 use super::directions::{Bearings, Directions, apart};
 use crate::words::{self, trimmed};
 

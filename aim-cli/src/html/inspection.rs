@@ -6,9 +6,9 @@ use aim_gltf::{Document, Measurement, Surface};
 use glam::DVec3;
 use maud::{Markup, html};
 
-use super::raster::{Corner, FADE, Face, Paint, Raster};
+use super::raster::{FADE, Paint, Raster};
 use super::scene::ends;
-use super::whole;
+use crate::page::report as report_page;
 use crate::projection::Projection;
 use crate::words::{n, points, segment};
 
@@ -48,11 +48,11 @@ pub(crate) fn page(inspected: &Inspected<'_>) -> String {
         @for against in evidence::against(measurement, document) { p { "Against it: " (against) "." } }
         @if let Some(fit) = fit { (verdict(fit, rig)) }
         div.views {
-            @for (name, view) in &views { (drawing(inspected, name, view, &surface, &positions)) }
+            @for (name, view) in &views { (drawing(inspected, name, view, &surface)) }
         }
         @if let Some(fit) = fit { (table(fit)) }
     };
-    whole(&title, &content)
+    report_page(&title, &content)
 }
 
 fn verdict(fit: &Fit<'_>, rig: &str) -> Markup {
@@ -93,7 +93,7 @@ fn views(inspected: &Inspected<'_>, positions: &[DVec3]) -> Vec<(&'static str, P
     ]
 }
 
-fn drawing(inspected: &Inspected<'_>, name: &str, view: &Projection, surface: &Surface, positions: &[DVec3]) -> Markup {
+fn drawing(inspected: &Inspected<'_>, name: &str, view: &Projection, surface: &Surface) -> Markup {
     let Inspected { document, measurement, fit, .. } = inspected;
     let nodes = document.skeleton().nodes();
     let lines = measurement.bones.iter().filter_map(|bone| {
@@ -103,7 +103,7 @@ fn drawing(inspected: &Inspected<'_>, name: &str, view: &Projection, surface: &S
     html! {
         figure {
             svg viewBox=(format!("0 0 {SIZE} {SIZE}")) role="img" aria-label=(name) {
-                @if let Some(picture) = figure(view, surface, positions) {
+                @if let Some(picture) = figure(inspected, view, surface) {
                     image href=(picture) width=(n(SIZE)) height=(n(SIZE)) opacity="0.5" {}
                 }
                 @for (bone, parent) in lines { (segment("bone", bone, parent)) }
@@ -214,20 +214,12 @@ fn table(fit: &Fit<'_>) -> Markup {
     }
 }
 
-/// The surface as a pale picture.
-fn figure(view: &Projection, surface: &Surface, positions: &[DVec3]) -> Option<String> {
+/// The surface in the bind pose as a pale picture.
+fn figure(inspected: &Inspected<'_>, view: &Projection, surface: &Surface) -> Option<String> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a constant of some hundreds")]
     let pixels = (SIZE * PIXELS) as usize;
     let mut picture = Raster::new(pixels, pixels, FADE);
-    for triangle in surface.triangles() {
-        let [a, b, c] = triangle.vertices.map(|vertex| positions[vertex]);
-        let flat = (b - a).cross(c - a).normalize_or_zero();
-        let normal = view.turn(flat);
-        let corner = |point: DVec3| {
-            let screen = view.project(point);
-            Corner { screen: DVec3::new(screen.x * PIXELS, screen.y * PIXELS, screen.z), normal, world: point }
-        };
-        picture.draw(&Face { corners: [a, b, c].map(corner), paint: Paint::Plain(CLAY) });
-    }
+    let (skeleton, bind) = (inspected.document.skeleton(), &inspected.measurement.bind_world);
+    picture.draw_surface((surface, skeleton), bind, (view, PIXELS), |_| Paint::Plain(CLAY));
     picture.data_uri()
 }

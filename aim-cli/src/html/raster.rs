@@ -3,10 +3,12 @@
 //!
 //! A shaded figure as SVG triangles would be ten times as large and show its seams; the lines over it are vectors.
 
+use aim_gltf::{Skeleton, Surface, Triangle};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
+use crate::projection::Projection;
 use crate::words::count;
 
 /// Samples a pixel in each direction.
@@ -31,20 +33,20 @@ pub(super) enum Paint {
 
 /// A corner of a face.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Corner {
+struct Corner {
     /// Pixels right and down, and how near it is.
-    pub(super) screen: DVec3,
+    screen: DVec3,
     /// Unit normal in camera space.
-    pub(super) normal: DVec3,
+    normal: DVec3,
     /// Its place in the world, for [`Paint::Eye`].
-    pub(super) world: DVec3,
+    world: DVec3,
 }
 
 /// A triangle ready to be drawn.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Face {
-    pub(super) corners: [Corner; 3],
-    pub(super) paint: Paint,
+struct Face {
+    corners: [Corner; 3],
+    paint: Paint,
 }
 
 /// A picture in the making.
@@ -65,8 +67,29 @@ impl Raster {
         Self { width, height, fade, depth: vec![f64::NEG_INFINITY; samples], colour: vec![[0.0; 3]; samples] }
     }
 
+    /// Draws a surface as it is with the nodes at `world`, in a view whose unit is so many `pixels`.
+    pub(super) fn draw_surface(
+        &mut self,
+        (surface, skeleton): (&Surface, &Skeleton),
+        world: &[DAffine3],
+        (view, pixels): (&Projection, f64),
+        paint: impl Fn(&Triangle) -> Paint,
+    ) {
+        let (mut positions, mut normals) = (Vec::new(), Vec::new());
+        surface.pose(skeleton, world, &mut positions, &mut normals);
+        for triangle in surface.triangles() {
+            let corners = triangle.vertices.map(|vertex| {
+                let world = positions[vertex].as_dvec3();
+                let DVec3 { x, y, z } = view.project(world);
+                let normal = view.turn(normals[vertex].as_dvec3());
+                Corner { screen: DVec3::new(x * pixels, y * pixels, z), normal, world }
+            });
+            self.draw(&Face { corners, paint: paint(triangle) });
+        }
+    }
+
     /// Draws one face where it is the nearest.
-    pub(super) fn draw(&mut self, face: &Face) {
+    fn draw(&mut self, face: &Face) {
         let [a, b, c] = face.corners.map(|corner| corner.screen);
         let area = cross(b - a, c - a);
         if !(a.is_finite() && b.is_finite() && c.is_finite()) || area.abs() < 1e-9 {

@@ -1,13 +1,11 @@
 //! The character as it is drawn: one camera for the whole film, the skinned surface as a picture, or else its bones.
 
-use std::collections::HashMap;
-
-use aim_gltf::{AimedFrame, ChainNodes, Document, LimbNodes, Measurement, Role, Surface};
+use aim_gltf::{AimedFrame, ChainNodes, Document, LimbNodes, Measurement, Role, Surface, Triangle};
 use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
-use super::BakePage;
-use super::raster::{Corner, FADE, Face, Paint, Raster};
+use super::raster::{FADE, Paint, Raster};
+use super::subject::BakePage;
 use crate::projection::Projection;
 use crate::words::{n, segment, span};
 
@@ -39,8 +37,6 @@ pub(super) struct Scene<'a> {
     document: &'a Document,
     pub(super) measurement: &'a Measurement,
     surface: Surface,
-    /// For each vertex the one that its normal is shared with.
-    welded: Vec<usize>,
     /// The rig's own bones.
     joints: Vec<usize>,
     /// Those whose surface is an eyeball.
@@ -121,7 +117,12 @@ impl FollowingCamera {
 
     /// Place of a point of the world in the drawing, with the nodes at `world`.
     pub(super) fn project(&self, point: DVec3, world: &[DAffine3]) -> DVec3 {
-        self.view.place(point - self.view.centre - at(self.follows, world))
+        self.view_of(world).project(point)
+    }
+
+    /// The view, where the camera is with the nodes at `world`.
+    fn view_of(&self, world: &[DAffine3]) -> Projection {
+        Projection { centre: self.view.centre + at(self.follows, world), ..self.view }
     }
 }
 
@@ -173,8 +174,7 @@ impl<'a> Scene<'a> {
             eye_bind,
             places,
         );
-        let welded = weld(&positions, measurement.height);
-        Self { document, measurement, surface, welded, joints: chain.joints.clone(), eyes, camera, fade: FADE }
+        Self { document, measurement, surface, joints: chain.joints.clone(), eyes, camera, fade: FADE }
     }
 
     /// The whole character in each of the poses `worlds`, and what the limb is led to.
@@ -193,9 +193,8 @@ impl<'a> Scene<'a> {
         });
         let camera = FollowingCamera::new(measurement, LIMB_ASIDE_DEG, None, bind[limb.tip].translation);
         let camera = camera.around(character, target);
-        let welded = weld(&surface.positions(skeleton, bind), measurement.height);
         let joints = vec![limb.upper, limb.lower, limb.tip];
-        Self { document, measurement, surface, welded, joints, eyes: Vec::new(), camera, fade: 0.0 }
+        Self { document, measurement, surface, joints, eyes: Vec::new(), camera, fade: 0.0 }
     }
 
     /// The surface; without one the bones.
@@ -208,46 +207,20 @@ impl<'a> Scene<'a> {
 
     /// The surface as a picture.
     fn figure(&self, world: &[DAffine3]) -> Option<String> {
-        let skeleton = self.document.skeleton();
-        let positions = self.surface.positions(skeleton, world);
-        let normals = self.normals(&positions);
-        let eye_of = |node: Option<usize>| {
-            let eye = self.eyes.iter().find(|eye| Some(eye.node) == node)?;
-            let centre = world[eye.node].transform_point3(eye.centre);
-            Some(Paint::Eye { centre, gaze: world[eye.node].transform_vector3(eye.forward).normalize_or_zero() })
+        let (skeleton, surface) = (self.document.skeleton(), &self.surface);
+        let paint = |triangle: &Triangle| {
+            let node = surface.node_of(skeleton, triangle.vertices[0]);
+            if let Some(eye) = self.eyes.iter().find(|eye| Some(eye.node) == node) {
+                let centre = world[eye.node].transform_point3(eye.centre);
+                let gaze = world[eye.node].transform_vector3(eye.forward).normalize_or_zero();
+                return Paint::Eye { centre, gaze };
+            }
+            let material = triangle.material.map(|at| &surface.materials()[at]);
+            Paint::Plain(material.filter(|material| material.texture.is_none()).map_or(CLAY, |m| srgb(m.colour)))
         };
         let mut picture = Raster::new(PICTURE.0, PICTURE.1, self.fade);
-        for triangle in self.surface.triangles() {
-            let [a, b, c] = triangle.vertices.map(|vertex| positions[vertex]);
-            let flat = (b - a).cross(c - a).normalize_or_zero();
-            let eye = eye_of(self.surface.node_of(skeleton, triangle.vertices[0]));
-            let corners = triangle.vertices.map(|vertex| {
-                let screen = self.camera.project(positions[vertex], world);
-                // Past 60° an edge is an edge.
-                let normal = if normals[vertex].dot(flat) > 0.5 { normals[vertex] } else { flat };
-                Corner {
-                    screen: DVec3::new(screen.x * PIXELS, screen.y * PIXELS, screen.z),
-                    normal: self.camera.view.turn(normal),
-                    world: positions[vertex],
-                }
-            });
-            let material = triangle.material.map(|at| &self.surface.materials()[at]);
-            let plain = material.filter(|material| material.texture.is_none()).map_or(CLAY, |m| srgb(m.colour));
-            picture.draw(&Face { corners, paint: eye.unwrap_or(Paint::Plain(plain)) });
-        }
+        picture.draw_surface((surface, skeleton), world, (&self.camera.view_of(world), PIXELS), paint);
         picture.data_uri()
-    }
-
-    /// Unit normals, smooth where vertices share a place.
-    fn normals(&self, positions: &[DVec3]) -> Vec<DVec3> {
-        let mut sums = vec![DVec3::ZERO; positions.len()];
-        for triangle in self.surface.triangles() {
-            let [a, b, c] = triangle.vertices.map(|vertex| positions[vertex]);
-            for vertex in triangle.vertices {
-                sums[self.welded[vertex]] += (b - a).cross(c - a);
-            }
-        }
-        self.welded.iter().map(|at| sums[*at].normalize_or_zero()).collect()
     }
 
     /// Lines from bone to bone, the rig's own ones thicker.
@@ -263,14 +236,6 @@ impl<'a> Scene<'a> {
             }
         }
     }
-}
-
-/// Each vertex's first vertex at the same place in the bind pose.
-fn weld(positions: &[DVec3], size: f64) -> Vec<usize> {
-    let mut first = HashMap::new();
-    let grain = 1e-5 * size.max(f64::MIN_POSITIVE);
-    let key = |p: &DVec3| (*p / grain).round().to_array().map(|x| (x + 0.0).to_bits());
-    positions.iter().enumerate().map(|(index, p)| *first.entry(key(p)).or_insert(index)).collect()
 }
 
 /// The lowest and highest coordinates of the surface that hangs on `carrier`; where none does, on the bones below it.

@@ -4,16 +4,10 @@ use aim_codegen::RigSpec;
 use maud::{Markup, html};
 
 use crate::bake_report::BakeReport;
-use crate::words::{self, STATUSES, chip, counted, fixed, listed, shown, status, tiny, trimmed};
+use crate::words::{self, chip, counted, fixed, listed, shown, status, tiny, trimmed};
 
 /// An excess over a rate or a range up to this is rounding.
 const ROUNDING: f64 = 1e-2;
-
-/// Frames of each status, in the order of [`STATUSES`].
-fn counts(report: &BakeReport) -> Vec<(&'static str, usize)> {
-    let count = |word: &str| report.frames.iter().filter(|frame| frame.status == word).count();
-    STATUSES.iter().map(|(word, ..)| (*word, count(word))).filter(|(_, frames)| *frames > 0).collect()
-}
 
 fn percent(part: usize, of: usize) -> f64 {
     words::count(part) / words::count(of.max(1)) * 100.0
@@ -31,7 +25,7 @@ pub(super) fn table(caption: &str, rows: &[(&str, String)]) -> Markup {
 
 /// The summary: a paragraph, the share of each status, the facts.
 pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
-    let counts = counts(report);
+    let counts = report.counts();
     let all = report.frames.len();
     html! {
         section.summary {
@@ -42,7 +36,7 @@ pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
                 table {
                     caption { "What came of it" }
                     tbody {
-                        @for (word, frames) in &counts {
+                        @for (word, frames, _) in &counts {
                             tr {
                                 th scope="row" { span.chip { (chip(word)) (status(word)) } }
                                 td { (counted(*frames, "frame")) ", " (fixed(percent(*frames, all), 1)) " %" }
@@ -88,11 +82,8 @@ fn in_words(spec: &RigSpec, report: &BakeReport) -> String {
     if reached > 0 {
         text += &format!(", {} off it at worst", words::degrees(report.summary.max_error_deg_reached));
     }
-    let others = counts(report).into_iter().filter(|(word, _)| *word != "reached").map(|(word, frames)| match word {
-        "behind" => format!("{frames} with the target behind the character"),
-        word => format!("{frames} {}", status(word)),
-    });
-    let others: Vec<String> = others.collect();
+    let others = report.counts().into_iter().filter(|(word, ..)| *word != "reached");
+    let others: Vec<String> = others.map(|(_, frames, words)| format!("{frames} {words}")).collect();
     if !others.is_empty() {
         text += &format!("; {}", listed(&others.iter().map(String::as_str).collect::<Vec<_>>()));
     }
@@ -115,11 +106,11 @@ fn seconds(report: &BakeReport) -> f64 {
 }
 
 /// One bar, a part of it for each status.
-fn shares(counts: &[(&str, usize)], all: usize) -> Markup {
+fn shares(counts: &[(&str, usize, &str)], all: usize) -> Markup {
     let label: Vec<String> =
-        counts.iter().map(|(word, n)| format!("{} {} %", status(word), fixed(percent(*n, all), 1))).collect();
+        counts.iter().map(|(word, n, _)| format!("{} {} %", status(word), fixed(percent(*n, all), 1))).collect();
     let mut start = 0.0;
-    let parts = counts.iter().map(|(word, frames)| {
+    let parts = counts.iter().map(|(word, frames, _)| {
         let (from, width) = (start, percent(*frames, all));
         start += width;
         (word, from, width)

@@ -6,15 +6,15 @@ use aim_gltf::Goal;
 use glam::DVec3;
 use maud::{Markup, html};
 
-use super::chart::{Chart, Mark, Scale, Series};
-use super::charts::{Base, speeds};
+use super::chart::{Base, Chart, Mark, Scale, Series};
+use super::charts::speeds;
 use super::scene::ends;
 use super::summary::table;
 use super::takes::Takes;
-use super::whole;
+use crate::page::report as report_page;
 use crate::projection::Projection;
 use crate::reach_report::{ReachFrame, ReachReport};
-use crate::words::{chip, counted, fixed, shown, tiny, trimmed};
+use crate::words::{chip, counted, n, points, shown, tiny, trimmed};
 
 /// Statuses of a limb, each with its meaning.
 const STATUSES: [(&str, &str); 4] = [
@@ -69,7 +69,7 @@ pub(crate) fn page(report: &ReachReport, goals: &[Goal], takes: &Takes<'_>) -> S
             (charts(report, takes))
         }
     };
-    whole(&title, &content)
+    report_page(&title, &content)
 }
 
 fn summary(report: &ReachReport) -> Markup {
@@ -202,21 +202,15 @@ fn view(report: &ReachReport, (name, right, up): (&str, DVec3, DVec3)) -> Markup
     let scale = (SIZE - 2.0 * BORDER) / (high - low).max_element().max(f64::MIN_POSITIVE);
     let (centre, middle) = ((low + high) * 0.5, [SIZE / 2.0; 2]);
     let view = Projection { right, up, toward: right.cross(up), centre, middle, scale };
-    let flat = |point: &[f64; 3]| {
-        let DVec3 { x, y, .. } = view.project((*point).into());
-        [x, y]
-    };
-    let line = |points: &[[f64; 3]]| {
-        let points: Vec<String> = points.iter().map(&flat).map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
-        points.join(" ")
-    };
+    let flat = |point: &[f64; 3]| view.project((*point).into());
+    let line = |all: &[[f64; 3]]| points(all.iter().map(flat));
     html! {
         figure {
             svg role="img" viewBox=(format!("0 0 {SIZE} {SIZE}")) aria-label=(format!("The way of {}, {name}", report.bone)) {
                 polyline class="series plain" points=(line(&before)) {}
                 polyline class="series heading" points=(line(&after)) {}
-                @for [x, y] in after.iter().map(flat) { circle.joint cx=(fixed(x, 1)) cy=(fixed(y, 1)) r="1.6" {} }
-                @for [x, y] in targets.iter().map(flat) { circle.target cx=(fixed(x, 1)) cy=(fixed(y, 1)) r="4.5" {} }
+                @for p in after.iter().map(flat) { circle.joint cx=(n(p.x)) cy=(n(p.y)) r="1.6" {} }
+                @for p in targets.iter().map(flat) { circle.target cx=(n(p.x)) cy=(n(p.y)) r="4.5" {} }
             }
             figcaption { (name) }
         }

@@ -1,6 +1,6 @@
 //! The mannequin's joints: names, parents before children, places in metres (x left, y up, z forward).
 
-use glam::DVec3;
+use glam::{DMat3, DQuat, DVec3};
 
 /// One joint in the bind pose.
 pub(crate) struct Joint {
@@ -8,6 +8,31 @@ pub(crate) struct Joint {
     pub(crate) parent: Option<usize>,
     /// Relative to the ground between the feet.
     pub(crate) position: DVec3,
+}
+
+/// Frame and place of one joint, from which its numbers follow.
+pub(crate) struct Bone {
+    /// Character ← bone, orthonormal, mirrored or not.
+    pub(crate) frame: DMat3,
+    /// Parent bone ← character.
+    pub(crate) to_parent: DMat3,
+    /// From the parent joint, in the character's space.
+    pub(crate) offset: DVec3,
+    /// The local scale: one axis negative where bone and parent differ in handedness.
+    pub(crate) mirror: DVec3,
+}
+
+impl Bone {
+    /// The local translation for an extra offset in the character's space.
+    pub(crate) fn translation(&self, extra: DVec3) -> DVec3 {
+        self.to_parent * (self.offset + extra)
+    }
+
+    /// The local rotation that turns the bone by `turn`, given in the character's axes.
+    pub(crate) fn rotation(&self, turn: DQuat) -> DQuat {
+        let local = self.to_parent * DMat3::from_quat(turn) * self.frame * DMat3::from_diagonal(self.mirror);
+        DQuat::from_mat3(&local).normalize()
+    }
 }
 
 /// Column, then the left limbs, whose mirror images follow.

@@ -9,9 +9,10 @@ mod pack;
 mod shape;
 mod walk;
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DVec3};
 
 use crate::error::Error;
+use joints::Bone;
 
 /// The paper's convention: a bone's +X is up, +Y forward, +Z left.
 pub const PAPER_AXES: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -43,31 +44,6 @@ pub fn mannequin(axes_of: impl Fn(&str) -> [[f32; 3]; 3]) -> Result<Vec<u8>, Err
     };
     let rig: Vec<Bone> = joints.iter().zip(&frames).map(bone).collect();
     pack::pack(&joints, &rig)
-}
-
-/// Frame and place of one joint, from which its numbers follow.
-struct Bone {
-    /// Character ← bone, orthonormal, mirrored or not.
-    frame: DMat3,
-    /// Parent bone ← character.
-    to_parent: DMat3,
-    /// From the parent joint, in the character's space.
-    offset: DVec3,
-    /// The local scale: one axis negative where bone and parent differ in handedness.
-    mirror: DVec3,
-}
-
-impl Bone {
-    /// The local translation for an extra offset in the character's space.
-    fn translation(&self, extra: DVec3) -> DVec3 {
-        self.to_parent * (self.offset + extra)
-    }
-
-    /// The local rotation that turns the bone by `turn`, given in the character's axes.
-    fn rotation(&self, turn: DQuat) -> DQuat {
-        let local = self.to_parent * DMat3::from_quat(turn) * self.frame * DMat3::from_diagonal(self.mirror);
-        DQuat::from_mat3(&local).normalize()
-    }
 }
 
 /// Character ← bone from the three vectors in the bone's space.

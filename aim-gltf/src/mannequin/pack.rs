@@ -1,16 +1,20 @@
 //! The mannequin's parts put into a GLB.
 
-use glam::{DQuat, DVec3};
+use std::sync::Arc;
+
+use glam::{DQuat, DVec3, Quat, Vec3};
 use serde_json::{Value, json};
 
-use super::Bone;
 use super::body::{MATERIALS, surfaces};
-use super::joints::Joint;
+use super::joints::{Bone, Joint};
 use super::shape::ShapeMesh;
 use super::walk;
+use crate::bake::continuous;
+use crate::clip::{Channel, Clip};
 use crate::container;
 use crate::error::Error;
 use crate::num;
+use crate::write::Appended;
 
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
@@ -41,7 +45,6 @@ impl Data {
     fn floats<const N: usize>(&mut self, values: &[[f32; N]], target: Option<u32>, bounds: bool) -> usize {
         let bytes: Vec<u8> = values.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
         let shape = match N {
-            1 => "SCALAR",
             3 => "VEC3",
             4 => "VEC4",
             _ => "MAT4",
@@ -74,8 +77,7 @@ pub(super) fn pack(joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
             "pbrMetallicRoughness": { "baseColorFactor": [r, g, b, 1.0], "metallicFactor": 0.0, "roughnessFactor": m.roughness },
         })
     };
-    let animation = walk_clip(&mut data, joints, rig);
-    let json = json!({
+    let mut json = json!({
         "asset": { "version": "2.0", "generator": concat!("aim-gltf ", env!("CARGO_PKG_VERSION")) },
         "scene": 0,
         "scenes": [{ "name": "mannequin", "nodes": [0, joints.len()] }],
@@ -83,11 +85,14 @@ pub(super) fn pack(joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
         "meshes": [{ "name": "body", "primitives": primitives }],
         "skins": [{ "name": "mannequin", "inverseBindMatrices": binds, "skeleton": 0, "joints": (0..joints.len()).collect::<Vec<_>>() }],
         "materials": MATERIALS.iter().map(material).collect::<Vec<_>>(),
-        "animations": [animation],
-        "accessors": data.accessors,
-        "bufferViews": data.views,
-        "buffers": [{ "byteLength": data.bytes.len() }],
     });
+    let (mut walk, start) = (Appended::default(), data.bytes.len());
+    json["animations"] = json!([walk.animation(&walk_clip(joints, rig), data.accessors.len(), data.views.len())]);
+    data.bytes.extend(&walk.bytes);
+    json["accessors"] = data.accessors.into();
+    json["bufferViews"] = data.views.into();
+    json["buffers"] = json!([{ "byteLength": data.bytes.len() }]);
+    walk.describe(&mut json, 0, start);
     let text = serde_json::to_vec(&json).map_err(|e| Error::Json(e.to_string()))?;
     container::join(&text, Some(&data.bytes))
 }
@@ -150,35 +155,26 @@ fn primitive(data: &mut Data, surface: &ShapeMesh, material: usize) -> Value {
     })
 }
 
-fn walk_clip(data: &mut Data, joints: &[Joint], rig: &[Bone]) -> Value {
+fn walk_clip(joints: &[Joint], rig: &[Bone]) -> Clip {
     let phase = |k: u32| f64::from(k % walk::KEYS) / f64::from(walk::KEYS);
-    let time = |k: u32| [num::narrow(f64::from(k) / f64::from(walk::KEYS) * walk::SECONDS)];
-    let times: Vec<[f32; 1]> = (0..=walk::KEYS).map(time).collect();
-    let input = data.floats(&times, None, true);
-    let (mut channels, mut samplers) = (Vec::new(), Vec::new());
-    let mut push = |node: usize, path: &str, output: usize| {
-        channels.push(json!({ "sampler": samplers.len(), "target": { "node": node, "path": path } }));
-        samplers.push(json!({ "input": input, "output": output, "interpolation": "LINEAR" }));
-    };
+    let time = |k: u32| num::narrow(f64::from(k) / f64::from(walk::KEYS) * walk::SECONDS);
+    let times: Arc<[f32]> = (0..=walk::KEYS).map(time).collect();
+    let mut channels = Vec::new();
     for (index, (joint, bone)) in joints.iter().zip(rig).enumerate() {
         if joint.parent.is_none() {
-            let places: Vec<[f32; 3]> =
-                (0..=walk::KEYS).map(|k| narrow3(bone.translation(walk::hips_offset(phase(k))))).collect();
-            push(index, "translation", data.floats(&places, None, false));
+            let place = |k: u32| narrow3(bone.translation(walk::hips_offset(phase(k)))).into();
+            let places: Vec<Vec3> = (0..=walk::KEYS).map(place).collect();
+            channels.push(Channel::translation(index, times.clone(), &places));
         }
         if (0..walk::KEYS).all(|k| walk::turn(&joint.name, phase(k)) == DQuat::IDENTITY) {
             continue;
         }
-        let mut turns: Vec<DQuat> =
-            (0..=walk::KEYS).map(|k| bone.rotation(walk::turn(&joint.name, phase(k)))).collect();
-        // q and −q are the same turn; neighbours on one side read and blend better.
-        for k in 1..turns.len() {
-            if turns[k].dot(turns[k - 1]) < 0.0 {
-                turns[k] = -turns[k];
-            }
+        let mut turns: Vec<Quat> = Vec::new();
+        for k in 0..=walk::KEYS {
+            let turn = Quat::from_array(narrow4(bone.rotation(walk::turn(&joint.name, phase(k)))));
+            turns.push(continuous(turns.last(), turn));
         }
-        let turns: Vec<[f32; 4]> = turns.into_iter().map(narrow4).collect();
-        push(index, "rotation", data.floats(&turns, None, false));
+        channels.push(Channel::rotation(index, times.clone(), &turns));
     }
-    json!({ "name": "walk", "channels": channels, "samplers": samplers })
+    Clip::new("walk", channels)
 }

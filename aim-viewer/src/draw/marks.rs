@@ -4,8 +4,7 @@ use glam::Vec3;
 use three_d::{Blend, Context, CoreError, ElementBuffer, InstanceBuffer, Program, RenderStates, VertexBuffer};
 
 use super::light::{self, Light};
-use super::linear;
-use crate::picture::{Picture, Rod};
+use crate::picture::{Colour, Picture, Rod};
 
 /// Sides around, and rings from the middle to an end.
 const SIDES: u32 = 24;
@@ -43,16 +42,9 @@ impl Marks {
     }
 
     pub(super) fn fill(&mut self, picture: &Picture) {
-        let rods = |in_front: bool| {
-            let of_it = picture.rods.iter().filter(move |rod| rod.in_front == in_front);
-            of_it.map(|rod| (*rod, false))
-        };
-        let balls = picture.balls.iter().map(|ball| {
-            let (from, to) = (ball.centre, ball.centre);
-            (Rod { from, to, radius: ball.radius, colour: ball.colour, in_front: false }, true)
-        });
-        self.hidden.fill(&rods(false).chain(balls).collect::<Vec<_>>());
-        self.in_front.fill(&rods(true).collect::<Vec<_>>());
+        let (in_front, hidden): (Vec<Rod>, Vec<Rod>) = picture.rods.iter().partition(|rod| rod.in_front);
+        self.hidden.fill(&hidden);
+        self.in_front.fill(&in_front);
     }
 
     pub(super) fn draw(&self, light: &Light, in_front: bool) {
@@ -83,13 +75,12 @@ impl Instances {
         }
     }
 
-    /// Rods, and whether they are lit.
-    fn fill(&mut self, rods: &[(Rod, bool)]) {
-        self.from.fill(&rods.iter().map(|(rod, _)| rod.from.to_array()).collect::<Vec<_>>());
-        self.to.fill(&rods.iter().map(|(rod, _)| rod.to.to_array()).collect::<Vec<_>>());
-        let kind = |(rod, is_lit): &(Rod, bool)| [rod.radius, f32::from(u8::from(*is_lit))];
+    fn fill(&mut self, rods: &[Rod]) {
+        self.from.fill(&rods.iter().map(|rod| rod.from.to_array()).collect::<Vec<_>>());
+        self.to.fill(&rods.iter().map(|rod| rod.to.to_array()).collect::<Vec<_>>());
+        let kind = |rod: &Rod| [rod.radius, f32::from(u8::from(rod.is_lit))];
         self.kind.fill(&rods.iter().map(kind).collect::<Vec<_>>());
-        self.colour.fill(&rods.iter().map(|(rod, _)| linear(rod.colour)).collect::<Vec<_>>());
+        self.colour.fill(&rods.iter().map(|rod| linear(rod.colour)).collect::<Vec<_>>());
     }
 }
 
@@ -117,6 +108,13 @@ fn capsule() -> (Vec<[f32; 4]>, Vec<u32>) {
     (near.chain(far).collect(), triangles.collect())
 }
 
+/// An sRGB colour as linear light, its opacity as it is.
+fn linear(colour: Colour) -> [f32; 4] {
+    let [red, green, blue, opacity] = colour.map(|part| f32::from(part) / 255.0);
+    let part = |x: f32| if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) };
+    [part(red), part(green), part(blue), opacity]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -137,5 +135,12 @@ mod tests {
         // A ball and a tube three long, less what the corners cut off.
         let whole = std::f32::consts::PI * (4.0 / 3.0 + 3.0);
         assert!((0.97..1.0).contains(&(volume / whole)), "{volume} of {whole}");
+    }
+
+    #[test]
+    fn colours_become_light() {
+        assert_eq!(linear([0, 255, 0, 255]), [0.0, 1.0, 0.0, 1.0]);
+        let grey = linear([188, 188, 188, 51]);
+        assert!((grey[0] - 0.503).abs() < 1e-3 && (grey[3] - 0.2).abs() < 1e-6, "{grey:?}");
     }
 }

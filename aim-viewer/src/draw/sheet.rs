@@ -7,10 +7,19 @@ use three_d::{
     RenderTargetMultisample, ScissorBox, Texture2D, VertexBuffer, Viewport, Wrapping, WriteMask,
 };
 
-use super::Place;
-
 /// Samples a pixel: as many as each OpenGL 3.3 and WebGL 2 has.
 const SAMPLES: u32 = 4;
+
+/// Part of the screen to draw on, in pixels from its lower left.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    /// The whole screen.
+    pub(crate) screen: [u32; 2],
+}
 
 pub(super) struct Sheet {
     samples: RenderTargetMultisample<[u8; 4], f32>,

@@ -161,7 +161,6 @@ fn assert_finite(window: &Window) {
     let mut points = vec![picture.view.from, picture.view.at];
     points.extend(picture.figures.iter().flat_map(|figure| &figure.positions));
     points.extend(picture.rods.iter().flat_map(|rod| [rod.from, rod.to]));
-    points.extend(picture.balls.iter().map(|ball| ball.centre));
     points.extend(picture.fans.iter().flat_map(|fan| fan.rim.iter().chain([&fan.apex])));
     assert!(points.iter().all(|point| point.is_finite()));
     let remembered = stage

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use aim_codegen::declare::{from_derive_input, from_toml};
 use aim_codegen::{AngleRange, JointSpec, RigSpec};
 use aim_runtime::Behind;
+use serde_json::{Value, json};
 
 use super::*;
 use crate::stage::Lineup;
@@ -435,13 +436,20 @@ fn plots_and_scene_share_the_window() {
 fn programs_are_told_where_the_target_is_and_how_far_off_the_gaze() {
     let mut window = Window::mannequin(USUAL);
     window.frames(60);
-    let state = window.viewer().state();
-    let [x, y, z] = window.viewer().stage.target_now().to_array();
-    let Pos2 { x: right, y: down } = window.seen(glam::Vec3::new(x, y, z));
-    let told = format!(
-        r#"[{{"solver":"natural","status":"Reached","error_deg":0.0000,"target":[{x:.4},{y:.4},{z:.4}],"target_seen":[{right:.4},{down:.4}]"#
-    );
-    assert!(state.starts_with(&told), "{state} does not begin with {told}");
+    let state: Value = serde_json::from_str(&window.viewer().state()).expect("it is JSON");
+    let target = window.viewer().stage.target_now();
+    let rounded = |x: f32| (f64::from(x) * 1e4).round() / 1e4;
+    let seen = <[f32; 2]>::from(window.seen(target)).map(rounded);
+    let expected = json!({
+        "solver": "natural",
+        "status": "Reached",
+        "error_deg": 0.0,
+        "target": target.to_array().map(rounded),
+        "target_seen": seen,
+        "gazes_seen": state[0]["gazes_seen"],
+    });
+    assert_eq!(state, json!([expected]));
+    assert_eq!(state[0]["gazes_seen"].as_array().map(Vec::len), Some(2), "of both eyes");
 }
 
 #[test]
