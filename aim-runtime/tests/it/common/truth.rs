@@ -352,7 +352,7 @@ impl Call<'_> {
     }
 
     /// The angle told, by forward kinematics to 1e-5 rad and four roundings of the largest coordinate as seen from as near
-    /// as the target is; eight of a target nearer than a thirtieth of that, where a chain's own roundings add up.
+    /// as the target is; nine of a target nearer than a thirtieth of that, where a chain's own roundings add up.
     pub fn check_remaining(&self, (origin, direction): ([f64; 3], [f64; 3]), told: f32) -> Result<(), String> {
         let points = self.joints.iter().chain(self.pair).map(|joint| Vec3::from(joint.translation));
         let points = points.chain([self.target]);
