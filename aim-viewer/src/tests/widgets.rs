@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use aim_codegen::declare::{from_derive_input, from_toml};
 use aim_codegen::{AngleRange, JointSpec, RigSpec};
 use aim_runtime::Behind;
+use serde_json::{Value, json};
 
 use super::*;
 use crate::stage::Lineup;
@@ -435,13 +436,21 @@ fn plots_and_scene_share_the_window() {
 fn programs_are_told_where_the_target_is_and_how_far_off_the_gaze() {
     let mut window = Window::mannequin(USUAL);
     window.frames(60);
-    let state = window.viewer().state();
-    let [x, y, z] = window.viewer().stage.target_now().to_array();
-    let Pos2 { x: right, y: down } = window.seen(glam::Vec3::new(x, y, z));
-    let told = format!(
-        r#"[{{"solver":"natural","status":"Reached","error_deg":0.0000,"target":[{x:.4},{y:.4},{z:.4}],"target_seen":[{right:.4},{down:.4}]"#
-    );
-    assert!(state.starts_with(&told), "{state} does not begin with {told}");
+    let state: Value = serde_json::from_str(&window.viewer().state()).expect("JSON");
+    let target = window.viewer().stage.target_now();
+    let seen = window.seen(target);
+    // Ten-thousandths are told.
+    let tells = |key: &str, expected: &[f32]| {
+        let found = state[0][key].as_array().expect(key);
+        let is_near =
+            |(found, expected): (&Value, &f32)| (found.as_f64().expect(key) - f64::from(*expected)).abs() < 0.6e-4;
+        found.len() == expected.len() && found.iter().zip(expected).all(is_near)
+    };
+    assert_eq!(state.as_array().map(Vec::len), Some(1), "{state}");
+    assert_eq!((&state[0]["solver"], &state[0]["status"]), (&json!("natural"), &json!("Reached")), "{state}");
+    assert_eq!(state[0]["error_deg"], json!(0.0), "{state}");
+    assert!(tells("target", &target.to_array()), "{state} is not {target}");
+    assert!(tells("target_seen", &[seen.x, seen.y]), "{state} is not {seen}");
 }
 
 #[test]
