@@ -351,7 +351,7 @@ const _: () = {
     for ::aim::__private::Pose<[::aim::__private::Affine3A; 3]> {
         #[inline]
         fn from(__pose: ThugPose) -> Self {
-            ::aim::__private::Pose::new(::core::convert::Into::into(__pose))
+            <Self>::new(::core::convert::Into::into(__pose))
         }
     }
 };

@@ -287,7 +287,7 @@ const _: () = {
     for ::aim::__private::Pose<[::aim::__private::Affine3A; 2]> {
         #[inline]
         fn from(__pose: TurretPose) -> Self {
-            ::aim::__private::Pose::new(::core::convert::Into::into(__pose))
+            <Self>::new(::core::convert::Into::into(__pose))
         }
     }
 };

@@ -174,7 +174,7 @@ pub(super) fn conversions(item: &Item) -> TokenStream {
         impl ::core::convert::From<#pose> for #krate::__private::Pose<[#krate::__private::Affine3A; #joints]> {
             #[inline]
             fn from(#value: #pose) -> Self {
-                #krate::__private::Pose::new(::core::convert::Into::into(#value))
+                <Self>::new(::core::convert::Into::into(#value))
             }
         }
     }

@@ -302,7 +302,7 @@ const _: () = {
     for ::aim::__private::Pose<[::aim::__private::Affine3A; 2]> {
         #[inline]
         fn from(__pose: ExtraPose) -> Self {
-            ::aim::__private::Pose::new(::core::convert::Into::into(__pose))
+            <Self>::new(::core::convert::Into::into(__pose))
         }
     }
     ///Aim of joint `head`, `neck`, d aim / d pitch, d aim / d heading. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `Extra`.

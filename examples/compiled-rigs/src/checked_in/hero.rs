@@ -365,7 +365,7 @@ const _: () = {
     for ::aim::__private::Pose<[::aim::__private::Affine3A; 3]> {
         #[inline]
         fn from(__pose: HeroPose) -> Self {
-            ::aim::__private::Pose::new(::core::convert::Into::into(__pose))
+            <Self>::new(::core::convert::Into::into(__pose))
         }
     }
     ///Aim of joint `left_eye`, `neck`, `spine3`, d aim / d pitch, d aim / d heading. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `Hero`.
