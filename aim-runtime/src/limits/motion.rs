@@ -1,5 +1,5 @@
 //! The ranges of motion that a call works with, made once a call from what was declared and, where they count from the
-//! bind pose, from how the animation stands to it. The one place that reads declared ranges.
+//! bind pose, from how the animation stands to it. Specialised solvers read declared ranges themselves where those are fixed.
 
 use glam::{Affine3A, Mat3A, Vec3A};
 
