@@ -11,6 +11,7 @@ pub struct GeneralPose<T = ::aim::__private::Affine3A> {
 }
 #[allow(
     clippy::approx_constant,
+    clippy::inline_always,
     clippy::manual_range_patterns,
     clippy::too_many_lines,
     clippy::unreadable_literal,

@@ -82,6 +82,7 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
 
         #[allow(
             clippy::approx_constant,
+            clippy::inline_always,
             clippy::manual_range_patterns,
             clippy::too_many_lines,
             clippy::unreadable_literal,

@@ -23,6 +23,7 @@ pub struct ExtraPose<T = ::aim::__private::Affine3A> {
 }
 #[allow(
     clippy::approx_constant,
+    clippy::inline_always,
     clippy::manual_range_patterns,
     clippy::too_many_lines,
     clippy::unreadable_literal,
