@@ -2,7 +2,7 @@
 
 use crate::common::*;
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3, Vec3A};
-use aim_runtime::{Axes, Effector, Joint, Pose, Settings, Status};
+use aim_runtime::{Axes, Call, Effector, Joint, Pose, Rig, Settings, State, Status, Target, Targets};
 
 /// After anything, one good second aims as if nothing had been.
 fn still_works(rig: &mut NumericRig, case: &str) {
@@ -166,6 +166,32 @@ fn no_joints() {
     assert_eq!(rig.aim(&Pose::new(Vec::new()), Vec3::X, 0.016).status, Status::Degenerate);
     assert_eq!(rig.snap(&Pose::new(Vec::new()), Vec3::X).status, Status::Degenerate);
     assert_eq!(rig.corrections().count(), 0);
+}
+
+/// A caller of slices may have miscounted: nothing is aimed, nothing moves, and nothing panics.
+#[test]
+fn slices_of_other_lengths() {
+    let (settings, point) = (Settings::default(), Vec3::new(0.3, 1.6, -2.0));
+    let weighted = [Target::new(point, 0.7), Target::new(-point, 0.2)];
+    for count in [1, 3] {
+        let mut rig = NumericRig::thug();
+        rig.infos.truncate(count);
+        rig.joints.truncate(count);
+        let pose = upright(&rig);
+        for targets in [Targets::from(point), Targets::from(&weighted)] {
+            for [joints, transforms, turns] in [[0, count, count], [count, count - 1, count], [count, count, count + 1]]
+            {
+                let mut state = State::new(vec![Joint::from_angles(0.1, 0.2); joints]);
+                let mut corrections = vec![Quat::from_rotation_x(0.5); turns];
+                let (before, unturned) = (state.clone(), corrections.clone());
+                let call = Call { targets, dt: Some(0.016), settings: &settings };
+                let pose = Pose::new(&pose[..transforms]);
+                let outcome = (&rig as &dyn Rig).aim(&mut state, &pose, &call, &mut corrections);
+                assert_eq!(outcome.status, Status::Degenerate, "{joints} {transforms} {turns}");
+                assert!(state == before && corrections == unturned, "{joints} {transforms} {turns}");
+            }
+        }
+    }
 }
 
 /// Mirrored by one bone only, stretched along another: the forward kinematics is followed all the same.
