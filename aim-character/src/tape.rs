@@ -119,11 +119,11 @@ impl Tape {
 /// A program on its way to a tape.
 struct Layout<'p> {
     program: &'p Program,
-    /// What is left of each operation: its code and operands, `None` for inputs, constants and what is part of another.
+    /// Each operation that is left, its code and operands; `None` for inputs, constants and what is part of another.
     planned: Vec<Option<(Code, Vec<Value>)>>,
     /// The slot of each value that has one yet.
     slots: Vec<u16>,
-    /// How often each value is still needed.
+    /// The number of uses that each value still has.
     uses: Vec<usize>,
     free: Vec<u16>,
     next: u16,

@@ -11,7 +11,7 @@ const FRAME_S: f32 = 1.0 / 60.0;
 const FRAMES: u16 = 300;
 /// The solver that a call leaves open is the rig's choice, which is by role.
 const SOLVERS: [Option<Solver>; 4] = [None, Some(Solver::Natural), Some(Solver::Exact), Some(Solver::Ascent)];
-/// What joints may be called, from the effector inward: other parts of the body, all of them one part, no part at all.
+/// Names for joints, from the effector inward: other parts of the body, all of them one part, no part at all.
 const OTHER_NAMES: [[&str; 4]; 4] = [
     ["tail", "left_eye", "head", "neck"],
     ["chest", "right_eye", "neck", "left_eye"],

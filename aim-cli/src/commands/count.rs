@@ -26,7 +26,7 @@ pub(crate) struct Counts {
 pub(crate) struct Row {
     /// Its key in JSON, which is part of the contract.
     key: &'static str,
-    /// What readers are told.
+    /// The words for readers.
     pub(crate) title: String,
     pub(crate) count: Count,
 }
