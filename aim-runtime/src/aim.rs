@@ -94,10 +94,10 @@ impl<R: AimRig> Aim<R> {
         };
         let call = solve::Call::new(target_ps, Some(dt), settings);
         let mut corrections = R::array(Quat::IDENTITY);
-        let (rig, mut state) = (R::RIG.description(), self.state.slices());
-        match solve::follow(R::RIG, &rig, &mut state, &pose.slices(), &call, corrections.as_mut()) {
+        let mut state = self.state.slices();
+        match solve::follow(R::RIG, R::DESCRIPTION, &mut state, &pose.slices(), &call, corrections.as_mut()) {
             Some(outcome) => Aimed { outcome, corrections },
-            None => self.search(pose, &call),
+            None => self.search(pose, target_ps, dt, settings),
         }
     }
 
@@ -124,16 +124,23 @@ impl<R: AimRig> Aim<R> {
     fn call(&mut self, pose: &Pose<R::Array<Affine3A>>, call: &Call<'_>) -> Aimed<R::Array<Quat>> {
         let mut corrections = R::array(Quat::IDENTITY);
         let outcome =
-            aim_slices(R::RIG, &R::RIG.description(), self.state.slices(), &pose.slices(), call, corrections.as_mut());
+            aim_slices(R::RIG, R::DESCRIPTION, self.state.slices(), &pose.slices(), call, corrections.as_mut());
         Aimed { outcome, corrections }
     }
 
-    /// Apart, so that a followed frame that is inlined has its slices in registers.
+    /// Apart, so that a followed frame that is inlined has its slices and its call in registers.
     #[inline(never)]
-    fn search(&mut self, pose: &Pose<R::Array<Affine3A>>, call: &solve::Call<'_>) -> Aimed<R::Array<Quat>> {
+    fn search(
+        &mut self,
+        pose: &Pose<R::Array<Affine3A>>,
+        target_ps: Vec3,
+        dt: f32,
+        settings: &Settings,
+    ) -> Aimed<R::Array<Quat>> {
+        let call = solve::Call::new(target_ps, Some(dt), settings);
         let mut corrections = R::array(Quat::IDENTITY);
-        let (rig, mut state) = (R::RIG.description(), self.state.slices());
-        let outcome = search(R::RIG, &rig, &mut state, &pose.slices(), call, corrections.as_mut());
+        let mut state = self.state.slices();
+        let outcome = search(R::RIG, R::DESCRIPTION, &mut state, &pose.slices(), &call, corrections.as_mut());
         Aimed { outcome, corrections }
     }
 }

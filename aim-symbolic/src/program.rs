@@ -122,6 +122,11 @@ impl Program {
         self.numbers[value.index()]
     }
 
+    /// The number of steps after which `value` is known.
+    pub fn steps_until(&self, value: Value) -> usize {
+        self.numbers[value.index()] + usize::from(self.is_step(value.index()))
+    }
+
     fn number(&mut self) {
         self.find_inline();
         self.numbers.clear();

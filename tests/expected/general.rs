@@ -22,50 +22,7 @@ const _: () = {
     impl ::aim::__private::Rig for General {
         #[inline]
         fn description(&self) -> ::aim::__private::Description<'_> {
-            const DESCRIPTION: ::aim::__private::Description<'static> = ::aim::__private::Description::new(
-                    &[
-                        ::aim::__private::JointInfo::new(
-                                ::aim::__private::Axes {
-                                    up: [-0.000000000000000016653346, 0.96, 0.28],
-                                    forward: [0.6, -0.224, 0.768],
-                                    left: [0.8, 0.168, -0.576],
-                                },
-                                7.5,
-                            )
-                            .with_heading(-0.6, 0.6)
-                            .with_pitch(-0.4, 0.35)
-                            .with_acceleration(200.0)
-                            .with_stiffness(0.5)
-                            .with_role(::aim::__private::Role::Eye),
-                        ::aim::__private::JointInfo::new(
-                                ::aim::__private::Axes {
-                                    up: [0.0, 0.0, -1.0],
-                                    forward: [1.0, 0.0, 0.0],
-                                    left: [0.0, 1.0, 0.0],
-                                },
-                                2.9670596,
-                            )
-                            .with_heading(-1.0471976, 1.0471976)
-                            .with_pitch(-0.6981317, 0.61086524)
-                            .with_stiffness(1.0)
-                            .with_upright(0.5)
-                            .with_pitch_taper(0.25)
-                            .with_role(::aim::__private::Role::Neck)
-                            .with_limits_from(::aim::__private::LimitsFrom::BindPose),
-                    ],
-                )
-                .with_effector(::aim::__private::Effector {
-                    forward: [0.0, 0.0, 1.0],
-                    origin: [0.0, 0.0, 0.0],
-                })
-                .with_sharing(
-                    ::aim::__private::GazeSharing::HUMAN
-                        .with_eyes_only(0.17453292)
-                        .with_head_share(0.7)
-                        .with_engagement(0.25, 0.08726646)
-                        .with_delay(0.05),
-                );
-            DESCRIPTION
+            *<Self as ::aim::__private::AimRig>::DESCRIPTION
         }
         fn joint_name(
             &self,
@@ -152,16 +109,20 @@ const _: () = {
             let __v22 = 2.0 * __v21;
             let __v23 = 0.8 * __v16 - 0.6 * __v15;
             let __v24 = __v22 * __v23;
+            *__out_0 = __v24;
             let __v25 = 0.224 * __v15 + 0.168 * __v16 + 0.96 * __v14;
             let __v26 = __v22 * __v25;
+            *__out_1 = __v26;
             let __v27 = __v21 * __v22;
             let __v28 = __v23 * __v27;
             let __v29 = 0.6 * __v22 - 0.768 * __v28;
             let __v30 = 0.28 * __v28;
             let __v31 = __v14 * __v29 - __v15 * __v30;
+            *__out_2 = __v31;
             let __v32 = __sin_cos_0[1] * __v29 + __sin_cos_0[0] * __v30;
             let __v33 = 0.8 * __v22 + 0.576 * __v28;
             let __v34 = __v16 * __v32 + __v12 * __v33;
+            *__out_3 = __v34;
             let __v35 = __sin_cos_0[3] * __v32 - __sin_cos_0[2] * __v33;
             let __v36 = __sin_cos_0[2] * __v32 + __sin_cos_0[3] * __v33;
             let __v37 = __sin_cos_0[0] * __v29 - __sin_cos_0[1] * __v30;
@@ -184,6 +145,7 @@ const _: () = {
             let __v47 = __link_1[8] * __v38 - (__link_1[2] * __v39 - __link_1[5] * __v40)
                 + __v46;
             let __v48 = __v1 * __v47 - __v5 * __v45;
+            *__out_4 = __v48;
             let __v49 = __v4 * __v43;
             let __v50 = __link_1[7] * __v38 - (__link_1[1] * __v39 - __link_1[4] * __v40)
                 + __v49;
@@ -193,9 +155,11 @@ const _: () = {
             let __v53 = 0.224 * __v22 + 0.768 * __v52;
             let __v54 = 0.96 * __v22 - 0.28 * __v52;
             let __v55 = __v15 * __v54 - __v14 * __v53;
+            *__out_6 = __v55;
             let __v56 = __sin_cos_0[1] * __v53 + __sin_cos_0[0] * __v54;
             let __v57 = 0.168 * __v22 + 0.576 * __v52;
             let __v58 = __v12 * __v57 - __v16 * __v56;
+            *__out_7 = __v58;
             let __v59 = __sin_cos_0[3] * __v56 + __sin_cos_0[2] * __v57;
             let __v60 = __sin_cos_0[2] * __v56 - __sin_cos_0[3] * __v57;
             let __v61 = __sin_cos_0[0] * __v53 - __sin_cos_0[1] * __v54;
@@ -210,20 +174,13 @@ const _: () = {
             let __v69 = __link_1[8] * __v62 - (__link_1[2] * __v63 - __link_1[5] * __v64)
                 - __v68;
             let __v70 = __v5 * __v67 - __v1 * __v69;
+            *__out_8 = __v70;
             let __v71 = __v4 * __v65;
             let __v72 = __link_1[7] * __v62 - (__link_1[1] * __v63 - __link_1[4] * __v64)
                 - __v71;
             let __v73 = __v3 * (__sin_cos_1[1] * __v67 + __sin_cos_1[0] * __v69)
                 + __v0 * __v72;
-            *__out_0 = __v24;
-            *__out_1 = __v26;
-            *__out_2 = __v31;
-            *__out_3 = __v34;
-            *__out_4 = __v48;
             *__out_5 = -__v51;
-            *__out_6 = __v55;
-            *__out_7 = __v58;
-            *__out_8 = __v70;
             *__out_9 = __v73;
         }
         ///Aim of joint `left_eye`, d aim / d pitch, d aim / d heading. 91 operations: 35 add, 54 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `General`.
@@ -324,6 +281,49 @@ const _: () = {
             left_eye: ::aim::__private::Joint::REST,
             r#neck: ::aim::__private::Joint::REST,
         };
+        const DESCRIPTION: &'static ::aim::__private::Description<'static> = &::aim::__private::Description::new(
+                &[
+                    ::aim::__private::JointInfo::new(
+                            ::aim::__private::Axes {
+                                up: [-0.000000000000000016653346, 0.96, 0.28],
+                                forward: [0.6, -0.224, 0.768],
+                                left: [0.8, 0.168, -0.576],
+                            },
+                            7.5,
+                        )
+                        .with_heading(-0.6, 0.6)
+                        .with_pitch(-0.4, 0.35)
+                        .with_acceleration(200.0)
+                        .with_stiffness(0.5)
+                        .with_role(::aim::__private::Role::Eye),
+                    ::aim::__private::JointInfo::new(
+                            ::aim::__private::Axes {
+                                up: [0.0, 0.0, -1.0],
+                                forward: [1.0, 0.0, 0.0],
+                                left: [0.0, 1.0, 0.0],
+                            },
+                            2.9670596,
+                        )
+                        .with_heading(-1.0471976, 1.0471976)
+                        .with_pitch(-0.6981317, 0.61086524)
+                        .with_stiffness(1.0)
+                        .with_upright(0.5)
+                        .with_pitch_taper(0.25)
+                        .with_role(::aim::__private::Role::Neck)
+                        .with_limits_from(::aim::__private::LimitsFrom::BindPose),
+                ],
+            )
+            .with_effector(::aim::__private::Effector {
+                forward: [0.0, 0.0, 1.0],
+                origin: [0.0, 0.0, 0.0],
+            })
+            .with_sharing(
+                ::aim::__private::GazeSharing::HUMAN
+                    .with_eyes_only(0.17453292)
+                    .with_head_share(0.7)
+                    .with_engagement(0.25, 0.08726646)
+                    .with_delay(0.05),
+            );
         #[inline]
         fn array<T: ::core::marker::Copy>(__value: T) -> [T; 2] {
             [__value; 2]

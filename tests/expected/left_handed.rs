@@ -22,39 +22,7 @@ const _: () = {
     impl ::aim::__private::Rig for LeftHanded {
         #[inline]
         fn description(&self) -> ::aim::__private::Description<'_> {
-            const DESCRIPTION: ::aim::__private::Description<'static> = ::aim::__private::Description::new(
-                    &[
-                        ::aim::__private::JointInfo::new(
-                                ::aim::__private::Axes {
-                                    up: [1.0, 0.0, 0.0],
-                                    forward: [0.0, 1.0, 0.0],
-                                    left: [0.0, 0.0, -1.0],
-                                },
-                                7.8539815,
-                            )
-                            .with_heading(-0.61086524, 0.61086524)
-                            .with_pitch(-0.43633232, 0.34906584)
-                            .with_stiffness(1.0)
-                            .with_role(::aim::__private::Role::Eye),
-                        ::aim::__private::JointInfo::new(
-                                ::aim::__private::Axes {
-                                    up: [0.0, 0.0, -1.0],
-                                    forward: [-1.0, 0.0, 0.0],
-                                    left: [0.0, -1.0, 0.0],
-                                },
-                                2.9670596,
-                            )
-                            .with_heading(-1.0471976, 1.0471976)
-                            .with_pitch(-0.6981317, 0.61086524)
-                            .with_stiffness(1.0)
-                            .with_role(::aim::__private::Role::Head),
-                    ],
-                )
-                .with_effector(::aim::__private::Effector {
-                    forward: [0.0, 1.0, 0.0],
-                    origin: [0.0, 0.0, 0.0],
-                });
-            DESCRIPTION
+            *<Self as ::aim::__private::AimRig>::DESCRIPTION
         }
         fn joint_name(
             &self,
@@ -135,13 +103,16 @@ const _: () = {
             };
             let __v18 = 2.0 * __v17;
             let __v19 = __v9 * __v18;
+            *__out_0 = __v19;
             let __v20 = __sin_cos_0[1] * __v13 - __sin_cos_0[0] * __v12;
             let __v21 = __v20 * __v18;
             let __v22 = __v17 * __v18;
             let __v23 = __v9 * __v22;
             let __v24 = __v20 * __v23;
+            *__out_2 = __v24;
             let __v25 = __sin_cos_0[1] * __v23;
             let __v26 = __v12 * __v18 - __v9 * __v25;
+            *__out_3 = __v26;
             let __v27 = __sin_cos_0[0] * __v23;
             let __v28 = __sin_cos_0[2] * __v18 + __sin_cos_0[3] * __v25;
             let __v29 = __sin_cos_0[3] * __v18 - __sin_cos_0[2] * __v25;
@@ -161,15 +132,19 @@ const _: () = {
             let __v36 = __link_1[2] * __v27 + __link_1[5] * __v28 + __link_1[8] * __v29
                 - __v35;
             let __v37 = __v1 * __v36 - __v5 * __v34;
+            *__out_4 = __v37;
             let __v38 = __v4 * __v32;
             let __v39 = __link_1[1] * __v27 + __link_1[4] * __v28 + __link_1[7] * __v29
                 - __v38;
             let __v40 = __v0 * __v39
                 - __v3 * (__sin_cos_1[1] * __v34 - __sin_cos_1[0] * __v36);
+            *__out_5 = __v40;
             let __v41 = __v20 * __v22;
             let __v42 = __v14 * __v18 - __v20 * __v41;
+            *__out_6 = __v42;
             let __v43 = __sin_cos_0[1] * __v41 - __sin_cos_0[0] * __v18;
             let __v44 = __v9 * __v43;
+            *__out_7 = __v44;
             let __v45 = __sin_cos_0[1] * __v18 + __sin_cos_0[0] * __v41;
             let __v46 = __sin_cos_0[3] * __v43;
             let __v47 = __sin_cos_0[2] * __v43;
@@ -180,18 +155,11 @@ const _: () = {
             let __v51 = __link_1[2] * __v45 + __link_1[5] * __v46 - __link_1[8] * __v47;
             let __v52 = __v6 * __v48 - __v51;
             let __v53 = __v5 * __v50 + __v1 * __v52;
+            *__out_8 = __v53;
             let __v54 = __link_1[1] * __v45 + __link_1[4] * __v46 - __link_1[7] * __v47;
             let __v55 = __v0 * (__v4 * __v48 - __v54);
             let __v56 = __v3 * (__sin_cos_1[1] * __v50 + __sin_cos_1[0] * __v52) + __v55;
-            *__out_0 = __v19;
             *__out_1 = -__v21;
-            *__out_2 = __v24;
-            *__out_3 = __v26;
-            *__out_4 = __v37;
-            *__out_5 = __v40;
-            *__out_6 = __v42;
-            *__out_7 = __v44;
-            *__out_8 = __v53;
             *__out_9 = __v56;
         }
         ///Aim of joint `eye`, d aim / d pitch, d aim / d heading. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `LeftHanded`.
@@ -279,6 +247,38 @@ const _: () = {
             eye: ::aim::__private::Joint::REST,
             head: ::aim::__private::Joint::REST,
         };
+        const DESCRIPTION: &'static ::aim::__private::Description<'static> = &::aim::__private::Description::new(
+                &[
+                    ::aim::__private::JointInfo::new(
+                            ::aim::__private::Axes {
+                                up: [1.0, 0.0, 0.0],
+                                forward: [0.0, 1.0, 0.0],
+                                left: [0.0, 0.0, -1.0],
+                            },
+                            7.8539815,
+                        )
+                        .with_heading(-0.61086524, 0.61086524)
+                        .with_pitch(-0.43633232, 0.34906584)
+                        .with_stiffness(1.0)
+                        .with_role(::aim::__private::Role::Eye),
+                    ::aim::__private::JointInfo::new(
+                            ::aim::__private::Axes {
+                                up: [0.0, 0.0, -1.0],
+                                forward: [-1.0, 0.0, 0.0],
+                                left: [0.0, -1.0, 0.0],
+                            },
+                            2.9670596,
+                        )
+                        .with_heading(-1.0471976, 1.0471976)
+                        .with_pitch(-0.6981317, 0.61086524)
+                        .with_stiffness(1.0)
+                        .with_role(::aim::__private::Role::Head),
+                ],
+            )
+            .with_effector(::aim::__private::Effector {
+                forward: [0.0, 1.0, 0.0],
+                origin: [0.0, 0.0, 0.0],
+            });
         #[inline]
         fn array<T: ::core::marker::Copy>(__value: T) -> [T; 2] {
             [__value; 2]

@@ -22,38 +22,7 @@ const _: () = {
     impl ::aim::__private::Rig for Turret {
         #[inline]
         fn description(&self) -> ::aim::__private::Description<'_> {
-            const DESCRIPTION: ::aim::__private::Description<'static> = ::aim::__private::Description::new(
-                    &[
-                        ::aim::__private::JointInfo::new(
-                                ::aim::__private::Axes {
-                                    up: [0.0, 1.0, 0.0],
-                                    forward: [0.0, 0.0, -1.0],
-                                    left: [-1.0, 0.0, 0.0],
-                                },
-                                1.5707964,
-                            )
-                            .with_pitch(-0.17453292, 1.3962634)
-                            .with_stiffness(1.0),
-                        ::aim::__private::JointInfo::new(
-                                ::aim::__private::Axes {
-                                    up: [0.0, 1.0, 0.0],
-                                    forward: [0.0, 0.0, -1.0],
-                                    left: [-1.0, 0.0, 0.0],
-                                },
-                                2.0,
-                            )
-                            .with_heading(
-                                <::core::primitive::f32>::NEG_INFINITY,
-                                <::core::primitive::f32>::INFINITY,
-                            )
-                            .with_stiffness(1.0),
-                    ],
-                )
-                .with_effector(::aim::__private::Effector {
-                    forward: [0.0, 0.0, -1.0],
-                    origin: [0.0, 0.05, -0.8],
-                });
-            DESCRIPTION
+            *<Self as ::aim::__private::AimRig>::DESCRIPTION
         }
         fn joint_name(
             &self,
@@ -132,6 +101,7 @@ const _: () = {
             let __v17 = 2.0 * __v16;
             let __v18 = __link_0[0] * __v5 + __link_0[1] * __v9 + __link_0[2] * __v11;
             let __v19 = __v17 * __v18;
+            *__out_0 = __v19;
             let __v20 = __link_0[3] * __v5 + __link_0[4] * __v9 + __link_0[5] * __v11;
             let __v21 = __v17 * __v20;
             let __v22 = 1.0 / __v13;
@@ -148,6 +118,7 @@ const _: () = {
             let __v27 = __v18 * __v26;
             let __v28 = __v17 * (__link_0[1] * __v10 - __link_0[2] * __v8)
                 - __v25 * __v27;
+            *__out_2 = __v28;
             let __v29 = __link_1[0] * __v3 + __link_1[2] * __v0;
             let __v30 = __link_1[6] * __v3 + __link_1[8] * __v0;
             let __v31 = __link_1[3] * __v3 + __link_1[5] * __v0;
@@ -159,17 +130,15 @@ const _: () = {
             let __v36 = __link_0[6] * __v29 + __link_0[7] * __v32 + __link_0[8] * __v33
                 + __v35;
             let __v37 = __v34 - __v36 * __v27;
+            *__out_3 = __v37;
             let __v38 = __v20 * __v26;
             let __v39 = __v17 * (__link_0[5] * __v8 - __link_0[4] * __v10)
                 + __v25 * __v38;
+            *__out_4 = __v39;
             let __v40 = __v17
                 * (__link_0[3] * __v29 + __link_0[4] * __v32 + __link_0[5] * __v33);
             let __v41 = __v36 * __v38 - __v40;
-            *__out_0 = __v19;
             *__out_1 = -__v21;
-            *__out_2 = __v28;
-            *__out_3 = __v37;
-            *__out_4 = __v39;
             *__out_5 = __v41;
         }
         ///Aim of joint `barrel`, d aim / d pitch, d aim / d heading. 31 operations: 12 add, 17 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `Turret`.
@@ -247,6 +216,37 @@ const _: () = {
             barrel: ::aim::__private::Joint::REST,
             base: ::aim::__private::Joint::REST,
         };
+        const DESCRIPTION: &'static ::aim::__private::Description<'static> = &::aim::__private::Description::new(
+                &[
+                    ::aim::__private::JointInfo::new(
+                            ::aim::__private::Axes {
+                                up: [0.0, 1.0, 0.0],
+                                forward: [0.0, 0.0, -1.0],
+                                left: [-1.0, 0.0, 0.0],
+                            },
+                            1.5707964,
+                        )
+                        .with_pitch(-0.17453292, 1.3962634)
+                        .with_stiffness(1.0),
+                    ::aim::__private::JointInfo::new(
+                            ::aim::__private::Axes {
+                                up: [0.0, 1.0, 0.0],
+                                forward: [0.0, 0.0, -1.0],
+                                left: [-1.0, 0.0, 0.0],
+                            },
+                            2.0,
+                        )
+                        .with_heading(
+                            <::core::primitive::f32>::NEG_INFINITY,
+                            <::core::primitive::f32>::INFINITY,
+                        )
+                        .with_stiffness(1.0),
+                ],
+            )
+            .with_effector(::aim::__private::Effector {
+                forward: [0.0, 0.0, -1.0],
+                origin: [0.0, 0.05, -0.8],
+            });
         #[inline]
         fn array<T: ::core::marker::Copy>(__value: T) -> [T; 2] {
             [__value; 2]

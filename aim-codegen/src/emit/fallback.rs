@@ -36,6 +36,7 @@ pub fn fallback(input: &DeriveInput) -> TokenStream {
             impl #generics #private::AimRig for #name #arguments #clause {
                 type Array<__T: ::core::marker::Copy> = [__T; #joints];
                 const RIG: &'static Self = ::core::unreachable!();
+                const DESCRIPTION: &'static #private::Description<'static> = ::core::unreachable!();
                 fn array<__T: ::core::marker::Copy>(_: __T) -> [__T; #joints] #body
                 fn from_joints(_: [#private::Joint; #joints]) -> Self #body
             }

@@ -91,7 +91,10 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
         const _: () = {
             #[automatically_derived]
             impl #private::Rig for #name {
-                #description
+                #[inline]
+                fn description(&self) -> #private::Description<'_> {
+                    *<Self as #private::AimRig>::DESCRIPTION
+                }
 
                 #names
 
@@ -103,6 +106,8 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
                 type Array<T: ::core::marker::Copy> = [T; #joints];
 
                 const RIG: &'static Self = &Self { #( #fields: #private::Joint::REST ),* };
+
+                #description
 
                 #[inline]
                 fn array<T: ::core::marker::Copy>(#value: T) -> [T; #joints] {
@@ -181,19 +186,15 @@ pub(super) fn conversions(item: &Item) -> TokenStream {
     }
 }
 
-/// The method that gives the description, which is a constant.
+/// The description, a constant.
 fn description(spec: &RigSpec, private: &TokenStream) -> TokenStream {
     let infos = spec.joints.iter().map(|joint| joint_info(joint, private));
     let natural = spec.natural.as_ref().map(|spec| natural(spec, private));
     let [forward, origin] = [spec.effector.frame.forward, spec.effector.origin].map(vector);
     quote! {
-        #[inline]
-        fn description(&self) -> #private::Description<'_> {
-            const DESCRIPTION: #private::Description<'static> = #private::Description::new(&[#(#infos),*])
-                .with_effector(#private::Effector { forward: #forward, origin: #origin })
-                #natural;
-            DESCRIPTION
-        }
+        const DESCRIPTION: &'static #private::Description<'static> = &#private::Description::new(&[#(#infos),*])
+            .with_effector(#private::Effector { forward: #forward, origin: #origin })
+            #natural;
     }
 }
 

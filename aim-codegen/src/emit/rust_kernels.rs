@@ -178,7 +178,19 @@ fn chain_method(kernel: &Kernel, spec: &RigSpec, private: &TokenStream) -> Token
     let (link_pattern, angle_pattern) = (pattern("link", 0, 12), pattern("sin_cos", numbers + 3, 4));
     let outputs: Vec<Ident> = (0..kernel.program.outputs().len()).map(|i| element("out", i)).collect();
     let body = Body { program: &kernel.program, number: Arithmetic::F32, private, input: &input };
-    let (steps, results) = (body.steps(), body.results());
+    // Each output is written as soon as it is known: what waits would take a register.
+    let mut written = TokenStream::new();
+    let mut results: Vec<_> = body.results().zip(outputs.iter().zip(kernel.program.outputs())).collect();
+    for (number, statement) in body.statements().into_iter().chain([(usize::MAX, TokenStream::new())]) {
+        results.retain(|(result, (output, value))| {
+            let is_known = kernel.program.steps_until(**value) <= number;
+            if is_known {
+                written.extend(quote!(*#output = #result;));
+            }
+            !is_known
+        });
+        written.extend(statement);
+    }
     let doc = doc(kernel, spec);
     quote! {
         #[doc = #doc]
@@ -193,8 +205,7 @@ fn chain_method(kernel: &Kernel, spec: &RigSpec, private: &TokenStream) -> Token
             let (#link_pattern, #angle_pattern, [#(#outputs),*]) = (#links, #sin_cos, &mut *#out) else {
                 return <[::core::primitive::f32]>::fill(#out, 0.0);
             };
-            #steps
-            #( *#outputs = #results; )*
+            #written
         }
     }
 }

@@ -121,6 +121,9 @@ pub trait AimRig: Rig + Sized + 'static {
     /// The rig, to be shared by all characters.
     const RIG: &'static Self;
 
+    /// What [`Rig::description`] gives, in place.
+    const DESCRIPTION: &'static Description<'static>;
+
     /// `value` for every joint.
     fn array<T: Copy>(value: T) -> Self::Array<T>;
 

@@ -20,8 +20,7 @@ const JOINTS: [JointInfo; 3] = [
 
 impl Rig for Thug {
     fn description(&self) -> Description<'_> {
-        const DESCRIPTION: Description<'static> = Description::new(&JOINTS);
-        DESCRIPTION
+        *Self::DESCRIPTION
     }
     fn joint_name(&self, joint: usize) -> Option<&str> {
         ["left_eye", "neck", "spine3"].get(joint).copied()
@@ -40,6 +39,7 @@ impl Rig for Thug {
 impl AimRig for Thug {
     type Array<T: Copy> = [T; 3];
     const RIG: &'static Self = &Self { left_eye: Joint::REST, neck: Joint::REST, spine3: Joint::REST };
+    const DESCRIPTION: &'static Description<'static> = &Description::new(&JOINTS);
     fn array<T: Copy>(value: T) -> [T; 3] {
         [value; 3]
     }

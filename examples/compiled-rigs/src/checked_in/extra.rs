@@ -34,39 +34,7 @@ const _: () = {
     impl ::aim::__private::Rig for Extra {
         #[inline]
         fn description(&self) -> ::aim::__private::Description<'_> {
-            const DESCRIPTION: ::aim::__private::Description<'static> = ::aim::__private::Description::new(
-                    &[
-                        ::aim::__private::JointInfo::new(
-                                ::aim::__private::Axes {
-                                    up: [1.0, 0.0, 0.0],
-                                    forward: [0.0, 1.0, 0.0],
-                                    left: [0.0, 0.0, 1.0],
-                                },
-                                3.4906585,
-                            )
-                            .with_heading(-0.7853982, 0.7853982)
-                            .with_pitch(-0.43633232, 0.43633232)
-                            .with_stiffness(1.0)
-                            .with_role(::aim::__private::Role::Head),
-                        ::aim::__private::JointInfo::new(
-                                ::aim::__private::Axes {
-                                    up: [1.0, 0.0, 0.0],
-                                    forward: [0.0, 1.0, 0.0],
-                                    left: [0.0, 0.0, 1.0],
-                                },
-                                2.9670596,
-                            )
-                            .with_heading(-0.61086524, 0.61086524)
-                            .with_pitch(-0.34906584, 0.34906584)
-                            .with_stiffness(2.0)
-                            .with_role(::aim::__private::Role::Neck),
-                    ],
-                )
-                .with_effector(::aim::__private::Effector {
-                    forward: [0.0, 1.0, 0.0],
-                    origin: [0.09, 0.09, 0.0],
-                });
-            DESCRIPTION
+            *<Self as ::aim::__private::AimRig>::DESCRIPTION
         }
         fn joint_name(
             &self,
@@ -153,8 +121,10 @@ const _: () = {
             let __v22 = 2.0 * __v21;
             let __v23 = __link_0[6] * __v16 + __link_0[7] * __v12 + __link_0[8] * __v14;
             let __v24 = __v22 * __v23;
+            *__out_0 = __v24;
             let __v25 = __link_0[0] * __v16 + __link_0[1] * __v12 + __link_0[2] * __v14;
             let __v26 = __v22 * __v25;
+            *__out_1 = __v26;
             let __v27 = 1.0 / __v18;
             let __v28 = if <::core::primitive::f32 as ::aim::__private::Scalar>::TINY
                 < __v18
@@ -170,44 +140,42 @@ const _: () = {
             let __v33 = __link_0[3] + __v16 * __v28;
             let __v34 = __link_0[6] * __v22 - __v33 * __v31;
             let __v35 = __v15 * __v32 - __v11 * __v34;
+            *__out_2 = __v35;
             let __v36 = __sin_cos_0[1] * __v32 - __sin_cos_0[0] * __v34;
             let __v37 = __link_0[5] + __v14 * __v28;
             let __v38 = __link_0[8] * __v22 - __v37 * __v31;
             let __v39 = __v13 * __v36 - __v9 * __v38;
+            *__out_3 = __v39;
             let __v40 = __sin_cos_0[0] * __v32 + __sin_cos_0[1] * __v34;
             let __v41 = __sin_cos_0[3] * __v36 - __sin_cos_0[2] * __v38;
             let __v42 = __sin_cos_0[2] * __v36 + __sin_cos_0[3] * __v38;
             let __v43 = __link_1[1] * __v40 + __link_1[4] * __v41 + __link_1[7] * __v42;
             let __v44 = __link_1[0] * __v40 + __link_1[3] * __v41 + __link_1[6] * __v42;
             let __v45 = __v1 * __v43 - __v3 * __v44;
+            *__out_4 = __v45;
             let __v46 = __v0
                 * (__link_1[2] * __v40 + __link_1[5] * __v41 + __link_1[8] * __v42);
             let __v47 = __v5 * (__sin_cos_1[1] * __v43 - __sin_cos_1[0] * __v44) - __v46;
+            *__out_5 = __v47;
             let __v48 = __v25 * __v30;
             let __v49 = __link_0[1] * __v22 - __v29 * __v48;
             let __v50 = __link_0[0] * __v22 - __v33 * __v48;
             let __v51 = __v15 * __v49 - __v11 * __v50;
+            *__out_6 = __v51;
             let __v52 = __sin_cos_0[1] * __v49 - __sin_cos_0[0] * __v50;
             let __v53 = __link_0[2] * __v22 - __v37 * __v48;
             let __v54 = __v13 * __v52 - __v9 * __v53;
+            *__out_7 = __v54;
             let __v55 = __sin_cos_0[0] * __v49 + __sin_cos_0[1] * __v50;
             let __v56 = __sin_cos_0[3] * __v52 - __sin_cos_0[2] * __v53;
             let __v57 = __sin_cos_0[2] * __v52 + __sin_cos_0[3] * __v53;
             let __v58 = __link_1[1] * __v55 + __link_1[4] * __v56 + __link_1[7] * __v57;
             let __v59 = __link_1[0] * __v55 + __link_1[3] * __v56 + __link_1[6] * __v57;
             let __v60 = __v1 * __v58 - __v3 * __v59;
+            *__out_8 = __v60;
             let __v61 = __v0
                 * (__link_1[2] * __v55 + __link_1[5] * __v56 + __link_1[8] * __v57);
             let __v62 = __v5 * (__sin_cos_1[1] * __v58 - __sin_cos_1[0] * __v59) - __v61;
-            *__out_0 = __v24;
-            *__out_1 = __v26;
-            *__out_2 = __v35;
-            *__out_3 = __v39;
-            *__out_4 = __v45;
-            *__out_5 = __v47;
-            *__out_6 = __v51;
-            *__out_7 = __v54;
-            *__out_8 = __v60;
             *__out_9 = __v62;
         }
         ///Aim of joint `head`, `neck`, d aim / d pitch, d aim / d heading. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `Extra`.
@@ -262,6 +230,38 @@ const _: () = {
             head: ::aim::__private::Joint::REST,
             neck: ::aim::__private::Joint::REST,
         };
+        const DESCRIPTION: &'static ::aim::__private::Description<'static> = &::aim::__private::Description::new(
+                &[
+                    ::aim::__private::JointInfo::new(
+                            ::aim::__private::Axes {
+                                up: [1.0, 0.0, 0.0],
+                                forward: [0.0, 1.0, 0.0],
+                                left: [0.0, 0.0, 1.0],
+                            },
+                            3.4906585,
+                        )
+                        .with_heading(-0.7853982, 0.7853982)
+                        .with_pitch(-0.43633232, 0.43633232)
+                        .with_stiffness(1.0)
+                        .with_role(::aim::__private::Role::Head),
+                    ::aim::__private::JointInfo::new(
+                            ::aim::__private::Axes {
+                                up: [1.0, 0.0, 0.0],
+                                forward: [0.0, 1.0, 0.0],
+                                left: [0.0, 0.0, 1.0],
+                            },
+                            2.9670596,
+                        )
+                        .with_heading(-0.61086524, 0.61086524)
+                        .with_pitch(-0.34906584, 0.34906584)
+                        .with_stiffness(2.0)
+                        .with_role(::aim::__private::Role::Neck),
+                ],
+            )
+            .with_effector(::aim::__private::Effector {
+                forward: [0.0, 1.0, 0.0],
+                origin: [0.09, 0.09, 0.0],
+            });
         #[inline]
         fn array<T: ::core::marker::Copy>(__value: T) -> [T; 2] {
             [__value; 2]

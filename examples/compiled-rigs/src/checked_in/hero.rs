@@ -38,51 +38,7 @@ const _: () = {
     impl ::aim::__private::Rig for Hero {
         #[inline]
         fn description(&self) -> ::aim::__private::Description<'_> {
-            const DESCRIPTION: ::aim::__private::Description<'static> = ::aim::__private::Description::new(
-                    &[
-                        ::aim::__private::JointInfo::new(
-                                ::aim::__private::Axes {
-                                    up: [1.0, 0.0, 0.0],
-                                    forward: [0.0, 1.0, 0.0],
-                                    left: [0.0, 0.0, 1.0],
-                                },
-                                7.8539815,
-                            )
-                            .with_heading(-0.61086524, 0.61086524)
-                            .with_pitch(-0.43633232, 0.34906584)
-                            .with_stiffness(0.5)
-                            .with_role(::aim::__private::Role::Eye),
-                        ::aim::__private::JointInfo::new(
-                                ::aim::__private::Axes {
-                                    up: [1.0, 0.0, 0.0],
-                                    forward: [0.0, 1.0, 0.0],
-                                    left: [0.0, 0.0, 1.0],
-                                },
-                                2.9670596,
-                            )
-                            .with_heading(-1.0471976, 1.0471976)
-                            .with_pitch(-0.6981317, 0.61086524)
-                            .with_stiffness(1.0)
-                            .with_role(::aim::__private::Role::Neck),
-                        ::aim::__private::JointInfo::new(
-                                ::aim::__private::Axes {
-                                    up: [1.0, 0.0, 0.0],
-                                    forward: [0.0, 1.0, 0.0],
-                                    left: [0.0, 0.0, 1.0],
-                                },
-                                1.2217305,
-                            )
-                            .with_heading(-0.34906584, 0.34906584)
-                            .with_pitch(-0.17453292, 0.17453292)
-                            .with_stiffness(4.0)
-                            .with_role(::aim::__private::Role::Chest),
-                    ],
-                )
-                .with_effector(::aim::__private::Effector {
-                    forward: [0.0, 1.0, 0.0],
-                    origin: [0.0, 0.0, 0.0],
-                });
-            DESCRIPTION
+            *<Self as ::aim::__private::AimRig>::DESCRIPTION
         }
         fn joint_name(
             &self,
@@ -183,11 +139,14 @@ const _: () = {
             let __v29 = __v19 * __v28;
             let __v30 = __sin_cos_0[0] * __v22 - __sin_cos_0[1] * __v23;
             let __v31 = __v30 * __v28;
+            *__out_1 = __v31;
             let __v32 = __v27 * __v28;
             let __v33 = __v19 * __v32;
             let __v34 = __v30 * __v33;
+            *__out_2 = __v34;
             let __v35 = __sin_cos_0[1] * __v33;
             let __v36 = __v22 * __v28 - __v19 * __v35;
+            *__out_3 = __v36;
             let __v37 = __sin_cos_0[3] * __v28 + __sin_cos_0[2] * __v35;
             let __v38 = __sin_cos_0[0] * __v33;
             let __v39 = __sin_cos_0[2] * __v28 - __sin_cos_0[3] * __v35;
@@ -207,11 +166,13 @@ const _: () = {
             let __v46 = __link_1[6] * __v37 - (__link_1[3] * __v39 - __link_1[0] * __v38)
                 - __v45;
             let __v47 = __v11 * __v44 + __v13 * __v46;
+            *__out_4 = __v47;
             let __v48 = __sin_cos_1[1] * __v44 - __sin_cos_1[0] * __v46;
             let __v49 = __v16 * __v42;
             let __v50 = __link_1[8] * __v37 - (__link_1[5] * __v39 - __link_1[2] * __v38)
                 - __v49;
             let __v51 = __v15 * __v48 + __v9 * __v50;
+            *__out_5 = __v51;
             let __v52 = __sin_cos_1[0] * __v44 + __sin_cos_1[1] * __v46;
             let __v53 = __sin_cos_1[3] * __v48 - __sin_cos_1[2] * __v50;
             let __v54 = __sin_cos_1[2] * __v48 + __sin_cos_1[3] * __v50;
@@ -223,8 +184,10 @@ const _: () = {
             let __v59 = __v5 * (__sin_cos_2[1] * __v55 - __sin_cos_2[0] * __v56) + __v58;
             let __v60 = __v30 * __v32;
             let __v61 = __v24 * __v28 - __v30 * __v60;
+            *__out_8 = __v61;
             let __v62 = __sin_cos_0[0] * __v28 + __sin_cos_0[1] * __v60;
             let __v63 = __v19 * __v62;
+            *__out_9 = __v63;
             let __v64 = __sin_cos_0[2] * __v62;
             let __v65 = __sin_cos_0[1] * __v28 - __sin_cos_0[0] * __v60;
             let __v66 = __sin_cos_0[3] * __v62;
@@ -236,33 +199,26 @@ const _: () = {
                 - (__link_1[0] * __v65 - __link_1[3] * __v66);
             let __v71 = __v12 * __v68 - __v70;
             let __v72 = __v11 * __v69 + __v13 * __v71;
+            *__out_10 = __v72;
             let __v73 = __sin_cos_1[1] * __v69 - __sin_cos_1[0] * __v71;
             let __v74 = __link_1[8] * __v64
                 - (__link_1[2] * __v65 - __link_1[5] * __v66);
             let __v75 = __v16 * __v68 - __v74;
             let __v76 = __v15 * __v73 + __v9 * __v75;
+            *__out_11 = __v76;
             let __v77 = __sin_cos_1[0] * __v69 + __sin_cos_1[1] * __v71;
             let __v78 = __sin_cos_1[2] * __v75 - __sin_cos_1[3] * __v73;
             let __v79 = __sin_cos_1[2] * __v73 + __sin_cos_1[3] * __v75;
             let __v80 = __link_2[4] * __v78 - __link_2[1] * __v77 - __link_2[7] * __v79;
             let __v81 = __link_2[3] * __v78 - __link_2[0] * __v77 - __link_2[6] * __v79;
             let __v82 = __v1 * __v80 + __v3 * __v81;
+            *__out_12 = __v82;
             let __v83 = __v0
                 * (__link_2[5] * __v78 - __link_2[2] * __v77 - __link_2[8] * __v79);
             let __v84 = __v5 * (__sin_cos_2[1] * __v80 - __sin_cos_2[0] * __v81) + __v83;
             *__out_0 = -__v29;
-            *__out_1 = __v31;
-            *__out_2 = __v34;
-            *__out_3 = __v36;
-            *__out_4 = __v47;
-            *__out_5 = __v51;
             *__out_6 = -__v57;
             *__out_7 = -__v59;
-            *__out_8 = __v61;
-            *__out_9 = __v63;
-            *__out_10 = __v72;
-            *__out_11 = __v76;
-            *__out_12 = __v82;
             *__out_13 = __v84;
         }
         ///Aim of joint `left_eye`, `neck`, `spine3`, d aim / d pitch, d aim / d heading. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `Hero`.
@@ -318,6 +274,50 @@ const _: () = {
             neck: ::aim::__private::Joint::REST,
             spine3: ::aim::__private::Joint::REST,
         };
+        const DESCRIPTION: &'static ::aim::__private::Description<'static> = &::aim::__private::Description::new(
+                &[
+                    ::aim::__private::JointInfo::new(
+                            ::aim::__private::Axes {
+                                up: [1.0, 0.0, 0.0],
+                                forward: [0.0, 1.0, 0.0],
+                                left: [0.0, 0.0, 1.0],
+                            },
+                            7.8539815,
+                        )
+                        .with_heading(-0.61086524, 0.61086524)
+                        .with_pitch(-0.43633232, 0.34906584)
+                        .with_stiffness(0.5)
+                        .with_role(::aim::__private::Role::Eye),
+                    ::aim::__private::JointInfo::new(
+                            ::aim::__private::Axes {
+                                up: [1.0, 0.0, 0.0],
+                                forward: [0.0, 1.0, 0.0],
+                                left: [0.0, 0.0, 1.0],
+                            },
+                            2.9670596,
+                        )
+                        .with_heading(-1.0471976, 1.0471976)
+                        .with_pitch(-0.6981317, 0.61086524)
+                        .with_stiffness(1.0)
+                        .with_role(::aim::__private::Role::Neck),
+                    ::aim::__private::JointInfo::new(
+                            ::aim::__private::Axes {
+                                up: [1.0, 0.0, 0.0],
+                                forward: [0.0, 1.0, 0.0],
+                                left: [0.0, 0.0, 1.0],
+                            },
+                            1.2217305,
+                        )
+                        .with_heading(-0.34906584, 0.34906584)
+                        .with_pitch(-0.17453292, 0.17453292)
+                        .with_stiffness(4.0)
+                        .with_role(::aim::__private::Role::Chest),
+                ],
+            )
+            .with_effector(::aim::__private::Effector {
+                forward: [0.0, 1.0, 0.0],
+                origin: [0.0, 0.0, 0.0],
+            });
         #[inline]
         fn array<T: ::core::marker::Copy>(__value: T) -> [T; 3] {
             [__value; 3]
