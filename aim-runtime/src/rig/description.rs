@@ -1,9 +1,13 @@
 //! [`Description`]: what was declared of a rig.
 
-use glam::Vec3A;
+use glam::{Vec3A, Vec4};
 
 use super::JointInfo;
+use crate::limits::reach::AT_LIMIT_RAD;
 use crate::{Axes, GazeSharing, Role, Solver, math};
+
+/// The number of joints whose angles a description has in [`Lanes`].
+pub(crate) const LANE_JOINTS: usize = 8;
 
 /// What was declared of a rig: immutable, a constant for a derived rig.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +26,7 @@ pub struct Description<'a> {
     pub(crate) has_origin: bool,
     /// Whether the effector looks along joint 0's forward.
     pub(crate) aims_forward: bool,
+    pub(crate) lanes: AllLanes,
 }
 
 impl<'a> Description<'a> {
@@ -47,6 +52,12 @@ impl<'a> Description<'a> {
         }
         let sharing = GazeSharing::HUMAN;
         let (has_origin, aims_forward) = (false, true);
+        let mut lanes = [Lanes::new(joints, 0, least_stiffness); LANE_JOINTS / 2];
+        let mut k = 1;
+        while k < lanes.len() {
+            lanes[k] = Lanes::new(joints, k, least_stiffness);
+            k += 1;
+        }
         Self {
             joints,
             effector,
@@ -57,6 +68,7 @@ impl<'a> Description<'a> {
             has_fixed_ranges,
             has_origin,
             aims_forward,
+            lanes,
         }
     }
 
@@ -114,6 +126,49 @@ impl<'a> Description<'a> {
     #[inline(always)]
     pub(crate) fn aims_joint_0(&self) -> bool {
         !self.has_origin && self.aims_forward
+    }
+}
+
+/// The angles of the first [`LANE_JOINTS`] joints.
+pub(crate) type AllLanes = [Lanes; LANE_JOINTS / 2];
+
+/// What was declared of four angles: pitch and heading of one joint, then of the next. The range of an angle that there is
+/// not is 0 alone.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lanes {
+    /// The ranges.
+    pub(crate) least: Vec4,
+    pub(crate) most: Vec4,
+    /// The angles from which one counts as at an end of its range; none for an angle that there is not.
+    pub(crate) low: Vec4,
+    pub(crate) high: Vec4,
+    /// The rates, not negative.
+    pub(crate) rate: Vec4,
+    /// Half of the ease, the most willing joint's stiffness by that of each: half of the way to rest is left to later
+    /// frames, as the general solver does.
+    pub(crate) half_ease: Vec4,
+}
+
+impl Lanes {
+    /// Those of the joints 2k and 2k + 1.
+    const fn new(joints: &[JointInfo], k: usize, least_stiffness: f32) -> Self {
+        let [mut least, mut most, mut rate, mut half_ease] = [[0.0; 4]; 4];
+        let (mut low, mut high) = ([f32::NEG_INFINITY; 4], [f32::INFINITY; 4]);
+        let mut lane = 0;
+        while lane < 4 && 2 * k + lane / 2 < joints.len() {
+            let info = &joints[2 * k + lane / 2];
+            rate[lane] = info.rate.max(0.0);
+            // NaN and zero count as the most willing.
+            half_ease[lane] = 0.5 * (least_stiffness / info.stiffness).max(1e-6).min(1.0);
+            if let Some([lo, hi]) = if lane % 2 == 0 { info.pitch } else { info.heading } {
+                (least[lane], most[lane]) = (lo, hi);
+                (low[lane], high[lane]) = (lo + AT_LIMIT_RAD, hi - AT_LIMIT_RAD);
+            }
+            lane += 1;
+        }
+        let [least, most, low] = [Vec4::from_array(least), Vec4::from_array(most), Vec4::from_array(low)];
+        let [high, rate, half_ease] = [Vec4::from_array(high), Vec4::from_array(rate), Vec4::from_array(half_ease)];
+        Self { least, most, low, high, rate, half_ease }
     }
 }
 

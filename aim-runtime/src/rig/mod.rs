@@ -15,6 +15,7 @@ mod state;
 extern crate std;
 
 pub(crate) use chain_rig::{ChainRig, MOST_JOINTS, PerJoint};
+pub(crate) use description::{AllLanes, LANE_JOINTS, Lanes};
 pub use description::{Description, Effector};
 pub use joint_info::JointInfo;
 pub use outcome::{JointSet, Outcome, Status};

@@ -37,10 +37,14 @@ impl Verdict {
     /// The outcome for joints whose limits are these sets.
     #[inline(always)]
     pub(crate) fn outcome_at(&self, at_limit: JointSet, recovering: JointSet) -> Outcome {
-        let remaining = self.remaining;
-        let (sin_half, _) = trig::half_sin_cos_within(remaining);
-        let aim = (1.0 - 2.0 * sin_half * sin_half).max(-1.0);
-        let status = self.status();
+        let (sin_half, _) = trig::half_sin_cos_within(self.remaining);
+        self.outcome_by((1.0 - 2.0 * sin_half * sin_half).max(-1.0), at_limit, recovering)
+    }
+
+    /// The same where the cosine of the angle is at hand.
+    #[inline(always)]
+    pub(crate) fn outcome_by(&self, aim: f32, at_limit: JointSet, recovering: JointSet) -> Outcome {
+        let (remaining, status) = (self.remaining, self.status());
         Outcome { aim, remaining, status, at_limit, recovering, other_eye_remaining: None, other_eye_correction: None }
     }
 
@@ -69,7 +73,7 @@ pub(crate) fn degenerate<const C: usize>(
 /// The outcome of a call that has no chain to aim.
 pub(crate) fn nothing_to_aim() -> Outcome {
     let verdict = Verdict { remaining: math::UNDEFINED_RAD, tolerance: 0.0, behind: false, within_reach: false };
-    Outcome { aim: 0.0, status: Status::Degenerate, ..verdict.outcome_at(JointSet::EMPTY, JointSet::EMPTY) }
+    Outcome { status: Status::Degenerate, ..verdict.outcome_by(0.0, JointSet::EMPTY, JointSet::EMPTY) }
 }
 
 /// The joints with an angle at or past an end of its range, and those with one outside its range.

@@ -3,7 +3,7 @@
 //!
 //! Returns `None`, having changed nothing, unless all of these hold:
 //!
-//! - at most [`MOST_JOINTS`] joints;
+//! - at most [`LANE_JOINTS`] joints;
 //! - weight 1, effector 0, every range fixed and within ±π ([`Description::has_fixed_ranges`](crate::Description));
 //! - no second eye, no turn-round in progress, no strain remembered, target not behind in the last frame;
 //! - pose rigid with one uniform scale;
@@ -19,15 +19,12 @@ use super::{ENOUGH_RAD, IDENTITY_LINK, STILL_RAD};
 use crate::kinematics::chain::{common_scale, upright};
 use crate::kinematics::rotation::{is_identity, tilted, turn};
 use crate::kinematics::view::{Stretch, View};
-use crate::limits::reach::AT_LIMIT_RAD;
 use crate::math::trig;
-use crate::rig::{PoseSlices, Side, StateSlices};
+use crate::rig::{AllLanes, LANE_JOINTS, Lanes, PoseSlices, Side, StateSlices};
 use crate::solve::call::{Call, upright_axis};
 use crate::solve::judge::Verdict;
 use crate::{Axes, Description, Joint, JointInfo, JointSet, Outcome, Rig, Solver, math};
 
-/// The largest number of joints that this is compiled for.
-const MOST_JOINTS: usize = 8;
 /// An angle to the target that needs no mending, radians (2.6e-3°).
 const FINE_RAD: f32 = 4.5e-5;
 /// How often the linear model is used again on what it missed.
@@ -56,7 +53,7 @@ pub(crate) fn aim<K: Rig + ?Sized>(
     if !is_usual || memory.behind || memory.strain > 0.0 || memory.eyes().is_some() {
         return None;
     }
-    const { assert!(MOST_JOINTS == 8, "one arm for each number of joints") }
+    const { assert!(LANE_JOINTS == 8, "one arm for each number of joints") }
     let (remaining, at_limit) = match rig.joints.len() {
         1 => aim_joints::<1, 1, K>(kernels, rig, state, pose, call, corrections),
         2 => aim_joints::<2, 1, K>(kernels, rig, state, pose, call, corrections),
@@ -70,7 +67,8 @@ pub(crate) fn aim<K: Rig + ?Sized>(
     }?;
     let tolerance = settings.effective_tolerance();
     let verdict = Verdict { remaining, tolerance, behind: false, within_reach: true };
-    Some(verdict.outcome_at(at_limit, JointSet::EMPTY))
+    // The cosine of an angle within ENOUGH_RAD is 1, to the last bit.
+    Some(verdict.outcome_by(1.0, at_limit, JointSet::EMPTY))
 }
 
 /// Does something for each joint (or vector of joints), from the effector inward, or outward with `rev`.
@@ -114,7 +112,7 @@ fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
     let joints: &mut [Joint; N] = (&mut *state.joints).try_into().ok()?;
     let animated: &[Affine3A; N] = pose.joints.try_into().ok()?;
     let corrections: &mut [Quat; N] = corrections.try_into().ok()?;
-    let dt = call.dt?;
+    let (lanes, dt) = (&rig.lanes, call.dt?);
     let scale = common_scale(animated)?;
     // The inverse of a frame that is turned and scaled is its transpose, divided by the square of its scale.
     let (mut frames, mut per_square, mut tilts) = (animated, 1.0 / scale, None);
@@ -155,7 +153,7 @@ fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
         return None;
     }
     let residual = angles.linearise(kernels, rig, infos, &flat, &links.target)?;
-    if !angles.bound(rig, infos, dt) {
+    if !angles.bound(lanes, dt) {
         return None;
     }
     angles.lambda = state.memory.lambda;
@@ -163,9 +161,9 @@ fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
     let mut turns = [Quat::IDENTITY; N];
     // The dual's optimum, which as a rule the first Newton step finds.
     let start = angles.start;
-    angles.place();
-    if !angles.step(residual, &start)? {
-        angles = angles.after_more_steps(residual)?;
+    angles.place(lanes);
+    if !angles.step(lanes, residual, &start)? {
+        angles = angles.after_more_steps(lanes, residual)?;
     }
     // Joints that would hardly move stay exactly where they are.
     let rests = square(residual) < AT_REST * AT_REST && !angles.moves();
@@ -201,7 +199,7 @@ fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
     }
     let memory = &mut *state.memory;
     (memory.side, memory.lambda, memory.blocked_s) = (links.side, angles.lambda, 0.0);
-    Some((remaining, angles.limits_met(rig, infos)))
+    Some((remaining, angles.limits_met(lanes)))
 }
 
 /// A pose with the joints that have an upright heading tilted.
@@ -315,14 +313,9 @@ pub(crate) fn unturned(turn: Quat, v: Vec3A) -> Vec3A {
 #[derive(Clone, Copy)]
 struct Angles<const N: usize, const V: usize> {
     start: [Vec4; V],
-    /// The ranges; 0 alone for an angle that is not declared.
-    least: [Vec4; V],
-    most: [Vec4; V],
     /// Where this frame may take them.
     lo: [Vec4; V],
     hi: [Vec4; V],
-    /// Half of the ease: half of the way to rest is left to later frames, as the general solver does.
-    ease: [Vec4; V],
     /// The Jacobian.
     left: [Vec4; V],
     up: [Vec4; V],
@@ -357,8 +350,7 @@ macro_rules! lanes {
 impl<const N: usize, const V: usize> Angles<N, V> {
     const EMPTY: Self = {
         let (zero, free) = ([Vec4::ZERO; V], [BVec4A::FALSE; V]);
-        let (least, most, lo, hi, ease, left, up, now) = (zero, zero, zero, zero, zero, zero, zero, zero);
-        Self { start: zero, least, most, lo, hi, ease, left, up, lambda: [0.0; 2], now, free }
+        Self { start: zero, lo: zero, hi: zero, left: zero, up: zero, lambda: [0.0; 2], now: zero, free }
     };
 
     /// Reads the angles; false where a joint is bound for somewhere.
@@ -375,33 +367,15 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         true
     }
 
-    /// How far the angles get in a frame of `dt` seconds, and how easily; false where that leaves one out of its range.
+    /// How far the angles get in a frame of `dt` seconds; false where that leaves one out of its range.
     #[inline(always)]
-    fn bound(&mut self, rig: &Description<'_>, infos: &[JointInfo; N], dt: f32) -> bool {
-        let [mut least, mut most] = [[[0.0; 2]; N]; 2];
-        if rig.angles == 2 * N {
-            each!(N, index => {
-                let (Some([a, b]), Some([c, d])) = (infos[index].pitch, infos[index].heading) else { return false };
-                (least[index], most[index]) = ([a, c], [b, d]);
-            });
-        } else {
-            each!(N, index => {
-                let ends = |range: Option<[f32; 2]>| range.unwrap_or([0.0; 2]);
-                let ([a, b], [c, d]) = (ends(infos[index].pitch), ends(infos[index].heading));
-                (least[index], most[index]) = ([a, c], [b, d]);
-            });
-        }
+    fn bound(&mut self, lanes: &AllLanes, dt: f32) -> bool {
         let mut outside = BVec4A::FALSE;
         each!(V, k => {
-            (self.least[k], self.most[k]) = (lanes!(k, index => least[index]), lanes!(k, index => most[index]));
-            let stiffness = lanes!(k, index => [infos[index].stiffness; 2]);
-            let rate = lanes!(k, index => [infos[index].rate; 2]).max(Vec4::ZERO);
-            // NaN and zero count as the most willing.
-            let eased = (Vec4::splat(rig.least_stiffness) / stiffness).max(Vec4::splat(1e-6)).min(Vec4::ONE);
-            self.ease[k] = eased * 0.5;
+            let Lanes { least, most, rate, .. } = lanes[k];
             let step = rate * dt;
-            self.lo[k] = self.least[k].max(self.start[k] - step);
-            self.hi[k] = self.most[k].min(self.start[k] + step);
+            self.lo[k] = least.max(self.start[k] - step);
+            self.hi[k] = most.min(self.start[k] + step);
             outside |= self.lo[k].cmpgt(self.hi[k]);
         });
         !outside.any()
@@ -496,8 +470,8 @@ impl<const N: usize, const V: usize> Angles<N, V> {
                 break;
             }
             let at = self.now;
-            self.place();
-            self = self.after_steps(NEWTON_STEPS, view.residual(), &at)?;
+            self.place(&rig.lanes);
+            self = self.after_steps(&rig.lanes, NEWTON_STEPS, view.residual(), &at)?;
             view = self.see(rig, infos, &links, first, &mut turns);
         }
         Some(Mended { angles: self, view, turns })
@@ -506,15 +480,15 @@ impl<const N: usize, const V: usize> Angles<N, V> {
     /// The dual's optimum by the Newton steps that are left after the first.
     #[cold]
     #[inline(never)]
-    fn after_more_steps(self, residual: [f32; 2]) -> Option<Self> {
-        self.after_steps(NEWTON_STEPS - 1, residual, &self.start)
+    fn after_more_steps(self, lanes: &AllLanes, residual: [f32; 2]) -> Option<Self> {
+        self.after_steps(lanes, NEWTON_STEPS - 1, residual, &self.start)
     }
 
     /// The dual's optimum by so many Newton steps at most, where the model has this residual at these angles; found when
     /// the same angles are free before and after a step.
-    fn after_steps(mut self, steps: usize, residual: [f32; 2], at: &[Vec4; V]) -> Option<Self> {
+    fn after_steps(mut self, lanes: &AllLanes, steps: usize, residual: [f32; 2], at: &[Vec4; V]) -> Option<Self> {
         for _ in 0..steps {
-            if self.step(residual, at)? {
+            if self.step(lanes, residual, at)? {
                 return Some(self);
             }
         }
@@ -523,14 +497,14 @@ impl<const N: usize, const V: usize> Angles<N, V> {
 
     /// One Newton step; tells whether the same angles are free as before.
     #[inline(always)]
-    fn step(&mut self, residual: [f32; 2], at: &[Vec4; V]) -> Option<bool> {
+    fn step(&mut self, lanes: &AllLanes, residual: [f32; 2], at: &[Vec4; V]) -> Option<bool> {
         let [mut left, mut up, mut ll, mut lu, mut uu] = [Vec4::splat(NOTHING); 5];
         each!(V, k => {
             let (jl, ju) = (self.left[k], self.up[k]);
             let change = at[k] - self.now[k];
             left += jl * change;
             up += ju * change;
-            let ease = Vec4::select(self.free[k], self.ease[k], Vec4::ZERO);
+            let ease = Vec4::select(self.free[k], lanes[k].half_ease, Vec4::ZERO);
             let (el, eu) = (ease * jl, ease * ju);
             ll += el * jl;
             lu += el * ju;
@@ -549,17 +523,17 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         if !(square(self.lambda) < DEAREST * DEAREST) {
             return None;
         }
-        Some(self.place())
+        Some(self.place(lanes))
     }
 
     /// Puts the angles where the dual point has them; tells whether the same are free as before.
     #[inline(always)]
-    fn place(&mut self) -> bool {
+    fn place(&mut self, lanes: &AllLanes) -> bool {
         let (x, y) = (Vec4::splat(self.lambda[0]), Vec4::splat(self.lambda[1]));
         let mut changed = 0;
         each!(V, k => {
             let pull = self.left[k] * x + self.up[k] * y;
-            let wanted = self.start[k] * 0.5 + self.ease[k] * pull;
+            let wanted = self.start[k] * 0.5 + lanes[k].half_ease * pull;
             let held = wanted.max(self.lo[k]).min(self.hi[k]);
             let free = wanted.cmpeq(held);
             changed |= free.bitmask() ^ self.free[k].bitmask();
@@ -609,23 +583,16 @@ impl<const N: usize, const V: usize> Angles<N, V> {
 
     /// The joints with an angle at an end of its range.
     #[inline(always)]
-    fn limits_met(&self, rig: &Description<'_>, infos: &[JointInfo; N]) -> JointSet {
+    fn limits_met(&self, lanes: &AllLanes) -> JointSet {
         // A bit for each angle: of joint i, bit 2i is the pitch's and bit 2i + 1 the heading's.
         let mut at_end = 0;
         each!(V, k => {
-            let (now, by) = (self.now[k], Vec4::splat(AT_LIMIT_RAD));
-            let ends = now.cmple(self.least[k] + by) | now.cmpge(self.most[k] - by);
+            let ends = self.now[k].cmple(lanes[k].low) | self.now[k].cmpge(lanes[k].high);
             at_end |= ends.bitmask() << (4 * k);
         });
         let mut met = JointSet::EMPTY;
-        if rig.angles == 2 * N && at_end & ((1 << (2 * N)) - 1) == 0 {
-            return met;
-        }
-        for (index, info) in infos.iter().enumerate() {
-            let is_met = |angle: usize| at_end >> (2 * index + angle) & 1 == 1;
-            if info.pitch.is_some() && is_met(0) || info.heading.is_some() && is_met(1) {
-                met.insert(index);
-            }
+        if at_end != 0 {
+            (0..N).filter(|index| at_end >> (2 * index) & 3 != 0).for_each(|index| met.insert(index));
         }
         met
     }

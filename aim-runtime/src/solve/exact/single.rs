@@ -63,7 +63,7 @@ pub(crate) fn aim(
     // Does the rate keep it from there, or in the end its ranges too?
     let within_reach = gaze.remaining > tolerance && !gaze.is_nearest && eye.remaining_in_time(*joint)? <= tolerance;
     let verdict = Verdict { remaining: gaze.remaining, tolerance, behind: false, within_reach };
-    let outcome = verdict.outcome_at(eye.limits_met(gaze.angles), JointSet::EMPTY);
+    let outcome = verdict.outcome_by(gaze.sight.aim(), eye.limits_met(gaze.angles), JointSet::EMPTY);
 
     *joint = joint.turned_to(gaze.angles[1], gaze.angles[0]);
     joint.velocity = [0.0; 2];
@@ -238,6 +238,14 @@ struct Sight {
     turn: Quat,
     /// The tangent of half that angle.
     half_tangent: f32,
+}
+
+impl Sight {
+    /// The cosine of that angle.
+    #[inline(always)]
+    fn aim(&self) -> f32 {
+        2.0 / (1.0 + self.half_tangent * self.half_tangent) - 1.0
+    }
 }
 
 /// How far ahead of a heading with these halves a target is, seen from above, and how far aside to the left.
