@@ -8,9 +8,9 @@ use crate::{Axes, Joint, JointInfo, math};
 /// What heading and pitch turn about, padded to vectors of four.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Planes {
-    by_heading: [f32; 4],
-    by_pitch: [f32; 4],
-    by_both: [f32; 4],
+    by_heading: Vec4,
+    by_pitch: Vec4,
+    by_both: Vec4,
     /// See [`are_square`](Self::are_square).
     square: bool,
 }
@@ -33,7 +33,8 @@ impl Planes {
         let (by_heading, by_pitch) = (cross(forward, left), cross(forward, up));
         let unit = is_zero(up, up, 1.0) && is_zero(forward, forward, 1.0) && is_zero(left, left, 1.0);
         let square = unit && is_zero(forward, up, 0.0) && is_zero(forward, left, 0.0);
-        let by_both = cross(by_heading, by_pitch);
+        let by_both = Vec4::from_array(cross(by_heading, by_pitch));
+        let (by_heading, by_pitch) = (Vec4::from_array(by_heading), Vec4::from_array(by_pitch));
         Self { by_heading, by_pitch, by_both, square }
     }
 
@@ -74,13 +75,11 @@ pub(crate) fn turn(axes: &Axes, planes: &Planes, halves: Halves) -> Quat {
     if !planes.square {
         return turn_by_planes(axes, halves);
     }
-    let load = |v: &[f32; 4]| Vec4::from_array(*v);
     let halves = Vec4::from_array(halves);
     // sin h cos p, cos h sin p, sin h sin p, cos h cos p.
     let products = halves.zwzw() * halves.yxxy();
     let [by_heading, by_pitch, by_both, _] = products.to_array();
-    let axis =
-        load(&planes.by_heading) * by_heading + load(&planes.by_pitch) * by_pitch + load(&planes.by_both) * by_both;
+    let axis = planes.by_heading * by_heading + planes.by_pitch * by_pitch + planes.by_both * by_both;
     Quat::from_vec4(axis + Vec4::W * products)
 }
 

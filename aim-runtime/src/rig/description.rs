@@ -1,6 +1,6 @@
 //! [`Description`]: what was declared of a rig.
 
-use glam::{Vec3A, Vec4};
+use glam::{Mat3A, Vec3A, Vec4};
 
 use super::JointInfo;
 use crate::limits::reach::AT_LIMIT_RAD;
@@ -22,10 +22,14 @@ pub struct Description<'a> {
     pub(crate) has_upright: bool,
     /// Whether every range counts from the animation, has no taper, and lies within ±π.
     pub(crate) has_fixed_ranges: bool,
+    default_solver: Solver,
     /// Whether the effector is anywhere but at joint 0's origin.
     pub(crate) has_origin: bool,
     /// Whether the effector looks along joint 0's forward.
     pub(crate) aims_forward: bool,
+    /// The axes of the first joint and of the last: forward, left and up as columns.
+    pub(crate) first: Mat3A,
+    pub(crate) last: Mat3A,
     pub(crate) lanes: AllLanes,
 }
 
@@ -52,6 +56,10 @@ impl<'a> Description<'a> {
         }
         let sharing = GazeSharing::HUMAN;
         let (has_origin, aims_forward) = (false, true);
+        let default_solver = match joints.first() {
+            Some(JointInfo { role: Role::Eye, .. }) => Solver::Natural,
+            _ => Solver::Exact,
+        };
         let mut lanes = [Lanes::new(joints, 0, least_stiffness); LANE_JOINTS / 2];
         let mut k = 1;
         while k < lanes.len() {
@@ -66,8 +74,11 @@ impl<'a> Description<'a> {
             angles,
             has_upright,
             has_fixed_ranges,
+            default_solver,
             has_origin,
             aims_forward,
+            first: columns(joints.first()),
+            last: columns(joints.last()),
             lanes,
         }
     }
@@ -116,16 +127,22 @@ impl<'a> Description<'a> {
     /// [`Natural`](Solver::Natural) for a rig whose joint 0 is an eye, else [`Exact`](Solver::Exact).
     #[must_use]
     pub const fn default_solver(&self) -> Solver {
-        match self.joints.first() {
-            Some(JointInfo { role: Role::Eye, .. }) => Solver::Natural,
-            _ => Solver::Exact,
-        }
+        self.default_solver
     }
 
     /// Whether the effector looks along joint 0's forward from its origin.
     #[inline(always)]
     pub(crate) fn aims_joint_0(&self) -> bool {
         !self.has_origin && self.aims_forward
+    }
+}
+
+const fn columns(joint: Option<&JointInfo>) -> Mat3A {
+    match joint {
+        Some(JointInfo { axes: Axes { up, forward, left }, .. }) => {
+            Mat3A::from_cols(Vec3A::from_array(*forward), Vec3A::from_array(*left), Vec3A::from_array(*up))
+        }
+        None => Mat3A::IDENTITY,
     }
 }
 

@@ -23,7 +23,7 @@ use crate::math::trig;
 use crate::rig::{AllLanes, LANE_JOINTS, Lanes, PoseSlices, Side, StateSlices};
 use crate::solve::call::{Call, upright_axis};
 use crate::solve::judge::Verdict;
-use crate::{Axes, Description, Joint, JointInfo, JointSet, Outcome, Rig, Solver, math};
+use crate::{Description, Joint, JointInfo, JointSet, Outcome, Rig, Solver, math};
 
 /// An angle to the target that needs no mending, radians (2.6e-3°).
 const FINE_RAD: f32 = 4.5e-5;
@@ -31,8 +31,9 @@ const FINE_RAD: f32 = 4.5e-5;
 const MENDINGS: usize = 2;
 /// The largest number of Newton steps of its dual.
 const NEWTON_STEPS: usize = 4;
-/// The least distance of the target from the effector, as a part of the rig's extent.
-const NEAR: f32 = 1e-3;
+/// The least distance of the target from the effector, and the greatest, in parts of the rig's extent; squared.
+const NEAR: f32 = 1e-6;
+const FAR: f32 = 1e8;
 /// The least residual that moves joints which need not move.
 const AT_REST: f32 = 1e-4;
 /// The start of sums: added to a number it leaves the very number, which 0 does not, and so costs nothing.
@@ -128,7 +129,7 @@ fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
         offset = animated[0].transform_vector3a(rig.effector.origin.into());
         links.squares += offset * offset;
     }
-    if !links.read(infos, frames, per_square, call.target_ps.into()) {
+    if !links.read(&rig.last, frames, per_square, call.target_ps.into()) {
         return None;
     }
     let mut flat = [IDENTITY_LINK; N];
@@ -182,7 +183,8 @@ fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
     }
     // So small an angle is its tangent.
     let remaining = view.tangent();
-    if !(remaining <= call.settings.effective_tolerance() && view.forward * view.forward > links.near) {
+    let far = view.forward * view.forward;
+    if !(remaining <= call.settings.effective_tolerance() && far > NEAR * links.extent && far < FAR * links.extent) {
         return None;
     }
     each!(N, index => {
@@ -240,8 +242,8 @@ struct Links<const N: usize> {
     /// The target in the innermost joint's upright space.
     target: Vec3A,
     side: Side,
-    /// The square of the target's least distance from the effector.
-    near: f32,
+    /// The square of the rig's extent.
+    extent: f32,
 }
 
 impl<const N: usize> Links<N> {
@@ -251,13 +253,13 @@ impl<const N: usize> Links<N> {
         squares: Vec3A::splat(NOTHING),
         target: Vec3A::ZERO,
         side: Side::Unseen,
-        near: 0.0,
+        extent: 0.0,
     };
 
-    /// Whether the pose and the target meet the conditions; `frames` are the joints' upright frames, of a common scale
-    /// whose square is one over `per_square`.
+    /// Whether the pose and the target meet the conditions; `axes` are the last joint's, `frames` the joints' upright frames,
+    /// of a common scale whose square is one over `per_square`.
     #[inline(always)]
-    fn read(&mut self, infos: &[JointInfo; N], frames: &[Affine3A; N], per_square: f32, target: Vec3A) -> bool {
+    fn read(&mut self, axes: &Mat3A, frames: &[Affine3A; N], per_square: f32, target: Vec3A) -> bool {
         let to_target = target - frames[N - 1].translation;
         each!(N, index => {
             let outward = inverse(&frames[index].matrix3, per_square);
@@ -271,14 +273,12 @@ impl<const N: usize> Links<N> {
                 self.target = outward * to_target;
             }
         });
-        let axes = &infos[N - 1].axes;
         let square = self.squares.x + self.squares.y + self.squares.z;
-        let far = to_target.dot(to_target);
-        let (ahead, left) = (dot(&axes.forward, self.target), dot(&axes.left, self.target));
+        let View { forward: ahead, left, .. } = view(axes, self.target);
         self.side = Side::of_coordinate(left);
-        self.near = square * per_square * (NEAR * NEAR);
-        // In front, no mere direction, and of lengths whose squares are plain numbers. NaN is none of these.
-        ahead > 0.0 && far < 1e8 * square && square > 1e-12
+        self.extent = square * per_square;
+        // In front, and of lengths whose squares are plain numbers. NaN is none of these.
+        ahead > 0.0 && square > 1e-12
     }
 }
 
@@ -573,11 +573,10 @@ impl<const N: usize, const V: usize> Angles<N, V> {
             let Affine3A { matrix3, translation } = Affine3A::from_cols_array(first);
             target = transposed_product(&matrix3, target - translation);
         }
-        let axes = &infos[0].axes;
         if rig.aims_forward {
-            return view(axes, target);
+            return view(&rig.first, target);
         }
-        let [forward, left, up] = rig.effector.axes(axes);
+        let [forward, left, up] = rig.effector.axes(&infos[0].axes);
         View { forward: forward.dot(target), left: left.dot(target), up: up.dot(target) }
     }
 
@@ -605,18 +604,11 @@ fn pair<const N: usize>(rows: &[[f32; 6]; N], i: usize) -> [f32; 2] {
     [row[2 * (i % 3)], row[2 * (i % 3) + 1]]
 }
 
-/// A vector of the bone's space along its axes.
+/// A vector of the bone's space along its axes, which are columns.
 #[inline(always)]
-pub(crate) fn view(axes: &Axes, v: Vec3A) -> View {
-    let axes = Mat3A::from_cols(axes.forward.into(), axes.left.into(), axes.up.into());
-    let [forward, left, up] = transposed_product(&axes, v).to_array();
+pub(crate) fn view(axes: &Mat3A, v: Vec3A) -> View {
+    let [forward, left, up] = transposed_product(axes, v).to_array();
     View { forward, left, up }
-}
-
-/// The dot product of an axis and a vector.
-#[inline(always)]
-fn dot(axis: &[f32; 3], v: Vec3A) -> f32 {
-    axis[0] * v.x + axis[1] * v.y + axis[2] * v.z
 }
 
 /// A vector's squared length.

@@ -77,6 +77,8 @@ pub(crate) fn aim(
 #[derive(Clone, Copy)]
 struct Eye<'a> {
     info: &'a JointInfo,
+    /// Its axes as columns.
+    axes: &'a Mat3A,
     /// Of pitch and heading, as all pairs here.
     ranges: [[f32; 2]; 2],
     /// In lengths of the bone's own space, and along its axes.
@@ -87,7 +89,7 @@ struct Eye<'a> {
 
 impl<'a> Eye<'a> {
     #[inline(always)]
-    fn new(rig: &Description<'a>, animated: &Affine3A, target_ps: Vec3A) -> Option<Self> {
+    fn new(rig: &'a Description<'a>, animated: &Affine3A, target_ps: Vec3A) -> Option<Self> {
         let [info] = rig.joints else { return None };
         let ranges = [info.pitch?, info.heading?];
         if !(rig.has_fixed_ranges
@@ -105,8 +107,15 @@ impl<'a> Eye<'a> {
         let Mat3A { x_axis: x, y_axis: y, z_axis: z } = animated.matrix3;
         let products = Mat3A::from_cols(x * to_target, y * to_target, z * to_target).transpose();
         let target = products.x_axis + products.y_axis + products.z_axis;
-        let animated = view(&info.axes, target);
-        is_ordinary(&animated).then(|| Self { info, ranges, target, animated, distance: animated.distance() })
+        let animated = view(&rig.first, target);
+        is_ordinary(&animated).then(|| Self {
+            info,
+            axes: &rig.first,
+            ranges,
+            target,
+            animated,
+            distance: animated.distance(),
+        })
     }
 
     /// How far pitch and heading get in a frame.
@@ -195,7 +204,7 @@ impl<'a> Eye<'a> {
     fn sight(&self, (sin_p, cos_p): (f32, f32), (sin_h, cos_h): (f32, f32)) -> Sight {
         let halves = [sin_p, cos_p, sin_h, cos_h];
         let turn = turn(&self.info.axes, &self.info.planes, halves);
-        let seen = view(&self.info.axes, unturned(turn, self.target));
+        let seen = view(self.axes, unturned(turn, self.target));
         let half_tangent = seen.lateral() / (self.distance + seen.forward);
         Sight { turn, half_tangent }
     }
