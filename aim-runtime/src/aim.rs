@@ -4,7 +4,7 @@ use core::fmt;
 
 use glam::{Affine3A, Quat, Vec3};
 
-use crate::rig::{ChainRig, MOST_JOINTS, PoseSlices, StateSlices};
+use crate::rig::{ChainRig, LANE_JOINTS, MOST_JOINTS, PoseSlices, StateSlices};
 use crate::solve::{self, judge};
 use crate::target::blend;
 use crate::{AimRig, Description, Joint, Outcome, Pose, Rig, Settings, State, Target};
@@ -78,7 +78,7 @@ impl<R: AimRig> Aim<R> {
     /// constants folded, its kernel inlined. The same bits.
     ///
     /// For crowds: a frame that follows a target costs a sixth less by [`Solver::Exact`](crate::Solver::Exact) with three joints,
-    /// and a third less with a single joint. The program grows by some 12 kB for each rig. Other frames cost what they cost in
+    /// and nearly a third less with a single joint. The program grows by some 12 kB for each rig. Other frames cost what they cost in
     /// `aim`.
     #[inline]
     pub fn aim_inlined<'a>(
@@ -245,11 +245,12 @@ impl dyn Rig + '_ {
     }
 }
 
-/// Serves a call; compiled once for all rigs.
+/// Serves a call. What is aimed at is known to most callers when they are compiled.
+#[inline(always)]
 fn aim_slices(
     rig: &dyn Rig,
     description: &Description<'_>,
-    mut state: StateSlices<'_>,
+    state: StateSlices<'_>,
     pose: &PoseSlices<'_>,
     call: &Call<'_>,
     corrections: &mut [Quat],
@@ -263,11 +264,46 @@ fn aim_slices(
             (point, &faded)
         }
     };
-    let call = solve::Call::new(target_ps, call.dt, settings);
-    match solve::follow(rig, description, &mut state, pose, &call, corrections) {
-        Some(outcome) => outcome,
-        None => search(rig, description, &mut state, pose, &call, corrections),
+    // The number of joints is known, too, where the rig is.
+    let aim_point = AIM_POINT.get(description.joints.len()).unwrap_or(&AIM_POINT[0]);
+    aim_point(rig, description, state, pose, &solve::Call::new(target_ps, call.dt, settings), corrections)
+}
+
+type AimPoint =
+    fn(&dyn Rig, &Description<'_>, StateSlices<'_>, &PoseSlices<'_>, &solve::Call<'_>, &mut [Quat]) -> Outcome;
+
+/// [`aim_point`] by the number of joints.
+const AIM_POINT: [AimPoint; LANE_JOINTS + 1] = [
+    aim_point::<0>,
+    aim_point::<1>,
+    aim_point::<2>,
+    aim_point::<3>,
+    aim_point::<4>,
+    aim_point::<5>,
+    aim_point::<6>,
+    aim_point::<7>,
+    aim_point::<8>,
+];
+
+/// Serves a call for one target; compiled once for all rigs of so many joints. Where it is another number, it is searched.
+#[inline(never)]
+fn aim_point<const N: usize>(
+    rig: &dyn Rig,
+    description: &Description<'_>,
+    mut state: StateSlices<'_>,
+    pose: &PoseSlices<'_>,
+    call: &solve::Call<'_>,
+    corrections: &mut [Quat],
+) -> Outcome {
+    if description.joints.len() == N
+        && state.joints.len() == N
+        && pose.joints.len() == N
+        && corrections.len() == N
+        && let Some(outcome) = solve::follow(rig, description, &mut state, pose, call, corrections)
+    {
+        return outcome;
     }
+    search(rig, description, &mut state, pose, call, corrections)
 }
 
 /// Serves a call that [`solve::follow`] does not, for three sizes of scratch memory.
