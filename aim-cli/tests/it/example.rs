@@ -8,22 +8,16 @@ use crate::common::Place;
 use crate::common::rig::{Axes, conventions};
 
 const EXAMPLE: &str = "../examples/compiled-rigs";
-const FILES: [&str; 7] = [
-    "build.rs",
-    "rigs/hero.toml",
-    "rigs/extra.toml",
-    "src/main.rs",
-    "src/checked_in/mod.rs",
-    "src/checked_in/hero.rs",
-    "src/checked_in/extra.rs",
-];
+const FILES: [&str; 5] = ["build.rs", "rigs/hero.toml", "rigs/extra.toml", "src/main.rs", "src/checked_in.rs"];
+/// The code of each rig: of one it is checked in, of the other it is written for the tests.
+const CODE: [(&str, &str); 2] = [("hero", "src/hero.rs"), ("extra", "src/checked_in.rs")];
 
 /// The example as a package of its own in another place, as a user would have it.
 fn example() -> Place {
     let place = Place::new();
     let ours = Path::new(env!("CARGO_MANIFEST_DIR"));
     let text = |path: &Path| fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    for folder in ["rigs", "src/checked_in"] {
+    for folder in ["rigs", "src"] {
         fs::create_dir_all(place.path(folder)).expect("a folder of the example");
     }
     for file in FILES {
@@ -39,6 +33,7 @@ fn example() -> Place {
     let quick = "[profile.dev.package.compiled-rigs]\nopt-level = 0\ndebug = 0\n";
     place.write("Cargo.toml", &format!("{manifest}\n[workspace]\n[profile.dev]{profile}\n{quick}"));
     place.write("Cargo.lock", &text(&root.join("Cargo.lock")));
+    place.done("generate rigs/hero.toml --lang rust -o src/hero.rs");
     place
 }
 
@@ -143,9 +138,8 @@ fn other_axes() -> [AxesOf; 8] {
 
 /// Writes the declarations with these axes, and their code anew after seeing it told stale.
 fn convert(place: &Place, declarations: [&str; 2], axes_of: &dyn Fn(&str) -> Axes) {
-    for (rig, declaration) in ["hero", "extra"].into_iter().zip(declarations) {
+    for ((rig, file), declaration) in CODE.into_iter().zip(declarations) {
         place.write(&format!("rigs/{rig}.toml"), &edited(declaration, axes_of));
-        let file = format!("src/checked_in/{rig}.rs");
         let stale = place.aim(&format!("generate rigs/{rig}.toml --lang rust --check {file}"));
         assert_eq!(stale.code, 1, "the code of {rig} did not change");
         let advice = format!("generate rigs/{rig}.toml --lang rust -o {file}");

@@ -1,6 +1,6 @@
 //! Two rigs of one character look at points in turn. Nothing here knows the axes of a bone.
 
-// As it was written, which is how it is checked.
+/// One of the rigs as `aim generate rigs/extra.toml --lang rust -o src/checked_in.rs` wrote it, which is how it is checked.
 #[rustfmt::skip]
 mod checked_in;
 
@@ -28,12 +28,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let hero = look("Hero", built::Hero::RIG, &model, target)?;
         let extra = look("Extra", built::Extra::RIG, &model, target)?;
         println!("{hero}{extra}");
-        let checked_in = [
-            look("Hero", checked_in::Hero::RIG, &model, target)?,
-            look("Extra", checked_in::Extra::RIG, &model, target)?,
-        ];
-        if [hero, extra] != checked_in {
-            return Err("the checked-in rigs aim otherwise: are they out of date?".into());
+        if extra != look("Extra", checked_in::Extra::RIG, &model, target)? {
+            return Err("the checked-in rig aims otherwise: is it out of date?".into());
         }
     }
     Ok(())
