@@ -272,13 +272,12 @@ pub(crate) fn soles(body: &Body<'_>, up: DVec3, ahead: DVec3) -> Option<Hint> {
 }
 
 /// Names of what points somewhere by its shape.
-const POINTERS: [&str; 10] =
-    ["barrel", "muzzle", "gun", "cannon", "lens", "camera", "lamp", "shade", "spotlight", "lampshade"];
+const POINTERS: &str = "barrel muzzle gun cannon lens camera lamp shade spotlight lampshade";
 
 /// From a pointing part's joint to the middle of what it shows, or of what hangs on it.
 fn reach(body: &Body<'_>) -> Option<(usize, DVec3)> {
     let nodes = body.skeleton.nodes();
-    let node = (0..nodes.len()).find(|node| BoneName::new(&nodes[*node].name).has(&POINTERS))?;
+    let node = (0..nodes.len()).find(|node| BoneName::new(&nodes[*node].name).has(POINTERS))?;
     let on_it = body.skin.iter().zip(body.carriers).filter(|(_, carrier)| **carrier == node).map(|(p, _)| *p);
     let places: Vec<DVec3> = on_it.chain(nodes[node].children.iter().map(|child| body.at(*child))).collect();
     let middle = places.iter().sum::<DVec3>() / count(places.len().max(1));

@@ -41,67 +41,18 @@ pub struct BoneName {
 }
 
 /// Words of helpers, tips, controls and of what is worn, which only look like the bone they accompany.
-const HELPERS: &[&str] = &[
-    "end",
-    "nub",
-    "tip",
-    "top",
-    "target",
-    "ctrl",
-    "control",
-    "ik",
-    "pole",
-    "socket",
-    "helper",
-    "twist",
-    "mch",
-    "tweak",
-    "aim",
-    "look",
-    "master",
-    "hat",
-    "hair",
-    "tail",
-    "attach",
-    "attachment",
-    "slot",
-    "mount",
-    "locator",
-    "dummy",
-    "gear",
-];
+const HELPERS: &str = "
+    end nub tip top target ctrl control ik pole socket helper twist mch tweak aim look master hat hair tail attach
+    attachment slot mount locator dummy gear";
 /// Words of the parts around an eye.
-const AROUND_EYES: &[&str] = &[
-    "lid",
-    "lids",
-    "brow",
-    "brows",
-    "blink",
-    "lash",
-    "lashes",
-    "eyelid",
-    "eyelids",
-    "eyebrow",
-    "eyebrows",
-    "eyelash",
-    "eyelashes",
-    "bottom",
-    "upper",
-    "lower",
-    "inner",
-    "outer",
-    "corner",
-    "squint",
-    "bag",
-    "socket",
-    "highlight",
-    "cheek",
-];
-const EYES: &[&str] = &["eye", "eyes", "eyeball", "eyeballs", "目"];
-const HEADS: &[&str] = &["head", "頭"];
-const NECKS: &[&str] = &["neck", "首"];
-const SPINES: &[&str] = &["spine", "chest", "upperchest", "torso", "abdomen", "belly", "waist", "lowerback", "上半身"];
-const HIPS: &[&str] = &["hips", "hip", "pelvis", "下半身"];
+const AROUND_EYES: &str = "
+    lid lids brow brows blink lash lashes eyelid eyelids eyebrow eyebrows eyelash eyelashes bottom upper lower
+    inner outer corner squint bag socket highlight cheek";
+const EYES: &str = "eye eyes eyeball eyeballs 目";
+const HEADS: &str = "head 頭";
+const NECKS: &str = "neck 首";
+const SPINES: &str = "spine chest upperchest torso abdomen belly waist lowerback 上半身";
+const HIPS: &str = "hips hip pelvis 下半身";
 
 impl BoneName {
     /// Takes a name apart, whatever the naming tradition.
@@ -119,10 +70,10 @@ impl BoneName {
         Self { words, side }
     }
 
-    /// Whether one of its words is one of these.
+    /// Whether one of its words is one of these, which have white space between them.
     #[must_use]
-    pub fn has(&self, any_of: &[&str]) -> bool {
-        self.words.iter().any(|word| any_of.contains(&word.as_str()))
+    pub fn has(&self, any_of: &str) -> bool {
+        any_of.split_whitespace().any(|word| self.words.iter().any(|own| own == word))
     }
 
     /// The words without numbers, joined: equal for the left and the right of a pair.
@@ -140,7 +91,7 @@ impl BoneName {
     /// Whether it names an eyeball. Where a character has eyeballs, its other "eyes" are lids.
     #[must_use]
     pub fn is_eyeball(&self) -> bool {
-        self.has(&["eyeball", "eyeballs"]) || (self.has(&["eye"]) && self.has(&["ball"]))
+        self.has("eyeball eyeballs") || (self.has("eye") && self.has("ball"))
     }
 
     /// The part of the body that the name tells, if it tells one. Only eyes have a side.
@@ -160,7 +111,7 @@ impl BoneName {
             Some(BodyPart::Head)
         } else if self.has(NECKS) {
             Some(BodyPart::Neck)
-        } else if self.has(SPINES) || (self.has(&["lower"]) && self.has(&["back"])) {
+        } else if self.has(SPINES) || (self.has("lower") && self.has("back")) {
             Some(BodyPart::Spine)
         } else if self.has(HIPS) {
             Some(BodyPart::Hips)
