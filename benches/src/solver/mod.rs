@@ -19,5 +19,4 @@ pub mod random_rigs;
 pub mod reference;
 pub mod row;
 pub mod sample;
-pub mod vector;
 pub mod workload;

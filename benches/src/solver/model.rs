@@ -1,10 +1,7 @@
 //! [`Model`]: a rig in a pose as the definitions have it, in double precision: what the solvers are judged by.
 
-use aim::glam::Quat;
-use aim::glam::{Affine3A, Vec3A};
+use aim::glam::{Affine3A, DAffine3, DVec3, Quat};
 use aim::{Joint, Rig};
-
-use super::vector::{V, add, angle, cross, dot, rotate, scale, sub, turn, unit};
 
 /// The most angles that a rig under test has.
 pub const MOST: usize = 14;
@@ -26,7 +23,7 @@ pub struct Angle {
     /// Its weight in the displacement cost.
     pub stiffness: f64,
     /// The plane it turns in, from the first direction towards the second, in the joint's space.
-    plane: [V; 2],
+    plane: [DVec3; 2],
 }
 
 /// A rig in a pose.
@@ -34,37 +31,27 @@ pub struct Angle {
 pub struct Model {
     /// The declared angles, joint by joint from the effector inward, pitch before heading.
     pub angles: Vec<Angle>,
-    origin: V,
-    forward: V,
-    left: V,
-    /// Each joint in the next one's space, the last in the pose's: columns and translation.
-    links: Vec<[V; 4]>,
+    origin: DVec3,
+    forward: DVec3,
+    left: DVec3,
+    /// Each joint in the next one's space, the last in the pose's.
+    links: Vec<DAffine3>,
 }
 
-fn double(v: Vec3A) -> V {
-    v.to_array().map(f64::from)
+/// `v` turned in the plane of two unit vectors square to each other, from the first towards the second.
+fn turn(v: DVec3, [from, towards]: [DVec3; 2], (sin, cos): (f64, f64)) -> DVec3 {
+    let (x, y) = (v.dot(from), v.dot(towards));
+    v + (x * (cos - 1.0) - y * sin) * from + (x * sin + y * (cos - 1.0)) * towards
 }
 
-fn columns(transform: &Affine3A) -> [V; 4] {
-    let m = transform.matrix3;
-    [m.x_axis, m.y_axis, m.z_axis, transform.translation].map(double)
+/// The angle between two vectors, 0…π, however small it is.
+pub(crate) fn angle(a: DVec3, b: DVec3) -> f64 {
+    a.cross(b).length().atan2(a.dot(b))
 }
 
-fn vector(m: &[V; 4], v: V) -> V {
-    add(add(scale(v[0], m[0]), scale(v[1], m[1])), scale(v[2], m[2]))
-}
-
-/// By Cramer's rule.
-fn inverse_vector(m: &[V; 4], v: V) -> V {
-    let [a, b, c, _] = *m;
-    let volume = dot(a, cross(b, c));
-    [cross(b, c), cross(c, a), cross(a, b)].map(|side| dot(v, side) / volume)
-}
-
-/// `a⁻¹ b`
-fn within(a: &[V; 4], b: &[V; 4]) -> [V; 4] {
-    let [x, y, z, origin] = *b;
-    [inverse_vector(a, x), inverse_vector(a, y), inverse_vector(a, z), inverse_vector(a, sub(origin, a[3]))]
+/// Three numbers in double precision.
+pub(crate) fn double(v: [f32; 3]) -> DVec3 {
+    DVec3::from_array(v.map(f64::from))
 }
 
 impl Model {
@@ -74,7 +61,7 @@ impl Model {
         let infos = description.joints();
         let mut angles = Vec::new();
         for (joint, info) in infos.iter().enumerate() {
-            let [forward, up, left] = [info.axes().forward, info.axes().up, info.axes().left].map(|v| v.map(f64::from));
+            let [forward, up, left] = [info.axes().forward, info.axes().up, info.axes().left].map(double);
             for (range, towards, heading) in [(info.pitch, up, false), (info.heading, left, true)] {
                 if let Some(range) = range {
                     angles.push(Angle {
@@ -88,19 +75,14 @@ impl Model {
                 }
             }
         }
-        let frames: Vec<[V; 4]> = pose.iter().map(columns).collect();
-        let links = (0..frames.len())
-            .map(|i| match frames.get(i + 1) {
-                Some(next) => within(next, &frames[i]),
-                None => frames[i],
-            })
-            .collect();
+        let frames: Vec<DAffine3> =
+            pose.iter().map(|frame| DAffine3::from_cols_array(&frame.to_cols_array().map(f64::from))).collect();
+        let link = |(i, frame): (usize, &DAffine3)| frames.get(i + 1).map_or(*frame, |next| next.inverse() * *frame);
+        let links = frames.iter().enumerate().map(link).collect();
         let effector = description.effector();
-        let forward = unit(effector.forward.map(f64::from));
+        let forward = double(effector.forward).normalize();
         // Any direction square to forward does: only lengths of residuals and their zeros count.
-        let helper = if forward[0].abs() < 0.6 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
-        let left = unit(cross(forward, helper));
-        Self { angles, origin: effector.origin.map(f64::from), forward, left, links }
+        Self { angles, origin: double(effector.origin), forward, left: forward.any_orthonormal_vector(), links }
     }
 
     /// The number of declared angles.
@@ -119,60 +101,57 @@ impl Model {
     }
 
     /// Where the effector is, where it looks, and a direction square to that, in the pose's space.
-    fn effector(&self, values: &Angles) -> [V; 3] {
-        let mut carried = [self.origin, self.forward, self.left];
-        let mut next = 0;
+    fn effector(&self, values: &Angles) -> [DVec3; 3] {
+        let [mut origin, mut forward, mut left] = [self.origin, self.forward, self.left];
+        let mut angles = self.angles.iter().zip(values).peekable();
         for (joint, link) in self.links.iter().enumerate() {
-            while let Some(angle) = self.angles.get(next).filter(|angle| angle.joint == joint) {
-                let sin_cos = values[next].sin_cos();
-                carried = carried.map(|v| turn(v, angle.plane[0], angle.plane[1], sin_cos));
-                next += 1;
+            while let Some((angle, value)) = angles.next_if(|(angle, _)| angle.joint == joint) {
+                [origin, forward, left] = [origin, forward, left].map(|v| turn(v, angle.plane, value.sin_cos()));
             }
-            carried = carried.map(|v| vector(link, v));
-            carried[0] = add(carried[0], link[3]);
+            origin = link.transform_point3(origin);
+            [forward, left] = [forward, left].map(|v| link.transform_vector3(v));
         }
-        carried
+        [origin, forward, left]
     }
 
     /// Where the effector looks with these angles, a unit vector.
-    pub fn gaze(&self, values: &Angles) -> V {
-        unit(self.effector(values)[1])
+    pub fn gaze(&self, values: &Angles) -> DVec3 {
+        self.effector(values)[1].normalize()
     }
 
     /// The point at this distance straight ahead of the effector.
-    pub fn ahead(&self, values: &Angles, distance: f64) -> V {
+    pub fn ahead(&self, values: &Angles, distance: f64) -> DVec3 {
         let [origin, forward, _] = self.effector(values);
-        add(origin, scale(distance, unit(forward)))
+        origin + distance * forward.normalize()
     }
 
     /// The angle between the gaze and the target, radians.
-    pub fn remaining(&self, values: &Angles, target: V) -> f64 {
+    pub fn remaining(&self, values: &Angles, target: DVec3) -> f64 {
         let [origin, forward, _] = self.effector(values);
-        angle(forward, sub(target, origin))
+        angle(forward, target - origin)
     }
 
     /// How far the effector is from the target.
-    pub fn distance(&self, values: &Angles, target: V) -> f64 {
-        let to_target = sub(target, self.effector(values)[0]);
-        dot(to_target, to_target).sqrt()
+    pub fn distance(&self, values: &Angles, target: DVec3) -> f64 {
+        target.distance(self.effector(values)[0])
     }
 
     /// The same angle as a vector: its length along the direction, seen from the effector, in which the target is.
-    pub fn residual(&self, values: &Angles, target: V) -> [f64; 2] {
+    pub fn residual(&self, values: &Angles, target: DVec3) -> [f64; 2] {
         let [origin, forward, left] = self.effector(values);
-        let to_target = sub(target, origin);
-        let (forward, left) = (unit(forward), unit(left));
-        let lateral = [dot(to_target, left), dot(to_target, cross(forward, left))];
+        let to_target = target - origin;
+        let (forward, left) = (forward.normalize(), left.normalize());
+        let lateral = [to_target.dot(left), to_target.dot(forward.cross(left))];
         let length = lateral[0].hypot(lateral[1]);
         if length == 0.0 {
             return [0.0; 2];
         }
-        let angle = length.atan2(dot(to_target, forward));
+        let angle = length.atan2(to_target.dot(forward));
         lateral.map(|x| angle * x / length)
     }
 
     /// The residual's derivatives by each angle, by central differences.
-    pub fn jacobian(&self, values: &Angles, target: V) -> [[f64; 2]; MOST] {
+    pub fn jacobian(&self, values: &Angles, target: DVec3) -> [[f64; 2]; MOST] {
         const STEP: f64 = 1e-5;
         let mut jacobian = [[0.0; 2]; MOST];
         let mut moved = *values;
@@ -193,20 +172,20 @@ impl Model {
     }
 
     /// The effector's gaze as *corrections* turn it: what a user sees of the rig.
-    pub fn seen(&self, corrections: &[Quat]) -> [V; 2] {
-        let mut carried = [self.origin, self.forward];
+    pub fn seen(&self, corrections: &[Quat]) -> [DVec3; 2] {
+        let [mut origin, mut forward] = [self.origin, self.forward];
         for (correction, link) in corrections.iter().zip(&self.links) {
-            let correction = correction.to_array().map(f64::from);
-            carried = carried.map(|v| vector(link, rotate(v, correction)));
-            carried[0] = add(carried[0], link[3]);
+            let correction = correction.as_dquat().normalize();
+            origin = link.transform_point3(correction * origin);
+            forward = link.transform_vector3(correction * forward);
         }
-        [carried[0], unit(carried[1])]
+        [origin, forward.normalize()]
     }
 
     /// The angle between that gaze and the target, radians.
-    pub fn seen_remaining(&self, corrections: &[Quat], target: V) -> f64 {
+    pub fn seen_remaining(&self, corrections: &[Quat], target: DVec3) -> f64 {
         let [origin, forward] = self.seen(corrections);
-        angle(forward, sub(target, origin))
+        angle(forward, target - origin)
     }
 
     /// The ranges of motion.
@@ -235,17 +214,8 @@ impl Model {
 
     /// How long the joints may need from anywhere to anywhere, one after the other: the sum of range over rate, seconds.
     pub fn longest(&self) -> f64 {
-        let joints = self.links.len();
-        (0..joints).map(|joint| self.slowest(|angle| angle.joint == joint)).sum()
-    }
-
-    /// How long they may need side by side.
-    pub fn longest_together(&self) -> f64 {
-        self.slowest(|_| true)
-    }
-
-    fn slowest(&self, which: impl Fn(&Angle) -> bool) -> f64 {
-        let width = |angle: &Angle| (angle.range[1] - angle.range[0]).min(std::f64::consts::TAU);
-        self.angles.iter().filter(|angle| which(angle)).map(|angle| width(angle) / angle.rate).fold(0.0, f64::max)
+        let seconds = |angle: &Angle| (angle.range[1] - angle.range[0]).min(std::f64::consts::TAU) / angle.rate;
+        let of = |joint: usize| self.angles.iter().filter(move |angle| angle.joint == joint).map(seconds);
+        (0..self.links.len()).map(|joint| of(joint).fold(0.0, f64::max)).sum()
     }
 }

@@ -6,7 +6,10 @@ use aim::{Axes, DynAim, Joint, JointInfo, State};
 
 use super::chain::{DEG, direction, random_state};
 use super::model::Model;
-use super::numeric::{MOST_JOINTS, NumericRig};
+use super::numeric::NumericRig;
+
+/// The most joints of a rig.
+const MOST_JOINTS: usize = 7;
 
 /// A rig in a pose with a target.
 #[derive(Clone, Debug)]
@@ -28,7 +31,7 @@ pub struct Case {
 impl Case {
     /// The rig's character as the case finds it.
     pub fn character(&self) -> DynAim<NumericRig> {
-        let mut character = DynAim::new(self.rig);
+        let mut character = DynAim::new(self.rig.clone());
         character.state = State::new(self.joints.clone());
         character
     }
@@ -55,9 +58,7 @@ pub fn case(number: usize) -> Case {
     let distance = 0.3 + 4.7 * random.f64();
     let target = if reachable {
         let state = random_state(&rig, &mut random);
-        #[expect(clippy::cast_possible_truncation, reason = "targets are in f32")]
-        let target = model.ahead(&model.read(&state), distance).map(|x| x as f32);
-        Vec3::from(target)
+        model.ahead(&model.read(&state), distance).as_vec3()
     } else {
         #[expect(clippy::cast_possible_truncation, reason = "targets are in f32")]
         let distance = distance as f32;

@@ -3,9 +3,10 @@
 //! By sequential quadratic programming on central differences of the forward kinematics, from several starts; the best
 //! is kept. It shares no code with the runtime, and not its residual either.
 
+use aim::glam::DVec3;
+
 use super::model::{Angles, MOST, Model};
 use super::quadratic::Program;
-use super::vector::V;
 
 /// Nearer than this the target is met, radians.
 pub const MET_RAD: f64 = 1e-6;
@@ -35,21 +36,21 @@ pub struct Problem<'a> {
     /// The rig in its pose.
     pub model: &'a Model,
     /// The target in the pose's space.
-    pub target: V,
+    pub target: DVec3,
     /// The least and the largest angles.
     pub bounds: [Angles; 2],
 }
 
 impl<'a> Problem<'a> {
     /// Within the ranges of motion alone.
-    pub fn within_ranges(model: &'a Model, target: V) -> Self {
+    pub fn within_ranges(model: &'a Model, target: DVec3) -> Self {
         // A free heading is as good within one turn to either side.
         let bounds = model.ranges().map(|bound| bound.map(|x| x.clamp(-std::f64::consts::TAU, std::f64::consts::TAU)));
         Self { model, target, bounds }
     }
 
     /// Within the ranges and what the rates leave of them in one frame.
-    pub fn within_frame(model: &'a Model, target: V, from: &Angles, seconds: f64) -> Self {
+    pub fn within_frame(model: &'a Model, target: DVec3, from: &Angles, seconds: f64) -> Self {
         Self { model, target, bounds: model.reach(from, seconds) }
     }
 

@@ -4,7 +4,7 @@ use aim::glam::{Affine3A, Vec3};
 use aim::{Behind, DynAim, Outcome, Pose, Rig, Settings};
 
 use super::model::{Angles, Model};
-use super::workload::{Motion, double};
+use super::workload::Motion;
 
 /// What is measured.
 #[derive(Clone, Copy, Debug)]
@@ -78,7 +78,7 @@ impl<R: Rig> Scene<R> {
 
     /// What a user sees: the angle between the corrected gaze and the target, radians.
     pub fn remaining(&self, model: &Model) -> f64 {
-        model.seen_remaining(self.rig.corrections(), double(self.target))
+        model.seen_remaining(self.rig.corrections(), self.target.as_dvec3())
     }
 
     /// The pose and the target of a motion at this time.

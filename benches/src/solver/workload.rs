@@ -3,7 +3,6 @@
 use aim::glam::{Affine3A, Vec3};
 
 use super::chain::{Animation, EYE_AT_REST, direction, random_pose};
-use super::vector::V;
 
 /// A pose and a target that both stand still.
 #[derive(Clone, Copy, Debug)]
@@ -169,9 +168,4 @@ pub fn orbits(count: usize, moving: bool) -> Vec<Motion> {
         }
     }
     motions
-}
-
-/// A point in double precision.
-pub fn double(point: Vec3) -> V {
-    point.to_array().map(f64::from)
 }

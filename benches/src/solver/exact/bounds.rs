@@ -101,7 +101,7 @@ fn fastest(jump: Jump, number: usize, hz: f32, settings: &Settings) -> f64 {
         let state = random_state(&scene.rig.rig, &mut random);
         scene.rig.state.joints = state;
     }
-    let declared = *scene.rig.rig.infos.as_ref().first_chunk::<3>().expect("three joints");
+    let declared = scene.rig.rig.infos.clone();
     let mut settings = *settings;
     let (mut fastest, mut passing) = (0.0_f64, direction(&mut random));
     for frame in 0_u16..300 {
@@ -127,7 +127,7 @@ fn fastest(jump: Jump, number: usize, hz: f32, settings: &Settings) -> f64 {
             settings = settings.with_weight([0.0, 1.0, random.f32()][random.usize(..3)]);
         }
         if jump == Jump::Limits && every(20) {
-            for (info, declared) in scene.rig.rig.infos.as_mut().iter_mut().zip(&declared) {
+            for (info, declared) in scene.rig.rig.infos.iter_mut().zip(&declared) {
                 let share = random.f32();
                 info.heading = declared.heading.map(|range| range.map(|x| share * x));
                 info.pitch = declared.pitch.map(|range| range.map(|x| share * x));

@@ -7,7 +7,7 @@ use super::super::parallel;
 use super::super::reference::Problem;
 use super::super::row::{Row, quantile};
 use super::super::sample::{FRAME_RATES, Sample, Scene, apart, frames};
-use super::super::workload::{Still, Where, double, track};
+use super::super::workload::{Still, Where, track};
 
 /// What became of one target that stood still.
 struct Settled {
@@ -64,7 +64,7 @@ fn settle(sample: &Sample, case: &Still, number: usize, hz: f32, from_rest: bool
     let mut random = fastrand::Rng::with_seed(0xd15_0000 + number as u64);
     let mut scene = Scene::new(Gazer::RIG, &case.pose, case.target);
     let model = scene.model();
-    let problem = Problem::within_ranges(&model, double(case.target));
+    let problem = Problem::within_ranges(&model, case.target.as_dvec3());
     if !from_rest {
         let state = random_state(&scene.rig.rig, &mut random);
         scene.rig.state.joints = state;
@@ -115,7 +115,7 @@ fn tracked(sample: &Sample, name: &str, moving: bool, hz: f32) -> Vec<Row> {
             let model = scene.model();
             tracked.lags.push(scene.remaining(&model) / DEG);
             if frame % 41 == 0 {
-                let problem = Problem::within_ranges(&model, double(scene.target));
+                let problem = Problem::within_ranges(&model, scene.target.as_dvec3());
                 let angles = scene.angles(&model);
                 let mut starts = problem.starts(i as u64, 1);
                 starts.push(angles);

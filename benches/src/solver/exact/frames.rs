@@ -8,7 +8,7 @@ use super::super::parallel;
 use super::super::reference::Problem;
 use super::super::row::Row;
 use super::super::sample::{Sample, Scene};
-use super::super::workload::{Motion, double, orbits, track};
+use super::super::workload::{Motion, orbits, track};
 
 /// Frames whose target can be met within ranges and rates and that do not say that they reached it.
 pub fn unreached_frames(sample: &Sample) -> Vec<Row> {
@@ -42,7 +42,7 @@ fn judge(sample: &Sample, motion: &Motion, hz: f32, number: usize) -> (usize, us
             all += 1;
             continue;
         }
-        let problem = Problem::within_frame(&model, double(scene.target), &before, 1.0 / f64::from(hz));
+        let problem = Problem::within_frame(&model, scene.target.as_dvec3(), &before, 1.0 / f64::from(hz));
         let starts = problem.starts(number as u64, 3);
         if problem.is_met(&starts) {
             all += 1;

@@ -8,7 +8,7 @@ use super::super::parallel;
 use super::super::reference::{MET_RAD, Problem};
 use super::super::row::{Row, largest, quantile};
 use super::super::sample::{Sample, Scene, frames};
-use super::super::workload::{Where, double};
+use super::super::workload::Where;
 
 /// `cone` from rest without rates: solved within three frames, and by one `snap`.
 pub fn cold(sample: &Sample) -> Vec<Row> {
@@ -21,7 +21,7 @@ pub fn cold(sample: &Sample) -> Vec<Row> {
         let case = &cases[i];
         let mut scene = Scene::new(NumericRig::new(&quick), &case.pose, case.target);
         let model = scene.model();
-        let problem = Problem::within_ranges(&model, double(case.target));
+        let problem = Problem::within_ranges(&model, case.target.as_dvec3());
         if !problem.is_met(&problem.starts(i as u64, 6)) {
             return None;
         }
@@ -70,7 +70,7 @@ pub fn unreachable(sample: &Sample) -> Vec<Row> {
             if remaining <= 0.1 * DEG {
                 return None;
             }
-            let problem = Problem::within_ranges(&model, double(case.target));
+            let problem = Problem::within_ranges(&model, case.target.as_dvec3());
             let mut starts = problem.starts(i as u64, 12);
             starts.push(scene.angles(&model));
             let best = problem.nearest(&starts).remaining;

@@ -8,7 +8,6 @@ use super::super::numeric::NumericRig;
 use super::super::parallel;
 use super::super::row::{Row, largest};
 use super::super::sample::{FRAME_RATES, Sample, Scene, apart, frames};
-use super::super::vector::{rotate, unit};
 use super::super::workload::{Where, bearing, track};
 
 /// A still target, once it has been reached: the largest angle that is left afterwards.
@@ -93,10 +92,8 @@ pub fn roll(sample: &Sample) -> Vec<Row> {
                 rig.aim(&pose, at + 2.0 * towards, 1.0 / 60.0, &sample.plain());
             }
             let correction = rig.corrections()[0];
-            let left = rotate(axes.left.map(f64::from), correction.to_array().map(f64::from));
-            #[expect(clippy::cast_possible_truncation, reason = "back to f32")]
-            let left = bone.transform_vector3(Vec3::from(left.map(|x| x as f32)));
-            let roll = unit(left.to_array().map(f64::from))[1].asin().abs() / DEG;
+            let left = bone.transform_vector3(correction * Vec3::from(axes.left));
+            let roll = left.as_dvec3().normalize().y.asin().abs() / DEG;
             let what = format!("neck leaning 30°, heading 60°, level {level}: roll of the head");
             match limit {
                 Some(limit) => Row::at_most(what, limit, "°", roll),

@@ -9,7 +9,7 @@ use super::super::random_rigs;
 use super::super::reference::Problem;
 use super::super::row::Row;
 use super::super::sample::{FRAME_RATES, Sample, Scene, frames};
-use super::super::workload::{Motion, Path, Where, double, orbits};
+use super::super::workload::{Motion, Path, Where, orbits};
 
 /// Further than this from the target it counts as not reached.
 const TOLERANCE_RAD: f64 = 0.1 * DEG * 1.000_1;
@@ -32,7 +32,7 @@ pub fn stuck_still(sample: &Sample) -> Vec<Row> {
                 if scene.remaining(&model) <= TOLERANCE_RAD {
                     return (true, true);
                 }
-                (false, within_reach(&Problem::within_ranges(&model, double(case.target)), i))
+                (false, within_reach(&Problem::within_ranges(&model, case.target.as_dvec3()), i))
             });
             let reachable = ends.iter().filter(|(_, reachable)| *reachable).count();
             let stuck = ends.iter().filter(|(reached, reachable)| *reachable && !reached).count();
@@ -97,7 +97,7 @@ fn orbit(motion: &Motion, hz: f32, settings: &Settings, number: usize) -> Orbite
         }
         // A search is dear: frames that are not reached are judged one in five.
         let judged = frame % 5 == 0;
-        if judged && within_reach(&Problem::within_ranges(&model, double(scene.target)), number) {
+        if judged && within_reach(&Problem::within_ranges(&model, scene.target.as_dvec3()), number) {
             orbited.reachable += 1;
             let mut stopped = scene.clone();
             stopped.run(frames(model.longest() + 0.5, hz), 1.0 / hz, settings);
@@ -119,7 +119,7 @@ pub fn stuck_on_random_rigs(sample: &Sample) -> Vec<Row> {
         let case = random_rigs::case(number);
         let (mut rig, pose) = (case.character(), Pose::new(case.pose.as_slice()));
         let model = Model::new(&case.rig, &case.pose);
-        let target = double(case.target);
+        let target = case.target.as_dvec3();
         if !(case.reachable || within_reach(&Problem::within_ranges(&model, target), number)) {
             return (false, false);
         }

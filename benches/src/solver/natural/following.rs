@@ -5,7 +5,7 @@ use super::super::parallel;
 use super::super::reference::Problem;
 use super::super::row::{Row, largest, quantile};
 use super::super::sample::{FRAME_RATES, Sample, Scene, frames};
-use super::super::workload::{Where, double, track};
+use super::super::workload::{Where, track};
 use aim::AimRig;
 
 /// The lag behind a swinging target.
@@ -47,7 +47,7 @@ pub fn resting(sample: &Sample) -> Vec<Row> {
             let mut scene = Scene::new(Gazer::RIG, &cases[i].pose, cases[i].target);
             let model = scene.model();
             scene.run(frames(model.longest() + 1.0, hz), 1.0 / hz, &sample.plain());
-            let problem = Problem::within_ranges(&model, double(cases[i].target));
+            let problem = Problem::within_ranges(&model, cases[i].target.as_dvec3());
             let mut starts = problem.starts(i as u64, 3);
             starts.push(scene.angles(&model));
             let best = problem.nearest(&starts).remaining;

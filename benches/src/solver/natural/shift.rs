@@ -1,13 +1,12 @@
 //! [`Shift`]: one shift of the gaze, from a target straight ahead to one that appears aside, frame by frame.
 
-use aim::glam::{Affine3A, Quat, Vec3};
+use aim::glam::{Affine3A, DVec3, Quat};
 use aim::{AimRig, Rig, Settings};
 
 use super::super::chain::{DEG, Gazer};
-use super::super::model::{Angles, Model};
+use super::super::model::{Angles, Model, angle};
 use super::super::row::largest;
 use super::super::sample::{Scene, frames};
-use super::super::vector::{V, add, angle, cross, dot, scale, sub, unit};
 
 /// The eye's pitch and heading, then the neck's and the chest's, in the order of the declared angles.
 const EYE: [usize; 2] = [0, 1];
@@ -24,7 +23,7 @@ const SECONDS: f64 = 1.5;
 #[derive(Clone, Copy, Debug)]
 struct Frame {
     angles: Angles,
-    gaze: V,
+    gaze: DVec3,
     remaining: f64,
 }
 
@@ -34,8 +33,8 @@ pub(crate) struct Shift {
     frames: Vec<Frame>,
     hz: f64,
     /// From straight ahead to the target.
-    ahead: V,
-    aside: V,
+    ahead: DVec3,
+    aside: DVec3,
     accelerations: Vec<f64>,
 }
 
@@ -45,16 +44,11 @@ impl Shift {
         let rig = Gazer::RIG;
         let model = Model::new(rig, pose);
         let [origin, ahead] = model.seen(&[Quat::IDENTITY; 3]);
-        let up = [0.0, 1.0, 0.0];
-        let left = unit(cross(up, ahead));
-        let up = cross(ahead, left);
+        let left = DVec3::Y.cross(ahead).normalize();
+        let up = ahead.cross(left);
         let ((sin, cos), (sin_d, cos_d)) = ((degrees * DEG).sin_cos(), direction.sin_cos());
-        let aside = add(scale(cos, ahead), scale(sin, add(scale(cos_d, left), scale(sin_d, up))));
-        let at = |towards: V| {
-            #[expect(clippy::cast_possible_truncation, reason = "a target in single precision")]
-            let point = add(origin, scale(2.0, towards)).map(|x| x as f32);
-            Vec3::from(point)
-        };
+        let aside = cos * ahead + sin * (cos_d * left + sin_d * up);
+        let at = |towards: DVec3| (origin + 2.0 * towards).as_vec3();
         let accelerations =
             model.angles.iter().map(|angle| f64::from(rig.description().joints()[angle.joint].acceleration)).collect();
         let mut scene = Scene::new(rig, pose, at(ahead));
@@ -143,8 +137,8 @@ impl Shift {
     /// How far the gaze goes past the target, or an angle of neck or chest past where it ends, degrees.
     pub(crate) fn overshoot(&self) -> f64 {
         let whole = angle(self.ahead, self.aside);
-        let along = unit(sub(self.aside, scale(dot(self.aside, self.ahead), self.ahead)));
-        let past = self.frames.iter().map(|frame| dot(frame.gaze, along).atan2(dot(frame.gaze, self.ahead)) - whole);
+        let along = self.aside.reject_from_normalized(self.ahead).normalize();
+        let past = self.frames.iter().map(|frame| frame.gaze.dot(along).atan2(frame.gaze.dot(self.ahead)) - whole);
         let gaze = largest(past);
         let (start, end) = (self.frames[0], self.frames[self.frames.len() - 1]);
         let joints = NECK.into_iter().chain(CHEST).map(|i| {
@@ -156,7 +150,7 @@ impl Shift {
 
     /// How far the gaze is off the great circle from where it was to the target at most, degrees.
     pub(crate) fn off_arc(&self) -> f64 {
-        let normal = unit(cross(self.ahead, self.aside));
-        largest(self.frames.iter().map(|frame| dot(frame.gaze, normal).asin().abs())) / DEG
+        let normal = self.ahead.cross(self.aside).normalize();
+        largest(self.frames.iter().map(|frame| frame.gaze.dot(normal).asin().abs())) / DEG
     }
 }
