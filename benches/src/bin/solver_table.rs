@@ -1,7 +1,7 @@
 //! Measures everything that the whole-chain solvers have to hold, and prints it as tables.
 //!
-//! `solver_table [--check] [--quick] [--instructions] [--solver exact|natural|ascent|paper] [WORD…]`: with `--check` it exits 1
-//! when something does not hold. `--quick` measures a sixteenth, `--instructions` counts them too (it needs valgrind). With words, only the measurements whose name has one of them.
+//! `solver_table [--check] [--quick] [--solver exact|natural|ascent|paper] [WORD…]`: with `--check` it exits 1 when something
+//! does not hold. `--quick` measures a sixteenth. With words, only the measurements whose name has one of them.
 
 use std::env;
 use std::process::ExitCode;
@@ -10,7 +10,7 @@ use std::time::Instant;
 use aim::{Ascent, Settings, Solver};
 use aim_benches::solver::row::{Row, markdown};
 use aim_benches::solver::sample::Sample;
-use aim_benches::solver::{self, exact, natural};
+use aim_benches::solver::{exact, natural};
 
 /// A measurement by its name.
 type Measurement = (&'static str, fn(&Sample) -> Vec<Row>);
@@ -64,13 +64,12 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<bool, String> {
-    let (mut check, mut instructions, mut words) = (false, false, Vec::new());
+    let (mut check, mut words) = (false, Vec::new());
     let mut sample = Sample { thinned: 1, settings: Settings::default().with_solver(Solver::Exact) };
     let mut arguments = env::args().skip(1);
     while let Some(argument) = arguments.next() {
         match argument.as_str() {
             "--check" => check = true,
-            "--instructions" => instructions = true,
             "--quick" => sample.thinned = 16,
             "--solver" => {
                 sample.settings = match arguments.next().as_deref() {
@@ -91,11 +90,6 @@ fn run() -> Result<bool, String> {
     let natural = measure("natural", NATURAL, &natural, &words);
     println!("{}", markdown("natural layer", &natural));
     judged.extend(natural);
-    if instructions {
-        let counted = solver::instructions::count()?;
-        println!("{}", markdown("instructions", &counted));
-        judged.extend(counted);
-    }
     let paper = measure("paper", PAPER, &sample, &words);
     // What it does not hold is why there is another.
     let paper: Vec<Row> = paper.into_iter().map(|row| Row { held: None, ..row }).collect();

@@ -1,39 +1,33 @@
 //! What is counted: characters that follow a swinging target, and nothing else in the frames that are asked for.
 //!
-//! `track_frames exact|exact-inlined|natural|ascent|paper|eye|eye-inlined FRAMES [moving|blocked]`: everything that comes in is made ready for all frames,
-//! so that two runs differ by the solver's work in the frames by which they differ.
+//! `track_frames exact|exact-inlined|natural|eye|eye-inlined FRAMES`: everything that comes in is made ready for all frames, so
+//! that two runs differ by the solver's work in the frames by which they differ.
 
 use std::env;
 use std::hint::black_box;
 use std::process::ExitCode;
 
 use aim::glam::Affine3A;
-use aim::{Aim, AimRig, Ascent, Behind, Pose, Settings, Solver};
+use aim::{Aim, AimRig, Behind, Pose, Settings, Solver};
 use aim_benches::solver::chain::{EyeOnly, Gazer};
-use aim_benches::solver::instructions::{CHARACTERS, FRAMES};
-use aim_benches::solver::workload::{Motion, blocked, track};
+use aim_benches::solver::workload::{Motion, track};
+
+/// How many characters are counted.
+const CHARACTERS: usize = 64;
+/// Of how many frames inputs are made ready.
+const FRAMES: u16 = 600;
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
-    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    let (solver, frames, motions) = match *words.as_slice() {
-        [solver, frames] => (solver, frames, track(CHARACTERS, false)),
-        [solver, frames, "moving"] => (solver, frames, track(CHARACTERS, true)),
-        [solver, frames, "blocked"] => (solver, frames, blocked(CHARACTERS)),
-        _ => return usage(),
-    };
+    let [solver, frames] = arguments.as_slice() else { return usage() };
     let Ok(frames) = frames.parse() else { return usage() };
+    let motions = track(CHARACTERS, false);
     let settings = Settings::default().with_behind(Behind::Off);
     let exact = settings.with_solver(Solver::Exact);
-    match solver {
+    match solver.as_str() {
         "exact" => follow::<Gazer, false>(&motions, frames, &exact),
         "exact-inlined" => follow::<Gazer, true>(&motions, frames, &exact),
         "natural" => follow::<Gazer, false>(&motions, frames, &settings.with_solver(Solver::Natural)),
-        "ascent" => follow::<Gazer, false>(&motions, frames, &settings.with_solver(Solver::Ascent)),
-        "paper" => {
-            let paper = settings.with_solver(Solver::Ascent).with_ascent(Ascent::paper());
-            follow::<Gazer, false>(&motions, frames, &paper);
-        }
         "eye" => follow::<EyeOnly, false>(&motions, frames, &exact),
         "eye-inlined" => follow::<EyeOnly, true>(&motions, frames, &exact),
         _ => return usage(),
@@ -42,7 +36,7 @@ fn main() -> ExitCode {
 }
 
 fn usage() -> ExitCode {
-    eprintln!("track_frames exact|exact-inlined|natural|ascent|paper|eye|eye-inlined FRAMES [moving|blocked]");
+    eprintln!("track_frames exact|exact-inlined|natural|eye|eye-inlined FRAMES");
     ExitCode::FAILURE
 }
 

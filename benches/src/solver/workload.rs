@@ -99,10 +99,8 @@ pub enum Path {
         speed: f32,
         /// Where it begins, radians.
         phase: f32,
-        /// Heading and elevation about which it moves, degrees…
-        middle: [f32; 2],
-        /// … and how far to either side.
-        width: f32,
+        /// The elevation about which it moves, degrees.
+        elevation: f32,
     },
     /// Goes round the character at the eye's height, at 2 m.
     Orbit {
@@ -115,10 +113,9 @@ impl Path {
     /// The target at this time, seconds.
     pub fn at(&self, t: f32) -> Vec3 {
         let towards = match *self {
-            Self::Swing { speed, phase, middle, width } => {
+            Self::Swing { speed, phase, elevation } => {
                 let swing = speed * t + phase;
-                let [heading, elevation] = middle;
-                bearing(heading + width * swing.sin(), elevation + 5.0 * (0.7 * swing).sin())
+                bearing(63.0 * swing.sin(), elevation + 5.0 * (0.7 * swing).sin())
             }
             Self::Orbit { seconds } => bearing(360.0 * t / seconds, 0.0),
         };
@@ -136,21 +133,7 @@ pub fn track(count: usize, moving: bool) -> Vec<Motion> {
             let body = if moving { Body::Moving(animation) } else { Body::Still(pose) };
             let speed = std::f32::consts::TAU / (3.0 + 3.0 * random.f32());
             let phase = std::f32::consts::TAU * random.f32();
-            Motion { body, path: Path::Swing { speed, phase, middle: [0.0, 20.0 * random.f32() - 10.0], width: 63.0 } }
-        })
-        .collect()
-}
-
-/// `count` characters whose targets swing behind them, out of reach all the time.
-pub fn blocked(count: usize) -> Vec<Motion> {
-    let mut random = fastrand::Rng::with_seed(31);
-    (0..count)
-        .map(|_| {
-            let body = Body::Still(random_pose(&mut random));
-            let speed = std::f32::consts::TAU / (3.0 + 3.0 * random.f32());
-            let phase = std::f32::consts::TAU * random.f32();
-            let middle = [140.0 + 80.0 * random.f32(), 60.0 * random.f32() - 30.0];
-            Motion { body, path: Path::Swing { speed, phase, middle, width: 10.0 } }
+            Motion { body, path: Path::Swing { speed, phase, elevation: 20.0 * random.f32() - 10.0 } }
         })
         .collect()
 }
