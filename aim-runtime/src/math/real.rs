@@ -27,51 +27,31 @@ pub trait Real: Scalar {
 }
 
 macro_rules! real {
-    ($float:ident: $sin_cos:ident, $atan2:ident, $($function:ident $libm:ident),*) => {
-        #[cfg(feature = "std")]
+    ($float:ident: $($function:ident($($x:ident)?) -> $result:ty = $libm:ident),*) => {
         impl Real for $float {
-            #[inline]
-            fn sin_cos(self) -> (Self, Self) {
-                extern crate std;
-                self.sin_cos()
-            }
-
-            #[inline]
-            fn atan2(self, x: Self) -> Self {
-                extern crate std;
-                self.atan2(x)
-            }
-
             $(
                 #[inline]
-                fn $function(self) -> Self {
-                    extern crate std;
-                    self.$function()
-                }
-            )*
-        }
-
-        #[cfg(not(feature = "std"))]
-        impl Real for $float {
-            #[inline]
-            fn sin_cos(self) -> (Self, Self) {
-                libm::$sin_cos(self)
-            }
-
-            #[inline]
-            fn atan2(self, x: Self) -> Self {
-                libm::$atan2(self, x)
-            }
-
-            $(
-                #[inline]
-                fn $function(self) -> Self {
-                    libm::$libm(self)
+                fn $function(self $(, $x: Self)?) -> $result {
+                    #[cfg(feature = "std")]
+                    {
+                        extern crate std;
+                        self.$function($($x)?)
+                    }
+                    #[cfg(not(feature = "std"))]
+                    {
+                        libm::$libm(self $(, $x)?)
+                    }
                 }
             )*
         }
     };
 }
 
-real!(f32: sincosf, atan2f, sin sinf, cos cosf, tan tanf, asin asinf, acos acosf, exp expf, ln logf);
-real!(f64: sincos, atan2, sin sin, cos cos, tan tan, asin asin, acos acos, exp exp, ln log);
+real!(
+    f32: sin_cos() -> (Self, Self) = sincosf, sin() -> Self = sinf, cos() -> Self = cosf, tan() -> Self = tanf,
+    asin() -> Self = asinf, acos() -> Self = acosf, atan2(x) -> Self = atan2f, exp() -> Self = expf, ln() -> Self = logf
+);
+real!(
+    f64: sin_cos() -> (Self, Self) = sincos, sin() -> Self = sin, cos() -> Self = cos, tan() -> Self = tan,
+    asin() -> Self = asin, acos() -> Self = acos, atan2(x) -> Self = atan2, exp() -> Self = exp, ln() -> Self = log
+);
