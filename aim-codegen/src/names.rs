@@ -43,28 +43,10 @@ pub(crate) fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
     let name = name.to_lowercase();
     let is_shortened = |known: &&&str| name.len() >= 3 && known.starts_with(name.as_str());
     known.iter().find(is_shortened).copied().or_else(|| {
-        let (distance, nearest) = known.iter().map(|known| (distance(&name, known), *known)).min()?;
+        // Letters put in, left out, replaced, or swapped with their neighbour.
+        let (distance, nearest) = known.iter().map(|known| (strsim::osa_distance(&name, known), *known)).min()?;
         (distance <= (nearest.len() / 3).max(1)).then_some(nearest)
     })
-}
-
-/// How many letters have to be put in, left out, replaced or swapped with their neighbour.
-fn distance(from: &str, to: &str) -> usize {
-    let (from, to): (Vec<char>, Vec<char>) = (from.chars().collect(), to.chars().collect());
-    let mut rows = vec![(0..=to.len()).collect::<Vec<usize>>()];
-    for (i, a) in from.iter().enumerate() {
-        let mut row = vec![i + 1];
-        for (j, b) in to.iter().enumerate() {
-            let replaced = rows[i][j] + usize::from(a != b);
-            let mut least = replaced.min(row[j] + 1).min(rows[i][j + 1] + 1);
-            if i > 0 && j > 0 && from[i - 1] == *b && to[j - 1] == *a {
-                least = least.min(rows[i - 1][j - 1] + 1);
-            }
-            row.push(least);
-        }
-        rows.push(row);
-    }
-    rows[from.len()][to.len()]
 }
 
 const C: &str = "
