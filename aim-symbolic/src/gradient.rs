@@ -97,7 +97,7 @@ impl Sweep<'_> {
             gives: Vec::new(),
         };
         let mut passages = Vec::new();
-        sweep.add_to_scalar(output, one);
+        sweep.add_to_scalar(output, |_| one);
         for node in order.into_iter().rev() {
             match node {
                 Node::Scalar(s) => sweep.scalar(s),
@@ -119,8 +119,9 @@ impl Sweep<'_> {
         }
     }
 
-    fn add_to_scalar(&mut self, scalar: Scalar, change: Scalar) {
+    fn add_to_scalar(&mut self, scalar: Scalar, change: impl FnOnce(&mut Graph) -> Scalar) {
         if self.active.contains(Node::Scalar(scalar)) {
+            let change = change(self.g);
             let total = match self.scalars.get(scalar) {
                 Some(&so_far) => self.g.add(so_far, change),
                 None => change,
@@ -129,8 +130,9 @@ impl Sweep<'_> {
         }
     }
 
-    fn add_to_vector(&mut self, vector: Vector, change: Vector) {
+    fn add_to_vector(&mut self, vector: Vector, change: impl FnOnce(&mut Graph) -> Vector) {
         if self.active.contains(Node::Vector(vector)) {
+            let change = change(self.g);
             let total = match self.vectors.get(vector) {
                 Some(&so_far) => self.g.add_vectors(so_far, change),
                 None => change,
@@ -150,10 +152,6 @@ impl Sweep<'_> {
         }
     }
 
-    fn is_active(&self, vector: Vector) -> bool {
-        self.active.contains(Node::Vector(vector))
-    }
-
     fn scalar(&mut self, scalar: Scalar) {
         let Some(&bar) = self.scalars.get(scalar) else { return };
         match self.g.scalar_node(scalar) {
@@ -165,37 +163,26 @@ impl Sweep<'_> {
                 None => self.add_to_variable(scalar.into(), bar),
             },
             ScalarNode::SelectLess(a, b, then, otherwise) => self.select(bar, [a, b], [then, otherwise]),
-            ScalarNode::Dot(v, w) if v == w => {
-                let twice = self.g.twice(bar);
-                let by_v = self.g.scale(twice, v);
-                self.add_to_vector(v, by_v);
-            }
+            ScalarNode::Dot(v, w) if v == w => self.add_to_vector(v, |g| {
+                let twice = g.twice(bar);
+                g.scale(twice, v)
+            }),
             ScalarNode::Dot(v, w) => {
-                if self.is_active(v) {
-                    let by_v = self.g.scale(bar, w);
-                    self.add_to_vector(v, by_v);
-                }
-                if self.is_active(w) {
-                    let by_w = self.g.scale(bar, v);
-                    self.add_to_vector(w, by_w);
-                }
+                self.add_to_vector(v, |g| g.scale(bar, w));
+                self.add_to_vector(w, |g| g.scale(bar, v));
             }
-            ScalarNode::Norm(v) => {
-                let direction = self.g.normalize(v);
-                let by_v = self.g.scale(bar, direction.into());
-                self.add_to_vector(v, by_v);
-            }
-            ScalarNode::Component(v, axis) => {
-                let zero = self.g.constant(0.0);
-                let by_v = core::array::from_fn(|k| if k == usize::from(axis) { bar } else { zero });
-                let by_v = self.g.components(by_v);
-                self.add_to_vector(v, by_v);
-            }
+            ScalarNode::Norm(v) => self.add_to_vector(v, |g| {
+                let direction = g.normalize(v);
+                g.scale(bar, direction.into())
+            }),
+            ScalarNode::Component(v, axis) => self.add_to_vector(v, |g| {
+                let zero = g.constant(0.0);
+                g.components(core::array::from_fn(|k| if k == usize::from(axis) { bar } else { zero }))
+            }),
             _ => {
                 let active = self.active;
                 for (part, partial) in self.g.partials(scalar, |part| active.contains(Node::Scalar(part))) {
-                    let by_part = self.g.times(bar, partial);
-                    self.add_to_scalar(part, by_part);
+                    self.add_to_scalar(part, |g| g.times(bar, partial));
                 }
             }
         }
@@ -228,85 +215,65 @@ impl Sweep<'_> {
         match self.g.vector_node(vector) {
             VectorNode::Components(c) => {
                 for (c, axis) in c.into_iter().zip(0..) {
-                    if self.active.contains(Node::Scalar(c)) {
-                        let by_c = self.g.component(bar, axis);
-                        self.add_to_scalar(c, by_c);
-                    }
+                    self.add_to_scalar(c, |g| g.component(bar, axis));
                 }
             }
             VectorNode::Add(v, w) => {
-                self.add_to_vector(v, bar);
-                self.add_to_vector(w, bar);
+                self.add_to_vector(v, |_| bar);
+                self.add_to_vector(w, |_| bar);
             }
             VectorNode::Sub(v, w) => {
-                self.add_to_vector(v, bar);
-                if self.is_active(w) {
-                    let minus = self.g.neg_vector(bar);
-                    self.add_to_vector(w, minus);
-                }
+                self.add_to_vector(v, |_| bar);
+                self.add_to_vector(w, |g| g.neg_vector(bar));
             }
-            VectorNode::Neg(v) => {
-                let minus = self.g.neg_vector(bar);
-                self.add_to_vector(v, minus);
-            }
+            VectorNode::Neg(v) => self.add_to_vector(v, |g| g.neg_vector(bar)),
             VectorNode::Scale(k, v) => {
-                if self.active.contains(Node::Scalar(k)) {
-                    let by_k = self.g.dot(bar, v);
-                    self.add_to_scalar(k, by_k);
-                }
-                if self.is_active(v) {
-                    let by_v = self.g.scale(k, bar);
-                    self.add_to_vector(v, by_v);
-                }
+                self.add_to_scalar(k, |g| g.dot(bar, v));
+                self.add_to_vector(v, |g| g.scale(k, bar));
             }
             VectorNode::Rotate(rotation, v) => {
                 self.turn(rotation, vector, bar);
-                if self.is_active(v) {
-                    let inverse = self.g.transpose(rotation);
-                    let by_v = self.g.rotate(inverse, bar);
-                    self.add_to_vector(v, by_v);
-                }
+                self.add_to_vector(v, |g| {
+                    let inverse = g.transpose(rotation);
+                    g.rotate(inverse, bar)
+                });
             }
             VectorNode::Normalize(v) => {
                 // d(v/|v|) is the part of dv across v, over |v|.
-                let across = self.g.across(bar, crate::Unit(vector));
-                let norm = self.g.norm(v);
-                let reciprocal = self.g.reciprocal(norm);
-                let by_v = match self.placement {
-                    Placement::Late => self.g.scale(reciprocal, across),
-                    Placement::Early => {
-                        let components = [0, 1, 2].map(|axis| {
-                            let component = self.g.component(across, axis);
-                            self.g.mul(reciprocal, component)
-                        });
-                        self.g.components(components)
+                let placement = self.placement;
+                self.add_to_vector(v, |g| {
+                    let across = g.across(bar, crate::Unit(vector));
+                    let norm = g.norm(v);
+                    let reciprocal = g.reciprocal(norm);
+                    match placement {
+                        Placement::Late => g.scale(reciprocal, across),
+                        Placement::Early => {
+                            let components = [0, 1, 2].map(|axis| {
+                                let component = g.component(across, axis);
+                                g.mul(reciprocal, component)
+                            });
+                            g.components(components)
+                        }
                     }
-                };
-                self.add_to_vector(v, by_v);
+                });
             }
-            VectorNode::Perp(plane, v) => {
-                // The transpose of a quarter turn is the quarter turn back.
-                let perp = self.g.perp(plane, bar);
-                let by_v = self.g.neg_vector(perp);
-                self.add_to_vector(v, by_v);
-            }
+            // The transpose of a quarter turn is the quarter turn back.
+            VectorNode::Perp(plane, v) => self.add_to_vector(v, |g| {
+                let perp = g.perp(plane, bar);
+                g.neg_vector(perp)
+            }),
             VectorNode::Cross(v, w) => {
-                let (by_v, by_w) = (self.g.cross(w, bar), self.g.cross(bar, v));
-                self.add_to_vector(v, by_v);
-                self.add_to_vector(w, by_w);
+                self.add_to_vector(v, |g| g.cross(w, bar));
+                self.add_to_vector(w, |g| g.cross(bar, v));
             }
             VectorNode::Across(v, u) => {
-                if self.is_active(v) {
-                    let by_v = self.g.across(bar, u);
-                    self.add_to_vector(v, by_v);
-                }
-                if self.is_active(u.into()) {
-                    let (along, bar_along) = (self.g.dot(v, u), self.g.dot(bar, u));
-                    let (first, second) = (self.g.scale(along, bar), self.g.scale(bar_along, v));
-                    let sum = self.g.add_vectors(first, second);
-                    let by_u = self.g.neg_vector(sum);
-                    self.add_to_vector(u.into(), by_u);
-                }
+                self.add_to_vector(v, |g| g.across(bar, u));
+                self.add_to_vector(u.into(), |g| {
+                    let (along, bar_along) = (g.dot(v, u), g.dot(bar, u));
+                    let (first, second) = (g.scale(along, bar), g.scale(bar_along, v));
+                    let sum = g.add_vectors(first, second);
+                    g.neg_vector(sum)
+                });
             }
         }
     }
@@ -317,7 +284,7 @@ impl Sweep<'_> {
         let Some((angle, perp)) = self.g.swing(rotation, rotated) else { return };
         let along = self.g.dot(bar, perp);
         match self.g.radians(angle) {
-            Some(radians) => self.add_to_scalar(radians, along),
+            Some(radians) => self.add_to_scalar(radians, |_| along),
             None => self.add_to_variable(angle.into(), along),
         }
     }
