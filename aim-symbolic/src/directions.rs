@@ -2,13 +2,13 @@
 //! [`DIRECTIONS`](crate::rules::DIRECTIONS) and [`SCALES`](crate::rules::SCALES).
 
 use crate::sums::{is_sum, is_zero, sum, terms};
-use crate::{Graph, Scalar, ScalarNode, Unit, Vector, VectorNode};
+use crate::{Graph, Op, Scalar, ScalarNode, Unit, Vector, VectorNode};
 
 /// Whether this is `1 / |v|`.
 fn is_reciprocal_norm(g: &Graph, k: Scalar, v: Vector) -> bool {
     let norm = match g.scalar_node(k) {
         ScalarNode::Reciprocal(norm) => norm,
-        ScalarNode::Div(one, norm) if g.constant_of(one) == Some(1.0) => norm,
+        ScalarNode::Op(Op::Div(one, norm)) if g.constant_of(one) == Some(1.0) => norm,
         _ => return false,
     };
     g.scalar_node(norm) == ScalarNode::Norm(v)
@@ -22,14 +22,14 @@ pub(crate) fn recognize_direction(g: &mut Graph, v: Vector) -> Option<Vector> {
 
 /// `√(v · v) = |v|`
 pub(crate) fn root_of_square(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let ScalarNode::Sqrt(square) = g.scalar_node(s) else { return None };
+    let ScalarNode::Op(Op::Sqrt(square)) = g.scalar_node(s) else { return None };
     let ScalarNode::Dot(v, w) = g.scalar_node(square) else { return None };
     (v == w).then(|| g.norm(v))
 }
 
 /// `|v| |v| = v · v`, also as `k |v| |v|`: no root, and derivatives where `v` is 0.
 pub(crate) fn square_of_norm(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let ScalarNode::Mul(a, b) = g.scalar_node(s) else { return None };
+    let ScalarNode::Op(Op::Mul(a, b)) = g.scalar_node(s) else { return None };
     let vector_of = |g: &Graph, s: Scalar| match g.scalar_node(s) {
         ScalarNode::Norm(v) => Some(v),
         _ => None,
@@ -39,7 +39,7 @@ pub(crate) fn square_of_norm(g: &mut Graph, s: Scalar) -> Option<Scalar> {
         if other == norm {
             return Some(g.dot(v, v));
         }
-        let ScalarNode::Mul(c, d) = g.scalar_node(other) else { return None };
+        let ScalarNode::Op(Op::Mul(c, d)) = g.scalar_node(other) else { return None };
         let rest = [(c, d), (d, c)].into_iter().find_map(|(one, rest)| (one == norm).then_some(rest))?;
         let square = g.dot(v, v);
         Some(g.mul(rest, square))
@@ -48,7 +48,7 @@ pub(crate) fn square_of_norm(g: &mut Graph, s: Scalar) -> Option<Scalar> {
 
 /// `a / |v| = a (1 / |v|)`, guarded as every division by a length is; `v · w / |v|` is a dot with a direction.
 pub(crate) fn guard_division(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let ScalarNode::Div(a, norm) = g.scalar_node(s) else { return None };
+    let ScalarNode::Op(Op::Div(a, norm)) = g.scalar_node(s) else { return None };
     let ScalarNode::Norm(v) = g.scalar_node(norm) else { return None };
     if let ScalarNode::Dot(x, y) = g.scalar_node(a)
         && let Some(other) = [(x, y), (y, x)].into_iter().find_map(|(one, other)| (one == v).then_some(other))

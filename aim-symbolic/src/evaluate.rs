@@ -104,6 +104,7 @@ impl<'a> Evaluation<'a> {
             return known;
         }
         let value = match self.g.scalar_node(scalar) {
+            ScalarNode::Op(op) => op.map(|s| self.scalar(s)).value(&self.bindings.inputs),
             ScalarNode::Reciprocal(a) => reciprocal(self.scalar(a)),
             ScalarNode::Dot(a, b) => dot(self.vector(a), self.vector(b)),
             ScalarNode::Norm(a) => {
@@ -111,10 +112,6 @@ impl<'a> Evaluation<'a> {
                 dot(a, a).sqrt()
             }
             ScalarNode::Component(a, axis) => self.vector(a)[usize::from(axis)],
-            node => {
-                let Some(op) = node.op() else { unreachable!("{node:?} is an operation") };
-                op.map(|s| self.scalar(s)).value(&self.bindings.inputs)
-            }
         };
         self.scalars[scalar.0 as usize] = Some(value);
         value

@@ -4,7 +4,7 @@ use rustc_hash::FxHashMap;
 
 use crate::fold::Fold;
 use crate::rebuild::{Exchange, Rebuild, Uses};
-use crate::{Graph, Scalar, ScalarNode};
+use crate::{Graph, Op, Scalar, ScalarNode};
 
 /// `outputs`, which are lowered, with every sum factored.
 pub(crate) fn factor(fold: &mut Fold, outputs: Vec<Scalar>) -> Vec<Scalar> {
@@ -37,7 +37,7 @@ impl Exchange for Factoring {
 impl Factoring {
     /// The terms of a sum of which some have a common factor.
     fn terms_to_factor(&self, g: &Graph, s: Scalar) -> Option<Vec<Term>> {
-        if !matches!(g.scalar_node(s), ScalarNode::Add(..) | ScalarNode::Sub(..)) {
+        if !matches!(g.scalar_node(s), ScalarNode::Op(Op::Add(..) | Op::Sub(..))) {
             return None;
         }
         let mut terms = Vec::new();
@@ -53,15 +53,15 @@ impl Factoring {
             return;
         }
         match g.scalar_node(s) {
-            ScalarNode::Add(a, b) => {
+            ScalarNode::Op(Op::Add(a, b)) => {
                 self.collect(g, a, negative, depth + 1, terms);
                 self.collect(g, b, negative, depth + 1, terms);
             }
-            ScalarNode::Sub(a, b) => {
+            ScalarNode::Op(Op::Sub(a, b)) => {
                 self.collect(g, a, negative, depth + 1, terms);
                 self.collect(g, b, !negative, depth + 1, terms);
             }
-            ScalarNode::Neg(a) => self.collect(g, a, !negative, depth + 1, terms),
+            ScalarNode::Op(Op::Neg(a)) => self.collect(g, a, !negative, depth + 1, terms),
             _ => terms.push((negative, s)),
         }
     }
@@ -69,7 +69,7 @@ impl Factoring {
     /// The factors of a product that nothing else needs.
     fn factors(&self, g: &Graph, s: Scalar) -> Option<(Scalar, Scalar)> {
         match g.scalar_node(s) {
-            ScalarNode::Mul(a, b) if self.uses.once(s) => Some((a, b)),
+            ScalarNode::Op(Op::Mul(a, b)) if self.uses.once(s) => Some((a, b)),
             _ => None,
         }
     }

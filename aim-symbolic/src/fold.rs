@@ -34,9 +34,6 @@ impl Fold {
     /// The result of an operation.
     pub(crate) fn op(&mut self, op: Op<Scalar>) -> Scalar {
         match op {
-            Op::Constant(c) => self.g.intern_scalar(ScalarNode::Constant(c)),
-            Op::Input(i) => self.g.intern_scalar(ScalarNode::Input(i)),
-            Op::Tiny => self.g.intern_scalar(ScalarNode::Tiny),
             Op::Add(a, b) => self.add(a, b),
             Op::Sub(a, b) => self.sub(a, b),
             Op::Mul(a, b) => self.mul(a, b),
@@ -45,7 +42,7 @@ impl Fold {
             Op::Sqrt(a) => self.sqrt(a),
             Op::SelectLess(a, b, then, otherwise) => self.select_less(a, b, then, otherwise),
             Op::Call(function, a) => self.call(function, a),
-            Op::Atan2(y, x) => self.g.atan2(y, x),
+            Op::Constant(_) | Op::Input(_) | Op::Tiny | Op::Atan2(..) => self.g.intern_scalar(ScalarNode::Op(op)),
         }
     }
 
@@ -91,7 +88,7 @@ impl Fold {
             return None;
         }
         match self.g.scalar_node(a) {
-            ScalarNode::Neg(inner) => Some(inner),
+            ScalarNode::Op(Op::Neg(inner)) => Some(inner),
             _ => None,
         }
     }

@@ -20,7 +20,7 @@ use crate::order::Selects;
 use crate::partial::Partials;
 use crate::rules::COMPOSITIONS;
 use crate::table::{NodeSet, Table};
-use crate::{Graph, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
+use crate::{Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
 /// Where the reciprocal of a normalised vector's derivative goes: a choice that the length of the chain decides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -155,14 +155,14 @@ impl Sweep<'_> {
     fn scalar(&mut self, scalar: Scalar) {
         let Some(&bar) = self.scalars.get(scalar) else { return };
         match self.g.scalar_node(scalar) {
-            ScalarNode::Input(_) => match self.g.slope_of_input(scalar) {
+            ScalarNode::Op(Op::Input(_)) => match self.g.slope_of_input(scalar) {
                 Some((angle, slope)) => {
                     let along = self.g.times(bar, slope);
                     self.add_to_variable(angle.into(), along);
                 }
                 None => self.add_to_variable(scalar.into(), bar),
             },
-            ScalarNode::SelectLess(a, b, then, otherwise) => self.select(bar, [a, b], [then, otherwise]),
+            ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => self.select(bar, [a, b], [then, otherwise]),
             ScalarNode::Dot(v, w) if v == w => self.add_to_vector(v, |g| {
                 let twice = g.twice(bar);
                 g.scale(twice, v)

@@ -8,6 +8,7 @@ use crate::node::{
     Angle, Constant, Function, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector,
     VectorNode,
 };
+use crate::op::Op;
 use crate::table::Table;
 
 #[derive(Clone, Debug)]
@@ -183,7 +184,7 @@ impl Graph {
     fn declare(&mut self, name: String, kind: InputKind) -> Scalar {
         let index = u32::try_from(self.inputs.len()).expect("four billion inputs do not fit in memory");
         self.inputs.push((name, kind));
-        self.intern_scalar(ScalarNode::Input(index))
+        self.intern_scalar(ScalarNode::Op(Op::Input(index)))
     }
 
     /// A number given by the caller.
@@ -237,37 +238,37 @@ impl Graph {
 
     /// A number.
     pub fn constant(&mut self, value: f64) -> Scalar {
-        self.intern_scalar(ScalarNode::Constant(Constant::new(value)))
+        self.intern_scalar(ScalarNode::Op(Op::Constant(Constant::new(value))))
     }
 
     /// a + b
     pub fn add(&mut self, a: Scalar, b: Scalar) -> Scalar {
-        self.intern_scalar(ScalarNode::Add(a, b))
+        self.intern_scalar(ScalarNode::Op(Op::Add(a, b)))
     }
 
     /// a − b
     pub fn sub(&mut self, a: Scalar, b: Scalar) -> Scalar {
-        self.intern_scalar(ScalarNode::Sub(a, b))
+        self.intern_scalar(ScalarNode::Op(Op::Sub(a, b)))
     }
 
     /// a b
     pub fn mul(&mut self, a: Scalar, b: Scalar) -> Scalar {
-        self.intern_scalar(ScalarNode::Mul(a, b))
+        self.intern_scalar(ScalarNode::Op(Op::Mul(a, b)))
     }
 
     /// a / b
     pub fn div(&mut self, a: Scalar, b: Scalar) -> Scalar {
-        self.intern_scalar(ScalarNode::Div(a, b))
+        self.intern_scalar(ScalarNode::Op(Op::Div(a, b)))
     }
 
     /// −a
     pub fn neg(&mut self, a: Scalar) -> Scalar {
-        self.intern_scalar(ScalarNode::Neg(a))
+        self.intern_scalar(ScalarNode::Op(Op::Neg(a)))
     }
 
     /// √a
     pub fn sqrt(&mut self, a: Scalar) -> Scalar {
-        self.intern_scalar(ScalarNode::Sqrt(a))
+        self.intern_scalar(ScalarNode::Op(Op::Sqrt(a)))
     }
 
     /// 1 / a, and 0 where a is not above the smallest length that is divided by.
@@ -277,17 +278,17 @@ impl Graph {
 
     /// `then` where `a < b`, else `otherwise`.
     pub fn select_less(&mut self, a: Scalar, b: Scalar, then: Scalar, otherwise: Scalar) -> Scalar {
-        self.intern_scalar(ScalarNode::SelectLess(a, b, then, otherwise))
+        self.intern_scalar(ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)))
     }
 
     /// A function of `a`.
     pub fn call(&mut self, function: Function, a: Scalar) -> Scalar {
-        self.intern_scalar(ScalarNode::Call(function, a))
+        self.intern_scalar(ScalarNode::Op(Op::Call(function, a)))
     }
 
     /// The angle of the point (`x`, `y`) from the first axis, −π…π.
     pub fn atan2(&mut self, y: Scalar, x: Scalar) -> Scalar {
-        self.intern_scalar(ScalarNode::Atan2(y, x))
+        self.intern_scalar(ScalarNode::Op(Op::Atan2(y, x)))
     }
 
     /// v · w
@@ -423,7 +424,7 @@ impl Graph {
     /// The value of a constant.
     pub fn constant_of(&self, scalar: Scalar) -> Option<f64> {
         match self.scalar_node(scalar) {
-            ScalarNode::Constant(c) => Some(c.value()),
+            ScalarNode::Op(Op::Constant(c)) => Some(c.value()),
             _ => None,
         }
     }

@@ -3,7 +3,7 @@
 use crate::fold::Fold;
 use crate::rules::Rules;
 use crate::table::Table;
-use crate::{Constant, Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+use crate::{Constant, Graph, Op, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 impl Graph {
     /// The components of `v` as scalars that only add, multiply, divide, take roots and select; 0 and ±1 are folded away.
@@ -31,14 +31,11 @@ impl Lowering {
         if let Some(&done) = self.scalars.get(scalar) {
             return done;
         }
-        let node = self.fold.g.scalar_node(scalar);
-        if let Some(op) = node.op() {
-            let op = op.map(|s| self.scalar(s));
-            let lowered = self.fold.op(op);
-            self.scalars.insert(scalar, lowered);
-            return lowered;
-        }
-        let lowered = match node {
+        let lowered = match self.fold.g.scalar_node(scalar) {
+            ScalarNode::Op(op) => {
+                let op = op.map(|s| self.scalar(s));
+                self.fold.op(op)
+            }
             ScalarNode::Reciprocal(a) => {
                 let a = self.scalar(a);
                 self.guarded_reciprocal(a)
@@ -53,7 +50,6 @@ impl Lowering {
                 self.fold.sqrt(square)
             }
             ScalarNode::Component(v, axis) => self.vector(v)[usize::from(axis)],
-            node => unreachable!("{node:?} is an operation"),
         };
         self.scalars.insert(scalar, lowered);
         lowered
@@ -68,9 +64,9 @@ impl Lowering {
         }
         let one = self.fold.g.constant(1.0);
         let zero = self.fold.g.constant(0.0);
-        let tiny = self.fold.g.intern_scalar(ScalarNode::Tiny);
+        let tiny = self.fold.g.intern_scalar(ScalarNode::Op(Op::Tiny));
         let reciprocal = self.fold.g.div(one, a);
-        self.fold.g.intern_scalar(ScalarNode::SelectLess(tiny, a, reciprocal, zero))
+        self.fold.g.intern_scalar(ScalarNode::Op(Op::SelectLess(tiny, a, reciprocal, zero)))
     }
 
     fn dot(&mut self, v: [Scalar; 3], w: [Scalar; 3]) -> Scalar {

@@ -1,5 +1,7 @@
 //! What expressions are made of: scalars, vectors, rotations, and the parts of each.
 
+use crate::op::Op;
+
 /// A scalar expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Scalar(pub(crate) u32);
@@ -119,32 +121,10 @@ impl Function {
 /// What a scalar is made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ScalarNode {
-    /// A number.
-    Constant(Constant),
-    /// The input with this index.
-    Input(u32),
-    /// The smallest length that is divided by, of the number type that the program runs in.
-    Tiny,
-    /// a + b
-    Add(Scalar, Scalar),
-    /// a − b
-    Sub(Scalar, Scalar),
-    /// a b
-    Mul(Scalar, Scalar),
-    /// a / b
-    Div(Scalar, Scalar),
-    /// −a
-    Neg(Scalar),
-    /// √a
-    Sqrt(Scalar),
-    /// 1 / a, and 0 where a is not above [`Tiny`](Self::Tiny): the policy for degenerate geometry.
+    /// An operation on numbers.
+    Op(Op<Scalar>),
+    /// 1 / a, and 0 where a is not above [`Tiny`](Op::Tiny): the policy for degenerate geometry.
     Reciprocal(Scalar),
-    /// The third where the first is below the second, else the fourth.
-    SelectLess(Scalar, Scalar, Scalar, Scalar),
-    /// A function of a number.
-    Call(Function, Scalar),
-    /// The angle of the point (second, first) from the first axis, −π…π.
-    Atan2(Scalar, Scalar),
     /// v · w
     Dot(Vector, Vector),
     /// |v|
@@ -168,7 +148,7 @@ pub enum VectorNode {
     Scale(Scalar, Vector),
     /// R v
     Rotate(Rotation, Vector),
-    /// v / |v|, and 0 where |v| is not above [`ScalarNode::Tiny`].
+    /// v / |v|, and 0 where |v| is not above [`Op::Tiny`].
     Normalize(Vector),
     /// v's part in the plane, turned by a quarter: what a turn in that plane adds to v per radian.
     Perp(Plane, Vector),
@@ -241,19 +221,8 @@ impl ScalarNode {
     /// The node with its parts exchanged.
     pub(crate) fn map(self, parts: &mut impl Parts) -> Self {
         match self {
-            Self::Constant(_) | Self::Input(_) | Self::Tiny => self,
-            Self::Add(a, b) => Self::Add(parts.scalar(a), parts.scalar(b)),
-            Self::Sub(a, b) => Self::Sub(parts.scalar(a), parts.scalar(b)),
-            Self::Mul(a, b) => Self::Mul(parts.scalar(a), parts.scalar(b)),
-            Self::Div(a, b) => Self::Div(parts.scalar(a), parts.scalar(b)),
-            Self::Neg(a) => Self::Neg(parts.scalar(a)),
-            Self::Sqrt(a) => Self::Sqrt(parts.scalar(a)),
+            Self::Op(op) => Self::Op(op.map(|s| parts.scalar(s))),
             Self::Reciprocal(a) => Self::Reciprocal(parts.scalar(a)),
-            Self::SelectLess(a, b, then, otherwise) => {
-                Self::SelectLess(parts.scalar(a), parts.scalar(b), parts.scalar(then), parts.scalar(otherwise))
-            }
-            Self::Call(function, a) => Self::Call(function, parts.scalar(a)),
-            Self::Atan2(a, b) => Self::Atan2(parts.scalar(a), parts.scalar(b)),
             Self::Dot(v, w) => Self::Dot(parts.vector(v), parts.vector(w)),
             Self::Norm(v) => Self::Norm(parts.vector(v)),
             Self::Component(v, axis) => Self::Component(parts.vector(v), axis),

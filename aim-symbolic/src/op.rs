@@ -1,4 +1,5 @@
-//! Operations on numbers: what programs consist of, and what expressions are lowered to.
+//! Operations on numbers: what programs consist of, a part of what expressions do, and all that is left of them once they
+//! are lowered.
 
 use crate::node::{Constant, Function, Scalar, ScalarNode};
 
@@ -88,20 +89,9 @@ impl ScalarNode {
     /// The operation that the node is; `None` for what has to be lowered first: guarded reciprocals and what is made of
     /// vectors.
     pub(crate) fn op(self) -> Option<Op<Scalar>> {
-        Some(match self {
-            Self::Constant(c) => Op::Constant(c),
-            Self::Input(i) => Op::Input(i),
-            Self::Tiny => Op::Tiny,
-            Self::Add(a, b) => Op::Add(a, b),
-            Self::Sub(a, b) => Op::Sub(a, b),
-            Self::Mul(a, b) => Op::Mul(a, b),
-            Self::Div(a, b) => Op::Div(a, b),
-            Self::Neg(a) => Op::Neg(a),
-            Self::Sqrt(a) => Op::Sqrt(a),
-            Self::SelectLess(a, b, c, d) => Op::SelectLess(a, b, c, d),
-            Self::Call(function, a) => Op::Call(function, a),
-            Self::Atan2(y, x) => Op::Atan2(y, x),
-            Self::Reciprocal(_) | Self::Dot(..) | Self::Norm(_) | Self::Component(..) => return None,
-        })
+        match self {
+            Self::Op(op) => Some(op),
+            _ => None,
+        }
     }
 }

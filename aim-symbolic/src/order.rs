@@ -2,7 +2,7 @@
 
 use crate::node::{Node, Parts};
 use crate::table::{NodeSet, Table};
-use crate::{Angle, Graph, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
+use crate::{Angle, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
 /// Whether an order goes on below a select.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -29,6 +29,7 @@ impl Graph {
     pub(crate) fn order_of_nodes(&self, nodes: &[Node], selects: Selects) -> Vec<Node> {
         let mut seen = NodeSet::default();
         let mut order = Vec::new();
+        let is_select = |s| matches!(self.scalar_node(s), ScalarNode::Op(Op::SelectLess(..)));
         let mut stack: Vec<(Node, bool)> = nodes.iter().rev().map(|&node| (node, false)).collect();
         let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
         while let Some((node, parts_done)) = stack.pop() {
@@ -36,9 +37,7 @@ impl Graph {
                 order.push(node);
             } else if seen.insert(node, ()) {
                 stack.push((node, true));
-                let is_select =
-                    matches!(node, Node::Scalar(s) if matches!(self.scalar_node(s), ScalarNode::SelectLess(..)));
-                if !(is_select && selects == Selects::Leaves) {
+                if !(selects == Selects::Leaves && matches!(node, Node::Scalar(s) if is_select(s))) {
                     parts.nodes.clear();
                     parts.collect(node);
                     stack.extend(parts.nodes.iter().rev().map(|&part| (part, false)));

@@ -1,6 +1,6 @@
 //! The derivatives of scalar operations by their parts, which both sweeps use.
 
-use crate::{Angle, Function, Graph, InputKind, Scalar, ScalarNode};
+use crate::{Angle, Function, Graph, InputKind, Op, Scalar, ScalarNode};
 
 /// A partial derivative.
 #[derive(Clone, Copy, Debug)]
@@ -51,22 +51,22 @@ impl Graph {
     pub(crate) fn partials(&mut self, scalar: Scalar, wanted: impl Fn(Scalar) -> bool) -> Vec<(Scalar, Partials)> {
         use Partials::{Factor, MinusFactor, MinusOne, MinusOver, One, Over};
         let mut partials = match self.scalar_node(scalar) {
-            ScalarNode::Add(a, b) => vec![(a, One), (b, One)],
-            ScalarNode::Sub(a, b) => vec![(a, One), (b, MinusOne)],
-            ScalarNode::Mul(a, b) if a == b => {
+            ScalarNode::Op(Op::Add(a, b)) => vec![(a, One), (b, One)],
+            ScalarNode::Op(Op::Sub(a, b)) => vec![(a, One), (b, MinusOne)],
+            ScalarNode::Op(Op::Mul(a, b)) if a == b => {
                 let twice = if wanted(a) { self.twice(a) } else { a };
                 vec![(a, Factor(twice))]
             }
-            ScalarNode::Mul(a, b) => vec![(a, Factor(b)), (b, Factor(a))],
-            ScalarNode::Div(a, b) => vec![(a, Over(b)), (b, MinusOver(scalar, b))],
-            ScalarNode::Neg(a) => vec![(a, MinusOne)],
-            ScalarNode::Sqrt(a) if wanted(a) => {
+            ScalarNode::Op(Op::Mul(a, b)) => vec![(a, Factor(b)), (b, Factor(a))],
+            ScalarNode::Op(Op::Div(a, b)) => vec![(a, Over(b)), (b, MinusOver(scalar, b))],
+            ScalarNode::Op(Op::Neg(a)) => vec![(a, MinusOne)],
+            ScalarNode::Op(Op::Sqrt(a)) if wanted(a) => {
                 let (half, reciprocal) = (self.constant(0.5), self.reciprocal(scalar));
                 vec![(a, Factor(self.mul(half, reciprocal)))]
             }
             ScalarNode::Reciprocal(a) if wanted(a) => vec![(a, MinusFactor(self.mul(scalar, scalar)))],
-            ScalarNode::Call(function, a) if wanted(a) => vec![(a, self.slope(function, a, scalar))],
-            ScalarNode::Atan2(y, x) if wanted(y) || wanted(x) => {
+            ScalarNode::Op(Op::Call(function, a)) if wanted(a) => vec![(a, self.slope(function, a, scalar))],
+            ScalarNode::Op(Op::Atan2(y, x)) if wanted(y) || wanted(x) => {
                 let (yy, xx) = (self.mul(y, y), self.mul(x, x));
                 let square = self.add(yy, xx);
                 let reciprocal = self.reciprocal(square);
@@ -81,7 +81,7 @@ impl Graph {
 
     /// Of an input that is the sine or cosine of an angle: the angle, and its derivative by it.
     pub(crate) fn slope_of_input(&self, scalar: Scalar) -> Option<(Angle, Partials)> {
-        let ScalarNode::Input(index) = self.scalar_node(scalar) else { return None };
+        let ScalarNode::Op(Op::Input(index)) = self.scalar_node(scalar) else { return None };
         match self.inputs().get(index as usize)?.1 {
             InputKind::Given => None,
             InputKind::Sin(angle) => Some((angle, Partials::Factor(self.sin_cos(angle).1))),

@@ -5,7 +5,7 @@ use rustc_hash::FxHashMap;
 use crate::fold::Fold;
 use crate::rebuild::{Exchange, Rebuild, Uses, operands};
 use crate::table::Table;
-use crate::{Scalar, ScalarNode};
+use crate::{Op, Scalar, ScalarNode};
 
 /// A product of more than one factor.
 struct Chain {
@@ -67,7 +67,7 @@ impl Exchange for Shared {
 
 /// The products that something else than a product needs, each with its factors.
 fn chains(fold: &Fold, uses: &Uses, outputs: &[Scalar], open: Open) -> Vec<Chain> {
-    let is_product = |s: Scalar| matches!(fold.g.scalar_node(s), ScalarNode::Mul(..));
+    let is_product = |s: Scalar| matches!(fold.g.scalar_node(s), ScalarNode::Op(Op::Mul(..)));
     let mut roots = Table::default();
     let mut inner = Table::default();
     let mut sort = |part: Scalar, in_product: bool| {
@@ -99,7 +99,7 @@ fn collect(fold: &Fold, inner: &Table<Scalar, ()>, s: Scalar, factors: &mut Vec<
     if factors.len() > MOST_FACTORS {
         return;
     }
-    if let ScalarNode::Mul(a, b) = fold.g.scalar_node(s) {
+    if let ScalarNode::Op(Op::Mul(a, b)) = fold.g.scalar_node(s) {
         for part in [a, b] {
             if inner.contains(part) {
                 collect(fold, inner, part, factors);

@@ -284,7 +284,7 @@ impl Schedule<'_> {
         let node = self.g.scalar_node(scalar);
         let Some(op) = node.op() else { unreachable!("{node:?} is lowered before it is scheduled") };
         // As one would write it: the longer part first, `x x + y y + z z`.
-        let is_sum = |s| matches!(self.g.scalar_node(s), ScalarNode::Add(..) | ScalarNode::Sub(..));
+        let is_sum = |s| matches!(self.g.scalar_node(s), ScalarNode::Op(Op::Add(..) | Op::Sub(..)));
         let op = match op {
             Op::Add(a, b) if is_sum(b) && !is_sum(a) => Op::Add(b, a),
             op => op,

@@ -1,7 +1,7 @@
 //! Rules for scale factors and signs; part of [`DIRECTIONS`](crate::rules::DIRECTIONS) and [`SCALES`](crate::rules::SCALES).
 
 use crate::sums::{is_sum, sum, terms};
-use crate::{Graph, Scalar, ScalarNode, Vector, VectorNode};
+use crate::{Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
 
 fn scaled(g: &Graph, v: Vector) -> Option<(Scalar, Vector)> {
     match g.vector_node(v) {
@@ -207,11 +207,11 @@ fn common_part(g: &mut Graph, a: Scalar, b: Scalar) -> Option<(Scalar, Scalar, S
 fn factors(g: &Graph, product: Scalar) -> Vec<Scalar> {
     fn collect(g: &Graph, product: Scalar, depth: u32, out: &mut Vec<Scalar>) {
         match g.scalar_node(product) {
-            ScalarNode::Mul(a, b) if depth > 0 => {
+            ScalarNode::Op(Op::Mul(a, b)) if depth > 0 => {
                 collect(g, a, depth - 1, out);
                 collect(g, b, depth - 1, out);
             }
-            ScalarNode::Neg(a) if depth > 0 => collect(g, a, depth - 1, out),
+            ScalarNode::Op(Op::Neg(a)) if depth > 0 => collect(g, a, depth - 1, out),
             _ => out.push(product),
         }
     }
@@ -234,11 +234,11 @@ fn without_within(g: &mut Graph, product: Scalar, factor: Scalar, depth: u32) ->
     }
     let deeper = depth.checked_sub(1)?;
     match g.scalar_node(product) {
-        ScalarNode::Mul(a, b) => match without_within(g, a, factor, deeper) {
+        ScalarNode::Op(Op::Mul(a, b)) => match without_within(g, a, factor, deeper) {
             Some(a) => Some(g.mul(a, b)),
             None => without_within(g, b, factor, deeper).map(|b| g.mul(a, b)),
         },
-        ScalarNode::Neg(a) => without_within(g, a, factor, deeper).map(|a| g.neg(a)),
+        ScalarNode::Op(Op::Neg(a)) => without_within(g, a, factor, deeper).map(|a| g.neg(a)),
         _ => None,
     }
 }

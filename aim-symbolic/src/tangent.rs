@@ -9,7 +9,7 @@ use crate::node::Node;
 use crate::order::Selects;
 use crate::rules::COMPOSITIONS;
 use crate::table::{NodeSet, Table};
-use crate::{Graph, Scalar, ScalarNode, Variable, Vector, VectorNode};
+use crate::{Graph, Op, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
 impl Graph {
     /// The derivatives of each of `outputs` by `variable`, under the same terms as [`gradient`](Self::gradient).
@@ -74,12 +74,12 @@ impl Sweep<'_> {
 
     fn scalar(&mut self, scalar: Scalar) -> Scalar {
         let terms: Vec<Scalar> = match self.g.scalar_node(scalar) {
-            ScalarNode::Input(_) => {
+            ScalarNode::Op(Op::Input(_)) => {
                 let one = self.g.constant(1.0);
                 let slope = self.g.slope_of_input(scalar).map(|(_, slope)| self.g.times(one, slope));
                 vec![slope.unwrap_or(one)]
             }
-            ScalarNode::SelectLess(a, b, then, otherwise) => {
+            ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => {
                 let (then, otherwise) = (self.scalar_tangent(then), self.scalar_tangent(otherwise));
                 vec![self.g.select_less(a, b, then, otherwise)]
             }

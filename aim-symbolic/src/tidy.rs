@@ -4,7 +4,7 @@ use crate::derivation::{Rewrite, Swept};
 use crate::node::{Node, Parts};
 use crate::rules::{OTHER_SIDES, ROTATIONS, Rule, RuleSet, Rules, Sums};
 use crate::table::{NodeTable, Table};
-use crate::{Angle, Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector};
+use crate::{Angle, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Vector};
 
 /// Rewrites for each node of a statement. The rules end by themselves long before; this is what makes the end certain.
 const FUEL_PER_NODE: usize = 64;
@@ -156,7 +156,7 @@ impl Parts for Tidy<'_> {
             return done;
         }
         let node = self.g.rotation_node(rotation);
-        let is_given = |&s: &Scalar| matches!(self.g.scalar_node(s), ScalarNode::Input(_));
+        let is_given = |&s: &Scalar| matches!(self.g.scalar_node(s), ScalarNode::Op(Op::Input(_)));
         let done = match node {
             RotationNode::Basis(_) => rotation,
             RotationNode::Matrix(entries) if entries.iter().all(is_given) => rotation,

@@ -1,7 +1,7 @@
 //! The section on derivatives: one sweep over whole vectors, part by part.
 
 use aim_symbolic::print::{self, Formula, Notation};
-use aim_symbolic::{Course, Graph, Node, Passage, Rotation, RotationNode, Scalar, ScalarNode, Swept, VectorNode};
+use aim_symbolic::{Course, Graph, Node, Op, Passage, Rotation, RotationNode, Scalar, ScalarNode, Swept, VectorNode};
 
 use super::document::{Block, Kind, Section, Table, Text, text};
 use super::kernel::Kernel;
@@ -155,13 +155,13 @@ fn rule(g: &Graph, whole: Node, part: Option<Node>) -> &'static str {
             ScalarNode::Norm(_) => "a length changes by as much as its vector moves along its own direction",
             ScalarNode::Component(..) => "a component is a dot product with its axis",
             ScalarNode::Reciprocal(_) => "the derivative of 1/x is −1/x²",
-            ScalarNode::Sub(_, second) if part == Some(Node::Scalar(second)) => SECOND_TERM,
-            ScalarNode::Sub(..) if part.is_some() => FIRST_TERM,
-            ScalarNode::Add(..) | ScalarNode::Sub(..) => SUM,
-            ScalarNode::Neg(_) => SIGN,
-            ScalarNode::Mul(..) => PRODUCT,
-            ScalarNode::Div(..) => "the quotient rule",
-            ScalarNode::Sqrt(_) => "the derivative of √x is 1/(2√x)",
+            ScalarNode::Op(Op::Sub(_, second)) if part == Some(Node::Scalar(second)) => SECOND_TERM,
+            ScalarNode::Op(Op::Sub(..)) if part.is_some() => FIRST_TERM,
+            ScalarNode::Op(Op::Add(..) | Op::Sub(..)) => SUM,
+            ScalarNode::Op(Op::Neg(_)) => SIGN,
+            ScalarNode::Op(Op::Mul(..)) => PRODUCT,
+            ScalarNode::Op(Op::Div(..)) => "the quotient rule",
+            ScalarNode::Op(Op::Sqrt(_)) => "the derivative of √x is 1/(2√x)",
             _ => "the chain rule",
         },
         Node::Vector(vector) => match g.vector_node(vector) {

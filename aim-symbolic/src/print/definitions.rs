@@ -6,7 +6,7 @@ use super::expression::{self, Notation};
 use super::formula::Formula;
 use crate::node::Node;
 use crate::order::Selects;
-use crate::{Graph, Scalar, ScalarNode, Vector, VectorNode};
+use crate::{Graph, Op, Scalar, ScalarNode, VectorNode};
 
 /// Expressions with names for the parts that are needed more than once.
 #[derive(Clone, Debug)]
@@ -76,15 +76,12 @@ pub fn defined(g: &Graph, outputs: &[Scalar], notation: &Notation) -> Defined {
 /// Whether it is a symbol or a number already.
 fn is_given(g: &Graph, node: Node) -> bool {
     match node {
-        Node::Scalar(s) => {
-            matches!(g.scalar_node(s), ScalarNode::Input(_) | ScalarNode::Constant(_) | ScalarNode::Tiny)
-        }
-        Node::Vector(v) => is_given_vector(g, v),
+        Node::Scalar(s) => matches!(g.scalar_node(s), ScalarNode::Op(Op::Input(_) | Op::Constant(_) | Op::Tiny)),
+        Node::Vector(v) => match g.vector_node(v) {
+            VectorNode::Components(c) => c.into_iter().all(|c| is_given(g, Node::Scalar(c))),
+            _ => false,
+        },
     }
-}
-
-fn is_given_vector(g: &Graph, v: Vector) -> bool {
-    matches!(g.vector_node(v), VectorNode::Components(c) if c.iter().all(|&c| is_given(g, Node::Scalar(c))))
 }
 
 /// Both sides of a rewriting, with letters for what they have in common: the rule as it was applied here.

@@ -222,6 +222,9 @@ impl Writer<'_> {
             return (symbol, Binding::Atom);
         }
         match self.g.scalar_node(expression) {
+            ScalarNode::Op(op) => {
+                operation(op.map(|s| self.scalar(s)), |i| self.notation.scalar_input(&self.g.inputs()[i].0))
+            }
             ScalarNode::Reciprocal(a) => quotient(Formula::number(1.0), self.scalar(a).0),
             ScalarNode::Dot(a, b) => {
                 let [a, b] = [a, b].map(|v| group(self.vector(v), Binding::Dot));
@@ -231,10 +234,6 @@ impl Writer<'_> {
             ScalarNode::Component(a, axis) => {
                 let a = group(self.vector(a), Binding::Product);
                 (a.indexed(Formula::italic(["x", "y", "z"][usize::from(axis)])), Binding::Atom)
-            }
-            node => {
-                let Some(op) = node.op() else { unreachable!("{node:?} is an operation") };
-                operation(op.map(|s| self.scalar(s)), |i| self.notation.scalar_input(&self.g.inputs()[i].0))
             }
         }
     }
@@ -312,7 +311,7 @@ impl Writer<'_> {
     fn rotation(&self, expression: Rotation) -> Bound {
         let formula = match self.g.rotation_node(expression) {
             RotationNode::Matrix(entries) => match self.g.scalar_node(entries[0]) {
-                ScalarNode::Input(i) => {
+                ScalarNode::Op(Op::Input(i)) => {
                     let name = &self.g.inputs()[i as usize].0;
                     name.strip_suffix("_00").map_or_else(|| Formula::italic("M"), |stem| self.notation.input(stem))
                 }
@@ -343,7 +342,7 @@ impl Writer<'_> {
 /// The name of a vector whose components are the inputs `name_x`, `name_y`, `name_z`.
 fn common_name(g: &Graph, components: [Scalar; 3]) -> Option<String> {
     let names = components.map(|c| match g.scalar_node(c) {
-        ScalarNode::Input(i) => Some(g.inputs()[i as usize].0.as_str()),
+        ScalarNode::Op(Op::Input(i)) => Some(g.inputs()[i as usize].0.as_str()),
         _ => None,
     });
     let stem = names[0]?.strip_suffix("_x")?;

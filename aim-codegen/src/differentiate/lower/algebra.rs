@@ -4,7 +4,7 @@ use core::ops::{Deref, DerefMut};
 
 use aim_symbolic::rules::{NEGATIONS, ORDER, Rules};
 use aim_symbolic::{
-    Bindings, Fold, Function, Graph, Node, Plane, Rotation, Scalar, ScalarNode, Variable, Vector, VectorNode,
+    Bindings, Fold, Function, Graph, Node, Op, Plane, Rotation, Scalar, ScalarNode, Variable, Vector, VectorNode,
 };
 
 /// The graph that a function's value is built in, its constants folded.
@@ -57,7 +57,7 @@ impl Algebra {
     /// a b; a number times a reciprocal is a division.
     pub(crate) fn mul(&mut self, a: Scalar, b: Scalar) -> Scalar {
         for (factor, reciprocal) in [(a, b), (b, a)] {
-            if let ScalarNode::Div(one, divisor) = self.g.scalar_node(reciprocal) {
+            if let ScalarNode::Op(Op::Div(one, divisor)) = self.g.scalar_node(reciprocal) {
                 if self.constant_of(one) == Some(1.0) {
                     return self.div(factor, divisor);
                 }
@@ -121,11 +121,11 @@ impl Algebra {
         let (mut factor, mut base) = (1.0, x);
         loop {
             base = match self.g.scalar_node(base) {
-                ScalarNode::Neg(inner) => {
+                ScalarNode::Op(Op::Neg(inner)) => {
                     factor = -factor;
                     inner
                 }
-                ScalarNode::Mul(a, b) => match (self.constant_of(a), self.constant_of(b)) {
+                ScalarNode::Op(Op::Mul(a, b)) => match (self.constant_of(a), self.constant_of(b)) {
                     (Some(k), _) => {
                         factor *= k;
                         b
@@ -136,14 +136,14 @@ impl Algebra {
                     }
                     (None, None) => break,
                 },
-                ScalarNode::Div(a, b) => match self.constant_of(b) {
+                ScalarNode::Op(Op::Div(a, b)) => match self.constant_of(b) {
                     Some(k) if k != 0.0 => {
                         factor /= k;
                         a
                     }
                     _ => break,
                 },
-                ScalarNode::Constant(c) => {
+                ScalarNode::Op(Op::Constant(c)) => {
                     let value = factor * c.value();
                     if !value.is_finite() {
                         return (false, x);

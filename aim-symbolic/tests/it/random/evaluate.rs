@@ -5,7 +5,7 @@
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hash, Hasher};
 
-use aim_symbolic::{Function, Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+use aim_symbolic::{Function, Graph, Op, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 use super::dual::Oracle;
 
@@ -124,15 +124,15 @@ impl<T: Oracle> Evaluation<T> {
             return value;
         }
         let value = match g.scalar_node(scalar) {
-            ScalarNode::Constant(c) => T::constant(c.value()),
-            ScalarNode::Input(i) => self.inputs[i as usize],
-            ScalarNode::Tiny => T::tiny(),
-            ScalarNode::Add(a, b) => self.scalar(g, a) + self.scalar(g, b),
-            ScalarNode::Sub(a, b) => self.scalar(g, a) - self.scalar(g, b),
-            ScalarNode::Mul(a, b) => self.scalar(g, a) * self.scalar(g, b),
-            ScalarNode::Div(a, b) => self.scalar(g, a) / self.scalar(g, b),
-            ScalarNode::Neg(a) => -self.scalar(g, a),
-            ScalarNode::Sqrt(a) => {
+            ScalarNode::Op(Op::Constant(c)) => T::constant(c.value()),
+            ScalarNode::Op(Op::Input(i)) => self.inputs[i as usize],
+            ScalarNode::Op(Op::Tiny) => T::tiny(),
+            ScalarNode::Op(Op::Add(a, b)) => self.scalar(g, a) + self.scalar(g, b),
+            ScalarNode::Op(Op::Sub(a, b)) => self.scalar(g, a) - self.scalar(g, b),
+            ScalarNode::Op(Op::Mul(a, b)) => self.scalar(g, a) * self.scalar(g, b),
+            ScalarNode::Op(Op::Div(a, b)) => self.scalar(g, a) / self.scalar(g, b),
+            ScalarNode::Op(Op::Neg(a)) => -self.scalar(g, a),
+            ScalarNode::Op(Op::Sqrt(a)) => {
                 let square = self.scalar(g, a);
                 self.root(square)
             }
@@ -140,11 +140,11 @@ impl<T: Oracle> Evaluation<T> {
                 let length = self.scalar(g, a);
                 self.reciprocal(length)
             }
-            ScalarNode::SelectLess(a, b, then, otherwise) => {
+            ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => {
                 let [a, b, then, otherwise] = [a, b, then, otherwise].map(|s| self.scalar(g, s));
                 T::select_less(a, b, then, otherwise)
             }
-            ScalarNode::Call(function, a) => {
+            ScalarNode::Op(Op::Call(function, a)) => {
                 let a = self.scalar(g, a);
                 self.singular |= match function {
                     Function::Sin | Function::Cos | Function::Tan | Function::Exp => false,
@@ -153,7 +153,7 @@ impl<T: Oracle> Evaluation<T> {
                 };
                 a.call(function)
             }
-            ScalarNode::Atan2(y, x) => {
+            ScalarNode::Op(Op::Atan2(y, x)) => {
                 let (y, x) = (self.scalar(g, y), self.scalar(g, x));
                 self.singular |= (y * y + x * x).is_zero();
                 y.atan2(x)

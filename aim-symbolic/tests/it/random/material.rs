@@ -140,7 +140,7 @@ pub(crate) fn point<T: Sample>(random: &mut Rng) -> Vec<T> {
 pub(crate) fn moving<T: Oracle>(g: &Graph, point: &[T], variable: Variable) -> Vec<Dual<T>> {
     let mut inputs: Vec<Dual<T>> = point.iter().map(|&value| Dual::fixed(value)).collect();
     let place = |s: Scalar| match g.scalar_node(s) {
-        aim_symbolic::ScalarNode::Input(place) => place as usize,
+        aim_symbolic::ScalarNode::Op(aim_symbolic::Op::Input(place)) => place as usize,
         node => unreachable!("{node:?} is no input"),
     };
     match variable {

@@ -1,7 +1,7 @@
 //! Programs and expressions as plain text, for failure messages.
 
 use aim_symbolic::print::{self, Dialect, Notation, steps};
-use aim_symbolic::{Graph, Program, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+use aim_symbolic::{Graph, Op, Program, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -47,19 +47,19 @@ pub(crate) fn scalar(g: &Graph, expression: Scalar) -> String {
     let s = |e| scalar(g, e);
     let v = |e| vector(g, e);
     match g.scalar_node(expression) {
-        ScalarNode::Constant(c) => format!("{}", c.value()),
-        ScalarNode::Input(i) => g.inputs()[i as usize].0.clone(),
-        ScalarNode::Tiny => "tiny".to_owned(),
-        ScalarNode::Add(a, b) => format!("({} + {})", s(a), s(b)),
-        ScalarNode::Sub(a, b) => format!("({} - {})", s(a), s(b)),
-        ScalarNode::Mul(a, b) => format!("{}*{}", s(a), s(b)),
-        ScalarNode::Div(a, b) => format!("({} / {})", s(a), s(b)),
-        ScalarNode::Neg(a) => format!("-{}", s(a)),
-        ScalarNode::Sqrt(a) => format!("sqrt({})", s(a)),
+        ScalarNode::Op(Op::Constant(c)) => format!("{}", c.value()),
+        ScalarNode::Op(Op::Input(i)) => g.inputs()[i as usize].0.clone(),
+        ScalarNode::Op(Op::Tiny) => "tiny".to_owned(),
+        ScalarNode::Op(Op::Add(a, b)) => format!("({} + {})", s(a), s(b)),
+        ScalarNode::Op(Op::Sub(a, b)) => format!("({} - {})", s(a), s(b)),
+        ScalarNode::Op(Op::Mul(a, b)) => format!("{}*{}", s(a), s(b)),
+        ScalarNode::Op(Op::Div(a, b)) => format!("({} / {})", s(a), s(b)),
+        ScalarNode::Op(Op::Neg(a)) => format!("-{}", s(a)),
+        ScalarNode::Op(Op::Sqrt(a)) => format!("sqrt({})", s(a)),
         ScalarNode::Reciprocal(a) => format!("reciprocal({})", s(a)),
-        ScalarNode::SelectLess(a, b, c, d) => format!("({} < {} ? {} : {})", s(a), s(b), s(c), s(d)),
-        ScalarNode::Call(function, a) => format!("{}({})", function.name(), s(a)),
-        ScalarNode::Atan2(a, b) => format!("atan2({}, {})", s(a), s(b)),
+        ScalarNode::Op(Op::SelectLess(a, b, c, d)) => format!("({} < {} ? {} : {})", s(a), s(b), s(c), s(d)),
+        ScalarNode::Op(Op::Call(function, a)) => format!("{}({})", function.name(), s(a)),
+        ScalarNode::Op(Op::Atan2(a, b)) => format!("atan2({}, {})", s(a), s(b)),
         ScalarNode::Dot(a, b) => format!("dot({}, {})", v(a), v(b)),
         ScalarNode::Norm(a) => format!("|{}|", v(a)),
         ScalarNode::Component(a, axis) => format!("{}.{}", v(a), AXES[usize::from(axis)]),
