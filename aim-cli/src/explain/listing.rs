@@ -30,53 +30,33 @@ pub(super) fn blocks(kernel: &Kernel<'_>) -> Vec<Block> {
 }
 
 fn inputs(kernel: &Kernel<'_>) -> Table {
+    let row = |name: &str, symbol: Formula, meaning: &str| vec![text![code(name)], text![symbol], text![meaning]];
     let input = |stem: &str| kernel.notation.input(stem);
-    let turns = |pitch: &str, heading: &str| {
-        let [s, c] =
-            ["s", "c"].map(|function| [pitch, heading].map(|angle| Formula::italic(function).indexed(input(angle))));
-        let [[s_p, s_h], [c_p, c_h]] = [s, c];
-        text![Formula::list([s_p, c_p, s_h, c_h])]
+    let sin_cos = |pitch: &Formula, heading: &Formula| {
+        let of = |function: &str, angle: &Formula| Formula::italic(function).indexed(angle.clone());
+        Formula::list([of("s", pitch), of("c", pitch), of("s", heading), of("c", heading)])
     };
-    let target = vec![text![code("target")], text![Formula::vector("P")], text!["the target, in the joint’s space"]];
+    let target = |meaning: &str| row("target", Formula::vector("P"), meaning);
     let rows = match kernel.emitted.objective.scope {
         Scope::Joint => vec![
-            vec![
-                text![code("effector_to_joint[0..9]")],
-                text![input("m")],
-                text!["from effector space to the joint’s: the images of the three axes, one after the other"],
-            ],
-            vec![text![code("effector_to_joint[9..12]")], text![input("m_t")], text!["the effector’s origin there"]],
-            target,
-            vec![text![code("sin_cos")], turns("p", "h"), text!["of the joint’s pitch and heading"]],
+            row(
+                "effector_to_joint[0..9]",
+                input("m"),
+                "from effector space to the joint’s: the images of the three axes, one after the other",
+            ),
+            row("effector_to_joint[9..12]", input("m_t"), "the effector’s origin there"),
+            target("the target, in the joint’s space"),
+            row("sin_cos", sin_cos(&input("p"), &input("h")), "of the joint’s pitch and heading"),
         ],
         Scope::Chain => {
-            let [l, t] =
-                ["L", "t"].map(|letter| if letter == "t" { Formula::vector("t") } else { Formula::italic(letter) });
-            let i = Formula::italic("i");
-            let angle = |letter: &str, function: &str| {
-                Formula::italic(function).indexed(Formula::italic(letter).indexed(i.clone()))
-            };
+            let of_i = |symbol: Formula| symbol.indexed(Formula::italic("i"));
+            let [pitch, heading] = ["p", "h"].map(|letter| of_i(Formula::italic(letter)));
+            let images = "link i: the images of the three axes, one after the other";
             vec![
-                vec![
-                    text![code("links[i][0..9]")],
-                    text![l.indexed(i.clone())],
-                    text!["link i: the images of the three axes, one after the other"],
-                ],
-                vec![
-                    text![code("links[i][9..12]")],
-                    text![t.indexed(i.clone())],
-                    text!["link i: the image of the origin"],
-                ],
-                vec![
-                    text![code("target")],
-                    text![Formula::vector("P")],
-                    text!["the target, in the last joint’s space"],
-                ],
-                vec![
-                    text![code("sin_cos[i]")],
-                    text![Formula::list([angle("p", "s"), angle("p", "c"), angle("h", "s"), angle("h", "c")])],
-                    text!["of joint i’s pitch and heading"],
-                ],
+                row("links[i][0..9]", of_i(Formula::italic("L")), images),
+                row("links[i][9..12]", of_i(Formula::vector("t")), "link i: the image of the origin"),
+                target("the target, in the last joint’s space"),
+                row("sin_cos[i]", sin_cos(&pitch, &heading), "of joint i’s pitch and heading"),
             ]
         }
     };
