@@ -291,19 +291,8 @@ pub(crate) fn quat(v: &[f32]) -> Quat {
 
 /// Along the shorter arc at constant speed, in double precision.
 fn slerp(a: Quat, b: Quat, u: f32) -> Quat {
-    let (a, mut b) = (a.as_dquat().normalize(), b.as_dquat().normalize());
-    let mut cos = a.dot(b);
-    if cos < 0.0 {
-        (b, cos) = (-b, -cos);
-    }
-    let u = f64::from(u);
-    let mixed = if cos > 1.0 - 1e-9 {
-        a * (1.0 - u) + b * u
-    } else {
-        let angle = cos.acos();
-        (a * ((1.0 - u) * angle).sin() + b * (u * angle).sin()) * (1.0 / angle.sin())
-    };
-    mixed.normalize().as_quat()
+    let [a, b] = [a, b].map(|q| q.as_dquat().normalize());
+    a.slerp(b, f64::from(u)).normalize().as_quat()
 }
 
 impl Clip {
