@@ -1,7 +1,7 @@
 //! Instruction counts, by valgrind: the same on every run, whatever else the machine does.
 //!
 //! Needs valgrind and `gungraun-runner`. With `-- --save-summary=json` the counts are kept for `bench_table`, which finds
-//! them by the names of these functions.
+//! them by the names below: what is computed, by whom, in which number type.
 #![expect(missing_docs, unused_qualifications, reason = "what gungraun's macros emit")]
 
 #[expect(unreachable_pub, reason = "shared with the other benchmark")]
@@ -9,154 +9,54 @@ mod contenders;
 
 use std::hint::black_box;
 
-use aim_benches::pose::{ChainPose, JointPose, measured_chains as chains, measured_joints as joints};
-use aim_benches::{Float, by_hand, chain_by_hand, derived, differences};
-use contenders::dual::{self, Real};
-use contenders::symbolic;
+use aim_benches::pose::{measured_chains as chains, measured_joints as joints};
+use aim_benches::{by_hand, chain_by_hand, derived, differences};
+use contenders::{dual, symbolic};
 use gungraun::prelude::*;
 
-/// Gives the poses back: freeing them is not measured.
-#[inline(always)]
-fn each<P, O>(poses: Vec<P>, f: impl Fn(&P) -> O) -> Vec<P> {
+#[library_benchmark]
+#[bench::joint_derived_f32(joints::<f32>(), derived::joint::<f32>)]
+#[bench::joint_derived_f64(joints::<f64>(), derived::joint::<f64>)]
+#[bench::joint_by_hand_f32(joints::<f32>(), by_hand::joint::<f32>)]
+#[bench::joint_by_hand_f64(joints::<f64>(), by_hand::joint::<f64>)]
+#[bench::joint_dual_turned_back_f32(joints::<f32>(), dual::turned_back::<f32>)]
+#[bench::joint_dual_turned_back_f64(joints::<f64>(), dual::turned_back::<f64>)]
+#[bench::joint_dual_paper_f32(joints::<f32>(), dual::paper::<f32>)]
+#[bench::joint_dual_paper_f64(joints::<f64>(), dual::paper::<f64>)]
+#[bench::joint_differences_f32(joints::<f32>(), differences::joint::<f32>)]
+#[bench::joint_differences_f64(joints::<f64>(), differences::joint::<f64>)]
+#[bench::joint_symdiff_f64(joints::<f64>(), symbolic::joint)]
+#[bench::joint_given_derived_f32(joints::<f32>(), derived::joint_given::<f32>)]
+#[bench::joint_given_derived_f64(joints::<f64>(), derived::joint_given::<f64>)]
+#[bench::joint_given_by_hand_f32(joints::<f32>(), by_hand::joint_given::<f32>)]
+#[bench::joint_given_by_hand_f64(joints::<f64>(), by_hand::joint_given::<f64>)]
+#[bench::gradient_derived_f32(chains::<f32>(), derived::gradient::<f32>)]
+#[bench::gradient_derived_f64(chains::<f64>(), derived::gradient::<f64>)]
+#[bench::gradient_by_hand_f32(chains::<f32>(), chain_by_hand::gradient::<f32>)]
+#[bench::gradient_by_hand_f64(chains::<f64>(), chain_by_hand::gradient::<f64>)]
+#[bench::gradient_differences_f32(chains::<f32>(), differences::gradient::<f32>)]
+#[bench::gradient_differences_f64(chains::<f64>(), differences::gradient::<f64>)]
+#[bench::gradient_given_derived_f32(chains::<f32>(), derived::gradient_given::<f32>)]
+#[bench::gradient_given_derived_f64(chains::<f64>(), derived::gradient_given::<f64>)]
+#[bench::gradient_given_by_hand_f32(chains::<f32>(), chain_by_hand::gradient_given::<f32>)]
+#[bench::gradient_given_by_hand_f64(chains::<f64>(), chain_by_hand::gradient_given::<f64>)]
+#[bench::jacobian_derived_f32(chains::<f32>(), derived::jacobian::<f32>)]
+#[bench::jacobian_derived_f64(chains::<f64>(), derived::jacobian::<f64>)]
+#[bench::jacobian_by_hand_f32(chains::<f32>(), chain_by_hand::jacobian::<f32>)]
+#[bench::jacobian_by_hand_f64(chains::<f64>(), chain_by_hand::jacobian::<f64>)]
+#[bench::jacobian_differences_f32(chains::<f32>(), differences::jacobian::<f32>)]
+#[bench::jacobian_differences_f64(chains::<f64>(), differences::jacobian::<f64>)]
+#[bench::jacobian_given_derived_f32(chains::<f32>(), derived::jacobian_given::<f32>)]
+#[bench::jacobian_given_derived_f64(chains::<f64>(), derived::jacobian_given::<f64>)]
+#[bench::jacobian_given_by_hand_f32(chains::<f32>(), chain_by_hand::jacobian_given::<f32>)]
+#[bench::jacobian_given_by_hand_f64(chains::<f64>(), chain_by_hand::jacobian_given::<f64>)]
+// Gives the poses back: freeing them is not measured.
+fn each<P, O>(poses: Vec<P>, way: impl Fn(&P) -> O) -> Vec<P> {
     for pose in &poses {
-        black_box(f(black_box(pose)));
+        black_box(way(black_box(pose)));
     }
     poses
 }
 
-#[library_benchmark]
-#[bench::f32(joints::<f32>())]
-#[bench::f64(joints::<f64>())]
-fn joint_derived<S: Float>(poses: Vec<JointPose<S>>) -> Vec<JointPose<S>> {
-    each(poses, derived::joint)
-}
-
-#[library_benchmark]
-#[bench::f32(joints::<f32>())]
-#[bench::f64(joints::<f64>())]
-fn joint_by_hand<S: Float>(poses: Vec<JointPose<S>>) -> Vec<JointPose<S>> {
-    each(poses, by_hand::joint)
-}
-
-#[library_benchmark]
-#[bench::f32(joints::<f32>())]
-#[bench::f64(joints::<f64>())]
-fn joint_dual_turned_back<S: Real>(poses: Vec<JointPose<S>>) -> Vec<JointPose<S>> {
-    each(poses, dual::turned_back)
-}
-
-#[library_benchmark]
-#[bench::f32(joints::<f32>())]
-#[bench::f64(joints::<f64>())]
-fn joint_dual_paper<S: Real>(poses: Vec<JointPose<S>>) -> Vec<JointPose<S>> {
-    each(poses, dual::paper)
-}
-
-#[library_benchmark]
-#[bench::f32(joints::<f32>())]
-#[bench::f64(joints::<f64>())]
-fn joint_differences<S: Float>(poses: Vec<JointPose<S>>) -> Vec<JointPose<S>> {
-    each(poses, differences::joint)
-}
-
-#[library_benchmark]
-#[bench::f64(joints())]
-fn joint_symdiff(poses: Vec<JointPose<f64>>) -> Vec<JointPose<f64>> {
-    each(poses, symbolic::joint)
-}
-
-#[library_benchmark]
-#[bench::f32(joints::<f32>())]
-#[bench::f64(joints::<f64>())]
-fn joint_given_derived<S: Float>(poses: Vec<JointPose<S>>) -> Vec<JointPose<S>> {
-    each(poses, derived::joint_given)
-}
-
-#[library_benchmark]
-#[bench::f32(joints::<f32>())]
-#[bench::f64(joints::<f64>())]
-fn joint_given_by_hand<S: Float>(poses: Vec<JointPose<S>>) -> Vec<JointPose<S>> {
-    each(poses, by_hand::joint_given)
-}
-
-#[library_benchmark]
-#[bench::f32(chains::<f32>())]
-#[bench::f64(chains::<f64>())]
-fn gradient_derived<S: Float>(poses: Vec<ChainPose<S>>) -> Vec<ChainPose<S>> {
-    each(poses, derived::gradient)
-}
-
-#[library_benchmark]
-#[bench::f32(chains::<f32>())]
-#[bench::f64(chains::<f64>())]
-fn gradient_by_hand<S: Float>(poses: Vec<ChainPose<S>>) -> Vec<ChainPose<S>> {
-    each(poses, chain_by_hand::gradient)
-}
-
-#[library_benchmark]
-#[bench::f32(chains::<f32>())]
-#[bench::f64(chains::<f64>())]
-fn gradient_differences<S: Float>(poses: Vec<ChainPose<S>>) -> Vec<ChainPose<S>> {
-    each(poses, differences::gradient)
-}
-
-#[library_benchmark]
-#[bench::f32(chains::<f32>())]
-#[bench::f64(chains::<f64>())]
-fn gradient_given_derived<S: Float>(poses: Vec<ChainPose<S>>) -> Vec<ChainPose<S>> {
-    each(poses, derived::gradient_given)
-}
-
-#[library_benchmark]
-#[bench::f32(chains::<f32>())]
-#[bench::f64(chains::<f64>())]
-fn gradient_given_by_hand<S: Float>(poses: Vec<ChainPose<S>>) -> Vec<ChainPose<S>> {
-    each(poses, chain_by_hand::gradient_given)
-}
-
-#[library_benchmark]
-#[bench::f32(chains::<f32>())]
-#[bench::f64(chains::<f64>())]
-fn jacobian_derived<S: Float>(poses: Vec<ChainPose<S>>) -> Vec<ChainPose<S>> {
-    each(poses, derived::jacobian)
-}
-
-#[library_benchmark]
-#[bench::f32(chains::<f32>())]
-#[bench::f64(chains::<f64>())]
-fn jacobian_by_hand<S: Float>(poses: Vec<ChainPose<S>>) -> Vec<ChainPose<S>> {
-    each(poses, chain_by_hand::jacobian)
-}
-
-#[library_benchmark]
-#[bench::f32(chains::<f32>())]
-#[bench::f64(chains::<f64>())]
-fn jacobian_differences<S: Float>(poses: Vec<ChainPose<S>>) -> Vec<ChainPose<S>> {
-    each(poses, differences::jacobian)
-}
-
-#[library_benchmark]
-#[bench::f32(chains::<f32>())]
-#[bench::f64(chains::<f64>())]
-fn jacobian_given_derived<S: Float>(poses: Vec<ChainPose<S>>) -> Vec<ChainPose<S>> {
-    each(poses, derived::jacobian_given)
-}
-
-#[library_benchmark]
-#[bench::f32(chains::<f32>())]
-#[bench::f64(chains::<f64>())]
-fn jacobian_given_by_hand<S: Float>(poses: Vec<ChainPose<S>>) -> Vec<ChainPose<S>> {
-    each(poses, chain_by_hand::jacobian_given)
-}
-
-library_benchmark_group!(
-    name = joint,
-    benchmarks =
-        [joint_derived, joint_by_hand, joint_dual_turned_back, joint_dual_paper, joint_differences, joint_symdiff,]
-);
-library_benchmark_group!(name = joint_given, benchmarks = [joint_given_derived, joint_given_by_hand]);
-library_benchmark_group!(name = gradient, benchmarks = [gradient_derived, gradient_by_hand, gradient_differences]);
-library_benchmark_group!(name = gradient_given, benchmarks = [gradient_given_derived, gradient_given_by_hand]);
-library_benchmark_group!(name = jacobian, benchmarks = [jacobian_derived, jacobian_by_hand, jacobian_differences]);
-library_benchmark_group!(name = jacobian_given, benchmarks = [jacobian_given_derived, jacobian_given_by_hand]);
-main!(library_benchmark_groups = [joint, joint_given, gradient, gradient_given, jacobian, jacobian_given]);
+library_benchmark_group!(name = evaluations, benchmarks = each);
+main!(library_benchmark_groups = evaluations);

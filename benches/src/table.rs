@@ -103,10 +103,10 @@ pub fn read(folder: &Path) -> Result<Counts, String> {
 /// The benchmark's name, its number type, and the instructions of one evaluation.
 fn summary(text: &str) -> Option<((String, String), f64)> {
     let summary: Value = serde_json::from_str(text).ok()?;
-    let name = |key: &str| summary[key].as_str().map(str::to_owned);
     // Beside `old`, where the run compared with an earlier one.
     let total = summary["profiles"][0]["data"]["total"]["metrics"]["Ir"]["values"]["new"].as_f64()?;
-    Some(((name("function_name")?, name("id")?), total / MEASURED as f64))
+    let (name, float) = summary["id"].as_str()?.rsplit_once('_')?;
+    Some(((name.to_owned(), float.to_owned()), total / MEASURED as f64))
 }
 
 /// The limits that the counts exceed, one line each; also those that cannot be judged.
