@@ -55,16 +55,29 @@ pub(super) struct Raster {
     width: usize,
     height: usize,
     fade: f64,
-    /// Per sample how near the nearest face is, and its colour.
+    /// What has been drawn.
+    faces: Vec<Face>,
+    /// Per sample how near the nearest face is, and where it is hit.
     depth: Vec<f64>,
-    colour: Vec<[f64; 3]>,
+    nearest: Vec<Hit>,
+}
+
+/// A point of a face.
+#[derive(Clone, Copy, Debug, Default)]
+struct Hit {
+    /// Its index in [`Raster::faces`].
+    face: usize,
+    /// The shares of the first and of the second corner; the third has the rest.
+    u: f64,
+    v: f64,
 }
 
 impl Raster {
     /// An empty picture of that many pixels; what is drawn fades out over the share `fade` at its lower end.
     pub(super) fn new(width: usize, height: usize, fade: f64) -> Self {
         let samples = width * height * SAMPLES * SAMPLES;
-        Self { width, height, fade, depth: vec![f64::NEG_INFINITY; samples], colour: vec![[0.0; 3]; samples] }
+        let (depth, nearest) = (vec![f64::NEG_INFINITY; samples], vec![Hit::default(); samples]);
+        Self { width, height, fade, faces: Vec::new(), depth, nearest }
     }
 
     /// Draws a surface as it is with the nodes at `world`, in a view whose unit is so many `pixels`.
@@ -84,12 +97,15 @@ impl Raster {
                 let normal = view.turn(normals[vertex].as_dvec3());
                 Corner { screen: DVec3::new(x * pixels, y * pixels, z), normal, world }
             });
-            self.draw(&Face { corners, paint: paint(triangle) });
+            self.draw(Face { corners, paint: paint(triangle) });
         }
     }
 
     /// Draws one face where it is the nearest.
-    fn draw(&mut self, face: &Face) {
+    ///
+    /// The loops have only numbers and no iterators in them: a figure is millions of samples, and this crate is not
+    /// optimised in tests.
+    fn draw(&mut self, face: Face) {
         let [a, b, c] = face.corners.map(|corner| corner.screen);
         let area = cross(b - a, c - a);
         if !(a.is_finite() && b.is_finite() && c.is_finite()) || area.abs() < 1e-9 {
@@ -102,22 +118,30 @@ impl Raster {
         };
         let rows = span(a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y), self.height);
         let columns = span(a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x), self.width);
+        // The sides opposite the first and the second corner: a share is the distance from them.
+        let ((bc_x, bc_y), (ca_x, ca_y)) = ((c.x - b.x, c.y - b.y), (a.x - c.x, a.y - c.y));
+        let (first_x, step) = ((count(columns.start) + 0.5) / samples, 1.0 / samples);
         for row in rows {
-            for column in columns.clone() {
-                let p = DVec3::new((count(column) + 0.5) / samples, (count(row) + 0.5) / samples, 0.0);
-                let (u, v) = (cross(c - b, p - b) / area, cross(a - c, p - c) / area);
+            let y = (count(row) + 0.5) / samples;
+            let (u_of_row, v_of_row) = (bc_x * (y - b.y), ca_x * (y - c.y));
+            let (mut at, mut x) = (row * self.width * SAMPLES + columns.start, first_x);
+            let end = at + columns.len();
+            while at < end {
+                let u = (u_of_row - bc_y * (x - b.x)) / area;
+                let v = (v_of_row - ca_y * (x - c.x)) / area;
                 let w = 1.0 - u - v;
-                if u < 0.0 || v < 0.0 || w < 0.0 {
-                    continue;
+                if u >= 0.0 && v >= 0.0 && w >= 0.0 {
+                    let depth = a.z * u + b.z * v + c.z * w;
+                    if depth > self.depth[at] {
+                        self.depth[at] = depth;
+                        self.nearest[at] = Hit { face: self.faces.len(), u, v };
+                    }
                 }
-                let at = row * self.width * SAMPLES + column;
-                let depth = a.z * u + b.z * v + c.z * w;
-                if depth > self.depth[at] {
-                    self.depth[at] = depth;
-                    self.colour[at] = shade(face, [u, v, w]);
-                }
+                at += 1;
+                x += step;
             }
         }
+        self.faces.push(face);
     }
 
     /// The picture as a `data:` address; `None` where nothing was drawn.
@@ -139,43 +163,54 @@ impl Raster {
 
     /// Red, green, blue and opacity of each pixel, the mean of its samples.
     fn pixels(&self) -> Vec<u8> {
-        let mut out = Vec::with_capacity(self.width * self.height * 4);
+        let mut out = vec![0; self.width * self.height * 4];
+        let light = LIGHT.normalize();
         for y in 0..self.height {
             let fade = ((1.0 - (count(y) + 0.5) / count(self.height)) / self.fade).min(1.0);
             for x in 0..self.width {
-                let (mut sum, mut hits) = ([0.0; 3], 0_usize);
-                for k in 0..SAMPLES * SAMPLES {
+                let (mut sum, mut hits, mut k) = (DVec3::ZERO, 0_usize, 0);
+                while k < SAMPLES * SAMPLES {
                     let at = (y * SAMPLES + k / SAMPLES) * self.width * SAMPLES + x * SAMPLES + k % SAMPLES;
                     if self.depth[at] > f64::NEG_INFINITY {
                         hits += 1;
-                        sum = std::array::from_fn(|i| sum[i] + self.colour[at][i]);
+                        let Hit { face, u, v } = self.nearest[at];
+                        sum += shade(&self.faces[face], [u, v, 1.0 - u - v], light);
                     }
+                    k += 1;
+                }
+                // An empty pixel stays transparent.
+                if hits == 0 {
+                    continue;
                 }
                 // Colours are kept in steps of 4: unseen, and the file is half as large.
-                let part = |value: f64| byte((value / count(hits.max(1)) * 63.0).round() * (255.0 / 63.0));
-                out.extend(sum.map(part));
-                out.push(byte(count(hits) / count(SAMPLES * SAMPLES) * fade * 255.0));
+                let part = |value: f64| byte((value / count(hits) * 63.0).round() * (255.0 / 63.0));
+                let opacity = byte(count(hits) / count(SAMPLES * SAMPLES) * fade * 255.0);
+                let pixel = 4 * (y * self.width + x);
+                out[pixel..pixel + 4].copy_from_slice(&[part(sum.x), part(sum.y), part(sum.z), opacity]);
             }
         }
         out
     }
 }
 
-fn shade(face: &Face, share: [f64; 3]) -> [f64; 3] {
-    let mix = |of: fn(&Corner) -> DVec3| {
-        face.corners.iter().zip(share).map(|(corner, share)| of(corner) * share).sum::<DVec3>()
-    };
-    let normal = mix(|corner| corner.normal).normalize_or(DVec3::Z);
+/// The colour of a face where its corners have these shares, lit along `light`.
+fn shade(face: &Face, [u, v, w]: [f64; 3], light: DVec3) -> DVec3 {
+    let [a, b, c] = &face.corners;
+    let normal = (a.normal * u + b.normal * v + c.normal * w).normalize_or(DVec3::Z);
     // Cloth and hair are single sheets: the side that is seen is the side that is lit.
     let normal = if normal.z < 0.0 { -normal } else { normal };
     let base = match face.paint {
         Paint::Plain(colour) => colour,
-        Paint::Eye { centre, gaze } => eye((mix(|corner| corner.world) - centre).normalize_or(DVec3::ZERO).dot(gaze)),
+        Paint::Eye { centre, gaze } => {
+            let point = a.world * u + b.world * v + c.world * w;
+            eye((point - centre).normalize_or(DVec3::ZERO).dot(gaze))
+        }
     };
-    let light = AMBIENT + SKY * normal.y + KEY * normal.dot(LIGHT.normalize()).max(0.0);
+    let lit = AMBIENT + SKY * normal.y + KEY * normal.dot(light).max(0.0);
     // A darker rim keeps the figure apart from any background.
     let rim = 0.62 + 0.38 * (normal.z / 0.45).min(1.0);
-    base.map(|part| (part * light * rim * 1.16).clamp(0.0, 1.0))
+    let part = |part: f64| (part * lit * rim * 1.16).clamp(0.0, 1.0);
+    DVec3::new(part(base[0]), part(base[1]), part(base[2]))
 }
 
 /// The colour of an eyeball by the cosine of the angle off its axis; a human iris spans ±29° of it.
@@ -218,7 +253,7 @@ mod tests {
         let near = face(1.0, [0.0, 1.0, 0.0], [[0.0, 8.0], [8.0, 0.0], [0.0, 0.0]]);
         for order in [[&far, &near], [&near, &far]] {
             let mut picture = Raster::new(8, 8, FADE);
-            order.into_iter().for_each(|face| picture.draw(face));
+            order.into_iter().for_each(|face| picture.draw(*face));
             let pixels = picture.pixels();
             let [red, green, _, alpha] = [pixels[0], pixels[1], pixels[2], pixels[3]];
             assert!(red == 0 && green > 100 && alpha == 255, "{red} {green} {alpha}");
@@ -230,10 +265,10 @@ mod tests {
     fn nothing_is_no_picture_and_wild_numbers_are_nothing() {
         let mut picture = Raster::new(4, 4, FADE);
         assert_eq!(picture.data_uri(), None);
-        picture.draw(&face(0.0, [1.0; 3], [[f64::NAN, 0.0], [1.0, 0.0], [0.0, 1.0]]));
-        picture.draw(&face(0.0, [1.0; 3], [[0.0, 0.0], [0.0, 0.0], [0.0, 0.0]]));
+        picture.draw(face(0.0, [1.0; 3], [[f64::NAN, 0.0], [1.0, 0.0], [0.0, 1.0]]));
+        picture.draw(face(0.0, [1.0; 3], [[0.0, 0.0], [0.0, 0.0], [0.0, 0.0]]));
         assert_eq!(picture.data_uri(), None);
-        picture.draw(&face(0.0, [1.0; 3], [[-1e9, -1e9], [3e9, 0.0], [0.0, 3e9]]));
+        picture.draw(face(0.0, [1.0; 3], [[-1e9, -1e9], [3e9, 0.0], [0.0, 3e9]]));
         assert!(picture.data_uri().is_some_and(|uri| uri.starts_with("data:image/png;base64,")));
     }
 }
