@@ -2,6 +2,7 @@
 
 mod facing;
 mod ik;
+mod look_at;
 mod malformed;
 mod mannequin;
 mod names;

@@ -1,0 +1,70 @@
+//! What a VRM file says about how far its eyes turn.
+
+use aim_gltf::{Document, LookAt, LookAtKind};
+
+const MAPS: [(&str, f64, f64); 4] = [
+    ("rangeMapHorizontalInner", 80.0, 8.0),
+    ("rangeMapHorizontalOuter", 60.0, 12.0),
+    ("rangeMapVerticalDown", 90.0, 5.0),
+    ("rangeMapVerticalUp", 90.0, 30.0),
+];
+
+fn file(kind: &str, zero: Option<&str>) -> LookAt {
+    let mut look = serde_json::json!({ "type": kind });
+    for (name, input, output) in MAPS {
+        let input = if zero == Some(name) { 0.0 } else { input };
+        look[name] = serde_json::json!({ "inputMaxValue": input, "outputScale": output });
+    }
+    let json = serde_json::json!({ "asset": { "version": "2.0" }, "extensions": { "VRMC_vrm": { "lookAt": look } } });
+    let document = Document::from_bytes(json.to_string().as_bytes()).expect("a small but right file");
+    LookAt::of(&document).expect("it has a lookAt")
+}
+
+#[test]
+fn each_direction_has_a_map_of_its_own() {
+    let look = file("bone", None);
+    assert_eq!(look.kind, LookAtKind::Bone);
+    assert_eq!(look.left_eye_range(), Some([8.0, 12.0, 5.0, 30.0]));
+    for (map, input, expected) in [
+        (look.horizontal_outer, 30.0, 6.0),
+        (look.horizontal_inner, 30.0, 3.0),
+        (look.horizontal_outer, 170.0, 12.0),
+        (look.horizontal_inner, 170.0, 8.0),
+        (look.vertical_up, 45.0, 15.0),
+        (look.vertical_down, 45.0, 2.5),
+        (look.vertical_up, 89.0, 30.0 * 89.0 / 90.0),
+        (look.vertical_down, 89.0, 5.0 * 89.0 / 90.0),
+    ] {
+        let found = map.apply(input);
+        assert!((found - expected).abs() < 1e-12, "{map:?} at {input}: {found} instead of {expected}");
+    }
+}
+
+#[test]
+fn expressions_have_weights_and_no_range() {
+    let look = file("expression", None);
+    assert_eq!(look.kind, LookAtKind::Expression);
+    assert_eq!(look.left_eye_range(), None);
+}
+
+#[test]
+fn an_input_of_zero_is_a_step_and_nothing_is_no_number() {
+    for (name, _, output) in MAPS {
+        let look = file("bone", Some(name));
+        let maps = [look.horizontal_inner, look.horizontal_outer, look.vertical_down, look.vertical_up];
+        let at = MAPS.iter().position(|map| map.0 == name).expect("one of the four");
+        for (input, expected) in [(0.0, 0.0), (-1.0, 0.0), (1e-9, output), (500.0, output), (f64::NAN, 0.0)] {
+            assert_eq!(maps[at].apply(input).to_bits(), f64::to_bits(expected), "{name} at {input}");
+        }
+    }
+}
+
+#[test]
+fn version_0_says_the_same_in_other_words() {
+    let json = r#"{"asset":{"version":"2.0"},"extensions":{"VRM":{"firstPerson":{"lookAtTypeName":"Bone",
+        "lookAtHorizontalInner":{"xRange":90,"yRange":10},"lookAtHorizontalOuter":{"xRange":90,"yRange":12},
+        "lookAtVerticalDown":{"xRange":90,"yRange":8},"lookAtVerticalUp":{"curve":[]}}}}}"#;
+    let document = Document::from_bytes(json.as_bytes()).expect("a small but right file");
+    let look = LookAt::of(&document).expect("it has a lookAt");
+    assert_eq!(look.left_eye_range(), Some([10.0, 12.0, 8.0, 90.0]));
+}
