@@ -10,4 +10,5 @@ pub mod problems;
 pub mod random;
 pub mod requested;
 pub mod rigs;
+pub mod scale;
 pub mod wgsl;

@@ -14,6 +14,7 @@ use aim_tests::kinematics::{self, Case, Link, V, add, central_difference, correc
 use aim_tests::oracle::{assert_close, cases, expected_chain};
 use aim_tests::random::Random;
 use aim_tests::rigs::{bare_joint, general_frame};
+use aim_tests::scale::part_of;
 
 /// Up = +X, forward = +Y, left = +Z.
 const THUG: Frame = Frame { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] };
@@ -88,7 +89,7 @@ fn one_joint_counts() {
 #[test]
 fn one_joint_derivatives() {
     let spec = rig(&[THUG]);
-    for case in cases(&spec, 1, 3000) {
+    for case in cases(&spec, 1, part_of(3000)) {
         let Inputs { links: [link], target, sin_cos: [angles] } = Inputs::<f64, 1>::of(&case);
         let (expected, _) = expected_chain(&spec, &case);
         let apart = [
@@ -129,7 +130,7 @@ fn chain_of<const N: usize>() {
         assert_close_above(derived_total(&CHAIN_RESIDUAL_JACOBIAN, &spec), total, 20, &format!("{N} joints"));
     }
 
-    for case in cases(&spec, N as u64, 1000) {
+    for case in cases(&spec, N as u64, part_of(1000)) {
         let Inputs { links, target, sin_cos } = Inputs::<f64, N>::of(&case);
         let (expected, expected_jacobian) = expected_chain(&spec, &case);
         let (aim, gradient) = chain::aim_gradient(&links, target, &sin_cos);
@@ -150,7 +151,7 @@ fn chains_and_residuals() {
 
 fn general_frames_of<const N: usize>(random: &mut Random) {
     let (mut aims, mut all) = (0, 0);
-    for seed in 0..150 {
+    for seed in 0..part_of(150) as u64 {
         let frames: [Frame; N] = core::array::from_fn(|_| general_frame(random));
         let spec = rig(&frames);
         let joints = frames.each_ref().map(Joint::new);
@@ -186,7 +187,7 @@ fn general_frames() {
 }
 
 fn general_forward_of<const N: usize>(random: &mut Random) {
-    for seed in 0..150 {
+    for seed in 0..part_of(150) as u64 {
         let mut spec = rig(&[THUG; N]);
         spec.effector.frame = general_frame(random);
         let forward = Direction::new(spec.effector.frame.forward);
@@ -263,7 +264,7 @@ fn aim_at(target: V, (origin, forward): (V, V)) -> f64 {
 #[test]
 fn roll_of_one_joint_and_of_two() {
     let random = &mut Random::new(11);
-    for _ in 0..3000 {
+    for _ in 0..part_of(3000) {
         let links = [link(random), link(random)];
         let target = scale(3.0, random.rotation()[0]);
         let angles: [f64; 6] = [0; 6].map(|_| random.within(1.5));
@@ -289,7 +290,7 @@ fn roll_of_one_joint_and_of_two() {
 #[test]
 fn squared_distance() {
     let random = &mut Random::new(12);
-    for _ in 0..3000 {
+    for _ in 0..part_of(3000) {
         let (t, target) = (random.vector(1.0), random.vector(3.0));
         let angles = [random.within(3.0), random.within(3.0)];
         let expected = value_and_differences(angles, |[pitch, heading]| {
@@ -307,7 +308,7 @@ fn squared_distance() {
 #[test]
 fn two_targets_at_once() {
     let random = &mut Random::new(13);
-    for _ in 0..3000 {
+    for _ in 0..part_of(3000) {
         let link = link(random);
         let targets = [scale(3.0, random.rotation()[0]), scale(2.0, random.rotation()[0])];
         let weights = [random.within(2.0), random.within(2.0)];
@@ -336,7 +337,7 @@ fn term(points: [V; 3], rest: [f64; 2]) -> f64 {
 fn target_constraint() {
     let random = &mut Random::new(14);
     let mut compared = 0;
-    while compared < 3000 {
+    while compared < part_of(3000) {
         let points: [V; 3] = [0; 3].map(|_| random.vector(2.0));
         let rest = [random.within(2.0), random.within(2.0)];
         let (a, c) = (sub(points[1], points[0]), sub(points[2], points[0]));

@@ -3,6 +3,7 @@
 
 use aim_tests::compare::compare;
 use aim_tests::kinematics::Case;
+use aim_tests::scale::part_of;
 use aim_tests::{c, oracle, rigs};
 
 use crate::emitted;
@@ -10,7 +11,7 @@ use crate::emitted;
 #[test]
 fn emitted_rust_and_the_interpreter_agree_with_central_differences() {
     for (number, spec) in rigs::rigs().iter().enumerate() {
-        let cases = oracle::cases(spec, number as u64, 60);
+        let cases = oracle::cases(spec, number as u64, part_of(60));
         compare(spec, &cases, &emitted::outputs(number, &cases));
     }
 }
@@ -43,6 +44,7 @@ fn degenerate_targets_give_finite_zeros() {
 #[test]
 fn emitted_c_compiles_without_warnings_and_agrees_with_central_differences() {
     let specs = rigs::rigs();
-    let cases: Vec<Vec<Case>> = specs.iter().zip(1000..).map(|(spec, seed)| oracle::cases(spec, seed, 40)).collect();
+    let cases_of = |(spec, seed)| oracle::cases(spec, seed, part_of(40));
+    let cases: Vec<Vec<Case>> = specs.iter().zip(1000..).map(cases_of).collect();
     c::compare(&specs, &cases);
 }

@@ -2,18 +2,26 @@
 //!
 //! Parsed again, by syn, by naga and by a few lines that know C, so that no emitter vouches for itself.
 
+use std::sync::LazyLock;
+
 use aim_codegen::emit::rust_kernels::trait_kernels;
 use aim_codegen::emit::{self, Rig};
 use aim_codegen::objective::functions;
 use aim_codegen::{Kernel, RigSpec, declare, kernels};
 use aim_symbolic::{Count, Program};
+use aim_tests::scale::in_full;
 use aim_tests::{rigs, wgsl};
 use syn::visit::{self, Visit};
 use syn::{BinOp, Expr, File, ImplItem, Item, ItemFn, Stmt, UnOp};
 
-/// The rigs of every convention, and one with every setting that a declaration may have.
+/// The rigs of [`all_rigs`] with the kernels of all objectives, derived once for all tests.
+static RIGS: LazyLock<Vec<(RigSpec, Vec<Kernel>)>> =
+    LazyLock::new(|| all_rigs().into_iter().map(|spec| (spec.clone(), kernels(&spec))).collect());
+
+/// The rigs of every convention, and those with every setting that a declaration may have. By default every third of the
+/// former, so that chains of every length are among them.
 fn all_rigs() -> Vec<RigSpec> {
-    let mut all = rigs::rigs();
+    let mut all: Vec<RigSpec> = rigs::rigs().into_iter().step_by(if in_full() { 1 } else { 3 }).collect();
     macro_rules! push {
         ($name:ident $($declaration:tt)*) => {
             let item = syn::parse_str(stringify!(#[derive(AimRig)] $($declaration)*)).expect("it is a struct");
@@ -151,9 +159,8 @@ fn expansion_of(rig: &Rig<'_>) -> File {
 
 #[test]
 fn rust_kernels_are_straight_lines_with_the_operations_that_were_counted() {
-    for spec in all_rigs() {
-        let kernels = kernels(&spec);
-        let expansion = expansion_of(&Rig { spec: &spec, kernels: &kernels });
+    for (spec, kernels) in RIGS.iter() {
+        let expansion = expansion_of(&Rig { spec, kernels });
         let items = items_of(&expansion);
         let mut functions = items.iter().filter_map(|&item| match item {
             Item::Fn(function) => Some(function),
@@ -169,7 +176,7 @@ fn rust_kernels_are_straight_lines_with_the_operations_that_were_counted() {
             assert!(doc_of(function).contains(&header), "{name} of {}: {}", spec.name, doc_of(function));
         };
         // Joints with equal programs share a function, called after the first of them.
-        for Kernel { joints, objective, program } in &kernels {
+        for Kernel { joints, objective, program } in kernels {
             match objective.name {
                 "aim_gradient" => expect(program, &format!("aim_gradient_{}", joints[0])),
                 name => expect(program, name),
@@ -254,9 +261,8 @@ impl Visit<'_> for Bound {
 
 #[test]
 fn rust_names_nothing_but_core_the_facade_and_its_own() {
-    for spec in all_rigs() {
-        let kernels = kernels(&spec);
-        let expansion = expansion_of(&Rig { spec: &spec, kernels: &kernels });
+    for (spec, kernels) in RIGS.iter() {
+        let expansion = expansion_of(&Rig { spec, kernels });
         let mut bound = Bound::default();
         bound.visit_file(&expansion);
         // A pattern that is called as a user's constant does not bind. No field may begin so, and nobody's constants do.
@@ -286,9 +292,8 @@ fn rust_branches_only_where_a_joint_or_a_length_is_chosen() {
             visit::visit_expr(self, expr);
         }
     }
-    for spec in all_rigs() {
-        let kernels = kernels(&spec);
-        let expansion = expansion_of(&Rig { spec: &spec, kernels: &kernels });
+    for (spec, kernels) in RIGS.iter() {
+        let expansion = expansion_of(&Rig { spec, kernels });
         for item in items_of(&expansion) {
             let Item::Impl(implementation) = item else { continue };
             for method in &implementation.items {
@@ -371,10 +376,9 @@ fn c_count(body: &str) -> Count {
 
 #[test]
 fn c_kernels_are_straight_lines_with_the_operations_that_were_counted() {
-    for spec in all_rigs() {
-        let kernels = kernels(&spec);
-        let source = emit::c::emit(&Rig { spec: &spec, kernels: &kernels });
-        for (name, program) in functions_of(&spec, &kernels) {
+    for (spec, kernels) in RIGS.iter() {
+        let source = emit::c::emit(&Rig { spec, kernels });
+        for (name, program) in functions_of(spec, kernels) {
             let (header, body) = c_function(&source, &name);
             assert_eq!(c_count(body), program.count(), "{name}");
             assert!(header.contains(&program.count().to_string()), "{name}: {header}");
@@ -390,11 +394,10 @@ fn the_tokenizer_of_c_tells_signs_from_operations() {
 
 #[test]
 fn wgsl_kernels_are_straight_lines_with_the_operations_that_were_counted() {
-    for spec in all_rigs() {
-        let kernels = kernels(&spec);
-        let source = emit::wgsl::emit(&Rig { spec: &spec, kernels: &kernels });
+    for (spec, kernels) in RIGS.iter() {
+        let source = emit::wgsl::emit(&Rig { spec, kernels });
         let module = wgsl::Module::read(&source);
-        let functions = functions_of(&spec, &kernels);
+        let functions = functions_of(spec, kernels);
         assert_eq!(module.names(), functions.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>());
         for (name, program) in functions {
             assert_eq!(module.function(&name).count(), program.count(), "{name}");

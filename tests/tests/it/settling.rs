@@ -4,6 +4,7 @@ use aim::glam::{Affine3A, Quat, Vec3};
 use aim::rigs::{Thug, Turret};
 use aim::{Aim, AimRig, Pose, Settings, Status};
 use aim_tests::random::Random;
+use aim_tests::scale::in_full;
 
 const FRAME: f32 = 1.0 / 60.0;
 
@@ -40,22 +41,27 @@ fn settle<R: AimRig>(rig: &mut Aim<R>, pose: &Pose<R::Array<Affine3A>>, target: 
 #[test]
 fn a_reachable_target_is_reached_whatever_was_looked_at_before() {
     let pose = standing();
-    let mut reached = 0;
+    let (mut reached, mut pairs) = (0, Vec::new());
     for before in (0..12).flat_map(|a| [-30.0, 0.0, 30.0].map(|e| (30.0 * a as f32 - 180.0, e))) {
         for target in (0..8).flat_map(|a| [-25.0, 5.0, 30.0].map(|e| (45.0 * a as f32 - 180.0, e))) {
-            let target_ws = direction(target.0, target.1);
-            let settings = Settings::default();
-            let mut free = Aim::<Thug>::new();
-            let reachable = free.snap(&pose, target_ws, &settings).outcome.status == Status::Reached;
-            let mut thug = Aim::<Thug>::new();
-            thug.snap(&pose, direction(before.0, before.1), &settings);
-            let (status, moved) = settle(&mut thug, &pose, target_ws);
-            assert_eq!(status == Status::Reached, reachable, "{before:?}, then {target:?}: {status:?}, {thug:?}");
-            assert!(moved < 0.2_f32.to_radians(), "{before:?}, then {target:?}: {status:?} and moves {moved}");
-            reached += usize::from(reachable);
+            pairs.push((before, target));
         }
     }
-    assert!(reached > 200, "{reached}");
+    // Seven divides neither number of directions: all of them occur.
+    let step = if in_full() { 1 } else { 7 };
+    for (before, target) in pairs.into_iter().step_by(step) {
+        let target_ws = direction(target.0, target.1);
+        let settings = Settings::default();
+        let mut free = Aim::<Thug>::new();
+        let reachable = free.snap(&pose, target_ws, &settings).outcome.status == Status::Reached;
+        let mut thug = Aim::<Thug>::new();
+        thug.snap(&pose, direction(before.0, before.1), &settings);
+        let (status, moved) = settle(&mut thug, &pose, target_ws);
+        assert_eq!(status == Status::Reached, reachable, "{before:?}, then {target:?}: {status:?}, {thug:?}");
+        assert!(moved < 0.2_f32.to_radians(), "{before:?}, then {target:?}: {status:?} and moves {moved}");
+        reached += usize::from(reachable);
+    }
+    assert!(reached * step > 200, "{reached}");
 }
 
 #[test]

@@ -8,6 +8,7 @@ use aim_codegen::objective::functions;
 use aim_codegen::{Kernel, RigSpec, declare, kernels};
 use aim_symbolic::{Number, Program};
 use aim_tests::kinematics::{Case, Link, V, correct};
+use aim_tests::scale::part_of;
 use aim_tests::wgsl::Module;
 use aim_tests::{oracle, rigs};
 
@@ -94,7 +95,7 @@ fn modules_hold_a_function_a_joint_and_two_for_the_chain() {
 fn functions_give_the_bits_of_the_interpreter() {
     for (spec, seed) in bundled().iter().chain(&rigs::rigs()).zip(2000..) {
         let emitted = Emitted::of(spec);
-        for case in oracle::cases(spec, seed, 200) {
+        for case in oracle::cases(spec, seed, part_of(200)) {
             emitted.compare(&case, |name, found| {
                 assert!(found.iter().all(|x| x.is_finite()), "{name}: {found:?}");
             });
