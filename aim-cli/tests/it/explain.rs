@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
-use crate::common::{Place, bundled_rigs, installed};
+use crate::common::{Place, bundled_rigs, in_full, installed};
 use aim_codegen::objective::Scope;
 use aim_codegen::{RigSpec, emit, kernels};
 use scraper::{ElementRef, Html, Selector};
@@ -43,13 +43,18 @@ const HINGE: &str = r#"
     rate = "90deg"
 "#;
 
-/// Every bundled rig and the odd ones: name, declaration.
+/// The bundled rigs of which each stands for all that differ from it by their axes' names alone.
+const DIFFERENT: [&str; 3] = ["rigify", "thug", "turret"];
+
+/// Every bundled rig, by default those of [`DIFFERENT`], and the odd ones: name, declaration.
 fn rigs() -> Vec<(String, String)> {
     let read = |path: &Path| {
         let name = path.file_stem().expect("a rig's file has a name").to_string_lossy().into_owned();
         (name, std::fs::read_to_string(path).expect("the rig is there"))
     };
     let mut rigs: Vec<_> = bundled_rigs().iter().map(|path| read(path)).collect();
+    rigs.retain(|(name, _)| in_full() || DIFFERENT.contains(&name.as_str()));
+    assert!(rigs.len() >= DIFFERENT.len(), "{rigs:?}");
     rigs.extend([("odd".to_owned(), ODD.to_owned()), ("hinge".to_owned(), HINGE.to_owned())]);
     rigs
 }
@@ -59,36 +64,85 @@ struct Page {
     name: String,
     rig: String,
     page: String,
+    found: Found,
 }
 
-/// The pages of all these rigs, and of a chain of ten joints: made once for all tests.
+/// What is on a page, parsed once for all tests: a parsed page cannot be shared by threads.
+struct Found {
+    ids: Vec<String>,
+    links: Vec<String>,
+    /// How many formulas there are, and whether one of them is empty.
+    formulas: usize,
+    empty_formula: bool,
+    /// Whether every drawing has a name for those who do not see it, and everything wide scrolls, by keys, too.
+    drawings_are_named: bool,
+    wide_scrolls: bool,
+    counts: Vec<Vec<String>>,
+    captions: Vec<String>,
+    headings: Vec<String>,
+    /// The rows of all listings.
+    code: Vec<Vec<String>>,
+}
+
+impl Found {
+    fn on(page: &str) -> Self {
+        let html = parsed(page);
+        let attributes = |selector: &str, name: &str| {
+            all(&html, selector).iter().filter_map(|one| one.value().attr(name).map(str::to_owned)).collect()
+        };
+        let texts = |selector: &str| all(&html, selector).iter().map(text).collect();
+        let formulas = all(&html, "math");
+        let scrolls = |wide: &ElementRef<'_>| {
+            let parent = wide.parent().and_then(ElementRef::wrap).expect("it is in something");
+            parent.value().attr("tabindex") == Some("0")
+        };
+        Self {
+            ids: attributes("[id]", "id"),
+            links: attributes("nav a", "href"),
+            formulas: formulas.len(),
+            empty_formula: formulas.iter().any(|formula| text(formula).trim().is_empty()),
+            drawings_are_named: all(&html, "svg").iter().all(|svg| svg.value().attr("aria-label").is_some()),
+            wide_scrolls: all(&html, "table, math[display=block]").iter().all(scrolls),
+            counts: rows(all(&html, "#counts table").first().expect("the counts")),
+            captions: texts("caption"),
+            headings: texts("h3"),
+            code: all(&html, "table.code").iter().flat_map(rows).collect(),
+        }
+    }
+}
+
+/// The pages of all these rigs, and of a long chain: made once for all tests.
 fn pages() -> &'static [Page] {
     static PAGES: OnceLock<Vec<Page>> = OnceLock::new();
     PAGES.get_or_init(|| {
         let place = Place::new();
         let mut rigs = rigs();
-        rigs.push((TEN.to_owned(), ten()));
-        rigs.into_iter().map(|(name, rig)| Page { page: page(&place, &rig), name, rig }).collect()
+        rigs.push((LONG.to_owned(), long_chain()));
+        let made = rigs.into_iter().map(|(name, rig)| {
+            let page = page(&place, &rig);
+            Page { found: Found::on(&page), page, name, rig }
+        });
+        made.collect()
     })
 }
 
-/// Whose derivation alone takes as long as those of all others.
-const TEN: &str = "ten";
+/// Whose derivation in full takes as long as those of all others.
+const LONG: &str = "long";
 
-/// All but the chain of ten joints.
+/// All but the long chain.
 fn short_pages() -> impl Iterator<Item = &'static Page> {
-    pages().iter().filter(|page| page.name != TEN)
+    pages().iter().filter(|page| page.name != LONG)
 }
 
-/// A chain of ten joints.
-fn ten() -> String {
+/// A chain of ten joints, by default of six.
+fn long_chain() -> String {
     let joint = |i: usize| {
         format!(
             "[[joint]]\nname = \"j{i}\"\nheading = [\"-20deg\", \"20deg\"]\npitch = [\"-9deg\", \"9deg\"]\nrate = \"9deg\"\n"
         )
     };
-    let joints: String = (0..10).map(joint).collect();
-    format!("name = \"Ten\"\naxes = {{ up = \"+X\", forward = \"+Y\", left = \"+Z\" }}\n{joints}")
+    let joints: String = (0..if in_full() { 10 } else { 6 }).map(joint).collect();
+    format!("name = \"Chain\"\naxes = {{ up = \"+X\", forward = \"+Y\", left = \"+Z\" }}\n{joints}")
 }
 
 fn spec(text: &str) -> RigSpec {
@@ -133,22 +187,15 @@ fn rows(table: &ElementRef<'_>) -> Vec<Vec<String>> {
 
 #[test]
 fn every_page_is_whole_and_needs_nothing_else() {
-    for Page { name, page, .. } in pages() {
-        let html = parsed(page);
+    for Page { name, page, found, .. } in pages() {
         for outside in ["http:", "https:", "<script", "<link", "@import", "NaN", "<b>"] {
             assert!(!page.contains(outside), "{name}: {outside}");
         }
-        let ids: Vec<&str> = all(&html, "[id]").iter().filter_map(|one| one.value().attr("id")).collect();
-        let links: Vec<&str> = all(&html, "nav a").iter().filter_map(|one| one.value().attr("href")).collect();
-        assert_eq!(links, ids.iter().map(|id| format!("#{id}")).collect::<Vec<_>>(), "{name}");
-        let formulas = all(&html, "math");
-        assert!(formulas.len() > 100, "{name}");
-        assert!(formulas.iter().all(|formula| !text(formula).trim().is_empty()), "{name}: a formula is empty");
-        assert!(all(&html, "svg").iter().all(|svg| svg.value().attr("aria-label").is_some()), "{name}");
-        for wide in all(&html, "table, math[display=block]") {
-            let parent = wide.parent().and_then(ElementRef::wrap).expect("it is in something");
-            assert_eq!(parent.value().attr("tabindex"), Some("0"), "{name}: what is wide scrolls, by keys, too");
-        }
+        assert_eq!(found.links, found.ids.iter().map(|id| format!("#{id}")).collect::<Vec<_>>(), "{name}");
+        assert!(found.formulas > 100, "{name}");
+        assert!(!found.empty_formula, "{name}: a formula is empty");
+        assert!(found.drawings_are_named, "{name}");
+        assert!(found.wide_scrolls, "{name}: what is wide scrolls, by keys, too");
         assert!(page.len() < 2_500_000, "{name}: {} bytes", page.len());
     }
 }
@@ -156,12 +203,10 @@ fn every_page_is_whole_and_needs_nothing_else() {
 #[test]
 fn counts_are_those_of_aim_count_and_of_the_trace() {
     let place = Place::new();
-    for Page { name, rig, page } in short_pages() {
+    for Page { name, rig, found: on_page, .. } in short_pages() {
         place.write("rig.toml", rig);
-        let html = parsed(page);
         place.write("counts.json", &place.done("count rig.toml --json").stdout);
         let counts = place.json("counts.json");
-        let table = *all(&html, "#counts table").first().expect("the counts");
         let keys =
             ["aim", "aim_pitch", "aim_heading", "aim_gradient", "chain_value_gradient", "chain_residual_jacobian"];
         let expected: Vec<Vec<String>> = keys
@@ -171,14 +216,13 @@ fn counts_are_those_of_aim_count_and_of_the_trace() {
                 ["total", "add", "mul", "div", "sqrt", "pow", "select"].map(number).to_vec()
             })
             .collect();
-        let found: Vec<Vec<String>> = rows(&table).into_iter().map(|row| row[1..].to_vec()).collect();
+        let found: Vec<Vec<String>> = on_page.counts.iter().map(|row| row[1..].to_vec()).collect();
         assert_eq!(found, expected, "{name}");
 
         // Every kernel's derivation ends at the count of what is emitted, and its listing says so.
         let spec = spec(rig);
-        let captions: Vec<String> = all(&html, "caption").iter().map(text).collect();
+        let (captions, headings) = (&on_page.captions, &on_page.headings);
         let traced = place.done("generate rig.toml --trace").stdout;
-        let headings: Vec<String> = all(&html, "h3").iter().map(text).collect();
         for kernel in kernels(&spec) {
             let derivation = kernel.statement(&spec).derivation();
             let function = emit::rust_kernels::function_name(&kernel);
@@ -202,21 +246,16 @@ fn counts_are_those_of_aim_count_and_of_the_trace() {
 #[test]
 fn lines_are_those_of_aim_generate() {
     let place = Place::new();
-    for Page { name, rig, page } in short_pages() {
+    for Page { name, rig, found, .. } in short_pages() {
         place.write("rig.toml", rig);
-        let html = parsed(page);
         let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<String>>();
         let emitted = words(&place.done("generate rig.toml --lang rust").stdout).join(" ");
         let mut steps = 0;
-        for table in all(&html, "table.code") {
-            for row in rows(&table) {
-                if row[0].starts_with("let ") {
-                    steps += 1;
-                    let line = words(&row[0]).join(" ");
-                    assert!(emitted.contains(&line), "{name}: {line}");
-                    assert!(row[1].starts_with('v'), "{name}: beside it stands its formula: {row:?}");
-                }
-            }
+        for row in found.code.iter().filter(|row| row[0].starts_with("let ")) {
+            steps += 1;
+            let line = words(&row[0]).join(" ");
+            assert!(emitted.contains(&line), "{name}: {line}");
+            assert!(row[1].starts_with('v'), "{name}: beside it stands its formula: {row:?}");
         }
         // After the kernels of the trait, which compute the same in `f32`.
         let (_, generic) = emitted.split_once("fn aim_gradient_0<").expect("the generic kernels are emitted");

@@ -164,6 +164,11 @@ pub(crate) fn bundled_rigs() -> Vec<PathBuf> {
     rigs
 }
 
+/// Whether tests take all of their cases, as `.ci/run` has them, or the part that `cargo test` takes by itself.
+pub(crate) fn in_full() -> bool {
+    std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
+}
+
 /// The folder with real characters. Tests that call this are ignored unless asked for.
 pub(crate) fn real_rigs() -> PathBuf {
     let folder = std::env::var_os("AIM_RIGS").expect("AIM_RIGS names a folder of real characters");
