@@ -94,11 +94,17 @@ fn attributes(input: &mut DeriveInput) -> Vec<&mut syn::Attribute> {
     all
 }
 
+/// Whether the tests take all their rounds, as `.ci/run` has them, or the part that `cargo test` takes by itself.
+fn in_full() -> bool {
+    std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
+}
+
 #[test]
 fn mutated_attributes_never_panic() {
     let mut random = Random(0x9E37_79B9_7F4A_7C15);
     let (mut accepted, mut refused) = (0, 0);
-    for round in 0..6000 {
+    let rounds = if in_full() { 6000 } else { 1200 };
+    for round in 0..rounds {
         let mut input = parse(SEEDS[round % SEEDS.len()]);
         for attribute in attributes(&mut input) {
             if let syn::Meta::List(list) = &mut attribute.meta {
@@ -120,7 +126,7 @@ fn mutated_attributes_never_panic() {
             }
         }
     }
-    assert!(accepted > 100 && refused > 1000, "{accepted} accepted, {refused} refused");
+    assert!(60 * accepted > rounds && 6 * refused > rounds, "{accepted} accepted, {refused} refused");
 }
 
 #[cfg(feature = "toml")]
