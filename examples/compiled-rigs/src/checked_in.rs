@@ -30,27 +30,7 @@ const _: () = {
     impl ::aim::__private::Rig for Extra {
         #[inline]
         fn description(&self) -> ::aim::__private::Description<'_> {
-            const DESCRIPTION: ::aim::__private::Description<'static> = ::aim::__private::Description::new(
-                    &[
-                        ::aim::__private::JointInfo::new(
-                                ::aim::__private::Axes {
-                                    up: [1.0, 0.0, 0.0],
-                                    forward: [0.0, 1.0, 0.0],
-                                    left: [0.0, 0.0, 1.0],
-                                },
-                                3.4906585,
-                            )
-                            .with_heading(-1.0471976, 1.0471976)
-                            .with_pitch(-0.6981317, 0.61086524)
-                            .with_stiffness(1.0)
-                            .with_role(::aim::__private::Role::Head),
-                    ],
-                )
-                .with_effector(::aim::__private::Effector {
-                    forward: [0.0, 1.0, 0.0],
-                    origin: [0.09, 0.09, 0.0],
-                });
-            DESCRIPTION
+            *<Self as ::aim::__private::AimRig>::DESCRIPTION
         }
         fn joint_name(
             &self,
@@ -117,8 +97,10 @@ const _: () = {
             let __v12 = 2.0 * __v11;
             let __v13 = __link_0[6] * __v6 + __link_0[7] * __v2 + __link_0[8] * __v4;
             let __v14 = __v12 * __v13;
+            *__out_0 = __v14;
             let __v15 = __link_0[0] * __v6 + __link_0[1] * __v2 + __link_0[2] * __v4;
             let __v16 = __v12 * __v15;
+            *__out_1 = __v16;
             let __v17 = 1.0 / __v8;
             let __v18 = if <::core::primitive::f32 as ::aim::__private::Scalar>::TINY
                 < __v8
@@ -133,6 +115,7 @@ const _: () = {
             let __v22 = __v13 * __v21;
             let __v23 = __v12 * (__link_0[7] * __v5 - __link_0[6] * __v1)
                 + __v20 * __v22;
+            *__out_2 = __v23;
             let __v24 = __sin_cos_0[0] * __v3;
             let __v25 = __sin_cos_0[1] * __v3;
             let __v26 = __v12
@@ -141,17 +124,14 @@ const _: () = {
             let __v28 = __link_0[5] * __v0 - (__link_0[4] * __v25 - __link_0[3] * __v24)
                 + __v27;
             let __v29 = __v28 * __v22 - __v26;
+            *__out_3 = __v29;
             let __v30 = __v15 * __v21;
             let __v31 = __v20 * __v30
                 - __v12 * (__link_0[0] * __v1 - __link_0[1] * __v5);
+            *__out_4 = __v31;
             let __v32 = __v12
                 * (__link_0[2] * __v0 - (__link_0[1] * __v25 - __link_0[0] * __v24));
             let __v33 = __v28 * __v30 - __v32;
-            *__out_0 = __v14;
-            *__out_1 = __v16;
-            *__out_2 = __v23;
-            *__out_3 = __v29;
-            *__out_4 = __v31;
             *__out_5 = __v33;
         }
         ///Aim of joint `head`, d aim / d pitch, d aim / d heading. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `Extra`.
@@ -205,6 +185,26 @@ const _: () = {
         const RIG: &'static Self = &Self {
             head: ::aim::__private::Joint::REST,
         };
+        const DESCRIPTION: &'static ::aim::__private::Description<'static> = &::aim::__private::Description::new(
+                &[
+                    ::aim::__private::JointInfo::new(
+                            ::aim::__private::Axes {
+                                up: [1.0, 0.0, 0.0],
+                                forward: [0.0, 1.0, 0.0],
+                                left: [0.0, 0.0, 1.0],
+                            },
+                            3.4906585,
+                        )
+                        .with_heading(-1.0471976, 1.0471976)
+                        .with_pitch(-0.6981317, 0.61086524)
+                        .with_stiffness(1.0)
+                        .with_role(::aim::__private::Role::Head),
+                ],
+            )
+            .with_effector(::aim::__private::Effector {
+                forward: [0.0, 1.0, 0.0],
+                origin: [0.09, 0.09, 0.0],
+            });
         #[inline]
         fn array<T: ::core::marker::Copy>(__value: T) -> [T; 1] {
             [__value; 1]
