@@ -3,7 +3,7 @@
 /// How a natural gaze is shared between the eyes and the joints that support them.
 ///
 /// Joint 0 is the eye, the others support it. Where the target appears, the eye leaps there within its rate and range,
-/// and holds it. The supporting joints get a goal: their share of the gaze shift with the least comfort-weighted
+/// and holds it. The supporting joints get a goal: their share of the gaze shift with the least stiffness-weighted
 /// displacement, and more where the eye could not do the rest. They follow that with inertia: they take up speed by
 /// their acceleration and brake so that they stop there. Meanwhile the eye solves in
 /// each frame exactly what they leave, and so turns back as they arrive. Ranges and rates hold before everything else.

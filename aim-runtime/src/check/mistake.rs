@@ -110,7 +110,7 @@ pub struct Finding {
     pub seen: Option<f32>,
     /// The same angle as the call told it: [`Outcome::remaining`](crate::Outcome::remaining), radians.
     pub told: f32,
-    /// The joints that did not add their corrections; empty where the pose itself is wrong.
+    /// The joints that are not where their corrections would have turned them; empty where the pose itself is wrong.
     pub joints: JointSet,
 }
 
@@ -119,10 +119,10 @@ impl fmt::Display for Finding {
         write!(f, "{}", self.mistake)?;
         if let Some(seen) = self.seen {
             let [seen, told] = [seen, self.told].map(f32::to_degrees);
-            write!(f, " The effector looks {seen:.1}° past its target, where the outcome says {told:.1}°.")?;
+            write!(f, " The effector looks {seen:.1}° past its target; by the outcome it should be {told:.1}°.")?;
         }
         if !self.joints.is_empty() {
-            write!(f, " Joints that did not add their corrections: {:?}.", self.joints)?;
+            write!(f, " Joints that are not where their corrections turn them, from the effector inward: {:?}.", self.joints)?;
         }
         Ok(())
     }

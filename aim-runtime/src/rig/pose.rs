@@ -29,7 +29,7 @@ pub struct Pose<A> {
 }
 
 impl<A> Pose<A> {
-    /// A pose of these joints: an array from the effector inward, or the rig's named pose (`HeroPose { .. }`).
+    /// A pose of these joints, an array from the effector inward. `Pose::from` takes the rig's named pose (`HeroPose { .. }`).
     #[must_use]
     pub const fn new(joints: A) -> Self {
         Self { joints, up: None, bind: None, other_eye: None }

@@ -131,7 +131,7 @@ pub enum Solver {
     /// inertia by a share of what is beyond the eyes' own zone, and the eyes return as it arrives. See [`GazeSharing`].
     Natural,
     /// All joints at once: of all angles within range and rate that put the gaze on the target, those of the least
-    /// comfort-weighted displacement.
+    /// stiffness-weighted displacement.
     Exact,
     /// The paper's steepest ascent, joint by joint from the effector inward. See [`Ascent`].
     Ascent,

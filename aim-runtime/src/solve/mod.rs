@@ -174,6 +174,8 @@ fn snap_joints<const C: usize>(
     let mut before = *memory;
     before.behind = false;
     let goal = goal(rig, &chain, pose, motions, call, &before)?;
+    // A target on the animated effector has no direction, whatever the joints could make of it.
+    chain.animated_gaze().angle_to(goal.aimed)?;
     joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
     memory.support = Support::Rests;
 

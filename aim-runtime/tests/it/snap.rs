@@ -115,3 +115,16 @@ fn does_not_depend_on_the_past() {
         assert_eq!(there.corrections().collect::<Vec<_>>(), back.corrections().collect::<Vec<_>>(), "{step}");
     }
 }
+
+/// A target on the animated effector has no direction: nothing moves, wherever the joints are.
+#[test]
+fn holds_where_the_target_is_on_the_effector() {
+    for turned in [0.0, 0.3] {
+        let mut rig = NumericRig::thug();
+        let pose = upright(&rig);
+        rig.joints.fill(Joint::from_angles(turned, 0.5 * turned));
+        let before = rig.joints.clone();
+        let outcome = rig.snap(&Pose::new(pose.clone()), pose[0].translation.into());
+        assert_eq!((outcome.status, &rig.joints), (Status::Degenerate, &before));
+    }
+}

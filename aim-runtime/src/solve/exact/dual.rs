@@ -1,4 +1,4 @@
-//! The least comfort-weighted displacement that a linear model of the gaze allows: a quadratic problem over all angles
+//! The least stiffness-weighted displacement that a linear model of the gaze allows: a quadratic problem over all angles
 //! whose dual has two unknowns, whatever the number of joints.
 //!
 //! Minimise `½ Σ (θᵢ − restᵢ)² / easeᵢ` subject to `J θ = wanted`, `loᵢ ≤ θᵢ ≤ hiᵢ`. Its dual is concave and piecewise

@@ -1,5 +1,5 @@
 //! The whole chain at once: of all angles within reach that put the gaze on the target, those of the least
-//! comfort-weighted displacement.
+//! stiffness-weighted displacement.
 //!
 //! Each round takes the derived residual and Jacobian at the present angles, solves the linear model to its optimum
 //! within the reach ([`dual`]), and judges the result by forward kinematics. What the linear model missed is mended with

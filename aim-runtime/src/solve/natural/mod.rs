@@ -26,7 +26,7 @@ use crate::solve::turn_round::{count_blocked, is_worth_turning_back};
 use crate::target::goal::{Course, Goal};
 use crate::{Joint, Settings, math};
 
-/// How much more willing an eye is than its comfort says, where supporting joints make up for what it cannot do: they
+/// How much more willing an eye is than its stiffness says, where supporting joints make up for what it cannot do: they
 /// are not to do more than that.
 const EYE_EASE: f32 = 10.0;
 /// Nearer to its goal than this a supporting joint counts as there, radians (0.06°).
