@@ -122,7 +122,11 @@ impl fmt::Display for Finding {
             write!(f, " The effector looks {seen:.1}° past its target; by the outcome it should be {told:.1}°.")?;
         }
         if !self.joints.is_empty() {
-            write!(f, " Joints that are not where their corrections turn them, from the effector inward: {:?}.", self.joints)?;
+            write!(
+                f,
+                " Joints that are not where their corrections turn them, from the effector inward: {:?}.",
+                self.joints
+            )?;
         }
         Ok(())
     }
