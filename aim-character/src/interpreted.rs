@@ -6,7 +6,8 @@ use aim_codegen::emit::rust_kernels::trait_kernels;
 use aim_codegen::objective::{AIM_GRADIENT, FirstLink};
 use aim_codegen::{AngleRange, Frame, JointSpec, NaturalSpec, RigSpec};
 use aim_runtime::{Axes, Description, Effector, GazeSharing, JointInfo, Rig};
-use aim_symbolic::Program;
+
+use crate::tape::Tape;
 
 /// The rig, without any character's state. A clone shares the derived programs.
 #[derive(Clone, Debug)]
@@ -21,22 +22,22 @@ pub struct InterpretedRig {
 /// The kernels of [`Rig`].
 #[derive(Debug)]
 struct Kernels {
-    residual_jacobian: Program,
-    /// The programs of distinct joints.
-    aim_gradients: Vec<Program>,
-    /// The place of each joint's program among them.
+    residual_jacobian: Tape,
+    /// The tapes of distinct joints.
+    aim_gradients: Vec<Tape>,
+    /// The place of each joint's tape among them.
     joints: Vec<usize>,
 }
 
 impl Kernels {
     fn derive(spec: &RigSpec) -> Self {
-        let (aims, mut chains): (Vec<_>, Vec<_>) =
+        let (aims, chains): (Vec<_>, Vec<_>) =
             trait_kernels(spec).into_iter().partition(|kernel| *kernel.objective == AIM_GRADIENT);
         let joint = |joint: usize| aims.iter().position(|kernel| kernel.joints.contains(&joint)).unwrap_or_default();
         Self {
             joints: (0..spec.joints.len()).map(joint).collect(),
-            residual_jacobian: chains.swap_remove(0).program,
-            aim_gradients: aims.into_iter().map(|kernel| kernel.program).collect(),
+            residual_jacobian: Tape::new(&chains[0].program),
+            aim_gradients: aims.iter().map(|kernel| Tape::new(&kernel.program)).collect(),
         }
     }
 }
@@ -116,16 +117,6 @@ fn sharing(spec: &NaturalSpec) -> GazeSharing {
         .with_delay(spec.delay as f32)
 }
 
-/// Runs a program on its inputs, in parts as they lie in memory. Wrong lengths give zeros.
-fn run(program: &Program, inputs: [&[f32]; 3], out: &mut [f32]) {
-    let inputs = inputs.concat();
-    if inputs.len() == program.inputs().len() && out.len() == program.outputs().len() {
-        program.run(&inputs, out);
-    } else {
-        out.fill(0.0);
-    }
-}
-
 impl Rig for InterpretedRig {
     fn description(&self) -> Description<'_> {
         Description::new(&self.infos).with_effector(self.effector).with_sharing(self.sharing)
@@ -140,7 +131,7 @@ impl Rig for InterpretedRig {
     }
 
     fn residual_jacobian(&self, links: &[[f32; 12]], target: &[f32; 3], sin_cos: &[[f32; 4]], out: &mut [f32]) {
-        run(&self.kernels.residual_jacobian, [links.as_flattened(), target, sin_cos.as_flattened()], out);
+        self.kernels.residual_jacobian.run([links.as_flattened(), target, sin_cos.as_flattened()], out);
     }
 
     fn aim_gradient(
@@ -151,8 +142,8 @@ impl Rig for InterpretedRig {
         sin_cos: &[f32; 4],
     ) -> [f32; 3] {
         let mut out = [0.0; 3];
-        if let Some(&program) = self.kernels.joints.get(joint) {
-            run(&self.kernels.aim_gradients[program], [effector_to_joint, target, sin_cos], &mut out);
+        if let Some(&tape) = self.kernels.joints.get(joint) {
+            self.kernels.aim_gradients[tape].run([effector_to_joint, target, sin_cos], &mut out);
         }
         out
     }

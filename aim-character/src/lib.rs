@@ -33,6 +33,7 @@ pub mod evidence;
 mod fit;
 mod interpreted;
 mod proposal;
+mod tape;
 
 pub use error::Error;
 pub use fit::{Fit, JointFit, NAMES, NEAR_DEG, chain_nodes, range_in_frame};
