@@ -175,7 +175,7 @@ impl Lanes {
         while lane < 4 && 2 * k + lane / 2 < joints.len() {
             let info = &joints[2 * k + lane / 2];
             rate[lane] = info.rate.max(0.0);
-            // NaN and zero count as the most willing.
+            // A quotient that is not a number counts as the least ease.
             half_ease[lane] = 0.5 * (least_stiffness / info.stiffness).max(1e-6).min(1.0);
             if let Some([lo, hi]) = if lane % 2 == 0 { info.pitch } else { info.heading } {
                 (least[lane], most[lane]) = (lo, hi);

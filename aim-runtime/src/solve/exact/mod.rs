@@ -81,7 +81,7 @@ impl<'a, const C: usize> Solver<'a, C> {
         let mut homes = rig.array([Home { rest: 0.0, ease: 1.0 }; 2]);
         for (index, info) in infos.iter().enumerate().skip(chain.first) {
             links[index] = chain.links[index].to_cols_array();
-            // NaN and zero count as the most willing.
+            // A quotient that is not a number counts as the least ease.
             let ease = (rig.least_stiffness / info.stiffness).max(1e-6).min(1.0);
             least_ease = least_ease.min(ease);
             homes[index] = [Home { rest: 0.0, ease }; 2];
