@@ -70,7 +70,7 @@ impl BoneName {
         Self { words, side }
     }
 
-    /// Whether one of its words is one of these, which have white space between them.
+    /// True if one of its words is one of these, which have white space between them.
     #[must_use]
     pub fn has(&self, any_of: &str) -> bool {
         any_of.split_whitespace().any(|word| self.words.iter().any(|own| own == word))

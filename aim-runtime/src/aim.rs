@@ -77,9 +77,9 @@ impl<R: AimRig> Aim<R> {
     /// [`aim`](Self::aim), with the solvers of frames that need no search compiled into the caller for this rig alone: its
     /// constants folded, its kernel inlined. The same bits.
     ///
-    /// For crowds: a frame that follows a target costs a sixth less by [`Solver::Exact`](crate::Solver::Exact) with three joints,
-    /// and nearly a third less with a single joint. The program grows by some 12 kB for each rig. Other frames cost what they cost in
-    /// `aim`.
+    /// For crowds: a frame that follows a target costs a sixth less by [`Solver::Exact`](crate::Solver::Exact) with three
+    /// joints, and nearly a third less with a single joint. The program grows by some 12 kB for each rig. Other frames cost
+    /// what they cost in `aim`.
     #[inline]
     pub fn aim_inlined<'a>(
         &mut self,

@@ -1,6 +1,6 @@
 //! How many of their cases the tests take.
 
-/// Whether tests take all of their cases, as `.ci/run` has them, or the part that `cargo test` takes by itself.
+/// True where the tests take all of their cases, as in `.ci/run`; `cargo test` by itself takes a part.
 pub fn in_full() -> bool {
     std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
 }

@@ -55,7 +55,7 @@ pub(super) struct Raster {
     width: usize,
     height: usize,
     fade: f64,
-    /// What has been drawn.
+    /// The drawing so far.
     faces: Vec<Face>,
     /// Per sample how near the nearest face is, and where it is hit.
     depth: Vec<f64>,

@@ -67,14 +67,14 @@ struct Page {
     found: Found,
 }
 
-/// What is on a page, parsed once for all tests: a parsed page cannot be shared by threads.
+/// The facts of a page, parsed once for all tests: a parsed page cannot be shared by threads.
 struct Found {
     ids: Vec<String>,
     links: Vec<String>,
-    /// How many formulas there are, and whether one of them is empty.
+    /// The number of formulas; true if one of them is empty.
     formulas: usize,
     empty_formula: bool,
-    /// Whether every drawing has a name for those who do not see it, and everything wide scrolls, by keys, too.
+    /// True if every drawing has a name for those who do not see it, and everything wide scrolls, by keys, too.
     drawings_are_named: bool,
     wide_scrolls: bool,
     counts: Vec<Vec<String>>,

@@ -1,4 +1,4 @@
-//! What a VRM file says about how far its eyes turn.
+//! The look-at settings of VRM files: how far their eyes turn.
 
 use aim_gltf::{Document, LookAt, LookAtKind};
 

@@ -164,7 +164,7 @@ pub(crate) fn bundled_rigs() -> Vec<PathBuf> {
     rigs
 }
 
-/// Whether tests take all of their cases, as `.ci/run` has them, or the part that `cargo test` takes by itself.
+/// True where the tests take all of their cases, as in `.ci/run`; `cargo test` by itself takes a part.
 pub(crate) fn in_full() -> bool {
     std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
 }

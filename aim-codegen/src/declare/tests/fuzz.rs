@@ -94,7 +94,7 @@ fn attributes(input: &mut DeriveInput) -> Vec<&mut syn::Attribute> {
     all
 }
 
-/// Whether the tests take all their rounds, as `.ci/run` has them, or the part that `cargo test` takes by itself.
+/// True where the tests take all their rounds, as in `.ci/run`; `cargo test` by itself takes a part.
 fn in_full() -> bool {
     std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
 }
