@@ -87,6 +87,7 @@ pub mod rigs {
 pub mod __private {
     pub use aim_runtime::glam::Affine3A;
     pub use aim_runtime::{
-        AimRig, Axes, Description, Effector, GazeSharing, Joint, JointInfo, LimitsFrom, Pose, Real, Rig, Role, Scalar,
+        AimRig, Axes, Budget, Budgets, Description, Effector, GazeSharing, Joint, JointInfo, LimitsFrom, Pose, Real,
+        Rig, Role, Scalar,
     };
 }

@@ -1,7 +1,7 @@
 //! A rig written down as its user would declare it: in TOML, or as a derive. Both say all that a [`RigSpec`] holds, and
 //! are read back as the same one: angles and numbers exactly, directions to nine decimals.
 
-use aim_codegen::{AngleRange, Frame, JointSpec, LimitsFrom, NaturalSpec, RigSpec};
+use aim_codegen::{AngleRange, Budget, Budgets, Frame, JointSpec, LimitsFrom, NaturalSpec, RigSpec};
 
 use crate::proposal::Proposal;
 
@@ -96,7 +96,29 @@ impl<'s> Written<'s> {
         let parts: Vec<String> = forward.into_iter().chain(origin).collect();
         keys.extend((!parts.is_empty()).then(|| self.table("effector", &parts)));
         keys.extend(self.spec.natural.as_ref().map(|natural| self.natural(natural)));
+        keys.extend(self.spec.region.as_ref().map(|budgets| self.region(budgets)));
         keys
+    }
+
+    fn region(&self, budgets: &Budgets) -> String {
+        if let Some((name, _)) = Budgets::NAMED.iter().find(|(_, named)| named == budgets) {
+            return format!("region = {}", self.word(name));
+        }
+        let budget = |name: &str, budget: &Budget| {
+            let [heading, pitch] =
+                [budget.heading, budget.pitch].map(|[lo, hi]| self.range(AngleRange::Between(lo, hi)));
+            let [rate, acceleration] = [budget.rate, budget.acceleration].map(|angle| self.angle(angle));
+            self.table(
+                name,
+                &[
+                    format!("heading = {heading}"),
+                    format!("pitch = {pitch}"),
+                    format!("rate = {rate}"),
+                    format!("acceleration = {acceleration}"),
+                ],
+            )
+        };
+        self.table("region", &[budget("head", &budgets.head), budget("chest", &budgets.chest)])
     }
 
     fn natural(&self, natural: &NaturalSpec) -> String {

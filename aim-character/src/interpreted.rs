@@ -5,7 +5,7 @@ use std::sync::Arc;
 use aim_codegen::emit::rust_kernels::trait_kernels;
 use aim_codegen::objective::{AIM_GRADIENT, FirstLink};
 use aim_codegen::{AngleRange, Frame, JointSpec, NaturalSpec, RigSpec};
-use aim_runtime::{Axes, Description, Effector, GazeSharing, JointInfo, Rig};
+use aim_runtime::{Axes, Budget, Budgets, Description, Effector, GazeSharing, JointInfo, Rig};
 
 use crate::tape::Tape;
 
@@ -17,6 +17,7 @@ pub struct InterpretedRig {
     infos: Vec<JointInfo>,
     effector: Effector,
     sharing: GazeSharing,
+    budgets: Budgets,
 }
 
 /// The kernels of [`Rig`].
@@ -55,6 +56,7 @@ impl InterpretedRig {
             infos: spec.joints.iter().map(joint_info).collect(),
             effector: Effector { forward: single(spec.effector.frame.forward), origin: single(spec.effector.origin) },
             sharing: spec.natural.as_ref().map_or(GazeSharing::HUMAN, sharing),
+            budgets: spec.region.as_ref().map_or(Budgets::HUMAN, budgets),
         }
     }
 
@@ -117,9 +119,20 @@ fn sharing(spec: &NaturalSpec) -> GazeSharing {
         .with_delay(spec.delay as f32)
 }
 
+#[expect(clippy::cast_possible_truncation, reason = "declared numbers are stored in f32")]
+fn budgets(spec: &aim_codegen::Budgets) -> Budgets {
+    let budget = |budget: &aim_codegen::Budget| Budget {
+        heading: budget.heading.map(|end| end as f32),
+        pitch: budget.pitch.map(|end| end as f32),
+        rate: budget.rate as f32,
+        acceleration: budget.acceleration as f32,
+    };
+    Budgets { head: budget(&spec.head), chest: budget(&spec.chest) }
+}
+
 impl Rig for InterpretedRig {
     fn description(&self) -> Description<'_> {
-        Description::new(&self.infos).with_effector(self.effector).with_sharing(self.sharing)
+        Description::new(&self.infos).with_effector(self.effector).with_sharing(self.sharing).with_budgets(self.budgets)
     }
 
     fn joint_name(&self, joint: usize) -> Option<&str> {

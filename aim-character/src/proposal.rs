@@ -114,6 +114,7 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
             joints: Vec::new(),
             effector: effector(bones[0]),
             natural: None,
+            region: None,
             kernels: Vec::new(),
         },
         reasons: Vec::new(),

@@ -201,7 +201,7 @@ type Choices<T> = [(T, &'static str, &'static str)];
 
 /// The solvers, and all of them side by side; their words are also those of reports.
 pub(crate) const SOLVERS: &Choices<&[Solver]> = &[
-    (&[Solver::Natural], "natural", "Eyes leap, head and spine follow with inertia, and the eyes return"),
+    (&[Solver::Natural], "natural", "Eyes leap, head and spine follow smoothly, and the eyes return"),
     (&[Solver::Exact], "exact", "All joints at once, with the least displacement that meets the target"),
     (&[Solver::Ascent], "ascent", "The paper's steepest ascent, joint by joint from the eye inward"),
     (&[Solver::Natural, Solver::Exact, Solver::Ascent], "all", "All three, side by side"),
@@ -223,7 +223,7 @@ fn one_of<T: Copy + Send + Sync>(all: &'static Choices<T>) -> impl TypedValuePar
 /// Options of every command that aims.
 #[derive(Clone, Copy, Debug, Args)]
 pub(crate) struct Aiming {
-    /// The solver; natural where the rig's first joint is an eye, else exact.
+    /// The solver; natural where any joint of the rig has a role, else exact.
     #[arg(long, value_parser = one_of(&SOLVERS[..3]))]
     pub(crate) solver: Option<&'static [Solver]>,
     /// Aim the other eye at the target, too; else it turns as the first one does.
@@ -335,7 +335,7 @@ pub(crate) struct View {
     /// The clip to play; the first if not given.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Option<String>,
-    /// The solver, or all of them side by side; natural where the rig's first joint is an eye, else exact.
+    /// The solver, or all of them side by side; natural where any joint of the rig has a role, else exact.
     #[arg(long, value_parser = one_of(SOLVERS))]
     pub(crate) solver: Option<&'static [Solver]>,
     /// How the target moves.

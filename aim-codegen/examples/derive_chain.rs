@@ -44,6 +44,7 @@ fn rig(joints: usize) -> RigSpec {
         joints: (0..joints).map(joint).collect(),
         effector: EffectorSpec { frame, origin: [0.0; 3] },
         natural: None,
+        region: None,
         kernels: Vec::new(),
     }
 }

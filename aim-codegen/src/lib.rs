@@ -20,7 +20,7 @@ pub use aim_model::{Angles, LimitsFrom, RangeOfMotion, Role};
 pub use differentiate::differentiate;
 pub use names::snake_case;
 pub use objective::{Kernel, Objective, kernels};
-pub use spec::{AngleRange, EffectorSpec, Frame, JointSpec, NaturalSpec, RigSpec};
+pub use spec::{AngleRange, Budget, Budgets, EffectorSpec, Frame, JointSpec, NaturalSpec, RigSpec};
 
 /// What `#[derive(AimRig)]` expands to: the implementation, or every error of the declaration.
 pub fn derive(input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {

@@ -1,6 +1,8 @@
 //! [`RigSpec`]: a declaration that has passed every check. All that follows (deriving, emitting) cannot fail.
 
-use aim_model::{Angles, Axes, GazeSharing, LimitsFrom, RangeOfMotion, Role};
+use aim_model::{
+    Angles, Axes, Budget as ModelBudget, Budgets as ModelBudgets, GazeSharing, LimitsFrom, RangeOfMotion, Role,
+};
 
 /// A checked rig. Angles in radians, vectors unit and square to each other.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +15,8 @@ pub struct RigSpec {
     pub effector: EffectorSpec,
     /// How a natural gaze is shared, or `None` to leave it to the runtime.
     pub natural: Option<NaturalSpec>,
+    /// What the parts of the body can do in a natural gaze, or `None` to leave it to the runtime: a human's.
+    pub region: Option<Budgets>,
     /// The kernels that are wanted as functions of the rig, by the names of their objectives.
     pub kernels: Vec<&'static str>,
 }
@@ -63,6 +67,12 @@ pub struct EffectorSpec {
 
 /// How a natural gaze is shared between the eyes and the joints that support them.
 pub type NaturalSpec = GazeSharing<f64>;
+
+/// What the joints of one part of the body do together at most.
+pub type Budget = ModelBudget<f64>;
+
+/// The budgets of the parts of a body.
+pub type Budgets = ModelBudgets<f64>;
 
 /// An angle's range around 0.
 #[derive(Clone, Copy, Debug, PartialEq)]

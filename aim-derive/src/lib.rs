@@ -5,8 +5,8 @@ use proc_macro::TokenStream;
 /// Derives a rig: `Rig`, with kernels for exactly the declared axes, and `AimRig`.
 ///
 /// On the struct, `#[aim(axes(up = +X, forward = +Y, left = +Z), handedness = right, effector(forward = +Y,
-/// origin = (0.0, 0.1, 0.0)), natural(…), crate = ::aim)]`; two of the three axes are enough. On each field, from the eye inward,
-/// `#[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]` with at least one of the angles and the
+/// origin = (0.0, 0.1, 0.0)), natural(…), region = human, crate = ::aim)]`; two of the three axes are enough. On each field,
+/// from the eye inward, `#[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]` with at least one of the angles and the
 /// rate, the largest speed of each angle. A joint may also have:
 ///
 /// | setting | meaning |
@@ -31,8 +31,15 @@ use proc_macro::TokenStream;
 /// than `engage` from their middle, rests again nearer than `release`, and begins `delay` seconds after the eyes.
 ///
 /// The part a joint has in the gaze is its `role`; names tell nothing. Neck and head turn about the character's up unless
-/// `upright` says otherwise, and a rig whose first joint is an eye is aimed by the natural solver unless a call asks for
+/// `upright` says otherwise, and a rig with a joint that has a role is aimed by the natural solver unless a call asks for
 /// another.
+///
+/// # What the body can do
+///
+/// `region = human` (the default), `quadruped`, `bird` or `toon` says what the parts of the body can do together in the natural
+/// solver, the animation's own turn included; `region(like = bird, head(heading = -130deg..=130deg, pitch = -70deg..=70deg,
+/// rate = 400deg, acceleration = 4000deg), chest(…))` says it in numbers, and what is left out is as of `like`. The head is
+/// the joints with the roles `head` and `neck`, the chest those with the role `chest`.
 ///
 /// # A pose by name, and further kernels
 ///

@@ -18,7 +18,7 @@ mod role;
 
 pub use axes::Axes;
 pub use float::Float;
-pub use gaze::GazeSharing;
+pub use gaze::{Budget, Budgets, GazeSharing};
 #[cfg(feature = "names")]
 pub use names::{BodyPart, BoneName, Side};
 pub use range::{Angles, Interval, LimitsFrom, RangeOfMotion, Taper};

@@ -101,6 +101,12 @@ impl<T: Float> Interval<T> {
 
     /// From `lo` to `hi`; their middle where they are inverted, rest where that is undefined.
     #[inline]
+    #[must_use]
+    pub fn from_ends(lo: T, hi: T) -> Self {
+        Self::between(lo, hi)
+    }
+
+    #[inline]
     fn between(lo: T, hi: T) -> Self {
         if lo <= hi {
             Self { lo, hi }

@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-/// What a joint is in a gaze, as declared. It decides what is left to the solver: whether a rig has eyes, which headings
-/// turn about the character's up, how quickly a supporting joint takes up speed.
+/// What a joint is in a gaze, as declared. It decides what is left to the solver: whether the gaze is a natural
+/// one, which part of the body a joint belongs to, which headings turn about the character's up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Role {
     /// None in particular.
@@ -39,12 +39,6 @@ impl Role {
     #[must_use]
     pub const fn is_upright(self) -> bool {
         matches!(self, Self::Head | Self::Neck)
-    }
-
-    /// Whether a rig whose first joint has this role is aimed by the natural solver, where a call does not say.
-    #[must_use]
-    pub const fn leads_naturally(self) -> bool {
-        matches!(self, Self::Eye)
     }
 }
 

@@ -48,6 +48,10 @@ pub use target::blend::Target;
 #[cfg(feature = "wide")]
 pub use wide;
 
+/// What the joints of one part of the body do together at most. See [`aim_model::Budget`].
+pub type Budget = aim_model::Budget<f32>;
+/// The budgets of the parts of a body, per rig by [`Description::with_budgets`]. See [`aim_model::Budgets`].
+pub type Budgets = aim_model::Budgets<f32>;
 /// How a natural gaze is shared between the eyes and the joints that support them, per rig by
 /// [`Description::sharing`], per call by [`Settings::sharing`]. See [`aim_model::GazeSharing`].
 pub type GazeSharing = aim_model::GazeSharing<f32>;

@@ -79,9 +79,9 @@ pub(crate) struct Tuning {
 impl Tuning {
     fn new(character: &Character) -> Self {
         let spec = character.spec().clone();
-        let has_eyes = spec.joints[0].role.leads_naturally();
+        let has_roles = spec.joints.iter().any(|joint| joint.role != Role::None);
         Self {
-            lineup: Lineup::One(if has_eyes { Solver::Natural } else { Solver::Exact }),
+            lineup: Lineup::One(if has_roles { Solver::Natural } else { Solver::Exact }),
             settings: Settings::default(),
             both_eyes: character.chain.other_eye.is_some(),
             as_published: false,

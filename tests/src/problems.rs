@@ -72,6 +72,7 @@ fn rig(frames: &[Frame], effector: Frame) -> RigSpec {
         joints,
         effector: EffectorSpec { frame: effector, origin: [0.0; 3] },
         natural: None,
+        region: None,
         kernels: Vec::new(),
     }
 }

@@ -30,6 +30,7 @@ pub fn rigs() -> Vec<RigSpec> {
                 joints,
                 effector: EffectorSpec { frame, origin: [0.0; 3] },
                 natural: None,
+                region: None,
                 kernels: Vec::new(),
             }
         })

@@ -2,7 +2,9 @@
 
 use aim_character::{Proposal, declaration, propose};
 use aim_codegen::declare::{from_derive_input, from_toml};
-use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, LimitsFrom, NaturalSpec, RigSpec, Role};
+use aim_codegen::{
+    AngleRange, Budget, Budgets, EffectorSpec, Frame, JointSpec, LimitsFrom, NaturalSpec, RigSpec, Role,
+};
 use aim_gltf::{Document, Measurement, mannequin};
 
 use crate::RIGS;
@@ -122,7 +124,16 @@ fn any_rig(random: &mut fastrand::Rng) -> RigSpec {
         release: random.f64(),
         delay: random.f64(),
     });
-    RigSpec { name: "Anything".into(), joints, effector, natural, kernels: Vec::new() }
+    let region = random.bool().then(|| {
+        let mut budget = || Budget {
+            heading: [-random.f64() - 0.1, random.f64() + 0.1],
+            pitch: [-random.f64() - 0.1, random.f64() + 0.1],
+            rate: random.f64() * 9.0 + 1e-3,
+            acceleration: random.f64() * 40.0 + 1e-3,
+        };
+        Budgets { head: budget(), chest: budget() }
+    });
+    RigSpec { name: "Anything".into(), joints, effector, natural, region, kernels: Vec::new() }
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use aim_codegen::{AngleRange, RigSpec};
 use aim_gltf::{Baked, ChainNodes, Document, Measurement, PAPER_AXES, Plan, Settle, bake, mannequin};
-use aim_runtime::{DynAim, Settings};
+use aim_runtime::{DynAim, Settings, Solver};
 use glam::DVec3;
 use scraper::{Html, Selector};
 
@@ -61,7 +61,8 @@ impl Case {
             fps: 30.0,
             settle: Settle::Animation,
             looped: false,
-            settings: Settings::default(),
+            // Joints that go at their rates, and to their limits.
+            settings: Settings::default().with_solver(Solver::Exact),
         };
         let target = |t: f32, _: &[_]| DVec3::new(2.0 * f64::from(t).sin(), 1.7, 2.0 * f64::from(t).cos());
         let baked = bake(&mut DynAim::new(InterpretedRig::new(&spec)), &plan, target, |_, _| {}).expect("a clip");

@@ -68,6 +68,7 @@ impl JointPlot {
             joints: vec![joint.clone()],
             effector,
             natural: None,
+            region: None,
             kernels: Vec::new(),
         };
         let solvers =

@@ -148,6 +148,11 @@ fn the_solver_is_the_one_asked_for_else_the_one_that_suits_the_rig() {
     let at = eyeless.find("[[joint]]").expect("a joint");
     let neck = at + 1 + eyeless[at + 1..].find("[[joint]]").expect("a second joint");
     place.write("m.toml", &format!("{}{}", &eyeless[..at], &eyeless[neck..]));
+    assert_eq!(bake(&place, &format!("{ASIDE} --seconds 0.2"))["solver"], "natural");
+    let without_roles = eyeless.lines().filter(|line| !line.starts_with("role")).collect::<Vec<_>>().join("\n");
+    let first = without_roles.find("[[joint]]").expect("a joint");
+    let next = first + 1 + without_roles[first + 1..].find("[[joint]]").expect("a second joint");
+    place.write("m.toml", &format!("{}{}", &without_roles[..first], &without_roles[next..]));
     assert_eq!(bake(&place, &format!("{ASIDE} --seconds 0.2"))["solver"], "exact");
     place.refused(
         &format!("bake m.glb --rig m.toml {ASIDE} --out out2.glb --solver newton"),

@@ -9,7 +9,7 @@ use quote::{format_ident, quote};
 use super::Rig;
 use super::body::local;
 use super::rust_kernels::{self, trait_kernels};
-use crate::{AngleRange, JointSpec, NaturalSpec, RigSpec};
+use crate::{AngleRange, Budget, Budgets, JointSpec, NaturalSpec, RigSpec};
 use aim_model::{LimitsFrom, Role};
 
 /// The names that emitted code stands among.
@@ -190,11 +190,13 @@ pub(super) fn conversions(item: &Item) -> TokenStream {
 fn description(spec: &RigSpec, private: &TokenStream) -> TokenStream {
     let infos = spec.joints.iter().map(|joint| joint_info(joint, private));
     let natural = spec.natural.as_ref().map(|spec| natural(spec, private));
+    let region = spec.region.as_ref().map(|budgets| region(budgets, private));
     let [forward, origin] = [spec.effector.frame.forward, spec.effector.origin].map(vector);
     quote! {
         const DESCRIPTION: &'static #private::Description<'static> = &#private::Description::new(&[#(#infos),*])
             .with_effector(#private::Effector { forward: #forward, origin: #origin })
-            #natural;
+            #natural
+            #region;
     }
 }
 
@@ -284,6 +286,21 @@ fn natural(natural: &NaturalSpec, private: &TokenStream) -> TokenStream {
                 .with_delay(#delay)
         )
     }
+}
+
+/// The declared budgets of the parts of the body, on a description.
+fn region(budgets: &Budgets, private: &TokenStream) -> TokenStream {
+    let budget = |budget: &Budget| {
+        let [[right, left], [down, up]] = [budget.heading, budget.pitch].map(|ends| ends.map(float));
+        let (rate, acceleration) = (float(budget.rate), float(budget.acceleration));
+        quote! {
+            #private::Budget {
+                heading: [#right, #left], pitch: [#down, #up], rate: #rate, acceleration: #acceleration
+            }
+        }
+    };
+    let (head, chest) = (budget(&budgets.head), budget(&budgets.chest));
+    quote!(.with_budgets(#private::Budgets { head: #head, chest: #chest }))
 }
 
 fn vector(components: [f64; 3]) -> TokenStream {

@@ -27,6 +27,7 @@ pub(crate) fn rig(joints: usize, frame: Frame) -> RigSpec {
         joints: (0..joints).map(|i| joint(format!("joint{i}"), frame)).collect(),
         effector: EffectorSpec { frame, origin: [0.0; 3] },
         natural: None,
+        region: None,
         kernels: Vec::new(),
     }
 }

@@ -5,7 +5,7 @@ use core::ops::Range;
 
 use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec3Swizzles};
 
-use crate::kinematics::rotation::{correction, is_identity};
+use crate::kinematics::rotation::{correction, is_identity, joint_turn, tilted};
 use crate::rig::{ChainRig, PerJoint, PoseSlices};
 use crate::{Axes, Description, Effector, Joint, JointInfo, Scalar, math};
 
@@ -71,6 +71,8 @@ pub(crate) struct Chain<const C: usize> {
     pub(crate) links: PerJoint<Affine3A, C>,
     /// How each joint's upright frame stands in its bone.
     pub(crate) tilts: PerJoint<Quat, C>,
+    /// The joints' upright rigid frames in solver space, as the animation has them.
+    pub(crate) upright: PerJoint<Mat3A, C>,
     /// The last joint's upright rigid frame in solver space; its origin is the space's.
     pub(crate) base: Affine3A,
     /// Pose space to solver space.
@@ -150,7 +152,8 @@ impl<const C: usize> Chain<C> {
             if is_identity(tilt) { effector.direction } else { math::turned(tilt.conjugate(), effector.direction) };
         let animated =
             Ray { origin: (pose[first].translation - origin + offset) * per_size, direction: frames[first] * upright };
-        let mut chain = Self { first, count, effector, animated, local, links, tilts, base, origin, per_size };
+        let mut chain =
+            Self { first, count, effector, animated, local, links, tilts, upright: frames, base, origin, per_size };
         if !rigid {
             chain.animated = (first..count).fold(effector, |ray, index| chain.outward(index, ray));
             // A direction of no length (or of none after a flat scale) aims nowhere.
@@ -235,15 +238,36 @@ impl<const C: usize> Chain<C> {
     /// The joints' corrections: the rotations that they add in their bones' own spaces.
     pub(crate) fn corrections(&self, rig: &ChainRig<'_, C>, joints: &[Joint]) -> PerJoint<Quat, C> {
         let mut corrections = self.tilts;
-        for ((correction_, joint), info) in corrections.iter_mut().zip(joints).zip(rig.joints) {
-            *correction_ = correction(info, joint, *correction_);
-        }
+        corrections_of(rig, joints, &mut corrections);
         corrections
     }
 
     /// The effector in solver space with the joints at these angles: the true forward kinematics.
     pub(crate) fn gaze_of(&self, rig: &ChainRig<'_, C>, joints: &[Joint]) -> Ray {
-        self.gaze(&self.corrections(rig, joints))
+        self.posed(rig, joints).0
+    }
+
+    /// The same, with the joints' corrections.
+    pub(crate) fn posed(&self, rig: &ChainRig<'_, C>, joints: &[Joint]) -> (Ray, PerJoint<Quat, C>) {
+        if !self.is_rigid() {
+            let corrections = self.corrections(rig, joints);
+            return (self.gaze(&corrections), corrections);
+        }
+        // Links stand between upright frames: a tilt is only for what a joint adds in its bone.
+        let mut corrections = self.tilts;
+        let own = self.tilts[self.first];
+        let mut ray = if is_identity(own) { self.effector } else { self.effector.turned(own.conjugate()) };
+        for (index, (tilt, (joint, info))) in corrections.iter_mut().zip(joints.iter().zip(rig.joints)).enumerate() {
+            let turn = joint_turn(info, joint);
+            *tilt = tilted(turn, *tilt);
+            if index >= self.first {
+                let direction = math::turned(turn, ray.direction);
+                // Joint 0's effector is mostly its own origin.
+                let origin = if ray.origin == Vec3A::ZERO { ray.origin } else { math::turned(turn, ray.origin) };
+                ray = Ray { origin, direction }.through(self.links.get(index + 1).unwrap_or(&self.base));
+            }
+        }
+        (ray, corrections)
     }
 
     /// The effector in solver space as the animation has it.
@@ -284,6 +308,13 @@ fn orthogonal_frames(pose: &[Affine3A], first: usize, frames: &mut [Mat3A]) -> O
         }
     }
     Some(rigid)
+}
+
+/// Turns how each joint's upright frame stands in its bone into what the joint adds in its bone's own space.
+pub(crate) fn corrections_of<const C: usize>(rig: &ChainRig<'_, C>, joints: &[Joint], tilts: &mut [Quat]) {
+    for ((tilt, joint), info) in tilts.iter_mut().zip(joints).zip(rig.joints) {
+        *tilt = correction(info, joint, *tilt);
+    }
 }
 
 /// How each joint's upright frame stands in its bone; not at all where a joint does not span space.

@@ -1,5 +1,6 @@
 //! Where the joints are and what the effector sees: rotations, the pose made ready, forward kinematics.
 
+pub(crate) mod bearing;
 pub(crate) mod chain;
 pub(crate) mod rotation;
 pub(crate) mod view;

@@ -73,6 +73,13 @@ pub(crate) fn direction(v: Vec3A) -> Option<Vec3A> {
     }
 }
 
+/// The same of a vector of solver space, where nothing is so long or short that its square would not do.
+#[inline(always)]
+pub(crate) fn unit(v: Vec3A) -> Option<Vec3A> {
+    let square = v.dot(v);
+    (square > 1e-30 && square < f32::INFINITY).then(|| v * (1.0 / sqrt(square)))
+}
+
 /// The cross product, each product rounded by itself: glam's own is fused where the machine can do that, and then has
 /// other bits.
 #[inline(always)]

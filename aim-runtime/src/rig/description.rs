@@ -4,7 +4,7 @@ use glam::{Mat3A, Vec3A, Vec4};
 
 use super::JointInfo;
 use crate::limits::reach::AT_LIMIT_RAD;
-use crate::{Axes, GazeSharing, Role, Solver, math};
+use crate::{Axes, Budgets, GazeSharing, Role, Solver, math};
 
 /// The number of joints whose angles a description has in [`Lanes`].
 pub(crate) const LANE_JOINTS: usize = 8;
@@ -15,6 +15,7 @@ pub struct Description<'a> {
     pub(crate) joints: &'a [JointInfo],
     pub(crate) effector: Effector,
     pub(crate) sharing: GazeSharing,
+    pub(crate) budgets: Budgets,
     pub(crate) least_stiffness: f32,
     /// The number of declared angles.
     pub(crate) angles: usize,
@@ -45,6 +46,7 @@ impl<'a> Description<'a> {
             None => Effector { forward: [0.0, 0.0, 1.0], origin },
         };
         let (mut least_stiffness, mut angles, mut has_upright, mut has_fixed_ranges) = (f32::INFINITY, 0, false, true);
+        let mut default_solver = Solver::Exact;
         let mut index = 0;
         while index < joints.len() {
             let joint = &joints[index];
@@ -52,14 +54,13 @@ impl<'a> Description<'a> {
             angles += joint.pitch.is_some() as usize + joint.heading.is_some() as usize;
             has_upright |= joint.is_upright();
             has_fixed_ranges &= joint.has_fixed_ranges();
+            if !matches!(joint.role, Role::None) {
+                default_solver = Solver::Natural;
+            }
             index += 1;
         }
         let sharing = GazeSharing::HUMAN;
         let (has_origin, aims_forward) = (false, true);
-        let default_solver = match joints.first() {
-            Some(JointInfo { role: Role::Eye, .. }) => Solver::Natural,
-            _ => Solver::Exact,
-        };
         let mut lanes = [Lanes::new(joints, 0, least_stiffness); LANE_JOINTS / 2];
         let mut k = 1;
         while k < lanes.len() {
@@ -70,6 +71,7 @@ impl<'a> Description<'a> {
             joints,
             effector,
             sharing,
+            budgets: Budgets::HUMAN,
             least_stiffness,
             angles,
             has_upright,
@@ -105,6 +107,13 @@ impl<'a> Description<'a> {
         self
     }
 
+    /// With these budgets of the parts of the body, for the [natural](Solver::Natural) solver. A human's by default.
+    #[must_use]
+    pub const fn with_budgets(mut self, budgets: Budgets) -> Self {
+        self.budgets = budgets;
+        self
+    }
+
     /// The joints, from the effector inward.
     #[must_use]
     pub const fn joints(&self) -> &'a [JointInfo] {
@@ -123,8 +132,14 @@ impl<'a> Description<'a> {
         &self.sharing
     }
 
+    /// What the parts of the body can do in a natural gaze.
+    #[must_use]
+    pub const fn budgets(&self) -> &Budgets {
+        &self.budgets
+    }
+
     /// The solver that moves the joints where [`Settings::solver`](crate::Settings::solver) leaves it open:
-    /// [`Natural`](Solver::Natural) for a rig whose joint 0 is an eye, else [`Exact`](Solver::Exact).
+    /// [`Natural`](Solver::Natural) for a rig with a joint that has a role, else [`Exact`](Solver::Exact).
     #[must_use]
     pub const fn default_solver(&self) -> Solver {
         self.default_solver

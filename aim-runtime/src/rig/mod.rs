@@ -23,7 +23,7 @@ pub use pose::Pose;
 pub(crate) use pose::PoseSlices;
 pub use settings::{Ascent, Behind, Settings, Solver};
 pub use state::{Joint, Memory, State};
-pub(crate) use state::{Side, StateSlices, Support};
+pub(crate) use state::{Led, Side, StateSlices, Support};
 
 /// An immutable rig: its description and the kernels derived for it. One serves any number of characters.
 ///

@@ -24,8 +24,8 @@ pub struct Settings {
     /// origin. Joints nearer the effector than `k` return to rest at their rates. An index past the last joint means
     /// the last. Default 0.
     pub effector: usize,
-    /// Which solver moves the joints; `None` is [`Solver::Natural`] for a rig with eyes, else [`Solver::Exact`].
-    /// Default `None`.
+    /// Which solver moves the joints; `None` is [`Solver::Natural`] for a rig with a joint that has a role, else
+    /// [`Solver::Exact`]. Default `None`.
     pub solver: Option<Solver>,
     /// What becomes of a target behind the character. Default [`Behind::Clip`].
     pub behind: Behind,

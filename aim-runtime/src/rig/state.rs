@@ -188,7 +188,7 @@ impl Memory {
         searched: [0; 3],
         turn: 0,
         caution: 0,
-        support: Support::Rests,
+        support: Support::None,
         side: Side::Unseen,
         behind: false,
     };
@@ -214,23 +214,62 @@ impl Memory {
         Vec3A::from_array(self.searched.map(|bits| f32::from_bits(u32::from(bits) << 16)))
     }
 
+    /// What a natural gaze remembers of the head's goal, in the place of what a search remembers of its target.
+    pub(crate) fn led(&self) -> Led {
+        let [goal_0, goal_1, speed_0] = self.target;
+        let [a, b, c] = self.searched.map(u32::from);
+        let change = [a << 16 | b, c << 16 | u32::from(self.turn)].map(f32::from_bits);
+        Led { goal: [goal_0, goal_1], speed: [speed_0, self.still_s], change, tired: self.strain }
+    }
+
+    pub(crate) fn set_led(&mut self, Led { goal, speed, change, tired }: Led) {
+        self.strain = tired;
+        let [a, b] = change.map(f32::to_bits);
+        (self.target, self.still_s) = ([goal[0], goal[1], speed[0]], speed[1]);
+        self.searched = [(a >> 16) as u16, (a & 0xffff) as u16, (b >> 16) as u16];
+        self.turn = (b & 0xffff) as u16;
+    }
+
+    /// Whether the last natural gaze took corrections of what heading and elevation alone leave, in the place of what a search
+    /// remembers of its steps.
+    pub(crate) fn in_rounds(&self) -> bool {
+        self.caution > 0
+    }
+
+    pub(crate) fn set_in_rounds(&mut self, in_rounds: bool) {
+        self.caution = in_rounds.into();
+    }
+
     pub(crate) fn set_searched(&mut self, target: Vec3A) {
         let upper_half = |x: f32| (x.to_bits() >> 16) as u16;
         self.searched = target.to_array().map(upper_half);
     }
 }
 
+/// The goal of a head, as it was in the last frame of a natural gaze: the sums of its joints' headings and pitches.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Led {
+    /// Where it was, radians.
+    pub(crate) goal: [f32; 2],
+    /// The speed that the head has with it, rad/s.
+    pub(crate) speed: [f32; 2],
+    /// Its own speed in that frame, a leap's included, rad/s.
+    pub(crate) change: [f32; 2],
+    /// How tired it is of leaps to and fro, 0…1.5.
+    pub(crate) tired: f32,
+}
+
 /// The activity of the joints that support a natural gaze.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Support {
+    /// The last frame was not that of a natural gaze.
+    None,
     /// They rest where they were bound for: the eye moves alone.
     Rests,
     /// They set out in [`Memory::wait_s`] seconds.
     Waits,
     /// They follow their share of the gaze shift.
     Shares,
-    /// They do more than their share, or other than it, for an eye that cannot do the rest.
-    Helps,
 }
 
 /// The side that a target was last seen on.

@@ -59,8 +59,7 @@ pub(crate) fn view(axes: &Axes, direction: Vec3A) -> [f32; 3] {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Solved<const C: usize> {
     pub(crate) outcome: Outcome,
-    /// How each joint's upright frame stands in its bone.
-    pub(crate) tilts: PerJoint<Quat, C>,
+    pub(crate) corrections: PerJoint<Quat, C>,
     /// What the outcome is measured against and what was aimed at, in the pose's space.
     pub(crate) wanted_ps: Vec3A,
     pub(crate) aimed_ps: Vec3A,
@@ -195,8 +194,10 @@ impl<'a, const C: usize> Eyes<'a, C> {
         }
         joints[0] = with_angles(&lead, angles[0]);
         memory.set_eyes(Some([angles[1], lead.angles()]));
-        let outcome = self.outcome(call, joints, &with_angles(&lead, angles[1]), &lead, &solved)?;
-        Some(Solved { outcome, ..solved })
+        let mut corrections = solved.corrections;
+        corrections[0] = correction(&self.rig.joints[0], &joints[0], self.tilts[0]);
+        let outcome = self.outcome(call, joints, &with_angles(&lead, angles[1]), &lead, &solved, corrections[0])?;
+        Some(Solved { outcome, corrections, ..solved })
     }
 
     /// Whether a joint further in is aimed, so that the eyes rest.
@@ -332,6 +333,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         other: &Joint,
         lead: &Joint,
         solved: &Solved<C>,
+        own_turn: Quat,
     ) -> Option<Outcome> {
         let infos = self.rig.joints;
         let forward = Vec3A::from(infos[0].axes.forward);
@@ -351,7 +353,6 @@ impl<'a, const C: usize> Eyes<'a, C> {
         if !self.leads || self.is_supported(call) {
             return Some(outcome);
         }
-        let own_turn = correction(&infos[0], &joints[0], self.tilts[0]);
         let remaining = self.remaining(joints, 0, forward, own_turn, solved.wanted_ps)?;
         let other_eye_remaining = other_eye_remaining?;
         let within_reach = || match solved.outcome.status {

@@ -26,14 +26,14 @@ use self::eyes::{Eyes, Solved};
 use self::frame::Frame;
 use self::judge::{Verdict, degenerate};
 use self::natural::Gaze;
-use crate::kinematics::chain::{Chain, tilts};
-use crate::kinematics::rotation::correction;
+use crate::kinematics::bearing::Bearings;
+use crate::kinematics::chain::{Chain, corrections_of, tilts};
 use crate::limits::RangeOfMotion;
 use crate::limits::motion::{motions, wrap};
 use crate::limits::reach::Reach;
-use crate::rig::{ChainRig, Memory, PoseSlices, StateSlices, Support};
+use crate::rig::{ChainRig, Led, Memory, PoseSlices, StateSlices, Support};
 use crate::target::goal::{Course, Goal};
-use crate::{Description, Joint, Outcome, Rig, Settings, Solver};
+use crate::{Description, Joint, Outcome, Rig, Role, Settings, Solver};
 
 /// Serves a frame that needs no search, if it is one: moves `state` and writes the joints' corrections. Else `None`, with
 /// nothing changed.
@@ -47,7 +47,15 @@ pub(crate) fn follow<K: Rig + ?Sized>(
     corrections: &mut [Quat],
 ) -> Option<Outcome> {
     let solver = call.settings.solver.unwrap_or(rig.default_solver());
-    if !call.dt.is_some_and(|dt| dt > 0.0) || pose.other_eye.is_some() || solver == Solver::Ascent {
+    if !call.dt.is_some_and(|dt| dt > 0.0)
+        || pose.other_eye.is_some()
+        || solver == Solver::Ascent
+        || state.memory.support != Support::None
+    {
+        return None;
+    }
+    let is_led = solver == Solver::Natural && !matches!(rig.joints.first()?.role, Role::Eye | Role::None);
+    if is_led {
         return None;
     }
     if let Some(outcome) = single::aim(rig, state, pose, call, corrections) {
@@ -82,25 +90,23 @@ pub(crate) fn solve<const C: usize>(
             solve_chain(pose, &motions, &mut joints, &mut memory)
         }
     };
-    let (outcome, tilts) = match solved {
+    match solved {
         Some(solved) => {
             if call.dt != Some(0.0) {
                 state.joints.copy_from_slice(&joints);
                 *state.memory = memory;
             }
-            (solved.outcome, solved.tilts)
+            corrections.copy_from_slice(&solved.corrections);
+            solved.outcome
         }
         None => {
             let eyes = pose.other_eye.and_then(|other_eye| Eyes::new(rig, pose, other_eye, &motions, about));
             let held = eyes.and_then(|eyes| Some(eyes.correction(&state.memory.other_eye()?)));
-            let outcome = Outcome { other_eye_correction: held, ..degenerate(rig, &motions, state.joints) };
-            (outcome, tilts(rig, pose.joints, about))
+            corrections.copy_from_slice(&tilts(rig, pose.joints, about));
+            corrections_of(rig, state.joints, corrections);
+            Outcome { other_eye_correction: held, ..degenerate(rig, &motions, state.joints) }
         }
-    };
-    for (((to, joint), info), tilt) in corrections.iter_mut().zip(&*state.joints).zip(rig.joints).zip(&*tilts) {
-        *to = correction(info, joint, *tilt);
     }
-    outcome
 }
 
 /// The solver that moves the joints.
@@ -108,9 +114,25 @@ fn solver<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) -> Solver 
     settings.solver.unwrap_or(rig.default_solver())
 }
 
-/// Whether joint 0 leads others as an eye does; aimed alone, or left out, it needs no coordination.
-fn is_natural<const C: usize>(chain: &Chain<C>, solver: Solver) -> bool {
-    chain.first == 0 && chain.count > 1 && solver == Solver::Natural
+/// The bearings of a natural gaze. An eye without support, or a joint without a role, moves by the exact solver.
+fn bearings<const C: usize>(
+    rig: &ChainRig<'_, C>,
+    chain: &Chain<C>,
+    pose: &PoseSlices<'_>,
+    solver: Solver,
+) -> Option<Bearings> {
+    let is_alone = chain.count == chain.first + 1 && matches!(rig.joints[chain.first].role, Role::Eye | Role::None);
+    (solver == Solver::Natural && !is_alone).then(|| Bearings::of_chain(rig, chain, upright_axis(pose, solver)))
+}
+
+/// Clears what joints remember of a natural gaze.
+fn forget_natural(joints: &mut [Joint], memory: &mut Memory) {
+    if memory.support != Support::None {
+        joints.iter_mut().for_each(|joint| joint.set_destination(None));
+        memory.set_led(Led::default());
+        memory.set_in_rounds(false);
+        memory.support = Support::None;
+    }
 }
 
 /// Moves `joints` by a frame of `dt` seconds; `None` where there is nothing to aim.
@@ -126,7 +148,8 @@ fn aim_joints<const C: usize>(
     let settings = call.settings;
     let solver = solver(rig, settings);
     let chain = Chain::new(rig, pose.joints, settings.effector, upright_axis(pose, solver))?;
-    let goal = goal(rig, &chain, pose, motions, call, memory)?;
+    let bearings = bearings(rig, &chain, pose, solver);
+    let goal = goal(rig, &chain, pose, motions, call, memory, bearings.as_ref())?;
     let frame = Frame::new(rig, &chain, motions, &goal, dt, settings.effective_tolerance(), joints);
 
     for (joint, reach) in joints.iter_mut().zip(&*frame.reaches) {
@@ -134,15 +157,17 @@ fn aim_joints<const C: usize>(
     }
     let mut within_reach = true;
     frame.go_to_rest(joints, 0..chain.first);
-    let is_natural = is_natural(&chain, solver);
-    match goal.course {
-        _ if is_natural => {
-            let gaze = Gaze::new(rig, &chain, motions, &goal, settings);
+    if bearings.is_none() {
+        forget_natural(joints, memory);
+    }
+    match (goal.course, bearings) {
+        (_, Some(bearings)) => {
+            let gaze = Gaze::new(rig, &chain, motions, &goal, settings, bearings);
             within_reach = gaze.aim(joints, memory, &frame.reaches, dt)?;
         }
-        Course::Rest => frame.go_to_rest(joints, chain.first..chain.count),
-        Course::Stay => {}
-        Course::Aim => {
+        (Course::Rest, None) => frame.go_to_rest(joints, chain.first..chain.count),
+        (Course::Stay, None) => {}
+        (Course::Aim, None) => {
             within_reach = match solver {
                 Solver::Ascent => ascent::advance(&frame, joints, dt, &settings.ascent)?,
                 Solver::Exact | Solver::Natural => exact::advance::advance(&frame, joints, dt, memory)?,
@@ -151,7 +176,7 @@ fn aim_joints<const C: usize>(
     }
     if dt == 0.0 {
         joints.copy_from_slice(&frame.start);
-    } else if !is_natural {
+    } else if bearings.is_none() {
         joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
     }
     finish(rig, &chain, motions, &goal, joints, memory, frame.tolerance, within_reach)
@@ -173,11 +198,12 @@ fn snap_joints<const C: usize>(
     // Nothing but the side is remembered: the result is to depend on the past as little as it can.
     let mut before = *memory;
     before.behind = false;
-    let goal = goal(rig, &chain, pose, motions, call, &before)?;
+    let bearings = bearings(rig, &chain, pose, solver);
+    let goal = goal(rig, &chain, pose, motions, call, &before, bearings.as_ref())?;
     // A target on the animated effector has no direction, whatever the joints could make of it.
     chain.animated_gaze().angle_to(goal.aimed)?;
     joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
-    memory.support = Support::Rests;
+    forget_natural(joints, memory);
 
     let mut from_here = rig.array(Joint::REST);
     from_here.copy_from_slice(joints);
@@ -189,8 +215,9 @@ fn snap_joints<const C: usize>(
     for (joint, motion) in joints.iter_mut().zip(motions) {
         *joint = Reach::range(motion).hold(joint);
     }
-    let snapped = is_natural(&chain, solver)
-        && Gaze::new(rig, &chain, motions, &goal, settings).snap(joints, memory) == Some(true);
+    let snapped = bearings.is_some_and(|bearings| {
+        Gaze::new(rig, &chain, motions, &goal, settings, bearings).snap(joints, memory) == Some(true)
+    });
     if goal.course == Course::Aim && !snapped {
         // The aim may be undefined at rest and yet defined here, or the reverse.
         let from_rest = settle_from_rest(rig, &chain, motions, &goal, joints, tolerance).unwrap_or(f32::INFINITY);
@@ -216,12 +243,14 @@ fn goal<const C: usize>(
     motions: &[RangeOfMotion],
     call: &Call<'_>,
     memory: &Memory,
+    bearings: Option<&Bearings>,
 ) -> Option<Goal> {
     let weight = call.settings.effective_weight();
     let goal = if weight == 0.0 {
         Goal::animation(chain, memory)
     } else {
-        Goal::new(rig, chain, motions, chain.to_solver(call.target_ps.into())?, call.settings, memory)
+        let target = chain.to_solver(call.target_ps.into())?;
+        Goal::new(rig, chain, motions, target, call.settings, memory, bearings)
     };
     Some(if pose.other_eye.is_some() && weight < 1.0 { goal.receding(chain, weight) } else { goal })
 }
@@ -242,9 +271,10 @@ fn finish<const C: usize>(
         wrap(motion, joint);
     }
     (memory.side, memory.behind) = (goal.side, goal.behind);
-    let remaining = chain.gaze_of(rig, joints).angle_to(goal.wanted)?;
+    let (gaze, corrections) = chain.posed(rig, joints);
+    let remaining = gaze.angle_to(goal.wanted)?;
     let verdict = Verdict { remaining, tolerance, behind: goal.behind, within_reach };
     let outcome = verdict.outcome(rig, motions, joints);
     let [wanted_ps, aimed_ps] = [goal.wanted, goal.aimed].map(|point| chain.to_pose(point));
-    Some(Solved { outcome, tilts: chain.tilts, wanted_ps, aimed_ps, course: goal.course, behind: goal.behind })
+    Some(Solved { outcome, corrections, wanted_ps, aimed_ps, course: goal.course, behind: goal.behind })
 }

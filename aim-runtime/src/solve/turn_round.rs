@@ -8,7 +8,6 @@ use core::f32::consts::PI;
 use super::exact::settle::{Search, search};
 use super::frame::Frame;
 use crate::Joint;
-use crate::rig::Memory;
 
 /// How much better the other way round has to aim before the joints turn back, radians.
 pub(crate) const TURN_BACK_RAD: f32 = 5.0 * PI / 180.0;
@@ -19,23 +18,6 @@ const PATIENCE_S: f32 = 0.5;
 /// How much better the other way round has to aim after this time without a change, radians.
 pub(crate) fn turn_back_margin(waited_s: f32) -> f32 {
     TURN_BACK_RAD + (WORTH_WHILE_RAD - TURN_BACK_RAD) * (waited_s / PATIENCE_S).min(1.0)
-}
-
-/// Counts for how long a target has been out of reach.
-pub(crate) fn count_blocked(memory: &mut Memory, reached: bool, dt: f32) {
-    memory.blocked_s = if reached { 0.0 } else { (memory.blocked_s + dt).min(PATIENCE_S) };
-}
-
-/// Whether to turn round from where the joints would come as near as `here` to where they would come as near as `there`,
-/// radians. Joints that have been blocked for long turn back for less, but only if that has been better all the time: a
-/// target that trembles behind would set them turning.
-pub(crate) fn is_worth_turning_back(memory: &mut Memory, there: f32, here: f32) -> bool {
-    let better = here - there;
-    if !(better > WORTH_WHILE_RAD) {
-        memory.blocked_s = 0.0;
-        return false;
-    }
-    better > turn_back_margin(memory.blocked_s)
 }
 
 impl<const C: usize> Frame<'_, C> {

@@ -30,40 +30,30 @@ pub(crate) struct Front {
     pub(crate) forward: Vec3A,
     pub(crate) left: Vec3A,
     pub(crate) up: Vec3A,
-    /// Whether targets behind are out of reach, so that the policy applies.
-    guarded: bool,
+    gaze: Vec3A,
 }
 
 impl Front {
     /// The front of a chain whose animated effector is `gaze`, in solver space.
-    pub(crate) fn new<const C: usize>(
-        rig: &ChainRig<'_, C>,
-        chain: &Chain<C>,
-        motions: &[RangeOfMotion],
-        gaze: Ray,
-    ) -> Self {
+    pub(crate) fn new<const C: usize>(rig: &ChainRig<'_, C>, chain: &Chain<C>, gaze: Ray) -> Self {
         let axes = &rig.joints[chain.count - 1].axes;
-        let axis = |axis: [f32; 3]| chain.base.transform_vector3a(Vec3A::from(axis));
-        let mut front = Self {
-            origin: gaze.origin,
-            forward: axis(axes.forward),
-            left: axis(axes.left),
-            up: axis(axes.up),
-            guarded: false,
-        };
+        let [forward, left, up] = [axes.forward, axes.left, axes.up].map(|axis| chain.base.matrix3 * Vec3A::from(axis));
+        Self { origin: gaze.origin, forward, left, up, gaze: gaze.direction }
+    }
 
+    /// Whether targets behind are out of reach of joints with these ranges, so that the policy applies.
+    fn is_guarded(&self, motions: &[RangeOfMotion]) -> bool {
         let [mut right_rad, mut left_rad, mut down_rad, mut up_rad] = [0.0_f32; 4];
-        for motion in &motions[chain.first..chain.count] {
+        for motion in motions {
             right_rad += motion.heading.lo();
             left_rad += motion.heading.hi();
             down_rad += motion.pitch.lo();
             up_rad += motion.pitch.hi();
         }
-        let gaze_rad = trig::atan2(gaze.direction.dot(front.left), gaze.direction.dot(front.forward));
+        let gaze_rad = trig::atan2(self.gaze.dot(self.left), self.gaze.dot(self.forward));
         let around = left_rad + gaze_rad >= BEHIND_RAD || right_rad + gaze_rad <= -BEHIND_RAD;
         let over = up_rad >= 0.5 * PI || down_rad <= -0.5 * PI;
-        front.guarded = !(around || over);
-        front
+        !(around || over)
     }
 
     /// A point as its distance and its unit direction along forward, left, up.
@@ -100,10 +90,10 @@ impl Front {
         }
     }
 
-    /// Whether `target` is behind, where the ranges do not reach; `before` is whether it was so far.
-    pub(crate) fn is_behind(&self, target: Vec3A, before: bool) -> bool {
+    /// Whether `target` is behind, where joints with these ranges do not reach; `before` is whether it was so far.
+    pub(crate) fn is_behind(&self, target: Vec3A, before: bool, motions: &[RangeOfMotion]) -> bool {
         let edge = if before { COS_STILL_BACK } else { COS_BACK };
-        self.guarded && self.look(target).is_some_and(|(_, [forward, ..])| forward < -edge)
+        self.look(target).is_some_and(|(_, [forward, ..])| forward < -edge) && self.is_guarded(motions)
     }
 
     /// `target` brought to the edge of the cone behind the character, at its own height; itself where it is not in the

@@ -2,6 +2,7 @@
 
 use glam::Vec3A;
 
+use crate::kinematics::bearing::Bearings;
 use crate::kinematics::chain::{Chain, Ray};
 use crate::limits::RangeOfMotion;
 use crate::math::trig;
@@ -36,7 +37,8 @@ pub(crate) enum Course {
 }
 
 impl Goal {
-    /// The goal for a target; `before` remembers where the target was seen.
+    /// The goal for a target; `before` remembers where the target was seen. A weight takes its part of the arc, or with
+    /// `bearings` of heading and elevation each.
     pub(crate) fn new<const C: usize>(
         rig: &ChainRig<'_, C>,
         chain: &Chain<C>,
@@ -44,14 +46,26 @@ impl Goal {
         target: Vec3A,
         settings: &Settings,
         before: &Memory,
+        bearings: Option<&Bearings>,
     ) -> Self {
         let gaze = chain.animated_gaze();
-        let front = Front::new(rig, chain, motions, gaze);
+        let front = Front::new(rig, chain, gaze);
         let side = front.side(target, before.side);
         let weight = settings.effective_weight();
-        let wanted =
-            if weight < 1.0 { part_way(|| front, gaze, front.on_side(target, side), weight, side) } else { target };
-        let behind = settings.behind != Behind::Off && front.is_behind(wanted, before.behind);
+        let wanted = match bearings {
+            _ if weight >= 1.0 => target,
+            Some(bearings) => {
+                let to_target = target - gaze.origin;
+                match (math::direction(gaze.direction), math::direction(to_target)) {
+                    (Some(from), Some(to)) => {
+                        gaze.origin + bearings.part_way([from, to], weight, side) * math::length(to_target)
+                    }
+                    _ => target,
+                }
+            }
+            None => part_way(|| front, gaze, front.on_side(target, side), weight, side),
+        };
+        let behind = settings.behind != Behind::Off && front.is_behind(wanted, before.behind, &motions[chain.first..]);
         let (course, aimed) = match settings.behind {
             Behind::Hold if behind => (Course::Stay, wanted),
             Behind::Release if behind => (Course::Rest, wanted),
@@ -59,19 +73,6 @@ impl Goal {
             _ => (Course::Aim, wanted),
         };
         Self { wanted, aimed, course, behind, side }
-    }
-
-    /// The same with what is aimed at this part of the way along the arc from the animated gaze.
-    pub(crate) fn part_way<const C: usize>(
-        &self,
-        rig: &ChainRig<'_, C>,
-        chain: &Chain<C>,
-        motions: &[RangeOfMotion],
-        part: f32,
-    ) -> Self {
-        let gaze = chain.animated_gaze();
-        let front = || Front::new(rig, chain, motions, gaze);
-        Self { aimed: part_way(front, gaze, self.aimed, part, self.side), ..*self }
     }
 
     /// The goal of weight 0: the animated gaze itself.

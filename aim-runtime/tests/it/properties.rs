@@ -280,7 +280,7 @@ fn ascent() {
     hold(Some(Solver::Ascent), 0x3000_0000);
 }
 
-/// Natural for a rig with eyes, else exact.
+/// Natural for a rig with roles, else exact.
 #[test]
 fn either() {
     hold(None, 0x4000_0000);
@@ -310,7 +310,8 @@ fn within_reach() {
         if rng.once_in(2) {
             rig.joints = random::state(&rig, &mut rng);
         }
-        let solver = [Solver::Exact, Solver::Natural, Solver::Ascent][number % 3];
+        // What a natural gaze reaches is told by headings and elevations, in its own tests.
+        let solver = [Solver::Exact, Solver::Ascent][number % 2];
         let settings = Settings::default().with_solver(solver).with_behind(Behind::Off);
         let pose = Pose::new(joints);
         let mut settled = rig.clone();

@@ -2,7 +2,7 @@
 //! with central differences.
 
 use aim::rigs::{Mannequin, Mixamo, Rigify, Rocketbox, Thug, Turret, UnrealMannequin, Vrm};
-use aim::{AimRig, GazeSharing, LimitsFrom, Rig, Role};
+use aim::{AimRig, Budgets, GazeSharing, LimitsFrom, Rig, Role};
 use aim_character::InterpretedRig;
 use aim_codegen::objective::FirstLink;
 use aim_codegen::{NaturalSpec, RigSpec};
@@ -106,7 +106,8 @@ fn characters_have_eyes_necks_and_spines_and_a_turret_has_none() {
 
 /// Every setting of a declaration that a solver may ask for, known when compiling.
 #[derive(aim::AimRig)]
-#[aim(axes(up = +X, forward = +Y), natural(eyes_only = 10deg, head_share = 0.7, release = 0.1rad, delay = 0.05))]
+#[aim(axes(up = +X, forward = +Y), natural(eyes_only = 10deg, head_share = 0.7, release = 0.1rad, delay = 0.05),
+    region(like = bird, head(heading = -130deg..=130deg, rate = 400deg), chest(acceleration = 9rad)))]
 struct Owl {
     #[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, pitch_taper = 0.25)]
     left_eye: aim::Joint,
@@ -118,6 +119,9 @@ const OWL: &str = r#"
     name = "Owl"
     axes = { up = "+X", forward = "+Y" }
     natural = { eyes_only = "10deg", head_share = 0.7, release = "0.1rad", delay = 0.05 }
+    region.like = "bird"
+    region.head = { heading = ["-130deg", "130deg"], rate = "400deg" }
+    region.chest.acceleration = "9rad"
     [[joint]]
     name = "left_eye"
     role = "eye"
@@ -143,6 +147,10 @@ fn what_is_declared_reaches_the_solvers_whichever_way_the_rig_runs() {
     let [compiled, interpreted] = [Owl::RIG.description(), interpreted.description()];
     assert_eq!(compiled.joints(), interpreted.joints());
     assert_eq!(compiled.sharing(), interpreted.sharing());
+    assert_eq!(compiled.budgets(), interpreted.budgets());
+    let Budgets { head, chest } = compiled.budgets();
+    assert_eq!((head.heading[1], head.rate, chest.acceleration), (130_f32.to_radians(), 400_f32.to_radians(), 9.0));
+    assert_eq!((head.pitch, chest.rate), (Budgets::BIRD.head.pitch, Budgets::BIRD.chest.rate));
     let [eye, turn] = compiled.joints() else { panic!("two joints") };
     assert_eq!((eye.role, eye.pitch_taper, eye.upright), (Role::Eye, 0.25, None));
     assert_eq!(

@@ -28,6 +28,7 @@ fn rig(frames: &[Frame]) -> RigSpec {
         joints,
         effector: aim_codegen::EffectorSpec { frame, origin: [0.0; 3] },
         natural: None,
+        region: None,
         kernels: Vec::new(),
     }
 }

@@ -58,7 +58,7 @@ fn seven_joints_fit_in_twelve_kilobytes() {
     let frame = Frame::cardinal().next().expect("there are 48");
     let joints = (0..7).map(|i| bare_joint(i, frame, true, true)).collect();
     let effector = EffectorSpec { frame, origin: [0.0; 3] };
-    let spec = RigSpec { name: "Rig".into(), joints, effector, natural: None, kernels: Vec::new() };
+    let spec = RigSpec { name: "Rig".into(), joints, effector, natural: None, region: None, kernels: Vec::new() };
     let kernels = kernels(&spec);
     let rig = emit::Rig { spec: &spec, kernels: &kernels };
     let text = format_rust(emit::rust::emit(&rig, &emit::rust::Item::of(&spec, quote!(::aim))));

@@ -3,7 +3,9 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, LimitsFrom, NaturalSpec, RigSpec, declare};
+use aim_codegen::{
+    AngleRange, Budget, Budgets, EffectorSpec, Frame, JointSpec, LimitsFrom, NaturalSpec, RigSpec, declare,
+};
 use aim_tests::rigs;
 use quote::ToTokens;
 use syn::{File, Item};
@@ -49,10 +51,27 @@ impl Notation {
         if self == Self::Toml { format!("natural = {{ {settings} }}") } else { format!("natural({settings})") }
     }
 
+    fn region(self, budgets: &Budgets) -> String {
+        let angle = |value: f64| self.quoted(&format!("{value:?}rad"));
+        let budget = |part: &str, budget: &Budget| {
+            let [heading, pitch] =
+                [budget.heading, budget.pitch].map(|[lo, hi]| self.range(AngleRange::Between(lo, hi)));
+            let settings = format!(
+                "heading = {heading}, pitch = {pitch}, rate = {}, acceleration = {}",
+                angle(budget.rate),
+                angle(budget.acceleration)
+            );
+            if self == Self::Toml { format!("{part} = {{ {settings} }}") } else { format!("{part}({settings})") }
+        };
+        let settings = format!("{}, {}", budget("head", &budgets.head), budget("chest", &budgets.chest));
+        if self == Self::Toml { format!("region = {{ {settings} }}") } else { format!("region({settings})") }
+    }
+
     /// The settings of the rig.
     fn rig(self, rig: &RigSpec) -> Vec<String> {
         let mut settings = vec![self.bones(&rig.joints[0].frame), self.effector(&rig.effector)];
         settings.extend(rig.natural.as_ref().map(|natural| self.natural(natural)));
+        settings.extend(rig.region.as_ref().map(|budgets| self.region(budgets)));
         settings
     }
 
@@ -157,6 +176,7 @@ fn of_every_convention() {
         eye.upright = Some(0.25);
         eye.limits_from = LimitsFrom::BindPose;
         eye.pitch_taper = (eye.angles() == 2).then_some(0.5);
+        rig.region = Some(Budgets { chest: Budgets::BIRD.head, ..Budgets::TOON });
         rig.natural = Some(NaturalSpec { eyes_only: 0.3, delay: 0.05, ..NaturalSpec::default() });
         assert_same_code(&rig, &Notation::Toml.write(&rig));
     }

@@ -71,7 +71,7 @@ pub(super) fn check(
     })
 }
 
-fn rate(report: &mut Report, setting: Setting<'_>) -> Option<f64> {
+pub(super) fn rate(report: &mut Report, setting: Setting<'_>) -> Option<f64> {
     let rate = read::positive(report, setting)?;
     if rate <= FASTEST_RAD_S {
         return Some(rate);

@@ -11,6 +11,7 @@ pub(super) const RIG_KEYS: &[Key] = &[
     ("handedness", Expected::SIDE),
     ("effector", Expected::EFFECTOR),
     ("natural", Expected::NATURAL),
+    ("region", Expected::REGION),
     ("kernels", Expected::KERNELS),
     ("crate", Expected::PATH),
     ("joint", Expected::JOINTS),
@@ -43,6 +44,18 @@ pub(super) const NATURAL_KEYS: &[Key] = &[
     ("engage", Expected::ANGLE),
     ("release", Expected::ANGLE),
     ("delay", Expected::SECONDS),
+];
+
+/// What `region` may say.
+pub(super) const REGION_KEYS: &[Key] =
+    &[("like", Expected::BODY), ("head", Expected::BUDGET), ("chest", Expected::BUDGET)];
+
+/// What the budget of a part of the body may say.
+pub(super) const BUDGET_KEYS: &[Key] = &[
+    ("heading", Expected::ANGLE_RANGE),
+    ("pitch", Expected::ANGLE_RANGE),
+    ("rate", Expected::RATE),
+    ("acceleration", Expected::ACCELERATION),
 ];
 
 /// What `axes` may say; each direction is followed by its opposite.

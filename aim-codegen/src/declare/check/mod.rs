@@ -10,6 +10,7 @@ mod names;
 mod natural;
 mod range;
 pub(crate) mod read;
+mod region;
 pub(crate) mod settings;
 
 use proc_macro2::TokenStream;
@@ -86,9 +87,10 @@ fn check_rig(rig: &Rig, report: &mut Report) -> Option<Checked> {
     let first = specs.as_ref().and_then(|specs| specs.first()).map(|joint| joint.frame);
     let effector = effector(settings.get("effector"), first, report);
     let natural = settings.read_value("natural", report, natural::check);
+    let region = settings.read_value("region", report, region::check);
     let kernels = settings.get("kernels").map_or_else(Vec::new, |setting| kernels::check(report, setting));
     let name = rig.name.as_ref().and_then(Value::text)?.to_owned();
-    Some(Checked { spec: RigSpec { name, joints: specs?, effector: effector?, natural, kernels }, krate })
+    Some(Checked { spec: RigSpec { name, joints: specs?, effector: effector?, natural, region, kernels }, krate })
 }
 
 /// The attribute that should hold them, or the struct's name; in TOML the file's beginning.

@@ -56,6 +56,9 @@ expected! {
     AXES: Other, "two or three axes", ["KEY(up = +X, forward = +Y)", "KEY = { up = \"+X\", forward = \"+Y\" }"];
     EFFECTOR: Other, "`forward`, `origin` or both", ["KEY(origin = (0.0, 0.1, 0.0))", "KEY = { origin = [0.0, 0.1, 0.0] }"];
     NATURAL: Other, "settings such as `eyes_only`", ["KEY(eyes_only = 15deg)", "KEY = { eyes_only = \"15deg\" }"];
+    REGION: Other, "a kind of body or budgets of `head` and `chest`", ["KEY = human", "KEY = \"human\""];
+    BODY: Word, "`human`, `quadruped`, `bird` or `toon`", ["KEY = human", "KEY = \"human\""];
+    BUDGET: Other, "settings such as `heading` and `rate`", ["KEY(rate = 240deg)", "KEY = { rate = \"240deg\" }"];
     KERNELS: Word, "a list of kernels", ["KEY(aim_gradient)", "KEY = [\"aim_gradient\"]"];
     FLAG: Word, "`true` or `false`", ["KEY = true"; 2];
     SIDE: Word, "`left` or `right`", ["KEY = left", "KEY = \"left\""];

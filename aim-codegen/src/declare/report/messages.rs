@@ -271,6 +271,14 @@ messages! {
         "`release`, {release_deg}°, is above `engage`, {engage_deg}°",
         "the head begins to help at the larger angle and rests again at the smaller; unless set they are 15° and 8°";
 
+    unknown_body(word: &str) =>
+        "unknown body `{word}`",
+        "the budgets of `human`, `quadruped`, `bird` and `toon` are known; give those of others with `head` and `chest`";
+
+    budget_free() =>
+        "a budget cannot be free",
+        "leave `heading` out of it, and give the joints the ranges they have";
+
     negative_delay(number: &str) =>
         "`delay` must not be negative, found `{number}`",
         "it is in seconds; 0 lets head and eyes begin together";

@@ -500,6 +500,41 @@ fn natural_gazes() {
     );
 }
 
+/// A rig's `region` in otherwise good order.
+macro_rules! region {
+    ($rust:literal, $toml:literal, $($error:expr),+) => {
+        rig(
+            concat!("axes(up = +X, forward = +Y), region", $rust),
+            concat!("axes = { up = \"+X\", forward = \"+Y\" }\nregion = ", $toml),
+            &[$($error),+],
+        )
+    };
+}
+
+#[test]
+fn regions() {
+    region!(" = horse", "\"horse\"", ["unknown body `horse`", "horse", "\"horse\""]);
+    region!("(like = horse)", "{ like = \"horse\" }", ["unknown body `horse`", "horse", "\"horse\""]);
+    region!(
+        "(head(heading = free, rate = 240))",
+        "{ head = { heading = \"free\", rate = 240 } }",
+        ["a budget cannot be free", "free", "\"free\""],
+        ["`240` has no unit", "240", "240"]
+    );
+    region!(
+        "(chest(pitch = 5deg..=20deg, acceleration = 0deg))",
+        "{ chest = { pitch = [\"5deg\", \"20deg\"], acceleration = \"0deg\" } }",
+        ["`acceleration` must be positive, `0deg` is zero", "0deg", "\"0deg\""],
+        ["the range of `pitch`, 5deg to 20deg, does not contain 0", "5deg..=20deg", "[\"5deg\", \"20deg\"]"]
+    );
+    region!("(neck(rate = 1rad))", "{ neck = { rate = \"1rad\" } }", ["unknown setting `neck`", "neck", "neck"]);
+    region!(
+        " = true",
+        "true",
+        ["`region` needs a kind of body or budgets of `head` and `chest`, found `true`", "true", "true"]
+    );
+}
+
 #[test]
 fn bones_named_twice() {
     setting!("bone", "\"neck\"", "\"neck\"", ["the bone `neck` is named twice", "\"neck\"", "\"neck\""]);

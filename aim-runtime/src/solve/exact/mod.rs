@@ -29,8 +29,6 @@ use crate::{Joint, math};
 
 /// An angle to the target that needs no mending, radians (6e-4°).
 const FINE_RAD: f32 = 1e-5;
-/// An angle to the target that the linear model closes to 0.04°, radians.
-const NEAR_RAD: f32 = 0.035;
 /// An angle to the target after which no new Jacobian is worth its while, radians (6e-3°).
 pub(crate) const ENOUGH_RAD: f32 = 1e-4;
 /// How often a Jacobian is used again.
@@ -103,11 +101,10 @@ impl<'a, const C: usize> Solver<'a, C> {
         }
     }
 
-    /// The solver with one joint's displacement counted from these angles, pitch and heading, at `ease` times its ease.
-    pub(crate) fn prefer(&mut self, joint: usize, angles: [f32; 2], ease: f32) {
+    /// The solver with one joint's displacement counted from these angles, pitch and heading.
+    pub(crate) fn prefer(&mut self, joint: usize, angles: [f32; 2]) {
         for (home, rest) in self.homes[joint].iter_mut().zip(angles) {
-            *home = Home { rest, ease: (home.ease * ease).max(1e-6) };
-            self.dearest = self.dearest.max(dual::dearest(home.ease));
+            home.rest = rest;
         }
     }
 
@@ -145,29 +142,6 @@ impl<'a, const C: usize> Solver<'a, C> {
             }
         }
         Some(self.see(joints)?.angle())
-    }
-
-    /// [`advance`](Self::advance) for a goal that has hardly moved, by the linear model alone: what that misses is left to
-    /// the next frame, and is of the second order. False, with nothing changed, where more has to be done.
-    pub(crate) fn advance_roughly(&mut self, joints: &mut [Joint], reaches: &[Reach], memory: &mut Memory) -> bool {
-        if memory.strain > 0.0 {
-            return false;
-        }
-        let Some(offset) = self.linearise(joints, reaches) else { return false };
-        if offset[0] * offset[0] + offset[1] * offset[1] > NEAR_RAD * NEAR_RAD {
-            return false;
-        }
-        self.go_part_way(joints, USUAL_PART);
-        let solution = dual::solve(&self.model, self.wanted(joints, offset), memory.lambda, self.dearest);
-        if !solution.closed || solution.strained {
-            return false;
-        }
-        memory.lambda = solution.lambda;
-        for (index, (joint, angles)) in joints.iter_mut().zip(&*self.model).enumerate().skip(self.chain.first) {
-            [joint.pitch, joint.heading] = angles.map(|angle| solution.of(&angle));
-            joint.pitch = reaches[index].pitch_at(joint.heading).hold(joint.pitch);
-        }
-        true
     }
 
     /// Whether [`advance`](Self::advance) went as near as it gets within its reaches.

@@ -170,7 +170,7 @@ pub(crate) fn settle_from_elsewhere<const C: usize>(
         // What is nearest to there first: on the way to the least displacement all starts would meet.
         let mut solver = Solver::new(rig, chain, goal);
         for (index, joint) in joints.iter().enumerate().skip(chain.first) {
-            solver.prefer(index, [joint.pitch, joint.heading], 1.0);
+            solver.prefer(index, [joint.pitch, joint.heading]);
         }
         let nearest = solver.settle(joints, &unhurried(rig, motions), Search::Quick { below })?;
         if nearest > tolerance && nearest >= below {

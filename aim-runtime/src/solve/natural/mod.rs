@@ -1,108 +1,95 @@
-//! A gaze as people have it: the eye leaps to the target and holds it, the joints that support it follow with their
-//! inertia by a share of the gaze shift, and the eye returns as they arrive.
+//! A gaze as people have it: the eye leaps to the target and holds it, head and chest follow by their share, and the eye
+//! returns as they arrive.
 //!
-//! A frame goes in three steps. Where the supporting joints belong is found without rates ([`Gaze::goals`]): as far as
-//! their share, with the least displacement, and further where the eye cannot make up the rest. They follow that with
-//! braking ([`Follower`]). Then the eye solves exactly what is left of the gaze where they are now, so that their pace
-//! costs the aim nothing once it has arrived. Nothing here depends on how often a second it is called.
+//! Directions are headings and elevations about the character's up ([`Bearings`]), the joints are *regions* of the body with
+//! budgets ([`region`]). A call goes in two steps:
+//!
+//! 1. The way from the animated gaze to the target, (Δψ, Δε), is shared out ([`allot`]): the regions make g·max(0, E − D)/E of
+//!    it, E being its angle, and more where the eye could not do the rest; each by its compliance as far as its room goes,
+//!    heading and elevation each for itself. So a target out of reach to the side is followed level.
+//! 2. Each region, from the root outward, turns its outermost forward to the direction that it was allotted, measured in the
+//!    frame that the corrected joints inside it carry: `R_heading·R_pitch` in closed form ([`turn_to`]). Over time it glides
+//!    there; the eye turns exactly to what is left ([`glide`]).
+//!
+//! Nothing here depends on how often a second it is called. Sources: Freedman and Sparks, *J. Neurophysiol.* 77 (1997) for the
+//! zone and the slope of the head's part; Freedman, *Exp. Brain Res.* 190 (2008) for coordination as a whole.
 
-mod follow;
-mod sight;
+mod allot;
+mod glide;
+mod region;
 
-use glam::Vec3A;
+use core::f32::consts::{FRAC_PI_2, PI};
 
-use self::follow::Follower;
+use glam::{Affine3A, Mat3A, Vec3A};
+
+use self::allot::Sharing;
+use self::glide::{Bounds, Glide, Pair, follow, length, saccade};
+use self::region::{Region, regions};
+use crate::kinematics::bearing::Bearings;
 use crate::kinematics::chain::{Chain, Ray};
-use crate::kinematics::rotation::{is_identity, joint_turn};
-use crate::limits::RangeOfMotion;
-use crate::limits::motion::wrap;
+use crate::kinematics::rotation::joint_turn;
 use crate::limits::reach::Reach;
+use crate::limits::{Angles, Interval, RangeOfMotion};
 use crate::math::trig;
-use crate::rig::{ChainRig, Memory, PerJoint, Support};
-use crate::solve::exact::settle::{Search, at_rest, settle_from_rest};
-use crate::solve::exact::{Solver, unhurried};
-use crate::solve::eyes;
-use crate::solve::turn_round::{count_blocked, is_worth_turning_back};
+use crate::rig::{ChainRig, Led, Memory, PerJoint, Support};
+use crate::solve::exact::Solver;
+use crate::solve::exact::settle::Search;
+use crate::solve::eyes::view;
 use crate::target::goal::{Course, Goal};
-use crate::{Joint, Settings, math};
+use crate::{Axes, Joint, Role, Settings, math};
 
-/// How much more willing an eye is than its stiffness says, where supporting joints make up for what it cannot do: they
-/// are not to do more than that.
-const EYE_EASE: f32 = 10.0;
-/// Nearer to its goal than this a supporting joint counts as there, radians (0.06°).
-const THERE_RAD: f32 = 1e-3;
-/// Nearer to their share than this the supporting joints need no second search for it, radians (0.1°).
-const SHARED_RAD: f32 = 1.75e-3;
-/// Halvings that find where the way of an eye leaves its range: to 2e-4 of a right angle.
-const HALVINGS: usize = 14;
-/// What the shortest way to an end of its range is of the longest for an eye that turns about as far whichever way.
-const ROUND: f32 = 1.0 / 3.0;
 /// Angles that differ by less do so by rounding.
 const SAME_RAD: f32 = 1e-5;
+/// Nearer to its goal than this a region has arrived, radians (0.01°), if it is no faster than to lose as much by the time it
+/// rests.
+const THERE_RAD: f32 = 2e-4;
+/// In a shorter time than this nothing moves, seconds.
+const LEAST_S: f32 = 1e-5;
+/// How often the closed form of an effector that is not at its joint is repeated, at most.
+const SIGHT_ROUNDS: usize = 24;
 
-/// The settings as they count.
-struct Sharing {
-    eyes_only: f32,
-    head_share: f32,
-    engage: f32,
-    release: f32,
-    delay: f32,
+/// How the leading joint sees a point.
+#[derive(Clone, Copy, Debug)]
+struct Seen {
+    /// The heading and the pitch that look there, and the nearest that the joint's range holds.
+    wanted: Pair,
+    held: Pair,
 }
 
-impl Sharing {
-    fn new<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) -> Self {
-        // `max` and `min` return the number where the other is NaN.
-        let attention = settings.attention.max(0.0).min(1.0);
-        let natural = settings.sharing.unwrap_or(rig.sharing);
-        let share = natural.head_share.max(0.0).min(1.0);
-        let left_to_eyes = 1.0 - attention;
-        Self {
-            eyes_only: natural.eyes_only.max(0.0) * left_to_eyes,
-            head_share: share + (1.0 - share) * attention,
-            engage: natural.engage.max(0.0) * left_to_eyes,
-            release: natural.release.max(0.0) * left_to_eyes,
-            delay: natural.delay.max(0.0),
-        }
+impl Seen {
+    /// What the range does not hold.
+    fn left(&self) -> Pair {
+        [math::wrap_pi(self.wanted[0] - self.held[0]), self.wanted[1] - self.held[1]]
     }
 
-    /// The part of a gaze shift that the supporting joints make.
-    fn head_part(&self, shift: f32) -> f32 {
-        let beyond = shift - self.eyes_only;
-        if beyond > 0.0 { self.head_share * beyond / shift } else { 0.0 }
+    fn is_nothing(left: Pair) -> bool {
+        length(left) < SAME_RAD
     }
-}
 
-/// What an eye sees of a point, and makes of it.
-struct Look {
-    /// Heading and pitch that look at it; where it is out of range, those on the way there that are not.
-    angles: [f32; 2],
-    within: bool,
-    /// How far the point is off the middle of the eye.
-    off: Off,
-}
+    fn is_within(&self) -> bool {
+        Self::is_nothing(self.left())
+    }
 
-/// An angle off the middle of an eye.
-enum Off {
-    Rad(f32),
-    /// That of this view: as long as nobody asks, it costs nothing.
-    View([f32; 3]),
-}
-
-impl Off {
-    fn rad(&self) -> f32 {
-        match *self {
-            Self::Rad(angle) => angle,
-            Self::View([ahead, left, up]) => trig::atan2(math::sqrt(left * left + up * up), ahead),
-        }
+    /// How far the point is off the middle of the range.
+    fn off(&self) -> f32 {
+        let [heading, pitch] = self.wanted;
+        let cos = trig::sin_cos(heading).1 * trig::sin_cos(pitch).1;
+        trig::atan2(math::sqrt(1.0 - cos * cos), cos)
     }
 }
 
-/// What the joints would come to, had they the time.
-struct Goals {
-    /// Whether they reach the goal…
-    reach: bool,
-    /// … and the eye does its part exactly, with the others at their share.
-    eye_reaches: bool,
+/// What moves the joints in a frame.
+struct Motion<'a> {
+    memory: &'a mut Memory,
+    /// What the head's goal did so far; `None` where this is the first frame.
+    led: Option<Led>,
+    reaches: &'a [Reach],
+    dt: f32,
+    /// Whether the regions are to come to rest where they are.
+    stays: bool,
+    /// Whether every region has arrived, and how far they are off together.
+    arrived: bool,
+    lag: f32,
 }
 
 /// A natural gaze in one call.
@@ -111,406 +98,540 @@ pub(crate) struct Gaze<'a, const C: usize> {
     chain: &'a Chain<C>,
     motions: &'a [RangeOfMotion],
     goal: &'a Goal,
-    tolerance: f32,
     sharing: Sharing,
-    /// The ranges of motion, as reaches.
-    ranges: PerJoint<Reach, C>,
-    /// Whether the eye looks along its joint's own forward from its own origin, so that a closed form turns it.
-    plain_eye: bool,
+    bearings: Bearings,
+    /// From the innermost outward, without the eye.
+    regions: PerJoint<Region, C>,
+    count: usize,
+    /// Whether an eye leads: a joint without inertia. Its ranges of heading and pitch.
+    has_eye: bool,
+    eye: [Interval; 2],
+    /// The effector in the leading joint's frame.
+    effector: Ray,
+    /// From where the target's heading and elevation are seen: the effector, moved back along the gaze to beside the joint that
+    /// turns the head, which is where it looks from once the head has turned.
+    pivot: Vec3A,
 }
 
 impl<'a, const C: usize> Gaze<'a, C> {
-    /// A gaze for a chain from joint 0, which leads; there is at least one joint to support it.
     pub(crate) fn new(
         rig: &'a ChainRig<'a, C>,
         chain: &'a Chain<C>,
         motions: &'a [RangeOfMotion],
         goal: &'a Goal,
         settings: &Settings,
+        bearings: Bearings,
     ) -> Self {
-        let effector = rig.effector;
-        let own = effector.origin == [0.0; 3] && effector.forward == rig.joints[0].axes.forward;
+        let first = chain.first;
+        let has_eye = rig.joints[first].role == Role::Eye && first + 1 < chain.count;
+        let gaze = chain.animated_gaze();
+        let direction = math::unit(gaze.direction).unwrap_or(Vec3A::X);
+        let origin = if rig.has_origin && first == 0 { chain.links[0].translation } else { Vec3A::ZERO };
+        let effector = Ray { origin, direction: chain.upright[first].transpose() * direction };
+
+        let (regions, count) = regions(rig, chain, motions, &bearings, first + usize::from(has_eye));
+        let outward = |origin, index: usize| origin + chain.upright[index] * chain.links[index].translation;
+        let turns = (regions[count - 1].outer + 1..chain.count).rev().fold(Vec3A::ZERO, outward);
+        let pivot = gaze.origin - direction * direction.dot(gaze.origin - turns).max(0.0);
         Self {
             rig,
             chain,
             motions,
             goal,
-            tolerance: settings.effective_tolerance(),
-            sharing: Sharing::new(rig, settings),
-            ranges: unhurried(rig, motions),
-            plain_eye: own && chain.is_rigid() && is_identity(chain.tilts[0]),
+            pivot,
+            sharing: Sharing::new(&rig.sharing, settings),
+            bearings,
+            regions,
+            count,
+            has_eye,
+            eye: [motions[first].heading, motions[first].pitch],
+            effector,
         }
     }
 
-    /// Moves `joints`, which are within `reaches`, by a frame of `dt` seconds; returns whether the goal is within reach.
-    /// `None` where the aim is undefined.
+    /// Moves `joints` by a frame of `dt` seconds; returns whether the goal is within reach. `None` where the aim is undefined.
     pub(crate) fn aim(&self, joints: &mut [Joint], memory: &mut Memory, reaches: &[Reach], dt: f32) -> Option<bool> {
-        if !(dt > 0.0) {
-            return Some(true);
+        if !(dt > LEAST_S) {
+            let mut settled = self.rig.array(Joint::REST);
+            settled.copy_from_slice(joints);
+            return match self.goal.course {
+                Course::Aim if dt > 0.0 => Some(self.settle(self.way()?, &mut settled)?.within_reach),
+                _ => Some(true),
+            };
         }
-        match self.goal.course {
-            Course::Aim => self.turn_to_goal(joints, memory, reaches, dt),
+        let led = (memory.support != Support::None).then(|| memory.led());
+        if led.is_none() {
+            for joint in &mut *joints {
+                joint.velocity = [0.0; 2];
+                joint.set_destination(None);
+            }
+        }
+        let mut motion = Motion { memory, led, reaches, dt, stays: false, arrived: true, lag: 0.0 };
+        let within_reach = match self.goal.course {
+            Course::Aim => self.turn_to_goal(joints, &mut motion)?,
             Course::Rest => {
-                self.return_to_rest(joints, memory, reaches, dt);
-                Some(true)
+                self.return_to_rest(joints, &mut motion)?;
+                true
             }
             Course::Stay => {
-                for index in self.supporting() {
-                    joints[index] = self.follower(index, reaches, dt).stopping(&joints[index]);
-                }
-                Some(true)
+                motion.stays = true;
+                self.turn_regions_to(&self.rig.array([0.0; 2]), joints, &mut motion);
+                self.hold_eye(joints);
+                true
             }
+        };
+        if motion.memory.support == Support::None {
+            motion.memory.support = Support::Rests;
         }
-    }
-
-    fn supporting(&self) -> core::ops::Range<usize> {
-        1..self.chain.count
-    }
-
-    fn follower<'b>(&'b self, index: usize, reaches: &'b [Reach], dt: f32) -> Follower<'b> {
-        Follower::new(&self.rig.joints[index], &self.motions[index], &reaches[index], dt)
-    }
-
-    fn turn_to_goal(&self, joints: &mut [Joint], memory: &mut Memory, reaches: &[Reach], dt: f32) -> Option<bool> {
-        let mut engages = false;
-        for index in self.supporting() {
-            // Bound for nowhere yet: that is to be found out.
-            let joint = &mut joints[index];
-            engages |= joint.destination().is_none();
-            joint.set_destination(Some(joint.destination().unwrap_or(joint.angles())));
-        }
-        if memory.support == Support::Rests {
-            let seen = self.look(joints, self.goal.aimed)?;
-            if engages || self.engages(&seen) {
-                (memory.support, memory.wait_s) = (Support::Waits, self.sharing.delay);
-            }
-        }
-        let (mut aimed, mut within_reach) = (self.goal.aimed, true);
-        if memory.support != Support::Rests {
-            (aimed, within_reach) = self.find_goals(joints, memory, dt)?;
-        }
-        let (look, arrived) = self.follow_goals(joints, aimed, reaches, dt)?;
-        if arrived && look.within && look.off.rad() < self.sharing.release {
-            memory.support = Support::Rests;
-        }
-        self.turn_eye(joints, &look, reaches);
+        let led = motion.led.unwrap_or_default();
+        memory.set_led(led);
         Some(within_reach)
     }
 
-    /// Whether the eye needs support for what it sees.
-    fn engages(&self, seen: &Look) -> bool {
-        !seen.within || seen.off.rad() > self.sharing.engage
+    fn turn_to_goal(&self, joints: &mut [Joint], motion: &mut Motion<'_>) -> Option<bool> {
+        let seen = self.engage(joints, motion)?;
+        motion.stays = motion.memory.support != Support::Shares;
+        // The eye does it alone.
+        if let Some(seen) = seen
+            && motion.stays
+            && seen.is_within()
+        {
+            self.turn_regions_to(&self.rig.array([0.0; 2]), joints, motion);
+            let seen = self.see(joints, self.goal.aimed)?;
+            self.leap(&seen, joints, motion);
+            self.rest(&seen, motion);
+            return Some(true);
+        }
+        let mut before = self.rig.array(Joint::REST);
+        before.copy_from_slice(joints);
+        let mut way = self.way()?;
+        let plain = self.allot(&mut way).filter(|plain| !motion.memory.in_rounds() || !plain.within_reach);
+        if let Some(allotment) = plain {
+            let led = motion.led;
+            let seen = self.place(&allotment.directions, allotment.point, joints, Some(motion))?;
+            // What the eye lacks, the regions are on their way to bring.
+            if !allotment.within_reach || length(seen.left()) < SAME_RAD + motion.lag {
+                motion.memory.set_in_rounds(false);
+                self.rest(&seen, motion);
+                return Some(allotment.within_reach);
+            }
+            (motion.led, motion.lag, motion.arrived) = (led, 0.0, true);
+            joints.copy_from_slice(&before);
+        }
+        let (allotment, rounds) = self.settle_in_rounds(&way, &mut before)?;
+        motion.memory.set_in_rounds(rounds > 0);
+        let seen = self.place(&allotment.directions, allotment.point, joints, Some(motion))?;
+        self.rest(&seen, motion);
+        Some(allotment.within_reach)
     }
 
-    /// Finds where the supporting joints belong, and sends them there once they set out. Returns what the eye is to aim
-    /// at, and whether the goal is within reach.
-    fn find_goals(&self, joints: &mut [Joint], memory: &mut Memory, dt: f32) -> Option<(Vec3A, bool)> {
-        let mut found = self.rig.array(Joint::REST);
-        found.copy_from_slice(joints);
-        let goals = self.goals(&mut found, Some(dt), memory)?;
-        if memory.support == Support::Waits && memory.wait_s > 0.0 {
-            memory.wait_s = memory.wait_s.min(self.sharing.delay) - dt;
-        } else {
-            memory.support = if goals.eye_reaches { Support::Shares } else { Support::Helps };
-            for index in self.supporting() {
-                joints[index].set_destination(Some(found[index].angles()));
+    /// Lets the regions rest once they have arrived and the eye's angles are small.
+    fn rest(&self, seen: &Seen, motion: &mut Motion<'_>) {
+        if self.has_eye && motion.arrived && seen.is_within() && seen.off() < self.sharing.release {
+            motion.memory.support = Support::Rests;
+        }
+    }
+
+    /// Decides whether the regions take part. Returns how an eye that has done without them sees the goal.
+    fn engage(&self, joints: &[Joint], motion: &mut Motion<'_>) -> Option<Option<Seen>> {
+        let (memory, delay) = (&mut *motion.memory, self.sharing.delay);
+        if !self.has_eye {
+            memory.support = Support::Shares;
+            return Some(None);
+        }
+        let mut seen = None;
+        if matches!(memory.support, Support::None | Support::Rests) {
+            let now = self.see(joints, self.goal.aimed)?;
+            let engages = memory.support == Support::None || !now.is_within() || now.off() > self.sharing.engage;
+            (memory.support, memory.wait_s) = (if engages { Support::Waits } else { Support::Rests }, delay);
+            seen = Some(now);
+        }
+        if memory.support == Support::Waits {
+            if memory.wait_s > 0.0 {
+                memory.wait_s = memory.wait_s.min(delay) - motion.dt;
+            } else {
+                memory.support = Support::Shares;
             }
         }
-        let aimed = if goals.eye_reaches { self.goal.aimed } else { self.looked_at(&found) };
-        Some((aimed, goals.reach))
+        Some(seen)
     }
 
-    /// Moves the supporting joints on to where they are bound for, while the eye looks at `aimed`; returns how it does
-    /// then, and whether they are there.
-    fn follow_goals(&self, joints: &mut [Joint], aimed: Vec3A, reaches: &[Reach], dt: f32) -> Option<(Look, bool)> {
-        let mut arrived = true;
-        let mut moved = self.rig.array(joints[0]);
-        for index in self.supporting() {
-            let joint = joints[index];
-            let [heading, pitch] = joint.destination().unwrap_or_default();
-            let goal = self.ranges[index].hold(&joint.turned_to(heading, pitch));
-            moved[index] = self.follower(index, reaches, dt).towards(&joint, [goal.heading, goal.pitch]);
-            arrived &= moved[index].is_near(&goal, THERE_RAD);
+    /// The regions return to the animation, and the eye keeps the gaze where the animation has it.
+    fn return_to_rest(&self, joints: &mut [Joint], motion: &mut Motion<'_>) -> Option<()> {
+        let first = self.chain.first;
+        motion.memory.support = Support::Rests;
+        let mut goals = self.rig.array([0.0; 2]);
+        for (index, goal) in goals.iter_mut().enumerate() {
+            *goal = self.held(index, &Joint::REST, [0.0; 2]).angles();
         }
-        let mut look = self.look(&moved, aimed)?;
-        if self.keep_in_sight(joints, &mut moved, aimed, &look, reaches, dt).is_some() {
-            look = self.look(&moved, aimed)?;
+        self.turn_regions_to(&goals, joints, motion);
+        if self.has_eye {
+            let resting = joints[first + 1..self.chain.count].iter().all(|joint| joint.angles() == [0.0; 2]);
+            let seen = if resting {
+                Seen { wanted: goals[first], held: goals[first] }
+            } else {
+                let gaze = self.chain.animated_gaze();
+                self.see(joints, gaze.origin + math::unit(gaze.direction)? * self.far())?
+            };
+            self.leap(&seen, joints, motion);
         }
-        joints.copy_from_slice(&moved);
-        Some((look, arrived))
+        Some(())
     }
 
-    /// The gaze goes back to where the animation has it, and the supporting joints to rest; the eye ends there too.
-    fn return_to_rest(&self, joints: &mut [Joint], memory: &mut Memory, reaches: &[Reach], dt: f32) {
-        memory.support = Support::Rests;
-        let mut resting = true;
-        for index in self.supporting() {
-            joints[index] = self.follower(index, reaches, dt).towards(&joints[index], [0.0; 2]);
-            joints[index].set_destination(None);
-            let Joint { heading, pitch, velocity, .. } = joints[index];
-            resting &= [heading, pitch] == [0.0; 2] && velocity == [0.0; 2];
-        }
-        let ahead = self.ahead(self.chain.animated_gaze());
-        match self.look(joints, ahead) {
-            Some(look) if !resting => self.turn_eye(joints, &look, reaches),
-            _ => joints[0] = reaches[0].towards_rest(&joints[0]),
-        }
+    /// As far as the goal is.
+    fn far(&self) -> f32 {
+        (self.goal.aimed - self.chain.animated_gaze().origin).length().max(1.0)
     }
 
-    /// Puts `joints` where they belong for a goal within reach, and leaves them for another; returns whether it is.
-    /// `None` where the aim is undefined.
+    /// Puts `joints` where they belong for a goal, and leaves them for none; returns whether it did. `None` where the aim
+    /// is undefined.
     pub(crate) fn snap(&self, joints: &mut [Joint], memory: &mut Memory) -> Option<bool> {
         if self.goal.course != Course::Aim {
             return Some(false);
         }
+        let first = self.chain.first;
         let mut found = self.rig.array(Joint::REST);
-        found.copy_from_slice(joints);
-        at_rest(&mut found);
-        found.iter_mut().for_each(|joint| joint.set_destination(None));
-        let mut remembered = Memory::NONE;
-        let goals = self.goals(&mut found, None, &mut remembered)?;
-        if !goals.reach {
-            return Some(false);
+        for (index, joint) in found.iter_mut().enumerate() {
+            *joint = self.held(index, &Joint::REST, [0.0; 2]);
         }
-        let seen = self.look(&found, self.goal.aimed)?;
-        for (joint, found) in joints.iter_mut().zip(&*found) {
-            *joint = *found;
-            joint.set_destination(Some(found.angles()));
+        let seen = self.see(&found, self.goal.aimed)?;
+        memory.support = Support::Rests;
+        if self.has_eye && seen.is_within() && seen.off() <= self.sharing.engage {
+            found[first] = found[first].turned_to(seen.held[0], seen.held[1]);
+        } else {
+            self.settle(self.way()?, &mut found)?;
+            memory.support = Support::Shares;
         }
-        joints[0].set_destination(None);
-        remembered.support = match goals.eye_reaches {
-            false => Support::Helps,
-            true if self.engages(&seen) => Support::Shares,
-            true => Support::Rests,
-        };
-        *memory = remembered;
+        joints.copy_from_slice(&found);
+        self.hold_eye(joints);
+        let goal = self.regions[..self.count].last().map_or([0.0; 2], |head| sum(&joints[head.outer..=head.inner]));
+        memory.set_led(Led { goal, ..Led::default() });
         Some(true)
     }
 
-    /// Moves `joints` to where they belong, had they the time: from where they are bound for by what a frame of `dt`
-    /// seconds needs of it, or however far that is.
-    fn goals(&self, joints: &mut [Joint], dt: Option<f32>, memory: &mut Memory) -> Option<Goals> {
-        let Self { rig, chain, motions, goal, tolerance, .. } = *self;
-        let ranges = &*self.ranges;
-        for index in self.supporting() {
-            if let Some([heading, pitch]) = joints[index].destination() {
-                joints[index] = ranges[index].hold(&joints[index].turned_to(heading, pitch));
+    /// Turns the joints from the root outward so that each region's outermost forward has its direction and the leading joint
+    /// looks at `point`: at once, or by a frame's motion. Returns how the leading joint sees the point.
+    fn place(
+        &self,
+        directions: &[Pair],
+        point: Vec3A,
+        joints: &mut [Joint],
+        mut motion: Option<&mut Motion<'_>>,
+    ) -> Option<Seen> {
+        let mut frame = self.chain.base;
+        let mut seen = None;
+        for (number, region) in self.regions[..self.count].iter().enumerate() {
+            let is_head = number + 1 == self.count;
+            let direction = self.bearings.direction(directions[number]);
+            let mut goals = self.rig.array([0.0; 2]);
+            let infos = self.rig.joints;
+            // Inner joints make their share; the outermost closes what is left, in the frame that they carry.
+            let mut carried = frame;
+            if region.outer < region.inner {
+                let local = frame.matrix3.transpose() * direction;
+                let whole = turn_to(&infos[region.inner].axes, region.forward, local);
+                for index in (region.outer + 1..=region.inner).rev() {
+                    let share = region.share(&infos[index]);
+                    let held = self.held(index, &joints[index], [share[0] * whole[0], share[1] * whole[1]]);
+                    goals[index] = held.angles();
+                    carried = self.outward(&carried, index, &held);
+                }
             }
-        }
-        let mut bound_for = rig.array([0.0; 2]);
-        for (angles, joint) in bound_for.iter_mut().zip(&*joints) {
-            *angles = joint.angles();
-        }
-        self.share(joints, dt, memory);
-        let look = self.look(joints, goal.aimed)?;
-        [joints[0].heading, joints[0].pitch] = look.angles;
-        if look.within {
-            return Some(Goals { reach: true, eye_reaches: true });
-        }
-
-        let mut shared = rig.array(Joint::REST);
-        shared.copy_from_slice(joints);
-        for (joint, angles) in joints.iter_mut().zip(&*bound_for) {
-            [joint.heading, joint.pitch] = *angles;
-        }
-        // Of the rest the supporting joints take what the eye cannot.
-        let mut solver = Solver::new(rig, chain, goal);
-        solver.prefer(0, [0.0; 2], EYE_EASE);
-        for index in self.supporting() {
-            solver.prefer(index, [shared[index].pitch, shared[index].heading], 1.0);
-        }
-        // Where they are bound for they may put the effector on a target that it is not on now: no way leads on from there.
-        let here = match dt {
-            Some(dt) => solver.advance(joints, ranges, dt, memory),
-            None => solver.settle(joints, ranges, Search::Thorough),
-        };
-        let mut here = here.unwrap_or(f32::INFINITY);
-        // A frame's step goes but a part of the way to the optimum, and which part that is rounding may decide.
-        if dt.is_some() {
-            shared.copy_from_slice(joints);
-            if let Some(settled) =
-                solver.settle(&mut shared, ranges, Search::Thorough).filter(|&settled| settled <= tolerance)
-            {
-                joints.copy_from_slice(&shared);
-                here = settled;
-            }
-        }
-        count_blocked(memory, here <= tolerance, dt.unwrap_or(0.0));
-        if here > tolerance {
-            shared.copy_from_slice(joints);
-            let from_rest =
-                settle_from_rest(rig, chain, motions, goal, &mut shared, tolerance).unwrap_or(f32::INFINITY);
-            if from_rest <= tolerance || is_worth_turning_back(memory, from_rest, here) {
-                joints.copy_from_slice(&shared);
-                here = from_rest;
-            }
-        }
-        for (joint, motion) in joints.iter_mut().zip(motions) {
-            wrap(motion, joint);
-        }
-        Some(Goals { reach: here <= tolerance, eye_reaches: false })
-    }
-
-    /// Turns the supporting joints to their share of the gaze shift, the eye at rest.
-    fn share(&self, joints: &mut [Joint], dt: Option<f32>, memory: &mut Memory) {
-        let Self { rig, chain, motions, goal, .. } = *self;
-        (joints[0].heading, joints[0].pitch) = (0.0, 0.0);
-        let shift = chain.animated_gaze().angle_to(goal.aimed).unwrap_or(0.0);
-        let part = self.sharing.head_part(shift);
-        if !(part > 0.0) {
-            return self.rest(joints);
-        }
-        let partial = goal.part_way(rig, chain, motions, part);
-        let mut reaches = rig.array(Reach::REST);
-        reaches.copy_from_slice(&self.ranges);
-        reaches[0] = Reach::REST;
-        let mut solver = Solver::new(rig, chain, &partial);
-        // From where they are bound for, which takes next to nothing. Where that does not lead there, from rest: so that
-        // the share depends on nothing but the target.
-        let near = match dt {
-            Some(_) if memory.support != Support::Shares => None,
-            Some(_) if solver.advance_roughly(joints, &reaches, memory) => Some(0.0),
-            Some(dt) => solver.advance(joints, &reaches, dt, memory),
-            None => None,
-        };
-        if !near.is_some_and(|near| near <= self.tolerance.max(SHARED_RAD)) {
-            self.rest(joints);
-            // At rest they stay where that leads nowhere either.
-            let _ = solver.settle(joints, &reaches, Search::Thorough);
-        }
-        for (joint, motion) in joints.iter_mut().zip(motions) {
-            wrap(motion, joint);
-        }
-    }
-
-    /// Puts all joints at rest, the supporting ones as near to it as their ranges let them.
-    fn rest(&self, joints: &mut [Joint]) {
-        at_rest(joints);
-        for index in self.supporting() {
-            joints[index] = self.ranges[index].hold(&joints[index]);
-        }
-    }
-
-    /// A point that the effector looks at with the joints like this.
-    fn looked_at(&self, joints: &[Joint]) -> Vec3A {
-        self.ahead(self.chain.gaze_of(self.rig, joints))
-    }
-
-    /// A point that a gaze looks at, as far away as the goal is.
-    fn ahead(&self, gaze: Ray) -> Vec3A {
-        let distance = (self.goal.aimed - gaze.origin).length().max(1.0);
-        gaze.origin + math::direction(gaze.direction).unwrap_or(Vec3A::X) * distance
-    }
-
-    /// Turns the eye as far as its reach lets it; both angles by one factor where its rate ends the way.
-    fn turn_eye(&self, joints: &mut [Joint], look: &Look, reaches: &[Reach]) {
-        let [heading, pitch] = look.angles;
-        let (eye, goal) = (joints[0], Joint { heading, pitch, ..joints[0] });
-        let (reach, motion) = (&reaches[0], &self.motions[0]);
-        joints[0] = reach.part_way(&eye, &goal, motion, reach.part_of_way(&eye, &goal, motion));
-        joints[0].velocity = [0.0; 2];
-        joints[0].set_destination(None);
-    }
-
-    /// What the eye sees of a point with the supporting joints like this. `None` where it is on the eye.
-    fn look(&self, joints: &[Joint], point: Vec3A) -> Option<Look> {
-        if !self.plain_eye {
-            return self.look_by_solving(joints, point);
-        }
-        let range = &self.ranges[0];
-        let (view, angles) = self.bearing(joints, point)?;
-        let [heading, pitch] = angles;
-        if range.heading.contains(heading) && range.pitch_at(heading).contains(pitch) {
-            return Some(Look { angles, within: true, off: Off::View(view) });
-        }
-        let angles = eyes::look(view, range);
-        if is_along(angles, view) {
-            return Some(Look { angles, within: true, off: Off::View(view) });
-        }
-        let off = Off::View(view).rad();
-        Some(Look { angles: self.on_the_way(view, off).unwrap_or(angles), within: false, off: Off::Rad(off) })
-    }
-
-    /// The direction of a point along an eye's forward, left and up, and the heading and pitch that look there, with the
-    /// supporting joints like this. `None` where the point is on the eye.
-    fn bearing(&self, joints: &[Joint], point: Vec3A) -> Option<([f32; 3], [f32; 2])> {
-        let view = eyes::view(&self.rig.joints[0].axes, math::direction(self.seen(joints, point))?);
-        let [ahead, left, up] = view;
-        let level = math::sqrt(ahead * ahead + left * left);
-        Some((view, [trig::atan2(left, ahead), trig::atan2(up, level)]))
-    }
-
-    /// The angles on the arc to a view so far off the middle, as far as the eye's range goes: so the gaze stays on that
-    /// arc while the head still moves. `None` for an eye that can do much less one way than another.
-    fn on_the_way(&self, [_, left, up]: [f32; 3], eccentricity: f32) -> Option<[f32; 2]> {
-        let aside = math::sqrt(left * left + up * up);
-        let range = &self.ranges[0];
-        let ends = [-range.heading.lo(), range.heading.hi(), -range.pitch.lo(), range.pitch.hi()];
-        let (least, most) = ends.iter().fold((f32::INFINITY, 0.0_f32), |(a, b), end| (a.min(*end), b.max(*end)));
-        if !(aside > 0.0 && least > ROUND * most) {
-            return None;
-        }
-        let (mut inside, mut outside) = (0.0, eccentricity);
-        let mut angles = [0.0; 2];
-        for _ in 0..HALVINGS {
-            let angle = 0.5 * (inside + outside);
-            let (sin, cos) = trig::sin_cos(angle);
-            let view = [cos, sin * left / aside, sin * up / aside];
-            let there = eyes::look(view, range);
-            if is_along(there, view) {
-                (inside, angles) = (angle, there);
+            let outer = region.outer;
+            let leads = is_head && !self.has_eye;
+            let wanted = if leads {
+                self.sight(&carried, joints, point)?
             } else {
-                outside = angle;
+                turn_to(&infos[outer].axes, region.bone, carried.matrix3.transpose() * direction)
+            };
+            let inner = add(&goals[outer + 1..=region.inner]);
+            let within = [0, 1].map(|axis| region.room[axis].hold(wanted[axis] + inner[axis]) - inner[axis]);
+            goals[outer] = self.held(outer, &joints[outer], within).angles();
+            if leads {
+                seen = Some(Seen { wanted, held: goals[outer] });
+            }
+            match &mut motion {
+                Some(motion) => self.glide(region, is_head, &goals, joints, motion),
+                None => {
+                    for index in outer..=region.inner {
+                        joints[index] = joints[index].turned_to(goals[index][0], goals[index][1]);
+                    }
+                }
+            }
+            if self.has_eye || !is_head {
+                frame = (outer..=region.inner)
+                    .rev()
+                    .fold(frame, |frame, index| self.outward(&frame, index, &joints[index]));
             }
         }
-        Some(angles)
-    }
-
-    /// A point in the eye's space, before its added rotation; for a rigid chain.
-    fn seen(&self, joints: &[Joint], point: Vec3A) -> Vec3A {
-        let (infos, links) = (self.rig.joints, &self.chain.links);
-        let mut seen = self.chain.base.matrix3.transpose() * point;
-        for index in self.supporting().rev() {
-            let turn = joint_turn(&infos[index], &joints[index]);
-            seen = math::turned(turn.conjugate(), seen);
-            let link = &links[index];
-            seen = link.matrix3.transpose() * (seen - link.translation);
+        if self.has_eye {
+            let first = self.chain.first;
+            let wanted = self.sight(&frame, joints, point)?;
+            let held = self.held(first, &joints[first], wanted);
+            let eye = Seen { wanted, held: held.angles() };
+            match motion {
+                Some(motion) => self.leap(&eye, joints, motion),
+                None => joints[first] = held,
+            }
+            seen = Some(eye);
         }
         seen
     }
 
-    /// [`look`](Self::look) for an eye without a closed form: by the exact solver, the others held where they are.
-    #[cold]
-    fn look_by_solving(&self, joints: &[Joint], point: Vec3A) -> Option<Look> {
-        let mut eye = self.rig.array(Joint::REST);
-        eye.copy_from_slice(joints);
-        let mut reaches = self.rig.array(Reach::REST);
-        reaches.copy_from_slice(&self.ranges);
-        for index in self.supporting() {
-            reaches[index] = Reach::at(&joints[index]);
+    /// The next joint's animated frame outward, as a corrected joint carries it.
+    fn outward(&self, frame: &Affine3A, index: usize, joint: &Joint) -> Affine3A {
+        let turned = frame.matrix3 * Mat3A::from_quat(joint_turn(&self.rig.joints[index], joint));
+        let link = &self.chain.links[index];
+        Affine3A { matrix3: turned * link.matrix3, translation: frame.translation + turned * link.translation }
+    }
+
+    /// The joint at the angles nearest to these that its range holds; a free heading the shorter way round.
+    fn held(&self, index: usize, joint: &Joint, [heading, pitch]: Pair) -> Joint {
+        let motion = &self.motions[index];
+        let heading = if motion.heading.is_free() {
+            joint.heading + math::wrap_pi(heading - joint.heading)
+        } else {
+            motion.heading.hold(heading)
+        };
+        joint.turned_to(heading, motion.pitch_at(heading).hold(pitch))
+    }
+
+    /// How the leading joint sees a point with the joints like this.
+    fn see(&self, joints: &[Joint], point: Vec3A) -> Option<Seen> {
+        let first = self.chain.first;
+        let frame = (first + 1..self.chain.count)
+            .rev()
+            .fold(self.chain.base, |frame, index| self.outward(&frame, index, &joints[index]));
+        let wanted = self.sight(&frame, joints, point)?;
+        Some(Seen { wanted, held: self.held(first, &joints[first], wanted).angles() })
+    }
+
+    /// The heading and the pitch by which the leading joint looks at a point, standing in this frame before its added
+    /// rotation. `None` where the point is on the effector.
+    fn sight(&self, frame: &Affine3A, joints: &[Joint], point: Vec3A) -> Option<Pair> {
+        let first = self.chain.first;
+        let axes = &self.rig.joints[first].axes;
+        let local = frame.matrix3.transpose() * (point - frame.translation);
+        if self.effector.origin == Vec3A::ZERO && self.chain.is_rigid() {
+            return Some(turn_to(axes, self.effector.direction, math::unit(local)?));
         }
-        let goal = Goal { aimed: point, ..*self.goal };
-        let mut solver = Solver::new(self.rig, self.chain, &goal);
-        let enough = SAME_RAD.max(self.tolerance);
-        let mut remaining = solver.settle(&mut eye, &reaches, Search::Thorough)?;
-        if remaining > enough {
-            let here = eye[0];
-            (eye[0].heading, eye[0].pitch) = (0.0, 0.0);
-            match solver.settle(&mut eye, &reaches, Search::Thorough) {
-                Some(from_rest) if from_rest < remaining => remaining = from_rest,
-                _ => eye[0] = here,
+        if self.chain.is_rigid() {
+            self.sight_in_rounds(frame, joints, point)
+        } else {
+            self.sight_by_search(frame, joints, point)
+        }
+    }
+
+    /// [`sight`](Self::sight) of an effector that is not at its joint: each round looks from where the last one left the
+    /// effector.
+    #[cold]
+    fn sight_in_rounds(&self, frame: &Affine3A, joints: &[Joint], point: Vec3A) -> Option<Pair> {
+        let first = self.chain.first;
+        let info = &self.rig.joints[first];
+        let mut joint = joints[first];
+        let mut wanted = joint.angles();
+        for _ in 0..SIGHT_ROUNDS {
+            let origin = math::turned(joint_turn(info, &joint), self.effector.origin);
+            let local = frame.matrix3.transpose() * (point - frame.translation) - origin;
+            let next = turn_to(&info.axes, self.effector.direction, math::unit(local)?);
+            let change = [math::wrap_pi(next[0] - wanted[0]), next[1] - wanted[1]];
+            wanted = next;
+            joint = self.held(first, &joints[first], wanted);
+            if length(change) < 0.1 * SAME_RAD {
+                break;
             }
         }
-        let Joint { heading, pitch, .. } = eye[0];
-        let (within, off) = (remaining <= enough, math::sqrt(heading * heading + pitch * pitch));
-        Some(Look { angles: [heading, pitch], within, off: Off::Rad(if within { off } else { off + remaining }) })
+        Some(wanted)
+    }
+
+    /// [`sight`](Self::sight) in a pose that is not rigid, by the exact solver, the other joints held where they are.
+    #[cold]
+    fn sight_by_search(&self, frame: &Affine3A, joints: &[Joint], point: Vec3A) -> Option<Pair> {
+        let first = self.chain.first;
+        let mut found = self.rig.array(Joint::REST);
+        found.copy_from_slice(joints);
+        let mut reaches = self.rig.array(Reach::REST);
+        for (reach, joint) in reaches.iter_mut().zip(joints) {
+            *reach = Reach::at(joint);
+        }
+        // Beyond its range too: what the range does not hold is to be known.
+        let info = &self.rig.joints[first];
+        let all = |declared: Option<[f32; 2]>, most: f32| declared.map(|_| [-most, most]);
+        let declared = Angles { heading: all(info.heading, PI), pitch: all(info.pitch, FRAC_PI_2) };
+        reaches[first] = Reach::range(&RangeOfMotion::new(declared, 0.0, None));
+        let goal = Goal { aimed: point, ..*self.goal };
+        Solver::new(self.rig, self.chain, &goal).settle(&mut found, &reaches, Search::Thorough)?;
+        // The angles that look where the rigid links would have to look; of an angle that the joint lacks, what is left.
+        let rigid = self.effector.turned(joint_turn(info, &found[first])).through(frame);
+        let seen = self.chain.seen_target(point, self.chain.gaze_of(self.rig, &found), rigid);
+        let local = frame.matrix3.transpose() * (seen - rigid.origin);
+        Some(turn_to(&info.axes, self.effector.direction, math::unit(local)?))
+    }
+
+    /// Moves every region towards its joints' goals by a frame.
+    fn turn_regions_to(&self, goals: &[Pair], joints: &mut [Joint], motion: &mut Motion<'_>) {
+        for number in 0..self.count {
+            self.glide(&self.regions[number], number + 1 == self.count, goals, joints, motion);
+        }
+    }
+
+    /// Moves a region towards its joints' goals by a frame, or to a stop. Its outermost joint remembers speed and
+    /// acceleration.
+    fn glide(&self, region: &Region, is_head: bool, goals: &[Pair], joints: &mut [Joint], motion: &mut Motion<'_>) {
+        let (outer, inner, dt) = (region.outer, region.inner, motion.dt);
+        let pace = region.pace * motion.led.unwrap_or_default().haste();
+        let bounds = Bounds { dt, pace, rate: region.rate, acceleration: region.acceleration };
+        let (before, speed) = (sum(&joints[outer..=inner]), joints[outer].velocity);
+        let mut glide =
+            Glide { speed, acceleration: joints[outer].destination().unwrap_or_default(), ..Glide::default() };
+        let mut goal = add(&goals[outer..=inner]);
+        let mut begins = [0.0; 2];
+        let mut led = motion.led.filter(|_| is_head).unwrap_or(Led { goal: before, ..Led::default() });
+        if motion.stays {
+            // Where an offset of −2·speed/ω dies away without a turn.
+            glide.speed = [speed[0] + led.speed[0], speed[1] + led.speed[1]];
+            glide.offset = glide.speed.map(|speed| -2.0 * speed / bounds.pace);
+            goal = [before[0] - glide.offset[0], before[1] - glide.offset[1]];
+            led = Led { goal, ..Led::default() };
+        } else if is_head {
+            begins = follow(&mut led, before, goal, &mut glide, &bounds);
+        } else {
+            glide.offset = [before[0] - goal[0], before[1] - goal[1]];
+        }
+        let carries = if is_head { led.speed } else { [0.0; 2] };
+        let mut next = glide.after(&bounds, begins, carries);
+        next.brake(&glide, before, &region.room, [begins, carries], &bounds);
+        if next.is_over(bounds.pace) {
+            next = Glide::default();
+        }
+        motion.lag += length(next.offset);
+        motion.arrived &= length(next.offset).max(length(next.speed) / bounds.pace) < THERE_RAD;
+
+        let total = [goal[0] + next.offset[0], goal[1] + next.offset[1]];
+        self.distribute(region, goals, goal, total, joints, motion);
+        let now = sum(&joints[outer..=inner]);
+        for axis in [0, 1] {
+            // Range and rate come first.
+            if (now[axis] - total[axis]).abs() > SAME_RAD {
+                next.speed[axis] = (now[axis] - before[axis]) / dt - carries[axis];
+                next.acceleration[axis] = 0.0;
+            }
+        }
+        for joint in &mut joints[outer..=inner] {
+            joint.velocity = [0.0; 2];
+            joint.set_destination(None);
+        }
+        joints[outer].velocity = next.speed;
+        joints[outer].set_destination(Some(next.acceleration));
+        if is_head {
+            motion.led = Some(led);
+        }
+    }
+
+    /// Turns a region's joints so that their angles add up to `total`, where those of their goals add up to `goal`.
+    ///
+    /// An inner joint makes its share of the sum, and by and by takes on what its goal is off that; the outermost makes the
+    /// rest.
+    fn distribute(
+        &self,
+        region: &Region,
+        goals: &[Pair],
+        goal: Pair,
+        total: Pair,
+        joints: &mut [Joint],
+        motion: &Motion<'_>,
+    ) {
+        let before = sum(&joints[region.outer..=region.inner]);
+        let taken = 1.0 - 1.0 / (1.0 + motion.dt * region.pace);
+        let mut rest = total;
+        for index in (region.outer..=region.inner).rev() {
+            let wanted = if index == region.outer {
+                rest
+            } else {
+                let (share, angles) = (region.share(&self.rig.joints[index]), joints[index].angles());
+                [0, 1].map(|axis| {
+                    let off = angles[axis] - share[axis] * before[axis];
+                    let end = if motion.stays { off } else { goals[index][axis] - share[axis] * goal[axis] };
+                    share[axis] * total[axis] + off + taken * (end - off)
+                })
+            };
+            joints[index] = motion.reaches[index].hold(&joints[index].turned_to(wanted[0], wanted[1]));
+            rest = [rest[0] - joints[index].heading, rest[1] - joints[index].pitch];
+        }
+    }
+
+    /// Turns the eye towards what it sees by a frame. It remembers where that was, and the speed at which it leaps.
+    fn leap(&self, seen: &Seen, joints: &mut [Joint], motion: &Motion<'_>) {
+        let first = self.chain.first;
+        let (dt, joint, reach) = (motion.dt, joints[first], &motion.reaches[first]);
+        let held =
+            if seen.is_within() { seen.held } else { self.held(first, &joint, self.straight(seen.wanted)).angles() };
+        let before = joint.destination().unwrap_or(joint.angles());
+        let rate = reach.step / dt;
+        let change = [0, 1].map(|axis| held[axis] - before[axis]);
+        // Half of its speed is for what the goal does smoothly; what it does faster is made up for by a leap.
+        let change = if length(change) <= 0.5 * reach.step { change } else { [0.0; 2] };
+        let offset = [0, 1].map(|axis| joint.angles()[axis] + change[axis] - held[axis]);
+        let (offset, speed) = saccade(offset, joint.velocity, dt, rate);
+        let mut next = reach.hold(&joint.turned_to(held[0] + offset[0], held[1] + offset[1]));
+        next.velocity = speed;
+        next.set_destination(Some(held));
+        joints[first] = next;
+    }
+
+    /// As far as the eye gets straight towards what is out of its range, so that the gaze goes straight while the head comes.
+    fn straight(&self, wanted: Pair) -> Pair {
+        let part = [0, 1].into_iter().fold(1.0_f32, |part, axis| {
+            let range = self.eye[axis];
+            if range.is_point() || range.contains(wanted[axis]) {
+                part
+            } else {
+                part.min((range.hold(wanted[axis]) / wanted[axis]).max(0.0))
+            }
+        });
+        wanted.map(|angle| part * angle)
+    }
+
+    /// Keeps the eye where it is.
+    fn hold_eye(&self, joints: &mut [Joint]) {
+        if self.has_eye {
+            let eye = &mut joints[self.chain.first];
+            eye.velocity = [0.0; 2];
+            eye.set_destination(Some([eye.heading, eye.pitch]));
+        }
     }
 }
 
-/// Whether these angles look along a view, to rounding.
-fn is_along([heading, pitch]: [f32; 2], [ahead, left, up]: [f32; 3]) -> bool {
-    let ((sin_h, cos_h), (sin_p, cos_p)) = (trig::sin_cos(heading), trig::sin_cos(pitch));
-    let level = ahead * cos_h + left * sin_h;
-    let (beside, above) = (left * cos_h - ahead * sin_h, up * cos_p - level * sin_p);
-    level > -SAME_RAD && beside.abs() < SAME_RAD && above.abs() < SAME_RAD
+/// The sums of headings and of pitches.
+fn add(angles: &[Pair]) -> Pair {
+    angles.iter().fold([0.0; 2], |[heading, pitch], own| [heading + own[0], pitch + own[1]])
+}
+
+/// The sums of the joints' headings and pitches.
+fn sum(joints: &[Joint]) -> Pair {
+    joints.iter().fold([0.0; 2], |[heading, pitch], joint| [heading + joint.heading, pitch + joint.pitch])
+}
+
+/// The heading and the pitch that turn `from` to `to`, unit vectors of a joint's frame: pitch lifts `from` to the height of `to`,
+/// or as near as it gets, then heading brings it there.
+fn turn_to(axes: &Axes, from: Vec3A, to: Vec3A) -> Pair {
+    /// Nearer to square to the bone's forward than this, a direction can be lifted to either side.
+    const ACROSS: f32 = 0.5;
+    let [[ahead, left, up], [to_ahead, to_left, to_up]] = [view(axes, from), view(axes, to)];
+    let level = math::sqrt(ahead * ahead + up * up - to_up * to_up);
+    // Differences of angles, each by one arctangent.
+    let turn = |level: f32| {
+        [
+            trig::atan2(to_left * level - to_ahead * left, to_ahead * level + to_left * left),
+            trig::atan2(to_up * ahead - level * up, level * ahead + to_up * up),
+        ]
+    };
+    let angles = turn(if ahead < -ACROSS { -level } else { level });
+    if ahead.abs() <= ACROSS {
+        let other = turn(-level);
+        if other[0].abs() < angles[0].abs() {
+            return other;
+        }
+    }
+    angles
 }

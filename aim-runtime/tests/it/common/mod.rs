@@ -7,8 +7,8 @@ use core::cell::RefCell;
 
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim_runtime::{
-    Axes, Call, Description, Effector, Joint, JointInfo, Memory, Outcome, Pose, Rig, Scalar, Settings, State, Status,
-    Target,
+    Axes, Budgets, Call, Description, Effector, Joint, JointInfo, Memory, Outcome, Pose, Rig, Scalar, Settings, State,
+    Status, Target,
 };
 
 pub mod exact;
@@ -25,6 +25,7 @@ pub const THUG: Axes = Axes { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], lef
 pub struct NumericRig {
     pub infos: Vec<JointInfo>,
     pub effector: Effector,
+    pub budgets: Budgets,
     pub joints: Vec<Joint>,
     pub memory: Memory,
     /// The targets that the residual was asked for, where they are written down.
@@ -38,7 +39,8 @@ impl NumericRig {
         let effector = Effector { forward: infos[0].axes().forward, origin: [0.0; 3] };
         let (joints, corrections) = (vec![Joint::default(); infos.len()], vec![Quat::IDENTITY; infos.len()]);
         let memory = Memory::NONE;
-        Self { infos, effector, joints, memory, asked: None, corrections, other_eye_correction: None }
+        let budgets = Budgets::HUMAN;
+        Self { infos, effector, budgets, joints, memory, asked: None, corrections, other_eye_correction: None }
     }
 
     pub fn call<A: AsRef<[Affine3A]>>(&mut self, pose: &Pose<A>, call: &Call<'_>) -> Outcome {
@@ -96,7 +98,7 @@ impl NumericRig {
     }
 
     pub fn reset(&mut self) {
-        *self = Self { effector: self.effector, ..Self::new(core::mem::take(&mut self.infos)) };
+        *self = Self { effector: self.effector, budgets: self.budgets, ..Self::new(core::mem::take(&mut self.infos)) };
     }
 
     /// The corrections of the last call.
@@ -148,7 +150,7 @@ impl NumericRig {
 
 impl Rig for NumericRig {
     fn description(&self) -> Description<'_> {
-        Description::new(&self.infos).with_effector(self.effector)
+        Description::new(&self.infos).with_effector(self.effector).with_budgets(self.budgets)
     }
 
     fn joint_name(&self, _: usize) -> Option<&str> {

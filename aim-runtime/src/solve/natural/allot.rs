@@ -1,0 +1,248 @@
+//! Where the regions belong: the way from the animated gaze to the target, shared out between them.
+
+use super::glide::{Pair, length};
+use super::{Gaze, Seen};
+use crate::limits::Interval;
+use crate::math;
+use crate::math::trig;
+use crate::rig::PerJoint;
+use crate::{Joint, Settings};
+use core::f32::consts::PI;
+use glam::Vec3A;
+
+/// How often the shares are corrected by what the leading joint could not do.
+const ROUNDS: usize = 16;
+/// What has to be left of a correction for another to be tried.
+const GAIN: f32 = 0.8;
+/// The part of its range that an eye is given: what its angles miss of headings and elevations stays within the rest.
+const EYE_PART: f32 = 0.98;
+/// The part of its range within which the leading joint surely does what headings and elevations leave to it, below this
+/// elevation.
+const PLAIN_PART: f32 = 0.8;
+const STEEP_RAD: f32 = 50.0 * PI / 180.0;
+/// A way that finds no room for more than this is out of reach, radians: a rounding below that elevation, above it what angles
+/// of joints may make of headings that say little there.
+const OUT_OF_REACH_RAD: f32 = 2e-4;
+const STEEP_OUT_OF_REACH_RAD: f32 = 0.3;
+
+/// How far an eye whose heading is this, in a head of one elevation, looks aside from it at another: at
+/// tan h = cos ε·sin ψ/(cos ε·cos ψ·cos η + sin ε·sin η) towards elevation ε, the head's being η.
+fn eye_heading(heading: f32, head: f32, elevation: f32) -> f32 {
+    let ((sin, cos), (sin_head, cos_head)) = (trig::sin_cos(heading), trig::sin_cos(head));
+    let (sin_up, cos_up) = trig::sin_cos(elevation);
+    let ahead = math::sqrt(cos * cos + sin * sin * cos_head * cos_head);
+    let lifted = (sin * sin_up * sin_head / (cos_up.max(1e-3) * ahead)).max(-1.0).min(1.0);
+    trig::atan2(sin * cos_head, cos) + trig::atan2(lifted, math::sqrt(1.0 - lifted * lifted))
+}
+
+/// How a gaze is shared, as the settings count.
+pub(super) struct Sharing {
+    pub(super) eyes_only: f32,
+    pub(super) head_share: f32,
+    pub(super) engage: f32,
+    pub(super) release: f32,
+    pub(super) delay: f32,
+}
+
+impl Sharing {
+    pub(super) fn new(declared: &crate::GazeSharing, settings: &Settings) -> Self {
+        // `max` and `min` return the number where the other is NaN.
+        let attention = settings.attention.max(0.0).min(1.0);
+        let sharing = settings.sharing.as_ref().unwrap_or(declared);
+        let share = sharing.head_share.max(0.0).min(1.0);
+        let left_to_eyes = 1.0 - attention;
+        Self {
+            eyes_only: sharing.eyes_only.max(0.0) * left_to_eyes,
+            head_share: share + (1.0 - share) * attention,
+            engage: sharing.engage.max(0.0) * left_to_eyes,
+            release: sharing.release.max(0.0) * left_to_eyes,
+            delay: sharing.delay.max(0.0),
+        }
+    }
+
+    /// The part of a gaze shift that the regions make: g·max(0, E − D)/E.
+    fn head_part(&self, shift: f32) -> f32 {
+        let beyond = shift - self.eyes_only;
+        if beyond > 0.0 { self.head_share * beyond / shift } else { 0.0 }
+    }
+}
+
+/// The way from the animated gaze to the target, heading and elevation each.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way {
+    from: Pair,
+    to: Pair,
+    way: Pair,
+    /// The part of it that is the regions'.
+    part: f32,
+}
+
+/// Where the regions belong.
+pub(super) struct Allotment<const C: usize> {
+    /// The heading and elevation of each region's outermost forward, from the innermost region outward.
+    pub(super) directions: PerJoint<Pair, C>,
+    /// The point that the leading joint looks at: the target, or what heading and elevation have room for of the way there.
+    pub(super) point: Vec3A,
+    /// Whether the target is within reach.
+    pub(super) within_reach: bool,
+}
+
+impl<const C: usize> Gaze<'_, C> {
+    /// The way to the goal.
+    pub(super) fn way(&self) -> Option<Way> {
+        let from = math::unit(self.chain.animated_gaze().direction)?;
+        let to = math::unit(self.goal.aimed - self.pivot)?;
+        let part = if self.has_eye { self.sharing.head_part(math::angle_between(from, to)) } else { 1.0 };
+        let (from, to) = (self.bearings.angles(from), self.bearings.angles(to));
+        Some(Way { from, to, way: self.bearings.way(from, to, self.goal.side), part })
+    }
+
+    /// Where the regions belong where that is plain: the leading joint can surely do the rest, or the target is out of reach. Else
+    /// `None`, and [`settle`](Self::settle) tries.
+    pub(super) fn allot(&self, way: &mut Way) -> Option<Allotment<C>> {
+        let (mut directions, mut unfit) = self.share(way, [0.0; 2]);
+        if unfit[1] != 0.0 {
+            // Overhead a heading says little: the nearer the target is to the zenith, beyond where the gaze reaches, the less.
+            let fits = trig::sin_cos(way.to[1] - unfit[1]).1;
+            let level = trig::sin_cos(way.to[1]).1;
+            way.way[0] *= (level / fits.max(1e-3)).max(0.0).min(1.0);
+            (directions, unfit) = self.share(way, [0.0; 2]);
+        }
+        let head = self.count - 1;
+        let is_level = way.to[1].abs().max(directions[head][1].abs()) < STEEP_RAD;
+        if length(unfit) > if is_level { OUT_OF_REACH_RAD } else { STEEP_OUT_OF_REACH_RAD } {
+            return Some(self.out_of_reach(way, directions, unfit));
+        }
+        let turned = |region: usize, axis: usize| directions[region][axis] - self.regions[region].animated[axis];
+        let used = |axis: usize| {
+            let (rest, range) = if self.has_eye {
+                (way.way[axis] - turned(head, axis), self.eye[axis])
+            } else if head > 0 {
+                (turned(head, axis) - turned(head - 1, axis), self.regions[head].room[axis])
+            } else {
+                (turned(head, axis), self.regions[head].room[axis])
+            };
+            rest / if rest > 0.0 { range.hi() } else { range.lo() }
+        };
+        let own = &self.motions[self.chain.first];
+        let is_plain = is_level
+            && self.chain.is_rigid()
+            && !own.heading.is_point()
+            && !own.pitch.is_point()
+            && length([used(0), used(1)]) < PLAIN_PART;
+        is_plain.then_some(Allotment { directions, point: self.goal.aimed, within_reach: true })
+    }
+
+    /// Out of reach to the side, the gaze keeps the target's elevation; too high or low, its heading.
+    fn out_of_reach(&self, way: &Way, directions: PerJoint<Pair, C>, unfit: Pair) -> Allotment<C> {
+        let nearest = [0, 1].map(|axis| way.from[axis] + way.way[axis] - unfit[axis]);
+        let point = self.pivot + self.bearings.direction(nearest) * (self.goal.aimed - self.pivot).length();
+        Allotment { directions, point, within_reach: false }
+    }
+
+    /// Finds where the regions belong, and puts `joints` there.
+    pub(super) fn settle(&self, mut way: Way, joints: &mut [Joint]) -> Option<Allotment<C>> {
+        if let Some(allotment) = self.allot(&mut way) {
+            let seen = self.place(&allotment.directions, allotment.point, joints, None)?;
+            if seen.is_within() || !allotment.within_reach {
+                return Some(allotment);
+            }
+        }
+        self.settle_in_rounds(&way, joints).map(|(allotment, _)| allotment)
+    }
+
+    /// The same where it is not plain: each round the regions make what the leading joint could not do in the last one. Returns
+    /// how many corrections there were, too.
+    pub(super) fn settle_in_rounds(&self, way: &Way, joints: &mut [Joint]) -> Option<(Allotment<C>, usize)> {
+        let mut more = [0.0; 2];
+        let (mut directions, mut unfit) = self.share(way, more);
+        let mut least = f32::INFINITY;
+        for round in 0..ROUNDS {
+            let left = self.place(&directions, self.goal.aimed, joints, None)?.left();
+            if Seen::is_nothing(left) {
+                return Some((Allotment { directions, point: self.goal.aimed, within_reach: true }, round));
+            }
+            let rest = length(left);
+            if !(rest < GAIN * least) {
+                break;
+            }
+            least = rest;
+            more = [more[0] + left[0], more[1] + left[1]];
+            (directions, unfit) = self.share(way, more);
+        }
+        let allotment = self.out_of_reach(way, directions, unfit);
+        self.place(&allotment.directions, allotment.point, joints, None)?;
+        Some((allotment, ROUNDS))
+    }
+
+    /// Shares a way out; its part is the regions', and `more` on top. Returns the directions that the regions' outermost
+    /// joints come to have, and what of the way finds no room.
+    fn share(&self, &Way { to, way, part, .. }: &Way, more: Pair) -> (PerJoint<Pair, C>, Pair) {
+        let mut directions = self.rig.array([0.0; 2]);
+        let mut along = |axis: usize, eye: Interval| {
+            let within = Interval::from_ends(way[axis] - EYE_PART * eye.hi(), way[axis] - EYE_PART * eye.lo());
+            let done = self.turn_regions(axis, within.hold(part * way[axis]) + more[axis], &mut directions);
+            let rest = way[axis] - done;
+            (rest - eye.hold(rest), directions[self.count - 1][axis])
+        };
+        if !self.has_eye {
+            let unfit = [0, 1].map(|axis| along(axis, Interval::REST).0);
+            return (directions, unfit);
+        }
+        let (elevation, head) = along(1, self.eye[1]);
+        let (mut heading, _) = along(0, self.eye[0]);
+        if heading != 0.0 {
+            (heading, _) = along(0, self.eye_headings(head, to[1] - elevation));
+        }
+        (directions, [heading, elevation])
+    }
+
+    /// The headings from the head's that the eye reaches at this elevation, the head being at another.
+    fn eye_headings(&self, head: f32, elevation: f32) -> Interval {
+        let [lo, hi] = self.eye[0].ends().map(|end| eye_heading(end, head, elevation));
+        Interval::from_ends(lo, hi)
+    }
+
+    /// Turns the regions by `wanted` together, each by its compliance; what one has no room for is left to the others. Returns
+    /// how far they turn.
+    fn turn_regions(&self, axis: usize, wanted: f32, directions: &mut [Pair]) -> f32 {
+        let regions = &self.regions[..self.count];
+        let mut turns = self.rig.array(0.0_f32);
+        // Mostly all have room for their parts.
+        let each = wanted / regions.iter().map(|region| region.compliance[axis]).sum::<f32>();
+        if regions.iter().all(|region| region.room[axis].contains(each * region.compliance[axis])) {
+            let mut sum = 0.0;
+            for (region, direction) in regions.iter().zip(directions) {
+                sum += each * region.compliance[axis];
+                direction[axis] = region.animated[axis] + sum;
+            }
+            return sum;
+        }
+        let mut left = wanted;
+        for _ in 0..self.count {
+            let gives = |turn: f32, number: usize| {
+                let room = regions[number].room[axis];
+                if room.blocks(turn, left) { 0.0 } else { regions[number].compliance[axis] }
+            };
+            let total: f32 = turns.iter().take(self.count).enumerate().map(|(number, turn)| gives(*turn, number)).sum();
+            if left == 0.0 || !(total > 0.0) {
+                break;
+            }
+            let each = left / total;
+            let mut rest = left;
+            for (number, region) in regions.iter().enumerate() {
+                let turn = turns[number];
+                let next = region.room[axis].hold(turn + each * gives(turn, number));
+                rest -= next - turn;
+                turns[number] = next;
+            }
+            left = rest;
+        }
+        let mut sum = 0.0;
+        for (number, region) in regions.iter().enumerate() {
+            sum += turns[number];
+            directions[number][axis] = region.animated[axis] + sum;
+        }
+        sum
+    }
+}
