@@ -1,6 +1,8 @@
-//! What is counted: characters that follow a swinging target, and nothing else in the frames that are asked for.
+//! What is counted: characters that aim at a target, and nothing else in the frames that are asked for.
 //!
-//! `track_frames exact|exact-inlined|natural|eye|eye-inlined FRAMES`: everything that comes in is made ready for all frames, so
+//! `track_frames exact|exact-inlined|natural|eye|eye-inlined FRAMES` follow a swinging target; `natural-aside`,
+//! `natural-overhead` and `natural-jump` look, their animation moving, at what stands aside or overhead, out of reach, and at
+//! what is now here and now there. Everything that comes in is made ready for all frames, so
 //! that two runs differ by the solver's work in the frames by which they differ.
 
 use std::env;
@@ -10,7 +12,7 @@ use std::process::ExitCode;
 use aim::glam::Affine3A;
 use aim::{Aim, AimRig, Behind, Pose, Settings, Solver};
 use aim_benches::solver::chain::{EyeOnly, Gazer};
-use aim_benches::solver::workload::{Motion, track};
+use aim_benches::solver::workload::{Motion, Path, track};
 
 /// How many characters are counted.
 const CHARACTERS: usize = 64;
@@ -28,6 +30,9 @@ fn main() -> ExitCode {
         "exact" => follow::<Gazer, false>(&motions, frames, &exact),
         "exact-inlined" => follow::<Gazer, true>(&motions, frames, &exact),
         "natural" => follow::<Gazer, false>(&motions, frames, &settings.with_solver(Solver::Natural)),
+        "natural-aside" => stand(frames, [[120.0, 0.0]; 2]),
+        "natural-overhead" => stand(frames, [[10.0, 85.0]; 2]),
+        "natural-jump" => stand(frames, [[-40.0, 0.0], [35.0, 15.0]]),
         "eye" => follow::<EyeOnly, false>(&motions, frames, &exact),
         "eye-inlined" => follow::<EyeOnly, true>(&motions, frames, &exact),
         _ => return usage(),
@@ -36,8 +41,19 @@ fn main() -> ExitCode {
 }
 
 fn usage() -> ExitCode {
-    eprintln!("track_frames exact|exact-inlined|natural|eye|eye-inlined FRAMES");
+    eprintln!("track_frames exact[-inlined]|natural[-aside|-overhead|-jump]|eye[-inlined] FRAMES");
     ExitCode::FAILURE
+}
+
+/// Natural gazes, on a moving animation, at what is half a second in the one direction and half a second in the other.
+fn stand(frames: usize, ends: [[f32; 2]; 2]) {
+    let mut motions = track(CHARACTERS, true);
+    motions.iter_mut().for_each(|motion| motion.path = Path::Between { ends, stays: 0.5 });
+    follow::<Gazer, false>(
+        &motions,
+        frames,
+        &Settings::default().with_behind(Behind::Off).with_solver(Solver::Natural),
+    );
 }
 
 /// Frame by frame, all characters in each.

@@ -119,6 +119,11 @@ impl Model {
         self.effector(values)[1].normalize()
     }
 
+    /// Where the effector is, in the pose's space.
+    pub fn origin(&self, values: &Angles) -> DVec3 {
+        self.effector(values)[0]
+    }
+
     /// The point at this distance straight ahead of the effector.
     pub fn ahead(&self, values: &Angles, distance: f64) -> DVec3 {
         let [origin, forward, _] = self.effector(values);

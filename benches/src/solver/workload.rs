@@ -107,6 +107,13 @@ pub enum Path {
         /// Seconds a turn; negative turns right.
         seconds: f32,
     },
+    /// Stands still in one of two directions, headings and elevations in degrees, now here and now there; at 2 m.
+    Between {
+        /// The two directions.
+        ends: [[f32; 2]; 2],
+        /// How long it is in each, seconds.
+        stays: f32,
+    },
 }
 
 impl Path {
@@ -118,6 +125,13 @@ impl Path {
                 bearing(63.0 * swing.sin(), elevation + 5.0 * (0.7 * swing).sin())
             }
             Self::Orbit { seconds } => bearing(360.0 * t / seconds, 0.0),
+            Self::Between { ends: [[heading, elevation], other], stays } => {
+                if t.rem_euclid(2.0 * stays) < stays {
+                    bearing(heading, elevation)
+                } else {
+                    bearing(other[0], other[1])
+                }
+            }
         };
         EYE_AT_REST + 2.0 * towards
     }

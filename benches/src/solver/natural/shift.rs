@@ -4,7 +4,7 @@ use aim::glam::{Affine3A, DVec3, Quat};
 use aim::{AimRig, Rig, Settings};
 
 use super::super::chain::{DEG, Gazer};
-use super::super::model::{Angles, Model, angle};
+use super::super::model::{Angles, MOST, Model, angle};
 use super::super::row::largest;
 use super::super::sample::{Scene, frames};
 
@@ -134,18 +134,21 @@ impl Shift {
         }))
     }
 
-    /// How far the gaze goes past the target, or an angle of neck or chest past where it ends, degrees.
+    /// How far the gaze goes past the target, or the chest or neck and chest together past where they end, degrees: the neck
+    /// alone makes up for a chest that comes later.
     pub(crate) fn overshoot(&self) -> f64 {
         let whole = angle(self.ahead, self.aside);
         let along = self.aside.reject_from_normalized(self.ahead).normalize();
         let past = self.frames.iter().map(|frame| frame.gaze.dot(along).atan2(frame.gaze.dot(self.ahead)) - whole);
         let gaze = largest(past);
         let (start, end) = (self.frames[0], self.frames[self.frames.len() - 1]);
-        let joints = NECK.into_iter().chain(CHEST).map(|i| {
-            let sense = (end.angles[i] - start.angles[i]).signum();
-            largest(self.frames.iter().map(|frame| sense * (frame.angles[i] - end.angles[i])))
+        let sums = [[CHEST[0], MOST - 1], [CHEST[1], MOST - 1], [CHEST[0], NECK[0]], [CHEST[1], NECK[1]]];
+        let joints = sums.map(|[i, j]| {
+            let sum = |frame: &Frame| frame.angles[i] + frame.angles[j];
+            let sense = (sum(&end) - sum(&start)).signum();
+            largest(self.frames.iter().map(|frame| sense * (sum(frame) - sum(&end))))
         });
-        largest(joints.chain([gaze])) / DEG
+        largest(joints.into_iter().chain([gaze])) / DEG
     }
 
     /// How far the gaze is off the great circle from where it was to the target at most, degrees.
