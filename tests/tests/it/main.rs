@@ -14,6 +14,7 @@ mod inlined;
 mod kernels;
 mod lanes;
 mod mannequin;
+mod natural_gaze;
 mod same_code;
 mod settling;
 mod wgsl;
