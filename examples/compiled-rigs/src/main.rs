@@ -70,8 +70,9 @@ fn look(name: &str, rig: &dyn Rig, model: &Document, target: Vec3) -> Result<Str
     );
     for (index, joint) in character.state.joints.iter().enumerate() {
         let (heading, pitch) = (joint.heading().to_degrees(), joint.pitch().to_degrees());
-        let side = if heading < 0.0 { "right" } else { "left" };
-        let height = if pitch < 0.0 { "down" } else { "up" };
+        // What is shown as 0.0 has no side.
+        let side = if heading < -0.05 { "right" } else { "left" };
+        let height = if pitch < -0.05 { "down" } else { "up" };
         text += &format!(
             "    {:<9} {:4.1}° {side}, {:4.1}° {height}\n",
             bones(index).next().unwrap_or_default(),

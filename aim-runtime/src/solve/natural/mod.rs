@@ -480,7 +480,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
     fn glide(&self, region: &Region, is_head: bool, goals: &[Pair], joints: &mut [Joint], motion: &mut Motion<'_>) {
         let (outer, inner, dt) = (region.outer, region.inner, motion.dt);
         let pace = region.pace * motion.led.unwrap_or_default().haste();
-        let bounds = Bounds { dt, pace, rate: region.rate, acceleration: region.acceleration };
+        let mut bounds = Bounds { dt, pace, rate: region.rate, acceleration: region.acceleration };
         let (before, speed) = (sum(&joints[outer..=inner]), joints[outer].velocity);
         let mut glide =
             Glide { speed, acceleration: joints[outer].destination().unwrap_or_default(), ..Glide::default() };
@@ -497,6 +497,9 @@ impl<'a, const C: usize> Gaze<'a, C> {
             begins = follow(&mut led, before, goal, &mut glide, &bounds);
         } else {
             glide.offset = [before[0] - goal[0], before[1] - goal[1]];
+        }
+        if is_head && !self.has_eye {
+            bounds.pace *= quickness(length(glide.offset));
         }
         let carries = if is_head { led.speed } else { [0.0; 2] };
         let mut next = glide.after(&bounds, begins, carries);
@@ -600,6 +603,13 @@ impl<'a, const C: usize> Gaze<'a, C> {
             eye.set_destination(Some([eye.heading, eye.pitch]));
         }
     }
+}
+
+/// How much quicker a head that leads makes up for a small offset, which takes little acceleration: what the animation does in
+/// jerks leaves it no lag that could be seen.
+fn quickness(offset: f32) -> f32 {
+    const SMALL_RAD: f32 = 3.0 * PI / 180.0;
+    math::sqrt(SMALL_RAD / offset.max(SMALL_RAD / 9.0)).max(1.0)
 }
 
 /// The sums of headings and of pitches.
