@@ -2,7 +2,7 @@
 //! its part does in people. `aim rig` writes it down, `aim bake` without a rig aims with it.
 
 use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, LimitsFrom, RigSpec};
-use aim_gltf::{BoneAxes, ChainNodes, Clue, Document, LookAt, Measurement, Role};
+use aim_gltf::{BoneAxes, ChainNodes, Clue, Document, LookAt, Measurement, Role, limbs_on};
 use aim_model::BoneName;
 
 use crate::error::Error;
@@ -131,6 +131,13 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
             if let Some(range) = bone.role.and_then(|role| vrm_range(document, role)) {
                 [joint.heading, joint.pitch] = range.map(|ends| Some(between(ends)));
                 why = "the range maps of the file's lookAt".into();
+            }
+        }
+        if matches!(bone.role, Some(Role::Head | Role::Neck)) {
+            let names: Vec<&str> =
+                limbs_on(skeleton, bone.node).into_iter().map(|limb| skeleton.nodes()[limb].name.as_str()).collect();
+            if !names.is_empty() {
+                why += &format!("; {} hang on it and stay with the trunk where a clip is baked", names.join(", "));
             }
         }
         if bone.deviation_deg > CARDINAL_DEG {

@@ -1,10 +1,11 @@
-//! Aims a rig over a clip, frame by frame, and makes the clip that does it: only the chain's rotations change.
+//! Aims a rig over a clip, frame by frame, and makes the clip that does it: only the chain's rotations change, and what
+//! hangs on its neck and stays with the trunk.
 
 use core::f32::consts::TAU;
 use std::sync::Arc;
 
 use aim_runtime::{DynAim, Joint, Rig, Settings};
-use glam::{DAffine3, DVec3, Quat};
+use glam::{DAffine3, DVec3, Quat, Vec3};
 
 use crate::chain::ChainNodes;
 use crate::clip::{Channel, Clip};
@@ -51,7 +52,8 @@ pub struct Plan<'a> {
 /// A baked clip.
 #[derive(Clone, Debug)]
 pub struct Baked {
-    /// The clip: the source's channels, the chain's rotations replaced.
+    /// The clip: the source's channels, the chain's rotations replaced, and places and rotations of what is
+    /// [held](Live::held).
     pub clip: Clip,
     /// The result of each frame.
     pub frames: Vec<AimedFrame>,
@@ -76,10 +78,13 @@ pub fn bake<R: Rig>(
         Some(clip) => skeleton.pose(clip, t),
         None => skeleton.rest_pose(),
     };
-    let mut rotations: Vec<Vec<Quat>> = vec![Vec::with_capacity(times.len()); plan.chain.turned().count()];
+    let turned: Vec<usize> = plan.chain.turned().chain(live.held()).collect();
+    let mut rotations: Vec<Vec<Quat>> = vec![Vec::with_capacity(times.len()); turned.len()];
+    let mut places: Vec<Vec<Vec3>> = vec![Vec::with_capacity(times.len()); live.held().count()];
     let mut frames = Vec::with_capacity(times.len());
     for pass in 0..if plan.looped { MOST_ROUNDS } else { 1 } {
         rotations.iter_mut().for_each(Vec::clear);
+        places.iter_mut().for_each(Vec::clear);
         frames.clear();
         let mut began = rig.state.joints.clone();
         let mut before: Option<f32> = None;
@@ -103,7 +108,10 @@ pub fn bake<R: Rig>(
             let effector = plan.settings.effector;
             let moment = Moment { t, target: target_ws, world: &world, joints: &joints, outcome, effector };
             let frame = live.aimed(rig, skeleton, &mut pose, &moment);
-            for (track, node) in rotations.iter_mut().zip(plan.chain.turned()) {
+            for (track, node) in places.iter_mut().zip(live.held()) {
+                track.push(pose[node].translation);
+            }
+            for (track, &node) in rotations.iter_mut().zip(&turned) {
                 track.push(continuous(track.last(), pose[node].rotation));
             }
             frames.push(frame);
@@ -115,8 +123,11 @@ pub fn bake<R: Rig>(
     }
     let name = source.as_ref().map_or_else(|| "aim".to_owned(), |clip| clip.name.clone());
     let mut clip = source.unwrap_or_else(|| Clip::new(name, Vec::new()));
-    for (node, track) in plan.chain.turned().zip(&rotations) {
+    for (&node, track) in turned.iter().zip(&rotations) {
         clip.set(Channel::rotation(node, times.clone(), track));
+    }
+    for (node, track) in live.held().zip(&places) {
+        clip.set(Channel::translation(node, times.clone(), track));
     }
     Ok(Baked { clip, frames })
 }

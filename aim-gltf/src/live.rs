@@ -5,6 +5,7 @@ use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3};
 
 use crate::chain::ChainNodes;
 use crate::document::Document;
+use crate::held::Held;
 use crate::measure::Measurement;
 use crate::skeleton::Skeleton;
 use crate::stance::Stance;
@@ -18,6 +19,7 @@ use crate::trs::Trs;
 pub struct Live {
     stance: Stance,
     both_eyes: bool,
+    held: Vec<Held>,
 }
 
 /// Inputs of one aimed frame.
@@ -89,7 +91,14 @@ impl Live {
         both_eyes: bool,
     ) -> Self {
         let both_eyes = both_eyes && chain.other_eye.is_some();
-        Self { stance: Stance::new(rig, document.skeleton(), chain, measurement), both_eyes }
+        let skeleton = document.skeleton();
+        let held = Held::find(rig, skeleton, chain);
+        Self { stance: Stance::new(rig, skeleton, chain, measurement), both_eyes, held }
+    }
+
+    /// The nodes that keep their place on the trunk while the neck that they hang on turns: the arms' first bones.
+    pub fn held(&self) -> impl Iterator<Item = usize> + '_ {
+        self.held.iter().map(|held| held.node)
     }
 
     /// The joints as the solvers take them, for a pose and its nodes in the world. Where both eyes are aimed, the other
@@ -108,7 +117,7 @@ impl Live {
         }
     }
 
-    /// Puts the rig's corrections into the pose and tells what came of it.
+    /// Puts the rig's corrections into the pose, moves what is [held](Self::held) back, and tells what came of it.
     pub fn aimed<R: Rig>(
         &self,
         character: &DynAim<R>,
@@ -119,7 +128,11 @@ impl Live {
         let &Moment { t, target, world: animated, joints, outcome, effector } = moment;
         let stance = &self.stance;
         apply(character, &stance.chain, skeleton, pose);
-        let world = skeleton.world_f64(pose);
+        let mut world = skeleton.world_f64(pose);
+        if !self.held.is_empty() {
+            self.held.iter().for_each(|held| held.hold(skeleton, pose, animated, &world));
+            world = skeleton.world_f64(pose);
+        }
         AimedFrame {
             t,
             target,

@@ -10,6 +10,7 @@ mod emitted;
 mod expanded;
 mod golden;
 mod gradients;
+mod held;
 mod inlined;
 mod kernels;
 mod lanes;

@@ -65,7 +65,8 @@ impl Bake<'_> {
 
         let chain: Vec<usize> = bones(&frames[0]["joints"]).map(|bone| output.node(bone)).collect();
         let pair: Vec<usize> = bones(&frames[0]["followers"]).map(|bone| output.node(bone)).collect();
-        self.only_the_clip_differs(&source, &output, output_at, &[&chain[..], &pair[..]].concat());
+        let held = arms_on_the_neck(&output, &chain);
+        self.only_the_clip_differs(&source, &output, output_at, &[&chain[..], &pair[..], &held[..]].concat());
 
         let period = source_clip.as_ref().map_or(0.0, |clip| clip.seconds);
         let before = |t: f64| match &source_clip {
@@ -77,7 +78,7 @@ impl Bake<'_> {
         for k in 0..200_u32 {
             let t = seconds * f64::from(k) / 199.3;
             if !seam(t) {
-                untouched(&before(t), &output.pose(&output_clip, t), &chain, &pair, t);
+                untouched(&before(t), &output.pose(&output_clip, t), &[&chain[..], &pair[..]].concat(), &held, t);
             }
         }
         let frames = frames.iter().map(|report| {
@@ -89,6 +90,9 @@ impl Bake<'_> {
         for frame in &frames {
             self.error_is_true(frame, &output, chain[0]);
             if !seam(frame.t) {
+                for &arm in &held {
+                    stays_on_the_trunk(frame, &output, chain[chain.len() - 1], arm);
+                }
                 if let Some(up) = up {
                     self.roll_is_true(frame, &output, chain[0], up);
                 }
@@ -240,12 +244,34 @@ fn moved(model: &Model, clip: usize, node: usize) -> bool {
     list(&model.json["animations"][clip]["channels"]).iter().any(|channel| channel["target"]["node"] == node)
 }
 
-/// Every node has the source's local transform, the chain and its pair all but the rotation.
-fn untouched(before: &[Local], after: &[Local], chain: &[usize], pair: &[usize], t: f64) {
+/// The clavicles that hang on what is turned of head and neck, above a turned trunk.
+fn arms_on_the_neck(model: &Model, chain: &[usize]) -> Vec<usize> {
+    let [neck @ .., _] = chain else { return Vec::new() };
+    let is_clavicle = |node: &usize| {
+        let name = model.json["nodes"][*node]["name"].as_str().unwrap_or_default().to_lowercase();
+        name.contains("clavicle") || name.contains("shoulder")
+    };
+    let hangs = |node: &usize| model.parent(*node).is_some_and(|parent| neck.contains(&parent));
+    (0..list(&model.json["nodes"]).len()).filter(is_clavicle).filter(hangs).collect()
+}
+
+/// An arm stands to the trunk as it does in the source.
+fn stays_on_the_trunk(frame: &Frame<'_>, model: &Model, trunk: usize, arm: usize) {
+    let on_trunk = |pose: &[Local]| model.world(pose, trunk).inverse() * model.world(pose, arm);
+    let (before, after) = (on_trunk(&frame.source), on_trunk(&frame.output));
+    let size = before.w_axis.truncate().length();
+    assert!(after.abs_diff_eq(before, 1e-4 * size.max(1.0)), "t {}: {before} to {after}", frame.t);
+}
+
+/// Every node has the source's local transform, what is turned all but the rotation, and what is held only the scale.
+fn untouched(before: &[Local], after: &[Local], turned: &[usize], held: &[usize], t: f64) {
     for (node, (before, after)) in before.iter().zip(after).enumerate() {
         let mut after = *after;
-        if chain.contains(&node) || pair.contains(&node) {
+        if turned.contains(&node) || held.contains(&node) {
             after.rotation = before.rotation;
+        }
+        if held.contains(&node) {
+            after.translation = before.translation;
         }
         let difference = before.difference(&after);
         assert!(difference < 5e-5, "t {t}: node {node} moved by {difference}: {before:?} to {after:?}");

@@ -1,0 +1,58 @@
+//! [`Held`]: what hangs on a neck that turns, but belongs to the trunk: the clavicles of many skeletons.
+
+use aim_model::{BoneName, Role};
+use aim_runtime::Rig;
+use glam::{DAffine3, DMat3, DQuat};
+
+use crate::chain::ChainNodes;
+use crate::skeleton::Skeleton;
+use crate::trs::{Trs, orthonormal};
+
+/// Words of the bones that arms begin with.
+const ARMS: &str = "clavicle clavicles clav collar collarbone shoulder upperarm arm forearm lowerarm hand 肩 腕";
+
+/// A node that keeps its place on the trunk while the neck that it hangs on is turned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Held {
+    pub(crate) node: usize,
+    /// What carries it: the outermost turned joint that is not of head or neck; `None` for what is not turned.
+    carrier: Option<usize>,
+}
+
+impl Held {
+    /// What has to be held while a rig turns these nodes.
+    pub(crate) fn find(rig: &dyn Rig, skeleton: &Skeleton, chain: &ChainNodes) -> Vec<Self> {
+        let description = rig.description();
+        let is_of_head = |joint: usize| matches!(description.joints()[joint].role, Role::Eye | Role::Head | Role::Neck);
+        let Some(innermost) = (0..chain.joints.len()).rfind(|&joint| is_of_head(joint)) else { return Vec::new() };
+        let carrier = chain.joints.get(innermost + 1).copied();
+        limbs_on(skeleton, chain.joints[innermost]).into_iter().map(|node| Self { node, carrier }).collect()
+    }
+
+    /// Moves it back to where its carrier has it. `animated` are the nodes in the world before anything was turned, and
+    /// `turned` after it.
+    pub(crate) fn hold(&self, skeleton: &Skeleton, pose: &mut [Trs], animated: &[DAffine3], turned: &[DAffine3]) {
+        let node = self.node;
+        let carried = self.carrier.map_or(DAffine3::IDENTITY, |by| turned[by] * animated[by].inverse());
+        let Some(parent) = skeleton.nodes()[node].parent else { return };
+        let local = turned[parent].inverse() * carried * animated[node];
+        let unscaled = DMat3::from_diagonal(pose[node].scale.as_dvec3().recip());
+        let rotation = DQuat::from_mat3(&orthonormal(&(local.matrix3 * unscaled)).0);
+        // Hidden by a scale of 0, it has no place to keep.
+        if local.is_finite() && unscaled.is_finite() && rotation.is_finite() {
+            pose[node].rotation = rotation.normalize().as_quat();
+            pose[node].translation = local.translation.as_vec3();
+        }
+    }
+}
+
+/// The bones that arms begin with, as their names tell, of those that hang on a node, however deep.
+#[must_use]
+pub fn limbs_on(skeleton: &Skeleton, node: usize) -> Vec<usize> {
+    let is_limb = |at: &usize| BoneName::new(&skeleton.nodes()[*at].name).has(ARMS);
+    let hangs = |at: usize| skeleton.ancestry(at).skip(1).take_while(|&above| above != node);
+    let limbs = (0..skeleton.nodes().len()).filter(is_limb).filter(|&at| {
+        at != node && skeleton.ancestry(at).any(|above| above == node) && !hangs(at).any(|above| is_limb(&above))
+    });
+    limbs.collect()
+}
