@@ -1,14 +1,15 @@
 //! Where the regions belong: the way from the animated gaze to the target, shared out between them.
 
+use core::f32::consts::PI;
+
+use glam::Vec3A;
+
 use super::glide::{Pair, length};
 use super::{Gaze, Seen};
 use crate::limits::Interval;
-use crate::math;
 use crate::math::trig;
 use crate::rig::PerJoint;
-use crate::{Joint, Settings};
-use core::f32::consts::PI;
-use glam::Vec3A;
+use crate::{Joint, math};
 
 /// How often the shares are corrected by what the leading joint could not do.
 const ROUNDS: usize = 16;
@@ -33,38 +34,6 @@ fn eye_heading(heading: f32, head: f32, elevation: f32) -> f32 {
     let ahead = math::sqrt(cos * cos + sin * sin * cos_head * cos_head);
     let lifted = (sin * sin_up * sin_head / (cos_up.max(1e-3) * ahead)).max(-1.0).min(1.0);
     trig::atan2(sin * cos_head, cos) + trig::atan2(lifted, math::sqrt(1.0 - lifted * lifted))
-}
-
-/// How a gaze is shared, as the settings count.
-pub(super) struct Sharing {
-    pub(super) eyes_only: f32,
-    pub(super) head_share: f32,
-    pub(super) engage: f32,
-    pub(super) release: f32,
-    pub(super) delay: f32,
-}
-
-impl Sharing {
-    pub(super) fn new(declared: &crate::GazeSharing, settings: &Settings) -> Self {
-        // `max` and `min` return the number where the other is NaN.
-        let attention = settings.attention.max(0.0).min(1.0);
-        let sharing = settings.sharing.as_ref().unwrap_or(declared);
-        let share = sharing.head_share.max(0.0).min(1.0);
-        let left_to_eyes = 1.0 - attention;
-        Self {
-            eyes_only: sharing.eyes_only.max(0.0) * left_to_eyes,
-            head_share: share + (1.0 - share) * attention,
-            engage: sharing.engage.max(0.0) * left_to_eyes,
-            release: sharing.release.max(0.0) * left_to_eyes,
-            delay: sharing.delay.max(0.0),
-        }
-    }
-
-    /// The part of a gaze shift that the regions make: g·max(0, E − D)/E.
-    fn head_part(&self, shift: f32) -> f32 {
-        let beyond = shift - self.eyes_only;
-        if beyond > 0.0 { self.head_share * beyond / shift } else { 0.0 }
-    }
 }
 
 /// The way from the animated gaze to the target, heading and elevation each.

@@ -17,14 +17,15 @@
 mod allot;
 mod glide;
 mod region;
+mod sharing;
 
 use core::f32::consts::{FRAC_PI_2, PI};
 
 use glam::{Affine3A, Mat3A, Vec3A};
 
-use self::allot::Sharing;
 use self::glide::{Bounds, Glide, Pair, follow, length, saccade};
 use self::region::{Region, regions};
+use self::sharing::Sharing;
 use crate::kinematics::bearing::Bearings;
 use crate::kinematics::chain::{Chain, Ray};
 use crate::kinematics::rotation::joint_turn;

@@ -1,0 +1,35 @@
+//! [`Sharing`]: how a gaze is shared between the eye and the regions in a call.
+
+use crate::{GazeSharing, Settings};
+
+/// How a gaze is shared, as the settings count.
+pub(super) struct Sharing {
+    pub(super) eyes_only: f32,
+    pub(super) head_share: f32,
+    pub(super) engage: f32,
+    pub(super) release: f32,
+    pub(super) delay: f32,
+}
+
+impl Sharing {
+    pub(super) fn new(declared: &GazeSharing, settings: &Settings) -> Self {
+        // `max` and `min` return the number where the other is NaN.
+        let attention = settings.attention.max(0.0).min(1.0);
+        let sharing = settings.sharing.as_ref().unwrap_or(declared);
+        let share = sharing.head_share.max(0.0).min(1.0);
+        let left_to_eyes = 1.0 - attention;
+        Self {
+            eyes_only: sharing.eyes_only.max(0.0) * left_to_eyes,
+            head_share: share + (1.0 - share) * attention,
+            engage: sharing.engage.max(0.0) * left_to_eyes,
+            release: sharing.release.max(0.0) * left_to_eyes,
+            delay: sharing.delay.max(0.0),
+        }
+    }
+
+    /// The part of a gaze shift that the regions make: g·max(0, E − D)/E.
+    pub(super) fn head_part(&self, shift: f32) -> f32 {
+        let beyond = shift - self.eyes_only;
+        if beyond > 0.0 { self.head_share * beyond / shift } else { 0.0 }
+    }
+}
