@@ -8,10 +8,10 @@ use crate::kinematics::chain::{Chain, Upright};
 use crate::math;
 use crate::math::trig;
 use crate::rig::{ChainRig, Side};
-use crate::{Axes, JointInfo};
+use crate::{Axes, JointInfo, Role};
 
 /// A gaze higher or lower than this has a heading that says little, radians.
-const STEEP_RAD: f32 = 60.0 * PI / 180.0;
+const STEEP_RAD: f32 = 80.0 * PI / 180.0;
 
 /// Directions of solver space as headings (from the front to the left) and elevations above the horizon, radians.
 #[derive(Clone, Copy, Debug)]
@@ -46,8 +46,15 @@ impl Bearings {
             Upright::About(up) => up,
             Upright::Off | Upright::Innermost => trunk_up,
         };
-        let is_free =
-            |info: &JointInfo| info.heading.is_some_and(|[lo, hi]| lo == -f32::INFINITY && hi == f32::INFINITY);
+        let all = [f32::NEG_INFINITY, f32::INFINITY];
+        let is_free = |info: &JointInfo| {
+            let budget = match info.role {
+                Role::Head | Role::Neck => rig.budgets.head.heading,
+                Role::Chest => rig.budgets.chest.heading,
+                Role::Eye | Role::None => all,
+            };
+            info.heading == Some(all) && budget == all
+        };
         Self { turns_round: rig.joints[chain.first..].iter().any(is_free), ..Self::new(up, forward, left, trunk_up) }
     }
 

@@ -40,7 +40,9 @@ pub enum Status {
     Degenerate,
     /// The target is behind the character, out of reach: the [policy](crate::Behind) for that is active.
     Behind,
-    /// Out of reach of the ranges of motion, even if the joints had all the time they need.
+    /// Out of reach of the ranges of motion, even if the joints had all the time they need. For the
+    /// [natural](crate::Solver::Natural) solver: the target's heading or its elevation does not fit what ranges and
+    /// [budgets](crate::Budgets) allow, though joints that trade one for the other may come nearer.
     AtLimit,
     /// On the way: within reach, as soon as the rates allow.
     RateLimited,

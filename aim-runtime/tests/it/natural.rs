@@ -617,3 +617,74 @@ fn any_bits() {
         }
     }
 }
+
+/// A snap is where the frames after it stay, out of reach as well.
+#[test]
+fn what_was_snapped_stays() {
+    for (heading, pitch) in [(20.0, 0.0), (60.0, 10.0), (130.0, 60.0), (130.0, 45.0), (115.0, -60.0), (0.0, 85.0)] {
+        let mut rig = thug();
+        let pose = upright(&rig);
+        rig.snap_with(&Pose::new(pose.clone()), at(heading, pitch), &Settings::default());
+        let snapped = rig.joints.clone();
+        for _ in 0..60 {
+            aim(&mut rig, &pose, at(heading, pitch), 1.0 / 60.0, &Settings::default());
+        }
+        for (before, now) in snapped.iter().zip(&rig.joints) {
+            let moved = [before.heading() - now.heading(), before.pitch() - now.pitch()];
+            assert!(moved[0].hypot(moved[1]) < 0.01 * DEG, "{heading}°, {pitch}°: {before:?} to {now:?}");
+        }
+    }
+}
+
+/// A quicker neck is there no later.
+#[test]
+fn a_higher_rate_is_no_slower() {
+    let frames = |rate: f32| {
+        let mut rig = thug();
+        rig.infos[1].rate = rate * DEG;
+        rig.budgets = Budgets { head: aim_runtime::Budget { rate: rate * DEG, ..rig.budgets.head }, ..rig.budgets };
+        let pose = upright(&rig);
+        (0..300).find(|_| {
+            turned(&rig.joints[1]) > 25.0 || {
+                aim(&mut rig, &pose, at(60.0, 10.0), 1.0 / 60.0, &Settings::default());
+                false
+            }
+        })
+    };
+    let usual = frames(170.0).unwrap();
+    assert!([300.0, 1000.0, 5000.0].into_iter().all(|rate| frames(rate).is_some_and(|count| count <= usual)));
+}
+
+/// The neck of an animation that nods deep: what is aside is looked at by way of the front, whatever the nod.
+#[test]
+fn a_deep_nod_changes_no_side() {
+    for nod in [55.0, 59.0, 61.0, 70.0_f32] {
+        let mut rig = thug();
+        let mut pose = upright(&rig);
+        let neck = pose[1].translation;
+        let turn = Affine3A::from_translation(neck.into())
+            * Affine3A::from_rotation_x(-nod * DEG)
+            * Affine3A::from_translation(-Vec3::from(neck));
+        pose[..2].iter_mut().for_each(|joint| *joint = turn * *joint);
+        for _ in 0..120 {
+            aim(&mut rig, &pose, at(100.0, -20.0), 1.0 / 60.0, &Settings::default());
+        }
+        let heading = rig.joints[1].heading() / DEG;
+        assert!(heading > 30.0, "{nod}°: {heading}°");
+    }
+}
+
+/// A target that trembles behind a neck that may turn freely, but has a person's budget: the side it was on counts.
+#[test]
+fn a_free_neck_with_a_budget_keeps_its_side() {
+    let mut rig = thug();
+    rig.infos[1].heading = Some([f32::NEG_INFINITY, f32::INFINITY]);
+    let pose = upright(&rig);
+    let settings = Settings::default().with_behind(Behind::Off);
+    let mut rng = Rng(5);
+    for frame in 0..400 {
+        let heading = if frame < 100 { 1.7 * frame as f32 } else { 180.0 + rng.between(-1.5, 1.5) };
+        rig.aim_with(&Pose::new(pose.clone()), at(heading, 0.0), 1.0 / 60.0, &settings);
+        assert!(frame < 100 || rig.joints[1].heading() > 60.0 * DEG, "{frame}: {:?}", rig.joints[1]);
+    }
+}

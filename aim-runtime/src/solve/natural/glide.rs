@@ -28,6 +28,8 @@ pub(super) struct Bounds {
     /// ω.
     pub(super) pace: f32,
     pub(super) rate: f32,
+    /// The largest speed at which an offset dies away.
+    pub(super) approach: f32,
     pub(super) acceleration: f32,
 }
 
@@ -35,10 +37,10 @@ impl Glide {
     /// The glide a frame later, while the goal goes on at speed `with` after `before`. From frame to frame, the region's
     /// speed as it is seen, that of goal and offset together, changes by no more than its acceleration allows.
     pub(super) fn after(&self, bounds: &Bounds, before: Pair, with: Pair) -> Self {
-        let &Bounds { dt, pace, rate, acceleration } = bounds;
+        let &Bounds { dt, pace, rate, approach, acceleration } = bounds;
         let far = length(self.offset);
         // While the offset stays the same, the speed comes to ω·offset/3; what the goal's own leaves of the rate.
-        let near = 3.0 * (rate - length(with)).max(0.0) / pace;
+        let near = 3.0 * (rate - length(with)).max(0.0).min(approach) / pace;
         let part = if far > near { near / far } else { 1.0 };
         let fade = exp_of_minus(pace * dt);
         let mut next = *self;

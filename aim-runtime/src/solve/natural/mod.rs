@@ -368,11 +368,13 @@ impl<'a, const C: usize> Gaze<'a, C> {
         if self.has_eye {
             let first = self.chain.first;
             let wanted = self.sight(&frame, joints, point)?;
-            let held = self.held(first, &joints[first], wanted);
-            let eye = Seen { wanted, held: held.angles() };
+            let eye = Seen { wanted, held: self.held(first, &joints[first], wanted).angles() };
             match motion {
                 Some(motion) => self.leap(&eye, joints, motion),
-                None => joints[first] = held,
+                None => {
+                    let [heading, pitch] = self.held_straight(&eye, &joints[first]);
+                    joints[first] = joints[first].turned_to(heading, pitch);
+                }
             }
             seen = Some(eye);
         }
@@ -481,7 +483,8 @@ impl<'a, const C: usize> Gaze<'a, C> {
     fn glide(&self, region: &Region, is_head: bool, goals: &[Pair], joints: &mut [Joint], motion: &mut Motion<'_>) {
         let (outer, inner, dt) = (region.outer, region.inner, motion.dt);
         let pace = region.pace * motion.led.unwrap_or_default().haste();
-        let mut bounds = Bounds { dt, pace, rate: region.rate, acceleration: region.acceleration };
+        let &Region { rate, approach, acceleration, .. } = region;
+        let mut bounds = Bounds { dt, pace, rate, approach, acceleration };
         let (before, speed) = (sum(&joints[outer..=inner]), joints[outer].velocity);
         let mut glide =
             Glide { speed, acceleration: joints[outer].destination().unwrap_or_default(), ..Glide::default() };
@@ -568,8 +571,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
     fn leap(&self, seen: &Seen, joints: &mut [Joint], motion: &Motion<'_>) {
         let first = self.chain.first;
         let (dt, joint, reach) = (motion.dt, joints[first], &motion.reaches[first]);
-        let held =
-            if seen.is_within() { seen.held } else { self.held(first, &joint, self.straight(seen.wanted)).angles() };
+        let held = self.held_straight(seen, &joint);
         let before = joint.destination().unwrap_or(joint.angles());
         let rate = reach.step / dt;
         let change = [0, 1].map(|axis| held[axis] - before[axis]);
@@ -583,7 +585,17 @@ impl<'a, const C: usize> Gaze<'a, C> {
         joints[first] = next;
     }
 
-    /// As far as the eye gets straight towards what is out of its range, so that the gaze goes straight while the head comes.
+    /// Where the eye is held: towards what is out of its range straight, so that the gaze goes straight while the head comes and
+    /// keeps its elevation where the head does not get there.
+    fn held_straight(&self, seen: &Seen, joint: &Joint) -> Pair {
+        if seen.is_within() {
+            seen.held
+        } else {
+            self.held(self.chain.first, joint, self.straight(seen.wanted)).angles()
+        }
+    }
+
+    /// As far as the eye gets straight towards what is out of its range.
     fn straight(&self, wanted: Pair) -> Pair {
         let part = [0, 1].into_iter().fold(1.0_f32, |part, axis| {
             let range = self.eye[axis];

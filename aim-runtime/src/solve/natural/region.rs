@@ -35,8 +35,9 @@ pub(super) struct Region {
     /// The largest speed and acceleration of the sums of angles.
     pub(super) rate: f32,
     pub(super) acceleration: f32,
-    /// The rate at which its offset dies away, 1/s.
+    /// The rate at which its offset dies away, 1/s, and the largest speed at which it does.
     pub(super) pace: f32,
+    pub(super) approach: f32,
 }
 
 impl Region {
@@ -52,6 +53,7 @@ impl Region {
         rate: 0.0,
         acceleration: 0.0,
         pace: 0.0,
+        approach: 0.0,
     };
 
     /// The part of the region's turn that a joint makes.
@@ -129,7 +131,9 @@ pub(super) fn regions<const C: usize>(
         }
         region.rate = rate.min(budget.rate);
         region.acceleration = if declared > 0.0 { declared } else { budget.acceleration }.min(MOST_RAD_S2);
-        region.pace = pace(region.acceleration, region.rate);
+        region.pace = pace(region.acceleration);
+        // From its full speed the region is to come to rest with this acceleration.
+        region.approach = region.rate.min(3.5 * region.acceleration / region.pace);
         regions[count] = region;
         count += 1;
     }
@@ -146,10 +150,8 @@ fn unbounded(budget: Budget) -> Budget {
 ///
 /// A way s of which the speed is s·(ωt)²/2·e^(−ωt) needs 0.23·ω²·s of acceleration at most; a human's 1200°/s² and 11.5/s go
 /// together, so that 95 % of any way take half a second.
-fn pace(acceleration: f32, rate: f32) -> f32 {
+fn pace(acceleration: f32) -> f32 {
     const HUMAN: f32 = 11.5;
     const HUMAN_RAD_S2: f32 = 1200.0 * PI / 180.0;
-    let pace = HUMAN * math::sqrt(acceleration / HUMAN_RAD_S2);
-    // From its full speed the region is to come to rest with this acceleration.
-    pace.min(3.5 * acceleration / rate.max(1e-6)).max(1e-3)
+    (HUMAN * math::sqrt(acceleration / HUMAN_RAD_S2)).max(1e-3)
 }
