@@ -46,13 +46,26 @@ impl Held {
     }
 }
 
-/// The bones that arms begin with, as their names tell, of those that hang on a node, however deep.
+/// The bones that arms begin with, as their names tell, of those that hang on a node, however deep: a clavicle with an arm on it,
+/// an arm with a hand, but not the arm of a pair of glasses.
 #[must_use]
 pub fn limbs_on(skeleton: &Skeleton, node: usize) -> Vec<usize> {
-    let is_limb = |at: &usize| BoneName::new(&skeleton.nodes()[*at].name).has(ARMS);
-    let hangs = |at: usize| skeleton.ancestry(at).skip(1).take_while(|&above| above != node);
-    let limbs = (0..skeleton.nodes().len()).filter(is_limb).filter(|&at| {
-        at != node && skeleton.ancestry(at).any(|above| above == node) && !hangs(at).any(|above| is_limb(&above))
-    });
-    limbs.collect()
+    let nodes = skeleton.nodes();
+    let is_named: Vec<bool> = nodes.iter().map(|node| BoneName::new(&node.name).has(ARMS)).collect();
+    let mut carries_more = vec![false; nodes.len()];
+    for &at in skeleton.order().iter().rev() {
+        if let Some(parent) = nodes[at].parent {
+            carries_more[parent] |= is_named[at] || carries_more[at];
+        }
+    }
+    // Parents come before children: what hangs on the node and is not part of a limb itself.
+    let (mut hangs, mut limbs) = (vec![false; nodes.len()], Vec::new());
+    for &at in skeleton.order() {
+        if !nodes[at].parent.is_some_and(|parent| parent == node || hangs[parent]) {
+            continue;
+        }
+        if is_named[at] && carries_more[at] { limbs.push(at) } else { hangs[at] = true }
+    }
+    limbs.sort_unstable();
+    limbs
 }

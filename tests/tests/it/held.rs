@@ -23,13 +23,14 @@ fn arms_on_the_neck() -> Document {
         bone("hips", [0.0, 0.95, 0.0], &[1]),
         bone("spine3", [0.0, 0.42, 0.0], &[2]),
         bone("neck", [0.0, 0.14, 0.0], &[3, 5, 6]),
-        bone("head", [0.0, 0.09, 0.0], &[4, 9]),
+        bone("head", [0.0, 0.09, 0.0], &[4, 9, 10]),
         bone("left_eye", [0.03, 0.06, 0.09], &[]),
         bone("left_clavicle", [0.03, -0.08, 0.0], &[7]),
         bone("right_clavicle", [-0.03, -0.08, 0.0], &[8]),
         bone("left_upper_arm", [0.155, -0.015, 0.0], &[]),
         bone("right_upper_arm", [-0.155, -0.015, 0.0], &[]),
         bone("right_eye", [-0.03, 0.06, 0.09], &[]),
+        bone("glasses_arm_l", [0.07, 0.06, 0.0], &[]),
     ];
     nodes[5]["rotation"] = json!([0.0, 0.0, 0.6, 0.8]);
     nodes[2]["scale"] = json!([1.1, 1.1, 1.1]);
