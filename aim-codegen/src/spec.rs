@@ -15,7 +15,7 @@ pub struct RigSpec {
     pub effector: EffectorSpec,
     /// How a natural gaze is shared, or `None` to leave it to the runtime.
     pub natural: Option<NaturalSpec>,
-    /// What the parts of the body can do in a natural gaze, or `None` to leave it to the runtime: a human's.
+    /// The budgets of the parts of the body in a natural gaze, or `None` to leave them to the runtime: a human's.
     pub region: Option<Budgets>,
     /// The kernels that are wanted as functions of the rig, by the names of their objectives.
     pub kernels: Vec<&'static str>,
@@ -68,7 +68,7 @@ pub struct EffectorSpec {
 /// How a natural gaze is shared between the eyes and the joints that support them.
 pub type NaturalSpec = GazeSharing<f64>;
 
-/// What the joints of one part of the body do together at most.
+/// Bounds of the turn that the joints of one part of the body make together.
 pub type Budget = ModelBudget<f64>;
 
 /// The budgets of the parts of a body.

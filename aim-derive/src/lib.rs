@@ -6,8 +6,8 @@ use proc_macro::TokenStream;
 ///
 /// On the struct, `#[aim(axes(up = +X, forward = +Y, left = +Z), handedness = right, effector(forward = +Y,
 /// origin = (0.0, 0.1, 0.0)), natural(…), region = human, crate = ::aim)]`; two of the three axes are enough. On each field,
-/// from the eye inward, `#[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]` with at least one of the angles and the
-/// rate, the largest speed of each angle. A joint may also have:
+/// from the eye inward, `#[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]` with at least
+/// one of the angles and the rate, the largest speed of each angle. A joint may also have:
 ///
 /// | setting | meaning |
 /// |---|---|

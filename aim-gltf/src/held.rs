@@ -15,12 +15,12 @@ const ARMS: &str = "clavicle clavicles clav collar collarbone shoulder upperarm 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Held {
     pub(crate) node: usize,
-    /// What carries it: the outermost turned joint that is not of head or neck; `None` for what is not turned.
+    /// Its carrier: the outermost turned joint that is not of head or neck; `None` for what is not turned.
     carrier: Option<usize>,
 }
 
 impl Held {
-    /// What has to be held while a rig turns these nodes.
+    /// The nodes to hold while a rig turns those of the chain.
     pub(crate) fn find(rig: &dyn Rig, skeleton: &Skeleton, chain: &ChainNodes) -> Vec<Self> {
         let description = rig.description();
         let is_of_head = |joint: usize| matches!(description.joints()[joint].role, Role::Eye | Role::Head | Role::Neck);

@@ -96,7 +96,7 @@ impl<T: Copy> GazeSharing<T> {
     }
 }
 
-/// What the joints of one part of the body do together at most. Angles in radians.
+/// Bounds of the turn that the joints of one part of the body make together. Angles in radians.
 ///
 /// A budget bounds the animation's own turn (out of what the part stands on) and the added one together. Where the
 /// animation exceeds it, nothing is added.

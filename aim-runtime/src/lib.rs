@@ -48,7 +48,7 @@ pub use target::blend::Target;
 #[cfg(feature = "wide")]
 pub use wide;
 
-/// What the joints of one part of the body do together at most. See [`aim_model::Budget`].
+/// Bounds of the turn that the joints of one part of the body make together. See [`aim_model::Budget`].
 pub type Budget = aim_model::Budget<f32>;
 /// The budgets of the parts of a body, per rig by [`Description::with_budgets`]. See [`aim_model::Budgets`].
 pub type Budgets = aim_model::Budgets<f32>;

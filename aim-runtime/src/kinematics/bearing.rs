@@ -8,7 +8,7 @@ use crate::kinematics::chain::{Chain, Upright};
 use crate::math;
 use crate::math::trig;
 use crate::rig::{ChainRig, Side};
-use crate::{Axes, JointInfo, Role};
+use crate::{Axes, JointInfo};
 
 /// A gaze higher or lower than this has a heading that says little, radians.
 const STEEP_RAD: f32 = 80.0 * PI / 180.0;
@@ -47,14 +47,7 @@ impl Bearings {
             Upright::Off | Upright::Innermost => trunk_up,
         };
         let all = [f32::NEG_INFINITY, f32::INFINITY];
-        let is_free = |info: &JointInfo| {
-            let budget = match info.role {
-                Role::Head | Role::Neck => rig.budgets.head.heading,
-                Role::Chest => rig.budgets.chest.heading,
-                Role::Eye | Role::None => all,
-            };
-            info.heading == Some(all) && budget == all
-        };
+        let is_free = |info: &JointInfo| info.heading == Some(all) && rig.budget(info.role).heading == all;
         Self { turns_round: rig.joints[chain.first..].iter().any(is_free), ..Self::new(up, forward, left, trunk_up) }
     }
 

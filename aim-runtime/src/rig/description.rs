@@ -4,7 +4,7 @@ use glam::{Mat3A, Vec3A, Vec4};
 
 use super::JointInfo;
 use crate::limits::reach::AT_LIMIT_RAD;
-use crate::{Axes, Budgets, GazeSharing, Role, Solver, math};
+use crate::{Axes, Budget, Budgets, GazeSharing, Role, Solver, math};
 
 /// The number of joints whose angles a description has in [`Lanes`].
 pub(crate) const LANE_JOINTS: usize = 8;
@@ -105,6 +105,17 @@ impl<'a> Description<'a> {
     pub const fn with_sharing(mut self, sharing: GazeSharing) -> Self {
         self.sharing = sharing;
         self
+    }
+
+    /// The budget of the part of the body that a role belongs to; for an eye and for a joint without a role the head's pace, without
+    /// bounds.
+    pub(crate) fn budget(&self, role: Role) -> Budget {
+        const ALL: [f32; 2] = [f32::NEG_INFINITY, f32::INFINITY];
+        match role {
+            Role::Head | Role::Neck => self.budgets.head,
+            Role::Chest => self.budgets.chest,
+            Role::Eye | Role::None => Budget { heading: ALL, pitch: ALL, rate: f32::INFINITY, ..self.budgets.head },
+        }
     }
 
     /// With these budgets of the parts of the body, for the [natural](Solver::Natural) solver. A human's by default.

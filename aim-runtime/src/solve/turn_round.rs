@@ -1,4 +1,5 @@
-//! When joints that are blocked by their ranges go the other way round, and how: the one policy of all solvers.
+//! When joints that are blocked by their ranges go the other way round, and how: the one policy of the solvers
+//! that search.
 //!
 //! Round the other way the aim gets worse before it gets better, so joints that turn round remember where they are bound
 //! for until they arrive.

@@ -46,11 +46,11 @@ pub(super) const NATURAL_KEYS: &[Key] = &[
     ("delay", Expected::SECONDS),
 ];
 
-/// What `region` may say.
+/// The settings of `region`.
 pub(super) const REGION_KEYS: &[Key] =
     &[("like", Expected::BODY), ("head", Expected::BUDGET), ("chest", Expected::BUDGET)];
 
-/// What the budget of a part of the body may say.
+/// The settings of the budget of a part of the body.
 pub(super) const BUDGET_KEYS: &[Key] = &[
     ("heading", Expected::ANGLE_RANGE),
     ("pitch", Expected::ANGLE_RANGE),

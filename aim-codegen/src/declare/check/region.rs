@@ -1,4 +1,4 @@
-//! What the parts of the body can do in a natural gaze.
+//! The budgets of the parts of the body in a natural gaze.
 
 use super::joint::rate;
 use super::keys::{BUDGET_KEYS, REGION_KEYS};

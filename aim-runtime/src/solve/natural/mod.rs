@@ -367,8 +367,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         }
         if self.has_eye {
             let first = self.chain.first;
-            let wanted = self.sight(&frame, joints, point)?;
-            let eye = Seen { wanted, held: self.held(first, &joints[first], wanted).angles() };
+            let eye = self.seen(&frame, joints, point)?;
             match motion {
                 Some(motion) => self.leap(&eye, joints, motion),
                 None => {
@@ -405,7 +404,13 @@ impl<'a, const C: usize> Gaze<'a, C> {
         let frame = (first + 1..self.chain.count)
             .rev()
             .fold(self.chain.base, |frame, index| self.outward(&frame, index, &joints[index]));
-        let wanted = self.sight(&frame, joints, point)?;
+        self.seen(&frame, joints, point)
+    }
+
+    /// The same where its frame is at hand.
+    fn seen(&self, frame: &Affine3A, joints: &[Joint], point: Vec3A) -> Option<Seen> {
+        let first = self.chain.first;
+        let wanted = self.sight(frame, joints, point)?;
         Some(Seen { wanted, held: self.held(first, &joints[first], wanted).angles() })
     }
 

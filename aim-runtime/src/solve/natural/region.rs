@@ -9,7 +9,7 @@ use crate::kinematics::chain::Chain;
 use crate::limits::{Interval, RangeOfMotion};
 use crate::math;
 use crate::rig::{ChainRig, PerJoint};
-use crate::{Budget, JointInfo, Role};
+use crate::{JointInfo, Role};
 
 /// Accelerations beyond this make no difference any more, rad/s².
 const MOST_RAD_S2: f32 = 1e6;
@@ -27,8 +27,7 @@ pub(super) struct Region {
     /// The outermost joint's animated forward in its own frame and in the innermost joint's.
     pub(super) bone: Vec3A,
     pub(super) forward: Vec3A,
-    /// The sums that the joints' ranges allow, and what the budget leaves of them in this pose.
-    pub(super) range: [Interval; 2],
+    /// The sums that the joints' ranges allow, and the budget in this pose.
     pub(super) room: [Interval; 2],
     /// The sums of the joints' compliances.
     pub(super) compliance: [f32; 2],
@@ -47,7 +46,6 @@ impl Region {
         animated: [0.0; 2],
         bone: Vec3A::ZERO,
         forward: Vec3A::ZERO,
-        range: [Interval::REST; 2],
         room: [Interval::REST; 2],
         compliance: [0.0; 2],
         rate: 0.0,
@@ -94,11 +92,7 @@ pub(super) fn regions<const C: usize>(
     while next > outermost {
         let inner = next - 1;
         let role = part(&infos[inner]);
-        let budget = match role {
-            Role::Head | Role::Neck => rig.budgets.head,
-            Role::Chest => rig.budgets.chest,
-            Role::Eye | Role::None => unbounded(rig.budgets.head),
-        };
+        let budget = rig.budget(role);
         let mut region = Region { inner, ..Region::NONE };
         let (mut range, mut rate, mut declared) = ([[0.0_f32; 2]; 2], 0.0, 0.0_f32);
         while next > outermost && part(&infos[next - 1]) == role {
@@ -125,9 +119,8 @@ pub(super) fn regions<const C: usize>(
         let turned = [math::wrap_pi(region.animated[0] - heading), region.animated[1] - elevation];
         inside = Some(region.animated);
         for (axis, [lo, hi]) in [budget.heading, budget.pitch].into_iter().enumerate() {
-            region.range[axis] = Interval::from_ends(range[axis][0], range[axis][1]);
             let left = Interval::from_ends((lo - turned[axis]).min(0.0), (hi - turned[axis]).max(0.0));
-            region.room[axis] = region.range[axis].common(left);
+            region.room[axis] = Interval::from_ends(range[axis][0], range[axis][1]).common(left);
         }
         region.rate = rate.min(budget.rate);
         region.acceleration = if declared > 0.0 { declared } else { budget.acceleration }.min(MOST_RAD_S2);
@@ -138,12 +131,6 @@ pub(super) fn regions<const C: usize>(
         count += 1;
     }
     (regions, count)
-}
-
-/// The pace of a budget, without its bounds.
-fn unbounded(budget: Budget) -> Budget {
-    let everything = [f32::NEG_INFINITY, f32::INFINITY];
-    Budget { heading: everything, pitch: everything, rate: f32::INFINITY, ..budget }
 }
 
 /// The rate at which a region's offset dies away, 1/s.
