@@ -2,23 +2,29 @@
 
 use core::f32::consts::{FRAC_PI_2, PI, TAU};
 
-use glam::Vec3A;
+use glam::{Mat3A, Vec3A};
 
-use crate::kinematics::chain::{Chain, Upright};
+use crate::kinematics::chain::Upright;
 use crate::math;
 use crate::math::trig;
-use crate::rig::{ChainRig, Side};
-use crate::{Axes, JointInfo};
+use crate::rig::Side;
 
 /// A gaze higher or lower than this has a heading that says little, radians.
 const STEEP_RAD: f32 = 80.0 * PI / 180.0;
 
+/// Heading and pitch of a direction along forward, left and up; heading 0 where it goes straight up or down.
+#[inline(always)]
+pub(crate) fn heading_and_pitch(direction: Vec3A) -> [f32; 2] {
+    let [ahead, left, up] = direction.to_array();
+    [trig::atan2(left, ahead), trig::atan2(up, math::sqrt(ahead * ahead + left * left))]
+}
+
 /// Directions of solver space as headings (from the front to the left) and elevations above the horizon, radians.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bearings {
-    forward: Vec3A,
-    left: Vec3A,
-    up: Vec3A,
+    /// Forward, left and up as columns, and as rows.
+    axes: Mat3A,
+    rows: Mat3A,
     /// Whether a joint turns all the way round.
     turns_round: bool,
 }
@@ -33,35 +39,33 @@ impl Bearings {
         let ahead = if ahead.length() > LEVEL { ahead } else { level(trunk_up) * -forward.dot(up).signum() };
         let forward = math::unit(ahead).unwrap_or(forward);
         let across = math::cross(up, forward);
-        Self { forward, left: if across.dot(left) < 0.0 { -across } else { across }, up, turns_round: false }
+        let left = if across.dot(left) < 0.0 { -across } else { across };
+        let axes = Mat3A::from_cols(forward, left, up);
+        Self { axes, rows: axes.transpose(), turns_round: false }
     }
 
-    /// About what upright headings turn about, from the front of a chain's innermost joint as the animation has it.
-    pub(crate) fn of_chain<const C: usize>(rig: &ChainRig<'_, C>, chain: &Chain<C>, about: Upright) -> Self {
-        let Axes { up, forward, left } = rig.joints[chain.count - 1].axes;
-        let tilt = chain.tilts[chain.count - 1].conjugate();
-        let [trunk_up, forward, left] =
-            [up, forward, left].map(|axis| chain.base.matrix3 * math::turned(tilt, axis.into()));
+    /// About what upright headings turn about, from the front of a trunk that has its forward, left and up as these columns.
+    #[inline(always)]
+    pub(crate) fn of_trunk(trunk: &Mat3A, about: Upright, turns_round: bool) -> Self {
+        let Mat3A { x_axis: forward, y_axis: left, z_axis: trunk_up } = *trunk;
         let up = match about {
             Upright::About(up) => up,
             Upright::Off | Upright::Innermost => trunk_up,
         };
-        let all = [f32::NEG_INFINITY, f32::INFINITY];
-        let is_free = |info: &JointInfo| info.heading == Some(all) && rig.budget(info.role).heading == all;
-        Self { turns_round: rig.joints[chain.first..].iter().any(is_free), ..Self::new(up, forward, left, trunk_up) }
+        Self { turns_round, ..Self::new(up, forward, left, trunk_up) }
     }
 
-    /// Heading and elevation of a direction.
+    /// Heading and elevation of a direction of any length but zero.
+    #[inline(always)]
     pub(crate) fn angles(&self, direction: Vec3A) -> [f32; 2] {
-        let [ahead, left, up] = [self.forward, self.left, self.up].map(|axis| direction.dot(axis));
-        let level = math::sqrt(ahead * ahead + left * left);
-        [trig::atan2(left, ahead), trig::atan2(up, level)]
+        heading_and_pitch(self.rows * direction)
     }
 
     /// The unit direction of a heading and an elevation.
+    #[inline(always)]
     pub(crate) fn direction(&self, [heading, elevation]: [f32; 2]) -> Vec3A {
         let ((sin_h, cos_h), (sin_e, cos_e)) = (trig::sin_cos(heading), trig::sin_cos(elevation));
-        (self.forward * cos_h + self.left * sin_h) * cos_e + self.up * sin_e
+        self.axes * Vec3A::new(cos_h * cos_e, sin_h * cos_e, sin_e)
     }
 
     /// The unit direction this part of the way from one to another.

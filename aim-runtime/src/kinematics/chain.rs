@@ -71,13 +71,53 @@ pub(crate) struct Chain<const C: usize> {
     pub(crate) links: PerJoint<Affine3A, C>,
     /// How each joint's upright frame stands in its bone.
     pub(crate) tilts: PerJoint<Quat, C>,
-    /// The joints' upright rigid frames in solver space, as the animation has them.
-    pub(crate) upright: PerJoint<Mat3A, C>,
     /// The last joint's upright rigid frame in solver space; its origin is the space's.
     pub(crate) base: Affine3A,
-    /// Pose space to solver space.
-    origin: Vec3A,
-    per_size: f32,
+    space: Space,
+}
+
+/// Where solver space is in the pose's.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Space {
+    pub(crate) origin: Vec3A,
+    pub(crate) per_size: f32,
+}
+
+impl Space {
+    /// The space of the joints from `first` on, the effector being this far from the origin of its own; `None` where the joints
+    /// are not finite or too large or small to be seen.
+    #[inline(always)]
+    pub(crate) fn of_pose(pose: &[Affine3A], first: usize, offset: Vec3A) -> Option<Self> {
+        let origin = pose[pose.len() - 1].translation;
+        let size = size(&pose[first..], offset);
+        let per_size = 1.0 / size;
+        let is_seen = origin.is_finite() && size.is_finite() && per_size.is_finite() && per_size > 0.0;
+        is_seen.then_some(Self { origin, per_size })
+    }
+
+    /// A point of the pose's space in solver space, brought near where it is a mere direction; `None` where it is not
+    /// finite.
+    pub(crate) fn to_solver(self, point: Vec3A) -> Option<Vec3A> {
+        let from_origin = point - self.origin;
+        let plain = from_origin * self.per_size;
+        let square = plain.dot(plain);
+        // Neither so small nor so large that its square would not do.
+        if square > 1e-30 && square < FAR * FAR { Some(plain) } else { self.far_to_solver(from_origin) }
+    }
+
+    #[cold]
+    fn far_to_solver(self, from_origin: Vec3A) -> Option<Vec3A> {
+        let distance = math::length(from_origin) * self.per_size;
+        if !from_origin.is_finite() || distance.is_nan() {
+            return None;
+        }
+        if distance > FAR { Some(math::direction(from_origin)? * FAR) } else { Some(from_origin * self.per_size) }
+    }
+
+    /// A point of solver space in the pose's space.
+    pub(crate) fn to_pose(self, point: Vec3A) -> Vec3A {
+        self.origin + point / self.per_size
+    }
 }
 
 /// What upright headings turn about.
@@ -101,22 +141,12 @@ impl<const C: usize> Chain<C> {
             return None;
         }
         let first = first.min(count - 1);
-        let declared = rig.effector;
-        let effector = if first == 0 {
-            Ray { origin: Vec3A::from(declared.origin), direction: Vec3A::from(declared.forward) }
-        } else {
-            Ray { origin: Vec3A::ZERO, direction: Vec3A::from(infos[first].axes.forward) }
-        };
-
+        let effector = effector(rig, first);
         let mut frames = rig.array(Mat3A::IDENTITY);
         let rigid = orthogonal_frames(pose, first, &mut frames)?;
-        let origin = pose[count - 1].translation;
         let offset = pose[first].transform_vector3a(effector.origin);
-        let size = size(&pose[first..], offset);
-        let per_size = 1.0 / size;
-        if !(origin.is_finite() && size.is_finite() && per_size.is_finite() && per_size > 0.0) {
-            return None;
-        }
+        let space = Space::of_pose(pose, first, offset)?;
+        let Space { origin, per_size } = space;
 
         let mut tilts = rig.array(Quat::IDENTITY);
         upright(infos, first, about, &mut frames, &mut tilts);
@@ -152,8 +182,7 @@ impl<const C: usize> Chain<C> {
             if is_identity(tilt) { effector.direction } else { math::turned(tilt.conjugate(), effector.direction) };
         let animated =
             Ray { origin: (pose[first].translation - origin + offset) * per_size, direction: frames[first] * upright };
-        let mut chain =
-            Self { first, count, effector, animated, local, links, tilts, upright: frames, base, origin, per_size };
+        let mut chain = Self { first, count, effector, animated, local, links, tilts, base, space };
         if !rigid {
             chain.animated = (first..count).fold(effector, |ray, index| chain.outward(index, ray));
             // A direction of no length (or of none after a flat scale) aims nowhere.
@@ -167,20 +196,9 @@ impl<const C: usize> Chain<C> {
         self.local.is_none()
     }
 
-    /// A point of the pose's space in solver space, brought near where it is a mere direction; `None` where it is not
-    /// finite.
-    pub(crate) fn to_solver(&self, point: Vec3A) -> Option<Vec3A> {
-        let from_origin = point - self.origin;
-        let distance = math::length(from_origin) * self.per_size;
-        if !from_origin.is_finite() || distance.is_nan() {
-            return None;
-        }
-        if distance > FAR { Some(math::direction(from_origin)? * FAR) } else { Some(from_origin * self.per_size) }
-    }
-
-    /// A point of solver space in the pose's space.
-    pub(crate) fn to_pose(&self, point: Vec3A) -> Vec3A {
-        self.origin + point / self.per_size
+    /// Where solver space is in the pose's.
+    pub(crate) fn space(&self) -> Space {
+        self.space
     }
 
     /// The effector before its joint's added rotation, in that joint's space.
@@ -297,10 +315,20 @@ impl<const C: usize> Chain<C> {
     }
 }
 
+/// What is aimed where `first` is the joint that is: its own forward from its own origin but for joint 0.
+#[inline(always)]
+pub(crate) fn effector<const C: usize>(rig: &ChainRig<'_, C>, first: usize) -> Ray {
+    if first == 0 {
+        Ray { origin: Vec3A::from(rig.effector.origin), direction: Vec3A::from(rig.effector.forward) }
+    } else {
+        Ray { origin: Vec3A::ZERO, direction: Vec3A::from(rig.joints[first].axes.forward) }
+    }
+}
+
 /// Finds each joint's orthogonal frame from `first` on, and whether the pose is rigid but for scale; `None` where a joint
 /// does not span space.
 #[inline(always)]
-fn orthogonal_frames(pose: &[Affine3A], first: usize, frames: &mut [Mat3A]) -> Option<bool> {
+pub(crate) fn orthogonal_frames(pose: &[Affine3A], first: usize, frames: &mut [Mat3A]) -> Option<bool> {
     let rigid = similar(&pose[first..], &mut frames[first..]);
     if !rigid {
         for (frame, joint) in frames.iter_mut().zip(pose).skip(first) {

@@ -1,6 +1,6 @@
 //! The rotation that a joint adds: heading and pitch about its bone's axes, as a quaternion.
 
-use glam::{Quat, Vec3A, Vec4, Vec4Swizzles};
+use glam::{Mat3A, Quat, Vec3A, Vec4, Vec4Swizzles};
 
 use crate::math::trig::{self, Halves};
 use crate::{Axes, Joint, JointInfo, math};
@@ -8,6 +8,8 @@ use crate::{Axes, Joint, JointInfo, math};
 /// What heading and pitch turn about, padded to vectors of four.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Planes {
+    /// Forward, left and up as columns.
+    pub(crate) basis: Mat3A,
     by_heading: Vec4,
     by_pitch: Vec4,
     by_both: Vec4,
@@ -35,7 +37,9 @@ impl Planes {
         let square = unit && is_zero(forward, up, 0.0) && is_zero(forward, left, 0.0);
         let by_both = Vec4::from_array(cross(by_heading, by_pitch));
         let (by_heading, by_pitch) = (Vec4::from_array(by_heading), Vec4::from_array(by_pitch));
-        Self { by_heading, by_pitch, by_both, square }
+        let basis =
+            Mat3A::from_cols(Vec3A::from_array(axes.forward), Vec3A::from_array(axes.left), Vec3A::from_array(axes.up));
+        Self { basis, by_heading, by_pitch, by_both, square }
     }
 
     /// Whether the axes are unit and square to each other as far as a correction has to be unit.

@@ -21,6 +21,8 @@ pub struct Description<'a> {
     pub(crate) angles: usize,
     /// Whether any joint has an upright heading.
     pub(crate) has_upright: bool,
+    /// Whether the axes of every joint are unit and square to each other.
+    pub(crate) is_square: bool,
     /// Whether every range counts from the animation, has no taper, and lies within ±π.
     pub(crate) has_fixed_ranges: bool,
     default_solver: Solver,
@@ -46,6 +48,7 @@ impl<'a> Description<'a> {
             None => Effector { forward: [0.0, 0.0, 1.0], origin },
         };
         let (mut least_stiffness, mut angles, mut has_upright, mut has_fixed_ranges) = (f32::INFINITY, 0, false, true);
+        let mut is_square = true;
         let mut default_solver = Solver::Exact;
         let mut index = 0;
         while index < joints.len() {
@@ -53,6 +56,7 @@ impl<'a> Description<'a> {
             least_stiffness = least_stiffness.min(joint.stiffness);
             angles += joint.pitch.is_some() as usize + joint.heading.is_some() as usize;
             has_upright |= joint.is_upright();
+            is_square &= joint.planes.are_square();
             has_fixed_ranges &= joint.has_fixed_ranges();
             if !matches!(joint.role, Role::None) {
                 default_solver = Solver::Natural;
@@ -75,12 +79,13 @@ impl<'a> Description<'a> {
             least_stiffness,
             angles,
             has_upright,
+            is_square,
             has_fixed_ranges,
             default_solver,
             has_origin,
             aims_forward,
-            first: columns(joints.first()),
-            last: columns(joints.last()),
+            first: basis(joints.first()),
+            last: basis(joints.last()),
             lanes,
         }
     }
@@ -163,11 +168,9 @@ impl<'a> Description<'a> {
     }
 }
 
-const fn columns(joint: Option<&JointInfo>) -> Mat3A {
+const fn basis(joint: Option<&JointInfo>) -> Mat3A {
     match joint {
-        Some(JointInfo { axes: Axes { up, forward, left }, .. }) => {
-            Mat3A::from_cols(Vec3A::from_array(*forward), Vec3A::from_array(*left), Vec3A::from_array(*up))
-        }
+        Some(joint) => joint.planes.basis,
         None => Mat3A::IDENTITY,
     }
 }

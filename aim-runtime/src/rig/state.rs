@@ -122,6 +122,11 @@ impl Joint {
         self.destination = destination.unwrap_or([f32::NAN; 2]);
     }
 
+    /// Whether both angles are 0.
+    pub(crate) fn is_at_rest(&self) -> bool {
+        self.angles() == [0.0; 2]
+    }
+
     /// Whether both angles are within `angle_rad` of another joint's.
     pub(crate) fn is_near(&self, other: &Self, angle_rad: f32) -> bool {
         (self.heading - other.heading).abs() <= angle_rad && (self.pitch - other.pitch).abs() <= angle_rad

@@ -20,6 +20,7 @@ use crate::math::trig;
 use crate::rig::{ChainRig, Memory, PerJoint, PoseSlices};
 use crate::solve::call::Call;
 use crate::solve::judge::{Verdict, limits_met};
+use crate::solve::solved::Solved;
 use crate::target::goal::Course;
 use crate::{Axes, Joint, JointSet, Outcome, Status, math};
 
@@ -53,18 +54,6 @@ fn look_along([ahead, left, up]: [f32; 3], heading: f32, reach: &Reach) -> [f32;
 /// A direction of a joint's space along its forward, left and up.
 pub(crate) fn view(axes: &Axes, direction: Vec3A) -> [f32; 3] {
     [axes.forward, axes.left, axes.up].map(|axis| direction.dot(axis.into()))
-}
-
-/// What a solve of the chain made of a call.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Solved<const C: usize> {
-    pub(crate) outcome: Outcome,
-    pub(crate) corrections: PerJoint<Quat, C>,
-    /// What the outcome is measured against and what was aimed at, in the pose's space.
-    pub(crate) wanted_ps: Vec3A,
-    pub(crate) aimed_ps: Vec3A,
-    pub(crate) course: Course,
-    pub(crate) behind: bool,
 }
 
 /// Joint 0 and the other eye, in this order wherever there are two of something. Points are seen from `middle`.

@@ -13,6 +13,7 @@ pub(crate) mod eyes;
 mod frame;
 pub(crate) mod judge;
 mod natural;
+mod solved;
 mod turn_round;
 
 use glam::Quat;
@@ -22,17 +23,17 @@ pub(crate) use self::call::{Call, LONGEST_FRAME_S};
 use self::exact::settle::{settle, settle_from_rest};
 
 use self::exact::{following, single};
-use self::eyes::{Eyes, Solved};
+use self::eyes::Eyes;
 use self::frame::Frame;
-use self::judge::{Verdict, degenerate};
-use self::natural::Gaze;
-use crate::kinematics::bearing::Bearings;
+use self::judge::degenerate;
+use self::solved::{Solved, Task};
 use crate::kinematics::chain::{Chain, corrections_of, tilts};
 use crate::limits::RangeOfMotion;
-use crate::limits::motion::{motions, wrap};
+use crate::limits::motion::motions;
 use crate::limits::reach::Reach;
 use crate::rig::{ChainRig, Led, Memory, PoseSlices, StateSlices, Support};
-use crate::target::goal::{Course, Goal};
+use crate::target::behind::Front;
+use crate::target::goal::{Course, Goal, Scene};
 use crate::{Description, Joint, Outcome, Rig, Role, Settings, Solver};
 
 /// Serves a frame that needs no search, if it is one: moves `state` and writes the joints' corrections. Else `None`, with
@@ -114,15 +115,13 @@ fn solver<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) -> Solver 
     settings.solver.unwrap_or(rig.default_solver())
 }
 
-/// The bearings of a natural gaze. An eye without support, or a joint without a role, moves by the exact solver.
-fn bearings<const C: usize>(
-    rig: &ChainRig<'_, C>,
-    chain: &Chain<C>,
-    pose: &PoseSlices<'_>,
-    solver: Solver,
-) -> Option<Bearings> {
-    let is_alone = chain.count == chain.first + 1 && matches!(rig.joints[chain.first].role, Role::Eye | Role::None);
-    (solver == Solver::Natural && !is_alone).then(|| Bearings::of_chain(rig, chain, upright_axis(pose, solver)))
+/// Whether joints move by regions. An eye without support, and a joint without a role, moves by the exact solver, and so do
+/// joints whose axes are not square to each other.
+fn moves_by_regions<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) -> bool {
+    let count = rig.joints.len();
+    let first = settings.effector.min(count.saturating_sub(1));
+    let is_alone = count == first + 1 && matches!(rig.joints[first].role, Role::Eye | Role::None);
+    solver(rig, settings) == Solver::Natural && rig.is_square && !is_alone
 }
 
 /// Clears what joints remember of a natural gaze.
@@ -147,9 +146,12 @@ fn aim_joints<const C: usize>(
 ) -> Option<Solved<C>> {
     let settings = call.settings;
     let solver = solver(rig, settings);
-    let chain = Chain::new(rig, pose.joints, settings.effector, upright_axis(pose, solver))?;
-    let bearings = bearings(rig, &chain, pose, solver);
-    let goal = goal(rig, &chain, pose, motions, call, memory, bearings.as_ref())?;
+    let about = upright_axis(pose, solver);
+    if moves_by_regions(rig, settings) {
+        return natural::aim(rig, pose, motions, call, about, joints, memory);
+    }
+    let chain = Chain::new(rig, pose.joints, settings.effector, about)?;
+    let goal = goal(rig, &chain, pose, motions, call, memory)?;
     let frame = Frame::new(rig, &chain, motions, &goal, dt, settings.effective_tolerance(), joints);
 
     for (joint, reach) in joints.iter_mut().zip(&*frame.reaches) {
@@ -157,17 +159,11 @@ fn aim_joints<const C: usize>(
     }
     let mut within_reach = true;
     frame.go_to_rest(joints, 0..chain.first);
-    if bearings.is_none() {
-        forget_natural(joints, memory);
-    }
-    match (goal.course, bearings) {
-        (_, Some(bearings)) => {
-            let gaze = Gaze::new(rig, &chain, motions, &goal, settings, bearings);
-            within_reach = gaze.aim(joints, memory, &frame.reaches, dt)?;
-        }
-        (Course::Rest, None) => frame.go_to_rest(joints, chain.first..chain.count),
-        (Course::Stay, None) => {}
-        (Course::Aim, None) => {
+    forget_natural(joints, memory);
+    match goal.course {
+        Course::Rest => frame.go_to_rest(joints, chain.first..chain.count),
+        Course::Stay => {}
+        Course::Aim => {
             within_reach = match solver {
                 Solver::Ascent => ascent::advance(&frame, joints, dt, &settings.ascent)?,
                 Solver::Exact | Solver::Natural => exact::advance::advance(&frame, joints, dt, memory)?,
@@ -176,10 +172,11 @@ fn aim_joints<const C: usize>(
     }
     if dt == 0.0 {
         joints.copy_from_slice(&frame.start);
-    } else if bearings.is_none() {
+    } else {
         joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
     }
-    finish(rig, &chain, motions, &goal, joints, memory, frame.tolerance, within_reach)
+    let task = Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach };
+    task.finish(joints, memory, |joints| chain.posed(rig, joints))
 }
 
 /// Puts `joints` on the target whatever the rates; `None` where there is nothing to aim.
@@ -193,13 +190,19 @@ fn snap_joints<const C: usize>(
 ) -> Option<Solved<C>> {
     let settings = call.settings;
     let solver = solver(rig, settings);
-    let chain = Chain::new(rig, pose.joints, settings.effector, upright_axis(pose, solver))?;
+    let about = upright_axis(pose, solver);
     let tolerance = settings.effective_tolerance();
     // Nothing but the side is remembered: the result is to depend on the past as little as it can.
     let mut before = *memory;
     before.behind = false;
-    let bearings = bearings(rig, &chain, pose, solver);
-    let goal = goal(rig, &chain, pose, motions, call, &before, bearings.as_ref())?;
+    if moves_by_regions(rig, settings) {
+        let snapped = natural::aim(rig, pose, motions, call, about, joints, memory);
+        if snapped.is_some() {
+            return snapped;
+        }
+    }
+    let chain = Chain::new(rig, pose.joints, settings.effector, about)?;
+    let goal = goal(rig, &chain, pose, motions, call, &before)?;
     // A target on the animated effector has no direction, whatever the joints could make of it.
     chain.animated_gaze().angle_to(goal.aimed)?;
     joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
@@ -215,10 +218,7 @@ fn snap_joints<const C: usize>(
     for (joint, motion) in joints.iter_mut().zip(motions) {
         *joint = Reach::range(motion).hold(joint);
     }
-    let snapped = bearings.is_some_and(|bearings| {
-        Gaze::new(rig, &chain, motions, &goal, settings, bearings).snap(joints, memory) == Some(true)
-    });
-    if goal.course == Course::Aim && !snapped {
+    if goal.course == Course::Aim {
         // The aim may be undefined at rest and yet defined here, or the reverse.
         let from_rest = settle_from_rest(rig, &chain, motions, &goal, joints, tolerance).unwrap_or(f32::INFINITY);
         if from_rest > tolerance {
@@ -232,10 +232,11 @@ fn snap_joints<const C: usize>(
             *joint = Reach::range(motion).hold(joint);
         }
     }
-    finish(rig, &chain, motions, &goal, joints, memory, tolerance, false)
+    let task = Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach: false };
+    task.finish(joints, memory, |joints| chain.posed(rig, joints))
 }
 
-/// What to turn to. At weight 0 that is the animation, whatever the target.
+/// What a chain turns to.
 fn goal<const C: usize>(
     rig: &ChainRig<'_, C>,
     chain: &Chain<C>,
@@ -243,38 +244,15 @@ fn goal<const C: usize>(
     motions: &[RangeOfMotion],
     call: &Call<'_>,
     memory: &Memory,
-    bearings: Option<&Bearings>,
 ) -> Option<Goal> {
-    let weight = call.settings.effective_weight();
-    let goal = if weight == 0.0 {
-        Goal::animation(chain, memory)
-    } else {
-        let target = chain.to_solver(call.target_ps.into())?;
-        Goal::new(rig, chain, motions, target, call.settings, memory, bearings)
+    let gaze = chain.animated_gaze();
+    let scene = Scene {
+        space: chain.space(),
+        gaze,
+        front: Front::new(&(chain.base.matrix3 * rig.joints[chain.count - 1].planes.basis), gaze),
+        motions: &motions[chain.first..],
+        bearings: None,
+        has_two_eyes: pose.other_eye.is_some(),
     };
-    Some(if pose.other_eye.is_some() && weight < 1.0 { goal.receding(chain, weight) } else { goal })
-}
-
-/// Remembers what was seen, and judges the joints as they are now.
-#[expect(clippy::too_many_arguments, reason = "all that a frame has found out")]
-fn finish<const C: usize>(
-    rig: &ChainRig<'_, C>,
-    chain: &Chain<C>,
-    motions: &[RangeOfMotion],
-    goal: &Goal,
-    joints: &mut [Joint],
-    memory: &mut Memory,
-    tolerance: f32,
-    within_reach: bool,
-) -> Option<Solved<C>> {
-    for (joint, motion) in joints.iter_mut().zip(motions) {
-        wrap(motion, joint);
-    }
-    (memory.side, memory.behind) = (goal.side, goal.behind);
-    let (gaze, corrections) = chain.posed(rig, joints);
-    let remaining = gaze.angle_to(goal.wanted)?;
-    let verdict = Verdict { remaining, tolerance, behind: goal.behind, within_reach };
-    let outcome = verdict.outcome(rig, motions, joints);
-    let [wanted_ps, aimed_ps] = [goal.wanted, goal.aimed].map(|point| chain.to_pose(point));
-    Some(Solved { outcome, corrections, wanted_ps, aimed_ps, course: goal.course, behind: goal.behind })
+    Goal::new(&scene, call.target_ps.into(), call.settings, memory)
 }

@@ -6,13 +6,13 @@
 
 use core::f32::consts::PI;
 
-use glam::Vec3A;
+use glam::{Mat3A, Vec3A};
 
-use crate::kinematics::chain::{Chain, Ray};
+use crate::kinematics::chain::Ray;
 use crate::limits::RangeOfMotion;
 use crate::math;
 use crate::math::trig;
-use crate::rig::{ChainRig, Side};
+use crate::rig::Side;
 
 /// From this angle off the innermost joint's animated forward a target is behind.
 const BEHIND_RAD: f32 = 150.0 * PI / 180.0;
@@ -34,10 +34,10 @@ pub(crate) struct Front {
 }
 
 impl Front {
-    /// The front of a chain whose animated effector is `gaze`, in solver space.
-    pub(crate) fn new<const C: usize>(rig: &ChainRig<'_, C>, chain: &Chain<C>, gaze: Ray) -> Self {
-        let axes = &rig.joints[chain.count - 1].axes;
-        let [forward, left, up] = [axes.forward, axes.left, axes.up].map(|axis| chain.base.matrix3 * Vec3A::from(axis));
+    /// The front of a chain whose animated effector is `gaze`, and whose innermost joint has its forward, left and up as these
+    /// columns, in solver space.
+    pub(crate) fn new(innermost: &Mat3A, gaze: Ray) -> Self {
+        let Mat3A { x_axis: forward, y_axis: left, z_axis: up } = *innermost;
         Self { origin: gaze.origin, forward, left, up, gaze: gaze.direction }
     }
 
@@ -70,14 +70,11 @@ impl Front {
 
     /// The side that `target` is on: the one it was on before while it is near the middle of the back.
     pub(crate) fn side(&self, target: Vec3A, before: Side) -> Side {
-        match self.look(target) {
-            Some((_, [forward, left, _])) => {
-                let (sin, cos) = HELD;
-                let middle = forward < 0.0 && left.abs() * cos <= -forward * sin;
-                if before != Side::Unseen && (middle || left == 0.0) { before } else { Side::of_coordinate(left) }
-            }
-            None => before,
-        }
+        let to_target = target - self.origin;
+        let (forward, left) = (to_target.dot(self.forward), to_target.dot(self.left));
+        let (sin, cos) = HELD;
+        let middle = forward < 0.0 && left.abs() * cos <= -forward * sin;
+        if before != Side::Unseen && (middle || left == 0.0) { before } else { Side::of_coordinate(left) }
     }
 
     /// `target` where it is on `side`; just on that side of the middle where it is held there against its position.

@@ -3,10 +3,10 @@
 use glam::Vec3A;
 
 use crate::kinematics::bearing::Bearings;
-use crate::kinematics::chain::{Chain, Ray};
+use crate::kinematics::chain::{Ray, Space};
 use crate::limits::RangeOfMotion;
 use crate::math::trig;
-use crate::rig::{ChainRig, Memory, Side};
+use crate::rig::{Memory, Side};
 use crate::target::behind::Front;
 use crate::{Behind, Settings, math};
 
@@ -36,20 +36,37 @@ pub(crate) enum Course {
     Rest,
 }
 
+/// What a goal is seen from: an animated pose.
+pub(crate) struct Scene<'a> {
+    pub(crate) space: Space,
+    /// The animated effector.
+    pub(crate) gaze: Ray,
+    pub(crate) front: Front,
+    /// The ranges of the joints that have a part.
+    pub(crate) motions: &'a [RangeOfMotion],
+    /// Where weights count by heading and elevation, and not along arcs.
+    pub(crate) bearings: Option<&'a Bearings>,
+    /// Whether two eyes converge on the goal.
+    pub(crate) has_two_eyes: bool,
+}
+
 impl Goal {
-    /// The goal for a target; `before` remembers where the target was seen. A weight takes its part of the arc, or with
-    /// `bearings` of heading and elevation each.
-    pub(crate) fn new<const C: usize>(
-        rig: &ChainRig<'_, C>,
-        chain: &Chain<C>,
-        motions: &[RangeOfMotion],
-        target: Vec3A,
-        settings: &Settings,
-        before: &Memory,
-        bearings: Option<&Bearings>,
-    ) -> Self {
-        let gaze = chain.animated_gaze();
-        let front = Front::new(rig, chain, gaze);
+    /// The goal for a target of the pose's space; `before` remembers where it was seen. A weight takes its part of the way, and
+    /// 0 is the animation, whatever the target. `None` where the target is not finite.
+    #[inline(always)]
+    pub(crate) fn new(scene: &Scene<'_>, target_ps: Vec3A, settings: &Settings, before: &Memory) -> Option<Self> {
+        let weight = settings.effective_weight();
+        let goal = if weight == 0.0 {
+            Self::animation(scene.gaze, before)
+        } else {
+            Self::for_target(scene, scene.space.to_solver(target_ps)?, settings, before)
+        };
+        Some(if scene.has_two_eyes && weight < 1.0 { goal.receding(scene.gaze, weight) } else { goal })
+    }
+
+    #[inline(always)]
+    fn for_target(scene: &Scene<'_>, target: Vec3A, settings: &Settings, before: &Memory) -> Self {
+        let &Scene { gaze, ref front, motions, bearings, .. } = scene;
         let side = front.side(target, before.side);
         let weight = settings.effective_weight();
         let wanted = match bearings {
@@ -63,9 +80,9 @@ impl Goal {
                     _ => target,
                 }
             }
-            None => part_way(|| front, gaze, front.on_side(target, side), weight, side),
+            None => part_way(front, gaze, front.on_side(target, side), weight, side),
         };
-        let behind = settings.behind != Behind::Off && front.is_behind(wanted, before.behind, &motions[chain.first..]);
+        let behind = settings.behind != Behind::Off && front.is_behind(wanted, before.behind, motions);
         let (course, aimed) = match settings.behind {
             Behind::Hold if behind => (Course::Stay, wanted),
             Behind::Release if behind => (Course::Rest, wanted),
@@ -76,16 +93,15 @@ impl Goal {
     }
 
     /// The goal of weight 0: the animated gaze itself.
-    pub(crate) fn animation<const C: usize>(chain: &Chain<C>, before: &Memory) -> Self {
-        let gaze = chain.animated_gaze();
+    fn animation(gaze: Ray, before: &Memory) -> Self {
         // Far enough that no correction brings the effector near it.
         let ahead = gaze.origin + math::direction(gaze.direction).unwrap_or(Vec3A::X) * 1e3;
         Self { wanted: ahead, aimed: ahead, course: Course::Rest, behind: false, side: before.side }
     }
 
     /// The same directions further away by as much as the weight is below 1, so that two eyes converge by that much less.
-    pub(crate) fn receding<const C: usize>(self, chain: &Chain<C>, weight: f32) -> Self {
-        let origin = chain.animated_gaze().origin;
+    fn receding(self, gaze: Ray, weight: f32) -> Self {
+        let origin = gaze.origin;
         let further = 1.0 / weight.max(1e-3);
         let recede = |point: Vec3A| origin + (point - origin) * further;
         Self { wanted: recede(self.wanted), aimed: recede(self.aimed), ..self }
@@ -93,7 +109,7 @@ impl Goal {
 }
 
 /// The point `weight` of the way along the arc about the effector from the animated gaze to the target.
-fn part_way(front: impl Fn() -> Front, gaze: Ray, target: Vec3A, weight: f32, side: Side) -> Vec3A {
+fn part_way(front: &Front, gaze: Ray, target: Vec3A, weight: f32, side: Side) -> Vec3A {
     let to_target = target - gaze.origin;
     let (Some(from), Some(to)) = (math::direction(gaze.direction), math::direction(to_target)) else {
         return target;
@@ -107,7 +123,6 @@ fn part_way(front: impl Fn() -> Front, gaze: Ray, target: Vec3A, weight: f32, si
     } else if angle < 1.0 {
         None
     } else {
-        let front = front();
         square_to_gaze(front.left * side.sign()).or_else(|| square_to_gaze(front.forward))
     };
     let (sin, cos) = trig::sin_cos(weight * angle);

@@ -4,8 +4,9 @@ use core::f32::consts::PI;
 
 use glam::Vec3A;
 
+use super::body::Posture;
 use super::glide::{Pair, length};
-use super::{Gaze, Seen};
+use super::{Aims, Gaze, Seen};
 use crate::limits::Interval;
 use crate::math::trig;
 use crate::rig::PerJoint;
@@ -56,10 +57,16 @@ pub(super) struct Allotment<const C: usize> {
     pub(super) within_reach: bool,
 }
 
+impl<const C: usize> Allotment<C> {
+    pub(super) fn aims(&self) -> Aims<'_> {
+        Aims::At(&self.directions, self.point)
+    }
+}
+
 impl<const C: usize> Gaze<'_, C> {
     /// The way to the goal.
     pub(super) fn way(&self) -> Option<Way> {
-        let from = math::unit(self.chain.animated_gaze().direction)?;
+        let from = math::unit(self.body.gaze.direction)?;
         let to = math::unit(self.goal.aimed - self.pivot)?;
         let part = if self.has_eye { self.sharing.head_part(math::angle_between(from, to)) } else { 1.0 };
         let (from, to) = (self.bearings.angles(from), self.bearings.angles(to));
@@ -93,9 +100,9 @@ impl<const C: usize> Gaze<'_, C> {
             };
             rest / if rest > 0.0 { range.hi() } else { range.lo() }
         };
-        let own = &self.motions[self.chain.first];
+        let own = &self.motions[self.body.first];
         let is_plain = is_level
-            && self.chain.is_rigid()
+            && self.body.is_rigid
             && !own.heading.is_point()
             && !own.pitch.is_point()
             && length([used(0), used(1)]) < PLAIN_PART;
@@ -109,25 +116,30 @@ impl<const C: usize> Gaze<'_, C> {
         Allotment { directions, point, within_reach: false }
     }
 
-    /// Finds where the regions belong, and puts `joints` there.
-    pub(super) fn settle(&self, mut way: Way, joints: &mut [Joint]) -> Option<Allotment<C>> {
+    /// Finds where the regions belong, and puts the joints there.
+    pub(super) fn settle(&self, mut way: Way, from: &[Joint], posture: &mut Posture<C>) -> Option<Allotment<C>> {
         if let Some(allotment) = self.allot(&mut way) {
-            let seen = self.place(&allotment.directions, allotment.point, joints, None)?;
+            let seen = self.place(allotment.aims(), from, None, posture)?;
             if seen.is_within() || !allotment.within_reach {
                 return Some(allotment);
             }
         }
-        self.settle_in_rounds(&way, joints).map(|(allotment, _)| allotment)
+        self.settle_in_rounds(&way, from, posture).map(|(allotment, _)| allotment)
     }
 
     /// The same where it is not plain: each round the regions make what the leading joint could not do in the last one. Returns
     /// how many corrections there were, too.
-    pub(super) fn settle_in_rounds(&self, way: &Way, joints: &mut [Joint]) -> Option<(Allotment<C>, usize)> {
+    pub(super) fn settle_in_rounds(
+        &self,
+        way: &Way,
+        from: &[Joint],
+        posture: &mut Posture<C>,
+    ) -> Option<(Allotment<C>, usize)> {
         let mut more = [0.0; 2];
         let (mut directions, mut unfit) = self.share(way, more);
         let mut least = f32::INFINITY;
         for round in 0..ROUNDS {
-            let left = self.place(&directions, self.goal.aimed, joints, None)?.left();
+            let left = self.place(Aims::At(&directions, self.goal.aimed), from, None, posture)?.left();
             if Seen::is_nothing(left) {
                 return Some((Allotment { directions, point: self.goal.aimed, within_reach: true }, round));
             }
@@ -140,7 +152,7 @@ impl<const C: usize> Gaze<'_, C> {
             (directions, unfit) = self.share(way, more);
         }
         let allotment = self.out_of_reach(way, directions, unfit);
-        self.place(&allotment.directions, allotment.point, joints, None)?;
+        self.place(allotment.aims(), from, None, posture)?;
         Some((allotment, ROUNDS))
     }
 

@@ -8,36 +8,39 @@
 //!    it, E being its angle, and more where the eye could not do the rest; each by its compliance as far as its room goes,
 //!    heading and elevation each for itself. So a target out of reach to the side is followed level.
 //! 2. Each region, from the root outward, turns its outermost forward to the direction that it was allotted, measured in the
-//!    frame that the corrected joints inside it carry: `R_heading·R_pitch` in closed form ([`turn_to`]). Over time it glides
-//!    there; the eye turns exactly to what is left ([`glide`]).
+//!    frame that the corrected joints inside it carry: `R_heading·R_pitch` in closed form ([`body`]). Over time it glides
+//!    there; the eye turns exactly to what is left ([`sight`], [`glide`]).
 //!
 //! Nothing here depends on how often a second it is called. Sources: Freedman and Sparks, *J. Neurophysiol.* 77 (1997) for the
 //! zone and the slope of the head's part; Freedman, *Exp. Brain Res.* 190 (2008) for coordination as a whole.
 
 mod allot;
+mod body;
 mod glide;
 mod region;
 mod sharing;
+mod sight;
 
-use core::f32::consts::{FRAC_PI_2, PI};
+use core::f32::consts::PI;
 
-use glam::{Affine3A, Mat3A, Vec3A};
+use glam::Vec3A;
 
+use self::body::{Body, Carried, Posture};
 use self::glide::{Bounds, Glide, Pair, follow, length, saccade};
 use self::region::{Region, regions};
 use self::sharing::Sharing;
-use crate::kinematics::bearing::Bearings;
-use crate::kinematics::chain::{Chain, Ray};
-use crate::kinematics::rotation::joint_turn;
+use self::sight::{Seen, turn_to};
+use super::call::Call;
+use super::solved::{Solved, Task};
+use crate::kinematics::bearing::{Bearings, heading_and_pitch};
+use crate::kinematics::chain::{Chain, Upright};
 use crate::limits::reach::Reach;
-use crate::limits::{Angles, Interval, RangeOfMotion};
+use crate::limits::{Interval, RangeOfMotion};
 use crate::math::trig;
-use crate::rig::{ChainRig, Led, Memory, PerJoint, Support};
-use crate::solve::exact::Solver;
-use crate::solve::exact::settle::Search;
-use crate::solve::eyes::view;
-use crate::target::goal::{Course, Goal};
-use crate::{Axes, Joint, Role, Settings, math};
+use crate::rig::{ChainRig, Led, Memory, PerJoint, PoseSlices, Support};
+use crate::target::behind::Front;
+use crate::target::goal::{Course, Goal, Scene};
+use crate::{Joint, Role, Settings, math};
 
 /// Angles that differ by less do so by rounding.
 const SAME_RAD: f32 = 1e-5;
@@ -46,37 +49,60 @@ const SAME_RAD: f32 = 1e-5;
 const THERE_RAD: f32 = 2e-4;
 /// In a shorter time than this nothing moves, seconds.
 const LEAST_S: f32 = 1e-5;
-/// How often the closed form of an effector that is not at its joint is repeated, at most.
-const SIGHT_ROUNDS: usize = 24;
 
-/// How the leading joint sees a point.
-#[derive(Clone, Copy, Debug)]
-struct Seen {
-    /// The heading and the pitch that look there, and the nearest that the joint's range holds.
-    wanted: Pair,
-    held: Pair,
-}
-
-impl Seen {
-    /// What the range does not hold.
-    fn left(&self) -> Pair {
-        [math::wrap_pi(self.wanted[0] - self.held[0]), self.wanted[1] - self.held[1]]
+/// Moves `joints` by a natural gaze: by a frame, or with a call's `dt` of `None` at once. `None` where there is nothing to aim.
+#[inline(never)]
+pub(super) fn aim<const C: usize>(
+    rig: &ChainRig<'_, C>,
+    pose: &PoseSlices<'_>,
+    motions: &[RangeOfMotion],
+    call: &Call<'_>,
+    about: Upright,
+    joints: &mut [Joint],
+    memory: &mut Memory,
+) -> Option<Solved<C>> {
+    let settings = call.settings;
+    let mut body = Body::unseen(rig);
+    body.read(pose.joints, settings.effector, about)?;
+    let chain = if body.is_rigid {
+        None
+    } else {
+        let chain = Chain::new(rig, pose.joints, settings.effector, about)?;
+        body.look_along(chain.animated_gaze())?;
+        Some(chain)
+    };
+    let bearings = Bearings::of_trunk(&body.trunk, about, body.turns_round());
+    let scene = Scene {
+        space: body.space,
+        gaze: body.gaze,
+        front: Front::new(&body.frames[body.count - 1], body.gaze),
+        motions: &motions[body.first..],
+        bearings: Some(&bearings),
+        has_two_eyes: pose.other_eye.is_some(),
+    };
+    let mut before = *memory;
+    // Of a snap nothing but the side is remembered: it is to depend on the past as little as it can.
+    before.behind &= call.dt.is_some();
+    let goal = Goal::new(&scene, call.target_ps.into(), settings, &before)?;
+    let gaze = Gaze::new(&body, chain.as_ref(), motions, &goal, settings, &bearings);
+    let mut posture = Posture::new(rig, joints);
+    let within_reach = match call.dt {
+        Some(dt) => gaze.move_joints(joints, memory, &mut posture, dt)?,
+        // What a snap has not reached it does not reach.
+        None => gaze.snap(joints, memory, &mut posture).map(|()| false)?,
+    };
+    joints.copy_from_slice(&posture.joints);
+    for joint in 0..body.first {
+        posture.correct(&body, joint);
     }
-
-    fn is_nothing(left: Pair) -> bool {
-        length(left) < SAME_RAD
-    }
-
-    fn is_within(&self) -> bool {
-        Self::is_nothing(self.left())
-    }
-
-    /// How far the point is off the middle of the range.
-    fn off(&self) -> f32 {
-        let [heading, pitch] = self.wanted;
-        let cos = trig::sin_cos(heading).1 * trig::sin_cos(pitch).1;
-        trig::atan2(math::sqrt(1.0 - cos * cos), cos)
-    }
+    let task = Task { rig, motions, goal: &goal, space: body.space, settings, within_reach };
+    task.finish(joints, memory, |_| {
+        let gaze = match &chain {
+            Some(chain) => chain.gaze(&posture.corrections),
+            None => posture.carried.gaze(&body),
+        };
+        (gaze, posture.corrections)
+    })
 }
 
 /// What moves the joints in a frame.
@@ -93,72 +119,102 @@ struct Motion<'a> {
     lag: f32,
 }
 
+/// Where regions and eye are to turn.
+#[derive(Clone, Copy)]
+enum Aims<'a> {
+    /// Each region's outermost forward in its direction, the leading joint to the point.
+    At(&'a [Pair], Vec3A),
+    /// The regions nowhere, the leading joint to the point.
+    EyeAt(Vec3A),
+    /// Back to the animation as far as the ranges let them; the eye keeps to the point.
+    Rest(Vec3A),
+    /// Nowhere.
+    Stay,
+}
+
 /// A natural gaze in one call.
-pub(crate) struct Gaze<'a, const C: usize> {
+struct Gaze<'a, const C: usize> {
     rig: &'a ChainRig<'a, C>,
-    chain: &'a Chain<C>,
+    body: &'a Body<'a, C>,
+    /// The true kinematics of a pose that is not rigid.
+    chain: Option<&'a Chain<C>>,
     motions: &'a [RangeOfMotion],
     goal: &'a Goal,
     sharing: Sharing,
-    bearings: Bearings,
+    bearings: &'a Bearings,
     /// From the innermost outward, without the eye.
     regions: PerJoint<Region, C>,
     count: usize,
     /// Whether an eye leads: a joint without inertia. Its ranges of heading and pitch.
     has_eye: bool,
     eye: [Interval; 2],
-    /// The effector in the leading joint's frame.
-    effector: Ray,
     /// From where the target's heading and elevation are seen: the effector, moved back along the gaze to beside the joint that
     /// turns the head, which is where it looks from once the head has turned.
     pivot: Vec3A,
 }
 
 impl<'a, const C: usize> Gaze<'a, C> {
-    pub(crate) fn new(
-        rig: &'a ChainRig<'a, C>,
-        chain: &'a Chain<C>,
+    #[inline(always)]
+    fn new(
+        body: &'a Body<'a, C>,
+        chain: Option<&'a Chain<C>>,
         motions: &'a [RangeOfMotion],
         goal: &'a Goal,
         settings: &Settings,
-        bearings: Bearings,
+        bearings: &'a Bearings,
     ) -> Self {
-        let first = chain.first;
-        let has_eye = rig.joints[first].role == Role::Eye && first + 1 < chain.count;
-        let gaze = chain.animated_gaze();
-        let direction = math::unit(gaze.direction).unwrap_or(Vec3A::X);
-        let origin = if rig.has_origin && first == 0 { chain.links[0].translation } else { Vec3A::ZERO };
-        let effector = Ray { origin, direction: chain.upright[first].transpose() * direction };
-
-        let (regions, count) = regions(rig, chain, motions, &bearings, first + usize::from(has_eye));
-        let outward = |origin, index: usize| origin + chain.upright[index] * chain.links[index].translation;
-        let turns = (regions[count - 1].outer + 1..chain.count).rev().fold(Vec3A::ZERO, outward);
-        let pivot = gaze.origin - direction * direction.dot(gaze.origin - turns).max(0.0);
-        Self {
+        let (rig, first) = (body.rig, body.first);
+        let has_eye = rig.joints[first].role == Role::Eye && first + 1 < body.count;
+        let mut gaze = Self {
             rig,
+            body,
             chain,
             motions,
             goal,
-            pivot,
             sharing: Sharing::new(&rig.sharing, settings),
             bearings,
-            regions,
-            count,
+            regions: rig.array(Region::NONE),
+            count: 0,
             has_eye,
             eye: [motions[first].heading, motions[first].pitch],
-            effector,
-        }
+            pivot: body.gaze.origin,
+        };
+        gaze.count = regions(body, motions, bearings, first + usize::from(has_eye), &mut gaze.regions);
+        let turns = body.positions[gaze.regions[gaze.count - 1].outer];
+        let direction = math::unit(body.gaze.direction).unwrap_or(Vec3A::X);
+        gaze.pivot -= direction * direction.dot(gaze.pivot - turns).max(0.0);
+        gaze
     }
 
-    /// Moves `joints` by a frame of `dt` seconds; returns whether the goal is within reach. `None` where the aim is undefined.
-    pub(crate) fn aim(&self, joints: &mut [Joint], memory: &mut Memory, reaches: &[Reach], dt: f32) -> Option<bool> {
+    /// Moves the joints by a frame of `dt` seconds; returns whether the goal is within reach. `None` where the aim is
+    /// undefined.
+    #[inline(always)]
+    fn move_joints(
+        &self,
+        joints: &mut [Joint],
+        memory: &mut Memory,
+        posture: &mut Posture<C>,
+        dt: f32,
+    ) -> Option<bool> {
+        let rig = self.rig;
+        let mut reaches = rig.array(Reach::REST);
+        for (index, joint) in joints.iter_mut().enumerate() {
+            let reach = Reach::frame(&self.motions[index], rig.joints[index].rate, joint, dt);
+            if index < self.body.first {
+                *joint = reach.towards_rest(joint);
+                joint.set_destination(None);
+            } else if dt > 0.0 {
+                *joint = reach.hold(joint);
+            }
+            reaches[index] = reach;
+        }
         if !(dt > LEAST_S) {
-            let mut settled = self.rig.array(Joint::REST);
-            settled.copy_from_slice(joints);
-            return match self.goal.course {
-                Course::Aim if dt > 0.0 => Some(self.settle(self.way()?, &mut settled)?.within_reach),
-                _ => Some(true),
+            let within_reach = match self.goal.course {
+                Course::Aim if dt > 0.0 => self.settle(self.way()?, joints, posture)?.within_reach,
+                _ => true,
             };
+            self.stand(joints, posture);
+            return Some(within_reach);
         }
         let led = (memory.support != Support::None).then(|| memory.led());
         if led.is_none() {
@@ -167,17 +223,17 @@ impl<'a, const C: usize> Gaze<'a, C> {
                 joint.set_destination(None);
             }
         }
-        let mut motion = Motion { memory, led, reaches, dt, stays: false, arrived: true, lag: 0.0 };
+        let mut motion = Motion { memory, led, reaches: &reaches, dt, stays: false, arrived: true, lag: 0.0 };
         let within_reach = match self.goal.course {
-            Course::Aim => self.turn_to_goal(joints, &mut motion)?,
+            Course::Aim => self.turn_to_goal(joints, &mut motion, posture)?,
             Course::Rest => {
-                self.return_to_rest(joints, &mut motion)?;
+                motion.memory.support = Support::Rests;
+                self.place(Aims::Rest(self.ahead()?), joints, Some(&mut motion), posture)?;
                 true
             }
             Course::Stay => {
                 motion.stays = true;
-                self.turn_regions_to(&self.rig.array([0.0; 2]), joints, &mut motion);
-                self.hold_eye(joints);
+                self.place(Aims::Stay, joints, Some(&mut motion), posture)?;
                 true
             }
         };
@@ -189,27 +245,23 @@ impl<'a, const C: usize> Gaze<'a, C> {
         Some(within_reach)
     }
 
-    fn turn_to_goal(&self, joints: &mut [Joint], motion: &mut Motion<'_>) -> Option<bool> {
-        let seen = self.engage(joints, motion)?;
+    fn turn_to_goal(&self, from: &[Joint], motion: &mut Motion<'_>, posture: &mut Posture<C>) -> Option<bool> {
+        let seen = self.engage(from, motion)?;
         motion.stays = motion.memory.support != Support::Shares;
         // The eye does it alone.
         if let Some(seen) = seen
             && motion.stays
             && seen.is_within()
         {
-            self.turn_regions_to(&self.rig.array([0.0; 2]), joints, motion);
-            let seen = self.see(joints, self.goal.aimed)?;
-            self.leap(&seen, joints, motion);
+            let seen = self.place(Aims::EyeAt(self.goal.aimed), from, Some(motion), posture)?;
             self.rest(&seen, motion);
             return Some(true);
         }
-        let mut before = self.rig.array(Joint::REST);
-        before.copy_from_slice(joints);
         let mut way = self.way()?;
         let plain = self.allot(&mut way).filter(|plain| !motion.memory.in_rounds() || !plain.within_reach);
         if let Some(allotment) = plain {
             let led = motion.led;
-            let seen = self.place(&allotment.directions, allotment.point, joints, Some(motion))?;
+            let seen = self.place(allotment.aims(), from, Some(motion), posture)?;
             // What the eye lacks, the regions are on their way to bring.
             if !allotment.within_reach || length(seen.left()) < SAME_RAD + motion.lag {
                 motion.memory.set_in_rounds(false);
@@ -217,11 +269,10 @@ impl<'a, const C: usize> Gaze<'a, C> {
                 return Some(allotment.within_reach);
             }
             (motion.led, motion.lag, motion.arrived) = (led, 0.0, true);
-            joints.copy_from_slice(&before);
         }
-        let (allotment, rounds) = self.settle_in_rounds(&way, &mut before)?;
+        let (allotment, rounds) = self.settle_in_rounds(&way, from, posture)?;
         motion.memory.set_in_rounds(rounds > 0);
-        let seen = self.place(&allotment.directions, allotment.point, joints, Some(motion))?;
+        let seen = self.place(allotment.aims(), from, Some(motion), posture)?;
         self.rest(&seen, motion);
         Some(allotment.within_reach)
     }
@@ -257,242 +308,186 @@ impl<'a, const C: usize> Gaze<'a, C> {
         Some(seen)
     }
 
-    /// The regions return to the animation, and the eye keeps the gaze where the animation has it.
-    fn return_to_rest(&self, joints: &mut [Joint], motion: &mut Motion<'_>) -> Option<()> {
-        let first = self.chain.first;
-        motion.memory.support = Support::Rests;
-        let mut goals = self.rig.array([0.0; 2]);
-        for (index, goal) in goals.iter_mut().enumerate() {
-            *goal = self.held(index, &Joint::REST, [0.0; 2]).angles();
+    /// A point where the animation looks, as far as the goal is.
+    fn ahead(&self) -> Option<Vec3A> {
+        let gaze = self.body.gaze;
+        Some(gaze.origin + math::unit(gaze.direction)? * (self.goal.aimed - gaze.origin).length().max(1.0))
+    }
+
+    /// Puts the joints where they belong for a goal, whatever the rates. `None` where the aim is undefined.
+    fn snap(&self, joints: &[Joint], memory: &mut Memory, posture: &mut Posture<C>) -> Option<()> {
+        // A target on the animated effector has no direction, whatever the joints could make of it.
+        self.body.gaze.angle_to(self.goal.aimed)?;
+        let first = self.body.first;
+        let mut found = self.rig.array(Joint::REST);
+        for (index, (found, joint)) in found.iter_mut().zip(joints).enumerate() {
+            let stays = self.goal.course == Course::Stay && index >= first;
+            let joint = if stays { Joint::REST.turned_to(joint.heading, joint.pitch) } else { Joint::REST };
+            *found = Reach::range(&self.motions[index]).hold(&joint);
         }
-        self.turn_regions_to(&goals, joints, motion);
-        if self.has_eye {
-            let resting = joints[first + 1..self.chain.count].iter().all(|joint| joint.angles() == [0.0; 2]);
-            let seen = if resting {
-                Seen { wanted: goals[first], held: goals[first] }
+        let mut after = *memory;
+        after.set_in_rounds(false);
+        after.support = Support::None;
+        after.set_led(Led::default());
+        if self.goal.course == Course::Aim {
+            let seen = self.see(&found, self.goal.aimed)?;
+            after.support = Support::Rests;
+            if self.has_eye && seen.is_within() && seen.off() <= self.sharing.engage {
+                found[first] = found[first].turned_to(seen.held[0], seen.held[1]);
             } else {
-                let gaze = self.chain.animated_gaze();
-                self.see(joints, gaze.origin + math::unit(gaze.direction)? * self.far())?
-            };
-            self.leap(&seen, joints, motion);
+                self.settle(self.way()?, &found, posture)?;
+                found.copy_from_slice(&posture.joints);
+                after.support = Support::Shares;
+            }
+            self.hold_eye(&mut found);
+            let head = &self.regions[self.count - 1];
+            after.set_led(Led { goal: sum(&found[head.outer..=head.inner]), ..Led::default() });
         }
+        self.stand(&found, posture);
+        *memory = after;
         Some(())
     }
 
-    /// As far as the goal is.
-    fn far(&self) -> f32 {
-        (self.goal.aimed - self.chain.animated_gaze().origin).length().max(1.0)
+    /// Leaves the joints like this.
+    fn stand(&self, joints: &[Joint], posture: &mut Posture<C>) {
+        *posture = Posture::new(self.rig, joints);
+        for joint in (self.body.first..self.body.count).rev() {
+            posture.turn(self.body, joint);
+        }
     }
 
-    /// Puts `joints` where they belong for a goal, and leaves them for none; returns whether it did. `None` where the aim
-    /// is undefined.
-    pub(crate) fn snap(&self, joints: &mut [Joint], memory: &mut Memory) -> Option<bool> {
-        if self.goal.course != Course::Aim {
-            return Some(false);
-        }
-        let first = self.chain.first;
-        let mut found = self.rig.array(Joint::REST);
-        for (index, joint) in found.iter_mut().enumerate() {
-            *joint = self.held(index, &Joint::REST, [0.0; 2]);
-        }
-        let seen = self.see(&found, self.goal.aimed)?;
-        memory.support = Support::Rests;
-        if self.has_eye && seen.is_within() && seen.off() <= self.sharing.engage {
-            found[first] = found[first].turned_to(seen.held[0], seen.held[1]);
-        } else {
-            self.settle(self.way()?, &mut found)?;
-            memory.support = Support::Shares;
-        }
-        joints.copy_from_slice(&found);
-        self.hold_eye(joints);
-        let goal = self.regions[..self.count].last().map_or([0.0; 2], |head| sum(&joints[head.outer..=head.inner]));
-        memory.set_led(Led { goal, ..Led::default() });
-        Some(true)
-    }
-
-    /// Turns the joints from the root outward so that each region's outermost forward has its direction and the leading joint
-    /// looks at `point`: at once, or by a frame's motion. Returns how the leading joint sees the point.
+    /// Turns the joints from the root outward: at once, or by a frame's motion. Returns how the leading joint sees its point.
     fn place(
         &self,
-        directions: &[Pair],
-        point: Vec3A,
-        joints: &mut [Joint],
+        aims: Aims<'_>,
+        from: &[Joint],
         mut motion: Option<&mut Motion<'_>>,
+        posture: &mut Posture<C>,
     ) -> Option<Seen> {
-        let mut frame = self.chain.base;
-        let mut seen = None;
+        posture.carried = Carried::NOTHING;
+        posture.joints.copy_from_slice(from);
+        let mut goals = self.rig.array([0.0; 2]);
+        let mut seen = Seen::NOTHING;
         for (number, region) in self.regions[..self.count].iter().enumerate() {
             let is_head = number + 1 == self.count;
-            let direction = self.bearings.direction(directions[number]);
-            let mut goals = self.rig.array([0.0; 2]);
-            let infos = self.rig.joints;
-            // Inner joints make their share; the outermost closes what is left, in the frame that they carry.
-            let mut carried = frame;
-            if region.outer < region.inner {
-                let local = frame.matrix3.transpose() * direction;
-                let whole = turn_to(&infos[region.inner].axes, region.forward, local);
-                for index in (region.outer + 1..=region.inner).rev() {
-                    let share = region.share(&infos[index]);
-                    let held = self.held(index, &joints[index], [share[0] * whole[0], share[1] * whole[1]]);
-                    goals[index] = held.angles();
-                    carried = self.outward(&carried, index, &held);
+            match aims {
+                Aims::At(directions, point) => {
+                    let leads = (is_head && !self.has_eye).then_some(point);
+                    let wanted = self.goals(region, directions[number], leads, posture, &mut goals)?;
+                    seen = Seen { wanted, held: goals[region.outer] };
                 }
-            }
-            let outer = region.outer;
-            let leads = is_head && !self.has_eye;
-            let wanted = if leads {
-                self.sight(&carried, joints, point)?
-            } else {
-                turn_to(&infos[outer].axes, region.bone, carried.matrix3.transpose() * direction)
-            };
-            let inner = add(&goals[outer + 1..=region.inner]);
-            let within = [0, 1].map(|axis| region.room[axis].hold(wanted[axis] + inner[axis]) - inner[axis]);
-            goals[outer] = self.held(outer, &joints[outer], within).angles();
-            if leads {
-                seen = Some(Seen { wanted, held: goals[outer] });
+                Aims::Rest(_) => {
+                    for index in region.outer..=region.inner {
+                        goals[index] = self.held(index, &Joint::REST, [0.0; 2]);
+                    }
+                }
+                Aims::EyeAt(_) | Aims::Stay => {}
             }
             match &mut motion {
-                Some(motion) => self.glide(region, is_head, &goals, joints, motion),
+                Some(motion) => self.glide(region, is_head, &goals, from, &mut posture.joints, motion),
                 None => {
-                    for index in outer..=region.inner {
-                        joints[index] = joints[index].turned_to(goals[index][0], goals[index][1]);
+                    for index in region.outer..=region.inner {
+                        posture.joints[index] = from[index].turned_to(goals[index][0], goals[index][1]);
                     }
                 }
             }
-            if self.has_eye || !is_head {
-                frame = (outer..=region.inner)
-                    .rev()
-                    .fold(frame, |frame, index| self.outward(&frame, index, &joints[index]));
+            for index in (region.outer..=region.inner).rev() {
+                posture.turn(self.body, index);
             }
         }
         if self.has_eye {
-            let first = self.chain.first;
-            let eye = self.seen(&frame, joints, point)?;
-            match motion {
-                Some(motion) => self.leap(&eye, joints, motion),
-                None => {
-                    let [heading, pitch] = self.held_straight(&eye, &joints[first]);
-                    joints[first] = joints[first].turned_to(heading, pitch);
+            let first = self.body.first;
+            match aims {
+                Aims::Stay => self.hold_eye(&mut posture.joints),
+                Aims::At(_, point) | Aims::EyeAt(point) | Aims::Rest(point) => {
+                    // An eye that supports nothing that has still to return is where the animation has it.
+                    let rests =
+                        matches!(aims, Aims::Rest(_)) && posture.joints[first + 1..].iter().all(Joint::is_at_rest);
+                    seen = if rests {
+                        let rest = self.held(first, &Joint::REST, [0.0; 2]);
+                        Seen { wanted: rest, held: rest }
+                    } else {
+                        self.seen(&posture.carried, &posture.joints, point)?
+                    };
+                    posture.joints[first] = match &motion {
+                        Some(motion) => self.leap(&seen, &from[first], motion),
+                        None => {
+                            let [heading, pitch] = self.held_straight(&seen, &from[first]);
+                            from[first].turned_to(heading, pitch)
+                        }
+                    };
                 }
             }
-            seen = Some(eye);
+            posture.turn(self.body, first);
         }
-        seen
+        Some(seen)
     }
 
-    /// The next joint's animated frame outward, as a corrected joint carries it.
-    fn outward(&self, frame: &Affine3A, index: usize, joint: &Joint) -> Affine3A {
-        let turned = frame.matrix3 * Mat3A::from_quat(joint_turn(&self.rig.joints[index], joint));
-        let link = &self.chain.links[index];
-        Affine3A { matrix3: turned * link.matrix3, translation: frame.translation + turned * link.translation }
+    /// Finds the angles that give a region's outermost forward this heading and elevation, or where it `leads` let it look at a
+    /// point. Returns what the outermost joint would have to turn.
+    #[inline(always)]
+    fn goals(
+        &self,
+        region: &Region,
+        direction: Pair,
+        leads: Option<Vec3A>,
+        posture: &Posture<C>,
+        goals: &mut [Pair],
+    ) -> Option<Pair> {
+        let (body, outer) = (self.body, region.outer);
+        let direction = self.bearings.direction(direction);
+        // Inner joints make their share; the outermost closes what is left, in the frame that they carry.
+        let (joints, mut carried, mut inner) = (&posture.joints, posture.carried, [0.0; 2]);
+        if outer < region.inner {
+            let local = carried.frame(body, region.inner).transpose() * direction;
+            let whole = turn_to(region.forward, local);
+            for index in (outer + 1..=region.inner).rev() {
+                let share = region.share(&self.rig.joints[index]);
+                let held = self.held(index, &joints[index], [share[0] * whole[0], share[1] * whole[1]]);
+                goals[index] = held;
+                inner = [inner[0] + held[0], inner[1] + held[1]];
+                carried = carried.outward(body, index, trig::halves(held[1], held[0]));
+            }
+        }
+        let wanted = match leads {
+            Some(point) => self.sight(&carried, joints, point)?,
+            None => heading_and_pitch(carried.frame(body, outer).transpose() * direction),
+        };
+        let within = [0, 1].map(|axis| region.room[axis].hold(wanted[axis] + inner[axis]) - inner[axis]);
+        goals[outer] = self.held(outer, &joints[outer], within);
+        Some(wanted)
     }
 
-    /// The joint at the angles nearest to these that its range holds; a free heading the shorter way round.
-    fn held(&self, index: usize, joint: &Joint, [heading, pitch]: Pair) -> Joint {
+    /// The angles nearest to these that a joint's range holds; a free heading the shorter way round.
+    #[inline(always)]
+    fn held(&self, index: usize, joint: &Joint, [heading, pitch]: Pair) -> Pair {
         let motion = &self.motions[index];
         let heading = if motion.heading.is_free() {
             joint.heading + math::wrap_pi(heading - joint.heading)
         } else {
             motion.heading.hold(heading)
         };
-        joint.turned_to(heading, motion.pitch_at(heading).hold(pitch))
-    }
-
-    /// How the leading joint sees a point with the joints like this.
-    fn see(&self, joints: &[Joint], point: Vec3A) -> Option<Seen> {
-        let first = self.chain.first;
-        let frame = (first + 1..self.chain.count)
-            .rev()
-            .fold(self.chain.base, |frame, index| self.outward(&frame, index, &joints[index]));
-        self.seen(&frame, joints, point)
-    }
-
-    /// The same where its frame is at hand.
-    fn seen(&self, frame: &Affine3A, joints: &[Joint], point: Vec3A) -> Option<Seen> {
-        let first = self.chain.first;
-        let wanted = self.sight(frame, joints, point)?;
-        Some(Seen { wanted, held: self.held(first, &joints[first], wanted).angles() })
-    }
-
-    /// The heading and the pitch by which the leading joint looks at a point, standing in this frame before its added
-    /// rotation. `None` where the point is on the effector.
-    fn sight(&self, frame: &Affine3A, joints: &[Joint], point: Vec3A) -> Option<Pair> {
-        let first = self.chain.first;
-        let axes = &self.rig.joints[first].axes;
-        let local = frame.matrix3.transpose() * (point - frame.translation);
-        if self.effector.origin == Vec3A::ZERO && self.chain.is_rigid() {
-            return Some(turn_to(axes, self.effector.direction, math::unit(local)?));
-        }
-        if self.chain.is_rigid() {
-            self.sight_in_rounds(frame, joints, point)
-        } else {
-            self.sight_by_search(frame, joints, point)
-        }
-    }
-
-    /// [`sight`](Self::sight) of an effector that is not at its joint: each round looks from where the last one left the
-    /// effector.
-    #[cold]
-    fn sight_in_rounds(&self, frame: &Affine3A, joints: &[Joint], point: Vec3A) -> Option<Pair> {
-        let first = self.chain.first;
-        let info = &self.rig.joints[first];
-        let mut joint = joints[first];
-        let mut wanted = joint.angles();
-        for _ in 0..SIGHT_ROUNDS {
-            let origin = math::turned(joint_turn(info, &joint), self.effector.origin);
-            let local = frame.matrix3.transpose() * (point - frame.translation) - origin;
-            let next = turn_to(&info.axes, self.effector.direction, math::unit(local)?);
-            let change = [math::wrap_pi(next[0] - wanted[0]), next[1] - wanted[1]];
-            wanted = next;
-            joint = self.held(first, &joints[first], wanted);
-            if length(change) < 0.1 * SAME_RAD {
-                break;
-            }
-        }
-        Some(wanted)
-    }
-
-    /// [`sight`](Self::sight) in a pose that is not rigid, by the exact solver, the other joints held where they are.
-    #[cold]
-    fn sight_by_search(&self, frame: &Affine3A, joints: &[Joint], point: Vec3A) -> Option<Pair> {
-        let first = self.chain.first;
-        let mut found = self.rig.array(Joint::REST);
-        found.copy_from_slice(joints);
-        let mut reaches = self.rig.array(Reach::REST);
-        for (reach, joint) in reaches.iter_mut().zip(joints) {
-            *reach = Reach::at(joint);
-        }
-        // Beyond its range too: what the range does not hold is to be known.
-        let info = &self.rig.joints[first];
-        let all = |declared: Option<[f32; 2]>, most: f32| declared.map(|_| [-most, most]);
-        let declared = Angles { heading: all(info.heading, PI), pitch: all(info.pitch, FRAC_PI_2) };
-        reaches[first] = Reach::range(&RangeOfMotion::new(declared, 0.0, None));
-        let goal = Goal { aimed: point, ..*self.goal };
-        Solver::new(self.rig, self.chain, &goal).settle(&mut found, &reaches, Search::Thorough)?;
-        // The angles that look where the rigid links would have to look; of an angle that the joint lacks, what is left.
-        let rigid = self.effector.turned(joint_turn(info, &found[first])).through(frame);
-        let seen = self.chain.seen_target(point, self.chain.gaze_of(self.rig, &found), rigid);
-        let local = frame.matrix3.transpose() * (seen - rigid.origin);
-        Some(turn_to(&info.axes, self.effector.direction, math::unit(local)?))
-    }
-
-    /// Moves every region towards its joints' goals by a frame.
-    fn turn_regions_to(&self, goals: &[Pair], joints: &mut [Joint], motion: &mut Motion<'_>) {
-        for number in 0..self.count {
-            self.glide(&self.regions[number], number + 1 == self.count, goals, joints, motion);
-        }
+        [heading, motion.pitch_at(heading).hold(pitch)]
     }
 
     /// Moves a region towards its joints' goals by a frame, or to a stop. Its outermost joint remembers speed and
     /// acceleration.
-    fn glide(&self, region: &Region, is_head: bool, goals: &[Pair], joints: &mut [Joint], motion: &mut Motion<'_>) {
+    fn glide(
+        &self,
+        region: &Region,
+        is_head: bool,
+        goals: &[Pair],
+        from: &[Joint],
+        joints: &mut [Joint],
+        motion: &mut Motion<'_>,
+    ) {
         let (outer, inner, dt) = (region.outer, region.inner, motion.dt);
         let pace = region.pace * motion.led.unwrap_or_default().haste();
         let &Region { rate, approach, acceleration, .. } = region;
         let mut bounds = Bounds { dt, pace, rate, approach, acceleration };
-        let (before, speed) = (sum(&joints[outer..=inner]), joints[outer].velocity);
+        let (before, speed) = (sum(&from[outer..=inner]), from[outer].velocity);
         let mut glide =
-            Glide { speed, acceleration: joints[outer].destination().unwrap_or_default(), ..Glide::default() };
+            Glide { speed, acceleration: from[outer].destination().unwrap_or_default(), ..Glide::default() };
         let mut goal = add(&goals[outer..=inner]);
         let mut begins = [0.0; 2];
         let mut led = motion.led.filter(|_| is_head).unwrap_or(Led { goal: before, ..Led::default() });
@@ -520,7 +515,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         motion.arrived &= length(next.offset).max(length(next.speed) / bounds.pace) < THERE_RAD;
 
         let total = [goal[0] + next.offset[0], goal[1] + next.offset[1]];
-        self.distribute(region, goals, goal, total, joints, motion);
+        self.distribute(region, goals, goal, total, from, joints, motion);
         let now = sum(&joints[outer..=inner]);
         for axis in [0, 1] {
             // Range and rate come first.
@@ -550,33 +545,33 @@ impl<'a, const C: usize> Gaze<'a, C> {
         goals: &[Pair],
         goal: Pair,
         total: Pair,
+        from: &[Joint],
         joints: &mut [Joint],
         motion: &Motion<'_>,
     ) {
-        let before = sum(&joints[region.outer..=region.inner]);
+        let before = sum(&from[region.outer..=region.inner]);
         let taken = 1.0 - 1.0 / (1.0 + motion.dt * region.pace);
         let mut rest = total;
         for index in (region.outer..=region.inner).rev() {
             let wanted = if index == region.outer {
                 rest
             } else {
-                let (share, angles) = (region.share(&self.rig.joints[index]), joints[index].angles());
+                let (share, angles) = (region.share(&self.rig.joints[index]), from[index].angles());
                 [0, 1].map(|axis| {
                     let off = angles[axis] - share[axis] * before[axis];
                     let end = if motion.stays { off } else { goals[index][axis] - share[axis] * goal[axis] };
                     share[axis] * total[axis] + off + taken * (end - off)
                 })
             };
-            joints[index] = motion.reaches[index].hold(&joints[index].turned_to(wanted[0], wanted[1]));
+            joints[index] = motion.reaches[index].hold(&from[index].turned_to(wanted[0], wanted[1]));
             rest = [rest[0] - joints[index].heading, rest[1] - joints[index].pitch];
         }
     }
 
     /// Turns the eye towards what it sees by a frame. It remembers where that was, and the speed at which it leaps.
-    fn leap(&self, seen: &Seen, joints: &mut [Joint], motion: &Motion<'_>) {
-        let first = self.chain.first;
-        let (dt, joint, reach) = (motion.dt, joints[first], &motion.reaches[first]);
-        let held = self.held_straight(seen, &joint);
+    fn leap(&self, seen: &Seen, joint: &Joint, motion: &Motion<'_>) -> Joint {
+        let (dt, reach) = (motion.dt, &motion.reaches[self.body.first]);
+        let held = self.held_straight(seen, joint);
         let before = joint.destination().unwrap_or(joint.angles());
         let rate = reach.step / dt;
         let change = [0, 1].map(|axis| held[axis] - before[axis]);
@@ -587,17 +582,13 @@ impl<'a, const C: usize> Gaze<'a, C> {
         let mut next = reach.hold(&joint.turned_to(held[0] + offset[0], held[1] + offset[1]));
         next.velocity = speed;
         next.set_destination(Some(held));
-        joints[first] = next;
+        next
     }
 
     /// Where the eye is held: towards what is out of its range straight, so that the gaze goes straight while the head comes and
     /// keeps its elevation where the head does not get there.
     fn held_straight(&self, seen: &Seen, joint: &Joint) -> Pair {
-        if seen.is_within() {
-            seen.held
-        } else {
-            self.held(self.chain.first, joint, self.straight(seen.wanted)).angles()
-        }
+        if seen.is_within() { seen.held } else { self.held(self.body.first, joint, self.straight(seen.wanted)) }
     }
 
     /// As far as the eye gets straight towards what is out of its range.
@@ -616,7 +607,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
     /// Keeps the eye where it is.
     fn hold_eye(&self, joints: &mut [Joint]) {
         if self.has_eye {
-            let eye = &mut joints[self.chain.first];
+            let eye = &mut joints[self.body.first];
             eye.velocity = [0.0; 2];
             eye.set_destination(Some([eye.heading, eye.pitch]));
         }
@@ -638,28 +629,4 @@ fn add(angles: &[Pair]) -> Pair {
 /// The sums of the joints' headings and pitches.
 fn sum(joints: &[Joint]) -> Pair {
     joints.iter().fold([0.0; 2], |[heading, pitch], joint| [heading + joint.heading, pitch + joint.pitch])
-}
-
-/// The heading and the pitch that turn `from` to `to`, unit vectors of a joint's frame: pitch lifts `from` to the height of `to`,
-/// or as near as it gets, then heading brings it there.
-fn turn_to(axes: &Axes, from: Vec3A, to: Vec3A) -> Pair {
-    /// Nearer to square to the bone's forward than this, a direction can be lifted to either side.
-    const ACROSS: f32 = 0.5;
-    let [[ahead, left, up], [to_ahead, to_left, to_up]] = [view(axes, from), view(axes, to)];
-    let level = math::sqrt(ahead * ahead + up * up - to_up * to_up);
-    // Differences of angles, each by one arctangent.
-    let turn = |level: f32| {
-        [
-            trig::atan2(to_left * level - to_ahead * left, to_ahead * level + to_left * left),
-            trig::atan2(to_up * ahead - level * up, level * ahead + to_up * up),
-        ]
-    };
-    let angles = turn(if ahead < -ACROSS { -level } else { level });
-    if ahead.abs() <= ACROSS {
-        let other = turn(-level);
-        if other[0].abs() < angles[0].abs() {
-            return other;
-        }
-    }
-    angles
 }

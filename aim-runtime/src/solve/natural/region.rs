@@ -4,11 +4,10 @@ use core::f32::consts::PI;
 
 use glam::Vec3A;
 
+use super::body::Body;
 use crate::kinematics::bearing::Bearings;
-use crate::kinematics::chain::Chain;
 use crate::limits::{Interval, RangeOfMotion};
 use crate::math;
-use crate::rig::{ChainRig, PerJoint};
 use crate::{JointInfo, Role};
 
 /// Accelerations beyond this make no difference any more, rad/s².
@@ -24,8 +23,7 @@ pub(super) struct Region {
     pub(super) inner: usize,
     /// Heading and elevation of the outermost joint's forward in the animation.
     pub(super) animated: [f32; 2],
-    /// The outermost joint's animated forward in its own frame and in the innermost joint's.
-    pub(super) bone: Vec3A,
+    /// The outermost joint's animated forward in the innermost one's frame.
     pub(super) forward: Vec3A,
     /// The sums that the joints' ranges allow, and the budget in this pose.
     pub(super) room: [Interval; 2],
@@ -44,7 +42,6 @@ impl Region {
         outer: 0,
         inner: 0,
         animated: [0.0; 2],
-        bone: Vec3A::ZERO,
         forward: Vec3A::ZERO,
         room: [Interval::REST; 2],
         compliance: [0.0; 2],
@@ -76,18 +73,18 @@ fn part(info: &JointInfo) -> Role {
     }
 }
 
-/// The regions of a chain, from the innermost to the one that ends with joint `outermost`, and how many there are.
+/// Finds the regions of a body, from the innermost to the one that ends with joint `outermost`, and how many there are.
+#[inline(always)]
 pub(super) fn regions<const C: usize>(
-    rig: &ChainRig<'_, C>,
-    chain: &Chain<C>,
+    body: &Body<'_, C>,
     motions: &[RangeOfMotion],
     bearings: &Bearings,
     outermost: usize,
-) -> (PerJoint<Region, C>, usize) {
-    let infos = rig.joints;
-    let mut regions = rig.array(Region::NONE);
+    regions: &mut [Region],
+) -> usize {
+    let (rig, infos) = (body.rig, body.rig.joints);
     let mut count = 0;
-    let mut next = chain.count;
+    let mut next = body.count;
     let mut inside: Option<[f32; 2]> = None;
     while next > outermost {
         let inner = next - 1;
@@ -110,9 +107,8 @@ pub(super) fn regions<const C: usize>(
             }
         }
         region.outer = next;
-        region.bone = math::turned(chain.tilts[next].conjugate(), Vec3A::from(infos[next].axes.forward));
-        let forward = chain.upright[next] * region.bone;
-        region.forward = chain.upright[inner].transpose() * forward;
+        let forward = body.frames[next].x_axis;
+        region.forward = body.frames[inner].transpose() * forward;
         region.animated = bearings.angles(forward);
         // How far the animation turns the region out of what is inside it counts too.
         let [heading, elevation] = inside.unwrap_or(region.animated);
@@ -130,7 +126,7 @@ pub(super) fn regions<const C: usize>(
         regions[count] = region;
         count += 1;
     }
-    (regions, count)
+    count
 }
 
 /// The rate at which a region's offset dies away, 1/s.

@@ -1,0 +1,59 @@
+//! [`Solved`]: what a solve of the chain made of a call.
+
+use glam::{Quat, Vec3A};
+
+use super::judge::Verdict;
+use crate::kinematics::chain::{Ray, Space};
+use crate::limits::RangeOfMotion;
+use crate::limits::motion::wrap;
+use crate::rig::{ChainRig, Memory, PerJoint};
+use crate::target::goal::{Course, Goal};
+use crate::{Joint, Outcome, Settings};
+
+/// What a solve of the chain made of a call.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Solved<const C: usize> {
+    pub(crate) outcome: Outcome,
+    pub(crate) corrections: PerJoint<Quat, C>,
+    /// What the outcome is measured against and what was aimed at, in the pose's space.
+    pub(crate) wanted_ps: Vec3A,
+    pub(crate) aimed_ps: Vec3A,
+    pub(crate) course: Course,
+    pub(crate) behind: bool,
+}
+
+/// What the joints were to do, and what they are judged by.
+pub(crate) struct Task<'a, const C: usize> {
+    pub(crate) rig: &'a ChainRig<'a, C>,
+    pub(crate) motions: &'a [RangeOfMotion],
+    pub(crate) goal: &'a Goal,
+    pub(crate) space: Space,
+    pub(crate) settings: &'a Settings,
+    pub(crate) within_reach: bool,
+}
+
+impl<const C: usize> Task<'_, C> {
+    /// Remembers what was seen, and judges the joints as they are now by their forward kinematics.
+    #[inline(always)]
+    pub(crate) fn finish(
+        &self,
+        joints: &mut [Joint],
+        memory: &mut Memory,
+        posed: impl FnOnce(&[Joint]) -> (Ray, PerJoint<Quat, C>),
+    ) -> Option<Solved<C>> {
+        let &Self { rig, motions, goal, space, settings, within_reach } = self;
+        if !rig.has_fixed_ranges {
+            for (joint, motion) in joints.iter_mut().zip(motions) {
+                wrap(motion, joint);
+            }
+        }
+        (memory.side, memory.behind) = (goal.side, goal.behind);
+        let (gaze, corrections) = posed(joints);
+        let remaining = gaze.angle_to(goal.wanted)?;
+        let tolerance = settings.effective_tolerance();
+        let verdict = Verdict { remaining, tolerance, behind: goal.behind, within_reach };
+        let outcome = verdict.outcome(rig, motions, joints);
+        let [wanted_ps, aimed_ps] = [goal.wanted, goal.aimed].map(|point| space.to_pose(point));
+        Some(Solved { outcome, corrections, wanted_ps, aimed_ps, course: goal.course, behind: goal.behind })
+    }
+}
