@@ -33,10 +33,10 @@ pub trait Float:
     /// ∞.
     const INFINITY: Self;
 
-    /// The smaller of two numbers; of a number and NaN the number.
+    /// The smaller of two numbers; `other` where either is NaN. A comparison: one instruction, the same on every machine.
     #[must_use]
     fn min(self, other: Self) -> Self;
-    /// The larger of two numbers; of a number and NaN the number.
+    /// The larger of two numbers; `other` where either is NaN.
     #[must_use]
     fn max(self, other: Self) -> Self;
     /// 1 with its sign; NaN of NaN.
@@ -57,12 +57,12 @@ macro_rules! float {
 
             #[inline(always)]
             fn min(self, other: Self) -> Self {
-                <$float>::min(self, other)
+                if self < other { self } else { other }
             }
 
             #[inline(always)]
             fn max(self, other: Self) -> Self {
-                <$float>::max(self, other)
+                if self > other { self } else { other }
             }
 
             #[inline(always)]

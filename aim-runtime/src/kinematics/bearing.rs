@@ -16,7 +16,7 @@ const STEEP_RAD: f32 = 80.0 * PI / 180.0;
 #[inline(always)]
 pub(crate) fn heading_and_pitch(direction: Vec3A) -> [f32; 2] {
     let [ahead, left, up] = direction.to_array();
-    [trig::atan2(left, ahead), trig::atan2(up, math::sqrt(ahead * ahead + left * left))]
+    trig::atan2_of_both([left, up], [ahead, math::sqrt(ahead * ahead + left * left)])
 }
 
 /// Directions of solver space as headings (from the front to the left) and elevations above the horizon, radians.
@@ -64,7 +64,7 @@ impl Bearings {
     /// The unit direction of a heading and an elevation.
     #[inline(always)]
     pub(crate) fn direction(&self, [heading, elevation]: [f32; 2]) -> Vec3A {
-        let ((sin_h, cos_h), (sin_e, cos_e)) = (trig::sin_cos(heading), trig::sin_cos(elevation));
+        let [sin_e, cos_e, sin_h, cos_h] = trig::doubled(trig::halves(elevation, heading));
         self.axes * Vec3A::new(cos_h * cos_e, sin_h * cos_e, sin_e)
     }
 

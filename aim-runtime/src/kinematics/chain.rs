@@ -38,12 +38,14 @@ impl Ray {
     /// The angle between the ray and the direction to `target`, radians; `None` where that is undefined.
     pub(crate) fn angle_to(self, target: Vec3A) -> Option<f32> {
         let to_target = target - self.origin;
-        let distance = to_target.length();
         // The negation also catches NaN.
-        if !(distance > TOO_NEAR) {
+        if !(to_target.dot(to_target) > TOO_NEAR * TOO_NEAR) {
             return None;
         }
-        let angle = math::angle_between(math::direction(self.direction)?, to_target / distance);
+        let square = self.direction.dot(self.direction);
+        let is_plain = square > 1e-6 && square < 1e6;
+        let direction = if is_plain { self.direction } else { math::direction(self.direction)? };
+        let angle = math::angle_between(direction, to_target);
         angle.is_finite().then_some(angle)
     }
 }

@@ -3,7 +3,7 @@
 
 use glam::{Affine3A, Mat3A, Vec3A};
 
-use crate::limits::{Angles, RangeOfMotion};
+use crate::limits::{Angles, Interval, RangeOfMotion};
 use crate::math::trig;
 use crate::rig::{ChainRig, PerJoint, PoseSlices};
 use crate::{Joint, JointInfo, LimitsFrom, math};
@@ -28,6 +28,14 @@ pub(crate) fn wrap(motion: &RangeOfMotion, joint: &mut Joint) {
 /// has no rotation, absolute ranges count as relative.
 pub(crate) fn motions<const C: usize>(rig: &ChainRig<'_, C>, pose: &PoseSlices<'_>) -> PerJoint<RangeOfMotion, C> {
     let mut motions = rig.array(RangeOfMotion::REST);
+    if rig.has_fixed_ranges {
+        // The declared ranges as they are.
+        let ends = |range: Option<[f32; 2]>| range.map_or(Interval::REST, |[lo, hi]| Interval::from_ends(lo, hi));
+        for (motion, info) in motions.iter_mut().zip(rig.joints) {
+            (motion.heading, motion.pitch) = (ends(info.heading), ends(info.pitch));
+        }
+        return motions;
+    }
     for (index, (motion, info)) in motions.iter_mut().zip(rig.joints).enumerate() {
         let animated = if info.limits_from == LimitsFrom::BindPose { animated_angles(info, pose, index) } else { None };
         *motion = ranges(info, animated);

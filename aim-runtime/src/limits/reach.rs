@@ -5,6 +5,7 @@ use core::f32::consts::PI;
 use aim_model::Taper;
 
 use crate::limits::{Interval, RangeOfMotion};
+use crate::math::Bounded;
 use crate::{Joint, math};
 
 /// How close to an end of its range an angle counts as at it, radians.
@@ -43,7 +44,7 @@ impl Reach {
     /// What the joint can reach at `rate` within `dt` seconds. Range first, then rate.
     pub(crate) fn frame(motion: &RangeOfMotion, rate: f32, joint: &Joint, dt: f32) -> Self {
         // NaN and negative rates stand still.
-        let step = (rate * dt).max(0.0).min(PI);
+        let step = (rate * dt).at_least(0.0).at_most(PI);
         let pitch_box = Interval::around(joint.pitch, step);
         Self {
             heading: motion.heading.within(Interval::around(joint.heading, step)),
@@ -69,7 +70,7 @@ impl Reach {
         if self.taper.is_none() {
             return 0.0;
         }
-        let inward = -INWARD_RAD.min(joint.heading.abs()) * joint.heading.signum();
+        let inward = -INWARD_RAD.at_most(joint.heading.abs()) * joint.heading.signum();
         let (here, there) = (self.pitch_at(joint.heading), self.pitch_at(joint.heading + inward));
         let moved = if joint.pitch >= here.hi() {
             there.hi() - here.hi()
@@ -103,13 +104,13 @@ impl Reach {
     /// The part of the way from `joint`'s angles to those of `goal` that one step covers, 0…1.
     pub(crate) fn part_of_way(&self, joint: &Joint, goal: &Joint, motion: &RangeOfMotion) -> f32 {
         let [heading, pitch] = way(joint, goal, motion);
-        let longest = heading.abs().max(pitch.abs());
+        let longest = heading.abs().at_least(pitch.abs());
         if longest > self.step { self.step / longest } else { 1.0 }
     }
 
     /// The joint moved from its present angles by its largest step towards rest. Exactly at rest once it is near.
     pub(crate) fn towards_rest(&self, joint: &Joint) -> Joint {
-        let towards = |angle: f32| angle - angle.max(-self.step).min(self.step);
+        let towards = |angle: f32| angle - angle.at_least(-self.step).at_most(self.step);
         self.hold(&Joint { heading: towards(joint.heading), pitch: towards(joint.pitch), ..*joint })
     }
 }

@@ -38,6 +38,26 @@ mod float {
     }
 }
 
+/// Bounds that are one comparison each, where `max` and `min` of `f32` take five for what they do about NaN.
+pub(crate) trait Bounded: Sized {
+    /// The number, or the bound where that is larger or the number is NaN.
+    fn at_least(self, bound: Self) -> Self;
+    /// The number, or the bound where that is smaller or the number is NaN.
+    fn at_most(self, bound: Self) -> Self;
+}
+
+impl Bounded for f32 {
+    #[inline(always)]
+    fn at_least(self, bound: Self) -> Self {
+        aim_model::Float::max(self, bound)
+    }
+
+    #[inline(always)]
+    fn at_most(self, bound: Self) -> Self {
+        aim_model::Float::min(self, bound)
+    }
+}
+
 /// The square root; 0 for what has none.
 #[inline]
 pub(crate) fn sqrt(x: f32) -> f32 {
@@ -50,7 +70,7 @@ pub(crate) fn wrap_pi(angle_rad: f32) -> f32 {
     if (-PI..=PI).contains(&angle_rad) {
         angle_rad
     } else {
-        (angle_rad - TAU * float::round(angle_rad / TAU)).max(-PI).min(PI)
+        (angle_rad - TAU * float::round(angle_rad / TAU)).at_least(-PI).at_most(PI)
     }
 }
 

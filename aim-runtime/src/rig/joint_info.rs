@@ -5,6 +5,7 @@ use core::f32::consts::PI;
 use glam::Quat;
 
 use crate::kinematics::rotation::{Planes, joint_turn};
+use crate::math::Bounded;
 use crate::{Axes, Joint, LimitsFrom, Role};
 
 /// What was declared of a joint. Angles in radians.
@@ -143,7 +144,7 @@ impl JointInfo {
     /// [`upright`](Self::upright) as it counts, 0…1.
     pub(crate) fn effective_upright(&self) -> f32 {
         let by_role = if matches!(self.role, Role::Head | Role::Neck) { 1.0 } else { 0.0 };
-        self.upright.unwrap_or(by_role).max(0.0).min(1.0)
+        self.upright.unwrap_or(by_role).at_least(0.0).at_most(1.0)
     }
 
     /// Whether the ranges are the declared ones in every pose and at every heading, and within ±π.

@@ -1,6 +1,7 @@
 //! [`Settings`]: how a call aims.
 
 use crate::GazeSharing;
+use crate::math::Bounded;
 
 /// How a [`Call`](crate::Call) aims.
 ///
@@ -114,12 +115,12 @@ impl Settings {
     /// The weight as it counts: 0…1.
     pub(crate) fn effective_weight(&self) -> f32 {
         // `max` and `min` return the number where the other is NaN, so NaN becomes 0.
-        self.weight.max(0.0).min(1.0)
+        self.weight.at_least(0.0).at_most(1.0)
     }
 
     /// The tolerance as it counts: 0…∞, radians.
     pub(crate) fn effective_tolerance(&self) -> f32 {
-        self.tolerance.max(0.0)
+        self.tolerance.at_least(0.0)
     }
 }
 

@@ -1,7 +1,8 @@
 //! The judge: the one place where status and [`Outcome`] are decided, from the angle that forward kinematics measured.
 
-use crate::limits::RangeOfMotion;
 use crate::limits::reach::AT_LIMIT_RAD;
+use crate::limits::{Interval, RangeOfMotion};
+use crate::math::Bounded;
 use crate::math::trig;
 use crate::rig::ChainRig;
 use crate::{Joint, JointInfo, JointSet, Outcome, Status, math};
@@ -38,7 +39,7 @@ impl Verdict {
     #[inline(always)]
     pub(crate) fn outcome_at(&self, at_limit: JointSet, recovering: JointSet) -> Outcome {
         let (sin_half, _) = trig::half_sin_cos_within(self.remaining);
-        self.outcome_by((1.0 - 2.0 * sin_half * sin_half).max(-1.0), at_limit, recovering)
+        self.outcome_by((1.0 - 2.0 * sin_half * sin_half).at_least(-1.0), at_limit, recovering)
     }
 
     /// The same where the cosine of the angle is at hand.
@@ -79,18 +80,21 @@ pub(crate) fn nothing_to_aim() -> Outcome {
 /// The joints with an angle at or past an end of its range, and those with one outside its range.
 pub(crate) fn limits_met(infos: &[JointInfo], motions: &[RangeOfMotion], joints: &[Joint]) -> (JointSet, JointSet) {
     let (mut at_limit, mut recovering) = (JointSet::EMPTY, JointSet::EMPTY);
-    for (index, ((info, motion), joint)) in infos.iter().zip(motions).zip(joints).enumerate() {
-        for (declared, range, angle) in
-            [(info.heading, motion.heading, joint.heading), (info.pitch, motion.pitch_at(joint.heading), joint.pitch)]
-        {
-            if declared.is_some() && (angle <= range.lo() + AT_LIMIT_RAD || angle >= range.hi() - AT_LIMIT_RAD) {
-                at_limit.insert(index);
-            }
-            // An angle that went back to its range may miss the end by rounding.
-            if angle < range.lo() - AT_LIMIT_RAD || angle > range.hi() + AT_LIMIT_RAD {
-                recovering.insert(index);
-            }
+    let mut meet = |index: usize, is_declared: bool, range: Interval, angle: f32| {
+        if angle > range.lo() + AT_LIMIT_RAD && angle < range.hi() - AT_LIMIT_RAD {
+            return;
         }
+        if is_declared {
+            at_limit.insert(index);
+        }
+        // An angle that went back to its range may miss the end by rounding.
+        if angle < range.lo() - AT_LIMIT_RAD || angle > range.hi() + AT_LIMIT_RAD {
+            recovering.insert(index);
+        }
+    };
+    for (index, ((info, motion), joint)) in infos.iter().zip(motions).zip(joints).enumerate() {
+        meet(index, info.heading.is_some(), motion.heading, joint.heading);
+        meet(index, info.pitch.is_some(), motion.pitch_at(joint.heading), joint.pitch);
     }
     (at_limit, recovering)
 }

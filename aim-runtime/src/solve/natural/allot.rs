@@ -8,6 +8,7 @@ use super::body::Posture;
 use super::glide::{Pair, length};
 use super::{Aims, Gaze, Seen};
 use crate::limits::Interval;
+use crate::math::Bounded;
 use crate::math::trig;
 use crate::rig::PerJoint;
 use crate::{Joint, math};
@@ -33,7 +34,7 @@ fn eye_heading(heading: f32, head: f32, elevation: f32) -> f32 {
     let ((sin, cos), (sin_head, cos_head)) = (trig::sin_cos(heading), trig::sin_cos(head));
     let (sin_up, cos_up) = trig::sin_cos(elevation);
     let ahead = math::sqrt(cos * cos + sin * sin * cos_head * cos_head);
-    let lifted = (sin * sin_up * sin_head / (cos_up.max(1e-3) * ahead)).max(-1.0).min(1.0);
+    let lifted = (sin * sin_up * sin_head / (cos_up.at_least(1e-3) * ahead)).at_least(-1.0).at_most(1.0);
     trig::atan2(sin * cos_head, cos) + trig::atan2(lifted, math::sqrt(1.0 - lifted * lifted))
 }
 
@@ -81,11 +82,11 @@ impl<const C: usize> Gaze<'_, C> {
             // Overhead a heading says little: the nearer the target is to the zenith, beyond where the gaze reaches, the less.
             let fits = trig::sin_cos(way.to[1] - unfit[1]).1;
             let level = trig::sin_cos(way.to[1]).1;
-            way.way[0] *= (level / fits.max(1e-3)).max(0.0).min(1.0);
+            way.way[0] *= (level / fits.at_least(1e-3)).at_least(0.0).at_most(1.0);
             (directions, unfit) = self.share(way, [0.0; 2]);
         }
         let head = self.count - 1;
-        let is_level = way.to[1].abs().max(directions[head][1].abs()) < STEEP_RAD;
+        let is_level = way.to[1].abs().at_least(directions[head][1].abs()) < STEEP_RAD;
         if length(unfit) > if is_level { OUT_OF_REACH_RAD } else { STEEP_OUT_OF_REACH_RAD } {
             return Some(self.out_of_reach(way, directions, unfit));
         }

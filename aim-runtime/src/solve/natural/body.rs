@@ -125,28 +125,28 @@ impl<'a, const C: usize> Body<'a, C> {
     }
 }
 
-/// What the joints further in do to a joint: the turn that they add, and where they bring it, in solver space.
+/// What the joints further in do to a joint: the turn that they add, where they bring it, and its frame, in solver space.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Carried {
-    pub(super) turn: Mat3A,
+    turn: Mat3A,
     pub(super) at: Vec3A,
+    pub(super) frame: Mat3A,
 }
 
 impl Carried {
-    pub(super) const NOTHING: Self = Self { turn: Mat3A::IDENTITY, at: Vec3A::ZERO };
-
-    /// A joint's frame, carried like this.
+    /// The innermost joint, as the animation has it.
     #[inline(always)]
-    pub(super) fn frame<const C: usize>(&self, body: &Body<'_, C>, joint: usize) -> Mat3A {
-        self.turn * body.frames[joint]
+    pub(super) fn root<const C: usize>(body: &Body<'_, C>) -> Self {
+        Self { turn: Mat3A::IDENTITY, at: Vec3A::ZERO, frame: body.frames[body.count - 1] }
     }
 
-    /// The same for the next joint outward.
+    /// The same for the next joint outward; the effector for the aimed one.
     #[inline(always)]
     pub(super) fn outward<const C: usize>(&self, body: &Body<'_, C>, joint: usize, halves: Halves) -> Self {
-        let frame = turned(&self.frame(body, joint), halves);
+        let frame = turned(&self.frame, halves);
         let turn = frame * body.frames[joint].transpose();
-        Self { turn, at: self.at + turn * body.arm(joint) }
+        let at = self.at + turn * body.arm(joint);
+        Self { turn, at, frame: if joint > body.first { turn * body.frames[joint - 1] } else { frame } }
     }
 
     /// The effector where all joints have had their turn.
@@ -181,10 +181,11 @@ pub(super) struct Posture<const C: usize> {
 impl<const C: usize> Posture<C> {
     /// The joints before any has had its turn.
     #[inline(always)]
-    pub(super) fn new(rig: &ChainRig<'_, C>, joints: &[Joint]) -> Self {
+    pub(super) fn new(body: &Body<'_, C>, joints: &[Joint]) -> Self {
+        let rig = body.rig;
         let mut copy = rig.array(Joint::REST);
         copy.copy_from_slice(joints);
-        Self { joints: copy, corrections: rig.array(Quat::IDENTITY), carried: Carried::NOTHING }
+        Self { joints: copy, corrections: rig.array(Quat::IDENTITY), carried: Carried::root(body) }
     }
 
     /// Gives a joint its turn.

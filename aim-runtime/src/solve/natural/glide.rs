@@ -8,6 +8,7 @@ use core::f32::consts::PI;
 
 use crate::limits::Interval;
 use crate::math;
+use crate::math::Bounded;
 use crate::rig::Led;
 
 pub(super) type Pair = [f32; 2];
@@ -40,7 +41,7 @@ impl Glide {
         let &Bounds { dt, pace, rate, approach, acceleration } = bounds;
         let far = length(self.offset);
         // While the offset stays the same, the speed comes to ω·offset/3; what the goal's own leaves of the rate.
-        let near = 3.0 * (rate - length(with)).max(0.0).min(approach) / pace;
+        let near = 3.0 * (rate - length(with)).at_least(0.0).at_most(approach) / pace;
         let part = if far > near { near / far } else { 1.0 };
         let fade = exp_of_minus(pace * dt);
         let mut next = *self;
@@ -55,7 +56,7 @@ impl Glide {
             next.acceleration[axis] = 2.0 * c2 * fade - pace * (2.0 * end + pace * later);
         }
         let gain = [0, 1].map(|axis| next.speed[axis] + with[axis] - self.speed[axis] - before[axis]);
-        let part = (acceleration * dt / length(gain)).min(1.0);
+        let part = (acceleration * dt / length(gain)).at_most(1.0);
         let speed = [0, 1].map(|axis| self.speed[axis] + before[axis] - with[axis] + part * gain[axis]);
         next.speed_up(self, if part < 1.0 { speed } else { next.speed }, part < 1.0, dt);
         next
@@ -95,9 +96,9 @@ impl Glide {
             let up = braking(ranges[axis].hi() - sum[axis], gain, dt);
             let down = braking(sum[axis] - ranges[axis].lo(), gain, dt);
             // Where it is too late to brake in time, the range ends the movement.
-            let held = end.min(up).max(-down);
+            let held = end.at_most(up).at_least(-down);
             if held != end {
-                speed[axis] = held.max(start - gain).min(start + gain) - with[axis];
+                speed[axis] = held.at_least(start - gain).at_most(start + gain) - with[axis];
             }
         }
         if speed != self.speed {
@@ -116,7 +117,7 @@ impl Glide {
 ///
 /// A speed of n + r gains, 0 ≤ r ≤ 1, takes n(n + 1)/2 + (n + 1)·r times gain·dt.
 fn braking(distance: f32, gain: f32, dt: f32) -> f32 {
-    let distance = (distance / (gain * dt)).max(0.0);
+    let distance = (distance / (gain * dt)).at_least(0.0);
     let whole = 0.5 * (math::sqrt(1.0 + 8.0 * distance) - 1.0);
     if !(whole < 3e4) {
         return f32::INFINITY;
@@ -161,7 +162,7 @@ impl Led {
     /// The part of its pace with which the head follows: less where its goal leaps to and fro.
     pub(super) fn haste(&self) -> f32 {
         const LEAST: f32 = 0.4;
-        (1.0 - self.tired).max(LEAST).min(1.0)
+        (1.0 - self.tired).at_least(LEAST).at_most(1.0)
     }
 
     /// A goal that leaps back before the head has come makes it slow for a while: it stays near the middle.
@@ -176,10 +177,10 @@ impl Led {
         let back = -(leap[0] * ahead[0] + leap[1] * ahead[1]);
         if back > 0.0 {
             let size = length(leap);
-            let counts = ((size - TREMBLING_RAD) / (WHOLE_RAD - TREMBLING_RAD)).max(0.0).min(1.0);
-            self.tired += counts * (4.0 * back / (size * size)).min(1.0);
+            let counts = ((size - TREMBLING_RAD) / (WHOLE_RAD - TREMBLING_RAD)).at_least(0.0).at_most(1.0);
+            self.tired += counts * (4.0 * back / (size * size)).at_most(1.0);
         }
-        self.tired = (self.tired.min(MOST) - dt / RESTS_S).max(0.0);
+        self.tired = (self.tired.at_most(MOST) - dt / RESTS_S).at_least(0.0);
     }
 }
 
@@ -199,9 +200,9 @@ pub(super) fn saccade(offset: Pair, speed: Pair, dt: f32, rate: f32) -> (Pair, P
     let along = offset.map(|offset| -offset / distance);
     // The speed at the end of the frame from which it still stops: v² = 2a·(distance − (speed + v)·dt/2).
     let (half, towards) = (0.5 * gain, along[0] * speed[0] + along[1] * speed[1]);
-    let wanted = (math::sqrt(half * half + gain * (2.0 * distance / dt - towards)) - half).min(rate);
+    let wanted = (math::sqrt(half * half + gain * (2.0 * distance / dt - towards)) - half).at_most(rate);
     let change = [along[0] * wanted - speed[0], along[1] * wanted - speed[1]];
-    let part = (gain / length(change)).min(1.0);
+    let part = (gain / length(change)).at_most(1.0);
     let next = [0, 1].map(|axis| speed[axis] + part * change[axis]);
     let offset = [0, 1].map(|axis| offset[axis] + 0.5 * (speed[axis] + next[axis]) * dt);
     (offset, next)
@@ -213,7 +214,7 @@ pub(super) fn length([x, y]: Pair) -> f32 {
 
 /// e^(−x) of x ≥ 0, to 1e-6: the 16th power of a series.
 fn exp_of_minus(x: f32) -> f32 {
-    let x = -x.min(40.0) / 16.0;
+    let x = -x.at_most(40.0) / 16.0;
     let root = 1.0 + x * (1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x / 120.0))));
     let square = |x: f32| x * x;
     square(square(square(square(root))))

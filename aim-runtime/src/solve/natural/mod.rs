@@ -36,6 +36,7 @@ use crate::kinematics::bearing::{Bearings, heading_and_pitch};
 use crate::kinematics::chain::{Chain, Upright};
 use crate::limits::reach::Reach;
 use crate::limits::{Interval, RangeOfMotion};
+use crate::math::Bounded;
 use crate::math::trig;
 use crate::rig::{ChainRig, Led, Memory, PerJoint, PoseSlices, Support};
 use crate::target::behind::Front;
@@ -85,7 +86,7 @@ pub(super) fn aim<const C: usize>(
     before.behind &= call.dt.is_some();
     let goal = Goal::new(&scene, call.target_ps.into(), settings, &before)?;
     let gaze = Gaze::new(&body, chain.as_ref(), motions, &goal, settings, &bearings);
-    let mut posture = Posture::new(rig, joints);
+    let mut posture = Posture::new(&body, joints);
     let within_reach = match call.dt {
         Some(dt) => gaze.move_joints(joints, memory, &mut posture, dt)?,
         // What a snap has not reached it does not reach.
@@ -182,7 +183,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         gaze.count = regions(body, motions, bearings, first + usize::from(has_eye), &mut gaze.regions);
         let turns = body.positions[gaze.regions[gaze.count - 1].outer];
         let direction = math::unit(body.gaze.direction).unwrap_or(Vec3A::X);
-        gaze.pivot -= direction * direction.dot(gaze.pivot - turns).max(0.0);
+        gaze.pivot -= direction * direction.dot(gaze.pivot - turns).at_least(0.0);
         gaze
     }
 
@@ -300,7 +301,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         }
         if memory.support == Support::Waits {
             if memory.wait_s > 0.0 {
-                memory.wait_s = memory.wait_s.min(delay) - motion.dt;
+                memory.wait_s = memory.wait_s.at_most(delay) - motion.dt;
             } else {
                 memory.support = Support::Shares;
             }
@@ -311,7 +312,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
     /// A point where the animation looks, as far as the goal is.
     fn ahead(&self) -> Option<Vec3A> {
         let gaze = self.body.gaze;
-        Some(gaze.origin + math::unit(gaze.direction)? * (self.goal.aimed - gaze.origin).length().max(1.0))
+        Some(gaze.origin + math::unit(gaze.direction)? * (self.goal.aimed - gaze.origin).length().at_least(1.0))
     }
 
     /// Puts the joints where they belong for a goal, whatever the rates. `None` where the aim is undefined.
@@ -350,7 +351,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
 
     /// Leaves the joints like this.
     fn stand(&self, joints: &[Joint], posture: &mut Posture<C>) {
-        *posture = Posture::new(self.rig, joints);
+        *posture = Posture::new(self.body, joints);
         for joint in (self.body.first..self.body.count).rev() {
             posture.turn(self.body, joint);
         }
@@ -364,7 +365,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         mut motion: Option<&mut Motion<'_>>,
         posture: &mut Posture<C>,
     ) -> Option<Seen> {
-        posture.carried = Carried::NOTHING;
+        posture.carried = Carried::root(self.body);
         posture.joints.copy_from_slice(from);
         let mut goals = self.rig.array([0.0; 2]);
         let mut seen = Seen::NOTHING;
@@ -439,7 +440,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         // Inner joints make their share; the outermost closes what is left, in the frame that they carry.
         let (joints, mut carried, mut inner) = (&posture.joints, posture.carried, [0.0; 2]);
         if outer < region.inner {
-            let local = carried.frame(body, region.inner).transpose() * direction;
+            let local = carried.frame.transpose() * direction;
             let whole = turn_to(region.forward, local);
             for index in (outer + 1..=region.inner).rev() {
                 let share = region.share(&self.rig.joints[index]);
@@ -451,7 +452,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         }
         let wanted = match leads {
             Some(point) => self.sight(&carried, joints, point)?,
-            None => heading_and_pitch(carried.frame(body, outer).transpose() * direction),
+            None => heading_and_pitch(carried.frame.transpose() * direction),
         };
         let within = [0, 1].map(|axis| region.room[axis].hold(wanted[axis] + inner[axis]) - inner[axis]);
         goals[outer] = self.held(outer, &joints[outer], within);
@@ -512,7 +513,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
             next = Glide::default();
         }
         motion.lag += length(next.offset);
-        motion.arrived &= length(next.offset).max(length(next.speed) / bounds.pace) < THERE_RAD;
+        motion.arrived &= length(next.offset).at_least(length(next.speed) / bounds.pace) < THERE_RAD;
 
         let total = [goal[0] + next.offset[0], goal[1] + next.offset[1]];
         self.distribute(region, goals, goal, total, from, joints, motion);
@@ -598,7 +599,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
             if range.is_point() || range.contains(wanted[axis]) {
                 part
             } else {
-                part.min((range.hold(wanted[axis]) / wanted[axis]).max(0.0))
+                part.at_most((range.hold(wanted[axis]) / wanted[axis]).at_least(0.0))
             }
         });
         wanted.map(|angle| part * angle)
@@ -618,7 +619,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
 /// jerks leaves it no lag that could be seen.
 fn quickness(offset: f32) -> f32 {
     const SMALL_RAD: f32 = 3.0 * PI / 180.0;
-    math::sqrt(SMALL_RAD / offset.max(SMALL_RAD / 9.0)).max(1.0)
+    math::sqrt(SMALL_RAD / offset.at_least(SMALL_RAD / 9.0)).at_least(1.0)
 }
 
 /// The sums of headings and of pitches.

@@ -8,6 +8,7 @@ use super::body::Body;
 use crate::kinematics::bearing::Bearings;
 use crate::limits::{Interval, RangeOfMotion};
 use crate::math;
+use crate::math::Bounded;
 use crate::{JointInfo, Role};
 
 /// Accelerations beyond this make no difference any more, rad/s².
@@ -60,7 +61,7 @@ impl Region {
 
 /// What a joint gives way of each of its angles: 1/stiffness, 0 for an angle that it does not have.
 fn compliance(info: &JointInfo) -> [f32; 2] {
-    let stiffness = if info.stiffness > 0.0 { info.stiffness.max(1e-6).min(1e6) } else { 1.0 };
+    let stiffness = if info.stiffness > 0.0 { info.stiffness.at_least(1e-6).at_most(1e6) } else { 1.0 };
     [info.heading, info.pitch].map(|range| if range.is_some() { 1.0 / stiffness } else { 0.0 })
 }
 
@@ -90,40 +91,40 @@ pub(super) fn regions<const C: usize>(
         let inner = next - 1;
         let role = part(&infos[inner]);
         let budget = rig.budget(role);
-        let mut region = Region { inner, ..Region::NONE };
-        let (mut range, mut rate, mut declared) = ([[0.0_f32; 2]; 2], 0.0, 0.0_f32);
+        let region = &mut regions[count];
+        let (mut rate, mut declared) = (0.0, 0.0_f32);
+        let (mut heading, mut pitch) = ([0.0_f32; 2], [0.0_f32; 2]);
         while next > outermost && part(&infos[next - 1]) == role {
             next -= 1;
             let (info, motion) = (&infos[next], &motions[next]);
             let own = compliance(info);
-            for (axis, interval) in [motion.heading, motion.pitch].into_iter().enumerate() {
-                range[axis][0] += interval.lo();
-                range[axis][1] += interval.hi();
-                region.compliance[axis] += own[axis];
-            }
-            rate += info.rate.max(0.0);
-            if info.acceleration > declared && info.acceleration.is_finite() {
+            region.compliance = [region.compliance[0] + own[0], region.compliance[1] + own[1]];
+            heading = [heading[0] + motion.heading.lo(), heading[1] + motion.heading.hi()];
+            pitch = [pitch[0] + motion.pitch.lo(), pitch[1] + motion.pitch.hi()];
+            rate += info.rate.at_least(0.0);
+            if info.acceleration > declared && info.acceleration < f32::INFINITY {
                 declared = info.acceleration;
             }
         }
-        region.outer = next;
+        (region.outer, region.inner) = (next, inner);
         let forward = body.frames[next].x_axis;
-        region.forward = body.frames[inner].transpose() * forward;
+        if next < inner {
+            region.forward = body.frames[inner].transpose() * forward;
+        }
         region.animated = bearings.angles(forward);
         // How far the animation turns the region out of what is inside it counts too.
-        let [heading, elevation] = inside.unwrap_or(region.animated);
-        let turned = [math::wrap_pi(region.animated[0] - heading), region.animated[1] - elevation];
+        let [from_heading, from_pitch] = inside.unwrap_or(region.animated);
         inside = Some(region.animated);
-        for (axis, [lo, hi]) in [budget.heading, budget.pitch].into_iter().enumerate() {
-            let left = Interval::from_ends((lo - turned[axis]).min(0.0), (hi - turned[axis]).max(0.0));
-            region.room[axis] = Interval::from_ends(range[axis][0], range[axis][1]).common(left);
-        }
-        region.rate = rate.min(budget.rate);
-        region.acceleration = if declared > 0.0 { declared } else { budget.acceleration }.min(MOST_RAD_S2);
+        let turned = [math::wrap_pi(region.animated[0] - from_heading), region.animated[1] - from_pitch];
+        let room = |[lo, hi]: [f32; 2], [least, most]: [f32; 2], turned: f32| {
+            Interval::from_ends(lo.at_least((least - turned).at_most(0.0)), hi.at_most((most - turned).at_least(0.0)))
+        };
+        region.room = [room(heading, budget.heading, turned[0]), room(pitch, budget.pitch, turned[1])];
+        region.rate = rate.at_most(budget.rate);
+        region.acceleration = if declared > 0.0 { declared } else { budget.acceleration }.at_most(MOST_RAD_S2);
         region.pace = pace(region.acceleration);
         // From its full speed the region is to come to rest with this acceleration.
-        region.approach = region.rate.min(3.5 * region.acceleration / region.pace);
-        regions[count] = region;
+        region.approach = region.rate.at_most(3.5 * region.acceleration / region.pace);
         count += 1;
     }
     count
@@ -136,5 +137,5 @@ pub(super) fn regions<const C: usize>(
 fn pace(acceleration: f32) -> f32 {
     const HUMAN: f32 = 11.5;
     const HUMAN_RAD_S2: f32 = 1200.0 * PI / 180.0;
-    (HUMAN * math::sqrt(acceleration / HUMAN_RAD_S2)).max(1e-3)
+    (HUMAN * math::sqrt(acceleration / HUMAN_RAD_S2)).at_least(1e-3)
 }

@@ -1,5 +1,6 @@
 //! [`Sharing`]: how a gaze is shared between the eye and the regions in a call.
 
+use crate::math::Bounded;
 use crate::{GazeSharing, Settings};
 
 /// How a gaze is shared, as the settings count.
@@ -14,16 +15,16 @@ pub(super) struct Sharing {
 impl Sharing {
     pub(super) fn new(declared: &GazeSharing, settings: &Settings) -> Self {
         // `max` and `min` return the number where the other is NaN.
-        let attention = settings.attention.max(0.0).min(1.0);
+        let attention = settings.attention.at_least(0.0).at_most(1.0);
         let sharing = settings.sharing.as_ref().unwrap_or(declared);
-        let share = sharing.head_share.max(0.0).min(1.0);
+        let share = sharing.head_share.at_least(0.0).at_most(1.0);
         let left_to_eyes = 1.0 - attention;
         Self {
-            eyes_only: sharing.eyes_only.max(0.0) * left_to_eyes,
+            eyes_only: sharing.eyes_only.at_least(0.0) * left_to_eyes,
             head_share: share + (1.0 - share) * attention,
-            engage: sharing.engage.max(0.0) * left_to_eyes,
-            release: sharing.release.max(0.0) * left_to_eyes,
-            delay: sharing.delay.max(0.0),
+            engage: sharing.engage.at_least(0.0) * left_to_eyes,
+            release: sharing.release.at_least(0.0) * left_to_eyes,
+            delay: sharing.delay.at_least(0.0),
         }
     }
 

@@ -57,7 +57,7 @@ impl<const C: usize> Gaze<'_, C> {
     pub(super) fn see(&self, joints: &[Joint], point: Vec3A) -> Option<Seen> {
         let first = self.body.first;
         let outward = |carried: Carried, index: usize| carried.outward(self.body, index, halves(&joints[index]));
-        let carried = (first + 1..self.body.count).rev().fold(Carried::NOTHING, outward);
+        let carried = (first + 1..self.body.count).rev().fold(Carried::root(self.body), outward);
         self.seen(&carried, joints, point)
     }
 
@@ -76,7 +76,7 @@ impl<const C: usize> Gaze<'_, C> {
         if let Some(chain) = self.chain {
             return self.sight_by_search(chain, carried, joints, point);
         }
-        let local = carried.frame(self.body, self.body.first).transpose() * (point - carried.at);
+        let local = carried.frame.transpose() * (point - carried.at);
         if !self.body.is_plain {
             return self.sight_in_rounds(local, joints);
         }
@@ -125,7 +125,7 @@ impl<const C: usize> Gaze<'_, C> {
         let goal = Goal { aimed: point, ..*self.goal };
         Solver::new(self.rig, chain, &goal).settle(&mut found, &reaches, Search::Thorough)?;
         // The angles that look where the rigid links would have to look; of an angle that the joint lacks, what is left.
-        let frame = carried.frame(body, first);
+        let frame = carried.frame;
         let turned = turned(&frame, halves(&found[first]));
         let rigid =
             Ray { origin: carried.at + turned * body.effector.origin, direction: turned * body.effector.direction };
@@ -143,10 +143,10 @@ pub(super) fn turn_to(from: Vec3A, to: Vec3A) -> Pair {
     let level = math::sqrt(ahead * ahead + up * up - to_up * to_up);
     // Differences of angles, each by one arctangent.
     let turn = |level: f32| {
-        [
-            trig::atan2(to_left * level - to_ahead * left, to_ahead * level + to_left * left),
-            trig::atan2(to_up * ahead - level * up, level * ahead + to_up * up),
-        ]
+        trig::atan2_of_both(
+            [to_left * level - to_ahead * left, to_up * ahead - level * up],
+            [to_ahead * level + to_left * left, level * ahead + to_up * up],
+        )
     };
     let angles = turn(if ahead < -ACROSS { -level } else { level });
     if ahead.abs() <= ACROSS {
