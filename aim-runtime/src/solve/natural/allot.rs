@@ -201,24 +201,22 @@ impl<const C: usize> Gaze<'_, C> {
             return sum;
         }
         let mut left = wanted;
+        let mut gives = self.rig.array(0.0_f32);
         for _ in 0..self.count {
-            let gives = |turn: f32, number: usize| {
-                let room = regions[number].room[axis];
-                if room.blocks(turn, left) { 0.0 } else { regions[number].compliance[axis] }
-            };
-            let total: f32 = turns.iter().take(self.count).enumerate().map(|(number, turn)| gives(*turn, number)).sum();
+            let mut total = 0.0;
+            for ((gives, turn), region) in gives.iter_mut().zip(&*turns).zip(regions) {
+                *gives = if region.room[axis].blocks(*turn, left) { 0.0 } else { region.compliance[axis] };
+                total += *gives;
+            }
             if left == 0.0 || !(total > 0.0) {
                 break;
             }
             let each = left / total;
-            let mut rest = left;
-            for (number, region) in regions.iter().enumerate() {
-                let turn = turns[number];
-                let next = region.room[axis].hold(turn + each * gives(turn, number));
-                rest -= next - turn;
-                turns[number] = next;
+            for ((gives, turn), region) in gives.iter().zip(&mut *turns).zip(regions) {
+                let next = region.room[axis].hold(*turn + each * gives);
+                left -= next - *turn;
+                *turn = next;
             }
-            left = rest;
         }
         let mut sum = 0.0;
         for (number, region) in regions.iter().enumerate() {

@@ -357,7 +357,8 @@ impl<'a, const C: usize> Gaze<'a, C> {
         }
     }
 
-    /// Turns the joints from the root outward: at once, or by a frame's motion. Returns how the leading joint sees its point.
+    /// Turns the joints from the root outward: by a frame's motion, or to find out where they belong, without their corrections.
+    /// Returns how the leading joint sees its point.
     fn place(
         &self,
         aims: Aims<'_>,
@@ -385,15 +386,19 @@ impl<'a, const C: usize> Gaze<'a, C> {
                 Aims::EyeAt(_) | Aims::Stay => {}
             }
             match &mut motion {
-                Some(motion) => self.glide(region, is_head, &goals, from, &mut posture.joints, motion),
-                None => {
-                    for index in region.outer..=region.inner {
-                        posture.joints[index] = from[index].turned_to(goals[index][0], goals[index][1]);
+                Some(motion) => {
+                    self.glide(region, is_head, &goals, from, &mut posture.joints, motion);
+                    for index in (region.outer..=region.inner).rev() {
+                        posture.turn(self.body, index);
                     }
                 }
-            }
-            for index in (region.outer..=region.inner).rev() {
-                posture.turn(self.body, index);
+                None => {
+                    for index in (region.outer..=region.inner).rev() {
+                        let [heading, pitch] = goals[index];
+                        posture.joints[index] = from[index].turned_to(heading, pitch);
+                        posture.carried = posture.carried.outward(self.body, index, trig::halves(pitch, heading));
+                    }
+                }
             }
         }
         if self.has_eye {
@@ -419,7 +424,9 @@ impl<'a, const C: usize> Gaze<'a, C> {
                     };
                 }
             }
-            posture.turn(self.body, first);
+            if motion.is_some() {
+                posture.turn(self.body, first);
+            }
         }
         Some(seen)
     }
