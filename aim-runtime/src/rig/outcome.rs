@@ -22,6 +22,11 @@ pub struct Outcome {
     pub other_eye_correction: Option<Quat>,
     /// Whether the target is reached, and if not, why.
     pub status: Status,
+    /// How far the body would have to turn for the target's heading to come into reach, radians about up, positive to the
+    /// left; 0 where its heading is within reach. Told by the [natural](crate::Solver::Natural) solver; 0 from the others.
+    pub body_turn: f32,
+    /// For how long the target has been out of reach or behind, seconds. Told by the natural solver; 0 from the others.
+    pub out_of_reach_for: f32,
     /// The joints that have an angle at (or past) an end of its range. Joint 0 stands for both eyes.
     pub at_limit: JointSet,
     /// The joints that have an angle outside its range, because the range moved: it goes back at its rate.

@@ -36,6 +36,9 @@ pub struct Settings {
     pub attention: f32,
     /// How the natural solver shares a gaze; `None` leaves it to the rig ([`Description::sharing`](crate::Description::sharing)).
     pub sharing: Option<GazeSharing>,
+    /// For how long a natural gaze stays with a target that is out of reach, seconds; then it returns to the animation until
+    /// the target comes into reach. NaN and negative values count as 0. Default ∞: it stays.
+    pub patience: f32,
     /// How the ascent steps.
     pub ascent: Ascent,
 }
@@ -50,6 +53,7 @@ impl Default for Settings {
             behind: Behind::Clip,
             attention: 0.0,
             sharing: None,
+            patience: f32::INFINITY,
             ascent: Ascent::default(),
         }
     }
@@ -102,6 +106,13 @@ impl Settings {
     #[must_use]
     pub const fn with_sharing(mut self, sharing: GazeSharing) -> Self {
         self.sharing = Some(sharing);
+        self
+    }
+
+    /// With this [`patience`](Self::patience), seconds.
+    #[must_use]
+    pub const fn with_patience(mut self, patience_s: f32) -> Self {
+        self.patience = patience_s;
         self
     }
 

@@ -46,7 +46,17 @@ impl Verdict {
     #[inline(always)]
     pub(crate) fn outcome_by(&self, aim: f32, at_limit: JointSet, recovering: JointSet) -> Outcome {
         let (remaining, status) = (self.remaining, self.status());
-        Outcome { aim, remaining, status, at_limit, recovering, other_eye_remaining: None, other_eye_correction: None }
+        Outcome {
+            aim,
+            remaining,
+            status,
+            at_limit,
+            recovering,
+            body_turn: 0.0,
+            out_of_reach_for: 0.0,
+            other_eye_remaining: None,
+            other_eye_correction: None,
+        }
     }
 
     /// The outcome for joints at these angles.

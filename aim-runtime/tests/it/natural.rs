@@ -688,3 +688,62 @@ fn a_free_neck_with_a_budget_keeps_its_side() {
         assert!(frame < 100 || rig.joints[1].heading() > 60.0 * DEG, "{frame}: {:?}", rig.joints[1]);
     }
 }
+
+/// Out of reach to the side, the outcome tells how far the body would have to turn, and since when: turned by 2° more the target is
+/// within reach, by 1° less it is not. Behind, too, whatever the policy.
+#[test]
+fn how_far_the_body_has_to_turn() {
+    for (heading, pitch) in [(125.0, 0.0), (-140.0, 10.0), (100.0, -30.0), (170.0, 0.0), (-160.0, 20.0_f32)] {
+        for behind in [Behind::Off, Behind::Clip, Behind::Hold, Behind::Release] {
+            let settings = Settings::default().with_behind(behind);
+            let after = |heading: f32, frames: usize| {
+                let mut rig = thug();
+                let pose = upright(&rig);
+                let mut outcome = aim(&mut rig, &pose, at(heading, pitch), 1.0 / 60.0, &settings);
+                for _ in 1..frames {
+                    outcome = aim(&mut rig, &pose, at(heading, pitch), 1.0 / 60.0, &settings);
+                }
+                outcome
+            };
+            let outcome = after(heading, 90);
+            let turn = outcome.body_turn / DEG;
+            assert!(turn * heading.signum() > 1.0 && turn.abs() < heading.abs(), "{heading}°, {behind:?}: {turn}°");
+            assert!((outcome.out_of_reach_for - 1.5).abs() < 1e-3, "{heading}°, {behind:?}: {outcome:?}");
+            let turned = after(heading - turn - 2.0 * heading.signum(), 240);
+            assert_eq!(turned.status, Status::Reached, "{heading}°, {behind:?}: {turn}°, {turned:?}");
+            assert_eq!([turned.body_turn, turned.out_of_reach_for], [0.0; 2]);
+            assert_ne!(after(heading - turn + heading.signum(), 240).status, Status::Reached, "{heading}°, {behind:?}");
+        }
+    }
+}
+
+/// After its patience with a target out of reach the gaze returns to the animation, and comes back once it can.
+#[test]
+fn patience_ends() {
+    for (target, behind) in
+        [(at(130.0, 0.0), Behind::Off), (at(10.0, 88.0), Behind::Clip), (at(175.0, 0.0), Behind::Clip)]
+    {
+        let settings = Settings::default().with_patience(1.0).with_behind(behind);
+        let mut rig = thug();
+        let pose = upright(&rig);
+        let mut jerk = Jerk::new(&rig);
+        let mut most = 0.0_f32;
+        for _ in 0..60 {
+            aim(&mut rig, &pose, target, 1.0 / 60.0, &settings);
+            jerk.watch(&rig, 1.0 / 60.0);
+            most = most.max(turned(&rig.joints[1]));
+        }
+        assert!(most > 20.0, "{target}: {most}°");
+        for _ in 0..150 {
+            let outcome = aim(&mut rig, &pose, target, 1.0 / 60.0, &settings);
+            jerk.watch(&rig, 1.0 / 60.0);
+            assert!(matches!(outcome.status, Status::AtLimit | Status::Behind), "{outcome:?}");
+        }
+        assert!(rig.joints.iter().all(|joint| turned(joint) < 0.1), "{target}: {:?}", rig.joints);
+        for _ in 0..120 {
+            aim(&mut rig, &pose, at(40.0, 0.0), 1.0 / 60.0, &settings);
+            jerk.watch(&rig, 1.0 / 60.0);
+        }
+        assert!(remaining64(&rig, &pose, 0, at(40.0, 0.0)) < 0.002);
+    }
+}

@@ -54,8 +54,19 @@ pub(super) struct Allotment<const C: usize> {
     pub(super) directions: PerJoint<Pair, C>,
     /// The point that the leading joint looks at: the target, or what heading and elevation have room for of the way there.
     pub(super) point: Vec3A,
-    /// Whether the target is within reach.
+    pub(super) fit: Fit,
+}
+
+/// Whether heading and elevation of a target fit what ranges and budgets allow.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fit {
     pub(super) within_reach: bool,
+    /// How far the body would have to turn for its heading to fit, radians, positive to the left.
+    pub(super) body_turn: f32,
+}
+
+impl Fit {
+    pub(super) const WITHIN_REACH: Self = Self { within_reach: true, body_turn: 0.0 };
 }
 
 impl<const C: usize> Allotment<C> {
@@ -65,10 +76,22 @@ impl<const C: usize> Allotment<C> {
 }
 
 impl<const C: usize> Gaze<'_, C> {
-    /// The way to the goal.
+    /// The way to what is aimed at.
+    #[inline(always)]
     pub(super) fn way(&self) -> Option<Way> {
+        self.way_to(self.goal.aimed)
+    }
+
+    /// How far the body would have to turn for a target behind, which is not what is aimed at, to come into reach.
+    #[cold]
+    pub(super) fn turn_for_behind(&self) -> Option<f32> {
+        let (_, unfit) = self.share(&self.way_to(self.goal.wanted)?, [0.0; 2]);
+        Some(unfit[0])
+    }
+
+    fn way_to(&self, point: Vec3A) -> Option<Way> {
         let from = math::unit(self.body.gaze.direction)?;
-        let to = math::unit(self.goal.aimed - self.pivot)?;
+        let to = math::unit(point - self.pivot)?;
         let part = if self.has_eye { self.sharing.head_part(math::angle_between(from, to)) } else { 1.0 };
         let (from, to) = (self.bearings.angles(from), self.bearings.angles(to));
         Some(Way { from, to, way: self.bearings.way(from, to, self.goal.side), part })
@@ -107,21 +130,21 @@ impl<const C: usize> Gaze<'_, C> {
             && !own.heading.is_point()
             && !own.pitch.is_point()
             && length([used(0), used(1)]) < PLAIN_PART;
-        is_plain.then_some(Allotment { directions, point: self.goal.aimed, within_reach: true })
+        is_plain.then_some(Allotment { directions, point: self.goal.aimed, fit: Fit::WITHIN_REACH })
     }
 
     /// Out of reach to the side, the gaze keeps the target's elevation; too high or low, its heading.
     fn out_of_reach(&self, way: &Way, directions: PerJoint<Pair, C>, unfit: Pair) -> Allotment<C> {
         let nearest = [0, 1].map(|axis| way.from[axis] + way.way[axis] - unfit[axis]);
         let point = self.pivot + self.bearings.direction(nearest) * (self.goal.aimed - self.pivot).length();
-        Allotment { directions, point, within_reach: false }
+        Allotment { directions, point, fit: Fit { within_reach: false, body_turn: unfit[0] } }
     }
 
     /// Finds where the regions belong, and puts the joints there.
     pub(super) fn settle(&self, mut way: Way, from: &[Joint], posture: &mut Posture<C>) -> Option<Allotment<C>> {
         if let Some(allotment) = self.allot(&mut way) {
             let seen = self.place(allotment.aims(), from, None, posture)?;
-            if seen.is_within() || !allotment.within_reach {
+            if seen.is_within() || !allotment.fit.within_reach {
                 return Some(allotment);
             }
         }
@@ -142,7 +165,7 @@ impl<const C: usize> Gaze<'_, C> {
         for round in 0..ROUNDS {
             let left = self.place(Aims::At(&directions, self.goal.aimed), from, None, posture)?.left();
             if Seen::is_nothing(left) {
-                return Some((Allotment { directions, point: self.goal.aimed, within_reach: true }, round));
+                return Some((Allotment { directions, point: self.goal.aimed, fit: Fit::WITHIN_REACH }, round));
             }
             let rest = length(left);
             if !(rest < GAIN * least) {

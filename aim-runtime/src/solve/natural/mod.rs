@@ -25,6 +25,7 @@ use core::f32::consts::PI;
 
 use glam::Vec3A;
 
+use self::allot::Fit;
 use self::body::{Body, Carried, Posture};
 use self::glide::{Bounds, Glide, Pair, follow, length, saccade};
 use self::region::{Region, regions};
@@ -87,23 +88,25 @@ pub(super) fn aim<const C: usize>(
     let goal = Goal::new(&scene, call.target_ps.into(), settings, &before)?;
     let gaze = Gaze::new(&body, chain.as_ref(), motions, &goal, settings, &bearings);
     let mut posture = Posture::new(&body, joints);
-    let within_reach = match call.dt {
+    let fit = match call.dt {
         Some(dt) => gaze.move_joints(joints, memory, &mut posture, dt)?,
-        // What a snap has not reached it does not reach.
-        None => gaze.snap(joints, memory, &mut posture).map(|()| false)?,
+        None => gaze.snap(joints, memory, &mut posture)?,
     };
     joints.copy_from_slice(&posture.joints);
     for joint in 0..body.first {
         posture.correct(&body, joint);
     }
-    let task = Task { rig, motions, goal: &goal, space: body.space, settings, within_reach };
-    task.finish(joints, memory, |_| {
+    let task = Task { rig, motions, goal: &goal, space: body.space, settings, within_reach: fit.within_reach };
+    let mut solved = task.finish(joints, memory, |_| {
         let gaze = match &chain {
             Some(chain) => chain.gaze(&posture.corrections),
             None => posture.carried.gaze(&body),
         };
         (gaze, posture.corrections)
-    })
+    })?;
+    solved.outcome.body_turn = fit.body_turn;
+    solved.outcome.out_of_reach_for = memory.blocked_s;
+    Some(solved)
 }
 
 /// What moves the joints in a frame.
@@ -142,6 +145,8 @@ struct Gaze<'a, const C: usize> {
     motions: &'a [RangeOfMotion],
     goal: &'a Goal,
     sharing: Sharing,
+    /// After this time out of reach the gaze returns to the animation, seconds.
+    patience: f32,
     bearings: &'a Bearings,
     /// From the innermost outward, without the eye.
     regions: PerJoint<Region, C>,
@@ -173,6 +178,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
             motions,
             goal,
             sharing: Sharing::new(&rig.sharing, settings),
+            patience: settings.patience.at_least(0.0),
             bearings,
             regions: rig.array(Region::NONE),
             count: 0,
@@ -187,16 +193,10 @@ impl<'a, const C: usize> Gaze<'a, C> {
         gaze
     }
 
-    /// Moves the joints by a frame of `dt` seconds; returns whether the goal is within reach. `None` where the aim is
+    /// Moves the joints by a frame of `dt` seconds. `None` where the aim is
     /// undefined.
     #[inline(always)]
-    fn move_joints(
-        &self,
-        joints: &mut [Joint],
-        memory: &mut Memory,
-        posture: &mut Posture<C>,
-        dt: f32,
-    ) -> Option<bool> {
+    fn move_joints(&self, joints: &mut [Joint], memory: &mut Memory, posture: &mut Posture<C>, dt: f32) -> Option<Fit> {
         let rig = self.rig;
         let mut reaches = rig.array(Reach::REST);
         for (index, joint) in joints.iter_mut().enumerate() {
@@ -210,43 +210,57 @@ impl<'a, const C: usize> Gaze<'a, C> {
             reaches[index] = reach;
         }
         if !(dt > LEAST_S) {
-            let within_reach = match self.goal.course {
-                Course::Aim if dt > 0.0 => self.settle(self.way()?, joints, posture)?.within_reach,
-                _ => true,
+            let fit = match self.goal.course {
+                Course::Aim if dt > 0.0 => self.settle(self.way()?, joints, posture)?.fit,
+                _ => Fit::WITHIN_REACH,
             };
             self.stand(joints, posture);
-            return Some(within_reach);
+            return Some(self.of_wanted(fit));
         }
         let led = (memory.support != Support::None).then(|| memory.led());
         if led.is_none() {
+            memory.blocked_s = 0.0;
             for joint in &mut *joints {
                 joint.velocity = [0.0; 2];
                 joint.set_destination(None);
             }
         }
+        let gives_up = memory.blocked_s > self.patience;
         let mut motion = Motion { memory, led, reaches: &reaches, dt, stays: false, arrived: true, lag: 0.0 };
-        let within_reach = match self.goal.course {
-            Course::Aim => self.turn_to_goal(joints, &mut motion, posture)?,
-            Course::Rest => {
-                motion.memory.support = Support::Rests;
-                self.place(Aims::Rest(self.ahead()?), joints, Some(&mut motion), posture)?;
-                true
-            }
+        let fit = match self.goal.course {
+            Course::Rest => self.return_to_rest(joints, &mut motion, posture)?,
+            _ if gives_up && self.goal.behind => self.return_to_rest(joints, &mut motion, posture)?,
+            Course::Aim => self.turn_to_goal(joints, gives_up, &mut motion, posture)?,
             Course::Stay => {
                 motion.stays = true;
                 self.place(Aims::Stay, joints, Some(&mut motion), posture)?;
-                true
+                Fit::WITHIN_REACH
             }
         };
+        let fit = self.of_wanted(fit);
+        let is_out_of_reach = self.goal.behind || !fit.within_reach;
+        motion.memory.blocked_s = if is_out_of_reach { motion.memory.blocked_s + dt } else { 0.0 };
         if motion.memory.support == Support::None {
             motion.memory.support = Support::Rests;
         }
         let led = motion.led.unwrap_or_default();
         memory.set_led(led);
-        Some(within_reach)
+        Some(fit)
     }
 
-    fn turn_to_goal(&self, from: &[Joint], motion: &mut Motion<'_>, posture: &mut Posture<C>) -> Option<bool> {
+    fn return_to_rest(&self, from: &[Joint], motion: &mut Motion<'_>, posture: &mut Posture<C>) -> Option<Fit> {
+        motion.memory.support = Support::Rests;
+        self.place(Aims::Rest(self.ahead()?), from, Some(motion), posture)?;
+        Some(Fit::WITHIN_REACH)
+    }
+
+    fn turn_to_goal(
+        &self,
+        from: &[Joint],
+        gives_up: bool,
+        motion: &mut Motion<'_>,
+        posture: &mut Posture<C>,
+    ) -> Option<Fit> {
         let seen = self.engage(from, motion)?;
         motion.stays = motion.memory.support != Support::Shares;
         // The eye does it alone.
@@ -256,26 +270,34 @@ impl<'a, const C: usize> Gaze<'a, C> {
         {
             let seen = self.place(Aims::EyeAt(self.goal.aimed), from, Some(motion), posture)?;
             self.rest(&seen, motion);
-            return Some(true);
+            return Some(Fit::WITHIN_REACH);
         }
         let mut way = self.way()?;
-        let plain = self.allot(&mut way).filter(|plain| !motion.memory.in_rounds() || !plain.within_reach);
-        if let Some(allotment) = plain {
-            let led = motion.led;
-            let seen = self.place(allotment.aims(), from, Some(motion), posture)?;
-            // What the eye lacks, the regions are on their way to bring.
-            if !allotment.within_reach || length(seen.left()) < SAME_RAD + motion.lag {
-                motion.memory.set_in_rounds(false);
-                self.rest(&seen, motion);
-                return Some(allotment.within_reach);
+        let plain = self.allot(&mut way).filter(|plain| !motion.memory.in_rounds() || !plain.fit.within_reach);
+        let led = motion.led;
+        let (allotment, rounds) = match plain {
+            Some(allotment) if allotment.fit.within_reach => {
+                let seen = self.place(allotment.aims(), from, Some(motion), posture)?;
+                // What the eye lacks, the regions are on their way to bring.
+                if length(seen.left()) < SAME_RAD + motion.lag {
+                    motion.memory.set_in_rounds(false);
+                    self.rest(&seen, motion);
+                    return Some(allotment.fit);
+                }
+                (motion.led, motion.lag, motion.arrived) = (led, 0.0, true);
+                self.settle_in_rounds(&way, from, posture)?
             }
-            (motion.led, motion.lag, motion.arrived) = (led, 0.0, true);
-        }
-        let (allotment, rounds) = self.settle_in_rounds(&way, from, posture)?;
+            Some(allotment) => (allotment, 0),
+            None => self.settle_in_rounds(&way, from, posture)?,
+        };
         motion.memory.set_in_rounds(rounds > 0);
-        let seen = self.place(allotment.aims(), from, Some(motion), posture)?;
-        self.rest(&seen, motion);
-        Some(allotment.within_reach)
+        if gives_up && !allotment.fit.within_reach {
+            self.return_to_rest(from, motion, posture)?;
+        } else {
+            let seen = self.place(allotment.aims(), from, Some(motion), posture)?;
+            self.rest(&seen, motion);
+        }
+        Some(allotment.fit)
     }
 
     /// Lets the regions rest once they have arrived and the eye's angles are small.
@@ -316,7 +338,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
     }
 
     /// Puts the joints where they belong for a goal, whatever the rates. `None` where the aim is undefined.
-    fn snap(&self, joints: &[Joint], memory: &mut Memory, posture: &mut Posture<C>) -> Option<()> {
+    fn snap(&self, joints: &[Joint], memory: &mut Memory, posture: &mut Posture<C>) -> Option<Fit> {
         // A target on the animated effector has no direction, whatever the joints could make of it.
         self.body.gaze.angle_to(self.goal.aimed)?;
         let first = self.body.first;
@@ -330,13 +352,15 @@ impl<'a, const C: usize> Gaze<'a, C> {
         after.set_in_rounds(false);
         after.support = Support::None;
         after.set_led(Led::default());
+        after.blocked_s = 0.0;
+        let mut body_turn = 0.0;
         if self.goal.course == Course::Aim {
             let seen = self.see(&found, self.goal.aimed)?;
             after.support = Support::Rests;
             if self.has_eye && seen.is_within() && seen.off() <= self.sharing.engage {
                 found[first] = found[first].turned_to(seen.held[0], seen.held[1]);
             } else {
-                self.settle(self.way()?, &found, posture)?;
+                body_turn = self.settle(self.way()?, &found, posture)?.fit.body_turn;
                 found.copy_from_slice(&posture.joints);
                 after.support = Support::Shares;
             }
@@ -346,7 +370,13 @@ impl<'a, const C: usize> Gaze<'a, C> {
         }
         self.stand(&found, posture);
         *memory = after;
-        Some(())
+        // What a snap has not reached it does not reach.
+        Some(self.of_wanted(Fit { within_reach: false, body_turn }))
+    }
+
+    /// The fit of the target itself, where what is aimed at is another point.
+    fn of_wanted(&self, fit: Fit) -> Fit {
+        if self.goal.behind { Fit { body_turn: self.turn_for_behind().unwrap_or(0.0), ..fit } } else { fit }
     }
 
     /// Leaves the joints like this.
