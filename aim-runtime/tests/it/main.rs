@@ -2,6 +2,7 @@
 
 mod alone;
 mod behind;
+mod budgets;
 mod check;
 mod common;
 mod conventions;

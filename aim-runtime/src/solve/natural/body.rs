@@ -27,6 +27,8 @@ pub(super) struct Body<'a, const C: usize> {
     /// The joints' frames and where they are; the innermost is the origin.
     pub(super) frames: PerJoint<Mat3A, C>,
     pub(super) positions: PerJoint<Vec3A, C>,
+    /// The joints' own forwards in solver space, which those of upright frames are not.
+    pub(super) forwards: PerJoint<Vec3A, C>,
     /// How each joint's upright frame stands in its bone.
     pub(super) tilts: PerJoint<Quat, C>,
     /// The innermost joint's frame before it is tilted upright.
@@ -52,6 +54,7 @@ impl<'a, const C: usize> Body<'a, C> {
             count: rig.joints.len(),
             frames: rig.array(Mat3A::IDENTITY),
             positions: rig.array(Vec3A::ZERO),
+            forwards: rig.array(Vec3A::X),
             tilts: rig.array(Quat::IDENTITY),
             trunk: Mat3A::IDENTITY,
             gaze: ray,
@@ -82,7 +85,14 @@ impl<'a, const C: usize> Body<'a, C> {
         self.trunk = self.frames[last] * infos[last].planes.basis;
         upright(infos, first, about, &mut self.frames, &mut self.tilts);
         for index in first..infos.len() {
-            self.frames[index] = self.frames[index] * infos[index].planes.basis;
+            let (bone, tilt) = (self.frames[index], self.tilts[index]);
+            let frame = bone * infos[index].planes.basis;
+            self.frames[index] = frame;
+            self.forwards[index] = if is_identity(tilt) {
+                frame.x_axis
+            } else {
+                bone * math::turned(tilt.conjugate(), infos[index].axes.forward.into())
+            };
             self.positions[index] = (pose[index].translation - origin) * per_size;
         }
         let frame = self.frames[first];

@@ -35,6 +35,7 @@ use super::call::Call;
 use super::solved::{Solved, Task};
 use crate::kinematics::bearing::{Bearings, heading_and_pitch};
 use crate::kinematics::chain::{Chain, Upright};
+use crate::kinematics::rotation::is_identity;
 use crate::limits::reach::Reach;
 use crate::limits::{Interval, RangeOfMotion};
 use crate::math::Bounded;
@@ -489,7 +490,11 @@ impl<'a, const C: usize> Gaze<'a, C> {
         }
         let wanted = match leads {
             Some(point) => self.sight(&carried, joints, point)?,
-            None => heading_and_pitch(carried.frame.transpose() * direction),
+            None if is_identity(body.tilts[outer]) => heading_and_pitch(carried.frame.transpose() * direction),
+            None => {
+                let forward = body.frames[outer].transpose() * body.forwards[outer];
+                turn_to(forward, carried.frame.transpose() * direction)
+            }
         };
         let within = [0, 1].map(|axis| region.room[axis].hold(wanted[axis] + inner[axis]) - inner[axis]);
         goals[outer] = self.held(outer, &joints[outer], within);
@@ -553,7 +558,12 @@ impl<'a, const C: usize> Gaze<'a, C> {
         motion.arrived &= length(next.offset).at_least(length(next.speed) / bounds.pace) < THERE_RAD;
 
         let total = [goal[0] + next.offset[0], goal[1] + next.offset[1]];
-        self.distribute(region, goals, goal, total, from, joints, motion);
+        // Where it is too late to brake, the room ends the movement.
+        let held = [0, 1].map(|axis| {
+            let [lo, hi] = region.room[axis].ends();
+            total[axis].at_least(lo.at_most(before[axis])).at_most(hi.at_least(before[axis]))
+        });
+        self.distribute(region, goals, [goal, held], from, joints, motion);
         let now = sum(&joints[outer..=inner]);
         for axis in [0, 1] {
             // Range and rate come first.
@@ -581,8 +591,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         &self,
         region: &Region,
         goals: &[Pair],
-        goal: Pair,
-        total: Pair,
+        [goal, total]: [Pair; 2],
         from: &[Joint],
         joints: &mut [Joint],
         motion: &Motion<'_>,
@@ -603,6 +612,15 @@ impl<'a, const C: usize> Gaze<'a, C> {
             };
             joints[index] = motion.reaches[index].hold(&from[index].turned_to(wanted[0], wanted[1]));
             rest = [rest[0] - joints[index].heading, rest[1] - joints[index].pitch];
+        }
+        // What the outermost has no room for, the others make.
+        for (index, joint) in joints.iter_mut().enumerate().take(region.inner + 1).skip(region.outer + 1) {
+            if length(rest) <= SAME_RAD {
+                break;
+            }
+            let [heading, pitch] = joint.angles();
+            *joint = motion.reaches[index].hold(&joint.turned_to(heading + rest[0], pitch + rest[1]));
+            rest = [rest[0] - (joint.heading - heading), rest[1] - (joint.pitch - pitch)];
         }
     }
 

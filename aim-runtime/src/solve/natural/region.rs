@@ -107,7 +107,7 @@ pub(super) fn regions<const C: usize>(
             }
         }
         (region.outer, region.inner) = (next, inner);
-        let forward = body.frames[next].x_axis;
+        let forward = body.forwards[next];
         if next < inner {
             region.forward = body.frames[inner].transpose() * forward;
         }
