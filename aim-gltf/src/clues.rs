@@ -184,6 +184,30 @@ fn ends(body: &Body<'_>) -> (Option<usize>, Option<usize>) {
     (hips, body.with_role(Role::Head).or_else(|| plan.map(|plan| plan.head)))
 }
 
+/// Feet, and the forefeet of who goes on all fours, are no higher than this part of the height.
+const FOOT: f64 = 0.15;
+
+/// For each node, whether a leg hangs on it, however deep: one that its name tells, or, of who goes on all fours, a limb with a
+/// side that reaches down to the ground.
+pub(crate) fn carry_legs(body: &Body<'_>, up: DVec3, on_all_fours: bool) -> Vec<bool> {
+    let mut is_leg = body.named_legs();
+    if on_all_fours {
+        let height = |node: usize| body.at(node).dot(up);
+        let heights = (0..body.bind.len()).filter(|node| body.is_bone[*node]).map(height);
+        let (low, high) = heights.fold((f64::MAX, f64::MIN), |(lo, hi), h| (lo.min(h), hi.max(h)));
+        for (node, ..) in body.sided() {
+            is_leg[node] |= height(node) < low + FOOT * (high - low);
+        }
+    }
+    let mut carries = vec![false; is_leg.len()];
+    for &node in body.skeleton.order().iter().rev() {
+        if let Some(parent) = body.parent(node) {
+            carries[parent] |= is_leg[node] || carries[node];
+        }
+    }
+    carries
+}
+
 /// All that lies ahead of something.
 pub(crate) fn ahead(body: &Body<'_>, up: DVec3) -> Vec<Hint> {
     let hint = |clue: Clue, direction: DVec3, weight: f64| {

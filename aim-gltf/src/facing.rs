@@ -110,6 +110,11 @@ impl Facing {
     }
 }
 
+/// Whether the trunk lies level and leads ahead.
+pub(crate) fn go_on_all_fours(evidence: &[Evidence]) -> bool {
+    evidence.iter().any(|said| said.clue == Clue::Trunk && said.agrees)
+}
+
 /// +Y unless the legs plainly stand along another axis.
 fn up(body: &Body<'_>, evidence: &mut Vec<Evidence>) -> DVec3 {
     let Some(legs) = clues::legs_up(body) else { return DVec3::Y };

@@ -5,9 +5,9 @@ use core::fmt;
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::bind::{bind_world, signed_permutation};
-use crate::clues::Body;
+use crate::clues::{Body, carry_legs};
 use crate::document::Document;
-use crate::facing::{Evidence, Facing};
+use crate::facing::{self, Evidence, Facing};
 use crate::plan::BodyPlan;
 use crate::roles::{Role, Roles, bones};
 use crate::skeleton::Skeleton;
@@ -125,6 +125,8 @@ pub struct BoneAxes {
     pub bind_world: DAffine3,
     /// By how much the bone is turned in the file's rest pose from where it is in the bind pose, degrees.
     pub rest_deg: f64,
+    /// Whether a leg (or a foreleg) hangs on the bone, however deep, so that turning the bone moves feet.
+    pub carries_legs: bool,
 }
 
 /// The pose in which axes are measured.
@@ -196,10 +198,12 @@ impl Measurement {
         let body =
             Body { skeleton, bind: &bind, is_bone: &is_bone, skin: &skin, carriers: &carriers, roles: &roles, plan };
         let facing = Facing::find(&body);
+        let carries_legs = carry_legs(&body, facing.up, facing::go_on_all_fours(&facing.evidence));
         let listed = (0..bind.len()).filter(|node| is_bone[*node] || roles.of(*node).is_some());
         let bones = listed.map(|node| {
             let rest_deg = turn_deg(&bind[node], &rest[node]);
-            axes_of(skeleton, &bind, &facing, node, roles.of(node), rest_deg)
+            let axes = axes_of(skeleton, &bind, &facing, node, roles.of(node));
+            BoneAxes { rest_deg, carries_legs: carries_legs[node], ..axes }
         });
         Self {
             pose,
@@ -218,6 +222,12 @@ impl Measurement {
     #[must_use]
     pub fn metre(&self) -> f64 {
         if self.height > 0.0 { self.height / 1.7 } else { 1.0 }
+    }
+
+    /// Whether the character goes on all fours: its head lies ahead of its hips rather than above them.
+    #[must_use]
+    pub fn goes_on_all_fours(&self) -> bool {
+        facing::go_on_all_fours(&self.evidence)
     }
 
     /// The measured bone of a node.
@@ -241,14 +251,7 @@ fn turn_deg(a: &DAffine3, b: &DAffine3) -> f64 {
     axis.length().atan2(trace - 1.0).to_degrees()
 }
 
-fn axes_of(
-    skeleton: &Skeleton,
-    bind: &[DAffine3],
-    facing: &Facing,
-    node: usize,
-    role: Option<Role>,
-    rest_deg: f64,
-) -> BoneAxes {
+fn axes_of(skeleton: &Skeleton, bind: &[DAffine3], facing: &Facing, node: usize, role: Option<Role>) -> BoneAxes {
     let (info, bind) = (&skeleton.nodes()[node], &bind[node]);
     let (world_of_bone, _) = orthonormal(&bind.matrix3);
     let bone_of_world: DMat3 = world_of_bone.transpose();
@@ -271,7 +274,8 @@ fn axes_of(
         handedness: if mirrored { Handedness::Left } else { Handedness::Right },
         frame: BoneFrame { up, forward, left },
         bind_world: *bind,
-        rest_deg,
+        rest_deg: 0.0,
+        carries_legs: false,
     }
 }
 
