@@ -154,8 +154,8 @@ pub struct Measurement {
     pub evidence: Vec<Evidence>,
     /// Confidence in the facing, 0…1: the share of the evidence that agrees; below a half it is not reliable.
     pub confidence: f64,
-    /// Height of the skin in the bind pose, in units of the file (of the joints, where there is no skin; 0 where
-    /// there is neither).
+    /// Height in the bind pose, in units of the file: of the skin, of rigid parts that hang on its bones, and of the bones
+    /// that play a role; without a skin of all meshes, without any of the nodes. 0 where there is nothing.
     pub height: f64,
     /// Joints and their ancestors, and eyes that are plain nodes, in node order; every node of a file without skin.
     pub bones: Vec<BoneAxes>,
@@ -210,7 +210,7 @@ impl Measurement {
             up: facing.up,
             forward: facing.forward,
             left: facing.left,
-            height: Some(height(document, &bind, &skin, facing.up)).filter(|h| h.is_finite()).unwrap_or(0.0),
+            height: height(document, &bind, &skin, facing.up, &roles),
             bones: bones.collect(),
             confidence: facing.confidence(),
             evidence: facing.evidence,
@@ -279,20 +279,32 @@ fn axes_of(skeleton: &Skeleton, bind: &[DAffine3], facing: &Facing, node: usize,
     }
 }
 
-fn height(document: &Document, bind: &[DAffine3], skin: &[DVec3], up: DVec3) -> f64 {
-    let nodes = document.skeleton().nodes();
+/// The extent along `up` of what the character shows and of the bones that play a role: of the skin, and of rigid meshes that
+/// hang on joints or on bones with a role. Without a skin that of all meshes, or, where there are none, of all nodes.
+fn height(document: &Document, bind: &[DAffine3], skin: &[DVec3], up: DVec3, roles: &Roles) -> f64 {
+    let skeleton = document.skeleton();
+    let nodes = skeleton.nodes();
     let extent = |places: &mut dyn Iterator<Item = DVec3>| {
-        let (low, high) = places.map(|p| p.dot(up)).fold((f64::MAX, f64::MIN), |(lo, hi), y| (lo.min(y), hi.max(y)));
+        let heights = places.map(|p| p.dot(up)).filter(|height| height.is_finite());
+        let (low, high) = heights.fold((f64::MAX, f64::MIN), |(lo, hi), y| (lo.min(y), hi.max(y)));
         (high - low).max(0.0)
     };
-    let skinned = document.points().iter().zip(skin).filter(|(point, _)| nodes[point.node()].skin.is_some());
-    let from_skin = extent(&mut skinned.map(|(_, p)| *p));
-    if from_skin > 0.0 {
-        return from_skin;
+    let place = |(_, bind): (usize, &DAffine3)| bind.translation;
+    let joints = || bind.iter().enumerate();
+    if skeleton.has_skin() {
+        let mut of_body: Vec<bool> =
+            (0..nodes.len()).map(|node| nodes[node].is_joint || roles.of(node).is_some()).collect();
+        for &node in skeleton.order() {
+            of_body[node] |= nodes[node].parent.is_some_and(|parent| of_body[parent]);
+        }
+        let is_shown = |node: usize| nodes[node].skin.is_some() || of_body[node];
+        let shown = document.points().iter().zip(skin).filter(|(point, _)| is_shown(point.node())).map(|(_, p)| *p);
+        let with_role = joints().filter(|(node, _)| roles.of(*node).is_some()).map(place);
+        let shown: Vec<DVec3> = shown.collect();
+        let height = if shown.is_empty() { 0.0 } else { extent(&mut shown.into_iter().chain(with_role)) };
+        if height > 0.0 { height } else { extent(&mut joints().filter(|(node, _)| nodes[*node].is_joint).map(place)) }
+    } else {
+        let meshes = extent(&mut skin.iter().copied());
+        if meshes > 0.0 { meshes } else { extent(&mut joints().map(place)) }
     }
-    if document.skeleton().has_skin() {
-        return extent(&mut nodes.iter().zip(bind).filter(|(n, _)| n.is_joint).map(|(_, m)| m.translation));
-    }
-    let meshes = extent(&mut skin.iter().copied());
-    if meshes > 0.0 { meshes } else { extent(&mut bind.iter().map(|m| m.translation)) }
 }
