@@ -61,6 +61,8 @@ pub enum Clue {
     },
     /// glTF says that +Y is up and that models face +Z.
     Convention,
+    /// The user says so.
+    Stated,
 }
 
 /// A level direction that something lies ahead in.

@@ -1,13 +1,14 @@
 //! Bone axes measured: which way each bone's own axes point in the character, in its bind pose.
 
 use core::fmt;
+use core::str::FromStr;
 
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::bind::{bind_world, signed_permutation};
 use crate::clues::{Body, carry_legs};
 use crate::document::Document;
-use crate::facing::{self, Evidence, Facing};
+use crate::facing::{self, Evidence, Facing, Stated};
 use crate::plan::BodyPlan;
 use crate::roles::{Role, Roles, bones};
 use crate::skeleton::Skeleton;
@@ -54,6 +55,18 @@ impl SignedAxis {
     pub fn of(v: DVec3) -> Self {
         let axis = nearest_axis(v);
         Self::ALL.into_iter().find(|(.., vector)| *vector == axis).map_or(Self::PlusX, |(signed, ..)| signed)
+    }
+}
+
+impl FromStr for SignedAxis {
+    type Err = String;
+
+    /// Reads `+X`, `-X`, `+Y`, `-Y`, `+Z` or `-Z`, in either case; a missing sign is `+`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let upper = text.to_ascii_uppercase();
+        let name = if upper.starts_with(['+', '-']) { upper } else { format!("+{upper}") };
+        let found = Self::ALL.into_iter().find(|(_, known, _)| *known == name);
+        found.map(|(axis, ..)| axis).ok_or_else(|| "expected an axis: +X, -X, +Y, -Y, +Z or -Z".into())
     }
 }
 
@@ -152,7 +165,8 @@ pub struct Measurement {
     pub left: DVec3,
     /// Evidence for the facing, and against it.
     pub evidence: Vec<Evidence>,
-    /// Confidence in the facing, 0…1: the share of the evidence that agrees; below a half it is not reliable.
+    /// Confidence in the facing, 0…1: the share of the evidence that agrees on which way is front, less where no names tell the
+    /// sides; 1 where the user states it. Below a half it is not reliable.
     pub confidence: f64,
     /// Height in the bind pose, in units of the file: of the skin, of rigid parts that hang on its bones, and of the bones
     /// that play a role; without a skin of all meshes, without any of the nodes. 0 where there is nothing.
@@ -170,9 +184,19 @@ impl Measurement {
         Self::in_pose(document, MeasuredPose::Bind)
     }
 
+    /// Measures a document in its bind pose, where the user says what is up or forward.
+    #[must_use]
+    pub fn stated(document: &Document, stated: Stated) -> Self {
+        Self::measured(document, MeasuredPose::Bind, stated)
+    }
+
     /// Measures a document. In the rest pose [`bind_world`](Self::bind_world) is that pose.
     #[must_use]
     pub fn in_pose(document: &Document, pose: MeasuredPose) -> Self {
+        Self::measured(document, pose, Stated::default())
+    }
+
+    fn measured(document: &Document, pose: MeasuredPose, stated: Stated) -> Self {
         let skeleton = document.skeleton();
         let rest = skeleton.world_f64(&[]);
         let is_bone = bones(skeleton);
@@ -197,7 +221,7 @@ impl Measurement {
         let skin = Palette::new(skeleton, &bind).deform(document.points());
         let body =
             Body { skeleton, bind: &bind, is_bone: &is_bone, skin: &skin, carriers: &carriers, roles: &roles, plan };
-        let facing = Facing::find(&body);
+        let facing = Facing::find(&body, stated);
         let carries_legs = carry_legs(&body, facing.up, facing::go_on_all_fours(&facing.evidence));
         let listed = (0..bind.len()).filter(|node| is_bone[*node] || roles.of(*node).is_some());
         let bones = listed.map(|node| {

@@ -80,6 +80,50 @@ fn the_derive_is_accepted_by_the_macro() {
 }
 
 #[test]
+fn a_stated_facing_overrules_the_measured_one() {
+    let place = Place::with_mannequin();
+    let text = place.done("rig m.glb --forward -x").stdout;
+    assert!(text.contains("Faces -X, up is +Y, by the legs, what you state."), "{text}");
+    // In the paper's axes a bone's +Y led ahead and +Z to the left: what lies to the right now is ahead.
+    let head = &joints(&text)[1];
+    assert_eq!((head.up, head.forward, head.left), (DVec3::X, DVec3::NEG_Z, DVec3::Y), "{text}");
+    place.done("inspect m.glb --json --forward -Z --html i.html");
+    let found: serde_json::Value =
+        serde_json::from_str(&place.done("inspect m.glb --json --forward -Z --up +Y").stdout).expect("JSON");
+    assert_eq!((&found["forward"], &found["confidence"]), (&json!([0.0, 0.0, -1.0]), &json!(1.0)));
+    place.done("bake m.glb --target orbit:2,0,8 --forward +X --out a.glb --report a.json");
+    let target = list(&place.json("a.json")["frames"][0]["target"])
+        .iter()
+        .map(|x| x.as_f64().expect("a number"))
+        .collect::<Vec<_>>();
+    assert!(target[0] > 1.9 && target[2].abs() < 0.2, "the orbit begins in the stated front: {target:?}");
+    place.refused("rig m.glb --forward +Y", &["m.glb", "--forward +Y", "up", "--up"]);
+    place.refused("rig m.glb --forward up", &["--forward", "+X, -X, +Y"]);
+}
+
+#[test]
+fn a_guess_is_called_one() {
+    let place = Place::new();
+    place.write(
+        "n.glb",
+        &changed(|json| {
+            for node in json["nodes"].as_array_mut().expect("nodes") {
+                node.as_object_mut().expect("a node").remove("name");
+            }
+        }),
+    );
+    let guess = "The facing is a guess: no names tell the sides, feet alone tell front from back.";
+    for command in ["inspect n.glb", "rig n.glb"] {
+        let said = place.done(command).stdout;
+        assert!(said.contains(guess) && said.contains("--forward"), "{said}");
+    }
+    place.done("inspect n.glb --html i.html");
+    assert!(String::from_utf8_lossy(&place.read("i.html")).contains(guess));
+    let said = place.done("inspect n.glb --forward +Z").stdout;
+    assert!(!said.contains("guess"), "{said}");
+}
+
+#[test]
 fn a_chain_may_be_named_and_has_to_be_one() {
     let place = Place::with_mannequin();
     let text = place.done("rig m.glb --chain head,spine2,hips").stdout;

@@ -2,7 +2,7 @@
 //! named by many traditions or not at all.
 
 use crate::support::{bytes_of, data_uri, put_together, take_apart};
-use aim_gltf::{Clue, Document, MeasuredPose, Measurement, PAPER_AXES, Role, mannequin};
+use aim_gltf::{Clue, Document, MeasuredPose, Measurement, PAPER_AXES, Role, Stated, mannequin};
 use glam::{DMat3, DQuat, DVec3};
 use serde_json::{Value, json};
 
@@ -157,6 +157,53 @@ fn under_a_mirrored_root_the_body_decides_and_the_names_are_told_to_contradict()
     let names = measured.evidence.iter().find(|said| matches!(said.clue, Clue::Names { .. })).unwrap();
     assert!(!names.agrees, "{:?}", measured.evidence);
     assert!(measured.confidence < 0.7, "{}", measured.confidence);
+}
+
+#[test]
+fn joints_that_mirror_front_to_back_do_not_make_them_the_sides() {
+    // A nameless figure: a column along z, alike to both ends, and one leg on its left with a toe ahead.
+    let column: Vec<Value> = (0..9)
+        .map(|at| json!({ "translation": [0.0, if at == 0 { 1.0 } else { 0.0 }, if at == 0 { -1.0 } else { 0.25 }], "children": [at + 1] }))
+        .collect();
+    let mut json =
+        json!({ "asset": { "version": "2.0" }, "nodes": column, "skins": [{ "joints": (0..11).collect::<Vec<_>>() }] });
+    let nodes = json["nodes"].as_array_mut().unwrap();
+    nodes[8].as_object_mut().unwrap().remove("children");
+    nodes[4]["children"] = json!([5, 9]);
+    nodes.push(json!({ "translation": [0.2, -0.9, -0.05], "children": [10] }));
+    nodes.push(json!({ "translation": [0.0, -0.1, 0.1] }));
+    let document = Document::from_bytes(json.to_string().as_bytes()).unwrap();
+    let measured = Measurement::of(&document);
+    assert_eq!(measured.forward, DVec3::Z, "{:?}", measured.evidence);
+    let symmetry = measured.evidence.iter().find(|said| said.clue == Clue::Symmetry).unwrap();
+    assert!(!symmetry.agrees && measured.confidence <= 0.5, "{} by {:?}", measured.confidence, measured.evidence);
+}
+
+#[test]
+fn what_makes_no_front_is_no_confidence_in_it() {
+    let named = Measurement::of(&changed(|_| {}));
+    let nameless = Measurement::of(&changed(|json| rename(json, |_| None)));
+    assert!(named.confidence > 0.85, "{}", named.confidence);
+    assert!((0.5..0.65).contains(&nameless.confidence), "feet alone: {}", nameless.confidence);
+}
+
+#[test]
+fn what_is_stated_overrules_every_clue() {
+    let document = changed(|_| {});
+    let stated = |up, forward| Measurement::stated(&document, Stated { up, forward });
+    let measured = stated(None, Some(DVec3::NEG_X));
+    assert_eq!((measured.up, measured.forward, measured.left), (DVec3::Y, DVec3::NEG_X, DVec3::Z));
+    assert_eq!(measured.confidence.to_bits(), 1.0_f64.to_bits());
+    let names = measured.evidence.iter().find(|said| matches!(said.clue, Clue::Names { .. })).unwrap();
+    assert!(!names.agrees, "{:?}", measured.evidence);
+    let measured = stated(Some(DVec3::Z), Some(DVec3::new(0.0, 2.0, 5.0)));
+    assert_eq!((measured.up, measured.forward), (DVec3::Z, DVec3::Y));
+    // Without direction nothing is stated.
+    for nothing in [DVec3::ZERO, DVec3::NAN, DVec3::Y] {
+        let measured = stated(None, Some(nothing));
+        assert_eq!(measured.forward, DVec3::Z, "{nothing}");
+        assert!(measured.confidence < 1.0, "{nothing}");
+    }
 }
 
 #[test]
