@@ -2,7 +2,7 @@
 //! its part does in people. `aim rig` writes it down, `aim bake` without a rig aims with it.
 
 use aim_codegen::{AngleRange, Budgets, EffectorSpec, Frame, JointSpec, LimitsFrom, RigSpec};
-use aim_gltf::{BoneAxes, ChainNodes, Clue, Document, LookAt, Measurement, Role, limbs_on};
+use aim_gltf::{BoneAxes, ChainNodes, Clue, Document, LookAt, LookAtKind, Measurement, RangeMap, Role, limbs_on};
 use aim_model::{BoneName, Role as Declared};
 
 use crate::error::Error;
@@ -124,9 +124,15 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         let mut joint = joint(field_name(bone, &bones, at), roles[at], &habit, bone);
         if at == 0 {
             joint.other_eye = other_eye(measurement, bone).map(|eye| eye.name.clone());
-            if let Some(range) = bone.role.and_then(|role| vrm_range(document, role)) {
-                [joint.heading, joint.pitch] = range.map(|ends| Some(between(ends)));
-                why = "the range maps of the file's lookAt".into();
+            if let Some(ranges) = bone.role.and_then(|role| mapped_range(document, role)) {
+                [joint.heading, joint.pitch] = ranges.map(|range| range.map(between));
+                why = "the angle to the target, as far as eyes turn; `aim bake` turns the bone by the range maps of the file's \
+                       lookAt from there"
+                    .into();
+            }
+            if let Some(rest) = eyes_rest(document, measurement).filter(|_| named.is_none()) {
+                why += "; ";
+                why += rest;
             }
         }
         if matches!(bone.role, Some(Role::Head | Role::Neck)) {
@@ -153,7 +159,8 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
 fn chain(document: &Document, measurement: &Measurement) -> Option<Vec<usize>> {
     let skeleton = document.skeleton();
     let outward = [Role::LeftEye, Role::RightEye, Role::Head, Role::Neck];
-    let Some(outermost) = outward.into_iter().find_map(|role| measurement.with_role(role)) else {
+    let skipped = if eyes_rest(document, measurement).is_some() { 2 } else { 0 };
+    let Some(outermost) = outward.into_iter().skip(skipped).find_map(|role| measurement.with_role(role)) else {
         return machine(document, measurement);
     };
     let inward = skeleton.ancestry(outermost.node).skip(1).filter_map(|node| measurement.bone(node));
@@ -246,17 +253,52 @@ fn other_eye<'m>(measurement: &'m Measurement, eye: &BoneAxes) -> Option<&'m Bon
     measurement.with_role(other)
 }
 
-/// An eye's heading and pitch in degrees by the file's VRM range maps.
-fn vrm_range(document: &Document, role: Role) -> Option<[[f64; 2]; 2]> {
-    let [right, left, down, up] = LookAt::of(document)?.left_eye_range()?;
-    let heading = match role {
-        Role::LeftEye => [-right, left],
-        Role::RightEye => [-left, right],
+/// Why a file's eye bones, if it has any, do not look; `None` where they do.
+fn eyes_rest(document: &Document, measurement: &Measurement) -> Option<&'static str> {
+    let Some(look) = LookAt::of(document) else {
+        let has_bones = [Role::LeftEye, Role::RightEye].into_iter().any(|role| measurement.with_role(role).is_some());
+        return (!has_bones && has_eye_morphs(document))
+            .then_some("the file's eyes look by morph targets, which are not written, so that the head leads");
+    };
+    let [a, b, c, d] = look.left_eye().map(|map| map.moves());
+    match look.kind {
+        LookAtKind::Expression => {
+            Some("the file's eyes look by expressions, whose morph targets are not written, so that the head leads")
+        }
+        LookAtKind::Bone if !(a || b || c || d) => {
+            Some("the file's lookAt keeps the eyes still, so that the head leads")
+        }
+        LookAtKind::Bone => None,
+    }
+}
+
+/// Whether a mesh has morph targets that turn eyes, by ARKit's names: `eyeLookInLeft` and the like.
+fn has_eye_morphs(document: &Document) -> bool {
+    let meshes = document.json().get("meshes").and_then(|meshes| meshes.as_array()).into_iter().flatten();
+    let names = meshes.filter_map(|mesh| mesh.get("extras")?.get("targetNames")?.as_array()).flatten();
+    names.filter_map(|name| name.as_str()).any(|name| name.starts_with("eyeLook"))
+}
+
+/// An eye's heading and pitch in degrees by the file's VRM range maps: as far as a human's eye turns, or as the maps' inputs go
+/// where that is less. An axis that they hold still is none.
+fn mapped_range(document: &Document, role: Role) -> Option<[Option<[f64; 2]>; 2]> {
+    let look = LookAt::of(document).filter(|look| look.kind == LookAtKind::Bone)?;
+    let [right, left, down, up] = match role {
+        Role::LeftEye => look.left_eye(),
+        Role::RightEye => look.right_eye(),
         _ => return None,
     };
-    // A map may hold an eye still in one direction, not in all (less than a degree is none); beyond a half turn it means nothing.
-    let usable = |[lo, hi]: [f64; 2]| lo < hi && lo >= -90.0 && hi <= 90.0 && (lo <= -1.0 || hi >= 1.0);
-    (usable(heading) && usable([-down, up])).then_some([heading, [-down, up]])
+    let end = |map: RangeMap, habit: f64| {
+        // A map without input turns the eye at once, whatever the angle.
+        let input = if map.input_max_value >= 1.0 { map.input_max_value } else { habit.abs() };
+        if map.moves() { input.min(habit.abs()).copysign(habit) } else { 0.0 }
+    };
+    let range = |[low, high]: [RangeMap; 2], habit: Option<[f64; 2]>| {
+        let [lo, hi] = habit?;
+        Some([end(low, lo), end(high, hi)]).filter(|[lo, hi]| lo < hi)
+    };
+    let ranges = [range([right, left], EYE.heading), range([down, up], EYE.pitch)];
+    ranges.iter().any(Option::is_some).then_some(ranges)
 }
 
 fn effector(bone: &BoneAxes) -> EffectorSpec {

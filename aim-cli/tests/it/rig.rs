@@ -1,6 +1,7 @@
 //! `aim rig`: what it proposes is a declaration that every other command takes, in either notation.
 
 use crate::common::forward::list;
+use crate::common::gltf::Model;
 use crate::common::rig::{conventions, joints};
 use crate::common::{Place, changed};
 use glam::DVec3;
@@ -251,23 +252,100 @@ fn a_chain_that_is_named_shares_its_regions_too() {
     }
 }
 
+/// The mannequin as a VRM file with a lookAt of this kind, whose maps take these inputs to these outputs: inner, outer, down, up.
+fn vrm(kind: &str, maps: [[f64; 2]; 4]) -> Vec<u8> {
+    changed(|json| {
+        let mut look = json!({ "type": kind });
+        let directions = ["HorizontalInner", "HorizontalOuter", "VerticalDown", "VerticalUp"];
+        for (direction, [input, output]) in directions.into_iter().zip(maps) {
+            look[format!("rangeMap{direction}")] = json!({ "inputMaxValue": input, "outputScale": output });
+        }
+        json["extensions"] = json!({ "VRMC_vrm": { "lookAt": look } });
+    })
+}
+
+const MAPS: [[f64; 2]; 4] = [[90.0, 8.0], [90.0, 12.0], [90.0, 10.0], [10.0, 9.0]];
+
 #[test]
-fn the_eyes_of_a_vrm_file_have_the_ranges_of_its_maps() {
+fn the_eyes_of_a_vrm_file_look_as_far_as_its_maps_have_inputs() {
     let place = Place::new();
-    let map = |scale: f64| json!({ "inputMaxValue": 90.0, "outputScale": scale });
-    place.write(
-        "v.vrm",
-        &changed(|json| {
-            json["extensions"] = json!({ "VRMC_vrm": { "lookAt": {
-                "type": "bone", "rangeMapHorizontalInner": map(8.0), "rangeMapHorizontalOuter": map(12.0),
-                "rangeMapVerticalDown": map(10.0), "rangeMapVerticalUp": map(9.0),
-            } } });
-        }),
-    );
+    place.write("v.vrm", &vrm("bone", MAPS));
     let text = place.done("rig v.vrm").stdout;
     let eye = &joints(&text)[0];
-    assert_eq!((eye.heading, eye.pitch), (Some([-8.0, 12.0]), Some([-10.0, 9.0])), "{text}");
+    assert_eq!((eye.heading, eye.pitch), (Some([-35.0, 35.0]), Some([-25.0, 10.0])), "{text}");
     assert!(text.contains("the range maps of the file's lookAt"), "{text}");
+    // Eyes that do not nod.
+    place.write("v.vrm", &vrm("bone", [[90.0, 8.0], [90.0, 8.0], [90.0, 0.0], [90.0, 0.0]]));
+    let text = place.done("rig v.vrm").stdout;
+    assert_eq!((joints(&text)[0].heading, joints(&text)[0].pitch), (Some([-35.0, 35.0]), None), "{text}");
+    place.write("p.toml", &text);
+    place.done("check v.vrm --rig p.toml");
+}
+
+#[test]
+fn the_bones_of_a_vrm_files_eyes_turn_by_its_maps() {
+    let place = Place::new();
+    let source = vrm("bone", MAPS);
+    place.write("v.vrm", &source);
+    // A target to the left and above, one to the right and below.
+    for (target, both_eyes) in [("1,2.2,2", ""), ("-1,1.2,2", ""), ("1,2.2,2", " --both-eyes")] {
+        place.done(&format!("bake v.vrm --target={target} --seconds 0.5 --out o.glb --report r.json{both_eyes}"));
+        let (report, output) = (place.json("r.json"), Model::new(&place.read("o.glb")));
+        let source = Model::new(&source);
+        let clips = [&source, &output].map(|model| model.clip(model.clip_index("walk").expect("the clip")));
+        for frame in list(&report["frames"]) {
+            let t = frame["t"].as_f64().expect("a time");
+            let [before, after] = [source.pose(&clips[0], t), output.pose(&clips[1], t)];
+            let number = |key: &str| frame["joints"][0][key].as_f64().expect("degrees");
+            let (heading, pitch) = (number("heading_deg"), number("pitch_deg"));
+            // In the paper's axes up is +X, forward +Y, left +Z. What a left eye has outside, a right eye has inside.
+            for (eye, outward) in [("left_eye", 1.0), ("right_eye", -1.0)] {
+                let node = output.node(eye);
+                let gaze = before[node].rotation.inverse() * after[node].rotation * DVec3::Y;
+                let found = (gaze.z.atan2(gaze.y).to_degrees(), gaze.x.asin().to_degrees());
+                let side = if heading * outward > 0.0 { 12.0 / 90.0 } else { 8.0 / 90.0 };
+                let height = if pitch < 0.0 { 10.0 / 90.0 } else { 0.9 };
+                let off = (found.0 - heading * side).abs().max((found.1 - pitch * height).abs());
+                // The other eye, aimed itself, has angles of its own.
+                let most = if both_eyes.is_empty() || eye == "left_eye" { 1e-3 } else { 0.6 };
+                assert!(off < most, "{target}{both_eyes}, {t} s, {eye}: {found:?} for {heading}, {pitch}");
+                assert!(heading.abs() > 2.0 && pitch.abs() > 0.5, "it looks aside: {heading}, {pitch}");
+            }
+            assert_eq!(frame["status"], "reached", "{frame}");
+        }
+    }
+}
+
+#[test]
+fn the_head_leads_where_eyes_are_no_bones_that_move() {
+    let place = Place::new();
+    let still = MAPS.map(|[input, _]| [input, 0.0]);
+    for (kind, maps, why) in [("bone", still, "keeps the eyes still"), ("expression", MAPS, "look by expressions")] {
+        place.write("v.vrm", &vrm(kind, maps));
+        let text = place.done("rig v.vrm").stdout;
+        let rig: serde_json::Value = toml::from_str(&text).expect("it is TOML");
+        assert_eq!((&rig["joint"][0]["name"], &rig["joint"][1]["name"]), (&json!("head"), &json!("neck")), "{text}");
+        assert!(text.contains(why) && text.contains("the head leads"), "{text}");
+        place.done("bake v.vrm --target 1,1.6,2 --seconds 0.5 --out o.glb --report r.json");
+        // Whoever names the eye means it.
+        let text = place.done("rig v.vrm --chain left_eye,neck").stdout;
+        assert!(!text.contains("the head leads"), "{text}");
+    }
+    let morphs = |has_bones: bool| {
+        changed(|json| {
+            json["meshes"][0]["extras"] = json!({ "targetNames": ["jawOpen", "eyeLookInLeft"] });
+            for node in json["nodes"].as_array_mut().expect("nodes") {
+                if !has_bones && node["name"].as_str().is_some_and(|name| name.ends_with("_eye")) {
+                    node["name"] = "ball".into();
+                }
+            }
+        })
+    };
+    for has_bones in [true, false] {
+        place.write("m.glb", &morphs(has_bones));
+        let text = place.done("rig m.glb").stdout;
+        assert_eq!(text.contains("look by morph targets"), !has_bones, "{text}");
+    }
 }
 
 #[test]
