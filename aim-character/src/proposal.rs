@@ -272,7 +272,7 @@ fn eyes_rest(document: &Document, measurement: &Measurement) -> Option<&'static 
     }
 }
 
-/// Whether a mesh has morph targets that turn eyes, by ARKit's names: `eyeLookInLeft` and the like.
+/// Whether a mesh has morph targets that turn eyes, by the names of `ARKit`: `eyeLookInLeft` and the like.
 fn has_eye_morphs(document: &Document) -> bool {
     let meshes = document.json().get("meshes").and_then(|meshes| meshes.as_array()).into_iter().flatten();
     let names = meshes.filter_map(|mesh| mesh.get("extras")?.get("targetNames")?.as_array()).flatten();
