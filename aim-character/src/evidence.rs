@@ -35,6 +35,55 @@ pub fn against(measurement: &Measurement, document: &Document) -> Vec<String> {
         .collect()
 }
 
+/// Below this confidence the facing is not to be relied on.
+pub const RELIABLE: f64 = 0.65;
+
+/// Why the facing may be wrong, and what to do; `None` where it may be relied on.
+pub fn doubt(measurement: &Measurement) -> Option<String> {
+    if measurement.confidence >= RELIABLE {
+        return None;
+    }
+    let agrees = |clue: fn(&Clue) -> bool| measurement.evidence.iter().any(|said| said.agrees && clue(&said.clue));
+    let mut why = Vec::new();
+    if agrees(|clue| matches!(clue, Clue::Symmetry)) {
+        why.push("only the symmetry of the joints tells the sides");
+    } else if agrees(|clue| matches!(clue, Clue::Limbs { .. })) {
+        why.push("no names tell the sides");
+    }
+    if agrees(|clue| matches!(clue, Clue::Convention)) {
+        why.push("nothing on it tells front from back");
+    } else if !agrees(|clue| matches!(clue, Clue::Names { .. } | Clue::Trunk | Clue::Eyes | Clue::Reach { .. })) {
+        why.push("feet alone tell front from back");
+    }
+    if measurement.evidence.iter().any(|said| !said.agrees) {
+        why.push("the evidence contradicts itself");
+    }
+    if why.is_empty() {
+        why.push("there is little evidence");
+    }
+    Some(format!(
+        "The facing is a guess: {}. Look at the drawing of `aim inspect --html`, or state it with --forward AXIS.",
+        why.join(", ")
+    ))
+}
+
+/// The word for a clue in JSON.
+pub fn word(said: &Evidence) -> &'static str {
+    match said.clue {
+        Clue::Names { .. } => "names",
+        Clue::Limbs { .. } => "limbs",
+        Clue::Symmetry => "symmetry",
+        Clue::Legs => "legs",
+        Clue::Feet => "feet",
+        Clue::Soles => "soles",
+        Clue::Eyes => "eyes",
+        Clue::Trunk => "trunk",
+        Clue::Reach { .. } => "reach",
+        Clue::Stated => "stated",
+        _ => "convention",
+    }
+}
+
 fn clue(said: &Evidence, document: &Document) -> String {
     let name = |node: usize| &document.skeleton().nodes()[node].name;
     match said.clue {
@@ -46,6 +95,7 @@ fn clue(said: &Evidence, document: &Document) -> String {
         Clue::Soles => "the soles".into(),
         Clue::Eyes => "the eyes".into(),
         Clue::Trunk => "the trunk".into(),
+        Clue::Stated => "what you state".into(),
         Clue::Reach { node } => format!("the reach of {}", name(node)),
         _ => "glTF's convention alone".into(),
     }

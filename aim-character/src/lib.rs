@@ -10,7 +10,7 @@
 //! let document = Document::from_bytes(&mannequin(|_| PAPER_AXES)?)?;
 //! let measurement = Measurement::of(&document);
 //! let spec = propose(&document, &measurement, None)?.spec;
-//! assert_eq!(spec.joints.len(), 3); // an eye, the neck, the spine
+//! assert_eq!(spec.joints.len(), 7); // an eye, the head, the neck, four bones of the spine
 //!
 //! // A frame: the animation, then the aim on top of it.
 //! let (skeleton, mut aim) = (document.skeleton(), DynAim::new(InterpretedRig::new(&spec)));
@@ -32,6 +32,7 @@ mod error;
 pub mod evidence;
 mod fit;
 mod interpreted;
+mod parts;
 mod proposal;
 mod tape;
 

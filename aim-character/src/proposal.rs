@@ -1,19 +1,17 @@
 //! A rig proposed for a file: the chain from the effector to the root, each bone's measured axes, and what a joint of
 //! its part does in people. `aim rig` writes it down, `aim bake` without a rig aims with it.
 
-use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, LimitsFrom, RigSpec};
-use aim_gltf::{BoneAxes, ChainNodes, Clue, Document, LookAt, Measurement, Role, limbs_on};
-use aim_model::BoneName;
+use aim_codegen::{AngleRange, Budgets, EffectorSpec, Frame, JointSpec, LimitsFrom, RigSpec};
+use aim_gltf::{BoneAxes, ChainNodes, Clue, Document, LookAt, LookAtKind, Measurement, RangeMap, Role, limbs_on};
+use aim_model::{BoneName, Role as Declared};
 
 use crate::error::Error;
+use crate::parts::{Region, of_budget, parts};
 
 /// Up to this deviation, degrees, a bone's nearest signed axes are its axes; beyond, its exact frame is.
 const CARDINAL_DEG: f64 = 3.0;
-/// Necks of so many bones are those of animals, and all of them bend; of shorter ones the bone next to the head does.
-const LONG_NECK: usize = 3;
 /// Joints that a machine's chain has at most.
 const MACHINE_JOINTS: usize = 4;
-
 /// A proposed rig with a word on each joint.
 #[derive(Clone, Debug)]
 pub struct Proposal {
@@ -31,6 +29,7 @@ impl Proposal {
 }
 
 /// What a joint of some part does, degrees and degrees a second.
+#[derive(Clone, Copy)]
 struct Habit {
     heading: Option<[f64; 2]>,
     pitch: Option<[f64; 2]>,
@@ -49,19 +48,12 @@ const EYE: Habit = Habit {
     stiffness: 0.5,
     why: "eyes can turn by about 50 degrees but seldom pass 35; saccades peak at 400 to 700 deg/s",
 };
-const NECK: Habit = Habit {
-    heading: Some([-60.0, 60.0]),
-    pitch: Some([-40.0, 35.0]),
-    rate: 170.0,
-    stiffness: 1.0,
-    why: "cervical spines turn by 70 to 80 degrees and bend by 45 to 60; heads follow a gaze at 100 to 300 deg/s",
-};
-const SPINE: Habit = Habit {
+const HIPS: Habit = Habit {
     heading: Some([-20.0, 20.0]),
     pitch: Some([-10.0, 10.0]),
     rate: 70.0,
     stiffness: 4.0,
-    why: "thoracic spines turn by about 35 degrees in all; the trunk is the last to move and the slowest",
+    why: "hips carry the legs: what turns them moves the feet",
 };
 const BASE: Habit = Habit {
     heading: Some(FREE),
@@ -105,32 +97,42 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         measurement.bone(node).ok_or_else(|| Error::NoBone { node: skeleton.nodes()[node].name.clone() })
     };
     let bones: Vec<&BoneAxes> = nodes.iter().map(listed).collect::<Result<_, _>>()?;
-    let necks = bones.iter().filter(|bone| bone.role == Some(Role::Neck)).count();
-    // However long the neck, a joint's range is one that can be declared: a degree or more to some side.
-    let share = if necks >= LONG_NECK { (1.5 / (necks as f64)).max(0.025) } else { 1.0 };
+    let roles: Vec<Declared> = bones.iter().map(|bone| role(bone)).collect();
+    let budgets = if measurement.goes_on_all_fours() { Budgets::QUADRUPED } else { Budgets::HUMAN };
+    let has_region = roles.iter().any(|role| Region::of(*role).is_some());
     let mut proposal = Proposal {
         spec: RigSpec {
             name: "Measured".into(),
             joints: Vec::new(),
             effector: effector(bones[0]),
             natural: None,
-            region: None,
+            region: has_region.then_some(budgets),
             kernels: Vec::new(),
         },
         reasons: Vec::new(),
     };
-    for (at, bone) in bones.iter().enumerate() {
+    for (at, (bone, part)) in bones.iter().zip(parts(&roles, &bones)).enumerate() {
         // Only names that mean one node can be declared.
         skeleton.find(&bone.name)?;
-        let habit = habit(bone);
-        let name = field_name(bone, &bones, at);
-        let mut joint = joint(name, habit, bone, if bone.role == Some(Role::Neck) { share } else { 1.0 });
-        let mut why = habit.why.to_owned();
+        let (habit, mut why) = match Region::of(roles[at]) {
+            Some(region) => of_region(region, part, &budgets),
+            None => {
+                let habit = habit(bone);
+                (*habit, habit.why.to_owned())
+            }
+        };
+        let mut joint = joint(field_name(bone, &bones, at), roles[at], &habit, bone);
         if at == 0 {
             joint.other_eye = other_eye(measurement, bone).map(|eye| eye.name.clone());
-            if let Some(range) = bone.role.and_then(|role| vrm_range(document, role)) {
-                [joint.heading, joint.pitch] = range.map(|ends| Some(between(ends)));
-                why = "the range maps of the file's lookAt".into();
+            if let Some(ranges) = bone.role.and_then(|role| mapped_range(document, role)) {
+                [joint.heading, joint.pitch] = ranges.map(|range| range.map(between));
+                why = "the angle to the target, as far as eyes turn; `aim bake` turns the bone by the range maps of the file's \
+                       lookAt from there"
+                    .into();
+            }
+            if let Some(rest) = eyes_rest(document, measurement).filter(|_| named.is_none()) {
+                why += "; ";
+                why += rest;
             }
         }
         if matches!(bone.role, Some(Role::Head | Role::Neck)) {
@@ -152,25 +154,23 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
     Ok(proposal)
 }
 
-/// From the outermost bone to the root: an eye, the neck, the first of the spine; without an eye the head, and with a
-/// long neck all of it.
+/// From the outermost bone to the root: an eye, the head, all of the neck, and all of the trunk above the hips that carries no
+/// legs.
 fn chain(document: &Document, measurement: &Measurement) -> Option<Vec<usize>> {
     let skeleton = document.skeleton();
-    let first = |role: Role| measurement.with_role(role);
-    let eye = first(Role::LeftEye).or_else(|| first(Role::RightEye));
-    let Some(outermost) = eye.or_else(|| first(Role::Head)).or_else(|| first(Role::Neck)) else {
+    let outward = [Role::LeftEye, Role::RightEye, Role::Head, Role::Neck];
+    let skipped = if eyes_rest(document, measurement).is_some() { 2 } else { 0 };
+    let Some(outermost) = outward.into_iter().skip(skipped).find_map(|role| measurement.with_role(role)) else {
         return machine(document, measurement);
     };
-    let inward: Vec<&BoneAxes> =
-        skeleton.ancestry(outermost.node).skip(1).filter_map(|node| measurement.bone(node)).collect();
-    let of = |role: Role| inward.iter().filter(move |bone| bone.role == Some(role)).map(|bone| bone.node);
-    let necks: Vec<usize> = of(Role::Neck).collect();
+    let inward = skeleton.ancestry(outermost.node).skip(1).filter_map(|node| measurement.bone(node));
+    let turns = |bone: &&BoneAxes| match bone.role {
+        Some(Role::Head | Role::Neck) => true,
+        Some(Role::Spine) => !bone.carries_legs,
+        _ => false,
+    };
     let mut chain = vec![outermost.node];
-    if necks.len() >= LONG_NECK || (eye.is_some() && necks.is_empty()) {
-        chain.extend(of(Role::Head));
-    }
-    chain.extend(if necks.len() >= LONG_NECK { &necks[..] } else { &necks[..necks.len().min(1)] });
-    chain.extend(of(Role::Spine).next());
+    chain.extend(inward.filter(turns).map(|bone| bone.node));
     let moves = skeleton.nodes().len() > 1;
     // A head alone on what nobody named: a lamp, a camera on its stand.
     if chain.len() == 1 && moves { Some(inward_of(document, measurement, chain[0])) } else { Some(chain) }
@@ -201,15 +201,46 @@ fn says(bone: &BoneAxes, words: &[&str]) -> bool {
     name.split(|c: char| !c.is_alphabetic()).any(|word| words.contains(&word))
 }
 
+/// What a joint does that belongs to no region.
 fn habit(bone: &BoneAxes) -> &'static Habit {
     match bone.role {
         Some(Role::LeftEye | Role::RightEye) => &EYE,
-        Some(Role::Head | Role::Neck) => &NECK,
-        Some(Role::Spine | Role::Hips) => &SPINE,
+        Some(Role::Hips) => &HIPS,
         _ if says(bone, &TURNING) => &BASE,
         _ if says(bone, &RAISING) => &BARREL,
         _ => &HINGE,
     }
+}
+
+/// What a joint does that makes `part` of its region's turn, and why.
+fn of_region(region: Region, part: f64, budgets: &Budgets) -> (Habit, String) {
+    let whole = match region {
+        Region::Head => &budgets.head,
+        Region::Chest => &budgets.chest,
+    };
+    let own = of_budget(whole, part);
+    let degrees = |ends: [f64; 2]| Some(ends.map(f64::to_degrees));
+    let habit = Habit {
+        heading: degrees(own.heading),
+        pitch: degrees(own.pitch),
+        rate: own.rate.to_degrees(),
+        stiffness: (region.stiffness() / part * 1e2).round() / 1e2,
+        why: "",
+    };
+    let [percent, heading, down, up] =
+        [part * 100.0, whole.heading[1].to_degrees(), whole.pitch[0].to_degrees(), whole.pitch[1].to_degrees()];
+    let part = if part < 1.0 {
+        format!("{percent:.0} % of the turn of {}", region.name())
+    } else {
+        "all of the turn of".to_owned() + " " + region.name()
+    };
+    (
+        habit,
+        format!(
+            "{part}, which the rig's region bounds to {heading:.0} degrees to either side, {:.0} down and {up:.0} up",
+            -down
+        ),
+    )
 }
 
 /// The other eye.
@@ -222,17 +253,52 @@ fn other_eye<'m>(measurement: &'m Measurement, eye: &BoneAxes) -> Option<&'m Bon
     measurement.with_role(other)
 }
 
-/// An eye's heading and pitch in degrees by the file's VRM range maps.
-fn vrm_range(document: &Document, role: Role) -> Option<[[f64; 2]; 2]> {
-    let [right, left, down, up] = LookAt::of(document)?.left_eye_range()?;
-    let heading = match role {
-        Role::LeftEye => [-right, left],
-        Role::RightEye => [-left, right],
+/// Why a file's eye bones, if it has any, do not look; `None` where they do.
+fn eyes_rest(document: &Document, measurement: &Measurement) -> Option<&'static str> {
+    let Some(look) = LookAt::of(document) else {
+        let has_bones = [Role::LeftEye, Role::RightEye].into_iter().any(|role| measurement.with_role(role).is_some());
+        return (!has_bones && has_eye_morphs(document))
+            .then_some("the file's eyes look by morph targets, which are not written, so that the head leads");
+    };
+    let [a, b, c, d] = look.left_eye().map(|map| map.moves());
+    match look.kind {
+        LookAtKind::Expression => {
+            Some("the file's eyes look by expressions, whose morph targets are not written, so that the head leads")
+        }
+        LookAtKind::Bone if !(a || b || c || d) => {
+            Some("the file's lookAt keeps the eyes still, so that the head leads")
+        }
+        LookAtKind::Bone => None,
+    }
+}
+
+/// Whether a mesh has morph targets that turn eyes, by the names of `ARKit`: `eyeLookInLeft` and the like.
+fn has_eye_morphs(document: &Document) -> bool {
+    let meshes = document.json().get("meshes").and_then(|meshes| meshes.as_array()).into_iter().flatten();
+    let names = meshes.filter_map(|mesh| mesh.get("extras")?.get("targetNames")?.as_array()).flatten();
+    names.filter_map(|name| name.as_str()).any(|name| name.starts_with("eyeLook"))
+}
+
+/// An eye's heading and pitch in degrees by the file's VRM range maps: as far as a human's eye turns, or as the maps' inputs go
+/// where that is less. An axis that they hold still is none.
+fn mapped_range(document: &Document, role: Role) -> Option<[Option<[f64; 2]>; 2]> {
+    let look = LookAt::of(document).filter(|look| look.kind == LookAtKind::Bone)?;
+    let [right, left, down, up] = match role {
+        Role::LeftEye => look.left_eye(),
+        Role::RightEye => look.right_eye(),
         _ => return None,
     };
-    // A map may hold an eye still in one direction, not in all (less than a degree is none); beyond a half turn it means nothing.
-    let usable = |[lo, hi]: [f64; 2]| lo < hi && lo >= -90.0 && hi <= 90.0 && (lo <= -1.0 || hi >= 1.0);
-    (usable(heading) && usable([-down, up])).then_some([heading, [-down, up]])
+    let end = |map: RangeMap, habit: f64| {
+        // A map without input turns the eye at once, whatever the angle.
+        let input = if map.input_max_value >= 1.0 { map.input_max_value } else { habit.abs() };
+        if map.moves() { input.min(habit.abs()).copysign(habit) } else { 0.0 }
+    };
+    let range = |[low, high]: [RangeMap; 2], habit: Option<[f64; 2]>| {
+        let [lo, hi] = habit?;
+        Some([end(low, lo), end(high, hi)]).filter(|[lo, hi]| lo < hi)
+    };
+    let ranges = [range([right, left], EYE.heading), range([down, up], EYE.pitch)];
+    ranges.iter().any(Option::is_some).then_some(ranges)
 }
 
 fn effector(bone: &BoneAxes) -> EffectorSpec {
@@ -254,8 +320,7 @@ fn between([lo, hi]: [f64; 2]) -> AngleRange {
 }
 
 /// The role of the joint that a bone becomes: as measured, else as its name tells.
-fn role(bone: &BoneAxes) -> aim_model::Role {
-    use aim_model::Role as Declared;
+fn role(bone: &BoneAxes) -> Declared {
     match bone.role {
         Some(Role::LeftEye | Role::RightEye) => Declared::Eye,
         Some(Role::Head) => Declared::Head,
@@ -266,16 +331,17 @@ fn role(bone: &BoneAxes) -> aim_model::Role {
     }
 }
 
-fn joint(name: String, habit: &Habit, bone: &BoneAxes, share: f64) -> JointSpec {
-    let range = |range: [f64; 2]| if range == FREE { AngleRange::Free } else { between(range.map(|end| end * share)) };
+fn joint(name: String, role: Declared, habit: &Habit, bone: &BoneAxes) -> JointSpec {
+    let range = |range: [f64; 2]| if range == FREE { AngleRange::Free } else { between(range) };
     JointSpec {
         name,
-        role: role(bone),
+        role,
         bones: vec![bone.name.clone()],
         frame: frame(bone),
         pitch: habit.pitch.map(range),
         heading: habit.heading.map(range),
-        limits_from: LimitsFrom::Animation,
+        // What a body can do counts from how it is built, whatever the clip does already.
+        limits_from: if role == Declared::None { LimitsFrom::Animation } else { LimitsFrom::BindPose },
         rate: habit.rate.to_radians(),
         acceleration: None,
         stiffness: habit.stiffness,

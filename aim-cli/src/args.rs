@@ -7,6 +7,7 @@ use aim_runtime::Solver;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::facing::Facing;
 use crate::plot::Size;
 use crate::target::{Point, TargetSpec};
 
@@ -78,6 +79,8 @@ pub(crate) struct Inspect {
     /// The declaration that is drawn; the proposed one if not given.
     #[arg(long, value_name = "RIG.toml", requires = "html")]
     pub(crate) rig: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) facing: Facing,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -95,6 +98,8 @@ pub(crate) struct Rig {
     /// The bones of the chain, from the effector inward; told by roles and names if not given.
     #[arg(long, value_name = "A,B,C", value_delimiter = ',')]
     pub(crate) chain: Vec<String>,
+    #[command(flatten)]
+    pub(crate) facing: Facing,
     /// How to write it.
     #[arg(long, value_enum, default_value_t = Notation::Toml)]
     pub(crate) format: Notation,
@@ -258,6 +263,8 @@ pub(crate) struct Bake {
     /// The clip to aim over; the first if not given.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Option<String>,
+    #[command(flatten)]
+    pub(crate) facing: Facing,
     #[command(flatten)]
     pub(crate) aiming: Aiming,
     /// How long the result is; the clip's length if not given, repeated if longer.

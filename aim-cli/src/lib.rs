@@ -5,6 +5,7 @@ mod axis;
 mod bake_report;
 mod commands;
 mod explain;
+mod facing;
 mod failure;
 mod files;
 mod html;

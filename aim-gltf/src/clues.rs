@@ -61,6 +61,8 @@ pub enum Clue {
     },
     /// glTF says that +Y is up and that models face +Z.
     Convention,
+    /// The user says so.
+    Stated,
 }
 
 /// A level direction that something lies ahead in.
@@ -182,6 +184,30 @@ fn ends(body: &Body<'_>) -> (Option<usize>, Option<usize>) {
     let plan = body.plan.as_ref();
     let hips = body.with_role(Role::Hips).or_else(|| plan.map(|plan| plan.hips));
     (hips, body.with_role(Role::Head).or_else(|| plan.map(|plan| plan.head)))
+}
+
+/// Feet, and the forefeet of who goes on all fours, are no higher than this part of the height.
+const FOOT: f64 = 0.15;
+
+/// For each node, whether a leg hangs on it, however deep: one that its name tells, or, of who goes on all fours, a limb with a
+/// side that reaches down to the ground.
+pub(crate) fn carry_legs(body: &Body<'_>, up: DVec3, on_all_fours: bool) -> Vec<bool> {
+    let mut is_leg = body.named_legs();
+    if on_all_fours {
+        let height = |node: usize| body.at(node).dot(up);
+        let heights = (0..body.bind.len()).filter(|node| body.is_bone[*node]).map(height);
+        let (low, high) = heights.fold((f64::MAX, f64::MIN), |(lo, hi), h| (lo.min(h), hi.max(h)));
+        for (node, ..) in body.sided() {
+            is_leg[node] |= height(node) < low + FOOT * (high - low);
+        }
+    }
+    let mut carries = vec![false; is_leg.len()];
+    for &node in body.skeleton.order().iter().rev() {
+        if let Some(parent) = body.parent(node) {
+            carries[parent] |= is_leg[node] || carries[node];
+        }
+    }
+    carries
 }
 
 /// All that lies ahead of something.

@@ -43,6 +43,11 @@ pub(crate) struct Facing {
 const NAMES: f64 = 2.0;
 /// Under a mirror left may have become right; any clue of the body knows better.
 const MIRRORED_NAMES: f64 = 0.9;
+/// What tells an axis of the sides, but not which side is which.
+const AXIS: f64 = 0.5;
+/// How sure the sides are where no names tell them: by two limbs alike, and by the places of the joints alone.
+const BY_LIMBS: f64 = 0.9;
+const BY_SYMMETRY: f64 = 0.6;
 /// A clue across the plane of symmetry says nothing about which way forward is (cosine).
 const ASIDE: f64 = 0.3;
 /// Sines of angles at which a direction is taken for an axis: 0.006°, and 0.1° for legs that only resemble each other.
@@ -51,10 +56,53 @@ const HAND_MADE: f64 = 2e-3;
 /// Legs within this of a coordinate axis (cosine of 30°) may say that another axis than +Y is up.
 const STRAIGHT: f64 = 0.866;
 
+/// Directions in the world that the user states: they overrule all clues.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Stated {
+    /// The character's up, if stated; of any length but 0.
+    pub up: Option<DVec3>,
+    /// The character's forward, if stated; what of it lies along up does not count.
+    pub forward: Option<DVec3>,
+}
+
 impl Facing {
-    pub(crate) fn find(body: &Body<'_>) -> Self {
+    /// The facing that the clues tell, but for what is stated. A statement without direction (zero, not a number, or forward
+    /// along up) does not count.
+    pub(crate) fn find(body: &Body<'_>, stated: Stated) -> Self {
         let mut evidence = Vec::new();
-        let up = up(body, &mut evidence);
+        let up = match stated.up.and_then(DVec3::try_normalize) {
+            Some(up) => {
+                evidence.push(Evidence {
+                    clue: Clue::Stated,
+                    up: Some(up),
+                    forward: None,
+                    agrees: true,
+                    weight: NAMES,
+                });
+                up
+            }
+            None => up(body, &mut evidence),
+        };
+        let level = |forward: DVec3| forward.reject_from_normalized(up);
+        let told = Self::told(body, up, evidence);
+        match stated.forward.map(level).filter(|level| level.length() > 1e-6) {
+            Some(forward) => told.overruled(forward.normalize()),
+            None => told,
+        }
+    }
+
+    /// The same with this forward.
+    fn overruled(mut self, forward: DVec3) -> Self {
+        for said in &mut self.evidence {
+            let sign = if matches!(said.clue, Clue::Limbs { .. } | Clue::Symmetry) { f64::abs } else { |cos| cos };
+            said.agrees = said.forward.map_or(said.agrees, |told| sign(told.dot(forward)) > ASIDE);
+        }
+        self.evidence.push(Evidence::ahead(Clue::Stated, forward, true, NAMES));
+        Self { forward, left: self.up.cross(forward), ..self }
+    }
+
+    /// The facing of a body whose up is known.
+    fn told(body: &Body<'_>, up: DVec3, mut evidence: Vec<Evidence>) -> Self {
         let mut hints = clues::ahead(body, up);
         let pair = clues::named_pair(body, up).map(|(left, right)| (Clue::Names { left, right }, [left, right]));
         let limbs = || {
@@ -63,6 +111,15 @@ impl Facing {
         };
         let across = pair.or_else(limbs).map(|(clue, [a, b])| (clue, clues::apart(body, a, b, up)));
         let across = across.or_else(|| Some((Clue::Symmetry, clues::mirror_axis(body, up)?)));
+        // Joints may mirror each other front to back, too: what lies along the sides that they tell is no witness of them.
+        let is_plausible = |(clue, left): &(Clue, DVec3)| {
+            let lies = |axis: DVec3| hints.iter().map(|hint| hint.weight * along(hint.ahead, axis).abs()).sum::<f64>();
+            *clue != Clue::Symmetry || lies(left.normalize_or_zero()) <= lies(left.cross(up).normalize_or_zero())
+        };
+        let (across, denied) = match across {
+            Some(across) if !is_plausible(&across) => (None, Some(across.1)),
+            across => (across, None),
+        };
         let forward = match across {
             Some((clue, left)) => {
                 let named = match clue {
@@ -82,7 +139,7 @@ impl Facing {
                 let forward = if keep { ahead } else { -ahead };
                 let says = if named.is_some() { ahead } else { forward };
                 let agrees = keep || named.is_none();
-                evidence.push(Evidence::ahead(clue, says, agrees, named.unwrap_or(0.5)));
+                evidence.push(Evidence::ahead(clue, says, agrees, named.unwrap_or(AXIS)));
                 forward
             }
             None => match hints.iter().max_by(|a, b| a.weight.total_cmp(&b.weight)) {
@@ -92,22 +149,50 @@ impl Facing {
             },
         };
         for Hint { clue, ahead, weight } in hints {
-            evidence.push(Evidence::ahead(clue, ahead, ahead.dot(forward) > 0.0, weight));
+            evidence.push(Evidence::ahead(clue, ahead, along(ahead, forward) > 0.0, weight));
         }
-        if evidence.iter().all(|said| said.forward.is_none()) {
+        if let Some(left) = denied {
+            evidence.push(Evidence::ahead(Clue::Symmetry, left.cross(up).normalize_or_zero(), false, AXIS));
+        }
+        if !evidence.iter().any(|said| said.agrees && tells_front_from_back(said)) {
             evidence.push(Evidence::ahead(Clue::Convention, forward, true, 0.25));
         }
         Self { up, forward, left: up.cross(forward), evidence }
     }
 
-    /// Confidence in the facing: the share of the evidence that agrees, 0…1; low if there is little evidence.
+    /// Confidence in the facing, 0…1: the share of the evidence that agrees on which way is front, low if there is little of it,
+    /// and less where nothing better than a likeness tells the sides.
     pub(crate) fn confidence(&self) -> f64 {
+        let said = |clue: fn(&Clue) -> bool| self.evidence.iter().any(|said| said.agrees && clue(&said.clue));
+        if said(|clue| *clue == Clue::Stated)
+            && self.evidence.iter().any(|said| said.clue == Clue::Stated && said.forward.is_some())
+        {
+            return 1.0;
+        }
         let weight = |agrees: bool| {
             let said = self.evidence.iter().filter(|said| said.agrees == agrees && said.forward.is_some());
-            said.map(|said| said.weight).sum::<f64>()
+            // What tells the sides alone may contradict, but makes no front.
+            said.filter(|said| !agrees || tells_front_from_back(said)).map(|said| said.weight).sum::<f64>()
         };
-        weight(true) / (weight(true) + weight(false) + 0.5)
+        let sides = if said(|clue| matches!(clue, Clue::Symmetry)) {
+            BY_SYMMETRY
+        } else if said(|clue| matches!(clue, Clue::Limbs { .. })) {
+            BY_LIMBS
+        } else {
+            1.0
+        };
+        sides * weight(true) / (weight(true) + weight(false) + 0.5)
     }
+}
+
+/// Whether a clue tells front from back, and not only which axis the sides lie along.
+fn tells_front_from_back(said: &Evidence) -> bool {
+    said.forward.is_some() && !matches!(said.clue, Clue::Limbs { .. } | Clue::Symmetry)
+}
+
+/// Whether the trunk lies level and leads ahead.
+pub(crate) fn go_on_all_fours(evidence: &[Evidence]) -> bool {
+    evidence.iter().any(|said| said.clue == Clue::Trunk && said.agrees)
 }
 
 /// +Y unless the legs plainly stand along another axis.

@@ -65,7 +65,7 @@ pub use clip::{Channel, Clip, Interpolation, Property};
 pub use clues::Clue;
 pub use document::Document;
 pub use error::Error;
-pub use facing::Evidence;
+pub use facing::{Evidence, Stated};
 pub use file::{write_file, write_files};
 pub use held::limbs_on;
 pub use live::{AimedFrame, JointFrame, Live, Moment};

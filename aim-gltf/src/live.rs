@@ -6,6 +6,7 @@ use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3};
 use crate::chain::ChainNodes;
 use crate::document::Document;
 use crate::held::Held;
+use crate::look_at::EyeMaps;
 use crate::measure::Measurement;
 use crate::skeleton::Skeleton;
 use crate::stance::Stance;
@@ -20,6 +21,7 @@ pub struct Live {
     stance: Stance,
     both_eyes: bool,
     held: Vec<Held>,
+    maps: EyeMaps,
 }
 
 /// Inputs of one aimed frame.
@@ -62,8 +64,8 @@ pub struct AimedFrame {
     pub t: f32,
     /// The target in the world.
     pub target: DVec3,
-    /// Between the effector and the direction to the target by the forward kinematics of the file as it is written,
-    /// degrees; 90 where either has no direction.
+    /// Between the effector and the direction to the target by the forward kinematics of the file as it is written (but for
+    /// the range maps of a VRM file's eyes, which come after it), degrees; 90 where either has no direction.
     pub error_deg: f64,
     /// By how much joint 0 is rolled about the gaze more than in the animation, degrees, positive to the character's
     /// left: a roll is the angle, seen along the gaze, from the character's up to the bone's up. 0 where either lies
@@ -93,7 +95,8 @@ impl Live {
         let both_eyes = both_eyes && chain.other_eye.is_some();
         let skeleton = document.skeleton();
         let held = Held::find(rig, skeleton, chain);
-        Self { stance: Stance::new(rig, skeleton, chain, measurement), both_eyes, held }
+        let maps = EyeMaps::find(document, measurement, chain);
+        Self { stance: Stance::new(rig, skeleton, chain, measurement), both_eyes, held, maps }
     }
 
     /// The nodes that keep their place on the trunk while the neck that they hang on turns: the arms' first bones.
@@ -117,7 +120,9 @@ impl Live {
         }
     }
 
-    /// Puts the rig's corrections into the pose, moves what is [held](Self::held) back, and tells what came of it.
+    /// Puts the rig's corrections into the pose, moves what is [held](Self::held) back, and tells what came of it. Eyes of a VRM file
+    /// then turn by its range maps: errors and angles are those of where the character looks, which is what the maps start from;
+    /// pose and [`world`](AimedFrame::world) have the bones as the maps turn them.
     pub fn aimed<R: Rig>(
         &self,
         character: &DynAim<R>,
@@ -127,13 +132,14 @@ impl Live {
     ) -> AimedFrame {
         let &Moment { t, target, world: animated, joints, outcome, effector } = moment;
         let stance = &self.stance;
+        let eyes = self.maps.rotations(pose);
         apply(character, &stance.chain, skeleton, pose);
         let mut world = skeleton.world_f64(pose);
         if !self.held.is_empty() {
             self.held.iter().for_each(|held| held.hold(skeleton, pose, animated, &world));
             world = skeleton.world_f64(pose);
         }
-        AimedFrame {
+        let mut frame = AimedFrame {
             t,
             target,
             error_deg: stance.sight(effector).error_deg(&world, target),
@@ -142,7 +148,12 @@ impl Live {
             outcome,
             joints: joint_frames(&character.state.joints, outcome, |joint| stance.led(&character.rig, joint, joints)),
             world,
+        };
+        if !self.maps.is_empty() {
+            self.maps.apply(&eyes, pose);
+            frame.world = skeleton.world_f64(pose);
         }
+        frame
     }
 
     /// Point and direction (of length one) that joint `effector` looks from and along, in the world; of joint 0 those of the

@@ -1,11 +1,16 @@
-//! Look-at range maps of a VRM file, version 1.0 or 0.x.
+//! Look-at range maps of a VRM file, version 1.0 or 0.x, and the eyes that turn by them.
 //!
 //! A range map takes the angle to the target on one side to the angle by which the eye turns there, usually a smaller
-//! one: VRM eyes are drawn large. Aiming is exact and takes only the eyes' ranges of motion from the maps.
+//! one: VRM eyes are drawn large. So aiming solves for the angle to the target, and [`EyeMaps`] turns the bones.
 
+use glam::{DQuat, DVec3, Quat};
 use serde_json::Value;
 
+use crate::chain::ChainNodes;
 use crate::document::Document;
+use crate::measure::{BoneFrame, Measurement};
+use crate::roles::Role;
+use crate::trs::Trs;
 
 /// Part of a VRM character that looking moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,6 +31,12 @@ pub struct RangeMap {
 }
 
 impl RangeMap {
+    /// Whether it turns an eye (or gives an expression weight) at all.
+    #[must_use]
+    pub fn moves(&self) -> bool {
+        self.output_scale > 0.0
+    }
+
     /// The output for `input` degrees; inputs below 0 (or not a number) count as 0.
     #[must_use]
     pub fn apply(&self, input: f64) -> f64 {
@@ -96,11 +107,80 @@ impl LookAt {
         }
     }
 
-    /// The left eye's range of motion, degrees: to the right, to the left, down, up. `None` for expressions, whose
-    /// outputs are weights.
+    /// The maps of the left eye's headings to the right and to the left, and of its pitches down and up; of the right eye the first two
+    /// are exchanged.
     #[must_use]
-    pub fn left_eye_range(&self) -> Option<[f64; 4]> {
-        let maps = [self.horizontal_inner, self.horizontal_outer, self.vertical_down, self.vertical_up];
-        (self.kind == LookAtKind::Bone).then(|| maps.map(|map| map.output_scale))
+    pub fn left_eye(&self) -> [RangeMap; 4] {
+        [self.horizontal_inner, self.horizontal_outer, self.vertical_down, self.vertical_up]
+    }
+
+    /// The same of the right eye.
+    #[must_use]
+    pub fn right_eye(&self) -> [RangeMap; 4] {
+        [self.horizontal_outer, self.horizontal_inner, self.vertical_down, self.vertical_up]
+    }
+}
+
+/// The eyes of a chain that turn by the file's range maps.
+#[derive(Debug, Clone)]
+pub(crate) struct EyeMaps(Vec<MappedEye>);
+
+#[derive(Debug, Clone)]
+struct MappedEye {
+    node: usize,
+    frame: BoneFrame,
+    /// To the right, to the left, down, up.
+    maps: [RangeMap; 4],
+}
+
+impl EyeMaps {
+    /// The mapped eyes among what the chain turns: none unless the file is a VRM file whose bones look.
+    pub(crate) fn find(document: &Document, measurement: &Measurement, chain: &ChainNodes) -> Self {
+        let Some(look) = LookAt::of(document).filter(|look| look.kind == LookAtKind::Bone) else {
+            return Self(Vec::new());
+        };
+        let eye = |node: usize| {
+            let bone = measurement.bone(node)?;
+            let maps = match bone.role? {
+                Role::LeftEye => look.left_eye(),
+                Role::RightEye => look.right_eye(),
+                _ => return None,
+            };
+            Some(MappedEye { node, frame: bone.frame, maps })
+        };
+        Self(chain.joints.first().copied().into_iter().chain(chain.other_eye).filter_map(eye).collect())
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The eyes' local rotations.
+    pub(crate) fn rotations(&self, pose: &[Trs]) -> Vec<Quat> {
+        self.0.iter().map(|eye| pose[eye.node].rotation).collect()
+    }
+
+    /// Replaces the turn of each eye since it had the rotation `before`, which is to where it looks, by what its map makes of it.
+    pub(crate) fn apply(&self, before: &[Quat], pose: &mut [Trs]) {
+        for (eye, before) in self.0.iter().zip(before) {
+            let trs = &mut pose[eye.node];
+            let before = before.as_dquat();
+            // The rotation acts outside the node's own scale.
+            let sign = trs.scale.signum().as_dvec3();
+            let [up, forward, left] = [eye.frame.up, eye.frame.forward, eye.frame.left].map(|axis| axis * sign);
+            let gaze = before.inverse() * trs.rotation.as_dquat() * forward;
+            let heading = gaze.dot(left).atan2(gaze.dot(forward));
+            let pitch = gaze.dot(up).clamp(-1.0, 1.0).asin();
+            let [right, to_left, down, upward] = &eye.maps;
+            let mapped = |angle: f64, negative: &RangeMap, positive: &RangeMap| {
+                let map = if angle < 0.0 { negative } else { positive };
+                map.apply(angle.abs().to_degrees()).to_radians().copysign(angle)
+            };
+            let turn = |to: DVec3, angle: f64| DQuat::from_axis_angle(forward.cross(to).normalize(), angle);
+            let turned = before * turn(left, mapped(heading, right, to_left)) * turn(up, mapped(pitch, down, upward));
+            if turned.is_finite() {
+                trs.rotation = turned.normalize().as_quat();
+            }
+        }
     }
 }

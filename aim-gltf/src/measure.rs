@@ -1,13 +1,14 @@
 //! Bone axes measured: which way each bone's own axes point in the character, in its bind pose.
 
 use core::fmt;
+use core::str::FromStr;
 
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::bind::{bind_world, signed_permutation};
-use crate::clues::Body;
+use crate::clues::{Body, carry_legs};
 use crate::document::Document;
-use crate::facing::{Evidence, Facing};
+use crate::facing::{self, Evidence, Facing, Stated};
 use crate::plan::BodyPlan;
 use crate::roles::{Role, Roles, bones};
 use crate::skeleton::Skeleton;
@@ -54,6 +55,18 @@ impl SignedAxis {
     pub fn of(v: DVec3) -> Self {
         let axis = nearest_axis(v);
         Self::ALL.into_iter().find(|(.., vector)| *vector == axis).map_or(Self::PlusX, |(signed, ..)| signed)
+    }
+}
+
+impl FromStr for SignedAxis {
+    type Err = String;
+
+    /// Reads `+X`, `-X`, `+Y`, `-Y`, `+Z` or `-Z`, in either case; a missing sign is `+`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let upper = text.to_ascii_uppercase();
+        let name = if upper.starts_with(['+', '-']) { upper } else { format!("+{upper}") };
+        let found = Self::ALL.into_iter().find(|(_, known, _)| *known == name);
+        found.map(|(axis, ..)| axis).ok_or_else(|| "expected an axis: +X, -X, +Y, -Y, +Z or -Z".into())
     }
 }
 
@@ -125,6 +138,8 @@ pub struct BoneAxes {
     pub bind_world: DAffine3,
     /// By how much the bone is turned in the file's rest pose from where it is in the bind pose, degrees.
     pub rest_deg: f64,
+    /// Whether a leg (or a foreleg) hangs on the bone, however deep, so that turning the bone moves feet.
+    pub carries_legs: bool,
 }
 
 /// The pose in which axes are measured.
@@ -150,10 +165,11 @@ pub struct Measurement {
     pub left: DVec3,
     /// Evidence for the facing, and against it.
     pub evidence: Vec<Evidence>,
-    /// Confidence in the facing, 0…1: the share of the evidence that agrees; below a half it is not reliable.
+    /// Confidence in the facing, 0…1: the share of the evidence that agrees on which way is front, less where no names tell the
+    /// sides; 1 where the user states it. Below a half it is not reliable.
     pub confidence: f64,
-    /// Height of the skin in the bind pose, in units of the file (of the joints, where there is no skin; 0 where
-    /// there is neither).
+    /// Height in the bind pose, in units of the file: of the skin, of rigid parts that hang on its bones, and of the bones
+    /// that play a role; without a skin of all meshes, without any of the nodes. 0 where there is nothing.
     pub height: f64,
     /// Joints and their ancestors, and eyes that are plain nodes, in node order; every node of a file without skin.
     pub bones: Vec<BoneAxes>,
@@ -168,9 +184,19 @@ impl Measurement {
         Self::in_pose(document, MeasuredPose::Bind)
     }
 
+    /// Measures a document in its bind pose, where the user says what is up or forward.
+    #[must_use]
+    pub fn stated(document: &Document, stated: Stated) -> Self {
+        Self::measured(document, MeasuredPose::Bind, stated)
+    }
+
     /// Measures a document. In the rest pose [`bind_world`](Self::bind_world) is that pose.
     #[must_use]
     pub fn in_pose(document: &Document, pose: MeasuredPose) -> Self {
+        Self::measured(document, pose, Stated::default())
+    }
+
+    fn measured(document: &Document, pose: MeasuredPose, stated: Stated) -> Self {
         let skeleton = document.skeleton();
         let rest = skeleton.world_f64(&[]);
         let is_bone = bones(skeleton);
@@ -195,18 +221,20 @@ impl Measurement {
         let skin = Palette::new(skeleton, &bind).deform(document.points());
         let body =
             Body { skeleton, bind: &bind, is_bone: &is_bone, skin: &skin, carriers: &carriers, roles: &roles, plan };
-        let facing = Facing::find(&body);
+        let facing = Facing::find(&body, stated);
+        let carries_legs = carry_legs(&body, facing.up, facing::go_on_all_fours(&facing.evidence));
         let listed = (0..bind.len()).filter(|node| is_bone[*node] || roles.of(*node).is_some());
         let bones = listed.map(|node| {
             let rest_deg = turn_deg(&bind[node], &rest[node]);
-            axes_of(skeleton, &bind, &facing, node, roles.of(node), rest_deg)
+            let axes = axes_of(skeleton, &bind, &facing, node, roles.of(node));
+            BoneAxes { rest_deg, carries_legs: carries_legs[node], ..axes }
         });
         Self {
             pose,
             up: facing.up,
             forward: facing.forward,
             left: facing.left,
-            height: Some(height(document, &bind, &skin, facing.up)).filter(|h| h.is_finite()).unwrap_or(0.0),
+            height: height(document, &bind, &skin, facing.up, &roles),
             bones: bones.collect(),
             confidence: facing.confidence(),
             evidence: facing.evidence,
@@ -218,6 +246,12 @@ impl Measurement {
     #[must_use]
     pub fn metre(&self) -> f64 {
         if self.height > 0.0 { self.height / 1.7 } else { 1.0 }
+    }
+
+    /// Whether the character goes on all fours: its head lies ahead of its hips rather than above them.
+    #[must_use]
+    pub fn goes_on_all_fours(&self) -> bool {
+        facing::go_on_all_fours(&self.evidence)
     }
 
     /// The measured bone of a node.
@@ -241,14 +275,7 @@ fn turn_deg(a: &DAffine3, b: &DAffine3) -> f64 {
     axis.length().atan2(trace - 1.0).to_degrees()
 }
 
-fn axes_of(
-    skeleton: &Skeleton,
-    bind: &[DAffine3],
-    facing: &Facing,
-    node: usize,
-    role: Option<Role>,
-    rest_deg: f64,
-) -> BoneAxes {
+fn axes_of(skeleton: &Skeleton, bind: &[DAffine3], facing: &Facing, node: usize, role: Option<Role>) -> BoneAxes {
     let (info, bind) = (&skeleton.nodes()[node], &bind[node]);
     let (world_of_bone, _) = orthonormal(&bind.matrix3);
     let bone_of_world: DMat3 = world_of_bone.transpose();
@@ -271,24 +298,37 @@ fn axes_of(
         handedness: if mirrored { Handedness::Left } else { Handedness::Right },
         frame: BoneFrame { up, forward, left },
         bind_world: *bind,
-        rest_deg,
+        rest_deg: 0.0,
+        carries_legs: false,
     }
 }
 
-fn height(document: &Document, bind: &[DAffine3], skin: &[DVec3], up: DVec3) -> f64 {
-    let nodes = document.skeleton().nodes();
+/// The extent along `up` of what the character shows and of the bones that play a role: of the skin, and of rigid meshes that
+/// hang on joints or on bones with a role. Without a skin that of all meshes, or, where there are none, of all nodes.
+fn height(document: &Document, bind: &[DAffine3], skin: &[DVec3], up: DVec3, roles: &Roles) -> f64 {
+    let skeleton = document.skeleton();
+    let nodes = skeleton.nodes();
     let extent = |places: &mut dyn Iterator<Item = DVec3>| {
-        let (low, high) = places.map(|p| p.dot(up)).fold((f64::MAX, f64::MIN), |(lo, hi), y| (lo.min(y), hi.max(y)));
+        let heights = places.map(|p| p.dot(up)).filter(|height| height.is_finite());
+        let (low, high) = heights.fold((f64::MAX, f64::MIN), |(lo, hi), y| (lo.min(y), hi.max(y)));
         (high - low).max(0.0)
     };
-    let skinned = document.points().iter().zip(skin).filter(|(point, _)| nodes[point.node()].skin.is_some());
-    let from_skin = extent(&mut skinned.map(|(_, p)| *p));
-    if from_skin > 0.0 {
-        return from_skin;
+    let place = |(_, bind): (usize, &DAffine3)| bind.translation;
+    let joints = || bind.iter().enumerate();
+    if skeleton.has_skin() {
+        let mut of_body: Vec<bool> =
+            (0..nodes.len()).map(|node| nodes[node].is_joint || roles.of(node).is_some()).collect();
+        for &node in skeleton.order() {
+            of_body[node] |= nodes[node].parent.is_some_and(|parent| of_body[parent]);
+        }
+        let is_shown = |node: usize| nodes[node].skin.is_some() || of_body[node];
+        let shown = document.points().iter().zip(skin).filter(|(point, _)| is_shown(point.node())).map(|(_, p)| *p);
+        let with_role = joints().filter(|(node, _)| roles.of(*node).is_some()).map(place);
+        let shown: Vec<DVec3> = shown.collect();
+        let height = if shown.is_empty() { 0.0 } else { extent(&mut shown.into_iter().chain(with_role)) };
+        if height > 0.0 { height } else { extent(&mut joints().filter(|(node, _)| nodes[*node].is_joint).map(place)) }
+    } else {
+        let meshes = extent(&mut skin.iter().copied());
+        if meshes > 0.0 { meshes } else { extent(&mut joints().map(place)) }
     }
-    if document.skeleton().has_skin() {
-        return extent(&mut nodes.iter().zip(bind).filter(|(n, _)| n.is_joint).map(|(_, m)| m.translation));
-    }
-    let meshes = extent(&mut skin.iter().copied());
-    if meshes > 0.0 { meshes } else { extent(&mut bind.iter().map(|m| m.translation)) }
 }

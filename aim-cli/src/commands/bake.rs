@@ -22,7 +22,7 @@ pub(super) fn run(arguments: &args::Bake) -> Result {
     let path = if let TargetSpec::File(path) = &arguments.target { Some(path) } else { None };
     let read = [(arguments.rig.as_ref(), "the rig"), (path, "the target's path")];
     Outputs::reading(read).reading_parts_of(&document).write_model(&arguments.written, &arguments.file)?;
-    let measurement = Measurement::of(&document);
+    let measurement = arguments.facing.measure(&arguments.file, &document)?;
     let spec = match &arguments.rig {
         Some(path) => files::load_rig(path)?,
         None => propose(&document, &measurement, None).map_err(|error| Failure::in_file(&arguments.file, error))?.spec,

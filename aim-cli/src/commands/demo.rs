@@ -7,6 +7,7 @@ use aim_gltf::{Document, Measurement, PAPER_AXES, Settle, mannequin};
 
 use super::bake::bake;
 use crate::args;
+use crate::facing::Facing;
 use crate::failure::{Failure, Result};
 use crate::files;
 use crate::target::TargetSpec;
@@ -28,6 +29,7 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
         Failure::in_file(&arguments.out, format!("cannot be made ({error}); give a folder with --out"))
     })?;
     let request = args::Bake {
+        facing: Facing::default(),
         file: "the mannequin".into(),
         // 2 m away, a little above the eyes.
         target: TargetSpec::Orbit { radius: 2.0, height: 0.15, seconds: seconds.into() },

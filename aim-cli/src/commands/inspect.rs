@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use aim_character::{Fit, evidence, propose};
-use aim_gltf::{BoneAxes, Clip, Document, MeasuredPose, Measurement, Role};
+use aim_gltf::{BoneAxes, Clip, Document, Evidence, MeasuredPose, Measurement, Role};
 use serde_json::{Value, json};
 
 use crate::args;
@@ -22,7 +22,7 @@ fn in_words(measurement: &Measurement, document: &Document) -> String {
         out += &format!("Against it: {against}.\n");
     }
     out += &format!("Confidence {:.2}.", measurement.confidence);
-    out += if measurement.confidence < 0.5 { " Too little to rely on: look at the drawing (--html).\n" } else { "\n" };
+    out += &evidence::doubt(measurement).map_or("\n".to_owned(), |doubt| format!(" {doubt}\n"));
     // A root that carries no skin may lie anywhere in either pose.
     let has_role = |bone: &&BoneAxes| bone.role.is_some();
     let any = measurement.bones.iter().any(|bone| bone.role.is_some());
@@ -59,11 +59,23 @@ fn json(file: &str, document: &Document, measurement: &Measurement) -> Value {
             "handedness": bone.handedness.as_str(),
         })
     };
+    let said = |said: &Evidence| {
+        json!({
+            "clue": evidence::word(said),
+            "up": said.up.map(|up| up.to_array().map(rounded)),
+            "forward": said.forward.map(|forward| forward.to_array().map(rounded)),
+            "agrees": said.agrees,
+            "weight": said.weight,
+        })
+    };
     let clip = |clip: &Clip| json!({ "name": clip.name, "seconds": clip.seconds() });
     json!({
         "file": file,
         "up": measurement.up.to_array().map(rounded),
         "forward": measurement.forward.to_array().map(rounded),
+        "confidence": rounded(measurement.confidence),
+        "evidence": measurement.evidence.iter().map(said).collect::<Value>(),
+        "height": rounded(measurement.height),
         "bones": measurement.bones.iter().map(bone).collect::<Value>(),
         "clips": document.clips().iter().map(clip).collect::<Value>(),
     })
@@ -110,7 +122,7 @@ pub(super) fn run(arguments: &args::Inspect) -> Result {
     let document = files::load_model(&arguments.file)?;
     let read = [(Some(&arguments.file), "the model itself"), (arguments.rig.as_ref(), "the rig")];
     let mut outputs = Outputs::reading(read).reading_parts_of(&document);
-    let measurement = Measurement::of(&document);
+    let measurement = arguments.facing.measure(&arguments.file, &document)?;
     if let Some(page) = &arguments.html {
         outputs.writes(page, "--html")?;
         draw(arguments, page, &document, &measurement)?;

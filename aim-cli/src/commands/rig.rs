@@ -1,7 +1,6 @@
 //! `aim rig`: the declaration proposed for a file.
 
 use aim_character::{declaration, evidence, propose};
-use aim_gltf::Measurement;
 
 use crate::args::{self, Notation};
 use crate::failure::{Failure, Result};
@@ -10,13 +9,14 @@ use crate::files;
 pub(super) fn run(arguments: &args::Rig) -> Result {
     let file = &arguments.file;
     let document = files::load_model(file)?;
-    let measurement = Measurement::of(&document);
+    let measurement = arguments.facing.measure(file, &document)?;
     let named = (!arguments.chain.is_empty()).then_some(&arguments.chain[..]);
     let mut proposal = propose(&document, &measurement, named).map_err(|error| Failure::in_file(file, error))?;
     let stem = file.file_stem().unwrap_or_default().to_string_lossy();
     proposal.spec.name = declaration::type_name(&stem);
     let name = file.file_name().unwrap_or_default().to_string_lossy();
-    let about = format!("Measured from {name}. {}", evidence::facing(&measurement, &document));
+    let doubt = evidence::doubt(&measurement).map_or(String::new(), |doubt| format!(" {doubt}"));
+    let about = format!("Measured from {name}. {}{doubt}", evidence::facing(&measurement, &document));
     let mut toml = declaration::toml(&proposal, &about);
     if aim_codegen::declare::from_toml(&name, &toml).is_err() {
         // A file may be called as a keyword of some language is.

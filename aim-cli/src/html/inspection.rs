@@ -45,6 +45,7 @@ pub(crate) fn page(inspected: &Inspected<'_>) -> String {
     let content = html! {
         h1 { (title) }
         p.lead { (evidence::facing(measurement, document)) " Confidence " (n(measurement.confidence * 100.0)) " %." }
+        @if let Some(doubt) = evidence::doubt(measurement) { p.wrong { (doubt) } }
         @for against in evidence::against(measurement, document) { p { "Against it: " (against) "." } }
         @if let Some(fit) = fit { (verdict(fit, rig)) }
         div.views {

@@ -1,6 +1,7 @@
 //! `aim rig`: what it proposes is a declaration that every other command takes, in either notation.
 
 use crate::common::forward::list;
+use crate::common::gltf::Model;
 use crate::common::rig::{conventions, joints};
 use crate::common::{Place, changed};
 use glam::DVec3;
@@ -19,8 +20,17 @@ fn the_mannequins_rig_is_proposed_with_its_axes_and_human_ranges() {
     assert!(text.contains("# eyes can turn by about 50 degrees"), "every joint says why: {text}");
     let rig: serde_json::Value = toml::from_str(&text).expect("it is TOML");
     let names: Vec<_> = list(&rig["joint"]).iter().map(|joint| joint["name"].as_str().unwrap_or("")).collect();
-    assert_eq!(names, ["left_eye", "neck", "spine"]);
-    assert_eq!(rig["joint"][0]["other_eye"], "right_eye");
+    assert_eq!(names, ["left_eye", "head", "neck", "spine4", "spine3", "spine2", "spine1"]);
+    assert_eq!((&rig["joint"][0]["other_eye"], &rig["region"]), (&json!("right_eye"), &json!("human")));
+    for joint in list(&rig["joint"]) {
+        assert_eq!(joint["limits_from"], "bind_pose", "of a body, whatever a clip does already: {text}");
+    }
+    // Each region's bones make its turn together; a longer bone of the spine makes more of it.
+    let sum = |from: usize, to: usize| {
+        joints(&text)[from..to].iter().filter_map(|joint| joint.heading).map(|[_, hi]| hi).sum::<f64>()
+    };
+    assert_eq!((sum(1, 3), sum(1, 2)), (78.0, 39.0), "{text}");
+    assert!((sum(3, 7) - 30.0).abs() < 1.5 && sum(6, 7) > 5.0, "{text}");
     place.done("check p.toml --samples 50");
     place.done("check m.glb --rig p.toml");
     place.done("generate p.toml --lang rust -o p.rs");
@@ -40,7 +50,7 @@ fn every_convention_and_every_frame_between_comes_back() {
         let place = Place::new();
         place.write("m.glb", &aim_gltf::mannequin(axes_of).expect("frames"));
         let text = place.done("rig m.glb").stdout;
-        for (joint, bone) in joints(&text).iter().zip(["left_eye", "neck", "spine3"]) {
+        for (joint, bone) in joints(&text).iter().zip(["left_eye", "head", "neck", "spine3"]) {
             let declared = axes_of(bone).map(|axis| DVec3::from_array(axis.map(f64::from)));
             let found = [joint.up, joint.forward, joint.left];
             let off = declared.iter().zip(found).map(|(a, b)| a.distance(b)).fold(0.0, f64::max);
@@ -68,6 +78,50 @@ fn the_derive_is_accepted_by_the_macro() {
         let derived = aim_codegen::derive(item.replace("#[derive(AimRig)]", "").parse().expect("tokens")).to_string();
         assert!(!derived.contains("compile_error"), "convention {number}: {derived}\n{item}");
     }
+}
+
+#[test]
+fn a_stated_facing_overrules_the_measured_one() {
+    let place = Place::with_mannequin();
+    let text = place.done("rig m.glb --forward -x").stdout;
+    assert!(text.contains("Faces -X, up is +Y, by the legs, what you state."), "{text}");
+    // In the paper's axes a bone's +Y led ahead and +Z to the left: what lies to the right now is ahead.
+    let head = &joints(&text)[1];
+    assert_eq!((head.up, head.forward, head.left), (DVec3::X, DVec3::NEG_Z, DVec3::Y), "{text}");
+    place.done("inspect m.glb --json --forward -Z --html i.html");
+    let found: serde_json::Value =
+        serde_json::from_str(&place.done("inspect m.glb --json --forward -Z --up +Y").stdout).expect("JSON");
+    assert_eq!((&found["forward"], &found["confidence"]), (&json!([0.0, 0.0, -1.0]), &json!(1.0)));
+    place.done("bake m.glb --target orbit:2,0,8 --forward +X --out a.glb --report a.json");
+    let target = list(&place.json("a.json")["frames"][0]["target"])
+        .iter()
+        .map(|x| x.as_f64().expect("a number"))
+        .collect::<Vec<_>>();
+    assert!(target[0] > 1.9 && target[2].abs() < 0.2, "the orbit begins in the stated front: {target:?}");
+    place.refused("rig m.glb --forward +Y", &["m.glb", "--forward +Y", "up", "--up"]);
+    place.refused("rig m.glb --forward up", &["--forward", "+X, -X, +Y"]);
+}
+
+#[test]
+fn a_guess_is_called_one() {
+    let place = Place::new();
+    place.write(
+        "n.glb",
+        &changed(|json| {
+            for node in json["nodes"].as_array_mut().expect("nodes") {
+                node.as_object_mut().expect("a node").remove("name");
+            }
+        }),
+    );
+    let guess = "The facing is a guess: no names tell the sides, feet alone tell front from back.";
+    for command in ["inspect n.glb", "rig n.glb"] {
+        let said = place.done(command).stdout;
+        assert!(said.contains(guess) && said.contains("--forward"), "{said}");
+    }
+    place.done("inspect n.glb --html i.html");
+    assert!(String::from_utf8_lossy(&place.read("i.html")).contains(guess));
+    let said = place.done("inspect n.glb --forward +Z").stdout;
+    assert!(!said.contains("guess"), "{said}");
 }
 
 #[test]
@@ -126,27 +180,172 @@ fn a_long_neck_bends_in_all_its_bones() {
     let rig: serde_json::Value = toml::from_str(&text).expect("it is TOML");
     let names: Vec<_> = list(&rig["joint"]).iter().map(|joint| joint["name"].as_str().unwrap_or("")).collect();
     assert_eq!(names, ["left_eye", "head", "neck5", "neck4", "neck3", "neck2", "neck1"]);
-    let heading: f64 = joints(&text)[2..].iter().filter_map(|joint| joint.heading).map(|[_, hi]| hi).sum();
-    assert!((heading - 90.0).abs() < 1.0, "together they turn by {heading}°");
+    let heading: f64 = joints(&text)[1..].iter().filter_map(|joint| joint.heading).map(|[_, hi]| hi).sum();
+    assert!((heading - 78.0).abs() < 1.5, "with the head they turn by {heading}°");
 }
 
 #[test]
-fn the_eyes_of_a_vrm_file_have_the_ranges_of_its_maps() {
+fn a_spine_that_legs_hang_on_stands_still() {
     let place = Place::new();
-    let map = |scale: f64| json!({ "inputMaxValue": 90.0, "outputScale": scale });
+    // As in the skeletons of 3ds Max Biped: thighs on the first bone of the spine.
     place.write(
-        "v.vrm",
+        "biped.glb",
         &changed(|json| {
-            json["extensions"] = json!({ "VRMC_vrm": { "lookAt": {
-                "type": "bone", "rangeMapHorizontalInner": map(8.0), "rangeMapHorizontalOuter": map(12.0),
-                "rangeMapVerticalDown": map(10.0), "rangeMapVerticalUp": map(9.0),
-            } } });
+            let nodes = json["nodes"].as_array_mut().expect("nodes");
+            let at = |nodes: &[serde_json::Value], name: &str| {
+                nodes.iter().position(|node| node["name"] == name).expect(name)
+            };
+            let legs = ["left_upper_leg", "right_upper_leg"].map(|name| json!(at(nodes, name)));
+            let [hips, spine] = ["hips", "spine"].map(|name| at(nodes, name));
+            nodes[hips]["children"].as_array_mut().expect("children").retain(|child| !legs.contains(child));
+            nodes[spine]["children"].as_array_mut().expect("children").extend(legs);
         }),
     );
+    let text = place.done("rig biped.glb").stdout;
+    let rig: serde_json::Value = toml::from_str(&text).expect("it is TOML");
+    let bones: Vec<_> = list(&rig["joint"]).iter().map(|joint| joint["bone"].as_str().unwrap_or("")).collect();
+    assert_eq!(bones, ["left_eye", "head", "neck", "spine3", "spine2", "spine1"]);
+}
+
+#[test]
+fn who_goes_on_all_fours_keeps_its_forefeet_on_the_ground() {
+    let place = Place::new();
+    let at = |name: &str, place: [f64; 3], children: &[usize]| {
+        let mut node = json!({ "name": name, "translation": place });
+        if !children.is_empty() {
+            node["children"] = json!(children);
+        }
+        node
+    };
+    let json = json!({ "asset": { "version": "2.0" }, "nodes": [
+        at("Hips", [0.0, 0.6, 0.0], &[1, 8, 10]),
+        at("Spine", [0.0, 0.0, 0.3], &[2, 4, 6]),
+        at("Neck", [0.0, 0.1, 0.4], &[3]),
+        at("Head", [0.0, 0.1, 0.2], &[]),
+        at("LeftArm", [0.1, 0.0, 0.3], &[5]),
+        at("LeftHand", [0.0, -0.6, 0.0], &[]),
+        at("RightArm", [-0.1, 0.0, 0.3], &[7]),
+        at("RightHand", [0.0, -0.6, 0.0], &[]),
+        at("LeftThigh", [0.1, 0.0, 0.0], &[9]),
+        at("LeftFoot", [0.0, -0.6, 0.0], &[]),
+        at("RightThigh", [-0.1, 0.0, 0.0], &[11]),
+        at("RightFoot", [0.0, -0.6, 0.0], &[]),
+    ]});
+    place.write("fox.gltf", &json.to_string());
+    let text = place.done("rig fox.gltf").stdout;
+    let rig: serde_json::Value = toml::from_str(&text).expect("it is TOML");
+    let bones: Vec<_> = list(&rig["joint"]).iter().map(|joint| joint["bone"].as_str().unwrap_or("")).collect();
+    assert_eq!((bones, &rig["region"]), (vec!["Head", "Neck"], &json!("quadruped")), "{text}");
+    place.write("p.toml", &text);
+    place.done("check fox.gltf --rig p.toml");
+}
+
+#[test]
+fn a_chain_that_is_named_shares_its_regions_too() {
+    let place = Place::with_mannequin();
+    for (chain, heading) in
+        [("head", [78.0].as_slice()), ("neck", &[78.0]), ("head,neck", &[39.0, 39.0]), ("head,spine2", &[78.0, 30.0])]
+    {
+        let text = place.done(&format!("rig m.glb --chain {chain}")).stdout;
+        let found: Vec<f64> = joints(&text).iter().filter_map(|joint| joint.heading).map(|[_, hi]| hi).collect();
+        assert_eq!(found, heading, "{chain}: {text}");
+    }
+}
+
+/// The mannequin as a VRM file with a lookAt of this kind, whose maps take these inputs to these outputs: inner, outer, down, up.
+fn vrm(kind: &str, maps: [[f64; 2]; 4]) -> Vec<u8> {
+    changed(|json| {
+        let mut look = json!({ "type": kind });
+        let directions = ["HorizontalInner", "HorizontalOuter", "VerticalDown", "VerticalUp"];
+        for (direction, [input, output]) in directions.into_iter().zip(maps) {
+            look[format!("rangeMap{direction}")] = json!({ "inputMaxValue": input, "outputScale": output });
+        }
+        json["extensions"] = json!({ "VRMC_vrm": { "lookAt": look } });
+    })
+}
+
+const MAPS: [[f64; 2]; 4] = [[90.0, 8.0], [90.0, 12.0], [90.0, 10.0], [10.0, 9.0]];
+
+#[test]
+fn the_eyes_of_a_vrm_file_look_as_far_as_its_maps_have_inputs() {
+    let place = Place::new();
+    place.write("v.vrm", &vrm("bone", MAPS));
     let text = place.done("rig v.vrm").stdout;
     let eye = &joints(&text)[0];
-    assert_eq!((eye.heading, eye.pitch), (Some([-8.0, 12.0]), Some([-10.0, 9.0])), "{text}");
+    assert_eq!((eye.heading, eye.pitch), (Some([-35.0, 35.0]), Some([-25.0, 10.0])), "{text}");
     assert!(text.contains("the range maps of the file's lookAt"), "{text}");
+    // Eyes that do not nod.
+    place.write("v.vrm", &vrm("bone", [[90.0, 8.0], [90.0, 8.0], [90.0, 0.0], [90.0, 0.0]]));
+    let text = place.done("rig v.vrm").stdout;
+    assert_eq!((joints(&text)[0].heading, joints(&text)[0].pitch), (Some([-35.0, 35.0]), None), "{text}");
+    place.write("p.toml", &text);
+    place.done("check v.vrm --rig p.toml");
+}
+
+#[test]
+fn the_bones_of_a_vrm_files_eyes_turn_by_its_maps() {
+    let place = Place::new();
+    let source = vrm("bone", MAPS);
+    place.write("v.vrm", &source);
+    // A target to the left and above, one to the right and below.
+    for (target, both_eyes) in [("1,2.2,2", ""), ("-1,1.2,2", ""), ("1,2.2,2", " --both-eyes")] {
+        place.done(&format!("bake v.vrm --target={target} --seconds 0.5 --out o.glb --report r.json{both_eyes}"));
+        let (report, output) = (place.json("r.json"), Model::new(&place.read("o.glb")));
+        let source = Model::new(&source);
+        let clips = [&source, &output].map(|model| model.clip(model.clip_index("walk").expect("the clip")));
+        for frame in list(&report["frames"]) {
+            let t = frame["t"].as_f64().expect("a time");
+            let [before, after] = [source.pose(&clips[0], t), output.pose(&clips[1], t)];
+            let number = |key: &str| frame["joints"][0][key].as_f64().expect("degrees");
+            let (heading, pitch) = (number("heading_deg"), number("pitch_deg"));
+            // In the paper's axes up is +X, forward +Y, left +Z. What a left eye has outside, a right eye has inside.
+            for (eye, outward) in [("left_eye", 1.0), ("right_eye", -1.0)] {
+                let node = output.node(eye);
+                let gaze = before[node].rotation.inverse() * after[node].rotation * DVec3::Y;
+                let found = (gaze.z.atan2(gaze.y).to_degrees(), gaze.x.asin().to_degrees());
+                let side = if heading * outward > 0.0 { 12.0 / 90.0 } else { 8.0 / 90.0 };
+                let height = if pitch < 0.0 { 10.0 / 90.0 } else { 0.9 };
+                let off = (found.0 - heading * side).abs().max((found.1 - pitch * height).abs());
+                // The other eye, aimed itself, has angles of its own.
+                let most = if both_eyes.is_empty() || eye == "left_eye" { 1e-3 } else { 0.6 };
+                assert!(off < most, "{target}{both_eyes}, {t} s, {eye}: {found:?} for {heading}, {pitch}");
+                assert!(heading.abs() > 2.0 && pitch.abs() > 0.5, "it looks aside: {heading}, {pitch}");
+            }
+            assert_eq!(frame["status"], "reached", "{frame}");
+        }
+    }
+}
+
+#[test]
+fn the_head_leads_where_eyes_are_no_bones_that_move() {
+    let place = Place::new();
+    let still = MAPS.map(|[input, _]| [input, 0.0]);
+    for (kind, maps, why) in [("bone", still, "keeps the eyes still"), ("expression", MAPS, "look by expressions")] {
+        place.write("v.vrm", &vrm(kind, maps));
+        let text = place.done("rig v.vrm").stdout;
+        let rig: serde_json::Value = toml::from_str(&text).expect("it is TOML");
+        assert_eq!((&rig["joint"][0]["name"], &rig["joint"][1]["name"]), (&json!("head"), &json!("neck")), "{text}");
+        assert!(text.contains(why) && text.contains("the head leads"), "{text}");
+        place.done("bake v.vrm --target 1,1.6,2 --seconds 0.5 --out o.glb --report r.json");
+        // Whoever names the eye means it.
+        let text = place.done("rig v.vrm --chain left_eye,neck").stdout;
+        assert!(!text.contains("the head leads"), "{text}");
+    }
+    let morphs = |has_bones: bool| {
+        changed(|json| {
+            json["meshes"][0]["extras"] = json!({ "targetNames": ["jawOpen", "eyeLookInLeft"] });
+            for node in json["nodes"].as_array_mut().expect("nodes") {
+                if !has_bones && node["name"].as_str().is_some_and(|name| name.ends_with("_eye")) {
+                    node["name"] = "ball".into();
+                }
+            }
+        })
+    };
+    for has_bones in [true, false] {
+        place.write("m.glb", &morphs(has_bones));
+        let text = place.done("rig m.glb").stdout;
+        assert_eq!(text.contains("look by morph targets"), !has_bones, "{text}");
+    }
 }
 
 #[test]

@@ -29,7 +29,14 @@ fn json_of(place: &Place, arguments: &str) -> Value {
 fn inspect() {
     let place = Place::with_mannequin();
     let found = json_of(&place, "inspect m.glb --json");
-    has_keys(&found, "file up forward bones clips");
+    has_keys(&found, "file up forward confidence evidence height bones clips");
+    assert!((0.8..1.0).contains(&number(&found["confidence"])), "{}", found["confidence"]);
+    assert!((1.7..1.8).contains(&number(&found["height"])), "{}", found["height"]);
+    for said in list(&found["evidence"]) {
+        has_keys(said, "clue up forward agrees weight");
+        assert!(said["agrees"] == true && number(&said["weight"]) > 0.0, "{said}");
+        assert!(said["up"].is_array() != said["forward"].is_array(), "it speaks of one of them: {said}");
+    }
     assert_eq!((&found["file"], &found["up"]), (&json!("m.glb"), &json!([0.0, 1.0, 0.0])));
     assert!(is_unit(&found["forward"]) && found["forward"][2] == json!(1.0), "{}", found["forward"]);
     let bones = list(&found["bones"]);

@@ -1,8 +1,8 @@
 //! Where a character faces and what its bones are, told from the file alone: turned, lying, mirrored, in centimetres,
 //! named by many traditions or not at all.
 
-use crate::support::{put_together, take_apart};
-use aim_gltf::{Clue, Document, MeasuredPose, Measurement, PAPER_AXES, Role, mannequin};
+use crate::support::{bytes_of, data_uri, put_together, take_apart};
+use aim_gltf::{Clue, Document, MeasuredPose, Measurement, PAPER_AXES, Role, Stated, mannequin};
 use glam::{DMat3, DQuat, DVec3};
 use serde_json::{Value, json};
 
@@ -84,6 +84,71 @@ fn any_facing_any_up_any_scale_named_or_nameless() {
     }
 }
 
+/// Adds a node that shows a rigid mesh with these points; returns its index.
+fn rigid_part(json: &mut Value, points: &[[f32; 3]]) -> usize {
+    let bytes = bytes_of(points.as_flattened());
+    let add = |json: &mut Value, key: &str, item: Value| {
+        let list = json[key].as_array_mut().unwrap();
+        list.push(item);
+        list.len() - 1
+    };
+    let buffer = add(json, "buffers", json!({ "byteLength": bytes.len(), "uri": data_uri(&bytes) }));
+    let view = add(json, "bufferViews", json!({ "buffer": buffer, "byteLength": bytes.len() }));
+    let position = add(
+        json,
+        "accessors",
+        json!({ "bufferView": view, "componentType": 5126, "count": points.len(), "type": "VEC3" }),
+    );
+    let mesh = add(json, "meshes", json!({ "primitives": [{ "attributes": { "POSITION": position } }] }));
+    add(json, "nodes", json!({ "mesh": mesh }))
+}
+
+/// Leaves of the skin no more than two points of a hand.
+fn skin_of_a_hand(json: &mut Value) {
+    let hand = rigid_part(json, &[[0.4, 1.0, 0.0], [0.5, 1.1, 0.0]]);
+    let nodes = json["nodes"].as_array_mut().unwrap();
+    let mesh = nodes[hand]["mesh"].take();
+    nodes.truncate(hand);
+    nodes.iter_mut().find(|node| node.get("skin").is_some()).unwrap()["mesh"] = mesh;
+}
+
+#[test]
+fn rigid_parts_on_bones_count_for_the_height_and_what_stands_around_does_not() {
+    let hang = |json: &mut Value, parent: &str, part: usize| {
+        let nodes = json["nodes"].as_array_mut().unwrap();
+        let parent = nodes.iter_mut().find(|node| node["name"] == parent).unwrap();
+        match parent["children"].as_array_mut() {
+            Some(children) => children.push(part.into()),
+            None => parent["children"] = json!([part]),
+        }
+    };
+    let document = changed(|json| {
+        skin_of_a_hand(json);
+        // In the paper's axes a bone's +X is up.
+        let head = rigid_part(json, &[[0.0, 0.0, 0.0], [0.3, 0.0, 0.0]]);
+        hang(json, "head", head);
+        for foot in ["left_foot", "right_foot"] {
+            let part = rigid_part(json, &[[-0.08, 0.0, 0.0], [0.0, 0.1, 0.0]]);
+            hang(json, foot, part);
+        }
+        let sky = rigid_part(json, &[[0.0, -50.0, 0.0], [0.0, 50.0, 0.0]]);
+        json["scenes"][0]["nodes"].as_array_mut().unwrap().push(sky.into());
+    });
+    let measured = Measurement::of(&document);
+    let at = |name: &str| measured.bind_world[document.skeleton().find(name).unwrap()].translation.y;
+    let expected = at("head") + 0.3 - (at("left_foot") - 0.08);
+    assert!((measured.height - expected).abs() < 1e-6, "{} instead of {expected}", measured.height);
+}
+
+#[test]
+fn bones_count_for_the_height_where_nothing_is_shown_of_them() {
+    let document = changed(skin_of_a_hand);
+    let measured = Measurement::of(&document);
+    let at = |role: Role| measured.with_role(role).unwrap().bind_world.translation.y;
+    let expected = at(Role::LeftEye) - at(Role::Hips);
+    assert!((measured.height - expected).abs() < 1e-6, "{} instead of {expected}", measured.height);
+}
+
 #[test]
 fn under_a_mirrored_root_the_body_decides_and_the_names_are_told_to_contradict() {
     let document = changed(|json| on_root(json, DQuat::IDENTITY, [-1.0, 1.0, 1.0]));
@@ -92,6 +157,53 @@ fn under_a_mirrored_root_the_body_decides_and_the_names_are_told_to_contradict()
     let names = measured.evidence.iter().find(|said| matches!(said.clue, Clue::Names { .. })).unwrap();
     assert!(!names.agrees, "{:?}", measured.evidence);
     assert!(measured.confidence < 0.7, "{}", measured.confidence);
+}
+
+#[test]
+fn joints_that_mirror_front_to_back_do_not_make_them_the_sides() {
+    // A nameless figure: a column along z, alike to both ends, and one leg on its left with a toe ahead.
+    let column: Vec<Value> = (0..9)
+        .map(|at| json!({ "translation": [0.0, if at == 0 { 1.0 } else { 0.0 }, if at == 0 { -1.0 } else { 0.25 }], "children": [at + 1] }))
+        .collect();
+    let mut json =
+        json!({ "asset": { "version": "2.0" }, "nodes": column, "skins": [{ "joints": (0..11).collect::<Vec<_>>() }] });
+    let nodes = json["nodes"].as_array_mut().unwrap();
+    nodes[8].as_object_mut().unwrap().remove("children");
+    nodes[4]["children"] = json!([5, 9]);
+    nodes.push(json!({ "translation": [0.2, -0.9, -0.05], "children": [10] }));
+    nodes.push(json!({ "translation": [0.0, -0.1, 0.1] }));
+    let document = Document::from_bytes(json.to_string().as_bytes()).unwrap();
+    let measured = Measurement::of(&document);
+    assert_eq!(measured.forward, DVec3::Z, "{:?}", measured.evidence);
+    let symmetry = measured.evidence.iter().find(|said| said.clue == Clue::Symmetry).unwrap();
+    assert!(!symmetry.agrees && measured.confidence <= 0.5, "{} by {:?}", measured.confidence, measured.evidence);
+}
+
+#[test]
+fn what_makes_no_front_is_no_confidence_in_it() {
+    let named = Measurement::of(&changed(|_| {}));
+    let nameless = Measurement::of(&changed(|json| rename(json, |_| None)));
+    assert!(named.confidence > 0.85, "{}", named.confidence);
+    assert!((0.5..0.65).contains(&nameless.confidence), "feet alone: {}", nameless.confidence);
+}
+
+#[test]
+fn what_is_stated_overrules_every_clue() {
+    let document = changed(|_| {});
+    let stated = |up, forward| Measurement::stated(&document, Stated { up, forward });
+    let measured = stated(None, Some(DVec3::NEG_X));
+    assert_eq!((measured.up, measured.forward, measured.left), (DVec3::Y, DVec3::NEG_X, DVec3::Z));
+    assert_eq!(measured.confidence.to_bits(), 1.0_f64.to_bits());
+    let names = measured.evidence.iter().find(|said| matches!(said.clue, Clue::Names { .. })).unwrap();
+    assert!(!names.agrees, "{:?}", measured.evidence);
+    let measured = stated(Some(DVec3::Z), Some(DVec3::new(0.0, 2.0, 5.0)));
+    assert_eq!((measured.up, measured.forward), (DVec3::Z, DVec3::Y));
+    // Without direction nothing is stated.
+    for nothing in [DVec3::ZERO, DVec3::NAN, DVec3::Y] {
+        let measured = stated(None, Some(nothing));
+        assert_eq!(measured.forward, DVec3::Z, "{nothing}");
+        assert!(measured.confidence < 1.0, "{nothing}");
+    }
 }
 
 #[test]

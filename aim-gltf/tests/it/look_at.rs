@@ -24,7 +24,8 @@ fn file(kind: &str, zero: Option<&str>) -> LookAt {
 fn each_direction_has_a_map_of_its_own() {
     let look = file("bone", None);
     assert_eq!(look.kind, LookAtKind::Bone);
-    assert_eq!(look.left_eye_range(), Some([8.0, 12.0, 5.0, 30.0]));
+    assert_eq!(look.left_eye().map(|map| map.output_scale), [8.0, 12.0, 5.0, 30.0]);
+    assert_eq!(look.right_eye().map(|map| map.output_scale), [12.0, 8.0, 5.0, 30.0]);
     for (map, input, expected) in [
         (look.horizontal_outer, 30.0, 6.0),
         (look.horizontal_inner, 30.0, 3.0),
@@ -41,10 +42,9 @@ fn each_direction_has_a_map_of_its_own() {
 }
 
 #[test]
-fn expressions_have_weights_and_no_range() {
+fn expressions_are_told() {
     let look = file("expression", None);
     assert_eq!(look.kind, LookAtKind::Expression);
-    assert_eq!(look.left_eye_range(), None);
 }
 
 #[test]
@@ -66,5 +66,5 @@ fn version_0_says_the_same_in_other_words() {
         "lookAtVerticalDown":{"xRange":90,"yRange":8},"lookAtVerticalUp":{"curve":[]}}}}}"#;
     let document = Document::from_bytes(json.as_bytes()).expect("a small but right file");
     let look = LookAt::of(&document).expect("it has a lookAt");
-    assert_eq!(look.left_eye_range(), Some([10.0, 12.0, 8.0, 90.0]));
+    assert_eq!(look.left_eye().map(|map| map.output_scale), [10.0, 12.0, 8.0, 90.0]);
 }

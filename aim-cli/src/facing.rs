@@ -1,0 +1,40 @@
+//! Options that overrule the measured facing.
+
+use std::path::Path;
+
+use aim_gltf::{Clue, Document, Measurement, SignedAxis, Stated};
+use clap::Args;
+
+use crate::failure::{Failure, Result};
+
+/// Axes of the file's world in which the user states the character.
+#[derive(Clone, Copy, Debug, Default, Args)]
+pub(crate) struct Facing {
+    /// The axis that the character faces in the file (+Z, -X …); measured if not given.
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    pub(crate) forward: Option<SignedAxis>,
+    /// The axis that is the character's up in the file; measured if not given.
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    pub(crate) up: Option<SignedAxis>,
+}
+
+impl Facing {
+    /// Measures a document as stated.
+    pub(crate) fn measure(self, file: &Path, document: &Document) -> Result<Measurement> {
+        let [up, forward] = [self.up, self.forward].map(|axis| axis.map(SignedAxis::vector));
+        let measurement = Measurement::stated(document, Stated { up, forward });
+        let is_followed = |said: &aim_gltf::Evidence| said.clue == Clue::Stated && said.forward.is_some();
+        match self.forward {
+            Some(axis) if !measurement.evidence.iter().any(is_followed) => {
+                let up = SignedAxis::of(measurement.up);
+                Err(Failure::in_file(
+                    file,
+                    format!(
+                        "--forward {axis} lies along the character's up, {up}; give another axis, or its up with --up"
+                    ),
+                ))
+            }
+            _ => Ok(measurement),
+        }
+    }
+}
