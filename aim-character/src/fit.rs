@@ -47,10 +47,16 @@ pub fn range_in_frame(joint: &JointSpec, at: &JointFrame) -> [[f64; 2]; 2] {
 /// The nodes of a file that the joints of a rig are.
 ///
 /// # Errors
-/// A declared bone that the file does not have, or joints that are no chain in it.
+/// A declared bone that the file does not have, joints that are no chain in it, or held bones that do not hang on theirs.
 pub fn chain_nodes(spec: &RigSpec, skeleton: &Skeleton) -> Result<ChainNodes, aim_gltf::Error> {
     let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
-    ChainNodes::find(skeleton, bones, spec.joints[0].other_eye.as_deref())
+    let chain = ChainNodes::find(skeleton, bones, spec.joints[0].other_eye.as_deref())?;
+    if spec.joints.iter().all(|joint| joint.hold.is_none()) {
+        return Ok(chain);
+    }
+    let holds = spec.joints.iter().enumerate();
+    let holds = holds.flat_map(|(at, joint)| joint.hold.iter().flatten().map(move |name| (at, name.as_str())));
+    chain.with_holds(skeleton, holds)
 }
 
 impl<'a> Fit<'a> {

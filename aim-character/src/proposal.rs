@@ -119,6 +119,7 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         },
         reasons: Vec::new(),
     };
+    let mut held = Vec::new();
     for (at, bone) in bones.iter().enumerate() {
         // Only names that mean one node can be declared.
         skeleton.find(&bone.name)?;
@@ -134,10 +135,14 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
             }
         }
         if matches!(bone.role, Some(Role::Head | Role::Neck)) {
-            let names: Vec<&str> =
-                limbs_on(skeleton, bone.node).into_iter().map(|limb| skeleton.nodes()[limb].name.as_str()).collect();
+            // Outer necks come first, and what hangs on them hangs on inner ones, too.
+            let mut limbs = limbs_on(skeleton, bone.node);
+            limbs.retain(|limb| !held.contains(limb));
+            let names: Vec<String> = limbs.iter().map(|&limb| skeleton.nodes()[limb].name.clone()).collect();
+            held.extend(limbs);
             if !names.is_empty() {
-                why += &format!("; {} hang on it and stay with the trunk where a clip is baked", names.join(", "));
+                why += &format!("; {} hang on it and are held on the trunk", names.join(", "));
+                joint.hold = Some(names);
             }
         }
         if bone.deviation_deg > CARDINAL_DEG {
@@ -148,6 +153,10 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         }
         proposal.spec.joints.push(joint);
         proposal.reasons.push(why);
+    }
+    // Only names that mean one node can be declared. Without any the arms are found where they are held.
+    if held.iter().any(|&limb| skeleton.find(&skeleton.nodes()[limb].name).is_err()) {
+        proposal.spec.joints.iter_mut().for_each(|joint| joint.hold = None);
     }
     Ok(proposal)
 }
@@ -282,6 +291,7 @@ fn joint(name: String, habit: &Habit, bone: &BoneAxes, share: f64) -> JointSpec 
         upright: None,
         pitch_taper: None,
         other_eye: None,
+        hold: None,
     }
 }
 

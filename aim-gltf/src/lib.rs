@@ -60,7 +60,7 @@ mod uri;
 mod write;
 
 pub use bake::{Baked, Plan, Settle, bake};
-pub use chain::ChainNodes;
+pub use chain::{ChainNodes, Hold};
 pub use clip::{Channel, Clip, Interpolation, Property};
 pub use clues::Clue;
 pub use document::Document;
