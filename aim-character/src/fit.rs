@@ -59,6 +59,24 @@ pub fn chain_nodes(spec: &RigSpec, skeleton: &Skeleton) -> Result<ChainNodes, ai
     chain.with_holds(skeleton, holds)
 }
 
+/// Declares these bones of a file as [held](JointSpec::hold), and no others, each on the outermost joint that it hangs on.
+///
+/// # Errors
+/// A name that no node has, or several; a node that hangs on no joint; and those of [`chain_nodes`].
+pub fn hold(spec: &mut RigSpec, skeleton: &Skeleton, names: &[String]) -> Result<(), aim_gltf::Error> {
+    spec.joints.iter_mut().for_each(|joint| joint.hold = Some(Vec::new()));
+    let chain = chain_nodes(spec, skeleton)?;
+    for name in names {
+        let node = skeleton.find(name)?;
+        let above: Vec<usize> = skeleton.ancestry(node).skip(1).collect();
+        // On no joint it is refused as one that does not hang on the innermost.
+        let last = spec.joints.len() - 1;
+        let joint = chain.joints.iter().position(|joint| above.contains(joint)).unwrap_or(last);
+        spec.joints[joint].hold.get_or_insert_default().push(name.clone());
+    }
+    chain_nodes(spec, skeleton).map(|_| ())
+}
+
 impl<'a> Fit<'a> {
     /// Finds each declared joint's bone and compares.
     pub fn new(spec: &'a RigSpec, document: &'a Document, measurement: &'a Measurement) -> Self {

@@ -2,7 +2,7 @@
 //! its part does in people. `aim rig` writes it down, `aim bake` without a rig aims with it.
 
 use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, LimitsFrom, RigSpec};
-use aim_gltf::{BoneAxes, ChainNodes, Clue, Document, LookAt, Measurement, Role, limbs_on};
+use aim_gltf::{BoneAxes, ChainNodes, Clue, Document, LookAt, Measurement, Role, limbs_on_each};
 use aim_model::BoneName;
 
 use crate::error::Error;
@@ -119,7 +119,8 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         },
         reasons: Vec::new(),
     };
-    let mut held = Vec::new();
+    let of_neck = bones.iter().filter(|bone| matches!(bone.role, Some(Role::Head | Role::Neck)));
+    let limbs = limbs_on_each(skeleton, of_neck.map(|bone| bone.node));
     for (at, bone) in bones.iter().enumerate() {
         // Only names that mean one node can be declared.
         skeleton.find(&bone.name)?;
@@ -134,16 +135,10 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
                 why = "the range maps of the file's lookAt".into();
             }
         }
-        if matches!(bone.role, Some(Role::Head | Role::Neck)) {
-            // Outer necks come first, and what hangs on them hangs on inner ones, too.
-            let mut limbs = limbs_on(skeleton, bone.node);
-            limbs.retain(|limb| !held.contains(limb));
+        if let Some((_, limbs)) = limbs.iter().find(|(node, _)| *node == bone.node) {
             let names: Vec<String> = limbs.iter().map(|&limb| skeleton.nodes()[limb].name.clone()).collect();
-            held.extend(limbs);
-            if !names.is_empty() {
-                why += &format!("; {} hang on it and are held on the trunk", names.join(", "));
-                joint.hold = Some(names);
-            }
+            why += &format!("; {} hang on it and are held on the trunk", names.join(", "));
+            joint.hold = Some(names);
         }
         if bone.deviation_deg > CARDINAL_DEG {
             why += &format!(
@@ -155,7 +150,8 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         proposal.reasons.push(why);
     }
     // Only names that mean one node can be declared. Without any the arms are found where they are held.
-    if held.iter().any(|&limb| skeleton.find(&skeleton.nodes()[limb].name).is_err()) {
+    let is_unclear = |limb: &usize| skeleton.find(&skeleton.nodes()[*limb].name).is_err();
+    if limbs.iter().flat_map(|(_, limbs)| limbs).any(is_unclear) {
         proposal.spec.joints.iter_mut().for_each(|joint| joint.hold = None);
     }
     Ok(proposal)

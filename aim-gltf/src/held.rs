@@ -76,3 +76,18 @@ pub fn limbs_on(skeleton: &Skeleton, node: usize) -> Vec<usize> {
     limbs.sort_unstable();
     limbs
 }
+
+/// The [limbs](limbs_on) on nodes that are given from the outermost inward: each with the first node that it hangs on. Nodes
+/// without any are left out.
+#[must_use]
+pub fn limbs_on_each(skeleton: &Skeleton, nodes: impl IntoIterator<Item = usize>) -> Vec<(usize, Vec<usize>)> {
+    let mut found: Vec<(usize, Vec<usize>)> = Vec::new();
+    for node in nodes {
+        let mut limbs = limbs_on(skeleton, node);
+        limbs.retain(|limb| !found.iter().any(|(_, others)| others.contains(limb)));
+        if !limbs.is_empty() {
+            found.push((node, limbs));
+        }
+    }
+    found
+}

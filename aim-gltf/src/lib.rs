@@ -67,7 +67,7 @@ pub use document::Document;
 pub use error::Error;
 pub use facing::Evidence;
 pub use file::{write_file, write_files};
-pub use held::limbs_on;
+pub use held::{limbs_on, limbs_on_each};
 pub use live::{AimedFrame, JointFrame, Live, Moment};
 pub use look_at::{LookAt, LookAtKind, RangeMap};
 pub use mannequin::{PAPER_AXES, mannequin};
