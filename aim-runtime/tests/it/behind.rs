@@ -2,8 +2,8 @@
 #![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "frames are counted")]
 
 use crate::common::*;
-use aim_runtime::glam::{Quat, Vec3};
-use aim_runtime::{Behind, Joint, Outcome, Pose, Settings, Status};
+use aim_runtime::glam::{Affine3A, Quat, Vec3};
+use aim_runtime::{Behind, Joint, Outcome, Pose, Settings, Solver, Status};
 
 const POLICIES: [Behind; 4] = [Behind::Off, Behind::Clip, Behind::Hold, Behind::Release];
 
@@ -174,4 +174,35 @@ fn within_reach_nothing_is_behind() {
         }
         assert!(rig.joints[0].heading() > 178.0 * DEG);
     }
+}
+
+/// The joints that arrive first on the other side stay there while the others come: no pitch goes to and fro.
+#[test]
+fn turning_round_does_not_chatter() {
+    let (mut reversals, mut turns) = (0, 0);
+    for (seconds, height, turn) in [(10.0, 0.0, 1.0), (6.0, 0.0, 1.0), (6.0, 0.3, -1.0), (8.0, -0.4, 1.0)] {
+        let mut rig = NumericRig::thug();
+        let settings = Settings::default().with_solver(Solver::Exact);
+        let mut angles: [Vec<[f32; 2]>; 3] = Default::default();
+        for frame in 0..600 {
+            let t = frame as f32 / 60.0;
+            // It breathes and sways, as animations do.
+            let sway = Quat::from_rotation_x(0.03 * (2.0 * t).sin()) * Quat::from_rotation_y(0.04 * (1.3 * t).cos());
+            let pose: Vec<Affine3A> = upright(&rig).iter().map(|bone| Affine3A::from_quat(sway) * *bone).collect();
+            let target = at(turn * 360.0 * t / seconds) + Vec3::Y * height;
+            let outcome = rig.aim_with(&Pose::new(pose), target, 1.0 / 60.0, &settings);
+            turns += usize::from(outcome.status != Status::Reached && outcome.remaining > 1.8);
+            for (angles, joint) in angles.iter_mut().zip(&rig.joints) {
+                angles.push([joint.pitch(), joint.heading()]);
+            }
+        }
+        for three in angles.iter().flat_map(|angles| angles.windows(3)) {
+            for (a, (b, c)) in three[0].iter().zip(three[1].iter().zip(three[2])) {
+                let [before, after] = [b - a, c - b];
+                reversals += usize::from(before * after < 0.0 && before.abs().min(after.abs()) > 0.2 * DEG);
+            }
+        }
+    }
+    assert!(turns > 40, "{turns} frames of turning round");
+    assert!(reversals <= 8, "{reversals} reversals");
 }
