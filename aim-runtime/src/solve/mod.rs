@@ -33,7 +33,7 @@ use crate::limits::motion::{motions, wrap};
 use crate::limits::reach::Reach;
 use crate::rig::{ChainRig, Led, Memory, PoseSlices, StateSlices, Support};
 use crate::target::goal::{Course, Goal};
-use crate::{Description, Joint, Outcome, Rig, Role, Settings, Solver};
+use crate::{Behind, Description, Joint, Outcome, Rig, Role, Settings, Solver};
 
 /// Serves a frame that needs no search, if it is one: moves `state` and writes the joints' corrections. Else `None`, with
 /// nothing changed.
@@ -50,6 +50,7 @@ pub(crate) fn follow<K: Rig + ?Sized>(
     if !call.dt.is_some_and(|dt| dt > 0.0)
         || pose.other_eye.is_some()
         || solver == Solver::Ascent
+        || call.settings.behind == Behind::Plane
         || state.memory.support != Support::None
     {
         return None;
