@@ -118,7 +118,7 @@ impl Front {
 
     /// `target` moved along forward to the plane in front, its distance and elevation kept; itself where it is in front of the
     /// plane, or straight above or below.
-    pub(crate) fn to_plane(&self, target: Vec3A) -> Vec3A {
+    pub(crate) fn clip_to_plane(&self, target: Vec3A) -> Vec3A {
         let Some((distance, look)) = self.look(target) else { return target };
         let ([forward, left, up], level) = (look, level(look));
         let forward = forward.max(COS_PLANE * level);

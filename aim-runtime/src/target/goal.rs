@@ -75,7 +75,7 @@ impl Goal {
             Behind::Hold if behind => (Course::Stay, wanted),
             Behind::Release if behind => (Course::Rest, wanted),
             Behind::Clip if behind => (Course::Aim, front.clip(wanted, side)),
-            Behind::Plane if behind => (Course::Aim, front.to_plane(wanted)),
+            Behind::Plane if behind => (Course::Aim, front.clip_to_plane(wanted)),
             _ => (Course::Aim, wanted),
         };
         Self { wanted, aimed, course, behind, side }
