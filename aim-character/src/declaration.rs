@@ -144,6 +144,10 @@ impl<'s> Written<'s> {
         }];
         keys.push(format!("role = {}", self.word(joint.role.as_str())));
         keys.extend(joint.other_eye.as_deref().map(|node| format!("other_eye = {}", quoted(node, self.notation))));
+        keys.extend(joint.hold.as_deref().map(|names| {
+            let names: Vec<String> = names.iter().map(|name| quoted(name, self.notation)).collect();
+            format!("hold = [{}]", names.join(", "))
+        }));
         keys.extend((self.shared != Some(&joint.frame)).then(|| self.axes(&joint.frame)));
         keys.extend((joint.frame.handedness() != self.hand).then(|| "mirrored = true".to_owned()));
         for (key, range) in [("heading", joint.heading), ("pitch", joint.pitch)] {

@@ -47,10 +47,34 @@ pub fn range_in_frame(joint: &JointSpec, at: &JointFrame) -> [[f64; 2]; 2] {
 /// The nodes of a file that the joints of a rig are.
 ///
 /// # Errors
-/// A declared bone that the file does not have, or joints that are no chain in it.
+/// A declared bone that the file does not have, joints that are no chain in it, or held bones that do not hang on theirs.
 pub fn chain_nodes(spec: &RigSpec, skeleton: &Skeleton) -> Result<ChainNodes, aim_gltf::Error> {
     let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
-    ChainNodes::find(skeleton, bones, spec.joints[0].other_eye.as_deref())
+    let chain = ChainNodes::find(skeleton, bones, spec.joints[0].other_eye.as_deref())?;
+    if spec.joints.iter().all(|joint| joint.hold.is_none()) {
+        return Ok(chain);
+    }
+    let holds = spec.joints.iter().enumerate();
+    let holds = holds.flat_map(|(at, joint)| joint.hold.iter().flatten().map(move |name| (at, name.as_str())));
+    chain.with_holds(skeleton, holds)
+}
+
+/// Declares these bones of a file as [held](JointSpec::hold), and no others, each on the outermost joint that it hangs on.
+///
+/// # Errors
+/// A name that no node has, or several; a node that hangs on no joint; and those of [`chain_nodes`].
+pub fn hold(spec: &mut RigSpec, skeleton: &Skeleton, names: &[String]) -> Result<(), aim_gltf::Error> {
+    spec.joints.iter_mut().for_each(|joint| joint.hold = Some(Vec::new()));
+    let chain = chain_nodes(spec, skeleton)?;
+    for name in names {
+        let node = skeleton.find(name)?;
+        let above: Vec<usize> = skeleton.ancestry(node).skip(1).collect();
+        // On no joint it is refused as one that does not hang on the innermost.
+        let last = spec.joints.len() - 1;
+        let joint = chain.joints.iter().position(|joint| above.contains(joint)).unwrap_or(last);
+        spec.joints[joint].hold.get_or_insert_default().push(name.clone());
+    }
+    chain_nodes(spec, skeleton).map(|_| ())
 }
 
 impl<'a> Fit<'a> {

@@ -143,6 +143,10 @@ impl Rig for InterpretedRig {
         self.spec.joints.get(joint)?.bones.get(candidate).map(|bone| &bone[..])
     }
 
+    fn held_bone(&self, joint: usize, place: usize) -> Option<&str> {
+        self.spec.joints.get(joint)?.hold.as_ref()?.get(place).map(|bone| &bone[..])
+    }
+
     fn residual_jacobian(&self, links: &[[f32; 12]], target: &[f32; 3], sin_cos: &[[f32; 4]], out: &mut [f32]) {
         self.kernels.residual_jacobian.run([links.as_flattened(), target, sin_cos.as_flattened()], out);
     }

@@ -37,7 +37,7 @@ mod proposal;
 mod tape;
 
 pub use error::Error;
-pub use fit::{Fit, JointFit, NAMES, NEAR_DEG, chain_nodes, range_in_frame};
+pub use fit::{Fit, JointFit, NAMES, NEAR_DEG, chain_nodes, hold, range_in_frame};
 pub use interpreted::InterpretedRig;
 pub use proposal::{Proposal, propose};
 

@@ -2,7 +2,7 @@
 //! its part does in people. `aim rig` writes it down, `aim bake` without a rig aims with it.
 
 use aim_codegen::{AngleRange, Budgets, EffectorSpec, Frame, JointSpec, LimitsFrom, RigSpec};
-use aim_gltf::{BoneAxes, ChainNodes, Clue, Document, LookAt, LookAtKind, Measurement, RangeMap, Role, limbs_on};
+use aim_gltf::{BoneAxes, ChainNodes, Clue, Document, LookAt, LookAtKind, Measurement, RangeMap, Role, limbs_on_each};
 use aim_model::{BoneName, Role as Declared};
 
 use crate::error::Error;
@@ -111,6 +111,8 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         },
         reasons: Vec::new(),
     };
+    let of_neck = bones.iter().filter(|bone| matches!(bone.role, Some(Role::Head | Role::Neck)));
+    let limbs = limbs_on_each(skeleton, of_neck.map(|bone| bone.node));
     for (at, (bone, part)) in bones.iter().zip(parts(&roles, &bones)).enumerate() {
         // Only names that mean one node can be declared.
         skeleton.find(&bone.name)?;
@@ -135,12 +137,10 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
                 why += rest;
             }
         }
-        if matches!(bone.role, Some(Role::Head | Role::Neck)) {
-            let names: Vec<&str> =
-                limbs_on(skeleton, bone.node).into_iter().map(|limb| skeleton.nodes()[limb].name.as_str()).collect();
-            if !names.is_empty() {
-                why += &format!("; {} hang on it and stay with the trunk where a clip is baked", names.join(", "));
-            }
+        if let Some((_, limbs)) = limbs.iter().find(|(node, _)| *node == bone.node) {
+            let names: Vec<String> = limbs.iter().map(|&limb| skeleton.nodes()[limb].name.clone()).collect();
+            why += &format!("; {} hang on it and are held on the trunk", names.join(", "));
+            joint.hold = Some(names);
         }
         if bone.deviation_deg > CARDINAL_DEG {
             why += &format!(
@@ -150,6 +150,11 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         }
         proposal.spec.joints.push(joint);
         proposal.reasons.push(why);
+    }
+    // Only names that mean one node can be declared. Without any the arms are found where they are held.
+    let is_unclear = |limb: &usize| skeleton.find(&skeleton.nodes()[*limb].name).is_err();
+    if limbs.iter().flat_map(|(_, limbs)| limbs).any(is_unclear) {
+        proposal.spec.joints.iter_mut().for_each(|joint| joint.hold = None);
     }
     Ok(proposal)
 }
@@ -348,6 +353,7 @@ fn joint(name: String, role: Declared, habit: &Habit, bone: &BoneAxes) -> JointS
         upright: None,
         pitch_taper: None,
         other_eye: None,
+        hold: None,
     }
 }
 

@@ -273,6 +273,9 @@ pub(crate) struct Bake {
     /// Keys a second.
     #[arg(long, default_value_t = 60.0, allow_negative_numbers = true)]
     pub(crate) fps: f32,
+    /// Bones that stay with what carries the joint that they hang on, instead of those of the rig; `none` holds nothing.
+    #[arg(long, value_name = "A,B|none", value_delimiter = ',')]
+    pub(crate) hold: Option<Vec<String>>,
     /// How the result begins.
     #[arg(long, value_parser = one_of(SETTLES), default_value = "snap")]
     pub(crate) settle: Settle,

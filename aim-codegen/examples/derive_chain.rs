@@ -38,6 +38,7 @@ fn rig(joints: usize) -> RigSpec {
         upright: None,
         pitch_taper: None,
         other_eye: None,
+        hold: None,
     };
     RigSpec {
         name: "Chain".into(),

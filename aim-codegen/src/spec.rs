@@ -50,6 +50,8 @@ pub struct JointSpec {
     pub pitch_taper: Option<f64>,
     /// The other eye's bone.
     pub other_eye: Option<String>,
+    /// Names of bones that hang on this joint and stay with what carries it; `None` to find them from the skeleton.
+    pub hold: Option<Vec<String>>,
 }
 
 /// The axes of a bone in its own space: unit, square to each other; `up × forward = ±left`, the sign by handedness and

@@ -22,6 +22,7 @@ use proc_macro::TokenStream;
 /// | `limits_from = bind_pose` | ranges are counted from the bind pose, not from the animation |
 /// | `bone = "node"` or `["a", "b"]` | its names in models; the field's name by default |
 /// | `other_eye = "node"` | on the eye: the other eye |
+/// | `hold = ["a", "b"]` | bones that hang on this joint and stay with what carries it, as clavicles on a neck; see `Description::held_correction` |
 ///
 /// # How a natural gaze is shared
 ///

@@ -3,6 +3,15 @@
 use crate::error::Error;
 use crate::skeleton::Skeleton;
 
+/// A node that hangs on a joint of a chain and keeps its place on what carries the joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hold {
+    /// The joint, counted from the effector inward.
+    pub joint: usize,
+    /// The node.
+    pub node: usize,
+}
+
 /// The nodes that a rig's joints are in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ChainNodes {
@@ -10,6 +19,8 @@ pub struct ChainNodes {
     pub joints: Vec<usize>,
     /// The other eye: turned in the world as joint 0 is.
     pub other_eye: Option<usize>,
+    /// The nodes that are held; `None` to find them: the arms that hang on head or neck.
+    pub holds: Option<Vec<Hold>>,
 }
 
 impl ChainNodes {
@@ -42,7 +53,45 @@ impl ChainNodes {
                 name(joints[0])
             )));
         }
-        Ok(Self { joints, other_eye })
+        Ok(Self { joints, other_eye, holds: None })
+    }
+
+    /// With these nodes held, each given by the joint that it hangs on and by name.
+    ///
+    /// # Errors
+    /// A name that no node has, or several; a node that is named twice, that does not hang on its joint, that carries a joint
+    /// or the other eye, or that hangs on another one that is held.
+    pub fn with_holds<'a>(
+        mut self,
+        skeleton: &Skeleton,
+        holds: impl IntoIterator<Item = (usize, &'a str)>,
+    ) -> Result<Self, Error> {
+        let name = |node: usize| &skeleton.nodes()[node].name;
+        let fail = |node: usize, what: String| Err(Error::Chain(format!("hold names {:?}, {what}", name(node))));
+        let mut found: Vec<Hold> = Vec::new();
+        for (joint, held) in holds {
+            let node = skeleton.find(held).map_err(|error| Error::Chain(format!("hold: {error}")))?;
+            if !skeleton.ancestry(node).skip(1).any(|at| at == self.joints[joint]) {
+                let joint = name(self.joints[joint]);
+                return fail(node, format!("which does not hang on {joint:?}; name it on the joint that it hangs on"));
+            }
+            if let Some(turned) = self.turned().find(|&turned| skeleton.ancestry(turned).any(|at| at == node)) {
+                return fail(node, format!("which carries {:?}, a bone that is turned; leave it out", name(turned)));
+            }
+            if found.iter().any(|other| other.node == node) {
+                return Err(Error::Chain(format!("hold names {:?} twice; once is enough", name(node))));
+            }
+            found.push(Hold { joint, node });
+        }
+        for hold in &found {
+            let above = |other: &&Hold| skeleton.ancestry(hold.node).skip(1).any(|at| at == other.node);
+            if let Some(other) = found.iter().find(above) {
+                let what = format!("which hangs on {:?} and stays with it; leave it out", name(other.node));
+                return fail(hold.node, what);
+            }
+        }
+        self.holds = Some(found);
+        Ok(self)
     }
 
     /// Every node that is turned: the joints from the effector inward, then the other eye.

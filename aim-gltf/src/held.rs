@@ -1,32 +1,32 @@
-//! [`Held`]: what hangs on a neck that turns, but belongs to the trunk: the clavicles of many skeletons.
+//! [`Held`]: what hangs on a joint that turns, but belongs to what carries it: the clavicles of many skeletons, which
+//! hang on the neck.
 
-use aim_model::{BoneName, Role};
-use aim_runtime::Rig;
+use aim_model::BoneName;
+use aim_runtime::{Description, Rig};
 use glam::{DAffine3, DMat3, DQuat};
 
-use crate::chain::ChainNodes;
+use crate::chain::{ChainNodes, Hold};
 use crate::skeleton::Skeleton;
 use crate::trs::{Trs, orthonormal};
 
 /// Words of the bones that arms begin with.
 const ARMS: &str = "clavicle clavicles clav collar collarbone shoulder upperarm arm forearm lowerarm hand 肩 腕";
 
-/// A node that keeps its place on the trunk while the neck that it hangs on is turned.
+/// A node that keeps its place on the carrier of the joint that it hangs on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Held {
     pub(crate) node: usize,
-    /// Its carrier: the outermost turned joint that is not of head or neck; `None` for what is not turned.
+    /// The [carrier](Description::carrier); `None` for what is not turned.
     carrier: Option<usize>,
 }
 
 impl Held {
-    /// The nodes to hold while a rig turns those of the chain.
+    /// The nodes to hold while a rig turns those of the chain: those that the chain names, else the arms on head and neck.
     pub(crate) fn find(rig: &dyn Rig, skeleton: &Skeleton, chain: &ChainNodes) -> Vec<Self> {
         let description = rig.description();
-        let is_of_head = |joint: usize| matches!(description.joints()[joint].role, Role::Eye | Role::Head | Role::Neck);
-        let Some(innermost) = (0..chain.joints.len()).rfind(|&joint| is_of_head(joint)) else { return Vec::new() };
-        let carrier = chain.joints.get(innermost + 1).copied();
-        limbs_on(skeleton, chain.joints[innermost]).into_iter().map(|node| Self { node, carrier }).collect()
+        let holds = chain.holds.clone().unwrap_or_else(|| found(&description, skeleton, chain));
+        let carrier = |joint: usize| description.carrier(joint).and_then(|carrier| chain.joints.get(carrier));
+        holds.iter().map(|hold| Self { node: hold.node, carrier: carrier(hold.joint).copied() }).collect()
     }
 
     /// Moves it back to where its carrier has it. `animated` are the nodes in the world before anything was turned, and
@@ -44,6 +44,13 @@ impl Held {
             pose[node].translation = local.translation.as_vec3();
         }
     }
+}
+
+/// The arms that hang on the innermost joint of head and neck.
+fn found(description: &Description<'_>, skeleton: &Skeleton, chain: &ChainNodes) -> Vec<Hold> {
+    let is_of_head = |joint: &usize| description.joints()[*joint].role.is_of_head();
+    let Some(joint) = (0..chain.joints.len()).rfind(is_of_head) else { return Vec::new() };
+    limbs_on(skeleton, chain.joints[joint]).into_iter().map(|node| Hold { joint, node }).collect()
 }
 
 /// The bones that arms begin with, as their names tell, of those that hang on a node, however deep: a clavicle with an arm on it,
@@ -68,4 +75,19 @@ pub fn limbs_on(skeleton: &Skeleton, node: usize) -> Vec<usize> {
     }
     limbs.sort_unstable();
     limbs
+}
+
+/// The [limbs](limbs_on) on nodes that are given from the outermost inward: each with the first node that it hangs on. Nodes
+/// without any are left out.
+#[must_use]
+pub fn limbs_on_each(skeleton: &Skeleton, nodes: impl IntoIterator<Item = usize>) -> Vec<(usize, Vec<usize>)> {
+    let mut found: Vec<(usize, Vec<usize>)> = Vec::new();
+    for node in nodes {
+        let mut limbs = limbs_on(skeleton, node);
+        limbs.retain(|limb| !found.iter().any(|(_, others)| others.contains(limb)));
+        if !limbs.is_empty() {
+            found.push((node, limbs));
+        }
+    }
+    found
 }

@@ -60,14 +60,14 @@ mod uri;
 mod write;
 
 pub use bake::{Baked, Plan, Settle, bake};
-pub use chain::ChainNodes;
+pub use chain::{ChainNodes, Hold};
 pub use clip::{Channel, Clip, Interpolation, Property};
 pub use clues::Clue;
 pub use document::Document;
 pub use error::Error;
 pub use facing::{Evidence, Stated};
 pub use file::{write_file, write_files};
-pub use held::limbs_on;
+pub use held::{limbs_on, limbs_on_each};
 pub use live::{AimedFrame, JointFrame, Live, Moment};
 pub use look_at::{LookAt, LookAtKind, RangeMap};
 pub use mannequin::{PAPER_AXES, mannequin};

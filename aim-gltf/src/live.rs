@@ -99,7 +99,7 @@ impl Live {
         Self { stance: Stance::new(rig, skeleton, chain, measurement), both_eyes, held, maps }
     }
 
-    /// The nodes that keep their place on the trunk while the neck that they hang on turns: the arms' first bones.
+    /// The nodes that keep their place on what carries the joint that they hang on: [`ChainNodes::holds`].
     pub fn held(&self) -> impl Iterator<Item = usize> + '_ {
         self.held.iter().map(|held| held.node)
     }

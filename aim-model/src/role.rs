@@ -40,6 +40,12 @@ impl Role {
     pub const fn is_upright(self) -> bool {
         matches!(self, Self::Head | Self::Neck)
     }
+
+    /// Whether it is a part of the head or neck, as an eye is.
+    #[must_use]
+    pub const fn is_of_head(self) -> bool {
+        matches!(self, Self::Eye | Self::Head | Self::Neck)
+    }
 }
 
 impl fmt::Display for Role {

@@ -157,6 +157,7 @@ fn aiming(ui: &mut Ui, stage: &mut Stage) {
         let policies = [
             (Behind::Off, "off", "No policy: as near as the joints come, on the side they are on."),
             (Behind::Clip, "clip", "Turn to the edge of what is in reach, on the target's side."),
+            (Behind::Plane, "plane", "Turn to it as a plane in front has it: back through the front."),
             (Behind::Hold, "hold", "Stay as it is."),
             (Behind::Release, "release", "Return to the animation."),
         ];

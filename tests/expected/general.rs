@@ -46,6 +46,17 @@ const _: () = {
                 _ => ::core::option::Option::None,
             }
         }
+        fn held_bone(
+            &self,
+            __joint: ::core::primitive::usize,
+            __candidate: ::core::primitive::usize,
+        ) -> ::core::option::Option<&::core::primitive::str> {
+            match (__joint, __candidate) {
+                (1, 0) => ::core::option::Option::Some("L_clavicle"),
+                (1, 1) => ::core::option::Option::Some("R_clavicle"),
+                _ => ::core::option::Option::None,
+            }
+        }
         ///The chain's stereographic residual (left, up), then the 4 derivatives of the first and of the second. 229 operations: 84 add, 142 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `General`.
         #[inline(always)]
         fn residual_jacobian(

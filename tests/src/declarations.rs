@@ -73,6 +73,7 @@ macro_rules! declarations {
                     upright = 0.5,
                     pitch_taper = 0.25,
                     limits_from = bind_pose,
+                    hold = ["L_clavicle", "R_clavicle"],
                     axes(up = -Z, forward = +X),
                     mirrored = true
                 )]

@@ -54,6 +54,7 @@ pub fn bare_joint(number: usize, frame: Frame, pitch: bool, heading: bool) -> Jo
         upright: None,
         pitch_taper: None,
         other_eye: None,
+        hold: None,
     }
 }
 

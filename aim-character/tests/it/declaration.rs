@@ -107,6 +107,7 @@ fn any_rig(random: &mut fastrand::Rng) -> RigSpec {
                 upright: random.bool().then(|| random.f64()),
                 pitch_taper: (has_ends && random.bool()).then(|| random.f64()),
                 other_eye: (at == 0 && random.bool()).then(|| "the other".into()),
+                hold: random.bool().then(|| (0..random.usize(..3)).map(|arm| format!("arm \"{at}\" {arm}")).collect()),
             }
         })
         .collect();

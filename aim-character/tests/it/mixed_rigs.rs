@@ -50,7 +50,7 @@ fn aimed(document: &Document, measurement: &Measurement) -> Seen {
         joint.frame = Frame { up, forward, left };
     }
     spec.effector.frame = spec.joints[0].frame;
-    let chain = ChainNodes { joints: nodes.clone(), other_eye: None };
+    let chain = ChainNodes { joints: nodes.clone(), other_eye: None, holds: None };
     let plan = Plan {
         document,
         clip: None,

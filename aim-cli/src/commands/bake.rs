@@ -3,7 +3,7 @@
 use std::io::IsTerminal;
 use std::time::Duration;
 
-use aim_character::{Fit, InterpretedRig, chain_nodes, propose};
+use aim_character::{Fit, InterpretedRig, chain_nodes, hold, propose};
 use aim_codegen::RigSpec;
 use aim_gltf::{Document, Measurement, Plan};
 use aim_runtime::{DynAim, Rig, Settings};
@@ -23,10 +23,14 @@ pub(super) fn run(arguments: &args::Bake) -> Result {
     let read = [(arguments.rig.as_ref(), "the rig"), (path, "the target's path")];
     Outputs::reading(read).reading_parts_of(&document).write_model(&arguments.written, &arguments.file)?;
     let measurement = arguments.facing.measure(&arguments.file, &document)?;
-    let spec = match &arguments.rig {
+    let mut spec = match &arguments.rig {
         Some(path) => files::load_rig(path)?,
         None => propose(&document, &measurement, None).map_err(|error| Failure::in_file(&arguments.file, error))?.spec,
     };
+    if let Some(names) = &arguments.hold {
+        let names = if names[..] == ["none"] { &[][..] } else { names };
+        hold(&mut spec, document.skeleton(), names).map_err(|error| Failure::in_file(&arguments.file, error))?;
+    }
     warn(arguments, &spec, &document, &measurement);
     bake(arguments, &document, &measurement, &spec)
 }

@@ -38,6 +38,7 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
         aiming: arguments.aiming,
         seconds: Some(seconds),
         fps: 60.0,
+        hold: None,
         settle: Settle::Snap,
         looped: true,
         written: args::Written {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use aim_character::{Fit, evidence, propose};
-use aim_gltf::{BoneAxes, Clip, Document, Evidence, MeasuredPose, Measurement, Role};
+use aim_gltf::{BoneAxes, Clip, Document, Evidence, MeasuredPose, Measurement, Role, limbs_on_each};
 use serde_json::{Value, json};
 
 use crate::args;
@@ -41,7 +41,24 @@ fn in_words(measurement: &Measurement, document: &Document) -> String {
     if !far.is_empty() {
         out += &format!("Far off any axis, so that `aim rig` gives the exact frame: {}.\n", far.join(", "));
     }
+    for (neck, limbs) in limbs_on_necks(measurement, document) {
+        out += &format!(
+            "{neck} carries {}, which turn with it unless held: `aim rig` and `aim bake` hold them on the trunk.\n",
+            limbs.join(", ")
+        );
+    }
     out
+}
+
+/// The necks that carry arms, each with their names.
+fn limbs_on_necks<'d>(measurement: &Measurement, document: &'d Document) -> Vec<(&'d str, Vec<&'d str>)> {
+    let skeleton = document.skeleton();
+    let mut necks: Vec<usize> =
+        measurement.bones.iter().filter(|bone| bone.role == Some(Role::Neck)).map(|bone| bone.node).collect();
+    necks.sort_by_key(|&neck| std::cmp::Reverse(skeleton.ancestry(neck).count()));
+    let name = |node: usize| skeleton.nodes()[node].name.as_str();
+    let limbs = limbs_on_each(skeleton, necks).into_iter();
+    limbs.map(|(neck, limbs)| (name(neck), limbs.into_iter().map(name).collect())).collect()
 }
 
 /// What `--json` prints.

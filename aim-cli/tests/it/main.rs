@@ -14,6 +14,7 @@ mod demo;
 mod example;
 mod explain;
 mod generate;
+mod hold;
 mod manners;
 mod plot;
 mod reach;

@@ -211,8 +211,29 @@ fn names(spec: &RigSpec) -> TokenStream {
             quote!((#number, #candidate) => ::core::option::Option::Some(#bone),)
         })
     });
+    let held: Vec<TokenStream> = spec
+        .joints
+        .iter()
+        .zip(&joints)
+        .flat_map(|(joint, number)| {
+            joint.hold.iter().flatten().enumerate().map(move |(place, bone)| {
+                let place = Literal::usize_unsuffixed(place);
+                quote!((#number, #place) => ::core::option::Option::Some(#bone),)
+            })
+        })
+        .collect();
     let usize = quote!(::core::primitive::usize);
     let name = quote!(::core::option::Option<&::core::primitive::str>);
+    let held = (!held.is_empty()).then(|| {
+        quote! {
+            fn held_bone(&self, #joint: #usize, #candidate: #usize) -> #name {
+                match (#joint, #candidate) {
+                    #(#held)*
+                    _ => ::core::option::Option::None,
+                }
+            }
+        }
+    });
     quote! {
         fn joint_name(&self, #joint: #usize) -> #name {
             match #joint {
@@ -227,6 +248,8 @@ fn names(spec: &RigSpec) -> TokenStream {
                 _ => ::core::option::Option::None,
             }
         }
+
+        #held
     }
 }
 

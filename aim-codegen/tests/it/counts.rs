@@ -18,6 +18,7 @@ fn joint(name: String, frame: Frame) -> JointSpec {
         upright: None,
         pitch_taper: None,
         other_eye: None,
+        hold: None,
     }
 }
 

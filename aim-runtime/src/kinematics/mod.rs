@@ -2,5 +2,6 @@
 
 pub(crate) mod bearing;
 pub(crate) mod chain;
+mod held;
 pub(crate) mod rotation;
 pub(crate) mod view;

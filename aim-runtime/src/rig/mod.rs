@@ -43,6 +43,13 @@ pub trait Rig {
     /// A name that the joint's bone may have in a model; `None` past the last name.
     fn bone_name(&self, joint: usize, candidate: usize) -> Option<&str>;
 
+    /// The name of a bone that hangs on the joint and is held on what carries it; `None` past the last name, and where the
+    /// rig names none. See [`Description::held_correction`].
+    fn held_bone(&self, joint: usize, place: usize) -> Option<&str> {
+        let _ = (joint, place);
+        None
+    }
+
     /// The stereographic residual of the chain (left, up), then its Jacobian: the derivatives of the first by the
     /// declared angles (pitch before heading, joint by joint), then those of the second.
     ///
@@ -86,6 +93,10 @@ macro_rules! rig_behind {
 
             fn bone_name(&self, joint: usize, candidate: usize) -> Option<&str> {
                 (**self).bone_name(joint, candidate)
+            }
+
+            fn held_bone(&self, joint: usize, place: usize) -> Option<&str> {
+                (**self).held_bone(joint, place)
             }
 
             fn residual_jacobian(&self, links: &[[f32; 12]], target: &[f32; 3], sin_cos: &[[f32; 4]], out: &mut [f32]) {

@@ -168,6 +168,17 @@ pub enum Behind {
     /// They turn to the edge of the cone behind, on the side that the target counts as being on.
     #[default]
     Clip,
+    /// They turn to the target as a plane in front of the character has it: a target further than 80° to the side of the
+    /// animated forward is moved forward, parallel to it, until it is 80° to the side, its elevation kept. One that goes round
+    /// behind is followed back through the front to the other side, and met there; nothing turns round. Targets that the joints
+    /// could reach beyond the plane are moved, too. The cone above has no part in it.
+    ///
+    /// A frame costs what one that is searched does, also where the target is in front.
+    ///
+    /// Source: S. M. Johnson, section 6.2: "clipping the target point to a plane in front of the character", which leaves
+    /// open how far in front it is. At a fixed distance it would move near targets and lift the gaze to those behind; hence
+    /// directions are clipped, and the elevation stays.
+    Plane,
     /// They stay as they are; those outside their ranges go back as ever.
     Hold,
     /// They return to the animation at their rates, as with weight 0.

@@ -34,7 +34,7 @@ use crate::limits::reach::Reach;
 use crate::rig::{ChainRig, Led, Memory, PoseSlices, StateSlices, Support};
 use crate::target::behind::Front;
 use crate::target::goal::{Course, Goal, Scene};
-use crate::{Description, Joint, Outcome, Rig, Role, Settings, Solver};
+use crate::{Behind, Description, Joint, Outcome, Rig, Role, Settings, Solver};
 
 /// Serves a frame that needs no search, if it is one: moves `state` and writes the joints' corrections. Else `None`, with
 /// nothing changed.
@@ -51,6 +51,7 @@ pub(crate) fn follow<K: Rig + ?Sized>(
     if !call.dt.is_some_and(|dt| dt > 0.0)
         || pose.other_eye.is_some()
         || solver == Solver::Ascent
+        || call.settings.behind == Behind::Plane
         || state.memory.support != Support::None
     {
         return None;

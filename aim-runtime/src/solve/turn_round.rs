@@ -6,7 +6,7 @@
 
 use core::f32::consts::PI;
 
-use super::exact::settle::{Search, search};
+use super::exact::settle::settle;
 use super::frame::Frame;
 use crate::Joint;
 
@@ -43,9 +43,9 @@ impl<const C: usize> Frame<'_, C> {
         if there > tolerance && there + 0.5 * WORTH_WHILE_RAD > self.angle(joints)? {
             return None;
         }
-        // The goal may have moved on since the joints set out.
-        let within_reach = there <= tolerance
-            || search(rig, chain, motions, goal, &mut bound, Search::Quick { below: f32::INFINITY })? <= tolerance;
+        // The goal may have moved on since the joints set out. Searched to the end: many poses aim nearly as well, and joints
+        // that are there already would follow a search that ends now at this and now at that one.
+        let within_reach = there <= tolerance || settle(rig, chain, motions, goal, &mut bound)? <= tolerance;
         self.turn_round_to(&bound, joints);
         Some(within_reach)
     }

@@ -20,6 +20,8 @@ const BEHIND_RAD: f32 = 150.0 * PI / 180.0;
 const COS_BACK: f32 = 0.866_025_4;
 /// The same once a target is behind, 10° further out: one that trembles at the edge does not switch a policy on and off.
 const COS_STILL_BACK: f32 = 0.766_044_4;
+/// The cosine of how far to the side, 80°, the plane in front of the character lets a target be.
+const COS_PLANE: f32 = 0.173_648_18;
 /// The sine and cosine of how far a target has to pass the middle of the back before it counts as on the other side.
 const HELD: (f32, f32) = (0.173_648_18, 0.984_807_7);
 
@@ -104,4 +106,25 @@ impl Front {
             _ => target,
         }
     }
+
+    /// Whether `target` is off the plane in front, and joints with these ranges do not come round behind.
+    pub(crate) fn is_off_plane(&self, target: Vec3A, motions: &[RangeOfMotion]) -> bool {
+        let is_off = |(_, look): (f32, [f32; 3])| look[0] < COS_PLANE * level(look);
+        self.look(target).is_some_and(is_off) && self.is_guarded(motions)
+    }
+
+    /// `target` moved along forward to the plane in front, its distance and elevation kept; itself where it is in front of the
+    /// plane, or straight above or below.
+    pub(crate) fn clip_to_plane(&self, target: Vec3A) -> Vec3A {
+        let Some((distance, look)) = self.look(target) else { return target };
+        let ([forward, left, up], level) = (look, level(look));
+        let forward = forward.max(COS_PLANE * level);
+        let stretch = level / math::sqrt(forward * forward + left * left);
+        if stretch.is_finite() { self.point(distance, [stretch * forward, stretch * left, up]) } else { target }
+    }
+}
+
+/// The length of a direction's part across up.
+fn level([forward, left, _]: [f32; 3]) -> f32 {
+    math::sqrt(forward * forward + left * left)
 }

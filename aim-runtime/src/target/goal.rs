@@ -15,7 +15,7 @@ use crate::{Behind, Settings, math};
 pub(crate) struct Goal {
     /// The target, or the point on the arc from the animated gaze to it: what the outcome is measured against.
     pub(crate) wanted: Vec3A,
-    /// What the joints are turned to: `wanted`, or the edge of the cone behind.
+    /// What the joints are turned to: `wanted`, or what the policy for targets behind makes of it.
     pub(crate) aimed: Vec3A,
     /// What the joints do about it.
     pub(crate) course: Course,
@@ -82,11 +82,16 @@ impl Goal {
             }
             None => part_way(front, gaze, front.on_side(target, side), weight, side),
         };
-        let behind = settings.behind != Behind::Off && front.is_behind(wanted, before.behind, motions);
+        let behind = match settings.behind {
+            Behind::Off => false,
+            Behind::Plane => front.is_off_plane(wanted, motions),
+            Behind::Clip | Behind::Hold | Behind::Release => front.is_behind(wanted, before.behind, motions),
+        };
         let (course, aimed) = match settings.behind {
             Behind::Hold if behind => (Course::Stay, wanted),
             Behind::Release if behind => (Course::Rest, wanted),
             Behind::Clip if behind => (Course::Aim, front.clip(wanted, side)),
+            Behind::Plane if behind => (Course::Aim, front.clip_to_plane(wanted)),
             _ => (Course::Aim, wanted),
         };
         Self { wanted, aimed, course, behind, side }

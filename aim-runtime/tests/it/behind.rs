@@ -2,8 +2,8 @@
 #![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "frames are counted")]
 
 use crate::common::*;
-use aim_runtime::glam::{Quat, Vec3};
-use aim_runtime::{Behind, Joint, Outcome, Pose, Settings, Status};
+use aim_runtime::glam::{Affine3A, Quat, Vec3};
+use aim_runtime::{Behind, Joint, Outcome, Pose, Role, Settings, Solver, Status};
 
 const POLICIES: [Behind; 4] = [Behind::Off, Behind::Clip, Behind::Hold, Behind::Release];
 
@@ -173,5 +173,103 @@ fn within_reach_nothing_is_behind() {
             rig.aim_with(&pose, -WORLD[0] + 0.01 * WORLD[2], 1.0 / 60.0, &settings);
         }
         assert!(rig.joints[0].heading() > 178.0 * DEG);
+    }
+}
+
+/// The joints that arrive first on the other side stay there while the others come: no pitch goes to and fro.
+#[test]
+fn turning_round_does_not_chatter() {
+    let (mut reversals, mut turns) = (0, 0);
+    for (seconds, height, turn) in [(10.0, 0.0, 1.0), (6.0, 0.0, 1.0), (6.0, 0.3, -1.0), (8.0, -0.4, 1.0)] {
+        let mut rig = NumericRig::thug();
+        let settings = Settings::default().with_solver(Solver::Exact);
+        let mut angles: [Vec<[f32; 2]>; 3] = Default::default();
+        for frame in 0..600 {
+            let t = frame as f32 / 60.0;
+            // It breathes and sways, as animations do.
+            let sway = Quat::from_rotation_x(0.03 * (2.0 * t).sin()) * Quat::from_rotation_y(0.04 * (1.3 * t).cos());
+            let pose: Vec<Affine3A> = upright(&rig).iter().map(|bone| Affine3A::from_quat(sway) * *bone).collect();
+            let target = at(turn * 360.0 * t / seconds) + Vec3::Y * height;
+            let outcome = rig.aim_with(&Pose::new(pose), target, 1.0 / 60.0, &settings);
+            turns += usize::from(outcome.status != Status::Reached && outcome.remaining > 1.8);
+            for (angles, joint) in angles.iter_mut().zip(&rig.joints) {
+                angles.push([joint.pitch(), joint.heading()]);
+            }
+        }
+        for three in angles.iter().flat_map(|angles| angles.windows(3)) {
+            for (a, (b, c)) in three[0].iter().zip(three[1].iter().zip(three[2])) {
+                let [before, after] = [b - a, c - b];
+                reversals += usize::from(before * after < 0.0 && before.abs().min(after.abs()) > 0.2 * DEG);
+            }
+        }
+    }
+    assert!(turns > 40, "{turns} frames of turning round");
+    assert!(reversals <= 8, "{reversals} reversals");
+}
+
+/// A thug of an eye, a neck and a chest.
+fn with_roles() -> NumericRig {
+    let mut rig = NumericRig::thug();
+    for (info, role) in rig.infos.iter_mut().zip([Role::Eye, Role::Neck, Role::Chest]) {
+        *info = info.with_role(role);
+    }
+    rig
+}
+
+/// Where the first joint of a thug looks: heading and elevation, degrees, to the left of straight ahead and up.
+fn gaze(rig: &NumericRig) -> [f32; 2] {
+    let [x, y, z] = gaze64(rig, &upright(rig), 0).1.map(|x| x as f32);
+    [(-x).atan2(-z) / DEG, y.asin() / DEG]
+}
+
+/// A target behind is seen on the plane in front, 80° to the side at most and at its own height, by either solver; one in front
+/// of the plane where it is.
+#[test]
+fn a_plane_in_front_clips_the_target() {
+    for solver in [Solver::Exact, Solver::Natural] {
+        for heading in [0.0, 40.0, 79.0, 85.0, 100.0, 120.0, 150.0, 170.0, 180.0, 190.0, 240.0, 275.0, 300.0_f32] {
+            for height in [-0.4, 0.0, 0.5_f32] {
+                let mut rig = with_roles();
+                let settings = Settings::default().with_behind(Behind::Plane).with_solver(solver);
+                let pose = Pose::new(upright(&rig));
+                let target = at(heading) + height * Vec3::Y;
+                let mut outcome = rig.aim_with(&pose, target, 1.0 / 60.0, &settings);
+                for _ in 0..240 {
+                    outcome = rig.aim_with(&pose, target, 1.0 / 60.0, &settings);
+                }
+                let (sin, cos) = (heading * DEG).sin_cos();
+                let expected = [sin.atan2(cos.max((80.0 * DEG).cos())) / DEG, (height / 3.0).atan() / DEG];
+                let found = gaze(&rig);
+                let case = format!("{solver:?}, {heading}°, {height}: {found:?} for {expected:?}, {outcome:?}");
+                // The eye moves with the head, by some centimetres.
+                assert!((0..2).all(|axis| (found[axis] - expected[axis]).abs() < 3.0), "{case}");
+                let is_off = cos < (80.0 * DEG).cos();
+                assert_eq!(outcome.status, if is_off { Status::Behind } else { Status::Reached }, "{case}");
+            }
+        }
+    }
+}
+
+/// Round and round, both ways and by either solver: back through the front, without a jump, slower than rates would allow.
+#[test]
+fn a_plane_in_front_is_continuous() {
+    for solver in [Solver::Exact, Solver::Natural] {
+        for turn in [1.0, -1.0] {
+            let mut rig = with_roles();
+            let settings = Settings::default().with_behind(Behind::Plane).with_solver(solver);
+            let pose = Pose::new(upright(&rig));
+            rig.snap_with(&pose, at(0.0), &settings);
+            let (mut last, mut fastest, mut widest) = (gaze(&rig), 0.0_f32, 0.0_f32);
+            for frame in 0..2 * 24 * 60 {
+                rig.aim_with(&pose, at(turn * frame as f32 / 4.0), 1.0 / 60.0, &settings);
+                let now = gaze(&rig);
+                fastest = fastest.max((now[0] - last[0]).abs());
+                widest = widest.max(now[0].abs());
+                assert!(now[1].abs() < 3.0, "{solver:?}, frame {frame}: level, not {now:?}");
+                last = now;
+            }
+            // At the back the plane's target goes tan 80° times as fast as the target itself: 1.4° a frame.
+            assert!(fastest < 2.0 && (75.0..83.0).contains(&widest), "{solver:?}: {fastest}° a frame, {widest}°");
+        }
     }
 }

@@ -274,7 +274,7 @@ fn weight_out_and_in() {
 /// An orbiting target is picked up on the other side, whichever way it goes and whatever becomes of it behind.
 #[test]
 fn orbits() {
-    for policy in [Behind::Off, Behind::Clip, Behind::Hold, Behind::Release] {
+    for policy in [Behind::Off, Behind::Clip, Behind::Plane, Behind::Hold, Behind::Release] {
         for turn_s in [6.0, -6.0, 15.0, -15.0_f32] {
             let mut rig = thug();
             let pose = upright(&rig);

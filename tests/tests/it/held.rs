@@ -1,9 +1,9 @@
 //! Arms that hang on a neck stay with the trunk while the neck turns.
 
-use aim_character::InterpretedRig;
+use aim_character::{InterpretedRig, chain_nodes};
 use aim_codegen::RigSpec;
-use aim_gltf::{ChainNodes, Document, Measurement, Plan, Settle, bake, limbs_on};
-use aim_runtime::{DynAim, Settings};
+use aim_gltf::{Baked, Document, Live, Measurement, Moment, Plan, Settle, bake, limbs_on};
+use aim_runtime::{DynAim, Rig, Role, Settings};
 use glam::{DAffine3, DVec3};
 use serde_json::{Value, json};
 
@@ -38,22 +38,22 @@ fn arms_on_the_neck() -> Document {
     Document::from_bytes(&serde_json::to_vec(&file).expect("it is plain")).expect("the file is right")
 }
 
-#[test]
-fn arms_that_hang_on_the_neck_stay_with_the_trunk() {
-    let document = arms_on_the_neck();
-    let skeleton = document.skeleton();
-    let [chest, neck, arms] = [1, 2, 5];
-    assert_eq!(limbs_on(skeleton, neck), [arms, arms + 1]);
+/// The mannequin's rig with the axes of [`arms_on_the_neck`]'s bones.
+fn rig() -> RigSpec {
     let mut spec: RigSpec = aim_codegen::declare::from_toml("mannequin.toml", RIG).expect("the rig is right");
     let (up, forward, left) = ([0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
     spec.joints.iter_mut().for_each(|joint| joint.frame = aim_codegen::Frame { up, forward, left });
     spec.effector.frame = spec.joints[0].frame;
-    let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
-    let chain = ChainNodes::find(skeleton, bones, Some("right_eye")).expect("the bones are there");
+    spec
+}
+
+/// Aims to the left and up for a second.
+fn baked(document: &Document, spec: &RigSpec) -> Baked {
+    let chain = chain_nodes(spec, document.skeleton()).expect("the bones are there");
     let plan = Plan {
-        document: &document,
+        document,
         clip: None,
-        measurement: &Measurement::of(&document),
+        measurement: &Measurement::of(document),
         chain: &chain,
         both_eyes: false,
         seconds: 1.0,
@@ -63,21 +63,113 @@ fn arms_that_hang_on_the_neck_stay_with_the_trunk() {
         settings: Settings::default(),
     };
     let target = |_: f32, _: &[DAffine3]| DVec3::new(2.0, 2.2, 0.5);
-    let mut character = DynAim::new(InterpretedRig::new(&spec));
-    let baked = bake(&mut character, &plan, target, |_, _| ()).expect("the plan is right");
+    bake(&mut DynAim::new(InterpretedRig::new(spec)), &plan, target, |_, _| ()).expect("the plan is right")
+}
 
+#[test]
+fn arms_that_hang_on_the_neck_stay_with_the_trunk() {
+    let document = arms_on_the_neck();
+    let skeleton = document.skeleton();
+    let [chest, neck, arms] = [1, 2, 5];
+    assert_eq!(limbs_on(skeleton, neck), [arms, arms + 1]);
     let rest = skeleton.world_f64(&skeleton.rest_pose());
     let on_chest = |world: &[DAffine3], node: usize| world[chest].inverse() * world[node];
-    for frame in &baked.frames {
-        let written = skeleton.world_f64(&skeleton.pose(&baked.clip, frame.t));
-        for node in [arms, arms + 1, arms + 2, arms + 3] {
-            let [now, before] = [on_chest(&written, node), on_chest(&rest, node)];
-            assert!(now.abs_diff_eq(before, 1e-6), "{} at {} s", skeleton.nodes()[node].name, frame.t);
-            assert!(frame.world[node].abs_diff_eq(written[node], 1e-6));
+    let found = rig();
+    let mut declared = rig();
+    declared.joints[1].hold = Some(vec!["left_clavicle".into(), "right_clavicle".into()]);
+    for spec in [found, declared] {
+        let baked = baked(&document, &spec);
+        for frame in &baked.frames {
+            let written = skeleton.world_f64(&skeleton.pose(&baked.clip, frame.t));
+            for node in [arms, arms + 1, arms + 2, arms + 3] {
+                let [now, before] = [on_chest(&written, node), on_chest(&rest, node)];
+                assert!(now.abs_diff_eq(before, 1e-6), "{} at {} s", skeleton.nodes()[node].name, frame.t);
+                assert!(frame.world[node].abs_diff_eq(written[node], 1e-6));
+            }
+        }
+        // And what carries them moved, all of it.
+        let end = &baked.frames.last().expect("there are frames").world;
+        let turned = |node: usize| end[node].matrix3.z_axis.angle_between(rest[node].matrix3.z_axis).to_degrees();
+        assert!(turned(chest) > 4.0 && turned(neck) > turned(chest) + 15.0, "{} {}", turned(chest), turned(neck));
+    }
+}
+
+#[test]
+fn what_is_declared_is_held_and_nothing_else() {
+    let document = arms_on_the_neck();
+    let skeleton = document.skeleton();
+    let rest = skeleton.world_f64(&skeleton.rest_pose());
+    let [left, right, glasses] = [5, 6, 10];
+    for (hold, held) in [(&[][..], &[][..]), (&["left_clavicle"], &[left]), (&["glasses_arm_l"], &[glasses])] {
+        let mut spec = rig();
+        spec.joints[1].hold = Some(hold.iter().map(|name| (*name).to_owned()).collect());
+        let baked = baked(&document, &spec);
+        let end = &baked.frames.last().expect("there are frames").world;
+        for node in [left, right, glasses] {
+            let stays = (end[1].inverse() * end[node]).abs_diff_eq(rest[1].inverse() * rest[node], 1e-6);
+            assert_eq!(stays, held.contains(&node), "{hold:?}: {}", skeleton.nodes()[node].name);
         }
     }
-    // And what carries them moved, all of it.
-    let end = &baked.frames.last().expect("there are frames").world;
-    let turned = |node: usize| end[node].matrix3.z_axis.angle_between(rest[node].matrix3.z_axis).to_degrees();
-    assert!(turned(chest) > 4.0 && turned(neck) > turned(chest) + 15.0, "{} {}", turned(chest), turned(neck));
+}
+
+/// In a game: the animated local transform of a bone that hangs on a neck, multiplied by the rig's held correction.
+#[test]
+fn a_game_holds_as_a_bake_does() {
+    let document = arms_on_the_neck();
+    let (skeleton, measurement) = (document.skeleton(), Measurement::of(&document));
+    // A second neck, which the eye's joint is made to be: arms hang on the inner one, the glasses on the outer.
+    let mut spec = rig();
+    let [eye, neck, _] = &mut spec.joints[..] else { panic!("three joints") };
+    (eye.bones, eye.role, eye.other_eye) = (vec!["head".into()], Role::Neck, None);
+    eye.hold = Some(vec!["glasses_arm_l".into()]);
+    neck.hold = Some(vec!["left_clavicle".into()]);
+    let chain = chain_nodes(&spec, skeleton).expect("the bones are there");
+    let mut aim = DynAim::new(InterpretedRig::new(&spec));
+    let live = Live::new(&aim.rig, &document, &measurement, &chain, false);
+    let mut pose = skeleton.rest_pose();
+    let world = skeleton.world_f64(&pose);
+    let joints = live.animated(skeleton, &mut pose, &world);
+    let target = DVec3::new(2.0, 2.2, 0.5);
+    let outcome = aim.snap(&joints, target.as_vec3(), &Settings::default());
+    let locals: Vec<DAffine3> = skeleton
+        .nodes()
+        .iter()
+        .zip(&world)
+        .map(|(node, here)| node.parent.map_or(*here, |parent| world[parent].inverse() * *here))
+        .collect();
+    let frame = live.aimed(
+        &aim,
+        skeleton,
+        &mut pose,
+        &Moment { t: 0.0, target, world: &world, joints: &joints, outcome, effector: 0 },
+    );
+    let description = aim.rig.description();
+    for (joint, node, name) in [(0, 10, "glasses_arm_l"), (1, 5, "left_clavicle")] {
+        assert_eq!(aim.rig.held_bone(joint, 0), Some(name));
+        assert_eq!(description.carrier(joint), Some(2));
+        let correction = description.held_correction(joint, &joints.joints, aim.corrections());
+        let correction =
+            DAffine3 { matrix3: correction.matrix3.as_dmat3(), translation: correction.translation.as_dvec3() };
+        let parent = skeleton.nodes()[node].parent.expect("it hangs on a joint");
+        let held = frame.world[parent] * correction * locals[node];
+        assert!(held.abs_diff_eq(frame.world[node], 2e-6), "{name}: {held:?} for {:?}", frame.world[node]);
+        assert!(!held.abs_diff_eq(frame.world[parent] * locals[node], 0.01), "{name} would have stayed without");
+    }
+}
+
+#[test]
+fn what_cannot_be_held_is_told() {
+    let document = arms_on_the_neck();
+    for (joint, names, words) in [
+        (1, &["left_clavicel"][..], "hold: no node is called \"left_clavicel\"; the nearest names are left_clavicle"),
+        (0, &["left_clavicle"], "hold names \"left_clavicle\", which does not hang on \"left_eye\""),
+        (1, &["head"], "hold names \"head\", which carries \"left_eye\", a bone that is turned"),
+        (2, &["left_clavicle", "left_upper_arm"], "hold names \"left_upper_arm\", which hangs on \"left_clavicle\""),
+        (1, &["left_clavicle", "left_clavicle"], "hold names \"left_clavicle\" twice"),
+    ] {
+        let mut spec = rig();
+        spec.joints[joint].hold = Some(names.iter().map(|name| (*name).to_owned()).collect());
+        let error = chain_nodes(&spec, document.skeleton()).expect_err("it cannot be held").to_string();
+        assert!(error.contains(words), "{error}");
+    }
 }

@@ -99,6 +99,7 @@ impl Notation {
         settings.extend(joint.upright.map(|value| format!("upright = {value:?}")));
         settings.extend(joint.pitch_taper.map(|value| format!("pitch_taper = {value:?}")));
         settings.extend(joint.other_eye.as_ref().map(|node| format!("other_eye = {node:?}")));
+        settings.extend(joint.hold.as_ref().map(|names| format!("hold = {names:?}")));
         settings.extend(
             (joint.limits_from == LimitsFrom::BindPose).then(|| format!("limits_from = {}", self.quoted("bind_pose"))),
         );
@@ -173,6 +174,7 @@ fn of_every_convention() {
         let eye = &mut rig.joints[0];
         eye.acceleration = Some(20.0);
         eye.other_eye = Some("other eye".to_owned());
+        eye.hold = Some(vec!["eyelash".to_owned()]);
         eye.upright = Some(0.25);
         eye.limits_from = LimitsFrom::BindPose;
         eye.pitch_taper = (eye.angles() == 2).then_some(0.5);

@@ -24,7 +24,7 @@ pub struct Thug {
         pitch_taper = 0.5,
     )]
     pub left_eye: Joint,
-    #[joint(role = neck, heading = free, rate = 2rad, upright = 0.5, limits_from = bind_pose, bone = "Neck")]
+    #[joint(role = neck, heading = free, rate = 2rad, upright = 0.5, limits_from = bind_pose, bone = "Neck", hold = ["L", "R"])]
     r#neck: Joint,
     #[joint(role = chest, pitch = -10deg..=10deg, rate = 1rad, limits_from = animation)]
     spine3: Joint,
@@ -34,4 +34,5 @@ fn main() {
     let thug = Thug::RIG;
     assert_eq!(thug.description().joints().len(), 3);
     assert_eq!([thug.bone_name(0, 0), thug.bone_name(0, 1)], [Some("L_eyeBall_joint2"), Some("LeftEye")]);
+    assert_eq!([0, 1, 2].map(|place| thug.held_bone(1, place)), [Some("L"), Some("R"), None]);
 }

@@ -53,6 +53,7 @@ pub(super) fn check(
         read::node(report, setting)
     });
     let bones = settings.read_value("bone", report, read::nodes);
+    let hold = settings.read_value("hold", report, read::any_nodes);
     let frame = frame(settings, conventions, report);
     Some(JointSpec {
         name: name.to_owned(),
@@ -68,6 +69,7 @@ pub(super) fn check(
         upright,
         pitch_taper,
         other_eye,
+        hold,
     })
 }
 

@@ -30,6 +30,7 @@ pub(super) const JOINT_KEYS: &[Key] = &[
     ("limits_from", Expected::LIMITS_FROM),
     ("bone", Expected::NODE_NAMES),
     ("other_eye", Expected::NODE_NAME),
+    ("hold", Expected::HELD_NAMES),
     ("axes", Expected::AXES),
     ("mirrored", Expected::FLAG),
 ];

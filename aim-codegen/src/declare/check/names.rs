@@ -61,8 +61,26 @@ fn check_name<'t>(value: &'t Value, report: &mut Report) -> Option<&'t str> {
     report.refuse(&value.place, text)
 }
 
-/// Reports bones that are named twice, among all joints, their alternatives and their pairs.
+/// Reports bones that are named twice: among all joints, their alternatives and their pairs, and among what is held.
 pub(super) fn check_bones(joints: &[(&Joint, Settings<'_>)], report: &mut Report) {
+    let turned = check_turned(joints, report);
+    let mut held: Vec<(&str, &Place)> = Vec::new();
+    let named = joints.iter().filter_map(|(_, settings)| settings.get("hold"));
+    for (bone, place) in named.flat_map(|setting| texts(setting.value)) {
+        if let Some((_, first, by_name)) = turned.iter().find(|(first, ..)| *first == bone) {
+            let note = if *by_name { messages::default_bone_here(bone) } else { messages::first_use(bone) };
+            report.error_with_note(place, messages::held_joint(bone), note, first);
+        } else if let Some((_, first)) = held.iter().find(|(first, _)| *first == bone) {
+            report.error_with_note(place, messages::duplicate_held(bone), messages::first_use(bone), first);
+        } else {
+            held.push((bone, place));
+        }
+    }
+}
+
+/// Reports bones of joints and other eyes that are named twice. Gives each bone with its place, and whether the joint's own
+/// name is what names it.
+fn check_turned<'t>(joints: &[(&'t Joint, Settings<'t>)], report: &mut Report) -> Vec<(&'t str, &'t Place, bool)> {
     let mut seen: Vec<(&str, &Place, bool)> = Vec::new();
     for (joint, settings) in joints {
         let mut own: Vec<(&str, &Place, bool)> = Vec::new();
@@ -89,6 +107,7 @@ pub(super) fn check_bones(joints: &[(&Joint, Settings<'_>)], report: &mut Report
             }
         }
     }
+    seen
 }
 
 /// The strings of a value, alone or in a list; what is not a string has been reported.

@@ -151,10 +151,17 @@ pub(super) fn node(report: &mut Report, setting: Setting<'_>) -> Option<String> 
     }
 }
 
-/// A node's name, or a list of them.
+/// A node's name, or a list of them that holds at least one.
 pub(super) fn nodes(report: &mut Report, setting: Setting<'_>) -> Option<Vec<String>> {
     match &setting.value.kind {
         Kind::List(values) if values.is_empty() => report.refuse(setting.place(), messages::empty_bone(setting.key)),
+        _ => any_nodes(report, setting),
+    }
+}
+
+/// A node's name, or a list of them that may be empty.
+pub(super) fn any_nodes(report: &mut Report, setting: Setting<'_>) -> Option<Vec<String>> {
+    match &setting.value.kind {
         Kind::List(values) => {
             values.iter().map(|value| node(report, setting.part(Expected::NODE_NAME, value))).collect()
         }

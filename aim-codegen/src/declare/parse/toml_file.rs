@@ -97,7 +97,7 @@ fn read_value(key: &str, value: &Spanned<DeValue<'_>>) -> Value {
     };
     let kind = match value.get_ref() {
         // Names are strings; everything else that stands in a string has a form of its own.
-        DeValue::String(text) if matches!(key, "name" | "bone" | "other_eye") => Kind::Text(text.to_string()),
+        DeValue::String(text) if matches!(key, "name" | "bone" | "other_eye" | "hold") => Kind::Text(text.to_string()),
         DeValue::String(text) => literal::word(text, &place),
         DeValue::Integer(integer) => number(&integer.to_string()),
         DeValue::Float(float) => number(float.as_str()),

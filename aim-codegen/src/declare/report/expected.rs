@@ -66,6 +66,7 @@ expected! {
     ROLE: Word, "`eye`, `head`, `neck`, `chest` or `none`", ["KEY = eye", "KEY = \"eye\""];
     NODE_NAME: Text, "a node's name", ["KEY = \"L_eye\""; 2];
     NODE_NAMES: Text, "a node's name or a list of names", ["KEY = \"L_eye\""; 2];
+    HELD_NAMES: Text, "a list of nodes' names", ["KEY = [\"clavicle_l\", \"clavicle_r\"]"; 2];
     NAME: Text, "a name", ["KEY = \"left_eye\""; 2];
     PATH: Other, "a path", ["KEY = ::aim"; 2];
     JOINTS: Other, "a list of joints", ["[[KEY]]"; 2];

@@ -434,6 +434,12 @@ messages! {
 
     duplicate_bone(bone: &str) => "the bone `{bone}` is named twice", "each joint moves a bone of its own";
 
+    held_joint(bone: &str) =>
+        "`hold` names `{bone}`, a bone that the rig turns",
+        "a bone is turned or held: leave it out of one of the two";
+
+    duplicate_held(bone: &str) => "the bone `{bone}` is held twice", "name it once, on the joint that it hangs on";
+
     empty_bone(key: &str) => "`{key}` names no node", "give the name that the bone's node has in the model";
 }
 

@@ -548,6 +548,29 @@ fn bones_named_twice() {
 }
 
 #[test]
+fn held_bones() {
+    setting!(
+        "hold",
+        "[\"a\", \"b\", \"a\"]",
+        "[\"a\", \"b\", \"a\"]",
+        ["the bone `a` is held twice", "\"a\"", "\"a\""]
+    );
+    setting!("hold", "[\"a\", \" \"]", "[\"a\", \" \"]", ["`hold` names no node", "\" \"", "\" \""]);
+    setting!(
+        "hold",
+        "[\"neck\"]",
+        "[\"neck\"]",
+        ["`hold` names `neck`, a bone that the rig turns", "\"neck\"", "\"neck\""]
+    );
+    setting!("hold", "[0.5]", "[0.5]", ["`hold` needs a node's name, found `0.5`", "0.5", "0.5"]);
+    joint(
+        "heading = -35deg..=35deg, rate = 450deg, bone = \"a\", other_eye = \"b\", hold = [\"c\", \"b\"]",
+        "heading = [\"-35deg\", \"35deg\"]\nrate = \"450deg\"\nbone = \"a\"\nother_eye = \"b\"\nhold = [\"c\", \"b\"]",
+        &[["`hold` names `b`, a bone that the rig turns", "\"b\"", "\"b\""]],
+    );
+}
+
+#[test]
 fn several_mistakes_are_all_reported() {
     let rust = errors_of(
         "#[aim(axes(up = +X, forward = +X), hand = left)] struct float {

@@ -24,7 +24,7 @@ const SEEDS: [&str; 3] = [
     struct Thug {
         #[joint(heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, stiffness = 0.5, bone = [\"a\", \"b\"], other_eye = \"r\")]
         left_eye: Joint,
-        #[joint(heading = free, rate = 170deg, upright = 0.5, limits_from = bind_pose, mirrored = true, axes(up = +Z, forward = +Y))]
+        #[joint(heading = free, rate = 170deg, upright = 0.5, limits_from = bind_pose, mirrored = true, hold = [\"c\"], axes(up = +Z, forward = +Y))]
         neck: Joint,
     }",
     "#[aim(axes(up = (0.6, 0.8, 0.0), back = (0.8, -0.6, 0.0)))] struct R { #[joint(pitch = -1rad..=1rad, rate = 1rad)] r#in: Joint }",

@@ -32,14 +32,17 @@ fn everything_at_once() {
             #[joint(heading = -35deg..=35.5deg, pitch = -1e-1rad..=0deg, rate = 450deg, stiffness = 0.5, acceleration = 1_200deg,
                 role = eye, bone = [\"a\", \"b\"], other_eye = \"R_eye\", upright = 0.5, pitch_taper = 0.25, limits_from = bind_pose,)]
             pub r#type: Joint,
-            #[joint(heading = free, rate = 2rad, limits_from = animation, axes(up = +Z, forward = +Y), mirrored = true)]
+            #[joint(heading = free, rate = 2rad, limits_from = animation, axes(up = +Z, forward = +Y), mirrored = true,
+                hold = [\"clavicle_l\", \"clavicle_r\"])]
             neck: Joint,
+            #[joint(heading = free, rate = 2rad, hold = [], axes(up = +Z, forward = +Y))]
+            chest: Joint,
         }",
     );
     assert_eq!(found.ident, "Thug");
-    assert_eq!(found.fields.iter().map(ToString::to_string).collect::<Vec<_>>(), ["r#type", "neck"]);
+    assert_eq!(found.fields.iter().map(ToString::to_string).collect::<Vec<_>>(), ["r#type", "neck", "chest"]);
     assert_eq!(found.krate.map(|path| path.to_string()).as_deref(), Some("some :: path"));
-    let [eye, neck] = found.spec.joints.as_slice() else { panic!("two joints") };
+    let [eye, neck, chest] = found.spec.joints.as_slice() else { panic!("three joints") };
     assert_eq!(eye.name, "type");
     assert_eq!(eye.bones, ["a", "b"]);
     assert_eq!(eye.heading, Some(AngleRange::Between(-35f64.to_radians(), 35.5f64.to_radians())));
@@ -50,6 +53,8 @@ fn everything_at_once() {
         (0.5, Some(0.5), Some(0.25), LimitsFrom::BindPose)
     );
     assert_eq!(eye.other_eye.as_deref(), Some("R_eye"));
+    let clavicles = ["clavicle_l", "clavicle_r"].map(str::to_owned);
+    assert_eq!([&eye.hold, &neck.hold, &chest.hold], [&None, &Some(clavicles.to_vec()), &Some(vec![])]);
     assert_eq!(neck.bones, ["neck"]);
     assert_eq!((neck.heading, neck.pitch), (Some(AngleRange::Free), None));
     assert_eq!((neck.stiffness, neck.upright, neck.pitch_taper), (1.0, None, None));

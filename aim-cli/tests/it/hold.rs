@@ -1,0 +1,110 @@
+//! Arms that hang on the neck: `inspect`, `rig`, `check` and `bake` tell and hold them.
+
+use crate::common::{Place, changed};
+use serde_json::{Value, json};
+
+const ARMS: [&str; 2] = ["left_clavicle", "right_clavicle"];
+
+/// A place with `m.glb`, the mannequin with its arms on the neck, and `m.toml`, its rig.
+fn arms_on_the_neck() -> Place {
+    let place = Place::with_mannequin();
+    let model = changed(|json| {
+        let nodes = json["nodes"].as_array_mut().expect("there are nodes");
+        let at = |nodes: &[Value], name: &str| nodes.iter().position(|node| node["name"] == name).expect("a bone");
+        let (arms, neck) = (ARMS.map(|arm| at(nodes, arm)), at(nodes, "neck"));
+        for node in nodes.iter_mut() {
+            if let Some(children) = node.get_mut("children").and_then(Value::as_array_mut) {
+                children.retain(|child| !arms.iter().any(|arm| *child == json!(arm)));
+            }
+        }
+        let children = nodes[neck]["children"].as_array_mut().expect("a neck carries a head");
+        children.extend(arms.map(|arm| json!(arm)));
+    });
+    place.write("m.glb", &model);
+    place
+}
+
+/// Whether a bake of `m.glb` writes the places of the left arm and of the right one.
+fn holds(place: &Place, options: &str) -> [bool; 2] {
+    place.done(&format!("bake m.glb --target 2,1.9,1 --seconds 0.2 --out out.glb {options}"));
+    let (json, _) = crate::common::gltf::take_apart(&place.read("out.glb"));
+    let clips = json["animations"].as_array().expect("a clip was written");
+    let channels = clips[clips.len() - 1]["channels"].as_array().expect("it has channels");
+    ARMS.map(|arm| {
+        channels.iter().any(|channel| {
+            let node = channel["target"]["node"].as_u64().and_then(|node| usize::try_from(node).ok());
+            let name = node.map(|node| &json["nodes"][node]["name"]);
+            name.is_some_and(|name| name == arm) && channel["target"]["path"] == "translation"
+        })
+    })
+}
+
+/// `m.toml` with `hold` of the neck.
+fn holding(place: &Place, hold: &str) {
+    let rig = String::from_utf8(place.read("m.toml")).expect("text");
+    let neck = "bone = \"neck\"\n";
+    assert!(rig.contains(neck), "{rig}");
+    place.write("h.toml", &rig.replace(neck, &format!("{neck}hold = {hold}\n")));
+}
+
+#[test]
+fn every_command_tells_of_arms_on_the_neck() {
+    let place = arms_on_the_neck();
+    let seen = place.done("inspect m.glb").stdout;
+    assert!(seen.contains("neck carries left_clavicle, right_clavicle, which turn with it unless held"), "{seen}");
+    let proposed = place.done("rig m.glb").stdout;
+    assert!(proposed.contains("hold = [\"left_clavicle\", \"right_clavicle\"]"), "{proposed}");
+    assert!(place.done("rig m.glb --format rust").stdout.contains("hold = [\"left_clavicle\", \"right_clavicle\"],"));
+    place.write("p.toml", &proposed);
+
+    let both = "\"left_clavicle\", \"right_clavicle\"";
+    let declared = place.done("check m.glb --rig p.toml").stdout;
+    assert!(declared.contains(&format!("neck: carries {both}, held, as declared")), "{declared}");
+    let found = place.done("check m.glb --rig m.toml").stdout;
+    assert!(found.contains(&format!("neck: carries {both}, held unless a joint declares hold")), "{found}");
+    holding(&place, "[]");
+    let loose = place.done("check m.glb --rig h.toml").stdout;
+    assert!(loose.contains(&format!("which turn with it; hold = [{both}] keeps them with the trunk")), "{loose}");
+
+    let plain = Place::with_mannequin();
+    for command in ["inspect m.glb", "check m.glb --rig m.toml", "rig m.glb"] {
+        let said = plain.done(command).stdout;
+        assert!(!said.contains("carries") && !said.contains("hold ="), "{said}");
+    }
+}
+
+#[test]
+fn a_bake_holds_what_is_declared_asked_for_or_found() {
+    let place = arms_on_the_neck();
+    place.write("p.toml", &place.done("rig m.glb").stdout);
+    for (options, expected) in [
+        ("", [true, true]),
+        ("--rig m.toml", [true, true]),
+        ("--rig p.toml", [true, true]),
+        ("--hold none", [false, false]),
+        ("--hold left_clavicle --rig m.toml", [true, false]),
+        ("--hold left_clavicle,right_clavicle", [true, true]),
+    ] {
+        assert_eq!(holds(&place, options), expected, "{options}");
+    }
+    for (hold, expected) in [("[]", [false, false]), ("[\"right_clavicle\"]", [false, true])] {
+        holding(&place, hold);
+        assert_eq!(holds(&place, "--rig h.toml"), expected, "{hold}");
+        assert_eq!(holds(&place, "--rig h.toml --hold left_clavicle"), [true, false], "{hold}");
+    }
+}
+
+#[test]
+fn names_that_cannot_be_held_are_refused() {
+    let place = arms_on_the_neck();
+    holding(&place, "[\"left_clavicel\"]");
+    let ran = place.aim("check m.glb --rig h.toml");
+    let words = "hold: no node is called \"left_clavicel\"; the nearest names are left_clavicle";
+    assert!(ran.code == 1 && ran.stderr.contains(words), "{ran:?}");
+    let bake = "bake m.glb --target 1,1,1 --out out.glb";
+    place.refused(&format!("{bake} --rig h.toml"), &["m.glb", words]);
+    place.refused(&format!("{bake} --hold left_clavicel"), &["m.glb", "no node is called \"left_clavicel\""]);
+    place.refused(&format!("{bake} --hold head"), &["hold names \"head\", which carries"]);
+    place.refused(&format!("{bake} --hold hips"), &["hold names \"hips\", which does not hang on"]);
+    place.refused(&format!("{bake} --hold none,left_clavicle"), &["no node is called \"none\""]);
+}
