@@ -272,6 +272,9 @@ pub(crate) struct Bake {
     /// Make the result's first frame follow from its last.
     #[arg(long = "loop")]
     pub(crate) looped: bool,
+    /// Exit with 1 if the result looks wrong, although it is written: see Plausibility below.
+    #[arg(long)]
+    pub(crate) strict: bool,
     #[command(flatten)]
     pub(crate) written: Written,
 }

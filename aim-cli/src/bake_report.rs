@@ -4,11 +4,12 @@ use std::path::Path;
 
 use aim_character::range_in_frame;
 use aim_codegen::{AngleRange, RigSpec};
-use aim_gltf::{AimedFrame, Baked, JointFrame};
+use aim_gltf::{AimedFrame, Baked, JointFrame, Plausibility};
 use aim_runtime::Status;
 use serde::Serialize;
 use serde_json::{Value, json};
 
+use crate::plausibility;
 use crate::words::STATUSES;
 
 /// Content of `--report`. Angles are in degrees.
@@ -22,6 +23,22 @@ pub(crate) struct BakeReport {
     effector: Value,
     pub(crate) frames: Vec<BakeFrame>,
     pub(crate) summary: BakeSummary,
+    #[serde(serialize_with = "plausibility::block")]
+    pub(crate) plausibility: Plausibility,
+}
+
+/// Subject of a report: `baked` with the rig `spec`.
+pub(crate) struct Reported<'a> {
+    pub(crate) spec: &'a RigSpec,
+    /// The word of the solver.
+    pub(crate) solver: &'static str,
+    pub(crate) fps: f32,
+    /// Names of the chain's nodes, and of the other eye's.
+    pub(crate) bones: &'a [String],
+    pub(crate) other_eye: Option<String>,
+    pub(crate) baked: &'a Baked,
+    /// Measured on what was written.
+    pub(crate) plausibility: Plausibility,
 }
 
 #[derive(Debug, Serialize)]
@@ -72,15 +89,8 @@ pub(crate) fn status_word(status: Status) -> &'static str {
 }
 
 impl BakeReport {
-    /// Reports `baked`; `bones` are the names of the chain's nodes, `other_eye` that of the other eye's.
-    pub(crate) fn new(
-        spec: &RigSpec,
-        solver: &'static str,
-        fps: f32,
-        bones: &[String],
-        other_eye: Option<String>,
-        baked: &Baked,
-    ) -> Self {
+    pub(crate) fn new(reported: Reported<'_>) -> Self {
+        let Reported { spec, solver, fps, bones, other_eye, baked, plausibility } = reported;
         let followers: Vec<Value> = other_eye.iter().map(|bone| json!({ "bone": bone })).collect();
         let joint = |(joint, bone): (&JointFrame, &String)| JointReport {
             bone: bone.clone(),
@@ -108,6 +118,7 @@ impl BakeReport {
             effector: json!({ "bone": bones[0], "forward": effector.frame.forward, "origin": effector.origin }),
             summary: BakeSummary::new(spec, baked),
             frames: frames.collect(),
+            plausibility,
         }
     }
 
@@ -129,7 +140,7 @@ impl BakeReport {
         for (_, frames, words) in self.counts().into_iter().filter(|(status, ..)| *status != "reached") {
             out += &format!(", {frames} {words}");
         }
-        out
+        out + "\n" + &plausibility::in_words(&self.plausibility)
     }
 }
 

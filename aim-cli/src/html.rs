@@ -7,6 +7,7 @@ mod directions;
 mod film;
 mod gaze;
 mod inspection;
+mod looks;
 mod raster;
 mod rig;
 mod scene;

@@ -145,6 +145,11 @@ impl Live {
         }
     }
 
+    /// The character's up in the world: that of the world as long as the character stands.
+    pub(crate) fn up(&self, world: &[DAffine3]) -> DVec3 {
+        self.stance.up(world)
+    }
+
     /// Point and direction (of length one) that joint `effector` looks from and along, in the world; of joint 0 those of the
     /// rig's effector. The other eye's too, where it is aimed or follows and joint 0 is what looks.
     #[must_use]

@@ -5,16 +5,17 @@ use std::time::Duration;
 
 use aim_character::{Fit, InterpretedRig, chain_nodes, propose};
 use aim_codegen::RigSpec;
-use aim_gltf::{Document, Measurement, Plan};
+use aim_gltf::{Document, Measurement, Plan, Plausibility};
 use aim_runtime::{DynAim, Rig, Settings};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::args::{self, SOLVERS};
-use crate::bake_report::BakeReport;
+use crate::bake_report::{BakeReport, Reported};
 use crate::failure::{Failure, Result};
 use crate::files;
 use crate::html::{self, BakePage};
 use crate::outputs::Outputs;
+use crate::plausibility;
 use crate::target::TargetSpec;
 
 pub(super) fn run(arguments: &args::Bake) -> Result {
@@ -83,10 +84,20 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     let name = |node: usize| skeleton.nodes()[node].name.clone();
     let names: Vec<String> = chain.joints.iter().map(|&node| name(node)).collect();
     let word = SOLVERS.iter().find(|(known, ..)| known[0] == solver).map_or("", |(_, word, _)| word);
-    let report = BakeReport::new(spec, word, arguments.fps, &names, chain.other_eye.map(name), &baked);
+    let written = Document::from_bytes(&model).map_err(fail)?;
+    let report = BakeReport::new(Reported {
+        spec,
+        solver: word,
+        fps: arguments.fps,
+        bones: &names,
+        other_eye: chain.other_eye.map(name),
+        baked: &baked,
+        plausibility: Plausibility::measure(&character.rig, &plan, &baked, &written).map_err(fail)?,
+    });
     let subject = BakePage { spec, report: &report, document, measurement, baked: &baked };
     arguments.written.write(&model, &report, || html::page(&subject))?;
-    files::print(&format!("{}\n", report.in_words(&arguments.written.out)))
+    files::print(&format!("{}\n", report.in_words(&arguments.written.out)))?;
+    if arguments.strict { plausibility::insist(&report.plausibility, &arguments.written.out) } else { Ok(()) }
 }
 
 /// A bar on a terminal, nothing in a pipe.

@@ -38,6 +38,7 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
         fps: 60.0,
         settle: Settle::Snap,
         looped: true,
+        strict: false,
         written: args::Written {
             out: out("aimed.glb"),
             report: Some(out("report.json")),

@@ -8,6 +8,7 @@ use maud::{Markup, html};
 use super::chart::{Base, Mark, Scale, Series};
 use super::directions::Directions;
 use super::gaze;
+use super::looks;
 use super::subject::BakePage;
 use crate::bake_report::{BakeReport, JointReport};
 use crate::words::{self, chip, shown, trimmed};
@@ -38,6 +39,7 @@ pub(super) fn all(subject: &BakePage<'_>) -> Markup {
             (error(&base, report))
             @if let Some(directions) = &directions { (gaze::charts(&base, directions)) }
             (roll(&base, report))
+            (looks::charts(&base, &report.plausibility))
             @for k in 0..spec.joints.len() { (angles(&base, subject, k)) }
         }
     }

@@ -1,9 +1,11 @@
 //! The bake in words and numbers: nothing here is claimed, all of it is counted or measured from the report.
 
 use aim_codegen::RigSpec;
+use aim_gltf::Plausibility;
 use maud::{Markup, html};
 
 use crate::bake_report::BakeReport;
+use crate::plausibility;
 use crate::words::{self, chip, counted, fixed, listed, shown, status, tiny, trimmed};
 
 /// An excess over a rate or a range up to this is rounding.
@@ -43,6 +45,30 @@ pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
                             }
                         }
                         @for (name, value) in measured(report) { tr { th scope="row" { (name) } td { (value) } } }
+                    }
+                }
+                (looks(&report.plausibility))
+            }
+        }
+    }
+}
+
+/// What an animator would judge it by, as written, with limits.
+fn looks(measured: &Plausibility) -> Markup {
+    let sentence =
+        |name: &str| name.chars().take(1).flat_map(char::to_uppercase).chain(name.chars().skip(1)).collect::<String>();
+    html! {
+        table.looks {
+            caption { "How plausible it looks" }
+            tbody {
+                @for row in plausibility::rows(measured) {
+                    tr.exceeded[row.is_exceeded] {
+                        th scope="row" { (sentence(row.name)) }
+                        td {
+                            @if row.is_exceeded { strong { (row.value) } } @else { (row.value) }
+                            @if let Some(limit) = &row.limit { " of at most " (limit) }
+                            @if let Some(when) = &row.when { ", at " (when) }
+                        }
                     }
                 }
             }

@@ -1,13 +1,13 @@
 //! The page as a whole: it parses, says everything once more for hostile names, and works when nearly nothing is there.
 
 use aim_codegen::{AngleRange, RigSpec};
-use aim_gltf::{Baked, ChainNodes, Document, Measurement, PAPER_AXES, Plan, Settle, bake, mannequin};
+use aim_gltf::{Baked, ChainNodes, Document, Measurement, PAPER_AXES, Plan, Plausibility, Settle, bake, mannequin};
 use aim_runtime::{DynAim, Settings, Solver};
 use glam::DVec3;
 use scraper::{Html, Selector};
 
 use super::{BakePage, page};
-use crate::bake_report::{BakeReport, JointReport};
+use crate::bake_report::{BakeReport, JointReport, Reported};
 use aim_character::InterpretedRig;
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");
@@ -68,7 +68,19 @@ impl Case {
         let baked = bake(&mut DynAim::new(InterpretedRig::new(&spec)), &plan, target, |_, _| {}).expect("a clip");
         let names: Vec<String> =
             chain.joints.iter().map(|&node| document.skeleton().nodes()[node].name.clone()).collect();
-        let report = BakeReport::new(&spec, "ascent", 30.0, &names, None, &baked);
+        let written = document.with_clips(std::slice::from_ref(&baked.clip)).expect("a sound clip");
+        let written = Document::from_bytes(&written).expect("what was written");
+        let rig = InterpretedRig::new(&spec);
+        let plausibility = Plausibility::measure(&rig, &plan, &baked, &written).expect("the clip is there");
+        let report = BakeReport::new(Reported {
+            spec: &spec,
+            solver: "ascent",
+            fps: 30.0,
+            bones: &names,
+            other_eye: None,
+            baked: &baked,
+            plausibility,
+        });
         Self { spec, document, measurement, baked, report }
     }
 
@@ -117,9 +129,18 @@ fn the_mannequins_page_is_whole() {
     let html = parsed(&text);
     assert_eq!(count(&html, "head > title"), 1);
     assert_eq!(count(&html, ".film li image"), 8, "eight drawings of the skin");
-    let charts = 4 + 2 * case.spec.joints.len();
-    assert_eq!(count(&html, ".chart"), charts + 1, "error, two directions and a close-up, roll, two for each joint");
+    let charts = 7 + 2 * case.spec.joints.len();
+    assert_eq!(
+        count(&html, ".chart"),
+        charts + 1,
+        "error, two directions and a close-up, roll, three of looks, two for each joint"
+    );
     assert!(text.contains("eye in head") && text.contains("close up"), "how eye and head share the gaze");
+    for title in ["Head from chest", "Gaze above or below the target", "Head acceleration"] {
+        // In the table and over a chart.
+        assert_eq!(text.matches(&format!(">{title}<")).count(), 2, "{title}");
+    }
+    assert_eq!(count(&html, ".looks tr"), 7);
     assert_eq!(count(&html, ".rig tbody tr"), case.spec.joints.len());
     for joint in &case.spec.joints {
         assert!(text.contains(&format!("{}: angles and ranges", joint.name)), "{}", joint.name);
@@ -224,7 +245,15 @@ fn an_hour_is_hardly_larger_than_a_second() {
     let times = (0_u16..20_000).map(|k| f32::from(k) * 0.18);
     case.baked.frames = times.map(|t| aim_gltf::AimedFrame { t, ..frame.clone() }).collect();
     let names: Vec<String> = case.spec.joints.iter().map(|joint| joint.name.clone()).collect();
-    case.report = BakeReport::new(&case.spec, "ascent", 30.0, &names, None, &case.baked);
+    case.report = BakeReport::new(Reported {
+        spec: &case.spec,
+        solver: "ascent",
+        fps: 30.0,
+        bones: &names,
+        other_eye: None,
+        baked: &case.baked,
+        plausibility: case.report.plausibility.clone(),
+    });
     let size = case.page().len();
     assert!(size < 1_500_000, "{size} bytes");
 }
