@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use aim_character::{Fit, InterpretedRig, chain_nodes, propose};
 use aim_codegen::RigSpec;
-use aim_gltf::{Document, Measurement, Plan, Plausibility};
+use aim_gltf::{Document, Live, Measurement, Plan, Plausibility};
 use aim_runtime::{DynAim, Rig, Settings};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -72,7 +72,18 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         settle: arguments.settle,
         looped: arguments.looped,
         settings: Settings::default().with_solver(solver),
+        target_node: match &arguments.target {
+            TargetSpec::Node(name) => Some(skeleton.find(name).map_err(fail)?),
+            _ => None,
+        },
     };
+    let live = Live::new(&character.rig, document, measurement, &chain, both_eyes);
+    if let Some(node) = plan.target_node.filter(|&node| live.looks_with(skeleton, node)) {
+        let name = &skeleton.nodes()[node].name;
+        eprintln!(
+            "warning: the target {name} moves with the gaze itself: aimed is at where the animation alone has it"
+        );
+    }
     let bar = progress_bar();
     let progress = |done, all| {
         bar.set_length(all as u64);
@@ -112,8 +123,7 @@ fn progress_bar() -> ProgressBar {
     bar
 }
 
-/// Prints warnings about what is baked although it may not be meant: a rig that contradicts the file, and a target node
-/// that aiming itself moves.
+/// Prints a warning where a rig contradicts the file: what is baked may not be what is meant.
 fn warn(arguments: &args::Bake, spec: &RigSpec, document: &Document, measurement: &Measurement) {
     if let Some(rig) = &arguments.rig {
         if let [first, rest @ ..] = &Fit::new(spec, document, measurement).problems[..] {
@@ -121,17 +131,6 @@ fn warn(arguments: &args::Bake, spec: &RigSpec, document: &Document, measurement
             let (file, rig) = (arguments.file.display(), rig.display());
             eprintln!(
                 "warning: {rig} and {file} contradict each other: {first}{more}; see aim check {file} --rig {rig}"
-            );
-        }
-    }
-    if let TargetSpec::Node(name) = &arguments.target {
-        let skeleton = document.skeleton();
-        let name_of = |node: usize| &skeleton.nodes()[node].name;
-        let is_turned = |bone: &&String| spec.joints.iter().any(|joint| joint.bones.contains(*bone));
-        let turned = skeleton.find(name).ok().and_then(|node| skeleton.ancestry(node).map(name_of).find(is_turned));
-        if let Some(bone) = turned {
-            eprintln!(
-                "warning: the target {name} moves with {bone}, which aiming turns: aimed is at where the animation alone has it"
             );
         }
     }

@@ -63,6 +63,7 @@ impl Case {
             looped: false,
             // Joints that go at their rates, and to their limits.
             settings: Settings::default().with_solver(Solver::Exact),
+            target_node: None,
         };
         let target = |t: f32, _: &[_]| DVec3::new(2.0 * f64::from(t).sin(), 1.7, 2.0 * f64::from(t).cos());
         let baked = bake(&mut DynAim::new(InterpretedRig::new(&spec)), &plan, target, |_, _| {}).expect("a clip");

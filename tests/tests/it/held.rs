@@ -61,6 +61,7 @@ fn arms_that_hang_on_the_neck_stay_with_the_trunk() {
         settle: Settle::Animation,
         looped: false,
         settings: Settings::default(),
+        target_node: None,
     };
     let target = |_: f32, _: &[DAffine3]| DVec3::new(2.0, 2.2, 0.5);
     let mut character = DynAim::new(InterpretedRig::new(&spec));

@@ -62,6 +62,7 @@ impl Character {
             settle: order.settle,
             looped: false,
             settings: order.settings,
+            target_node: None,
         };
         let mut character = DynAim::new(InterpretedRig::new(spec));
         let mut baked = bake(&mut character, &plan, |t, _| target(t.into()), |_, _| {}).expect("a bake");
