@@ -28,9 +28,9 @@ pub(crate) use trajectory::page as trajectory_page;
 /// The page about one bake.
 pub(crate) fn page(subject: &BakePage<'_>) -> String {
     let BakePage { spec, report, .. } = *subject;
-    let title = format!("{} aimed over {}", report.rig, report.clip);
+    let title = format!("{} aimed over {}", report.rig, report.over);
     let content = html! {
-        h1 { (report.rig) " aimed over " q { (report.clip) } }
+        h1 { (report.rig) " aimed over " q { (report.over) } }
         (summary::section(spec, report))
         @if let Some(strip) = film::strip(subject) { (film(strip)) }
         (rig::section(spec, report))

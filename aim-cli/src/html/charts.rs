@@ -84,7 +84,7 @@ fn angles(base: &Base<'_>, subject: &BakePage<'_>, index: usize) -> Markup {
     let BakePage { spec, report, .. } = *subject;
     let joint = &spec.joints[index];
     let told = || report.frames.iter().filter_map(|frame| frame.joints.get(index));
-    let bone = told().next().map_or(joint.name.as_str(), |joint| joint.bone.as_str());
+    let bone = told().next().map_or(joint.name.as_str(), |joint| joint.bone.name.as_str());
     let of = |pick: fn(&JointReport) -> f64| told().map(pick).collect::<Vec<f64>>();
     let parts = [
         ("heading", joint.heading, of(|joint| joint.heading_deg)),

@@ -87,7 +87,7 @@ fn solver(word: &str) -> &str {
 
 fn in_words(spec: &RigSpec, report: &BakeReport) -> String {
     let bones: Vec<&str> = match report.frames.first() {
-        Some(frame) => frame.joints.iter().map(|joint| joint.bone.as_str()).collect(),
+        Some(frame) => frame.joints.iter().map(|joint| joint.bone.name.as_str()).collect(),
         None => spec.joints.iter().map(|joint| joint.name.as_str()).collect(),
     };
     let all = report.frames.len();
@@ -97,7 +97,7 @@ fn in_words(spec: &RigSpec, report: &BakeReport) -> String {
         report.rig,
         trimmed(seconds(report), 2),
         solver(report.solver),
-        report.clip
+        report.over
     );
     let reached = report.summary.reached;
     text += &match reached {
@@ -154,10 +154,12 @@ fn shares(counts: &[(&str, usize, &str)], all: usize) -> Markup {
 
 fn facts(spec: &RigSpec, report: &BakeReport) -> Vec<(&'static str, String)> {
     let vector = |v: [f64; 3]| v.map(|x| shown(x, 4)).join(", ");
-    let bone = report.frames.first().and_then(|frame| frame.joints.first()).map_or("", |joint| joint.bone.as_str());
+    let bone =
+        report.frames.first().and_then(|frame| frame.joints.first()).map_or("", |joint| joint.bone.name.as_str());
     let mut facts = vec![
         ("Rig", report.rig.clone()),
-        ("Clip", report.clip.clone()),
+        ("Aimed over", report.over.clone()),
+        ("Written as", report.clip.clone()),
         ("Length", format!("{} s", trimmed(seconds(report), 3))),
         ("Frames", format!("{}, {} a second", report.frames.len(), trimmed(report.fps.into(), 3))),
         ("Solver", solver(report.solver).to_owned()),

@@ -39,6 +39,7 @@ const BONES_RIG: &str = r#"
 struct Case {
     spec: RigSpec,
     document: Document,
+    chain: ChainNodes,
     measurement: Measurement,
     baked: Baked,
     report: BakeReport,
@@ -67,8 +68,6 @@ impl Case {
         };
         let target = |t: f32, _: &[_]| DVec3::new(2.0 * f64::from(t).sin(), 1.7, 2.0 * f64::from(t).cos());
         let baked = bake(&mut DynAim::new(InterpretedRig::new(&spec)), &plan, target, |_, _| {}).expect("a clip");
-        let names: Vec<String> =
-            chain.joints.iter().map(|&node| document.skeleton().nodes()[node].name.clone()).collect();
         let written = document.with_clips(std::slice::from_ref(&baked.clip)).expect("a sound clip");
         let written = Document::from_bytes(&written).expect("what was written");
         let rig = InterpretedRig::new(&spec);
@@ -77,12 +76,13 @@ impl Case {
             spec: &spec,
             solver: "ascent",
             fps: 30.0,
-            bones: &names,
-            other_eye: None,
+            over: "its clip",
+            skeleton: document.skeleton(),
+            chain: &chain,
             baked: &baked,
             plausibility,
         });
-        Self { spec, document, measurement, baked, report }
+        Self { spec, document, chain, measurement, baked, report }
     }
 
     fn mannequin(seconds: f32) -> Self {
@@ -97,7 +97,7 @@ impl Case {
     }
 
     fn page(&self) -> String {
-        let Self { spec, report, document, measurement, baked } = self;
+        let Self { spec, report, document, measurement, baked, .. } = self;
         page(&BakePage { spec, report, document, measurement, baked })
     }
 }
@@ -177,7 +177,7 @@ fn limits_are_shaded_just_where_they_bind() {
     let frames = &case.report.frames;
     let (mut limits, mut rates) = (0, 0);
     for (k, joint) in case.spec.joints.iter().enumerate() {
-        let bone = &frames[0].joints[k].bone;
+        let bone = &frames[0].joints[k].bone.name;
         let at_limit = shaded(format!("{bone}: angles and ranges"));
         let at_rate = shaded(format!("{bone}: speed and rate"));
         for (before, frame) in frames.iter().zip(&frames[1..]) {
@@ -245,13 +245,13 @@ fn an_hour_is_hardly_larger_than_a_second() {
     let frame = case.baked.frames[0].clone();
     let times = (0_u16..20_000).map(|k| f32::from(k) * 0.18);
     case.baked.frames = times.map(|t| aim_gltf::AimedFrame { t, ..frame.clone() }).collect();
-    let names: Vec<String> = case.spec.joints.iter().map(|joint| joint.name.clone()).collect();
     case.report = BakeReport::new(Reported {
         spec: &case.spec,
         solver: "ascent",
         fps: 30.0,
-        bones: &names,
-        other_eye: None,
+        over: "its clip",
+        skeleton: case.document.skeleton(),
+        chain: &case.chain,
         baked: &case.baked,
         plausibility: case.report.plausibility.clone(),
     });

@@ -80,6 +80,9 @@ fn places_that_cannot_be_written() {
         place.refused(&format!("generate m.toml --lang c -o {out}"), &[]);
     }
     place.refused(&format!("{bake} --out out.GLTF"), &["out.GLTF", ".glb"]);
+    place.refused(&format!("{bake} --out x.txt"), &["x.txt", "--out", ".glb"]);
+    place.refused(&format!("{bake} --out out.glb --report x.glb"), &["x.glb", "--report", ".json"]);
+    place.refused(&format!("{bake} --out out.glb --html x.json"), &["x.json", "--html", ".html"]);
     for stream in ["/dev/null", "/dev/stdout"] {
         place.refused(&format!("{bake} --out out.glb --report {stream}"), &[stream]);
     }

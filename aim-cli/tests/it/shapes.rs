@@ -111,7 +111,7 @@ fn bake_report() {
     has_keys(&report, "rig solver clip fps effector frames summary plausibility");
     assert_eq!(
         (&report["rig"], &report["solver"], &report["clip"]),
-        (&json!("Mannequin"), &json!("natural"), &json!("walk"))
+        (&json!("Mannequin"), &json!("natural"), &json!("walk_aimed"))
     );
     assert_eq!(number(&report["fps"]), 30.0);
     has_keys(&report["effector"], "bone forward origin");
