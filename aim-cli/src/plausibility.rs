@@ -54,7 +54,7 @@ fn name(criterion: Criterion) -> &'static str {
         Criterion::HeadToChestHeading => "head from chest",
         Criterion::HeadRoll => "head roll",
         Criterion::ElevationError => "gaze above or below the target",
-        Criterion::LimbShift => "hands and clavicles moved",
+        Criterion::LimbShift => "hands and clavicles moved, of the height",
         Criterion::HeadSpeed => "head speed",
         Criterion::HeadAcceleration => "head acceleration",
         Criterion::Reversals => "reversals in half a second",
@@ -63,7 +63,7 @@ fn name(criterion: Criterion) -> &'static str {
 
 fn shown(criterion: Criterion, value: f64) -> String {
     match criterion {
-        Criterion::LimbShift => format!("{} % of the height", trimmed(100.0 * value, 1)),
+        Criterion::LimbShift => format!("{} %", trimmed(100.0 * value, 1)),
         Criterion::HeadSpeed => format!("{}°/s", trimmed(value, 0)),
         Criterion::HeadAcceleration => format!("{}°/s²", trimmed(value, 0)),
         Criterion::Reversals => trimmed(value, 0),

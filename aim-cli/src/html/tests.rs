@@ -129,7 +129,16 @@ fn the_mannequins_page_is_whole() {
     let text = case.page();
     let html = parsed(&text);
     assert_eq!(count(&html, "head > title"), 1);
-    assert_eq!(count(&html, ".film li image"), 8, "eight drawings of the skin");
+    let events = count(&html, ".film .event");
+    assert_eq!(
+        count(&html, ".film li image"),
+        16 + events,
+        "eight drawings of the skin, from before and from the side"
+    );
+    assert!(
+        (3..=5).contains(&events) && text.contains("head fastest") && text.contains("first out of reach"),
+        "{events}"
+    );
     let charts = 7 + 2 * case.spec.joints.len();
     assert_eq!(
         count(&html, ".chart"),
@@ -223,7 +232,7 @@ fn one_frame_and_none_make_a_page() {
     for frames in [1, 0] {
         let text = Case::mannequin(0.5).cut(frames).page();
         let html = parsed(&text);
-        assert_eq!(count(&html, ".film li"), frames);
+        assert_eq!(count(&html, ".film li"), 2 * frames, "from before and from the side");
         assert_eq!(count(&html, ".rig tbody tr"), 3);
     }
 }
