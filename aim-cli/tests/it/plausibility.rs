@@ -154,6 +154,18 @@ fn people_are_told_from_animals_by_their_trunk() {
 }
 
 #[test]
+fn the_help_tells_the_limits() {
+    let help = Place::new().done("bake --help").stdout;
+    let section = help.split("Plausibility").last().expect("its last section");
+    for criterion in Criterion::ALL {
+        for limit in [true, false].into_iter().filter_map(|is_humanoid| criterion.must(is_humanoid)) {
+            let limit = if criterion == Criterion::LimbShift { 100.0 * limit } else { limit };
+            assert!(section.contains(&format!("{limit}")), "{}: {limit} is not in {section}", criterion.key());
+        }
+    }
+}
+
+#[test]
 fn strict_fails_on_what_is_too_much_and_names_it() {
     let place = Place::with_mannequin();
     let rig = String::from_utf8(place.read("m.toml")).expect("text").replace("rate = \"170deg\"", "rate = \"2000deg\"");
