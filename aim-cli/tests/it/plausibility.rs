@@ -69,6 +69,26 @@ fn a_head_is_seen_from_the_chest() {
 }
 
 #[test]
+fn a_clip_that_turns_the_head_too_far_is_not_the_bakes_fault() {
+    let character = statue();
+    let neck = character.node("neck");
+    let rest = character.document.skeleton().nodes()[neck].rest.rotation;
+    let turned = |degrees: f32| rest * Quat::from_rotation_x(degrees.to_radians());
+    let clip = Clip::new("owl", vec![Channel::rotation(neck, [0.0, 1.0].into(), &[turned(110.0); 2])]);
+    let owl = character.document.with_clips(&[clip]).expect("a clip");
+    let owl = Character::new(&owl);
+    let order = Order { settings: Settings::default().with_weight(0.0), ..Order::of(1.0) };
+    let turned_by = |degrees: f32| {
+        let change =
+            |clip: &mut Clip| clip.set(Channel::rotation(neck, times(clip), &vec![turned(degrees); times(clip).len()]));
+        owl.measure(order, |_| owl.seen_at(2.0, 0.0, 0.0), change).1
+    };
+    assert_eq!(turned_by(110.0).worst(Criterion::HeadToChestHeading), None);
+    assert_eq!(turned_by(95.0).exceeded().count(), 0);
+    is(&turned_by(115.0), Criterion::HeadToChestHeading, 115.0, 1e-2);
+}
+
+#[test]
 fn speed_and_acceleration_are_those_of_neck_and_head_together() {
     use std::f64::consts::TAU;
     // 20°·sin(2πt) in each of two bones, one way; the chest's own turn is none of it.

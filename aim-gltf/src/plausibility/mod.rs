@@ -23,7 +23,8 @@ use motion::Turning;
 /// One of the things that are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Criterion {
-    /// The heading of the head from the chest's, degrees: of animation and correction together.
+    /// The heading of the head from the chest's, degrees: of animation and correction together. Where the animation alone is
+    /// beyond the limit, it counts only if the correction turns the head further out.
     HeadToChestHeading,
     /// The head's roll about its forward beyond the animation's, degrees.
     HeadRoll,
@@ -97,6 +98,8 @@ pub struct Appearance {
     pub t: f64,
     /// The head's heading from the chest's, degrees, positive to the left; `None` where one of them is more than 60° off level.
     pub head_to_chest_heading_deg: Option<f64>,
+    /// The same of the animation alone.
+    pub animated_heading_deg: Option<f64>,
     /// The head's roll beyond the animation's, degrees, positive to the left; `None` as above.
     pub head_roll_deg: Option<f64>,
     /// The gaze's elevation less the target's, degrees, positive upwards: in every frame that has both.
@@ -174,7 +177,7 @@ impl Plausibility {
         });
         let of = |pick: &dyn Fn(&Appearance) -> Option<f64>| worst(&frames, pick);
         let worst = [
-            of(&|seen| seen.head_to_chest_heading_deg),
+            of(&|seen| seen.head_to_chest_heading_deg.filter(|_| look.heading_counts(seen))),
             of(&|seen| seen.head_roll_deg),
             of(&|seen| seen.elevation_off_deg.filter(|_| seen.elevation_counts)),
             of(&|seen| seen.limb_shift),
@@ -315,6 +318,15 @@ impl<'a> Look<'a> {
         Some(nodes.map(|node| orthonormal(&aimed[node].matrix3).0 * orthonormal(&animated[node].matrix3).0.transpose()))
     }
 
+    /// Whether the head's heading is the correction's doing.
+    fn heading_counts(&self, seen: &Appearance) -> bool {
+        /// What is nothing to see, degrees.
+        const SEEN_DEG: f64 = 0.5;
+        let must = Criterion::HeadToChestHeading.must(self.landmarks.is_humanoid).unwrap_or(f64::INFINITY);
+        let headings = seen.head_to_chest_heading_deg.zip(seen.animated_heading_deg);
+        headings.is_some_and(|(aimed, animated)| animated.abs() <= must || aimed.abs() > animated.abs() + SEEN_DEG)
+    }
+
     /// The elevation of the target from where the aimed effector is, degrees.
     fn target_elevation_deg(&self, target: DVec3, animated: &[DAffine3], aimed: &[DAffine3]) -> Option<f64> {
         let [eye, _] = *self.live.gazes(self.effector, aimed).first()?;
@@ -338,13 +350,15 @@ impl<'a> Look<'a> {
                 && is_within(self.budget_deg, chest)
         });
         let (Some(head), Some(chest)) = (self.landmarks.head, self.landmarks.chest) else { return seen };
-        let [head_turn, chest_turn, before] =
-            [(aimed, head), (aimed, chest), (animated, head)].map(|(world, node)| self.turned(world, node));
+        let [head_turn, chest_turn, before, chest_before] =
+            [(aimed, head), (aimed, chest), (animated, head), (animated, chest)]
+                .map(|(world, node)| self.turned(world, node));
         let is_level = |turn: &DMat3| elevation_deg(*turn * self.forward, up).is_some_and(|at| at.abs() <= LEVEL_DEG);
-        if [head_turn, chest_turn, before].iter().all(is_level) {
+        if [head_turn, chest_turn, before, chest_before].iter().all(is_level) {
             let heading = |turn: DMat3| heading_deg(turn * self.forward, up, self.forward);
             let roll = |turn: DMat3| roll_deg(turn * self.forward, turn * self.left, up);
             seen.head_to_chest_heading_deg = Some(wrapped(heading(head_turn) - heading(chest_turn)));
+            seen.animated_heading_deg = Some(wrapped(heading(before) - heading(chest_before)));
             seen.head_roll_deg = Some(wrapped(roll(head_turn) - roll(before)));
         }
         if self.height > 0.0 {
