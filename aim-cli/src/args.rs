@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use aim_gltf::Settle;
-use aim_runtime::Solver;
+use aim_runtime::{Behind, Solver};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -212,10 +212,23 @@ pub(crate) const SOLVERS: &Choices<&[Solver]> = &[
     (&[Solver::Natural, Solver::Exact, Solver::Ascent], "all", "All three, side by side"),
 ];
 
+const BEHINDS: &Choices<Behind> = &[
+    (Behind::Clip, "clip", "Turn to the edge of what is in reach, on the target's side"),
+    (Behind::Off, "off", "Go as near as the joints come, on the side they are on"),
+    (Behind::Hold, "hold", "Stay as it is"),
+    (Behind::Release, "release", "Return to the animation"),
+];
+
 const SETTLES: &Choices<Settle> = &[
     (Settle::Snap, "snap", "On the target from the first frame"),
     (Settle::Animation, "animation", "From the animation"),
 ];
+
+/// Parses a part of a whole.
+fn share(text: &str) -> Result<f32, String> {
+    let number = text.parse().ok().filter(|share| (0.0..=1.0).contains(share));
+    number.ok_or_else(|| "expected a number from 0 to 1, such as 0.5".into())
+}
 
 /// Parses one of these words to its value.
 fn one_of<T: Copy + Send + Sync>(all: &'static Choices<T>) -> impl TypedValueParser<Value = T> {
@@ -263,10 +276,22 @@ pub(crate) struct Bake {
     /// The clip to aim over; the first if not given.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Option<String>,
+    /// Name of the written clip, which it replaces if it is there; if not given, the clip's with "_aimed", beside the clip.
+    #[arg(long = "as", value_name = "NAME", value_parser = clap::builder::NonEmptyStringValueParser::new())]
+    pub(crate) name: Option<String>,
     #[command(flatten)]
     pub(crate) facing: Facing,
     #[command(flatten)]
     pub(crate) aiming: Aiming,
+    /// How far the gaze goes from the clip's to the target, 0 to 1.
+    #[arg(long, value_name = "W", default_value_t = 1.0, value_parser = share, allow_negative_numbers = true)]
+    pub(crate) weight: f32,
+    /// How far the head takes over from the eyes, 0 to 1 (natural only).
+    #[arg(long, value_name = "A", default_value_t = 0.0, value_parser = share, allow_negative_numbers = true)]
+    pub(crate) attention: f32,
+    /// What becomes of a target behind the character.
+    #[arg(long, value_name = "POLICY", value_parser = one_of(BEHINDS), default_value = "clip")]
+    pub(crate) behind: Behind,
     /// How long the result is; the clip's length if not given, repeated if longer.
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     pub(crate) seconds: Option<f32>,
@@ -282,6 +307,9 @@ pub(crate) struct Bake {
     /// Make the result's first frame follow from its last.
     #[arg(long = "loop")]
     pub(crate) looped: bool,
+    /// Exit with 1 if the result looks wrong, although it is written: see Plausibility below.
+    #[arg(long)]
+    pub(crate) strict: bool,
     #[command(flatten)]
     pub(crate) written: Written,
 }

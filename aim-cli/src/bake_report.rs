@@ -4,11 +4,11 @@ use std::path::Path;
 
 use aim_character::range_in_frame;
 use aim_codegen::{AngleRange, RigSpec};
-use aim_gltf::{AimedFrame, Baked, JointFrame};
+use aim_gltf::{AimedFrame, Baked, ChainNodes, JointFrame, Plausibility, Skeleton};
 use aim_runtime::Status;
 use serde::Serialize;
-use serde_json::{Value, json};
 
+use crate::plausibility;
 use crate::words::STATUSES;
 
 /// Content of `--report`. Angles are in degrees.
@@ -16,12 +16,41 @@ use crate::words::STATUSES;
 pub(crate) struct BakeReport {
     pub(crate) rig: String,
     pub(crate) solver: &'static str,
+    /// The one that was written.
     pub(crate) clip: String,
+    /// What was aimed over: a clip, or the rest pose.
+    #[serde(skip)]
+    pub(crate) over: String,
     pub(crate) fps: f32,
-    /// Its bone, and its direction and point in that bone's local space.
-    effector: Value,
+    effector: EffectorReport,
     pub(crate) frames: Vec<BakeFrame>,
     pub(crate) summary: BakeSummary,
+    #[serde(serialize_with = "plausibility::block")]
+    pub(crate) plausibility: Plausibility,
+}
+
+/// A bone, and a direction and a point in its local space.
+#[derive(Debug, Serialize)]
+struct EffectorReport {
+    #[serde(flatten)]
+    bone: Bone,
+    forward: [f64; 3],
+    origin: [f64; 3],
+}
+
+/// Subject of a report: `baked` with the rig `spec`.
+pub(crate) struct Reported<'a> {
+    pub(crate) spec: &'a RigSpec,
+    /// The word of the solver.
+    pub(crate) solver: &'static str,
+    pub(crate) fps: f32,
+    /// The clip that was aimed over, or what else.
+    pub(crate) over: &'a str,
+    pub(crate) skeleton: &'a Skeleton,
+    pub(crate) chain: &'a ChainNodes,
+    pub(crate) baked: &'a Baked,
+    /// Measured on what was written.
+    pub(crate) plausibility: Plausibility,
 }
 
 #[derive(Debug, Serialize)]
@@ -37,12 +66,31 @@ pub(crate) struct BakeFrame {
     pub(crate) pair_error_deg: Option<f64>,
     pub(crate) status: &'static str,
     pub(crate) joints: Vec<JointReport>,
-    followers: Vec<Value>,
+    followers: Vec<Bone>,
+}
+
+/// A bone, told apart from others of its name.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Bone {
+    #[serde(rename = "bone")]
+    pub(crate) name: String,
+    /// The node's index, where the name alone does not tell which it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    node: Option<usize>,
+}
+
+impl Bone {
+    fn new(skeleton: &Skeleton, node: usize) -> Self {
+        let name = &skeleton.nodes()[node].name;
+        let namesakes = skeleton.nodes().iter().filter(|other| other.name == *name).count();
+        Self { name: name.clone(), node: (namesakes > 1).then_some(node) }
+    }
 }
 
 #[derive(Debug, Serialize)]
 pub(crate) struct JointReport {
-    pub(crate) bone: String,
+    #[serde(flatten)]
+    pub(crate) bone: Bone,
     pub(crate) heading_deg: f64,
     pub(crate) pitch_deg: f64,
     pub(crate) at_limit: bool,
@@ -72,17 +120,11 @@ pub(crate) fn status_word(status: Status) -> &'static str {
 }
 
 impl BakeReport {
-    /// Reports `baked`; `bones` are the names of the chain's nodes, `other_eye` that of the other eye's.
-    pub(crate) fn new(
-        spec: &RigSpec,
-        solver: &'static str,
-        fps: f32,
-        bones: &[String],
-        other_eye: Option<String>,
-        baked: &Baked,
-    ) -> Self {
-        let followers: Vec<Value> = other_eye.iter().map(|bone| json!({ "bone": bone })).collect();
-        let joint = |(joint, bone): (&JointFrame, &String)| JointReport {
+    pub(crate) fn new(reported: Reported<'_>) -> Self {
+        let Reported { spec, solver, fps, over, skeleton, chain, baked, plausibility } = reported;
+        let bones: Vec<Bone> = chain.joints.iter().map(|&node| Bone::new(skeleton, node)).collect();
+        let followers: Vec<Bone> = chain.other_eye.iter().map(|&node| Bone::new(skeleton, node)).collect();
+        let joint = |(joint, bone): (&JointFrame, &Bone)| JointReport {
             bone: bone.clone(),
             heading_deg: f64::from(joint.heading).to_degrees(),
             pitch_deg: f64::from(joint.pitch).to_degrees(),
@@ -96,7 +138,7 @@ impl BakeReport {
             roll_deg: frame.roll_deg,
             pair_error_deg: frame.pair_error_deg,
             status: status_word(frame.outcome.status),
-            joints: frame.joints.iter().zip(bones).map(joint).collect(),
+            joints: frame.joints.iter().zip(&bones).map(joint).collect(),
             followers: followers.clone(),
         });
         let effector = &spec.effector;
@@ -105,9 +147,15 @@ impl BakeReport {
             solver,
             clip: baked.clip.name.clone(),
             fps,
-            effector: json!({ "bone": bones[0], "forward": effector.frame.forward, "origin": effector.origin }),
+            over: over.to_owned(),
+            effector: EffectorReport {
+                bone: bones[0].clone(),
+                forward: effector.frame.forward,
+                origin: effector.origin,
+            },
             summary: BakeSummary::new(spec, baked),
             frames: frames.collect(),
+            plausibility,
         }
     }
 
@@ -121,7 +169,11 @@ impl BakeReport {
     /// The summary in words; `file` is what was written.
     pub(crate) fn in_words(&self, file: &Path) -> String {
         let BakeSummary { frames, reached, max_error_deg_reached, .. } = self.summary;
-        let mut out = format!("wrote {}: {frames} frames of {:?} aimed by {}, ", file.display(), self.clip, self.rig);
+        let mut out = format!("wrote {}: {frames} frames of {:?} aimed by {}", file.display(), self.over, self.rig);
+        if self.clip != self.over {
+            out += &format!(" as {:?}", self.clip);
+        }
+        out += ", ";
         out += &match reached {
             0 => "none of them on target".to_owned(),
             _ => format!("{reached} of them on target (error at most {max_error_deg_reached:.3}°)"),
@@ -129,7 +181,7 @@ impl BakeReport {
         for (_, frames, words) in self.counts().into_iter().filter(|(status, ..)| *status != "reached") {
             out += &format!(", {frames} {words}");
         }
-        out
+        out + "\n" + &plausibility::in_words(&self.plausibility)
     }
 }
 

@@ -7,6 +7,7 @@ mod directions;
 mod film;
 mod gaze;
 mod inspection;
+mod looks;
 mod raster;
 mod rig;
 mod scene;
@@ -27,11 +28,11 @@ pub(crate) use trajectory::page as trajectory_page;
 /// The page about one bake.
 pub(crate) fn page(subject: &BakePage<'_>) -> String {
     let BakePage { spec, report, .. } = *subject;
-    let title = format!("{} aimed over {}", report.rig, report.clip);
+    let title = format!("{} aimed over {}", report.rig, report.over);
     let content = html! {
-        h1 { (report.rig) " aimed over " q { (report.clip) } }
+        h1 { (report.rig) " aimed over " q { (report.over) } }
         (summary::section(spec, report))
-        @if let Some(strip) = film::strip(subject) { (film(strip)) }
+        @if let Some(strips) = film::strips(subject) { (film(&strips)) }
         (rig::section(spec, report))
         section.over-time {
             h2 { "Over time" }
@@ -41,7 +42,7 @@ pub(crate) fn page(subject: &BakePage<'_>) -> String {
     crate::page::report(&title, &content)
 }
 
-fn film(strip: Markup) -> Markup {
+fn film([front, side, events]: &[Markup; 3]) -> Markup {
     html! {
         section.film-strip {
             h2 { "How it looks" }
@@ -50,7 +51,13 @@ fn film(strip: Markup) -> Markup {
                 "the target is outside the picture, an arrow at the border points to it. The disc shows both from above, "
                 "with the viewer at its lower edge."
             }
-            (strip)
+            (front)
+            p { "The same from the side, where a head that is thrown back or leans cannot hide." }
+            (side)
+            @if !events.0.is_empty() {
+                p { "Moments to look at, from the side." }
+                (events)
+            }
         }
     }
 }

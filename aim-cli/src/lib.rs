@@ -11,6 +11,7 @@ mod files;
 mod html;
 mod outputs;
 mod page;
+mod plausibility;
 mod plot;
 mod projection;
 mod reach_report;

@@ -45,17 +45,29 @@ impl Outputs {
     /// Adds the files of a command that changes a model; `--out`, and nothing else, may replace the model that was read.
     ///
     /// # Errors
-    /// A file is one of the others, or `--out` has the ending of a text file.
+    /// A file is one of the others, or has the ending of something else.
     pub(crate) fn write_model(mut self, written: &Written, model: &Path) -> Result {
         let Written { out, report, html } = written;
-        if files::ending(out) == "gltf" {
-            return Err(Failure::in_file(out, "would be a binary file; give --out a name that ends in .glb"));
-        }
         if place(out) != place(model) {
             self.taken.push((place(model), "the model itself".into()));
         }
         for (path, option) in [(Some(out), "--out"), (report.as_ref(), "--report"), (html.as_ref(), "--html")] {
             path.map_or(Ok(()), |path| self.writes(path, option))?;
+        }
+        let kinds = [
+            (Some(out), "--out", "a binary glTF file", &["glb", "vrm"][..]),
+            (report.as_ref(), "--report", "JSON", &["json"]),
+            (html.as_ref(), "--html", "a page", &["html", "htm"]),
+        ];
+        for (path, option, what, endings) in kinds {
+            let wrong = |path: &&PathBuf| !matches!(files::ending(path), ending if ending.is_empty() || endings.contains(&&*ending));
+            if let Some(path) = path.filter(wrong) {
+                let right = endings[0];
+                return Err(Failure::in_file(
+                    path,
+                    format!("would be {what}; give {option} a name that ends in .{right}"),
+                ));
+            }
         }
         Ok(())
     }

@@ -47,6 +47,9 @@ pub struct Plan<'a> {
     pub looped: bool,
     /// Settings of the solver.
     pub settings: Settings,
+    /// The node that the target is at, if it is at one. Where aiming moves that node (a hand, by the chest), the target is
+    /// looked for again where it is then; but a node [on what looks](Live::looks_with) is aimed at where the animation has it.
+    pub target_node: Option<usize>,
 }
 
 /// A baked clip.
@@ -59,8 +62,8 @@ pub struct Baked {
     pub frames: Vec<AimedFrame>,
 }
 
-/// Aims `rig` over the plan's clip. `target` gives the target in the world from the time in seconds and the animated
-/// nodes in the world; `progress` is told of every finished frame.
+/// Aims `rig` over the plan's clip. `target` gives the target in the world from the time in seconds and the nodes in the
+/// world: animated, or aimed where the plan has a [`target_node`](Plan::target_node); `progress` is told of every finished frame.
 ///
 /// # Errors
 /// A length or frame rate that makes no frames.
@@ -73,6 +76,8 @@ pub fn bake<R: Rig>(
     let times = key_times(plan.seconds, plan.fps)?;
     let skeleton = plan.document.skeleton();
     let live = Live::new(&rig.rig, plan.document, plan.measurement, plan.chain, plan.both_eyes);
+    // x ← the node's place with the gaze on x: a fixed point, as a hand moves less than the gaze that it draws.
+    let follows = plan.target_node.is_some_and(|node| !live.looks_with(skeleton, node));
     let source = plan.clip.map(|clip| clip.repeated(plan.seconds));
     let sample = |t: f32| match &source {
         Some(clip) => skeleton.pose(clip, t),
@@ -91,23 +96,39 @@ pub fn bake<R: Rig>(
         for &t in times.iter() {
             let mut pose = sample(t);
             let world = skeleton.world_f64(&pose);
-            let target_ws = target(t, &world);
+            let mut target_ws = target(t, &world);
             let joints = live.animated(skeleton, &mut pose, &world);
-            let goal = target_ws.as_vec3();
-            let outcome = match (before, pass, plan.settle) {
-                (Some(before), ..) => rig.aim(&joints, goal, t - before, &plan.settings),
-                // The pass before ended here, perhaps in another pose: no time for an angle to move, but a frame.
-                (None, 1.., _) => rig.aim(&joints, goal, f32::MIN_POSITIVE, &plan.settings),
-                (None, 0, Settle::Animation) => rig.aim(&joints, goal, 0.0, &plan.settings),
-                (None, 0, Settle::Snap) => rig.snap(&joints, goal, &plan.settings),
+            let was = follows.then(|| rig.state.clone());
+            let mut rounds = if follows { MOST_SEARCHES } else { 0 };
+            let frame = loop {
+                let goal = target_ws.as_vec3();
+                let outcome = match (before, pass, plan.settle) {
+                    (Some(before), ..) => rig.aim(&joints, goal, t - before, &plan.settings),
+                    // The pass before ended here, perhaps in another pose: no time for an angle to move, but a frame.
+                    (None, 1.., _) => rig.aim(&joints, goal, f32::MIN_POSITIVE, &plan.settings),
+                    (None, 0, Settle::Animation) => rig.aim(&joints, goal, 0.0, &plan.settings),
+                    (None, 0, Settle::Snap) => rig.snap(&joints, goal, &plan.settings),
+                };
+                let effector = plan.settings.effector;
+                let moment = Moment { t, target: target_ws, world: &world, joints: &joints, outcome, effector };
+                let mut aimed = pose.clone();
+                let frame = live.aimed(rig, skeleton, &mut aimed, &moment);
+                let [eye, _] = live.gazes(effector, &frame.world)[0];
+                let is_now_at = if follows { target(t, &frame.world) } else { target_ws };
+                if rounds == 0 || (is_now_at - eye).angle_between(target_ws - eye) <= FOUND_RAD {
+                    pose = aimed;
+                    break frame;
+                }
+                rounds -= 1;
+                target_ws = is_now_at;
+                if let Some(was) = &was {
+                    rig.state.clone_from(was);
+                }
             };
             if before.is_none() {
                 began = rig.state.joints.clone();
             }
             before = Some(t);
-            let effector = plan.settings.effector;
-            let moment = Moment { t, target: target_ws, world: &world, joints: &joints, outcome, effector };
-            let frame = live.aimed(rig, skeleton, &mut pose, &moment);
             for (track, node) in places.iter_mut().zip(live.held()) {
                 track.push(pose[node].translation);
             }
@@ -131,6 +152,10 @@ pub fn bake<R: Rig>(
     }
     Ok(Baked { clip, frames })
 }
+
+/// Most rounds in which a target that aiming moves is looked for, and the angle within which it is found.
+const MOST_SEARCHES: u32 = 24;
+const FOUND_RAD: f64 = 0.01 / 180.0 * core::f64::consts::PI;
 
 /// Largest number of rounds of a loop; one whose clip or target jumps at the seam may never end as it begins.
 const MOST_ROUNDS: u32 = 8;

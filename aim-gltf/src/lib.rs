@@ -2,7 +2,7 @@
 //!
 //! Any `.glb`, `.gltf` or `.vrm` becomes a [`Document`]; a broken one becomes one [`Error`] that says what is wrong, and
 //! nothing in here panics on a file. [`Measurement`] tells where a character faces and which way each bone's own axes
-//! point. [`bake()`] aims a rig over a clip, [`reach()`] leads a hand through points. [`Document::with_clips`] writes
+//! point. [`bake()`] aims a rig over a clip, [`Plausibility`] tells how that looks, [`reach()`] leads a hand through points. [`Document::with_clips`] writes
 //! the file again, its old bytes first and unchanged. [`mannequin`] makes a walking figure by code, in any of the 48
 //! bone conventions and all frames between them.
 //!
@@ -48,6 +48,7 @@ mod measure;
 mod normals;
 mod num;
 mod plan;
+mod plausibility;
 mod raw;
 mod reach;
 mod roles;
@@ -73,6 +74,7 @@ pub use look_at::{LookAt, LookAtKind, RangeMap};
 pub use mannequin::{PAPER_AXES, mannequin};
 pub use material::{Alpha, Material, Texture, Wrap};
 pub use measure::{BoneAxes, BoneFrame, Handedness, MeasuredPose, Measurement, SignedAxis};
+pub use plausibility::{Appearance, Criterion, Plausibility, Worst};
 pub use reach::{Arrival, Goal, LimbFrame, LimbNodes, ReachPlan, Reached, reach};
 pub use roles::Role;
 pub use skeleton::{Node, Skeleton};

@@ -104,6 +104,17 @@ impl Live {
         self.held.iter().map(|held| held.node)
     }
 
+    /// True if a node moves with what looks: if it hangs on an eye, on the head or the neck, or on joint 0. A gaze cannot catch up
+    /// with such a node. What is [held](Self::held) and hangs on a neck does not move with it.
+    #[must_use]
+    pub fn looks_with(&self, skeleton: &Skeleton, node: usize) -> bool {
+        let moving = skeleton.ancestry(node).find_map(|at| {
+            let held = self.held().any(|held| held == at).then_some(false);
+            held.or_else(|| Some(self.stance.looks(self.stance.chain.turned().position(|joint| joint == at)?)))
+        });
+        moving.unwrap_or(false)
+    }
+
     /// The joints as the solvers take them, for a pose and its nodes in the world. Where both eyes are aimed, the other
     /// one is first turned as joint 0 is: the eyes of animations are seldom parallel.
     pub fn animated(&self, skeleton: &Skeleton, pose: &mut [Trs], world: &[DAffine3]) -> Pose<Vec<Affine3A>> {
@@ -154,6 +165,11 @@ impl Live {
             frame.world = skeleton.world_f64(pose);
         }
         frame
+    }
+
+    /// The character's up in the world: that of the world as long as the character stands.
+    pub(crate) fn up(&self, world: &[DAffine3]) -> DVec3 {
+        self.stance.up(world)
     }
 
     /// Point and direction (of length one) that joint `effector` looks from and along, in the world; of joint 0 those of the

@@ -268,7 +268,7 @@ impl Measurement {
 }
 
 /// Degrees by which one frame is turned from another.
-fn turn_deg(a: &DAffine3, b: &DAffine3) -> f64 {
+pub(crate) fn turn_deg(a: &DAffine3, b: &DAffine3) -> f64 {
     let turn = orthonormal(&a.matrix3).0.transpose() * orthonormal(&b.matrix3).0;
     let trace = turn.x_axis.x + turn.y_axis.y + turn.z_axis.z;
     let axis = DVec3::new(turn.y_axis.z - turn.z_axis.y, turn.z_axis.x - turn.x_axis.z, turn.x_axis.y - turn.y_axis.x);

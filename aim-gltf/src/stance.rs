@@ -3,7 +3,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use aim_runtime::{Effector, LimitsFrom, Pose, Rig};
+use aim_runtime::{Effector, LimitsFrom, Pose, Rig, Role as Gaze};
 use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
 
 use crate::chain::ChainNodes;
@@ -38,6 +38,8 @@ pub(crate) struct Stance {
     standing: DVec3,
     /// Joint 0's up in its own space.
     up: DVec3,
+    /// Whether each joint is of eyes, head or neck, or is joint 0; past the last is the other eye.
+    looks: Vec<bool>,
 }
 
 /// A point and a direction of a node, in the node's space.
@@ -93,8 +95,16 @@ impl Stance {
             other_eye: chain.other_eye.map(|pair| other(&effector, pair, measurement)),
             sights,
             standing: standing(rig, chain, measurement),
+            looks: (description.joints().iter().enumerate())
+                .map(|(at, joint)| at == 0 || matches!(joint.role, Gaze::Eye | Gaze::Head | Gaze::Neck))
+                .collect(),
             up: description.joints().first().map_or(DVec3::ZERO, |info| Vec3::from(info.axes().up).as_dvec3()),
         }
+    }
+
+    /// True of a turned node that looks, or carries what does in the head: by its place among [`ChainNodes::turned`].
+    pub(crate) fn looks(&self, turned: usize) -> bool {
+        self.looks.get(turned).copied().unwrap_or(true)
     }
 
     /// The character's up: that of the world as long as it stands, its own if it lies or hangs, and from the

@@ -26,6 +26,19 @@ impl Document {
     /// [`Error::Clip`] when a clip names nodes that do not exist, moves a property twice, or has keys that are
     /// not finite or not in order.
     pub fn with_clips(&self, clips: &[Clip]) -> Result<Vec<u8>, Error> {
+        self.write(clips, None)
+    }
+
+    /// The same with one clip; what else the file says of the clip `like` (extras, channels that are not understood), it then
+    /// says of this one, too.
+    ///
+    /// # Errors
+    /// As [`with_clips`](Self::with_clips).
+    pub fn with_clip_like(&self, clip: &Clip, like: Option<&str>) -> Result<Vec<u8>, Error> {
+        self.write(core::slice::from_ref(clip), like)
+    }
+
+    fn write(&self, clips: &[Clip], like: Option<&str>) -> Result<Vec<u8>, Error> {
         let mut json = self.json().clone();
         let mut data = Appended::default();
         let mut animations = Vec::with_capacity(clips.len());
@@ -38,22 +51,27 @@ impl Document {
         }
         let chunk = self.embed(&mut json, data)?;
         for (clip, animation) in clips.iter().filter(|clip| !clip.channels.is_empty()).zip(animations) {
-            self.place(&mut json, clip, animation);
+            self.place(&mut json, (&clip.name, like), animation);
         }
         let text = serde_json::to_vec(&json).map_err(|e| Error::Json(e.to_string()))?;
         container::join(&text, chunk.as_deref())
     }
 
-    /// Puts an animation where the clip of its name is, keeping what else that one says; else after all others.
-    fn place(&self, json: &mut Value, clip: &Clip, animation: Value) {
+    /// Puts an animation where the clip of its name is, else after all others, keeping what else that one says, or the one that
+    /// it is like.
+    fn place(&self, json: &mut Value, (name, like): (&str, Option<&str>), animation: Value) {
         let animations = array(json, "animations");
-        let old = self.clips().iter().position(|old| old.name == clip.name).and_then(|index| animations.get_mut(index));
-        match (old.and_then(Value::as_object_mut), animation) {
-            (Some(old), Value::Object(mut new)) => {
-                keep_foreign(old, &mut new);
-                old.extend(new);
-            }
-            (_, animation) => animations.push(animation),
+        let find = |name: &str| self.clips().iter().position(|clip| clip.name == name);
+        let (old, template) = (find(name), like.and_then(find));
+        let said = old.or(template).and_then(|index| animations.get(index)?.as_object());
+        let mut placed = said.cloned().unwrap_or_default();
+        if let Value::Object(mut new) = animation {
+            keep_foreign(&placed, &mut new);
+            placed.extend(new);
+        }
+        match old.and_then(|index| animations.get_mut(index)) {
+            Some(old) => *old = placed.into(),
+            None => animations.push(placed.into()),
         }
     }
 

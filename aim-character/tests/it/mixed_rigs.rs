@@ -62,6 +62,7 @@ fn aimed(document: &Document, measurement: &Measurement) -> Seen {
         settle: Settle::Snap,
         looped: false,
         settings: Settings::default().with_tolerance(2e-6),
+        target_node: None,
     };
     let target = DVec3::new(1.1, 1.9, 1.6);
     let baked =

@@ -5,16 +5,17 @@ use std::time::Duration;
 
 use aim_character::{Fit, InterpretedRig, chain_nodes, hold, propose};
 use aim_codegen::RigSpec;
-use aim_gltf::{Document, Measurement, Plan};
+use aim_gltf::{Clip, Document, Live, Measurement, Plan, Plausibility};
 use aim_runtime::{DynAim, Rig, Settings};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::args::{self, SOLVERS};
-use crate::bake_report::BakeReport;
+use crate::bake_report::{BakeReport, Reported};
 use crate::failure::{Failure, Result};
 use crate::files;
 use crate::html::{self, BakePage};
 use crate::outputs::Outputs;
+use crate::plausibility;
 use crate::target::TargetSpec;
 
 pub(super) fn run(arguments: &args::Bake) -> Result {
@@ -25,7 +26,12 @@ pub(super) fn run(arguments: &args::Bake) -> Result {
     let measurement = arguments.facing.measure(&arguments.file, &document)?;
     let mut spec = match &arguments.rig {
         Some(path) => files::load_rig(path)?,
-        None => propose(&document, &measurement, None).map_err(|error| Failure::in_file(&arguments.file, error))?.spec,
+        None => {
+            let proposal = propose(&document, &measurement, None);
+            let spec = proposal.map_err(|error| Failure::in_file(&arguments.file, error))?.spec;
+            let stem = arguments.file.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+            RigSpec { name: stem.unwrap_or(spec.name), ..spec }
+        }
     };
     if let Some(names) = &arguments.hold {
         let names = if names[..] == ["none"] { &[][..] } else { names };
@@ -42,6 +48,14 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         Some(name) => Some(document.clip(name).map_err(fail)?),
         None => document.clips().first(),
     };
+    if let (None, [first, _, ..]) = (&arguments.clip, document.clips()) {
+        eprintln!(
+            "warning: {} has {} clips: aimed over the first, {:?}; choose another with --clip (aim inspect lists them)",
+            arguments.file.display(),
+            document.clips().len(),
+            first.name
+        );
+    }
     let unknown_length =
         |what: &str| Err(Failure::in_file(&arguments.file, format!("{what}; say how long to aim with --seconds")));
     let seconds = match (arguments.seconds, clip) {
@@ -74,23 +88,57 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         fps: arguments.fps,
         settle: arguments.settle,
         looped: arguments.looped,
-        settings: Settings::default().with_solver(solver),
+        settings: Settings::default()
+            .with_solver(solver)
+            .with_weight(arguments.weight)
+            .with_attention(arguments.attention)
+            .with_behind(arguments.behind),
+        target_node: match &arguments.target {
+            TargetSpec::Node(name) => Some(skeleton.find(name).map_err(fail)?),
+            _ => None,
+        },
     };
+    let live = Live::new(&character.rig, document, measurement, &chain, both_eyes);
+    if let Some(node) = plan.target_node.filter(|&node| live.looks_with(skeleton, node)) {
+        let name = &skeleton.nodes()[node].name;
+        eprintln!(
+            "warning: the target {name} moves with the gaze itself: aimed is at where the animation alone has it"
+        );
+    }
     let bar = progress_bar();
     let progress = |done, all| {
         bar.set_length(all as u64);
         bar.set_position(done as u64);
     };
-    let baked = aim_gltf::bake(&mut character, &plan, |t, world| target(t.into(), world), progress).map_err(fail)?;
+    let mut baked =
+        aim_gltf::bake(&mut character, &plan, |t, world| target(t.into(), world), progress).map_err(fail)?;
     bar.finish();
-    let model = document.with_clips(std::slice::from_ref(&baked.clip)).map_err(fail)?;
-    let name = |node: usize| skeleton.nodes()[node].name.clone();
-    let names: Vec<String> = chain.joints.iter().map(|&node| name(node)).collect();
+    baked.clip.name = arguments.name.clone().unwrap_or_else(|| name_beside(clip, document.clips()));
+    let model = document.with_clip_like(&baked.clip, clip.map(|clip| clip.name.as_str())).map_err(fail)?;
     let word = SOLVERS.iter().find(|(known, ..)| known[0] == solver).map_or("", |(_, word, _)| word);
-    let report = BakeReport::new(spec, word, arguments.fps, &names, chain.other_eye.map(name), &baked);
+    let written = Document::from_bytes(&model).map_err(fail)?;
+    let report = BakeReport::new(Reported {
+        spec,
+        solver: word,
+        fps: arguments.fps,
+        over: clip.map_or("the rest pose", |clip| &clip.name),
+        skeleton,
+        chain: &chain,
+        baked: &baked,
+        plausibility: Plausibility::measure(&character.rig, &plan, &baked, &written).map_err(fail)?,
+    });
     let subject = BakePage { spec, report: &report, document, measurement, baked: &baked };
     arguments.written.write(&model, &report, || html::page(&subject))?;
-    files::print(&format!("{}\n", report.in_words(&arguments.written.out)))
+    files::print(&format!("{}\n", report.in_words(&arguments.written.out)))?;
+    if arguments.strict { plausibility::insist(&report.plausibility, &arguments.written.out) } else { Ok(()) }
+}
+
+/// A name for what is aimed over a clip that none of the `known` has.
+fn name_beside(clip: Option<&Clip>, known: &[Clip]) -> String {
+    let name = clip.map_or_else(|| "aim".to_owned(), |clip| format!("{}_aimed", clip.name));
+    let is_free = |name: &String| known.iter().all(|clip| clip.name != *name);
+    let numbered = (2_u32..).map(|number| format!("{name}{number}"));
+    std::iter::once(name.clone()).chain(numbered).find(is_free).unwrap_or(name)
 }
 
 /// A bar on a terminal, nothing in a pipe.
@@ -105,8 +153,7 @@ fn progress_bar() -> ProgressBar {
     bar
 }
 
-/// Prints warnings about what is baked although it may not be meant: a rig that contradicts the file, and a target node
-/// that aiming itself moves.
+/// Prints a warning where a rig contradicts the file: what is baked may not be what is meant.
 fn warn(arguments: &args::Bake, spec: &RigSpec, document: &Document, measurement: &Measurement) {
     if let Some(rig) = &arguments.rig {
         if let [first, rest @ ..] = &Fit::new(spec, document, measurement).problems[..] {
@@ -114,17 +161,6 @@ fn warn(arguments: &args::Bake, spec: &RigSpec, document: &Document, measurement
             let (file, rig) = (arguments.file.display(), rig.display());
             eprintln!(
                 "warning: {rig} and {file} contradict each other: {first}{more}; see aim check {file} --rig {rig}"
-            );
-        }
-    }
-    if let TargetSpec::Node(name) = &arguments.target {
-        let skeleton = document.skeleton();
-        let name_of = |node: usize| &skeleton.nodes()[node].name;
-        let is_turned = |bone: &&String| spec.joints.iter().any(|joint| joint.bones.contains(*bone));
-        let turned = skeleton.find(name).ok().and_then(|node| skeleton.ancestry(node).map(name_of).find(is_turned));
-        if let Some(bone) = turned {
-            eprintln!(
-                "warning: the target {name} moves with {bone}, which aiming turns: aimed is at where the animation alone has it"
             );
         }
     }

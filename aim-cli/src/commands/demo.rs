@@ -4,6 +4,7 @@ use std::fs;
 
 use aim_character::MANNEQUIN_RIG;
 use aim_gltf::{Document, Measurement, PAPER_AXES, Settle, mannequin};
+use aim_runtime::Behind;
 
 use super::bake::bake;
 use crate::args;
@@ -35,12 +36,18 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
         target: TargetSpec::Orbit { radius: 2.0, height: 0.15, seconds: seconds.into() },
         rig: None,
         clip: None,
+        // A player shows the first clip of a file.
+        name: document.clips().first().map(|clip| clip.name.clone()),
         aiming: arguments.aiming,
+        weight: 1.0,
+        attention: 0.0,
+        behind: Behind::default(),
         seconds: Some(seconds),
         fps: 60.0,
         hold: None,
         settle: Settle::Snap,
         looped: true,
+        strict: false,
         written: args::Written {
             out: out("aimed.glb"),
             report: Some(out("report.json")),

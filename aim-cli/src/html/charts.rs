@@ -8,6 +8,7 @@ use maud::{Markup, html};
 use super::chart::{Base, Mark, Scale, Series};
 use super::directions::Directions;
 use super::gaze;
+use super::looks;
 use super::subject::BakePage;
 use crate::bake_report::{BakeReport, JointReport};
 use crate::words::{self, chip, shown, trimmed};
@@ -38,6 +39,7 @@ pub(super) fn all(subject: &BakePage<'_>) -> Markup {
             (error(&base, report))
             @if let Some(directions) = &directions { (gaze::charts(&base, directions)) }
             (roll(&base, report))
+            (looks::charts(&base, &report.plausibility))
             @for k in 0..spec.joints.len() { (angles(&base, subject, k)) }
         }
     }
@@ -82,7 +84,7 @@ fn angles(base: &Base<'_>, subject: &BakePage<'_>, index: usize) -> Markup {
     let BakePage { spec, report, .. } = *subject;
     let joint = &spec.joints[index];
     let told = || report.frames.iter().filter_map(|frame| frame.joints.get(index));
-    let bone = told().next().map_or(joint.name.as_str(), |joint| joint.bone.as_str());
+    let bone = told().next().map_or(joint.name.as_str(), |joint| joint.bone.name.as_str());
     let of = |pick: fn(&JointReport) -> f64| told().map(pick).collect::<Vec<f64>>();
     let parts = [
         ("heading", joint.heading, of(|joint| joint.heading_deg)),

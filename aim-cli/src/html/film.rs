@@ -1,43 +1,96 @@
-//! The film strip: drawings of the character evenly over time, always from the same side, with its line of sight.
+//! The film strips: drawings of the character over time, always from the same side, with its line of sight.
 
 use aim_character::chain_nodes;
-use aim_gltf::AimedFrame;
+use aim_gltf::{AimedFrame, Criterion};
 use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
-use super::scene::{Eye, HEIGHT, Scene, WIDTH};
+use super::scene::{BESIDE, Eye, HEIGHT, IN_FRONT, Scene, Stand, WIDTH};
 use super::subject::BakePage;
 use crate::words::{self, n, segment};
 
-/// Drawings in the strip.
+/// Drawings in a strip over time.
 const DRAWINGS: usize = 8;
+/// What is less than this is nothing to look at: degrees, or degrees a second.
+const SEEN: f64 = 1.0;
 /// Distance of the drawn line of sight from the eye.
 const START: f64 = 13.0;
 /// Radius of the plan view in the corner.
 const PLAN: f64 = 24.0;
 
-/// The strip; nothing where the rig's bones are not in the document.
-pub(super) fn strip(subject: &BakePage<'_>) -> Option<Markup> {
-    let BakePage { spec, report, document, baked, .. } = *subject;
+/// The strips: evenly over time from before and from the side, and from the side where something is at its most. Nothing where
+/// the rig's bones are not in the document.
+pub(super) fn strips(subject: &BakePage<'_>) -> Option<[Markup; 3]> {
+    let BakePage { report, baked, .. } = *subject;
     let all = baked.frames.len().min(report.frames.len());
-    let drawn: Vec<usize> = (0..DRAWINGS.min(all)).map(|k| k * all / DRAWINGS.min(all)).collect();
+    let even: Vec<Moment> = (0..DRAWINGS.min(all)).map(|k| (k * all / DRAWINGS.min(all), None)).collect();
+    let events = events(subject, all);
+    Some([
+        strip(subject, IN_FRONT, &even)?,
+        strip(subject, BESIDE, &even)?,
+        if events.is_empty() {
+            html! {}
+        } else {
+            strip(subject, BESIDE, &events)?
+        },
+    ])
+}
+
+/// A frame, and what there is to see in it.
+type Moment = (usize, Option<String>);
+
+/// Where things are at their most, and where the target gets out of reach; the first frame aside, in order of time.
+fn events(subject: &BakePage<'_>, all: usize) -> Vec<Moment> {
+    let BakePage { report, .. } = *subject;
+    let measured = &report.plausibility;
+    let at = |t: f64| report.frames[..all].partition_point(|frame| f64::from(frame.t) < t - 1e-6);
+    let worst = [
+        (Criterion::HeadToChestHeading, "head furthest from the chest"),
+        (Criterion::ElevationError, "gaze furthest above or below"),
+        (Criterion::HeadRoll, "head rolled most"),
+        (Criterion::HeadSpeed, "head fastest"),
+    ];
+    let mut moments: Vec<Moment> = Vec::new();
+    for (criterion, what) in worst {
+        let told = measured.worst(criterion).filter(|worst| worst.value > SEEN);
+        moments.extend(told.map(|worst| (at(worst.t), Some(what.to_owned()))));
+    }
+    let out = report.frames[..all].iter().position(|frame| matches!(frame.status, "at_limit" | "behind"));
+    moments.extend(out.map(|frame| (frame, Some("first out of reach".to_owned()))));
+    moments.retain(|(frame, _)| (1..all).contains(frame));
+    moments.sort_by_key(|(frame, _)| *frame);
+    // What happens in one frame is told under one drawing.
+    moments.dedup_by(|later, first| {
+        let same = later.0 == first.0;
+        if let (true, Some(first), Some(later)) = (same, &mut first.1, &later.1) {
+            *first += &format!(", {later}");
+        }
+        same
+    });
+    moments
+}
+
+fn strip(subject: &BakePage<'_>, stand: Stand, drawn: &[Moment]) -> Option<Markup> {
+    let BakePage { spec, report, document, baked, .. } = *subject;
     let chain = chain_nodes(spec, document.skeleton()).ok()?;
     let effector =
         Eye { node: chain.joints[0], centre: spec.effector.origin.into(), forward: spec.effector.frame.forward.into() };
-    let scene = Scene::of_gaze(subject, &chain, effector, drawn.iter().map(|k| &baked.frames[*k]));
+    let frames = drawn.iter().map(|(k, _)| &baked.frames[*k]);
+    let scene = Scene::of_gaze(subject, &chain, effector, stand, frames);
     Some(html! {
         ol.film {
-            @for &k in &drawn {
-                @let told = &report.frames[k];
+            @for (k, what) in drawn {
+                @let told = &report.frames[*k];
                 @let status = words::status(told.status);
                 li {
                     figure {
-                        (scene.drawing(effector, &baked.frames[k], told.status, told.error_deg))
+                        (scene.drawing(effector, &baked.frames[*k], told.status, told.error_deg))
                         figcaption {
                             span.time { (words::fixed(told.t.into(), 2)) " s" }
                             span.chip { (words::chip(told.status)) (status) }
                             span.number { (words::degrees(told.error_deg)) }
                         }
+                        @if let Some(what) = what { p.event { (what) } }
                     }
                 }
             }

@@ -47,7 +47,7 @@ pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
 
 fn row(joint: &JointSpec, report: &BakeReport, index: usize, times: &[f64]) -> Markup {
     let told: Vec<&JointReport> = report.frames.iter().filter_map(|frame| frame.joints.get(index)).collect();
-    let bone = told.first().map_or(joint.bones[0].as_str(), |joint| joint.bone.as_str());
+    let bone = told.first().map_or(joint.bones[0].as_str(), |joint| joint.bone.name.as_str());
     let heading: Vec<f64> = told.iter().map(|joint| joint.heading_deg).collect();
     let pitch: Vec<f64> = told.iter().map(|joint| joint.pitch_deg).collect();
     let parts = [(joint.heading, &heading), (joint.pitch, &pitch)];

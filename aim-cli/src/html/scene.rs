@@ -19,6 +19,19 @@ const PIXELS: f64 = 2.0;
 const ASIDE_DEG: f64 = 27.0;
 const LIMB_ASIDE_DEG: f64 = 55.0;
 const ABOVE_DEG: f64 = 9.0;
+/// Where a camera stands.
+#[derive(Clone, Copy)]
+pub(super) struct Stand {
+    aside_deg: f64,
+    above_deg: f64,
+}
+
+/// In front of the character, as in a portrait.
+pub(super) const IN_FRONT: Stand = Stand { aside_deg: ASIDE_DEG, above_deg: ABOVE_DEG };
+/// At its side, on its own level, where a head that leans back is plain to see.
+pub(super) const BESIDE: Stand = Stand { aside_deg: 90.0, above_deg: 0.0 };
+const BEFORE_THE_LIMB: Stand = Stand { aside_deg: LIMB_ASIDE_DEG, above_deg: ABOVE_DEG };
+
 /// A head's length for its width.
 const WIDE: f64 = 1.6;
 /// The window's height in heads, and as a share of a character without any surface.
@@ -61,14 +74,14 @@ pub(super) struct FollowingCamera {
 }
 
 impl FollowingCamera {
-    /// Before the character, a little above, to the side on which the effector is.
-    fn new(measurement: &Measurement, aside_deg: f64, follows: Option<usize>, eye_bind: DVec3) -> Self {
+    /// Before the character, to the side on which the effector is.
+    fn new(measurement: &Measurement, stand: Stand, follows: Option<usize>, eye_bind: DVec3) -> Self {
         let &Measurement { up, forward, left, height, .. } = measurement;
         let (low, high) = span(measurement.bones.iter().map(|bone| bone.bind_world.translation.dot(left)));
         let is_right = eye_bind.dot(left) * 2.0 < low + high - 1e-6 * height;
-        let aside_deg = if is_right { -aside_deg } else { aside_deg };
+        let aside_deg = if is_right { -stand.aside_deg } else { stand.aside_deg };
         let middle = [WIDTH / 2.0, HEIGHT / 2.0];
-        Self { view: Projection::from_aside([up, forward, left], aside_deg, ABOVE_DEG, middle), follows }
+        Self { view: Projection::from_aside([up, forward, left], aside_deg, stand.above_deg, middle), follows }
     }
 
     /// Brings into the picture the `head`, given by its extent in the bind pose, wherever the effector is: at `eye_bind`
@@ -141,6 +154,7 @@ impl<'a> Scene<'a> {
         subject: &BakePage<'a>,
         chain: &ChainNodes,
         effector: Eye,
+        stand: Stand,
         drawn: impl Iterator<Item = &'f AimedFrame>,
     ) -> Self {
         let BakePage { document, measurement, .. } = *subject;
@@ -168,12 +182,8 @@ impl<'a> Scene<'a> {
         let eye_bind = bind[first].transform_point3(origin);
         let follows = chain.joints.last().and_then(|node| skeleton.nodes()[*node].parent);
         let places = drawn.map(|frame| frame.world[first].transform_point3(origin) - at(follows, &frame.world));
-        let camera = FollowingCamera::new(measurement, ASIDE_DEG, follows, eye_bind).framing(
-            measurement,
-            head,
-            eye_bind,
-            places,
-        );
+        let camera =
+            FollowingCamera::new(measurement, stand, follows, eye_bind).framing(measurement, head, eye_bind, places);
         Self { document, measurement, surface, joints: chain.joints.clone(), eyes, camera, fade: FADE }
     }
 
@@ -191,7 +201,7 @@ impl<'a> Scene<'a> {
             let bones = || measurement.bones.iter().map(|bone| world[bone.node].translation).collect();
             if skin.is_empty() { bones() } else { skin }
         });
-        let camera = FollowingCamera::new(measurement, LIMB_ASIDE_DEG, None, bind[limb.tip].translation);
+        let camera = FollowingCamera::new(measurement, BEFORE_THE_LIMB, None, bind[limb.tip].translation);
         let camera = camera.around(character, target);
         let joints = vec![limb.upper, limb.lower, limb.tip];
         Self { document, measurement, surface, joints, eyes: Vec::new(), camera, fade: 0.0 }

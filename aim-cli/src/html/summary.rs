@@ -1,9 +1,11 @@
 //! The bake in words and numbers: nothing here is claimed, all of it is counted or measured from the report.
 
 use aim_codegen::RigSpec;
+use aim_gltf::Plausibility;
 use maud::{Markup, html};
 
 use crate::bake_report::BakeReport;
+use crate::plausibility;
 use crate::words::{self, chip, counted, fixed, listed, shown, status, tiny, trimmed};
 
 /// An excess over a rate or a range up to this is rounding.
@@ -45,6 +47,30 @@ pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
                         @for (name, value) in measured(report) { tr { th scope="row" { (name) } td { (value) } } }
                     }
                 }
+                (looks(&report.plausibility))
+            }
+        }
+    }
+}
+
+/// What an animator would judge it by, as written, with limits.
+fn looks(measured: &Plausibility) -> Markup {
+    let sentence =
+        |name: &str| name.chars().take(1).flat_map(char::to_uppercase).chain(name.chars().skip(1)).collect::<String>();
+    html! {
+        table.looks {
+            caption { "How plausible it looks" }
+            tbody {
+                @for row in plausibility::rows(measured) {
+                    tr.exceeded[row.is_exceeded] {
+                        th scope="row" { (sentence(row.name)) }
+                        td {
+                            @if row.is_exceeded { strong { (row.value) } } @else { (row.value) }
+                            @if let Some(limit) = &row.limit { " of at most " (limit) }
+                            @if let Some(when) = &row.when { ", at " (when) }
+                        }
+                    }
+                }
             }
         }
     }
@@ -61,7 +87,7 @@ fn solver(word: &str) -> &str {
 
 fn in_words(spec: &RigSpec, report: &BakeReport) -> String {
     let bones: Vec<&str> = match report.frames.first() {
-        Some(frame) => frame.joints.iter().map(|joint| joint.bone.as_str()).collect(),
+        Some(frame) => frame.joints.iter().map(|joint| joint.bone.name.as_str()).collect(),
         None => spec.joints.iter().map(|joint| joint.name.as_str()).collect(),
     };
     let all = report.frames.len();
@@ -71,7 +97,7 @@ fn in_words(spec: &RigSpec, report: &BakeReport) -> String {
         report.rig,
         trimmed(seconds(report), 2),
         solver(report.solver),
-        report.clip
+        report.over
     );
     let reached = report.summary.reached;
     text += &match reached {
@@ -128,10 +154,12 @@ fn shares(counts: &[(&str, usize, &str)], all: usize) -> Markup {
 
 fn facts(spec: &RigSpec, report: &BakeReport) -> Vec<(&'static str, String)> {
     let vector = |v: [f64; 3]| v.map(|x| shown(x, 4)).join(", ");
-    let bone = report.frames.first().and_then(|frame| frame.joints.first()).map_or("", |joint| joint.bone.as_str());
+    let bone =
+        report.frames.first().and_then(|frame| frame.joints.first()).map_or("", |joint| joint.bone.name.as_str());
     let mut facts = vec![
         ("Rig", report.rig.clone()),
-        ("Clip", report.clip.clone()),
+        ("Aimed over", report.over.clone()),
+        ("Written as", report.clip.clone()),
         ("Length", format!("{} s", trimmed(seconds(report), 3))),
         ("Frames", format!("{}, {} a second", report.frames.len(), trimmed(report.fps.into(), 3))),
         ("Solver", solver(report.solver).to_owned()),

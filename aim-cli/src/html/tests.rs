@@ -1,13 +1,13 @@
 //! The page as a whole: it parses, says everything once more for hostile names, and works when nearly nothing is there.
 
 use aim_codegen::{AngleRange, RigSpec};
-use aim_gltf::{Baked, ChainNodes, Document, Measurement, PAPER_AXES, Plan, Settle, bake, mannequin};
+use aim_gltf::{Baked, ChainNodes, Document, Measurement, PAPER_AXES, Plan, Plausibility, Settle, bake, mannequin};
 use aim_runtime::{DynAim, Settings, Solver};
 use glam::DVec3;
 use scraper::{Html, Selector};
 
 use super::{BakePage, page};
-use crate::bake_report::{BakeReport, JointReport};
+use crate::bake_report::{BakeReport, JointReport, Reported};
 use aim_character::InterpretedRig;
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");
@@ -39,6 +39,7 @@ const BONES_RIG: &str = r#"
 struct Case {
     spec: RigSpec,
     document: Document,
+    chain: ChainNodes,
     measurement: Measurement,
     baked: Baked,
     report: BakeReport,
@@ -63,13 +64,25 @@ impl Case {
             looped: false,
             // Joints that go at their rates, and to their limits.
             settings: Settings::default().with_solver(Solver::Exact),
+            target_node: None,
         };
         let target = |t: f32, _: &[_]| DVec3::new(2.0 * f64::from(t).sin(), 1.7, 2.0 * f64::from(t).cos());
         let baked = bake(&mut DynAim::new(InterpretedRig::new(&spec)), &plan, target, |_, _| {}).expect("a clip");
-        let names: Vec<String> =
-            chain.joints.iter().map(|&node| document.skeleton().nodes()[node].name.clone()).collect();
-        let report = BakeReport::new(&spec, "ascent", 30.0, &names, None, &baked);
-        Self { spec, document, measurement, baked, report }
+        let written = document.with_clips(std::slice::from_ref(&baked.clip)).expect("a sound clip");
+        let written = Document::from_bytes(&written).expect("what was written");
+        let rig = InterpretedRig::new(&spec);
+        let plausibility = Plausibility::measure(&rig, &plan, &baked, &written).expect("the clip is there");
+        let report = BakeReport::new(Reported {
+            spec: &spec,
+            solver: "ascent",
+            fps: 30.0,
+            over: "its clip",
+            skeleton: document.skeleton(),
+            chain: &chain,
+            baked: &baked,
+            plausibility,
+        });
+        Self { spec, document, chain, measurement, baked, report }
     }
 
     fn mannequin(seconds: f32) -> Self {
@@ -84,7 +97,7 @@ impl Case {
     }
 
     fn page(&self) -> String {
-        let Self { spec, report, document, measurement, baked } = self;
+        let Self { spec, report, document, measurement, baked, .. } = self;
         page(&BakePage { spec, report, document, measurement, baked })
     }
 }
@@ -116,10 +129,28 @@ fn the_mannequins_page_is_whole() {
     let text = case.page();
     let html = parsed(&text);
     assert_eq!(count(&html, "head > title"), 1);
-    assert_eq!(count(&html, ".film li image"), 8, "eight drawings of the skin");
-    let charts = 4 + 2 * case.spec.joints.len();
-    assert_eq!(count(&html, ".chart"), charts + 1, "error, two directions and a close-up, roll, two for each joint");
+    let events = count(&html, ".film .event");
+    assert_eq!(
+        count(&html, ".film li image"),
+        16 + events,
+        "eight drawings of the skin, from before and from the side"
+    );
+    assert!(
+        (3..=5).contains(&events) && text.contains("head fastest") && text.contains("first out of reach"),
+        "{events}"
+    );
+    let charts = 7 + 2 * case.spec.joints.len();
+    assert_eq!(
+        count(&html, ".chart"),
+        charts + 1,
+        "error, two directions and a close-up, roll, three of looks, two for each joint"
+    );
     assert!(text.contains("eye in head") && text.contains("close up"), "how eye and head share the gaze");
+    for title in ["Head from chest", "Gaze above or below the target", "Head acceleration"] {
+        // In the table and over a chart.
+        assert_eq!(text.matches(&format!(">{title}<")).count(), 2, "{title}");
+    }
+    assert_eq!(count(&html, ".looks tr"), 7);
     assert_eq!(count(&html, ".rig tbody tr"), case.spec.joints.len());
     for joint in &case.spec.joints {
         assert!(text.contains(&format!("{}: angles and ranges", joint.name)), "{}", joint.name);
@@ -155,7 +186,7 @@ fn limits_are_shaded_just_where_they_bind() {
     let frames = &case.report.frames;
     let (mut limits, mut rates) = (0, 0);
     for (k, joint) in case.spec.joints.iter().enumerate() {
-        let bone = &frames[0].joints[k].bone;
+        let bone = &frames[0].joints[k].bone.name;
         let at_limit = shaded(format!("{bone}: angles and ranges"));
         let at_rate = shaded(format!("{bone}: speed and rate"));
         for (before, frame) in frames.iter().zip(&frames[1..]) {
@@ -201,7 +232,7 @@ fn one_frame_and_none_make_a_page() {
     for frames in [1, 0] {
         let text = Case::mannequin(0.5).cut(frames).page();
         let html = parsed(&text);
-        assert_eq!(count(&html, ".film li"), frames);
+        assert_eq!(count(&html, ".film li"), 2 * frames, "from before and from the side");
         assert_eq!(count(&html, ".rig tbody tr"), 3);
     }
 }
@@ -223,8 +254,16 @@ fn an_hour_is_hardly_larger_than_a_second() {
     let frame = case.baked.frames[0].clone();
     let times = (0_u16..20_000).map(|k| f32::from(k) * 0.18);
     case.baked.frames = times.map(|t| aim_gltf::AimedFrame { t, ..frame.clone() }).collect();
-    let names: Vec<String> = case.spec.joints.iter().map(|joint| joint.name.clone()).collect();
-    case.report = BakeReport::new(&case.spec, "ascent", 30.0, &names, None, &case.baked);
+    case.report = BakeReport::new(Reported {
+        spec: &case.spec,
+        solver: "ascent",
+        fps: 30.0,
+        over: "its clip",
+        skeleton: case.document.skeleton(),
+        chain: &case.chain,
+        baked: &case.baked,
+        plausibility: case.report.plausibility.clone(),
+    });
     let size = case.page().len();
     assert!(size < 1_500_000, "{size} bytes");
 }

@@ -130,7 +130,7 @@ fn turret() -> Vec<u8> {
 fn a_turret_turns_round_and_round() {
     let rig = std::fs::read_to_string(crate::common::bundled_rig("turret")).expect("the rig is there");
     let report = bake(&turret(), &rig, "--target orbit:20,4,5 --seconds 15");
-    assert_eq!((&report["clip"], &report["rig"]), (&json!("clip0"), &json!("Turret")));
+    assert_eq!((&report["clip"], &report["rig"]), (&json!("clip0_aimed"), &json!("Turret")));
     assert_eq!(report["effector"]["origin"], json!([0.0, 0.05, -0.8]));
     assert!(list(&report["frames"]).iter().all(|frame| number(&frame["error_deg"]) < 0.3), "{}", report["summary"]);
     let headings: Vec<f64> =

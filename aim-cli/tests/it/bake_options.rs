@@ -90,17 +90,33 @@ fn the_named_clip_is_aimed_over_and_the_others_stay() {
     other["extras"] = json!({ "kept": true });
     json["animations"].as_array_mut().expect("clips").push(other);
     place.write("m.glb", &crate::common::gltf::put_together(&json, &bin));
-    let report = bake(&place, ASIDE);
-    assert_eq!(report["clip"], "walk");
+    // Without a choice the first, and that is said.
+    let ran = place.done(&format!("bake m.glb --rig m.toml {ASIDE} --out out.glb --report r.json"));
+    for word in ["m.glb has 2 clips", "\"walk\"", "--clip"] {
+        assert!(ran.stderr.contains(word), "{}", ran.stderr);
+    }
+    assert_eq!(place.json("r.json")["clip"], "walk_aimed");
     place.done("inspect out.glb");
-    let ran = place.run(
-        "bake m.glb --rig m.toml --target 0,1,2 --out b.glb --report r.json --clip".split(' ').chain(["wälk <2>"]),
+    let named = |more: &str| {
+        let options = format!("bake m.glb --rig m.toml --target 0,1,2 --out b.glb --report r.json {more}--clip");
+        let ran = place.run(options.split(' ').chain(["wälk <2>"]));
+        assert_eq!((ran.code, ran.stderr.as_str()), (0, ""));
+        crate::common::gltf::take_apart(&place.read("b.glb")).0["animations"].clone()
+    };
+    // Beside it, with all that is said of it.
+    let output = named("");
+    assert_eq!((list(&output).len(), &output[0], &output[1]), (3, &json["animations"][0], &json["animations"][1]));
+    assert_eq!(
+        (&output[2]["name"], &output[2]["extras"]),
+        (&json!("wälk <2>_aimed"), &json["animations"][1]["extras"])
     );
-    assert_eq!((ran.code, ran.stderr.as_str()), (0, ""));
-    let (output, _) = crate::common::gltf::take_apart(&place.read("b.glb"));
-    assert_eq!(output["animations"][0], json["animations"][0]);
-    assert_eq!(output["animations"][1]["extras"], json["animations"][1]["extras"]);
-    assert_ne!(output["animations"][1], json["animations"][1]);
+    // Under another name, or in the place of a clip.
+    let output = named("--as other ");
+    assert_eq!((list(&output).len(), &output[2]["name"], &output[1]), (3, &json!("other"), &json["animations"][1]));
+    let output = named("--as walk ");
+    assert_eq!((list(&output).len(), &output[0]["name"], &output[1]), (2, &json!("walk"), &json["animations"][1]));
+    assert_ne!(output[0], json["animations"][0]);
+    place.refused("bake m.glb --rig m.toml --target 0,1,2 --out c.glb --as=", &["--as"]);
     place.refused(
         "bake m.glb --rig m.toml --target 0,1,2 --out c.glb --clip run",
         &["m.glb", "run", "walk", "wälk <2>"],
@@ -117,6 +133,74 @@ fn a_character_without_clips_stands_still_and_aims() {
     place.refused(&format!("bake m.glb --rig m.toml {ASIDE} --out out.glb"), &["m.glb", "no clip", "--seconds"]);
     let report = bake(&place, &format!("{ASIDE} --seconds 0.5"));
     assert_eq!((&report["clip"], frames(&report).2), (&json!("aim"), 31));
+}
+
+#[test]
+fn a_name_that_is_taken_is_counted_on() {
+    let place = Place::with_mannequin();
+    place.done(&format!("bake m.glb --rig m.toml {ASIDE} --out m.glb --report r.json --clip walk"));
+    place.done(&format!("bake m.glb --rig m.toml {ASIDE} --out m.glb --report r.json --clip walk"));
+    assert_eq!(place.json("r.json")["clip"], "walk_aimed2");
+}
+
+#[test]
+fn weight_attention_and_the_policy_behind_are_the_artists() {
+    let place = Place::with_mannequin();
+    let aside = "--target 1.5,1.66,1.5 --seconds 1.2";
+    let last = |options: &str| {
+        place.done(&format!("bake m.glb --rig m.toml --out out.glb --report r.json {options}"));
+        let report = place.json("r.json");
+        let frame = frames(&report).1.clone();
+        let headings: Vec<f64> = list(&frame["joints"]).iter().map(|joint| number(&joint["heading_deg"])).collect();
+        (headings, frame["status"].clone())
+    };
+    let (whole, _) = last(aside);
+    let (half, _) = last(&format!("{aside} --weight 0.5"));
+    let sum = |headings: &[f64]| headings.iter().sum::<f64>();
+    assert!((sum(&half) / sum(&whole) - 0.5).abs() < 0.05, "{half:?} of {whole:?}");
+    assert_eq!(last(&format!("{aside} --weight 0")).0, [0.0; 3]);
+    // The eye comes back to its middle.
+    let (attentive, _) = last(&format!("{aside} --attention 1"));
+    assert!(whole[0].abs() > 5.0 && attentive[0].abs() < 1.0, "{attentive:?} instead of {whole:?}");
+    // Let go of what is behind.
+    let behind = "--target 0.1,1.66,-2 --seconds 1.2";
+    let (clipped, status) = last(behind);
+    assert!(clipped[1].abs() > 50.0 && status == "behind", "{clipped:?}, {status}");
+    let (released, status) = last(&format!("{behind} --behind release"));
+    assert!(released.iter().all(|heading| heading.abs() < 1e-3) && status == "behind", "{released:?}, {status}");
+    for wrong in ["--weight 2", "--weight=-1", "--weight NaN", "--attention x", "--behind ignore"] {
+        let option = wrong.split([' ', '=']).next().expect("a word");
+        place.refused(&format!("bake m.glb --rig m.toml --out out2.glb {aside} {wrong}"), &[option]);
+    }
+}
+
+#[test]
+fn a_measured_rig_has_the_name_of_its_file() {
+    let place = Place::with_mannequin();
+    place.write("my hero.v2.glb", &place.read("m.glb"));
+    let ran = place.run(["bake", "my hero.v2.glb", "--target", "0,1.6,2", "--out", "o.glb", "--report", "r.json"]);
+    assert!(ran.code == 0 && ran.stdout.contains("aimed by my hero.v2 as"), "{ran:?}");
+    assert_eq!(place.json("r.json")["rig"], "my hero.v2");
+}
+
+#[test]
+fn bones_whose_names_repeat_have_their_node_in_the_report() {
+    let place = Place::with_mannequin();
+    let mut nodes = 0;
+    place.write(
+        "m.glb",
+        &crate::common::changed(|json| {
+            let all = json["nodes"].as_array_mut().expect("nodes");
+            nodes = all.len();
+            all.push(json!({ "name": "neck" }));
+            json["scenes"][0]["nodes"].as_array_mut().expect("roots").push(json!(nodes));
+        }),
+    );
+    place.done(&format!("bake m.glb --rig m.toml {ASIDE} --out out.glb --report r.json"));
+    let report = place.json("r.json");
+    let joints = &report["frames"][0]["joints"];
+    assert_eq!((&joints[1]["bone"], &joints[1]["node"]), (&json!("neck"), &json!(5)));
+    assert!(joints[0].get("node").is_none() && report["effector"].get("node").is_none(), "one name, one node");
 }
 
 #[test]

@@ -79,7 +79,7 @@ fn every_character_with_a_head_without_a_rig() {
             continue;
         }
         let report = bake(file, None, &["--target", "orbit:2,0.2,6", "--seconds", "6"]);
-        assert_eq!(report["rig"], "Measured", "{}", file.display());
+        assert_eq!(report["rig"].as_str(), file.file_stem().and_then(|stem| stem.to_str()), "{}", file.display());
         assert_eq!(report["frames"][0]["status"], "reached", "{}: {}", file.display(), report["frames"][0]);
         // `bake` has held each status to the error in the written file, and every other bone to its place. A head with inertia
         // does not follow each jerk of each clip; without it does.

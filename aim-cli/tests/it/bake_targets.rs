@@ -63,9 +63,52 @@ fn an_orbit_goes_from_the_front_to_the_left_in_metres_of_the_characters_size() {
 fn a_node_where_the_animation_puts_it() {
     let place = Place::with_mannequin();
     let model = Model::new(&place.read("m.glb"));
-    let (clip, hand) = (model.clip(0), model.node("left_hand"));
-    let report = bake(&place, "--target node:left_hand");
-    targets_are(&report, |t| model.world(&model.pose(&clip, t), hand).transform_point3(DVec3::ZERO));
+    let (clip, foot) = (model.clip(0), model.node("left_foot"));
+    let report = bake(&place, "--target node:left_foot");
+    targets_are(&report, |t| model.world(&model.pose(&clip, t), foot).transform_point3(DVec3::ZERO));
+}
+
+#[test]
+fn a_node_that_aiming_moves_where_it_is_then() {
+    let place = Place::with_mannequin();
+    let m = place.read("m.glb");
+    for (hand, solver) in
+        [("left_hand", "natural"), ("right_hand", "natural"), ("left_hand", "exact"), ("right_hand", "ascent")]
+    {
+        // Held out to the side and a little forward, so that the chest turns far and carries it away.
+        let (mut json, bin) = crate::common::gltf::take_apart(&m);
+        let arm = json["nodes"]
+            .as_array()
+            .expect("nodes")
+            .iter()
+            .position(|node| node["name"] == hand.replace("hand", "upper_arm"));
+        let side = if hand == "left_hand" { 1.0 } else { -1.0 };
+        let channels = json["animations"][0]["channels"].as_array_mut().expect("channels");
+        channels.retain(|channel| channel["target"]["node"].as_u64() != arm.map(|arm| arm as u64));
+        let out = glam::DQuat::from_rotation_x(-side * 0.6) * glam::DQuat::from_rotation_y(side * 1.4);
+        json["nodes"][arm.expect("an arm")]["rotation"] = serde_json::json!(out.to_array());
+        place.write("m.glb", &crate::common::gltf::put_together(&json, &bin));
+        let ran = place.done(&format!(
+            "bake m.glb --rig m.toml --target node:{hand} --solver {solver} --out out.glb --report r.json"
+        ));
+        assert_eq!(ran.stderr, "", "nothing to warn of");
+        let (report, model) = (place.json("r.json"), Model::new(&place.read("out.glb")));
+        let name = report["clip"].as_str().expect("a name");
+        let (clip, node) = (model.clip(model.clip_index(name).expect("the clip")), model.node(hand));
+        let mut reached = 0;
+        for frame in list(&report["frames"]) {
+            let world = model.pose(&clip, number(&frame["t"]));
+            let [hand, eye, ahead] =
+                [(node, DVec3::ZERO), (model.node("left_eye"), DVec3::ZERO), (model.node("left_eye"), DVec3::Y)]
+                    .map(|(node, point)| model.world(&world, node).transform_point3(point));
+            let off = (hand - eye).angle_between(ahead - eye).to_degrees();
+            if frame["status"] == "reached" {
+                reached += 1;
+                assert!(off < 0.12, "{hand} {solver}, t {}: {off}° off", frame["t"]);
+            }
+        }
+        assert!(reached > 60, "{hand}, {solver}: only {reached} of 73");
+    }
 }
 
 #[test]

@@ -76,11 +76,13 @@ fn closed() -> Stdio {
 }
 
 #[test]
-fn a_bake_in_a_pipe_prints_one_line() {
+fn a_bake_in_a_pipe_prints_what_it_wrote_and_how_that_looks() {
     let place = Place::with_mannequin();
     let ran = place.done("bake m.glb --rig m.toml --target orbit:2,0,8 --seconds 8 --out out.glb");
     assert!(ran.stdout.starts_with("wrote out.glb: 481 frames of \"walk\" aimed by Mannequin"), "{}", ran.stdout);
-    assert!(ran.stdout.ends_with('\n') && ran.stdout.lines().count() == 1, "{:?}", ran.stdout);
+    let looks = ran.stdout.lines().nth(1).expect("a second line");
+    assert!(looks.starts_with("how it looks: head from chest ") && looks.contains("°/s², "), "{looks}");
+    assert!(ran.stdout.ends_with('\n') && ran.stdout.lines().count() == 2, "{:?}", ran.stdout);
 }
 
 #[test]
@@ -127,9 +129,10 @@ fn names_from_anywhere() {
         "h",
     ]);
     assert_eq!((ran.code, ran.stderr.as_str()), (0, ""));
-    assert_eq!(ran.stdout.lines().count(), 1, "a name's line end is printed as one: {}", ran.stdout);
+    assert_eq!(ran.stdout.lines().count(), 2, "a name's line end is printed as one: {}", ran.stdout);
     let report = place.json("r");
-    assert_eq!((&report["clip"], &report["frames"][0]["joints"][1]["bone"]), (&odd.into(), &odd.into()));
+    let written = format!("{odd}_aimed").into();
+    assert_eq!((&report["clip"], &report["frames"][0]["joints"][1]["bone"]), (&written, &odd.into()));
     let page = String::from_utf8(place.read("h")).expect("text");
     assert!(!page.contains("<script>alert"), "a name became a script");
     let inspection = place.run(["inspect", "Fig ur 頭.glb", "--json"]);

@@ -115,10 +115,10 @@ fn bake_report() {
     let place = Place::with_mannequin();
     place.done("bake m.glb --rig m.toml --target orbit:2,0,4 --seconds 4 --fps 30 --out o.glb --report r.json");
     let report = place.json("r.json");
-    has_keys(&report, "rig solver clip fps effector frames summary");
+    has_keys(&report, "rig solver clip fps effector frames summary plausibility");
     assert_eq!(
         (&report["rig"], &report["solver"], &report["clip"]),
-        (&json!("Mannequin"), &json!("natural"), &json!("walk"))
+        (&json!("Mannequin"), &json!("natural"), &json!("walk_aimed"))
     );
     assert_eq!(number(&report["fps"]), 30.0);
     has_keys(&report["effector"], "bone forward origin");
@@ -133,6 +133,13 @@ fn bake_report() {
     for key in ["frames", "reached"] {
         assert!(report["summary"][key].is_u64(), "{}", report["summary"]);
     }
+    has_keys(
+        &report["plausibility"],
+        "head_to_chest_heading_deg head_roll_deg elevation_error_deg limb_shift head_speed_deg_s head_acceleration_deg_s2 \
+         reversals",
+    );
+    let found = &report["plausibility"];
+    assert!(found["reversals"].is_u64() && number(&found["head_to_chest_heading_deg"]) > 30.0, "{found}");
     let mut words: Vec<&str> = Vec::new();
     for frame in list(&report["frames"]) {
         has_keys(frame, "t target error_deg roll_deg status joints followers");

@@ -61,6 +61,7 @@ fn baked(document: &Document, spec: &RigSpec) -> Baked {
         settle: Settle::Animation,
         looped: false,
         settings: Settings::default(),
+        target_node: None,
     };
     let target = |_: f32, _: &[DAffine3]| DVec3::new(2.0, 2.2, 0.5);
     bake(&mut DynAim::new(InterpretedRig::new(spec)), &plan, target, |_, _| ()).expect("the plan is right")

@@ -43,6 +43,7 @@ fn aimed(frame_of: impl Fn(&str) -> Frame) -> Vec<Seen> {
         looped: false,
         // So that every frame goes on to the end: where an ascent stops early is a matter of rounding.
         settings: Settings::default().with_tolerance(2e-6),
+        target_node: None,
     };
     let target = |t: f32, _: &[DAffine3]| {
         let turn = f64::from(t) * 1.6 - 1.0;

@@ -55,7 +55,9 @@ impl Bake<'_> {
     pub(crate) fn check(&self) {
         let (source, output) = (Model::new(self.source), Model::new(self.output));
         let clip_name = self.report["clip"].as_str().expect("the clip's name");
-        let source_clip = source.clip_index(clip_name).map(|at| source.clip(at));
+        // Written beside its clip, or in its place.
+        let over = clip_name.strip_suffix("_aimed").unwrap_or(clip_name);
+        let source_clip = source.clip_index(over).map(|at| source.clip(at));
         let output_at = output.clip_index(clip_name).expect("the baked clip is in the output");
         let output_clip = output.clip(output_at);
         let frames = list(&self.report["frames"]);

@@ -1,5 +1,6 @@
 //! Runs the command as its users do, and looks at what it says and leaves behind.
 
+pub(crate) mod character;
 pub(crate) mod forward;
 pub(crate) mod gltf;
 pub(crate) mod latex;

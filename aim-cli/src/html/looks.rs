@@ -1,0 +1,68 @@
+//! Charts of what makes a gaze look plausible or not: the head from the chest, the gaze above or below the target, the head's
+//! acceleration. Measured on what was written.
+
+use aim_gltf::{Appearance, Criterion, Plausibility};
+use maud::{Markup, html};
+
+use super::chart::{Base, Mark, Scale, Series};
+use crate::words::trimmed;
+
+/// Those of the charts that have something to show.
+pub(super) fn charts(base: &Base<'_>, measured: &Plausibility) -> Markup {
+    html! {
+        (chart(base, measured, Criterion::HeadToChestHeading, |seen| seen.head_to_chest_heading_deg))
+        (chart(base, measured, Criterion::ElevationError, |seen| seen.elevation_off_deg))
+        (chart(base, measured, Criterion::HeadAcceleration, |seen| seen.head_acceleration_deg_s2))
+    }
+}
+
+fn chart(
+    base: &Base<'_>,
+    measured: &Plausibility,
+    criterion: Criterion,
+    pick: fn(&Appearance) -> Option<f64>,
+) -> Markup {
+    let values: Vec<f64> = measured.frames.iter().map(|seen| pick(seen).unwrap_or(f64::NAN)).collect();
+    let most = values.iter().filter(|value| value.is_finite()).fold(0.0_f64, |most, value| most.max(value.abs()));
+    if values.iter().all(|value| value.is_nan()) {
+        return html! {};
+    }
+    let must = criterion.must(measured.is_humanoid);
+    let (title, label, unit) = match criterion {
+        Criterion::HeadToChestHeading => (
+            "Head from chest",
+            "Heading of the head from the chest's over time, animation and correction together.",
+            "degrees, positive to the left",
+        ),
+        Criterion::ElevationError => (
+            "Gaze above or below the target",
+            "Elevation of the gaze less the target's over time; it counts once the gaze had the time to come, and within reach.",
+            "degrees, positive upwards",
+        ),
+        _ => (
+            "Head acceleration",
+            "Acceleration of the head's correction against the chest's over time.",
+            "degrees a second squared",
+        ),
+    };
+    // A limit far from everything would flatten the curve.
+    let room = most.max(must.filter(|must| *must < 2.5 * most.max(5.0)).unwrap_or(0.0)).max(5.0) * 1.08;
+    let is_size = criterion == Criterion::HeadAcceleration;
+    let scale = if is_size { Scale::Linear(0.0, room) } else { Scale::Degrees(-room, room) };
+    let mut chart = base.chart(label.to_owned(), unit, scale);
+    chart.wraps = (!is_size).then_some(360.0);
+    for must in must.into_iter().filter(|must| *must <= room) {
+        let label = trimmed(must, 0);
+        let ends: &[f64] = if is_size { &[1.0] } else { &[1.0, -1.0] };
+        chart.marks.extend(ends.iter().map(|sign| Mark { value: must * sign, class: "plain", label: label.clone() }));
+    }
+    let mut counted = values.clone();
+    if criterion == Criterion::ElevationError {
+        chart.series.push(Series { name: "on the way or out of reach", class: "pitch", values });
+        for (value, _) in counted.iter_mut().zip(&measured.frames).filter(|(_, seen)| !seen.elevation_counts) {
+            *value = f64::NAN;
+        }
+    }
+    chart.series.push(Series { name: "what counts", class: "one", values: counted });
+    chart.figure(title)
+}

@@ -1,0 +1,107 @@
+//! How plausible a bake looks: the report's block, in words, and as a check.
+
+use std::path::Path;
+
+use aim_gltf::{Criterion, Plausibility};
+use serde::Serializer;
+use serde::ser::SerializeMap;
+
+use crate::failure::{Failure, Result};
+use crate::words::{fixed, listed, trimmed};
+
+/// The block `plausibility` of a report: every criterion's worst value, or null where nothing tells it.
+pub(crate) fn block<S: Serializer>(measured: &Plausibility, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+    let mut block = serializer.serialize_map(Some(Criterion::ALL.len()))?;
+    for criterion in Criterion::ALL {
+        let worst = measured.worst(criterion).map(|worst| worst.value);
+        match criterion {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of frames at most")]
+            Criterion::Reversals => block.serialize_entry(criterion.key(), &worst.map(|count| count as u64))?,
+            _ => block.serialize_entry(criterion.key(), &worst)?,
+        }
+    }
+    block.end()
+}
+
+/// One criterion, ready to be shown.
+pub(crate) struct Row {
+    pub(crate) name: &'static str,
+    /// Its worst value; a dash where nothing tells it.
+    pub(crate) value: String,
+    /// The limit, if there is one.
+    pub(crate) limit: Option<String>,
+    /// When the worst is reached.
+    pub(crate) when: Option<String>,
+    pub(crate) is_exceeded: bool,
+}
+
+/// All criteria.
+pub(crate) fn rows(measured: &Plausibility) -> impl Iterator<Item = Row> + '_ {
+    Criterion::ALL.into_iter().map(|criterion| {
+        let (worst, limit) = (measured.worst(criterion), criterion.must(measured.is_humanoid));
+        Row {
+            name: name(criterion),
+            value: worst.map_or_else(|| "–".to_owned(), |worst| shown(criterion, worst.value)),
+            limit: limit.map(|limit| shown(criterion, limit)),
+            when: worst.map(|worst| format!("{} s", fixed(worst.t, 2))),
+            is_exceeded: worst.zip(limit).is_some_and(|(worst, limit)| worst.value > limit),
+        }
+    })
+}
+
+fn name(criterion: Criterion) -> &'static str {
+    match criterion {
+        Criterion::HeadToChestHeading => "head from chest",
+        Criterion::HeadRoll => "head roll",
+        Criterion::ElevationError => "gaze above or below the target",
+        Criterion::LimbShift => "hands and clavicles moved, of the height",
+        Criterion::HeadSpeed => "head speed",
+        Criterion::HeadAcceleration => "head acceleration",
+        Criterion::Reversals => "reversals in half a second",
+    }
+}
+
+fn shown(criterion: Criterion, value: f64) -> String {
+    match criterion {
+        Criterion::LimbShift => format!("{} %", trimmed(100.0 * value, 1)),
+        Criterion::HeadSpeed => format!("{}°/s", trimmed(value, 0)),
+        Criterion::HeadAcceleration => format!("{}°/s²", trimmed(value, 0)),
+        Criterion::Reversals => trimmed(value, 0),
+        _ => format!("{}°", trimmed(value, 1)),
+    }
+}
+
+/// What is too much, each with its limit and when it is worst; empty where all is well.
+fn exceeded(measured: &Plausibility) -> Vec<String> {
+    let too_much = rows(measured).filter(|row| row.is_exceeded);
+    too_much
+        .map(|Row { name, value, limit, when, .. }| {
+            let (limit, when) = (limit.unwrap_or_default(), when.unwrap_or_default());
+            format!("{name} {value} (at most {limit}) at {when}")
+        })
+        .collect()
+}
+
+/// Everything in one sentence, and what is too much in another.
+pub(crate) fn in_words(measured: &Plausibility) -> String {
+    let all: Vec<String> = rows(measured).map(|row| format!("{} {}", row.name, row.value)).collect();
+    let mut out = format!("how it looks: {}", all.join(", "));
+    let exceeded = exceeded(measured);
+    if !exceeded.is_empty() {
+        out += &format!("\nmore than is plausible: {}", exceeded.join(", "));
+    }
+    out
+}
+
+/// Insists on every limit.
+///
+/// # Errors
+/// Each value beyond its limit; `file` has been written all the same.
+pub(crate) fn insist(measured: &Plausibility, file: &Path) -> Result {
+    let exceeded = exceeded(measured);
+    if exceeded.is_empty() {
+        return Ok(());
+    }
+    let parts: Vec<&str> = exceeded.iter().map(String::as_str).collect();
+    Err(Failure::Check(format!("{}: was written, but does not look plausible: {}", file.display(), listed(&parts))))
+}

@@ -1,0 +1,208 @@
+//! What `plausibility` in a report says, against movements of known size.
+
+use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
+
+use aim_gltf::{Channel, Clip, Criterion, Plausibility, Settle};
+use aim_runtime::Settings;
+use glam::{DQuat, DVec3, Quat, Vec3};
+
+use crate::common::Place;
+use crate::common::changed;
+use crate::common::character::{Character, Order};
+
+/// The mannequin without a clip, which stands in its bind pose.
+fn statue() -> Character {
+    Character::new(&changed(|json| drop(json.as_object_mut().expect("an object").remove("animations"))))
+}
+
+/// A bone, and its heading, pitch and roll over time, degrees.
+type Moved<'a> = (&'a str, &'a dyn Fn(f64) -> [f64; 3]);
+
+/// Two seconds of the statue with bones turned by hand: each by degrees to the left about its own up (+X), up about its left
+/// (+Z), and tilted to its left about its own forward (+Y), over time.
+fn moved(bones: &[Moved<'_>]) -> Plausibility {
+    let character = statue();
+    let order = Order { settle: Settle::Animation, settings: Settings::default().with_weight(0.0), ..Order::of(2.0) };
+    let (_, measured) = character.measure(
+        order,
+        |_| character.seen_at(2.0, 0.0, 0.0),
+        |clip| {
+            let times = times(clip);
+            for (bone, angles_at) in bones {
+                let node = character.node(bone);
+                let rest = character.document.skeleton().nodes()[node].rest.rotation.as_dquat();
+                let keys = times.iter().map(|&t| {
+                    let [heading, pitch, roll] = angles_at(t.into()).map(f64::to_radians);
+                    let turn = DQuat::from_rotation_x(heading) * DQuat::from_rotation_z(-pitch);
+                    (rest * turn * DQuat::from_rotation_y(-roll)).as_quat()
+                });
+                clip.set(Channel::rotation(node, times.clone(), &keys.collect::<Vec<_>>()));
+            }
+        },
+    );
+    measured
+}
+
+fn times(clip: &Clip) -> Arc<[f32]> {
+    clip.channels[0].times().into()
+}
+
+#[track_caller]
+fn is(measured: &Plausibility, criterion: Criterion, expected: f64, near: f64) {
+    let found = measured.worst(criterion).expect("it can be told").value;
+    assert!((found - expected).abs() <= near, "{}: {found} instead of {expected}", criterion.key());
+}
+
+#[test]
+fn a_head_is_seen_from_the_chest() {
+    let measured = moved(&[("neck", &|_| [50.0, 0.0, 0.0]), ("spine3", &|_| [-20.0, 0.0, 0.0])]);
+    is(&measured, Criterion::HeadToChestHeading, 50.0, 1e-3);
+    is(&measured, Criterion::HeadRoll, 0.0, 1e-3);
+    is(&measured, Criterion::HeadSpeed, 0.0, 1e-3);
+    // The chest carries the arms.
+    is(&measured, Criterion::LimbShift, 0.0, 1e-6);
+    let measured = moved(&[("neck", &|_| [0.0, 10.0, -22.0])]);
+    is(&measured, Criterion::HeadRoll, 22.0, 1e-3);
+    is(&measured, Criterion::HeadToChestHeading, 0.0, 1e-3);
+    assert!(measured.frames[0].head_roll_deg.is_some_and(|roll| roll < 0.0), "tilted to its right");
+}
+
+#[test]
+fn a_clip_that_turns_the_head_too_far_is_not_the_bakes_fault() {
+    let character = statue();
+    let neck = character.node("neck");
+    let rest = character.document.skeleton().nodes()[neck].rest.rotation;
+    let turned = |degrees: f32| rest * Quat::from_rotation_x(degrees.to_radians());
+    let clip = Clip::new("owl", vec![Channel::rotation(neck, [0.0, 1.0].into(), &[turned(110.0); 2])]);
+    let owl = character.document.with_clips(&[clip]).expect("a clip");
+    let owl = Character::new(&owl);
+    let order = Order { settings: Settings::default().with_weight(0.0), ..Order::of(1.0) };
+    let turned_by = |degrees: f32| {
+        let change =
+            |clip: &mut Clip| clip.set(Channel::rotation(neck, times(clip), &vec![turned(degrees); times(clip).len()]));
+        owl.measure(order, |_| owl.seen_at(2.0, 0.0, 0.0), change).1
+    };
+    assert_eq!(turned_by(110.0).worst(Criterion::HeadToChestHeading), None);
+    assert_eq!(turned_by(95.0).exceeded().count(), 0);
+    is(&turned_by(115.0), Criterion::HeadToChestHeading, 115.0, 1e-2);
+}
+
+#[test]
+fn speed_and_acceleration_are_those_of_neck_and_head_together() {
+    use std::f64::consts::TAU;
+    // 20°·sin(2πt) in each of two bones, one way; the chest's own turn is none of it.
+    let swing = |t: f64| [20.0 * (TAU * t).sin(), 0.0, 0.0];
+    let measured = moved(&[("neck", &swing), ("head", &swing), ("spine3", &|t| [15.0 * (3.0 * t).sin(), 0.0, 0.0])]);
+    is(&measured, Criterion::HeadSpeed, 40.0 * TAU, 0.5);
+    is(&measured, Criterion::HeadAcceleration, 40.0 * TAU * TAU, 5.0);
+    is(&measured, Criterion::Reversals, 0.0, 0.0);
+    // A tremor at 8 Hz turns round every sixteenth of a second: eight times in half a second.
+    let tremor = |t: f64| [0.5 * (8.0 * TAU * t).sin(), 0.0, 0.0];
+    is(&moved(&[("neck", &tremor)]), Criterion::Reversals, 8.0, 1.0);
+    is(&moved(&[("spine3", &tremor)]), Criterion::Reversals, 8.0, 1.0);
+    // Eyes may.
+    is(&moved(&[("left_eye", &tremor)]), Criterion::Reversals, 0.0, 0.0);
+}
+
+#[test]
+fn arms_that_leave_their_chest_are_told_in_parts_of_the_height() {
+    let character = statue();
+    let height = character.measurement.height;
+    let order = Order { settings: Settings::default().with_weight(0.0), ..Order::of(1.0) };
+    let (_, measured) = character.measure(
+        order,
+        |_| character.seen_at(2.0, 0.0, 0.0),
+        |clip| {
+            let node = character.node("left_clavicle");
+            let rest = character.document.skeleton().nodes()[node].rest.translation;
+            let times = times(clip);
+            let keys: Vec<Vec3> =
+                times.iter().map(|_| (rest.as_dvec3() + DVec3::Y * (0.07 * height)).as_vec3()).collect();
+            clip.set(Channel::translation(node, times, &keys));
+        },
+    );
+    is(&measured, Criterion::LimbShift, 0.07, 1e-4);
+    let measured = moved(&[("left_upper_arm", &|_| [0.0, 0.0, 60.0])]);
+    let found = measured.worst(Criterion::LimbShift).expect("arms").value;
+    // A straight arm of 0.52 m swings by 60°, and the hand with it.
+    assert!((found - 0.52 / height).abs() < 0.02, "{found}");
+}
+
+#[test]
+fn a_gaze_above_its_target_is_told_once_it_had_the_time_to_come() {
+    let character = statue();
+    // Weight 1 for a target ahead, the eye then lifted by hand.
+    let lifted = |from: f64, target: &dyn Fn(f64) -> DVec3| {
+        let (_, measured) = character.measure(Order::of(2.0), target, |clip| {
+            let node = character.node("left_eye");
+            let rest = character.document.skeleton().nodes()[node].rest.rotation;
+            let times = times(clip);
+            let key =
+                |&t: &f32| if f64::from(t) < from { rest } else { rest * Quat::from_rotation_z(-17_f32.to_radians()) };
+            clip.set(Channel::rotation(node, times.clone(), &times.iter().map(key).collect::<Vec<_>>()));
+        });
+        measured.worst(Criterion::ElevationError).map(|worst| (worst.value, worst.t))
+    };
+    let ahead = |_: f64| character.seen_at(2.0, 0.0, 0.0);
+    let (found, when) = lifted(0.0, &ahead).expect("frames");
+    assert!((found - 17.0).abs() < 1e-2 && (0.7..0.72).contains(&when), "{found} at {when}");
+    // The target comes up late: nothing is told until 0.7 s after it.
+    let late = |t: f64| character.seen_at(2.0, 0.0, if t < 1.5 { 0.0 } else { 17.0 });
+    let (found, _) = lifted(1.5, &late).expect("frames");
+    assert!(found < 1e-2, "{found}");
+    // Out of any reach it is not told at all, nor if the gaze is not to meet it.
+    assert_eq!(lifted(0.0, &|_| character.seen_at(2.0, 0.0, 85.0)), None);
+    assert_eq!(moved(&[]).worst(Criterion::ElevationError), None);
+}
+
+#[test]
+fn people_are_told_from_animals_by_their_trunk() {
+    assert!(statue().bake(0.2, |_| DVec3::Z).is_humanoid);
+    let rotated = |json: &mut serde_json::Value| {
+        // On all fours: what is above the hips turned level, against the legs.
+        let nodes = json["nodes"].as_array_mut().expect("nodes");
+        assert_eq!(nodes[1]["name"], "spine");
+        drop(json.as_object_mut().expect("an object").remove("skins"));
+        json["nodes"][1]["rotation"] = serde_json::json!(DQuat::from_rotation_z(-FRAC_PI_2).to_array());
+        drop(json.as_object_mut().expect("an object").remove("animations"));
+        json["nodes"][25].as_object_mut().expect("the body").remove("skin");
+    };
+    let animal = Character::new(&changed(rotated)).bake(0.2, |_| DVec3::Z);
+    assert!(!animal.is_humanoid);
+    assert_eq!(Criterion::LimbShift.must(animal.is_humanoid), None);
+}
+
+#[test]
+fn the_help_tells_the_limits() {
+    let help = Place::new().done("bake --help").stdout;
+    let section = help.split("Plausibility").last().expect("its last section");
+    for criterion in Criterion::ALL {
+        for limit in [true, false].into_iter().filter_map(|is_humanoid| criterion.must(is_humanoid)) {
+            let limit = if criterion == Criterion::LimbShift { 100.0 * limit } else { limit };
+            assert!(section.contains(&format!("{limit}")), "{}: {limit} is not in {section}", criterion.key());
+        }
+    }
+}
+
+#[test]
+fn strict_fails_on_what_is_too_much_and_names_it() {
+    let place = Place::with_mannequin();
+    let rig = String::from_utf8(place.read("m.toml")).expect("text").replace("rate = \"170deg\"", "rate = \"2000deg\"");
+    place.write("quick.toml", &rig);
+    place.write("jump.csv", "t,x,y,z\n0,0,1.66,2\n0.5,0,1.66,2\n0.501,2,1.66,1\n");
+    let bake = "bake m.glb --seconds 1 --target file:jump.csv --out o.glb --report r.json --html r.html --strict";
+    let calm = place.done(&format!("{bake} --rig m.toml"));
+    assert!(calm.stdout.contains("head speed"), "{}", calm.stdout);
+    let ran = place.aim(&format!("{bake} --rig quick.toml --solver exact"));
+    assert_eq!(ran.code, 1, "{ran:?}");
+    for word in ["o.glb", "written", "head speed", "at most 300°/s", "head acceleration", "at 0.5"] {
+        assert!(ran.stderr.contains(word), "{word}: {}", ran.stderr);
+    }
+    // All the same it is there, and the page has it too.
+    let found = &place.json("r.json")["plausibility"];
+    assert!(found["head_speed_deg_s"].as_f64().expect("a number") > 300.0, "{found}");
+    let page = String::from_utf8(place.read("r.html")).expect("text");
+    assert!(page.contains("Head acceleration") && page.contains("of at most 300°/s"), "the page");
+    place.done(&format!("{} --rig quick.toml --solver exact", bake.replace(" --strict", "")));
+}
