@@ -214,6 +214,7 @@ pub(crate) const SOLVERS: &Choices<&[Solver]> = &[
 
 const BEHINDS: &Choices<Behind> = &[
     (Behind::Clip, "clip", "Turn to the edge of what is in reach, on the target's side"),
+    (Behind::Plane, "plane", "Turn to it as a plane in front has it: at most 80° aside"),
     (Behind::Off, "off", "Go as near as the joints come, on the side they are on"),
     (Behind::Hold, "hold", "Stay as it is"),
     (Behind::Release, "release", "Return to the animation"),
@@ -228,6 +229,12 @@ const SETTLES: &Choices<Settle> = &[
 fn share(text: &str) -> Result<f32, String> {
     let number = text.parse().ok().filter(|share| (0.0..=1.0).contains(share));
     number.ok_or_else(|| "expected a number from 0 to 1, such as 0.5".into())
+}
+
+/// Parses a time for which to stay.
+fn patience(text: &str) -> Result<f32, String> {
+    let number = text.parse().ok().filter(|seconds: &f32| *seconds >= 0.0);
+    number.ok_or_else(|| "expected seconds from 0 on, such as 2".into())
 }
 
 /// Parses one of these words to its value.
@@ -292,6 +299,9 @@ pub(crate) struct Bake {
     /// What becomes of a target behind the character.
     #[arg(long, value_name = "POLICY", value_parser = one_of(BEHINDS), default_value = "clip")]
     pub(crate) behind: Behind,
+    /// Seconds for which a natural gaze stays with a target out of reach before it returns to the animation; for ever if not given.
+    #[arg(long, value_name = "S", value_parser = patience)]
+    pub(crate) patience: Option<f32>,
     /// How long the result is; the clip's length if not given, repeated if longer.
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     pub(crate) seconds: Option<f32>,

@@ -48,6 +48,8 @@ pub(crate) struct Reported<'a> {
     pub(crate) over: &'a str,
     pub(crate) skeleton: &'a Skeleton,
     pub(crate) chain: &'a ChainNodes,
+    /// The nodes that are held on the trunk.
+    pub(crate) held: &'a [usize],
     pub(crate) baked: &'a Baked,
     /// Measured on what was written.
     pub(crate) plausibility: Plausibility,
@@ -121,9 +123,10 @@ pub(crate) fn status_word(status: Status) -> &'static str {
 
 impl BakeReport {
     pub(crate) fn new(reported: Reported<'_>) -> Self {
-        let Reported { spec, solver, fps, over, skeleton, chain, baked, plausibility } = reported;
+        let Reported { spec, solver, fps, over, skeleton, chain, held, baked, plausibility } = reported;
         let bones: Vec<Bone> = chain.joints.iter().map(|&node| Bone::new(skeleton, node)).collect();
-        let followers: Vec<Bone> = chain.other_eye.iter().map(|&node| Bone::new(skeleton, node)).collect();
+        let followers = chain.other_eye.iter().chain(held).map(|&node| Bone::new(skeleton, node));
+        let followers: Vec<Bone> = followers.collect();
         let joint = |(joint, bone): (&JointFrame, &Bone)| JointReport {
             bone: bone.clone(),
             heading_deg: f64::from(joint.heading).to_degrees(),

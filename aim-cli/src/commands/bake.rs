@@ -92,7 +92,8 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
             .with_solver(solver)
             .with_weight(arguments.weight)
             .with_attention(arguments.attention)
-            .with_behind(arguments.behind),
+            .with_behind(arguments.behind)
+            .with_patience(arguments.patience.unwrap_or(f32::INFINITY)),
         target_node: match &arguments.target {
             TargetSpec::Node(name) => Some(skeleton.find(name).map_err(fail)?),
             _ => None,
@@ -105,6 +106,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
             "warning: the target {name} moves with the gaze itself: aimed is at where the animation alone has it"
         );
     }
+    let held: Vec<usize> = live.held().collect();
     let bar = progress_bar();
     let progress = |done, all| {
         bar.set_length(all as u64);
@@ -124,6 +126,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         over: clip.map_or("the rest pose", |clip| &clip.name),
         skeleton,
         chain: &chain,
+        held: &held,
         baked: &baked,
         plausibility: Plausibility::measure(&character.rig, &plan, &baked, &written).map_err(fail)?,
     });

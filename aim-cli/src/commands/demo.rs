@@ -42,6 +42,7 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
         weight: 1.0,
         attention: 0.0,
         behind: Behind::default(),
+        patience: None,
         seconds: Some(seconds),
         fps: 60.0,
         hold: None,

@@ -168,7 +168,12 @@ fn weight_attention_and_the_policy_behind_are_the_artists() {
     assert!(clipped[1].abs() > 50.0 && status == "behind", "{clipped:?}, {status}");
     let (released, status) = last(&format!("{behind} --behind release"));
     assert!(released.iter().all(|heading| heading.abs() < 1e-3) && status == "behind", "{released:?}, {status}");
-    for wrong in ["--weight 2", "--weight=-1", "--weight NaN", "--attention x", "--behind ignore"] {
+    let (impatient, _) = last(&format!("{behind} --patience 0.1"));
+    assert!(impatient[1].abs() < 0.5 * clipped[1].abs(), "{impatient:?} after {clipped:?}");
+    // Nearly straight behind, on the plane it is nearly ahead.
+    let (on_plane, _) = last(&format!("{behind} --behind plane"));
+    assert!(sum(&on_plane).abs() < 0.5 * sum(&clipped).abs(), "{on_plane:?} instead of {clipped:?}");
+    for wrong in ["--weight 2", "--patience=-1", "--weight=-1", "--weight NaN", "--attention x", "--behind ignore"] {
         let option = wrong.split([' ', '=']).next().expect("a word");
         place.refused(&format!("bake m.glb --rig m.toml --out out2.glb {aside} {wrong}"), &[option]);
     }

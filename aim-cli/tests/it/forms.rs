@@ -10,16 +10,9 @@ use crate::common::{changed, gltf, mannequin};
 /// The targets of a form's bakes.
 const JUMPS_DEG: [f64; 4] = [10.0, 30.0, 60.0, 95.0];
 
-/// More than the limits of people, for reasons that are told where it is allowed: criterion, and the value there.
-type Allowed<'a> = &'a [(Criterion, f64)];
-
-/// As the target of the orbit comes to be behind, the solver shares the heading anew among head and necks: the head takes over from
-/// the necks at its rate, from one frame to the next. Measured 6924.5.
-const SHARED_ANEW: Allowed<'static> = &[(Criterion::HeadAcceleration, 7000.0)];
-
 /// Bakes every case and holds each against the limits for people.
 #[track_caller]
-fn looks_human(model: &[u8], allowed: Allowed<'_>) {
+fn looks_human(model: &[u8]) {
     let character = Character::new(model);
     let mut problems = Vec::new();
     let mut judge = |case: &str, measured: &Plausibility| {
@@ -31,8 +24,7 @@ fn looks_human(model: &[u8], allowed: Allowed<'_>) {
                 assert!(is_overhead && criterion != Criterion::HeadSpeed, "{case}: {} is not told", criterion.key());
                 continue;
             };
-            let must = criterion.must(true).expect("people have limits for all");
-            let limit = allowed.iter().find(|(known, _)| *known == criterion).map_or(must, |(_, value)| *value);
+            let limit = criterion.must(true).expect("people have limits for all");
             if worst.value > limit {
                 problems.push(format!("{case}: {} {:.4} at {:.2} s", criterion.key(), worst.value, worst.t));
             }
@@ -102,53 +94,44 @@ fn without_eyes(json: &mut Value) {
 
 #[test]
 fn one_neck_bone_and_eyes() {
-    looks_human(&mannequin(), &[]);
+    looks_human(&mannequin());
 }
 
 #[test]
 fn three_neck_bones() {
-    looks_human(
-        &changed(|json| {
-            insert(json, "neck1", "head", 0.667);
-            insert(json, "neck2", "head", 0.5);
-        }),
-        SHARED_ANEW,
-    );
+    looks_human(&changed(|json| {
+        insert(json, "neck1", "head", 0.667);
+        insert(json, "neck2", "head", 0.5);
+    }));
 }
 
 #[test]
 fn clavicles_on_the_neck() {
-    looks_human(
-        &changed(|json| {
-            let (chest, neck) = (node(json, "spine3"), node(json, "neck"));
-            let up = translation(json, neck);
-            for name in ["left_clavicle", "right_clavicle"] {
-                let arm = node(json, name);
-                // All bones have the same axes in the bind pose.
-                json["nodes"][arm]["translation"] = json!((translation(json, arm) - up).to_array());
-                json["nodes"][chest]["children"].as_array_mut().expect("children").retain(|child| *child != json!(arm));
-                json["nodes"][neck]["children"].as_array_mut().expect("children").push(json!(arm));
-            }
-        }),
-        &[],
-    );
+    looks_human(&changed(|json| {
+        let (chest, neck) = (node(json, "spine3"), node(json, "neck"));
+        let up = translation(json, neck);
+        for name in ["left_clavicle", "right_clavicle"] {
+            let arm = node(json, name);
+            // All bones have the same axes in the bind pose.
+            json["nodes"][arm]["translation"] = json!((translation(json, arm) - up).to_array());
+            json["nodes"][chest]["children"].as_array_mut().expect("children").retain(|child| *child != json!(arm));
+            json["nodes"][neck]["children"].as_array_mut().expect("children").push(json!(arm));
+        }
+    }));
 }
 
 #[test]
 fn no_eyes() {
-    looks_human(&changed(without_eyes), &[]);
+    looks_human(&changed(without_eyes));
 }
 
 #[test]
 fn three_neck_bones_and_no_eyes() {
-    looks_human(
-        &changed(|json| {
-            without_eyes(json);
-            insert(json, "neck1", "head", 0.667);
-            insert(json, "neck2", "head", 0.5);
-        }),
-        SHARED_ANEW,
-    );
+    looks_human(&changed(|json| {
+        without_eyes(json);
+        insert(json, "neck1", "head", 0.667);
+        insert(json, "neck2", "head", 0.5);
+    }));
 }
 
 #[test]
@@ -171,36 +154,33 @@ fn a_leaning_torso() {
         let leaning = aim_gltf::Channel::rotation(node, channel.times().into(), &keys.collect::<Vec<_>>());
         clip.set(leaning);
     }
-    looks_human(&document.with_clips(&[clip]).expect("a clip"), &[]);
+    looks_human(&document.with_clips(&[clip]).expect("a clip"));
 }
 
 #[test]
 fn a_long_neck() {
-    looks_human(
-        &changed(|json| {
-            let head = node(json, "head");
-            json["nodes"][head]["translation"] = json!((translation(json, head) * 3.0).to_array());
-            // Its bind pose is as long.
-            let skins = json["skins"].as_array_mut().expect("skins");
-            drop(skins[0].as_object_mut().expect("a skin").remove("inverseBindMatrices"));
-        }),
-        &[],
-    );
+    looks_human(&changed(|json| {
+        let head = node(json, "head");
+        json["nodes"][head]["translation"] = json!((translation(json, head) * 3.0).to_array());
+        // Its bind pose is as long.
+        let skins = json["skins"].as_array_mut().expect("skins");
+        drop(skins[0].as_object_mut().expect("a skin").remove("inverseBindMatrices"));
+    }));
 }
 
 #[test]
 fn mirrored_as_a_whole() {
-    looks_human(&on_root(&mannequin(), &json!({ "scale": [-1.0, 1.0, 1.0] })), &[]);
+    looks_human(&on_root(&mannequin(), &json!({ "scale": [-1.0, 1.0, 1.0] })));
 }
 
 #[test]
 fn bones_that_are_left_handed() {
     let [u, f, l] = aim_gltf::PAPER_AXES;
     let model = aim_gltf::mannequin(|_| [u, f, l.map(|c| -c)]).expect("orthonormal axes");
-    looks_human(&model, &[]);
+    looks_human(&model);
 }
 
 #[test]
 fn centimetres() {
-    looks_human(&on_root(&mannequin(), &json!({ "scale": [100.0, 100.0, 100.0] })), &[]);
+    looks_human(&on_root(&mannequin(), &json!({ "scale": [100.0, 100.0, 100.0] })));
 }

@@ -153,10 +153,13 @@ impl Plausibility {
             let aimed = written.skeleton().world_f64(&written.skeleton().pose(clip, frame.t));
             let t = f64::from(frame.t);
             let mut seen = look.frame(t, frame.target, &animated, &aimed);
-            // A policy for what is behind, and less than all of the weight, do not mean to meet the target.
-            let is_meant = plan.settings.weight >= 1.0
+            // Some policies for what is behind, less than all of the weight and a patience at its end do not mean to meet the
+            // target.
+            let settings = &plan.settings;
+            let is_meant = settings.weight >= 1.0
+                && frame.outcome.out_of_reach_for <= settings.patience
                 && (frame.outcome.status != Status::Behind
-                    || matches!(plan.settings.behind, Behind::Clip | Behind::Off));
+                    || matches!(settings.behind, Behind::Clip | Behind::Plane | Behind::Off));
             seen.elevation_counts &=
                 arrival.has_settled(t, look.target_elevation_deg(frame.target, &animated, &aimed)) && is_meant;
             if let Some([of_head, of_chest]) = look.turns(&animated, &aimed) {

@@ -55,6 +55,11 @@ impl Bearings {
         Self { turns_round, ..Self::new(up, forward, left, trunk_up) }
     }
 
+    /// The direction that elevations count towards.
+    pub(crate) fn up(&self) -> Vec3A {
+        self.axes.z_axis
+    }
+
     /// Heading and elevation of a direction of any length but zero.
     #[inline(always)]
     pub(crate) fn angles(&self, direction: Vec3A) -> [f32; 2] {

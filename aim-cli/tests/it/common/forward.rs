@@ -66,8 +66,10 @@ impl Bake<'_> {
         assert!((output_clip.seconds - seconds).abs() < 1e-5, "{} against {seconds}", output_clip.seconds);
 
         let chain: Vec<usize> = bones(&frames[0]["joints"]).map(|bone| output.node(bone)).collect();
-        let pair: Vec<usize> = bones(&frames[0]["followers"]).map(|bone| output.node(bone)).collect();
         let (held, trunk) = arms_on_the_neck(&output, &chain);
+        let followers: Vec<usize> = bones(&frames[0]["followers"]).map(|bone| output.node(bone)).collect();
+        assert!(held.iter().all(|arm| followers.contains(arm)), "{held:?} of {followers:?}");
+        let pair: Vec<usize> = followers.into_iter().filter(|node| !held.contains(node)).collect();
         self.only_the_clip_differs(&source, &output, output_at, &[&chain[..], &pair[..], &held[..]].concat());
 
         let period = source_clip.as_ref().map_or(0.0, |clip| clip.seconds);

@@ -23,7 +23,7 @@ mod sight;
 
 use core::f32::consts::PI;
 
-use glam::Vec3A;
+use glam::{Mat3A, Vec3A};
 
 use self::allot::Fit;
 use self::body::{Body, Carried, Posture};
@@ -446,12 +446,10 @@ impl<'a, const C: usize> Gaze<'a, C> {
                     } else {
                         self.seen(&posture.carried, &posture.joints, point)?
                     };
+                    let held = self.held_straight(&seen, &from[first], &posture.carried, point);
                     posture.joints[first] = match &motion {
-                        Some(motion) => self.leap(&seen, &from[first], motion),
-                        None => {
-                            let [heading, pitch] = self.held_straight(&seen, &from[first]);
-                            from[first].turned_to(heading, pitch)
-                        }
+                        Some(motion) => self.leap(held, &from[first], motion),
+                        None => from[first].turned_to(held[0], held[1]),
                     };
                 }
             }
@@ -625,9 +623,8 @@ impl<'a, const C: usize> Gaze<'a, C> {
     }
 
     /// Turns the eye towards what it sees by a frame. It remembers where that was, and the speed at which it leaps.
-    fn leap(&self, seen: &Seen, joint: &Joint, motion: &Motion<'_>) -> Joint {
+    fn leap(&self, held: Pair, joint: &Joint, motion: &Motion<'_>) -> Joint {
         let (dt, reach) = (motion.dt, &motion.reaches[self.body.first]);
-        let held = self.held_straight(seen, joint);
         let before = joint.destination().unwrap_or(joint.angles());
         let rate = reach.step / dt;
         let change = [0, 1].map(|axis| held[axis] - before[axis]);
@@ -642,9 +639,31 @@ impl<'a, const C: usize> Gaze<'a, C> {
     }
 
     /// Where the eye is held: towards what is out of its range straight, so that the gaze goes straight while the head comes and
-    /// keeps its elevation where the head does not get there.
-    fn held_straight(&self, seen: &Seen, joint: &Joint) -> Pair {
-        if seen.is_within() { seen.held } else { self.held(self.body.first, joint, self.straight(seen.wanted)) }
+    /// keeps its elevation where the head does not get there; towards what is far aside level, as straight would lead over the
+    /// other way round.
+    fn held_straight(&self, seen: &Seen, joint: &Joint, carried: &Carried, point: Vec3A) -> Pair {
+        /// From the first of these headings on the eye keeps to the point's elevation, wholly from the second.
+        const ASIDE_RAD: [f32; 2] = [50.0 * PI / 180.0, 100.0 * PI / 180.0];
+        if seen.is_within() {
+            return seen.held;
+        }
+        let [heading, pitch] = self.straight(seen.wanted);
+        let aside = (seen.wanted[0].abs() - ASIDE_RAD[0]) / (ASIDE_RAD[1] - ASIDE_RAD[0]);
+        let aside = aside.at_least(0.0).at_most(1.0);
+        let level = if aside > 0.0 { self.level_pitch(carried, heading, point - carried.at) } else { pitch };
+        self.held(self.body.first, joint, [heading, pitch + aside * (level - pitch)])
+    }
+
+    /// The pitch at which the eye, at this heading, looks as high as `to_point` goes: of a·cos p + b·sin p = sin ε, a and b being
+    /// how high its forward and its up go.
+    fn level_pitch(&self, carried: &Carried, heading: f32, to_point: Vec3A) -> f32 {
+        let up = self.bearings.up();
+        let (sin, cos) = trig::sin_cos(heading);
+        let Mat3A { x_axis: forward, y_axis: left, z_axis: own_up } = carried.frame;
+        let (a, b) = ((forward * cos + left * sin).dot(up), own_up.dot(up));
+        let sin_elevation = to_point.dot(up) / to_point.length().at_least(f32::MIN_POSITIVE);
+        let sin = (sin_elevation / math::sqrt(a * a + b * b).at_least(1e-3)).at_least(-1.0).at_most(1.0);
+        trig::atan2(sin, math::sqrt(1.0 - sin * sin)) - trig::atan2(a, b)
     }
 
     /// As far as the eye gets straight towards what is out of its range.
