@@ -79,6 +79,7 @@ impl Case {
             over: "its clip",
             skeleton: document.skeleton(),
             chain: &chain,
+            held: &[],
             baked: &baked,
             plausibility,
         });
@@ -261,6 +262,7 @@ fn an_hour_is_hardly_larger_than_a_second() {
         over: "its clip",
         skeleton: case.document.skeleton(),
         chain: &case.chain,
+        held: &[],
         baked: &case.baked,
         plausibility: case.report.plausibility.clone(),
     });
