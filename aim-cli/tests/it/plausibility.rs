@@ -152,7 +152,7 @@ fn a_gaze_above_its_target_is_told_once_it_had_the_time_to_come() {
     let (found, _) = lifted(1.5, &late).expect("frames");
     assert!(found < 1e-2, "{found}");
     // Out of any reach it is not told at all, nor if the gaze is not to meet it.
-    assert_eq!(lifted(0.0, &|_| character.seen_at(2.0, 0.0, 85.0)), None);
+    assert_eq!(lifted(0.0, &|_| character.seen_at(2.0, 0.0, 89.0)), None);
     assert_eq!(moved(&[]).worst(Criterion::ElevationError), None);
 }
 

@@ -292,7 +292,8 @@ fn the_bones_of_a_vrm_files_eyes_turn_by_its_maps() {
         place.done(&format!("bake v.vrm --target={target} --seconds 0.5 --out o.glb --report r.json{both_eyes}"));
         let (report, output) = (place.json("r.json"), Model::new(&place.read("o.glb")));
         let source = Model::new(&source);
-        let clips = [&source, &output].map(|model| model.clip(model.clip_index("walk").expect("the clip")));
+        let named = [(&source, "walk"), (&output, "walk_aimed")];
+        let clips = named.map(|(model, name)| model.clip(model.clip_index(name).expect("the clip")));
         for frame in list(&report["frames"]) {
             let t = frame["t"].as_f64().expect("a time");
             let [before, after] = [source.pose(&clips[0], t), output.pose(&clips[1], t)];
