@@ -305,7 +305,7 @@ fn rust_branches_only_where_a_joint_or_a_length_is_chosen() {
                 let expected = match method.sig.ident.to_string().as_str() {
                     "aim_gradient" if is_of_trait => (1, branches.1),
                     "residual_jacobian" => (0, branches.1),
-                    "aim_gradient" | "joint_name" | "bone_name" => (1, 0),
+                    "aim_gradient" | "joint_name" | "bone_name" | "held_bone" => (1, 0),
                     "chain_value_gradient" | "chain_residual_jacobian" => (0, 1),
                     _ => (0, 0),
                 };

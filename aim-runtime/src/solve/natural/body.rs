@@ -161,7 +161,8 @@ impl Carried {
 
     /// The effector where all joints have had their turn.
     pub(super) fn gaze<const C: usize>(&self, body: &Body<'_, C>) -> Ray {
-        Ray { origin: self.at, direction: self.turn * body.gaze.direction }
+        // Not by the turn: a frame that is not quite square would count twice.
+        Ray { origin: self.at, direction: self.frame * body.effector.direction }
     }
 }
 
