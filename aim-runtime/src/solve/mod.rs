@@ -252,7 +252,9 @@ fn goal<const C: usize>(
         space: chain.space(),
         gaze,
         front: Front::new(&(chain.base.matrix3 * rig.joints[chain.count - 1].planes.basis), gaze),
-        motions: &motions[chain.first..],
+        rig: rig.description,
+        first: chain.first,
+        motions,
         bearings: None,
         has_two_eyes: pose.other_eye.is_some(),
     };

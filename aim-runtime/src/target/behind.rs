@@ -13,6 +13,7 @@ use crate::limits::RangeOfMotion;
 use crate::math;
 use crate::math::trig;
 use crate::rig::Side;
+use crate::{Description, JointInfo, Role};
 
 /// From this angle off the innermost joint's animated forward a target is behind.
 const BEHIND_RAD: f32 = 150.0 * PI / 180.0;
@@ -24,6 +25,36 @@ const COS_STILL_BACK: f32 = 0.766_044_4;
 const COS_PLANE: f32 = 0.173_648_18;
 /// The sine and cosine of how far a target has to pass the middle of the back before it counts as on the other side.
 const HELD: (f32, f32) = (0.173_648_18, 0.984_807_7);
+
+/// How far joints turn together, radians: headings right and left, pitches down and up.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Span {
+    heading: [f32; 2],
+    /// `None` where no pitch leads over the head: a natural gaze turns round by its heading.
+    pitch: Option<[f32; 2]>,
+}
+
+impl Span {
+    /// That of joints with these ranges.
+    pub(crate) fn of_ranges(motions: &[RangeOfMotion]) -> Self {
+        let sum = |ends: fn(&RangeOfMotion) -> [f32; 2]| {
+            motions.iter().map(ends).fold([0.0; 2], |[lo, hi], own| [lo + own[0], hi + own[1]])
+        };
+        Self { heading: sum(|motion| motion.heading.ends()), pitch: Some(sum(|motion| motion.pitch.ends())) }
+    }
+
+    /// That of joints with these ranges, of parts of the body that have budgets.
+    pub(crate) fn of_budgets(rig: &Description<'_>, infos: &[JointInfo], motions: &[RangeOfMotion]) -> Self {
+        let mut heading = [0.0; 2];
+        for roles in [&[Role::Head, Role::Neck][..], &[Role::Chest], &[Role::Eye, Role::None]] {
+            let own = infos.iter().zip(motions).filter(|(info, _)| roles.contains(&info.role));
+            let sum = own.fold([0.0; 2], |[lo, hi], (_, motion)| [lo + motion.heading.lo(), hi + motion.heading.hi()]);
+            let [least, most] = rig.budget(roles[0]).heading;
+            heading = [heading[0] + sum[0].max(least), heading[1] + sum[1].min(most)];
+        }
+        Self { heading, pitch: None }
+    }
+}
 
 /// The character's front as the animation has it: the innermost joint's axes, seen from the effector.
 #[derive(Clone, Copy, Debug)]
@@ -43,18 +74,12 @@ impl Front {
         Self { origin: gaze.origin, forward, left, up, gaze: gaze.direction }
     }
 
-    /// Whether targets behind are out of reach of joints with these ranges, so that the policy applies.
-    fn is_guarded(&self, motions: &[RangeOfMotion]) -> bool {
-        let [mut right_rad, mut left_rad, mut down_rad, mut up_rad] = [0.0_f32; 4];
-        for motion in motions {
-            right_rad += motion.heading.lo();
-            left_rad += motion.heading.hi();
-            down_rad += motion.pitch.lo();
-            up_rad += motion.pitch.hi();
-        }
+    /// Whether targets behind are out of reach of joints that turn so far together, so that the policy applies.
+    pub(crate) fn is_guarded(&self, span: &Span) -> bool {
         let gaze_rad = trig::atan2(self.gaze.dot(self.left), self.gaze.dot(self.forward));
+        let [right_rad, left_rad] = span.heading;
         let around = left_rad + gaze_rad >= BEHIND_RAD || right_rad + gaze_rad <= -BEHIND_RAD;
-        let over = up_rad >= 0.5 * PI || down_rad <= -0.5 * PI;
+        let over = span.pitch.is_some_and(|[down_rad, up_rad]| up_rad >= 0.5 * PI || down_rad <= -0.5 * PI);
         !(around || over)
     }
 
@@ -89,10 +114,10 @@ impl Front {
         }
     }
 
-    /// Whether `target` is behind, where joints with these ranges do not reach; `before` is whether it was so far.
-    pub(crate) fn is_behind(&self, target: Vec3A, before: bool, motions: &[RangeOfMotion]) -> bool {
+    /// Whether `target` is behind; `before` is whether it was so far.
+    pub(crate) fn is_behind(&self, target: Vec3A, before: bool) -> bool {
         let edge = if before { COS_STILL_BACK } else { COS_BACK };
-        self.look(target).is_some_and(|(_, [forward, ..])| forward < -edge) && self.is_guarded(motions)
+        self.look(target).is_some_and(|(_, [forward, ..])| forward < -edge)
     }
 
     /// `target` brought to the edge of the cone behind the character, at its own height; itself where it is not in the
@@ -107,10 +132,9 @@ impl Front {
         }
     }
 
-    /// Whether `target` is off the plane in front, and joints with these ranges do not come round behind.
-    pub(crate) fn is_off_plane(&self, target: Vec3A, motions: &[RangeOfMotion]) -> bool {
-        let is_off = |(_, look): (f32, [f32; 3])| look[0] < COS_PLANE * level(look);
-        self.look(target).is_some_and(is_off) && self.is_guarded(motions)
+    /// Whether `target` is off the plane in front.
+    pub(crate) fn is_off_plane(&self, target: Vec3A) -> bool {
+        self.look(target).is_some_and(|(_, look)| look[0] < COS_PLANE * level(look))
     }
 
     /// `target` moved along forward to the plane in front, its distance and elevation kept; itself where it is in front of the

@@ -7,8 +7,8 @@ use crate::kinematics::chain::{Ray, Space};
 use crate::limits::RangeOfMotion;
 use crate::math::trig;
 use crate::rig::{Memory, Side};
-use crate::target::behind::Front;
-use crate::{Behind, Settings, math};
+use crate::target::behind::{Front, Span};
+use crate::{Behind, Description, Settings, math};
 
 /// What a call turns to, in solver space.
 #[derive(Clone, Copy, Debug)]
@@ -42,12 +42,26 @@ pub(crate) struct Scene<'a> {
     /// The animated effector.
     pub(crate) gaze: Ray,
     pub(crate) front: Front,
-    /// The ranges of the joints that have a part.
+    pub(crate) rig: &'a Description<'a>,
+    /// The joint that is aimed, and all joints' ranges.
+    pub(crate) first: usize,
     pub(crate) motions: &'a [RangeOfMotion],
-    /// Where weights count by heading and elevation, and not along arcs.
+    /// Where weights and budgets count by heading and elevation, and not along arcs.
     pub(crate) bearings: Option<&'a Bearings>,
     /// Whether two eyes converge on the goal.
     pub(crate) has_two_eyes: bool,
+}
+
+impl Scene<'_> {
+    /// How far the joints that have a part turn together.
+    #[cold]
+    fn span(&self) -> Span {
+        let motions = &self.motions[self.first..];
+        match self.bearings {
+            Some(_) => Span::of_budgets(self.rig, &self.rig.joints[self.first..], motions),
+            None => Span::of_ranges(motions),
+        }
+    }
 }
 
 impl Goal {
@@ -66,7 +80,7 @@ impl Goal {
 
     #[inline(always)]
     fn for_target(scene: &Scene<'_>, target: Vec3A, settings: &Settings, before: &Memory) -> Self {
-        let &Scene { gaze, ref front, motions, bearings, .. } = scene;
+        let &Scene { gaze, ref front, bearings, .. } = scene;
         let side = front.side(target, before.side);
         let weight = settings.effective_weight();
         let wanted = match bearings {
@@ -84,9 +98,10 @@ impl Goal {
         };
         let behind = match settings.behind {
             Behind::Off => false,
-            Behind::Plane => front.is_off_plane(wanted, motions),
-            Behind::Clip | Behind::Hold | Behind::Release => front.is_behind(wanted, before.behind, motions),
+            Behind::Plane => front.is_off_plane(wanted),
+            Behind::Clip | Behind::Hold | Behind::Release => front.is_behind(wanted, before.behind),
         };
+        let behind = behind && front.is_guarded(&scene.span());
         let (course, aimed) = match settings.behind {
             Behind::Hold if behind => (Course::Stay, wanted),
             Behind::Release if behind => (Course::Rest, wanted),

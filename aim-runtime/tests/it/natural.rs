@@ -751,3 +751,26 @@ fn patience_ends() {
         assert!(remaining64(&rig, &pose, 0, at(40.0, 0.0)) < 0.002);
     }
 }
+
+/// Where the budgets end a turn well before the joints' own ranges would, what is behind is behind.
+#[test]
+fn policies_for_what_is_behind_count_by_budgets() {
+    let after = |behind: Behind| {
+        let mut rig = thug();
+        for info in &mut rig.infos[1..] {
+            *info = info.with_heading(-100.0 * DEG, 100.0 * DEG).with_pitch(-50.0 * DEG, 50.0 * DEG);
+        }
+        let pose = upright(&rig);
+        let settings = Settings::default().with_behind(behind);
+        let mut outcome = aim(&mut rig, &pose, at(170.0, 0.0), 1.0 / 60.0, &settings);
+        for _ in 0..180 {
+            outcome = aim(&mut rig, &pose, at(170.0, 0.0), 1.0 / 60.0, &settings);
+        }
+        (outcome.status, turned(&rig.joints[1]))
+    };
+    assert_eq!(after(Behind::Off).0, Status::AtLimit);
+    for (behind, neck) in [(Behind::Clip, 60.0..=80.0), (Behind::Release, 0.0..=0.1), (Behind::Hold, 0.0..=0.1)] {
+        let (status, turned) = after(behind);
+        assert!(status == Status::Behind && neck.contains(&turned), "{behind:?}: {status:?}, {turned}°");
+    }
+}

@@ -135,10 +135,9 @@ impl<'a, const C: usize> Body<'a, C> {
     }
 }
 
-/// What the joints further in do to a joint: the turn that they add, where they bring it, and its frame, in solver space.
+/// What the joints further in make of a joint: where they bring it, and its frame, in solver space.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Carried {
-    turn: Mat3A,
     pub(super) at: Vec3A,
     pub(super) frame: Mat3A,
 }
@@ -147,7 +146,7 @@ impl Carried {
     /// The innermost joint, as the animation has it.
     #[inline(always)]
     pub(super) fn root<const C: usize>(body: &Body<'_, C>) -> Self {
-        Self { turn: Mat3A::IDENTITY, at: Vec3A::ZERO, frame: body.frames[body.count - 1] }
+        Self { at: Vec3A::ZERO, frame: body.frames[body.count - 1] }
     }
 
     /// The same for the next joint outward; the effector for the aimed one.
@@ -156,7 +155,7 @@ impl Carried {
         let frame = turned(&self.frame, halves);
         let turn = frame * body.frames[joint].transpose();
         let at = self.at + turn * body.arm(joint);
-        Self { turn, at, frame: if joint > body.first { turn * body.frames[joint - 1] } else { frame } }
+        Self { at, frame: if joint > body.first { turn * body.frames[joint - 1] } else { frame } }
     }
 
     /// The effector where all joints have had their turn.

@@ -79,7 +79,9 @@ pub(super) fn aim<const C: usize>(
         space: body.space,
         gaze: body.gaze,
         front: Front::new(&body.frames[body.count - 1], body.gaze),
-        motions: &motions[body.first..],
+        rig: rig.description,
+        first: body.first,
+        motions,
         bearings: Some(&bearings),
         has_two_eyes: pose.other_eye.is_some(),
     };
