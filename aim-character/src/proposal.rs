@@ -113,6 +113,9 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
     };
     let of_neck = bones.iter().filter(|bone| matches!(bone.role, Some(Role::Head | Role::Neck)));
     let limbs = limbs_on_each(skeleton, of_neck.map(|bone| bone.node));
+    // Only names that mean one node can be declared. Without any the arms are found where they are held.
+    let is_clear = |limb: &usize| skeleton.find(&skeleton.nodes()[*limb].name).is_ok();
+    let is_declared = limbs.iter().flat_map(|(_, limbs)| limbs).all(is_clear);
     for (at, (bone, part)) in bones.iter().zip(parts(&roles, &bones)).enumerate() {
         // Only names that mean one node can be declared.
         skeleton.find(&bone.name)?;
@@ -139,8 +142,13 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         }
         if let Some((_, limbs)) = limbs.iter().find(|(node, _)| *node == bone.node) {
             let names: Vec<String> = limbs.iter().map(|&limb| skeleton.nodes()[limb].name.clone()).collect();
-            why += &format!("; {} hang on it and are held on the trunk", names.join(", "));
-            joint.hold = Some(names);
+            why += &format!("; {} hang on it", names.join(", "));
+            if is_declared {
+                why += " and are held on the trunk";
+                joint.hold = Some(names);
+            } else {
+                why += ", which `hold` cannot say, as names repeat; `aim bake` finds them and holds them on the trunk";
+            }
         }
         if bone.deviation_deg > CARDINAL_DEG {
             why += &format!(
@@ -150,11 +158,6 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         }
         proposal.spec.joints.push(joint);
         proposal.reasons.push(why);
-    }
-    // Only names that mean one node can be declared. Without any the arms are found where they are held.
-    let is_unclear = |limb: &usize| skeleton.find(&skeleton.nodes()[*limb].name).is_err();
-    if limbs.iter().flat_map(|(_, limbs)| limbs).any(is_unclear) {
-        proposal.spec.joints.iter_mut().for_each(|joint| joint.hold = None);
     }
     Ok(proposal)
 }

@@ -6,7 +6,7 @@ use std::time::Duration;
 use aim_character::{Fit, InterpretedRig, chain_nodes, hold, propose};
 use aim_codegen::RigSpec;
 use aim_gltf::{Clip, Document, Live, Measurement, Plan, Plausibility};
-use aim_runtime::{DynAim, Rig, Settings};
+use aim_runtime::{DynAim, Rig, Settings, Solver};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::args::{self, SOLVERS};
@@ -78,6 +78,12 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     let mut character = DynAim::new(InterpretedRig::new(spec));
     let usual = character.rig.description().default_solver();
     let solver = arguments.aiming.solver.map_or(usual, |solvers| solvers[0]);
+    for (option, is_given) in [("--attention", arguments.attention > 0.0), ("--patience", arguments.patience.is_some())]
+    {
+        if is_given && solver != Solver::Natural {
+            eprintln!("warning: {option} is of the natural solver; another one moves this rig, which does without it");
+        }
+    }
     let plan = Plan {
         document,
         clip,

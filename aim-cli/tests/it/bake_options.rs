@@ -173,6 +173,12 @@ fn weight_attention_and_the_policy_behind_are_the_artists() {
     // Nearly straight behind, on the plane it is nearly ahead.
     let (on_plane, _) = last(&format!("{behind} --behind plane"));
     assert!(sum(&on_plane).abs() < 0.5 * sum(&clipped).abs(), "{on_plane:?} instead of {clipped:?}");
+    for option in ["--attention 1", "--patience 1"] {
+        let told = |solver: &str| {
+            place.done(&format!("bake m.glb --rig m.toml --out out.glb {aside} {option} --solver {solver}")).stderr
+        };
+        assert!(told("exact").contains("is of the natural solver") && !told("natural").contains("warning"), "{option}");
+    }
     for wrong in ["--weight 2", "--patience=-1", "--weight=-1", "--weight NaN", "--attention x", "--behind ignore"] {
         let option = wrong.split([' ', '=']).next().expect("a word");
         place.refused(&format!("bake m.glb --rig m.toml --out out2.glb {aside} {wrong}"), &[option]);
