@@ -79,11 +79,19 @@ pub(crate) fn solve<const C: usize>(
     let about = upright_axis(pose, solver(rig, call.settings));
     let (mut joints, mut memory) = (rig.array(Joint::REST), *state.memory);
     joints.copy_from_slice(state.joints);
-    let solve_chain =
-        |pose: &PoseSlices<'_>, motions: &[RangeOfMotion], joints: &mut [Joint], memory: &mut Memory| match call.dt {
+    let solve_chain = |pose: &PoseSlices<'_>, motions: &[RangeOfMotion], joints: &mut [Joint], memory: &mut Memory| {
+        if moves_by_regions(rig, call.settings) {
+            let solved = natural::aim(rig, pose, motions, call, about, joints, memory);
+            // Where a snap is undefined from rest the search may find a start from which it is not.
+            if solved.is_some() || call.dt.is_some() {
+                return solved;
+            }
+        }
+        match call.dt {
             Some(dt) => aim_joints(rig, pose, motions, call, dt, joints, memory),
             None => snap_joints(rig, pose, motions, call, joints, memory),
-        };
+        }
+    };
     let solved = match pose.other_eye {
         Some(other_eye) => Eyes::new(rig, pose, other_eye, &motions, about)
             .and_then(|eyes| eyes.aim(call, &mut joints, &mut memory, solve_chain)),
@@ -116,7 +124,7 @@ fn solver<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) -> Solver 
     settings.solver.unwrap_or(rig.default_solver())
 }
 
-/// Whether joints move by regions. An eye without support, and a joint without a role, moves by the exact solver, and so do
+/// True if joints move by regions. An eye without support, and a joint without a role, moves by the exact solver, and so do
 /// joints whose axes are not square to each other.
 fn moves_by_regions<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) -> bool {
     let count = rig.joints.len();
@@ -149,9 +157,6 @@ fn aim_joints<const C: usize>(
     let settings = call.settings;
     let solver = solver(rig, settings);
     let about = upright_axis(pose, solver);
-    if moves_by_regions(rig, settings) {
-        return natural::aim(rig, pose, motions, call, about, joints, memory);
-    }
     let chain = Chain::new(rig, pose.joints, settings.effector, about)?;
     let goal = goal(rig, &chain, pose, motions, call, memory)?;
     let frame = Frame::new(rig, &chain, motions, &goal, dt, settings.effective_tolerance(), joints);
@@ -197,12 +202,6 @@ fn snap_joints<const C: usize>(
     // Nothing but the side is remembered: the result is to depend on the past as little as it can.
     let mut before = *memory;
     before.behind = false;
-    if moves_by_regions(rig, settings) {
-        let snapped = natural::aim(rig, pose, motions, call, about, joints, memory);
-        if snapped.is_some() {
-            return snapped;
-        }
-    }
     let chain = Chain::new(rig, pose.joints, settings.effector, about)?;
     let goal = goal(rig, &chain, pose, motions, call, &before)?;
     // A target on the animated effector has no direction, whatever the joints could make of it.
