@@ -1,6 +1,6 @@
 //! [`Description`]: what was declared of a rig.
 
-use glam::{Mat3A, Vec3A, Vec4};
+use glam::{Vec3A, Vec4};
 
 use super::JointInfo;
 use crate::limits::reach::AT_LIMIT_RAD;
@@ -21,7 +21,7 @@ pub struct Description<'a> {
     pub(crate) angles: usize,
     /// Whether any joint has an upright heading.
     pub(crate) has_upright: bool,
-    /// Whether the axes of every joint are unit and square to each other.
+    /// True if the axes of every joint are unit and square to each other.
     pub(crate) is_square: bool,
     /// Whether every range counts from the animation, has no taper, and lies within ±π.
     pub(crate) has_fixed_ranges: bool,
@@ -30,9 +30,6 @@ pub struct Description<'a> {
     pub(crate) has_origin: bool,
     /// Whether the effector looks along joint 0's forward.
     pub(crate) aims_forward: bool,
-    /// The axes of the first joint and of the last: forward, left and up as columns.
-    pub(crate) first: Mat3A,
-    pub(crate) last: Mat3A,
     pub(crate) lanes: AllLanes,
 }
 
@@ -84,8 +81,6 @@ impl<'a> Description<'a> {
             default_solver,
             has_origin,
             aims_forward,
-            first: basis(joints.first()),
-            last: basis(joints.last()),
             lanes,
         }
     }
@@ -165,13 +160,6 @@ impl<'a> Description<'a> {
     #[inline(always)]
     pub(crate) fn aims_joint_0(&self) -> bool {
         !self.has_origin && self.aims_forward
-    }
-}
-
-const fn basis(joint: Option<&JointInfo>) -> Mat3A {
-    match joint {
-        Some(joint) => joint.planes.basis,
-        None => Mat3A::IDENTITY,
     }
 }
 

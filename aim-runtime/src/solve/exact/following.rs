@@ -129,7 +129,7 @@ fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
         offset = animated[0].transform_vector3a(rig.effector.origin.into());
         links.squares += offset * offset;
     }
-    if !links.read(&rig.last, frames, per_square, call.target_ps.into()) {
+    if !links.read(&rig.joints[rig.joints.len() - 1].planes.basis, frames, per_square, call.target_ps.into()) {
         return None;
     }
     let mut flat = [IDENTITY_LINK; N];
@@ -574,7 +574,7 @@ impl<const N: usize, const V: usize> Angles<N, V> {
             target = transposed_product(&matrix3, target - translation);
         }
         if rig.aims_forward {
-            return view(&rig.first, target);
+            return view(&infos[0].planes.basis, target);
         }
         let [forward, left, up] = rig.effector.axes(&infos[0].axes);
         View { forward: forward.dot(target), left: left.dot(target), up: up.dot(target) }

@@ -107,10 +107,10 @@ impl<'a> Eye<'a> {
         let Mat3A { x_axis: x, y_axis: y, z_axis: z } = animated.matrix3;
         let products = Mat3A::from_cols(x * to_target, y * to_target, z * to_target).transpose();
         let target = products.x_axis + products.y_axis + products.z_axis;
-        let animated = view(&rig.first, target);
+        let animated = view(&info.planes.basis, target);
         is_ordinary(&animated).then(|| Self {
             info,
-            axes: &rig.first,
+            axes: &info.planes.basis,
             ranges,
             target,
             animated,
