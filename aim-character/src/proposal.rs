@@ -209,7 +209,7 @@ fn says(bone: &BoneAxes, words: &[&str]) -> bool {
     name.split(|c: char| !c.is_alphabetic()).any(|word| words.contains(&word))
 }
 
-/// What a joint does that belongs to no region.
+/// The habit of a joint that belongs to no region.
 fn habit(bone: &BoneAxes) -> &'static Habit {
     match bone.role {
         Some(Role::LeftEye | Role::RightEye) => &EYE,
@@ -220,7 +220,7 @@ fn habit(bone: &BoneAxes) -> &'static Habit {
     }
 }
 
-/// What a joint does that makes `part` of its region's turn, and why.
+/// The habit of a joint that makes `part` of its region's turn, and its reason.
 fn of_region(region: Region, part: f64, budgets: &Budgets) -> (Habit, String) {
     let whole = match region {
         Region::Head => &budgets.head,
@@ -280,7 +280,7 @@ fn eyes_rest(document: &Document, measurement: &Measurement) -> Option<&'static 
     }
 }
 
-/// Whether a mesh has morph targets that turn eyes, by the names of `ARKit`: `eyeLookInLeft` and the like.
+/// True if a mesh has morph targets that turn eyes, by the names of `ARKit`: `eyeLookInLeft` and the like.
 fn has_eye_morphs(document: &Document) -> bool {
     let meshes = document.json().get("meshes").and_then(|meshes| meshes.as_array()).into_iter().flatten();
     let names = meshes.filter_map(|mesh| mesh.get("extras")?.get("targetNames")?.as_array()).flatten();

@@ -18,7 +18,7 @@ pub(crate) struct BakeReport {
     pub(crate) solver: &'static str,
     /// The one that was written.
     pub(crate) clip: String,
-    /// What was aimed over: a clip, or the rest pose.
+    /// The clip that was aimed over, or the rest pose.
     #[serde(skip)]
     pub(crate) over: String,
     pub(crate) fps: f32,

@@ -11,7 +11,7 @@ use crate::words::{self, n, segment};
 
 /// Drawings in a strip over time.
 const DRAWINGS: usize = 8;
-/// What is less than this is nothing to look at: degrees, or degrees a second.
+/// Less than this is nothing to look at: degrees, or degrees a second.
 const SEEN: f64 = 1.0;
 /// Distance of the drawn line of sight from the eye.
 const START: f64 = 13.0;

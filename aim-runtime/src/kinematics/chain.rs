@@ -78,7 +78,7 @@ pub(crate) struct Chain<const C: usize> {
     space: Space,
 }
 
-/// Where solver space is in the pose's.
+/// The place of solver space in the pose's.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Space {
     pub(crate) origin: Vec3A,
@@ -198,7 +198,7 @@ impl<const C: usize> Chain<C> {
         self.local.is_none()
     }
 
-    /// Where solver space is in the pose's.
+    /// The place of solver space in the pose's.
     pub(crate) fn space(&self) -> Space {
         self.space
     }
@@ -317,7 +317,7 @@ impl<const C: usize> Chain<C> {
     }
 }
 
-/// What is aimed where `first` is the joint that is: its own forward from its own origin but for joint 0.
+/// The ray that is aimed by joint `first`: its own forward from its own origin, for joint 0 the declared effector.
 #[inline(always)]
 pub(crate) fn effector<const C: usize>(rig: &ChainRig<'_, C>, first: usize) -> Ray {
     if first == 0 {

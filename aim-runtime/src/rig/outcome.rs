@@ -13,10 +13,10 @@ pub struct Outcome {
     /// The angle between the effector's direction and the direction to the target, radians, 0…π; π/2 where the call
     /// is degenerate. With a [weight](crate::Settings::weight) below 1 the target is the weighted goal.
     pub remaining: f32,
-    /// How far the body would have to turn for the target's heading to come into reach, radians about up, positive to the
+    /// The turn that the body would have to make for the target's heading to come into reach, radians about up, positive to the
     /// left; 0 where its heading is within reach. Told by the [natural](crate::Solver::Natural) solver; 0 from the others.
     pub body_turn: f32,
-    /// For how long the target has been out of reach or behind, seconds. Told by the natural solver; 0 from the others.
+    /// The time for which the target has been out of reach or behind, seconds. Told by the natural solver; 0 from the others.
     pub out_of_reach_for: f32,
     /// The same angle for the other eye, from its own origin; `None` where the pose has
     /// [no other eye](crate::Pose::with_other_eye), or the call is degenerate. [`remaining`](Self::remaining) is joint 0's

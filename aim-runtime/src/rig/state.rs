@@ -122,7 +122,7 @@ impl Joint {
         self.destination = destination.unwrap_or([f32::NAN; 2]);
     }
 
-    /// Whether both angles are 0.
+    /// True if both angles are 0.
     pub(crate) fn is_at_rest(&self) -> bool {
         self.angles() == [0.0; 2]
     }
