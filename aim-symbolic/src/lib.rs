@@ -28,46 +28,27 @@
 //! assert_eq!(out, [0.0, 1.0]);
 //! ```
 
-mod count;
-mod derivation;
-mod derive;
-mod directions;
-mod evaluate;
-mod factor;
-mod fold;
-mod frames;
-mod gradient;
-mod graph;
-mod interpret;
+mod diff;
+mod ir;
 mod lower;
-mod node;
-mod op;
-mod order;
-mod partial;
 pub mod print;
-mod products;
 mod program;
-mod rebuild;
-mod rotations;
-pub mod rules;
-mod scaling;
-mod signs;
-mod sums;
-mod table;
-mod tangent;
-mod tidy;
+mod rewrite;
 
-pub use count::Count;
-pub use derivation::{Aspect, Course, Derivation, Meaning, Passage, Rewrite, Step, Swept};
-pub use derive::Want;
-pub use evaluate::Bindings;
-pub use fold::Fold;
-pub use gradient::Placement;
-pub use graph::Graph;
-pub use interpret::Number;
-pub use node::{
-    Angle, Constant, Function, InputKind, Node, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit,
-    Variable, Vector, VectorNode,
+pub use diff::gradient::Placement;
+pub use diff::sweep::{Course, Passage, Swept};
+pub use ir::evaluate::Bindings;
+pub use ir::graph::Graph;
+pub use ir::node::{
+    Angle, InputKind, Node, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Variable, Vector,
+    VectorNode,
 };
-pub use op::{Op, Value};
+pub use ir::number::Number;
+pub use ir::op::{Constant, Function, Op, Value};
+pub use lower::fold::Fold;
 pub use program::Program;
+pub use program::count::Count;
+pub use program::derivation::{Aspect, Derivation, Meaning, Step};
+pub use program::derive::Want;
+pub use rewrite::log::Rewrite;
+pub use rewrite::rules;

@@ -4,8 +4,8 @@ use std::collections::{HashMap, HashSet};
 
 use super::expression::{self, Notation};
 use super::formula::Formula;
-use crate::node::Node;
-use crate::order::Selects;
+use crate::ir::node::Node;
+use crate::ir::order::Selects;
 use crate::{Graph, Op, Scalar, ScalarNode, VectorNode};
 
 /// Expressions with names for the parts that are needed more than once.

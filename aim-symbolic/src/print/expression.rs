@@ -2,7 +2,7 @@
 
 use super::formula::{Formula, Sign};
 use super::steps::{Binding, Printer, Written};
-use crate::node::Node;
+use crate::ir::node::Node;
 use crate::{
     Angle, Function, Graph, Op, Plane, Program, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode,
 };

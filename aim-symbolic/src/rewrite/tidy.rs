@@ -1,9 +1,9 @@
 //! The driver of the rules: bottom up, each node once, until no rule applies.
 
-use crate::derivation::{Rewrite, Swept};
-use crate::node::{Node, Parts};
-use crate::rules::{OTHER_SIDES, ROTATIONS, Rule, RuleSet, Rules, Sums};
-use crate::table::{NodeTable, Table};
+use crate::ir::node::{Node, Parts};
+use crate::ir::table::{NodeTable, Table};
+use crate::rewrite::log::{Log, Rewrite};
+use crate::rewrite::rules::{OTHER_SIDES, ROTATIONS, Rule, RuleSet, Rules, Sums};
 use crate::{Angle, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Vector};
 
 /// Rewrites for each node of a statement. The rules end by themselves long before; this is what makes the end certain.
@@ -46,31 +46,6 @@ impl Graph {
         let rewritten = scalars.iter().map(|&s| tidy.scalar(s)).collect();
         self.open_all();
         rewritten
-    }
-}
-
-/// What was done, in order, and how many more rules may be applied.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Log {
-    pub(crate) applied: Vec<Rewrite>,
-    /// How many may be applied in all; `None` for as many as there are.
-    pub(crate) limit: Option<usize>,
-    /// How derivatives were taken.
-    pub(crate) sweeps: Vec<Swept>,
-    /// What they were taken of, and what was wanted as it was just after that.
-    pub(crate) values: Vec<Scalar>,
-    pub(crate) derived: Vec<Scalar>,
-    /// How many rules had been applied before.
-    pub(crate) before_sweeps: usize,
-}
-
-impl Log {
-    pub(crate) fn limited(limit: usize) -> Self {
-        Self { limit: Some(limit), ..Self::default() }
-    }
-
-    pub(crate) fn may_apply(&self) -> bool {
-        self.limit.is_none_or(|limit| self.applied.len() < limit)
     }
 }
 

@@ -1,8 +1,8 @@
 //! From typed expressions to components: scalars that only add, multiply, divide, take roots and select.
 
-use crate::fold::Fold;
-use crate::rules::Rules;
-use crate::table::Table;
+use crate::ir::table::Table;
+use crate::lower::fold::Fold;
+use crate::rewrite::rules::Rules;
 use crate::{Constant, Graph, Op, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 impl Graph {

@@ -3,7 +3,7 @@
 
 use std::marker::PhantomData;
 
-use crate::node::{Node, Rotation, Scalar, Vector};
+use crate::ir::node::{Node, Rotation, Scalar, Vector};
 
 /// An index into one of the graph's arenas.
 pub(crate) trait Id: Copy {

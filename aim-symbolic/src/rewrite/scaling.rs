@@ -1,6 +1,6 @@
-//! Rules for scale factors and signs; part of [`DIRECTIONS`](crate::rules::DIRECTIONS) and [`SCALES`](crate::rules::SCALES).
+//! Rules for scale factors and signs; part of [`DIRECTIONS`](crate::rewrite::rules::DIRECTIONS) and [`SCALES`](crate::rewrite::rules::SCALES).
 
-use crate::sums::{is_sum, sum, terms};
+use crate::rewrite::sums::{is_sum, sum, terms};
 use crate::{Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
 
 fn scaled(g: &Graph, v: Vector) -> Option<(Scalar, Vector)> {

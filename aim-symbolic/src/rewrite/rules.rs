@@ -7,8 +7,9 @@
 
 use core::fmt;
 
-use crate::node::Node;
-use crate::{Graph, Scalar, Vector, directions, frames, rotations, scaling, sums};
+use crate::ir::node::Node;
+use crate::rewrite::{directions, frames, rotations, scaling, sums};
+use crate::{Graph, Scalar, Vector};
 
 /// A rewriting of expressions that keeps their value. Rules are compared by name.
 #[derive(Clone, Copy, Debug)]

@@ -14,12 +14,12 @@
 //! | y = v × w | v̄ += w × ȳ, w̄ += ȳ × v |
 //! | y = v − (v · u) u | v̄ += ȳ − (ȳ · u) u, ū −= (v · u) ȳ + (ȳ · u) v |
 
-use crate::derivation::Passage;
-use crate::node::Node;
-use crate::order::Selects;
-use crate::partial::Partials;
-use crate::rules::COMPOSITIONS;
-use crate::table::{NodeSet, Table};
+use crate::diff::partial::Partials;
+use crate::diff::sweep::Passage;
+use crate::ir::node::Node;
+use crate::ir::order::Selects;
+use crate::ir::table::{NodeSet, Table};
+use crate::rewrite::rules::COMPOSITIONS;
 use crate::{Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
 /// Where the reciprocal of a normalised vector's derivative goes: a choice that the length of the chain decides.

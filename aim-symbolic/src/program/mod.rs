@@ -1,50 +1,16 @@
-//! Straight-line programs: what is emitted, interpreted and counted.
+//! Straight-line programs: what is emitted, interpreted and counted, and the choices that lead to the smallest.
 
-use crate::factor::factor;
-use crate::fold::Fold;
-use crate::lower::Lowering;
-use crate::products::{Open, share_products};
-use crate::rebuild::Uses;
-use crate::rules::{DIVIDE_ONCE, FACTOR, Rules, SHARE};
-use crate::table::Table;
+pub(crate) mod count;
+pub(crate) mod derivation;
+pub(crate) mod derive;
+mod interpret;
+mod signs;
+
+use crate::ir::table::Table;
+use crate::lower::components::Lowering;
+use crate::lower::{Effort, arranged};
+use crate::rewrite::rules::{DIVIDE_ONCE, FACTOR, Rules, SHARE};
 use crate::{Constant, Graph, Op, Scalar, ScalarNode, Value};
-
-/// How much is tried.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Effort {
-    /// Enough to compare a program with others of its kind.
-    Compare,
-    /// All there is.
-    Finish,
-}
-
-/// Sums and products in the arrangement that needs the fewest operations, of the few that are tried.
-fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>, effort: Effort) -> Vec<Scalar> {
-    let factored = |fold: &mut Fold, outputs: Vec<Scalar>| {
-        if rules.has(&FACTOR) { factor(fold, outputs) } else { outputs }
-    };
-    if !rules.has(&SHARE) {
-        return factored(fold, outputs);
-    }
-    let shared = share_products(fold, outputs.clone(), Open::Private);
-    let mut best = factored(fold, shared);
-    if effort == Effort::Finish {
-        let mut least = operations(&fold.g, &best);
-        for of_best in [false, true] {
-            let shared = share_products(fold, if of_best { best.clone() } else { outputs.clone() }, Open::Shared);
-            let tried = factored(fold, shared);
-            let needed = operations(&fold.g, &tried);
-            if needed < least {
-                (best, least) = (tried, needed);
-            }
-        }
-    }
-    best
-}
-
-fn operations(g: &Graph, outputs: &[Scalar]) -> usize {
-    Uses::count(g, outputs).operations(g)
-}
 
 /// How many operations one written step has at most, for its reader.
 const MOST_IN_A_STEP: usize = 6;

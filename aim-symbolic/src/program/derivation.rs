@@ -1,25 +1,15 @@
 //! The book-keeping of a derivation: what was rewritten into what, how derivatives were taken, which rules brought the
 //! operation count from what to what, and what each step of the program computes.
 
-use crate::derive::{Choices, Way, choose, distinct};
-use crate::evaluate::Evaluation;
-use crate::node::Node;
-use crate::order::Selects;
-use crate::program::Effort;
-use crate::rules::{ARITHMETIC, Rule};
-use crate::tidy::Log;
-use crate::{Bindings, Count, Graph, InputKind, Program, Scalar, ScalarNode, Variable, Want};
-
-/// One application of a rule.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Rewrite {
-    /// The rule.
-    pub rule: Rule,
-    /// What it was applied to.
-    pub from: Node,
-    /// What it made of that.
-    pub to: Node,
-}
+use crate::diff::sweep::Swept;
+use crate::ir::evaluate::Evaluation;
+use crate::ir::node::Node;
+use crate::ir::order::Selects;
+use crate::lower::Effort;
+use crate::program::derive::{Choices, Way, choose, distinct};
+use crate::rewrite::log::{Log, Rewrite};
+use crate::rewrite::rules::{ARITHMETIC, Rule};
+use crate::{Bindings, Count, Graph, InputKind, Program, Scalar, ScalarNode, Want};
 
 /// Rules that together brought a program's operation count down.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,35 +22,6 @@ pub struct Step {
     pub after: Count,
     /// How many rewrites had been made after it; 0 for the rules of arithmetic, which come first.
     pub rewrites: usize,
-}
-
-/// How derivatives were taken: everything that the sweep passed, in that order.
-#[derive(Clone, Debug)]
-pub struct Swept {
-    /// Which way.
-    pub course: Course,
-    /// What was passed.
-    pub passages: Vec<Passage>,
-}
-
-/// Which way a sweep went.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Course {
-    /// From this value back to the variables.
-    Back(Scalar),
-    /// From this variable forward to the values.
-    Forward(Variable),
-}
-
-/// A part of the expression on the way of a sweep.
-#[derive(Clone, Debug)]
-pub struct Passage {
-    /// The part.
-    pub node: Node,
-    /// On the way back the derivative of the value by the part, on the way forward the part's derivative by the variable.
-    pub derivative: Node,
-    /// On the way back, what the part adds to the value's derivatives by variables.
-    pub gives: Vec<(Variable, Scalar)>,
 }
 
 /// What of a part of an expression is computed.

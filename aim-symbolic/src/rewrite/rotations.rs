@@ -1,6 +1,6 @@
-//! Rules that move rotations to where they cancel or cost least; [`ROTATIONS`](crate::rules::ROTATIONS).
+//! Rules that move rotations to where they cancel or cost least; [`ROTATIONS`](crate::rewrite::rules::ROTATIONS).
 
-use crate::sums::{is_sum, sum, terms};
+use crate::rewrite::sums::{is_sum, sum, terms};
 use crate::{Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 /// The outermost rotation of `v`, and what it rotates.

@@ -2,9 +2,9 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::fold::Fold;
-use crate::rebuild::{Exchange, Rebuild, Uses, operands};
-use crate::table::Table;
+use crate::ir::table::Table;
+use crate::lower::fold::Fold;
+use crate::lower::rebuild::{Exchange, Rebuild, Uses, operands};
 use crate::{Op, Scalar, ScalarNode};
 
 /// A product of more than one factor.

@@ -1,12 +1,12 @@
 //! From statements to the smallest program: the passes in their order, and the few choices between them.
 
-use crate::derivation::{Course, Swept};
-use crate::program::Effort;
-use crate::rules::{
+use crate::diff::sweep::{Course, Swept};
+use crate::lower::Effort;
+use crate::rewrite::log::Log;
+use crate::rewrite::rules::{
     self, ACROSS_FOR_CROSS, CANCELLING, CONSTANT_SCALE, DIRECTIONS, EXPAND_ACROSS, FRAMES, MERGE_SHARED, OPTIONAL,
     OTHER_SIDES, ROTATIONS, Rule, Rules, SCALES, SPREAD, WORDING,
 };
-use crate::tidy::Log;
 use crate::{Graph, Placement, Program, Rotation, Scalar, Variable};
 
 /// What a program is asked for: a value, or one of its derivatives.

@@ -4,12 +4,11 @@ use std::hash::Hash;
 
 use rustc_hash::FxHashMap;
 
-use crate::node::{
-    Angle, Constant, Function, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector,
-    VectorNode,
+use crate::ir::node::{
+    Angle, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector, VectorNode,
 };
-use crate::op::Op;
-use crate::table::Table;
+use crate::ir::op::{Constant, Function, Op};
+use crate::ir::table::Table;
 
 #[derive(Clone, Debug)]
 struct Arena<N> {
@@ -137,7 +136,7 @@ impl Graph {
         self.closed.insert(sum, ());
     }
 
-    /// From now on [`FRAMES`](crate::rules::FRAMES) moves calculations to before these rotations.
+    /// From now on [`FRAMES`](crate::rewrite::rules::FRAMES) moves calculations to before these rotations.
     pub fn keep(&mut self, rotations: &[Rotation]) {
         self.kept = rotations.to_vec();
         self.cancelled.clear();

@@ -2,8 +2,8 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::fold::Fold;
-use crate::rebuild::{Exchange, Rebuild, Uses};
+use crate::lower::fold::Fold;
+use crate::lower::rebuild::{Exchange, Rebuild, Uses};
 use crate::{Graph, Op, Scalar, ScalarNode};
 
 /// `outputs`, which are lowered, with every sum factored.

@@ -4,11 +4,11 @@
 //! and J is the quarter turn in its plane or the cross product with its axis; (v/|v|)˙ is the part of v̇ across v, over
 //! |v|; (v − (v · u) u)˙ = across(v̇) − (v · u̇) u − (v · u) u̇.
 
-use crate::derivation::Passage;
-use crate::node::Node;
-use crate::order::Selects;
-use crate::rules::COMPOSITIONS;
-use crate::table::{NodeSet, Table};
+use crate::diff::sweep::Passage;
+use crate::ir::node::Node;
+use crate::ir::order::Selects;
+use crate::ir::table::{NodeSet, Table};
+use crate::rewrite::rules::COMPOSITIONS;
 use crate::{Graph, Op, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
 impl Graph {

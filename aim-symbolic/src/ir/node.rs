@@ -1,6 +1,6 @@
 //! What expressions are made of: scalars, vectors, rotations, and the parts of each.
 
-use crate::op::Op;
+use crate::ir::op::{Constant, Op};
 
 /// A scalar expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -46,22 +46,6 @@ pub struct Rigid {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Angle(pub(crate) u32);
 
-/// A constant, compared by its bits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Constant(u64);
-
-impl Constant {
-    /// `value`, with −0 made 0.
-    pub fn new(value: f64) -> Self {
-        Self((value + 0.0).to_bits())
-    }
-
-    /// Its value.
-    pub fn value(self) -> f64 {
-        f64::from_bits(self.0)
-    }
-}
-
 /// The plane of a turn: the first axis turns towards the second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Plane {
@@ -81,40 +65,6 @@ impl Plane {
 
     pub(crate) fn axes(self) -> (usize, usize) {
         (self.from.into(), self.towards.into())
-    }
-}
-
-/// A function of one number from the mathematical library.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Function {
-    /// The sine.
-    Sin,
-    /// The cosine.
-    Cos,
-    /// The tangent.
-    Tan,
-    /// The arc sine.
-    Asin,
-    /// The arc cosine.
-    Acos,
-    /// The exponential.
-    Exp,
-    /// The natural logarithm.
-    Ln,
-}
-
-impl Function {
-    /// Its name, in Rust and in mathematics.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Sin => "sin",
-            Self::Cos => "cos",
-            Self::Tan => "tan",
-            Self::Asin => "asin",
-            Self::Acos => "acos",
-            Self::Exp => "exp",
-            Self::Ln => "ln",
-        }
     }
 }
 
@@ -259,6 +209,17 @@ impl RotationNode {
             Self::Quaternion(v, w) => Self::Quaternion(parts.vector(v), parts.scalar(w)),
             Self::Compose(outer, inner) => Self::Compose(parts.rotation(outer), parts.rotation(inner)),
             Self::Transpose(rotation) => Self::Transpose(parts.rotation(rotation)),
+        }
+    }
+}
+
+impl ScalarNode {
+    /// The operation that the node is; `None` for what has to be lowered first: guarded reciprocals and what is made of
+    /// vectors.
+    pub(crate) fn op(self) -> Option<Op<Scalar>> {
+        match self {
+            Self::Op(op) => Some(op),
+            _ => None,
         }
     }
 }

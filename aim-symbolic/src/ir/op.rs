@@ -1,7 +1,55 @@
 //! Operations on numbers: what programs consist of, a part of what expressions do, and all that is left of them once they
 //! are lowered.
 
-use crate::node::{Constant, Function, Scalar, ScalarNode};
+/// A constant, compared by its bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Constant(u64);
+
+impl Constant {
+    /// `value`, with −0 made 0.
+    pub fn new(value: f64) -> Self {
+        Self((value + 0.0).to_bits())
+    }
+
+    /// Its value.
+    pub fn value(self) -> f64 {
+        f64::from_bits(self.0)
+    }
+}
+
+/// A function of one number from the mathematical library.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Function {
+    /// The sine.
+    Sin,
+    /// The cosine.
+    Cos,
+    /// The tangent.
+    Tan,
+    /// The arc sine.
+    Asin,
+    /// The arc cosine.
+    Acos,
+    /// The exponential.
+    Exp,
+    /// The natural logarithm.
+    Ln,
+}
+
+impl Function {
+    /// Its name, in Rust and in mathematics.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sin => "sin",
+            Self::Cos => "cos",
+            Self::Tan => "tan",
+            Self::Asin => "asin",
+            Self::Acos => "acos",
+            Self::Exp => "exp",
+            Self::Ln => "ln",
+        }
+    }
+}
 
 /// The result of an operation of a [`Program`](crate::Program): its place in the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -82,16 +130,5 @@ impl<V> Op<V> {
         let mut free = operands.iter_mut();
         self.map(|v| free.next().map(|place| *place = Some(v)));
         operands.into_iter().flatten()
-    }
-}
-
-impl ScalarNode {
-    /// The operation that the node is; `None` for what has to be lowered first: guarded reciprocals and what is made of
-    /// vectors.
-    pub(crate) fn op(self) -> Option<Op<Scalar>> {
-        match self {
-            Self::Op(op) => Some(op),
-            _ => None,
-        }
     }
 }

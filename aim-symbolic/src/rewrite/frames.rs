@@ -1,10 +1,10 @@
 //! Rules that move a whole calculation into another frame: a rotation that several vectors were turned back by goes the
-//! other way instead, onto the few that they meet. [`rules::FRAMES`](crate::rules::FRAMES).
+//! other way instead, onto the few that they meet. [`rules::FRAMES`](crate::rewrite::rules::FRAMES).
 //!
 //! They act on the rotations that the pass under way keeps, and only as a rival to leaving everything where it is.
 
-use crate::rotations::{leading, turned_back};
-use crate::sums::{is_sum, terms};
+use crate::rewrite::rotations::{leading, turned_back};
+use crate::rewrite::sums::{is_sum, terms};
 use crate::{Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector, VectorNode};
 
 /// The way back of a kept rotation, which turned `v` last, and what it turned.

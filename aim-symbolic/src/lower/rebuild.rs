@@ -1,7 +1,7 @@
 //! Lowered expressions made anew, with some of their nodes exchanged.
 
-use crate::fold::Fold;
-use crate::table::Table;
+use crate::ir::table::Table;
+use crate::lower::fold::Fold;
 use crate::{Graph, Op, Scalar, ScalarNode};
 
 /// How often each scalar is used, by others and as an output.

@@ -1,7 +1,7 @@
-//! Rules for directions: what is along one, what is square to it. Part of [`WORDING`](crate::rules::WORDING),
-//! [`DIRECTIONS`](crate::rules::DIRECTIONS) and [`SCALES`](crate::rules::SCALES).
+//! Rules for directions: what is along one, what is square to it. Part of [`WORDING`](crate::rewrite::rules::WORDING),
+//! [`DIRECTIONS`](crate::rewrite::rules::DIRECTIONS) and [`SCALES`](crate::rewrite::rules::SCALES).
 
-use crate::sums::{is_sum, is_zero, sum, terms};
+use crate::rewrite::sums::{is_sum, is_zero, sum, terms};
 use crate::{Graph, Op, Scalar, ScalarNode, Unit, Vector, VectorNode};
 
 /// Whether this is `1 / |v|`.

@@ -1,7 +1,7 @@
 //! What an expression is made of: each part after its own parts.
 
-use crate::node::{Node, Parts};
-use crate::table::{NodeSet, Table};
+use crate::ir::node::{Node, Parts};
+use crate::ir::table::{NodeSet, Table};
 use crate::{Angle, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
 /// Whether an order goes on below a select.

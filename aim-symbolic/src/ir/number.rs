@@ -1,8 +1,8 @@
-//! The interpreter: the same operations in the same order as the emitted code, so the same bits.
+//! What operations do to numbers: the same in the interpreter as in emitted code, so the same bits.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::{Function, Op, Program};
+use crate::ir::op::{Function, Op};
 
 /// A number type that programs run in.
 pub trait Number:
@@ -71,26 +71,6 @@ macro_rules! number {
 
 number!(f32, 1.084_202_2e-19);
 number!(f64, 1.491_668_146_240_041_3e-154);
-
-impl Program {
-    /// Runs the program and writes its outputs to `out`. Missing inputs count as 0, outputs beyond `out` are dropped.
-    pub fn run<T: Number>(&self, inputs: &[T], out: &mut [T]) {
-        let values = self.values(inputs);
-        for (out, value) in out.iter_mut().zip(self.outputs()) {
-            *out = values[value.index()];
-        }
-    }
-
-    /// The value of every operation.
-    pub(crate) fn values<T: Number>(&self, inputs: &[T]) -> Vec<T> {
-        let mut values: Vec<T> = Vec::with_capacity(self.ops().len());
-        for op in self.ops() {
-            let value = op.map(|v| values[v.index()]).value(inputs);
-            values.push(value);
-        }
-        values
-    }
-}
 
 impl<T: Number> Op<T> {
     /// The result, the operands being numbers. A missing input counts as 0.

@@ -1,0 +1,6 @@
+//! Derivatives: backwards from a value over whole vectors, or forwards from a variable.
+
+pub(crate) mod gradient;
+mod partial;
+pub(crate) mod sweep;
+mod tangent;

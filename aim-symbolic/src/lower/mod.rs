@@ -1,0 +1,51 @@
+//! From typed expressions to few operations on numbers: components, folded, their products shared and their sums factored.
+
+pub(crate) mod components;
+pub(crate) mod factor;
+pub(crate) mod fold;
+pub(crate) mod products;
+pub(crate) mod rebuild;
+
+use self::factor::factor;
+use self::fold::Fold;
+use self::products::{Open, share_products};
+use self::rebuild::Uses;
+use crate::rewrite::rules::{FACTOR, Rules, SHARE};
+use crate::{Graph, Scalar};
+
+/// How much is tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Effort {
+    /// Enough to compare a program with others of its kind.
+    Compare,
+    /// All there is.
+    Finish,
+}
+
+/// Sums and products in the arrangement that needs the fewest operations, of the few that are tried.
+pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>, effort: Effort) -> Vec<Scalar> {
+    let factored = |fold: &mut Fold, outputs: Vec<Scalar>| {
+        if rules.has(&FACTOR) { factor(fold, outputs) } else { outputs }
+    };
+    if !rules.has(&SHARE) {
+        return factored(fold, outputs);
+    }
+    let shared = share_products(fold, outputs.clone(), Open::Private);
+    let mut best = factored(fold, shared);
+    if effort == Effort::Finish {
+        let mut least = operations(&fold.g, &best);
+        for of_best in [false, true] {
+            let shared = share_products(fold, if of_best { best.clone() } else { outputs.clone() }, Open::Shared);
+            let tried = factored(fold, shared);
+            let needed = operations(&fold.g, &tried);
+            if needed < least {
+                (best, least) = (tried, needed);
+            }
+        }
+    }
+    best
+}
+
+fn operations(g: &Graph, outputs: &[Scalar]) -> usize {
+    Uses::count(g, outputs).operations(g)
+}

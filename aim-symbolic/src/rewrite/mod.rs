@@ -1,0 +1,10 @@
+//! Rules that move rotations to where they cancel or cost least, and what applies them.
+
+mod directions;
+mod frames;
+pub(crate) mod log;
+mod rotations;
+pub mod rules;
+mod scaling;
+mod sums;
+mod tidy;
