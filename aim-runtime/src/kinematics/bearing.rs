@@ -5,8 +5,8 @@ use core::f32::consts::{FRAC_PI_2, PI, TAU};
 use glam::{Mat3A, Vec3A};
 
 use crate::kinematics::chain::Upright;
-use crate::math;
 use crate::math::trig;
+use crate::math::{self, Bounded};
 use crate::rig::Side;
 
 /// A gaze higher or lower than this has a heading that says little, radians.
@@ -64,6 +64,17 @@ impl Bearings {
     #[inline(always)]
     pub(crate) fn angles(&self, direction: Vec3A) -> [f32; 2] {
         heading_and_pitch(self.rows * direction)
+    }
+
+    /// Heading and elevation of a unit direction as somebody turns to it: the nearer it is to the zenith, the less aside, and
+    /// straight up from in front. The heading is atan2(left, forward + w) where cos ε falls short of cos 45° by √(w·cos 45°).
+    #[inline(always)]
+    pub(crate) fn turned_to(&self, direction: Vec3A) -> [f32; 2] {
+        const STEEP_COS: f32 = core::f32::consts::FRAC_1_SQRT_2;
+        let [ahead, left, up] = (self.rows * direction).to_array();
+        let level = math::sqrt(ahead * ahead + left * left);
+        let short = (STEEP_COS - level).at_least(0.0);
+        trig::atan2_of_both([left, up], [ahead + short * short / STEEP_COS, level])
     }
 
     /// The unit direction of a heading and an elevation.

@@ -689,6 +689,27 @@ fn a_free_neck_with_a_budget_keeps_its_side() {
     }
 }
 
+/// The heading of a target near the zenith says little: the head looks up rather than aside, whichever side the target passes
+/// on, and a target that moves a little turns it little.
+#[test]
+fn near_the_zenith_the_head_stays_ahead() {
+    for elevation in [78.0, 82.0, 86.0, 89.0_f32] {
+        let mut rig = thug();
+        let pose = upright(&rig);
+        let mut before: Option<f32> = None;
+        for step in -45..=45 {
+            let heading = 4.0 * step as f32;
+            rig.snap(&Pose::new(&pose), at(heading, elevation));
+            let turned: f32 = rig.joints[1..].iter().map(|joint| joint.heading() / DEG).sum();
+            let most = 1.5 * (90.0 - elevation) + 2.0;
+            assert!(turned.abs() < most, "{heading}°, {elevation}°: the head turns by {turned}°");
+            let moved = before.map_or(0.0, |before| (turned - before).abs());
+            assert!(moved < 3.0, "{heading}°, {elevation}°: the head turns by {moved}° more");
+            before = Some(turned);
+        }
+    }
+}
+
 /// Out of reach to the side, the outcome tells how far the body would have to turn, and since when: turned by 2° more the target is
 /// within reach, by 3° less it is not. Behind, too, whatever the policy.
 #[test]

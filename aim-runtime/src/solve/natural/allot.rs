@@ -93,21 +93,14 @@ impl<const C: usize> Gaze<'_, C> {
         let from = math::unit(self.body.gaze.direction)?;
         let to = math::unit(point - self.pivot)?;
         let part = if self.has_eye { self.sharing.head_part(math::angle_between(from, to)) } else { 1.0 };
-        let (from, to) = (self.bearings.angles(from), self.bearings.angles(to));
+        let (from, to) = (self.bearings.angles(from), self.bearings.turned_to(to));
         Some(Way { from, to, way: self.bearings.way(from, to, self.goal.side), part })
     }
 
     /// Where the regions belong where that is plain: the leading joint can surely do the rest, or the target is out of reach. Else
     /// `None`, and [`settle`](Self::settle) tries.
-    pub(super) fn allot(&self, way: &mut Way) -> Option<Allotment<C>> {
-        let (mut directions, mut unfit) = self.share(way, [0.0; 2]);
-        if unfit[1] != 0.0 {
-            // Overhead a heading says little: the nearer the target is to the zenith, beyond where the gaze reaches, the less.
-            let fits = trig::sin_cos(way.to[1] - unfit[1]).1;
-            let level = trig::sin_cos(way.to[1]).1;
-            way.way[0] *= (level / fits.at_least(1e-3)).at_least(0.0).at_most(1.0);
-            (directions, unfit) = self.share(way, [0.0; 2]);
-        }
+    pub(super) fn allot(&self, way: &Way) -> Option<Allotment<C>> {
+        let (directions, unfit) = self.share(way, [0.0; 2]);
         let head = self.count - 1;
         let is_level = way.to[1].abs().at_least(directions[head][1].abs()) < STEEP_RAD;
         if length(unfit) > if is_level { OUT_OF_REACH_RAD } else { STEEP_OUT_OF_REACH_RAD } {
@@ -141,8 +134,8 @@ impl<const C: usize> Gaze<'_, C> {
     }
 
     /// Finds where the regions belong, and puts the joints there.
-    pub(super) fn settle(&self, mut way: Way, from: &[Joint], posture: &mut Posture<C>) -> Option<Allotment<C>> {
-        if let Some(allotment) = self.allot(&mut way) {
+    pub(super) fn settle(&self, way: Way, from: &[Joint], posture: &mut Posture<C>) -> Option<Allotment<C>> {
+        if let Some(allotment) = self.allot(&way) {
             let seen = self.place(allotment.aims(), from, None, posture)?;
             if seen.is_within() || !allotment.fit.within_reach {
                 return Some(allotment);

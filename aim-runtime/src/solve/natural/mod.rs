@@ -275,8 +275,8 @@ impl<'a, const C: usize> Gaze<'a, C> {
             self.rest(&seen, motion);
             return Some(Fit::WITHIN_REACH);
         }
-        let mut way = self.way()?;
-        let plain = self.allot(&mut way).filter(|plain| !motion.memory.in_rounds() || !plain.fit.within_reach);
+        let way = self.way()?;
+        let plain = self.allot(&way).filter(|plain| !motion.memory.in_rounds() || !plain.fit.within_reach);
         let led = motion.led;
         let (allotment, rounds) = match plain {
             Some(allotment) if allotment.fit.within_reach => {
