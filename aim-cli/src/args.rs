@@ -116,8 +116,11 @@ pub(crate) enum Language {
 
 #[derive(Debug, Args)]
 pub(crate) struct Generate {
-    /// The rig's declaration.
+    /// The rig's declaration, or a Rust file.
     pub(crate) rig: PathBuf,
+    /// The function of a Rust file that has the attribute `#[differentiate(wrt(…))]`: it and its derivatives, in C or WGSL.
+    #[arg(long, value_name = "NAME", conflicts_with = "trace")]
+    pub(crate) function: Option<String>,
     /// The language to emit.
     #[arg(long, value_enum, required_unless_present = "trace")]
     pub(crate) lang: Option<Language>,

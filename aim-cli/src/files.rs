@@ -10,9 +10,14 @@ use crate::failure::{Failure, Result};
 
 /// Reads and checks a rig's TOML file.
 pub(crate) fn load_rig(path: &Path) -> Result<RigSpec> {
-    let text = fs::read_to_string(path)
-        .map_err(|error| Failure::in_file(path, format!("cannot be read as text ({error}); give a rig's TOML file")))?;
+    let text = read_text(path, "give a rig's TOML file")?;
     Ok(aim_codegen::declare::from_toml(&path.display().to_string(), &text)?)
+}
+
+/// Reads a text file, or says what to give instead.
+pub(crate) fn read_text(path: &Path, instead: &str) -> Result<String> {
+    fs::read_to_string(path)
+        .map_err(|error| Failure::in_file(path, format!("cannot be read as text ({error}); {instead}")))
 }
 
 /// The ending of a file's name, in small letters.

@@ -18,6 +18,7 @@ use objective::{FirstLink, OBJECTIVES};
 
 pub use aim_model::{Angles, LimitsFrom, RangeOfMotion, Role};
 pub use differentiate::differentiate;
+pub use differentiate::file::Differentiated;
 pub use names::snake_case;
 pub use objective::{Kernel, Objective, kernels};
 pub use spec::{AngleRange, Budget, Budgets, EffectorSpec, Frame, JointSpec, NaturalSpec, RigSpec};

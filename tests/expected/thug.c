@@ -12,7 +12,7 @@ extern "C" {
 
 /* Aim of joint left_eye, d aim / d pitch, d aim / d heading.
  * effector_to_joint: rows m0, m1, m2 of the 3x3, then the translation (row vectors, rigid);
- * target in the joint's space; zeros where the target is on the effector.
+ * target in the joint's space; zeros where it is on the effector.
  * 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. */
 void thug_left_eye_aim_gradient(const float effector_to_joint[12], const float target[3],
     float sin_p, float cos_p, float sin_h, float cos_h, float out[3])
@@ -48,7 +48,7 @@ void thug_left_eye_aim_gradient(const float effector_to_joint[12], const float t
 
 /* Aim of joint neck, d aim / d pitch, d aim / d heading.
  * effector_to_joint: rows m0, m1, m2 of the 3x3, then the translation (row vectors, rigid);
- * target in the joint's space; zeros where the target is on the effector.
+ * target in the joint's space; zeros where it is on the effector.
  * 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. */
 void thug_neck_aim_gradient(const float effector_to_joint[12], const float target[3],
     float sin_p, float cos_p, float sin_h, float cos_h, float out[3])
@@ -84,7 +84,7 @@ void thug_neck_aim_gradient(const float effector_to_joint[12], const float targe
 
 /* Aim of joint spine3, d aim / d pitch, d aim / d heading.
  * effector_to_joint: rows m0, m1, m2 of the 3x3, then the translation (row vectors, rigid);
- * target in the joint's space; zeros where the target is on the effector.
+ * target in the joint's space; zeros where it is on the effector.
  * 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. */
 void thug_spine3_aim_gradient(const float effector_to_joint[12], const float target[3],
     float sin_p, float cos_p, float sin_h, float cos_h, float out[3])

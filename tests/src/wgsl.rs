@@ -170,7 +170,17 @@ fn evaluate<'i>(expression: &Expression, values: &[Option<Value<'i>>]) -> Value<
                 _ => panic!("no operation of a kernel: {op:?}"),
             }
         }
-        Expression::Math { fun: MathFunction::Sqrt, arg, .. } => Value::Number(number(arg).sqrt()),
+        Expression::Math { fun: MathFunction::Atan2, arg, arg1: Some(x), .. } => {
+            Value::Number(number(arg).atan2(number(x)))
+        }
+        Expression::Math { fun, arg, .. } => Value::Number(match fun {
+            MathFunction::Sqrt => number(arg).sqrt(),
+            MathFunction::Sin => number(arg).sin(),
+            MathFunction::Cos => number(arg).cos(),
+            MathFunction::Exp => number(arg).exp(),
+            MathFunction::Log => number(arg).ln(),
+            _ => panic!("no function of a kernel: {fun:?}"),
+        }),
         Expression::Select { condition, accept, reject } => match value(condition) {
             Value::Truth(true) => value(accept).clone(),
             Value::Truth(false) => value(reject).clone(),

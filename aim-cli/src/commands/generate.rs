@@ -1,12 +1,12 @@
-//! `aim generate`: the solver as source text.
+//! `aim generate`: a rig's solver, or a differentiated function, as source text.
 
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-use aim_codegen::emit::{self, Rig};
+use aim_codegen::emit::{self, Precision, Rig};
 use aim_codegen::objective::functions;
-use aim_codegen::{RigSpec, kernels};
+use aim_codegen::{Differentiated, RigSpec, kernels};
 use quote::quote;
 
 use crate::args::{self, Language};
@@ -16,20 +16,56 @@ use crate::files;
 use crate::outputs::Outputs;
 
 pub(super) fn run(arguments: &args::Generate) -> Result {
-    let spec = files::load_rig(&arguments.rig)?;
-    let code = match arguments.lang {
-        Some(language) => emit(&spec, language),
-        None => trace(&spec),
+    let code = match (&arguments.function, arguments.lang) {
+        (Some(function), Some(language)) => differentiated(&arguments.rig, function, language)?,
+        (_, Some(language)) => emit(&load_rig(&arguments.rig)?, language),
+        (_, None) => trace(&load_rig(&arguments.rig)?),
     };
     if let Some(existing) = &arguments.check {
         return check(existing, &code, arguments);
     }
     match &arguments.output {
         Some(path) => {
-            Outputs::reading([(Some(&arguments.rig), "the rig itself")]).writes(path, "-o")?;
+            Outputs::reading([(
+                Some(&arguments.rig),
+                if arguments.function.is_some() { "what is read" } else { "the rig itself" },
+            )])
+            .writes(path, "-o")?;
             files::write(path, code.as_bytes())
         }
         None => files::print(&code),
+    }
+}
+
+/// The rig; Rust is read for a function only.
+fn load_rig(path: &Path) -> Result<RigSpec> {
+    if files::ending(path) == "rs" {
+        return Err(Failure::in_file(path, "is no rig; name a differentiated function of it: --function NAME"));
+    }
+    files::load_rig(path)
+}
+
+/// A function of a Rust file, and its derivatives.
+fn differentiated(path: &Path, function: &str, language: Language) -> Result<String> {
+    let text = files::read_text(path, "give a Rust file")?;
+    let derived = Differentiated::from_file(&path.display().to_string(), &text, function)?;
+    let what = format!("The derivatives of {function}");
+    match language {
+        Language::C => Ok(emit::c::emit_procedures(&what, &derived.procedures())),
+        Language::Wgsl if derived.precision() == Precision::Double => {
+            Err(Failure::in_file(path, format!("{function} computes in f64, which WGSL has not; write it in f32")))
+        }
+        Language::Wgsl if derived.has_infinities() => Err(Failure::in_file(
+            path,
+            format!("{function} has an infinity in it, which WGSL cannot write; use f32::MAX"),
+        )),
+        Language::Wgsl => Ok(emit::wgsl::emit_procedures(&what, &derived.procedures())),
+        Language::Rust => {
+            Err(Failure::in_file(path, "#[differentiate] itself writes Rust where it stands; give --lang c or wgsl"))
+        }
+        Language::Latex | Language::Maxima => {
+            Err(Failure::in_file(path, "functions are written in C and WGSL only; give --lang c or wgsl"))
+        }
     }
 }
 
@@ -93,8 +129,9 @@ fn check(existing: &Path, code: &str, arguments: &args::Generate) -> Result {
         return Ok(());
     }
     let language = arguments.lang.map(|language| format!("{language:?}").to_lowercase()).unwrap_or_default();
+    let function = arguments.function.as_ref().map(|name| format!(" --function {name}")).unwrap_or_default();
     Err(Failure::Check(format!(
-        "{} is stale: it is not what {} gives now. Write it again:\n  aim generate {} --lang {language} -o {}",
+        "{} is stale: it is not what {} gives now. Write it again:\n  aim generate {}{function} --lang {language} -o {}",
         existing.display(),
         arguments.rig.display(),
         arguments.rig.display(),

@@ -216,3 +216,121 @@ fn every_cardinal_rig_is_at_the_floor() {
     }
     assert!(counted >= 5, "{counted} rigs");
 }
+
+/// Two springs and a torsion, in single and in double precision, one of them in a module.
+const FUNCTIONS: &str = "
+use glam::{DVec3, Vec3};
+
+mod single {
+    use glam::Vec3;
+
+    #[aim::differentiate(wrt(tip, rest), hessian)]
+    pub fn spring(tip: Vec3, float: Vec3, rest: f32) -> f32 {
+        let stretch = (tip - float).length() - rest;
+        0.5 * stretch * stretch
+    }
+}
+
+#[differentiate(wrt(angle))]
+fn torsion(angle: f64, r#fn: DVec3) -> DVec3 {
+    r#fn * (angle.sin() * (-angle).exp() + angle.atan2(2.0))
+}
+
+fn plain(x: f32) -> f32 {
+    x
+}
+";
+
+/// Values and derivatives by the compiled C against closed formulas.
+#[test]
+fn a_function_of_a_file_in_c() {
+    let place = Place::new();
+    place.write("f.rs", FUNCTIONS);
+    place.done("generate f.rs --function spring --lang c -o spring.c");
+    place.done("generate f.rs --function spring --lang c --check spring.c");
+    place.done("generate f.rs --function torsion --lang c -o torsion.c");
+    place.write(
+        "main.c",
+        "#include <stdio.h>
+#include \"spring.c\"
+#include \"torsion.c\"
+int main(void) {
+    const float tip[3] = {1.0f, 2.0f, 3.0f}, anchor[3] = {-1.0f, 2.5f, 1.0f};
+    const double axis[3] = {1.0, -2.0, 0.5};
+    float first[5], second[15];
+    double turned[6];
+    spring_gradient(tip, anchor, 2.0f, first);
+    spring_hessian(tip, anchor, 2.0f, second);
+    torsion_jacobian(0.7, axis, turned);
+    for (int i = 0; i < 5; i++) printf(\"%.17g \", first[i]);
+    for (int i = 5; i < 15; i++) printf(\"%.17g \", second[i]);
+    for (int i = 0; i < 6; i++) printf(\"%.17g \", turned[i]);
+    return 0;
+}
+",
+    );
+    let compiler = Command::new("cc")
+        .current_dir(place.path("."))
+        .args(["-std=c99", "-pedantic", "-O2", "-Wall", "-Wextra", "-Werror", "main.c", "-o", "main", "-lm"])
+        .output()
+        .expect("a C compiler called cc is installed");
+    assert!(compiler.status.success(), "{}", String::from_utf8_lossy(&compiler.stderr));
+    let ran = Command::new(place.path("main")).output().expect("the program runs");
+    let found: Vec<f64> =
+        String::from_utf8_lossy(&ran.stdout).split_whitespace().map(|x| x.parse().expect("a number")).collect();
+
+    // With d = tip − anchor, l = |d|, s = l − rest: the gradient is s·d/l and −s, the second derivatives are
+    // (s/l)(δ − dᵢdₖ/l²) + dᵢdₖ/l², −d/l and 1.
+    let (d, rest) = ([2.0, -0.5, 2.0], 2.0);
+    let l = f64::sqrt(d.iter().map(|x| x * x).sum());
+    let s = l - rest;
+    let mut expected = vec![0.5 * s * s];
+    expected.extend(d.map(|x| s * x / l));
+    expected.push(-s);
+    for i in 0..3 {
+        for k in i..3 {
+            let square = d[i] * d[k] / (l * l);
+            expected.push(s / l * (f64::from(u8::from(i == k)) - square) + square);
+        }
+        expected.push(-d[i] / l);
+    }
+    expected.push(1.0);
+    let angle = 0.7_f64;
+    let value = angle.sin() * (-angle).exp() + angle.atan2(2.0);
+    let slope = (angle.cos() - angle.sin()) * (-angle).exp() + 2.0 / (4.0 + angle * angle);
+    let axis = [1.0, -2.0, 0.5];
+    expected.extend(axis.map(|x| x * value).into_iter().chain(axis.map(|x| x * slope)));
+    assert_eq!(found.len(), expected.len());
+    for (i, (found, expected)) in found.iter().zip(&expected).enumerate() {
+        let most = if i < 15 { 1e-6 } else { 1e-15 };
+        assert!((found - expected).abs() <= most * expected.abs().max(1.0), "{i}: {found} and {expected}");
+    }
+}
+
+#[test]
+fn functions_that_cannot_be_written() {
+    let place = Place::with_mannequin();
+    place.write("f.rs", FUNCTIONS);
+    place.write("bad.rs", "#[differentiate(wrt(x))]\nfn f(x: f32) -> f32 {\n    x.sine()\n}\n");
+    place.write("broken.rs", "fn f( {}");
+    for (arguments, words) in [
+        ("f.rs --function sprung --lang c", &["f.rs:1:1", "did you mean `spring`?"][..]),
+        ("f.rs --function plain --lang c", &["differentiated", "`spring`, `torsion`"]),
+        ("f.rs --function torsion --lang wgsl", &["f64", "f32"]),
+        ("f.rs --function spring --lang rust", &["#[differentiate]", "--lang c"]),
+        ("f.rs --function spring --lang latex", &["--lang c"]),
+        ("f.rs --lang c", &["--function"]),
+        ("f.rs --trace", &["--function"]),
+        ("f.rs --function spring --trace", &["--trace"]),
+        ("f.rs --function spring --lang c -o f.rs", &["f.rs", "what is read"]),
+        ("bad.rs --function f --lang c", &["bad.rs:3:7", "`sin`"]),
+        ("broken.rs --function f --lang c", &["broken.rs:1:", "compiles"]),
+        ("gone.rs --function f --lang c", &["gone.rs", "Rust file"]),
+    ] {
+        place.refused(&format!("generate {arguments}"), words);
+    }
+    place.write("out.c", "");
+    let stale = place.aim("generate f.rs --function spring --lang c --check out.c");
+    let again = "aim generate f.rs --function spring --lang c -o out.c";
+    assert!(stale.code == 1 && stale.stderr.contains(again), "{}", stale.stderr);
+}

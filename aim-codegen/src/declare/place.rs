@@ -39,6 +39,14 @@ impl Place {
         Self::tokens(&tokens, Span::call_site())
     }
 
+    /// The place in the text that its tokens were read from; tokens of a macro do not know it.
+    pub(crate) fn in_text(&self) -> Self {
+        match self {
+            Self::Tokens { first, last } => Self::Text(first.byte_range().start..last.byte_range().end),
+            Self::Text(range) => Self::Text(range.clone()),
+        }
+    }
+
     /// Orders places of one file; places in tokens all compare equal, as spans have no order on stable.
     pub(crate) fn offset(&self) -> usize {
         match self {

@@ -14,6 +14,17 @@ messages! {
         "it is not said by what this function is to be differentiated",
         "name the arguments: `#[differentiate(wrt(p, h))]`";
 
+    /// Of a file.
+    no_such_function(name: &str, known: &[&str])
+        where help = did_you_mean(name, known, || match known {
+            [] => "no function in it has the attribute `#[differentiate(wrt(…))]`".to_owned(),
+            _ => format!("it has {}", list(known)),
+        }) =>
+        "the file has no differentiated function `{name}`",
+        "{help}";
+
+    no_rust(error: &str) => "{error}", "the file has to be Rust that compiles";
+
     wrt_empty() => "`wrt` names no argument", "name at least one: `wrt(p)`";
 
     unknown_variable(name: &str, known: &[&str])

@@ -10,6 +10,7 @@
 
 mod arguments;
 mod emit;
+pub(crate) mod file;
 mod lower;
 mod messages;
 mod options;

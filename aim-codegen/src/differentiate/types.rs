@@ -6,23 +6,7 @@ use quote::{format_ident, quote};
 
 use super::messages;
 use crate::declare::report::text::Text;
-
-/// The number type of a function.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Precision {
-    Single,
-    Double,
-}
-
-impl Precision {
-    /// The number type's name.
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Self::Single => "f32",
-            Self::Double => "f64",
-        }
-    }
-}
+pub(super) use crate::emit::Precision;
 
 /// What a type holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,24 +1,34 @@
-//! C: a function for each kernel and joint, in float, with nothing but `sqrtf` of the library.
+//! C99: a function for each kernel and joint, or for what was differentiated, with nothing but `math.h` of the library.
 
 use std::fmt::Write;
 
 use aim_symbolic::print::steps;
 
 use super::Rig;
-use super::text::{self, Expressions, Parameters, Target};
-use crate::objective::{Function, Scope};
+use super::text::{self, Expressions, Language, Precision, Procedure};
 
-/// The source file.
+/// The source file of a rig's kernels.
 pub fn emit(rig: &Rig<'_>) -> String {
-    let mut header = text::header(rig.spec);
+    let functions = rig.functions();
+    let procedures: Vec<Procedure<'_>> =
+        functions.iter().map(|function| text::procedure(function, rig.spec, &C)).collect();
+    file(text::header(rig.spec), &procedures)
+}
+
+/// The source file of these functions.
+pub fn emit_procedures(what: &str, procedures: &[Procedure<'_>]) -> String {
+    file(vec![text::written(what)], procedures)
+}
+
+fn file(mut header: Vec<String>, procedures: &[Procedure<'_>]) -> String {
     header.push(
         "Inputs must be finite. The same bits as in Rust come of compiling without contraction (-ffp-contract=off)."
             .to_owned(),
     );
     let mut out = comment(&header);
     out += "#include <math.h>\n\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
-    for function in rig.functions() {
-        write_function(&mut out, rig, &function);
+    for procedure in procedures {
+        write_function(&mut out, procedure);
     }
     out += "\n#ifdef __cplusplus\n}\n#endif\n";
     out
@@ -28,37 +38,31 @@ fn comment(lines: &[String]) -> String {
     format!("/* {} */\n", lines.join("\n * "))
 }
 
-fn write_function(out: &mut String, rig: &Rig<'_>, function: &Function<'_>) {
-    let program = &function.kernel.program;
-    let scope = function.kernel.objective.scope;
-    let parameters = Parameters::of(scope, rig.spec);
-    let _ = write!(out, "\n{}void {}(", comment(&text::doc(function, rig.spec, TARGET)), function.name(rig.spec));
-    let declared: Vec<String> = parameters
-        .list(TARGET.name)
-        .into_iter()
+fn write_function(out: &mut String, procedure: &Procedure<'_>) {
+    let number = match procedure.precision {
+        Precision::Single => "float",
+        Precision::Double => "double",
+    };
+    let _ = write!(out, "\n{}void {}(", comment(&procedure.doc), procedure.name);
+    let mut declared: Vec<String> = procedure
+        .parameters
+        .iter()
         .map(|(name, elements)| match elements {
-            Some(elements) => format!("const float {name}[{elements}]"),
-            None => format!("float {name}"),
+            Some(elements) => format!("const {number} {name}[{elements}]"),
+            None => format!("{number} {name}"),
         })
         .collect();
-    // Arrays of a joint in the first line, numbers in the second.
-    let first_line = if scope == Scope::Joint { 2 } else { declared.len() };
-    let result = format!("float out[{}]", program.outputs().len());
-    let second_line: Vec<&str> = declared[first_line..].iter().chain([&result]).map(String::as_str).collect();
-    let _ = writeln!(out, "{},\n    {})\n{{", declared[..first_line].join(", "), second_line.join(", "));
+    declared.push(format!("{number} out[{}]", procedure.program.outputs().len()));
+    // The leading arrays in the first line, the rest in the second.
+    let arrays = procedure.parameters.iter().take_while(|(_, elements)| elements.is_some()).count().max(1);
+    let _ = writeln!(out, "{},\n    {})\n{{", declared[..arrays].join(", "), declared[arrays..].join(", "));
     // Any of them may be unused.
-    for (name, _) in parameters.list(TARGET.name) {
+    for (name, _) in &procedure.parameters {
         let _ = writeln!(out, "    (void){name};");
     }
-    let expressions = Expressions {
-        parameters,
-        target: TARGET,
-        suffix: "f",
-        select_less: |a, b, then, otherwise| format!("{a} < {b} ? {then} : {otherwise}"),
-    };
-    let (steps, outputs) = steps(program, &expressions);
+    let (steps, outputs) = steps(procedure.program, &Expressions { procedure, language: &C });
     for (step, expression) in steps {
-        let _ = writeln!(out, "    const float {step} = {expression};");
+        let _ = writeln!(out, "    const {number} {step} = {expression};");
     }
     for (i, output) in outputs.iter().enumerate() {
         let _ = writeln!(out, "    out[{i}] = {output};");
@@ -66,4 +70,8 @@ fn write_function(out: &mut String, rig: &Rig<'_>, function: &Function<'_>) {
     *out += "}\n";
 }
 
-const TARGET: Target = Target { name: "target", again: "the target" };
+const C: Language = Language {
+    target: "target",
+    suffixes: ["f", ""],
+    select_less: |a, b, then, otherwise| format!("{a} < {b} ? {then} : {otherwise}"),
+};

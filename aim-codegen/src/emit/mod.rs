@@ -14,6 +14,7 @@ mod text;
 pub mod wgsl;
 
 pub use self::fallback::fallback;
+pub use self::text::{Precision, Procedure};
 use crate::RigSpec;
 use crate::objective::{Function, Kernel, functions};
 

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use aim_codegen::emit::{self, Rig};
 use aim_codegen::objective::functions;
-use aim_codegen::{Kernel, RigSpec, declare, kernels};
+use aim_codegen::{Differentiated, Kernel, RigSpec, declare, kernels};
 use aim_symbolic::{Number, Program};
 use aim_tests::kinematics::{Case, Link, V, correct};
 use aim_tests::scale::part_of;
@@ -191,4 +191,35 @@ fn a_shader_calls_the_functions_with_what_its_buffers_hold() {
                 }
             }"),
     );
+}
+
+/// A function that is differentiated, in WGSL: a valid module whose numbers are those of the formulas.
+#[test]
+fn a_differentiated_function() {
+    let source = "
+        #[differentiate(wrt(p, target))]
+        fn well(p: Vec2, target: Vec2, workgroup: f32) -> f32 {
+            let r = (p - target).length();
+            if r < workgroup { (-r * r).exp() } else { p.x.sin() * p.y.atan2(2.0) + r.ln() }
+        }";
+    let derived = Differentiated::from_file("well.rs", source, "well").unwrap_or_else(|errors| panic!("{errors}"));
+    let module = Module::read(&emit::wgsl::emit_procedures("A well", &derived.procedures()));
+    for [x, y, edge] in [[0.3, -0.4, 1.0], [1.3, 0.4, 0.5], [-2.0, 1.5, 0.25_f64]] {
+        let (dx, dy) = (x - 0.1, y - 0.2);
+        let r = f64::hypot(dx, dy);
+        let (value, by_r, by_x, by_y) = if r < edge {
+            ((-r * r).exp(), -2.0 * r * (-r * r).exp(), 0.0, 0.0)
+        } else {
+            let angle = y.atan2(2.0);
+            (x.sin() * angle + r.ln(), 1.0 / r, x.cos() * angle, x.sin() * 2.0 / (4.0 + y * y))
+        };
+        let along = [by_r * dx / r, by_r * dy / r];
+        let expected = [value, along[0] + by_x, along[1] + by_y, -along[0], -along[1]];
+        let inputs = oracle::single(&[x, y, 0.1, 0.2, edge]);
+        let found = module.function("well_gradient").run(&inputs);
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((f64::from(*found) - expected).abs() < 1e-5, "{x}, {y}: {found} and {expected}");
+        }
+        assert_eq!(found.len(), expected.len());
+    }
 }

@@ -24,6 +24,12 @@ impl Diagnostic {
         self
     }
 
+    /// Says its places as those of the text that its tokens were read from.
+    pub(crate) fn place_in_text(&mut self) {
+        self.place = self.place.in_text();
+        self.note = self.note.take().map(|(note, place)| (note, place.in_text()));
+    }
+
     /// What is wrong.
     pub fn message(&self) -> &str {
         &self.text.message
