@@ -124,5 +124,12 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// but the exponential is infinite. Exponentials of what is at most 0 are safe.
 #[proc_macro_attribute]
 pub fn differentiate(attribute: TokenStream, item: TokenStream) -> TokenStream {
-    aim_codegen::differentiate(attribute.into(), item.into()).into()
+    aim_codegen::differentiate(attribute.into(), item.into(), "aim").into()
+}
+
+/// [`macro@differentiate`] for those who take it from the crate `derivand`.
+#[doc(hidden)]
+#[proc_macro_attribute]
+pub fn differentiate_by_derivand(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    aim_codegen::differentiate(attribute.into(), item.into(), "derivand").into()
 }

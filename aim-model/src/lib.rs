@@ -1,7 +1,8 @@
 //! What several crates of `aim-rig` must agree on, said once: axes, roles, what bone names tell, ranges of
-//! motion, how a gaze is shared.
+//! motion, how a gaze is shared, and the numbers that derived code computes with.
 //!
-//! No dependencies and no standard library, so that the runtime, the macro and the command can all build on it.
+//! No standard library and no dependencies, but for `libm` and `wide` where they are asked for: so the runtime, the macro
+//! and the command can all build on it.
 
 #![no_std]
 
@@ -14,7 +15,11 @@ mod gaze;
 #[cfg(feature = "names")]
 mod names;
 mod range;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod real;
 mod role;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod scalar;
 
 pub use axes::Axes;
 pub use float::Float;
@@ -22,4 +27,8 @@ pub use gaze::{Budget, Budgets, GazeSharing};
 #[cfg(feature = "names")]
 pub use names::{BodyPart, BoneName, Side};
 pub use range::{Angles, Interval, LimitsFrom, RangeOfMotion, Taper};
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use real::Real;
 pub use role::Role;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use scalar::Scalar;

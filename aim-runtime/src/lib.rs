@@ -34,12 +34,10 @@ mod target;
 pub mod trajectory;
 
 pub use aim::{Aim, Aimed, Call, Targets};
-pub use aim_model::{Axes, LimitsFrom, Role};
+pub use aim_model::{Axes, LimitsFrom, Real, Role, Scalar};
 #[cfg(feature = "std")]
 pub use dyn_aim::DynAim;
 pub use glam;
-pub use math::real::Real;
-pub use math::scalar::Scalar;
 pub use rig::{
     AimRig, Ascent, Behind, Description, Effector, Joint, JointInfo, JointSet, Memory, Outcome, Pose, Rig, Settings,
     Solver, State, Status,

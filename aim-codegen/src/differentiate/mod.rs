@@ -21,7 +21,7 @@ mod tests;
 
 use aim_symbolic::{Graph, Program, Scalar, Want};
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 use syn::ItemFn;
 
 use self::arguments::{Arguments, Declared};
@@ -32,8 +32,8 @@ use self::types::{Shape, Type};
 use crate::declare::report::Report;
 use crate::declare::tree::Notation;
 
-/// What `#[differentiate(…)]` on `item` expands to.
-pub fn differentiate(attribute: TokenStream, item: TokenStream) -> TokenStream {
+/// What `#[differentiate(…)]` on `item` expands to, `facade` being the name of the crate whose attribute it is.
+pub fn differentiate(attribute: TokenStream, item: TokenStream, facade: &str) -> TokenStream {
     let mut report = Report::new(Notation::Rust);
     let function: ItemFn = match syn::parse2(item.clone()) {
         Ok(function) => function,
@@ -51,7 +51,10 @@ pub fn differentiate(attribute: TokenStream, item: TokenStream) -> TokenStream {
     let options = Options::parse(attribute, &mut report);
     let arguments = Arguments::check(&function.sig, &options, &mut report);
     let programs = Programs::derive(&function, &options, &arguments, &mut report);
-    let krate = options.krate.clone().unwrap_or_else(|| quote!(::aim));
+    let krate = options.krate.clone().unwrap_or_else(|| {
+        let facade = format_ident!("{facade}");
+        quote!(::#facade)
+    });
     let inputs = programs.as_ref().map_or(&[][..], |programs| &programs.inputs);
     let companions = Companions { item: &function, arguments: &arguments, krate: &krate, inputs };
     let first = companions.first_derivatives(programs.as_ref().map(|programs| &programs.first));

@@ -7,7 +7,7 @@ use super::differentiate;
 
 fn expand(attribute: &str, item: &str) -> String {
     let tokens = |text: &str| text.parse::<TokenStream>().expect("tests are made of tokens");
-    differentiate(tokens(attribute), tokens(item)).to_string()
+    differentiate(tokens(attribute), tokens(item), "aim").to_string()
 }
 
 /// The functions of an expansion, without the errors.

@@ -7,8 +7,6 @@ use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec3Swizzles, Vec4};
 
 use trig::atan2;
 
-pub(crate) mod real;
-pub(crate) mod scalar;
 pub(crate) mod trig;
 
 /// An angle that is no angle any more: what an undefined aim is reported as.

@@ -9,9 +9,9 @@ use core::f32::consts::{FRAC_PI_2, PI};
 
 use glam::{Vec4, Vec4Swizzles};
 
-use super::scalar::Scalar;
 use crate::math;
 use crate::math::Bounded;
+use aim_model::Scalar;
 
 /// sin(p/2), cos(p/2), sin(h/2), cos(h/2) of a pitch p and a heading h.
 pub(crate) type Halves = [f32; 4];

@@ -1,4 +1,4 @@
-//! The number type of the emitted kernels: `f32`, `f64`, and with the feature `wide` vectors of them.
+//! The number type of derived code: `f32`, `f64`, and with the feature `wide` vectors of them.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -15,7 +15,7 @@ mod sealed {
 /// What an emitted kernel computes with: `f32` and `f64`. Sealed: kernels rely on IEEE 754 arithmetic.
 ///
 /// With the feature `wide` also `f32x4`, `f32x8`, `f32x16`, `f64x2`, `f64x4` and `f64x8` of the crate `wide`: then each
-/// lane is a character of its own, and one call of a kernel of [`AimRig`](crate::AimRig) serves them all. Guards of the
+/// lane is a character of its own, and one call of a kernel of a rig serves them all. Guards of the
 /// kernels are selects, never branches, so a lane gives the very bits that the scalar kernel gives for its numbers,
 /// whatever stands in the others. (Of a NaN only that it is one; none arises where the numbers that come in are finite.)
 pub trait Scalar:

@@ -1,0 +1,23 @@
+#![doc = include_str!("../README.md")]
+#![no_std]
+
+/// Differentiates a function; this documentation's first page tells what it makes of it. In detail:
+pub use aim_derive::differentiate_by_derivand as differentiate;
+pub use aim_model::{Real, Scalar};
+#[cfg(feature = "glam")]
+pub use glam;
+
+/// An affine transform whose maker vouches that it is rigid: a rotation and a translation, without scale, shear or
+/// mirroring. [`macro@differentiate`] relies on it, for this name and for `Affine3A` alike.
+#[cfg(feature = "glam")]
+pub type Rigid = glam::Affine3A;
+
+/// The same in double precision.
+#[cfg(feature = "f64")]
+pub type DRigid = glam::DAffine3;
+
+/// What derived code names; not for hand-written code.
+#[doc(hidden)]
+pub mod __private {
+    pub use aim_model::{Real, Scalar};
+}
