@@ -29,7 +29,23 @@ const KEYS: &[Key] = &[
     ("crate", Expected::PATH),
 ];
 
+/// What a module may say for all of its functions.
+const KEYS_OF_MODULE: &[Key] = &[("crate", Expected::PATH)];
+
 impl Options {
+    /// The arguments of the attribute of a module.
+    pub(super) fn parse_module(attribute: TokenStream, report: &mut Report) -> Self {
+        let entries = entries(attribute);
+        let settings = Settings::read(&entries, KEYS_OF_MODULE, Level::Options, report);
+        let krate = settings.read_value("crate", report, read::path);
+        Self { wrt: None, budget: None, hessian: None, krate }
+    }
+
+    /// What is not said here is as the module says.
+    pub(super) fn within(self, module: &Self) -> Self {
+        Self { krate: self.krate.or_else(|| module.krate.clone()), ..self }
+    }
+
     pub(super) fn parse(attribute: TokenStream, report: &mut Report) -> Self {
         let entries = entries(attribute);
         let settings = Settings::read(&entries, KEYS, Level::Options, report);

@@ -96,6 +96,12 @@ impl Graph {
         self.rotations.nodes[rotation.0 as usize]
     }
 
+    /// How many nodes there are.
+    #[expect(clippy::len_without_is_empty, reason = "an empty graph is of no interest")]
+    pub fn len(&self) -> usize {
+        self.sizes().iter().sum()
+    }
+
     /// How many scalars, vectors and rotations there are.
     pub(crate) fn sizes(&self) -> [usize; 3] {
         [self.scalars.nodes.len(), self.vectors.nodes.len(), self.rotations.nodes.len()]

@@ -22,7 +22,7 @@ functions! {
     acos(x: Scalar) -> Scalar { a.call(Acos, x) }
     atan(x: Scalar) = x.atan2(1.0);
     atan2(y: Scalar, x: Scalar) -> Scalar { a.atan2(y, x) }
-    powi(x: Scalar, exponent: Scalar) -> Scalar {
+    powi(x: Scalar, exponent: Integer) -> Scalar {
         let exponent = whole(a, exponent)?;
         a.power(x, exponent)
     }
@@ -48,9 +48,17 @@ functions! {
     clone(x: Scalar) -> Scalar { x }
 }
 
-/// The exponent of a power, which has to be a number as written.
+functions! {
+    /// Of whole numbers.
+    WHOLE(a):
+    abs(n: Integer) = if n < 0 { -n } else { n };
+    min(n: Integer, m: Integer) = if m < n { m } else { n };
+    max(n: Integer, m: Integer) = if n < m { m } else { n };
+    clone(n: Integer) -> Integer { n }
+}
+
+/// The exponent of a power, which has to be known.
 fn whole(a: &Algebra, exponent: Scalar) -> Result<i32, Text> {
-    let known = a.constant_of(exponent).filter(|x| x.fract() == 0.0 && (i32::MIN.into()..=i32::MAX.into()).contains(x));
-    #[expect(clippy::cast_possible_truncation, reason = "it is whole and within bounds")]
-    known.map(|exponent| exponent as i32).ok_or_else(messages::power_not_literal)
+    let known = a.known_integer(&Value::Integer(exponent)).and_then(|exponent| i32::try_from(exponent).ok());
+    known.ok_or_else(messages::power_unknown)
 }
