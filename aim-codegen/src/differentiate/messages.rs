@@ -291,18 +291,10 @@ messages! {
         "`-` is for numbers, vectors and matrices, `!` for conditions";
 
     no_operation(operator: &BinOp, left: &str, right: &str)
-        where (message, help) = match operator {
-            BinOp::Rem(_) => (
-                "a remainder jumps: it cannot be differentiated".to_owned(),
-                "bring the number into its range before the call",
-            ),
-            _ => (
-                format!("there is no such operation between {left} and {right}"),
-                "numbers are compared; numbers, vectors, rotations and transforms are combined as in glam",
-            ),
-        } =>
-        "{message}",
-        "{help}";
+        where operator = quote::quote!(#operator).to_string() =>
+        "there is no `{operator}` between {left} and {right} that is understood",
+        "numbers are compared; numbers, vectors, rotations and transforms are combined as in glam; whole numbers become \
+         numbers by `as`, and are divided only where both are known";
 
     not_a_condition(found: &str) => "`if` needs a condition, found {found}", "compare two numbers";
 
@@ -322,26 +314,15 @@ const MODULE: &str = "put both into one module with `#[differentiate]` on it, as
 
 /// What to write for functions that are known not to be supported.
 const INSTEAD: &[(&str, &str)] = &[
-    ("powf", "write `x.powi(2)` for a whole power, `x.sqrt()` for a root, else `(y * x.ln()).exp()`"),
-    ("exp2", "write `(x * core::f32::consts::LN_2).exp()`"),
-    ("log2", "write `x.ln() / core::f32::consts::LN_2`"),
-    ("log10", "write `x.ln() / core::f32::consts::LN_10`"),
-    ("log", "write `x.ln() / base.ln()`"),
-    ("cbrt", "write `(x.ln() / 3.0).exp()` for positive x"),
-    ("sinh", "write `0.5 * (x.exp() - (-x).exp())`"),
-    ("cosh", "write `0.5 * (x.exp() + (-x).exp())`"),
-    // Not by `exp` of what may be large: where that overflows, so does the derivative, long before the function does.
-    ("tanh", "write `let e = (-2.0 * x.abs()).exp();`, then `x.signum() * (1.0 - e) / (1.0 + e)`"),
-    ("rem_euclid", "a remainder jumps: bring the number into its range before the call"),
+    ("ln_1p", "write `(1.0 + x).ln()` where x is not small beside 1"),
+    ("exp_m1", "write `x.exp() - 1.0` where x is not small, `2.0 * (0.5 * x).sinh() * (0.5 * x).exp()` near 0"),
     ("floor", "rounding has no derivative: round before the call"),
     ("ceil", "rounding has no derivative: round before the call"),
     ("round", "rounding has no derivative: round before the call"),
     ("trunc", "rounding has no derivative: round before the call"),
     ("fract", "rounding has no derivative: take the fraction before the call"),
-    ("copysign", "write it with `if` and `abs`"),
     ("try_normalize", "write `normalize_or_zero`"),
     ("normalize_or", "write it with `if` and the vector's length"),
-    ("slerp", "turn by a fraction of the angle, as in `Quat::from_axis_angle(axis, s * angle)`"),
     ("from_scaled_axis", "write `Quat::from_axis_angle(axis, angle)`"),
     ("to_scaled_axis", "write `2.0 * q.w.acos()` for the angle and `q.xyz().normalize()` for the axis"),
     ("to_axis_angle", "write `2.0 * q.w.acos()` for the angle and `q.xyz().normalize()` for the axis"),

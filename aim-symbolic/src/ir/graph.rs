@@ -296,6 +296,11 @@ impl Graph {
         self.intern_scalar(ScalarNode::Op(Op::Atan2(y, x)))
     }
 
+    /// a to the power of b
+    pub fn pow(&mut self, a: Scalar, b: Scalar) -> Scalar {
+        self.intern_scalar(ScalarNode::Op(Op::Pow(a, b)))
+    }
+
     /// v · w
     pub fn dot(&mut self, v: impl Into<Vector>, w: impl Into<Vector>) -> Scalar {
         let (v, w) = (v.into(), w.into());

@@ -52,11 +52,11 @@ fn long(x: f32) -> f32 {
 
 #[differentiate(wrt(x))]
 fn calls(x: f32, v: Vec3, m: Mat3, n: i32) -> f32 {
-    let a = x.powf(1.5) + helper(x) * GAIN;
+    let a = x.ln_1p() + helper(x) * GAIN;
     let b = v.any_orthonormal_vector().x + x.floor();
     let c = Quat::from_axis_angle(Vec3::ONE, x) * v;
     let d = Quat::from_mat3(&m) * v;
-    let e = x % 2.0 + x.powi(n);
+    let e = (v % v).x + x.powi(n);
     let f = (x as f64) as f32;
     a + b + c.x + d.y + e + f + [1.0, 2.0][x as usize]
 }

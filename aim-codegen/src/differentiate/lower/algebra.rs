@@ -126,6 +126,24 @@ impl Algebra {
         }
     }
 
+    /// x to a power: by squares, products and roots where it is a known multiple of ½ that is not large.
+    pub(crate) fn pow(&mut self, x: Scalar, exponent: Scalar) -> Scalar {
+        let doubled = self.constant_of(exponent).map(|exponent| 2.0 * exponent);
+        let Some(doubled) = doubled.filter(|doubled| doubled.fract() == 0.0 && doubled.abs() <= 32.0) else {
+            return self.g.pow(x, exponent);
+        };
+        #[expect(clippy::cast_possible_truncation, reason = "it is whole and small")]
+        let size = doubled.abs() as u32;
+        let whole = self.unsigned_power(x, size / 2);
+        let power = if size % 2 == 0 {
+            whole
+        } else {
+            let root = self.sqrt(x);
+            self.mul(whole, root)
+        };
+        if doubled < 0.0 { self.recip(power) } else { power }
+    }
+
     pub(crate) fn atan2(&mut self, y: Scalar, x: Scalar) -> Scalar {
         match (self.constant_of(y), self.constant_of(x)) {
             (Some(y), Some(x)) => self.number(y.atan2(x)),

@@ -53,6 +53,9 @@ impl Translation<'_> {
         if let Some(value) = self.sequence_method(&receiver, call) {
             return value;
         }
+        if let (Some(value), true) = (self.swizzle(&receiver, &call.method.to_string()), call.args.is_empty()) {
+            return value;
+        }
         if let Value::Struct(of) = &receiver {
             return self.struct_method(of.clone(), receiver, call);
         }
@@ -61,6 +64,30 @@ impl Translation<'_> {
         }
         let (function, tables, kind) = (call.method.to_string(), methods::methods_of(&receiver), receiver.describe());
         self.apply(&Callee { name: &call.method, function, tables, kind }, Some(receiver), &call.args)
+    }
+
+    /// `v.xz()` and the like: components in another order.
+    fn swizzle(&mut self, v: &Value, letters: &str) -> Option<Value> {
+        let count = match v {
+            Value::Planar(_) => 2,
+            Value::Vector(_) => 3,
+            Value::Four(_) => 4,
+            _ => return None,
+        };
+        let places = letters.chars().map(|letter| "xyzw"[..count].find(letter)).collect::<Option<Vec<usize>>>()?;
+        let parts = places.iter().map(|&place| match v.element(self.algebra, place) {
+            Some(Value::Scalar(part)) => Some(part),
+            _ => None,
+        });
+        match *parts.collect::<Option<Vec<_>>>()?.as_slice() {
+            [x, y] => {
+                let zero = self.algebra.number(0.0);
+                Some(Value::Planar(self.algebra.vector([x, y, zero])))
+            }
+            [x, y, z] => Some(Value::Vector(self.algebra.vector([x, y, z]))),
+            [x, y, z, w] => Some(Value::Four([x, y, z, w])),
+            _ => None,
+        }
     }
 
     /// A method that the module has for a struct of its own.

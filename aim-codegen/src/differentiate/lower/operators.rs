@@ -1,6 +1,6 @@
 //! Operators: what each makes of two values, as glam and the language define it.
 
-use aim_symbolic::{Fold, Scalar, Vector};
+use aim_symbolic::{Fold, Function, Scalar, Vector};
 use syn::BinOp;
 
 use super::algebra::Algebra;
@@ -20,6 +20,7 @@ pub(super) fn binary(a: &mut Algebra, operator: &BinOp, left: &Value, right: &Va
         BinOp::Sub(_) => sum(a, (left, right), Fold::sub, Algebra::sub_vectors),
         BinOp::Mul(_) => multiply(a, left, right),
         BinOp::Div(_) => divide(a, left, right),
+        BinOp::Rem(_) => remainder(a, left, right),
         _ => compare(a, operator, left, right).map(Value::Truth),
     }
 }
@@ -99,6 +100,18 @@ fn divide(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
         }
         _ => None,
     }
+}
+
+/// x − y trunc(x / y)
+fn remainder(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
+    let (Value::Scalar(x), Value::Scalar(y)) = (left, right) else { return None };
+    let quotient = a.div(*x, *y);
+    let (zero, opposite) = (a.number(0.0), a.neg(quotient));
+    let (down, up) = (a.call(Function::Floor, quotient), a.call(Function::Floor, opposite));
+    let up = a.neg(up);
+    let turns = Condition::less(a, quotient, zero).select(a, up, down);
+    let whole = a.mul(*y, turns);
+    Some(Value::Scalar(a.sub(*x, whole)))
 }
 
 /// Sums, products and the like of whole numbers; those of unknown ones are not divided, since divisions are cut off.

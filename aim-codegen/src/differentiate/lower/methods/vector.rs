@@ -27,6 +27,11 @@ functions! {
     min(v: Vector, w: Vector) = Vec3::new(v.x.min(w.x), v.y.min(w.y), v.z.min(w.z));
     max(v: Vector, w: Vector) = Vec3::new(v.x.max(w.x), v.y.max(w.y), v.z.max(w.z));
     clamp(v: Vector, low: Vector, high: Vector) = v.max(low).min(high);
+    clamp_length(v: Vector, least: Scalar, most: Scalar) = v.clamp_length_min(least).clamp_length_max(most);
+    clamp_length_min(v: Vector, least: Scalar) =
+        if v.length_squared() < least * least { least * v.normalize() } else { v };
+    clamp_length_max(v: Vector, most: Scalar) =
+        if v.length_squared() > most * most { most * v.normalize() } else { v };
     element_sum(v: Vector) = v.x + v.y + v.z;
     clone(v: Vector) -> Vector { v }
 }
