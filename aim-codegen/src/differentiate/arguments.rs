@@ -26,7 +26,7 @@ pub(super) struct Argument {
     pub(super) pattern: Pat,
     pub(super) ty: Type,
     /// Its place among the variables, if it is one.
-    variable: Option<usize>,
+    pub(super) variable: Option<usize>,
 }
 
 /// What is known of a signature.

@@ -43,6 +43,10 @@ messages! {
         "the derived function needs more than {budget} operations",
         "it needs {count}; allow `budget = {total}` or look for what can be shared";
 
+    unchecked(ty: &str) =>
+        "`check` cannot make up a value of `{ty}`: it has fields that are no numbers",
+        "test this function at values of your own";
+
     hessian_of_vector() =>
         "`hessian` is for functions of one number",
         "second derivatives of a vector have no matrix: leave it out";

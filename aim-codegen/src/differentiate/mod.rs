@@ -10,6 +10,7 @@
 //! Every error is collected, with its place. The function or module itself is always emitted as it was written.
 
 mod arguments;
+mod check;
 mod emit;
 pub(crate) mod file;
 mod items;
@@ -105,6 +106,16 @@ fn take_request(item: &mut Item) -> Option<TokenStream> {
     })
 }
 
+/// Whether a test is asked for, of a function whose arguments can be made up.
+fn checked(options: &Options, arguments: &Arguments, report: &mut Report) -> bool {
+    let Some((true, place)) = &options.check else { return false };
+    let unmade = arguments.list.iter().find(|argument| !argument.ty.is_whole());
+    if let Some(argument) = unmade {
+        report.error(place, messages::unchecked(&argument.ty.tokens.to_string()));
+    }
+    unmade.is_none()
+}
+
 /// Whether an attribute is `differentiate`.
 fn is_ours(attribute: &syn::Attribute) -> bool {
     attribute.path().segments.last().is_some_and(|last| last.ident == "differentiate")
@@ -126,7 +137,10 @@ fn companions(function: &ItemFn, options: &Options, items: &Items, report: &mut 
         .hessian
         .as_ref()
         .and_then(|_| companions.hessian(programs.as_ref().and_then(|programs| programs.second.as_ref())));
-    quote!(#first #second)
+    let wanted = programs.is_some() && checked(options, &arguments, report);
+    let check = wanted.then(|| companions.check());
+    let check = check.flatten();
+    quote!(#first #second #check)
 }
 
 /// The derived programs.

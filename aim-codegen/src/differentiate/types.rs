@@ -190,6 +190,11 @@ impl Type {
         }
     }
 
+    /// Of values that are no references.
+    pub(super) fn owned(&self) -> Self {
+        Self { borrowed: false, ..self.clone() }
+    }
+
     /// How many numbers it is made of.
     pub(super) fn components(&self) -> usize {
         match &self.shape {
@@ -248,6 +253,26 @@ impl Type {
                     field.numbers(&quote!(#place.#member), number, to);
                 }
             }
+        }
+    }
+
+    /// The parts of it that are not made of others, in the order of its numbers.
+    pub(super) fn leaves(&self, each: &mut dyn FnMut(&Self)) {
+        match &self.shape {
+            Shape::Array(element, length) => (0..*length).for_each(|_| element.leaves(each)),
+            Shape::Tuple(parts) => parts.iter().for_each(|part| part.leaves(each)),
+            Shape::Struct(_, fields, _) => fields.iter().for_each(|(_, field)| field.leaves(each)),
+            _ => each(self),
+        }
+    }
+
+    /// Whether all of a value of it can be made of numbers.
+    pub(super) fn is_whole(&self) -> bool {
+        match &self.shape {
+            Shape::Array(element, _) => element.is_whole(),
+            Shape::Tuple(parts) => parts.iter().all(Self::is_whole),
+            Shape::Struct(_, fields, whole) => *whole && fields.iter().all(|(_, field)| field.is_whole()),
+            _ => true,
         }
     }
 

@@ -40,6 +40,11 @@ mod model {
         spring.energy(x) + spring.name.len() as f32
     }
 
+    #[differentiate(wrt(x), check = true)]
+    pub fn unchecked(x: f32, spring: &Spring) -> f32 {
+        spring.energy(x)
+    }
+
     #[differentiate(wrt(spring, flag, p))]
     pub fn variables(spring: Spring, flag: bool, p: &[Vec3]) -> f32 {
         if flag { spring.rest } else { p[0].x }

@@ -5,7 +5,7 @@ use aim_objectives::{Argument, At, Random, by_rows, singular};
 
 macro_rules! objectives {
     ($module:ident: $real:ident, $vec2:ident, $vec3:ident, $quat:ident, $mat3:ident) => {
-        #[aim::differentiate]
+        #[aim::differentiate(check = true)]
         mod $module {
             use aim::glam::{Vec3Swizzles, $mat3, $quat, $vec2, $vec3};
 
