@@ -165,7 +165,7 @@ impl<'p> Layout<'p> {
                     planned.push(None);
                     continue;
                 }
-                Op::Call(..) | Op::Atan2(..) => unreachable!("no objective of a rig needs {op:?}"),
+                Op::Call(..) | Op::Atan2(..) | Op::Pow(..) => unreachable!("no objective of a rig needs {op:?}"),
             };
             parts.into_iter().for_each(|part| planned[part.index()] = None);
             planned.push(Some((code, operands)));

@@ -24,6 +24,16 @@ pub trait Real: Scalar {
     fn exp(self) -> Self;
     /// The natural logarithm.
     fn ln(self) -> Self;
+    /// The hyperbolic sine.
+    fn sinh(self) -> Self;
+    /// The hyperbolic cosine.
+    fn cosh(self) -> Self;
+    /// The hyperbolic tangent.
+    fn tanh(self) -> Self;
+    /// The largest whole number that is not above.
+    fn floor(self) -> Self;
+    /// The power; NaN of a negative number but for whole exponents.
+    fn powf(self, exponent: Self) -> Self;
 }
 
 macro_rules! real {
@@ -49,9 +59,13 @@ macro_rules! real {
 
 real!(
     f32: sin_cos() -> (Self, Self) = sincosf, sin() -> Self = sinf, cos() -> Self = cosf, tan() -> Self = tanf,
-    asin() -> Self = asinf, acos() -> Self = acosf, atan2(x) -> Self = atan2f, exp() -> Self = expf, ln() -> Self = logf
+    asin() -> Self = asinf, acos() -> Self = acosf, atan2(x) -> Self = atan2f, exp() -> Self = expf, ln() -> Self = logf,
+    sinh() -> Self = sinhf, cosh() -> Self = coshf, tanh() -> Self = tanhf, floor() -> Self = floorf,
+    powf(exponent) -> Self = powf
 );
 real!(
     f64: sin_cos() -> (Self, Self) = sincos, sin() -> Self = sin, cos() -> Self = cos, tan() -> Self = tan,
-    asin() -> Self = asin, acos() -> Self = acos, atan2(x) -> Self = atan2, exp() -> Self = exp, ln() -> Self = log
+    asin() -> Self = asin, acos() -> Self = acos, atan2(x) -> Self = atan2, exp() -> Self = exp, ln() -> Self = log,
+    sinh() -> Self = sinh, cosh() -> Self = cosh, tanh() -> Self = tanh, floor() -> Self = floor,
+    powf(exponent) -> Self = pow
 );

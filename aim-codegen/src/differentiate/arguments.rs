@@ -1,25 +1,32 @@
 //! The function's signature: its arguments as inputs of the graph, and its result.
 
+use std::rc::Rc;
+
 use aim_symbolic::{Scalar, Vector};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 use syn::{FnArg, Pat, ReturnType, Signature};
 
-use super::lower::{Affine, Algebra, Map, Quaternion, Value};
+use super::items::Items;
+use super::lower::{Affine, Algebra, Condition, Map, Quaternion, Struct, Value};
 use super::messages;
 use super::options::Options;
-use super::types::{Shape, Type};
+use super::types::{Precision, Shape, Type};
 use crate::declare::parse::tokens::word_of;
 use crate::declare::report::Report;
 use crate::declare::tree::Word;
 
 /// An argument of a known type.
 pub(super) struct Argument {
-    /// `None` for `_`.
+    /// `None` for a pattern.
     pub(super) name: Option<Ident>,
+    /// What it is called in emitted code.
+    called: TokenStream,
+    /// What it is bound to in the function.
+    pub(super) pattern: Pat,
     pub(super) ty: Type,
     /// Its place among the variables, if it is one.
-    variable: Option<usize>,
+    pub(super) variable: Option<usize>,
 }
 
 /// What is known of a signature.
@@ -29,14 +36,17 @@ pub(super) struct Arguments {
     pub(super) faulty: Vec<Ident>,
     /// The result's type, where it is one of ours.
     pub(super) result: Option<Type>,
+    /// Whether an error was reported of the signature.
+    pub(super) is_wrong: bool,
 }
 
 impl Arguments {
     /// Reads a signature; what is wrong with it is reported and left out.
-    pub(super) fn check(signature: &Signature, options: &Options, report: &mut Report) -> Self {
+    pub(super) fn check(signature: &Signature, options: &Options, items: &Items, report: &mut Report) -> Self {
+        let errors = report.count();
         let generic = refuse_qualifiers(signature, report);
         let (mut list, mut faulty) = (Vec::new(), Vec::new());
-        for input in &signature.inputs {
+        for (index, input) in signature.inputs.iter().enumerate() {
             let typed = match input {
                 FnArg::Typed(typed) => typed,
                 FnArg::Receiver(receiver) => {
@@ -46,24 +56,18 @@ impl Arguments {
                 }
             };
             let name = match &*typed.pat {
-                Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => {
-                    if let Some(mutability) = &name.mutability {
-                        report.error_in(mutability, messages::mutable());
-                    }
-                    Some(name.ident.clone())
-                }
-                Pat::Wild(_) => None,
-                other => {
-                    report.error_in(other, messages::argument_pattern());
-                    continue;
-                }
+                Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => Some(name.ident.clone()),
+                _ => None,
             };
+            let called =
+                name.as_ref().map_or_else(|| pattern_argument(index).to_token_stream(), ToTokens::to_token_stream);
             // Of a generic argument that was said.
-            let known = if generic { Type::parse(&typed.ty).ok() } else { known_type(&typed.ty, report) };
+            let known = if generic { Type::parse(&typed.ty, items).ok() } else { known_type(&typed.ty, items, report) };
             match known {
                 Some(ty) => {
                     let variable = name.as_ref().and_then(|name| place_among(options.wrt.as_deref(), name));
-                    list.push(Argument { name, ty, variable });
+                    let pattern = (*typed.pat).clone();
+                    list.push(Argument { name, called, pattern, ty, variable });
                 }
                 None => faulty.extend(name),
             }
@@ -73,17 +77,18 @@ impl Arguments {
                 report.error_in(&signature.ident, messages::no_result());
                 None
             }
-            ReturnType::Type(_, ty) => known_type(ty, report).filter(|result| {
-                let fits = matches!(result.shape, Shape::Scalar | Shape::Planar | Shape::Vector) && !result.borrowed;
+            ReturnType::Type(_, ty) => known_type(ty, items, report).filter(|result| {
+                let fits = result.is_result() && result.precision.is_some() && !result.borrowed;
                 if !fits {
                     report.error_in(ty, messages::result_type());
                 }
                 fits
             }),
         };
-        let arguments = Self { list, faulty, result };
+        let mut arguments = Self { list, faulty, result, is_wrong: false };
         arguments.check_precision(report);
         arguments.check_variables(signature, options, report);
+        arguments.is_wrong = report.count() > errors;
         arguments
     }
 
@@ -94,11 +99,18 @@ impl Arguments {
         variables
     }
 
+    /// The number type that the function computes in.
+    pub(super) fn precision(&self) -> Precision {
+        let types = self.result.iter().chain(self.list.iter().map(|argument| &argument.ty));
+        types.filter_map(|ty| ty.precision).next().unwrap_or(Precision::Single)
+    }
+
     fn check_precision(&self, report: &mut Report) {
-        let types = || self.list.iter().map(|argument| &argument.ty).chain(&self.result);
-        let Some(first) = self.result.as_ref().or_else(|| types().next()) else { return };
-        for other in types().filter(|ty| ty.precision != first.precision) {
-            report.error_in(&other.tokens, messages::mixed(first.precision.name(), other.precision.name()));
+        let first = self.precision();
+        for ty in self.list.iter().map(|argument| &argument.ty).chain(&self.result) {
+            if let Some(other) = ty.other_precision(first) {
+                report.error_in(&ty.tokens, messages::mixed(first.name(), other.name()));
+            }
         }
     }
 
@@ -115,37 +127,38 @@ impl Arguments {
             match found {
                 None if self.faulty.iter().any(|name| is(name, word)) => {}
                 None => report.error(&word.place, messages::unknown_variable(&word.text, &names)),
-                Some(argument) if argument.ty.shape == Shape::Rigid => {
-                    report.error(&word.place, messages::rigid_variable(&word.text));
+                Some(argument) => {
+                    if let Some(text) = argument.ty.no_variable(&word.text) {
+                        report.error(&word.place, text);
+                    }
                 }
-                Some(_) => {}
             }
         }
     }
 
-    /// Declares every number of the arguments as an input: their values by name, and what the inputs are called.
+    /// Declares every number of the arguments as an input: their values, and what the inputs are called.
     pub(super) fn declare(&self, a: &mut Algebra) -> Declared {
         let mut declared = Declared { values: Vec::new(), variables: Vec::new(), inputs: Vec::new() };
-        let mut variables = Vec::new();
+        let (mut variables, precision) = (Vec::new(), self.precision());
         for argument in &self.list {
-            let Some(name) = &argument.name else { continue };
-            let inputs: Vec<Scalar> = (0..argument.ty.components())
+            let first = declared.inputs.len();
+            argument.ty.numbers(&argument.called, precision, &mut declared.inputs);
+            let named = argument.name.as_ref().map_or_else(String::new, |name| word_of(name).text);
+            let inputs: Vec<Scalar> = (0..declared.inputs.len() - first)
                 .map(|index| {
-                    declared.inputs.push(argument.ty.component(name, index));
-                    let input = a.g.input(&format!("{}_{index}", word_of(name).text));
+                    let input = a.g.input(&format!("{named}_{index}"));
                     if argument.variable.is_some() {
                         a.differentiate_by(input);
                     }
                     input
                 })
                 .collect();
-            let value = value(a, argument.ty.shape, &inputs, argument.variable.is_some());
-            declared.values.push((name.to_string(), value));
+            let value = value(a, &argument.ty, &mut inputs.iter().copied(), argument.variable.is_some());
+            declared.values.push(value);
             if let Some(place) = argument.variable {
                 variables.push((place, inputs));
             }
         }
-        declared.values.extend(self.faulty.iter().map(|name| (name.to_string(), Value::Unknown)));
         variables.sort_by_key(|(place, _)| *place);
         declared.variables = variables.into_iter().map(|(_, inputs)| inputs).collect();
         declared
@@ -154,8 +167,8 @@ impl Arguments {
 
 /// The arguments as the graph knows them.
 pub(super) struct Declared {
-    /// Their values, by name.
-    pub(super) values: Vec<(String, Value)>,
+    /// Their values.
+    pub(super) values: Vec<Value>,
     /// The inputs of each variable, in the order of `wrt`.
     pub(super) variables: Vec<Vec<Scalar>>,
     /// What each input is called in emitted code.
@@ -164,17 +177,34 @@ pub(super) struct Declared {
 
 /// The value that these numbers make. A transform is rigid, a quaternion that is no variable has length 1; a matrix is
 /// any matrix.
-fn value(a: &mut Algebra, shape: Shape, numbers: &[Scalar], varies: bool) -> Value {
+fn value(a: &mut Algebra, ty: &Type, from: &mut dyn Iterator<Item = Scalar>, varies: bool) -> Value {
+    let mut parts = |types: &[&Type]| -> Vec<Value> { types.iter().map(|ty| value(a, ty, from, varies)).collect() };
+    match &ty.shape {
+        Shape::Array(element, length) => return Value::Array(parts(&vec![&**element; *length])),
+        Shape::Tuple(types) => return Value::Tuple(parts(&types.iter().collect::<Vec<_>>())),
+        Shape::Struct(name, fields, _) => {
+            let values = parts(&fields.iter().map(|(_, ty)| ty).collect::<Vec<_>>());
+            let names = fields.iter().map(|(member, _)| member.to_token_stream().to_string());
+            return Value::Struct(Rc::new(Struct { name: name.clone(), fields: names.zip(values).collect() }));
+        }
+        _ => {}
+    }
+    let numbers: Vec<Scalar> = from.take(ty.components()).collect();
     let column = |a: &mut Algebra, numbers: &[Scalar]| -> Vector { a.vector([numbers[0], numbers[1], numbers[2]]) };
-    match shape {
-        Shape::Scalar => Value::Scalar(numbers[0]),
+    match ty.shape {
+        Shape::Truth => {
+            let zero = a.number(0.0);
+            Value::Truth(Condition::Less(zero, numbers[0]))
+        }
+        Shape::Integer => Value::Integer(numbers[0]),
         Shape::Planar => {
             let zero = a.number(0.0);
             Value::Planar(a.vector([numbers[0], numbers[1], zero]))
         }
-        Shape::Vector => Value::Vector(column(a, numbers)),
+        Shape::Vector => Value::Vector(column(a, &numbers)),
+        Shape::Four => Value::Four(core::array::from_fn(|i| numbers[i])),
         Shape::Quaternion => {
-            let (u, w) = (column(a, numbers), numbers[3]);
+            let (u, w) = (column(a, &numbers), numbers[3]);
             Value::Quaternion(if varies { Quaternion::from_parts(u, w) } else { Quaternion::unit(a, u, w) })
         }
         Shape::Matrix => Value::Matrix(Map::Columns([0, 3, 6].map(|k| column(a, &numbers[k..])))),
@@ -184,8 +214,13 @@ fn value(a: &mut Algebra, shape: Shape, numbers: &[Scalar], varies: bool) -> Val
             let map = Map::Rotation(a.g.matrix(rows));
             Value::Affine(Affine { map, translation: column(a, &numbers[9..]) })
         }
-        Shape::Array(_) => Value::Array(numbers.iter().map(|&number| Value::Scalar(number)).collect()),
+        _ => Value::Scalar(numbers[0]),
     }
+}
+
+/// What an argument that is taken apart is called in emitted code.
+pub(super) fn pattern_argument(index: usize) -> Ident {
+    crate::emit::body::local(&format!("argument{index}"))
 }
 
 fn is(name: &Ident, word: &Word) -> bool {
@@ -196,8 +231,8 @@ fn place_among(wrt: Option<&[Word]>, name: &Ident) -> Option<usize> {
     wrt?.iter().position(|word| is(name, word))
 }
 
-fn known_type(ty: &syn::Type, report: &mut Report) -> Option<Type> {
-    Type::parse(ty).map_err(|(place, text)| report.error_in(&place, text)).ok()
+fn known_type(ty: &syn::Type, items: &Items, report: &mut Report) -> Option<Type> {
+    Type::parse(ty, items).map_err(|(place, text)| report.error_in(&place, text)).ok()
 }
 
 /// A function that is generic, asynchronous and so on cannot be written beside. Whether it is generic.

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::{Attribute, FnArg, ItemFn, Pat};
 
-use super::arguments::Arguments;
+use super::arguments::{Arguments, pattern_argument};
 use super::types::{Shape, Type};
 use crate::emit::body::{Arithmetic, Body, counted};
 
@@ -26,13 +26,13 @@ impl Companions<'_> {
     pub(super) fn first_derivatives(&self, program: Option<&Program>) -> Option<TokenStream> {
         let result = self.arguments.result.as_ref()?;
         let (suffix, words) =
-            if result.shape == Shape::Scalar { ("gradient", "gradient") } else { ("jacobian", "Jacobian") };
+            if matches!(result.shape, Shape::Scalar) { ("gradient", "gradient") } else { ("jacobian", "Jacobian") };
         Some(self.companion(result, (suffix, words), program, None))
     }
 
     /// `…_hessian` of a number.
     pub(super) fn hessian(&self, program: Option<&Program>) -> Option<TokenStream> {
-        let result = self.arguments.result.as_ref().filter(|result| result.shape == Shape::Scalar)?;
+        let result = self.arguments.result.as_ref().filter(|result| matches!(result.shape, Shape::Scalar))?;
         let original = &result.tokens;
         let count: usize = self.arguments.variables().iter().map(|variable| variable.ty.components()).sum();
         let size = Literal::usize_unsuffixed(count);
@@ -57,7 +57,7 @@ impl Companions<'_> {
         more: Option<More<'_>>,
     ) -> TokenStream {
         let name = format_ident!("{}_{suffix}", self.item.sig.ident);
-        let (krate, number) = (self.krate, format_ident!("{}", result.precision.name()));
+        let (krate, number) = (self.krate, format_ident!("{}", self.arguments.precision().name()));
         let (private, number) = (quote!(#krate::__private), quote!(::core::primitive::#number));
         let input = |i: usize| self.inputs[i].clone();
         let body = program.map(|program| Body {
@@ -88,17 +88,28 @@ impl Companions<'_> {
             let count = variable.components();
             let (numbers, after) = rest.split_at_checked(count * size).unwrap_or_default();
             rest = after;
-            match (result.shape, variable.shape) {
+            match (&result.shape, &variable.shape) {
                 (Shape::Scalar, _) => (variable.tokens.clone(), variable.build(numbers)),
-                (_, Shape::Scalar) => (original.clone(), result.build(numbers)),
+                (Shape::Planar | Shape::Vector | Shape::Four, Shape::Scalar) => {
+                    (original.clone(), result.build(numbers))
+                }
                 (Shape::Vector, Shape::Vector) => {
                     let matrix = result.matrix(self.krate);
                     (matrix.clone(), quote!(<#matrix>::from_cols_array(&[#(#numbers),*])))
                 }
-                _ => {
+                (Shape::Planar | Shape::Vector | Shape::Four, _) => {
                     let length = Literal::usize_unsuffixed(count);
                     let vectors = numbers.chunks(size).map(|numbers| result.build(numbers));
                     (quote!([#original; #length]), quote!([#(#vectors),*]))
+                }
+                // A row a component of the result.
+                _ => {
+                    let (length, row) = (Literal::usize_unsuffixed(size), &variable.tokens);
+                    let rows = (0..size).map(|i| {
+                        let row: Vec<TokenStream> = numbers.iter().skip(i).step_by(size).cloned().collect();
+                        variable.build(&row)
+                    });
+                    (quote!([#row; #length]), quote!([#(#rows),*]))
                 }
             }
         };
@@ -116,7 +127,7 @@ impl Companions<'_> {
     fn function(&self, name: &Ident, doc: &str, returns: &TokenStream, body: Option<TokenStream>) -> TokenStream {
         let ItemFn { attrs, vis, sig, .. } = self.item;
         let kept = attrs.iter().filter(|attribute| is_kept(attribute));
-        let inputs = sig.inputs.iter().map(|input| match input {
+        let inputs = sig.inputs.iter().enumerate().map(|(index, input)| match input {
             FnArg::Typed(typed) => {
                 let ty = &typed.ty;
                 match &*typed.pat {
@@ -124,7 +135,10 @@ impl Companions<'_> {
                         let name = &name.ident;
                         quote!(#name: #ty)
                     }
-                    _ => quote!(_: #ty),
+                    _ => {
+                        let name = pattern_argument(index);
+                        quote!(#name: #ty)
+                    }
                 }
             }
             FnArg::Receiver(receiver) => quote!(#receiver),

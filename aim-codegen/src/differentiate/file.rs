@@ -4,9 +4,10 @@ use aim_symbolic::Program;
 use syn::{Attribute, Item, ItemFn, Meta};
 
 use super::arguments::{Argument, Arguments};
+use super::items::Items;
 use super::options::Options;
 use super::types::Shape;
-use super::{Programs, messages};
+use super::{Programs, is_ours, messages};
 use crate::declare::Place;
 use crate::declare::parse::tokens::word_of;
 use crate::declare::report::Report;
@@ -78,9 +79,11 @@ fn derive(text: &str, name: &str, report: &mut Report) -> Option<Differentiated>
         }
     };
     let mut functions = Vec::new();
-    collect(&file.items, &mut functions);
-    let all: Vec<String> = functions.iter().map(|(function, _)| function.sig.ident.to_string()).collect();
-    let Some((function, attribute)) = functions.into_iter().find(|(function, _)| function.sig.ident == name) else {
+    collect(&file.items, None, &mut functions);
+    let all: Vec<String> = functions.iter().map(|found| found.function.sig.ident.to_string()).collect();
+    let Some(Found { function, attribute, module }) =
+        functions.into_iter().find(|found| found.function.sig.ident == name)
+    else {
         let all: Vec<&str> = all.iter().map(String::as_str).collect();
         report.error(&Place::Text(0..0), messages::no_such_function(name, &all));
         return None;
@@ -90,40 +93,50 @@ fn derive(text: &str, name: &str, report: &mut Report) -> Option<Differentiated>
         _ => proc_macro2::TokenStream::new(),
     };
     let options = Options::parse(arguments, report);
-    let arguments = Arguments::check(&function.sig, &options, report);
-    let programs = Programs::derive(function, &options, &arguments, report)?;
+    let items = module.map(Items::of).unwrap_or_default();
+    let arguments = Arguments::check(&function.sig, &options, &items, report);
+    let programs = Programs::derive(function, &options, &arguments, &items, report)?;
     let result = arguments.result.as_ref()?;
     let outputs = Outputs { name, size: result.components(), variables: arguments.variables() };
-    let is_number = result.shape == Shape::Scalar;
+    let is_number = matches!(result.shape, Shape::Scalar);
     let suffix = if is_number { "gradient" } else { "jacobian" };
     let mut derived = vec![(suffix, outputs.first(), programs.first)];
     derived.extend(programs.second.map(|second| ("hessian", outputs.second(), second)));
     Some(Differentiated {
         name: name.to_owned(),
-        precision: result.precision,
-        parameters: arguments.list.iter().filter_map(parameter).collect(),
+        precision: arguments.precision(),
+        parameters: arguments.list.iter().enumerate().map(parameter).collect(),
         programs: derived,
     })
 }
 
-/// An argument where its name is no word of another language.
-fn parameter(argument: &Argument) -> Option<(String, Option<usize>)> {
-    let name = word_of(argument.name.as_ref()?).text;
-    let elements = (argument.ty.shape != Shape::Scalar).then(|| argument.ty.components());
-    Some((format!("in_{name}"), elements))
+/// An argument where its name is no word of another language; one that is taken apart is called by its number.
+fn parameter((index, argument): (usize, &Argument)) -> (String, Option<usize>) {
+    let name = argument.name.as_ref().map_or_else(|| index.to_string(), |name| word_of(name).text);
+    let elements = (!matches!(argument.ty.shape, Shape::Scalar)).then(|| argument.ty.components());
+    (format!("in_{name}"), elements)
+}
+
+/// A function with the attribute, and the items of its module where that has it, too.
+struct Found<'f> {
+    function: &'f ItemFn,
+    attribute: &'f Attribute,
+    module: Option<&'f [Item]>,
 }
 
 /// The functions with the attribute, in modules too.
-fn collect<'f>(items: &'f [Item], functions: &mut Vec<(&'f ItemFn, &'f Attribute)>) {
-    let is_ours = |attribute: &&Attribute| {
-        attribute.path().segments.last().is_some_and(|segment| segment.ident == "differentiate")
-    };
+fn collect<'f>(items: &'f [Item], module: Option<&'f [Item]>, functions: &mut Vec<Found<'f>>) {
     for item in items {
         match item {
             Item::Fn(function) => {
-                functions.extend(function.attrs.iter().find(is_ours).map(|attribute| (function, attribute)));
+                let attribute = function.attrs.iter().find(|attribute| is_ours(attribute));
+                functions.extend(attribute.map(|attribute| Found { function, attribute, module }));
             }
-            Item::Mod(module) => collect(module.content.as_ref().map_or(&[], |(_, items)| items), functions),
+            Item::Mod(inner) => {
+                let items = inner.content.as_ref().map_or(&[][..], |(_, items)| items);
+                let seen = inner.attrs.iter().any(is_ours).then_some(items);
+                collect(items, seen, functions);
+            }
             _ => {}
         }
     }

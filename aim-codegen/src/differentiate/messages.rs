@@ -43,6 +43,10 @@ messages! {
         "the derived function needs more than {budget} operations",
         "it needs {count}; allow `budget = {total}` or look for what can be shared";
 
+    unchecked(ty: &str) =>
+        "`check` cannot make up a value of `{ty}`: it has fields that are no numbers",
+        "test this function at values of your own";
+
     hessian_of_vector() =>
         "`hessian` is for functions of one number",
         "second derivatives of a vector have no matrix: leave it out";
@@ -51,7 +55,13 @@ messages! {
 // The signature.
 
 messages! {
-    not_a_function() => "only a function can be differentiated", "write `#[differentiate(…)]` on a `fn` with a body";
+    not_a_function() =>
+        "only functions and modules of functions can be differentiated",
+        "write `#[differentiate(…)]` on a `fn` with a body, or on a `mod` in braces";
+
+    nothing_to_differentiate() =>
+        "no function of this module is to be differentiated",
+        "write `#[differentiate(wrt(x))]` on those that are";
 
     qualifier(what: &str) =>
         "`{what}` functions cannot be differentiated",
@@ -63,23 +73,45 @@ messages! {
 
     receiver() => "`self` cannot be differentiated through", "pass what the function needs of it as arguments";
 
-    argument_pattern() => "an argument needs a name", "take the argument apart inside the function";
-
     unknown_type(found: &str, known: &[&str])
         where found = found.replace(' ', ""), name = found.rsplit("::").next().unwrap_or_default(),
         help = did_you_mean(name, known, || {
-            format!("types are known by their names: {}, `[f32; N]`, and references to them", list(known))
+            format!(
+                "types are known by their names: {}, `bool`, integers, arrays and tuples of these, and references to them; \
+                 a struct is known where it stands beside the function in `#[differentiate] mod … {{ … }}`",
+                list(known)
+            )
         }) =>
         "`{found}` is no type that can be differentiated through",
         "{help}";
 
-    mutable_reference() => "an argument cannot be changed", "take it by value or by `&`";
+    slice() =>
+        "how long this is is not known here",
+        "take a reference to an array: `&[f32; 4]`; for any length, differentiate one term and sum in a function around it";
 
-    no_result() => "this function has no result", "return a number or a vector";
+    length_unknown() =>
+        "this length is not known here",
+        "write the number; a constant is known where it stands beside the function in `#[differentiate] mod … {{ … }}`";
+
+    too_many_numbers(most: usize) =>
+        "this holds more than {most} numbers",
+        "differentiate one term and sum its derivatives in a function around it";
+
+    constant_variable(name: &str) =>
+        "`{name}` does not vary: there are no derivatives by truth values and whole numbers",
+        "leave it out of `wrt`";
+
+    partial_struct(name: &str) =>
+        "`{name}` has fields that are no numbers: there is no derivative by it",
+        "differentiate by arguments of their own, or by a struct of the numbers that vary";
+
+    mutable_reference() => "what an argument refers to cannot be changed", "take it by value, as in `mut x: f32`, and return what is new";
+
+    no_result() => "this function has no result", "return what is to be differentiated";
 
     result_type() =>
-        "the result must be a number or a vector",
-        "return `f32`, `f64`, `Vec2`, `Vec3`, `Vec3A`, `DVec2` or `DVec3`, by value";
+        "the result must be made of numbers",
+        "return a number, vector, quaternion or matrix, or an array, a tuple or a struct of those, by value";
 
     mixed(first: &str, other: &str) =>
         "this is {other}, but the function computes in {first}",
@@ -91,13 +123,29 @@ messages! {
 messages! {
     unsupported(what: &str, help: &str) => "{what} cannot be differentiated", "{help}";
 
-    mutable() => "variables that change cannot be differentiated", "bind each new value with a `let` of its own";
+    mutable_borrow() =>
+        "what is changed through a reference is not followed",
+        "assign to the variable itself, or return the new value";
 
-    assignment() => "an assignment cannot be differentiated", "bind the new value with `let`";
+    assigned_through_reference() =>
+        "what is changed through a reference is not followed",
+        "assign to the element itself: `for i in 0..N {{ a[i] = …; }}`";
 
-    let_without_value() =>
-        "this name has no value yet",
-        "give it one where it is declared: `let x = if … {{ … }} else {{ … }};`";
+    not_assignable() => "this cannot be assigned to", "assign to a variable, a field or an element";
+
+    captured() =>
+        "a closure cannot change what is outside of it",
+        "return the new value from it, or write a loop";
+
+    no_part_to_assign(kind: &str) =>
+        "this part of {kind} cannot be assigned to",
+        "build the whole value anew";
+
+    variable_of_two_kinds() =>
+        "a variable has two kinds of values where the branches meet",
+        "give it values of one kind";
+
+    returns_differ() => "this function returns values of two kinds", "return values of one kind";
 
     pattern() =>
         "this pattern is not understood",
@@ -106,12 +154,12 @@ messages! {
     pattern_of(found: &str) => "this pattern does not fit {found}", "give every part a name";
 
     inner_item() =>
-        "items inside a function are not understood",
-        "move it out, or write what it does into the function";
+        "this item inside a function is not understood",
+        "move it beside the function, into a module with `#[differentiate]` on it";
 
     macro_call() =>
         "what a macro stands for cannot be seen",
-        "write the expression itself; check arguments in a function that calls this one";
+        "write the expression itself; to check arguments, use `debug_assert!`, or a function that calls this one";
 
     no_effect() =>
         "this statement has no effect on the result",
@@ -123,18 +171,64 @@ messages! {
 messages! {
     outside_name(name: &str, known: &[&str])
         where known = if name.starts_with(char::is_uppercase) { &[] } else { known },
-        help = did_you_mean(name, known, || "pass it as an argument, or write the number".to_owned()) =>
+        help = did_you_mean(name, known, || format!("pass it as an argument, or {MODULE}")) =>
         "the value of `{name}` cannot be seen from here",
         "{help}";
 
     outside_constant(path: &str) =>
         "the value of `{path}` cannot be seen from here",
-        "pass it as an argument or write the number; known are `core::f32::consts::PI` and its like, \
+        "pass it as an argument, or {MODULE}; known everywhere are `core::f32::consts::PI` and its like, \
          `Vec3::X` and its like, `Quat::IDENTITY`";
 
     unknown_function(path: &str) =>
         "what `{path}` does cannot be seen from here",
-        "write its body in its place, or pass its result as an argument";
+        "{MODULE}, or pass its result as an argument";
+
+    recursion(name: &str) =>
+        "`{name}` calls itself",
+        "functions are inlined, which has to end: write it as a loop with a bound";
+
+    outside_struct(name: &str) =>
+        "what `{name}` is made of cannot be seen from here",
+        "{MODULE}";
+
+    unknown_struct_field(name: &str, of: &str, known: &[&str])
+        where help = did_you_mean(name, known, || match known {
+            [] => "none of its fields is understood: fields are numbers, glam's types, and arrays, tuples and structs of them".to_owned(),
+            _ => format!("those that are understood are {}", list(known)),
+        }) =>
+        "`{of}` has no field `{name}` that is understood",
+        "{help}";
+
+    not_a_function_value() => "this is no function", "write a closure, as in `|x| x * x`";
+
+    not_iterable(found: &str) =>
+        "a loop cannot go over {found}",
+        "loops go over ranges of known whole numbers, arrays, and their iterators";
+
+    range_without_end() => "a loop needs a range with both ends", "write it as in `0..N`";
+
+    rounds_unknown() =>
+        "how often this loop runs is not known here",
+        "loops are written out round by round: give it a constant bound, and leave it by `if … {{ break; }}`";
+
+    range_too_long(most: i64) =>
+        "this range has more than {most} numbers",
+        "loops are written out round by round: differentiate one term, and sum its derivatives in a loop around it";
+
+    too_large(nodes: usize, rounds: usize) =>
+        "written out, this is more than {nodes} operations or {rounds} rounds of loops",
+        "shorten the loop, or differentiate one term and sum its derivatives in a loop around it";
+
+    array_too_long(most: usize) => "arrays hold up to {most} elements", "make it shorter";
+
+    integer_overflow() => "this whole number is too large", "whole numbers are those of `i64`";
+
+    empty_sum() => "of no elements there is no sum here", "write the zero that is meant";
+
+    match_pattern() =>
+        "this pattern is not understood",
+        "match whole numbers, `true` and `false`, ranges, tuples of these, names and `_`";
 
     call_of_value() => "only functions with a name can be called", "write what it does in its place";
 
@@ -156,11 +250,13 @@ messages! {
         "`{name}` is given {found}",
         "it takes {takes}";
 
-    power_not_literal() =>
-        "the exponent of `powi` must be a whole number as written",
-        "write the number, as in `x.powi(3)`; for another power, `(y * x.ln()).exp()`";
+    power_unknown() =>
+        "the exponent of `powi` is not known here",
+        "write the number, as in `x.powi(3)`; an argument's power is `x.powf(y)`";
 
-    index_not_literal() => "an index must be a whole number as written", "write the number";
+    index_unknown() =>
+        "this index is not known here",
+        "index by numbers, constants and the variables of loops; a choice that an argument makes is an `if`";
 
     index_outside(kind: &str) => "there is no such part of {kind}", "count from 0";
 
@@ -199,54 +295,38 @@ messages! {
         "`-` is for numbers, vectors and matrices, `!` for conditions";
 
     no_operation(operator: &BinOp, left: &str, right: &str)
-        where (message, help) = match operator {
-            BinOp::Rem(_) => (
-                "a remainder jumps: it cannot be differentiated".to_owned(),
-                "bring the number into its range before the call",
-            ),
-            _ => (
-                format!("there is no such operation between {left} and {right}"),
-                "numbers are compared; numbers, vectors, rotations and transforms are combined as in glam",
-            ),
-        } =>
-        "{message}",
-        "{help}";
+        where operator = quote::quote!(#operator).to_string() =>
+        "there is no `{operator}` between {left} and {right} that is understood",
+        "numbers are compared; numbers, vectors, rotations and transforms are combined as in glam; whole numbers become \
+         numbers by `as`, and are divided only where both are known";
 
     not_a_condition(found: &str) => "`if` needs a condition, found {found}", "compare two numbers";
-
-    if_without_else() => "an `if` without `else` has no value", "write the `else` branch too";
 
     branches_differ(then: &str, otherwise: &str) =>
         "one branch is {then}, the other {otherwise}",
         "both must be of one kind";
+
+    unknown_result() => "the value of this function cannot be told", "the compiler's own errors may say why";
 
     wrong_result(found: &str, expected: &str) =>
         "the function's value is {found}, its type says {expected}",
         "make both the same";
 }
 
+/// How a function sees what is defined beside it.
+const MODULE: &str = "put both into one module with `#[differentiate]` on it, as in `#[differentiate] mod m { … }`";
+
 /// What to write for functions that are known not to be supported.
 const INSTEAD: &[(&str, &str)] = &[
-    ("powf", "write `x.powi(2)` for a whole power, `x.sqrt()` for a root, else `(y * x.ln()).exp()`"),
-    ("exp2", "write `(x * core::f32::consts::LN_2).exp()`"),
-    ("log2", "write `x.ln() / core::f32::consts::LN_2`"),
-    ("log10", "write `x.ln() / core::f32::consts::LN_10`"),
-    ("log", "write `x.ln() / base.ln()`"),
-    ("cbrt", "write `(x.ln() / 3.0).exp()` for positive x"),
-    ("sinh", "write `0.5 * (x.exp() - (-x).exp())`"),
-    ("cosh", "write `0.5 * (x.exp() + (-x).exp())`"),
-    // Not by `exp` of what may be large: where that overflows, so does the derivative, long before the function does.
-    ("tanh", "write `let e = (-2.0 * x.abs()).exp();`, then `x.signum() * (1.0 - e) / (1.0 + e)`"),
-    ("rem_euclid", "a remainder jumps: bring the number into its range before the call"),
+    ("ln_1p", "write `(1.0 + x).ln()` where x is not small beside 1"),
+    ("exp_m1", "write `x.exp() - 1.0` where x is not small, `2.0 * (0.5 * x).sinh() * (0.5 * x).exp()` near 0"),
     ("floor", "rounding has no derivative: round before the call"),
     ("ceil", "rounding has no derivative: round before the call"),
     ("round", "rounding has no derivative: round before the call"),
     ("trunc", "rounding has no derivative: round before the call"),
     ("fract", "rounding has no derivative: take the fraction before the call"),
-    ("copysign", "write it with `if` and `abs`"),
     ("try_normalize", "write `normalize_or_zero`"),
     ("normalize_or", "write it with `if` and the vector's length"),
-    ("slerp", "turn by a fraction of the angle, as in `Quat::from_axis_angle(axis, s * angle)`"),
     ("from_scaled_axis", "write `Quat::from_axis_angle(axis, angle)`"),
     ("to_scaled_axis", "write `2.0 * q.w.acos()` for the angle and `q.xyz().normalize()` for the axis"),
     ("to_axis_angle", "write `2.0 * q.w.acos()` for the angle and `q.xyz().normalize()` for the axis"),

@@ -1,16 +1,19 @@
-//! `#[differentiate]`: an ordinary function → the same function, and its derivatives beside it.
+//! `#[differentiate]`: an ordinary function → the same function, and its derivatives beside it. On a module: of each
+//! function there that has the attribute itself, and that may use what else the module defines ([`items`]).
 //!
 //! 1. [`options`] reads the attribute's arguments, [`arguments`] the function's: the numbers of each argument become
 //!    inputs of a graph.
-//! 2. [`lower`] walks through the body and builds its value there. What is a rotation stays one.
+//! 2. [`lower`] runs the body, statement by statement, and builds its value there. What is a rotation stays one.
 //! 3. The graph is differentiated and compiled as the objectives of rigs are.
 //! 4. [`emit`] writes the programs as functions of the same arguments.
 //!
-//! Every error is collected, with its place. The function itself is always emitted as it was written.
+//! Every error is collected, with its place. The function or module itself is always emitted as it was written.
 
 mod arguments;
+mod check;
 mod emit;
 pub(crate) mod file;
+mod items;
 mod lower;
 mod messages;
 mod options;
@@ -21,11 +24,12 @@ mod tests;
 
 use aim_symbolic::{Graph, Program, Scalar, Want};
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
-use syn::ItemFn;
+use quote::{ToTokens, format_ident, quote};
+use syn::{Item, ItemFn};
 
 use self::arguments::{Arguments, Declared};
 use self::emit::Companions;
+use self::items::Items;
 use self::lower::{Algebra, Translation, Value};
 use self::options::Options;
 use self::types::{Shape, Type};
@@ -35,44 +39,115 @@ use crate::declare::tree::Notation;
 /// What `#[differentiate(…)]` on `item` expands to, `facade` being the name of the crate whose attribute it is.
 pub fn differentiate(attribute: TokenStream, item: TokenStream, facade: &str) -> TokenStream {
     let mut report = Report::new(Notation::Rust);
-    let function: ItemFn = match syn::parse2(item.clone()) {
-        Ok(function) => function,
-        Err(error) => {
-            // What is no function at all is said in our words, what does not parse in the parser's.
-            let errors = if syn::parse2::<syn::Item>(item.clone()).is_ok() {
-                report.error_in(&item.clone().into_iter().next(), messages::not_a_function());
-                report.into_compile_error()
-            } else {
-                error.into_compile_error()
-            };
-            return quote!(#item #errors);
+    if let Ok(function) = syn::parse2::<ItemFn>(item.clone()) {
+        let options = Options::parse(attribute, &mut report);
+        let companions = companions(&function, &options, &Items::default(), facade, &mut report);
+        let errors = report.into_compile_error();
+        return quote! {
+            #[allow(dead_code, reason = "its derivatives may be all that is used")]
+            #item
+            #companions
+            #errors
+        };
+    }
+    match syn::parse2::<Item>(item.clone()) {
+        Ok(Item::Mod(syn::ItemMod { attrs, vis, mod_token, ident, content: Some((_, items)), .. })) => {
+            let options = Options::parse_module(attribute, &mut report);
+            let items = module(items, &options, &mod_token, facade, &mut report);
+            let errors = report.into_compile_error();
+            quote!(#(#attrs)* #vis #mod_token #ident { #items } #errors)
         }
-    };
-    let options = Options::parse(attribute, &mut report);
-    let arguments = Arguments::check(&function.sig, &options, &mut report);
-    let programs = Programs::derive(&function, &options, &arguments, &mut report);
+        // What is something else is said in our words, what does not parse in the parser's.
+        Ok(_) => {
+            report.error_in(&item.clone().into_iter().next(), messages::not_a_function());
+            let errors = report.into_compile_error();
+            quote!(#item #errors)
+        }
+        Err(error) => {
+            let errors = error.into_compile_error();
+            quote!(#item #errors)
+        }
+    }
+}
+
+/// The items of a module, the functions that are to be differentiated with their companions after them.
+fn module(
+    mut items: Vec<Item>,
+    of_module: &Options,
+    place: &impl ToTokens,
+    facade: &str,
+    report: &mut Report,
+) -> TokenStream {
+    let mut requests: Vec<Option<TokenStream>> = items.iter_mut().map(take_request).collect();
+    if requests.iter().all(Option::is_none) {
+        report.error_in(place, messages::nothing_to_differentiate());
+    }
+    let known = Items::of(&items);
+    let mut expanded = TokenStream::new();
+    for (item, request) in items.iter().zip(&mut requests) {
+        let (Item::Fn(function), Some(attribute)) = (item, request.take()) else {
+            expanded.extend(quote!(#item));
+            continue;
+        };
+        let options = Options::parse(attribute, report).within(of_module);
+        let companions = companions(function, &options, &known, facade, report);
+        expanded.extend(quote! {
+            #[allow(dead_code, reason = "its derivatives may be all that is used")]
+            #function
+            #companions
+        });
+    }
+    expanded
+}
+
+/// Takes the attribute `differentiate` from a function: its arguments.
+fn take_request(item: &mut Item) -> Option<TokenStream> {
+    let Item::Fn(function) = item else { return None };
+    let place = function.attrs.iter().position(is_ours)?;
+    Some(match function.attrs.remove(place).meta {
+        syn::Meta::List(list) => list.tokens,
+        _ => TokenStream::new(),
+    })
+}
+
+/// Whether a test is asked for, of a function whose arguments can be made up.
+fn checked(options: &Options, arguments: &Arguments, report: &mut Report) -> bool {
+    let Some((true, place)) = &options.check else { return false };
+    let unmade = arguments.list.iter().find(|argument| !argument.ty.is_whole());
+    if let Some(argument) = unmade {
+        report.error(place, messages::unchecked(&argument.ty.tokens.to_string()));
+    }
+    unmade.is_none()
+}
+
+/// Whether an attribute is `differentiate`.
+fn is_ours(attribute: &syn::Attribute) -> bool {
+    attribute.path().segments.last().is_some_and(|last| last.ident == "differentiate")
+}
+
+/// The functions beside a function.
+fn companions(function: &ItemFn, options: &Options, items: &Items, facade: &str, report: &mut Report) -> TokenStream {
+    let arguments = Arguments::check(&function.sig, options, items, report);
+    let programs = Programs::derive(function, options, &arguments, items, report);
     let krate = options.krate.clone().unwrap_or_else(|| {
         let facade = format_ident!("{facade}");
         quote!(::#facade)
     });
     let inputs = programs.as_ref().map_or(&[][..], |programs| &programs.inputs);
-    let companions = Companions { item: &function, arguments: &arguments, krate: &krate, inputs };
+    let companions = Companions { item: function, arguments: &arguments, krate: &krate, inputs };
+    // Where `self` or a type is in the way, a stub would only be another error.
+    if !arguments.faulty.is_empty() || function.sig.receiver().is_some() {
+        return TokenStream::new();
+    }
     let first = companions.first_derivatives(programs.as_ref().map(|programs| &programs.first));
     let second = options
         .hessian
         .as_ref()
         .and_then(|_| companions.hessian(programs.as_ref().and_then(|programs| programs.second.as_ref())));
-    // Where `self` or a type is in the way, a stub would only be another error.
-    let (first, second) =
-        if arguments.faulty.is_empty() && function.sig.receiver().is_none() { (first, second) } else { (None, None) };
-    let errors = report.into_compile_error();
-    quote! {
-        #[allow(dead_code, reason = "its derivatives may be all that is used")]
-        #item
-        #first
-        #second
-        #errors
-    }
+    let wanted = programs.is_some() && checked(options, &arguments, report);
+    let check = wanted.then(|| companions.check());
+    let check = check.flatten();
+    quote!(#first #second #check)
 }
 
 /// The derived programs.
@@ -87,16 +162,37 @@ struct Programs {
 
 impl Programs {
     /// Derives them, unless there are errors.
-    fn derive(function: &ItemFn, options: &Options, arguments: &Arguments, report: &mut Report) -> Option<Self> {
+    fn derive(
+        function: &ItemFn,
+        options: &Options,
+        arguments: &Arguments,
+        items: &Items,
+        report: &mut Report,
+    ) -> Option<Self> {
+        let errors = report.count();
         let mut algebra = Algebra::new();
         let Declared { values, variables, inputs } = arguments.declare(&mut algebra);
-        let body = Translation::new(&mut algebra, report, values).block(&function.block);
+        let patterns = arguments.list.iter().map(|argument| &argument.pattern).zip(values);
+        let mut translation = Translation::new(&mut algebra, report, items, Some(arguments.precision()));
+        let body = translation.function(&function.block, patterns, &arguments.faulty);
         let result = arguments.result.as_ref()?;
-        if let (Some(place), true) = (&options.hessian, result.shape != Shape::Scalar) {
+        if let (Some(place), false) = (&options.hessian, matches!(result.shape, Shape::Scalar)) {
             report.error(place, messages::hessian_of_vector());
         }
-        let numbers = numbers(&mut algebra, &body, result, report)?;
-        if !report.is_empty() {
+        let mut numbers = Vec::new();
+        let fits = add_numbers(&mut algebra, &body, result, &mut numbers);
+        if report.count() > errors || arguments.is_wrong || options.wrt.is_none() {
+            return None;
+        }
+        if body.is_unknown() {
+            // It was said, of a helper that another function calls, too; or else the compiler says it.
+            if report.is_empty() {
+                report.error_in(&function.sig.ident, messages::unknown_result());
+            }
+            return None;
+        }
+        if !fits {
+            report.error_in(&result.tokens, messages::wrong_result(&body.describe(), &result.tokens.to_string()));
             return None;
         }
         let variables: Vec<Scalar> = variables.into_iter().flatten().collect();
@@ -133,22 +229,40 @@ fn derived(g: &Graph, wanted: &[Want]) -> Program {
     })
 }
 
-/// The numbers of the function's value; `None` where it is not what the function's type says.
-fn numbers(a: &mut Algebra, value: &Value, result: &Type, report: &mut Report) -> Option<Vec<Scalar>> {
-    let numbers = match (value, result.shape) {
-        (Value::Scalar(number), Shape::Scalar) => vec![*number],
-        (Value::Planar(v), Shape::Planar) => a.parts(*v)[..2].to_vec(),
-        (Value::Vector(v), Shape::Vector) => a.parts(*v).to_vec(),
-        (Value::Unknown, _) => return None,
-        (other, _) => {
-            let expected = match result.shape {
-                Shape::Scalar => "a number",
-                Shape::Planar => "a vector of two",
-                _ => "a vector",
-            };
-            report.error_in(&result.tokens, messages::wrong_result(&other.describe(), expected));
-            return None;
+/// Appends the numbers of a value; whether it is what its type says.
+fn add_numbers(a: &mut Algebra, value: &Value, ty: &Type, numbers: &mut Vec<Scalar>) -> bool {
+    match (value, &ty.shape) {
+        (Value::Scalar(number), Shape::Scalar) => numbers.push(*number),
+        (Value::Planar(v), Shape::Planar) => numbers.extend_from_slice(&a.parts(*v)[..2]),
+        (Value::Vector(v), Shape::Vector) => numbers.extend(a.parts(*v)),
+        (Value::Four(parts), Shape::Four) => numbers.extend(parts),
+        (Value::Quaternion(q), Shape::Quaternion) => {
+            let Some((u, w)) = q.parts else { return false };
+            numbers.extend(a.parts(u));
+            numbers.push(w);
         }
-    };
-    Some(numbers)
+        (Value::Matrix(m), Shape::Matrix) => {
+            numbers.extend(m.columns(a).into_iter().flat_map(|column| a.parts(column)));
+        }
+        (Value::Affine(m), Shape::Rigid) => {
+            numbers.extend(m.map.columns(a).into_iter().flat_map(|column| a.parts(column)));
+            numbers.extend(a.parts(m.translation));
+        }
+        (Value::Array(values), Shape::Array(element, length)) => {
+            return values.len() == *length && values.iter().all(|value| add_numbers(a, value, element, numbers));
+        }
+        (Value::Tuple(values), Shape::Tuple(types)) => {
+            return values.len() == types.len()
+                && values.iter().zip(types).all(|(value, ty)| add_numbers(a, value, ty, numbers));
+        }
+        (Value::Struct(of), Shape::Struct(name, fields, true)) => {
+            return of.name == *name
+                && fields.iter().all(|(member, ty)| {
+                    let value = of.field(&member.to_token_stream().to_string());
+                    value.is_some_and(|value| add_numbers(a, value, ty, numbers))
+                });
+        }
+        _ => return false,
+    }
+    true
 }

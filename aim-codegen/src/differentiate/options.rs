@@ -19,6 +19,8 @@ pub(super) struct Options {
     /// The most operations, and where that is written.
     pub(super) budget: Option<(usize, Place)>,
     pub(super) hessian: Option<Place>,
+    /// Whether a test is to be written, and where that is said.
+    pub(super) check: Option<(bool, Place)>,
     pub(super) krate: Option<TokenStream>,
 }
 
@@ -26,10 +28,28 @@ const KEYS: &[Key] = &[
     ("wrt", Expected::ARGUMENTS),
     ("budget", Expected::OPERATIONS),
     ("hessian", Expected::PRESENCE),
+    ("check", Expected::FLAG),
     ("crate", Expected::PATH),
 ];
 
+/// What a module may say for all of its functions.
+const KEYS_OF_MODULE: &[Key] = &[("check", Expected::FLAG), ("crate", Expected::PATH)];
+
 impl Options {
+    /// The arguments of the attribute of a module.
+    pub(super) fn parse_module(attribute: TokenStream, report: &mut Report) -> Self {
+        let entries = entries(attribute);
+        let settings = Settings::read(&entries, KEYS_OF_MODULE, Level::Options, report);
+        let krate = settings.read_value("crate", report, read::path);
+        Self { wrt: None, budget: None, hessian: None, check: settings.read_value("check", report, check), krate }
+    }
+
+    /// What is not said here is as the module says.
+    pub(super) fn within(self, module: &Self) -> Self {
+        let krate = self.krate.or_else(|| module.krate.clone());
+        Self { check: self.check.or_else(|| module.check.clone()), krate, ..self }
+    }
+
     pub(super) fn parse(attribute: TokenStream, report: &mut Report) -> Self {
         let entries = entries(attribute);
         let settings = Settings::read(&entries, KEYS, Level::Options, report);
@@ -38,6 +58,7 @@ impl Options {
             wrt: wrt.or_else(|| settings.has("wrt").then(Vec::new)),
             budget: settings.read_value("budget", report, budget),
             hessian: settings.read_value("hessian", report, hessian),
+            check: settings.read_value("check", report, check),
             krate: settings.read_value("crate", report, read::path),
         }
     }
@@ -63,5 +84,12 @@ fn hessian(report: &mut Report, setting: Setting<'_>) -> Option<Place> {
         Kind::Absent | Kind::Bool(true) => Some(setting.place().clone()),
         Kind::Bool(false) => None,
         _ => report.refuse(setting.place(), messages::flag_with_value(setting.key)),
+    }
+}
+
+fn check(report: &mut Report, setting: Setting<'_>) -> Option<(bool, Place)> {
+    match setting.value.kind {
+        Kind::Bool(wanted) => Some((wanted, setting.place().clone())),
+        _ => read::mismatch(report, setting),
     }
 }

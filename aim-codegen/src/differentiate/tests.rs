@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use syn::{Item, ItemFn};
 
 use super::differentiate;
+use super::file::Differentiated;
 
 fn expand(attribute: &str, item: &str) -> String {
     let tokens = |text: &str| text.parse::<TokenStream>().expect("tests are made of tokens");
@@ -105,9 +106,23 @@ fn long_sums_are_no_trouble() {
 }
 
 #[test]
-fn integers_are_not_computed_with() {
-    for value in ["x.powi(7 / 2 * 2)", "f32::powi(x, 1 + 1)", "(Mat3::IDENTITY * x).col(1 / 2 * 2).x", "x.powi(x)"] {
-        assert_eq!(errors(&expand("wrt(x)", &format!("fn f(x: f32) -> f32 {{ {value} }}"))), 1, "{value}");
+fn whole_numbers_are_no_others() {
+    for value in ["x.powi(x)", "x * 2", "x.powi(n)", "x + n", "[x; 3][n]", "x + (n / 2) as f32", "x + n as u8 as f32"] {
+        let item = format!("fn f(x: f32, n: usize) -> f32 {{ {value} }}");
+        assert_eq!(errors(&expand("wrt(x)", &item)), 1, "{value}");
     }
-    assert_eq!(errors(&expand("wrt(x)", "fn f(x: f32) -> f32 { f32::powi(x, -(2)) + x.powi(-2147483648) }")), 0);
+    for value in ["x.powi(7 / 2 * 2)", "f32::powi(x, -(2)) + x.powi(-2147483648)", "x * (n + 1) as f32"] {
+        let item = format!("fn f(x: f32, n: usize) -> f32 {{ {value} }}");
+        assert_eq!(errors(&expand("wrt(x)", &item)), 0, "{value}");
+    }
+}
+
+#[test]
+fn functions_of_a_file_see_their_module() {
+    let text = "#[differentiate] mod m { const K: f64 = 2.0; fn twice(x: f64) -> f64 { K * x }
+        #[differentiate(wrt(x))] fn f([a, b]: [f64; 2], x: f64) -> f64 { twice(x) * a + b } }
+        #[differentiate(wrt(x))] fn g(x: f64) -> f64 { twice(x) }";
+    let f = Differentiated::from_file("f.rs", text, "f").expect("it is told what `twice` and `K` are");
+    assert_eq!(f.procedures()[0].parameters, [("in_0".to_owned(), Some(2)), ("in_x".to_owned(), None)]);
+    assert!(Differentiated::from_file("f.rs", text, "g").is_err(), "it is outside of the module");
 }

@@ -1,27 +1,35 @@
 //! Types of arguments and results, recognised by the last segment of their paths; how their values are taken apart and
 //! put together in emitted code.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
+use syn::Member;
 
-use super::messages;
+use super::items::Items;
+use super::{lower, messages};
 use crate::declare::report::text::Text;
 pub(super) use crate::emit::Precision;
 
 /// What a type holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone)]
 pub(super) enum Shape {
+    Truth,
+    Integer,
     Scalar,
     Planar,
     Vector,
+    Four,
     Quaternion,
     Matrix,
     Rigid,
-    Array(usize),
+    Array(Box<Type>, usize),
+    Tuple(Vec<Type>),
+    /// A struct of the module: its name, its fields of types that are understood, and whether those are all.
+    Struct(String, Vec<(Member, Type)>, bool),
 }
 
 /// Names that are types of ours.
-const KNOWN: [(&str, Shape, Precision); 16] = [
+const KNOWN: [(&str, Shape, Precision); 18] = [
     ("f32", Shape::Scalar, Precision::Single),
     ("f64", Shape::Scalar, Precision::Double),
     ("Vec2", Shape::Planar, Precision::Single),
@@ -29,6 +37,8 @@ const KNOWN: [(&str, Shape, Precision); 16] = [
     ("Vec3", Shape::Vector, Precision::Single),
     ("Vec3A", Shape::Vector, Precision::Single),
     ("DVec3", Shape::Vector, Precision::Double),
+    ("Vec4", Shape::Four, Precision::Single),
+    ("DVec4", Shape::Four, Precision::Double),
     ("Quat", Shape::Quaternion, Precision::Single),
     ("DQuat", Shape::Quaternion, Precision::Double),
     ("Mat3", Shape::Matrix, Precision::Single),
@@ -40,109 +50,270 @@ const KNOWN: [(&str, Shape, Precision); 16] = [
     ("DAffine3", Shape::Rigid, Precision::Double),
 ];
 
+const INTEGERS: [&str; 10] = ["u8", "u16", "u32", "u64", "usize", "i8", "i16", "i32", "i64", "isize"];
+
 /// What the type of this name holds.
 pub(super) fn named(name: &str) -> Option<(Shape, Precision)> {
-    KNOWN.iter().find(|(known, ..)| *known == name).map(|&(_, shape, precision)| (shape, precision))
+    KNOWN.iter().find(|(known, ..)| *known == name).map(|(_, shape, precision)| (shape.clone(), *precision))
 }
 
 /// A type as the user wrote it.
+#[derive(Clone)]
 pub(super) struct Type {
     pub(super) shape: Shape,
-    pub(super) precision: Precision,
+    /// `None` where it holds no numbers to compute with.
+    pub(super) precision: Option<Precision>,
     /// Its tokens, without a reference.
     pub(super) tokens: TokenStream,
-    /// Its name.
-    pub(super) name: String,
     /// The path before its name, with the last `::`.
     module: TokenStream,
     /// Whether a value of it comes by reference.
     pub(super) borrowed: bool,
 }
 
+type Fault = (TokenStream, Text);
+
 impl Type {
     /// Reads a type, in invisible groups and behind one reference too; or tells why it is none of ours, and where.
-    pub(super) fn parse(written: &syn::Type) -> Result<Self, (TokenStream, Text)> {
+    pub(super) fn parse(written: &syn::Type, items: &Items) -> Result<Self, Fault> {
         let unknown = || {
-            let (tokens, known) = (quote!(#written), KNOWN.map(|(name, ..)| name));
+            let known: Vec<&str> = KNOWN.iter().map(|(name, ..)| *name).collect();
+            let tokens = quote!(#written);
             let text = messages::unknown_type(&tokens.to_string(), &known);
             (tokens, text)
         };
         match written {
-            syn::Type::Group(group) => Self::parse(&group.elem),
-            syn::Type::Paren(paren) => Self::parse(&paren.elem),
+            syn::Type::Group(group) => Self::parse(&group.elem, items),
+            syn::Type::Paren(paren) => Self::parse(&paren.elem, items),
             syn::Type::Reference(reference) => {
                 if let Some(mutability) = &reference.mutability {
                     return Err((quote!(#mutability), messages::mutable_reference()));
                 }
-                let inner = Self::parse(&reference.elem)?;
+                if let syn::Type::Slice(slice) = &*reference.elem {
+                    return Err((quote!(#slice), messages::slice()));
+                }
+                let inner = Self::parse(&reference.elem, items)?;
                 if inner.borrowed { Err(unknown()) } else { Ok(Self { borrowed: true, ..inner }) }
             }
             syn::Type::Path(path) if path.qself.is_none() => {
                 let last = path.path.segments.last().filter(|segment| segment.arguments.is_none());
-                let known = last.and_then(|segment| named(&segment.ident.to_string()));
-                let (shape, precision) = known.ok_or_else(unknown)?;
-                let name = last.map(|last| last.ident.to_string()).unwrap_or_default();
+                let name = last.ok_or_else(unknown)?.ident.to_string();
+                if path.path.segments.len() == 1 {
+                    if let Some(alias) = items.alias(&name) {
+                        return Ok(Self { tokens: quote!(#written), ..Self::parse(alias, items)? });
+                    }
+                    if items.fields(&name).is_some() {
+                        return Self::of_struct(written, &name, items);
+                    }
+                }
+                let (shape, precision) = match name.as_str() {
+                    "bool" => (Shape::Truth, None),
+                    name if INTEGERS.contains(&name) => (Shape::Integer, None),
+                    name => named(name).map(|(shape, precision)| (shape, Some(precision))).ok_or_else(unknown)?,
+                };
                 let (leading, segments) = (&path.path.leading_colon, &path.path.segments);
                 let before = segments.iter().take(segments.len() - 1);
                 let module = if segments.len() > 1 { quote!(#leading #(#before::)*) } else { quote!() };
-                Ok(Self { shape, precision, tokens: quote!(#written), name, module, borrowed: false })
+                Ok(Self { shape, precision, tokens: quote!(#written), module, borrowed: false })
             }
             syn::Type::Array(array) => {
-                let element = Self::parse(&array.elem)?;
-                let length = match &array.len {
-                    syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(length), .. }) => length.base10_parse().ok(),
-                    _ => None,
-                };
-                match (element.shape, length) {
-                    (Shape::Scalar, Some(length)) if !element.borrowed && length <= LONGEST => Ok(Self {
-                        shape: Shape::Array(length),
-                        precision: element.precision,
-                        tokens: quote!(#written),
-                        name: String::new(),
-                        module: TokenStream::new(),
-                        borrowed: false,
-                    }),
-                    _ => Err(unknown()),
+                let element = Self::parse(&array.elem, items)?;
+                let length =
+                    lower::length(&array.len, items).ok_or_else(|| (quote!(#array), messages::length_unknown()))?;
+                if element.borrowed {
+                    return Err(unknown());
                 }
+                let precision = element.precision;
+                Self::of_parts(written, Shape::Array(Box::new(element), length), precision)
+            }
+            syn::Type::Tuple(tuple) if !tuple.elems.is_empty() => {
+                let parts: Vec<Self> =
+                    tuple.elems.iter().map(|part| Self::parse(part, items)).collect::<Result<_, _>>()?;
+                if parts.iter().any(|part| part.borrowed) {
+                    return Err(unknown());
+                }
+                let precision = parts.iter().find_map(|part| part.precision);
+                Self::of_parts(written, Shape::Tuple(parts), precision)
             }
             _ => Err(unknown()),
         }
     }
 
-    /// Its numbers.
-    pub(super) fn components(&self) -> usize {
-        self.shape.components()
+    /// A struct of the module. Fields of other types may be there, but not read.
+    fn of_struct(written: &syn::Type, name: &str, items: &Items) -> Result<Self, Fault> {
+        let declared = items.fields(name).unwrap_or_default();
+        let known = declared
+            .iter()
+            .filter_map(|(member, ty)| Some((member.clone(), Self::parse(ty, items).ok().filter(|ty| !ty.borrowed)?)));
+        let fields: Vec<(Member, Self)> = known.collect();
+        let precision = fields.iter().find_map(|(_, ty)| ty.precision);
+        let whole = fields.len() == declared.len();
+        Self::of_parts(written, Shape::Struct(name.to_owned(), fields, whole), precision)
     }
 
-    /// One of the numbers of the argument `name`.
-    pub(super) fn component(&self, name: &Ident, index: usize) -> TokenStream {
-        let field = |names: &[&str]| {
-            let fields = names.iter().map(|name| format_ident!("{name}"));
-            quote!(#name #(.#fields)*)
+    fn of_parts(written: &syn::Type, shape: Shape, precision: Option<Precision>) -> Result<Self, Fault> {
+        let ty = Self { shape, precision, tokens: quote!(#written), module: TokenStream::new(), borrowed: false };
+        if ty.components() > LONGEST { Err((quote!(#written), messages::too_many_numbers(LONGEST))) } else { Ok(ty) }
+    }
+
+    /// A number type in it that is not this one.
+    pub(super) fn other_precision(&self, expected: Precision) -> Option<Precision> {
+        match &self.shape {
+            Shape::Array(element, _) => element.other_precision(expected),
+            Shape::Tuple(parts) => parts.iter().find_map(|part| part.other_precision(expected)),
+            Shape::Struct(_, fields, _) => fields.iter().find_map(|(_, field)| field.other_precision(expected)),
+            _ => self.precision.filter(|&precision| precision != expected),
+        }
+    }
+
+    /// Why there are no derivatives by a value of this type; `None` if there are.
+    pub(super) fn no_variable(&self, name: &str) -> Option<Text> {
+        match &self.shape {
+            Shape::Rigid => Some(messages::rigid_variable(name)),
+            Shape::Truth | Shape::Integer => Some(messages::constant_variable(name)),
+            Shape::Array(element, _) => element.no_variable(name),
+            Shape::Tuple(parts) => parts.iter().find_map(|part| part.no_variable(name)),
+            Shape::Struct(of, _, false) => Some(messages::partial_struct(of)),
+            Shape::Struct(_, fields, true) => fields.iter().find_map(|(_, field)| field.no_variable(name)),
+            _ => None,
+        }
+    }
+
+    /// Whether a result may be of this type.
+    pub(super) fn is_result(&self) -> bool {
+        match &self.shape {
+            Shape::Truth | Shape::Integer => false,
+            Shape::Array(element, _) => element.is_result(),
+            Shape::Tuple(parts) => parts.iter().all(Self::is_result),
+            Shape::Struct(_, fields, whole) => *whole && fields.iter().all(|(_, field)| field.is_result()),
+            _ => !self.borrowed,
+        }
+    }
+
+    /// Of values that are no references.
+    pub(super) fn owned(&self) -> Self {
+        Self { borrowed: false, ..self.clone() }
+    }
+
+    /// How many numbers it is made of.
+    pub(super) fn components(&self) -> usize {
+        match &self.shape {
+            Shape::Truth | Shape::Integer | Shape::Scalar => 1,
+            Shape::Planar => 2,
+            Shape::Vector => 3,
+            Shape::Four | Shape::Quaternion => 4,
+            Shape::Matrix => 9,
+            Shape::Rigid => 12,
+            Shape::Array(element, length) => element.components().saturating_mul(*length),
+            Shape::Tuple(parts) => parts.iter().map(Self::components).sum(),
+            Shape::Struct(_, fields, _) => fields.iter().map(|(_, field)| field.components()).sum(),
+        }
+    }
+
+    /// The numbers of the value that `place` names, for a function that computes in this number type.
+    pub(super) fn numbers(&self, place: &TokenStream, number: Precision, to: &mut Vec<TokenStream>) {
+        let value = if self.borrowed { quote!((*#place)) } else { place.clone() };
+        let number_type = format_ident!("{}", number.name());
+        let fields = |fields: &[&str]| -> Vec<TokenStream> {
+            fields.iter().map(|field| format_ident!("{field}")).map(|field| quote!(#place.#field)).collect()
         };
-        match self.shape {
-            Shape::Scalar if self.borrowed => quote!(*#name),
-            Shape::Scalar => quote!(#name),
-            Shape::Planar | Shape::Vector | Shape::Quaternion => field(&[XYZW[index]]),
-            Shape::Matrix => field(&[COLUMNS[index / 3], XYZW[index % 3]]),
-            Shape::Rigid if index < 9 => field(&["matrix3", COLUMNS[index / 3], XYZW[index % 3]]),
-            Shape::Rigid => field(&["translation", XYZW[index - 9]]),
-            Shape::Array(_) => {
-                let index = Literal::usize_unsuffixed(index);
-                quote!(#name[#index])
+        let columns = |place: TokenStream| -> Vec<TokenStream> {
+            let parts = COLUMNS.iter().flat_map(|column| XYZW[..3].iter().map(move |row| (column, row)));
+            let parts = parts.map(|(column, row)| (format_ident!("{column}"), format_ident!("{row}")));
+            parts.map(|(column, row)| quote!(#place.#column.#row)).collect()
+        };
+        match &self.shape {
+            Shape::Truth => to.push(quote!((#value as ::core::primitive::u8 as ::core::primitive::#number_type))),
+            Shape::Integer => to.push(quote!((#value as ::core::primitive::#number_type))),
+            Shape::Scalar if self.borrowed => to.push(quote!(*#place)),
+            Shape::Scalar => to.push(place.clone()),
+            Shape::Planar | Shape::Vector | Shape::Four | Shape::Quaternion => {
+                to.extend(fields(&XYZW[..self.components()]));
             }
+            Shape::Matrix => to.extend(columns(place.clone())),
+            Shape::Rigid => {
+                to.extend(columns(quote!(#place.matrix3)));
+                to.extend(
+                    XYZW[..3].iter().map(|row| format_ident!("{row}")).map(|row| quote!(#place.translation.#row)),
+                );
+            }
+            Shape::Array(element, length) => {
+                for index in (0..*length).map(Literal::usize_unsuffixed) {
+                    element.numbers(&quote!(#place[#index]), number, to);
+                }
+            }
+            Shape::Tuple(parts) => {
+                for (index, part) in parts.iter().enumerate() {
+                    let member = Member::from(index);
+                    part.numbers(&quote!(#place.#member), number, to);
+                }
+            }
+            Shape::Struct(_, fields, _) => {
+                for (member, field) in fields {
+                    field.numbers(&quote!(#place.#member), number, to);
+                }
+            }
+        }
+    }
+
+    /// The parts of it that are not made of others, in the order of its numbers.
+    pub(super) fn leaves(&self, each: &mut dyn FnMut(&Self)) {
+        match &self.shape {
+            Shape::Array(element, length) => (0..*length).for_each(|_| element.leaves(each)),
+            Shape::Tuple(parts) => parts.iter().for_each(|part| part.leaves(each)),
+            Shape::Struct(_, fields, _) => fields.iter().for_each(|(_, field)| field.leaves(each)),
+            _ => each(self),
+        }
+    }
+
+    /// Whether all of a value of it can be made of numbers.
+    pub(super) fn is_whole(&self) -> bool {
+        match &self.shape {
+            Shape::Array(element, _) => element.is_whole(),
+            Shape::Tuple(parts) => parts.iter().all(Self::is_whole),
+            Shape::Struct(_, fields, whole) => *whole && fields.iter().all(|(_, field)| field.is_whole()),
+            _ => true,
         }
     }
 
     /// A value of this type from its numbers.
     pub(super) fn build(&self, components: &[TokenStream]) -> TokenStream {
+        self.built(&mut components.iter())
+    }
+
+    fn built<'a>(&self, from: &mut impl Iterator<Item = &'a TokenStream>) -> TokenStream {
         let ty = &self.tokens;
-        match self.shape {
-            Shape::Scalar => quote!(#(#components)*),
-            Shape::Planar | Shape::Vector => quote!(<#ty>::new(#(#components),*)),
-            Shape::Quaternion => quote!(<#ty>::from_xyzw(#(#components),*)),
-            Shape::Matrix | Shape::Rigid => quote!(<#ty>::from_cols_array(&[#(#components),*])),
-            Shape::Array(_) => quote!([#(#components),*]),
+        let mut take = |count: usize| -> Vec<&TokenStream> { from.by_ref().take(count).collect() };
+        match &self.shape {
+            Shape::Truth | Shape::Integer | Shape::Scalar => {
+                let number = take(1);
+                quote!(#(#number)*)
+            }
+            Shape::Planar | Shape::Vector | Shape::Four => {
+                let parts = take(self.components());
+                quote!(<#ty>::new(#(#parts),*))
+            }
+            Shape::Quaternion => {
+                let parts = take(4);
+                quote!(<#ty>::from_xyzw(#(#parts),*))
+            }
+            Shape::Matrix | Shape::Rigid => {
+                let parts = take(self.components());
+                quote!(<#ty>::from_cols_array(&[#(#parts),*]))
+            }
+            Shape::Array(element, length) => {
+                let parts: Vec<TokenStream> = (0..*length).map(|_| element.built(from)).collect();
+                quote!([#(#parts),*])
+            }
+            Shape::Tuple(parts) => {
+                let parts: Vec<TokenStream> = parts.iter().map(|part| part.built(from)).collect();
+                quote!((#(#parts,)*))
+            }
+            Shape::Struct(_, fields, _) => {
+                let values: Vec<TokenStream> = fields.iter().map(|(_, field)| field.built(from)).collect();
+                let members = fields.iter().map(|(member, _)| member);
+                quote!(#ty { #(#members: #values),* })
+            }
         }
     }
 
@@ -150,31 +321,16 @@ impl Type {
     /// has a path, else from the facade.
     pub(super) fn matrix(&self, krate: &TokenStream) -> TokenStream {
         let name = match self.precision {
-            Precision::Single => format_ident!("Mat3"),
-            Precision::Double => format_ident!("DMat3"),
+            Some(Precision::Double) => format_ident!("DMat3"),
+            _ => format_ident!("Mat3"),
         };
         let module = &self.module;
         if module.is_empty() { quote!(#krate::glam::#name) } else { quote!(#module #name) }
     }
 }
 
-/// Longer arrays of numbers would make a program nobody wants to compile.
-const LONGEST: usize = 256;
+/// More numbers would make a program nobody wants to compile.
+const LONGEST: usize = 1024;
 
 const XYZW: [&str; 4] = ["x", "y", "z", "w"];
 const COLUMNS: [&str; 3] = ["x_axis", "y_axis", "z_axis"];
-
-impl Shape {
-    /// How many numbers it is made of.
-    pub(super) fn components(self) -> usize {
-        match self {
-            Self::Scalar => 1,
-            Self::Planar => 2,
-            Self::Vector => 3,
-            Self::Quaternion => 4,
-            Self::Matrix => 9,
-            Self::Rigid => 12,
-            Self::Array(length) => length,
-        }
-    }
-}

@@ -143,6 +143,7 @@ impl Printer for Body<'_> {
                 quote!(#real::#function(#a))
             }
             Op::Atan2(y, x) => quote!(#real::atan2(#y, #x)),
+            Op::Pow(a, b) => quote!(#real::powf(#a, #b)),
         }
     }
 

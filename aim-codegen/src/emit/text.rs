@@ -171,4 +171,8 @@ impl Dialect for Expressions<'_> {
     fn atan2(&self, y: &str, x: &str) -> String {
         format!("atan2{}({y}, {x})", self.suffix())
     }
+
+    fn pow(&self, a: &str, b: &str) -> String {
+        format!("pow{}({a}, {b})", self.suffix())
+    }
 }

@@ -65,6 +65,8 @@ impl Graph {
                 vec![(a, Factor(self.mul(half, reciprocal)))]
             }
             ScalarNode::Reciprocal(a) if wanted(a) => vec![(a, MinusFactor(self.mul(scalar, scalar)))],
+            // It is constant but for its jumps.
+            ScalarNode::Op(Op::Call(Function::Floor, _)) => vec![],
             ScalarNode::Op(Op::Call(function, a)) if wanted(a) => vec![(a, self.slope(function, a, scalar))],
             ScalarNode::Op(Op::Atan2(y, x)) if wanted(y) || wanted(x) => {
                 let (yy, xx) = (self.mul(y, y), self.mul(x, x));
@@ -72,6 +74,14 @@ impl Graph {
                 let reciprocal = self.reciprocal(square);
                 let (by_y, by_x) = (self.mul(x, reciprocal), self.mul(y, reciprocal));
                 vec![(y, Factor(by_y)), (x, MinusFactor(by_x))]
+            }
+            ScalarNode::Op(Op::Pow(a, b)) if wanted(a) || wanted(b) => {
+                // b aᵇ / a, and aᵇ ln a; both 0 where the base is.
+                let (over, zero) = (self.reciprocal(a), self.constant(0.0));
+                let (product, log) = (self.mul(b, scalar), self.call(Function::Ln, a));
+                let (by_a, along) = (self.mul(product, over), self.mul(scalar, log));
+                let by_b = self.select_less(zero, a, along, zero);
+                vec![(a, Factor(by_a)), (b, Factor(by_b))]
             }
             _ => vec![],
         };
@@ -111,6 +121,13 @@ impl Graph {
             }
             Function::Exp => Partials::Factor(value),
             Function::Ln => Partials::Factor(self.reciprocal(a)),
+            Function::Sinh => Partials::Factor(self.call(Function::Cosh, a)),
+            Function::Cosh => Partials::Factor(self.call(Function::Sinh, a)),
+            Function::Tanh => {
+                let (one, square) = (self.constant(1.0), self.mul(value, value));
+                Partials::Factor(self.sub(one, square))
+            }
+            Function::Floor => Partials::Factor(self.constant(0.0)),
         }
     }
 }

@@ -96,6 +96,12 @@ impl Graph {
         self.rotations.nodes[rotation.0 as usize]
     }
 
+    /// How many nodes there are.
+    #[expect(clippy::len_without_is_empty, reason = "an empty graph is of no interest")]
+    pub fn len(&self) -> usize {
+        self.sizes().iter().sum()
+    }
+
     /// How many scalars, vectors and rotations there are.
     pub(crate) fn sizes(&self) -> [usize; 3] {
         [self.scalars.nodes.len(), self.vectors.nodes.len(), self.rotations.nodes.len()]
@@ -288,6 +294,11 @@ impl Graph {
     /// The angle of the point (`x`, `y`) from the first axis, −π…π.
     pub fn atan2(&mut self, y: Scalar, x: Scalar) -> Scalar {
         self.intern_scalar(ScalarNode::Op(Op::Atan2(y, x)))
+    }
+
+    /// a to the power of b
+    pub fn pow(&mut self, a: Scalar, b: Scalar) -> Scalar {
+        self.intern_scalar(ScalarNode::Op(Op::Pow(a, b)))
     }
 
     /// v · w

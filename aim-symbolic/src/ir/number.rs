@@ -24,6 +24,10 @@ pub trait Number:
     fn atan2(self, _x: Self) -> Self {
         Self::constant(f64::NAN)
     }
+    /// The power; NaN for a type without functions.
+    fn pow(self, _exponent: Self) -> Self {
+        Self::constant(f64::NAN)
+    }
 }
 
 macro_rules! number {
@@ -59,11 +63,19 @@ macro_rules! number {
                     Function::Acos => self.acos(),
                     Function::Exp => self.exp(),
                     Function::Ln => self.ln(),
+                    Function::Sinh => self.sinh(),
+                    Function::Cosh => self.cosh(),
+                    Function::Tanh => self.tanh(),
+                    Function::Floor => self.floor(),
                 }
             }
 
             fn atan2(self, x: Self) -> Self {
                 self.atan2(x)
+            }
+
+            fn pow(self, exponent: Self) -> Self {
+                self.powf(exponent)
             }
         }
     };
@@ -87,6 +99,7 @@ impl<T: Number> Op<T> {
             Self::Sqrt(a) => a.sqrt(),
             Self::Call(function, a) => a.call(function),
             Self::Atan2(y, x) => y.atan2(x),
+            Self::Pow(a, b) => a.pow(b),
             Self::SelectLess(a, b, then, otherwise) => T::select_less(a, b, then, otherwise),
         }
     }

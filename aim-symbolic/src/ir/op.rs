@@ -34,6 +34,14 @@ pub enum Function {
     Exp,
     /// The natural logarithm.
     Ln,
+    /// The hyperbolic sine.
+    Sinh,
+    /// The hyperbolic cosine.
+    Cosh,
+    /// The hyperbolic tangent.
+    Tanh,
+    /// The largest whole number that is not above.
+    Floor,
 }
 
 impl Function {
@@ -47,6 +55,10 @@ impl Function {
             Self::Acos => "acos",
             Self::Exp => "exp",
             Self::Ln => "ln",
+            Self::Sinh => "sinh",
+            Self::Cosh => "cosh",
+            Self::Tanh => "tanh",
+            Self::Floor => "floor",
         }
     }
 }
@@ -93,6 +105,8 @@ pub enum Op<V = Value> {
     Call(Function, V),
     /// The angle of the point (second, first) from the first axis.
     Atan2(V, V),
+    /// The first to the power of the second.
+    Pow(V, V),
 }
 
 impl<V> Op<V> {
@@ -121,6 +135,7 @@ impl<V> Op<V> {
             Self::SelectLess(a, b, c, d) => Op::SelectLess(exchange(a), exchange(b), exchange(c), exchange(d)),
             Self::Call(function, a) => Op::Call(function, exchange(a)),
             Self::Atan2(y, x) => Op::Atan2(exchange(y), exchange(x)),
+            Self::Pow(a, b) => Op::Pow(exchange(a), exchange(b)),
         }
     }
 

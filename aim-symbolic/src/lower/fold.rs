@@ -42,7 +42,9 @@ impl Fold {
             Op::Sqrt(a) => self.sqrt(a),
             Op::SelectLess(a, b, then, otherwise) => self.select_less(a, b, then, otherwise),
             Op::Call(function, a) => self.call(function, a),
-            Op::Constant(_) | Op::Input(_) | Op::Tiny | Op::Atan2(..) => self.g.intern_scalar(ScalarNode::Op(op)),
+            Op::Constant(_) | Op::Input(_) | Op::Tiny | Op::Atan2(..) | Op::Pow(..) => {
+                self.g.intern_scalar(ScalarNode::Op(op))
+            }
         }
     }
 
@@ -59,8 +61,8 @@ impl Fold {
         let value = self.constant_of(a).map(|x| x.call(function));
         match (value, self.negated(a), function) {
             (Some(value), ..) if value.is_finite() => self.g.constant(value),
-            (_, Some(inner), Function::Cos) => self.g.call(function, inner),
-            (_, Some(inner), Function::Sin | Function::Tan | Function::Asin) => {
+            (_, Some(inner), Function::Cos | Function::Cosh) => self.g.call(function, inner),
+            (_, Some(inner), Function::Sin | Function::Tan | Function::Asin | Function::Sinh | Function::Tanh) => {
                 let positive = self.g.call(function, inner);
                 self.neg(positive)
             }

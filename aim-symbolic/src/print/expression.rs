@@ -163,6 +163,10 @@ fn operation(op: Op<Bound>, input: impl Fn(usize) -> Formula) -> Bound {
             let both = Formula::infix(y, Sign::Comma, x);
             Formula::Row(vec![Formula::upright("atan2"), Formula::Group(Box::new(both))])
         }
+        Op::Pow((a, _), (b, _)) => {
+            let both = Formula::infix(a, Sign::Comma, b);
+            Formula::Row(vec![Formula::upright("pow"), Formula::Group(Box::new(both))])
+        }
         Op::SelectLess((a, _), (b, _), (then, _), (otherwise, _)) => {
             Formula::Cases(Box::new([then, otherwise]), Box::new(Formula::infix(a, Sign::Less, b)))
         }

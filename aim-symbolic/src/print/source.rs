@@ -23,6 +23,11 @@ pub trait Dialect {
     fn atan2(&self, y: &str, x: &str) -> String {
         format!("atan2({y}, {x})")
     }
+
+    /// The power of `a` by `b`.
+    fn pow(&self, a: &str, b: &str) -> String {
+        format!("pow({a}, {b})")
+    }
     /// `a` with the other sign, as an operand.
     fn neg(&self, a: &str) -> String {
         format!("-{a}")
@@ -53,6 +58,7 @@ impl Printer for Source<'_> {
             Op::SelectLess(a, b, then, otherwise) => dialect.select_less(&a, &b, &then, &otherwise),
             Op::Call(function, a) => dialect.call(function, &a),
             Op::Atan2(y, x) => dialect.atan2(&y, &x),
+            Op::Pow(a, b) => dialect.pow(&a, &b),
             Op::Input(i) => dialect.input(i as usize),
             Op::Constant(c) => dialect.constant(c.value()),
             Op::Tiny => dialect.tiny(),

@@ -52,7 +52,7 @@ impl Program {
                 Op::Sqrt(_) => count.sqrt += 1,
                 // A comparison and a select.
                 Op::SelectLess(..) => count.select += 2,
-                Op::Call(..) | Op::Atan2(..) => count.call += 1,
+                Op::Call(..) | Op::Atan2(..) | Op::Pow(..) => count.call += 1,
             }
         }
         count

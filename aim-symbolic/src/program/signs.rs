@@ -111,7 +111,9 @@ impl Search<'_> {
     fn turn(&mut self, value: Value, turned: &mut [bool]) -> Option<()> {
         self.steps = self.steps.checked_sub(1)?;
         match self.program.ops()[value.index()] {
-            Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Sqrt(_) | Op::Call(..) | Op::Atan2(..) => None,
+            Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Sqrt(_) | Op::Call(..) | Op::Atan2(..) | Op::Pow(..) => {
+                None
+            }
             Op::Add(a, b) | Op::Sub(a, b) => {
                 if !self.program.is_difference(value, self.stored) {
                     // All parts alike, rather than one: a compiler finds the same work in each of them.

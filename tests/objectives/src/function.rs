@@ -160,6 +160,70 @@ impl Argument<f64> for DRigid {
     }
 }
 
+/// A result of several numbers whose derivatives have a row for each of them.
+pub fn by_rows<V, D>((value, derivatives): (V, D)) -> ByRows<V, D> {
+    ByRows(value, derivatives)
+}
+
+/// See [`by_rows`].
+#[derive(Debug)]
+pub struct ByRows<V, D>(V, D);
+
+impl<V: Numbers<f64>, D: Rows> Numbers<f64> for ByRows<V, D> {
+    fn write(self, numbers: &mut Vec<f64>) {
+        self.0.write(numbers);
+        self.1.write_columns(numbers);
+    }
+}
+
+/// Rows of numbers, that are written column by column.
+pub trait Rows {
+    /// Appends the columns.
+    fn write_columns(self, numbers: &mut Vec<f64>);
+}
+
+impl<T: Numbers<f64>, const N: usize> Rows for [T; N] {
+    fn write_columns(self, numbers: &mut Vec<f64>) {
+        let mut rows = Vec::new();
+        self.write(&mut rows);
+        let width = rows.len() / N;
+        numbers.extend((0..width).flat_map(|k| rows.iter().skip(k).step_by(width)));
+    }
+}
+
+impl<A: Rows> Rows for (A,) {
+    fn write_columns(self, numbers: &mut Vec<f64>) {
+        self.0.write_columns(numbers);
+    }
+}
+
+impl<A: Rows, B: Rows> Rows for (A, B) {
+    fn write_columns(self, numbers: &mut Vec<f64>) {
+        self.0.write_columns(numbers);
+        self.1.write_columns(numbers);
+    }
+}
+
+impl<S, A: Argument<S>, B: Argument<S>> Argument<S> for (A, B) {
+    fn read(numbers: &mut impl Iterator<Item = S>) -> Self {
+        (A::read(numbers), B::read(numbers))
+    }
+}
+
+/// Whether the number is above 0.
+impl Argument<f64> for bool {
+    fn read(numbers: &mut impl Iterator<Item = f64>) -> Self {
+        next(numbers) > 0.0
+    }
+}
+
+impl Argument<f64> for u8 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "samples are small whole numbers")]
+    fn read(numbers: &mut impl Iterator<Item = f64>) -> Self {
+        next(numbers) as Self
+    }
+}
+
 macro_rules! tuples {
     ($($element:ident)*) => {
         impl<S, $($element: Numbers<S>),*> Numbers<S> for ($($element,)*) {

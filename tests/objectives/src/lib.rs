@@ -10,7 +10,7 @@ mod random;
 
 use num_dual::{Dual64, HyperDual64};
 
-pub use self::function::{Argument, Function, Numbers};
+pub use self::function::{Argument, ByRows, Function, Numbers, Rows, by_rows};
 pub use self::random::Random;
 
 /// Points for every objective.

@@ -16,7 +16,7 @@ fn by_a_transform(m: Rigid, v: Vec3) -> f32 {
     m.transform_point3(v).x
 }
 
-#[differentiate(wrt(), budget = "few", hessian = 2, hessian)]
+#[differentiate(wrt(), budget = "few", hessian = 2, hessian, check)]
 fn forms(x: f32) -> f32 {
     x
 }

@@ -9,40 +9,65 @@ fn helper(x: f32) -> f32 {
 
 #[differentiate(wrt(x))]
 fn statements(x: f32, v: Vec3) -> f32 {
-    let mut sum = x;
-    for _ in 0..3 {
+    println!("{x}");
+    x.sin();
+    let z = if let Some(y) = Some(v.z) { y } else { 0.0 };
+    let mut sum = z;
+    let alias = &mut sum;
+    *alias = 1.0;
+    loop {
         sum += x;
+        break;
     }
-    debug_assert!(x > 0.0);
-    if x > 1.0 {
-        return sum;
-    }
-    let twice = |y: f32| 2.0 * y;
-    let z = match x > 0.5 {
-        true => 1.0,
-        false => v.z,
-    };
-    twice(z)
+    sum
 }
 
 #[differentiate(wrt(x))]
-fn calls(x: f32, v: Vec3, m: Mat3) -> f32 {
-    let a = x.powf(1.5) + helper(x) * GAIN + f32::INFINITY;
+fn loops(x: f32, points: [Vec3; 3], count: usize) -> f32 {
+    let mut sum = 0.0;
+    for i in 0..count {
+        sum += points[i].x;
+    }
+    while sum < 1.0 {
+        sum += x;
+    }
+    for _ in 0.. {
+        sum += points[count].y;
+    }
+    for i in 0..4 {
+        sum += points[i].z * x;
+    }
+    points.iter().for_each(|p| sum += p.x);
+    sum
+}
+
+#[differentiate(wrt(x))]
+fn long(x: f32) -> f32 {
+    let mut sum = x;
+    for i in 0..9_000 {
+        sum = (sum * x + i as f32).sin();
+    }
+    sum
+}
+
+#[differentiate(wrt(x))]
+fn calls(x: f32, v: Vec3, m: Mat3, n: i32) -> f32 {
+    let a = x.ln_1p() + helper(x) * GAIN;
     let b = v.any_orthonormal_vector().x + x.floor();
     let c = Quat::from_axis_angle(Vec3::ONE, x) * v;
     let d = Quat::from_mat3(&m) * v;
-    let e = x % 2.0 + x.powi(2 + 1);
+    let e = (v % v).x + x.powi(n);
     let f = (x as f64) as f32;
-    a + b + c.x + d.y + e + f + Vec3 { x, y: x, z: x }.y
+    a + b + c.x + d.y + e + f + [1.0, 2.0][x as usize]
 }
 
 // One error: what uses the derivatives finds them.
 #[differentiate(wrt(x, v))]
 fn used(x: f32, v: Vec3) -> f32 {
-    x.sinh() * v.x
+    x.round() * v.x
 }
 
 fn main() {
     let (value, (by_x, by_v)): (f32, (f32, Vec3)) = used_gradient(1.0, Vec3::X);
-    let _ = (value, by_x, by_v, statements_gradient(1.0, Vec3::X), calls_gradient(1.0, Vec3::X, Mat3::IDENTITY));
+    let _ = (value, by_x, by_v, statements_gradient(1.0, Vec3::X), calls_gradient(1.0, Vec3::X, Mat3::IDENTITY, 1));
 }

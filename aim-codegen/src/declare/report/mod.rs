@@ -52,6 +52,11 @@ impl Report {
         value.map_err(|text| self.error(place, text)).ok()
     }
 
+    /// How many errors there are.
+    pub(crate) fn count(&self) -> usize {
+        self.found.len()
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.found.is_empty()
     }

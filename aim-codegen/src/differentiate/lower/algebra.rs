@@ -7,6 +7,8 @@ use aim_symbolic::{
     Bindings, Fold, Function, Graph, Node, Op, Plane, Rotation, Scalar, ScalarNode, Variable, Vector, VectorNode,
 };
 
+use super::value::Value;
+
 /// The graph that a function's value is built in, its constants folded.
 pub(crate) struct Algebra {
     fold: Fold,
@@ -52,6 +54,28 @@ impl Algebra {
 
     pub(crate) fn number(&mut self, value: f64) -> Scalar {
         self.g.constant(value)
+    }
+
+    /// A whole number. Those beyond 2⁵³ are rounded.
+    pub(crate) fn integer(&mut self, value: i64) -> Value {
+        #[expect(clippy::cast_precision_loss, reason = "whole numbers count and index: they are small")]
+        Value::Integer(self.number(value as f64))
+    }
+
+    pub(crate) fn whole(&mut self, value: usize) -> Value {
+        self.integer(i64::try_from(value).unwrap_or(i64::MAX))
+    }
+
+    /// A whole number that is known.
+    pub(crate) fn known_integer(&self, value: &Value) -> Option<i64> {
+        let Value::Integer(x) = value else { return None };
+        #[expect(clippy::cast_possible_truncation, reason = "it was made of a whole number")]
+        self.constant_of(*x).map(|x| x as i64)
+    }
+
+    /// An index that is known.
+    pub(crate) fn known_index(&self, value: &Value) -> Option<usize> {
+        self.known_integer(value).and_then(|x| usize::try_from(x).ok())
     }
 
     /// a b; a number times a reciprocal is a division.
@@ -100,6 +124,24 @@ impl Algebra {
                 self.mul(even, x)
             }
         }
+    }
+
+    /// x to a power: by squares, products and roots where it is a known multiple of ½ that is not large.
+    pub(crate) fn pow(&mut self, x: Scalar, exponent: Scalar) -> Scalar {
+        let doubled = self.constant_of(exponent).map(|exponent| 2.0 * exponent);
+        let Some(doubled) = doubled.filter(|doubled| doubled.fract() == 0.0 && doubled.abs() <= 32.0) else {
+            return self.g.pow(x, exponent);
+        };
+        #[expect(clippy::cast_possible_truncation, reason = "it is whole and small")]
+        let size = doubled.abs() as u32;
+        let whole = self.unsigned_power(x, size / 2);
+        let power = if size % 2 == 0 {
+            whole
+        } else {
+            let root = self.sqrt(x);
+            self.mul(whole, root)
+        };
+        if doubled < 0.0 { self.recip(power) } else { power }
     }
 
     pub(crate) fn atan2(&mut self, y: Scalar, x: Scalar) -> Scalar {
@@ -215,10 +257,23 @@ impl Algebra {
     }
 
     pub(crate) fn add_vectors(&mut self, v: Vector, w: Vector) -> Vector {
+        match (self.is_zero(v), self.is_zero(w)) {
+            (true, _) => return w,
+            (_, true) => return v,
+            _ => {}
+        }
         self.computed(|g| g.add_vectors(v, w))
     }
 
+    /// Sums begin with it.
+    fn is_zero(&self, v: Vector) -> bool {
+        self.g.constant_vector_of(v) == Some([0.0; 3])
+    }
+
     pub(crate) fn sub_vectors(&mut self, v: Vector, w: Vector) -> Vector {
+        if self.is_zero(w) {
+            return v;
+        }
         self.computed(|g| g.sub_vectors(v, w))
     }
 
@@ -227,6 +282,9 @@ impl Algebra {
     }
 
     pub(crate) fn scale(&mut self, k: Scalar, v: Vector) -> Vector {
+        if self.constant_of(k) == Some(1.0) || self.is_zero(v) {
+            return v;
+        }
         self.computed(|g| g.scale(k, v))
     }
 

@@ -1,17 +1,20 @@
 //! Calls: methods, functions of a type, glam's short constructors, and what their names lead to.
 
+use std::rc::Rc;
+
 use quote::ToTokens;
 use syn::punctuated::Punctuated;
 use syn::token::Comma;
-use syn::{Expr, ExprCall, ExprMethodCall, Ident};
+use syn::{Expr, ExprCall, ExprMethodCall, ExprStruct, Ident};
 
 use super::algebra::Algebra;
+use super::fields::name_of;
+use super::functions::Callable;
 use super::map::Quaternion;
 use super::methods::{self, Fault, Function};
 use super::paths::{path_text, type_and_name};
-use super::value::Value;
-use super::{Translation, strip, whole_number};
-use crate::declare::report::text::Text;
+use super::value::{Struct, Value};
+use super::{Translation, strip};
 use crate::differentiate::messages;
 use crate::differentiate::types::{self, Shape};
 
@@ -43,6 +46,19 @@ struct Callee<'a> {
 impl Translation<'_> {
     pub(super) fn method_call(&mut self, call: &ExprMethodCall) -> Value {
         let receiver = self.expression(&call.receiver);
+        if receiver.is_unknown() {
+            call.args.iter().for_each(|argument| _ = self.expression(argument));
+            return receiver;
+        }
+        if let Some(value) = self.sequence_method(&receiver, call) {
+            return value;
+        }
+        if let (Some(value), true) = (self.swizzle(&receiver, &call.method.to_string()), call.args.is_empty()) {
+            return value;
+        }
+        if let Value::Struct(of) = &receiver {
+            return self.struct_method(of.clone(), receiver, call);
+        }
         if let Some(turbofish) = &call.turbofish {
             return self.refuse(turbofish, messages::no_generics());
         }
@@ -50,34 +66,146 @@ impl Translation<'_> {
         self.apply(&Callee { name: &call.method, function, tables, kind }, Some(receiver), &call.args)
     }
 
+    /// `v.xz()` and the like: components in another order.
+    fn swizzle(&mut self, v: &Value, letters: &str) -> Option<Value> {
+        let count = match v {
+            Value::Planar(_) => 2,
+            Value::Vector(_) => 3,
+            Value::Four(_) => 4,
+            _ => return None,
+        };
+        let places = letters.chars().map(|letter| "xyzw"[..count].find(letter)).collect::<Option<Vec<usize>>>()?;
+        let parts = places.iter().map(|&place| match v.element(self.algebra, place) {
+            Some(Value::Scalar(part)) => Some(part),
+            _ => None,
+        });
+        match *parts.collect::<Option<Vec<_>>>()?.as_slice() {
+            [x, y] => {
+                let zero = self.algebra.number(0.0);
+                Some(Value::Planar(self.algebra.vector([x, y, zero])))
+            }
+            [x, y, z] => Some(Value::Vector(self.algebra.vector([x, y, z]))),
+            [x, y, z, w] => Some(Value::Four([x, y, z, w])),
+            _ => None,
+        }
+    }
+
+    /// A method that the module has for a struct of its own.
+    fn struct_method(&mut self, of: Rc<Struct>, receiver: Value, call: &ExprMethodCall) -> Value {
+        let name = call.method.to_string();
+        if let Some(function) = self.items.function(Some(&of.name), &name) {
+            let function = function.clone();
+            return self.inline_written(&call.method, &function, Some(receiver), &call.args);
+        }
+        if name == "clone" {
+            return receiver;
+        }
+        let text = messages::unknown_method(&name, &receiver.describe(), &self.items.functions_of(&of.name));
+        self.refuse(&call.method, text)
+    }
+
+    /// Calls a function with arguments as written; a method has its receiver before them.
+    fn inline_written(
+        &mut self,
+        place: &impl ToTokens,
+        function: &Rc<Callable>,
+        receiver: Option<Value>,
+        written: &Punctuated<Expr, Comma>,
+    ) -> Value {
+        let mut arguments: Vec<Value> = receiver.into_iter().collect();
+        arguments.extend(written.iter().map(|argument| self.expression(argument)));
+        self.inline(place, function, arguments)
+    }
+
     pub(super) fn call(&mut self, call: &ExprCall) -> Value {
         let Expr::Path(path) = strip(&call.func) else {
-            for argument in &call.args {
-                self.expression(argument);
-            }
-            return self.refuse(&call.func, messages::call_of_value());
+            return match self.expression(&call.func) {
+                Value::Function(function) => self.inline_written(&call.func, &function, None, &call.args),
+                other => self.refuse_known(&other, &call.func, messages::call_of_value()),
+            };
         };
         let Some((ty, name)) = type_and_name(path) else {
             return self.refuse(&path.path, messages::unknown_function(&path_text(path)));
         };
-        if path.path.segments.last().is_some_and(|last| !last.arguments.is_none()) {
+        let (text, segments) = (name.to_string(), &path.path.segments);
+        if let (None, Some(local)) = (&ty, path.path.get_ident().and_then(|_| self.frame.find(&text))) {
+            return match self.frame.value(local).clone() {
+                Value::Function(function) => self.inline_written(name, &function, None, &call.args),
+                other => self.refuse_known(&other, name, messages::call_of_value()),
+            };
+        }
+        let ty = ty.map(|ty| self.resolved(&ty));
+        if ty.is_some() || segments.len() == 1 || segments[0].ident == "self" {
+            if let Some(function) = self.items.function(ty.as_deref(), &text).cloned() {
+                return self.inline_written(&path.path, &function, None, &call.args);
+            }
+            let of_tuple = self.resolved(&text);
+            if ty.is_none() && self.items.fields(&of_tuple).is_some() {
+                let fields = call.args.iter().enumerate().map(|(i, value)| (i.to_string(), self.expression(value)));
+                return Value::Struct(Rc::new(Struct { fields: fields.collect(), name: of_tuple }));
+            }
+        }
+        if segments.last().is_some_and(|last| !last.arguments.is_none()) {
             return self.refuse(&path.path, messages::no_generics());
         }
         let (ty, function) = match (ty, SHORT.iter().find(|(short, ..)| name == short)) {
-            (Some(ty), _) => (ty, name.to_string()),
+            (Some(ty), _) => (ty, text),
             (None, Some((_, ty, function))) => ((*ty).to_owned(), (*function).to_owned()),
-            // It is a closure, and that was said.
-            (None, None) if self.named(&name.to_string()).is_some_and(Value::is_unknown) => return Value::Unknown,
-            (None, None) => return self.refuse(name, messages::unknown_function(&name.to_string())),
+            (None, None) => return self.refuse(name, messages::unknown_function(&text)),
         };
         let Some((shape, _)) = types::named(&ty) else {
             return self.refuse(&path.path, messages::unknown_function(&path_text(path)));
         };
         if function == "from_euler" {
-            return self.euler(shape, name, call);
+            return self.euler(&shape, name, call);
         }
-        let (tables, kind) = (methods::functions_of(shape), format!("`{ty}`"));
+        let (tables, kind) = (methods::functions_of(&shape), format!("`{ty}`"));
         self.apply(&Callee { name, function, tables, kind }, None, &call.args)
+    }
+
+    /// `Type { field: value, … }`
+    pub(super) fn structure(&mut self, of: &ExprStruct) -> Value {
+        let name = of.path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
+        let name = self.resolved(&name);
+        let mut fields: Vec<(String, Value)> = Vec::new();
+        for field in &of.fields {
+            fields.push((name_of(&field.member), self.expression(&field.expr)));
+        }
+        if let Some(rest) = &of.rest {
+            match self.expression(rest) {
+                Value::Struct(rest) => {
+                    for (known, value) in &rest.fields {
+                        if fields.iter().all(|(written, _)| written != known) {
+                            fields.push((known.clone(), value.clone()));
+                        }
+                    }
+                }
+                other => return self.refuse_known(&other, rest, messages::outside_struct(&name)),
+            }
+        }
+        if fields.iter().any(|(_, value)| value.is_unknown()) {
+            return Value::Unknown;
+        }
+        if let Some(declared) = self.items.fields(&name) {
+            // In the order of the declaration, so that two values have their fields at the same places.
+            let place = |(name, _): &(String, Value)| declared.iter().position(|(member, _)| name_of(member) == *name);
+            fields.sort_by_key(place);
+            return Value::Struct(Rc::new(Struct { name, fields }));
+        }
+        // glam's own: by their constructors.
+        let constructor = match types::named(&name) {
+            Some((Shape::Planar | Shape::Vector | Shape::Four, _)) => "new",
+            Some((Shape::Rigid, _)) => "from_mat3_translation",
+            Some((Shape::Matrix, _)) => "from_cols",
+            _ => return self.refuse(&of.path, messages::outside_struct(&name)),
+        };
+        fields.sort_by_key(|(name, _)| name.clone());
+        let values: Vec<Value> = fields.into_iter().map(|(_, value)| value).collect();
+        let tables = types::named(&name).map_or(&[][..], |(shape, _)| methods::functions_of(&shape));
+        match methods::call(tables, constructor, self.algebra, &values) {
+            Some(Ok(value)) => value,
+            _ => self.refuse(&of.path, messages::outside_struct(&name)),
+        }
     }
 
     /// The value of a call; a method has its receiver before the arguments as written.
@@ -89,9 +217,6 @@ impl Translation<'_> {
             return Value::Unknown;
         }
         let Callee { name, function, tables, kind } = callee;
-        if let (Some(text), Some(last)) = (needs_literal(function), written.last().filter(|last| !is_whole(last))) {
-            return self.refuse(last, text);
-        }
         let text = match methods::call(tables, function, self.algebra, &arguments) {
             Some(Ok(value)) => return value,
             Some(Err((Fault::Text(text), _))) if !written.is_empty() => return self.refuse(written, text),
@@ -109,7 +234,7 @@ impl Translation<'_> {
     }
 
     /// `from_euler(EulerRot::YXZ, a, b, c)`: the turns about those axes, the first outermost; with `Ex`, innermost.
-    fn euler(&mut self, shape: Shape, name: &Ident, call: &ExprCall) -> Value {
+    fn euler(&mut self, shape: &Shape, name: &Ident, call: &ExprCall) -> Value {
         let mut arguments = call.args.iter();
         let order = arguments.next();
         let angles: Vec<Value> = arguments.map(|argument| self.expression(argument)).collect();
@@ -140,24 +265,6 @@ impl Translation<'_> {
             Shape::Matrix => Value::Matrix(rotation.map),
             _ => self.refuse(name, messages::euler_order()),
         }
-    }
-}
-
-/// What is said where the last argument of this function is no whole number as written, if it has to be. Integers are not
-/// computed with: `7 / 2` is 3 to the user's function and would be 3.5 in the graph.
-fn needs_literal(function: &str) -> Option<Text> {
-    match function {
-        "powi" => Some(messages::power_not_literal()),
-        "col" | "row" => Some(messages::index_not_literal()),
-        _ => None,
-    }
-}
-
-/// Whether this is a whole number as written, of either sign.
-fn is_whole(expression: &Expr) -> bool {
-    match strip(expression) {
-        Expr::Unary(unary) => matches!(unary.op, syn::UnOp::Neg(_)) && whole_number(&unary.expr).is_some(),
-        other => whole_number(other).is_some(),
     }
 }
 

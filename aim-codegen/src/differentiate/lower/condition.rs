@@ -18,13 +18,37 @@ pub(crate) enum Condition {
 }
 
 impl Condition {
-    /// a ≤ b: nothing is smaller than that.
-    pub(crate) fn at_most(a: Scalar, b: Scalar) -> Self {
-        Self::Not(Rc::new(Self::Less(b, a)))
+    /// x < y, known of constants.
+    pub(crate) fn less(a: &Algebra, x: Scalar, y: Scalar) -> Self {
+        match (a.constant_of(x), a.constant_of(y)) {
+            (Some(x), Some(y)) => Self::Known(x < y),
+            _ => Self::Less(x, y),
+        }
     }
 
-    pub(crate) fn equal(a: Scalar, b: Scalar) -> Self {
-        Self::And(Rc::new((Self::at_most(a, b), Self::at_most(b, a))))
+    /// x ≤ y: nothing is smaller than that.
+    pub(crate) fn at_most(a: &Algebra, x: Scalar, y: Scalar) -> Self {
+        Self::less(a, y, x).not()
+    }
+
+    pub(crate) fn equal(a: &Algebra, x: Scalar, y: Scalar) -> Self {
+        Self::at_most(a, x, y).and(Self::at_most(a, y, x))
+    }
+
+    pub(crate) fn and(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Known(true), condition) | (condition, Self::Known(true)) => condition,
+            (Self::Known(false), _) | (_, Self::Known(false)) => Self::Known(false),
+            (one, other) => Self::And(Rc::new((one, other))),
+        }
+    }
+
+    pub(crate) fn or(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Known(false), condition) | (condition, Self::Known(false)) => condition,
+            (Self::Known(true), _) | (_, Self::Known(true)) => Self::Known(true),
+            (one, other) => Self::Or(Rc::new((one, other))),
+        }
     }
 
     pub(crate) fn not(self) -> Self {
@@ -36,6 +60,9 @@ impl Condition {
     }
 
     pub(crate) fn select(&self, a: &mut Algebra, then: Scalar, otherwise: Scalar) -> Scalar {
+        if then == otherwise {
+            return then;
+        }
         match self {
             Self::Known(true) => then,
             Self::Known(false) => otherwise,

@@ -35,6 +35,17 @@ pub(super) fn associated(a: &mut Algebra, ty: &str, name: &str) -> Option<Value>
             let components = direction(name, 3)?;
             Value::Vector(a.number_vector(components))
         }
+        Shape::Four => {
+            let axis = |letters: &str| ["X", "Y", "Z", "W"].iter().position(|known| *known == letters);
+            let (sign, letter) = name.strip_prefix("NEG_").map_or((1.0, name), |rest| (-1.0, rest));
+            let components: [f64; 4] = match (letter, axis(letter)) {
+                ("ZERO", _) => [0.0; 4],
+                ("ONE", _) => [sign; 4],
+                (_, Some(axis)) => core::array::from_fn(|k| if k == axis { sign } else { 0.0 }),
+                _ => return None,
+            };
+            Value::Four(components.map(|c| a.number(c)))
+        }
         Shape::Quaternion if name == "IDENTITY" => Value::Quaternion(Quaternion::identity(a)),
         Shape::Matrix if name == "IDENTITY" => Value::Matrix(Map::identity(a)),
         Shape::Matrix if name == "ZERO" => {
@@ -59,6 +70,8 @@ fn of_numbers(precision: Precision, name: &str) -> Option<f64> {
         "MIN_POSITIVE" => Some(least),
         "MAX" => Some(most),
         "MIN" => Some(-most),
+        "INFINITY" => Some(f64::INFINITY),
+        "NEG_INFINITY" => Some(f64::NEG_INFINITY),
         _ => None,
     }
 }

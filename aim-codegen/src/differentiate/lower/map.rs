@@ -64,7 +64,11 @@ impl Map {
 
     /// `inner`, then `self`.
     pub(crate) fn compose(&self, a: &mut Algebra, inner: &Self) -> Self {
+        // Products begin with it.
+        let identity = a.identity();
         match (self, inner) {
+            (Self::Rotation(outer), _) if *outer == identity => inner.clone(),
+            (_, Self::Rotation(inner)) if *inner == identity => self.clone(),
             (Self::Rotation(outer), Self::Rotation(inner)) => Self::Rotation(a.g.compose(*outer, *inner)),
             (Self::Compose(pair), _) => {
                 let inner = pair.1.compose(a, inner);

@@ -3,129 +3,90 @@
 
 mod algebra;
 mod calls;
+mod choices;
 mod condition;
 mod constants;
+mod fields;
+mod frame;
+mod functions;
 mod map;
 mod methods;
 mod operators;
 mod paths;
+mod places;
+mod sequences;
+mod statements;
 mod value;
 
+#[cfg(test)]
+mod tests;
+
 use quote::ToTokens;
-use syn::punctuated::Punctuated;
-use syn::token::Comma;
-use syn::{Block, Expr, Member, Pat, Stmt, UnOp};
+use syn::{Expr, UnOp};
 
 pub(super) use self::algebra::Algebra;
-use self::condition::Condition;
+pub(super) use self::condition::Condition;
+use self::frame::Frame;
+pub(super) use self::functions::Callable;
 pub(super) use self::map::{Affine, Map, Quaternion};
-pub(super) use self::value::Value;
+pub(super) use self::value::{Struct, Value};
+use super::items::Items;
 use super::messages;
+use super::types::Precision;
 use crate::declare::report::Report;
 use crate::declare::report::text::Text;
 
-/// The translation of one body.
+/// The interpretation of one function.
 pub(super) struct Translation<'a> {
     pub(super) algebra: &'a mut Algebra,
     pub(super) report: &'a mut Report,
-    /// The names in scope, the innermost last.
-    names: Vec<(String, Value)>,
+    items: &'a Items,
+    /// What the function computes in, where that is known.
+    precision: Option<Precision>,
+    /// The variables of the function that is being run.
+    frame: Frame,
+    /// The functions that are being run, the innermost last.
+    calls: Vec<std::rc::Rc<Callable>>,
+    /// The constants that are being looked up.
+    constants: Vec<String>,
+    /// Rounds of loops so far.
+    rounds_run: usize,
 }
 
 impl<'a> Translation<'a> {
-    /// A body that knows these names.
-    pub(super) fn new(algebra: &'a mut Algebra, report: &'a mut Report, names: Vec<(String, Value)>) -> Self {
-        Self { algebra, report, names }
+    /// A function beside these items, that computes in this number type.
+    pub(super) fn new(
+        algebra: &'a mut Algebra,
+        report: &'a mut Report,
+        items: &'a Items,
+        precision: Option<Precision>,
+    ) -> Self {
+        let (frame, calls, constants) = (Frame::new(Vec::new()), Vec::new(), Vec::new());
+        Self { algebra, report, items, precision, frame, calls, constants, rounds_run: 0 }
     }
 
-    /// The value of a block.
-    pub(super) fn block(&mut self, block: &Block) -> Value {
-        let outside = self.names.len();
-        let mut value = Value::Tuple(Vec::new());
-        let mut faulty = false;
-        for statement in &block.stmts {
-            value = self.statement(statement);
-            faulty |= value.is_unknown();
-        }
-        self.names.truncate(outside);
-        // What comes of a faulty statement may have been meant to be the value.
-        if faulty { Value::Unknown } else { value }
-    }
-
-    fn statement(&mut self, statement: &Stmt) -> Value {
-        match statement {
-            Stmt::Local(local) => {
-                let value = match &local.init {
-                    Some(init) => {
-                        if let Some((otherwise, _)) = &init.diverge {
-                            self.unsupported(otherwise, "`let … else`", CHOICE);
-                        }
-                        self.expression(&init.expr)
-                    }
-                    None => self.refuse(&local.pat, messages::let_without_value()),
-                };
-                self.bind(&local.pat, value);
-            }
-            Stmt::Item(syn::Item::Const(item)) => {
-                let value = self.expression(&item.expr);
-                self.names.push((item.ident.to_string(), value));
-            }
-            Stmt::Item(syn::Item::Use(_)) => {}
-            Stmt::Item(item) => _ = self.refuse(item, messages::inner_item()),
-            Stmt::Macro(statement) => _ = self.refuse(&statement.mac.path, messages::macro_call()),
-            Stmt::Expr(expression, None) => return self.expression(expression),
-            Stmt::Expr(expression, Some(semicolon)) => {
-                let value = self.expression(expression);
-                return self.refuse_known(&value, semicolon, messages::no_effect());
-            }
-        }
-        Value::Tuple(Vec::new())
-    }
-
-    /// Gives the names of a pattern their values.
-    fn bind(&mut self, pattern: &Pat, value: Value) {
-        match pattern {
-            Pat::Ident(name) => {
-                let value = match &name.mutability {
-                    // What is assigned to it later is no mistake of its own.
-                    Some(mutability) => self.refuse(mutability, messages::mutable()),
-                    None => value,
-                };
-                if let Some(by_ref) = &name.by_ref {
-                    self.refuse(by_ref, messages::pattern());
-                }
-                if let Some((at, _)) = &name.subpat {
-                    self.refuse(at, messages::pattern());
-                }
-                self.names.push((name.ident.to_string(), value));
-            }
-            Pat::Type(typed) => self.bind(&typed.pat, value),
-            Pat::Paren(paren) => self.bind(&paren.pat, value),
-            Pat::Reference(reference) => self.bind(&reference.pat, value),
-            Pat::Wild(_) => {}
-            Pat::Tuple(tuple) => {
-                let is_tuple = matches!(value, Value::Tuple(_));
-                self.bind_parts(tuple, &tuple.elems, value, is_tuple);
-            }
-            Pat::Slice(slice) => {
-                let is_array = matches!(value, Value::Array(_));
-                self.bind_parts(slice, &slice.elems, value, is_array);
-            }
-            other => _ = self.refuse(other, messages::pattern()),
-        }
-    }
-
-    /// Gives the names of the patterns the values of the parts.
-    fn bind_parts(&mut self, whole: &impl ToTokens, patterns: &Punctuated<Pat, Comma>, value: Value, fits: bool) {
-        let values = match value {
-            Value::Tuple(values) | Value::Array(values) if fits && values.len() == patterns.len() => values,
-            other => {
-                vec![self.refuse_known(&other, whole, messages::pattern_of(&other.describe())); patterns.len()]
-            }
-        };
-        for (pattern, value) in patterns.iter().zip(values) {
+    /// The value of a function of these arguments; of those at fault nothing is known.
+    pub(super) fn function<'p>(
+        &mut self,
+        block: &syn::Block,
+        arguments: impl Iterator<Item = (&'p syn::Pat, Value)>,
+        faulty: &[syn::Ident],
+    ) -> Value {
+        for (pattern, value) in arguments {
             self.bind(pattern, value);
         }
+        for name in faulty {
+            self.frame.declare(name.to_string(), Value::Unknown);
+        }
+        let end = self.block(block);
+        let value = self.frame.result(self.algebra, end);
+        value.unwrap_or_else(|| self.refuse(&block.stmts.last(), messages::returns_differ()))
+    }
+
+    /// The value of an expression of these names.
+    pub(super) fn formula(&mut self, expression: &Expr, names: Vec<(String, Value)>) -> Value {
+        self.frame = Frame::new(names);
+        self.expression(expression)
     }
 
     /// The value of an expression.
@@ -139,15 +100,28 @@ impl<'a> Translation<'a> {
             Expr::Binary(binary) => self.binary(binary),
             Expr::Reference(reference) => {
                 if let Some(mutability) = &reference.mutability {
-                    return self.refuse(mutability, messages::mutable());
+                    return self.refuse(mutability, messages::mutable_borrow());
                 }
                 self.expression(&reference.expr)
             }
             Expr::MethodCall(call) => self.method_call(call),
             Expr::Call(call) => self.call(call),
+            Expr::Struct(of) => self.structure(of),
             Expr::Field(field) => self.field(field),
             Expr::Index(index) => self.index(index),
+            Expr::Range(range) => self.range(range),
+            Expr::Cast(cast) => self.cast(cast),
             Expr::If(choice) => self.choice(choice),
+            Expr::Match(choice) => self.match_arms(choice),
+            Expr::ForLoop(e) => self.for_loop(e),
+            Expr::While(e) => self.while_loop(e),
+            Expr::Return(_) | Expr::Break(_) | Expr::Continue(_) => self.jump(expression),
+            Expr::Closure(closure) => self.closure(closure),
+            Expr::Assign(assign) => match self.expression(&assign.right) {
+                Value::Never => Value::Never,
+                value => self.assign(&assign.left, value),
+            },
+            Expr::Macro(e) => self.macro_call(&e.mac),
             Expr::Block(block) => match &block.label {
                 Some(label) => self.unsupported(label, "a labelled block", "write it as a block without a label"),
                 None => self.block(&block.block),
@@ -155,13 +129,11 @@ impl<'a> Translation<'a> {
             Expr::Tuple(tuple) => Value::Tuple(tuple.elems.iter().map(|element| self.expression(element)).collect()),
             Expr::Array(array) => Value::Array(array.elems.iter().map(|element| self.expression(element)).collect()),
             Expr::Repeat(repeat) => {
-                let value = self.expression(&repeat.expr);
-                match (whole_number(&repeat.len), strip(&repeat.len)) {
-                    (Some(length @ 0..=256), _) => Value::Array(vec![value; length]),
-                    (_, length @ Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(_), .. })) => {
-                        self.unsupported(length, "so long an array", "arrays hold up to 256 numbers")
-                    }
-                    (_, other) => self.unsupported(other, "a length that is no number", "write the number"),
+                let (value, length) = (self.expression(&repeat.expr), self.expression(&repeat.len));
+                match self.algebra.known_index(&length) {
+                    Some(length @ 0..=LONGEST_ARRAY) => Value::Array(vec![value; length]),
+                    Some(_) => self.refuse(&repeat.len, messages::array_too_long(LONGEST_ARRAY)),
+                    None => self.refuse_known(&length, &repeat.len, messages::length_unknown()),
                 }
             }
             other => self.unsupported_expression(other),
@@ -171,7 +143,13 @@ impl<'a> Translation<'a> {
     fn literal(&mut self, literal: &syn::Lit) -> Value {
         let number = match literal {
             syn::Lit::Float(number) => number.base10_parse::<f64>().ok(),
-            syn::Lit::Int(number) => number.base10_parse::<f64>().ok(),
+            syn::Lit::Int(number) if number.suffix().starts_with('f') => number.base10_parse::<f64>().ok(),
+            syn::Lit::Int(number) => {
+                return match number.base10_parse::<i64>() {
+                    Ok(number) => self.algebra.integer(number),
+                    Err(_) => self.refuse(literal, messages::integer_overflow()),
+                };
+            }
             syn::Lit::Bool(truth) => return Value::Truth(Condition::Known(truth.value)),
             _ => None,
         };
@@ -184,32 +162,61 @@ impl<'a> Translation<'a> {
     }
 
     fn path(&mut self, path: &syn::ExprPath) -> Value {
-        if let (None, Some(name)) = (&path.qself, path.path.get_ident()) {
-            let name_text = name.to_string();
-            let known: Vec<&str> = self.names.iter().map(|(known, _)| known.as_str()).collect();
-            return match self.named(&name_text) {
-                Some(value) => value.clone(),
-                None => self.refuse(name, messages::outside_name(&name_text, &known)),
-            };
-        }
         let segments: Vec<String> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        if let (None, [name]) = (&path.qself, segments.as_slice()) {
+            if let Some(place) = self.frame.find(name) {
+                return self.frame.value(place).clone();
+            }
+            if self.items.constant(None, name).is_none() && self.items.function(None, name).is_none() {
+                let text = messages::outside_name(name, &self.frame.names());
+                return self.refuse(&path.path, text);
+            }
+        }
         if let [.., module, name] = segments.as_slice()
             && module == "consts"
             && let Some(value) = constants::mathematical(name)
         {
             return Value::Scalar(self.algebra.number(value));
         }
-        if let Some((Some(ty), name)) = paths::type_and_name(path)
-            && let Some(value) = constants::associated(self.algebra, &ty, &name.to_string())
-        {
-            return value;
+        if let Some((ty, name)) = paths::type_and_name(path) {
+            let (ty, name) = (ty.map(|ty| self.resolved(&ty)), name.to_string());
+            let beside = ty.is_some() || segments.len() == 1 || segments[0] == "self";
+            if beside && let Some(function) = self.items.function(ty.as_deref(), &name) {
+                return Value::Function(function.clone());
+            }
+            if beside && let Some(expression) = self.items.constant(ty.as_deref(), &name) {
+                return self.constant(&name, ty, expression);
+            }
+            if let Some(ty) = ty
+                && let Some(value) = constants::associated(self.algebra, &ty, &name)
+            {
+                return value;
+            }
         }
         self.refuse(&path.path, messages::outside_constant(&paths::path_text(path)))
     }
 
-    /// The value of a name in scope.
-    fn named(&self, name: &str) -> Option<&Value> {
-        self.names.iter().rev().find(|(known, _)| *known == name).map(|(_, value)| value)
+    /// The value of a constant of the module. One that is made of itself is the compiler's to refuse.
+    fn constant(&mut self, name: &str, of: Option<String>, expression: &Expr) -> Value {
+        if self.constants.iter().any(|known| known == name) {
+            return Value::Unknown;
+        }
+        self.constants.push(name.to_owned());
+        let mut frame = Frame::new(Vec::new());
+        frame.self_type = of;
+        let outer = core::mem::replace(&mut self.frame, frame);
+        let value = self.expression(expression);
+        self.frame = outer;
+        self.constants.pop();
+        value
+    }
+
+    /// The name of a type, of which this is another in the module.
+    fn resolved(&self, name: &str) -> String {
+        match &self.frame.self_type {
+            Some(known) if name == "Self" => known.clone(),
+            _ => self.items.resolved(name),
+        }
     }
 
     fn unary(&mut self, unary: &syn::ExprUnary) -> Value {
@@ -227,83 +234,47 @@ impl<'a> Translation<'a> {
     }
 
     fn binary(&mut self, binary: &syn::ExprBinary) -> Value {
+        let assigned = operators::assigned(&binary.op);
         let (left, right) = (self.expression(&binary.left), self.expression(&binary.right));
-        if is_assignment(&binary.op) {
-            // Of a name that is unknown because it is `mut`, that was said.
-            return self.refuse_known(&left, &binary.op, messages::assignment());
-        }
         if left.is_unknown() || right.is_unknown() {
             return Value::Unknown;
         }
-        operators::binary(self.algebra, &binary.op, &left, &right).unwrap_or_else(|| {
-            let text = messages::no_operation(&binary.op, &left.describe(), &right.describe());
-            self.refuse(&binary.op, text)
-        })
+        let operator = assigned.as_ref().unwrap_or(&binary.op);
+        let value = match operators::binary(self.algebra, operator, &left, &right) {
+            Some(value) => value,
+            None => {
+                let text = messages::no_operation(operator, &left.describe(), &right.describe());
+                self.refuse(&binary.op, text)
+            }
+        };
+        if assigned.is_some() { self.assign(&binary.left, value) } else { value }
     }
 
-    fn choice(&mut self, choice: &syn::ExprIf) -> Value {
-        let condition = self.expression(&choice.cond);
-        let then = self.block(&choice.then_branch);
-        let Some((_, otherwise)) = &choice.else_branch else {
-            return self.refuse_known(&then, &choice.if_token, messages::if_without_else());
+    /// `value as type`
+    fn cast(&mut self, cast: &syn::ExprCast) -> Value {
+        let value = self.expression(&cast.expr);
+        let ty = cast.ty.to_token_stream().to_string();
+        let is_integer = |ty: &str| {
+            ["usize", "isize"].contains(&ty) || (ty.starts_with(['u', 'i']) && ty[1..].parse::<u8>().is_ok())
         };
-        let otherwise = self.expression(otherwise);
-        let Value::Truth(condition) = condition else {
-            let text = messages::not_a_condition(&condition.describe());
-            return self.refuse_known(&condition, &choice.cond, text);
-        };
-        then.select(self.algebra, &condition, &otherwise).unwrap_or_else(|| {
-            let text = messages::branches_differ(&then.describe(), &otherwise.describe());
-            self.refuse(&choice.if_token, text)
-        })
-    }
-
-    fn field(&mut self, field: &syn::ExprField) -> Value {
-        let base = self.expression(&field.base);
-        if base.is_unknown() {
-            return base;
+        match (&value, ty.as_str()) {
+            (Value::Unknown | Value::Never, _) => value,
+            (Value::Integer(x), "f32" | "f64") => Value::Scalar(*x),
+            (Value::Scalar(_), number) if self.precision.is_some_and(|known| known.name() == number) => value,
+            (Value::Integer(_), ty) if is_integer(ty) && self.algebra.known_integer(&value).is_some() => value,
+            (Value::Truth(condition), ty) if is_integer(ty) => {
+                let (one, zero) = (self.algebra.number(1.0), self.algebra.number(0.0));
+                Value::Integer(condition.select(self.algebra, one, zero))
+            }
+            (Value::Scalar(_), ty) if is_integer(ty) => {
+                self.unsupported(&cast.as_token, "a number that is cut off", "take the whole number as an argument")
+            }
+            _ => self.unsupported(
+                &cast.as_token,
+                "a cast",
+                "a function computes in one number type: write the number or take an argument of that type",
+            ),
         }
-        let name = match &field.member {
-            Member::Named(name) => name.to_string(),
-            Member::Unnamed(index) => index.index.to_string(),
-        };
-        let a = &mut *self.algebra;
-        let letter = |letters: &str| if name.len() == 1 { letters.find(&name) } else { None };
-        let column = || ["x_axis", "y_axis", "z_axis"].iter().position(|known| *known == name);
-        let value = match &base {
-            Value::Planar(v) => letter("xy").map(|axis| Value::Scalar(a.component(*v, axis))),
-            Value::Vector(v) => letter("xyz").map(|axis| Value::Scalar(a.component(*v, axis))),
-            Value::Quaternion(q) => match (letter("xyzw"), q.parts) {
-                (Some(3), Some((_, w))) => Some(Value::Scalar(w)),
-                (Some(axis), Some((u, _))) => Some(Value::Scalar(a.component(u, axis))),
-                (Some(_), None) => return self.refuse(&field.member, messages::quaternion_of_matrix()),
-                (None, _) => None,
-            },
-            Value::Matrix(m) => column().map(|axis| Value::Vector(m.column(a, axis))),
-            Value::Affine(m) => match name.as_str() {
-                "matrix3" => Some(Value::Matrix(m.map.clone())),
-                "translation" => Some(Value::Vector(m.translation)),
-                _ => column().map(|axis| Value::Vector(m.map.column(a, axis))),
-            },
-            Value::Tuple(values) => name.parse::<usize>().ok().and_then(|index| values.get(index).cloned()),
-            _ => None,
-        };
-        value.unwrap_or_else(|| self.refuse(&field.member, messages::unknown_field(&name, &base.describe())))
-    }
-
-    fn index(&mut self, index: &syn::ExprIndex) -> Value {
-        let base = self.expression(&index.expr);
-        let Some(place) = whole_number(&index.index) else {
-            return self.refuse(&index.index, messages::index_not_literal());
-        };
-        let value = match &base {
-            Value::Unknown => return base,
-            Value::Array(values) => values.get(place).cloned(),
-            Value::Planar(v) if place < 2 => Some(Value::Scalar(self.algebra.component(*v, place))),
-            Value::Vector(v) if place < 3 => Some(Value::Scalar(self.algebra.component(*v, place))),
-            _ => None,
-        };
-        value.unwrap_or_else(|| self.refuse(&index.index, messages::index_outside(&base.describe())))
     }
 
     /// Reports what has no value.
@@ -317,38 +288,26 @@ impl<'a> Translation<'a> {
         if value.is_unknown() { Value::Unknown } else { self.refuse(place, text) }
     }
 
+    /// Reports that the graph has outgrown its bound.
+    fn refuse_too_large(&mut self, place: &impl ToTokens) -> Value {
+        self.refuse(place, statements::too_large())
+    }
+
     fn unsupported(&mut self, place: &impl ToTokens, what: &str, help: &str) -> Value {
         self.refuse(place, messages::unsupported(what, help))
     }
 
     fn unsupported_expression(&mut self, expression: &Expr) -> Value {
-        const LOOP: &str = "write the terms one by one: what is derived has no loops";
         match expression {
-            Expr::Assign(assign) => {
-                let left = self.expression(&assign.left);
-                self.refuse_known(&left, &assign.eq_token, messages::assignment())
-            }
-            Expr::ForLoop(e) => self.unsupported(&e.for_token, "a loop", LOOP),
-            Expr::While(e) => self.unsupported(&e.while_token, "a loop", LOOP),
-            Expr::Loop(e) => self.unsupported(&e.loop_token, "a loop", LOOP),
-            Expr::Match(e) => self.unsupported(&e.match_token, "`match`", CHOICE),
-            Expr::Let(e) => self.unsupported(&e.let_token, "`if let`", CHOICE),
-            Expr::Return(e) => {
-                self.unsupported(&e.return_token, "`return`", "make it the last expression, or a branch of an `if`")
-            }
-            Expr::Macro(e) => self.refuse(&e.mac.path, messages::macro_call()),
-            Expr::Closure(e) => self.unsupported(&e.inputs_begin, "a closure", "bind what it gives with `let`"),
-            Expr::Cast(e) => self.unsupported(
-                &e.as_token,
-                "a cast",
-                "a function computes in one number type: write the number or take an argument of that type",
+            Expr::Loop(e) => self.unsupported(
+                &e.loop_token,
+                "a loop without a bound",
+                "write `for _ in 0..N` with enough rounds, and `break` where it is done",
             ),
-            Expr::Struct(e) => {
-                self.unsupported(&e.path, "a struct in braces", "call `new`, as in `Vec3::new(x, y, z)`")
-            }
+            Expr::Let(e) => self.unsupported(&e.let_token, "`if let`", CHOICE),
             Expr::Try(e) => self.unsupported(&e.question_token, "`?`", "every step must have a value"),
             Expr::Unsafe(e) => self.unsupported(&e.unsafe_token, "`unsafe`", "there is nothing to be unsafe about"),
-            other => self.unsupported(other, "this expression", "use `let`, arithmetic, calls and `if`"),
+            other => self.unsupported(other, "this expression", "use `let`, arithmetic, calls, `if` and `for`"),
         }
     }
 }
@@ -362,18 +321,14 @@ fn strip(expression: &Expr) -> &Expr {
     }
 }
 
-/// A whole number as written.
-fn whole_number(expression: &Expr) -> Option<usize> {
-    match strip(expression) {
-        Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(number), .. }) => number.base10_parse().ok(),
-        _ => None,
-    }
+/// The length of an array that its type says.
+pub(super) fn length(expression: &Expr, items: &Items) -> Option<usize> {
+    let (mut algebra, mut report) = (Algebra::new(), Report::new(crate::declare::tree::Notation::Rust));
+    let value = Translation::new(&mut algebra, &mut report, items, None).expression(expression);
+    algebra.known_index(&value)
 }
 
-/// `=` behind another operator; comparisons end in it, too.
-fn is_assignment(operator: &syn::BinOp) -> bool {
-    let text = operator.to_token_stream().to_string();
-    text.ends_with('=') && !matches!(text.as_str(), "==" | "!=" | "<=" | ">=")
-}
+/// The longest array.
+const LONGEST_ARRAY: usize = 4096;
 
 const CHOICE: &str = "write it with `if` and `else`";

@@ -1,6 +1,6 @@
 //! Operators: what each makes of two values, as glam and the language define it.
 
-use aim_symbolic::{Fold, Scalar, Vector};
+use aim_symbolic::{Fold, Function, Scalar, Vector};
 use syn::BinOp;
 
 use super::algebra::Algebra;
@@ -10,12 +10,18 @@ use super::value::Value;
 
 /// The value of `left operator right`; `None` where there is no such operation.
 pub(super) fn binary(a: &mut Algebra, operator: &BinOp, left: &Value, right: &Value) -> Option<Value> {
+    if let (Value::Integer(x), Value::Integer(y)) = (left, right)
+        && let Some(value) = of_integers(a, operator, *x, *y)
+    {
+        return Some(value);
+    }
     match operator {
         BinOp::Add(_) => sum(a, (left, right), Fold::add, Algebra::add_vectors),
         BinOp::Sub(_) => sum(a, (left, right), Fold::sub, Algebra::sub_vectors),
         BinOp::Mul(_) => multiply(a, left, right),
         BinOp::Div(_) => divide(a, left, right),
-        _ => compare(operator, left, right).map(Value::Truth),
+        BinOp::Rem(_) => remainder(a, left, right),
+        _ => compare(a, operator, left, right).map(Value::Truth),
     }
 }
 
@@ -38,6 +44,7 @@ fn sum(
             let v = a.vector([*x; 3]);
             Value::Vector(of_vectors(a, v, *w))
         }
+        (Value::Four(v), Value::Four(w)) => Value::Four(core::array::from_fn(|k| of_scalars(a, v[k], w[k]))),
         (Value::Matrix(m), Value::Matrix(n)) => Value::Matrix(m.zip(a, n, of_vectors)),
         (Value::Quaternion(q), Value::Quaternion(r)) => {
             let ((u, w), (v, x)) = q.parts.zip(r.parts)?;
@@ -54,6 +61,8 @@ fn multiply(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
         (Value::Scalar(k), Value::Vector(v)) | (Value::Vector(v), Value::Scalar(k)) => Value::Vector(a.scale(*k, *v)),
         (Value::Planar(v), Value::Planar(w)) => Value::Planar(a.zip(*v, *w, Algebra::mul)),
         (Value::Vector(v), Value::Vector(w)) => Value::Vector(a.zip(*v, *w, Algebra::mul)),
+        (Value::Scalar(k), Value::Four(v)) | (Value::Four(v), Value::Scalar(k)) => Value::Four(v.map(|x| a.mul(*k, x))),
+        (Value::Four(v), Value::Four(w)) => Value::Four(core::array::from_fn(|k| a.mul(v[k], w[k]))),
         (Value::Quaternion(q), Value::Vector(v)) => Value::Vector(q.map.apply(a, *v)),
         (Value::Quaternion(q), Value::Quaternion(r)) => Value::Quaternion(q.compose(a, r)),
         (Value::Quaternion(q), Value::Scalar(k)) => {
@@ -82,7 +91,10 @@ fn divide(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
     match (left, right) {
         (Value::Scalar(x), Value::Scalar(y)) => Some(Value::Scalar(a.div(*x, *y))),
         (Value::Vector(v), Value::Vector(w)) => Some(Value::Vector(a.zip(*v, *w, |a, x, y| a.div(x, y)))),
-        (Value::Planar(_) | Value::Vector(_) | Value::Matrix(_) | Value::Quaternion(_), Value::Scalar(k)) => {
+        (
+            Value::Planar(_) | Value::Vector(_) | Value::Four(_) | Value::Matrix(_) | Value::Quaternion(_),
+            Value::Scalar(k),
+        ) => {
             let reciprocal = Value::Scalar(a.recip(*k));
             multiply(a, left, &reciprocal)
         }
@@ -90,23 +102,72 @@ fn divide(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
     }
 }
 
-fn compare(operator: &BinOp, left: &Value, right: &Value) -> Option<Condition> {
-    use std::rc::Rc;
+/// x − y trunc(x / y)
+fn remainder(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
+    let (Value::Scalar(x), Value::Scalar(y)) = (left, right) else { return None };
+    let quotient = a.div(*x, *y);
+    let (zero, opposite) = (a.number(0.0), a.neg(quotient));
+    let (down, up) = (a.call(Function::Floor, quotient), a.call(Function::Floor, opposite));
+    let up = a.neg(up);
+    let turns = Condition::less(a, quotient, zero).select(a, up, down);
+    let whole = a.mul(*y, turns);
+    Some(Value::Scalar(a.sub(*x, whole)))
+}
+
+/// Sums, products and the like of whole numbers; those of unknown ones are not divided, since divisions are cut off.
+fn of_integers(a: &mut Algebra, operator: &BinOp, x: Scalar, y: Scalar) -> Option<Value> {
+    let [left, right] = [x, y].map(|it| a.known_integer(&Value::Integer(it)));
+    if let (Some(left), Some(right)) = (left, right) {
+        let known = match operator {
+            BinOp::Add(_) => left.checked_add(right),
+            BinOp::Sub(_) => left.checked_sub(right),
+            BinOp::Mul(_) => left.checked_mul(right),
+            BinOp::Div(_) => left.checked_div(right),
+            BinOp::Rem(_) => left.checked_rem(right),
+            _ => None,
+        };
+        return known.map(|known| a.integer(known));
+    }
+    Some(Value::Integer(match operator {
+        BinOp::Add(_) => a.add(x, y),
+        BinOp::Sub(_) => a.sub(x, y),
+        BinOp::Mul(_) => a.mul(x, y),
+        _ => return None,
+    }))
+}
+
+fn compare(a: &Algebra, operator: &BinOp, left: &Value, right: &Value) -> Option<Condition> {
     Some(match (left, right) {
-        (Value::Scalar(x), Value::Scalar(y)) => match operator {
-            BinOp::Lt(_) => Condition::Less(*x, *y),
-            BinOp::Gt(_) => Condition::Less(*y, *x),
-            BinOp::Le(_) => Condition::at_most(*x, *y),
-            BinOp::Ge(_) => Condition::at_most(*y, *x),
-            BinOp::Eq(_) => Condition::equal(*x, *y),
-            BinOp::Ne(_) => Condition::equal(*x, *y).not(),
+        (Value::Scalar(x), Value::Scalar(y)) | (Value::Integer(x), Value::Integer(y)) => match operator {
+            BinOp::Lt(_) => Condition::less(a, *x, *y),
+            BinOp::Gt(_) => Condition::less(a, *y, *x),
+            BinOp::Le(_) => Condition::at_most(a, *x, *y),
+            BinOp::Ge(_) => Condition::at_most(a, *y, *x),
+            BinOp::Eq(_) => Condition::equal(a, *x, *y),
+            BinOp::Ne(_) => Condition::equal(a, *x, *y).not(),
             _ => return None,
         },
         (Value::Truth(x), Value::Truth(y)) => match operator {
-            BinOp::And(_) | BinOp::BitAnd(_) => Condition::And(Rc::new((x.clone(), y.clone()))),
-            BinOp::Or(_) | BinOp::BitOr(_) => Condition::Or(Rc::new((x.clone(), y.clone()))),
+            BinOp::And(_) | BinOp::BitAnd(_) => x.clone().and(y.clone()),
+            BinOp::Or(_) | BinOp::BitOr(_) => x.clone().or(y.clone()),
+            BinOp::Ne(_) | BinOp::BitXor(_) => x.clone().and(y.clone().not()).or(x.clone().not().and(y.clone())),
+            BinOp::Eq(_) => x.clone().and(y.clone()).or(x.clone().not().and(y.clone().not())),
             _ => return None,
         },
+        _ => return None,
+    })
+}
+
+/// The operator before the `=` of an assignment.
+pub(super) fn assigned(operator: &BinOp) -> Option<BinOp> {
+    Some(match operator {
+        BinOp::AddAssign(_) => BinOp::Add(Default::default()),
+        BinOp::SubAssign(_) => BinOp::Sub(Default::default()),
+        BinOp::MulAssign(_) => BinOp::Mul(Default::default()),
+        BinOp::DivAssign(_) => BinOp::Div(Default::default()),
+        BinOp::RemAssign(_) => BinOp::Rem(Default::default()),
+        BinOp::BitAndAssign(_) => BinOp::BitAnd(Default::default()),
+        BinOp::BitOrAssign(_) => BinOp::BitOr(Default::default()),
         _ => return None,
     })
 }
@@ -115,8 +176,10 @@ fn compare(operator: &BinOp, left: &Value, right: &Value) -> Option<Condition> {
 pub(super) fn negate(a: &mut Algebra, operand: &Value) -> Option<Value> {
     Some(match operand {
         Value::Scalar(x) => Value::Scalar(a.neg(*x)),
+        Value::Integer(x) => Value::Integer(a.neg(*x)),
         Value::Planar(v) => Value::Planar(a.neg_vector(*v)),
         Value::Vector(v) => Value::Vector(a.neg_vector(*v)),
+        Value::Four(v) => Value::Four(v.map(|x| a.neg(x))),
         Value::Matrix(m) => Value::Matrix(m.map(a, Algebra::neg_vector)),
         // Both turn the same way.
         Value::Quaternion(q) => Value::Quaternion(Quaternion {

@@ -9,7 +9,14 @@ pub(super) fn type_and_name(path: &syn::ExprPath) -> Option<(Option<String>, &Id
     let segments = &path.path.segments;
     let name = &segments.last()?.ident;
     let ty = match &path.qself {
-        Some(qself) if qself.position == 0 => Some(types::Type::parse(&qself.ty).ok()?.name),
+        Some(qself) if qself.position == 0 => match &*qself.ty {
+            syn::Type::Path(ty) => Some(ty.path.segments.last()?.ident.to_string()),
+            syn::Type::Group(group) => match &*group.elem {
+                syn::Type::Path(ty) => Some(ty.path.segments.last()?.ident.to_string()),
+                _ => return None,
+            },
+            _ => return None,
+        },
         Some(_) => return None,
         None => segments.len().checked_sub(2).map(|at| segments[at].ident.to_string()),
     };

@@ -143,6 +143,10 @@ impl Number for Bounded {
             Function::Exp => (x + error).exp(),
             Function::Ln if x - error > 0.0 => 1.0 / (x - error),
             Function::Ln => f64::INFINITY,
+            Function::Sinh | Function::Cosh => (x.abs() + error).cosh(),
+            Function::Tanh => 1.0,
+            Function::Floor if (x - error).floor() == (x + error).floor() => 0.0,
+            Function::Floor => f64::INFINITY,
         };
         // A number of the size of 1 is what arguments are reduced by.
         let along = if error == 0.0 { 0.0 } else { slope * error };

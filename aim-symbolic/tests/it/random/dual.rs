@@ -109,6 +109,10 @@ impl<T: Number> Number for Dual<T> {
             Function::Acos => -self.slope / (one - x * x).sqrt(),
             Function::Exp => self.slope * value,
             Function::Ln => self.slope / x,
+            Function::Sinh => self.slope * x.call(Function::Cosh),
+            Function::Cosh => self.slope * x.call(Function::Sinh),
+            Function::Tanh => self.slope * (one - value * value),
+            Function::Floor => T::constant(0.0),
         };
         Self { value, slope }
     }

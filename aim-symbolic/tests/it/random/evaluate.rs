@@ -148,6 +148,7 @@ impl<T: Oracle> Evaluation<T> {
                 let a = self.scalar(g, a);
                 self.singular |= match function {
                     Function::Sin | Function::Cos | Function::Tan | Function::Exp => false,
+                    Function::Sinh | Function::Cosh | Function::Tanh | Function::Floor => false,
                     Function::Asin | Function::Acos => (T::constant(1.0) - a * a).is_zero(),
                     Function::Ln => a.is_zero(),
                 };
@@ -157,6 +158,11 @@ impl<T: Oracle> Evaluation<T> {
                 let (y, x) = (self.scalar(g, y), self.scalar(g, x));
                 self.singular |= (y * y + x * x).is_zero();
                 y.atan2(x)
+            }
+            ScalarNode::Op(Op::Pow(a, b)) => {
+                let (a, b) = (self.scalar(g, a), self.scalar(g, b));
+                self.singular |= a.is_zero();
+                a.pow(b)
             }
             ScalarNode::Dot(v, w) => dot(self.vector(g, v), self.vector(g, w)),
             ScalarNode::Norm(v) => {

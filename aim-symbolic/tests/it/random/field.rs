@@ -334,6 +334,15 @@ impl Number for Field {
             Function::Exp if self == zero => one,
             Function::Exp => self.atom(4),
             Function::Ln => self.atom(5),
+            Function::Sinh | Function::Tanh if self == zero => zero,
+            Function::Sinh | Function::Tanh => {
+                let (negative, x) = self.unsigned();
+                let value = x.atom(if function == Function::Sinh { 6 } else { 7 });
+                if negative { -value } else { value }
+            }
+            Function::Cosh if self == zero => one,
+            Function::Cosh => self.unsigned().1.atom(8),
+            Function::Floor => self.atom(9),
         }
     }
 

@@ -29,8 +29,18 @@ pub(crate) const UNITS: [[f64; 3]; 5] =
 
 pub(crate) const PLANES: [Plane; 4] = [Plane::XY, Plane::XZ, Plane::YZ, Plane { from: 2, towards: 0 }];
 
-pub(crate) const FUNCTIONS: [Function; 7] =
-    [Function::Sin, Function::Cos, Function::Tan, Function::Exp, Function::Ln, Function::Asin, Function::Acos];
+pub(crate) const FUNCTIONS: [Function; 10] = [
+    Function::Sin,
+    Function::Cos,
+    Function::Tan,
+    Function::Exp,
+    Function::Ln,
+    Function::Asin,
+    Function::Acos,
+    Function::Sinh,
+    Function::Cosh,
+    Function::Tanh,
+];
 
 pub(crate) const BASES: [[[f64; 3]; 3]; 5] = [
     [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]],

@@ -59,6 +59,7 @@ pub(crate) fn scalar(g: &Graph, expression: Scalar) -> String {
         ScalarNode::Reciprocal(a) => format!("reciprocal({})", s(a)),
         ScalarNode::Op(Op::SelectLess(a, b, c, d)) => format!("({} < {} ? {} : {})", s(a), s(b), s(c), s(d)),
         ScalarNode::Op(Op::Call(function, a)) => format!("{}({})", function.name(), s(a)),
+        ScalarNode::Op(Op::Pow(a, b)) => format!("pow({}, {})", s(a), s(b)),
         ScalarNode::Op(Op::Atan2(a, b)) => format!("atan2({}, {})", s(a), s(b)),
         ScalarNode::Dot(a, b) => format!("dot({}, {})", v(a), v(b)),
         ScalarNode::Norm(a) => format!("|{}|", v(a)),

@@ -57,3 +57,31 @@ fn notices_what_is_no_number() {
 fn notices_what_is_no_number_at_a_singular_point() {
     singular(&[0.0], square, |x: f64| (x * x, (x / x,)), right_single, &[0.0]);
 }
+
+use aim::__private::differences::{Draw, agree};
+
+const ONE: (&[Draw], &[usize; 1], bool) = (&[Draw::Number], &[0], false);
+
+#[test]
+fn the_written_test_takes_what_is_right_but_for_kinks() {
+    agree("hinge", ONE, |[x]| [x.max(0.5)], |[x]| [[if *x > 0.5 { 1.0 } else { 0.0 }]]);
+    agree("root", ONE, |[x]| [x.sqrt()], |[x]| [[0.5 / x.sqrt()]]);
+}
+
+#[test]
+#[should_panic(expected = "square, component 0, by number 0 of [")]
+fn the_written_test_notices_a_small_mistake() {
+    agree("square", ONE, |[x]| [x * x], |[x]| [[2.0 * x + 1e-4]]);
+}
+
+#[test]
+#[should_panic(expected = "square")]
+fn the_written_test_notices_what_is_no_number() {
+    agree("square", ONE, |[x]| [x * x], |[x]| [[2.0 * x + f64::NAN]]);
+}
+
+#[test]
+#[should_panic(expected = "at none of")]
+fn the_written_test_needs_a_point() {
+    agree("nowhere", ONE, |[x]| [(-1.0 - x * x).sqrt()], |_| [[0.0]]);
+}

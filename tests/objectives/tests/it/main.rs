@@ -5,4 +5,5 @@ mod distances;
 mod energies;
 mod harness;
 mod limits;
+mod natural;
 mod rotations;

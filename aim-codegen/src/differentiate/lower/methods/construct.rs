@@ -2,12 +2,37 @@
 
 use aim_symbolic::{Node, Scalar, Vector};
 
-use super::function::functions;
+use super::function::{Fault, functions};
 use crate::declare::report::text::Text;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::map::{Affine, Map, Quaternion};
 use crate::differentiate::lower::value::Value;
 use crate::differentiate::messages;
+
+functions! {
+    SCALAR(a):
+    from(x: Scalar) -> Scalar { x }
+    from(n: Integer) -> Scalar { n }
+    from(c: Truth) = if c { 1.0 } else { 0.0 };
+}
+
+functions! {
+    FOUR(a):
+    new(x: Scalar, y: Scalar, z: Scalar, w: Scalar) -> Four { [x, y, z, w] }
+    splat(x: Scalar) -> Four { [x; 4] }
+    from_array(numbers: Array) -> Four { scalars(&numbers)? }
+    from(numbers: Array) -> Four { scalars(&numbers)? }
+    from(v: Four) -> Four { v }
+    from(parts: Tuple) -> Four {
+        match parts.as_slice() {
+            [Value::Vector(v), Value::Scalar(w)] => {
+                let [x, y, z] = a.parts(*v);
+                [x, y, z, *w]
+            }
+            _ => return Err(Fault::Arguments),
+        }
+    }
+}
 
 functions! {
     PLANAR(a):

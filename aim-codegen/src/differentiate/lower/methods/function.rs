@@ -3,6 +3,7 @@
 use crate::declare::report::Report;
 use crate::declare::report::text::Text;
 use crate::declare::tree::Notation;
+use crate::differentiate::items::Items;
 use crate::differentiate::lower::Translation;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::value::Value;
@@ -47,6 +48,8 @@ impl Function {
 fn words(kind: &str) -> &'static str {
     match kind {
         "Scalar" => "a number",
+        "Integer" => "a whole number",
+        "Four" => "a vector of four",
         "Truth" => "a condition",
         "Planar" => "a vector of two",
         "Vector" => "a vector",
@@ -62,8 +65,9 @@ fn words(kind: &str) -> &'static str {
 pub(super) fn evaluate(a: &mut Algebra, formula: &str, names: &[&str], values: &[Value]) -> Value {
     let names = names.iter().zip(values).map(|(&name, value)| (name.to_owned(), value.clone())).collect();
     let mut report = Report::new(Notation::Rust);
-    let expression = syn::parse_str(formula);
-    let value = expression.map_or(Value::Unknown, |it| Translation::new(a, &mut report, names).expression(&it));
+    let (expression, items) = (syn::parse_str(formula), Items::default());
+    let value =
+        expression.map_or(Value::Unknown, |it| Translation::new(a, &mut report, &items, None).formula(&it, names));
     debug_assert!(report.is_empty() && !value.is_unknown(), "`{formula}` has a value");
     value
 }

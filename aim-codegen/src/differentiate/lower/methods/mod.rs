@@ -23,20 +23,23 @@ pub(super) fn methods_of(receiver: &Value) -> &'static [&'static [Function]] {
         Value::Quaternion(_) => &[quaternion::METHODS],
         Value::Matrix(_) => &[transform::MATRIX],
         Value::Affine(_) => &[transform::AFFINE],
-        Value::Truth(_) | Value::Tuple(_) | Value::Array(_) | Value::Unknown => &[],
+        Value::Four(_) => &[vector::FOUR],
+        Value::Integer(_) => &[scalar::WHOLE],
+        _ => &[],
     }
 }
 
 /// The functions of a type that make a value of it, and its methods.
-pub(super) fn functions_of(shape: Shape) -> &'static [&'static [Function]] {
+pub(super) fn functions_of(shape: &Shape) -> &'static [&'static [Function]] {
     match shape {
-        Shape::Scalar => &[scalar::METHODS],
+        Shape::Scalar => &[construct::SCALAR, scalar::METHODS],
+        Shape::Four => &[construct::FOUR, vector::FOUR],
         Shape::Planar => &[construct::PLANAR, vector::PLANAR, vector::EITHER],
         Shape::Vector => &[construct::VECTOR, vector::METHODS, vector::EITHER],
         Shape::Quaternion => &[construct::QUATERNION, quaternion::METHODS],
         Shape::Matrix => &[construct::MATRIX, transform::MATRIX],
         Shape::Rigid => &[construct::AFFINE, transform::AFFINE],
-        Shape::Array(_) => &[],
+        _ => &[],
     }
 }
 
@@ -85,6 +88,7 @@ fn lifted(arguments: &[Value]) -> Option<Vec<Value>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::differentiate::lower::condition::Condition;
     use crate::differentiate::lower::map::{Affine, Map, Quaternion};
 
     #[test]
@@ -96,6 +100,9 @@ mod tests {
         let matrix = Map::Columns([v; 3]);
         let value = |kind: &&str| match *kind {
             "Scalar" => Value::Scalar(x),
+            "Integer" => Value::Integer(zero),
+            "Truth" => Value::Truth(Condition::Less(zero, x)),
+            "Four" => Value::Four([x; 4]),
             "Planar" => Value::Planar(planar),
             "Vector" => Value::Vector(v),
             "Quaternion" => Value::Quaternion(Quaternion::from_parts(v, x)),
@@ -103,9 +110,9 @@ mod tests {
             "Affine" => Value::Affine(Affine { map: matrix.clone(), translation: v }),
             _ => Value::Array(vec![Value::Scalar(x); 3]),
         };
-        use Shape::{Matrix, Planar, Quaternion as Turn, Rigid, Scalar, Vector};
+        use Shape::{Four, Matrix, Planar, Quaternion as Turn, Rigid, Scalar, Vector};
         for function in
-            [Scalar, Planar, Vector, Turn, Matrix, Rigid].into_iter().flat_map(functions_of).copied().flatten()
+            [Scalar, Planar, Vector, Four, Turn, Matrix, Rigid].iter().flat_map(functions_of).copied().flatten()
         {
             let arguments: Vec<Value> = function.takes.iter().map(value).collect();
             if let Ok(found) = function.call(&mut a, &arguments) {

@@ -2,7 +2,7 @@
 
 use aim_symbolic::{Node, Scalar, Vector};
 
-use super::function::functions;
+use super::function::{evaluate, functions};
 use crate::declare::report::text::Text;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::map::Quaternion;
@@ -23,6 +23,9 @@ functions! {
         let (along, product) = (a.dot(u, v), a.mul(w, x));
         a.add(along, product)
     }
+    slerp(q: Quaternion, end: Quaternion, s: Scalar) -> Quaternion { slerp(a, [&q, &end], s)? }
+    lerp(q: Quaternion, end: Quaternion, s: Scalar) =
+        (if q.dot(end) < 0.0 { q - (end + q) * s } else { q + (end - q) * s }).normalize();
     length_squared(q: Quaternion) -> Scalar { square(a, parts(&q)?) }
     length(q: Quaternion) -> Scalar {
         let square = square(a, parts(&q)?);
@@ -44,6 +47,37 @@ pub(in crate::differentiate::lower) fn parts(q: &Quaternion) -> Result<(Vector, 
 fn square(a: &mut Algebra, (u, w): (Vector, Scalar)) -> Scalar {
     let (u2, w2) = (a.dot(u, u), a.mul(w, w));
     a.add(u2, w2)
+}
+
+/// The shorter way between two quaternions of length 1, at constant speed. The weights sin(s θ) / sin θ are series in the
+/// chord where the angle θ is small.
+fn slerp(a: &mut Algebra, ends: [&Quaternion; 2], s: Scalar) -> Result<Quaternion, Text> {
+    const BY_ANGLE: &str = "{
+        let (chord, sum) = ((far - near).length(), (far + near).length());
+        let angle = 2.0 * chord.atan2(sum);
+        let c2 = chord * chord;
+        let a2 = c2 * (1.0 + c2 * (1.0 / 12.0 + c2 / 90.0));
+        let series = |s: f64| s * (1.0 + (1.0 - s * s) * a2 * (1.0 / 6.0 + (7.0 - 3.0 * s * s) * a2 / 360.0));
+        if chord < 0.01 {
+            near * series(1.0 - s) + far * series(s)
+        } else {
+            (near * ((1.0 - s) * angle).sin() + far * (s * angle).sin()) / angle.sin()
+        }
+    }";
+    let [near, far] = ends.map(parts);
+    let (near, far) = (four(a, near?), four(a, far?));
+    let far = evaluate(a, "if near.dot(far) < 0.0 { -far } else { far }", &["near", "far"], &[near.clone(), far]);
+    let Value::Four([x, y, z, w]) = evaluate(a, BY_ANGLE, &["near", "far", "s"], &[near, far, Value::Scalar(s)]) else {
+        return Err(messages::quaternion_of_matrix());
+    };
+    let u = a.vector([x, y, z]);
+    let varies = a.varies(Node::Vector(u)) || a.varies(Node::Scalar(w));
+    Ok(if varies { Quaternion::from_parts(u, w) } else { Quaternion::unit(a, u, w) })
+}
+
+fn four(a: &mut Algebra, (u, w): (Vector, Scalar)) -> Value {
+    let [x, y, z] = a.parts(u);
+    Value::Four([x, y, z, w])
 }
 
 fn normalize(a: &mut Algebra, q: &Quaternion) -> Result<Quaternion, Text> {

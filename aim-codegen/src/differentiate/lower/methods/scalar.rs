@@ -1,9 +1,9 @@
 //! Functions of numbers.
 
-use aim_symbolic::Function::{Acos, Asin, Exp, Ln, Tan};
+use aim_symbolic::Function::{Acos, Asin, Cosh, Exp, Floor, Ln, Sinh, Tan, Tanh};
 use aim_symbolic::Scalar;
 
-use super::function::functions;
+use super::function::{Fault, evaluate, functions};
 use crate::declare::report::text::Text;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::value::Value;
@@ -22,13 +22,31 @@ functions! {
     acos(x: Scalar) -> Scalar { a.call(Acos, x) }
     atan(x: Scalar) = x.atan2(1.0);
     atan2(y: Scalar, x: Scalar) -> Scalar { a.atan2(y, x) }
-    powi(x: Scalar, exponent: Scalar) -> Scalar {
+    powi(x: Scalar, exponent: Integer) -> Scalar {
         let exponent = whole(a, exponent)?;
         a.power(x, exponent)
     }
+    powf(x: Scalar, exponent: Scalar) -> Scalar { a.pow(x, exponent) }
     sqrt(x: Scalar) -> Scalar { a.sqrt(x) }
+    cbrt(x: Scalar) = x.signum() * x.abs().powf(1.0 / 3.0);
     exp(x: Scalar) -> Scalar { a.call(Exp, x) }
+    exp2(x: Scalar) = (x * core::f64::consts::LN_2).exp();
     ln(x: Scalar) -> Scalar { a.call(Ln, x) }
+    log(x: Scalar, base: Scalar) = x.ln() / base.ln();
+    log2(x: Scalar) = x.ln() / core::f64::consts::LN_2;
+    log10(x: Scalar) = x.ln() / core::f64::consts::LN_10;
+    sinh(x: Scalar) -> Scalar { a.call(Sinh, x) }
+    cosh(x: Scalar) -> Scalar { a.call(Cosh, x) }
+    tanh(x: Scalar) -> Scalar { a.call(Tanh, x) }
+    rem_euclid(x: Scalar, y: Scalar) -> Scalar {
+        let size = evaluate(a, "y.abs()", &["y"], &[Value::Scalar(y)]);
+        let Value::Scalar(size) = size else { return Err(Fault::Arguments) };
+        let quotient = a.div(x, size);
+        let turns = a.call(Floor, quotient);
+        let whole = a.mul(size, turns);
+        a.sub(x, whole)
+    }
+    copysign(x: Scalar, sign: Scalar) = sign.signum() * x.abs();
     abs(x: Scalar) = if x < 0.0 { -x } else { x };
     signum(x: Scalar) = if x < 0.0 { -1.0 } else { 1.0 };
     min(x: Scalar, y: Scalar) = if y < x { y } else { x };
@@ -48,9 +66,17 @@ functions! {
     clone(x: Scalar) -> Scalar { x }
 }
 
-/// The exponent of a power, which has to be a number as written.
+functions! {
+    /// Of whole numbers.
+    WHOLE(a):
+    abs(n: Integer) = if n < 0 { -n } else { n };
+    min(n: Integer, m: Integer) = if m < n { m } else { n };
+    max(n: Integer, m: Integer) = if n < m { m } else { n };
+    clone(n: Integer) -> Integer { n }
+}
+
+/// The exponent of a power, which has to be known.
 fn whole(a: &Algebra, exponent: Scalar) -> Result<i32, Text> {
-    let known = a.constant_of(exponent).filter(|x| x.fract() == 0.0 && (i32::MIN.into()..=i32::MAX.into()).contains(x));
-    #[expect(clippy::cast_possible_truncation, reason = "it is whole and within bounds")]
-    known.map(|exponent| exponent as i32).ok_or_else(messages::power_not_literal)
+    let known = a.known_integer(&Value::Integer(exponent)).and_then(|exponent| i32::try_from(exponent).ok());
+    known.ok_or_else(messages::power_unknown)
 }

@@ -18,11 +18,11 @@ functions! {
     transpose(m: Matrix) -> Matrix { m.transpose(a) }
     inverse(m: Matrix) -> Matrix { m.inverse(a) }
     determinant(m: Matrix) -> Scalar { m.determinant(a) }
-    col(m: Matrix, index: Scalar) -> Vector {
+    col(m: Matrix, index: Integer) -> Vector {
         let index = axis(a, index)?;
         m.column(a, index)
     }
-    row(m: Matrix, index: Scalar) -> Vector {
+    row(m: Matrix, index: Integer) -> Vector {
         let index = axis(a, index)?;
         m.transpose(a).column(a, index)
     }
@@ -41,8 +41,8 @@ functions! {
     clone(m: Affine) -> Affine { m }
 }
 
-/// The index of an axis, which has to be a number as written.
+/// The index of an axis, which has to be known.
 fn axis(a: &Algebra, index: aim_symbolic::Scalar) -> Result<usize, crate::declare::report::text::Text> {
-    let known = a.constant_of(index).and_then(|index| [0.0, 1.0, 2.0].iter().position(|&axis| axis == index));
-    known.ok_or_else(messages::index_not_literal)
+    let known = a.known_index(&Value::Integer(index)).ok_or_else(messages::index_unknown)?;
+    if known < 3 { Ok(known) } else { Err(messages::index_outside("a matrix")) }
 }

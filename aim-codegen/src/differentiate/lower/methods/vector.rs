@@ -27,6 +27,11 @@ functions! {
     min(v: Vector, w: Vector) = Vec3::new(v.x.min(w.x), v.y.min(w.y), v.z.min(w.z));
     max(v: Vector, w: Vector) = Vec3::new(v.x.max(w.x), v.y.max(w.y), v.z.max(w.z));
     clamp(v: Vector, low: Vector, high: Vector) = v.max(low).min(high);
+    clamp_length(v: Vector, least: Scalar, most: Scalar) = v.clamp_length_min(least).clamp_length_max(most);
+    clamp_length_min(v: Vector, least: Scalar) =
+        if v.length_squared() < least * least { least * v.normalize() } else { v };
+    clamp_length_max(v: Vector, most: Scalar) =
+        if v.length_squared() > most * most { most * v.normalize() } else { v };
     element_sum(v: Vector) = v.x + v.y + v.z;
     clone(v: Vector) -> Vector { v }
 }
@@ -67,4 +72,25 @@ functions! {
         let [x, y, _] = a.parts(v);
         vec![Value::Scalar(x), Value::Scalar(y)]
     }
+}
+
+functions! {
+    /// Of vectors of four.
+    FOUR(a):
+    dot(v: Four, w: Four) = v.x * w.x + v.y * w.y + v.z * w.z + v.w * w.w;
+    length_squared(v: Four) = v.dot(v);
+    length(v: Four) = v.dot(v).sqrt();
+    length_recip(v: Four) = v.length().recip();
+    distance(v: Four, w: Four) = (v - w).length();
+    distance_squared(v: Four, w: Four) = (v - w).length_squared();
+    normalize(v: Four) = v * v.length().recip();
+    lerp(v: Four, w: Four, k: Scalar) = v + (w - v) * k;
+    abs(v: Four) = Vec4::new(v.x.abs(), v.y.abs(), v.z.abs(), v.w.abs());
+    min(v: Four, w: Four) = Vec4::new(v.x.min(w.x), v.y.min(w.y), v.z.min(w.z), v.w.min(w.w));
+    max(v: Four, w: Four) = Vec4::new(v.x.max(w.x), v.y.max(w.y), v.z.max(w.z), v.w.max(w.w));
+    clamp(v: Four, low: Four, high: Four) = v.max(low).min(high);
+    element_sum(v: Four) = v.x + v.y + v.z + v.w;
+    truncate(v: Four) = Vec3::new(v.x, v.y, v.z);
+    to_array(v: Four) -> Array { v.map(Value::Scalar).to_vec() }
+    clone(v: Four) -> Four { v }
 }

@@ -1,0 +1,153 @@
+//! [`Items`]: what a module defines that its functions may use.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use syn::{Expr, Fields, FnArg, GenericParam, ImplItem, Item, Member, Pat, Signature};
+
+use super::lower::Callable;
+
+/// A name of the module, or of a type of it.
+type Name = (Option<String>, String);
+
+/// What a module defines.
+#[derive(Default)]
+pub(super) struct Items {
+    constants: Vec<(Name, Expr)>,
+    functions: Vec<(Name, Rc<Callable>)>,
+    structs: Vec<(String, Vec<(Member, syn::Type)>)>,
+    aliases: Vec<(String, syn::Type)>,
+    /// Functions that errors were reported of: of further calls nothing more is said.
+    faulty: RefCell<Vec<Rc<Callable>>>,
+}
+
+impl Items {
+    /// Reads the items of a module. What its functions cannot use is left out.
+    pub(super) fn of(module: &[Item]) -> Self {
+        let mut items = Self::default();
+        for item in module {
+            match item {
+                Item::Const(item) => items.constants.push(((None, item.ident.to_string()), (*item.expr).clone())),
+                Item::Fn(item) => items.add_function(None, &item.sig, &item.block),
+                Item::Type(item) if item.generics.params.is_empty() => {
+                    items.aliases.push((item.ident.to_string(), (*item.ty).clone()));
+                }
+                Item::Struct(item) if item.generics.params.is_empty() => {
+                    items.structs.push((item.ident.to_string(), fields(&item.fields)));
+                }
+                Item::Impl(item) if item.trait_.is_none() => {
+                    let syn::Type::Path(path) = &*item.self_ty else { continue };
+                    let Some(name) = path.path.get_ident() else { continue };
+                    items.add_impl(&name.to_string(), &item.items);
+                }
+                _ => {}
+            }
+        }
+        items
+    }
+
+    fn add_impl(&mut self, name: &str, parts: &[ImplItem]) {
+        for part in parts {
+            match part {
+                ImplItem::Const(part) => {
+                    self.constants.push(((Some(name.to_owned()), part.ident.to_string()), part.expr.clone()));
+                }
+                ImplItem::Fn(part) => self.add_function(Some(name), &part.sig, &part.block),
+                _ => {}
+            }
+        }
+    }
+
+    fn add_function(&mut self, of: Option<&str>, signature: &Signature, block: &syn::Block) {
+        let name = (of.map(str::to_owned), signature.ident.to_string());
+        self.functions.push((name, Rc::new(callable(signature, block, of))));
+    }
+
+    /// The value of a constant of the module or of a type of it.
+    pub(super) fn constant(&self, of: Option<&str>, name: &str) -> Option<&Expr> {
+        find(&self.constants, of, name)
+    }
+
+    pub(super) fn function(&self, of: Option<&str>, name: &str) -> Option<&Rc<Callable>> {
+        find(&self.functions, of, name)
+    }
+
+    /// The names of the functions of a type of the module.
+    pub(super) fn functions_of(&self, of: &str) -> Vec<&str> {
+        let of_it = self.functions.iter().filter(|((known, _), _)| known.as_deref() == Some(of));
+        of_it.map(|((_, name), _)| name.as_str()).collect()
+    }
+
+    /// The fields of a struct, with their types.
+    pub(super) fn fields(&self, name: &str) -> Option<&[(Member, syn::Type)]> {
+        self.structs.iter().find(|(known, _)| known == name).map(|(_, fields)| fields.as_slice())
+    }
+
+    /// The type that this name is short for.
+    pub(super) fn alias(&self, name: &str) -> Option<&syn::Type> {
+        self.aliases.iter().find(|(known, _)| known == name).map(|(_, ty)| ty)
+    }
+
+    /// The name of the type that this name means.
+    pub(super) fn resolved(&self, name: &str) -> String {
+        match self.alias(name) {
+            Some(syn::Type::Path(path)) => {
+                path.path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default()
+            }
+            _ => name.to_owned(),
+        }
+    }
+
+    pub(super) fn is_faulty(&self, function: &Rc<Callable>) -> bool {
+        self.faulty.borrow().iter().any(|known| Rc::ptr_eq(known, function))
+    }
+
+    pub(super) fn is_at_fault(&self, function: &Rc<Callable>) {
+        self.faulty.borrow_mut().push(function.clone());
+    }
+}
+
+fn find<'a, T>(list: &'a [(Name, T)], of: Option<&str>, name: &str) -> Option<&'a T> {
+    list.iter().find(|((ty, known), _)| ty.as_deref() == of && known == name).map(|(_, found)| found)
+}
+
+fn fields(fields: &Fields) -> Vec<(Member, syn::Type)> {
+    let named = fields.iter().enumerate().map(|(index, field)| {
+        let member = field.ident.clone().map_or_else(|| Member::from(index), Member::from);
+        (member, field.ty.clone())
+    });
+    named.collect()
+}
+
+/// A function with a name; `of` is what `Self` is.
+pub(super) fn callable(signature: &Signature, block: &syn::Block, of: Option<&str>) -> Callable {
+    let parameters = signature.inputs.iter().map(|input| match input {
+        FnArg::Typed(typed) => ((*typed.pat).clone(), Some((*typed.ty).clone())),
+        FnArg::Receiver(receiver) => (pattern_of_self(receiver), None),
+    });
+    let lengths = signature.generics.params.iter().filter_map(|parameter| match parameter {
+        GenericParam::Const(parameter) => Some(parameter.ident.to_string()),
+        _ => None,
+    });
+    Callable {
+        name: Some(match of {
+            Some(of) => format!("{of}::{}", signature.ident),
+            None => signature.ident.to_string(),
+        }),
+        parameters: parameters.collect(),
+        lengths: lengths.collect(),
+        body: Expr::Block(syn::ExprBlock { attrs: Vec::new(), label: None, block: block.clone() }),
+        captured: Vec::new(),
+        self_type: of.map(str::to_owned),
+    }
+}
+
+fn pattern_of_self(receiver: &syn::Receiver) -> Pat {
+    Pat::Ident(syn::PatIdent {
+        attrs: Vec::new(),
+        by_ref: None,
+        mutability: receiver.mutability,
+        ident: syn::Ident::new("self", receiver.self_token.span),
+        subpat: None,
+    })
+}

@@ -1,0 +1,127 @@
+//! Parts of values: fields, swizzles, elements.
+
+use quote::ToTokens;
+use syn::{Expr, ExprField, ExprIndex, Member};
+
+use super::algebra::Algebra;
+use super::value::Value;
+use super::{Translation, strip};
+use crate::differentiate::messages;
+
+/// A field as written.
+pub(super) fn name_of(member: &Member) -> String {
+    match member {
+        Member::Named(name) => name.to_string(),
+        Member::Unnamed(index) => index.index.to_string(),
+    }
+}
+
+/// The number of a matrix's column by its name.
+pub(super) fn column(name: &str) -> Option<usize> {
+    ["x_axis", "y_axis", "z_axis", "w_axis"].iter().position(|known| *known == name)
+}
+
+impl Value {
+    /// A field of it.
+    pub(super) fn field(&self, a: &mut Algebra, name: &str) -> Option<Self> {
+        let letter = |letters: &str| if name.len() == 1 { letters.find(name) } else { None };
+        match self {
+            Self::Planar(v) => letter("xy").map(|axis| Self::Scalar(a.component(*v, axis))),
+            Self::Vector(v) => letter("xyz").map(|axis| Self::Scalar(a.component(*v, axis))),
+            Self::Four(parts) => letter("xyzw").map(|axis| Self::Scalar(parts[axis])),
+            Self::Quaternion(q) => {
+                let (u, w) = q.parts?;
+                letter("xyzw").map(|axis| Self::Scalar(if axis == 3 { w } else { a.component(u, axis) }))
+            }
+            Self::Matrix(m) => column(name).filter(|&axis| axis < 3).map(|axis| Self::Vector(m.column(a, axis))),
+            Self::Affine(m) => match name {
+                "matrix3" => Some(Self::Matrix(m.map.clone())),
+                "translation" => Some(Self::Vector(m.translation)),
+                _ => Self::Matrix(m.map.clone()).field(a, name),
+            },
+            Self::Tuple(values) => name.parse::<usize>().ok().and_then(|index| values.get(index).cloned()),
+            Self::Struct(of) => of.field(name).cloned(),
+            _ => None,
+        }
+    }
+
+    /// An element of it.
+    pub(super) fn element(&self, a: &mut Algebra, place: usize) -> Option<Self> {
+        match self {
+            Self::Array(values) => values.get(place).cloned(),
+            Self::Planar(v) if place < 2 => Some(Self::Scalar(a.component(*v, place))),
+            Self::Vector(v) if place < 3 => Some(Self::Scalar(a.component(*v, place))),
+            Self::Four(parts) => parts.get(place).map(|&x| Self::Scalar(x)),
+            _ => None,
+        }
+    }
+}
+
+impl Translation<'_> {
+    pub(super) fn field(&mut self, field: &ExprField) -> Value {
+        let base = self.expression(&field.base);
+        self.part(&base, &field.member)
+    }
+
+    /// A field of a value, or an error about it.
+    pub(super) fn part(&mut self, base: &Value, member: &Member) -> Value {
+        if base.is_unknown() {
+            return Value::Unknown;
+        }
+        let name = name_of(member);
+        if let Some(value) = base.field(self.algebra, &name) {
+            return value;
+        }
+        match base {
+            Value::Quaternion(q) if q.parts.is_none() => self.refuse(member, messages::quaternion_of_matrix()),
+            Value::Struct(of) => {
+                let known: Vec<&str> = of.fields.iter().map(|(name, _)| name.as_str()).collect();
+                self.refuse(member, messages::unknown_struct_field(&name, &of.name, &known))
+            }
+            _ => self.refuse(member, messages::unknown_field(&name, &base.describe())),
+        }
+    }
+
+    pub(super) fn index(&mut self, index: &ExprIndex) -> Value {
+        let base = self.expression(&index.expr);
+        if let Expr::Range(range) = strip(&index.index) {
+            return self.slice(&base, range);
+        }
+        let place = self.expression(&index.index);
+        if base.is_unknown() || place.is_unknown() {
+            return Value::Unknown;
+        }
+        let Some(known) = self.algebra.known_index(&place) else {
+            return self.refuse(&index.index, messages::index_unknown());
+        };
+        let value = base.element(self.algebra, known);
+        value.unwrap_or_else(|| self.refuse(&index.index, messages::index_outside(&base.describe())))
+    }
+
+    /// `array[start..end]`
+    fn slice(&mut self, base: &Value, range: &syn::ExprRange) -> Value {
+        let Value::Array(values) = base else {
+            return self.refuse_known(base, range, messages::index_outside(&base.describe()));
+        };
+        let bound = |this: &mut Self, end: &Option<Box<Expr>>, otherwise: usize| match end {
+            None => Some(otherwise),
+            Some(end) => {
+                let value = this.expression(end);
+                let known = this.algebra.known_index(&value);
+                if known.is_none() {
+                    this.refuse_known(&value, end, messages::index_unknown());
+                }
+                known
+            }
+        };
+        let (Some(start), Some(end)) = (bound(self, &range.start, 0), bound(self, &range.end, values.len())) else {
+            return Value::Unknown;
+        };
+        let end =
+            if matches!(range.limits, syn::RangeLimits::Closed(_)) && range.end.is_some() { end + 1 } else { end };
+        match values.get(start..end) {
+            Some(part) => Value::Array(part.to_vec()),
+            None => self.refuse(&range.to_token_stream(), messages::index_outside(&base.describe())),
+        }
+    }
+}

@@ -1,0 +1,277 @@
+//! [`Frame`]: the variables of a function that is being interpreted, and the ways that control takes through it.
+//!
+//! A branch is run with its condition on the path and its assignments in a journal; where branches meet again, each
+//! variable that one of them assigned is a select. A way out (`return`, `break`, `continue`) keeps its condition and the
+//! variables as they are there; what it leads to selects among the ways that end there, the first that was met first.
+
+use super::algebra::Algebra;
+use super::condition::Condition;
+use super::value::Value;
+
+/// Assigned variables, each once: its place and a value.
+pub(super) type Assigned = Vec<(usize, Value)>;
+
+/// What a way out leads to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Target {
+    /// The end of the function.
+    Function,
+    /// The end of the loop at this depth, from 0.
+    Loop(usize),
+    /// The end of its body.
+    Round(usize),
+}
+
+impl Target {
+    /// How far inside the function its end is.
+    fn depth(self) -> usize {
+        match self {
+            Self::Function => 0,
+            Self::Loop(depth) => 1 + 2 * depth,
+            Self::Round(depth) => 2 + 2 * depth,
+        }
+    }
+}
+
+#[derive(Debug)]
+struct Exit {
+    target: Target,
+    condition: Condition,
+    /// The variables that were assigned since the target began.
+    assigned: Assigned,
+    /// What a function returns.
+    value: Value,
+}
+
+/// Something that control can be led to the end of, as it was when it began.
+#[derive(Debug)]
+struct Region {
+    target: Target,
+    label: Option<String>,
+    /// How many variables, branches on the path, and journals there were.
+    variables: usize,
+    path: usize,
+    journals: usize,
+}
+
+/// A function under interpretation.
+#[derive(Debug, Default)]
+pub(super) struct Frame {
+    /// The names in scope, the innermost last.
+    variables: Vec<(String, Value)>,
+    captured: usize,
+    /// The values before they were assigned, of the variables assigned in each branch and region under way.
+    journals: Vec<Assigned>,
+    /// The conditions of the branches under way.
+    path: Vec<Condition>,
+    regions: Vec<Region>,
+    exits: Vec<Exit>,
+    /// The type that `Self` is.
+    pub(super) self_type: Option<String>,
+}
+
+impl Frame {
+    /// A frame whose first variables are of the place that it is called from.
+    pub(super) fn new(variables: Vec<(String, Value)>) -> Self {
+        let function = Region { target: Target::Function, label: None, variables: 0, path: 0, journals: 0 };
+        Self { captured: variables.len(), variables, regions: vec![function], ..Self::default() }
+    }
+
+    // Variables.
+
+    pub(super) fn declare(&mut self, name: String, value: Value) {
+        self.variables.push((name, value));
+    }
+
+    /// How many variables there are; see [`leave`](Self::leave).
+    pub(super) fn depth(&self) -> usize {
+        self.variables.len()
+    }
+
+    /// Forgets the variables of a scope that was entered when there were so many.
+    pub(super) fn leave(&mut self, depth: usize) {
+        self.variables.truncate(depth);
+        if let Some(journal) = self.journals.last_mut() {
+            journal.retain(|(place, _)| *place < depth);
+        }
+    }
+
+    /// No name means the variables from this one on any more.
+    pub(super) fn hide(&mut self, depth: usize) {
+        self.variables[depth..].iter_mut().for_each(|(name, _)| name.clear());
+    }
+
+    /// How many of the variables are those that a closure has captured.
+    pub(super) fn captured(&self) -> usize {
+        self.captured
+    }
+
+    pub(super) fn names(&self) -> Vec<&str> {
+        self.variables.iter().map(|(name, _)| name.as_str()).collect()
+    }
+
+    /// All variables, for a closure.
+    pub(super) fn variables(&self) -> &[(String, Value)] {
+        &self.variables
+    }
+
+    /// The place of the variable that this name means.
+    pub(super) fn find(&self, name: &str) -> Option<usize> {
+        self.variables.iter().rposition(|(known, _)| known == name)
+    }
+
+    pub(super) fn value(&self, place: usize) -> &Value {
+        &self.variables[place].1
+    }
+
+    pub(super) fn assign(&mut self, place: usize, value: Value) {
+        let before = core::mem::replace(&mut self.variables[place].1, value);
+        if let Some(journal) = self.journals.last_mut() {
+            if journal.iter().all(|(known, _)| *known != place) {
+                journal.push((place, before));
+            }
+        }
+    }
+
+    // Branches.
+
+    /// Begins a branch that is taken where the condition holds.
+    pub(super) fn begin_branch(&mut self, condition: Condition) {
+        self.path.push(condition);
+        self.journals.push(Vec::new());
+    }
+
+    /// Ends it: the variables are as before, and what the branch made of them is returned.
+    pub(super) fn end_branch(&mut self) -> Assigned {
+        self.path.pop();
+        let journal = self.journals.pop().unwrap_or_default();
+        let restored = journal.into_iter().map(|(place, before)| {
+            let after = core::mem::replace(&mut self.variables[place].1, before);
+            (place, after)
+        });
+        restored.collect()
+    }
+
+    /// Gives variables the values that the only branch that goes on has given them.
+    pub(super) fn take(&mut self, assigned: Assigned) {
+        for (place, value) in assigned {
+            self.assign(place, value);
+        }
+    }
+
+    /// Gives variables their values where two branches meet; the place of one that has two kinds of values.
+    pub(super) fn merge(
+        &mut self,
+        a: &mut Algebra,
+        condition: &Condition,
+        then: &Assigned,
+        otherwise: &Assigned,
+    ) -> Result<(), usize> {
+        let places: Vec<usize> = then.iter().chain(otherwise).map(|(place, _)| *place).collect();
+        for (index, &place) in places.iter().enumerate() {
+            if places[..index].contains(&place) {
+                continue;
+            }
+            let now = self.value(place);
+            let [x, y] = [then, otherwise].map(|branch| assigned_to(branch, place).unwrap_or(now));
+            let merged = x.select(a, condition, y).ok_or(place)?;
+            self.assign(place, merged);
+        }
+        Ok(())
+    }
+
+    // Ways out.
+
+    /// Begins a loop, or the round of one.
+    pub(super) fn begin(&mut self, target: Target, label: Option<String>) {
+        let Self { variables, path, journals, .. } = self;
+        let (variables, path, journals) = (variables.len(), path.len(), journals.len());
+        self.regions.push(Region { target, label, variables, path, journals });
+        self.journals.push(Vec::new());
+    }
+
+    /// How many loops are under way.
+    pub(super) fn loops(&self) -> usize {
+        self.regions.iter().filter(|region| matches!(region.target, Target::Loop(_))).count()
+    }
+
+    /// The depth of the innermost loop, or of the one with this label.
+    pub(super) fn find_loop(&self, label: Option<&str>) -> Option<usize> {
+        self.regions.iter().rev().find_map(|region| match region.target {
+            Target::Loop(depth) if label.is_none() || label == region.label.as_deref() => Some(depth),
+            _ => None,
+        })
+    }
+
+    /// Control goes to the end of the target, with the value that is returned.
+    pub(super) fn exit(&mut self, target: Target, value: Value) {
+        let Some(region) = self.regions.iter().find(|region| region.target == target) else { return };
+        let mut assigned = Assigned::new();
+        if target != Target::Function {
+            for &(place, _) in self.journals[region.journals..].iter().flatten() {
+                if place < region.variables && assigned_to(&assigned, place).is_none() {
+                    assigned.push((place, self.value(place).clone()));
+                }
+            }
+        }
+        // Where control has gone to an end further inside, it does not come here.
+        let left = self.exits.iter().filter(|exit| exit.target.depth() > target.depth());
+        let left = left.map(|exit| exit.condition.clone().not());
+        let condition =
+            self.path[region.path..].iter().cloned().chain(left).fold(Condition::Known(true), Condition::and);
+        if !matches!(condition, Condition::Known(false)) {
+            self.exits.push(Exit { target, condition, assigned, value });
+        }
+    }
+
+    /// Whether control may have been led to this end.
+    pub(super) fn has_exits(&self, target: Target) -> bool {
+        self.exits.iter().any(|exit| exit.target == target)
+    }
+
+    /// Whether it certainly was.
+    pub(super) fn certainly_exits(&self, target: Target) -> bool {
+        self.exits.iter().any(|exit| exit.target == target && matches!(exit.condition, Condition::Known(true)))
+    }
+
+    /// Ends a loop or a round: the variables are what they are at the ways out, and where there was none (`ends`), what
+    /// they are now. The place of a variable that has two kinds of values.
+    pub(super) fn end(&mut self, a: &mut Algebra, ends: bool) -> Result<(), usize> {
+        let Some(region) = self.regions.pop() else { return Ok(()) };
+        let journal = self.journals.pop().unwrap_or_default();
+        let exits = self.take_exits(region.target);
+        let mut goes_on = ends;
+        let mut now: Assigned =
+            journal.iter().filter(|(p, _)| *p < region.variables).map(|(p, _)| (*p, self.value(*p).clone())).collect();
+        for exit in exits.iter().rev() {
+            for (place, value) in &mut now {
+                let there = assigned_to(&exit.assigned, *place).or_else(|| assigned_to(&journal, *place));
+                let there = there.unwrap_or(value);
+                *value = if goes_on { there.select(a, &exit.condition, value).ok_or(*place)? } else { there.clone() };
+            }
+            goes_on = true;
+        }
+        // The enclosing journal has to know the values before.
+        for (place, before) in journal.into_iter().filter(|(place, _)| *place < region.variables) {
+            self.variables[place].1 = before;
+        }
+        self.take(now);
+        Ok(())
+    }
+
+    fn take_exits(&mut self, target: Target) -> Vec<Exit> {
+        let (taken, rest) = core::mem::take(&mut self.exits).into_iter().partition(|exit| exit.target == target);
+        self.exits = rest;
+        taken
+    }
+
+    /// The function's value, of those that were returned and the one at its end; `None` where they are of two kinds.
+    pub(super) fn result(&mut self, a: &mut Algebra, end: Value) -> Option<Value> {
+        let exits = self.take_exits(Target::Function);
+        exits.into_iter().rev().try_fold(end, |value, exit| exit.value.select(a, &exit.condition, &value))
+    }
+}
+
+fn assigned_to(assigned: &Assigned, place: usize) -> Option<&Value> {
+    assigned.iter().find(|(known, _)| *known == place).map(|(_, value)| value)
+}

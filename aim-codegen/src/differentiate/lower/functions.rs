@@ -1,0 +1,145 @@
+//! Functions of the module, functions inside of functions, and closures: a call runs the body in a frame of its own.
+
+use std::rc::Rc;
+
+use quote::ToTokens;
+use syn::{Expr, ExprClosure, ItemFn, Pat};
+
+use super::Translation;
+use super::frame::Frame;
+use super::value::Value;
+use crate::differentiate::{items, messages};
+
+/// What can be called.
+pub(crate) struct Callable {
+    /// Of a function, with its type in front.
+    pub(crate) name: Option<String>,
+    pub(crate) parameters: Vec<(Pat, Option<syn::Type>)>,
+    /// The generic parameters that are lengths of arrays.
+    pub(crate) lengths: Vec<String>,
+    pub(crate) body: Expr,
+    /// The variables that it sees of where it is made.
+    pub(crate) captured: Vec<(String, Value)>,
+    /// What `Self` is.
+    pub(crate) self_type: Option<String>,
+}
+
+impl core::fmt::Debug for Callable {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Callable").field("name", &self.name).finish_non_exhaustive()
+    }
+}
+
+/// A function inside of a function: it sees those before it, and no variables.
+pub(super) fn inner(item: &ItemFn, scope: &[(String, Value)]) -> Rc<Callable> {
+    let functions = scope.iter().filter(|(_, value)| matches!(value, Value::Function(_)));
+    Rc::new(Callable { captured: functions.cloned().collect(), ..items::callable(&item.sig, &item.block, None) })
+}
+
+impl Translation<'_> {
+    pub(super) fn closure(&mut self, closure: &ExprClosure) -> Value {
+        let parameters = closure.inputs.iter().map(|pattern| (pattern.clone(), None));
+        Value::Function(Rc::new(Callable {
+            name: None,
+            parameters: parameters.collect(),
+            lengths: Vec::new(),
+            body: (*closure.body).clone(),
+            captured: self.frame.variables().to_vec(),
+            self_type: self.frame.self_type.clone(),
+        }))
+    }
+
+    /// The value of a function's body, its parameters being the arguments.
+    pub(crate) fn body(&mut self, place: &impl ToTokens, function: &Callable, arguments: Vec<Value>) -> Value {
+        let mut frame = Frame::new(function.captured.clone());
+        frame.self_type.clone_from(&function.self_type);
+        let outer = core::mem::replace(&mut self.frame, frame);
+        for ((pattern, ty), value) in function.parameters.iter().zip(arguments) {
+            if let Some(ty) = ty {
+                self.bind_lengths(&function.lengths, ty, &value);
+            }
+            self.bind(pattern, value);
+        }
+        let end = self.expression(&function.body);
+        let value = self.frame.result(self.algebra, end);
+        self.frame = outer;
+        match value {
+            // Nothing comes out of it; the compiler says so.
+            Some(Value::Never) => Value::Unknown,
+            Some(value) => value,
+            None => self.refuse(place, messages::returns_differ()),
+        }
+    }
+
+    /// The value of a call.
+    pub(super) fn inline(&mut self, place: &impl ToTokens, function: &Rc<Callable>, arguments: Vec<Value>) -> Value {
+        if arguments.iter().any(Value::is_unknown) || self.items.is_faulty(function) {
+            return Value::Unknown;
+        }
+        if self.calls.iter().any(|known| Rc::ptr_eq(known, function)) {
+            let name = function.name.as_deref().unwrap_or("a closure");
+            return self.refuse(place, messages::recursion(name));
+        }
+        // Of another number of arguments the compiler speaks.
+        if function.parameters.len() != arguments.len() {
+            return Value::Unknown;
+        }
+        let errors = self.report.count();
+        self.calls.push(function.clone());
+        let value = self.body(place, function, arguments);
+        self.calls.pop();
+        if self.report.count() > errors {
+            self.items.is_at_fault(function);
+            return Value::Unknown;
+        }
+        if self.is_too_large() { self.refuse_too_large(place) } else { value }
+    }
+
+    /// The generic lengths that the type of a parameter names, by its argument.
+    fn bind_lengths(&mut self, lengths: &[String], ty: &syn::Type, value: &Value) {
+        match (ty, value) {
+            (syn::Type::Reference(reference), _) => self.bind_lengths(lengths, &reference.elem, value),
+            (syn::Type::Array(array), Value::Array(values)) => {
+                if let Expr::Path(path) = &array.len
+                    && let Some(name) = path.path.get_ident()
+                    && lengths.iter().any(|known| name == known)
+                {
+                    let length = self.algebra.whole(values.len());
+                    self.frame.declare(name.to_string(), length);
+                }
+                if let Some(first) = values.first() {
+                    self.bind_lengths(lengths, &array.elem, first);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// The function that an argument stands for, to be called with so many arguments itself.
+    pub(super) fn function_argument(&mut self, argument: &Expr, count: usize) -> Option<Rc<Callable>> {
+        let closure: ExprClosure = match argument {
+            Expr::Closure(closure) => closure.clone(),
+            Expr::Path(path)
+                if path.path.get_ident().is_none_or(|name| self.frame.find(&name.to_string()).is_none()) =>
+            {
+                match count {
+                    1 => syn::parse_quote!(|a| #path(a)),
+                    _ => syn::parse_quote!(|a, b| #path(a, b)),
+                }
+            }
+            other => {
+                return match self.expression(other) {
+                    Value::Function(function) => Some(function),
+                    value => {
+                        self.refuse_known(&value, other, messages::not_a_function_value());
+                        None
+                    }
+                };
+            }
+        };
+        match self.closure(&closure) {
+            Value::Function(function) => Some(function),
+            _ => None,
+        }
+    }
+}

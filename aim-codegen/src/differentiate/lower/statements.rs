@@ -1,0 +1,298 @@
+//! Statements: they are run one after another, over the variables of the [`Frame`](super::frame::Frame). A loop is run
+//! round by round.
+
+use quote::ToTokens;
+use syn::punctuated::Punctuated;
+use syn::token::Comma;
+use syn::{Block, Expr, ExprForLoop, ExprWhile, Item, Lifetime, Pat, Stmt};
+
+use super::condition::Condition;
+use super::frame::Target;
+use super::value::Value;
+use super::{CHOICE, Translation, functions};
+use crate::declare::report::text::Text;
+use crate::differentiate::messages;
+
+/// The most nodes of a function's graph. What is derived of more takes minutes to compile.
+const MOST_NODES: usize = 20_000;
+
+/// The most rounds of all loops together.
+const MOST_ROUNDS: usize = 10_000;
+
+impl Translation<'_> {
+    /// The value of a block.
+    pub(super) fn block(&mut self, block: &Block) -> Value {
+        let depth = self.frame.depth();
+        for statement in &block.stmts {
+            if let Stmt::Item(Item::Fn(item)) = statement {
+                let function = functions::inner(item, self.frame.variables());
+                self.frame.declare(item.sig.ident.to_string(), Value::Function(function));
+            }
+        }
+        let mut value = Value::nothing();
+        let mut faulty = false;
+        for statement in &block.stmts {
+            value = self.statement(statement);
+            faulty |= matches!(value, Value::Unknown);
+            // What follows is not reached.
+            if value.is_never() {
+                break;
+            }
+        }
+        self.frame.leave(depth);
+        // What comes of a faulty statement may have been meant to be the value.
+        if faulty { Value::Unknown } else { value }
+    }
+
+    fn statement(&mut self, statement: &Stmt) -> Value {
+        match statement {
+            Stmt::Local(local) => {
+                let value = match &local.init {
+                    Some(init) => {
+                        if let Some((otherwise, _)) = &init.diverge {
+                            self.unsupported(otherwise, "`let … else`", CHOICE);
+                        }
+                        self.expression(&init.expr)
+                    }
+                    // It is assigned before it is read, or the compiler says so.
+                    None => Value::Unknown,
+                };
+                let never = value.is_never();
+                self.bind(&local.pat, value);
+                if never { Value::Never } else { Value::nothing() }
+            }
+            Stmt::Item(Item::Const(item)) => {
+                let value = self.expression(&item.expr);
+                self.frame.declare(item.ident.to_string(), value);
+                Value::nothing()
+            }
+            Stmt::Item(Item::Use(_) | Item::Fn(_)) => Value::nothing(),
+            Stmt::Item(item) => self.refuse(item, messages::inner_item()),
+            Stmt::Macro(statement) => self.macro_call(&statement.mac),
+            Stmt::Expr(expression, None) => self.expression(expression),
+            Stmt::Expr(expression, Some(semicolon)) => {
+                let value = self.expression(expression);
+                match &value {
+                    Value::Tuple(parts) if parts.is_empty() => value,
+                    Value::Never => value,
+                    _ => self.refuse_known(&value, semicolon, messages::no_effect()),
+                }
+            }
+        }
+    }
+
+    /// A macro's meaning cannot be seen, but that of assertions is known.
+    pub(super) fn macro_call(&mut self, call: &syn::Macro) -> Value {
+        let name = call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
+        if ["debug_assert", "debug_assert_eq", "debug_assert_ne"].contains(&name.as_str()) {
+            return Value::nothing();
+        }
+        self.refuse(&call.path, messages::macro_call())
+    }
+
+    /// Gives the names of a pattern their values.
+    pub(super) fn bind(&mut self, pattern: &Pat, value: Value) {
+        match pattern {
+            Pat::Ident(name) => {
+                if let Some(by_ref) = &name.by_ref {
+                    self.refuse(by_ref, messages::pattern());
+                }
+                if let Some((at, _)) = &name.subpat {
+                    self.refuse(at, messages::pattern());
+                }
+                self.frame.declare(name.ident.to_string(), value);
+            }
+            Pat::Type(typed) => self.bind(&typed.pat, value),
+            Pat::Paren(paren) => self.bind(&paren.pat, value),
+            Pat::Reference(reference) => self.bind(&reference.pat, value),
+            Pat::Wild(_) => {}
+            Pat::Tuple(tuple) => {
+                let is_tuple = matches!(value, Value::Tuple(_));
+                self.bind_parts(tuple, &tuple.elems, value, is_tuple);
+            }
+            Pat::Slice(slice) => {
+                let is_array = matches!(value, Value::Array(_));
+                self.bind_parts(slice, &slice.elems, value, is_array);
+            }
+            Pat::Struct(of) => {
+                for field in &of.fields {
+                    let part = self.part(&value, &field.member);
+                    self.bind(&field.pat, part);
+                }
+            }
+            Pat::TupleStruct(of) => {
+                for (index, pattern) in of.elems.iter().enumerate() {
+                    let part = self.part(&value, &syn::Member::from(index));
+                    self.bind(pattern, part);
+                }
+            }
+            other => _ = self.refuse(other, messages::pattern()),
+        }
+    }
+
+    /// Gives the names of the patterns the values of the parts; `..` stands for those that are left.
+    fn bind_parts(&mut self, whole: &impl ToTokens, patterns: &Punctuated<Pat, Comma>, value: Value, fits: bool) {
+        let rest = patterns.iter().position(is_rest);
+        let count = patterns.len() - usize::from(rest.is_some());
+        let values = match value {
+            Value::Tuple(values) | Value::Array(values)
+                if fits && (values.len() == count || rest.is_some() && values.len() > count) =>
+            {
+                values
+            }
+            other => {
+                vec![self.refuse_known(&other, whole, messages::pattern_of(&other.describe())); count]
+            }
+        };
+        let left = values.len() - count;
+        let mut values = values.into_iter();
+        for pattern in patterns {
+            let value = if is_rest(pattern) {
+                Value::Array(values.by_ref().take(left).collect())
+            } else {
+                values.next().unwrap_or(Value::Unknown)
+            };
+            match pattern {
+                Pat::Rest(_) => {}
+                Pat::Ident(name) if is_rest(pattern) => self.frame.declare(name.ident.to_string(), value),
+                pattern => self.bind(pattern, value),
+            }
+        }
+    }
+
+    pub(super) fn for_loop(&mut self, e: &ExprForLoop) -> Value {
+        let over = self.expression(&e.expr);
+        if over.is_unknown() {
+            return over;
+        }
+        let kind = over.describe();
+        let Some(items) = over.items() else {
+            return self.refuse(&e.expr, messages::not_iterable(&kind));
+        };
+        let label = e.label.as_ref().map(|label| &label.name);
+        let mut items = items.into_iter();
+        self.rounds(&e.for_token, label, |this| {
+            let Some(item) = items.next() else { return Round::Over };
+            this.bind(&e.pat, item);
+            Round::Of(this.block(&e.body))
+        })
+    }
+
+    pub(super) fn while_loop(&mut self, e: &ExprWhile) -> Value {
+        let label = e.label.as_ref().map(|label| &label.name);
+        self.rounds(&e.while_token, label, |this| match this.expression(&e.cond) {
+            Value::Truth(Condition::Known(false)) => Round::Over,
+            Value::Truth(Condition::Known(true)) => Round::Of(this.block(&e.body)),
+            other => Round::Of(this.refuse_known(&other, &e.cond, messages::rounds_unknown())),
+        })
+    }
+
+    /// Runs the rounds of a loop.
+    fn rounds(
+        &mut self,
+        token: &impl ToTokens,
+        label: Option<&Lifetime>,
+        mut round: impl FnMut(&mut Self) -> Round,
+    ) -> Value {
+        let loops = self.frame.loops();
+        let (whole, once) = (Target::Loop(loops), Target::Round(loops));
+        self.frame.begin(whole, label.map(|label| label.ident.to_string()));
+        let (mut ends, mut value, errors) = (true, Value::nothing(), self.report.count());
+        loop {
+            let depth = self.frame.depth();
+            self.frame.begin(once, None);
+            let done = round(self);
+            self.frame.leave(depth);
+            let (never, unknown) = match &done {
+                Round::Over => (false, false),
+                Round::Of(value) => (value.is_never(), matches!(value, Value::Unknown)),
+            };
+            let goes_on = !never || self.frame.has_exits(once);
+            if self.frame.end(self.algebra, !never).is_err() {
+                value = self.refuse(token, messages::variable_of_two_kinds());
+            }
+            if matches!(done, Round::Over) {
+                break;
+            }
+            // One round says what is wrong.
+            if unknown || self.report.count() > errors {
+                value = Value::Unknown;
+                break;
+            }
+            if !goes_on || self.frame.certainly_exits(whole) {
+                ends = false;
+                break;
+            }
+            self.rounds_run += 1;
+            if self.rounds_run > MOST_ROUNDS || self.is_too_large() {
+                value = self.refuse_too_large(token);
+                break;
+            }
+        }
+        let left = self.frame.has_exits(whole);
+        if self.frame.end(self.algebra, ends).is_err() {
+            return self.refuse(token, messages::variable_of_two_kinds());
+        }
+        if !ends && !left && !value.is_unknown() { Value::Never } else { value }
+    }
+
+    /// Whether the graph has outgrown its bound.
+    pub(super) fn is_too_large(&self) -> bool {
+        self.algebra.g.len() > MOST_NODES
+    }
+
+    /// `return`, `break` or `continue`.
+    pub(super) fn jump(&mut self, expression: &Expr) -> Value {
+        let (target, value) = match expression {
+            Expr::Return(e) => {
+                let value = e.expr.as_ref().map_or(Value::nothing(), |value| self.expression(value));
+                (Some(Target::Function), value)
+            }
+            Expr::Break(e) if e.expr.is_some() => {
+                return self.unsupported(
+                    &e.break_token,
+                    "`break` with a value",
+                    "assign it to a variable before the loop",
+                );
+            }
+            Expr::Break(e) => (self.loop_of(e.label.as_ref()).map(Target::Loop), Value::nothing()),
+            Expr::Continue(e) => (self.loop_of(e.label.as_ref()).map(Target::Round), Value::nothing()),
+            _ => (None, Value::Unknown),
+        };
+        match target {
+            Some(_) if matches!(value, Value::Unknown) => value,
+            Some(target) => {
+                self.frame.exit(target, value);
+                Value::Never
+            }
+            // There is no such loop: the compiler says so.
+            None => Value::Unknown,
+        }
+    }
+
+    fn loop_of(&self, label: Option<&Lifetime>) -> Option<usize> {
+        self.frame.find_loop(label.map(|label| label.ident.to_string()).as_deref())
+    }
+}
+
+/// Whether a pattern is `..` or `name @ ..`.
+fn is_rest(pattern: &Pat) -> bool {
+    match pattern {
+        Pat::Rest(_) => true,
+        Pat::Ident(name) => name.subpat.as_ref().is_some_and(|(_, inner)| matches!(**inner, Pat::Rest(_))),
+        _ => false,
+    }
+}
+
+/// What is said of a function that is too large.
+pub(super) fn too_large() -> Text {
+    messages::too_large(MOST_NODES, MOST_ROUNDS)
+}
+
+/// A round of a loop.
+enum Round {
+    /// There is none.
+    Over,
+    /// Its value.
+    Of(Value),
+}

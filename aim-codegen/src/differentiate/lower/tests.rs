@@ -1,0 +1,216 @@
+//! That a function is run as the compiler runs it: the same text, compiled and interpreted.
+
+use aim_symbolic::Bindings;
+use syn::Item;
+
+use super::{Algebra, Translation, Value};
+use crate::declare::report::Report;
+use crate::declare::tree::Notation;
+use crate::differentiate::items::Items;
+use crate::differentiate::types::Precision;
+
+/// The value of the last function of a module at these numbers, by interpretation.
+fn interpreted(module: &str, arguments: [f64; 2]) -> f64 {
+    let file: syn::File = syn::parse_str(module).expect("it has been compiled");
+    let items = Items::of(&file.items);
+    let Some(Item::Fn(function)) = file.items.last() else { panic!("a function stands last") };
+    let (mut algebra, mut report) = (Algebra::new(), Report::new(Notation::Rust));
+    let inputs = ["x", "y"].map(|name| algebra.g.input(name));
+    let patterns = function.sig.inputs.iter().map(|input| match input {
+        syn::FnArg::Typed(typed) => &*typed.pat,
+        syn::FnArg::Receiver(_) => panic!("of functions"),
+    });
+    let values = inputs.map(Value::Scalar);
+    let value = Translation::new(&mut algebra, &mut report, &items, Some(Precision::Double)).function(
+        &function.block,
+        patterns.zip(values),
+        &[],
+    );
+    let errors: Vec<String> = report.into_list().into_iter().map(|error| error.message().to_owned()).collect();
+    assert!(errors.is_empty(), "{errors:?} in {module}");
+    let Value::Scalar(value) = value else { panic!("a number comes of it: {value:?} in {module}") };
+    let bindings = Bindings::new(&algebra.g, &arguments, &[]);
+    algebra.g.evaluate(value, &bindings)
+}
+
+/// Compiles a module whose last function is `f`, and compares it with its own text at points on both sides of all its
+/// branches.
+macro_rules! same {
+    ($($name:ident { $($module:item)* })*) => {$(
+        #[test]
+        fn $name() {
+            #[allow(clippy::all, clippy::pedantic, unused_assignments, unreachable_pub, reason = "as users write it")]
+            mod compiled {
+                $($module)*
+            }
+            let text = concat!($(stringify!($module), "\n"),*);
+            for x in [-2.5, -1.0, -0.25, 0.5, 1.0, 2.0, 3.75] {
+                for y in [-3.0, -0.5, 0.0, 0.75, 2.5] {
+                    let (found, expected) = (interpreted(text, [x, y]), compiled::f(x, y));
+                    let close = (found - expected).abs() <= 1e-12 * (1.0 + expected.abs());
+                    assert!(close || found == expected, "f({x}, {y}): {found}, compiled {expected}");
+                }
+            }
+        }
+    )*};
+}
+
+same! {
+    assignments_in_branches {
+        pub fn f(mut x: f64, y: f64) -> f64 {
+            let (mut a, mut b) = (1.0, y);
+            if x > 0.0 {
+                a = x;
+                if y > x { let mut c = a; c *= y; b += c; } else { (a, b) = (b, a); }
+                x *= 2.0;
+            } else if y < -1.0 {
+                b -= 3.0;
+            }
+            let late;
+            if b > 1.0 { late = b; } else { late = -a; }
+            x + 10.0 * a + 100.0 * b + 1000.0 * late
+        }
+    }
+    early_returns {
+        pub fn f(x: f64, y: f64) -> f64 {
+            if x < -2.0 { return y; }
+            let mut sum = x;
+            if y > 0.5 {
+                sum += 1.0;
+                if x > 1.5 { return sum * y; }
+                sum *= 3.0;
+            } else if x > 3.0 {
+                return if y < 0.0 { -1.0 } else { return 7.0 };
+            }
+            let kept = if sum > 2.0 { sum } else if y == 0.0 { return 5.0 } else { 2.0 };
+            if kept > 4.0 { kept } else { kept - x }
+        }
+    }
+    loops_with_ways_out {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let table = [0.5, -1.0, 2.0, 4.0];
+            let mut sum = 0.0;
+            for (i, t) in table.iter().enumerate() {
+                if *t < y { continue; }
+                sum += t * x;
+                if sum > 3.0 && i > 0 { break; }
+                if sum < -6.0 { return sum; }
+                sum += 0.125 * i as f64;
+            }
+            let mut rounds = 0;
+            'outer: for i in 0..3 {
+                for j in (i..3).rev() {
+                    rounds += 1;
+                    if x > table[i] + table[j] { continue 'outer; }
+                    if y > table[j] { break 'outer; }
+                    sum += 0.01 * (i * j) as f64;
+                }
+                sum -= 0.001;
+            }
+            sum + rounds as f64
+        }
+    }
+    counting_loops {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut n = 0;
+            let mut power = 1.0;
+            while n < 4 {
+                n += 1;
+                if n == 2 { continue; }
+                power *= x;
+                for _ in 0..n { power += y; }
+            }
+            for _ in 3..3 { power = 0.0; }
+            power + (n % 3) as f64
+        }
+    }
+    newton_until_it_is_close {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut guess = x.abs() + 1.0;
+            for _ in 0..20 {
+                let next = 0.5 * (guess + (y * y + 2.0) / guess);
+                if (next - guess).abs() < 1e-9 { return next; }
+                guess = next;
+            }
+            guess
+        }
+    }
+    arrays_of_arrays {
+        pub fn f(x: f64, y: f64) -> f64 {
+            const N: usize = 3;
+            let mut m = [[0.0; N]; N];
+            for i in 0..N {
+                for j in 0..N {
+                    m[i][j] = if i == j { x } else { y * (i + 2 * j) as f64 };
+                    if i > 0 { m[i][j] -= 0.5 * m[i - 1][j]; }
+                }
+            }
+            let [first, .., last] = [m[0], m[1], m[2]];
+            let [_, rest @ ..] = m;
+            let mut trace = 0.0;
+            for (row, w) in m.iter().zip([1.0, -2.0, 0.5]) {
+                for v in row { trace += w * v * v; }
+            }
+            let windows: f64 = m[1].windows(2).map(|w| w[1] - w[0]).sum();
+            trace + rest[1][0] + first[1] + last[2] + windows + m[1..].iter().map(|row| row[0]).fold(0.0, f64::max)
+        }
+    }
+    helpers_structs_and_constants {
+        const WEIGHTS: [f64; 3] = [1.0, SECOND, -0.5];
+        const SECOND: f64 = 2.0 * 0.75;
+        type Real = f64;
+        #[derive(Clone, Copy)]
+        struct Spring { rest: Real, stiffness: Real }
+        struct Pair(Spring, f64);
+        impl Spring {
+            const SOFT: Self = Self { rest: 0.5, stiffness: 0.25 };
+            fn new(rest: f64) -> Self { Self { rest, ..Self::SOFT } }
+            fn energy(&self, x: f64) -> f64 {
+                let d = x - self.rest;
+                if d < 0.0 { return 0.0; }
+                0.5 * self.stiffness * d * d
+            }
+        }
+        fn clamp(x: f64, (low, high): (f64, f64)) -> f64 {
+            if x < low { return low; }
+            if x > high { high } else { x }
+        }
+        fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+            let mut sum = 0.0;
+            for i in 0..N { sum += a[i] * b[i]; }
+            sum
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            fn twice(x: f64) -> f64 { 2.0 * x }
+            let mut spring = Spring::new(y);
+            spring.stiffness += 1.0;
+            let Pair(of, w) = Pair(spring, 3.0);
+            let scale = 0.5;
+            let half = |v: f64| v * scale;
+            dot(&WEIGHTS, &[x, y, half(x)]) + of.energy(x) * w + clamp(twice(y), (-1.0, 1.0)) + Spring::SOFT.energy(x)
+        }
+    }
+    matches {
+        fn mode(k: usize, x: f64) -> f64 {
+            match k {
+                0 => x,
+                1 | 2 if x > 0.0 => 2.0 * x,
+                1..=3 => -x,
+                n => n as f64,
+            }
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut count = 0;
+            if x > 1.0 { count += 1; }
+            if y > 0.0 { count += 2; }
+            let side = match (x > 0.0, y > 0.0) {
+                (true, true) => 1.0,
+                (false, _) => x,
+                _ => y,
+            };
+            let v = 2.0 * x;
+            let shadowed = match y { v if v > x => v, _ => v };
+            shadowed + side + (0..5).map(|k| mode(k, x - y)).sum::<f64>() + match count { 0 => x, 1 => y, 3 => 5.0, _ => -1.0 }
+        }
+    }
+}

@@ -1,0 +1,76 @@
+use aim::differentiate;
+
+#[differentiate]
+mod model {
+    use aim::glam::Vec3;
+
+    pub struct Spring {
+        pub stiffness: f32,
+        pub name: String,
+        pub rest: f32,
+    }
+
+    impl Spring {
+        fn energy(&self, x: f32) -> f32 {
+            0.5 * self.stiffness * (x - self.rest).powi(2)
+        }
+    }
+
+    // One error, though it is called twice and in two functions.
+    fn helper(x: f32) -> f32 {
+        x.floor()
+    }
+
+    fn factorial(x: f32, n: usize) -> f32 {
+        if n == 0 { x } else { n as f32 * factorial(x, n - 1) }
+    }
+
+    #[differentiate(wrt(x))]
+    pub fn recursive(x: f32) -> f32 {
+        factorial(x, 3) + helper(x) + helper(2.0 * x)
+    }
+
+    #[differentiate(wrt(x))]
+    pub fn again(x: f32) -> f32 {
+        helper(x)
+    }
+
+    #[differentiate(wrt(x), budget = 1)]
+    pub fn fields(x: f32, spring: &Spring) -> f32 {
+        spring.energy(x) + spring.name.len() as f32
+    }
+
+    #[differentiate(wrt(x), check = true)]
+    pub fn unchecked(x: f32, spring: &Spring) -> f32 {
+        spring.energy(x)
+    }
+
+    #[differentiate(wrt(spring, flag, p))]
+    pub fn variables(spring: Spring, flag: bool, p: &[Vec3]) -> f32 {
+        if flag { spring.rest } else { p[0].x }
+    }
+
+    #[differentiate(wrt(x))]
+    pub fn whole(x: f32) -> Spring {
+        Spring { stiffness: x, name: String::new(), rest: x }
+    }
+}
+
+#[differentiate(wrt(x))]
+mod misplaced {
+    #[differentiate(wrt(x))]
+    pub fn square(x: f32) -> f32 {
+        x * x
+    }
+}
+
+#[differentiate]
+mod idle {
+    pub fn square(x: f32) -> f32 {
+        x * x
+    }
+}
+
+fn main() {
+    let _ = (misplaced::square_gradient(1.0), idle::square(1.0));
+}
