@@ -54,8 +54,8 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
     aim_codegen::derive(input.into()).into()
 }
 
-/// Differentiates a function: beside it appears one that gives its value and its derivatives, as straight-line code
-/// derived while compiling.
+/// Differentiates a function, or functions of a module: beside each appears one that gives its value and its derivatives, as
+/// straight-line code derived while compiling.
 ///
 /// ```ignore
 /// #[differentiate(wrt(p, h), budget = 46)]
@@ -73,8 +73,41 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// | companion | of | returns |
 /// |---|---|---|
 /// | `…_gradient` | a number | the value and a tuple of derivatives in the order of `wrt`, each of its argument's own type |
-/// | `…_jacobian` | a vector | the value and a tuple: by a number a vector; of a `Vec3` by a `Vec3` the matrix whose columns are the derivatives by the components (`Mat3`, `DMat3`); by anything else an array of vectors, one a component |
+/// | `…_jacobian` | a vector | the value and a tuple: by a number a vector; of a `Vec3` by a `Vec3` the matrix whose columns are the derivatives by the components (`Mat3`, `DMat3`); by anything else an array of vectors, one a component of the argument |
+/// | `…_jacobian` | several numbers: an array, a tuple, a struct, a quaternion, a matrix | the value and a tuple of arrays of **rows**: one row a number of the result, each the gradient of that number, of the argument's own type |
 /// | `…_hessian`, with `hessian` | a number | the value, the tuple, and `[[f32; n]; n]` over the variables' components |
+///
+/// The numbers of a value are in the order of its parts: elements and fields as declared, `x y z w`, matrices column by column.
+///
+/// # Modules
+///
+/// On a module in braces the attribute shows its functions what stands beside them: constants, structs with their methods
+/// and constants, type aliases, and functions, which are inlined. Those that have the attribute themselves get companions:
+///
+/// ```ignore
+/// #[differentiate(check = true)]
+/// mod fit {
+///     const WIDTH: f64 = 0.5;
+///
+///     fn robust(r: f64) -> f64 {
+///         if r.abs() < WIDTH {
+///             return 0.5 * r * r;
+///         }
+///         WIDTH * (r.abs() - 0.5 * WIDTH)
+///     }
+///
+///     #[differentiate(wrt(line))]
+///     pub fn cost(line: [f64; 2], points: &[[f64; 2]; 4]) -> f64 {
+///         let mut sum = 0.0;
+///         for [x, y] in points {
+///             sum += robust(line[0] * x + line[1] - y);
+///         }
+///         sum
+///     }
+/// }
+///
+/// let (cost, (by_line,)) = fit::cost_gradient([1.0, 0.0], &points);
+/// ```
 ///
 /// # Options
 ///
@@ -83,42 +116,51 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// | `wrt(p, h)` | the arguments to differentiate by; needed |
 /// | `budget = 46` | more operations than that in the gradient or Jacobian are a compile error that tells the counts (additions, multiplications, divisions and roots; sines and other functions are given) |
 /// | `hessian` | second derivatives, too |
-/// | `crate = path` | the path of `aim`, where it is not `::aim` |
+/// | `check = true` | a test beside the function compares its first derivatives with central differences at random points, where the function has a slope there; also of a module, for all of its functions |
+/// | `crate = path` | the path of `aim`, where it is not `::aim`; also of a module |
 ///
-/// # Types
+/// # The language
 ///
-/// Arguments, by value or by `&`, are known by the last word of their types: `f32`, `Vec2`, `Vec3`, `Vec3A`, `Quat`,
-/// `Mat3`, `Mat3A`, `Rigid`, `Affine3A`, `[f32; N]`, and `f64`, `DVec2`, `DVec3`, `DQuat`, `DMat3`, `DRigid`,
-/// `DAffine3`, `[f64; N]`; one number type a function. The result is a number or a vector.
+/// | | understood | not |
+/// |---|---|---|
+/// | arguments | `f32 Vec2 Vec3 Vec3A Vec4 Quat Mat3 Mat3A Rigid Affine3A` or `f64 DVec2 DVec3 DVec4 DQuat DMat3 DRigid DAffine3`, one number type a function; `bool` and integers, which do not vary; arrays, tuples and structs of the module of these; by value or by `&`; known by the last words of their types | slices: a loop over them has no known end |
+/// | results | numbers, vectors, quaternions, matrices, transforms; arrays, tuples and structs of these | |
+/// | statements | `let`, `let mut`, `const`, blocks, `=`, `+=` and its like to variables, fields and elements, `return`, `debug_assert!` (which companions leave out) | what is changed through a reference |
+/// | patterns | names, `_`, tuples, arrays with `..`, structs | |
+/// | branches | `if` and `match` on comparisons, numbers, ranges, tuples, with `&&`, `\|\|`, `!`: both sides are computed, and selected | `if let`, enums |
+/// | loops | `for` over constant ranges, arrays and `iter enumerate zip chain rev skip take step_by windows chunks_exact map`, `while` of a count, with `break`, `continue` and labels: written out, up to 10 000 rounds and 20 000 operations a function | `loop`, a number of rounds that an argument decides |
+/// | of arrays | `len map`, and of iterators `sum product fold`; indices and slices by constants, counters and what is computed of them | an index that an argument decides |
+/// | functions | those of the module, functions inside of the function, closures | recursion, closures that change what is outside |
+/// | whole numbers | `+ - * / %`, comparisons, `as` to numbers; of arguments no `/` and `%` | |
 ///
 /// - `Rigid` and `Affine3A` count as **rigid**, a rotation and a translation: the derivation relies on it. There are no
 ///   derivatives by them.
 /// - A `Quat` that is not in `wrt` counts as of length 1. One that is in `wrt` is four numbers: its derivatives are those
 ///   of glam's own formula, off the unit sphere too.
 /// - A `Mat3` is any matrix.
+/// - Derivatives by a struct are a struct of the same type.
 ///
-/// # What a function may do
+/// Of the methods of numbers and of glam's types there are
 ///
-/// - `let` (names and tuples of names), `const`, blocks, `if` and `else` with comparisons, `&&`, `||`, `!`
-/// - arithmetic on numbers, vectors, quaternions, matrices and transforms, as glam has it; fields and constant indices
-/// - of numbers: `sin cos sin_cos tan asin acos atan atan2 sqrt exp ln powi abs signum min max clamp recip mul_add hypot
-///   to_radians to_degrees`, and `core::f32::consts`
-/// - of vectors: `dot cross length length_squared length_recip distance distance_squared normalize normalize_or_zero
-///   lerp midpoint project_onto reject_from reflect angle_between abs min max clamp mul_add with_x truncate extend perp
-///   perp_dot rotate_x` and a few more; `Vec3::X`, `Vec3::ZERO` and their like
+/// - of numbers: `sin cos sin_cos tan asin acos atan atan2 sinh cosh tanh sqrt cbrt exp exp2 ln log log2 log10 powi powf
+///   abs signum copysign min max clamp recip mul_add hypot rem_euclid to_radians to_degrees`, `%`, and `core::f32::consts`;
+///   `powf` by a constant multiple of ½ is made of products and roots
+/// - of vectors: swizzles, `dot cross length length_squared length_recip distance distance_squared normalize
+///   normalize_or_zero lerp midpoint project_onto reject_from reflect angle_between clamp_length abs min max clamp mul_add
+///   with_x truncate extend perp perp_dot rotate_x` and a few more; `Vec3::X`, `Vec3::ZERO` and their like
 /// - of quaternions and matrices: `from_rotation_x`, `from_axis_angle`, `from_euler`, `from_quat`, `from_mat3`,
-///   `from_cols`, `inverse`, `conjugate`, `transpose`, `determinant`, `normalize`, `mul_vec3`, …
+///   `from_cols`, `inverse`, `conjugate`, `transpose`, `determinant`, `normalize`, `slerp`, `mul_vec3`, …
 /// - of transforms: `from_rotation_translation`, `transform_point3`, `transform_vector3`, `inverse`, …
 ///
-/// Anything else is a compile error where it stands, with what to write instead. What a function outside does cannot be
-/// seen, nor the value of a constant outside: pass them as arguments.
+/// Anything else is a compile error where it stands, with what to write instead.
 ///
 /// # Where there is no derivative
 ///
 /// A length that is zero has direction 0 and derivative 0 (a cross product's length with such a direction is that of the
 /// other vector); the derivative of a square root at 0 is 0; at a comparison's
 /// edge the derivative is that of the branch taken (`max` and `min` of equals take the receiver, `abs` of 0 the positive
-/// branch), and a sign has derivative 0. Comparisons take NaN for a number that is not below another, so `max` and `min` hand it
+/// branch), and a sign has derivative 0. A power of 0 has derivative 0 by its base and by its exponent; a remainder is `x − y⌊x / y⌋` with
+/// a whole number that is constant. Comparisons take NaN for a number that is not below another, so `max` and `min` hand it
 /// on, which those of `f32` do not. So derivatives are NaN only where the
 /// function itself is, or where a step on the way to it overflows: `1.0 / (1.0 + (-x).exp())` is 0 for x = −100 in `f32`,
 /// but the exponential is infinite. Exponentials of what is at most 0 are safe.
