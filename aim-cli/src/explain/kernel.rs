@@ -52,6 +52,7 @@ impl<'a> Kernel<'a> {
         match variable {
             Variable::Angle(angle) => self.notation.angle(g, angle),
             Variable::Input(input) => print::scalar(g, input, &self.notation),
+            Variable::Along(_) => unreachable!("kernels are differentiated by angles"),
         }
     }
 

@@ -49,9 +49,23 @@ impl Graph {
     ) -> (Vec<Scalar>, Vec<Passage>) {
         let output = self.rewrite_by(&[output], &COMPOSITIONS)[0];
         let order = self.order(&[output], Selects::Through);
-        let active = self.active(&order, variables);
+        let components: Vec<_> = variables.iter().map(|&variable| self.components_of(variable)).collect();
+        let mut alone: Vec<Variable> = Vec::new();
+        for &(variable, _) in components.iter().flatten() {
+            if !alone.contains(&variable) {
+                alone.push(variable);
+            }
+        }
+        let active = self.active(&order, &alone);
         let mut below_selects = Table::default();
-        Sweep::derivatives(self, output, variables, &active, placement, &mut below_selects)
+        let (gradient, passages) = Sweep::derivatives(self, output, &alone, &active, placement, &mut below_selects);
+        let by = |variable| gradient[alone.iter().position(|&known| known == variable).expect("it was collected")];
+        let sum = |terms: Vec<(Variable, Option<Scalar>)>| {
+            let terms = terms.into_iter().map(|(variable, k)| (by(variable), k));
+            let products: Vec<Scalar> = terms.map(|(slope, k)| k.map_or(slope, |k| self.mul(slope, k))).collect();
+            products.into_iter().reduce(|a, b| self.add(a, b)).unwrap_or_else(|| self.constant(0.0))
+        };
+        (components.into_iter().map(sum).collect(), passages)
     }
 }
 

@@ -21,8 +21,10 @@ impl Graph {
     pub(crate) fn swept_forward(&mut self, outputs: &[Scalar], variable: Variable) -> (Vec<Scalar>, Vec<Passage>) {
         let outputs = self.rewrite_by(outputs, &COMPOSITIONS);
         let order = self.order(&outputs, Selects::Through);
-        let active = self.active(&order, &[variable]);
-        let mut sweep = Sweep { g: self, variable, active, scalars: Table::default(), vectors: Table::default() };
+        let seeds = self.components_of(variable);
+        let variables: Vec<Variable> = seeds.iter().map(|(variable, _)| *variable).collect();
+        let active = self.active(&order, &variables);
+        let mut sweep = Sweep { g: self, seeds, active, scalars: Table::default(), vectors: Table::default() };
         let mut passages = Vec::new();
         for node in order {
             if sweep.active.contains(node) {
@@ -48,7 +50,8 @@ impl Graph {
 
 struct Sweep<'g> {
     g: &'g mut Graph,
-    variable: Variable,
+    /// The tangents of the variables; 1 is left out.
+    seeds: Vec<(Variable, Option<Scalar>)>,
     active: NodeSet,
     /// d scalar / d variable, of those that depend on it.
     scalars: Table<Scalar, Scalar>,
@@ -56,6 +59,11 @@ struct Sweep<'g> {
 }
 
 impl Sweep<'_> {
+    /// The tangent of a variable, if it has one: 1 is left out.
+    fn seed(&self, variable: Variable) -> Option<Option<Scalar>> {
+        self.seeds.iter().find(|(known, _)| *known == variable).map(|(_, seed)| *seed)
+    }
+
     fn scalar_tangent(&mut self, scalar: Scalar) -> Scalar {
         self.scalars.copied(scalar).unwrap_or_else(|| self.g.constant(0.0))
     }
@@ -75,9 +83,10 @@ impl Sweep<'_> {
     fn scalar(&mut self, scalar: Scalar) -> Scalar {
         let terms: Vec<Scalar> = match self.g.scalar_node(scalar) {
             ScalarNode::Op(Op::Input(_)) => {
-                let one = self.g.constant(1.0);
-                let slope = self.g.slope_of_input(scalar).map(|(_, slope)| self.g.times(one, slope));
-                vec![slope.unwrap_or(one)]
+                let slope = self.g.slope_of_input(scalar);
+                let variable = slope.as_ref().map_or(Variable::Input(scalar), |(angle, _)| Variable::Angle(*angle));
+                let seed = self.seed(variable).flatten().unwrap_or_else(|| self.g.constant(1.0));
+                vec![slope.map_or(seed, |(_, slope)| self.g.times(seed, slope))]
             }
             ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => {
                 let (then, otherwise) = (self.scalar_tangent(then), self.scalar_tangent(otherwise));
@@ -138,7 +147,10 @@ impl Sweep<'_> {
                 let of_v = self.vector_tangent(v).map(|change| self.g.rotate(rotation, change));
                 let of_angle = self.g.swing(rotation, vector).and_then(|(angle, perp)| match self.g.radians(angle) {
                     Some(radians) => self.scalars.copied(radians).map(|change| self.g.scale(change, perp)),
-                    None => (self.variable == Variable::Angle(angle)).then_some(perp),
+                    None => self.seed(Variable::Angle(angle)).map(|seed| match seed {
+                        Some(seed) => self.g.scale(seed, perp),
+                        None => perp,
+                    }),
                 });
                 self.sum([of_angle, of_v])
             }

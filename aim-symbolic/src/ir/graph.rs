@@ -5,7 +5,8 @@ use std::hash::Hash;
 use rustc_hash::FxHashMap;
 
 use crate::ir::node::{
-    Angle, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector, VectorNode,
+    Angle, Direction, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Variable, Vector,
+    VectorNode,
 };
 use crate::ir::op::{Constant, Function, Op};
 use crate::ir::table::Table;
@@ -42,6 +43,7 @@ pub struct Graph {
     angles: Vec<AngleEntry>,
     /// The angles that are expressions.
     angles_of: Table<Scalar, Angle>,
+    directions: Vec<Vec<(Variable, Scalar)>>,
     /// Vectors that are needed more than once, which the rules of the pass under way may not take apart.
     closed: Table<Vector, ()>,
     /// Rotations before which the calculation is to be done.
@@ -75,6 +77,7 @@ impl Graph {
             inputs: Vec::new(),
             angles: Vec::new(),
             angles_of: Table::default(),
+            directions: Vec::new(),
             closed: Table::default(),
             kept: Vec::new(),
             cancelled: Vec::new(),
@@ -220,6 +223,28 @@ impl Graph {
         self.angles.push(AngleEntry { name: format!("a{}", angle.0), sin, cos, radians: Some(radians) });
         self.angles_of.insert(radians, angle);
         angle
+    }
+
+    /// A direction with these components by inputs and angles; the components count as constants.
+    pub fn direction(&mut self, components: &[(Variable, Scalar)]) -> Direction {
+        let direction = Direction(u32::try_from(self.directions.len()).expect("directions fit in memory"));
+        self.directions.push(components.to_vec());
+        direction
+    }
+
+    /// The components of a direction.
+    pub fn direction_components(&self, direction: Direction) -> &[(Variable, Scalar)] {
+        &self.directions[direction.0 as usize]
+    }
+
+    /// A variable's components: itself, with a component of 1 that is left out, or those of a direction.
+    pub(crate) fn components_of(&self, variable: Variable) -> Vec<(Variable, Option<Scalar>)> {
+        match variable {
+            Variable::Along(direction) => {
+                self.direction_components(direction).iter().map(|&(variable, k)| (variable, Some(k))).collect()
+            }
+            _ => vec![(variable, None)],
+        }
     }
 
     /// A vector of three inputs.

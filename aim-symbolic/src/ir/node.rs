@@ -127,13 +127,19 @@ pub enum RotationNode {
     Transpose(Rotation),
 }
 
-/// What derivatives are taken by: an angle, or a number of the caller's.
+/// A direction in the space of the variables, with components that are expressions: derivatives by it are along it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Direction(pub(crate) u32);
+
+/// What derivatives are taken by: an angle, a number of the caller's, or several of them at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Variable {
     /// An angle whose sine and cosine are inputs.
     Angle(Angle),
     /// An input.
     Input(Scalar),
+    /// Along a direction: the sum of the derivatives by its variables, each times its component.
+    Along(Direction),
 }
 
 impl From<Angle> for Variable {
@@ -145,6 +151,12 @@ impl From<Angle> for Variable {
 impl From<Scalar> for Variable {
     fn from(input: Scalar) -> Self {
         Self::Input(input)
+    }
+}
+
+impl From<Direction> for Variable {
+    fn from(direction: Direction) -> Self {
+        Self::Along(direction)
     }
 }
 

@@ -84,6 +84,11 @@ impl Pools {
                 variables.extend(c.map(Variable::from));
             }
         }
+        // Along some of them at once, with components that are none.
+        if let aim_symbolic::VectorNode::Components(c) = g.vector_node(vectors[2]) {
+            let components = [(variables[0], c[0]), (variables[3], c[1]), (variables[4], c[2])];
+            variables.push(g.direction(&components).into());
+        }
         scalars.extend([1.0, 0.0].map(|c| g.constant(c)));
         vectors.extend([VECTORS[0], VECTORS[3], VECTORS[2]].map(|c| g.constant_vector(c)));
         let mut rotations = vec![g.turn(PLANES[0], angles[0]), g.turn(PLANES[1], angles[1])];
@@ -153,12 +158,21 @@ pub(crate) fn moving<T: Oracle>(g: &Graph, point: &[T], variable: Variable) -> V
         aim_symbolic::ScalarNode::Op(aim_symbolic::Op::Input(place)) => place as usize,
         node => unreachable!("{node:?} is no input"),
     };
-    match variable {
-        Variable::Input(s) => inputs[place(s)].slope = T::constant(1.0),
-        Variable::Angle(angle) => {
-            let (sin, cos) = g.sin_cos(angle);
-            inputs[place(sin)].slope = point[place(cos)];
-            inputs[place(cos)].slope = -point[place(sin)];
+    let components = match variable {
+        Variable::Along(direction) => {
+            g.direction_components(direction).iter().map(|&(x, k)| (x, point[place(k)])).collect()
+        }
+        variable => vec![(variable, T::constant(1.0))],
+    };
+    for (variable, speed) in components {
+        match variable {
+            Variable::Input(s) => inputs[place(s)].slope = speed,
+            Variable::Angle(angle) => {
+                let (sin, cos) = g.sin_cos(angle);
+                inputs[place(sin)].slope = speed * point[place(cos)];
+                inputs[place(cos)].slope = -speed * point[place(sin)];
+            }
+            Variable::Along(_) => unreachable!("directions are of inputs and angles"),
         }
     }
     inputs
