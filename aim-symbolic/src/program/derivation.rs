@@ -96,7 +96,7 @@ impl Derivation {
         }
         Self {
             graph,
-            stated: distinct(wanted.iter().map(|want| want.stated())),
+            stated: distinct(wanted.iter().filter_map(|want| want.stated())),
             values: log.values,
             sweeps: log.sweeps,
             derived: log.derived,

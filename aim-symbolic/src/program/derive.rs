@@ -18,6 +18,10 @@ pub enum Want {
     Derivative(Scalar, Variable),
     /// The derivative by the first variable, by the second.
     Second(Scalar, Variable, Variable),
+    /// Of all values r that are wanted together, the component of Jᵀr by the variable.
+    Projected(Variable),
+    /// The entry of JᵀJ by both.
+    Normal(Variable, Variable),
 }
 
 impl Want {
@@ -27,9 +31,22 @@ impl Want {
         values.iter().map(|&v| Self::Value(v)).chain(derivatives).collect()
     }
 
-    pub(crate) fn stated(self) -> Scalar {
-        let (Self::Value(stated) | Self::Derivative(stated, _) | Self::Second(stated, ..)) = self;
-        stated
+    /// What it is of; `None` of what is of all values.
+    pub(crate) fn stated(self) -> Option<Scalar> {
+        match self {
+            Self::Value(stated) | Self::Derivative(stated, _) | Self::Second(stated, ..) => Some(stated),
+            Self::Projected(_) | Self::Normal(..) => None,
+        }
+    }
+
+    /// The variables by which first derivatives of all values are taken.
+    fn of_all(self) -> impl Iterator<Item = Variable> {
+        let variables = match self {
+            Self::Projected(x) => [Some(x), None],
+            Self::Normal(x, y) => [Some(x), Some(y)],
+            _ => [None, None],
+        };
+        variables.into_iter().flatten()
     }
 }
 
@@ -110,11 +127,12 @@ pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[Rule]) -> (Program, 
 
 /// The sweeps worth a try; by the way back where nothing speaks for another.
 fn sweeps(wanted: &[Want]) -> Vec<Sweep> {
-    let variables = distinct(wanted.iter().filter_map(|w| match *w {
+    let by_one = wanted.iter().filter_map(|w| match *w {
         Want::Derivative(_, x) => Some(x),
         _ => None,
-    }));
-    let values = distinct(wanted.iter().map(|w| w.stated()));
+    });
+    let variables = distinct(by_one.chain(wanted.iter().flat_map(|w| w.of_all())));
+    let values = distinct(wanted.iter().filter_map(|w| w.stated()));
     let mut sweeps = vec![Sweep::Reverse(Placement::Late)];
     if !variables.is_empty() {
         sweeps.push(Sweep::Reverse(Placement::Early));
@@ -253,7 +271,7 @@ fn compiled(g: &mut Graph, outputs: &[Scalar], choices: &Choices, without: &[Rul
 fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule], log: &mut Log) -> Vec<Scalar> {
     let off: Vec<Rule> = without.iter().chain(&choices.without).copied().collect();
     let rules = Rules { without: &off, turned: choices.turned };
-    let stated = distinct(wanted.iter().map(|w| w.stated()));
+    let stated = distinct(wanted.iter().filter_map(|w| w.stated()));
     g.keep(&choices.kept);
     let worded = g.rewrite_with(&stated, &WORDING, &rules, log);
     let values = g.rewrite_with(&worded, &ROTATIONS, &rules, log);
@@ -263,10 +281,16 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
 
     let mut firsts: Vec<((Scalar, Variable), Scalar)> = Vec::new();
     let by_variable = |want: &Want| match *want {
-        Want::Value(_) => None,
         Want::Derivative(s, x) | Want::Second(s, x, _) => Some((s, x)),
+        _ => None,
     };
-    let pairs = distinct(wanted.iter().filter_map(by_variable));
+    let residuals = distinct(wanted.iter().filter_map(|want| match *want {
+        Want::Value(s) => Some(s),
+        _ => None,
+    }));
+    let of_all = wanted.iter().flat_map(|want| want.of_all());
+    let of_all = of_all.flat_map(|x| residuals.iter().map(move |&s| (s, x)));
+    let pairs = distinct(wanted.iter().filter_map(by_variable).chain(of_all));
     match choices.sweep {
         Sweep::Reverse(placement) => {
             for &s in &stated {
@@ -308,6 +332,10 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
         }
     }
 
+    let sum = |g: &mut Graph, factors: &dyn Fn(Scalar) -> (Scalar, Scalar)| {
+        let products: Vec<Scalar> = residuals.iter().map(|&s| factors(s)).map(|(a, b)| g.mul(a, b)).collect();
+        products.into_iter().reduce(|a, b| g.add(a, b)).unwrap_or_else(|| g.constant(0.0))
+    };
     let outputs: Vec<Scalar> = wanted
         .iter()
         .map(|want| match *want {
@@ -316,6 +344,8 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
             Want::Second(..) => {
                 seconds.iter().find(|(key, _)| key == want).map(|(_, d)| *d).expect("every second derivative was taken")
             }
+            Want::Projected(x) => sum(g, &|s| (value(s), first(s, x))),
+            Want::Normal(x, y) => sum(g, &|s| (first(s, x), first(s, y))),
         })
         .collect();
     log.derived.clone_from(&outputs);

@@ -28,6 +28,10 @@ pub(crate) fn wanted(stated: &Stated, random: &mut Rng) -> Vec<Want> {
         wanted.extend(variables.iter().map(|&x| Want::Derivative(s, x)));
     }
     if random.u8(..3) == 0 {
+        wanted.extend(variables.iter().map(|&x| Want::Projected(x)));
+        wanted.extend(variables.iter().map(|&y| Want::Normal(variables[0], y)));
+    }
+    if random.u8(..3) == 0 {
         let s = stated.outputs[0];
         wanted.extend(variables.iter().map(|&y| Want::Second(s, variables[0], y)));
     }
@@ -40,6 +44,18 @@ fn expected<T: Oracle>(stated: &Stated, inputs: &[T], want: Want) -> Option<T> {
     match want {
         Want::Value(s) => Some(Evaluation::new(inputs.to_vec()).scalar(g, s)),
         Want::Derivative(s, x) => Some(Evaluation::new(moving(g, inputs, x)).scalar(g, s).slope),
+        Want::Projected(_) | Want::Normal(..) => {
+            let of = |s, x| Evaluation::new(moving(g, inputs, x)).scalar(g, s);
+            let product = |s| match want {
+                Want::Normal(x, y) => of(s, x).slope * of(s, y).slope,
+                Want::Projected(x) => of(s, x).slope * Evaluation::new(inputs.to_vec()).scalar(g, s),
+                _ => unreachable!("the others are of one value"),
+            };
+            let mut once = stated.outputs.clone();
+            once.sort_unstable();
+            once.dedup();
+            Some(once.into_iter().map(product).fold(T::constant(0.0), |sum, product| sum + product))
+        }
         Want::Second(s, x, y) => {
             let mut evaluation: Evaluation<Dual<Dual<T>>> = Evaluation::new(moving(g, &moving(g, inputs, x), y));
             let value = evaluation.scalar(g, s);
