@@ -82,13 +82,11 @@ pub mod rigs {
     include_rigs!("rigs");
 }
 
-#[doc(hidden)]
-pub mod differences;
-
 /// What emitted code names; not for hand-written code.
 #[doc(hidden)]
 pub mod __private {
-    pub use crate::differences;
+    #[doc(hidden)]
+    pub use aim_runtime::differences;
     pub use aim_runtime::glam::Affine3A;
     pub use aim_runtime::{
         AimRig, Axes, Budget, Budgets, Description, Effector, GazeSharing, Joint, JointInfo, LimitsFrom, Pose, Real,

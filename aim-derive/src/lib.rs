@@ -76,6 +76,10 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// | `…_jacobian` | a vector | the value and a tuple: by a number a vector; of a `Vec3` by a `Vec3` the matrix whose columns are the derivatives by the components (`Mat3`, `DMat3`); by anything else an array of vectors, one a component of the argument |
 /// | `…_jacobian` | several numbers: an array, a tuple, a struct, a quaternion, a matrix | the value and a tuple of arrays of **rows**: one row a number of the result, each the gradient of that number, of the argument's own type |
 /// | `…_hessian`, with `hessian` | a number | the value, the tuple, and `[[f32; n]; n]` over the variables' components |
+/// | `…_jvp`, with `jvp` | anything | the value, and its derivative along a direction: further arguments `along_p` for each variable `p` |
+/// | `…_vjp`, with `vjp` | anything | the value, and the tuple of derivatives of its numbers' sum, each times its part of a further argument `weights` |
+/// | `…_hvp`, with `hvp` | a number | the derivative along a direction, as for `jvp`, and the Hessian times that direction, as a tuple |
+/// | `…_gauss_newton`, with `gauss_newton` | residuals r, anything | `r`, the tuple `Jᵀr`, and `JᵀJ` over the variables' components: the normal equations of least squares |
 ///
 /// The numbers of a value are in the order of its parts: elements and fields as declared, `x y z w`, matrices column by column.
 ///
@@ -115,7 +119,7 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// |---|---|
 /// | `wrt(p, h)` | the arguments to differentiate by; needed |
 /// | `budget = 46` | more operations than that in the gradient or Jacobian are a compile error that tells the counts (additions, multiplications, divisions and roots; sines and other functions are given) |
-/// | `hessian` | second derivatives, too |
+/// | `hessian`, `jvp`, `vjp`, `hvp`, `gauss_newton` | these companions, too: products cost a few times what the function does, however many variables there are |
 /// | `check = true` | a test beside the function compares its first derivatives with central differences at random points, where the function has a slope there; also of a module, for all of its functions |
 /// | `crate = path` | the path of `aim`, where it is not `::aim`; also of a module |
 ///

@@ -10,6 +10,9 @@
 extern crate alloc;
 
 mod axes;
+#[cfg(any(feature = "std", feature = "libm"))]
+#[doc(hidden)]
+pub mod differences;
 mod float;
 mod gaze;
 #[cfg(feature = "names")]

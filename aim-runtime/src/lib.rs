@@ -34,6 +34,8 @@ mod target;
 pub mod trajectory;
 
 pub use aim::{Aim, Aimed, Call, Targets};
+#[doc(hidden)]
+pub use aim_model::differences;
 pub use aim_model::{Axes, LimitsFrom, Real, Role, Scalar};
 #[cfg(feature = "std")]
 pub use dyn_aim::DynAim;

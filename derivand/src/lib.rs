@@ -19,5 +19,5 @@ pub type DRigid = glam::DAffine3;
 /// What derived code names; not for hand-written code.
 #[doc(hidden)]
 pub mod __private {
-    pub use aim_model::{Real, Scalar};
+    pub use aim_model::{Real, Scalar, differences};
 }

@@ -2,11 +2,12 @@
 
 use std::rc::Rc;
 
-use aim_symbolic::{Scalar, Vector};
+use aim_symbolic::{Graph, Scalar, Vector};
 use proc_macro2::{Ident, TokenStream};
-use quote::{ToTokens, quote};
+use quote::{ToTokens, format_ident, quote};
 use syn::{FnArg, Pat, ReturnType, Signature};
 
+use super::companion::{Companion, Takes};
 use super::items::Items;
 use super::lower::{Affine, Algebra, Condition, Map, Quaternion, Struct, Value};
 use super::messages;
@@ -161,6 +162,38 @@ impl Arguments {
         }
         variables.sort_by_key(|(place, _)| *place);
         declared.variables = variables.into_iter().map(|(_, inputs)| inputs).collect();
+        declared
+    }
+}
+
+impl Arguments {
+    /// The end of a companion's name; `None` without a result.
+    pub(super) fn suffix(&self, companion: Companion) -> Option<&'static str> {
+        let is_number = matches!(self.result.as_ref()?.shape, Shape::Scalar);
+        Some(if companion == Companion::First && !is_number { "jacobian" } else { companion.key() })
+    }
+
+    /// What a companion takes besides the arguments: names and types.
+    pub(super) fn taken(&self, companion: Companion) -> Vec<(Ident, Type)> {
+        match companion.takes() {
+            Takes::Nothing => Vec::new(),
+            Takes::Direction => {
+                let variables = self.variables().into_iter();
+                let named = variables.filter_map(|variable| Some((variable.name.as_ref()?, &variable.ty)));
+                named.map(|(name, ty)| (format_ident!("along_{}", word_of(name).text), ty.owned())).collect()
+            }
+            Takes::Weights => self.result.iter().map(|ty| (format_ident!("weights"), ty.owned())).collect(),
+        }
+    }
+
+    /// Declares their numbers as further inputs.
+    pub(super) fn further(&self, companion: Companion, g: &mut Graph, inputs: &mut Vec<TokenStream>) -> Vec<Scalar> {
+        let mut declared = Vec::new();
+        for (name, ty) in self.taken(companion) {
+            let first = inputs.len();
+            ty.numbers(&quote!(#name), self.precision(), inputs);
+            declared.extend((0..inputs.len() - first).map(|index| g.input(&format!("{name}_{index}"))));
+        }
         declared
     }
 }

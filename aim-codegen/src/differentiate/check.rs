@@ -3,6 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::companion::Companion;
 use super::emit::Companions;
 use super::types::{Shape, Type};
 
@@ -11,7 +12,7 @@ impl Companions<'_> {
     pub(super) fn check(&self) -> Option<TokenStream> {
         let (krate, function) = (self.krate, &self.item.sig.ident);
         let result = self.arguments.result.as_ref()?;
-        let suffix = if matches!(result.shape, Shape::Scalar) { "gradient" } else { "jacobian" };
+        let suffix = self.arguments.suffix(Companion::First)?;
         let (name, test) =
             (format_ident!("{function}_{suffix}"), format_ident!("{function}_{suffix}_agrees_with_differences"));
         let (mut draws, mut made, mut variables) = (Vec::new(), Vec::new(), Vec::new());

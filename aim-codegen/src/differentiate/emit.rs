@@ -5,7 +5,9 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::{Attribute, FnArg, ItemFn, Pat};
 
+use super::Derived;
 use super::arguments::{Arguments, pattern_argument};
+use super::companion::Companion;
 use super::types::{Shape, Type};
 use crate::emit::body::{Arithmetic, Body, counted};
 
@@ -14,52 +16,22 @@ pub(super) struct Companions<'a> {
     pub(super) item: &'a ItemFn,
     pub(super) arguments: &'a Arguments,
     pub(super) krate: &'a TokenStream,
-    /// What the inputs of the programs are called.
-    pub(super) inputs: &'a [TokenStream],
 }
 
-/// A further part of a companion's result: its type and, of the program's outputs, its value, each with a comma before it.
-type More<'a> = (TokenStream, &'a dyn Fn(&[TokenStream]) -> TokenStream);
-
 impl Companions<'_> {
-    /// `…_gradient` of a number, `…_jacobian` of a vector; with a stub for a body where there is no program.
-    pub(super) fn first_derivatives(&self, program: Option<&Program>) -> Option<TokenStream> {
+    /// The companion, with a stub for a body where there is no program; `None` where there is no result or it has none such.
+    pub(super) fn companion(&self, companion: Companion, derived: Option<&Derived>) -> Option<TokenStream> {
         let result = self.arguments.result.as_ref()?;
-        let (suffix, words) =
-            if matches!(result.shape, Shape::Scalar) { ("gradient", "gradient") } else { ("jacobian", "Jacobian") };
-        Some(self.companion(result, (suffix, words), program, None))
-    }
-
-    /// `…_hessian` of a number.
-    pub(super) fn hessian(&self, program: Option<&Program>) -> Option<TokenStream> {
-        let result = self.arguments.result.as_ref().filter(|result| matches!(result.shape, Shape::Scalar))?;
-        let original = &result.tokens;
-        let count: usize = self.arguments.variables().iter().map(|variable| variable.ty.components()).sum();
-        let size = Literal::usize_unsuffixed(count);
-        let rows = |outputs: &[TokenStream]| {
-            let rows = (0..count).map(|i| {
-                let entries = (0..count).map(|k| &outputs[1 + count + triangle(count, i.min(k), i.max(k))]);
-                quote!([#(#entries),*])
-            });
-            quote!(, [#(#rows),*])
-        };
-        let more: More<'_> = (quote!(, [[#original; #size]; #size]), &rows);
-        Some(self.companion(result, ("hessian", "Hessian"), program, Some(more)))
-    }
-
-    /// A function beside the user's: of the value, its derivatives by each variable, and, if there is `more`, something of
-    /// that type.
-    fn companion(
-        &self,
-        result: &Type,
-        (suffix, words): (&str, &str),
-        program: Option<&Program>,
-        more: Option<More<'_>>,
-    ) -> TokenStream {
+        if companion.is_of_a_number() && !matches!(result.shape, Shape::Scalar) {
+            return None;
+        }
+        let suffix = self.arguments.suffix(companion)?;
         let name = format_ident!("{}_{suffix}", self.item.sig.ident);
         let (krate, number) = (self.krate, format_ident!("{}", self.arguments.precision().name()));
         let (private, number) = (quote!(#krate::__private), quote!(::core::primitive::#number));
-        let input = |i: usize| self.inputs[i].clone();
+        let inputs = derived.map_or(&[][..], |derived| &derived.inputs);
+        let input = |i: usize| inputs[i].clone();
+        let program = derived.map(|derived| &derived.program);
         let body = program.map(|program| Body {
             program,
             number: Arithmetic::Generic(&number),
@@ -67,29 +39,75 @@ impl Companions<'_> {
             input: &input,
         });
         let outputs: Vec<TokenStream> = body.iter().flat_map(Body::results).collect();
-        let (types, derivatives) = self.derivatives(result, &outputs);
-        let (more_type, more) = more.unzip();
-        let original = &result.tokens;
-        let returns = quote!((#original, (#(#types,)*) #more_type));
+        let (returns, value) = self.returned(companion, result, &number, &outputs);
         let body = body.map(|body| {
-            let (steps, value) = (body.steps(), result.build(&outputs[..result.components()]));
-            let more = more.map(|more| more(&outputs));
-            quote!(#steps (#value, (#(#derivatives,)*) #more))
+            let steps = body.steps();
+            quote!(#steps #value)
         });
-        self.function(&name, &self.doc(words, program), &returns, body)
+        Some(self.function(&name, companion, &self.doc(companion, suffix, program), &returns, body))
     }
 
-    /// The types and the values of the derivatives by each variable. The outputs hold the value, then by each component
-    /// of each variable the derivative of the value; without a program there are none, and the values are of no use.
-    fn derivatives(&self, result: &Type, outputs: &[TokenStream]) -> (Vec<TokenStream>, Vec<TokenStream>) {
+    /// The type that a companion returns, and its value from the program's outputs; without a program there are none, and the
+    /// value is of no use.
+    fn returned(
+        &self,
+        companion: Companion,
+        result: &Type,
+        number: &TokenStream,
+        outputs: &[TokenStream],
+    ) -> (TokenStream, TokenStream) {
         let (original, size) = (&result.tokens, result.components());
-        let mut rest = outputs.get(size..).unwrap_or_default();
+        let count: usize = self.arguments.variables().iter().map(|variable| variable.ty.components()).sum();
+        let rest = outputs.get(size..).unwrap_or_default();
+        let value = outputs.get(..size).map_or_else(TokenStream::new, |numbers| result.build(numbers));
+        let matrix = |numbers: &[TokenStream]| {
+            let entry = |i: usize, k: usize| numbers.get(triangle(count, i.min(k), i.max(k)));
+            let rows = (0..count).map(|i| (0..count).filter_map(|k| entry(i, k)).collect::<Vec<_>>());
+            let (size, rows) = (Literal::usize_unsuffixed(count), rows.map(|row| quote!([#(#row),*])));
+            (quote!([[#number; #size]; #size]), quote!([#(#rows),*]))
+        };
+        match companion {
+            Companion::First => {
+                let (types, derivatives) = self.derivatives(result, rest);
+                (quote!((#original, (#(#types,)*))), quote!((#value, (#(#derivatives,)*))))
+            }
+            Companion::Vjp | Companion::Hvp => {
+                let (types, derivatives) = self.gradient(rest);
+                (quote!((#original, (#(#types,)*))), quote!((#value, (#(#derivatives,)*))))
+            }
+            Companion::Jvp => {
+                let tangent = if rest.is_empty() { TokenStream::new() } else { result.build(rest) };
+                (quote!((#original, #original)), quote!((#value, #tangent)))
+            }
+            Companion::Hessian | Companion::GaussNewton => {
+                let (types, derivatives) = self.gradient(rest);
+                let (square, rows) = matrix(rest.get(count..).unwrap_or_default());
+                (quote!((#original, (#(#types,)*), #square)), quote!((#value, (#(#derivatives,)*), #rows)))
+            }
+        }
+    }
+
+    /// The types and the values of a number's derivatives by each variable.
+    fn gradient(&self, mut rest: &[TokenStream]) -> (Vec<TokenStream>, Vec<TokenStream>) {
+        let by = |variable: &Type| {
+            let (numbers, after) = rest.split_at_checked(variable.components()).unwrap_or_default();
+            rest = after;
+            (variable.tokens.clone(), variable.build(numbers))
+        };
+        self.arguments.variables().into_iter().map(|variable| &variable.ty).map(by).unzip()
+    }
+
+    /// The types and the values of the derivatives by each variable: the numbers by each of its components.
+    fn derivatives(&self, result: &Type, mut rest: &[TokenStream]) -> (Vec<TokenStream>, Vec<TokenStream>) {
+        if matches!(result.shape, Shape::Scalar) {
+            return self.gradient(rest);
+        }
+        let (original, size) = (&result.tokens, result.components());
         let by = |variable: &Type| {
             let count = variable.components();
             let (numbers, after) = rest.split_at_checked(count * size).unwrap_or_default();
             rest = after;
             match (&result.shape, &variable.shape) {
-                (Shape::Scalar, _) => (variable.tokens.clone(), variable.build(numbers)),
                 (Shape::Planar | Shape::Vector | Shape::Four, Shape::Scalar) => {
                     (original.clone(), result.build(numbers))
                 }
@@ -116,15 +134,33 @@ impl Companions<'_> {
         self.arguments.variables().into_iter().map(|variable| &variable.ty).map(by).unzip()
     }
 
-    fn doc(&self, what: &str, program: Option<&Program>) -> String {
+    fn doc(&self, companion: Companion, suffix: &str, program: Option<&Program>) -> String {
         let function = self.item.sig.ident.to_string();
         let names = self.arguments.variables().into_iter().filter_map(|variable| variable.name.as_ref());
         let names = names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
         let count = program.map(|program| format!(" {}.", counted(program.count()))).unwrap_or_default();
-        format!("The value of `{function}` and its {what} by {names}.{count}")
+        let words = match companion {
+            Companion::First if suffix == "jacobian" => format!("The value of `{function}` and its Jacobian"),
+            Companion::First => format!("The value of `{function}` and its gradient"),
+            Companion::Hessian => format!("The value of `{function}`, its gradient and its Hessian"),
+            Companion::Jvp => format!("The value of `{function}` and its derivative along `along_…`"),
+            Companion::Vjp => format!("The value of `{function}` and the gradient of its product with `weights`"),
+            Companion::Hvp => {
+                format!("The derivative of `{function}` along `along_…`, and its Hessian times that direction")
+            }
+            Companion::GaussNewton => format!("The value r of `{function}`, Jᵀr and JᵀJ"),
+        };
+        format!("{words} by {names}.{count}")
     }
 
-    fn function(&self, name: &Ident, doc: &str, returns: &TokenStream, body: Option<TokenStream>) -> TokenStream {
+    fn function(
+        &self,
+        name: &Ident,
+        companion: Companion,
+        doc: &str,
+        returns: &TokenStream,
+        body: Option<TokenStream>,
+    ) -> TokenStream {
         let ItemFn { attrs, vis, sig, .. } = self.item;
         let kept = attrs.iter().filter(|attribute| is_kept(attribute));
         let inputs = sig.inputs.iter().enumerate().map(|(index, input)| match input {
@@ -143,6 +179,9 @@ impl Companions<'_> {
             }
             FnArg::Receiver(receiver) => quote!(#receiver),
         });
+        let further = self.arguments.taken(companion);
+        let further = further.into_iter().map(|(name, Type { tokens, .. })| quote!(#name: #tokens));
+        let inputs = inputs.chain(further);
         let body = body.unwrap_or_else(|| quote!(::core::unreachable!()));
         quote! {
             #(#kept)*

@@ -4,10 +4,11 @@ use aim_symbolic::Program;
 use syn::{Attribute, Item, ItemFn, Meta};
 
 use super::arguments::{Argument, Arguments};
+use super::companion::Companion;
 use super::items::Items;
 use super::options::Options;
-use super::types::Shape;
-use super::{Programs, is_ours, messages};
+use super::types::{Shape, Type};
+use super::{Derived, is_ours, messages};
 use crate::declare::Place;
 use crate::declare::parse::tokens::word_of;
 use crate::declare::report::Report;
@@ -20,9 +21,17 @@ use crate::emit::{Precision, Procedure};
 pub struct Differentiated {
     name: String,
     precision: Precision,
+    programs: Vec<Written>,
+}
+
+/// A companion in another language.
+#[derive(Debug)]
+struct Written {
+    suffix: &'static str,
+    /// What its outputs are.
+    outputs: String,
     parameters: Vec<(String, Option<usize>)>,
-    /// The suffix of a program's name, what its outputs are, and the program.
-    programs: Vec<(&'static str, Vec<String>, Program)>,
+    program: Program,
 }
 
 impl Differentiated {
@@ -48,7 +57,7 @@ impl Differentiated {
 
     /// Whether a number that is not finite is written out in one of its programs.
     pub fn has_infinities(&self) -> bool {
-        self.programs.iter().any(|(.., program)| {
+        self.programs.iter().any(|Written { program, .. }| {
             program.ops().iter().any(|op| match op {
                 aim_symbolic::Op::Constant(constant) => !constant.value().is_finite(),
                 _ => false,
@@ -56,13 +65,13 @@ impl Differentiated {
         })
     }
 
-    /// The functions to be written: `NAME_gradient` or `NAME_jacobian`, and `NAME_hessian` where it is asked for.
+    /// The functions to be written: `NAME_gradient` or `NAME_jacobian`, and those that the attribute asks for besides.
     pub fn procedures(&self) -> Vec<Procedure<'_>> {
         let programs = self.programs.iter();
-        let procedures = programs.map(|(suffix, outputs, program)| Procedure {
+        let procedures = programs.map(|Written { suffix, outputs, parameters, program }| Procedure {
             name: format!("{}_{suffix}", self.name),
-            doc: outputs.iter().cloned().chain([format!("{}.", program.count())]).collect(),
-            parameters: self.parameters.clone(),
+            doc: vec![outputs.clone(), format!("{}.", program.count())],
+            parameters: parameters.clone(),
             precision: self.precision,
             program,
         });
@@ -95,26 +104,34 @@ fn derive(text: &str, name: &str, report: &mut Report) -> Option<Differentiated>
     let options = Options::parse(arguments, report);
     let items = module.map(Items::of).unwrap_or_default();
     let arguments = Arguments::check(&function.sig, &options, &items, report);
-    let programs = Programs::derive(function, &options, &arguments, &items, report)?;
+    let derived = Derived::all(function, &options, &arguments, &items, report)?;
     let result = arguments.result.as_ref()?;
     let outputs = Outputs { name, size: result.components(), variables: arguments.variables() };
-    let is_number = matches!(result.shape, Shape::Scalar);
-    let suffix = if is_number { "gradient" } else { "jacobian" };
-    let mut derived = vec![(suffix, outputs.first(), programs.first)];
-    derived.extend(programs.second.map(|second| ("hessian", outputs.second(), second)));
+    let own = arguments.list.iter().enumerate().map(|(index, argument)| {
+        // One that is taken apart is called by its number.
+        let name = argument.name.as_ref().map_or_else(|| index.to_string(), |name| word_of(name).text);
+        parameter(&name, &argument.ty)
+    });
+    let own: Vec<_> = own.collect();
+    let written = |Derived { companion, program, .. }: Derived| {
+        let further = arguments.taken(companion).into_iter().map(|(name, ty)| parameter(&name.to_string(), &ty));
+        Some(Written {
+            suffix: arguments.suffix(companion)?,
+            outputs: outputs.of(companion),
+            parameters: own.iter().cloned().chain(further).collect(),
+            program,
+        })
+    };
     Some(Differentiated {
         name: name.to_owned(),
         precision: arguments.precision(),
-        parameters: arguments.list.iter().enumerate().map(parameter).collect(),
-        programs: derived,
+        programs: derived.into_iter().filter_map(written).collect(),
     })
 }
 
-/// An argument where its name is no word of another language; one that is taken apart is called by its number.
-fn parameter((index, argument): (usize, &Argument)) -> (String, Option<usize>) {
-    let name = argument.name.as_ref().map_or_else(|| index.to_string(), |name| word_of(name).text);
-    let elements = (!matches!(argument.ty.shape, Shape::Scalar)).then(|| argument.ty.components());
-    (format!("in_{name}"), elements)
+/// An argument, by a name that is no word of another language.
+fn parameter(name: &str, ty: &Type) -> (String, Option<usize>) {
+    (format!("in_{name}"), (!matches!(ty.shape, Shape::Scalar)).then(|| ty.components()))
 }
 
 /// A function with the attribute, and the items of its module where that has it, too.
@@ -150,17 +167,27 @@ struct Outputs<'a> {
 }
 
 impl Outputs<'_> {
-    fn first(&self) -> Vec<String> {
-        let (name, size) = (self.name, self.size);
-        let value = if size == 1 { format!("The value of {name}") } else { format!("The {size} components of {name}") };
-        let by = if size == 1 { "its derivative" } else { "the derivative of each of them" };
-        vec![format!("{value}, then {by} by each component of {}.", self.variables())]
-    }
-
-    fn second(&self) -> Vec<String> {
-        let mut lines = self.first();
-        lines.push("Then the second derivatives: the upper triangle, row by row.".to_owned());
-        lines
+    fn of(&self, companion: Companion) -> String {
+        let (name, size, variables) = (self.name, self.size, self.variables());
+        let value = if size == 1 { format!("The value of {name}") } else { format!("The {size} numbers of {name}") };
+        let gradient = format!("{value}, then its derivative by each component of {variables}");
+        match companion {
+            Companion::First if size == 1 => format!("{gradient}."),
+            Companion::First => {
+                format!("{value}, then the derivative of each of them by each component of {variables}.")
+            }
+            Companion::Hessian => format!("{gradient}; then the second derivatives: the upper triangle, row by row."),
+            Companion::Jvp => format!("{value}, then the same of the derivative along the direction."),
+            Companion::Vjp => {
+                format!("{value}, then the derivative of the weighted sum by each component of {variables}.")
+            }
+            Companion::Hvp => format!(
+                "The derivative of {name} along the direction, then the derivative of that by each component of {variables}."
+            ),
+            Companion::GaussNewton => format!(
+                "{value}, r; then J^T r by each component of {variables}; then J^T J: the upper triangle, row by row."
+            ),
+        }
     }
 
     /// The variables and how many numbers each has.

@@ -47,8 +47,8 @@ messages! {
         "`check` cannot make up a value of `{ty}`: it has fields that are no numbers",
         "test this function at values of your own";
 
-    hessian_of_vector() =>
-        "`hessian` is for functions of one number",
+    of_a_number(key: &str) =>
+        "`{key}` is for functions of one number",
         "second derivatives of a vector have no matrix: leave it out";
 }
 

@@ -11,6 +11,7 @@
 
 mod arguments;
 mod check;
+mod companion;
 mod emit;
 pub(crate) mod file;
 mod items;
@@ -28,6 +29,7 @@ use quote::{ToTokens, format_ident, quote};
 use syn::{Item, ItemFn};
 
 use self::arguments::{Arguments, Declared};
+use self::companion::{Companion, Stated};
 use self::emit::Companions;
 use self::items::Items;
 use self::lower::{Algebra, Translation, Value};
@@ -128,47 +130,45 @@ fn is_ours(attribute: &syn::Attribute) -> bool {
 /// The functions beside a function.
 fn companions(function: &ItemFn, options: &Options, items: &Items, facade: &str, report: &mut Report) -> TokenStream {
     let arguments = Arguments::check(&function.sig, options, items, report);
-    let programs = Programs::derive(function, options, &arguments, items, report);
+    let derived = Derived::all(function, options, &arguments, items, report);
     let krate = options.krate.clone().unwrap_or_else(|| {
         let facade = format_ident!("{facade}");
         quote!(::#facade)
     });
-    let inputs = programs.as_ref().map_or(&[][..], |programs| &programs.inputs);
-    let companions = Companions { item: function, arguments: &arguments, krate: &krate, inputs };
+    let companions = Companions { item: function, arguments: &arguments, krate: &krate };
     // Where `self` or a type is in the way, a stub would only be another error.
     if !arguments.faulty.is_empty() || function.sig.receiver().is_some() {
         return TokenStream::new();
     }
-    let first = companions.first_derivatives(programs.as_ref().map(|programs| &programs.first));
-    let second = options
-        .hessian
-        .as_ref()
-        .and_then(|_| companions.hessian(programs.as_ref().and_then(|programs| programs.second.as_ref())));
-    let wanted = programs.is_some() && checked(options, &arguments, report);
+    let all = [Companion::First].into_iter().chain(options.companions.iter().map(|(companion, _)| *companion));
+    let all = all.map(|companion| {
+        let derived = derived.iter().flatten().find(|derived| derived.companion == companion);
+        companions.companion(companion, derived)
+    });
+    let all: TokenStream = all.flatten().collect();
+    let wanted = derived.is_some() && checked(options, &arguments, report);
     let check = wanted.then(|| companions.check());
     let check = check.flatten();
-    quote!(#first #second #check)
+    quote!(#all #check)
 }
 
-/// The derived programs.
-struct Programs {
-    /// The value, then by each component of each variable the derivative of each component of the value.
-    first: Program,
-    /// The value, the gradient, then the upper triangle of the second derivatives, row by row.
-    second: Option<Program>,
-    /// What the inputs are called.
+/// A derived companion.
+struct Derived {
+    companion: Companion,
+    program: Program,
+    /// What the inputs are called: those of the function's arguments, then those of what the companion takes besides.
     inputs: Vec<TokenStream>,
 }
 
-impl Programs {
-    /// Derives them, unless there are errors.
-    fn derive(
+impl Derived {
+    /// Derives all that is asked for, unless there are errors.
+    fn all(
         function: &ItemFn,
         options: &Options,
         arguments: &Arguments,
         items: &Items,
         report: &mut Report,
-    ) -> Option<Self> {
+    ) -> Option<Vec<Self>> {
         let errors = report.count();
         let mut algebra = Algebra::new();
         let Declared { values, variables, inputs } = arguments.declare(&mut algebra);
@@ -176,8 +176,10 @@ impl Programs {
         let mut translation = Translation::new(&mut algebra, report, items, Some(arguments.precision()));
         let body = translation.function(&function.block, patterns, &arguments.faulty);
         let result = arguments.result.as_ref()?;
-        if let (Some(place), false) = (&options.hessian, matches!(result.shape, Shape::Scalar)) {
-            report.error(place, messages::hessian_of_vector());
+        for (companion, place) in &options.companions {
+            if companion.is_of_a_number() && !matches!(result.shape, Shape::Scalar) {
+                report.error(place, messages::of_a_number(companion.key()));
+            }
         }
         let mut numbers = Vec::new();
         let fits = add_numbers(&mut algebra, &body, result, &mut numbers);
@@ -196,24 +198,24 @@ impl Programs {
             return None;
         }
         let variables: Vec<Scalar> = variables.into_iter().flatten().collect();
-        let values = numbers.iter().map(|&number| Want::Value(number));
-        let by = |variable: Scalar| numbers.iter().map(move |&number| Want::Derivative(number, variable.into()));
-        let mut wanted: Vec<Want> = values.chain(variables.iter().flat_map(|&variable| by(variable))).collect();
-        let first = derived(&algebra.g, &wanted);
+        let vector = if let Value::Vector(v) = body { Some(v) } else { None };
+        let stated = Stated { values: numbers, vector, variables };
+        let derive = |companion: Companion| {
+            let (mut g, mut inputs) = (algebra.g.clone(), inputs.clone());
+            let taken = arguments.further(companion, &mut g, &mut inputs);
+            let wanted = companion.wanted(&mut g, &stated, &taken);
+            Self { companion, program: derived(&g, &wanted), inputs }
+        };
+        let first = derive(Companion::First);
         if let Some((budget, place)) = &options.budget {
-            let count = first.count();
+            let count = first.program.count();
             if count.total() > *budget {
                 report.error(place, messages::over_budget(*budget, count));
                 return None;
             }
         }
-        let second = options.hessian.is_some().then(|| {
-            for (i, &a) in variables.iter().enumerate() {
-                wanted.extend(variables[i..].iter().map(|&b| Want::Second(numbers[0], a.into(), b.into())));
-            }
-            derived(&algebra.g, &wanted)
-        });
-        Some(Self { first, second, inputs })
+        let further = options.companions.iter().map(|(companion, _)| derive(*companion));
+        Some([first].into_iter().chain(further).collect())
     }
 }
 

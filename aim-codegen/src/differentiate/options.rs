@@ -1,7 +1,8 @@
-//! The attribute's own arguments: `wrt(…)`, `budget = …`, `hessian`, `crate = …`.
+//! The attribute's own arguments: `wrt(…)`, `budget = …`, `hessian` and its like, `crate = …`.
 
 use proc_macro2::TokenStream;
 
+use super::companion::Companion;
 use super::messages;
 use crate::declare::Place;
 use crate::declare::check::keys::Key;
@@ -18,7 +19,8 @@ pub(super) struct Options {
     pub(super) wrt: Option<Vec<Word>>,
     /// The most operations, and where that is written.
     pub(super) budget: Option<(usize, Place)>,
-    pub(super) hessian: Option<Place>,
+    /// Further companions, and where they are asked for.
+    pub(super) companions: Vec<(Companion, Place)>,
     /// Whether a test is to be written, and where that is said.
     pub(super) check: Option<(bool, Place)>,
     pub(super) krate: Option<TokenStream>,
@@ -28,6 +30,10 @@ const KEYS: &[Key] = &[
     ("wrt", Expected::ARGUMENTS),
     ("budget", Expected::OPERATIONS),
     ("hessian", Expected::PRESENCE),
+    ("jvp", Expected::PRESENCE),
+    ("vjp", Expected::PRESENCE),
+    ("hvp", Expected::PRESENCE),
+    ("gauss_newton", Expected::PRESENCE),
     ("check", Expected::FLAG),
     ("crate", Expected::PATH),
 ];
@@ -41,7 +47,13 @@ impl Options {
         let entries = entries(attribute);
         let settings = Settings::read(&entries, KEYS_OF_MODULE, Level::Options, report);
         let krate = settings.read_value("crate", report, read::path);
-        Self { wrt: None, budget: None, hessian: None, check: settings.read_value("check", report, check), krate }
+        Self {
+            wrt: None,
+            budget: None,
+            companions: Vec::new(),
+            check: settings.read_value("check", report, check),
+            krate,
+        }
     }
 
     /// What is not said here is as the module says.
@@ -57,7 +69,10 @@ impl Options {
         Self {
             wrt: wrt.or_else(|| settings.has("wrt").then(Vec::new)),
             budget: settings.read_value("budget", report, budget),
-            hessian: settings.read_value("hessian", report, hessian),
+            companions: Companion::OPTIONAL
+                .into_iter()
+                .filter_map(|companion| Some((companion, settings.read_value(companion.key(), report, presence)?)))
+                .collect(),
             check: settings.read_value("check", report, check),
             krate: settings.read_value("crate", report, read::path),
         }
@@ -79,7 +94,7 @@ fn budget(report: &mut Report, setting: Setting<'_>) -> Option<(usize, Place)> {
     }
 }
 
-fn hessian(report: &mut Report, setting: Setting<'_>) -> Option<Place> {
+fn presence(report: &mut Report, setting: Setting<'_>) -> Option<Place> {
     match setting.value.kind {
         Kind::Absent | Kind::Bool(true) => Some(setting.place().clone()),
         Kind::Bool(false) => None,

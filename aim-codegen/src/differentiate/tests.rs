@@ -126,3 +126,28 @@ fn functions_of_a_file_see_their_module() {
     assert_eq!(f.procedures()[0].parameters, [("in_0".to_owned(), Some(2)), ("in_x".to_owned(), None)]);
     assert!(Differentiated::from_file("f.rs", text, "g").is_err(), "it is outside of the module");
 }
+
+/// Of a chain of points a product with the Hessian costs a few values, whatever the chain's length; the Hessian grows with its
+/// square.
+#[test]
+fn products_are_linear() {
+    let of = |points: usize| {
+        let item = format!(
+            "#[differentiate(wrt(p), hessian, jvp, vjp, hvp)] fn f(p: [f64; {points}]) -> f64 {{
+                let mut sum = 0.0;
+                for [a, b] in p.windows(2).map(|w| [w[0], w[1]]) {{
+                    sum += ((b - a).sin() - 0.3).powi(2) * b;
+                }}
+                sum
+            }}"
+        );
+        let derived = Differentiated::from_file("f.rs", &item, "f").unwrap_or_else(|errors| panic!("{errors}"));
+        derived.procedures().iter().map(|procedure| procedure.program.count().total()).collect::<Vec<_>>()
+    };
+    let (short, long) = (of(10), of(20));
+    let links = |points: usize| points - 1;
+    for (k, most) in [(0, 10), (2, 12), (3, 11), (4, 23)] {
+        assert!(short[k] <= most * links(10), "{short:?}");
+        assert!(long[k] - short[k] <= most * 10, "{short:?}, {long:?}");
+    }
+}

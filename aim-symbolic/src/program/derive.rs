@@ -18,9 +18,9 @@ pub enum Want {
     Derivative(Scalar, Variable),
     /// The derivative by the first variable, by the second.
     Second(Scalar, Variable, Variable),
-    /// Of all values r that are wanted together, the component of Jᵀr by the variable.
+    /// Of all values r that are wanted together, the component of `Jᵀr` by the variable.
     Projected(Variable),
-    /// The entry of JᵀJ by both.
+    /// The entry of `JᵀJ` by both.
     Normal(Variable, Variable),
 }
 

@@ -26,7 +26,7 @@ fn dear(x: f32, y: f32) -> f32 {
     x * y + 1.0
 }
 
-#[differentiate(wrt(x), hessian)]
+#[differentiate(wrt(x), hessian, hvp)]
 fn hessian_of_a_vector(x: f32, v: Vec3) -> Vec3 {
     v * x
 }

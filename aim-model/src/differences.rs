@@ -1,6 +1,6 @@
 //! The test that `#[differentiate(check = true)]` writes: derivatives against central differences at random points.
 
-use aim_runtime::Scalar;
+use crate::Scalar;
 
 /// What the next numbers of an argument are drawn as.
 #[derive(Clone, Copy, Debug)]

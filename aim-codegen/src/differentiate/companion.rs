@@ -1,0 +1,117 @@
+//! [`Companion`]: what can stand beside a function, and what is derived for it.
+
+use aim_symbolic::{Graph, Scalar, Variable, Vector, Want};
+
+/// A function beside the user's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Companion {
+    /// The value and its first derivatives.
+    First,
+    /// Those and second derivatives.
+    Hessian,
+    /// The derivative along a direction, Jv.
+    Jvp,
+    /// The derivatives of the weighted sum of the value's numbers, wᵀJ.
+    Vjp,
+    /// The derivative along a direction, and its derivatives, Hv.
+    Hvp,
+    /// The value r, `Jᵀr` and `JᵀJ`.
+    GaussNewton,
+}
+
+/// What a companion takes beside the function's own arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Takes {
+    Nothing,
+    /// `along_x` for each variable `x`, of its type.
+    Direction,
+    /// `weights`, of the result's type.
+    Weights,
+}
+
+/// What companions are derived from.
+pub(super) struct Stated {
+    /// The numbers of the value.
+    pub(super) values: Vec<Scalar>,
+    /// The value, where it is a vector.
+    pub(super) vector: Option<Vector>,
+    pub(super) variables: Vec<Scalar>,
+}
+
+impl Companion {
+    /// Those that an option asks for.
+    pub(super) const OPTIONAL: [Self; 5] = [Self::Hessian, Self::Jvp, Self::Vjp, Self::Hvp, Self::GaussNewton];
+
+    /// The option, which is also the end of its name.
+    pub(super) fn key(self) -> &'static str {
+        match self {
+            Self::First => "gradient",
+            Self::Hessian => "hessian",
+            Self::Jvp => "jvp",
+            Self::Vjp => "vjp",
+            Self::Hvp => "hvp",
+            Self::GaussNewton => "gauss_newton",
+        }
+    }
+
+    pub(super) fn takes(self) -> Takes {
+        match self {
+            Self::First | Self::Hessian | Self::GaussNewton => Takes::Nothing,
+            Self::Jvp | Self::Hvp => Takes::Direction,
+            Self::Vjp => Takes::Weights,
+        }
+    }
+
+    /// Whether it is of functions of one number only.
+    pub(super) fn is_of_a_number(self) -> bool {
+        matches!(self, Self::Hessian | Self::Hvp)
+    }
+
+    /// What it returns, in the order of its program's outputs; `taken` are the numbers of what it [takes](Self::takes).
+    pub(super) fn wanted(self, g: &mut Graph, stated: &Stated, taken: &[Scalar]) -> Vec<Want> {
+        let Stated { values, vector, variables } = stated;
+        let value = values.iter().map(|&value| Want::Value(value));
+        let by = |x: Scalar| values.iter().map(move |&value| Want::Derivative(value, x.into()));
+        let triangle = |entry: &dyn Fn(Variable, Variable) -> Want| -> Vec<Want> {
+            let rows = variables.iter().enumerate();
+            rows.flat_map(|(i, &x)| variables[i..].iter().map(move |&y| entry(x.into(), y.into()))).collect()
+        };
+        let along = |g: &mut Graph| -> Variable {
+            let components: Vec<_> = variables.iter().zip(taken).map(|(&x, &along)| (x.into(), along)).collect();
+            g.direction(&components).into()
+        };
+        match self {
+            Self::First => value.chain(variables.iter().flat_map(|&x| by(x))).collect(),
+            Self::Hessian => {
+                let second = triangle(&|x, y| Want::Second(values[0], x, y));
+                value.chain(variables.iter().flat_map(|&x| by(x))).chain(second).collect()
+            }
+            Self::Jvp => {
+                let along = along(g);
+                value.chain(values.iter().map(|&v| Want::Derivative(v, along))).collect()
+            }
+            Self::Vjp => {
+                let weighted = match (*vector, taken) {
+                    (Some(v), &[x, y, z]) => {
+                        let weights = g.components([x, y, z]);
+                        g.dot(v, weights)
+                    }
+                    _ => {
+                        let products: Vec<Scalar> = values.iter().zip(taken).map(|(&v, &w)| g.mul(v, w)).collect();
+                        products.into_iter().reduce(|a, b| g.add(a, b)).unwrap_or_else(|| g.constant(0.0))
+                    }
+                };
+                value.chain(variables.iter().map(|&x| Want::Derivative(weighted, x.into()))).collect()
+            }
+            Self::Hvp => {
+                let along = along(g);
+                let second = variables.iter().map(|&x| Want::Second(values[0], along, x.into()));
+                [Want::Derivative(values[0], along)].into_iter().chain(second).collect()
+            }
+            Self::GaussNewton => {
+                let projected = variables.iter().map(|&x| Want::Projected(x.into()));
+                value.chain(projected).chain(triangle(&Want::Normal)).collect()
+            }
+        }
+    }
+}
