@@ -241,6 +241,7 @@ fn value(a: &mut Algebra, ty: &Type, from: &mut dyn Iterator<Item = Scalar>, var
             Value::Quaternion(if varies { Quaternion::from_parts(u, w) } else { Quaternion::unit(a, u, w) })
         }
         Shape::Matrix => Value::Matrix(Map::Columns([0, 3, 6].map(|k| column(a, &numbers[k..])))),
+        Shape::Square(count) => Value::Square(numbers.chunks(count).map(<[Scalar]>::to_vec).collect()),
         Shape::Rigid => {
             // glam's columns are the images of the axes, and so are the graph's rows.
             let rows: [Scalar; 9] = core::array::from_fn(|i| numbers[i]);

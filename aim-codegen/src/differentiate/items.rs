@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use syn::{Expr, Fields, FnArg, GenericParam, ImplItem, Item, Member, Pat, Signature};
+use syn::{Expr, Fields, FnArg, GenericParam, ImplItem, Item, Member, Pat, Signature, UseTree};
 
 use super::lower::Callable;
 
@@ -34,6 +34,10 @@ impl Items {
                 }
                 Item::Struct(item) if item.generics.params.is_empty() => {
                     items.structs.push((item.ident.to_string(), fields(&item.fields)));
+                }
+                Item::Use(item) => {
+                    let used = used_constants(&item.tree).into_iter();
+                    items.constants.extend(used.map(|(name, path)| ((None, name), path)));
                 }
                 Item::Impl(item) if item.trait_.is_none() => {
                     let syn::Type::Path(path) = &*item.self_ty else { continue };
@@ -104,6 +108,30 @@ impl Items {
 
     pub(super) fn is_at_fault(&self, function: &Rc<Callable>) {
         self.faulty.borrow_mut().push(function.clone());
+    }
+}
+
+/// The mathematical constants that an import brings, under their names.
+pub(super) fn used_constants(tree: &UseTree) -> Vec<(String, Expr)> {
+    let constant = |name: &syn::Ident| -> Expr { syn::parse_quote!(core::f64::consts::#name) };
+    match tree {
+        UseTree::Path(path) if path.ident == "consts" => {
+            let leaves = match &*path.tree {
+                UseTree::Group(group) => group.items.iter().collect(),
+                leaf => vec![leaf],
+            };
+            let named = leaves.into_iter().filter_map(|leaf| match leaf {
+                UseTree::Name(name) => Some((name.ident.to_string(), constant(&name.ident))),
+                UseTree::Rename(name) => Some((name.rename.to_string(), constant(&name.ident))),
+                _ => None,
+            });
+            named.collect()
+        }
+        UseTree::Path(path) if ["std", "core", "f32", "f64"].iter().any(|known| path.ident == known) => {
+            used_constants(&path.tree)
+        }
+        UseTree::Group(group) => group.items.iter().flat_map(used_constants).collect(),
+        _ => Vec::new(),
     }
 }
 

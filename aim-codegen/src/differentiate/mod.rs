@@ -246,6 +246,11 @@ fn add_numbers(a: &mut Algebra, value: &Value, ty: &Type, numbers: &mut Vec<Scal
         (Value::Matrix(m), Shape::Matrix) => {
             numbers.extend(m.columns(a).into_iter().flat_map(|column| a.parts(column)));
         }
+        (Value::Square(_) | Value::Homogeneous(_), Shape::Square(count)) => {
+            let columns = lower::columns(a, value).unwrap_or_default();
+            numbers.extend(columns.iter().flatten());
+            return columns.len() == *count;
+        }
         (Value::Affine(m), Shape::Rigid) => {
             numbers.extend(m.map.columns(a).into_iter().flat_map(|column| a.parts(column)));
             numbers.extend(a.parts(m.translation));

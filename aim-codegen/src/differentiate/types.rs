@@ -21,6 +21,8 @@ pub(super) enum Shape {
     Four,
     Quaternion,
     Matrix,
+    /// A matrix of two or four columns.
+    Square(usize),
     Rigid,
     Array(Box<Type>, usize),
     Tuple(Vec<Type>),
@@ -29,7 +31,7 @@ pub(super) enum Shape {
 }
 
 /// Names that are types of ours.
-const KNOWN: [(&str, Shape, Precision); 18] = [
+const KNOWN: [(&str, Shape, Precision); 22] = [
     ("f32", Shape::Scalar, Precision::Single),
     ("f64", Shape::Scalar, Precision::Double),
     ("Vec2", Shape::Planar, Precision::Single),
@@ -44,6 +46,10 @@ const KNOWN: [(&str, Shape, Precision); 18] = [
     ("Mat3", Shape::Matrix, Precision::Single),
     ("Mat3A", Shape::Matrix, Precision::Single),
     ("DMat3", Shape::Matrix, Precision::Double),
+    ("Mat2", Shape::Square(2), Precision::Single),
+    ("DMat2", Shape::Square(2), Precision::Double),
+    ("Mat4", Shape::Square(4), Precision::Single),
+    ("DMat4", Shape::Square(4), Precision::Double),
     ("Rigid", Shape::Rigid, Precision::Single),
     ("Affine3A", Shape::Rigid, Precision::Single),
     ("DRigid", Shape::Rigid, Precision::Double),
@@ -203,6 +209,7 @@ impl Type {
             Shape::Vector => 3,
             Shape::Four | Shape::Quaternion => 4,
             Shape::Matrix => 9,
+            Shape::Square(count) => count * count,
             Shape::Rigid => 12,
             Shape::Array(element, length) => element.components().saturating_mul(*length),
             Shape::Tuple(parts) => parts.iter().map(Self::components).sum(),
@@ -217,8 +224,8 @@ impl Type {
         let fields = |fields: &[&str]| -> Vec<TokenStream> {
             fields.iter().map(|field| format_ident!("{field}")).map(|field| quote!(#place.#field)).collect()
         };
-        let columns = |place: TokenStream| -> Vec<TokenStream> {
-            let parts = COLUMNS.iter().flat_map(|column| XYZW[..3].iter().map(move |row| (column, row)));
+        let columns = |place: TokenStream, count: usize| -> Vec<TokenStream> {
+            let parts = COLUMNS[..count].iter().flat_map(|column| XYZW[..count].iter().map(move |row| (column, row)));
             let parts = parts.map(|(column, row)| (format_ident!("{column}"), format_ident!("{row}")));
             parts.map(|(column, row)| quote!(#place.#column.#row)).collect()
         };
@@ -230,9 +237,10 @@ impl Type {
             Shape::Planar | Shape::Vector | Shape::Four | Shape::Quaternion => {
                 to.extend(fields(&XYZW[..self.components()]));
             }
-            Shape::Matrix => to.extend(columns(place.clone())),
+            Shape::Matrix => to.extend(columns(place.clone(), 3)),
+            Shape::Square(count) => to.extend(columns(place.clone(), *count)),
             Shape::Rigid => {
-                to.extend(columns(quote!(#place.matrix3)));
+                to.extend(columns(quote!(#place.matrix3), 3));
                 to.extend(
                     XYZW[..3].iter().map(|row| format_ident!("{row}")).map(|row| quote!(#place.translation.#row)),
                 );
@@ -297,7 +305,7 @@ impl Type {
                 let parts = take(4);
                 quote!(<#ty>::from_xyzw(#(#parts),*))
             }
-            Shape::Matrix | Shape::Rigid => {
+            Shape::Matrix | Shape::Square(_) | Shape::Rigid => {
                 let parts = take(self.components());
                 quote!(<#ty>::from_cols_array(&[#(#parts),*]))
             }
@@ -333,4 +341,4 @@ impl Type {
 const LONGEST: usize = 1024;
 
 const XYZW: [&str; 4] = ["x", "y", "z", "w"];
-const COLUMNS: [&str; 3] = ["x_axis", "y_axis", "z_axis"];
+const COLUMNS: [&str; 4] = ["x_axis", "y_axis", "z_axis", "w_axis"];

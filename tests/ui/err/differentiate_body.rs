@@ -17,7 +17,9 @@ fn statements(x: f32, v: Vec3) -> f32 {
     *alias = 1.0;
     loop {
         sum += x;
-        break;
+        if sum > 10.0 {
+            break;
+        }
     }
     sum
 }

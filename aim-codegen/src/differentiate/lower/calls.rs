@@ -25,6 +25,12 @@ const SHORT: &[(&str, &str, &str)] = &[
     ("vec3", "Vec3", "new"),
     ("vec3a", "Vec3A", "new"),
     ("dvec3", "DVec3", "new"),
+    ("vec4", "Vec4", "new"),
+    ("dvec4", "DVec4", "new"),
+    ("mat2", "Mat2", "from_cols"),
+    ("dmat2", "DMat2", "from_cols"),
+    ("mat4", "Mat4", "from_cols"),
+    ("dmat4", "DMat4", "from_cols"),
     ("quat", "Quat", "from_xyzw"),
     ("dquat", "DQuat", "from_xyzw"),
     ("mat3", "Mat3", "from_cols"),
@@ -145,6 +151,10 @@ impl Translation<'_> {
                 return Value::Struct(Rc::new(Struct { fields: fields.collect(), name: of_tuple }));
             }
         }
+        if let ("from_fn", Some(length), [of_place]) = (text.as_str(), self.expected.take(), &call_arguments(call)[..])
+        {
+            return self.array_of(call, length, of_place);
+        }
         if segments.last().is_some_and(|last| !last.arguments.is_none()) {
             return self.refuse(&path.path, messages::no_generics());
         }
@@ -161,6 +171,18 @@ impl Translation<'_> {
         }
         let (tables, kind) = (methods::functions_of(&shape), format!("`{ty}`"));
         self.apply(&Callee { name, function, tables, kind }, None, &call.args)
+    }
+
+    /// `array::from_fn` of a length that is known from the type.
+    fn array_of(&mut self, call: &ExprCall, length: usize, function: &Expr) -> Value {
+        let Some(function) = self.function_argument(function, 1) else { return Value::Unknown };
+        let values: Vec<Value> = (0..length)
+            .map(|index| {
+                let index = self.algebra.whole(index);
+                self.inline(&call.func, &function, vec![index])
+            })
+            .collect();
+        if values.iter().any(Value::is_unknown) { Value::Unknown } else { Value::Array(values) }
     }
 
     /// `Type { field: value, … }`
@@ -266,6 +288,10 @@ impl Translation<'_> {
             _ => self.refuse(name, messages::euler_order()),
         }
     }
+}
+
+fn call_arguments(call: &ExprCall) -> Vec<&Expr> {
+    call.args.iter().collect()
 }
 
 /// The axes of an `EulerRot`, and whether it is an extrinsic one.

@@ -4,6 +4,7 @@ use core::f64::consts;
 
 use super::algebra::Algebra;
 use super::map::{Affine, Map, Quaternion};
+use super::square;
 use super::value::Value;
 use crate::differentiate::types::{self, Precision, Shape};
 
@@ -51,6 +52,14 @@ pub(super) fn associated(a: &mut Algebra, ty: &str, name: &str) -> Option<Value>
         Shape::Matrix if name == "ZERO" => {
             let zero = a.number_vector([0.0; 3]);
             Value::Matrix(Map::Columns([zero; 3]))
+        }
+        Shape::Square(4) if name == "IDENTITY" => {
+            let map = Map::identity(a);
+            Value::Homogeneous(Affine::about_origin(a, map))
+        }
+        Shape::Square(count) if name == "IDENTITY" || name == "ZERO" => {
+            let diagonal = a.number(if name == "ZERO" { 0.0 } else { 1.0 });
+            Value::Square(square::diagonal(a, &vec![diagonal; count]))
         }
         Shape::Rigid if name == "IDENTITY" => {
             let map = Map::identity(a);

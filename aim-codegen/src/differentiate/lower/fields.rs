@@ -5,7 +5,7 @@ use syn::{Expr, ExprField, ExprIndex, Member};
 
 use super::algebra::Algebra;
 use super::value::Value;
-use super::{Translation, strip};
+use super::{Translation, square, strip};
 use crate::differentiate::messages;
 
 /// A field as written.
@@ -34,6 +34,10 @@ impl Value {
                 letter("xyzw").map(|axis| Self::Scalar(if axis == 3 { w } else { a.component(u, axis) }))
             }
             Self::Matrix(m) => column(name).filter(|&axis| axis < 3).map(|axis| Self::Vector(m.column(a, axis))),
+            Self::Square(_) | Self::Homogeneous(_) => {
+                let columns = square::columns(a, self)?;
+                columns.get(column(name)?).map(|column| square::vector(a, column))
+            }
             Self::Affine(m) => match name {
                 "matrix3" => Some(Self::Matrix(m.map.clone())),
                 "translation" => Some(Self::Vector(m.translation)),

@@ -15,6 +15,7 @@ mod operators;
 mod paths;
 mod places;
 mod sequences;
+mod square;
 mod statements;
 mod value;
 
@@ -29,6 +30,7 @@ pub(super) use self::condition::Condition;
 use self::frame::Frame;
 pub(super) use self::functions::Callable;
 pub(super) use self::map::{Affine, Map, Quaternion};
+pub(super) use self::square::columns;
 pub(super) use self::value::{Struct, Value};
 use super::items::Items;
 use super::messages;
@@ -51,6 +53,8 @@ pub(super) struct Translation<'a> {
     constants: Vec<String>,
     /// Rounds of loops so far.
     rounds_run: usize,
+    /// The length of the array that is to come of the expression.
+    expected: Option<usize>,
 }
 
 impl<'a> Translation<'a> {
@@ -62,7 +66,7 @@ impl<'a> Translation<'a> {
         precision: Option<Precision>,
     ) -> Self {
         let (frame, calls, constants) = (Frame::new(Vec::new()), Vec::new(), Vec::new());
-        Self { algebra, report, items, precision, frame, calls, constants, rounds_run: 0 }
+        Self { algebra, report, items, precision, frame, calls, constants, rounds_run: 0, expected: None }
     }
 
     /// The value of a function of these arguments; of those at fault nothing is known.
@@ -115,6 +119,7 @@ impl<'a> Translation<'a> {
             Expr::Match(choice) => self.match_arms(choice),
             Expr::ForLoop(e) => self.for_loop(e),
             Expr::While(e) => self.while_loop(e),
+            Expr::Loop(e) => self.endless_loop(e),
             Expr::Return(_) | Expr::Break(_) | Expr::Continue(_) => self.jump(expression),
             Expr::Closure(closure) => self.closure(closure),
             Expr::Assign(assign) => match self.expression(&assign.right) {
@@ -172,8 +177,9 @@ impl<'a> Translation<'a> {
                 return self.refuse(&path.path, text);
             }
         }
-        if let [.., module, name] = segments.as_slice()
+        if let [before @ .., module, name] = segments.as_slice()
             && module == "consts"
+            && before.last().is_none_or(|number| number == "f32" || number == "f64")
             && let Some(value) = constants::mathematical(name)
         {
             return Value::Scalar(self.algebra.number(value));
@@ -299,11 +305,6 @@ impl<'a> Translation<'a> {
 
     fn unsupported_expression(&mut self, expression: &Expr) -> Value {
         match expression {
-            Expr::Loop(e) => self.unsupported(
-                &e.loop_token,
-                "a loop without a bound",
-                "write `for _ in 0..N` with enough rounds, and `break` where it is done",
-            ),
             Expr::Let(e) => self.unsupported(&e.let_token, "`if let`", CHOICE),
             Expr::Try(e) => self.unsupported(&e.question_token, "`?`", "every step must have a value"),
             Expr::Unsafe(e) => self.unsupported(&e.unsafe_token, "`unsafe`", "there is nothing to be unsafe about"),

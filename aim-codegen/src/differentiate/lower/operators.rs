@@ -6,6 +6,7 @@ use syn::BinOp;
 use super::algebra::Algebra;
 use super::condition::Condition;
 use super::map::{Affine, Quaternion};
+use super::square;
 use super::value::Value;
 
 /// The value of `left operator right`; `None` where there is no such operation.
@@ -13,6 +14,9 @@ pub(super) fn binary(a: &mut Algebra, operator: &BinOp, left: &Value, right: &Va
     if let (Value::Integer(x), Value::Integer(y)) = (left, right)
         && let Some(value) = of_integers(a, operator, *x, *y)
     {
+        return Some(value);
+    }
+    if let Some(value) = of_squares(a, operator, left, right) {
         return Some(value);
     }
     match operator {
@@ -102,6 +106,56 @@ fn divide(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
     }
 }
 
+/// What is made of matrices of two or four columns.
+fn of_squares(a: &mut Algebra, operator: &BinOp, left: &Value, right: &Value) -> Option<Value> {
+    if let (BinOp::Mul(_), Value::Homogeneous(m)) = (operator, left) {
+        match right {
+            Value::Homogeneous(n) => return Some(Value::Homogeneous(m.compose(a, n))),
+            Value::Four([x, y, z, w]) => {
+                let v = a.vector([*x, *y, *z]);
+                let (image, along) = (m.map.apply(a, v), a.scale(*w, m.translation));
+                let sum = a.add_vectors(image, along);
+                let [x, y, z] = a.parts(sum);
+                return Some(Value::Four([x, y, z, *w]));
+            }
+            _ => {}
+        }
+    }
+    let (m, n) = (square::columns(a, left), square::columns(a, right));
+    Some(match (operator, m, n) {
+        (BinOp::Mul(_), Some(m), Some(n)) if m.len() == n.len() => {
+            Value::Square(n.iter().map(|column| square::apply(a, &m, column)).collect())
+        }
+        (BinOp::Mul(_), Some(m), None) => match right {
+            Value::Scalar(k) => Value::Square(square::scaled(a, *k, &m)),
+            _ => {
+                let v = square::numbers(a, right);
+                if v.len() != m.len() {
+                    return None;
+                }
+                let image = square::apply(a, &m, &v);
+                square::vector(a, &image)
+            }
+        },
+        (BinOp::Mul(_), None, Some(n)) => {
+            let Value::Scalar(k) = left else { return None };
+            Value::Square(square::scaled(a, *k, &n))
+        }
+        (BinOp::Div(_), Some(m), None) => {
+            let Value::Scalar(k) = right else { return None };
+            let reciprocal = a.recip(*k);
+            Value::Square(square::scaled(a, reciprocal, &m))
+        }
+        (BinOp::Add(_), Some(m), Some(n)) if m.len() == n.len() => {
+            Value::Square(square::zip(a, &m, &n, |a, x, y| a.add(x, y)))
+        }
+        (BinOp::Sub(_), Some(m), Some(n)) if m.len() == n.len() => {
+            Value::Square(square::zip(a, &m, &n, |a, x, y| a.sub(x, y)))
+        }
+        _ => return None,
+    })
+}
+
 /// x − y trunc(x / y)
 fn remainder(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
     let (Value::Scalar(x), Value::Scalar(y)) = (left, right) else { return None };
@@ -181,6 +235,10 @@ pub(super) fn negate(a: &mut Algebra, operand: &Value) -> Option<Value> {
         Value::Vector(v) => Value::Vector(a.neg_vector(*v)),
         Value::Four(v) => Value::Four(v.map(|x| a.neg(x))),
         Value::Matrix(m) => Value::Matrix(m.map(a, Algebra::neg_vector)),
+        Value::Square(_) | Value::Homogeneous(_) => {
+            let (m, minus) = (square::columns(a, operand)?, a.number(-1.0));
+            Value::Square(square::scaled(a, minus, &m))
+        }
         // Both turn the same way.
         Value::Quaternion(q) => Value::Quaternion(Quaternion {
             map: q.map.clone(),

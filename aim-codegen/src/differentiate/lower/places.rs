@@ -6,7 +6,7 @@ use syn::{Expr, Member, UnOp};
 use super::algebra::Algebra;
 use super::map::{Affine, Map, Quaternion};
 use super::value::{Struct, Value};
-use super::{Translation, strip};
+use super::{Translation, square, strip};
 use crate::differentiate::messages;
 
 /// A step from a value to a part of it.
@@ -156,6 +156,11 @@ fn with_part(a: &mut Algebra, whole: &Value, step: &Step, part: Value) -> Option
             let mut columns = m.columns(a);
             columns[super::fields::column(&name)?] = v;
             Value::Matrix(Map::Columns(columns))
+        }
+        (Value::Square(_) | Value::Homogeneous(_), part) => {
+            let mut columns = square::columns(a, whole)?;
+            *columns.get_mut(super::fields::column(&name)?)? = square::numbers(a, &part);
+            Value::Square(columns)
         }
         (Value::Affine(m), Value::Vector(v)) if name == "translation" => {
             Value::Affine(Affine { map: m.map.clone(), translation: v })

@@ -4,14 +4,14 @@
 use quote::ToTokens;
 use syn::punctuated::Punctuated;
 use syn::token::Comma;
-use syn::{Block, Expr, ExprForLoop, ExprWhile, Item, Lifetime, Pat, Stmt};
+use syn::{Block, Expr, ExprForLoop, ExprLoop, ExprWhile, Item, Lifetime, Pat, Stmt};
 
 use super::condition::Condition;
 use super::frame::Target;
 use super::value::Value;
 use super::{CHOICE, Translation, functions};
 use crate::declare::report::text::Text;
-use crate::differentiate::messages;
+use crate::differentiate::{items, messages};
 
 /// The most nodes of a function's graph. What is derived of more takes minutes to compile.
 const MOST_NODES: usize = 20_000;
@@ -52,7 +52,10 @@ impl Translation<'_> {
                         if let Some((otherwise, _)) = &init.diverge {
                             self.unsupported(otherwise, "`let … else`", CHOICE);
                         }
-                        self.expression(&init.expr)
+                        self.expected = self.length_of(&local.pat);
+                        let value = self.expression(&init.expr);
+                        self.expected = None;
+                        value
                     }
                     // It is assigned before it is read, or the compiler says so.
                     None => Value::Unknown,
@@ -66,7 +69,14 @@ impl Translation<'_> {
                 self.frame.declare(item.ident.to_string(), value);
                 Value::nothing()
             }
-            Stmt::Item(Item::Use(_) | Item::Fn(_)) => Value::nothing(),
+            Stmt::Item(Item::Use(item)) => {
+                for (name, path) in items::used_constants(&item.tree) {
+                    let value = self.expression(&path);
+                    self.frame.declare(name, value);
+                }
+                Value::nothing()
+            }
+            Stmt::Item(Item::Fn(_)) => Value::nothing(),
             Stmt::Item(item) => self.refuse(item, messages::inner_item()),
             Stmt::Macro(statement) => self.macro_call(&statement.mac),
             Stmt::Expr(expression, None) => self.expression(expression),
@@ -79,6 +89,14 @@ impl Translation<'_> {
                 }
             }
         }
+    }
+
+    /// The length of the array that a declared type says.
+    fn length_of(&mut self, pattern: &Pat) -> Option<usize> {
+        let Pat::Type(typed) = pattern else { return None };
+        let syn::Type::Array(array) = &*typed.ty else { return None };
+        let length = self.expression(&array.len);
+        self.algebra.known_index(&length)
     }
 
     /// A macro's meaning cannot be seen, but that of assertions is known.
@@ -185,6 +203,11 @@ impl Translation<'_> {
             Value::Truth(Condition::Known(true)) => Round::Of(this.block(&e.body)),
             other => Round::Of(this.refuse_known(&other, &e.cond, messages::rounds_unknown())),
         })
+    }
+
+    pub(super) fn endless_loop(&mut self, e: &ExprLoop) -> Value {
+        let label = e.label.as_ref().map(|label| &label.name);
+        self.rounds(&e.loop_token, label, |this| Round::Of(this.block(&e.body)))
     }
 
     /// Runs the rounds of a loop.

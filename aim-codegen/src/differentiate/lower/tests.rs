@@ -121,7 +121,14 @@ same! {
                 for _ in 0..n { power += y; }
             }
             for _ in 3..3 { power = 0.0; }
-            power + (n % 3) as f64
+            power += (n % 3) as f64;
+            loop {
+                power -= x;
+                n -= 1;
+                if power > 50.0 { break; }
+                if n < 2 { break; }
+            }
+            power + n as f64
         }
     }
     newton_until_it_is_close {
@@ -138,6 +145,8 @@ same! {
     arrays_of_arrays {
         pub fn f(x: f64, y: f64) -> f64 {
             const N: usize = 3;
+            use core::f64::consts::{FRAC_PI_3 as THIRD, TAU};
+            let squares: [f64; N] = core::array::from_fn(|i| x * (i * i) as f64);
             let mut m = [[0.0; N]; N];
             for i in 0..N {
                 for j in 0..N {
@@ -152,7 +161,7 @@ same! {
                 for v in row { trace += w * v * v; }
             }
             let windows: f64 = m[1].windows(2).map(|w| w[1] - w[0]).sum();
-            trace + rest[1][0] + first[1] + last[2] + windows + m[1..].iter().map(|row| row[0]).fold(0.0, f64::max)
+            trace + rest[1][0] + squares[2] * THIRD / TAU + first[1] + last[2] + windows + m[1..].iter().map(|row| row[0]).fold(0.0, f64::max)
         }
     }
     helpers_structs_and_constants {

@@ -8,6 +8,7 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::functions::Callable;
 use super::map::{Affine, Map, Quaternion};
+use super::square::{self, Columns};
 
 /// What an expression stands for.
 #[derive(Clone, Debug)]
@@ -23,6 +24,10 @@ pub(crate) enum Value {
     Four([Scalar; 4]),
     Quaternion(Quaternion),
     Matrix(Map),
+    /// A matrix of two or four columns.
+    Square(Columns),
+    /// A matrix of four columns that is an affine transform.
+    Homogeneous(Affine),
     Affine(Affine),
     Tuple(Vec<Self>),
     Array(Vec<Self>),
@@ -68,6 +73,8 @@ impl Value {
             Self::Four(_) => "a vector of four".into(),
             Self::Quaternion(_) => "a quaternion".into(),
             Self::Matrix(_) => "a matrix".into(),
+            Self::Square(columns) if columns.len() == 2 => "a matrix of two".into(),
+            Self::Square(_) | Self::Homogeneous(_) => "a matrix of four".into(),
             Self::Affine(_) => "a transform".into(),
             Self::Tuple(values) if values.is_empty() => "nothing".into(),
             Self::Tuple(values) => format!("a tuple of {}", values.len()),
@@ -124,6 +131,20 @@ impl Value {
                 Self::Quaternion(Quaternion { map: maps(&q.map, &r.map), parts })
             }
             (Self::Matrix(m), Self::Matrix(n)) => Self::Matrix(maps(m, n)),
+            (Self::Homogeneous(m), Self::Homogeneous(n)) => {
+                let [m, n] = [m, n].map(|m| Self::Affine(m.clone()));
+                match m.select(a, condition, &n)? {
+                    Self::Affine(m) => Self::Homogeneous(m),
+                    _ => return None,
+                }
+            }
+            (Self::Square(_) | Self::Homogeneous(_), Self::Square(_) | Self::Homogeneous(_)) => {
+                let (m, n) = (square::columns(a, self)?, square::columns(a, otherwise)?);
+                if m.len() != n.len() {
+                    return None;
+                }
+                Self::Square(square::zip(a, &m, &n, |a, x, y| condition.select(a, x, y)))
+            }
             (Self::Affine(m), Self::Affine(n)) => Self::Affine(Affine {
                 map: maps(&m.map, &n.map),
                 translation: condition.select_vector(a, m.translation, n.translation),

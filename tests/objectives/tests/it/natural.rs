@@ -4,10 +4,10 @@ use aim_objectives::dual::Dual64;
 use aim_objectives::{Argument, At, Random, by_rows, singular};
 
 macro_rules! objectives {
-    ($module:ident: $real:ident, $vec2:ident, $vec3:ident, $quat:ident, $mat3:ident) => {
+    ($module:ident: $real:ident, $vec2:ident, $vec3:ident, $vec4:ident, $quat:ident, $mat2:ident, $mat3:ident, $mat4:ident) => {
         #[aim::differentiate(check = true)]
         mod $module {
-            use aim::glam::{Vec3Swizzles, $mat3, $quat, $vec2, $vec3};
+            use aim::glam::{Vec3Swizzles, $mat2, $mat3, $mat4, $quat, $vec2, $vec3, $vec4};
 
             /// Squares below this are turned by the first two terms of the series.
             const SMALL: $real = 1e-12;
@@ -240,6 +240,20 @@ macro_rules! objectives {
                 cost
             }
 
+            /// Rendering: where a projection shows a point of a turned and scaled thing, shifted on the screen.
+            #[differentiate(wrt(angle, shift, focal))]
+            pub(super) fn pictured(angle: $real, shift: $vec3, focal: $real, roll: $real, p: $vec3) -> $vec2 {
+                let model = <$mat4>::from_scale_rotation_translation(
+                    <$vec3>::new(1.0, 0.5, 2.0),
+                    <$quat>::from_rotation_y(angle),
+                    shift,
+                );
+                let mut projection = <$mat4>::from_diagonal(<$vec4>::new(focal, focal, 1.0, 0.0));
+                projection.z_axis.w = -1.0;
+                let image = (projection * model).project_point3(p);
+                <$mat2>::from_angle(roll).inverse() * <$vec2>::new(image.x, image.y)
+            }
+
             /// Animation: an angle that is wound up to its turn, and orientations in between.
             #[differentiate(wrt(from, to, s))]
             pub(super) fn between(from: $quat, to: $quat, s: $real, p: $vec3, turns: $real) -> $vec3 {
@@ -250,8 +264,8 @@ macro_rules! objectives {
     };
 }
 
-objectives!(single: f32, Vec2, Vec3, Quat, Mat3);
-objectives!(double: f64, DVec2, DVec3, DQuat, DMat3);
+objectives!(single: f32, Vec2, Vec3, Vec4, Quat, Mat2, Mat3, Mat4);
+objectives!(double: f64, DVec2, DVec3, DVec4, DQuat, DMat2, DMat3, DMat4);
 
 /// The material of the tests.
 impl Argument<f64> for single::Material {
@@ -423,6 +437,13 @@ mod dual {
             };
         }
         cost
+    }
+
+    pub(super) fn pictured<D: Number>(angle: D, shift: Vector<D>, focal: D, roll: D, p: Vector<D>) -> [D; 2] {
+        let Vector([x, y, z]) = p;
+        let Vector([x, y, z]) = Vector([x, y * 0.5, z * 2.0]).about(1, angle) + shift;
+        let Vector([x, y, _]) = Vector([-focal * x / z, -focal * y / z, z]).about(2, -roll);
+        [x, y]
     }
 
     pub(super) fn between<D: Number>(
@@ -609,6 +630,15 @@ fn way_through_beacons() {
         single::clearance_gradient,
         dual::clearance::<Dual64>,
     );
+}
+
+#[test]
+fn picture_of_a_projection() {
+    let sample = |r: &mut Random| {
+        let shift = [r.numbers(2, -1.0..1.0), r.numbers(1, -6.0..-4.0)].concat();
+        [r.numbers(1, -2.0..2.0), shift, r.numbers(1, 0.5..2.0), r.numbers(1, -2.0..2.0), r.vector(0.0..1.0)].concat()
+    };
+    At(sample).check(double::pictured, double::pictured_jacobian, single::pictured_jacobian, dual::pictured::<Dual64>);
 }
 
 #[test]

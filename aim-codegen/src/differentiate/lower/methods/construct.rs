@@ -6,6 +6,7 @@ use super::function::{Fault, functions};
 use crate::declare::report::text::Text;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::map::{Affine, Map, Quaternion};
+use crate::differentiate::lower::square;
 use crate::differentiate::lower::value::Value;
 use crate::differentiate::messages;
 
@@ -21,6 +22,7 @@ functions! {
     new(x: Scalar, y: Scalar, z: Scalar, w: Scalar) -> Four { [x, y, z, w] }
     splat(x: Scalar) -> Four { [x; 4] }
     from_array(numbers: Array) -> Four { scalars(&numbers)? }
+    from_slice(numbers: Array) -> Four { scalars(numbers.get(..4).unwrap_or_default())? }
     from(numbers: Array) -> Four { scalars(&numbers)? }
     from(v: Four) -> Four { v }
     from(parts: Tuple) -> Four {
@@ -39,6 +41,10 @@ functions! {
     new(x: Scalar, y: Scalar) -> Planar { planar(a, x, y) }
     splat(x: Scalar) = Vec2::new(x, x);
     from_angle(x: Scalar) = Vec2::new(x.cos(), x.sin());
+    from_slice(numbers: Array) -> Planar {
+        let [x, y] = scalars(numbers.get(..2).unwrap_or_default())?;
+        planar(a, x, y)
+    }
     from_array(numbers: Array) -> Planar {
         let [x, y] = scalars(&numbers)?;
         planar(a, x, y)
@@ -50,6 +56,10 @@ functions! {
     VECTOR(a):
     new(x: Scalar, y: Scalar, z: Scalar) -> Vector { a.vector([x, y, z]) }
     splat(x: Scalar) -> Vector { a.vector([x; 3]) }
+    from_slice(numbers: Array) -> Vector {
+        let numbers = scalars(numbers.get(..3).unwrap_or_default())?;
+        a.vector(numbers)
+    }
     from_array(numbers: Array) -> Vector {
         let numbers = scalars(&numbers)?;
         a.vector(numbers)
@@ -114,6 +124,46 @@ functions! {
         let map = about(a, axis, radians)?;
         Affine::about_origin(a, map)
     }
+}
+
+functions! {
+    MATRIX_OF_TWO(a):
+    from_cols(x: Planar, y: Planar) -> Square { [x, y].map(|column| a.parts(column)[..2].to_vec()).to_vec() }
+    from_cols_array(numbers: Array) -> Square {
+        let numbers: [Scalar; 4] = scalars(&numbers)?;
+        numbers.chunks(2).map(<[Scalar]>::to_vec).collect()
+    }
+    from_angle(x: Scalar) = Mat2::from_cols(Vec2::new(x.cos(), x.sin()), Vec2::new(-x.sin(), x.cos()));
+    from_diagonal(v: Planar) -> Square {
+        let parts = a.parts(v);
+        square::diagonal(a, &parts[..2])
+    }
+}
+
+functions! {
+    MATRIX_OF_FOUR(a):
+    from_cols(x: Four, y: Four, z: Four, w: Four) -> Square { [x, y, z, w].map(|column| column.to_vec()).to_vec() }
+    from_cols_array(numbers: Array) -> Square {
+        let numbers: [Scalar; 16] = scalars(&numbers)?;
+        numbers.chunks(4).map(<[Scalar]>::to_vec).collect()
+    }
+    from_diagonal(v: Four) -> Square { square::diagonal(a, &v) }
+    from_mat3_translation(m: Matrix, v: Vector) -> Homogeneous { Affine { map: m, translation: v } }
+    from_translation(v: Vector) = Mat4::from_mat3_translation(Mat3::IDENTITY, v);
+    from_rotation_translation(q: Quaternion, v: Vector) = Mat4::from_mat3_translation(Mat3::from_quat(q), v);
+    from_scale_rotation_translation(s: Vector, q: Quaternion, v: Vector) =
+        Mat4::from_mat3_translation(Mat3::from_quat(q) * Mat3::from_diagonal(s), v);
+    from_scale(s: Vector) = Mat4::from_mat3(Mat3::from_diagonal(s));
+    from_mat3(m: Matrix) = Mat4::from_mat3_translation(m, Vec3::ZERO);
+    from_quat(q: Quaternion) = Mat4::from_mat3(Mat3::from_quat(q));
+    from_rotation_x(radians: Scalar) = Mat4::from_mat3(Mat3::from_rotation_x(radians));
+    from_rotation_y(radians: Scalar) = Mat4::from_mat3(Mat3::from_rotation_y(radians));
+    from_rotation_z(radians: Scalar) = Mat4::from_mat3(Mat3::from_rotation_z(radians));
+    from_axis_angle(axis: Vector, radians: Scalar) -> Homogeneous {
+        let map = about(a, axis, radians)?;
+        Affine::about_origin(a, map)
+    }
+    from(m: Affine) -> Homogeneous { m }
 }
 
 /// The turn about an axis that no variable moves; `None` if one does.

@@ -56,6 +56,8 @@ fn words(kind: &str) -> &'static str {
         "Quaternion" => "a quaternion",
         "Matrix" => "a matrix",
         "Affine" => "a transform",
+        "Square" => "a matrix of two or four",
+        "Homogeneous" => "a matrix of four",
         "Tuple" => "a tuple",
         _ => "an array",
     }

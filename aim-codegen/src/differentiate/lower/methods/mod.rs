@@ -11,6 +11,7 @@ mod vector;
 
 pub(super) use self::function::{Fault, Function};
 use super::algebra::Algebra;
+use super::square;
 use super::value::Value;
 use crate::differentiate::types::Shape;
 
@@ -23,6 +24,8 @@ pub(super) fn methods_of(receiver: &Value) -> &'static [&'static [Function]] {
         Value::Quaternion(_) => &[quaternion::METHODS],
         Value::Matrix(_) => &[transform::MATRIX],
         Value::Affine(_) => &[transform::AFFINE],
+        Value::Square(_) => &[transform::SQUARE],
+        Value::Homogeneous(_) => &[transform::HOMOGENEOUS, transform::SQUARE],
         Value::Four(_) => &[vector::FOUR],
         Value::Integer(_) => &[scalar::WHOLE],
         _ => &[],
@@ -39,6 +42,8 @@ pub(super) fn functions_of(shape: &Shape) -> &'static [&'static [Function]] {
         Shape::Quaternion => &[construct::QUATERNION, quaternion::METHODS],
         Shape::Matrix => &[construct::MATRIX, transform::MATRIX],
         Shape::Rigid => &[construct::AFFINE, transform::AFFINE],
+        Shape::Square(2) => &[construct::MATRIX_OF_TWO, transform::SQUARE],
+        Shape::Square(_) => &[construct::MATRIX_OF_FOUR, transform::HOMOGENEOUS, transform::SQUARE],
         _ => &[],
     }
 }
@@ -57,6 +62,14 @@ pub(super) fn call(
         match function.call(a, arguments) {
             Ok(value) => return Some(Ok(value)),
             Err(found) => fault = Some(Err((found, function))),
+        }
+        // A matrix that is a transform, by its numbers.
+        if let Some(Value::Homogeneous(m)) = arguments.first() {
+            let mut written = arguments.to_vec();
+            written[0] = Value::Square(square::of_affine(a, m));
+            if let Ok(value) = function.call(a, &written) {
+                return Some(Ok(value));
+            }
         }
         if let Some(lifted) = lifted(arguments) {
             match function.call(a, &lifted) {
@@ -107,12 +120,17 @@ mod tests {
             "Vector" => Value::Vector(v),
             "Quaternion" => Value::Quaternion(Quaternion::from_parts(v, x)),
             "Matrix" => Value::Matrix(matrix.clone()),
+            "Square" => Value::Square(vec![vec![x; 4]; 4]),
+            "Homogeneous" => Value::Homogeneous(Affine { map: matrix.clone(), translation: v }),
             "Affine" => Value::Affine(Affine { map: matrix.clone(), translation: v }),
             _ => Value::Array(vec![Value::Scalar(x); 3]),
         };
         use Shape::{Four, Matrix, Planar, Quaternion as Turn, Rigid, Scalar, Vector};
-        for function in
-            [Scalar, Planar, Vector, Four, Turn, Matrix, Rigid].iter().flat_map(functions_of).copied().flatten()
+        for function in [Scalar, Planar, Vector, Four, Turn, Matrix, Rigid, Shape::Square(2), Shape::Square(4)]
+            .iter()
+            .flat_map(functions_of)
+            .copied()
+            .flatten()
         {
             let arguments: Vec<Value> = function.takes.iter().map(value).collect();
             if let Ok(found) = function.call(&mut a, &arguments) {

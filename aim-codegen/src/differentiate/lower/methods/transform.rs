@@ -1,7 +1,10 @@
 //! Methods of matrices and transforms.
 
-use super::function::functions;
+use aim_symbolic::{Scalar, Vector};
+
+use super::function::{Fault, functions};
 use crate::differentiate::lower::algebra::Algebra;
+use crate::differentiate::lower::square::{self, Columns};
 use crate::differentiate::lower::value::Value;
 use crate::differentiate::messages;
 
@@ -41,8 +44,66 @@ functions! {
     clone(m: Affine) -> Affine { m }
 }
 
+functions! {
+    /// Of matrices of four that are transforms.
+    HOMOGENEOUS(a):
+    transform_point3(m: Homogeneous, v: Vector) -> Vector { m.apply(a, v) }
+    transform_vector3(m: Homogeneous, v: Vector) -> Vector { m.map.apply(a, v) }
+    project_point3(m: Homogeneous, v: Vector) -> Vector { m.apply(a, v) }
+    inverse(m: Homogeneous) -> Homogeneous { m.inverse(a) }
+    clone(m: Homogeneous) -> Homogeneous { m }
+}
+
+functions! {
+    /// Of matrices of two or four columns.
+    SQUARE(a):
+    transpose(m: Square) -> Square { square::transposed(&m) }
+    inverse(m: Square) -> Square { square::inverse(a, &m) }
+    determinant(m: Square) -> Scalar { square::determinant(a, &m) }
+    mul_vec2(m: Square, v: Planar) -> Planar {
+        let v = a.parts(v);
+        let [x, y] = image(a, &m, &v[..2])?;
+        let zero = a.number(0.0);
+        a.vector([x, y, zero])
+    }
+    mul_vec4(m: Square, v: Four) -> Four { image(a, &m, &v)? }
+    mul_mat2(m: Square, n: Square) -> Square { product(a, &m, &n)? }
+    mul_mat4(m: Square, n: Square) -> Square { product(a, &m, &n)? }
+    transform_point3(m: Square, v: Vector) -> Vector {
+        let [x, y, z, _] = image_of(a, &m, v, 1.0)?;
+        a.vector([x, y, z])
+    }
+    transform_vector3(m: Square, v: Vector) -> Vector {
+        let [x, y, z, _] = image_of(a, &m, v, 0.0)?;
+        a.vector([x, y, z])
+    }
+    project_point3(m: Square, v: Vector) -> Vector {
+        let [x, y, z, w] = image_of(a, &m, v, 1.0)?;
+        let (reciprocal, v) = (a.recip(w), a.vector([x, y, z]));
+        a.scale(reciprocal, v)
+    }
+    to_cols_array(m: Square) -> Array { m.into_iter().flatten().map(Value::Scalar).collect() }
+    clone(m: Square) -> Square { m }
+}
+
+fn product(a: &mut Algebra, m: &Columns, n: &Columns) -> Result<Columns, Fault> {
+    let same = m.len() == n.len();
+    same.then(|| n.iter().map(|column| square::apply(a, m, column)).collect()).ok_or(Fault::Arguments)
+}
+
+fn image<const N: usize>(a: &mut Algebra, m: &Columns, v: &[Scalar]) -> Result<[Scalar; N], Fault> {
+    let image = if m.len() == v.len() { square::apply(a, m, v) } else { Vec::new() };
+    image.try_into().map_err(|_| Fault::Arguments)
+}
+
+/// Of a vector with a fourth component.
+fn image_of(a: &mut Algebra, m: &Columns, v: Vector, w: f64) -> Result<[Scalar; 4], Fault> {
+    let ([x, y, z], w) = (a.parts(v), a.number(w));
+    image(a, m, &[x, y, z, w])
+}
+
 /// The index of an axis, which has to be known.
-fn axis(a: &Algebra, index: aim_symbolic::Scalar) -> Result<usize, crate::declare::report::text::Text> {
+fn axis(a: &Algebra, index: Scalar) -> Result<usize, crate::declare::report::text::Text> {
     let known = a.known_index(&Value::Integer(index)).ok_or_else(messages::index_unknown)?;
     if known < 3 { Ok(known) } else { Err(messages::index_outside("a matrix")) }
 }
