@@ -129,11 +129,11 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// |---|---|---|
 /// | arguments | `f32 Vec2 Vec3 Vec3A Vec4 Quat Mat2 Mat3 Mat3A Mat4 Rigid Affine3A` or `f64 DVec2 DVec3 DVec4 DQuat DMat2 DMat3 DMat4 DRigid DAffine3`, one number type a function; `bool` and integers, which do not vary; arrays, tuples and structs of the module of these; by value or by `&`; known by the last words of their types | slices: a loop over them has no known end |
 /// | results | numbers, vectors, quaternions, matrices, transforms; arrays, tuples and structs of these | |
-/// | statements | `let`, `let mut`, `const`, blocks, `=`, `+=` and its like to variables, fields and elements, `return`, `debug_assert!` (which companions leave out) | what is changed through a reference |
+/// | statements | `let`, `let mut`, `const`, blocks, `=`, `+=` and its like to variables, fields and elements, `return`, `&mut` of variables and parts of them, `debug_assert!` (which companions leave out) | `&mut` arguments of the function itself |
 /// | patterns | names, `_`, tuples, arrays with `..`, structs | |
 /// | branches | `if` and `match` on comparisons, numbers, ranges, tuples, with `&&`, `\|\|`, `!`: both sides are computed, and selected | `if let`, enums |
 /// | loops | `for` over constant ranges, arrays and `iter enumerate zip chain rev skip take step_by windows chunks_exact map`, `while` and `loop` by counts, with `break`, `continue` and labels: written out, up to 10 000 rounds and 20 000 operations a function | a number of rounds that an argument decides: bound it, and leave by `break` |
-/// | of arrays | `len map`, `array::from_fn` where a `let` says the length, and of iterators `sum product fold`; indices and slices by constants, counters and what is computed of them | an index that an argument decides |
+/// | of arrays | `len map`, `array::from_fn` where a `let` says the length, and `swap iter_mut`, of iterators `sum product fold`; indices and slices by constants, counters and what is computed of them | an index that an argument decides |
 /// | functions | those of the module, functions inside of the function, closures | recursion, closures that change what is outside |
 /// | whole numbers | `+ - * / %`, comparisons, `as` to numbers; of arguments no `/` and `%` | |
 ///

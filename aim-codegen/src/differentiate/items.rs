@@ -163,10 +163,24 @@ pub(super) fn callable(signature: &Signature, block: &syn::Block, of: Option<&st
             None => signature.ident.to_string(),
         }),
         parameters: parameters.collect(),
+        changed: signature.inputs.iter().map(is_changed).collect(),
         lengths: lengths.collect(),
         body: Expr::Block(syn::ExprBlock { attrs: Vec::new(), label: None, block: block.clone() }),
         captured: Vec::new(),
         self_type: of.map(str::to_owned),
+    }
+}
+
+/// Whether a parameter is `&mut`.
+fn is_changed(input: &FnArg) -> bool {
+    let is_reference = |ty: &syn::Type| matches!(ty, syn::Type::Reference(reference) if reference.mutability.is_some());
+    match input {
+        FnArg::Typed(typed) => is_reference(&typed.ty),
+        FnArg::Receiver(receiver) => match &receiver.kind {
+            syn::ReceiverKind::Reference(.., mutability) => mutability.is_some(),
+            syn::ReceiverKind::Typed(_, ty) => is_reference(ty),
+            _ => false,
+        },
     }
 }
 

@@ -12,9 +12,20 @@ fn statements(x: f32, v: Vec3) -> f32 {
     println!("{x}");
     x.sin();
     let z = if let Some(y) = Some(v.z) { y } else { 0.0 };
-    let mut sum = z;
-    let alias = &mut sum;
-    *alias = 1.0;
+    z
+}
+
+#[differentiate(wrt(x))]
+fn captures(x: f32) -> f32 {
+    let mut sum = x;
+    let mut count = |y: f32| sum += y;
+    count(x);
+    sum
+}
+
+#[differentiate(wrt(x))]
+fn endless(x: f32) -> f32 {
+    let mut sum = x;
     loop {
         sum += x;
         if sum > 10.0 {

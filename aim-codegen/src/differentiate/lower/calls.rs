@@ -51,6 +51,9 @@ struct Callee<'a> {
 
 impl Translation<'_> {
     pub(super) fn method_call(&mut self, call: &ExprMethodCall) -> Value {
+        if let Some(value) = self.changing_method(call) {
+            return value;
+        }
         let receiver = self.expression(&call.receiver);
         if receiver.is_unknown() {
             call.args.iter().for_each(|argument| _ = self.expression(argument));
@@ -101,6 +104,8 @@ impl Translation<'_> {
         let name = call.method.to_string();
         if let Some(function) = self.items.function(Some(&of.name), &name) {
             let function = function.clone();
+            let lent = function.changed.first() == Some(&true);
+            let receiver = if lent { self.reference(&call.receiver) } else { receiver };
             return self.inline_written(&call.method, &function, Some(receiver), &call.args);
         }
         if name == "clone" {
@@ -119,7 +124,15 @@ impl Translation<'_> {
         written: &Punctuated<Expr, Comma>,
     ) -> Value {
         let mut arguments: Vec<Value> = receiver.into_iter().collect();
-        arguments.extend(written.iter().map(|argument| self.expression(argument)));
+        let first = arguments.len();
+        for (index, argument) in written.iter().enumerate() {
+            let lent = function.changed.get(first + index) == Some(&true);
+            arguments.push(match strip(argument) {
+                // A reference that is passed on.
+                place @ Expr::Path(_) if lent => self.reference(place),
+                argument => self.expression(argument),
+            });
+        }
         self.inline(place, function, arguments)
     }
 

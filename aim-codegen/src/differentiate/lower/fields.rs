@@ -74,7 +74,7 @@ impl Translation<'_> {
         }
         let name = name_of(member);
         if let Some(value) = base.field(self.algebra, &name) {
-            return value;
+            return self.referenced(value);
         }
         match base {
             Value::Quaternion(q) if q.parts.is_none() => self.refuse(member, messages::quaternion_of_matrix()),

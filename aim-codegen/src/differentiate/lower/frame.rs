@@ -37,7 +37,7 @@ impl Target {
 struct Exit {
     target: Target,
     condition: Condition,
-    /// The variables that were assigned since the target began.
+    /// The variables that were assigned since the target began; of a function those that are lent.
     assigned: Assigned,
     /// What a function returns.
     value: Value,
@@ -66,6 +66,8 @@ pub(super) struct Frame {
     path: Vec<Condition>,
     regions: Vec<Region>,
     exits: Vec<Exit>,
+    /// The parameters that the caller lends to be changed.
+    lent: Vec<usize>,
     /// The type that `Self` is.
     pub(super) self_type: Option<String>,
 }
@@ -104,6 +106,15 @@ impl Frame {
     /// How many of the variables are those that a closure has captured.
     pub(super) fn captured(&self) -> usize {
         self.captured
+    }
+
+    /// The variable of this place is lent by the caller.
+    pub(super) fn lend(&mut self, place: usize) {
+        self.lent.push(place);
+    }
+
+    pub(super) fn is_lent(&self, place: usize) -> bool {
+        self.lent.contains(&place)
     }
 
     pub(super) fn names(&self) -> Vec<&str> {
@@ -207,7 +218,9 @@ impl Frame {
     pub(super) fn exit(&mut self, target: Target, value: Value) {
         let Some(region) = self.regions.iter().find(|region| region.target == target) else { return };
         let mut assigned = Assigned::new();
-        if target != Target::Function {
+        if target == Target::Function {
+            assigned.extend(self.lent.iter().map(|&place| (place, self.value(place).clone())));
+        } else {
             for &(place, _) in self.journals[region.journals..].iter().flatten() {
                 if place < region.variables && assigned_to(&assigned, place).is_none() {
                     assigned.push((place, self.value(place).clone()));
@@ -265,10 +278,18 @@ impl Frame {
         taken
     }
 
-    /// The function's value, of those that were returned and the one at its end; `None` where they are of two kinds.
-    pub(super) fn result(&mut self, a: &mut Algebra, end: Value) -> Option<Value> {
+    /// The function's value, of those that were returned and the one at its end, and those of the variables that were lent;
+    /// `None` where some are of two kinds.
+    pub(super) fn result(&mut self, a: &mut Algebra, end: Value) -> Option<(Value, Vec<Value>)> {
+        let ends = !end.is_never();
+        let lent = self.lent.iter().map(|&place| if ends { self.value(place).clone() } else { Value::Never }).collect();
         let exits = self.take_exits(Target::Function);
-        exits.into_iter().rev().try_fold(end, |value, exit| exit.value.select(a, &exit.condition, &value))
+        exits.into_iter().rev().try_fold((end, lent), |(value, lent): (Value, Vec<Value>), exit| {
+            let there = exit.assigned.iter().map(|(_, value)| value);
+            let selected = there.zip(&lent).map(|(there, value)| there.select(a, &exit.condition, value));
+            let lent = selected.collect::<Option<Vec<Value>>>()?;
+            Some((exit.value.select(a, &exit.condition, &value)?, lent))
+        })
     }
 }
 

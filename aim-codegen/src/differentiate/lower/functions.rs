@@ -15,6 +15,8 @@ pub(crate) struct Callable {
     /// Of a function, with its type in front.
     pub(crate) name: Option<String>,
     pub(crate) parameters: Vec<(Pat, Option<syn::Type>)>,
+    /// Which of them are `&mut`.
+    pub(crate) changed: Vec<bool>,
     /// The generic parameters that are lengths of arrays.
     pub(crate) lengths: Vec<String>,
     pub(crate) body: Expr,
@@ -42,6 +44,7 @@ impl Translation<'_> {
         Value::Function(Rc::new(Callable {
             name: None,
             parameters: parameters.collect(),
+            changed: vec![false; closure.inputs.len()],
             lengths: Vec::new(),
             body: (*closure.body).clone(),
             captured: self.frame.variables().to_vec(),
@@ -53,20 +56,43 @@ impl Translation<'_> {
     pub(crate) fn body(&mut self, place: &impl ToTokens, function: &Callable, arguments: Vec<Value>) -> Value {
         let mut frame = Frame::new(function.captured.clone());
         frame.self_type.clone_from(&function.self_type);
+        // What is lent is copied in, and back when the function is left: nobody else sees it meanwhile.
+        let mut lent = Vec::new();
+        let mut values = Vec::new();
+        for (argument, &changed) in arguments.into_iter().zip(&function.changed) {
+            match &argument {
+                Value::Reference(_) if !changed => return self.refuse(place, messages::mutable_borrow()),
+                Value::Reference(reference) => lent.push(reference.clone()),
+                _ if changed => return self.refuse(place, messages::mutable_borrow()),
+                _ => {}
+            }
+            values.push((self.referenced(argument), changed));
+        }
         let outer = core::mem::replace(&mut self.frame, frame);
-        for ((pattern, ty), value) in function.parameters.iter().zip(arguments) {
+        for ((pattern, ty), (value, changed)) in function.parameters.iter().zip(values) {
             if let Some(ty) = ty {
                 self.bind_lengths(&function.lengths, ty, &value);
             }
             self.bind(pattern, value);
+            if changed {
+                if !matches!(pattern, Pat::Ident(_)) {
+                    self.refuse(pattern, messages::pattern());
+                }
+                self.frame.lend(self.frame.depth() - 1);
+            }
         }
         let end = self.expression(&function.body);
         let value = self.frame.result(self.algebra, end);
         self.frame = outer;
         match value {
             // Nothing comes out of it; the compiler says so.
-            Some(Value::Never) => Value::Unknown,
-            Some(value) => value,
+            Some((Value::Never, _)) => Value::Unknown,
+            Some((value, changed)) => {
+                for (reference, changed) in lent.iter().zip(changed) {
+                    self.write(place, reference, changed);
+                }
+                value
+            }
             None => self.refuse(place, messages::returns_differ()),
         }
     }

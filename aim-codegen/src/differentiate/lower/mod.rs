@@ -83,7 +83,7 @@ impl<'a> Translation<'a> {
             self.frame.declare(name.to_string(), Value::Unknown);
         }
         let end = self.block(block);
-        let value = self.frame.result(self.algebra, end);
+        let value = self.frame.result(self.algebra, end).map(|(value, _)| value);
         value.unwrap_or_else(|| self.refuse(&block.stmts.last(), messages::returns_differ()))
     }
 
@@ -103,10 +103,11 @@ impl<'a> Translation<'a> {
             Expr::Unary(unary) => self.unary(unary),
             Expr::Binary(binary) => self.binary(binary),
             Expr::Reference(reference) => {
-                if let Some(mutability) = &reference.mutability {
-                    return self.refuse(mutability, messages::mutable_borrow());
+                if reference.mutability.is_some() {
+                    self.reference(&reference.expr)
+                } else {
+                    self.expression(&reference.expr)
                 }
-                self.expression(&reference.expr)
             }
             Expr::MethodCall(call) => self.method_call(call),
             Expr::Call(call) => self.call(call),
@@ -170,7 +171,8 @@ impl<'a> Translation<'a> {
         let segments: Vec<String> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
         if let (None, [name]) = (&path.qself, segments.as_slice()) {
             if let Some(place) = self.frame.find(name) {
-                return self.frame.value(place).clone();
+                let value = self.frame.value(place).clone();
+                return self.referenced(value);
             }
             if self.items.constant(None, name).is_none() && self.items.function(None, name).is_none() {
                 let text = messages::outside_name(name, &self.frame.names());

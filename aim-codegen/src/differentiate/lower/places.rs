@@ -1,7 +1,10 @@
 //! What is assigned to: a variable, or a part of one.
 
+use std::rc::Rc;
+
 use aim_symbolic::Scalar;
-use syn::{Expr, Member, UnOp};
+use quote::ToTokens;
+use syn::{Expr, ExprMethodCall, Member, UnOp};
 
 use super::algebra::Algebra;
 use super::map::{Affine, Map, Quaternion};
@@ -10,9 +13,23 @@ use super::{Translation, square, strip};
 use crate::differentiate::messages;
 
 /// A step from a value to a part of it.
+#[derive(Clone)]
 enum Step {
     Field(Member),
     Index(usize),
+}
+
+/// A variable, or a part of one.
+#[derive(Clone)]
+pub(crate) struct Place {
+    variable: usize,
+    steps: Vec<Step>,
+}
+
+impl core::fmt::Debug for Place {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Place").field("variable", &self.variable).finish_non_exhaustive()
+    }
 }
 
 impl Translation<'_> {
@@ -48,47 +65,110 @@ impl Translation<'_> {
     }
 
     fn assign_part(&mut self, target: &Expr, value: Value) -> Value {
-        let mut steps = Vec::new();
-        let Some(place) = self.place(target, &mut steps) else { return Value::Unknown };
-        if place < self.frame.captured() {
+        match self.place(target) {
+            Some(_) if matches!(value, Value::Reference(_)) => self.refuse(target, messages::mutable_borrow()),
+            Some(place) => self.write(target, &place, value),
+            None => Value::Unknown,
+        }
+    }
+
+    /// Gives a place a value.
+    pub(super) fn write(&mut self, target: &impl ToTokens, place: &Place, value: Value) -> Value {
+        let Place { variable, ref steps } = *place;
+        if variable < self.frame.captured() {
             return self.refuse(target, messages::captured());
         }
-        if steps.is_empty() {
-            self.frame.assign(place, value);
-            return Value::nothing();
+        let whole = self.frame.value(variable).clone();
+        if value.is_unknown() || whole.is_unknown() && !steps.is_empty() {
+            self.frame.assign(variable, Value::Unknown);
+            return if steps.is_empty() { Value::nothing() } else { Value::Unknown };
         }
-        let whole = self.frame.value(place).clone();
-        if whole.is_unknown() || value.is_unknown() {
-            self.frame.assign(place, Value::Unknown);
-            return Value::Unknown;
-        }
-        match replaced(self.algebra, &whole, &steps, value) {
+        match replaced(self.algebra, &whole, steps, value) {
             Some(whole) => {
-                self.frame.assign(place, whole);
+                self.frame.assign(variable, whole);
                 Value::nothing()
             }
             None => self.refuse(target, messages::no_part_to_assign(&whole.describe())),
         }
     }
 
-    /// The variable of a place and the way from it; `None` after an error.
-    fn place(&mut self, target: &Expr, steps: &mut Vec<Step>) -> Option<usize> {
+    /// `&mut target`
+    pub(super) fn reference(&mut self, target: &Expr) -> Value {
+        self.place(target).map_or(Value::Unknown, |place| Value::Reference(Rc::new(place)))
+    }
+
+    /// References to the elements of an array that is changed; `None` if it is none.
+    pub(super) fn references(&mut self, target: &Place) -> Option<Vec<Value>> {
+        let Value::Array(values) = self.read(target) else { return None };
+        let references = (0..values.len()).map(|index| {
+            let steps = target.steps.iter().cloned().chain([Step::Index(index)]).collect();
+            Value::Reference(Rc::new(Place { variable: target.variable, steps }))
+        });
+        Some(references.collect())
+    }
+
+    /// The value itself, of a reference that of its place.
+    pub(super) fn referenced(&mut self, value: Value) -> Value {
+        match value {
+            Value::Reference(place) => self.read(&place),
+            value => value,
+        }
+    }
+
+    fn read(&mut self, place: &Place) -> Value {
+        let whole = self.frame.value(place.variable).clone();
+        place.steps.iter().try_fold(whole, |whole, step| part_of(self.algebra, &whole, step)).unwrap_or(Value::Unknown)
+    }
+
+    /// `array.swap(i, j)` and `array.fill(value)`; `None` if it is another method.
+    pub(super) fn changing_method(&mut self, call: &ExprMethodCall) -> Option<Value> {
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        let name = call.method.to_string();
+        match (name.as_str(), arguments.as_slice()) {
+            ("iter_mut", []) => {
+                let place = self.place(&call.receiver)?;
+                self.references(&place).map(Value::Sequence)
+            }
+            ("swap", [one, other]) => {
+                let place = self.place(&call.receiver)?;
+                let references = self.references(&place)?;
+                let picked = [one, other].map(|index| {
+                    let index = self.expression(index);
+                    self.algebra.known_index(&index).and_then(|index| references.get(index).cloned())
+                });
+                let [Some(Value::Reference(one)), Some(Value::Reference(other))] = picked else {
+                    return Some(self.refuse(&call.args, messages::index_unknown()));
+                };
+                let values = [&other, &one].map(|place| self.read(place));
+                let [first, second] = values;
+                self.write(&call.method, &one, first);
+                Some(self.write(&call.method, &other, second))
+            }
+            _ => None,
+        }
+    }
+
+    /// What this expression names; `None` after an error.
+    fn place(&mut self, target: &Expr) -> Option<Place> {
         match strip(target) {
             Expr::Path(path) => {
-                let name = path.path.get_ident()?;
                 // A constant is not assigned to: the compiler says so.
-                self.frame.find(&name.to_string())
+                let variable = self.frame.find(&path.path.get_ident()?.to_string())?;
+                Some(match self.frame.value(variable) {
+                    Value::Reference(place) => (**place).clone(),
+                    _ => Place { variable, steps: Vec::new() },
+                })
             }
             Expr::Field(field) => {
-                let place = self.place(&field.base, steps)?;
-                steps.push(Step::Field(field.member.clone()));
+                let mut place = self.place(&field.base)?;
+                place.steps.push(Step::Field(field.member.clone()));
                 Some(place)
             }
             Expr::Index(index) => {
-                let place = self.place(&index.expr, steps)?;
+                let mut place = self.place(&index.expr)?;
                 let value = self.expression(&index.index);
                 match self.algebra.known_index(&value) {
-                    Some(known) => steps.push(Step::Index(known)),
+                    Some(known) => place.steps.push(Step::Index(known)),
                     None => {
                         self.refuse_known(&value, &index.index, messages::index_unknown());
                         return None;
@@ -97,8 +177,16 @@ impl Translation<'_> {
                 Some(place)
             }
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
-                let inner = self.expression(&unary.expr);
-                self.refuse_known(&inner, &unary.op, messages::assigned_through_reference());
+                let place = self.place(&unary.expr)?;
+                let followed = match strip(&unary.expr) {
+                    Expr::Path(path) => path.path.get_ident().and_then(|name| self.frame.find(&name.to_string())),
+                    _ => None,
+                };
+                let value = followed.map_or(Value::Unknown, |variable| self.frame.value(variable).clone());
+                if matches!(value, Value::Reference(_)) || followed.is_some_and(|place| self.frame.is_lent(place)) {
+                    return Some(place);
+                }
+                self.refuse_known(&value, &unary.op, messages::assigned_through_reference());
                 None
             }
             other => {
@@ -178,7 +266,7 @@ fn with_part(a: &mut Algebra, whole: &Value, step: &Step, part: Value) -> Option
                 .fields
                 .iter()
                 .map(|(known, value)| (known.clone(), if *known == name { part.clone() } else { value.clone() }));
-            Value::Struct(std::rc::Rc::new(Struct { name: of.name.clone(), fields: fields.collect() }))
+            Value::Struct(Rc::new(Struct { name: of.name.clone(), fields: fields.collect() }))
         }
         _ => return None,
     })

@@ -184,7 +184,11 @@ impl Translation<'_> {
             return over;
         }
         let kind = over.describe();
-        let Some(items) = over.items() else {
+        let items = match &over {
+            Value::Reference(place) => self.references(place),
+            _ => over.items(),
+        };
+        let Some(items) = items else {
             return self.refuse(&e.expr, messages::not_iterable(&kind));
         };
         let label = e.label.as_ref().map(|label| &label.name);

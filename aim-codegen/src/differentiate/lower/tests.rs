@@ -199,6 +199,46 @@ same! {
             dot(&WEIGHTS, &[x, y, half(x)]) + of.energy(x) * w + clamp(twice(y), (-1.0, 1.0)) + Spring::SOFT.energy(x)
         }
     }
+    changes_through_references {
+        #[derive(Clone, Copy)]
+        struct State { at: [f64; 2], steps: usize }
+        impl State {
+            fn step(&mut self, force: f64) -> f64 {
+                self.steps += 1;
+                if force < -2.0 {
+                    self.at[0] = 0.0;
+                    return 1.0;
+                }
+                add(&mut self.at[1], force);
+                if self.at[1] > 3.0 { self.at[0] -= 1.0; return 2.0; }
+                self.at[0] += 0.1 * self.at[1];
+                self.halve();
+                0.0
+            }
+            fn halve(&mut self) { for v in &mut self.at { *v *= 0.5; } }
+        }
+        fn add(sum: &mut f64, x: f64) { *sum += x; }
+        fn both(one: &mut f64, other: &mut f64) { add(one, *other); *other = -*one; }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut state = State { at: [x, 0.5], steps: 0 };
+            let mut sum = 0.0;
+            for force in [y, x, 1.0] { sum += state.step(force); }
+            let mut table = [x, y, 3.0, 4.0];
+            for (i, v) in table.iter_mut().enumerate() {
+                if *v < 0.5 { continue; }
+                *v += i as f64;
+                if *v > 4.0 { break; }
+                *v *= 2.0;
+            }
+            table.swap(1, 3);
+            let (mut a, mut b) = (x, y);
+            if x > y { both(&mut a, &mut b); }
+            let alias = &mut sum;
+            *alias += 0.25;
+            sum + state.at[0] - 2.0 * state.at[1] + state.steps as f64
+                + table[0] - 3.0 * table[1] + 7.0 * table[2] + table[3] + 11.0 * a + 13.0 * b
+        }
+    }
     matches {
         fn mode(k: usize, x: f64) -> f64 {
             match k {

@@ -8,6 +8,7 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::functions::Callable;
 use super::map::{Affine, Map, Quaternion};
+use super::places::Place;
 use super::square::{self, Columns};
 
 /// What an expression stands for.
@@ -33,6 +34,8 @@ pub(crate) enum Value {
     Array(Vec<Self>),
     Struct(Rc<Struct>),
     Function(Rc<Callable>),
+    /// `&mut` of a place.
+    Reference(Rc<Place>),
     /// What an iterator goes over.
     Sequence(Vec<Self>),
     /// Of an expression that control does not come out of.
@@ -81,6 +84,7 @@ impl Value {
             Self::Array(values) => format!("an array of {}", values.len()),
             Self::Struct(of) => format!("a `{}`", of.name),
             Self::Function(_) => "a function".into(),
+            Self::Reference(_) => "a reference that changes what it refers to".into(),
             Self::Sequence(values) => format!("an iterator over {}", values.len()),
             Self::Never | Self::Unknown => "an expression".into(),
         }
