@@ -134,7 +134,7 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// | branches | `if` and `match` on comparisons, numbers, ranges, tuples, with `&&`, `\|\|`, `!`: both sides are computed, and selected | `if let`, enums |
 /// | loops | `for` over constant ranges, arrays and `iter enumerate zip chain rev skip take step_by windows chunks_exact map`, `while` and `loop` by counts, with `break`, `continue` and labels: written out, up to 10 000 rounds and 20 000 operations a function | a number of rounds that an argument decides: bound it, and leave by `break` |
 /// | of arrays | `len map`, `array::from_fn` where a `let` says the length, and `swap iter_mut`, of iterators `sum product fold`; indices and slices by constants, counters and what is computed of them | an index that an argument decides |
-/// | functions | those of the module, functions inside of the function, closures | recursion, closures that change what is outside |
+/// | functions | those of the module, methods and operators that it implements for its structs, functions inside of the function, closures | recursion, closures that change what is outside |
 /// | whole numbers | `+ - * / %`, comparisons, `as` to numbers; of arguments no `/` and `%` | |
 ///
 /// - `Rigid` and `Affine3A` count as **rigid**, a rotation and a translation: the derivation relies on it. There are no

@@ -15,6 +15,8 @@ type Name = (Option<String>, String);
 pub(super) struct Items {
     constants: Vec<(Name, Expr)>,
     functions: Vec<(Name, Rc<Callable>)>,
+    /// Names of several functions.
+    several: Vec<Name>,
     structs: Vec<(String, Vec<(Member, syn::Type)>)>,
     aliases: Vec<(String, syn::Type)>,
     /// Functions that errors were reported of: of further calls nothing more is said.
@@ -39,7 +41,7 @@ impl Items {
                     let used = used_constants(&item.tree).into_iter();
                     items.constants.extend(used.map(|(name, path)| ((None, name), path)));
                 }
-                Item::Impl(item) if item.trait_.is_none() => {
+                Item::Impl(item) => {
                     let syn::Type::Path(path) = &*item.self_ty else { continue };
                     let Some(name) = path.path.get_ident() else { continue };
                     items.add_impl(&name.to_string(), &item.items);
@@ -64,6 +66,12 @@ impl Items {
 
     fn add_function(&mut self, of: Option<&str>, signature: &Signature, block: &syn::Block) {
         let name = (of.map(str::to_owned), signature.ident.to_string());
+        // Which of several is meant, such as of `From` for two types, is not told.
+        if self.function(of, &name.1).is_some() || self.several.contains(&name) {
+            self.functions.retain(|(known, _)| *known != name);
+            self.several.push(name);
+            return;
+        }
         self.functions.push((name, Rc::new(callable(signature, block, of))));
     }
 

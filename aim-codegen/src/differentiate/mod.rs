@@ -57,7 +57,9 @@ pub fn differentiate(attribute: TokenStream, item: TokenStream, facade: &str) ->
             let options = Options::parse_module(attribute, &mut report);
             let items = module(items, &options, &mod_token, facade, &mut report);
             let errors = report.into_compile_error();
-            quote!(#(#attrs)* #vis #mod_token #ident { #items } #errors)
+            let (inner, outer): (Vec<_>, Vec<_>) =
+                attrs.into_iter().partition(|attribute| matches!(attribute.style, syn::AttrStyle::Inner(_)));
+            quote!(#(#outer)* #vis #mod_token #ident { #(#inner)* #items } #errors)
         }
         // What is something else is said in our words, what does not parse in the parser's.
         Ok(_) => {

@@ -118,6 +118,20 @@ fn whole_numbers_are_no_others() {
 }
 
 #[test]
+fn a_module_is_emitted_as_written_but_for_the_requests() {
+    let module = "# [cfg (all ())] pub mod m { # ! [doc = \" Words.\"] use core :: fmt ; struct S (f32) ; \
+                  # [differentiate (wrt (x))] # [inline] fn f (x : f32) -> f32 { x } fn g () { } }";
+    let expansion = expand("", module);
+    assert_eq!(errors(&expansion), 0, "{expansion}");
+    let file: syn::File = syn::parse_str(&expansion).expect("inner attributes stand inside");
+    let [Item::Mod(found)] = file.items.as_slice() else { panic!("one module: {expansion}") };
+    let items = found.content.as_ref().map_or(&[][..], |(_, items)| items);
+    assert_eq!(items.len(), 5, "and a companion");
+    assert_eq!(found.attrs.len(), 2);
+    assert!(!expansion.contains("# [differentiate"), "{expansion}");
+}
+
+#[test]
 fn functions_of_a_file_see_their_module() {
     let text = "#[differentiate] mod m { const K: f64 = 2.0; fn twice(x: f64) -> f64 { K * x }
         #[differentiate(wrt(x))] fn f([a, b]: [f64; 2], x: f64) -> f64 { twice(x) * a + b } }

@@ -176,7 +176,7 @@ impl Translation<'_> {
             (None, Some((_, ty, function))) => ((*ty).to_owned(), (*function).to_owned()),
             (None, None) => return self.refuse(name, messages::unknown_function(&text)),
         };
-        let Some((shape, _)) = types::named(&ty) else {
+        let Some((shape, _)) = types::named(&ty).filter(|_| self.items.fields(&ty).is_none()) else {
             return self.refuse(&path.path, messages::unknown_function(&path_text(path)));
         };
         if function == "from_euler" {

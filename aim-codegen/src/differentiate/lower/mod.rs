@@ -232,6 +232,11 @@ impl<'a> Translation<'a> {
         if operand.is_unknown() {
             return operand;
         }
+        if let (UnOp::Neg(_), Value::Struct(of)) = (&unary.op, &operand)
+            && let Some(function) = self.items.function(Some(&of.name), "neg").cloned()
+        {
+            return self.inline(&unary.op, &function, vec![operand]);
+        }
         let value = match (&unary.op, &operand) {
             (UnOp::Deref(_), _) => Some(operand.clone()),
             (UnOp::Not(_), Value::Truth(condition)) => Some(Value::Truth(condition.clone().not())),
@@ -248,6 +253,12 @@ impl<'a> Translation<'a> {
             return Value::Unknown;
         }
         let operator = assigned.as_ref().unwrap_or(&binary.op);
+        if let (Value::Struct(of), Some(name)) = (&left, operators::method(&binary.op))
+            && let Some(function) = self.items.function(Some(&of.name), name).cloned()
+        {
+            let left = if assigned.is_some() { self.reference(&binary.left) } else { left };
+            return self.inline(&binary.op, &function, vec![left, right]);
+        }
         let value = match operators::binary(self.algebra, operator, &left, &right) {
             Some(value) => value,
             None => {

@@ -212,6 +212,21 @@ fn compare(a: &Algebra, operator: &BinOp, left: &Value, right: &Value) -> Option
     })
 }
 
+/// The method that an operator stands for.
+pub(super) fn method(operator: &BinOp) -> Option<&'static str> {
+    Some(match operator {
+        BinOp::Add(_) => "add",
+        BinOp::Sub(_) => "sub",
+        BinOp::Mul(_) => "mul",
+        BinOp::Div(_) => "div",
+        BinOp::AddAssign(_) => "add_assign",
+        BinOp::SubAssign(_) => "sub_assign",
+        BinOp::MulAssign(_) => "mul_assign",
+        BinOp::DivAssign(_) => "div_assign",
+        _ => return None,
+    })
+}
+
 /// The operator before the `=` of an assignment.
 pub(super) fn assigned(operator: &BinOp) -> Option<BinOp> {
     Some(match operator {

@@ -239,6 +239,27 @@ same! {
                 + table[0] - 3.0 * table[1] + 7.0 * table[2] + table[3] + 11.0 * a + 13.0 * b
         }
     }
+    operators_of_structs {
+        use core::ops::{Add, AddAssign, Mul, Neg};
+        #[derive(Clone, Copy)]
+        struct Pair { a: f64, b: f64 }
+        impl Default for Pair { fn default() -> Self { Self { a: 1.0, b: 2.0 } } }
+        impl Add for Pair { type Output = Self; fn add(self, o: Self) -> Self { Self { a: self.a + o.a, b: self.b + o.b } } }
+        impl Mul<f64> for Pair { type Output = Self; fn mul(self, k: f64) -> Self { Self { a: self.a * k, b: self.b * k } } }
+        impl Neg for Pair { type Output = Self; fn neg(self) -> Self { self * -1.0 } }
+        impl AddAssign for Pair { fn add_assign(&mut self, o: Self) { *self = *self + o; } }
+        fn slope(s: Pair) -> Pair { Pair { a: s.b, b: -s.a.sin() } }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut s = Pair { a: x, b: y } + Pair::default();
+            for i in 0..2usize.pow(2) {
+                let k1 = slope(s);
+                let k2 = slope(s + k1 * 0.05);
+                s += k2 * (0.1 * i as f64);
+                if s.a > 3.0 { s = -s; }
+            }
+            s.a - 3.0 * s.b
+        }
+    }
     matches {
         fn mode(k: usize, x: f64) -> f64 {
             match k {

@@ -69,6 +69,13 @@ functions! {
 functions! {
     /// Of whole numbers.
     WHOLE(a):
+    pow(n: Integer, exponent: Integer) -> Integer {
+        let exponent = whole(a, exponent)?;
+        if exponent < 0 {
+            return Err(Fault::Arguments);
+        }
+        a.power(n, exponent)
+    }
     abs(n: Integer) = if n < 0 { -n } else { n };
     min(n: Integer, m: Integer) = if m < n { m } else { n };
     max(n: Integer, m: Integer) = if n < m { m } else { n };
