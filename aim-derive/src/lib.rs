@@ -120,7 +120,7 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// | `wrt(p, h)` | the arguments to differentiate by; needed |
 /// | `budget = 46` | more operations than that in the gradient or Jacobian are a compile error that tells the counts (additions, multiplications, divisions and roots; sines and other functions are given) |
 /// | `hessian`, `jvp`, `vjp`, `hvp`, `gauss_newton` | these companions, too: products cost a few times what the function does, however many variables there are |
-/// | `check = true` | a test beside the function compares its first derivatives with central differences at random points, where the function has a slope there; also of a module, for all of its functions |
+/// | `check = true` | a test beside the function compares its first derivatives with central differences at random points, where the function has a slope there and does not panic; also of a module, for all of its functions |
 /// | `crate = path` | the path of `aim`, where it is not `::aim`; also of a module |
 ///
 /// # The language

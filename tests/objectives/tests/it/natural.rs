@@ -42,6 +42,7 @@ macro_rules! objectives {
 
             /// Huber's.
             fn robust(r: $real, width: $real) -> $real {
+                debug_assert!(width > 0.0, "of a width");
                 let size = r.abs();
                 if size <= width {
                     return 0.5 * r * r;
