@@ -1,4 +1,5 @@
-//! Sum factoring on components: `a b + a c = a (b + c)`, where neither product is needed elsewhere.
+//! Sum factoring on components: `a b + a c = a (b + c)`, where neither product is needed elsewhere; and terms of which
+//! always one is 0, by the outcome of a comparison, become one.
 
 use rustc_hash::FxHashMap;
 
@@ -10,7 +11,8 @@ use crate::{Graph, Op, Scalar, ScalarNode};
 pub(crate) fn factor(fold: &mut Fold, outputs: Vec<Scalar>) -> Vec<Scalar> {
     let uses = Uses::count(&fold.g, &outputs);
     let mut factoring = Factoring { uses };
-    if !factoring.uses.order().iter().any(|&s| factoring.terms_to_factor(&fold.g, s).is_some()) {
+    let order = factoring.uses.order().to_vec();
+    if !order.into_iter().any(|s| factoring.terms_to_factor(fold, s).is_some()) {
         return outputs;
     }
     Rebuild::outputs(fold, &outputs, &mut factoring)
@@ -27,23 +29,24 @@ struct Factoring {
 }
 
 impl Exchange for Factoring {
-    /// The sum `s` where some of its products have a common factor.
+    /// The sum `s` where some of its products have a common factor, or some of its terms exclude each other.
     fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Option<Scalar> {
-        let terms = self.terms_to_factor(&rebuild.fold.g, s)?;
+        let mut terms = self.terms_to_factor(rebuild.fold, s)?;
+        self.join_sides(rebuild.fold, &mut terms);
         Some(self.sum(rebuild, terms))
     }
 }
 
 impl Factoring {
-    /// The terms of a sum of which some have a common factor.
-    fn terms_to_factor(&self, g: &Graph, s: Scalar) -> Option<Vec<Term>> {
+    /// The terms of a sum of which some have a common factor or exclude each other.
+    fn terms_to_factor(&self, fold: &mut Fold, s: Scalar) -> Option<Vec<Term>> {
+        let g = &fold.g;
         if !matches!(g.scalar_node(s), ScalarNode::Op(Op::Add(..) | Op::Sub(..))) {
             return None;
         }
         let mut terms = Vec::new();
         self.collect(g, s, false, 0, &mut terms);
-        self.common(g, &terms)?;
-        Some(terms)
+        (self.common(g, &terms).is_some() || fold.exclude_each_other(terms.iter().map(|&(_, s)| s))).then_some(terms)
     }
 
     /// The terms of a sum, through partial sums that nothing else needs.
@@ -96,6 +99,27 @@ impl Factoring {
             }
         }
         best.map(|(_, factor)| factor)
+    }
+
+    /// Joins terms that are 0 on opposite sides of a comparison, as long as there are such.
+    fn join_sides(&self, fold: &mut Fold, terms: &mut Vec<Term>) {
+        let mut i = 0;
+        while i < terms.len() {
+            let (negative, term) = terms[i];
+            let joined = (0..terms.len()).filter(|&j| j != i).find_map(|j| {
+                let (other_negative, other) = terms[j];
+                let free = self.uses.once(term) && self.uses.once(other);
+                Some((j, fold.sum_of_sides(term, other, negative != other_negative, free)?))
+            });
+            match joined {
+                Some((j, sum)) => {
+                    terms[i] = (negative, sum);
+                    terms.remove(j);
+                    i = 0;
+                }
+                None => i += 1,
+            }
+        }
     }
 
     fn sum(&mut self, rebuild: &mut Rebuild<'_>, terms: Vec<Term>) -> Scalar {

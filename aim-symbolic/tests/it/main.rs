@@ -2,3 +2,4 @@
 
 mod paper;
 mod random;
+mod selects;

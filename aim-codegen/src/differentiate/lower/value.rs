@@ -101,8 +101,6 @@ impl Value {
             }
             then.iter().zip(otherwise).map(|(then, otherwise)| then.select(a, condition, otherwise)).collect()
         };
-        let maps =
-            |then: &Map, otherwise: &Map| Map::Select(Rc::new((condition.clone(), then.clone(), otherwise.clone())));
         Some(match (self, otherwise) {
             (Self::Unknown, _) | (_, Self::Unknown) => Self::Unknown,
             (Self::Never, value) | (value, Self::Never) => value.clone(),
@@ -116,16 +114,10 @@ impl Value {
                 let otherwise = condition.clone().not().and(y.clone());
                 Self::Truth(then.or(otherwise))
             }
-            (Self::Quaternion(q), Self::Quaternion(r)) => {
-                let parts = q
-                    .parts
-                    .zip(r.parts)
-                    .map(|((u, w), (v, x))| (condition.select_vector(a, u, v), condition.select(a, w, x)));
-                Self::Quaternion(Quaternion { map: maps(&q.map, &r.map), parts })
-            }
-            (Self::Matrix(m), Self::Matrix(n)) => Self::Matrix(maps(m, n)),
+            (Self::Quaternion(q), Self::Quaternion(r)) => Self::Quaternion(q.select(a, condition, r)),
+            (Self::Matrix(m), Self::Matrix(n)) => Self::Matrix(Map::select(a, condition, m, n)),
             (Self::Affine(m), Self::Affine(n)) => Self::Affine(Affine {
-                map: maps(&m.map, &n.map),
+                map: Map::select(a, condition, &m.map, &n.map),
                 translation: condition.select_vector(a, m.translation, n.translation),
             }),
             (Self::Tuple(x), Self::Tuple(y)) => Self::Tuple(each(a, x, y)?),
