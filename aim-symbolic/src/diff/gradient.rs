@@ -14,11 +14,13 @@
 //! | y = x where c, else z | x̄ += ȳ where c, else 0; z̄ += 0 where c, else ȳ |
 //! | y = v − (v · u) u | v̄ += ȳ − (ȳ · u) u, ū −= (v · u) ȳ + (ȳ · u) v |
 
+use rustc_hash::FxHashMap;
+
 use crate::diff::growth::Growth;
 use crate::diff::mask::{Mask, Masks};
 use crate::diff::sweep::Passage;
 use crate::ir::node::Node;
-use crate::ir::table::{NodeSet, Table};
+use crate::ir::table::{NodeSet, NodeTable};
 use crate::rewrite::rules::COMPOSITIONS;
 use crate::{Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
@@ -89,15 +91,15 @@ impl Graph {
             masks,
             stray: NodeSet::default(),
             here: Here { adjoint: Node::Scalar(one), mask: Mask::ALWAYS, stray: false },
-            scalars: Table::default(),
-            vectors: Table::default(),
+            adjoints: NodeTable::default(),
+            waiting: FxHashMap::default(),
             found: vec![None; variables.len()],
             gives: Vec::new(),
         };
         sweep.add_to_scalar(output, |_| one);
         let mut passages = Vec::new();
         for node in order.into_iter().rev() {
-            let Some(derivative) = sweep.derivative(node) else { continue };
+            let Some(derivative) = sweep.adjoint(node) else { continue };
             sweep.here =
                 Here { adjoint: derivative, mask: sweep.masks.of_node(node), stray: sweep.stray.contains(node) };
             match (node, derivative) {
@@ -133,10 +135,10 @@ struct Sweep<'g> {
     /// The nodes whose adjoint may be anything where their mask does not hold; those of the others are 0 there.
     stray: NodeSet,
     here: Here,
-    /// d output / d scalar
-    scalars: Table<Scalar, Scalar>,
-    /// d output / d vector, a covector
-    vectors: Table<Vector, Vector>,
+    /// d output / d node; by a vector a covector.
+    adjoints: NodeTable<Node>,
+    /// What adjoints that went astray add to nodes, by mask.
+    waiting: FxHashMap<Node, Vec<(Mask, Node)>>,
     /// d output / d variable
     found: Vec<Option<Scalar>>,
     /// What the node under way adds to that.
@@ -144,59 +146,57 @@ struct Sweep<'g> {
 }
 
 impl Sweep<'_> {
-    /// d output / d node, where the output depends on it.
-    fn derivative(&self, node: Node) -> Option<Node> {
-        match node {
-            Node::Scalar(s) => self.scalars.copied(s).map(Node::Scalar),
-            Node::Vector(v) => self.vectors.copied(v).map(Node::Vector),
-        }
-    }
-
     fn add_to_scalar(&mut self, scalar: Scalar, change: impl FnOnce(&mut Graph) -> Scalar) {
         if self.active.contains(Node::Scalar(scalar)) {
-            let change = change(self.g);
-            let stray = self.strays(Node::Scalar(change));
-            self.add(scalar, change, self.here.mask, stray);
+            let change = Node::Scalar(change(self.g));
+            self.add(Node::Scalar(scalar), change, self.here.mask, self.strays(change));
         }
-    }
-
-    /// Adds what is needed where the mask holds; what may `stray` elsewhere is masked unless the scalar has the same mask.
-    fn add(&mut self, scalar: Scalar, change: Scalar, mask: Mask, stray: bool) {
-        let node = Node::Scalar(scalar);
-        let leaves = stray && self.masks.of_node(node) != mask;
-        let change = if leaves { self.masks.masked(self.g, mask, change) } else { change };
-        if stray && !leaves {
-            self.stray.insert(node, ());
-        }
-        let total = match self.scalars.get(scalar) {
-            Some(&so_far) => self.g.add(so_far, change),
-            None => change,
-        };
-        self.scalars.insert(scalar, total);
     }
 
     fn add_to_vector(&mut self, vector: Vector, change: impl FnOnce(&mut Graph) -> Vector) {
-        let node = Node::Vector(vector);
-        if self.active.contains(node) {
-            let mut change = change(self.g);
-            if self.strays(Node::Vector(change)) {
-                let mask = self.here.mask;
-                if self.masks.of_node(node) == mask {
-                    self.stray.insert(node, ());
-                } else {
+        if self.active.contains(Node::Vector(vector)) {
+            let change = Node::Vector(change(self.g));
+            self.add(Node::Vector(vector), change, self.here.mask, self.strays(change));
+        }
+    }
+
+    /// Adds what is needed where the mask holds and may `stray` elsewhere. Unless the node has the same mask, that waits to
+    /// be masked with all of its kind.
+    fn add(&mut self, node: Node, change: Node, mask: Mask, stray: bool) {
+        if stray && self.masks.of_node(node) != mask {
+            let waiting = self.waiting.entry(node).or_default();
+            match waiting.iter_mut().find(|(known, _)| *known == mask) {
+                Some((_, so_far)) => *so_far = self.g.add_nodes(*so_far, change),
+                None => waiting.push((mask, change)),
+            }
+            return;
+        }
+        if stray {
+            self.stray.insert(node, ());
+        }
+        let total = match self.adjoints.copied(node) {
+            Some(so_far) => self.g.add_nodes(so_far, change),
+            None => change,
+        };
+        self.adjoints.insert(node, total);
+    }
+
+    /// d output / d node, where the output depends on it: everything was added.
+    fn adjoint(&mut self, node: Node) -> Option<Node> {
+        for (mask, change) in self.waiting.remove(&node).unwrap_or_default() {
+            let change = match change {
+                Node::Scalar(change) => Node::Scalar(self.masks.masked(self.g, mask, change)),
+                Node::Vector(change) => {
                     let components = [0, 1, 2].map(|axis| {
                         let component = self.g.component(change, axis);
                         self.masks.masked(self.g, mask, component)
                     });
-                    change = self.g.components(components);
+                    Node::Vector(self.g.components(components))
                 }
-            }
-            let total = match self.vectors.get(vector) {
-                Some(&so_far) => self.g.add_vectors(so_far, change),
-                None => change,
             };
-            self.vectors.insert(vector, total);
+            self.add(node, change, mask, false);
         }
+        self.adjoints.copied(node)
     }
 
     fn add_to_variable(&mut self, variable: Variable, change: Scalar) {
@@ -258,7 +258,7 @@ impl Sweep<'_> {
             if self.active.contains(Node::Scalar(branch)) {
                 let mask = self.masks.branch(a, b, holds, self.here.mask);
                 let change = self.g.where_less(a, b, holds, bar);
-                self.add(branch, change, mask, self.here.stray);
+                self.add(Node::Scalar(branch), Node::Scalar(change), mask, self.here.stray);
             }
         }
     }
@@ -355,5 +355,14 @@ impl Graph {
             _ => return None,
         };
         Some((angle, if back { self.neg_vector(perp) } else { perp }))
+    }
+
+    /// The sum of two scalars or of two vectors.
+    fn add_nodes(&mut self, one: Node, other: Node) -> Node {
+        match (one, other) {
+            (Node::Scalar(a), Node::Scalar(b)) => Node::Scalar(self.add(a, b)),
+            (Node::Vector(v), Node::Vector(w)) => Node::Vector(self.add_vectors(v, w)),
+            _ => unreachable!("derivatives by a number are numbers, those by a vector vectors"),
+        }
     }
 }

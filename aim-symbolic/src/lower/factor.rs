@@ -5,6 +5,7 @@ use rustc_hash::FxHashMap;
 
 use crate::lower::fold::Fold;
 use crate::lower::rebuild::{Exchange, Rebuild, Uses};
+use crate::lower::selects::Join;
 use crate::{Graph, Op, Scalar, ScalarNode};
 
 /// `outputs`, which are lowered, with every sum factored.
@@ -101,25 +102,29 @@ impl Factoring {
         best.map(|(_, factor)| factor)
     }
 
-    /// Joins terms that are 0 on opposite sides of a comparison, as long as there are such.
+    /// Joins terms that are 0 on opposite sides of a comparison, those that fit best first.
     fn join_sides(&self, fold: &mut Fold, terms: &mut Vec<Term>) {
-        let mut i = 0;
-        while i < terms.len() {
-            let (negative, term) = terms[i];
-            let joined = (0..terms.len()).filter(|&j| j != i).find_map(|j| {
-                let (other_negative, other) = terms[j];
-                let free = self.uses.once(term) && self.uses.once(other);
-                Some((j, fold.sum_of_sides(term, other, negative != other_negative, free)?))
-            });
-            match joined {
-                Some((j, sum)) => {
-                    terms[i] = (negative, sum);
-                    terms.remove(j);
-                    i = 0;
+        for join in [Join::Complements, Join::Opposites] {
+            let mut i = 0;
+            while i < terms.len() {
+                let joined = (i + 1..terms.len()).find_map(|j| Some((j, self.joined(fold, terms[i], terms[j], join)?)));
+                match joined {
+                    Some((j, sum)) => {
+                        terms[i].1 = sum;
+                        terms.remove(j);
+                    }
+                    None => i += 1,
                 }
-                None => i += 1,
             }
         }
+    }
+
+    /// The sum of two terms but for the sign of the first.
+    fn joined(&self, fold: &mut Fold, (negative, a): Term, (other_negative, b): Term, join: Join) -> Option<Scalar> {
+        // A product that is needed elsewhere stays.
+        let is_kept = |s| !self.uses.once(s) && matches!(fold.g.scalar_node(s), ScalarNode::Op(Op::Mul(..)));
+        let join = if is_kept(a) || is_kept(b) { Join::Alike } else { join };
+        fold.sum_of_sides(a, b, negative != other_negative, join)
     }
 
     fn sum(&mut self, rebuild: &mut Rebuild<'_>, terms: Vec<Term>) -> Scalar {

@@ -3,6 +3,7 @@
 //! Folds of 0, ±1 and signs are exact for finite operands (only the sign of a zero may differ); constants are computed in
 //! f64 and rounded once, to the type that the program runs in.
 
+use crate::lower::selects::Join;
 use crate::rewrite::rules::{CONSTANTS, NEGATIONS, ORDER, Rules};
 use crate::{Function, Graph, Number, Op, Scalar, ScalarNode};
 
@@ -114,7 +115,7 @@ impl Fold {
             }
             (Some(a), None) => self.sub(b, a),
             (None, Some(b)) => self.sub(a, b),
-            (None, None) => self.sum_of_sides(a, b, false, false).unwrap_or_else(|| {
+            (None, None) => self.sum_of_sides(a, b, false, Join::Alike).unwrap_or_else(|| {
                 let (a, b) = self.ordered(a, b);
                 self.g.add(a, b)
             }),
@@ -136,7 +137,7 @@ impl Fold {
             }
             _ => {}
         }
-        if let Some(chosen) = self.sum_of_sides(a, b, true, false) {
+        if let Some(chosen) = self.sum_of_sides(a, b, true, Join::Alike) {
             return chosen;
         }
         match (self.negated(a), self.negated(b)) {

@@ -18,6 +18,37 @@ struct Side {
     factor: Option<Scalar>,
 }
 
+/// Which terms are joined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Join {
+    /// Those that are not 0 under the same conditions but for one, and need no other product.
+    Alike,
+    /// The same, also products.
+    Complements,
+    /// Those that are 0 on opposite sides of any comparison.
+    Opposites,
+}
+
+impl Join {
+    /// The sides by which two terms are joined.
+    fn of<'s>(self, first: &'s [Side], second: &'s [Side]) -> Option<(&'s Side, &'s Side)> {
+        let same = |x: &Side, y: &Side| x.compared == y.compared && x.holds == y.holds;
+        let opposite = |x: &Side, y: &Side| x.compared == y.compared && x.holds != y.holds;
+        let complement = |x: &Side| {
+            let mut others = first.iter().filter(|side| side.compared != x.compared);
+            first.len() == second.len() && others.all(|x| second.iter().any(|y| same(x, y)))
+        };
+        let alike = |x: &Side, y: &Side| x.base == y.base || (x.factor.is_none() && y.factor.is_none());
+        let fits = |x: &Side, y: &Side| match self {
+            Self::Alike => complement(x) && alike(x, y),
+            Self::Complements => complement(x),
+            Self::Opposites => true,
+        };
+        let mut pairs = first.iter().flat_map(|x| second.iter().map(move |y| (x, y)));
+        pairs.find(|(x, y)| opposite(x, y) && fits(x, y))
+    }
+}
+
 impl Fold {
     /// `then` where `a < b`, else `otherwise`; one of them where both are the same or the comparison is of constants.
     pub fn select_less(&mut self, a: Scalar, b: Scalar, then: Scalar, otherwise: Scalar) -> Scalar {
@@ -87,9 +118,9 @@ impl Fold {
             _ => return,
         };
         found.push(Side { compared, holds, base, factor: None });
-        if depth > 0 {
+        if depth < DEEPEST_CHOICE {
             let first = found.len();
-            self.masks(base, depth - 1, found);
+            self.masks(base, depth + 1, found);
             for inner in &mut found[first..] {
                 inner.base = self.g.where_less(compared[0], compared[1], holds, inner.base);
             }
@@ -103,11 +134,11 @@ impl Fold {
             ScalarNode::Op(Op::Mul(a, b)) => {
                 for (mask, factor) in [(a, b), (b, a)] {
                     let first = found.len();
-                    self.masks(mask, DEEPEST_CHOICE, &mut found);
+                    self.masks(mask, 0, &mut found);
                     found[first..].iter_mut().for_each(|side| side.factor = Some(factor));
                 }
             }
-            _ => self.masks(term, DEEPEST_CHOICE, &mut found),
+            _ => self.masks(term, 0, &mut found),
         }
         found
     }
@@ -119,16 +150,10 @@ impl Fold {
         sides.any(|side| *seen.entry(side.compared).or_insert(side.holds) != side.holds)
     }
 
-    /// The sum of two terms that are 0 on opposite sides of a comparison, or their difference: one select. Products of two
-    /// masked numbers are joined where they are `free` to be taken apart.
-    pub(crate) fn sum_of_sides(&mut self, a: Scalar, b: Scalar, negative: bool, free: bool) -> Option<Scalar> {
+    /// The sum of two terms that are 0 on opposite sides of a comparison, or their difference: one select.
+    pub(crate) fn sum_of_sides(&mut self, a: Scalar, b: Scalar, negative: bool, join: Join) -> Option<Scalar> {
         let (first, second) = (self.sides(a), self.sides(b));
-        let opposite = |x: &Side, y: &Side| x.compared == y.compared && x.holds != y.holds;
-        let fits = |x: &Side, y: &Side| {
-            opposite(x, y) && (free || x.base == y.base || (x.factor.is_none() && y.factor.is_none()))
-        };
-        let mut pairs = first.iter().flat_map(|x| second.iter().map(move |y| (x, y)));
-        let (x, y) = pairs.find(|(x, y)| fits(x, y))?;
+        let (x, y) = join.of(&first, &second)?;
         let one = self.g.constant(1.0);
         let [p, q] = [x, y].map(|side| side.factor.unwrap_or(one));
         let (common, sides) =
