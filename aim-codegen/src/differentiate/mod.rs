@@ -10,6 +10,7 @@
 //! Every error is collected, with its place. The function or module itself is always emitted as it was written.
 
 mod arguments;
+mod budget;
 mod check;
 mod companion;
 mod emit;
@@ -207,12 +208,10 @@ impl Derived {
             Self { companion, program: derived(&g, &wanted), inputs }
         };
         let first = derive(Companion::First);
-        if let Some((budget, place)) = &options.budget {
-            let count = first.program.count();
-            if count.total() > *budget {
-                report.error(place, messages::over_budget(*budget, count));
-                return None;
-            }
+        if let Some(budget) = &options.budget
+            && !budget.judge(first.program.count(), report)
+        {
+            return None;
         }
         let further = options.companions.iter().map(|(companion, _)| derive(*companion));
         Some([first].into_iter().chain(further).collect())
