@@ -45,7 +45,7 @@ pub(crate) struct Masks {
 }
 
 /// Among so many conditions either of which needs a node one looks for two that make one.
-const MOST_JOINED: u32 = 16;
+const MOST_JOINED: usize = 16;
 
 /// Conditions of so many comparisons are put in one order.
 const MOST_ORDERED: usize = 4;
@@ -126,37 +126,42 @@ impl Masks {
         self.needed.insert(node, mask);
     }
 
-    fn either(&mut self, one: Mask, other: Mask) -> Mask {
-        match self.joined(one, other, MOST_JOINED) {
-            Some(joined) => joined,
-            None => self.intern(Condition::Either(one, other)),
+    /// Holds where either does: `known` may be a list of such, of which those that make something simpler with the other are
+    /// exchanged for that.
+    fn either(&mut self, known: Mask, other: Mask) -> Mask {
+        let (mut rest, mut latest, mut other) = (known, Vec::new(), other);
+        loop {
+            let found = latest.iter().position(|&mask| self.joined(mask, other).is_some());
+            if let Some(place) = found {
+                other = self.joined(latest.remove(place), other).unwrap_or(other);
+            } else if let Some(joined) = self.joined(rest, other) {
+                // Nothing comes before it: the first of the others takes its place.
+                let Some(first) = latest.pop() else { return joined };
+                (rest, other) = (first, joined);
+            } else if let Condition::Either(before, last) = self.conditions[rest.0]
+                && latest.len() < MOST_JOINED
+            {
+                latest.push(last);
+                rest = before;
+            } else {
+                break;
+            }
         }
+        let all = latest.into_iter().rev().chain([other]);
+        all.fold(rest, |list, mask| self.intern(Condition::Either(list, mask)))
     }
 
-    /// One of the two or something simpler that holds where either does.
-    fn joined(&mut self, one: Mask, other: Mask, depth: u32) -> Option<Mask> {
-        if one == other || one == Mask::ALWAYS {
-            return Some(one);
-        }
-        let depth = depth.checked_sub(1)?;
-        let [left, right] = [one, other].map(|mask| self.conditions[mask.0]);
-        match (left, right) {
-            (_, Condition::Always) => Some(other),
+    /// What holds where either does, if it is one of the two or what both are within.
+    fn joined(&self, one: Mask, other: Mask) -> Option<Mask> {
+        match (self.conditions[one.0], self.conditions[other.0]) {
+            _ if one == other => Some(one),
+            (Condition::Always, _) | (_, Condition::Always) => Some(Mask::ALWAYS),
             (Condition::Less { within, .. }, _) if within == other => Some(other),
             (_, Condition::Less { within, .. }) if within == one => Some(one),
             (
                 Condition::Less { a, b, holds, within },
                 Condition::Less { a: a2, b: b2, holds: holds2, within: within2 },
             ) if (a, b, within) == (a2, b2, within2) && holds != holds2 => Some(within),
-            (Condition::Either(first, second), _) => {
-                if let Some(joined) = self.joined(first, other, depth) {
-                    Some(self.either(joined, second))
-                } else {
-                    let joined = self.joined(second, other, depth)?;
-                    Some(self.either(first, joined))
-                }
-            }
-            (_, Condition::Either(..)) => self.joined(other, one, depth),
             _ => None,
         }
     }

@@ -18,10 +18,19 @@ impl Graph {
 
     /// Everything that `nodes` are made of, each after its parts.
     pub(crate) fn order_of_nodes(&self, nodes: &[Node]) -> Vec<Node> {
+        self.ordered(nodes, Numbers::Constant)
+    }
+
+    /// The same with the numbers that rotations are made of.
+    pub(crate) fn order_with_numbers(&self, nodes: &[Node]) -> Vec<Node> {
+        self.ordered(nodes, Numbers::Parts)
+    }
+
+    fn ordered(&self, nodes: &[Node], numbers: Numbers) -> Vec<Node> {
         let mut seen = NodeSet::default();
         let mut order = Vec::new();
         let mut stack: Vec<(Node, bool)> = nodes.iter().rev().map(|&node| (node, false)).collect();
-        let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
+        let mut parts = Collect { numbers, ..Collect::new(self) };
         while let Some((node, parts_done)) = stack.pop() {
             if parts_done {
                 order.push(node);
@@ -51,7 +60,7 @@ impl Graph {
 
     /// What `node` is made of, as far as it has a value of its own.
     pub fn parts(&self, node: Node) -> Vec<Node> {
-        let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
+        let mut parts = Collect::new(self);
         parts.collect(node);
         parts.nodes
     }
@@ -61,7 +70,7 @@ impl Graph {
         let mut needed = Table::default();
         let mut shared = Table::default();
         let mut split = Table::default();
-        let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
+        let mut parts = Collect::new(self);
         for node in self.order(outputs) {
             parts.nodes.clear();
             parts.collect(node);
@@ -87,7 +96,7 @@ impl Graph {
     /// Of `order`, what depends on any of `variables`.
     pub(crate) fn active(&self, order: &[Node], variables: &[Variable]) -> NodeSet {
         let mut active = NodeSet::default();
-        let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
+        let mut parts = Collect::new(self);
         for &node in order {
             parts.nodes.clear();
             parts.angles.clear();
@@ -105,14 +114,26 @@ impl Graph {
     }
 }
 
+/// What the numbers of matrices and quaternions and the axes of rotations count as.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Numbers {
+    Constant,
+    Parts,
+}
+
 /// Gathers the parts of a node.
 struct Collect<'g> {
     g: &'g Graph,
+    numbers: Numbers,
     nodes: Vec<Node>,
     angles: Vec<Angle>,
 }
 
-impl Collect<'_> {
+impl<'g> Collect<'g> {
+    fn new(g: &'g Graph) -> Self {
+        Self { g, numbers: Numbers::Constant, nodes: Vec::new(), angles: Vec::new() }
+    }
+
     fn collect(&mut self, node: Node) {
         match node {
             Node::Scalar(s) => {
@@ -143,14 +164,15 @@ impl Parts for Collect<'_> {
         vector
     }
 
-    /// Of a rotation its angles alone: the numbers of matrices and quaternions count as constants.
+    /// Of a rotation its angles, unless its numbers are parts, too.
     fn rotation(&mut self, rotation: Rotation) -> Rotation {
-        match self.g.rotation_node(rotation) {
-            RotationNode::Matrix(_) | RotationNode::Basis(_) | RotationNode::Quaternion(..) => {}
-            RotationNode::About(_, angle) => {
+        match (self.g.rotation_node(rotation), self.numbers) {
+            (RotationNode::Matrix(_) | RotationNode::Quaternion(..), Numbers::Constant)
+            | (RotationNode::Basis(_), _) => {}
+            (RotationNode::About(_, angle), Numbers::Constant) => {
                 self.angle(angle);
             }
-            node => {
+            (node, _) => {
                 node.map(self);
             }
         }

@@ -3,15 +3,16 @@
 
 use rustc_hash::FxHashMap;
 
+use crate::ir::table::Table;
 use crate::lower::fold::Fold;
-use crate::lower::rebuild::{Exchange, Rebuild, Uses};
+use crate::lower::rebuild::{Exchange, Missing, Rebuild, Uses};
 use crate::lower::selects::Join;
 use crate::{Graph, Op, Scalar, ScalarNode};
 
 /// `outputs`, which are lowered, with every sum factored.
 pub(crate) fn factor(fold: &mut Fold, outputs: Vec<Scalar>) -> Vec<Scalar> {
     let uses = Uses::count(&fold.g, &outputs);
-    let mut factoring = Factoring { uses };
+    let mut factoring = Factoring { uses, terms: Table::default() };
     let order = factoring.uses.order().to_vec();
     if !order.into_iter().any(|s| factoring.terms_to_factor(fold, s).is_some()) {
         return outputs;
@@ -27,14 +28,22 @@ type Term = (bool, Scalar);
 
 struct Factoring {
     uses: Uses,
+    /// The terms of sums that are under way or done.
+    terms: Table<Scalar, Vec<Term>>,
 }
 
 impl Exchange for Factoring {
     /// The sum `s` where some of its products have a common factor, or some of its terms exclude each other.
-    fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Option<Scalar> {
-        let mut terms = self.terms_to_factor(rebuild.fold, s)?;
-        self.join_sides(rebuild.fold, &mut terms);
-        Some(self.sum(rebuild, terms))
+    fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Result<Option<Scalar>, Missing> {
+        if !self.terms.contains(s) {
+            let Some(mut terms) = self.terms_to_factor(rebuild.fold, s) else { return Ok(None) };
+            self.join_sides(rebuild.fold, &mut terms);
+            self.terms.insert(s, terms);
+        }
+        match self.terms.copied(s) {
+            Some(terms) => self.sum(rebuild, terms).map(Some),
+            None => Ok(None),
+        }
     }
 }
 
@@ -127,10 +136,11 @@ impl Factoring {
         fold.sum_of_sides(a, b, negative != other_negative, join)
     }
 
-    fn sum(&mut self, rebuild: &mut Rebuild<'_>, terms: Vec<Term>) -> Scalar {
+    fn sum(&self, rebuild: &mut Rebuild<'_>, terms: Vec<Term>) -> Result<Scalar, Missing> {
         let Some(factor) = self.common(&rebuild.fold.g, &terms) else {
-            let terms = terms.into_iter().map(|(negative, s)| (negative, rebuild.scalar(self, s))).collect();
-            return plain_sum(rebuild.fold, terms);
+            let terms: Result<Vec<Term>, Missing> =
+                terms.into_iter().map(|(negative, s)| Ok((negative, rebuild.scalar(s)?))).collect();
+            return Ok(plain_sum(rebuild.fold, terms?));
         };
         let (with, without): (Vec<Term>, Vec<Term>) =
             terms.into_iter().partition(|&(_, t)| self.has_factor(&rebuild.fold.g, t, factor));
@@ -142,14 +152,14 @@ impl Factoring {
                 None => unreachable!("only products have a factor"),
             })
             .collect();
-        let inner = self.sum(rebuild, cofactors);
-        let factor = rebuild.scalar(self, factor);
+        let inner = self.sum(rebuild, cofactors)?;
+        let factor = rebuild.scalar(factor)?;
         let product = rebuild.fold.mul(factor, inner);
         if without.is_empty() {
-            return product;
+            return Ok(product);
         }
-        let rest = self.sum(rebuild, without);
-        rebuild.fold.add(product, rest)
+        let rest = self.sum(rebuild, without)?;
+        Ok(rebuild.fold.add(product, rest))
     }
 }
 
