@@ -89,8 +89,8 @@ impl Graph {
             variables,
             growth,
             masks,
-            stray: NodeSet::default(),
-            here: Here { adjoint: Node::Scalar(one), mask: Mask::ALWAYS, stray: false },
+            unmasked: NodeSet::default(),
+            here: Here { adjoint: Node::Scalar(one), mask: Mask::ALWAYS, unmasked: false },
             adjoints: NodeTable::default(),
             waiting: FxHashMap::default(),
             found: vec![None; variables.len()],
@@ -101,7 +101,7 @@ impl Graph {
         for node in order.into_iter().rev() {
             let Some(derivative) = sweep.adjoint(node) else { continue };
             sweep.here =
-                Here { adjoint: derivative, mask: sweep.masks.of_node(node), stray: sweep.stray.contains(node) };
+                Here { adjoint: derivative, mask: sweep.masks.of_node(node), unmasked: sweep.unmasked.contains(node) };
             match (node, derivative) {
                 (Node::Scalar(s), Node::Scalar(bar)) => sweep.scalar(s, bar),
                 (Node::Vector(v), Node::Vector(bar)) => sweep.vector(v, bar),
@@ -122,7 +122,7 @@ struct Here {
     /// The condition under which that is needed.
     mask: Mask,
     /// Whether it may be something else than 0 where the mask does not hold.
-    stray: bool,
+    unmasked: bool,
 }
 
 struct Sweep<'g> {
@@ -133,11 +133,11 @@ struct Sweep<'g> {
     growth: Growth,
     masks: Masks,
     /// The nodes whose adjoint may be anything where their mask does not hold; those of the others are 0 there.
-    stray: NodeSet,
+    unmasked: NodeSet,
     here: Here,
     /// d output / d node; by a vector a covector.
     adjoints: NodeTable<Node>,
-    /// What adjoints that went astray add to nodes, by mask.
+    /// What adjoints that are not masked add to nodes, by mask.
     waiting: FxHashMap<Node, Vec<(Mask, Node)>>,
     /// d output / d variable
     found: Vec<Option<Scalar>>,
@@ -149,21 +149,21 @@ impl Sweep<'_> {
     fn add_to_scalar(&mut self, scalar: Scalar, change: impl FnOnce(&mut Graph) -> Scalar) {
         if self.active.contains(Node::Scalar(scalar)) {
             let change = Node::Scalar(change(self.g));
-            self.add(Node::Scalar(scalar), change, self.here.mask, self.strays(change));
+            self.add(Node::Scalar(scalar), change, self.here.mask, self.is_unmasked(change));
         }
     }
 
     fn add_to_vector(&mut self, vector: Vector, change: impl FnOnce(&mut Graph) -> Vector) {
         if self.active.contains(Node::Vector(vector)) {
             let change = Node::Vector(change(self.g));
-            self.add(Node::Vector(vector), change, self.here.mask, self.strays(change));
+            self.add(Node::Vector(vector), change, self.here.mask, self.is_unmasked(change));
         }
     }
 
-    /// Adds what is needed where the mask holds and may `stray` elsewhere. Unless the node has the same mask, that waits to
-    /// be masked with all of its kind.
-    fn add(&mut self, node: Node, change: Node, mask: Mask, stray: bool) {
-        if stray && self.masks.of_node(node) != mask {
+    /// Adds what is needed where the mask holds; elsewhere it is 0, unless it is `unmasked`: then it waits to be masked with
+    /// all that has the same mask, where the node has another.
+    fn add(&mut self, node: Node, change: Node, mask: Mask, unmasked: bool) {
+        if unmasked && self.masks.of_node(node) != mask {
             let waiting = self.waiting.entry(node).or_default();
             match waiting.iter_mut().find(|(known, _)| *known == mask) {
                 Some((_, so_far)) => *so_far = self.g.add_nodes(*so_far, change),
@@ -171,8 +171,8 @@ impl Sweep<'_> {
             }
             return;
         }
-        if stray {
-            self.stray.insert(node, ());
+        if unmasked {
+            self.unmasked.insert(node, ());
         }
         let total = match self.adjoints.copied(node) {
             Some(so_far) => self.g.add_nodes(so_far, change),
@@ -200,8 +200,8 @@ impl Sweep<'_> {
     }
 
     fn add_to_variable(&mut self, variable: Variable, change: Scalar) {
-        let strays = self.strays(Node::Scalar(change));
-        let change = if strays { self.masks.masked(self.g, self.here.mask, change) } else { change };
+        let is_unmasked = self.is_unmasked(Node::Scalar(change));
+        let change = if is_unmasked { self.masks.masked(self.g, self.here.mask, change) } else { change };
         self.gives.push((variable, change));
         let wanted = self.variables.iter().position(|&v| v == variable);
         if let Some(found) = wanted.map(|place| &mut self.found[place]) {
@@ -213,9 +213,9 @@ impl Sweep<'_> {
     }
 
     /// Whether `change`, made of the adjoint under way, may be something else than 0 where the mask does not hold.
-    fn strays(&self, change: Node) -> bool {
-        let Here { adjoint, mask, stray } = self.here;
-        mask != Mask::ALWAYS && (stray || !self.growth.keeps_zero(self.g, change, adjoint))
+    fn is_unmasked(&self, change: Node) -> bool {
+        let Here { adjoint, mask, unmasked } = self.here;
+        mask != Mask::ALWAYS && (unmasked || !self.growth.keeps_zero(self.g, change, adjoint))
     }
 
     fn scalar(&mut self, scalar: Scalar, bar: Scalar) {
@@ -258,7 +258,7 @@ impl Sweep<'_> {
             if self.active.contains(Node::Scalar(branch)) {
                 let mask = self.masks.branch(a, b, holds, self.here.mask);
                 let change = self.g.where_less(a, b, holds, bar);
-                self.add(Node::Scalar(branch), Node::Scalar(change), mask, self.here.stray);
+                self.add(Node::Scalar(branch), Node::Scalar(change), mask, self.here.unmasked);
             }
         }
     }

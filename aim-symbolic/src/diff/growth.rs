@@ -1,18 +1,18 @@
-//! Whether 0 times an expression is 0: not where it may be infinite or no number.
+//! Whether 0 times an expression is 0: not where the expression may be infinite or NaN.
 //!
-//! Nothing is known of the inputs but that they are numbers. A product of two can overflow already, so expressions count by
-//! their degree: sums of inputs are taken for numbers, products of them are not. The largest guarded reciprocal is the root
-//! of the largest number, so a product of two is one.
+//! Nothing is known of the inputs but that they are finite. A product of two can overflow already, so expressions count by
+//! their degree: sums of inputs are taken for finite, products of them are not. The largest guarded reciprocal is the root
+//! of the largest finite number, so a product of two is finite.
 
 use crate::ir::node::{Node, Parts};
 use crate::ir::table::NodeTable;
 use crate::{Angle, Function, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
-/// The degree of what may be infinite or no number for inputs of any size.
-const WILD: u8 = u8::MAX;
+/// The degree of what may be infinite or NaN for inputs of any size.
+const UNBOUNDED: u8 = u8::MAX;
 
-/// The degree of an input, and the largest of what is a number.
-const TAME: u8 = 2;
+/// The degree of an input, and the largest of what is finite.
+const FINITE: u8 = 2;
 
 /// The degrees of the nodes that a sweep goes through.
 #[derive(Default)]
@@ -33,7 +33,7 @@ impl Growth {
 
     /// Whether `change`, which is made of the adjoint and known nodes, is 0 where the adjoint is.
     pub(crate) fn keeps_zero(&self, g: &Graph, change: Node, adjoint: Node) -> bool {
-        self.degree(g, change, Some(adjoint)) <= TAME
+        self.degree(g, change, Some(adjoint)) <= FINITE
     }
 
     fn degree(&self, g: &Graph, node: Node, zero: Option<Node>) -> u8 {
@@ -71,7 +71,7 @@ impl Degrees<'_> {
 
     fn scalar_node(self, node: ScalarNode) -> u8 {
         match node {
-            ScalarNode::Op(Op::Input(_)) => TAME,
+            ScalarNode::Op(Op::Input(_)) => FINITE,
             ScalarNode::Op(Op::Constant(c)) if c.value().is_finite() => 0,
             ScalarNode::Op(Op::Tiny) => 0,
             ScalarNode::Op(Op::Add(a, b) | Op::Sub(a, b)) => self.scalar(a).max(self.scalar(b)),
@@ -81,12 +81,12 @@ impl Degrees<'_> {
             ScalarNode::Op(Op::SelectLess(_, _, then, otherwise)) => self.scalar(then).max(self.scalar(otherwise)),
             ScalarNode::Op(Op::Call(Function::Sin | Function::Cos, a)) => bounded(self.scalar(a)),
             ScalarNode::Op(Op::Atan2(y, x)) => bounded(self.scalar(y).max(self.scalar(x))),
-            // Of any number, and where there is none it is 0.
-            ScalarNode::Reciprocal(_) => TAME / 2,
+            // Guarded, so that it is finite also of NaN.
+            ScalarNode::Reciprocal(_) => FINITE / 2,
             ScalarNode::Dot(v, w) => self.vector(v).saturating_add(self.vector(w)),
             ScalarNode::Norm(v) => self.vector(v).saturating_mul(2),
             ScalarNode::Component(v, _) => self.vector(v),
-            _ => WILD,
+            _ => UNBOUNDED,
         }
     }
 
@@ -111,9 +111,9 @@ impl Degrees<'_> {
     }
 }
 
-/// Of what is between −1 and 1, or of that size, if its parts are numbers.
+/// The degree of what is about 1 at most, if its parts are finite.
 fn bounded(degree: u8) -> u8 {
-    if degree <= TAME { 0 } else { WILD }
+    if degree <= FINITE { 0 } else { UNBOUNDED }
 }
 
 /// The largest degree among parts.

@@ -1,10 +1,10 @@
 //! Where adjoints are masked: the conditions under which a value depends on a part of it.
 //!
 //! The adjoint of `if c { x } else { y }` is passed on as `c ? ȳ : 0` and `c ? 0 : ȳ`, so that what stands below a select is
-//! swept once. In the branch not taken 0 is then multiplied by partial derivatives, which is 0 as long as they are numbers.
-//! Where they may be none ([`Growth`](crate::diff::growth::Growth)), adjoints go astray, and are masked again where they
-//! leave the branch: for parts that are needed elsewhere, too. So each node has the condition under which it is needed, its
-//! [`Mask`].
+//! swept once. In the branch not taken 0 is then multiplied by partial derivatives, which is 0 as long as they are finite.
+//! Where they may not be ([`Growth`](crate::diff::growth::Growth)), adjoints are no longer 0 there, and are masked again where
+//! they leave the branch: for parts that are needed elsewhere, too. So each node has the condition under which it is needed,
+//! its [`Mask`].
 
 use rustc_hash::FxHashMap;
 

@@ -1,4 +1,4 @@
-//! Branches within branches, conditions used again, and branches that have no number where they are not taken.
+//! Branches within branches, conditions used again, and branches that are infinite or NaN where they are not taken.
 
 use aim_objectives::dual::Dual64;
 use aim_objectives::{At, Random, singular};
@@ -123,7 +123,7 @@ fn network_of_layers() {
 }
 
 #[test]
-fn branches_without_numbers() {
+fn branches_that_are_not_finite() {
     let sample = |r: &mut Random| vec![r.within(-1.0..6.0), r.within(-2.0..3.0)];
     let keep = |x: &[f64]| [x[0], x[0] - 5.0, x[1] - 1.0].iter().all(|d| d.abs() > 0.2) && x[1].abs() > 0.4;
     At(|r: &mut Random| r.until(sample, keep)).check(
