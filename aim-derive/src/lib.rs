@@ -118,7 +118,8 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// | option | meaning |
 /// |---|---|
 /// | `wrt(p, h)` | the arguments to differentiate by; needed |
-/// | `budget = 46` | more operations than that in the gradient or Jacobian are a compile error that tells the counts (additions, multiplications, divisions and roots; sines and other functions are given) |
+/// | `budget = 46` | more operations than that in the gradient or Jacobian are a compile error that tells the counts (additions, multiplications, divisions and roots) |
+/// | `budget(operations = 46, selects = 2, calls = 4)` | the same for each kind; `selects` are the comparisons and selects of `if`, `min`, `abs` and guards, two an `if` of one comparison between numbers, `calls` the sines and other functions; any may be left out |
 /// | `hessian`, `jvp`, `vjp`, `hvp`, `gauss_newton` | these companions, too: products cost a few times what the function does, however many variables there are |
 /// | `check = true` | a test beside the function compares its first derivatives with central differences at random points, where the function has a slope there and does not panic; also of a module, for all of its functions |
 /// | `crate = path` | the path of `aim`, where it is not `::aim`; also of a module |

@@ -39,9 +39,10 @@ messages! {
         "`{name}` is a rigid transform: there are no derivatives by its numbers",
         "its numbers depend on each other; differentiate by angles, a vector or a quaternion that it is made of";
 
-    over_budget(budget: usize, count: Count) where total = count.total() =>
-        "the derived function needs more than {budget} operations",
-        "it needs {count}; allow `budget = {total}` or look for what can be shared";
+    over_budget(most: usize, words: &str, key: &str, needed: usize, count: Count)
+        where allowed = format!("{} = {needed}", if key == "operations" { "budget" } else { key }) =>
+        "the derived function needs more than {most} {words}",
+        "it needs {count}; allow `{allowed}` or look for what can be shared";
 
     unchecked(ty: &str) =>
         "`check` cannot make up a value of `{ty}`: it has fields that are no numbers",

@@ -10,6 +10,7 @@
 //! Every error is collected, with its place. The function or module itself is always emitted as it was written.
 
 mod arguments;
+mod budget;
 mod check;
 mod companion;
 mod emit;
@@ -23,7 +24,7 @@ mod types;
 #[cfg(test)]
 mod tests;
 
-use aim_symbolic::{Graph, Program, Scalar, Want};
+use aim_symbolic::{Program, Scalar};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote};
 use syn::{Item, ItemFn};
@@ -206,31 +207,17 @@ impl Derived {
             let (mut g, mut inputs) = (algebra.g.clone(), inputs.clone());
             let taken = arguments.further(companion, &mut g, &mut inputs);
             let wanted = companion.wanted(&mut g, &stated, &taken);
-            Self { companion, program: derived(&g, &wanted), inputs }
+            Self { companion, program: Program::derive_wanted(&g, &wanted), inputs }
         };
         let first = derive(Companion::First);
-        if let Some((budget, place)) = &options.budget {
-            let count = first.program.count();
-            if count.total() > *budget {
-                report.error(place, messages::over_budget(*budget, count));
-                return None;
-            }
+        if let Some(budget) = &options.budget
+            && !budget.judge(first.program.count(), report)
+        {
+            return None;
         }
         let further = options.companions.iter().map(|(companion, _)| derive(*companion));
         Some([first].into_iter().chain(further).collect())
     }
-}
-
-/// What a thread needs to walk down the longest functions that people write: each operation is a step down.
-const STACK: usize = 512 << 20;
-
-/// The program, derived where there is room for deep expressions; compilers give macros little of it.
-fn derived(g: &Graph, wanted: &[Want]) -> Program {
-    std::thread::scope(|scope| {
-        let roomy = std::thread::Builder::new().stack_size(STACK);
-        let thread = roomy.spawn_scoped(scope, || Program::derive_wanted(g, wanted)).ok();
-        thread.and_then(|thread| thread.join().ok()).unwrap_or_else(|| Program::derive_wanted(g, wanted))
-    })
 }
 
 /// Appends the numbers of a value; whether it is what its type says.

@@ -2,6 +2,7 @@
 
 use proc_macro2::TokenStream;
 
+use super::budget::Budget;
 use super::companion::Companion;
 use super::messages;
 use crate::declare::Place;
@@ -17,8 +18,7 @@ use crate::declare::tree::{Kind, Word};
 pub(super) struct Options {
     /// The names of the variables, each once; `None` where `wrt` is missing.
     pub(super) wrt: Option<Vec<Word>>,
-    /// The most operations, and where that is written.
-    pub(super) budget: Option<(usize, Place)>,
+    pub(super) budget: Option<Budget>,
     /// Further companions, and where they are asked for.
     pub(super) companions: Vec<(Companion, Place)>,
     /// Whether a test is to be written, and where that is said.
@@ -68,7 +68,7 @@ impl Options {
         let wrt = settings.get("wrt").map(|setting| variables(report, setting));
         Self {
             wrt: wrt.or_else(|| settings.has("wrt").then(Vec::new)),
-            budget: settings.read_value("budget", report, budget),
+            budget: settings.read_value("budget", report, Budget::read),
             companions: Companion::OPTIONAL
                 .into_iter()
                 .filter_map(|companion| Some((companion, settings.read_value(companion.key(), report, presence)?)))
@@ -85,13 +85,6 @@ fn variables(report: &mut Report, wrt: Setting<'_>) -> Vec<Word> {
     }
     let words = read::words(report, wrt, "arguments");
     words.into_iter().map(|(text, place)| Word { text: text.to_owned(), place: place.clone() }).collect()
-}
-
-fn budget(report: &mut Report, setting: Setting<'_>) -> Option<(usize, Place)> {
-    match setting.value.number().replace('_', "").parse() {
-        Ok(budget) => Some((budget, setting.place().clone())),
-        Err(_) => read::mismatch(report, setting),
-    }
 }
 
 fn presence(report: &mut Report, setting: Setting<'_>) -> Option<Place> {

@@ -165,3 +165,94 @@ fn products_are_linear() {
         assert!(long[k] - short[k] <= most * 10, "{short:?}, {long:?}");
     }
 }
+
+/// Operations and, as two each, selects in the companion that an expansion has, and its length as it is formatted.
+fn size(item: &str, attribute: &str) -> (usize, usize) {
+    let expansion = expand(attribute, item);
+    assert_eq!(errors(&expansion), 0, "{expansion}");
+    let companion = functions(&expansion).pop().expect("a companion beside the function");
+    let tokens = quote::ToTokens::to_token_stream(&companion.block);
+    let length = prettyplease::unparse(&syn::parse_quote!(#companion)).len();
+    (operations(tokens), length)
+}
+
+fn operations(tokens: TokenStream) -> usize {
+    use proc_macro2::TokenTree;
+    let mut count = 0;
+    // A sign before anything is an operator where something stands before it.
+    let mut after_operand = false;
+    for token in tokens {
+        match &token {
+            TokenTree::Group(group) => count += operations(group.stream()),
+            TokenTree::Punct(sign) if after_operand && "+-*/".contains(sign.as_char()) => count += 1,
+            TokenTree::Ident(name) if name == "select_less" => count += 2,
+            TokenTree::Ident(name) if ["sqrt", "sin_cos", "sin", "cos"].iter().any(|call| name == call) => count += 1,
+            _ => {}
+        }
+        after_operand = !matches!(token, TokenTree::Punct(_));
+    }
+    count
+}
+
+/// The body of a function: `first`, then `count` times `step`, in which `#` is the number of the time, then `last`.
+fn repeated(count: usize, [first, step, last]: [&str; 3]) -> String {
+    let steps: String = (0..count).map(|i| step.replace('#', &i.to_string())).collect();
+    format!("{{ {first} {steps} {last} }}")
+}
+
+#[test]
+fn eighty_layers_take_less_than_sixty_kilobytes() {
+    let of = |count: usize, wrt: &str| {
+        let body = repeated(count, ["", "let x = (w[#] * x + b[#]).max(0.0);", "x"]);
+        let item = format!("fn f(x: f64, w: [f64; {count}], b: [f64; {count}]) -> f64 {body}");
+        size(&item, wrt)
+    };
+    let (by_x, length) = of(80, "wrt(x)");
+    assert!(by_x <= 12 * 80 && length < 60_000, "{by_x} operations and selects, {length} bytes");
+    let (by_all, _) = of(80, "wrt(x, w, b)");
+    assert!(by_all <= 12 * 80, "{by_all} operations and selects");
+}
+
+#[test]
+fn conditions_and_branches_used_again_are_written_once() {
+    for (what, arguments, body) in [
+        ("conditions", "x: f64", ["let c = x > 1.0;", "let c = c && (c || x > 2.0);", "if c { x * x } else { x }"]),
+        (
+            "conditions in branches",
+            "x: f64",
+            ["let c = x > 1.0;", "let c = if x > #.0 { c || x < 0.5 } else { !c };", "if c { x * x } else { x }"],
+        ),
+        (
+            "quaternions",
+            "x: f64, v: DVec3",
+            [
+                "let q = DQuat::from_rotation_x(x);",
+                "let q = if x > #.0 { q * DQuat::from_rotation_y(x) } else { q * DQuat::from_rotation_z(x) };",
+                "(q * v).z",
+            ],
+        ),
+        (
+            "matrices",
+            "x: f64, v: DVec3",
+            [
+                "let m = DMat3::from_rotation_x(x);",
+                "let m = if x > #.0 { m * DMat3::from_rotation_y(x) } else { m * DMat3::from_rotation_z(x) };",
+                "(m * v).z",
+            ],
+        ),
+        (
+            "transforms",
+            "x: f64, v: DVec3",
+            [
+                "let m = DAffine3::from_rotation_x(x);",
+                "let m = if x > #.0 { m * DAffine3::from_rotation_y(x) } else { DAffine3::from_rotation_z(x) * m };",
+                "m.transform_point3(v).z",
+            ],
+        ),
+    ] {
+        let sizes =
+            [8, 16, 24].map(|count| size(&format!("fn f({arguments}) -> f64 {}", repeated(count, body)), "wrt(x)").0);
+        let [first, second] = [sizes[1] - sizes[0], sizes[2] - sizes[1]];
+        assert!(5 * second <= 6 * first && sizes[2] <= 100 * 24, "{what}: {sizes:?}");
+    }
+}

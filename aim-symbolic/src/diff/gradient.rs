@@ -1,5 +1,4 @@
-//! Derivatives by one reverse sweep over scalars and vectors: linear in the size of the expression, but for what stands
-//! below selects.
+//! Derivatives by one reverse sweep over scalars and vectors: linear in the size of the expression.
 //!
 //! With x̄ the derivative of the output by x (of a vector a covector), each node adds to those of its parts:
 //!
@@ -12,13 +11,16 @@
 //! | y = v/\|v\| | v̄ += (ȳ − (ȳ · y) y)/\|v\| |
 //! | y = J v | v̄ += Jᵀ ȳ = −J ȳ |
 //! | y = v × w | v̄ += w × ȳ, w̄ += ȳ × v |
+//! | y = x where c, else z | x̄ += ȳ where c, else 0; z̄ += 0 where c, else ȳ |
 //! | y = v − (v · u) u | v̄ += ȳ − (ȳ · u) u, ū −= (v · u) ȳ + (ȳ · u) v |
 
-use crate::diff::partial::Partials;
+use rustc_hash::FxHashMap;
+
+use crate::diff::growth::Growth;
+use crate::diff::mask::{Mask, Masks};
 use crate::diff::sweep::Passage;
 use crate::ir::node::Node;
-use crate::ir::order::Selects;
-use crate::ir::table::{NodeSet, Table};
+use crate::ir::table::{NodeSet, NodeTable};
 use crate::rewrite::rules::COMPOSITIONS;
 use crate::{Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
@@ -48,7 +50,6 @@ impl Graph {
         placement: Placement,
     ) -> (Vec<Scalar>, Vec<Passage>) {
         let output = self.rewrite_by(&[output], &COMPOSITIONS)[0];
-        let order = self.order(&[output], Selects::Through);
         let components: Vec<_> = variables.iter().map(|&variable| self.components_of(variable)).collect();
         let mut alone: Vec<Variable> = Vec::new();
         for &(variable, _) in components.iter().flatten() {
@@ -56,9 +57,7 @@ impl Graph {
                 alone.push(variable);
             }
         }
-        let active = self.active(&order, &alone);
-        let mut below_selects = Table::default();
-        let (gradient, passages) = Sweep::derivatives(self, output, &alone, &active, placement, &mut below_selects);
+        let (gradient, passages) = self.swept_back_to(output, &alone, placement);
         let by = |variable| gradient[alone.iter().position(|&known| known == variable).expect("it was collected")];
         let sum = |terms: Vec<(Variable, Option<Scalar>)>| {
             let terms = terms.into_iter().map(|(variable, k)| (by(variable), k));
@@ -67,21 +66,79 @@ impl Graph {
         };
         (components.into_iter().map(sum).collect(), passages)
     }
+
+    /// The same by variables that are no combinations of others.
+    fn swept_back_to(
+        &mut self,
+        output: Scalar,
+        variables: &[Variable],
+        placement: Placement,
+    ) -> (Vec<Scalar>, Vec<Passage>) {
+        let order = self.order(&[output]);
+        let active = self.active(&order, variables);
+        let (masks, growth) = if self.selects(&order) {
+            (Masks::of(self, output, &order, &active), Growth::of(self, &order))
+        } else {
+            (Masks::default(), Growth::default())
+        };
+        let one = self.constant(1.0);
+        let mut sweep = Sweep {
+            g: self,
+            placement,
+            active,
+            variables,
+            growth,
+            masks,
+            unmasked: NodeSet::default(),
+            here: Here { adjoint: Node::Scalar(one), mask: Mask::ALWAYS, unmasked: false },
+            adjoints: NodeTable::default(),
+            waiting: FxHashMap::default(),
+            found: vec![None; variables.len()],
+            gives: Vec::new(),
+        };
+        sweep.add_to_scalar(output, |_| one);
+        let mut passages = Vec::new();
+        for node in order.into_iter().rev() {
+            let Some(derivative) = sweep.adjoint(node) else { continue };
+            sweep.here =
+                Here { adjoint: derivative, mask: sweep.masks.of_node(node), unmasked: sweep.unmasked.contains(node) };
+            match (node, derivative) {
+                (Node::Scalar(s), Node::Scalar(bar)) => sweep.scalar(s, bar),
+                (Node::Vector(v), Node::Vector(bar)) => sweep.vector(v, bar),
+                _ => unreachable!("the derivative by a number is one, that by a vector one"),
+            }
+            passages.push(Passage { node, derivative, gives: core::mem::take(&mut sweep.gives) });
+        }
+        let found = sweep.found;
+        (found.into_iter().map(|found| found.unwrap_or_else(|| self.constant(0.0))).collect(), passages)
+    }
 }
 
-/// The derivatives of what stands below a select, by each variable.
-type BelowSelects = Table<Scalar, Vec<Scalar>>;
+/// The node under way.
+#[derive(Clone, Copy)]
+struct Here {
+    /// d output / d node
+    adjoint: Node,
+    /// The condition under which that is needed.
+    mask: Mask,
+    /// Whether it may be something else than 0 where the mask does not hold.
+    unmasked: bool,
+}
 
 struct Sweep<'g> {
     g: &'g mut Graph,
     placement: Placement,
-    active: &'g NodeSet,
+    active: NodeSet,
     variables: &'g [Variable],
-    below_selects: &'g mut BelowSelects,
-    /// d output / d scalar
-    scalars: Table<Scalar, Scalar>,
-    /// d output / d vector, a covector
-    vectors: Table<Vector, Vector>,
+    growth: Growth,
+    masks: Masks,
+    /// The nodes whose adjoint may be anything where their mask does not hold; those of the others are 0 there.
+    unmasked: NodeSet,
+    here: Here,
+    /// d output / d node; by a vector a covector.
+    adjoints: NodeTable<Node>,
+    /// What adjoints that are not masked add to nodes, by mask.
+    waiting: FxHashMap<Node, Vec<(Mask, Node)>>,
     /// d output / d variable
     found: Vec<Option<Scalar>>,
     /// What the node under way adds to that.
@@ -89,73 +146,62 @@ struct Sweep<'g> {
 }
 
 impl Sweep<'_> {
-    fn derivatives(
-        g: &mut Graph,
-        output: Scalar,
-        variables: &[Variable],
-        active: &NodeSet,
-        placement: Placement,
-        below_selects: &mut BelowSelects,
-    ) -> (Vec<Scalar>, Vec<Passage>) {
-        let order = g.order(&[output], Selects::Leaves);
-        let one = g.constant(1.0);
-        let mut sweep = Sweep {
-            g,
-            placement,
-            active,
-            variables,
-            below_selects,
-            scalars: Table::default(),
-            vectors: Table::default(),
-            found: vec![None; variables.len()],
-            gives: Vec::new(),
-        };
-        let mut passages = Vec::new();
-        sweep.add_to_scalar(output, |_| one);
-        for node in order.into_iter().rev() {
-            match node {
-                Node::Scalar(s) => sweep.scalar(s),
-                Node::Vector(v) => sweep.vector(v),
-            }
-            if let Some(derivative) = sweep.derivative(node) {
-                passages.push(Passage { node, derivative, gives: core::mem::take(&mut sweep.gives) });
-            }
-        }
-        let found = sweep.found;
-        (found.into_iter().map(|found| found.unwrap_or_else(|| g.constant(0.0))).collect(), passages)
-    }
-
-    /// d output / d node, where the output depends on it.
-    fn derivative(&self, node: Node) -> Option<Node> {
-        match node {
-            Node::Scalar(s) => self.scalars.copied(s).map(Node::Scalar),
-            Node::Vector(v) => self.vectors.copied(v).map(Node::Vector),
-        }
-    }
-
     fn add_to_scalar(&mut self, scalar: Scalar, change: impl FnOnce(&mut Graph) -> Scalar) {
         if self.active.contains(Node::Scalar(scalar)) {
-            let change = change(self.g);
-            let total = match self.scalars.get(scalar) {
-                Some(&so_far) => self.g.add(so_far, change),
-                None => change,
-            };
-            self.scalars.insert(scalar, total);
+            let change = Node::Scalar(change(self.g));
+            self.add(Node::Scalar(scalar), change, self.here.mask, self.is_unmasked(change));
         }
     }
 
     fn add_to_vector(&mut self, vector: Vector, change: impl FnOnce(&mut Graph) -> Vector) {
         if self.active.contains(Node::Vector(vector)) {
-            let change = change(self.g);
-            let total = match self.vectors.get(vector) {
-                Some(&so_far) => self.g.add_vectors(so_far, change),
-                None => change,
-            };
-            self.vectors.insert(vector, total);
+            let change = Node::Vector(change(self.g));
+            self.add(Node::Vector(vector), change, self.here.mask, self.is_unmasked(change));
         }
     }
 
+    /// Adds what is needed where the mask holds; elsewhere it is 0, unless it is `unmasked`: then it waits to be masked with
+    /// all that has the same mask, where the node has another.
+    fn add(&mut self, node: Node, change: Node, mask: Mask, unmasked: bool) {
+        if unmasked && self.masks.of_node(node) != mask {
+            let waiting = self.waiting.entry(node).or_default();
+            match waiting.iter_mut().find(|(known, _)| *known == mask) {
+                Some((_, so_far)) => *so_far = self.g.add_nodes(*so_far, change),
+                None => waiting.push((mask, change)),
+            }
+            return;
+        }
+        if unmasked {
+            self.unmasked.insert(node, ());
+        }
+        let total = match self.adjoints.copied(node) {
+            Some(so_far) => self.g.add_nodes(so_far, change),
+            None => change,
+        };
+        self.adjoints.insert(node, total);
+    }
+
+    /// d output / d node, where the output depends on it: everything was added.
+    fn adjoint(&mut self, node: Node) -> Option<Node> {
+        for (mask, change) in self.waiting.remove(&node).unwrap_or_default() {
+            let change = match change {
+                Node::Scalar(change) => Node::Scalar(self.masks.masked(self.g, mask, change)),
+                Node::Vector(change) => {
+                    let components = [0, 1, 2].map(|axis| {
+                        let component = self.g.component(change, axis);
+                        self.masks.masked(self.g, mask, component)
+                    });
+                    Node::Vector(self.g.components(components))
+                }
+            };
+            self.add(node, change, mask, false);
+        }
+        self.adjoints.copied(node)
+    }
+
     fn add_to_variable(&mut self, variable: Variable, change: Scalar) {
+        let is_unmasked = self.is_unmasked(Node::Scalar(change));
+        let change = if is_unmasked { self.masks.masked(self.g, self.here.mask, change) } else { change };
         self.gives.push((variable, change));
         let wanted = self.variables.iter().position(|&v| v == variable);
         if let Some(found) = wanted.map(|place| &mut self.found[place]) {
@@ -166,8 +212,13 @@ impl Sweep<'_> {
         }
     }
 
-    fn scalar(&mut self, scalar: Scalar) {
-        let Some(&bar) = self.scalars.get(scalar) else { return };
+    /// Whether `change`, made of the adjoint under way, may be something else than 0 where the mask does not hold.
+    fn is_unmasked(&self, change: Node) -> bool {
+        let Here { adjoint, mask, unmasked } = self.here;
+        mask != Mask::ALWAYS && (unmasked || !self.growth.keeps_zero(self.g, change, adjoint))
+    }
+
+    fn scalar(&mut self, scalar: Scalar, bar: Scalar) {
         match self.g.scalar_node(scalar) {
             ScalarNode::Op(Op::Input(_)) => match self.g.slope_of_input(scalar) {
                 Some((angle, slope)) => {
@@ -194,7 +245,7 @@ impl Sweep<'_> {
                 g.components(core::array::from_fn(|k| if k == usize::from(axis) { bar } else { zero }))
             }),
             _ => {
-                let active = self.active;
+                let active = &self.active;
                 for (part, partial) in self.g.partials(scalar, |part| active.contains(Node::Scalar(part))) {
                     self.add_to_scalar(part, |g| g.times(bar, partial));
                 }
@@ -202,30 +253,17 @@ impl Sweep<'_> {
         }
     }
 
-    /// Each branch has a sweep of its own, so that what is not a number in the branch not taken stays there.
     fn select(&mut self, bar: Scalar, [a, b]: [Scalar; 2], branches: [Scalar; 2]) {
-        let [then, otherwise] = branches.map(|branch| {
-            if let Some(known) = self.below_selects.get(branch) {
-                return known.clone();
-            }
-            let (variables, active, placement) = (self.variables, self.active, self.placement);
-            let found = Sweep::derivatives(self.g, branch, variables, active, placement, self.below_selects).0;
-            self.below_selects.insert(branch, found.clone());
-            found
-        });
-        let variables = self.variables;
-        for ((&variable, then), otherwise) in variables.iter().zip(then).zip(otherwise) {
-            let is_zero = |s| self.g.constant_of(s) == Some(0.0);
-            if !(is_zero(then) && is_zero(otherwise)) {
-                let slope = self.g.select_less(a, b, then, otherwise);
-                let along = self.g.times(bar, Partials::Factor(slope));
-                self.add_to_variable(variable, along);
+        for (branch, holds) in branches.into_iter().zip([true, false]) {
+            if self.active.contains(Node::Scalar(branch)) {
+                let mask = self.masks.branch(a, b, holds, self.here.mask);
+                let change = self.g.where_less(a, b, holds, bar);
+                self.add(Node::Scalar(branch), Node::Scalar(change), mask, self.here.unmasked);
             }
         }
     }
 
-    fn vector(&mut self, vector: Vector) {
-        let Some(&bar) = self.vectors.get(vector) else { return };
+    fn vector(&mut self, vector: Vector, bar: Vector) {
         match self.g.vector_node(vector) {
             VectorNode::Components(c) => {
                 for (c, axis) in c.into_iter().zip(0..) {
@@ -317,5 +355,14 @@ impl Graph {
             _ => return None,
         };
         Some((angle, if back { self.neg_vector(perp) } else { perp }))
+    }
+
+    /// The sum of two scalars or of two vectors.
+    fn add_nodes(&mut self, one: Node, other: Node) -> Node {
+        match (one, other) {
+            (Node::Scalar(a), Node::Scalar(b)) => Node::Scalar(self.add(a, b)),
+            (Node::Vector(v), Node::Vector(w)) => Node::Vector(self.add_vectors(v, w)),
+            _ => unreachable!("derivatives by a number are numbers, those by a vector vectors"),
+        }
     }
 }

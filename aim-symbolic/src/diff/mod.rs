@@ -1,6 +1,8 @@
 //! Derivatives: backwards from a value over whole vectors, or forwards from a variable.
 
 pub(crate) mod gradient;
+mod growth;
+mod mask;
 mod partial;
 pub(crate) mod sweep;
 mod tangent;

@@ -6,7 +6,6 @@
 
 use crate::diff::sweep::Passage;
 use crate::ir::node::Node;
-use crate::ir::order::Selects;
 use crate::ir::table::{NodeSet, Table};
 use crate::rewrite::rules::COMPOSITIONS;
 use crate::{Graph, Op, Scalar, ScalarNode, Variable, Vector, VectorNode};
@@ -20,7 +19,7 @@ impl Graph {
     /// The same, with what the sweep passed on its way.
     pub(crate) fn swept_forward(&mut self, outputs: &[Scalar], variable: Variable) -> (Vec<Scalar>, Vec<Passage>) {
         let outputs = self.rewrite_by(outputs, &COMPOSITIONS);
-        let order = self.order(&outputs, Selects::Through);
+        let order = self.order(&outputs);
         let seeds = self.components_of(variable);
         let variables: Vec<Variable> = seeds.iter().map(|(variable, _)| *variable).collect();
         let active = self.active(&order, &variables);

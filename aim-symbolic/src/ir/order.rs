@@ -4,44 +4,41 @@ use crate::ir::node::{Node, Parts};
 use crate::ir::table::{NodeSet, Table};
 use crate::{Angle, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
-/// Whether an order goes on below a select.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Selects {
-    /// Through its condition and both branches.
-    Through,
-    /// It is a leaf.
-    Leaves,
-}
-
 impl Graph {
     /// The number of scalars and vectors that `outputs` are made of.
     pub(crate) fn size(&self, outputs: &[Scalar]) -> usize {
-        self.order(outputs, Selects::Through).len()
+        self.order(outputs).len()
     }
 
     /// Everything that `outputs` are made of, each after its parts.
-    pub(crate) fn order(&self, outputs: &[Scalar], selects: Selects) -> Vec<Node> {
+    pub(crate) fn order(&self, outputs: &[Scalar]) -> Vec<Node> {
         let outputs: Vec<Node> = outputs.iter().map(|&s| Node::Scalar(s)).collect();
-        self.order_of_nodes(&outputs, selects)
+        self.order_of_nodes(&outputs)
     }
 
     /// Everything that `nodes` are made of, each after its parts.
-    pub(crate) fn order_of_nodes(&self, nodes: &[Node], selects: Selects) -> Vec<Node> {
+    pub(crate) fn order_of_nodes(&self, nodes: &[Node]) -> Vec<Node> {
+        self.ordered(nodes, Numbers::Constant)
+    }
+
+    /// The same with the numbers that rotations are made of.
+    pub(crate) fn order_with_numbers(&self, nodes: &[Node]) -> Vec<Node> {
+        self.ordered(nodes, Numbers::Parts)
+    }
+
+    fn ordered(&self, nodes: &[Node], numbers: Numbers) -> Vec<Node> {
         let mut seen = NodeSet::default();
         let mut order = Vec::new();
-        let is_select = |s| matches!(self.scalar_node(s), ScalarNode::Op(Op::SelectLess(..)));
         let mut stack: Vec<(Node, bool)> = nodes.iter().rev().map(|&node| (node, false)).collect();
-        let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
+        let mut parts = Collect { numbers, ..Collect::new(self) };
         while let Some((node, parts_done)) = stack.pop() {
             if parts_done {
                 order.push(node);
             } else if seen.insert(node, ()) {
                 stack.push((node, true));
-                if !(selects == Selects::Leaves && matches!(node, Node::Scalar(s) if is_select(s))) {
-                    parts.nodes.clear();
-                    parts.collect(node);
-                    stack.extend(parts.nodes.iter().rev().map(|&part| (part, false)));
-                }
+                parts.nodes.clear();
+                parts.collect(node);
+                stack.extend(parts.nodes.iter().rev().map(|&part| (part, false)));
             }
         }
         order
@@ -49,15 +46,21 @@ impl Graph {
 
     /// Whether a constant vector of more than one component is among what `outputs` are made of.
     pub(crate) fn has_constant_direction(&self, outputs: &[Scalar]) -> bool {
-        self.order(outputs, Selects::Through).iter().any(|node| match *node {
+        self.order(outputs).iter().any(|node| match *node {
             Node::Vector(v) => self.constant_vector_of(v).is_some_and(|c| c.iter().filter(|&&c| c != 0.0).count() > 1),
             Node::Scalar(_) => false,
         })
     }
 
+    /// Whether there is a select among these nodes.
+    pub(crate) fn selects(&self, nodes: &[Node]) -> bool {
+        let is_select = |s| matches!(self.scalar_node(s), ScalarNode::Op(Op::SelectLess(..)));
+        nodes.iter().any(|node| matches!(*node, Node::Scalar(s) if is_select(s)))
+    }
+
     /// What `node` is made of, as far as it has a value of its own.
     pub fn parts(&self, node: Node) -> Vec<Node> {
-        let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
+        let mut parts = Collect::new(self);
         parts.collect(node);
         parts.nodes
     }
@@ -67,8 +70,8 @@ impl Graph {
         let mut needed = Table::default();
         let mut shared = Table::default();
         let mut split = Table::default();
-        let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
-        for node in self.order(outputs, Selects::Through) {
+        let mut parts = Collect::new(self);
+        for node in self.order(outputs) {
             parts.nodes.clear();
             parts.collect(node);
             let is_component =
@@ -87,13 +90,13 @@ impl Graph {
 
     /// Whether `node` depends on any of `variables`. Matrices, quaternions and the axes of rotations count as constants.
     pub fn depends_on(&self, node: Node, variables: &[Variable]) -> bool {
-        self.active(&self.order_of_nodes(&[node], Selects::Through), variables).contains(node)
+        self.active(&self.order_of_nodes(&[node]), variables).contains(node)
     }
 
-    /// Of `order`, which goes through selects, what depends on any of `variables`.
+    /// Of `order`, what depends on any of `variables`.
     pub(crate) fn active(&self, order: &[Node], variables: &[Variable]) -> NodeSet {
         let mut active = NodeSet::default();
-        let mut parts = Collect { g: self, nodes: Vec::new(), angles: Vec::new() };
+        let mut parts = Collect::new(self);
         for &node in order {
             parts.nodes.clear();
             parts.angles.clear();
@@ -111,14 +114,26 @@ impl Graph {
     }
 }
 
+/// What the numbers of matrices and quaternions and the axes of rotations count as.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Numbers {
+    Constant,
+    Parts,
+}
+
 /// Gathers the parts of a node.
 struct Collect<'g> {
     g: &'g Graph,
+    numbers: Numbers,
     nodes: Vec<Node>,
     angles: Vec<Angle>,
 }
 
-impl Collect<'_> {
+impl<'g> Collect<'g> {
+    fn new(g: &'g Graph) -> Self {
+        Self { g, numbers: Numbers::Constant, nodes: Vec::new(), angles: Vec::new() }
+    }
+
     fn collect(&mut self, node: Node) {
         match node {
             Node::Scalar(s) => {
@@ -149,14 +164,15 @@ impl Parts for Collect<'_> {
         vector
     }
 
-    /// Of a rotation its angles alone: the numbers of matrices and quaternions count as constants.
+    /// Of a rotation its angles, unless its numbers are parts, too.
     fn rotation(&mut self, rotation: Rotation) -> Rotation {
-        match self.g.rotation_node(rotation) {
-            RotationNode::Matrix(_) | RotationNode::Basis(_) | RotationNode::Quaternion(..) => {}
-            RotationNode::About(_, angle) => {
+        match (self.g.rotation_node(rotation), self.numbers) {
+            (RotationNode::Matrix(_) | RotationNode::Quaternion(..), Numbers::Constant)
+            | (RotationNode::Basis(_), _) => {}
+            (RotationNode::About(_, angle), Numbers::Constant) => {
                 self.angle(angle);
             }
-            node => {
+            (node, _) => {
                 node.map(self);
             }
         }

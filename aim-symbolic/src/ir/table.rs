@@ -2,6 +2,7 @@
 //! macros run.
 
 use std::marker::PhantomData;
+use std::ops::Index;
 
 use crate::ir::node::{Node, Rotation, Scalar, Vector};
 
@@ -54,6 +55,14 @@ impl<K: Id, V: Clone> Table<K, V> {
 
     pub(crate) fn copied(&self, key: K) -> Option<V> {
         self.get(key).cloned()
+    }
+}
+
+impl<K: Id, V: Clone> Index<K> for Table<K, V> {
+    type Output = V;
+
+    fn index(&self, key: K) -> &V {
+        self.get(key).expect("the key has an entry")
     }
 }
 

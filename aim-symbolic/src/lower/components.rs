@@ -1,5 +1,6 @@
 //! From typed expressions to components: scalars that only add, multiply, divide, take roots and select.
 
+use crate::ir::node::Node;
 use crate::ir::table::Table;
 use crate::lower::fold::Fold;
 use crate::rewrite::rules::Rules;
@@ -9,7 +10,9 @@ impl Graph {
     /// The components of `v` as scalars that only add, multiply, divide, take roots and select; 0 and ±1 are folded away.
     pub fn in_components(&mut self, v: impl Into<Vector>) -> [Scalar; 3] {
         let mut lowering = Lowering::new(core::mem::take(self), &Rules::default());
-        let components = lowering.vector(v.into());
+        let v = v.into();
+        lowering.lower(&[Node::Vector(v)]);
+        let components = lowering.vector(v);
         *self = lowering.fold.g;
         components
     }
@@ -25,6 +28,26 @@ pub(crate) struct Lowering {
 impl Lowering {
     pub(crate) fn new(g: Graph, rules: &Rules<'_>) -> Self {
         Self { fold: Fold::new(g, rules), scalars: Table::default(), vectors: Table::default() }
+    }
+
+    /// Lowers the nodes and all that they are made of, parts first: no deeper expression has to be walked down.
+    fn lower(&mut self, nodes: &[Node]) {
+        for node in self.fold.g.order_with_numbers(nodes) {
+            match node {
+                Node::Scalar(s) => {
+                    self.scalar(s);
+                }
+                Node::Vector(v) => {
+                    self.vector(v);
+                }
+            }
+        }
+    }
+
+    /// The scalars lowered.
+    pub(crate) fn outputs(&mut self, outputs: &[Scalar]) -> Vec<Scalar> {
+        self.lower(&outputs.iter().map(|&s| Node::Scalar(s)).collect::<Vec<_>>());
+        outputs.iter().map(|&s| self.scalar(s)).collect()
     }
 
     pub(crate) fn scalar(&mut self, scalar: Scalar) -> Scalar {

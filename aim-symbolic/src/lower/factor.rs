@@ -1,16 +1,20 @@
-//! Sum factoring on components: `a b + a c = a (b + c)`, where neither product is needed elsewhere.
+//! Sum factoring on components: `a b + a c = a (b + c)`, where neither product is needed elsewhere; and terms of which
+//! always one is 0, by the outcome of a comparison, become one.
 
 use rustc_hash::FxHashMap;
 
+use crate::ir::table::Table;
 use crate::lower::fold::Fold;
-use crate::lower::rebuild::{Exchange, Rebuild, Uses};
+use crate::lower::rebuild::{Exchange, Missing, Rebuild, Uses};
+use crate::lower::selects::Join;
 use crate::{Graph, Op, Scalar, ScalarNode};
 
 /// `outputs`, which are lowered, with every sum factored.
 pub(crate) fn factor(fold: &mut Fold, outputs: Vec<Scalar>) -> Vec<Scalar> {
     let uses = Uses::count(&fold.g, &outputs);
-    let mut factoring = Factoring { uses };
-    if !factoring.uses.order().iter().any(|&s| factoring.terms_to_factor(&fold.g, s).is_some()) {
+    let mut factoring = Factoring { uses, terms: Table::default() };
+    let order = factoring.uses.order().to_vec();
+    if !order.into_iter().any(|s| factoring.terms_to_factor(fold, s).is_some()) {
         return outputs;
     }
     Rebuild::outputs(fold, &outputs, &mut factoring)
@@ -24,26 +28,35 @@ type Term = (bool, Scalar);
 
 struct Factoring {
     uses: Uses,
+    /// The terms of sums that are under way or done.
+    terms: Table<Scalar, Vec<Term>>,
 }
 
 impl Exchange for Factoring {
-    /// The sum `s` where some of its products have a common factor.
-    fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Option<Scalar> {
-        let terms = self.terms_to_factor(&rebuild.fold.g, s)?;
-        Some(self.sum(rebuild, terms))
+    /// The sum `s` where some of its products have a common factor, or some of its terms exclude each other.
+    fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Result<Option<Scalar>, Missing> {
+        if !self.terms.contains(s) {
+            let Some(mut terms) = self.terms_to_factor(rebuild.fold, s) else { return Ok(None) };
+            self.join_sides(rebuild.fold, &mut terms);
+            self.terms.insert(s, terms);
+        }
+        match self.terms.copied(s) {
+            Some(terms) => self.sum(rebuild, terms).map(Some),
+            None => Ok(None),
+        }
     }
 }
 
 impl Factoring {
-    /// The terms of a sum of which some have a common factor.
-    fn terms_to_factor(&self, g: &Graph, s: Scalar) -> Option<Vec<Term>> {
+    /// The terms of a sum of which some have a common factor or exclude each other.
+    fn terms_to_factor(&self, fold: &mut Fold, s: Scalar) -> Option<Vec<Term>> {
+        let g = &fold.g;
         if !matches!(g.scalar_node(s), ScalarNode::Op(Op::Add(..) | Op::Sub(..))) {
             return None;
         }
         let mut terms = Vec::new();
         self.collect(g, s, false, 0, &mut terms);
-        self.common(g, &terms)?;
-        Some(terms)
+        (self.common(g, &terms).is_some() || fold.exclude_each_other(terms.iter().map(|&(_, s)| s))).then_some(terms)
     }
 
     /// The terms of a sum, through partial sums that nothing else needs.
@@ -98,10 +111,36 @@ impl Factoring {
         best.map(|(_, factor)| factor)
     }
 
-    fn sum(&mut self, rebuild: &mut Rebuild<'_>, terms: Vec<Term>) -> Scalar {
+    /// Joins terms that are 0 on opposite sides of a comparison, those that fit best first.
+    fn join_sides(&self, fold: &mut Fold, terms: &mut Vec<Term>) {
+        for join in [Join::Complements, Join::Opposites] {
+            let mut i = 0;
+            while i < terms.len() {
+                let joined = (i + 1..terms.len()).find_map(|j| Some((j, self.joined(fold, terms[i], terms[j], join)?)));
+                match joined {
+                    Some((j, sum)) => {
+                        terms[i].1 = sum;
+                        terms.remove(j);
+                    }
+                    None => i += 1,
+                }
+            }
+        }
+    }
+
+    /// The sum of two terms but for the sign of the first.
+    fn joined(&self, fold: &mut Fold, (negative, a): Term, (other_negative, b): Term, join: Join) -> Option<Scalar> {
+        // A product that is needed elsewhere stays.
+        let is_kept = |s| !self.uses.once(s) && matches!(fold.g.scalar_node(s), ScalarNode::Op(Op::Mul(..)));
+        let join = if is_kept(a) || is_kept(b) { Join::Alike } else { join };
+        fold.sum_of_sides(a, b, negative != other_negative, join)
+    }
+
+    fn sum(&self, rebuild: &mut Rebuild<'_>, terms: Vec<Term>) -> Result<Scalar, Missing> {
         let Some(factor) = self.common(&rebuild.fold.g, &terms) else {
-            let terms = terms.into_iter().map(|(negative, s)| (negative, rebuild.scalar(self, s))).collect();
-            return plain_sum(rebuild.fold, terms);
+            let terms: Result<Vec<Term>, Missing> =
+                terms.into_iter().map(|(negative, s)| Ok((negative, rebuild.scalar(s)?))).collect();
+            return Ok(plain_sum(rebuild.fold, terms?));
         };
         let (with, without): (Vec<Term>, Vec<Term>) =
             terms.into_iter().partition(|&(_, t)| self.has_factor(&rebuild.fold.g, t, factor));
@@ -113,14 +152,14 @@ impl Factoring {
                 None => unreachable!("only products have a factor"),
             })
             .collect();
-        let inner = self.sum(rebuild, cofactors);
-        let factor = rebuild.scalar(self, factor);
+        let inner = self.sum(rebuild, cofactors)?;
+        let factor = rebuild.scalar(factor)?;
         let product = rebuild.fold.mul(factor, inner);
         if without.is_empty() {
-            return product;
+            return Ok(product);
         }
-        let rest = self.sum(rebuild, without);
-        rebuild.fold.add(product, rest)
+        let rest = self.sum(rebuild, without)?;
+        Ok(rebuild.fold.add(product, rest))
     }
 }
 

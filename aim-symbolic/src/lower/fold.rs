@@ -3,6 +3,7 @@
 //! Folds of 0, ±1 and signs are exact for finite operands (only the sign of a zero may differ); constants are computed in
 //! f64 and rounded once, to the type that the program runs in.
 
+use crate::lower::selects::Join;
 use crate::rewrite::rules::{CONSTANTS, NEGATIONS, ORDER, Rules};
 use crate::{Function, Graph, Number, Op, Scalar, ScalarNode};
 
@@ -70,21 +71,6 @@ impl Fold {
         }
     }
 
-    /// `then` where `a < b`, else `otherwise`; one of them where both are the same or the comparison is of constants.
-    pub fn select_less(&mut self, a: Scalar, b: Scalar, then: Scalar, otherwise: Scalar) -> Scalar {
-        match (self.constant_of(a), self.constant_of(b)) {
-            (Some(x), Some(y)) => {
-                if x < y {
-                    then
-                } else {
-                    otherwise
-                }
-            }
-            _ if then == otherwise => then,
-            _ => self.g.select_less(a, b, then, otherwise),
-        }
-    }
-
     fn negated(&self, a: Scalar) -> Option<Scalar> {
         if !self.negations {
             return None;
@@ -129,10 +115,10 @@ impl Fold {
             }
             (Some(a), None) => self.sub(b, a),
             (None, Some(b)) => self.sub(a, b),
-            (None, None) => {
+            (None, None) => self.sum_of_sides(a, b, false, Join::Alike).unwrap_or_else(|| {
                 let (a, b) = self.ordered(a, b);
                 self.g.add(a, b)
-            }
+            }),
         }
     }
 
@@ -150,6 +136,9 @@ impl Fold {
                 return self.add(a, positive);
             }
             _ => {}
+        }
+        if let Some(chosen) = self.sum_of_sides(a, b, true, Join::Alike) {
+            return chosen;
         }
         match (self.negated(a), self.negated(b)) {
             (Some(a), Some(b)) => self.sub(b, a),
@@ -183,10 +172,10 @@ impl Fold {
             (Some(x), Some(y)) => self.g.constant(x * y),
             (Some(0.0), None) | (None, Some(1.0)) => a,
             (None, Some(0.0)) | (Some(1.0), None) => b,
-            _ => {
+            _ => self.chosen(a, b).or_else(|| self.chosen(b, a)).unwrap_or_else(|| {
                 let (a, b) = self.ordered(a, b);
                 self.g.mul(a, b)
-            }
+            }),
         };
         if minus_a == minus_b { product } else { self.neg(product) }
     }

@@ -5,6 +5,7 @@ pub(crate) mod factor;
 pub(crate) mod fold;
 pub(crate) mod products;
 pub(crate) mod rebuild;
+mod selects;
 
 use self::factor::factor;
 use self::fold::Fold;

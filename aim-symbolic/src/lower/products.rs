@@ -4,7 +4,7 @@ use rustc_hash::FxHashMap;
 
 use crate::ir::table::Table;
 use crate::lower::fold::Fold;
-use crate::lower::rebuild::{Exchange, Rebuild, Uses, operands};
+use crate::lower::rebuild::{Exchange, Missing, Rebuild, Uses, operands};
 use crate::{Op, Scalar, ScalarNode};
 
 /// A product of more than one factor.
@@ -58,10 +58,10 @@ struct Shared {
 }
 
 impl Exchange for Shared {
-    fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Option<Scalar> {
-        let factors = self.chains.get(s)?.clone();
-        let factors: Vec<Scalar> = factors.into_iter().map(|factor| rebuild.scalar(self, factor)).collect();
-        factors.into_iter().reduce(|a, b| rebuild.fold.mul(a, b))
+    fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Result<Option<Scalar>, Missing> {
+        let Some(factors) = self.chains.get(s) else { return Ok(None) };
+        let factors: Result<Vec<Scalar>, Missing> = factors.iter().map(|&factor| rebuild.scalar(factor)).collect();
+        Ok(factors?.into_iter().reduce(|a, b| rebuild.fold.mul(a, b)))
     }
 }
 

@@ -52,32 +52,67 @@ pub(crate) struct Rebuild<'f> {
     done: Table<Scalar, Scalar>,
 }
 
+/// What has to be made anew first.
+pub(crate) struct Missing(Scalar);
+
 /// Offers something else in the place of a node.
 pub(crate) trait Exchange: Sized {
-    /// What takes the place of `s`, its own parts made anew by `rebuild`; `None` to keep `s`.
-    fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Option<Scalar>;
+    /// What takes the place of `s`, its own parts made anew by `rebuild`; `None` to keep `s`. Where a part is missing, it is
+    /// asked again once that was made.
+    fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Result<Option<Scalar>, Missing>;
 }
 
 impl<'f> Rebuild<'f> {
     /// `outputs` made anew.
     pub(crate) fn outputs(fold: &'f mut Fold, outputs: &[Scalar], exchange: &mut impl Exchange) -> Vec<Scalar> {
         let mut rebuild = Self { fold, done: Table::default() };
-        outputs.iter().map(|&s| rebuild.scalar(exchange, s)).collect()
-    }
-
-    pub(crate) fn scalar(&mut self, exchange: &mut impl Exchange, s: Scalar) -> Scalar {
-        if let Some(&done) = self.done.get(s) {
-            return done;
+        let mut made = Vec::new();
+        for &output in outputs {
+            let mut wanted = vec![output];
+            while let Some(&s) = wanted.last() {
+                match rebuild.made(exchange, s) {
+                    Ok(_) => {
+                        wanted.pop();
+                    }
+                    Err(Missing(part)) => wanted.push(part),
+                }
+            }
+            made.extend(rebuild.done.get(output));
         }
-        let made = exchange.exchange(self, s).unwrap_or_else(|| self.kept(exchange, s));
-        self.done.insert(s, made);
         made
     }
 
+    fn made(&mut self, exchange: &mut impl Exchange, s: Scalar) -> Result<Scalar, Missing> {
+        if let Some(&done) = self.done.get(s) {
+            return Ok(done);
+        }
+        let made = match exchange.exchange(self, s)? {
+            Some(made) => made,
+            None => self.kept(s)?,
+        };
+        self.done.insert(s, made);
+        Ok(made)
+    }
+
+    /// The scalar made anew.
+    pub(crate) fn scalar(&self, s: Scalar) -> Result<Scalar, Missing> {
+        self.done.copied(s).ok_or(Missing(s))
+    }
+
     /// The scalar with its operands made anew.
-    fn kept(&mut self, exchange: &mut impl Exchange, s: Scalar) -> Scalar {
-        let Some(op) = self.fold.g.scalar_node(s).op() else { return s };
-        let op = op.map(|part| self.scalar(exchange, part));
-        self.fold.op(op)
+    fn kept(&mut self, s: Scalar) -> Result<Scalar, Missing> {
+        let Some(op) = self.fold.g.scalar_node(s).op() else { return Ok(s) };
+        let mut missing = None;
+        let op = op.map(|part| {
+            let made = self.scalar(part);
+            made.unwrap_or_else(|part| {
+                missing.get_or_insert(part);
+                s
+            })
+        });
+        match missing {
+            Some(missing) => Err(missing),
+            None => Ok(self.fold.op(op)),
+        }
     }
 }

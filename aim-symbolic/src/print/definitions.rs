@@ -5,7 +5,6 @@ use std::collections::{HashMap, HashSet};
 use super::expression::{self, Notation};
 use super::formula::Formula;
 use crate::ir::node::Node;
-use crate::ir::order::Selects;
 use crate::{Graph, Op, Scalar, ScalarNode, VectorNode};
 
 /// Expressions with names for the parts that are needed more than once.
@@ -35,7 +34,7 @@ const LONG: usize = 16;
 /// Names the parts of `outputs` that are needed more than once or are long: **a**₁, **a**₂, … the vectors, k₁, k₂, … the
 /// numbers.
 pub fn defined(g: &Graph, outputs: &[Scalar], notation: &Notation) -> Defined {
-    let order = g.order(outputs, Selects::Through);
+    let order = g.order(outputs);
     let mut uses: HashMap<Node, usize> = HashMap::new();
     for &node in &order {
         for part in g.parts(node) {
@@ -88,7 +87,7 @@ fn is_given(g: &Graph, node: Node) -> bool {
 ///
 /// Returns the two sides and what the letters stand for.
 pub fn rewriting(g: &Graph, from: Node, to: Node, notation: &Notation) -> ([Formula; 2], Vec<(Formula, Formula)>) {
-    let reachable = |root| -> HashSet<Node> { g.order_of_nodes(&[root], Selects::Through).into_iter().collect() };
+    let reachable = |root| -> HashSet<Node> { g.order_of_nodes(&[root]).into_iter().collect() };
     let (of_from, of_to) = (reachable(from), reachable(to));
     let mut letters = Letters { g, notation: notation.clone(), meanings: Vec::new(), vectors: 0, scalars: 0 };
     let mut stack = vec![to, from];

@@ -4,7 +4,6 @@
 use crate::diff::sweep::Swept;
 use crate::ir::evaluate::Evaluation;
 use crate::ir::node::Node;
-use crate::ir::order::Selects;
 use crate::lower::Effort;
 use crate::program::derive::{Choices, Way, choose, distinct};
 use crate::rewrite::log::{Log, Rewrite};
@@ -126,7 +125,7 @@ impl Derivation {
     pub fn meanings(&self) -> Vec<Option<Meaning>> {
         let g = &self.graph;
         let mut parts: Vec<(Node, Aspect)> = Vec::new();
-        for node in g.order(&self.outputs, Selects::Through) {
+        for node in g.order(&self.outputs) {
             match node {
                 Node::Scalar(s) => {
                     if matches!(g.scalar_node(s), ScalarNode::Norm(_)) {

@@ -36,7 +36,7 @@ impl Program {
     /// The same by some of the rules, products shared and sums factored unless that is switched off.
     pub(crate) fn compile_with(g: &mut Graph, outputs: &[Scalar], rules: &Rules<'_>, effort: Effort) -> Self {
         let mut lowering = Lowering::new(core::mem::take(g), rules);
-        let lowered: Vec<Scalar> = outputs.iter().map(|&s| lowering.scalar(s)).collect();
+        let lowered = lowering.outputs(outputs);
         let lowered = arranged(&mut lowering.fold, lowered, rules, effort);
         *g = lowering.fold.g;
         let mut schedule = Schedule { g, ops: Vec::new(), values: Table::default() };
@@ -244,21 +244,35 @@ struct Schedule<'g> {
 
 impl Schedule<'_> {
     fn value(&mut self, scalar: Scalar) -> Value {
-        if let Some(&done) = self.values.get(scalar) {
-            return done;
+        let mut wanted = vec![scalar];
+        while let Some(&scalar) = wanted.last() {
+            if self.values.contains(scalar) {
+                wanted.pop();
+                continue;
+            }
+            let op = self.op(scalar);
+            match op.operands().find(|&operand| !self.values.contains(operand)) {
+                Some(missing) => wanted.push(missing),
+                None => self.schedule(scalar, op),
+            }
         }
+        self.values[scalar]
+    }
+
+    /// As one would write it: the longer part first, `x x + y y + z z`.
+    fn op(&self, scalar: Scalar) -> Op<Scalar> {
         let node = self.g.scalar_node(scalar);
         let Some(op) = node.op() else { unreachable!("{node:?} is lowered before it is scheduled") };
-        // As one would write it: the longer part first, `x x + y y + z z`.
         let is_sum = |s| matches!(self.g.scalar_node(s), ScalarNode::Op(Op::Add(..) | Op::Sub(..)));
-        let op = match op {
+        match op {
             Op::Add(a, b) if is_sum(b) && !is_sum(a) => Op::Add(b, a),
             op => op,
-        };
-        let op = op.map(|s| self.value(s));
-        let value = Value::at(self.ops.len());
+        }
+    }
+
+    fn schedule(&mut self, scalar: Scalar, op: Op<Scalar>) {
+        let op = op.map(|s| self.values[s]);
+        self.values.insert(scalar, Value::at(self.ops.len()));
         self.ops.push(op);
-        self.values.insert(scalar, value);
-        value
     }
 }

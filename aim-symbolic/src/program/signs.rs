@@ -12,6 +12,9 @@ use crate::{Constant, Op, Program, Value};
 /// How many ways to turn differences are tried.
 const MOST_TRIALS: usize = 24;
 
+/// How far behind an output differences are looked for.
+const DEEPEST: usize = 2000;
+
 /// Where a value of the old program is in the new one, and whether it is stored negated.
 #[derive(Clone, Copy, PartialEq)]
 struct Stored {
@@ -47,7 +50,8 @@ impl Program {
         negated.flat_map(|&output| [(output, false), (output, true)]).find_map(|(output, right_first)| {
             trials.next()?;
             let mut trial = turned.to_vec();
-            let mut search = Search { program: self, right_first, stored: &best.stored, steps: self.ops().len() };
+            let mut search =
+                Search { program: self, right_first, stored: &best.stored, steps: self.ops().len(), depth: DEEPEST };
             search.turn(output, &mut trial)?;
             let written = self.written(&trial);
             (written.negations < best.negations).then_some((trial, written))
@@ -104,12 +108,21 @@ struct Search<'a> {
     right_first: bool,
     stored: &'a [Stored],
     steps: usize,
+    /// How much deeper it may go.
+    depth: usize,
 }
 
 impl Search<'_> {
     /// Chooses differences so that `value` is stored with the other sign; `None` where there is none to choose.
     fn turn(&mut self, value: Value, turned: &mut [bool]) -> Option<()> {
         self.steps = self.steps.checked_sub(1)?;
+        self.depth = self.depth.checked_sub(1)?;
+        let found = self.turn_operands(value, turned);
+        self.depth += 1;
+        found
+    }
+
+    fn turn_operands(&mut self, value: Value, turned: &mut [bool]) -> Option<()> {
         match self.program.ops()[value.index()] {
             Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Sqrt(_) | Op::Call(..) | Op::Atan2(..) | Op::Pow(..) => {
                 None

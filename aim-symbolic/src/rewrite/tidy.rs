@@ -90,10 +90,41 @@ impl Tidy<'_> {
         }
     }
 
+    /// The node rewritten: first its parts, in their order.
     fn node(&mut self, node: Node) -> Node {
         if let Some(done) = self.nodes.copied(node) {
             return done;
         }
+        let mut wanted = vec![node];
+        while let Some(&top) = wanted.last() {
+            if self.nodes.contains(top) {
+                wanted.pop();
+                continue;
+            }
+            match self.first_part(top) {
+                Some(part) => wanted.push(part),
+                None => self.finish(top),
+            }
+        }
+        self.nodes.copied(node).unwrap_or(node)
+    }
+
+    /// The first part that is not rewritten yet.
+    fn first_part(&self, node: Node) -> Option<Node> {
+        let mut missing = Missing { tidy: self, found: None };
+        match node {
+            Node::Scalar(s) => {
+                self.g.scalar_node(s).map(&mut missing);
+            }
+            Node::Vector(v) => {
+                self.g.vector_node(v).map(&mut missing);
+            }
+        }
+        missing.found
+    }
+
+    /// Rewrites a node whose parts are.
+    fn finish(&mut self, node: Node) {
         let mut current = self.with_parts_rewritten(node);
         while self.fuel > 0 && self.log.may_apply() {
             let Some((rule, next)) = self.replacement(current) else { break };
@@ -107,7 +138,56 @@ impl Tidy<'_> {
             self.g.close(after);
         }
         self.nodes.insert(node, current);
-        current
+    }
+
+    /// Whether it is a rotation of numbers that nothing is to be done about.
+    fn is_given(&self, rotation: Rotation) -> bool {
+        let is_input = |&s: &Scalar| matches!(self.g.scalar_node(s), ScalarNode::Op(Op::Input(_)));
+        match self.g.rotation_node(rotation) {
+            RotationNode::Basis(_) => true,
+            RotationNode::Matrix(entries) => entries.iter().all(is_input),
+            _ => false,
+        }
+    }
+}
+
+/// Looks for a part that is not rewritten yet.
+struct Missing<'t, 'g> {
+    tidy: &'t Tidy<'g>,
+    found: Option<Node>,
+}
+
+impl Missing<'_, '_> {
+    fn look(&mut self, node: Node) {
+        if self.found.is_none() && !self.tidy.nodes.contains(node) {
+            self.found = Some(node);
+        }
+    }
+}
+
+impl Parts for Missing<'_, '_> {
+    fn scalar(&mut self, scalar: Scalar) -> Scalar {
+        self.look(Node::Scalar(scalar));
+        scalar
+    }
+
+    fn vector(&mut self, vector: Vector) -> Vector {
+        self.look(Node::Vector(vector));
+        vector
+    }
+
+    fn rotation(&mut self, rotation: Rotation) -> Rotation {
+        if !self.tidy.rotations.contains(rotation) && !self.tidy.is_given(rotation) {
+            self.tidy.g.rotation_node(rotation).map(self);
+        }
+        rotation
+    }
+
+    fn angle(&mut self, angle: Angle) -> Angle {
+        if let Some(radians) = self.tidy.g.radians(angle) {
+            self.look(Node::Scalar(radians));
+        }
+        angle
     }
 }
 
@@ -130,15 +210,11 @@ impl Parts for Tidy<'_> {
         if let Some(&done) = self.rotations.get(rotation) {
             return done;
         }
-        let node = self.g.rotation_node(rotation);
-        let is_given = |&s: &Scalar| matches!(self.g.scalar_node(s), ScalarNode::Op(Op::Input(_)));
-        let done = match node {
-            RotationNode::Basis(_) => rotation,
-            RotationNode::Matrix(entries) if entries.iter().all(is_given) => rotation,
-            node => {
-                let node = node.map(self);
-                self.g.remade_rotation(node)
-            }
+        let done = if self.is_given(rotation) {
+            rotation
+        } else {
+            let node = self.g.rotation_node(rotation).map(self);
+            self.g.remade_rotation(node)
         };
         self.rotations.insert(rotation, done);
         done

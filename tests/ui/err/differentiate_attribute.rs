@@ -26,6 +26,16 @@ fn dear(x: f32, y: f32) -> f32 {
     x * y + 1.0
 }
 
+#[differentiate(wrt(x), budget(operations = 9, selects = 1, calls = 1, call = 0))]
+fn chosen(x: f32) -> f32 {
+    x.abs().sin()
+}
+
+#[differentiate(wrt(x), budget(selects = 1, calls = 1))]
+fn chosen_dearly(x: f32) -> f32 {
+    x.abs().sin()
+}
+
 #[differentiate(wrt(x), hessian, hvp)]
 fn hessian_of_a_vector(x: f32, v: Vec3) -> Vec3 {
     v * x

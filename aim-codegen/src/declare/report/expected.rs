@@ -73,6 +73,8 @@ expected! {
     // Of `#[differentiate]`.
     ARGUMENTS: Word, "the names of arguments", ["KEY(p, h)"; 2];
     OPERATIONS: Other, "a whole number of operations", ["KEY = 46"; 2];
+    SELECTS: Other, "a whole number of comparisons and selects", ["KEY = 2"; 2];
+    CALLS: Other, "a whole number of calls", ["KEY = 4"; 2];
     PRESENCE: Nothing, "no value", ["KEY"; 2];
 }
 

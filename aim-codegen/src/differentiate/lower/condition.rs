@@ -1,5 +1,6 @@
 //! [`Condition`]: what a value may depend on.
 
+use std::cell::Cell;
 use std::rc::Rc;
 
 use aim_symbolic::{Scalar, Vector};
@@ -13,8 +14,23 @@ pub(crate) enum Condition {
     /// a < b
     Less(Scalar, Scalar),
     Not(Rc<Self>),
-    And(Rc<(Self, Self)>),
-    Or(Rc<(Self, Self)>),
+    And(Rc<Both>),
+    Or(Rc<Both>),
+}
+
+/// The parts of a combination.
+#[derive(Debug)]
+pub(crate) struct Both {
+    one: Condition,
+    other: Condition,
+    /// 1 where the combination holds, else 0, once that is needed.
+    flag: Cell<Option<Scalar>>,
+}
+
+impl Both {
+    fn new(one: Condition, other: Condition) -> Rc<Self> {
+        Rc::new(Self { one, other, flag: Cell::new(None) })
+    }
 }
 
 impl Condition {
@@ -39,7 +55,7 @@ impl Condition {
         match (self, other) {
             (Self::Known(true), condition) | (condition, Self::Known(true)) => condition,
             (Self::Known(false), _) | (_, Self::Known(false)) => Self::Known(false),
-            (one, other) => Self::And(Rc::new((one, other))),
+            (one, other) => Self::And(Both::new(one, other)),
         }
     }
 
@@ -47,7 +63,7 @@ impl Condition {
         match (self, other) {
             (Self::Known(false), condition) | (condition, Self::Known(false)) => condition,
             (Self::Known(true), _) | (_, Self::Known(true)) => Self::Known(true),
-            (one, other) => Self::Or(Rc::new((one, other))),
+            (one, other) => Self::Or(Both::new(one, other)),
         }
     }
 
@@ -68,15 +84,27 @@ impl Condition {
             Self::Known(false) => otherwise,
             Self::Less(x, y) => a.select_less(*x, *y, then, otherwise),
             Self::Not(inner) => inner.select(a, otherwise, then),
-            Self::And(both) => {
-                let inner = both.1.select(a, then, otherwise);
-                both.0.select(a, inner, otherwise)
-            }
-            Self::Or(either) => {
-                let inner = either.1.select(a, then, otherwise);
-                either.0.select(a, then, inner)
+            Self::And(_) | Self::Or(_) => {
+                let (zero, flag) = (a.number(0.0), self.flag(a));
+                a.select_less(zero, flag, then, otherwise)
             }
         }
+    }
+
+    /// 1 where the condition holds, else 0: a combination is evaluated once, however often it is used.
+    fn flag(&self, a: &mut Algebra) -> Scalar {
+        let (zero, one) = (a.number(0.0), a.number(1.0));
+        let (Self::And(both) | Self::Or(both)) = self else { return self.select(a, one, zero) };
+        if let Some(known) = both.flag.get() {
+            return known;
+        }
+        let other = both.other.flag(a);
+        let flag = match self {
+            Self::And(_) => both.one.select(a, other, zero),
+            _ => both.one.select(a, one, other),
+        };
+        both.flag.set(Some(flag));
+        flag
     }
 
     pub(crate) fn select_vector(&self, a: &mut Algebra, then: Vector, otherwise: Vector) -> Vector {

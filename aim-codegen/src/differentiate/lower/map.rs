@@ -10,6 +10,11 @@ use aim_symbolic::{Rotation, Scalar, Vector};
 use super::algebra::Algebra;
 use super::condition::Condition;
 
+/// Branches of more maps are multiplied out: as matrices, which takes a vector for each axis, or as quaternions, which
+/// takes longer to pay.
+const MOST_BEFORE_MATRICES: usize = 6;
+const MOST_BEFORE_QUATERNIONS: usize = 22;
+
 /// A linear map of vectors.
 #[derive(Clone, Debug)]
 pub(crate) enum Map {
@@ -35,6 +40,29 @@ impl Map {
 
     pub(crate) fn identity(a: &mut Algebra) -> Self {
         Self::Rotation(a.identity())
+    }
+
+    /// `then` where the condition holds, else `otherwise`. Branches of many maps are multiplied out, so that what they have
+    /// in common is not applied once a branch.
+    pub(crate) fn select(a: &mut Algebra, condition: &Condition, then: &Self, otherwise: &Self) -> Self {
+        if then.size() + otherwise.size() <= MOST_BEFORE_MATRICES {
+            return Self::branches(condition, then, otherwise);
+        }
+        let (then, otherwise) = (then.columns(a), otherwise.columns(a));
+        Self::Columns([0, 1, 2].map(|k| condition.select_vector(a, then[k], otherwise[k])))
+    }
+
+    fn branches(condition: &Condition, then: &Self, otherwise: &Self) -> Self {
+        Self::Select(Rc::new((condition.clone(), then.clone(), otherwise.clone())))
+    }
+
+    /// How many maps are applied to a vector.
+    fn size(&self) -> usize {
+        match self {
+            Self::Rotation(_) | Self::Columns(_) | Self::Rows(_) | Self::Spin(..) => 1,
+            Self::Compose(pair) => pair.0.size() + pair.1.size(),
+            Self::Select(choice) => choice.1.size() + choice.2.size(),
+        }
     }
 
     pub(crate) fn apply(&self, a: &mut Algebra, v: Vector) -> Vector {
@@ -238,6 +266,20 @@ impl Quaternion {
     pub(crate) fn about_varying(a: &mut Algebra, axis: Vector, radians: Scalar) -> Self {
         let (u, w) = half_turn(a, axis, radians);
         Self::from_parts(u, w)
+    }
+
+    /// `self` where the condition holds, else `otherwise`.
+    pub(crate) fn select(&self, a: &mut Algebra, condition: &Condition, otherwise: &Self) -> Self {
+        let parts = self.parts.zip(otherwise.parts).map(|((u, w), (v, x))| {
+            let vector = condition.select_vector(a, u, v);
+            (vector, condition.select(a, w, x))
+        });
+        let map = match parts {
+            Some((u, w)) if self.map.size() + otherwise.map.size() > MOST_BEFORE_QUATERNIONS => Map::Spin(u, w),
+            Some(_) => Map::branches(condition, &self.map, &otherwise.map),
+            None => Map::select(a, condition, &self.map, &otherwise.map),
+        };
+        Self { map, parts }
     }
 
     pub(crate) fn conjugate(&self, a: &mut Algebra) -> Self {

@@ -112,8 +112,6 @@ impl Value {
             }
             then.iter().zip(otherwise).map(|(then, otherwise)| then.select(a, condition, otherwise)).collect()
         };
-        let maps =
-            |then: &Map, otherwise: &Map| Map::Select(Rc::new((condition.clone(), then.clone(), otherwise.clone())));
         Some(match (self, otherwise) {
             (Self::Unknown, _) | (_, Self::Unknown) => Self::Unknown,
             (Self::Never, value) | (value, Self::Never) => value.clone(),
@@ -127,14 +125,8 @@ impl Value {
                 let otherwise = condition.clone().not().and(y.clone());
                 Self::Truth(then.or(otherwise))
             }
-            (Self::Quaternion(q), Self::Quaternion(r)) => {
-                let parts = q
-                    .parts
-                    .zip(r.parts)
-                    .map(|((u, w), (v, x))| (condition.select_vector(a, u, v), condition.select(a, w, x)));
-                Self::Quaternion(Quaternion { map: maps(&q.map, &r.map), parts })
-            }
-            (Self::Matrix(m), Self::Matrix(n)) => Self::Matrix(maps(m, n)),
+            (Self::Quaternion(q), Self::Quaternion(r)) => Self::Quaternion(q.select(a, condition, r)),
+            (Self::Matrix(m), Self::Matrix(n)) => Self::Matrix(Map::select(a, condition, m, n)),
             (Self::Homogeneous(m), Self::Homogeneous(n)) => {
                 let [m, n] = [m, n].map(|m| Self::Affine(m.clone()));
                 match m.select(a, condition, &n)? {
@@ -150,7 +142,7 @@ impl Value {
                 Self::Square(square::zip(a, &m, &n, |a, x, y| condition.select(a, x, y)))
             }
             (Self::Affine(m), Self::Affine(n)) => Self::Affine(Affine {
-                map: maps(&m.map, &n.map),
+                map: Map::select(a, condition, &m.map, &n.map),
                 translation: condition.select_vector(a, m.translation, n.translation),
             }),
             (Self::Tuple(x), Self::Tuple(y)) => Self::Tuple(each(a, x, y)?),

@@ -185,7 +185,26 @@ impl Pools {
             What::Neg => g.neg(s(0)).into(),
             What::Sqrt => g.sqrt(s(0)).into(),
             What::Reciprocal => g.reciprocal(s(0)).into(),
-            What::Select => g.select_less(s(0), s(1), s(2), s(3)).into(),
+            What::Select => {
+                let plain = g.select_less(s(0), s(1), s(2), s(3));
+                match number % 6 {
+                    // Within another, on either side.
+                    0 => g.select_less(s(3), s(1), plain, s(0)).into(),
+                    1 => g.select_less(s(0), s(2), s(1), plain).into(),
+                    // By the same condition again.
+                    2 => {
+                        let quotient = g.div(s(2), s(3));
+                        let other = g.select_less(s(0), s(1), s(3), quotient);
+                        g.mul(plain, other).into()
+                    }
+                    3 => {
+                        let quotient = g.div(s(2), s(3));
+                        let inner = g.select_less(s(2), s(1), quotient, plain);
+                        g.select_less(s(0), s(1), inner, quotient).into()
+                    }
+                    _ => plain.into(),
+                }
+            }
             What::Call => {
                 let argument = if number % 2 == 0 { s(0) } else { g.neg(s(0)) };
                 g.call(choice(&FUNCTIONS, number / 2), argument).into()
@@ -263,7 +282,14 @@ impl Pools {
                 g.dot(sum, across).into()
             }
             What::ConstantVector => g.constant_vector(choice(&VECTORS, number)).into(),
-            What::Components => g.components([s(0), s(1), s(2)]).into(),
+            What::Components => {
+                let parts = match number % 4 {
+                    0 => [(0, 1), (1, 2), (2, 0)]
+                        .map(|(then, otherwise)| g.select_less(s(0), s(1), s(then), s(otherwise))),
+                    _ => [s(0), s(1), s(2)],
+                };
+                g.components(parts).into()
+            }
             What::AddVectors => g.add_vectors(v(0), v(1)).into(),
             What::SubVectors => g.sub_vectors(v(0), v(1)).into(),
             What::NegVector => g.neg_vector(v(0)).into(),

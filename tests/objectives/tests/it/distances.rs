@@ -28,7 +28,7 @@ macro_rules! objectives {
         }
 
         /// From a point to a piece of a line.
-        #[differentiate(wrt(p), budget = 69)]
+        #[differentiate(wrt(p), budget = 68)]
         pub(super) fn to_segment(p: $vec3, a: $vec3, b: $vec3) -> $real {
             let (along, from_a) = (b - a, p - a);
             let t = from_a.dot(along) / along.length_squared();
@@ -42,7 +42,7 @@ macro_rules! objectives {
         }
 
         /// The least of three distances, smoothed.
-        #[differentiate(wrt(p), budget = 79)]
+        #[differentiate(wrt(p), budget = 67)]
         pub(super) fn smooth_nearest(p: $vec3, a: $vec3, b: $vec3, c: $vec3, sharpness: $real) -> $real {
             let (to_a, to_b, to_c) = (p.distance(a), p.distance(b), p.distance(c));
             let least = to_a.min(to_b).min(to_c);
@@ -69,7 +69,7 @@ macro_rules! objectives {
         }
 
         /// The elbow's angle when the hand is at a point, by the law of cosines; straight or folded where it cannot be.
-        #[differentiate(wrt(p, upper, lower), budget = 32)]
+        #[differentiate(wrt(p, upper, lower), budget = 27)]
         pub(super) fn elbow(p: $vec3, upper: $real, lower: $real) -> $real {
             let cosine = (upper * upper + lower * lower - p.length_squared()) / (2.0 * upper * lower);
             cosine.clamp(-1.0, 1.0).acos()

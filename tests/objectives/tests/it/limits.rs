@@ -9,7 +9,7 @@ macro_rules! objectives {
         use aim::glam::{$quat, $vec2, $vec3};
 
         /// Nothing inside of a cone about the axis, the square of what is beyond outside of it.
-        #[differentiate(wrt(p, h), budget = 18)]
+        #[differentiate(wrt(p, h), budget(operations = 18, selects = 4, calls = 4))]
         pub(super) fn cone(p: $real, h: $real, axis: $vec3, cosine: $real) -> $real {
             let forward = $quat::from_rotation_y(h) * ($quat::from_rotation_x(-p) * $vec3::Z);
             let beyond = cosine - forward.dot(axis);
@@ -17,13 +17,13 @@ macro_rules! objectives {
         }
 
         /// The angle to the axis beyond a limit: a hinge with an edge, and with another where the angle is 0.
-        #[differentiate(wrt(v), budget = 41)]
+        #[differentiate(wrt(v), budget = 38)]
         pub(super) fn beyond(v: $vec3, axis: $vec3, limit: $real) -> $real {
             (v.angle_between(axis) - limit).max(0.0)
         }
 
         /// A hinge without an edge on either side of a range, written so that nothing overflows.
-        #[differentiate(wrt(angle, low, high), budget = 27)]
+        #[differentiate(wrt(angle, low, high), budget(operations = 20, selects = 20, calls = 4))]
         pub(super) fn softplus(angle: $real, low: $real, high: $real, sharpness: $real) -> $real {
             let (over, under) = (sharpness * (angle - high), sharpness * (low - angle));
             let above = over.max(0.0) + (1.0 + (-over.abs()).exp()).ln();
@@ -32,14 +32,14 @@ macro_rules! objectives {
         }
 
         /// From 0 to 1 between two angles, flat outside.
-        #[differentiate(wrt(x, low, high), budget = 15)]
+        #[differentiate(wrt(x, low, high), budget(operations = 12, selects = 20))]
         pub(super) fn smoothstep(x: $real, low: $real, high: $real) -> $real {
             let t = ((x - low) / (high - low)).clamp(0.0, 1.0);
             t * t * (3.0 - 2.0 * t)
         }
 
         /// An angle that never leaves its range: the hyperbolic tangent, written so that nothing overflows.
-        #[differentiate(wrt(x, most), budget = 19)]
+        #[differentiate(wrt(x, most), budget(operations = 15, selects = 8, calls = 1))]
         pub(super) fn saturated(x: $real, most: $real) -> $real {
             let e = (-2.0 * (x / most).abs()).exp();
             most * x.signum() * (1.0 - e) / (1.0 + e)
@@ -60,7 +60,7 @@ macro_rules! objectives {
         }
 
         /// How far a heading is from that of a place, the short way round; in quarters of a turn it counts more.
-        #[differentiate(wrt(heading, place), budget = 24)]
+        #[differentiate(wrt(heading, place), budget = 18)]
         pub(super) fn heading_error(heading: $real, place: $vec2) -> $real {
             let off = heading - place.y.atan2(place.x);
             let wrapped = off.sin().atan2(off.cos());

@@ -1,6 +1,7 @@
 //! Objectives as users write them, judged by dual numbers.
 
 mod aiming;
+mod branches;
 mod companions;
 mod distances;
 mod energies;

@@ -1,0 +1,67 @@
+//! `budget = …`: how much a derived function may need.
+
+use aim_symbolic::Count;
+
+use super::messages;
+use crate::declare::Place;
+use crate::declare::check::keys::Key;
+use crate::declare::check::read;
+use crate::declare::check::settings::{Level, Setting, Settings};
+use crate::declare::report::Report;
+use crate::declare::report::expected::Expected;
+use crate::declare::tree::Kind;
+
+/// The most of each kind in [`KINDS`], and where that is written.
+pub(super) struct Budget {
+    most: [Option<(usize, Place)>; KINDS.len()],
+}
+
+const KEYS: &[Key] =
+    &[("operations", Expected::OPERATIONS), ("selects", Expected::SELECTS), ("calls", Expected::CALLS)];
+
+/// What is counted, in words and in a count.
+type Counted = (&'static str, fn(&Count) -> usize);
+
+/// In the order of [`KEYS`].
+const KINDS: [Counted; 3] = [
+    ("operations", Count::total),
+    ("comparisons and selects", |count| count.select),
+    ("calls of functions", |count| count.call),
+];
+
+impl Budget {
+    /// A number of operations, or `(operations = 46, selects = 2, calls = 4)`, of which any may be left out.
+    pub(super) fn read(report: &mut Report, setting: Setting<'_>) -> Option<Self> {
+        let Kind::Table(entries) = &setting.value.kind else {
+            let operations = number(report, setting)?;
+            return Some(Self { most: [Some(operations), None, None] });
+        };
+        let settings = Settings::read(entries, KEYS, Level::Options, report);
+        let mut most = [const { None }; KINDS.len()];
+        for (most, (key, _)) in most.iter_mut().zip(KEYS) {
+            *most = settings.read_value(key, report, number);
+        }
+        Some(Self { most })
+    }
+
+    /// Reports what the function needs more of; whether there is nothing.
+    pub(super) fn judge(&self, count: Count, report: &mut Report) -> bool {
+        let mut is_kept = true;
+        for ((most, (words, of)), (key, _)) in self.most.iter().zip(KINDS).zip(KEYS) {
+            if let Some((most, place)) = most
+                && of(&count) > *most
+            {
+                report.error(place, messages::over_budget(*most, words, key, of(&count), count));
+                is_kept = false;
+            }
+        }
+        is_kept
+    }
+}
+
+fn number(report: &mut Report, setting: Setting<'_>) -> Option<(usize, Place)> {
+    match setting.value.number().replace('_', "").parse() {
+        Ok(number) => Some((number, setting.place().clone())),
+        Err(_) => read::mismatch(report, setting),
+    }
+}

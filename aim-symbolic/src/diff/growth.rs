@@ -1,0 +1,148 @@
+//! Whether 0 times an expression is 0: not where the expression may be infinite or NaN.
+//!
+//! Nothing is known of the inputs but that they are finite. A product of two can overflow already, so expressions count by
+//! their degree: sums of inputs are taken for finite, products of them are not. The largest guarded reciprocal is the root
+//! of the largest finite number, so a product of two is finite.
+
+use crate::ir::node::{Node, Parts};
+use crate::ir::table::NodeTable;
+use crate::{Angle, Function, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+
+/// The degree of what may be infinite or NaN for inputs of any size.
+const UNBOUNDED: u8 = u8::MAX;
+
+/// The degree of an input, and the largest of what is finite.
+const FINITE: u8 = 2;
+
+/// The degrees of the nodes that a sweep goes through.
+#[derive(Default)]
+pub(crate) struct Growth {
+    known: NodeTable<u8>,
+}
+
+impl Growth {
+    /// Of `order`, in which each node comes after its parts.
+    pub(crate) fn of(g: &Graph, order: &[Node]) -> Self {
+        let mut growth = Self::default();
+        for &node in order {
+            let degree = growth.degree(g, node, None);
+            growth.known.insert(node, degree);
+        }
+        growth
+    }
+
+    /// Whether `change`, which is made of the adjoint and known nodes, is 0 where the adjoint is.
+    pub(crate) fn keeps_zero(&self, g: &Graph, change: Node, adjoint: Node) -> bool {
+        self.degree(g, change, Some(adjoint)) <= FINITE
+    }
+
+    fn degree(&self, g: &Graph, node: Node, zero: Option<Node>) -> u8 {
+        if zero == Some(node) {
+            return 0;
+        }
+        if let Some(known) = self.known.copied(node) {
+            return known;
+        }
+        let of = Degrees { growth: self, g, zero };
+        match node {
+            Node::Scalar(s) => of.scalar_node(g.scalar_node(s)),
+            Node::Vector(v) => of.vector_node(g.vector_node(v)),
+        }
+    }
+}
+
+/// The degrees of an expression's parts.
+#[derive(Clone, Copy)]
+struct Degrees<'a> {
+    growth: &'a Growth,
+    g: &'a Graph,
+    /// What is 0.
+    zero: Option<Node>,
+}
+
+impl Degrees<'_> {
+    fn scalar(self, s: Scalar) -> u8 {
+        self.growth.degree(self.g, Node::Scalar(s), self.zero)
+    }
+
+    fn vector(self, v: impl Into<Vector>) -> u8 {
+        self.growth.degree(self.g, Node::Vector(v.into()), self.zero)
+    }
+
+    fn scalar_node(self, node: ScalarNode) -> u8 {
+        match node {
+            ScalarNode::Op(Op::Input(_)) => FINITE,
+            ScalarNode::Op(Op::Constant(c)) if c.value().is_finite() => 0,
+            ScalarNode::Op(Op::Tiny) => 0,
+            ScalarNode::Op(Op::Add(a, b) | Op::Sub(a, b)) => self.scalar(a).max(self.scalar(b)),
+            ScalarNode::Op(Op::Mul(a, b)) => self.scalar(a).saturating_add(self.scalar(b)),
+            ScalarNode::Op(Op::Div(a, b)) if self.g.constant_of(b).is_some_and(|c| c != 0.0) => self.scalar(a),
+            ScalarNode::Op(Op::Neg(a)) => self.scalar(a),
+            ScalarNode::Op(Op::SelectLess(_, _, then, otherwise)) => self.scalar(then).max(self.scalar(otherwise)),
+            ScalarNode::Op(Op::Call(Function::Sin | Function::Cos, a)) => bounded(self.scalar(a)),
+            ScalarNode::Op(Op::Atan2(y, x)) => bounded(self.scalar(y).max(self.scalar(x))),
+            // Guarded, so that it is finite also of NaN.
+            ScalarNode::Reciprocal(_) => FINITE / 2,
+            ScalarNode::Dot(v, w) => self.vector(v).saturating_add(self.vector(w)),
+            ScalarNode::Norm(v) => self.vector(v).saturating_mul(2),
+            ScalarNode::Component(v, _) => self.vector(v),
+            _ => UNBOUNDED,
+        }
+    }
+
+    fn vector_node(self, node: VectorNode) -> u8 {
+        match node {
+            VectorNode::Components(c) => c.into_iter().map(|c| self.scalar(c)).max().unwrap_or(0),
+            VectorNode::Add(v, w) | VectorNode::Sub(v, w) => self.vector(v).max(self.vector(w)),
+            VectorNode::Neg(v) | VectorNode::Perp(_, v) => self.vector(v),
+            VectorNode::Scale(k, v) => self.scalar(k).saturating_add(self.vector(v)),
+            VectorNode::Rotate(rotation, v) => self.vector(v).saturating_add(self.rotation(rotation)),
+            VectorNode::Normalize(v) => bounded(self.vector(v)),
+            VectorNode::Cross(v, w) => self.vector(v).saturating_add(self.vector(w)),
+            VectorNode::Across(v, u) => self.vector(v).saturating_add(bounded(self.vector(u))),
+        }
+    }
+
+    /// A rotation keeps lengths.
+    fn rotation(self, rotation: Rotation) -> u8 {
+        let mut parts = Largest { of: self, degree: 0 };
+        parts.rotation(rotation);
+        bounded(parts.degree)
+    }
+}
+
+/// The degree of what is about 1 at most, if its parts are finite.
+fn bounded(degree: u8) -> u8 {
+    if degree <= FINITE { 0 } else { UNBOUNDED }
+}
+
+/// The largest degree among parts.
+struct Largest<'a> {
+    of: Degrees<'a>,
+    degree: u8,
+}
+
+impl Parts for Largest<'_> {
+    fn scalar(&mut self, scalar: Scalar) -> Scalar {
+        self.degree = self.degree.max(self.of.scalar(scalar));
+        scalar
+    }
+
+    fn vector(&mut self, vector: Vector) -> Vector {
+        self.degree = self.degree.max(self.of.vector(vector));
+        vector
+    }
+
+    fn rotation(&mut self, rotation: Rotation) -> Rotation {
+        let node: RotationNode = self.of.g.rotation_node(rotation);
+        node.map(self);
+        rotation
+    }
+
+    fn angle(&mut self, angle: Angle) -> Angle {
+        if let Some(radians) = self.of.g.radians(angle) {
+            self.scalar(radians);
+        }
+        angle
+    }
+}

@@ -1,0 +1,227 @@
+//! Where adjoints are masked: the conditions under which a value depends on a part of it.
+//!
+//! The adjoint of `if c { x } else { y }` is passed on as `c ? ȳ : 0` and `c ? 0 : ȳ`, so that what stands below a select is
+//! swept once. In the branch not taken 0 is then multiplied by partial derivatives, which is 0 as long as they are finite.
+//! Where they may not be ([`Growth`](crate::diff::growth::Growth)), adjoints are no longer 0 there, and are masked again where
+//! they leave the branch: for parts that are needed elsewhere, too. So each node has the condition under which it is needed,
+//! its [`Mask`].
+
+use rustc_hash::FxHashMap;
+
+use crate::ir::node::Node;
+use crate::ir::table::{NodeSet, NodeTable};
+use crate::{Graph, Op, Scalar, ScalarNode};
+
+/// A condition of comparisons; equal ones are one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct Mask(usize);
+
+impl Mask {
+    /// It always holds.
+    pub(crate) const ALWAYS: Self = Self(0);
+}
+
+/// What a mask is made of.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Condition {
+    Always,
+    /// The comparison a < b comes out like this, and another mask holds.
+    Less {
+        a: Scalar,
+        b: Scalar,
+        holds: bool,
+        within: Mask,
+    },
+    Either(Mask, Mask),
+}
+
+/// The masks of the nodes of one sweep: of nodes that are not known, [`Mask::ALWAYS`].
+pub(crate) struct Masks {
+    conditions: Vec<Condition>,
+    index: FxHashMap<Condition, Mask>,
+    /// 1 where the mask holds, else 0, of those that were asked for.
+    flags: FxHashMap<Mask, Scalar>,
+    needed: NodeTable<Mask>,
+}
+
+/// Among so many conditions either of which needs a node one looks for two that make one.
+const MOST_JOINED: usize = 16;
+
+/// Conditions of so many comparisons are put in one order.
+const MOST_ORDERED: usize = 4;
+
+impl Default for Masks {
+    fn default() -> Self {
+        let mut masks = Self {
+            conditions: Vec::new(),
+            index: FxHashMap::default(),
+            flags: FxHashMap::default(),
+            needed: NodeTable::default(),
+        };
+        masks.intern(Condition::Always);
+        masks
+    }
+}
+
+impl Masks {
+    /// The masks of the active nodes of `order`, which are parts of `output`, each after its own parts.
+    pub(crate) fn of(g: &Graph, output: Scalar, order: &[Node], active: &NodeSet) -> Self {
+        let mut masks = Self::default();
+        masks.need(Node::Scalar(output), Mask::ALWAYS);
+        for &node in order.iter().rev().filter(|&&node| active.contains(node)) {
+            let mask = masks.of_node(node);
+            match node {
+                Node::Scalar(s) => match g.scalar_node(s) {
+                    ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => {
+                        for (branch, holds) in [(then, true), (otherwise, false)] {
+                            let mask = masks.branch(a, b, holds, mask);
+                            masks.need(Node::Scalar(branch), mask);
+                        }
+                    }
+                    _ => g.parts(node).into_iter().for_each(|part| masks.need(part, mask)),
+                },
+                Node::Vector(_) => g.parts(node).into_iter().for_each(|part| masks.need(part, mask)),
+            }
+        }
+        masks
+    }
+
+    fn intern(&mut self, condition: Condition) -> Mask {
+        let conditions = &mut self.conditions;
+        *self.index.entry(condition).or_insert_with(|| {
+            conditions.push(condition);
+            Mask(conditions.len() - 1)
+        })
+    }
+
+    /// That of a branch of a select which is needed under the condition `within`.
+    pub(crate) fn branch(&mut self, a: Scalar, b: Scalar, holds: bool, within: Mask) -> Mask {
+        let mut all = vec![(a, b, holds)];
+        let mut rest = within;
+        while let Condition::Less { a, b, holds, within } = self.conditions[rest.0]
+            && all.len() < MOST_ORDERED
+        {
+            all.push((a, b, holds));
+            rest = within;
+        }
+        if rest != Mask::ALWAYS {
+            return self.intern(Condition::Less { a, b, holds, within });
+        }
+        // What stands deeper was made earlier and comes last, so that conditions of different depth have the most in common.
+        all.sort_unstable_by(|one, other| other.cmp(one));
+        all.dedup();
+        all.into_iter().fold(Mask::ALWAYS, |within, (a, b, holds)| self.intern(Condition::Less { a, b, holds, within }))
+    }
+
+    /// The condition under which the node is needed.
+    pub(crate) fn of_node(&self, node: Node) -> Mask {
+        self.needed.copied(node).unwrap_or(Mask::ALWAYS)
+    }
+
+    fn need(&mut self, node: Node, mask: Mask) {
+        let mask = match self.needed.copied(node) {
+            Some(known) => self.either(known, mask),
+            None => mask,
+        };
+        self.needed.insert(node, mask);
+    }
+
+    /// Holds where either does: `known` may be a list of such, of which those that make something simpler with the other are
+    /// exchanged for that.
+    fn either(&mut self, known: Mask, other: Mask) -> Mask {
+        let (mut rest, mut latest, mut other) = (known, Vec::new(), other);
+        loop {
+            let found = latest.iter().position(|&mask| self.joined(mask, other).is_some());
+            if let Some(place) = found {
+                other = self.joined(latest.remove(place), other).unwrap_or(other);
+            } else if let Some(joined) = self.joined(rest, other) {
+                // Nothing comes before it: the first of the others takes its place.
+                let Some(first) = latest.pop() else { return joined };
+                (rest, other) = (first, joined);
+            } else if let Condition::Either(before, last) = self.conditions[rest.0]
+                && latest.len() < MOST_JOINED
+            {
+                latest.push(last);
+                rest = before;
+            } else {
+                break;
+            }
+        }
+        let all = latest.into_iter().rev().chain([other]);
+        all.fold(rest, |list, mask| self.intern(Condition::Either(list, mask)))
+    }
+
+    /// What holds where either does, if it is one of the two or what both are within.
+    fn joined(&self, one: Mask, other: Mask) -> Option<Mask> {
+        match (self.conditions[one.0], self.conditions[other.0]) {
+            _ if one == other => Some(one),
+            (Condition::Always, _) | (_, Condition::Always) => Some(Mask::ALWAYS),
+            (Condition::Less { within, .. }, _) if within == other => Some(other),
+            (_, Condition::Less { within, .. }) if within == one => Some(one),
+            (
+                Condition::Less { a, b, holds, within },
+                Condition::Less { a: a2, b: b2, holds: holds2, within: within2 },
+            ) if (a, b, within) == (a2, b2, within2) && holds != holds2 => Some(within),
+            _ => None,
+        }
+    }
+
+    /// `value` where the mask holds, else 0, whatever `value` is there.
+    pub(crate) fn masked(&mut self, g: &mut Graph, mask: Mask, value: Scalar) -> Scalar {
+        match self.conditions[mask.0] {
+            Condition::Always => value,
+            Condition::Less { a, b, holds, within } if self.is_simple(within) => {
+                let value = self.masked(g, within, value);
+                g.where_less(a, b, holds, value)
+            }
+            _ => {
+                let (zero, flag) = (g.constant(0.0), self.flag(g, mask));
+                g.where_less(zero, flag, true, value)
+            }
+        }
+    }
+
+    /// Whether it is one comparison at most.
+    fn is_simple(&self, mask: Mask) -> bool {
+        match self.conditions[mask.0] {
+            Condition::Always => true,
+            Condition::Less { within, .. } => within == Mask::ALWAYS,
+            Condition::Either(..) => false,
+        }
+    }
+
+    /// 1 where the mask holds, else 0.
+    fn flag(&mut self, g: &mut Graph, mask: Mask) -> Scalar {
+        let mut wanted = vec![mask];
+        while let Some(&mask) = wanted.last() {
+            let parts = match self.conditions[mask.0] {
+                Condition::Always => [None, None],
+                Condition::Less { within, .. } => [Some(within), None],
+                Condition::Either(one, other) => [Some(one), Some(other)],
+            };
+            let before = wanted.len();
+            wanted.extend(parts.into_iter().flatten().filter(|part| !self.flags.contains_key(part)));
+            if wanted.len() == before {
+                wanted.pop();
+                let flag = match self.conditions[mask.0] {
+                    Condition::Always => g.constant(1.0),
+                    Condition::Less { a, b, holds, within } => g.where_less(a, b, holds, self.flags[&within]),
+                    Condition::Either(one, other) => {
+                        let (zero, one, other) = (g.constant(0.0), self.flags[&one], self.flags[&other]);
+                        g.select_less(zero, one, one, other)
+                    }
+                };
+                self.flags.insert(mask, flag);
+            }
+        }
+        self.flags[&mask]
+    }
+}
+
+impl Graph {
+    /// `value` where the comparison a < b comes out like this, else 0.
+    pub(crate) fn where_less(&mut self, a: Scalar, b: Scalar, holds: bool, value: Scalar) -> Scalar {
+        let zero = self.constant(0.0);
+        if holds { self.select_less(a, b, value, zero) } else { self.select_less(a, b, zero, value) }
+    }
+}

@@ -1,0 +1,137 @@
+//! Derivatives through selects: their size, and what the branch not taken must not add.
+
+use aim_symbolic::{Bindings, Function, Graph, Program, Scalar, Variable};
+
+/// `max(x, 0)`
+fn positive(g: &mut Graph, x: Scalar) -> Scalar {
+    let zero = g.constant(0.0);
+    g.select_less(x, zero, zero, x)
+}
+
+/// Layers of `max(w x + b, 0)`: the last, and x, then each w and b.
+fn layers(g: &mut Graph, count: usize) -> (Scalar, Vec<Variable>) {
+    let mut x = g.input("x");
+    let mut variables = vec![x.into()];
+    for i in 0..count {
+        let (w, b) = (g.input(&format!("w{i}")), g.input(&format!("b{i}")));
+        variables.extend([w, b].map(Variable::from));
+        let product = g.mul(w, x);
+        let sum = g.add(product, b);
+        x = positive(g, sum);
+    }
+    (x, variables)
+}
+
+/// Operations and, as two each, selects.
+fn size(program: &Program) -> usize {
+    let count = program.count();
+    count.total() + count.select + count.call
+}
+
+#[test]
+fn layers_take_at_most_twelve_steps_each() {
+    for count in [1, 10, 80] {
+        let mut g = Graph::new();
+        let (output, variables) = layers(&mut g, count);
+        let by_x = Program::derive(&g, &[output], &variables[..1]);
+        assert!(size(&by_x) <= 7 * count, "{count} layers by x: {}", by_x.count());
+        let by_all = Program::derive(&g, &[output], &variables);
+        assert!(size(&by_all) <= 12 * count, "{count} layers by all: {}", by_all.count());
+    }
+}
+
+/// The value and the derivatives at a point.
+fn at(g: &Graph, output: Scalar, variables: &[Variable], point: &[f64]) -> Vec<f64> {
+    let program = Program::derive(g, &[output], variables);
+    let mut results = vec![0.0; 1 + variables.len()];
+    program.run(point, &mut results);
+    let value = g.evaluate(output, &Bindings::new(g, point, &[]));
+    assert!((results[0] - value).abs() <= 1e-12 * (1.0 + value.abs()), "{} instead of {value}", results[0]);
+    results.split_off(1)
+}
+
+#[track_caller]
+fn assert_near(found: &[f64], expected: &[f64]) {
+    let near = |(found, expected): (&f64, &f64)| (found - expected).abs() <= 1e-12 * (1.0 + expected.abs());
+    assert!(found.iter().zip(expected).all(near), "{found:?} instead of {expected:?}");
+}
+
+#[test]
+fn layers_have_the_derivatives_of_the_product_of_their_factors() {
+    let mut g = Graph::new();
+    let (output, variables) = layers(&mut g, 3);
+    // x, then w and b of each layer: all are above 0.
+    let point = [2.0, 3.0, -1.0, 0.5, 0.25, -2.0, 9.0];
+    let [x1, x2] = [5.0, 2.75];
+    assert_near(&at(&g, output, &variables, &point), &[-3.0, 0.5 * -2.0 * 2.0, 0.5 * -2.0, -2.0 * x1, -2.0, x2, 1.0]);
+    // The second is not, and all before it adds nothing; nor does what has overflowed there.
+    for first in [3.0, 1e200] {
+        let point = [1e200, first, -1.0, -0.5, 0.25, -2.0, 9.0];
+        assert_near(&at(&g, output, &variables, &point), &[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
+    }
+}
+
+/// `if 0 < c { x } else { 0 }`
+fn where_positive(g: &mut Graph, c: Scalar, x: Scalar) -> Scalar {
+    let zero = g.constant(0.0);
+    g.select_less(zero, c, x, zero)
+}
+
+#[test]
+fn a_part_of_several_branches_adds_where_any_of_them_is_taken() {
+    let mut g = Graph::new();
+    let [x, y, z] = ["x", "y", "z"].map(|name| g.input(name));
+    let variables = [x, y].map(Variable::from);
+    let one = g.constant(1.0);
+    // 1/x, its square and its cube, wherever x, y and z are positive.
+    let r = g.div(one, x);
+    let square = g.mul(r, r);
+    let cube = g.mul(square, r);
+    let inner = where_positive(&mut g, z, cube);
+    let terms = [where_positive(&mut g, x, r), where_positive(&mut g, y, square), where_positive(&mut g, x, inner)];
+    let sum = g.add(terms[0], terms[1]);
+    let sum = g.add(sum, terms[2]);
+    for x in [0.0_f64, 2.0, -2.0] {
+        for (y, z) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
+            // Where x is 0 there is no value unless it is not asked for.
+            if x == 0.0 && y > 0.0 {
+                continue;
+            }
+            let mut slope = 0.0;
+            if x > 0.0 {
+                slope -= x.powi(-2);
+                slope -= if z > 0.0 { 3.0 * x.powi(-4) } else { 0.0 };
+            }
+            slope -= if y > 0.0 { 2.0 * x.powi(-3) } else { 0.0 };
+            assert_near(&at(&g, sum, &variables, &[x, y, z]), &[slope, 0.0]);
+        }
+    }
+}
+
+#[test]
+fn what_overflows_in_the_branch_not_taken_stays_there() {
+    // Layers of ln(1 + exp x), written so that nothing overflows.
+    let soft = |count: usize| {
+        let mut g = Graph::new();
+        let input = g.input("x");
+        let (one, most) = (g.constant(1.0), g.constant(30.0));
+        let mut x = input;
+        for _ in 0..count {
+            let grown = g.call(Function::Exp, x);
+            let sum = g.add(one, grown);
+            let soft = g.call(Function::Ln, sum);
+            x = g.select_less(most, x, x, soft);
+        }
+        (g, x, Variable::from(input))
+    };
+    let (g, output, x) = soft(3);
+    assert_near(&at(&g, output, &[x], &[1e4]), &[1.0]);
+    // e^x / (1 + e^x), three times, with 1 + e^y = 2 + e^x one layer further.
+    let e = 0.5_f64.exp();
+    assert_near(&at(&g, output, &[x], &[0.5]), &[e / (1.0 + e) * (1.0 + e) / (2.0 + e) * (2.0 + e) / (3.0 + e)]);
+    let sizes = [10, 20, 40].map(|count| {
+        let (g, output, x) = soft(count);
+        size(&Program::derive(&g, &[output], &[x]))
+    });
+    assert_eq!(sizes[2] - sizes[1], 2 * (sizes[1] - sizes[0]), "{sizes:?}");
+}
