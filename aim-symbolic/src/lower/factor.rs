@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 use crate::ir::table::Table;
 use crate::lower::fold::Fold;
 use crate::lower::rebuild::{Exchange, Missing, Rebuild, Uses};
-use crate::lower::selects::Join;
+use crate::lower::sides::Join;
 use crate::{Graph, Op, Scalar, ScalarNode};
 
 /// `outputs`, which are lowered, with every sum factored.

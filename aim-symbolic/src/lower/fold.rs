@@ -3,7 +3,7 @@
 //! Folds of 0, ±1 and signs are exact for finite operands (only the sign of a zero may differ); constants are computed in
 //! f64 and rounded once, to the type that the program runs in.
 
-use crate::lower::selects::Join;
+use crate::lower::sides::Join;
 use crate::rewrite::rules::{CONSTANTS, NEGATIONS, ORDER, Rules};
 use crate::{Function, Graph, Number, Op, Scalar, ScalarNode};
 

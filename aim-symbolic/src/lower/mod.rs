@@ -6,6 +6,7 @@ pub(crate) mod fold;
 pub(crate) mod products;
 pub(crate) mod rebuild;
 mod selects;
+pub(crate) mod sides;
 
 use self::factor::factor;
 use self::fold::Fold;

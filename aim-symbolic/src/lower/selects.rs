@@ -3,51 +3,11 @@
 use rustc_hash::FxHashMap;
 
 use crate::lower::fold::Fold;
+use crate::lower::sides::{Join, Side};
 use crate::{Op, Scalar, ScalarNode};
 
 /// Choices within choices are looked into so far.
 const DEEPEST_CHOICE: u32 = 2;
-
-/// A term that is 0 on one side of a comparison.
-struct Side {
-    compared: [Scalar; 2],
-    /// Whether the comparison holds where the term is not 0.
-    holds: bool,
-    /// The term there, but for a factor.
-    base: Scalar,
-    factor: Option<Scalar>,
-}
-
-/// Which terms are joined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Join {
-    /// Those that are not 0 under the same conditions but for one, and need no other product.
-    Alike,
-    /// The same, also products.
-    Complements,
-    /// Those that are 0 on opposite sides of any comparison.
-    Opposites,
-}
-
-impl Join {
-    /// The sides by which two terms are joined.
-    fn of<'s>(self, first: &'s [Side], second: &'s [Side]) -> Option<(&'s Side, &'s Side)> {
-        let same = |x: &Side, y: &Side| x.compared == y.compared && x.holds == y.holds;
-        let opposite = |x: &Side, y: &Side| x.compared == y.compared && x.holds != y.holds;
-        let complement = |x: &Side| {
-            let mut others = first.iter().filter(|side| side.compared != x.compared);
-            first.len() == second.len() && others.all(|x| second.iter().any(|y| same(x, y)))
-        };
-        let alike = |x: &Side, y: &Side| x.base == y.base || (x.factor.is_none() && y.factor.is_none());
-        let fits = |x: &Side, y: &Side| match self {
-            Self::Alike => complement(x) && alike(x, y),
-            Self::Complements => complement(x),
-            Self::Opposites => true,
-        };
-        let mut pairs = first.iter().flat_map(|x| second.iter().map(move |y| (x, y)));
-        pairs.find(|(x, y)| opposite(x, y) && fits(x, y))
-    }
-}
 
 impl Fold {
     /// `then` where `a < b`, else `otherwise`; one of them where both are the same or the comparison is of constants.

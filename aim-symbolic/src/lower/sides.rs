@@ -1,0 +1,44 @@
+//! [`Side`]: terms of sums that are 0 on one side of a comparison, and which of them are [joined](Join).
+
+use crate::Scalar;
+
+/// A term that is 0 on one side of a comparison.
+pub(crate) struct Side {
+    pub(crate) compared: [Scalar; 2],
+    /// Whether the comparison holds where the term is not 0.
+    pub(crate) holds: bool,
+    /// The term there, but for a factor.
+    pub(crate) base: Scalar,
+    pub(crate) factor: Option<Scalar>,
+}
+
+/// Which terms are joined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Join {
+    /// Those that are not 0 under the same conditions but for one, and need no other product.
+    Alike,
+    /// The same, also products.
+    Complements,
+    /// Those that are 0 on opposite sides of any comparison.
+    Opposites,
+}
+
+impl Join {
+    /// The sides by which two terms are joined.
+    pub(crate) fn of<'s>(self, first: &'s [Side], second: &'s [Side]) -> Option<(&'s Side, &'s Side)> {
+        let same = |x: &Side, y: &Side| x.compared == y.compared && x.holds == y.holds;
+        let opposite = |x: &Side, y: &Side| x.compared == y.compared && x.holds != y.holds;
+        let complement = |x: &Side| {
+            let mut others = first.iter().filter(|side| side.compared != x.compared);
+            first.len() == second.len() && others.all(|x| second.iter().any(|y| same(x, y)))
+        };
+        let alike = |x: &Side, y: &Side| x.base == y.base || (x.factor.is_none() && y.factor.is_none());
+        let fits = |x: &Side, y: &Side| match self {
+            Self::Alike => complement(x) && alike(x, y),
+            Self::Complements => complement(x),
+            Self::Opposites => true,
+        };
+        let mut pairs = first.iter().flat_map(|x| second.iter().map(move |y| (x, y)));
+        pairs.find(|(x, y)| opposite(x, y) && fits(x, y))
+    }
+}
