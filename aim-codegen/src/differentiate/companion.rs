@@ -1,6 +1,7 @@
 //! [`Companion`]: what can stand beside a function, and what is derived for it.
 
-use aim_symbolic::{Graph, Scalar, Variable, Vector, Want};
+use aim_symbolic::{Graph, Program, Scalar, Variable, Vector, Want};
+use proc_macro2::TokenStream;
 
 /// A function beside the user's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -114,4 +115,12 @@ impl Companion {
             }
         }
     }
+}
+
+/// A derived companion.
+pub(super) struct Derived {
+    pub(super) companion: Companion,
+    pub(super) program: Program,
+    /// What the inputs are called: those of the function's arguments, then those of what the companion takes besides.
+    pub(super) inputs: Vec<TokenStream>,
 }

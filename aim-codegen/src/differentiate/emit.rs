@@ -5,9 +5,8 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::{Attribute, FnArg, ItemFn, Pat};
 
-use super::Derived;
 use super::arguments::{Arguments, pattern_argument};
-use super::companion::Companion;
+use super::companion::{Companion, Derived};
 use super::types::{Shape, Type};
 use crate::emit::body::{Arithmetic, Body, counted};
 

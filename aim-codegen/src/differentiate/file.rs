@@ -4,11 +4,11 @@ use aim_symbolic::Program;
 use syn::{Attribute, Item, ItemFn, Meta};
 
 use super::arguments::{Argument, Arguments};
-use super::companion::Companion;
+use super::companion::{Companion, Derived};
 use super::items::Items;
 use super::options::Options;
 use super::types::{Shape, Type};
-use super::{Derived, is_ours, messages};
+use super::{is_ours, messages};
 use crate::declare::Place;
 use crate::declare::parse::tokens::word_of;
 use crate::declare::report::Report;

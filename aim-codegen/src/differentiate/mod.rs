@@ -30,7 +30,7 @@ use quote::{ToTokens, format_ident, quote};
 use syn::{Item, ItemFn};
 
 use self::arguments::{Arguments, Declared};
-use self::companion::{Companion, Stated};
+use self::companion::{Companion, Derived, Stated};
 use self::emit::Companions;
 use self::items::Items;
 use self::lower::{Algebra, Translation, Value};
@@ -153,14 +153,6 @@ fn companions(function: &ItemFn, options: &Options, items: &Items, facade: &str,
     let check = wanted.then(|| companions.check());
     let check = check.flatten();
     quote!(#all #check)
-}
-
-/// A derived companion.
-struct Derived {
-    companion: Companion,
-    program: Program,
-    /// What the inputs are called: those of the function's arguments, then those of what the companion takes besides.
-    inputs: Vec<TokenStream>,
 }
 
 impl Derived {

@@ -7,8 +7,6 @@ use aim_symbolic::{
     Bindings, Fold, Function, Graph, Node, Op, Plane, Rotation, Scalar, ScalarNode, Variable, Vector, VectorNode,
 };
 
-use super::value::Value;
-
 /// The graph that a function's value is built in, its constants folded.
 pub(crate) struct Algebra {
     fold: Fold,
@@ -54,28 +52,6 @@ impl Algebra {
 
     pub(crate) fn number(&mut self, value: f64) -> Scalar {
         self.g.constant(value)
-    }
-
-    /// A whole number. Those beyond 2⁵³ are rounded.
-    pub(crate) fn integer(&mut self, value: i64) -> Value {
-        #[expect(clippy::cast_precision_loss, reason = "whole numbers count and index: they are small")]
-        Value::Integer(self.number(value as f64))
-    }
-
-    pub(crate) fn whole(&mut self, value: usize) -> Value {
-        self.integer(i64::try_from(value).unwrap_or(i64::MAX))
-    }
-
-    /// A whole number that is known.
-    pub(crate) fn known_integer(&self, value: &Value) -> Option<i64> {
-        let Value::Integer(x) = value else { return None };
-        #[expect(clippy::cast_possible_truncation, reason = "it was made of a whole number")]
-        self.constant_of(*x).map(|x| x as i64)
-    }
-
-    /// An index that is known.
-    pub(crate) fn known_index(&self, value: &Value) -> Option<usize> {
-        self.known_integer(value).and_then(|x| usize::try_from(x).ok())
     }
 
     /// a b; a number times a reciprocal is a division.

@@ -9,11 +9,10 @@ use syn::{Expr, ExprCall, ExprMethodCall, ExprStruct, Ident};
 
 use super::algebra::Algebra;
 use super::fields::name_of;
-use super::functions::Callable;
 use super::map::Quaternion;
 use super::methods::{self, Fault, Function};
 use super::paths::{path_text, type_and_name};
-use super::value::{Struct, Value};
+use super::value::{Callable, Struct, Value};
 use super::{Translation, strip};
 use crate::differentiate::messages;
 use crate::differentiate::types::{self, Shape};

@@ -7,30 +7,8 @@ use syn::{Expr, ExprClosure, ItemFn, Pat};
 
 use super::Translation;
 use super::frame::Frame;
-use super::value::Value;
+use super::value::{Callable, Value};
 use crate::differentiate::{items, messages};
-
-/// What can be called.
-pub(crate) struct Callable {
-    /// Of a function, with its type in front.
-    pub(crate) name: Option<String>,
-    pub(crate) parameters: Vec<(Pat, Option<syn::Type>)>,
-    /// Which of them are `&mut`.
-    pub(crate) changed: Vec<bool>,
-    /// The generic parameters that are lengths of arrays.
-    pub(crate) lengths: Vec<String>,
-    pub(crate) body: Expr,
-    /// The variables that it sees of where it is made.
-    pub(crate) captured: Vec<(String, Value)>,
-    /// What `Self` is.
-    pub(crate) self_type: Option<String>,
-}
-
-impl core::fmt::Debug for Callable {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Callable").field("name", &self.name).finish_non_exhaustive()
-    }
-}
 
 /// A function inside of a function: it sees those before it, and no variables.
 pub(super) fn inner(item: &ItemFn, scope: &[(String, Value)]) -> Rc<Callable> {

@@ -14,9 +14,11 @@ mod methods;
 mod operators;
 mod paths;
 mod places;
+mod select;
 mod sequences;
 mod square;
 mod statements;
+mod translation;
 mod value;
 
 #[cfg(test)]
@@ -28,47 +30,13 @@ use syn::{Expr, UnOp};
 pub(super) use self::algebra::Algebra;
 pub(super) use self::condition::Condition;
 use self::frame::Frame;
-pub(super) use self::functions::Callable;
 pub(super) use self::map::{Affine, Map, Quaternion};
 pub(super) use self::square::columns;
-pub(super) use self::value::{Struct, Value};
-use super::items::Items;
+pub(super) use self::translation::{Translation, length};
+pub(super) use self::value::{Callable, Struct, Value};
 use super::messages;
-use super::types::Precision;
-use crate::declare::report::Report;
-use crate::declare::report::text::Text;
 
-/// The interpretation of one function.
-pub(super) struct Translation<'a> {
-    pub(super) algebra: &'a mut Algebra,
-    pub(super) report: &'a mut Report,
-    items: &'a Items,
-    /// What the function computes in, where that is known.
-    precision: Option<Precision>,
-    /// The variables of the function that is being run.
-    frame: Frame,
-    /// The functions that are being run, the innermost last.
-    calls: Vec<std::rc::Rc<Callable>>,
-    /// The constants that are being looked up.
-    constants: Vec<String>,
-    /// Rounds of loops so far.
-    rounds_run: usize,
-    /// The length of the array that is to come of the expression.
-    expected: Option<usize>,
-}
-
-impl<'a> Translation<'a> {
-    /// A function beside these items, that computes in this number type.
-    pub(super) fn new(
-        algebra: &'a mut Algebra,
-        report: &'a mut Report,
-        items: &'a Items,
-        precision: Option<Precision>,
-    ) -> Self {
-        let (frame, calls, constants) = (Frame::new(Vec::new()), Vec::new(), Vec::new());
-        Self { algebra, report, items, precision, frame, calls, constants, rounds_run: 0, expected: None }
-    }
-
+impl Translation<'_> {
     /// The value of a function of these arguments; of those at fault nothing is known.
     pub(super) fn function<'p>(
         &mut self,
@@ -296,26 +264,6 @@ impl<'a> Translation<'a> {
         }
     }
 
-    /// Reports what has no value.
-    pub(super) fn refuse(&mut self, place: &impl ToTokens, text: Text) -> Value {
-        self.report.error_in(place, text);
-        Value::Unknown
-    }
-
-    /// The same because of a value; of an unknown one all has been said.
-    fn refuse_known(&mut self, value: &Value, place: &impl ToTokens, text: Text) -> Value {
-        if value.is_unknown() { Value::Unknown } else { self.refuse(place, text) }
-    }
-
-    /// Reports that the graph has outgrown its bound.
-    fn refuse_too_large(&mut self, place: &impl ToTokens) -> Value {
-        self.refuse(place, statements::too_large())
-    }
-
-    fn unsupported(&mut self, place: &impl ToTokens, what: &str, help: &str) -> Value {
-        self.refuse(place, messages::unsupported(what, help))
-    }
-
     fn unsupported_expression(&mut self, expression: &Expr) -> Value {
         match expression {
             Expr::Let(e) => self.unsupported(&e.let_token, "`if let`", CHOICE),
@@ -333,13 +281,6 @@ fn strip(expression: &Expr) -> &Expr {
         Expr::Paren(paren) => strip(&paren.expr),
         other => other,
     }
-}
-
-/// The length of an array that its type says.
-pub(super) fn length(expression: &Expr, items: &Items) -> Option<usize> {
-    let (mut algebra, mut report) = (Algebra::new(), Report::new(crate::declare::tree::Notation::Rust));
-    let value = Translation::new(&mut algebra, &mut report, items, None).expression(expression);
-    algebra.known_index(&value)
 }
 
 /// The longest array.

@@ -4,33 +4,13 @@ use std::rc::Rc;
 
 use aim_symbolic::Scalar;
 use quote::ToTokens;
-use syn::{Expr, ExprMethodCall, Member, UnOp};
+use syn::{Expr, ExprMethodCall, UnOp};
 
 use super::algebra::Algebra;
 use super::map::{Affine, Map, Quaternion};
-use super::value::{Struct, Value};
+use super::value::{Place, Step, Struct, Value};
 use super::{Translation, square, strip};
 use crate::differentiate::messages;
-
-/// A step from a value to a part of it.
-#[derive(Clone)]
-enum Step {
-    Field(Member),
-    Index(usize),
-}
-
-/// A variable, or a part of one.
-#[derive(Clone)]
-pub(crate) struct Place {
-    variable: usize,
-    steps: Vec<Step>,
-}
-
-impl core::fmt::Debug for Place {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Place").field("variable", &self.variable).finish_non_exhaustive()
-    }
-}
 
 impl Translation<'_> {
     /// Runs `target = value`.

@@ -4,9 +4,8 @@ use std::rc::Rc;
 
 use syn::{Expr, ExprMethodCall, ExprRange, RangeLimits};
 
-use super::value::Value;
+use super::value::{Callable, Value};
 use super::{Translation, operators};
-use crate::differentiate::lower::functions::Callable;
 use crate::differentiate::messages;
 
 /// The longest range.

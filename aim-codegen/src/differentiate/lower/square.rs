@@ -5,10 +5,7 @@ use aim_symbolic::Scalar;
 
 use super::algebra::Algebra;
 use super::map::Affine;
-use super::value::Value;
-
-/// Columns of as many numbers.
-pub(crate) type Columns = Vec<Vec<Scalar>>;
+use super::value::{Columns, Value};
 
 /// The vector of two or four numbers.
 pub(super) fn vector(a: &mut Algebra, numbers: &[Scalar]) -> Value {

@@ -10,7 +10,6 @@ use super::condition::Condition;
 use super::frame::Target;
 use super::value::Value;
 use super::{CHOICE, Translation, functions};
-use crate::declare::report::text::Text;
 use crate::differentiate::{items, messages};
 
 /// The most nodes of a function's graph. What is derived of more takes minutes to compile.
@@ -268,6 +267,11 @@ impl Translation<'_> {
         self.algebra.g.len() > MOST_NODES
     }
 
+    /// Reports that the graph has outgrown its bound.
+    pub(super) fn refuse_too_large(&mut self, place: &impl ToTokens) -> Value {
+        self.refuse(place, messages::too_large(MOST_NODES, MOST_ROUNDS))
+    }
+
     /// `return`, `break` or `continue`.
     pub(super) fn jump(&mut self, expression: &Expr) -> Value {
         let (target, value) = match expression {
@@ -309,11 +313,6 @@ fn is_rest(pattern: &Pat) -> bool {
         Pat::Ident(name) => name.subpat.as_ref().is_some_and(|(_, inner)| matches!(**inner, Pat::Rest(_))),
         _ => false,
     }
-}
-
-/// What is said of a function that is too large.
-pub(super) fn too_large() -> Text {
-    messages::too_large(MOST_NODES, MOST_ROUNDS)
 }
 
 /// A round of a loop.

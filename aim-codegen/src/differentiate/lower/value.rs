@@ -1,15 +1,13 @@
-//! [`Value`]: what an expression of the function stands for.
+//! [`Value`]: what an expression of the function stands for, and what such values are made of.
 
 use std::rc::Rc;
 
 use aim_symbolic::{Scalar, Vector};
+use syn::{Expr, Member, Pat};
 
 use super::algebra::Algebra;
 use super::condition::Condition;
-use super::functions::Callable;
 use super::map::{Affine, Map, Quaternion};
-use super::places::Place;
-use super::square::{self, Columns};
 
 /// What an expression stands for.
 #[derive(Clone, Debug)]
@@ -44,6 +42,9 @@ pub(crate) enum Value {
     Unknown,
 }
 
+/// Columns of as many numbers.
+pub(crate) type Columns = Vec<Vec<Scalar>>;
+
 /// A value of a struct of the module.
 #[derive(Clone, Debug)]
 pub(crate) struct Struct {
@@ -53,14 +54,50 @@ pub(crate) struct Struct {
 }
 
 impl Struct {
-    /// The same struct with other values in its fields.
-    fn with(&self, values: Vec<Value>) -> Rc<Self> {
-        let fields = self.fields.iter().zip(values).map(|((name, _), value)| (name.clone(), value)).collect();
-        Rc::new(Self { name: self.name.clone(), fields })
-    }
-
     pub(crate) fn field(&self, name: &str) -> Option<&Value> {
         self.fields.iter().find(|(known, _)| known == name).map(|(_, value)| value)
+    }
+}
+
+/// What can be called.
+pub(crate) struct Callable {
+    /// Of a function, with its type in front.
+    pub(crate) name: Option<String>,
+    pub(crate) parameters: Vec<(Pat, Option<syn::Type>)>,
+    /// Which of them are `&mut`.
+    pub(crate) changed: Vec<bool>,
+    /// The generic parameters that are lengths of arrays.
+    pub(crate) lengths: Vec<String>,
+    pub(crate) body: Expr,
+    /// The variables that it sees of where it is made.
+    pub(crate) captured: Vec<(String, Value)>,
+    /// What `Self` is.
+    pub(crate) self_type: Option<String>,
+}
+
+impl core::fmt::Debug for Callable {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Callable").field("name", &self.name).finish_non_exhaustive()
+    }
+}
+
+/// A step from a value to a part of it.
+#[derive(Clone)]
+pub(super) enum Step {
+    Field(Member),
+    Index(usize),
+}
+
+/// A variable, or a part of one.
+#[derive(Clone)]
+pub(crate) struct Place {
+    pub(super) variable: usize,
+    pub(super) steps: Vec<Step>,
+}
+
+impl core::fmt::Debug for Place {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Place").field("variable", &self.variable).finish_non_exhaustive()
     }
 }
 
@@ -103,56 +140,29 @@ impl Value {
     pub(crate) fn is_unknown(&self) -> bool {
         matches!(self, Self::Unknown | Self::Never)
     }
+}
 
-    /// `self` where the condition holds, else `otherwise`; `None` where they are of two kinds.
-    pub(crate) fn select(&self, a: &mut Algebra, condition: &Condition, otherwise: &Self) -> Option<Self> {
-        let each = |a: &mut Algebra, then: &[Self], otherwise: &[Self]| -> Option<Vec<Self>> {
-            if then.len() != otherwise.len() {
-                return None;
-            }
-            then.iter().zip(otherwise).map(|(then, otherwise)| then.select(a, condition, otherwise)).collect()
-        };
-        Some(match (self, otherwise) {
-            (Self::Unknown, _) | (_, Self::Unknown) => Self::Unknown,
-            (Self::Never, value) | (value, Self::Never) => value.clone(),
-            (Self::Integer(x), Self::Integer(y)) => Self::Integer(condition.select(a, *x, *y)),
-            (Self::Scalar(x), Self::Scalar(y)) => Self::Scalar(condition.select(a, *x, *y)),
-            (Self::Planar(v), Self::Planar(w)) => Self::Planar(condition.select_vector(a, *v, *w)),
-            (Self::Vector(v), Self::Vector(w)) => Self::Vector(condition.select_vector(a, *v, *w)),
-            (Self::Four(x), Self::Four(y)) => Self::Four(core::array::from_fn(|k| condition.select(a, x[k], y[k]))),
-            (Self::Truth(x), Self::Truth(y)) => {
-                let then = condition.clone().and(x.clone());
-                let otherwise = condition.clone().not().and(y.clone());
-                Self::Truth(then.or(otherwise))
-            }
-            (Self::Quaternion(q), Self::Quaternion(r)) => Self::Quaternion(q.select(a, condition, r)),
-            (Self::Matrix(m), Self::Matrix(n)) => Self::Matrix(Map::select(a, condition, m, n)),
-            (Self::Homogeneous(m), Self::Homogeneous(n)) => {
-                let [m, n] = [m, n].map(|m| Self::Affine(m.clone()));
-                match m.select(a, condition, &n)? {
-                    Self::Affine(m) => Self::Homogeneous(m),
-                    _ => return None,
-                }
-            }
-            (Self::Square(_) | Self::Homogeneous(_), Self::Square(_) | Self::Homogeneous(_)) => {
-                let (m, n) = (square::columns(a, self)?, square::columns(a, otherwise)?);
-                if m.len() != n.len() {
-                    return None;
-                }
-                Self::Square(square::zip(a, &m, &n, |a, x, y| condition.select(a, x, y)))
-            }
-            (Self::Affine(m), Self::Affine(n)) => Self::Affine(Affine {
-                map: Map::select(a, condition, &m.map, &n.map),
-                translation: condition.select_vector(a, m.translation, n.translation),
-            }),
-            (Self::Tuple(x), Self::Tuple(y)) => Self::Tuple(each(a, x, y)?),
-            (Self::Array(x), Self::Array(y)) => Self::Array(each(a, x, y)?),
-            (Self::Struct(x), Self::Struct(y)) if x.name == y.name => {
-                let [then, otherwise] =
-                    [x, y].map(|of| of.fields.iter().map(|(_, value)| value.clone()).collect::<Vec<_>>());
-                Self::Struct(x.with(each(a, &then, &otherwise)?))
-            }
-            _ => return None,
-        })
+/// Whole numbers: they count and index.
+impl Algebra {
+    /// A whole number. Those beyond 2⁵³ are rounded.
+    pub(crate) fn integer(&mut self, value: i64) -> Value {
+        #[expect(clippy::cast_precision_loss, reason = "whole numbers count and index: they are small")]
+        Value::Integer(self.number(value as f64))
+    }
+
+    pub(crate) fn whole(&mut self, value: usize) -> Value {
+        self.integer(i64::try_from(value).unwrap_or(i64::MAX))
+    }
+
+    /// A whole number that is known.
+    pub(crate) fn known_integer(&self, value: &Value) -> Option<i64> {
+        let Value::Integer(x) = value else { return None };
+        #[expect(clippy::cast_possible_truncation, reason = "it was made of a whole number")]
+        self.constant_of(*x).map(|x| x as i64)
+    }
+
+    /// An index that is known.
+    pub(crate) fn known_index(&self, value: &Value) -> Option<usize> {
+        self.known_integer(value).and_then(|x| usize::try_from(x).ok())
     }
 }

@@ -4,8 +4,8 @@ use aim_symbolic::{Scalar, Vector};
 
 use super::function::{Fault, functions};
 use crate::differentiate::lower::algebra::Algebra;
-use crate::differentiate::lower::square::{self, Columns};
-use crate::differentiate::lower::value::Value;
+use crate::differentiate::lower::square;
+use crate::differentiate::lower::value::{Columns, Value};
 use crate::differentiate::messages;
 
 functions! {

@@ -1,0 +1,70 @@
+//! [`Translation`]: the state of a function that is being run.
+
+use std::rc::Rc;
+
+use quote::ToTokens;
+use syn::Expr;
+
+use super::algebra::Algebra;
+use super::frame::Frame;
+use super::value::{Callable, Value};
+use crate::declare::report::Report;
+use crate::declare::report::text::Text;
+use crate::declare::tree::Notation;
+use crate::differentiate::items::Items;
+use crate::differentiate::messages;
+use crate::emit::Precision;
+
+/// The interpretation of one function.
+pub(in crate::differentiate) struct Translation<'a> {
+    pub(super) algebra: &'a mut Algebra,
+    pub(super) report: &'a mut Report,
+    pub(super) items: &'a Items,
+    /// What the function computes in, where that is known.
+    pub(super) precision: Option<Precision>,
+    /// The variables of the function that is being run.
+    pub(super) frame: Frame,
+    /// The functions that are being run, the innermost last.
+    pub(super) calls: Vec<Rc<Callable>>,
+    /// The constants that are being looked up.
+    pub(super) constants: Vec<String>,
+    /// Rounds of loops so far.
+    pub(super) rounds_run: usize,
+    /// The length of the array that is to come of the expression.
+    pub(super) expected: Option<usize>,
+}
+
+impl<'a> Translation<'a> {
+    /// A function beside these items, that computes in this number type.
+    pub(in crate::differentiate) fn new(
+        algebra: &'a mut Algebra,
+        report: &'a mut Report,
+        items: &'a Items,
+        precision: Option<Precision>,
+    ) -> Self {
+        let (frame, calls, constants) = (Frame::new(Vec::new()), Vec::new(), Vec::new());
+        Self { algebra, report, items, precision, frame, calls, constants, rounds_run: 0, expected: None }
+    }
+
+    /// Reports what has no value.
+    pub(super) fn refuse(&mut self, place: &impl ToTokens, text: Text) -> Value {
+        self.report.error_in(place, text);
+        Value::Unknown
+    }
+
+    /// The same because of a value; of an unknown one all has been said.
+    pub(super) fn refuse_known(&mut self, value: &Value, place: &impl ToTokens, text: Text) -> Value {
+        if value.is_unknown() { Value::Unknown } else { self.refuse(place, text) }
+    }
+
+    pub(super) fn unsupported(&mut self, place: &impl ToTokens, what: &str, help: &str) -> Value {
+        self.refuse(place, messages::unsupported(what, help))
+    }
+}
+
+/// The length of an array that its type says.
+pub(in crate::differentiate) fn length(expression: &Expr, items: &Items) -> Option<usize> {
+    let (mut algebra, mut report) = (Algebra::new(), Report::new(Notation::Rust));
+    let value = Translation::new(&mut algebra, &mut report, items, None).expression(expression);
+    algebra.known_index(&value)
+}
