@@ -129,11 +129,14 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         let mut joint = joint(field_name(bone, &bones, at), roles[at], &habit, bone);
         if at == 0 {
             joint.other_eye = other_eye(measurement, bone).map(|eye| eye.name.clone());
-            if let Some(ranges) = bone.role.and_then(|role| mapped_range(document, role)) {
+            if let Some(ranges) = LookAt::maps(document, bone).and_then(mapped_range) {
                 [joint.heading, joint.pitch] = ranges.map(|range| range.map(between));
-                why = "the angle to the target, as far as eyes turn; `aim bake` turns the bone by the range maps of the file's \
-                       lookAt from there"
-                    .into();
+                why = "the angle to the target, as far as eyes turn; ".to_owned()
+                    + if skeleton.is_in_file(bone.node) {
+                        "`aim bake` turns the bone by the range maps of the file's lookAt from there"
+                    } else {
+                        "no node of the file: a place amid what its morph targets move, whose weights `aim bake` writes"
+                    };
             }
             if let Some(rest) = eyes_rest(document, measurement).filter(|_| named.is_none()) {
                 why += "; ";
@@ -166,8 +169,8 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
 /// legs.
 fn chain(document: &Document, measurement: &Measurement) -> Option<Vec<usize>> {
     let skeleton = document.skeleton();
-    let outward = [Role::LeftEye, Role::RightEye, Role::Head, Role::Neck];
-    let skipped = if eyes_rest(document, measurement).is_some() { 2 } else { 0 };
+    let outward = [Role::Eyes, Role::LeftEye, Role::RightEye, Role::Head, Role::Neck];
+    let skipped = if eyes_rest(document, measurement).is_some() { 3 } else { 0 };
     let Some(outermost) = outward.into_iter().skip(skipped).find_map(|role| measurement.with_role(role)) else {
         return machine(document, measurement);
     };
@@ -212,7 +215,7 @@ fn says(bone: &BoneAxes, words: &[&str]) -> bool {
 /// The habit of a joint that belongs to no region.
 fn habit(bone: &BoneAxes) -> &'static Habit {
     match bone.role {
-        Some(Role::LeftEye | Role::RightEye) => &EYE,
+        Some(Role::LeftEye | Role::RightEye | Role::Eyes) => &EYE,
         Some(Role::Hips) => &HIPS,
         _ if says(bone, &TURNING) => &BASE,
         _ if says(bone, &RAISING) => &BARREL,
@@ -261,41 +264,34 @@ fn other_eye<'m>(measurement: &'m Measurement, eye: &BoneAxes) -> Option<&'m Bon
     measurement.with_role(other)
 }
 
-/// Why a file's eye bones, if it has any, do not look; `None` where they do.
+/// Why a file's eyes, if it has any, do not look; `None` where they do.
 fn eyes_rest(document: &Document, measurement: &Measurement) -> Option<&'static str> {
+    let has = |role| measurement.with_role(role).is_some();
     let Some(look) = LookAt::of(document) else {
-        let has_bones = [Role::LeftEye, Role::RightEye].into_iter().any(|role| measurement.with_role(role).is_some());
-        return (!has_bones && has_eye_morphs(document))
-            .then_some("the file's eyes look by morph targets, which are not written, so that the head leads");
+        return (![Role::LeftEye, Role::RightEye].into_iter().any(has) && names_eye_morphs(document)).then_some(
+            "the file names morph targets that its eyes look by, but its meshes have none, so that the head leads",
+        );
     };
-    let [a, b, c, d] = look.left_eye().map(|map| map.moves());
+    let is_still = || !look.left_eye().iter().any(RangeMap::moves);
     match look.kind {
-        LookAtKind::Expression => {
-            Some("the file's eyes look by expressions, whose morph targets are not written, so that the head leads")
+        LookAtKind::Expression if !has(Role::Eyes) => {
+            Some("the file's eyes look by expressions that move no morph targets, so that the head leads")
         }
-        LookAtKind::Bone if !(a || b || c || d) => {
-            Some("the file's lookAt keeps the eyes still, so that the head leads")
-        }
-        LookAtKind::Bone => None,
+        LookAtKind::Bone if is_still() => Some("the file's lookAt keeps the eyes still, so that the head leads"),
+        _ => None,
     }
 }
 
-/// True if a mesh has morph targets that turn eyes, by the names of `ARKit`: `eyeLookInLeft` and the like.
-fn has_eye_morphs(document: &Document) -> bool {
+/// True if a mesh names morph targets that turn eyes, as `ARKit` does: `eyeLookInLeft` and the like.
+fn names_eye_morphs(document: &Document) -> bool {
     let meshes = document.json().get("meshes").and_then(|meshes| meshes.as_array()).into_iter().flatten();
     let names = meshes.filter_map(|mesh| mesh.get("extras")?.get("targetNames")?.as_array()).flatten();
     names.filter_map(|name| name.as_str()).any(|name| name.starts_with("eyeLook"))
 }
 
-/// An eye's heading and pitch in degrees by the file's VRM range maps: as far as a human's eye turns, or as the maps' inputs go
-/// where that is less. An axis that they hold still is none.
-fn mapped_range(document: &Document, role: Role) -> Option<[Option<[f64; 2]>; 2]> {
-    let look = LookAt::of(document).filter(|look| look.kind == LookAtKind::Bone)?;
-    let [right, left, down, up] = match role {
-        Role::LeftEye => look.left_eye(),
-        Role::RightEye => look.right_eye(),
-        _ => return None,
-    };
+/// An eye's heading and pitch in degrees by its maps (to the right, to the left, down, up): as far as a human's eye turns, or as
+/// the maps' inputs go where that is less. An axis that they hold still is none.
+fn mapped_range([right, left, down, up]: [RangeMap; 4]) -> Option<[Option<[f64; 2]>; 2]> {
     let end = |map: RangeMap, habit: f64| {
         // A map without input turns the eye at once, whatever the angle.
         let input = if map.input_max_value >= 1.0 { map.input_max_value } else { habit.abs() };
@@ -330,7 +326,7 @@ fn between([lo, hi]: [f64; 2]) -> AngleRange {
 /// The role of the joint that a bone becomes: as measured, else as its name tells.
 fn role(bone: &BoneAxes) -> Declared {
     match bone.role {
-        Some(Role::LeftEye | Role::RightEye) => Declared::Eye,
+        Some(Role::LeftEye | Role::RightEye | Role::Eyes) => Declared::Eye,
         Some(Role::Head) => Declared::Head,
         Some(Role::Neck) => Declared::Neck,
         Some(Role::Spine) => Declared::Chest,

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use aim_gltf::{Clue, Document, Measurement, SignedAxis, Stated};
+use aim_gltf::{Clue, Document, LookAt, Measurement, SignedAxis, Stated};
 use clap::Args;
 
 use crate::failure::{Failure, Result};
@@ -19,10 +19,13 @@ pub(crate) struct Facing {
 }
 
 impl Facing {
-    /// Measures a document as stated.
+    /// Measures a document as stated, and warns of what it says of itself that makes no sense.
     pub(crate) fn measure(self, file: &Path, document: &Document) -> Result<Measurement> {
         let [up, forward] = [self.up, self.forward].map(|axis| axis.map(SignedAxis::vector));
         let measurement = Measurement::stated(document, Stated { up, forward });
+        for doubt in LookAt::doubts(document) {
+            eprintln!("warning: {}: {doubt}", file.display());
+        }
         let is_followed = |said: &aim_gltf::Evidence| said.clue == Clue::Stated && said.forward.is_some();
         match self.forward {
             Some(axis) if !measurement.evidence.iter().any(is_followed) => {

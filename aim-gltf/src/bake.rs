@@ -1,5 +1,5 @@
-//! Aims a rig over a clip, frame by frame, and makes the clip that does it: only the chain's rotations change, and what
-//! hangs on its neck and stays with the trunk.
+//! Aims a rig over a clip, frame by frame, and makes the clip that does it: only the chain's rotations change, what hangs on its
+//! neck and stays with the trunk, and the weights of eyes that look by morph targets.
 
 use core::f32::consts::TAU;
 use std::sync::Arc;
@@ -55,8 +55,8 @@ pub struct Plan<'a> {
 /// A baked clip.
 #[derive(Clone, Debug)]
 pub struct Baked {
-    /// The clip: the source's channels, the chain's rotations replaced, and places and rotations of what is
-    /// [held](Live::held).
+    /// The clip: the source's channels, the chain's rotations replaced, places and rotations of what is [held](Live::held), and
+    /// the weights of eyes that look by morph targets.
     pub clip: Clip,
     /// The result of each frame.
     pub frames: Vec<AimedFrame>,
@@ -79,17 +79,18 @@ pub fn bake<R: Rig>(
     // x ← the node's place with the gaze on x: a fixed point, as a hand moves less than the gaze that it draws.
     let follows = plan.target_node.is_some_and(|node| !live.looks_with(skeleton, node));
     let source = plan.clip.map(|clip| clip.repeated(plan.seconds));
-    let sample = |t: f32| match &source {
-        Some(clip) => skeleton.pose(clip, t),
-        None => skeleton.rest_pose(),
-    };
-    let turned: Vec<usize> = plan.chain.turned().chain(live.held()).collect();
+    let sample = |t: f32| live.pose(skeleton, source.as_ref(), t);
+    // Eyes that look by morph targets are no nodes of the file: their weights are written.
+    let turned = plan.chain.turned().chain(live.held());
+    let turned: Vec<usize> = turned.filter(|node| skeleton.is_in_file(*node)).collect();
     let mut rotations: Vec<Vec<Quat>> = vec![Vec::with_capacity(times.len()); turned.len()];
     let mut places: Vec<Vec<Vec3>> = vec![Vec::with_capacity(times.len()); live.held().count()];
+    let mut weights: Vec<Vec<Vec<f32>>> = vec![Vec::with_capacity(times.len()); live.morphs().nodes().count()];
     let mut frames = Vec::with_capacity(times.len());
     for pass in 0..if plan.looped { MOST_ROUNDS } else { 1 } {
         rotations.iter_mut().for_each(Vec::clear);
         places.iter_mut().for_each(Vec::clear);
+        weights.iter_mut().for_each(Vec::clear);
         frames.clear();
         let mut began = rig.state.joints.clone();
         let mut before: Option<f32> = None;
@@ -129,6 +130,9 @@ pub fn bake<R: Rig>(
                 began = rig.state.joints.clone();
             }
             before = Some(t);
+            for (track, of_frame) in weights.iter_mut().zip(live.morphs().aimed(source.as_ref(), t, &pose)) {
+                track.push(of_frame);
+            }
             for (track, node) in places.iter_mut().zip(live.held()) {
                 track.push(pose[node].translation);
             }
@@ -149,6 +153,9 @@ pub fn bake<R: Rig>(
     }
     for (node, track) in live.held().zip(&places) {
         clip.set(Channel::translation(node, times.clone(), track));
+    }
+    for (node, track) in live.morphs().nodes().zip(&weights) {
+        clip.set(Channel::weights(node, times.clone(), track));
     }
     Ok(Baked { clip, frames })
 }

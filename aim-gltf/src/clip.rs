@@ -96,6 +96,13 @@ impl Channel {
         Self::linear(node, Property::Scale, times, scales.iter().map(Vec3::to_array).collect())
     }
 
+    /// A linear track of the weights of a node's mesh: all of them at each time (seconds, increasing).
+    pub(crate) fn weights(node: usize, times: Arc<[f32]>, weights: &[Vec<f32>]) -> Self {
+        let width = weights.first().map_or(0, Vec::len);
+        let (property, interpolation) = (Property::Weights, Interpolation::Linear);
+        Self { node, property, interpolation, times, values: weights.concat(), width }
+    }
+
     /// The same keys with another interpolation. Cubic splines need three values a key: in-tangent, value, out-tangent.
     #[must_use]
     pub fn with_interpolation(mut self, interpolation: Interpolation) -> Self {

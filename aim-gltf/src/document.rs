@@ -11,6 +11,7 @@ use crate::clip::Clip;
 use crate::container;
 use crate::error::Error;
 use crate::humanoid::vrm_bones;
+use crate::morph_eyes;
 use crate::raw::Raw;
 use crate::skeleton::Skeleton;
 use crate::skin::{self, SkinnedPoint};
@@ -89,7 +90,8 @@ impl Document {
         let buffers = load_buffers(&raw, chunk.as_deref(), folder)?;
         let slices: Vec<_> = buffers.iter().map(|b| bytes_of(b, chunk.as_deref())).collect();
         let data = Data::new(&raw, &slices);
-        let skeleton = Skeleton::read(&data, vrm_bones(&extensions))?;
+        let mut skeleton = Skeleton::read(&data, vrm_bones(&extensions))?;
+        morph_eyes::add(&mut skeleton, &data, &extensions);
         let clips = Clip::read_all(&data)?;
         let points = skin::read_points(&data)?;
         Ok(Self {

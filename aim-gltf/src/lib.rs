@@ -45,6 +45,7 @@ mod look_at;
 mod mannequin;
 mod material;
 mod measure;
+mod morph_eyes;
 mod normals;
 mod num;
 mod plan;

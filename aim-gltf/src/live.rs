@@ -4,10 +4,12 @@ use aim_runtime::{DynAim, Joint, Outcome, Pose, Rig};
 use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3};
 
 use crate::chain::ChainNodes;
+use crate::clip::Clip;
 use crate::document::Document;
 use crate::held::Held;
 use crate::look_at::EyeMaps;
 use crate::measure::Measurement;
+use crate::morph_eyes::MorphEyes;
 use crate::skeleton::Skeleton;
 use crate::stance::Stance;
 use crate::trs::Trs;
@@ -22,6 +24,7 @@ pub struct Live {
     both_eyes: bool,
     held: Vec<Held>,
     maps: EyeMaps,
+    morphs: MorphEyes,
 }
 
 /// Inputs of one aimed frame.
@@ -96,7 +99,22 @@ impl Live {
         let skeleton = document.skeleton();
         let held = Held::find(rig, skeleton, chain);
         let maps = EyeMaps::find(document, measurement, chain);
-        Self { stance: Stance::new(rig, skeleton, chain, measurement), both_eyes, held, maps }
+        let morphs = MorphEyes::find(skeleton, measurement, chain);
+        Self { stance: Stance::new(rig, skeleton, chain, measurement), both_eyes, held, maps, morphs }
+    }
+
+    /// The local transforms of all nodes at a time of a clip, or at rest, as [`Skeleton::pose`] has them; eyes that look by morph
+    /// targets are turned to where the weights have them.
+    #[must_use]
+    pub fn pose(&self, skeleton: &Skeleton, clip: Option<&Clip>, seconds: f32) -> Vec<Trs> {
+        let mut pose = clip.map_or_else(|| skeleton.rest_pose(), |clip| skeleton.pose(clip, seconds));
+        self.morphs.pose(clip, seconds, &mut pose);
+        pose
+    }
+
+    /// The eyes that look by morph targets.
+    pub(crate) fn morphs(&self) -> &MorphEyes {
+        &self.morphs
     }
 
     /// The nodes that keep their place on what carries the joint that they hang on: [`ChainNodes::holds`].

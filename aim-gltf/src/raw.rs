@@ -20,6 +20,9 @@ pub(crate) struct Node {
     pub(crate) translation: Option<[f64; 3]>,
     pub(crate) rotation: Option<[f64; 4]>,
     pub(crate) scale: Option<[f64; 3]>,
+    /// Numbers, if it is right; they matter to eyes alone.
+    #[serde(default)]
+    pub(crate) weights: Value,
 }
 
 #[derive(Deserialize)]
@@ -88,12 +91,21 @@ pub(crate) struct Buffer {
 #[derive(Deserialize)]
 pub(crate) struct Mesh {
     pub(crate) primitives: Vec<Primitive>,
+    #[serde(default)]
+    pub(crate) weights: Value,
+    #[serde(default)]
+    pub(crate) extras: Value,
 }
 
 #[derive(Deserialize)]
 pub(crate) struct Primitive {
     #[serde(default)]
     pub(crate) attributes: BTreeMap<String, usize>,
+    /// An array of objects with accessors, if it is right; they matter to eyes alone.
+    #[serde(default)]
+    pub(crate) targets: Value,
+    #[serde(default)]
+    pub(crate) extras: Value,
 }
 
 #[derive(Deserialize)]

@@ -15,6 +15,8 @@ pub enum Role {
     LeftEye,
     /// The eyeball on the character's right.
     RightEye,
+    /// Both eyes at once, where a file turns them so by morph targets.
+    Eyes,
     /// The head.
     Head,
     /// A bone of the neck.
@@ -26,12 +28,13 @@ pub enum Role {
 }
 
 impl Role {
-    /// `left_eye`, `right_eye`, `head`, `neck`, `spine` or `hips`.
+    /// `left_eye`, `right_eye`, `eyes`, `head`, `neck`, `spine` or `hips`.
     #[must_use]
     pub fn as_str(self) -> &'static str {
         match self {
             Self::LeftEye => "left_eye",
             Self::RightEye => "right_eye",
+            Self::Eyes => "eyes",
             Self::Head => "head",
             Self::Neck => "neck",
             Self::Spine => "spine",
@@ -118,7 +121,8 @@ impl Roles {
 /// True for joints, their ancestors, and for every node where the file has no skin.
 pub(crate) fn bones(skeleton: &Skeleton) -> Vec<bool> {
     let nodes = skeleton.nodes();
-    let mut bones: Vec<bool> = nodes.iter().map(|node| node.is_joint || !skeleton.has_skin()).collect();
+    let is_bone = |(at, node): (usize, &Node)| node.is_joint || (!skeleton.has_skin() && skeleton.is_in_file(at));
+    let mut bones: Vec<bool> = nodes.iter().enumerate().map(is_bone).collect();
     for &index in skeleton.order().iter().rev() {
         if let (true, Some(parent)) = (bones[index], nodes[index].parent) {
             bones[parent] = true;
@@ -131,6 +135,7 @@ fn vrm_role(bone: &str) -> Option<Role> {
     Some(match bone {
         "leftEye" => Role::LeftEye,
         "rightEye" => Role::RightEye,
+        "eyes" => Role::Eyes,
         "head" => Role::Head,
         "neck" => Role::Neck,
         "spine" | "chest" | "upperChest" => Role::Spine,

@@ -1,10 +1,13 @@
 //! The node tree: a forest with parents before children in [`Skeleton::order`], every name looked up honestly.
 
-use glam::{Affine3A, DAffine3, DMat3, Quat, Vec3};
+use std::collections::BTreeMap;
+
+use glam::{Affine3A, DAffine3, DMat3, DVec3, Quat, Vec3};
 
 use crate::accessor::Data;
 use crate::clip::Clip;
 use crate::error::Error;
+use crate::morph_eyes::MorphEye;
 use crate::raw::{self, Raw};
 use crate::trs::{Trs, affine_of, orthonormal};
 
@@ -32,10 +35,15 @@ pub struct Node {
     pub vrm_bone: Option<String>,
 }
 
-/// All nodes of a document.
+/// All nodes of a document, and behind them one for each eye that looks by morph targets.
 #[derive(Debug, Clone)]
 pub struct Skeleton {
     nodes: Vec<Node>,
+    /// How many of them are the file's.
+    in_file: usize,
+    pub(crate) morph_eyes: Vec<MorphEye>,
+    /// For the nodes that show those eyes, the weights of their meshes where no clip has any.
+    pub(crate) morph_weights: BTreeMap<usize, Vec<f32>>,
     order: Vec<usize>,
     skins: Vec<Vec<usize>>,
     skin_binds: Vec<Vec<Option<DAffine3>>>,
@@ -80,10 +88,44 @@ impl Skeleton {
             }
         }
         let order = parents_first(&nodes)?;
-        Ok(Self { nodes, order, skins, skin_binds })
+        let in_file = nodes.len();
+        let (morph_eyes, morph_weights) = (Vec::new(), BTreeMap::new());
+        Ok(Self { nodes, in_file, morph_eyes, morph_weights, order, skins, skin_binds })
     }
 
-    /// The nodes, by glTF node index.
+    /// Adds a node that the file does not have, and returns its index.
+    pub(crate) fn add(&mut self, name: &str, vrm_bone: &str, parent: usize, translation: Vec3) -> usize {
+        let node = self.nodes.len();
+        self.nodes[parent].children.push(node);
+        self.order.push(node);
+        self.nodes.push(Node {
+            name: name.into(),
+            parent: Some(parent),
+            children: Vec::new(),
+            rest: Trs { translation, rotation: Quat::IDENTITY, scale: Vec3::ONE },
+            is_joint: false,
+            inverse_bind: None,
+            mesh: None,
+            skin: None,
+            vrm_bone: Some(vrm_bone.into()),
+        });
+        node
+    }
+
+    /// True of the file's own nodes; false of those that stand for eyes which look by morph targets.
+    #[must_use]
+    pub fn is_in_file(&self, node: usize) -> bool {
+        node < self.in_file
+    }
+
+    /// A point of the mesh of `node` in the space of a joint that it is bound to, or of the node itself.
+    pub(crate) fn bound_place(&self, node: usize, joint: usize, point: DVec3) -> DVec3 {
+        let skin = self.nodes[node].skin.filter(|_| joint != node).map(|skin| self.skin(skin));
+        let bind = skin.and_then(|(joints, binds)| binds[joints.iter().position(|of_skin| *of_skin == joint)?]);
+        bind.unwrap_or(DAffine3::IDENTITY).transform_point3(point)
+    }
+
+    /// The nodes, by glTF node index; past the file's those of eyes that look by morph targets.
     #[must_use]
     pub fn nodes(&self) -> &[Node] {
         &self.nodes

@@ -80,9 +80,10 @@ impl Document {
         let nodes = self.skeleton().nodes();
         let mut seen = HashSet::new();
         for channel in &clip.channels {
-            let node = nodes.get(channel.node).ok_or_else(|| {
-                refuse(format!("clip {:?} moves node {}, which does not exist", clip.name, channel.node))
-            })?;
+            let node =
+                nodes.get(channel.node).filter(|_| self.skeleton().is_in_file(channel.node)).ok_or_else(|| {
+                    refuse(format!("clip {:?} moves node {}, which does not exist", clip.name, channel.node))
+                })?;
             let what = format!("{} of {:?} in clip {:?}", in_file(channel.property).0, node.name, clip.name);
             let (times, numbers) = (&channel.times, channel.values.len());
             let ordered = times.windows(2).all(|w| w[0] < w[1]) && times.first().is_some_and(|t| *t >= 0.0);

@@ -163,7 +163,8 @@ impl<'a> Scene<'a> {
         let Eye { node: first, centre: origin, forward } = effector;
         let bind = &measurement.bind_world;
         let role = |node: usize| measurement.bone(node).and_then(|bone| bone.role);
-        let is_eye = chain.other_eye.is_some() || matches!(role(first), Some(Role::LeftEye | Role::RightEye));
+        let is_eye =
+            chain.other_eye.is_some() || matches!(role(first), Some(Role::LeftEye | Role::RightEye | Role::Eyes));
         let mut eyes = Vec::new();
         if is_eye {
             eyes.push(effector);

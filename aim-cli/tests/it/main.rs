@@ -17,6 +17,7 @@ mod forms;
 mod generate;
 mod hold;
 mod manners;
+mod morph_eyes;
 mod plausibility;
 mod plot;
 mod reach;

@@ -148,9 +148,9 @@ impl Plausibility {
         let mut chest = Turning::new(f64::from(budgets.chest.acceleration).to_degrees(), plan.fps);
         let mut seams = Seams::new(plan, &look.landmarks);
         for frame in &baked.frames {
-            let animated = source.as_ref().map_or_else(|| skeleton.rest_pose(), |clip| skeleton.pose(clip, frame.t));
-            let animated = skeleton.world_f64(&animated);
-            let aimed = written.skeleton().world_f64(&written.skeleton().pose(clip, frame.t));
+            let animated = skeleton.world_f64(&look.live.pose(skeleton, source.as_ref(), frame.t));
+            let aimed = look.live.pose(written.skeleton(), Some(clip), frame.t);
+            let aimed = written.skeleton().world_f64(&aimed);
             let t = f64::from(frame.t);
             let mut seen = look.frame(t, frame.target, &animated, &aimed);
             // Some policies for what is behind, less than all of the weight and a patience at its end do not mean to meet the
