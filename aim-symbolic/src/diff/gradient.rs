@@ -8,6 +8,7 @@
 //! | s = \|v\| | v̄ += s̄ v/\|v\| |
 //! | y = k v | k̄ += ȳ · v, v̄ += k ȳ |
 //! | y = R v, where R turns by θ | v̄ += Rᵀ ȳ, θ̄ += ȳ · J y with J the quarter turn in its plane or the cross product with its axis |
+//! | y = R v, where R turns by a step δ | δ̄ += y × ȳ, v̄ += Rᵀ ȳ |
 //! | y = v/\|v\| | v̄ += (ȳ − (ȳ · y) y)/\|v\| |
 //! | y = J v | v̄ += Jᵀ ȳ = −J ȳ |
 //! | y = v × w | v̄ += w × ȳ, w̄ += ȳ × v |
@@ -227,6 +228,7 @@ impl Sweep<'_> {
                 }
                 None => self.add_to_variable(scalar.into(), bar),
             },
+            ScalarNode::Step(_) => self.add_to_variable(scalar.into(), bar),
             ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => self.select(bar, [a, b], [then, otherwise]),
             ScalarNode::Dot(v, w) if v == w => self.add_to_vector(v, |g| {
                 let twice = g.twice(bar);
@@ -333,6 +335,10 @@ impl Sweep<'_> {
     /// What `rotation` adds to the derivative by its angle: it moves `rotated` along the result's own perpendicular, which
     /// is already at hand.
     fn turn(&mut self, rotation: Rotation, rotated: Vector, bar: Vector) {
+        if let Some((step, back)) = self.g.turned_by_step(rotation) {
+            self.add_to_vector(step, |g| g.moment(step, back, rotated, bar));
+            return;
+        }
         let Some((angle, perp)) = self.g.swing(rotation, rotated) else { return };
         let along = self.g.dot(bar, perp);
         match self.g.radians(angle) {

@@ -4,5 +4,6 @@ pub(crate) mod gradient;
 mod growth;
 mod mask;
 mod partial;
+pub(crate) mod step;
 pub(crate) mod sweep;
 mod tangent;

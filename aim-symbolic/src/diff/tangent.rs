@@ -1,14 +1,14 @@
 //! Derivatives by a forward sweep: each part's tangent, its derivative by one variable.
 //!
 //! With ẋ the tangent of x: (v · w)˙ = v̇ · w + v · ẇ; |v|˙ = v̇ · v/|v|; (R v)˙ = R v̇ + θ̇ J R v, where R turns by θ
-//! and J is the quarter turn in its plane or the cross product with its axis; (v/|v|)˙ is the part of v̇ across v, over
+//! and J is the quarter turn in its plane or the cross product with its axis, or R v̇ + δ̇ × R v, where R turns by a step δ; (v/|v|)˙ is the part of v̇ across v, over
 //! |v|; (v − (v · u) u)˙ = across(v̇) − (v · u̇) u − (v · u) u̇.
 
 use crate::diff::sweep::Passage;
 use crate::ir::node::Node;
 use crate::ir::table::{NodeSet, Table};
 use crate::rewrite::rules::COMPOSITIONS;
-use crate::{Graph, Op, Scalar, ScalarNode, Variable, Vector, VectorNode};
+use crate::{Graph, Op, Rotation, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
 impl Graph {
     /// The derivatives of each of `outputs` by `variable`, under the same terms as [`gradient`](Self::gradient).
@@ -87,6 +87,10 @@ impl Sweep<'_> {
                 let seed = self.seed(variable).flatten().unwrap_or_else(|| self.g.constant(1.0));
                 vec![slope.map_or(seed, |(_, slope)| self.g.times(seed, slope))]
             }
+            ScalarNode::Step(_) => {
+                let seed = self.seed(Variable::Input(scalar)).flatten();
+                vec![seed.unwrap_or_else(|| self.g.constant(1.0))]
+            }
             ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => {
                 let (then, otherwise) = (self.scalar_tangent(then), self.scalar_tangent(otherwise));
                 vec![self.g.select_less(a, b, then, otherwise)]
@@ -121,6 +125,19 @@ impl Sweep<'_> {
         terms.into_iter().reduce(|a, b| self.g.add(a, b)).unwrap_or_else(|| self.g.constant(0.0))
     }
 
+    /// What a turn by a step adds: J δ̇ × y, or where it is the way back −J δ̇ × y, with J = 1 ± ½ [δ]× to first order.
+    fn step(&mut self, rotation: Rotation, rotated: Vector) -> Option<Vector> {
+        let (step, back) = self.g.turned_by_step(rotation)?;
+        let change = self.vector_tangent(step)?;
+        let curl = self.g.half_cross(step, change);
+        if back {
+            let rate = self.g.sub_vectors(change, curl);
+            return Some(self.g.cross(rotated, rate));
+        }
+        let rate = self.g.add_vectors(change, curl);
+        Some(self.g.cross(rate, rotated))
+    }
+
     fn vector(&mut self, vector: Vector) -> Option<Vector> {
         match self.g.vector_node(vector) {
             VectorNode::Components(c) => {
@@ -144,6 +161,7 @@ impl Sweep<'_> {
             }
             VectorNode::Rotate(rotation, v) => {
                 let of_v = self.vector_tangent(v).map(|change| self.g.rotate(rotation, change));
+                let of_step = self.step(rotation, vector);
                 let of_angle = self.g.swing(rotation, vector).and_then(|(angle, perp)| match self.g.radians(angle) {
                     Some(radians) => self.scalars.copied(radians).map(|change| self.g.scale(change, perp)),
                     None => self.seed(Variable::Angle(angle)).map(|seed| match seed {
@@ -151,7 +169,7 @@ impl Sweep<'_> {
                         None => perp,
                     }),
                 });
-                self.sum([of_angle, of_v])
+                self.sum([of_angle, of_step, of_v])
             }
             VectorNode::Normalize(v) => self.vector_tangent(v).map(|change| {
                 let across = self.g.across(change, crate::Unit(vector));

@@ -112,6 +112,7 @@ impl<'a> Evaluation<'a> {
                 dot(a, a).sqrt()
             }
             ScalarNode::Component(a, axis) => self.vector(a)[usize::from(axis)],
+            ScalarNode::Step(_) => 0.0,
         };
         self.scalars[scalar.0 as usize] = Some(value);
         value
@@ -194,6 +195,7 @@ impl<'a> Evaluation<'a> {
                     core::array::from_fn(|k| (w * w - dot(u, u)) * e[k] + 2.0 * w * aside[k] + along * u[k])
                 })
             }
+            RotationNode::Step(_) => axes(),
             RotationNode::Compose(outer, inner) => {
                 let (outer, inner) = (self.rotation(outer), self.rotation(inner));
                 core::array::from_fn(|i| core::array::from_fn(|k| (0..3).map(|j| inner[i][j] * outer[j][k]).sum()))

@@ -44,6 +44,8 @@ pub struct Graph {
     /// The angles that are expressions.
     angles_of: Table<Scalar, Angle>,
     directions: Vec<Vec<(Variable, Scalar)>>,
+    /// How many components of steps there are.
+    steps: u32,
     /// Vectors that are needed more than once, which the rules of the pass under way may not take apart.
     closed: Table<Vector, ()>,
     /// Rotations before which the calculation is to be done.
@@ -78,6 +80,7 @@ impl Graph {
             angles: Vec::new(),
             angles_of: Table::default(),
             directions: Vec::new(),
+            steps: 0,
             closed: Table::default(),
             kept: Vec::new(),
             cancelled: Vec::new(),
@@ -245,6 +248,18 @@ impl Graph {
             }
             _ => vec![(variable, None)],
         }
+    }
+
+    /// A step: a vector that is 0, and by whose components derivatives are taken.
+    pub fn step(&mut self) -> Vector {
+        let components = [0, 1, 2].map(|axis| self.intern_scalar(ScalarNode::Step(self.steps + axis)));
+        self.steps += 3;
+        self.components(components)
+    }
+
+    /// How many components the steps have.
+    pub fn step_components(&self) -> usize {
+        self.steps as usize
     }
 
     /// A vector of three inputs.
@@ -422,6 +437,12 @@ impl Graph {
     /// The rotation of a quaternion of length 1. Derivatives count it as a constant.
     pub fn quaternion(&mut self, vector: Vector, scalar: Scalar) -> Rotation {
         self.intern_rotation(RotationNode::Quaternion(vector, scalar))
+    }
+
+    /// The turn by a [`step`](Self::step): R times it moves on the manifold of rotations. Derivatives by the step, first and
+    /// second ones, are those of the exponential map.
+    pub fn turn_by_step(&mut self, step: Vector) -> Rotation {
+        self.intern_rotation(RotationNode::Step(step))
     }
 
     /// `inner`, then `outer`.

@@ -81,6 +81,8 @@ pub enum ScalarNode {
     Norm(Vector),
     /// A component of a vector.
     Component(Vector, u8),
+    /// A component of a step: a number that is 0, and that derivatives are taken by.
+    Step(u32),
 }
 
 /// What a vector is made of.
@@ -121,6 +123,9 @@ pub enum RotationNode {
     About(Vector, Angle),
     /// A quaternion of length 1: its vector part and its scalar part.
     Quaternion(Vector, Scalar),
+    /// The right-handed turn by a step, about it and by its length: the identity, and what derivatives by a rotation are
+    /// taken by.
+    Step(Vector),
     /// The second, then the first.
     Compose(Rotation, Rotation),
     /// The way back.
@@ -136,7 +141,7 @@ pub struct Direction(pub(crate) u32);
 pub enum Variable {
     /// An angle whose sine and cosine are inputs.
     Angle(Angle),
-    /// An input.
+    /// An input, or a component of a step.
     Input(Scalar),
     /// Along a direction: the sum of the derivatives by its variables, each times its component.
     Along(Direction),
@@ -188,6 +193,7 @@ impl ScalarNode {
             Self::Dot(v, w) => Self::Dot(parts.vector(v), parts.vector(w)),
             Self::Norm(v) => Self::Norm(parts.vector(v)),
             Self::Component(v, axis) => Self::Component(parts.vector(v), axis),
+            Self::Step(_) => self,
         }
     }
 }
@@ -219,6 +225,7 @@ impl RotationNode {
             Self::Turn(plane, angle) => Self::Turn(plane, parts.angle(angle)),
             Self::About(axis, angle) => Self::About(parts.vector(axis), parts.angle(angle)),
             Self::Quaternion(v, w) => Self::Quaternion(parts.vector(v), parts.scalar(w)),
+            Self::Step(v) => Self::Step(parts.vector(v)),
             Self::Compose(outer, inner) => Self::Compose(parts.rotation(outer), parts.rotation(inner)),
             Self::Transpose(rotation) => Self::Transpose(parts.rotation(rotation)),
         }

@@ -73,6 +73,7 @@ impl Lowering {
                 self.fold.sqrt(square)
             }
             ScalarNode::Component(v, axis) => self.vector(v)[usize::from(axis)],
+            ScalarNode::Step(_) => self.fold.g.constant(0.0),
         };
         self.scalars.insert(scalar, lowered);
         lowered
@@ -184,6 +185,7 @@ impl Lowering {
                 let w = if back { self.fold.neg(w) } else { w };
                 self.quaternion(u, w, v)
             }
+            RotationNode::Step(_) => v,
             RotationNode::Compose(outer, inner) => {
                 let [first, second] = if back { [outer, inner] } else { [inner, outer] };
                 let once = self.rotate_by(first, back, v);

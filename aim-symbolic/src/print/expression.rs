@@ -229,6 +229,10 @@ impl Writer<'_> {
             ScalarNode::Op(op) => {
                 operation(op.map(|s| self.scalar(s)), |i| self.notation.scalar_input(&self.g.inputs()[i].0))
             }
+            ScalarNode::Step(component) => {
+                let axis = ["x", "y", "z"][component as usize % 3];
+                (Formula::italic("δ").indexed(Formula::italic(axis)), Binding::Atom)
+            }
             ScalarNode::Reciprocal(a) => quotient(Formula::number(1.0), self.scalar(a).0),
             ScalarNode::Dot(a, b) => {
                 let [a, b] = [a, b].map(|v| group(self.vector(v), Binding::Dot));
@@ -333,6 +337,9 @@ impl Writer<'_> {
                 Formula::Group(Box::new(self.notation.angle(self.g, angle))),
             ]),
             RotationNode::Quaternion(v, w) => Formula::italic("Q").indexed(self.vector(v).0).indexed(self.scalar(w).0),
+            RotationNode::Step(v) => {
+                Formula::Row(vec![Formula::italic("exp"), self.vector(v).0.indexed(Formula::italic("×"))])
+            }
             RotationNode::Compose(a, b) => {
                 let [a, b] = [a, b].map(|r| group(self.rotation(r), Binding::Dot));
                 return (Formula::infix(a, Sign::Times, b), Binding::Product);

@@ -80,6 +80,9 @@ impl Choices {
 /// A program of so few operations is worth every rival.
 const SMALL: usize = 100;
 
+/// What is larger than another by less than one part in so many may become smaller by being arranged.
+const NEAR: usize = 8;
+
 /// How many ways to share rotations between the sides of dots, and how many frames, are compared.
 const MOST_SIDES: usize = 8;
 
@@ -109,8 +112,9 @@ impl Program {
 /// every arrangement is compared, and what a choice made worthwhile is tried again.
 pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[Rule]) -> (Program, Choices) {
     let mut best = Way::taken(g, wanted, Choices::first(), without, Log::default(), Effort::Compare);
-    let is_small = cost(&best.program).0 <= SMALL;
-    let changes = rivals(&best, wanted, is_small);
+    let is_small = best.is_small();
+    let changes = rivals(&best, wanted);
+    let plain = (!best.log.applied.is_empty()).then(|| plain(&best.choices, g, wanted, without));
     if !is_small {
         best = best.improved(&changes, g, wanted, without, Effort::Compare);
         best.arrange(without);
@@ -122,7 +126,26 @@ pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[Rule]) -> (Program, 
             best = best.improved(&changes, g, wanted, without, Effort::Finish);
         }
     }
+    if let Some(mut plain) = plain
+        && cost(&plain.program).0 <= cost(&best.program).0 + cost(&best.program).0 / NEAR
+    {
+        plain.arrange(without);
+        best = best.or_better(plain);
+    }
     (best.program.finished(), best.choices)
+}
+
+/// The smallest way by none but the rules of arithmetic: rewriting may not lose against doing nothing.
+fn plain(choices: &Choices, g: &Graph, wanted: &[Want], without: &[Rule]) -> Way {
+    let choices = Choices { without: rules::of_sets(), turned: None, kept: Vec::new(), ..choices.clone() };
+    let mut best = Way::taken(g, wanted, choices, without, Log::default(), Effort::Compare);
+    let changes: Vec<Change> =
+        sweeps(wanted).into_iter().map(|sweep| -> Change { Box::new(move |c| c.sweep = sweep) }).collect();
+    if best.is_small() {
+        best.arrange(without);
+        return best.improved(&changes, g, wanted, without, Effort::Finish);
+    }
+    best.improved(&changes, g, wanted, without, Effort::Compare)
 }
 
 /// The sweeps worth a try; by the way back where nothing speaks for another.
@@ -170,6 +193,10 @@ impl Way {
         Self { choices, g, outputs, program, log }
     }
 
+    fn is_small(&self) -> bool {
+        cost(&self.program).0 <= SMALL
+    }
+
     /// The better of two; of equals the first.
     fn or_better(self, other: Self) -> Self {
         if cost(&other.program) < cost(&self.program) { other } else { self }
@@ -197,7 +224,7 @@ impl Way {
 type Change = Box<dyn Fn(&mut Choices)>;
 
 /// The rivals worth a try, by what was applied on the first way.
-fn rivals(first: &Way, wanted: &[Want], is_small: bool) -> Vec<Change> {
+fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
     let Way { g, outputs, log, .. } = first;
     let applied = |rules: &[Rule]| log.applied.iter().filter(|done| rules.contains(&done.rule)).count();
     let mut rivals: Vec<Change> = Vec::new();
@@ -231,17 +258,6 @@ fn rivals(first: &Way, wanted: &[Want], is_small: bool) -> Vec<Change> {
     if applied(&CANCELLING) == 0 {
         for fewer in (0..applied(&OTHER_SIDES)).rev().take(MOST_SIDES) {
             rivals.push(Box::new(move |c| c.turned = Some(fewer)));
-        }
-    }
-    if !log.applied.is_empty() {
-        // None but the rules of arithmetic: rewriting may not lose against doing nothing.
-        let plain = |c: &mut Choices| (c.without, c.turned, c.kept) = (rules::of_sets(), None, Vec::new());
-        rivals.push(Box::new(plain));
-        for sweep in sweeps(wanted).into_iter().filter(|_| is_small) {
-            rivals.push(Box::new(move |c| {
-                plain(c);
-                c.sweep = sweep;
-            }));
         }
     }
     rivals
@@ -348,6 +364,7 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
             Want::Normal(x, y) => sum(g, &|s| (first(s, x), first(s, y))),
         })
         .collect();
+    let outputs = g.at_rest(&outputs);
     log.derived.clone_from(&outputs);
     let mut outputs = g.rewrite_with(&outputs, &DIRECTIONS, &rules, log);
     if !choices.kept.is_empty() {

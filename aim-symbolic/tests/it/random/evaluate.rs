@@ -170,6 +170,11 @@ impl<T: Oracle> Evaluation<T> {
                 self.root(dot(v, v))
             }
             ScalarNode::Component(v, axis) => self.vector(g, v)[usize::from(axis)],
+            // Where a point moves with a step, that stands after its inputs.
+            ScalarNode::Step(component) => {
+                let place = g.inputs().len() + component as usize;
+                self.inputs.get(place).copied().unwrap_or_else(|| T::constant(0.0))
+            }
         };
         self.scalars.insert(scalar, value);
         value
@@ -253,6 +258,14 @@ impl<T: Oracle> Evaluation<T> {
                     [two * (x * y - w * z), one - two * (x * x + z * z), two * (y * z + w * x)],
                     [two * (x * z + w * y), two * (y * z - w * x), one - two * (x * x + y * y)],
                 ]
+            }
+            RotationNode::Step(step) => {
+                // 1 + K + ½ K², where K takes v to step × v: all that a step of 0 has of its exponential.
+                let step = self.vector(g, step);
+                let crossing = crossing(step);
+                let twice = crossing.map(|row| image(row, crossing));
+                let one = identity();
+                core::array::from_fn(|i| plus(one[i], plus(crossing[i], times(T::constant(0.5), twice[i]))))
             }
             RotationNode::Compose(outer, inner) => {
                 let (outer, inner) = (self.rotation(g, outer), self.rotation(g, inner));

@@ -89,11 +89,21 @@ impl Pools {
             let components = [(variables[0], c[0]), (variables[3], c[1]), (variables[4], c[2])];
             variables.push(g.direction(&components).into());
         }
+        // On the manifold of rotations from each side.
+        let steps = [g.step(), g.step()];
+        for &step in &steps {
+            if let aim_symbolic::VectorNode::Components(c) = g.vector_node(step) {
+                variables.extend(c.map(Variable::from));
+            }
+        }
         scalars.extend([1.0, 0.0].map(|c| g.constant(c)));
         vectors.extend([VECTORS[0], VECTORS[3], VECTORS[2]].map(|c| g.constant_vector(c)));
         let mut rotations = vec![g.turn(PLANES[0], angles[0]), g.turn(PLANES[1], angles[1])];
         rotations.extend(matrices);
-        rotations.extend([g.basis(BASES[0]), g.basis(BASES[3]), g.quaternion(q, w)]);
+        let quaternion = g.quaternion(q, w);
+        let [right, left] = steps.map(|step| g.turn_by_step(step));
+        rotations.extend([g.basis(BASES[0]), g.basis(BASES[3]), quaternion]);
+        rotations.extend([g.compose(quaternion, right), g.compose(left, matrices[0])]);
         let units = vec![g.normalize(vectors[0])];
         Self { g, scalars, vectors, units, rotations, angles, variables }
     }
@@ -153,9 +163,13 @@ pub(crate) fn point<T: Sample>(random: &mut Rng) -> Vec<T> {
 
 /// The same point, moving with `variable`.
 pub(crate) fn moving<T: Oracle>(g: &Graph, point: &[T], variable: Variable) -> Vec<Dual<T>> {
+    let count = g.inputs().len();
     let mut inputs: Vec<Dual<T>> = point.iter().map(|&value| Dual::fixed(value)).collect();
+    // The components of steps, which are 0.
+    inputs.resize(count + g.step_components(), Dual::fixed(T::constant(0.0)));
     let place = |s: Scalar| match g.scalar_node(s) {
         aim_symbolic::ScalarNode::Op(aim_symbolic::Op::Input(place)) => place as usize,
+        aim_symbolic::ScalarNode::Step(component) => count + component as usize,
         node => unreachable!("{node:?} is no input"),
     };
     let components = match variable {

@@ -56,6 +56,7 @@ pub(crate) fn scalar(g: &Graph, expression: Scalar) -> String {
         ScalarNode::Op(Op::Div(a, b)) => format!("({} / {})", s(a), s(b)),
         ScalarNode::Op(Op::Neg(a)) => format!("-{}", s(a)),
         ScalarNode::Op(Op::Sqrt(a)) => format!("sqrt({})", s(a)),
+        ScalarNode::Step(component) => format!("step{component}"),
         ScalarNode::Reciprocal(a) => format!("reciprocal({})", s(a)),
         ScalarNode::Op(Op::SelectLess(a, b, c, d)) => format!("({} < {} ? {} : {})", s(a), s(b), s(c), s(d)),
         ScalarNode::Op(Op::Call(function, a)) => format!("{}({})", function.name(), s(a)),
@@ -97,6 +98,7 @@ fn rotation(g: &Graph, expression: Rotation) -> String {
         }
         RotationNode::About(axis, angle) => format!("R_{}({})", vector(g, axis), g.angle_name(angle)),
         RotationNode::Quaternion(v, w) => format!("Q({}, {})", vector(g, v), scalar(g, w)),
+        RotationNode::Step(v) => format!("exp({})", vector(g, v)),
         RotationNode::Compose(a, b) => format!("({} {})", rotation(g, a), rotation(g, b)),
         RotationNode::Transpose(a) => format!("{}'", rotation(g, a)),
     }
