@@ -3,6 +3,7 @@
 //!
 //! - `std` (default): sines, cosines and square roots from the standard library.
 //! - `libm`: the same from `libm`, for targets without a standard library.
+//! - `animation`: skeletons, clips, blending and root motion, in `aim::animation`. Needs an allocator.
 //! - `rigs`: the bundled rigs, in `aim::rigs`.
 //! - `wide`: kernels in lanes, see below. Needs Rust 1.89, as the crate [`wide`](https://docs.rs/wide) does, which is
 //!   re-exported as `aim::wide`.
@@ -48,6 +49,8 @@
 //! ```
 #![no_std]
 
+#[cfg(feature = "animation")]
+pub use aim_animation as animation;
 pub use aim_derive::{AimRig, differentiate};
 pub use aim_runtime::*;
 

@@ -29,6 +29,7 @@ mod kinematics;
 mod limits;
 mod math;
 mod rig;
+pub mod rotation;
 mod solve;
 mod target;
 pub mod trajectory;

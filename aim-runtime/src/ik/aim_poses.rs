@@ -5,7 +5,7 @@
 
 use glam::{Quat, Vec3, Vec3A};
 
-use super::turn::{self, part, shortest};
+use crate::math::turn::{self, part, shortest};
 use crate::math::{self, angle_between, cross, direction, turned};
 
 /// A pose and where it aims.

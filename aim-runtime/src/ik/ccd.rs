@@ -5,11 +5,11 @@ use core::f32::consts::PI;
 
 use glam::{Quat, Vec3, Vec3A, Vec4};
 
-use super::turn::{about, angle, at_most, normalized, shortest};
 use crate::JointSet;
 use crate::limits::Interval;
 use crate::limits::reach::AT_LIMIT_RAD;
 use crate::math::trig::atan2;
+use crate::math::turn::{about, angle, at_most, normalized, shortest};
 use crate::math::{self, cross, direction, product, turned};
 
 /// How far a joint of a chain may be turned away from the animation.

@@ -7,10 +7,10 @@ use core::f32::consts::PI;
 
 use glam::{Affine3A, Quat, Vec3, Vec3A};
 
-use super::turn::{across, at_most, between};
 use crate::Axes;
 use crate::limits::Interval;
 use crate::math::trig::{atan2, sin_cos};
+use crate::math::turn::{across, at_most, between};
 use crate::math::{self, angle_between, cross, direction, turned};
 use crate::solve::LONGEST_FRAME_S;
 

@@ -15,22 +15,19 @@
 //! | aim as an animator posed it | [`AimPoses`] |
 //! | aim eyes, neck and spine together | [`AimRig`](crate::AimRig) |
 //!
-//! What is left of poses: from local to model space and back ([`to_model`], [`to_local`]), between poses ([`blend`],
-//! [`add`]), and attachments ([`attached`], [`root_for`]).
+//! Poses, blending and attachments are in the crate `aim-animation`; arithmetic of rotations is in
+//! [`rotation`](crate::rotation).
 
 mod aim_poses;
 mod ccd;
 mod look_at;
 mod one_bone;
-mod pose;
 mod triangles;
-mod turn;
 mod two_bone;
 
 pub use aim_poses::{AimPose, AimPoses, AimPosesOutcome, AimPosesStatus, Blend};
 pub use ccd::{Ccd, CcdJoint, CcdLimit, CcdOutcome, CcdStatus};
 pub use look_at::{Beyond, LookAt, LookAtOutcome, LookAtStatus, Path};
 pub use one_bone::{OneBone, OneBoneOutcome, OneBoneStatus, Roll};
-pub use pose::{Local, PoseError, add, attached, blend, difference, nlerp, root_for, slerp, to_local, to_model};
 pub use triangles::{grid, triangulated};
 pub use two_bone::{Bend, Hinge, Limb, TwoBone, TwoBoneOutcome, TwoBoneStatus};

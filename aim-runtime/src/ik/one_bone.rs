@@ -2,8 +2,8 @@
 
 use glam::{Affine3A, Quat, Vec3};
 
-use super::turn::{across, between, normalized, part, shortest};
 use crate::math::trig::sin_cos;
+use crate::math::turn::{across, between, normalized, part, shortest};
 use crate::math::{self, angle_between, direction, product, turned};
 
 /// What decides how a bone is rolled about the direction it is pointed along.

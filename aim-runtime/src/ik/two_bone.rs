@@ -8,8 +8,8 @@ use core::f32::consts::PI;
 
 use glam::{Quat, Vec3, Vec3A};
 
-use super::turn::{FLAT, across, between, normalized, part};
 use crate::math::trig::{atan2, sin_cos};
+use crate::math::turn::{FLAT, across, between, normalized, part};
 use crate::math::{self, cross, direction, product, turned};
 
 /// Two bones in a pose: where their joints are, in one space of the caller's choice.

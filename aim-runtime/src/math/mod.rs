@@ -8,6 +8,7 @@ use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec3Swizzles, Vec4};
 use trig::atan2;
 
 pub(crate) mod trig;
+pub(crate) mod turn;
 
 /// An angle that is no angle any more: what an undefined aim is reported as.
 pub(crate) const UNDEFINED_RAD: f32 = core::f32::consts::FRAC_PI_2;

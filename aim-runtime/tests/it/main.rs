@@ -16,6 +16,7 @@ mod peers;
 mod properties;
 mod ranges;
 mod reach;
+mod rotations;
 mod sequences;
 mod snap;
 mod specialised;

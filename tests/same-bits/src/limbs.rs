@@ -3,9 +3,9 @@
 use aim::Axes;
 use aim::glam::{Affine3A, Quat, Vec3};
 use aim::ik::{
-    AimPose, AimPoses, Bend, Ccd, CcdJoint, CcdLimit, Hinge, Limb, LookAt, OneBone, Path, Roll, TwoBone, nlerp, slerp,
-    triangulated,
+    AimPose, AimPoses, Bend, Ccd, CcdJoint, CcdLimit, Hinge, Limb, LookAt, OneBone, Path, Roll, TwoBone, triangulated,
 };
+use aim::rotation::{nlerp, slerp};
 
 use crate::{FRAMES, Fnv, World};
 

@@ -1,5 +1,5 @@
 use aim_runtime::glam::{Affine3A, Quat, Vec3};
-use aim_runtime::ik::{AimPose, AimPoses, AimPosesStatus, Local, grid, to_model, triangulated};
+use aim_runtime::ik::{AimPose, AimPoses, AimPosesStatus, grid, triangulated};
 use aim_runtime::{Pose, Settings, Solver, Status};
 
 use crate::common::exact::*;
@@ -183,17 +183,12 @@ fn finished_by_the_aim_solver() {
     };
     let posed = |turns: &[Quat]| -> Vec<Affine3A> {
         let bones = [2, 1, 0];
-        let local: Vec<Local> = (0..3)
-            .map(|i| {
-                let own = animated[bones[i]];
-                let local = if i == 0 { own } else { animated[bones[i - 1]].inverse() * own };
-                let mut local = Local::from_affine(&local).unwrap();
-                local.rotation = (local.rotation * turns[bones[i]]).normalize();
-                local
-            })
-            .collect();
         let mut model = [Affine3A::IDENTITY; 3];
-        to_model(&[None, Some(0), Some(1)], &local, &mut model).unwrap();
+        for i in 0..3 {
+            let parent = if i == 0 { [Affine3A::IDENTITY; 2] } else { [animated[bones[i - 1]], model[i - 1]] };
+            let local = parent[0].inverse() * animated[bones[i]];
+            model[i] = parent[1] * local * Affine3A::from_quat(turns[bones[i]]);
+        }
         bones.map(|i| model[i]).to_vec()
     };
     let look = |turns: &[Quat]| posed(turns)[0].transform_vector3(rig.effector.forward.into());

@@ -4,8 +4,8 @@
 use aim_runtime::Axes;
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim_runtime::ik::{
-    AimPose, AimPoses, AimPosesStatus, Ccd, CcdJoint, CcdLimit, Limb, Local, LookAt, OneBone, OneBoneStatus, Roll,
-    TwoBone, grid, to_local, to_model,
+    AimPose, AimPoses, AimPosesStatus, Ccd, CcdJoint, CcdLimit, Limb, LookAt, OneBone, OneBoneStatus, Roll, TwoBone,
+    grid,
 };
 
 use crate::common::{Rng, bone, triples};
@@ -13,7 +13,6 @@ use crate::common::{Rng, bone, triples};
 /// Chest, upper arm or neck, forearm or head, hand or eye: each the parent of the next.
 const PLACES: [Vec3; 4] =
     [Vec3::new(0.0, 1.3, 0.0), Vec3::new(-0.2, 1.4, 0.05), Vec3::new(-0.5, 1.3, -0.1), Vec3::new(-0.7, 1.2, 0.1)];
-const PARENTS: [Option<usize>; 4] = [None, Some(0), Some(1), Some(2)];
 
 type Chain = [Affine3A; 4];
 
@@ -30,16 +29,18 @@ fn picture(axes: &Axes, chain: &Chain) -> [Vec3; 12] {
     })
 }
 
-/// A bone, and all that hangs on it, turned in the world: by way of local rotations, as an engine does it.
+/// A bone, and all that hangs on it, turned in the world.
 fn turn(chain: &mut Chain, which: usize, by: Quat) {
-    let mut local = [Local::IDENTITY; 4];
-    let mut posed = *chain;
-    posed[which].matrix3 = Mat3A::from_quat(by) * posed[which].matrix3;
-    to_local(&PARENTS, chain, &mut local).unwrap();
-    let mut other = local;
-    to_local(&PARENTS, &posed, &mut other).unwrap();
-    local[which] = other[which];
-    to_model(&PARENTS, &local, chain).unwrap();
+    let carried = chain[which].inverse();
+    let mut posed = chain[which];
+    posed.matrix3 = Mat3A::from_quat(by) * posed.matrix3;
+    chain[which..].iter_mut().for_each(|bone| *bone = posed * (carried * *bone));
+}
+
+/// Each bone's scale, rotation and translation in its parent's space.
+fn parts(chain: &Chain) -> [(Vec3, Quat, Vec3); 4] {
+    let parent = |i: usize| if i == 0 { Affine3A::IDENTITY } else { chain[i - 1].inverse() };
+    core::array::from_fn(|i| (parent(i) * chain[i]).to_scale_rotation_translation())
 }
 
 /// One bone and all that hangs on it, so that bones carry each other: the turns of a limb in the world, outward.
@@ -86,16 +87,14 @@ fn solved(axes: &Axes, mut chain: Chain, target: Vec3) -> Chain {
 /// The chain blended of poses that are authored with its own bones.
 fn blended(axes: &Axes, turns: &[Quat; 4], wanted: Vec3) -> Chain {
     let base = chain(axes, turns);
-    let rest = {
-        let mut local = [Local::IDENTITY; 4];
-        to_local(&PARENTS, &base, &mut local).unwrap();
-        local
-    };
+    let rest = parts(&base);
     let with = |rotations: &[Quat]| {
-        let mut local = rest;
-        local.iter_mut().zip(rotations).for_each(|(bone, rotation)| bone.rotation = *rotation);
-        let mut model = [Affine3A::IDENTITY; 4];
-        to_model(&PARENTS, &local, &mut model).unwrap();
+        let mut parent = Affine3A::IDENTITY;
+        let model: Chain = core::array::from_fn(|i| {
+            let (scale, _, translation) = rest[i];
+            parent *= Affine3A::from_scale_rotation_translation(scale, rotations[i], translation);
+            parent
+        });
         model
     };
     let aim = |rotations: &[Quat]| with(rotations)[3].transform_vector3(axes.forward.into());
@@ -108,9 +107,7 @@ fn blended(axes: &Axes, turns: &[Quat; 4], wanted: Vec3) -> Chain {
                     let by = Quat::from_rotation_y(0.25 * heading) * Quat::from_rotation_x(0.25 * pitch);
                     turn(&mut posed, which, by);
                 }
-                let mut local = rest;
-                to_local(&PARENTS, &posed, &mut local).unwrap();
-                local.map(|bone| bone.rotation)
+                parts(&posed).map(|(_, rotation, _)| rotation)
             })
         })
         .collect();

@@ -5,5 +5,4 @@ mod ccd;
 mod conventions;
 mod look_at;
 mod one_bone;
-mod poses;
 mod two_bone_cases;

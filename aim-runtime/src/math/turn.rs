@@ -4,21 +4,21 @@ use core::f32::consts::FRAC_PI_2;
 
 use glam::{Mat3A, Quat, Vec3A, Vec4};
 
-use crate::math::trig::{atan2, sin_cos};
-use crate::math::{self, cross, direction};
+use super::trig::{atan2, sin_cos};
+use super::{cross, direction};
 
 /// Directions less than this apart in sine have no plane between them.
-pub(super) const FLAT: f32 = 1e-5;
+pub(crate) const FLAT: f32 = 1e-5;
 
 /// The unit vector of what of `v` is square to the unit vector `along`.
-pub(super) fn across(v: Vec3A, along: Vec3A) -> Option<Vec3A> {
+pub(crate) fn across(v: Vec3A, along: Vec3A) -> Option<Vec3A> {
     let v = direction(v)?;
     let across = v - along * v.dot(along);
     if across.length() > FLAT { direction(across - along * across.dot(along)) } else { None }
 }
 
 /// The turn from one pair of square unit vectors to another.
-pub(super) fn between([a, b]: [Vec3A; 2], [to_a, to_b]: [Vec3A; 2]) -> Quat {
+pub(crate) fn between([a, b]: [Vec3A; 2], [to_a, to_b]: [Vec3A; 2]) -> Quat {
     let (from, to) = ([a, b, cross(a, b)], [to_a, to_b, cross(to_a, to_b)]);
     let column = |i: usize| to[0] * from[0][i] + to[1] * from[1][i] + to[2] * from[2][i];
     normalized(Quat::from_mat3a(&Mat3A::from_cols(column(0), column(1), column(2))))
@@ -26,7 +26,7 @@ pub(super) fn between([a, b]: [Vec3A; 2], [to_a, to_b]: [Vec3A; 2]) -> Quat {
 
 /// The shortest turn from one unit vector to another, exact to rounding also near none and near half a turn; about any
 /// axis between opposites.
-pub(super) fn shortest(from: Vec3A, to: Vec3A) -> Quat {
+pub(crate) fn shortest(from: Vec3A, to: Vec3A) -> Quat {
     let axis = cross(from, to);
     let sum = from + to;
     if from.dot(to) > 0.0 {
@@ -45,24 +45,24 @@ fn half_and_axis(turn: Quat) -> Option<(f32, Vec3A)> {
 }
 
 /// The angle of a turn, the short way, 0…π.
-pub(super) fn angle(turn: Quat) -> f32 {
+pub(crate) fn angle(turn: Quat) -> f32 {
     half_and_axis(turn).map_or(0.0, |(half, _)| 2.0 * half)
 }
 
 /// The turn about a unit axis by twice this angle.
-pub(super) fn about(axis: Vec3A, half_rad: f32) -> Quat {
+pub(crate) fn about(axis: Vec3A, half_rad: f32) -> Quat {
     let (sin, cos) = sin_cos(half_rad);
     let axis = axis * sin;
     normalized(Quat::from_xyzw(axis.x, axis.y, axis.z, cos))
 }
 
 /// A part of a turn, the short way.
-pub(super) fn part(turn: Quat, part: f32) -> Quat {
+pub(crate) fn part(turn: Quat, part: f32) -> Quat {
     half_and_axis(turn).map_or(Quat::IDENTITY, |(half, axis)| about(axis, half * part))
 }
 
 /// The turn, the short way, as far as it is no larger than this, radians.
-pub(super) fn at_most(turn: Quat, most_rad: f32) -> Quat {
+pub(crate) fn at_most(turn: Quat, most_rad: f32) -> Quat {
     match half_and_axis(turn) {
         Some((half, axis)) if 2.0 * half > most_rad => about(axis, 0.5 * most_rad),
         _ => turn,
@@ -70,17 +70,17 @@ pub(super) fn at_most(turn: Quat, most_rad: f32) -> Quat {
 }
 
 /// The sum of products; the same bits everywhere, where glam adds in the machine's own order.
-pub(super) fn dot(a: Quat, b: Quat) -> f32 {
+pub(crate) fn dot(a: Quat, b: Quat) -> f32 {
     a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w
 }
 
 /// The quaternion, neither tiny nor huge, at length 1; the same bits everywhere, as [`dot`].
-pub(super) fn normalized(turn: Quat) -> Quat {
-    turn * (1.0 / math::sqrt(dot(turn, turn)))
+pub(crate) fn normalized(turn: Quat) -> Quat {
+    turn * (1.0 / super::sqrt(dot(turn, turn)))
 }
 
 /// The quaternion at length 1; `None` where it has no length, or none that is finite.
-pub(super) fn unit(turn: Quat) -> Option<Quat> {
+pub(crate) fn unit(turn: Quat) -> Option<Quat> {
     let largest = Vec4::from(turn).abs().max_element();
     if !(largest > 0.0 && turn.is_finite()) {
         return None;

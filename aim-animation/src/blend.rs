@@ -1,0 +1,244 @@
+//! [`Blender`]: poses blended two by two, by weighted sums, and by adding differences.
+
+use aim_runtime::glam::{Quat, Vec3};
+use aim_runtime::rotation::{dot, exp, log, nlerp, product, slerp};
+
+use crate::mask::{Mask, clamped};
+use crate::pose::{PoseError, check_length};
+use crate::skeleton::Skeleton;
+use crate::transform::{Transform, made_unit};
+
+/// A way to interpolate rotations. Over small angles all are alike.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// Normalised linear interpolation: the shorter way, not at constant speed, cheap. A weighted sum of more than two is
+    /// taken in the hemisphere of the rest pose.
+    #[default]
+    Nlerp,
+    /// Spherical linear interpolation: the shorter way at constant speed. A weighted sum is that of [`Self::Nlerp`], since
+    /// this is not defined for more than two.
+    Slerp,
+    /// Linear interpolation of rotation vectors (logarithms) relative to the rest pose. Not always the shorter way; the
+    /// same formula for any number of poses.
+    Log,
+}
+
+/// Blends poses of one skeleton, slice by slice, without allocating.
+///
+/// Weights are clamped to 0…1, NaN counts as 0; where there is a mask, each bone's is multiplied by its own.
+///
+/// ```
+/// use aim_animation::glam::Vec3;
+/// use aim_animation::{Blender, Bone, Skeleton, Transform};
+///
+/// let skeleton = Skeleton::new([Bone::new("hips", None)])?;
+/// let [a, b, c] = [0.0, 1.0, 5.0].map(|x| [Transform::from_translation(Vec3::X * x)]);
+/// let mut pose = a;
+/// let blender = Blender::new(&skeleton);
+/// blender.blend(&mut pose, &b, 0.25)?;
+/// assert_eq!(pose[0].translation.x, 0.25);
+/// // (½·0 + ½·1 + 1·5) / 2, whatever the order.
+/// blender.sum(&[(&a, 0.5), (&b, 0.5), (&c, 1.0)], &mut pose)?;
+/// assert_eq!(pose[0].translation.x, 2.75);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Blender<'a> {
+    skeleton: &'a Skeleton,
+    method: Method,
+    mask: Option<&'a Mask>,
+}
+
+impl<'a> Blender<'a> {
+    /// Blends every bone by [`Method::Nlerp`].
+    #[must_use]
+    pub fn new(skeleton: &'a Skeleton) -> Self {
+        Self { skeleton, method: Method::default(), mask: None }
+    }
+
+    /// With another way to interpolate rotations.
+    #[must_use]
+    pub fn with_method(mut self, method: Method) -> Self {
+        self.method = method;
+        self
+    }
+
+    /// With a mask, which must be of the same skeleton.
+    #[must_use]
+    pub fn with_mask(mut self, mask: &'a Mask) -> Self {
+        self.mask = Some(mask);
+        self
+    }
+
+    /// Moves `pose` towards `other` by `weight`: at 1 a bone is the other's, at 0 it is left alone. With a mask and a
+    /// weight of 1 this is the masked interpolation of two animations.
+    ///
+    /// # Errors
+    /// A slice or a mask of another length than the skeleton; then nothing is written.
+    pub fn blend(&self, pose: &mut [Transform], other: &[Transform], weight: f32) -> Result<(), PoseError> {
+        self.check(pose.len())?;
+        self.check(other.len())?;
+        let (rest, weight) = (self.skeleton.rest(), clamped(weight));
+        for (bone, (pose, other)) in pose.iter_mut().zip(other).enumerate() {
+            let weight = weight * self.mask_weight(bone);
+            if weight > 0.0 {
+                *pose = interpolated(pose, other, weight, |a, b| match self.method {
+                    Method::Nlerp => nlerp(a, b, weight),
+                    Method::Slerp => slerp(a, b, weight),
+                    Method::Log => by_logs(rest[bone].rotation, a, b, weight),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds a pose of differences, as [`difference`](Self::difference) makes them, by `weight`.
+    ///
+    /// # Errors
+    /// A slice or a mask of another length than the skeleton; then nothing is written.
+    pub fn add(&self, pose: &mut [Transform], differences: &[Transform], weight: f32) -> Result<(), PoseError> {
+        self.check(pose.len())?;
+        self.check(differences.len())?;
+        let weight = clamped(weight);
+        for (bone, (pose, added)) in pose.iter_mut().zip(differences).enumerate() {
+            let weight = weight * self.mask_weight(bone);
+            if weight > 0.0 {
+                let added = interpolated(&Transform::IDENTITY, added, weight, |a, b| match self.method {
+                    Method::Nlerp => nlerp(a, b, weight),
+                    Method::Slerp | Method::Log => slerp(a, b, weight),
+                });
+                pose.translation += added.translation;
+                pose.rotation = made_unit(product(pose.rotation, added.rotation));
+                pose.scale *= added.scale;
+            }
+        }
+        Ok(())
+    }
+
+    /// The pose that [added](Self::add) to `from` gives `to`. A scale of 0 in `from` counts as unchanged. The mask plays no
+    /// part.
+    ///
+    /// # Errors
+    /// A slice of another length than the skeleton; then nothing is written.
+    pub fn difference(&self, from: &[Transform], to: &[Transform], out: &mut [Transform]) -> Result<(), PoseError> {
+        [from.len(), to.len(), out.len()].into_iter().try_for_each(|len| check_length(self.skeleton.len(), len))?;
+        for ((from, to), out) in from.iter().zip(to).zip(out) {
+            let ratio = |to: f32, from: f32| if from == 0.0 { 1.0 } else { to / from };
+            let (a, b) = (from.scale, to.scale);
+            *out = Transform {
+                translation: to.translation - from.translation,
+                rotation: made_unit(product(from.rotation.conjugate(), to.rotation)),
+                scale: Vec3::new(ratio(b.x, a.x), ratio(b.y, a.y), ratio(b.z, a.z)),
+            };
+        }
+        Ok(())
+    }
+
+    /// The weighted sum of any number of poses: Σ wᵢ·poseᵢ / Σ wᵢ, for each bone. Where the weights sum to 0 the pose is
+    /// the rest pose. The order of the poses does not matter.
+    ///
+    /// Rotations are averaged in the hemisphere of the rest pose, so that it does not matter which of its two quaternions a
+    /// rotation is given by; or by [`Method::Log`]. A mask here fades every pose to the rest pose.
+    ///
+    /// # Errors
+    /// A slice or a mask of another length than the skeleton; then nothing is written.
+    pub fn sum(&self, poses: &[(&[Transform], f32)], out: &mut [Transform]) -> Result<(), PoseError> {
+        poses.iter().try_for_each(|(pose, _)| self.check(pose.len()))?;
+        self.check(out.len())?;
+        for (bone, (out, rest)) in out.iter_mut().zip(self.skeleton.rest()).enumerate() {
+            let mut sum = BoneSum::ZERO;
+            for (pose, weight) in poses {
+                sum.add(&pose[bone], rest, clamped(*weight), self.method);
+            }
+            let sum = sum.finish(rest, self.method);
+            *out = match self.mask_weight(bone) {
+                1.0 => sum,
+                weight => interpolated(rest, &sum, weight, |a, b| nlerp(a, b, weight)),
+            };
+        }
+        Ok(())
+    }
+
+    fn mask_weight(&self, bone: usize) -> f32 {
+        self.mask.map_or(1.0, |mask| mask.weights()[bone])
+    }
+
+    fn check(&self, len: usize) -> Result<(), PoseError> {
+        self.mask.map_or(Ok(()), |mask| check_length(self.skeleton.len(), mask.weights().len()))?;
+        check_length(self.skeleton.len(), len)
+    }
+}
+
+/// Linear in translation and scale; exact at both ends.
+fn interpolated(a: &Transform, b: &Transform, weight: f32, rotation: impl Fn(Quat, Quat) -> Quat) -> Transform {
+    let lerp = |a: Vec3, b: Vec3| a * (1.0 - weight) + b * weight;
+    Transform {
+        translation: lerp(a.translation, b.translation),
+        rotation: rotation(a.rotation, b.rotation),
+        scale: lerp(a.scale, b.scale),
+    }
+}
+
+/// R·exp((1 − w)·log(R⁻¹·a) + w·log(R⁻¹·b)), with R the rest rotation.
+fn by_logs(rest: Quat, a: Quat, b: Quat, weight: f32) -> Quat {
+    let [a, b] = [a, b].map(|rotation| log(product(rest.conjugate(), rotation)));
+    made_unit(product(rest, exp(a * (1.0 - weight) + b * weight)))
+}
+
+/// The weighted sum of one bone's transforms.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BoneSum {
+    translation: Vec3,
+    scale: Vec3,
+    /// The sum of quaternions in the hemisphere of the rest pose, or of rotation vectors relative to it with w = 0.
+    rotation: Quat,
+    weight: f32,
+}
+
+impl BoneSum {
+    pub(crate) const ZERO: Self =
+        Self { translation: Vec3::ZERO, scale: Vec3::ZERO, rotation: Quat::from_xyzw(0.0, 0.0, 0.0, 0.0), weight: 0.0 };
+
+    pub(crate) fn add(&mut self, transform: &Transform, rest: &Transform, weight: f32, method: Method) {
+        if !(weight > 0.0) {
+            return;
+        }
+        self.translation += transform.translation * weight;
+        self.scale += transform.scale * weight;
+        self.weight += weight;
+        let rotation = match method {
+            Method::Nlerp | Method::Slerp => in_hemisphere(made_unit(transform.rotation), rest.rotation),
+            Method::Log => {
+                let vector = log(product(rest.rotation.conjugate(), transform.rotation));
+                Quat::from_xyzw(vector.x, vector.y, vector.z, 0.0)
+            }
+        };
+        self.rotation += rotation * weight;
+    }
+
+    pub(crate) fn finish(&self, rest: &Transform, method: Method) -> Transform {
+        if !(self.weight > 0.0) {
+            return *rest;
+        }
+        let rotation = match method {
+            Method::Nlerp | Method::Slerp => aim_runtime::rotation::unit(self.rotation).unwrap_or(rest.rotation),
+            Method::Log => {
+                let vector = Vec3::new(self.rotation.x, self.rotation.y, self.rotation.z) / self.weight;
+                made_unit(product(rest.rotation, exp(vector)))
+            }
+        };
+        Transform { translation: self.translation / self.weight, scale: self.scale / self.weight, rotation }
+    }
+}
+
+/// Of the two quaternions of a rotation the one in the hemisphere of another; of half a turn away the one whose first
+/// component that is not zero is positive.
+fn in_hemisphere(rotation: Quat, like: Quat) -> Quat {
+    let side = dot(rotation, like);
+    let is_flipped = if side == 0.0 {
+        rotation.to_array().into_iter().find(|part| *part != 0.0).is_some_and(|part| part < 0.0)
+    } else {
+        side < 0.0
+    };
+    if is_flipped { -rotation } else { rotation }
+}

@@ -1,0 +1,227 @@
+//! [`Skeleton`]: bones with names, parents and a rest pose, parents before their children.
+
+use alloc::string::String;
+use alloc::vec::Vec;
+use core::fmt;
+use core::ops::Range;
+
+use crate::transform::Transform;
+
+/// A bone as it is given to [`Skeleton::new`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bone {
+    /// Its name; several may have the same.
+    pub name: String,
+    /// The index of its parent among the bones given; roots have none.
+    pub parent: Option<usize>,
+    /// Its transform in its parent's space where no clip moves it.
+    pub rest: Transform,
+}
+
+impl Bone {
+    /// A bone at its parent's origin.
+    pub fn new(name: impl Into<String>, parent: Option<usize>) -> Self {
+        Self { name: name.into(), parent, rest: Transform::IDENTITY }
+    }
+
+    /// The same bone with another rest transform.
+    #[must_use]
+    pub fn with_rest(mut self, rest: Transform) -> Self {
+        self.rest = rest;
+        self
+    }
+}
+
+/// Why bones are no skeleton. Indices are those of the bones given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SkeletonError {
+    /// The parent of this bone is no bone.
+    Parent {
+        /// The bone.
+        bone: usize,
+        /// Its parent.
+        parent: usize,
+    },
+    /// This bone is its own ancestor.
+    Cycle(usize),
+    /// The rest transform of this bone is not finite, or its rotation is no unit quaternion.
+    Rest(usize),
+}
+
+impl fmt::Display for SkeletonError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Parent { bone, parent } => {
+                write!(f, "the parent of bone {bone} is bone {parent}, which does not exist")
+            }
+            Self::Cycle(bone) => write!(f, "bone {bone} is its own ancestor; give one bone of the cycle no parent"),
+            Self::Rest(bone) => {
+                write!(f, "the rest transform of bone {bone} is not finite, or its rotation is no unit quaternion")
+            }
+        }
+    }
+}
+
+impl core::error::Error for SkeletonError {}
+
+/// A forest of bones, immutable; one serves all characters of a kind.
+///
+/// Bones may be given in any order. They are sorted once, depth first: parents stand before their children, and a bone
+/// with all that hangs on it is a [range](Self::subtree). **Poses, masks and clips count bones in this order.**
+/// [`bone_of`](Self::bone_of) and [`source_of`](Self::source_of) lead from the order given to this one and back. Bones
+/// that are given depth first keep their indices.
+///
+/// ```
+/// use aim_animation::{Bone, Skeleton};
+///
+/// // A hand that stands before the arm that it hangs on.
+/// let skeleton = Skeleton::new([Bone::new("hand", Some(1)), Bone::new("arm", None)])?;
+/// assert_eq!((skeleton.find("arm"), skeleton.find("hand")), (Some(0), Some(1)));
+/// assert_eq!(skeleton.bone_of(0), Some(1));
+/// # Ok::<(), aim_animation::SkeletonError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Skeleton {
+    names: Vec<String>,
+    parents: Vec<Option<usize>>,
+    /// One past the last bone of each bone's subtree.
+    ends: Vec<usize>,
+    rest: Vec<Transform>,
+    sources: Vec<usize>,
+    bones: Vec<usize>,
+}
+
+impl Skeleton {
+    /// Sorts the bones. Roots and siblings keep their order.
+    ///
+    /// # Errors
+    /// A parent that does not exist, a cycle, or a rest transform that is not finite or has no unit rotation; the first
+    /// that is found.
+    pub fn new(bones: impl IntoIterator<Item = Bone>) -> Result<Self, SkeletonError> {
+        let given: Vec<Bone> = bones.into_iter().collect();
+        for (bone, Bone { parent, rest, .. }) in given.iter().enumerate() {
+            if let Some(parent) = parent.filter(|&parent| parent >= given.len()) {
+                return Err(SkeletonError::Parent { bone, parent });
+            }
+            if !rest.is_sound() {
+                return Err(SkeletonError::Rest(bone));
+            }
+        }
+        let sources = depth_first(&given)?;
+        let mut bones = alloc::vec![0; given.len()];
+        sources.iter().enumerate().for_each(|(bone, &source)| bones[source] = bone);
+        let parents: Vec<Option<usize>> =
+            sources.iter().map(|&source| given[source].parent.map(|parent| bones[parent])).collect();
+        let mut ends: Vec<usize> = (1..=given.len()).collect();
+        for bone in (0..given.len()).rev() {
+            if let Some(parent) = parents[bone] {
+                ends[parent] = ends[parent].max(ends[bone]);
+            }
+        }
+        let rest = sources.iter().map(|&source| given[source].rest).collect();
+        let names = sources.iter().map(|&source| given[source].name.clone()).collect();
+        Ok(Self { names, parents, ends, rest, sources, bones })
+    }
+
+    /// The number of bones.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.parents.len()
+    }
+
+    /// True if there are no bones.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.parents.is_empty()
+    }
+
+    /// Each bone's parent, which stands before it.
+    #[must_use]
+    pub fn parents(&self) -> &[Option<usize>] {
+        &self.parents
+    }
+
+    /// Each bone's transform in its parent's space where no clip moves it.
+    #[must_use]
+    pub fn rest(&self) -> &[Transform] {
+        &self.rest
+    }
+
+    /// The name of a bone; `None` if there is no such bone.
+    #[must_use]
+    pub fn name(&self, bone: usize) -> Option<&str> {
+        self.names.get(bone).map(String::as_str)
+    }
+
+    /// The only bone of this name; `None` if none or several have it.
+    #[must_use]
+    pub fn find(&self, name: &str) -> Option<usize> {
+        let mut named = self.named(name);
+        named.next().filter(|_| named.next().is_none())
+    }
+
+    /// The bones of this name.
+    pub fn named<'a>(&'a self, name: &'a str) -> impl Iterator<Item = usize> + 'a {
+        self.names.iter().enumerate().filter(move |(_, of_bone)| *of_bone == name).map(|(bone, _)| bone)
+    }
+
+    /// The bone that was given as number `source`; `None` if fewer were given.
+    #[must_use]
+    pub fn bone_of(&self, source: usize) -> Option<usize> {
+        self.bones.get(source).copied()
+    }
+
+    /// The number under which a bone was given; `None` if there is no such bone.
+    #[must_use]
+    pub fn source_of(&self, bone: usize) -> Option<usize> {
+        self.sources.get(bone).copied()
+    }
+
+    /// A bone and all that hangs on it; empty if there is no such bone.
+    #[must_use]
+    pub fn subtree(&self, bone: usize) -> Range<usize> {
+        self.ends.get(bone).map_or(0..0, |&end| bone..end)
+    }
+
+    /// A bone and its ancestors, from the bone inward; nothing if there is no such bone.
+    pub fn ancestry(&self, bone: usize) -> impl Iterator<Item = usize> + '_ {
+        core::iter::successors((bone < self.len()).then_some(bone), |&bone| self.parents[bone])
+    }
+}
+
+/// The bones by depth-first search from the roots, without recursion.
+fn depth_first(given: &[Bone]) -> Result<Vec<usize>, SkeletonError> {
+    // The first child and the next sibling of each bone, in their order.
+    let mut first: Vec<Option<usize>> = alloc::vec![None; given.len()];
+    let mut next: Vec<Option<usize>> = alloc::vec![None; given.len()];
+    let mut first_root = None;
+    for (bone, Bone { parent, .. }) in given.iter().enumerate().rev() {
+        let head = parent.map_or(&mut first_root, |parent| &mut first[parent]);
+        next[bone] = head.replace(bone);
+    }
+    let mut order = Vec::with_capacity(given.len());
+    let mut at = first_root;
+    let mut ways_back: Vec<usize> = Vec::new();
+    while let Some(bone) = at {
+        order.push(bone);
+        at = first[bone].or(next[bone]);
+        if first[bone].is_some() {
+            ways_back.push(bone);
+        }
+        while at.is_none()
+            && let Some(parent) = ways_back.pop()
+        {
+            at = next[parent];
+        }
+    }
+    if order.len() == given.len() {
+        return Ok(order);
+    }
+    // What no root reaches hangs on a cycle: up from there, as many steps as there are bones end within it.
+    let mut is_reached = alloc::vec![false; given.len()];
+    order.iter().for_each(|&bone| is_reached[bone] = true);
+    let stray = is_reached.iter().position(|reached| !reached).unwrap_or(0);
+    let in_cycle = (0..given.len()).fold(stray, |bone, _| given[bone].parent.unwrap_or(bone));
+    Err(SkeletonError::Cycle(in_cycle))
+}

@@ -1,0 +1,141 @@
+//! [`Transform`]: a bone's place in its parent's space, by its parts.
+
+use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3, Vec3A};
+use aim_runtime::rotation::{cross, dot, length, nearest_orthogonal, product, turned, unit};
+
+/// A bone's transform in its parent's space: scale first, then rotation, then translation.
+///
+/// The one local transform of this project. What every bone has is here; [skew](crate::SkewedTransform), which next to
+/// none has, is apart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transform {
+    /// The bone's origin, in units of the parent.
+    pub translation: Vec3,
+    /// A unit quaternion.
+    pub rotation: Quat,
+    /// Factors along the bone's own axes: negative where it is mirrored, zero where it is hidden.
+    pub scale: Vec3,
+}
+
+impl Default for Transform {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
+}
+
+impl Transform {
+    /// No translation, no rotation, scale 1.
+    pub const IDENTITY: Self = Self { translation: Vec3::ZERO, rotation: Quat::IDENTITY, scale: Vec3::ONE };
+
+    /// A transform without scale: what most bones have.
+    #[must_use]
+    pub const fn new(translation: Vec3, rotation: Quat) -> Self {
+        Self { translation, rotation, scale: Vec3::ONE }
+    }
+
+    /// A translation alone.
+    #[must_use]
+    pub const fn from_translation(translation: Vec3) -> Self {
+        Self { translation, ..Self::IDENTITY }
+    }
+
+    /// A rotation alone, by a unit quaternion.
+    #[must_use]
+    pub const fn from_rotation(rotation: Quat) -> Self {
+        Self { rotation, ..Self::IDENTITY }
+    }
+
+    /// The affine map from the bone's space to its parent's.
+    #[must_use]
+    #[inline]
+    pub fn to_affine(&self) -> Affine3A {
+        let Mat3A { x_axis, y_axis, z_axis } = Mat3A::from_quat(self.rotation);
+        let Vec3 { x, y, z } = self.scale;
+        let matrix3 = Mat3A::from_cols(x_axis * x, y_axis * y, z_axis * z);
+        Affine3A { matrix3, translation: self.translation.into() }
+    }
+
+    /// The parts of an affine map; `None` if it is not finite.
+    ///
+    /// The scale is the lengths of the columns, the rotation the [nearest](nearest_orthogonal) to them. Skew is lost
+    /// ([`SkewedTransform`](crate::SkewedTransform) keeps it); a mirror becomes one along x. Where one column is zero, the
+    /// rotation follows from the other two; where more are, or where columns are parallel, it is the identity.
+    #[must_use]
+    pub fn from_affine(affine: &Affine3A) -> Option<Self> {
+        if !affine.is_finite() {
+            return None;
+        }
+        let (frame, mirrored, mut scale) = frame_and_scale(&affine.matrix3);
+        if mirrored {
+            scale.x = -scale.x;
+        }
+        let rotation = unit(Quat::from_mat3a(&frame)).unwrap_or(Quat::IDENTITY);
+        scale.is_finite().then_some(Self { translation: affine.translation.into(), rotation, scale })
+    }
+
+    /// True if translation, rotation and scale are finite and the rotation is a unit quaternion to 1e-4.
+    #[must_use]
+    pub fn is_sound(&self) -> bool {
+        let off = dot(self.rotation, self.rotation) - 1.0;
+        self.translation.is_finite() && self.scale.is_finite() && off.abs() < 2e-4
+    }
+
+    /// The rigid transform `self · other`: `other` in the space of `self`. Scales are ignored, and 1 in the result.
+    #[must_use]
+    pub fn rigid_product(&self, other: &Self) -> Self {
+        Self::new(self.translation + self.turned(other.translation), made_unit(product(self.rotation, other.rotation)))
+    }
+
+    /// The inverse of the rigid transform; the scale is ignored, and 1 in the result.
+    #[must_use]
+    pub fn rigid_inverse(&self) -> Self {
+        let rotation = made_unit(self.rotation.conjugate());
+        Self::new(-Self::from_rotation(rotation).turned(self.translation), rotation)
+    }
+
+    /// Turns the bone by a rotation in its own space, as a corrected joint is: `local' = local · rotation`. The scale
+    /// stays, and where it mirrors it mirrors the rotation, too.
+    pub fn turn(&mut self, rotation: Quat) {
+        // Behind a mirror S the turn is S·R·S⁻¹: about the mirrored axis, the other way round.
+        let sign = self.scale.signum();
+        let axis = Vec3::new(rotation.x, rotation.y, rotation.z) * (sign * (sign.x * sign.y * sign.z));
+        let turn = Quat::from_xyzw(axis.x, axis.y, axis.z, rotation.w);
+        self.rotation = made_unit(product(self.rotation, turn));
+    }
+
+    /// A vector turned by the rotation.
+    fn turned(&self, v: Vec3) -> Vec3 {
+        turned(self.rotation, v.into()).into()
+    }
+}
+
+/// The quaternion at length 1; the identity if it has none.
+pub(crate) fn made_unit(rotation: Quat) -> Quat {
+    unit(rotation).unwrap_or(Quat::IDENTITY)
+}
+
+/// A right-handed frame for the columns, whether their x axis had to be mirrored for that, and their lengths.
+fn frame_and_scale(m: &Mat3A) -> (Mat3A, bool, Vec3) {
+    let columns = [m.x_axis, m.y_axis, m.z_axis];
+    let scale = Vec3::from_array(columns.map(length));
+    let Some(mut frame) = nearest_orthogonal(completed(columns)) else { return (Mat3A::IDENTITY, false, scale) };
+    let mirrored = frame.determinant() < 0.0;
+    if mirrored {
+        frame.x_axis = -frame.x_axis;
+    }
+    (frame, mirrored, scale)
+}
+
+/// The columns made unit, and a single one that vanishes square to the others.
+fn completed(columns: [Vec3A; 3]) -> Mat3A {
+    let mut unit = columns.map(|column| {
+        let length = length(column);
+        if length > 0.0 { column / length } else { Vec3A::ZERO }
+    });
+    for i in 0..3 {
+        if unit[i] == Vec3A::ZERO {
+            unit[i] = cross(unit[(i + 1) % 3], unit[(i + 2) % 3]);
+        }
+    }
+    Mat3A::from_cols(unit[0], unit[1], unit[2])
+}

@@ -1,0 +1,8 @@
+//! The animation runtime through its public interface, judged by definitions in f64 (`common`).
+
+mod blending;
+mod common;
+mod poses;
+mod properties;
+mod skeletons;
+mod transforms;

@@ -1,0 +1,157 @@
+//! Rotations and affine transforms with the same bits on every machine, in debug and in release.
+//!
+//! glam's own products, square roots of sums and sines depend on what the machine can do at once; these do not, and the
+//! solvers use nothing else. All are total: no panic, and a unit quaternion wherever one is promised, whatever the bits.
+
+use glam::{Affine3A, Mat3A, Quat, Vec3, Vec3A};
+
+use crate::kinematics::chain;
+use crate::math::trig::{atan2, half_sin_cos_within};
+use crate::math::turn::{self, normalized, part};
+use crate::math::{self, wrap_pi};
+
+/// The product of two unit quaternions: the rotation that turns by `b`, then by `a`. Not made unit again.
+#[must_use]
+#[inline]
+pub fn product(a: Quat, b: Quat) -> Quat {
+    math::product(a, b)
+}
+
+/// The sum of the products of the components.
+#[must_use]
+#[inline]
+pub fn dot(a: Quat, b: Quat) -> f32 {
+    turn::dot(a, b)
+}
+
+/// The quaternion at length 1; `None` if it is zero or not finite.
+#[must_use]
+#[inline]
+pub fn unit(rotation: Quat) -> Option<Quat> {
+    turn::unit(rotation)
+}
+
+/// A vector turned by a unit quaternion.
+#[must_use]
+#[inline]
+pub fn turned(rotation: Quat, v: Vec3A) -> Vec3A {
+    math::turned(rotation, v)
+}
+
+/// The cross product, each product rounded by itself.
+#[must_use]
+#[inline]
+pub fn cross(a: Vec3A, b: Vec3A) -> Vec3A {
+    math::cross(a, b)
+}
+
+/// The length of a vector, without overflow or underflow on the way.
+#[must_use]
+pub fn length(v: Vec3A) -> f32 {
+    math::length(v)
+}
+
+/// The angle of a unit quaternion's rotation, the short way, in 0…π radians.
+#[must_use]
+pub fn angle(rotation: Quat) -> f32 {
+    turn::angle(rotation)
+}
+
+/// Normalised linear interpolation: the shorter way, not at constant speed.
+///
+/// `weight` is clamped to 0…1, NaN counts as 0; a quaternion that is zero or not finite counts as the identity.
+#[must_use]
+pub fn nlerp(a: Quat, b: Quat, weight: f32) -> Quat {
+    let [a, b] = [a, b].map(|rotation| unit(rotation).unwrap_or(Quat::IDENTITY));
+    let weight = clamped(weight);
+    let b = if dot(a, b) < 0.0 { -b } else { b };
+    // Of two in one hemisphere the sum is at least √½ long.
+    normalized(a * (1.0 - weight) + b * weight)
+}
+
+/// Spherical linear interpolation: the shorter way at constant speed. Degenerate input as in [`nlerp`].
+#[must_use]
+pub fn slerp(a: Quat, b: Quat, weight: f32) -> Quat {
+    let [a, b] = [a, b].map(|rotation| unit(rotation).unwrap_or(Quat::IDENTITY));
+    normalized(product(part(normalized(product(b, a.conjugate())), clamped(weight)), a))
+}
+
+/// The rotation vector of a unit quaternion: its axis times its angle, radians, the short way, so no longer than π.
+///
+/// Zero for a quaternion that is zero or not finite.
+#[must_use]
+pub fn log(rotation: Quat) -> Vec3 {
+    let Some(rotation) = unit(rotation) else { return Vec3::ZERO };
+    let rotation = if rotation.w < 0.0 { -rotation } else { rotation };
+    let axis = Vec3A::new(rotation.x, rotation.y, rotation.z);
+    let sin = math::length(axis);
+    // angle / sin(angle / 2), which is 2 at angle 0.
+    let factor = if sin > 1e-9 { 2.0 * atan2(sin, rotation.w) / sin } else { 2.0 };
+    (axis * factor).into()
+}
+
+/// The unit quaternion of a rotation vector: about its direction by its length, radians. The inverse of [`log`].
+///
+/// The identity for a vector that is not finite.
+#[must_use]
+pub fn exp(vector: Vec3) -> Quat {
+    let angle = math::length(vector.into());
+    if !angle.is_finite() {
+        return Quat::IDENTITY;
+    }
+    let (sin, cos) = half_sin_cos_within(wrap_pi(angle));
+    // sin(angle / 2) / angle, which is ½ at angle 0.
+    let axis = if angle > 1e-9 { vector / angle * sin } else { vector * 0.5 };
+    unit(Quat::from_xyzw(axis.x, axis.y, axis.z, cos)).unwrap_or(Quat::IDENTITY)
+}
+
+/// The shortest rotation from one direction to another; about any axis between opposites. Vectors of any length; the
+/// identity if one is zero or not finite.
+#[must_use]
+pub fn shortest(from: Vec3, to: Vec3) -> Quat {
+    let (Some(from), Some(to)) = (math::direction(from.into()), math::direction(to.into())) else {
+        return Quat::IDENTITY;
+    };
+    turn::shortest(from, to)
+}
+
+/// Gram–Schmidt orthonormalisation of the columns, in order x, y, z. Keeps handedness. `None` if the columns are
+/// linearly dependent to 1e-5, or not finite.
+#[must_use]
+pub fn gram_schmidt(m: Mat3A) -> Option<Mat3A> {
+    math::orthonormal(m)
+}
+
+/// The orthogonal matrix nearest to the columns, each made unit first: their polar decomposition, which prefers none of
+/// them. Keeps handedness. `None` as for [`gram_schmidt`].
+#[must_use]
+pub fn nearest_orthogonal(m: Mat3A) -> Option<Mat3A> {
+    math::orthonormal(m)?;
+    let [x, y, z] = [m.x_axis, m.y_axis, m.z_axis].map(math::direction);
+    let mut frame = Mat3A::from_cols(x?, y?, z?);
+    // Newton's iteration F ← (F + F⁻ᵀ) / 2: halves what is stretched, then converges quadratically.
+    for _ in 0..40 {
+        let next = (frame + math::inverse(frame).transpose()) * 0.5;
+        let change = next - frame;
+        let most = change.x_axis.abs().max(change.y_axis.abs()).max(change.z_axis.abs()).max_element();
+        frame = next;
+        if !(most > 3e-7) {
+            break;
+        }
+    }
+    // Leaves rounding only.
+    math::orthonormal(frame)
+}
+
+/// The inverse of an affine transform. `None` if its columns are linearly dependent to 1e-5, or if it is not finite.
+#[must_use]
+pub fn inverse(transform: &Affine3A) -> Option<Affine3A> {
+    math::orthonormal(transform.matrix3)?;
+    let inverse = chain::inverse(transform);
+    inverse.is_finite().then_some(inverse)
+}
+
+/// 0…1; NaN counts as 0.
+fn clamped(weight: f32) -> f32 {
+    weight.max(0.0).min(1.0)
+}
