@@ -13,17 +13,28 @@ extern crate alloc;
 
 mod attach;
 mod blend;
+mod clip;
+mod control;
+mod float;
+mod marks;
 mod mask;
 mod pose;
 mod skeleton;
 mod skew;
+mod step;
+mod track;
 mod transform;
 
 pub use aim_runtime::glam;
 pub use attach::{attached, root_for};
 pub use blend::{Blender, Method};
+pub use clip::{BoneTracks, Clip, Cursor, Event, EventError};
+pub use control::Control;
+pub use marks::{Marks, MarksError, Phase};
 pub use mask::Mask;
 pub use pose::PoseError;
 pub use skeleton::{Bone, Skeleton, SkeletonError};
 pub use skew::{Skew, SkewedTransform};
+pub use step::{Looping, Piece, Step};
+pub use track::{BezierKey, Curve, HermiteKey, Track, TrackError, Value};
 pub use transform::Transform;

@@ -2,7 +2,9 @@
 
 mod blending;
 mod common;
+mod playing;
 mod poses;
 mod properties;
 mod skeletons;
+mod tracks;
 mod transforms;

@@ -1,7 +1,10 @@
 //! No panic, and unit rotations and finite numbers where they are promised, whatever the bits.
 
 use aim_animation::glam::{Affine3A, Quat, Vec3};
-use aim_animation::{Blender, Bone, Method, Skeleton, SkewedTransform, Transform};
+use aim_animation::{
+    BezierKey, Blender, Bone, Clip, Control, HermiteKey, Looping, Marks, Method, Phase, Skeleton, SkewedTransform,
+    Track, Transform,
+};
 use proptest::prelude::*;
 
 fn any_float() -> impl Strategy<Value = f32> {
@@ -73,5 +76,85 @@ proptest! {
         let turned = local[1].rotation;
         prop_assert!(turned.to_array().map(f32::to_bits) == transforms[1].rotation.to_array().map(f32::to_bits)
             || is_unit(turned), "{turned}");
+    }
+}
+
+proptest! {
+    #[test]
+    fn tracks(
+        times in prop::collection::vec(prop_oneof![0.0_f32..4.0, any_float()], 1..6),
+        numbers in prop::collection::vec(any_float(), 60),
+        at in any_float(),
+        key in any::<usize>(),
+        is_sorted in any::<bool>(),
+    ) {
+        let mut times = times;
+        if is_sorted {
+            times.sort_by(f32::total_cmp);
+        }
+        let count = times.len();
+        let scalars = numbers[..count].to_vec();
+        let keys: Vec<HermiteKey<Quat>> = numbers.chunks(12).take(count)
+            .map(|n| HermiteKey { into: Quat::from_slice(n), value: Quat::from_slice(&n[4..]), out: Quat::from_slice(&n[8..]) })
+            .collect();
+        let points: Vec<BezierKey<f32>> = numbers.chunks(3).take(count)
+            .map(|n| BezierKey { before: n[0], value: n[1], after: n[2] })
+            .collect();
+        let made = [
+            Track::step(times.clone(), scalars.clone()),
+            Track::linear(times.clone(), scalars.clone()),
+            Track::catmull_rom(times.clone(), scalars),
+            Track::bezier(times.clone(), &points),
+        ];
+        for track in made.into_iter().flatten() {
+            for track in [track.cut(0.5, at), track.cut(at, 2.0), track.reversed(at), track] {
+                prop_assert!(track.sample_near(at, &mut key.clone()).is_finite(), "{track:?} at {at}");
+                prop_assert!(track.sample(1.0).is_finite() && track.sample(track.end_s()).is_finite(), "{track:?}");
+                prop_assert!(track.times().windows(2).all(|pair| pair[0] <= pair[1]), "{track:?}");
+            }
+        }
+        let rotations: Vec<Quat> = keys.iter().map(|key| key.value).collect();
+        let made = [Track::hermite(times.clone(), &keys), Track::linear(times.clone(), rotations.clone()),
+            Track::catmull_rom(times, rotations)];
+        for track in made.into_iter().flatten() {
+            for track in [track.cut(0.5, at), track.reversed(at), track.resampled(3.0, 2.0), track] {
+                prop_assert!(is_unit(track.sample(at)) && is_unit(track.sample(1.3)), "{track:?} at {at}");
+            }
+        }
+    }
+
+    #[test]
+    fn controls(steps in prop::collection::vec((any_float(), any_float(), any_float()), 1..20), looping in 0_usize..3) {
+        let looping = [Looping::Once, Looping::Repeat, Looping::PingPong][looping];
+        let clip = Clip::new("").with_event(0.0, "").unwrap().with_event(0.5, "").unwrap();
+        let mut control = Control::new().with_looping(looping);
+        for (dt, speed, length) in steps {
+            control.speed = speed;
+            let step = control.advance(dt, length);
+            let end = if length.is_finite() { length.max(0.0) } else { 0.0 };
+            prop_assert!((0.0..=end).contains(&control.time_s()), "{control:?}");
+            prop_assert!(clip.events_passed(&step).take(100).count() <= 100);
+            prop_assert!(step.pieces().take(100).all(|p| p.from_s.is_finite() && p.to_s.is_finite()));
+            if dt > 100.0 {
+                control.seek(dt);
+            }
+        }
+    }
+
+    #[test]
+    fn phases(steps in prop::collection::vec((any_float(), any_float(), any_float()), 1..20), times in prop::collection::vec(any_float(), 1..4)) {
+        let marks = Marks::new(1.5, times);
+        let other = Marks::new(0.7, [0.1]).unwrap();
+        if let Ok(marks) = marks {
+            let mut phase = Phase::new();
+            for (dt, speed, weight) in steps {
+                phase.speed = speed;
+                phase.advance(dt, &[(&marks, weight), (&other, 1.0)]);
+                prop_assert!((0.0..=1.0).contains(&phase.phase()));
+                let step = phase.step(&marks);
+                prop_assert!((0.0..=1.5).contains(&step.from_s()) && (0.0..=1.5).contains(&step.to_s()), "{step:?}");
+                prop_assert!((0.0..1.5).contains(&marks.time_at(speed)) && (0.0..1.0).contains(&marks.phase_at(dt)));
+            }
+        }
     }
 }

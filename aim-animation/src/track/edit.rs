@@ -1,0 +1,127 @@
+//! Tracks made of tracks: resampled, cut, reversed.
+
+use alloc::vec::Vec;
+
+use super::{Curve, Track, Value};
+
+/// The most keys that resampling makes, so that no rate asks for more than memory has.
+const MOST_KEYS: f32 = 4_194_304.0;
+
+impl<T: Value> Track<T> {
+    /// A linear track through samples of this one: `rate_hz` a second from 0 to `length_s`, evenly spaced, the last one at the
+    /// very end. What jumps is a steep line afterwards. Rotations are in one hemisphere from key to key.
+    ///
+    /// A rate or a length that is not positive and finite gives one key, at 0; 2²² keys are made at most.
+    #[must_use]
+    pub fn resampled(&self, rate_hz: f32, length_s: f32) -> Self {
+        let steps = length_s * rate_hz;
+        let steps = if steps > 0.0 && length_s.is_finite() { ceil(steps.min(MOST_KEYS)) } else { 0 };
+        let mut times = Vec::with_capacity(steps + 1);
+        let mut values: Vec<T> = Vec::with_capacity(steps + 1);
+        let mut key = 0;
+        for step in 0..=steps {
+            #[expect(clippy::cast_precision_loss, reason = "at most 2²²")]
+            let time = if step == 0 { 0.0 } else { length_s * (step as f32 / steps as f32) };
+            if times.last().is_some_and(|last| *last >= time) {
+                continue;
+            }
+            let value = self.sample_near(time, &mut key);
+            values.push(values.last().map_or(value, |last| value.near(*last)));
+            times.push(time);
+        }
+        Self { times: times.into(), values, tangents: Vec::new(), curve: Curve::Linear }
+    }
+
+    /// The piece between two times, which then begins at 0: the same curve, with keys where it is cut. Times are clamped to
+    /// those from 0 to the last key; if `from_s` is not before `to_s` the piece is the value at `from_s`.
+    #[must_use]
+    pub fn cut(&self, from_s: f32, to_s: f32) -> Self {
+        let inside = |time: f32| time.max(0.0).min(self.end_s());
+        let (from, to) = (inside(from_s), inside(to_s));
+        let mut piece = Self { times: [].into(), values: Vec::new(), tangents: Vec::new(), curve: self.curve };
+        let mut times = Vec::new();
+        let mut push = |time: f32, value: T, tangents: [T; 2]| {
+            times.push(time - from);
+            piece.values.push(value);
+            if self.curve == Curve::Cubic {
+                piece.tangents.push(tangents);
+            }
+        };
+        let sampled = |time: f32| match self.curve {
+            Curve::Cubic => self.point_and_velocity(time),
+            _ => (self.sample(time), self.values[0].times(0.0)),
+        };
+        let (value, velocity) = sampled(from);
+        push(from, value, [velocity; 2]);
+        for (k, time) in self.times.iter().enumerate().filter(|(_, time)| from < **time && **time < to) {
+            push(*time, self.values[k], self.tangents.get(k).copied().unwrap_or([self.values[k]; 2]));
+        }
+        if from < to {
+            // A jump at the very end belongs to what comes after it: the value on arriving is the last one.
+            let at_end = self.times.partition_point(|time| *time < to);
+            match self.times.get(at_end).filter(|time| **time == to) {
+                Some(_) => {
+                    let into = self.tangents.get(at_end).map_or(self.values[at_end], |tangents| tangents[0]);
+                    push(to, self.values[at_end], [into; 2]);
+                }
+                None => {
+                    let (value, velocity) = sampled(to);
+                    push(to, value, [velocity; 2]);
+                }
+            }
+        }
+        // Times that rounding has brought together would not be a track.
+        let mut last = 0.0;
+        for time in &mut times {
+            *time = f32::max(*time, last);
+            last = *time;
+        }
+        piece.times = times.into();
+        piece.without_crowds()
+    }
+
+    /// The track played backwards from `length_s`, which counts as the last key's time at least.
+    #[must_use]
+    pub fn reversed(&self, length_s: f32) -> Self {
+        let length = length_s.max(self.end_s()).min(f32::MAX);
+        let mut times: Vec<f32> = self.times.iter().rev().map(|time| length - time).collect();
+        let mut values: Vec<T> = self.values.iter().rev().copied().collect();
+        if self.curve == Curve::Step {
+            // A value stays from the next key's time, seen from behind, until its own.
+            times.insert(0, 0.0);
+            times.pop();
+            if times.get(1) == Some(&0.0) {
+                times.remove(0);
+                values.remove(0);
+            }
+        }
+        let tangents = self.tangents.iter().rev().map(|[into, out]| [out.times(-1.0), into.times(-1.0)]).collect();
+        Self { times: times.into(), values, tangents, curve: self.curve }.without_crowds()
+    }
+
+    /// Of more than two keys that rounding has brought to one time the first and the last.
+    fn without_crowds(self) -> Self {
+        let times = &self.times;
+        let is_kept = |k: usize| {
+            let alike = |other: Option<usize>| other.and_then(|k| times.get(k)).is_some_and(|time| *time == times[k]);
+            !(alike(k.checked_sub(1)) && alike(Some(k + 1)))
+        };
+        let kept: Vec<usize> = (0..times.len()).filter(|&k| is_kept(k)).collect();
+        if kept.len() == times.len() {
+            return self;
+        }
+        Self {
+            times: kept.iter().map(|&k| times[k]).collect(),
+            values: kept.iter().map(|&k| self.values[k]).collect(),
+            tangents: kept.iter().filter_map(|&k| self.tangents.get(k).copied()).collect(),
+            curve: self.curve,
+        }
+    }
+}
+
+/// A number of 0 to 2²², rounded up.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "2²² at most")]
+fn ceil(number: f32) -> usize {
+    let whole = number as usize;
+    if (whole as f32) < number { whole + 1 } else { whole }
+}

@@ -1,0 +1,291 @@
+//! [`Track`]: a value over time by keys. `value.rs` says what values are, `key.rs` what cubic keys are, `edit.rs` makes
+//! tracks of tracks, and `error.rs` says which key is wrong.
+
+mod edit;
+mod error;
+mod key;
+mod value;
+
+use alloc::sync::Arc;
+use alloc::vec::Vec;
+
+pub use error::TrackError;
+pub use key::{BezierKey, HermiteKey};
+pub use value::Value;
+
+/// Interpolation between the keys of a track.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Curve {
+    /// A value stays until the next key.
+    Step,
+    /// Straight; rotations the shorter way at constant speed.
+    Linear,
+    /// Cubic Hermite splines; Bézier segments and Catmull-Rom splines are kept as such.
+    Cubic,
+}
+
+/// A value over time: keys at times of their own, in seconds of the clip's local time.
+///
+/// Times do not decrease. Two keys may share a time: there the value jumps, from the first of them to the second. Before the
+/// first key a track has its value, after the last key that one's. Every sample is finite, and rotations are unit, at any time,
+/// NaN included: what a sample needs is checked here, once.
+///
+/// ```
+/// use aim_animation::{Track, TrackError};
+/// use aim_animation::glam::Vec3;
+///
+/// let track = Track::linear([0.0, 1.0, 3.0], [Vec3::ZERO, Vec3::X, Vec3::Y])?;
+/// assert_eq!(track.sample(0.25), Vec3::X * 0.25);
+/// assert_eq!(Track::linear([0.0, 2.0, 1.0], [0.0, 1.0, 2.0]), Err(TrackError::Order(2)));
+/// # Ok::<(), TrackError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Track<T> {
+    times: Arc<[f32]>,
+    values: Vec<T>,
+    /// Velocities on arriving and leaving, of cubic tracks.
+    tangents: Vec<[T; 2]>,
+    curve: Curve,
+}
+
+impl<T: Value> Track<T> {
+    /// The same value at all times.
+    ///
+    /// # Errors
+    /// The value is not finite, or a quaternion without length.
+    pub fn constant(value: T) -> Result<Self, TrackError> {
+        Self::step([0.0], [value])
+    }
+
+    /// Values that stay until the next key.
+    ///
+    /// # Errors
+    /// See [`TrackError`]; the first mistake that is found.
+    pub fn step(times: impl Into<Arc<[f32]>>, values: impl Into<Vec<T>>) -> Result<Self, TrackError> {
+        Self::plain(times.into(), values.into(), Curve::Step)
+    }
+
+    /// Straight lines between values; rotations turn the shorter way at constant speed. Tracks may share their times.
+    ///
+    /// # Errors
+    /// See [`TrackError`]; the first mistake that is found.
+    pub fn linear(times: impl Into<Arc<[f32]>>, values: impl Into<Vec<T>>) -> Result<Self, TrackError> {
+        Self::plain(times.into(), values.into(), Curve::Linear)
+    }
+
+    /// Cubic Hermite splines; `into` of the first key and `out` of the last play no part.
+    ///
+    /// Rotations are interpolated as they are given: neighbours in opposite hemispheres go the longer way.
+    ///
+    /// # Errors
+    /// See [`TrackError`]; the first mistake that is found.
+    pub fn hermite(times: impl Into<Arc<[f32]>>, keys: &[HermiteKey<T>]) -> Result<Self, TrackError> {
+        let values = keys.iter().map(|key| key.value).collect();
+        let tangents = keys.iter().map(|key| [key.into, key.out]).collect();
+        Self::cubic(times.into(), values, tangents)
+    }
+
+    /// Cubic Bézier segments; `before` of the first key and `after` of the last play no part.
+    ///
+    /// # Errors
+    /// See [`TrackError`]; the first mistake that is found.
+    pub fn bezier(times: impl Into<Arc<[f32]>>, keys: &[BezierKey<T>]) -> Result<Self, TrackError> {
+        let times = times.into();
+        check_times(&times, keys.len())?;
+        // The velocity at an end is three times the way to its control point, over the segment's time.
+        let velocity = |from: T, to: T, interval: f32| {
+            let way = to.plus(from.times(-1.0));
+            if interval > 0.0 { way.times(3.0 / interval) } else { way.times(0.0) }
+        };
+        let mut tangents = Vec::with_capacity(keys.len());
+        for (k, key) in keys.iter().enumerate() {
+            let none = key.value.times(0.0);
+            let into = if k == 0 { none } else { velocity(key.before, key.value, times[k] - times[k - 1]) };
+            let out = if k + 1 == keys.len() { none } else { velocity(key.value, key.after, times[k + 1] - times[k]) };
+            tangents.push([into, out]);
+        }
+        Self::cubic(times, keys.iter().map(|key| key.value).collect(), tangents)
+    }
+
+    /// A Catmull-Rom spline through the values, for keys at uneven times: the velocity at a key is that of the parabola
+    /// through it and its neighbours. At the ends, and beside a jump, it is that of the line to the only neighbour.
+    ///
+    /// Rotations go the shorter way from key to key.
+    ///
+    /// # Errors
+    /// See [`TrackError`]; the first mistake that is found.
+    pub fn catmull_rom(times: impl Into<Arc<[f32]>>, values: impl Into<Vec<T>>) -> Result<Self, TrackError> {
+        let Self { times, mut values, .. } = Self::linear(times, values)?;
+        for k in 1..values.len() {
+            values[k] = values[k].near(values[k - 1]);
+        }
+        let slope = |k: usize| values[k + 1].plus(values[k].times(-1.0)).times(1.0 / (times[k + 1] - times[k]));
+        let interval = |k: usize| times[k + 1] - times[k];
+        let tangents = (0..values.len()).map(|k| {
+            let before = k.checked_sub(1).filter(|&k| interval(k) > 0.0);
+            let after = (k + 1 < values.len() && interval(k) > 0.0).then_some(k);
+            let tangent = match (before, after) {
+                (Some(a), Some(b)) => {
+                    let (h_a, h_b) = (interval(a), interval(b));
+                    let sum = h_a + h_b;
+                    slope(a).times(h_b / sum).plus(slope(b).times(h_a / sum))
+                }
+                (Some(only), None) | (None, Some(only)) => slope(only),
+                (None, None) => values[k].times(0.0),
+            };
+            [tangent; 2]
+        });
+        let tangents = tangents.collect();
+        Self::cubic(times, values, tangents)
+    }
+
+    /// Interpolation between the keys.
+    #[must_use]
+    pub fn curve(&self) -> Curve {
+        self.curve
+    }
+
+    /// The times of the keys, seconds.
+    #[must_use]
+    pub fn times(&self) -> &[f32] {
+        &self.times
+    }
+
+    /// The values of the keys. Rotations are unit, but where a cubic track was [cut](Self::cut).
+    #[must_use]
+    pub fn values(&self) -> &[T] {
+        &self.values
+    }
+
+    /// The velocities of the keys of a cubic track, on arriving and on leaving, a second; else none.
+    #[must_use]
+    pub fn tangents(&self) -> &[[T; 2]] {
+        &self.tangents
+    }
+
+    /// The time of the last key, seconds.
+    #[must_use]
+    pub fn end_s(&self) -> f32 {
+        self.times.last().copied().unwrap_or_default()
+    }
+
+    /// The value at a time; NaN counts as before the first key.
+    #[must_use]
+    pub fn sample(&self, time_s: f32) -> T {
+        self.sample_near(time_s, &mut 0)
+    }
+
+    /// The value at a time, with the key that was found last time: a hint, which may be any number and only saves the
+    /// search. The result is that of [`sample`](Self::sample).
+    #[inline]
+    pub fn sample_near(&self, time_s: f32, key: &mut usize) -> T {
+        *key = self.key_before(time_s, *key);
+        let k = *key;
+        let value = self.values[k];
+        // Before the first key, after the last, and at NaN.
+        if !(time_s > self.times[k]) || k + 1 == self.values.len() || self.curve == Curve::Step {
+            // Where a cubic track was cut a rotation need not be unit.
+            return if self.curve == Curve::Cubic { value.value(value) } else { value };
+        }
+        let part = (time_s - self.times[k]) / (self.times[k + 1] - self.times[k]);
+        if self.curve == Curve::Linear {
+            return value.linear(self.values[k + 1], part);
+        }
+        hermite(self.segment(k), part).value(value)
+    }
+
+    /// Value and velocity of a cubic track before rotations are made unit; outside the keys it does not move.
+    fn point_and_velocity(&self, time_s: f32) -> (T, T) {
+        let k = self.key_before(time_s, 0);
+        if k + 1 == self.values.len() || !(time_s >= self.times[k]) {
+            return (self.values[k], self.values[k].times(0.0));
+        }
+        let interval = self.times[k + 1] - self.times[k];
+        let u = (time_s - self.times[k]) / interval;
+        let [a, out, b, into] = self.segment(k);
+        let way = b.plus(a.times(-1.0)).times(6.0 * u * (1.0 - u));
+        let velocity = way.plus(out.times(1.0 - u * (4.0 - 3.0 * u))).plus(into.times(u * (3.0 * u - 2.0)));
+        (hermite([a, out, b, into], u), velocity.times(1.0 / interval))
+    }
+
+    /// The segment after key `k` of a cubic track: value and tangent there and at the next key, by the parameter 0…1.
+    fn segment(&self, k: usize) -> [T; 4] {
+        let interval = self.times[k + 1] - self.times[k];
+        let [out, into] = [self.tangents[k][1], self.tangents[k + 1][0]].map(|tangent| tangent.times(interval));
+        [self.values[k], out, self.values[k + 1], into]
+    }
+
+    /// The last key that is not after a time; the first if there is none.
+    #[inline]
+    fn key_before(&self, time_s: f32, hint: usize) -> usize {
+        let times = &self.times[..];
+        let is_at = |k: usize| times[k] <= time_s && times.get(k + 1).is_none_or(|next| time_s < *next);
+        // Played forward, the key is the last one found or the next.
+        if hint < times.len() && times[hint] <= time_s {
+            if is_at(hint) {
+                return hint;
+            } else if is_at(hint + 1) {
+                return hint + 1;
+            }
+        }
+        times.partition_point(|time| *time <= time_s).saturating_sub(1)
+    }
+
+    fn plain(times: Arc<[f32]>, mut values: Vec<T>, curve: Curve) -> Result<Self, TrackError> {
+        check_times(&times, values.len())?;
+        for (k, value) in values.iter_mut().enumerate() {
+            *value = value.key().ok_or(TrackError::Value(k))?.0;
+        }
+        Ok(Self { times, values, tangents: Vec::new(), curve })
+    }
+
+    fn cubic(times: Arc<[f32]>, mut values: Vec<T>, mut tangents: Vec<[T; 2]>) -> Result<Self, TrackError> {
+        check_times(&times, values.len())?;
+        let last = values.len() - 1;
+        for (k, value) in values.iter_mut().enumerate() {
+            let (checked, factor) = value.key().ok_or(TrackError::Value(k))?;
+            *value = checked;
+            // What plays no part is 0.
+            let intervals = [
+                k.checked_sub(1).map_or(0.0, |before| times[k] - times[before]),
+                if k < last { times[k + 1] - times[k] } else { 0.0 },
+            ];
+            for (tangent, interval) in tangents[k].iter_mut().zip(intervals) {
+                *tangent = if interval > 0.0 { tangent.times(factor) } else { value.times(0.0) };
+                // As it is added up by samples, and as it stands.
+                if !(tangent.times(interval).bounded() && tangent.times(1e-12).bounded()) {
+                    return Err(TrackError::Tangent(k));
+                }
+            }
+        }
+        Ok(Self { times, values, tangents, curve: Curve::Cubic })
+    }
+}
+
+/// The cubic from `a` to `b` with the velocities `out` and `into` there, by the parameter 0…1.
+fn hermite<T: Value>([a, out, b, into]: [T; 4], u: f32) -> T {
+    let v = 1.0 - u;
+    // H₀ = v²(1 + 2u), H₁ = u·v², H₂ = u²(1 + 2v), H₃ = −u²·v.
+    let ends = a.times(v * v * (1.0 + 2.0 * u)).plus(b.times(u * u * (1.0 + 2.0 * v)));
+    ends.plus(out.times(u * v * v)).plus(into.times(-u * u * v))
+}
+
+fn check_times(times: &[f32], values: usize) -> Result<(), TrackError> {
+    if times.len() != values {
+        return Err(TrackError::Lengths { times: times.len(), values });
+    }
+    if times.is_empty() {
+        return Err(TrackError::Empty);
+    }
+    for (k, time) in times.iter().enumerate() {
+        if !(time.is_finite() && *time >= 0.0) {
+            return Err(TrackError::Time(k));
+        }
+        let before = |by: usize| k.checked_sub(by).map(|k| times[k]);
+        if before(1).is_some_and(|before| before > *time) || before(2).is_some_and(|before| before >= *time) {
+            return Err(TrackError::Order(k));
+        }
+    }
+    Ok(())
+}

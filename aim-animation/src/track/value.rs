@@ -1,0 +1,115 @@
+//! [`Value`]: what a track may move.
+
+use core::fmt::Debug;
+
+use aim_runtime::glam::{Quat, Vec3};
+use aim_runtime::rotation::{dot, slerp, unit};
+
+/// No number of a track is larger, so that no interpolation overflows.
+const MOST: f32 = 1e15;
+
+/// A value that tracks move: a scalar, a vector or a rotation. Sealed.
+pub trait Value: Copy + Debug + PartialEq + sealed::Arithmetic {}
+
+impl Value for f32 {}
+impl Value for Vec3 {}
+impl Value for Quat {}
+
+pub(super) mod sealed {
+    /// Arithmetic of values; rotations as four numbers.
+    #[expect(unnameable_types, reason = "sealed: nobody else implements it")]
+    pub trait Arithmetic: Sized {
+        /// The value of a key, and the factor that brought it there; `None` if it is none.
+        fn key(self) -> Option<(Self, f32)>;
+        /// True if every number is finite and small enough to be added up.
+        fn bounded(self) -> bool;
+        fn times(self, factor: f32) -> Self;
+        fn plus(self, other: Self) -> Self;
+        /// Of its forms the one nearer to another: quaternions in one hemisphere.
+        fn near(self, other: Self) -> Self;
+        /// From `self` at 0 to `other` at 1, straight, rotations the shorter way at constant speed.
+        fn linear(self, other: Self, part: f32) -> Self;
+        /// A result of sums made a value again: rotations unit, `fallback` where that is not possible.
+        fn value(self, fallback: Self) -> Self;
+    }
+}
+
+macro_rules! linear_value {
+    ($of:ty, $numbers:expr) => {
+        impl sealed::Arithmetic for $of {
+            fn key(self) -> Option<(Self, f32)> {
+                self.bounded().then_some((self, 1.0))
+            }
+            fn bounded(self) -> bool {
+                let numbers = $numbers;
+                numbers(self).iter().all(|number: &f32| number.abs() <= MOST)
+            }
+            fn times(self, factor: f32) -> Self {
+                self * factor
+            }
+            fn plus(self, other: Self) -> Self {
+                self + other
+            }
+            fn near(self, _: Self) -> Self {
+                self
+            }
+            fn linear(self, other: Self, part: f32) -> Self {
+                self * (1.0 - part) + other * part
+            }
+            fn value(self, _: Self) -> Self {
+                self
+            }
+        }
+    };
+}
+
+linear_value!(f32, |number: f32| [number]);
+linear_value!(Vec3, |vector: Vec3| vector.to_array());
+
+impl sealed::Arithmetic for Quat {
+    fn key(self) -> Option<(Self, f32)> {
+        let unit = unit(self)?;
+        // 1 for what is unit already, to the last digit or two.
+        let factor = dot(unit, self) / dot(self, self);
+        (self.bounded() && factor.is_finite()).then_some((unit, factor))
+    }
+
+    fn bounded(self) -> bool {
+        self.to_array().iter().all(|number| number.abs() <= MOST)
+    }
+
+    fn times(self, factor: f32) -> Self {
+        self * factor
+    }
+
+    fn plus(self, other: Self) -> Self {
+        self + other
+    }
+
+    fn near(self, other: Self) -> Self {
+        if dot(self, other) < 0.0 { -self } else { self }
+    }
+
+    fn linear(self, other: Self, part: f32) -> Self {
+        let other = other.near(self);
+        let chord = other - self;
+        let square = dot(chord, chord);
+        if !(square < 0.02) {
+            return slerp(self, other, part);
+        }
+        // Weights sin(p·θ) / sin θ by their series: keys are seldom far apart. θ = 2 asin(chord / 2) < 0.15.
+        let square = square * (1.0 + square * (1.0 / 12.0 + square * (1.0 / 90.0)));
+        let series = |part: f32| {
+            let square = part * part * square;
+            part * (1.0 - square * (1.0 / 6.0 - square * (1.0 / 120.0)))
+        };
+        let whole = 1.0 / series(1.0);
+        let sum = self * (series(1.0 - part) * whole) + other * (series(part) * whole);
+        // Unit but for rounding: one step of Newton's iteration for the root.
+        sum * (1.5 - 0.5 * dot(sum, sum))
+    }
+
+    fn value(self, fallback: Self) -> Self {
+        unit(self).unwrap_or(fallback)
+    }
+}

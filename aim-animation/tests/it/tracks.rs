@@ -1,0 +1,293 @@
+use aim_animation::glam::{DQuat, Quat, Vec3};
+use aim_animation::{BezierKey, Curve, HermiteKey, Track, TrackError};
+
+use crate::common::{Rng, angle_between};
+
+/// Times that increase, with unequal steps.
+fn times(rng: &mut Rng, count: usize) -> Vec<f32> {
+    let mut time = rng.between(0.0, 0.5);
+    let step = |_| {
+        time += rng.between(0.05, 1.0);
+        time
+    };
+    (0..count).map(step).collect()
+}
+
+/// The segment of a time, by a walk through all keys: the key before it and the part of the way to the next.
+fn segment(times: &[f32], time: f32) -> Option<(usize, f64)> {
+    let k = (0..times.len() - 1).rfind(|&k| times[k] <= time && time < times[k + 1])?;
+    let [from, to, at] = [times[k], times[k + 1], time].map(f64::from);
+    Some((k, (at - from) / (to - from)))
+}
+
+#[test]
+fn scalars_step_by_step_and_straight() {
+    let mut rng = Rng(1);
+    for case in 0..300 {
+        let times = times(&mut rng, 1 + case % 7);
+        let values: Vec<f32> = times.iter().map(|_| rng.between(-5.0, 5.0)).collect();
+        let step = Track::step(times.clone(), values.clone()).unwrap();
+        let linear = Track::linear(times.clone(), values.clone()).unwrap();
+        assert_eq!(
+            (step.curve(), linear.curve(), linear.end_s()),
+            (Curve::Step, Curve::Linear, *times.last().unwrap())
+        );
+        for _ in 0..50 {
+            let time = rng.between(-1.0, 8.0);
+            match segment(&times, time) {
+                Some((k, u)) => {
+                    assert_eq!(step.sample(time), values[k]);
+                    let truth = f64::from(values[k]) + (f64::from(values[k + 1]) - f64::from(values[k])) * u;
+                    assert!((f64::from(linear.sample(time)) - truth).abs() < 2e-6);
+                }
+                None => {
+                    let held = if time < times[0] { values[0] } else { *values.last().unwrap() };
+                    assert_eq!((step.sample(time), linear.sample(time)), (held, held));
+                }
+            }
+        }
+        for (time, value) in times.iter().zip(&values) {
+            assert_eq!((step.sample(*time), linear.sample(*time)), (*value, *value));
+        }
+        assert_eq!(linear.sample(f32::NAN), values[0]);
+        assert_eq!(linear.sample(f32::INFINITY), *values.last().unwrap());
+    }
+}
+
+/// Great circles in f64, near keys and far apart.
+#[test]
+fn rotations_turn_at_constant_speed() {
+    let mut rng = Rng(2);
+    for case in 0..3000 {
+        let from = rng.rotation();
+        let most = if case % 2 == 0 { 0.1 } else { 1.5 };
+        let to = Quat::from_scaled_axis(rng.vector(most)) * from;
+        let to = if case % 3 == 0 { -to } else { to };
+        let track = Track::linear([0.0, 1.0], [from, to]).unwrap();
+        let u = rng.between(0.0, 1.0);
+        let found = track.sample(u);
+        let truth = from.as_dquat().normalize().slerp(to.as_dquat().normalize(), f64::from(u));
+        assert!(angle_between(found, truth) < 1e-6, "{from} {to} {u}: {found} {truth}");
+        assert!((found.length() - 1.0).abs() < 3e-7);
+    }
+}
+
+/// A cubic through its own f64 Bernstein form; Hermite keys of the same curve give the same.
+#[test]
+fn bezier_and_hermite() {
+    let mut rng = Rng(3);
+    for _ in 0..300 {
+        let times = times(&mut rng, 4);
+        let keys: Vec<BezierKey<Vec3>> = times
+            .iter()
+            .map(|_| BezierKey { before: rng.vector(2.0), value: rng.vector(2.0), after: rng.vector(2.0) })
+            .collect();
+        let bezier = Track::bezier(times.clone(), &keys).unwrap();
+        let hermite: Vec<HermiteKey<Vec3>> = (0..4)
+            .map(|k| {
+                let tangent = |way: Vec3, from: usize| way * 3.0 / (times[from + 1] - times[from]);
+                let into = if k > 0 { tangent(keys[k].value - keys[k].before, k - 1) } else { Vec3::NAN };
+                let out = if k < 3 { tangent(keys[k].after - keys[k].value, k) } else { Vec3::INFINITY };
+                HermiteKey { into, value: keys[k].value, out }
+            })
+            .collect();
+        let hermite = Track::hermite(times.clone(), &hermite).unwrap();
+        for _ in 0..50 {
+            let time = rng.between(times[0], times[3]);
+            let Some((k, t)) = segment(&times, time) else { continue };
+            let [f1, t1, t2, f2] =
+                [keys[k].value, keys[k].after, keys[k + 1].before, keys[k + 1].value].map(|point| point.as_dvec3());
+            let s = 1.0 - t;
+            let truth = f1 * (s * s * s) + t1 * (3.0 * t * s * s) + t2 * (3.0 * t * t * s) + f2 * (t * t * t);
+            assert!(bezier.sample(time).as_dvec3().distance(truth) < 5e-6);
+            assert!(hermite.sample(time).as_dvec3().distance(truth) < 5e-6);
+        }
+    }
+    // A mirrored control point: the curve goes straight through at one speed.
+    let key = BezierKey::mirrored(1.0_f32, 1.5);
+    let track = Track::bezier([0.0, 1.0, 2.0], &[BezierKey { before: 0.0, value: 0.0, after: 0.0 }, key, key]).unwrap();
+    assert_eq!((key.before, track.tangents()[1]), (0.5, [1.5, 1.5]));
+}
+
+/// The pyramid of Barry and Goldman in f64, with the times as knots.
+#[test]
+fn catmull_rom() {
+    let mut rng = Rng(4);
+    for _ in 0..300 {
+        let times = times(&mut rng, 6);
+        let values: Vec<f32> = times.iter().map(|_| rng.between(-3.0, 3.0)).collect();
+        let track = Track::catmull_rom(times.clone(), values.clone()).unwrap();
+        for _ in 0..50 {
+            let time = rng.between(times[1], times[4]);
+            let Some((k, _)) = segment(&times, time) else { continue };
+            let knots: [f64; 4] = core::array::from_fn(|i| f64::from(times[k - 1 + i]));
+            let points: [f64; 4] = core::array::from_fn(|i| f64::from(values[k - 1 + i]));
+            let t = f64::from(time);
+            let between = |(a, t_a): (f64, f64), (b, t_b): (f64, f64)| ((t_b - t) * a + (t - t_a) * b) / (t_b - t_a);
+            let a: [f64; 3] = core::array::from_fn(|i| between((points[i], knots[i]), (points[i + 1], knots[i + 1])));
+            let b: [f64; 2] = core::array::from_fn(|i| between((a[i], knots[i]), (a[i + 1], knots[i + 2])));
+            let truth = between((b[0], knots[1]), (b[1], knots[2]));
+            assert!((f64::from(track.sample(time)) - truth).abs() < 2e-5, "{} {truth}", track.sample(time));
+        }
+        for (time, value) in times.iter().zip(&values) {
+            assert_eq!(track.sample(*time), *value, "it passes its keys");
+        }
+    }
+    // A jump is kept, and nothing is smoothed across it.
+    let jump = Track::catmull_rom([0.0, 1.0, 1.0, 2.0], [0.0, 1.0, 5.0, 6.0]).unwrap();
+    assert_eq!([0.5, 1.0, 1.5].map(|time| jump.sample(time)), [0.5, 5.0, 5.5]);
+}
+
+/// Rotations about one axis at even angles are passed at constant speed, whichever quaternions they are given by.
+#[test]
+fn cubic_rotations() {
+    let rotations = [0.0, 0.2, 0.4, 0.6].map(Quat::from_rotation_y);
+    let given = [rotations[0], -rotations[1], rotations[2], -rotations[3]];
+    let track = Track::catmull_rom([0.0, 1.0, 2.0, 3.0], given).unwrap();
+    for step in 0..=30_u8 {
+        let time = f32::from(step) * 0.1;
+        let truth = DQuat::from_rotation_y(f64::from(time) * 0.2);
+        assert!(angle_between(track.sample(time), truth) < 2e-4, "{time}");
+        assert!((track.sample(time).length() - 1.0).abs() < 1e-6);
+    }
+    // By components, as glTF has it, made unit at the end.
+    let mut rng = Rng(5);
+    for _ in 0..500 {
+        let keys =
+            [0; 2].map(|_| HermiteKey { into: rng.rotation() * 2.0, value: rng.rotation(), out: rng.rotation() * 2.0 });
+        let track = Track::hermite([1.0, 3.0], &keys).unwrap();
+        let u = f64::from(rng.between(0.0, 1.0));
+        let [a, out, b, into] = [keys[0].value, keys[0].out, keys[1].value, keys[1].into].map(|q| q.as_dquat());
+        let (uu, uuu) = (u * u, u * u * u);
+        let sum = a * (2.0 * uuu - 3.0 * uu + 1.0)
+            + out * (2.0 * (uuu - 2.0 * uu + u))
+            + b * (3.0 * uu - 2.0 * uuu)
+            + into * (2.0 * (uuu - uu));
+        #[expect(clippy::cast_possible_truncation, reason = "rounding is meant")]
+        let found = track.sample((1.0 + 2.0 * u) as f32);
+        if sum.length() > 0.1 {
+            assert!(angle_between(found, sum) < 2e-5, "{found} {sum}");
+        }
+    }
+}
+
+#[test]
+fn breaks() {
+    let track = Track::linear([0.0, 1.0, 1.0, 2.0], [0.0, 1.0, -3.0, -4.0]).unwrap();
+    assert_eq!([0.5, 0.75, 1.0, 1.5].map(|time| track.sample(time)), [0.5, 0.75, -3.0, -3.5]);
+    let at_end = Track::step([0.0, 2.0, 2.0], [1.0, 2.0, 3.0]).unwrap();
+    assert_eq!([1.9, 2.0, 2.1].map(|time| at_end.sample(time)), [1.0, 3.0, 3.0]);
+}
+
+/// Any cursor, and any order of times, gives what a search gives.
+#[test]
+fn cursors_change_nothing() {
+    let mut rng = Rng(6);
+    for case in 0..200 {
+        let times = times(&mut rng, 1 + case % 9);
+        let values: Vec<Vec3> = times.iter().map(|_| rng.vector(2.0)).collect();
+        let track = Track::catmull_rom(times, values).unwrap();
+        let (mut key, mut time) = (rng.below(20), 0.0);
+        for _ in 0..200 {
+            time = if rng.below(10) == 0 { rng.between(-1.0, 9.0) } else { time + rng.between(-0.05, 0.2) };
+            assert_eq!(track.sample_near(time, &mut key), track.sample(time));
+        }
+    }
+}
+
+#[test]
+fn what_is_no_track() {
+    use TrackError as E;
+    let linear = |times: &[f32], values: &[f32]| Track::linear(times, values).map(|_| ());
+    assert_eq!(linear(&[], &[]), Err(E::Empty));
+    assert_eq!(linear(&[0.0], &[1.0, 2.0]), Err(E::Lengths { times: 1, values: 2 }));
+    for bad in [-0.5, f32::NAN, f32::INFINITY] {
+        assert_eq!(linear(&[0.0, bad], &[1.0, 2.0]), Err(E::Time(1)));
+    }
+    assert_eq!(linear(&[0.0, 2.0, 1.0], &[0.0; 3]), Err(E::Order(2)));
+    assert_eq!(linear(&[0.0, 1.0, 1.0, 1.0], &[0.0; 4]), Err(E::Order(3)));
+    for bad in [f32::NAN, f32::NEG_INFINITY, 1e16] {
+        assert_eq!(linear(&[0.0, 1.0, 2.0], &[1.0, 2.0, bad]), Err(E::Value(2)));
+    }
+    let none = Quat::from_xyzw(0.0, 0.0, 0.0, 0.0);
+    assert_eq!(Track::constant(none), Err(E::Value(0)));
+    let key = |tangent: f32| HermiteKey::smooth(1.0, tangent);
+    assert_eq!(Track::hermite([0.0, 1.0], &[key(0.0), key(f32::NAN)]), Err(E::Tangent(1)));
+    assert_eq!(Track::hermite([0.0, 1.0], &[key(1e20), key(0.0)]), Err(E::Tangent(0)));
+    let bezier = BezierKey { before: 0.0, value: 0.0, after: f32::NAN };
+    assert_eq!(Track::bezier([0.0, 1.0], &[bezier, bezier]), Err(E::Tangent(0)));
+    assert_eq!(Track::bezier([0.0], &[bezier, bezier]), Err(E::Lengths { times: 1, values: 2 }));
+    // Nearly unit is made unit; what plays no part is not looked at.
+    let loose = Track::constant(Quat::from_xyzw(0.0, 3.0, 0.0, 4.0)).unwrap();
+    assert!((loose.sample(0.0) - Quat::from_xyzw(0.0, 0.6, 0.0, 0.8)).length() < 1e-6);
+    assert!(Track::bezier([0.0], &[bezier]).is_ok());
+    assert!(E::Order(3).to_string().contains("key 3") && E::Value(4).to_string().contains("key 4"));
+}
+
+/// Resampled often enough it is the same; the last sample is at the end.
+#[test]
+fn resampled() {
+    let mut rng = Rng(7);
+    let times = times(&mut rng, 6);
+    let values: Vec<Quat> = times.iter().map(|_| rng.rotation()).collect();
+    let track = Track::catmull_rom(times, values).unwrap();
+    let dense = track.resampled(1000.0, track.end_s());
+    assert_eq!((dense.curve(), dense.end_s()), (Curve::Linear, track.end_s()));
+    assert!(dense.values().windows(2).all(|pair| pair[0].dot(pair[1]) > 0.0));
+    for _ in 0..2000 {
+        let time = rng.between(0.0, track.end_s());
+        assert!(angle_between(dense.sample(time), track.sample(time).as_dquat()) < 1e-4);
+    }
+    assert_eq!(track.resampled(10.0, 0.35).times(), [0.0, 0.0875, 0.175, 0.2625, 0.35]);
+    for (rate, length) in [(0.0, 1.0), (f32::NAN, 1.0), (30.0, -1.0), (30.0, f32::INFINITY), (30.0, f32::NAN)] {
+        assert_eq!(track.resampled(rate, length).times(), [0.0]);
+    }
+    assert!(track.resampled(f32::INFINITY, 1.0).times().len() > 1_000_000);
+}
+
+/// A piece is the same curve from its beginning on, reversed tracks are the same from behind.
+#[test]
+fn cut_and_reversed() {
+    let mut rng = Rng(8);
+    for case in 0..400 {
+        let times = times(&mut rng, 2 + case % 6);
+        let scalars: Vec<f32> = times.iter().map(|_| rng.between(-2.0, 2.0)).collect();
+        let rotations: Vec<Quat> = times.iter().map(|_| rng.rotation()).collect();
+        let end = *times.last().unwrap();
+        let scalar = match case % 3 {
+            0 => Track::step(times.clone(), scalars),
+            1 => Track::linear(times.clone(), scalars),
+            _ => Track::catmull_rom(times.clone(), scalars),
+        };
+        let scalar = scalar.unwrap();
+        let rotation = Track::catmull_rom(times.clone(), rotations).unwrap();
+        let from = if case % 5 == 0 { times[1] } else { rng.between(0.0, end) };
+        let to = if case % 7 == 0 { end } else { rng.between(from, end) };
+        let (piece, turned) = (scalar.cut(from, to), rotation.cut(from, to));
+        assert!((piece.end_s() - (to - from)).abs() < 1e-6);
+        let length = end + rng.between(0.0, 1.0);
+        let (back, turned_back) = (scalar.reversed(length), rotation.reversed(length));
+        for _ in 0..40 {
+            let time = rng.between(0.0, to - from);
+            // A step may come an ulp earlier or later.
+            let is_near_key = |time: f32| times.iter().any(|key| (key - time).abs() < 1e-5);
+            if !is_near_key(from + time) {
+                assert!((piece.sample(time) - scalar.sample(from + time)).abs() < 2e-5, "case {case}");
+            }
+            assert!(angle_between(turned.sample(time), rotation.sample(from + time).as_dquat()) < 3e-5);
+            let time = rng.between(0.0, length);
+            if !is_near_key(time) {
+                assert!((back.sample(length - time) - scalar.sample(time)).abs() < 2e-5, "case {case}");
+            }
+            assert!(angle_between(turned_back.sample(length - time), rotation.sample(time).as_dquat()) < 3e-5);
+        }
+    }
+    let track = Track::linear([1.0, 2.0], [1.0, 2.0]).unwrap();
+    for (from, to, value) in [(1.5, 1.5, 1.5), (1.7, 1.2, 1.7), (f32::NAN, f32::NAN, 1.0), (9.0, 9.9, 2.0)] {
+        let piece = track.cut(from, to);
+        assert_eq!((piece.times(), piece.sample(3.0)), (&[0.0][..], value));
+    }
+    // A jump that lies where the piece ends belongs to what comes after it.
+    let jump = Track::linear([0.0, 1.0, 1.0], [0.0, 1.0, 9.0]).unwrap();
+    assert_eq!(jump.cut(0.0, 1.0).values(), [0.0, 1.0]);
+}
