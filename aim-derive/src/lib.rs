@@ -118,6 +118,8 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// | option | meaning |
 /// |---|---|
 /// | `wrt(p, h)` | the arguments to differentiate by; needed |
+/// | `wrt(tangent(q), p)` | `q` is a rotation or a transform, and derivatives by it are on its manifold: see below |
+/// | `perturbation = left` | the side of these derivatives; `right` by default |
 /// | `budget = 46` | more operations than that in the gradient or Jacobian are a compile error that tells the counts (additions, multiplications, divisions and roots) |
 /// | `budget(operations = 46, selects = 2, calls = 4)` | the same for each kind; `selects` are the comparisons and selects of `if`, `min`, `abs` and guards, two an `if` of one comparison between numbers, `calls` the sines and other functions; any may be left out |
 /// | `hessian`, `jvp`, `vjp`, `hvp`, `gauss_newton` | these companions, too: products cost a few times what the function does, however many variables there are |
@@ -138,11 +140,11 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// | functions | those of the module, methods and operators that it implements for its structs, functions inside of the function, closures | recursion, closures that change what is outside |
 /// | whole numbers | `+ - * / %`, comparisons, `as` to numbers; of arguments no `/` and `%` | |
 ///
-/// - `Rigid` and `Affine3A` count as **rigid**, a rotation and a translation: the derivation relies on it. There are no
-///   derivatives by them.
-/// - A `Quat` that is not in `wrt` counts as of length 1. One that is in `wrt` is four numbers: its derivatives are those
-///   of glam's own formula, off the unit sphere too.
-/// - A `Mat3` is any matrix.
+/// - `Rigid` and `Affine3A` count as **rigid**, a rotation and a translation: the derivation relies on it. Derivatives by
+///   them are by their tangents.
+/// - A `Quat` that is not in `wrt`, or there as `tangent(q)`, counts as of length 1. One that is there as `q` is four
+///   numbers: its derivatives are those of glam's own formula, off the unit sphere too.
+/// - A `Mat3` is any matrix, unless it is in `wrt` as `tangent(m)`.
 /// - Derivatives by a struct are a struct of the same type.
 ///
 /// Of the methods of numbers and of glam's types there are
@@ -158,6 +160,31 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// - of transforms, and of `Mat4` alike, `project_point3` too: `from_rotation_translation`, `transform_point3`, `transform_vector3`, `inverse`, …
 ///
 /// Anything else is a compile error where it stands, with what to write instead.
+///
+/// # Variables on their manifold
+///
+/// The numbers of a rotation depend on each other; an optimiser that moves them one by one leaves the rotations. With
+/// `wrt(tangent(q))` derivatives are by the tangent vector δ of a small further turn instead, at δ = 0, where q is q ⊕ δ:
+///
+/// | type | tangent | q ⊕ δ | with `perturbation = left` |
+/// |---|---|---|---|
+/// | `Quat`, and `Mat3` as a rotation | `Vec3`: a rotation vector ω | q · exp(ω), in the rotation's own frame | exp(ω) · q, in the frame that it leads to |
+/// | `Rigid`, `Affine3A` | `(Vec3, Vec3)`: ω and a shift ρ | R · exp(ω), t + R ρ | exp(ω) · R, exp(ω) t + ρ |
+/// | arrays, tuples | of their elements' tangents | each by itself | |
+/// | structs | a tuple of their fields' tangents | each by itself | |
+///
+/// ```ignore
+/// #[differentiate(wrt(tangent(turn), shift), gauss_newton)]
+/// fn off(turn: Quat, shift: Vec3, point: Vec3, normal: Vec3) -> f32 {
+///     normal.dot(turn * point + shift)
+/// }
+///
+/// let (value, (by_turn, by_shift)) = off_gradient(turn, shift, point, normal); // two `Vec3`
+/// let turn = (turn * Quat::from_scaled_axis(-0.1 * by_turn)).normalize(); // a step downhill
+/// ```
+///
+/// It is one rule, ∂(R v) = R (ω × v), not the algebra of four or nine numbers: three numbers cost less than four. All companions are by the
+/// tangent, Hessians too: δ counts to the second order.
 ///
 /// # Where there is no derivative
 ///

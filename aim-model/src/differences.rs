@@ -13,6 +13,8 @@ pub enum Draw {
     Truth,
     /// Four numbers of length 1.
     Quaternion,
+    /// 0: a component of a step on a manifold.
+    Zero,
     /// A rotation's nine numbers and a translation's three.
     Rigid,
 }
@@ -107,6 +109,7 @@ impl Random {
                 numbers[0] = least + (2.0 - least) * self.next();
                 1
             }
+            Draw::Zero => 1,
             Draw::Integer => {
                 let drawn = 4.0 * self.next();
                 numbers[0] = [0.0, 1.0, 2.0, 3.0].into_iter().rfind(|&number| number <= drawn).unwrap_or(0.0);

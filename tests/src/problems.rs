@@ -55,6 +55,7 @@ pub fn all() -> Vec<Problem> {
         chain_aim("aim in a general frame", 105, &[general()], general()),
         chain_aim("aim of a general effector", 60, &[CARDINAL], general()),
         residual(),
+        points_on_planes(),
     ]
 }
 
@@ -341,6 +342,22 @@ fn projected_distance() -> Problem {
         let direction = g.normalize(v);
         let by = components(g, v).to_vec();
         (vec![g.dot(direction, v)], by)
+    })
+}
+
+/// Distances of turned points from planes, by the tangent of the quaternion that turns them.
+fn points_on_planes() -> Problem {
+    Problem::new("points on planes", 82, |g| {
+        let (u, w, step) = (g.vector_input("q"), g.input("q_w"), g.step());
+        let (still, turn) = (g.quaternion(u, w), g.turn_by_step(step));
+        let rotation = g.compose(still, turn);
+        let distance = |g: &mut Graph, i: usize| {
+            let [point, normal] = ["p", "n"].map(|name| g.vector_input(&format!("{name}{i}")));
+            let turned = g.rotate(rotation, point);
+            g.dot(normal, turned)
+        };
+        let distances = vec![distance(g, 0), distance(g, 1)];
+        (distances, components(g, step).to_vec())
     })
 }
 

@@ -1,17 +1,17 @@
 //! The function's signature: its arguments as inputs of the graph, and its result.
 
-use std::rc::Rc;
-
-use aim_symbolic::{Graph, Scalar, Vector};
+use aim_symbolic::{Graph, Scalar};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use syn::{FnArg, Pat, ReturnType, Signature};
 
 use super::companion::{Companion, Takes};
+use super::inputs::Inputs;
 use super::items::Items;
-use super::lower::{Affine, Algebra, Condition, Map, Quaternion, Struct, Value};
+use super::lower::{Algebra, Value};
+use super::manifold::Varies;
 use super::messages;
-use super::options::Options;
+use super::options::{Options, Variable};
 use super::types::{Precision, Shape, Type};
 use crate::declare::parse::tokens::word_of;
 use crate::declare::report::Report;
@@ -28,6 +28,9 @@ pub(super) struct Argument {
     pub(super) ty: Type,
     /// Its place among the variables, if it is one.
     pub(super) variable: Option<usize>,
+    pub(super) varies: Varies,
+    /// What derivatives by it are: numbers like its own, or of its tangent.
+    pub(super) slope: Type,
 }
 
 /// What is known of a signature.
@@ -67,8 +70,13 @@ impl Arguments {
             match known {
                 Some(ty) => {
                     let variable = name.as_ref().and_then(|name| place_among(options.wrt.as_deref(), name));
-                    let pattern = (*typed.pat).clone();
-                    list.push(Argument { name, called, pattern, ty, variable });
+                    let varies = variable.map_or(Varies::Nothing, |(_, variable)| options.varies(variable));
+                    let slope = match varies {
+                        Varies::Tangent(_) => ty.tangent(options.krate.as_ref().unwrap_or(&TokenStream::new())),
+                        _ => ty.owned(),
+                    };
+                    let (variable, pattern) = (variable.map(|(place, _)| place), (*typed.pat).clone());
+                    list.push(Argument { name, called, pattern, ty, variable, varies, slope });
                 }
                 None => faulty.extend(name),
             }
@@ -123,13 +131,16 @@ impl Arguments {
         let names: Vec<String> =
             self.list.iter().filter_map(|argument| Some(word_of(argument.name.as_ref()?).text)).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        for word in wrt {
+        for Variable { name: word, tangent } in wrt {
             let found = self.list.iter().find(|argument| argument.name.as_ref().is_some_and(|name| is(name, word)));
             match found {
                 None if self.faulty.iter().any(|name| is(name, word)) => {}
                 None => report.error(&word.place, messages::unknown_variable(&word.text, &names)),
                 Some(argument) => {
-                    if let Some(text) = argument.ty.no_variable(&word.text) {
+                    let text = argument.ty.no_variable(&word.text, *tangent);
+                    let of_plain = || messages::no_tangent(&word.text);
+                    let plain = *tangent && !argument.ty.has_rotation();
+                    if let Some(text) = text.or_else(|| plain.then(of_plain)) {
                         report.error(&word.place, text);
                     }
                 }
@@ -145,19 +156,14 @@ impl Arguments {
             let first = declared.inputs.len();
             argument.ty.numbers(&argument.called, precision, &mut declared.inputs);
             let named = argument.name.as_ref().map_or_else(String::new, |name| word_of(name).text);
-            let inputs: Vec<Scalar> = (0..declared.inputs.len() - first)
-                .map(|index| {
-                    let input = a.g.input(&format!("{named}_{index}"));
-                    if argument.variable.is_some() {
-                        a.differentiate_by(input);
-                    }
-                    input
-                })
-                .collect();
-            let value = value(a, &argument.ty, &mut inputs.iter().copied(), argument.variable.is_some());
-            declared.values.push(value);
+            let numbers = (0..declared.inputs.len() - first).map(|index| a.g.input(&format!("{named}_{index}")));
+            let numbers: Vec<Scalar> = numbers.collect();
+            let mut inputs = Inputs::new(a, numbers, argument.varies);
+            declared.values.push(inputs.value(&argument.ty));
+            let by = inputs.variables;
+            by.iter().for_each(|&variable| a.differentiate_by(variable));
             if let Some(place) = argument.variable {
-                variables.push((place, inputs));
+                variables.push((place, by));
             }
         }
         variables.sort_by_key(|(place, _)| *place);
@@ -179,7 +185,7 @@ impl Arguments {
             Takes::Nothing => Vec::new(),
             Takes::Direction => {
                 let variables = self.variables().into_iter();
-                let named = variables.filter_map(|variable| Some((variable.name.as_ref()?, &variable.ty)));
+                let named = variables.filter_map(|variable| Some((variable.name.as_ref()?, &variable.slope)));
                 named.map(|(name, ty)| (format_ident!("along_{}", word_of(name).text), ty.owned())).collect()
             }
             Takes::Weights => self.result.iter().map(|ty| (format_ident!("weights"), ty.owned())).collect(),
@@ -202,54 +208,10 @@ impl Arguments {
 pub(super) struct Declared {
     /// Their values.
     pub(super) values: Vec<Value>,
-    /// The inputs of each variable, in the order of `wrt`.
+    /// The inputs of each variable, or its steps' components, in the order of `wrt`.
     pub(super) variables: Vec<Vec<Scalar>>,
     /// What each input is called in emitted code.
     pub(super) inputs: Vec<TokenStream>,
-}
-
-/// The value that these numbers make. A transform is rigid, a quaternion that is no variable has length 1; a matrix is
-/// any matrix.
-fn value(a: &mut Algebra, ty: &Type, from: &mut dyn Iterator<Item = Scalar>, varies: bool) -> Value {
-    let mut parts = |types: &[&Type]| -> Vec<Value> { types.iter().map(|ty| value(a, ty, from, varies)).collect() };
-    match &ty.shape {
-        Shape::Array(element, length) => return Value::Array(parts(&vec![&**element; *length])),
-        Shape::Tuple(types) => return Value::Tuple(parts(&types.iter().collect::<Vec<_>>())),
-        Shape::Struct(name, fields, _) => {
-            let values = parts(&fields.iter().map(|(_, ty)| ty).collect::<Vec<_>>());
-            let names = fields.iter().map(|(member, _)| member.to_token_stream().to_string());
-            return Value::Struct(Rc::new(Struct { name: name.clone(), fields: names.zip(values).collect() }));
-        }
-        _ => {}
-    }
-    let numbers: Vec<Scalar> = from.take(ty.components()).collect();
-    let column = |a: &mut Algebra, numbers: &[Scalar]| -> Vector { a.vector([numbers[0], numbers[1], numbers[2]]) };
-    match ty.shape {
-        Shape::Truth => {
-            let zero = a.number(0.0);
-            Value::Truth(Condition::Less(zero, numbers[0]))
-        }
-        Shape::Integer => Value::Integer(numbers[0]),
-        Shape::Planar => {
-            let zero = a.number(0.0);
-            Value::Planar(a.vector([numbers[0], numbers[1], zero]))
-        }
-        Shape::Vector => Value::Vector(column(a, &numbers)),
-        Shape::Four => Value::Four(core::array::from_fn(|i| numbers[i])),
-        Shape::Quaternion => {
-            let (u, w) = (column(a, &numbers), numbers[3]);
-            Value::Quaternion(if varies { Quaternion::from_parts(u, w) } else { Quaternion::unit(a, u, w) })
-        }
-        Shape::Matrix => Value::Matrix(Map::Columns([0, 3, 6].map(|k| column(a, &numbers[k..])))),
-        Shape::Square(count) => Value::Square(numbers.chunks(count).map(<[Scalar]>::to_vec).collect()),
-        Shape::Rigid => {
-            // glam's columns are the images of the axes, and so are the graph's rows.
-            let rows: [Scalar; 9] = core::array::from_fn(|i| numbers[i]);
-            let map = Map::Rotation(a.g.matrix(rows));
-            Value::Affine(Affine { map, translation: column(a, &numbers[9..]) })
-        }
-        _ => Value::Scalar(numbers[0]),
-    }
 }
 
 /// What an argument that is taken apart is called in emitted code.
@@ -261,8 +223,8 @@ fn is(name: &Ident, word: &Word) -> bool {
     word_of(name).text == word.text
 }
 
-fn place_among(wrt: Option<&[Word]>, name: &Ident) -> Option<usize> {
-    wrt?.iter().position(|word| is(name, word))
+fn place_among<'w>(wrt: Option<&'w [Variable]>, name: &Ident) -> Option<(usize, &'w Variable)> {
+    wrt?.iter().enumerate().find(|(_, variable)| is(name, &variable.name))
 }
 
 fn known_type(ty: &syn::Type, items: &Items, report: &mut Report) -> Option<Type> {

@@ -5,7 +5,8 @@ use quote::{format_ident, quote};
 
 use super::companion::Companion;
 use super::emit::Companions;
-use super::types::{Shape, Type};
+use super::manifold::{Side, Varies};
+use super::types::{Precision, Shape, Type};
 
 impl Companions<'_> {
     /// The test, for a function whose companion returns derivatives; `None` without a result.
@@ -15,20 +16,17 @@ impl Companions<'_> {
         let suffix = self.arguments.suffix(Companion::First)?;
         let (name, test) =
             (format_ident!("{function}_{suffix}"), format_ident!("{function}_{suffix}_agrees_with_differences"));
-        let (mut draws, mut made, mut variables) = (Vec::new(), Vec::new(), Vec::new());
-        let mut count = 0;
+        let precision = self.arguments.precision();
+        let (mut points, mut made, mut variables) = (Points::new(precision, krate), Vec::new(), Vec::new());
         for argument in &self.arguments.list {
-            let first = count;
-            let value = self.made(&argument.ty, argument.variable.is_some(), &mut count, &mut draws);
+            let value = argument.ty.assemble(&mut |leaf| points.made(leaf, argument.varies));
             made.push(if argument.ty.borrowed { quote!(&#value) } else { value });
-            if let Some(place) = argument.variable {
-                variables.push((place, first..count));
-            }
+            variables.extend(argument.variable.map(|place| (place, core::mem::take(&mut points.moved))));
         }
+        let Points { draws, count, .. } = points;
         variables.sort_by_key(|(place, _)| *place);
         let places = variables.into_iter().flat_map(|(_, places)| places).map(Literal::usize_unsuffixed);
         let places: Vec<Literal> = places.collect();
-        let precision = self.arguments.precision();
         let single = precision.name() == "f32";
         let numbers = |ty: &Type, place: &TokenStream| {
             let mut numbers = Vec::new();
@@ -64,33 +62,6 @@ impl Companions<'_> {
         })
     }
 
-    /// An argument of numbers that are drawn: `at[0]` and so on.
-    fn made(&self, ty: &Type, varies: bool, count: &mut usize, draws: &mut Vec<TokenStream>) -> TokenStream {
-        let number = format_ident!("{}", self.arguments.precision().name());
-        let mut parts = Vec::new();
-        ty.leaves(&mut |leaf: &Type| {
-            let (draw, size) = match leaf.shape {
-                Shape::Truth => (quote!(Truth), 1),
-                Shape::Integer => (quote!(Integer), 1),
-                Shape::Quaternion if !varies => (quote!(Quaternion), 1),
-                Shape::Rigid => (quote!(Rigid), 1),
-                _ => (quote!(Number), leaf.components()),
-            };
-            draws.extend(vec![draw; size]);
-            for _ in 0..leaf.components() {
-                let place = Literal::usize_unsuffixed(*count);
-                *count += 1;
-                let original = &leaf.tokens;
-                parts.push(match leaf.shape {
-                    Shape::Truth => quote!((at[#place] > 0.0)),
-                    Shape::Integer => quote!((at[#place] as #original)),
-                    _ => quote!((at[#place] as ::core::primitive::#number)),
-                });
-            }
-        });
-        ty.build(&parts)
-    }
-
     /// By each number of the variables, the derivatives of all numbers of the result.
     fn slopes(&self, result: &Type) -> Vec<TokenStream> {
         let size = result.components();
@@ -103,9 +74,9 @@ impl Companions<'_> {
         let mut slopes = Vec::new();
         for (index, variable) in self.arguments.variables().into_iter().enumerate() {
             let index = Literal::usize_unsuffixed(index);
-            let (of_it, ty) = (quote!(slopes.#index), variable.ty.owned());
+            let (of_it, ty) = (quote!(slopes.#index), &variable.slope);
             let columns: Vec<Vec<TokenStream>> = match (&result.shape, &ty.shape) {
-                (Shape::Scalar, _) => numbers(&ty, &of_it).into_iter().map(|number| vec![number]).collect(),
+                (Shape::Scalar, _) => numbers(ty, &of_it).into_iter().map(|number| vec![number]).collect(),
                 (Shape::Planar | Shape::Vector | Shape::Four, Shape::Scalar) => vec![numbers(result, &of_it)],
                 (Shape::Vector, Shape::Vector) => {
                     let columns =
@@ -117,7 +88,7 @@ impl Companions<'_> {
                     columns.map(|k| numbers(result, &quote!(#of_it[#k]))).collect()
                 }
                 _ => {
-                    let rows = (0..size).map(Literal::usize_unsuffixed).map(|k| numbers(&ty, &quote!(#of_it[#k])));
+                    let rows = (0..size).map(Literal::usize_unsuffixed).map(|k| numbers(ty, &quote!(#of_it[#k])));
                     let rows: Vec<Vec<TokenStream>> = rows.collect();
                     (0..ty.components()).map(|k| rows.iter().map(|row| row[k].clone()).collect()).collect()
                 }
@@ -126,5 +97,89 @@ impl Companions<'_> {
             slopes.extend(columns);
         }
         slopes
+    }
+}
+
+/// The numbers of the points that a function is judged at, `at[0]` and so on.
+struct Points<'a> {
+    precision: Precision,
+    krate: &'a TokenStream,
+    /// How many there are.
+    count: usize,
+    /// How they are drawn.
+    draws: Vec<TokenStream>,
+    /// Those that derivatives are by, of the argument that is being made.
+    moved: Vec<usize>,
+}
+
+impl<'a> Points<'a> {
+    fn new(precision: Precision, krate: &'a TokenStream) -> Self {
+        Self { precision, krate, count: 0, draws: Vec::new(), moved: Vec::new() }
+    }
+
+    /// The next numbers: as many as there are of their type's.
+    fn next(&mut self, size: usize) -> Vec<TokenStream> {
+        let (first, number) = (self.count, format_ident!("{}", self.precision.name()));
+        self.count += size;
+        let places = (first..self.count).map(Literal::usize_unsuffixed);
+        places.map(|place| quote!((at[#place] as ::core::primitive::#number))).collect()
+    }
+
+    /// A value of a type that is not made of others.
+    fn made(&mut self, leaf: &Type, varies: Varies) -> TokenStream {
+        if let Varies::Tangent(side) = varies
+            && leaf.has_rotation()
+        {
+            return self.moved(leaf, side);
+        }
+        let (first, size) = (self.count, leaf.components());
+        let original = &leaf.tokens;
+        let still = varies == Varies::Nothing;
+        let (draw, draws) = match leaf.shape {
+            Shape::Truth => (quote!(Truth), 1),
+            Shape::Integer => (quote!(Integer), 1),
+            Shape::Quaternion if still => (quote!(Quaternion), 1),
+            Shape::Rigid => (quote!(Rigid), 1),
+            _ => (quote!(Number), size),
+        };
+        self.draws.extend(vec![draw; draws]);
+        let numbers = self.next(size);
+        if !still {
+            self.moved.extend(first..self.count);
+        }
+        let place = Literal::usize_unsuffixed(first);
+        match leaf.shape {
+            Shape::Truth => quote!((at[#place] > 0.0)),
+            Shape::Integer => quote!((at[#place] as #original)),
+            _ => leaf.build(&numbers),
+        }
+    }
+
+    /// A rotation or a transform, moved on its manifold by numbers that are 0.
+    fn moved(&mut self, leaf: &Type, side: Side) -> TokenStream {
+        let ty = &leaf.tokens;
+        let double = self.precision == Precision::Double;
+        let glam = |name: &str| leaf.neighbour(&if double { format!("D{name}") } else { name.to_owned() }, self.krate);
+        let (quat, vec3) = (glam("Quat"), glam("Vec3"));
+        let is_rigid = matches!(leaf.shape, Shape::Rigid);
+        self.draws.push(if is_rigid { quote!(Rigid) } else { quote!(Quaternion) });
+        let drawn = self.next(if is_rigid { 12 } else { 4 });
+        let first = self.count;
+        let steps = self.next(if is_rigid { 6 } else { 3 });
+        self.draws.extend(vec![quote!(Zero); steps.len()]);
+        self.moved.extend(first..self.count);
+        let (turn, shift) = steps.split_at(3);
+        let turn = quote!(<#quat>::from_scaled_axis(<#vec3>::new(#(#turn),*)));
+        let (still, step) = match leaf.shape {
+            Shape::Rigid => {
+                let shift = quote!(<#vec3>::new(#(#shift),*));
+                (leaf.build(&drawn), quote!(<#ty>::from_rotation_translation(#turn, #shift)))
+            }
+            Shape::Matrix => {
+                (quote!(<#ty>::from_quat(<#quat>::from_xyzw(#(#drawn),*))), quote!(<#ty>::from_quat(#turn)))
+            }
+            _ => (leaf.build(&drawn), turn),
+        };
+        if side == Side::Left { quote!((#step * #still)) } else { quote!((#still * #step)) }
     }
 }

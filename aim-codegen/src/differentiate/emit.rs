@@ -5,8 +5,9 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::{Attribute, FnArg, ItemFn, Pat};
 
-use super::arguments::{Arguments, pattern_argument};
+use super::arguments::{Argument, Arguments, pattern_argument};
 use super::companion::{Companion, Derived};
+use super::manifold::Varies;
 use super::types::{Shape, Type};
 use crate::emit::body::{Arithmetic, Body, counted};
 
@@ -56,7 +57,7 @@ impl Companions<'_> {
         outputs: &[TokenStream],
     ) -> (TokenStream, TokenStream) {
         let (original, size) = (&result.tokens, result.components());
-        let count: usize = self.arguments.variables().iter().map(|variable| variable.ty.components()).sum();
+        let count: usize = self.arguments.variables().iter().map(|variable| variable.slope.components()).sum();
         let rest = outputs.get(size..).unwrap_or_default();
         let value = outputs.get(..size).map_or_else(TokenStream::new, |numbers| result.build(numbers));
         let matrix = |numbers: &[TokenStream]| {
@@ -93,7 +94,7 @@ impl Companions<'_> {
             rest = after;
             (variable.tokens.clone(), variable.build(numbers))
         };
-        self.arguments.variables().into_iter().map(|variable| &variable.ty).map(by).unzip()
+        self.arguments.variables().into_iter().map(|variable| &variable.slope).map(by).unzip()
     }
 
     /// The types and the values of the derivatives by each variable: the numbers by each of its components.
@@ -130,13 +131,18 @@ impl Companions<'_> {
                 }
             }
         };
-        self.arguments.variables().into_iter().map(|variable| &variable.ty).map(by).unzip()
+        self.arguments.variables().into_iter().map(|variable| &variable.slope).map(by).unzip()
     }
 
     fn doc(&self, companion: Companion, suffix: &str, program: Option<&Program>) -> String {
         let function = self.item.sig.ident.to_string();
-        let names = self.arguments.variables().into_iter().filter_map(|variable| variable.name.as_ref());
-        let names = names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+        let name = |variable: &Argument| {
+            let name = variable.name.as_ref()?;
+            let tangent = matches!(variable.varies, Varies::Tangent(_));
+            Some(if tangent { format!("the tangent of `{name}`") } else { format!("`{name}`") })
+        };
+        let names: Vec<String> = self.arguments.variables().into_iter().filter_map(name).collect();
+        let names = names.join(", ");
         let count = program.map(|program| format!(" {}.", counted(program.count()))).unwrap_or_default();
         let words = match companion {
             Companion::First if suffix == "jacobian" => format!("The value of `{function}` and its Jacobian"),

@@ -6,6 +6,7 @@ use syn::{Attribute, Item, ItemFn, Meta};
 use super::arguments::{Argument, Arguments};
 use super::companion::{Companion, Derived};
 use super::items::Items;
+use super::manifold::Varies;
 use super::options::Options;
 use super::types::{Shape, Type};
 use super::{is_ours, messages};
@@ -194,7 +195,8 @@ impl Outputs<'_> {
     fn variables(&self) -> String {
         let variable = |argument: &&Argument| {
             let name = argument.name.as_ref().map(ToString::to_string).unwrap_or_default();
-            format!("{name} ({})", argument.ty.components())
+            let tangent = if matches!(argument.varies, Varies::Tangent(_)) { "the tangent of " } else { "" };
+            format!("{tangent}{name} ({})", argument.slope.components())
         };
         self.variables.iter().map(variable).collect::<Vec<_>>().join(", ")
     }

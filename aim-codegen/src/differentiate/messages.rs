@@ -37,7 +37,15 @@ messages! {
 
     rigid_variable(name: &str) =>
         "`{name}` is a rigid transform: there are no derivatives by its numbers",
-        "its numbers depend on each other; differentiate by angles, a vector or a quaternion that it is made of";
+        "its numbers depend on each other; differentiate by its rotation and its translation together: `wrt(tangent({name}))`";
+
+    no_tangent(name: &str) =>
+        "there is no rotation in `{name}`: its numbers are its tangent",
+        "write `{name}` alone";
+
+    no_tangents() =>
+        "`perturbation` is a side of tangents, and `wrt` has none",
+        "name rotations and transforms as in `wrt(tangent(q))`, or leave it out";
 
     over_budget(most: usize, words: &str, key: &str, needed: usize, count: Count)
         where allowed = format!("{} = {needed}", if key == "operations" { "budget" } else { key }) =>

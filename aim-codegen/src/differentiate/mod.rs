@@ -2,7 +2,7 @@
 //! function there that has the attribute itself, and that may use what else the module defines ([`items`]).
 //!
 //! 1. [`options`] reads the attribute's arguments, [`arguments`] the function's: the numbers of each argument become
-//!    inputs of a graph.
+//!    inputs of a graph ([`inputs`]), and rotations that derivatives are taken by get steps there ([`manifold`]).
 //! 2. [`lower`] runs the body, statement by statement, and builds its value there. What is a rotation stays one.
 //! 3. The graph is differentiated and compiled as the objectives of rigs are.
 //! 4. [`emit`] writes the programs as functions of the same arguments.
@@ -15,8 +15,10 @@ mod check;
 mod companion;
 mod emit;
 pub(crate) mod file;
+mod inputs;
 mod items;
 mod lower;
+mod manifold;
 mod messages;
 mod options;
 mod types;
@@ -26,7 +28,7 @@ mod tests;
 
 use aim_symbolic::{Program, Scalar};
 use proc_macro2::TokenStream;
-use quote::{ToTokens, format_ident, quote};
+use quote::{ToTokens, quote};
 use syn::{Item, ItemFn};
 
 use self::arguments::{Arguments, Declared};
@@ -43,8 +45,8 @@ use crate::declare::tree::Notation;
 pub fn differentiate(attribute: TokenStream, item: TokenStream, facade: &str) -> TokenStream {
     let mut report = Report::new(Notation::Rust);
     if let Ok(function) = syn::parse2::<ItemFn>(item.clone()) {
-        let options = Options::parse(attribute, &mut report);
-        let companions = companions(&function, &options, &Items::default(), facade, &mut report);
+        let options = Options::parse(attribute, &mut report).beside(facade);
+        let companions = companions(&function, &options, &Items::default(), &mut report);
         let errors = report.into_compile_error();
         return quote! {
             #[allow(dead_code, reason = "its derivatives may be all that is used")]
@@ -94,8 +96,8 @@ fn module(
             expanded.extend(quote!(#item));
             continue;
         };
-        let options = Options::parse(attribute, report).within(of_module);
-        let companions = companions(function, &options, &known, facade, report);
+        let options = Options::parse(attribute, report).within(of_module).beside(facade);
+        let companions = companions(function, &options, &known, report);
         expanded.extend(quote! {
             #[allow(dead_code, reason = "its derivatives may be all that is used")]
             #function
@@ -131,13 +133,10 @@ fn is_ours(attribute: &syn::Attribute) -> bool {
 }
 
 /// The functions beside a function.
-fn companions(function: &ItemFn, options: &Options, items: &Items, facade: &str, report: &mut Report) -> TokenStream {
+fn companions(function: &ItemFn, options: &Options, items: &Items, report: &mut Report) -> TokenStream {
     let arguments = Arguments::check(&function.sig, options, items, report);
     let derived = Derived::all(function, options, &arguments, items, report);
-    let krate = options.krate.clone().unwrap_or_else(|| {
-        let facade = format_ident!("{facade}");
-        quote!(::#facade)
-    });
+    let krate = options.krate.clone().unwrap_or_default();
     let companions = Companions { item: function, arguments: &arguments, krate: &krate };
     // Where `self` or a type is in the way, a stub would only be another error.
     if !arguments.faulty.is_empty() || function.sig.receiver().is_some() {

@@ -1,23 +1,27 @@
 //! The attribute's own arguments: `wrt(…)`, `budget = …`, `hessian` and its like, `crate = …`.
 
 use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
 
 use super::budget::Budget;
 use super::companion::Companion;
+use super::manifold::{Side, Varies};
 use super::messages;
 use crate::declare::Place;
 use crate::declare::check::keys::Key;
-use crate::declare::check::read;
+use crate::declare::check::read::{self, FoundWord};
 use crate::declare::check::settings::{Level, Setting, Settings};
 use crate::declare::parse::tokens::entries;
 use crate::declare::report::Report;
 use crate::declare::report::expected::Expected;
-use crate::declare::tree::{Kind, Word};
+use crate::declare::tree::{Entry, Item, Kind, Value, Word};
 
 /// What the attribute asks for.
 pub(super) struct Options {
-    /// The names of the variables, each once; `None` where `wrt` is missing.
-    pub(super) wrt: Option<Vec<Word>>,
+    /// The variables, each once; `None` where `wrt` is missing.
+    pub(super) wrt: Option<Vec<Variable>>,
+    /// The side of rotations that tangents are on.
+    side: Side,
     pub(super) budget: Option<Budget>,
     /// Further companions, and where they are asked for.
     pub(super) companions: Vec<(Companion, Place)>,
@@ -26,8 +30,16 @@ pub(super) struct Options {
     pub(super) krate: Option<TokenStream>,
 }
 
+/// A variable as the attribute names it.
+pub(super) struct Variable {
+    pub(super) name: Word,
+    /// Whether derivatives are by its tangent.
+    pub(super) tangent: bool,
+}
+
 const KEYS: &[Key] = &[
     ("wrt", Expected::ARGUMENTS),
+    ("perturbation", Expected::SIDE),
     ("budget", Expected::OPERATIONS),
     ("hessian", Expected::PRESENCE),
     ("jvp", Expected::PRESENCE),
@@ -49,6 +61,7 @@ impl Options {
         let krate = settings.read_value("crate", report, read::path);
         Self {
             wrt: None,
+            side: Side::default(),
             budget: None,
             companions: Vec::new(),
             check: settings.read_value("check", report, check),
@@ -62,11 +75,32 @@ impl Options {
         Self { check: self.check.or_else(|| module.check.clone()), krate, ..self }
     }
 
+    /// Where no crate is named, it is `facade`.
+    pub(super) fn beside(self, facade: &str) -> Self {
+        let facade = format_ident!("{facade}");
+        Self { krate: self.krate.or_else(|| Some(quote!(::#facade))), ..self }
+    }
+
+    /// What of a variable derivatives are taken by.
+    pub(super) fn varies(&self, variable: &Variable) -> Varies {
+        if variable.tangent { Varies::Tangent(self.side) } else { Varies::Numbers }
+    }
+
     pub(super) fn parse(attribute: TokenStream, report: &mut Report) -> Self {
         let entries = entries(attribute);
         let settings = Settings::read(&entries, KEYS, Level::Options, report);
         let wrt = settings.get("wrt").map(|setting| variables(report, setting));
+        let side = settings.get("perturbation");
+        if let (Some(side), Some(wrt)) = (side, &wrt)
+            && !wrt.iter().any(|variable| variable.tangent)
+        {
+            report.error(side.place(), messages::no_tangents());
+        }
+        let is_left = settings.read_value("perturbation", report, |report, setting| {
+            read::is_first_of(report, setting, ["left", "right"])
+        });
         Self {
+            side: if is_left == Some(true) { Side::Left } else { Side::Right },
             wrt: wrt.or_else(|| settings.has("wrt").then(Vec::new)),
             budget: settings.read_value("budget", report, Budget::read),
             companions: Companion::OPTIONAL
@@ -79,12 +113,23 @@ impl Options {
     }
 }
 
-fn variables(report: &mut Report, wrt: Setting<'_>) -> Vec<Word> {
-    if matches!(&wrt.value.kind, Kind::Table(entries) if entries.is_empty()) {
+/// What stands around the names of variables whose tangents are meant.
+const TANGENT: &str = "tangent";
+
+fn variables(report: &mut Report, wrt: Setting<'_>) -> Vec<Variable> {
+    let names_none = |entry: &Entry| match entry {
+        Entry::Item(Item { value: Value { kind: Kind::Table(inner), .. }, .. }) => inner.is_empty(),
+        _ => false,
+    };
+    if matches!(&wrt.value.kind, Kind::Table(entries) if entries.iter().all(names_none)) {
         report.error(wrt.place(), messages::wrt_empty());
     }
-    let words = read::words(report, wrt, "arguments");
-    words.into_iter().map(|(text, place)| Word { text: text.to_owned(), place: place.clone() }).collect()
+    let words = read::wrapped_words(report, wrt, "arguments", TANGENT);
+    let variable = |FoundWord { text, place, wrapped }: FoundWord<'_>| Variable {
+        name: Word { text: text.to_owned(), place: place.clone() },
+        tangent: wrapped,
+    };
+    words.into_iter().map(variable).collect()
 }
 
 fn presence(report: &mut Report, setting: Setting<'_>) -> Option<Place> {

@@ -158,8 +158,13 @@ impl Type {
     }
 
     fn of_parts(written: &syn::Type, shape: Shape, precision: Option<Precision>) -> Result<Self, Fault> {
-        let ty = Self { shape, precision, tokens: quote!(#written), module: TokenStream::new(), borrowed: false };
+        let ty = Self::made(quote!(#written), shape, precision);
         if ty.components() > LONGEST { Err((quote!(#written), messages::too_many_numbers(LONGEST))) } else { Ok(ty) }
+    }
+
+    /// A type that is not the user's own.
+    pub(super) fn made(tokens: TokenStream, shape: Shape, precision: Option<Precision>) -> Self {
+        Self { shape, precision, tokens, module: TokenStream::new(), borrowed: false }
     }
 
     /// A number type in it that is not this one.
@@ -173,14 +178,14 @@ impl Type {
     }
 
     /// Why there are no derivatives by a value of this type; `None` if there are.
-    pub(super) fn no_variable(&self, name: &str) -> Option<Text> {
+    pub(super) fn no_variable(&self, name: &str, tangent: bool) -> Option<Text> {
         match &self.shape {
-            Shape::Rigid => Some(messages::rigid_variable(name)),
+            Shape::Rigid if !tangent => Some(messages::rigid_variable(name)),
             Shape::Truth | Shape::Integer => Some(messages::constant_variable(name)),
-            Shape::Array(element, _) => element.no_variable(name),
-            Shape::Tuple(parts) => parts.iter().find_map(|part| part.no_variable(name)),
+            Shape::Array(element, _) => element.no_variable(name, tangent),
+            Shape::Tuple(parts) => parts.iter().find_map(|part| part.no_variable(name, tangent)),
             Shape::Struct(of, _, false) => Some(messages::partial_struct(of)),
-            Shape::Struct(_, fields, true) => fields.iter().find_map(|(_, field)| field.no_variable(name)),
+            Shape::Struct(_, fields, true) => fields.iter().find_map(|(_, field)| field.no_variable(name, tangent)),
             _ => None,
         }
     }
@@ -286,9 +291,32 @@ impl Type {
 
     /// A value of this type from its numbers.
     pub(super) fn build(&self, components: &[TokenStream]) -> TokenStream {
-        self.built(&mut components.iter())
+        let mut from = components.iter();
+        self.assemble(&mut |leaf| leaf.built(&mut from))
     }
 
+    /// A value of this type from its leaves.
+    pub(super) fn assemble(&self, leaf: &mut dyn FnMut(&Self) -> TokenStream) -> TokenStream {
+        let ty = &self.tokens;
+        match &self.shape {
+            Shape::Array(element, length) => {
+                let parts: Vec<TokenStream> = (0..*length).map(|_| element.assemble(leaf)).collect();
+                quote!([#(#parts),*])
+            }
+            Shape::Tuple(parts) => {
+                let parts: Vec<TokenStream> = parts.iter().map(|part| part.assemble(leaf)).collect();
+                quote!((#(#parts,)*))
+            }
+            Shape::Struct(_, fields, _) => {
+                let values: Vec<TokenStream> = fields.iter().map(|(_, field)| field.assemble(leaf)).collect();
+                let members = fields.iter().map(|(member, _)| member);
+                quote!(#ty { #(#members: #values),* })
+            }
+            _ => leaf(self),
+        }
+    }
+
+    /// Of a type that is not made of others.
     fn built<'a>(&self, from: &mut impl Iterator<Item = &'a TokenStream>) -> TokenStream {
         let ty = &self.tokens;
         let mut take = |count: usize| -> Vec<&TokenStream> { from.by_ref().take(count).collect() };
@@ -309,31 +337,21 @@ impl Type {
                 let parts = take(self.components());
                 quote!(<#ty>::from_cols_array(&[#(#parts),*]))
             }
-            Shape::Array(element, length) => {
-                let parts: Vec<TokenStream> = (0..*length).map(|_| element.built(from)).collect();
-                quote!([#(#parts),*])
-            }
-            Shape::Tuple(parts) => {
-                let parts: Vec<TokenStream> = parts.iter().map(|part| part.built(from)).collect();
-                quote!((#(#parts,)*))
-            }
-            Shape::Struct(_, fields, _) => {
-                let values: Vec<TokenStream> = fields.iter().map(|(_, field)| field.built(from)).collect();
-                let members = fields.iter().map(|(member, _)| member);
-                quote!(#ty { #(#members: #values),* })
-            }
+            Shape::Array(..) | Shape::Tuple(_) | Shape::Struct(..) => TokenStream::new(),
         }
     }
 
-    /// The matrix whose columns are vectors of this type's number type: beside the user's own vector type where that
-    /// has a path, else from the facade.
+    /// The matrix whose columns are vectors of this type's number type.
     pub(super) fn matrix(&self, krate: &TokenStream) -> TokenStream {
-        let name = match self.precision {
-            Some(Precision::Double) => format_ident!("DMat3"),
-            _ => format_ident!("Mat3"),
-        };
-        let module = &self.module;
-        if module.is_empty() { quote!(#krate::glam::#name) } else { quote!(#module #name) }
+        self.neighbour(if self.precision == Some(Precision::Double) { "DMat3" } else { "Mat3" }, krate)
+    }
+
+    /// Another type of glam: beside the user's own where that has a path, else from the facade.
+    pub(super) fn neighbour(&self, name: &str, krate: &TokenStream) -> TokenStream {
+        let (module, name) = (&self.module, format_ident!("{name}"));
+        // The facade's own names for transforms have no neighbours.
+        let is_facades = self.tokens.to_string().ends_with("Rigid");
+        if module.is_empty() || is_facades { quote!(#krate::glam::#name) } else { quote!(#module #name) }
     }
 }
 

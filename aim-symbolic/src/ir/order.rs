@@ -52,6 +52,28 @@ impl Graph {
         })
     }
 
+    /// The quaternions that turn several of these vectors, there or back.
+    pub(crate) fn busy_quaternions(&self, nodes: &[Node]) -> Vec<Rotation> {
+        let (mut once, mut busy): (Vec<Rotation>, Vec<Rotation>) = (Vec::new(), Vec::new());
+        for node in nodes {
+            let Node::Vector(v) = *node else { continue };
+            let VectorNode::Rotate(rotation, _) = self.vector_node(v) else { continue };
+            let there = match self.rotation_node(rotation) {
+                RotationNode::Transpose(inner) => inner,
+                _ => rotation,
+            };
+            if !matches!(self.rotation_node(there), RotationNode::Quaternion(..)) {
+                continue;
+            }
+            if !once.contains(&there) {
+                once.push(there);
+            } else if !busy.contains(&there) {
+                busy.push(there);
+            }
+        }
+        busy
+    }
+
     /// Whether there is a select among these nodes.
     pub(crate) fn selects(&self, nodes: &[Node]) -> bool {
         let is_select = |s| matches!(self.scalar_node(s), ScalarNode::Op(Op::SelectLess(..)));

@@ -3,7 +3,7 @@
 use crate::ir::node::Node;
 use crate::ir::table::Table;
 use crate::lower::fold::Fold;
-use crate::rewrite::rules::Rules;
+use crate::rewrite::rules::{MATRIX, Rules};
 use crate::{Constant, Graph, Op, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 impl Graph {
@@ -23,16 +23,24 @@ pub(crate) struct Lowering {
     pub(crate) fold: Fold,
     scalars: Table<Scalar, Scalar>,
     vectors: Table<Vector, [Scalar; 3]>,
+    /// The matrices of the quaternions that are lowered by one.
+    matrices: Table<Rotation, [Scalar; 9]>,
+    by_matrices: bool,
 }
 
 impl Lowering {
     pub(crate) fn new(g: Graph, rules: &Rules<'_>) -> Self {
-        Self { fold: Fold::new(g, rules), scalars: Table::default(), vectors: Table::default() }
+        let (scalars, vectors, matrices) = Default::default();
+        Self { fold: Fold::new(g, rules), scalars, vectors, matrices, by_matrices: rules.has(&MATRIX) }
     }
 
     /// Lowers the nodes and all that they are made of, parts first: no deeper expression has to be walked down.
     fn lower(&mut self, nodes: &[Node]) {
-        for node in self.fold.g.order_with_numbers(nodes) {
+        let order = self.fold.g.order_with_numbers(nodes);
+        if self.by_matrices {
+            self.make_matrices(&order);
+        }
+        for node in order {
             match node {
                 Node::Scalar(s) => {
                     self.scalar(s);
@@ -41,6 +49,17 @@ impl Lowering {
                     self.vector(v);
                 }
             }
+        }
+    }
+
+    /// Makes matrices of the quaternions that turn several vectors.
+    fn make_matrices(&mut self, order: &[Node]) {
+        for rotation in self.fold.g.busy_quaternions(order) {
+            let RotationNode::Quaternion(u, w) = self.fold.g.rotation_node(rotation) else { continue };
+            self.lower(&[Node::Vector(u), Node::Scalar(w)]);
+            let (u, w) = (self.vector(u), self.scalar(w));
+            let matrix = self.matrix_of(u, w);
+            self.matrices.insert(rotation, matrix);
         }
     }
 
@@ -181,6 +200,9 @@ impl Lowering {
                 }
             }
             RotationNode::Quaternion(u, w) => {
+                if let Some(rows) = self.matrices.copied(rotation) {
+                    return self.matrix(rows, back, v);
+                }
                 let w = self.scalar(w);
                 let w = if back { self.fold.neg(w) } else { w };
                 self.quaternion(u, w, v)
@@ -219,6 +241,23 @@ impl Lowering {
             let sum = self.fold.add(v[k], turned);
             self.fold.add(sum, aside[k])
         })
+    }
+
+    /// The rows of its matrix in the row-vector layout: row k is the image of axis k.
+    fn matrix_of(&mut self, u: [Scalar; 3], w: Scalar) -> [Scalar; 9] {
+        let twice = u.map(|c| self.fold.add(c, c));
+        let one = self.fold.g.constant(1.0);
+        let mut rows = [one; 9];
+        for (k, (i, j)) in [(1, 2), (2, 0), (0, 1)].into_iter().enumerate() {
+            // 1 − 2 (i² + j²), and 2 (i j ± w k)
+            let (ii, jj) = (self.fold.mul(u[i], twice[i]), self.fold.mul(u[j], twice[j]));
+            let squares = self.fold.add(ii, jj);
+            rows[4 * k] = self.fold.sub(one, squares);
+            let (ij, wk) = (self.fold.mul(u[i], twice[j]), self.fold.mul(w, twice[k]));
+            rows[3 * i + j] = self.fold.add(ij, wk);
+            rows[3 * j + i] = self.fold.sub(ij, wk);
+        }
+        rows
     }
 
     fn basis(&mut self, rows: [Constant; 9], transposed: bool, v: [Scalar; 3]) -> [Scalar; 3] {

@@ -4,8 +4,8 @@ use crate::diff::sweep::{Course, Swept};
 use crate::lower::Effort;
 use crate::rewrite::log::Log;
 use crate::rewrite::rules::{
-    self, ACROSS_FOR_CROSS, CANCELLING, CONSTANT_SCALE, DIRECTIONS, EXPAND_ACROSS, FRAMES, MERGE_SHARED, OPTIONAL,
-    OTHER_SIDES, ROTATIONS, Rule, Rules, SCALES, SPREAD, WORDING,
+    self, ACROSS_FOR_CROSS, CANCELLING, CONSTANT_SCALE, DIRECTIONS, EXPAND_ACROSS, FRAMES, MATRIX, MERGE_SHARED,
+    OPTIONAL, OTHER_SIDES, ROTATIONS, Rule, Rules, SCALES, SPREAD, WORDING,
 };
 use crate::{Graph, Placement, Program, Rotation, Scalar, Variable};
 
@@ -137,10 +137,12 @@ pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[Rule]) -> (Program, 
 
 /// The smallest way by none but the rules of arithmetic: rewriting may not lose against doing nothing.
 fn plain(choices: &Choices, g: &Graph, wanted: &[Want], without: &[Rule]) -> Way {
-    let choices = Choices { without: rules::of_sets(), turned: None, kept: Vec::new(), ..choices.clone() };
+    let off = rules::of_sets().into_iter().chain(OPTIONAL).collect();
+    let choices = Choices { without: off, turned: None, kept: Vec::new(), ..choices.clone() };
     let mut best = Way::taken(g, wanted, choices, without, Log::default(), Effort::Compare);
-    let changes: Vec<Change> =
+    let mut changes: Vec<Change> =
         sweeps(wanted).into_iter().map(|sweep| -> Change { Box::new(move |c| c.sweep = sweep) }).collect();
+    changes.extend(best.by_matrices());
     if best.is_small() {
         best.arrange(without);
         return best.improved(&changes, g, wanted, without, Effort::Finish);
@@ -214,6 +216,11 @@ impl Way {
         })
     }
 
+    /// The rival by matrices, where quaternions turn several vectors.
+    fn by_matrices(&self) -> Option<Change> {
+        (!self.g.busy_quaternions(&self.g.order(&self.outputs)).is_empty()).then(|| optional(MATRIX))
+    }
+
     /// Tries more arrangements of its sums and products.
     fn arrange(&mut self, without: &[Rule]) {
         self.program = compiled(&mut self.g, &self.outputs, &self.choices, without, Effort::Finish);
@@ -222,6 +229,11 @@ impl Way {
 
 /// What a rival does differently.
 type Change = Box<dyn Fn(&mut Choices)>;
+
+/// With a rule that applies only where that is found to pay.
+fn optional(rule: Rule) -> Change {
+    Box::new(move |c| c.without.retain(|&off| off != rule))
+}
 
 /// The rivals worth a try, by what was applied on the first way.
 fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
@@ -239,13 +251,13 @@ fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
             rivals.push(Box::new(move |c| c.kept = kept.clone()));
         }
     }
-    let optional = |rule: Rule| move |c: &mut Choices| c.without.retain(|&off| off != rule);
     if applied(&[EXPAND_ACROSS]) > 0 {
-        rivals.push(Box::new(optional(SPREAD)));
+        rivals.push(optional(SPREAD));
     }
     if g.has_constant_direction(outputs) {
-        rivals.push(Box::new(optional(CONSTANT_SCALE)));
+        rivals.push(optional(CONSTANT_SCALE));
     }
+    rivals.extend(first.by_matrices());
     for rule in [MERGE_SHARED, ACROSS_FOR_CROSS] {
         if applied(&[rule]) > 0 {
             rivals.push(Box::new(move |c| {

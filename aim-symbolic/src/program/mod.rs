@@ -9,7 +9,7 @@ mod signs;
 use crate::ir::table::Table;
 use crate::lower::components::Lowering;
 use crate::lower::{Effort, arranged};
-use crate::rewrite::rules::{DIVIDE_ONCE, FACTOR, Rules, SHARE};
+use crate::rewrite::rules::{DIVIDE_ONCE, FACTOR, MATRIX, Rules, SHARE};
 use crate::{Constant, Graph, Op, Scalar, ScalarNode, Value};
 
 /// How many operations one written step has at most, for its reader.
@@ -30,7 +30,12 @@ pub struct Program {
 impl Program {
     /// The program of `outputs` as they are stated: lowered, folded and ordered, divisions guarded where they stand.
     pub fn compile(g: &mut Graph, outputs: &[Scalar]) -> Self {
-        Self::compile_with(g, outputs, &Rules { without: &[SHARE, FACTOR], ..Rules::default() }, Effort::Compare)
+        Self::compile_with(
+            g,
+            outputs,
+            &Rules { without: &[SHARE, FACTOR, MATRIX], ..Rules::default() },
+            Effort::Compare,
+        )
     }
 
     /// The same by some of the rules, products shared and sums factored unless that is switched off.

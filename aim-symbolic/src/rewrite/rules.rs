@@ -173,10 +173,10 @@ pub const SCALES: RuleSet = RuleSet {
 };
 
 /// Rules of components: what any compiler of formulas does, all at once.
-pub const ARITHMETIC: [Rule; 6] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, DIVIDE_ONCE];
+pub const ARITHMETIC: [Rule; 7] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, DIVIDE_ONCE, MATRIX];
 
 /// Rules that apply only where that is found to pay.
-pub(crate) const OPTIONAL: [Rule; 2] = [SPREAD, CONSTANT_SCALE];
+pub(crate) const OPTIONAL: [Rule; 3] = [SPREAD, CONSTANT_SCALE, MATRIX];
 
 /// Rules that turn something else than before by as much: how far to go is a choice.
 pub(crate) const OTHER_SIDES: [Rule; 3] = [OTHER_SIDE_OF_DOT, PULL_OUT_OF_NORM, PULL_OUT_OF_SQUARE];
@@ -293,6 +293,9 @@ rules! {
     FACTOR = "common factor of products": Components;
     /// In components: one over a length that is needed for a single product becomes that product's division.
     DIVIDE_ONCE = "a reciprocal used once is a division": Components;
+    /// In components: a quaternion that turns several vectors is made a matrix once, by which each is turned with half the
+    /// operations.
+    MATRIX = "a quaternion as a matrix": Components;
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-use aim::glam::Vec3;
+use aim::glam::{Quat, Vec3};
 use aim::{Rigid, differentiate};
 
 #[differentiate]
@@ -14,6 +14,31 @@ fn names(heading: f32, pitch: f32) -> f32 {
 #[differentiate(wrt(m))]
 fn by_a_transform(m: Rigid, v: Vec3) -> f32 {
     m.transform_point3(v).x
+}
+
+#[differentiate(wrt(tangent(x), tangent(v)))]
+fn by_tangents_of_numbers(x: f32, v: Vec3) -> f32 {
+    v.x * x
+}
+
+#[differentiate(wrt(q), perturbation = left)]
+fn without_a_side(q: Quat) -> f32 {
+    q.x
+}
+
+#[differentiate(wrt(tangent(q, p), q), perturbation = up)]
+fn twice(q: Quat) -> f32 {
+    q.x
+}
+
+#[differentiate(wrt(tangent(tangent(q)), tangents(q), tangent = q))]
+fn nested(q: Quat) -> f32 {
+    q.x
+}
+
+#[differentiate(wrt(tangent()))]
+fn by_no_tangent(q: Quat) -> f32 {
+    q.x
 }
 
 #[differentiate(wrt(), budget = "few", hessian = 2, hessian, check)]

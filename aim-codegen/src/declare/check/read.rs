@@ -115,7 +115,7 @@ pub(super) fn flag(report: &mut Report, setting: Setting<'_>) -> Option<bool> {
 }
 
 /// One of two words: whether it is the first.
-pub(super) fn is_first_of(report: &mut Report, setting: Setting<'_>, words: [&str; 2]) -> Option<bool> {
+pub(crate) fn is_first_of(report: &mut Report, setting: Setting<'_>, words: [&str; 2]) -> Option<bool> {
     match &setting.value.kind {
         Kind::Word(word) if words.contains(&word.as_str()) => Some(word == words[0]),
         Kind::Word(word) if words.contains(&word.to_lowercase().as_str()) => {
@@ -171,21 +171,55 @@ pub(super) fn any_nodes(report: &mut Report, setting: Setting<'_>) -> Option<Vec
 
 /// Bare words, `key(a, b)` or `key = ["a", "b"]`, each once; `things` is what they name.
 pub(crate) fn words<'t>(report: &mut Report, setting: Setting<'t>, things: &str) -> Vec<(&'t str, &'t Place)> {
-    let (mut words, key): (Vec<(&str, &Place)>, _) = (Vec::new(), setting.key);
-    let mut add =
-        |report: &mut Report, word: &'t str, place: &'t Place| match words.iter().find(|(other, _)| *other == word) {
-            Some((_, first)) => {
-                let note = messages::first_use(word);
-                report.error_with_note(place, messages::duplicate_word(word), note, first);
-            }
-            None => words.push((word, place)),
-        };
+    let mut words = Vec::new();
+    add_words(report, setting, (things, None), &mut words);
+    words.into_iter().map(|word| (word.text, word.place)).collect()
+}
+
+/// The same, some of them in `wrapper(…)`.
+pub(crate) fn wrapped_words<'t>(
+    report: &mut Report,
+    setting: Setting<'t>,
+    things: &str,
+    wrapper: &str,
+) -> Vec<FoundWord<'t>> {
+    let mut words = Vec::new();
+    add_words(report, setting, (things, Some(wrapper)), &mut words);
+    words
+}
+
+/// A bare word.
+pub(crate) struct FoundWord<'t> {
+    pub(crate) text: &'t str,
+    pub(crate) place: &'t Place,
+    /// Whether it stands in a wrapper.
+    pub(crate) wrapped: bool,
+}
+
+fn add_words<'t>(
+    report: &mut Report,
+    setting: Setting<'t>,
+    (things, wrapper): (&str, Option<&str>),
+    words: &mut Vec<FoundWord<'t>>,
+) {
+    let key = setting.key;
+    let wrapped = wrapper.is_some_and(|wrapper| wrapper == key);
+    let add = |report: &mut Report, words: &mut Vec<FoundWord<'t>>, text: &'t str, place: &'t Place| match words
+        .iter()
+        .find(|other| other.text == text)
+    {
+        Some(first) => {
+            let note = messages::first_use(text);
+            report.error_with_note(place, messages::duplicate_word(text), note, first.place);
+        }
+        None => words.push(FoundWord { text, place, wrapped }),
+    };
     let wrong = |report: &mut Report, value: &Value| mismatch::<()>(report, Setting { value, ..setting });
     match &setting.value.kind {
         Kind::List(values) => {
             for value in values {
                 match &value.kind {
-                    Kind::Word(word) => add(report, word, &value.place),
+                    Kind::Word(word) => add(report, words, word, &value.place),
                     _ => _ = wrong(report, value),
                 }
             }
@@ -194,7 +228,12 @@ pub(crate) fn words<'t>(report: &mut Report, setting: Setting<'t>, things: &str)
             for entry in entries {
                 match entry {
                     Entry::Item(Item { key, value: Value { kind: Kind::Absent, .. } }) => {
-                        add(report, &key.text, &key.place);
+                        add(report, words, &key.text, &key.place);
+                    }
+                    Entry::Item(Item { key, value: value @ Value { kind: Kind::Table(_), .. } })
+                        if !wrapped && wrapper.is_some_and(|wrapper| wrapper == key.text) =>
+                    {
+                        add_words(report, Setting { key: &key.text, value, ..setting }, (things, wrapper), words);
                     }
                     Entry::Item(Item { value, .. }) => _ = wrong(report, value),
                     Entry::Stray(word) => {
@@ -210,7 +249,6 @@ pub(crate) fn words<'t>(report: &mut Report, setting: Setting<'t>, things: &str)
         }
         _ => _ = wrong(report, setting.value),
     }
-    words
 }
 
 /// Three finite numbers, in the notation's brackets.

@@ -7,5 +7,6 @@ mod distances;
 mod energies;
 mod harness;
 mod limits;
+mod manifolds;
 mod natural;
 mod rotations;

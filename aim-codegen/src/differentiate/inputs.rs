@@ -1,0 +1,116 @@
+//! [`Inputs`]: an argument's numbers as values of the graph.
+
+use std::rc::Rc;
+
+use aim_symbolic::{Scalar, Vector};
+use quote::ToTokens;
+
+use super::lower::{Affine, Algebra, Condition, Map, Quaternion, Struct, Value};
+use super::manifold::Varies;
+use super::types::{Shape, Type};
+
+/// The numbers of an argument, as its parts take them.
+pub(super) struct Inputs<'a> {
+    a: &'a mut Algebra,
+    numbers: std::vec::IntoIter<Scalar>,
+    varies: Varies,
+    /// What derivatives are taken by, in the order of its parts.
+    pub(super) variables: Vec<Scalar>,
+}
+
+impl<'a> Inputs<'a> {
+    pub(super) fn new(a: &'a mut Algebra, numbers: Vec<Scalar>, varies: Varies) -> Self {
+        Self { a, numbers: numbers.into_iter(), varies, variables: Vec::new() }
+    }
+
+    /// The value that these numbers make. A transform is rigid, a quaternion that is no variable has length 1; a matrix is
+    /// any matrix. Where derivatives are by tangents, quaternions and matrices are rotations.
+    pub(super) fn value(&mut self, ty: &Type) -> Value {
+        let mut parts = |types: &[&Type]| -> Vec<Value> { types.iter().map(|ty| self.value(ty)).collect() };
+        match &ty.shape {
+            Shape::Array(element, length) => Value::Array(parts(&vec![&**element; *length])),
+            Shape::Tuple(types) => Value::Tuple(parts(&types.iter().collect::<Vec<_>>())),
+            Shape::Struct(name, fields, _) => {
+                let values = parts(&fields.iter().map(|(_, ty)| ty).collect::<Vec<_>>());
+                let names = fields.iter().map(|(member, _)| member.to_token_stream().to_string());
+                Value::Struct(Rc::new(Struct { name: name.clone(), fields: names.zip(values).collect() }))
+            }
+            _ => self.leaf(ty),
+        }
+    }
+
+    /// The next number, of those that have to be there.
+    fn next(&mut self) -> Scalar {
+        self.numbers.next().expect("a type has as many numbers as were declared for it")
+    }
+
+    fn take<const N: usize>(&mut self) -> [Scalar; N] {
+        core::array::from_fn(|_| self.next())
+    }
+
+    fn column(&mut self) -> Vector {
+        let numbers = self.take();
+        self.a.vector(numbers)
+    }
+
+    /// Numbers of which each may vary by itself.
+    fn leaf(&mut self, ty: &Type) -> Value {
+        if let Varies::Tangent(side) = self.varies {
+            match ty.shape {
+                Shape::Quaternion => {
+                    let numbers = self.take();
+                    let (q, step) = side.quaternion(self.a, numbers);
+                    self.variables.extend(step);
+                    return Value::Quaternion(q);
+                }
+                Shape::Matrix => {
+                    let numbers = self.take();
+                    let (m, step) = side.matrix(self.a, numbers);
+                    self.variables.extend(step);
+                    return Value::Matrix(m);
+                }
+                Shape::Rigid => {
+                    let (numbers, translation) = (self.take(), self.column());
+                    let (m, step) = side.rigid(self.a, numbers, translation);
+                    self.variables.extend(step);
+                    return Value::Affine(m);
+                }
+                _ => {}
+            }
+        }
+        if self.varies != Varies::Nothing {
+            self.variables.extend(self.numbers.as_slice().iter().take(ty.components()));
+        }
+        match ty.shape {
+            Shape::Truth => {
+                let zero = self.a.number(0.0);
+                Value::Truth(Condition::Less(zero, self.next()))
+            }
+            Shape::Integer => Value::Integer(self.next()),
+            Shape::Planar => {
+                let ([x, y], zero) = (self.take(), self.a.number(0.0));
+                Value::Planar(self.a.vector([x, y, zero]))
+            }
+            Shape::Vector => Value::Vector(self.column()),
+            Shape::Four => Value::Four(self.take()),
+            Shape::Quaternion => {
+                let (u, w) = (self.column(), self.next());
+                Value::Quaternion(match self.varies {
+                    Varies::Nothing => Quaternion::unit(self.a, u, w),
+                    _ => Quaternion::from_parts(u, w),
+                })
+            }
+            Shape::Matrix => Value::Matrix(Map::Columns([0; 3].map(|_| self.column()))),
+            Shape::Square(count) => {
+                Value::Square((0..count).map(|_| (0..count).map(|_| self.next()).collect()).collect())
+            }
+            Shape::Rigid => {
+                // glam's columns are the images of the axes, and so are the graph's rows.
+                let rows = self.take();
+                let map = Map::Rotation(self.a.g.matrix(rows));
+                Value::Affine(Affine { map, translation: self.column() })
+            }
+            _ => Value::Scalar(self.next()),
+        }
+    }
+}
