@@ -1,46 +1,48 @@
 //! The solvers beside the aim solvers turn the mannequin the same way in the world, whatever axes its bones have.
 
+use aim_animation::{Bone, Skeleton, Transform};
 use aim_gltf::{Document, PAPER_AXES, mannequin};
 use aim_runtime::Axes;
 use aim_runtime::ik::{
-    AimPose, AimPoses, AimPosesStatus, Ccd, CcdJoint, CcdLimit, CcdStatus, Limb, Local, LookAt, LookAtStatus, OneBone,
-    OneBoneStatus, Roll, TwoBone, TwoBoneStatus, grid, to_local, to_model,
+    AimPose, AimPoses, AimPosesStatus, Ccd, CcdJoint, CcdLimit, CcdStatus, Limb, LookAt, LookAtStatus, OneBone,
+    OneBoneStatus, Roll, TwoBone, TwoBoneStatus, grid,
 };
 use glam::{Affine3A, Mat3A, Quat, Vec3};
 
-/// The mannequin's bones in the model, and by whom they are carried.
+/// The mannequin's bones in the model, in the order of the skeleton.
 struct Character {
     document: Document,
     axes: Axes,
-    parents: Vec<Option<usize>>,
+    skeleton: Skeleton,
     world: Vec<Affine3A>,
 }
 
 impl Character {
     fn new([up, forward, left]: [[f32; 3]; 3], seconds: f32) -> Self {
         let document = Document::from_bytes(&mannequin(|_| [up, forward, left]).unwrap()).unwrap();
-        let skeleton = document.skeleton();
-        let world = skeleton.world(&skeleton.pose(&document.clips()[0], seconds));
-        let parents = skeleton.nodes().iter().map(|node| node.parent).collect();
-        Self { axes: Axes { up, forward, left }, parents, world, document }
+        let of_file = document.skeleton();
+        let nodes = of_file.world(&of_file.pose(&document.clips()[0], seconds));
+        let skeleton = Skeleton::new(of_file.nodes().iter().map(|node| Bone::new("", node.parent))).unwrap();
+        let world = (0..nodes.len()).map(|bone| nodes[skeleton.source_of(bone).unwrap()]).collect();
+        Self { axes: Axes { up, forward, left }, skeleton, world, document }
     }
 
     fn bone(&self, name: &str) -> usize {
-        self.document.skeleton().find(name).unwrap()
+        self.skeleton.bone_of(self.document.skeleton().find(name).unwrap()).unwrap()
     }
 
     fn at(&self, bone: usize) -> Vec3 {
         self.world[bone].translation.into()
     }
 
-    fn local(&self) -> Vec<Local> {
-        let mut local = vec![Local::IDENTITY; self.world.len()];
-        to_local(&self.parents, &self.world, &mut local).unwrap();
+    fn local(&self) -> Vec<Transform> {
+        let mut local = vec![Transform::IDENTITY; self.world.len()];
+        self.skeleton.to_local(&self.world, &mut local).unwrap();
         local
     }
 
-    fn pose(&mut self, local: &[Local]) {
-        to_model(&self.parents, local, &mut self.world).unwrap();
+    fn pose(&mut self, local: &[Transform]) {
+        self.skeleton.to_model(local, &mut self.world).unwrap();
     }
 
     /// Turns bones in the world, each by its own turn, with all that hangs on them.
@@ -57,8 +59,9 @@ impl Character {
 
     /// Where every vertex is: world ← mesh.
     fn picture(&self) -> Vec<Affine3A> {
-        let nodes = self.document.skeleton().nodes().iter().zip(&self.world);
-        nodes.filter_map(|(node, world)| Some(*world * node.inverse_bind?.as_affine3a())).collect()
+        let nodes = self.document.skeleton().nodes().iter().enumerate();
+        let world = |node| self.world[self.skeleton.bone_of(node).unwrap()];
+        nodes.filter_map(|(at, node)| Some(world(at) * node.inverse_bind?.as_affine3a())).collect()
     }
 }
 
