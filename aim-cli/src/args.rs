@@ -96,7 +96,7 @@ pub(crate) struct Rig {
     /// A .glb, .gltf or .vrm file.
     pub(crate) file: PathBuf,
     /// The bones of the chain, from the effector inward; told by roles and names if not given.
-    #[arg(long, value_name = "A,B,C", value_delimiter = ',')]
+    #[arg(long, value_name = "A,B,C", value_delimiter = ',', value_parser = bone_name)]
     pub(crate) chain: Vec<String>,
     #[command(flatten)]
     pub(crate) facing: Facing,
@@ -234,6 +234,14 @@ fn share(text: &str) -> Result<f32, String> {
     number.ok_or_else(|| "expected a number from 0 to 1, such as 0.5".into())
 }
 
+/// Parses one name of several that commas separate; blanks beside commas are not of the name.
+fn bone_name(text: &str) -> Result<String, String> {
+    match text.trim() {
+        "" => Err("a name is missing; write names as a,b or in quotes as \"a, b\"".into()),
+        name => Ok(name.to_owned()),
+    }
+}
+
 /// Parses a time for which to stay.
 fn patience(text: &str) -> Result<f32, String> {
     let number = text.parse().ok().filter(|seconds: &f32| *seconds >= 0.0);
@@ -293,6 +301,10 @@ pub(crate) struct Bake {
     pub(crate) facing: Facing,
     #[command(flatten)]
     pub(crate) aiming: Aiming,
+    /// What is aimed: a bone of the rig's joints by name, or eyes, head, neck or chest; joints outside it return to rest. The
+    /// rig's effector if not given.
+    #[arg(long, value_name = "WHAT", value_parser = clap::builder::NonEmptyStringValueParser::new())]
+    pub(crate) effector: Option<String>,
     /// How far the gaze goes from the clip's to the target, 0 to 1.
     #[arg(long, value_name = "W", default_value_t = 1.0, value_parser = share, allow_negative_numbers = true)]
     pub(crate) weight: f32,
@@ -312,7 +324,7 @@ pub(crate) struct Bake {
     #[arg(long, default_value_t = 60.0, allow_negative_numbers = true)]
     pub(crate) fps: f32,
     /// Bones that stay with what carries the joint that they hang on, instead of those of the rig; `none` holds nothing.
-    #[arg(long, value_name = "A,B|none", value_delimiter = ',')]
+    #[arg(long, value_name = "A,B|none", value_delimiter = ',', value_parser = bone_name)]
     pub(crate) hold: Option<Vec<String>>,
     /// How the result begins.
     #[arg(long, value_parser = one_of(SETTLES), default_value = "snap")]

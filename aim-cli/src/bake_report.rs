@@ -8,6 +8,7 @@ use aim_gltf::{AimedFrame, Baked, ChainNodes, JointFrame, Plausibility, Skeleton
 use aim_runtime::Status;
 use serde::Serialize;
 
+use crate::effector::Effector;
 use crate::plausibility;
 use crate::words::STATUSES;
 
@@ -23,6 +24,8 @@ pub(crate) struct BakeReport {
     pub(crate) over: String,
     pub(crate) fps: f32,
     effector: EffectorReport,
+    #[serde(skip)]
+    pub(crate) aimed: Effector,
     pub(crate) frames: Vec<BakeFrame>,
     pub(crate) summary: BakeSummary,
     #[serde(serialize_with = "plausibility::block")]
@@ -41,6 +44,7 @@ struct EffectorReport {
 /// Subject of a report: `baked` with the rig `spec`.
 pub(crate) struct Reported<'a> {
     pub(crate) spec: &'a RigSpec,
+    pub(crate) effector: Effector,
     /// The word of the solver.
     pub(crate) solver: &'static str,
     pub(crate) fps: f32,
@@ -123,7 +127,7 @@ pub(crate) fn status_word(status: Status) -> &'static str {
 
 impl BakeReport {
     pub(crate) fn new(reported: Reported<'_>) -> Self {
-        let Reported { spec, solver, fps, over, skeleton, chain, held, baked, plausibility } = reported;
+        let Reported { spec, effector, solver, fps, over, skeleton, chain, held, baked, plausibility } = reported;
         let bones: Vec<Bone> = chain.joints.iter().map(|&node| Bone::new(skeleton, node)).collect();
         let followers = chain.other_eye.iter().chain(held).map(|&node| Bone::new(skeleton, node));
         let followers: Vec<Bone> = followers.collect();
@@ -144,7 +148,6 @@ impl BakeReport {
             joints: frame.joints.iter().zip(&bones).map(joint).collect(),
             followers: followers.clone(),
         });
-        let effector = &spec.effector;
         Self {
             rig: spec.name.clone(),
             solver,
@@ -152,10 +155,11 @@ impl BakeReport {
             fps,
             over: over.to_owned(),
             effector: EffectorReport {
-                bone: bones[0].clone(),
-                forward: effector.frame.forward,
-                origin: effector.origin,
+                bone: bones[effector.joint].clone(),
+                forward: effector.ray.frame.forward,
+                origin: effector.ray.origin,
             },
+            aimed: effector,
             summary: BakeSummary::new(spec, baked),
             frames: frames.collect(),
             plausibility,
@@ -173,6 +177,9 @@ impl BakeReport {
     pub(crate) fn in_words(&self, file: &Path) -> String {
         let BakeSummary { frames, reached, max_error_deg_reached, .. } = self.summary;
         let mut out = format!("wrote {}: {frames} frames of {:?} aimed by {}", file.display(), self.over, self.rig);
+        if self.aimed.joint > 0 {
+            out += &format!(" with the effector {:?}", self.effector.bone.name);
+        }
         if self.clip != self.over {
             out += &format!(" as {:?}", self.clip);
         }

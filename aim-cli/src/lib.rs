@@ -4,6 +4,7 @@ mod args;
 mod axis;
 mod bake_report;
 mod commands;
+mod effector;
 mod explain;
 mod facing;
 mod failure;

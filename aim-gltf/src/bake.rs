@@ -77,7 +77,7 @@ pub fn bake<R: Rig>(
     let skeleton = plan.document.skeleton();
     let live = Live::new(&rig.rig, plan.document, plan.measurement, plan.chain, plan.both_eyes);
     // x ← the node's place with the gaze on x: a fixed point, as a hand moves less than the gaze that it draws.
-    let follows = plan.target_node.is_some_and(|node| !live.looks_with(skeleton, node));
+    let follows = plan.target_node.is_some_and(|node| !live.looks_with(skeleton, node, plan.settings.effector));
     let source = plan.clip.map(|clip| clip.repeated(plan.seconds));
     let sample = |t: f32| live.pose(skeleton, source.as_ref(), t);
     // Eyes that look by morph targets are no nodes of the file: their weights are written.

@@ -70,7 +70,7 @@ pub struct AimedFrame {
     /// Between the effector and the direction to the target by the forward kinematics of the file as it is written (but for
     /// the range maps of a VRM file's eyes, which come after it), degrees; 90 where either has no direction.
     pub error_deg: f64,
-    /// By how much joint 0 is rolled about the gaze more than in the animation, degrees, positive to the character's
+    /// By how much the aimed joint is rolled about the gaze more than in the animation, degrees, positive to the character's
     /// left: a roll is the angle, seen along the gaze, from the character's up to the bone's up. 0 where either lies
     /// along the gaze (within 1°). The character's up is the world's as long as the character stands.
     pub roll_deg: f64,
@@ -122,13 +122,15 @@ impl Live {
         self.held.iter().map(|held| held.node)
     }
 
-    /// True if a node moves with what looks: if it hangs on an eye, on the head or the neck, or on joint 0. A gaze cannot catch up
-    /// with such a node. What is [held](Self::held) and hangs on a neck does not move with it.
+    /// True if a node moves with what looks while joint `effector` is aimed: if it hangs on that joint or one outside it, on an
+    /// eye, the head or the neck. A gaze cannot catch up with such a node. What is [held](Self::held) and hangs on a neck does
+    /// not move with it.
     #[must_use]
-    pub fn looks_with(&self, skeleton: &Skeleton, node: usize) -> bool {
+    pub fn looks_with(&self, skeleton: &Skeleton, node: usize, effector: usize) -> bool {
         let moving = skeleton.ancestry(node).find_map(|at| {
             let held = self.held().any(|held| held == at).then_some(false);
-            held.or_else(|| Some(self.stance.looks(self.stance.chain.turned().position(|joint| joint == at)?)))
+            let turned = || self.stance.chain.turned().position(|joint| joint == at);
+            held.or_else(|| Some(self.stance.looks(turned()?, effector)))
         });
         moving.unwrap_or(false)
     }
@@ -172,7 +174,7 @@ impl Live {
             t,
             target,
             error_deg: stance.sight(effector).error_deg(&world, target),
-            roll_deg: stance.roll_deg(animated, &world),
+            roll_deg: stance.roll_deg(effector, animated, &world),
             pair_error_deg: stance.other_eye.filter(|_| self.both_eyes).map(|pair| pair.error_deg(&world, target)),
             outcome,
             joints: joint_frames(&character.state.joints, outcome, |joint| stance.led(&character.rig, joint, joints)),

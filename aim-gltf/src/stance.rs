@@ -36,18 +36,17 @@ pub(crate) struct Stance {
     /// Up in the world for a character that stands: the axis nearest to the joints' declared up, as a file may
     /// hold a character that lies.
     standing: DVec3,
-    /// Joint 0's up in its own space.
-    up: DVec3,
     /// Whether each joint is of eyes, head or neck, or is joint 0; past the last is the other eye.
     looks: Vec<bool>,
 }
 
-/// A point and a direction of a node, in the node's space.
+/// A point, a direction and the up that tells its roll, of a node and in the node's space.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sight {
     node: usize,
     origin: DVec3,
     forward: DVec3,
+    up: DVec3,
 }
 
 impl Sight {
@@ -77,15 +76,12 @@ impl Stance {
         let description = rig.description();
         let &Effector { forward, origin } = description.effector();
         let own = description.joints().iter().zip(&chain.joints).map(|(info, &node)| {
-            let forward = Vec3::from(info.axes().forward).as_dvec3();
-            Sight { node, origin: DVec3::ZERO, forward }
+            let [forward, up] = [info.axes().forward, info.axes().up].map(|axis| Vec3::from(axis).as_dvec3());
+            Sight { node, origin: DVec3::ZERO, forward, up }
         });
         let mut sights: Vec<Sight> = own.collect();
-        let effector = Sight {
-            node: chain.joints[0],
-            origin: Vec3::from(origin).as_dvec3(),
-            forward: Vec3::from(forward).as_dvec3(),
-        };
+        let effector =
+            Sight { origin: Vec3::from(origin).as_dvec3(), forward: Vec3::from(forward).as_dvec3(), ..sights[0] };
         sights[0] = effector;
         Self {
             chain: chain.clone(),
@@ -98,13 +94,13 @@ impl Stance {
             looks: (description.joints().iter().enumerate())
                 .map(|(at, joint)| at == 0 || matches!(joint.role, Gaze::Eye | Gaze::Head | Gaze::Neck))
                 .collect(),
-            up: description.joints().first().map_or(DVec3::ZERO, |info| Vec3::from(info.axes().up).as_dvec3()),
         }
     }
 
-    /// True of a turned node that looks, or carries what does in the head: by its place among [`ChainNodes::turned`].
-    pub(crate) fn looks(&self, turned: usize) -> bool {
-        self.looks.get(turned).copied().unwrap_or(true)
+    /// True of a turned node that looks while joint `effector` is aimed, or carries what does in the head: by its place among
+    /// [`ChainNodes::turned`].
+    pub(crate) fn looks(&self, turned: usize, effector: usize) -> bool {
+        turned <= effector || self.looks.get(turned).copied().unwrap_or(true)
     }
 
     /// The character's up: that of the world as long as it stands, its own if it lies or hangs, and from the
@@ -164,14 +160,11 @@ impl Stance {
         &self.sights[aimed.min(self.sights.len() - 1)]
     }
 
-    /// By how much joint 0 is rolled more when aimed than when animated, degrees, positive to the character's left; 0
-    /// where either has no roll.
-    pub(crate) fn roll_deg(&self, animated: &[DAffine3], aimed: &[DAffine3]) -> f64 {
-        let up = self.up(animated);
-        let roll = |world: &[DAffine3]| {
-            let bone_up = world[self.sights[0].node].transform_vector3(self.up);
-            roll(self.sights[0].forward(world), up, bone_up)
-        };
+    /// By how much joint `effector` is rolled more when aimed than when animated, degrees, positive to the character's
+    /// left; 0 where either has no roll.
+    pub(crate) fn roll_deg(&self, effector: usize, animated: &[DAffine3], aimed: &[DAffine3]) -> f64 {
+        let (up, sight) = (self.up(animated), self.sight(effector));
+        let roll = |world: &[DAffine3]| roll(sight.forward(world), up, world[sight.node].transform_vector3(sight.up));
         let more = roll(aimed).zip(roll(animated)).map_or(0.0, |(aimed, animated)| aimed - animated);
         (more - TAU * (more / TAU).round()).to_degrees()
     }
@@ -213,10 +206,12 @@ fn other(effector: &Sight, pair: usize, measurement: &Measurement) -> Sight {
     let out = bind[effector.node].transform_vector3(effector.origin);
     let mirrored = out - *left * (2.0 * out.dot(*left));
     let origin = bind[pair].inverse().transform_vector3(mirrored);
+    let carried = frame(pair).transpose() * frame(effector.node);
     Sight {
         node: pair,
         origin: if origin.is_finite() { origin } else { DVec3::ZERO },
-        forward: frame(pair).transpose() * (frame(effector.node) * effector.forward),
+        forward: carried * effector.forward,
+        up: carried * effector.up,
     }
 }
 

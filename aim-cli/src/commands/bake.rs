@@ -11,6 +11,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::args::{self, SOLVERS};
 use crate::bake_report::{BakeReport, Reported};
+use crate::effector::Effector;
 use crate::failure::{Failure, Result};
 use crate::files;
 use crate::html::{self, BakePage};
@@ -66,6 +67,10 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     };
     let skeleton = document.skeleton();
     let chain = chain_nodes(spec, skeleton).map_err(fail)?;
+    let effector = match &arguments.effector {
+        Some(word) => Effector::named(word, spec, skeleton, &chain)?,
+        None => Effector::of(spec, 0),
+    };
     let both_eyes = arguments.aiming.both_eyes;
     if both_eyes && chain.other_eye.is_none() {
         return Err(Failure::input(format!(
@@ -73,7 +78,13 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
             spec.name
         )));
     }
-    let effector_bind = measurement.bind_world[chain.joints[0]].transform_point3(spec.effector.origin.into());
+    if let (true, 1.., Some(word)) = (both_eyes, effector.joint, &arguments.effector) {
+        return Err(Failure::input(format!(
+            "--both-eyes aims eyes, and with --effector {word} they are at rest; leave one of the two out"
+        )));
+    }
+    let aimed = chain.joints[effector.joint];
+    let effector_bind = measurement.bind_world[aimed].transform_point3(effector.ray.origin.into());
     let target = arguments.target.resolve(&arguments.file, document, measurement, effector_bind)?;
     let mut character = DynAim::new(InterpretedRig::new(spec));
     let usual = character.rig.description().default_solver();
@@ -96,6 +107,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         looped: arguments.looped,
         settings: Settings::default()
             .with_solver(solver)
+            .with_effector(effector.joint)
             .with_weight(arguments.weight)
             .with_attention(arguments.attention)
             .with_behind(arguments.behind)
@@ -106,7 +118,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         },
     };
     let live = Live::new(&character.rig, document, measurement, &chain, both_eyes);
-    if let Some(node) = plan.target_node.filter(|&node| live.looks_with(skeleton, node)) {
+    if let Some(node) = plan.target_node.filter(|&node| live.looks_with(skeleton, node, effector.joint)) {
         let name = &skeleton.nodes()[node].name;
         eprintln!(
             "warning: the target {name} moves with the gaze itself: aimed is at where the animation alone has it"
@@ -127,6 +139,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     let written = Document::from_bytes(&model).map_err(fail)?;
     let report = BakeReport::new(Reported {
         spec,
+        effector,
         solver: word,
         fps: arguments.fps,
         over: clip.map_or("the rest pose", |clip| &clip.name),

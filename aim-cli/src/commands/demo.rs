@@ -39,6 +39,7 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
         // A player shows the first clip of a file.
         name: document.clips().first().map(|clip| clip.name.clone()),
         aiming: arguments.aiming,
+        effector: None,
         weight: 1.0,
         attention: 0.0,
         behind: Behind::default(),

@@ -6,6 +6,7 @@ use aim_codegen::Role;
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::subject::BakePage;
+use crate::effector::Effector;
 
 /// Azimuth and elevation of one thing in every frame, degrees; NaN where it has no direction.
 pub(super) type Bearings = Vec<[f64; 2]>;
@@ -13,21 +14,22 @@ pub(super) type Bearings = Vec<[f64; 2]>;
 pub(super) struct Directions {
     pub(super) target: Bearings,
     pub(super) gaze: Bearings,
-    /// Direction of the gaze if joint 0, an eye, were as in the bind pose.
+    /// Direction of the gaze if the effector's joint, an eye, were as in the bind pose.
     pub(super) head: Option<Bearings>,
 }
 
 impl Directions {
     /// Nothing where the rig's bones are not in the document.
     pub(super) fn new(subject: &BakePage<'_>) -> Option<Self> {
-        let BakePage { spec, document, measurement, baked, .. } = *subject;
+        let BakePage { spec, report, document, measurement, baked } = *subject;
         let skeleton = document.skeleton();
         let chain = chain_nodes(spec, skeleton).ok()?;
         let bind = &measurement.bind_world;
-        let eye = chain.joints[0];
+        let Effector { joint, ray } = report.aimed;
+        let eye = chain.joints[joint];
         let carrier = chain.joints.last().and_then(|node| skeleton.nodes()[*node].parent);
-        let head = skeleton.nodes()[eye].parent.filter(|_| spec.joints[0].role == Role::Eye);
-        let axes = [spec.effector.frame.left, spec.effector.frame.up, spec.effector.frame.forward];
+        let head = skeleton.nodes()[eye].parent.filter(|_| spec.joints[joint].role == Role::Eye);
+        let axes = [ray.frame.left, ray.frame.up, ray.frame.forward];
         let rest = axes.map(|axis| bind[eye].transform_vector3(DVec3::from(axis)));
         let moved = |node: Option<usize>, world: &[DAffine3]| -> DMat3 {
             node.map_or(DMat3::IDENTITY, |node| world[node].matrix3 * bind[node].matrix3.inverse())
@@ -41,9 +43,9 @@ impl Directions {
                 let [left, up, forward] = frame_of.map(|axis| axis.dot(v));
                 [left.atan2(forward).to_degrees(), up.atan2(left.hypot(forward)).to_degrees()]
             };
-            let origin = world[eye].transform_point3(DVec3::from(spec.effector.origin));
+            let origin = world[eye].transform_point3(DVec3::from(ray.origin));
             found.target.push(seen(frame.target - origin));
-            found.gaze.push(seen(world[eye].transform_vector3(DVec3::from(spec.effector.frame.forward))));
+            found.gaze.push(seen(world[eye].transform_vector3(DVec3::from(ray.frame.forward))));
             if let Some(course) = &mut found.head {
                 course.push(seen(moved(head, world) * rest[2]));
             }

@@ -7,6 +7,7 @@ use maud::{Markup, html};
 
 use super::scene::{BESIDE, Eye, HEIGHT, IN_FRONT, Scene, Stand, WIDTH};
 use super::subject::BakePage;
+use crate::effector::Effector;
 use crate::words::{self, n, segment};
 
 /// Drawings in a strip over time.
@@ -73,10 +74,14 @@ fn events(subject: &BakePage<'_>, all: usize) -> Vec<Moment> {
 fn strip(subject: &BakePage<'_>, stand: Stand, drawn: &[Moment]) -> Option<Markup> {
     let BakePage { spec, report, document, baked, .. } = *subject;
     let chain = chain_nodes(spec, document.skeleton()).ok()?;
-    let effector =
-        Eye { node: chain.joints[0], centre: spec.effector.origin.into(), forward: spec.effector.frame.forward.into() };
+    let ray = |Effector { joint, ray }| Eye {
+        node: chain.joints[joint],
+        centre: ray.origin.into(),
+        forward: ray.frame.forward.into(),
+    };
+    let [eye, effector] = [Effector::of(spec, 0), report.aimed].map(ray);
     let frames = drawn.iter().map(|(k, _)| &baked.frames[*k]);
-    let scene = Scene::of_gaze(subject, &chain, effector, stand, frames);
+    let scene = Scene::of_gaze(subject, &chain, eye, stand, frames);
     Some(html! {
         ol.film {
             @for (k, what) in drawn {

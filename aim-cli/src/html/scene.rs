@@ -149,25 +149,25 @@ fn at(node: Option<usize>, world: &[DAffine3]) -> DVec3 {
 }
 
 impl<'a> Scene<'a> {
-    /// The head, or what the `effector` is on, in all the frames that are `drawn`.
+    /// The head, or what the `eye` of joint 0 is on, in all the frames that are `drawn`.
     pub(super) fn of_gaze<'f>(
         subject: &BakePage<'a>,
         chain: &ChainNodes,
-        effector: Eye,
+        eye: Eye,
         stand: Stand,
         drawn: impl Iterator<Item = &'f AimedFrame>,
     ) -> Self {
         let BakePage { document, measurement, .. } = *subject;
         let skeleton = document.skeleton();
         let surface = document.surface();
-        let Eye { node: first, centre: origin, forward } = effector;
+        let Eye { node: first, centre: origin, forward } = eye;
         let bind = &measurement.bind_world;
         let role = |node: usize| measurement.bone(node).and_then(|bone| bone.role);
         let is_eye =
             chain.other_eye.is_some() || matches!(role(first), Some(Role::LeftEye | Role::RightEye | Role::Eyes));
         let mut eyes = Vec::new();
         if is_eye {
-            eyes.push(effector);
+            eyes.push(eye);
             let forward = bind[first].transform_vector3(forward);
             eyes.extend(chain.other_eye.map(|node| Eye {
                 node,

@@ -5,6 +5,7 @@ use aim_gltf::Plausibility;
 use maud::{Markup, html};
 
 use crate::bake_report::BakeReport;
+use crate::effector::Effector;
 use crate::plausibility;
 use crate::words::{self, chip, counted, fixed, listed, shown, status, tiny, trimmed};
 
@@ -154,8 +155,9 @@ fn shares(counts: &[(&str, usize, &str)], all: usize) -> Markup {
 
 fn facts(spec: &RigSpec, report: &BakeReport) -> Vec<(&'static str, String)> {
     let vector = |v: [f64; 3]| v.map(|x| shown(x, 4)).join(", ");
+    let Effector { joint, ray } = report.aimed;
     let bone =
-        report.frames.first().and_then(|frame| frame.joints.first()).map_or("", |joint| joint.bone.name.as_str());
+        report.frames.first().and_then(|frame| frame.joints.get(joint)).map_or("", |joint| joint.bone.name.as_str());
     let mut facts = vec![
         ("Rig", report.rig.clone()),
         ("Aimed over", report.over.clone()),
@@ -163,14 +165,14 @@ fn facts(spec: &RigSpec, report: &BakeReport) -> Vec<(&'static str, String)> {
         ("Length", format!("{} s", trimmed(seconds(report), 3))),
         ("Frames", format!("{}, {} a second", report.frames.len(), trimmed(report.fps.into(), 3))),
         ("Solver", solver(report.solver).to_owned()),
-        ("Effector", format!("{bone}, along ({})", vector(spec.effector.frame.forward))),
+        ("Effector", format!("{bone}, along ({})", vector(ray.frame.forward))),
     ];
-    if spec.effector.origin != [0.0; 3] {
-        facts.push(("Its origin", format!("({})", vector(spec.effector.origin))));
+    if ray.origin != [0.0; 3] {
+        facts.push(("Its origin", format!("({})", vector(ray.origin))));
     }
     if let Some(pair) = &spec.joints[0].other_eye {
         let both = report.frames.iter().any(|frame| frame.pair_error_deg.is_some());
-        facts.push((if both { "The other eye" } else { "Turns with it" }, pair.clone()));
+        facts.push((if both || joint > 0 { "The other eye" } else { "Turns with it" }, pair.clone()));
     }
     facts
 }

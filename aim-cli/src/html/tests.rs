@@ -8,6 +8,7 @@ use scraper::{Html, Selector};
 
 use super::{BakePage, page};
 use crate::bake_report::{BakeReport, JointReport, Reported};
+use crate::effector::Effector;
 use aim_character::InterpretedRig;
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");
@@ -74,6 +75,7 @@ impl Case {
         let plausibility = Plausibility::measure(&rig, &plan, &baked, &written).expect("the clip is there");
         let report = BakeReport::new(Reported {
             spec: &spec,
+            effector: Effector::of(&spec, 0),
             solver: "ascent",
             fps: 30.0,
             over: "its clip",
@@ -257,6 +259,7 @@ fn an_hour_is_hardly_larger_than_a_second() {
     case.baked.frames = times.map(|t| aim_gltf::AimedFrame { t, ..frame.clone() }).collect();
     case.report = BakeReport::new(Reported {
         spec: &case.spec,
+        effector: Effector::of(&case.spec, 0),
         solver: "ascent",
         fps: 30.0,
         over: "its clip",

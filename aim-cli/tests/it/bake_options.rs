@@ -186,6 +186,69 @@ fn weight_attention_and_the_policy_behind_are_the_artists() {
 }
 
 #[test]
+fn the_effector_is_another_joint_and_what_is_outside_it_rests() {
+    let place = Place::with_mannequin();
+    let last_of = |options: &str| {
+        let report = bake(&place, options);
+        let frame = frames(&report).1.clone();
+        (list(&frame["joints"]).iter().map(|joint| number(&joint["heading_deg"])).collect::<Vec<_>>(), report)
+    };
+    for solver in ["natural", "exact", "ascent"] {
+        let aside = format!("--target 1,1.66,2 --seconds 3 --solver {solver}");
+        let (own, report) = last_of(&aside);
+        assert_eq!(report["effector"]["bone"], "left_eye");
+        assert_eq!(last_of(&format!("{aside} --effector eyes")), (own.clone(), report), "{solver}");
+        // The neck turns to where the eye looked, and past what it shared with the eye.
+        let (turned, report) = last_of(&format!("{aside} --effector neck"));
+        assert_eq!(report["effector"]["bone"], "neck", "{solver}");
+        assert_eq!(report["effector"]["origin"], json!([0.0, 0.0, 0.0]), "{solver}");
+        assert!(turned[0] == 0.0 && turned[1] > own[1] + 1.0, "{solver}: {turned:?} after {own:?}");
+        assert_eq!(frames(&report).1["status"], "reached", "{solver}");
+        let (turned, report) = last_of(&format!("--target 0.2,1.4,2 --seconds 3 --solver {solver} --effector chest"));
+        assert_eq!(report["effector"]["bone"], "spine3", "{solver}");
+        assert!(turned[..2] == [0.0; 2] && turned[2] > 3.0, "{solver}: {turned:?}");
+        assert_eq!(frames(&report).1["status"], "reached", "{solver}");
+    }
+}
+
+#[test]
+fn a_bake_of_another_effector_says_so() {
+    let place = Place::with_mannequin();
+    let ran = place.done(&format!("bake m.glb --rig m.toml {ASIDE} --effector neck --out out.glb --html r.html"));
+    assert!(ran.stdout.contains("aimed by Mannequin with the effector \"neck\""), "{}", ran.stdout);
+    let page = String::from_utf8(place.read("r.html")).expect("text");
+    assert!(page.contains("neck, along ("), "the page names the effector");
+    // A hand hangs on the chest: the chest cannot catch up with it, the eye can.
+    let at_hand = "bake m.glb --rig m.toml --out out.glb --seconds 0.2 --target node:left_hand";
+    assert!(place.done(&format!("{at_hand} --effector chest")).stderr.contains("moves with the gaze itself"));
+    assert_eq!(place.done(at_hand).stderr, "");
+    // An orbit is around what is aimed: level with it, the neck needs no pitch beyond the walk's.
+    let orbit = "bake m.glb --rig m.toml --seconds 1 --out out.glb --report r.json --target";
+    place.done(&format!("{orbit} orbit:2,0,8 --effector neck"));
+    let [neck, eye] = [&place.json("r.json"), &{
+        place.done(&format!("{orbit} orbit:2,0,8"));
+        place.json("r.json")
+    }]
+    .map(|report| number(&frames(report).0["target"][1]));
+    assert!(neck < eye - 0.05, "the orbit is {neck} high, the eye's {eye}");
+}
+
+#[test]
+fn an_effector_that_the_rig_has_not_is_refused() {
+    let place = Place::with_mannequin();
+    let refused = |more: &str, words: &[&str]| {
+        place.refused(&format!("bake m.glb --rig m.toml {ASIDE} --out out.glb {more}"), words);
+    };
+    // What is asked for, of which rig, and what is possible.
+    refused("--effector jaw", &["jaw", "Mannequin", "left_eye", "neck", "spine3", "eyes (left_eye)", "chest (spine3)"]);
+    // This rig has no joint of that role.
+    refused("--effector head", &["--effector head", "Mannequin", "neck"]);
+    refused("--effector=", &["--effector"]);
+    refused("--effector neck --both-eyes", &["--both-eyes", "--effector neck"]);
+    place.done(&format!("bake m.glb --rig m.toml {ASIDE} --out out.glb --effector eyes --both-eyes"));
+}
+
+#[test]
 fn a_measured_rig_has_the_name_of_its_file() {
     let place = Place::with_mannequin();
     place.write("my hero.v2.glb", &place.read("m.glb"));

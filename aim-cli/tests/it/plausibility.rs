@@ -206,3 +206,15 @@ fn strict_fails_on_what_is_too_much_and_names_it() {
     assert!(page.contains("Head acceleration") && page.contains("of at most 300°/s"), "the page");
     place.done(&format!("{} --rig quick.toml --solver exact", bake.replace(" --strict", "")));
 }
+
+#[test]
+fn what_is_outside_the_effector_lifts_no_gaze() {
+    let character = statue();
+    // More than the neck's 60°, and less than with the eyes'.
+    let counts = |effector: usize| {
+        let order = Order { settings: Settings::default().with_effector(effector), ..Order::of(1.0) };
+        let (_, measured) = character.measure(order, |_| character.seen_at(5.0, 0.0, 68.0), |_| {});
+        measured.frames.last().expect("frames").elevation_counts
+    };
+    assert_eq!([counts(0), counts(1)], [true, false]);
+}

@@ -284,8 +284,10 @@ impl<'a> Look<'a> {
         let description = rig.description();
         let joints = description.joints();
         let has_roles = joints.iter().any(|joint| joint.role != Role::None);
+        let effector = plan.settings.effector.min(joints.len().saturating_sub(1));
         let sum = |counts: &dyn Fn(Role) -> bool| {
-            let ranges = joints.iter().filter(|joint| counts(joint.role)).filter_map(|joint| joint.pitch);
+            // What is outside the effector is at rest.
+            let ranges = joints[effector..].iter().filter(|joint| counts(joint.role)).filter_map(|joint| joint.pitch);
             ranges.fold([0.0_f64; 2], |[lo, hi], range| [lo + f64::from(range[0]), hi + f64::from(range[1])])
         };
         let eyes = sum(&|role| role == Role::Eye);
@@ -299,7 +301,7 @@ impl<'a> Look<'a> {
         Self {
             landmarks: Landmarks::find(rig, plan),
             live: Live::new(rig, plan.document, measurement, plan.chain, plan.both_eyes),
-            effector: plan.settings.effector,
+            effector,
             bind: &measurement.bind_world,
             forward: measurement.forward,
             left: measurement.left,

@@ -91,14 +91,16 @@ impl Bake<'_> {
         });
         let frames: Vec<Frame<'_>> = frames.collect();
         let up = self.joints.map(|joints| standing(&source, &chain, joints));
+        let effector = output.node(self.report["effector"]["bone"].as_str().expect("the effector's bone"));
+        let aimed = chain.iter().position(|node| *node == effector).expect("the effector is a joint");
         for frame in &frames {
-            self.error_is_true(frame, &output, chain[0]);
+            self.error_is_true(frame, &output, effector);
             if !seam(frame.t) {
                 for &arm in &held {
                     stays_on_the_trunk(frame, &output, trunk, arm);
                 }
                 if let Some(up) = up {
-                    self.roll_is_true(frame, &output, chain[0], up);
+                    self.roll_is_true(frame, &output, (aimed, effector), up);
                 }
                 self.angles_make_the_rotations(frame, &source, &chain, up.unwrap_or(DVec3::Y));
                 // A hidden eye has no turn in the world.
@@ -169,12 +171,12 @@ impl Bake<'_> {
     }
 
     /// The report's roll is that of the written file against the source's, both measured from the horizon.
-    fn roll_is_true(&self, frame: &Frame<'_>, output: &Model, eye: usize, character_up: DVec3) {
+    fn roll_is_true(&self, frame: &Frame<'_>, output: &Model, (joint, node): (usize, usize), character_up: DVec3) {
         let (Some(joints), true) = (self.joints, frame.report["status"] != "degenerate") else { return };
         let forward = vector(&self.report["effector"]["forward"]);
         let roll = |pose: &[Local]| {
-            let world = output.world(pose, eye);
-            let (gaze, up) = (world.transform_vector3(forward).normalize(), world.transform_vector3(joints[0].up));
+            let world = output.world(pose, node);
+            let (gaze, up) = (world.transform_vector3(forward).normalize(), world.transform_vector3(joints[joint].up));
             let left = character_up.cross(gaze);
             // Nearly straight up there is no horizon to speak of.
             (left.length() > 0.03).then(|| {

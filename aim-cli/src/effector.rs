@@ -1,0 +1,52 @@
+//! What a bake aims: the rig's effector, or one of its joints.
+
+use aim_codegen::{EffectorSpec, RigSpec, Role};
+use aim_gltf::{ChainNodes, Skeleton};
+
+use crate::failure::{Failure, Result};
+use crate::words::listed;
+
+/// A joint that is aimed.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Effector {
+    /// The joint, counted from the rig's effector inward: the value of [`Settings::effector`](aim_runtime::Settings::effector).
+    pub(crate) joint: usize,
+    /// Its point and direction, in the joint's bone space.
+    pub(crate) ray: EffectorSpec,
+}
+
+impl Effector {
+    /// The rig's own for joint 0, else the joint's bone: its forward from its origin.
+    pub(crate) fn of(spec: &RigSpec, joint: usize) -> Self {
+        let own = || EffectorSpec { frame: spec.joints[joint].frame, origin: [0.0; 3] };
+        Self { joint, ray: if joint == 0 { spec.effector } else { own() } }
+    }
+
+    /// What is meant by a word of the command line: the name of a joint's bone, or what it is of.
+    ///
+    /// # Errors
+    /// A word that no joint of the rig answers to.
+    pub(crate) fn named(word: &str, spec: &RigSpec, skeleton: &Skeleton, chain: &ChainNodes) -> Result<Self> {
+        let bone = |joint: usize| skeleton.nodes()[chain.joints[joint]].name.as_str();
+        let joints = 0..spec.joints.len();
+        let outermost = |role| spec.joints.iter().position(|joint| joint.role == role);
+        let by_name = joints.clone().find(|&joint| bone(joint) == word);
+        let by_role = || ROLES.iter().find(|(_, known)| *known == word).and_then(|(role, _)| outermost(*role));
+        if let Some(joint) = by_name.or_else(by_role) {
+            return Ok(Self::of(spec, joint));
+        }
+        let roles = ROLES.iter().filter_map(|(role, word)| Some(format!("{word} ({})", bone(outermost(*role)?))));
+        let bones = joints.map(|joint| bone(joint).to_owned());
+        let [roles, bones] = [roles.collect::<Vec<_>>(), bones.collect()];
+        let [roles, bones] = [&roles, &bones].map(|all| listed(&all.iter().map(String::as_str).collect::<Vec<_>>()));
+        let or_roles = if roles.is_empty() { String::new() } else { format!(", and by what they are of {roles}") };
+        Err(Failure::input(format!(
+            "--effector {word}: the rig {} has no such joint; its bones are {bones}{or_roles}",
+            spec.name
+        )))
+    }
+}
+
+/// Words for the outermost joint of a role.
+const ROLES: [(Role, &str); 4] =
+    [(Role::Eye, "eyes"), (Role::Head, "head"), (Role::Neck, "neck"), (Role::Chest, "chest")];
