@@ -318,9 +318,12 @@ fn frame(bone: &BoneAxes) -> Frame {
 }
 
 fn between([lo, hi]: [f64; 2]) -> AngleRange {
-    // A share of a habit, or a file's single precision: thousandths of a degree are enough, and read well.
-    let rounded = |degrees: f64| ((degrees * 1e3).round() / 1e3).to_radians();
-    AngleRange::Between(rounded(lo), rounded(hi))
+    AngleRange::Between(rounded_rad(lo), rounded_rad(hi))
+}
+
+/// A share of a habit, or a file's single precision, in radians: thousandths of a degree are enough, and read well.
+fn rounded_rad(degrees: f64) -> f64 {
+    ((degrees * 1e3).round() / 1e3).to_radians()
 }
 
 /// The role of the joint that a bone becomes: as measured, else as its name tells.
@@ -346,7 +349,7 @@ fn joint(name: String, role: Declared, habit: &Habit, bone: &BoneAxes) -> JointS
         heading: habit.heading.map(range),
         // What a body can do counts from how it is built, whatever the clip does already.
         limits_from: if role == Declared::None { LimitsFrom::Animation } else { LimitsFrom::BindPose },
-        rate: habit.rate.to_radians(),
+        rate: rounded_rad(habit.rate),
         acceleration: None,
         stiffness: habit.stiffness,
         upright: None,

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use aim_character::evidence;
 use aim_gltf::{Clue, Document, LookAt, Measurement, SignedAxis, Stated};
 use clap::Args;
 
@@ -37,7 +38,28 @@ impl Facing {
                     ),
                 ))
             }
-            _ => Ok(measurement),
+            stated => {
+                if let Some(axis) = stated {
+                    warn_of_evidence(axis, file, document, &measurement);
+                }
+                Ok(measurement)
+            }
         }
+    }
+}
+
+/// Prints a warning where most of what a file tells is against the stated forward.
+fn warn_of_evidence(stated: SignedAxis, file: &Path, document: &Document, measurement: &Measurement) {
+    let weight = |agrees: bool| -> f64 {
+        let told = measurement.evidence.iter().filter(|said| said.clue != Clue::Stated && said.forward.is_some());
+        told.filter(|said| said.agrees == agrees).map(|said| said.weight).sum()
+    };
+    if weight(false) > weight(true) {
+        let against = evidence::against(measurement, document).join("; ");
+        eprintln!(
+            "warning: {}: --forward {stated} is against most of the evidence: {against}; leave it out if the character \
+             faces another way",
+            file.display()
+        );
     }
 }

@@ -56,7 +56,7 @@ fn translation(json: &Value, node: usize) -> DVec3 {
 }
 
 /// Hangs a new bone between a bone and its parent, so that `part` of the way to it is above the new one.
-fn insert(json: &mut Value, name: &str, above: &str, part: f64) {
+pub(crate) fn insert(json: &mut Value, name: &str, above: &str, part: f64) {
     let (child, new) = (node(json, above), json["nodes"].as_array().expect("nodes").len());
     let way = translation(json, child);
     let nodes = json["nodes"].as_array_mut().expect("nodes");

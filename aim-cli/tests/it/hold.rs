@@ -108,3 +108,19 @@ fn names_that_cannot_be_held_are_refused() {
     place.refused(&format!("{bake} --hold hips"), &["hold names \"hips\", which does not hang on"]);
     place.refused(&format!("{bake} --hold none,left_clavicle"), &["no node is called \"none\""]);
 }
+
+#[test]
+fn blanks_beside_commas_are_not_of_a_name() {
+    let place = arms_on_the_neck();
+    let words = ["bake", "m.glb", "--target", "2,1.9,1", "--seconds", "0.2", "--report", "r.json", "--out", "out.glb"];
+    let ran = place.run(words.into_iter().chain(["--hold", "left_clavicle, right_clavicle"]));
+    assert_eq!(ran.code, 0, "{ran:?}");
+    assert_eq!(place.json("r.json")["frames"][0]["followers"].as_array().map(Vec::len), Some(3), "an eye and two arms");
+    let ran = place.run(words.into_iter().chain(["--hold", " none"]));
+    assert_eq!((ran.code, place.json("r.json")["frames"][0]["followers"].as_array().map(Vec::len)), (0, Some(1)));
+    let ran = place.run(["rig", "m.glb", "--chain", "head, neck"]);
+    assert!(ran.code == 0 && ran.stdout.contains("bone = \"neck\""), "{ran:?}");
+    for command in ["bake m.glb --target 1,1,1 --out o.glb --hold left_clavicle,", "rig m.glb --chain head,,neck"] {
+        place.refused(command, &["a name is missing", "a,b"]);
+    }
+}

@@ -1,5 +1,6 @@
 //! `aim rig`: what it proposes is a declaration that every other command takes, in either notation.
 
+use crate::common::character::Character;
 use crate::common::forward::list;
 use crate::common::gltf::Model;
 use crate::common::rig::{conventions, joints};
@@ -100,6 +101,39 @@ fn a_stated_facing_overrules_the_measured_one() {
     assert!(target[0] > 1.9 && target[2].abs() < 0.2, "the orbit begins in the stated front: {target:?}");
     place.refused("rig m.glb --forward +Y", &["m.glb", "--forward +Y", "up", "--up"]);
     place.refused("rig m.glb --forward up", &["--forward", "+X, -X, +Y"]);
+}
+
+#[test]
+fn a_statement_against_the_evidence_is_questioned() {
+    let place = Place::with_mannequin();
+    for command in ["rig m.glb", "bake m.glb --target orbit:2,0,8 --out a.glb", "inspect m.glb --json"] {
+        let told = |forward: &str| place.done(&format!("{command} --forward {forward}")).stderr;
+        let wrong = told("-Z");
+        for word in ["warning: m.glb: --forward -Z is against", "would have it that forward is +Z"] {
+            assert!(wrong.contains(word), "{command}: {wrong}");
+        }
+        assert!(!told("+Z").contains("--forward"), "{command}");
+        assert!(!place.done(command).stderr.contains("--forward"), "{command}");
+    }
+}
+
+#[test]
+fn proposed_angles_have_few_decimals() {
+    for tenths in 1..=9 {
+        let model = changed(|json| crate::forms::insert(json, "neck1", "head", f64::from(tenths) / 10.0));
+        let character = Character::new(&model);
+        let proposal = aim_character::propose(&character.document, &character.measurement, None).expect("a rig");
+        let text = aim_character::declaration::toml(&proposal, "A test.");
+        let angles = text.match_indices("deg\"").map(|(end, _)| {
+            let start = text[..end].rfind('"').expect("quotes");
+            &text[start + 1..end]
+        });
+        for angle in angles {
+            let decimals = angle.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+            assert!(decimals <= 3, "{angle}deg in\n{text}");
+        }
+        assert!(!text.contains("rad\""), "{text}");
+    }
 }
 
 #[test]
