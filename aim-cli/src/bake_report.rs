@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::effector::Effector;
 use crate::plausibility;
-use crate::words::STATUSES;
+use crate::words::Wanted;
 
 /// Content of `--report`. Angles are in degrees.
 #[derive(Debug, Serialize)]
@@ -23,6 +23,9 @@ pub(crate) struct BakeReport {
     #[serde(skip)]
     pub(crate) over: String,
     pub(crate) fps: f32,
+    /// Left out where it is whole.
+    #[serde(skip_serializing_if = "is_whole")]
+    pub(crate) weight: f32,
     effector: EffectorReport,
     #[serde(skip)]
     pub(crate) aimed: Effector,
@@ -48,6 +51,7 @@ pub(crate) struct Reported<'a> {
     /// The word of the solver.
     pub(crate) solver: &'static str,
     pub(crate) fps: f32,
+    pub(crate) weight: f32,
     /// The clip that was aimed over, or what else.
     pub(crate) over: &'a str,
     pub(crate) skeleton: &'a Skeleton,
@@ -63,16 +67,34 @@ pub(crate) struct Reported<'a> {
 pub(crate) struct BakeFrame {
     pub(crate) t: f32,
     pub(crate) target: [f64; 3],
+    /// From the target.
     pub(crate) error_deg: f64,
+    /// From the [goal](Wanted::Goal), where that is another direction; what the status is of.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    goal_error_deg: Option<f64>,
     /// By how much the effector's joint is rolled about the gaze more than in the animation, positive to the left; see
     /// [`AimedFrame::roll_deg`].
     pub(crate) roll_deg: f64,
     /// The other eye's error, where both are aimed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) pair_error_deg: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pair_goal_error_deg: Option<f64>,
     pub(crate) status: &'static str,
     pub(crate) joints: Vec<JointReport>,
     followers: Vec<Bone>,
+}
+
+impl BakeFrame {
+    /// The angle from what is [`wanted`](BakeReport::wanted), degrees.
+    pub(crate) fn off_deg(&self) -> f64 {
+        self.goal_error_deg.unwrap_or(self.error_deg)
+    }
+
+    /// The same of the other eye.
+    pub(crate) fn pair_off_deg(&self) -> Option<f64> {
+        self.pair_goal_error_deg.or(self.pair_error_deg)
+    }
 }
 
 /// A bone, told apart from others of its name.
@@ -107,11 +129,19 @@ pub(crate) struct JointReport {
 pub(crate) struct BakeSummary {
     pub(crate) frames: usize,
     pub(crate) reached: usize,
+    /// What is reached, and what errors that are summed up here are from; left out where that is the target.
+    #[serde(skip_serializing_if = "Wanted::is_target")]
+    pub(crate) of: Wanted,
     pub(crate) max_error_deg_reached: f64,
     pub(crate) max_rate_violation_deg_s: f64,
     pub(crate) max_limit_violation_deg: f64,
     /// The largest roll to either side.
     pub(crate) max_roll_deg: f64,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands out references")]
+fn is_whole(weight: &f32) -> bool {
+    *weight >= 1.0
 }
 
 /// The word of the contract.
@@ -127,7 +157,8 @@ pub(crate) fn status_word(status: Status) -> &'static str {
 
 impl BakeReport {
     pub(crate) fn new(reported: Reported<'_>) -> Self {
-        let Reported { spec, effector, solver, fps, over, skeleton, chain, held, baked, plausibility } = reported;
+        let Reported { spec, effector, solver, fps, weight, over, skeleton, chain, held, baked, plausibility } =
+            reported;
         let bones: Vec<Bone> = chain.joints.iter().map(|&node| Bone::new(skeleton, node)).collect();
         let followers = chain.other_eye.iter().chain(held).map(|&node| Bone::new(skeleton, node));
         let followers: Vec<Bone> = followers.collect();
@@ -138,10 +169,14 @@ impl BakeReport {
             at_limit: joint.at_limit,
             recovering: joint.recovering,
         };
+        let goal = (Wanted::at_weight(weight) == Wanted::Goal).then_some(());
+        let degrees = |radians: f32| f64::from(radians).to_degrees();
         let frames = baked.frames.iter().map(|frame| BakeFrame {
             t: frame.t,
             target: frame.target.to_array(),
             error_deg: frame.error_deg,
+            goal_error_deg: goal.map(|()| degrees(frame.outcome.remaining)),
+            pair_goal_error_deg: goal.and(frame.outcome.other_eye_remaining).map(degrees),
             roll_deg: frame.roll_deg,
             pair_error_deg: frame.pair_error_deg,
             status: status_word(frame.outcome.status),
@@ -153,6 +188,7 @@ impl BakeReport {
             solver,
             clip: baked.clip.name.clone(),
             fps,
+            weight,
             over: over.to_owned(),
             effector: EffectorReport {
                 bone: bones[effector.joint].clone(),
@@ -160,17 +196,27 @@ impl BakeReport {
                 origin: effector.ray.origin,
             },
             aimed: effector,
-            summary: BakeSummary::new(spec, baked),
+            summary: BakeSummary::new(spec, baked, Wanted::at_weight(weight)),
             frames: frames.collect(),
             plausibility,
         }
     }
 
-    /// The statuses that frames have, in the order of [`STATUSES`]: each with their number, and in words that follow it.
+    /// What statuses and [errors](BakeFrame::off_deg) are of.
+    pub(crate) fn wanted(&self) -> Wanted {
+        self.summary.of
+    }
+
+    /// The statuses that frames have, in the order of [`Wanted::statuses`]: each with their number, and in words that follow it.
     pub(crate) fn counts(&self) -> Vec<(&'static str, usize, &'static str)> {
         let count = |word: &str| self.frames.iter().filter(|frame| frame.status == word).count();
-        let counts = STATUSES.iter().map(|(word, _, after, _)| (*word, count(word), *after));
+        let counts = self.wanted().statuses().map(|(word, _, after, _)| (word, count(word), after));
         counts.filter(|(_, frames, _)| *frames > 0).collect()
+    }
+
+    /// The words for a frame that is where it is wanted.
+    pub(crate) fn on_it(&self) -> &'static str {
+        self.wanted().statuses().find(|(word, ..)| *word == "reached").map_or("", |(_, _, after, _)| after)
     }
 
     /// The summary in words; `file` is what was written.
@@ -185,8 +231,8 @@ impl BakeReport {
         }
         out += ", ";
         out += &match reached {
-            0 => "none of them on target".to_owned(),
-            _ => format!("{reached} of them on target (error at most {max_error_deg_reached:.3}°)"),
+            0 => format!("none of them {}", self.on_it()),
+            _ => format!("{reached} of them {} (error at most {max_error_deg_reached:.3}°)", self.on_it()),
         };
         for (_, frames, words) in self.counts().into_iter().filter(|(status, ..)| *status != "reached") {
             out += &format!(", {frames} {words}");
@@ -196,12 +242,17 @@ impl BakeReport {
 }
 
 impl BakeSummary {
-    fn new(spec: &RigSpec, baked: &Baked) -> Self {
+    fn new(spec: &RigSpec, baked: &Baked, of: Wanted) -> Self {
+        let off_deg = |frame: &AimedFrame| match of {
+            Wanted::Target => frame.error_deg,
+            Wanted::Goal => f64::from(frame.outcome.remaining).to_degrees(),
+        };
         let reached = baked.frames.iter().filter(|frame| frame.outcome.status == Status::Reached);
         Self {
             frames: baked.frames.len(),
             reached: reached.clone().count(),
-            max_error_deg_reached: reached.map(|frame| frame.error_deg).fold(0.0, f64::max),
+            of,
+            max_error_deg_reached: reached.map(off_deg).fold(0.0, f64::max),
             max_rate_violation_deg_s: rate_violation(spec, &baked.frames),
             max_limit_violation_deg: limit_violation(spec, &baked.frames),
             max_roll_deg: baked.frames.iter().map(|frame| frame.roll_deg.abs()).fold(0.0, f64::max),

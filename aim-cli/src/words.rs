@@ -3,9 +3,11 @@
 use glam::DVec3;
 use maud::{Markup, html};
 
-/// Statuses in the order in which they are listed: the contract's word, ours, ours behind a number of frames, what it
-/// means.
-pub(crate) const STATUSES: [(&str, &str, &str, &str); 5] = [
+/// A status in words: the contract's word, ours, ours behind a number of frames, what it means.
+pub(crate) type StatusWords = (&'static str, &'static str, &'static str, &'static str);
+
+/// Statuses in the order in which they are listed.
+const STATUSES: [StatusWords; 5] = [
     ("reached", "on target", "on target", "within the tolerance of the target"),
     ("rate_limited", "on the way", "on the way", "within reach as soon as the rates allow"),
     ("at_limit", "out of reach", "out of reach", "beyond the ranges of motion"),
@@ -13,9 +15,53 @@ pub(crate) const STATUSES: [(&str, &str, &str, &str); 5] = [
     ("degenerate", "no direction", "without a direction", "the target or the pose has no direction to aim along"),
 ];
 
-/// A status in our words; one that is not known in its own.
-pub(crate) fn status(word: &str) -> &str {
-    STATUSES.iter().find(|(own, ..)| *own == word).map_or(word, |(_, ours, ..)| ours)
+/// Those of a weight below 1 that are other words.
+const OF_THE_GOAL: StatusWords = (
+    "reached",
+    "on the goal",
+    "on the weighted goal",
+    "within the tolerance of the goal, which the weight leaves of the way",
+);
+
+/// The direction that statuses and errors are measured from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Wanted {
+    /// That to the target.
+    Target,
+    /// The part of the way from the animated gaze to the target that a weight below 1 asks for.
+    Goal,
+}
+
+impl Wanted {
+    pub(crate) fn at_weight(weight: f32) -> Self {
+        if weight < 1.0 { Self::Goal } else { Self::Target }
+    }
+
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands out references")]
+    pub(crate) fn is_target(&self) -> bool {
+        *self == Self::Target
+    }
+
+    /// As a noun.
+    pub(crate) fn noun(self) -> &'static str {
+        match self {
+            Self::Target => "target",
+            Self::Goal => "weighted goal",
+        }
+    }
+
+    /// All statuses, in the order in which they are listed.
+    pub(crate) fn statuses(self) -> impl Iterator<Item = StatusWords> {
+        STATUSES
+            .into_iter()
+            .map(move |words| if self == Self::Goal && words.0 == OF_THE_GOAL.0 { OF_THE_GOAL } else { words })
+    }
+
+    /// A status in our words; one that is not known in its own.
+    pub(crate) fn status(self, word: &str) -> &str {
+        self.statuses().find(|(own, ..)| *own == word).map_or(word, |(_, ours, ..)| ours)
+    }
 }
 
 /// A small patch of a status's colour.

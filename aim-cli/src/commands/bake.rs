@@ -142,6 +142,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         effector,
         solver: word,
         fps: arguments.fps,
+        weight: arguments.weight,
         over: clip.map_or("the rest pose", |clip| &clip.name),
         skeleton,
         chain: &chain,

@@ -4,7 +4,7 @@
 use maud::{Markup, html};
 
 use crate::axis::{Axis, multiples, nice};
-use crate::words::{self, n, shown, trimmed};
+use crate::words::{self, Wanted, n, shown, trimmed};
 
 /// One line.
 pub(super) struct Series<'a> {
@@ -42,6 +42,7 @@ pub(super) struct Chart<'a> {
     pub(super) wide: bool,
     pub(super) times: &'a [f64],
     pub(super) statuses: &'a [&'a str],
+    pub(super) wanted: Wanted,
     pub(super) scale: Scale,
     /// A jump of half of this is the value wrapping round.
     pub(super) wraps: Option<f64>,
@@ -57,17 +58,19 @@ pub(super) struct Chart<'a> {
 pub(super) struct Base<'a> {
     pub(super) times: &'a [f64],
     pub(super) statuses: &'a [&'a str],
+    pub(super) wanted: Wanted,
 }
 
 impl<'a> Base<'a> {
     pub(super) fn chart(&self, label: String, unit: &'static str, scale: Scale) -> Chart<'a> {
-        let (times, statuses) = (self.times, self.statuses);
+        let Self { times, statuses, wanted } = *self;
         Chart {
             label,
             unit,
             wide: false,
             times,
             statuses,
+            wanted,
             scale,
             wraps: None,
             series: Vec::new(),
@@ -202,7 +205,7 @@ impl Chart<'_> {
         html! {
             @for (start, stop) in runs(self.statuses) {
                 @let (from, to) = (self.x(self.time(start)), self.x(self.time(stop)));
-                @let name = words::status(self.statuses[start]);
+                @let name = self.wanted.status(self.statuses[start]);
                 g {
                     title { (name) ", " (self.stretch(start, stop)) }
                     rect class={ "status " (self.statuses[start]) } x=(trimmed(from, 2)) width=(trimmed((to - from).max(0.4), 2)) y=(n(top)) height=(n(thick)) {}

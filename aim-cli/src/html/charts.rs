@@ -10,15 +10,15 @@ use super::directions::Directions;
 use super::gaze;
 use super::looks;
 use super::subject::BakePage;
-use crate::bake_report::{BakeReport, JointReport};
-use crate::words::{self, chip, shown, trimmed};
+use crate::bake_report::{BakeFrame, BakeReport, JointReport};
+use crate::words::{self, Wanted, chip, shown, trimmed};
 
 /// Every chart of the page.
 pub(super) fn all(subject: &BakePage<'_>) -> Markup {
     let BakePage { spec, report, .. } = *subject;
     let times: Vec<f64> = report.frames.iter().map(|frame| frame.t.into()).collect();
     let statuses: Vec<&str> = report.frames.iter().map(|frame| frame.status).collect();
-    let base = Base { times: &times, statuses: &statuses };
+    let base = Base { times: &times, statuses: &statuses, wanted: report.wanted() };
     let directions = Directions::new(subject);
     let has_head = directions.as_ref().is_some_and(|directions| directions.head.is_some());
     html! {
@@ -31,7 +31,7 @@ pub(super) fn all(subject: &BakePage<'_>) -> Markup {
              its rate. The band below each chart tells the status:"
         }
         p.statuses {
-            @for (word, ours, _, meaning) in words::STATUSES.iter().filter(|(word, ..)| statuses.contains(word)) {
+            @for (word, ours, _, meaning) in report.wanted().statuses().filter(|(word, ..)| statuses.contains(word)) {
                 span.chip title=(meaning) { (chip(word)) (ours) }
             }
         }
@@ -46,24 +46,29 @@ pub(super) fn all(subject: &BakePage<'_>) -> Markup {
 }
 
 fn error(base: &Base<'_>, report: &BakeReport) -> Markup {
-    let values: Vec<f64> = report.frames.iter().map(|frame| frame.error_deg).collect();
+    let values: Vec<f64> = report.frames.iter().map(BakeFrame::off_deg).collect();
+    let wanted = report.wanted().noun();
     let worst = values.iter().copied().fold(0.0, f64::max);
     let tolerance = f64::from(Settings::default().tolerance).to_degrees();
     let label = format!(
-        "Angle between the gaze and the target over time, at most {}; the target counts as reached within {}°.",
+        "Angle between the gaze and the {wanted} over time, at most {}; the {wanted} counts as reached within {}°.",
         words::degrees(worst),
         trimmed(tolerance, 3)
     );
     let mut chart = base.chart(label, "degrees, logarithmic; below 0.001 drawn at 0.001", Scale::Log(1e-3, 180.0));
     chart.wide = true;
     chart.series.push(Series { name: "error", class: "one", values });
-    let pair: Vec<f64> = report.frames.iter().filter_map(|frame| frame.pair_error_deg).collect();
+    let pair: Vec<f64> = report.frames.iter().filter_map(BakeFrame::pair_off_deg).collect();
     if !pair.is_empty() && pair.len() == report.frames.len() {
         // Below the other, which is the one that counts.
         chart.series.insert(0, Series { name: "the other eye's", class: "pitch", values: pair });
     }
     chart.marks.push(Mark { value: tolerance, class: "plain", label: format!("{}°", trimmed(tolerance, 3)) });
-    chart.figure("Error: the angle between gaze and target")
+    if report.wanted() == Wanted::Goal {
+        let from_target = report.frames.iter().map(|frame| frame.error_deg).collect();
+        chart.series.insert(0, Series { name: "from the target", class: "target-line", values: from_target });
+    }
+    chart.figure(&format!("Error: the angle between gaze and {wanted}"))
 }
 
 fn roll(base: &Base<'_>, report: &BakeReport) -> Markup {

@@ -7,8 +7,9 @@ use maud::{Markup, html};
 
 use super::scene::{BESIDE, Eye, HEIGHT, IN_FRONT, Scene, Stand, WIDTH};
 use super::subject::BakePage;
+use crate::bake_report::BakeFrame;
 use crate::effector::Effector;
-use crate::words::{self, n, segment};
+use crate::words::{self, Wanted, n, segment};
 
 /// Drawings in a strip over time.
 const DRAWINGS: usize = 8;
@@ -86,14 +87,14 @@ fn strip(subject: &BakePage<'_>, stand: Stand, drawn: &[Moment]) -> Option<Marku
         ol.film {
             @for (k, what) in drawn {
                 @let told = &report.frames[*k];
-                @let status = words::status(told.status);
+                @let status = report.wanted().status(told.status);
                 li {
                     figure {
-                        (scene.drawing(effector, &baked.frames[*k], told.status, told.error_deg))
+                        (scene.drawing(effector, &baked.frames[*k], told, report.wanted()))
                         figcaption {
                             span.time { (words::fixed(told.t.into(), 2)) " s" }
                             span.chip { (words::chip(told.status)) (status) }
-                            span.number { (words::degrees(told.error_deg)) }
+                            span.number { (words::degrees(told.off_deg())) }
                         }
                         @if let Some(what) = what { p.event { (what) } }
                     }
@@ -104,7 +105,8 @@ fn strip(subject: &BakePage<'_>, stand: Stand, drawn: &[Moment]) -> Option<Marku
 }
 
 impl Scene<'_> {
-    fn drawing(&self, effector: Eye, frame: &AimedFrame, status: &str, error_deg: f64) -> Markup {
+    fn drawing(&self, effector: Eye, frame: &AimedFrame, told: &BakeFrame, wanted: Wanted) -> Markup {
+        let status = told.status;
         let world = &frame.world;
         let eye = &world[effector.node];
         let eye_ws = eye.transform_point3(effector.centre);
@@ -125,10 +127,11 @@ impl Scene<'_> {
         };
         let away = gaze_ws.dot(self.camera.view.toward) < 0.0;
         let label = format!(
-            "At {} s: {}, {} between gaze and target.",
+            "At {} s: {}, {} between gaze and {}.",
             words::fixed(frame.t.into(), 2),
-            words::status(status),
-            words::degrees(error_deg)
+            wanted.status(status),
+            words::degrees(told.off_deg()),
+            wanted.noun()
         );
         html! {
             svg viewBox={ "0 0 " (n(WIDTH)) " " (n(HEIGHT)) } role="img" aria-label=(label) {

@@ -119,7 +119,7 @@ fn close_up(base: &Base<'_>, directions: &Directions, shift: &Shift) -> Markup {
     let start = base.times[shift.begins];
     let at = |t: f64| base.times.partition_point(|time| *time < t);
     let frames = at(start - BEFORE_S)..at(start + AFTER_S).max(shift.begins + 1);
-    let near = Base { times: &base.times[frames.clone()], statuses: &base.statuses[frames.clone()] };
+    let near = Base { times: &base.times[frames.clone()], statuses: &base.statuses[frames.clone()], ..*base };
     let series = series(directions, shift.angle, frames);
     let seen = series.iter().flat_map(|series| &series.values).copied().filter(|value| value.is_finite());
     let (low, high) = seen.fold((0.0_f64, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)));

@@ -4,10 +4,10 @@ use aim_codegen::RigSpec;
 use aim_gltf::Plausibility;
 use maud::{Markup, html};
 
-use crate::bake_report::BakeReport;
+use crate::bake_report::{BakeFrame, BakeReport};
 use crate::effector::Effector;
 use crate::plausibility;
-use crate::words::{self, chip, counted, fixed, listed, shown, status, tiny, trimmed};
+use crate::words::{self, Wanted, chip, counted, fixed, listed, shown, tiny, trimmed};
 
 /// An excess over a rate or a range up to this is rounding.
 const ROUNDING: f64 = 1e-2;
@@ -33,7 +33,7 @@ pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
     html! {
         section.summary {
             p.lead { (in_words(spec, report)) }
-            (shares(&counts, all))
+            (shares(report.wanted(), &counts, all))
             div.facts {
                 (table("What was aimed", &facts(spec, report)))
                 table {
@@ -41,7 +41,7 @@ pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
                     tbody {
                         @for (word, frames, _) in &counts {
                             tr {
-                                th scope="row" { span.chip { (chip(word)) (status(word)) } }
+                                th scope="row" { span.chip { (chip(word)) (report.wanted().status(word)) } }
                                 td { (counted(*frames, "frame")) ", " (fixed(percent(*frames, all), 1)) " %" }
                             }
                         }
@@ -102,9 +102,9 @@ fn in_words(spec: &RigSpec, report: &BakeReport) -> String {
     );
     let reached = report.summary.reached;
     text += &match reached {
-        0 => format!("None of the {} came on target", counted(all, "frame")),
-        n if n == all => format!("All {} are on target", counted(all, "frame")),
-        n => format!("{n} of {} are on target", counted(all, "frame")),
+        0 => format!("None of the {} came {}", counted(all, "frame"), report.on_it()),
+        n if n == all => format!("All {} are {}", counted(all, "frame"), report.on_it()),
+        n => format!("{n} of {} are {}", counted(all, "frame"), report.on_it()),
     };
     if reached > 0 {
         text += &format!(", {} off it at worst", words::degrees(report.summary.max_error_deg_reached));
@@ -133,9 +133,9 @@ fn seconds(report: &BakeReport) -> f64 {
 }
 
 /// One bar, a part of it for each status.
-fn shares(counts: &[(&str, usize, &str)], all: usize) -> Markup {
+fn shares(wanted: Wanted, counts: &[(&str, usize, &str)], all: usize) -> Markup {
     let label: Vec<String> =
-        counts.iter().map(|(word, n, _)| format!("{} {} %", status(word), fixed(percent(*n, all), 1))).collect();
+        counts.iter().map(|(word, n, _)| format!("{} {} %", wanted.status(word), fixed(percent(*n, all), 1))).collect();
     let mut start = 0.0;
     let parts = counts.iter().map(|(word, frames, _)| {
         let (from, width) = (start, percent(*frames, all));
@@ -165,6 +165,7 @@ fn facts(spec: &RigSpec, report: &BakeReport) -> Vec<(&'static str, String)> {
         ("Length", format!("{} s", trimmed(seconds(report), 3))),
         ("Frames", format!("{}, {} a second", report.frames.len(), trimmed(report.fps.into(), 3))),
         ("Solver", solver(report.solver).to_owned()),
+        ("Weight", trimmed(report.weight.into(), 3)),
         ("Effector", format!("{bone}, along ({})", vector(ray.frame.forward))),
     ];
     if ray.origin != [0.0; 3] {
@@ -184,11 +185,19 @@ fn measured(report: &BakeReport) -> Vec<(&'static str, String)> {
         x => format!("exceeded by up to {}", tiny(x, unit)),
     };
     let summary = &report.summary;
-    let worst = report.frames.iter().map(|frame| frame.error_deg).fold(0.0, f64::max);
+    let worst = report.frames.iter().map(BakeFrame::off_deg).fold(0.0, f64::max);
     let on_target = if summary.reached > 0 { words::degrees(summary.max_error_deg_reached) } else { "–".into() };
-    let mut rows = vec![("Worst error on target", on_target), ("Worst error of all", words::degrees(worst))];
-    if let Some(worst) = report.frames.iter().filter_map(|frame| frame.pair_error_deg).reduce(f64::max) {
+    let [when_on_it, of_all] = match report.wanted() {
+        Wanted::Target => ["Worst error on target", "Worst error of all"],
+        Wanted::Goal => ["Worst error from the weighted goal, on it", "Worst error from the weighted goal of all"],
+    };
+    let mut rows = vec![(when_on_it, on_target), (of_all, words::degrees(worst))];
+    if let Some(worst) = report.frames.iter().filter_map(BakeFrame::pair_off_deg).reduce(f64::max) {
         rows.push(("The other eye's worst", words::degrees(worst)));
+    }
+    if report.wanted() == Wanted::Goal {
+        let worst = report.frames.iter().map(|frame| frame.error_deg).fold(0.0, f64::max);
+        rows.push(("Furthest from the target", words::degrees(worst)));
     }
     rows.extend([
         ("Most roll added", words::degrees(summary.max_roll_deg)),

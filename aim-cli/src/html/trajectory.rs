@@ -14,7 +14,7 @@ use super::takes::Takes;
 use crate::page::report as report_page;
 use crate::projection::Projection;
 use crate::reach_report::{ReachFrame, ReachReport};
-use crate::words::{chip, counted, n, points, shown, tiny, trimmed};
+use crate::words::{Wanted, chip, counted, n, points, shown, tiny, trimmed};
 
 /// Statuses of a limb, each with its meaning.
 const STATUSES: [(&str, &str); 4] = [
@@ -121,7 +121,7 @@ fn charts(report: &ReachReport, takes: &Takes<'_>) -> Markup {
     let times: Vec<f64> = frames.iter().map(|frame| frame.t.into()).collect();
     let statuses: Vec<&str> = frames.iter().map(follows).collect();
     let moments: Vec<f64> = report.targets.iter().map(|goal| goal.at.into()).collect();
-    let base = Base { times: &times, statuses: &statuses };
+    let base = Base { times: &times, statuses: &statuses, wanted: Wanted::Target };
     let bound: Vec<bool> = statuses.iter().map(|status| *status != "follows").collect();
     let limb_lengths = |distance: f64| distance / length.max(f64::MIN_POSITIVE);
 

@@ -186,6 +186,45 @@ fn weight_attention_and_the_policy_behind_are_the_artists() {
 }
 
 #[test]
+fn at_half_the_weight_words_and_errors_are_of_the_goal() {
+    let place = Place::new();
+    // Nothing moves, so that the goal is half of the way from straight ahead to the target.
+    place.write(
+        "m.glb",
+        &crate::common::changed(|json| drop(json.as_object_mut().expect("an object").remove("animations"))),
+    );
+    let aside = "bake m.glb --target 3,1.68,5 --seconds 1 --out out.glb --report r.json --html r.html";
+    for (solver, both) in [("natural", ""), ("exact", ""), ("natural", "--both-eyes")] {
+        let ran = place.done(&format!("{aside} --solver {solver} --weight 0.5 {both}"));
+        let report = place.json("r.json");
+        let (_, last, count) = frames(&report);
+        let of_target = number(&last["error_deg"]);
+        assert!((14.0..17.5).contains(&of_target), "{solver}: {of_target}° of 31° are left");
+        let of_goal = number(&last["goal_error_deg"]);
+        assert!(of_goal < 0.1 && last["status"] == "reached", "{solver}: {last}");
+        assert_eq!((&report["weight"], &report["summary"]["of"]), (&json!(0.5), &json!("goal")));
+        let most = number(&report["summary"]["max_error_deg_reached"]);
+        assert!(most < 0.1, "{solver}: {most}° from the goal, on it");
+        let words = format!("{count} of them on the weighted goal (error at most {most:.3}°)");
+        assert!(ran.stdout.contains(&words) && !ran.stdout.contains("on target"), "{}", ran.stdout);
+        let page = String::from_utf8(place.read("r.html")).expect("text");
+        for words in ["frames are on the weighted goal", "the angle between gaze and weighted goal", "from the target"]
+        {
+            assert!(page.contains(words), "{solver}: no {words:?} on the page");
+        }
+        assert!(!page.contains("on target"), "{solver}: on the page");
+        assert_eq!(last.get("pair_goal_error_deg").is_some_and(|off| number(off) < 0.2), !both.is_empty());
+    }
+    // Both are of the target where nothing else is meant.
+    let ran = place.done(&format!("{aside} --weight 1"));
+    let report = place.json("r.json");
+    assert!(report.get("weight").is_none() && report["summary"].get("of").is_none());
+    assert!(frames(&report).1.get("goal_error_deg").is_none() && ran.stdout.contains("on target (error"));
+    let page = String::from_utf8(place.read("r.html")).expect("text");
+    assert!(page.contains("are on target") && !page.contains("goal"), "the page is of the target");
+}
+
+#[test]
 fn the_effector_is_another_joint_and_what_is_outside_it_rests() {
     let place = Place::with_mannequin();
     let last_of = |options: &str| {
