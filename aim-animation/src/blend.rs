@@ -81,13 +81,7 @@ impl<'a> Blender<'a> {
         let (rest, weight) = (self.skeleton.rest(), clamped(weight));
         for (bone, (pose, other)) in pose.iter_mut().zip(other).enumerate() {
             let weight = weight * self.mask_weight(bone);
-            if weight > 0.0 {
-                *pose = interpolated(pose, other, weight, |a, b| match self.method {
-                    Method::Nlerp => nlerp(a, b, weight),
-                    Method::Slerp => slerp(a, b, weight),
-                    Method::Log => by_logs(rest[bone].rotation, a, b, weight),
-                });
-            }
+            *pose = blended([pose, other, &rest[bone]], weight, self.method);
         }
         Ok(())
     }
@@ -102,15 +96,7 @@ impl<'a> Blender<'a> {
         let weight = clamped(weight);
         for (bone, (pose, added)) in pose.iter_mut().zip(differences).enumerate() {
             let weight = weight * self.mask_weight(bone);
-            if weight > 0.0 {
-                let added = interpolated(&Transform::IDENTITY, added, weight, |a, b| match self.method {
-                    Method::Nlerp => nlerp(a, b, weight),
-                    Method::Slerp | Method::Log => slerp(a, b, weight),
-                });
-                pose.translation += added.translation;
-                pose.rotation = made_unit(product(pose.rotation, added.rotation));
-                pose.scale *= added.scale;
-            }
+            *pose = added_to(pose, added, weight, self.method);
         }
         Ok(())
     }
@@ -123,13 +109,7 @@ impl<'a> Blender<'a> {
     pub fn difference(&self, from: &[Transform], to: &[Transform], out: &mut [Transform]) -> Result<(), PoseError> {
         [from.len(), to.len(), out.len()].into_iter().try_for_each(|len| check_length(self.skeleton.len(), len))?;
         for ((from, to), out) in from.iter().zip(to).zip(out) {
-            let ratio = |to: f32, from: f32| if from == 0.0 { 1.0 } else { to / from };
-            let (a, b) = (from.scale, to.scale);
-            *out = Transform {
-                translation: to.translation - from.translation,
-                rotation: made_unit(product(from.rotation.conjugate(), to.rotation)),
-                scale: Vec3::new(ratio(b.x, a.x), ratio(b.y, a.y), ratio(b.z, a.z)),
-            };
+            *out = difference(from, to);
         }
         Ok(())
     }
@@ -169,6 +149,45 @@ impl<'a> Blender<'a> {
     }
 }
 
+/// The first of two transforms moved towards the second by a weight; the third is the rest transform.
+pub(crate) fn blended([a, b, rest]: [&Transform; 3], weight: f32, method: Method) -> Transform {
+    if !(weight > 0.0) {
+        return *a;
+    }
+    interpolated(a, b, weight, |a, b| match method {
+        Method::Nlerp => nlerp(a, b, weight),
+        Method::Slerp => slerp(a, b, weight),
+        Method::Log => by_logs(rest.rotation, a, b, weight),
+    })
+}
+
+/// A transform and a part of a difference.
+pub(crate) fn added_to(to: &Transform, difference: &Transform, weight: f32, method: Method) -> Transform {
+    if !(weight > 0.0) {
+        return *to;
+    }
+    let part = interpolated(&Transform::IDENTITY, difference, weight, |a, b| match method {
+        Method::Nlerp => nlerp(a, b, weight),
+        Method::Slerp | Method::Log => slerp(a, b, weight),
+    });
+    Transform {
+        translation: to.translation + part.translation,
+        rotation: made_unit(product(to.rotation, part.rotation)),
+        scale: to.scale * part.scale,
+    }
+}
+
+/// What added to `from` gives `to`.
+pub(crate) fn difference(from: &Transform, to: &Transform) -> Transform {
+    let ratio = |to: f32, from: f32| if from == 0.0 { 1.0 } else { to / from };
+    let (a, b) = (from.scale, to.scale);
+    Transform {
+        translation: to.translation - from.translation,
+        rotation: made_unit(product(from.rotation.conjugate(), to.rotation)),
+        scale: Vec3::new(ratio(b.x, a.x), ratio(b.y, a.y), ratio(b.z, a.z)),
+    }
+}
+
 /// Linear in translation and scale; exact at both ends.
 fn interpolated(a: &Transform, b: &Transform, weight: f32, rotation: impl Fn(Quat, Quat) -> Quat) -> Transform {
     let lerp = |a: Vec3, b: Vec3| a * (1.0 - weight) + b * weight;
@@ -186,7 +205,7 @@ fn by_logs(rest: Quat, a: Quat, b: Quat, weight: f32) -> Quat {
 }
 
 /// The weighted sum of one bone's transforms.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BoneSum {
     translation: Vec3,
     scale: Vec3,

@@ -84,7 +84,8 @@ impl Marks {
     #[must_use]
     pub fn phase_at(&self, time_s: f32) -> f32 {
         let time = if time_s.is_finite() { f64::from(time_s) } else { 0.0 };
-        let time = time - floor(time / self.length_s) * self.length_s;
+        // Rounding may leave the times of far rounds outside.
+        let time = (time - floor(time / self.length_s) * self.length_s).max(0.0).min(self.length_s);
         let count = self.times.len();
         // Before the first mark it is the last one of the round before.
         let before = self.times.partition_point(|mark| *mark <= time);
@@ -101,8 +102,9 @@ impl Marks {
     /// counts as 0.
     #[must_use]
     pub fn time_at(&self, phase: f32) -> f32 {
-        let time = self.unwrapped(if phase.is_finite() { f64::from(phase) } else { 0.0 });
-        let time = narrow(time - floor(time / self.length_s) * self.length_s);
+        let phase = if phase.is_finite() { f64::from(phase) } else { 0.0 };
+        let time = self.unwrapped(phase - floor(phase));
+        let time = narrow(if time < self.length_s { time } else { time - self.length_s }).max(0.0);
         if time < narrow(self.length_s) { time } else { 0.0 }
     }
 

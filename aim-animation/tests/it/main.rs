@@ -6,5 +6,7 @@ mod playing;
 mod poses;
 mod properties;
 mod skeletons;
+mod spaces;
 mod tracks;
 mod transforms;
+mod trees;

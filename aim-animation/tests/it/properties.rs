@@ -1,9 +1,9 @@
 //! No panic, and unit rotations and finite numbers where they are promised, whatever the bits.
 
-use aim_animation::glam::{Affine3A, Quat, Vec3};
+use aim_animation::glam::{Affine3A, Quat, Vec2, Vec3};
 use aim_animation::{
-    BezierKey, Blender, Bone, Clip, Control, HermiteKey, Looping, Marks, Method, Phase, Skeleton, SkewedTransform,
-    Track, Transform,
+    BezierKey, BlendLine, BlendPlane, Blender, Bone, Clip, Control, HermiteKey, Looping, Marks, Mask, Method, Node,
+    Parameter, Phase, Skeleton, SkewedTransform, Track, Transform, Tree,
 };
 use proptest::prelude::*;
 
@@ -155,6 +155,86 @@ proptest! {
                 prop_assert!((0.0..=1.5).contains(&step.from_s()) && (0.0..=1.5).contains(&step.to_s()), "{step:?}");
                 prop_assert!((0.0..1.5).contains(&marks.time_at(speed)) && (0.0..1.0).contains(&marks.phase_at(dt)));
             }
+        }
+    }
+}
+
+/// Trees of every kind of node; weights and places are inputs 0 to 5.
+fn any_tree() -> impl Strategy<Value = Node> {
+    let leaf = (0_usize..4).prop_map(Node::source);
+    leaf.prop_recursive(5, 40, 4, |inner| {
+        let weighted = (inner.clone(), 0_usize..6).prop_map(|(node, input)| (node, Parameter::Input(input)));
+        let pair = (inner.clone(), weighted.clone(), prop::option::of(any_float()), any::<bool>());
+        prop_oneof![
+            prop::collection::vec(weighted, 0..4).prop_map(Node::sum),
+            (prop::collection::vec(inner.clone(), 3), prop::array::uniform3(any_float()), 0_usize..6).prop_map(
+                |(nodes, places, input)| {
+                    let line = BlendLine::new(places).unwrap_or_else(|_| BlendLine::new([0.0, 1.0, 2.0]).unwrap());
+                    Node::line(line, Parameter::Input(input), nodes)
+                }
+            ),
+            (prop::collection::vec(inner, 4), prop::array::uniform8(any_float()), 0_usize..5).prop_map(
+                |(nodes, places, input)| {
+                    let points: Vec<Vec2> = places.chunks(2).map(Vec2::from_slice).collect();
+                    let square = [Vec2::ZERO, Vec2::X, Vec2::Y, Vec2::ONE];
+                    let plane = BlendPlane::new(points).unwrap_or_else(|_| BlendPlane::new(square).unwrap());
+                    Node::plane(plane, [input, input + 1].map(Parameter::Input), nodes)
+                }
+            ),
+            pair.prop_map(|(one, (other, weight), mask, is_layer)| {
+                let node = if is_layer { one.add(other, weight) } else { one.blend(other, weight) };
+                masked(node, mask)
+            }),
+        ]
+    })
+}
+
+fn masked(node: Node, weight: Option<f32>) -> Node {
+    let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
+    match weight {
+        Some(weight) => node.with_mask(Mask::new(&skeleton, weight)),
+        None => node,
+    }
+}
+
+proptest! {
+    #[test]
+    fn trees(
+        root in any_tree(),
+        inputs in prop::collection::vec(any_float(), 0..7),
+        sources in prop::array::uniform4(any_transform()),
+        which in 0_usize..3,
+    ) {
+        let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
+        let method = [Method::Nlerp, Method::Slerp, Method::Log][which];
+        let tree = Tree::new(&skeleton, root).unwrap().with_method(method);
+        let (mut scratch, mut pose, mut shares) = (tree.scratch(), [Transform::IDENTITY], [0.0; 4]);
+        tree.evaluate(&inputs, &mut scratch, &mut pose, |source, pose| pose[0] = sources[source]).unwrap();
+        // Of sound poses of a usual size the pose is sound, whatever the inputs.
+        let tamed = |numbers: Vec3| Vec3::from_array(numbers.to_array().map(|n| if n.abs() < 1e3 { n } else { 1.0 }));
+        let sound = sources.map(|of| Transform {
+            translation: tamed(of.translation),
+            rotation: if of.rotation.is_finite() && is_unit(of.rotation.normalize()) { of.rotation.normalize() } else { Quat::IDENTITY },
+            scale: tamed(of.scale),
+        });
+        tree.evaluate(&inputs, &mut scratch, &mut pose, |source, pose| pose[0] = sound[source]).unwrap();
+        prop_assert!(pose[0].is_sound() && is_unit(pose[0].rotation), "{pose:?} of {sound:?}");
+        tree.shares(0, &inputs, &mut scratch, &mut shares).unwrap();
+        let sum = shares.iter().sum::<f32>();
+        prop_assert!(shares.iter().all(|share| (0.0..=1.0001).contains(share)) && sum <= 1.0001, "{shares:?}");
+    }
+
+    #[test]
+    fn spaces(numbers in prop::collection::vec(any_float(), 0..16), x in any_float(), y in any_float()) {
+        let mut weights = vec![0.0; 16];
+        if let Ok(line) = BlendLine::new(numbers.clone()) {
+            line.weights(x, &mut weights);
+            prop_assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-6, "{line:?} {weights:?}");
+        }
+        if let Ok(plane) = BlendPlane::new(numbers.chunks_exact(2).map(Vec2::from_slice).collect::<Vec<_>>()) {
+            plane.weights(Vec2::new(x, y), &mut weights);
+            prop_assert!(weights.iter().all(|weight| (0.0..=1.0).contains(weight)), "{plane:?} {weights:?}");
+            prop_assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-6, "{plane:?} {weights:?}");
         }
     }
 }
