@@ -2,6 +2,7 @@
 
 mod blending;
 mod common;
+mod motions;
 mod playing;
 mod poses;
 mod properties;

@@ -2,8 +2,8 @@
 
 use aim_animation::glam::{Affine3A, Quat, Vec2, Vec3};
 use aim_animation::{
-    BezierKey, BlendLine, BlendPlane, Blender, Bone, Clip, Control, HermiteKey, Looping, Marks, Mask, Method, Node,
-    Parameter, Phase, Skeleton, SkewedTransform, Track, Transform, Tree,
+    BezierKey, BlendLine, BlendPlane, Blender, Bone, Clip, Control, HermiteKey, Looping, Marks, Mask, Method, Motion,
+    Node, Parameter, Phase, Root, RootPath, Skeleton, SkewedTransform, Track, Transform, Tree,
 };
 use proptest::prelude::*;
 
@@ -235,6 +235,52 @@ proptest! {
             plane.weights(Vec2::new(x, y), &mut weights);
             prop_assert!(weights.iter().all(|weight| (0.0..=1.0).contains(weight)), "{plane:?} {weights:?}");
             prop_assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-6, "{plane:?} {weights:?}");
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn motions(
+        times in prop::collection::vec(prop_oneof![0.0_f32..4.0, any_float()], 1..5),
+        numbers in prop::collection::vec(any_float(), 40),
+        up in prop::option::of(prop::array::uniform3(any_float())),
+        rate in prop_oneof![1.0_f32..100.0, Just(f32::NAN)],
+        steps in prop::collection::vec((any_float(), any_float()), 1..8),
+        pose in any_transform(),
+    ) {
+        let mut times: Vec<f32> = times.into_iter().map(|time| time.abs()).filter(|time| *time < 1e3).collect();
+        times.sort_by(f32::total_cmp);
+        let count = times.len();
+        let places: Vec<Vec3> = numbers.chunks_exact(3).take(count).map(Vec3::from_slice).collect();
+        let rotations: Vec<Quat> = numbers[20..].chunks_exact(4).take(count).map(Quat::from_slice).collect();
+        let mut clip = Clip::new("");
+        if let Ok(track) = Track::linear(times.clone(), places) {
+            clip = clip.with_translation(0, track);
+        }
+        if let Ok(track) = Track::linear(times, rotations) {
+            clip = clip.with_rotation(0, track);
+        }
+        let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
+        let root = up.map_or(Root::Bone(0), |up| Root::Shadow { bone: 0, up: Vec3::from_array(up) });
+        if let Ok(path) = RootPath::new(&clip, &skeleton, root, rate) {
+            for motion in [Motion::linear(&path), Motion::composite(&path), Motion::variable(&path)] {
+                let mut control = Control::new();
+                for (dt, speed) in &steps {
+                    control.speed = *speed;
+                    let step = control.advance(*dt, clip.length_s());
+                    let (delta, at) = (motion.delta(&step), motion.at(*dt));
+                    for found in [delta, at, Motion::blend([(delta, *dt), (at, *speed)])] {
+                        prop_assert!(found.is_sound() && is_unit(found.rotation), "{found:?} of {motion:?}");
+                    }
+                    let mut pose = [pose];
+                    motion.remove(*dt, &skeleton, &mut pose).unwrap();
+                    prop_assert!(is_unit(pose[0].rotation));
+                }
+                let screw = motion.screw();
+                prop_assert!(screw.axis.is_finite() && screw.speed_s().is_finite(), "{screw:?}");
+                prop_assert!(motion.removed_from(&clip, &skeleton, 3.0).length_s() == clip.length_s());
+            }
         }
     }
 }
