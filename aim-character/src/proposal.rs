@@ -112,7 +112,7 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         reasons: Vec::new(),
     };
     let of_neck = bones.iter().filter(|bone| matches!(bone.role, Some(Role::Head | Role::Neck)));
-    let limbs = limbs_on_each(skeleton, of_neck.map(|bone| bone.node));
+    let limbs = limbs_on_each(skeleton, measurement, of_neck.map(|bone| bone.node));
     // Only names that mean one node can be declared. Without any the arms are found where they are held.
     let is_clear = |limb: &usize| skeleton.find(&skeleton.nodes()[*limb].name).is_ok();
     let is_declared = limbs.iter().flat_map(|(_, limbs)| limbs).all(is_clear);

@@ -6,7 +6,8 @@ use aim_runtime::{Description, Rig};
 use glam::{DAffine3, DMat3, DQuat};
 
 use crate::chain::{ChainNodes, Hold};
-use crate::skeleton::Skeleton;
+use crate::measure::Measurement;
+use crate::skeleton::{Node, Skeleton};
 use crate::trs::{Trs, orthonormal};
 
 /// Words of the bones that arms begin with.
@@ -22,9 +23,9 @@ pub(crate) struct Held {
 
 impl Held {
     /// The nodes to hold while a rig turns those of the chain: those that the chain names, else the arms on head and neck.
-    pub(crate) fn find(rig: &dyn Rig, skeleton: &Skeleton, chain: &ChainNodes) -> Vec<Self> {
+    pub(crate) fn find(rig: &dyn Rig, skeleton: &Skeleton, measurement: &Measurement, chain: &ChainNodes) -> Vec<Self> {
         let description = rig.description();
-        let holds = chain.holds.clone().unwrap_or_else(|| found(&description, skeleton, chain));
+        let holds = chain.holds.clone().unwrap_or_else(|| found(&description, skeleton, measurement, chain));
         let carrier = |joint: usize| description.carrier(joint).and_then(|carrier| chain.joints.get(carrier));
         holds.iter().map(|hold| Self { node: hold.node, carrier: carrier(hold.joint).copied() }).collect()
     }
@@ -47,18 +48,37 @@ impl Held {
 }
 
 /// The arms that hang on the innermost joint of head and neck.
-fn found(description: &Description<'_>, skeleton: &Skeleton, chain: &ChainNodes) -> Vec<Hold> {
+fn found(
+    description: &Description<'_>,
+    skeleton: &Skeleton,
+    measurement: &Measurement,
+    chain: &ChainNodes,
+) -> Vec<Hold> {
     let is_of_head = |joint: &usize| description.joints()[*joint].role.is_of_head();
     let Some(joint) = (0..chain.joints.len()).rfind(is_of_head) else { return Vec::new() };
-    limbs_on(skeleton, chain.joints[joint]).into_iter().map(|node| Hold { joint, node }).collect()
+    limbs_on(skeleton, measurement, chain.joints[joint]).into_iter().map(|node| Hold { joint, node }).collect()
 }
 
-/// The bones that arms begin with, as their names tell, of those that hang on a node, however deep: a clavicle with an arm on it,
-/// an arm with a hand, but not the arm of a pair of glasses.
+/// The bones that arms begin with, of those that hang on a node, however deep. As their names or VRM tell: a clavicle with an arm
+/// on it, an arm with a hand, but not the arm of a pair of glasses. Where those tell no arm at all, by the body's plan: the
+/// longest pair of mirrored limbs on trunk and neck.
 #[must_use]
-pub fn limbs_on(skeleton: &Skeleton, node: usize) -> Vec<usize> {
+pub fn limbs_on(skeleton: &Skeleton, measurement: &Measurement, node: usize) -> Vec<usize> {
+    let hangs = |limb: &usize| skeleton.ancestry(*limb).skip(1).any(|at| at == node);
+    let Some(mut arms) = measurement.nameless_arms else { return named_limbs(skeleton, Some(node)) };
+    arms.sort_unstable();
+    arms.into_iter().filter(hangs).collect()
+}
+
+/// True if names or VRM tell an arm anywhere.
+pub(crate) fn has_named_limbs(skeleton: &Skeleton) -> bool {
+    !named_limbs(skeleton, None).is_empty()
+}
+
+/// The named limbs that hang on a node, or on any.
+fn named_limbs(skeleton: &Skeleton, node: Option<usize>) -> Vec<usize> {
     let nodes = skeleton.nodes();
-    let is_named: Vec<bool> = nodes.iter().map(|node| BoneName::new(&node.name).has(ARMS)).collect();
+    let is_named: Vec<bool> = nodes.iter().map(|node| BoneName::new(name_of(node)).has(ARMS)).collect();
     let mut carries_more = vec![false; nodes.len()];
     for &at in skeleton.order().iter().rev() {
         if let Some(parent) = nodes[at].parent {
@@ -68,7 +88,8 @@ pub fn limbs_on(skeleton: &Skeleton, node: usize) -> Vec<usize> {
     // Parents come before children: what hangs on the node and is not part of a limb itself.
     let (mut hangs, mut limbs) = (vec![false; nodes.len()], Vec::new());
     for &at in skeleton.order() {
-        if !nodes[at].parent.is_some_and(|parent| parent == node || hangs[parent]) {
+        let hangs_here = nodes[at].parent.map_or(node.is_none(), |parent| Some(parent) == node || hangs[parent]);
+        if !hangs_here {
             continue;
         }
         if is_named[at] && carries_more[at] { limbs.push(at) } else { hangs[at] = true }
@@ -77,13 +98,22 @@ pub fn limbs_on(skeleton: &Skeleton, node: usize) -> Vec<usize> {
     limbs
 }
 
+/// What tells which bone a node is: VRM where it says, else the node's own name.
+pub(crate) fn name_of(node: &Node) -> &str {
+    node.vrm_bone.as_ref().unwrap_or(&node.name)
+}
+
 /// The [limbs](limbs_on) on nodes that are given from the outermost inward: each with the first node that it hangs on. Nodes
 /// without any are left out.
 #[must_use]
-pub fn limbs_on_each(skeleton: &Skeleton, nodes: impl IntoIterator<Item = usize>) -> Vec<(usize, Vec<usize>)> {
+pub fn limbs_on_each(
+    skeleton: &Skeleton,
+    measurement: &Measurement,
+    nodes: impl IntoIterator<Item = usize>,
+) -> Vec<(usize, Vec<usize>)> {
     let mut found: Vec<(usize, Vec<usize>)> = Vec::new();
     for node in nodes {
-        let mut limbs = limbs_on(skeleton, node);
+        let mut limbs = limbs_on(skeleton, measurement, node);
         limbs.retain(|limb| !found.iter().any(|(_, others)| others.contains(limb)));
         if !limbs.is_empty() {
             found.push((node, limbs));

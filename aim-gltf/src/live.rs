@@ -97,7 +97,7 @@ impl Live {
     ) -> Self {
         let both_eyes = both_eyes && chain.other_eye.is_some();
         let skeleton = document.skeleton();
-        let held = Held::find(rig, skeleton, chain);
+        let held = Held::find(rig, skeleton, measurement, chain);
         let maps = EyeMaps::find(document, measurement, chain);
         let morphs = MorphEyes::find(skeleton, measurement, chain);
         Self { stance: Stance::new(rig, skeleton, chain, measurement), both_eyes, held, maps, morphs }

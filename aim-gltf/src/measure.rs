@@ -9,6 +9,7 @@ use crate::bind::{bind_world, signed_permutation};
 use crate::clues::{Body, carry_legs};
 use crate::document::Document;
 use crate::facing::{self, Evidence, Facing, Stated};
+use crate::held::has_named_limbs;
 use crate::plan::BodyPlan;
 use crate::roles::{Role, Roles, bones};
 use crate::skeleton::Skeleton;
@@ -175,6 +176,8 @@ pub struct Measurement {
     pub bones: Vec<BoneAxes>,
     /// World ← node in the bind pose, for every node of the file.
     pub bind_world: Vec<DAffine3>,
+    /// The first bones of the arms by the body's plan, where no names tell them.
+    pub(crate) nameless_arms: Option<[usize; 2]>,
 }
 
 impl Measurement {
@@ -218,6 +221,7 @@ impl Measurement {
                 bind = placed(&roles);
             }
         }
+        let nameless_arms = plan.as_ref().map(|plan| plan.arms).filter(|_| !has_named_limbs(skeleton));
         let skin = Palette::new(skeleton, &bind).deform(document.points());
         let body =
             Body { skeleton, bind: &bind, is_bone: &is_bone, skin: &skin, carriers: &carriers, roles: &roles, plan };
@@ -239,6 +243,7 @@ impl Measurement {
             confidence: facing.confidence(),
             evidence: facing.evidence,
             bind_world: bind,
+            nameless_arms,
         }
     }
 

@@ -29,6 +29,8 @@ pub(crate) struct BodyPlan {
     pub(crate) head: usize,
     /// The first bones of the two legs; which one is left is not known.
     pub(crate) legs: [usize; 2],
+    /// The first bones of the two arms (or forelegs): the longest pair on trunk and neck.
+    pub(crate) arms: [usize; 2],
 }
 
 /// The bones as a tree, with what decides whether two limbs are alike.
@@ -128,7 +130,9 @@ impl BodyPlan {
             trunk = &trunk[..arms];
             neck.push(column[arms]);
         }
-        Some(Self { hips, trunk: trunk.to_vec(), neck, head: above[head], legs })
+        let pairs = column[arms..=arms + head].iter().filter_map(|at| tree.pair(*at, Some(across)));
+        let limbs = pairs.max_by(|[a, _], [b, _]| tree.length(*a).total_cmp(&tree.length(*b)))?;
+        Some(Self { hips, trunk: trunk.to_vec(), neck, head: above[head], legs, arms: limbs })
     }
 
     /// The way down each leg.

@@ -31,18 +31,18 @@ pub(super) fn run(file: &Path, rig: &Path) -> Result {
         out += &format!("{}: {} is as declared, {off:.1}° off at most", joint.joint, joint.bone.name);
         out += if off > NEAR_DEG { "; its exact frame (aim rig) would aim better\n" } else { "\n" };
     }
-    out += &about_limbs(&spec, &document);
+    out += &about_limbs(&spec, &document, &measurement);
     files::print(&out)
 }
 
 /// A line for each joint that carries arms, and whether the rig holds them.
-fn about_limbs(spec: &RigSpec, document: &Document) -> String {
+fn about_limbs(spec: &RigSpec, document: &Document, measurement: &Measurement) -> String {
     let skeleton = document.skeleton();
     let Ok(chain) = chain_nodes(spec, skeleton) else { return String::new() };
     let is_of_head = |joint: &(&JointSpec, &usize)| joint.0.role.is_of_head();
     let of_head = spec.joints.iter().zip(&chain.joints).filter(is_of_head).map(|(_, &node)| node);
     let mut out = String::new();
-    for (node, limbs) in limbs_on_each(skeleton, of_head) {
+    for (node, limbs) in limbs_on_each(skeleton, measurement, of_head) {
         let joint = chain.joints.iter().position(|&joint| joint == node).map_or("", |at| &spec.joints[at].name);
         let is_held = |limb: usize| chain.holds.as_ref().is_none_or(|holds| holds.iter().any(|hold| hold.node == limb));
         let (held, loose): (Vec<usize>, Vec<usize>) = limbs.into_iter().partition(|&limb| is_held(limb));

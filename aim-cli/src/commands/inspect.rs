@@ -57,7 +57,7 @@ fn limbs_on_necks<'d>(measurement: &Measurement, document: &'d Document) -> Vec<
         measurement.bones.iter().filter(|bone| bone.role == Some(Role::Neck)).map(|bone| bone.node).collect();
     necks.sort_by_key(|&neck| std::cmp::Reverse(skeleton.ancestry(neck).count()));
     let name = |node: usize| skeleton.nodes()[node].name.as_str();
-    let limbs = limbs_on_each(skeleton, necks).into_iter();
+    let limbs = limbs_on_each(skeleton, measurement, necks).into_iter();
     limbs.map(|(neck, limbs)| (name(neck), limbs.into_iter().map(name).collect())).collect()
 }
 

@@ -105,18 +105,40 @@ fn three_neck_bones() {
     }));
 }
 
+fn clavicles_on_the_neck_of(json: &mut Value) {
+    let (chest, neck) = (node(json, "spine3"), node(json, "neck"));
+    let up = translation(json, neck);
+    for name in ["left_clavicle", "right_clavicle"] {
+        let arm = node(json, name);
+        // All bones have the same axes in the bind pose.
+        json["nodes"][arm]["translation"] = json!((translation(json, arm) - up).to_array());
+        json["nodes"][chest]["children"].as_array_mut().expect("children").retain(|child| *child != json!(arm));
+        json["nodes"][neck]["children"].as_array_mut().expect("children").push(json!(arm));
+    }
+}
+
 #[test]
 fn clavicles_on_the_neck() {
+    looks_human(&changed(clavicles_on_the_neck_of));
+}
+
+/// Bones as a converter numbers them: nothing tells what they are.
+pub(crate) fn nameless(json: &mut Value) {
+    for (at, node) in json["nodes"].as_array_mut().expect("nodes").iter_mut().enumerate() {
+        node["name"] = json!(format!("Bone.{at:03}"));
+    }
+}
+
+#[test]
+fn names_that_say_nothing() {
+    looks_human(&changed(nameless));
+}
+
+#[test]
+fn names_that_say_nothing_and_clavicles_on_the_neck() {
     looks_human(&changed(|json| {
-        let (chest, neck) = (node(json, "spine3"), node(json, "neck"));
-        let up = translation(json, neck);
-        for name in ["left_clavicle", "right_clavicle"] {
-            let arm = node(json, name);
-            // All bones have the same axes in the bind pose.
-            json["nodes"][arm]["translation"] = json!((translation(json, arm) - up).to_array());
-            json["nodes"][chest]["children"].as_array_mut().expect("children").retain(|child| *child != json!(arm));
-            json["nodes"][neck]["children"].as_array_mut().expect("children").push(json!(arm));
-        }
+        clavicles_on_the_neck_of(json);
+        nameless(json);
     }));
 }
 

@@ -95,6 +95,81 @@ fn a_bake_holds_what_is_declared_asked_for_or_found() {
 }
 
 #[test]
+fn arms_that_vrm_names_or_nobody_are_found_too() {
+    let place = arms_on_the_neck();
+    let (mut json, bin) = crate::common::gltf::take_apart(&place.read("m.glb"));
+    let names: Vec<String> = json["nodes"]
+        .as_array()
+        .expect("nodes")
+        .iter()
+        .map(|node| node["name"].as_str().unwrap_or_default().to_owned())
+        .collect();
+    crate::forms::nameless(&mut json);
+    let at = |name: &str| names.iter().position(|known| known == name).expect("a bone");
+    let written = |json: &Value| place.write("n.glb", &crate::common::gltf::put_together(json, &bin));
+    let [left, right] = ARMS.map(|arm| format!("Bone.{:03}", at(arm)));
+    // The body's plan tells them, and every command says so.
+    written(&json);
+    let held = format!("hold = [\"{left}\", \"{right}\"]");
+    let proposed = place.done("rig n.glb").stdout;
+    assert!(proposed.contains(&held), "{proposed}");
+    let seen = place.done("inspect n.glb").stdout;
+    assert!(seen.contains(&format!("carries {left}, {right}, which turn with it")), "{seen}");
+    // An arm alone is no pair. VRM tells what it is.
+    let bones = [
+        ("hips", "hips"),
+        ("spine", "spine"),
+        ("neck", "neck"),
+        ("head", "head"),
+        ("leftShoulder", "left_clavicle"),
+        ("leftUpperArm", "left_upper_arm"),
+        ("leftLowerArm", "left_lower_arm"),
+    ];
+    json["nodes"][at("neck")]["children"]
+        .as_array_mut()
+        .expect("children")
+        .retain(|child| *child != json!(at(ARMS[1])));
+    written(&json);
+    assert!(!place.done("inspect n.glb").stdout.contains("carries"), "nothing tells a single arm");
+    let bones: serde_json::Map<String, Value> =
+        bones.into_iter().map(|(bone, name)| (bone.to_owned(), json!({ "node": at(name) }))).collect();
+    json["extensions"] = json!({ "VRMC_vrm": { "specVersion": "1.0", "humanoid": { "humanBones": bones } } });
+    json["extensionsUsed"] = json!(["VRMC_vrm"]);
+    written(&json);
+    let proposed = place.done("rig n.glb").stdout;
+    assert!(proposed.contains(&format!("hold = [\"{left}\"]")), "{proposed}");
+}
+
+#[test]
+fn the_arms_of_a_nameless_body_are_its_longest_pair() {
+    let place = arms_on_the_neck();
+    let (mut json, bin) = crate::common::gltf::take_apart(&place.read("m.glb"));
+    // Nodes alone, with two short pairs of bones on the breast: what swings, and no arm.
+    let nodes = json["nodes"].as_array_mut().expect("nodes");
+    let breast = nodes.iter().position(|node| node["name"] == "spine2").expect("a bone");
+    let arms = ARMS.map(|arm| nodes.iter().position(|node| node["name"] == arm).expect("a bone"));
+    for side in [1.0, -1.0] {
+        let at = nodes.len();
+        nodes[breast]["children"].as_array_mut().expect("children").push(json!(at));
+        nodes.push(json!({ "translation": [0.05, 0.08, 0.09 * side], "children": [at + 1] }));
+        nodes.push(json!({ "translation": [0.0, 0.05, 0.0] }));
+    }
+    for node in nodes.iter_mut() {
+        let node = node.as_object_mut().expect("a node");
+        node.remove("skin");
+        node.remove("mesh");
+    }
+    crate::forms::nameless(&mut json);
+    for key in ["skins", "meshes"] {
+        json.as_object_mut().expect("an object").remove(key);
+    }
+    place.write("n.glb", &crate::common::gltf::put_together(&json, &bin));
+    let [left, right] = arms.map(|arm| format!("Bone.{arm:03}"));
+    let seen = place.done("inspect n.glb").stdout;
+    assert!(seen.contains(&format!("carries {left}, {right}, which turn with it")), "{seen}");
+}
+
+#[test]
 fn names_that_cannot_be_held_are_refused() {
     let place = arms_on_the_neck();
     holding(&place, "[\"left_clavicel\"]");

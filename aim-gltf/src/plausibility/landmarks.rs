@@ -4,7 +4,7 @@ use aim_model::BoneName;
 use aim_runtime::Rig;
 
 use crate::bake::Plan;
-use crate::held::limbs_on;
+use crate::held::{limbs_on, name_of};
 use crate::roles::Role;
 use crate::skeleton::Skeleton;
 
@@ -39,7 +39,7 @@ impl Landmarks {
         let chest = inward.find(|node| !is_head(*node));
         let head = head.filter(|_| chest.is_some());
         let limbs = chest.map_or_else(Vec::new, |chest| {
-            limbs_on(skeleton, chest).into_iter().flat_map(|limb| [limb, hand(skeleton, limb)]).collect()
+            limbs_on(skeleton, measurement, chest).into_iter().flat_map(|limb| [limb, hand(skeleton, limb)]).collect()
         });
         let at = |node: usize| measurement.bind_world[node].translation;
         let hips = measurement.with_role(Role::Hips).map(|bone| bone.node);
@@ -57,7 +57,7 @@ fn hand(skeleton: &Skeleton, limb: usize) -> usize {
     let nodes = skeleton.nodes();
     let (mut level, mut last) = (vec![limb], limb);
     while let Some(&first) = level.first() {
-        if let Some(&hand) = level.iter().find(|node| BoneName::new(&nodes[**node].name).has(HANDS)) {
+        if let Some(&hand) = level.iter().find(|node| BoneName::new(name_of(&nodes[**node])).has(HANDS)) {
             return hand;
         }
         last = first;

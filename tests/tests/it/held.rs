@@ -72,7 +72,7 @@ fn arms_that_hang_on_the_neck_stay_with_the_trunk() {
     let document = arms_on_the_neck();
     let skeleton = document.skeleton();
     let [chest, neck, arms] = [1, 2, 5];
-    assert_eq!(limbs_on(skeleton, neck), [arms, arms + 1]);
+    assert_eq!(limbs_on(skeleton, &Measurement::of(&document), neck), [arms, arms + 1]);
     let rest = skeleton.world_f64(&skeleton.rest_pose());
     let on_chest = |world: &[DAffine3], node: usize| world[chest].inverse() * world[node];
     let found = rig();
