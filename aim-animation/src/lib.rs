@@ -11,6 +11,7 @@ compile_error!("aim-animation needs square roots: enable the feature `std` or `l
 
 extern crate alloc;
 
+mod aim_chain;
 mod attach;
 mod blend;
 mod clip;
@@ -28,6 +29,7 @@ mod track;
 mod transform;
 mod tree;
 
+pub use aim_chain::{AimChain, AimChainError, AimFrame, Corrections};
 pub use aim_runtime::glam;
 pub use attach::{attached, root_for};
 pub use blend::{Blender, Method};

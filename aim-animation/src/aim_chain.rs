@@ -1,0 +1,394 @@
+//! [`AimChain`]: the bones that a rig aims, between an animated pose and an aimed one.
+
+use alloc::vec::Vec;
+use core::fmt;
+
+use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
+use aim_runtime::rotation::{inverse, nearest_orthogonal, unit};
+use aim_runtime::{Pose, Rig};
+
+use crate::pose::{PoseError, check_length};
+use crate::skeleton::Skeleton;
+use crate::transform::{Transform, made_unit};
+
+/// Why bones are no chain of a rig. Joints are counted from the effector inward.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum AimChainError {
+    /// There is no joint.
+    Empty,
+    /// There is no such bone for this joint, or no bone or several have its names.
+    Joint(usize),
+    /// The bone of the joint before this one does not hang on this one's.
+    Order(usize),
+    /// There is no such bone for the other eye, or it is a joint.
+    OtherEye,
+    /// There is no such bone to hold, or it is a joint, or it does not hang on its joint.
+    Held,
+}
+
+impl fmt::Display for AimChainError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Empty => f.write_str("a chain needs a joint"),
+            Self::Joint(joint) => write!(f, "joint {joint} has no bone, or more than one bears its names"),
+            Self::Order(joint) => {
+                write!(f, "the bone of joint {} does not hang on that of joint {joint}", joint.saturating_sub(1))
+            }
+            Self::OtherEye => f.write_str("the other eye has no bone, or that of a joint"),
+            Self::Held => f.write_str("a bone to be held does not exist, is a joint, or does not hang on its joint"),
+        }
+    }
+}
+
+impl core::error::Error for AimChainError {}
+
+/// The bones of a skeleton that a rig aims; shared by all characters of a kind. [`gather`](Self::gather) leads from the animated
+/// pose to what the solvers take, [`apply`](Self::apply) from their corrections to the pose.
+///
+/// ```
+/// use aim_animation::glam::{Affine3A, Quat, Vec3};
+/// use aim_animation::{AimChain, AimFrame, Bone, Corrections, Skeleton, Transform};
+///
+/// let head = Bone::new("head", Some(0)).with_rest(Transform::from_translation(Vec3::Y));
+/// let skeleton = Skeleton::new([Bone::new("chest", None), head])?;
+/// let chain = AimChain::new(&skeleton, [1])?;
+/// let mut frame = chain.frame();
+///
+/// // Each frame, after the animation:
+/// let mut local = skeleton.rest().to_vec();
+/// let mut model = vec![Affine3A::IDENTITY; 2];
+/// skeleton.to_model(&local, &mut model)?;
+/// chain.gather(&mut frame, &mut local, &mut model)?;
+/// assert_eq!(frame.pose().joints[0].translation, Vec3::Y.into());
+/// // … `aim(&frame.pose(), target, dt, &settings)` gives corrections …
+/// let corrections = Corrections { joints: &[Quat::from_rotation_y(0.3)], other_eye: None };
+/// chain.apply(&frame, corrections, &mut local, &mut model)?;
+/// assert!(local[1].rotation.angle_between(Quat::from_rotation_y(0.3)) < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct AimChain {
+    skeleton: Skeleton,
+    /// Every bone at rest, in the space of the model.
+    rest: Vec<Affine3A>,
+    joints: Vec<usize>,
+    other_eye: Option<OtherEye>,
+    held: Vec<Held>,
+    up: Option<Vec3>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct OtherEye {
+    bone: usize,
+    /// Aimed itself; else it turns as joint 0 does.
+    is_aimed: bool,
+}
+
+/// A bone that stays with what carries the joint that it hangs on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Held {
+    bone: usize,
+    carrier: Option<usize>,
+}
+
+/// One character's memory between [`AimChain::gather`] and [`AimChain::apply`]: made once by [`AimChain::frame`]. It keeps nothing
+/// from frame to frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AimFrame {
+    /// The character's place in the space of the targets, set before [`AimChain::gather`]: rigid, or uniformly scaled. The identity
+    /// aims in the space of the model.
+    pub place: Affine3A,
+    joints: Vec<Affine3A>,
+    bind: Vec<Affine3A>,
+    other_eye: Option<Affine3A>,
+    up: Option<Vec3>,
+    /// Every bone in the space of the model, animated.
+    animated: Vec<Affine3A>,
+}
+
+/// What a solver gives back: the correction of each joint, from the effector inward, and of the other eye.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Corrections<'a> {
+    /// Of each joint: [`Aimed::corrections`](aim_runtime::Aimed::corrections), or those of a `DynAim`.
+    pub joints: &'a [Quat],
+    /// Of the other eye: [`Outcome::other_eye_correction`](aim_runtime::Outcome::other_eye_correction).
+    pub other_eye: Option<Quat>,
+}
+
+impl AimFrame {
+    /// The pose for rigs known at run time: `DynAim`, or [`dyn Rig`](Rig) by slices.
+    #[must_use]
+    pub fn pose(&self) -> Pose<&[Affine3A]> {
+        self.with_rest(Pose::new(&self.joints[..]).with_bind(&self.bind[..]))
+    }
+
+    /// The pose for a derived rig of `N` joints: `None` if the chain has another number.
+    #[must_use]
+    pub fn pose_of<const N: usize>(&self) -> Option<Pose<[Affine3A; N]>> {
+        let joints = <[Affine3A; N]>::try_from(&self.joints[..]).ok()?;
+        let bind = <[Affine3A; N]>::try_from(&self.bind[..]).ok()?;
+        Some(self.with_rest(Pose::new(joints).with_bind(bind)))
+    }
+
+    fn with_rest<A>(&self, mut pose: Pose<A>) -> Pose<A> {
+        (pose.up, pose.other_eye) = (self.up, self.other_eye);
+        pose
+    }
+}
+
+impl AimChain {
+    /// A chain of these bones, from the effector inward, in the skeleton's order; each hangs on the next, by any number of bones.
+    ///
+    /// # Errors
+    /// See [`AimChainError`].
+    pub fn new(skeleton: &Skeleton, joints: impl Into<Vec<usize>>) -> Result<Self, AimChainError> {
+        let joints = joints.into();
+        for (joint, &bone) in joints.iter().enumerate() {
+            if bone >= skeleton.len() {
+                return Err(AimChainError::Joint(joint));
+            }
+            if joint > 0 && !is_below(skeleton, joints[joint - 1], bone) {
+                return Err(AimChainError::Order(joint));
+            }
+        }
+        if joints.is_empty() {
+            return Err(AimChainError::Empty);
+        }
+        let mut rest = alloc::vec![Affine3A::IDENTITY; skeleton.len()];
+        // Of equal lengths.
+        let _ = skeleton.to_model(skeleton.rest(), &mut rest);
+        Ok(Self { skeleton: skeleton.clone(), rest, joints, other_eye: None, held: Vec::new(), up: None })
+    }
+
+    /// The chain of a rig by the names of its bones, with the bones that the rig holds. A name that no bone or that several bones
+    /// have is passed over.
+    ///
+    /// # Errors
+    /// See [`AimChainError`].
+    pub fn named(skeleton: &Skeleton, rig: &dyn Rig) -> Result<Self, AimChainError> {
+        let description = rig.description();
+        let names = |joint: usize| {
+            let bones = (0..).map_while(move |candidate| rig.bone_name(joint, candidate));
+            bones.chain(rig.joint_name(joint))
+        };
+        let bone = |joint| names(joint).find_map(|name| skeleton.find(name)).ok_or(AimChainError::Joint(joint));
+        let count = description.joints().len();
+        let mut chain = Self::new(skeleton, (0..count).map(bone).collect::<Result<Vec<_>, _>>()?)?;
+        for joint in 0..count {
+            for name in (0..).map_while(|place| rig.held_bone(joint, place)) {
+                if let Some(bone) = skeleton.find(name) {
+                    chain = chain.with_held(bone, joint, description.carrier(joint))?;
+                }
+            }
+        }
+        Ok(chain)
+    }
+
+    /// With the other eye, aimed too: see [`Pose::with_other_eye`]. It is first turned parallel to joint 0, as both are at rest.
+    ///
+    /// # Errors
+    /// There is no such bone, or it is a joint.
+    pub fn with_other_eye(self, bone: usize) -> Result<Self, AimChainError> {
+        self.with_eye(OtherEye { bone, is_aimed: true })
+    }
+
+    /// With an eye that is not aimed itself: it turns in the space of the model as joint 0 does.
+    ///
+    /// # Errors
+    /// There is no such bone, or it is a joint.
+    pub fn with_following_eye(self, bone: usize) -> Result<Self, AimChainError> {
+        self.with_eye(OtherEye { bone, is_aimed: false })
+    }
+
+    fn with_eye(mut self, eye: OtherEye) -> Result<Self, AimChainError> {
+        if eye.bone >= self.rest.len() || self.joints.contains(&eye.bone) {
+            return Err(AimChainError::OtherEye);
+        }
+        self.other_eye = Some(eye);
+        Ok(self)
+    }
+
+    /// With a bone that hangs on a joint, by any number of bones, and stays with another joint farther in, the
+    /// [carrier](aim_runtime::Description::carrier): a clavicle on a neck that turns. Without a carrier it stays as it is animated.
+    ///
+    /// # Errors
+    /// There is no such bone, it is a joint, or does not hang on the joint; or the carrier is not farther in.
+    pub fn with_held(mut self, bone: usize, joint: usize, carrier: Option<usize>) -> Result<Self, AimChainError> {
+        let on = self.joints.get(joint).copied().ok_or(AimChainError::Held)?;
+        if bone >= self.rest.len() || self.joints.contains(&bone) || !is_below(&self.skeleton, bone, on) {
+            return Err(AimChainError::Held);
+        }
+        let carrier = match carrier {
+            Some(inward) if inward <= joint => return Err(AimChainError::Held),
+            Some(inward) => Some(*self.joints.get(inward).ok_or(AimChainError::Held)?),
+            None => None,
+        };
+        self.held.push(Held { bone, carrier });
+        Ok(self)
+    }
+
+    /// With the direction that is up for the character, in the space of the model: see [`Pose::with_up`].
+    #[must_use]
+    pub fn with_up(mut self, up: Vec3) -> Self {
+        self.up = Some(up);
+        self
+    }
+
+    /// The bone of each joint, from the effector inward.
+    #[must_use]
+    pub fn joints(&self) -> &[usize] {
+        &self.joints
+    }
+
+    /// Memory for a character.
+    #[must_use]
+    pub fn frame(&self) -> AimFrame {
+        AimFrame {
+            place: Affine3A::IDENTITY,
+            joints: alloc::vec![Affine3A::IDENTITY; self.joints.len()],
+            bind: alloc::vec![Affine3A::IDENTITY; self.joints.len()],
+            other_eye: None,
+            up: None,
+            animated: alloc::vec![Affine3A::IDENTITY; self.rest.len()],
+        }
+    }
+
+    /// Reads the animated pose: after it [`AimFrame::pose`] is what the solvers take.
+    ///
+    /// `local` is the pose as it was animated, without earlier corrections, and `model` the same in the space of the model. An other
+    /// eye that is aimed is turned in both. A joint's own uneven scale is taken out; ranges from the bind pose are counted from the
+    /// rest pose, carried along by what the chain hangs on.
+    ///
+    /// # Errors
+    /// A slice has another length than the skeleton, or `frame` is of another chain; then nothing is written.
+    pub fn gather(
+        &self,
+        frame: &mut AimFrame,
+        local: &mut [Transform],
+        model: &mut [Affine3A],
+    ) -> Result<(), PoseError> {
+        self.check(frame, local, model)?;
+        let aimed_eye = self.other_eye.filter(|eye| eye.is_aimed);
+        if let Some(eye) = aimed_eye {
+            if let Some(turn) = self.parallel(eye.bone, model) {
+                self.skeleton.turn_in_model(eye.bone, turn, model, local)?;
+                self.skeleton.to_model_below(eye.bone, local, model)?;
+            }
+        }
+        let joint = |bone: usize| frame.place * without_uneven_scale(&model[bone], local[bone].scale);
+        frame.other_eye = aimed_eye.map(|eye| joint(eye.bone));
+        for (at, &bone) in frame.joints.iter_mut().zip(&self.joints) {
+            *at = joint(bone);
+        }
+        frame.up = self.up.map(|up| frame.place.transform_vector3(up));
+        // At rest, but moved along by what the chain hangs on.
+        let innermost = self.joints[self.joints.len() - 1];
+        let carried = self.skeleton.parents()[innermost].and_then(|on| Some(model[on] * inverse(&self.rest[on])?));
+        let carried = frame.place * carried.unwrap_or(Affine3A::IDENTITY);
+        for (at, &bone) in frame.bind.iter_mut().zip(&self.joints) {
+            *at = carried * without_uneven_scale(&self.rest[bone], self.skeleton.rest()[bone].scale);
+        }
+        frame.animated.copy_from_slice(model);
+        Ok(())
+    }
+
+    /// Writes corrections into the pose that was [gathered](Self::gather): joints and the other eye are turned, what is held is moved
+    /// back, and `model` follows. Joints without a correction stay.
+    ///
+    /// # Errors
+    /// A slice has another length than the skeleton, or `frame` is of another chain; then nothing is written.
+    pub fn apply(
+        &self,
+        frame: &AimFrame,
+        corrections: Corrections<'_>,
+        local: &mut [Transform],
+        model: &mut [Affine3A],
+    ) -> Result<(), PoseError> {
+        self.check(frame, local, model)?;
+        let eye = self.joints[0];
+        let before = local[eye].rotation;
+        for (&bone, correction) in self.joints.iter().zip(corrections.joints) {
+            local[bone].turn(*correction);
+        }
+        self.skeleton.to_model_below(self.joints[self.joints.len() - 1], local, model)?;
+        if let Some(other) = self.other_eye {
+            match corrections.other_eye.filter(|_| other.is_aimed) {
+                Some(correction) => local[other.bone].turn(correction),
+                None => self.follow(other.bone, before, local, model)?,
+            }
+            self.skeleton.to_model_below(other.bone, local, model)?;
+        }
+        for held in &self.held {
+            self.hold(held, frame, local, model);
+            self.skeleton.to_model_below(held.bone, local, model)?;
+        }
+        Ok(())
+    }
+
+    fn check(&self, frame: &AimFrame, local: &[Transform], model: &[Affine3A]) -> Result<(), PoseError> {
+        let bones = self.rest.len();
+        [local.len(), model.len(), frame.animated.len()].into_iter().try_for_each(|len| check_length(bones, len))?;
+        check_length(self.joints.len(), frame.joints.len())
+    }
+
+    /// The turn in the space of the model after which the other eye is to joint 0 as both are at rest.
+    fn parallel(&self, other: usize, model: &[Affine3A]) -> Option<Quat> {
+        let eye = self.joints[0];
+        let frame = |at: &Affine3A| nearest_orthogonal(at.matrix3);
+        let since_rest = frame(&model[eye])? * frame(&self.rest[eye])?.transpose();
+        rotation(&(since_rest * frame(&self.rest[other])? * frame(&model[other])?.transpose()))
+    }
+
+    /// Turns the other eye in the space of the model as joint 0 was turned from its rotation `before`.
+    fn follow(&self, other: usize, before: Quat, local: &mut [Transform], model: &[Affine3A]) -> Result<(), PoseError> {
+        let eye = self.joints[0];
+        let parent =
+            self.skeleton.parents()[eye].map_or(Some(Mat3A::IDENTITY), |on| nearest_orthogonal(model[on].matrix3));
+        let [before, after] = [before, local[eye].rotation].map(|of| Mat3A::from_quat(made_unit(of)));
+        let turn = parent.and_then(|parent| rotation(&(parent * after * before.transpose() * parent.transpose())));
+        turn.map_or(Ok(()), |turn| self.skeleton.turn_in_model(other, turn, model, local))
+    }
+
+    /// Moves a bone back to where its carrier has it. What is hidden by a scale of 0 has no place to keep.
+    fn hold(&self, held: &Held, frame: &AimFrame, local: &mut [Transform], model: &[Affine3A]) {
+        let Held { bone, carrier } = *held;
+        let place = || {
+            let carried = match carrier {
+                Some(by) => model[by] * inverse(&frame.animated[by])?,
+                None => Affine3A::IDENTITY,
+            };
+            let on = self.skeleton.parents()[bone].map_or(Some(Affine3A::IDENTITY), |on| inverse(&model[on]))?;
+            let at = on * carried * frame.animated[bone];
+            let Vec3 { x, y, z } = local[bone].scale.recip();
+            let unscaled = Mat3A::from_cols(at.matrix3.x_axis * x, at.matrix3.y_axis * y, at.matrix3.z_axis * z);
+            let rotation = rotation(&nearest_orthogonal(unscaled)?)?;
+            at.translation.is_finite().then_some((at.translation, rotation))
+        };
+        if let Some((translation, rotation)) = place() {
+            (local[bone].translation, local[bone].rotation) = (translation.into(), rotation);
+        }
+    }
+}
+
+/// True if a bone hangs on another one, by any number of bones.
+fn is_below(skeleton: &Skeleton, bone: usize, on: usize) -> bool {
+    bone != on && skeleton.subtree(on).contains(&bone)
+}
+
+/// The rotation of an orthogonal matrix; `None` if it mirrors.
+fn rotation(frame: &Mat3A) -> Option<Quat> {
+    if frame.determinant() > 0.5 { unit(Quat::from_mat3a(frame)) } else { None }
+}
+
+/// A bone in the space of the model without its own scale if that is uneven, so that a correction acts where its rotation does.
+fn without_uneven_scale(model: &Affine3A, scale: Vec3) -> Affine3A {
+    let size = scale.abs();
+    let is_even = (size - Vec3::splat(size.x)).abs().max_element() <= 1e-5 * size.max_element();
+    if is_even || !(size.min_element() > 0.0) {
+        return *model;
+    }
+    let Mat3A { x_axis, y_axis, z_axis } = model.matrix3;
+    let matrix3 = Mat3A::from_cols(x_axis / size.x, y_axis / size.y, z_axis / size.z);
+    Affine3A { matrix3, translation: model.translation }
+}

@@ -1,0 +1,282 @@
+use aim::animation::{AimChain, AimChainError, AimFrame, Corrections, Skeleton, Transform};
+use aim::glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
+use aim::{Aim, AimRig, DynAim, Rig, Settings, Status};
+use aim_animation_tests::{Hero, gait, skeleton};
+
+/// Each bone in the space of the model by its definition.
+fn model(skeleton: &Skeleton, local: &[Transform]) -> Vec<DAffine3> {
+    let mut model: Vec<DAffine3> = Vec::new();
+    for (at, parent) in local.iter().zip(skeleton.parents()) {
+        let own = DAffine3::from_scale_rotation_translation(
+            at.scale.as_dvec3(),
+            at.rotation.as_dquat().normalize(),
+            at.translation.as_dvec3(),
+        );
+        model.push(parent.map_or(own, |parent| model[parent] * own));
+    }
+    model
+}
+
+/// The six kinds of parents.
+fn parents() -> [(&'static str, Transform); 6] {
+    let turned = Transform::from_rotation(Quat::from_euler(aim::glam::EulerRot::XYZ, 0.3, -0.9, 0.4));
+    [
+        ("identity", Transform::IDENTITY),
+        ("translated", Transform::from_translation(Vec3::new(3.0, -1.0, 2.0))),
+        ("rotated", turned),
+        ("scaled", Transform { scale: Vec3::splat(0.01), ..turned }),
+        ("uneven", Transform { scale: Vec3::new(1.0, 1.2, 0.9), ..turned }),
+        ("mirrored", Transform { scale: Vec3::new(-1.0, 1.0, 1.0), ..turned }),
+    ]
+}
+
+struct Character {
+    skeleton: Skeleton,
+    local: Vec<Transform>,
+    model: Vec<Affine3A>,
+}
+
+impl Character {
+    fn new(armature: Transform, seconds: f32) -> Self {
+        let skeleton = skeleton(armature);
+        let mut local = skeleton.rest().to_vec();
+        let clip = gait(&skeleton, "walk", 1.0, 0.0);
+        clip.sample(seconds, &mut clip.cursor(), &mut local);
+        let mut model = vec![Affine3A::IDENTITY; skeleton.len()];
+        skeleton.to_model(&local, &mut model).unwrap();
+        Self { skeleton, local, model }
+    }
+
+    fn bone(&self, name: &str) -> usize {
+        self.skeleton.find(name).unwrap()
+    }
+
+    /// The angle between where an eye looks and where the target is, in the space of the targets.
+    fn error(&self, place: &Affine3A, eye: &str, target: Vec3) -> f64 {
+        let at = DAffine3::from_cols_array(&place.to_cols_array().map(f64::from))
+            * model(&self.skeleton, &self.local)[self.bone(eye)];
+        at.transform_vector3(DVec3::Y).angle_between(target.as_dvec3() - at.translation)
+    }
+}
+
+/// A target that a character on this armature sees a little up and to its left.
+fn target_for(character: &Character, place: &Affine3A) -> Vec3 {
+    let armature = *place * character.model[0];
+    armature.transform_point3(Vec3::new(0.7, 1.9, 2.0))
+}
+
+/// Under every kind of parent, in its own space and placed in a world, both eyes come to look at the target, by forward kinematics
+/// that knows nothing of the solver.
+#[test]
+fn both_eyes_reach_the_target() {
+    let placed = Affine3A::from_scale_rotation_translation(Vec3::splat(1.5), Quat::from_rotation_y(2.0), Vec3::NEG_X);
+    for place in [Affine3A::IDENTITY, placed] {
+        for (name, armature) in parents() {
+            let mut character = Character::new(armature, 0.0);
+            let chain = AimChain::named(&character.skeleton, Hero::RIG).unwrap();
+            let right = character.bone("right_eye");
+            let chain = chain.with_other_eye(right).unwrap();
+            let (mut frame, mut aim) = (chain.frame(), DynAim::new(Hero::RIG));
+            frame.place = place;
+            let target = target_for(&character, &place);
+            let mut outcome = None;
+            for step in 0..120_u8 {
+                // The animation goes on below the aim.
+                character = Character::new(armature, 0.3 + 0.002 * f32::from(step));
+                chain.gather(&mut frame, &mut character.local, &mut character.model).unwrap();
+                outcome = Some(aim.aim(&frame.pose(), target, 1.0 / 60.0, &Settings::default()));
+                let corrections = Corrections { joints: aim.corrections(), other_eye: aim.other_eye_correction() };
+                chain.apply(&frame, corrections, &mut character.local, &mut character.model).unwrap();
+            }
+            let outcome = outcome.unwrap();
+            let error = character.error(&place, "left_eye", target);
+            assert!((error - f64::from(outcome.remaining)).abs() < 2e-4, "{name}: {error} {outcome:?}");
+            if name != "uneven" {
+                assert_eq!(outcome.status, Status::Reached, "{name}");
+                let other = character.error(&place, "right_eye", target);
+                assert!(error < 2e-3 && other < 2e-3, "{name}: {error} {other}");
+            }
+            // What is told of the model is so.
+            for (found, truth) in character.model.iter().zip(model(&character.skeleton, &character.local)) {
+                let found = DAffine3::from_cols_array(&found.to_cols_array().map(f64::from));
+                assert!(found.abs_diff_eq(truth, 1e-5), "{name}");
+            }
+        }
+    }
+}
+
+fn aimed(character: &mut Character, chain: &AimChain) -> AimFrame {
+    let (mut frame, mut aim) = (chain.frame(), DynAim::new(Hero::RIG));
+    let target = target_for(character, &frame.place);
+    chain.gather(&mut frame, &mut character.local, &mut character.model).unwrap();
+    aim.snap(&frame.pose(), target, &Settings::default());
+    let corrections = Corrections { joints: aim.corrections(), other_eye: aim.other_eye_correction() };
+    chain.apply(&frame, corrections, &mut character.local, &mut character.model).unwrap();
+    frame
+}
+
+/// An eye that follows looks as joint 0 does.
+#[test]
+fn the_other_eye_follows() {
+    for (name, armature) in parents() {
+        if name == "uneven" {
+            continue;
+        }
+        let mut character = Character::new(armature, 0.0);
+        let right = character.bone("right_eye");
+        let chain = AimChain::named(&character.skeleton, Hero::RIG).unwrap().with_following_eye(right).unwrap();
+        aimed(&mut character, &chain);
+        let model = model(&character.skeleton, &character.local);
+        let [left, right] = ["left_eye", "right_eye"].map(|eye| model[character.bone(eye)].matrix3);
+        let scale = left.determinant().abs().cbrt();
+        // At rest, and at the beginning of the gait, both have the same axes.
+        assert!((left * scale.recip()).abs_diff_eq(right * scale.recip(), 1e-5), "{name}");
+        let turned = character.local[character.bone("left_eye")].rotation;
+        assert!(turned.angle_between(character.skeleton.rest()[5].rotation) > 0.05, "{name}: it has turned");
+    }
+}
+
+/// A clavicle on the neck keeps its place in the chest, and without a carrier in the animation.
+#[test]
+fn what_is_held_stays() {
+    for (name, armature) in parents() {
+        for carrier in [Some(2), None] {
+            let mut character = Character::new(armature, 0.3);
+            let clavicle = character.bone("left_clavicle");
+            // Hidden and mirrored bones are held, too; a scale of its own stays.
+            character.local[clavicle].scale = Vec3::new(1.1, -1.1, 1.1);
+            character.skeleton.to_model(&character.local, &mut character.model).unwrap();
+            // The rig itself names the clavicle.
+            let chain = match carrier {
+                Some(_) => AimChain::named(&character.skeleton, Hero::RIG).unwrap(),
+                None => AimChain::new(&character.skeleton, [5, 3, 2]).unwrap().with_held(clavicle, 1, None).unwrap(),
+            };
+            let before = model(&character.skeleton, &character.local);
+            aimed(&mut character, &chain);
+            let after = model(&character.skeleton, &character.local);
+            let on = |model: &[DAffine3], bone: usize| match carrier {
+                Some(_) => model[character.bone("spine")].inverse() * model[bone],
+                None => model[bone],
+            };
+            assert_eq!(character.local[clavicle].scale, Vec3::new(1.1, -1.1, 1.1));
+            for bone in [clavicle, character.bone("left_arm")] {
+                let (was, is) = (on(&before, bone), on(&after, bone));
+                // Under uneven scale a rotation can but come near.
+                let most = if name == "uneven" { 0.1 } else { 1e-4 };
+                assert!(was.abs_diff_eq(is, most), "{name} {carrier:?}: {was} {is}");
+            }
+            let neck = character.bone("neck");
+            assert!(!before[neck].abs_diff_eq(after[neck], 1e-3 * before[neck].matrix3.x_axis.length()), "{name}");
+        }
+    }
+}
+
+/// Where the animation lets one eye drift, the other eye is brought parallel before it is aimed.
+#[test]
+fn eyes_are_parallel_when_gathered() {
+    for (name, armature) in parents() {
+        if name == "uneven" {
+            continue;
+        }
+        let mut character = Character::new(armature, 0.3);
+        let right = character.bone("right_eye");
+        let chain = AimChain::named(&character.skeleton, Hero::RIG).unwrap().with_other_eye(right).unwrap();
+        let mut frame = chain.frame();
+        let before = model(&character.skeleton, &character.local);
+        chain.gather(&mut frame, &mut character.local, &mut character.model).unwrap();
+        let after = model(&character.skeleton, &character.local);
+        let drift = |model: &[DAffine3]| {
+            let [a, b] = [5, right].map(|eye| model[eye].transform_vector3(DVec3::Y));
+            a.angle_between(b)
+        };
+        assert!(drift(&before) > 0.05 && drift(&after) < 1e-5, "{name}");
+        let pose = frame.pose();
+        let found = pose.other_eye.unwrap();
+        let truth = after[right];
+        assert!(found.translation.as_dvec3().distance(truth.translation) < 1e-5, "{name}");
+    }
+}
+
+/// The pose for solvers: each joint in the space of the targets, without uneven scale of its own; ranges from a rest pose that is
+/// carried along.
+#[test]
+fn what_is_gathered() {
+    let mut character = Character::new(Transform::IDENTITY, 0.3);
+    character.local[1].rotation = Quat::from_rotation_y(0.8) * character.local[1].rotation;
+    character.local[3].scale = Vec3::new(1.0, 2.0, -3.0);
+    character.skeleton.to_model(&character.local, &mut character.model).unwrap();
+    let chain = AimChain::new(&character.skeleton, [5, 3, 2]).unwrap().with_up(Vec3::Y);
+    let mut frame = chain.frame();
+    frame.place = Affine3A::from_rotation_translation(Quat::from_rotation_x(0.2), Vec3::X);
+    chain.gather(&mut frame, &mut character.local, &mut character.model).unwrap();
+    let place = DAffine3::from_rotation_translation(DQuat::from_rotation_x(f64::from(0.2_f32)), DVec3::X);
+    let now = model(&character.skeleton, &character.local);
+    let rest = model(&character.skeleton, character.skeleton.rest());
+    let pose = frame.pose();
+    let close = |found: &Affine3A, truth: DAffine3| {
+        let found = DAffine3::from_cols_array(&found.to_cols_array().map(f64::from));
+        assert!(found.abs_diff_eq(truth, 1e-5), "{found} {truth}");
+    };
+    // The neck's own scale is gone, its mirror is not.
+    let unscaled = DMat3::from_diagonal(DVec3::new(1.0, 0.5, 1.0 / 3.0));
+    close(&pose.joints[1], place * now[3] * DAffine3::from_mat3(unscaled));
+    close(&pose.joints[2], place * now[2]);
+    // The hips carry the rest pose.
+    for (joint, bone) in [5, 3, 2].into_iter().enumerate() {
+        close(&pose.bind.unwrap()[joint], place * now[1] * rest[1].inverse() * rest[bone]);
+    }
+    assert!(pose.up.unwrap().distance(Quat::from_rotation_x(0.2) * Vec3::Y) < 1e-6);
+    let of_array = frame.pose_of::<3>().unwrap();
+    assert_eq!((&of_array.joints[..], of_array.bind.as_ref().map(|bind| &bind[..])), (pose.joints, pose.bind));
+    assert!(frame.pose_of::<2>().is_none());
+}
+
+/// A derived rig and the same rig behind a trait object are one.
+#[test]
+fn derived_and_dynamic() {
+    let mut character = Character::new(Transform::IDENTITY, 0.2);
+    let chain = AimChain::named(&character.skeleton, Hero::RIG).unwrap();
+    let mut frame = chain.frame();
+    chain.gather(&mut frame, &mut character.local, &mut character.model).unwrap();
+    let rig: &dyn Rig = Hero::RIG;
+    let (mut one, mut other) = (Aim::<Hero>::new(), DynAim::new(rig));
+    for _ in 0..20 {
+        let aimed = one.aim(&frame.pose_of().unwrap(), Vec3::new(1.0, 2.0, 3.0), 0.02, &Settings::default());
+        let outcome = other.aim(&frame.pose(), Vec3::new(1.0, 2.0, 3.0), 0.02, &Settings::default());
+        assert_eq!((&aimed.corrections[..], aimed.outcome), (other.corrections(), outcome));
+    }
+}
+
+#[test]
+fn what_is_no_chain() {
+    let skeleton = skeleton(Transform::IDENTITY);
+    let chain = |joints: &[usize]| AimChain::new(&skeleton, joints);
+    assert_eq!(chain(&[]).unwrap_err(), AimChainError::Empty);
+    assert_eq!(chain(&[5, 10]).unwrap_err(), AimChainError::Joint(1));
+    assert_eq!(chain(&[5, 2, 3]).unwrap_err(), AimChainError::Order(2));
+    assert_eq!(chain(&[5, 5]).unwrap_err(), AimChainError::Order(1));
+    let good = chain(&[5, 3, 2]).unwrap();
+    assert_eq!(good.joints(), [5, 3, 2]);
+    for eye in [3, 10] {
+        assert_eq!(good.clone().with_other_eye(eye).unwrap_err(), AimChainError::OtherEye);
+        assert_eq!(good.clone().with_following_eye(eye).unwrap_err(), AimChainError::OtherEye);
+    }
+    for (bone, joint, carrier) in
+        [(10, 1, None), (3, 2, None), (9, 1, None), (7, 3, None), (7, 1, Some(1)), (7, 1, Some(3))]
+    {
+        assert_eq!(good.clone().with_held(bone, joint, carrier).unwrap_err(), AimChainError::Held);
+    }
+    let nameless = Skeleton::new([]).unwrap();
+    assert_eq!(AimChain::named(&nameless, Hero::RIG).unwrap_err(), AimChainError::Joint(0));
+    let (mut local, mut model) = (skeleton.rest().to_vec(), vec![Affine3A::IDENTITY; 10]);
+    let mut foreign = chain(&[5]).unwrap().frame();
+    assert!(good.gather(&mut foreign, &mut local, &mut model).is_err());
+    assert!(good.gather(&mut good.frame(), &mut local[..9], &mut model).is_err());
+    let none = Corrections { joints: &[], other_eye: None };
+    assert!(good.apply(&good.frame(), none, &mut local, &mut model[..9]).is_err());
+    // No corrections, no change.
+    let mut frame = good.frame();
+    good.gather(&mut frame, &mut local, &mut model).unwrap();
+    good.apply(&frame, none, &mut local, &mut model).unwrap();
+    assert_eq!(local, skeleton.rest());
+}

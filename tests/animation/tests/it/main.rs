@@ -1,0 +1,3 @@
+//! Aimed on top of an animation: judged by forward kinematics in f64.
+
+mod glue;
