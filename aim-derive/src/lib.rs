@@ -156,7 +156,7 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 ///   normalize_or_zero lerp midpoint project_onto reject_from reflect angle_between clamp_length abs min max clamp mul_add
 ///   with_x truncate extend perp perp_dot rotate_x` and a few more; `Vec3::X`, `Vec3::ZERO` and their like
 /// - of quaternions and matrices: `from_rotation_x`, `from_axis_angle`, `from_euler`, `from_quat`, `from_mat3`,
-///   `from_cols`, `inverse`, `conjugate`, `transpose`, `determinant`, `normalize`, `slerp`, `mul_vec3`, …
+///   `from_cols`, `from_scaled_axis`, `to_scaled_axis`, `to_axis_angle`, `inverse`, `conjugate`, `transpose`, `determinant`, `normalize`, `slerp`, `mul_vec3`, …
 /// - of transforms, and of `Mat4` alike, `project_point3` too: `from_rotation_translation`, `transform_point3`, `transform_vector3`, `inverse`, …
 ///
 /// Anything else is a compile error where it stands, with what to write instead.
@@ -185,6 +185,14 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 ///
 /// It is one rule, ∂(R v) = R (ω × v), not the algebra of four or nine numbers: three numbers cost less than four. All companions are by the
 /// tangent, Hessians too: δ counts to the second order.
+///
+/// # Where a formula is 0 / 0
+///
+/// Where value and derivatives have a limit, they are the limit, first and second ones. `x.sin() / x` is 1 at 0 with slope 0,
+/// `v.length() * v.normalize()` is v, and a turn by `Quat::from_axis_angle(v.normalize(), v.length())` has its derivative at
+/// v = 0, as `q.to_scaled_axis()` has at the identity. No `if` is needed around them. What is multiplied and divided by the same
+/// cancels; of sin, tan, asin, atan2, sinh, tanh, 1 − cos, x − sin and acos a power of their argument does, and a
+/// series is left near the point, which counts apart from operations.
 ///
 /// # Where there is no derivative
 ///

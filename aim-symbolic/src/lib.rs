@@ -45,6 +45,7 @@ pub use ir::node::{
 };
 pub use ir::number::Number;
 pub use ir::op::{Constant, Function, Op, Value};
+pub use ir::smooth::Stumpff;
 pub use lower::fold::Fold;
 pub use program::Program;
 pub use program::count::Count;

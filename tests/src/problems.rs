@@ -48,6 +48,7 @@ pub fn all() -> Vec<Problem> {
         turned_centroid(),
         along_turned_axis(),
         projected_distance(),
+        length_times_direction(),
         seen_from_a_turned_frame(),
         both_ways_round(),
         squared_length(),
@@ -337,11 +338,23 @@ fn squared_length() -> Problem {
 
 /// A distance stated as a projection on its own direction.
 fn projected_distance() -> Problem {
-    Problem::new("projected distance", 11, |g| {
+    Problem::new("projected distance", 10, |g| {
         let v = g.vector_input("v");
         let direction = g.normalize(v);
         let by = components(g, v).to_vec();
         (vec![g.dot(direction, v)], by)
+    })
+}
+
+/// The square of a distance from a vector that is stated by its length and its direction.
+fn length_times_direction() -> Problem {
+    Problem::new("length times direction", 11, |g| {
+        let (v, goal) = (g.vector_input("v"), g.vector_input("goal"));
+        let (length, direction) = (g.norm(v), g.normalize(v));
+        let again = g.scale(length, direction.into());
+        let off = g.sub_vectors(again, goal);
+        let by = components(g, v).to_vec();
+        (vec![g.dot(off, off)], by)
     })
 }
 

@@ -11,7 +11,7 @@ use crate::files;
 
 /// The numbers of a count, each under its key in JSON, which is part of the contract.
 pub(crate) fn numbers(count: Count) -> [(&'static str, usize); 7] {
-    let Count { add, mul, div, sqrt, select, call: _ } = count;
+    let Count { add, mul, div, sqrt, select, call: _, series: _ } = count;
     let (total, pow) = (count.total(), Count::POW);
     [("total", total), ("add", add), ("mul", mul), ("div", div), ("sqrt", sqrt), ("pow", pow), ("select", select)]
 }

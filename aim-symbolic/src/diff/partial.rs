@@ -1,6 +1,7 @@
 //! The derivatives of scalar operations by their parts, which both sweeps use.
 
-use crate::{Angle, Function, Graph, InputKind, Op, Scalar, ScalarNode};
+use crate::ir::smooth::arc_factor;
+use crate::{Angle, Function, Graph, InputKind, Op, Scalar, ScalarNode, Stumpff};
 
 /// A partial derivative.
 #[derive(Clone, Copy, Debug)]
@@ -64,6 +65,8 @@ impl Graph {
                 let (half, reciprocal) = (self.constant(0.5), self.reciprocal(scalar));
                 vec![(a, Factor(self.mul(half, reciprocal)))]
             }
+            ScalarNode::Stumpff(function, s) if wanted(s) => vec![(s, Factor(self.slope_of_stumpff(function, s)))],
+            ScalarNode::Arc(order, s, w) => self.slopes_of_arc(order, s, w),
             ScalarNode::Reciprocal(a) if wanted(a) => vec![(a, MinusFactor(self.mul(scalar, scalar)))],
             // It is constant but for its jumps.
             ScalarNode::Op(Op::Call(Function::Floor, _)) => vec![],
@@ -99,6 +102,27 @@ impl Graph {
         }
     }
 
+    /// dcₖ/ds = (k cₖ₊₂ − cₖ₊₁)/2; of −s the other sign.
+    fn slope_of_stumpff(&mut self, function: Stumpff, s: Scalar) -> Scalar {
+        let k = function.order;
+        let [next, second] = [1, 2].map(|more| self.stumpff(function.of_order(k + more), s));
+        let [half, times] = [if function.hyperbolic { 0.5 } else { -0.5 }, f64::from(k)].map(|c| self.constant(c));
+        let second = self.mul(times, second);
+        let difference = if k == 0 { next } else { self.sub(next, second) };
+        self.mul(half, difference)
+    }
+
+    /// ∂aⱼ/∂s = aⱼ₊₁/2 and ∂aⱼ/∂w = −(−2)ʲ j!/qʲ⁺¹ with q = s + w².
+    fn slopes_of_arc(&mut self, order: u8, s: Scalar, w: Scalar) -> Vec<(Scalar, Partials)> {
+        let (half, factor) = (self.constant(0.5), self.constant(arc_factor(order)));
+        let next = self.intern_scalar(ScalarNode::Arc(order + 1, s, w));
+        let square = self.mul(w, w);
+        let q = self.add(s, square);
+        let reciprocal = self.reciprocal(q);
+        let by_w = (0..=order).fold(factor, |product, _| self.mul(product, reciprocal));
+        vec![(s, Partials::Factor(self.mul(half, next))), (w, Partials::MinusFactor(by_w))]
+    }
+
     /// The derivative of `value = function(a)`.
     fn slope(&mut self, function: Function, a: Scalar, value: Scalar) -> Partials {
         match function {
@@ -109,9 +133,11 @@ impl Graph {
                 Partials::Factor(self.add(one, square))
             }
             Function::Asin | Function::Acos => {
-                let (one, square) = (self.constant(1.0), self.mul(a, a));
-                let difference = self.sub(one, square);
-                let root = self.sqrt(difference);
+                // (1 − a)(1 + a) keeps its digits near 1, where 1 − a² loses them.
+                let one = self.constant(1.0);
+                let (below, above) = (self.sub(one, a), self.add(one, a));
+                let square = self.mul(below, above);
+                let root = self.sqrt(square);
                 let reciprocal = self.reciprocal(root);
                 if function == Function::Asin {
                     Partials::Factor(reciprocal)

@@ -1,5 +1,6 @@
 //! Evaluation of typed expressions in f64, without lowering: the independent oracle of the tests.
 
+use crate::ir::smooth::arc_value;
 use crate::{Angle, Graph, InputKind, Number, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 /// Values for the inputs of a graph.
@@ -113,6 +114,8 @@ impl<'a> Evaluation<'a> {
             }
             ScalarNode::Component(a, axis) => self.vector(a)[usize::from(axis)],
             ScalarNode::Step(_) => 0.0,
+            ScalarNode::Stumpff(function, s) => function.value(self.scalar(s)),
+            ScalarNode::Arc(order, s, w) => arc_value(order, self.scalar(s), self.scalar(w)),
         };
         self.scalars[scalar.0 as usize] = Some(value);
         value

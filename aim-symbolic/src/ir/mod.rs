@@ -6,4 +6,5 @@ pub(crate) mod node;
 pub(crate) mod number;
 pub(crate) mod op;
 pub(crate) mod order;
+pub(crate) mod smooth;
 pub(crate) mod table;

@@ -1,6 +1,7 @@
 //! What expressions are made of: scalars, vectors, rotations, and the parts of each.
 
 use crate::ir::op::{Constant, Op};
+use crate::ir::smooth::Stumpff;
 
 /// A scalar expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -83,6 +84,10 @@ pub enum ScalarNode {
     Component(Vector, u8),
     /// A component of a step: a number that is 0, and that derivatives are taken by.
     Step(u32),
+    /// A Stumpff function of a square.
+    Stumpff(Stumpff, Scalar),
+    /// The derivative of this order of [`Graph::arc`](crate::Graph::arc) by its first argument, by D = 2 d/ds.
+    Arc(u8, Scalar, Scalar),
 }
 
 /// What a vector is made of.
@@ -194,6 +199,8 @@ impl ScalarNode {
             Self::Norm(v) => Self::Norm(parts.vector(v)),
             Self::Component(v, axis) => Self::Component(parts.vector(v), axis),
             Self::Step(_) => self,
+            Self::Stumpff(stumpff, s) => Self::Stumpff(stumpff, parts.scalar(s)),
+            Self::Arc(order, s, w) => Self::Arc(order, parts.scalar(s), parts.scalar(w)),
         }
     }
 }

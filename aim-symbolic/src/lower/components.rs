@@ -3,8 +3,9 @@
 use crate::ir::node::Node;
 use crate::ir::table::Table;
 use crate::lower::fold::Fold;
+use crate::lower::limits::Highest;
 use crate::rewrite::rules::{MATRIX, Rules};
-use crate::{Constant, Graph, Op, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+use crate::{Constant, Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 impl Graph {
     /// The components of `v` as scalars that only add, multiply, divide, take roots and select; 0 and ±1 are folded away.
@@ -26,17 +27,20 @@ pub(crate) struct Lowering {
     /// The matrices of the quaternions that are lowered by one.
     matrices: Table<Rotation, [Scalar; 9]>,
     by_matrices: bool,
+    highest: Highest,
 }
 
 impl Lowering {
     pub(crate) fn new(g: Graph, rules: &Rules<'_>) -> Self {
-        let (scalars, vectors, matrices) = Default::default();
-        Self { fold: Fold::new(g, rules), scalars, vectors, matrices, by_matrices: rules.has(&MATRIX) }
+        let (scalars, vectors, matrices, highest) = Default::default();
+        let by_matrices = rules.has(&MATRIX);
+        Self { fold: Fold::new(g, rules), scalars, vectors, matrices, by_matrices, highest }
     }
 
     /// Lowers the nodes and all that they are made of, parts first: no deeper expression has to be walked down.
     fn lower(&mut self, nodes: &[Node]) {
         let order = self.fold.g.order_with_numbers(nodes);
+        self.highest.note(&self.fold.g, &order);
         if self.by_matrices {
             self.make_matrices(&order);
         }
@@ -80,7 +84,7 @@ impl Lowering {
             }
             ScalarNode::Reciprocal(a) => {
                 let a = self.scalar(a);
-                self.guarded_reciprocal(a)
+                self.fold.guarded_reciprocal(a)
             }
             ScalarNode::Dot(v, w) => {
                 let (v, w) = (self.vector(v), self.vector(w));
@@ -93,23 +97,19 @@ impl Lowering {
             }
             ScalarNode::Component(v, axis) => self.vector(v)[usize::from(axis)],
             ScalarNode::Step(_) => self.fold.g.constant(0.0),
+            ScalarNode::Stumpff(function, s) => {
+                let highest = self.highest.of_stumpff(function, s);
+                let s = self.scalar(s);
+                self.fold.stumpff(function, highest, s)
+            }
+            ScalarNode::Arc(order, s, w) => {
+                let highest = self.highest.of_arc(order, s, w);
+                let (s, w) = (self.scalar(s), self.scalar(w));
+                self.fold.arc(order, highest, s, w)
+            }
         };
         self.scalars.insert(scalar, lowered);
         lowered
-    }
-
-    fn guarded_reciprocal(&mut self, a: Scalar) -> Scalar {
-        // Far above the smallest length of any number type, the guard is a constant, too.
-        if let Some(length) = self.fold.constant_of(a)
-            && length > 1e-18
-        {
-            return self.fold.g.constant(1.0 / length);
-        }
-        let one = self.fold.g.constant(1.0);
-        let zero = self.fold.g.constant(0.0);
-        let tiny = self.fold.g.intern_scalar(ScalarNode::Op(Op::Tiny));
-        let reciprocal = self.fold.g.div(one, a);
-        self.fold.g.intern_scalar(ScalarNode::Op(Op::SelectLess(tiny, a, reciprocal, zero)))
     }
 
     fn dot(&mut self, v: [Scalar; 3], w: [Scalar; 3]) -> Scalar {
@@ -145,7 +145,7 @@ impl Lowering {
                 let v = self.vector(v);
                 let square = self.dot(v, v);
                 let norm = self.fold.sqrt(square);
-                let reciprocal = self.guarded_reciprocal(norm);
+                let reciprocal = self.fold.guarded_reciprocal(norm);
                 v.map(|c| self.fold.mul(reciprocal, c))
             }
             VectorNode::Perp(plane, v) => {

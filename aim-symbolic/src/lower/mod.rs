@@ -3,6 +3,7 @@
 pub(crate) mod components;
 pub(crate) mod factor;
 pub(crate) mod fold;
+mod limits;
 pub(crate) mod products;
 pub(crate) mod rebuild;
 mod selects;

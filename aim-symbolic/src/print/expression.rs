@@ -4,7 +4,7 @@ use super::formula::{Formula, Sign};
 use super::steps::{Binding, Printer, Written};
 use crate::ir::node::Node;
 use crate::{
-    Angle, Function, Graph, Op, Plane, Program, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode,
+    Angle, Function, Graph, Op, Plane, Program, Rotation, RotationNode, Scalar, ScalarNode, Stumpff, Vector, VectorNode,
 };
 
 /// What things are called. What is not named here is called as it was declared.
@@ -232,6 +232,15 @@ impl Writer<'_> {
             ScalarNode::Step(component) => {
                 let axis = ["x", "y", "z"][component as usize % 3];
                 (Formula::italic("δ").indexed(Formula::italic(axis)), Binding::Atom)
+            }
+            ScalarNode::Stumpff(Stumpff { hyperbolic, order }, s) => {
+                let name = Formula::italic(if hyperbolic { "h" } else { "c" }).numbered(order.into());
+                (Formula::Row(vec![name, Formula::Group(Box::new(self.scalar(s).0))]), Binding::Atom)
+            }
+            ScalarNode::Arc(order, s, w) => {
+                let name = Formula::italic("a").numbered(order.into());
+                let arguments = Formula::list([s, w].map(|part| self.scalar(part).0));
+                (Formula::Row(vec![name, Formula::Group(Box::new(arguments))]), Binding::Atom)
             }
             ScalarNode::Reciprocal(a) => quotient(Formula::number(1.0), self.scalar(a).0),
             ScalarNode::Dot(a, b) => {

@@ -19,6 +19,9 @@ pub struct Count {
     pub select: usize,
     /// Calls of functions (sines, exponentials, …); not in the total.
     pub call: usize,
+    /// Operations of series and of their margins, which stand beside closed forms that are 0 / 0 somewhere; in no other
+    /// count.
+    pub series: usize,
 }
 
 impl Count {
@@ -33,9 +36,12 @@ impl Count {
 
 impl fmt::Display for Count {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { add, mul, div, sqrt, select, call } = self;
+        let Self { add, mul, div, sqrt, select, call, series } = self;
         write!(f, "{} operations: {add} add, {mul} mul, {div} div, {sqrt} sqrt; {select} select", self.total())?;
-        if *call > 0 { write!(f, ", {call} call") } else { Ok(()) }
+        if *call > 0 {
+            write!(f, ", {call} call")?;
+        }
+        if *series > 0 { write!(f, ", {series} of series") } else { Ok(()) }
     }
 }
 
@@ -43,7 +49,12 @@ impl Program {
     /// The operations of this program.
     pub fn count(&self) -> Count {
         let mut count = Count::default();
-        for op in self.ops() {
+        let plain = self.without_series();
+        for (op, is_plain) in self.ops().iter().zip(plain) {
+            if !is_plain && !matches!(op, Op::SelectLess(..)) {
+                count.series += usize::from(op.is_step());
+                continue;
+            }
             match op {
                 Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Neg(_) => {}
                 Op::Add(..) | Op::Sub(..) => count.add += 1,
@@ -56,5 +67,22 @@ impl Program {
             }
         }
         count
+    }
+
+    /// For each operation whether something needs it beside margins and what is taken within them.
+    fn without_series(&self) -> Vec<bool> {
+        let mut plain = vec![false; self.ops().len()];
+        self.outputs().iter().for_each(|v| plain[v.index()] = true);
+        for (place, op) in self.ops().iter().enumerate().rev() {
+            if plain[place] {
+                match *op {
+                    Op::SelectLess(tiny, _, closed, _) if self.ops()[tiny.index()] == Op::Tiny => {
+                        plain[closed.index()] = true;
+                    }
+                    _ => op.operands().for_each(|v| plain[v.index()] = true),
+                }
+            }
+        }
+        plain
     }
 }

@@ -4,8 +4,8 @@ use crate::diff::sweep::{Course, Swept};
 use crate::lower::Effort;
 use crate::rewrite::log::Log;
 use crate::rewrite::rules::{
-    self, ACROSS_FOR_CROSS, CANCELLING, CONSTANT_SCALE, DIRECTIONS, EXPAND_ACROSS, FRAMES, MATRIX, MERGE_SHARED,
-    OPTIONAL, OTHER_SIDES, ROTATIONS, Rule, Rules, SCALES, SPREAD, WORDING,
+    self, ACROSS_FOR_CROSS, CANCELLING, CONSTANT_SCALE, DIRECTIONS, EXPAND_ACROSS, FRAMES, LIMITS, MATRIX,
+    MERGE_SHARED, OPTIONAL, OTHER_SIDES, ROTATIONS, Rule, Rules, SCALES, SPREAD, WORDING,
 };
 use crate::{Graph, Placement, Program, Rotation, Scalar, Variable};
 
@@ -301,7 +301,9 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
     let rules = Rules { without: &off, turned: choices.turned };
     let stated = distinct(wanted.iter().filter_map(|w| w.stated()));
     g.keep(&choices.kept);
-    let worded = g.rewrite_with(&stated, &WORDING, &rules, log);
+    let limits = Rules { without, turned: None };
+    let limited = g.rewrite_with(&stated, &LIMITS, &limits, log);
+    let worded = g.rewrite_with(&limited, &WORDING, &rules, log);
     let values = g.rewrite_with(&worded, &ROTATIONS, &rules, log);
     (log.values, log.before_sweeps) = (values.clone(), log.applied.len());
     let value =
@@ -354,7 +356,8 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
             })
             .collect();
         if !by.is_empty() {
-            let slope = g.rewrite_with(&[first(s, x)], &DIRECTIONS, &rules, log)[0];
+            let slope = g.rewrite_with(&[first(s, x)], &LIMITS, &limits, log);
+            let slope = g.rewrite_with(&slope, &DIRECTIONS, &rules, log)[0];
             let gradient = g.gradient(slope, &by, Placement::Late);
             seconds.extend(by.into_iter().map(|y| Want::Second(s, x, y)).zip(gradient));
         }

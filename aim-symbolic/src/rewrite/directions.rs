@@ -123,12 +123,6 @@ fn as_across(g: &Graph, v: Vector) -> Option<(Vector, Unit)> {
     }
 }
 
-/// `k u − (k u · u) u = 0`
-pub(crate) fn across_of_along(g: &mut Graph, v: Vector) -> Option<Vector> {
-    let (inner, u) = as_across(g, v)?;
-    is_along(g, inner, u.into()).then(|| g.constant_vector([0.0; 3]))
-}
-
 /// `v − (v · u) u = v` where `v · u = 0`
 pub(crate) fn across_of_across(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (inner, u) = as_across(g, v)?;

@@ -2,6 +2,7 @@
 
 mod directions;
 mod frames;
+mod limits;
 pub(crate) mod log;
 mod rotations;
 pub mod rules;

@@ -8,7 +8,7 @@
 use core::fmt;
 
 use crate::ir::node::Node;
-use crate::rewrite::{directions, frames, rotations, scaling, sums};
+use crate::rewrite::{directions, frames, limits, rotations, scaling, sums};
 use crate::{Graph, Scalar, Vector};
 
 /// A rewriting of expressions that keeps their value. Rules are compared by name.
@@ -89,7 +89,7 @@ impl Rules<'_> {
     }
 }
 
-/// The rules of all sets, each once, in the order of the passes that they belong to.
+/// The rules of all sets but [`LIMITS`], each once, in the order of the passes that they belong to.
 pub(crate) fn of_sets() -> Vec<Rule> {
     let mut all: Vec<Rule> = Vec::new();
     for rule in [WORDING, ROTATIONS, DIRECTIONS, FRAMES, SCALES].iter().flat_map(|set| set.rules) {
@@ -102,8 +102,12 @@ pub(crate) fn of_sets() -> Vec<Rule> {
 
 /// All rules, those of arithmetic last.
 pub fn all() -> Vec<Rule> {
-    of_sets().into_iter().chain(ARITHMETIC).collect()
+    LIMITS.rules.iter().copied().chain(of_sets()).chain(ARITHMETIC).collect()
 }
+
+/// Quotients that are 0 / 0 somewhere, stated by their limits. They come first and are never left out for the count: without
+/// them derivatives are wrong there.
+pub const LIMITS: RuleSet = RuleSet { rules: &[CANCELLED_DIVISION, CANCELLED_SCALE], sums: Sums::Open };
 
 /// Statement in other words: norms and directions spelled out.
 pub const WORDING: RuleSet = RuleSet {
@@ -143,7 +147,6 @@ pub const DIRECTIONS: RuleSet = RuleSet {
         FOLD_ZERO,
         MERGE_SCALES,
         SCALE_AFTER_OPERATION,
-        NOTHING_ACROSS,
         ALL_ACROSS,
         ACROSS_OF_SUM,
         SCALE_AFTER_DOT,
@@ -197,6 +200,11 @@ macro_rules! rules {
 }
 
 rules! {
+    /// What is multiplied and divided by the same cancels, also where that is 0: a length that is divided by itself is 1. Of
+    /// sin r = r (1 − r²/6 + …) and its like the power of r cancels, and a series in r² is left where r is small.
+    CANCELLED_DIVISION = "what is divided by itself is one": Scalar(limits::cancelled_division);
+    /// A vector's direction times a multiple of its length is a multiple of the vector: |v| (v / |v|) = v, also where v is 0.
+    CANCELLED_SCALE = "a length times a direction is a vector": Vector(limits::cancelled_scale);
     /// A vector times one over its own length is its direction: one thing, with one derivative.
     RECOGNIZE_DIRECTION = "a vector over its length is a direction": Vector(directions::recognize_direction);
     /// The square of a vector is the dot product with itself, so its root is the vector's length.
@@ -243,8 +251,6 @@ rules! {
     /// Turning, taking the part across and multiplying by a number can change places. Last, the number meets fewer
     /// components.
     SCALE_AFTER_OPERATION = "scale after the operation": Vector(scaling::out_of_operation);
-    /// A multiple of a direction has no part across that direction.
-    NOTHING_ACROSS = "nothing of a direction is across it": Vector(directions::across_of_along);
     /// What is square to a direction already is its own part across it.
     ALL_ACROSS = "all of what is across is across": Vector(directions::across_of_across);
     /// The part across of a sum is the sum of the parts across, of which those along the direction are 0 and those

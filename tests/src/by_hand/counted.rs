@@ -6,7 +6,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use aim_symbolic::{Count, Number};
 
 thread_local! {
-    static COUNT: Cell<Count> = const { Cell::new(Count { add: 0, mul: 0, div: 0, sqrt: 0, select: 0, call: 0 }) };
+    static COUNT: Cell<Count> = const { Cell::new(Count { add: 0, mul: 0, div: 0, sqrt: 0, select: 0, call: 0, series: 0 }) };
 }
 
 /// A number whose operations are counted, thread by thread.

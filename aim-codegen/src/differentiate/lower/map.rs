@@ -5,7 +5,7 @@
 
 use std::rc::Rc;
 
-use aim_symbolic::{Rotation, Scalar, Vector};
+use aim_symbolic::{Node, Rotation, Scalar, Stumpff, Vector};
 
 use super::algebra::Algebra;
 use super::condition::Condition;
@@ -26,6 +26,8 @@ pub(crate) enum Map {
     Rows([Vector; 3]),
     /// v ↦ q v q*, for a quaternion of any length: its vector part and its scalar part.
     Spin(Vector, Scalar),
+    /// The right-handed turn about a vector by its length.
+    Turn(Vector),
     /// The second, then the first.
     Compose(Rc<(Self, Self)>),
     /// The first where the condition holds, else the second.
@@ -59,7 +61,7 @@ impl Map {
     /// How many maps are applied to a vector.
     fn size(&self) -> usize {
         match self {
-            Self::Rotation(_) | Self::Columns(_) | Self::Rows(_) | Self::Spin(..) => 1,
+            Self::Rotation(_) | Self::Columns(_) | Self::Rows(_) | Self::Spin(..) | Self::Turn(_) => 1,
             Self::Compose(pair) => pair.0.size() + pair.1.size(),
             Self::Select(choice) => choice.1.size() + choice.2.size(),
         }
@@ -79,6 +81,7 @@ impl Map {
                 a.vector(parts)
             }
             Self::Spin(u, w) => spin(a, *u, *w, v),
+            Self::Turn(turn) => turned(a, *turn, v),
             Self::Compose(pair) => {
                 let once = pair.1.apply(a, v);
                 pair.0.apply(a, once)
@@ -119,6 +122,7 @@ impl Map {
             Self::Columns(columns) => Self::Rows(*columns),
             Self::Rows(rows) => Self::Columns(*rows),
             Self::Spin(u, w) => Self::Spin(a.neg_vector(*u), *w),
+            Self::Turn(turn) => Self::Turn(a.neg_vector(*turn)),
             Self::Compose(pair) => {
                 let (first, second) = (pair.0.transpose(a), pair.1.transpose(a));
                 second.compose(a, &first)
@@ -149,7 +153,7 @@ impl Map {
     /// Whether it is known to be a rotation.
     pub(crate) fn is_rotation(&self) -> bool {
         match self {
-            Self::Rotation(_) => true,
+            Self::Rotation(_) | Self::Turn(_) => true,
             Self::Columns(_) | Self::Rows(_) | Self::Spin(..) => false,
             Self::Compose(pair) => pair.0.is_rotation() && pair.1.is_rotation(),
             Self::Select(choice) => choice.1.is_rotation() && choice.2.is_rotation(),
@@ -215,6 +219,15 @@ fn spin(a: &mut Algebra, u: Vector, w: Scalar, v: Vector) -> Vector {
     about(a, v, u, factors)
 }
 
+/// v cos r + r (r · v)(1 − cos r)/r² + (r × v) sin r / r, of which the quotients have limits where r is 0.
+fn turned(a: &mut Algebra, turn: Vector, v: Vector) -> Vector {
+    let square = a.dot(turn, turn);
+    let [cos, sine, versine] = [0, 1, 2].map(|order| a.g.stumpff(Stumpff { hyperbolic: false, order }, square));
+    let along = a.dot(turn, v);
+    let along = a.mul(along, versine);
+    about(a, v, turn, [cos, along, sine])
+}
+
 /// kept v + along u + aside (u × v)
 fn about(a: &mut Algebra, v: Vector, u: Vector, [kept, along, aside]: [Scalar; 3]) -> Vector {
     let (kept, along, across) = (a.scale(kept, v), a.scale(along, u), a.cross(u, v));
@@ -266,6 +279,19 @@ impl Quaternion {
     pub(crate) fn about_varying(a: &mut Algebra, axis: Vector, radians: Scalar) -> Self {
         let (u, w) = half_turn(a, axis, radians);
         Self::from_parts(u, w)
+    }
+
+    /// The turn about a vector by its length, also where that is 0.
+    pub(crate) fn about_vector(a: &mut Algebra, turn: Vector) -> Self {
+        let half = a.number(0.5);
+        let half = a.scale(half, turn);
+        let square = a.dot(half, half);
+        let [w, sine] = [0, 1].map(|order| a.g.stumpff(Stumpff { hyperbolic: false, order }, square));
+        let u = a.scale(sine, half);
+        if a.varies(Node::Vector(turn)) {
+            return Self { map: Map::Turn(turn), parts: Some((u, w)) };
+        }
+        Self::unit(a, u, w)
     }
 
     /// `self` where the condition holds, else `otherwise`.

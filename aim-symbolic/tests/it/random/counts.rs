@@ -13,12 +13,11 @@ use super::recipe::Recipe;
 
 /// Rules that only take away, or write the same in other words. Of the others each may raise a count by itself: what it
 /// takes apart is shared, or others finish what it begins.
-const TAKE_AWAY: [&str; 9] = [
+const TAKE_AWAY: [&str; 8] = [
     "the root of a square is a norm",
     "fold zero and one",
     "split composition",
     "cancel terms",
-    "nothing of a direction is across it",
     "all of what is across is across",
     "dot, then sign",
     "one reciprocal for a direction",
@@ -133,7 +132,8 @@ fn derivation(recipe: &Recipe, off: &[Rule]) -> (usize, usize) {
 
 #[test]
 fn no_derivation_is_larger_than_without_the_rules() {
-    let off: Vec<Rule> = single_rules().iter().map(|(_, rule, _)| *rule).collect();
+    // Those of limits are no matter of counts.
+    let off: Vec<Rule> = single_rules().iter().filter(|(set, ..)| *set != "limits").map(|(_, rule, _)| *rule).collect();
     let change = RefCell::new(Change::default());
     for_each(10_000, 8, |recipe| {
         let (without, with) = derivation(recipe, &off);

@@ -5,7 +5,9 @@
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hash, Hasher};
 
-use aim_symbolic::{Function, Graph, Op, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+use aim_symbolic::{
+    Function, Graph, Op, Plane, Rotation, RotationNode, Scalar, ScalarNode, Stumpff, Vector, VectorNode,
+};
 
 use super::dual::Oracle;
 
@@ -93,6 +95,37 @@ fn crossing<T: Oracle>(a: Triple<T>) -> Triple<Triple<T>> {
     identity().map(|axis| cross(a, axis))
 }
 
+/// The closed form: cos r, sin r / r, and by (1/k! − cₖ)/r².
+fn stumpff<T: Oracle>(Stumpff { hyperbolic, order }: Stumpff, s: T) -> T {
+    let r = s.sqrt();
+    let mut k = order % 2;
+    let mut value = match (hyperbolic, k) {
+        (false, 0) => r.call(Function::Cos),
+        (false, _) => r.call(Function::Sin) / r,
+        (true, 0) => r.call(Function::Cosh),
+        (true, _) => r.call(Function::Sinh) / r,
+    };
+    while k < order {
+        let factorial: f64 = (1..=k).map(f64::from).product();
+        value = (T::constant(1.0 / factorial) - value) / if hyperbolic { -s } else { s };
+        k += 2;
+    }
+    value
+}
+
+/// atan2(r, w)/r, and its derivatives by 2 d/d(r²) by s aⱼ₊₁ = w (−2)ʲ j!/(s + w²)ʲ⁺¹ − (2j + 1) aⱼ.
+fn arc<T: Oracle>(order: u8, s: T, w: T) -> T {
+    let r = s.sqrt();
+    let q = s + w * w;
+    let mut value = r.atan2(w) / r;
+    let mut term = w / q;
+    for j in 0..order {
+        value = (term - T::constant(2.0 * f64::from(j) + 1.0) * value) / s;
+        term = term * T::constant(-2.0 * (f64::from(j) + 1.0)) / q;
+    }
+    value
+}
+
 impl<T: Oracle> Evaluation<T> {
     pub(crate) fn new(inputs: Vec<T>) -> Self {
         let (scalars, vectors, rotations) = Default::default();
@@ -170,6 +203,16 @@ impl<T: Oracle> Evaluation<T> {
                 self.root(dot(v, v))
             }
             ScalarNode::Component(v, axis) => self.vector(g, v)[usize::from(axis)],
+            ScalarNode::Stumpff(function, s) => {
+                let s = self.scalar(g, s);
+                self.singular |= s.is_zero();
+                stumpff(function, s)
+            }
+            ScalarNode::Arc(order, s, w) => {
+                let (s, w) = (self.scalar(g, s), self.scalar(g, w));
+                self.singular |= s.is_zero();
+                arc(order, s, w)
+            }
             // Where a point moves with a step, that stands after its inputs.
             ScalarNode::Step(component) => {
                 let place = g.inputs().len() + component as usize;

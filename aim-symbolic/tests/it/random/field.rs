@@ -307,7 +307,7 @@ impl Number for Field {
         if self.re == MARK {
             return self;
         }
-        let (zero, one) = (Self::ZERO, Self::new(1));
+        let (zero, one, two) = (Self::ZERO, Self::new(1), Self::new(2));
         let vanishes = match function {
             Function::Ln | Function::Acos => one,
             _ => zero,
@@ -323,32 +323,38 @@ impl Number for Field {
             Function::Sin => sin,
             Function::Cos => cos,
             Function::Tan => sin / cos,
-            Function::Asin if self == zero => zero,
-            Function::Asin => {
-                let (negative, x) = self.unsigned();
-                let value = x.atom(2);
-                if negative { -value } else { value }
-            }
-            Function::Acos | Function::Ln if self == one => zero,
-            Function::Acos => self.atom(3),
+            // The angles of the points with this sine or cosine, so that they agree with atan2.
+            Function::Asin => self.atan2((one - self * self).sqrt()),
+            Function::Acos => (one - self * self).sqrt().atan2(self),
+            Function::Ln if self == one => zero,
             Function::Exp if self == zero => one,
             Function::Exp => self.atom(4),
             Function::Ln => self.atom(5),
-            Function::Sinh | Function::Tanh if self == zero => zero,
-            Function::Sinh | Function::Tanh => {
-                let (negative, x) = self.unsigned();
-                let value = x.atom(if function == Function::Sinh { 6 } else { 7 });
-                if negative { -value } else { value }
+            Function::Sinh | Function::Cosh | Function::Tanh => {
+                // As of circular functions, of i times the argument.
+                let t = self.half_tangent();
+                let (sinh, cosh) = (two * t, one + t * t);
+                match function {
+                    Function::Sinh => sinh / (one - t * t),
+                    Function::Cosh => cosh / (one - t * t),
+                    _ => sinh / cosh,
+                }
             }
-            Function::Cosh if self == zero => one,
-            Function::Cosh => self.unsigned().1.atom(8),
             Function::Floor => self.atom(9),
         }
     }
 
     fn atan2(self, x: Self) -> Self {
-        let gone = self.gone_of(x);
-        gone.unwrap_or_else(|| Self::new(hash(&[6, self.re, self.im, x.re, x.im]) >> 3))
+        if let Some(gone) = self.gone_of(x) {
+            return gone;
+        }
+        // Odd in the first argument.
+        if self == Self::ZERO {
+            return self;
+        }
+        let (negative, y) = self.unsigned();
+        let value = Self::new(hash(&[6, y.re, y.im, x.re, x.im]) >> 3);
+        if negative { -value } else { value }
     }
 }
 

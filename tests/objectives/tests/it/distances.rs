@@ -69,7 +69,7 @@ macro_rules! objectives {
         }
 
         /// The elbow's angle when the hand is at a point, by the law of cosines; straight or folded where it cannot be.
-        #[differentiate(wrt(p, upper, lower), budget = 27)]
+        #[differentiate(wrt(p, upper, lower), budget = 28)]
         pub(super) fn elbow(p: $vec3, upper: $real, lower: $real) -> $real {
             let cosine = (upper * upper + lower * lower - p.length_squared()) / (2.0 * upper * lower);
             cosine.clamp(-1.0, 1.0).acos()

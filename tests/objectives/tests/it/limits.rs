@@ -17,7 +17,7 @@ macro_rules! objectives {
         }
 
         /// The angle to the axis beyond a limit: a hinge with an edge, and with another where the angle is 0.
-        #[differentiate(wrt(v), budget = 38)]
+        #[differentiate(wrt(v), budget = 46)]
         pub(super) fn beyond(v: $vec3, axis: $vec3, limit: $real) -> $real {
             (v.angle_between(axis) - limit).max(0.0)
         }

@@ -118,11 +118,14 @@ fn orientation_error() {
         single::logarithm_jacobian,
         dual::logarithm,
     );
-    // No turn has no axis, and a whole one neither: the direction is 0 and so are its derivatives.
+    // At no turn the derivative is twice that of the vector part, the logarithm being twice that to first order: of
+    // q goal* by q, component by component. A whole turn has no direction, and derivatives of 0.
     let goal = [0.5, -0.5, 0.5, 0.5];
-    for sign in [1.0, -1.0] {
+    let [x, y, z, w] = goal;
+    let by_vector_part = [w, z, -y, -z, w, x, y, -x, w, -x, -y, -z].map(|c| 2.0 * c);
+    for (sign, expected) in [(1.0, by_vector_part), (-1.0, [0.0; 12])] {
         let there = [goal.map(|x| sign * x), goal].concat();
-        singular(&there, double::logarithm, double::logarithm_jacobian, single::logarithm_jacobian, &[0.0; 12]);
+        singular(&there, double::logarithm, double::logarithm_jacobian, single::logarithm_jacobian, &expected);
     }
 }
 

@@ -82,6 +82,7 @@ functions! {
             None => Quaternion::about_varying(a, axis, radians),
         }
     }
+    from_scaled_axis(v: Vector) -> Quaternion { Quaternion::about_vector(a, v) }
     from_xyzw(x: Scalar, y: Scalar, z: Scalar, w: Scalar) -> Quaternion { quaternion(a, [x, y, z, w]) }
     from_array(numbers: Array) -> Quaternion {
         let numbers = scalars(&numbers)?;

@@ -36,6 +36,19 @@ functions! {
         let [x, y, z] = a.parts(u);
         [x, y, z, w].map(Value::Scalar).to_vec()
     }
+    to_scaled_axis(q: Quaternion) -> Vector {
+        let (u, w) = parts(&q)?;
+        let (square, two) = (a.dot(u, u), a.number(2.0));
+        let arc = a.g.arc(square, w);
+        let factor = a.mul(two, arc);
+        a.scale(factor, u)
+    }
+    to_axis_angle(q: Quaternion) -> Tuple {
+        let (u, w) = parts(&q)?;
+        let (length, two) = (a.norm(u), a.number(2.0));
+        let half = a.atan2(length, w);
+        vec![Value::Vector(a.normalize(u)), Value::Scalar(a.mul(two, half))]
+    }
     clone(q: Quaternion) -> Quaternion { q }
 }
 

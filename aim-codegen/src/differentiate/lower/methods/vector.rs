@@ -22,7 +22,11 @@ functions! {
     reject_from_normalized(v: Vector, w: Vector) = v - v.project_onto_normalized(w);
     reflect(v: Vector, normal: Vector) = v - normal * (2.0 * v.dot(normal));
     mul_add(v: Vector, factor: Vector, summand: Vector) = v * factor + summand;
-    angle_between(v: Vector, w: Vector) = (v.dot(w) / (v.dot(v) * w.dot(w)).sqrt()).clamp(-1.0, 1.0).acos();
+    angle_between(v: Vector, w: Vector) -> Scalar {
+        let (cross, dot) = (a.cross(v, w), a.dot(v, w));
+        let sine = a.norm(cross);
+        a.atan2(sine, dot)
+    }
     abs(v: Vector) = Vec3::new(v.x.abs(), v.y.abs(), v.z.abs());
     min(v: Vector, w: Vector) = Vec3::new(v.x.min(w.x), v.y.min(w.y), v.z.min(w.z));
     max(v: Vector, w: Vector) = Vec3::new(v.x.max(w.x), v.y.max(w.y), v.z.max(w.z));

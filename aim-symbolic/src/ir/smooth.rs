@@ -1,0 +1,92 @@
+//! Functions of s = r² that are smooth where their closed forms in r are 0 / 0, and that have each other as derivatives.
+//!
+//! The Stumpff functions are c₀ = cos r, c₁ = sin r / r, c₂ = (1 − cos r)/r², c₃ = (r − sin r)/r³ and so on,
+//! cₖ(s) = Σ (−s)ʲ/(k + 2j)!, with cₖ = 1/k! − s cₖ₊₂ and dcₖ/ds = (k cₖ₊₂ − cₖ₊₁)/2 (Danby, *Fundamentals of Celestial
+//! Mechanics*, 1988, § 6.9). With hyperbolic functions they are those of −s.
+//!
+//! The arc is a₀(s, w) = atan2(r, w)/r. With D = 2 ∂/∂s, q = s + w² and tⱼ = (−2)ʲ j!/qʲ⁺¹ its derivatives aⱼ = Dʲ a₀ obey
+//! s aⱼ₊₁ = w tⱼ − (2j + 1) aⱼ and ∂aⱼ/∂w = −tⱼ; near s = 0 they are aⱼ = w tⱼ/(2j + 1) F(1, j + 1; j + 3/2; s/q) with the
+//! hypergeometric function, if w > 0.
+
+use crate::{Graph, Scalar, ScalarNode};
+
+/// A Stumpff function cₖ(s), or cₖ(−s), which is of hyperbolic functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Stumpff {
+    /// Whether it is cₖ(−s).
+    pub hyperbolic: bool,
+    /// k
+    pub order: u8,
+}
+
+/// k!
+pub(crate) fn factorial(k: u8) -> f64 {
+    (1..=k).map(f64::from).product()
+}
+
+/// The factor of tⱼ = (−2)ʲ j!/qʲ⁺¹.
+pub(crate) fn arc_factor(order: u8) -> f64 {
+    (-2.0_f64).powi(order.into()) * factorial(order)
+}
+
+impl Stumpff {
+    /// The same with another order.
+    pub(crate) fn of_order(self, order: u8) -> Self {
+        Self { order, ..self }
+    }
+
+    /// cₖ(s), by its series for small s, else by cₖ₊₂ = (1/k! − cₖ)/s.
+    pub(crate) fn value(self, s: f64) -> f64 {
+        let s = if self.hyperbolic { -s } else { s };
+        if s.abs() < 1.0 {
+            let mut term = 1.0 / factorial(self.order);
+            let mut sum = 0.0;
+            for j in 0..12 {
+                sum += term;
+                let next = f64::from(self.order) + f64::from(2 * j + 1);
+                term *= -s / (next * (next + 1.0));
+            }
+            return sum;
+        }
+        let r = s.abs().sqrt();
+        let lowest = match (s < 0.0, self.order % 2 == 0) {
+            (false, true) => r.cos(),
+            (false, false) => r.sin() / r,
+            (true, true) => r.cosh(),
+            (true, false) => r.sinh() / r,
+        };
+        (self.order % 2..self.order).step_by(2).fold(lowest, |c, k| (1.0 / factorial(k) - c) / s)
+    }
+}
+
+/// aⱼ(s, w), by its series for small s/q, else by the recurrence.
+pub(crate) fn arc_value(order: u8, s: f64, w: f64) -> f64 {
+    let q = s + w * w;
+    if w > 0.0 && s < q / 4.0 {
+        let b = f64::from(order) + 1.0;
+        let mut term = w * arc_factor(order) / q.powi(i32::from(order) + 1) / (2.0 * b - 1.0);
+        let mut sum = 0.0;
+        for k in 0..40 {
+            sum += term;
+            term *= (b + f64::from(k)) / (b + 0.5 + f64::from(k)) * s / q;
+        }
+        return sum;
+    }
+    if s <= 0.0 {
+        return 0.0;
+    }
+    let lowest = s.sqrt().atan2(w) / s.sqrt();
+    (0..order).fold(lowest, |a, j| (w * arc_factor(j) / q.powi(i32::from(j) + 1) - (2.0 * f64::from(j) + 1.0) * a) / s)
+}
+
+impl Graph {
+    /// A Stumpff function of `s`, a square.
+    pub fn stumpff(&mut self, function: Stumpff, s: Scalar) -> Scalar {
+        self.intern_scalar(ScalarNode::Stumpff(function, s))
+    }
+
+    /// atan2(√s, w)/√s, which is 1/w at s = 0 for positive w.
+    pub fn arc(&mut self, s: Scalar, w: Scalar) -> Scalar {
+        self.intern_scalar(ScalarNode::Arc(0, s, w))
+    }
+}

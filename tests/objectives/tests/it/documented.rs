@@ -1,0 +1,233 @@
+//! The tables of `docs/singularities.md`, number by number.
+
+macro_rules! objectives {
+    ($real:ident, $vec3:ident) => {
+        use aim::differentiate;
+        use aim::glam::$vec3;
+
+        #[differentiate(wrt(x), hessian)]
+        fn sinc(x: $real) -> $real {
+            x.sin() / x
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn versine(x: $real) -> $real {
+            (1.0 - x.cos()) / (x * x)
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn cubic(x: $real) -> $real {
+            (x - x.sin()) / x.powi(3)
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn tangent(x: $real) -> $real {
+            x.tan() / x
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn arc_sine(x: $real) -> $real {
+            x.asin() / x
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn arc_tangent(x: $real) -> $real {
+            x.atan() / x
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn hyperbolic_sine(x: $real) -> $real {
+            x.sinh() / x
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn hyperbolic_tangent(x: $real) -> $real {
+            x.tanh() / x
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn arc_cosine(x: $real) -> $real {
+            x.acos() / (1.0 - x * x).sqrt()
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn cancelled(x: $real) -> $real {
+            x * x / x
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn size(x: $real) -> $real {
+            x.abs()
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn sign(x: $real) -> $real {
+            x.signum()
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn largest(x: $real) -> $real {
+            x.max(0.0)
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn smallest(x: $real) -> $real {
+            x.min(0.0)
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn clamped(x: $real) -> $real {
+            x.clamp(0.0, 1.0)
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn root_of_square(x: $real) -> $real {
+            (x * x).sqrt()
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn root(x: $real) -> $real {
+            x.sqrt()
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn length(x: $real) -> $real {
+            $vec3::new(x, 0.0, 0.0).length()
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn direction(x: $real) -> $real {
+            $vec3::new(x, 0.0, 0.0).normalize().x
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn logarithm(x: $real) -> $real {
+            x.ln()
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn asin(x: $real) -> $real {
+            x.asin()
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn acos(x: $real) -> $real {
+            x.acos()
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn angle(x: $real) -> $real {
+            x.atan2(0.0)
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn power(x: $real) -> $real {
+            x.powf(1.5)
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn remainder(x: $real) -> $real {
+            x.rem_euclid(1.0)
+        }
+
+        /// What is derived of this expression: value, slope and curvature.
+        pub(super) fn derived(expression: &str, x: $real) -> Option<[$real; 3]> {
+            let (value, (slope,), [[curvature]]) = match expression {
+                "x.sin() / x" => sinc_hessian(x),
+                "(1.0 - x.cos()) / (x * x)" => versine_hessian(x),
+                "(x - x.sin()) / x.powi(3)" => cubic_hessian(x),
+                "x.tan() / x" => tangent_hessian(x),
+                "x.asin() / x" => arc_sine_hessian(x),
+                "x.atan() / x" => arc_tangent_hessian(x),
+                "x.sinh() / x" => hyperbolic_sine_hessian(x),
+                "x.tanh() / x" => hyperbolic_tangent_hessian(x),
+                "x.acos() / (1.0 - x * x).sqrt()" => arc_cosine_hessian(x),
+                "x * x / x" => cancelled_hessian(x),
+                "x.abs()" => size_hessian(x),
+                "x.signum()" => sign_hessian(x),
+                "x.max(0.0)" => largest_hessian(x),
+                "x.min(0.0)" => smallest_hessian(x),
+                "x.clamp(0.0, 1.0)" => clamped_hessian(x),
+                "(x * x).sqrt()" => root_of_square_hessian(x),
+                "x.sqrt()" => root_hessian(x),
+                "Vec3::new(x, 0.0, 0.0).length()" => length_hessian(x),
+                "Vec3::new(x, 0.0, 0.0).normalize().x" => direction_hessian(x),
+                "x.ln()" => logarithm_hessian(x),
+                "x.asin()" => asin_hessian(x),
+                "x.acos()" => acos_hessian(x),
+                "x.atan2(0.0)" => angle_hessian(x),
+                "x.powf(1.5)" => power_hessian(x),
+                "x.rem_euclid(1.0)" => remainder_hessian(x),
+                _ => return None,
+            };
+            Some([value, slope, curvature])
+        }
+    };
+}
+
+mod single {
+    objectives!(f32, Vec3);
+}
+
+mod double {
+    objectives!(f64, DVec3);
+}
+
+const PAGE: &str = include_str!("../../../../docs/singularities.md");
+
+/// The rows of the table under this heading: the expression and the other cells.
+fn rows(heading: &str) -> Vec<(&'static str, Vec<&'static str>)> {
+    let table = PAGE.split(heading).nth(1).expect("the page has the heading").split("\n## ").next().expect("the first");
+    let rows = table.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` | "));
+    rows.map(|(expression, cells)| (expression, cells.split('|').map(str::trim).collect())).collect()
+}
+
+fn number(cell: &str) -> f64 {
+    if cell == "none" { f64::NAN } else { cell.parse().unwrap_or_else(|_| panic!("“{cell}” is no number")) }
+}
+
+#[track_caller]
+fn near(what: &str, found: f64, expected: f64, tolerance: f64) {
+    let same = (found - expected).abs() <= tolerance * (1.0 + expected.abs()) || found.is_nan() && expected.is_nan();
+    assert!(same, "{what}: {found} instead of {expected}");
+}
+
+fn single_of(x: f64) -> f32 {
+    #[expect(clippy::cast_possible_truncation, reason = "single precision is what is tested")]
+    let x = x as f32;
+    x
+}
+
+#[test]
+fn limits_are_as_documented() {
+    let rows = rows("## Limits");
+    assert_eq!(rows.len(), 10);
+    for (expression, cells) in rows {
+        let x = number(cells[0]);
+        let double = double::derived(expression, x).expect("each expression is a function here");
+        let single = single::derived(expression, single_of(x)).expect("each expression is a function here");
+        for (place, expected) in cells[1..4].iter().map(|cell| number(cell)).enumerate() {
+            near(expression, double[place], expected, 1e-12);
+            near(expression, single[place].into(), expected, 1e-5);
+        }
+    }
+}
+
+#[test]
+fn conventions_are_as_documented_on_both_sides() {
+    let rows = rows("## Conventions");
+    assert_eq!(rows.len(), 15);
+    for (expression, cells) in rows {
+        let at = number(cells[0]);
+        for (side, cell) in [-1.0, 0.0, 1.0].into_iter().zip(&cells[1..4]) {
+            let x = at + side * 1e-6;
+            let found = double::derived(expression, x).expect("each expression is a function here")[1];
+            near(&format!("{expression} at {x}"), found, number(cell), 1e-6);
+            // In single precision 10⁻⁶ beside 1 is rounded.
+            if side == 0.0 || at == 0.0 {
+                let found = single::derived(expression, single_of(x)).expect("each expression is a function here")[1];
+                near(&format!("{expression} at {x} in f32"), found.into(), number(cell), 1e-5);
+            }
+        }
+    }
+}
