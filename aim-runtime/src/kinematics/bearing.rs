@@ -1,8 +1,9 @@
-//! [`Bearings`]: heading and elevation about the character's up, from its front.
+//! [`Bearings`]: heading and elevation about the character's up, from its front. Pairs of angles are the first two lanes of a
+//! vector of four, in this order.
 
 use core::f32::consts::{FRAC_PI_2, PI, TAU};
 
-use glam::{Mat3A, Vec3A};
+use glam::{Mat3A, Vec3A, Vec4, Vec4Swizzles};
 
 use crate::kinematics::chain::Upright;
 use crate::math::trig;
@@ -14,9 +15,19 @@ const STEEP_RAD: f32 = 80.0 * PI / 180.0;
 
 /// Heading and pitch of a direction along forward, left and up; heading 0 where it goes straight up or down.
 #[inline(always)]
-pub(crate) fn heading_and_pitch(direction: Vec3A) -> [f32; 2] {
+pub(crate) fn heading_and_pitch(direction: Vec3A) -> Vec4 {
     let [ahead, left, up] = direction.to_array();
-    trig::atan2_of_both([left, up], [ahead, math::sqrt(ahead * ahead + left * left)])
+    let level = math::sqrt(ahead * ahead + left * left);
+    trig::atan2_of_4(Vec4::new(left, up, 0.0, 0.0), Vec4::new(ahead, level, 1.0, 1.0))
+}
+
+/// Those of two directions in little more than the time of one.
+#[inline(always)]
+fn headings_and_pitches([a, b]: [Vec3A; 2]) -> Vec4 {
+    let [ahead, left, up] = a.to_array();
+    let [b_ahead, b_left, b_up] = b.to_array();
+    let (level, b_level) = (math::sqrt(ahead * ahead + left * left), math::sqrt(b_ahead * b_ahead + b_left * b_left));
+    trig::atan2_of_4(Vec4::new(left, up, b_left, b_up), Vec4::new(ahead, level, b_ahead, b_level))
 }
 
 /// Directions of solver space as headings (from the front to the left) and elevations above the horizon, radians.
@@ -62,54 +73,64 @@ impl Bearings {
 
     /// Heading and elevation of a direction of any length but zero.
     #[inline(always)]
-    pub(crate) fn angles(&self, direction: Vec3A) -> [f32; 2] {
+    pub(crate) fn angles(&self, direction: Vec3A) -> Vec4 {
         heading_and_pitch(self.rows * direction)
     }
 
-    /// Heading and elevation of a unit direction as somebody turns to it: the nearer it is to the zenith, the less aside, and
-    /// straight up from in front. The heading is atan2(left, forward + w) where cos ε falls short of cos 45° by √(w·cos 45°).
+    /// Those of two directions, one after the other.
     #[inline(always)]
-    pub(crate) fn turned_to(&self, direction: Vec3A) -> [f32; 2] {
+    pub(crate) fn angles_of_both(&self, directions: [Vec3A; 2]) -> Vec4 {
+        headings_and_pitches(directions.map(|direction| self.rows * direction))
+    }
+
+    /// Heading and elevation of a direction, and those of a unit direction as somebody turns to it: the nearer it is to the
+    /// zenith, the less aside, and straight up from in front. Its heading is atan2(left, forward + w) where cos ε falls short of
+    /// cos 45° by √(w·cos 45°).
+    #[inline(always)]
+    pub(crate) fn turned(&self, from: Vec3A, to: Vec3A) -> [Vec4; 2] {
         const STEEP_COS: f32 = core::f32::consts::FRAC_1_SQRT_2;
-        let [ahead, left, up] = (self.rows * direction).to_array();
-        let level = math::sqrt(ahead * ahead + left * left);
+        let [from, to] = [from, to].map(|direction| self.rows * direction);
+        let [from_level, level] = [from, to].map(|v| math::sqrt(v.x * v.x + v.y * v.y));
         let short = (STEEP_COS - level).at_least(0.0);
-        trig::atan2_of_both([left, up], [ahead + short * short / STEEP_COS, level])
+        let ahead = Vec4::new(from.x, from_level, to.x + short * short / STEEP_COS, level);
+        let both = trig::atan2_of_4(Vec4::new(from.y, from.z, to.y, to.z), ahead);
+        [both, both.zwzw()]
     }
 
     /// The unit direction of a heading and an elevation.
     #[inline(always)]
-    pub(crate) fn direction(&self, [heading, elevation]: [f32; 2]) -> Vec3A {
-        let [sin_e, cos_e, sin_h, cos_h] = trig::doubled(trig::halves(elevation, heading));
+    pub(crate) fn direction(&self, angles: Vec4) -> Vec3A {
+        let [sin_e, cos_e, sin_h, cos_h] = trig::doubled(trig::halves_of(angles));
         self.axes * Vec3A::new(cos_h * cos_e, sin_h * cos_e, sin_e)
     }
 
     /// The unit direction this part of the way from one to another.
+    #[cold]
     pub(crate) fn part_way(&self, [from, to]: [Vec3A; 2], part: f32, side: Side) -> Vec3A {
         let [from, to] = [from, to].map(|direction| self.angles(direction));
-        let way = self.way(from, to, side);
-        self.direction([0, 1].map(|axis| from[axis] + part * way[axis]))
+        self.direction(from + self.way(from, to, side) * part)
     }
 
     /// The way from one direction to another, by the `side` on which what is behind counts as being.
-    pub(crate) fn way(&self, from: [f32; 2], to: [f32; 2], side: Side) -> [f32; 2] {
-        let [mut heading, mut elevation] = to;
+    #[inline(always)]
+    pub(crate) fn way(&self, from: Vec4, to: Vec4, side: Side) -> Vec4 {
+        let ([from_heading, from_elevation, ..], [mut heading, mut elevation, ..]) = (from.to_array(), to.to_array());
         match side {
             Side::Left if heading < -FRAC_PI_2 => heading += TAU,
             Side::Right if heading > FRAC_PI_2 => heading -= TAU,
             _ => {}
         }
-        heading -= from[0];
+        heading -= from_heading;
         // Through the front, however far round the animation has turned the gaze: which side a target is on does not change
         // with that.
         if self.turns_round {
             heading = math::wrap_pi(heading);
         }
         // From near the zenith the other side is nearer by way of it.
-        if from[1].abs() > STEEP_RAD && heading.abs() > FRAC_PI_2 {
+        if from_elevation.abs() > STEEP_RAD && heading.abs() > FRAC_PI_2 {
             heading -= PI * heading.signum();
-            elevation = PI * from[1].signum() - elevation;
+            elevation = PI * from_elevation.signum() - elevation;
         }
-        [heading, elevation - from[1]]
+        Vec4::new(heading, elevation - from_elevation, 0.0, 0.0)
     }
 }

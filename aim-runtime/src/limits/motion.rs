@@ -5,7 +5,7 @@ use glam::{Affine3A, Mat3A, Vec3A};
 
 use crate::limits::{Angles, Interval, RangeOfMotion};
 use crate::math::trig;
-use crate::rig::{ChainRig, PerJoint, PoseSlices};
+use crate::rig::{ChainRig, PoseSlices};
 use crate::{Joint, JointInfo, LimitsFrom, math};
 
 /// The ranges of a joint that the animation turns by these angles out of the bind pose; `None` where they are counted from
@@ -24,23 +24,26 @@ pub(crate) fn wrap(motion: &RangeOfMotion, joint: &mut Joint) {
     }
 }
 
-/// Every joint's ranges of motion in this pose. Without a bind pose, and for a joint whose animated or bind transform
+/// Finds every joint's ranges of motion in this pose. Without a bind pose, and for a joint whose animated or bind transform
 /// has no rotation, absolute ranges count as relative.
-pub(crate) fn motions<const C: usize>(rig: &ChainRig<'_, C>, pose: &PoseSlices<'_>) -> PerJoint<RangeOfMotion, C> {
-    let mut motions = rig.array(RangeOfMotion::REST);
+#[inline(always)]
+pub(crate) fn find_motions<const C: usize>(
+    rig: &ChainRig<'_, C>,
+    pose: &PoseSlices<'_>,
+    motions: &mut [RangeOfMotion],
+) {
     if rig.has_fixed_ranges {
         // The declared ranges as they are.
         let ends = |range: Option<[f32; 2]>| range.map_or(Interval::REST, |[lo, hi]| Interval::from_ends(lo, hi));
         for (motion, info) in motions.iter_mut().zip(rig.joints) {
             (motion.heading, motion.pitch) = (ends(info.heading), ends(info.pitch));
         }
-        return motions;
+        return;
     }
     for (index, (motion, info)) in motions.iter_mut().zip(rig.joints).enumerate() {
         let animated = if info.limits_from == LimitsFrom::BindPose { animated_angles(info, pose, index) } else { None };
         *motion = ranges(info, animated);
     }
-    motions
 }
 
 /// The ranges of motion of joint 0's mirror image, which the animation leads in parallel with it: heading to the left

@@ -90,6 +90,23 @@ pub(crate) fn halves(pitch_rad: f32, heading_rad: f32) -> Halves {
     [sin.x, cos.x, sin.y, cos.y]
 }
 
+/// The same of a heading and a pitch in the first two lanes.
+#[inline(always)]
+pub(crate) fn halves_of(angles_rad: Vec4) -> Halves {
+    let angles = angles_rad.yxyx();
+    if angles.abs().cmpgt(Vec4::splat(PI)).any() {
+        return halves_beyond(angles.x, angles.y);
+    }
+    let (sin, cos) = half_sin_cos_4(angles);
+    [sin.x, cos.x, sin.y, cos.y]
+}
+
+#[cold]
+#[inline(never)]
+fn halves_beyond(pitch_rad: f32, heading_rad: f32) -> Halves {
+    halves(pitch_rad, heading_rad)
+}
+
 /// sin p, cos p, sin h, cos h, as kernels take them, from the halves.
 #[inline(always)]
 pub(crate) fn doubled(halves: Halves) -> [f32; 4] {
@@ -105,22 +122,18 @@ pub(crate) fn atan2(y: f32, x: f32) -> f32 {
     if y < 0.0 { -turn } else { turn }
 }
 
-/// The angles of two points (x, y): the same bits as one by one, in little more than the time of one.
+/// The angles of four points (x, y), for coordinates that are normal numbers or 0 the same bits as one by one.
 #[inline(always)]
-pub(crate) fn atan2_of_both(y: [f32; 2], x: [f32; 2]) -> [f32; 2] {
-    let (across, along) = (y.map(f32::abs), x.map(f32::abs));
-    let steep = [across[0] > along[0], across[1] > along[1]];
-    let tangent = |k: usize| {
-        let (small, large) = if steep[k] { (along[k], across[k]) } else { (across[k], along[k]) };
-        // Of the origin 0, and NaN of NaN.
-        if large > 0.0 { small / large } else { along[k] }
-    };
-    let turns = atans_within([tangent(0), tangent(1)]);
-    [0, 1].map(|k| {
-        let turn = if steep[k] { FRAC_PI_2 - turns[k] } else { turns[k] };
-        let turn = if x[k] < 0.0 { PI - turn } else { turn };
-        if y[k] < 0.0 { -turn } else { turn }
-    })
+pub(crate) fn atan2_of_4(y: Vec4, x: Vec4) -> Vec4 {
+    let (across, along) = (y.abs(), x.abs());
+    // Of the origin 0.
+    let t = across.min(along) / across.max(along).max(Vec4::splat(f32::MIN_POSITIVE));
+    let tt = t * t;
+    let series = ATAN[..7].iter().rev().fold(Vec4::splat(ATAN[7]), |sum, &next| sum * tt + Vec4::splat(next));
+    let turn = t + t * tt * series;
+    let turn = Vec4::select(across.cmpgt(along), Vec4::splat(FRAC_PI_2) - turn, turn);
+    let turn = Vec4::select(x.cmplt(Vec4::ZERO), Vec4::splat(PI) - turn, turn);
+    Vec4::select(y.cmplt(Vec4::ZERO), -turn, turn)
 }
 
 /// The same for a point other than the origin with neither coordinate negative.
@@ -181,7 +194,9 @@ mod tests {
                 let (y, x) = (radius * angle.sin(), radius * angle.cos());
                 let exact = f64::from(y).atan2(f64::from(x));
                 assert!((f64::from(atan2(y, x)) - exact).abs() < 4e-7, "{y}, {x}");
-                assert_eq!(atan2_of_both([y, 0.5], [x, -2.0]), [atan2(y, x), atan2(0.5, -2.0)], "{y}, {x}");
+                let (ys, xs) = (Vec4::new(y, 0.5, -y, 0.0), Vec4::new(x, -2.0, x, 0.0));
+                let one_by_one = [atan2(y, x), atan2(0.5, -2.0), atan2(-y, x), 0.0];
+                assert_eq!(atan2_of_4(ys, xs).to_array(), one_by_one, "{y}, {x}");
             }
         }
         for step in -3141_i16..=3141 {

@@ -17,10 +17,10 @@ use crate::limits::RangeOfMotion;
 use crate::limits::motion::mirrored;
 use crate::limits::reach::Reach;
 use crate::math::trig;
-use crate::rig::{ChainRig, Memory, PerJoint, PoseSlices};
+use crate::rig::{ChainRig, PerJoint, PoseSlices};
 use crate::solve::call::Call;
 use crate::solve::judge::{Verdict, limits_met};
-use crate::solve::solved::Solved;
+use crate::solve::solved::{Moved, Solved};
 use crate::target::goal::Course;
 use crate::{Axes, Joint, JointSet, Outcome, Status, math};
 
@@ -128,10 +128,9 @@ impl<'a, const C: usize> Eyes<'a, C> {
     pub(crate) fn aim(
         &self,
         call: &Call<'_>,
-        joints: &mut [Joint],
-        memory: &mut Memory,
-        solve: impl Fn(&PoseSlices<'_>, &[RangeOfMotion], &mut [Joint], &mut Memory) -> Option<Solved<C>>,
-    ) -> Option<Solved<C>> {
+        Moved { joints, memory, corrections }: Moved<'_>,
+        solve: impl Fn(&PoseSlices<'_>, &[RangeOfMotion], Moved<'_>) -> Option<Solved>,
+    ) -> Option<Solved> {
         let own = *joints.first()?;
         let [other, leading] = memory.eyes().unwrap_or([[0.0; 2], own.angles()]);
         let start = [own, with_angles(&own, other)];
@@ -158,7 +157,8 @@ impl<'a, const C: usize> Eyes<'a, C> {
             }
             found.copy_from_slice(joints);
             remembered = *memory;
-            solved = Some(solve(&pose, &motions, &mut found, &mut remembered)?);
+            let moved = Moved { joints: &mut found, memory: &mut remembered, corrections };
+            solved = Some(solve(&pose, &motions, moved)?);
         }
         let solved = solved?;
         joints.copy_from_slice(&found);
@@ -183,10 +183,9 @@ impl<'a, const C: usize> Eyes<'a, C> {
         }
         joints[0] = with_angles(&lead, angles[0]);
         memory.set_eyes(Some([angles[1], lead.angles()]));
-        let mut corrections = solved.corrections;
         corrections[0] = correction(&self.rig.joints[0], &joints[0], self.tilts[0]);
         let outcome = self.outcome(call, joints, &with_angles(&lead, angles[1]), &lead, &solved, corrections[0])?;
-        Some(Solved { outcome, corrections, ..solved })
+        Some(Solved { outcome, ..solved })
     }
 
     /// Whether a joint further in is aimed, so that the eyes rest.
@@ -321,7 +320,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         joints: &[Joint],
         other: &Joint,
         lead: &Joint,
-        solved: &Solved<C>,
+        solved: &Solved,
         own_turn: Quat,
     ) -> Option<Outcome> {
         let infos = self.rig.joints;

@@ -26,10 +26,10 @@ use self::exact::{following, single};
 use self::eyes::Eyes;
 use self::frame::Frame;
 use self::judge::degenerate;
-use self::solved::{Solved, Task};
+use self::solved::{Moved, Solved, Task};
 use crate::kinematics::chain::{Chain, corrections_of, tilts};
 use crate::limits::RangeOfMotion;
-use crate::limits::motion::motions;
+use crate::limits::motion::find_motions;
 use crate::limits::reach::Reach;
 use crate::rig::{ChainRig, Led, Memory, PoseSlices, StateSlices, Support};
 use crate::target::behind::Front;
@@ -75,39 +75,50 @@ pub(crate) fn solve<const C: usize>(
     call: &Call<'_>,
     corrections: &mut [Quat],
 ) -> Outcome {
-    let motions = motions(rig, pose);
+    let mut motions = rig.array(RangeOfMotion::REST);
+    find_motions(rig, pose, &mut motions);
     let about = upright_axis(pose, solver(rig, call.settings));
     let (mut joints, mut memory) = (rig.array(Joint::REST), *state.memory);
     joints.copy_from_slice(state.joints);
-    let solve_chain = |pose: &PoseSlices<'_>, motions: &[RangeOfMotion], joints: &mut [Joint], memory: &mut Memory| {
-        if moves_by_regions(rig, call.settings) {
-            let solved = natural::aim(rig, pose, motions, call, about, joints, memory);
+    let by_regions = moves_by_regions(rig, call.settings);
+    let solve_chain = |pose: &PoseSlices<'_>, motions: &[RangeOfMotion], moved: Moved<'_>| {
+        let Moved { joints, memory, corrections } = moved;
+        if by_regions {
+            if call.dt.is_some() {
+                return natural::aim(rig, pose, motions, call, about, Moved { joints, memory, corrections });
+            }
             // Where a snap is undefined from rest the search may find a start from which it is not.
-            if solved.is_some() || call.dt.is_some() {
+            let mut before = rig.array(Joint::REST);
+            before.copy_from_slice(joints);
+            let solved = natural::aim(rig, pose, motions, call, about, Moved { joints, memory, corrections });
+            if solved.is_some() {
                 return solved;
             }
+            joints.copy_from_slice(&before);
         }
+        let moved = Moved { joints, memory, corrections };
         match call.dt {
-            Some(dt) => aim_joints(rig, pose, motions, call, dt, joints, memory),
-            None => snap_joints(rig, pose, motions, call, joints, memory),
+            Some(dt) => aim_joints(rig, pose, motions, call, dt, moved),
+            None => snap_joints(rig, pose, motions, call, moved),
         }
     };
-    let solved = match pose.other_eye {
+    let moved = Moved { joints: &mut joints, memory: &mut memory, corrections };
+    let outcome = match pose.other_eye {
         Some(other_eye) => Eyes::new(rig, pose, other_eye, &motions, about)
-            .and_then(|eyes| eyes.aim(call, &mut joints, &mut memory, solve_chain)),
+            .and_then(|eyes| eyes.aim(call, moved, solve_chain))
+            .map(|solved| solved.outcome),
         None => {
-            memory.set_eyes(None);
-            solve_chain(pose, &motions, &mut joints, &mut memory)
+            moved.memory.set_eyes(None);
+            solve_chain(pose, &motions, moved).map(|solved| solved.outcome)
         }
     };
-    match solved {
-        Some(solved) => {
+    match outcome {
+        Some(outcome) => {
             if call.dt != Some(0.0) {
                 state.joints.copy_from_slice(&joints);
                 *state.memory = memory;
             }
-            corrections.copy_from_slice(&solved.corrections);
-            solved.outcome
+            outcome
         }
         None => {
             let eyes = pose.other_eye.and_then(|other_eye| Eyes::new(rig, pose, other_eye, &motions, about));
@@ -151,9 +162,8 @@ fn aim_joints<const C: usize>(
     motions: &[RangeOfMotion],
     call: &Call<'_>,
     dt: f32,
-    joints: &mut [Joint],
-    memory: &mut Memory,
-) -> Option<Solved<C>> {
+    Moved { joints, memory, corrections }: Moved<'_>,
+) -> Option<Solved> {
     let settings = call.settings;
     let solver = solver(rig, settings);
     let about = upright_axis(pose, solver);
@@ -183,7 +193,11 @@ fn aim_joints<const C: usize>(
         joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
     }
     let task = Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach };
-    task.finish(joints, memory, |joints| chain.posed(rig, joints))
+    task.finish(joints, memory, |joints| {
+        let (gaze, posed) = chain.posed(rig, joints);
+        corrections.copy_from_slice(&posed);
+        gaze.angle_to(goal.wanted)
+    })
 }
 
 /// Puts `joints` on the target whatever the rates; `None` where there is nothing to aim.
@@ -192,9 +206,8 @@ fn snap_joints<const C: usize>(
     pose: &PoseSlices<'_>,
     motions: &[RangeOfMotion],
     call: &Call<'_>,
-    joints: &mut [Joint],
-    memory: &mut Memory,
-) -> Option<Solved<C>> {
+    Moved { joints, memory, corrections }: Moved<'_>,
+) -> Option<Solved> {
     let settings = call.settings;
     let solver = solver(rig, settings);
     let about = upright_axis(pose, solver);
@@ -234,7 +247,11 @@ fn snap_joints<const C: usize>(
         }
     }
     let task = Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach: false };
-    task.finish(joints, memory, |joints| chain.posed(rig, joints))
+    task.finish(joints, memory, |joints| {
+        let (gaze, posed) = chain.posed(rig, joints);
+        corrections.copy_from_slice(&posed);
+        gaze.angle_to(goal.wanted)
+    })
 }
 
 /// What a chain turns to.

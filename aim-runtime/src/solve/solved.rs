@@ -3,23 +3,29 @@
 use glam::{Quat, Vec3A};
 
 use super::judge::Verdict;
-use crate::kinematics::chain::{Ray, Space};
+use crate::kinematics::chain::Space;
 use crate::limits::RangeOfMotion;
 use crate::limits::motion::wrap;
-use crate::rig::{ChainRig, Memory, PerJoint};
+use crate::rig::{ChainRig, Memory};
 use crate::target::goal::{Course, Goal};
 use crate::{Joint, Outcome, Settings};
 
 /// What a solve of the chain made of a call.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Solved<const C: usize> {
+pub(crate) struct Solved {
     pub(crate) outcome: Outcome,
-    pub(crate) corrections: PerJoint<Quat, C>,
     /// What the outcome is measured against and what was aimed at, in the pose's space.
     pub(crate) wanted_ps: Vec3A,
     pub(crate) aimed_ps: Vec3A,
     pub(crate) course: Course,
     pub(crate) behind: bool,
+}
+
+/// What a solve of the chain moves and writes, one element for each joint.
+pub(crate) struct Moved<'a> {
+    pub(crate) joints: &'a mut [Joint],
+    pub(crate) memory: &'a mut Memory,
+    pub(crate) corrections: &'a mut [Quat],
 }
 
 /// What the joints were to do, and what they are judged by.
@@ -33,14 +39,14 @@ pub(crate) struct Task<'a, const C: usize> {
 }
 
 impl<const C: usize> Task<'_, C> {
-    /// Remembers what was seen, and judges the joints as they are now by their forward kinematics.
+    /// Remembers what was seen, and judges the joints as they are now by the angle that their forward kinematics leave.
     #[inline(always)]
     pub(crate) fn finish(
         &self,
         joints: &mut [Joint],
         memory: &mut Memory,
-        posed: impl FnOnce(&[Joint]) -> (Ray, PerJoint<Quat, C>),
-    ) -> Option<Solved<C>> {
+        posed: impl FnOnce(&[Joint]) -> Option<f32>,
+    ) -> Option<Solved> {
         let &Self { rig, motions, goal, space, settings, within_reach } = self;
         if !rig.has_fixed_ranges {
             for (joint, motion) in joints.iter_mut().zip(motions) {
@@ -48,12 +54,11 @@ impl<const C: usize> Task<'_, C> {
             }
         }
         (memory.side, memory.behind) = (goal.side, goal.behind);
-        let (gaze, corrections) = posed(joints);
-        let remaining = gaze.angle_to(goal.wanted)?;
+        let remaining = posed(joints)?;
         let tolerance = settings.effective_tolerance();
         let verdict = Verdict { remaining, tolerance, behind: goal.behind, within_reach };
         let outcome = verdict.outcome(rig, motions, joints);
         let [wanted_ps, aimed_ps] = [goal.wanted, goal.aimed].map(|point| space.to_pose(point));
-        Some(Solved { outcome, corrections, wanted_ps, aimed_ps, course: goal.course, behind: goal.behind })
+        Some(Solved { outcome, wanted_ps, aimed_ps, course: goal.course, behind: goal.behind })
     }
 }

@@ -2,11 +2,10 @@
 
 use core::f32::consts::PI;
 
-use glam::Vec3A;
+use glam::{Vec3A, Vec4};
 
-use super::body::Posture;
-use super::glide::{Pair, length};
-use super::{Aims, Gaze, Seen};
+use super::glide::{Pair, length, pair};
+use super::{Aims, Gaze, Posture, Seen};
 use crate::limits::Interval;
 use crate::math::Bounded;
 use crate::math::trig;
@@ -85,56 +84,54 @@ impl<const C: usize> Gaze<'_, C> {
     /// How far the body would have to turn for a target behind, which is not what is aimed at, to come into reach.
     #[cold]
     pub(super) fn turn_for_behind(&self) -> Option<f32> {
-        let (_, unfit) = self.share(&self.way_to(self.goal.wanted)?, [0.0; 2]);
-        Some(unfit[0])
+        let (_, unfit) = self.share(&self.way_to(self.goal.wanted)?, Vec4::ZERO);
+        Some(unfit.x)
     }
 
+    #[inline(always)]
     fn way_to(&self, point: Vec3A) -> Option<Way> {
         let from = math::unit(self.body.gaze.direction)?;
         let to = math::unit(point - self.pivot)?;
         let part = if self.has_eye { self.sharing.head_part(math::angle_between(from, to)) } else { 1.0 };
-        let (from, to) = (self.bearings.angles(from), self.bearings.turned_to(to));
+        let [from, to] = self.bearings.turned(from, to);
         Some(Way { from, to, way: self.bearings.way(from, to, self.goal.side), part })
     }
 
     /// Where the regions belong where that is plain: the leading joint can surely do the rest, or the target is out of reach. Else
     /// `None`, and [`settle`](Self::settle) tries.
+    #[inline(always)]
     pub(super) fn allot(&self, way: &Way) -> Option<Allotment<C>> {
-        let (directions, unfit) = self.share(way, [0.0; 2]);
+        let (directions, unfit) = self.share(way, Vec4::ZERO);
         let head = self.count - 1;
-        let is_level = way.to[1].abs().at_least(directions[head][1].abs()) < STEEP_RAD;
+        let is_level = way.to.y.abs().at_least(directions[head].y.abs()) < STEEP_RAD;
         if length(unfit) > if is_level { OUT_OF_REACH_RAD } else { STEEP_OUT_OF_REACH_RAD } {
             return Some(self.out_of_reach(way, directions, unfit));
         }
-        let turned = |region: usize, axis: usize| directions[region][axis] - self.regions[region].animated[axis];
-        let used = |axis: usize| {
-            let (rest, range) = if self.has_eye {
-                (way.way[axis] - turned(head, axis), self.eye[axis])
-            } else if head > 0 {
-                (turned(head, axis) - turned(head - 1, axis), self.regions[head].room[axis])
-            } else {
-                (turned(head, axis), self.regions[head].room[axis])
-            };
-            rest / if rest > 0.0 { range.hi() } else { range.lo() }
+        if !is_level || !self.body.is_rigid {
+            return None;
+        }
+        let turned = |region: usize| directions[region] - self.regions[region].animated;
+        let own = &self.ranges[self.body.first];
+        let (rest, lo, hi) = if self.has_eye {
+            (way.way - turned(head), own.lo, own.hi)
+        } else {
+            let inside = if head > 0 { turned(head - 1) } else { Vec4::ZERO };
+            (turned(head) - inside, self.regions[head].lo, self.regions[head].hi)
         };
-        let own = &self.motions[self.body.first];
-        let is_plain = is_level
-            && self.body.is_rigid
-            && !own.heading.is_point()
-            && !own.pitch.is_point()
-            && length([used(0), used(1)]) < PLAIN_PART;
+        let used = rest / Vec4::select(rest.cmpgt(Vec4::ZERO), hi, lo);
+        let is_plain = length(used) < PLAIN_PART && !own.has_point();
         is_plain.then_some(Allotment { directions, point: self.goal.aimed, fit: Fit::WITHIN_REACH })
     }
 
     /// Out of reach to the side, the gaze keeps the target's elevation; too high or low, its heading.
     fn out_of_reach(&self, way: &Way, directions: PerJoint<Pair, C>, unfit: Pair) -> Allotment<C> {
-        let nearest = [0, 1].map(|axis| way.from[axis] + way.way[axis] - unfit[axis]);
+        let nearest = way.from + way.way - unfit;
         let point = self.pivot + self.bearings.direction(nearest) * (self.goal.aimed - self.pivot).length();
-        Allotment { directions, point, fit: Fit { within_reach: false, body_turn: unfit[0] } }
+        Allotment { directions, point, fit: Fit { within_reach: false, body_turn: unfit.x } }
     }
 
     /// Finds where the regions belong, and puts the joints there.
-    pub(super) fn settle(&self, way: Way, from: &[Joint], posture: &mut Posture<C>) -> Option<Allotment<C>> {
+    pub(super) fn settle(&self, way: Way, from: &[Joint], posture: &mut Posture<'_>) -> Option<Allotment<C>> {
         if let Some(allotment) = self.allot(&way) {
             let seen = self.place(allotment.aims(), from, None, posture)?;
             if seen.is_within() || !allotment.fit.within_reach {
@@ -150,9 +147,9 @@ impl<const C: usize> Gaze<'_, C> {
         &self,
         way: &Way,
         from: &[Joint],
-        posture: &mut Posture<C>,
+        posture: &mut Posture<'_>,
     ) -> Option<(Allotment<C>, usize)> {
-        let mut more = [0.0; 2];
+        let mut more = Vec4::ZERO;
         let (mut directions, mut unfit) = self.share(way, more);
         let mut least = f32::INFINITY;
         for round in 0..ROUNDS {
@@ -165,7 +162,7 @@ impl<const C: usize> Gaze<'_, C> {
                 break;
             }
             least = rest;
-            more = [more[0] + left[0], more[1] + left[1]];
+            more += left;
             (directions, unfit) = self.share(way, more);
         }
         let allotment = self.out_of_reach(way, directions, unfit);
@@ -176,52 +173,65 @@ impl<const C: usize> Gaze<'_, C> {
     /// Shares a way out; its part is the regions', and `more` on top. Returns the directions that the regions' outermost
     /// joints come to have, and what of the way finds no room.
     fn share(&self, &Way { to, way, part, .. }: &Way, more: Pair) -> (PerJoint<Pair, C>, Pair) {
-        let mut directions = self.rig.array([0.0; 2]);
-        let mut along = |axis: usize, eye: Interval| {
-            let within = Interval::from_ends(way[axis] - EYE_PART * eye.hi(), way[axis] - EYE_PART * eye.lo());
-            let done = self.turn_regions(axis, within.hold(part * way[axis]) + more[axis], &mut directions);
-            let rest = way[axis] - done;
-            (rest - eye.hold(rest), directions[self.count - 1][axis])
+        let mut directions = self.rig.array(Vec4::ZERO);
+        let (lo, hi) = if self.has_eye {
+            let eye = &self.ranges[self.body.first];
+            (eye.lo, eye.hi)
+        } else {
+            (Vec4::ZERO, Vec4::ZERO)
         };
-        if !self.has_eye {
-            let unfit = [0, 1].map(|axis| along(axis, Interval::REST).0);
-            return (directions, unfit);
+        let done =
+            self.turn_regions((way * part).max(way - hi * EYE_PART).min(way - lo * EYE_PART) + more, &mut directions);
+        let rest = way - done;
+        let mut unfit = rest - rest.max(lo).min(hi);
+        if self.has_eye && unfit.x != 0.0 {
+            let eye = self.eye_headings([lo.x, hi.x], directions[self.count - 1].y, to.y - unfit.y);
+            let within = Interval::from_ends(way.x - EYE_PART * eye.hi(), way.x - EYE_PART * eye.lo());
+            let rest = way.x - self.turn_axis(0, within.hold(part * way.x) + more.x, &mut directions);
+            unfit.x = rest - eye.hold(rest);
         }
-        let (elevation, head) = along(1, self.eye[1]);
-        let (mut heading, _) = along(0, self.eye[0]);
-        if heading != 0.0 {
-            (heading, _) = along(0, self.eye_headings(head, to[1] - elevation));
-        }
-        (directions, [heading, elevation])
+        (directions, unfit)
     }
 
     /// The headings from the head's that the eye reaches at this elevation, the head being at another.
-    fn eye_headings(&self, head: f32, elevation: f32) -> Interval {
-        let [lo, hi] = self.eye[0].ends().map(|end| eye_heading(end, head, elevation));
+    #[inline(never)]
+    fn eye_headings(&self, ends: [f32; 2], head: f32, elevation: f32) -> Interval {
+        let [lo, hi] = ends.map(|end| eye_heading(end, head, elevation));
         Interval::from_ends(lo, hi)
     }
 
     /// Turns the regions by `wanted` together, each by its compliance; what one has no room for is left to the others. Returns
     /// how far they turn.
-    fn turn_regions(&self, axis: usize, wanted: f32, directions: &mut [Pair]) -> f32 {
-        let regions = &self.regions[..self.count];
-        let mut turns = self.rig.array(0.0_f32);
+    #[inline(always)]
+    fn turn_regions(&self, wanted: Pair, directions: &mut [Pair]) -> Pair {
+        let regions = self.regions;
         // Mostly all have room for their parts.
-        let each = wanted / regions.iter().map(|region| region.compliance[axis]).sum::<f32>();
-        if regions.iter().all(|region| region.room[axis].contains(each * region.compliance[axis])) {
-            let mut sum = 0.0;
-            for (region, direction) in regions.iter().zip(directions) {
-                sum += each * region.compliance[axis];
-                direction[axis] = region.animated[axis] + sum;
-            }
+        let each = wanted / regions.iter().fold(Vec4::ZERO, |sum, region| sum + region.compliance);
+        let mut sum = Vec4::ZERO;
+        let mut fits = 3;
+        for (region, direction) in regions.iter().zip(&mut *directions) {
+            let own = each * region.compliance;
+            fits &= (region.lo.cmple(own) & own.cmple(region.hi)).bitmask();
+            sum += own;
+            *direction = region.animated + sum;
+        }
+        if fits == 3 {
             return sum;
         }
-        let mut left = wanted;
+        pair([0, 1].map(|axis| self.turn_axis(axis, wanted[axis], directions)))
+    }
+
+    /// The same for one axis, whether or not all have room.
+    #[inline(never)]
+    fn turn_axis(&self, axis: usize, wanted: f32, directions: &mut [Pair]) -> f32 {
+        let regions = self.regions;
+        let mut turns = self.rig.array(0.0_f32);
         let mut gives = self.rig.array(0.0_f32);
+        let mut left = wanted;
         for _ in 0..self.count {
             let mut total = 0.0;
             for ((gives, turn), region) in gives.iter_mut().zip(&*turns).zip(regions) {
-                *gives = if region.room[axis].blocks(*turn, left) { 0.0 } else { region.compliance[axis] };
+                *gives = if region.room(axis).blocks(*turn, left) { 0.0 } else { region.compliance[axis] };
                 total += *gives;
             }
             if left == 0.0 || !(total > 0.0) {
@@ -229,7 +239,7 @@ impl<const C: usize> Gaze<'_, C> {
             }
             let each = left / total;
             for ((gives, turn), region) in gives.iter().zip(&mut *turns).zip(regions) {
-                let next = region.room[axis].hold(*turn + each * gives);
+                let next = region.room(axis).hold(*turn + each * gives);
                 left -= next - *turn;
                 *turn = next;
             }

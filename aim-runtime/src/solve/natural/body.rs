@@ -1,22 +1,28 @@
-//! [`Body`]: the animated pose as a natural gaze sees it, and [`Posture`], what becomes of it from the root outward.
+//! [`Body`]: the animated pose as a natural gaze sees it.
 //!
-//! A joint's *frame* has its forward, left and up as columns, in solver space, upright where its heading is. So no axes are
-//! needed any more: heading h and pitch p turn a frame (f, l, u) to
+//! A joint's *frame* has its forward, left and up as columns, in solver space, upright where its heading is: so no axes are
+//! needed any more. Its corrections by heading h and pitch p turn the frame (f, l, u) to
 //!
 //! ```text
 //! f′ = (f·cos h + l·sin h)·cos p + u·sin p,   l′ = l·cos h − f·sin h,   u′ = u·cos p − (f·cos h + l·sin h)·sin p
 //! ```
 //!
 //! which is `R_heading·R_pitch` also where the axes are mirrored.
+//!
+//! Nothing is carried outward along the chain but what is looked at, and that backwards: what a joint's turn F·R·Fᵀ about its
+//! animated place x makes of all that hangs on it, x + F·Rᵀ·Fᵀ·(point − x) makes of the world around a pose that stays as it is
+//! animated. So each joint is turned in its animated frame, to points and directions from which the turns of the joints inside
+//! it are [taken back](Body::take_back).
 
-use glam::{Affine3A, Mat3A, Quat, Vec3A};
+use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec4};
 
+use super::glide::Pair;
+use crate::JointInfo;
 use crate::kinematics::chain::{Ray, Space, Upright, effector, orthogonal_frames, upright};
-use crate::kinematics::rotation::{is_identity, tilted, turn};
+use crate::kinematics::rotation::is_identity;
 use crate::math;
 use crate::math::trig::{self, Halves};
 use crate::rig::{ChainRig, PerJoint};
-use crate::{Joint, JointInfo};
 
 /// An animated pose.
 pub(super) struct Body<'a, const C: usize> {
@@ -24,11 +30,10 @@ pub(super) struct Body<'a, const C: usize> {
     /// The joint that carries the effector; those before it do not matter.
     pub(super) first: usize,
     pub(super) count: usize,
-    /// The joints' frames and where they are; the innermost is the origin.
+    /// The joints' frames, the same as rows, and where they are; the innermost is the origin.
     pub(super) frames: PerJoint<Mat3A, C>,
-    pub(super) positions: PerJoint<Vec3A, C>,
-    /// The joints' own forwards in solver space, which those of upright frames are not.
-    pub(super) forwards: PerJoint<Vec3A, C>,
+    pub(super) rows: PerJoint<Mat3A, C>,
+    pub(super) places: PerJoint<Vec3A, C>,
     /// How each joint's upright frame stands in its bone.
     pub(super) tilts: PerJoint<Quat, C>,
     /// The innermost joint's frame before it is tilted upright.
@@ -53,8 +58,8 @@ impl<'a, const C: usize> Body<'a, C> {
             first: 0,
             count: rig.joints.len(),
             frames: rig.array(Mat3A::IDENTITY),
-            positions: rig.array(Vec3A::ZERO),
-            forwards: rig.array(Vec3A::X),
+            rows: rig.array(Mat3A::IDENTITY),
+            places: rig.array(Vec3A::ZERO),
             tilts: rig.array(Quat::IDENTITY),
             trunk: Mat3A::IDENTITY,
             gaze: ray,
@@ -82,38 +87,53 @@ impl<'a, const C: usize> Body<'a, C> {
         let Space { origin, per_size } = self.space;
 
         let last = infos.len() - 1;
-        self.trunk = self.frames[last] * infos[last].planes.basis;
-        upright(infos, first, about, &mut self.frames, &mut self.tilts);
-        for index in first..infos.len() {
-            let (bone, tilt) = (self.frames[index], self.tilts[index]);
-            let frame = bone * infos[index].planes.basis;
-            self.frames[index] = frame;
-            self.forwards[index] = if is_identity(tilt) {
-                frame.x_axis
-            } else {
-                bone * math::turned(tilt.conjugate(), infos[index].axes.forward.into())
-            };
-            self.positions[index] = (pose[index].translation - origin) * per_size;
+        if self.rig.has_upright {
+            self.trunk = self.frames[last] * infos[last].planes.basis;
+            upright(infos, first, about, &mut self.frames, &mut self.tilts);
         }
-        let frame = self.frames[first];
+        for index in first..infos.len() {
+            let frame = self.frames[index] * infos[index].planes.basis;
+            self.frames[index] = frame;
+            self.rows[index] = frame.transpose();
+            self.places[index] = (pose[index].translation - origin) * per_size;
+        }
+        if !self.rig.has_upright {
+            self.trunk = self.frames[last];
+        }
         let tilt = self.tilts[first];
         self.is_plain = !has_origin && is_identity(tilt) && (first > 0 || self.rig.aims_forward);
+        self.gaze = Ray { origin: self.places[first], direction: self.frames[first].x_axis };
         if !self.is_plain {
-            let direction = math::turned(tilt.conjugate(), aimed.direction);
-            let direction = infos[first].planes.basis.transpose() * direction;
-            self.effector = Ray { origin: frame.transpose() * (offset * per_size), direction };
+            let direction = self.upright_direction(first, aimed.direction);
+            self.effector = Ray { origin: self.rows[first] * (offset * per_size), direction };
+            self.gaze = Ray {
+                origin: self.places[first] + offset * per_size,
+                direction: self.frames[first] * self.effector.direction,
+            };
         }
-        self.gaze = Ray {
-            origin: self.positions[first] + offset * per_size,
-            direction: if self.is_plain { frame.x_axis } else { frame * self.effector.direction },
-        };
         Some(())
+    }
+
+    /// A direction of a joint's bone in its upright frame.
+    #[cold]
+    fn upright_direction(&self, joint: usize, direction: Vec3A) -> Vec3A {
+        self.rig.joints[joint].planes.basis.transpose() * math::turned(self.tilts[joint].conjugate(), direction)
+    }
+
+    /// A joint's own forward in its frame, which that of an upright frame is not.
+    #[inline(always)]
+    pub(super) fn forward(&self, joint: usize) -> Vec3A {
+        if is_identity(self.tilts[joint]) {
+            Vec3A::X
+        } else {
+            self.upright_direction(joint, self.rig.joints[joint].axes.forward.into())
+        }
     }
 
     /// Takes the effector from the true kinematics of a pose that is not rigid; `None` where it looks nowhere.
     pub(super) fn look_along(&mut self, gaze: Ray) -> Option<()> {
         self.gaze = gaze;
-        self.effector.direction = self.frames[self.first].transpose() * math::unit(gaze.direction)?;
+        self.effector.direction = self.rows[self.first] * math::unit(gaze.direction)?;
         self.is_plain = false;
         Some(())
     }
@@ -127,89 +147,55 @@ impl<'a, const C: usize> Body<'a, C> {
         !rig.has_fixed_ranges && rig.joints[self.first..].iter().any(is_free)
     }
 
-    /// From a joint to the next one outward, from the aimed one to the effector.
+    /// A direction from which a joint's turn is taken back.
     #[inline(always)]
-    fn arm(&self, joint: usize) -> Vec3A {
-        let end = if joint > self.first { self.positions[joint - 1] } else { self.gaze.origin };
-        end - self.positions[joint]
+    pub(super) fn take_back(&self, joint: usize, turn: &Turn, direction: Vec3A) -> Vec3A {
+        self.frames[joint] * turn.back(self.rows[joint] * direction)
+    }
+
+    /// A point from which a joint's turn is taken back.
+    #[inline(always)]
+    pub(super) fn take_back_point(&self, joint: usize, turn: &Turn, point: Vec3A) -> Vec3A {
+        let place = self.places[joint];
+        place + self.take_back(joint, turn, point - place)
     }
 }
 
-/// What the joints further in make of a joint: where they bring it, and its frame, in solver space.
+/// The sines and cosines of a joint's pitch and heading.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Carried {
-    pub(super) at: Vec3A,
-    pub(super) frame: Mat3A,
+pub(super) struct Turn([f32; 4]);
+
+impl Turn {
+    #[inline(always)]
+    pub(super) fn new(angles: Pair) -> Self {
+        Self::of_halves(trig::halves_of(angles))
+    }
+
+    #[inline(always)]
+    pub(super) fn of_halves(halves: Halves) -> Self {
+        Self(trig::doubled(halves))
+    }
+
+    /// A vector along forward, left and up as it is along those that are turned.
+    #[inline(always)]
+    pub(super) fn back(&self, v: Vec3A) -> Vec3A {
+        let &Self([sin_p, cos_p, sin_h, cos_h]) = self;
+        let [ahead, left, up] = v.to_array();
+        let level = ahead * cos_h + left * sin_h;
+        Vec3A::new(level * cos_p + up * sin_p, left * cos_h - ahead * sin_h, up * cos_p - level * sin_p)
+    }
+
+    /// The frame (f, l, u) turned.
+    pub(super) fn of_frame(&self, frame: &Mat3A) -> Mat3A {
+        let &Self([sin_p, cos_p, sin_h, cos_h]) = self;
+        let Mat3A { x_axis: forward, y_axis: left, z_axis: up } = *frame;
+        let level = forward * cos_h + left * sin_h;
+        Mat3A::from_cols(level * cos_p + up * sin_p, left * cos_h - forward * sin_h, up * cos_p - level * sin_p)
+    }
 }
 
-impl Carried {
-    /// The innermost joint, as the animation has it.
-    #[inline(always)]
-    pub(super) fn root<const C: usize>(body: &Body<'_, C>) -> Self {
-        Self { at: Vec3A::ZERO, frame: body.frames[body.count - 1] }
-    }
-
-    /// The same for the next joint outward; the effector for the aimed one.
-    #[inline(always)]
-    pub(super) fn outward<const C: usize>(&self, body: &Body<'_, C>, joint: usize, halves: Halves) -> Self {
-        let frame = turned(&self.frame, halves);
-        let turn = frame * body.frames[joint].transpose();
-        let at = self.at + turn * body.arm(joint);
-        Self { at, frame: if joint > body.first { turn * body.frames[joint - 1] } else { frame } }
-    }
-
-    /// The effector where all joints have had their turn.
-    pub(super) fn gaze<const C: usize>(&self, body: &Body<'_, C>) -> Ray {
-        // Not by the turn: a frame that is not quite square would count twice.
-        Ray { origin: self.at, direction: self.frame * body.effector.direction }
-    }
-}
-
-/// The halves of a joint's angles.
+/// A joint's angles as a pair.
 #[inline(always)]
-pub(super) fn halves(joint: &Joint) -> Halves {
-    trig::halves(joint.pitch, joint.heading)
-}
-
-/// A frame turned by heading and pitch of these halves.
-#[inline(always)]
-pub(super) fn turned(frame: &Mat3A, halves: Halves) -> Mat3A {
-    let [sin_p, cos_p, sin_h, cos_h] = trig::doubled(halves);
-    let Mat3A { x_axis: forward, y_axis: left, z_axis: up } = *frame;
-    let level = forward * cos_h + left * sin_h;
-    Mat3A::from_cols(level * cos_p + up * sin_p, left * cos_h - forward * sin_h, up * cos_p - level * sin_p)
-}
-
-/// The joints as they are turned in a call, from the root outward.
-pub(super) struct Posture<const C: usize> {
-    pub(super) joints: PerJoint<Joint, C>,
-    /// What each joint adds in its bone.
-    pub(super) corrections: PerJoint<Quat, C>,
-    pub(super) carried: Carried,
-}
-
-impl<const C: usize> Posture<C> {
-    /// The joints before any has had its turn.
-    #[inline(always)]
-    pub(super) fn new(body: &Body<'_, C>, joints: &[Joint]) -> Self {
-        let rig = body.rig;
-        let mut copy = rig.array(Joint::REST);
-        copy.copy_from_slice(joints);
-        Self { joints: copy, corrections: rig.array(Quat::IDENTITY), carried: Carried::root(body) }
-    }
-
-    /// Gives a joint its turn.
-    #[inline(always)]
-    pub(super) fn turn(&mut self, body: &Body<'_, C>, joint: usize) {
-        let halves = self.correct(body, joint);
-        self.carried = self.carried.outward(body, joint, halves);
-    }
-
-    /// Notes what a joint adds.
-    #[inline(always)]
-    pub(super) fn correct(&mut self, body: &Body<'_, C>, joint: usize) -> Halves {
-        let (info, halves) = (&body.rig.joints[joint], halves(&self.joints[joint]));
-        self.corrections[joint] = tilted(turn(&info.axes, &info.planes, halves), body.tilts[joint]);
-        halves
-    }
+pub(super) fn angles(joint: &crate::Joint) -> Pair {
+    Vec4::new(joint.heading, joint.pitch, 0.0, 0.0)
 }

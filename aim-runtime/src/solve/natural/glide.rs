@@ -2,16 +2,18 @@
 //!
 //! Both go along with what their goal does smoothly and make up for what it does at once by an offset that dies away:
 //! angle = goal + offset. So a gaze follows a moving target without lag, and a target that leaps sets off one smooth
-//! movement, whatever the frame rate. Pairs are of heading and pitch.
+//! movement, whatever the frame rate.
 
 use core::f32::consts::PI;
 
-use crate::limits::Interval;
+use glam::Vec4;
+
 use crate::math;
 use crate::math::Bounded;
 use crate::rig::Led;
 
-pub(super) type Pair = [f32; 2];
+/// Heading and pitch in the first two lanes; what the others hold does not matter.
+pub(super) type Pair = Vec4;
 
 /// The offset of a region from its goal: its mean speed in the last frame and its acceleration at the end of that. It dies away
 /// as (c₀ + c₁t + c₂t²)·e^(−ωt): speed and acceleration never jump, the speed is bell-shaped, and its peak is at 32 % of the way,
@@ -26,6 +28,7 @@ pub(super) struct Glide {
 /// What bounds a glide in a frame.
 pub(super) struct Bounds {
     pub(super) dt: f32,
+    pub(super) per_dt: f32,
     /// ω.
     pub(super) pace: f32,
     pub(super) rate: f32,
@@ -37,79 +40,76 @@ pub(super) struct Bounds {
 impl Glide {
     /// The glide a frame later, while the goal goes on at speed `with` after `before`. From frame to frame, the region's
     /// speed as it is seen, that of goal and offset together, changes by no more than its acceleration allows.
+    #[inline(always)]
     pub(super) fn after(&self, bounds: &Bounds, before: Pair, with: Pair) -> Self {
-        let &Bounds { dt, pace, rate, approach, acceleration } = bounds;
+        let &Bounds { dt, per_dt, pace, rate, approach, acceleration } = bounds;
         let far = length(self.offset);
         // While the offset stays the same, the speed comes to ω·offset/3; what the goal's own leaves of the rate.
-        let near = 3.0 * (rate - length(with)).at_least(0.0).at_most(approach) / pace;
-        let part = if far > near { near / far } else { 1.0 };
+        let near = 3.0 * (rate - length(with)).at_least(0.0).at_most(approach);
+        let part = if far * pace > near { near / (pace * far) } else { 1.0 };
         let fade = exp_of_minus(pace * dt);
-        let mut next = *self;
-        for axis in [0, 1] {
-            let c0 = part * self.offset[axis];
-            let start = self.speed[axis] + 0.5 * dt * self.acceleration[axis];
-            let c1 = start + pace * c0;
-            let c2 = 0.5 * (self.acceleration[axis] + pace * (start + c1));
-            let later = (c0 + dt * (c1 + dt * c2)) * fade;
-            let end = (c1 + 2.0 * dt * c2) * fade - pace * later;
-            next.speed[axis] = (later - c0) / dt;
-            next.acceleration[axis] = 2.0 * c2 * fade - pace * (2.0 * end + pace * later);
+        let c0 = self.offset * part;
+        let start = self.speed + self.acceleration * (0.5 * dt);
+        let c1 = start + c0 * pace;
+        let c2 = (self.acceleration + (start + c1) * pace) * 0.5;
+        let later = (c0 + (c1 + c2 * dt) * dt) * fade;
+        let end = (c1 + c2 * (2.0 * dt)) * fade - later * pace;
+        let speed = (later - c0) * per_dt;
+        let base = self.speed + before - with;
+        let gain = speed - base;
+        let (change, most) = (length(gain), acceleration * dt);
+        if change > most {
+            return self.at_speed(base + gain * (most / change), bounds);
         }
-        let gain = [0, 1].map(|axis| next.speed[axis] + with[axis] - self.speed[axis] - before[axis]);
-        let part = (acceleration * dt / length(gain)).at_most(1.0);
-        let speed = [0, 1].map(|axis| self.speed[axis] + before[axis] - with[axis] + part * gain[axis]);
-        next.speed_up(self, if part < 1.0 { speed } else { next.speed }, part < 1.0, dt);
-        next
+        let acceleration = c2 * (2.0 * fade) - (end * 2.0 + later * pace) * pace;
+        Self { offset: self.offset + speed * dt, speed, acceleration }
     }
 
-    /// Gives the glide this mean speed in a frame that began as `before`.
-    fn speed_up(&mut self, before: &Self, speed: Pair, is_bounded: bool, dt: f32) {
-        for axis in [0, 1] {
-            self.speed[axis] = speed[axis];
-            self.offset[axis] = before.offset[axis] + speed[axis] * dt;
-            if is_bounded {
-                self.acceleration[axis] = (speed[axis] - before.speed[axis]) / dt;
-            }
-        }
+    /// The glide after a frame at this mean speed.
+    #[inline(always)]
+    fn at_speed(&self, speed: Pair, bounds: &Bounds) -> Self {
+        Self { offset: self.offset + speed * bounds.dt, speed, acceleration: (speed - self.speed) * bounds.per_dt }
     }
 
-    /// Brakes where the region would not stop before the ends of its ranges any more; `sum` is where the frame began, as
-    /// `before`, with the goal's speed `begins`.
-    pub(super) fn brake(
-        &mut self,
+    /// The glide where the region would not stop before the ends `lo` and `hi` of its ranges any more: braked. `sum` is where
+    /// the frame began, as `before`, with the goal's speed `begins`.
+    #[inline(always)]
+    pub(super) fn braked(
+        self,
         before: &Self,
         sum: Pair,
-        ranges: &[Interval; 2],
+        [lo, hi]: [Pair; 2],
         [begins, with]: [Pair; 2],
         bounds: &Bounds,
-    ) {
-        let &Bounds { dt, acceleration, .. } = bounds;
-        let gain = acceleration * dt;
-        let mut speed = self.speed;
-        for axis in [0, 1] {
-            let (start, end) = (before.speed[axis] + begins[axis], self.speed[axis] + with[axis]);
-            let left = if end > 0.0 { ranges[axis].hi() - sum[axis] } else { sum[axis] - ranges[axis].lo() };
-            // More than it takes to stop.
-            if left > end.abs() * (dt + 0.5 * end.abs() / acceleration) {
-                continue;
+    ) -> Self {
+        let end = self.speed + with;
+        let left = Vec4::select(end.cmpgt(Vec4::ZERO), hi - sum, sum - lo);
+        let size = end.abs();
+        // More than it takes to stop.
+        let stops = size * (size * (0.5 / bounds.acceleration) + Vec4::splat(bounds.dt));
+        if left.cmpgt(stops).bitmask() & 3 == 3 {
+            return self;
+        }
+        let start = before.speed + begins;
+        let held = [0, 1].map(|axis| {
+            let (gain, sum, end) = (bounds.acceleration * bounds.dt, sum[axis], end[axis]);
+            if left[axis] > stops[axis] {
+                return end;
             }
-            let up = braking(ranges[axis].hi() - sum[axis], gain, dt);
-            let down = braking(sum[axis] - ranges[axis].lo(), gain, dt);
+            let up = braking(hi[axis] - sum, gain, bounds.dt);
+            let down = braking(sum - lo[axis], gain, bounds.dt);
             // Where it is too late to brake in time, the range ends the movement.
             let held = end.at_most(up).at_least(-down);
-            if held != end {
-                speed[axis] = held.at_least(start - gain).at_most(start + gain) - with[axis];
-            }
-        }
-        if speed != self.speed {
-            self.speed_up(before, speed, true, dt);
-        }
+            if held == end { end } else { held.at_least(start[axis] - gain).at_most(start[axis] + gain) }
+        });
+        if held == [end.x, end.y] { self } else { before.at_speed(pair(held) - with, bounds) }
     }
 
     /// Whether nothing is left of it that could be seen.
+    #[inline(always)]
     pub(super) fn is_over(&self, pace: f32) -> bool {
         const STILL_RAD: f32 = 2e-5;
-        length(self.offset) <= STILL_RAD && length(self.speed) <= STILL_RAD * pace
+        square(self.offset) <= STILL_RAD * STILL_RAD && square(self.speed) <= STILL_RAD * STILL_RAD * pace * pace
     }
 }
 
@@ -132,29 +132,25 @@ fn braking(distance: f32, gain: f32, dt: f32) -> f32 {
 ///
 /// A change of the goal's speed within `most` is gone along with at once; one that lasts, from the second frame on, with
 /// the region's own speed going on evenly; a leap is all offset.
+#[inline(always)]
 pub(super) fn follow(led: &mut Led, sum: Pair, goal: Pair, glide: &mut Glide, bounds: &Bounds) -> Pair {
-    let &Bounds { dt, rate, acceleration, .. } = bounds;
-    let most = acceleration * dt;
-    let mut begins = led.speed;
-    let (mut leap, mut ahead) = ([0.0; 2], [0.0; 2]);
-    let change = [0, 1].map(|axis| (goal[axis] - led.goal[axis]) / dt);
-    let is_near = |a: Pair, b: Pair| [0, 1].into_iter().all(|axis| (a[axis] - b[axis]).abs() <= most);
+    let &Bounds { dt, per_dt, rate, acceleration, .. } = bounds;
+    let most = Vec4::splat(acceleration * dt);
+    let [led_goal, led_speed, led_change] = [led.goal, led.speed, led.change].map(pair);
+    let change = (goal - led_goal) * per_dt;
+    let is_near = |other: Pair| (change - other).abs().cmple(most).bitmask() & 3 == 3;
     // One axis that leaps makes the other's change part of the leap.
-    let is_smooth = is_near(change, led.speed);
-    let is_led = (is_smooth || is_near(change, led.change)) && length(change) <= rate;
-    for axis in [0, 1] {
-        let (change, before) = (change[axis], led.speed[axis]);
-        let speed = if is_led { change } else { before };
-        if !is_smooth {
-            glide.speed[axis] += before - speed;
-            begins[axis] = speed;
-        }
-        ahead[axis] = led.goal[axis] - sum[axis];
-        leap[axis] = (change - speed) * dt;
-        glide.offset[axis] = -ahead[axis] - leap[axis];
-        (led.goal[axis], led.speed[axis], led.change[axis]) = (goal[axis], speed, change);
+    let is_smooth = is_near(led_speed);
+    let speed = if (is_smooth || is_near(led_change)) && square(change) <= rate * rate { change } else { led_speed };
+    let mut begins = led_speed;
+    if !is_smooth {
+        glide.speed += led_speed - speed;
+        begins = speed;
     }
+    let (leap, ahead) = ((change - speed) * dt, led_goal - sum);
+    glide.offset = -ahead - leap;
     led.tire(leap, ahead, dt);
+    (led.goal, led.speed, led.change) = (ends(goal), ends(speed), ends(change));
     begins
 }
 
@@ -168,54 +164,71 @@ impl Led {
     /// A goal that leaps back before the head has come makes it slow for a while: it stays near the middle.
     ///
     /// `leap` is what the goal did at once, and `ahead` how far off it was before.
+    #[inline(always)]
     fn tire(&mut self, leap: Pair, ahead: Pair, dt: f32) {
         const MOST: f32 = 1.5;
         const RESTS_S: f32 = 0.8;
         // What counts as trembling, and what counts in full.
         const TREMBLING_RAD: f32 = 5.0 * PI / 180.0;
         const WHOLE_RAD: f32 = 15.0 * PI / 180.0;
-        let back = -(leap[0] * ahead[0] + leap[1] * ahead[1]);
-        if back > 0.0 {
-            let size = length(leap);
-            let counts = ((size - TREMBLING_RAD) / (WHOLE_RAD - TREMBLING_RAD)).at_least(0.0).at_most(1.0);
-            self.tired += counts * (4.0 * back / (size * size)).at_most(1.0);
+        let back = -(leap.x * ahead.x + leap.y * ahead.y);
+        let size = square(leap);
+        if back > 0.0 && size > TREMBLING_RAD * TREMBLING_RAD {
+            let counts = ((math::sqrt(size) - TREMBLING_RAD) / (WHOLE_RAD - TREMBLING_RAD)).at_most(1.0);
+            self.tired += counts * (4.0 * back / size).at_most(1.0);
         }
         self.tired = (self.tired.at_most(MOST) - dt / RESTS_S).at_least(0.0);
     }
 }
 
 /// An eye's offset from its goal and that offset's speed a frame later: speeding up evenly and braking evenly.
+#[inline(always)]
 pub(super) fn saccade(offset: Pair, speed: Pair, dt: f32, rate: f32) -> (Pair, Pair) {
     /// An eye's acceleration, rad/s²: 10° take 58 ms and come to 340°/s, as the main sequence has it (Bahill, Clark and
     /// Stark, *Math. Biosci.* 24, 1975).
     const ACCELERATION: f32 = 11_500.0 * PI / 180.0;
     let gain = ACCELERATION * dt;
-    let mean = offset.map(|offset| -offset / dt);
-    let change = [mean[0] - speed[0], mean[1] - speed[1]];
-    let distance = length(offset);
-    let stops = length(speed) <= gain && length(mean) <= 0.5 * gain && length(change) <= 0.5 * gain;
-    if stops || !(distance > 0.0) {
-        return ([0.0; 2], [0.0; 2]);
+    let (far, most) = (square(offset), gain * gain);
+    let mean = offset * (-1.0 / dt);
+    let stops = square(speed) <= most && 4.0 * square(mean) <= most && 4.0 * square(mean - speed) <= most;
+    if stops || !(far > 0.0) {
+        return (Vec4::ZERO, Vec4::ZERO);
     }
-    let along = offset.map(|offset| -offset / distance);
+    let distance = math::sqrt(far);
+    let along = offset * (-1.0 / distance);
     // The speed at the end of the frame from which it still stops: v² = 2a·(distance − (speed + v)·dt/2).
-    let (half, towards) = (0.5 * gain, along[0] * speed[0] + along[1] * speed[1]);
+    let (half, towards) = (0.5 * gain, along.x * speed.x + along.y * speed.y);
     let wanted = (math::sqrt(half * half + gain * (2.0 * distance / dt - towards)) - half).at_most(rate);
-    let change = [along[0] * wanted - speed[0], along[1] * wanted - speed[1]];
-    let part = (gain / length(change)).at_most(1.0);
-    let next = [0, 1].map(|axis| speed[axis] + part * change[axis]);
-    let offset = [0, 1].map(|axis| offset[axis] + 0.5 * (speed[axis] + next[axis]) * dt);
-    (offset, next)
+    let change = along * wanted - speed;
+    let next = speed + change * (gain / length(change)).at_most(1.0);
+    (offset + (speed + next) * (0.5 * dt), next)
 }
 
-pub(super) fn length([x, y]: Pair) -> f32 {
-    math::sqrt(x * x + y * y)
+#[inline(always)]
+pub(super) fn pair([heading, pitch]: [f32; 2]) -> Pair {
+    Vec4::new(heading, pitch, 0.0, 0.0)
+}
+
+#[inline(always)]
+pub(super) fn ends(pair: Pair) -> [f32; 2] {
+    [pair.x, pair.y]
+}
+
+#[inline(always)]
+pub(super) fn square(pair: Pair) -> f32 {
+    pair.x * pair.x + pair.y * pair.y
+}
+
+#[inline(always)]
+pub(super) fn length(pair: Pair) -> f32 {
+    math::sqrt(square(pair))
 }
 
 /// e^(−x) of x ≥ 0, to 1e-6: the 16th power of a series.
+#[inline(always)]
 fn exp_of_minus(x: f32) -> f32 {
-    let x = -x.at_most(40.0) / 16.0;
-    let root = 1.0 + x * (1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x / 120.0))));
+    let x = x.at_most(40.0) * (-1.0 / 16.0);
+    let root = 1.0 + x * (1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0)))));
     let square = |x: f32| x * x;
     square(square(square(square(root))))
 }

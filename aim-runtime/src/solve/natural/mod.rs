@@ -17,33 +17,34 @@
 mod allot;
 mod body;
 mod glide;
+mod range;
 mod region;
 mod sharing;
 mod sight;
 
 use core::f32::consts::PI;
 
-use glam::{Mat3A, Vec3A};
+use glam::{Quat, Vec3A, Vec4};
 
 use self::allot::Fit;
-use self::body::{Body, Carried, Posture};
-use self::glide::{Bounds, Glide, Pair, follow, length, saccade};
+use self::body::{Body, Turn, angles};
+use self::glide::{Bounds, Glide, Pair, ends, follow, length, pair, saccade, square};
+use self::range::Range;
 use self::region::{Region, regions};
 use self::sharing::Sharing;
 use self::sight::{Seen, turn_to};
 use super::call::Call;
-use super::solved::{Solved, Task};
+use super::solved::{Moved, Solved, Task};
 use crate::kinematics::bearing::{Bearings, heading_and_pitch};
 use crate::kinematics::chain::{Chain, Upright};
-use crate::kinematics::rotation::is_identity;
-use crate::limits::reach::Reach;
-use crate::limits::{Interval, RangeOfMotion};
+use crate::kinematics::rotation::{is_identity, tilted, turn};
+use crate::limits::RangeOfMotion;
 use crate::math::Bounded;
 use crate::math::trig;
-use crate::rig::{ChainRig, Led, Memory, PerJoint, PoseSlices, Support};
+use crate::rig::{ChainRig, Led, Memory, PoseSlices, Support};
 use crate::target::behind::Front;
 use crate::target::goal::{Course, Goal, Scene};
-use crate::{Joint, Role, Settings, math};
+use crate::{Joint, Role, math};
 
 /// Angles that differ by less do so by rounding.
 const SAME_RAD: f32 = 1e-5;
@@ -61,9 +62,8 @@ pub(super) fn aim<const C: usize>(
     motions: &[RangeOfMotion],
     call: &Call<'_>,
     about: Upright,
-    joints: &mut [Joint],
-    memory: &mut Memory,
-) -> Option<Solved<C>> {
+    Moved { joints, memory, corrections }: Moved<'_>,
+) -> Option<Solved> {
     let settings = call.settings;
     let mut body = Body::unseen(rig);
     body.read(pose.joints, settings.effector, about)?;
@@ -89,27 +89,70 @@ pub(super) fn aim<const C: usize>(
     // Of a snap nothing but the side is remembered: it is to depend on the past as little as it can.
     before.behind &= call.dt.is_some();
     let goal = Goal::new(&scene, call.target_ps.into(), settings, &before)?;
-    let gaze = Gaze::new(&body, chain.as_ref(), motions, &goal, settings, &bearings);
-    let mut posture = Posture::new(&body, joints);
-    let fit = match call.dt {
-        Some(dt) => gaze.move_joints(joints, memory, &mut posture, dt)?,
-        None => gaze.snap(joints, memory, &mut posture)?,
+    let first = body.first;
+    let has_eye = rig.joints[first].role == Role::Eye && first + 1 < body.count;
+    let (mut ranges, mut found) = (rig.array(Range::REST), rig.array(Region::NONE));
+    for (range, motion) in ranges.iter_mut().zip(motions) {
+        *range = Range::new(motion);
+    }
+    let count = regions(&body, &ranges, &bearings, first + usize::from(has_eye), &mut found);
+    let turns = body.places[found[count - 1].outer];
+    let direction = math::unit(body.gaze.direction).unwrap_or(Vec3A::X);
+    let gaze = Gaze {
+        rig,
+        body: &body,
+        chain: chain.as_ref(),
+        ranges: &ranges,
+        goal: &goal,
+        sharing: Sharing::new(&rig.sharing, settings),
+        patience: settings.patience.at_least(0.0),
+        bearings: &bearings,
+        regions: &found[..count],
+        count,
+        has_eye,
+        pivot: body.gaze.origin - direction * direction.dot(body.gaze.origin - turns).at_least(0.0),
     };
-    joints.copy_from_slice(&posture.joints);
-    for joint in 0..body.first {
+    let mut before = rig.array(Joint::REST);
+    let mut posture = Posture { joints, corrections, point: goal.wanted, wanted: goal.wanted };
+    let fit = match call.dt {
+        Some(dt) => gaze.move_joints(&mut before, memory, &mut posture, dt)?,
+        None => {
+            before.copy_from_slice(posture.joints);
+            gaze.snap(&before, memory, &mut posture)?
+        }
+    };
+    for joint in 0..first {
         posture.correct(&body, joint);
     }
+    let Posture { joints, corrections, wanted, .. } = posture;
     let task = Task { rig, motions, goal: &goal, space: body.space, settings, within_reach: fit.within_reach };
-    let mut solved = task.finish(joints, memory, |_| {
-        let gaze = match &chain {
-            Some(chain) => chain.gaze(&posture.corrections),
-            None => posture.carried.gaze(&body),
-        };
-        (gaze, posture.corrections)
+    let mut solved = task.finish(joints, memory, |_| match &chain {
+        Some(chain) => chain.gaze(corrections).angle_to(goal.wanted),
+        None => body.gaze.angle_to(wanted),
     })?;
     solved.outcome.body_turn = fit.body_turn;
     solved.outcome.out_of_reach_for = memory.blocked_s;
     Some(solved)
+}
+
+/// The joints as they are turned in a call, from the root outward.
+struct Posture<'a> {
+    joints: &'a mut [Joint],
+    /// What each joint adds in its bone.
+    corrections: &'a mut [Quat],
+    /// What is looked at and what the outcome is measured against, the turns of the joints that had theirs taken back.
+    point: Vec3A,
+    wanted: Vec3A,
+}
+
+impl Posture<'_> {
+    /// Notes what a joint adds.
+    #[inline(always)]
+    fn correct<const C: usize>(&mut self, body: &Body<'_, C>, joint: usize) -> Turn {
+        let (info, halves) = (&body.rig.joints[joint], trig::halves_of(angles(&self.joints[joint])));
+        self.corrections[joint] = tilted(turn(&info.axes, &info.planes, halves), body.tilts[joint]);
+        Turn::of_halves(halves)
+    }
 }
 
 /// What moves the joints in a frame.
@@ -117,8 +160,10 @@ struct Motion<'a> {
     memory: &'a mut Memory,
     /// What the head's goal did so far; `None` where this is the first frame.
     led: Option<Led>,
-    reaches: &'a [Reach],
+    /// How far each joint gets in the frame.
+    reaches: &'a [Range<'a>],
     dt: f32,
+    per_dt: f32,
     /// Whether the regions are to come to rest where they are.
     stays: bool,
     /// Whether every region has arrived, and how far they are off together.
@@ -145,98 +190,68 @@ struct Gaze<'a, const C: usize> {
     body: &'a Body<'a, C>,
     /// The true kinematics of a pose that is not rigid.
     chain: Option<&'a Chain<C>>,
-    motions: &'a [RangeOfMotion],
+    ranges: &'a [Range<'a>],
     goal: &'a Goal,
     sharing: Sharing,
     /// After this time out of reach the gaze returns to the animation, seconds.
     patience: f32,
     bearings: &'a Bearings,
     /// From the innermost outward, without the eye.
-    regions: PerJoint<Region, C>,
+    regions: &'a [Region],
     count: usize,
-    /// Whether an eye leads: a joint without inertia. Its ranges of heading and pitch.
+    /// Whether an eye leads: a joint without inertia.
     has_eye: bool,
-    eye: [Interval; 2],
     /// From where the target's heading and elevation are seen: the effector, moved back along the gaze to beside the joint that
     /// turns the head, which is where it looks from once the head has turned.
     pivot: Vec3A,
 }
 
-impl<'a, const C: usize> Gaze<'a, C> {
-    #[inline(always)]
-    fn new(
-        body: &'a Body<'a, C>,
-        chain: Option<&'a Chain<C>>,
-        motions: &'a [RangeOfMotion],
-        goal: &'a Goal,
-        settings: &Settings,
-        bearings: &'a Bearings,
-    ) -> Self {
-        let (rig, first) = (body.rig, body.first);
-        let has_eye = rig.joints[first].role == Role::Eye && first + 1 < body.count;
-        let mut gaze = Self {
-            rig,
-            body,
-            chain,
-            motions,
-            goal,
-            sharing: Sharing::new(&rig.sharing, settings),
-            patience: settings.patience.at_least(0.0),
-            bearings,
-            regions: rig.array(Region::NONE),
-            count: 0,
-            has_eye,
-            eye: [motions[first].heading, motions[first].pitch],
-            pivot: body.gaze.origin,
-        };
-        gaze.count = regions(body, motions, bearings, first + usize::from(has_eye), &mut gaze.regions);
-        let turns = body.positions[gaze.regions[gaze.count - 1].outer];
-        let direction = math::unit(body.gaze.direction).unwrap_or(Vec3A::X);
-        gaze.pivot -= direction * direction.dot(gaze.pivot - turns).at_least(0.0);
-        gaze
-    }
-
+impl<const C: usize> Gaze<'_, C> {
     /// Moves the joints by a frame of `dt` seconds. `None` where the aim is
     /// undefined.
     #[inline(always)]
-    fn move_joints(&self, joints: &mut [Joint], memory: &mut Memory, posture: &mut Posture<C>, dt: f32) -> Option<Fit> {
+    fn move_joints(&self, from: &mut [Joint], memory: &mut Memory, posture: &mut Posture<'_>, dt: f32) -> Option<Fit> {
         let rig = self.rig;
-        let mut reaches = rig.array(Reach::REST);
-        for (index, joint) in joints.iter_mut().enumerate() {
-            let reach = Reach::frame(&self.motions[index], rig.joints[index].rate, joint, dt);
+        let mut reaches = rig.array(Range::REST);
+        for (index, reach) in reaches.iter_mut().enumerate() {
+            let (joint, info) = (&mut posture.joints[index], &rig.joints[index]);
+            // NaN and negative rates stand still.
+            let step = (info.rate * dt).at_least(0.0).at_most(PI);
+            *reach = self.ranges[index].within(angles(joint), step);
+            from[index] = *joint;
             if index < self.body.first {
-                *joint = reach.towards_rest(joint);
+                *joint = at(joint, reach.towards_rest(angles(joint), step));
                 joint.set_destination(None);
             } else if dt > 0.0 {
-                *joint = reach.hold(joint);
+                from[index] = at(joint, reach.hold(angles(joint)));
             }
-            reaches[index] = reach;
         }
         if !(dt > LEAST_S) {
             let fit = match self.goal.course {
-                Course::Aim if dt > 0.0 => self.settle(self.way()?, joints, posture)?.fit,
+                Course::Aim if dt > 0.0 => self.settle(self.way()?, from, posture)?.fit,
                 _ => Fit::WITHIN_REACH,
             };
-            self.stand(joints, posture);
+            self.stand(from, posture);
             return Some(self.of_wanted(fit));
         }
         let led = (memory.support != Support::None).then(|| memory.led());
         if led.is_none() {
             memory.blocked_s = 0.0;
-            for joint in &mut *joints {
+            for joint in &mut *from {
                 joint.velocity = [0.0; 2];
                 joint.set_destination(None);
             }
         }
         let gives_up = memory.blocked_s > self.patience;
-        let mut motion = Motion { memory, led, reaches: &reaches, dt, stays: false, arrived: true, lag: 0.0 };
+        let mut motion =
+            Motion { memory, led, reaches: &reaches, dt, per_dt: 1.0 / dt, stays: false, arrived: true, lag: 0.0 };
         let fit = match self.goal.course {
-            Course::Rest => self.return_to_rest(joints, &mut motion, posture)?,
-            _ if gives_up && self.goal.behind => self.return_to_rest(joints, &mut motion, posture)?,
-            Course::Aim => self.turn_to_goal(joints, gives_up, &mut motion, posture)?,
+            Course::Rest => self.return_to_rest(from, &mut motion, posture)?,
+            _ if gives_up && self.goal.behind => self.return_to_rest(from, &mut motion, posture)?,
+            Course::Aim => self.turn_to_goal(from, gives_up, &mut motion, posture)?,
             Course::Stay => {
                 motion.stays = true;
-                self.place(Aims::Stay, joints, Some(&mut motion), posture)?;
+                self.place(Aims::Stay, from, Some(&mut motion), posture)?;
                 Fit::WITHIN_REACH
             }
         };
@@ -251,7 +266,8 @@ impl<'a, const C: usize> Gaze<'a, C> {
         Some(fit)
     }
 
-    fn return_to_rest(&self, from: &[Joint], motion: &mut Motion<'_>, posture: &mut Posture<C>) -> Option<Fit> {
+    #[cold]
+    fn return_to_rest(&self, from: &[Joint], motion: &mut Motion<'_>, posture: &mut Posture<'_>) -> Option<Fit> {
         motion.memory.support = Support::Rests;
         self.place(Aims::Rest(self.ahead()?), from, Some(motion), posture)?;
         Some(Fit::WITHIN_REACH)
@@ -262,7 +278,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         from: &[Joint],
         gives_up: bool,
         motion: &mut Motion<'_>,
-        posture: &mut Posture<C>,
+        posture: &mut Posture<'_>,
     ) -> Option<Fit> {
         let seen = self.engage(from, motion)?;
         motion.stays = motion.memory.support != Support::Shares;
@@ -341,7 +357,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
     }
 
     /// Puts the joints where they belong for a goal, whatever the rates. `None` where the aim is undefined.
-    fn snap(&self, joints: &[Joint], memory: &mut Memory, posture: &mut Posture<C>) -> Option<Fit> {
+    fn snap(&self, joints: &[Joint], memory: &mut Memory, posture: &mut Posture<'_>) -> Option<Fit> {
         // A target on the animated effector has no direction, whatever the joints could make of it.
         self.body.gaze.angle_to(self.goal.aimed)?;
         let first = self.body.first;
@@ -349,8 +365,9 @@ impl<'a, const C: usize> Gaze<'a, C> {
         for (index, (found, joint)) in found.iter_mut().zip(joints).enumerate() {
             let stays = self.goal.course == Course::Stay && index >= first;
             let joint = if stays { Joint::REST.turned_to(joint.heading, joint.pitch) } else { Joint::REST };
-            *found = Reach::range(&self.motions[index]).hold(&joint);
+            *found = at(&joint, self.ranges[index].hold(angles(&joint)));
         }
+        posture.joints[..first].copy_from_slice(&found[..first]);
         let mut after = *memory;
         after.set_in_rounds(false);
         after.support = Support::None;
@@ -361,15 +378,15 @@ impl<'a, const C: usize> Gaze<'a, C> {
             let seen = self.see(&found, self.goal.aimed)?;
             after.support = Support::Rests;
             if self.has_eye && seen.is_within() && seen.off() <= self.sharing.engage {
-                found[first] = found[first].turned_to(seen.held[0], seen.held[1]);
+                found[first] = at(&found[first], seen.held);
             } else {
                 body_turn = self.settle(self.way()?, &found, posture)?.fit.body_turn;
-                found.copy_from_slice(&posture.joints);
+                found[first..].copy_from_slice(&posture.joints[first..]);
                 after.support = Support::Shares;
             }
             self.hold_eye(&mut found);
             let head = &self.regions[self.count - 1];
-            after.set_led(Led { goal: sum(&found[head.outer..=head.inner]), ..Led::default() });
+            after.set_led(Led { goal: ends(sum(&found[head.outer..=head.inner])), ..Led::default() });
         }
         self.stand(&found, posture);
         *memory = after;
@@ -383,10 +400,14 @@ impl<'a, const C: usize> Gaze<'a, C> {
     }
 
     /// Leaves the joints like this.
-    fn stand(&self, joints: &[Joint], posture: &mut Posture<C>) {
-        *posture = Posture::new(self.body, joints);
-        for joint in (self.body.first..self.body.count).rev() {
-            posture.turn(self.body, joint);
+    #[cold]
+    fn stand(&self, joints: &[Joint], posture: &mut Posture<'_>) {
+        let first = self.body.first;
+        posture.joints[first..].copy_from_slice(&joints[first..]);
+        posture.wanted = self.goal.wanted;
+        for joint in (first..self.body.count).rev() {
+            let turn = posture.correct(self.body, joint);
+            posture.wanted = self.body.take_back_point(joint, &turn, posture.wanted);
         }
     }
 
@@ -397,124 +418,133 @@ impl<'a, const C: usize> Gaze<'a, C> {
         aims: Aims<'_>,
         from: &[Joint],
         mut motion: Option<&mut Motion<'_>>,
-        posture: &mut Posture<C>,
+        posture: &mut Posture<'_>,
     ) -> Option<Seen> {
-        posture.carried = Carried::root(self.body);
-        posture.joints.copy_from_slice(from);
-        let mut goals = self.rig.array([0.0; 2]);
+        let (body, first, wanted) = (self.body, self.body.first, self.goal.wanted);
+        let mut goals = self.rig.array(Vec4::ZERO);
+        let mut directions = self.rig.array(Vec3A::ZERO);
+        posture.joints[first] = from[first];
+        (posture.point, posture.wanted) = (wanted, wanted);
+        match aims {
+            Aims::At(angles, point) => {
+                posture.point = point;
+                for (direction, angles) in directions.iter_mut().zip(&angles[..self.count]) {
+                    *direction = self.bearings.direction(*angles);
+                }
+            }
+            Aims::EyeAt(point) | Aims::Rest(point) => posture.point = point,
+            Aims::Stay => {}
+        }
+        let (point, measures_point) = (posture.point, posture.point == wanted);
         let mut seen = Seen::NOTHING;
-        for (number, region) in self.regions[..self.count].iter().enumerate() {
+        for (number, region) in self.regions.iter().enumerate() {
             let is_head = number + 1 == self.count;
             match aims {
-                Aims::At(directions, point) => {
+                Aims::At(..) => {
                     let leads = (is_head && !self.has_eye).then_some(point);
-                    let wanted = self.goals(region, directions[number], leads, posture, &mut goals)?;
+                    let wanted = self.goals(region, directions[number], leads, from, posture, &mut goals)?;
                     seen = Seen { wanted, held: goals[region.outer] };
                 }
                 Aims::Rest(_) => {
                     for index in region.outer..=region.inner {
-                        goals[index] = self.held(index, &Joint::REST, [0.0; 2]);
+                        goals[index] = self.ranges[index].hold_from(Vec4::ZERO, Vec4::ZERO);
                     }
                 }
                 Aims::EyeAt(_) | Aims::Stay => {}
             }
-            match &mut motion {
-                Some(motion) => {
-                    self.glide(region, is_head, &goals, from, &mut posture.joints, motion);
-                    for index in (region.outer..=region.inner).rev() {
-                        posture.turn(self.body, index);
-                    }
+            if let Some(motion) = &mut motion {
+                self.glide(region, is_head, &goals, from, posture.joints, motion);
+            }
+            for index in (region.outer..=region.inner).rev() {
+                let turn = if motion.is_some() {
+                    posture.correct(body, index)
+                } else {
+                    posture.joints[index] = at(&from[index], goals[index]);
+                    Turn::new(goals[index])
+                };
+                for direction in &mut directions[number + 1..self.count] {
+                    *direction = body.take_back(index, &turn, *direction);
                 }
-                None => {
-                    for index in (region.outer..=region.inner).rev() {
-                        let [heading, pitch] = goals[index];
-                        posture.joints[index] = from[index].turned_to(heading, pitch);
-                        posture.carried = posture.carried.outward(self.body, index, trig::halves(pitch, heading));
-                    }
+                posture.point = body.take_back_point(index, &turn, posture.point);
+                if !measures_point {
+                    posture.wanted = body.take_back_point(index, &turn, posture.wanted);
                 }
             }
         }
+        if measures_point {
+            posture.wanted = posture.point;
+        }
         if self.has_eye {
-            let first = self.body.first;
             match aims {
-                Aims::Stay => self.hold_eye(&mut posture.joints),
-                Aims::At(_, point) | Aims::EyeAt(point) | Aims::Rest(point) => {
+                Aims::Stay => self.hold_eye(posture.joints),
+                Aims::At(..) | Aims::EyeAt(_) | Aims::Rest(_) => {
                     // An eye that supports nothing that has still to return is where the animation has it.
                     let rests =
                         matches!(aims, Aims::Rest(_)) && posture.joints[first + 1..].iter().all(Joint::is_at_rest);
                     seen = if rests {
-                        let rest = self.held(first, &Joint::REST, [0.0; 2]);
+                        let rest = self.ranges[first].hold_from(Vec4::ZERO, Vec4::ZERO);
                         Seen { wanted: rest, held: rest }
                     } else {
-                        self.seen(&posture.carried, &posture.joints, point)?
+                        self.seen(posture.joints, point, posture.point)?
                     };
-                    let held = self.held_straight(&seen, &from[first], &posture.carried, point);
+                    let held = self.held_straight(&seen, &from[first], posture);
                     posture.joints[first] = match &motion {
                         Some(motion) => self.leap(held, &from[first], motion),
-                        None => from[first].turned_to(held[0], held[1]),
+                        None => at(&from[first], held),
                     };
                 }
             }
             if motion.is_some() {
-                posture.turn(self.body, first);
+                let turn = posture.correct(body, first);
+                posture.wanted = body.take_back_point(first, &turn, posture.wanted);
             }
         }
         Some(seen)
     }
 
-    /// Finds the angles that give a region's outermost forward this heading and elevation, or where it `leads` let it look at a
-    /// point. Returns what the outermost joint would have to turn.
+    /// Finds the angles that give a region's outermost forward this direction, or where it `leads` let it look at a point; the
+    /// turns of the joints inside are taken back from both. Returns what the outermost joint would have to turn.
     #[inline(always)]
     fn goals(
         &self,
         region: &Region,
-        direction: Pair,
+        mut direction: Vec3A,
         leads: Option<Vec3A>,
-        posture: &Posture<C>,
+        from: &[Joint],
+        posture: &mut Posture<'_>,
         goals: &mut [Pair],
     ) -> Option<Pair> {
         let (body, outer) = (self.body, region.outer);
-        let direction = self.bearings.direction(direction);
         // Inner joints make their share; the outermost closes what is left, in the frame that they carry.
-        let (joints, mut carried, mut inner) = (&posture.joints, posture.carried, [0.0; 2]);
+        let (mut point, mut inner) = (posture.point, Vec4::ZERO);
         if outer < region.inner {
-            let local = carried.frame.transpose() * direction;
-            let whole = turn_to(region.forward, local);
+            let whole = turn_to(region.forward, body.rows[region.inner] * direction);
             for index in (outer + 1..=region.inner).rev() {
                 let share = region.share(&self.rig.joints[index]);
-                let held = self.held(index, &joints[index], [share[0] * whole[0], share[1] * whole[1]]);
+                let held = self.ranges[index].hold_from(angles(&from[index]), share * whole);
                 goals[index] = held;
-                inner = [inner[0] + held[0], inner[1] + held[1]];
-                carried = carried.outward(body, index, trig::halves(held[1], held[0]));
+                inner += held;
+                let turn = Turn::new(held);
+                direction = body.take_back(index, &turn, direction);
+                if leads.is_some() {
+                    posture.joints[index] = from[index];
+                    point = body.take_back_point(index, &turn, point);
+                }
             }
         }
         let wanted = match leads {
-            Some(point) => self.sight(&carried, joints, point)?,
-            None if is_identity(body.tilts[outer]) => heading_and_pitch(carried.frame.transpose() * direction),
-            None => {
-                let forward = body.frames[outer].transpose() * body.forwards[outer];
-                turn_to(forward, carried.frame.transpose() * direction)
-            }
+            Some(true_point) => self.sight(posture.joints, true_point, point)?,
+            None if is_identity(body.tilts[outer]) => heading_and_pitch(body.rows[outer] * direction),
+            None => turn_to(region.own_forward, body.rows[outer] * direction),
         };
-        let within = [0, 1].map(|axis| region.room[axis].hold(wanted[axis] + inner[axis]) - inner[axis]);
-        goals[outer] = self.held(outer, &joints[outer], within);
+        let within = (wanted + inner).max(region.lo).min(region.hi) - inner;
+        goals[outer] = self.ranges[outer].hold_from(angles(&from[outer]), within);
         Some(wanted)
-    }
-
-    /// The angles nearest to these that a joint's range holds; a free heading the shorter way round.
-    #[inline(always)]
-    fn held(&self, index: usize, joint: &Joint, [heading, pitch]: Pair) -> Pair {
-        let motion = &self.motions[index];
-        let heading = if motion.heading.is_free() {
-            joint.heading + math::wrap_pi(heading - joint.heading)
-        } else {
-            motion.heading.hold(heading)
-        };
-        [heading, motion.pitch_at(heading).hold(pitch)]
     }
 
     /// Moves a region towards its joints' goals by a frame, or to a stop. Its outermost joint remembers speed and
     /// acceleration.
+    #[inline(always)]
     fn glide(
         &self,
         region: &Region,
@@ -524,161 +554,169 @@ impl<'a, const C: usize> Gaze<'a, C> {
         joints: &mut [Joint],
         motion: &mut Motion<'_>,
     ) {
-        let (outer, inner, dt) = (region.outer, region.inner, motion.dt);
-        let pace = region.pace * motion.led.unwrap_or_default().haste();
+        let (outer, inner, dt, per_dt) = (region.outer, region.inner, motion.dt, motion.per_dt);
+        let pace = region.pace * motion.led.as_ref().map_or(1.0, Led::haste);
         let &Region { rate, approach, acceleration, .. } = region;
-        let mut bounds = Bounds { dt, pace, rate, approach, acceleration };
-        let (before, speed) = (sum(&from[outer..=inner]), from[outer].velocity);
-        let mut glide =
-            Glide { speed, acceleration: from[outer].destination().unwrap_or_default(), ..Glide::default() };
-        let mut goal = add(&goals[outer..=inner]);
-        let mut begins = [0.0; 2];
-        let mut led = motion.led.filter(|_| is_head).unwrap_or(Led { goal: before, ..Led::default() });
+        let mut bounds = Bounds { dt, per_dt, pace, rate, approach, acceleration };
+        let (before, speed) = (sum(&from[outer..=inner]), pair(from[outer].velocity));
+        let acceleration = from[outer].destination().map_or(Vec4::ZERO, pair);
+        let mut glide = Glide { speed, acceleration, offset: Vec4::ZERO };
+        let mut goal = goals[outer..=inner].iter().fold(Vec4::ZERO, |sum, goal| sum + *goal);
+        let (mut begins, mut carries) = (Vec4::ZERO, Vec4::ZERO);
+        let mut led = Led::default();
+        if is_head {
+            led = motion.led.unwrap_or(Led { goal: ends(before), ..led });
+        }
         if motion.stays {
             // Where an offset of −2·speed/ω dies away without a turn.
-            glide.speed = [speed[0] + led.speed[0], speed[1] + led.speed[1]];
-            glide.offset = glide.speed.map(|speed| -2.0 * speed / bounds.pace);
-            goal = [before[0] - glide.offset[0], before[1] - glide.offset[1]];
-            led = Led { goal, ..Led::default() };
+            glide.speed = speed + pair(led.speed);
+            glide.offset = glide.speed * (-2.0 / bounds.pace);
+            goal = before - glide.offset;
+            led = Led { goal: ends(goal), ..Led::default() };
         } else if is_head {
             begins = follow(&mut led, before, goal, &mut glide, &bounds);
+            carries = pair(led.speed);
         } else {
-            glide.offset = [before[0] - goal[0], before[1] - goal[1]];
+            glide.offset = before - goal;
         }
         if is_head && !self.has_eye {
             bounds.pace *= quickness(length(glide.offset));
         }
-        let carries = if is_head { led.speed } else { [0.0; 2] };
-        let mut next = glide.after(&bounds, begins, carries);
-        next.brake(&glide, before, &region.room, [begins, carries], &bounds);
+        let mut next = glide.after(&bounds, begins, carries).braked(
+            &glide,
+            before,
+            [region.lo, region.hi],
+            [begins, carries],
+            &bounds,
+        );
         if next.is_over(bounds.pace) {
             next = Glide::default();
+        } else {
+            motion.lag += length(next.offset);
+            motion.arrived &= square(next.offset) < THERE_RAD * THERE_RAD
+                && square(next.speed) < THERE_RAD * THERE_RAD * bounds.pace * bounds.pace;
         }
-        motion.lag += length(next.offset);
-        motion.arrived &= length(next.offset).at_least(length(next.speed) / bounds.pace) < THERE_RAD;
 
-        let total = [goal[0] + next.offset[0], goal[1] + next.offset[1]];
+        let total = goal + next.offset;
         // Where it is too late to brake, the room ends the movement.
-        let held = [0, 1].map(|axis| {
-            let [lo, hi] = region.room[axis].ends();
-            total[axis].at_least(lo.at_most(before[axis])).at_most(hi.at_least(before[axis]))
-        });
-        self.distribute(region, goals, [goal, held], from, joints, motion);
-        let now = sum(&joints[outer..=inner]);
-        for axis in [0, 1] {
-            // Range and rate come first.
-            if (now[axis] - total[axis]).abs() > SAME_RAD {
-                next.speed[axis] = (now[axis] - before[axis]) / dt - carries[axis];
-                next.acceleration[axis] = 0.0;
-            }
+        let held = total.max(region.lo.min(before)).min(region.hi.max(before));
+        let now = self.distribute(region, goals, [goal, before, held], from, joints, motion);
+        // Range and rate come first.
+        let is_free = (now - total).abs().cmple(Vec4::splat(SAME_RAD));
+        if is_free.bitmask() & 3 != 3 {
+            next.speed = Vec4::select(is_free, next.speed, (now - before) * per_dt - carries);
+            next.acceleration = Vec4::select(is_free, next.acceleration, Vec4::ZERO);
         }
-        for joint in &mut joints[outer..=inner] {
-            joint.velocity = [0.0; 2];
-            joint.set_destination(None);
-        }
-        joints[outer].velocity = next.speed;
-        joints[outer].set_destination(Some(next.acceleration));
+        joints[outer].velocity = ends(next.speed);
+        joints[outer].set_destination(Some(ends(next.acceleration)));
         if is_head {
             motion.led = Some(led);
         }
     }
 
-    /// Turns a region's joints so that their angles add up to `total`, where those of their goals add up to `goal`.
+    /// Turns a region's joints so that their angles add up to `total`, where those of their goals add up to `goal` and those that
+    /// they have to `before`. Returns what they do add up to.
     ///
     /// An inner joint makes its share of the sum, and by and by takes on what its goal is off that; the outermost makes the
     /// rest.
+    #[inline(always)]
     fn distribute(
         &self,
         region: &Region,
         goals: &[Pair],
-        [goal, total]: [Pair; 2],
+        [goal, before, total]: [Pair; 3],
         from: &[Joint],
         joints: &mut [Joint],
         motion: &Motion<'_>,
-    ) {
-        let before = sum(&from[region.outer..=region.inner]);
-        let taken = 1.0 - 1.0 / (1.0 + motion.dt * region.pace);
+    ) -> Pair {
+        let outer = region.outer;
         let mut rest = total;
-        for index in (region.outer..=region.inner).rev() {
-            let wanted = if index == region.outer {
-                rest
-            } else {
-                let (share, angles) = (region.share(&self.rig.joints[index]), from[index].angles());
-                [0, 1].map(|axis| {
-                    let off = angles[axis] - share[axis] * before[axis];
-                    let end = if motion.stays { off } else { goals[index][axis] - share[axis] * goal[axis] };
-                    share[axis] * total[axis] + off + taken * (end - off)
-                })
-            };
-            joints[index] = motion.reaches[index].hold(&from[index].turned_to(wanted[0], wanted[1]));
-            rest = [rest[0] - joints[index].heading, rest[1] - joints[index].pitch];
+        if outer < region.inner {
+            let taken = 1.0 - 1.0 / (1.0 + motion.dt * region.pace);
+            for index in (outer + 1..=region.inner).rev() {
+                let share = region.share(&self.rig.joints[index]);
+                let off = angles(&from[index]) - share * before;
+                let end = if motion.stays { off } else { goals[index] - share * goal };
+                let held = motion.reaches[index].hold(share * total + off + (end - off) * taken);
+                joints[index] = with_angles(held);
+                rest -= held;
+            }
         }
+        let held = motion.reaches[outer].hold(rest);
+        joints[outer] = with_angles(held);
+        rest -= held;
         // What the outermost has no room for, the others make.
-        for (index, joint) in joints.iter_mut().enumerate().take(region.inner + 1).skip(region.outer + 1) {
-            if length(rest) <= SAME_RAD {
+        for (joint, reach) in joints.iter_mut().zip(motion.reaches).take(region.inner + 1).skip(outer + 1) {
+            if square(rest) <= SAME_RAD * SAME_RAD {
                 break;
             }
-            let [heading, pitch] = joint.angles();
-            *joint = motion.reaches[index].hold(&joint.turned_to(heading + rest[0], pitch + rest[1]));
-            rest = [rest[0] - (joint.heading - heading), rest[1] - (joint.pitch - pitch)];
+            let now = angles(joint);
+            let held = reach.hold(now + rest);
+            *joint = with_angles(held);
+            rest -= held - now;
         }
+        total - rest
     }
 
     /// Turns the eye towards what it sees by a frame. It remembers where that was, and the speed at which it leaps.
+    #[inline(always)]
     fn leap(&self, held: Pair, joint: &Joint, motion: &Motion<'_>) -> Joint {
-        let (dt, reach) = (motion.dt, &motion.reaches[self.body.first]);
-        let before = joint.destination().unwrap_or(joint.angles());
-        let rate = reach.step / dt;
-        let change = [0, 1].map(|axis| held[axis] - before[axis]);
+        let first = self.body.first;
+        let now = angles(joint);
+        let before = joint.destination().map_or(now, pair);
+        let rate = self.rig.joints[first].rate.at_least(0.0).at_most(PI * motion.per_dt);
+        let change = held - before;
         // Half of its speed is for what the goal does smoothly; what it does faster is made up for by a leap.
-        let change = if length(change) <= 0.5 * reach.step { change } else { [0.0; 2] };
-        let offset = [0, 1].map(|axis| joint.angles()[axis] + change[axis] - held[axis]);
-        let (offset, speed) = saccade(offset, joint.velocity, dt, rate);
-        let mut next = reach.hold(&joint.turned_to(held[0] + offset[0], held[1] + offset[1]));
-        next.velocity = speed;
-        next.set_destination(Some(held));
+        let step = 0.5 * rate * motion.dt;
+        let change = if square(change) <= step * step { change } else { Vec4::ZERO };
+        let (offset, speed) = saccade(now + change - held, pair(joint.velocity), motion.dt, rate);
+        let mut next = with_angles(motion.reaches[first].hold(held + offset));
+        next.velocity = ends(speed);
+        next.set_destination(Some(ends(held)));
         next
     }
 
     /// Where the eye is held: towards what is out of its range straight, so that the gaze goes straight while the head comes and
     /// keeps its elevation where the head does not get there; towards what is far aside level, as straight would lead over the
     /// other way round.
-    fn held_straight(&self, seen: &Seen, joint: &Joint, carried: &Carried, point: Vec3A) -> Pair {
+    #[inline(always)]
+    fn held_straight(&self, seen: &Seen, joint: &Joint, posture: &Posture<'_>) -> Pair {
+        if seen.is_within() { seen.held } else { self.held_aside(seen.wanted, joint, posture) }
+    }
+
+    #[inline(never)]
+    fn held_aside(&self, wanted: Pair, joint: &Joint, posture: &Posture<'_>) -> Pair {
         /// From the first of these headings on the eye keeps to the point's elevation, wholly from the second.
         const ASIDE_RAD: [f32; 2] = [50.0 * PI / 180.0, 100.0 * PI / 180.0];
-        if seen.is_within() {
-            return seen.held;
+        let range = &self.ranges[self.body.first];
+        // As far as the eye gets straight towards what is out of its range.
+        let part = [0, 1].into_iter().fold(1.0_f32, |part, axis| {
+            let (lo, hi, angle) = (range.lo[axis], range.hi[axis], wanted[axis]);
+            let held = angle.at_least(lo).at_most(hi);
+            if lo >= hi || held == angle { part } else { part.at_most((held / angle).at_least(0.0)) }
+        });
+        let mut held = wanted * part;
+        let aside = (wanted.x.abs() - ASIDE_RAD[0]) / (ASIDE_RAD[1] - ASIDE_RAD[0]);
+        if aside > 0.0 {
+            held.y += aside.at_most(1.0) * (self.level_pitch(held.x, posture) - held.y);
         }
-        let [heading, pitch] = self.straight(seen.wanted);
-        let aside = (seen.wanted[0].abs() - ASIDE_RAD[0]) / (ASIDE_RAD[1] - ASIDE_RAD[0]);
-        let aside = aside.at_least(0.0).at_most(1.0);
-        let level = if aside > 0.0 { self.level_pitch(carried, heading, point - carried.at) } else { pitch };
-        self.held(self.body.first, joint, [heading, pitch + aside * (level - pitch)])
+        range.hold_from(angles(joint), held)
     }
 
-    /// The pitch at which the eye, at this heading, looks as high as `to_point` goes: of a·cos p + b·sin p = sin ε, a and b being
+    /// The pitch at which the eye, at this heading, looks as high as its point is: of a·cos p + b·sin p = sin ε, a and b being
     /// how high its forward and its up go.
-    fn level_pitch(&self, carried: &Carried, heading: f32, to_point: Vec3A) -> f32 {
-        let up = self.bearings.up();
+    fn level_pitch(&self, heading: f32, posture: &Posture<'_>) -> f32 {
+        let body = self.body;
+        let up = (body.first + 1..body.count).rev().fold(self.bearings.up(), |up, index| {
+            body.take_back(index, &Turn::new(angles(&posture.joints[index])), up)
+        });
+        let up = body.rows[body.first] * up;
+        let local = self.local(posture.point);
         let (sin, cos) = trig::sin_cos(heading);
-        let Mat3A { x_axis: forward, y_axis: left, z_axis: own_up } = carried.frame;
-        let (a, b) = ((forward * cos + left * sin).dot(up), own_up.dot(up));
-        let sin_elevation = to_point.dot(up) / to_point.length().at_least(f32::MIN_POSITIVE);
+        let (a, b) = (up.x * cos + up.y * sin, up.z);
+        let sin_elevation = local.dot(up) / local.length().at_least(f32::MIN_POSITIVE);
         let sin = (sin_elevation / math::sqrt(a * a + b * b).at_least(1e-3)).at_least(-1.0).at_most(1.0);
         trig::atan2(sin, math::sqrt(1.0 - sin * sin)) - trig::atan2(a, b)
-    }
-
-    /// As far as the eye gets straight towards what is out of its range.
-    fn straight(&self, wanted: Pair) -> Pair {
-        let part = [0, 1].into_iter().fold(1.0_f32, |part, axis| {
-            let range = self.eye[axis];
-            if range.is_point() || range.contains(wanted[axis]) {
-                part
-            } else {
-                part.at_most((range.hold(wanted[axis]) / wanted[axis]).at_least(0.0))
-            }
-        });
-        wanted.map(|angle| part * angle)
     }
 
     /// Keeps the eye where it is.
@@ -698,12 +736,20 @@ fn quickness(offset: f32) -> f32 {
     math::sqrt(SMALL_RAD / offset.at_least(SMALL_RAD / 9.0)).at_least(1.0)
 }
 
-/// The sums of headings and of pitches.
-fn add(angles: &[Pair]) -> Pair {
-    angles.iter().fold([0.0; 2], |[heading, pitch], own| [heading + own[0], pitch + own[1]])
+/// A joint at other angles.
+#[inline(always)]
+fn at(joint: &Joint, angles: Pair) -> Joint {
+    joint.turned_to(angles.x, angles.y)
+}
+
+/// A joint at these angles that remembers nothing.
+#[inline(always)]
+fn with_angles(angles: Pair) -> Joint {
+    at(&Joint::REST, angles)
 }
 
 /// The sums of the joints' headings and pitches.
+#[inline(always)]
 fn sum(joints: &[Joint]) -> Pair {
-    joints.iter().fold([0.0; 2], |[heading, pitch], joint| [heading + joint.heading, pitch + joint.pitch])
+    joints.iter().fold(Vec4::ZERO, |sum, joint| sum + angles(joint))
 }

@@ -2,10 +2,10 @@
 
 use core::f32::consts::{FRAC_PI_2, PI};
 
-use glam::{Mat3A, Vec3A};
+use glam::{Mat3A, Vec3A, Vec4};
 
-use super::body::{Carried, halves, turned};
-use super::glide::{Pair, length};
+use super::body::{Turn, angles};
+use super::glide::{Pair, length, pair, square};
 use super::{Gaze, SAME_RAD};
 use crate::kinematics::bearing::heading_and_pitch;
 use crate::kinematics::chain::{Chain, Ray};
@@ -29,25 +29,28 @@ pub(super) struct Seen {
 }
 
 impl Seen {
-    pub(super) const NOTHING: Self = Self { wanted: [0.0; 2], held: [0.0; 2] };
+    pub(super) const NOTHING: Self = Self { wanted: Vec4::ZERO, held: Vec4::ZERO };
 
     /// What the range does not hold.
+    #[inline(always)]
     pub(super) fn left(&self) -> Pair {
-        [math::wrap_pi(self.wanted[0] - self.held[0]), self.wanted[1] - self.held[1]]
+        let left = self.wanted - self.held;
+        if left.x.abs() > PI { Vec4::new(math::wrap_pi(left.x), left.y, 0.0, 0.0) } else { left }
     }
 
+    #[inline(always)]
     pub(super) fn is_nothing(left: Pair) -> bool {
-        length(left) < SAME_RAD
+        square(left) < SAME_RAD * SAME_RAD
     }
 
+    #[inline(always)]
     pub(super) fn is_within(&self) -> bool {
         Self::is_nothing(self.left())
     }
 
     /// How far the point is off the middle of the range.
     pub(super) fn off(&self) -> f32 {
-        let [heading, pitch] = self.wanted;
-        let cos = trig::sin_cos(heading).1 * trig::sin_cos(pitch).1;
+        let cos = trig::sin_cos(self.wanted.x).1 * trig::sin_cos(self.wanted.y).1;
         trig::atan2(math::sqrt(1.0 - cos * cos), cos)
     }
 }
@@ -55,33 +58,40 @@ impl Seen {
 impl<const C: usize> Gaze<'_, C> {
     /// How the leading joint sees a point with the joints like this.
     pub(super) fn see(&self, joints: &[Joint], point: Vec3A) -> Option<Seen> {
-        let first = self.body.first;
-        let outward = |carried: Carried, index: usize| carried.outward(self.body, index, halves(&joints[index]));
-        let carried = (first + 1..self.body.count).rev().fold(Carried::root(self.body), outward);
-        self.seen(&carried, joints, point)
+        let body = self.body;
+        let outward = |point, index: usize| body.take_back_point(index, &Turn::new(angles(&joints[index])), point);
+        let taken_back = (body.first + 1..body.count).rev().fold(point, outward);
+        self.seen(joints, point, taken_back)
     }
 
-    /// The same where it is known what the joints inside do.
+    /// The same of a point from which the turns of the joints inside are taken back already.
     #[inline(always)]
-    pub(super) fn seen(&self, carried: &Carried, joints: &[Joint], point: Vec3A) -> Option<Seen> {
+    pub(super) fn seen(&self, joints: &[Joint], point: Vec3A, taken_back: Vec3A) -> Option<Seen> {
         let first = self.body.first;
-        let wanted = self.sight(carried, joints, point)?;
-        Some(Seen { wanted, held: self.held(first, &joints[first], wanted) })
+        let wanted = self.sight(joints, point, taken_back)?;
+        Some(Seen { wanted, held: self.ranges[first].hold_from(angles(&joints[first]), wanted) })
     }
 
-    /// The heading and the pitch by which the leading joint looks at a point, carried like this. `None` where the point is on
-    /// the effector.
+    /// The heading and the pitch by which the leading joint looks at a point, the turns of the joints inside taken back from it.
+    /// `None` where the point is on the effector.
     #[inline(always)]
-    pub(super) fn sight(&self, carried: &Carried, joints: &[Joint], point: Vec3A) -> Option<Pair> {
+    pub(super) fn sight(&self, joints: &[Joint], point: Vec3A, taken_back: Vec3A) -> Option<Pair> {
         if let Some(chain) = self.chain {
-            return self.sight_by_search(chain, carried, joints, point);
+            return self.sight_by_search(chain, joints, point);
         }
-        let local = carried.frame.transpose() * (point - carried.at);
+        let local = self.local(taken_back);
         if !self.body.is_plain {
             return self.sight_in_rounds(local, joints);
         }
         let square = local.dot(local);
         (square > 1e-30 && square < f32::INFINITY).then(|| heading_and_pitch(local))
+    }
+
+    /// A point from which turns are taken back, in the leading joint's frame.
+    #[inline(always)]
+    pub(super) fn local(&self, taken_back: Vec3A) -> Vec3A {
+        let (body, first) = (self.body, self.body.first);
+        body.rows[first] * (taken_back - body.places[first])
     }
 
     /// [`sight`](Self::sight) of an effector that is not at its joint: each round looks from where the last one left the
@@ -92,14 +102,14 @@ impl<const C: usize> Gaze<'_, C> {
         if effector.origin == Vec3A::ZERO {
             return Some(turn_to(effector.direction, math::unit(local)?));
         }
-        let mut held = joints[first].angles();
-        let mut wanted = held;
+        let from = angles(&joints[first]);
+        let (mut held, mut wanted) = (from, from);
         for _ in 0..SIGHT_ROUNDS {
-            let from = turned(&Mat3A::IDENTITY, trig::halves(held[1], held[0])) * effector.origin;
-            let next = turn_to(effector.direction, math::unit(local - from)?);
-            let change = [math::wrap_pi(next[0] - wanted[0]), next[1] - wanted[1]];
+            let origin = Turn::new(held).of_frame(&Mat3A::IDENTITY) * effector.origin;
+            let next = turn_to(effector.direction, math::unit(local - origin)?);
+            let change = Seen { wanted: next, held: wanted }.left();
             wanted = next;
-            held = self.held(first, &joints[first], wanted);
+            held = self.ranges[first].hold_from(from, wanted);
             if length(change) < 0.1 * SAME_RAD {
                 break;
             }
@@ -109,7 +119,7 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// [`sight`](Self::sight) in a pose that is not rigid, by the exact solver, the other joints held where they are.
     #[cold]
-    fn sight_by_search(&self, chain: &Chain<C>, carried: &Carried, joints: &[Joint], point: Vec3A) -> Option<Pair> {
+    fn sight_by_search(&self, chain: &Chain<C>, joints: &[Joint], point: Vec3A) -> Option<Pair> {
         let (body, first) = (self.body, self.body.first);
         let mut found = self.rig.array(Joint::REST);
         found.copy_from_slice(joints);
@@ -125,12 +135,21 @@ impl<const C: usize> Gaze<'_, C> {
         let goal = Goal { aimed: point, ..*self.goal };
         Solver::new(self.rig, chain, &goal).settle(&mut found, &reaches, Search::Thorough)?;
         // The angles that look where the rigid links would have to look; of an angle that the joint lacks, what is left.
-        let frame = carried.frame;
-        let turned = turned(&frame, halves(&found[first]));
-        let rigid =
-            Ray { origin: carried.at + turned * body.effector.origin, direction: turned * body.effector.direction };
+        let (at, frame) = self.carried(joints);
+        let turned = Turn::new(angles(&found[first])).of_frame(&frame);
+        let rigid = Ray { origin: at + turned * body.effector.origin, direction: turned * body.effector.direction };
         let seen = chain.seen_target(point, chain.gaze_of(self.rig, &found), rigid);
         Some(turn_to(body.effector.direction, math::unit(frame.transpose() * (seen - rigid.origin))?))
+    }
+
+    /// Where the joints inside bring the leading joint, and its frame.
+    fn carried(&self, joints: &[Joint]) -> (Vec3A, Mat3A) {
+        let body = self.body;
+        let root = (Vec3A::ZERO, body.frames[body.count - 1]);
+        (body.first + 1..body.count).rev().fold(root, |(at, frame), index| {
+            let turn = Turn::new(angles(&joints[index])).of_frame(&frame) * body.rows[index];
+            (at + turn * (body.places[index - 1] - body.places[index]), turn * body.frames[index - 1])
+        })
     }
 }
 
@@ -143,15 +162,15 @@ pub(super) fn turn_to(from: Vec3A, to: Vec3A) -> Pair {
     let level = math::sqrt(ahead * ahead + up * up - to_up * to_up);
     // Differences of angles, each by one arctangent.
     let turn = |level: f32| {
-        trig::atan2_of_both(
-            [to_left * level - to_ahead * left, to_up * ahead - level * up],
-            [to_ahead * level + to_left * left, level * ahead + to_up * up],
+        trig::atan2_of_4(
+            pair([to_left * level - to_ahead * left, to_up * ahead - level * up]),
+            pair([to_ahead * level + to_left * left, level * ahead + to_up * up]),
         )
     };
     let angles = turn(if ahead < -ACROSS { -level } else { level });
     if ahead.abs() <= ACROSS {
         let other = turn(-level);
-        if other[0].abs() < angles[0].abs() {
+        if other.x.abs() < angles.x.abs() {
             return other;
         }
     }

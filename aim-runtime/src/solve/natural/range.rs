@@ -1,0 +1,98 @@
+//! [`Range`]: a joint's range of motion, both angles at once.
+
+use glam::Vec4;
+
+use super::glide::Pair;
+use crate::limits::{Interval, RangeOfMotion};
+use crate::math;
+
+/// A joint's range of motion: intervals of heading and pitch, and where it is more than those, what it is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Range<'a> {
+    pub(super) lo: Pair,
+    pub(super) hi: Pair,
+    /// The range where the pitch's part of it narrows with the heading, or the heading is free.
+    more: Option<&'a RangeOfMotion>,
+    /// Where a rate lets the pitch be; `None` without one.
+    pitch: Option<[f32; 2]>,
+}
+
+impl<'a> Range<'a> {
+    pub(super) const REST: Self = Self { lo: Vec4::ZERO, hi: Vec4::ZERO, more: None, pitch: None };
+
+    #[inline(always)]
+    pub(super) fn new(motion: &'a RangeOfMotion) -> Self {
+        let ([right, left], [down, up]) = (motion.heading.ends(), motion.pitch.ends());
+        Self {
+            lo: Vec4::new(right, down, 0.0, 0.0),
+            hi: Vec4::new(left, up, 0.0, 0.0),
+            more: (motion.taper.is_some() || motion.heading.is_free()).then_some(motion),
+            ..Self::REST
+        }
+    }
+
+    /// What is left of it within a step of either angle; where that is nothing, the step's end nearest to it.
+    #[inline(always)]
+    pub(super) fn within(&self, angles: Pair, step: f32) -> Self {
+        let step = Vec4::splat(step);
+        let (least, most) = (angles - step, angles + step);
+        Self {
+            lo: self.lo.max(least).min(most),
+            hi: self.hi.min(most).max(least),
+            more: self.more,
+            pitch: Some([least.y, most.y]),
+        }
+    }
+
+    /// The nearest angles in the range, heading first.
+    #[inline(always)]
+    pub(super) fn hold(&self, angles: Pair) -> Pair {
+        let held = angles.max(self.lo).min(self.hi);
+        match self.more {
+            None => held,
+            Some(motion) => self.hold_narrowed(motion, held.x, angles.y),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn hold_narrowed(&self, motion: &RangeOfMotion, heading: f32, pitch: f32) -> Pair {
+        let range = match (motion.taper, self.pitch) {
+            (Some(_), Some([least, most])) => motion.pitch_at(heading).within(Interval::from_ends(least, most)),
+            (Some(_), None) => motion.pitch_at(heading),
+            (None, _) => Interval::from_ends(self.lo.y, self.hi.y),
+        };
+        Vec4::new(heading, range.hold(pitch), 0.0, 0.0)
+    }
+
+    /// The same for a joint that is `from` there: a free heading turns the shorter way round.
+    #[inline(always)]
+    pub(super) fn hold_from(&self, from: Pair, angles: Pair) -> Pair {
+        match self.more {
+            None => angles.max(self.lo).min(self.hi),
+            Some(motion) => self.hold_shorter(motion, from, angles),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn hold_shorter(&self, motion: &RangeOfMotion, from: Pair, angles: Pair) -> Pair {
+        let heading = if motion.heading.is_free() {
+            from.x + math::wrap_pi(angles.x - from.x)
+        } else {
+            motion.heading.hold(angles.x)
+        };
+        Vec4::new(heading, motion.pitch_at(heading).hold(angles.y), 0.0, 0.0)
+    }
+
+    /// Whether one of the angles has nowhere to go.
+    pub(super) fn has_point(&self) -> bool {
+        self.lo.cmpge(self.hi).bitmask() & 3 != 0
+    }
+
+    /// The nearest angles to rest within a step from these.
+    pub(super) fn towards_rest(&self, angles: Pair, step: f32) -> Pair {
+        let step = Vec4::splat(step);
+        self.hold(angles - angles.max(-step).min(step))
+    }
+}
