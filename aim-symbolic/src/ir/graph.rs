@@ -9,6 +9,7 @@ use crate::ir::node::{
     VectorNode,
 };
 use crate::ir::op::{Constant, Function, Op};
+use crate::ir::smooth::Stumpff;
 use crate::ir::table::Table;
 
 #[derive(Clone, Debug)]
@@ -339,6 +340,16 @@ impl Graph {
     /// a to the power of b
     pub fn pow(&mut self, a: Scalar, b: Scalar) -> Scalar {
         self.intern_scalar(ScalarNode::Op(Op::Pow(a, b)))
+    }
+
+    /// A Stumpff function of `s`, a square.
+    pub fn stumpff(&mut self, function: Stumpff, s: Scalar) -> Scalar {
+        self.intern_scalar(ScalarNode::Stumpff(function, s))
+    }
+
+    /// atan2(√s, w)/√s, which is 1/w at s = 0 for positive w.
+    pub fn arc(&mut self, s: Scalar, w: Scalar) -> Scalar {
+        self.intern_scalar(ScalarNode::Arc(0, s, w))
     }
 
     /// v · w

@@ -8,8 +8,6 @@
 //! s aⱼ₊₁ = w tⱼ − (2j + 1) aⱼ and ∂aⱼ/∂w = −tⱼ; near s = 0 they are aⱼ = w tⱼ/(2j + 1) F(1, j + 1; j + 3/2; s/q) with the
 //! hypergeometric function, if w > 0.
 
-use crate::{Graph, Scalar, ScalarNode};
-
 /// A Stumpff function cₖ(s), or cₖ(−s), which is of hyperbolic functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Stumpff {
@@ -77,16 +75,4 @@ pub(crate) fn arc_value(order: u8, s: f64, w: f64) -> f64 {
     }
     let lowest = s.sqrt().atan2(w) / s.sqrt();
     (0..order).fold(lowest, |a, j| (w * arc_factor(j) / q.powi(i32::from(j) + 1) - (2.0 * f64::from(j) + 1.0) * a) / s)
-}
-
-impl Graph {
-    /// A Stumpff function of `s`, a square.
-    pub fn stumpff(&mut self, function: Stumpff, s: Scalar) -> Scalar {
-        self.intern_scalar(ScalarNode::Stumpff(function, s))
-    }
-
-    /// atan2(√s, w)/√s, which is 1/w at s = 0 for positive w.
-    pub fn arc(&mut self, s: Scalar, w: Scalar) -> Scalar {
-        self.intern_scalar(ScalarNode::Arc(0, s, w))
-    }
 }

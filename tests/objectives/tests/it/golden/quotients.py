@@ -26,7 +26,7 @@ FUNCTIONS = {
     "arc_cosine": lambda x: acos(1 - x) / sqrt(1 - (1 - x) ** 2),
 }
 
-PLACES = [mpf(0)] + [mpf(10) ** -k for k in range(12, 0, -1)] + [mpf("0.3"), mpf("0.9"), mpf("1.1"), mpf(2), mpf("3.1"), mpf(7)]
+PLACES = [mpf(0)] + [mpf(10) ** -k for k in range(12, 0, -1)] + [mpf("0.3"), mpf("0.37"), mpf("0.9"), mpf("1.1"), mpf(2), mpf("3.1"), mpf(7)]
 
 
 def derivatives(function, x):
