@@ -116,6 +116,13 @@ pub struct Corrections<'a> {
     pub other_eye: Option<Quat>,
 }
 
+#[cfg(feature = "std")]
+impl<'a, R: Rig> From<&'a aim_runtime::DynAim<R>> for Corrections<'a> {
+    fn from(character: &'a aim_runtime::DynAim<R>) -> Self {
+        Self { joints: character.corrections(), other_eye: character.other_eye_correction() }
+    }
+}
+
 impl AimFrame {
     /// The pose for rigs known at run time: `DynAim`, or [`dyn Rig`](Rig) by slices.
     #[must_use]

@@ -105,6 +105,28 @@ fn both_eyes_reach_the_target() {
     }
 }
 
+/// A joint that its own scale mirrors is turned behind the mirror.
+#[test]
+fn joints_that_are_mirrored_themselves() {
+    for mirror in [Vec3::new(-1.0, 1.0, 1.0), Vec3::new(1.0, -1.0, 1.0), Vec3::new(1.0, 1.0, -1.0), Vec3::NEG_ONE] {
+        let mut character = Character::new(Transform::IDENTITY, 0.3);
+        let spine = character.bone("spine");
+        character.local[spine].scale = mirror;
+        // Whatever that mirrors, the target is where the eye can turn to.
+        character.skeleton.to_model(&character.local, &mut character.model).unwrap();
+        let chain = AimChain::named(&character.skeleton, Hero::RIG).unwrap();
+        let target = character.model[spine].transform_point3(Vec3::new(0.8, 2.0, 0.7));
+        let (mut frame, mut aim) = (chain.frame(), DynAim::new(Hero::RIG));
+        chain.gather(&mut frame, &mut character.local, &mut character.model).unwrap();
+        let outcome = aim.snap(&frame.pose(), target, &Settings::default());
+        chain.apply(&frame, Corrections::from(&aim), &mut character.local, &mut character.model).unwrap();
+        assert_eq!(outcome.status, Status::Reached, "{mirror}");
+        assert!(aim.corrections().iter().all(|correction| correction.w < 0.99999), "{mirror}: every joint turns");
+        let error = character.error(&Affine3A::IDENTITY, "left_eye", target);
+        assert!(error < 2e-3, "{mirror}: {error}");
+    }
+}
+
 fn aimed(character: &mut Character, chain: &AimChain) -> AimFrame {
     let (mut frame, mut aim) = (chain.frame(), DynAim::new(Hero::RIG));
     let target = target_for(character, &frame.place);
@@ -203,7 +225,7 @@ fn eyes_are_parallel_when_gathered() {
 fn what_is_gathered() {
     let mut character = Character::new(Transform::IDENTITY, 0.3);
     character.local[1].rotation = Quat::from_rotation_y(0.8) * character.local[1].rotation;
-    character.local[3].scale = Vec3::new(1.0, 2.0, -3.0);
+    character.local[3].scale = Vec3::new(1.5, 2.0, -3.0);
     character.skeleton.to_model(&character.local, &mut character.model).unwrap();
     let chain = AimChain::new(&character.skeleton, [5, 3, 2]).unwrap().with_up(Vec3::Y);
     let mut frame = chain.frame();
@@ -218,7 +240,7 @@ fn what_is_gathered() {
         assert!(found.abs_diff_eq(truth, 1e-5), "{found} {truth}");
     };
     // The neck's own scale is gone, its mirror is not.
-    let unscaled = DMat3::from_diagonal(DVec3::new(1.0, 0.5, 1.0 / 3.0));
+    let unscaled = DMat3::from_diagonal(DVec3::new(1.0 / 1.5, 0.5, 1.0 / 3.0));
     close(&pose.joints[1], place * now[3] * DAffine3::from_mat3(unscaled));
     close(&pose.joints[2], place * now[2]);
     // The hips carry the rest pose.

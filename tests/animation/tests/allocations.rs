@@ -1,0 +1,120 @@
+//! What runs every frame allocates nothing: sampling, playing, blending, root motion, gather, aim and apply. One test alone, so that
+//! no other thread allocates beside it.
+
+use std::alloc::System;
+use std::hint::black_box;
+
+use aim::animation::{
+    AimChain, BlendLine, BlendPlane, Blender, Clip, Control, Corrections, Looping, Marks, Mask, Method, Motion, Node,
+    Parameter, Phase, Root, RootPath, Skeleton, Transform, Tree,
+};
+use aim::glam::{Affine3A, Vec2, Vec3};
+use aim::{Aim, AimRig, DynAim, Settings};
+use aim_animation_tests::{Hero, gait, skeleton};
+use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
+
+#[global_allocator]
+static COUNTED: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
+
+/// Fails if something allocates, grows or frees memory.
+fn allocates_nothing<T>(what: &str, mut run: impl FnMut() -> T) {
+    let region = Region::new(COUNTED);
+    for _ in 0..3 {
+        black_box(run());
+    }
+    let change = region.change();
+    let count = change.allocations + change.reallocations + change.deallocations;
+    assert_eq!(count, 0, "{what}: {change:?}");
+}
+
+fn tree(skeleton: &Skeleton) -> Tree {
+    let line = BlendLine::new([0.0, 1.0]).unwrap();
+    let gaits = Node::line(line, Parameter::Input(0), [Node::source(0), Node::source(1)]);
+    let plane = BlendPlane::new([Vec2::ZERO, Vec2::X, Vec2::Y]).unwrap();
+    let ways = [Parameter::Input(0), Parameter::Input(1)];
+    let ways = Node::plane(plane, ways, [Node::source(0), Node::source(1), Node::source(0)]);
+    let root = Node::sum([(gaits, 0.5), (ways, 0.5)])
+        .blend(Node::source(1), 0.5)
+        .with_mask(Mask::subtree(skeleton, 7))
+        .add(Node::source(0), 0.2);
+    Tree::new(skeleton, root).unwrap()
+}
+
+#[test]
+fn frames_allocate_nothing() {
+    let skeleton = skeleton(Transform::IDENTITY);
+    let clips = [gait(&skeleton, "walk", 1.0, 1.4), gait(&skeleton, "run", 0.7, 4.0)]
+        .map(|clip| clip.with_event(0.1, "step").unwrap());
+    let mut cursors = clips.each_ref().map(Clip::cursor);
+    let mut poses = [(); 4].map(|()| skeleton.rest().to_vec());
+    let mut model = vec![Affine3A::IDENTITY; skeleton.len()];
+
+    // That the count would notice.
+    let region = Region::new(COUNTED);
+    black_box(skeleton.rest().to_vec());
+    assert_eq!(region.change().allocations, 1, "the allocator is counted");
+
+    let mut control = Control::new().with_looping(Looping::PingPong).with_speed(-3.0);
+    allocates_nothing("playing", || {
+        let step = control.advance(0.9, 1.0);
+        let told = clips[0].events_passed(&step).count();
+        clips[0].sample(step.to_s(), &mut cursors[0], &mut poses[0]);
+        clips[1].sample(0.3, &mut cursors[1], &mut poses[1]);
+        told
+    });
+
+    let marks = [Marks::new(1.0, [0.0, 0.5]).unwrap(), Marks::new(0.7, [0.0, 0.3]).unwrap()];
+    let mut phase = Phase::new();
+    let advanced = |phase: &mut Phase| {
+        phase.advance(0.1, &[(&marks[0], 0.3), (&marks[1], 0.7)]);
+        marks.each_ref().map(|marks| phase.step(marks))
+    };
+    allocates_nothing("playing in step", || advanced(&mut phase));
+
+    let mask = Mask::subtree(&skeleton, 3);
+    for method in [Method::Nlerp, Method::Slerp, Method::Log] {
+        let blender = Blender::new(&skeleton).with_method(method).with_mask(&mask);
+        let [a, b, c, d] = &mut poses;
+        allocates_nothing("blending", || {
+            blender.blend(c, b, 0.3).unwrap();
+            blender.difference(a, b, d).unwrap();
+            blender.add(c, d, 0.5).unwrap();
+            blender.sum(&[(a, 0.1), (b, 0.7)], c).unwrap();
+        });
+    }
+
+    let tree = tree(&skeleton);
+    let (mut scratch, mut shares) = (tree.scratch(), [0.0; 2]);
+    allocates_nothing("a tree of blends", || {
+        tree.shares(0, &[0.4, 0.2], &mut scratch, &mut shares).unwrap();
+        tree.evaluate(&[0.4, 0.2], &mut scratch, &mut poses[2], |source, pose| {
+            clips[source].sample(0.3, &mut cursors[source], pose);
+        })
+        .unwrap();
+    });
+
+    for root in [Root::Bone(1), Root::Shadow { bone: 1, up: Vec3::Y }] {
+        let path = RootPath::new(&clips[0], &skeleton, root, 30.0).unwrap();
+        for motion in [Motion::linear(&path), Motion::composite(&path), Motion::variable(&path)] {
+            allocates_nothing("root motion", || {
+                let steps = advanced(&mut phase);
+                motion.remove(0.3, &skeleton, &mut poses[2]).unwrap();
+                Motion::blend(steps.map(|step| (motion.delta(&step), 0.5)))
+            });
+        }
+    }
+
+    let right = skeleton.find("right_eye").unwrap();
+    let chain = AimChain::named(&skeleton, Hero::RIG).unwrap().with_other_eye(right).unwrap().with_up(Vec3::Y);
+    let (mut frame, mut dynamic, mut derived) = (chain.frame(), DynAim::new(Hero::RIG), Aim::<Hero>::new());
+    allocates_nothing("gather, aim and apply", || {
+        let local = &mut poses[2];
+        local.copy_from_slice(skeleton.rest());
+        skeleton.to_model(local, &mut model).unwrap();
+        chain.gather(&mut frame, local, &mut model).unwrap();
+        dynamic.aim(&frame.pose(), Vec3::new(1.0, 2.0, 3.0), 0.02, &Settings::default());
+        let aimed = derived.aim(&frame.pose_of().unwrap(), Vec3::new(1.0, 2.0, 3.0), 0.02, &Settings::default());
+        chain.apply(&frame, Corrections::from(&dynamic), local, &mut model).unwrap();
+        aimed.outcome
+    });
+}
