@@ -54,6 +54,7 @@ fn name(criterion: Criterion) -> &'static str {
         Criterion::HeadToChestHeading => "head from chest",
         Criterion::HeadRoll => "head roll",
         Criterion::ElevationError => "gaze above or below the target",
+        Criterion::HeadingError => "gaze beside the target",
         Criterion::LimbShift => "hands and clavicles moved, of the height",
         Criterion::HeadSpeed => "head speed",
         Criterion::HeadAcceleration => "head acceleration",

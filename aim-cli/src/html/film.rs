@@ -49,6 +49,7 @@ fn events(subject: &BakePage<'_>, all: usize) -> Vec<Moment> {
     let worst = [
         (Criterion::HeadToChestHeading, "head furthest from the chest"),
         (Criterion::ElevationError, "gaze furthest above or below"),
+        (Criterion::HeadingError, "gaze furthest beside"),
         (Criterion::HeadRoll, "head rolled most"),
         (Criterion::HeadSpeed, "head fastest"),
     ];

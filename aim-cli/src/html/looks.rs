@@ -12,6 +12,7 @@ pub(super) fn charts(base: &Base<'_>, measured: &Plausibility) -> Markup {
     html! {
         (chart(base, measured, Criterion::HeadToChestHeading, |seen| seen.head_to_chest_heading_deg))
         (chart(base, measured, Criterion::ElevationError, |seen| seen.elevation_off_deg))
+        (chart(base, measured, Criterion::HeadingError, |seen| seen.heading_off_deg))
         (chart(base, measured, Criterion::HeadAcceleration, |seen| seen.head_acceleration_deg_s2))
     }
 }
@@ -39,6 +40,11 @@ fn chart(
             "Elevation of the gaze less the target's over time; it counts once the gaze had the time to come, and within reach.",
             "degrees, positive upwards",
         ),
+        Criterion::HeadingError => (
+            "Gaze beside the target",
+            "Heading of the gaze less the target's over time; it counts once the gaze had the time to turn, and within reach.",
+            "degrees, positive to the left",
+        ),
         _ => (
             "Head acceleration",
             "Acceleration of the head's correction against the chest's over time.",
@@ -57,9 +63,14 @@ fn chart(
         chart.marks.extend(ends.iter().map(|sign| Mark { value: must * sign, class: "plain", label: label.clone() }));
     }
     let mut counted = values.clone();
-    if criterion == Criterion::ElevationError {
+    let counts: Option<fn(&Appearance) -> bool> = match criterion {
+        Criterion::ElevationError => Some(|seen| seen.elevation_counts),
+        Criterion::HeadingError => Some(|seen| seen.heading_counts),
+        _ => None,
+    };
+    if let Some(counts) = counts {
         chart.series.push(Series { name: "on the way or out of reach", class: "pitch", values });
-        for (value, _) in counted.iter_mut().zip(&measured.frames).filter(|(_, seen)| !seen.elevation_counts) {
+        for (value, _) in counted.iter_mut().zip(&measured.frames).filter(|(_, seen)| !counts(seen)) {
             *value = f64::NAN;
         }
     }

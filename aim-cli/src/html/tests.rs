@@ -140,21 +140,21 @@ fn the_mannequins_page_is_whole() {
         "eight drawings of the skin, from before and from the side"
     );
     assert!(
-        (3..=5).contains(&events) && text.contains("head fastest") && text.contains("first out of reach"),
+        (3..=6).contains(&events) && text.contains("head fastest") && text.contains("first out of reach"),
         "{events}"
     );
-    let charts = 7 + 2 * case.spec.joints.len();
+    let charts = 8 + 2 * case.spec.joints.len();
     assert_eq!(
         count(&html, ".chart"),
         charts + 1,
-        "error, two directions and a close-up, roll, three of looks, two for each joint"
+        "error, two directions and a close-up, roll, four of looks, two for each joint"
     );
     assert!(text.contains("eye in head") && text.contains("close up"), "how eye and head share the gaze");
-    for title in ["Head from chest", "Gaze above or below the target", "Head acceleration"] {
+    for title in ["Head from chest", "Gaze above or below the target", "Gaze beside the target", "Head acceleration"] {
         // In the table and over a chart.
         assert_eq!(text.matches(&format!(">{title}<")).count(), 2, "{title}");
     }
-    assert_eq!(count(&html, ".looks tr"), 7);
+    assert_eq!(count(&html, ".looks tr"), 8);
     assert_eq!(count(&html, ".rig tbody tr"), case.spec.joints.len());
     for joint in &case.spec.joints {
         assert!(text.contains(&format!("{}: angles and ranges", joint.name)), "{}", joint.name);

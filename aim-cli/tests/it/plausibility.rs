@@ -218,3 +218,81 @@ fn what_is_outside_the_effector_lifts_no_gaze() {
     };
     assert_eq!([counts(0), counts(1)], [true, false]);
 }
+
+/// The statue without eyes: its head looks.
+fn eyeless_statue(change: impl FnOnce(&mut serde_json::Value)) -> Character {
+    Character::new(&changed(|json| {
+        drop(json.as_object_mut().expect("an object").remove("animations"));
+        for node in json["nodes"].as_array_mut().expect("nodes") {
+            if node["name"].as_str().is_some_and(|name| name.ends_with("_eye")) {
+                node["name"] = serde_json::json!("cheek");
+            }
+        }
+        change(json);
+    }))
+}
+
+#[test]
+fn a_gaze_beside_its_target_counts_once_it_had_the_time() {
+    let character = statue();
+    let neck = character.node("neck");
+    let rest = character.document.skeleton().nodes()[neck].rest.rotation;
+    // A neck turned aside by hand, from a time on, whatever the target.
+    let beside = |from: f64, target_deg: &dyn Fn(f64) -> f64| {
+        let target = |t: f64| character.seen_at(50.0, target_deg(t), 0.0);
+        let turn = |clip: &mut Clip| {
+            let times = times(clip);
+            let keys = times.iter().map(|&t| {
+                let degrees = if f64::from(t) < from { 0.0 } else { 14.0_f32 };
+                rest * Quat::from_rotation_x(degrees.to_radians())
+            });
+            let keys: Vec<Quat> = keys.collect();
+            clip.set(Channel::rotation(neck, times, &keys));
+        };
+        character.measure(Order::of(4.0), target, turn).1
+    };
+    let worst = |measured: &Plausibility| measured.worst(Criterion::HeadingError).map(|worst| (worst.value, worst.t));
+    let (value, t) = worst(&beside(2.0, &|_| 0.0)).expect("it can be told");
+    assert!((value - 14.0).abs() < 0.2 && (t - 2.0).abs() < 0.02, "{value}° at {t} s");
+    // Before 0.7 s nothing counts, and for 1.5 s after a jump nothing does.
+    let (_, t) = worst(&beside(0.0, &|_| 0.0)).expect("it can be told");
+    assert!((t - 0.7).abs() < 0.02, "{t} s");
+    let late = beside(0.0, &|t| if t < 0.5 { 0.0 } else { 30.0 });
+    let first = late.frames.iter().find(|seen| seen.heading_counts).expect("it counts again").t;
+    assert!((first - 2.0).abs() < 0.12, "{first} s");
+    // A target that is followed counts all the time.
+    let followed = beside(9.0, &|t| 20.0 * t);
+    assert!(followed.frames.iter().filter(|seen| seen.t > 0.72).all(|seen| seen.heading_counts));
+    // What is out of reach of eyes, neck and head does not count; nor does what is nearly overhead.
+    assert_eq!(worst(&beside(0.0, &|_| 170.0)), None);
+    let overhead = character.measure(Order::of(2.0), |_| character.seen_at(5.0, 20.0, 75.0), |_| {}).1;
+    assert_eq!(worst(&overhead), None);
+}
+
+#[test]
+fn a_head_that_lags_behind_a_jerky_idle_shows() {
+    // The head is thrown to and fro by 12° at 2.5 Hz: three times the acceleration that a head has.
+    let still = eyeless_statue(|_| ());
+    let head = still.node("head");
+    let rest = still.document.skeleton().nodes()[head].rest.rotation;
+    let keys: Vec<f32> = (0_u16..=240).map(|k| f32::from(k) / 60.0).collect();
+    let jerk = |hertz: f32| {
+        let swing = |t: &f32| {
+            let degrees = 12.0 * (hertz * t * std::f32::consts::TAU).sin();
+            rest * Quat::from_rotation_x(degrees.to_radians())
+        };
+        let turns: Vec<Quat> = keys.iter().map(swing).collect();
+        let clip = Clip::new("idle", vec![Channel::rotation(head, keys.clone().into(), &turns)]);
+        let model = still.document.with_clips(&[clip]).expect("a clip");
+        let character = Character::new(&model);
+        let (baked, measured) = character.measure(Order::of(4.0), |_| character.seen_at(5.0, 25.0, 0.0), |_| {});
+        let worst = measured.worst(Criterion::HeadingError).expect("it can be told").value;
+        // Level, and as the bake's own kinematics has it.
+        let late = baked.frames.iter().filter(|frame| frame.t > 0.7);
+        let most = late.map(|frame| frame.error_deg).fold(0.0, f64::max);
+        assert!((worst - most).abs() < 0.5, "{worst}° beside, {most}° off");
+        worst
+    };
+    let (slow, quick) = (jerk(0.25), jerk(2.5));
+    assert!(slow < 1.0 && quick > 5.0, "{slow}° and {quick}°");
+}

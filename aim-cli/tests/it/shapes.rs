@@ -135,7 +135,7 @@ fn bake_report() {
     }
     has_keys(
         &report["plausibility"],
-        "head_to_chest_heading_deg head_roll_deg elevation_error_deg limb_shift head_speed_deg_s head_acceleration_deg_s2 \
+        "head_to_chest_heading_deg head_roll_deg elevation_error_deg heading_error_deg limb_shift head_speed_deg_s head_acceleration_deg_s2 \
          reversals",
     );
     let found = &report["plausibility"];

@@ -7,7 +7,9 @@
 mod landmarks;
 mod motion;
 
-use aim_runtime::{Behind, LimitsFrom, Rig, Role, Status};
+use std::collections::VecDeque;
+
+use aim_runtime::{Behind, JointInfo, LimitsFrom, Rig, Role, Status};
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::bake::{Baked, Plan};
@@ -31,6 +33,10 @@ pub enum Criterion {
     /// The gaze's elevation less the target's, degrees, where the target's is within what eyes, neck and head can do: from
     /// 0.7 s after the beginning and after every change of the target's elevation by more than 10°.
     ElevationError,
+    /// The gaze's heading less the target's, degrees, where the target's is within what eyes, neck and head can do from where
+    /// the chest is and from where the animation looks: from 0.7 s after the beginning, and from 1.5 s after the target or the
+    /// animation jumped aside or the target came within reach.
+    HeadingError,
     /// Distance by which hands and clavicles are moved beyond what the chest's own turn moves them, as a share of the
     /// character's height.
     LimbShift,
@@ -44,10 +50,11 @@ pub enum Criterion {
 }
 
 /// A bearable value of each criterion, and its name in reports: for people, and for all others.
-const MUSTS: [(Criterion, &str, Option<f64>, Option<f64>); 7] = [
+const MUSTS: [(Criterion, &str, Option<f64>, Option<f64>); 8] = [
     (Criterion::HeadToChestHeading, "head_to_chest_heading_deg", Some(80.0), Some(130.0)),
     (Criterion::HeadRoll, "head_roll_deg", Some(15.0), Some(25.0)),
     (Criterion::ElevationError, "elevation_error_deg", Some(15.0), Some(20.0)),
+    (Criterion::HeadingError, "heading_error_deg", Some(10.0), Some(15.0)),
     (Criterion::LimbShift, "limb_shift", Some(0.02), None),
     (Criterion::HeadSpeed, "head_speed_deg_s", Some(300.0), Some(420.0)),
     (Criterion::HeadAcceleration, "head_acceleration_deg_s2", Some(3000.0), None),
@@ -56,10 +63,11 @@ const MUSTS: [(Criterion, &str, Option<f64>, Option<f64>); 7] = [
 
 impl Criterion {
     /// All of them, in the order of reports.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::HeadToChestHeading,
         Self::HeadRoll,
         Self::ElevationError,
+        Self::HeadingError,
         Self::LimbShift,
         Self::HeadSpeed,
         Self::HeadAcceleration,
@@ -106,6 +114,10 @@ pub struct Appearance {
     pub elevation_off_deg: Option<f64>,
     /// True if the frame counts for [`Criterion::ElevationError`].
     pub elevation_counts: bool,
+    /// The gaze's heading less the target's, degrees, positive to the left; `None` where one of them is more than 60° off level.
+    pub heading_off_deg: Option<f64>,
+    /// True if the frame counts for [`Criterion::HeadingError`].
+    pub heading_counts: bool,
     /// See [`Criterion::LimbShift`].
     pub limb_shift: Option<f64>,
     /// Size of the head's velocity from the frame before, degrees a second; see [`Criterion::HeadSpeed`].
@@ -122,7 +134,7 @@ pub struct Plausibility {
     pub is_humanoid: bool,
     /// Each frame.
     pub frames: Vec<Appearance>,
-    worst: [Option<Worst>; 7],
+    worst: [Option<Worst>; 8],
 }
 
 /// Elevations beyond this have no heading to speak of, degrees.
@@ -130,6 +142,10 @@ const LEVEL_DEG: f64 = 60.0;
 /// Time that a gaze has to come up or down to a target, seconds, and the change of elevation that starts it, degrees.
 const ARRIVAL_S: f64 = 0.7;
 const CHANGE_DEG: f64 = 10.0;
+/// A change by that much within this time, seconds, is a jump aside and no movement to be followed; the time that a head and a chest
+/// have after one, which go from one side to the other.
+const JUMP_S: f64 = 0.1;
+const TURN_S: f64 = 1.5;
 
 impl Plausibility {
     /// Measures what was `baked` by `plan` with `rig`, as it is `written`.
@@ -142,7 +158,7 @@ impl Plausibility {
         let skeleton = plan.document.skeleton();
         let look = Look::new(rig, plan);
         let mut frames = Vec::with_capacity(baked.frames.len());
-        let mut arrival = Arrival::default();
+        let (mut arrival, mut turned) = (Arrival::default(), Turned::default());
         let budgets = *rig.description().budgets();
         let mut head = Turning::new(f64::from(budgets.head.acceleration).to_degrees(), plan.fps);
         let mut chest = Turning::new(f64::from(budgets.chest.acceleration).to_degrees(), plan.fps);
@@ -162,8 +178,14 @@ impl Plausibility {
                     || matches!(settings.behind, Behind::Clip | Behind::Plane | Behind::Off));
             seen.elevation_counts &=
                 arrival.has_settled(t, look.target_elevation_deg(frame.target, &animated, &aimed)) && is_meant;
+            let is_after_seam = seams.is_between(frame.t);
+            if is_after_seam {
+                turned.restart();
+            }
+            let of_target = look.target_heading_deg(frame.target, &animated, &aimed);
+            seen.heading_counts = turned.has_settled(t, of_target.filter(|_| seen.heading_counts)) && is_meant;
             if let Some([of_head, of_chest]) = look.turns(&animated, &aimed) {
-                if seams.is_between(frame.t) {
+                if is_after_seam {
                     head.restart();
                     chest.restart();
                 }
@@ -183,6 +205,7 @@ impl Plausibility {
             of(&|seen| seen.head_to_chest_heading_deg.filter(|_| look.heading_counts(seen))),
             of(&|seen| seen.head_roll_deg),
             of(&|seen| seen.elevation_off_deg.filter(|_| seen.elevation_counts)),
+            of(&|seen| seen.heading_off_deg.filter(|_| seen.heading_counts)),
             of(&|seen| seen.limb_shift),
             of(&|seen| seen.head_speed_deg_s),
             of(&|seen| seen.head_acceleration_deg_s2),
@@ -230,6 +253,43 @@ impl Arrival {
     }
 }
 
+/// When a gaze has had the time to turn to its target.
+#[derive(Default)]
+struct Turned {
+    /// From when on it is there; `None` while the target is out of reach.
+    from: Option<f64>,
+    has_begun: bool,
+    /// The target's headings of the last while.
+    recent: VecDeque<(f64, f64)>,
+}
+
+impl Turned {
+    /// Forgets what was before a jump of the animation.
+    fn restart(&mut self) {
+        self.from = None;
+        self.recent.clear();
+    }
+
+    /// Whether the target has been within reach for long enough at `t` without a jump; it has no heading where it is not.
+    fn has_settled(&mut self, t: f64, heading_deg: Option<f64>) -> bool {
+        let begins = !core::mem::replace(&mut self.has_begun, true);
+        let Some(heading_deg) = heading_deg else {
+            self.restart();
+            return false;
+        };
+        self.recent.push_back((t, heading_deg));
+        while self.recent.front().is_some_and(|(at, _)| t - at > JUMP_S + 1e-6) {
+            self.recent.pop_front();
+        }
+        let jumps = self.recent.iter().any(|(_, before)| wrapped(heading_deg - before).abs() > CHANGE_DEG);
+        if jumps {
+            self.from = Some(t + TURN_S);
+        }
+        let from = *self.from.get_or_insert(t + if begins { ARRIVAL_S } else { TURN_S });
+        t >= from
+    }
+}
+
 /// Where a clip that is repeated jumps from its end to its beginning: no speed is told over it.
 struct Seams {
     /// The clip's length, seconds, if it jumps.
@@ -274,6 +334,9 @@ struct Look<'a> {
     range_deg: [f64; 2],
     /// The same of animation and correction, from the chest's elevation.
     budget_deg: [f64; 2],
+    /// The same of the heading, degrees to the right and to the left.
+    heading_range_deg: [f64; 2],
+    heading_budget_deg: [f64; 2],
     /// True where corrections are counted from the chest, too.
     from_bind: bool,
 }
@@ -285,19 +348,25 @@ impl<'a> Look<'a> {
         let joints = description.joints();
         let has_roles = joints.iter().any(|joint| joint.role != Role::None);
         let effector = plan.settings.effector.min(joints.len().saturating_sub(1));
-        let sum = |counts: &dyn Fn(Role) -> bool| {
-            // What is outside the effector is at rest.
-            let ranges = joints[effector..].iter().filter(|joint| counts(joint.role)).filter_map(|joint| joint.pitch);
-            ranges.fold([0.0_f64; 2], |[lo, hi], range| [lo + f64::from(range[0]), hi + f64::from(range[1])])
+        // Ranges of what looks, and of the region's budget with the eyes.
+        let room = |angle: fn(&JointInfo) -> Option<[f32; 2]>, head: [f32; 2]| {
+            let sum = |counts: &dyn Fn(Role) -> bool| {
+                // What is outside the effector is at rest.
+                let ranges = joints[effector..].iter().filter(|joint| counts(joint.role)).filter_map(angle);
+                ranges.fold([0.0_f64; 2], |[lo, hi], range| [lo + f64::from(range[0]), hi + f64::from(range[1])])
+            };
+            let eyes = sum(&|role| role == Role::Eye);
+            let range = sum(&|role| !has_roles || matches!(role, Role::Eye | Role::Head | Role::Neck));
+            let budget = if has_roles {
+                [eyes[0] + f64::from(head[0]), eyes[1] + f64::from(head[1])]
+            } else {
+                [f64::NEG_INFINITY, f64::INFINITY]
+            };
+            [range, budget].map(|ends| ends.map(f64::to_degrees))
         };
-        let eyes = sum(&|role| role == Role::Eye);
-        let range = sum(&|role| !has_roles || matches!(role, Role::Eye | Role::Head | Role::Neck));
-        let head = description.budgets().head.pitch;
-        let budget = if has_roles {
-            [eyes[0] + f64::from(head[0]), eyes[1] + f64::from(head[1])]
-        } else {
-            [f64::NEG_INFINITY, f64::INFINITY]
-        };
+        let budgets = description.budgets();
+        let [range_deg, budget_deg] = room(|joint| joint.pitch, budgets.head.pitch);
+        let [heading_range_deg, heading_budget_deg] = room(|joint| joint.heading, budgets.head.heading);
         Self {
             landmarks: Landmarks::find(rig, plan),
             live: Live::new(rig, plan.document, measurement, plan.chain, plan.both_eyes),
@@ -306,8 +375,10 @@ impl<'a> Look<'a> {
             forward: measurement.forward,
             left: measurement.left,
             height: measurement.height,
-            range_deg: range.map(f64::to_degrees),
-            budget_deg: budget.map(f64::to_degrees),
+            range_deg,
+            budget_deg,
+            heading_range_deg,
+            heading_budget_deg,
             from_bind: joints.iter().any(|joint| joint.limits_from == LimitsFrom::BindPose),
         }
     }
@@ -338,6 +409,18 @@ impl<'a> Look<'a> {
         elevation_deg(target - eye, self.live.up(animated))
     }
 
+    /// The target's heading in the world from where the aimed effector is, degrees; `None` where it is nearly above or below.
+    fn target_heading_deg(&self, target: DVec3, animated: &[DAffine3], aimed: &[DAffine3]) -> Option<f64> {
+        let [eye, _] = *self.live.gazes(self.effector, aimed).first()?;
+        self.level_heading_deg(target - eye, self.live.up(animated))
+    }
+
+    /// The heading of a direction; `None` of one that is nearly up or down.
+    fn level_heading_deg(&self, v: DVec3, up: DVec3) -> Option<f64> {
+        elevation_deg(v, up).filter(|at| at.abs() <= LEVEL_DEG)?;
+        Some(heading_deg(v, up, self.forward))
+    }
+
     fn frame(&self, t: f64, target: DVec3, animated: &[DAffine3], aimed: &[DAffine3]) -> Appearance {
         let up = self.live.up(animated);
         let mut seen = Appearance { t, ..Appearance::default() };
@@ -353,6 +436,20 @@ impl<'a> Look<'a> {
             let is_within = |[lo, hi]: [f64; 2], from: f64| (lo..=hi).contains(&(target - from));
             is_within(self.range_deg, if self.from_bind { chest } else { animation })
                 && is_within(self.budget_deg, chest)
+        });
+        let heading = |v: DVec3| self.level_heading_deg(v, up);
+        let of_gaze = gaze(aimed).and_then(heading);
+        let of_target = self.target_heading_deg(target, animated, aimed);
+        seen.heading_off_deg = of_gaze.zip(of_target).map(|(gaze, target)| wrapped(gaze - target));
+        let of_animation = gaze(animated).and_then(heading);
+        seen.heading_counts = of_target.zip(of_animation).is_some_and(|(target, animation)| {
+            let chest = self.landmarks.chest.map(|chest| heading(self.turned(aimed, chest) * self.forward));
+            // Without a chest that says where it faces, the animation alone tells what is in reach.
+            let chest = chest.flatten().unwrap_or(animation);
+            let is_within = |[lo, hi]: [f64; 2], from: f64| (lo..=hi).contains(&wrapped(target - from));
+            is_within(self.heading_range_deg, if self.from_bind { chest } else { animation })
+                && is_within(self.heading_budget_deg, chest)
+                && is_within(self.heading_budget_deg, animation)
         });
         let (Some(head), Some(chest)) = (self.landmarks.head, self.landmarks.chest) else { return seen };
         let [head_turn, chest_turn, before, chest_before] =
