@@ -10,4 +10,5 @@ mod skeletons;
 mod spaces;
 mod tracks;
 mod transforms;
+mod transitions;
 mod trees;

@@ -2,8 +2,8 @@
 
 use aim_animation::glam::{Affine3A, Quat, Vec2, Vec3};
 use aim_animation::{
-    BezierKey, BlendLine, BlendPlane, Blender, Bone, Clip, Control, HermiteKey, Looping, Marks, Mask, Method, Motion,
-    Node, Parameter, Phase, Root, RootPath, Skeleton, SkewedTransform, Track, Transform, Tree,
+    BezierKey, BlendLine, BlendPlane, Blender, Bone, Clip, Control, HermiteKey, Inertia, Looping, Marks, Mask, Method,
+    Motion, Node, Parameter, Phase, Root, RootPath, Skeleton, SkewedTransform, Track, Transform, Transition, Tree,
 };
 use proptest::prelude::*;
 
@@ -282,5 +282,24 @@ proptest! {
                 prop_assert!(motion.removed_from(&clip, &skeleton, 3.0).length_s() == clip.length_s());
             }
         }
+    }
+}
+
+proptest! {
+    #[test]
+    fn transitions(
+        poses in prop::array::uniform4(any_transform()),
+        pose in any_transform(),
+        times in prop::array::uniform3(any_float()),
+    ) {
+        let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
+        let [a, b, c, d] = poses.map(|bone| [bone]);
+        let mut inertia = Inertia::new(&skeleton);
+        inertia.begin(&Transition { shown: [&a, &b], next: [&c, &d], dt_s: times[0], length_s: times[1] }).unwrap();
+        inertia.advance(times[2]);
+        let mut found = [pose];
+        inertia.apply(&mut found).unwrap();
+        prop_assert!(inertia.is_done() && found[0].rotation.to_array().map(f32::to_bits) == pose.rotation.to_array().map(f32::to_bits)
+            || is_unit(found[0].rotation), "{found:?}");
     }
 }

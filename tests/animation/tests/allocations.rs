@@ -5,8 +5,8 @@ use std::alloc::System;
 use std::hint::black_box;
 
 use aim::animation::{
-    AimChain, BlendLine, BlendPlane, Blender, Clip, Control, Corrections, Looping, Marks, Mask, Method, Motion, Node,
-    Parameter, Phase, Root, RootPath, Skeleton, Transform, Tree,
+    AimChain, BlendLine, BlendPlane, Blender, Clip, Control, Corrections, Inertia, Looping, Marks, Mask, Method,
+    Motion, Node, Parameter, Phase, Root, RootPath, Skeleton, Transform, Transition, Tree,
 };
 use aim::glam::{Affine3A, Vec2, Vec3};
 use aim::{Aim, AimRig, DynAim, Settings};
@@ -91,6 +91,15 @@ fn frames_allocate_nothing() {
             clips[source].sample(0.3, &mut cursors[source], pose);
         })
         .unwrap();
+    });
+
+    let mut inertia = Inertia::new(&skeleton);
+    allocates_nothing("a transition", || {
+        let [a, b, c, d] = &mut poses;
+        inertia.begin(&Transition { shown: [a, b], next: [b, a], dt_s: 0.1, length_s: 0.5 }).unwrap();
+        inertia.advance(0.1);
+        inertia.apply(c).unwrap();
+        d.copy_from_slice(c);
     });
 
     for root in [Root::Bone(1), Root::Shadow { bone: 1, up: Vec3::Y }] {
