@@ -8,6 +8,7 @@ mod documented;
 mod energies;
 mod exponential;
 mod harness;
+mod least_squares;
 mod limits;
 mod manifolds;
 mod natural;
