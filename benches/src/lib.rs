@@ -5,6 +5,7 @@
 //! gives them; a chain's are those of `AimRig`.
 #![forbid(unsafe_code)]
 
+pub mod bakes;
 pub mod by_hand;
 pub mod chain_by_hand;
 pub mod derived;

@@ -4,110 +4,18 @@
 //! the page quotes; `-- --nocapture` shows them.
 
 use std::fmt::Write;
-use std::ops::RangeInclusive;
 
-use aim::Aim;
-use aim::glam::{Affine3A, Quat, Vec3};
-use aim::rigs::Thug;
-use aim::{Pose, Settings, Status};
-
-const HZ: f32 = 600.0;
-/// A second.
-const FRAMES: u16 = 600;
-/// The eye's animated place, +Y up, in metres; the character faces +Z.
-const EYE: Vec3 = Vec3::new(0.0, 1.66, 0.09);
-const SHIFTS_DEG: [f32; 3] = [10.0, 30.0, 60.0];
-
-/// Headings in the world, positive to the left, degrees; that of the eye is in the head.
-#[derive(Clone, Copy, Default)]
-struct Headings {
-    gaze: f32,
-    head: f32,
-    chest: f32,
-    eye: f32,
-}
-
-/// A person who looks straight ahead until a target appears this far to the left, frame by frame from then on. The target
-/// is 100 m away, so that its heading stays the same while the head carries the eye along.
-fn shift(degrees: f32) -> Vec<Headings> {
-    let standing = Quat::from_xyzw(0.5, 0.5, 0.5, 0.5);
-    let joints = [EYE, Vec3::new(0.0, 1.51, 0.0), Vec3::new(0.0, 1.37, 0.0)]
-        .map(|place| Affine3A::from_rotation_translation(standing, place));
-    let (pose, target) = (Pose::new(joints), EYE + Quat::from_rotation_y(degrees.to_radians()) * (100.0 * Vec3::Z));
-    let mut person = Aim::<Thug>::new();
-    let mut frames = vec![Headings::default()];
-    for frame in 1..=FRAMES {
-        let aimed = person.aim(&pose, target, 1.0 / HZ, &Settings::default());
-        // Forward kinematics from the root outward, by the links between the joints' transforms.
-        let mut carried = Affine3A::IDENTITY;
-        let mut parent = Affine3A::IDENTITY;
-        let mut headings = [0.0; 3];
-        for (index, joint) in joints.iter().enumerate().rev() {
-            carried = carried * parent.inverse() * *joint * Affine3A::from_quat(aimed.corrections[index]);
-            parent = *joint;
-            let forward = carried.transform_vector3(Vec3::Y);
-            headings[index] = forward.x.atan2(forward.z).to_degrees();
-        }
-        let [gaze, head, chest] = headings;
-        frames.push(Headings { gaze, head, chest, eye: gaze - head });
-        let is_there = aimed.outcome.status == Status::Reached;
-        assert!(is_there || f32::from(frame) < 0.4 * HZ, "{degrees}°: the gaze is off its target in frame {frame}");
-    }
-    frames
-}
-
-/// The time from which on a condition holds, milliseconds; infinite where it does not hold in the end.
-fn since_ms(frames: &[Headings], holds: impl Fn(&Headings) -> bool) -> f32 {
-    let first = frames.iter().rposition(|frame| !holds(frame)).map_or(0, |frame| frame + 1);
-    if first < frames.len() { first as f32 / HZ * 1e3 } else { f32::INFINITY }
-}
-
-/// The largest speed of a heading in a frame, degrees a second, and the heading at the end of that frame.
-fn peak(frames: &[Headings], heading: impl Fn(&Headings) -> f32) -> (f32, f32) {
-    let speeds = frames.windows(2).map(|pair| ((heading(&pair[1]) - heading(&pair[0])) * HZ, heading(&pair[1])));
-    speeds.fold((0.0, 0.0), |most, now| if now.0 > most.0 { now } else { most })
-}
+use aim_benches::solver::natural::{HZ, Headings, SHIFTS_DEG, people, shift};
+use aim_benches::solver::row::markdown;
 
 #[test]
 fn a_gaze_shift_is_of_the_size_that_is_measured_of_people() {
-    let assert = |what: &str, found: f32, bounds: RangeInclusive<f32>| {
-        println!("{what}: {found:.1}");
-        assert!(bounds.contains(&found), "{what}: {found} is not in {bounds:?}");
-    };
-    // A frame more or less.
-    let ms = |least: f32, most: f32| least - 1e3 / HZ..=most + 1e3 / HZ;
-    for degrees in SHIFTS_DEG {
-        let frames = shift(degrees);
-        let end = frames[frames.len() - 1];
-        let ((gaze_speed, _), (head_speed, head_then)) = (peak(&frames, |f| f.gaze), peak(&frames, |f| f.head));
-        let gaze_ms = since_ms(&frames, |frame| (frame.gaze - degrees).abs() < 0.5);
-        let head_ms = since_ms(&frames, |frame| frame.head >= 0.95 * end.head);
-        let moves_ms = since_ms(&frames, |frame| frame.head >= 1.0);
-        println!(
-            "{degrees}°: gaze at most {gaze_speed:.0}°/s, there after {gaze_ms:.0} ms, eye in the end {:.1}°",
-            end.eye
-        );
-        println!("  head {:.1}°, of that chest {:.1}°, at most {head_speed:.0}°/s", end.head, end.chest);
-        println!("  head turned by 1° after {moves_ms:.0} ms, by 95 % after {head_ms:.0} ms");
-        match degrees {
-            10.0 => {
-                assert("10°: peak speed of the gaze, °/s", gaze_speed, 280.0..=380.0);
-                assert("10°: the gaze is there, ms", gaze_ms, ms(45.0, 60.0));
-                let head = frames.iter().map(|frame| frame.head.abs()).fold(0.0, f32::max);
-                assert("10°: the head at most, °", head, 0.0..=1.0);
-            }
-            30.0 => {
-                assert("30°: the gaze is there, ms", gaze_ms, ms(0.0, 135.0));
-                assert("30°: the head's part, %", 100.0 * end.head / degrees, 34.0..=45.0);
-            }
-            _ => {
-                assert("60°: the gaze is there, ms", gaze_ms, ms(0.0, 330.0));
-                assert("60°: peak speed of the head, °/s", head_speed, 100.0..=200.0);
-                assert("60°: where the head is fastest, %", 100.0 * head_then / end.head, 30.0..=50.0);
-                assert("60°: the head is there, ms", head_ms, ms(420.0, 650.0));
-                assert("60°: the eye in the end, °", end.eye, 18.0..=26.0);
-            }
-        }
+    let rows = people();
+    println!("{}", markdown("shift", &rows));
+    let judged: Vec<_> = rows.into_iter().filter(|row| row.held.is_some()).collect();
+    assert_eq!(judged.len(), 10);
+    for row in judged {
+        assert_eq!(row.held, Some(true), "{}: {} is not in {}", row.what, row.measured, row.must);
     }
 }
 
@@ -187,4 +95,20 @@ fn the_figure_shows_what_the_solver_does() {
         "docs/natural-gaze.svg is not what the solver does.\n\
          If it is meant to be so: AIM_BLESS=1 cargo test -p aim-tests --test it natural_gaze"
     );
+}
+
+#[test]
+fn the_table_of_bakes_has_a_row_for_everything_that_is_measured() {
+    let model = aim_gltf::mannequin(|_| aim_gltf::PAPER_AXES).expect("constants");
+    let document = aim_gltf::Document::from_bytes(&model).expect("a sound model");
+    let rows = aim_benches::bakes::looks("mannequin", &document).expect("a rig is proposed");
+    assert_eq!(rows.len(), aim_gltf::Criterion::ALL.len());
+    for row in &rows {
+        assert_eq!(row.held, Some(true), "{}: {}, must be {}", row.what, row.measured, row.must);
+    }
+    // A criterion's worst is that of the bake that asks for most.
+    assert!(rows[0].measured.contains("orbit") || rows[0].measured.contains("150°"), "{}", rows[0].measured);
+    // And what does not hold is marked.
+    let broken = aim_benches::solver::row::Row { held: Some(false), ..rows[0].clone() };
+    assert!(markdown("bakes", &[broken]).contains("**broken**"));
 }

@@ -1,8 +1,10 @@
 //! The rows of the natural layer.
 
 mod following;
+mod people;
 mod shift;
 mod steps;
 
 pub use following::{following, resting};
+pub use people::{HZ, Headings, SHIFTS_DEG, people, shift};
 pub use steps::steps;

@@ -1,0 +1,87 @@
+//! How bakes look: characters with the rigs that are proposed for them, aimed at what moves, stands aside, behind and overhead,
+//! and measured on what was written.
+
+use aim::glam::DVec3;
+use aim::{DynAim, Settings};
+use aim_character::{InterpretedRig, chain_nodes, propose};
+use aim_gltf::{Criterion, Document, Measurement, Plan, Plausibility, Settle, bake};
+
+use crate::solver::row::{Row, number};
+
+/// A target's heading and elevation over time, degrees, to the left and up.
+type Course = fn(f64) -> [f64; 2];
+
+/// Bakes by their names: how long they are, how far away the target is, metres of a character of 1.7 m, and where it is.
+const BAKES: [(&str, f32, f64, Course); 7] = [
+    ("orbit", 10.0, 3.0, |t| [36.0 * t, 0.0]),
+    ("10° and back", 4.5, 5.0, |t| [if (1.5..3.0).contains(&t) { 10.0 } else { 0.0 }, 0.0]),
+    ("30° and back", 4.5, 5.0, |t| [if (1.5..3.0).contains(&t) { 30.0 } else { 0.0 }, 0.0]),
+    ("60° and back", 4.5, 5.0, |t| [if (1.5..3.0).contains(&t) { 60.0 } else { 0.0 }, 0.0]),
+    ("95° and back", 4.5, 5.0, |t| [if (1.5..3.0).contains(&t) { 95.0 } else { 0.0 }, 0.0]),
+    ("150°", 4.5, 5.0, |t| [if t < 1.5 { 0.0 } else { 150.0 }, 0.0]),
+    ("overhead", 4.5, 5.0, |t| [0.0, if t < 1.5 { 0.0 } else { 90.0 }]),
+];
+
+/// The worst value of each criterion in all bakes of a character over its first clip, with the bake that has it.
+///
+/// # Errors
+/// A character without a chain or without anything that can be baked.
+pub fn looks(name: &str, document: &Document) -> Result<Vec<Row>, String> {
+    let measured =
+        BAKES.iter().map(|bake| Ok((bake.0, measure(document, bake).map_err(|error| format!("{name}: {error}"))?)));
+    let measured: Vec<(&str, Plausibility)> = measured.collect::<Result<_, String>>()?;
+    Ok(Criterion::ALL.into_iter().map(|criterion| row(name, criterion, &measured)).collect())
+}
+
+fn row(name: &str, criterion: Criterion, measured: &[(&str, Plausibility)]) -> Row {
+    let what = format!("{name}: {}", criterion.key());
+    let must = measured.first().and_then(|(_, first)| criterion.must(first.is_humanoid));
+    let all = measured.iter().filter_map(|(bake, looks)| Some((bake, looks.worst(criterion)?)));
+    let Some((bake, worst)) = all.max_by(|(_, a), (_, b)| a.value.total_cmp(&b.value)) else {
+        return Row {
+            what,
+            must: must.map_or("–".to_owned(), |must| format!("≤ {}", number(must))),
+            measured: "–".to_owned(),
+            held: None,
+        };
+    };
+    let row = match must {
+        Some(must) => Row::at_most(what, must, "", worst.value),
+        None => Row::shown(what, "", worst.value),
+    };
+    row.noting(&format!("{bake}, {:.2} s", worst.t))
+}
+
+fn measure(
+    document: &Document,
+    &(_, seconds, metres, course): &(&str, f32, f64, Course),
+) -> Result<Plausibility, String> {
+    let measurement = &Measurement::of(document);
+    let spec = propose(document, measurement, None).map_err(|error| error.to_string())?.spec;
+    let chain = &chain_nodes(&spec, document.skeleton()).map_err(|error| error.to_string())?;
+    let eye = measurement.bind_world[chain.joints[0]].transform_point3(spec.effector.origin.into());
+    let target = |t: f32, _: &[_]| -> DVec3 {
+        let &Measurement { forward, left, up, .. } = measurement;
+        let [(sin, cos), (above, level)] = course(t.into()).map(|degrees| degrees.to_radians().sin_cos());
+        eye + ((forward * cos + left * sin) * level + up * above) * (metres * measurement.metre())
+    };
+    let plan = Plan {
+        document,
+        clip: document.clips().first(),
+        measurement,
+        chain,
+        both_eyes: false,
+        seconds,
+        fps: 60.0,
+        settle: Settle::Snap,
+        looped: false,
+        settings: Settings::default(),
+        target_node: None,
+    };
+    let mut character = DynAim::new(InterpretedRig::new(&spec));
+    let fail = |error: aim_gltf::Error| error.to_string();
+    let baked = bake(&mut character, &plan, target, |_, _| {}).map_err(fail)?;
+    let written = document.with_clips(std::slice::from_ref(&baked.clip)).map_err(fail)?;
+    let written = Document::from_bytes(&written).map_err(fail)?;
+    Plausibility::measure(&character.rig, &plan, &baked, &written).map_err(fail)
+}

@@ -1,0 +1,106 @@
+//! Prints what a natural gaze has to hold, as tables: how bakes look, how it moves beside people, what a frame costs.
+//!
+//! `gaze_table [--check]`: with `--check` it exits 1 when something does not hold. The characters are the mannequin and, where
+//! `AIM_RIGS` names a folder, the files in it. Costs are counted by valgrind on `track_frames`, which is to be built beside:
+//! `cargo build --release -p aim-benches --bins`.
+
+use std::env;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+
+use aim_benches::bakes::looks;
+use aim_benches::solver::natural::people;
+use aim_benches::solver::row::{Row, markdown};
+use aim_gltf::{Document, PAPER_AXES, mannequin};
+
+/// What is counted: a mode of `track_frames`, in words, and the most instructions of a character and frame.
+const COSTS: [(&str, &str, f64); 4] = [
+    ("natural", "following", 3500.0),
+    ("natural-aside", "target long out of reach", 5000.0),
+    ("natural-overhead", "target overhead", 5000.0),
+    ("natural-jump", "target that jumps to and fro", 5000.0),
+];
+/// Characters of `track_frames`, and the frames by which two runs differ.
+const CHARACTERS: f64 = 64.0;
+const FRAMES: [u32; 2] = [200, 400];
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(message) => {
+            eprintln!("gaze_table: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<bool, String> {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    let check = match arguments.as_slice() {
+        [] => false,
+        [word] if word == "--check" => true,
+        _ => return Err("gaze_table [--check]".to_owned()),
+    };
+    let mut judged = Vec::new();
+    let mut show = |title: &str, rows: Vec<Row>| {
+        println!("{}", markdown(title, &rows));
+        judged.extend(rows);
+    };
+    let model = mannequin(|_| PAPER_AXES).map_err(|error| error.to_string())?;
+    let document = Document::from_bytes(&model).map_err(|error| error.to_string())?;
+    show("bakes", looks("mannequin", &document)?);
+    for file in characters()? {
+        let document = Document::load(&file).map_err(|error| format!("{}: {error}", file.display()))?;
+        let name = file.file_stem().unwrap_or_default().to_string_lossy();
+        show("bakes", looks(&name, &document)?);
+    }
+    show("movement", people());
+    show("instructions, a character and frame", costs()?);
+    let broken: Vec<&Row> = judged.iter().filter(|row| row.held == Some(false)).collect();
+    println!("{} of {} do not hold", broken.len(), judged.iter().filter(|row| row.held.is_some()).count());
+    for row in &broken {
+        println!("- {}: {}, must be {}", row.what, row.measured, row.must);
+    }
+    Ok(!check || broken.is_empty())
+}
+
+/// The models in the folder of real characters, in the order of their names.
+fn characters() -> Result<Vec<PathBuf>, String> {
+    let Some(folder) = env::var_os("AIM_RIGS") else {
+        eprintln!("gaze_table: AIM_RIGS names no folder of characters: the mannequin alone is baked");
+        return Ok(Vec::new());
+    };
+    let folder = Path::new(&folder);
+    let entries = folder.read_dir().map_err(|error| format!("{}: {error}", folder.display()))?;
+    let files = entries.filter_map(|entry| Some(entry.ok()?.path()));
+    let is_model = |file: &PathBuf| {
+        file.extension().is_some_and(|ending| ["glb", "gltf", "vrm"].iter().any(|known| ending == *known))
+    };
+    let mut files: Vec<PathBuf> = files.filter(is_model).collect();
+    files.sort();
+    Ok(files)
+}
+
+fn costs() -> Result<Vec<Row>, String> {
+    let program = env::current_exe().map_err(|error| error.to_string())?.with_file_name("track_frames");
+    if !program.is_file() {
+        return Err(format!("{} is not built: cargo build --release -p aim-benches --bins", program.display()));
+    }
+    let count = |mode: &str, frames: u32| -> Result<f64, String> {
+        let mut command = Command::new("valgrind");
+        command.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]).arg(&program);
+        let output =
+            command.args([mode, &frames.to_string()]).output().map_err(|error| format!("valgrind: {error}"))?;
+        let said = String::from_utf8_lossy(&output.stderr);
+        said.lines()
+            .find_map(|line| line.split_once("Collected :")?.1.trim().parse().ok())
+            .ok_or_else(|| format!("valgrind counted nothing:\n{said}"))
+    };
+    let [few, many] = FRAMES;
+    let rows = COSTS.iter().map(|(mode, what, most)| {
+        let each = (count(mode, many)? - count(mode, few)?) / (CHARACTERS * f64::from(many - few));
+        Ok(Row::at_most(format!("natural, {what}"), *most, "", each))
+    });
+    rows.collect()
+}
