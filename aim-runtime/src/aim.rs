@@ -4,7 +4,7 @@ use core::fmt;
 
 use glam::{Affine3A, Quat, Vec3};
 
-use crate::rig::{ChainRig, LANE_JOINTS, MOST_JOINTS, PoseSlices, StateSlices};
+use crate::rig::{ChainRig, EXACT_JOINTS, LANE_JOINTS, MOST_JOINTS, PoseSlices, StateSlices};
 use crate::solve::{self, judge};
 use crate::target::blend;
 use crate::{AimRig, Description, Joint, Outcome, Pose, Rig, Settings, State, Target};
@@ -320,12 +320,13 @@ fn search(
     if state.joints.len() != count || pose.joints.len() != count || corrections.len() != count {
         return judge::nothing_to_aim();
     }
-    match count {
-        1..=4 => solve::solve(&ChainRig::<4> { kernels, description }, state, pose, call, corrections),
-        5..=16 => solve::solve(&ChainRig::<16> { kernels, description }, state, pose, call, corrections),
-        17..=MOST_JOINTS => {
-            solve::solve(&ChainRig::<MOST_JOINTS> { kernels, description }, state, pose, call, corrections)
-        }
-        _ => judge::nothing_to_aim(),
+    if count == EXACT_JOINTS {
+        solve::solve(&ChainRig::<EXACT_JOINTS> { kernels, description }, state, pose, call, corrections)
+    } else if (1..=LANE_JOINTS).contains(&count) {
+        solve::solve(&ChainRig::<LANE_JOINTS> { kernels, description }, state, pose, call, corrections)
+    } else if (1..=MOST_JOINTS).contains(&count) {
+        solve::solve(&ChainRig::<MOST_JOINTS> { kernels, description }, state, pose, call, corrections)
+    } else {
+        judge::nothing_to_aim()
     }
 }

@@ -3,7 +3,7 @@
 
 use core::f32::consts::{FRAC_PI_2, PI, TAU};
 
-use glam::{Mat3A, Vec3A, Vec4, Vec4Swizzles};
+use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 use crate::kinematics::chain::Upright;
 use crate::math::trig;
@@ -16,9 +16,9 @@ const STEEP_RAD: f32 = 80.0 * PI / 180.0;
 /// Heading and pitch of a direction along forward, left and up; heading 0 where it goes straight up or down.
 #[inline(always)]
 pub(crate) fn heading_and_pitch(direction: Vec3A) -> Vec4 {
-    let [ahead, left, up] = direction.to_array();
-    let level = math::sqrt(ahead * ahead + left * left);
-    trig::atan2_of_4(Vec4::new(left, up, 0.0, 0.0), Vec4::new(ahead, level, 1.0, 1.0))
+    let level = math::sqrt(direction.x * direction.x + direction.y * direction.y);
+    let both = Vec4::new(direction.x, level, direction.x, level);
+    trig::atan2_of_4(Vec4::from((direction.yzz(), 0.0)), both)
 }
 
 /// Those of two directions in little more than the time of one.
@@ -47,7 +47,7 @@ impl Bearings {
         const LEVEL: f32 = 0.1;
         let level = |v: Vec3A| v - up * v.dot(up);
         let ahead = level(forward);
-        let ahead = if ahead.length() > LEVEL { ahead } else { level(trunk_up) * -forward.dot(up).signum() };
+        let ahead = if ahead.dot(ahead) > LEVEL * LEVEL { ahead } else { level(trunk_up) * -forward.dot(up).signum() };
         let forward = math::unit(ahead).unwrap_or(forward);
         let across = math::cross(up, forward);
         let left = if across.dot(left) < 0.0 { -across } else { across };
@@ -100,7 +100,18 @@ impl Bearings {
     /// The unit direction of a heading and an elevation.
     #[inline(always)]
     pub(crate) fn direction(&self, angles: Vec4) -> Vec3A {
-        let [sin_e, cos_e, sin_h, cos_h] = trig::doubled(trig::halves_of(angles));
+        self.direction_of(trig::halves_of(angles))
+    }
+
+    /// The unit directions of two headings and elevations, one after the other.
+    #[inline(always)]
+    pub(crate) fn directions(&self, angles: Vec4) -> [Vec3A; 2] {
+        trig::halves_of_both(angles).map(|halves| self.direction_of(halves))
+    }
+
+    #[inline(always)]
+    fn direction_of(&self, halves: trig::Halves) -> Vec3A {
+        let [sin_e, cos_e, sin_h, cos_h] = trig::doubled(halves).to_array();
         self.axes * Vec3A::new(cos_h * cos_e, sin_h * cos_e, sin_e)
     }
 

@@ -2,7 +2,7 @@
 
 use glam::{Mat3A, Quat, Vec3A, Vec4, Vec4Swizzles};
 
-use crate::math::trig::{self, Halves};
+use crate::math::trig;
 use crate::{Axes, Joint, JointInfo, math};
 
 /// What heading and pitch turn about, padded to vectors of four.
@@ -51,7 +51,7 @@ impl Planes {
 /// The rotation that a joint adds at its angles in its upright frame.
 #[inline(always)]
 pub(crate) fn joint_turn(info: &JointInfo, joint: &Joint) -> Quat {
-    turn(&info.axes, &info.planes, trig::halves(joint.pitch, joint.heading))
+    turn(&info.axes, &info.planes, trig::halves(joint.pitch, joint.heading).to_array())
 }
 
 /// The correction of a joint whose upright frame stands in its bone by `tilt`: what the bone's animated local rotation
@@ -75,7 +75,7 @@ pub(crate) fn tilted(turn: Quat, tilt: Quat) -> Quat {
 
 /// The rotation by these halves of pitch and heading in the (levelled) bone.
 #[inline(always)]
-pub(crate) fn turn(axes: &Axes, planes: &Planes, halves: Halves) -> Quat {
+pub(crate) fn turn(axes: &Axes, planes: &Planes, halves: [f32; 4]) -> Quat {
     if !planes.square {
         return turn_by_planes(axes, halves);
     }
@@ -89,7 +89,7 @@ pub(crate) fn turn(axes: &Axes, planes: &Planes, halves: Halves) -> Quat {
 
 /// [`turn`] for axes that are not quite square, or not at all: each angle in its plane, none where there is none.
 #[cold]
-fn turn_by_planes(axes: &Axes, [sin_p, cos_p, sin_h, cos_h]: Halves) -> Quat {
+fn turn_by_planes(axes: &Axes, [sin_p, cos_p, sin_h, cos_h]: [f32; 4]) -> Quat {
     let [up, forward, left] = [axes.up, axes.forward, axes.left].map(Vec3A::from);
     let turn = |to: Vec3A, sin: f32, cos: f32| {
         let axis = math::direction(math::cross(forward, to)).unwrap_or(Vec3A::ZERO) * sin;

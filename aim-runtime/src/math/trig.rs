@@ -14,7 +14,7 @@ use crate::math::Bounded;
 use aim_model::Scalar;
 
 /// sin(p/2), cos(p/2), sin(h/2), cos(h/2) of a pitch p and a heading h.
-pub(crate) type Halves = [f32; 4];
+pub(crate) type Halves = Vec4;
 
 /// The series of the sine after x, and of the cosine after 1 − x²/2.
 const SIN: [f32; 4] = [-0.166_666_61, 0.008_333_088, -0.000_198_111_11, 2.608_929_2e-6];
@@ -87,7 +87,7 @@ pub(crate) fn sin_cos(angle_rad: f32) -> (f32, f32) {
 #[inline(always)]
 pub(crate) fn halves(pitch_rad: f32, heading_rad: f32) -> Halves {
     let (sin, cos) = half_sin_cos_4(Vec4::new(math::wrap_pi(pitch_rad), math::wrap_pi(heading_rad), 0.0, 0.0));
-    [sin.x, cos.x, sin.y, cos.y]
+    Vec4::new(sin.x, cos.x, sin.y, cos.y)
 }
 
 /// The same of a heading and a pitch in the first two lanes.
@@ -98,7 +98,17 @@ pub(crate) fn halves_of(angles_rad: Vec4) -> Halves {
         return halves_beyond(angles.x, angles.y);
     }
     let (sin, cos) = half_sin_cos_4(angles);
-    [sin.x, cos.x, sin.y, cos.y]
+    Vec4::new(sin.x, cos.x, sin.y, cos.y)
+}
+
+/// Those of two headings and pitches, one after the other.
+#[inline(always)]
+pub(crate) fn halves_of_both(angles_rad: Vec4) -> [Halves; 2] {
+    if angles_rad.abs().cmpgt(Vec4::splat(PI)).any() {
+        return [halves_beyond(angles_rad.y, angles_rad.x), halves_beyond(angles_rad.w, angles_rad.z)];
+    }
+    let (sin, cos) = half_sin_cos_4(angles_rad.yxwz());
+    [Vec4::new(sin.x, cos.x, sin.y, cos.y), Vec4::new(sin.z, cos.z, sin.w, cos.w)]
 }
 
 #[cold]
@@ -109,9 +119,8 @@ fn halves_beyond(pitch_rad: f32, heading_rad: f32) -> Halves {
 
 /// sin p, cos p, sin h, cos h, as kernels take them, from the halves.
 #[inline(always)]
-pub(crate) fn doubled(halves: Halves) -> [f32; 4] {
-    let halves = Vec4::from_array(halves);
-    (halves.xxzz() * halves.yxwz() * Vec4::new(2.0, -2.0, 2.0, -2.0) + Vec4::new(0.0, 1.0, 0.0, 1.0)).to_array()
+pub(crate) fn doubled(halves: Halves) -> Vec4 {
+    halves.xxzz() * halves.yxwz() * Vec4::new(2.0, -2.0, 2.0, -2.0) + Vec4::new(0.0, 1.0, 0.0, 1.0)
 }
 
 /// The angle of the point (x, y), −π…π; 0 for the origin.

@@ -3,6 +3,7 @@
 use glam::{Vec3A, Vec4};
 
 use super::JointInfo;
+use super::body_part::{self, BodyPart, MOST_PARTS};
 use crate::limits::reach::AT_LIMIT_RAD;
 use crate::{Axes, Budget, Budgets, GazeSharing, Role, Solver, math};
 
@@ -31,6 +32,9 @@ pub struct Description<'a> {
     /// Whether the effector looks along joint 0's forward.
     pub(crate) aims_forward: bool,
     pub(crate) lanes: AllLanes,
+    /// The parts of the body that regions move, where joint 0 is aimed, and how many there are.
+    pub(crate) parts: [BodyPart; MOST_PARTS],
+    pub(crate) part_count: usize,
 }
 
 impl<'a> Description<'a> {
@@ -68,6 +72,8 @@ impl<'a> Description<'a> {
             lanes[k] = Lanes::new(joints, k, least_stiffness);
             k += 1;
         }
+        let mut parts = [BodyPart::NONE; MOST_PARTS];
+        let part_count = BodyPart::find(joints, 0, &Budgets::HUMAN, &mut parts);
         Self {
             joints,
             effector,
@@ -82,6 +88,8 @@ impl<'a> Description<'a> {
             has_origin,
             aims_forward,
             lanes,
+            parts,
+            part_count,
         }
     }
 
@@ -107,21 +115,16 @@ impl<'a> Description<'a> {
         self
     }
 
-    /// The budget of the part of the body that a role belongs to; for an eye and for a joint without a role the head's pace, without
-    /// bounds.
-    pub(crate) fn budget(&self, role: Role) -> Budget {
-        const ALL: [f32; 2] = [f32::NEG_INFINITY, f32::INFINITY];
-        match role {
-            Role::Head | Role::Neck => self.budgets.head,
-            Role::Chest => self.budgets.chest,
-            Role::Eye | Role::None => Budget { heading: ALL, pitch: ALL, rate: f32::INFINITY, ..self.budgets.head },
-        }
+    /// The budget of the part of the body that a role belongs to.
+    pub(crate) const fn budget(&self, role: Role) -> Budget {
+        body_part::budget(&self.budgets, role)
     }
 
     /// With these budgets of the parts of the body, for the [natural](Solver::Natural) solver. A human's by default.
     #[must_use]
     pub const fn with_budgets(mut self, budgets: Budgets) -> Self {
         self.budgets = budgets;
+        self.part_count = BodyPart::find(self.joints, 0, &budgets, &mut self.parts);
         self
     }
 

@@ -133,6 +133,15 @@ impl JointInfo {
         joint_turn(self, &Joint::REST.turned_to(heading_rad, pitch_rad))
     }
 
+    /// What the joint gives way of heading and pitch: 1/stiffness, 0 for an angle that it does not have.
+    #[inline(always)]
+    pub(crate) const fn compliance(&self) -> [f32; 2] {
+        let stiffness = if self.stiffness > 0.0 { self.stiffness.max(1e-6).min(1e6) } else { 1.0 };
+        let per_stiffness = 1.0 / stiffness;
+        let heading = if self.heading.is_some() { per_stiffness } else { 0.0 };
+        [heading, if self.pitch.is_some() { per_stiffness } else { 0.0 }]
+    }
+
     /// Whether the heading's axis is tilted upright at all.
     pub(crate) const fn is_upright(&self) -> bool {
         match self.upright {

@@ -3,6 +3,7 @@
 //!
 //! Nothing here solves anything; [`aim`](crate::aim) is where these meet the solvers.
 
+mod body_part;
 mod chain_rig;
 mod description;
 mod joint_info;
@@ -14,7 +15,8 @@ mod state;
 #[cfg(feature = "std")]
 extern crate std;
 
-pub(crate) use chain_rig::{ChainRig, MOST_JOINTS, PerJoint};
+pub(crate) use body_part::{BodyPart, MOST_PARTS};
+pub(crate) use chain_rig::{ChainRig, EXACT_JOINTS, MOST_JOINTS, PerJoint};
 pub(crate) use description::{AllLanes, LANE_JOINTS, Lanes};
 pub use description::{Description, Effector};
 pub use joint_info::JointInfo;

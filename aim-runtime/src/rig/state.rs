@@ -136,7 +136,7 @@ impl Joint {
 /// What is remembered of a chain from frame to frame: 64 bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory {
-    /// The dual point that the last frame ended at.
+    /// The dual point that the last frame ended at; how a natural gaze's head was led.
     pub(crate) lambda: [f32; 2],
     /// The rest of the strain of the last strained frame, 0…1.
     pub(crate) strain: f32,
@@ -222,17 +222,12 @@ impl Memory {
     /// What a natural gaze remembers of the head's goal, in the place of what a search remembers of its target.
     pub(crate) fn led(&self) -> Led {
         let [goal_0, goal_1, speed_0] = self.target;
-        let [a, b, c] = self.searched.map(u32::from);
-        let change = [a << 16 | b, c << 16 | u32::from(self.turn)].map(f32::from_bits);
-        Led { goal: [goal_0, goal_1], speed: [speed_0, self.still_s], change, tired: self.strain }
+        Led { goal: [goal_0, goal_1], speed: [speed_0, self.still_s], change: self.lambda, tired: self.strain }
     }
 
     pub(crate) fn set_led(&mut self, Led { goal, speed, change, tired }: Led) {
         self.strain = tired;
-        let [a, b] = change.map(f32::to_bits);
-        (self.target, self.still_s) = ([goal[0], goal[1], speed[0]], speed[1]);
-        self.searched = [(a >> 16) as u16, (a & 0xffff) as u16, (b >> 16) as u16];
-        self.turn = (b & 0xffff) as u16;
+        (self.target, self.still_s, self.lambda) = ([goal[0], goal[1], speed[0]], speed[1], change);
     }
 
     /// Whether the last natural gaze took corrections of what heading and elevation alone leave, in the place of what a search

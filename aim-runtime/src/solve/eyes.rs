@@ -128,8 +128,8 @@ impl<'a, const C: usize> Eyes<'a, C> {
     pub(crate) fn aim(
         &self,
         call: &Call<'_>,
-        Moved { joints, memory, corrections }: Moved<'_>,
-        solve: impl Fn(&PoseSlices<'_>, &[RangeOfMotion], Moved<'_>) -> Option<Solved>,
+        Moved { joints, memory, corrections }: Moved<'_, C>,
+        solve: impl Fn(&PoseSlices<'_>, &[RangeOfMotion], Moved<'_, C>) -> Option<Solved>,
     ) -> Option<Solved> {
         let own = *joints.first()?;
         let [other, leading] = memory.eyes().unwrap_or([[0.0; 2], own.angles()]);

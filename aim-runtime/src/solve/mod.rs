@@ -16,7 +16,7 @@ mod natural;
 mod solved;
 mod turn_round;
 
-use glam::Quat;
+use glam::{Quat, Vec3A};
 
 use self::call::upright_axis;
 pub(crate) use self::call::{Call, LONGEST_FRAME_S};
@@ -81,7 +81,7 @@ pub(crate) fn solve<const C: usize>(
     let (mut joints, mut memory) = (rig.array(Joint::REST), *state.memory);
     joints.copy_from_slice(state.joints);
     let by_regions = moves_by_regions(rig, call.settings);
-    let solve_chain = |pose: &PoseSlices<'_>, motions: &[RangeOfMotion], moved: Moved<'_>| {
+    let solve_chain = |pose: &PoseSlices<'_>, motions: &[RangeOfMotion], moved: Moved<'_, C>| {
         let Moved { joints, memory, corrections } = moved;
         if by_regions {
             if call.dt.is_some() {
@@ -149,6 +149,8 @@ fn forget_natural(joints: &mut [Joint], memory: &mut Memory) {
     if memory.support != Support::None {
         joints.iter_mut().for_each(|joint| joint.set_destination(None));
         memory.set_led(Led::default());
+        memory.set_searched(Vec3A::ZERO);
+        memory.turn = 0;
         memory.set_in_rounds(false);
         memory.blocked_s = 0.0;
         memory.support = Support::None;
@@ -162,7 +164,7 @@ fn aim_joints<const C: usize>(
     motions: &[RangeOfMotion],
     call: &Call<'_>,
     dt: f32,
-    Moved { joints, memory, corrections }: Moved<'_>,
+    Moved { joints, memory, corrections }: Moved<'_, C>,
 ) -> Option<Solved> {
     let settings = call.settings;
     let solver = solver(rig, settings);
@@ -192,7 +194,7 @@ fn aim_joints<const C: usize>(
     } else {
         joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
     }
-    let task = Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach };
+    let task = Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach, well_within: false };
     task.finish(joints, memory, |joints| {
         let (gaze, posed) = chain.posed(rig, joints);
         corrections.copy_from_slice(&posed);
@@ -206,7 +208,7 @@ fn snap_joints<const C: usize>(
     pose: &PoseSlices<'_>,
     motions: &[RangeOfMotion],
     call: &Call<'_>,
-    Moved { joints, memory, corrections }: Moved<'_>,
+    Moved { joints, memory, corrections }: Moved<'_, C>,
 ) -> Option<Solved> {
     let settings = call.settings;
     let solver = solver(rig, settings);
@@ -246,7 +248,8 @@ fn snap_joints<const C: usize>(
             *joint = Reach::range(motion).hold(joint);
         }
     }
-    let task = Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach: false };
+    let task =
+        Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach: false, well_within: false };
     task.finish(joints, memory, |joints| {
         let (gaze, posed) = chain.posed(rig, joints);
         corrections.copy_from_slice(&posed);

@@ -6,9 +6,9 @@ use super::judge::Verdict;
 use crate::kinematics::chain::Space;
 use crate::limits::RangeOfMotion;
 use crate::limits::motion::wrap;
-use crate::rig::{ChainRig, Memory};
+use crate::rig::{ChainRig, Memory, PerJoint};
 use crate::target::goal::{Course, Goal};
-use crate::{Joint, Outcome, Settings};
+use crate::{Joint, JointSet, Outcome, Settings};
 
 /// What a solve of the chain made of a call.
 #[derive(Clone, Copy, Debug)]
@@ -22,8 +22,8 @@ pub(crate) struct Solved {
 }
 
 /// What a solve of the chain moves and writes, one element for each joint.
-pub(crate) struct Moved<'a> {
-    pub(crate) joints: &'a mut [Joint],
+pub(crate) struct Moved<'a, const C: usize> {
+    pub(crate) joints: &'a mut PerJoint<Joint, C>,
     pub(crate) memory: &'a mut Memory,
     pub(crate) corrections: &'a mut [Quat],
 }
@@ -36,6 +36,8 @@ pub(crate) struct Task<'a, const C: usize> {
     pub(crate) space: Space,
     pub(crate) settings: &'a Settings,
     pub(crate) within_reach: bool,
+    /// Whether no angle can be at an end of its range.
+    pub(crate) well_within: bool,
 }
 
 impl<const C: usize> Task<'_, C> {
@@ -47,7 +49,7 @@ impl<const C: usize> Task<'_, C> {
         memory: &mut Memory,
         posed: impl FnOnce(&[Joint]) -> Option<f32>,
     ) -> Option<Solved> {
-        let &Self { rig, motions, goal, space, settings, within_reach } = self;
+        let &Self { rig, motions, goal, space, settings, within_reach, well_within } = self;
         if !rig.has_fixed_ranges {
             for (joint, motion) in joints.iter_mut().zip(motions) {
                 wrap(motion, joint);
@@ -57,7 +59,11 @@ impl<const C: usize> Task<'_, C> {
         let remaining = posed(joints)?;
         let tolerance = settings.effective_tolerance();
         let verdict = Verdict { remaining, tolerance, behind: goal.behind, within_reach };
-        let outcome = verdict.outcome(rig, motions, joints);
+        let outcome = if well_within {
+            verdict.outcome_at(JointSet::EMPTY, JointSet::EMPTY)
+        } else {
+            verdict.outcome(rig, motions, joints)
+        };
         let [wanted_ps, aimed_ps] = [goal.wanted, goal.aimed].map(|point| space.to_pose(point));
         Some(Solved { outcome, wanted_ps, aimed_ps, course: goal.course, behind: goal.behind })
     }

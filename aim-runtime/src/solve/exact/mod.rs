@@ -312,7 +312,7 @@ impl<'a, const C: usize> Solver<'a, C> {
     fn linearise(&mut self, joints: &[Joint], reaches: &[Reach]) -> Option<[f32; 2]> {
         let mut sin_cos = self.rig.array([0.0, 1.0, 0.0, 1.0]);
         for (sin_cos, joint) in sin_cos.iter_mut().zip(joints).skip(self.chain.first) {
-            *sin_cos = trig::doubled(trig::halves(joint.pitch, joint.heading));
+            *sin_cos = trig::doubled(trig::halves(joint.pitch, joint.heading)).to_array();
         }
         let mut out = self.rig.array([0.0; 6]);
         let out = &mut out.as_flattened_mut()[..2 + 2 * self.declared];

@@ -90,7 +90,7 @@ impl<const C: usize> Gaze<'_, C> {
 
     #[inline(always)]
     fn way_to(&self, point: Vec3A) -> Option<Way> {
-        let from = math::unit(self.body.gaze.direction)?;
+        let from = self.body.gaze.direction;
         let to = math::unit(point - self.pivot)?;
         let part = if self.has_eye { self.sharing.head_part(math::angle_between(from, to)) } else { 1.0 };
         let [from, to] = self.bearings.turned(from, to);
@@ -102,7 +102,7 @@ impl<const C: usize> Gaze<'_, C> {
     #[inline(always)]
     pub(super) fn allot(&self, way: &Way) -> Option<Allotment<C>> {
         let (directions, unfit) = self.share(way, Vec4::ZERO);
-        let head = self.count - 1;
+        let head = self.regions.len() - 1;
         let is_level = way.to.y.abs().at_least(directions[head].y.abs()) < STEEP_RAD;
         if length(unfit) > if is_level { OUT_OF_REACH_RAD } else { STEEP_OUT_OF_REACH_RAD } {
             return Some(self.out_of_reach(way, directions, unfit));
@@ -131,7 +131,12 @@ impl<const C: usize> Gaze<'_, C> {
     }
 
     /// Finds where the regions belong, and puts the joints there.
-    pub(super) fn settle(&self, way: Way, from: &[Joint], posture: &mut Posture<'_>) -> Option<Allotment<C>> {
+    pub(super) fn settle(
+        &self,
+        way: Way,
+        from: &PerJoint<Joint, C>,
+        posture: &mut Posture<'_, C>,
+    ) -> Option<Allotment<C>> {
         if let Some(allotment) = self.allot(&way) {
             let seen = self.place(allotment.aims(), from, None, posture)?;
             if seen.is_within() || !allotment.fit.within_reach {
@@ -146,8 +151,8 @@ impl<const C: usize> Gaze<'_, C> {
     pub(super) fn settle_in_rounds(
         &self,
         way: &Way,
-        from: &[Joint],
-        posture: &mut Posture<'_>,
+        from: &PerJoint<Joint, C>,
+        posture: &mut Posture<'_, C>,
     ) -> Option<(Allotment<C>, usize)> {
         let mut more = Vec4::ZERO;
         let (mut directions, mut unfit) = self.share(way, more);
@@ -185,7 +190,7 @@ impl<const C: usize> Gaze<'_, C> {
         let rest = way - done;
         let mut unfit = rest - rest.max(lo).min(hi);
         if self.has_eye && unfit.x != 0.0 {
-            let eye = self.eye_headings([lo.x, hi.x], directions[self.count - 1].y, to.y - unfit.y);
+            let eye = self.eye_headings([lo.x, hi.x], directions[self.regions.len() - 1].y, to.y - unfit.y);
             let within = Interval::from_ends(way.x - EYE_PART * eye.hi(), way.x - EYE_PART * eye.lo());
             let rest = way.x - self.turn_axis(0, within.hold(part * way.x) + more.x, &mut directions);
             unfit.x = rest - eye.hold(rest);
@@ -206,11 +211,11 @@ impl<const C: usize> Gaze<'_, C> {
     fn turn_regions(&self, wanted: Pair, directions: &mut [Pair]) -> Pair {
         let regions = self.regions;
         // Mostly all have room for their parts.
-        let each = wanted / regions.iter().fold(Vec4::ZERO, |sum, region| sum + region.compliance);
+        let each = wanted / regions.iter().fold(Vec4::ZERO, |sum, region| sum + region.part.compliance);
         let mut sum = Vec4::ZERO;
         let mut fits = 3;
         for (region, direction) in regions.iter().zip(&mut *directions) {
-            let own = each * region.compliance;
+            let own = each * region.part.compliance;
             fits &= (region.lo.cmple(own) & own.cmple(region.hi)).bitmask();
             sum += own;
             *direction = region.animated + sum;
@@ -231,7 +236,7 @@ impl<const C: usize> Gaze<'_, C> {
         for _ in 0..self.count {
             let mut total = 0.0;
             for ((gives, turn), region) in gives.iter_mut().zip(&*turns).zip(regions) {
-                *gives = if region.room(axis).blocks(*turn, left) { 0.0 } else { region.compliance[axis] };
+                *gives = if region.room(axis).blocks(*turn, left) { 0.0 } else { region.part.compliance[axis] };
                 total += *gives;
             }
             if left == 0.0 || !(total > 0.0) {

@@ -18,8 +18,7 @@ use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec4};
 
 use super::glide::Pair;
 use crate::JointInfo;
-use crate::kinematics::chain::{Ray, Space, Upright, effector, orthogonal_frames, upright};
-use crate::kinematics::rotation::is_identity;
+use crate::kinematics::chain::{Ray, Space, TOO_NEAR, Upright, effector, orthogonal_frames, upright};
 use crate::math;
 use crate::math::trig::{self, Halves};
 use crate::rig::{ChainRig, PerJoint};
@@ -29,7 +28,6 @@ pub(super) struct Body<'a, const C: usize> {
     pub(super) rig: &'a ChainRig<'a, C>,
     /// The joint that carries the effector; those before it do not matter.
     pub(super) first: usize,
-    pub(super) count: usize,
     /// The joints' frames, the same as rows, and where they are; the innermost is the origin.
     pub(super) frames: PerJoint<Mat3A, C>,
     pub(super) rows: PerJoint<Mat3A, C>,
@@ -38,7 +36,7 @@ pub(super) struct Body<'a, const C: usize> {
     pub(super) tilts: PerJoint<Quat, C>,
     /// The innermost joint's frame before it is tilted upright.
     pub(super) trunk: Mat3A,
-    /// The effector, and the same in the aimed joint's frame.
+    /// The effector, its direction a unit vector, and the same in the aimed joint's frame.
     pub(super) gaze: Ray,
     pub(super) effector: Ray,
     /// Whether the effector looks along its joint's forward from its origin.
@@ -56,12 +54,11 @@ impl<'a, const C: usize> Body<'a, C> {
         Self {
             rig,
             first: 0,
-            count: rig.joints.len(),
-            frames: rig.array(Mat3A::IDENTITY),
-            rows: rig.array(Mat3A::IDENTITY),
+            frames: rig.array(Mat3A::ZERO),
+            rows: rig.array(Mat3A::ZERO),
             places: rig.array(Vec3A::ZERO),
             tilts: rig.array(Quat::IDENTITY),
-            trunk: Mat3A::IDENTITY,
+            trunk: Mat3A::ZERO,
             gaze: ray,
             effector: ray,
             is_plain: true,
@@ -70,14 +67,26 @@ impl<'a, const C: usize> Body<'a, C> {
         }
     }
 
+    /// The number of joints.
+    #[inline(always)]
+    pub(super) fn count(&self) -> usize {
+        self.rig.count()
+    }
+
+    /// What was declared of the joints.
+    #[inline(always)]
+    pub(super) fn infos(&self) -> &'a [JointInfo] {
+        &self.rig.joints[..self.rig.count()]
+    }
+
     /// Reads `pose` with `first` as the joint that is aimed; `None` where it is not finite or does not span space.
     #[inline(always)]
     pub(super) fn read(&mut self, pose: &[Affine3A], first: usize, about: Upright) -> Option<()> {
-        let infos = self.rig.joints;
+        let infos = self.infos();
         if infos.is_empty() || pose.len() != infos.len() {
             return None;
         }
-        let first = first.min(infos.len() - 1);
+        let (pose, first) = (&pose[..infos.len()], first.min(infos.len() - 1));
         self.first = first;
         self.is_rigid = orthogonal_frames(pose, first, &mut self.frames)?;
         let aimed = effector(self.rig, first);
@@ -100,8 +109,7 @@ impl<'a, const C: usize> Body<'a, C> {
         if !self.rig.has_upright {
             self.trunk = self.frames[last];
         }
-        let tilt = self.tilts[first];
-        self.is_plain = !has_origin && is_identity(tilt) && (first > 0 || self.rig.aims_forward);
+        self.is_plain = !has_origin && !self.is_tilted(first) && (first > 0 || self.rig.aims_forward);
         self.gaze = Ray { origin: self.places[first], direction: self.frames[first].x_axis };
         if !self.is_plain {
             let direction = self.upright_direction(first, aimed.direction);
@@ -114,6 +122,12 @@ impl<'a, const C: usize> Body<'a, C> {
         Some(())
     }
 
+    /// Whether a joint's frame is not that of its bone.
+    #[inline(always)]
+    pub(super) fn is_tilted(&self, joint: usize) -> bool {
+        self.rig.has_upright && Vec4::from(self.tilts[joint]).cmpne(Vec4::ZERO).bitmask() & 7 != 0
+    }
+
     /// A direction of a joint's bone in its upright frame.
     #[cold]
     fn upright_direction(&self, joint: usize, direction: Vec3A) -> Vec3A {
@@ -123,19 +137,37 @@ impl<'a, const C: usize> Body<'a, C> {
     /// A joint's own forward in its frame, which that of an upright frame is not.
     #[inline(always)]
     pub(super) fn forward(&self, joint: usize) -> Vec3A {
-        if is_identity(self.tilts[joint]) {
-            Vec3A::X
+        if self.is_tilted(joint) {
+            self.upright_direction(joint, self.infos()[joint].axes.forward.into())
         } else {
-            self.upright_direction(joint, self.rig.joints[joint].axes.forward.into())
+            Vec3A::X
         }
     }
 
     /// Takes the effector from the true kinematics of a pose that is not rigid; `None` where it looks nowhere.
     pub(super) fn look_along(&mut self, gaze: Ray) -> Option<()> {
-        self.gaze = gaze;
-        self.effector.direction = self.rows[self.first] * math::unit(gaze.direction)?;
+        self.gaze = Ray { direction: math::unit(gaze.direction)?, ..gaze };
+        self.effector.direction = self.rows[self.first] * self.gaze.direction;
         self.is_plain = false;
         Some(())
+    }
+
+    /// The angle between the effector and the direction to a point from which the turns of the joints inside are taken back, the
+    /// leading joint turned like this; `None` where that is undefined.
+    #[inline(always)]
+    pub(super) fn angle_to(&self, point: Vec3A, turn: &Turn) -> Option<f32> {
+        let first = self.first;
+        let seen = turn.back(self.rows[first] * (point - self.places[first]));
+        if !self.is_plain {
+            return self.effector.angle_to(seen);
+        }
+        let aside = seen.y * seen.y + seen.z * seen.z;
+        let square = aside + seen.x * seen.x;
+        // The negation also catches NaN.
+        if !(square > TOO_NEAR * TOO_NEAR && square < f32::INFINITY) {
+            return None;
+        }
+        Some(trig::atan2(math::sqrt(aside), seen.x))
     }
 
     /// Whether a joint turns all the way round.
@@ -163,7 +195,7 @@ impl<'a, const C: usize> Body<'a, C> {
 
 /// The sines and cosines of a joint's pitch and heading.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Turn([f32; 4]);
+pub(super) struct Turn(Vec4);
 
 impl Turn {
     #[inline(always)]
@@ -179,7 +211,7 @@ impl Turn {
     /// A vector along forward, left and up as it is along those that are turned.
     #[inline(always)]
     pub(super) fn back(&self, v: Vec3A) -> Vec3A {
-        let &Self([sin_p, cos_p, sin_h, cos_h]) = self;
+        let [sin_p, cos_p, sin_h, cos_h] = self.0.to_array();
         let [ahead, left, up] = v.to_array();
         let level = ahead * cos_h + left * sin_h;
         Vec3A::new(level * cos_p + up * sin_p, left * cos_h - ahead * sin_h, up * cos_p - level * sin_p)
@@ -187,7 +219,7 @@ impl Turn {
 
     /// The frame (f, l, u) turned.
     pub(super) fn of_frame(&self, frame: &Mat3A) -> Mat3A {
-        let &Self([sin_p, cos_p, sin_h, cos_h]) = self;
+        let [sin_p, cos_p, sin_h, cos_h] = self.0.to_array();
         let Mat3A { x_axis: forward, y_axis: left, z_axis: up } = *frame;
         let level = forward * cos_h + left * sin_h;
         Mat3A::from_cols(level * cos_p + up * sin_p, left * cos_h - forward * sin_h, up * cos_p - level * sin_p)

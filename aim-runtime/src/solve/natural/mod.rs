@@ -30,18 +30,18 @@ use self::allot::Fit;
 use self::body::{Body, Turn, angles};
 use self::glide::{Bounds, Glide, Pair, ends, follow, length, pair, saccade, square};
 use self::range::Range;
-use self::region::{Region, regions};
+use self::region::{Region, find_regions};
 use self::sharing::Sharing;
 use self::sight::{Seen, turn_to};
 use super::call::Call;
 use super::solved::{Moved, Solved, Task};
 use crate::kinematics::bearing::{Bearings, heading_and_pitch};
 use crate::kinematics::chain::{Chain, Upright};
-use crate::kinematics::rotation::{is_identity, tilted, turn};
+use crate::kinematics::rotation::{tilted, turn};
 use crate::limits::RangeOfMotion;
 use crate::math::Bounded;
 use crate::math::trig;
-use crate::rig::{ChainRig, Led, Memory, PoseSlices, Support};
+use crate::rig::{BodyPart, ChainRig, Led, MOST_PARTS, Memory, PerJoint, PoseSlices, Support};
 use crate::target::behind::Front;
 use crate::target::goal::{Course, Goal, Scene};
 use crate::{Joint, Role, math};
@@ -62,7 +62,7 @@ pub(super) fn aim<const C: usize>(
     motions: &[RangeOfMotion],
     call: &Call<'_>,
     about: Upright,
-    Moved { joints, memory, corrections }: Moved<'_>,
+    Moved { joints, memory, corrections }: Moved<'_, C>,
 ) -> Option<Solved> {
     let settings = call.settings;
     let mut body = Body::unseen(rig);
@@ -78,7 +78,7 @@ pub(super) fn aim<const C: usize>(
     let scene = Scene {
         space: body.space,
         gaze: body.gaze,
-        front: Front::new(&body.frames[body.count - 1], body.gaze),
+        front: Front::new(&body.frames[body.count() - 1], body.gaze),
         rig: rig.description,
         first: body.first,
         motions,
@@ -90,14 +90,23 @@ pub(super) fn aim<const C: usize>(
     before.behind &= call.dt.is_some();
     let goal = Goal::new(&scene, call.target_ps.into(), settings, &before)?;
     let first = body.first;
-    let has_eye = rig.joints[first].role == Role::Eye && first + 1 < body.count;
+    let has_eye = rig.joints[first].role == Role::Eye && first + 1 < body.count();
+    let mut own_parts = None;
+    let parts = if first == 0 && rig.part_count <= MOST_PARTS {
+        &rig.parts[..rig.part_count]
+    } else {
+        let parts = own_parts.insert(rig.array(BodyPart::NONE));
+        let count = BodyPart::find(rig.joints, first, &rig.budgets, parts);
+        &parts[..count]
+    };
     let (mut ranges, mut found) = (rig.array(Range::REST), rig.array(Region::NONE));
     for (range, motion) in ranges.iter_mut().zip(motions) {
         *range = Range::new(motion);
     }
-    let count = regions(&body, &ranges, &bearings, first + usize::from(has_eye), &mut found);
-    let turns = body.places[found[count - 1].outer];
-    let direction = math::unit(body.gaze.direction).unwrap_or(Vec3A::X);
+    find_regions(&body, parts, &ranges, &bearings, &mut found);
+    let count = parts.len();
+    let turns = body.places[parts[count - 1].outer];
+    let direction = body.gaze.direction;
     let gaze = Gaze {
         rig,
         body: &body,
@@ -113,7 +122,8 @@ pub(super) fn aim<const C: usize>(
         pivot: body.gaze.origin - direction * direction.dot(body.gaze.origin - turns).at_least(0.0),
     };
     let mut before = rig.array(Joint::REST);
-    let mut posture = Posture { joints, corrections, point: goal.wanted, wanted: goal.wanted };
+    let leading = Turn::new(Vec4::ZERO);
+    let mut posture = Posture { joints, corrections, point: goal.wanted, wanted: goal.wanted, leading };
     let fit = match call.dt {
         Some(dt) => gaze.move_joints(&mut before, memory, &mut posture, dt)?,
         None => {
@@ -124,11 +134,13 @@ pub(super) fn aim<const C: usize>(
     for joint in 0..first {
         posture.correct(&body, joint);
     }
-    let Posture { joints, corrections, wanted, .. } = posture;
-    let task = Task { rig, motions, goal: &goal, space: body.space, settings, within_reach: fit.within_reach };
+    let Posture { joints, corrections, wanted, leading, .. } = posture;
+    let well_within = ranges.iter().zip(joints.iter()).all(|(range, joint)| range.holds_well(angles(joint)));
+    let within_reach = fit.within_reach;
+    let task = Task { rig, motions, goal: &goal, space: body.space, settings, within_reach, well_within };
     let mut solved = task.finish(joints, memory, |_| match &chain {
         Some(chain) => chain.gaze(corrections).angle_to(goal.wanted),
-        None => body.gaze.angle_to(wanted),
+        None => body.angle_to(wanted, &leading),
     })?;
     solved.outcome.body_turn = fit.body_turn;
     solved.outcome.out_of_reach_for = memory.blocked_s;
@@ -136,32 +148,35 @@ pub(super) fn aim<const C: usize>(
 }
 
 /// The joints as they are turned in a call, from the root outward.
-struct Posture<'a> {
-    joints: &'a mut [Joint],
+struct Posture<'a, const C: usize> {
+    joints: &'a mut PerJoint<Joint, C>,
     /// What each joint adds in its bone.
     corrections: &'a mut [Quat],
     /// What is looked at and what the outcome is measured against, the turns of the joints that had theirs taken back.
     point: Vec3A,
     wanted: Vec3A,
+    /// How the leading joint is turned.
+    leading: Turn,
 }
 
-impl Posture<'_> {
+impl<const C: usize> Posture<'_, C> {
     /// Notes what a joint adds.
     #[inline(always)]
-    fn correct<const C: usize>(&mut self, body: &Body<'_, C>, joint: usize) -> Turn {
-        let (info, halves) = (&body.rig.joints[joint], trig::halves_of(angles(&self.joints[joint])));
-        self.corrections[joint] = tilted(turn(&info.axes, &info.planes, halves), body.tilts[joint]);
+    fn correct(&mut self, body: &Body<'_, C>, joint: usize) -> Turn {
+        let (info, halves) = (&body.infos()[joint], trig::halves_of(angles(&self.joints[joint])));
+        let turn = turn(&info.axes, &info.planes, halves.to_array());
+        self.corrections[joint] = if body.is_tilted(joint) { tilted(turn, body.tilts[joint]) } else { turn };
         Turn::of_halves(halves)
     }
 }
 
 /// What moves the joints in a frame.
-struct Motion<'a> {
+struct Motion<'a, const C: usize> {
     memory: &'a mut Memory,
     /// What the head's goal did so far; `None` where this is the first frame.
     led: Option<Led>,
     /// How far each joint gets in the frame.
-    reaches: &'a [Range<'a>],
+    reaches: &'a PerJoint<Range<'a>, C>,
     dt: f32,
     per_dt: f32,
     /// Whether the regions are to come to rest where they are.
@@ -190,14 +205,14 @@ struct Gaze<'a, const C: usize> {
     body: &'a Body<'a, C>,
     /// The true kinematics of a pose that is not rigid.
     chain: Option<&'a Chain<C>>,
-    ranges: &'a [Range<'a>],
+    ranges: &'a PerJoint<Range<'a>, C>,
     goal: &'a Goal,
     sharing: Sharing,
     /// After this time out of reach the gaze returns to the animation, seconds.
     patience: f32,
     bearings: &'a Bearings,
     /// From the innermost outward, without the eye.
-    regions: &'a [Region],
+    regions: &'a [Region<'a>],
     count: usize,
     /// Whether an eye leads: a joint without inertia.
     has_eye: bool,
@@ -210,7 +225,13 @@ impl<const C: usize> Gaze<'_, C> {
     /// Moves the joints by a frame of `dt` seconds. `None` where the aim is
     /// undefined.
     #[inline(always)]
-    fn move_joints(&self, from: &mut [Joint], memory: &mut Memory, posture: &mut Posture<'_>, dt: f32) -> Option<Fit> {
+    fn move_joints(
+        &self,
+        from: &mut PerJoint<Joint, C>,
+        memory: &mut Memory,
+        posture: &mut Posture<'_, C>,
+        dt: f32,
+    ) -> Option<Fit> {
         let rig = self.rig;
         let mut reaches = rig.array(Range::REST);
         for (index, reach) in reaches.iter_mut().enumerate() {
@@ -237,7 +258,7 @@ impl<const C: usize> Gaze<'_, C> {
         let led = (memory.support != Support::None).then(|| memory.led());
         if led.is_none() {
             memory.blocked_s = 0.0;
-            for joint in &mut *from {
+            for joint in from.iter_mut() {
                 joint.velocity = [0.0; 2];
                 joint.set_destination(None);
             }
@@ -267,18 +288,23 @@ impl<const C: usize> Gaze<'_, C> {
     }
 
     #[cold]
-    fn return_to_rest(&self, from: &[Joint], motion: &mut Motion<'_>, posture: &mut Posture<'_>) -> Option<Fit> {
+    fn return_to_rest(
+        &self,
+        from: &PerJoint<Joint, C>,
+        motion: &mut Motion<'_, C>,
+        posture: &mut Posture<'_, C>,
+    ) -> Option<Fit> {
         motion.memory.support = Support::Rests;
-        self.place(Aims::Rest(self.ahead()?), from, Some(motion), posture)?;
+        self.place(Aims::Rest(self.ahead()), from, Some(motion), posture)?;
         Some(Fit::WITHIN_REACH)
     }
 
     fn turn_to_goal(
         &self,
-        from: &[Joint],
+        from: &PerJoint<Joint, C>,
         gives_up: bool,
-        motion: &mut Motion<'_>,
-        posture: &mut Posture<'_>,
+        motion: &mut Motion<'_, C>,
+        posture: &mut Posture<'_, C>,
     ) -> Option<Fit> {
         let seen = self.engage(from, motion)?;
         motion.stays = motion.memory.support != Support::Shares;
@@ -320,14 +346,14 @@ impl<const C: usize> Gaze<'_, C> {
     }
 
     /// Lets the regions rest once they have arrived and the eye's angles are small.
-    fn rest(&self, seen: &Seen, motion: &mut Motion<'_>) {
+    fn rest(&self, seen: &Seen, motion: &mut Motion<'_, C>) {
         if self.has_eye && motion.arrived && seen.is_within() && seen.off() < self.sharing.release {
             motion.memory.support = Support::Rests;
         }
     }
 
     /// Decides whether the regions take part. Returns how an eye that has done without them sees the goal.
-    fn engage(&self, joints: &[Joint], motion: &mut Motion<'_>) -> Option<Option<Seen>> {
+    fn engage(&self, joints: &[Joint], motion: &mut Motion<'_, C>) -> Option<Option<Seen>> {
         let (memory, delay) = (&mut *motion.memory, self.sharing.delay);
         if !self.has_eye {
             memory.support = Support::Shares;
@@ -351,18 +377,18 @@ impl<const C: usize> Gaze<'_, C> {
     }
 
     /// A point where the animation looks, as far as the goal is.
-    fn ahead(&self) -> Option<Vec3A> {
+    fn ahead(&self) -> Vec3A {
         let gaze = self.body.gaze;
-        Some(gaze.origin + math::unit(gaze.direction)? * (self.goal.aimed - gaze.origin).length().at_least(1.0))
+        gaze.origin + gaze.direction * (self.goal.aimed - gaze.origin).length().at_least(1.0)
     }
 
     /// Puts the joints where they belong for a goal, whatever the rates. `None` where the aim is undefined.
-    fn snap(&self, joints: &[Joint], memory: &mut Memory, posture: &mut Posture<'_>) -> Option<Fit> {
+    fn snap(&self, joints: &PerJoint<Joint, C>, memory: &mut Memory, posture: &mut Posture<'_, C>) -> Option<Fit> {
         // A target on the animated effector has no direction, whatever the joints could make of it.
         self.body.gaze.angle_to(self.goal.aimed)?;
         let first = self.body.first;
         let mut found = self.rig.array(Joint::REST);
-        for (index, (found, joint)) in found.iter_mut().zip(joints).enumerate() {
+        for (index, (found, joint)) in found.iter_mut().zip(&**joints).enumerate() {
             let stays = self.goal.course == Course::Stay && index >= first;
             let joint = if stays { Joint::REST.turned_to(joint.heading, joint.pitch) } else { Joint::REST };
             *found = at(&joint, self.ranges[index].hold(angles(&joint)));
@@ -386,7 +412,7 @@ impl<const C: usize> Gaze<'_, C> {
             }
             self.hold_eye(&mut found);
             let head = &self.regions[self.count - 1];
-            after.set_led(Led { goal: ends(sum(&found[head.outer..=head.inner])), ..Led::default() });
+            after.set_led(Led { goal: ends(sum(&found, head.part)), ..Led::default() });
         }
         self.stand(&found, posture);
         *memory = after;
@@ -401,13 +427,15 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// Leaves the joints like this.
     #[cold]
-    fn stand(&self, joints: &[Joint], posture: &mut Posture<'_>) {
+    fn stand(&self, joints: &[Joint], posture: &mut Posture<'_, C>) {
         let first = self.body.first;
         posture.joints[first..].copy_from_slice(&joints[first..]);
         posture.wanted = self.goal.wanted;
-        for joint in (first..self.body.count).rev() {
-            let turn = posture.correct(self.body, joint);
-            posture.wanted = self.body.take_back_point(joint, &turn, posture.wanted);
+        for joint in (first..self.body.count()).rev() {
+            posture.leading = posture.correct(self.body, joint);
+            if joint > first {
+                posture.wanted = self.body.take_back_point(joint, &posture.leading, posture.wanted);
+            }
         }
     }
 
@@ -416,9 +444,9 @@ impl<const C: usize> Gaze<'_, C> {
     fn place(
         &self,
         aims: Aims<'_>,
-        from: &[Joint],
-        mut motion: Option<&mut Motion<'_>>,
-        posture: &mut Posture<'_>,
+        from: &PerJoint<Joint, C>,
+        mut motion: Option<&mut Motion<'_, C>>,
+        posture: &mut Posture<'_, C>,
     ) -> Option<Seen> {
         let (body, first, wanted) = (self.body, self.body.first, self.goal.wanted);
         let mut goals = self.rig.array(Vec4::ZERO);
@@ -428,8 +456,13 @@ impl<const C: usize> Gaze<'_, C> {
         match aims {
             Aims::At(angles, point) => {
                 posture.point = point;
-                for (direction, angles) in directions.iter_mut().zip(&angles[..self.count]) {
-                    *direction = self.bearings.direction(*angles);
+                let mut number = 0;
+                while number < self.count {
+                    let (own, next) = (angles[number], (number + 1).min(self.count - 1));
+                    let other = angles[next];
+                    [directions[number], directions[next]] =
+                        self.bearings.directions(Vec4::new(own.x, own.y, other.x, other.y));
+                    number += 2;
                 }
             }
             Aims::EyeAt(point) | Aims::Rest(point) => posture.point = point,
@@ -443,10 +476,10 @@ impl<const C: usize> Gaze<'_, C> {
                 Aims::At(..) => {
                     let leads = (is_head && !self.has_eye).then_some(point);
                     let wanted = self.goals(region, directions[number], leads, from, posture, &mut goals)?;
-                    seen = Seen { wanted, held: goals[region.outer] };
+                    seen = Seen { wanted, held: goals[region.part.outer] };
                 }
                 Aims::Rest(_) => {
-                    for index in region.outer..=region.inner {
+                    for index in region.part.outer..=region.part.inner {
                         goals[index] = self.ranges[index].hold_from(Vec4::ZERO, Vec4::ZERO);
                     }
                 }
@@ -455,13 +488,17 @@ impl<const C: usize> Gaze<'_, C> {
             if let Some(motion) = &mut motion {
                 self.glide(region, is_head, &goals, from, posture.joints, motion);
             }
-            for index in (region.outer..=region.inner).rev() {
+            for index in (region.part.outer..region.part.inner + 1).rev() {
                 let turn = if motion.is_some() {
                     posture.correct(body, index)
                 } else {
                     posture.joints[index] = at(&from[index], goals[index]);
                     Turn::new(goals[index])
                 };
+                if index == first {
+                    posture.leading = turn;
+                    break;
+                }
                 for direction in &mut directions[number + 1..self.count] {
                     *direction = body.take_back(index, &turn, *direction);
                 }
@@ -495,8 +532,7 @@ impl<const C: usize> Gaze<'_, C> {
                 }
             }
             if motion.is_some() {
-                let turn = posture.correct(body, first);
-                posture.wanted = body.take_back_point(first, &turn, posture.wanted);
+                posture.leading = posture.correct(body, first);
             }
         }
         Some(seen)
@@ -507,20 +543,20 @@ impl<const C: usize> Gaze<'_, C> {
     #[inline(always)]
     fn goals(
         &self,
-        region: &Region,
+        region: &Region<'_>,
         mut direction: Vec3A,
         leads: Option<Vec3A>,
-        from: &[Joint],
-        posture: &mut Posture<'_>,
-        goals: &mut [Pair],
+        from: &PerJoint<Joint, C>,
+        posture: &mut Posture<'_, C>,
+        goals: &mut PerJoint<Pair, C>,
     ) -> Option<Pair> {
-        let (body, outer) = (self.body, region.outer);
+        let (body, outer) = (self.body, region.part.outer);
         // Inner joints make their share; the outermost closes what is left, in the frame that they carry.
         let (mut point, mut inner) = (posture.point, Vec4::ZERO);
-        if outer < region.inner {
-            let whole = turn_to(region.forward, body.rows[region.inner] * direction);
-            for index in (outer + 1..=region.inner).rev() {
-                let share = region.share(&self.rig.joints[index]);
+        if outer < region.part.inner {
+            let whole = turn_to(region.forward, body.rows[region.part.inner] * direction);
+            for index in (outer + 1..=region.part.inner).rev() {
+                let share = region.share(&self.body.infos()[index]);
                 let held = self.ranges[index].hold_from(angles(&from[index]), share * whole);
                 goals[index] = held;
                 inner += held;
@@ -534,8 +570,8 @@ impl<const C: usize> Gaze<'_, C> {
         }
         let wanted = match leads {
             Some(true_point) => self.sight(posture.joints, true_point, point)?,
-            None if is_identity(body.tilts[outer]) => heading_and_pitch(body.rows[outer] * direction),
-            None => turn_to(region.own_forward, body.rows[outer] * direction),
+            None if body.is_tilted(outer) => turn_to(region.own_forward, body.rows[outer] * direction),
+            None => heading_and_pitch(body.rows[outer] * direction),
         };
         let within = (wanted + inner).max(region.lo).min(region.hi) - inner;
         goals[outer] = self.ranges[outer].hold_from(angles(&from[outer]), within);
@@ -547,21 +583,24 @@ impl<const C: usize> Gaze<'_, C> {
     #[inline(always)]
     fn glide(
         &self,
-        region: &Region,
+        region: &Region<'_>,
         is_head: bool,
-        goals: &[Pair],
-        from: &[Joint],
-        joints: &mut [Joint],
-        motion: &mut Motion<'_>,
+        goals: &PerJoint<Pair, C>,
+        from: &PerJoint<Joint, C>,
+        joints: &mut PerJoint<Joint, C>,
+        motion: &mut Motion<'_, C>,
     ) {
-        let (outer, inner, dt, per_dt) = (region.outer, region.inner, motion.dt, motion.per_dt);
-        let pace = region.pace * motion.led.as_ref().map_or(1.0, Led::haste);
-        let &Region { rate, approach, acceleration, .. } = region;
+        let (outer, dt, per_dt) = (region.part.outer, motion.dt, motion.per_dt);
+        let pace = region.part.pace * motion.led.as_ref().map_or(1.0, Led::haste);
+        let &BodyPart { rate, approach, acceleration, .. } = region.part;
         let mut bounds = Bounds { dt, per_dt, pace, rate, approach, acceleration };
-        let (before, speed) = (sum(&from[outer..=inner]), pair(from[outer].velocity));
+        let (before, speed) = (sum(from, region.part), pair(from[outer].velocity));
         let acceleration = from[outer].destination().map_or(Vec4::ZERO, pair);
         let mut glide = Glide { speed, acceleration, offset: Vec4::ZERO };
-        let mut goal = goals[outer..=inner].iter().fold(Vec4::ZERO, |sum, goal| sum + *goal);
+        let mut goal = goals[outer];
+        for index in outer + 1..region.part.inner + 1 {
+            goal += goals[index];
+        }
         let (mut begins, mut carries) = (Vec4::ZERO, Vec4::ZERO);
         let mut led = Led::default();
         if is_head {
@@ -622,19 +661,19 @@ impl<const C: usize> Gaze<'_, C> {
     #[inline(always)]
     fn distribute(
         &self,
-        region: &Region,
-        goals: &[Pair],
+        region: &Region<'_>,
+        goals: &PerJoint<Pair, C>,
         [goal, before, total]: [Pair; 3],
-        from: &[Joint],
-        joints: &mut [Joint],
-        motion: &Motion<'_>,
+        from: &PerJoint<Joint, C>,
+        joints: &mut PerJoint<Joint, C>,
+        motion: &Motion<'_, C>,
     ) -> Pair {
-        let outer = region.outer;
+        let outer = region.part.outer;
         let mut rest = total;
-        if outer < region.inner {
-            let taken = 1.0 - 1.0 / (1.0 + motion.dt * region.pace);
-            for index in (outer + 1..=region.inner).rev() {
-                let share = region.share(&self.rig.joints[index]);
+        if outer < region.part.inner {
+            let taken = 1.0 - 1.0 / (1.0 + motion.dt * region.part.pace);
+            for index in (outer + 1..=region.part.inner).rev() {
+                let share = region.share(&self.body.infos()[index]);
                 let off = angles(&from[index]) - share * before;
                 let end = if motion.stays { off } else { goals[index] - share * goal };
                 let held = motion.reaches[index].hold(share * total + off + (end - off) * taken);
@@ -646,7 +685,7 @@ impl<const C: usize> Gaze<'_, C> {
         joints[outer] = with_angles(held);
         rest -= held;
         // What the outermost has no room for, the others make.
-        for (joint, reach) in joints.iter_mut().zip(motion.reaches).take(region.inner + 1).skip(outer + 1) {
+        for (joint, reach) in joints.iter_mut().zip(&**motion.reaches).take(region.part.inner + 1).skip(outer + 1) {
             if square(rest) <= SAME_RAD * SAME_RAD {
                 break;
             }
@@ -660,11 +699,11 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// Turns the eye towards what it sees by a frame. It remembers where that was, and the speed at which it leaps.
     #[inline(always)]
-    fn leap(&self, held: Pair, joint: &Joint, motion: &Motion<'_>) -> Joint {
+    fn leap(&self, held: Pair, joint: &Joint, motion: &Motion<'_, C>) -> Joint {
         let first = self.body.first;
         let now = angles(joint);
         let before = joint.destination().map_or(now, pair);
-        let rate = self.rig.joints[first].rate.at_least(0.0).at_most(PI * motion.per_dt);
+        let rate = self.body.infos()[first].rate.at_least(0.0).at_most(PI * motion.per_dt);
         let change = held - before;
         // Half of its speed is for what the goal does smoothly; what it does faster is made up for by a leap.
         let step = 0.5 * rate * motion.dt;
@@ -680,12 +719,12 @@ impl<const C: usize> Gaze<'_, C> {
     /// keeps its elevation where the head does not get there; towards what is far aside level, as straight would lead over the
     /// other way round.
     #[inline(always)]
-    fn held_straight(&self, seen: &Seen, joint: &Joint, posture: &Posture<'_>) -> Pair {
+    fn held_straight(&self, seen: &Seen, joint: &Joint, posture: &Posture<'_, C>) -> Pair {
         if seen.is_within() { seen.held } else { self.held_aside(seen.wanted, joint, posture) }
     }
 
     #[inline(never)]
-    fn held_aside(&self, wanted: Pair, joint: &Joint, posture: &Posture<'_>) -> Pair {
+    fn held_aside(&self, wanted: Pair, joint: &Joint, posture: &Posture<'_, C>) -> Pair {
         /// From the first of these headings on the eye keeps to the point's elevation, wholly from the second.
         const ASIDE_RAD: [f32; 2] = [50.0 * PI / 180.0, 100.0 * PI / 180.0];
         let range = &self.ranges[self.body.first];
@@ -705,9 +744,9 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// The pitch at which the eye, at this heading, looks as high as its point is: of a·cos p + b·sin p = sin ε, a and b being
     /// how high its forward and its up go.
-    fn level_pitch(&self, heading: f32, posture: &Posture<'_>) -> f32 {
+    fn level_pitch(&self, heading: f32, posture: &Posture<'_, C>) -> f32 {
         let body = self.body;
-        let up = (body.first + 1..body.count).rev().fold(self.bearings.up(), |up, index| {
+        let up = (body.first + 1..body.count()).rev().fold(self.bearings.up(), |up, index| {
             body.take_back(index, &Turn::new(angles(&posture.joints[index])), up)
         });
         let up = body.rows[body.first] * up;
@@ -748,8 +787,12 @@ fn with_angles(angles: Pair) -> Joint {
     at(&Joint::REST, angles)
 }
 
-/// The sums of the joints' headings and pitches.
+/// The sums of headings and pitches of a part's joints.
 #[inline(always)]
-fn sum(joints: &[Joint]) -> Pair {
-    joints.iter().fold(Vec4::ZERO, |sum, joint| sum + angles(joint))
+fn sum(joints: &[Joint], part: &BodyPart) -> Pair {
+    let mut sum = angles(&joints[part.outer]);
+    for joint in &joints[part.outer + 1..part.inner + 1] {
+        sum += angles(joint);
+    }
+    sum
 }

@@ -1,47 +1,41 @@
 //! [`Range`]: a joint's range of motion, both angles at once.
 
-use glam::Vec4;
+use glam::{Vec4, Vec4Swizzles};
 
 use super::glide::Pair;
+use crate::limits::reach::AT_LIMIT_RAD;
 use crate::limits::{Interval, RangeOfMotion};
 use crate::math;
 
-/// A joint's range of motion: intervals of heading and pitch, and where it is more than those, what it is.
+/// A joint's range of motion: intervals of heading and pitch, and in the third lane where a rate lets the pitch be; and where it
+/// is more than those, what it is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Range<'a> {
     pub(super) lo: Pair,
     pub(super) hi: Pair,
     /// The range where the pitch's part of it narrows with the heading, or the heading is free.
     more: Option<&'a RangeOfMotion>,
-    /// Where a rate lets the pitch be; `None` without one.
-    pitch: Option<[f32; 2]>,
 }
 
 impl<'a> Range<'a> {
-    pub(super) const REST: Self = Self { lo: Vec4::ZERO, hi: Vec4::ZERO, more: None, pitch: None };
+    pub(super) const REST: Self = Self { lo: Vec4::ZERO, hi: Vec4::ZERO, more: None };
 
     #[inline(always)]
     pub(super) fn new(motion: &'a RangeOfMotion) -> Self {
         let ([right, left], [down, up]) = (motion.heading.ends(), motion.pitch.ends());
         Self {
-            lo: Vec4::new(right, down, 0.0, 0.0),
-            hi: Vec4::new(left, up, 0.0, 0.0),
+            lo: Vec4::new(right, down, f32::NEG_INFINITY, 0.0),
+            hi: Vec4::new(left, up, f32::INFINITY, 0.0),
             more: (motion.taper.is_some() || motion.heading.is_free()).then_some(motion),
-            ..Self::REST
         }
     }
 
     /// What is left of it within a step of either angle; where that is nothing, the step's end nearest to it.
     #[inline(always)]
     pub(super) fn within(&self, angles: Pair, step: f32) -> Self {
-        let step = Vec4::splat(step);
+        let (angles, step) = (angles.xyyy(), Vec4::splat(step));
         let (least, most) = (angles - step, angles + step);
-        Self {
-            lo: self.lo.max(least).min(most),
-            hi: self.hi.min(most).max(least),
-            more: self.more,
-            pitch: Some([least.y, most.y]),
-        }
+        Self { lo: self.lo.max(least).min(most), hi: self.hi.min(most).max(least), more: self.more }
     }
 
     /// The nearest angles in the range, heading first.
@@ -57,10 +51,9 @@ impl<'a> Range<'a> {
     #[cold]
     #[inline(never)]
     fn hold_narrowed(&self, motion: &RangeOfMotion, heading: f32, pitch: f32) -> Pair {
-        let range = match (motion.taper, self.pitch) {
-            (Some(_), Some([least, most])) => motion.pitch_at(heading).within(Interval::from_ends(least, most)),
-            (Some(_), None) => motion.pitch_at(heading),
-            (None, _) => Interval::from_ends(self.lo.y, self.hi.y),
+        let range = match motion.taper {
+            Some(_) => motion.pitch_at(heading).within(Interval::from_ends(self.lo.z, self.hi.z)),
+            None => Interval::from_ends(self.lo.y, self.hi.y),
         };
         Vec4::new(heading, range.hold(pitch), 0.0, 0.0)
     }
@@ -83,6 +76,14 @@ impl<'a> Range<'a> {
             motion.heading.hold(angles.x)
         };
         Vec4::new(heading, motion.pitch_at(heading).hold(angles.y), 0.0, 0.0)
+    }
+
+    /// Whether angles are not at the ends of the range, nor near them, however it narrows.
+    #[inline(always)]
+    pub(super) fn holds_well(&self, angles: Pair) -> bool {
+        let near = Vec4::splat(AT_LIMIT_RAD);
+        let inside = (angles - self.lo).min(self.hi - angles);
+        self.more.is_none() && inside.cmpgt(near).bitmask() & 3 == 3
     }
 
     /// Whether one of the angles has nowhere to go.

@@ -60,7 +60,7 @@ impl<const C: usize> Gaze<'_, C> {
     pub(super) fn see(&self, joints: &[Joint], point: Vec3A) -> Option<Seen> {
         let body = self.body;
         let outward = |point, index: usize| body.take_back_point(index, &Turn::new(angles(&joints[index])), point);
-        let taken_back = (body.first + 1..body.count).rev().fold(point, outward);
+        let taken_back = (body.first + 1..body.count()).rev().fold(point, outward);
         self.seen(joints, point, taken_back)
     }
 
@@ -128,7 +128,7 @@ impl<const C: usize> Gaze<'_, C> {
             *reach = Reach::at(joint);
         }
         // Beyond its range too: what the range does not hold is to be known.
-        let info = &self.rig.joints[first];
+        let info = &self.body.infos()[first];
         let all = |declared: Option<[f32; 2]>, most: f32| declared.map(|_| [-most, most]);
         let declared = Angles { heading: all(info.heading, PI), pitch: all(info.pitch, FRAC_PI_2) };
         reaches[first] = Reach::range(&RangeOfMotion::new(declared, 0.0, None));
@@ -145,8 +145,8 @@ impl<const C: usize> Gaze<'_, C> {
     /// Where the joints inside bring the leading joint, and its frame.
     fn carried(&self, joints: &[Joint]) -> (Vec3A, Mat3A) {
         let body = self.body;
-        let root = (Vec3A::ZERO, body.frames[body.count - 1]);
-        (body.first + 1..body.count).rev().fold(root, |(at, frame), index| {
+        let root = (Vec3A::ZERO, body.frames[body.count() - 1]);
+        (body.first + 1..body.count()).rev().fold(root, |(at, frame), index| {
             let turn = Turn::new(angles(&joints[index])).of_frame(&frame) * body.rows[index];
             (at + turn * (body.places[index - 1] - body.places[index]), turn * body.frames[index - 1])
         })

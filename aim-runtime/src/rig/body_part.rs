@@ -1,0 +1,148 @@
+//! [`BodyPart`]: what was declared of neighbouring joints that share a turn in a natural gaze.
+
+use core::f32::consts::PI;
+
+use glam::Vec4;
+
+use super::JointInfo;
+use crate::{Budget, Budgets, Role};
+
+/// Accelerations beyond this make no difference any more, rad/s².
+const MOST_RAD_S2: f32 = 1e6;
+/// The number of parts that a description knows in advance; what has more finds them in each call.
+pub(crate) const MOST_PARTS: usize = 4;
+
+/// Neighbouring joints of one part of the body: a head with its neck, a chest, joints without a role. Pairs of heading and pitch
+/// are the first two lanes of vectors.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BodyPart {
+    /// The outermost joint and the innermost one.
+    pub(crate) outer: usize,
+    pub(crate) inner: usize,
+    /// The sums of the joints' compliances.
+    pub(crate) compliance: Vec4,
+    /// The budget: how far right and down, left and up.
+    pub(crate) least: Vec4,
+    pub(crate) most: Vec4,
+    /// The largest speed and acceleration of the sums of angles.
+    pub(crate) rate: f32,
+    pub(crate) acceleration: f32,
+    /// The rate at which its offset dies away, 1/s, and the largest speed at which it does.
+    pub(crate) pace: f32,
+    pub(crate) approach: f32,
+}
+
+impl BodyPart {
+    pub(crate) const NONE: Self = Self {
+        outer: 0,
+        inner: 0,
+        compliance: Vec4::ZERO,
+        least: Vec4::ZERO,
+        most: Vec4::ZERO,
+        rate: 0.0,
+        acceleration: 0.0,
+        pace: 0.0,
+        approach: 0.0,
+    };
+
+    /// Finds the parts of a body whose joint `first` is aimed, from the innermost outward; an eye that leads is no part. Returns
+    /// how many there are, which may be more than there is room for.
+    pub(crate) const fn find(joints: &[JointInfo], first: usize, budgets: &Budgets, parts: &mut [Self]) -> usize {
+        let mut count = 0;
+        let mut next = joints.len();
+        let has_eye = first + 1 < next && matches!(joints[first].role, Role::Eye);
+        let outermost = if has_eye { first + 1 } else { first };
+        while next > outermost {
+            let part = Self::ending_at(joints, next - 1, outermost, budgets);
+            if count < parts.len() {
+                parts[count] = part;
+            }
+            next = part.outer;
+            count += 1;
+        }
+        count
+    }
+
+    /// The part with this innermost joint.
+    const fn ending_at(joints: &[JointInfo], inner: usize, outermost: usize, budgets: &Budgets) -> Self {
+        let role = part_of(&joints[inner]);
+        let Budget { heading: [right, left], pitch: [down, up], rate: fastest, acceleration } = budget(budgets, role);
+        let (mut rate, mut declared, mut sum) = (0.0, 0.0_f32, [0.0; 2]);
+        let mut outer = inner + 1;
+        while outer > outermost && part_of(&joints[outer - 1]) as u8 == role as u8 {
+            outer -= 1;
+            let info = &joints[outer];
+            let own = info.compliance();
+            sum = [sum[0] + own[0], sum[1] + own[1]];
+            if info.rate > 0.0 {
+                rate += info.rate;
+            }
+            if info.acceleration > declared && info.acceleration < f32::INFINITY {
+                declared = info.acceleration;
+            }
+        }
+        let acceleration = lesser(if declared > 0.0 { declared } else { acceleration }, MOST_RAD_S2);
+        let rate = lesser(rate, fastest);
+        let pace = pace(acceleration);
+        Self {
+            outer,
+            inner,
+            compliance: Vec4::new(sum[0], sum[1], 0.0, 0.0),
+            least: Vec4::new(right, down, 0.0, 0.0),
+            most: Vec4::new(left, up, 0.0, 0.0),
+            rate,
+            acceleration,
+            pace,
+            // From its full speed the region is to come to rest with this acceleration.
+            approach: lesser(rate, 3.5 * acceleration / pace),
+        }
+    }
+}
+
+/// The budget of the part of the body that a role belongs to; for an eye and for a joint without a role the head's pace, without
+/// bounds.
+pub(super) const fn budget(budgets: &Budgets, role: Role) -> Budget {
+    const ALL: [f32; 2] = [f32::NEG_INFINITY, f32::INFINITY];
+    match role {
+        Role::Head | Role::Neck => budgets.head,
+        Role::Chest => budgets.chest,
+        Role::Eye | Role::None => Budget { heading: ALL, pitch: ALL, rate: f32::INFINITY, ..budgets.head },
+    }
+}
+
+/// The part of the body that a joint belongs to. An eye that does not lead is none.
+const fn part_of(info: &JointInfo) -> Role {
+    match info.role {
+        Role::Neck => Role::Head,
+        Role::Eye => Role::None,
+        role => role,
+    }
+}
+
+/// The number, or the bound where that is smaller or the number is NaN.
+const fn lesser(number: f32, bound: f32) -> f32 {
+    if number < bound { number } else { bound }
+}
+
+/// The rate at which a region's offset dies away, 1/s.
+///
+/// A way s of which the speed is s·(ωt)²/2·e^(−ωt) needs 0.23·ω²·s of acceleration at most; a human's 1200°/s² and 11.5/s go
+/// together, so that 95 % of any way take half a second.
+const fn pace(acceleration: f32) -> f32 {
+    const HUMAN: f32 = 11.5;
+    const HUMAN_RAD_S2: f32 = 1200.0 * PI / 180.0;
+    let square = (acceleration / HUMAN_RAD_S2) as f64;
+    if !(square > 1e-12) {
+        return 1e-3;
+    }
+    // By Newton from half the exponent: square roots are no constants.
+    let mut root = f64::from_bits((square.to_bits() >> 1) + 0x1ff8_0000_0000_0000);
+    let mut round = 0;
+    while round < 4 {
+        root = 0.5 * (root + square / root);
+        round += 1;
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is meant")]
+    let pace = HUMAN * root as f32;
+    if pace > 1e-3 { pace } else { 1e-3 }
+}
