@@ -287,7 +287,7 @@ impl Clip {
         reversed
     }
 
-    fn edited(&self, edit: Edit<'_>) -> Self {
+    pub(crate) fn edited(&self, edit: Edit<'_>) -> Self {
         let bone = |tracks: &BoneTracks| BoneTracks {
             bone: tracks.bone,
             translation: tracks.translation.as_ref().map(edit.vector),
@@ -314,8 +314,8 @@ impl Clip {
 }
 
 /// An edit of each kind of track.
-struct Edit<'a> {
-    vector: &'a dyn Fn(&Track<Vec3>) -> Track<Vec3>,
-    rotation: &'a dyn Fn(&Track<Quat>) -> Track<Quat>,
-    scalar: &'a dyn Fn(&Track<f32>) -> Track<f32>,
+pub(crate) struct Edit<'a> {
+    pub(crate) vector: &'a dyn Fn(&Track<Vec3>) -> Track<Vec3>,
+    pub(crate) rotation: &'a dyn Fn(&Track<Quat>) -> Track<Quat>,
+    pub(crate) scalar: &'a dyn Fn(&Track<f32>) -> Track<f32>,
 }

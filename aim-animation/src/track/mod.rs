@@ -1,9 +1,10 @@
 //! [`Track`]: a value over time by keys. `value.rs` says what values are, `key.rs` what cubic keys are, `edit.rs` makes
-//! tracks of tracks, and `error.rs` says which key is wrong.
+//! tracks of tracks, `looped.rs` brings ends together, and `error.rs` says which key is wrong.
 
 mod edit;
 mod error;
 mod key;
+mod looped;
 mod value;
 
 use alloc::sync::Arc;
@@ -11,6 +12,7 @@ use alloc::vec::Vec;
 
 pub use error::TrackError;
 pub use key::{BezierKey, HermiteKey};
+pub use looped::Continuity;
 pub use value::Value;
 
 /// Interpolation between the keys of a track.

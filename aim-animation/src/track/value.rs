@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 
 use aim_runtime::glam::{Quat, Vec3};
-use aim_runtime::rotation::{dot, slerp, unit};
+use aim_runtime::rotation::{angle, dot, log, product, slerp, unit};
 
 /// No number of a track is larger, so that no interpolation overflows.
 const MOST: f32 = 1e15;
@@ -29,6 +29,10 @@ pub(super) mod sealed {
         fn near(self, other: Self) -> Self;
         /// From `self` at 0 to `other` at 1, straight, rotations the shorter way at constant speed.
         fn linear(self, other: Self, part: f32) -> Self;
+        /// Into how many pieces the straight way to another is divided, so that each is a cubic.
+        fn pieces(self, other: Self) -> u8;
+        /// The velocity at this point of the straight way from one value to another in a time.
+        fn drift(self, way: [Self; 2], interval: f32) -> Self;
         /// A result of sums made a value again: rotations unit, `fallback` where that is not possible.
         fn value(self, fallback: Self) -> Self;
     }
@@ -55,6 +59,12 @@ macro_rules! linear_value {
             }
             fn linear(self, other: Self, part: f32) -> Self {
                 self * (1.0 - part) + other * part
+            }
+            fn pieces(self, _: Self) -> u8 {
+                1
+            }
+            fn drift(self, [from, to]: [Self; 2], interval: f32) -> Self {
+                (to - from) / interval
             }
             fn value(self, _: Self) -> Self {
                 self
@@ -107,6 +117,18 @@ impl sealed::Arithmetic for Quat {
         let sum = self * (series(1.0 - part) * whole) + other * (series(part) * whole);
         // Unit but for rounding: one step of Newton's iteration for the root.
         sum * (1.5 - 0.5 * dot(sum, sum))
+    }
+
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "of an angle up to half a turn")]
+    fn pieces(self, other: Self) -> u8 {
+        // Cubics of a tenth of a radian are off by 1e-8.
+        1 + (angle(product(other, self.conjugate())) * 10.0) as u8
+    }
+
+    fn drift(self, [from, to]: [Self; 2], interval: f32) -> Self {
+        // q′ = ω/2 · q, at constant ω.
+        let half = log(product(to, from.conjugate())) * (0.5 / interval);
+        product(Self::from_xyzw(half.x, half.y, half.z, 0.0), self)
     }
 
     fn value(self, fallback: Self) -> Self {

@@ -6,6 +6,7 @@ mod motions;
 mod playing;
 mod poses;
 mod properties;
+mod seams;
 mod skeletons;
 mod spaces;
 mod tracks;

@@ -2,8 +2,9 @@
 
 use aim_animation::glam::{Affine3A, Quat, Vec2, Vec3};
 use aim_animation::{
-    BezierKey, BlendLine, BlendPlane, Blender, Bone, Clip, Control, HermiteKey, Inertia, Looping, Marks, Mask, Method,
-    Motion, Node, Parameter, Phase, Root, RootPath, Skeleton, SkewedTransform, Track, Transform, Transition, Tree,
+    BezierKey, BlendLine, BlendPlane, Blender, Bone, Clip, Continuity, Control, HermiteKey, Inertia, Looping, Marks,
+    Mask, Method, Motion, Node, Parameter, Phase, Root, RootPath, Skeleton, SkewedTransform, Track, Transform,
+    Transition, Tree,
 };
 use proptest::prelude::*;
 
@@ -301,5 +302,41 @@ proptest! {
         inertia.apply(&mut found).unwrap();
         prop_assert!(inertia.is_done() && found[0].rotation.to_array().map(f32::to_bits) == pose.rotation.to_array().map(f32::to_bits)
             || is_unit(found[0].rotation), "{found:?}");
+    }
+}
+
+proptest! {
+    #[test]
+    fn seams(
+        times in prop::collection::vec(prop_oneof![0.0_f32..4.0, any_float()], 1..6),
+        numbers in prop::collection::vec(any_float(), 36),
+        window in any_float(),
+        at in any_float(),
+    ) {
+        let mut times: Vec<f32> = times.into_iter().map(f32::abs).filter(|time| time.is_finite()).collect();
+        times.sort_by(f32::total_cmp);
+        let count = times.len();
+        let values: Vec<Quat> = numbers.chunks(4).take(count).map(Quat::from_slice).collect();
+        let keys: Vec<HermiteKey<f32>> = numbers.chunks(3).take(count)
+            .map(|n| HermiteKey { into: n[0], value: n[1], out: n[2] })
+            .collect();
+        let mut clip = Clip::new("");
+        for track in [Track::linear(times.clone(), values.clone()), Track::catmull_rom(times.clone(), values)].into_iter().flatten() {
+            clip = clip.with_rotation(0, track);
+        }
+        for (number, track) in [Track::hermite(times.clone(), &keys), Track::linear(times, numbers[..count].to_vec())]
+            .into_iter().flatten().enumerate() {
+            clip = clip.with_scalar(number, track);
+        }
+        for continuity in [Continuity::Place, Continuity::Speed] {
+            let mended = clip.mended(continuity, window);
+            let (mut pose, mut scalars) = ([Transform::IDENTITY], [0.0; 2]);
+            for time in [at, 0.0, 0.5 * clip.length_s(), clip.length_s()] {
+                mended.sample(time, &mut mended.cursor(), &mut pose);
+                mended.sample_scalars(time, &mut mended.cursor(), &mut scalars);
+                prop_assert!(is_unit(pose[0].rotation) && scalars.iter().all(|s| s.is_finite()), "{mended:?} at {time}");
+            }
+            let _ = mended.seam();
+        }
     }
 }

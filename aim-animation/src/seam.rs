@@ -1,0 +1,102 @@
+//! [`Seam`]: what a looped clip's end differs from its beginning by.
+
+use aim_runtime::glam::{Quat, Vec3};
+use aim_runtime::rotation::{angle, length, product, unit};
+
+use crate::clip::{Clip, Edit};
+use crate::track::{Continuity, Track};
+
+/// The seam of a looped clip: the largest differences between its end and its beginning, over all bones and scalars. Tracks of steps,
+/// which are to jump, are left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Seam {
+    /// Of what is where.
+    pub place: Gap,
+    /// Of how fast it moves, a second.
+    pub speed: Gap,
+}
+
+/// Differences of translations, rotations, scales and scalars.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Gap {
+    /// Of translations, in the bones' units.
+    pub translation: f32,
+    /// Of rotations, radians.
+    pub rotation_rad: f32,
+    /// Of scales.
+    pub scale: f32,
+    /// Of scalars.
+    pub scalar: f32,
+}
+
+impl Clip {
+    /// How far the clip's end is from its beginning: zero for what loops without being seen. Take the root's movement
+    /// [out](crate::Motion::removed_from) before.
+    #[must_use]
+    pub fn seam(&self) -> Seam {
+        let mut seam = Seam::default();
+        let length_s = self.length_s();
+        let vector = |track: &Option<Track<Vec3>>, most: [&mut f32; 2]| {
+            if let Some([start, end]) = track.as_ref().and_then(|track| track.ends(length_s)) {
+                for ((most, start), end) in most.into_iter().zip(start).zip(end) {
+                    *most = most.max(length((end - start).into()));
+                }
+            }
+        };
+        for tracks in self.tracks() {
+            vector(&tracks.translation, [&mut seam.place.translation, &mut seam.speed.translation]);
+            vector(&tracks.scale, [&mut seam.place.scale, &mut seam.speed.scale]);
+            if let Some([start, end]) = tracks.rotation.as_ref().and_then(|track| track.ends(length_s)) {
+                if let (Some(a), Some(b)) = (unit(start[0]), unit(end[0])) {
+                    let turn = product(b, a.conjugate());
+                    seam.place.rotation_rad = seam.place.rotation_rad.max(angle(turn));
+                    let speed = turning(end) - turning(start);
+                    seam.speed.rotation_rad = seam.speed.rotation_rad.max(length(speed.into()));
+                }
+            }
+        }
+        for (_, track) in self.scalars() {
+            if let Some([start, end]) = track.ends(length_s) {
+                seam.place.scalar = seam.place.scalar.max((end[0] - start[0]).abs());
+                seam.speed.scalar = seam.speed.scalar.max((end[1] - start[1]).abs());
+            }
+        }
+        seam
+    }
+
+    /// The clip with its end going over into its beginning.
+    ///
+    /// End and beginning each take half of the difference; that fades within `window_s` seconds of either, half of the clip at most,
+    /// and leaves the rest as it is. Nothing moves by more than half of the difference in place and 2/27 of that in speed × the
+    /// window. A long window changes speeds little, a short one little of the clip.
+    ///
+    /// Tracks become cubic; those of steps stay. A window that is not positive, and tracks whose numbers would become too large,
+    /// are left alone.
+    ///
+    /// ```
+    /// use aim_animation::{Clip, Continuity, Track};
+    /// use aim_animation::glam::Vec3;
+    ///
+    /// let clip = Clip::new("sway").with_translation(0, Track::linear([0.0, 1.0], [Vec3::ZERO, Vec3::X * 0.1])?);
+    /// assert_eq!(clip.seam().place.translation, 0.1);
+    /// let mended = clip.mended(Continuity::Speed, 0.25);
+    /// assert!(mended.seam().place.translation < 1e-6 && mended.seam().speed.translation < 1e-6);
+    /// # Ok::<(), aim_animation::TrackError>(())
+    /// ```
+    #[must_use]
+    pub fn mended(&self, continuity: Continuity, window_s: f32) -> Self {
+        let length = self.length_s();
+        self.edited(Edit {
+            vector: &|track| track.mended(length, continuity, window_s).unwrap_or_else(|| track.clone()),
+            rotation: &|track| track.mended(length, continuity, window_s).unwrap_or_else(|| track.clone()),
+            scalar: &|track| track.mended(length, continuity, window_s).unwrap_or_else(|| track.clone()),
+        })
+    }
+}
+
+/// The velocity of a turn, radians a second, in the parent's space: 2·(q′ · q⁻¹), whatever the length of q.
+fn turning([rotation, velocity]: [Quat; 2]) -> Vec3 {
+    let square = aim_runtime::rotation::dot(rotation, rotation);
+    let turn = product(velocity, rotation.conjugate());
+    Vec3::new(turn.x, turn.y, turn.z) * (2.0 / square)
+}

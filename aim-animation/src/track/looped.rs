@@ -1,0 +1,161 @@
+//! The ends of a looped track: measured, and brought together.
+
+use alloc::vec::Vec;
+
+use super::{Curve, Track, Value};
+
+/// How far the ends of a loop are brought together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Continuity {
+    /// Places are the same (C⁰): the clip does not jump.
+    Place,
+    /// Places and speeds are the same (C¹): the clip does not jerk either.
+    Speed,
+}
+
+/// The keys of a cubic track.
+struct Keys<T> {
+    times: Vec<f32>,
+    values: Vec<T>,
+    /// On arriving and on leaving.
+    tangents: Vec<[T; 2]>,
+}
+
+impl<T: Value> Keys<T> {
+    fn push(&mut self, time: f32, value: T, tangents: [T; 2]) {
+        self.times.push(time);
+        self.values.push(value);
+        self.tangents.push(tangents);
+    }
+}
+
+impl<T: Value> Track<T> {
+    /// Value and velocity at 0 and at the length of the clip, the second value of its forms the one nearer to the first; `None` for
+    /// steps, which are to jump.
+    pub(crate) fn ends(&self, length_s: f32) -> Option<[[T; 2]; 2]> {
+        let keys = self.spanning(length_s)?;
+        let last = keys.values.len() - 1;
+        let (start, end) = (keys.values[0], keys.values[last]);
+        let is_same = end.near(start) == end;
+        let velocity = keys.tangents[last][0].times(if is_same { 1.0 } else { -1.0 });
+        Some([[start, keys.tangents[0][1]], [end.near(start), velocity]])
+    }
+
+    /// A cubic track whose end goes over into its beginning: each takes half of the difference, which fades over `window_s`, half of the
+    /// length at most. `None` for steps, and where numbers would be too large.
+    pub(crate) fn mended(&self, length_s: f32, continuity: Continuity, window_s: f32) -> Option<Self> {
+        let [[start, leaving], [end, arriving]] = self.ends(length_s)?;
+        let mut keys = self.spanning(length_s)?;
+        let window = window_s.min(0.5 * length_s);
+        // NaN of the window would have gone by.
+        if !(window_s > 0.0 && window > 0.0) {
+            return None;
+        }
+        let is_same = keys.values[keys.values.len() - 1] == end;
+        let sign = if is_same { 1.0 } else { -1.0 };
+        let place = end.plus(start.times(-1.0)).times(0.5);
+        let speed = match continuity {
+            Continuity::Place => place.times(0.0),
+            Continuity::Speed => arriving.plus(leaving.times(-1.0)).times(0.5),
+        };
+        // Keys where the correction begins and ends: what lies between two keys stays one cubic.
+        let plain = keys.into_track();
+        keys = Keys { times: Vec::new(), values: Vec::new(), tangents: Vec::new() };
+        let mut knots = [window, length_s - window].into_iter().peekable();
+        for (k, &time) in plain.times.iter().enumerate() {
+            while let Some(knot) = knots.next_if(|knot| *knot <= time) {
+                if knot < time && keys.times.last().is_some_and(|last| *last < knot) {
+                    let (value, velocity) = plain.point_and_velocity(knot);
+                    keys.push(knot, value, [velocity; 2]);
+                }
+            }
+            keys.push(time, plain.values[k], plain.tangents[k]);
+        }
+        for (k, &time) in keys.times.iter().enumerate() {
+            // c(0) = place, c′(0) = speed, and c = c′ = 0 at the window; at the end mirrored, the other way.
+            let mut correct = |u: f32, sign: f32, towards: f32| {
+                let value = place.times(sign * (1.0 - u * u * (3.0 - 2.0 * u)));
+                let value = value.plus(speed.times(sign * towards * window * u * (1.0 - u) * (1.0 - u)));
+                let velocity = place.times(sign * towards * 6.0 * u * (u - 1.0) / window);
+                let velocity = velocity.plus(speed.times(sign * (1.0 - u * (4.0 - 3.0 * u))));
+                keys.values[k] = keys.values[k].plus(value);
+                keys.tangents[k] = keys.tangents[k].map(|tangent| tangent.plus(velocity));
+            };
+            if time < window {
+                correct(time / window, 1.0, 1.0);
+            }
+            if length_s - time < window {
+                correct((length_s - time) / window, -sign, -1.0);
+            }
+        }
+        let intervals = keys.times.windows(2).map(|pair| pair[1] - pair[0]).chain([0.0]);
+        let bounded = keys.values.iter().zip(&keys.tangents).zip(intervals).all(|((value, tangents), interval)| {
+            let fits = |tangent: &T| tangent.times(interval).bounded() && tangent.times(1e-12).bounded();
+            value.bounded() && tangents.iter().all(fits)
+        });
+        bounded.then(|| keys.into_track())
+    }
+
+    /// The same as cubic keys from 0 to the length; `None` for steps.
+    fn spanning(&self, length_s: f32) -> Option<Keys<T>> {
+        let mut keys = Keys { times: Vec::new(), values: Vec::new(), tangents: Vec::new() };
+        let none = self.values[0].times(0.0);
+        if self.times[0] > 0.0 {
+            keys.push(0.0, self.values[0], [none; 2]);
+        }
+        match self.curve {
+            Curve::Step => return None,
+            Curve::Linear => self.straight(&mut keys),
+            Curve::Cubic => {
+                for (k, &time) in self.times.iter().enumerate() {
+                    keys.push(time, self.values[k], self.tangents[k]);
+                }
+            }
+        }
+        // What stands before the first key and after the last one arrives and leaves without speed.
+        let last = keys.values.len() - 1;
+        keys.tangents[last][1] = none;
+        if self.times[0] > 0.0 {
+            keys.tangents[1][0] = none;
+        }
+        if keys.times[last] < length_s {
+            keys.push(length_s, keys.values[last], [none; 2]);
+        }
+        Some(keys)
+    }
+
+    /// Straight lines as cubics: exact, but for rotations, which go along arcs and are divided so that nobody sees it.
+    fn straight(&self, keys: &mut Keys<T>) {
+        let none = self.values[0].times(0.0);
+        let mut value = keys.values.last().map_or(self.values[0], |last| self.values[0].near(*last));
+        let mut into = none;
+        for (k, &time) in self.times.iter().enumerate() {
+            let interval = self.times.get(k + 1).map_or(0.0, |next| next - time);
+            if !(interval > 0.0) {
+                keys.push(time, value, [into, none]);
+                into = none;
+                value = self.values.get(k + 1).map_or(value, |next| next.near(value));
+                continue;
+            }
+            let next = self.values[k + 1].near(value);
+            let pieces = value.pieces(next);
+            for piece in 0..pieces {
+                let part = f32::from(piece) / f32::from(pieces);
+                let at = if piece == 0 { value } else { value.linear(next, part).near(value) };
+                let (time_at, velocity) = (time + interval * part, at.drift([value, next], interval));
+                let crowded = piece > 0 && keys.times.last().is_some_and(|last| *last >= time_at);
+                if !crowded && time_at < self.times[k + 1] {
+                    keys.push(time_at, at, [if piece == 0 { into } else { velocity }, velocity]);
+                }
+            }
+            into = next.drift([value, next], interval);
+            value = next;
+        }
+    }
+}
+
+impl<T: Value> Keys<T> {
+    fn into_track(self) -> Track<T> {
+        Track { times: self.times.into(), values: self.values, tangents: self.tangents, curve: Curve::Cubic }
+    }
+}

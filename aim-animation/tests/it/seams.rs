@@ -1,0 +1,177 @@
+use aim_animation::glam::{DVec3, Quat, Vec3};
+use aim_animation::{Clip, Continuity, HermiteKey, Track, Transform};
+
+use crate::common::{Rng, angle_between};
+
+const LENGTH: f32 = 1.2;
+
+/// Every kind of track, none of which closes.
+fn clip(rng: &mut Rng, case: usize) -> Clip {
+    let inner = [0.0, 0.13, 0.4, 0.55, 0.9, LENGTH];
+    // Keys that do not reach the ends, too.
+    let times: Vec<f32> = if case % 3 == 0 { inner[1..5].to_vec() } else { inner.to_vec() };
+    let count = times.len();
+    let start = rng.rotation();
+    let mut turn = start;
+    let turns: Vec<Quat> = (0..count)
+        .map(|k| {
+            // Some go round by so much that the end is in the other hemisphere.
+            let step = if case % 5 == 0 { Vec3::X + rng.vector(0.1) } else { rng.vector(0.4) };
+            turn = Quat::from_scaled_axis(step) * turn;
+            // Either quaternion of a rotation.
+            if (case + k) % 4 == 0 { -turn } else { turn }
+        })
+        .collect();
+    let places: Vec<Vec3> = (0..count).map(|_| rng.vector(1.0)).collect();
+    let keys: Vec<HermiteKey<f32>> = (0..count)
+        .map(|_| HermiteKey { into: rng.between(-2.0, 2.0), value: rng.between(0.0, 1.0), out: rng.between(-2.0, 2.0) })
+        .collect();
+    let rotation = if case % 2 == 0 { Track::linear(&times[..], turns) } else { Track::catmull_rom(&times[..], turns) };
+    Clip::new("loop")
+        .with_length(LENGTH)
+        .with_translation(0, Track::linear(&times[..], places.clone()).unwrap())
+        .with_scale(0, Track::catmull_rom(&times[..], places).unwrap())
+        .with_rotation(0, rotation.unwrap())
+        .with_scalar(0, Track::hermite(&times[..], &keys).unwrap())
+        .with_translation(1, Track::step([0.0, 0.5], [Vec3::ZERO, Vec3::X]).unwrap())
+}
+
+#[derive(Clone, Copy)]
+struct Sample(Transform, f32);
+
+fn sample(clip: &Clip, time: f32) -> Sample {
+    let (mut pose, mut scalar) = ([Transform::IDENTITY], [0.0]);
+    clip.sample(time, &mut clip.cursor(), &mut pose);
+    clip.sample_scalars(time, &mut clip.cursor(), &mut scalar);
+    Sample(pose[0], scalar[0])
+}
+
+/// Differences of translation, rotation, scale and scalar.
+fn apart(a: Sample, b: Sample) -> [f64; 4] {
+    [
+        f64::from(a.0.translation.distance(b.0.translation)),
+        angle_between(a.0.rotation, b.0.rotation.as_dquat()),
+        f64::from(a.0.scale.distance(b.0.scale)),
+        f64::from((a.1 - b.1).abs()),
+    ]
+}
+
+/// One-sided velocities at the ends by differences of samples, quadratic in the step.
+fn velocities(clip: &Clip) -> [[DVec3; 4]; 2] {
+    let h = 2e-3_f32;
+    let velocity = |at: [f32; 3], sign: f64| {
+        let [a, b, c] = at.map(|time| sample(clip, time));
+        // −3a + 4b − c over 2h.
+        let of = |part: fn(&Sample) -> Vec3| {
+            let [a, b, c] = [&a, &b, &c].map(|at| part(at).as_dvec3());
+            (b * 4.0 - a * 3.0 - c) * (sign / (2.0 * f64::from(h)))
+        };
+        let vector = |to: &Sample| {
+            let turn = to.0.rotation.as_dquat().normalize() * a.0.rotation.as_dquat().normalize().conjugate();
+            if turn.w < 0.0 { (-turn).to_scaled_axis() } else { turn.to_scaled_axis() }
+        };
+        let turning = (vector(&b) * 4.0 - vector(&c)) * (sign / (2.0 * f64::from(h)));
+        [of(|at| at.0.translation), turning, of(|at| at.0.scale), of(|at| Vec3::X * at.1)]
+    };
+    [velocity([0.0, h, 2.0 * h], 1.0), velocity([LENGTH, LENGTH - h, LENGTH - 2.0 * h], -1.0)]
+}
+
+/// The seam that is told is that of the samples.
+#[test]
+fn seams_are_measured() {
+    let mut rng = Rng(1);
+    for case in 0..60 {
+        let clip = clip(&mut rng, case);
+        let seam = clip.seam();
+        let place = apart(sample(&clip, 0.0), sample(&clip, LENGTH));
+        let found = [seam.place.translation, seam.place.rotation_rad, seam.place.scale, seam.place.scalar];
+        for (found, truth) in found.into_iter().zip(place) {
+            assert!((f64::from(found) - truth).abs() < 1e-5, "case {case}: {seam:?} {place:?}");
+        }
+        let [start, end] = velocities(&clip);
+        let found = [seam.speed.translation, seam.speed.rotation_rad, seam.speed.scale, seam.speed.scalar];
+        for (k, found) in found.into_iter().enumerate() {
+            let truth = start[k].distance(end[k]);
+            assert!((f64::from(found) - truth).abs() < 0.02 * (1.0 + truth), "case {case}: {k} {found} {truth}");
+        }
+    }
+}
+
+/// After mending the ends meet, in place and in speed; the clip has moved by no more than it may, and not at all outside the window.
+#[test]
+fn seams_are_mended() {
+    let mut rng = Rng(2);
+    for case in 0..120 {
+        let clip = clip(&mut rng, case);
+        let window: f32 = [0.2, 0.37, 5.0][case % 3];
+        let reach = window.min(0.5 * LENGTH);
+        let before = clip.seam();
+        for continuity in [Continuity::Place, Continuity::Speed] {
+            let mended = clip.mended(continuity, window);
+            let gaps = apart(sample(&mended, 0.0), sample(&mended, LENGTH));
+            assert!(gaps.iter().all(|gap| *gap < 1e-5), "case {case}: {gaps:?}");
+            if continuity == Continuity::Speed {
+                let [start, end] = velocities(&mended);
+                for k in 0..4 {
+                    let (off, size) = (start[k].distance(end[k]), start[k].length());
+                    assert!(off < 0.02 * (1.0 + size), "case {case}: {k} {off}");
+                }
+                let speed = mended.seam().speed;
+                let told = [speed.translation, speed.rotation_rad, speed.scale, speed.scalar];
+                assert!(told.iter().all(|gap| *gap < 1e-4), "case {case}: {speed:?}");
+            }
+            let most = |place: f32, speed: f32| {
+                let speed = if continuity == Continuity::Speed { speed } else { 0.0 };
+                f64::from(0.5 * place + 2.0 / 27.0 * speed * reach) * 1.05 + 2e-5
+            };
+            let most = [
+                most(before.place.translation, before.speed.translation),
+                most(before.place.rotation_rad, before.speed.rotation_rad),
+                most(before.place.scale, before.speed.scale),
+                most(before.place.scalar, before.speed.scalar),
+            ];
+            let (ends, [first, last]) = ([0.0, LENGTH].map(|time| sample(&clip, time)), velocities(&clip));
+            let place = (ends[1].0.translation - ends[0].0.translation).as_dvec3() * 0.5;
+            let speed = (last[0] - first[0]) * if continuity == Continuity::Speed { 0.5 } else { 0.0 };
+            let fading = |u: f64| [(1.0 + 2.0 * u) * (1.0 - u).powi(2), u * (1.0 - u).powi(2) * f64::from(reach)];
+            let correction = |time: f32| {
+                let [start, end] = [time, LENGTH - time].map(|from| fading(f64::from((from / reach).min(1.0))));
+                place * start[0] + speed * start[1] - place * end[0] + speed * end[1]
+            };
+            for step in 0..=120_u8 {
+                let time = LENGTH * f32::from(step) / 120.0;
+                let moved = sample(&mended, time).0.translation - sample(&clip, time).0.translation;
+                assert!(moved.as_dvec3().distance(correction(time)) < 3e-4, "case {case} at {time}");
+            }
+            for step in 0..=120_u8 {
+                let time = LENGTH * f32::from(step) / 120.0;
+                let moved = apart(sample(&clip, time), sample(&mended, time));
+                for (moved, most) in moved.iter().zip(most) {
+                    assert!(*moved <= most, "case {case} at {time}: {moved} of {most}");
+                }
+                if time > reach && time < LENGTH - reach {
+                    assert!(moved.iter().all(|moved| *moved < 2e-5), "case {case} at {time}: {moved:?}");
+                }
+            }
+            assert_eq!(mended.bone(1), clip.bone(1), "steps stay");
+            assert_eq!(mended.length_s(), LENGTH);
+        }
+    }
+}
+
+#[test]
+fn what_is_not_mended() {
+    let clip = clip(&mut Rng(3), 1);
+    for window in [0.0, -1.0, f32::NAN] {
+        assert_eq!(clip.mended(Continuity::Speed, window), clip);
+    }
+    assert_eq!(Clip::new("").seam(), Clip::new("").mended(Continuity::Speed, 1.0).seam());
+    // What closes already is left as it is, as a cubic.
+    let round = Track::hermite([0.0, 1.0], &[HermiteKey { into: 1.0, value: 0.5, out: 1.0 }; 2]).unwrap();
+    let round = Clip::new("").with_scalar(0, round);
+    let mended = round.mended(Continuity::Speed, 0.5);
+    assert_eq!((mended.seam(), round.seam()), Default::default());
+    for time in [0.0, 0.2, 0.5, 0.77, 1.0] {
+        assert!(apart(sample(&round, time), sample(&mended, time))[3] < 1e-6);
+    }
+}
