@@ -16,7 +16,7 @@ const STEEP_RAD: f32 = 80.0 * PI / 180.0;
 /// Heading and pitch of a direction along forward, left and up; heading 0 where it goes straight up or down.
 #[inline(always)]
 pub(crate) fn heading_and_pitch(direction: Vec3A) -> Vec4 {
-    let level = math::sqrt(direction.x * direction.x + direction.y * direction.y);
+    let level = math::root(direction.x * direction.x + direction.y * direction.y);
     let both = Vec4::new(direction.x, level, direction.x, level);
     trig::atan2_of_4(Vec4::from((direction.yzz(), 0.0)), both)
 }
@@ -26,7 +26,7 @@ pub(crate) fn heading_and_pitch(direction: Vec3A) -> Vec4 {
 fn headings_and_pitches([a, b]: [Vec3A; 2]) -> Vec4 {
     let [ahead, left, up] = a.to_array();
     let [b_ahead, b_left, b_up] = b.to_array();
-    let (level, b_level) = (math::sqrt(ahead * ahead + left * left), math::sqrt(b_ahead * b_ahead + b_left * b_left));
+    let (level, b_level) = (math::root(ahead * ahead + left * left), math::root(b_ahead * b_ahead + b_left * b_left));
     trig::atan2_of_4(Vec4::new(left, up, b_left, b_up), Vec4::new(ahead, level, b_ahead, b_level))
 }
 
@@ -59,11 +59,10 @@ impl Bearings {
     #[inline(always)]
     pub(crate) fn of_trunk(trunk: &Mat3A, about: Upright, turns_round: bool) -> Self {
         let Mat3A { x_axis: forward, y_axis: left, z_axis: trunk_up } = *trunk;
-        let up = match about {
-            Upright::About(up) => up,
-            Upright::Off | Upright::Innermost => trunk_up,
-        };
-        Self { turns_round, ..Self::new(up, forward, left, trunk_up) }
+        match about {
+            Upright::About(up) => Self { turns_round, ..Self::new(up, forward, left, trunk_up) },
+            Upright::Off | Upright::Innermost => Self { axes: *trunk, rows: trunk.transpose(), turns_round },
+        }
     }
 
     /// The direction that elevations count towards.
@@ -90,7 +89,7 @@ impl Bearings {
     pub(crate) fn turned(&self, from: Vec3A, to: Vec3A) -> [Vec4; 2] {
         const STEEP_COS: f32 = core::f32::consts::FRAC_1_SQRT_2;
         let [from, to] = [from, to].map(|direction| self.rows * direction);
-        let [from_level, level] = [from, to].map(|v| math::sqrt(v.x * v.x + v.y * v.y));
+        let [from_level, level] = [from, to].map(|v| math::root(v.x * v.x + v.y * v.y));
         let short = (STEEP_COS - level).at_least(0.0);
         let ahead = Vec4::new(from.x, from_level, to.x + short * short / STEEP_COS, level);
         let both = trig::atan2_of_4(Vec4::new(from.y, from.z, to.y, to.z), ahead);

@@ -63,6 +63,12 @@ pub(crate) fn sqrt(x: f32) -> f32 {
     if x > 0.0 { float::sqrt(x) } else { 0.0 }
 }
 
+/// The square root of a sum of squares: no less than 0, or not a number.
+#[inline(always)]
+pub(crate) fn root(x: f32) -> f32 {
+    float::sqrt(x)
+}
+
 /// The same direction of turning within ±π; some angle within ±π for one that has no turn left in its digits.
 #[inline]
 pub(crate) fn wrap_pi(angle_rad: f32) -> f32 {

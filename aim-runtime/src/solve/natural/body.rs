@@ -167,7 +167,7 @@ impl<'a, const C: usize> Body<'a, C> {
         if !(square > TOO_NEAR * TOO_NEAR && square < f32::INFINITY) {
             return None;
         }
-        Some(trig::atan2(math::sqrt(aside), seen.x))
+        Some(trig::atan2(math::root(aside), seen.x))
     }
 
     /// Whether a joint turns all the way round.

@@ -221,7 +221,7 @@ pub(super) fn square(pair: Pair) -> f32 {
 
 #[inline(always)]
 pub(super) fn length(pair: Pair) -> f32 {
-    math::sqrt(square(pair))
+    math::root(square(pair))
 }
 
 /// e^(−x) of x ≥ 0, to 1e-6: the 16th power of a series.
