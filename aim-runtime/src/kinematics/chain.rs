@@ -13,6 +13,8 @@ use crate::{Axes, Description, Effector, Joint, JointInfo, Scalar, math};
 pub(crate) const TOO_NEAR: f32 = 1e-5;
 /// How far from square or from equal length joints' axes may be in a rigid pose, all that is off taken together.
 const OFF: f32 = 1e-4;
+/// How far where angles that are found as if they were square are true.
+const OFF_BY_NOTHING: f32 = 1e-5;
 /// Farther than this many sizes of the rig a target is a mere direction.
 const FAR: f32 = 1e7;
 
@@ -145,7 +147,7 @@ impl<const C: usize> Chain<C> {
         let first = first.min(count - 1);
         let effector = effector(rig, first);
         let mut frames = rig.array(Mat3A::IDENTITY);
-        let rigid = orthogonal_frames(pose, first, &mut frames)?;
+        let rigid = orthogonal_frames(pose, first, &mut frames)?.is_rigid();
         let offset = pose[first].transform_vector3a(effector.origin);
         let space = Space::of_pose(pose, first, offset)?;
         let Space { origin, per_size } = space;
@@ -327,17 +329,50 @@ pub(crate) fn effector<const C: usize>(rig: &ChainRig<'_, C>, first: usize) -> R
     }
 }
 
-/// Finds each joint's orthogonal frame from `first` on, and whether the pose is rigid but for scale; `None` where a joint
-/// does not span space.
+/// The effector in solver space by the joints' transforms as they are, with these corrections; `None` where a joint does not
+/// span space.
+#[cold]
+pub(crate) fn true_gaze<const C: usize>(
+    rig: &ChainRig<'_, C>,
+    pose: &[Affine3A],
+    first: usize,
+    space: Space,
+    corrections: &[Quat],
+) -> Option<Ray> {
+    let local = local(rig, pose, first, space.origin, space.per_size)?;
+    let joints = first..pose.len();
+    Some(joints.fold(effector(rig, first), |ray, joint| ray.turned(corrections[joint]).through(&local[joint])))
+}
+
+/// How far joints' axes are from square and from equal length, all that is off taken together.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Off(Vec3A);
+
+impl Off {
+    /// Whether joints are scaled, turned and mirrored alone; not where a number is NaN.
+    #[inline(always)]
+    pub(crate) fn is_rigid(self) -> bool {
+        self.0.cmple(Vec3A::splat(OFF)).all()
+    }
+
+    /// Whether what is found of orthogonal frames is true of the joints to rounding.
+    #[inline(always)]
+    pub(crate) fn is_nothing(self) -> bool {
+        self.0.cmple(Vec3A::splat(OFF_BY_NOTHING)).all()
+    }
+}
+
+/// Finds each joint's orthogonal frame from `first` on, and how far the pose is off those; `None` where a joint does not span
+/// space.
 #[inline(always)]
-pub(crate) fn orthogonal_frames(pose: &[Affine3A], first: usize, frames: &mut [Mat3A]) -> Option<bool> {
-    let rigid = similar(&pose[first..], &mut frames[first..]);
-    if !rigid {
+pub(crate) fn orthogonal_frames(pose: &[Affine3A], first: usize, frames: &mut [Mat3A]) -> Option<Off> {
+    let off = similar(&pose[first..], &mut frames[first..]);
+    if !off.is_rigid() {
         for (frame, joint) in frames.iter_mut().zip(pose).skip(first) {
             *frame = math::orthonormal(joint.matrix3)?;
         }
     }
-    Some(rigid)
+    Some(off)
 }
 
 /// Turns how each joint's upright frame stands in its bone into what the joint adds in its bone's own space.
@@ -357,10 +392,10 @@ pub(crate) fn tilts<const C: usize>(rig: &ChainRig<'_, C>, pose: &[Affine3A], ab
     tilts
 }
 
-/// The orthogonal frames of joints that are scaled, turned and mirrored alone; false where one is more than that, or
-/// where its numbers are so large or small that their squares would not do.
+/// The orthogonal frames of joints that are scaled, turned and mirrored alone, and how far one is more than that; NaN where
+/// its numbers are so large or small that their squares would not do.
 #[inline(always)]
-pub(crate) fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> bool {
+fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> Off {
     // A sum that begins with −0 costs nothing for its first term.
     let mut off = Vec3A::splat(-0.0);
     for (joint, frame) in pose.iter().zip(frames) {
@@ -375,7 +410,7 @@ pub(crate) fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> bool {
         // Sums, not maxima: they keep NaN. A length beyond what can be squared leaves one too.
         off += (squares * (per_length * per_length) - Vec3A::ONE).abs() + products.abs();
     }
-    off.cmple(Vec3A::splat(OFF)).all()
+    Off(off)
 }
 
 /// The square of the scale of joints that are turned and mirrored, and scaled all alike; `None` where they are more

@@ -107,7 +107,7 @@ impl<const C: usize> Gaze<'_, C> {
         if length(unfit) > if is_level { OUT_OF_REACH_RAD } else { STEEP_OUT_OF_REACH_RAD } {
             return Some(self.out_of_reach(way, directions, unfit));
         }
-        if !is_level || !self.body.is_rigid {
+        if !is_level || !self.body.off.is_rigid() {
             return None;
         }
         let turned = |region: usize| directions[region] - self.regions[region].animated;

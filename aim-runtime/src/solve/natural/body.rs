@@ -18,7 +18,7 @@ use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec4};
 
 use super::glide::Pair;
 use crate::JointInfo;
-use crate::kinematics::chain::{Ray, Space, TOO_NEAR, Upright, effector, orthogonal_frames, upright};
+use crate::kinematics::chain::{Off, Ray, Space, TOO_NEAR, Upright, effector, orthogonal_frames, upright};
 use crate::math;
 use crate::math::trig::{self, Halves};
 use crate::rig::{ChainRig, PerJoint};
@@ -41,8 +41,8 @@ pub(super) struct Body<'a, const C: usize> {
     pub(super) effector: Ray,
     /// Whether the effector looks along its joint's forward from its origin.
     pub(super) is_plain: bool,
-    /// Whether frames and positions are all there is to the pose: no shear, no non-uniform scale.
-    pub(super) is_rigid: bool,
+    /// How far the pose is from frames and positions alone, by shear and non-uniform scale.
+    pub(super) off: Off,
     pub(super) space: Space,
 }
 
@@ -62,7 +62,7 @@ impl<'a, const C: usize> Body<'a, C> {
             gaze: ray,
             effector: ray,
             is_plain: true,
-            is_rigid: true,
+            off: Off::default(),
             space: Space { origin: Vec3A::ZERO, per_size: 1.0 },
         }
     }
@@ -88,7 +88,7 @@ impl<'a, const C: usize> Body<'a, C> {
         }
         let (pose, first) = (&pose[..infos.len()], first.min(infos.len() - 1));
         self.first = first;
-        self.is_rigid = orthogonal_frames(pose, first, &mut self.frames)?;
+        self.off = orthogonal_frames(pose, first, &mut self.frames)?;
         let aimed = effector(self.rig, first);
         let has_origin = first == 0 && self.rig.has_origin;
         let offset = if has_origin { pose[first].transform_vector3a(aimed.origin) } else { Vec3A::ZERO };

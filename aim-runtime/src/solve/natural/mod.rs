@@ -36,7 +36,7 @@ use self::sight::{Seen, turn_to};
 use super::call::Call;
 use super::solved::{Moved, Solved, Task};
 use crate::kinematics::bearing::{Bearings, heading_and_pitch};
-use crate::kinematics::chain::{Chain, Upright};
+use crate::kinematics::chain::{Chain, Upright, true_gaze};
 use crate::kinematics::rotation::{tilted, turn};
 use crate::limits::RangeOfMotion;
 use crate::math::Bounded;
@@ -67,7 +67,7 @@ pub(super) fn aim<const C: usize>(
     let settings = call.settings;
     let mut body = Body::unseen(rig);
     body.read(pose.joints, settings.effector, about)?;
-    let chain = if body.is_rigid {
+    let chain = if body.off.is_rigid() {
         None
     } else {
         let chain = Chain::new(rig, pose.joints, settings.effector, about)?;
@@ -140,7 +140,9 @@ pub(super) fn aim<const C: usize>(
     let task = Task { rig, motions, goal: &goal, space: body.space, settings, within_reach, well_within };
     let mut solved = task.finish(joints, memory, |_| match &chain {
         Some(chain) => chain.gaze(corrections).angle_to(goal.wanted),
-        None => body.angle_to(wanted, &leading),
+        None if body.off.is_nothing() => body.angle_to(wanted, &leading),
+        // A rotation that is taken back from skewed axes is off by the skew.
+        None => true_gaze(rig, pose.joints, first, body.space, corrections)?.angle_to(goal.wanted),
     })?;
     solved.outcome.body_turn = fit.body_turn;
     solved.outcome.out_of_reach_for = memory.blocked_s;
