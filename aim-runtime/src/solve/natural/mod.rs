@@ -609,11 +609,9 @@ impl<const C: usize> Gaze<'_, C> {
             led = motion.led.unwrap_or(Led { goal: ends(before), ..led });
         }
         if motion.stays {
-            // Where an offset of −2·speed/ω dies away without a turn.
             glide.speed = speed + pair(led.speed);
-            glide.offset = glide.speed * (-2.0 / bounds.pace);
-            goal = before - glide.offset;
-            led = Led { goal: ends(goal), ..Led::default() };
+            (glide.offset, led) = stopping(before, glide.speed, bounds.pace);
+            goal = pair(led.goal);
         } else if is_head {
             begins = follow(&mut led, before, goal, &mut glide, &bounds);
             carries = pair(led.speed);
@@ -768,6 +766,15 @@ impl<const C: usize> Gaze<'_, C> {
             eye.set_destination(Some([eye.heading, eye.pitch]));
         }
     }
+}
+
+/// What a joint at `before` with this speed stops by: an offset of −2·speed/ω, which dies away without a turn, from where it
+/// stops.
+#[cold]
+#[inline(never)]
+fn stopping(before: Pair, speed: Pair, pace: f32) -> (Pair, Led) {
+    let offset = speed * (-2.0 / pace);
+    (offset, Led { goal: ends(before - offset), ..Led::default() })
 }
 
 /// How much quicker a head that leads makes up for a small offset, which takes little acceleration: what the animation does in
