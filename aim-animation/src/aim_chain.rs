@@ -107,7 +107,7 @@ pub struct AimFrame {
     animated: Vec<Affine3A>,
 }
 
-/// What a solver gives back: the correction of each joint, from the effector inward, and of the other eye.
+/// A solver's result: the correction of each joint, from the effector inward, and of the other eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corrections<'a> {
     /// Of each joint: [`Aimed::corrections`](aim_runtime::Aimed::corrections), or those of a `DynAim`.

@@ -177,7 +177,7 @@ pub(crate) fn added_to(to: &Transform, difference: &Transform, weight: f32, meth
     }
 }
 
-/// What added to `from` gives `to`.
+/// The difference that gives `to` when it is added to `from`.
 pub(crate) fn difference(from: &Transform, to: &Transform) -> Transform {
     let ratio = |to: f32, from: f32| if from == 0.0 { 1.0 } else { to / from };
     let (a, b) = (from.scale, to.scale);

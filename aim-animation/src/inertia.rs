@@ -9,7 +9,7 @@ use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::{Transform, made_unit};
 
-/// What a transition leads from and to: each animation at two times, `dt_s` apart, the later one now.
+/// The animations that a transition leads from and to, each at two times, `dt_s` apart, the later one now.
 #[derive(Clone, Copy, Debug)]
 pub struct Transition<'a> {
     /// The last two poses that were shown, the older one first: as they were, with what an earlier transition had left.
@@ -18,7 +18,7 @@ pub struct Transition<'a> {
     pub next: [&'a [Transform]; 2],
     /// The time between the two, seconds.
     pub dt_s: f32,
-    /// How long the transition takes, seconds.
+    /// Duration of the transition, seconds.
     pub length_s: f32,
 }
 
@@ -54,7 +54,7 @@ pub struct Inertia {
     length_s: f32,
 }
 
-/// What a bone is off by, and how fast that changes, when the transition begins: translation, rotation vector, scale.
+/// A bone's offset when the transition begins, and its rate of change: translation, rotation vector, scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Offset {
     value: [Vec3; 3],

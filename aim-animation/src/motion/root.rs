@@ -15,7 +15,7 @@ use crate::transform::{Transform, made_unit};
 /// The most samples of a path.
 const MOST_SAMPLES: f32 = 1_048_576.0;
 
-/// What moves a character: a bone of its skeleton, or a root that no bone is.
+/// The root that moves a character: a bone of its skeleton, or one that no bone is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Root {
     /// A bone, with all its movement: a root bone made for this, or the pelvis.

@@ -34,14 +34,14 @@ impl Screw {
 /// A motion at constant speed of a root that begins at `anchor`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Steady {
-    /// Where the root begins.
+    /// The root's place at the beginning.
     anchor: Vec3A,
     /// The axis of the turn, unit; any if there is none.
     axis: Vec3A,
     turn_rad_s: f64,
     /// The velocity at the beginning.
     velocity: Vec3A,
-    /// Whether the velocity turns too: along an arc, not straight.
+    /// True if the velocity turns too: along an arc, not straight.
     is_curved: bool,
 }
 

@@ -13,7 +13,7 @@ use crate::{Axes, Description, Effector, Joint, JointInfo, Scalar, math};
 pub(crate) const TOO_NEAR: f32 = 1e-5;
 /// How far from square or from equal length joints' axes may be in a rigid pose, all that is off taken together.
 const OFF: f32 = 1e-4;
-/// How far where angles that are found as if they were square are true.
+/// The same where what is found as if they were square is true to rounding.
 const OFF_BY_NOTHING: f32 = 1e-5;
 /// Farther than this many sizes of the rig a target is a mere direction.
 const FAR: f32 = 1e7;
@@ -344,18 +344,18 @@ pub(crate) fn true_gaze<const C: usize>(
     Some(joints.fold(effector(rig, first), |ray, joint| ray.turned(corrections[joint]).through(&local[joint])))
 }
 
-/// How far joints' axes are from square and from equal length, all that is off taken together.
+/// The distance of joints' axes from square and from equal length, all that is off taken together.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Off(Vec3A);
 
 impl Off {
-    /// Whether joints are scaled, turned and mirrored alone; not where a number is NaN.
+    /// True if joints are scaled, turned and mirrored alone; not where a number is NaN.
     #[inline(always)]
     pub(crate) fn is_rigid(self) -> bool {
         self.0.cmple(Vec3A::splat(OFF)).all()
     }
 
-    /// Whether what is found of orthogonal frames is true of the joints to rounding.
+    /// True if what is found of orthogonal frames is true of the joints to rounding.
     #[inline(always)]
     pub(crate) fn is_nothing(self) -> bool {
         self.0.cmple(Vec3A::splat(OFF_BY_NOTHING)).all()

@@ -195,11 +195,7 @@ fn aim_joints<const C: usize>(
         joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
     }
     let task = Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach, well_within: false };
-    task.finish(joints, memory, |joints| {
-        let (gaze, posed) = chain.posed(rig, joints);
-        corrections.copy_from_slice(&posed);
-        gaze.angle_to(goal.wanted)
-    })
+    task.finish_chain(&chain, Moved { joints, memory, corrections })
 }
 
 /// Puts `joints` on the target whatever the rates; `None` where there is nothing to aim.
@@ -250,11 +246,7 @@ fn snap_joints<const C: usize>(
     }
     let task =
         Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach: false, well_within: false };
-    task.finish(joints, memory, |joints| {
-        let (gaze, posed) = chain.posed(rig, joints);
-        corrections.copy_from_slice(&posed);
-        gaze.angle_to(goal.wanted)
-    })
+    task.finish_chain(&chain, Moved { joints, memory, corrections })
 }
 
 /// What a chain turns to.

@@ -3,7 +3,7 @@
 use glam::{Quat, Vec3A};
 
 use super::judge::Verdict;
-use crate::kinematics::chain::Space;
+use crate::kinematics::chain::{Chain, Space};
 use crate::limits::RangeOfMotion;
 use crate::limits::motion::wrap;
 use crate::rig::{ChainRig, Memory, PerJoint};
@@ -21,7 +21,7 @@ pub(crate) struct Solved {
     pub(crate) behind: bool,
 }
 
-/// What a solve of the chain moves and writes, one element for each joint.
+/// The joints that a solve moves, and what it writes: one element for each joint.
 pub(crate) struct Moved<'a, const C: usize> {
     pub(crate) joints: &'a mut PerJoint<Joint, C>,
     pub(crate) memory: &'a mut Memory,
@@ -41,6 +41,20 @@ pub(crate) struct Task<'a, const C: usize> {
 }
 
 impl<const C: usize> Task<'_, C> {
+    /// [`finish`](Self::finish) by the forward kinematics of a chain, with the corrections that it makes of the joints.
+    #[inline(always)]
+    pub(crate) fn finish_chain(
+        &self,
+        chain: &Chain<C>,
+        Moved { joints, memory, corrections }: Moved<'_, C>,
+    ) -> Option<Solved> {
+        self.finish(joints, memory, |joints| {
+            let (gaze, posed) = chain.posed(self.rig, joints);
+            corrections.copy_from_slice(&posed);
+            gaze.angle_to(self.goal.wanted)
+        })
+    }
+
     /// Remembers what was seen, and judges the joints as they are now by the angle that their forward kinematics leave.
     #[inline(always)]
     pub(crate) fn finish(

@@ -11,7 +11,7 @@
 /// A Stumpff function cₖ(s), or cₖ(−s), which is of hyperbolic functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Stumpff {
-    /// Whether it is cₖ(−s).
+    /// True of cₖ(−s).
     pub hyperbolic: bool,
     /// k
     pub order: u8,

@@ -53,7 +53,7 @@ fn cancelled<R>(
     product.cancel(g, &vanishing).then_some((product, rest))
 }
 
-/// Whether `s` is not negative, as far as one can see.
+/// True of what is not negative, as far as one can see.
 fn is_length(g: &Graph, s: Scalar) -> bool {
     match g.scalar_node(s) {
         ScalarNode::Norm(_) | ScalarNode::Op(Op::Sqrt(_)) => true,
@@ -289,7 +289,7 @@ impl Length {
     }
 }
 
-/// What a function is as one of a length r: a sign, a power of r, and a rest that is not 0 where r is.
+/// A function as one of a length r: a sign, a power of r, and a rest that is not 0 where r is.
 struct Vanishing {
     length: Length,
     order: u8,
@@ -304,8 +304,11 @@ enum Rest {
     Tangent(Stumpff),
     /// atan2(r, w)/r
     Arc(Scalar),
-    /// asin r / r
-    ArcSine,
+}
+
+fn one_minus(g: &mut Graph, square: Scalar) -> Scalar {
+    let one = g.constant(1.0);
+    g.sub(one, square)
 }
 
 impl Vanishing {
@@ -318,12 +321,17 @@ impl Vanishing {
                 Function::Sinh => one(Length::of(g, a)?, Rest::Stumpff(hyperbolic)),
                 Function::Tan => one(Length::of(g, a)?, Rest::Tangent(circular)),
                 Function::Tanh => one(Length::of(g, a)?, Rest::Tangent(hyperbolic)),
-                Function::Asin => one(Length::of(g, a)?, Rest::ArcSine),
+                // asin t = atan2(t, √(1 − t²))
+                Function::Asin => {
+                    let length = Length::of(g, a)?;
+                    let square = length.square(g);
+                    let rest = one_minus(g, square);
+                    one(length, Rest::Arc(g.sqrt(rest)))
+                }
                 // acos w = atan2(√(1 − w²), w)
                 Function::Acos => {
-                    let (one_, square) = (g.constant(1.0), g.mul(a, a));
-                    let base = g.sub(one_, square);
-                    one(Length { coefficient: 1.0, base, halves: 1 }, Rest::Arc(a))
+                    let square = g.mul(a, a);
+                    one(Length { coefficient: 1.0, base: one_minus(g, square), halves: 1 }, Rest::Arc(a))
                 }
                 _ => None,
             },
@@ -376,12 +384,6 @@ impl Vanishing {
                 product.power(g.stumpff(function.of_order(0), square), -halves);
             }
             Rest::Arc(w) => product.power(g.arc(square, w), halves),
-            Rest::ArcSine => {
-                let one = g.constant(1.0);
-                let rest = g.sub(one, square);
-                let root = g.sqrt(rest);
-                product.power(g.arc(square, root), halves);
-            }
         }
     }
 }

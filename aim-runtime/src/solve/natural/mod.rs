@@ -768,8 +768,7 @@ impl<const C: usize> Gaze<'_, C> {
     }
 }
 
-/// What a joint at `before` with this speed stops by: an offset of −2·speed/ω, which dies away without a turn, from where it
-/// stops.
+/// The offset of −2·speed/ω by which a joint at `before` stops without turning back, and the place where it does.
 #[cold]
 #[inline(never)]
 fn stopping(before: Pair, speed: Pair, pace: f32) -> (Pair, Led) {
