@@ -1,7 +1,7 @@
 //! Writes what fuzzing starts from: `seeds CORPUS [RIGS]`, a folder for each target below `CORPUS`.
 //!
 //! Models are the mannequin in two conventions, as glTF and as both versions of VRM, and each file in the folder `RIGS`, all of
-//! them cut down. Declarations are the bundled rigs in TOML, items those of the tests of error messages.
+//! them cut down. Animations start from nothing. Declarations are the bundled rigs in TOML, items those of the tests of error messages.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -37,7 +37,7 @@ fn main() -> Result {
         }
     }
 
-    for target in ["declaration", "tokens"] {
+    for target in ["animation", "declaration", "tokens"] {
         fs::create_dir_all(corpus.join(target))?;
     }
     for file in files(&repository.join("rigs"), &["toml"])? {
