@@ -1,9 +1,17 @@
-//! The rig of a character that is known only at run time: [`propose`] finds one for a file, [`Fit`] holds a declared one
-//! against it, [`declaration`] writes one down for its user, and [`InterpretedRig`] runs it.
+//! Characters that are known only at run time.
+//!
+//! [`Measurement`] tells where a character faces and which way each bone's own axes point. [`propose`] finds a rig for it,
+//! [`Fit`] holds a declared one against it, [`declaration`] writes one down for its user, and [`InterpretedRig`] runs it.
+//! [`Live`] aims it over its animation frame by frame, [`bake()`] over a clip, [`Plausibility`] tells how that looks, and
+//! [`reach()`] leads a hand through points. [`mannequin`] makes a walking figure by code, in any of the 48 bone conventions
+//! and all frames between them.
+//!
+//! World space is glTF's: right-handed, +Y up, in the file's units (metres, if the file keeps to the rules). Matrices act on
+//! column vectors, `world ← node`. Angles whose names end in `_deg` are degrees, times are seconds.
 //!
 //! ```
-//! use aim_character::{InterpretedRig, propose};
-//! use aim_gltf::{ChainNodes, Document, Live, Measurement, Moment, PAPER_AXES, mannequin};
+//! use aim_character::{ChainNodes, InterpretedRig, Live, Measurement, Moment, PAPER_AXES, mannequin, propose};
+//! use aim_gltf::Document;
 //! use aim_runtime::{DynAim, Settings};
 //! use glam::DVec3;
 //!
@@ -27,20 +35,34 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod declaration;
+mod bake;
 mod error;
-pub mod evidence;
-mod fit;
-mod interpreted;
-mod parts;
-mod proposal;
-mod tape;
+mod mannequin;
+mod measure;
+mod num;
+mod rig;
+mod skin;
 
+pub use bake::chain::{ChainNodes, Hold};
+pub use bake::eye_maps::range_maps;
+pub use bake::live::{AimedFrame, JointFrame, Live, Moment};
+pub use bake::plausibility::{Appearance, Criterion, Plausibility, Worst};
+pub use bake::reach::{Arrival, Goal, LimbFrame, LimbNodes, ReachPlan, Reached, reach};
+pub use bake::{Baked, Plan, Settle, bake};
 pub use error::Error;
-pub use fit::{Fit, JointFit, NAMES, NEAR_DEG, chain_nodes, hold, range_in_frame};
-pub use interpreted::InterpretedRig;
-pub use proposal::{Proposal, propose};
+pub use mannequin::{PAPER_AXES, mannequin};
+pub use measure::clues::Clue;
+pub use measure::evidence;
+pub use measure::facing::{Evidence, Stated};
+pub use measure::limbs::{limbs_on, limbs_on_each};
+pub use measure::roles::Role;
+pub use measure::{BoneAxes, BoneFrame, Handedness, MeasuredPose, Measurement, SignedAxis};
+pub use rig::declaration;
+pub use rig::fit::{Fit, JointFit, NAMES, NEAR_DEG, chain_nodes, hold, range_in_frame};
+pub use rig::interpreted::InterpretedRig;
+pub use rig::proposal::{Proposal, propose};
+pub use skin::Palette;
 
-/// The rig of the mannequin that [`aim_gltf::mannequin`] makes with [`aim_gltf::PAPER_AXES`]: the file that
+/// The rig of the mannequin that [`mannequin`] makes with [`PAPER_AXES`]: the file that
 /// `aim::rigs::Mannequin` is compiled from, as text.
 pub const MANNEQUIN_RIG: &str = include_str!("../../rigs/mannequin.toml");

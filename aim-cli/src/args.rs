@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use aim_gltf::Settle;
+use aim_character::Settle;
 use aim_runtime::{Behind, Solver};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};

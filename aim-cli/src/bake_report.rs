@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use aim_character::range_in_frame;
+use aim_character::{AimedFrame, Baked, ChainNodes, JointFrame, Plausibility, range_in_frame};
 use aim_codegen::{AngleRange, RigSpec};
-use aim_gltf::{AimedFrame, Baked, ChainNodes, JointFrame, Plausibility, Skeleton};
+use aim_gltf::Skeleton;
 use aim_runtime::Status;
 use serde::Serialize;
 

@@ -1,7 +1,8 @@
 //! What a bake aims: the rig's effector, or one of its joints.
 
+use aim_character::ChainNodes;
 use aim_codegen::{EffectorSpec, RigSpec, Role};
-use aim_gltf::{ChainNodes, Skeleton};
+use aim_gltf::Skeleton;
 
 use crate::failure::{Failure, Result};
 use crate::words::listed;

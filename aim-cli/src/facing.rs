@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use aim_character::evidence;
-use aim_gltf::{Clue, Document, LookAt, Measurement, SignedAxis, Stated};
+use aim_character::{Clue, Measurement, SignedAxis, Stated, evidence};
+use aim_gltf::{Document, LookAt};
 use clap::Args;
 
 use crate::failure::{Failure, Result};
@@ -27,7 +27,7 @@ impl Facing {
         for doubt in LookAt::doubts(document) {
             eprintln!("warning: {}: {doubt}", file.display());
         }
-        let is_followed = |said: &aim_gltf::Evidence| said.clue == Clue::Stated && said.forward.is_some();
+        let is_followed = |said: &aim_character::Evidence| said.clue == Clue::Stated && said.forward.is_some();
         match self.forward {
             Some(axis) if !measurement.evidence.iter().any(is_followed) => {
                 let up = SignedAxis::of(measurement.up);

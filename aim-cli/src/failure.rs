@@ -29,6 +29,11 @@ impl Failure {
         Self::Input(format!("{}: {problem}", path.display()))
     }
 
+    /// The same of an error, for [`Result::map_err`].
+    pub(crate) fn of<E: fmt::Display>(path: &Path) -> impl Fn(E) -> Self {
+        move |problem| Self::in_file(path, problem)
+    }
+
     /// The exit code of the contract.
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use aim_gltf::{Criterion, Plausibility};
+use aim_character::{Criterion, Plausibility};
 use serde::Serializer;
 use serde::ser::SerializeMap;
 

@@ -1,6 +1,7 @@
 //! The report of `aim reach`: targets, trajectory and frames, and a summary in words.
 
-use aim_gltf::{Arrival, Clip, Document, ReachPlan, Reached};
+use aim_character::{Arrival, ReachPlan, Reached};
+use aim_gltf::{Clip, Document};
 use aim_runtime::ik::TwoBoneStatus;
 use aim_runtime::trajectory::Status;
 use glam::DVec3;

@@ -4,7 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use aim_gltf::{Document, Measurement};
+use aim_character::Measurement;
+use aim_gltf::Document;
 use glam::{DAffine3, DVec3};
 
 use crate::failure::{Failure, Result};

@@ -3,13 +3,13 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
+use aim_animation::Transform;
 use glam::{Quat, Vec3, Vec4};
 
 use crate::accessor::Data;
 use crate::error::Error;
 use crate::num;
 use crate::raw;
-use crate::trs::Trs;
 
 /// The animated property of a channel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -97,7 +97,8 @@ impl Channel {
     }
 
     /// A linear track of the weights of a node's mesh: all of them at each time (seconds, increasing).
-    pub(crate) fn weights(node: usize, times: Arc<[f32]>, weights: &[Vec<f32>]) -> Self {
+    #[must_use]
+    pub fn weights(node: usize, times: Arc<[f32]>, weights: &[Vec<f32>]) -> Self {
         let width = weights.first().map_or(0, Vec::len);
         let (property, interpolation) = (Property::Weights, Interpolation::Linear);
         Self { node, property, interpolation, times, values: weights.concat(), width }
@@ -162,7 +163,8 @@ impl Channel {
     }
 
     /// The value at a time, held outside the keys; rotations come out unit. NaN counts as the first key.
-    pub(crate) fn sample(&self, seconds: f32) -> Vec<f32> {
+    #[must_use]
+    pub fn sample(&self, seconds: f32) -> Vec<f32> {
         let next = self.times.partition_point(|t| *t <= seconds);
         let last = self.times.len().saturating_sub(1);
         if self.times.is_empty() {
@@ -316,7 +318,7 @@ impl Clip {
     }
 
     /// Writes the sampled properties into `pose` (indexed by node); others stay as they are.
-    pub fn sample(&self, seconds: f32, pose: &mut [Trs]) {
+    pub fn sample(&self, seconds: f32, pose: &mut [Transform]) {
         for channel in &self.channels {
             let Some(local) = pose.get_mut(channel.node) else { continue };
             match (channel.property, &channel.sample(seconds)[..]) {

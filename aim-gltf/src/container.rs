@@ -74,8 +74,11 @@ fn split_glb(bytes: &[u8]) -> Result<Parts<'_>, Error> {
     Ok(Parts { json, bin })
 }
 
-/// Builds a GLB. Pads JSON with spaces and the binary chunk with zeros, as the format asks.
-pub(crate) fn join(json: &[u8], bin: Option<&[u8]>) -> Result<Vec<u8>, Error> {
+/// A GLB of a JSON text and a binary chunk; pads the one with spaces and the other with zeros, as the format asks.
+///
+/// # Errors
+/// [`Error::Clip`] where the file would be longer than a GLB may be.
+pub fn to_glb(json: &[u8], bin: Option<&[u8]>) -> Result<Vec<u8>, Error> {
     let too_long = || Error::Clip("the file would be longer than a GLB's 4 GiB".into());
     let padded = |n: usize| n.checked_next_multiple_of(4);
     let json_len = padded(json.len()).ok_or_else(too_long)?;

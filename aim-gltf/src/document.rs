@@ -154,8 +154,9 @@ impl Document {
         self.chunk.as_deref()
     }
 
-    /// Mesh vertices with what they are bound to.
-    pub(crate) fn points(&self) -> &[SkinnedPoint] {
+    /// The vertices of every mesh, with what they are bound to.
+    #[must_use]
+    pub fn points(&self) -> &[SkinnedPoint] {
         &self.points
     }
 }

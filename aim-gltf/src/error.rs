@@ -92,12 +92,6 @@ pub enum Error {
     /// A clip handed over for writing that does not fit the document, and what was expected.
     #[error("the clip cannot be written: {0}")]
     Clip(String),
-    /// A rig's joints that are no chain in this document, and what was expected.
-    #[error("the rig does not fit the file: {0}")]
-    Chain(String),
-    /// The bone of the mannequin whose given axes are no orthonormal triple.
-    #[error("the axes of \"{0}\" are not three unit vectors at right angles; give up, forward and left so")]
-    Axes(String),
 }
 
 impl Error {

@@ -1,16 +1,11 @@
-//! Look-at range maps of a VRM file, version 1.0 or 0.x, and the eyes that turn by them.
+//! Look-at range maps of a VRM file, version 1.0 or 0.x.
 //!
 //! A range map takes the angle to the target on one side to the angle by which the eye turns there, usually a smaller
-//! one: VRM eyes are drawn large. So aiming solves for the angle to the target, and [`EyeMaps`] turns the bones.
+//! one: VRM eyes are drawn large.
 
-use glam::{DQuat, DVec3, Quat};
 use serde_json::Value;
 
-use crate::chain::ChainNodes;
 use crate::document::Document;
-use crate::measure::{BoneAxes, BoneFrame, Measurement};
-use crate::roles::Role;
-use crate::trs::Trs;
 
 /// Part of a VRM character that looking moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,7 +45,8 @@ impl RangeMap {
     }
 
     /// The least input, degrees, that gives `output`; 0 of a map that moves nothing.
-    pub(crate) fn input(&self, output: f64) -> f64 {
+    #[must_use]
+    pub fn input(&self, output: f64) -> f64 {
         let share = output / self.output_scale;
         if self.moves() { share.clamp(0.0, 1.0) * self.input_max_value.max(0.0) } else { 0.0 }
     }
@@ -129,21 +125,6 @@ impl LookAt {
         (look, doubts)
     }
 
-    /// The maps of an eye's headings to the right and to the left, and of its pitches down and up: of an eye that looks by morph
-    /// targets to their weights, of the bone of a VRM file's eye to its angles. `None` of what turns as it looks.
-    #[must_use]
-    pub fn maps(document: &Document, bone: &BoneAxes) -> Option<[RangeMap; 4]> {
-        if let Some(eye) = document.skeleton().morph_eyes.iter().find(|eye| eye.node == bone.node) {
-            return Some(eye.maps());
-        }
-        let look = Self::of(document).filter(|look| look.kind == LookAtKind::Bone)?;
-        match bone.role? {
-            Role::LeftEye => Some(look.left_eye()),
-            Role::RightEye => Some(look.right_eye()),
-            _ => None,
-        }
-    }
-
     /// The maps of the left eye's headings to the right and to the left, and of its pitches down and up; of the right eye the first two
     /// are exchanged.
     #[must_use]
@@ -155,73 +136,5 @@ impl LookAt {
     #[must_use]
     pub fn right_eye(&self) -> [RangeMap; 4] {
         [self.horizontal_outer, self.horizontal_inner, self.vertical_down, self.vertical_up]
-    }
-}
-
-/// The eyes of a chain that turn by the file's range maps.
-#[derive(Debug, Clone)]
-pub(crate) struct EyeMaps(Vec<MappedEye>);
-
-#[derive(Debug, Clone)]
-struct MappedEye {
-    node: usize,
-    frame: BoneFrame,
-    /// To the right, to the left, down, up.
-    maps: [RangeMap; 4],
-}
-
-impl EyeMaps {
-    /// The mapped eyes among what the chain turns: none unless the file is a VRM file whose bones look.
-    pub(crate) fn find(document: &Document, measurement: &Measurement, chain: &ChainNodes) -> Self {
-        let eye = |node: usize| {
-            let bone = measurement.bone(node).filter(|bone| document.skeleton().is_in_file(bone.node))?;
-            Some(MappedEye { node, frame: bone.frame, maps: LookAt::maps(document, bone)? })
-        };
-        Self(chain.joints.first().copied().into_iter().chain(chain.other_eye).filter_map(eye).collect())
-    }
-
-    pub(crate) fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-
-    /// The eyes' local rotations.
-    pub(crate) fn rotations(&self, pose: &[Trs]) -> Vec<Quat> {
-        self.0.iter().map(|eye| pose[eye.node].rotation).collect()
-    }
-
-    /// Replaces the turn of each eye since it had the rotation `before`, which is to where it looks, by what its map makes of it.
-    pub(crate) fn apply(&self, before: &[Quat], pose: &mut [Trs]) {
-        for (eye, before) in self.0.iter().zip(before) {
-            let trs = &mut pose[eye.node];
-            let before = before.as_dquat();
-            // The rotation acts outside the node's own scale.
-            let sign = trs.scale.signum().as_dvec3();
-            let [up, forward, left] = [eye.frame.up, eye.frame.forward, eye.frame.left].map(|axis| axis * sign);
-            let frame = BoneFrame { up, forward, left };
-            let [right, to_left, down, upward] = &eye.maps;
-            let mapped = |angle: f64, negative: &RangeMap, positive: &RangeMap| {
-                let map = if angle < 0.0 { negative } else { positive };
-                map.apply(angle.abs().to_degrees()).to_radians().copysign(angle)
-            };
-            let [heading, pitch] = frame.angles(before.inverse() * trs.rotation.as_dquat());
-            let turned = before * frame.turn([mapped(heading, right, to_left), mapped(pitch, down, upward)]);
-            if turned.is_finite() {
-                trs.rotation = turned.normalize().as_quat();
-            }
-        }
-    }
-}
-
-impl BoneFrame {
-    /// Heading and pitch, radians, of the direction to which `turn`, in the bone's space, brings its forward.
-    pub(crate) fn angles(&self, turn: DQuat) -> [f64; 2] {
-        let gaze = turn * self.forward;
-        [gaze.dot(self.left).atan2(gaze.dot(self.forward)), gaze.dot(self.up).clamp(-1.0, 1.0).asin()]
-    }
-
-    /// The turn by a pitch and then a heading, radians.
-    pub(crate) fn turn(&self, [heading, pitch]: [f64; 2]) -> DQuat {
-        let turn = |to: DVec3, angle: f64| DQuat::from_axis_angle(self.forward.cross(to).normalize(), angle);
-        turn(self.left, heading) * turn(self.up, pitch)
     }
 }

@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use glam::{Affine3A, DAffine3, DMat3, DVec3, Quat, Vec3};
+use aim_animation::Transform;
+use glam::{Affine3A, DAffine3, DMat4, DVec3, Quat, Vec3};
 
 use crate::accessor::Data;
 use crate::clip::Clip;
 use crate::error::Error;
 use crate::morph_eyes::MorphEye;
 use crate::raw::{self, Raw};
-use crate::trs::{Trs, affine_of, orthonormal};
 
 /// One node of the file.
 #[derive(Debug, Clone)]
@@ -22,7 +22,7 @@ pub struct Node {
     /// Its children.
     pub children: Vec<usize>,
     /// Its local transform when no clip plays.
-    pub rest: Trs,
+    pub rest: Transform,
     /// True when some skin lists it as a joint.
     pub is_joint: bool,
     /// Joint space ← mesh space, from the first skin that lists the joint with one.
@@ -41,9 +41,9 @@ pub struct Skeleton {
     nodes: Vec<Node>,
     /// How many of them are the file's.
     in_file: usize,
-    pub(crate) morph_eyes: Vec<MorphEye>,
+    morph_eyes: Vec<MorphEye>,
     /// For the nodes that show those eyes, the weights of their meshes where no clip has any.
-    pub(crate) morph_weights: BTreeMap<usize, Vec<f32>>,
+    morph_weights: BTreeMap<usize, Vec<f32>>,
     order: Vec<usize>,
     skins: Vec<Vec<usize>>,
     skin_binds: Vec<Vec<Option<DAffine3>>>,
@@ -102,7 +102,7 @@ impl Skeleton {
             name: name.into(),
             parent: Some(parent),
             children: Vec::new(),
-            rest: Trs { translation, rotation: Quat::IDENTITY, scale: Vec3::ONE },
+            rest: Transform { translation, rotation: Quat::IDENTITY, scale: Vec3::ONE },
             is_joint: false,
             inverse_bind: None,
             mesh: None,
@@ -112,10 +112,36 @@ impl Skeleton {
         node
     }
 
+    /// Adds an eye that looks by morph targets, with the weights at rest of the nodes that show it.
+    pub(crate) fn add_morph_eye(&mut self, eye: MorphEye, at_rest: impl Iterator<Item = (usize, Vec<f32>)>) {
+        for (node, weights) in at_rest {
+            self.morph_weights.entry(node).or_insert(weights);
+        }
+        self.morph_eyes.push(eye);
+    }
+
+    /// The eyes that look by morph targets.
+    #[must_use]
+    pub fn morph_eyes(&self) -> &[MorphEye] {
+        &self.morph_eyes
+    }
+
+    /// The weights of a node's mesh where no clip has any: of nodes that show such eyes.
+    #[must_use]
+    pub fn morph_weights(&self, node: usize) -> Option<&[f32]> {
+        self.morph_weights.get(&node).map(Vec::as_slice)
+    }
+
     /// True of the file's own nodes; false of those that stand for eyes which look by morph targets.
     #[must_use]
     pub fn is_in_file(&self, node: usize) -> bool {
         node < self.in_file
+    }
+
+    /// The number of the file's own nodes, which are the first.
+    #[must_use]
+    pub fn file_nodes(&self) -> usize {
+        self.in_file
     }
 
     /// A point of the mesh of `node` in the space of a joint that it is bound to, or of the node itself.
@@ -143,12 +169,15 @@ impl Skeleton {
         self.skins.iter().any(|joints| !joints.is_empty())
     }
 
-    /// The joints of each skin, and their inverse bind matrices where given.
-    pub(crate) fn skin(&self, index: usize) -> (&[usize], &[Option<DAffine3>]) {
+    /// The joints of a skin, and their inverse bind matrices where given.
+    #[must_use]
+    pub fn skin(&self, index: usize) -> (&[usize], &[Option<DAffine3>]) {
         (&self.skins[index], &self.skin_binds[index])
     }
 
-    pub(crate) fn skin_count(&self) -> usize {
+    /// The number of skins.
+    #[must_use]
+    pub fn skin_count(&self) -> usize {
         self.skins.len()
     }
 
@@ -177,13 +206,13 @@ impl Skeleton {
 
     /// The local transforms when no clip plays.
     #[must_use]
-    pub fn rest_pose(&self) -> Vec<Trs> {
+    pub fn rest_pose(&self) -> Vec<Transform> {
         self.nodes.iter().map(|node| node.rest).collect()
     }
 
     /// The local transforms `seconds` into a clip; nodes without a channel are at rest.
     #[must_use]
-    pub fn pose(&self, clip: &Clip, seconds: f32) -> Vec<Trs> {
+    pub fn pose(&self, clip: &Clip, seconds: f32) -> Vec<Transform> {
         let mut pose = self.rest_pose();
         clip.sample(seconds, &mut pose);
         pose
@@ -194,25 +223,20 @@ impl Skeleton {
     ///
     /// A `pose` shorter than the node list is completed by the rest pose.
     #[must_use]
-    pub fn world(&self, pose: &[Trs]) -> Vec<Affine3A> {
+    pub fn world(&self, pose: &[Transform]) -> Vec<Affine3A> {
         self.world_f64(pose).iter().map(|m| m.as_affine3a()).collect()
     }
 
     /// Forward kinematics in double precision; see [`Self::world`].
     #[must_use]
-    pub fn world_f64(&self, pose: &[Trs]) -> Vec<DAffine3> {
+    pub fn world_f64(&self, pose: &[Transform]) -> Vec<DAffine3> {
         let mut world = vec![DAffine3::IDENTITY; self.nodes.len()];
         for &index in &self.order {
             let node = &self.nodes[index];
-            let local = pose.get(index).unwrap_or(&node.rest).affine_f64();
+            let local = affine_f64(pose.get(index).unwrap_or(&node.rest));
             world[index] = node.parent.map_or(local, |parent| world[parent] * local);
         }
         world
-    }
-
-    /// The orthogonal part of what a node's parent is in the world; it may mirror. The identity for a root.
-    pub(crate) fn parent_frame(&self, world: &[DAffine3], node: usize) -> DMat3 {
-        self.nodes[node].parent.map_or(DMat3::IDENTITY, |parent| orthonormal(&world[parent].matrix3).0)
     }
 
     /// The node and all its ancestors, the node first.
@@ -270,17 +294,18 @@ fn parents_first(nodes: &[Node]) -> Result<Vec<usize>, Error> {
     Err(Error::invalid(format!("nodes[{stray}]"), "it is its own ancestor, expected a tree without cycles"))
 }
 
-fn rest(node: &raw::Node, place: &str) -> Result<Trs, Error> {
+fn rest(node: &raw::Node, place: &str) -> Result<Transform, Error> {
     let finite = |values: &[f32]| values.iter().all(|v| v.is_finite());
     let rest = if let Some(matrix) = &node.matrix {
-        Trs::from_affine(&affine_of(matrix))
+        Transform::from_affine(&affine_of(matrix).as_affine3a())
+            .ok_or_else(|| Error::invalid(place, "its transform is beyond the range of single precision"))?
     } else {
         let narrow = crate::num::narrow;
         let q = node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]);
         let rotation = glam::DQuat::from_array(q);
         // A zero quaternion is invalid, but what its author meant is plain.
         let unit = rotation.length() > 1e-9 && rotation.length().is_finite();
-        Trs {
+        Transform {
             translation: Vec3::from_array(node.translation.unwrap_or_default().map(narrow)),
             rotation: if unit { rotation.normalize().as_quat() } else { Quat::IDENTITY },
             scale: Vec3::from_array(node.scale.unwrap_or([1.0; 3]).map(narrow)),
@@ -313,4 +338,15 @@ fn inverse_binds(data: &Data<'_>, skin: &raw::Skin, place: &str) -> Result<Vec<O
 fn distance(a: &str, b: &str) -> usize {
     let letters = |s: &str| s.chars().take(64).flat_map(char::to_lowercase).collect::<Vec<_>>();
     strsim::generic_levenshtein(&letters(a), &letters(b))
+}
+
+/// A local transform as an affine map, parent ← node, with the rotation made unit to double precision.
+fn affine_f64(local: &Transform) -> DAffine3 {
+    let rotation = local.rotation.as_dquat().normalize();
+    DAffine3::from_scale_rotation_translation(local.scale.as_dvec3(), rotation, local.translation.as_dvec3())
+}
+
+/// A column-major glTF matrix as an affine map; the last row is taken as (0, 0, 0, 1).
+fn affine_of(columns: &[f64; 16]) -> DAffine3 {
+    DAffine3::from_mat4(DMat4::from_cols_array(columns))
 }

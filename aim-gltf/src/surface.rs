@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::{DAffine3, DVec3, Vec2, Vec3};
+use glam::{DAffine3, Vec2, Vec3};
 use serde_json::Value;
 
 use crate::accessor::Data;
@@ -11,7 +11,7 @@ use crate::material::{self, Material};
 use crate::normals::normals;
 use crate::raw::{Primitive, Raw};
 use crate::skeleton::Skeleton;
-use crate::skin::{Palette, SkinnedPoint, carrier, read_primitive};
+use crate::skin::{SkinnedPoint, carrier, read_primitive};
 
 /// Triangles drawn at most; a file with more shows its first ones.
 const MOST_TRIANGLES: usize = 2_000_000;
@@ -52,11 +52,17 @@ impl Document {
         let data = Data::new(&raw, &slices);
         (surface.materials, surface.images) = material::read(self, &data);
         let world = self.skeleton().world_f64(&[]);
-        let palette = Palette::new(self.skeleton(), &world);
+        let mirrors = |node: usize| {
+            let skinned = self.skeleton().nodes()[node].skin.and_then(|skin| {
+                let (joints, binds) = self.skeleton().skin(skin);
+                Some(world[*joints.first()?] * binds.first()?.unwrap_or(DAffine3::IDENTITY))
+            });
+            skinned.unwrap_or(world[node]).matrix3.determinant() < 0.0
+        };
         for (node, mesh) in raw.nodes.iter().enumerate().filter_map(|(i, node)| Some((i, node.mesh?))) {
             for (index, primitive) in raw.meshes[mesh].primitives.iter().enumerate() {
                 let json = &self.json()["meshes"][mesh]["primitives"][index];
-                surface.add(&Part { data: &data, node, primitive, json, is_mirrored: palette.mirrors(node) });
+                surface.add(&Part { data: &data, node, primitive, json, is_mirrored: mirrors(node) });
             }
         }
         surface
@@ -174,18 +180,17 @@ impl Surface {
         &self.tints
     }
 
-    /// The vertices in the world, for `world` ← node of every node of the document: what
-    /// [`Skeleton::world_f64`] gives.
+    /// The vertices.
     #[must_use]
-    pub fn positions(&self, skeleton: &Skeleton, world: &[DAffine3]) -> Vec<DVec3> {
-        Palette::new(skeleton, world).deform(&self.points)
+    pub fn points(&self) -> &[SkinnedPoint] {
+        &self.points
     }
 
-    /// The vertices in the world and their normals of length one, in single precision into buffers that are emptied
-    /// first; for `world` as in [`Self::positions`]. Normals that the file does not give are the faces', smooth where
-    /// they turn by less than 60°.
-    pub fn pose(&self, skeleton: &Skeleton, world: &[DAffine3], positions: &mut Vec<Vec3>, normals: &mut Vec<Vec3>) {
-        Palette::new(skeleton, world).pose(&self.points, &self.normals, (positions, normals));
+    /// The normals of the vertices, in the meshes' own spaces, of length one or zero. Those that the file does not give are
+    /// the faces', smooth where they turn by less than 60°.
+    #[must_use]
+    pub fn normals(&self) -> &[Vec3] {
+        &self.normals
     }
 
     /// The node that moves a vertex most: its heaviest joint, or the node that shows it; `None` past the last vertex.

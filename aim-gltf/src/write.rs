@@ -54,7 +54,7 @@ impl Document {
             self.place(&mut json, (&clip.name, like), animation);
         }
         let text = serde_json::to_vec(&json).map_err(|e| Error::Json(e.to_string()))?;
-        container::join(&text, chunk.as_deref())
+        container::to_glb(&text, chunk.as_deref())
     }
 
     /// Puts an animation where the clip of its name is, else after all others, keeping what else that one says, or the one that
@@ -236,8 +236,8 @@ fn array<'a>(json: &'a mut Value, key: &str) -> &'a mut Vec<Value> {
 
 /// New bytes and the accessors on them.
 #[derive(Default)]
-pub(crate) struct Appended {
-    pub(crate) bytes: Vec<u8>,
+struct Appended {
+    bytes: Vec<u8>,
     accessors: Vec<Value>,
     /// Key times written already, by their bits.
     times: BTreeMap<Vec<u32>, usize>,
@@ -263,7 +263,7 @@ impl Appended {
     }
 
     /// One animation's JSON; `first` is the index its first new accessor will have, `view` that of the new view.
-    pub(crate) fn animation(&mut self, clip: &Clip, first: usize, view: usize) -> Value {
+    fn animation(&mut self, clip: &Clip, first: usize, view: usize) -> Value {
         let (mut channels, mut samplers) = (Vec::new(), Vec::new());
         for channel in &clip.channels {
             let bits: Vec<u32> = channel.times.iter().map(|t| t.to_bits()).collect();
@@ -281,7 +281,7 @@ impl Appended {
     }
 
     /// Adds the buffer view and the accessors to the document.
-    pub(crate) fn describe(self, json: &mut Value, buffer: usize, start: usize) {
+    fn describe(self, json: &mut Value, buffer: usize, start: usize) {
         let mut view = Map::new();
         view.insert("buffer".into(), buffer.into());
         if start > 0 {

@@ -4,7 +4,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use aim_gltf::{Document, Measurement, PAPER_AXES, mannequin};
+use aim_character::{Measurement, PAPER_AXES, mannequin};
+use aim_gltf::Document;
 use peak_alloc::PeakAlloc;
 
 #[global_allocator]

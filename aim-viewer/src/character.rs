@@ -3,10 +3,12 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use aim_character::{MANNEQUIN_RIG, Proposal, chain_nodes, propose};
+use aim_character::{
+    ChainNodes, MANNEQUIN_RIG, Measurement, PAPER_AXES, Palette, Proposal, chain_nodes, mannequin, propose,
+};
 use aim_codegen::RigSpec;
 use aim_codegen::declare::from_toml;
-use aim_gltf::{ChainNodes, Clip, Document, Measurement, PAPER_AXES, Skeleton, Surface, mannequin};
+use aim_gltf::{Clip, Document, Skeleton, Surface};
 use glam::{DVec3, Vec3};
 
 /// Everything about a character that does not change while it moves.
@@ -96,7 +98,7 @@ impl Character {
         let [up, ..] = self.directions();
         let effector = self.effector();
         let bind = &self.measurement.bind_world;
-        let seen = self.surface.positions(self.skeleton(), bind);
+        let seen = Palette::new(self.skeleton(), bind).positions(&self.surface);
         let heights = seen.iter().map(|at| at.as_vec3().dot(up)).filter(|height| height.is_finite());
         let lowest = heights.fold(effector.dot(up), f32::min);
         effector + up * (lowest - effector.dot(up))

@@ -2,8 +2,7 @@
 
 use std::f32::consts::PI;
 
-use aim_character::range_in_frame;
-use aim_gltf::AimedFrame;
+use aim_character::{AimedFrame, Palette, range_in_frame};
 use aim_runtime::{Solver, Status};
 use glam::{DAffine3, DVec3, Quat, Vec3};
 
@@ -120,7 +119,7 @@ impl Stage {
     fn figure(&self, frame: &AimedFrame, shift: Vec3) -> Figure {
         let mut figure = Figure { positions: Vec::new(), normals: Vec::new() };
         let Character { surface, document, .. } = &self.character;
-        surface.pose(document.skeleton(), &frame.world, &mut figure.positions, &mut figure.normals);
+        Palette::new(document.skeleton(), &frame.world).pose(surface, &mut figure.positions, &mut figure.normals);
         figure.positions.iter_mut().for_each(|at| *at += shift);
         figure
     }

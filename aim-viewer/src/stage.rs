@@ -5,9 +5,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use aim::rigs::Mannequin;
-use aim_character::InterpretedRig;
+use aim_animation::Transform;
+use aim_character::{AimedFrame, InterpretedRig, Live, Moment};
 use aim_codegen::{RigSpec, Role};
-use aim_gltf::{AimedFrame, Live, Moment, Trs};
 use aim_runtime::{AimRig, Ascent, DynAim, Rig, Settings, Solver};
 use glam::{DAffine3, Vec3};
 use web_time::Instant;
@@ -295,7 +295,7 @@ impl Stage {
     }
 
     /// A clip's pose at the clock's time and a phase, and its nodes in the world.
-    fn animated(&self, phase: f32) -> (Vec<Trs>, Vec<DAffine3>) {
+    fn animated(&self, phase: f32) -> (Vec<Transform>, Vec<DAffine3>) {
         let skeleton = self.character.skeleton();
         let clip = self.clock.clip.and_then(|clip| self.character.clips().get(clip));
         let pose = match clip {

@@ -3,8 +3,8 @@
 
 use aim::glam::DVec3;
 use aim::{DynAim, Settings};
-use aim_character::{InterpretedRig, chain_nodes, propose};
-use aim_gltf::{Criterion, Document, Measurement, Plan, Plausibility, Settle, bake};
+use aim_character::{Criterion, InterpretedRig, Measurement, Plan, Plausibility, Settle, bake, chain_nodes, propose};
+use aim_gltf::Document;
 
 use crate::solver::row::{Row, number};
 
@@ -79,9 +79,10 @@ fn measure(
         target_node: None,
     };
     let mut character = DynAim::new(InterpretedRig::new(&spec));
-    let fail = |error: aim_gltf::Error| error.to_string();
-    let baked = bake(&mut character, &plan, target, |_, _| {}).map_err(fail)?;
-    let written = document.with_clips(std::slice::from_ref(&baked.clip)).map_err(fail)?;
-    let written = Document::from_bytes(&written).map_err(fail)?;
-    Plausibility::measure(&character.rig, &plan, &baked, &written).map_err(fail)
+    let mut measured = || -> Result<Plausibility, aim_character::Error> {
+        let baked = bake(&mut character, &plan, target, |_, _| {})?;
+        let written = Document::from_bytes(&document.with_clips(std::slice::from_ref(&baked.clip))?)?;
+        Plausibility::measure(&character.rig, &plan, &baked, &written)
+    };
+    measured().map_err(|error| error.to_string())
 }

@@ -6,7 +6,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use aim_gltf::{Document, Measurement, PAPER_AXES, Role, mannequin};
+use aim_character::{Measurement, PAPER_AXES, Role, mannequin};
+use aim_gltf::Document;
 use quote::ToTokens;
 use serde_json::{Value, json};
 

@@ -1,7 +1,8 @@
 //! A model's file: whatever is accepted can be measured, sampled, posed to be drawn, and written so that it is accepted again.
 #![no_main]
 
-use aim_gltf::{Document, LookAt, Measurement};
+use aim_character::{Measurement, Palette};
+use aim_gltf::{Document, LookAt};
 use libfuzzer_sys::{Corpus, fuzz_target};
 
 fuzz_target!(|input: &[u8]| -> Corpus {
@@ -33,7 +34,7 @@ fuzz_target!(|input: &[u8]| -> Corpus {
     }
     let (surface, skeleton) = (document.surface(), document.skeleton());
     let (mut positions, mut normals) = (Vec::new(), Vec::new());
-    surface.pose(skeleton, &skeleton.world_f64(&[]), &mut positions, &mut normals);
+    Palette::new(skeleton, &skeleton.world_f64(&[])).pose(&surface, &mut positions, &mut normals);
     let counts = [normals.len(), surface.texture_coordinates().len(), surface.tints().len()];
     assert_eq!(counts, [positions.len(); 3], "one of each for each vertex");
     assert!(normals.iter().all(|normal| (normal.length() - 1.0).abs() < 1e-3));

@@ -1,11 +1,11 @@
 //! What is written down is read back as the same rig, in both notations.
 
-use aim_character::{Proposal, declaration, propose};
+use aim_character::{Measurement, Proposal, declaration, mannequin, propose};
 use aim_codegen::declare::{from_derive_input, from_toml};
 use aim_codegen::{
     AngleRange, Budget, Budgets, EffectorSpec, Frame, JointSpec, LimitsFrom, NaturalSpec, RigSpec, Role,
 };
-use aim_gltf::{Document, Measurement, mannequin};
+use aim_gltf::Document;
 
 use crate::RIGS;
 

@@ -1,8 +1,16 @@
-//! Declarations proposed for characters, and rigs interpreted on them.
+//! Characters measured, declarations proposed for them, rigs interpreted on them, hands led.
 
 mod declaration;
+mod facing;
+mod ik;
+mod mannequin;
 mod mixed_rigs;
 mod names;
+mod reach;
+mod rigs;
+#[path = "../../../aim-gltf/tests/it/support/mod.rs"]
+mod support;
+mod traditions;
 
 /// The bundled rigs, as their users may copy them.
 const RIGS: [(&str, &str); 8] = [
@@ -15,3 +23,19 @@ const RIGS: [(&str, &str); 8] = [
     ("unreal", include_str!("../../../rigs/unreal.toml")),
     ("vrm", include_str!("../../../rigs/vrm.toml")),
 ];
+
+/// All 48 (up, forward, left) triples of signed axes, 24 of each handedness.
+fn conventions() -> Vec<[[f32; 3]; 3]> {
+    let mut out = Vec::new();
+    for (u, f, l) in [(0, 1, 2), (1, 2, 0), (2, 0, 1), (0, 2, 1), (2, 1, 0), (1, 0, 2)] {
+        for signs in 0..8_u8 {
+            let axis = |index: usize, bit: u8| {
+                let mut v = [0.0; 3];
+                v[index] = if signs >> bit & 1 == 0 { 1.0 } else { -1.0 };
+                v
+            };
+            out.push([axis(u, 0), axis(f, 1), axis(l, 2)]);
+        }
+    }
+    out
+}

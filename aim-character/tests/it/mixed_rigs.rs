@@ -3,9 +3,9 @@
 
 use std::thread;
 
-use aim_character::InterpretedRig;
+use aim_character::{ChainNodes, InterpretedRig, Measurement, Plan, Settle, bake, mannequin};
 use aim_codegen::{Frame, RigSpec, declare};
-use aim_gltf::{ChainNodes, Document, Measurement, Plan, Settle, bake, mannequin};
+use aim_gltf::Document;
 use aim_runtime::{DynAim, Settings};
 use glam::DVec3;
 

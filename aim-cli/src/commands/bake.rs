@@ -3,9 +3,9 @@
 use std::io::IsTerminal;
 use std::time::Duration;
 
-use aim_character::{Fit, InterpretedRig, chain_nodes, hold, propose};
+use aim_character::{Fit, InterpretedRig, Live, Measurement, Plan, Plausibility, chain_nodes, hold, propose};
 use aim_codegen::RigSpec;
-use aim_gltf::{Clip, Document, Live, Measurement, Plan, Plausibility};
+use aim_gltf::{Clip, Document};
 use aim_runtime::{DynAim, Rig, Settings, Solver};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -44,9 +44,9 @@ pub(super) fn run(arguments: &args::Bake) -> Result {
 
 /// Aims the document over its clip, with a progress bar on a terminal, and writes what is asked for.
 pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Measurement, spec: &RigSpec) -> Result {
-    let fail = |error: aim_gltf::Error| Failure::in_file(&arguments.file, error);
+    let file = &arguments.file;
     let clip = match &arguments.clip {
-        Some(name) => Some(document.clip(name).map_err(fail)?),
+        Some(name) => Some(document.clip(name).map_err(Failure::of(file))?),
         None => document.clips().first(),
     };
     if let (None, [first, _, ..]) = (&arguments.clip, document.clips()) {
@@ -66,7 +66,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         (None, None) => return unknown_length("has no clip to aim over"),
     };
     let skeleton = document.skeleton();
-    let chain = chain_nodes(spec, skeleton).map_err(fail)?;
+    let chain = chain_nodes(spec, skeleton).map_err(Failure::of(file))?;
     let effector = match &arguments.effector {
         Some(word) => Effector::named(word, spec, skeleton, &chain)?,
         None => Effector::of(spec, 0),
@@ -113,7 +113,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
             .with_behind(arguments.behind)
             .with_patience(arguments.patience.unwrap_or(f32::INFINITY)),
         target_node: match &arguments.target {
-            TargetSpec::Node(name) => Some(skeleton.find(name).map_err(fail)?),
+            TargetSpec::Node(name) => Some(skeleton.find(name).map_err(Failure::of(file))?),
             _ => None,
         },
     };
@@ -130,13 +130,13 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         bar.set_length(all as u64);
         bar.set_position(done as u64);
     };
-    let mut baked =
-        aim_gltf::bake(&mut character, &plan, |t, world| target(t.into(), world), progress).map_err(fail)?;
+    let mut baked = aim_character::bake(&mut character, &plan, |t, world| target(t.into(), world), progress)
+        .map_err(Failure::of(file))?;
     bar.finish();
     baked.clip.name = arguments.name.clone().unwrap_or_else(|| name_beside(clip, document.clips()));
-    let model = document.with_clip_like(&baked.clip, clip.map(|clip| clip.name.as_str())).map_err(fail)?;
+    let model = document.with_clip_like(&baked.clip, clip.map(|clip| clip.name.as_str())).map_err(Failure::of(file))?;
     let word = SOLVERS.iter().find(|(known, ..)| known[0] == solver).map_or("", |(_, word, _)| word);
-    let written = Document::from_bytes(&model).map_err(fail)?;
+    let written = Document::from_bytes(&model).map_err(Failure::of(file))?;
     let report = BakeReport::new(Reported {
         spec,
         effector,
@@ -148,7 +148,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         chain: &chain,
         held: &held,
         baked: &baked,
-        plausibility: Plausibility::measure(&character.rig, &plan, &baked, &written).map_err(fail)?,
+        plausibility: Plausibility::measure(&character.rig, &plan, &baked, &written).map_err(Failure::of(file))?,
     });
     let subject = BakePage { spec, report: &report, document, measurement, baked: &baked };
     arguments.written.write(&model, &report, || html::page(&subject))?;

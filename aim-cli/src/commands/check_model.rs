@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use aim_character::{Fit, NEAR_DEG, chain_nodes, evidence};
+use aim_character::{Fit, Measurement, NEAR_DEG, chain_nodes, evidence, limbs_on_each};
 use aim_codegen::{JointSpec, RigSpec};
-use aim_gltf::{Document, Measurement, limbs_on_each};
+use aim_gltf::Document;
 
 use crate::failure::{Failure, Result};
 use crate::files;

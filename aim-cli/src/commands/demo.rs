@@ -2,8 +2,8 @@
 
 use std::fs;
 
-use aim_character::MANNEQUIN_RIG;
-use aim_gltf::{Document, Measurement, PAPER_AXES, Settle, mannequin};
+use aim_character::{MANNEQUIN_RIG, Measurement, PAPER_AXES, Settle, mannequin};
+use aim_gltf::Document;
 use aim_runtime::Behind;
 
 use super::bake::bake;

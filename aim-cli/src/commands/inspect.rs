@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use aim_character::{Fit, evidence, propose};
-use aim_gltf::{BoneAxes, Clip, Document, Evidence, MeasuredPose, Measurement, Role, limbs_on_each};
+use aim_character::{BoneAxes, Evidence, Fit, MeasuredPose, Measurement, Role, evidence, limbs_on_each, propose};
+use aim_gltf::{Clip, Document};
 use serde_json::{Value, json};
 
 use crate::args;

@@ -1,6 +1,7 @@
 //! `aim reach`: leads a hand or foot through points and writes the model back.
 
-use aim_gltf::{Document, Error, Goal, LimbNodes, Measurement, ReachPlan, reach};
+use aim_character::{Goal, LimbNodes, Measurement, ReachPlan, reach};
+use aim_gltf::Document;
 
 use crate::args;
 use crate::failure::{Failure, Result};
@@ -20,19 +21,19 @@ pub(super) fn run(arguments: &args::Reach) -> Result {
     }
     let document = files::load_model(&arguments.file)?;
     Outputs::default().reading_parts_of(&document).write_model(&arguments.written, &arguments.file)?;
-    let fail = |error: Error| Failure::in_file(&arguments.file, error);
+    let file = &arguments.file;
     let clip = match &arguments.clip {
-        Some(name) => document.clip(name).map_err(fail)?,
+        Some(name) => document.clip(name).map_err(Failure::of(file))?,
         None => document.clips().first().ok_or_else(|| {
             Failure::in_file(&arguments.file, "has no clip to change; export the character with an animation")
         })?,
     };
-    let limb = LimbNodes::find(document.skeleton(), &arguments.bone).map_err(fail)?;
+    let limb = LimbNodes::find(document.skeleton(), &arguments.bone).map_err(Failure::of(file))?;
     let goals: Vec<Goal> = times.iter().zip(targets).map(|(&at, target)| Goal { at, target: target.0 }).collect();
     let plan = ReachPlan { document: &document, clip, limb, goals: &goals, fps: arguments.fps };
-    let reached = reach(&plan).map_err(fail)?;
-    let model = document.with_clips(std::slice::from_ref(&reached.clip)).map_err(fail)?;
-    let written = Document::from_bytes(&model).map_err(fail)?;
+    let reached = reach(&plan).map_err(Failure::of(file))?;
+    let model = document.with_clips(std::slice::from_ref(&reached.clip)).map_err(Failure::of(file))?;
+    let written = Document::from_bytes(&model).map_err(Failure::of(file))?;
     let after = written.clip(&reached.clip.name).map_err(|error| Failure::in_file(&arguments.written.out, error))?;
     let report = ReachReport::new(&arguments.bone, &plan, &reached, &written, after);
     let takes = Takes { document: &document, measurement: &Measurement::of(&document), limb, before: clip, after };

@@ -1,7 +1,6 @@
 //! The film strips: drawings of the character over time, always from the same side, with its line of sight.
 
-use aim_character::chain_nodes;
-use aim_gltf::{AimedFrame, Criterion};
+use aim_character::{AimedFrame, Criterion, chain_nodes};
 use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 

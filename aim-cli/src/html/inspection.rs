@@ -1,8 +1,8 @@
 //! The page of `aim inspect --html`: the character from several sides with its rig's axes as arrows, as an artist would
 //! check them.
 
-use aim_character::{Fit, JointFit, NAMES, evidence};
-use aim_gltf::{Document, Measurement, Surface};
+use aim_character::{Fit, JointFit, Measurement, NAMES, Palette, evidence};
+use aim_gltf::{Document, Surface};
 use glam::DVec3;
 use maud::{Markup, html};
 
@@ -39,7 +39,7 @@ pub(crate) struct Inspected<'a> {
 pub(crate) fn page(inspected: &Inspected<'_>) -> String {
     let Inspected { file, document, measurement, fit, rig } = inspected;
     let surface = document.surface();
-    let positions = surface.positions(document.skeleton(), &measurement.bind_world);
+    let positions = Palette::new(document.skeleton(), &measurement.bind_world).positions(&surface);
     let views = views(inspected, &positions);
     let title = format!("The axes of {file}");
     let content = html! {

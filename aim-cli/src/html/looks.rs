@@ -1,7 +1,7 @@
 //! Charts of what makes a gaze look plausible or not: the head from the chest, the gaze above or below the target, the head's
 //! acceleration. Measured on what was written.
 
-use aim_gltf::{Appearance, Criterion, Plausibility};
+use aim_character::{Appearance, Criterion, Plausibility};
 use maud::{Markup, html};
 
 use super::chart::{Base, Mark, Scale, Series};

@@ -3,6 +3,7 @@
 //!
 //! A shaded figure as SVG triangles would be ten times as large and show its seams; the lines over it are vectors.
 
+use aim_character::Palette;
 use aim_gltf::{Skeleton, Surface, Triangle};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -89,7 +90,7 @@ impl Raster {
         paint: impl Fn(&Triangle) -> Paint,
     ) {
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
-        surface.pose(skeleton, world, &mut positions, &mut normals);
+        Palette::new(skeleton, world).pose(surface, &mut positions, &mut normals);
         for triangle in surface.triangles() {
             let corners = triangle.vertices.map(|vertex| {
                 let world = positions[vertex].as_dvec3();

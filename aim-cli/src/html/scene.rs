@@ -1,6 +1,7 @@
 //! The character as it is drawn: one camera for the whole film, the skinned surface as a picture, or else its bones.
 
-use aim_gltf::{AimedFrame, ChainNodes, Document, LimbNodes, Measurement, Role, Surface, Triangle};
+use aim_character::{AimedFrame, ChainNodes, LimbNodes, Measurement, Palette, Role};
+use aim_gltf::{Document, Surface, Triangle};
 use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
@@ -178,7 +179,7 @@ impl<'a> Scene<'a> {
         // The head is what hangs on the bone that carries the eye.
         let carrier = skeleton.ancestry(first).find(|node| role(*node) == Some(Role::Head));
         let carrier = carrier.or_else(|| skeleton.nodes()[first].parent.filter(|_| is_eye)).unwrap_or(first);
-        let positions = surface.positions(skeleton, bind);
+        let positions = Palette::new(skeleton, bind).positions(&surface);
         let head = extent(document, &surface, &positions, carrier);
         let eye_bind = bind[first].transform_point3(origin);
         let follows = chain.joints.last().and_then(|node| skeleton.nodes()[*node].parent);
@@ -198,7 +199,7 @@ impl<'a> Scene<'a> {
     ) -> Self {
         let (skeleton, surface, bind) = (document.skeleton(), document.surface(), &measurement.bind_world);
         let character = worlds.flat_map(|world| {
-            let skin = surface.positions(skeleton, world);
+            let skin = Palette::new(skeleton, world).positions(&surface);
             let bones = || measurement.bones.iter().map(|bone| world[bone.node].translation).collect();
             if skin.is_empty() { bones() } else { skin }
         });

@@ -1,7 +1,8 @@
 //! [`BakePage`]: what the page about a bake is of.
 
+use aim_character::{Baked, Measurement};
 use aim_codegen::RigSpec;
-use aim_gltf::{Baked, Document, Measurement};
+use aim_gltf::Document;
 
 use crate::bake_report::BakeReport;
 

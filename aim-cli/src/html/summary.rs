@@ -1,7 +1,7 @@
 //! The bake in words and numbers: nothing here is claimed, all of it is counted or measured from the report.
 
+use aim_character::Plausibility;
 use aim_codegen::RigSpec;
-use aim_gltf::Plausibility;
 use maud::{Markup, html};
 
 use crate::bake_report::{BakeFrame, BakeReport};

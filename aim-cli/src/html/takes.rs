@@ -1,6 +1,7 @@
 //! The film strip of a limb that is led to a point: the character about that time as it was, and below as it is.
 
-use aim_gltf::{Clip, Document, Goal, LimbNodes, Measurement};
+use aim_character::{Goal, LimbNodes, Measurement};
+use aim_gltf::{Clip, Document};
 use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 

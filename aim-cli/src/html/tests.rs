@@ -1,7 +1,10 @@
 //! The page as a whole: it parses, says everything once more for hostile names, and works when nearly nothing is there.
 
+use aim_character::{
+    Baked, ChainNodes, InterpretedRig, Measurement, PAPER_AXES, Plan, Plausibility, Settle, bake, mannequin,
+};
 use aim_codegen::{AngleRange, RigSpec};
-use aim_gltf::{Baked, ChainNodes, Document, Measurement, PAPER_AXES, Plan, Plausibility, Settle, bake, mannequin};
+use aim_gltf::Document;
 use aim_runtime::{DynAim, Settings, Solver};
 use glam::DVec3;
 use scraper::{Html, Selector};
@@ -9,7 +12,6 @@ use scraper::{Html, Selector};
 use super::{BakePage, page};
 use crate::bake_report::{BakeReport, JointReport, Reported};
 use crate::effector::Effector;
-use aim_character::InterpretedRig;
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");
 
@@ -257,7 +259,7 @@ fn an_hour_is_hardly_larger_than_a_second() {
     let mut case = Case::mannequin(0.5);
     let frame = case.baked.frames[0].clone();
     let times = (0_u16..20_000).map(|k| f32::from(k) * 0.18);
-    case.baked.frames = times.map(|t| aim_gltf::AimedFrame { t, ..frame.clone() }).collect();
+    case.baked.frames = times.map(|t| aim_character::AimedFrame { t, ..frame.clone() }).collect();
     case.report = BakeReport::new(Reported {
         spec: &case.spec,
         effector: Effector::of(&case.spec, 0),

@@ -1,8 +1,8 @@
 //! The page about a trajectory that was led through points: as it was and as it is, on the character and from
 //! three sides.
 
+use aim_character::Goal;
 use aim_codegen::AngleRange;
-use aim_gltf::Goal;
 use glam::DVec3;
 use maud::{Markup, html};
 

@@ -10,7 +10,7 @@ use serde_json::Value;
 #[track_caller]
 fn bake(axes_of: impl Fn(&str) -> Axes, more: &str) -> Value {
     let place = Place::new();
-    let source = aim_gltf::mannequin(&axes_of).expect("the axes are orthonormal");
+    let source = aim_character::mannequin(&axes_of).expect("the axes are orthonormal");
     let rig = for_mannequin(&axes_of);
     place.write("m.glb", &source);
     place.write("m.toml", &rig);
@@ -35,7 +35,7 @@ const SLOW_ORBIT: &str = "--target orbit:2,0.3,12 --seconds 1.2 --fps 30 --settl
 
 #[test]
 fn every_convention_for_all_bones() {
-    let expected = bake(|_| aim_gltf::PAPER_AXES, SLOW_ORBIT);
+    let expected = bake(|_| aim_character::PAPER_AXES, SLOW_ORBIT);
     for axes in conventions() {
         let off = difference(&expected, &bake(|_| axes, SLOW_ORBIT));
         assert!(off < 0.05, "{axes:?}: the angles are {off}° from those of the paper's axes");
@@ -56,7 +56,7 @@ fn every_bone_in_axes_of_its_own() {
 
 #[test]
 fn only_the_chain_or_only_the_eyes_mirrored() {
-    let plain = aim_gltf::PAPER_AXES;
+    let plain = aim_character::PAPER_AXES;
     let [u, f, l] = plain;
     let mirrored = [u, f, l.map(|c| -c)];
     for bones in [&["left_eye"][..], &["right_eye"], &["neck"], &["spine3", "left_eye"], &["hips"], &["head", "spine1"]]
@@ -69,7 +69,7 @@ fn only_the_chain_or_only_the_eyes_mirrored() {
 fn axes_along_no_axis() {
     let tilted = |angle: f32| {
         let turn = glam::Quat::from_euler(glam::EulerRot::YXZ, angle, 0.6 * angle, -0.8 * angle);
-        aim_gltf::PAPER_AXES.map(|axis| (turn * glam::Vec3::from(axis)).to_array())
+        aim_character::PAPER_AXES.map(|axis| (turn * glam::Vec3::from(axis)).to_array())
     };
     bake(|_| tilted(0.7), SLOW_ORBIT);
     bake(|bone| tilted(if bone.ends_with("eye") { 2.0 } else { -0.4 }), "--target orbit:1,0,4 --loop");

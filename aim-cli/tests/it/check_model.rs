@@ -25,7 +25,7 @@ fn of_48_declarations_the_right_one_passes_and_47_are_told_where_they_are_wrong(
     let conventions = conventions();
     for truth in [5, 20, 46] {
         let place = Place::new();
-        place.write("m.glb", &aim_gltf::mannequin(|_| conventions[truth]).expect("a frame"));
+        place.write("m.glb", &aim_character::mannequin(|_| conventions[truth]).expect("a frame"));
         for (number, axes) in conventions.iter().enumerate() {
             // Only the neck is declared otherwise.
             let rig = for_mannequin(|bone| if bone == "neck" { *axes } else { conventions[truth] });
@@ -70,8 +70,8 @@ fn the_sentence_says_where_it_points_and_what_is_right() {
 fn bones_that_are_missing_exchanged_mirrored_or_far_away_are_told() {
     let place = Place::with_mannequin();
     let rig = String::from_utf8(place.read("m.toml")).expect("UTF-8");
-    let mirrored = aim_gltf::mannequin(|bone| {
-        let [up, forward, left] = aim_gltf::PAPER_AXES;
+    let mirrored = aim_character::mannequin(|bone| {
+        let [up, forward, left] = aim_character::PAPER_AXES;
         if bone == "neck" { [up, forward, left.map(|c| -c)] } else { [up, forward, left] }
     });
     place.write("mirrored.glb", &mirrored.expect("a frame"));

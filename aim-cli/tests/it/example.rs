@@ -170,7 +170,7 @@ fn another_convention_is_a_change_of_the_declaration_alone() {
     assert_eq!(expected.matches("Reached").count(), 6, "{expected}");
 
     for (case, axes_of) in other_axes().into_iter().enumerate() {
-        place.write("model.glb", &aim_gltf::mannequin(&axes_of).expect("the axes are orthonormal"));
+        place.write("model.glb", &aim_character::mannequin(&axes_of).expect("the axes are orthonormal"));
         convert(&place, [&hero, &extra], &axes_of);
         let found = told(&place);
         let off = difference(&expected, &found);

@@ -1,6 +1,6 @@
 //! The mannequin in many forms, baked with the rig that is proposed for each: it has to look as people do.
 
-use aim_gltf::{Criterion, Plausibility};
+use aim_character::{Criterion, Plausibility};
 use glam::DVec3;
 use serde_json::{Value, json};
 
@@ -197,8 +197,8 @@ fn mirrored_as_a_whole() {
 
 #[test]
 fn bones_that_are_left_handed() {
-    let [u, f, l] = aim_gltf::PAPER_AXES;
-    let model = aim_gltf::mannequin(|_| [u, f, l.map(|c| -c)]).expect("orthonormal axes");
+    let [u, f, l] = aim_character::PAPER_AXES;
+    let model = aim_character::mannequin(|_| [u, f, l.map(|c| -c)]).expect("orthonormal axes");
     looks_human(&model);
 }
 

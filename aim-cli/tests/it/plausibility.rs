@@ -3,7 +3,8 @@
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-use aim_gltf::{Channel, Clip, Criterion, Plausibility, Settle};
+use aim_character::{Criterion, Plausibility, Settle};
+use aim_gltf::{Channel, Clip};
 use aim_runtime::Settings;
 use glam::{DQuat, DVec3, Quat, Vec3};
 

@@ -49,7 +49,7 @@ fn every_convention_and_every_frame_between_comes_back() {
         let between = axes.map(|axis| (turn * glam::Vec3::from_array(axis)).to_array());
         let axes_of = |bone: &str| if bone == "spine3" { between } else { *axes };
         let place = Place::new();
-        place.write("m.glb", &aim_gltf::mannequin(axes_of).expect("frames"));
+        place.write("m.glb", &aim_character::mannequin(axes_of).expect("frames"));
         let text = place.done("rig m.glb").stdout;
         for (joint, bone) in joints(&text).iter().zip(["left_eye", "head", "neck", "spine3"]) {
             let declared = axes_of(bone).map(|axis| DVec3::from_array(axis.map(f64::from)));
@@ -70,7 +70,7 @@ fn the_derive_is_accepted_by_the_macro() {
     let place = Place::new();
     place.write("hero-of 2.glb", &crate::common::mannequin());
     for (number, axes) in conventions().into_iter().enumerate().step_by(5) {
-        place.write("hero-of 2.glb", &aim_gltf::mannequin(|_| axes).expect("frames"));
+        place.write("hero-of 2.glb", &aim_character::mannequin(|_| axes).expect("frames"));
         let ran = place.run(["rig", "hero-of 2.glb", "--format", "rust"]);
         assert_eq!(ran.code, 0, "{}", ran.stderr);
         let (import, item) = ran.stdout.split_once("\n\n").expect("an import and a struct");

@@ -71,9 +71,9 @@ fn inspect() {
 #[test]
 fn inspect_tells_mirrored_bones() {
     let place = Place::new();
-    let [u, f, l] = aim_gltf::PAPER_AXES;
+    let [u, f, l] = aim_character::PAPER_AXES;
     let mirrored = [u, f, l.map(|c| -c)];
-    let model = aim_gltf::mannequin(|bone| if bone == "neck" { mirrored } else { aim_gltf::PAPER_AXES });
+    let model = aim_character::mannequin(|bone| if bone == "neck" { mirrored } else { aim_character::PAPER_AXES });
     place.write("m.glb", &model.expect("orthonormal axes"));
     let found = json_of(&place, "inspect m.glb --json");
     for bone in list(&found["bones"]) {

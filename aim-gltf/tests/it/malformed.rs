@@ -1,7 +1,8 @@
 //! Broken files: one clear error each, and never a panic.
 
 use crate::support::{put_together, take_apart};
-use aim_gltf::{Document, Error, Measurement, PAPER_AXES, mannequin};
+use aim_character::{Measurement, PAPER_AXES, Palette, mannequin};
+use aim_gltf::{Document, Error};
 use serde_json::{Value, json};
 
 /// Uses everything a document offers, so that nothing malformed can hide behind a successful load.
@@ -13,7 +14,7 @@ fn exercise(bytes: &[u8]) -> Result<(), Error> {
         let _ = document.skeleton().world(&document.skeleton().pose(clip, 0.3));
     }
     let skeleton = document.skeleton();
-    document.surface().pose(skeleton, &skeleton.world_f64(&[]), &mut Vec::new(), &mut Vec::new());
+    Palette::new(skeleton, &skeleton.world_f64(&[])).pose(&document.surface(), &mut Vec::new(), &mut Vec::new());
     let _ = document.with_clips(&[])?;
     Ok(())
 }

@@ -1,11 +1,46 @@
 //! Sampling against values worked out by hand.
 
-use crate::support::{bytes_of, one_channel};
-use aim_gltf::{Channel, Clip, Document, Interpolation, Trs};
+use crate::support::{bytes_of, data_uri};
+use aim_animation::Transform;
+use aim_gltf::{Channel, Clip, Document, Interpolation};
 use glam::{Quat, Vec3};
 use serde_json::{Value, json};
 
-fn sample(json: &Value, seconds: f32) -> Trs {
+/// A document whose single node has one channel; `output` is an accessor without its buffer view, which is 1.
+fn one_channel(
+    path: &str,
+    interpolation: &str,
+    times: &[f32],
+    values: &[u8],
+    output: Value,
+    stride: Option<usize>,
+) -> Value {
+    let mut bytes = bytes_of(times);
+    let start = bytes.len();
+    bytes.extend_from_slice(values);
+    let mut view = json!({ "buffer": 0, "byteOffset": start, "byteLength": values.len() });
+    if let Some(stride) = stride {
+        view["byteStride"] = stride.into();
+    }
+    let mut output = output;
+    output["bufferView"] = 1.into();
+    json!({
+        "asset": { "version": "2.0" },
+        "nodes": [{ "name": "only" }],
+        "animations": [{
+            "channels": [{ "sampler": 0, "target": { "node": 0, "path": path } }],
+            "samplers": [{ "input": 0, "output": 1, "interpolation": interpolation }],
+        }],
+        "accessors": [
+            { "bufferView": 0, "componentType": 5126, "count": times.len(), "type": "SCALAR" },
+            output,
+        ],
+        "bufferViews": [{ "buffer": 0, "byteLength": start }, view],
+        "buffers": [{ "byteLength": bytes.len(), "uri": data_uri(&bytes) }],
+    })
+}
+
+fn sample(json: &Value, seconds: f32) -> Transform {
     let document = Document::from_bytes(&serde_json::to_vec(json).unwrap()).unwrap();
     document.skeleton().pose(&document.clips()[0], seconds)[0]
 }
@@ -125,10 +160,7 @@ fn accessors_without_bytes_are_zeros_and_sparse_ones_are_patched() {
     accessor.as_object_mut().unwrap().remove("bufferView");
     close(sample(&json, 1.0).translation, [0.0; 3]);
     let patch: Vec<u8> = [1_u8, 0, 0, 0].into_iter().chain(bytes_of(&[4.0, 5.0, 6.0])).collect();
-    json["buffers"]
-        .as_array_mut()
-        .unwrap()
-        .push(json!({ "byteLength": patch.len(), "uri": crate::support::data_uri(&patch) }));
+    json["buffers"].as_array_mut().unwrap().push(json!({ "byteLength": patch.len(), "uri": data_uri(&patch) }));
     json["bufferViews"].as_array_mut().unwrap().push(json!({ "buffer": 1, "byteLength": 4 }));
     json["bufferViews"].as_array_mut().unwrap().push(json!({ "buffer": 1, "byteOffset": 4, "byteLength": 12 }));
     json["accessors"][1]["sparse"] = json!({
@@ -156,7 +188,7 @@ fn a_repeated_clip_equals_itself_modulo_its_length() {
         assert_eq!(long.seconds(), seconds);
         for k in 0..500_u16 {
             let t = seconds * (f32::from(k) + 0.37) / 500.0;
-            let (mut a, mut b) = ([Trs::IDENTITY; 2], [Trs::IDENTITY; 2]);
+            let (mut a, mut b) = ([Transform::IDENTITY; 2], [Transform::IDENTITY; 2]);
             clip.sample(t % 2.0, &mut a);
             long.sample(t, &mut b);
             for (a, b) in a.iter().zip(&b) {

@@ -1,7 +1,8 @@
 //! What a file shows: its pictures and colours found, its normals kept or made, its shape posed.
 
 use crate::support::{bytes_of, data_uri, put_together};
-use aim_gltf::{Alpha, Document, Measurement, PAPER_AXES, Role, Surface, Wrap, mannequin};
+use aim_character::{Measurement, PAPER_AXES, Palette, Role, mannequin};
+use aim_gltf::{Alpha, Document, Surface, Wrap};
 use glam::{Vec2, Vec3};
 use serde_json::{Value, json};
 
@@ -63,7 +64,7 @@ fn push(json: &mut Value, list: &str, element: Value) {
 fn posed(document: &Document) -> (Surface, Vec<Vec3>, Vec<Vec3>) {
     let (surface, skeleton) = (document.surface(), document.skeleton());
     let (mut positions, mut normals) = (vec![Vec3::NAN], Vec::new());
-    surface.pose(skeleton, &skeleton.world_f64(&[]), &mut positions, &mut normals);
+    Palette::new(skeleton, &skeleton.world_f64(&[])).pose(&surface, &mut positions, &mut normals);
     (surface, positions, normals)
 }
 
@@ -219,8 +220,8 @@ fn the_mannequin_walks_with_its_normals() {
     let (mut positions, mut normals) = (Vec::new(), Vec::new());
     for seconds in [0.0, 0.3, 0.7] {
         let world = skeleton.world_f64(&skeleton.pose(document.clip("walk").unwrap(), seconds));
-        surface.pose(skeleton, &world, &mut positions, &mut normals);
-        let exact = surface.positions(skeleton, &world);
+        Palette::new(skeleton, &world).pose(&surface, &mut positions, &mut normals);
+        let exact = Palette::new(skeleton, &world).positions(&surface);
         assert_eq!((positions.len(), normals.len()), (exact.len(), exact.len()));
         for (position, exact) in positions.iter().zip(&exact) {
             assert!(position.abs_diff_eq(exact.as_vec3(), 2e-6), "{position} is not {exact} at {seconds} s");
@@ -241,7 +242,7 @@ fn the_mannequin_is_drawn_where_it_is_measured() {
     let bytes = mannequin(|_| PAPER_AXES).expect("the mannequin is made of constants");
     let document = Document::from_bytes(&bytes).expect("what we write we read");
     let (surface, measured) = (document.surface(), Measurement::of(&document));
-    let positions = surface.positions(document.skeleton(), &measured.bind_world);
+    let positions = Palette::new(document.skeleton(), &measured.bind_world).positions(&surface);
     let (low, high) = positions.iter().fold((f64::MAX, f64::MIN), |(lo, hi), p| (lo.min(p.y), hi.max(p.y)));
     assert!((high - low - measured.height).abs() < 1e-6, "{low} … {high} against {}", measured.height);
     assert!(surface.triangles().len() > 1000, "a whole figure");

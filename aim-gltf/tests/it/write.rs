@@ -4,7 +4,8 @@ use std::fs;
 use std::path::PathBuf;
 
 use crate::support::{put_together, take_apart};
-use aim_gltf::{Channel, Clip, Document, Error, Interpolation, PAPER_AXES, Property, mannequin, write_file};
+use aim_character::{PAPER_AXES, mannequin};
+use aim_gltf::{Channel, Clip, Document, Error, Interpolation, Property, write_file};
 use glam::{Quat, Vec3};
 use serde_json::{Value, json};
 

@@ -105,7 +105,8 @@ fn texture([width, height]: [u32; 2], pixels: Vec<[u8; 4]>, wrap: [Wrap; 2]) -> 
 
 #[cfg(test)]
 mod tests {
-    use aim_gltf::{Document, PAPER_AXES, mannequin};
+    use aim_character::{PAPER_AXES, mannequin};
+    use aim_gltf::Document;
     use image::{ImageFormat, RgbaImage};
 
     use super::*;

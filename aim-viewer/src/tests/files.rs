@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use aim_gltf::{PAPER_AXES, mannequin};
+use aim_character::{PAPER_AXES, mannequin};
 
 use super::*;
 

@@ -11,7 +11,8 @@ use std::process::{Command, ExitCode};
 use aim_benches::bakes::looks;
 use aim_benches::solver::natural::people;
 use aim_benches::solver::row::{Row, markdown};
-use aim_gltf::{Document, PAPER_AXES, mannequin};
+use aim_character::{PAPER_AXES, mannequin};
+use aim_gltf::Document;
 
 /// What is counted: a mode of `track_frames`, in words, and the most instructions of a character and frame.
 const COSTS: [(&str, &str, f64); 4] = [

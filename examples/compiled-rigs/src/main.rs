@@ -13,7 +13,8 @@ use std::error::Error;
 
 use aim::glam::{Affine3A, Vec3};
 use aim::{AimRig, DynAim, Pose, Rig, Settings, Status};
-use aim_gltf::{Document, PAPER_AXES, mannequin};
+use aim_character::{PAPER_AXES, mannequin};
+use aim_gltf::Document;
 
 /// In metres: the character walks at the origin, faces +Z, its left is +X.
 const TARGETS: [Vec3; 3] = [Vec3::new(0.0, 1.6, 2.0), Vec3::new(1.5, 1.2, 1.5), Vec3::new(-1.0, 2.1, 1.8)];

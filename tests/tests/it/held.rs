@@ -1,8 +1,8 @@
 //! Arms that hang on a neck stay with the trunk while the neck turns.
 
-use aim_character::{InterpretedRig, chain_nodes};
+use aim_character::{Baked, InterpretedRig, Live, Measurement, Moment, Plan, Settle, bake, chain_nodes, limbs_on};
 use aim_codegen::RigSpec;
-use aim_gltf::{Baked, Document, Live, Measurement, Moment, Plan, Settle, bake, limbs_on};
+use aim_gltf::Document;
 use aim_runtime::{DynAim, Rig, Role, Settings};
 use glam::{DAffine3, DVec3};
 use serde_json::{Value, json};

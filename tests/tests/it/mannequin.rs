@@ -1,8 +1,8 @@
 //! The mannequin authored in every convention, per bone: one and the same result in the world.
 
-use aim_character::InterpretedRig;
+use aim_character::{ChainNodes, InterpretedRig, Measurement, Plan, Settle, bake, mannequin};
 use aim_codegen::{Frame, RigSpec};
-use aim_gltf::{ChainNodes, Document, Measurement, Plan, Settle, bake, mannequin};
+use aim_gltf::Document;
 use aim_runtime::{DynAim, Settings};
 use aim_tests::random::Random;
 use glam::{DAffine3, DVec3};
@@ -63,7 +63,7 @@ fn aimed(frame_of: impl Fn(&str) -> Frame) -> Vec<Seen> {
         let direction = |axis: [f64; 3]| world.transform_vector3(DVec3::from_array(axis));
         [world.translation, direction(frame.up), direction(frame.forward), direction(frame.left)]
     };
-    let seen = |frame: &aim_gltf::AimedFrame| Seen {
+    let seen = |frame: &aim_character::AimedFrame| Seen {
         reached: frame.error_deg < 0.1,
         joints: nodes.iter().map(|node| place(&frame.world, node)).collect(),
     };

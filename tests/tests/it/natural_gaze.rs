@@ -99,10 +99,10 @@ fn the_figure_shows_what_the_solver_does() {
 
 #[test]
 fn the_table_of_bakes_has_a_row_for_everything_that_is_measured() {
-    let model = aim_gltf::mannequin(|_| aim_gltf::PAPER_AXES).expect("constants");
+    let model = aim_character::mannequin(|_| aim_character::PAPER_AXES).expect("constants");
     let document = aim_gltf::Document::from_bytes(&model).expect("a sound model");
     let rows = aim_benches::bakes::looks("mannequin", &document).expect("a rig is proposed");
-    assert_eq!(rows.len(), aim_gltf::Criterion::ALL.len());
+    assert_eq!(rows.len(), aim_character::Criterion::ALL.len());
     for row in &rows {
         assert_eq!(row.held, Some(true), "{}: {}, must be {}", row.what, row.measured, row.must);
     }

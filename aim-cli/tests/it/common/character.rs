@@ -1,8 +1,10 @@
 //! A character that is baked without a process: by the libraries that the command is made of.
 
-use aim_character::{InterpretedRig, chain_nodes, propose};
+use aim_character::{
+    Baked, ChainNodes, InterpretedRig, Measurement, Plan, Plausibility, Settle, bake, chain_nodes, propose,
+};
 use aim_codegen::RigSpec;
-use aim_gltf::{Baked, ChainNodes, Clip, Document, Measurement, Plan, Plausibility, Settle, bake};
+use aim_gltf::{Clip, Document};
 use aim_runtime::{DynAim, Settings};
 use glam::DVec3;
 

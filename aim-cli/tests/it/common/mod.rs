@@ -137,7 +137,7 @@ impl Place {
 
 /// The mannequin in the paper's axes.
 pub(crate) fn mannequin() -> Vec<u8> {
-    aim_gltf::mannequin(|_| aim_gltf::PAPER_AXES).expect("the paper's axes are orthonormal")
+    aim_character::mannequin(|_| aim_character::PAPER_AXES).expect("the paper's axes are orthonormal")
 }
 
 /// The mannequin with its JSON changed.

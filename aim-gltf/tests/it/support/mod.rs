@@ -1,23 +1,7 @@
-//! What several test files share: conventions, and small files made by hand.
+//! What several test files share, those of aim-character too: small files made by hand.
 
 use base64::Engine as _;
-use serde_json::{Value, json};
-
-/// All 48 (up, forward, left) triples of signed axes, 24 of each handedness.
-pub(crate) fn conventions() -> Vec<[[f32; 3]; 3]> {
-    let mut out = Vec::new();
-    for (u, f, l) in [(0, 1, 2), (1, 2, 0), (2, 0, 1), (0, 2, 1), (2, 1, 0), (1, 0, 2)] {
-        for signs in 0..8_u8 {
-            let axis = |index: usize, bit: u8| {
-                let mut v = [0.0; 3];
-                v[index] = if signs >> bit & 1 == 0 { 1.0 } else { -1.0 };
-                v
-            };
-            out.push([axis(u, 0), axis(f, 1), axis(l, 2)]);
-        }
-    }
-    out
-}
+use serde_json::Value;
 
 /// Little-endian bytes of floats.
 pub(crate) fn bytes_of(values: &[f32]) -> Vec<u8> {
@@ -27,40 +11,6 @@ pub(crate) fn bytes_of(values: &[f32]) -> Vec<u8> {
 /// A data URI.
 pub(crate) fn data_uri(bytes: &[u8]) -> String {
     format!("data:application/octet-stream;base64,{}", base64::engine::general_purpose::STANDARD.encode(bytes))
-}
-
-/// A document whose single node has one channel; `output` is an accessor without its buffer view, which is 1.
-pub(crate) fn one_channel(
-    path: &str,
-    interpolation: &str,
-    times: &[f32],
-    values: &[u8],
-    output: Value,
-    stride: Option<usize>,
-) -> Value {
-    let mut bytes = bytes_of(times);
-    let start = bytes.len();
-    bytes.extend_from_slice(values);
-    let mut view = json!({ "buffer": 0, "byteOffset": start, "byteLength": values.len() });
-    if let Some(stride) = stride {
-        view["byteStride"] = stride.into();
-    }
-    let mut output = output;
-    output["bufferView"] = 1.into();
-    json!({
-        "asset": { "version": "2.0" },
-        "nodes": [{ "name": "only" }],
-        "animations": [{
-            "channels": [{ "sampler": 0, "target": { "node": 0, "path": path } }],
-            "samplers": [{ "input": 0, "output": 1, "interpolation": interpolation }],
-        }],
-        "accessors": [
-            { "bufferView": 0, "componentType": 5126, "count": times.len(), "type": "SCALAR" },
-            output,
-        ],
-        "bufferViews": [{ "buffer": 0, "byteLength": start }, view],
-        "buffers": [{ "byteLength": bytes.len(), "uri": data_uri(&bytes) }],
-    })
 }
 
 /// The JSON and the binary chunk of a GLB, taken apart without the library.

@@ -1,0 +1,91 @@
+//! Weights of the morph targets that eyes look by, and where they look.
+
+use std::collections::BTreeMap;
+
+use aim_animation::Transform;
+use aim_gltf::{Channel, Clip, MorphBind, MorphEye, Property, Skeleton};
+
+use crate::bake::chain::ChainNodes;
+use crate::measure::{BoneFrame, Measurement};
+use crate::num;
+
+/// The eyes of a chain that look by morph targets.
+#[derive(Debug, Clone)]
+pub(crate) struct MorphEyes {
+    /// Each with the axes of its node.
+    eyes: Vec<(MorphEye, BoneFrame)>,
+    /// The weights of the nodes that show them, where no clip has any.
+    at_rest: BTreeMap<usize, Vec<f32>>,
+}
+
+impl MorphEyes {
+    pub(crate) fn find(skeleton: &Skeleton, measurement: &Measurement, chain: &ChainNodes) -> Self {
+        let is_turned = |eye: &&MorphEye| chain.turned().any(|node| node == eye.node);
+        let eyes = skeleton.morph_eyes().iter().filter(is_turned);
+        let eyes: Vec<_> = eyes.filter_map(|eye| Some((eye.clone(), measurement.bone(eye.node)?.frame))).collect();
+        let binds = eyes.iter().flat_map(|(eye, _)| eye.ways.iter().flat_map(|way| &way.binds));
+        let at_rest = binds.filter_map(|bind| Some((bind.node, skeleton.morph_weights(bind.node)?.to_vec())));
+        Self { at_rest: at_rest.collect(), eyes }
+    }
+
+    /// The nodes whose weights the eyes set.
+    pub(crate) fn nodes(&self) -> impl Iterator<Item = usize> + '_ {
+        self.at_rest.keys().copied()
+    }
+
+    /// Turns each eye to where the weights at a time of a clip have it.
+    pub(crate) fn pose(&self, clip: Option<&Clip>, seconds: f32, pose: &mut [Transform]) {
+        for (eye, frame) in &self.eyes {
+            let angles = angles(eye, |bind| f64::from(self.weights(clip, seconds, bind.node)[bind.target]));
+            pose[eye.node].rotation = frame.turn(angles).as_quat();
+        }
+    }
+
+    /// The weights of each of the [nodes](Self::nodes), in their order: those of a clip, changed by what `pose` turns the eyes
+    /// further. No weight leaves 0…1 by that.
+    pub(crate) fn aimed(&self, clip: Option<&Clip>, seconds: f32, pose: &[Transform]) -> Vec<Vec<f32>> {
+        let animated: BTreeMap<usize, Vec<f32>> =
+            self.nodes().map(|node| (node, self.weights(clip, seconds, node))).collect();
+        let mut aimed = animated.clone();
+        for (eye, frame) in &self.eyes {
+            let before = angles(eye, |bind| f64::from(animated[&bind.node][bind.target]));
+            let after = frame.angles(pose[eye.node].rotation.as_dquat());
+            for ((way, before), after) in eye.ways.iter().zip(weights(eye, before)).zip(weights(eye, after)) {
+                for bind in &way.binds {
+                    let was = animated[&bind.node][bind.target];
+                    if let Some(weight) = aimed.get_mut(&bind.node).and_then(|of| of.get_mut(bind.target)) {
+                        let changed = *weight + num::narrow(bind.weight * (after - before));
+                        *weight = changed.clamp(was.min(0.0), was.max(1.0));
+                    }
+                }
+            }
+        }
+        aimed.into_values().collect()
+    }
+
+    /// All weights of a node at a time of a clip.
+    fn weights(&self, clip: Option<&Clip>, seconds: f32, node: usize) -> Vec<f32> {
+        let at_rest = &self.at_rest[&node];
+        let is_of_node = |channel: &&Channel| channel.node() == node && channel.property() == Property::Weights;
+        let channel = clip.and_then(|clip| clip.channels.iter().find(is_of_node));
+        let mut weights = channel.map_or_else(|| at_rest.clone(), |channel| channel.sample(seconds));
+        weights.resize(at_rest.len(), 0.0);
+        weights
+    }
+}
+
+/// The weights, 0…1, of what looks right, left, down and up, at a heading and a pitch in radians.
+fn weights(eye: &MorphEye, [heading, pitch]: [f64; 2]) -> [f64; 4] {
+    let ways = [-heading, heading, -pitch, pitch].map(f64::to_degrees);
+    core::array::from_fn(|at| eye.ways[at].map.apply(ways[at]).min(1.0))
+}
+
+/// The heading and pitch, radians, at which the targets have these weights: what they look one way less what they look the
+/// other way.
+fn angles(eye: &MorphEye, weight: impl Fn(&MorphBind) -> f64) -> [f64; 2] {
+    let [right, left, down, up] = eye.ways.each_ref().map(|way| {
+        let of_expression = way.binds.first().map_or(0.0, |bind| weight(bind) / bind.weight);
+        way.map.input(of_expression.min(1.0)).to_radians()
+    });
+    [left - right, up - down]
+}

@@ -1,0 +1,500 @@
+//! [`Plausibility`]: how a baked animation looks, in numbers that an animator would judge it by, measured on the file that was
+//! written against the clip that was aimed over. The solver has no part in it.
+//!
+//! `landmarks.rs` finds the bones that are looked at, `motion.rs` measures turns over time; this file says what is measured
+//! and what is bearable.
+
+mod landmarks;
+mod motion;
+
+use std::collections::VecDeque;
+
+use aim_runtime::{Behind, JointInfo, LimitsFrom, Rig, Role, Status};
+use glam::{DAffine3, DMat3, DVec3};
+
+use crate::bake::live::Live;
+use crate::bake::{Baked, Plan};
+use crate::error::Error;
+use crate::measure::frame::orthonormal;
+use crate::measure::turn_deg;
+use aim_gltf::Clip;
+use aim_gltf::Document;
+use landmarks::Landmarks;
+use motion::Turning;
+
+/// One of the things that are measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Criterion {
+    /// The heading of the head from the chest's, degrees: of animation and correction together. Where the animation alone is
+    /// beyond the limit, it counts only if the correction turns the head further out.
+    HeadToChestHeading,
+    /// The head's roll about its forward beyond the animation's, degrees.
+    HeadRoll,
+    /// The gaze's elevation less the target's, degrees, where the target's is within what eyes, neck and head can do: from
+    /// 0.7 s after the beginning and after every change of the target's elevation by more than 10°.
+    ElevationError,
+    /// The gaze's heading less the target's, degrees, where the target's is within what eyes, neck and head can do from where
+    /// the chest is and from where the animation looks: from 0.7 s after the beginning, and from 1.5 s after the target or the
+    /// animation jumped aside or the target came within reach.
+    HeadingError,
+    /// Distance by which hands and clavicles are moved beyond what the chest's own turn moves them, as a share of the
+    /// character's height.
+    LimbShift,
+    /// Speed of the head's correction beyond the chest's, degrees a second.
+    HeadSpeed,
+    /// Change of that velocity, degrees a second squared.
+    HeadAcceleration,
+    /// The most full reversals within half a second: changes of the acceleration of head or chest from more than half of their
+    /// budget one way to more than half of it the other way within 0.1 s.
+    Reversals,
+}
+
+/// A bearable value of each criterion, and its name in reports: for people, and for all others.
+const MUSTS: [(Criterion, &str, Option<f64>, Option<f64>); 8] = [
+    (Criterion::HeadToChestHeading, "head_to_chest_heading_deg", Some(80.0), Some(130.0)),
+    (Criterion::HeadRoll, "head_roll_deg", Some(15.0), Some(25.0)),
+    (Criterion::ElevationError, "elevation_error_deg", Some(15.0), Some(20.0)),
+    (Criterion::HeadingError, "heading_error_deg", Some(10.0), Some(15.0)),
+    (Criterion::LimbShift, "limb_shift", Some(0.02), None),
+    (Criterion::HeadSpeed, "head_speed_deg_s", Some(300.0), Some(420.0)),
+    (Criterion::HeadAcceleration, "head_acceleration_deg_s2", Some(3000.0), None),
+    (Criterion::Reversals, "reversals", Some(2.0), Some(2.0)),
+];
+
+impl Criterion {
+    /// All of them, in the order of reports.
+    pub const ALL: [Self; 8] = [
+        Self::HeadToChestHeading,
+        Self::HeadRoll,
+        Self::ElevationError,
+        Self::HeadingError,
+        Self::LimbShift,
+        Self::HeadSpeed,
+        Self::HeadAcceleration,
+        Self::Reversals,
+    ];
+
+    /// The key in reports, with the unit at its end.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        MUSTS[self as usize].1
+    }
+
+    /// The largest value that an animator would accept, in the criterion's unit: of a figure built as people are, or of
+    /// an animal or a machine, of which some things may be anything.
+    #[must_use]
+    pub fn must(self, is_humanoid: bool) -> Option<f64> {
+        let (.., human, other) = MUSTS[self as usize];
+        if is_humanoid { human } else { other }
+    }
+}
+
+/// The largest value of a criterion and when it is reached.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Worst {
+    /// In the criterion's unit, never negative.
+    pub value: f64,
+    /// Seconds.
+    pub t: f64,
+}
+
+/// What is measured of one frame; `None` where it cannot be told.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Appearance {
+    /// Seconds.
+    pub t: f64,
+    /// The head's heading from the chest's, degrees, positive to the left; `None` where one of them is more than 60° off level.
+    pub head_to_chest_heading_deg: Option<f64>,
+    /// The same of the animation alone.
+    pub animated_heading_deg: Option<f64>,
+    /// The head's roll beyond the animation's, degrees, positive to the left; `None` as above.
+    pub head_roll_deg: Option<f64>,
+    /// The gaze's elevation less the target's, degrees, positive upwards: in every frame that has both.
+    pub elevation_off_deg: Option<f64>,
+    /// True if the frame counts for [`Criterion::ElevationError`].
+    pub elevation_counts: bool,
+    /// The gaze's heading less the target's, degrees, positive to the left; `None` where one of them is more than 60° off level.
+    pub heading_off_deg: Option<f64>,
+    /// True if the frame counts for [`Criterion::HeadingError`].
+    pub heading_counts: bool,
+    /// See [`Criterion::LimbShift`].
+    pub limb_shift: Option<f64>,
+    /// Size of the head's velocity from the frame before, degrees a second; see [`Criterion::HeadSpeed`].
+    pub head_speed_deg_s: Option<f64>,
+    /// Size of the head's acceleration at the frame before, degrees a second squared.
+    pub head_acceleration_deg_s2: Option<f64>,
+}
+
+/// A baked animation as it looks.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Plausibility {
+    /// True of a figure with an upright trunk below its head, as the bind pose shows it; other limits hold for others.
+    pub is_humanoid: bool,
+    /// Each frame.
+    pub frames: Vec<Appearance>,
+    worst: [Option<Worst>; 8],
+}
+
+/// Elevations beyond this have no heading to speak of, degrees.
+const LEVEL_DEG: f64 = 60.0;
+/// Time that a gaze has to come up or down to a target, seconds, and the change of elevation that starts it, degrees.
+const ARRIVAL_S: f64 = 0.7;
+const CHANGE_DEG: f64 = 10.0;
+/// A change by that much within this time, seconds, is a jump aside and no movement to be followed; the time that a head and a chest
+/// have after one, which go from one side to the other.
+const JUMP_S: f64 = 0.1;
+const TURN_S: f64 = 1.5;
+
+impl Plausibility {
+    /// Measures what was `baked` by `plan` with `rig`, as it is `written`.
+    ///
+    /// # Errors
+    /// A document without the baked clip.
+    pub fn measure(rig: &dyn Rig, plan: &Plan<'_>, baked: &Baked, written: &Document) -> Result<Self, Error> {
+        let clip = written.clip(&baked.clip.name)?;
+        let source = plan.clip.map(|clip| clip.repeated(plan.seconds));
+        let skeleton = plan.document.skeleton();
+        let look = Look::new(rig, plan);
+        let mut frames = Vec::with_capacity(baked.frames.len());
+        let (mut arrival, mut turned) = (Arrival::default(), Turned::default());
+        let budgets = *rig.description().budgets();
+        let mut head = Turning::new(f64::from(budgets.head.acceleration).to_degrees(), plan.fps);
+        let mut chest = Turning::new(f64::from(budgets.chest.acceleration).to_degrees(), plan.fps);
+        let mut seams = Seams::new(plan, &look.landmarks);
+        for frame in &baked.frames {
+            let animated = skeleton.world_f64(&look.live.pose(skeleton, source.as_ref(), frame.t));
+            let aimed = look.live.pose(written.skeleton(), Some(clip), frame.t);
+            let aimed = written.skeleton().world_f64(&aimed);
+            let t = f64::from(frame.t);
+            let mut seen = look.frame(t, frame.target, &animated, &aimed);
+            // Some policies for what is behind, less than all of the weight and a patience at its end do not mean to meet the
+            // target.
+            let settings = &plan.settings;
+            let is_meant = settings.weight >= 1.0
+                && frame.outcome.out_of_reach_for <= settings.patience
+                && (frame.outcome.status != Status::Behind
+                    || matches!(settings.behind, Behind::Clip | Behind::Plane | Behind::Off));
+            seen.elevation_counts &=
+                arrival.has_settled(t, look.target_elevation_deg(frame.target, &animated, &aimed)) && is_meant;
+            let is_after_seam = seams.is_between(frame.t);
+            if is_after_seam {
+                turned.restart();
+            }
+            let of_target = look.target_heading_deg(frame.target, &animated, &aimed);
+            seen.heading_counts = turned.has_settled(t, of_target.filter(|_| seen.heading_counts)) && is_meant;
+            if let Some([of_head, of_chest]) = look.turns(&animated, &aimed) {
+                if is_after_seam {
+                    head.restart();
+                    chest.restart();
+                }
+                // The chest's turn carries the head along.
+                head.push(t, of_chest.transpose() * of_head);
+                chest.push(t, of_chest);
+                (seen.head_speed_deg_s, seen.head_acceleration_deg_s2) = (head.speed(), head.acceleration());
+            }
+            frames.push(seen);
+        }
+        let reversals = look.landmarks.chest.map(|_| {
+            let [head, chest] = [head, chest].map(|turning| turning.most_reversals());
+            if chest.value > head.value { chest } else { head }
+        });
+        let of = |pick: &dyn Fn(&Appearance) -> Option<f64>| worst(&frames, pick);
+        let worst = [
+            of(&|seen| seen.head_to_chest_heading_deg.filter(|_| look.heading_counts(seen))),
+            of(&|seen| seen.head_roll_deg),
+            of(&|seen| seen.elevation_off_deg.filter(|_| seen.elevation_counts)),
+            of(&|seen| seen.heading_off_deg.filter(|_| seen.heading_counts)),
+            of(&|seen| seen.limb_shift),
+            of(&|seen| seen.head_speed_deg_s),
+            of(&|seen| seen.head_acceleration_deg_s2),
+            reversals,
+        ];
+        Ok(Self { is_humanoid: look.landmarks.is_humanoid, frames, worst })
+    }
+
+    /// The largest value of a criterion; `None` where nothing tells it: no chest under a head, no arms, no frame that counts.
+    #[must_use]
+    pub fn worst(&self, criterion: Criterion) -> Option<Worst> {
+        self.worst[criterion as usize]
+    }
+
+    /// The criteria that are more than is bearable, each with its worst value and its limit.
+    pub fn exceeded(&self) -> impl Iterator<Item = (Criterion, Worst, f64)> + '_ {
+        Criterion::ALL.into_iter().filter_map(|criterion| {
+            let (worst, must) = (self.worst(criterion)?, criterion.must(self.is_humanoid)?);
+            (worst.value > must).then_some((criterion, worst, must))
+        })
+    }
+}
+
+fn worst(frames: &[Appearance], pick: &dyn Fn(&Appearance) -> Option<f64>) -> Option<Worst> {
+    let values = frames.iter().filter_map(|seen| Some(Worst { value: pick(seen)?.abs(), t: seen.t }));
+    // The first of equals.
+    values.reduce(|most, at| if at.value > most.value { at } else { most })
+}
+
+/// When a gaze has had the time to come to its target's elevation.
+#[derive(Default)]
+struct Arrival {
+    /// The elevation that was there at a time: both of the last change.
+    since: Option<(f64, f64)>,
+}
+
+impl Arrival {
+    /// Whether the target has kept its elevation, degrees, for long enough at `t`.
+    fn has_settled(&mut self, t: f64, elevation_deg: Option<f64>) -> bool {
+        let Some(elevation_deg) = elevation_deg else { return false };
+        if self.since.is_none_or(|(_, before)| (elevation_deg - before).abs() > CHANGE_DEG) {
+            self.since = Some((t, elevation_deg));
+        }
+        self.since.is_some_and(|(since, _)| t - since >= ARRIVAL_S)
+    }
+}
+
+/// When a gaze has had the time to turn to its target.
+#[derive(Default)]
+struct Turned {
+    /// From when on it is there; `None` while the target is out of reach.
+    from: Option<f64>,
+    has_begun: bool,
+    /// The target's headings of the last while.
+    recent: VecDeque<(f64, f64)>,
+}
+
+impl Turned {
+    /// Forgets what was before a jump of the animation.
+    fn restart(&mut self) {
+        self.from = None;
+        self.recent.clear();
+    }
+
+    /// Whether the target has been within reach for long enough at `t` without a jump; it has no heading where it is not.
+    fn has_settled(&mut self, t: f64, heading_deg: Option<f64>) -> bool {
+        let begins = !core::mem::replace(&mut self.has_begun, true);
+        let Some(heading_deg) = heading_deg else {
+            self.restart();
+            return false;
+        };
+        self.recent.push_back((t, heading_deg));
+        while self.recent.front().is_some_and(|(at, _)| t - at > JUMP_S + 1e-6) {
+            self.recent.pop_front();
+        }
+        let jumps = self.recent.iter().any(|(_, before)| wrapped(heading_deg - before).abs() > CHANGE_DEG);
+        if jumps {
+            self.from = Some(t + TURN_S);
+        }
+        let from = *self.from.get_or_insert(t + if begins { ARRIVAL_S } else { TURN_S });
+        t >= from
+    }
+}
+
+/// Where a clip that is repeated jumps from its end to its beginning: no speed is told over it.
+struct Seams {
+    /// The clip's length, seconds, if it jumps.
+    period: Option<f32>,
+    round: f32,
+}
+
+impl Seams {
+    /// A turn of the head or chest that is a jump, degrees.
+    const JUMP_DEG: f64 = 2.0;
+
+    fn new(plan: &Plan<'_>, landmarks: &Landmarks) -> Self {
+        let skeleton = plan.document.skeleton();
+        let jumps = |clip: &&Clip| {
+            let [begin, end] = [0.0, clip.seconds()].map(|t| skeleton.world_f64(&skeleton.pose(clip, t)));
+            let nodes = landmarks.head.into_iter().chain(landmarks.chest);
+            nodes.into_iter().any(|node| turn_deg(&begin[node], &end[node]) > Self::JUMP_DEG)
+        };
+        let period = plan.clip.filter(|clip| clip.seconds() > 0.0).filter(jumps).map(Clip::seconds);
+        Self { period, round: 0.0 }
+    }
+
+    /// True if the animation has jumped since the frame before the one at `t`.
+    fn is_between(&mut self, t: f32) -> bool {
+        /// A key on the seam is the last of the round before.
+        const NEAR: f32 = 1e-4;
+        let round = self.period.map_or(0.0, |period| (t / period - NEAR).floor());
+        core::mem::replace(&mut self.round, round) < round
+    }
+}
+
+/// What is looked at, and from where.
+struct Look<'a> {
+    landmarks: Landmarks,
+    live: Live,
+    effector: usize,
+    bind: &'a [DAffine3],
+    forward: DVec3,
+    left: DVec3,
+    height: f64,
+    /// Least and largest correction of the gaze's elevation by eyes, neck and head, degrees.
+    range_deg: [f64; 2],
+    /// The same of animation and correction, from the chest's elevation.
+    budget_deg: [f64; 2],
+    /// The same of the heading, degrees to the right and to the left.
+    heading_range_deg: [f64; 2],
+    heading_budget_deg: [f64; 2],
+    /// True where corrections are counted from the chest, too.
+    from_bind: bool,
+}
+
+impl<'a> Look<'a> {
+    fn new(rig: &dyn Rig, plan: &Plan<'a>) -> Self {
+        let measurement = plan.measurement;
+        let description = rig.description();
+        let joints = description.joints();
+        let has_roles = joints.iter().any(|joint| joint.role != Role::None);
+        let effector = plan.settings.effector.min(joints.len().saturating_sub(1));
+        // Ranges of what looks, and of the region's budget with the eyes.
+        let room = |angle: fn(&JointInfo) -> Option<[f32; 2]>, head: [f32; 2]| {
+            let sum = |counts: &dyn Fn(Role) -> bool| {
+                // What is outside the effector is at rest.
+                let ranges = joints[effector..].iter().filter(|joint| counts(joint.role)).filter_map(angle);
+                ranges.fold([0.0_f64; 2], |[lo, hi], range| [lo + f64::from(range[0]), hi + f64::from(range[1])])
+            };
+            let eyes = sum(&|role| role == Role::Eye);
+            let range = sum(&|role| !has_roles || matches!(role, Role::Eye | Role::Head | Role::Neck));
+            let budget = if has_roles {
+                [eyes[0] + f64::from(head[0]), eyes[1] + f64::from(head[1])]
+            } else {
+                [f64::NEG_INFINITY, f64::INFINITY]
+            };
+            [range, budget].map(|ends| ends.map(f64::to_degrees))
+        };
+        let budgets = description.budgets();
+        let [range_deg, budget_deg] = room(|joint| joint.pitch, budgets.head.pitch);
+        let [heading_range_deg, heading_budget_deg] = room(|joint| joint.heading, budgets.head.heading);
+        Self {
+            landmarks: Landmarks::find(rig, plan),
+            live: Live::new(rig, plan.document, measurement, plan.chain, plan.both_eyes),
+            effector,
+            bind: &measurement.bind_world,
+            forward: measurement.forward,
+            left: measurement.left,
+            height: measurement.height,
+            range_deg,
+            budget_deg,
+            heading_range_deg,
+            heading_budget_deg,
+            from_bind: joints.iter().any(|joint| joint.limits_from == LimitsFrom::BindPose),
+        }
+    }
+
+    /// By what a node is turned in the world from its bind pose.
+    fn turned(&self, world: &[DAffine3], node: usize) -> DMat3 {
+        orthonormal(&world[node].matrix3).0 * orthonormal(&self.bind[node].matrix3).0.transpose()
+    }
+
+    /// By what the correction turns head and chest in the world.
+    fn turns(&self, animated: &[DAffine3], aimed: &[DAffine3]) -> Option<[DMat3; 2]> {
+        let nodes = [self.landmarks.head?, self.landmarks.chest?];
+        Some(nodes.map(|node| orthonormal(&aimed[node].matrix3).0 * orthonormal(&animated[node].matrix3).0.transpose()))
+    }
+
+    /// Whether the head's heading is the correction's doing.
+    fn heading_counts(&self, seen: &Appearance) -> bool {
+        /// What is nothing to see, degrees.
+        const SEEN_DEG: f64 = 0.5;
+        let must = Criterion::HeadToChestHeading.must(self.landmarks.is_humanoid).unwrap_or(f64::INFINITY);
+        let headings = seen.head_to_chest_heading_deg.zip(seen.animated_heading_deg);
+        headings.is_some_and(|(aimed, animated)| animated.abs() <= must || aimed.abs() > animated.abs() + SEEN_DEG)
+    }
+
+    /// The elevation of the target from where the aimed effector is, degrees.
+    fn target_elevation_deg(&self, target: DVec3, animated: &[DAffine3], aimed: &[DAffine3]) -> Option<f64> {
+        let [eye, _] = *self.live.gazes(self.effector, aimed).first()?;
+        elevation_deg(target - eye, self.live.up(animated))
+    }
+
+    /// The target's heading in the world from where the aimed effector is, degrees; `None` where it is nearly above or below.
+    fn target_heading_deg(&self, target: DVec3, animated: &[DAffine3], aimed: &[DAffine3]) -> Option<f64> {
+        let [eye, _] = *self.live.gazes(self.effector, aimed).first()?;
+        self.level_heading_deg(target - eye, self.live.up(animated))
+    }
+
+    /// The heading of a direction; `None` of one that is nearly up or down.
+    fn level_heading_deg(&self, v: DVec3, up: DVec3) -> Option<f64> {
+        elevation_deg(v, up).filter(|at| at.abs() <= LEVEL_DEG)?;
+        Some(heading_deg(v, up, self.forward))
+    }
+
+    fn frame(&self, t: f64, target: DVec3, animated: &[DAffine3], aimed: &[DAffine3]) -> Appearance {
+        let up = self.live.up(animated);
+        let mut seen = Appearance { t, ..Appearance::default() };
+        let gaze = |world| self.live.gazes(self.effector, world).first().map(|[_, gaze]| *gaze);
+        let of_gaze = gaze(aimed).and_then(|gaze| elevation_deg(gaze, up));
+        let of_target = self.target_elevation_deg(target, animated, aimed);
+        seen.elevation_off_deg = of_gaze.zip(of_target).map(|(gaze, target)| gaze - target);
+        let of_chest =
+            self.landmarks.chest.and_then(|chest| elevation_deg(self.turned(animated, chest) * self.forward, up));
+        let of_animation = gaze(animated).and_then(|gaze| elevation_deg(gaze, up));
+        seen.elevation_counts = of_target.zip(of_animation).is_some_and(|(target, animation)| {
+            let chest = of_chest.unwrap_or(0.0);
+            let is_within = |[lo, hi]: [f64; 2], from: f64| (lo..=hi).contains(&(target - from));
+            is_within(self.range_deg, if self.from_bind { chest } else { animation })
+                && is_within(self.budget_deg, chest)
+        });
+        let heading = |v: DVec3| self.level_heading_deg(v, up);
+        let of_gaze = gaze(aimed).and_then(heading);
+        let of_target = self.target_heading_deg(target, animated, aimed);
+        seen.heading_off_deg = of_gaze.zip(of_target).map(|(gaze, target)| wrapped(gaze - target));
+        let of_animation = gaze(animated).and_then(heading);
+        seen.heading_counts = of_target.zip(of_animation).is_some_and(|(target, animation)| {
+            let chest = self.landmarks.chest.map(|chest| heading(self.turned(aimed, chest) * self.forward));
+            // Without a chest that says where it faces, the animation alone tells what is in reach.
+            let chest = chest.flatten().unwrap_or(animation);
+            let is_within = |[lo, hi]: [f64; 2], from: f64| (lo..=hi).contains(&wrapped(target - from));
+            is_within(self.heading_range_deg, if self.from_bind { chest } else { animation })
+                && is_within(self.heading_budget_deg, chest)
+                && is_within(self.heading_budget_deg, animation)
+        });
+        let (Some(head), Some(chest)) = (self.landmarks.head, self.landmarks.chest) else { return seen };
+        let [head_turn, chest_turn, before, chest_before] =
+            [(aimed, head), (aimed, chest), (animated, head), (animated, chest)]
+                .map(|(world, node)| self.turned(world, node));
+        let is_level = |turn: &DMat3| elevation_deg(*turn * self.forward, up).is_some_and(|at| at.abs() <= LEVEL_DEG);
+        if [head_turn, chest_turn, before, chest_before].iter().all(is_level) {
+            let heading = |turn: DMat3| heading_deg(turn * self.forward, up, self.forward);
+            let roll = |turn: DMat3| roll_deg(turn * self.forward, turn * self.left, up);
+            seen.head_to_chest_heading_deg = Some(wrapped(heading(head_turn) - heading(chest_turn)));
+            seen.animated_heading_deg = Some(wrapped(heading(before) - heading(chest_before)));
+            seen.head_roll_deg = Some(wrapped(roll(head_turn) - roll(before)));
+        }
+        if self.height > 0.0 {
+            let carried = aimed[chest] * animated[chest].inverse();
+            let moved =
+                self.landmarks.limbs.iter().map(|&node| {
+                    aimed[node].translation.distance(carried.transform_point3(animated[node].translation))
+                });
+            let moved = moved.filter(|moved| moved.is_finite());
+            seen.limb_shift = moved.reduce(f64::max).map(|moved| moved / self.height);
+        }
+        seen
+    }
+}
+
+/// Degrees above level; `None` of no direction.
+fn elevation_deg(v: DVec3, up: DVec3) -> Option<f64> {
+    let v = v.try_normalize()?;
+    Some(v.dot(up).clamp(-1.0, 1.0).asin().to_degrees())
+}
+
+/// The heading about `up` from where `forward` points, positive to the left.
+fn heading_deg(v: DVec3, up: DVec3, forward: DVec3) -> f64 {
+    let left = up.cross(forward);
+    v.dot(left).atan2(v.dot(left.cross(up))).to_degrees()
+}
+
+/// The roll about `forward`: the angle by which `left` is above level, negated, so that a head tilted to its left is positive.
+fn roll_deg(forward: DVec3, left: DVec3, up: DVec3) -> f64 {
+    let level = up.cross(forward).normalize_or_zero();
+    -left.dot(forward.cross(level)).atan2(left.dot(level)).to_degrees()
+}
+
+/// −180…180.
+fn wrapped(angle_deg: f64) -> f64 {
+    angle_deg - 360.0 * (angle_deg / 360.0).round()
+}

@@ -1,0 +1,60 @@
+//! A walking figure made by code, the same in the world whatever axes its bones are given.
+//!
+//! It faces +Z, its up is +Y, its left +X, in metres. Only the inside differs between conventions: each joint's own
+//! frame, and therefore the numbers of its transforms, inverse bind matrices and animation.
+
+mod body;
+mod joints;
+mod pack;
+mod shape;
+mod walk;
+
+use glam::{DMat3, DVec3};
+
+use crate::error::Error;
+use joints::Bone;
+
+/// The paper's convention: a bone's +X is up, +Y forward, +Z left.
+pub const PAPER_AXES: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// Builds the mannequin as a GLB: 25 joints (`hips`, `spine`, `spine1`, `spine2`, `spine3`, `neck`, `head`, and `left_`
+/// and `right_` each of `eye`, `clavicle`, `upper_arm`, `lower_arm`, `hand`, `upper_leg`, `lower_leg`, `foot`, `toes`),
+/// a skinned body, and a looping clip `walk` of 1.2 s.
+///
+/// `axes_of` gives, for a joint's name, where the character's up, forward and left lie in that bone's own space: any
+/// three unit vectors at right angles. A triple in which `left × up` is not `forward` but its opposite makes a mirrored bone (negative
+/// determinant in the world); its children make up for it.
+///
+/// # Errors
+/// [`Error::Axes`] for a joint whose three vectors are not orthonormal to within 1e-3.
+pub fn mannequin(axes_of: impl Fn(&str) -> [[f32; 3]; 3]) -> Result<Vec<u8>, Error> {
+    let joints = joints::joints();
+    let frames = joints.iter().map(|joint| frame(&joint.name, axes_of(&joint.name))).collect::<Result<Vec<_>, _>>()?;
+    let bone = |(joint, &frame): (&joints::Joint, &DMat3)| {
+        let parent = joint.parent.map(|parent| (frames[parent], joints[parent].position));
+        let (parent_frame, parent_position) = parent.unwrap_or((DMat3::IDENTITY, DVec3::ZERO));
+        let mirrors = parent_frame.determinant() * frame.determinant() < 0.0;
+        Bone {
+            frame,
+            // Frames are orthonormal, so the transpose is the inverse, mirrored or not.
+            to_parent: parent_frame.transpose(),
+            offset: joint.position - parent_position,
+            mirror: if mirrors { DVec3::new(-1.0, 1.0, 1.0) } else { DVec3::ONE },
+        }
+    };
+    let rig: Vec<Bone> = joints.iter().zip(&frames).map(bone).collect();
+    pack::pack(&joints, &rig)
+}
+
+/// Character ← bone from the three vectors in the bone's space.
+fn frame(bone: &str, [up, forward, left]: [[f32; 3]; 3]) -> Result<DMat3, Error> {
+    let [left, up, forward] = [left, up, forward].map(|v| DVec3::from_array(v.map(f64::from)));
+    // Its columns take the character's axes into the bone's space.
+    let (given, near) = (DMat3::from_cols(left, up, forward), 1e-3);
+    let gram = given.transpose() * given;
+    let off = (gram - DMat3::IDENTITY).to_cols_array().iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+    if !given.is_finite() || off > near {
+        return Err(Error::Axes(bone.into()));
+    }
+    Ok(crate::measure::frame::orthonormal(&given).0.transpose())
+}

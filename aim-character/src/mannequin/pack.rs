@@ -1,0 +1,174 @@
+//! The mannequin's parts put into a GLB.
+
+use std::sync::Arc;
+
+use aim_gltf::{Channel, Clip, Document, to_glb};
+use glam::{DQuat, DVec3, Quat, Vec3};
+use serde_json::{Value, json};
+
+use super::body::{MATERIALS, surfaces};
+use super::joints::{Bone, Joint};
+use super::shape::ShapeMesh;
+use super::walk;
+use crate::bake::continuous;
+use crate::error::Error;
+use crate::num;
+
+const ARRAY_BUFFER: u32 = 34962;
+const ELEMENT_ARRAY_BUFFER: u32 = 34963;
+
+/// The binary chunk as it grows, with its views and accessors.
+#[derive(Default)]
+struct Data {
+    bytes: Vec<u8>,
+    views: Vec<Value>,
+    accessors: Vec<Value>,
+}
+
+impl Data {
+    /// Adds one accessor on a view of its own; returns its index.
+    fn add(&mut self, bytes: &[u8], target: Option<u32>, mut accessor: Value) -> usize {
+        let mut view = json!({ "buffer": 0, "byteOffset": self.bytes.len(), "byteLength": bytes.len() });
+        if let Some(target) = target {
+            view["target"] = target.into();
+        }
+        accessor["bufferView"] = self.views.len().into();
+        self.views.push(view);
+        self.bytes.extend_from_slice(bytes);
+        self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
+        self.accessors.push(accessor);
+        self.accessors.len() - 1
+    }
+
+    fn floats<const N: usize>(&mut self, values: &[[f32; N]], target: Option<u32>, bounds: bool) -> usize {
+        let bytes: Vec<u8> = values.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
+        let shape = match N {
+            3 => "VEC3",
+            4 => "VEC4",
+            _ => "MAT4",
+        };
+        let mut accessor = json!({ "componentType": 5126, "count": values.len(), "type": shape });
+        if bounds {
+            let extreme = |pick: fn(f32, f32) -> f32, start: f32| {
+                let of = |i: usize| f64::from(values.iter().map(|v| v[i]).fold(start, pick));
+                (0..N).map(of).collect::<Vec<_>>()
+            };
+            accessor["min"] = extreme(f32::min, f32::INFINITY).into();
+            accessor["max"] = extreme(f32::max, f32::NEG_INFINITY).into();
+        }
+        self.add(&bytes, target, accessor)
+    }
+}
+
+/// The whole file.
+pub(super) fn pack(joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
+    let mut data = Data::default();
+    let primitives: Vec<Value> = surfaces(joints).iter().enumerate().map(|(k, s)| primitive(&mut data, s, k)).collect();
+    let binds: Vec<[f32; 16]> = joints.iter().zip(rig).map(|(joint, bone)| inverse_bind(joint, bone)).collect();
+    let binds = data.floats(&binds, None, false);
+    let mut nodes: Vec<Value> = (0..joints.len()).map(|index| node(joints, rig, index)).collect();
+    nodes.push(json!({ "name": "body", "mesh": 0, "skin": 0 }));
+    let material = |m: &super::body::Tint| {
+        let [r, g, b] = m.colour;
+        json!({
+            "name": m.name,
+            "pbrMetallicRoughness": { "baseColorFactor": [r, g, b, 1.0], "metallicFactor": 0.0, "roughnessFactor": m.roughness },
+        })
+    };
+    let mut json = json!({
+        "asset": { "version": "2.0", "generator": concat!("aim-gltf ", env!("CARGO_PKG_VERSION")) },
+        "scene": 0,
+        "scenes": [{ "name": "mannequin", "nodes": [0, joints.len()] }],
+        "nodes": nodes,
+        "meshes": [{ "name": "body", "primitives": primitives }],
+        "skins": [{ "name": "mannequin", "inverseBindMatrices": binds, "skeleton": 0, "joints": (0..joints.len()).collect::<Vec<_>>() }],
+        "materials": MATERIALS.iter().map(material).collect::<Vec<_>>(),
+    });
+    json["accessors"] = data.accessors.into();
+    json["bufferViews"] = data.views.into();
+    json["buffers"] = json!([{ "byteLength": data.bytes.len() }]);
+    let glb = to_glb(json.to_string().as_bytes(), Some(&data.bytes))?;
+    Ok(Document::from_bytes(&glb)?.with_clips(&[walk_clip(joints, rig)])?)
+}
+
+fn narrow3(v: DVec3) -> [f32; 3] {
+    // Adding zero turns −0 into 0, which reads better in a file.
+    v.to_array().map(|x| num::narrow(x) + 0.0)
+}
+
+fn narrow4(q: DQuat) -> [f32; 4] {
+    q.to_array().map(|x| num::narrow(x) + 0.0)
+}
+
+fn node(joints: &[Joint], rig: &[Bone], index: usize) -> Value {
+    let bone = &rig[index];
+    let mut node = json!({
+        "name": joints[index].name,
+        "translation": narrow3(bone.translation(DVec3::ZERO)).map(f64::from),
+        "rotation": narrow4(bone.rotation(DQuat::IDENTITY)).map(f64::from),
+    });
+    if bone.mirror != DVec3::ONE {
+        node["scale"] = json!(bone.mirror.to_array());
+    }
+    let children: Vec<usize> = (0..joints.len()).filter(|i| joints[*i].parent == Some(index)).collect();
+    if !children.is_empty() {
+        node["children"] = json!(children);
+    }
+    node
+}
+
+fn inverse_bind(joint: &Joint, bone: &Bone) -> [f32; 16] {
+    let turn = bone.frame.transpose();
+    let [x, y, z] = [turn.x_axis, turn.y_axis, turn.z_axis].map(narrow3);
+    let t = narrow3(-(turn * joint.position));
+    [x[0], x[1], x[2], 0.0, y[0], y[1], y[2], 0.0, z[0], z[1], z[2], 0.0, t[0], t[1], t[2], 1.0]
+}
+
+fn primitive(data: &mut Data, surface: &ShapeMesh, material: usize) -> Value {
+    let positions: Vec<[f32; 3]> = surface.positions.iter().map(|p| narrow3(*p)).collect();
+    let normals: Vec<[f32; 3]> = surface.normals.iter().map(|n| narrow3(*n)).collect();
+    let weights: Vec<[f32; 4]> = surface.bindings.iter().map(|b| b.map(|(_, w)| num::narrow(w))).collect();
+    // A joint without weight must be 0; there are far fewer than 256 joints and 65 536 vertices.
+    let joint = |(joint, weight): (usize, f64)| {
+        if weight == 0.0 { 0 } else { u8::try_from(joint).unwrap_or(0) }
+    };
+    let joints: Vec<u8> = surface.bindings.iter().flat_map(|b| b.map(joint)).collect();
+    let index = |i: &usize| u16::try_from(*i).unwrap_or(0).to_le_bytes();
+    let indices: Vec<u8> = surface.triangles.iter().flatten().flat_map(index).collect();
+    let position = data.floats(&positions, Some(ARRAY_BUFFER), true);
+    let normal = data.floats(&normals, Some(ARRAY_BUFFER), false);
+    let described = json!({ "componentType": 5121, "count": surface.bindings.len(), "type": "VEC4" });
+    let joints = data.add(&joints, Some(ARRAY_BUFFER), described);
+    let weights = data.floats(&weights, Some(ARRAY_BUFFER), false);
+    let described = json!({ "componentType": 5123, "count": surface.triangles.len() * 3, "type": "SCALAR" });
+    let indices = data.add(&indices, Some(ELEMENT_ARRAY_BUFFER), described);
+    json!({
+        "attributes": { "POSITION": position, "NORMAL": normal, "JOINTS_0": joints, "WEIGHTS_0": weights },
+        "indices": indices,
+        "material": material,
+    })
+}
+
+fn walk_clip(joints: &[Joint], rig: &[Bone]) -> Clip {
+    let phase = |k: u32| f64::from(k % walk::KEYS) / f64::from(walk::KEYS);
+    let time = |k: u32| num::narrow(f64::from(k) / f64::from(walk::KEYS) * walk::SECONDS);
+    let times: Arc<[f32]> = (0..=walk::KEYS).map(time).collect();
+    let mut channels = Vec::new();
+    for (index, (joint, bone)) in joints.iter().zip(rig).enumerate() {
+        if joint.parent.is_none() {
+            let place = |k: u32| narrow3(bone.translation(walk::hips_offset(phase(k)))).into();
+            let places: Vec<Vec3> = (0..=walk::KEYS).map(place).collect();
+            channels.push(Channel::translation(index, times.clone(), &places));
+        }
+        if (0..walk::KEYS).all(|k| walk::turn(&joint.name, phase(k)) == DQuat::IDENTITY) {
+            continue;
+        }
+        let mut turns: Vec<Quat> = Vec::new();
+        for k in 0..=walk::KEYS {
+            let turn = Quat::from_array(narrow4(bone.rotation(walk::turn(&joint.name, phase(k)))));
+            turns.push(continuous(turns.last(), turn));
+        }
+        channels.push(Channel::rotation(index, times.clone(), &turns));
+    }
+    Clip::new("walk", channels)
+}

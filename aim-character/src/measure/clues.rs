@@ -1,0 +1,348 @@
+//! Clues about the direction a body faces, one from each of its parts. `facing` weighs them.
+
+use aim_model::{BoneName, Side};
+use std::collections::HashMap;
+
+use glam::{DAffine3, DVec3};
+
+use crate::measure::plan::BodyPlan;
+use crate::measure::roles::{Role, Roles};
+use crate::num::count;
+use aim_gltf::Skeleton;
+
+/// A character in its bind pose.
+pub(crate) struct Body<'a> {
+    pub(crate) skeleton: &'a Skeleton,
+    /// World ← node.
+    pub(crate) bind: &'a [DAffine3],
+    pub(crate) is_bone: &'a [bool],
+    /// Vertices in the world.
+    pub(crate) skin: &'a [DVec3],
+    /// The node that moves each vertex most.
+    pub(crate) carriers: &'a [usize],
+    pub(crate) roles: &'a Roles,
+    pub(crate) plan: Option<BodyPlan>,
+}
+
+/// A source of evidence about the character's up or forward.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Clue {
+    /// A pair of nodes that their names (or VRM) call left and right.
+    Names {
+        /// Node index.
+        left: usize,
+        /// Node index.
+        right: usize,
+    },
+    /// A pair of limbs alike in the tree and mirrored in place, whichever is left.
+    Limbs {
+        /// Node index.
+        one: usize,
+        /// Node index.
+        other: usize,
+    },
+    /// The joints' places mirror each other.
+    Symmetry,
+    /// Legs reach down from the hips.
+    Legs,
+    /// Toes lie ahead of ankles.
+    Feet,
+    /// Soles reach further ahead of ankles than behind them.
+    Soles,
+    /// Eyes lie ahead of the head's joint.
+    Eyes,
+    /// The head of who goes on all fours lies ahead of the hips.
+    Trunk,
+    /// A barrel, a lens or a lamp shade reaches out to where it points.
+    Reach {
+        /// Node index.
+        node: usize,
+    },
+    /// glTF says that +Y is up and that models face +Z.
+    Convention,
+    /// The user says so.
+    Stated,
+}
+
+/// A level direction that something lies ahead in.
+pub(crate) struct Hint {
+    pub(crate) clue: Clue,
+    pub(crate) ahead: DVec3,
+    pub(crate) weight: f64,
+}
+
+impl Body<'_> {
+    fn at(&self, node: usize) -> DVec3 {
+        self.bind[node].translation
+    }
+
+    fn with_role(&self, role: Role) -> Option<usize> {
+        (0..self.bind.len()).find(|node| self.roles.of(*node) == Some(role))
+    }
+
+    fn parent(&self, node: usize) -> Option<usize> {
+        self.skeleton.nodes()[node].parent
+    }
+
+    /// Bones whose names have a side, with what the name says without it.
+    fn sided(&self) -> Vec<(usize, Side, String)> {
+        let sided = |node: usize| {
+            let words = BoneName::new(&self.skeleton.nodes()[node].name);
+            Some((node, words.side?, words.key()))
+        };
+        (0..self.bind.len()).filter(|node| self.is_bone[*node]).filter_map(sided).collect()
+    }
+
+    /// Which nodes are of a leg by their names.
+    fn named_legs(&self) -> Vec<bool> {
+        let mut legs = vec![false; self.bind.len()];
+        for (node, _, key) in self.sided() {
+            legs[node] = LEGS.iter().any(|leg| key.contains(leg));
+        }
+        legs
+    }
+
+    fn joints(&self) -> Vec<usize> {
+        (0..self.bind.len()).filter(|i| self.skeleton.nodes()[*i].is_joint && self.at(*i).is_finite()).collect()
+    }
+}
+
+/// Pairs that tell the sides best, best first; arms belong to the part of the body that aims, and whatever has two sides
+/// is better than nothing.
+const KINDS: [&str; 16] = [
+    "upperarm", "arm", "shoulder", "clavicle", "collar", "thigh", "upleg", "upperleg", "leg", "eye", "hand", "foot",
+    "knee", "ankle", "toe", "",
+];
+const LEGS: [&str; 8] = ["thigh", "leg", "calf", "shin", "knee", "ankle", "foot", "hip"];
+const TOES: [&str; 2] = ["toe", "ball"];
+
+/// Nodes of one name that are tried as the other of a pair: work stays bounded whatever a file holds.
+const MOST_NAMESAKES: usize = 16;
+
+/// From `b` to `a`, level.
+pub(crate) fn apart(body: &Body<'_>, a: usize, b: usize, up: DVec3) -> DVec3 {
+    (body.at(a) - body.at(b)).reject_from_normalized(up)
+}
+
+/// True if both bones of a pair are mirrored.
+pub(crate) fn is_mirrored(body: &Body<'_>, a: usize, b: usize) -> bool {
+    [a, b].into_iter().all(|node| body.bind[node].matrix3.determinant() < 0.0)
+}
+
+/// The left and the right node of the pair of limbs that tells the sides best.
+pub(crate) fn named_pair(body: &Body<'_>, up: DVec3) -> Option<(usize, usize)> {
+    let nodes = body.skeleton.nodes();
+    let is_apart = |l: usize, r: usize| {
+        let (d, level) = (body.at(l) - body.at(r), apart(body, l, r, up).length());
+        d.is_finite() && d.length() < 1e100 && level > 1e-6 && level > 0.2 * d.dot(up).abs()
+    };
+    let vrm = |bone: &str| nodes.iter().position(|node| node.vrm_bone.as_deref() == Some(bone));
+    if let (Some(l), Some(r)) = (vrm("leftUpperArm"), vrm("rightUpperArm")) {
+        if is_apart(l, r) {
+            return Some((l, r));
+        }
+    }
+    let sided = body.sided();
+    let mut rights: HashMap<&str, Vec<usize>> = HashMap::new();
+    for (node, _, key) in sided.iter().filter(|(_, side, _)| *side == Side::Right) {
+        rights.entry(key).or_default().push(*node);
+    }
+    KINDS.iter().find_map(|kind| {
+        let lefts = sided.iter().filter(|(_, side, key)| *side == Side::Left && key.contains(kind));
+        lefts.into_iter().find_map(|(left, _, key)| {
+            // Numbers may run the other way on the other side: what is as deep in the tree is the other one.
+            let namesakes = rights.get(key.as_str())?.iter().take(MOST_NAMESAKES).copied();
+            let depth = |node: usize| body.skeleton.ancestry(node).take(MOST_NAMESAKES * 8).count();
+            let near = |right: &usize| depth(*right).abs_diff(depth(*left));
+            namesakes.filter(|right| is_apart(*left, *right)).min_by_key(near).map(|right| (*left, right))
+        })
+    })
+}
+
+/// The direction from the feet to the hips, where there are legs that reach from the hips and not beyond the head.
+pub(crate) fn legs_up(body: &Body<'_>) -> Option<DVec3> {
+    let (sided, is_leg) = (body.sided(), body.named_legs());
+    let named = sided.iter().filter_map(|(node, ..)| {
+        let parent = body.parent(*node)?;
+        (is_leg[*node] && is_leg[parent]).then(|| body.at(parent) - body.at(*node))
+    });
+    let mut legs: DVec3 = named.sum();
+    if legs.length() < 1e-9 {
+        let ways = body.plan.as_ref()?.ways_down(body.skeleton, body.bind, body.is_bone);
+        legs = ways.iter().filter_map(|way| Some(body.at(*way.first()?) - body.at(*way.last()?))).sum();
+    }
+    let up = Some(legs.normalize_or_zero()).filter(|up| up.is_finite() && *up != DVec3::ZERO)?;
+    // Legs that go to where the head is are no legs.
+    let (hips, head) = ends(body);
+    let along = hips.zip(head).map_or(0.0, |(hips, head)| (body.at(head) - body.at(hips)).dot(up));
+    (along >= 0.0).then_some(up)
+}
+
+/// The hips and the head.
+fn ends(body: &Body<'_>) -> (Option<usize>, Option<usize>) {
+    let plan = body.plan.as_ref();
+    let hips = body.with_role(Role::Hips).or_else(|| plan.map(|plan| plan.hips));
+    (hips, body.with_role(Role::Head).or_else(|| plan.map(|plan| plan.head)))
+}
+
+/// Feet, and the forefeet of who goes on all fours, are no higher than this part of the height.
+const FOOT: f64 = 0.15;
+
+/// For each node, whether a leg hangs on it, however deep: one that its name tells, or, of who goes on all fours, a limb with a
+/// side that reaches down to the ground.
+pub(crate) fn carry_legs(body: &Body<'_>, up: DVec3, on_all_fours: bool) -> Vec<bool> {
+    let mut is_leg = body.named_legs();
+    if on_all_fours {
+        let height = |node: usize| body.at(node).dot(up);
+        let heights = (0..body.bind.len()).filter(|node| body.is_bone[*node]).map(height);
+        let (low, high) = heights.fold((f64::MAX, f64::MIN), |(lo, hi), h| (lo.min(h), hi.max(h)));
+        for (node, ..) in body.sided() {
+            is_leg[node] |= height(node) < low + FOOT * (high - low);
+        }
+    }
+    let mut carries = vec![false; is_leg.len()];
+    for &node in body.skeleton.order().iter().rev() {
+        if let Some(parent) = body.parent(node) {
+            carries[parent] |= is_leg[node] || carries[node];
+        }
+    }
+    carries
+}
+
+/// All that lies ahead of something.
+pub(crate) fn ahead(body: &Body<'_>, up: DVec3) -> Vec<Hint> {
+    let hint = |clue: Clue, direction: DVec3, weight: f64| {
+        let ahead = direction.reject_from_normalized(up).normalize_or_zero();
+        (ahead.is_finite() && ahead != DVec3::ZERO).then_some(Hint { clue, ahead, weight })
+    };
+    let level = |v: DVec3| v.reject_from_normalized(up).length();
+    let mut hints = Vec::new();
+    if let (Some(hips), Some(head)) = ends(body) {
+        let trunk = body.at(head) - body.at(hips);
+        if level(trunk) > 0.8 * trunk.length() {
+            hints.extend(hint(Clue::Trunk, trunk, 2.0));
+        }
+    }
+    let roles = [Role::LeftEye, Role::RightEye, Role::Head].map(|role| body.with_role(role));
+    if let [Some(left), Some(right), Some(head)] = roles {
+        let eyes = (body.at(left) + body.at(right)) * 0.5 - body.at(head);
+        if level(eyes) > 0.25 * eyes.length() {
+            hints.extend(hint(Clue::Eyes, eyes, 1.5));
+        }
+    }
+    let (toes, weight) = named_toes(body).map_or_else(|| (low_joints(body, up), 1.0), |toes| (Some(toes), 1.5));
+    if let Some(toes) = toes {
+        hints.extend(hint(Clue::Feet, toes, weight));
+    }
+    if hints.is_empty() {
+        if let Some((node, reach)) = reach(body).filter(|(_, reach)| level(*reach) > 0.5 * reach.length()) {
+            hints.extend(hint(Clue::Reach { node }, reach, 1.0));
+        }
+    }
+    hints
+}
+
+/// From ankles to toes, by their names.
+fn named_toes(body: &Body<'_>) -> Option<DVec3> {
+    let is_leg = body.named_legs();
+    let mut sum = [DVec3::ZERO; 2];
+    for (node, side, key) in &body.sided() {
+        let Some(parent) = body.parent(*node) else { continue };
+        if TOES.iter().any(|toe| key.contains(toe)) && is_leg[parent] {
+            sum[usize::from(*side == Side::Left)] += body.at(*node) - body.at(parent);
+        }
+    }
+    // Both feet: one may be turned.
+    (sum[0] != DVec3::ZERO && sum[1] != DVec3::ZERO).then(|| sum[0] + sum[1])
+}
+
+/// From the lowest joints' parents to the lowest joints, where that leads ahead at all.
+fn low_joints(body: &Body<'_>, up: DVec3) -> Option<DVec3> {
+    let joints = body.joints();
+    if joints.len() < 5 {
+        return None;
+    }
+    let height = |node: usize| body.at(node).dot(up);
+    let (low, high) = joints.iter().fold((f64::MAX, f64::MIN), |(lo, hi), i| (lo.min(height(*i)), hi.max(height(*i))));
+    let size = high - low;
+    let step = |joint: &usize| {
+        let parent = body.parent(*joint).filter(|parent| body.skeleton.nodes()[*parent].is_joint)?;
+        let is_foot = height(*joint) < low + 0.12 * size && height(parent) < low + 0.2 * size;
+        is_foot.then(|| body.at(*joint) - body.at(parent))
+    };
+    let sum: DVec3 = joints.iter().filter_map(step).sum();
+    (sum.reject_from_normalized(up).length() > 0.01 * size && size.is_finite()).then_some(sum)
+}
+
+/// The direction along `ahead` in which soles reach further from the ankles.
+pub(crate) fn soles(body: &Body<'_>, up: DVec3, ahead: DVec3) -> Option<Hint> {
+    let joints = body.joints();
+    let heights = joints.iter().map(|joint| body.at(*joint).dot(up));
+    let (low, high) = heights.fold((f64::MAX, f64::MIN), |(lo, hi), h| (lo.min(h), hi.max(h)));
+    let size = high - low;
+    let ground = body.skin.iter().map(|p| p.dot(up)).fold(f64::MAX, f64::min);
+    let soles = body.skin.iter().filter(|p| p.dot(up) < ground + 0.04 * size).map(|p| p.dot(ahead));
+    let (back, front) = soles.fold((f64::MAX, f64::MIN), |(lo, hi), v| (lo.min(v), hi.max(v)));
+    let ankles = joints.iter().map(|joint| body.at(*joint)).filter(|p| p.dot(up) < low + 0.05 * size);
+    let ankles: Vec<f64> = ankles.map(|p| p.dot(ahead)).collect();
+    if back > front || ankles.is_empty() {
+        return None;
+    }
+    let reach = (back + front) * 0.5 - ankles.iter().sum::<f64>() / count(ankles.len());
+    (reach.abs() > 0.005 * size && reach.is_finite()).then(|| Hint {
+        clue: Clue::Soles,
+        ahead: ahead * reach.signum(),
+        weight: 0.75,
+    })
+}
+
+/// Names of what points somewhere by its shape.
+const POINTERS: &str = "barrel muzzle gun cannon lens camera lamp shade spotlight lampshade";
+
+/// From a pointing part's joint to the middle of what it shows, or of what hangs on it.
+fn reach(body: &Body<'_>) -> Option<(usize, DVec3)> {
+    let nodes = body.skeleton.nodes();
+    let node = (0..nodes.len()).find(|node| BoneName::new(&nodes[*node].name).has(POINTERS))?;
+    let on_it = body.skin.iter().zip(body.carriers).filter(|(_, carrier)| **carrier == node).map(|(p, _)| *p);
+    let places: Vec<DVec3> = on_it.chain(nodes[node].children.iter().map(|child| body.at(*child))).collect();
+    let middle = places.iter().sum::<DVec3>() / count(places.len().max(1));
+    let reach = middle - body.at(node);
+    (!places.is_empty() && reach.is_finite() && reach.length() > 1e-9).then_some((node, reach))
+}
+
+/// The level axis along which the joints mirror each other; `None` where both do or none does.
+pub(crate) fn mirror_axis(body: &Body<'_>, up: DVec3) -> Option<DVec3> {
+    let joints = body.joints();
+    if joints.len() < 5 || joints.len() > 4096 {
+        return None;
+    }
+    let at: Vec<DVec3> = joints.iter().map(|joint| body.at(*joint)).collect();
+    let (low, high) = at.iter().map(|p| p.dot(up)).fold((f64::MAX, f64::MIN), |(lo, hi), h| (lo.min(h), hi.max(h)));
+    let size = high - low;
+    if size <= 0.0 || !size.is_finite() {
+        return None;
+    }
+    let mut level = DVec3::AXES.into_iter().filter(|axis| axis.dot(up).abs() < 0.5);
+    let [a, b] = [level.next()?, level.next()?];
+    match (asymmetry(&at, a, size), asymmetry(&at, b, size)) {
+        (Some(x), Some(y)) if x > 2.0 * y => Some(b),
+        (Some(x), Some(y)) if y > 2.0 * x => Some(a),
+        (Some(_), None) => Some(a),
+        (None, Some(_)) => Some(b),
+        _ => None,
+    }
+}
+
+/// Mean distance of the joints from their mirror images along `axis`, relative to the spread; `None` without spread.
+fn asymmetry(at: &[DVec3], axis: DVec3, size: f64) -> Option<f64> {
+    let (low, high) = at.iter().map(|p| p.dot(axis)).fold((f64::MAX, f64::MIN), |(lo, hi), v| (lo.min(v), hi.max(v)));
+    if high - low < 0.05 * size {
+        return None;
+    }
+    let middle = (high + low) * 0.5;
+    let mirrored = |p: &DVec3| *p + axis * 2.0 * (middle - p.dot(axis));
+    let miss = |p: &DVec3| at.iter().map(|q| q.distance(mirrored(p))).fold(f64::MAX, f64::min);
+    let total: f64 = at.iter().map(miss).sum();
+    Some(total / count(at.len()) / size)
+}

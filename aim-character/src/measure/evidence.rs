@@ -1,0 +1,106 @@
+//! Where a character faces and what told it, in words.
+
+use aim_gltf::Document;
+use glam::DVec3;
+
+use crate::measure::clues::Clue;
+use crate::measure::facing::Evidence;
+use crate::measure::{Measurement, SignedAxis};
+
+/// A direction: `+Z`, or three numbers where it is no axis.
+pub fn direction(v: DVec3) -> String {
+    let axis = SignedAxis::of(v);
+    if axis.vector().distance(v) < 1e-3 {
+        axis.to_string()
+    } else {
+        let [x, y, z] = v.to_array().map(|c| (c * 100.0).round() / 100.0 + 0.0);
+        format!("({x:.2}, {y:.2}, {z:.2})")
+    }
+}
+
+/// One sentence: facing, up, and what agrees on it.
+pub fn facing(measurement: &Measurement, document: &Document) -> String {
+    let agree: Vec<String> =
+        measurement.evidence.iter().filter(|said| said.agrees).map(|said| clue(said, document)).collect();
+    format!("Faces {}, up is {}, by {}.", direction(measurement.forward), direction(measurement.up), agree.join(", "))
+}
+
+/// A sentence for each clue that says otherwise.
+pub fn against(measurement: &Measurement, document: &Document) -> Vec<String> {
+    let against = measurement.evidence.iter().filter(|said| !said.agrees);
+    against
+        .map(|said| {
+            let (what, says) = match (said.up, said.forward) {
+                (Some(up), _) => ("up is", up),
+                (None, forward) => ("forward is", forward.unwrap_or(DVec3::ZERO)),
+            };
+            format!("{} would have it that {what} {}", clue(said, document), direction(says))
+        })
+        .collect()
+}
+
+/// Below this confidence the facing is not to be relied on.
+pub const RELIABLE: f64 = 0.65;
+
+/// Why the facing may be wrong, and what to do; `None` where it may be relied on.
+pub fn doubt(measurement: &Measurement) -> Option<String> {
+    if measurement.confidence >= RELIABLE {
+        return None;
+    }
+    let agrees = |clue: fn(&Clue) -> bool| measurement.evidence.iter().any(|said| said.agrees && clue(&said.clue));
+    let mut why = Vec::new();
+    if agrees(|clue| matches!(clue, Clue::Symmetry)) {
+        why.push("only the symmetry of the joints tells the sides");
+    } else if agrees(|clue| matches!(clue, Clue::Limbs { .. })) {
+        why.push("no names tell the sides");
+    }
+    if agrees(|clue| matches!(clue, Clue::Convention)) {
+        why.push("nothing on it tells front from back");
+    } else if !agrees(|clue| matches!(clue, Clue::Names { .. } | Clue::Trunk | Clue::Eyes | Clue::Reach { .. })) {
+        why.push("feet alone tell front from back");
+    }
+    if measurement.evidence.iter().any(|said| !said.agrees) {
+        why.push("the evidence contradicts itself");
+    }
+    if why.is_empty() {
+        why.push("there is little evidence");
+    }
+    Some(format!(
+        "The facing is a guess: {}. Look at the drawing of `aim inspect --html`, or state it with --forward AXIS.",
+        why.join(", ")
+    ))
+}
+
+/// The word for a clue in JSON.
+pub fn word(said: &Evidence) -> &'static str {
+    match said.clue {
+        Clue::Names { .. } => "names",
+        Clue::Limbs { .. } => "limbs",
+        Clue::Symmetry => "symmetry",
+        Clue::Legs => "legs",
+        Clue::Feet => "feet",
+        Clue::Soles => "soles",
+        Clue::Eyes => "eyes",
+        Clue::Trunk => "trunk",
+        Clue::Reach { .. } => "reach",
+        Clue::Stated => "stated",
+        _ => "convention",
+    }
+}
+
+fn clue(said: &Evidence, document: &Document) -> String {
+    let name = |node: usize| &document.skeleton().nodes()[node].name;
+    match said.clue {
+        Clue::Names { left, right } => format!("the names {} and {}", name(left), name(right)),
+        Clue::Limbs { one, other } => format!("the limbs {} and {}", name(one), name(other)),
+        Clue::Symmetry => "the symmetry of the joints".into(),
+        Clue::Legs => "the legs".into(),
+        Clue::Feet => "the feet".into(),
+        Clue::Soles => "the soles".into(),
+        Clue::Eyes => "the eyes".into(),
+        Clue::Trunk => "the trunk".into(),
+        Clue::Stated => "what you state".into(),
+        Clue::Reach { node } => format!("the reach of {}", name(node)),
+        _ => "glTF's convention alone".into(),
+    }
+}

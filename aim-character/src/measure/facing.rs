@@ -1,0 +1,231 @@
+//! The character's up, forward and left in the world, and by what they were found.
+//!
+//! No single clue is believed: names may be mirrored, a file may lie on its back. Each clue says a direction and has a
+//! weight; the heavier side wins, and what contradicts it stays in the evidence for the user to see.
+
+use glam::DVec3;
+
+use crate::measure::clues::{self, Body, Clue, Hint};
+use crate::measure::frame::nearest_axis;
+
+/// The statement of one clue, in world space.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Evidence {
+    /// The source.
+    pub clue: Clue,
+    /// The character's up, if it speaks of that.
+    pub up: Option<DVec3>,
+    /// The character's forward, if it speaks of that; of either sign where the clue cannot tell.
+    pub forward: Option<DVec3>,
+    /// True if the measurement follows it.
+    pub agrees: bool,
+    /// Its weight; a pair of names has 2.
+    pub weight: f64,
+}
+
+impl Evidence {
+    fn ahead(clue: Clue, forward: DVec3, agrees: bool, weight: f64) -> Self {
+        Self { clue, up: None, forward: Some(forward), agrees, weight }
+    }
+}
+
+/// Right-angled unit vectors in world space; `forward = left × up`.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Facing {
+    pub(crate) up: DVec3,
+    pub(crate) forward: DVec3,
+    pub(crate) left: DVec3,
+    pub(crate) evidence: Vec<Evidence>,
+}
+
+/// Names of sides outweigh any other single clue, and no two that agree.
+const NAMES: f64 = 2.0;
+/// Under a mirror left may have become right; any clue of the body knows better.
+const MIRRORED_NAMES: f64 = 0.9;
+/// What tells an axis of the sides, but not which side is which.
+const AXIS: f64 = 0.5;
+/// How sure the sides are where no names tell them: by two limbs alike, and by the places of the joints alone.
+const BY_LIMBS: f64 = 0.9;
+const BY_SYMMETRY: f64 = 0.6;
+/// A clue across the plane of symmetry says nothing about which way forward is (cosine).
+const ASIDE: f64 = 0.3;
+/// Sines of angles at which a direction is taken for an axis: 0.006°, and 0.1° for legs that only resemble each other.
+const ROUNDING: f64 = 1e-4;
+const HAND_MADE: f64 = 2e-3;
+/// Legs within this of a coordinate axis (cosine of 30°) may say that another axis than +Y is up.
+const STRAIGHT: f64 = 0.866;
+
+/// Directions in the world that the user states: they overrule all clues.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Stated {
+    /// The character's up, if stated; of any length but 0.
+    pub up: Option<DVec3>,
+    /// The character's forward, if stated; what of it lies along up does not count.
+    pub forward: Option<DVec3>,
+}
+
+impl Facing {
+    /// The facing that the clues tell, but for what is stated. A statement without direction (zero, not a number, or forward
+    /// along up) does not count.
+    pub(crate) fn find(body: &Body<'_>, stated: Stated) -> Self {
+        let mut evidence = Vec::new();
+        let up = match stated.up.and_then(DVec3::try_normalize) {
+            Some(up) => {
+                evidence.push(Evidence {
+                    clue: Clue::Stated,
+                    up: Some(up),
+                    forward: None,
+                    agrees: true,
+                    weight: NAMES,
+                });
+                up
+            }
+            None => up(body, &mut evidence),
+        };
+        let level = |forward: DVec3| forward.reject_from_normalized(up);
+        let told = Self::told(body, up, evidence);
+        match stated.forward.map(level).filter(|level| level.length() > 1e-6) {
+            Some(forward) => told.overruled(forward.normalize()),
+            None => told,
+        }
+    }
+
+    /// The same with this forward.
+    fn overruled(mut self, forward: DVec3) -> Self {
+        for said in &mut self.evidence {
+            let sign = if matches!(said.clue, Clue::Limbs { .. } | Clue::Symmetry) { f64::abs } else { |cos| cos };
+            said.agrees = said.forward.map_or(said.agrees, |told| sign(told.dot(forward)) > ASIDE);
+        }
+        self.evidence.push(Evidence::ahead(Clue::Stated, forward, true, NAMES));
+        Self { forward, left: self.up.cross(forward), ..self }
+    }
+
+    /// The facing of a body whose up is known.
+    fn told(body: &Body<'_>, up: DVec3, mut evidence: Vec<Evidence>) -> Self {
+        let mut hints = clues::ahead(body, up);
+        let pair = clues::named_pair(body, up).map(|(left, right)| (Clue::Names { left, right }, [left, right]));
+        let limbs = || {
+            let [one, other] = body.plan.as_ref()?.legs;
+            Some((Clue::Limbs { one, other }, [one, other]))
+        };
+        let across = pair.or_else(limbs).map(|(clue, [a, b])| (clue, clues::apart(body, a, b, up)));
+        let across = across.or_else(|| Some((Clue::Symmetry, clues::mirror_axis(body, up)?)));
+        // Joints may mirror each other front to back, too: what lies along the sides that they tell is no witness of them.
+        let is_plausible = |(clue, left): &(Clue, DVec3)| {
+            let lies = |axis: DVec3| hints.iter().map(|hint| hint.weight * along(hint.ahead, axis).abs()).sum::<f64>();
+            *clue != Clue::Symmetry || lies(left.normalize_or_zero()) <= lies(left.cross(up).normalize_or_zero())
+        };
+        let (across, denied) = match across {
+            Some(across) if !is_plausible(&across) => (None, Some(across.1)),
+            across => (across, None),
+        };
+        let forward = match across {
+            Some((clue, left)) => {
+                let named = match clue {
+                    Clue::Names { left, right } if clues::is_mirrored(body, left, right) => Some(MIRRORED_NAMES),
+                    Clue::Names { .. } => Some(NAMES),
+                    _ => None,
+                };
+                let left = square(left.normalize_or(DVec3::X), if named.is_some() { ROUNDING } else { HAND_MADE });
+                let ahead = square(left.cross(up), ROUNDING);
+                if !hints.iter().any(|hint| hint.clue == Clue::Feet) {
+                    hints.extend(clues::soles(body, up, ahead));
+                }
+                let vote = |hint: &Hint| hint.weight * along(hint.ahead, ahead);
+                let score: f64 = named.unwrap_or(0.0) + hints.iter().map(vote).sum::<f64>();
+                // A tie is glTF's to decide.
+                let keep = if score == 0.0 { ahead.dot(convention(up)) >= -1e-9 } else { score > 0.0 };
+                let forward = if keep { ahead } else { -ahead };
+                let says = if named.is_some() { ahead } else { forward };
+                let agrees = keep || named.is_none();
+                evidence.push(Evidence::ahead(clue, says, agrees, named.unwrap_or(AXIS)));
+                forward
+            }
+            None => match hints.iter().max_by(|a, b| a.weight.total_cmp(&b.weight)) {
+                // Without a plane of symmetry a direction is no better than to some degrees.
+                Some(hint) => upright(nearest_axis(hint.ahead), up).unwrap_or(hint.ahead),
+                None => convention(up),
+            },
+        };
+        for Hint { clue, ahead, weight } in hints {
+            evidence.push(Evidence::ahead(clue, ahead, along(ahead, forward) > 0.0, weight));
+        }
+        if let Some(left) = denied {
+            evidence.push(Evidence::ahead(Clue::Symmetry, left.cross(up).normalize_or_zero(), false, AXIS));
+        }
+        if !evidence.iter().any(|said| said.agrees && tells_front_from_back(said)) {
+            evidence.push(Evidence::ahead(Clue::Convention, forward, true, 0.25));
+        }
+        Self { up, forward, left: up.cross(forward), evidence }
+    }
+
+    /// Confidence in the facing, 0…1: the share of the evidence that agrees on which way is front, low if there is little of it,
+    /// and less where nothing better than a likeness tells the sides.
+    pub(crate) fn confidence(&self) -> f64 {
+        let said = |clue: fn(&Clue) -> bool| self.evidence.iter().any(|said| said.agrees && clue(&said.clue));
+        if said(|clue| *clue == Clue::Stated)
+            && self.evidence.iter().any(|said| said.clue == Clue::Stated && said.forward.is_some())
+        {
+            return 1.0;
+        }
+        let weight = |agrees: bool| {
+            let said = self.evidence.iter().filter(|said| said.agrees == agrees && said.forward.is_some());
+            // What tells the sides alone may contradict, but makes no front.
+            said.filter(|said| !agrees || tells_front_from_back(said)).map(|said| said.weight).sum::<f64>()
+        };
+        let sides = if said(|clue| matches!(clue, Clue::Symmetry)) {
+            BY_SYMMETRY
+        } else if said(|clue| matches!(clue, Clue::Limbs { .. })) {
+            BY_LIMBS
+        } else {
+            1.0
+        };
+        sides * weight(true) / (weight(true) + weight(false) + 0.5)
+    }
+}
+
+/// Whether a clue tells front from back, and not only which axis the sides lie along.
+fn tells_front_from_back(said: &Evidence) -> bool {
+    said.forward.is_some() && !matches!(said.clue, Clue::Limbs { .. } | Clue::Symmetry)
+}
+
+/// Whether the trunk lies level and leads ahead.
+pub(crate) fn go_on_all_fours(evidence: &[Evidence]) -> bool {
+    evidence.iter().any(|said| said.clue == Clue::Trunk && said.agrees)
+}
+
+/// +Y unless the legs plainly stand along another axis.
+fn up(body: &Body<'_>, evidence: &mut Vec<Evidence>) -> DVec3 {
+    let Some(legs) = clues::legs_up(body) else { return DVec3::Y };
+    let axis = nearest_axis(legs);
+    let up = if axis.dot(legs) > STRAIGHT { axis } else { DVec3::Y };
+    let agrees = up.dot(legs) > 0.5;
+    evidence.push(Evidence { clue: Clue::Legs, up: Some(legs), forward: None, agrees, weight: 1.0 });
+    up
+}
+
+/// The forward of glTF's convention for a model whose up is `up`: +Z, turned by the turn from +Y to `up`.
+fn convention(up: DVec3) -> DVec3 {
+    match up.z {
+        z if z > 0.9 => DVec3::NEG_Y,
+        z if z < -0.9 => DVec3::Y,
+        _ => DVec3::Z,
+    }
+}
+
+/// 1, −1, or 0 for a direction that is rather across.
+fn along(direction: DVec3, axis: DVec3) -> f64 {
+    let cos = direction.dot(axis);
+    if cos.abs() < ASIDE { 0.0 } else { cos.signum() }
+}
+
+fn upright(direction: DVec3, up: DVec3) -> Option<DVec3> {
+    (direction.dot(up).abs() < 1e-9).then_some(direction)
+}
+
+/// A direction within `sine` of a coordinate axis is that axis.
+fn square(direction: DVec3, sine: f64) -> DVec3 {
+    let axis = nearest_axis(direction);
+    if axis.cross(direction).length() < sine { axis } else { direction }
+}

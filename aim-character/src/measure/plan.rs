@@ -1,0 +1,169 @@
+//! The plan of a body: legs, trunk, arms, neck and head told from the tree of bones and their places, without any names.
+
+use glam::{DAffine3, DVec3};
+
+use aim_gltf::Skeleton;
+
+/// Limbs of a pair are as long as each other to this share of their length.
+const ALIKE: f64 = 0.05;
+/// Largest distance of a bone on the plane of symmetry from that plane, as a share of the distance between two limbs.
+const MIDDLE: f64 = 0.15;
+/// Two pairs lie across one plane when the cosine between them is above this.
+const PARALLEL: f64 = 0.97;
+/// Largest difference of two equal heights, as a share of the way from hips to head.
+const LEVEL: f64 = 0.02;
+/// Larger trees are not looked at, nor are further limbs of one bone: the work grows with their squares.
+const MOST_BONES: usize = 4096;
+const MOST_LIMBS: usize = 64;
+
+/// Node indices of the parts of a body that mirrors itself.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct BodyPlan {
+    /// The bone that carries both legs.
+    pub(crate) hips: usize,
+    /// From above the hips to where the arms (or forelegs) meet.
+    pub(crate) trunk: Vec<usize>,
+    /// From there to the head, without it.
+    pub(crate) neck: Vec<usize>,
+    /// The bone of the column that carries most of the skin above the trunk.
+    pub(crate) head: usize,
+    /// The first bones of the two legs; which one is left is not known.
+    pub(crate) legs: [usize; 2],
+    /// The first bones of the two arms (or forelegs): the longest pair on trunk and neck.
+    pub(crate) arms: [usize; 2],
+}
+
+/// The bones as a tree, with what decides whether two limbs are alike.
+struct Tree<'a> {
+    skeleton: &'a Skeleton,
+    bind: &'a [DAffine3],
+    is_bone: &'a [bool],
+    /// For each node a number that is equal for subtrees of the same branching.
+    shape: Vec<u64>,
+    /// Bones in each node's subtree.
+    size: Vec<usize>,
+}
+
+impl Tree<'_> {
+    fn children(&self, node: usize) -> impl Iterator<Item = usize> + '_ {
+        self.skeleton.nodes()[node].children.iter().copied().filter(|child| self.is_bone[*child])
+    }
+
+    fn at(&self, node: usize) -> DVec3 {
+        self.bind[node].translation
+    }
+
+    /// Two children of a node that are limbs of one pair, mirrored in a plane through the node (and across `across`,
+    /// where that is known).
+    fn pair(&self, node: usize, across: Option<DVec3>) -> Option<[usize; 2]> {
+        let limbs: Vec<usize> = self.children(node).filter(|child| self.size[*child] >= 2).take(MOST_LIMBS).collect();
+        let mirrored = |a: usize, b: usize| {
+            let [p, q, from] = [a, b, node].map(|node| self.at(node));
+            let apart = p - q;
+            let (one, other) = (p.distance(from), q.distance(from));
+            let length = self.length(a);
+            let unit = apart.normalize_or_zero();
+            self.shape[a] == self.shape[b]
+                && unit != DVec3::ZERO
+                && (one - other).abs() < ALIKE * one.max(other)
+                && (length - self.length(b)).abs() < ALIKE * length
+                && ((p + q) * 0.5 - from).dot(unit).abs() < MIDDLE * apart.length()
+                && across.is_none_or(|across| across.dot(unit).abs() > PARALLEL)
+        };
+        // The widest pair: fingers and clothes hang closer together than limbs.
+        let pairs = limbs.iter().enumerate().flat_map(|(k, a)| limbs[k + 1..].iter().map(|b| [*a, *b]));
+        pairs
+            .filter(|[a, b]| mirrored(*a, *b))
+            .max_by(|[a, b], [c, d]| self.at(*a).distance(self.at(*b)).total_cmp(&self.at(*c).distance(self.at(*d))))
+    }
+
+    /// The length of the longest way down a limb.
+    fn length(&self, node: usize) -> f64 {
+        self.way_down(node).windows(2).map(|w| self.at(w[0]).distance(self.at(w[1]))).sum()
+    }
+
+    /// Down a limb, always into its largest branch.
+    fn way_down(&self, node: usize) -> Vec<usize> {
+        let deeper = |at: &usize| self.children(*at).max_by_key(|child| (self.size[*child], usize::MAX - child));
+        core::iter::successors(Some(node), deeper).collect()
+    }
+}
+
+impl BodyPlan {
+    /// The plan, where there is one: a bone with two legs, and a column that goes on from it. `weight` tells how much
+    /// of the skin hangs on a node.
+    pub(crate) fn find(
+        skeleton: &Skeleton,
+        bind: &[DAffine3],
+        is_bone: &[bool],
+        weight: &dyn Fn(usize) -> usize,
+    ) -> Option<Self> {
+        if is_bone.iter().filter(|bone| **bone).count() > MOST_BONES {
+            return None;
+        }
+        let tree = Tree::new(skeleton, bind, is_bone);
+        let mut bones = skeleton.order().iter().copied().filter(|node| is_bone[*node]);
+        let (hips, legs) = bones.find_map(|node| Some((node, tree.pair(node, None)?)))?;
+        let across = (tree.at(legs[0]) - tree.at(legs[1])).normalize_or_zero();
+        let middle = (tree.at(legs[0]) + tree.at(legs[1])) * 0.5;
+        let wide = tree.at(legs[0]).distance(tree.at(legs[1]));
+        let on_plane = |node: &usize| (tree.at(*node) - middle).dot(across).abs() < MIDDLE * wide;
+        let has_arms =
+            |node: usize| below(&tree, node).any(|at| on_plane(&at) && tree.pair(at, Some(across)).is_some());
+        let next = |at: usize| {
+            let ways = tree.children(at).filter(|child| !legs.contains(child)).filter(on_plane);
+            ways.max_by_key(|child| (has_arms(*child), tree.size[*child], usize::MAX - child))
+        };
+        let column: Vec<usize> = core::iter::successors(next(hips), |at| next(*at)).collect();
+        let arms = column.iter().position(|at| tree.pair(*at, Some(across)).is_some())?;
+        let shoulders = tree.pair(column[arms], Some(across))?;
+        let (mut trunk, above) = column.split_at(arms + 1);
+        // A head moves all that is on it, its jaw too, though the column may seem to go on there.
+        let skin = |node: usize| below(&tree, node).map(weight).sum::<usize>();
+        let carried = |at: usize| skin(above[at]) - above.get(at + 1).map_or(0, |next| skin(*next));
+        let head = (0..above.len()).max_by_key(|at| (carried(*at), *at))?;
+        let mut neck = above[..head].to_vec();
+        // Some hang the collarbones on the neck: a bone that begins no lower than they do is one.
+        let spine = tree.at(above[head]) - tree.at(hips);
+        let rise = tree.at(column[arms]) - (tree.at(shoulders[0]) + tree.at(shoulders[1])) * 0.5;
+        if neck.is_empty() && trunk.len() > 1 && rise.dot(spine) > -LEVEL * spine.length_squared() {
+            trunk = &trunk[..arms];
+            neck.push(column[arms]);
+        }
+        let pairs = column[arms..=arms + head].iter().filter_map(|at| tree.pair(*at, Some(across)));
+        let limbs = pairs.max_by(|[a, _], [b, _]| tree.length(*a).total_cmp(&tree.length(*b)))?;
+        Some(Self { hips, trunk: trunk.to_vec(), neck, head: above[head], legs, arms: limbs })
+    }
+
+    /// The way down each leg.
+    pub(crate) fn ways_down(&self, skeleton: &Skeleton, bind: &[DAffine3], is_bone: &[bool]) -> [Vec<usize>; 2] {
+        let tree = Tree::new(skeleton, bind, is_bone);
+        self.legs.map(|leg| tree.way_down(leg))
+    }
+}
+
+impl<'a> Tree<'a> {
+    fn new(skeleton: &'a Skeleton, bind: &'a [DAffine3], is_bone: &'a [bool]) -> Self {
+        let nodes = skeleton.nodes();
+        let (mut shape, mut size) = (vec![1_u64; nodes.len()], vec![0; nodes.len()]);
+        for &node in skeleton.order().iter().rev() {
+            let children = nodes[node].children.iter().filter(|child| is_bone[**child]);
+            let mut below: Vec<u64> = children.clone().map(|child| shape[*child]).collect();
+            below.sort_unstable();
+            // FNV-1a over the sorted shapes of the children.
+            let mix = |hash: u64, x: &u64| (hash ^ x).wrapping_mul(0x0100_0000_01b3) ^ (x >> 7);
+            shape[node] = below.iter().fold(0xcbf2_9ce4_8422_2325, mix);
+            size[node] = usize::from(is_bone[node]) + children.map(|child| size[*child]).sum::<usize>();
+        }
+        Self { skeleton, bind, is_bone, shape, size }
+    }
+}
+
+fn below<'a>(tree: &'a Tree<'_>, node: usize) -> impl Iterator<Item = usize> + 'a {
+    let mut open = vec![node];
+    core::iter::from_fn(move || {
+        let at = open.pop()?;
+        open.extend(tree.children(at));
+        Some(at)
+    })
+}

@@ -1,0 +1,207 @@
+//! Which node is an eye, the head, the neck, the spine or the hips: from VRM where stated, else from names.
+
+use core::fmt;
+
+use aim_model::{BodyPart, BoneName, Side};
+
+use crate::measure::plan::BodyPlan;
+use aim_gltf::{Node, Skeleton};
+
+/// The part a bone plays in aiming.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Role {
+    /// The eyeball on the character's left.
+    LeftEye,
+    /// The eyeball on the character's right.
+    RightEye,
+    /// Both eyes at once, where a file turns them so by morph targets.
+    Eyes,
+    /// The head.
+    Head,
+    /// A bone of the neck.
+    Neck,
+    /// A bone of the trunk above the hips.
+    Spine,
+    /// The pelvis.
+    Hips,
+}
+
+impl Role {
+    /// `left_eye`, `right_eye`, `eyes`, `head`, `neck`, `spine` or `hips`.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::LeftEye => "left_eye",
+            Self::RightEye => "right_eye",
+            Self::Eyes => "eyes",
+            Self::Head => "head",
+            Self::Neck => "neck",
+            Self::Spine => "spine",
+            Self::Hips => "hips",
+        }
+    }
+}
+
+impl fmt::Display for Role {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}
+
+/// The roles of a document's nodes.
+#[derive(Debug, Clone)]
+pub(crate) struct Roles(Vec<Option<Role>>);
+
+impl Roles {
+    /// The role of a node.
+    pub(crate) fn of(&self, node: usize) -> Option<Role> {
+        self.0.get(node).copied().flatten()
+    }
+
+    /// By VRM and by name. Eyes without a side in their name stay without a role.
+    pub(crate) fn find(skeleton: &Skeleton) -> Self {
+        let nodes = skeleton.nodes();
+        let words: Vec<BoneName> = nodes.iter().map(|node| BoneName::new(&node.name)).collect();
+        let bones = bones(skeleton);
+        let mut roles: Vec<Option<Role>> = nodes.iter().map(vrm_role).collect();
+        // Morph targets are eyes where no bone is one.
+        let morphs = roles.split_off(skeleton.file_nodes());
+        roles.resize(nodes.len(), None);
+        let stated: Vec<Role> = roles.iter().copied().flatten().collect();
+        // Where eyeballs are named so, other "eyes" are lids.
+        let balls = words.iter().zip(&bones).any(|(w, bone)| *bone && w.is_eyeball());
+        for (index, words) in words.iter().enumerate().take(skeleton.file_nodes()) {
+            if roles[index].is_some() {
+                continue;
+            }
+            let role = by_name(words).filter(|role| match role {
+                Role::LeftEye | Role::RightEye => !balls || words.is_eyeball(),
+                _ => true,
+            });
+            // An eye may be a plain node, shown by a mesh of its own, on a bone of the head.
+            let eye = matches!(role, Some(Role::LeftEye | Role::RightEye));
+            let allowed = bones[index] || (eye && skeleton.ancestry(index).any(|at| bones[at]));
+            roles[index] = role.filter(|role| allowed && !stated.contains(role));
+        }
+        rigify(&words, &bones, &mut roles);
+        keep_best(nodes, &mut roles);
+        keep_carrying(skeleton, &mut roles);
+        let is_eye = |role: &Role| matches!(role, Role::LeftEye | Role::RightEye);
+        let (of_file, of_morphs) = roles.split_at_mut(skeleton.file_nodes());
+        let has_eyes = of_file.iter().flatten().any(is_eye);
+        for (role, morph) in of_morphs.iter_mut().zip(morphs) {
+            *role = morph.filter(|role| !(has_eyes && is_eye(role)));
+        }
+        Self(roles)
+    }
+}
+
+impl Roles {
+    /// What names leave open, told by the body's plan: everything where no name tells anything; else the head, hips and
+    /// neck that have no telling name. True if it told any.
+    pub(crate) fn complete(&mut self, skeleton: &Skeleton, plan: &BodyPlan) -> bool {
+        let before = self.0.clone();
+        let nameless = self.0.iter().all(Option::is_none);
+        let known = |roles: &[Option<Role>], role| roles.iter().position(|of| *of == Some(role));
+        // Numbered necks end in the head.
+        let last_neck =
+            self.of(plan.head) == Some(Role::Neck) && plan.neck.iter().any(|n| self.of(*n) == Some(Role::Neck));
+        if known(&self.0, Role::Head).is_none() && (self.of(plan.head).is_none() || last_neck) {
+            self.0[plan.head] = Some(Role::Head);
+        }
+        let Some(head) = known(&self.0, Role::Head) else { return false };
+        if known(&self.0, Role::Hips).is_none() && skeleton.ancestry(head).any(|node| node == plan.hips) {
+            self.0[plan.hips].get_or_insert(Role::Hips);
+        }
+        if known(&self.0, Role::Neck).is_none() && head == plan.head {
+            plan.neck.iter().for_each(|node| {
+                self.0[*node].get_or_insert(Role::Neck);
+            });
+        }
+        if nameless {
+            plan.trunk.iter().for_each(|node| self.0[*node] = Some(Role::Spine));
+        }
+        self.0 != before
+    }
+}
+
+/// True for joints, their ancestors, and for every node where the file has no skin.
+pub(crate) fn bones(skeleton: &Skeleton) -> Vec<bool> {
+    let nodes = skeleton.nodes();
+    let is_bone = |(at, node): (usize, &Node)| node.is_joint || (!skeleton.has_skin() && skeleton.is_in_file(at));
+    let mut bones: Vec<bool> = nodes.iter().enumerate().map(is_bone).collect();
+    for &index in skeleton.order().iter().rev() {
+        if let (true, Some(parent)) = (bones[index], nodes[index].parent) {
+            bones[parent] = true;
+        }
+    }
+    bones
+}
+
+fn vrm_role(node: &Node) -> Option<Role> {
+    Some(match node.vrm_bone.as_deref()? {
+        "leftEye" => Role::LeftEye,
+        "rightEye" => Role::RightEye,
+        "eyes" => Role::Eyes,
+        "head" => Role::Head,
+        "neck" => Role::Neck,
+        "spine" | "chest" | "upperChest" => Role::Spine,
+        "hips" => Role::Hips,
+        _ => return None,
+    })
+}
+
+/// An eye without a side is nobody's.
+fn by_name(name: &BoneName) -> Option<Role> {
+    Some(match name.body_part()? {
+        BodyPart::Eye(Some(Side::Left)) => Role::LeftEye,
+        BodyPart::Eye(Some(Side::Right)) => Role::RightEye,
+        BodyPart::Eye(None) => return None,
+        BodyPart::Head => Role::Head,
+        BodyPart::Neck => Role::Neck,
+        BodyPart::Spine => Role::Spine,
+        BodyPart::Hips => Role::Hips,
+    })
+}
+
+/// Rigify numbers one column from the pelvis to the head: `spine`, `spine.001` … `spine.006`.
+fn rigify(words: &[BoneName], bones: &[bool], roles: &mut [Option<Role>]) {
+    let any = |roles: &[Option<Role>], role| roles.contains(&Some(role));
+    let column = |w: &BoneName| w.words.iter().filter(|x| !matches!(x.as_str(), "def" | "org")).any(|x| x == "spine");
+    let numbered =
+        |n: u32| (0..words.len()).filter(move |i| bones[*i] && column(&words[*i]) && words[*i].number() == Some(n));
+    if any(roles, Role::Head) || any(roles, Role::Neck) || numbered(6).next().is_none() {
+        return;
+    }
+    for (number, role) in [(6, Role::Head), (5, Role::Neck), (4, Role::Neck)] {
+        numbered(number).for_each(|i| roles[i] = Some(role));
+    }
+    if !any(roles, Role::Hips) {
+        (0..words.len())
+            .filter(|i| bones[*i] && column(&words[*i]) && words[*i].number().is_none())
+            .for_each(|i| roles[i] = Some(Role::Hips));
+    }
+}
+
+/// Where some neck carries the head, those that do not (of a face's or a collar's bones) are none.
+fn keep_carrying(skeleton: &Skeleton, roles: &mut [Option<Role>]) {
+    let Some(head) = roles.iter().position(|role| *role == Some(Role::Head)) else { return };
+    let mut carries = vec![false; roles.len()];
+    skeleton.ancestry(head).for_each(|node| carries[node] = true);
+    let is_neck = |node: usize| roles[node] == Some(Role::Neck);
+    let necks: Vec<usize> = (0..roles.len()).filter(|node| is_neck(*node)).collect();
+    if necks.iter().any(|node| carries[*node]) {
+        necks.iter().filter(|node| !carries[**node]).for_each(|node| roles[*node] = None);
+    }
+}
+
+/// Of several claimants to a single role a joint wins, then a node named in fewer letters, then the first.
+fn keep_best(nodes: &[Node], roles: &mut [Option<Role>]) {
+    for role in [Role::LeftEye, Role::RightEye, Role::Head, Role::Hips] {
+        let claimants: Vec<usize> = (0..nodes.len()).filter(|i| roles[*i] == Some(role)).collect();
+        let rank = |i: &&usize| (nodes[**i].vrm_bone.is_none(), !nodes[**i].is_joint, nodes[**i].name.len(), **i);
+        let best = claimants.iter().min_by_key(rank).copied();
+        claimants.iter().filter(|i| Some(**i) != best).for_each(|i| roles[*i] = None);
+    }
+}

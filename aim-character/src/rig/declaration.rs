@@ -1,0 +1,243 @@
+//! A rig written down as its user would declare it: in TOML, or as a derive. Both say all that a [`RigSpec`] holds, and
+//! are read back as the same one: angles and numbers exactly, directions to nine decimals.
+
+use aim_codegen::{AngleRange, Budget, Budgets, Frame, JointSpec, LimitsFrom, NaturalSpec, RigSpec};
+
+use crate::rig::proposal::Proposal;
+
+/// A rig file. Its first line says what it is `about`; a joint's reason stands above it.
+pub fn toml(proposal: &Proposal, about: &str) -> String {
+    use Notation::Toml;
+    let written = Written::new(&proposal.spec, Toml);
+    let mut out = format!("# {}\nname = {}\n", one_line(about), quoted(&proposal.spec.name, Toml));
+    for key in written.rig_keys() {
+        out += &format!("{key}\n");
+    }
+    for (at, joint) in proposal.spec.joints.iter().enumerate() {
+        let why = proposal.reason(at).map_or(String::new(), |why| format!("# {}\n", one_line(why)));
+        out += &format!("\n{why}[[joint]]\nname = {}\n", quoted(&joint.name, Toml));
+        for key in written.joint_keys(joint) {
+            out += &format!("{key}\n");
+        }
+    }
+    out
+}
+
+/// A struct to paste. Its documentation says what it is `about`; a joint's reason stands above it.
+pub fn rust(proposal: &Proposal, about: &str) -> String {
+    let written = Written::new(&proposal.spec, Notation::Rust);
+    let mut out = format!("use aim::{{AimRig, Joint}};\n\n/// {}\n#[derive(AimRig)]\n", one_line(about));
+    match written.rig_keys().as_slice() {
+        [] => {}
+        [key] => out += &format!("#[aim({key})]\n"),
+        keys => out += &format!("#[aim(\n    {}\n)]\n", keys.join(",\n    ")),
+    }
+    out += &format!("pub struct {} {{\n", proposal.spec.name);
+    for (at, joint) in proposal.spec.joints.iter().enumerate() {
+        let why = proposal.reason(at).map_or(String::new(), |why| format!("    // {}\n", one_line(why)));
+        let keys = written.joint_keys(joint).join(",\n        ");
+        out += &format!("{why}    #[joint(\n        {keys}\n    )]\n    pub {}: Joint,\n", joint.name);
+    }
+    out + "}\n"
+}
+
+/// A Rust type's name from a file's: `female_adult-01` → `FemaleAdult01`; `Rig` where nothing is left of it.
+pub fn type_name(stem: &str) -> String {
+    let words = stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    let capital = |word: &str| word[..1].to_ascii_uppercase() + &word[1..];
+    let name: String = words.map(capital).collect();
+    match name.as_str() {
+        "" | "Self" | "Joint" | "AimRig" => "Rig".into(),
+        name if name.starts_with(|c: char| c.is_ascii_digit()) => format!("Rig{name}"),
+        name => name.into(),
+    }
+}
+
+/// What a declaration is written in.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Notation {
+    Toml,
+    Rust,
+}
+
+/// A rig that is being written.
+struct Written<'s> {
+    spec: &'s RigSpec,
+    /// 1 in a right-handed rig; −1 where all bones are mirrored.
+    hand: f64,
+    /// The axes that the rig declares for all joints which have them: the first that are signed and not mirrored.
+    shared: Option<&'s Frame>,
+    notation: Notation,
+}
+
+impl<'s> Written<'s> {
+    fn new(spec: &'s RigSpec, notation: Notation) -> Self {
+        let frames = || spec.joints.iter().map(|joint| &joint.frame);
+        let hand = if frames().all(|frame| frame.handedness() < 0.0) { -1.0 } else { 1.0 };
+        let is_signed = |frame: &Frame| frame.up.iter().chain(&frame.forward).all(|c| c.fract() == 0.0);
+        let shared = frames().find(|frame| frame.handedness() == hand && is_signed(frame));
+        Self { spec, hand, shared, notation }
+    }
+
+    fn rig_keys(&self) -> Vec<String> {
+        let mut keys = Vec::new();
+        match (self.hand < 0.0, self.notation) {
+            (true, _) => keys.push(format!("handedness = {}", self.word("left"))),
+            // What derives are by default goes without saying.
+            (false, Notation::Toml) => keys.push(format!("handedness = {}", self.word("right"))),
+            (false, Notation::Rust) => {}
+        }
+        keys.extend(self.shared.map(|frame| self.axes(frame)));
+        let effector = &self.spec.effector;
+        let own_forward = effector.frame.forward != self.spec.joints[0].frame.forward;
+        let forward = own_forward.then(|| format!("forward = {}", self.direction(effector.frame.forward)));
+        let origin = (effector.origin != [0.0; 3])
+            .then(|| format!("origin = {}", self.vector(effector.origin.map(|c| format!("{c:?}")))));
+        let parts: Vec<String> = forward.into_iter().chain(origin).collect();
+        keys.extend((!parts.is_empty()).then(|| self.table("effector", &parts)));
+        keys.extend(self.spec.natural.as_ref().map(|natural| self.natural(natural)));
+        keys.extend(self.spec.region.as_ref().map(|budgets| self.region(budgets)));
+        keys
+    }
+
+    fn region(&self, budgets: &Budgets) -> String {
+        if let Some((name, _)) = Budgets::NAMED.iter().find(|(_, named)| named == budgets) {
+            return format!("region = {}", self.word(name));
+        }
+        let budget = |name: &str, budget: &Budget| {
+            let [heading, pitch] =
+                [budget.heading, budget.pitch].map(|[lo, hi]| self.range(AngleRange::Between(lo, hi)));
+            let [rate, acceleration] = [budget.rate, budget.acceleration].map(|angle| self.angle(angle));
+            self.table(
+                name,
+                &[
+                    format!("heading = {heading}"),
+                    format!("pitch = {pitch}"),
+                    format!("rate = {rate}"),
+                    format!("acceleration = {acceleration}"),
+                ],
+            )
+        };
+        self.table("region", &[budget("head", &budgets.head), budget("chest", &budgets.chest)])
+    }
+
+    fn natural(&self, natural: &NaturalSpec) -> String {
+        let NaturalSpec { eyes_only, head_share, engage, release, delay } = natural;
+        let [eyes_only, engage, release] = [eyes_only, engage, release].map(|angle| self.angle(*angle));
+        self.table(
+            "natural",
+            &[
+                format!("eyes_only = {eyes_only}"),
+                format!("head_share = {head_share:?}"),
+                format!("engage = {engage}"),
+                format!("release = {release}"),
+                format!("delay = {delay:?}"),
+            ],
+        )
+    }
+
+    fn joint_keys(&self, joint: &JointSpec) -> Vec<String> {
+        let names: Vec<String> = joint.bones.iter().map(|bone| quoted(bone, self.notation)).collect();
+        let mut keys = vec![match names.as_slice() {
+            [name] => format!("bone = {name}"),
+            names => format!("bone = [{}]", names.join(", ")),
+        }];
+        keys.push(format!("role = {}", self.word(joint.role.as_str())));
+        keys.extend(joint.other_eye.as_deref().map(|node| format!("other_eye = {}", quoted(node, self.notation))));
+        keys.extend(joint.hold.as_deref().map(|names| {
+            let names: Vec<String> = names.iter().map(|name| quoted(name, self.notation)).collect();
+            format!("hold = [{}]", names.join(", "))
+        }));
+        keys.extend((self.shared != Some(&joint.frame)).then(|| self.axes(&joint.frame)));
+        keys.extend((joint.frame.handedness() != self.hand).then(|| "mirrored = true".to_owned()));
+        for (key, range) in [("heading", joint.heading), ("pitch", joint.pitch)] {
+            keys.extend(range.map(|range| format!("{key} = {}", self.range(range))));
+        }
+        keys.extend(
+            (joint.limits_from == LimitsFrom::BindPose).then(|| format!("limits_from = {}", self.word("bind_pose"))),
+        );
+        keys.extend(joint.pitch_taper.map(|taper| format!("pitch_taper = {taper:?}")));
+        keys.extend(joint.upright.map(|upright| format!("upright = {upright:?}")));
+        keys.push(format!("rate = {}", self.angle(joint.rate)));
+        keys.extend(joint.acceleration.map(|acceleration| format!("acceleration = {}", self.angle(acceleration))));
+        keys.push(format!("stiffness = {:?}", joint.stiffness));
+        keys
+    }
+
+    fn axes(&self, frame: &Frame) -> String {
+        let [up, forward, left] = [frame.up, frame.forward, frame.left].map(|axis| self.direction(axis));
+        self.table("axes", &[format!("up = {up}"), format!("forward = {forward}"), format!("left = {left}")])
+    }
+
+    fn range(&self, range: AngleRange) -> String {
+        match (range, self.notation) {
+            (AngleRange::Free, _) => self.word("free"),
+            (AngleRange::Between(lo, hi), Notation::Toml) => format!("[{}, {}]", self.angle(lo), self.angle(hi)),
+            (AngleRange::Between(lo, hi), Notation::Rust) => format!("{}..={}", self.angle(lo), self.angle(hi)),
+        }
+    }
+
+    /// Degrees as people write them, with no more decimals than it has; radians where no degrees are read as it.
+    fn angle(&self, radians: f64) -> String {
+        let degrees = radians.to_degrees();
+        let short = [0, 1, 3].into_iter().map(|decimals| format!("{degrees:.decimals$}"));
+        let exact = short
+            .chain([format!("{degrees}")])
+            .find(|text| text.parse::<f64>().is_ok_and(|degrees| degrees.to_radians() == radians));
+        match exact {
+            Some(text) if text == "-0" => self.word("0deg"),
+            Some(text) => self.word(&format!("{text}deg")),
+            None => self.word(&format!("{radians}rad")),
+        }
+    }
+
+    fn direction(&self, direction: [f64; 3]) -> String {
+        let axis = ["X", "Y", "Z"].into_iter().zip(direction).find(|(_, c)| c.abs() == 1.0);
+        match axis {
+            Some((name, c)) => self.word(&format!("{}{name}", if c < 0.0 { '-' } else { '+' })),
+            None => self.vector(direction.map(|c| format!("{c:.9}"))),
+        }
+    }
+
+    fn vector(&self, components: [String; 3]) -> String {
+        let components = components.join(", ");
+        match self.notation {
+            Notation::Toml => format!("[{components}]"),
+            Notation::Rust => format!("({components})"),
+        }
+    }
+
+    fn table(&self, key: &str, entries: &[String]) -> String {
+        let entries = entries.join(", ");
+        match self.notation {
+            Notation::Toml => format!("{key} = {{ {entries} }}"),
+            Notation::Rust => format!("{key}({entries})"),
+        }
+    }
+
+    /// What is a word of its own in Rust and a string in TOML.
+    fn word(&self, text: &str) -> String {
+        match self.notation {
+            Notation::Toml => quoted(text, self.notation),
+            Notation::Rust => text.into(),
+        }
+    }
+}
+
+/// A string of TOML, or of Rust, where a code point stands in braces.
+fn quoted(text: &str, notation: Notation) -> String {
+    let mut out = String::from('"');
+    for c in text.chars() {
+        match (c, notation) {
+            ('\\' | '"', _) => out.extend(['\\', c]),
+            (c, Notation::Toml) if c.is_control() => out += &format!("\\u{:04X}", u32::from(c)),
+            (c, Notation::Rust) if c.is_control() => out += &format!("\\u{{{:X}}}", u32::from(c)),
+            (c, _) => out.push(c),
+        }
+    }
+    out + "\""
+}
+
+fn one_line(text: &str) -> String {
+    text.replace(char::is_control, " ")
+}

@@ -1,0 +1,206 @@
+//! Whether a declaration and a file agree: each joint's declared axes against those measured in the bind pose.
+
+use aim_codegen::{Angles, Frame, JointSpec, RigSpec};
+use aim_gltf::{Document, Skeleton};
+use glam::DVec3;
+
+use crate::bake::chain::ChainNodes;
+use crate::bake::live::JointFrame;
+use crate::error::Error;
+use crate::measure::roles::Role;
+use crate::measure::{BoneAxes, Handedness, Measurement, SignedAxis};
+
+/// A declared direction this near to the measured one is right, degrees.
+pub const NEAR_DEG: f64 = 15.0;
+/// So is one that is hardly further off than the nearest signed axis is.
+const HARDLY_DEG: f64 = 5.0;
+/// An effector further from its joint than this share of the character's height is in other units.
+const FAR: f64 = 1.0;
+/// What the three directions of a frame are called.
+pub const NAMES: [&str; 3] = ["up", "forward", "left"];
+
+/// A joint and the bone it was found to be.
+#[derive(Clone, Debug)]
+pub struct JointFit<'a> {
+    /// The joint's name in the declaration.
+    pub joint: &'a str,
+    /// The bone as measured.
+    pub bone: &'a BoneAxes,
+    /// Up, forward and left as declared, in the bone's space.
+    pub declared: [DVec3; 3],
+    /// The same as measured.
+    pub measured: [DVec3; 3],
+    /// Which of them are wrong.
+    pub wrong: [bool; 3],
+}
+
+/// A declaration held against a file.
+#[derive(Clone, Debug)]
+pub struct Fit<'a> {
+    /// The joints whose bones were found, from the effector inward.
+    pub joints: Vec<JointFit<'a>>,
+    /// What does not fit, a sentence each.
+    pub problems: Vec<String>,
+}
+
+/// The ranges of heading and pitch in one frame, as added angles in radians: nothing where an angle is not declared,
+/// infinite where it is free. Whatever the animation does, 0 belongs to them.
+pub fn range_in_frame(joint: &JointSpec, at: &JointFrame) -> [[f64; 2]; 2] {
+    let range = joint.range_of_motion(at.led.map(|[heading, pitch]| Angles { heading, pitch }));
+    [range.heading.ends(), range.pitch_at(f64::from(at.heading)).ends()]
+}
+
+/// The nodes of a file that the joints of a rig are.
+///
+/// # Errors
+/// A declared bone that the file does not have, joints that are no chain in it, or held bones that do not hang on theirs.
+pub fn chain_nodes(spec: &RigSpec, skeleton: &Skeleton) -> Result<ChainNodes, Error> {
+    let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
+    let chain = ChainNodes::find(skeleton, bones, spec.joints[0].other_eye.as_deref())?;
+    if spec.joints.iter().all(|joint| joint.hold.is_none()) {
+        return Ok(chain);
+    }
+    let holds = spec.joints.iter().enumerate();
+    let holds = holds.flat_map(|(at, joint)| joint.hold.iter().flatten().map(move |name| (at, name.as_str())));
+    chain.with_holds(skeleton, holds)
+}
+
+/// Declares these bones of a file as [held](JointSpec::hold), and no others, each on the outermost joint that it hangs on.
+///
+/// # Errors
+/// A name that no node has, or several; a node that hangs on no joint; and those of [`chain_nodes`].
+pub fn hold(spec: &mut RigSpec, skeleton: &Skeleton, names: &[String]) -> Result<(), Error> {
+    spec.joints.iter_mut().for_each(|joint| joint.hold = Some(Vec::new()));
+    let chain = chain_nodes(spec, skeleton)?;
+    for name in names {
+        let node = skeleton.find(name)?;
+        let above: Vec<usize> = skeleton.ancestry(node).skip(1).collect();
+        // On no joint it is refused as one that does not hang on the innermost.
+        let last = spec.joints.len() - 1;
+        let joint = chain.joints.iter().position(|joint| above.contains(joint)).unwrap_or(last);
+        spec.joints[joint].hold.get_or_insert_default().push(name.clone());
+    }
+    chain_nodes(spec, skeleton).map(|_| ())
+}
+
+impl<'a> Fit<'a> {
+    /// Finds each declared joint's bone and compares.
+    pub fn new(spec: &'a RigSpec, document: &'a Document, measurement: &'a Measurement) -> Self {
+        let skeleton = document.skeleton();
+        let mut fit = Self { joints: Vec::new(), problems: Vec::new() };
+        for joint in &spec.joints {
+            let found = joint.bones.iter().map(|name| skeleton.find(name)).reduce(Result::or);
+            match found {
+                Some(Ok(node)) => match measurement.bone(node) {
+                    Some(bone) => fit.joints.push(JointFit::new(&joint.name, bone, &joint.frame)),
+                    None => fit.problems.push(format!("{}: {:?} is no bone", joint.name, skeleton.nodes()[node].name)),
+                },
+                Some(Err(error)) => fit.problems.push(format!("{}: {error}", joint.name)),
+                None => {}
+            }
+        }
+        for joint in &fit.joints {
+            fit.problems.extend(joint.problems(measurement));
+        }
+        if fit.joints.len() == spec.joints.len() {
+            if let Err(error) = chain_nodes(spec, skeleton) {
+                fit.problems.push(error.to_string());
+            }
+            fit.problems.extend(effector(spec, &fit.joints[0], measurement));
+        }
+        fit
+    }
+}
+
+impl<'a> JointFit<'a> {
+    fn new(joint: &'a str, bone: &'a BoneAxes, frame: &Frame) -> Self {
+        let declared = [frame.up, frame.forward, frame.left].map(DVec3::from_array);
+        let measured = [bone.frame.up, bone.frame.forward, bone.frame.left];
+        let mut fit = Self { joint, bone, declared, measured, wrong: [false; 3] };
+        let allowed = |at: usize| NEAR_DEG.max(bone.deviations_deg[at] + HARDLY_DEG);
+        fit.wrong = std::array::from_fn(|at| fit.off_deg(at) > allowed(at));
+        fit
+    }
+
+    /// Degrees between what is declared and what is measured.
+    pub fn off_deg(&self, at: usize) -> f64 {
+        degrees_between(self.declared[at], self.measured[at])
+    }
+
+    /// The signed axis of the bone that is nearest to the measured direction.
+    pub fn nearest(&self, at: usize) -> SignedAxis {
+        [self.bone.up, self.bone.forward, self.bone.left][at]
+    }
+
+    fn problems(&self, measurement: &Measurement) -> Vec<String> {
+        let mut out: Vec<String> =
+            (0..3).filter(|at| self.wrong[*at]).map(|at| self.sentence(at, measurement)).collect();
+        let is_mirrored = self.declared[0].cross(self.declared[1]).dot(self.declared[2]) < 0.0;
+        if is_mirrored != (self.bone.handedness == Handedness::Left) {
+            let (bone, declared) = if is_mirrored { ("not mirrored", "mirrored") } else { ("mirrored", "not") };
+            out.push(format!(
+                "{}: {:?} is {bone} in the file but declared {declared}; set mirrored = {}, or the rig's handedness",
+                self.joint, self.bone.name, !is_mirrored
+            ));
+        }
+        let other = match self.bone.role {
+            Some(Role::LeftEye) => "right",
+            Some(Role::RightEye) => "left",
+            _ => return out,
+        };
+        if self.joint.split('_').any(|word| word == other) {
+            out.push(format!("{}: {:?} is the eye on the other side", self.joint, self.bone.name));
+        }
+        out
+    }
+
+    /// As in `neck: declared forward +Z points down in the bind pose; measured forward is +Y (9° off)`.
+    fn sentence(&self, at: usize, measurement: &Measurement) -> String {
+        let name = NAMES[at];
+        format!(
+            "{}: declared {name} {} points {} in the bind pose; measured {name} is {} ({:.0}° off)",
+            self.joint,
+            crate::measure::evidence::direction(self.declared[at]),
+            points(self.bone.bind_world.transform_vector3(self.declared[at]), measurement),
+            self.nearest(at),
+            self.bone.deviations_deg[at]
+        )
+    }
+}
+
+fn effector(spec: &RigSpec, joint: &JointFit<'_>, measurement: &Measurement) -> Vec<String> {
+    let mut out = Vec::new();
+    let forward = DVec3::from_array(spec.effector.frame.forward);
+    let off = degrees_between(forward, joint.measured[1]);
+    if forward.distance(joint.declared[1]) > 1e-6 && off > NEAR_DEG.max(joint.bone.deviations_deg[1] + HARDLY_DEG) {
+        out.push(format!(
+            "effector: forward {} points {} in the bind pose; the character's forward is {} there ({:.0}° off)",
+            crate::measure::evidence::direction(forward),
+            points(joint.bone.bind_world.transform_vector3(forward), measurement),
+            joint.nearest(1),
+            joint.bone.deviations_deg[1]
+        ));
+    }
+    let away = joint.bone.bind_world.transform_vector3(DVec3::from_array(spec.effector.origin)).length();
+    if measurement.height > 0.0 && away > FAR * measurement.height {
+        out.push(format!(
+            "effector: its origin is {:.1} heights of the character away from {:?}; give it in that bone's own units",
+            away / measurement.height,
+            joint.bone.name
+        ));
+    }
+    out
+}
+
+/// Where a direction of the world points for the character.
+fn points(direction: DVec3, measurement: &Measurement) -> &'static str {
+    let Measurement { up, forward, left, .. } = measurement;
+    let ways =
+        [("up", *up), ("down", -*up), ("forward", *forward), ("back", -*forward), ("left", *left), ("right", -*left)];
+    let nearest = ways.into_iter().max_by(|a, b| a.1.dot(direction).total_cmp(&b.1.dot(direction)));
+    nearest.map_or("nowhere", |(name, _)| name)
+}
+
+fn degrees_between(a: DVec3, b: DVec3) -> f64 {
+    a.cross(b).length().atan2(a.dot(b)).to_degrees()
+}

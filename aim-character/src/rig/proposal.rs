@@ -1,0 +1,385 @@
+//! A rig proposed for a file: the chain from the effector to the root, each bone's measured axes, and what a joint of
+//! its part does in people. `aim rig` writes it down, `aim bake` without a rig aims with it.
+
+use aim_codegen::{AngleRange, Budgets, EffectorSpec, Frame, JointSpec, LimitsFrom, RigSpec};
+use aim_gltf::{Document, LookAt, LookAtKind, RangeMap};
+use aim_model::{BoneName, Role as Declared};
+
+use crate::bake::chain::ChainNodes;
+use crate::bake::eye_maps::range_maps;
+use crate::error::Error;
+use crate::measure::clues::Clue;
+use crate::measure::limbs::limbs_on_each;
+use crate::measure::roles::Role;
+use crate::measure::{BoneAxes, Measurement, SignedAxis};
+use crate::rig::parts::{Region, of_budget, parts};
+
+/// Up to this deviation, degrees, a bone's nearest signed axes are its axes; beyond, its exact frame is.
+const CARDINAL_DEG: f64 = 3.0;
+/// Joints that a machine's chain has at most.
+const MACHINE_JOINTS: usize = 4;
+/// A proposed rig with a word on each joint.
+#[derive(Clone, Debug)]
+pub struct Proposal {
+    /// The rig: its chain from the effector inward, with measured axes and habitual ranges and rates.
+    pub spec: RigSpec,
+    /// Why each joint is as it is, one line a joint; empty where there is nothing to say.
+    pub reasons: Vec<String>,
+}
+
+impl Proposal {
+    /// Why a joint is as it is, where there is something to say.
+    pub(crate) fn reason(&self, joint: usize) -> Option<&str> {
+        self.reasons.get(joint).map(String::as_str).filter(|why| !why.is_empty())
+    }
+}
+
+/// What a joint of some part does, degrees and degrees a second.
+#[derive(Clone, Copy)]
+struct Habit {
+    heading: Option<[f64; 2]>,
+    pitch: Option<[f64; 2]>,
+    rate: f64,
+    stiffness: f64,
+    why: &'static str,
+}
+
+/// Without end.
+const FREE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+const EYE: Habit = Habit {
+    heading: Some([-35.0, 35.0]),
+    pitch: Some([-25.0, 20.0]),
+    rate: 450.0,
+    stiffness: 0.5,
+    why: "eyes can turn by about 50 degrees but seldom pass 35; saccades peak at 400 to 700 deg/s",
+};
+const HIPS: Habit = Habit {
+    heading: Some([-20.0, 20.0]),
+    pitch: Some([-10.0, 10.0]),
+    rate: 70.0,
+    stiffness: 4.0,
+    why: "hips carry the legs: what turns them moves the feet",
+};
+const BASE: Habit = Habit {
+    heading: Some(FREE),
+    pitch: None,
+    rate: 120.0,
+    stiffness: 1.0,
+    why: "its name says that it turns about the upright axis",
+};
+const BARREL: Habit = Habit {
+    heading: None,
+    pitch: Some([-10.0, 80.0]),
+    rate: 90.0,
+    stiffness: 1.0,
+    why: "its name says that it is raised and lowered",
+};
+const HINGE: Habit = Habit {
+    heading: Some([-45.0, 45.0]),
+    pitch: Some([-45.0, 45.0]),
+    rate: 90.0,
+    stiffness: 2.0,
+    why: "nothing tells what it can do: give its own ranges and rate",
+};
+const TURNING: [&str; 6] = ["base", "yaw", "pan", "swivel", "turret", "turntable"];
+const RAISING: [&str; 7] = ["pitch", "tilt", "elevation", "barrel", "gun", "cannon", "muzzle"];
+
+/// The rig of these nodes (from the effector inward), or of the chain that the file's roles and names tell.
+///
+/// # Errors
+/// A file without an eye, a head, a neck or anything that points; named nodes that are no chain; bones whose names are
+/// not unique.
+pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[String]>) -> Result<Proposal, Error> {
+    let skeleton = document.skeleton();
+    let nodes = match named {
+        Some(names) => {
+            let bones: Vec<Vec<String>> = names.iter().map(|name| vec![name.clone()]).collect();
+            ChainNodes::find(skeleton, bones.iter().map(Vec::as_slice), None)?.joints
+        }
+        None => chain(document, measurement).ok_or(Error::NoChain)?,
+    };
+    let listed = |&node: &usize| {
+        measurement.bone(node).ok_or_else(|| Error::NoBone { node: skeleton.nodes()[node].name.clone() })
+    };
+    let bones: Vec<&BoneAxes> = nodes.iter().map(listed).collect::<Result<_, _>>()?;
+    let roles: Vec<Declared> = bones.iter().map(|bone| role(bone)).collect();
+    let budgets = if measurement.goes_on_all_fours() { Budgets::QUADRUPED } else { Budgets::HUMAN };
+    let has_region = roles.iter().any(|role| Region::of(*role).is_some());
+    let mut proposal = Proposal {
+        spec: RigSpec {
+            name: "Measured".into(),
+            joints: Vec::new(),
+            effector: effector(bones[0]),
+            natural: None,
+            region: has_region.then_some(budgets),
+            kernels: Vec::new(),
+        },
+        reasons: Vec::new(),
+    };
+    let of_neck = bones.iter().filter(|bone| matches!(bone.role, Some(Role::Head | Role::Neck)));
+    let limbs = limbs_on_each(skeleton, measurement, of_neck.map(|bone| bone.node));
+    // Only names that mean one node can be declared. Without any the arms are found where they are held.
+    let is_clear = |limb: &usize| skeleton.find(&skeleton.nodes()[*limb].name).is_ok();
+    let is_declared = limbs.iter().flat_map(|(_, limbs)| limbs).all(is_clear);
+    for (at, (bone, part)) in bones.iter().zip(parts(&roles, &bones)).enumerate() {
+        // Only names that mean one node can be declared.
+        skeleton.find(&bone.name)?;
+        let (habit, mut why) = match Region::of(roles[at]) {
+            Some(region) => of_region(region, part, &budgets),
+            None => {
+                let habit = habit(bone);
+                (*habit, habit.why.to_owned())
+            }
+        };
+        let mut joint = joint(field_name(bone, &bones, at), roles[at], &habit, bone);
+        if at == 0 {
+            joint.other_eye = other_eye(measurement, bone).map(|eye| eye.name.clone());
+            if let Some(ranges) = range_maps(document, bone).and_then(mapped_range) {
+                [joint.heading, joint.pitch] = ranges.map(|range| range.map(between));
+                why = "the angle to the target, as far as eyes turn; ".to_owned()
+                    + if skeleton.is_in_file(bone.node) {
+                        "`aim bake` turns the bone by the range maps of the file's lookAt from there"
+                    } else {
+                        "no node of the file: a place amid what its morph targets move, whose weights `aim bake` writes"
+                    };
+            }
+            if let Some(rest) = eyes_rest(document, measurement).filter(|_| named.is_none()) {
+                why += "; ";
+                why += rest;
+            }
+        }
+        if let Some((_, limbs)) = limbs.iter().find(|(node, _)| *node == bone.node) {
+            let names: Vec<String> = limbs.iter().map(|&limb| skeleton.nodes()[limb].name.clone()).collect();
+            why += &format!("; {} hang on it", names.join(", "));
+            if is_declared {
+                why += " and are held on the trunk";
+                joint.hold = Some(names);
+            } else {
+                why += ", which `hold` cannot say, as names repeat; `aim bake` finds them and holds them on the trunk";
+            }
+        }
+        if bone.deviation_deg > CARDINAL_DEG {
+            why += &format!(
+                "; {} {} {} are {:.0} degrees off, hence the exact frame",
+                bone.up, bone.forward, bone.left, bone.deviation_deg
+            );
+        }
+        proposal.spec.joints.push(joint);
+        proposal.reasons.push(why);
+    }
+    Ok(proposal)
+}
+
+/// From the outermost bone to the root: an eye, the head, all of the neck, and all of the trunk above the hips that carries no
+/// legs.
+fn chain(document: &Document, measurement: &Measurement) -> Option<Vec<usize>> {
+    let skeleton = document.skeleton();
+    let outward = [Role::Eyes, Role::LeftEye, Role::RightEye, Role::Head, Role::Neck];
+    let skipped = if eyes_rest(document, measurement).is_some() { 3 } else { 0 };
+    let Some(outermost) = outward.into_iter().skip(skipped).find_map(|role| measurement.with_role(role)) else {
+        return machine(document, measurement);
+    };
+    let inward = skeleton.ancestry(outermost.node).skip(1).filter_map(|node| measurement.bone(node));
+    let turns = |bone: &&BoneAxes| match bone.role {
+        Some(Role::Head | Role::Neck) => true,
+        Some(Role::Spine) => !bone.carries_legs,
+        _ => false,
+    };
+    let mut chain = vec![outermost.node];
+    chain.extend(inward.filter(turns).map(|bone| bone.node));
+    let moves = skeleton.nodes().len() > 1;
+    // A head alone on what nobody named: a lamp, a camera on its stand.
+    if chain.len() == 1 && moves { Some(inward_of(document, measurement, chain[0])) } else { Some(chain) }
+}
+
+/// What points by its shape, and what it stands on.
+fn machine(document: &Document, measurement: &Measurement) -> Option<Vec<usize>> {
+    let pointer = measurement.evidence.iter().find_map(|said| match said.clue {
+        Clue::Reach { node } => Some(node),
+        _ => None,
+    })?;
+    Some(inward_of(document, measurement, pointer))
+}
+
+fn inward_of(document: &Document, measurement: &Measurement, node: usize) -> Vec<usize> {
+    let inward = document.skeleton().ancestry(node).filter(|at| measurement.bone(*at).is_some());
+    let mut chain: Vec<usize> = inward.take(MACHINE_JOINTS).collect();
+    // What is turned without end carries the rest: nothing inward of it is needed.
+    let turns = |at: &usize| measurement.bone(*at).is_some_and(|bone| says(bone, &TURNING));
+    if let Some(last) = chain.iter().position(turns) {
+        chain.truncate(last + 1);
+    }
+    chain
+}
+
+fn says(bone: &BoneAxes, words: &[&str]) -> bool {
+    let name = bone.name.to_lowercase();
+    name.split(|c: char| !c.is_alphabetic()).any(|word| words.contains(&word))
+}
+
+/// The habit of a joint that belongs to no region.
+fn habit(bone: &BoneAxes) -> &'static Habit {
+    match bone.role {
+        Some(Role::LeftEye | Role::RightEye | Role::Eyes) => &EYE,
+        Some(Role::Hips) => &HIPS,
+        _ if says(bone, &TURNING) => &BASE,
+        _ if says(bone, &RAISING) => &BARREL,
+        _ => &HINGE,
+    }
+}
+
+/// The habit of a joint that makes `part` of its region's turn, and its reason.
+fn of_region(region: Region, part: f64, budgets: &Budgets) -> (Habit, String) {
+    let whole = match region {
+        Region::Head => &budgets.head,
+        Region::Chest => &budgets.chest,
+    };
+    let own = of_budget(whole, part);
+    let degrees = |ends: [f64; 2]| Some(ends.map(f64::to_degrees));
+    let habit = Habit {
+        heading: degrees(own.heading),
+        pitch: degrees(own.pitch),
+        rate: own.rate.to_degrees(),
+        stiffness: (region.stiffness() / part * 1e2).round() / 1e2,
+        why: "",
+    };
+    let [percent, heading, down, up] =
+        [part * 100.0, whole.heading[1].to_degrees(), whole.pitch[0].to_degrees(), whole.pitch[1].to_degrees()];
+    let part = if part < 1.0 {
+        format!("{percent:.0} % of the turn of {}", region.name())
+    } else {
+        "all of the turn of".to_owned() + " " + region.name()
+    };
+    (
+        habit,
+        format!(
+            "{part}, which the rig's region bounds to {heading:.0} degrees to either side, {:.0} down and {up:.0} up",
+            -down
+        ),
+    )
+}
+
+/// The other eye.
+fn other_eye<'m>(measurement: &'m Measurement, eye: &BoneAxes) -> Option<&'m BoneAxes> {
+    let other = match eye.role? {
+        Role::LeftEye => Role::RightEye,
+        Role::RightEye => Role::LeftEye,
+        _ => return None,
+    };
+    measurement.with_role(other)
+}
+
+/// Why a file's eyes, if it has any, do not look; `None` where they do.
+fn eyes_rest(document: &Document, measurement: &Measurement) -> Option<&'static str> {
+    let has = |role| measurement.with_role(role).is_some();
+    let Some(look) = LookAt::of(document) else {
+        return (![Role::LeftEye, Role::RightEye].into_iter().any(has) && names_eye_morphs(document)).then_some(
+            "the file names morph targets that its eyes look by, but its meshes have none, so that the head leads",
+        );
+    };
+    let is_still = || !look.left_eye().iter().any(RangeMap::moves);
+    match look.kind {
+        LookAtKind::Expression if !has(Role::Eyes) => {
+            Some("the file's eyes look by expressions that move no morph targets, so that the head leads")
+        }
+        LookAtKind::Bone if is_still() => Some("the file's lookAt keeps the eyes still, so that the head leads"),
+        _ => None,
+    }
+}
+
+/// True if a mesh names morph targets that turn eyes, as `ARKit` does: `eyeLookInLeft` and the like.
+fn names_eye_morphs(document: &Document) -> bool {
+    let meshes = document.json().get("meshes").and_then(|meshes| meshes.as_array()).into_iter().flatten();
+    let names = meshes.filter_map(|mesh| mesh.get("extras")?.get("targetNames")?.as_array()).flatten();
+    names.filter_map(|name| name.as_str()).any(|name| name.starts_with("eyeLook"))
+}
+
+/// An eye's heading and pitch in degrees by its maps (to the right, to the left, down, up): as far as a human's eye turns, or as
+/// the maps' inputs go where that is less. An axis that they hold still is none.
+fn mapped_range([right, left, down, up]: [RangeMap; 4]) -> Option<[Option<[f64; 2]>; 2]> {
+    let end = |map: RangeMap, habit: f64| {
+        // A map without input turns the eye at once, whatever the angle.
+        let input = if map.input_max_value >= 1.0 { map.input_max_value } else { habit.abs() };
+        if map.moves() { input.min(habit.abs()).copysign(habit) } else { 0.0 }
+    };
+    let range = |[low, high]: [RangeMap; 2], habit: Option<[f64; 2]>| {
+        let [lo, hi] = habit?;
+        Some([end(low, lo), end(high, hi)]).filter(|[lo, hi]| lo < hi)
+    };
+    let ranges = [range([right, left], EYE.heading), range([down, up], EYE.pitch)];
+    ranges.iter().any(Option::is_some).then_some(ranges)
+}
+
+fn effector(bone: &BoneAxes) -> EffectorSpec {
+    EffectorSpec { frame: frame(bone), origin: [0.0; 3] }
+}
+
+/// The signed axes where they are right, else the exact directions.
+fn frame(bone: &BoneAxes) -> Frame {
+    let exact = [bone.frame.up, bone.frame.forward, bone.frame.left];
+    let axes = [bone.up, bone.forward, bone.left].map(SignedAxis::vector);
+    let [up, forward, left] = if bone.deviation_deg > CARDINAL_DEG { exact } else { axes };
+    Frame { up: up.to_array(), forward: forward.to_array(), left: left.to_array() }
+}
+
+fn between([lo, hi]: [f64; 2]) -> AngleRange {
+    AngleRange::Between(rounded_rad(lo), rounded_rad(hi))
+}
+
+/// A share of a habit, or a file's single precision, in radians: thousandths of a degree are enough, and read well.
+fn rounded_rad(degrees: f64) -> f64 {
+    ((degrees * 1e3).round() / 1e3).to_radians()
+}
+
+/// The role of the joint that a bone becomes: as measured, else as its name tells.
+fn role(bone: &BoneAxes) -> Declared {
+    match bone.role {
+        Some(Role::LeftEye | Role::RightEye | Role::Eyes) => Declared::Eye,
+        Some(Role::Head) => Declared::Head,
+        Some(Role::Neck) => Declared::Neck,
+        Some(Role::Spine) => Declared::Chest,
+        Some(Role::Hips) => Declared::None,
+        _ => BoneName::new(&bone.name).role().unwrap_or_default(),
+    }
+}
+
+fn joint(name: String, role: Declared, habit: &Habit, bone: &BoneAxes) -> JointSpec {
+    let range = |range: [f64; 2]| if range == FREE { AngleRange::Free } else { between(range) };
+    JointSpec {
+        name,
+        role,
+        bones: vec![bone.name.clone()],
+        frame: frame(bone),
+        pitch: habit.pitch.map(range),
+        heading: habit.heading.map(range),
+        // What a body can do counts from how it is built, whatever the clip does already.
+        limits_from: if role == Declared::None { LimitsFrom::Animation } else { LimitsFrom::BindPose },
+        rate: rounded_rad(habit.rate),
+        acceleration: None,
+        stiffness: habit.stiffness,
+        upright: None,
+        pitch_taper: None,
+        other_eye: None,
+        hold: None,
+    }
+}
+
+/// A field's name: the role's, numbered where several joints have it, or what the bone's own name leaves.
+fn field_name(bone: &BoneAxes, bones: &[&BoneAxes], at: usize) -> String {
+    let Some(role) = bone.role else { return plain_name(&bone.name, at) };
+    let alike: Vec<usize> = (0..bones.len()).filter(|other| bones[*other].role == Some(role)).collect();
+    match alike.iter().position(|other| *other == at) {
+        // Numbered from the trunk outward, as bones are.
+        Some(place) if alike.len() > 1 => format!("{role}{}", alike.len() - place),
+        _ => role.to_string(),
+    }
+}
+
+fn plain_name(bone: &str, at: usize) -> String {
+    let words = bone.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    let words: Vec<String> = words.map(str::to_lowercase).collect();
+    let name = words.join("_");
+    // Numbered, it is no keyword of any language, and no other joint's name.
+    if name.starts_with(|c: char| c.is_ascii_alphabetic()) { format!("{name}_{at}") } else { format!("joint_{at}") }
+}
