@@ -16,6 +16,7 @@ mod kernels;
 mod lanes;
 mod mannequin;
 mod natural_gaze;
+mod random;
 mod same_code;
 mod settling;
 mod wgsl;

@@ -1,0 +1,163 @@
+//! The functions that are written: an expression or a statement of Rust each.
+
+use std::fmt::{self, Display, Formatter};
+
+/// What an expression is: a number, a vector, a matrix.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Kind {
+    Number,
+    Vector,
+    Matrix,
+}
+
+pub(super) const KINDS: [Kind; 3] = [Kind::Number, Kind::Vector, Kind::Matrix];
+
+impl Kind {
+    /// What its variables are called before their numbers.
+    fn letter(self) -> char {
+        ['n', 'v', 'm'][self as usize]
+    }
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Expression {
+    Constant(f64),
+    Variable(Kind, usize),
+    /// The counter of the loop of this number around it, or the element that it has come to.
+    Counter(usize),
+    Item(usize),
+    Element(usize),
+    Sum(Box<[Self; 2]>),
+    Difference(Box<[Self; 2]>),
+    Negative(Box<Self>),
+    /// What glam writes as `a * b`: of numbers, of a number and a vector or a matrix, of matrices, of a matrix and a vector.
+    Product(Box<[Self; 2]>),
+    /// a / (b² + 1)
+    Ratio(Box<[Self; 2]>),
+    Sine(Box<Self>),
+    /// √(a² + 1)
+    Root(Box<Self>),
+    Dot(Box<[Self; 2]>),
+    Cross(Box<[Self; 2]>),
+    Component(Box<Self>, usize),
+    Column(Box<Self>, usize),
+    Vector(Box<[Self; 3]>),
+    Columns(Box<[Self; 3]>),
+    Transpose(Box<Self>),
+    Determinant(Box<Self>),
+    /// A vector turned by the rotation.
+    Turned(Box<Self>),
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Statement {
+    Let(Kind, Expression),
+    Set(Kind, usize, Expression),
+    Increase(Kind, usize, Expression),
+    /// `for i in 0..count`, `for i in (0..count).rev()`, or `while`, with its own number.
+    Count {
+        count: u8,
+        way: u8,
+        number: usize,
+        body: Vec<Self>,
+    },
+    /// Over the elements of the array.
+    Each {
+        number: usize,
+        body: Vec<Self>,
+    },
+    If {
+        less: [Expression; 2],
+        then: Vec<Self>,
+        otherwise: Vec<Self>,
+    },
+}
+
+impl Display for Expression {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Constant(value) => write!(f, "({value:?}_f64)"),
+            Self::Variable(kind, number) => write!(f, "{}{number}", kind.letter()),
+            Self::Counter(number) => write!(f, "(i{number} as f64)"),
+            Self::Item(number) => write!(f, "e{number}"),
+            Self::Element(index) => write!(f, "table[{index}]"),
+            Self::Sum(of) => write!(f, "({} + {})", of[0], of[1]),
+            Self::Difference(of) => write!(f, "({} - {})", of[0], of[1]),
+            Self::Negative(of) => write!(f, "(-{of})"),
+            Self::Product(of) => write!(f, "({} * {})", of[0], of[1]),
+            Self::Ratio(of) => write!(f, "({} / ({} * {} + 1.0))", of[0], of[1], of[1]),
+            Self::Sine(of) => write!(f, "{of}.sin()"),
+            Self::Root(of) => write!(f, "({of} * {of} + 1.0).sqrt()"),
+            Self::Dot(of) => write!(f, "{}.dot({})", of[0], of[1]),
+            Self::Cross(of) => write!(f, "{}.cross({})", of[0], of[1]),
+            Self::Component(of, axis) => write!(f, "{of}.{}", ["x", "y", "z"][*axis]),
+            Self::Column(of, axis) => write!(f, "{of}.{}_axis", ["x", "y", "z"][*axis]),
+            Self::Vector(of) => write!(f, "DVec3::new({}, {}, {})", of[0], of[1], of[2]),
+            Self::Columns(of) => write!(f, "DMat3::from_cols({}, {}, {})", of[0], of[1], of[2]),
+            Self::Transpose(of) => write!(f, "{of}.transpose()"),
+            Self::Determinant(of) => write!(f, "{of}.determinant()"),
+            Self::Turned(of) => write!(f, "(turn * {of})"),
+        }
+    }
+}
+
+/// A function with its result.
+#[derive(Clone, Debug)]
+pub(super) struct Written {
+    pub(super) body: Vec<Statement>,
+    pub(super) result: Expression,
+}
+
+impl Display for Written {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(
+            "#[differentiate(wrt(n0, v0, tangent(turn)))]\npub fn f(mut n0: f64, mut n1: f64, mut v0: DVec3, ",
+        )?;
+        f.write_str("mut v1: DVec3, mut m0: DMat3, turn: DQuat, table: [f64; 3]) -> f64 {\n")?;
+        let mut known = [2, 2, 1];
+        for statement in &self.body {
+            write_statement(f, statement, &mut known)?;
+        }
+        write!(f, "{}\n}}\n", self.result)
+    }
+}
+
+fn write_statement(f: &mut Formatter<'_>, statement: &Statement, known: &mut [usize; 3]) -> fmt::Result {
+    let block = |f: &mut Formatter<'_>, body: &[Statement], known: &[usize; 3]| {
+        let mut known = *known;
+        body.iter().try_for_each(|statement| write_statement(f, statement, &mut known))
+    };
+    match statement {
+        Statement::Let(kind, to) => {
+            writeln!(f, "let mut {}{} = {to};", kind.letter(), known[*kind as usize])?;
+            known[*kind as usize] += 1;
+        }
+        Statement::Set(kind, number, to) => writeln!(f, "{}{number} = {to};", kind.letter())?,
+        Statement::Increase(kind, number, by) => writeln!(f, "{}{number} += {by};", kind.letter())?,
+        Statement::Count { count, way, number, body } => {
+            match way {
+                0 => writeln!(f, "for i{number} in 0..{count} {{")?,
+                1 => writeln!(f, "for i{number} in (0..{count}).rev() {{")?,
+                _ => writeln!(f, "let mut i{number} = 0;\nwhile i{number} < {count} {{")?,
+            }
+            block(f, body, known)?;
+            if *way > 1 {
+                writeln!(f, "i{number} += 1;")?;
+            }
+            f.write_str("}\n")?;
+        }
+        Statement::Each { number, body } => {
+            writeln!(f, "for e{number} in table {{")?;
+            block(f, body, known)?;
+            f.write_str("}\n")?;
+        }
+        Statement::If { less: [a, b], then, otherwise } => {
+            writeln!(f, "if {a} < {b} {{")?;
+            block(f, then, known)?;
+            f.write_str("} else {\n")?;
+            block(f, otherwise, known)?;
+            f.write_str("}\n")?;
+        }
+    }
+    Ok(())
+}
