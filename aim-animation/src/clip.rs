@@ -85,6 +85,13 @@ impl Clip {
         Self { name: name.into(), ..Self::default() }
     }
 
+    /// Under another name.
+    #[must_use]
+    pub fn with_name(mut self, name: impl Into<String>) -> Self {
+        self.name = name.into();
+        self
+    }
+
     /// With a length of at least this, seconds; without, it is the time of the last key or event. NaN and infinity are ignored.
     #[must_use]
     pub fn with_length(mut self, length_s: f32) -> Self {
@@ -122,8 +129,10 @@ impl Clip {
     #[must_use]
     pub fn with_scalar(mut self, index: usize, track: Track<f32>) -> Self {
         self.length_s = self.length_s.max(track.end_s());
-        self.scalars.retain(|(other, _)| *other != index);
-        self.scalars.push((index, track));
+        match self.scalars.binary_search_by_key(&index, |(other, _)| *other) {
+            Ok(place) => self.scalars[place].1 = track,
+            Err(place) => self.scalars.insert(place, (index, track)),
+        }
         self
     }
 
@@ -165,7 +174,7 @@ impl Clip {
         self.tracks.binary_search_by_key(&bone, |tracks| tracks.bone).ok().map(|at| &self.tracks[at])
     }
 
-    /// The tracks of scalars, each with its number.
+    /// The tracks of scalars in the order of their numbers.
     #[must_use]
     pub fn scalars(&self) -> &[(usize, Track<f32>)] {
         &self.scalars
@@ -255,6 +264,38 @@ impl Clip {
             rotation: &|track| track.resampled(rate_hz, length),
             scalar: &|track| track.resampled(rate_hz, length),
         })
+    }
+
+    /// The clip made `length_s` long: repeated where that is more than its own length, with its events, and cut where it is less.
+    /// Keys keep their values. Where the last pose differs from the first the seam jumps, as a player's loop does.
+    ///
+    /// A clip without length stays as it is, and so does one that is asked for a length that is not positive and finite. Repeats
+    /// end early where they would not fit into memory: after 65 535 rounds or 2²³ keys.
+    #[must_use]
+    pub fn repeated(&self, length_s: f32) -> Self {
+        let period = self.length_s;
+        if !(length_s > 0.0 && length_s.is_finite() && period > 0.0) || length_s == period {
+            return self.clone();
+        }
+        let keys = |tracks: &BoneTracks| {
+            let vectors = [&tracks.translation, &tracks.scale].into_iter().flatten().map(|track| track.times().len());
+            vectors.chain(tracks.rotation.as_ref().map(|track| track.times().len())).map(|keys| keys + 2).sum::<usize>()
+        };
+        let scalars = self.scalars.iter().map(|(_, track)| track.times().len() + 2);
+        let round: usize = self.tracks.iter().map(keys).chain(scalars).sum();
+        let rounds = u16::try_from((1 << 23) / round.max(1)).unwrap_or(u16::MAX).max(1);
+        let end = length_s.min(period * f32::from(rounds));
+        let mut repeated = self.edited(Edit {
+            vector: &|track| track.repeated(period, end),
+            rotation: &|track| track.repeated(period, end),
+            scalar: &|track| track.repeated(period, end),
+        });
+        let starts = (0..rounds).map(|round| f32::from(round) * period).take_while(|start| *start < end);
+        let events =
+            |start: f32| self.events.iter().map(move |event| Event { time_s: start + event.time_s, ..event.clone() });
+        repeated.events = starts.flat_map(events).filter(|event| event.time_s <= end).collect();
+        repeated.length_s = end;
+        repeated
     }
 
     /// The piece between two times, which then begins at 0, with the events in it; times are clamped to the clip's.

@@ -186,7 +186,7 @@ impl BakeReport {
         Self {
             rig: spec.name.clone(),
             solver,
-            clip: baked.clip.name.clone(),
+            clip: baked.clip.name().to_owned(),
             fps,
             weight,
             over: over.to_owned(),

@@ -1,7 +1,8 @@
 //! The report of `aim reach`: targets, trajectory and frames, and a summary in words.
 
+use aim_animation::Clip;
 use aim_character::{Arrival, ReachPlan, Reached};
-use aim_gltf::{Clip, Document};
+use aim_gltf::Document;
 use aim_runtime::ik::TwoBoneStatus;
 use aim_runtime::trajectory::Status;
 use glam::DVec3;
@@ -105,7 +106,7 @@ impl ReachReport {
         });
         let frames: Vec<_> = frames.collect();
         Self {
-            clip: reached.clip.name.clone(),
+            clip: reached.clip.name().to_owned(),
             bone: bone.to_owned(),
             limb: [limb.upper, limb.lower, limb.tip].map(|node| skeleton.nodes()[node].name.clone()),
             fps: plan.fps,

@@ -62,6 +62,11 @@ impl<'a> Data<'a> {
         Self { raw, buffers, budget }
     }
 
+    /// The number of a mesh's morph targets.
+    pub(crate) fn target_count(&self, mesh: usize) -> usize {
+        self.raw.meshes[mesh].primitives.first().and_then(|first| first.targets.as_array()).map_or(0, Vec::len)
+    }
+
     /// The bytes of a buffer view.
     fn view(&self, index: usize, place: &str) -> Result<(&'a [u8], &'a BufferView), Error> {
         let view = self.raw.views.get(index);

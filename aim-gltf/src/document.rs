@@ -1,13 +1,15 @@
 //! A loaded file: its JSON and binary chunk untouched, what is understood of it checked and typed.
 
 use core::fmt;
+use core::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
+use aim_animation::Clip;
 use serde_json::Value;
 
 use crate::accessor::Data;
-use crate::clip::Clip;
+use crate::clip::{MorphScalars, read_clips};
 use crate::container;
 use crate::error::Error;
 use crate::humanoid::vrm_bones;
@@ -45,6 +47,7 @@ pub struct Document {
     pub(crate) folder: Option<PathBuf>,
     skeleton: Skeleton,
     clips: Vec<Clip>,
+    pub(crate) morph_scalars: MorphScalars,
     points: Vec<SkinnedPoint>,
 }
 
@@ -92,13 +95,14 @@ impl Document {
         let data = Data::new(&raw, &slices);
         let mut skeleton = Skeleton::read(&data, vrm_bones(&extensions))?;
         morph_eyes::add(&mut skeleton, &data, &extensions);
-        let clips = Clip::read_all(&data)?;
+        let (clips, morph_scalars) = read_clips(&data)?;
         let points = skin::read_points(&data)?;
         Ok(Self {
             chunk,
             folder: folder.map(Path::to_path_buf),
             skeleton,
             clips,
+            morph_scalars,
             points,
             buffers,
             text,
@@ -112,10 +116,17 @@ impl Document {
         &self.skeleton
     }
 
-    /// The animation clips, in the file's order.
+    /// The animation clips, in the file's order. Their bones are nodes, their scalars [the weights of morph
+    /// targets](Self::morph_scalars).
     #[must_use]
     pub fn clips(&self) -> &[Clip] {
         &self.clips
+    }
+
+    /// The numbers of the scalars that are the weights of a node's morph targets; empty of a node without any.
+    #[must_use]
+    pub fn morph_scalars(&self, node: usize) -> Range<usize> {
+        self.morph_scalars.get(&node).cloned().unwrap_or_default()
     }
 
     /// The clip of that name; the first one, if several share it.
@@ -123,9 +134,9 @@ impl Document {
     /// # Errors
     /// [`Error::UnknownClip`] with the names there are.
     pub fn clip(&self, name: &str) -> Result<&Clip, Error> {
-        self.clips.iter().find(|clip| clip.name == name).ok_or_else(|| Error::UnknownClip {
+        self.clips.iter().find(|clip| clip.name() == name).ok_or_else(|| Error::UnknownClip {
             name: name.into(),
-            available: self.clips.iter().map(|clip| clip.name.clone()).collect(),
+            available: self.clips.iter().map(|clip| clip.name().to_owned()).collect(),
         })
     }
 

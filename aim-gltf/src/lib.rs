@@ -7,15 +7,16 @@
 //! act on column vectors, `world ← node`. Times are seconds.
 //!
 //! ```
-//! use aim_gltf::{Channel, Document};
-//! use glam::Quat;
+//! use aim_animation::glam::Quat;
+//! use aim_animation::{Clip, Track};
+//! use aim_gltf::Document;
 //!
 //! let document = Document::from_bytes(br#"{ "asset": { "version": "2.0" }, "nodes": [{ "name": "head" }] }"#)?;
 //! let head = document.skeleton().find("head")?;
-//! let turned = Channel::rotation(head, [0.0].into(), &[Quat::from_rotation_y(0.5)]);
-//! let glb = document.with_clips(&[aim_gltf::Clip::new("looking left", vec![turned])])?;
+//! let turned = Track::constant(Quat::from_rotation_y(0.5))?;
+//! let glb = document.with_clips(&[Clip::new("looking left").with_rotation(head, turned)])?;
 //! assert_eq!(Document::from_bytes(&glb)?.clips().len(), 1);
-//! # Ok::<(), aim_gltf::Error>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod accessor;
@@ -37,7 +38,6 @@ mod surface;
 mod uri;
 mod write;
 
-pub use clip::{Channel, Clip, Interpolation, Property};
 pub use container::to_glb;
 pub use document::Document;
 pub use error::Error;

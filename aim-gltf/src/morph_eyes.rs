@@ -96,7 +96,7 @@ fn ways(maps: [RangeMap; 4], binds: [Vec<MorphBind>; 4]) -> [MorphWay; 4] {
 fn arkit(data: &Data<'_>) -> Vec<(&'static str, &'static str, [MorphWay; 4])> {
     let mut named: BTreeMap<&str, Vec<MorphBind>> = BTreeMap::new();
     for (node, mesh) in data.raw.nodes.iter().enumerate().filter_map(|(at, node)| Some((at, node.mesh?))) {
-        for (target, name) in target_names(data, mesh).enumerate().take(target_count(data, mesh)) {
+        for (target, name) in target_names(data, mesh).enumerate().take(data.target_count(mesh)) {
             named.entry(name).or_default().push(MorphBind { node, target, weight: 1.0 });
         }
     }
@@ -116,10 +116,6 @@ fn target_names<'a>(data: &Data<'a>, mesh: usize) -> impl Iterator<Item = &'a st
     let names = |extras: &'a Value| extras.get("targetNames")?.as_array();
     let names = names(&mesh.extras).or_else(|| names(&mesh.primitives.first()?.extras));
     names.into_iter().flatten().map(|name| name.as_str().unwrap_or_default())
-}
-
-fn target_count(data: &Data<'_>, mesh: usize) -> usize {
-    data.raw.meshes[mesh].primitives.first().and_then(|first| first.targets.as_array()).map_or(0, Vec::len)
 }
 
 /// What a VRM expression binds, in either version of the format; targets that are not there are left out.
@@ -155,7 +151,7 @@ fn of_expression(data: &Data<'_>, extensions: &Value, word: &str) -> Vec<MorphBi
     }
     let is_there = |node: usize, target: usize| {
         let mesh = data.raw.nodes.get(node).and_then(|node| node.mesh);
-        mesh.is_some_and(|mesh| target < target_count(data, mesh))
+        mesh.is_some_and(|mesh| target < data.target_count(mesh))
     };
     let bind = |((node, target), weight)| MorphBind { node, target, weight };
     found.into_iter().map(bind).filter(|bind| is_there(bind.node, bind.target)).collect()
@@ -193,7 +189,7 @@ fn weights_at_rest(data: &Data<'_>, node: usize) -> Vec<f32> {
     let stated = [&node.weights, &data.raw.meshes[mesh].weights].into_iter().find_map(Value::as_array);
     let weight = |value: &Value| num::narrow(value.as_f64().unwrap_or_default());
     let mut weights: Vec<f32> = stated.into_iter().flatten().map(weight).map(finite).collect();
-    weights.resize(target_count(data, mesh), 0.0);
+    weights.resize(data.target_count(mesh), 0.0);
     weights
 }
 

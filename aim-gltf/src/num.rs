@@ -11,9 +11,3 @@ pub(crate) fn narrow(value: f64) -> f32 {
 pub(crate) fn count(value: usize) -> f64 {
     value as f64
 }
-
-/// The next larger `f32` after a finite one that is not negative.
-pub(crate) fn just_after(value: f32) -> f32 {
-    // Adding zero turns −0 into 0, whose bits are the smallest.
-    f32::from_bits((value + 0.0).to_bits() + 1)
-}

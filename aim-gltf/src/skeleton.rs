@@ -2,11 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use aim_animation::Transform;
+use aim_animation::{Clip, Cursor, Transform};
 use glam::{Affine3A, DAffine3, DMat4, DVec3, Quat, Vec3};
 
 use crate::accessor::Data;
-use crate::clip::Clip;
 use crate::error::Error;
 use crate::morph_eyes::MorphEye;
 use crate::raw::{self, Raw};
@@ -214,7 +213,7 @@ impl Skeleton {
     #[must_use]
     pub fn pose(&self, clip: &Clip, seconds: f32) -> Vec<Transform> {
         let mut pose = self.rest_pose();
-        clip.sample(seconds, &mut pose);
+        clip.sample(seconds, &mut Cursor::default(), &mut pose);
         pose
     }
 

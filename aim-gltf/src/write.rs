@@ -1,10 +1,11 @@
 //! A document written again with further clips: old bytes first and unchanged, new ones appended.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::BTreeMap;
 
+use aim_animation::{Clip, Curve, Track, Value as Keyed};
 use serde_json::{Map, Value, json};
 
-use crate::clip::{Channel, Clip, INTERPOLATIONS, Interpolation, PROPERTIES, Property};
+use crate::clip::PATHS;
 use crate::container;
 use crate::document::{Buffer, Document, bytes_of};
 use crate::error::Error;
@@ -23,8 +24,7 @@ impl Document {
     /// which becomes translation, rotation and scale.
     ///
     /// # Errors
-    /// [`Error::Clip`] when a clip names nodes that do not exist, moves a property twice, or has keys that are
-    /// not finite or not in order.
+    /// [`Error::Clip`] when a clip moves nodes or morph targets that the file does not have.
     pub fn with_clips(&self, clips: &[Clip]) -> Result<Vec<u8>, Error> {
         self.write(clips, None)
     }
@@ -42,16 +42,15 @@ impl Document {
         let mut json = self.json().clone();
         let mut data = Appended::default();
         let mut animations = Vec::with_capacity(clips.len());
-        for clip in clips.iter().filter(|clip| !clip.channels.is_empty()) {
+        let moves = |clip: &&Clip| !(clip.tracks().is_empty() && clip.scalars().is_empty());
+        for clip in clips.iter().filter(moves) {
             self.check(clip)?;
-            animations.push(data.animation(clip, count(&json, "accessors"), count(&json, "bufferViews")));
-            for channel in &clip.channels {
-                self.release_matrix(&mut json, channel);
-            }
+            animations.push(data.animation(self, clip, [count(&json, "accessors"), count(&json, "bufferViews")]));
+            clip.tracks().iter().for_each(|tracks| self.release_matrix(&mut json, tracks.bone));
         }
         let chunk = self.embed(&mut json, data)?;
-        for (clip, animation) in clips.iter().filter(|clip| !clip.channels.is_empty()).zip(animations) {
-            self.place(&mut json, (&clip.name, like), animation);
+        for (clip, animation) in clips.iter().filter(moves).zip(animations) {
+            self.place(&mut json, (clip.name(), like), animation);
         }
         let text = serde_json::to_vec(&json).map_err(|e| Error::Json(e.to_string()))?;
         container::to_glb(&text, chunk.as_deref())
@@ -61,7 +60,7 @@ impl Document {
     /// it is like.
     fn place(&self, json: &mut Value, (name, like): (&str, Option<&str>), animation: Value) {
         let animations = array(json, "animations");
-        let find = |name: &str| self.clips().iter().position(|clip| clip.name == name);
+        let find = |name: &str| self.clips().iter().position(|clip| clip.name() == name);
         let (old, template) = (find(name), like.and_then(find));
         let said = old.or(template).and_then(|index| animations.get(index)?.as_object());
         let mut placed = said.cloned().unwrap_or_default();
@@ -75,43 +74,28 @@ impl Document {
         }
     }
 
-    /// The keys of a clip, checked against what a valid file may contain.
+    /// That what a clip moves is in the file.
     fn check(&self, clip: &Clip) -> Result<(), Error> {
-        let nodes = self.skeleton().nodes();
-        let mut seen = HashSet::new();
-        for channel in &clip.channels {
-            let node =
-                nodes.get(channel.node).filter(|_| self.skeleton().is_in_file(channel.node)).ok_or_else(|| {
-                    refuse(format!("clip {:?} moves node {}, which does not exist", clip.name, channel.node))
-                })?;
-            let what = format!("{} of {:?} in clip {:?}", in_file(channel.property).0, node.name, clip.name);
-            let (times, numbers) = (&channel.times, channel.values.len());
-            let ordered = times.windows(2).all(|w| w[0] < w[1]) && times.first().is_some_and(|t| *t >= 0.0);
-            let problem = if !seen.insert((channel.node, channel.property)) {
-                format!("{what} is there twice")
-            } else if !ordered || !times.iter().all(|t| t.is_finite()) {
-                format!("key times of {what} must be finite, from 0 on and strictly increasing")
-            } else if channel.width == 0 || numbers != times.len() * channel.stride() {
-                format!("{what} has {numbers} numbers for {} keys", times.len())
-            } else if !channel.values.iter().all(|v| v.is_finite()) {
-                format!("{what} has a key that is not finite")
-            } else {
-                continue;
-            };
-            return Err(refuse(problem));
+        let skeleton = self.skeleton();
+        if let Some(tracks) = clip.tracks().iter().find(|tracks| !skeleton.is_in_file(tracks.bone)) {
+            return Err(refuse(format!("clip {:?} moves node {}, which does not exist", clip.name(), tracks.bone)));
         }
-        Ok(())
+        let targets = self.morph_scalars.values().next_back().map_or(0, |last| last.end);
+        match clip.scalars().iter().find(|(scalar, _)| *scalar >= targets) {
+            Some((scalar, _)) => Err(refuse(format!(
+                "clip {:?} moves scalar {scalar}, which is the weight of no morph target",
+                clip.name()
+            ))),
+            None => Ok(()),
+        }
     }
 
     /// An animated node may not have a `matrix`.
-    fn release_matrix(&self, json: &mut Value, channel: &Channel) {
-        let node = json.get_mut("nodes").and_then(|nodes| nodes.get_mut(channel.node)).and_then(Value::as_object_mut);
-        let Some(node) = node.filter(|node| channel.property != Property::Weights && node.contains_key("matrix"))
-        else {
-            return;
-        };
+    fn release_matrix(&self, json: &mut Value, index: usize) {
+        let node = json.get_mut("nodes").and_then(|nodes| nodes.get_mut(index)).and_then(Value::as_object_mut);
+        let Some(node) = node.filter(|node| node.contains_key("matrix")) else { return };
         node.shift_remove("matrix");
-        let rest = &self.skeleton().nodes()[channel.node].rest;
+        let rest = &self.skeleton().nodes()[index].rest;
         node.insert("translation".into(), json!(rest.translation.to_array().map(f64::from)));
         node.insert("rotation".into(), json!(rest.rotation.to_array().map(f64::from)));
         node.insert("scale".into(), json!(rest.scale.to_array().map(f64::from)));
@@ -190,8 +174,7 @@ fn keep_foreign(old: &Map<String, Value>, new: &mut Map<String, Value>) {
     let list = |key: &str| old.get(key).and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
     for channel in list("channels") {
         let target = &channel["target"];
-        let ours = target["path"].as_str().is_some_and(|path| PROPERTIES.iter().any(|(_, known, ..)| *known == path))
-            && target["node"].is_u64();
+        let ours = target["path"].as_str().is_some_and(|path| PATHS.contains(&path)) && target["node"].is_u64();
         let sampler = channel["sampler"].as_u64().and_then(|at| list("samplers").get(usize::try_from(at).ok()?));
         let (false, Some(sampler)) = (ours, sampler) else { continue };
         let (Some(samplers), mut channel) = (new["samplers"].as_array_mut(), channel.clone()) else { continue };
@@ -211,12 +194,6 @@ fn image_type(bytes: &[u8]) -> Option<&'static str> {
         [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => Some("image/webp"),
         _ => None,
     }
-}
-
-/// A property's path and accessor type in a file, and the numbers of one value there.
-fn in_file(property: Property) -> (&'static str, &'static str, usize) {
-    let known = PROPERTIES.into_iter().find(|(known, ..)| *known == property);
-    known.map_or(("", "", 1), |(_, path, shape, width)| (path, shape, width))
 }
 
 fn count(json: &Value, key: &str) -> usize {
@@ -244,7 +221,7 @@ struct Appended {
 }
 
 impl Appended {
-    fn accessor(&mut self, values: &[f32], shape: &str, width: usize, view: usize, bounds: bool) -> usize {
+    fn accessor(&mut self, values: &[f32], (shape, width): (&str, usize), view: usize, bounds: bool) -> usize {
         let mut accessor = Map::new();
         accessor.insert("bufferView".into(), view.into());
         if !self.bytes.is_empty() {
@@ -263,21 +240,38 @@ impl Appended {
     }
 
     /// One animation's JSON; `first` is the index its first new accessor will have, `view` that of the new view.
-    fn animation(&mut self, clip: &Clip, first: usize, view: usize) -> Value {
-        let (mut channels, mut samplers) = (Vec::new(), Vec::new());
-        for channel in &clip.channels {
-            let bits: Vec<u32> = channel.times.iter().map(|t| t.to_bits()).collect();
-            let known = self.times.get(&bits).copied();
-            let input = known.unwrap_or_else(|| self.accessor(&channel.times, "SCALAR", 1, view, true));
-            self.times.insert(bits, input);
-            let (path, shape, width) = in_file(channel.property);
-            let output = self.accessor(&unit_keys(channel), shape, width, view, false);
-            let interpolation = INTERPOLATIONS.into_iter().find(|(known, _)| *known == channel.interpolation);
-            let interpolation = interpolation.map_or("LINEAR", |(_, word)| word);
-            channels.push(json!({ "sampler": samplers.len(), "target": { "node": channel.node, "path": path } }));
-            samplers.push(json!({ "input": first + input, "output": first + output, "interpolation": interpolation }));
+    fn animation(&mut self, document: &Document, clip: &Clip, [first, view]: [usize; 2]) -> Value {
+        let mut animation = Animation { data: self, first, view, channels: Vec::new(), samplers: Vec::new() };
+        for tracks in clip.tracks() {
+            let node = tracks.bone;
+            if let Some(track) = &tracks.translation {
+                animation.channel(node, ("translation", "VEC3"), &keys(&[track], |vector| vector.to_array()));
+            }
+            if let Some(track) = &tracks.rotation {
+                // Of cut splines they are a little off.
+                let mut rotations = keys(&[track], |rotation| rotation.to_array());
+                let cubic = rotations.curve == Curve::Cubic;
+                for (_, four) in rotations.values.chunks_exact_mut(4).enumerate().filter(|(k, _)| !cubic || k % 3 == 1)
+                {
+                    four.copy_from_slice(&glam::Vec4::from_slice(four).as_dvec4().normalize().as_vec4().to_array());
+                }
+                animation.channel(node, ("rotation", "VEC4"), &rotations);
+            }
+            if let Some(track) = &tracks.scale {
+                animation.channel(node, ("scale", "VEC3"), &keys(&[track], |vector| vector.to_array()));
+            }
         }
-        json!({ "name": clip.name, "channels": channels, "samplers": samplers })
+        let weights_of: BTreeMap<usize, &Track<f32>> =
+            clip.scalars().iter().map(|(scalar, track)| (*scalar, track)).collect();
+        for (node, scalars) in &document.morph_scalars {
+            let tracks: Vec<Option<&Track<f32>>> =
+                scalars.clone().map(|scalar| weights_of.get(&scalar).copied()).collect();
+            if tracks.iter().any(Option::is_some) {
+                let at_rest = document.skeleton().morph_weights(*node).unwrap_or_default();
+                animation.channel(*node, ("weights", "SCALAR"), &weights(&tracks, at_rest));
+            }
+        }
+        json!({ "name": clip.name(), "channels": animation.channels, "samplers": animation.samplers })
     }
 
     /// Adds the buffer view and the accessors to the document.
@@ -293,16 +287,80 @@ impl Appended {
     }
 }
 
-/// The keys, rotations made unit to single precision (integers and cut splines are a little off).
-fn unit_keys(channel: &Channel) -> Vec<f32> {
-    let mut values = channel.values.clone();
-    if channel.property == Property::Rotation {
-        let cubic = channel.interpolation == Interpolation::CubicSpline;
-        for (k, four) in values.chunks_exact_mut(4).enumerate() {
-            if !cubic || k % 3 == 1 {
-                four.copy_from_slice(&crate::clip::quat(four).to_array());
-            }
+/// One animation as it grows.
+struct Animation<'a> {
+    data: &'a mut Appended,
+    first: usize,
+    view: usize,
+    channels: Vec<Value>,
+    samplers: Vec<Value>,
+}
+
+impl Animation<'_> {
+    fn channel(&mut self, node: usize, (path, shape): (&str, &str), keys: &Keys) {
+        let bits: Vec<u32> = keys.times.iter().map(|t| t.to_bits()).collect();
+        let known = self.data.times.get(&bits).copied();
+        let input = known.unwrap_or_else(|| self.data.accessor(&keys.times, ("SCALAR", 1), self.view, true));
+        self.data.times.insert(bits, input);
+        let width = if shape == "SCALAR" { 1 } else { keys.width };
+        let output = self.data.accessor(&keys.values, (shape, width), self.view, false);
+        let interpolation = match keys.curve {
+            Curve::Step => "STEP",
+            Curve::Cubic => "CUBICSPLINE",
+            _ => "LINEAR",
+        };
+        let (input, output) = (self.first + input, self.first + output);
+        self.channels.push(json!({ "sampler": self.samplers.len(), "target": { "node": node, "path": path } }));
+        self.samplers.push(json!({ "input": input, "output": output, "interpolation": interpolation }));
+    }
+}
+
+/// The keys of a channel: at each of the times, which increase, a value, or of cubic splines in-tangent, value and out-tangent.
+struct Keys {
+    curve: Curve,
+    times: Vec<f32>,
+    values: Vec<f32>,
+    width: usize,
+}
+
+/// The keys of tracks that have the same times and the same curve, one track's numbers after the other's.
+fn keys<T: Keyed, const N: usize>(tracks: &[&Track<T>], numbers: impl Fn(T) -> [f32; N]) -> Keys {
+    let (curve, mut times) = (tracks[0].curve(), tracks[0].times().to_vec());
+    let mut values = Vec::new();
+    for k in 0..times.len() {
+        let tangents = |side: usize| tracks.iter().map(move |track| track.tangents()[k][side]);
+        let of_key = tracks.iter().map(|track| track.values()[k]);
+        if curve == Curve::Cubic {
+            values.extend(tangents(0).chain(of_key).chain(tangents(1)).flat_map(&numbers));
+        } else {
+            values.extend(of_key.flat_map(&numbers));
         }
     }
-    values
+    // Where a track jumps, two keys share a time.
+    for k in 1..times.len() {
+        if times[k] <= times[k - 1] {
+            times[k] = f32::next_up(times[k - 1]);
+        }
+    }
+    Keys { curve, times, values, width: N * tracks.len() }
+}
+
+/// The keys of all weights of a mesh. Those of tracks that differ in their times are lines between the keys of all; what no
+/// track moves stays at rest.
+fn weights(tracks: &[Option<&Track<f32>>], at_rest: &[f32]) -> Keys {
+    let known: Vec<&Track<f32>> = tracks.iter().copied().flatten().collect();
+    if known.len() == tracks.len()
+        && known.iter().all(|track| track.curve() == known[0].curve() && track.times() == known[0].times())
+    {
+        return keys(&known, |weight| [weight]);
+    }
+    let mut times: Vec<f32> = known.iter().flat_map(|track| track.times().iter().copied()).collect();
+    times.sort_by(f32::total_cmp);
+    times.dedup();
+    let weight = |(target, track): (usize, &Option<&Track<f32>>), time: f32| {
+        track.map_or_else(|| at_rest.get(target).copied().unwrap_or_default(), |track| track.sample(time))
+    };
+    let values =
+        times.iter().flat_map(|&time| tracks.iter().enumerate().map(move |track| weight(track, time))).collect();
+    Keys { curve: Curve::Linear, times, values, width: tracks.len() }
 }

@@ -3,12 +3,13 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use aim_animation::Clip;
 use aim_character::{
     ChainNodes, MANNEQUIN_RIG, Measurement, PAPER_AXES, Palette, Proposal, chain_nodes, mannequin, propose,
 };
 use aim_codegen::RigSpec;
 use aim_codegen::declare::from_toml;
-use aim_gltf::{Clip, Document, Skeleton, Surface};
+use aim_gltf::{Document, Skeleton, Surface};
 use glam::{DVec3, Vec3};
 
 /// Everything about a character that does not change while it moves.
@@ -122,7 +123,7 @@ impl Character {
     /// None has.
     pub(crate) fn clip(&self, name: &str) -> Result<usize, String> {
         self.document.clip(name).map_err(|error| format!("{}: {error}", self.name))?;
-        Ok(self.clips().iter().position(|clip| clip.name == name).unwrap_or(0))
+        Ok(self.clips().iter().position(|clip| clip.name() == name).unwrap_or(0))
     }
 
     /// A metre of a character of 1.7 m, in the file's units.

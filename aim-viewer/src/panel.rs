@@ -100,8 +100,8 @@ fn animation(ui: &mut Ui, stage: &mut Stage) {
 fn clip_name(stage: &Stage, clip: Option<usize>) -> String {
     match clip.and_then(|clip| Some((clip, stage.character.clips().get(clip)?))) {
         None => "rest pose".into(),
-        Some((at, clip)) if clip.name.is_empty() => format!("clip {}", at + 1),
-        Some((_, clip)) => clip.name.clone(),
+        Some((at, clip)) if clip.name().is_empty() => format!("clip {}", at + 1),
+        Some((_, clip)) => clip.name().to_owned(),
     }
 }
 

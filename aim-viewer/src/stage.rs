@@ -299,7 +299,7 @@ impl Stage {
         let skeleton = self.character.skeleton();
         let clip = self.clock.clip.and_then(|clip| self.character.clips().get(clip));
         let pose = match clip {
-            Some(clip) if clip.seconds() > 0.0 => skeleton.pose(clip, (self.clock.time + phase) % clip.seconds()),
+            Some(clip) if clip.length_s() > 0.0 => skeleton.pose(clip, (self.clock.time + phase) % clip.length_s()),
             Some(clip) => skeleton.pose(clip, 0.0),
             None => skeleton.rest_pose(),
         };

@@ -29,7 +29,7 @@ fuzz_target!(|input: &[u8]| -> Corpus {
         }
     }
     for clip in document.clips() {
-        let pose = document.skeleton().pose(clip, 0.3 * clip.seconds());
+        let pose = document.skeleton().pose(clip, 0.3 * clip.length_s());
         assert_eq!(document.skeleton().world(&pose).len(), document.skeleton().nodes().len());
     }
     let (surface, skeleton) = (document.surface(), document.skeleton());

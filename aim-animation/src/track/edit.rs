@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use super::{Curve, Track, Value};
+use crate::float::narrow;
 
 /// The most keys that resampling makes, so that no rate asks for more than memory has.
 const MOST_KEYS: f32 = 4_194_304.0;
@@ -97,6 +98,44 @@ impl<T: Value> Track<T> {
         }
         let tangents = self.tangents.iter().rev().map(|[into, out]| [out.times(-1.0), into.times(-1.0)]).collect();
         Self { times: times.into(), values, tangents, curve: self.curve }.without_crowds()
+    }
+
+    /// The track played over and over until `end_s`: at every time it has the value of this one at that time modulo `period_s`, which
+    /// is not shorter than the track. A seam belongs to the round that ends there; where the ends differ, the next one begins a
+    /// hair later.
+    pub(crate) fn repeated(&self, period_s: f32, end_s: f32) -> Self {
+        let mut round = self.cut(0.0, period_s);
+        if let Some(&value) = round.values.last().filter(|_| round.end_s() < period_s) {
+            // Held until the round ends.
+            round.times = round.times.iter().copied().chain([period_s]).collect();
+            round.values.push(value);
+            if let Some(last) = round.tangents.last_mut() {
+                last[1] = value.times(0.0);
+                round.tangents.push([value.times(0.0); 2]);
+            }
+        }
+        let (mut times, mut values, mut tangents) = (Vec::new(), Vec::new(), Vec::<[T; 2]>::new());
+        // Multiplied, not added up: late rounds are exact.
+        let starts = (0_u32..).map(|number| narrow(f64::from(number) * f64::from(period_s)));
+        for start in starts.take_while(|start| *start < end_s) {
+            for (k, time) in round.times.iter().enumerate() {
+                let (mut time, value) = (start + time, round.values[k]);
+                if let Some(last) = times.last().copied().filter(|last| time <= *last) {
+                    if k == 0 && values.last() == Some(&value) {
+                        // Arrives as the old round did, leaves as the new one does.
+                        if let (Some(before), Some(after)) = (tangents.last_mut(), round.tangents.first()) {
+                            before[1] = after[1];
+                        }
+                        continue;
+                    }
+                    time = f32::next_up(last);
+                }
+                times.push(time);
+                values.push(value);
+                tangents.extend(round.tangents.get(k));
+            }
+        }
+        Self { times: times.into(), values, tangents, curve: self.curve }.cut(0.0, end_s)
     }
 
     /// Of more than two keys that rounding has brought to one time the first and the last.

@@ -1,5 +1,5 @@
 use aim_animation::glam::{DQuat, Quat, Vec3};
-use aim_animation::{BezierKey, Curve, HermiteKey, Track, TrackError};
+use aim_animation::{BezierKey, Clip, Cursor, Curve, HermiteKey, Track, TrackError, Transform};
 
 use crate::common::{Rng, angle_between};
 
@@ -290,4 +290,46 @@ fn cut_and_reversed() {
     // A jump that lies where the piece ends belongs to what comes after it.
     let jump = Track::linear([0.0, 1.0, 1.0], [0.0, 1.0, 9.0]).unwrap();
     assert_eq!(jump.cut(0.0, 1.0).values(), [0.0, 1.0]);
+}
+/// A clip that is repeated is itself at every time modulo its length, however its tracks begin and end.
+#[test]
+fn a_repeated_clip_equals_itself_modulo_its_length() {
+    let times = [0.25, 0.5, 1.0];
+    let linear = Track::linear(times, [Vec3::ZERO, Vec3::X, Vec3::Y]).unwrap();
+    let late = Track::step([0.0, 2.0], [Vec3::ONE, Vec3::splat(3.0)]).unwrap();
+    let key = |into, value, out| HermiteKey { into, value, out };
+    let keys =
+        [key(Vec3::ONE, Vec3::X, Vec3::ZERO), key(Vec3::X, Vec3::Y, Vec3::NEG_X), key(Vec3::ZERO, Vec3::Z, Vec3::ONE)];
+    let cubic = Track::hermite(times, &keys).unwrap();
+    let scalar = Track::linear([0.0, 2.0], [0.0, 1.0]).unwrap();
+    let clip = Clip::new("c").with_translation(0, linear).with_scale(0, late).with_translation(1, cubic);
+    let clip = clip.with_scalar(3, scalar).with_event(0.5, "half").unwrap();
+    assert_eq!(clip.length_s(), 2.0);
+    for (seconds, halves) in [(0.4_f32, 0), (1.7, 1), (2.0, 1), (5.3, 3), (6.0, 3)] {
+        let long = clip.repeated(seconds);
+        assert_eq!((long.length_s(), long.events().len()), (seconds, halves));
+        for k in 0..500_u16 {
+            let t = seconds * (f32::from(k) + 0.37) / 500.0;
+            let (mut a, mut b) = (([Transform::IDENTITY; 2], [0.0; 4]), ([Transform::IDENTITY; 2], [0.0; 4]));
+            for (clip, t, (pose, scalars)) in [(&clip, t % 2.0, &mut a), (&long, t, &mut b)] {
+                clip.sample(t, &mut Cursor::default(), pose);
+                clip.sample_scalars(t, &mut Cursor::default(), scalars);
+            }
+            for (a, b) in a.0.iter().zip(&b.0) {
+                let far = (a.translation - b.translation).length().max((a.scale - b.scale).length());
+                assert!(far < 2e-4, "{seconds} s at {t}: {a:?} {b:?}");
+            }
+            assert!((a.1[3] - b.1[3]).abs() < 1e-5, "{seconds} s at {t}");
+        }
+    }
+    // A seam is the end of its round, and the next one begins right after it.
+    let long = clip.repeated(6.0);
+    let at = |t: f32| long.scalars()[0].1.sample(t);
+    assert_eq!((at(2.0), at(4.0), at(6.0)), (1.0, 1.0, 1.0));
+    assert!(at(2.0_f32.next_up()) == 0.0 && at(4.0_f32.next_up()) == 0.0);
+    // No length to repeat, none asked for.
+    assert_eq!(clip.repeated(f32::INFINITY), clip);
+    assert_eq!(Clip::new("still").repeated(3.0), Clip::new("still"));
+    // More rounds than memory has place for.
+    assert!(clip.repeated(1e30).length_s() <= 2.0 * 65_535.0);
 }

@@ -10,8 +10,7 @@ use crate::bake::morph_eyes::MorphEyes;
 use crate::bake::stance::Stance;
 use crate::measure::Measurement;
 use crate::measure::frame::parent_frame;
-use aim_animation::Transform;
-use aim_gltf::Clip;
+use aim_animation::{Clip, Transform};
 use aim_gltf::Document;
 use aim_gltf::Skeleton;
 
@@ -100,7 +99,7 @@ impl Live {
         let skeleton = document.skeleton();
         let held = Held::find(rig, skeleton, measurement, chain);
         let maps = EyeMaps::find(document, measurement, chain);
-        let morphs = MorphEyes::find(skeleton, measurement, chain);
+        let morphs = MorphEyes::find(document, measurement, chain);
         Self { stance: Stance::new(rig, skeleton, chain, measurement), both_eyes, held, maps, morphs }
     }
 

@@ -24,8 +24,8 @@ use crate::bake::chain::ChainNodes;
 use crate::bake::live::{AimedFrame, Live, Moment};
 use crate::error::Error;
 use crate::measure::Measurement;
+use aim_animation::{Clip, Track, Value};
 use aim_gltf::Document;
-use aim_gltf::{Channel, Clip};
 
 /// Beginning of a bake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,7 +98,7 @@ pub fn bake<R: Rig>(
     let turned: Vec<usize> = turned.filter(|node| skeleton.is_in_file(*node)).collect();
     let mut rotations: Vec<Vec<Quat>> = vec![Vec::with_capacity(times.len()); turned.len()];
     let mut places: Vec<Vec<Vec3>> = vec![Vec::with_capacity(times.len()); live.held().count()];
-    let mut weights: Vec<Vec<Vec<f32>>> = vec![Vec::with_capacity(times.len()); live.morphs().nodes().count()];
+    let mut weights: Vec<Vec<f32>> = vec![Vec::with_capacity(times.len()); live.morphs().scalars().count()];
     let mut frames = Vec::with_capacity(times.len());
     for pass in 0..if plan.looped { MOST_ROUNDS } else { 1 } {
         rotations.iter_mut().for_each(Vec::clear);
@@ -159,16 +159,15 @@ pub fn bake<R: Rig>(
             break;
         }
     }
-    let name = source.as_ref().map_or_else(|| "aim".to_owned(), |clip| clip.name.clone());
-    let mut clip = source.unwrap_or_else(|| Clip::new(name, Vec::new()));
-    for (&node, track) in turned.iter().zip(&rotations) {
-        clip.set(Channel::rotation(node, times.clone(), track));
+    let mut clip = source.unwrap_or_else(|| Clip::new("aim"));
+    for (&node, rotations) in turned.iter().zip(rotations) {
+        clip = clip.with_rotation(node, line(&times, rotations)?);
     }
-    for (node, track) in live.held().zip(&places) {
-        clip.set(Channel::translation(node, times.clone(), track));
+    for (node, places) in live.held().zip(places) {
+        clip = clip.with_translation(node, line(&times, places)?);
     }
-    for (node, track) in live.morphs().nodes().zip(&weights) {
-        clip.set(Channel::weights(node, times.clone(), track));
+    for (scalar, weights) in live.morphs().scalars().zip(weights) {
+        clip = clip.with_scalar(scalar, line(&times, weights)?);
     }
     Ok(Baked { clip, frames })
 }
@@ -204,6 +203,11 @@ pub(crate) fn key_times(seconds: f32, fps: f32) -> Result<Arc<[f32]>, Error> {
     let mut times: Vec<f32> = (0_u32..).map(|key| key as f32 / fps).take_while(|t| *t + 0.01 / fps < seconds).collect();
     times.push(seconds);
     Ok(times.into())
+}
+
+/// A linear track of these keys.
+pub(crate) fn line<T: Value>(times: &Arc<[f32]>, keys: Vec<T>) -> Result<Track<T>, Error> {
+    Track::linear(times.clone(), keys).map_err(|error| Error::Clip(error.to_string()))
 }
 
 /// The sign of a quaternion that interpolates the short way from the one before.

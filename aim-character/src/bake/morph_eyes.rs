@@ -1,9 +1,10 @@
 //! Weights of the morph targets that eyes look by, and where they look.
 
+use core::ops::Range;
 use std::collections::BTreeMap;
 
-use aim_animation::Transform;
-use aim_gltf::{Channel, Clip, MorphBind, MorphEye, Property, Skeleton};
+use aim_animation::{Clip, Transform};
+use aim_gltf::{Document, MorphBind, MorphEye};
 
 use crate::bake::chain::ChainNodes;
 use crate::measure::{BoneFrame, Measurement};
@@ -14,23 +15,31 @@ use crate::num;
 pub(crate) struct MorphEyes {
     /// Each with the axes of its node.
     eyes: Vec<(MorphEye, BoneFrame)>,
-    /// The weights of the nodes that show them, where no clip has any.
-    at_rest: BTreeMap<usize, Vec<f32>>,
+    /// For the nodes that show them, the weights where no clip has any, and the numbers of their scalars.
+    at_rest: BTreeMap<usize, (Vec<f32>, Range<usize>)>,
 }
 
 impl MorphEyes {
-    pub(crate) fn find(skeleton: &Skeleton, measurement: &Measurement, chain: &ChainNodes) -> Self {
+    pub(crate) fn find(document: &Document, measurement: &Measurement, chain: &ChainNodes) -> Self {
+        let skeleton = document.skeleton();
         let is_turned = |eye: &&MorphEye| chain.turned().any(|node| node == eye.node);
         let eyes = skeleton.morph_eyes().iter().filter(is_turned);
         let eyes: Vec<_> = eyes.filter_map(|eye| Some((eye.clone(), measurement.bone(eye.node)?.frame))).collect();
         let binds = eyes.iter().flat_map(|(eye, _)| eye.ways.iter().flat_map(|way| &way.binds));
-        let at_rest = binds.filter_map(|bind| Some((bind.node, skeleton.morph_weights(bind.node)?.to_vec())));
+        let at_rest = binds.filter_map(|bind| {
+            Some((bind.node, (skeleton.morph_weights(bind.node)?.to_vec(), document.morph_scalars(bind.node))))
+        });
         Self { at_rest: at_rest.collect(), eyes }
     }
 
     /// The nodes whose weights the eyes set.
-    pub(crate) fn nodes(&self) -> impl Iterator<Item = usize> + '_ {
+    fn nodes(&self) -> impl Iterator<Item = usize> + '_ {
         self.at_rest.keys().copied()
+    }
+
+    /// The numbers of the scalars that the eyes set.
+    pub(crate) fn scalars(&self) -> impl Iterator<Item = usize> + '_ {
+        self.at_rest.values().flat_map(|(_, scalars)| scalars.clone())
     }
 
     /// Turns each eye to where the weights at a time of a clip have it.
@@ -41,9 +50,9 @@ impl MorphEyes {
         }
     }
 
-    /// The weights of each of the [nodes](Self::nodes), in their order: those of a clip, changed by what `pose` turns the eyes
-    /// further. No weight leaves 0…1 by that.
-    pub(crate) fn aimed(&self, clip: Option<&Clip>, seconds: f32, pose: &[Transform]) -> Vec<Vec<f32>> {
+    /// The weights of each of the [scalars](Self::scalars), in their order: those of a clip, changed by what `pose` turns the
+    /// eyes further. No weight leaves 0…1 by that.
+    pub(crate) fn aimed(&self, clip: Option<&Clip>, seconds: f32, pose: &[Transform]) -> Vec<f32> {
         let animated: BTreeMap<usize, Vec<f32>> =
             self.nodes().map(|node| (node, self.weights(clip, seconds, node))).collect();
         let mut aimed = animated.clone();
@@ -60,16 +69,16 @@ impl MorphEyes {
                 }
             }
         }
-        aimed.into_values().collect()
+        aimed.into_values().flatten().collect()
     }
 
     /// All weights of a node at a time of a clip.
     fn weights(&self, clip: Option<&Clip>, seconds: f32, node: usize) -> Vec<f32> {
-        let at_rest = &self.at_rest[&node];
-        let is_of_node = |channel: &&Channel| channel.node() == node && channel.property() == Property::Weights;
-        let channel = clip.and_then(|clip| clip.channels.iter().find(is_of_node));
-        let mut weights = channel.map_or_else(|| at_rest.clone(), |channel| channel.sample(seconds));
-        weights.resize(at_rest.len(), 0.0);
+        let (at_rest, scalars) = &self.at_rest[&node];
+        let mut weights = at_rest.clone();
+        for (scalar, track) in clip.into_iter().flat_map(Clip::scalars).filter(|(scalar, _)| scalars.contains(scalar)) {
+            weights[scalar - scalars.start] = track.sample(seconds);
+        }
         weights
     }
 }

@@ -6,13 +6,13 @@ use aim_runtime::ik::{Limb, TwoBone, TwoBoneStatus};
 use aim_runtime::trajectory::{Node, Outcome, Trajectory, Waypoint};
 use glam::{DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
 
-use crate::bake::{continuous, key_times};
+use crate::bake::{continuous, key_times, line};
 use crate::error::Error;
 use crate::measure::frame::parent_frame;
+use aim_animation::Clip;
 use aim_animation::Transform;
 use aim_gltf::Document;
 use aim_gltf::Skeleton;
-use aim_gltf::{Channel, Clip};
 
 /// A bone that is led, and the two above it that follow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -141,22 +141,22 @@ pub fn reach(plan: &ReachPlan<'_>) -> Result<Reached, Error> {
         frames.push(LimbFrame { t, before, wanted, status });
     }
     let mut clip = plan.clip.clone();
-    for (node, track) in nodes.into_iter().zip(&tracks) {
-        clip.set(Channel::rotation(node, times.clone(), track));
+    for (node, rotations) in nodes.into_iter().zip(tracks) {
+        clip = clip.with_rotation(node, line(&times, rotations)?);
     }
     Ok(Reached { clip, length, arrivals, outcome, frames })
 }
 
 /// The times of keys, one of them that of each goal, and which.
 fn frame_times(plan: &ReachPlan<'_>) -> Result<(Arc<[f32]>, Vec<usize>), Error> {
-    let seconds = plan.clip.seconds();
+    let seconds = plan.clip.length_s();
     let fail = |problem: String| Err(Error::Clip(problem));
     let mut times = key_times(seconds, plan.fps)?.to_vec();
     let last = times.len() - 1;
     let mut frames = Vec::new();
     for goal in plan.goals {
         if !(0.0..=seconds).contains(&goal.at) {
-            let (at, clip) = (goal.at, &plan.clip.name);
+            let (at, clip) = (goal.at, plan.clip.name());
             return fail(format!("{at} s is not within the clip {clip:?}, which ends at {seconds} s"));
         }
         // The clip's own ends stay where they are.

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use aim_gltf::{Channel, Clip, Document, to_glb};
+use aim_animation::Clip;
+use aim_gltf::{Document, to_glb};
 use glam::{DQuat, DVec3, Quat, Vec3};
 use serde_json::{Value, json};
 
@@ -10,7 +11,7 @@ use super::body::{MATERIALS, surfaces};
 use super::joints::{Bone, Joint};
 use super::shape::ShapeMesh;
 use super::walk;
-use crate::bake::continuous;
+use crate::bake::{continuous, line};
 use crate::error::Error;
 use crate::num;
 
@@ -88,7 +89,7 @@ pub(super) fn pack(joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
     json["bufferViews"] = data.views.into();
     json["buffers"] = json!([{ "byteLength": data.bytes.len() }]);
     let glb = to_glb(json.to_string().as_bytes(), Some(&data.bytes))?;
-    Ok(Document::from_bytes(&glb)?.with_clips(&[walk_clip(joints, rig)])?)
+    Ok(Document::from_bytes(&glb)?.with_clips(&[walk_clip(joints, rig)?])?)
 }
 
 fn narrow3(v: DVec3) -> [f32; 3] {
@@ -149,16 +150,16 @@ fn primitive(data: &mut Data, surface: &ShapeMesh, material: usize) -> Value {
     })
 }
 
-fn walk_clip(joints: &[Joint], rig: &[Bone]) -> Clip {
+fn walk_clip(joints: &[Joint], rig: &[Bone]) -> Result<Clip, Error> {
     let phase = |k: u32| f64::from(k % walk::KEYS) / f64::from(walk::KEYS);
     let time = |k: u32| num::narrow(f64::from(k) / f64::from(walk::KEYS) * walk::SECONDS);
     let times: Arc<[f32]> = (0..=walk::KEYS).map(time).collect();
-    let mut channels = Vec::new();
+    let mut clip = Clip::new("walk");
     for (index, (joint, bone)) in joints.iter().zip(rig).enumerate() {
         if joint.parent.is_none() {
             let place = |k: u32| narrow3(bone.translation(walk::hips_offset(phase(k)))).into();
             let places: Vec<Vec3> = (0..=walk::KEYS).map(place).collect();
-            channels.push(Channel::translation(index, times.clone(), &places));
+            clip = clip.with_translation(index, line(&times, places)?);
         }
         if (0..walk::KEYS).all(|k| walk::turn(&joint.name, phase(k)) == DQuat::IDENTITY) {
             continue;
@@ -168,7 +169,7 @@ fn walk_clip(joints: &[Joint], rig: &[Bone]) -> Clip {
             let turn = Quat::from_array(narrow4(bone.rotation(walk::turn(&joint.name, phase(k)))));
             turns.push(continuous(turns.last(), turn));
         }
-        channels.push(Channel::rotation(index, times.clone(), &turns));
+        clip = clip.with_rotation(index, line(&times, turns)?);
     }
-    Clip::new("walk", channels)
+    Ok(clip)
 }

@@ -108,7 +108,7 @@ fn it_has_the_papers_proportions_and_all_roles() {
 fn the_walk_closes() {
     let document = built(PAPER_AXES);
     let walk = document.clip("walk").unwrap();
-    assert!((walk.seconds() - 1.2).abs() < 1e-6);
+    assert!((walk.length_s() - 1.2).abs() < 1e-6);
     for (a, b) in skinning(&document, 0.0).into_iter().zip(skinning(&document, 1.2)) {
         assert!(a.abs_diff_eq(b, 1e-12));
     }

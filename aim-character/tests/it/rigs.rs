@@ -282,13 +282,12 @@ fn awkward_ones_horse_and_the_nameless_walker() {
 fn every_rig_is_written_with_one_more_clip() {
     for file in ["dude.glb", "quaternius_robot.glb", "cesium_man.gltf", "pab_arnaud.glb"] {
         let (document, _) = measured(file);
-        let mut clip = document.clips()[0].repeated(4.0);
-        clip.name = "longer".into();
+        let clip = document.clips()[0].repeated(4.0).with_name("longer");
         let written = Document::from_bytes(&document.with_clips(&[clip]).unwrap()).unwrap();
         assert_eq!(written.clips().len(), document.clips().len() + 1);
         let skeleton = document.skeleton();
         for t in [0.1, 0.9, 1.9] {
-            let period = document.clips()[0].seconds();
+            let period = document.clips()[0].length_s();
             let (a, b) = (
                 skeleton.pose(&document.clips()[0], t % period),
                 written.skeleton().pose(written.clip("longer").unwrap(), t),

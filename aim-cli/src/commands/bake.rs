@@ -3,9 +3,10 @@
 use std::io::IsTerminal;
 use std::time::Duration;
 
+use aim_animation::Clip;
 use aim_character::{Fit, InterpretedRig, Live, Measurement, Plan, Plausibility, chain_nodes, hold, propose};
 use aim_codegen::RigSpec;
-use aim_gltf::{Clip, Document};
+use aim_gltf::Document;
 use aim_runtime::{DynAim, Rig, Settings, Solver};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -54,15 +55,15 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
             "warning: {} has {} clips: aimed over the first, {:?}; choose another with --clip (aim inspect lists them)",
             arguments.file.display(),
             document.clips().len(),
-            first.name
+            first.name()
         );
     }
     let unknown_length =
         |what: &str| Err(Failure::in_file(&arguments.file, format!("{what}; say how long to aim with --seconds")));
     let seconds = match (arguments.seconds, clip) {
         (Some(seconds), _) => seconds,
-        (None, Some(clip)) if clip.seconds() > 0.0 => clip.seconds(),
-        (None, Some(clip)) => return unknown_length(&format!("its clip {:?} has no length", clip.name)),
+        (None, Some(clip)) if clip.length_s() > 0.0 => clip.length_s(),
+        (None, Some(clip)) => return unknown_length(&format!("its clip {:?} has no length", clip.name())),
         (None, None) => return unknown_length("has no clip to aim over"),
     };
     let skeleton = document.skeleton();
@@ -133,8 +134,9 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     let mut baked = aim_character::bake(&mut character, &plan, |t, world| target(t.into(), world), progress)
         .map_err(Failure::of(file))?;
     bar.finish();
-    baked.clip.name = arguments.name.clone().unwrap_or_else(|| name_beside(clip, document.clips()));
-    let model = document.with_clip_like(&baked.clip, clip.map(|clip| clip.name.as_str())).map_err(Failure::of(file))?;
+    let name = arguments.name.clone().unwrap_or_else(|| name_beside(clip, document.clips()));
+    baked.clip = baked.clip.with_name(name);
+    let model = document.with_clip_like(&baked.clip, clip.map(Clip::name)).map_err(Failure::of(file))?;
     let word = SOLVERS.iter().find(|(known, ..)| known[0] == solver).map_or("", |(_, word, _)| word);
     let written = Document::from_bytes(&model).map_err(Failure::of(file))?;
     let report = BakeReport::new(Reported {
@@ -143,7 +145,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         solver: word,
         fps: arguments.fps,
         weight: arguments.weight,
-        over: clip.map_or("the rest pose", |clip| &clip.name),
+        over: clip.map_or("the rest pose", Clip::name),
         skeleton,
         chain: &chain,
         held: &held,
@@ -158,8 +160,8 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
 
 /// A name for what is aimed over a clip that none of the `known` has.
 fn name_beside(clip: Option<&Clip>, known: &[Clip]) -> String {
-    let name = clip.map_or_else(|| "aim".to_owned(), |clip| format!("{}_aimed", clip.name));
-    let is_free = |name: &String| known.iter().all(|clip| clip.name != *name);
+    let name = clip.map_or_else(|| "aim".to_owned(), |clip| format!("{}_aimed", clip.name()));
+    let is_free = |name: &String| known.iter().all(|clip| clip.name() != name);
     let numbered = (2_u32..).map(|number| format!("{name}{number}"));
     std::iter::once(name.clone()).chain(numbered).find(is_free).unwrap_or(name)
 }

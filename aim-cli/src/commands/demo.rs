@@ -21,7 +21,7 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
     let model = mannequin(|_| PAPER_AXES).map_err(|error| Failure::input(error.to_string()))?;
     let document = Document::from_bytes(&model).map_err(|error| Failure::input(error.to_string()))?;
     // Whole walk cycles in one orbit, so that the result loops.
-    let seconds = document.clips().first().map_or(ORBIT, |clip| clip.seconds() * (ORBIT / clip.seconds()).round());
+    let seconds = document.clips().first().map_or(ORBIT, |clip| clip.length_s() * (ORBIT / clip.length_s()).round());
     files::print(&format!(
         "aiming the mannequin's eye, neck and spine at a target that orbits it once in {seconds:.1} s\n"
     ))?;
@@ -37,7 +37,7 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
         rig: None,
         clip: None,
         // A player shows the first clip of a file.
-        name: document.clips().first().map(|clip| clip.name.clone()),
+        name: document.clips().first().map(|clip| clip.name().to_owned()),
         aiming: arguments.aiming,
         effector: None,
         weight: 1.0,

@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use aim_animation::Clip;
 use aim_character::{BoneAxes, Evidence, Fit, MeasuredPose, Measurement, Role, evidence, limbs_on_each, propose};
-use aim_gltf::{Clip, Document};
+use aim_gltf::Document;
 use serde_json::{Value, json};
 
 use crate::args;
@@ -85,7 +86,7 @@ fn json(file: &str, document: &Document, measurement: &Measurement) -> Value {
             "weight": said.weight,
         })
     };
-    let clip = |clip: &Clip| json!({ "name": clip.name, "seconds": clip.seconds() });
+    let clip = |clip: &Clip| json!({ "name": clip.name(), "seconds": clip.length_s() });
     json!({
         "file": file,
         "up": measurement.up.to_array().map(rounded),
@@ -110,7 +111,7 @@ fn table(document: &Document, measurement: &Measurement) -> String {
     }
     out += if document.clips().is_empty() { "\nno clips\n" } else { "\nclips\n" };
     for clip in document.clips() {
-        out += &format!("  {} {:.3} s\n", clip.name, clip.seconds());
+        out += &format!("  {} {:.3} s\n", clip.name(), clip.length_s());
     }
     out
 }

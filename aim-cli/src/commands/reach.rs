@@ -34,7 +34,7 @@ pub(super) fn run(arguments: &args::Reach) -> Result {
     let reached = reach(&plan).map_err(Failure::of(file))?;
     let model = document.with_clips(std::slice::from_ref(&reached.clip)).map_err(Failure::of(file))?;
     let written = Document::from_bytes(&model).map_err(Failure::of(file))?;
-    let after = written.clip(&reached.clip.name).map_err(|error| Failure::in_file(&arguments.written.out, error))?;
+    let after = written.clip(reached.clip.name()).map_err(|error| Failure::in_file(&arguments.written.out, error))?;
     let report = ReachReport::new(&arguments.bone, &plan, &reached, &written, after);
     let takes = Takes { document: &document, measurement: &Measurement::of(&document), limb, before: clip, after };
     arguments.written.write(&model, &report, || html::trajectory_page(&report, &goals, &takes))?;

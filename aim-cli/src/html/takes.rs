@@ -1,7 +1,8 @@
 //! The film strip of a limb that is led to a point: the character about that time as it was, and below as it is.
 
+use aim_animation::Clip;
 use aim_character::{Goal, LimbNodes, Measurement};
-use aim_gltf::{Clip, Document};
+use aim_gltf::Document;
 use glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
@@ -83,7 +84,7 @@ impl Takes<'_> {
     /// `parts` moments to a step, in order.
     fn moments(&self, goal: &Goal, around: i16, parts: i16) -> Vec<Take> {
         let skeleton = self.document.skeleton();
-        let seconds = self.before.seconds();
+        let seconds = self.before.length_s();
         let step = STEP.min(SHARE * seconds) / f32::from(parts);
         let times = (-around * parts..=around * parts).map(|k| goal.at + step * f32::from(k));
         let mut times: Vec<f32> = times.filter(|t| *t == goal.at || (0.0..=seconds).contains(t)).collect();

@@ -1,5 +1,6 @@
 //! The mannequin in many forms, baked with the rig that is proposed for each: it has to look as people do.
 
+use aim_animation::Track;
 use aim_character::{Criterion, Plausibility};
 use glam::DVec3;
 use serde_json::{Value, json};
@@ -164,17 +165,11 @@ fn a_leaning_torso() {
     let mut clip = document.clips()[0].clone();
     for (bone, degrees) in [("spine", 25_f32), ("neck", -25.0)] {
         let node = document.skeleton().find(bone).expect("a bone");
-        let channel = clip
-            .channels
-            .iter()
-            .find(|channel| channel.node() == node && channel.property() == aim_gltf::Property::Rotation);
-        let channel = channel.expect("the walk moves it");
-        let keys = channel
-            .values()
-            .chunks_exact(4)
-            .map(|key| glam::Quat::from_slice(key) * glam::Quat::from_rotation_z(degrees.to_radians()));
-        let leaning = aim_gltf::Channel::rotation(node, channel.times().into(), &keys.collect::<Vec<_>>());
-        clip.set(leaning);
+        let walk = clip.bone(node).and_then(|tracks| tracks.rotation.as_ref()).expect("the walk moves it");
+        let lean = glam::Quat::from_rotation_z(degrees.to_radians());
+        let keys = walk.values().iter().map(|&key| key * lean).collect::<Vec<_>>();
+        let leaning = Track::linear(walk.times(), keys).expect("a key at each time");
+        clip = clip.with_rotation(node, leaning);
     }
     looks_human(&document.with_clips(&[clip]).expect("a clip"));
 }

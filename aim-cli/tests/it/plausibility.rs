@@ -1,10 +1,9 @@
 //! What `plausibility` in a report says, against movements of known size.
 
 use std::f64::consts::FRAC_PI_2;
-use std::sync::Arc;
 
+use aim_animation::{Clip, Track};
 use aim_character::{Criterion, Plausibility, Settle};
-use aim_gltf::{Channel, Clip};
 use aim_runtime::Settings;
 use glam::{DQuat, DVec3, Quat, Vec3};
 
@@ -38,15 +37,21 @@ fn moved(bones: &[Moved<'_>]) -> Plausibility {
                     let turn = DQuat::from_rotation_x(heading) * DQuat::from_rotation_z(-pitch);
                     (rest * turn * DQuat::from_rotation_y(-roll)).as_quat()
                 });
-                clip.set(Channel::rotation(node, times.clone(), &keys.collect::<Vec<_>>()));
+                turn(clip, node, keys.collect());
             }
         },
     );
     measured
 }
 
-fn times(clip: &Clip) -> Arc<[f32]> {
-    clip.channels[0].times().into()
+/// The times of a baked clip's keys.
+fn times(clip: &Clip) -> Vec<f32> {
+    clip.tracks().iter().find_map(|tracks| tracks.rotation.as_ref()).expect("rotations").times().to_vec()
+}
+
+/// Has a bone of a baked clip turned so, key by key.
+fn turn(clip: &mut Clip, node: usize, keys: Vec<Quat>) {
+    *clip = clip.clone().with_rotation(node, Track::linear(times(clip), keys).expect("a key at each time"));
 }
 
 #[track_caller]
@@ -75,13 +80,12 @@ fn a_clip_that_turns_the_head_too_far_is_not_the_bakes_fault() {
     let neck = character.node("neck");
     let rest = character.document.skeleton().nodes()[neck].rest.rotation;
     let turned = |degrees: f32| rest * Quat::from_rotation_x(degrees.to_radians());
-    let clip = Clip::new("owl", vec![Channel::rotation(neck, [0.0, 1.0].into(), &[turned(110.0); 2])]);
+    let clip = Clip::new("owl").with_rotation(neck, Track::linear([0.0, 1.0], [turned(110.0); 2]).expect("two keys"));
     let owl = character.document.with_clips(&[clip]).expect("a clip");
     let owl = Character::new(&owl);
     let order = Order { settings: Settings::default().with_weight(0.0), ..Order::of(1.0) };
     let turned_by = |degrees: f32| {
-        let change =
-            |clip: &mut Clip| clip.set(Channel::rotation(neck, times(clip), &vec![turned(degrees); times(clip).len()]));
+        let change = |clip: &mut Clip| turn(clip, neck, vec![turned(degrees); times(clip).len()]);
         owl.measure(order, |_| owl.seen_at(2.0, 0.0, 0.0), change).1
     };
     assert_eq!(turned_by(110.0).worst(Criterion::HeadToChestHeading), None);
@@ -120,7 +124,7 @@ fn arms_that_leave_their_chest_are_told_in_parts_of_the_height() {
             let times = times(clip);
             let keys: Vec<Vec3> =
                 times.iter().map(|_| (rest.as_dvec3() + DVec3::Y * (0.07 * height)).as_vec3()).collect();
-            clip.set(Channel::translation(node, times, &keys));
+            *clip = clip.clone().with_translation(node, Track::linear(times, keys).expect("a key at each time"));
         },
     );
     is(&measured, Criterion::LimbShift, 0.07, 1e-4);
@@ -141,7 +145,7 @@ fn a_gaze_above_its_target_is_told_once_it_had_the_time_to_come() {
             let times = times(clip);
             let key =
                 |&t: &f32| if f64::from(t) < from { rest } else { rest * Quat::from_rotation_z(-17_f32.to_radians()) };
-            clip.set(Channel::rotation(node, times.clone(), &times.iter().map(key).collect::<Vec<_>>()));
+            turn(clip, node, times.iter().map(key).collect());
         });
         measured.worst(Criterion::ElevationError).map(|worst| (worst.value, worst.t))
     };
@@ -241,16 +245,15 @@ fn a_gaze_beside_its_target_counts_once_it_had_the_time() {
     // A neck turned aside by hand, from a time on, whatever the target.
     let beside = |from: f64, target_deg: &dyn Fn(f64) -> f64| {
         let target = |t: f64| character.seen_at(50.0, target_deg(t), 0.0);
-        let turn = |clip: &mut Clip| {
+        let aside = |clip: &mut Clip| {
             let times = times(clip);
             let keys = times.iter().map(|&t| {
                 let degrees = if f64::from(t) < from { 0.0 } else { 14.0_f32 };
                 rest * Quat::from_rotation_x(degrees.to_radians())
             });
-            let keys: Vec<Quat> = keys.collect();
-            clip.set(Channel::rotation(neck, times, &keys));
+            turn(clip, neck, keys.collect());
         };
-        character.measure(Order::of(4.0), target, turn).1
+        character.measure(Order::of(4.0), target, aside).1
     };
     let worst = |measured: &Plausibility| measured.worst(Criterion::HeadingError).map(|worst| (worst.value, worst.t));
     let (value, t) = worst(&beside(2.0, &|_| 0.0)).expect("it can be told");
@@ -283,7 +286,8 @@ fn a_head_that_lags_behind_a_jerky_idle_shows() {
             rest * Quat::from_rotation_x(degrees.to_radians())
         };
         let turns: Vec<Quat> = keys.iter().map(swing).collect();
-        let clip = Clip::new("idle", vec![Channel::rotation(head, keys.clone().into(), &turns)]);
+        let clip =
+            Clip::new("idle").with_rotation(head, Track::linear(keys.clone(), turns).expect("a key at each time"));
         let model = still.document.with_clips(&[clip]).expect("a clip");
         let character = Character::new(&model);
         let (baked, measured) = character.measure(Order::of(4.0), |_| character.seen_at(5.0, 25.0, 0.0), |_| {});

@@ -2,7 +2,7 @@
 
 use crate::support::{bytes_of, data_uri};
 use aim_animation::Transform;
-use aim_gltf::{Channel, Clip, Document, Interpolation};
+use aim_gltf::Document;
 use glam::{Quat, Vec3};
 use serde_json::{Value, json};
 
@@ -171,30 +171,4 @@ fn accessors_without_bytes_are_zeros_and_sparse_ones_are_patched() {
     close(sample(&json, 1.0).translation, [4.0, 5.0, 6.0]);
     close(sample(&json, 0.5).translation, [2.0, 2.5, 3.0]);
     close(sample(&json, 2.0).translation, [0.0; 3]);
-}
-
-#[test]
-fn a_repeated_clip_equals_itself_modulo_its_length() {
-    let times: std::sync::Arc<[f32]> = [0.25, 0.5, 1.0].into();
-    let linear = Channel::translation(0, times.clone(), &[Vec3::ZERO, Vec3::X, Vec3::Y]);
-    let late =
-        Channel::scale(0, [0.0, 2.0].into(), &[Vec3::ONE, Vec3::splat(3.0)]).with_interpolation(Interpolation::Step);
-    let tangents = [Vec3::ONE, Vec3::X, Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::NEG_X, Vec3::ZERO, Vec3::Z, Vec3::ONE];
-    let cubic = Channel::translation(1, times, &tangents).with_interpolation(Interpolation::CubicSpline);
-    let clip = Clip::new("c", vec![linear, late, cubic]);
-    assert_eq!(clip.seconds(), 2.0);
-    for seconds in [0.4_f32, 1.7, 2.0, 5.3, 6.0] {
-        let long = clip.repeated(seconds);
-        assert_eq!(long.seconds(), seconds);
-        for k in 0..500_u16 {
-            let t = seconds * (f32::from(k) + 0.37) / 500.0;
-            let (mut a, mut b) = ([Transform::IDENTITY; 2], [Transform::IDENTITY; 2]);
-            clip.sample(t % 2.0, &mut a);
-            long.sample(t, &mut b);
-            for (a, b) in a.iter().zip(&b) {
-                let far = (a.translation - b.translation).length().max((a.scale - b.scale).length());
-                assert!(far < 2e-4, "{seconds} s at {t}: {a:?} {b:?}");
-            }
-        }
-    }
 }

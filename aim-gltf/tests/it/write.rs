@@ -4,8 +4,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use crate::support::{put_together, take_apart};
+use aim_animation::{Clip, Track};
 use aim_character::{PAPER_AXES, mannequin};
-use aim_gltf::{Channel, Clip, Document, Error, Interpolation, Property, write_file};
+use aim_gltf::{Document, Error, write_file};
 use glam::{Quat, Vec3};
 use serde_json::{Value, json};
 
@@ -14,9 +15,8 @@ fn mannequin_glb() -> Vec<u8> {
 }
 
 fn nod(node: usize) -> Clip {
-    let times: std::sync::Arc<[f32]> = [0.0, 0.4, 1.0].into();
     let turns = [Quat::IDENTITY, Quat::from_rotation_z(0.3), Quat::from_rotation_x(-0.2)];
-    Clip::new("nod", vec![Channel::rotation(node, times, &turns)])
+    Clip::new("nod").with_rotation(node, Track::linear([0.0, 0.4, 1.0], turns).unwrap())
 }
 
 /// A folder of its own for one test, removed at the end.
@@ -40,12 +40,9 @@ impl Drop for Folder {
 fn a_written_clip_reads_back_the_same() {
     let document = Document::from_bytes(&mannequin_glb()).unwrap();
     let head = document.skeleton().find("head").unwrap();
-    let mut clip = document.clips()[0].repeated(3.0);
-    clip.name = "aimed".into();
-    for channel in nod(head).channels {
-        clip.set(channel);
-    }
-    let written = Document::from_bytes(&document.with_clips(&[clip.clone()]).unwrap()).unwrap();
+    let nod = nod(head).bone(head).and_then(|tracks| tracks.rotation.clone()).unwrap();
+    let clip = document.clips()[0].repeated(3.0).with_name("aimed").with_rotation(head, nod);
+    let written = Document::from_bytes(&document.with_clips(std::slice::from_ref(&clip)).unwrap()).unwrap();
     assert_eq!(written.clips().len(), 2);
     assert_eq!(written.clips()[0], document.clips()[0]);
     let found = written.clip("aimed").unwrap();
@@ -56,7 +53,6 @@ fn a_written_clip_reads_back_the_same() {
             assert!(a.rotation.dot(b.rotation).abs() > 1.0 - 1e-6 && (a.translation - b.translation).length() < 1e-6);
         }
     }
-    assert!(found.channels.iter().filter(|c| (c.node(), c.property()) == (head, Property::Rotation)).count() == 1);
 }
 
 #[test]
@@ -146,20 +142,33 @@ fn a_node_with_a_matrix_gets_its_parts_when_animated() {
 #[test]
 fn clips_that_do_not_fit_are_refused() {
     let document = Document::from_bytes(&mannequin_glb()).unwrap();
-    let refused = |channels: Vec<Channel>| {
-        let error = document.with_clips(&[Clip::new("bad", channels)]).unwrap_err();
+    let refused = |clip: Clip| {
+        let error = document.with_clips(&[clip]).unwrap_err();
         assert!(matches!(error, Error::Clip { .. }), "{error}");
     };
-    let turn = |node: usize, times: &[f32]| Channel::rotation(node, times.into(), &vec![Quat::IDENTITY; times.len()]);
-    refused(vec![turn(999, &[0.0])]);
-    refused(vec![turn(1, &[0.0]), turn(1, &[0.0])]);
-    refused(vec![turn(1, &[1.0, 1.0])]);
-    refused(vec![turn(1, &[-1.0])]);
-    refused(vec![turn(1, &[f32::NAN])]);
-    refused(vec![turn(1, &[])]);
-    refused(vec![Channel::rotation(1, [0.0, 1.0].into(), &[Quat::IDENTITY])]);
-    refused(vec![turn(1, &[0.0]).with_interpolation(Interpolation::CubicSpline)]);
-    refused(vec![Channel::translation(1, [0.0].into(), &[Vec3::NAN])]);
+    refused(Clip::new("bad").with_rotation(999, Track::constant(Quat::IDENTITY).unwrap()));
+    refused(Clip::new("bad").with_scalar(0, Track::constant(1.0).unwrap()));
+}
+
+/// glTF knows no two keys at one time, tracks do: a jump is as steep as it can be.
+#[test]
+fn what_jumps_is_written_with_increasing_times() {
+    let document = Document::from_bytes(&mannequin_glb()).unwrap();
+    let jump = Track::linear([0.0, 0.5, 0.5, 1.0], [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Y]).unwrap();
+    let glb = document.with_clips(&[Clip::new("jump").with_translation(0, jump.clone())]).unwrap();
+    let (json, bin) = take_apart(&glb);
+    let input =
+        &json["accessors"][usize::try_from(json["animations"][1]["samplers"][0]["input"].as_u64().unwrap()).unwrap()];
+    let view = &json["bufferViews"][usize::try_from(input["bufferView"].as_u64().unwrap()).unwrap()];
+    let offset = |value: &Value| usize::try_from(value["byteOffset"].as_u64().unwrap_or(0)).unwrap();
+    let (times, _) = bin[offset(input) + offset(view)..][..16].as_chunks::<4>();
+    let times: Vec<f32> = times.iter().map(|bytes| f32::from_le_bytes(*bytes)).collect();
+    assert!(times.windows(2).all(|pair| pair[0] < pair[1]), "{times:?}");
+    let written = Document::from_bytes(&glb).unwrap();
+    let track = written.clip("jump").unwrap().bone(0).and_then(|tracks| tracks.translation.as_ref()).unwrap();
+    for time in [0.25, 0.49, 0.51, 0.9] {
+        assert!((track.sample(time) - jump.sample(time)).length() < 1e-5, "at {time}");
+    }
 }
 
 #[test]

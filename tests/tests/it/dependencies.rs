@@ -71,7 +71,15 @@ fn point_one_way() {
         set(&["aim-animation", "aim-codegen", "aim-gltf", "aim-model", "aim-runtime", "aim-symbolic"])
     );
     // The window is a feature: without it the command stays lean.
-    let command = set(&["aim-character", "aim-codegen", "aim-gltf", "aim-runtime", "aim-symbolic", "aim-viewer?"]);
+    let command = set(&[
+        "aim-animation",
+        "aim-character",
+        "aim-codegen",
+        "aim-gltf",
+        "aim-runtime",
+        "aim-symbolic",
+        "aim-viewer?",
+    ]);
     assert!(ours("aim-cli").is_subset(&command), "{:?}", ours("aim-cli"));
 }
 

@@ -17,7 +17,7 @@ use crate::bake::{Baked, Plan};
 use crate::error::Error;
 use crate::measure::frame::orthonormal;
 use crate::measure::turn_deg;
-use aim_gltf::Clip;
+use aim_animation::Clip;
 use aim_gltf::Document;
 use landmarks::Landmarks;
 use motion::Turning;
@@ -153,7 +153,7 @@ impl Plausibility {
     /// # Errors
     /// A document without the baked clip.
     pub fn measure(rig: &dyn Rig, plan: &Plan<'_>, baked: &Baked, written: &Document) -> Result<Self, Error> {
-        let clip = written.clip(&baked.clip.name)?;
+        let clip = written.clip(baked.clip.name())?;
         let source = plan.clip.map(|clip| clip.repeated(plan.seconds));
         let skeleton = plan.document.skeleton();
         let look = Look::new(rig, plan);
@@ -304,11 +304,11 @@ impl Seams {
     fn new(plan: &Plan<'_>, landmarks: &Landmarks) -> Self {
         let skeleton = plan.document.skeleton();
         let jumps = |clip: &&Clip| {
-            let [begin, end] = [0.0, clip.seconds()].map(|t| skeleton.world_f64(&skeleton.pose(clip, t)));
+            let [begin, end] = [0.0, clip.length_s()].map(|t| skeleton.world_f64(&skeleton.pose(clip, t)));
             let nodes = landmarks.head.into_iter().chain(landmarks.chest);
             nodes.into_iter().any(|node| turn_deg(&begin[node], &end[node]) > Self::JUMP_DEG)
         };
-        let period = plan.clip.filter(|clip| clip.seconds() > 0.0).filter(jumps).map(Clip::seconds);
+        let period = plan.clip.filter(|clip| clip.length_s() > 0.0).filter(jumps).map(Clip::length_s);
         Self { period, round: 0.0 }
     }
 

@@ -1,10 +1,11 @@
 //! A character that is baked without a process: by the libraries that the command is made of.
 
+use aim_animation::Clip;
 use aim_character::{
     Baked, ChainNodes, InterpretedRig, Measurement, Plan, Plausibility, Settle, bake, chain_nodes, propose,
 };
 use aim_codegen::RigSpec;
-use aim_gltf::{Clip, Document};
+use aim_gltf::Document;
 use aim_runtime::{DynAim, Settings};
 use glam::DVec3;
 
