@@ -23,7 +23,7 @@ pub(crate) fn heading_and_pitch(direction: Vec3A) -> Vec4 {
 
 /// Those of two directions in little more than the time of one.
 #[inline(always)]
-fn headings_and_pitches([a, b]: [Vec3A; 2]) -> Vec4 {
+pub(crate) fn headings_and_pitches([a, b]: [Vec3A; 2]) -> Vec4 {
     let [ahead, left, up] = a.to_array();
     let [b_ahead, b_left, b_up] = b.to_array();
     let (level, b_level) = (math::root(ahead * ahead + left * left), math::root(b_ahead * b_ahead + b_left * b_left));

@@ -12,9 +12,9 @@ use crate::{Axes, Description, Effector, Joint, JointInfo, Scalar, math};
 /// Nearer to the effector than this part of the rig's size a target has no direction.
 pub(crate) const TOO_NEAR: f32 = 1e-5;
 /// How far from square or from equal length joints' axes may be in a rigid pose, all that is off taken together.
-const OFF: f32 = 1e-4;
+pub(crate) const OFF: f32 = 1e-4;
 /// The same where what is found as if they were square is true to rounding.
-const OFF_BY_NOTHING: f32 = 1e-5;
+pub(crate) const OFF_BY_NOTHING: f32 = 1e-5;
 /// Farther than this many sizes of the rig a target is a mere direction.
 const FAR: f32 = 1e7;
 
@@ -414,9 +414,9 @@ fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> Off {
 }
 
 /// The square of the scale of joints that are turned and mirrored, and scaled all alike; `None` where they are more
-/// than that, or where numbers are so large or small that their squares would not do.
+/// than that by more than `most_off`, or where numbers are so large or small that their squares would not do.
 #[inline(always)]
-pub(crate) fn common_scale(pose: &[Affine3A]) -> Option<f32> {
+pub(crate) fn common_scale(pose: &[Affine3A], most_off: f32) -> Option<f32> {
     const PLAIN: Range<f32> = 1e-12..1e12;
     let squares = |Mat3A { x_axis: x, y_axis: y, z_axis: z }| x * x + y * y + z * z;
     let square = squares(pose.first()?.matrix3).x;
@@ -428,7 +428,7 @@ pub(crate) fn common_scale(pose: &[Affine3A]) -> Option<f32> {
         let products = x * x.yzx() + y * y.yzx() + z * z.yzx();
         off += (squares(joint.matrix3) - squares_alike).abs() + products.abs();
     }
-    (off.cmple(squares_alike * OFF).all() && PLAIN.contains(&square)).then_some(square)
+    (off.cmple(squares_alike * most_off).all() && PLAIN.contains(&square)).then_some(square)
 }
 
 /// Each joint's animated transform in the next joint's space, the last one's in solver space.

@@ -47,12 +47,20 @@ pub(crate) fn find_motions<const C: usize>(
 }
 
 /// The ranges of motion of joint 0's mirror image, which the animation leads in parallel with it: heading to the left
-/// becomes heading to the right.
-pub(crate) fn mirrored<const C: usize>(rig: &ChainRig<'_, C>, pose: &PoseSlices<'_>) -> Option<RangeOfMotion> {
-    let mut info = *rig.joints.first()?;
+/// becomes heading to the right. `own` is joint 0's.
+#[inline(always)]
+pub(crate) fn mirrored<const C: usize>(
+    rig: &ChainRig<'_, C>,
+    pose: &PoseSlices<'_>,
+    own: &RangeOfMotion,
+) -> RangeOfMotion {
+    let mut info = rig.joints[0];
+    if rig.has_fixed_ranges {
+        return RangeOfMotion { heading: Interval::from_ends(-own.heading.hi(), -own.heading.lo()), ..*own };
+    }
     info.heading = info.heading.map(|[lo, hi]| [-hi, -lo]);
     let animated = if info.limits_from == LimitsFrom::BindPose { animated_angles(&info, pose, 0) } else { None };
-    Some(ranges(&info, animated))
+    ranges(&info, animated)
 }
 
 /// The heading and pitch by which the animation turns a joint's forward out of the bind pose:

@@ -81,6 +81,12 @@ impl JointSet {
         (0..64).filter(move |&joint| self.contains(joint))
     }
 
+    /// Whether a joint is to be in the set.
+    #[inline(always)]
+    pub(crate) fn set(&mut self, joint: usize, is_in: bool) {
+        self.0 = self.0 & !(1 << joint) | u64::from(is_in) << joint;
+    }
+
     pub(crate) fn insert(&mut self, joint: usize) {
         if joint < 64 {
             self.0 |= 1 << joint;

@@ -7,22 +7,25 @@
 //! are about axes parallel to joint 0's. So what is copied are directions in the pose's space, never angles of bones.
 
 use core::f32::consts::PI;
+use core::slice;
 
-use glam::{Affine3A, Mat3A, Quat, Vec3A};
+use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec4};
 
-use crate::kinematics::chain::{Ray, inverse};
-use crate::kinematics::chain::{Upright, can_lead, leading_eye, tilts};
-use crate::kinematics::rotation::correction;
-use crate::limits::RangeOfMotion;
+use super::natural::body::Turn;
+use crate::kinematics::bearing::headings_and_pitches;
+use crate::kinematics::chain::{OFF_BY_NOTHING, Ray, Upright, can_lead, common_scale, inverse, tilts};
+use crate::kinematics::rotation::{correction, tilted, turn};
 use crate::limits::motion::mirrored;
-use crate::limits::reach::Reach;
-use crate::math::trig;
+use crate::limits::reach::{AT_LIMIT_RAD, Reach};
+use crate::limits::{Interval, RangeOfMotion};
+use crate::math::Bounded;
+use crate::math::trig::{self, Halves};
 use crate::rig::{ChainRig, PerJoint, PoseSlices};
 use crate::solve::call::Call;
 use crate::solve::judge::{Verdict, limits_met};
 use crate::solve::solved::{Moved, Solved};
 use crate::target::goal::Course;
-use crate::{Axes, Joint, JointSet, Outcome, Status, math};
+use crate::{Axes, Joint, JointInfo, Outcome, Status, math};
 
 /// Nearer than this part of the eyes' distance from each other nothing is looked at: 10 cm for eyes 6 cm apart.
 const NEAREST: f32 = 10.0 / 6.0;
@@ -51,20 +54,16 @@ fn look_along([ahead, left, up]: [f32; 3], heading: f32, reach: &Reach) -> [f32;
     [heading, reach.pitch_at(heading).hold(trig::atan2(up, ahead * cos + left * sin))]
 }
 
-/// A direction of a joint's space along its forward, left and up.
-pub(crate) fn view(axes: &Axes, direction: Vec3A) -> [f32; 3] {
-    [axes.forward, axes.left, axes.up].map(|axis| direction.dot(axis.into()))
-}
-
 /// Joint 0 and the other eye, in this order wherever there are two of something. Points are seen from `middle`.
 pub(crate) struct Eyes<'a, const C: usize> {
     rig: &'a ChainRig<'a, C>,
     pose: &'a PoseSlices<'a>,
-    /// The declared ranges of motion, then both eyes' own: the other's are joint 0's mirrored.
-    declared: &'a [RangeOfMotion],
+    /// Both eyes' ranges of motion: the other's are joint 0's mirrored.
     motions: [RangeOfMotion; 2],
     leads: bool,
     middle: Vec3A,
+    /// The square of the joints' scale where the pose is rigid: the inverse of a joint's matrix is its transpose by this.
+    square: Option<f32>,
     /// The eyes' animated transforms.
     eyes: [Affine3A; 2],
     /// From directions of the pose to those that the angles count in.
@@ -81,123 +80,143 @@ pub(crate) struct Eyes<'a, const C: usize> {
 
 impl<'a, const C: usize> Eyes<'a, C> {
     /// `None` where an eye's transform is not finite or does not span space.
+    #[inline(always)]
     pub(crate) fn new(
         rig: &'a ChainRig<'a, C>,
         pose: &'a PoseSlices<'a>,
         other_eye: &Affine3A,
-        declared: &'a [RangeOfMotion],
+        declared: &[RangeOfMotion],
         about: Upright,
     ) -> Option<Self> {
-        let (joint, info) = (*pose.joints.first()?, rig.joints.first()?);
-        if !(joint.is_finite() && other_eye.is_finite()) {
-            return None;
-        }
-        math::orthonormal(joint.matrix3)?;
-        math::orthonormal(other_eye.matrix3)?;
-        let axes = &info.axes;
-        let axes = Mat3A::from_cols(axes.forward.into(), axes.up.into(), axes.left.into());
-        let (from_pose, from_pose_to_other) = (inverse(&joint).matrix3, inverse(other_eye).matrix3);
-        // Forward first: it is the column that stays exactly what it is, also where the pose is stretched.
-        let relation =
-            math::orthonormal(from_pose_to_other * joint.matrix3 * axes)? * math::orthonormal(axes)?.transpose();
-
+        let (joint, info, own_motion) = (pose.joints.first()?, rig.joints.first()?, declared.first()?);
+        let square = common_scale(pose.joints, OFF_BY_NOTHING);
+        let other_square = common_scale(slice::from_ref(other_eye), OFF_BY_NOTHING);
+        let (from_pose, relation, from_pose_to_other) = match (square, other_square) {
+            (Some(own), Some(other)) if info.planes.are_square() => {
+                let from_pose = joint.matrix3.transpose() * (1.0 / own);
+                let relation = other_eye.matrix3.transpose() * joint.matrix3 * (1.0 / math::sqrt(own * other));
+                (from_pose, relation, None)
+            }
+            _ => {
+                let (from_pose, relation, to_other) = related(joint, other_eye, info)?;
+                (from_pose, relation, Some(to_other))
+            }
+        };
         let middle = 0.5 * joint.translation + 0.5 * other_eye.translation;
         let from_middle = |eye: &Affine3A| Affine3A { matrix3: eye.matrix3, translation: eye.translation - middle };
         let apart = joint.translation - other_eye.translation;
         let leftward = joint.matrix3 * Vec3A::from(info.axes.left);
-        let side = if math::direction(apart).is_some_and(|apart| apart.dot(leftward) < 0.0) { -1.0 } else { 1.0 };
+        let side = if apart.dot(leftward) < 0.0 { -1.0 } else { 1.0 };
         let eyes = Self {
             rig,
             pose,
-            declared,
-            motions: [*declared.first()?, mirrored(rig, pose)?],
+            motions: [*own_motion, mirrored(rig, pose, own_motion)],
             leads: can_lead(rig.description),
             middle,
-            eyes: [from_middle(&joint), from_middle(other_eye)],
-            to_angles: [from_pose, relation.transpose() * from_pose_to_other],
+            square: square.filter(|_| from_pose_to_other.is_none()),
+            eyes: [from_middle(joint), from_middle(other_eye)],
+            // In parallel in the animation.
+            to_angles: [from_pose, from_pose_to_other.map_or(from_pose, |other| relation.transpose() * other)],
             relation,
-            tilts: tilts(rig, pose.joints, about),
-            apart: math::length(apart),
+            tilts: if rig.has_upright { tilts(rig, pose.joints, about) } else { rig.array(Quat::IDENTITY) },
+            apart: plain_length(apart),
             side,
         };
-        (middle.is_finite() && eyes.apart.is_finite() && eyes.to_angles.iter().all(Mat3A::is_finite)).then_some(eyes)
+        (middle.is_finite() && eyes.apart.is_finite()).then_some(eyes)
     }
 
     /// One call for both eyes and the chain that `solve` moves: it is given the pose and the ranges of the leading eye,
-    /// and joint 0 as that eye. `None` where there is nothing to aim.
+    /// and joint 0 as that eye. `motions` are all joints' declared ones. `None` where there is nothing to aim; what is moved is then not to be used.
+    #[inline(always)]
     pub(crate) fn aim(
         &self,
         call: &Call<'_>,
+        motions: &mut [RangeOfMotion],
         Moved { joints, memory, corrections }: Moved<'_, C>,
         solve: impl Fn(&PoseSlices<'_>, &[RangeOfMotion], Moved<'_, C>) -> Option<Solved>,
     ) -> Option<Solved> {
         let own = *joints.first()?;
         let [other, leading] = memory.eyes().unwrap_or([[0.0; 2], own.angles()]);
         let start = [own, with_angles(&own, other)];
+        let mut transforms = self.rig.array(Affine3A::IDENTITY);
+        transforms.copy_from_slice(self.pose.joints);
         if self.leads {
             joints[0] = with_angles(&own, leading);
+            transforms[0].translation = self.middle;
         }
-        let mut transforms = self.rig.array(Affine3A::IDENTITY);
-        transforms.iter_mut().zip(self.pose.joints).for_each(|(to, joint)| *to = *joint);
-        transforms[0] = leading_eye(self.rig.description, self.pose)?;
         let pose = PoseSlices { joints: &transforms, ..*self.pose };
-        let mut motions = self.rig.array(RangeOfMotion::REST);
-        motions.copy_from_slice(self.declared);
-        let (mut found, mut remembered) = (self.rig.array(Joint::REST), *memory);
         // How much room convergence takes depends on where the head comes to be. A frame takes that from the last one,
         // and a snap from itself.
-        let rounds = if call.dt.is_some() { 1 } else { SNAP_ROUNDS };
-        if call.dt.is_some() {
-            found.copy_from_slice(joints);
-        }
-        let mut solved = None;
-        for _ in 0..rounds {
-            if self.leads {
-                motions[0] = self.leading_motion(call, &found);
+        let solved = if call.dt.is_some() {
+            for (index, correction) in corrections.iter_mut().enumerate().skip(1) {
+                *correction = self.correction_of(index, &joints[index]);
             }
-            found.copy_from_slice(joints);
-            remembered = *memory;
-            let moved = Moved { joints: &mut found, memory: &mut remembered, corrections };
-            solved = Some(solve(&pose, &motions, moved)?);
-        }
-        let solved = solved?;
-        joints.copy_from_slice(&found);
-        *memory = remembered;
-
-        let lead = joints[0];
-        let reaches = self.reaches(call, &start);
-        let resting = solved.course == Course::Rest || self.is_supported(call);
-        let angles = if !self.leads {
-            [lead.angles(), reaches[1].angles_nearest(&lead)]
-        } else if resting {
-            // Where the leading eye does not just rest, it keeps the gaze on the animation while the head returns.
-            [0, 1].map(|eye| reaches[eye].angles_nearest(&lead))
-        } else if solved.course == Course::Stay {
-            [0, 1].map(|eye| reaches[eye].angles_nearest(&start[eye]))
+            if self.leads {
+                motions[0] = self.leading_motion(call, corrections);
+            }
+            solve(&pose, motions, Moved { joints, memory, corrections })
         } else {
-            self.looks(self.seen(joints, solved.aimed_ps)?, &lead, &reaches, &start).0
+            let before = (*joints, *memory);
+            corrections.fill(Quat::IDENTITY);
+            let mut solved = None;
+            for _ in 0..SNAP_ROUNDS {
+                if self.leads {
+                    motions[0] = self.leading_motion(call, corrections);
+                }
+                (*joints, *memory) = before;
+                solved = solve(&pose, motions, Moved { joints, memory, corrections });
+                if solved.is_none() {
+                    break;
+                }
+            }
+            solved
         };
-        let angles = if call.dt == Some(0.0) { start.map(|eye| eye.angles()) } else { angles };
-        if !angles.as_flattened().iter().all(|angle| angle.is_finite()) {
+        motions[0] = self.motions[0];
+        let solved = solved?;
+        let lead = joints[0];
+        let wanted = match solved.seen_ps {
+            Some(seen) => seen - self.middle,
+            None => self.taken_back(corrections, solved.wanted_ps),
+        };
+        let views = self.views(wanted);
+        let plain = if self.leads && solved.course == Course::Aim && solved.aimed_ps == solved.wanted_ps {
+            self.looks_freely(call, wanted, views, &start)
+        } else {
+            None
+        };
+        let angles = match plain {
+            Some(angles) if !self.is_supported(call) => angles,
+            _ => self.looks_otherwise(call, corrections, &lead, &start, &solved)?,
+        };
+        let [[h, p], [other_h, other_p]] = angles;
+        let angles_of_both = Vec4::new(h, p, other_h, other_p);
+        if !angles_of_both.is_finite() {
             return None;
         }
         joints[0] = with_angles(&lead, angles[0]);
         memory.set_eyes(Some([angles[1], lead.angles()]));
-        corrections[0] = correction(&self.rig.joints[0], &joints[0], self.tilts[0]);
-        let outcome = self.outcome(call, joints, &with_angles(&lead, angles[1]), &lead, &solved, corrections[0])?;
+        let halves = trig::halves_of_both(angles_of_both);
+        let info = &self.rig.joints[0];
+        let turns = both(|eye| tilted(turn(&info.axes, &info.planes, halves[eye].to_array()), self.tilts[0]));
+        corrections[0] = turns[0];
+        let remaining = self.remaining(corrections, turns, halves, [wanted, views[0], views[1]], &solved);
+        let turned = Turned { angles, turns, wanted, remaining, at_ease: plain.is_some() };
+        let outcome = self.outcome(call, joints, &turned, &lead, &solved)?;
         Some(Solved { outcome, ..solved })
     }
 
     /// Whether a joint further in is aimed, so that the eyes rest.
     fn is_supported(&self, call: &Call<'_>) -> bool {
-        call.settings.effector.min(self.declared.len().saturating_sub(1)) > 0
+        call.settings.effector.min(self.rig.count().saturating_sub(1)) > 0
     }
 
     /// What the leading eye may do so that either eye can look where it looks.
-    fn leading_motion(&self, call: &Call<'_>, joints: &[Joint]) -> RangeOfMotion {
-        let distance = self.seen(joints, call.target_ps.into()).map_or(f32::INFINITY, math::length);
+    #[inline(always)]
+    fn leading_motion(&self, call: &Call<'_>, corrections: &[Quat]) -> RangeOfMotion {
+        let target = self.taken_back(corrections, call.target_ps.into());
+        let distance = plain_length(target).at_least(NEAREST * self.apart);
         // NaN where there is no distance to speak of.
-        let half = (0.5 * self.apart * call.settings.effective_weight() / distance).max(0.0).min(0.5);
+        let half = (0.5 * self.apart * call.settings.effective_weight() / distance).at_least(0.0).at_most(0.5);
         let inward = self.side * trig::atan2(half, math::sqrt(1.0 - half * half));
         let [own, other] = self.motions;
         let (own_heading, other_heading) = (own.heading.moved(inward), other.heading.moved(-inward));
@@ -207,14 +226,15 @@ impl<'a, const C: usize> Eyes<'a, C> {
     }
 
     /// How far each eye gets in this call. Neither may turn outward further than the other inward: so they never part.
+    #[inline(always)]
     fn reaches(&self, call: &Call<'_>, start: &[Joint; 2]) -> [Reach; 2] {
         let [own, other] = self.motions;
         let [left, right] = if self.side > 0.0 { [own, other] } else { [other, own] };
         let left_heading = left.heading.no_further_up_than(right.heading);
         let right_heading = right.heading.no_further_down_than(left.heading);
         let headings = if self.side > 0.0 { [left_heading, right_heading] } else { [right_heading, left_heading] };
-        let rate = self.rig.joints.first().map_or(0.0, |info| info.rate);
-        [0, 1].map(|eye| {
+        let rate = self.rig.joints[0].rate;
+        both(|eye| {
             let motion = RangeOfMotion { heading: headings[eye], ..self.motions[eye] };
             match call.dt {
                 Some(dt) => Reach::frame(&motion, rate, &start[eye], dt),
@@ -223,50 +243,116 @@ impl<'a, const C: usize> Eyes<'a, C> {
         })
     }
 
-    /// The target as it stands to the animated eyes: what the supporting joints add is taken back. No nearer than the
-    /// eyes look.
-    fn seen(&self, joints: &[Joint], target_ps: Vec3A) -> Option<Vec3A> {
-        let mut target = target_ps - self.middle;
-        for index in (1..joints.len()).rev() {
-            let (frame, turn) = self.support(joints, index)?;
-            let local = inverse(&frame).transform_point3a(target);
-            target = frame.transform_point3a(math::turned(turn.conjugate(), local));
+    /// A point as it stands to the animated eyes: what the supporting joints add is taken back.
+    #[inline(always)]
+    fn taken_back(&self, corrections: &[Quat], point_ps: Vec3A) -> Vec3A {
+        let mut point = point_ps - self.middle;
+        for (joint, turn) in self.pose.joints.iter().zip(corrections).skip(1).rev() {
+            let place = joint.translation - self.middle;
+            let to_joint = match self.square {
+                Some(square) => joint.matrix3.transpose() * (1.0 / square),
+                None => inverse(joint).matrix3,
+            };
+            point = place + joint.matrix3 * math::turned(turn.conjugate(), to_joint * (point - place));
         }
-        let near = NEAREST * self.apart;
-        let distance = math::length(target);
-        if distance < near { Some(math::direction(target)? * near) } else { Some(target) }
+        point
     }
 
-    /// A supporting joint's animated frame and what it adds.
-    fn support(&self, joints: &[Joint], index: usize) -> Option<(Affine3A, Quat)> {
-        let joint = self.pose.joints.get(index)?;
-        let frame = Affine3A { matrix3: joint.matrix3, translation: joint.translation - self.middle };
-        Some((frame, correction(self.rig.joints.get(index)?, joints.get(index)?, *self.tilts.get(index)?)))
+    /// A point no nearer than the eyes look.
+    #[inline(always)]
+    fn no_nearer(&self, point: Vec3A) -> Option<Vec3A> {
+        let near = NEAREST * self.apart;
+        if plain_length(point) < near { Some(math::direction(point)? * near) } else { Some(point) }
+    }
+
+    /// What a joint adds at its angles.
+    #[inline(always)]
+    fn correction_of(&self, index: usize, joint: &Joint) -> Quat {
+        correction(&self.rig.joints[index], joint, self.tilts[index])
+    }
+
+    /// The directions from the eyes to a point along forward, left and up of where the angles count from.
+    #[inline(always)]
+    fn views(&self, point: Vec3A) -> [Vec3A; 2] {
+        let basis = self.rig.joints[0].planes.basis.transpose();
+        both(|eye| basis * (self.to_angles[eye] * (point - self.eyes[eye].translation)))
+    }
+
+    /// Both eyes' headings and pitches towards what they have these views of, where no range and no rate keeps one from it and
+    /// they do not part.
+    #[inline(always)]
+    fn looks_freely(
+        &self,
+        call: &Call<'_>,
+        target: Vec3A,
+        views: [Vec3A; 2],
+        start: &[Joint; 2],
+    ) -> Option<[[f32; 2]; 2]> {
+        let near = NEAREST * self.apart;
+        let both = headings_and_pitches(views);
+        let [own, other] = &self.motions;
+        let ends =
+            |of: fn(Interval) -> f32| Vec4::new(of(own.heading), of(own.pitch), of(other.heading), of(other.pitch));
+        let from = Vec4::new(start[0].heading, start[0].pitch, start[1].heading, start[1].pitch);
+        let step = call.dt.map_or(f32::INFINITY, |dt| self.rig.joints[0].rate * dt);
+        let inside = (both - ends(Interval::lo)).min(ends(Interval::hi) - both);
+        let fits = inside.cmpgt(Vec4::splat(AT_LIMIT_RAD)) & (both - from).abs().cmple(Vec4::splat(step));
+        let [h, p, other_h, other_p] = both.to_array();
+        let is_free = fits.bitmask() == 15
+            && own.taper.is_none()
+            && self.side * (h - other_h) <= 0.0
+            && target.dot(target) >= near * near
+            && views[0].dot(views[0]).at_most(views[1].dot(views[1])) > 1e-30;
+        is_free.then_some([[h, p], [other_h, other_p]])
+    }
+
+    /// Both eyes' headings and pitches in every other case.
+    #[cold]
+    #[inline(never)]
+    fn looks_otherwise(
+        &self,
+        call: &Call<'_>,
+        corrections: &[Quat],
+        lead: &Joint,
+        start: &[Joint; 2],
+        solved: &Solved,
+    ) -> Option<[[f32; 2]; 2]> {
+        if call.dt == Some(0.0) {
+            return Some(both(|eye| start[eye].angles()));
+        }
+        let reaches = self.reaches(call, start);
+        Some(if !self.leads {
+            [lead.angles(), reaches[1].angles_nearest(lead)]
+        } else if solved.course == Course::Rest || self.is_supported(call) {
+            // Where the leading eye does not just rest, it keeps the gaze on the animation while the head returns.
+            both(|eye| reaches[eye].angles_nearest(lead))
+        } else if solved.course == Course::Stay {
+            both(|eye| reaches[eye].angles_nearest(&start[eye]))
+        } else {
+            self.looks(self.no_nearer(self.taken_back(corrections, solved.aimed_ps))?, lead, &reaches, start).0
+        })
     }
 
     /// Both eyes' headings and pitches towards a target, and whether their ranges alone let them look there: each from
     /// its own origin, or in parallel with `lead` where that makes no sense.
+    #[cold]
     fn looks(&self, target: Vec3A, lead: &Joint, reaches: &[Reach; 2], start: &[Joint; 2]) -> ([[f32; 2]; 2], bool) {
-        let parallel = || ([0, 1].map(|eye| reaches[eye].angles_nearest(lead)), false);
-        let mut views = [[0.0; 3]; 2];
+        let views = self.views(target);
+        let parallel = || (both(|eye| reaches[eye].angles_nearest(lead)), false);
         let mut headings = [0.0; 2];
         let mut within = true;
         for eye in [0, 1] {
-            let Some(direction) = math::direction(self.to_angles[eye] * (target - self.eyes[eye].translation)) else {
-                return parallel();
-            };
-            let [ahead, left, up] = view(&self.rig.joints[0].axes, direction);
-            views[eye] = [ahead, left, up];
+            let Some(direction) = math::direction(views[eye]) else { return parallel() };
+            let [ahead, left, up] = direction.to_array();
             headings[eye] = trig::atan2(left, ahead);
-            let range = Reach::range(&self.motions[eye]);
-            let [heading, pitch] = look(views[eye], &range);
+            let [heading, pitch] = look([ahead, left, up], &Reach::range(&self.motions[eye]));
             let (sin, cos) = trig::sin_cos(heading);
             let beside = (headings[eye] - heading).abs();
             let above = (trig::atan2(up, ahead * cos + left * sin) - pitch).abs();
-            if !(beside.max(above) < FAR_OUT_RAD) {
+            if !(beside.at_least(above) < FAR_OUT_RAD) {
                 return parallel();
             }
-            within &= beside.max(above) < 1e-5;
+            within &= beside.at_least(above) < 1e-5;
         }
         let parted = self.side * (headings[0] - headings[1]);
         if parted > PARALLEL_RAD {
@@ -275,35 +361,67 @@ impl<'a, const C: usize> Eyes<'a, C> {
         if parted > 0.0 {
             headings = [0.5 * (headings[0] + headings[1]); 2];
         }
-        let angles = [0, 1].map(|eye| {
+        let angles = both(|eye| {
             let mut heading = headings[eye];
             if self.motions[eye].heading.is_free() {
                 heading = start[eye].heading + math::wrap_pi(heading - start[eye].heading);
             }
-            let [heading, pitch] = look_along(views[eye], heading, &reaches[eye]);
+            let [heading, pitch] = look_along(views[eye].to_array(), heading, &reaches[eye]);
             [if self.motions[eye].heading.is_free() { math::wrap_pi(heading) } else { heading }, pitch]
         });
         (angles, within)
     }
 
-    /// The other eye's correction in its own bone's space, at this heading and pitch. A mirror between the bones turns it
-    /// round.
+    /// The other eye's correction in its own bone's space, at this heading and pitch.
+    #[cold]
     pub(crate) fn correction(&self, angles: &[f32; 2]) -> Quat {
-        let turn = correction(&self.rig.joints[0], &with_angles(&Joint::REST, *angles), self.tilts[0]);
+        self.related(self.correction_of(0, &with_angles(&Joint::REST, *angles)))
+    }
+
+    /// A correction of joint 0's as one of the other eye's in its own bone's space. A mirror between the bones turns it round.
+    #[inline(always)]
+    fn related(&self, turn: Quat) -> Quat {
         let Mat3A { x_axis, y_axis, z_axis } = self.relation;
         let sense = if math::cross(x_axis, y_axis).dot(z_axis) < 0.0 { -1.0 } else { 1.0 };
         let axis = self.relation * Vec3A::new(turn.x, turn.y, turn.z) * sense;
-        Quat::from_xyzw(axis.x, axis.y, axis.z, turn.w)
+        let square = axis.dot(axis) + turn.w * turn.w;
+        Quat::from_vec4(Vec4::from((axis, turn.w)) * (1.0 / math::sqrt(square)))
     }
 
-    /// The angle that is left between an eye that turns like this and a point, by the true forward kinematics.
-    fn remaining(&self, joints: &[Joint], eye: usize, forward: Vec3A, turn: Quat, point_ps: Vec3A) -> Option<f32> {
+    /// The angles that are left between the eyes that turn like this and a point, from which what supports them is taken back.
+    #[inline(always)]
+    fn remaining(
+        &self,
+        corrections: &[Quat],
+        turns: [Quat; 2],
+        halves: [Halves; 2],
+        [wanted, views @ ..]: [Vec3A; 3],
+        solved: &Solved,
+    ) -> [Option<f32>; 2] {
+        if self.square.is_none() || !self.leads {
+            return both(|eye| self.true_remaining(corrections, eye, turns, solved.wanted_ps));
+        }
+        let [a, b] = both(|eye| Turn::of_halves(halves[eye]).back(views[eye]));
+        let aside = [a, b].map(|v| math::root(v.y * v.y + v.z * v.z));
+        let angles = trig::atan2_of_4(Vec4::new(aside[0], aside[1], 0.0, 0.0), Vec4::new(a.x, b.x, 1.0, 1.0));
+        let least = 1e-4 * self.apart;
+        both(|eye| {
+            let away = wanted - self.eyes[eye].translation;
+            (away.dot(away) > least * least && angles[eye].is_finite()).then_some(angles[eye])
+        })
+    }
+
+    /// The same for one eye by the true forward kinematics.
+    #[cold]
+    fn true_remaining(&self, corrections: &[Quat], eye: usize, turns: [Quat; 2], point_ps: Vec3A) -> Option<f32> {
         let frame = &self.eyes[eye];
-        let mut ray =
-            Ray { origin: frame.translation, direction: frame.transform_vector3a(math::turned(turn, forward)) };
-        for index in 1..joints.len() {
-            let (frame, turn) = self.support(joints, index)?;
-            ray = ray.through(&inverse(&frame)).turned(turn).through(&frame);
+        let forward = Vec3A::from(self.rig.joints[0].axes.forward);
+        let forward =
+            if eye == 0 { math::turned(turns[0], forward) } else { self.relation * math::turned(turns[1], forward) };
+        let mut ray = Ray { origin: frame.translation, direction: frame.transform_vector3a(forward) };
+        for (joint, turn) in self.pose.joints.iter().zip(corrections).skip(1) {
+            let frame = Affine3A { matrix3: joint.matrix3, translation: joint.translation - self.middle };
+            ray = ray.through(&inverse(&frame)).turned(*turn).through(&frame);
         }
         let to_point = point_ps - self.middle - ray.origin;
         if !(math::length(to_point) > 1e-4 * self.apart) {
@@ -314,55 +432,108 @@ impl<'a, const C: usize> Eyes<'a, C> {
     }
 
     /// The outcome of both eyes: each judged from its own origin by forward kinematics.
+    #[inline(always)]
     fn outcome(
         &self,
         call: &Call<'_>,
         joints: &[Joint],
-        other: &Joint,
+        turned: &Turned,
         lead: &Joint,
         solved: &Solved,
-        own_turn: Quat,
     ) -> Option<Outcome> {
-        let infos = self.rig.joints;
-        let forward = Vec3A::from(infos[0].axes.forward);
-        let (mut at_limit, mut recovering) = limits_met(infos, self.declared, joints);
         // Joint 0 stands for both eyes.
-        let (other_at_limit, other_recovering) =
-            limits_met(&infos[..1], &self.motions[1..], core::slice::from_ref(other));
-        for (set, other) in [(&mut at_limit, other_at_limit), (&mut recovering, other_recovering)] {
-            if other != JointSet::EMPTY {
-                set.insert(0);
-            }
-        }
-        let turn = self.correction(&other.angles());
-        let other_eye_remaining = self.remaining(joints, 1, self.relation * forward, turn, solved.wanted_ps);
-        let outcome =
-            Outcome { at_limit, recovering, other_eye_remaining, other_eye_correction: Some(turn), ..solved.outcome };
+        let other = with_angles(lead, turned.angles[1]);
+        let (mut at_limit, mut recovering) = (solved.outcome.at_limit, solved.outcome.recovering);
+        let met = if turned.at_ease { [false; 2] } else { self.limits_met([joints[0], other]) };
+        at_limit.set(0, met[0]);
+        recovering.set(0, met[1]);
+        let [own_remaining, other_eye_remaining] = turned.remaining;
+        let other_eye_correction = Some(self.related(turned.turns[1]));
+        let outcome = Outcome { at_limit, recovering, other_eye_remaining, other_eye_correction, ..solved.outcome };
         if !self.leads || self.is_supported(call) {
             return Some(outcome);
         }
-        let remaining = self.remaining(joints, 0, forward, own_turn, solved.wanted_ps)?;
-        let other_eye_remaining = other_eye_remaining?;
-        let within_reach = || match solved.outcome.status {
-            Status::RateLimited => true,
-            // The leading eye has arrived: what keeps the others?
-            Status::Reached => self.seen(joints, solved.wanted_ps).is_some_and(|seen| {
-                let near = NEAREST * self.apart * 1.000_01;
-                let start = [joints[0], *other];
-                self.looks(seen, lead, &self.reaches(call, &start), &start).1 && math::length(seen) > near
-            }),
-            _ => false,
-        };
-        let verdict = Verdict {
-            remaining: remaining.max(other_eye_remaining),
-            tolerance: call.settings.effective_tolerance(),
-            behind: solved.behind,
-            within_reach: call.dt.is_some() && within_reach(),
-        };
+        let (remaining, tolerance) = (own_remaining?, call.settings.effective_tolerance());
+        let farther = remaining.at_least(other_eye_remaining?);
+        let within_reach = farther > tolerance && call.dt.is_some() && self.is_within_reach(call, turned, lead, solved);
+        let verdict = Verdict { remaining: farther, tolerance, behind: solved.behind, within_reach };
         let status = verdict.status();
         let own = Verdict { remaining, ..verdict }.outcome_at(at_limit, recovering);
         Some(Outcome { aim: own.aim, remaining, status, ..outcome })
     }
+
+    /// Whether rates alone keep the eyes from what they are to look at.
+    #[cold]
+    fn is_within_reach(&self, call: &Call<'_>, turned: &Turned, lead: &Joint, solved: &Solved) -> bool {
+        match solved.outcome.status {
+            Status::RateLimited => true,
+            // The leading eye has arrived: what keeps the others?
+            Status::Reached => self.no_nearer(turned.wanted).is_some_and(|seen| {
+                let near = NEAREST * self.apart * 1.000_01;
+                let start = turned.angles.map(|angles| with_angles(lead, angles));
+                self.looks(seen, lead, &self.reaches(call, &start), &start).1 && math::length(seen) > near
+            }),
+            _ => false,
+        }
+    }
+
+    /// Whether an eye is at a limit, and whether one is out of its range.
+    #[cold]
+    fn limits_met(&self, eyes: [Joint; 2]) -> [bool; 2] {
+        let info = slice::from_ref(&self.rig.joints[0]);
+        let [own, other] = both(|eye| limits_met(info, &self.motions[eye..=eye], &eyes[eye..=eye]));
+        [!(own.0.is_empty() && other.0.is_empty()), !(own.1.is_empty() && other.1.is_empty())]
+    }
+}
+
+/// Where both eyes have turned.
+struct Turned {
+    /// Headings and pitches.
+    angles: [[f32; 2]; 2],
+    /// What each adds, in joint 0's bone.
+    turns: [Quat; 2],
+    /// The point that they are judged by, as it stands to the animated eyes, and the angles that are left between it and each.
+    wanted: Vec3A,
+    remaining: [Option<f32>; 2],
+    /// Whether neither is at a limit.
+    at_ease: bool,
+}
+
+/// [`Eyes::new`]'s transforms for eyes that are not just scaled, turned and mirrored: the inverse of joint 0, its space in the
+/// other eye's bone, and the inverse of that.
+#[cold]
+fn related(joint: &Affine3A, other_eye: &Affine3A, info: &JointInfo) -> Option<(Mat3A, Mat3A, Mat3A)> {
+    if !(joint.is_finite() && other_eye.is_finite()) {
+        return None;
+    }
+    math::orthonormal(joint.matrix3)?;
+    math::orthonormal(other_eye.matrix3)?;
+    // Forward first: it is the column that stays exactly what it is, also where the pose is stretched.
+    let Axes { up, forward, left } = info.axes;
+    let axes = Mat3A::from_cols(forward.into(), up.into(), left.into());
+    let (from_pose, from_pose_to_other) = (inverse(joint).matrix3, inverse(other_eye).matrix3);
+    let relation = math::orthonormal(from_pose_to_other * joint.matrix3 * axes)? * math::orthonormal(axes)?.transpose();
+    let is_seen = from_pose.is_finite() && (relation.transpose() * from_pose_to_other).is_finite();
+    is_seen.then_some((from_pose, relation, from_pose_to_other))
+}
+
+/// A vector's length.
+#[inline(always)]
+fn plain_length(v: Vec3A) -> f32 {
+    let square = v.dot(v);
+    if square > 1e-24 && square < 1e24 { math::root(square) } else { extreme_length(v) }
+}
+
+#[cold]
+#[inline(never)]
+fn extreme_length(v: Vec3A) -> f32 {
+    math::length(v)
+}
+
+/// A value for joint 0 and one for the other eye.
+#[inline(always)]
+fn both<T>(of: impl Fn(usize) -> T) -> [T; 2] {
+    [of(0), of(1)]
 }
 
 /// The joint at other angles.

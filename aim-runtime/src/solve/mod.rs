@@ -105,7 +105,7 @@ pub(crate) fn solve<const C: usize>(
     let moved = Moved { joints: &mut joints, memory: &mut memory, corrections };
     let outcome = match pose.other_eye {
         Some(other_eye) => Eyes::new(rig, pose, other_eye, &motions, about)
-            .and_then(|eyes| eyes.aim(call, moved, solve_chain))
+            .and_then(|eyes| eyes.aim(call, &mut motions, moved, solve_chain))
             .map(|solved| solved.outcome),
         None => {
             moved.memory.set_eyes(None);

@@ -17,6 +17,8 @@ pub(crate) struct Solved {
     /// What the outcome is measured against and what was aimed at, in the pose's space.
     pub(crate) wanted_ps: Vec3A,
     pub(crate) aimed_ps: Vec3A,
+    /// `wanted_ps` with the turns of the joints inside the leading one taken back, where that was found on the way.
+    pub(crate) seen_ps: Option<Vec3A>,
     pub(crate) course: Course,
     pub(crate) behind: bool,
 }
@@ -79,6 +81,6 @@ impl<const C: usize> Task<'_, C> {
             verdict.outcome(rig, motions, joints)
         };
         let [wanted_ps, aimed_ps] = [goal.wanted, goal.aimed].map(|point| space.to_pose(point));
-        Some(Solved { outcome, wanted_ps, aimed_ps, course: goal.course, behind: goal.behind })
+        Some(Solved { outcome, wanted_ps, aimed_ps, seen_ps: None, course: goal.course, behind: goal.behind })
     }
 }

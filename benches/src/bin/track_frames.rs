@@ -1,7 +1,7 @@
 //! What is counted: characters that aim at a target, and nothing else in the frames that are asked for.
 //!
-//! `track_frames exact|exact-inlined|natural|eye|eye-inlined FRAMES` follow a swinging target; `natural-aside`,
-//! `natural-overhead` and `natural-jump` look, their animation moving, at what stands aside or overhead, out of reach, and at
+//! `track_frames exact|exact-inlined|natural|natural-eyes|eye|eye-inlined FRAMES` follow a swinging target, `natural-eyes` by
+//! both eyes; `natural-aside`, `natural-overhead` and `natural-jump` look, their animation moving, at what stands aside or overhead, out of reach, and at
 //! what is now here and now there. Everything that comes in is made ready for all frames, so
 //! that two runs differ by the solver's work in the frames by which they differ.
 
@@ -9,13 +9,15 @@ use std::env;
 use std::hint::black_box;
 use std::process::ExitCode;
 
-use aim::glam::Affine3A;
+use aim::glam::{Affine3A, Vec3};
 use aim::{Aim, AimRig, Behind, Pose, Settings, Solver};
 use aim_benches::solver::chain::{EyeOnly, Gazer};
 use aim_benches::solver::workload::{Motion, Path, track};
 
 /// How many characters are counted.
 const CHARACTERS: usize = 64;
+/// Where the other eye is, to the left, metres.
+const APART: f32 = -0.06;
 /// Of how many frames inputs are made ready.
 const FRAMES: u16 = 600;
 
@@ -30,6 +32,9 @@ fn main() -> ExitCode {
         "exact" => follow::<Gazer, false>(&motions, frames, &exact),
         "exact-inlined" => follow::<Gazer, true>(&motions, frames, &exact),
         "natural" => follow::<Gazer, false>(&motions, frames, &settings.with_solver(Solver::Natural)),
+        "natural-eyes" => {
+            follow_by::<Gazer, false>(&motions, frames, &settings.with_solver(Solver::Natural), Some(APART));
+        }
         "natural-aside" => stand(frames, [[120.0, 0.0]; 2]),
         "natural-overhead" => stand(frames, [[10.0, 85.0]; 2]),
         "natural-jump" => stand(frames, [[-40.0, 0.0], [35.0, 15.0]]),
@@ -41,7 +46,7 @@ fn main() -> ExitCode {
 }
 
 fn usage() -> ExitCode {
-    eprintln!("track_frames exact[-inlined]|natural[-aside|-overhead|-jump]|eye[-inlined] FRAMES");
+    eprintln!("track_frames exact[-inlined]|natural[-eyes|-aside|-overhead|-jump]|eye[-inlined] FRAMES");
     ExitCode::FAILURE
 }
 
@@ -56,14 +61,28 @@ fn stand(frames: usize, ends: [[f32; 2]; 2]) {
     );
 }
 
-/// Frame by frame, all characters in each.
+/// By one eye.
 fn follow<R: AimRig, const INLINED: bool>(motions: &[Motion], frames: usize, settings: &Settings) {
+    follow_by::<R, INLINED>(motions, frames, settings, None);
+}
+
+/// Frame by frame, all characters in each; where there is another eye, it is so far to the left of joint 0, metres.
+fn follow_by<R: AimRig, const INLINED: bool>(
+    motions: &[Motion],
+    frames: usize,
+    settings: &Settings,
+    other_eye: Option<f32>,
+) {
     const DT: f32 = 1.0 / 60.0;
     let mut characters = vec![Aim::<R>::new(); motions.len()];
     let pose = |joints: [Affine3A; 3]| {
         let mut array = R::array(Affine3A::IDENTITY);
         array.as_mut().iter_mut().zip(joints).for_each(|(to, joint)| *to = joint);
-        Pose::new(array)
+        let pose = Pose::new(array);
+        match other_eye {
+            Some(left) => pose.with_other_eye(joints[0] * Affine3A::from_translation(Vec3::new(0.0, 0.0, left))),
+            None => pose,
+        }
     };
     let poses: Vec<Vec<_>> = (0..FRAMES)
         .map(|frame| {

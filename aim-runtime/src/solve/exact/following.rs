@@ -16,7 +16,7 @@ use glam::{Affine3A, BVec4A, Mat3A, Quat, Vec3A, Vec4};
 
 use super::dual::{DEAREST, STRAINED};
 use super::{ENOUGH_RAD, IDENTITY_LINK, STILL_RAD};
-use crate::kinematics::chain::{common_scale, upright};
+use crate::kinematics::chain::{OFF, common_scale, upright};
 use crate::kinematics::rotation::{is_identity, tilted, turn};
 use crate::kinematics::view::{Stretch, View};
 use crate::math::trig;
@@ -114,7 +114,7 @@ fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
     let animated: &[Affine3A; N] = pose.joints.try_into().ok()?;
     let corrections: &mut [Quat; N] = corrections.try_into().ok()?;
     let (lanes, dt) = (&rig.lanes, call.dt?);
-    let scale = common_scale(animated)?;
+    let scale = common_scale(animated, OFF)?;
     // The inverse of a frame that is turned and scaled is its transpose, divided by the square of its scale.
     let (mut frames, mut per_square, mut tilts) = (animated, 1.0 / scale, None);
     let upright_pose;

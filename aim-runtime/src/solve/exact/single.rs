@@ -19,7 +19,7 @@ use core::slice;
 use glam::{Affine3A, Mat3A, Quat, Vec3A};
 
 use super::following::{unturned, view};
-use crate::kinematics::chain::common_scale;
+use crate::kinematics::chain::{OFF, common_scale};
 use crate::kinematics::rotation::turn;
 use crate::kinematics::view::View;
 use crate::limits::reach::AT_LIMIT_RAD;
@@ -101,7 +101,7 @@ impl<'a> Eye<'a> {
         {
             return None;
         }
-        let square_scale = common_scale(slice::from_ref(animated))?;
+        let square_scale = common_scale(slice::from_ref(animated), OFF)?;
         // The inverse of a frame that is turned and scaled is its transpose, divided by the square of its scale.
         let to_target = (target_ps - animated.translation) / square_scale;
         let Mat3A { x_axis: x, y_axis: y, z_axis: z } = animated.matrix3;

@@ -195,7 +195,7 @@ impl<'a, const C: usize> Body<'a, C> {
 
 /// The sines and cosines of a joint's pitch and heading.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Turn(Vec4);
+pub(in crate::solve) struct Turn(Vec4);
 
 impl Turn {
     #[inline(always)]
@@ -204,13 +204,13 @@ impl Turn {
     }
 
     #[inline(always)]
-    pub(super) fn of_halves(halves: Halves) -> Self {
+    pub(in crate::solve) fn of_halves(halves: Halves) -> Self {
         Self(trig::doubled(halves))
     }
 
     /// A vector along forward, left and up as it is along those that are turned.
     #[inline(always)]
-    pub(super) fn back(&self, v: Vec3A) -> Vec3A {
+    pub(in crate::solve) fn back(&self, v: Vec3A) -> Vec3A {
         let [sin_p, cos_p, sin_h, cos_h] = self.0.to_array();
         let [ahead, left, up] = v.to_array();
         let level = ahead * cos_h + left * sin_h;

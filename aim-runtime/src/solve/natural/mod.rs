@@ -15,7 +15,7 @@
 //! zone and the slope of the head's part; Freedman, *Exp. Brain Res.* 190 (2008) for coordination as a whole.
 
 mod allot;
-mod body;
+pub(in crate::solve) mod body;
 mod glide;
 mod range;
 mod region;
@@ -144,6 +144,7 @@ pub(super) fn aim<const C: usize>(
         // A rotation that is taken back from skewed axes is off by the skew.
         None => true_gaze(rig, pose.joints, first, body.space, corrections)?.angle_to(goal.wanted),
     })?;
+    solved.seen_ps = (first == 0 && body.off.is_nothing()).then(|| body.space.to_pose(wanted));
     solved.outcome.body_turn = fit.body_turn;
     solved.outcome.out_of_reach_for = memory.blocked_s;
     Some(solved)
