@@ -16,7 +16,7 @@ mod natural;
 mod solved;
 mod turn_round;
 
-use glam::{Quat, Vec3A};
+use glam::{Affine3A, Quat, Vec3A};
 
 use self::call::upright_axis;
 pub(crate) use self::call::{Call, LONGEST_FRAME_S};
@@ -77,39 +77,14 @@ pub(crate) fn solve<const C: usize>(
 ) -> Outcome {
     let mut motions = rig.array(RangeOfMotion::REST);
     find_motions(rig, pose, &mut motions);
-    let about = upright_axis(pose, solver(rig, call.settings));
     let (mut joints, mut memory) = (rig.array(Joint::REST), *state.memory);
     joints.copy_from_slice(state.joints);
-    let by_regions = moves_by_regions(rig, call.settings);
-    let solve_chain = |pose: &PoseSlices<'_>, motions: &[RangeOfMotion], moved: Moved<'_, C>| {
-        let Moved { joints, memory, corrections } = moved;
-        if by_regions {
-            if call.dt.is_some() {
-                return natural::aim(rig, pose, motions, call, about, Moved { joints, memory, corrections });
-            }
-            // Where a snap is undefined from rest the search may find a start from which it is not.
-            let mut before = rig.array(Joint::REST);
-            before.copy_from_slice(joints);
-            let solved = natural::aim(rig, pose, motions, call, about, Moved { joints, memory, corrections });
-            if solved.is_some() {
-                return solved;
-            }
-            joints.copy_from_slice(&before);
-        }
-        let moved = Moved { joints, memory, corrections };
-        match call.dt {
-            Some(dt) => aim_joints(rig, pose, motions, call, dt, moved),
-            None => snap_joints(rig, pose, motions, call, moved),
-        }
-    };
     let moved = Moved { joints: &mut joints, memory: &mut memory, corrections };
     let outcome = match pose.other_eye {
-        Some(other_eye) => Eyes::new(rig, pose, other_eye, &motions, about)
-            .and_then(|eyes| eyes.aim(call, &mut motions, moved, solve_chain))
-            .map(|solved| solved.outcome),
+        Some(other_eye) => aim_eyes(rig, pose, other_eye, &mut motions, call, moved),
         None => {
             moved.memory.set_eyes(None);
-            solve_chain(pose, &motions, moved).map(|solved| solved.outcome)
+            solve_chain(rig, pose, &motions, call, moved).map(|solved| solved.outcome)
         }
     };
     match outcome {
@@ -121,12 +96,58 @@ pub(crate) fn solve<const C: usize>(
             outcome
         }
         None => {
+            let about = upright_axis(pose, solver(rig, call.settings));
             let eyes = pose.other_eye.and_then(|other_eye| Eyes::new(rig, pose, other_eye, &motions, about));
             let held = eyes.and_then(|eyes| Some(eyes.correction(&state.memory.other_eye()?)));
             corrections.copy_from_slice(&tilts(rig, pose.joints, about));
             corrections_of(rig, state.joints, corrections);
             Outcome { other_eye_correction: held, ..degenerate(rig, &motions, state.joints) }
         }
+    }
+}
+
+/// Moves both eyes and the chain.
+#[inline(never)]
+fn aim_eyes<const C: usize>(
+    rig: &ChainRig<'_, C>,
+    pose: &PoseSlices<'_>,
+    other_eye: &Affine3A,
+    motions: &mut [RangeOfMotion],
+    call: &Call<'_>,
+    moved: Moved<'_, C>,
+) -> Option<Outcome> {
+    let eyes = Eyes::new(rig, pose, other_eye, motions, upright_axis(pose, solver(rig, call.settings)))?;
+    let solved = eyes.aim(call, motions, moved, |pose, motions, moved| solve_chain(rig, pose, motions, call, moved))?;
+    Some(solved.outcome)
+}
+
+/// Moves a chain by its solver.
+#[inline(always)]
+fn solve_chain<const C: usize>(
+    rig: &ChainRig<'_, C>,
+    pose: &PoseSlices<'_>,
+    motions: &[RangeOfMotion],
+    call: &Call<'_>,
+    moved: Moved<'_, C>,
+) -> Option<Solved> {
+    let Moved { joints, memory, corrections } = moved;
+    if moves_by_regions(rig, call.settings) {
+        let about = upright_axis(pose, Solver::Natural);
+        if call.dt.is_some() {
+            return natural::aim(rig, pose, motions, call, about, Moved { joints, memory, corrections });
+        }
+        // Where a snap is undefined from rest the search may find a start from which it is not.
+        let before = *joints;
+        let solved = natural::aim(rig, pose, motions, call, about, Moved { joints, memory, corrections });
+        if solved.is_some() {
+            return solved;
+        }
+        *joints = before;
+    }
+    let moved = Moved { joints, memory, corrections };
+    match call.dt {
+        Some(dt) => aim_joints(rig, pose, motions, call, dt, moved),
+        None => snap_joints(rig, pose, motions, call, moved),
     }
 }
 

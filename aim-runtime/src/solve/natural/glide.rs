@@ -131,7 +131,7 @@ fn braking(distance: f32, gain: f32, dt: f32) -> f32 {
 /// speed with which the frame begins.
 ///
 /// A change of the goal's speed within `most` is gone along with at once; one that lasts, from the second frame on, with
-/// the region's own speed going on evenly; a leap is all offset.
+/// the region's own speed going on evenly; a leap is all offset. A region that is shaken goes along with the goal's mean speed.
 #[inline(always)]
 pub(super) fn follow(led: &mut Led, sum: Pair, goal: Pair, glide: &mut Glide, bounds: &Bounds) -> Pair {
     let &Bounds { dt, per_dt, rate, acceleration, .. } = bounds;
@@ -140,8 +140,11 @@ pub(super) fn follow(led: &mut Led, sum: Pair, goal: Pair, glide: &mut Glide, bo
     let change = (goal - led_goal) * per_dt;
     let is_near = |other: Pair| (change - other).abs().cmple(most).bitmask() & 3 == 3;
     // One axis that leaps makes the other's change part of the leap.
-    let is_smooth = is_near(led_speed);
-    let speed = if (is_smooth || is_near(led_change)) && square(change) <= rate * rate { change } else { led_speed };
+    let (mut is_smooth, lasts) = (is_near(led_speed), is_near(led_change));
+    let mut speed = if (is_smooth || lasts) && square(change) <= rate * rate { change } else { led_speed };
+    if !lasts || led.tired > 0.0 {
+        (speed, is_smooth) = led.shake(speed, change, bounds);
+    }
     let mut begins = led_speed;
     if !is_smooth {
         glide.speed += led_speed - speed;
@@ -159,6 +162,32 @@ impl Led {
     pub(super) fn haste(&self) -> f32 {
         const LEAST: f32 = 0.4;
         (1.0 - self.tired).at_least(LEAST).at_most(1.0)
+    }
+
+    /// A goal that in motion goes on changing its speed v by more than the acceleration a makes up for shakes the head: going along
+    /// overshoots by v²/2a. The more it is shaken, the more it goes along with the mean of its goal's speed alone.
+    ///
+    /// Returns what it goes along with instead of `speed`, and whether that is within the acceleration.
+    #[cold]
+    #[inline(never)]
+    fn shake(&mut self, speed: Pair, change: Pair, bounds: &Bounds) -> (Pair, bool) {
+        /// The time over which the mean is taken, and that in which shaking comes to count in full, seconds.
+        const MEAN_S: f32 = 0.25;
+        const SHAKEN_S: f32 = 0.02;
+        /// From how far going along overshoots it counts as shaking, and from where in full.
+        const OVERSHOOTS_RAD: [f32; 2] = [0.1 * PI / 180.0, 0.5 * PI / 180.0];
+        let &Bounds { dt, acceleration, .. } = bounds;
+        let most = Vec4::splat(acceleration * dt);
+        let is_near = |a: Pair, b: Pair| (a - b).abs().cmple(most).bitmask() & 3 == 3;
+        let [before, last] = [self.speed, self.change].map(pair);
+        if !is_near(change, last) {
+            let overshoots = square(change).at_most(square(last)) / (2.0 * acceleration);
+            let counts = (overshoots - OVERSHOOTS_RAD[0]) / (OVERSHOOTS_RAD[1] - OVERSHOOTS_RAD[0]);
+            self.tired += counts.at_least(0.0).at_most(1.0) * (dt / SHAKEN_S);
+        }
+        let mean = before + (change - before) * (dt / (dt + MEAN_S));
+        let speed = speed + (mean - speed) * self.tired.at_most(1.0);
+        (speed, is_near(speed, before))
     }
 
     /// A goal that leaps back before the head has come makes it slow for a while: it stays near the middle.

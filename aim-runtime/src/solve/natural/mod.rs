@@ -144,7 +144,8 @@ pub(super) fn aim<const C: usize>(
         // A rotation that is taken back from skewed axes is off by the skew.
         None => true_gaze(rig, pose.joints, first, body.space, corrections)?.angle_to(goal.wanted),
     })?;
-    solved.seen_ps = (first == 0 && body.off.is_nothing()).then(|| body.space.to_pose(wanted));
+    solved.seen_ps =
+        (pose.other_eye.is_some() && first == 0 && body.off.is_nothing()).then(|| body.space.to_pose(wanted));
     solved.outcome.body_turn = fit.body_turn;
     solved.outcome.out_of_reach_for = memory.blocked_s;
     Some(solved)
@@ -620,7 +621,7 @@ impl<const C: usize> Gaze<'_, C> {
             glide.offset = before - goal;
         }
         if is_head && !self.has_eye {
-            bounds.pace *= quickness(length(glide.offset));
+            bounds.pace *= 1.0 + (quickness(length(glide.offset)) - 1.0) * (1.0 - led.tired).at_least(0.0);
         }
         let mut next = glide.after(&bounds, begins, carries).braked(
             &glide,
