@@ -156,6 +156,13 @@ pub(crate) fn angle_between(a: Vec3A, b: Vec3A) -> f32 {
     atan2(cross(a, b).length(), a.dot(b))
 }
 
+/// The same of unit vectors: tan θ/2 = |a − b|/|a + b|.
+#[inline(always)]
+pub(crate) fn angle_between_units(a: Vec3A, b: Vec3A) -> f32 {
+    let [apart, along] = [a - b, a + b].map(|v| v.dot(v));
+    if apart < along { trig::twice_atan(root(apart / along)) } else { angle_between(a, b) }
+}
+
 /// The orthogonal matrix nearest in spirit: columns normalised, then squared to each other in their order. A mirror
 /// stays in it. `None` where the columns do not span space, or span it so flatly that the order decides everything.
 pub(crate) fn orthonormal(m: Mat3A) -> Option<Mat3A> {

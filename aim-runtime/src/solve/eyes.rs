@@ -23,7 +23,7 @@ use crate::math::trig::{self, Halves};
 use crate::rig::{ChainRig, PerJoint, PoseSlices};
 use crate::solve::call::Call;
 use crate::solve::judge::{Verdict, limits_met};
-use crate::solve::solved::{Moved, Solved};
+use crate::solve::solved::{Found, Moved};
 use crate::target::goal::Course;
 use crate::{Axes, Joint, JointInfo, Outcome, Status, math};
 
@@ -132,9 +132,10 @@ impl<'a, const C: usize> Eyes<'a, C> {
         &self,
         call: &Call<'_>,
         motions: &mut [RangeOfMotion],
-        Moved { joints, memory, corrections }: Moved<'_, C>,
-        solve: impl Fn(&PoseSlices<'_>, &[RangeOfMotion], Moved<'_, C>) -> Option<Solved>,
-    ) -> Option<Solved> {
+        Moved { joints, memory, corrections, .. }: Moved<'_, C>,
+        solve: impl Fn(&PoseSlices<'_>, &[RangeOfMotion], Moved<'_, C>) -> Option<Outcome>,
+    ) -> Option<Outcome> {
+        let mut found = None;
         let own = *joints.first()?;
         let [other, leading] = memory.eyes().unwrap_or([[0.0; 2], own.angles()]);
         let start = [own, with_angles(&own, other)];
@@ -154,7 +155,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
             if self.leads {
                 motions[0] = self.leading_motion(call, corrections);
             }
-            solve(&pose, motions, Moved { joints, memory, corrections })
+            solve(&pose, motions, Moved { joints, memory, corrections, found: Some(&mut found) })
         } else {
             let before = (*joints, *memory);
             corrections.fill(Quat::IDENTITY);
@@ -164,7 +165,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
                     motions[0] = self.leading_motion(call, corrections);
                 }
                 (*joints, *memory) = before;
-                solved = solve(&pose, motions, Moved { joints, memory, corrections });
+                solved = solve(&pose, motions, Moved { joints, memory, corrections, found: Some(&mut found) });
                 if solved.is_none() {
                     break;
                 }
@@ -172,14 +173,18 @@ impl<'a, const C: usize> Eyes<'a, C> {
             solved
         };
         motions[0] = self.motions[0];
-        let solved = solved?;
+        let solved = Solved { outcome: solved?, found: found? };
         let lead = joints[0];
-        let wanted = match solved.seen_ps {
-            Some(seen) => seen - self.middle,
-            None => self.taken_back(corrections, solved.wanted_ps),
+        let to_pose = |point| solved.found.space.to_pose(point);
+        let wanted = match solved.found.seen {
+            Some(seen) => to_pose(seen) - self.middle,
+            None => self.taken_back(corrections, to_pose(solved.found.goal.wanted)),
         };
         let views = self.views(wanted);
-        let plain = if self.leads && solved.course == Course::Aim && solved.aimed_ps == solved.wanted_ps {
+        let plain = if self.leads
+            && solved.found.goal.course == Course::Aim
+            && solved.found.goal.aimed == solved.found.goal.wanted
+        {
             self.looks_freely(call, wanted, views, &start)
         } else {
             None
@@ -201,8 +206,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         corrections[0] = turns[0];
         let remaining = self.remaining(corrections, turns, halves, [wanted, views[0], views[1]], &solved);
         let turned = Turned { angles, turns, wanted, remaining, at_ease: plain.is_some() };
-        let outcome = self.outcome(call, joints, &turned, &lead, &solved)?;
-        Some(Solved { outcome, ..solved })
+        self.outcome(call, joints, &turned, &lead, &solved)
     }
 
     /// Whether a joint further in is aimed, so that the eyes rest.
@@ -323,13 +327,19 @@ impl<'a, const C: usize> Eyes<'a, C> {
         let reaches = self.reaches(call, start);
         Some(if !self.leads {
             [lead.angles(), reaches[1].angles_nearest(lead)]
-        } else if solved.course == Course::Rest || self.is_supported(call) {
+        } else if solved.found.goal.course == Course::Rest || self.is_supported(call) {
             // Where the leading eye does not just rest, it keeps the gaze on the animation while the head returns.
             both(|eye| reaches[eye].angles_nearest(lead))
-        } else if solved.course == Course::Stay {
+        } else if solved.found.goal.course == Course::Stay {
             both(|eye| reaches[eye].angles_nearest(&start[eye]))
         } else {
-            self.looks(self.no_nearer(self.taken_back(corrections, solved.aimed_ps))?, lead, &reaches, start).0
+            self.looks(
+                self.no_nearer(self.taken_back(corrections, solved.found.space.to_pose(solved.found.goal.aimed)))?,
+                lead,
+                &reaches,
+                start,
+            )
+            .0
         })
     }
 
@@ -399,7 +409,9 @@ impl<'a, const C: usize> Eyes<'a, C> {
         solved: &Solved,
     ) -> [Option<f32>; 2] {
         if self.square.is_none() || !self.leads {
-            return both(|eye| self.true_remaining(corrections, eye, turns, solved.wanted_ps));
+            return both(|eye| {
+                self.true_remaining(corrections, eye, turns, solved.found.space.to_pose(solved.found.goal.wanted))
+            });
         }
         let [a, b] = both(|eye| Turn::of_halves(halves[eye]).back(views[eye]));
         let aside = [a, b].map(|v| math::root(v.y * v.y + v.z * v.z));
@@ -456,7 +468,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         let (remaining, tolerance) = (own_remaining?, call.settings.effective_tolerance());
         let farther = remaining.at_least(other_eye_remaining?);
         let within_reach = farther > tolerance && call.dt.is_some() && self.is_within_reach(call, turned, lead, solved);
-        let verdict = Verdict { remaining: farther, tolerance, behind: solved.behind, within_reach };
+        let verdict = Verdict { remaining: farther, tolerance, behind: solved.found.goal.behind, within_reach };
         let status = verdict.status();
         let own = Verdict { remaining, ..verdict }.outcome_at(at_limit, recovering);
         Some(Outcome { aim: own.aim, remaining, status, ..outcome })
@@ -484,6 +496,12 @@ impl<'a, const C: usize> Eyes<'a, C> {
         let [own, other] = both(|eye| limits_met(info, &self.motions[eye..=eye], &eyes[eye..=eye]));
         [!(own.0.is_empty() && other.0.is_empty()), !(own.1.is_empty() && other.1.is_empty())]
     }
+}
+
+/// What a solve of the chain made of a call.
+struct Solved {
+    outcome: Outcome,
+    found: Found,
 }
 
 /// Where both eyes have turned.

@@ -26,7 +26,7 @@ use self::exact::{following, single};
 use self::eyes::Eyes;
 use self::frame::Frame;
 use self::judge::degenerate;
-use self::solved::{Moved, Solved, Task};
+use self::solved::{Moved, Task};
 use crate::kinematics::chain::{Chain, corrections_of, tilts};
 use crate::limits::RangeOfMotion;
 use crate::limits::motion::find_motions;
@@ -79,12 +79,12 @@ pub(crate) fn solve<const C: usize>(
     find_motions(rig, pose, &mut motions);
     let (mut joints, mut memory) = (rig.array(Joint::REST), *state.memory);
     joints.copy_from_slice(state.joints);
-    let moved = Moved { joints: &mut joints, memory: &mut memory, corrections };
+    let moved = Moved { joints: &mut joints, memory: &mut memory, corrections, found: None };
     let outcome = match pose.other_eye {
         Some(other_eye) => aim_eyes(rig, pose, other_eye, &mut motions, call, moved),
         None => {
             moved.memory.set_eyes(None);
-            solve_chain(rig, pose, &motions, call, moved).map(|solved| solved.outcome)
+            solve_chain(rig, pose, &motions, call, moved)
         }
     };
     match outcome {
@@ -117,8 +117,7 @@ fn aim_eyes<const C: usize>(
     moved: Moved<'_, C>,
 ) -> Option<Outcome> {
     let eyes = Eyes::new(rig, pose, other_eye, motions, upright_axis(pose, solver(rig, call.settings)))?;
-    let solved = eyes.aim(call, motions, moved, |pose, motions, moved| solve_chain(rig, pose, motions, call, moved))?;
-    Some(solved.outcome)
+    eyes.aim(call, motions, moved, |pose, motions, moved| solve_chain(rig, pose, motions, call, moved))
 }
 
 /// Moves a chain by its solver.
@@ -129,22 +128,23 @@ fn solve_chain<const C: usize>(
     motions: &[RangeOfMotion],
     call: &Call<'_>,
     moved: Moved<'_, C>,
-) -> Option<Solved> {
-    let Moved { joints, memory, corrections } = moved;
+) -> Option<Outcome> {
+    let Moved { joints, memory, corrections, mut found } = moved;
     if moves_by_regions(rig, call.settings) {
         let about = upright_axis(pose, Solver::Natural);
         if call.dt.is_some() {
-            return natural::aim(rig, pose, motions, call, about, Moved { joints, memory, corrections });
+            return natural::aim(rig, pose, motions, call, about, Moved { joints, memory, corrections, found });
         }
         // Where a snap is undefined from rest the search may find a start from which it is not.
         let before = *joints;
-        let solved = natural::aim(rig, pose, motions, call, about, Moved { joints, memory, corrections });
-        if solved.is_some() {
-            return solved;
+        let moved = Moved { joints, memory, corrections, found: found.as_deref_mut() };
+        let outcome = natural::aim(rig, pose, motions, call, about, moved);
+        if outcome.is_some() {
+            return outcome;
         }
         *joints = before;
     }
-    let moved = Moved { joints, memory, corrections };
+    let moved = Moved { joints, memory, corrections, found };
     match call.dt {
         Some(dt) => aim_joints(rig, pose, motions, call, dt, moved),
         None => snap_joints(rig, pose, motions, call, moved),
@@ -185,8 +185,8 @@ fn aim_joints<const C: usize>(
     motions: &[RangeOfMotion],
     call: &Call<'_>,
     dt: f32,
-    Moved { joints, memory, corrections }: Moved<'_, C>,
-) -> Option<Solved> {
+    Moved { joints, memory, corrections, found }: Moved<'_, C>,
+) -> Option<Outcome> {
     let settings = call.settings;
     let solver = solver(rig, settings);
     let about = upright_axis(pose, solver);
@@ -216,7 +216,7 @@ fn aim_joints<const C: usize>(
         joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
     }
     let task = Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach, well_within: false };
-    task.finish_chain(&chain, Moved { joints, memory, corrections })
+    task.finish_chain(&chain, Moved { joints, memory, corrections, found })
 }
 
 /// Puts `joints` on the target whatever the rates; `None` where there is nothing to aim.
@@ -225,8 +225,8 @@ fn snap_joints<const C: usize>(
     pose: &PoseSlices<'_>,
     motions: &[RangeOfMotion],
     call: &Call<'_>,
-    Moved { joints, memory, corrections }: Moved<'_, C>,
-) -> Option<Solved> {
+    Moved { joints, memory, corrections, found }: Moved<'_, C>,
+) -> Option<Outcome> {
     let settings = call.settings;
     let solver = solver(rig, settings);
     let about = upright_axis(pose, solver);
@@ -267,7 +267,7 @@ fn snap_joints<const C: usize>(
     }
     let task =
         Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach: false, well_within: false };
-    task.finish_chain(&chain, Moved { joints, memory, corrections })
+    task.finish_chain(&chain, Moved { joints, memory, corrections, found })
 }
 
 /// What a chain turns to.

@@ -1,4 +1,4 @@
-//! [`Solved`]: what a solve of the chain made of a call.
+//! [`Task`]: what the joints were to do in a call, and what became of it.
 
 use glam::{Quat, Vec3A};
 
@@ -7,20 +7,17 @@ use crate::kinematics::chain::{Chain, Space};
 use crate::limits::RangeOfMotion;
 use crate::limits::motion::wrap;
 use crate::rig::{ChainRig, Memory, PerJoint};
-use crate::target::goal::{Course, Goal};
+use crate::target::goal::Goal;
 use crate::{Joint, JointSet, Outcome, Settings};
 
-/// What a solve of the chain made of a call.
+/// What the eyes have to know of how their chain was solved.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Solved {
-    pub(crate) outcome: Outcome,
-    /// What the outcome is measured against and what was aimed at, in the pose's space.
-    pub(crate) wanted_ps: Vec3A,
-    pub(crate) aimed_ps: Vec3A,
-    /// `wanted_ps` with the turns of the joints inside the leading one taken back, where that was found on the way.
-    pub(crate) seen_ps: Option<Vec3A>,
-    pub(crate) course: Course,
-    pub(crate) behind: bool,
+pub(crate) struct Found {
+    pub(crate) goal: Goal,
+    pub(crate) space: Space,
+    /// What the outcome is measured against with the turns of the joints inside the leading one taken back, in solver space, where
+    /// that was found on the way.
+    pub(crate) seen: Option<Vec3A>,
 }
 
 /// The joints that a solve moves, and what it writes: one element for each joint.
@@ -28,6 +25,8 @@ pub(crate) struct Moved<'a, const C: usize> {
     pub(crate) joints: &'a mut PerJoint<Joint, C>,
     pub(crate) memory: &'a mut Memory,
     pub(crate) corrections: &'a mut [Quat],
+    /// Where it is noted what was found, if anyone asks.
+    pub(crate) found: Option<&'a mut Option<Found>>,
 }
 
 /// What the joints were to do, and what they are judged by.
@@ -48,8 +47,11 @@ impl<const C: usize> Task<'_, C> {
     pub(crate) fn finish_chain(
         &self,
         chain: &Chain<C>,
-        Moved { joints, memory, corrections }: Moved<'_, C>,
-    ) -> Option<Solved> {
+        Moved { joints, memory, corrections, found }: Moved<'_, C>,
+    ) -> Option<Outcome> {
+        if let Some(found) = found {
+            *found = Some(Found { goal: *self.goal, space: self.space, seen: None });
+        }
         self.finish(joints, memory, |joints| {
             let (gaze, posed) = chain.posed(self.rig, joints);
             corrections.copy_from_slice(&posed);
@@ -64,8 +66,8 @@ impl<const C: usize> Task<'_, C> {
         joints: &mut [Joint],
         memory: &mut Memory,
         posed: impl FnOnce(&[Joint]) -> Option<f32>,
-    ) -> Option<Solved> {
-        let &Self { rig, motions, goal, space, settings, within_reach, well_within } = self;
+    ) -> Option<Outcome> {
+        let &Self { rig, motions, goal, settings, within_reach, well_within, .. } = self;
         if !rig.has_fixed_ranges {
             for (joint, motion) in joints.iter_mut().zip(motions) {
                 wrap(motion, joint);
@@ -80,7 +82,6 @@ impl<const C: usize> Task<'_, C> {
         } else {
             verdict.outcome(rig, motions, joints)
         };
-        let [wanted_ps, aimed_ps] = [goal.wanted, goal.aimed].map(|point| space.to_pose(point));
-        Some(Solved { outcome, wanted_ps, aimed_ps, seen_ps: None, course: goal.course, behind: goal.behind })
+        Some(outcome)
     }
 }

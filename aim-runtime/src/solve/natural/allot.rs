@@ -92,7 +92,7 @@ impl<const C: usize> Gaze<'_, C> {
     fn way_to(&self, point: Vec3A) -> Option<Way> {
         let from = self.body.gaze.direction;
         let to = math::unit(point - self.pivot)?;
-        let part = if self.has_eye { self.sharing.head_part(math::angle_between(from, to)) } else { 1.0 };
+        let part = if self.has_eye { self.sharing.head_part(math::angle_between_units(from, to)) } else { 1.0 };
         let [from, to] = self.bearings.turned(from, to);
         Some(Way { from, to, way: self.bearings.way(from, to, self.goal.side), part })
     }

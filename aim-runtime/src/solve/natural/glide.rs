@@ -143,7 +143,7 @@ pub(super) fn follow(led: &mut Led, sum: Pair, goal: Pair, glide: &mut Glide, bo
     let (mut is_smooth, lasts) = (is_near(led_speed), is_near(led_change));
     let mut speed = if (is_smooth || lasts) && square(change) <= rate * rate { change } else { led_speed };
     if !lasts || led.tired > 0.0 {
-        (speed, is_smooth) = led.shake(speed, change, bounds);
+        (speed, is_smooth) = led.shake(speed, change, lasts, bounds);
     }
     let mut begins = led_speed;
     if !is_smooth {
@@ -167,10 +167,11 @@ impl Led {
     /// A goal that in motion goes on changing its speed v by more than the acceleration a makes up for shakes the head: going along
     /// overshoots by v²/2a. The more it is shaken, the more it goes along with the mean of its goal's speed alone.
     ///
-    /// Returns what it goes along with instead of `speed`, and whether that is within the acceleration.
+    /// Returns what it goes along with instead of `speed`, and whether that is within the acceleration; `lasts` tells whether the
+    /// goal's last change was.
     #[cold]
     #[inline(never)]
-    fn shake(&mut self, speed: Pair, change: Pair, bounds: &Bounds) -> (Pair, bool) {
+    fn shake(&mut self, speed: Pair, change: Pair, lasts: bool, bounds: &Bounds) -> (Pair, bool) {
         /// The time over which the mean is taken, and that in which shaking comes to count in full, seconds.
         const MEAN_S: f32 = 0.25;
         const SHAKEN_S: f32 = 0.02;
@@ -178,16 +179,20 @@ impl Led {
         const OVERSHOOTS_RAD: [f32; 2] = [0.1 * PI / 180.0, 0.5 * PI / 180.0];
         let &Bounds { dt, acceleration, .. } = bounds;
         let most = Vec4::splat(acceleration * dt);
-        let is_near = |a: Pair, b: Pair| (a - b).abs().cmple(most).bitmask() & 3 == 3;
-        let [before, last] = [self.speed, self.change].map(pair);
-        if !is_near(change, last) {
-            let overshoots = square(change).at_most(square(last)) / (2.0 * acceleration);
+        let before = pair(self.speed);
+        let is_near = |speed: Pair| (speed - before).abs().cmple(most).bitmask() & 3 == 3;
+        if !lasts {
+            let overshoots = square(change).at_most(square(pair(self.change))) / (2.0 * acceleration);
+            // A goal that leaps from rest, or to it, has no motion to take the mean of.
+            if !(overshoots > OVERSHOOTS_RAD[0]) {
+                return (speed, is_near(speed));
+            }
             let counts = (overshoots - OVERSHOOTS_RAD[0]) / (OVERSHOOTS_RAD[1] - OVERSHOOTS_RAD[0]);
-            self.tired += counts.at_least(0.0).at_most(1.0) * (dt / SHAKEN_S);
+            self.tired += counts.at_most(1.0) * (dt / SHAKEN_S);
         }
         let mean = before + (change - before) * (dt / (dt + MEAN_S));
         let speed = speed + (mean - speed) * self.tired.at_most(1.0);
-        (speed, is_near(speed, before))
+        (speed, is_near(speed))
     }
 
     /// A goal that leaps back before the head has come makes it slow for a while: it stays near the middle.

@@ -21,6 +21,7 @@ mod range;
 mod region;
 mod sharing;
 mod sight;
+mod turning;
 
 use core::f32::consts::PI;
 
@@ -28,14 +29,14 @@ use glam::{Quat, Vec3A, Vec4};
 
 use self::allot::Fit;
 use self::body::{Body, Turn, angles};
-use self::glide::{Bounds, Glide, Pair, ends, follow, length, pair, saccade, square};
+use self::glide::{Pair, ends, length};
 use self::range::Range;
 use self::region::{Region, find_regions};
 use self::sharing::Sharing;
-use self::sight::{Seen, turn_to};
+use self::sight::Seen;
 use super::call::Call;
-use super::solved::{Moved, Solved, Task};
-use crate::kinematics::bearing::{Bearings, heading_and_pitch};
+use super::solved::{Found, Moved, Task};
+use crate::kinematics::bearing::Bearings;
 use crate::kinematics::chain::{Chain, Upright, true_gaze};
 use crate::kinematics::rotation::{tilted, turn};
 use crate::limits::RangeOfMotion;
@@ -44,7 +45,7 @@ use crate::math::trig;
 use crate::rig::{BodyPart, ChainRig, Led, MOST_PARTS, Memory, PerJoint, PoseSlices, Support};
 use crate::target::behind::Front;
 use crate::target::goal::{Course, Goal, Scene};
-use crate::{Joint, Role, math};
+use crate::{Joint, Outcome, Role};
 
 /// Angles that differ by less do so by rounding.
 const SAME_RAD: f32 = 1e-5;
@@ -62,8 +63,8 @@ pub(super) fn aim<const C: usize>(
     motions: &[RangeOfMotion],
     call: &Call<'_>,
     about: Upright,
-    Moved { joints, memory, corrections }: Moved<'_, C>,
-) -> Option<Solved> {
+    Moved { joints, memory, corrections, found }: Moved<'_, C>,
+) -> Option<Outcome> {
     let settings = call.settings;
     let mut body = Body::unseen(rig);
     body.read(pose.joints, settings.effector, about)?;
@@ -99,11 +100,12 @@ pub(super) fn aim<const C: usize>(
         let count = BodyPart::find(rig.joints, first, &rig.budgets, parts);
         &parts[..count]
     };
-    let (mut ranges, mut found) = (rig.array(Range::REST), rig.array(Region::NONE));
+    let mut ranges = rig.array(Range::REST);
+    let mut regions = rig.array(Region::NONE);
     for (range, motion) in ranges.iter_mut().zip(motions) {
         *range = Range::new(motion);
     }
-    find_regions(&body, parts, &ranges, &bearings, &mut found);
+    find_regions(&body, parts, &ranges, &bearings, &mut regions);
     let count = parts.len();
     let turns = body.places[parts[count - 1].outer];
     let direction = body.gaze.direction;
@@ -116,7 +118,7 @@ pub(super) fn aim<const C: usize>(
         sharing: Sharing::new(&rig.sharing, settings),
         patience: settings.patience.at_least(0.0),
         bearings: &bearings,
-        regions: &found[..count],
+        regions: &regions[..count],
         count,
         has_eye,
         pivot: body.gaze.origin - direction * direction.dot(body.gaze.origin - turns).at_least(0.0),
@@ -138,17 +140,17 @@ pub(super) fn aim<const C: usize>(
     let well_within = ranges.iter().zip(joints.iter()).all(|(range, joint)| range.holds_well(angles(joint)));
     let within_reach = fit.within_reach;
     let task = Task { rig, motions, goal: &goal, space: body.space, settings, within_reach, well_within };
-    let mut solved = task.finish(joints, memory, |_| match &chain {
+    let outcome = task.finish(joints, memory, |_| match &chain {
         Some(chain) => chain.gaze(corrections).angle_to(goal.wanted),
         None if body.off.is_nothing() => body.angle_to(wanted, &leading),
         // A rotation that is taken back from skewed axes is off by the skew.
         None => true_gaze(rig, pose.joints, first, body.space, corrections)?.angle_to(goal.wanted),
     })?;
-    solved.seen_ps =
-        (pose.other_eye.is_some() && first == 0 && body.off.is_nothing()).then(|| body.space.to_pose(wanted));
-    solved.outcome.body_turn = fit.body_turn;
-    solved.outcome.out_of_reach_for = memory.blocked_s;
-    Some(solved)
+    if let Some(found) = found {
+        let seen = (first == 0 && body.off.is_nothing()).then_some(wanted);
+        *found = Some(Found { goal, space: body.space, seen });
+    }
+    Some(Outcome { body_turn: fit.body_turn, out_of_reach_for: memory.blocked_s, ..outcome })
 }
 
 /// The joints as they are turned in a call, from the root outward.
@@ -442,359 +444,12 @@ impl<const C: usize> Gaze<'_, C> {
             }
         }
     }
-
-    /// Turns the joints from the root outward: by a frame's motion, or to find out where they belong, without their corrections.
-    /// Returns how the leading joint sees its point.
-    fn place(
-        &self,
-        aims: Aims<'_>,
-        from: &PerJoint<Joint, C>,
-        mut motion: Option<&mut Motion<'_, C>>,
-        posture: &mut Posture<'_, C>,
-    ) -> Option<Seen> {
-        let (body, first, wanted) = (self.body, self.body.first, self.goal.wanted);
-        let mut goals = self.rig.array(Vec4::ZERO);
-        let mut directions = self.rig.array(Vec3A::ZERO);
-        posture.joints[first] = from[first];
-        (posture.point, posture.wanted) = (wanted, wanted);
-        match aims {
-            Aims::At(angles, point) => {
-                posture.point = point;
-                let mut number = 0;
-                while number < self.count {
-                    let (own, next) = (angles[number], (number + 1).min(self.count - 1));
-                    let other = angles[next];
-                    [directions[number], directions[next]] =
-                        self.bearings.directions(Vec4::new(own.x, own.y, other.x, other.y));
-                    number += 2;
-                }
-            }
-            Aims::EyeAt(point) | Aims::Rest(point) => posture.point = point,
-            Aims::Stay => {}
-        }
-        let (point, measures_point) = (posture.point, posture.point == wanted);
-        let mut seen = Seen::NOTHING;
-        for (number, region) in self.regions.iter().enumerate() {
-            let is_head = number + 1 == self.count;
-            match aims {
-                Aims::At(..) => {
-                    let leads = (is_head && !self.has_eye).then_some(point);
-                    let wanted = self.goals(region, directions[number], leads, from, posture, &mut goals)?;
-                    seen = Seen { wanted, held: goals[region.part.outer] };
-                }
-                Aims::Rest(_) => {
-                    for index in region.part.outer..=region.part.inner {
-                        goals[index] = self.ranges[index].hold_from(Vec4::ZERO, Vec4::ZERO);
-                    }
-                }
-                Aims::EyeAt(_) | Aims::Stay => {}
-            }
-            if let Some(motion) = &mut motion {
-                self.glide(region, is_head, &goals, from, posture.joints, motion);
-            }
-            for index in (region.part.outer..region.part.inner + 1).rev() {
-                let turn = if motion.is_some() {
-                    posture.correct(body, index)
-                } else {
-                    posture.joints[index] = at(&from[index], goals[index]);
-                    Turn::new(goals[index])
-                };
-                if index == first {
-                    posture.leading = turn;
-                    break;
-                }
-                for direction in &mut directions[number + 1..self.count] {
-                    *direction = body.take_back(index, &turn, *direction);
-                }
-                posture.point = body.take_back_point(index, &turn, posture.point);
-                if !measures_point {
-                    posture.wanted = body.take_back_point(index, &turn, posture.wanted);
-                }
-            }
-        }
-        if measures_point {
-            posture.wanted = posture.point;
-        }
-        if self.has_eye {
-            match aims {
-                Aims::Stay => self.hold_eye(posture.joints),
-                Aims::At(..) | Aims::EyeAt(_) | Aims::Rest(_) => {
-                    // An eye that supports nothing that has still to return is where the animation has it.
-                    let rests =
-                        matches!(aims, Aims::Rest(_)) && posture.joints[first + 1..].iter().all(Joint::is_at_rest);
-                    seen = if rests {
-                        let rest = self.ranges[first].hold_from(Vec4::ZERO, Vec4::ZERO);
-                        Seen { wanted: rest, held: rest }
-                    } else {
-                        self.seen(posture.joints, point, posture.point)?
-                    };
-                    let held = self.held_straight(&seen, &from[first], posture);
-                    posture.joints[first] = match &motion {
-                        Some(motion) => self.leap(held, &from[first], motion),
-                        None => at(&from[first], held),
-                    };
-                }
-            }
-            if motion.is_some() {
-                posture.leading = posture.correct(body, first);
-            }
-        }
-        Some(seen)
-    }
-
-    /// Finds the angles that give a region's outermost forward this direction, or where it `leads` let it look at a point; the
-    /// turns of the joints inside are taken back from both. Returns what the outermost joint would have to turn.
-    #[inline(always)]
-    fn goals(
-        &self,
-        region: &Region<'_>,
-        mut direction: Vec3A,
-        leads: Option<Vec3A>,
-        from: &PerJoint<Joint, C>,
-        posture: &mut Posture<'_, C>,
-        goals: &mut PerJoint<Pair, C>,
-    ) -> Option<Pair> {
-        let (body, outer) = (self.body, region.part.outer);
-        // Inner joints make their share; the outermost closes what is left, in the frame that they carry.
-        let (mut point, mut inner) = (posture.point, Vec4::ZERO);
-        if outer < region.part.inner {
-            let whole = turn_to(region.forward, body.rows[region.part.inner] * direction);
-            for index in (outer + 1..=region.part.inner).rev() {
-                let share = region.share(&self.body.infos()[index]);
-                let held = self.ranges[index].hold_from(angles(&from[index]), share * whole);
-                goals[index] = held;
-                inner += held;
-                let turn = Turn::new(held);
-                direction = body.take_back(index, &turn, direction);
-                if leads.is_some() {
-                    posture.joints[index] = from[index];
-                    point = body.take_back_point(index, &turn, point);
-                }
-            }
-        }
-        let wanted = match leads {
-            Some(true_point) => self.sight(posture.joints, true_point, point)?,
-            None if body.is_tilted(outer) => turn_to(region.own_forward, body.rows[outer] * direction),
-            None => heading_and_pitch(body.rows[outer] * direction),
-        };
-        let within = (wanted + inner).max(region.lo).min(region.hi) - inner;
-        goals[outer] = self.ranges[outer].hold_from(angles(&from[outer]), within);
-        Some(wanted)
-    }
-
-    /// Moves a region towards its joints' goals by a frame, or to a stop. Its outermost joint remembers speed and
-    /// acceleration.
-    #[inline(always)]
-    fn glide(
-        &self,
-        region: &Region<'_>,
-        is_head: bool,
-        goals: &PerJoint<Pair, C>,
-        from: &PerJoint<Joint, C>,
-        joints: &mut PerJoint<Joint, C>,
-        motion: &mut Motion<'_, C>,
-    ) {
-        let (outer, dt, per_dt) = (region.part.outer, motion.dt, motion.per_dt);
-        let pace = region.part.pace * motion.led.as_ref().map_or(1.0, Led::haste);
-        let &BodyPart { rate, approach, acceleration, .. } = region.part;
-        let mut bounds = Bounds { dt, per_dt, pace, rate, approach, acceleration };
-        let (before, speed) = (sum(from, region.part), pair(from[outer].velocity));
-        let acceleration = from[outer].destination().map_or(Vec4::ZERO, pair);
-        let mut glide = Glide { speed, acceleration, offset: Vec4::ZERO };
-        let mut goal = goals[outer];
-        for index in outer + 1..region.part.inner + 1 {
-            goal += goals[index];
-        }
-        let (mut begins, mut carries) = (Vec4::ZERO, Vec4::ZERO);
-        let mut led = Led::default();
-        if is_head {
-            led = motion.led.unwrap_or(Led { goal: ends(before), ..led });
-        }
-        if motion.stays {
-            glide.speed = speed + pair(led.speed);
-            (glide.offset, led) = stopping(before, glide.speed, bounds.pace);
-            goal = pair(led.goal);
-        } else if is_head {
-            begins = follow(&mut led, before, goal, &mut glide, &bounds);
-            carries = pair(led.speed);
-        } else {
-            glide.offset = before - goal;
-        }
-        if is_head && !self.has_eye {
-            bounds.pace *= 1.0 + (quickness(length(glide.offset)) - 1.0) * (1.0 - led.tired).at_least(0.0);
-        }
-        let mut next = glide.after(&bounds, begins, carries).braked(
-            &glide,
-            before,
-            [region.lo, region.hi],
-            [begins, carries],
-            &bounds,
-        );
-        if next.is_over(bounds.pace) {
-            next = Glide::default();
-        } else {
-            motion.lag += length(next.offset);
-            motion.arrived &= square(next.offset) < THERE_RAD * THERE_RAD
-                && square(next.speed) < THERE_RAD * THERE_RAD * bounds.pace * bounds.pace;
-        }
-
-        let total = goal + next.offset;
-        // Where it is too late to brake, the room ends the movement.
-        let held = total.max(region.lo.min(before)).min(region.hi.max(before));
-        let now = self.distribute(region, goals, [goal, before, held], from, joints, motion);
-        // Range and rate come first.
-        let is_free = (now - total).abs().cmple(Vec4::splat(SAME_RAD));
-        if is_free.bitmask() & 3 != 3 {
-            next.speed = Vec4::select(is_free, next.speed, (now - before) * per_dt - carries);
-            next.acceleration = Vec4::select(is_free, next.acceleration, Vec4::ZERO);
-        }
-        joints[outer].velocity = ends(next.speed);
-        joints[outer].set_destination(Some(ends(next.acceleration)));
-        if is_head {
-            motion.led = Some(led);
-        }
-    }
-
-    /// Turns a region's joints so that their angles add up to `total`, where those of their goals add up to `goal` and those that
-    /// they have to `before`. Returns what they do add up to.
-    ///
-    /// An inner joint makes its share of the sum, and by and by takes on what its goal is off that; the outermost makes the
-    /// rest.
-    #[inline(always)]
-    fn distribute(
-        &self,
-        region: &Region<'_>,
-        goals: &PerJoint<Pair, C>,
-        [goal, before, total]: [Pair; 3],
-        from: &PerJoint<Joint, C>,
-        joints: &mut PerJoint<Joint, C>,
-        motion: &Motion<'_, C>,
-    ) -> Pair {
-        let outer = region.part.outer;
-        let mut rest = total;
-        if outer < region.part.inner {
-            let taken = 1.0 - 1.0 / (1.0 + motion.dt * region.part.pace);
-            for index in (outer + 1..=region.part.inner).rev() {
-                let share = region.share(&self.body.infos()[index]);
-                let off = angles(&from[index]) - share * before;
-                let end = if motion.stays { off } else { goals[index] - share * goal };
-                let held = motion.reaches[index].hold(share * total + off + (end - off) * taken);
-                joints[index] = with_angles(held);
-                rest -= held;
-            }
-        }
-        let held = motion.reaches[outer].hold(rest);
-        joints[outer] = with_angles(held);
-        rest -= held;
-        // What the outermost has no room for, the others make.
-        for (joint, reach) in joints.iter_mut().zip(&**motion.reaches).take(region.part.inner + 1).skip(outer + 1) {
-            if square(rest) <= SAME_RAD * SAME_RAD {
-                break;
-            }
-            let now = angles(joint);
-            let held = reach.hold(now + rest);
-            *joint = with_angles(held);
-            rest -= held - now;
-        }
-        total - rest
-    }
-
-    /// Turns the eye towards what it sees by a frame. It remembers where that was, and the speed at which it leaps.
-    #[inline(always)]
-    fn leap(&self, held: Pair, joint: &Joint, motion: &Motion<'_, C>) -> Joint {
-        let first = self.body.first;
-        let now = angles(joint);
-        let before = joint.destination().map_or(now, pair);
-        let rate = self.body.infos()[first].rate.at_least(0.0).at_most(PI * motion.per_dt);
-        let change = held - before;
-        // Half of its speed is for what the goal does smoothly; what it does faster is made up for by a leap.
-        let step = 0.5 * rate * motion.dt;
-        let change = if square(change) <= step * step { change } else { Vec4::ZERO };
-        let (offset, speed) = saccade(now + change - held, pair(joint.velocity), motion.dt, rate);
-        let mut next = with_angles(motion.reaches[first].hold(held + offset));
-        next.velocity = ends(speed);
-        next.set_destination(Some(ends(held)));
-        next
-    }
-
-    /// Where the eye is held: towards what is out of its range straight, so that the gaze goes straight while the head comes and
-    /// keeps its elevation where the head does not get there; towards what is far aside level, as straight would lead over the
-    /// other way round.
-    #[inline(always)]
-    fn held_straight(&self, seen: &Seen, joint: &Joint, posture: &Posture<'_, C>) -> Pair {
-        if seen.is_within() { seen.held } else { self.held_aside(seen.wanted, joint, posture) }
-    }
-
-    #[inline(never)]
-    fn held_aside(&self, wanted: Pair, joint: &Joint, posture: &Posture<'_, C>) -> Pair {
-        /// From the first of these headings on the eye keeps to the point's elevation, wholly from the second.
-        const ASIDE_RAD: [f32; 2] = [50.0 * PI / 180.0, 100.0 * PI / 180.0];
-        let range = &self.ranges[self.body.first];
-        // As far as the eye gets straight towards what is out of its range.
-        let part = [0, 1].into_iter().fold(1.0_f32, |part, axis| {
-            let (lo, hi, angle) = (range.lo[axis], range.hi[axis], wanted[axis]);
-            let held = angle.at_least(lo).at_most(hi);
-            if lo >= hi || held == angle { part } else { part.at_most((held / angle).at_least(0.0)) }
-        });
-        let mut held = wanted * part;
-        let aside = (wanted.x.abs() - ASIDE_RAD[0]) / (ASIDE_RAD[1] - ASIDE_RAD[0]);
-        if aside > 0.0 {
-            held.y += aside.at_most(1.0) * (self.level_pitch(held.x, posture) - held.y);
-        }
-        range.hold_from(angles(joint), held)
-    }
-
-    /// The pitch at which the eye, at this heading, looks as high as its point is: of a·cos p + b·sin p = sin ε, a and b being
-    /// how high its forward and its up go.
-    fn level_pitch(&self, heading: f32, posture: &Posture<'_, C>) -> f32 {
-        let body = self.body;
-        let up = (body.first + 1..body.count()).rev().fold(self.bearings.up(), |up, index| {
-            body.take_back(index, &Turn::new(angles(&posture.joints[index])), up)
-        });
-        let up = body.rows[body.first] * up;
-        let local = self.local(posture.point);
-        let (sin, cos) = trig::sin_cos(heading);
-        let (a, b) = (up.x * cos + up.y * sin, up.z);
-        let sin_elevation = local.dot(up) / local.length().at_least(f32::MIN_POSITIVE);
-        let sin = (sin_elevation / math::sqrt(a * a + b * b).at_least(1e-3)).at_least(-1.0).at_most(1.0);
-        trig::atan2(sin, math::sqrt(1.0 - sin * sin)) - trig::atan2(a, b)
-    }
-
-    /// Keeps the eye where it is.
-    fn hold_eye(&self, joints: &mut [Joint]) {
-        if self.has_eye {
-            let eye = &mut joints[self.body.first];
-            eye.velocity = [0.0; 2];
-            eye.set_destination(Some([eye.heading, eye.pitch]));
-        }
-    }
-}
-
-/// The offset of −2·speed/ω by which a joint at `before` stops without turning back, and the place where it does.
-#[cold]
-#[inline(never)]
-fn stopping(before: Pair, speed: Pair, pace: f32) -> (Pair, Led) {
-    let offset = speed * (-2.0 / pace);
-    (offset, Led { goal: ends(before - offset), ..Led::default() })
-}
-
-/// How much quicker a head that leads makes up for a small offset, which takes little acceleration: what the animation does in
-/// jerks leaves it no lag that could be seen.
-fn quickness(offset: f32) -> f32 {
-    const SMALL_RAD: f32 = 3.0 * PI / 180.0;
-    math::sqrt(SMALL_RAD / offset.at_least(SMALL_RAD / 9.0)).at_least(1.0)
 }
 
 /// A joint at other angles.
 #[inline(always)]
 fn at(joint: &Joint, angles: Pair) -> Joint {
     joint.turned_to(angles.x, angles.y)
-}
-
-/// A joint at these angles that remembers nothing.
-#[inline(always)]
-fn with_angles(angles: Pair) -> Joint {
-    at(&Joint::REST, angles)
 }
 
 /// The sums of headings and pitches of a part's joints.
