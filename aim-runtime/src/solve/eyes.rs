@@ -204,7 +204,8 @@ impl<'a, const C: usize> Eyes<'a, C> {
         let info = &self.rig.joints[0];
         let turns = both(|eye| tilted(turn(&info.axes, &info.planes, halves[eye].to_array()), self.tilts[0]));
         corrections[0] = turns[0];
-        let remaining = self.remaining(corrections, turns, halves, [wanted, views[0], views[1]], &solved);
+        let remaining =
+            self.remaining(corrections, turns, halves, [wanted, views[0], views[1]], plain.is_some(), &solved);
         let turned = Turned { angles, turns, wanted, remaining, at_ease: plain.is_some() };
         self.outcome(call, joints, &turned, &lead, &solved)
     }
@@ -406,9 +407,10 @@ impl<'a, const C: usize> Eyes<'a, C> {
         turns: [Quat; 2],
         halves: [Halves; 2],
         [wanted, views @ ..]: [Vec3A; 3],
+        at_ease: bool,
         solved: &Solved,
     ) -> [Option<f32>; 2] {
-        if self.square.is_none() || !self.leads {
+        if self.square.is_none() || !at_ease {
             return both(|eye| {
                 self.true_remaining(corrections, eye, turns, solved.found.space.to_pose(solved.found.goal.wanted))
             });
@@ -423,7 +425,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         })
     }
 
-    /// The same for one eye by the true forward kinematics.
+    /// The same for one eye by the true forward kinematics: digits are left of it also where a target is next to an eye.
     #[cold]
     fn true_remaining(&self, corrections: &[Quat], eye: usize, turns: [Quat; 2], point_ps: Vec3A) -> Option<f32> {
         let frame = &self.eyes[eye];

@@ -21,6 +21,8 @@ const COSTS: [(&str, &str, f64); 4] = [
     ("natural-overhead", "target overhead", 5000.0),
     ("natural-jump", "target that jumps to and fro", 5000.0),
 ];
+/// The most instructions that following by both eyes takes beyond following by one.
+const SECOND_EYE: f64 = 600.0;
 /// Characters of `track_frames`, and the frames by which two runs differ.
 const CHARACTERS: f64 = 64.0;
 const FRAMES: [u32; 2] = [200, 400];
@@ -99,9 +101,17 @@ fn costs() -> Result<Vec<Row>, String> {
             .ok_or_else(|| format!("valgrind counted nothing:\n{said}"))
     };
     let [few, many] = FRAMES;
-    let rows = COSTS.iter().map(|(mode, what, most)| {
-        let each = (count(mode, many)? - count(mode, few)?) / (CHARACTERS * f64::from(many - few));
-        Ok(Row::at_most(format!("natural, {what}"), *most, "", each))
-    });
-    rows.collect()
+    let each = |mode: &str| -> Result<f64, String> {
+        Ok((count(mode, many)? - count(mode, few)?) / (CHARACTERS * f64::from(many - few)))
+    };
+    let rows =
+        COSTS.iter().map(|(mode, what, most)| Ok(Row::at_most(format!("natural, {what}"), *most, "", each(mode)?)));
+    let mut rows = rows.collect::<Result<Vec<Row>, String>>()?;
+    rows.push(Row::at_most(
+        "natural, a second eye".to_owned(),
+        SECOND_EYE,
+        "",
+        each("natural-eyes")? - each("natural")?,
+    ));
+    Ok(rows)
 }

@@ -177,20 +177,18 @@ impl Led {
         const SHAKEN_S: f32 = 0.02;
         /// From how far going along overshoots it counts as shaking, and from where in full.
         const OVERSHOOTS_RAD: [f32; 2] = [0.1 * PI / 180.0, 0.5 * PI / 180.0];
-        let &Bounds { dt, acceleration, .. } = bounds;
+        let &Bounds { dt, rate, acceleration, .. } = bounds;
         let most = Vec4::splat(acceleration * dt);
         let before = pair(self.speed);
         let is_near = |speed: Pair| (speed - before).abs().cmple(most).bitmask() & 3 == 3;
         if !lasts {
             let overshoots = square(change).at_most(square(pair(self.change))) / (2.0 * acceleration);
-            // A goal that leaps from rest, or to it, has no motion to take the mean of.
-            if !(overshoots > OVERSHOOTS_RAD[0]) {
-                return (speed, is_near(speed));
-            }
             let counts = (overshoots - OVERSHOOTS_RAD[0]) / (OVERSHOOTS_RAD[1] - OVERSHOOTS_RAD[0]);
-            self.tired += counts.at_most(1.0) * (dt / SHAKEN_S);
+            self.tired += counts.at_least(0.0).at_most(1.0) * (dt / SHAKEN_S);
         }
-        let mean = before + (change - before) * (dt / (dt + MEAN_S));
+        // A leap is no motion: of its speed no more counts than the head's own.
+        let counted = change * (rate / length(change)).at_most(1.0);
+        let mean = before + (counted - before) * (dt / (dt + MEAN_S));
         let speed = speed + (mean - speed) * self.tired.at_most(1.0);
         (speed, is_near(speed))
     }
