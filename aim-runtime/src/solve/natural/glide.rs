@@ -174,7 +174,7 @@ impl Led {
     fn shake(&mut self, speed: Pair, change: Pair, lasts: bool, bounds: &Bounds) -> (Pair, bool) {
         /// The time over which the mean is taken, and that in which shaking comes to count in full, seconds.
         const MEAN_S: f32 = 0.25;
-        const SHAKEN_S: f32 = 0.02;
+        const SHAKEN_S: f32 = 0.08;
         /// From how far going along overshoots it counts as shaking, and from where in full.
         const OVERSHOOTS_RAD: [f32; 2] = [0.1 * PI / 180.0, 0.5 * PI / 180.0];
         let &Bounds { dt, rate, acceleration, .. } = bounds;
