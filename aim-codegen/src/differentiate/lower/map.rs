@@ -14,6 +14,10 @@ use super::condition::Condition;
 /// takes longer to pay.
 const MOST_BEFORE_MATRICES: usize = 6;
 const MOST_BEFORE_QUATERNIONS: usize = 22;
+/// Products of more maps are multiplied out, and so is the square of a product, as its number of maps would double in every
+/// round of a loop. Rotations stay rotations for longer: their rules need them whole.
+const MOST_FACTORS: usize = 16;
+const MOST_TURNS: usize = 512;
 
 /// A linear map of vectors.
 #[derive(Clone, Debug)]
@@ -101,6 +105,9 @@ impl Map {
             (Self::Rotation(outer), _) if *outer == identity => inner.clone(),
             (_, Self::Rotation(inner)) if *inner == identity => self.clone(),
             (Self::Rotation(outer), Self::Rotation(inner)) => Self::Rotation(a.g.compose(*outer, *inner)),
+            (Self::Compose(outer), Self::Compose(inner)) if Rc::ptr_eq(outer, inner) && !self.is_rotation() => {
+                self.multiplied_out(a, self)
+            }
             (Self::Compose(pair), _) => {
                 let inner = pair.1.compose(a, inner);
                 pair.0.compose(a, &inner)
@@ -110,10 +117,24 @@ impl Map {
                     let outer = a.g.compose(*outer, *middle);
                     Self::Compose(Rc::new((Self::Rotation(outer), pair.1.clone())))
                 }
-                _ => Self::Compose(Rc::new((self.clone(), inner.clone()))),
+                _ => self.product(a, inner),
             },
-            _ => Self::Compose(Rc::new((self.clone(), inner.clone()))),
+            _ => self.product(a, inner),
         }
+    }
+
+    fn product(&self, a: &mut Algebra, inner: &Self) -> Self {
+        let most = if self.is_rotation() && inner.is_rotation() { MOST_TURNS } else { MOST_FACTORS };
+        if self.size() + inner.size() <= most {
+            return Self::Compose(Rc::new((self.clone(), inner.clone())));
+        }
+        self.multiplied_out(a, inner)
+    }
+
+    fn multiplied_out(&self, a: &mut Algebra, inner: &Self) -> Self {
+        // Each by itself: those of a square are the same.
+        let (outer, inner) = (Self::Columns(self.columns(a)), inner.columns(a));
+        Self::Columns(inner.map(|column| outer.apply(a, column)))
     }
 
     pub(crate) fn transpose(&self, a: &mut Algebra) -> Self {

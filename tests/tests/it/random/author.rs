@@ -22,7 +22,7 @@ pub(super) struct Author {
 impl Author {
     pub(super) fn new(seed: u64, is_rational: bool) -> Self {
         let random = Rng::with_seed(seed);
-        Self { random, is_rational, known: [2, 2, 1], loops: Vec::new(), all_loops: 0, left: 12 }
+        Self { random, is_rational, known: [2, 2, 1], loops: Vec::new(), all_loops: 0, left: 9 }
     }
 
     pub(super) fn function(mut self) -> Written {
