@@ -1,10 +1,11 @@
-//! Emitted C, compiled without a warning and run in a process of its own.
+//! Emitted C: compiled without a warning and run in a process of its own, and its operations counted.
 
 use std::io::{Read, Write};
 use std::process::{Command, Stdio};
 
 use aim_codegen::emit::{self, Rig};
 use aim_codegen::{RigSpec, kernels};
+use aim_symbolic::Count;
 
 use crate::kinematics::Case;
 use crate::oracle::{assert_close, expected_chain, expected_joint, flat, single};
@@ -93,4 +94,64 @@ pub fn compare(specs: &[RigSpec], all_cases: &[Vec<Case>]) {
         }
     }
     assert_eq!(numbers.next(), None, "the compiled program wrote more than expected");
+}
+
+/// A function of emitted C: the comment before it, and its body.
+///
+/// # Panics
+/// Where there is no such function.
+pub fn function<'c>(source: &'c str, name: &str) -> (&'c str, &'c str) {
+    let start = source.find(&format!("void {name}(")).unwrap_or_else(|| panic!("there is no function {name}"));
+    let comment = source[..start].rfind("/*").unwrap_or_else(|| panic!("{name} has no header"));
+    let body = start + source[start..].find("\n{\n").unwrap_or_else(|| panic!("{name} has no body"));
+    let end = body + source[body..].find("\n}\n").unwrap_or_else(|| panic!("{name} has no end"));
+    (&source[comment..start], &source[body + 3..end])
+}
+
+/// The tokens of a line: words, numbers with their exponents, and single signs.
+fn tokens(line: &str) -> Vec<&str> {
+    let mut tokens = Vec::new();
+    let mut rest = line.trim_start();
+    while let Some(first) = rest.chars().next() {
+        let word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.';
+        let mut length = rest.find(|c| !word(c)).unwrap_or(rest.len()).max(first.len_utf8());
+        // `1.5e-3f`: the sign belongs to the number.
+        if first.is_ascii_digit() && rest[..length].ends_with('e') {
+            length += 1;
+            length += rest[length..].find(|c| !word(c)).unwrap_or(rest.len() - length);
+        }
+        tokens.push(&rest[..length]);
+        rest = rest[length..].trim_start();
+    }
+    tokens
+}
+
+/// The operations of a body of emitted C, from its text.
+///
+/// # Panics
+/// Where it is no straight line.
+pub fn count(body: &str) -> Count {
+    let mut count = Count::default();
+    for line in body.lines().map(tokens) {
+        for (i, &token) in line.iter().enumerate() {
+            // What stands after a name, a number or a closing bracket is infix; anything else is a sign.
+            let infix = i > 0 && line[i - 1].ends_with(|c: char| c.is_ascii_alphanumeric() || "_.)]".contains(c));
+            match token {
+                "+" | "-" if infix => count.add += 1,
+                "*" if infix => count.mul += 1,
+                "/" if infix => count.div += 1,
+                "sqrtf" | "sqrt" => count.sqrt += 1,
+                "<" | "?" => count.select += 1,
+                "-" | ":" | "=" | ";" | "," | "(" | ")" | "[" | "]" => {}
+                _ if ["if", "for", "while", "switch", "goto", "do"].contains(&token) || token.contains("pow") => {
+                    panic!("a kernel is a straight line, without {token}")
+                }
+                _ if token.starts_with(|c: char| c.is_ascii_alphanumeric()) => {
+                    count.call += usize::from(line.get(i + 1) == Some(&"("));
+                }
+                _ => panic!("no token of a kernel: {token}"),
+            }
+        }
+    }
+    count
 }

@@ -2,7 +2,7 @@
 
 use aim_codegen::objective::{CHAIN_RESIDUAL_JACOBIAN, CHAIN_VALUE_GRADIENT, FirstLink};
 use aim_codegen::{EffectorSpec, Frame, Objective, RigSpec};
-use aim_symbolic::{Angle, Graph, Plane, Rigid, Scalar, Variable, Vector, VectorNode, Want};
+use aim_symbolic::{Angle, Function, Graph, Plane, Rigid, Scalar, Stumpff, Variable, Vector, VectorNode, Want};
 
 use crate::random::Random;
 use crate::rigs::{bare_joint, general_frame};
@@ -57,6 +57,10 @@ pub fn all() -> Vec<Problem> {
         chain_aim("aim of a general effector", 60, &[CARDINAL], general()),
         residual(),
         points_on_planes(),
+        turned_in_words(),
+        chord(),
+        pull_of_a_spring(),
+        distance_from_axis(),
     ]
 }
 
@@ -371,6 +375,68 @@ fn points_on_planes() -> Problem {
         };
         let distances = vec![distance(g, 0), distance(g, 1)];
         (distances, components(g, step).to_vec())
+    })
+}
+
+/// Where a point ends that is turned about a vector by its length, and then in a plane, both turns written out.
+fn turned_in_words() -> Problem {
+    Problem::new("turned in words", 91, |g| {
+        let (turn, point, along) = (g.vector_input("r"), g.vector_input("p"), g.vector_input("n"));
+        let heading = g.input("h");
+        let square = g.dot(turn, turn);
+        let [cos, sine, versine] = [0, 1, 2].map(|order| g.stumpff(Stumpff { hyperbolic: false, order }, square));
+        let (aside, dot) = (g.cross(turn, point), g.dot(turn, point));
+        let along_turn = g.mul(versine, dot);
+        let terms = [g.scale(cos, point), g.scale(sine, aside), g.scale(along_turn, turn)];
+        let sum = g.add_vectors(terms[0], terms[1]);
+        let turned = g.add_vectors(sum, terms[2]);
+        let [x, y, z] = [0, 1, 2].map(|axis| g.component(turned, axis));
+        let (sin, cos) = (g.call(Function::Sin, heading), g.call(Function::Cos, heading));
+        let [xc, ys, xs, yc] = [(x, cos), (y, sin), (x, sin), (y, cos)].map(|(a, b)| g.mul(a, b));
+        let (x, y) = (g.sub(xc, ys), g.add(xs, yc));
+        let turned = g.components([x, y, z]);
+        let by = components(g, turn).into_iter().chain([heading.into()]).collect();
+        (vec![g.dot(along, turned)], by)
+    })
+}
+
+/// The square of the chord from where a joint looks to where it should.
+fn chord() -> Problem {
+    Problem::new("chord", 49, |g| {
+        let joint = joint(g, &[PITCH, HEADING]);
+        let target = g.vector_input("target");
+        let way = g.sub_vectors(target, joint.origin);
+        let way = g.normalize(way);
+        let chord = g.sub_vectors(joint.forward, way.into());
+        (vec![g.dot(chord, chord)], variables(&joint.angles))
+    })
+}
+
+/// What a spring that is damped pulls a point by.
+fn pull_of_a_spring() -> Problem {
+    Problem::new("pull of a spring", 62, |g| {
+        let [way, speed] = ["d", "v"].map(|name| g.vector_input(name));
+        let [stiffness, damping, rest] = ["k", "c", "l"].map(|name| g.input(name));
+        let (length, direction) = (g.norm(way), g.normalize(way));
+        let (stretch, rate) = (g.sub(length, rest), g.dot(speed, direction));
+        let (spring, damper) = (g.mul(stiffness, stretch), g.mul(damping, rate));
+        let force = g.add(spring, damper);
+        let pull = g.scale(force, direction.into());
+        let by = components(g, way).into_iter().chain(components(g, speed)).collect();
+        ([0, 1, 2].map(|axis| g.component(pull, axis)).to_vec(), by)
+    })
+}
+
+/// A point's distance from a line through the origin, by what is left of the point.
+fn distance_from_axis() -> Problem {
+    Problem::new("distance from an axis", 30, |g| {
+        let (point, axis) = (g.vector_input("p"), g.vector_input("a"));
+        let direction = g.normalize(axis).into();
+        let along = g.dot(point, direction);
+        let along = g.scale(along, direction);
+        let aside = g.sub_vectors(point, along);
+        let by = components(g, point).to_vec();
+        (vec![g.norm(aside)], by)
     })
 }
 

@@ -175,6 +175,7 @@ fn rule(g: &Graph, whole: Node, part: Option<Node>) -> &'static str {
             VectorNode::Add(..) | VectorNode::Sub(..) => SUM,
             VectorNode::Neg(_) => SIGN,
             VectorNode::Scale(..) => PRODUCT,
+            VectorNode::Motion(..) => "the angular velocity, times the moment",
             VectorNode::Perp(..) => "the quarter turn is turned back",
             VectorNode::Cross(..) => "the product rule for the cross product",
             _ => "the chain rule",

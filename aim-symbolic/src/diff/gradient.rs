@@ -8,7 +8,7 @@
 //! | s = \|v\| | v̄ += s̄ v/\|v\| |
 //! | y = k v | k̄ += ȳ · v, v̄ += k ȳ |
 //! | y = R v, where R turns by θ | v̄ += Rᵀ ȳ, θ̄ += ȳ · J y with J the quarter turn in its plane or the cross product with its axis |
-//! | y = R v, where R turns by a step δ | δ̄ += y × ȳ, v̄ += Rᵀ ȳ |
+//! | y = R v, where R turns by a step or a motion δ | δ̄ += y × ȳ, v̄ += Rᵀ ȳ |
 //! | y = v/\|v\| | v̄ += (ȳ − (ȳ · y) y)/\|v\| |
 //! | y = J v | v̄ += Jᵀ ȳ = −J ȳ |
 //! | y = v × w | v̄ += w × ȳ, w̄ += ȳ × v |
@@ -23,7 +23,7 @@ use crate::diff::sweep::Passage;
 use crate::ir::node::Node;
 use crate::ir::table::{NodeSet, NodeTable};
 use crate::rewrite::rules::COMPOSITIONS;
-use crate::{Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
+use crate::{Attitude, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Space, Variable, Vector, VectorNode};
 
 /// Where the reciprocal of a normalised vector's derivative goes: a choice that the length of the chain decides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -311,6 +311,22 @@ impl Sweep<'_> {
                     }
                 });
             }
+            VectorNode::Motion(space, Attitude::Quaternion(u, w)) => {
+                // Of a quaternion the motion is 2 q̇ q*/|q|² in the world, and 2 q* q̇/|q|² in the body.
+                let twice = self.g.twice_over_square(u, w);
+                let moment = self.g.scale(twice, bar);
+                self.add_to_vector(u, |g| {
+                    let (kept, aside) = (g.scale(w, moment), g.cross(moment, u));
+                    if space == Space::World { g.add_vectors(kept, aside) } else { g.sub_vectors(kept, aside) }
+                });
+                self.add_to_scalar(w, |g| {
+                    let along = g.dot(moment, u);
+                    g.neg(along)
+                });
+            }
+            VectorNode::Motion(space, Attitude::Turn(v)) => {
+                self.add_to_vector(v, |g| g.turned_rate(v, bar, space == Space::World));
+            }
             // The transpose of a quarter turn is the quarter turn back.
             VectorNode::Perp(plane, v) => self.add_to_vector(v, |g| {
                 let perp = g.perp(plane, bar);
@@ -335,7 +351,7 @@ impl Sweep<'_> {
     /// What `rotation` adds to the derivative by its angle: it moves `rotated` along the result's own perpendicular, which
     /// is already at hand.
     fn turn(&mut self, rotation: Rotation, rotated: Vector, bar: Vector) {
-        if let Some((step, back)) = self.g.turned_by_step(rotation) {
+        if let Some((step, back)) = self.g.moved_by(rotation) {
             self.add_to_vector(step, |g| g.moment(step, back, rotated, bar));
             return;
         }

@@ -6,7 +6,7 @@
 
 use crate::ir::node::{Node, Parts};
 use crate::ir::table::NodeTable;
-use crate::{Angle, Function, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+use crate::{Angle, Attitude, Function, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 /// The degree of what may be infinite or NaN for inputs of any size.
 const UNBOUNDED: u8 = u8::MAX;
@@ -100,6 +100,8 @@ impl Degrees<'_> {
             VectorNode::Normalize(v) => bounded(self.vector(v)),
             VectorNode::Cross(v, w) => self.vector(v).saturating_add(self.vector(w)),
             VectorNode::Across(v, u) => self.vector(v).saturating_add(bounded(self.vector(u))),
+            VectorNode::Motion(_, Attitude::Quaternion(u, w)) => self.vector(u).max(self.scalar(w)),
+            VectorNode::Motion(_, Attitude::Turn(v)) => self.vector(v),
         }
     }
 

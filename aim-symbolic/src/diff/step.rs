@@ -9,16 +9,34 @@ use crate::ir::table::Table;
 use crate::{Angle, Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 impl Graph {
-    /// The step that `rotation` turns by, and whether it is the way back.
-    pub(crate) fn turned_by_step(&self, rotation: Rotation) -> Option<(Vector, bool)> {
-        match self.rotation_node(rotation) {
-            RotationNode::Step(step) => Some((step, false)),
-            RotationNode::Transpose(inner) => match self.rotation_node(inner) {
-                RotationNode::Step(step) => Some((step, true)),
-                _ => None,
-            },
+    /// The step or the motion that `rotation` turns by, and whether it is the way back: what is turned is seen from where
+    /// it ends.
+    pub(crate) fn moved_by(&self, rotation: Rotation) -> Option<(Vector, bool)> {
+        let (turn, back) = match self.rotation_node(rotation) {
+            RotationNode::Transpose(inner) => (self.rotation_node(inner), true),
+            node => (node, false),
+        };
+        match turn {
+            RotationNode::Step(step) => Some((step, back)),
+            RotationNode::Moving([_, body]) if back => Some((body, back)),
+            RotationNode::Moving([world, _]) => Some((world, back)),
             _ => None,
         }
+    }
+
+    pub(crate) fn is_motion(&self, v: Vector) -> bool {
+        matches!(self.vector_node(v), VectorNode::Motion(..))
+    }
+
+    /// J m, where `v` is that by which a turn about it by its length is to the left: m sin r / r + (v × m)(1 − cos r)/r² + (v · m) v
+    /// (r − sin r)/r³; seen from the body, or transposed, its curl has the other sign.
+    pub(crate) fn turned_rate(&mut self, v: Vector, m: Vector, curled_back: bool) -> Vector {
+        let [_, kept, aside, along] = self.turn_factors(v);
+        let (cross, dot) = (self.cross(v, m), self.dot(v, m));
+        let along = self.mul(along, dot);
+        let (kept, aside, along) = (self.scale(kept, m), self.scale(aside, cross), self.scale(along, v));
+        let sum = self.add_vectors(kept, along);
+        if curled_back { self.sub_vectors(sum, aside) } else { self.add_vectors(sum, aside) }
     }
 
     /// ½ v × w
@@ -28,14 +46,16 @@ impl Graph {
     }
 
     /// What a result of y = exp(δ) v adds to the derivative by δ: J(δ)ᵀ (y × ȳ), with J = 1 + ½ [δ]× to first order; of the
-    /// way back, y = exp(−δ) v, it is J(−δ)ᵀ (ȳ × y).
+    /// way back, y = exp(−δ) v, it is J(−δ)ᵀ (ȳ × y). Of motions, which are velocities, J is 1.
     pub(crate) fn moment(&mut self, step: Vector, back: bool, rotated: Vector, bar: Vector) -> Vector {
+        let moment = if back { self.cross(bar, rotated) } else { self.cross(rotated, bar) };
+        if self.is_motion(step) {
+            return moment;
+        }
         if back {
-            let moment = self.cross(bar, rotated);
             let curl = self.half_cross(step, moment);
             return self.add_vectors(moment, curl);
         }
-        let moment = self.cross(rotated, bar);
         let curl = self.half_cross(step, moment);
         self.sub_vectors(moment, curl)
     }
@@ -79,7 +99,11 @@ impl Rest<'_> {
 
     fn take_vector(&mut self, v: Vector) {
         let made = match self.g.vector_node(v) {
-            VectorNode::Rotate(rotation, inner) if self.g.turned_by_step(rotation).is_some() => self.vector(inner),
+            VectorNode::Rotate(rotation, inner)
+                if self.g.moved_by(rotation).is_some_and(|(by, _)| !self.g.is_motion(by)) =>
+            {
+                self.vector(inner)
+            }
             node => {
                 let node = node.map(self);
                 self.g.intern_vector(node)

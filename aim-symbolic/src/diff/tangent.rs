@@ -8,7 +8,7 @@ use crate::diff::sweep::Passage;
 use crate::ir::node::Node;
 use crate::ir::table::{NodeSet, Table};
 use crate::rewrite::rules::COMPOSITIONS;
-use crate::{Graph, Op, Rotation, Scalar, ScalarNode, Variable, Vector, VectorNode};
+use crate::{Attitude, Graph, Op, Rotation, Scalar, ScalarNode, Space, Variable, Vector, VectorNode};
 
 impl Graph {
     /// The derivatives of each of `outputs` by `variable`, under the same terms as [`gradient`](Self::gradient).
@@ -127,8 +127,11 @@ impl Sweep<'_> {
 
     /// What a turn by a step adds: J δ̇ × y, or where it is the way back −J δ̇ × y, with J = 1 ± ½ [δ]× to first order.
     fn step(&mut self, rotation: Rotation, rotated: Vector) -> Option<Vector> {
-        let (step, back) = self.g.turned_by_step(rotation)?;
+        let (step, back) = self.g.moved_by(rotation)?;
         let change = self.vector_tangent(step)?;
+        if self.g.is_motion(step) {
+            return Some(if back { self.g.cross(rotated, change) } else { self.g.cross(change, rotated) });
+        }
         let curl = self.g.half_cross(step, change);
         if back {
             let rate = self.g.sub_vectors(change, curl);
@@ -182,6 +185,23 @@ impl Sweep<'_> {
                 let of_v = self.vector_tangent(v).map(|change| self.g.cross(change, w));
                 let of_w = self.vector_tangent(w).map(|change| self.g.cross(v, change));
                 self.sum([of_v, of_w])
+            }
+            VectorNode::Motion(space, Attitude::Quaternion(u, w)) => {
+                // 2 (w u̇ − ẇ u ± u × u̇)/|q|²
+                let of_u = self.vector_tangent(u).map(|change| {
+                    let (kept, aside) = (self.g.scale(w, change), self.g.cross(u, change));
+                    let is_world = space == Space::World;
+                    if is_world { self.g.add_vectors(kept, aside) } else { self.g.sub_vectors(kept, aside) }
+                });
+                let of_w = self.scalars.copied(w).map(|change| {
+                    let along = self.g.scale(change, u);
+                    self.g.neg_vector(along)
+                });
+                let twice = self.g.twice_over_square(u, w);
+                self.sum([of_u, of_w]).map(|change| self.g.scale(twice, change))
+            }
+            VectorNode::Motion(space, Attitude::Turn(v)) => {
+                self.vector_tangent(v).map(|change| self.g.turned_rate(v, change, space == Space::Body))
             }
             VectorNode::Across(v, u) => {
                 let of_v = self.vector_tangent(v).map(|change| self.g.across(change, u));

@@ -1,7 +1,9 @@
 //! Evaluation of typed expressions in f64, without lowering: the independent oracle of the tests.
 
 use crate::ir::smooth::arc_value;
-use crate::{Angle, Graph, InputKind, Number, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+use crate::{
+    Angle, Attitude, Graph, InputKind, Number, Rotation, RotationNode, Scalar, ScalarNode, Stumpff, Vector, VectorNode,
+};
 
 /// Values for the inputs of a graph.
 #[derive(Clone, Debug, Default)]
@@ -52,6 +54,14 @@ fn reciprocal(x: f64) -> f64 {
 
 fn dot(v: [f64; 3], w: [f64; 3]) -> f64 {
     v[0] * w[0] + v[1] * w[1] + v[2] * w[2]
+}
+
+/// The images of the axes under v ↦ kept v + aside (u × v) + along (u · v) u.
+fn about(u: [f64; 3], [kept, aside, along]: [f64; 3]) -> [[f64; 3]; 3] {
+    axes().map(|e| {
+        let across = cross(u, e);
+        core::array::from_fn(|k| kept * e[k] + aside * across[k] + along * dot(u, e) * u[k])
+    })
 }
 
 fn axes() -> [[f64; 3]; 3] {
@@ -159,6 +169,7 @@ impl<'a> Evaluation<'a> {
                 let along = dot(a, u);
                 zip(a, u.map(|u| along * u), |a, b| a - b)
             }
+            VectorNode::Motion(..) => [0.0; 3],
         };
         self.vectors[vector.0 as usize] = Some(value);
         value
@@ -186,18 +197,23 @@ impl<'a> Evaluation<'a> {
             RotationNode::About(axis, angle) => {
                 let (sin, cos) = self.g.sin_cos(angle);
                 let (axis, sin, cos) = (self.vector(axis), self.scalar(sin), self.scalar(cos));
-                axes().map(|e| {
-                    let (aside, along) = (cross(axis, e), (1.0 - cos) * dot(axis, e));
-                    core::array::from_fn(|k| cos * e[k] + sin * aside[k] + along * axis[k])
-                })
+                about(axis, [cos, sin, 1.0 - cos])
             }
             RotationNode::Quaternion(u, w) => {
                 let (u, w) = (self.vector(u), self.scalar(w));
-                axes().map(|e| {
-                    let (aside, along) = (cross(u, e), 2.0 * dot(u, e));
-                    core::array::from_fn(|k| (w * w - dot(u, u)) * e[k] + 2.0 * w * aside[k] + along * u[k])
-                })
+                about(u, [w * w - dot(u, u), 2.0 * w, 2.0])
             }
+            RotationNode::Moving(motions) => match self.g.attitude_of(motions) {
+                Attitude::Quaternion(u, w) => {
+                    let (u, w) = (self.vector(u), self.scalar(w));
+                    let over = reciprocal(dot(u, u) + w * w);
+                    about(u, [1.0 - 2.0 * over * dot(u, u), 2.0 * over * w, 2.0 * over])
+                }
+                Attitude::Turn(v) => {
+                    let v = self.vector(v);
+                    about(v, [0, 1, 2].map(|order| Stumpff { hyperbolic: false, order }.value(dot(v, v))))
+                }
+            },
             RotationNode::Step(_) => axes(),
             RotationNode::Compose(outer, inner) => {
                 let (outer, inner) = (self.rotation(outer), self.rotation(inner));

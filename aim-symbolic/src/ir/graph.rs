@@ -5,8 +5,8 @@ use std::hash::Hash;
 use rustc_hash::FxHashMap;
 
 use crate::ir::node::{
-    Angle, Direction, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Unit, Variable, Vector,
-    VectorNode,
+    Angle, Attitude, Direction, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Space, Unit,
+    Variable, Vector, VectorNode,
 };
 use crate::ir::op::{Constant, Function, Op};
 use crate::ir::smooth::Stumpff;
@@ -448,6 +448,34 @@ impl Graph {
     /// The rotation of a quaternion of length 1. Derivatives count it as a constant.
     pub fn quaternion(&mut self, vector: Vector, scalar: Scalar) -> Rotation {
         self.intern_rotation(RotationNode::Quaternion(vector, scalar))
+    }
+
+    /// The rotation that an attitude gives. Derivatives by its numbers are those of the rotation.
+    pub fn attitude(&mut self, attitude: Attitude) -> Rotation {
+        let motions = [Space::World, Space::Body].map(|space| self.intern_vector(VectorNode::Motion(space, attitude)));
+        self.intern_rotation(RotationNode::Moving(motions))
+    }
+
+    /// The attitude that a moving rotation follows.
+    pub fn attitude_of(&self, [motion, _]: [Vector; 2]) -> Attitude {
+        match self.vector_node(motion) {
+            VectorNode::Motion(_, attitude) => attitude,
+            node => unreachable!("{node:?} is no motion"),
+        }
+    }
+
+    /// 2/|q|² of a quaternion's parts; 0 where it is 0.
+    pub(crate) fn twice_over_square(&mut self, u: Vector, w: Scalar) -> Scalar {
+        let (u2, w2) = (self.dot(u, u), self.mul(w, w));
+        let square = self.add(u2, w2);
+        let (two, reciprocal) = (self.constant(2.0), self.reciprocal(square));
+        self.mul(two, reciprocal)
+    }
+
+    /// cos r, sin r / r, (1 − cos r)/r² and (r − sin r)/r³ of a vector's length r.
+    pub(crate) fn turn_factors(&mut self, v: Vector) -> [Scalar; 4] {
+        let square = self.dot(v, v);
+        [0, 1, 2, 3].map(|order| self.stumpff(Stumpff { hyperbolic: false, order }, square))
     }
 
     /// The turn by a [`step`](Self::step): R times it moves on the manifold of rotations. Derivatives by the step, first and

@@ -113,6 +113,27 @@ pub enum VectorNode {
     Cross(Vector, Vector),
     /// v − (v · u) u: v's part across the direction u, which has length 1 (or 0).
     Across(Vector, Unit),
+    /// 0, whose derivative is the angular velocity of a rotation: ω of Ṙ v = ω × R v in space, of Ṙ v = R (ω × v) in the
+    /// body.
+    Motion(Space, Attitude),
+}
+
+/// Where an angular velocity is seen from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Space {
+    /// The space that the rotation leads to.
+    World,
+    /// The space that it leads from.
+    Body,
+}
+
+/// Numbers that a rotation is given by and that may vary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Attitude {
+    /// The vector part and the scalar part of a quaternion of any length but 0, which does not matter.
+    Quaternion(Vector, Scalar),
+    /// The vector that is turned about, by its length.
+    Turn(Vector),
 }
 
 /// What a rotation is made of.
@@ -128,6 +149,8 @@ pub enum RotationNode {
     About(Vector, Angle),
     /// A quaternion of length 1: its vector part and its scalar part.
     Quaternion(Vector, Scalar),
+    /// What an [`Attitude`] gives: its motions in the world and in the body.
+    Moving([Vector; 2]),
     /// The right-handed turn by a step, about it and by its length: the identity, and what derivatives by a rotation are
     /// taken by.
     Step(Vector),
@@ -219,6 +242,10 @@ impl VectorNode {
             Self::Perp(plane, v) => Self::Perp(plane, parts.vector(v)),
             Self::Cross(v, w) => Self::Cross(parts.vector(v), parts.vector(w)),
             Self::Across(v, unit) => Self::Across(parts.vector(v), Unit(parts.vector(unit.0))),
+            Self::Motion(space, Attitude::Quaternion(u, w)) => {
+                Self::Motion(space, Attitude::Quaternion(parts.vector(u), parts.scalar(w)))
+            }
+            Self::Motion(space, Attitude::Turn(v)) => Self::Motion(space, Attitude::Turn(parts.vector(v))),
         }
     }
 }
@@ -232,6 +259,7 @@ impl RotationNode {
             Self::Turn(plane, angle) => Self::Turn(plane, parts.angle(angle)),
             Self::About(axis, angle) => Self::About(parts.vector(axis), parts.angle(angle)),
             Self::Quaternion(v, w) => Self::Quaternion(parts.vector(v), parts.scalar(w)),
+            Self::Moving(motions) => Self::Moving(motions.map(|v| parts.vector(v))),
             Self::Step(v) => Self::Step(parts.vector(v)),
             Self::Compose(outer, inner) => Self::Compose(parts.rotation(outer), parts.rotation(inner)),
             Self::Transpose(rotation) => Self::Transpose(parts.rotation(rotation)),

@@ -62,7 +62,7 @@ impl Graph {
                 RotationNode::Transpose(inner) => inner,
                 _ => rotation,
             };
-            if !matches!(self.rotation_node(there), RotationNode::Quaternion(..)) {
+            if !matches!(self.rotation_node(there), RotationNode::Quaternion(..) | RotationNode::Moving(_)) {
                 continue;
             }
             if !once.contains(&there) {

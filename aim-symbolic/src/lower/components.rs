@@ -5,7 +5,7 @@ use crate::ir::table::Table;
 use crate::lower::fold::Fold;
 use crate::lower::limits::Highest;
 use crate::rewrite::rules::{MATRIX, Rules};
-use crate::{Constant, Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+use crate::{Attitude, Constant, Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 impl Graph {
     /// The components of `v` as scalars that only add, multiply, divide, take roots and select; 0 and ±1 are folded away.
@@ -59,10 +59,16 @@ impl Lowering {
     /// Makes matrices of the quaternions that turn several vectors.
     fn make_matrices(&mut self, order: &[Node]) {
         for rotation in self.fold.g.busy_quaternions(order) {
-            let RotationNode::Quaternion(u, w) = self.fold.g.rotation_node(rotation) else { continue };
-            self.lower(&[Node::Vector(u), Node::Scalar(w)]);
-            let (u, w) = (self.vector(u), self.scalar(w));
-            let matrix = self.matrix_of(u, w);
+            let numbers = match self.fold.g.rotation_node(rotation) {
+                RotationNode::Quaternion(u, w) => vec![Node::Vector(u), Node::Scalar(w)],
+                RotationNode::Moving(motions) => motions.map(Node::Vector).to_vec(),
+                _ => continue,
+            };
+            self.lower(&numbers);
+            let matrix = match self.quaternion(rotation) {
+                Some(quaternion) => self.matrix_of(quaternion),
+                None => self.images(rotation),
+            };
             self.matrices.insert(rotation, matrix);
         }
     }
@@ -160,6 +166,7 @@ impl Lowering {
                 let (v, w) = (self.vector(v), self.vector(w));
                 self.cross(v, w)
             }
+            VectorNode::Motion(..) => [self.fold.g.constant(0.0); 3],
             VectorNode::Across(v, u) => {
                 let (v, u) = (self.vector(v), self.vector(u.into()));
                 let along = self.dot(v, u);
@@ -199,14 +206,10 @@ impl Lowering {
                     _ => unreachable!("{node:?} is a turn"),
                 }
             }
-            RotationNode::Quaternion(u, w) => {
-                if let Some(rows) = self.matrices.copied(rotation) {
-                    return self.matrix(rows, back, v);
-                }
-                let w = self.scalar(w);
-                let w = if back { self.fold.neg(w) } else { w };
-                self.quaternion(u, w, v)
-            }
+            RotationNode::Quaternion(..) | RotationNode::Moving(_) => match self.matrices.copied(rotation) {
+                Some(rows) => self.matrix(rows, back, v),
+                None => self.turned(rotation, back, v),
+            },
             RotationNode::Step(_) => v,
             RotationNode::Compose(outer, inner) => {
                 let [first, second] = if back { [outer, inner] } else { [inner, outer] };
@@ -220,32 +223,72 @@ impl Lowering {
     /// `cos v + sin a × v + (1 − cos)(a · v) a`
     fn about(&mut self, axis: Vector, sin: Scalar, cos: Scalar, v: [Scalar; 3]) -> [Scalar; 3] {
         let axis = self.vector(axis);
-        let (aside, along) = (self.cross(axis, v), self.dot(axis, v));
         let one = self.fold.g.constant(1.0);
         let versine = self.fold.sub(one, cos);
-        let along = self.fold.mul(versine, along);
+        self.axis_angle(axis, [cos, sin, versine], v)
+    }
+
+    /// `kept v + aside u × v + along (u · v) u`
+    fn axis_angle(&mut self, u: [Scalar; 3], [kept, aside, along]: [Scalar; 3], v: [Scalar; 3]) -> [Scalar; 3] {
+        let (across, dot) = (self.cross(u, v), self.dot(u, v));
+        let along = self.fold.mul(along, dot);
         [0, 1, 2].map(|k| {
-            let terms = [(cos, v[k]), (sin, aside[k]), (along, axis[k])].map(|(f, x)| self.fold.mul(f, x));
+            let terms = [(kept, v[k]), (aside, across[k]), (along, u[k])].map(|(f, x)| self.fold.mul(f, x));
             let sum = self.fold.add(terms[0], terms[1]);
             self.fold.add(sum, terms[2])
         })
     }
 
-    /// `v + w t + u × t` with `t = 2 u × v`
-    fn quaternion(&mut self, u: Vector, w: Scalar, v: [Scalar; 3]) -> [Scalar; 3] {
-        let u = self.vector(u);
-        let t = self.cross(u, v).map(|c| self.fold.add(c, c));
-        let aside = self.cross(u, t);
-        [0, 1, 2].map(|k| {
-            let turned = self.fold.mul(w, t[k]);
-            let sum = self.fold.add(v[k], turned);
-            self.fold.add(sum, aside[k])
-        })
+    /// The parts u and w of a rotation's quaternion, and 2 u/|q|².
+    fn quaternion(&mut self, rotation: Rotation) -> Option<([Scalar; 3], Scalar, [Scalar; 3])> {
+        let (u, w, factor) = match self.fold.g.rotation_node(rotation) {
+            RotationNode::Quaternion(u, w) => (u, w, None),
+            RotationNode::Moving(motions) => match self.fold.g.attitude_of(motions) {
+                Attitude::Quaternion(u, w) => (u, w, Some(self.fold.g.twice_over_square(u, w))),
+                Attitude::Turn(_) => return None,
+            },
+            _ => return None,
+        };
+        let (u, w, factor) = (self.vector(u), self.scalar(w), factor.map(|factor| self.scalar(factor)));
+        let twice = u.map(|c| match factor {
+            Some(factor) => self.fold.mul(factor, c),
+            None => self.fold.add(c, c),
+        });
+        Some((u, w, twice))
+    }
+
+    /// `v` turned by a quaternion, `v + w t + u × t` with `t = 2 u × v/|q|²`, or about a vector by its length.
+    fn turned(&mut self, rotation: Rotation, back: bool, v: [Scalar; 3]) -> [Scalar; 3] {
+        if let Some((u, w, twice)) = self.quaternion(rotation) {
+            let w = if back { self.fold.neg(w) } else { w };
+            let t = self.cross(twice, v);
+            let aside = self.cross(u, t);
+            return [0, 1, 2].map(|k| {
+                let turned = self.fold.mul(w, t[k]);
+                let sum = self.fold.add(v[k], turned);
+                self.fold.add(sum, aside[k])
+            });
+        }
+        let RotationNode::Moving(motions) = self.fold.g.rotation_node(rotation) else { return v };
+        let Attitude::Turn(turn) = self.fold.g.attitude_of(motions) else { return v };
+        let [cos, sine, versine, _] = self.fold.g.turn_factors(turn);
+        let [cos, sine, versine] = [cos, sine, versine].map(|factor| self.scalar(factor));
+        let sine = if back { self.fold.neg(sine) } else { sine };
+        let turn = self.vector(turn);
+        self.axis_angle(turn, [cos, sine, versine], v)
+    }
+
+    /// The images of the axes.
+    fn images(&mut self, rotation: Rotation) -> [Scalar; 9] {
+        let [zero, one] = [0.0, 1.0].map(|c| self.fold.g.constant(c));
+        let axes: [[Scalar; 3]; 3] =
+            core::array::from_fn(|i| core::array::from_fn(|k| if i == k { one } else { zero }));
+        let images = axes.map(|axis| self.turned(rotation, false, axis));
+        core::array::from_fn(|i| images[i / 3][i % 3])
     }
 
     /// The rows of its matrix in the row-vector layout: row k is the image of axis k.
-    fn matrix_of(&mut self, u: [Scalar; 3], w: Scalar) -> [Scalar; 9] {
-        let twice = u.map(|c| self.fold.add(c, c));
+    fn matrix_of(&mut self, (u, w, twice): ([Scalar; 3], Scalar, [Scalar; 3])) -> [Scalar; 9] {
         let one = self.fold.g.constant(1.0);
         let mut rows = [one; 9];
         for (k, (i, j)) in [(1, 2), (2, 0), (0, 1)].into_iter().enumerate() {

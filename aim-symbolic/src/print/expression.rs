@@ -4,7 +4,8 @@ use super::formula::{Formula, Sign};
 use super::steps::{Binding, Printer, Written};
 use crate::ir::node::Node;
 use crate::{
-    Angle, Function, Graph, Op, Plane, Program, Rotation, RotationNode, Scalar, ScalarNode, Stumpff, Vector, VectorNode,
+    Angle, Attitude, Function, Graph, Op, Plane, Program, Rotation, RotationNode, Scalar, ScalarNode, Stumpff, Vector,
+    VectorNode,
 };
 
 /// What things are called. What is not named here is called as it was declared.
@@ -280,6 +281,9 @@ impl Writer<'_> {
                 let [a, b] = [a, b].map(|e| group(v(e), Binding::Dot));
                 (Formula::infix(a, Sign::Cross, b), Binding::Dot)
             }
+            VectorNode::Motion(_, Attitude::Quaternion(u, _) | Attitude::Turn(u)) => {
+                (Formula::italic("ω").indexed(v(u).0), Binding::Atom)
+            }
             VectorNode::Across(a, u) => {
                 // A direction is told by whatever points there.
                 let along = match self.g.vector_node(u.into()) {
@@ -325,6 +329,11 @@ impl Writer<'_> {
         Formula::Matrix(components.map(|c| vec![self.scalar(c).0]).to_vec())
     }
 
+    /// The turn by a vector.
+    fn exponential(&self, v: Vector) -> Formula {
+        Formula::Row(vec![Formula::italic("exp"), self.vector(v).0.indexed(Formula::italic("×"))])
+    }
+
     fn rotation(&self, expression: Rotation) -> Bound {
         let formula = match self.g.rotation_node(expression) {
             RotationNode::Matrix(entries) => match self.g.scalar_node(entries[0]) {
@@ -346,9 +355,11 @@ impl Writer<'_> {
                 Formula::Group(Box::new(self.notation.angle(self.g, angle))),
             ]),
             RotationNode::Quaternion(v, w) => Formula::italic("Q").indexed(self.vector(v).0).indexed(self.scalar(w).0),
-            RotationNode::Step(v) => {
-                Formula::Row(vec![Formula::italic("exp"), self.vector(v).0.indexed(Formula::italic("×"))])
-            }
+            RotationNode::Moving(motions) => match self.g.attitude_of(motions) {
+                Attitude::Quaternion(v, w) => Formula::italic("Q").indexed(self.vector(v).0).indexed(self.scalar(w).0),
+                Attitude::Turn(v) => self.exponential(v),
+            },
+            RotationNode::Step(v) => self.exponential(v),
             RotationNode::Compose(a, b) => {
                 let [a, b] = [a, b].map(|r| group(self.rotation(r), Binding::Dot));
                 return (Formula::infix(a, Sign::Times, b), Binding::Product);

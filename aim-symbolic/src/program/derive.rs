@@ -161,7 +161,7 @@ fn sweeps(wanted: &[Want]) -> Vec<Sweep> {
     let mut sweeps = vec![Sweep::Reverse(Placement::Late)];
     if !variables.is_empty() {
         sweeps.push(Sweep::Reverse(Placement::Early));
-        if variables.len() <= values.len() {
+        if variables.len() <= 2 * values.len() {
             sweeps.push(Sweep::Forward);
         }
     }

@@ -1,6 +1,7 @@
 //! Rules for directions: what is along one, what is square to it. Part of [`WORDING`](crate::rewrite::rules::WORDING),
 //! [`DIRECTIONS`](crate::rewrite::rules::DIRECTIONS) and [`SCALES`](crate::rewrite::rules::SCALES).
 
+use crate::rewrite::scaling::scaled;
 use crate::rewrite::sums::{is_sum, is_zero, sum, terms};
 use crate::{Graph, Op, Scalar, ScalarNode, Unit, Vector, VectorNode};
 
@@ -64,6 +65,7 @@ pub(crate) fn guard_division(g: &mut Graph, s: Scalar) -> Option<Scalar> {
 fn as_unit(g: &Graph, v: Vector) -> Option<Unit> {
     let is_unit = match g.vector_node(v) {
         VectorNode::Normalize(_) => true,
+        VectorNode::Rotate(_, inner) | VectorNode::Neg(inner) => as_unit(g, inner).is_some(),
         _ => g.constant_vector_of(v).is_some_and(|c| (c.iter().map(|c| c * c).sum::<f64>() - 1.0).abs() < 1e-15),
     };
     is_unit.then_some(Unit(v))
@@ -79,6 +81,40 @@ pub(crate) fn norm_of_cross(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     let (v, u) = [(a, b), (b, a)].into_iter().find_map(|(v, u)| Some((v, as_unit(g, u)?)))?;
     let across = g.across(v, u);
     Some(g.norm(across))
+}
+
+/// `|u| = 1`, `u · u = 1`, `(u − v)² = 2 − 2 u · v` of directions, of which one that is none counts 0.
+pub(crate) fn length_of_direction(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let v = match g.scalar_node(s) {
+        ScalarNode::Dot(v, w) if v == w => v,
+        ScalarNode::Norm(v) => return as_unit(g, v).map(|u| number_of(g, &[u], 0.0)),
+        _ => return None,
+    };
+    if let Some(u) = as_unit(g, v) {
+        return Some(number_of(g, &[u], 0.0));
+    }
+    let [(first, a), (second, b)] = terms(g, v)[..] else { return None };
+    let (a, b) = (as_unit(g, a)?, as_unit(g, b)?);
+    let (squares, dot) = (number_of(g, &[a, b], 0.0), g.dot(a, b));
+    let twice = g.twice(dot);
+    Some(if first == second { g.add(squares, twice) } else { g.sub(squares, twice) })
+}
+
+/// How many of these are directions, and `more`.
+fn number_of(g: &mut Graph, directions: &[Unit], more: f64) -> Scalar {
+    let Some((&Unit(u), rest)) = directions.split_first() else { return g.constant(more) };
+    match g.vector_node(u) {
+        VectorNode::Rotate(_, inner) | VectorNode::Neg(inner) => {
+            let unturned: Vec<Unit> = [Unit(inner)].into_iter().chain(rest.iter().copied()).collect();
+            number_of(g, &unturned, more)
+        }
+        VectorNode::Normalize(v) => {
+            let (tiny, length) = (g.intern_scalar(ScalarNode::Op(Op::Tiny)), g.norm(v));
+            let [one, none] = [more + 1.0, more].map(|more| number_of(g, rest, more));
+            g.select_less(tiny, length, one, none)
+        }
+        _ => number_of(g, rest, more + 1.0),
+    }
 }
 
 /// Whether `v` is a multiple of `u`, as far as one can see.
@@ -114,6 +150,14 @@ fn is_across_within(g: &Graph, v: Vector, u: Vector, depth: u32) -> bool {
         VectorNode::Cross(a, b) => is_along(g, a, u) || is_along(g, b, u),
         _ => is_zero(g, v),
     }
+}
+
+/// `v − (v · u) u` is the part of v across the direction u.
+pub(crate) fn recognize_across(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let VectorNode::Sub(whole, along) = g.vector_node(v) else { return None };
+    let (k, u) = scaled(g, along)?;
+    let unit = as_unit(g, u)?;
+    (g.dot(whole, u) == k).then(|| g.across(whole, unit))
 }
 
 fn as_across(g: &Graph, v: Vector) -> Option<(Vector, Unit)> {
@@ -177,6 +221,19 @@ pub(crate) fn dot_along_across(g: &mut Graph, s: Scalar) -> Option<Scalar> {
         let kept = sum(g, &kept);
         Some(g.dot(kept, w))
     })
+}
+
+/// `(e − (e · u) u) · v = e · v − (e · u) (u · v)` of an axis e
+pub(crate) fn dot_of_axis_across(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return None };
+    let (e, u, v) = [(a, b), (b, a)].into_iter().find_map(|(across, v)| {
+        let (e, u) = as_across(g, across)?;
+        let is_axis = g.constant_vector_of(e)?.iter().filter(|&&c| c != 0.0).count() == 1;
+        is_axis.then_some((e, u, v))
+    })?;
+    let (whole, of_axis, along) = (g.dot(e, v), g.dot(e, u), g.dot(v, u));
+    let radial = g.mul(of_axis, along);
+    Some(g.sub(whole, radial))
 }
 
 fn are_square(g: &Graph, v: Vector, w: Vector) -> bool {

@@ -3,9 +3,9 @@
 //!
 //! They act on the rotations that the pass under way keeps, and only as a rival to leaving everything where it is.
 
-use crate::rewrite::rotations::{leading, turned_back};
+use crate::rewrite::rotations::{leading, operation_before, turned_back};
 use crate::rewrite::sums::{is_sum, terms};
-use crate::{Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Unit, Vector, VectorNode};
+use crate::{Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 /// The way back of a kept rotation, which turned `v` last, and what it turned.
 fn turned(g: &Graph, v: Vector) -> Option<(Rotation, Vector)> {
@@ -26,34 +26,12 @@ pub(crate) fn sum_in_frame(g: &mut Graph, v: Vector) -> Option<Vector> {
 
 /// `k Rᵀ v = Rᵀ (k v)`, and the same for directions, parts across one, negations and the turn's own perpendicular.
 pub(crate) fn operation_in_frame(g: &mut Graph, v: Vector) -> Option<Vector> {
-    let (back, moved) = match g.vector_node(v) {
-        VectorNode::Scale(k, inner) => {
-            let (back, inner) = turned(g, inner)?;
-            (back, g.scale(k, inner))
-        }
-        VectorNode::Neg(inner) => {
-            let (back, inner) = turned(g, inner)?;
-            (back, g.neg_vector(inner))
-        }
-        VectorNode::Normalize(inner) => {
-            let (back, inner) = turned(g, inner)?;
-            (back, g.normalize(inner).into())
-        }
-        VectorNode::Across(inner, unit) => {
-            let (back, unit) = turned(g, unit.into())?;
-            let inner = turned_back(g, back, inner);
-            (back, g.across(inner, Unit(unit)))
-        }
-        VectorNode::Perp(plane, inner) => {
-            let (back, inner) = turned(g, inner)?;
-            if !turns_in(g, back, plane) {
-                return None;
-            }
-            (back, g.perp(plane, inner))
-        }
-        _ => return None,
-    };
-    Some(g.rotate(back, moved))
+    if let VectorNode::Perp(plane, inner) = g.vector_node(v) {
+        let (back, inner) = turned(g, inner)?;
+        let moved = g.perp(plane, inner);
+        return turns_in(g, back, plane).then(|| g.rotate(back, moved));
+    }
+    operation_before(g, v, turned)
 }
 
 /// Whether the way back is that of a turn in this plane.

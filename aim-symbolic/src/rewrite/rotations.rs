@@ -1,7 +1,10 @@
 //! Rules that move rotations to where they cancel or cost least; [`ROTATIONS`](crate::rewrite::rules::ROTATIONS).
 
+use crate::rewrite::scaling::{factors, scaled};
 use crate::rewrite::sums::{is_sum, sum, terms};
-use crate::{Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+use crate::{
+    Attitude, Function, Graph, Op, Plane, Rotation, RotationNode, Scalar, ScalarNode, Stumpff, Unit, Vector, VectorNode,
+};
 
 /// The outermost rotation of `v`, and what it rotates.
 pub(crate) fn leading(g: &Graph, v: Vector) -> Option<(Rotation, Vector)> {
@@ -46,6 +49,126 @@ fn pushed_below(g: &Graph, v: Vector) -> Option<usize> {
     is_forward(g, rotation).then_some(0)
 }
 
+/// `p cos r + (u × p) sin r / r + u (u · p)(1 − cos r)/r²` with r = |u|, also as `p + (u × p) sin r / r + u × (u × p)(1 − cos
+/// r)/r²`, which turns p about u by r.
+pub(crate) fn recognize_turn(g: &mut Graph, v: Vector) -> Option<Vector> {
+    if !is_sum(g, v) {
+        return None;
+    }
+    let all = terms(g, v);
+    let (used, turn, back, point) = all.iter().enumerate().find_map(|(i, &(negative, aside))| {
+        let (sine, cross) = scaled(g, aside)?;
+        let VectorNode::Cross(a, b) = g.vector_node(cross) else { return None };
+        [(a, b, negative), (b, a, !negative)].into_iter().find_map(|(u, p, back)| {
+            let is = |s: Scalar, order| is_turn_factor(g, s, order, u);
+            let is_kept = |term| scaled(g, term).is_some_and(|(cos, inner)| inner == p && is(cos, 0));
+            let is_dot =
+                |s: Scalar| matches!(g.scalar_node(s), ScalarNode::Dot(v, w) if [v, w] == [u.min(p), u.max(p)]);
+            let is_along = |term| {
+                scaled(g, term).is_some_and(|(k, inner)| match factors(g, k)[..] {
+                    [x, y] => inner == u && (is(x, 2) && is_dot(y) || is(y, 2) && is_dot(x)),
+                    _ => false,
+                })
+            };
+            let is_twice = |term| {
+                scaled(g, term).is_some_and(|(k, twice)| {
+                    is(k, 2)
+                        && matches!(g.vector_node(twice), VectorNode::Cross(v, w) if v == u && w == cross && a == u)
+                })
+            };
+            let place =
+                |fits: &dyn Fn(Vector) -> bool| all.iter().position(|&(negative, term)| !negative && fits(term));
+            let others = match (place(&is_kept), place(&is_along)) {
+                (Some(kept), Some(along)) => [kept, along],
+                _ => [place(&|term| term == p)?, place(&is_twice)?],
+            };
+            is(sine, 1).then_some(([i, others[0], others[1]], u, back, p))
+        })
+    })?;
+    let mut rotation = g.attitude(Attitude::Turn(turn));
+    if back {
+        rotation = g.transpose(rotation);
+    }
+    let rest = all.into_iter().enumerate().filter(|(i, _)| !used.contains(i)).map(|(_, term)| term);
+    let turned = [(false, g.rotate(rotation, point))];
+    let together: Vec<_> = turned.into_iter().chain(rest).collect();
+    Some(sum(g, &together))
+}
+
+/// `(x cos θ − y sin θ, x sin θ + y cos θ, z)` is (x, y, z) turned by θ, and so in the other planes.
+pub(crate) fn recognize_plane_turn(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let VectorNode::Components(c) = g.vector_node(v) else { return None };
+    let (plane, radians, parts) = [(0, 1), (1, 0), (1, 2), (2, 1), (2, 0), (0, 2)].into_iter().find_map(|(i, k)| {
+        let called = |function, s| match g.scalar_node(s) {
+            ScalarNode::Op(Op::Call(own, radians)) if own == function => Some(radians),
+            _ => None,
+        };
+        let (first, second) = (two_products(g, c[i])?, two_products(g, c[k])?);
+        let (radians, x, y) = first.into_iter().zip([1, 0]).find_map(|((negative, factors), other)| {
+            let (negative_sine, sine_factors) = first[other];
+            let (cos, x) =
+                factors.into_iter().zip([factors[1], factors[0]]).find(|(s, _)| called(Function::Cos, *s).is_some())?;
+            let radians = called(Function::Cos, cos)?;
+            let sines = sine_factors.into_iter().zip([sine_factors[1], sine_factors[0]]);
+            let (_, y) = sines.into_iter().find(|(s, _)| called(Function::Sin, *s) == Some(radians))?;
+            (!negative && negative_sine).then_some((radians, x, y))
+        })?;
+        let has = |function, part| {
+            second.into_iter().any(|(negative, [a, b])| {
+                let is = |s, other| other == part && called(function, s) == Some(radians);
+                !negative && (is(a, b) || is(b, a))
+            })
+        };
+        let mut parts = c;
+        (parts[i], parts[k]) = (x, y);
+        let number = |axis| u8::try_from(axis).unwrap_or_default();
+        let plane = Plane { from: number(i), towards: number(k) };
+        (has(Function::Sin, x) && has(Function::Cos, y)).then_some((plane, radians, parts))
+    })?;
+    let of_one = |axis: u8| match g.scalar_node(parts[usize::from(axis)]) {
+        ScalarNode::Component(v, own) if own == axis => Some(v),
+        _ => None,
+    };
+    let inner = match [0, 1, 2].map(of_one) {
+        [Some(x), Some(y), Some(z)] if x == y && y == z => x,
+        _ => g.components(parts),
+    };
+    let angle = g.angle_of(radians);
+    let turn = g.turn(plane, angle);
+    Some(g.rotate(turn, inner))
+}
+
+/// The terms of a sum of two products, each with its sign and its factors.
+fn two_products(g: &Graph, s: Scalar) -> Option<[(bool, [Scalar; 2]); 2]> {
+    let (a, b, negative) = match g.scalar_node(s) {
+        ScalarNode::Op(Op::Add(a, b)) => (a, b, false),
+        ScalarNode::Op(Op::Sub(a, b)) => (a, b, true),
+        _ => return None,
+    };
+    let unsigned = |s| match g.scalar_node(s) {
+        ScalarNode::Op(Op::Neg(inner)) => (true, inner),
+        _ => (false, s),
+    };
+    let product = |s, negative| {
+        let (minus, s) = unsigned(s);
+        let ScalarNode::Op(Op::Mul(a, b)) = g.scalar_node(s) else { return None };
+        let ((minus_a, a), (minus_b, b)) = (unsigned(a), unsigned(b));
+        Some((negative ^ minus ^ minus_a ^ minus_b, [a, b]))
+    };
+    Some([product(a, false)?, product(b, negative)?])
+}
+
+/// Whether `s` is cos r, sin r / r or (1 − cos r)/r² of the length r of `u`.
+fn is_turn_factor(g: &Graph, s: Scalar, order: u8, u: Vector) -> bool {
+    match g.scalar_node(s) {
+        ScalarNode::Stumpff(Stumpff { hyperbolic: false, order: own }, square) => {
+            own == order && g.scalar_node(square) == ScalarNode::Dot(u, u)
+        }
+        ScalarNode::Op(Op::Call(Function::Cos, length)) => order == 0 && g.scalar_node(length) == ScalarNode::Norm(u),
+        _ => false,
+    }
+}
+
 /// `(A B) v = A (B v)`
 pub(crate) fn split_composition(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (rotation, inner) = leading(g, v)?;
@@ -87,12 +210,40 @@ pub(crate) fn common_rotation(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(sum(g, &terms))
 }
 
-/// `R v / |R v| = R (v / |v|)`
-pub(crate) fn normalize_rotated(g: &mut Graph, v: Vector) -> Option<Vector> {
-    let VectorNode::Normalize(inner) = g.vector_node(v) else { return None };
-    let (rotation, core) = leading(g, inner)?;
-    let direction = g.normalize(core);
-    Some(g.rotate(rotation, direction))
+/// `R v / |R v| = R (v / |v|)`, and the same for multiples, negations and parts across a direction.
+pub(crate) fn operation_on_rotated(g: &mut Graph, v: Vector) -> Option<Vector> {
+    // A constant costs less turned first, and once.
+    let last = |g: &Graph, v| leading(g, v).filter(|_| !is_turned_constant(g, v));
+    operation_before(g, v, if matches!(g.vector_node(v), VectorNode::Scale(..)) { last } else { leading })
+}
+
+/// The same of the rotations that `last` finds.
+pub(crate) fn operation_before(
+    g: &mut Graph,
+    v: Vector,
+    last: impl Fn(&Graph, Vector) -> Option<(Rotation, Vector)>,
+) -> Option<Vector> {
+    let (rotation, moved) = match g.vector_node(v) {
+        VectorNode::Scale(k, inner) => {
+            let (rotation, inner) = last(g, inner)?;
+            (rotation, g.scale(k, inner))
+        }
+        VectorNode::Neg(inner) => {
+            let (rotation, inner) = last(g, inner)?;
+            (rotation, g.neg_vector(inner))
+        }
+        VectorNode::Normalize(inner) => {
+            let (rotation, inner) = last(g, inner)?;
+            (rotation, g.normalize(inner).into())
+        }
+        VectorNode::Across(inner, unit) => {
+            let (rotation, unit) = last(g, unit.into())?;
+            let inner = turned_back(g, rotation, inner);
+            (rotation, g.across(inner, Unit(unit)))
+        }
+        _ => return None,
+    };
+    Some(g.rotate(rotation, moved))
 }
 
 /// `Rᵀ (a + R b) = Rᵀ a + b`
@@ -119,10 +270,17 @@ fn pulled(g: &mut Graph, v: Vector) -> Option<(Rotation, Vector)> {
     Some((rotation, turned_back(g, rotation, v)))
 }
 
-/// `(a + R b) / |a + R b| · R w = (Rᵀ a + b) / |Rᵀ a + b| · w`
+/// `(a + R b) / |a + R b| · R w = (Rᵀ a + b) / |Rᵀ a + b| · w`, and the same of the length of a part across that direction.
 pub(crate) fn dot_direction(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return None };
-    [(a, b), (b, a)].into_iter().find_map(|(direction, other)| {
+    let (sides, is_dot) = match g.scalar_node(s) {
+        ScalarNode::Dot(a, b) => (vec![(a, b), (b, a)], true),
+        ScalarNode::Norm(v) => match g.vector_node(v) {
+            VectorNode::Across(other, direction) => (vec![(direction.into(), other)], false),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    sides.into_iter().find_map(|(direction, other)| {
         let VectorNode::Normalize(inner) = g.vector_node(direction) else { return None };
         let (rotation, w) = leading(g, other)?;
         let is_pushed = |&(_, term): &(bool, Vector)| leading(g, term).is_some_and(|(r, _)| r == rotation);
@@ -134,7 +292,11 @@ pub(crate) fn dot_direction(g: &mut Graph, s: Scalar) -> Option<Scalar> {
         }
         let back = turned_back(g, rotation, inner);
         let back = g.normalize(back);
-        Some(g.dot(back, w))
+        if is_dot {
+            return Some(g.dot(back, w));
+        }
+        let across = g.across(w, back);
+        Some(g.norm(across))
     })
 }
 

@@ -111,7 +111,17 @@ pub const LIMITS: RuleSet = RuleSet { rules: &[CANCELLED_DIVISION, CANCELLED_SCA
 
 /// Statement in other words: norms and directions spelled out.
 pub const WORDING: RuleSet = RuleSet {
-    rules: &[RECOGNIZE_DIRECTION, ROOT_OF_SQUARE, SQUARE_OF_NORM, GUARD_DIVISION, ACROSS_FOR_CROSS],
+    rules: &[
+        RECOGNIZE_DIRECTION,
+        ROOT_OF_SQUARE,
+        SQUARE_OF_NORM,
+        GUARD_DIVISION,
+        ACROSS_FOR_CROSS,
+        RECOGNIZE_ACROSS,
+        LENGTH_OF_DIRECTION,
+        RECOGNIZE_TURN,
+        RECOGNIZE_PLANE_TURN,
+    ],
     sums: Sums::Open,
 };
 
@@ -123,7 +133,7 @@ pub const ROTATIONS: RuleSet = RuleSet {
         UNDO_ROTATION,
         CANCEL_TERMS,
         COMMON_ROTATION,
-        NORMALIZE_ROTATED,
+        OPERATION_ON_ROTATED,
         NORM_OF_ROTATED,
         PULL_OUT_OF_NORM,
         PULL_OUT_OF_SQUARE,
@@ -152,6 +162,7 @@ pub const DIRECTIONS: RuleSet = RuleSet {
         SCALE_AFTER_DOT,
         SIGN_AFTER_DOT,
         DROP_RADIAL,
+        AXIS_ACROSS,
     ],
     sums: Sums::Open,
 };
@@ -216,6 +227,16 @@ rules! {
     GUARD_DIVISION = "a division by a norm is guarded": Scalar(directions::guard_division);
     /// Both have the length |v| sin of the angle between them. The part across has the simpler derivative.
     ACROSS_FOR_CROSS = "the part across is as long as the cross product": Scalar(directions::norm_of_cross);
+    /// What is left of a vector without its part along a direction is the part across it: one thing, square to the direction.
+    RECOGNIZE_ACROSS = "a difference is a part across": Vector(directions::recognize_across);
+    /// The length of a direction is 1. So the square of the difference of two is 2 − 2 u · v: the cosine between them is all
+    /// that is needed.
+    LENGTH_OF_DIRECTION = "a direction has length 1": Scalar(directions::length_of_direction);
+    /// Rodrigues' formula turns a point p about a vector u by its length r: p cos r + (u × p) sin r / r + u (u · p)(1 − cos r)/r².
+    /// As a rotation it cancels with others, and its derivative is the perpendicular of the result.
+    RECOGNIZE_TURN = "Rodrigues' formula is a rotation": Vector(rotations::recognize_turn);
+    /// (x cos θ − y sin θ, x sin θ + y cos θ, z) is the vector (x, y, z) after a turn by θ: a rotation, however it is written.
+    RECOGNIZE_PLANE_TURN = "a turn in components is a rotation": Vector(rotations::recognize_plane_turn);
     /// Adding 0 and multiplying by 1 change nothing, and 0 stays 0 when it is scaled or turned.
     FOLD_ZERO = "fold zero and one": Vector(sums::fold_zero);
     /// Turning by a product of rotations is turning by one after the other, the right one first. Apart, they can meet
@@ -227,8 +248,9 @@ rules! {
     CANCEL_TERMS = "cancel terms": Vector(sums::cancel_terms);
     /// A rotation is linear, so two vectors that are turned alike can be added first and turned once.
     COMMON_ROTATION = "common rotation": Vector(rotations::common_rotation);
-    /// A rotation keeps lengths, so it can come after the division by the length.
-    NORMALIZE_ROTATED = "normalize what was rotated": Vector(rotations::normalize_rotated);
+    /// A rotation keeps lengths and angles, so it can come after the division by a length, a product with a number, and the
+    /// part across a direction. Outermost, it can meet what it cancels with.
+    OPERATION_ON_ROTATED = "an operation on what was rotated": Vector(rotations::operation_on_rotated);
     /// A rotation keeps lengths, so it does not matter for the length whether there is one.
     NORM_OF_ROTATED = "norm of what was rotated": Scalar(rotations::norm_rotated);
     /// Turning a whole sum back keeps its length. One term loses its rotation, which then acts on what does not
@@ -263,6 +285,9 @@ rules! {
     /// What is square to the other side of a dot product adds nothing to it. A turn moves a point square to its way
     /// from the pivot, so whatever points along that way drops out of the derivative.
     DROP_RADIAL = "drop the radial part": Scalar(directions::dot_along_across);
+    /// A component of the part across a direction u is that of the whole less that of u times what both have in common,
+    /// a number that every component needs.
+    AXIS_ACROSS = "a component of a part across": Scalar(directions::dot_of_axis_across);
     /// Two vectors that are turned back alike are added first and turned back once.
     SUM_IN_FRAME = "a sum in another frame": Vector(frames::sum_in_frame);
     /// What is done to a vector alike in every frame can be done before it is turned back.

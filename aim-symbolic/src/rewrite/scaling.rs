@@ -3,7 +3,7 @@
 use crate::rewrite::sums::{is_sum, sum, terms};
 use crate::{Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
 
-fn scaled(g: &Graph, v: Vector) -> Option<(Scalar, Vector)> {
+pub(crate) fn scaled(g: &Graph, v: Vector) -> Option<(Scalar, Vector)> {
     match g.vector_node(v) {
         VectorNode::Scale(k, inner) => Some((k, inner)),
         _ => None,
@@ -204,7 +204,7 @@ fn common_part(g: &mut Graph, a: Scalar, b: Scalar) -> Option<(Scalar, Scalar, S
 }
 
 /// The factors of a product of a few; a deeper one is a factor as a whole.
-fn factors(g: &Graph, product: Scalar) -> Vec<Scalar> {
+pub(crate) fn factors(g: &Graph, product: Scalar) -> Vec<Scalar> {
     fn collect(g: &Graph, product: Scalar, depth: u32, out: &mut Vec<Scalar>) {
         match g.scalar_node(product) {
             ScalarNode::Op(Op::Mul(a, b)) if depth > 0 => {

@@ -65,7 +65,7 @@ pub(crate) fn fold_zero(g: &mut Graph, v: Vector) -> Option<Vector> {
         VectorNode::Across(a, _) if is_zero(g, a) => Some(a),
         VectorNode::Neg(a) => match g.vector_node(a) {
             VectorNode::Neg(inner) => Some(inner),
-            _ => None,
+            _ => g.constant_vector_of(a).map(|c| g.constant_vector(c.map(|c| -c))),
         },
         VectorNode::Scale(_, a) if is_zero(g, a) => Some(a),
         VectorNode::Scale(k, a) if g.constant_of(k) == Some(1.0) => Some(a),

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use aim_symbolic::{Count, Number};
+use aim_symbolic::{Count, Function, Number};
 
 thread_local! {
     static COUNT: Cell<Count> = const { Cell::new(Count { add: 0, mul: 0, div: 0, sqrt: 0, select: 0, call: 0, series: 0 }) };
@@ -77,6 +77,16 @@ impl Number for Counted {
     fn sqrt(self) -> Self {
         note(|count| &mut count.sqrt, 1);
         Self(self.0.sqrt())
+    }
+
+    fn call(self, function: Function) -> Self {
+        note(|count| &mut count.call, 1);
+        Self(self.0.call(function))
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        note(|count| &mut count.call, 1);
+        Self(self.0.atan2(x.0))
     }
 
     fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self {

@@ -28,6 +28,7 @@ pub mod arap;
 pub mod chain;
 pub mod counted;
 pub mod distance;
+pub mod elsewhere;
 pub mod general_forward;
 pub mod general_frames;
 pub mod one_joint;

@@ -10,7 +10,7 @@ use aim_codegen::objective::functions;
 use aim_codegen::{Kernel, RigSpec, declare, kernels};
 use aim_symbolic::{Count, Program};
 use aim_tests::scale::in_full;
-use aim_tests::{rigs, wgsl};
+use aim_tests::{c, rigs, wgsl};
 use syn::visit::{self, Visit};
 use syn::{BinOp, Expr, File, ImplItem, Item, ItemFn, Stmt, UnOp};
 
@@ -320,67 +320,13 @@ fn functions_of<'p>(spec: &RigSpec, kernels: &'p [Kernel]) -> Vec<(String, &'p P
     functions(kernels).into_iter().map(|function| (function.name(spec), &function.kernel.program)).collect()
 }
 
-/// A function of emitted C: the comment before it, and its body.
-fn c_function<'c>(source: &'c str, name: &str) -> (&'c str, &'c str) {
-    let start = source.find(&format!("void {name}(")).unwrap_or_else(|| panic!("there is no function {name}"));
-    let comment = source[..start].rfind("/*").unwrap_or_else(|| panic!("{name} has no header"));
-    let body = start + source[start..].find("\n{\n").unwrap_or_else(|| panic!("{name} has no body"));
-    let end = body + source[body..].find("\n}\n").unwrap_or_else(|| panic!("{name} has no end"));
-    (&source[comment..start], &source[body + 3..end])
-}
-
-/// The tokens of a line: words, numbers with their exponents, and single signs.
-fn c_tokens(line: &str) -> Vec<&str> {
-    let mut tokens = Vec::new();
-    let mut rest = line.trim_start();
-    while let Some(first) = rest.chars().next() {
-        let word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.';
-        let mut length = rest.find(|c| !word(c)).unwrap_or(rest.len()).max(first.len_utf8());
-        // `1.5e-3f`: the sign belongs to the number.
-        if first.is_ascii_digit() && rest[..length].ends_with('e') {
-            length += 1;
-            length += rest[length..].find(|c| !word(c)).unwrap_or(rest.len() - length);
-        }
-        tokens.push(&rest[..length]);
-        rest = rest[length..].trim_start();
-    }
-    tokens
-}
-
-fn c_count(body: &str) -> Count {
-    let mut count = Count::default();
-    for line in body.lines().map(c_tokens) {
-        for (i, &token) in line.iter().enumerate() {
-            // What stands after a name, a number or a closing bracket is infix; anything else is a sign.
-            let infix = i > 0 && line[i - 1].ends_with(|c: char| c.is_ascii_alphanumeric() || "_.)]".contains(c));
-            match token {
-                "+" | "-" if infix => count.add += 1,
-                "*" if infix => count.mul += 1,
-                "/" if infix => count.div += 1,
-                "sqrtf" => count.sqrt += 1,
-                "<" | "?" => count.select += 1,
-                "-" | ":" | "=" | ";" | "," | "(" | ")" | "[" | "]" => {}
-                _ if ["if", "for", "while", "switch", "goto", "do"].contains(&token) || token.contains("pow") => {
-                    panic!("a kernel is a straight line, without {token}")
-                }
-                _ if token.starts_with(|c: char| c.is_ascii_alphanumeric()) => {
-                    let called = line.get(i + 1) == Some(&"(");
-                    assert!(!called, "a kernel calls {token}");
-                }
-                _ => panic!("no token of a kernel: {token}"),
-            }
-        }
-    }
-    count
-}
-
 #[test]
 fn c_kernels_are_straight_lines_with_the_operations_that_were_counted() {
     for (spec, kernels) in RIGS.iter() {
         let source = emit::c::emit(&Rig { spec, kernels });
         for (name, program) in functions_of(spec, kernels) {
-            let (header, body) = c_function(&source, &name);
-            assert_eq!(c_count(body), program.count(), "{name}");
+            let (header, body) = c::function(&source, &name);
+            assert_eq!(c::count(body), program.count(), "{name}");
             assert!(header.contains(&program.count().to_string()), "{name}: {header}");
         }
     }
@@ -388,7 +334,7 @@ fn c_kernels_are_straight_lines_with_the_operations_that_were_counted() {
 
 #[test]
 fn the_tokenizer_of_c_tells_signs_from_operations() {
-    let count = c_count("const float v1 = -a[0] - -1.5e-3f * v2;\nv3 = v1 < 1e-9f ? sqrtf(-v2) : b / 2.0f + -c;");
+    let count = c::count("const float v1 = -a[0] - -1.5e-3f * v2;\nv3 = v1 < 1e-9f ? sqrtf(-v2) : b / 2.0f + -c;");
     assert_eq!(count, Count { add: 2, mul: 1, div: 1, sqrt: 1, select: 2, call: 0, series: 0 });
 }
 

@@ -6,6 +6,7 @@ mod by_hand;
 mod dependencies;
 mod derivation;
 mod differentiate;
+mod elsewhere;
 mod emitted;
 mod expanded;
 mod golden;

@@ -5,7 +5,7 @@
 
 use std::rc::Rc;
 
-use aim_symbolic::{Node, Rotation, Scalar, Stumpff, Vector};
+use aim_symbolic::{Attitude, Function, Node, Op, Rotation, Scalar, ScalarNode, Stumpff, Vector, VectorNode};
 
 use super::algebra::Algebra;
 use super::condition::Condition;
@@ -30,8 +30,6 @@ pub(crate) enum Map {
     Rows([Vector; 3]),
     /// v ↦ q v q*, for a quaternion of any length: its vector part and its scalar part.
     Spin(Vector, Scalar),
-    /// The right-handed turn about a vector by its length.
-    Turn(Vector),
     /// The second, then the first.
     Compose(Rc<(Self, Self)>),
     /// The first where the condition holds, else the second.
@@ -46,6 +44,33 @@ impl Map {
 
     pub(crate) fn identity(a: &mut Algebra) -> Self {
         Self::Rotation(a.identity())
+    }
+
+    /// The map with these images of the axes: a rotation where they are written as those of a turn about an axis.
+    pub(crate) fn of_columns(a: &mut Algebra, columns: [Vector; 3]) -> Self {
+        let entries = columns.map(|column| a.parts(column));
+        let called = |a: &Algebra, function, s| match a.g.scalar_node(s) {
+            ScalarNode::Op(Op::Call(own, radians)) if own == function => Some(radians),
+            _ => None,
+        };
+        for (axis, [i, k]) in [[1, 2], [2, 0], [0, 1]].into_iter().enumerate() {
+            let mut unit = [0.0; 3];
+            unit[axis] = 1.0;
+            let [first, second] = [entries[i], entries[k]];
+            let still = [first[axis], second[axis]].map(|s| a.constant_of(s)) == [Some(0.0); 2];
+            if a.g.constant_vector_of(columns[axis]) != Some(unit) || !still {
+                continue;
+            }
+            let Some(radians) = called(a, Function::Cos, first[i]) else { continue };
+            let back = a.neg(radians);
+            for (sine, minus, radians) in [(first[k], second[i], radians), (second[i], first[k], back)] {
+                let is_sine = called(a, Function::Sin, sine) == called(a, Function::Cos, first[i]);
+                if is_sine && a.neg(sine) == minus && second[k] == first[i] {
+                    return Self::turn(a, axis, radians);
+                }
+            }
+        }
+        Self::Columns(columns)
     }
 
     /// `then` where the condition holds, else `otherwise`. Branches of many maps are multiplied out, so that what they have
@@ -65,7 +90,7 @@ impl Map {
     /// How many maps are applied to a vector.
     fn size(&self) -> usize {
         match self {
-            Self::Rotation(_) | Self::Columns(_) | Self::Rows(_) | Self::Spin(..) | Self::Turn(_) => 1,
+            Self::Rotation(_) | Self::Columns(_) | Self::Rows(_) | Self::Spin(..) => 1,
             Self::Compose(pair) => pair.0.size() + pair.1.size(),
             Self::Select(choice) => choice.1.size() + choice.2.size(),
         }
@@ -85,7 +110,6 @@ impl Map {
                 a.vector(parts)
             }
             Self::Spin(u, w) => spin(a, *u, *w, v),
-            Self::Turn(turn) => turned(a, *turn, v),
             Self::Compose(pair) => {
                 let once = pair.1.apply(a, v);
                 pair.0.apply(a, once)
@@ -143,7 +167,6 @@ impl Map {
             Self::Columns(columns) => Self::Rows(*columns),
             Self::Rows(rows) => Self::Columns(*rows),
             Self::Spin(u, w) => Self::Spin(a.neg_vector(*u), *w),
-            Self::Turn(turn) => Self::Turn(a.neg_vector(*turn)),
             Self::Compose(pair) => {
                 let (first, second) = (pair.0.transpose(a), pair.1.transpose(a));
                 second.compose(a, &first)
@@ -174,7 +197,7 @@ impl Map {
     /// Whether it is known to be a rotation.
     pub(crate) fn is_rotation(&self) -> bool {
         match self {
-            Self::Rotation(_) | Self::Turn(_) => true,
+            Self::Rotation(_) => true,
             Self::Columns(_) | Self::Rows(_) | Self::Spin(..) => false,
             Self::Compose(pair) => pair.0.is_rotation() && pair.1.is_rotation(),
             Self::Select(choice) => choice.1.is_rotation() && choice.2.is_rotation(),
@@ -240,15 +263,6 @@ fn spin(a: &mut Algebra, u: Vector, w: Scalar, v: Vector) -> Vector {
     about(a, v, u, factors)
 }
 
-/// v cos r + r (r · v)(1 − cos r)/r² + (r × v) sin r / r, of which the quotients have limits where r is 0.
-fn turned(a: &mut Algebra, turn: Vector, v: Vector) -> Vector {
-    let square = a.dot(turn, turn);
-    let [cos, sine, versine] = [0, 1, 2].map(|order| a.g.stumpff(Stumpff { hyperbolic: false, order }, square));
-    let along = a.dot(turn, v);
-    let along = a.mul(along, versine);
-    about(a, v, turn, [cos, along, sine])
-}
-
 /// kept v + along u + aside (u × v)
 fn about(a: &mut Algebra, v: Vector, u: Vector, [kept, along, aside]: [Scalar; 3]) -> Vector {
     let (kept, along, across) = (a.scale(kept, v), a.scale(along, u), a.cross(u, v));
@@ -296,8 +310,20 @@ impl Quaternion {
         Self { map: Map::Rotation(a.about(axis, radians)), parts: Some(parts) }
     }
 
+    /// One that the variables move, made of length 1.
+    pub(crate) fn normalized(a: &mut Algebra, (u, w): (Vector, Scalar), reciprocal: Scalar) -> Self {
+        let map = Map::Rotation(a.g.attitude(Attitude::Quaternion(u, w)));
+        Self { map, parts: Some((a.scale(reciprocal, u), a.mul(reciprocal, w))) }
+    }
+
     /// The turn about an axis that the variables move.
     pub(crate) fn about_varying(a: &mut Algebra, axis: Vector, radians: Scalar) -> Self {
+        if let (VectorNode::Normalize(turn), ScalarNode::Norm(length)) =
+            (a.g.vector_node(axis), a.g.scalar_node(radians))
+            && turn == length
+        {
+            return Self::about_vector(a, turn);
+        }
         let (u, w) = half_turn(a, axis, radians);
         Self::from_parts(u, w)
     }
@@ -310,7 +336,7 @@ impl Quaternion {
         let [w, sine] = [0, 1].map(|order| a.g.stumpff(Stumpff { hyperbolic: false, order }, square));
         let u = a.scale(sine, half);
         if a.varies(Node::Vector(turn)) {
-            return Self { map: Map::Turn(turn), parts: Some((u, w)) };
+            return Self { map: Map::Rotation(a.g.attitude(Attitude::Turn(turn))), parts: Some((u, w)) };
         }
         Self::unit(a, u, w)
     }

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hash, Hasher};
 
 use aim_symbolic::{
-    Function, Graph, Op, Plane, Rotation, RotationNode, Scalar, ScalarNode, Stumpff, Vector, VectorNode,
+    Attitude, Function, Graph, Op, Plane, Rotation, RotationNode, Scalar, ScalarNode, Stumpff, Vector, VectorNode,
 };
 
 use super::dual::Oracle;
@@ -255,6 +255,7 @@ impl<T: Oracle> Evaluation<T> {
                 let (v, unit) = (self.vector(g, v), self.vector(g, unit.into()));
                 minus(v, times(dot(v, unit), unit))
             }
+            VectorNode::Motion(..) => [T::constant(0.0); 3],
         };
         self.vectors.insert(vector, value);
         value
@@ -302,6 +303,30 @@ impl<T: Oracle> Evaluation<T> {
                     [two * (x * z + w * y), two * (y * z - w * x), one - two * (x * x + y * y)],
                 ]
             }
+            RotationNode::Moving(motions) => match g.attitude_of(motions) {
+                Attitude::Quaternion(u, w) => {
+                    // (w² − u²) 1 + 2 w K + 2 u uᵀ over w² + u², where K takes v to u × v.
+                    let (u, w) = (self.vector(g, u), self.scalar(g, w));
+                    let (u2, w2, two) = (dot(u, u), w * w, T::constant(2.0));
+                    let over = self.reciprocal(w2 + u2);
+                    let (one, crossing) = (identity(), crossing(u));
+                    core::array::from_fn(|i| {
+                        let kept = plus(times(w2 - u2, one[i]), times(two * w, crossing[i]));
+                        times(over, plus(kept, times(two * u[i], u)))
+                    })
+                }
+                Attitude::Turn(v) => {
+                    let v = self.vector(g, v);
+                    let square = dot(v, v);
+                    self.singular |= square.is_zero();
+                    let factor = |order| stumpff(Stumpff { hyperbolic: false, order }, square);
+                    let (one, crossing) = (identity(), crossing(v));
+                    core::array::from_fn(|i| {
+                        let kept = plus(times(factor(0), one[i]), times(factor(1), crossing[i]));
+                        plus(kept, times(factor(2) * v[i], v))
+                    })
+                }
+            },
             RotationNode::Step(step) => {
                 // 1 + K + ½ K², where K takes v to step × v: all that a step of 0 has of its exponential.
                 let step = self.vector(g, step);

@@ -1,7 +1,9 @@
 //! Programs and expressions as plain text, for failure messages.
 
 use aim_symbolic::print::{self, Dialect, Notation, steps};
-use aim_symbolic::{Graph, Op, Program, Rotation, RotationNode, Scalar, ScalarNode, Stumpff, Vector, VectorNode};
+use aim_symbolic::{
+    Attitude, Graph, Op, Program, Rotation, RotationNode, Scalar, ScalarNode, Stumpff, Vector, VectorNode,
+};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -86,6 +88,8 @@ fn vector(g: &Graph, expression: Vector) -> String {
             format!("perp_{}{}({})", AXES[usize::from(plane.from)], AXES[usize::from(plane.towards)], v(a))
         }
         VectorNode::Cross(a, b) => format!("cross({}, {})", v(a), v(b)),
+        VectorNode::Motion(space, Attitude::Quaternion(u, w)) => format!("{space:?}({}, {})", v(u), scalar(g, w)),
+        VectorNode::Motion(space, Attitude::Turn(a)) => format!("{space:?}({})", v(a)),
         VectorNode::Across(a, u) => format!("across({}, {})", v(a), v(u.into())),
     }
 }
@@ -103,6 +107,10 @@ fn rotation(g: &Graph, expression: Rotation) -> String {
         RotationNode::About(axis, angle) => format!("R_{}({})", vector(g, axis), g.angle_name(angle)),
         RotationNode::Quaternion(v, w) => format!("Q({}, {})", vector(g, v), scalar(g, w)),
         RotationNode::Step(v) => format!("exp({})", vector(g, v)),
+        RotationNode::Moving(motions) => match g.attitude_of(motions) {
+            Attitude::Quaternion(v, w) => format!("Q({}, {})", vector(g, v), scalar(g, w)),
+            Attitude::Turn(v) => format!("exp({})", vector(g, v)),
+        },
         RotationNode::Compose(a, b) => format!("({} {})", rotation(g, a), rotation(g, b)),
         RotationNode::Transpose(a) => format!("{}'", rotation(g, a)),
     }

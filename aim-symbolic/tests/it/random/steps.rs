@@ -1,5 +1,7 @@
 //! The steps that statements are built by: the constructors of the graph, and idioms that rules look for.
 
+use aim_symbolic::{Attitude, Stumpff};
+
 use super::material::{BASES, FUNCTIONS, NUMBERS, PLANES, Pools, UNITS, VECTORS};
 use Sort::{Angle, Rotation, Scalar, Unit, Vector};
 
@@ -90,6 +92,9 @@ steps! {
     LengthToEffector: 3 [Vector, Rotation, Vector] => Scalar,
     SquareToEffector: 2 [Vector, Rotation, Vector] => Scalar,
     DotAcrossPerp: 2 [Vector, Unit] => Scalar,
+    DotAxisAcross: 2 [Vector, Unit] => Scalar,
+    SquareOfDirections: 2 [Rotation, Unit, Unit] => Scalar,
+    LengthAcrossDirection: 2 [Vector, Rotation, Vector, Vector] => Scalar,
     DotAcrossAlong: 2 [Vector, Vector, Scalar, Unit] => Scalar,
     ConstantVector: 3 [] => Vector,
     Components: 3 [Scalar, Scalar, Scalar] => Vector,
@@ -118,12 +123,17 @@ steps! {
     AcrossOfSum: 3 [Vector, Scalar, Unit] => Vector,
     AcrossOfAcross: 2 [Vector, Unit] => Vector,
     AcrossOfCross: 2 [Vector, Unit] => Vector,
+    Rejection: 2 [Vector, Unit] => Vector,
+    Rodrigues: 2 [Vector, Vector] => Vector,
+    TurnedComponents: 2 [Vector, Scalar] => Vector,
     Normalize: 8 [Vector] => Unit,
     ToEffectorDirection: 5 [Vector, Rotation, Vector] => Unit,
     NormalizeTurned: 4 [Rotation, Vector] => Unit,
     Turn: 4 [Angle] => Rotation,
     About: 2 [Unit, Angle] => Rotation,
     AboutConstant: 2 [Angle] => Rotation,
+    ByQuaternion: 2 [Vector, Scalar] => Rotation,
+    ByTurn: 1 [Vector] => Rotation,
     Basis: 3 [] => Rotation,
     Compose: 5 [Rotation, Rotation] => Rotation,
     Transpose: 4 [Rotation] => Rotation,
@@ -343,6 +353,27 @@ impl Pools {
                 let perp = g.perp(choice(&PLANES, number), u(1).into());
                 g.dot(across, perp).into()
             }
+            What::DotAxisAcross => {
+                let axis = g.constant_vector(core::array::from_fn(|k| f64::from(k == usize::from(number) % 3)));
+                let across = g.across(axis, u(1));
+                g.dot(across, v(0)).into()
+            }
+            What::SquareOfDirections => {
+                let turned = g.rotate(r(0), u(1));
+                let difference = if number % 2 == 0 {
+                    g.sub_vectors(turned, u(2).into())
+                } else {
+                    g.add_vectors(u(2).into(), turned)
+                };
+                g.dot(difference, difference).into()
+            }
+            What::LengthAcrossDirection => {
+                let (origin, forward) = (g.rotate(r(1), v(2)), g.rotate(r(1), v(3)));
+                let difference = g.sub_vectors(v(0), origin);
+                let direction = g.normalize(difference);
+                let across = g.across(forward, direction);
+                g.norm(across).into()
+            }
             What::DotAcrossAlong => {
                 let across = g.across(v(1), u(3));
                 let along = g.scale(s(2), u(3).into());
@@ -449,6 +480,42 @@ impl Pools {
                 let sum = if number % 2 == 0 { cross } else { g.add_vectors(cross, v(0)) };
                 g.across(sum, u(1)).into()
             }
+            What::Rejection => {
+                let along = g.dot(v(0), u(1));
+                let along = g.scale(along, u(1).into());
+                g.sub_vectors(v(0), along).into()
+            }
+            What::Rodrigues => {
+                let (turn, point) = (v(0), v(1));
+                let square = g.dot(turn, turn);
+                let factor =
+                    |g: &mut aim_symbolic::Graph, order| g.stumpff(Stumpff { hyperbolic: false, order }, square);
+                let aside = g.cross(turn, point);
+                let (sine, versine) = (factor(g, 1), factor(g, 2));
+                let (kept, along) = if number % 2 == 0 {
+                    let (cos, dot) = (factor(g, 0), g.dot(turn, point));
+                    let along = g.mul(versine, dot);
+                    (g.scale(cos, point), g.scale(along, turn))
+                } else {
+                    let twice = g.cross(turn, aside);
+                    (point, g.scale(versine, twice))
+                };
+                let aside = g.scale(sine, aside);
+                let sum = g.add_vectors(kept, aside);
+                g.add_vectors(sum, along).into()
+            }
+            What::TurnedComponents => {
+                let plane = choice(&PLANES, number);
+                let (i, k) = (usize::from(plane.from), usize::from(plane.towards));
+                let (sin, cos) = (g.call(aim_symbolic::Function::Sin, s(1)), g.call(aim_symbolic::Function::Cos, s(1)));
+                let parts = [0, 1, 2].map(|axis| g.component(v(0), axis));
+                let mut turned = parts;
+                let (x, y) = (g.mul(cos, parts[i]), g.mul(parts[k], sin));
+                turned[i] = g.sub(x, y);
+                let (x, y) = (g.mul(sin, parts[i]), g.mul(cos, parts[k]));
+                turned[k] = g.add(x, y);
+                g.components(turned).into()
+            }
             What::Normalize => g.normalize(v(0)).into(),
             What::ToEffectorDirection => {
                 let effector = g.rotate(r(1), v(2));
@@ -465,6 +532,8 @@ impl Pools {
                 let axis = g.constant_vector(choice(&UNITS, number));
                 g.about(axis, a(0)).into()
             }
+            What::ByQuaternion => g.attitude(Attitude::Quaternion(v(0), s(1))).into(),
+            What::ByTurn => g.attitude(Attitude::Turn(v(0))).into(),
             What::Basis => g.basis(choice(&BASES, number)).into(),
             What::Compose => g.compose(r(0), r(1)).into(),
             What::Transpose => g.transpose(r(0)).into(),

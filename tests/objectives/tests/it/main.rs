@@ -2,6 +2,7 @@
 
 mod aiming;
 mod branches;
+mod by_hand;
 mod companions;
 mod distances;
 mod documented;

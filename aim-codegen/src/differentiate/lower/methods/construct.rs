@@ -100,10 +100,11 @@ functions! {
     from_rotation_z(radians: Scalar) -> Matrix { Map::turn(a, 2, radians) }
     from_axis_angle(axis: Vector, radians: Scalar) -> Matrix { about(a, axis, radians)? }
     from_quat(q: Quaternion) -> Matrix { q.map }
-    from_cols(x: Vector, y: Vector, z: Vector) -> Matrix { Map::Columns([x, y, z]) }
+    from_cols(x: Vector, y: Vector, z: Vector) -> Matrix { Map::of_columns(a, [x, y, z]) }
     from_cols_array(numbers: Array) -> Matrix {
         let [xx, xy, xz, yx, yy, yz, zx, zy, zz] = scalars(&numbers)?;
-        Map::Columns([[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]].map(|column| a.vector(column)))
+        let columns = [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]].map(|column| a.vector(column));
+        Map::of_columns(a, columns)
     }
     from_diagonal(v: Vector) = Mat3::from_cols(Vec3::X * v.x, Vec3::Y * v.y, Vec3::Z * v.z);
     from(m: Matrix) -> Matrix { m }

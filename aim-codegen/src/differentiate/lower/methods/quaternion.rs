@@ -101,7 +101,9 @@ fn normalize(a: &mut Algebra, q: &Quaternion) -> Result<Quaternion, Text> {
     let square = square(a, (u, w));
     let length = a.sqrt(square);
     let reciprocal = a.recip(length);
-    let varies = a.varies(Node::Vector(u)) || a.varies(Node::Scalar(w));
+    if a.varies(Node::Vector(u)) || a.varies(Node::Scalar(w)) {
+        return Ok(Quaternion::normalized(a, (u, w), reciprocal));
+    }
     let (u, w) = (a.scale(reciprocal, u), a.mul(reciprocal, w));
-    Ok(if varies { Quaternion::from_parts(u, w) } else { Quaternion::unit(a, u, w) })
+    Ok(Quaternion::unit(a, u, w))
 }

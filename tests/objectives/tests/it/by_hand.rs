@@ -1,0 +1,158 @@
+//! Objectives of which `tests/src/by_hand/elsewhere.rs` has derivations by hand. `aim-tests` reads this file, counts what is derived
+//! of it, and writes the table of `docs/operation-counts.md`.
+
+#[aim::differentiate(check = true)]
+pub(crate) mod problems {
+    use aim::DRigid;
+    use aim::glam::{DMat3, DQuat, DVec2, DVec3, Vec3Swizzles};
+
+    /// Rodrigues' formula.
+    fn rotated(axis_angle: DVec3, p: DVec3) -> DVec3 {
+        let angle = axis_angle.length();
+        let axis = axis_angle / angle;
+        let (sin, cos) = angle.sin_cos();
+        p * cos + axis.cross(p) * sin + axis * axis.dot(p) * (1.0 - cos)
+    }
+
+    /// Bundle adjustment: a camera of nine parameters and a point.
+    #[differentiate(wrt(camera, point), budget = 209)]
+    pub(crate) fn bundle_adjustment(camera: [f64; 9], point: DVec3, observed: DVec2) -> DVec2 {
+        let [rx, ry, rz, tx, ty, tz, focal, k1, k2] = camera;
+        let p = DQuat::from_scaled_axis(DVec3::new(rx, ry, rz)) * point + DVec3::new(tx, ty, tz);
+        let image = -p.xy() / p.z;
+        let r2 = image.length_squared();
+        let distortion = 1.0 + r2 * (k1 + k2 * r2);
+        focal * distortion * image - observed
+    }
+
+    /// Registration of a point to a plane, by a rotation vector.
+    #[differentiate(wrt(turn, shift), budget = 89)]
+    pub(crate) fn point_to_plane(turn: DVec3, shift: DVec3, point: DVec3, normal: DVec3, offset: f64) -> f64 {
+        normal.dot(rotated(turn, point) + shift) - offset
+    }
+
+    /// As-rigid-as-possible deformation: an edge, by a quaternion.
+    #[differentiate(wrt(q, from, to), budget = 84)]
+    pub(crate) fn rigid_edge(q: DQuat, from: DVec3, to: DVec3, rest: DVec3, weight: f64) -> f64 {
+        weight * (to - from - q.normalize() * rest).length_squared()
+    }
+
+    /// The force of a damped spring, with its Jacobian by place and speed.
+    #[differentiate(wrt(a, va), budget = 68)]
+    pub(crate) fn damped_spring(
+        a: DVec3,
+        va: DVec3,
+        b: DVec3,
+        vb: DVec3,
+        stiffness: f64,
+        damping: f64,
+        rest: f64,
+    ) -> DVec3 {
+        let way = b - a;
+        let length = way.length();
+        let direction = way / length;
+        let force = stiffness * (length - rest) + damping * (vb - va).dot(direction);
+        direction * force
+    }
+
+    /// The torsion energy of a dihedral angle.
+    #[differentiate(wrt(a, b, c, d), budget = 128)]
+    pub(crate) fn torsion(a: DVec3, b: DVec3, c: DVec3, d: DVec3, k: f64, n: f64, phase: f64) -> f64 {
+        let (first, middle, last) = (b - a, c - b, d - c);
+        let (m, l) = (first.cross(middle), middle.cross(last));
+        let phi = (middle.length() * first.dot(l)).atan2(m.dot(l));
+        k * (1.0 + (n * phi - phase).cos())
+    }
+
+    /// A Gaussian's negative log-likelihood, by the place and the covariance.
+    #[differentiate(wrt(x, covariance), budget = 170)]
+    pub(crate) fn gaussian(x: DVec3, mean: DVec3, covariance: DMat3) -> f64 {
+        let d = x - mean;
+        0.5 * d.dot(covariance.inverse() * d) + 0.5 * covariance.determinant().ln()
+    }
+
+    /// The logarithmic barrier of a cone.
+    #[differentiate(wrt(p, apex, axis, slope), budget = 51)]
+    pub(crate) fn cone_barrier(p: DVec3, apex: DVec3, axis: DVec3, slope: f64, weight: f64) -> f64 {
+        let axis = axis.normalize();
+        let d = p - apex;
+        let along = d.dot(axis);
+        let aside = (d - along * axis).length();
+        -weight * (slope * along - aside).ln()
+    }
+
+    /// Range and bearing of a landmark, from a pose in the plane.
+    #[differentiate(wrt(pose, landmark), budget = 13)]
+    pub(crate) fn bearing_and_range(pose: [f64; 3], landmark: [f64; 2]) -> [f64; 2] {
+        let (dx, dy) = (landmark[0] - pose[0], landmark[1] - pose[1]);
+        [(dx * dx + dy * dy).sqrt(), dy.atan2(dx) - pose[2]]
+    }
+
+    /// The aim of an eye, its joint turned by a quaternion.
+    #[differentiate(wrt(q), budget = 96)]
+    pub(crate) fn aim_by_quaternion(q: DQuat, eye: DRigid, target: DVec3) -> f64 {
+        let turned = DRigid::from_quat(q.normalize()) * eye;
+        let forward = turned.transform_vector3(DVec3::Y);
+        forward.dot((target - turned.transform_point3(DVec3::ZERO)).normalize())
+    }
+
+    /// The same, by a rotation vector.
+    #[differentiate(wrt(turn), budget = 106)]
+    pub(crate) fn aim_by_rotation_vector(turn: DVec3, eye: DRigid, target: DVec3) -> f64 {
+        let turned = DRigid::from_quat(DQuat::from_scaled_axis(turn)) * eye;
+        let forward = turned.transform_vector3(DVec3::Y);
+        forward.dot((target - turned.transform_point3(DVec3::ZERO)).normalize())
+    }
+
+    fn turned(p: f64, h: f64, eye: DRigid) -> DRigid {
+        DRigid::from_quat(DQuat::from_rotation_x(h) * DQuat::from_rotation_z(p)) * eye
+    }
+
+    /// The aim of an eye that slides along its forward.
+    #[differentiate(wrt(p, h, reach), budget = 58)]
+    pub(crate) fn aim_with_telescope(p: f64, h: f64, reach: f64, eye: DRigid, target: DVec3) -> f64 {
+        let turned = turned(p, h, eye);
+        let forward = turned.transform_vector3(DVec3::Y);
+        let origin = turned.transform_point3(DVec3::ZERO) + reach * forward;
+        forward.dot((target - origin).normalize())
+    }
+
+    /// The square of the chord between where an eye looks and where it should.
+    #[differentiate(wrt(p, h), budget = 49)]
+    pub(crate) fn chord_of_aim(p: f64, h: f64, eye: DRigid, target: DVec3) -> f64 {
+        let turned = turned(p, h, eye);
+        let direction = (target - turned.transform_point3(DVec3::ZERO)).normalize();
+        (turned.transform_vector3(DVec3::Y) - direction).length_squared()
+    }
+
+    /// The sine of the angle between them.
+    #[differentiate(wrt(p, h), budget = 54)]
+    pub(crate) fn sine_of_aim(p: f64, h: f64, eye: DRigid, target: DVec3) -> f64 {
+        let turned = turned(p, h, eye);
+        let direction = (target - turned.transform_point3(DVec3::ZERO)).normalize();
+        turned.transform_vector3(DVec3::Y).cross(direction).length()
+    }
+
+    /// The aim, both turns written out in components.
+    #[differentiate(wrt(p, h), budget = 46)]
+    pub(crate) fn aim_in_components(p: f64, h: f64, eye: DRigid, target: DVec3) -> f64 {
+        let ((sp, cp), (sh, ch)) = (p.sin_cos(), h.sin_cos());
+        let turn = |v: DVec3| {
+            let v = DVec3::new(cp * v.x - sp * v.y, sp * v.x + cp * v.y, v.z);
+            DVec3::new(v.x, ch * v.y - sh * v.z, sh * v.y + ch * v.z)
+        };
+        let forward = turn(eye.matrix3.y_axis);
+        forward.dot((target - turn(eye.translation)).normalize())
+    }
+
+    /// The aim, both turns as matrices of columns.
+    #[differentiate(wrt(p, h), budget = 46)]
+    pub(crate) fn aim_in_columns(p: f64, h: f64, eye: DRigid, target: DVec3) -> f64 {
+        let ((sp, cp), (sh, ch)) = (p.sin_cos(), h.sin_cos());
+        let pitch = DMat3::from_cols(DVec3::new(cp, sp, 0.0), DVec3::new(-sp, cp, 0.0), DVec3::Z);
+        let heading = DMat3::from_cols(DVec3::X, DVec3::new(0.0, ch, sh), DVec3::new(0.0, -sh, ch));
+        let turn = heading * pitch;
+        let forward = turn * eye.matrix3.y_axis;
+        forward.dot((target - turn * eye.translation).normalize())
+    }
+}

@@ -1,0 +1,341 @@
+//! Objectives of other fields: value and first derivatives as a person finds them.
+//!
+//! Each takes the numbers of its statement's arguments in their order (`tests/objectives/tests/it/by_hand/problems.rs`) and gives
+//! the value's, then those of the derivative by each component of each variable. The counts follow the derivations.
+
+use aim_symbolic::{Function, Number};
+
+use super::algebra::reciprocal;
+
+type V<T> = [T; 3];
+
+/// 3
+fn add<T: Number>(v: V<T>, w: V<T>) -> V<T> {
+    [v[0] + w[0], v[1] + w[1], v[2] + w[2]]
+}
+
+/// 3
+fn sub<T: Number>(v: V<T>, w: V<T>) -> V<T> {
+    [v[0] - w[0], v[1] - w[1], v[2] - w[2]]
+}
+
+/// 3
+fn times<T: Number>(k: T, v: V<T>) -> V<T> {
+    v.map(|c| k * c)
+}
+
+fn neg<T: Number>(v: V<T>) -> V<T> {
+    v.map(|c| -c)
+}
+
+/// 5
+fn dot<T: Number>(v: V<T>, w: V<T>) -> T {
+    v[0] * w[0] + v[1] * w[1] + v[2] * w[2]
+}
+
+/// 9
+fn cross<T: Number>(v: V<T>, w: V<T>) -> V<T> {
+    [v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]]
+}
+
+fn one<T: Number>() -> T {
+    T::constant(1.0)
+}
+
+fn vector<T: Number>(x: &[T]) -> V<T> {
+    [x[0], x[1], x[2]]
+}
+
+/// cos r, sin r / r, (1 − cos r)/r² and (r − sin r)/r³ of a rotation vector: 11.
+fn turn_factors<T: Number>(turn: V<T>) -> [T; 4] {
+    let square = dot(turn, turn);
+    let r = square.sqrt();
+    let cos = r.call(Function::Cos);
+    let sine = r.call(Function::Sin) / r;
+    [cos, sine, (one::<T>() - cos) / square, (one::<T>() - sine) / square]
+}
+
+/// a v + b (u × v) + c (u · v) u: 30.
+fn about<T: Number>(u: V<T>, [a, b, c]: [T; 3], v: V<T>) -> V<T> {
+    let along = c * dot(u, v);
+    add(add(times(a, v), times(b, cross(u, v))), times(along, u))
+}
+
+/// The rows of that map: 24 of other factors, 21 where c u or b u is at hand.
+fn matrix_about<T: Number>(u: V<T>, a: T, aside: V<T>, along: V<T>) -> [V<T>; 3] {
+    let [xx, yy, zz] = [0, 1, 2].map(|k| along[k] * u[k] + a);
+    let [xy, yz, zx] = [(0, 1), (1, 2), (2, 0)].map(|(i, k)| along[i] * u[k]);
+    [[xx, xy - aside[2], zx + aside[1]], [xy + aside[2], yy, yz - aside[0]], [zx - aside[1], yz + aside[0], zz]]
+}
+
+/// 15
+fn apply<T: Number>(rows: [V<T>; 3], v: V<T>) -> V<T> {
+    rows.map(|row| dot(row, v))
+}
+
+/// 15
+fn apply_transposed<T: Number>(rows: [V<T>; 3], v: V<T>) -> V<T> {
+    let column = |k: usize| [rows[0][k], rows[1][k], rows[2][k]];
+    [0, 1, 2].map(|k| dot(column(k), v))
+}
+
+/// Bundle adjustment. The rotation serves three vectors and the derivative of its vector two, so that both are made matrices, which
+/// share (1 − cos r)/r² u. The image (x, y) is scaled alike in both directions: of the residuals' derivatives by it the
+/// symmetric matrix f d 1 + m (x, y)(x, y)ᵀ with m = 2 f d′ is made, and by the depth it is a multiple of (x, y). 186.
+pub fn bundle_adjustment<T: Number>(x: &[T]) -> Vec<T> {
+    let (turn, shift, [focal, k1, k2]) = (vector(x), vector(&x[3..]), vector(&x[6..]));
+    let (point, seen) = (vector(&x[9..]), [x[12], x[13]]);
+    let [cos, sine, versine, rest] = turn_factors(turn);
+    let (once, twice) = (times(sine, turn), times(versine, turn));
+    let rotation = matrix_about(turn, cos, once, twice);
+    let turned = apply(rotation, point);
+    let p = add(turned, shift);
+    let over = -(one::<T>() / p[2]);
+    let image = [p[0] * over, p[1] * over];
+    let square = image[0] * image[0] + image[1] * image[1];
+    let k2_square = k2 * square;
+    let slope = k1 + k2_square;
+    let distortion = one::<T>() + square * slope;
+    let scale = focal * distortion;
+    let value = [scale * image[0] - seen[0], scale * image[1] - seen[1]];
+
+    let by_focal = image.map(|c| distortion * c);
+    let focal_square = focal * square;
+    let by_k1 = image.map(|c| focal_square * c);
+    let by_k2 = by_k1.map(|c| square * c);
+    let steepness = slope + k2_square;
+    let m = (focal + focal) * steepness;
+    let scaled = image.map(|c| m * c);
+    let mixed = over * (scaled[0] * image[1]);
+    let [xx, yy] = [0, 1].map(|k| over * (scaled[k] * image[k] + scale));
+    let radial = over * (m * square + scale);
+    let by_place = [[xx, mixed, radial * image[0]], [mixed, yy, radial * image[1]]];
+    let rate = matrix_about(turn, sine, neg(twice), times(rest, turn));
+    let by_turn = by_place.map(|g| apply(rate, cross(turned, g)));
+    let by_point = by_place.map(|g| apply_transposed(rotation, g));
+
+    let mut all = value.to_vec();
+    let vectors = |by: [V<T>; 2]| (0..3).flat_map(move |k| [by[0][k], by[1][k]]);
+    all.extend(vectors(by_turn).chain(vectors(by_place)));
+    all.extend([by_focal, by_k1, by_k2].into_iter().flatten().chain(vectors(by_point)));
+    all
+}
+
+/// Registration of a point to a plane. With y = R p: ∂(n · y)/∂r = Jᵀ (y × n). 89.
+pub fn point_to_plane<T: Number>(x: &[T]) -> Vec<T> {
+    let (turn, shift, point, normal, offset) = (vector(x), vector(&x[3..]), vector(&x[6..]), vector(&x[9..]), x[12]);
+    let [cos, sine, versine, rest] = turn_factors(turn);
+    let turned = about(turn, [cos, sine, versine], point);
+    let value = dot(normal, add(turned, shift)) - offset;
+    let by_turn = about(turn, [sine, -versine, rest], cross(turned, normal));
+    [value].into_iter().chain(by_turn).chain(normal).collect()
+}
+
+/// A quaternion's u, w and 2 u/|q|², with 2/|q|²: 11.
+fn quaternion<T: Number>(q: &[T]) -> (V<T>, T, V<T>, T) {
+    let (u, w) = (vector(q), q[3]);
+    let twice = T::constant(2.0) * reciprocal(dot(u, u) + w * w);
+    (u, w, times(twice, u), twice)
+}
+
+/// An edge beside its rest state, turned by a quaternion of any length. With m = 2/|q|² y × ȳ in the world: ∂/∂u = w m + m × u and
+/// ∂/∂w = −m · u, the factor being in 2 u/|q|² already. 84.
+pub fn rigid_edge<T: Number>(x: &[T]) -> Vec<T> {
+    let (u, w, u2, twice) = quaternion(x);
+    let (from, to, rest, weight) = (vector(&x[4..]), vector(&x[7..]), vector(&x[10..]), x[13]);
+    let t = cross(u2, rest);
+    let turned = add(add(rest, times(w, t)), cross(u, t));
+    let off = sub(sub(to, from), turned);
+    let value = weight * dot(off, off);
+    let by_to = times(weight + weight, off);
+    let moment = cross(by_to, turned);
+    let by_u = add(times(w * twice, moment), cross(moment, u2));
+    let by_w = -dot(moment, u2);
+    [value].into_iter().chain(by_u).chain([by_w]).chain(neg(by_to)).chain(by_to).collect()
+}
+
+/// A damped spring's force (k (l − l₀) + c ṙ) u. By the place it is u gᵀ + φ/l 1, by the speed c u uᵀ, which is symmetric. 63.
+pub fn damped_spring<T: Number>(x: &[T]) -> Vec<T> {
+    let [a, va, b, vb] = [0, 3, 6, 9].map(|i| vector(&x[i..]));
+    let (stiffness, damping, rest) = (x[12], x[13], x[14]);
+    let (way, speed) = (sub(b, a), sub(vb, va));
+    let length = dot(way, way).sqrt();
+    let r = reciprocal(length);
+    let u = times(r, way);
+    let rate = dot(speed, u);
+    let force = stiffness * (length - rest) + damping * rate;
+    let (over, damped) = (r * force, r * damping);
+    let g = add(times(stiffness - over - damped * rate, u), times(damped, speed));
+    let cu = times(damping, u);
+    let mut all = times(force, u).to_vec();
+    for (column, &g) in g.iter().enumerate() {
+        all.extend((0..3).map(|row| if row == column { -(u[row] * g + over) } else { -(u[row] * g) }));
+    }
+    let mut by_speed = [[T::constant(0.0); 3]; 3];
+    for row in 0..3 {
+        for column in row..3 {
+            by_speed[row][column] = -(cu[row] * u[column]);
+            by_speed[column][row] = by_speed[row][column];
+        }
+    }
+    all.extend(by_speed.into_iter().flatten());
+    all
+}
+
+/// The energy k (1 + cos(n φ − φ₀)) of a dihedral angle (Blondel and Karplus, 1996): the outer forces are along the normals m and l of
+/// the two planes, ∓|b₂| m/m² and |b₂| l/l², and the inner ones follow by the levers b₁ · b₂ and b₃ · b₂ over b₂². 97.
+pub fn torsion<T: Number>(x: &[T]) -> Vec<T> {
+    let [a, b, c, d] = [0, 3, 6, 9].map(|i| vector(&x[i..]));
+    let (k, n, phase) = (x[12], x[13], x[14]);
+    let [b1, b2, b3] = [sub(b, a), sub(c, b), sub(d, c)];
+    let (m, l) = (cross(b1, b2), cross(b2, b3));
+    let square = dot(b2, b2);
+    let length = square.sqrt();
+    let phi = (length * dot(b1, l)).atan2(dot(m, l));
+    let angle = n * phi - phase;
+    let value = k * (one::<T>() + angle.call(Function::Cos));
+    let slope = length * (k * n * angle.call(Function::Sin));
+    let by_a = times(slope / dot(m, m), m);
+    let minus_by_d = times(slope / dot(l, l), l);
+    let over = one::<T>() / square;
+    let (first, last) = (over * dot(b1, b2), over * dot(b3, b2));
+    let lever = add(times(first, by_a), times(last, minus_by_d));
+    let by_b = neg(add(by_a, lever));
+    let by_c = add(minus_by_d, lever);
+    [value].into_iter().chain(by_a).chain(by_b).chain(by_c).chain(neg(minus_by_d)).collect()
+}
+
+/// ½ dᵀ S⁻¹ d + ½ ln |S| of any S: with the cofactors n and ½/|S|, ½ S⁻¹ d and ½ S⁻ᵀ d, whose sum is the derivative by d; by S it is
+/// ½ S⁻ᵀ − ½ (S⁻ᵀ d)(S⁻¹ d)ᵀ. 112.
+pub fn gaussian<T: Number>(x: &[T]) -> Vec<T> {
+    let (at, mean, columns) = (vector(x), vector(&x[3..]), [6, 9, 12].map(|i| vector(&x[i..])));
+    let d = sub(at, mean);
+    let [c0, c1, c2] = columns;
+    let normals = [cross(c1, c2), cross(c2, c0), cross(c0, c1)];
+    let det = dot(c2, normals[2]);
+    let half = T::constant(0.5) / det;
+    let solved = times(half, apply(normals, d));
+    let value = dot(d, solved) + T::constant(0.5) * det.call(Function::Ln);
+    let across = times(half, apply_transposed(normals, d));
+    let double = across.map(|c| c + c);
+    let by_place = add(solved, across);
+    let by_columns = (0..3).flat_map(|k| sub(times(half, normals[k]), times(solved[k], double)));
+    [value].into_iter().chain(by_place).chain(by_columns).collect()
+}
+
+/// The barrier −w ln(s a − |d⊥|) of a cone. d⊥ = d − a u is square to u, so that its direction e is, too: ∂/∂d = −k (s u − e) and, of
+/// u, only −k (s + a/|d⊥|) d⊥ is across it. 53.
+pub fn cone_barrier<T: Number>(x: &[T]) -> Vec<T> {
+    let (p, apex, axis, slope, weight) = (vector(x), vector(&x[3..]), vector(&x[6..]), x[9], x[10]);
+    let r = reciprocal(dot(axis, axis).sqrt());
+    let u = times(r, axis);
+    let d = sub(p, apex);
+    let along = dot(d, u);
+    let aside = sub(d, times(along, u));
+    let distance = dot(aside, aside).sqrt();
+    let margin = slope * along - distance;
+    let value = -(weight * margin.call(Function::Ln));
+    let k = weight / margin;
+    let over = reciprocal(distance);
+    let by_p = sub(times(k * over, aside), times(k * slope, u));
+    let by_axis = times(-(r * k * (slope + along * over)), aside);
+    [value].into_iter().chain(by_p).chain(neg(by_p)).chain(by_axis).chain([-(k * along)]).collect()
+}
+
+/// Range and bearing of a landmark from a pose in the plane; r² is r times r, and so is its reciprocal. 13.
+pub fn bearing_and_range<T: Number>(x: &[T]) -> Vec<T> {
+    let d = [x[3] - x[0], x[4] - x[1]];
+    let square = d[0] * d[0] + d[1] * d[1];
+    let range = square.sqrt();
+    let r = reciprocal(range);
+    let bearing = d[1].atan2(d[0]) - x[2];
+    let [x1, y1] = d.map(|c| r * c);
+    let [x2, y2] = [x1, y1].map(|c| r * c);
+    let zero = T::constant(0.0);
+    vec![range, bearing, -x1, y2, -y1, -x2, zero, -one::<T>(), x1, -y2, y1, x2]
+}
+
+/// The direction to a target in the effector's frame, its cosine to the forward, and r (f − c v/|v|) but for the factor r = 1/|v|: 20.
+fn aimed<T: Number>(v: V<T>, forward: V<T>) -> (T, T, V<T>) {
+    let r = reciprocal(dot(v, v).sqrt());
+    let cosine = r * dot(forward, v);
+    (cosine, r, sub(forward, times(r * cosine, v)))
+}
+
+/// The aim of a joint turned by a quaternion of any length: the target is turned back, y = Rᵀ t, and with m = 2/|q|² y × ȳ in the body
+/// ∂/∂u = w m + u × m, ∂/∂w = −m · u. 94.
+pub fn aim_by_quaternion<T: Number>(x: &[T]) -> Vec<T> {
+    let (u, w, u2, twice) = quaternion(x);
+    let (forward, origin, target) = (vector(&x[7..]), vector(&x[13..]), vector(&x[16..]));
+    let t = cross(u2, target);
+    let y = add(sub(target, times(w, t)), cross(u, t));
+    let (cosine, r, g) = aimed(sub(y, origin), forward);
+    let moment = times(r, cross(g, y));
+    let by_u = add(times(w * twice, moment), cross(u2, moment));
+    [cosine].into_iter().chain(by_u).chain([-dot(moment, u2)]).collect()
+}
+
+/// The same of a rotation vector. 106.
+pub fn aim_by_rotation_vector<T: Number>(x: &[T]) -> Vec<T> {
+    let (turn, forward, origin, target) = (vector(x), vector(&x[6..]), vector(&x[12..]), vector(&x[15..]));
+    let [cos, sine, versine, rest] = turn_factors(turn);
+    let y = about(turn, [cos, -sine, versine], target);
+    let (cosine, r, g) = aimed(sub(y, origin), forward);
+    let by_turn = about(turn, [sine, versine, rest], times(r, cross(g, y)));
+    [cosine].into_iter().chain(by_turn).collect()
+}
+
+/// A target turned back by heading about X and pitch about Z: between both, and after: 12.
+fn seen<T: Number>(pitch: T, heading: T, target: V<T>) -> ([T; 2], V<T>, V<T>) {
+    let [sin_p, cos_p, sin_h, cos_h] =
+        [(pitch, Function::Sin), (pitch, Function::Cos), (heading, Function::Sin), (heading, Function::Cos)]
+            .map(|(angle, function)| angle.call(function));
+    let between = [target[0], cos_h * target[1] + sin_h * target[2], cos_h * target[2] - sin_h * target[1]];
+    let after = [cos_p * between[0] + sin_p * between[1], cos_p * between[1] - sin_p * between[0], between[2]];
+    ([sin_p, cos_p], between, after)
+}
+
+/// The moments of a covector on the target turned back: 9.
+fn moments<T: Number>([sin_p, cos_p]: [T; 2], between: V<T>, after: V<T>, g: V<T>) -> [T; 2] {
+    let by_pitch = g[0] * after[1] - g[1] * after[0];
+    let ahead = sin_p * g[0] + cos_p * g[1];
+    [by_pitch, ahead * between[2] - g[2] * between[1]]
+}
+
+/// The aim of a joint with a telescope: the effector slides along its forward, which gives −r (1 − c²). 55.
+pub fn aim_with_telescope<T: Number>(x: &[T]) -> Vec<T> {
+    let (reach, forward, origin, target) = (x[2], vector(&x[6..]), vector(&x[12..]), vector(&x[15..]));
+    let (turn, between, after) = seen(x[0], x[1], target);
+    let (cosine, r, g) = aimed(sub(sub(after, origin), times(reach, forward)), forward);
+    let by_angles = moments(turn, between, after, g).map(|m| r * m);
+    [cosine].into_iter().chain(by_angles).chain([r * (cosine * cosine - one::<T>())]).collect()
+}
+
+/// (f − v/|v|)² = 2 − 2 c. 49.
+pub fn chord_of_aim<T: Number>(x: &[T]) -> Vec<T> {
+    let (forward, origin, target) = (vector(&x[5..]), vector(&x[11..]), vector(&x[14..]));
+    let (turn, between, after) = seen(x[0], x[1], target);
+    let (cosine, r, g) = aimed(sub(after, origin), forward);
+    let k = r + r;
+    let by_angles = moments(turn, between, after, g).map(|m| -(k * m));
+    [T::constant(2.0) - (cosine + cosine)].into_iter().chain(by_angles).collect()
+}
+
+/// |f × v/|v|| is the length of f − c v/|v|, which is at hand: √(1 − c²) would be 3 less, and of no digits near 0. 54.
+pub fn sine_of_aim<T: Number>(x: &[T]) -> Vec<T> {
+    let (forward, origin, target) = (vector(&x[5..]), vector(&x[11..]), vector(&x[14..]));
+    let (turn, between, after) = seen(x[0], x[1], target);
+    let (cosine, r, g) = aimed(sub(after, origin), forward);
+    let sine = dot(g, g).sqrt();
+    let k = r * cosine * reciprocal(sine);
+    let by_angles = moments(turn, between, after, g).map(|m| -(k * m));
+    [sine].into_iter().chain(by_angles).collect()
+}
+
+/// The paper's joint, however its rotation is written. 46.
+pub fn aim_in_components<T: Number>(x: &[T]) -> Vec<T> {
+    let (forward, origin, target) = (vector(&x[5..]), vector(&x[11..]), vector(&x[14..]));
+    let (turn, between, after) = seen(x[0], x[1], target);
+    let (cosine, r, g) = aimed(sub(after, origin), forward);
+    [cosine].into_iter().chain(moments(turn, between, after, g).map(|m| r * m)).collect()
+}

@@ -1,0 +1,114 @@
+//! Objectives of other fields: what is derived of them as they are written in `tests/objectives/tests/it/by_hand.rs`, beside the
+//! derivations by hand. `AIM_BLESS=1 cargo test -p aim-tests --test it elsewhere` writes the table.
+
+use aim_codegen::{Differentiated, emit};
+use aim_symbolic::Number;
+use aim_tests::by_hand::counted::{Counted, count};
+use aim_tests::by_hand::elsewhere as by_hand;
+use aim_tests::c;
+use aim_tests::oracle::assert_close;
+use aim_tests::random::Random;
+
+const FILE: &str = "../../../objectives/tests/it/by_hand.rs";
+const STATED: &str = include_str!("../../objectives/tests/it/by_hand.rs");
+const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/operation-counts.md");
+const TABLE: [&str; 2] = ["<!-- derived -->\n", "<!-- /derived -->\n"];
+
+/// A problem, its derivation by hand in two number types, and the place of a rotation among its inputs.
+struct Problem {
+    name: &'static str,
+    title: &'static str,
+    run: fn(&[f64]) -> Vec<f64>,
+    counted: fn(&[Counted]) -> Vec<Counted>,
+    rotation: Option<usize>,
+}
+
+macro_rules! problems {
+    ($($name:ident $title:literal by $by_hand:ident $(eye at $rotation:literal)?;)*) => {
+        [$(Problem {
+            name: stringify!($name),
+            title: $title,
+            run: by_hand::$by_hand,
+            counted: by_hand::$by_hand,
+            rotation: [$($rotation)?].first().copied(),
+        },)*]
+    };
+}
+
+fn problems() -> impl Iterator<Item = Problem> {
+    problems! {
+        bundle_adjustment "bundle adjustment (9 + 3 parameters)" by bundle_adjustment;
+        point_to_plane "point-to-plane registration, rotation vector" by point_to_plane;
+        rigid_edge "as-rigid-as-possible edge with a quaternion" by rigid_edge;
+        damped_spring "damped spring force, Jacobian" by damped_spring;
+        torsion "dihedral torsion energy" by torsion;
+        gaussian "Gaussian negative log-likelihood, 3×3 inverse" by gaussian;
+        cone_barrier "cone barrier" by cone_barrier;
+        bearing_and_range "bearing and range" by bearing_and_range;
+        aim_by_quaternion "aim, joint turned by a quaternion" by aim_by_quaternion eye at 4;
+        aim_by_rotation_vector "aim, joint turned by a rotation vector" by aim_by_rotation_vector eye at 3;
+        aim_with_telescope "aim with a telescope" by aim_with_telescope eye at 3;
+        chord_of_aim "chord of the aim, squared" by chord_of_aim eye at 2;
+        sine_of_aim "sine of the aim" by sine_of_aim eye at 2;
+        aim_in_components "aim, turns written in components" by aim_in_components eye at 2;
+        aim_in_columns "aim, turns written as columns" by aim_in_components eye at 2;
+    }
+    .into_iter()
+}
+
+/// The operations of the C that is emitted, but for series, and what is derived at random inputs beside what is by hand.
+fn compared(problem: &Problem, random: &mut Random) -> [usize; 2] {
+    let Problem { name, rotation, .. } = *problem;
+    let derived = Differentiated::from_file(FILE, STATED, name).expect("the file is compiled, too");
+    let procedures = derived.procedures();
+    let [procedure] = procedures.as_slice() else { panic!("{name} has no companions but the first") };
+    let program = procedure.program;
+    let source = emit::c::emit_procedures(name, &procedures);
+    let (_, body) = c::function(&source, &procedure.name);
+    let count_of_text = c::count(body).total() - program.count().series;
+    assert_eq!(count_of_text, program.count().total(), "{name}");
+
+    let mut inputs = vec![0.0; program.inputs().len()];
+    let mut judged = 0;
+    while judged < 200 {
+        inputs.iter_mut().for_each(|x| *x = random.within(2.0));
+        if let Some(place) = rotation {
+            inputs[place..place + 9].copy_from_slice(random.rotation().as_flattened());
+        }
+        let by_hand = (problem.run)(&inputs);
+        let mut found = vec![0.0; by_hand.len()];
+        program.run(&inputs, &mut found);
+        // Outside of a logarithm's domain, and where differences of large numbers are judged by their smaller digits.
+        if by_hand.iter().chain(&found).any(|x| !x.is_finite() || x.abs() > 1e3) {
+            continue;
+        }
+        judged += 1;
+        assert_close(&found, &by_hand, 1e-9, name);
+    }
+    let numbers: Vec<Counted> = inputs.iter().map(|&x| Counted::constant(x)).collect();
+    [count_of_text, count(|| (problem.counted)(&numbers)).total()]
+}
+
+#[test]
+fn derived_programs_are_nearly_as_small_as_those_by_hand() {
+    let random = &mut Random::new(21);
+    let mut table = String::from("| value and first derivatives | derived | by hand |\n|---|---|---|\n");
+    for problem in problems() {
+        let [derived, by_hand] = compared(&problem, random);
+        table += &format!("| {} | {derived} | {by_hand} |\n", problem.title);
+        println!("{}: {derived}, by hand {by_hand}", problem.title);
+        let is_open = ["torsion", "gaussian"].contains(&problem.name);
+        assert!(is_open || 20 * derived <= 23 * by_hand, "{}: {derived} against {by_hand}", problem.title);
+    }
+    let page = std::fs::read_to_string(PAGE).expect("the page is there");
+    let [start, end] = TABLE.map(|mark| page.split_once(mark).expect("the page has the marks"));
+    let fresh = format!("{}{}{table}{}{}", start.0, TABLE[0], TABLE[1], end.1);
+    if std::env::var_os("AIM_BLESS").is_some_and(|bless| bless == "1") {
+        std::fs::write(PAGE, fresh).expect("the page is writable");
+    } else {
+        assert!(
+            page == fresh,
+            "docs/operation-counts.md is stale: AIM_BLESS=1 cargo test -p aim-tests --test it elsewhere"
+        );
+    }
+}
