@@ -120,11 +120,7 @@ pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[Rule]) -> (Program, 
         best.arrange(without);
     } else {
         best.arrange(without);
-        let before = cost(&best.program);
-        best = best.improved(&changes, g, wanted, without, Effort::Finish);
-        if cost(&best.program) < before {
-            best = best.improved(&changes, g, wanted, without, Effort::Finish);
-        }
+        best = best.improved_again(&changes, g, wanted, without);
     }
     if let Some(mut plain) = plain
         && cost(&plain.program).0 <= cost(&best.program).0 + cost(&best.program).0 / NEAR
@@ -145,7 +141,7 @@ fn plain(choices: &Choices, g: &Graph, wanted: &[Want], without: &[Rule]) -> Way
     changes.extend(best.by_matrices());
     if best.is_small() {
         best.arrange(without);
-        return best.improved(&changes, g, wanted, without, Effort::Finish);
+        return best.improved_again(&changes, g, wanted, without);
     }
     best.improved(&changes, g, wanted, without, Effort::Compare)
 }
@@ -214,6 +210,16 @@ impl Way {
             }
             best.or_better(Self::taken(stated, wanted, choices, without, Log::default(), effort))
         })
+    }
+
+    /// The same of a small program, with what a choice made worthwhile tried again.
+    fn improved_again(self, changes: &[Change], stated: &Graph, wanted: &[Want], without: &[Rule]) -> Self {
+        let before = cost(&self.program);
+        let best = self.improved(changes, stated, wanted, without, Effort::Finish);
+        if cost(&best.program) == before {
+            return best;
+        }
+        best.improved(changes, stated, wanted, without, Effort::Finish)
     }
 
     /// The rival by matrices, where quaternions turn several vectors.

@@ -305,14 +305,13 @@ impl<T: Oracle> Evaluation<T> {
             }
             RotationNode::Moving(motions) => match g.attitude_of(motions) {
                 Attitude::Quaternion(u, w) => {
-                    // (w² − u²) 1 + 2 w K + 2 u uᵀ over w² + u², where K takes v to u × v.
+                    // 1 + 2 (w K + K²)/(w² + u²), where K takes v to u × v; of a quaternion of length 0 no turn.
                     let (u, w) = (self.vector(g, u), self.scalar(g, w));
-                    let (u2, w2, two) = (dot(u, u), w * w, T::constant(2.0));
-                    let over = self.reciprocal(w2 + u2);
+                    let twice = T::constant(2.0) * self.reciprocal(w * w + dot(u, u));
                     let (one, crossing) = (identity(), crossing(u));
                     core::array::from_fn(|i| {
-                        let kept = plus(times(w2 - u2, one[i]), times(two * w, crossing[i]));
-                        times(over, plus(kept, times(two * u[i], u)))
+                        let turned = plus(times(w, crossing[i]), image(crossing[i], crossing));
+                        plus(one[i], times(twice, turned))
                     })
                 }
                 Attitude::Turn(v) => {
