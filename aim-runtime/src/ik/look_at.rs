@@ -78,6 +78,9 @@ pub struct LookAt {
     pub path: Path,
     /// The largest angular speed of the head on its neck, rad/s. Default infinite: at once. NaN and negative stand still.
     pub speed_rad: f32,
+    /// The largest speeds of heading, pitch and roll, each for itself, rad/s; [`Self::speed_rad`] holds as well. Of
+    /// [`Path::Level`] alone: [`Path::Slerp`] is one turn with one speed. Default infinite. NaN and negative stand still.
+    pub angle_speeds_rad: [f32; 3],
 }
 
 /// What became of a call of [`LookAt::solve`].
@@ -113,6 +116,12 @@ const MET_RAD: f32 = 1e-4;
 /// Heading, pitch and roll, radians: turning by pitch first and heading last, on a neck's axes.
 type Angles = [f32; 3];
 
+/// The largest turn of a frame, as a whole and of each angle, radians, not negative.
+struct Steps {
+    whole: f32,
+    each: Angles,
+}
+
 impl LookAt {
     /// With these axes of neck and head, without limits, at once.
     pub const fn new(neck: Axes, head: Axes) -> Self {
@@ -124,6 +133,7 @@ impl LookAt {
             beyond: Beyond::Clamp,
             path: Path::Level,
             speed_rad: f32::INFINITY,
+            angle_speeds_rad: [f32::INFINITY; 3],
         }
     }
 
@@ -162,6 +172,13 @@ impl LookAt {
         self
     }
 
+    /// With no angle of [`Path::Level`] faster than this, rad/s: a head nods slower than it turns.
+    #[must_use]
+    pub const fn with_angle_speeds(mut self, heading_rad: f32, pitch_rad: f32, roll_rad: f32) -> Self {
+        self.angle_speeds_rad = [heading_rad, pitch_rad, roll_rad];
+        self
+    }
+
     /// Turns `head`, as it is now, towards `target` for a frame of `dt` seconds. All in one space.
     ///
     /// With `dt` zero, negative or NaN nothing moves; above 0.1 s it counts as 0.1 s. A head found beyond the limits goes
@@ -189,10 +206,13 @@ impl LookAt {
         } else {
             let goal = [held_heading, held_pitch, 0.0];
             // NaN stands still.
-            let step = (self.speed_rad * dt.max(0.0).min(LONGEST_FRAME_S)).max(0.0);
+            let step = |speed_rad: f32| (speed_rad * dt.max(0.0).min(LONGEST_FRAME_S)).max(0.0);
             match self.path {
-                Path::Slerp => at_most(now.turn_to(&neck.turned(goal)), step),
-                Path::Level => neck.level(&now, goal, step, heading_range.is_free()),
+                Path::Slerp => at_most(now.turn_to(&neck.turned(goal)), step(self.speed_rad)),
+                Path::Level => {
+                    let steps = Steps { whole: step(self.speed_rad), each: self.angle_speeds_rad.map(step) };
+                    neck.level(&now, goal, &steps, heading_range.is_free())
+                }
             }
         };
         let remaining_rad = angle_between(turned(turn, now.forward), to_target);
@@ -268,8 +288,9 @@ impl Frame {
         between([self.forward, self.up], [other.forward, other.up])
     }
 
-    /// The turn of a head that takes its angles on this neck straight towards others, by no more than `step`.
-    fn level(&self, head: &Self, goal: Angles, step: f32, free: bool) -> Quat {
+    /// The turn of a head that takes its angles on this neck towards others, each by no more than its step, and straight
+    /// from there on where that is more than the whole may be.
+    fn level(&self, head: &Self, goal: Angles, steps: &Steps, free: bool) -> Quat {
         let [heading, pitch] = self.angles(head.forward);
         let upright = self.turned([heading, pitch, 0.0]);
         let roll = atan2(head.up.dot(upright.left), head.up.dot(upright.up));
@@ -277,12 +298,15 @@ impl Frame {
         if free {
             by[0] = math::wrap_pi(by[0]);
         }
+        for (by, step) in by.iter_mut().zip(steps.each) {
+            *by = by.clamp(-step, step);
+        }
         // Heading turns about up and roll about forward, which are square only where the pitch is 0.
         let about_both = by[0].abs() + by[2].abs();
         let whole = math::sqrt(about_both * about_both + by[1] * by[1]);
-        let part = if whole > step { step / whole } else { 1.0 };
+        let part = if whole > steps.whole { steps.whole / whole } else { 1.0 };
         let [heading, pitch, roll] = [heading + part * by[0], pitch + part * by[1], roll + part * by[2]];
         // The last digits of the way there.
-        at_most(head.turn_to(&self.turned([heading, pitch, roll])), step.max(0.0))
+        at_most(head.turn_to(&self.turned([heading, pitch, roll])), steps.whole)
     }
 }

@@ -89,6 +89,46 @@ fn limits_and_rate_hold_and_no_roll_is_induced() {
     assert!(fastest < 3.0 * (1.0 + 1e-5) && rolled < 1e-5 && furthest < 1e-5);
 }
 
+/// Each angle goes to its goal at its own speed, as three ramps that know nothing of each other.
+#[test]
+fn each_angle_at_its_own_speed() {
+    let mut rng = Rng(6);
+    let mut off = 0.0_f64;
+    for _ in 0..500 {
+        let neck = Affine3A::from_quat(Quat::from_axis_angle(rng.direction(), rng.between(-3.0, 3.0)));
+        let speeds = [rng.between(0.3, 4.0), rng.between(0.3, 4.0), rng.between(0.3, 4.0)];
+        let look = limited().with_speed(f32::INFINITY).with_angle_speeds(speeds[0], speeds[1], speeds[2]);
+        // Forward is +y: heading turns it to +z, about +x; pitch to +x, about −z.
+        let start = [rng.between(-1.1, 0.9), rng.between(-0.6, 0.5), rng.between(-0.5, 0.5)];
+        let [heading, pitch, roll] = start;
+        let leaning = Quat::from_rotation_z(-pitch) * Quat::from_rotation_y(roll);
+        let mut head = neck * Affine3A::from_quat(Quat::from_rotation_x(heading) * leaning);
+        let aimed = [rng.between(-1.1, 0.9), rng.between(-0.6, 0.5), 0.0];
+        let way = Quat::from_rotation_x(aimed[0]) * Quat::from_rotation_z(-aimed[1]) * Vec3::Y;
+        let target = neck.transform_point3(way * 2.0);
+        let (mut stands, goal) = (start.map(f64::from), aimed.map(f64::from));
+        for frame in 0..200 {
+            let outcome = look.solve(&neck, &head, target, DT);
+            turn(&mut head, &outcome);
+            for ((angle, goal), speed) in stands.iter_mut().zip(goal).zip(speeds) {
+                let step = f64::from(speed * DT);
+                *angle += (goal - *angle).clamp(-step, step);
+            }
+            let found = angles(&THUG, &neck, &head);
+            for (angle, expected) in found.into_iter().zip([stands[0], stands[1], stands[2].abs()]) {
+                off = off.max((angle - expected).abs());
+                assert!((angle - expected).abs() < 5e-5, "frame {frame}: {found:?} instead of {stands:?}");
+            }
+        }
+    }
+    println!("off the ramps by at most {off:.1e} rad");
+    // The turn as a whole is held beside them.
+    let quick = limited().with_angle_speeds(f32::INFINITY, 2.0, f32::INFINITY);
+    let [neck, target] = [Affine3A::IDENTITY, Affine3A::from_translation(Vec3::new(0.6, 1.0, 0.9))];
+    let outcome = quick.solve(&neck, &neck, target.translation.into(), DT);
+    assert!((angle_of(outcome.turn) - f64::from(3.0 * DT)).abs() < 1e-5);
+}
+
 /// The quickest way is as quick as it may be; what it costs in roll and limits is why it is not the default.
 #[test]
 fn the_short_way_round_at_constant_speed() {
@@ -184,7 +224,10 @@ fn nothing_moves_without_time_or_target() {
         assert_eq!(limited().solve(&neck, &neck, target, dt).turn, Quat::IDENTITY);
     }
     for speed in [0.0, -1.0, f32::NAN] {
-        assert_eq!(limited().with_speed(speed).solve(&neck, &neck, target, DT).turn, Quat::IDENTITY);
+        let each = limited().with_angle_speeds(speed, speed, speed);
+        for still in [limited().with_speed(speed), each] {
+            assert_eq!(still.solve(&neck, &neck, target, DT).turn, Quat::IDENTITY);
+        }
     }
     let hitch = limited().solve(&neck, &neck, Vec3::Z, 5.0);
     assert!((angle_of(hitch.turn) - 0.3).abs() < 1e-5, "a long frame counts as 0.1 s");
@@ -207,6 +250,9 @@ fn whatever_the_bits() {
         }
         if rng.below(2) == 0 {
             look = look.with_heading(n[35], n[36]).with_pitch(n[37], n[38]);
+        }
+        if rng.below(3) == 0 {
+            look = look.with_angle_speeds(n[37], n[38], n[39]);
         }
         if rng.below(2) == 0 {
             look = look.with_path(Path::Slerp).with_beyond(Beyond::Refuse);
