@@ -6,6 +6,7 @@ use core::fmt;
 
 use aim_runtime::glam::{Quat, Vec3};
 
+use crate::float::narrow;
 use crate::step::Step;
 use crate::track::Track;
 use crate::transform::Transform;
@@ -359,4 +360,20 @@ pub(crate) struct Edit<'a> {
     pub(crate) vector: &'a dyn Fn(&Track<Vec3>) -> Track<Vec3>,
     pub(crate) rotation: &'a dyn Fn(&Track<Quat>) -> Track<Quat>,
     pub(crate) scalar: &'a dyn Fn(&Track<f32>) -> Track<f32>,
+}
+
+/// The most samples of a clip.
+const MOST_SAMPLES: f32 = 1_048_576.0;
+
+/// Evenly spaced times from 0 to a length, both included.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive and bounded")]
+pub(crate) fn sample_times(length_s: f32, rate_hz: f32) -> Vec<f32> {
+    let steps = (length_s * rate_hz).max(1.0).min(MOST_SAMPLES);
+    let whole = steps as u32;
+    let steps = if f64::from(whole) < f64::from(steps) { whole + 1 } else { whole };
+    let time = |step| narrow(f64::from(length_s) * (f64::from(step) / f64::from(steps)));
+    let mut times: Vec<f32> = (0..=steps).map(time).collect();
+    // Of a very short clip.
+    times.dedup();
+    times
 }

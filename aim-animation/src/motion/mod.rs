@@ -12,7 +12,7 @@ pub use error::MotionError;
 pub use root::{Root, RootPath};
 pub use steady::Screw;
 
-use crate::clip::{Clip, Cursor};
+use crate::clip::{Clip, Cursor, sample_times};
 use crate::float::narrow;
 use crate::mask::clamped;
 use crate::pose::{PoseError, check_length};
@@ -155,7 +155,7 @@ impl Motion {
     #[must_use]
     pub fn removed_from(&self, clip: &Clip, skeleton: &Skeleton, rate_hz: f32) -> Clip {
         let rate_hz = if rate_hz.is_finite() { rate_hz } else { 0.0 };
-        let times = root::sample_times(clip.length_s(), rate_hz);
+        let times = sample_times(clip.length_s(), rate_hz);
         let mut stripped = clip.clone();
         let roots = (0..skeleton.len()).filter(|bone| skeleton.parents()[*bone].is_none());
         for bone in roots {

@@ -6,14 +6,10 @@ use aim_runtime::glam::{Affine3A, Quat, Vec3};
 use aim_runtime::rotation::{dot, product, unit};
 
 use super::error::MotionError;
-use crate::clip::Clip;
-use crate::float::narrow;
+use crate::clip::{Clip, sample_times};
 use crate::skeleton::Skeleton;
 use crate::track::Track;
 use crate::transform::{Transform, made_unit};
-
-/// The most samples of a path.
-const MOST_SAMPLES: f32 = 1_048_576.0;
 
 /// The root that moves a character: a bone of its skeleton, or one that no bone is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,19 +75,6 @@ impl RootPath {
     pub fn at(&self, time_s: f32) -> Transform {
         Transform::new(self.translation.sample(time_s), self.rotation.sample(time_s))
     }
-}
-
-/// Evenly spaced times from 0 to a length, both included.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive and bounded")]
-pub(super) fn sample_times(length_s: f32, rate_hz: f32) -> Vec<f32> {
-    let steps = (length_s * rate_hz).max(1.0).min(MOST_SAMPLES);
-    let whole = steps as u32;
-    let steps = if f64::from(whole) < f64::from(steps) { whole + 1 } else { whole };
-    let time = |step| narrow(f64::from(length_s) * (f64::from(step) / f64::from(steps)));
-    let mut times: Vec<f32> = (0..=steps).map(time).collect();
-    // Of a very short clip.
-    times.dedup();
-    times
 }
 
 /// A bone in the space of the model, at any time of a clip.

@@ -6,6 +6,7 @@ mod motions;
 mod playing;
 mod poses;
 mod properties;
+mod reaching;
 mod seams;
 mod skeletons;
 mod spaces;

@@ -3,8 +3,8 @@
 use aim_animation::glam::{Affine3A, Quat, Vec2, Vec3};
 use aim_animation::{
     BezierKey, BlendLine, BlendPlane, Blender, Bone, Clip, Continuity, Control, HermiteKey, Inertia, Looping, Marks,
-    Mask, Method, Motion, Node, Parameter, Phase, Root, RootPath, Skeleton, SkewedTransform, Track, Transform,
-    Transition, Tree,
+    Mask, Method, Motion, Node, Parameter, Phase, Reach, ReachGoal, Root, RootPath, Skeleton, SkewedTransform, Track,
+    Transform, Transition, Tree,
 };
 use proptest::prelude::*;
 
@@ -337,6 +337,46 @@ proptest! {
                 prop_assert!(is_unit(pose[0].rotation) && scalars.iter().all(|s| s.is_finite()), "{mended:?} at {time}");
             }
             let _ = mended.seam();
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn limbs(
+        bones in prop::array::uniform4(any_transform()),
+        pose in prop::array::uniform4(any_transform()),
+        n in prop::array::uniform12(any_float()),
+        joints in 2_usize..5,
+    ) {
+        // Sound enough to begin with, or not.
+        let bone = |k: usize| Bone::new("b", k.checked_sub(1)).with_rest(if n[11] < 0.5 {
+            Transform::from_translation(Vec3::new(0.3, 0.1, -0.2))
+        } else {
+            bones[k]
+        });
+        let Ok(skeleton) = Skeleton::new((0..4).map(bone)) else { return Ok(()) };
+        let mut clip = Clip::new("c").with_length(1.0);
+        if let Ok(track) = Track::linear([0.0, 1.0], [bones[1].rotation, bones[2].rotation]) {
+            clip = clip.with_rotation(0, track);
+        }
+        let limb: Vec<usize> = (4 - joints..4).collect();
+        let Ok(reach) = Reach::new(&clip, &skeleton, limb, 20.0) else { return Ok(()) };
+        let reach = reach.with_smoothing(n[0]);
+        let mut state = reach.state();
+        state.weight = n[1];
+        for target in [Vec3::from_slice(&n[2..]), Vec3::splat(0.2)] {
+            let goals = [ReachGoal::new(0.33, target).with_weight(n[5]), ReachGoal::new(0.7, Vec3::from_slice(&n[6..]))];
+            reach.aim(&mut state, &goals, n[9]).unwrap();
+            state.advance(n[10]);
+            let (mut local, mut model) = (pose, [Affine3A::IDENTITY; 4]);
+            skeleton.to_model(&local, &mut model).unwrap();
+            let before = local;
+            reach.apply(&mut state, n[11], &mut local, &mut model).unwrap();
+            for (now, before) in local.iter().zip(&before) {
+                let is_left = now.rotation.to_array().map(f32::to_bits) == before.rotation.to_array().map(f32::to_bits);
+                prop_assert!(is_left || is_unit(now.rotation), "{now:?}");
+            }
         }
     }
 }

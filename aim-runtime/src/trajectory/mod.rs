@@ -33,6 +33,7 @@ mod derived;
 mod descent;
 mod newton;
 mod node;
+mod place;
 #[cfg(test)]
 mod tests;
 
@@ -40,6 +41,7 @@ use glam::Vec3;
 
 pub use descent::Descent;
 pub use node::Node;
+pub use place::Place;
 
 /// Where the trajectory has to be in a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -165,6 +167,13 @@ impl<'a> Trajectory<'a> {
     pub const fn with_tolerance(mut self, tolerance: f32) -> Self {
         self.tolerance = tolerance;
         self
+    }
+
+    /// The place of a frame's point as animated; `None` of the first and the last frame and of those that are not there.
+    #[must_use]
+    pub fn place(&self, frame: usize) -> Option<Place> {
+        let points = self.points.get(frame.checked_sub(1)?..)?;
+        points.first_chunk().map(|points| Place::new(*points))
     }
 
     /// Writes the trajectory through the waypoints to `out`. `workspace` and `out` are at least as long as the trajectory.

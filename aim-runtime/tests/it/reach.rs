@@ -1,8 +1,9 @@
 //! Trajectories through waypoints.
 
 use crate::common::Rng;
+use crate::common::exact::{cross, dot, exact, length, minus};
 use aim_runtime::glam::Vec3;
-use aim_runtime::trajectory::{Descent, Ends, Node, Outcome, Status, Trajectory, Waypoint};
+use aim_runtime::trajectory::{Descent, Ends, Node, Outcome, Place, Status, Trajectory, Waypoint};
 
 /// Trajectories as hands have them, in units of the limb.
 fn clips() -> Vec<(&'static str, Vec<Vec3>)> {
@@ -283,4 +284,45 @@ fn any_frame_rate() {
         let apart = curve(frames).iter().zip(&coarse).map(|(a, b)| a.distance(*b)).fold(0.0, f32::max);
         assert!(apart < 0.02, "{frames} frames: {apart}");
     }
+}
+
+/// α, β, A and B by their definitions, and each point from its neighbours by them.
+#[test]
+fn places_by_their_definitions() {
+    let mut rng = Rng(9);
+    for (name, points) in clips() {
+        let trajectory = Trajectory::new(&points);
+        assert_eq!(
+            (trajectory.place(0), trajectory.place(points.len() - 1), trajectory.place(usize::MAX)),
+            (None, None, None)
+        );
+        let bumpy: Vec<Vec3> = points.iter().map(|&point| point + rng.direction() * rng.between(0.0, 0.3)).collect();
+        for points in [&points, &bumpy] {
+            for frame in 1..points.len() - 1 {
+                let place = Trajectory::new(points).place(frame).expect("an inner frame");
+                let [before, point, after] = [frame - 1, frame, frame + 1].map(|frame| exact(points[frame]));
+                let [step, chord] = [minus(point, before), minus(after, before)];
+                let along = chord.map(|x| x / length(chord));
+                let expected = [dot(step, along), length(cross(step, along))];
+                let scale = length(step) + length(chord);
+                assert!((place.alpha - expected[0]).abs() < 1e-12 * scale, "{name} {frame}: {place:?}");
+                assert!((place.beta - expected[1]).abs() < 1e-12 * scale, "{name} {frame}: {place:?}");
+                assert!(length(minus(place.along, along)) < 1e-12, "{name} {frame}: {place:?}");
+                // B is unit, square to A, and its sign is the point's.
+                if place.beta > 1e-6 * scale {
+                    let off = [length(place.beside) - 1.0, dot(place.beside, along)];
+                    assert!(off.iter().all(|off| off.abs() < 1e-9), "{name} {frame}: {place:?}");
+                }
+                assert!(length(minus(place.point(before), point)) < 1e-12 * scale, "{name} {frame}");
+            }
+        }
+    }
+    // On the line, at one point, and beside neighbours at one point.
+    let point = Vec3::new(0.5, 0.0, 0.0);
+    let place = Place::new([Vec3::ZERO, point, Vec3::X]);
+    assert_eq!((place.alpha, place.beta, place.beside), (0.5, 0.0, [0.0; 3]));
+    let place = Place::new([Vec3::ZERO; 3]);
+    assert_eq!((place.alpha, place.beta, place.along, place.beside), (0.0, 0.0, [0.0; 3], [0.0; 3]));
+    let place = Place::new([Vec3::Y, Vec3::Y + point, Vec3::Y]);
+    assert_eq!((place.alpha, place.beta, place.along, place.beside), (0.0, 0.5, [0.0; 3], [1.0, 0.0, 0.0]));
 }

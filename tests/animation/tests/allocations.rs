@@ -6,7 +6,7 @@ use std::hint::black_box;
 
 use aim::animation::{
     AimChain, BlendLine, BlendPlane, Blender, Clip, Control, Corrections, Inertia, Looping, Marks, Mask, Method,
-    Motion, Node, Parameter, Phase, Root, RootPath, Skeleton, Transform, Transition, Tree,
+    Motion, Node, Parameter, Phase, Reach, ReachGoal, Root, RootPath, Skeleton, Transform, Transition, Tree,
 };
 use aim::glam::{Affine3A, Vec2, Vec3};
 use aim::{Aim, AimRig, DynAim, Settings};
@@ -111,6 +111,17 @@ fn frames_allocate_nothing() {
                 Motion::blend(steps.map(|step| (motion.delta(&step), 0.5)))
             });
         }
+    }
+
+    // In closed form and by descent.
+    for limb in [&[2, 3, 4][..], &[1, 2, 3, 4]] {
+        let reach = Reach::new(&clips[0], &skeleton, limb, 60.0).unwrap();
+        let (mut state, goal) = (reach.state(), Vec3::new(0.2, 1.4, 0.1));
+        allocates_nothing("a limb that is led", || {
+            reach.aim(&mut state, &[ReachGoal::new(0.3, goal), ReachGoal::new(0.6, goal)], 0.2).unwrap();
+            state.advance(0.1);
+            reach.apply(&mut state, 0.4, &mut poses[2], &mut model).unwrap()
+        });
     }
 
     let right = skeleton.find("right_eye").unwrap();

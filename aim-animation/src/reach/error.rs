@@ -1,0 +1,37 @@
+//! [`ReachError`]: what is no limb, and what no way leads through.
+
+use core::fmt;
+
+/// Why a limb cannot be led.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ReachError {
+    /// The length of the clip, or the rate, is not positive and finite.
+    Length,
+    /// A limb needs a joint and a tip, and every bone but the first has to hang on the one before: this one is not there or
+    /// does not. Counted from the first joint.
+    Limb(usize),
+    /// The limb has no length between this bone and the one before, or it is not finite, or too far away, at a time of the clip.
+    Place,
+    /// This goal is outside the clip.
+    Time(usize),
+    /// This goal is within a sample of another one.
+    Together(usize),
+    /// The state is of another limb or clip.
+    State,
+}
+
+impl fmt::Display for ReachError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Length => f.write_str("the length of the clip and the rate have to be positive and finite"),
+            Self::Limb(bone) => write!(f, "bone {bone} of the limb is missing or does not hang on the one before it"),
+            Self::Place => f.write_str("the limb has no length, or is not finite at some time of the clip"),
+            Self::Time(goal) => write!(f, "the time of goal {goal} is not within the clip"),
+            Self::Together(goal) => write!(f, "goal {goal} is within a sample of another one; sample at a higher rate"),
+            Self::State => f.write_str("the state is of another limb or clip"),
+        }
+    }
+}
+
+impl core::error::Error for ReachError {}
