@@ -49,9 +49,9 @@ const AROUND_EYES: &str = "
     lid lids brow brows blink lash lashes eyelid eyelids eyebrow eyebrows eyelash eyelashes bottom upper lower
     inner outer corner squint bag socket highlight cheek";
 const EYES: &str = "eye eyes eyeball eyeballs 目";
-const HEADS: &str = "head 頭";
-const NECKS: &str = "neck 首";
-const SPINES: &str = "spine chest upperchest torso abdomen belly waist lowerback 上半身";
+const HEADS: &str = "head skull cranium 頭";
+const NECKS: &str = "neck cervical 首";
+const SPINES: &str = "spine chest upperchest torso thorax ribcage abdomen belly waist lowerback 上半身";
 const HIPS: &str = "hips hip pelvis 下半身";
 
 impl BoneName {
@@ -74,6 +74,13 @@ impl BoneName {
     #[must_use]
     pub fn has(&self, any_of: &str) -> bool {
         any_of.split_whitespace().any(|word| self.words.iter().any(|own| own == word))
+    }
+
+    /// The name without the words that make it a control's.
+    #[must_use]
+    pub fn without_control(mut self) -> Self {
+        self.words.retain(|word| !matches!(word.as_str(), "ctrl" | "control"));
+        self
     }
 
     /// The words without numbers, joined: equal for the left and the right of a pair.
@@ -111,7 +118,7 @@ impl BoneName {
             Some(BodyPart::Head)
         } else if self.has(NECKS) {
             Some(BodyPart::Neck)
-        } else if self.has(SPINES) || (self.has("lower") && self.has("back")) {
+        } else if self.has(SPINES) || (self.has("lower") && self.has("back")) || (self.has("rib") && self.has("cage")) {
             Some(BodyPart::Spine)
         } else if self.has(HIPS) {
             Some(BodyPart::Hips)
@@ -206,10 +213,10 @@ mod tests {
         for (names, role) in [
             ("eye left_eye leftEye L_eyeBall_joint2 mixamorig:LeftEye LEYE lefteye eye_l DEF-eye.L", Some(Role::Eye)),
             ("FACIAL_L_Eye J_Adj_L_FaceEye LEye Eyeball_R eyes r_eye_01 EyeL", Some(Role::Eye)),
-            ("head Head_01 HEAD headbone J_Bip_C_Head VRMHead", Some(Role::Head)),
-            ("neck neck_01 Neck1 mixamorig:Neck neckJoint", Some(Role::Neck)),
+            ("head Head_01 HEAD headbone J_Bip_C_Head VRMHead skull", Some(Role::Head)),
+            ("neck neck_01 Neck1 mixamorig:Neck neckJoint vertebra_cervical_5", Some(Role::Neck)),
             ("spine3 Spine2 spine_03 DEF-spine.003 chest upper_chest upperChest upperchest", Some(Role::Chest)),
-            ("torso J_Bip_C_UpperChest lower_back lowerback waist abdomen", Some(Role::Chest)),
+            ("torso J_Bip_C_UpperChest lower_back lowerback waist abdomen thorax RibCage", Some(Role::Chest)),
             ("L_eyelid LeftEyeLid eye_brow_l Eyebrow leye_lash REyeBlinkTop eyelids", None),
             ("barrel base hat_head headlight backpack necklace forehead arm _ joint0 aheadof", None),
         ] {

@@ -183,7 +183,8 @@ pub(crate) fn legs_up(body: &Body<'_>) -> Option<DVec3> {
 fn ends(body: &Body<'_>) -> (Option<usize>, Option<usize>) {
     let plan = body.plan.as_ref();
     let hips = body.with_role(Role::Hips).or_else(|| plan.map(|plan| plan.hips));
-    (hips, body.with_role(Role::Head).or_else(|| plan.map(|plan| plan.head)))
+    let named = [Role::Head, Role::Neck].into_iter().find_map(|role| body.with_role(role));
+    (hips, named.or_else(|| plan.map(|plan| plan.head)))
 }
 
 /// Feet, and the forefeet of who goes on all fours, are no higher than this part of the height.

@@ -85,6 +85,14 @@ impl Roles {
             roles[index] = role.filter(|role| allowed && !stated.contains(role));
         }
         rigify(&words, &bones, &mut roles);
+        // Where no bone is called a head, the skin may hang on what animators take hold of.
+        if !roles.contains(&Some(Role::Head)) {
+            let found = roles.clone();
+            for (index, words) in words.into_iter().enumerate().take(skeleton.file_nodes()) {
+                let role = by_name(&words.without_control()).filter(|role| !found.contains(&Some(*role)));
+                roles[index] = roles[index].or(role.filter(|_| nodes[index].is_joint));
+            }
+        }
         keep_best(nodes, &mut roles);
         keep_carrying(skeleton, &mut roles);
         let is_eye = |role: &Role| matches!(role, Role::LeftEye | Role::RightEye);
@@ -114,9 +122,17 @@ impl Roles {
         if known(&self.0, Role::Hips).is_none() && skeleton.ancestry(head).any(|node| node == plan.hips) {
             self.0[plan.hips].get_or_insert(Role::Hips);
         }
-        if known(&self.0, Role::Neck).is_none() && head == plan.head {
-            plan.neck.iter().for_each(|node| {
-                self.0[*node].get_or_insert(Role::Neck);
+        if known(&self.0, Role::Neck).is_none() {
+            let neck = if head == plan.head { plan.neck.clone() } else { neck_of(skeleton, head) };
+            neck.into_iter().for_each(|node| {
+                self.0[node].get_or_insert(Role::Neck);
+            });
+        }
+        // Some names of a neck's bones tell nothing.
+        let carry = || skeleton.ancestry(head).skip(1);
+        if let Some(gap) = carry().position(|node| self.of(node) == Some(Role::Neck)) {
+            carry().take(gap).for_each(|node| {
+                self.0[node].get_or_insert(Role::Neck);
             });
         }
         if nameless {
@@ -124,6 +140,23 @@ impl Roles {
         }
         self.0 != before
     }
+}
+
+/// The bones that carry a head, out to the one that carries limbs with a side as well; none where none does.
+fn neck_of(skeleton: &Skeleton, head: usize) -> Vec<usize> {
+    let nodes = skeleton.nodes();
+    let mut has_side = vec![false; nodes.len()];
+    for &node in skeleton.order().iter().rev() {
+        has_side[node] |= BoneName::new(&nodes[node].name).side.is_some();
+        if let Some(parent) = nodes[node].parent {
+            has_side[parent] |= has_side[node];
+        }
+    }
+    let way: Vec<usize> = skeleton.ancestry(head).collect();
+    let carries_limbs =
+        |step: &[usize]| nodes[step[1]].children.iter().any(|child| *child != step[0] && has_side[*child]);
+    let trunk = way.windows(2).position(carries_limbs).unwrap_or(0);
+    way.get(1..=trunk).unwrap_or_default().to_vec()
 }
 
 /// True for joints, their ancestors, and for every node where the file has no skin.

@@ -189,8 +189,13 @@ fn chain(document: &Document, measurement: &Measurement) -> Option<Vec<usize>> {
     let mut chain = vec![outermost.node];
     chain.extend(inward.filter(turns).map(|bone| bone.node));
     let moves = skeleton.nodes().len() > 1;
-    // A head alone on what nobody named: a lamp, a camera on its stand.
-    if chain.len() == 1 && moves { Some(inward_of(document, measurement, chain[0])) } else { Some(chain) }
+    // A head alone on what nobody named: a lamp, a camera on its stand, but no body with legs.
+    let stands = |node: &usize| measurement.bone(*node).is_some_and(|bone| bone.carries_legs);
+    if chain.len() == 1 && moves {
+        chain = inward_of(document, measurement, chain[0]);
+        chain.truncate(chain.iter().position(stands).unwrap_or(chain.len()).max(1));
+    }
+    Some(chain)
 }
 
 /// What points by its shape, and what it stands on.

@@ -1,5 +1,6 @@
 //! Characters measured, declarations proposed for them, rigs interpreted on them, hands led.
 
+mod bodies;
 mod declaration;
 mod facing;
 mod ik;

@@ -1,0 +1,134 @@
+//! Chains proposed for bodies whose root, neck or names are not where most have them.
+
+use aim_character::{Measurement, propose};
+use aim_codegen::Budgets;
+use aim_gltf::Document;
+use serde_json::{Value, json};
+
+/// A bone: its name, its parent's, and its place in the world, which faces +Z.
+type Bone<'a> = (&'a str, &'a str, [f64; 3]);
+
+fn document(bones: &[Bone<'_>]) -> Document {
+    let at = |name: &str| bones.iter().position(|bone| bone.0 == name);
+    let mut nodes: Vec<Value> = Vec::new();
+    for (index, (name, parent, place)) in bones.iter().enumerate() {
+        let from = at(parent).map_or([0.0; 3], |parent| bones[parent].2);
+        let step: Vec<f64> = (0..3).map(|axis| place[axis] - from[axis]).collect();
+        let children: Vec<usize> = (0..bones.len()).filter(|child| at(bones[*child].1) == Some(index)).collect();
+        let mut node = json!({ "name": name, "translation": step });
+        if !children.is_empty() {
+            node["children"] = json!(children);
+        }
+        nodes.push(node);
+    }
+    let joints: Vec<usize> = (0..bones.len()).collect();
+    let json = json!({
+        "asset": { "version": "2.0" }, "nodes": nodes, "skins": [{ "joints": joints }],
+        "scene": 0, "scenes": [{ "nodes": [0] }],
+    });
+    Document::from_bytes(&serde_json::to_vec(&json).unwrap()).unwrap()
+}
+
+/// Pairs of limbs, each a way down: the name with `*` for the side, its parent's, and its place on the left.
+fn with_limbs<'a>(column: &[Bone<'a>], limbs: &[Bone<'a>]) -> Document {
+    let named: Vec<(String, String, [f64; 3])> = limbs
+        .iter()
+        .flat_map(|(name, parent, [x, y, z])| {
+            let side = |side: &str, x: f64| (name.replace('*', side), parent.replace('*', side), [x, *y, *z]);
+            [side("L", *x), side("R", -x)]
+        })
+        .collect();
+    let limbs = named.iter().map(|(name, parent, place)| (name.as_str(), parent.as_str(), *place));
+    document(&column.iter().copied().chain(limbs).collect::<Vec<_>>())
+}
+
+fn proposed(document: &Document) -> (Vec<String>, Option<Budgets>) {
+    let spec = propose(document, &Measurement::of(document), None).unwrap().spec;
+    (spec.joints.iter().map(|joint| joint.bones[0].clone()).collect(), spec.region)
+}
+
+/// The model of a dog of `MuJoCo`'s suite: its bones begin at the chest, are called as anatomists do, and its tail is longer than its
+/// neck.
+#[test]
+fn a_dog_whose_root_is_its_chest_looks_with_its_skull() {
+    let mut column = vec![
+        ("torso", "", [0.0, 0.6, 0.1]),
+        ("L_1", "torso", [0.0, 0.62, -0.1]),
+        ("L_2", "L_1", [0.0, 0.62, -0.2]),
+        ("pelvis", "L_2", [0.0, 0.6, -0.3]),
+        ("C_2", "torso", [0.0, 0.66, 0.25]),
+        ("C_1", "C_2", [0.0, 0.72, 0.32]),
+        ("skull", "C_1", [0.0, 0.78, 0.38]),
+        ("jaw", "skull", [0.0, 0.74, 0.42]),
+    ];
+    let names: Vec<String> = (1..=9).map(|number| format!("Ca_{number}")).collect();
+    for (index, name) in names.iter().enumerate() {
+        let parent = if index == 0 { "pelvis" } else { &names[index - 1] };
+        column.push((name, parent, [0.0, 0.6 - 0.02 * index as f64, -0.35 - 0.04 * index as f64]));
+    }
+    let dog = with_limbs(
+        &column,
+        &[
+            ("scapula_*", "torso", [0.05, 0.62, 0.2]),
+            ("upper_arm_*", "scapula_*", [0.06, 0.45, 0.25]),
+            ("lower_arm_*", "upper_arm_*", [0.06, 0.25, 0.18]),
+            ("hand_*", "lower_arm_*", [0.06, 0.02, 0.2]),
+            ("upper_leg_*", "pelvis", [0.06, 0.55, -0.3]),
+            ("lower_leg_*", "upper_leg_*", [0.06, 0.3, -0.25]),
+            ("foot_*", "lower_leg_*", [0.06, 0.05, -0.35]),
+            ("toe_*", "foot_*", [0.06, 0.01, -0.3]),
+        ],
+    );
+    let (chain, region) = proposed(&dog);
+    assert_eq!(chain, ["skull", "C_1", "C_2"]);
+    assert_eq!(region, Some(Budgets::QUADRUPED));
+    assert_eq!(Measurement::of(&dog).forward.round().to_array(), [0.0, 0.0, 1.0]);
+}
+
+/// A neck some of whose bones have telling names, and a single bone for neck and head on four legs.
+#[test]
+fn bones_between_neck_and_head_are_the_necks_and_a_neck_alone_tells_an_animal() {
+    let legs = [
+        ("ForeLeg_*_01", "Chest", [0.1, 0.8, 0.3]),
+        ("ForeLeg_*_02", "ForeLeg_*_01", [0.1, 0.4, 0.3]),
+        ("ForeLeg_*_03", "ForeLeg_*_02", [0.1, 0.0, 0.35]),
+        ("HindLeg_*_01", "Pelvis", [0.1, 0.8, -0.5]),
+        ("HindLeg_*_02", "HindLeg_*_01", [0.1, 0.4, -0.5]),
+        ("HindLeg_*_03", "HindLeg_*_02", [0.1, 0.0, -0.45]),
+    ];
+    let trunk = [("Pelvis", "", [0.0, 0.9, -0.5]), ("Chest", "Pelvis", [0.0, 0.95, 0.2])];
+    let neck = [
+        ("vertebra_cervical_1", "Chest", [0.0, 1.0, 0.4]),
+        ("vertebra_axis", "vertebra_cervical_1", [0.0, 1.05, 0.5]),
+        ("skull", "vertebra_axis", [0.0, 1.05, 0.6]),
+    ];
+    let (chain, region) = proposed(&with_limbs(&[&trunk[..], &neck].concat(), &legs));
+    assert_eq!(chain, ["skull", "vertebra_axis", "vertebra_cervical_1"]);
+    assert_eq!(region, Some(Budgets::QUADRUPED));
+    let (chain, region) = proposed(&with_limbs(&[&trunk[..], &[("Neck", "Chest", [0.0, 0.9, 0.6])]].concat(), &legs));
+    assert_eq!(chain, ["Neck"]);
+    assert_eq!(region, Some(Budgets::QUADRUPED));
+}
+
+/// What carries the legs of a body without a neck is no part of its gaze.
+#[test]
+fn a_man_of_blocks_turns_his_head_alone() {
+    let blocks = with_limbs(
+        &[("Player", "", [0.0; 3]), ("Body", "Player", [0.0, 0.7, 0.0]), ("Head", "Body", [0.0, 1.4, 0.0])],
+        &[("Arm_*", "Body", [0.3, 1.3, 0.0]), ("Leg_*", "Body", [0.1, 0.7, 0.0])],
+    );
+    assert_eq!(proposed(&blocks).0, ["Head"]);
+}
+
+/// The skin of a rig whose controls its bones are hangs on those.
+#[test]
+fn controls_are_bones_where_no_bone_is_the_head() {
+    let column = |head| {
+        [("CTRL_Pelvis", "", [0.0, 0.8, 0.0]), ("CTRL_RibCage", "CTRL_Pelvis", [0.0, 1.0, 0.0])]
+            .into_iter()
+            .chain([(head, "CTRL_RibCage", [0.0, 1.4, 0.0])])
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(proposed(&document(&column("CTRL_Head"))).0, ["CTRL_Head", "CTRL_RibCage"]);
+    assert_eq!(proposed(&document(&column("Head"))).0[0], "Head");
+}
