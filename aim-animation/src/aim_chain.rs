@@ -333,6 +333,13 @@ impl AimChain {
         Ok(())
     }
 
+    /// The other eye's bone, and what leads from joint 0's space into its own where both are at rest.
+    pub(crate) fn other_eye_at_rest(&self) -> Option<(usize, Mat3A)> {
+        let bone = self.other_eye?.bone;
+        let [eye, other] = [self.joints[0], bone].map(|bone| nearest_orthogonal(self.rest[bone].matrix3));
+        Some((bone, other?.transpose() * eye?))
+    }
+
     fn check(&self, frame: &AimFrame, local: &[Transform], model: &[Affine3A]) -> Result<(), PoseError> {
         let bones = self.rest.len();
         [local.len(), model.len(), frame.animated.len()].into_iter().try_for_each(|len| check_length(bones, len))?;

@@ -41,6 +41,7 @@ pub use aim_model::{Axes, LimitsFrom, Real, Role, Scalar};
 #[cfg(feature = "std")]
 pub use dyn_aim::DynAim;
 pub use glam;
+pub use kinematics::joint_range::JointRange;
 pub use rig::{
     AimRig, Ascent, Behind, Description, Effector, Joint, JointInfo, JointSet, Memory, Outcome, Pose, Rig, Settings,
     Solver, State, Status,

@@ -3,5 +3,6 @@
 pub(crate) mod bearing;
 pub(crate) mod chain;
 mod held;
+pub(crate) mod joint_range;
 pub(crate) mod rotation;
 pub(crate) mod view;

@@ -41,9 +41,14 @@ pub(crate) fn find_motions<const C: usize>(
         return;
     }
     for (index, (motion, info)) in motions.iter_mut().zip(rig.joints).enumerate() {
-        let animated = if info.limits_from == LimitsFrom::BindPose { animated_angles(info, pose, index) } else { None };
-        *motion = ranges(info, animated);
+        *motion = range_in_pose(info, pose, index);
     }
+}
+
+/// The ranges of motion of one joint in this pose.
+pub(crate) fn range_in_pose(info: &JointInfo, pose: &PoseSlices<'_>, index: usize) -> RangeOfMotion {
+    let animated = if info.limits_from == LimitsFrom::BindPose { animated_angles(info, pose, index) } else { None };
+    ranges(info, animated)
 }
 
 /// The ranges of motion of joint 0's mirror image, which the animation leads in parallel with it: heading to the left
@@ -59,8 +64,7 @@ pub(crate) fn mirrored<const C: usize>(
         return RangeOfMotion { heading: Interval::from_ends(-own.heading.hi(), -own.heading.lo()), ..*own };
     }
     info.heading = info.heading.map(|[lo, hi]| [-hi, -lo]);
-    let animated = if info.limits_from == LimitsFrom::BindPose { animated_angles(&info, pose, 0) } else { None };
-    ranges(&info, animated)
+    range_in_pose(&info, pose, 0)
 }
 
 /// The heading and pitch by which the animation turns a joint's forward out of the bind pose:

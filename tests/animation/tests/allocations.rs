@@ -5,11 +5,11 @@ use std::alloc::System;
 use std::hint::black_box;
 
 use aim::animation::{
-    AimChain, BlendLine, BlendPlane, Blender, Clip, Control, Corrections, Inertia, Looping, Marks, Mask, Method,
-    Motion, Node, Parameter, Phase, Reach, ReachGoal, Root, RootPath, Skeleton, Transform, Transition, Tree,
+    AimChain, BlendLine, BlendPlane, Blender, Clip, Control, Corrections, Gizmos, Inertia, Looping, Marks, Mask,
+    Method, Motion, Node, Parameter, Phase, Reach, ReachGoal, Root, RootPath, Skeleton, Transform, Transition, Tree,
 };
 use aim::glam::{Affine3A, Vec2, Vec3};
-use aim::{Aim, AimRig, DynAim, Settings};
+use aim::{Aim, AimRig, DynAim, Rig, Settings};
 use aim_animation_tests::{Hero, gait, skeleton};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
@@ -134,7 +134,10 @@ fn frames_allocate_nothing() {
         chain.gather(&mut frame, local, &mut model).unwrap();
         dynamic.aim(&frame.pose(), Vec3::new(1.0, 2.0, 3.0), 0.02, &Settings::default());
         let aimed = derived.aim(&frame.pose_of().unwrap(), Vec3::new(1.0, 2.0, 3.0), 0.02, &Settings::default());
-        chain.apply(&frame, Corrections::from(&dynamic), local, &mut model).unwrap();
-        aimed.outcome
+        let corrections = Corrections::from(&dynamic);
+        chain.apply(&frame, corrections, local, &mut model).unwrap();
+        let description = Hero::RIG.description();
+        let gizmos = Gizmos { chain: &chain, frame: &frame, description: &description, corrections, model: &model };
+        (aimed.outcome, gizmos.gazes(1.0).count() + gizmos.axes(0.1).count() + gizmos.ranges(0.3).count())
     });
 }

@@ -4,7 +4,7 @@ use aim::{Aim, AimRig, DynAim, Rig, Settings, Status};
 use aim_animation_tests::{Hero, gait, skeleton};
 
 /// Each bone in the space of the model by its definition.
-fn model(skeleton: &Skeleton, local: &[Transform]) -> Vec<DAffine3> {
+pub(crate) fn model(skeleton: &Skeleton, local: &[Transform]) -> Vec<DAffine3> {
     let mut model: Vec<DAffine3> = Vec::new();
     for (at, parent) in local.iter().zip(skeleton.parents()) {
         let own = DAffine3::from_scale_rotation_translation(
@@ -18,7 +18,7 @@ fn model(skeleton: &Skeleton, local: &[Transform]) -> Vec<DAffine3> {
 }
 
 /// The six kinds of parents.
-fn parents() -> [(&'static str, Transform); 6] {
+pub(crate) fn parents() -> [(&'static str, Transform); 6] {
     let turned = Transform::from_rotation(Quat::from_euler(aim::glam::EulerRot::XYZ, 0.3, -0.9, 0.4));
     [
         ("identity", Transform::IDENTITY),
@@ -30,14 +30,14 @@ fn parents() -> [(&'static str, Transform); 6] {
     ]
 }
 
-struct Character {
-    skeleton: Skeleton,
-    local: Vec<Transform>,
-    model: Vec<Affine3A>,
+pub(crate) struct Character {
+    pub(crate) skeleton: Skeleton,
+    pub(crate) local: Vec<Transform>,
+    pub(crate) model: Vec<Affine3A>,
 }
 
 impl Character {
-    fn new(armature: Transform, seconds: f32) -> Self {
+    pub(crate) fn new(armature: Transform, seconds: f32) -> Self {
         let skeleton = skeleton(armature);
         let mut local = skeleton.rest().to_vec();
         let clip = gait(&skeleton, "walk", 1.0, 0.0);
@@ -47,7 +47,7 @@ impl Character {
         Self { skeleton, local, model }
     }
 
-    fn bone(&self, name: &str) -> usize {
+    pub(crate) fn bone(&self, name: &str) -> usize {
         self.skeleton.find(name).unwrap()
     }
 
