@@ -40,8 +40,8 @@ pub use diff::sweep::{Course, Passage, Swept};
 pub use ir::evaluate::Bindings;
 pub use ir::graph::Graph;
 pub use ir::node::{
-    Angle, Attitude, Direction, InputKind, Node, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Space, Unit,
-    Variable, Vector, VectorNode,
+    Angle, Attitude, Direction, InputKind, Matrix, Node, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode,
+    Space, Unit, Variable, Vector, VectorNode,
 };
 pub use ir::number::Number;
 pub use ir::op::{Constant, Function, Op, Value};

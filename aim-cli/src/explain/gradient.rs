@@ -177,6 +177,7 @@ fn rule(g: &Graph, whole: Node, part: Option<Node>) -> &'static str {
             VectorNode::Scale(..) => PRODUCT,
             VectorNode::Motion(..) => "the angular velocity, times the moment",
             VectorNode::Perp(..) => "the quarter turn is turned back",
+            VectorNode::Solve(..) => "M M⁻¹ = 1, so the derivative of M⁻¹ is −M⁻¹ dM M⁻¹",
             VectorNode::Cross(..) => "the product rule for the cross product",
             _ => "the chain rule",
         },

@@ -14,6 +14,7 @@
 //! | y = v × w | v̄ += w × ȳ, w̄ += ȳ × v |
 //! | y = x where c, else z | x̄ += ȳ where c, else 0; z̄ += 0 where c, else ȳ |
 //! | y = v − (v · u) u | v̄ += ȳ − (ȳ · u) u, ū −= (v · u) ȳ + (ȳ · u) v |
+//! | y = M⁻¹ v | v̄ += w, M̄ −= w yᵀ with w = M⁻ᵀ ȳ |
 
 use rustc_hash::FxHashMap;
 
@@ -344,6 +345,18 @@ impl Sweep<'_> {
                     let sum = g.add_vectors(first, second);
                     g.neg_vector(sum)
                 });
+            }
+            VectorNode::Solve(m, v) => {
+                let back = self.g.solve(m.transpose(), bar);
+                self.add_to_vector(v, |_| back);
+                let [moved, by] = if m.transposed { [vector, back] } else { [back, vector] };
+                for (column, k) in m.columns.into_iter().zip(0..) {
+                    self.add_to_vector(column, |g| {
+                        let component = g.component(by, k);
+                        let along = g.scale(component, moved);
+                        g.neg_vector(along)
+                    });
+                }
             }
         }
     }

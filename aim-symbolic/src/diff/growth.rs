@@ -102,6 +102,7 @@ impl Degrees<'_> {
             VectorNode::Across(v, u) => self.vector(v).saturating_add(bounded(self.vector(u))),
             VectorNode::Motion(_, Attitude::Quaternion(u, w)) => self.vector(u).max(self.scalar(w)),
             VectorNode::Motion(_, Attitude::Turn(v)) => self.vector(v),
+            VectorNode::Solve(..) => UNBOUNDED,
         }
     }
 

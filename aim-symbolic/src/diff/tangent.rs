@@ -203,6 +203,26 @@ impl Sweep<'_> {
             VectorNode::Motion(space, Attitude::Turn(v)) => {
                 self.vector_tangent(v).map(|change| self.g.turned_rate(v, change, space == Space::Body))
             }
+            VectorNode::Solve(m, v) => {
+                // M⁻¹ (v̇ − Ṁ y)
+                let of_v = self.vector_tangent(v);
+                let changes = m.columns.map(|column| self.vector_tangent(column));
+                let of_m = if m.transposed {
+                    let zero = self.g.constant(0.0);
+                    changes.iter().any(Option::is_some).then(|| {
+                        let along = changes.map(|change| change.map_or(zero, |change| self.g.dot(change, vector)));
+                        self.g.components(along)
+                    })
+                } else {
+                    let along = [0, 1, 2].map(|k| {
+                        let component = self.g.component(vector, k);
+                        changes[usize::from(k)].map(|change| self.g.scale(component, change))
+                    });
+                    self.sum(along)
+                };
+                let of_m = of_m.map(|change| self.g.neg_vector(change));
+                self.sum([of_v, of_m]).map(|change| self.g.solve(m, change))
+            }
             VectorNode::Across(v, u) => {
                 let of_v = self.vector_tangent(v).map(|change| self.g.across(change, u));
                 let of_u = self.vector_tangent(u.into()).map(|change| {

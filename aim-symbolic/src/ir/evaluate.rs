@@ -169,6 +169,15 @@ impl<'a> Evaluation<'a> {
                 let along = dot(a, u);
                 zip(a, u.map(|u| along * u), |a, b| a - b)
             }
+            VectorNode::Solve(m, a) => {
+                let ([x, y, z], a) = (m.columns.map(|column| self.vector(column)), self.vector(a));
+                let normals = [cross(y, z), cross(z, x), cross(x, y)];
+                let over = 1.0 / dot(x, normals[0]);
+                core::array::from_fn(|k| {
+                    let row = if m.transposed { normals.map(|normal| normal[k]) } else { normals[k] };
+                    over * dot(row, a)
+                })
+            }
             VectorNode::Motion(..) => [0.0; 3],
         };
         self.vectors[vector.0 as usize] = Some(value);

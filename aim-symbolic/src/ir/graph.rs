@@ -5,8 +5,8 @@ use std::hash::Hash;
 use rustc_hash::FxHashMap;
 
 use crate::ir::node::{
-    Angle, Attitude, Direction, InputKind, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Space, Unit,
-    Variable, Vector, VectorNode,
+    Angle, Attitude, Direction, InputKind, Matrix, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode, Space,
+    Unit, Variable, Vector, VectorNode,
 };
 use crate::ir::op::{Constant, Function, Op};
 use crate::ir::smooth::Stumpff;
@@ -417,6 +417,32 @@ impl Graph {
     /// v − (v · u) u: what of v is square to the direction u.
     pub fn across(&mut self, v: Vector, u: Unit) -> Vector {
         self.intern_vector(VectorNode::Across(v, u))
+    }
+
+    /// M⁻¹ v, which is not finite where M has no inverse.
+    pub fn solve(&mut self, m: Matrix, v: Vector) -> Vector {
+        self.intern_vector(VectorNode::Solve(m, v))
+    }
+
+    /// The same by Cramer's rule: with n₀ = c₁ × c₂ and so on of the columns, nₖ · v over the determinant c₂ · n₂; of the transpose
+    /// the sum of vₖ nₖ over it.
+    pub(crate) fn by_cofactors(&mut self, m: Matrix, v: Vector) -> Vector {
+        let [x, y, z] = m.columns;
+        let normals = [self.cross(y, z), self.cross(z, x), self.cross(x, y)];
+        let numerator = if m.transposed {
+            let along = [0, 1, 2].map(|k| {
+                let component = self.component(v, k);
+                self.scale(component, normals[usize::from(k)])
+            });
+            let sum = self.add_vectors(along[0], along[1]);
+            self.add_vectors(sum, along[2])
+        } else {
+            let components = normals.map(|normal| self.dot(normal, v));
+            self.components(components)
+        };
+        let (one, determinant) = (self.constant(1.0), self.dot(z, normals[2]));
+        let over = self.div(one, determinant);
+        self.scale(over, numerator)
     }
 
     /// R v

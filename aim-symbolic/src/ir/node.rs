@@ -113,9 +113,33 @@ pub enum VectorNode {
     Cross(Vector, Vector),
     /// v − (v · u) u: v's part across the direction u, which has length 1 (or 0).
     Across(Vector, Unit),
+    /// M⁻¹ v: the vector that M takes to v.
+    Solve(Matrix, Vector),
     /// 0, whose derivative is the angular velocity of a rotation: ω of Ṙ v = ω × R v in space, of Ṙ v = R (ω × v) in the
     /// body.
     Motion(Space, Attitude),
+}
+
+/// A matrix of three columns, or of three rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Matrix {
+    /// Its columns; where it is transposed, its rows.
+    pub columns: [Vector; 3],
+    /// Whether these are rows.
+    pub transposed: bool,
+}
+
+impl Matrix {
+    /// The matrix with these columns.
+    pub fn new(columns: [Vector; 3]) -> Self {
+        Self { columns, transposed: false }
+    }
+
+    /// Its transpose.
+    #[must_use]
+    pub fn transpose(self) -> Self {
+        Self { transposed: !self.transposed, ..self }
+    }
 }
 
 /// Where an angular velocity is seen from.
@@ -242,6 +266,10 @@ impl VectorNode {
             Self::Perp(plane, v) => Self::Perp(plane, parts.vector(v)),
             Self::Cross(v, w) => Self::Cross(parts.vector(v), parts.vector(w)),
             Self::Across(v, unit) => Self::Across(parts.vector(v), Unit(parts.vector(unit.0))),
+            Self::Solve(m, v) => {
+                let columns = m.columns.map(|column| parts.vector(column));
+                Self::Solve(Matrix { columns, ..m }, parts.vector(v))
+            }
             Self::Motion(space, Attitude::Quaternion(u, w)) => {
                 Self::Motion(space, Attitude::Quaternion(parts.vector(u), parts.scalar(w)))
             }

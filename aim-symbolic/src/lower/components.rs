@@ -166,6 +166,10 @@ impl Lowering {
                 let (v, w) = (self.vector(v), self.vector(w));
                 self.cross(v, w)
             }
+            VectorNode::Solve(m, v) => {
+                let solution = self.fold.g.by_cofactors(m, v);
+                self.vector(solution)
+            }
             VectorNode::Motion(..) => [self.fold.g.constant(0.0); 3],
             VectorNode::Across(v, u) => {
                 let (v, u) = (self.vector(v), self.vector(u.into()));

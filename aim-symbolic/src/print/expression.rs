@@ -281,6 +281,11 @@ impl Writer<'_> {
                 let [a, b] = [a, b].map(|e| group(v(e), Binding::Dot));
                 (Formula::infix(a, Sign::Cross, b), Binding::Dot)
             }
+            VectorNode::Solve(m, a) => {
+                let columns = Formula::Matrix(vec![m.columns.map(|column| v(column).0).to_vec()]);
+                let matrix = if m.transposed { columns.transposed() } else { columns };
+                self.moved(Formula::Inverse(Box::new(matrix)), a)
+            }
             VectorNode::Motion(_, Attitude::Quaternion(u, _) | Attitude::Turn(u)) => {
                 (Formula::italic("ω").indexed(v(u).0), Binding::Atom)
             }

@@ -18,6 +18,8 @@ pub enum Formula {
     Squared(Box<Self>),
     /// The way back of a rotation.
     Transposed(Box<Self>),
+    /// The inverse of a matrix.
+    Inverse(Box<Self>),
     /// A fraction.
     Fraction(Box<Self>, Box<Self>),
     /// A square root.
@@ -178,6 +180,7 @@ impl Formula {
             Self::Index(a, _)
             | Self::Squared(a)
             | Self::Transposed(a)
+            | Self::Inverse(a)
             | Self::Group(a)
             | Self::Bars(a)
             | Self::Over(a) => a.is_high(),
@@ -190,7 +193,7 @@ impl Formula {
         match self {
             Self::Symbol(..) | Self::Number(_) | Self::Sign(_) => 1,
             Self::Row(parts) => parts.iter().map(Self::length).sum(),
-            Self::Index(stem, _) | Self::Squared(stem) | Self::Transposed(stem) => stem.length(),
+            Self::Index(stem, _) | Self::Squared(stem) | Self::Transposed(stem) | Self::Inverse(stem) => stem.length(),
             Self::Fraction(a, b) => a.length() + b.length(),
             Self::Root(a) | Self::Group(a) | Self::Bars(a) | Self::Over(a) => a.length(),
             Self::Matrix(rows) => rows.iter().flatten().map(Self::length).sum(),

@@ -12,6 +12,7 @@ pub fn formula(formula: &Formula) -> String {
         Formula::Row(parts) => parts.iter().map(f).collect::<Vec<_>>().join(" "),
         Formula::Index(stem, index) => format!("{}_{{{}}}", base(stem), f(index)),
         Formula::Squared(stem) => format!("{}^2", base(stem)),
+        Formula::Inverse(stem) => format!("{{{}}}^{{-1}}", f(stem)),
         Formula::Transposed(stem) => format!("{}^{{\\mathrm{{T}}}}", f(stem)),
         Formula::Fraction(above, below) => format!(r"\frac{{{}}}{{{}}}", f(above), f(below)),
         Formula::Root(inner) => format!(r"\sqrt{{{}}}", f(inner)),

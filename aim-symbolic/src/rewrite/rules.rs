@@ -173,6 +173,7 @@ pub const SCALES: RuleSet = RuleSet {
         FOLD_ZERO,
         UNDO_ROTATION,
         EXPAND_NORMALIZE,
+        EXPAND_SOLVE,
         MERGE_SCALES,
         MERGE_SHARED,
         SCALE_AFTER_OPERATION,
@@ -298,6 +299,9 @@ rules! {
     /// A direction is the vector times one over its length. That number is computed once, for the value and for its
     /// derivatives.
     EXPAND_NORMALIZE = "one reciprocal for a direction": Vector(scaling::expand_normalize);
+    /// What a matrix takes to v is by Cramer's rule a quotient of determinants: the dot products of v and the cross products of two
+    /// columns each, over the determinant. One division serves the value and its derivatives.
+    EXPAND_SOLVE = "an inverse by cofactors": Vector(scaling::expand_solve);
     /// A number times a number times a vector: the numbers are multiplied first, even where the scaled vector is
     /// needed elsewhere, too.
     MERGE_SHARED = "merge scales of shared vectors": Vector(scaling::merge_shared);

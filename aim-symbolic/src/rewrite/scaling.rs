@@ -89,9 +89,19 @@ pub(crate) fn out_of_operation(g: &mut Graph, v: Vector) -> Option<Vector> {
             (None, Some((k, core))) => (k, g.cross(a, core)),
             (None, None) => return None,
         },
+        VectorNode::Solve(m, inner) => {
+            let (k, core) = scaled(g, inner)?;
+            (k, g.solve(m, core))
+        }
         _ => return None,
     };
     Some(g.scale(k, moved))
+}
+
+/// `M⁻¹ v` by cofactors
+pub(crate) fn expand_solve(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let VectorNode::Solve(m, v) = g.vector_node(v) else { return None };
+    Some(g.by_cofactors(m, v))
 }
 
 /// `(k v) · w = k (v · w)`

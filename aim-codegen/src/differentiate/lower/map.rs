@@ -5,7 +5,7 @@
 
 use std::rc::Rc;
 
-use aim_symbolic::{Attitude, Function, Node, Op, Rotation, Scalar, ScalarNode, Stumpff, Vector, VectorNode};
+use aim_symbolic::{Attitude, Function, Matrix, Node, Op, Rotation, Scalar, ScalarNode, Stumpff, Vector, VectorNode};
 
 use super::algebra::Algebra;
 use super::condition::Condition;
@@ -28,6 +28,8 @@ pub(crate) enum Map {
     Columns([Vector; 3]),
     /// The transpose of that.
     Rows([Vector; 3]),
+    /// The inverse of a matrix.
+    Inverse(Matrix),
     /// v ↦ q v q*, for a quaternion of any length: its vector part and its scalar part.
     Spin(Vector, Scalar),
     /// The second, then the first.
@@ -90,7 +92,7 @@ impl Map {
     /// How many maps are applied to a vector.
     fn size(&self) -> usize {
         match self {
-            Self::Rotation(_) | Self::Columns(_) | Self::Rows(_) | Self::Spin(..) => 1,
+            Self::Rotation(_) | Self::Columns(_) | Self::Rows(_) | Self::Inverse(_) | Self::Spin(..) => 1,
             Self::Compose(pair) => pair.0.size() + pair.1.size(),
             Self::Select(choice) => choice.1.size() + choice.2.size(),
         }
@@ -109,6 +111,7 @@ impl Map {
                 let parts = rows.map(|row| a.dot(row, v));
                 a.vector(parts)
             }
+            Self::Inverse(m) => a.g.solve(*m, v),
             Self::Spin(u, w) => spin(a, *u, *w, v),
             Self::Compose(pair) => {
                 let once = pair.1.apply(a, v);
@@ -166,6 +169,7 @@ impl Map {
             Self::Rotation(rotation) => Self::Rotation(a.g.transpose(*rotation)),
             Self::Columns(columns) => Self::Rows(*columns),
             Self::Rows(rows) => Self::Columns(*rows),
+            Self::Inverse(m) => Self::Inverse(m.transpose()),
             Self::Spin(u, w) => Self::Spin(a.neg_vector(*u), *w),
             Self::Compose(pair) => {
                 let (first, second) = (pair.0.transpose(a), pair.1.transpose(a));
@@ -178,27 +182,28 @@ impl Map {
         }
     }
 
-    /// The map back: of a rotation its transpose, else the adjugate over the determinant.
+    /// The map back: of a rotation its transpose.
     pub(crate) fn inverse(&self, a: &mut Algebra) -> Self {
         if self.is_rotation() {
             return self.transpose(a);
         }
-        if let Self::Compose(pair) = self {
-            let (first, second) = (pair.0.inverse(a), pair.1.inverse(a));
-            return second.compose(a, &first);
+        match self {
+            Self::Compose(pair) => {
+                let (first, second) = (pair.0.inverse(a), pair.1.inverse(a));
+                second.compose(a, &first)
+            }
+            Self::Inverse(Matrix { columns, transposed: false }) => Self::Columns(*columns),
+            Self::Inverse(Matrix { columns, transposed: true }) => Self::Rows(*columns),
+            Self::Rows(rows) => Self::Inverse(Matrix::new(*rows).transpose()),
+            _ => Self::Inverse(Matrix::new(self.columns(a))),
         }
-        let [x, y, z] = self.columns(a);
-        let normals = [a.cross(y, z), a.cross(z, x), a.cross(x, y)];
-        let determinant = a.dot(z, normals[2]);
-        let reciprocal = a.recip(determinant);
-        Self::Rows(normals.map(|normal| a.scale(reciprocal, normal)))
     }
 
     /// Whether it is known to be a rotation.
     pub(crate) fn is_rotation(&self) -> bool {
         match self {
             Self::Rotation(_) => true,
-            Self::Columns(_) | Self::Rows(_) | Self::Spin(..) => false,
+            Self::Columns(_) | Self::Rows(_) | Self::Inverse(_) | Self::Spin(..) => false,
             Self::Compose(pair) => pair.0.is_rotation() && pair.1.is_rotation(),
             Self::Select(choice) => choice.1.is_rotation() && choice.2.is_rotation(),
         }

@@ -255,6 +255,19 @@ impl<T: Oracle> Evaluation<T> {
                 let (v, unit) = (self.vector(g, v), self.vector(g, unit.into()));
                 minus(v, times(dot(v, unit), unit))
             }
+            VectorNode::Solve(m, v) => {
+                let columns = m.columns.map(|column| self.vector(g, column));
+                let columns = if m.transposed { [0, 1, 2].map(|k| columns.map(|c| c[k])) } else { columns };
+                let v = self.vector(g, v);
+                let determinant = |[x, y, z]: Triple<Triple<T>>| dot(x, cross(y, z));
+                let whole = determinant(columns);
+                self.singular |= whole.is_zero();
+                [0, 1, 2].map(|k| {
+                    let mut replaced = columns;
+                    replaced[k] = v;
+                    determinant(replaced) / whole
+                })
+            }
             VectorNode::Motion(..) => [T::constant(0.0); 3],
         };
         self.vectors.insert(vector, value);

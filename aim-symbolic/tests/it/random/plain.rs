@@ -90,6 +90,7 @@ fn vector(g: &Graph, expression: Vector) -> String {
         VectorNode::Cross(a, b) => format!("cross({}, {})", v(a), v(b)),
         VectorNode::Motion(space, Attitude::Quaternion(u, w)) => format!("{space:?}({}, {})", v(u), scalar(g, w)),
         VectorNode::Motion(space, Attitude::Turn(a)) => format!("{space:?}({})", v(a)),
+        VectorNode::Solve(m, a) => format!("solve({:?} {}, {})", m.columns.map(v), m.transposed, v(a)),
         VectorNode::Across(a, u) => format!("across({}, {})", v(a), v(u.into())),
     }
 }

@@ -1,6 +1,6 @@
 //! The steps that statements are built by: the constructors of the graph, and idioms that rules look for.
 
-use aim_symbolic::{Attitude, Stumpff};
+use aim_symbolic::{Attitude, Matrix, Stumpff};
 
 use super::material::{BASES, FUNCTIONS, NUMBERS, PLANES, Pools, UNITS, VECTORS};
 use Sort::{Angle, Rotation, Scalar, Unit, Vector};
@@ -124,6 +124,7 @@ steps! {
     AcrossOfAcross: 2 [Vector, Unit] => Vector,
     AcrossOfCross: 2 [Vector, Unit] => Vector,
     Rejection: 2 [Vector, Unit] => Vector,
+    Solve: 4 [Vector, Vector, Vector, Vector] => Vector,
     Rodrigues: 2 [Vector, Vector] => Vector,
     TurnedComponents: 2 [Vector, Scalar] => Vector,
     Normalize: 8 [Vector] => Unit,
@@ -401,6 +402,10 @@ impl Pools {
             What::Direction => aim_symbolic::Vector::from(u(0)).into(),
             What::Perp => g.perp(choice(&PLANES, number), v(0)).into(),
             What::Cross => g.cross(v(0), v(1)).into(),
+            What::Solve => {
+                let m = Matrix::new([v(0), v(1), v(2)]);
+                g.solve(if number % 2 == 0 { m } else { m.transpose() }, v(3)).into()
+            }
             What::Across => g.across(v(0), u(1)).into(),
             What::OperationTurnedBack => {
                 let back = g.transpose(r(0));

@@ -65,7 +65,7 @@ pub(crate) mod problems {
     }
 
     /// A Gaussian's negative log-likelihood, by the place and the covariance.
-    #[differentiate(wrt(x, covariance), budget = 170)]
+    #[differentiate(wrt(x, covariance), budget = 110)]
     pub(crate) fn gaussian(x: DVec3, mean: DVec3, covariance: DMat3) -> f64 {
         let d = x - mean;
         0.5 * d.dot(covariance.inverse() * d) + 0.5 * covariance.determinant().ln()
