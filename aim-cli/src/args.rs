@@ -119,12 +119,12 @@ pub(crate) struct Generate {
     /// The rig's declaration, or a Rust file.
     pub(crate) rig: PathBuf,
     /// The function of a Rust file that has the attribute `#[differentiate(wrt(…))]`: it and its derivatives, in C or WGSL.
-    #[arg(long, value_name = "NAME", conflicts_with = "trace")]
+    #[arg(long, value_name = "NAME")]
     pub(crate) function: Option<String>,
     /// The language to emit.
     #[arg(long, value_enum, required_unless_present = "trace")]
     pub(crate) lang: Option<Language>,
-    /// Instead of code, list which rules brought the operation counts from what to what.
+    /// Instead of code, list which rules brought the operation counts from what to what, and where derivatives have no limit.
     #[arg(long, conflicts_with_all = ["lang", "check"])]
     pub(crate) trace: bool,
     /// Where to write it; standard output if not given.

@@ -51,5 +51,6 @@ pub use program::Program;
 pub use program::count::Count;
 pub use program::derivation::{Aspect, Derivation, Meaning, Step};
 pub use program::derive::Want;
+pub use program::singular::{Condition, Singular};
 pub use rewrite::log::Rewrite;
 pub use rewrite::rules;

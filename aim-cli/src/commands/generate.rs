@@ -5,8 +5,10 @@ use std::fs;
 use std::path::Path;
 
 use aim_codegen::emit::{self, Precision, Rig};
-use aim_codegen::objective::functions;
+use aim_codegen::objective::{functions, notation};
 use aim_codegen::{Differentiated, RigSpec, kernels};
+use aim_symbolic::print::{self, Notation};
+use aim_symbolic::{Derivation, Singular};
 use quote::quote;
 
 use crate::args::{self, Language};
@@ -18,8 +20,9 @@ use crate::outputs::Outputs;
 pub(super) fn run(arguments: &args::Generate) -> Result {
     let code = match (&arguments.function, arguments.lang) {
         (Some(function), Some(language)) => differentiated(&arguments.rig, function, language)?,
-        (_, Some(language)) => emit(&load_rig(&arguments.rig)?, language),
-        (_, None) => trace(&load_rig(&arguments.rig)?),
+        (Some(function), None) => trace_of(&arguments.rig, function)?,
+        (None, Some(language)) => emit(&load_rig(&arguments.rig)?, language),
+        (None, None) => trace(&load_rig(&arguments.rig)?),
     };
     if let Some(existing) = &arguments.check {
         return check(existing, &code, arguments);
@@ -45,10 +48,14 @@ fn load_rig(path: &Path) -> Result<RigSpec> {
     files::load_rig(path)
 }
 
+fn load_function(path: &Path, function: &str) -> Result<Differentiated> {
+    let text = files::read_text(path, "give a Rust file")?;
+    Ok(Differentiated::from_file(&path.display().to_string(), &text, function)?)
+}
+
 /// A function of a Rust file, and its derivatives.
 fn differentiated(path: &Path, function: &str, language: Language) -> Result<String> {
-    let text = files::read_text(path, "give a Rust file")?;
-    let derived = Differentiated::from_file(&path.display().to_string(), &text, function)?;
+    let derived = load_function(path, function)?;
     let what = format!("The derivatives of {function}");
     match language {
         Language::C => Ok(emit::c::emit_procedures(&what, &derived.procedures())),
@@ -83,10 +90,7 @@ fn emit(spec: &RigSpec, language: Language) -> String {
 
 /// The book-keeping of the derivation: operation counts, and the rules that brought them down.
 fn trace(spec: &RigSpec) -> String {
-    let mut out = format!(
-        "{}: operations if rewriting stopped there and derivatives were taken of what was there (sines and cosines given)\n",
-        spec.name
-    );
+    let mut out = heading(&spec.name);
     let kernels = kernels(spec);
     for function in functions(&kernels) {
         let kernel = function.kernel;
@@ -95,17 +99,40 @@ fn trace(spec: &RigSpec) -> String {
             continue;
         }
         let _ = writeln!(out, "\n{}: {}", function.subject(spec), kernel.objective.title);
-        for (i, step) in kernel.statement(spec).derivation().steps.iter().enumerate() {
-            if i == 0 {
-                let _ = writeln!(out, "{:>6}  as stated", step.before.total());
-            }
-            let rules: Vec<String> = step
-                .rules
-                .iter()
-                .map(|(rule, times)| if *times > 1 { format!("{rule} (x{times})") } else { rule.to_string() })
-                .collect();
-            let _ = writeln!(out, "{:>6}  {}", step.after.total(), rules.join(", "));
+        out += &steps(&kernel.statement(spec).derivation(), &notation(spec, kernel.objective.scope));
+    }
+    out
+}
+
+/// The same of a function of a Rust file.
+fn trace_of(path: &Path, function: &str) -> Result<String> {
+    let derived = load_function(path, function)?;
+    Ok(format!("{}\n{}", heading(function), steps(&derived.derivation(), &derived.notation())))
+}
+
+fn heading(name: &str) -> String {
+    format!(
+        "{name}: operations if rewriting stopped there and derivatives were taken of what was there (sines and cosines given)\n"
+    )
+}
+
+/// A derivation's steps, and where its statement is singular, line by line.
+fn steps(derivation: &Derivation, notation: &Notation) -> String {
+    let mut out = String::new();
+    for (i, step) in derivation.steps.iter().enumerate() {
+        if i == 0 {
+            let _ = writeln!(out, "{:>6}  as stated", step.before.total());
         }
+        let rules: Vec<String> = step
+            .rules
+            .iter()
+            .map(|(rule, times)| if *times > 1 { format!("{rule} (x{times})") } else { rule.to_string() })
+            .collect();
+        let _ = writeln!(out, "{:>6}  {}", step.after.total(), rules.join(", "));
+    }
+    for Singular { at, convention } in &derivation.singular {
+        let at = print::text(&print::condition(&derivation.graph, *at, notation));
+        let _ = writeln!(out, "singular where {at}: {convention}");
     }
     out
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use aim_codegen::objective::{Inputs, Scope, notation};
 use aim_symbolic::print::{self, Formula, Notation, rewriting};
 use aim_symbolic::rules::Rule;
-use aim_symbolic::{Graph, Rewrite, Step};
+use aim_symbolic::{Derivation, Graph, Rewrite, Singular, Step};
 
 use super::document::{Block, Inline, Kind, Rewriting, Section, Table, Text, text};
 use super::kernel::Kernel;
@@ -36,7 +36,20 @@ pub(super) fn blocks(kernel: &Kernel<'_>) -> Vec<Block> {
     blocks.extend(steps(kernel, 0..derivation.before_sweeps, &kernel.notation, &mut told));
     blocks.push(Block::Paragraph(text!["So this is what derivatives are taken of:"]));
     blocks.push(defined(&derivation.graph, &derivation.values, kernel.values(), &kernel.notation));
+    if !derivation.singular.is_empty() {
+        blocks.push(Block::Table(singular(kernel)));
+    }
     blocks
+}
+
+/// Where that has no derivative.
+fn singular(kernel: &Kernel<'_>) -> Table {
+    let Derivation { graph, singular, .. } = &kernel.derivation;
+    let row = |Singular { at, convention }: &Singular| {
+        vec![text![print::condition(graph, *at, &kernel.notation)], text![*convention]]
+    };
+    let caption = "Where a derivative has no limit, and what is computed there";
+    Table::new(Kind::Facts, caption, &["where", "by convention"], singular.iter().map(row).collect())
 }
 
 /// Rewriting after derivatives have been taken.

@@ -172,6 +172,7 @@ fn a_trace_leads_from_the_statement_to_what_is_counted() {
         let counts: Vec<usize> = section
             .lines()
             .skip(1)
+            .filter(|line| !line.starts_with("singular where "))
             .map(|line| {
                 line.split_whitespace().next().and_then(|n| n.parse().ok()).expect("a line starts with a count")
             })
@@ -184,6 +185,38 @@ fn a_trace_leads_from_the_statement_to_what_is_counted() {
     assert_eq!(place.aim("generate m.toml --trace --lang c").code, 2);
     assert_eq!(place.aim("generate m.toml --trace --check m.toml").code, 2);
     assert_eq!(place.aim("generate m.toml").code, 2);
+}
+
+#[test]
+fn a_trace_lists_singular_points_where_there_are_conventions_and_none_where_there_are_limits() {
+    let place = Place::new();
+    let page = include_str!("../../../docs/singularities.md");
+    let (limits, conventions) = page.split_once("## Conventions").expect("two tables");
+    for (rows, is_singular) in [(limits, false), (conventions, true)] {
+        let rows: Vec<&str> =
+            rows.lines().filter_map(|line| line.strip_prefix("| `")?.split_once('`')).map(|(row, _)| row).collect();
+        assert!(rows.len() > 9, "{rows:?}");
+        for expression in rows {
+            let file = format!("#[differentiate(wrt(x))]\nfn f(x: f32) -> f32 {{ {expression} }}");
+            place.write("f.rs", &file);
+            let trace = place.done("generate f.rs --function f --trace").stdout;
+            // Of x or 1 − |x| as such; the tangent has poles elsewhere, the arcsine ends.
+            let found =
+                ["x", "0 = x", "|x|", "|[x", "floor"].iter().any(|at| trace.contains(&format!("singular where {at}")));
+            assert_eq!(found, is_singular, "{expression}: {trace}");
+        }
+    }
+    let function = "#[differentiate(wrt(v, m, s))]
+        fn f(v: DVec3, m: DMat3, s: f64) -> f64 { (m.inverse() * v).x / (s - 1.0) + v.length() / v.length() + v.y / v.length() }";
+    place.write("f.rs", function);
+    let trace = place.done("generate f.rs --function f --trace").stdout;
+    let singular: Vec<&str> = trace.lines().filter_map(|line| line.strip_prefix("singular where ")).collect();
+    let expected = [
+        "det[[m_0; m_1; m_2], [m_3; m_4; m_5], [m_6; m_7; m_8]] = 0: the inverse is not finite",
+        "s − 1 = 0: the quotient is not finite",
+        "|v| = 0: one over the length and the length's derivatives count as 0",
+    ];
+    assert_eq!(singular, expected);
 }
 
 #[test]
@@ -321,7 +354,6 @@ fn functions_that_cannot_be_written() {
         ("f.rs --function spring --lang latex", &["--lang c"]),
         ("f.rs --lang c", &["--function"]),
         ("f.rs --trace", &["--function"]),
-        ("f.rs --function spring --trace", &["--trace"]),
         ("f.rs --function spring --lang c -o f.rs", &["f.rs", "what is read"]),
         ("bad.rs --function f --lang c", &["bad.rs:3:7", "`sin`"]),
         ("broken.rs --function f --lang c", &["broken.rs:1:", "compiles"]),

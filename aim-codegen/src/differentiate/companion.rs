@@ -120,6 +120,9 @@ impl Companion {
 /// A derived companion.
 pub(super) struct Derived {
     pub(super) companion: Companion,
+    /// Where its statement is.
+    pub(super) graph: Graph,
+    pub(super) wanted: Vec<Want>,
     pub(super) program: Program,
     /// What the inputs are called: those of the function's arguments, then those of what the companion takes besides.
     pub(super) inputs: Vec<TokenStream>,

@@ -1,6 +1,7 @@
 //! Differentiated functions of a Rust file, for languages that are not Rust.
 
-use aim_symbolic::Program;
+use aim_symbolic::print::{Formula, Notation};
+use aim_symbolic::{Derivation, Graph, Program, Want};
 use syn::{Attribute, Item, ItemFn, Meta};
 
 use super::arguments::{Argument, Arguments};
@@ -14,7 +15,7 @@ use crate::declare::Place;
 use crate::declare::parse::tokens::word_of;
 use crate::declare::report::Report;
 use crate::declare::report::diagnostics::{Diagnostic, Diagnostics, Source};
-use crate::declare::tree::Notation;
+use crate::declare::tree;
 use crate::emit::{Precision, Procedure};
 
 /// A function of a file, with the programs of its derivatives.
@@ -23,6 +24,8 @@ pub struct Differentiated {
     name: String,
     precision: Precision,
     programs: Vec<Written>,
+    /// The statement, and what is wanted of it first.
+    stated: (Graph, Vec<Want>),
 }
 
 /// A companion in another language.
@@ -42,7 +45,7 @@ impl Differentiated {
     /// Where the text is no Rust, has no such function, or one that cannot be differentiated: all that is wrong, with places
     /// in the text.
     pub fn from_file(file_name: &str, text: &str, name: &str) -> Result<Self, Diagnostics> {
-        let mut report = Report::new(Notation::Rust);
+        let mut report = Report::new(tree::Notation::Rust);
         let derived = derive(text, name, &mut report);
         let mut found = report.into_list();
         derived.filter(|_| found.is_empty()).ok_or_else(|| {
@@ -64,6 +67,22 @@ impl Differentiated {
                 _ => false,
             })
         })
+    }
+
+    /// The derivation of its first companion, with everything on the way.
+    pub fn derivation(&self) -> Derivation {
+        Derivation::new(&self.stated.0, &self.stated.1)
+    }
+
+    /// The names of its arguments in formulas: numbers by themselves, vectors by their components' common name.
+    pub fn notation(&self) -> Notation {
+        let own = self.programs.first().map_or(&[][..], |first| &first.parameters);
+        let numbers = own.iter().filter(|(_, size)| size.is_none());
+        let symbol = |(name, _): &(String, _)| {
+            let name = name.trim_start_matches("in_");
+            (format!("{name}_0"), Formula::italic(name))
+        };
+        Notation { inputs: numbers.map(symbol).collect(), ..Notation::default() }
     }
 
     /// The functions to be written: `NAME_gradient` or `NAME_jacobian`, and those that the attribute asks for besides.
@@ -123,7 +142,9 @@ fn derive(text: &str, name: &str, report: &mut Report) -> Option<Differentiated>
             program,
         })
     };
+    let stated = derived.first().map(|first| (first.graph.clone(), first.wanted.clone()))?;
     Some(Differentiated {
+        stated,
         name: name.to_owned(),
         precision: arguments.precision(),
         programs: derived.into_iter().filter_map(written).collect(),

@@ -198,7 +198,8 @@ impl Derived {
             let (mut g, mut inputs) = (algebra.g.clone(), inputs.clone());
             let taken = arguments.further(companion, &mut g, &mut inputs);
             let wanted = companion.wanted(&mut g, &stated, &taken);
-            Self { companion, program: Program::derive_wanted(&g, &wanted), inputs }
+            let program = Program::derive_wanted(&g, &wanted);
+            Self { companion, graph: g, wanted, program, inputs }
         };
         let first = derive(Companion::First);
         if let Some(budget) = &options.budget

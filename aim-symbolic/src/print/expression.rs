@@ -4,8 +4,8 @@ use super::formula::{Formula, Sign};
 use super::steps::{Binding, Printer, Written};
 use crate::ir::node::Node;
 use crate::{
-    Angle, Attitude, Function, Graph, Op, Plane, Program, Rotation, RotationNode, Scalar, ScalarNode, Stumpff, Vector,
-    VectorNode,
+    Angle, Attitude, Condition, Function, Graph, Op, Plane, Program, Rotation, RotationNode, Scalar, ScalarNode,
+    Stumpff, Vector, VectorNode,
 };
 
 /// What things are called. What is not named here is called as it was declared.
@@ -198,6 +198,24 @@ pub fn node(g: &Graph, expression: Node, notation: &Notation) -> Formula {
     }
 }
 
+/// The condition as an equation.
+pub fn condition(g: &Graph, condition: Condition, notation: &Notation) -> Formula {
+    let writer = Writer { g, notation, whole: None };
+    let is = |left, right| Formula::equals(left, right);
+    let (zero, number) = (|| Formula::number(0.0), |s| writer.scalar(s).0);
+    match condition {
+        Condition::Zero(a) => is(number(a), zero()),
+        Condition::NoLength(v) => is(Formula::Bars(Box::new(writer.vector(v).0)), zero()),
+        Condition::One(a) => is(Formula::Bars(Box::new(number(a))), Formula::number(1.0)),
+        Condition::Origin(a, b) => Formula::list([a, b].map(|s| is(number(s), zero()))),
+        Condition::Equal(a, b) => is(number(a), number(b)),
+        Condition::NoInverse(m) => {
+            let columns = Formula::Matrix(vec![m.columns.map(|column| writer.vector(column).0).to_vec()]);
+            is(Formula::Row(vec![Formula::upright("det"), columns]), zero())
+        }
+    }
+}
+
 /// What a part of an expression is, where it has a symbol itself.
 pub fn definition(g: &Graph, part: Node, notation: &Notation) -> Formula {
     let writer = Writer { g, notation, whole: Some(part) };
@@ -375,14 +393,20 @@ impl Writer<'_> {
     }
 }
 
-/// The name of a vector whose components are the inputs `name_x`, `name_y`, `name_z`.
+/// The name of a vector whose components are the inputs `name_x`, `name_y`, `name_z`, or `name_0`, `name_1`, `name_2` where there are no
+/// more of that name.
 fn common_name(g: &Graph, components: [Scalar; 3]) -> Option<String> {
     let names = components.map(|c| match g.scalar_node(c) {
         ScalarNode::Op(Op::Input(i)) => Some(g.inputs()[i as usize].0.as_str()),
         _ => None,
     });
-    let stem = names[0]?.strip_suffix("_x")?;
-    (names[1]?.strip_suffix("_y") == Some(stem) && names[2]?.strip_suffix("_z") == Some(stem)).then(|| stem.to_owned())
+    let [x, y, z] = [names[0]?, names[1]?, names[2]?];
+    [["_x", "_y", "_z"], ["_0", "_1", "_2"]].into_iter().find_map(|[first, second, third]| {
+        let stem = x.strip_suffix(first)?;
+        let is_whole = !g.inputs().iter().any(|(name, _)| name.strip_suffix("_3") == Some(stem));
+        let fits = y.strip_suffix(second) == Some(stem) && z.strip_suffix(third) == Some(stem);
+        (fits && is_whole).then(|| stem.to_owned())
+    })
 }
 
 /// A program as formulas.

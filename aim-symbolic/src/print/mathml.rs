@@ -21,7 +21,7 @@ fn write(out: &mut String, formula: &Formula) {
         }
         Formula::Index(stem, index) => of_parts(out, "msub", &[stem, index]),
         Formula::Squared(stem) => marked(out, stem, "<mn>²</mn>"),
-        Formula::Inverse(stem) => marked(out, stem, "<mrow><mo>−</mo><mn>1</mn></mrow>"),
+        Formula::Inverse(stem) => marked(out, stem, "<mn>⁻¹</mn>"),
         Formula::Transposed(stem) => marked(out, stem, "<mi mathvariant=\"normal\">ᵀ</mi>"),
         Formula::Fraction(above, below) => of_parts(out, "mfrac", &[above, below]),
         Formula::Root(inner) => of_parts(out, "msqrt", &[inner]),

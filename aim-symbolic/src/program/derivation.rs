@@ -8,7 +8,7 @@ use crate::lower::Effort;
 use crate::program::derive::{Choices, Way, choose, distinct};
 use crate::rewrite::log::{Log, Rewrite};
 use crate::rewrite::rules::{ARITHMETIC, Rule};
-use crate::{Bindings, Count, Graph, InputKind, Program, Scalar, ScalarNode, Want};
+use crate::{Bindings, Count, Graph, InputKind, Program, Scalar, ScalarNode, Singular, Want};
 
 /// Rules that together brought a program's operation count down.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -66,6 +66,8 @@ pub struct Derivation {
     pub before_sweeps: usize,
     /// What brought the operation count down.
     pub steps: Vec<Step>,
+    /// Where what was stated, or its derivatives, have no limit.
+    pub singular: Vec<Singular>,
     /// Where it leads.
     pub program: Program,
     statement: Graph,
@@ -83,7 +85,7 @@ impl Derivation {
         let (program, choices) = choose(g, wanted, &[]);
         let way = |log: Log, off: &[Rule]| Way::taken(g, wanted, choices.clone(), off, log, Effort::Finish);
         let count = |rewrites: usize, off: &[Rule]| way(Log::limited(rewrites), off).program.count();
-        let Way { g: graph, outputs, log, .. } = way(Log::default(), &[]);
+        let Way { g: mut graph, outputs, log, .. } = way(Log::default(), &[]);
         let mut book = Book { steps: Vec::new(), rules: Vec::new(), count: count(0, &ARITHMETIC) };
         for on in 1..=ARITHMETIC.len() {
             book.record(ARITHMETIC[on - 1], 0, count(0, &ARITHMETIC[on..]));
@@ -93,9 +95,15 @@ impl Derivation {
         for (before, rewrite) in log.applied.iter().enumerate() {
             book.record(rewrite.rule, before + 1, count(before + 1, &[]));
         }
+        let stated = distinct(wanted.iter().filter_map(|want| want.stated()));
+        let variables = distinct(wanted.iter().filter_map(|want| match *want {
+            Want::Derivative(_, x) | Want::Second(_, x, _) => Some(x),
+            _ => None,
+        }));
         Self {
+            singular: graph.singular_points(&log.values, &variables),
             graph,
-            stated: distinct(wanted.iter().filter_map(|want| want.stated())),
+            stated,
             values: log.values,
             sweeps: log.sweeps,
             derived: log.derived,

@@ -5,6 +5,7 @@ pub(crate) mod derivation;
 pub(crate) mod derive;
 mod interpret;
 mod signs;
+pub(crate) mod singular;
 
 use crate::ir::table::Table;
 use crate::lower::components::Lowering;

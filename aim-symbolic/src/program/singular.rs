@@ -1,0 +1,120 @@
+//! Singular points of a statement: where it or its derivatives have no limit, and a convention says what they are.
+
+use crate::ir::node::Node;
+use crate::{Function, Graph, Matrix, Op, Scalar, ScalarNode, Stumpff, Variable, Vector, VectorNode};
+
+/// Of lengths and of what is divided by them.
+const NO_LENGTH: &str = "one over the length and the length's derivatives count as 0";
+
+/// A condition on the variables at which derivatives have no limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Singular {
+    /// Where it is.
+    pub at: Condition,
+    /// The convention there, in words.
+    pub convention: &'static str,
+}
+
+/// An equation that holds at singular points only.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Condition {
+    /// a = 0
+    Zero(Scalar),
+    /// |v| = 0
+    NoLength(Vector),
+    /// |a| = 1
+    One(Scalar),
+    /// a = 0 and b = 0
+    Origin(Scalar, Scalar),
+    /// a = b
+    Equal(Scalar, Scalar),
+    /// det M = 0
+    NoInverse(Matrix),
+}
+
+impl Graph {
+    /// Where these expressions or their derivatives by `variables` have no limit, each condition once.
+    ///
+    /// The conditions are those of the parts: where a whole has a limit all the same, it is listed, too. Quotients that are 0 / 0
+    /// are taken as they stand, so they are to be stated by their limits before.
+    pub(crate) fn singular_points(&mut self, expressions: &[Scalar], variables: &[Variable]) -> Vec<Singular> {
+        let order = self.order(expressions);
+        let active = self.active(&order, variables);
+        let mut found: Vec<Singular> = Vec::new();
+        for node in order.into_iter().filter(|&node| active.contains(node)) {
+            let singular = match node {
+                Node::Scalar(s) => self.singular_scalar(s, |part| active.contains(Node::Scalar(part))),
+                Node::Vector(v) => self.singular_vector(v, |part| active.contains(Node::Vector(part))),
+            };
+            if let Some((at, convention)) = singular
+                && !found.iter().any(|known| known.at == at)
+            {
+                found.push(Singular { at, convention });
+            }
+        }
+        found
+    }
+
+    fn singular_scalar(&mut self, s: Scalar, active: impl Fn(Scalar) -> bool) -> Option<(Condition, &'static str)> {
+        use Condition::{Equal, NoLength, One, Origin, Zero};
+        let ScalarNode::Op(op) = self.scalar_node(s) else {
+            return match self.scalar_node(s) {
+                ScalarNode::Norm(v) => Some((NoLength(v), NO_LENGTH)),
+                ScalarNode::Reciprocal(a) => match self.scalar_node(a) {
+                    ScalarNode::Norm(v) => Some((NoLength(v), NO_LENGTH)),
+                    _ => Some((Zero(a), "one over it counts as 0")),
+                },
+                _ => None,
+            };
+        };
+        match op {
+            Op::Div(_, b) if active(b) && !self.is_guarded_or_positive(b) => {
+                Some((Zero(b), "the quotient is not finite"))
+            }
+            Op::Sqrt(a) => Some((Zero(a), "the root's derivatives count as 0")),
+            Op::Call(Function::Ln, a) => Some((Zero(a), "the logarithm's derivatives count as 0")),
+            Op::Call(Function::Asin | Function::Acos, a) => Some((One(a), "the angle's derivatives count as 0")),
+            Op::Call(Function::Floor, a) => Some((Equal(s, a), "the derivatives pass over the jump")),
+            Op::Call(Function::Tan, a) => Some((Zero(self.call(Function::Cos, a)), "the tangent is not finite")),
+            Op::Atan2(y, x) => {
+                let at = match [y, x].map(|part| self.constant_of(part)) {
+                    [None, None] => Origin(y, x),
+                    [None, Some(0.0)] => Zero(y),
+                    [Some(0.0), None] => Zero(x),
+                    _ => return None,
+                };
+                Some((at, "the angle's derivatives count as 0"))
+            }
+            Op::Pow(a, _) if active(a) => Some((Zero(a), "the power's derivatives count as 0")),
+            Op::SelectLess(a, b, ..) if !self.is_tiny(a) && (active(a) || active(b)) => {
+                Some((Equal(a, b), "the derivatives are those of the branch that is taken"))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether a division by it is guarded, or it is a hyperbolic cosine.
+    fn is_guarded_or_positive(&self, b: Scalar) -> bool {
+        matches!(
+            self.scalar_node(b),
+            ScalarNode::Norm(_)
+                | ScalarNode::Op(Op::Call(Function::Cosh, _))
+                | ScalarNode::Stumpff(Stumpff { hyperbolic: true, order: 0 }, _)
+        )
+    }
+
+    /// Whether it is the least length, by which what was stated is guarded already.
+    fn is_tiny(&self, a: Scalar) -> bool {
+        self.scalar_node(a) == ScalarNode::Op(Op::Tiny)
+    }
+
+    fn singular_vector(&self, v: Vector, active: impl Fn(Vector) -> bool) -> Option<(Condition, &'static str)> {
+        match self.vector_node(v) {
+            VectorNode::Normalize(inner) => Some((Condition::NoLength(inner), "the direction counts as 0")),
+            VectorNode::Solve(m, _) if m.columns.into_iter().any(active) => {
+                Some((Condition::NoInverse(m), "the inverse is not finite"))
+            }
+            _ => None,
+        }
+    }
+}
