@@ -142,6 +142,12 @@ impl Skeleton {
         &self.parents
     }
 
+    /// Each bone's name; several may have the same.
+    #[must_use]
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
     /// Each bone's transform in its parent's space where no clip moves it.
     #[must_use]
     pub fn rest(&self) -> &[Transform] {
@@ -182,6 +188,14 @@ impl Skeleton {
     #[must_use]
     pub fn subtree(&self, bone: usize) -> Range<usize> {
         self.ends.get(bone).map_or(0..0, |&end| bone..end)
+    }
+
+    /// The bones whose parent a bone is, in their order; none if there is no such bone.
+    pub fn children(&self, bone: usize) -> impl Iterator<Item = usize> + Clone + '_ {
+        let Range { start, end } = self.subtree(bone);
+        // The next sibling stands behind a child's subtree.
+        let within = move |bone: usize| Some(bone).filter(|bone| *bone < end);
+        core::iter::successors(within(start + 1), move |&child| within(self.ends[child]))
     }
 
     /// A bone and its ancestors, from the bone inward; nothing if there is no such bone.

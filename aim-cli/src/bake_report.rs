@@ -102,16 +102,16 @@ impl BakeFrame {
 pub(crate) struct Bone {
     #[serde(rename = "bone")]
     pub(crate) name: String,
-    /// The node's index, where the name alone does not tell which it is.
+    /// The node's index in the file, where the name alone does not tell which it is.
     #[serde(skip_serializing_if = "Option::is_none")]
     node: Option<usize>,
 }
 
 impl Bone {
     fn new(skeleton: &Skeleton, node: usize) -> Self {
-        let name = &skeleton.nodes()[node].name;
-        let namesakes = skeleton.nodes().iter().filter(|other| other.name == *name).count();
-        Self { name: name.clone(), node: (namesakes > 1).then_some(node) }
+        let name = &skeleton.names()[node];
+        let node = skeleton.nodes()[node].index.filter(|_| skeleton.named(name).count() > 1);
+        Self { name: name.clone(), node }
     }
 }
 

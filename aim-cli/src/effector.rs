@@ -28,7 +28,7 @@ impl Effector {
     /// # Errors
     /// A word that no joint of the rig answers to.
     pub(crate) fn named(word: &str, spec: &RigSpec, skeleton: &Skeleton, chain: &ChainNodes) -> Result<Self> {
-        let bone = |joint: usize| skeleton.nodes()[chain.joints[joint]].name.as_str();
+        let bone = |joint: usize| skeleton.names()[chain.joints[joint]].as_str();
         let joints = 0..spec.joints.len();
         let outermost = |role| spec.joints.iter().position(|joint| joint.role == role);
         let by_name = joints.clone().find(|&joint| bone(joint) == word);

@@ -108,7 +108,7 @@ impl ReachReport {
         Self {
             clip: reached.clip.name().to_owned(),
             bone: bone.to_owned(),
-            limb: [limb.upper, limb.lower, limb.tip].map(|node| skeleton.nodes()[node].name.clone()),
+            limb: [limb.upper, limb.lower, limb.tip].map(|node| skeleton.names()[node].clone()),
             fps: plan.fps,
             length: reached.length,
             summary: ReachSummary {

@@ -1,4 +1,4 @@
-//! Animations read: a clip's bones are nodes, its scalars the weights of morph targets.
+//! Animations read: a clip's bones are those of the skeleton, its scalars the weights of morph targets.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -10,6 +10,7 @@ use glam::{Quat, Vec3, Vec4};
 use crate::accessor::Data;
 use crate::error::Error;
 use crate::raw;
+use crate::skeleton::Skeleton;
 
 /// The paths of the properties that clips move.
 pub(crate) const PATHS: [&str; 4] = ["translation", "rotation", "scale", "weights"];
@@ -54,21 +55,22 @@ impl Channel<'_> {
     }
 }
 
-/// The numbers of the scalars that are the weights of each node's morph targets.
+/// The numbers of the scalars that are the weights of each node's morph targets; nodes as the skeleton counts them, scalars in
+/// the file's order.
 pub(crate) type MorphScalars = BTreeMap<usize, Range<usize>>;
 
 /// All clips.
-pub(crate) fn read_clips(data: &Data<'_>) -> Result<(Vec<Clip>, MorphScalars), Error> {
+pub(crate) fn read_clips(data: &Data<'_>, skeleton: &Skeleton) -> Result<(Vec<Clip>, MorphScalars), Error> {
     let mut next = 0;
     let scalars = data.raw.nodes.iter().enumerate().filter_map(|(node, raw)| {
         let first = next;
         next += data.target_count(raw.mesh?);
-        (first < next).then_some((node, first..next))
+        (first < next).then_some((skeleton.bone_of(node)?, first..next))
     });
     let scalars: MorphScalars = scalars.collect();
     let clip = |(index, animation): (usize, &raw::Animation)| {
         let name = animation.name.clone().unwrap_or_else(|| format!("clip{index}"));
-        let channels = read_channels(data, animation, index, &scalars)?;
+        let channels = read_channels(data, skeleton, (index, animation), &scalars)?;
         channels.into_iter().try_fold(Clip::new(name), |clip, channel| with_channel(clip, channel, &scalars))
     };
     let clips = data.raw.animations.iter().enumerate().map(clip).collect::<Result<Vec<_>, _>>()?;
@@ -96,8 +98,8 @@ fn with_channel(clip: Clip, mut channel: Channel<'_>, scalars: &MorphScalars) ->
 
 fn read_channels<'a>(
     data: &Data<'_>,
-    animation: &'a raw::Animation,
-    index: usize,
+    skeleton: &Skeleton,
+    (index, animation): (usize, &'a raw::Animation),
     scalars: &MorphScalars,
 ) -> Result<Vec<Channel<'a>>, Error> {
     let mut channels = Vec::with_capacity(animation.channels.len());
@@ -140,9 +142,9 @@ fn read_channels<'a>(
             }
         };
         let Some(node) = channel.target.node else { continue };
-        if node >= data.raw.nodes.len() {
+        let Some(node) = skeleton.bone_of(node).filter(|node| skeleton.is_in_file(*node)) else {
             return Err(Error::invalid(place, format!("its target nodes[{node}] does not exist")));
-        }
+        };
         // Other paths are those of extensions, such as animation pointers: kept in the file, no part of a pose.
         let (shape, width) = match (channel.target.path.as_str(), scalars.get(&node)) {
             ("translation" | "scale", _) => ("VEC3", 3),

@@ -12,8 +12,6 @@ use crate::accessor::Data;
 use crate::clip::{MorphScalars, read_clips};
 use crate::container;
 use crate::error::Error;
-use crate::humanoid::vrm_bones;
-use crate::morph_eyes;
 use crate::raw::Raw;
 use crate::skeleton::Skeleton;
 use crate::skin::{self, SkinnedPoint};
@@ -54,7 +52,7 @@ pub struct Document {
 impl fmt::Debug for Document {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Document")
-            .field("nodes", &self.skeleton.nodes().len())
+            .field("nodes", &self.skeleton.len())
             .field("clips", &self.clips.len())
             .finish_non_exhaustive()
     }
@@ -93,10 +91,9 @@ impl Document {
         let buffers = load_buffers(&raw, chunk.as_deref(), folder)?;
         let slices: Vec<_> = buffers.iter().map(|b| bytes_of(b, chunk.as_deref())).collect();
         let data = Data::new(&raw, &slices);
-        let mut skeleton = Skeleton::read(&data, vrm_bones(&extensions))?;
-        morph_eyes::add(&mut skeleton, &data, &extensions);
-        let (clips, morph_scalars) = read_clips(&data)?;
-        let points = skin::read_points(&data)?;
+        let skeleton = Skeleton::read(&data, &extensions)?;
+        let (clips, morph_scalars) = read_clips(&data, &skeleton)?;
+        let points = skin::read_points(&data, &skeleton)?;
         Ok(Self {
             chunk,
             folder: folder.map(Path::to_path_buf),
@@ -116,7 +113,7 @@ impl Document {
         &self.skeleton
     }
 
-    /// The animation clips, in the file's order. Their bones are nodes, their scalars [the weights of morph
+    /// The animation clips, in the file's order. Their bones are those of the [skeleton](Self::skeleton), their scalars [the weights of morph
     /// targets](Self::morph_scalars).
     #[must_use]
     pub fn clips(&self) -> &[Clip] {

@@ -78,7 +78,7 @@ pub enum Error {
     AmbiguousNode {
         /// The name asked for.
         name: String,
-        /// Their node indices.
+        /// Their indices in the file.
         nodes: Vec<usize>,
     },
     /// No clip of that name.

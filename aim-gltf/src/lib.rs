@@ -30,7 +30,6 @@ mod look_at;
 mod material;
 mod morph_eyes;
 mod normals;
-mod num;
 mod raw;
 mod skeleton;
 mod skin;

@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use crate::accessor::Data;
 use crate::document::Document;
-use crate::num::narrow;
+use crate::raw::number;
 use crate::uri::{self, Uri};
 
 /// Bytes of images at most; those that would go beyond are left out.
@@ -80,16 +80,15 @@ pub(crate) fn read(document: &Document, data: &Data<'_>) -> (Vec<Material>, Vec<
 
 fn read_one(material: &Value, file: &Value, images: &mut Images<'_>) -> Material {
     let flag = |key: &str| material.get(key).and_then(Value::as_bool).unwrap_or(false);
-    let number = |key: &str| material.get(key).and_then(Value::as_f64).map(narrow);
     let (surface, factor, texture) = base(material);
-    let part = |i: usize| surface?.get(factor)?.get(i)?.as_f64();
+    let part = |i: usize| number(surface?.get(factor)?.get(i)?);
     let alpha = match material.get("alphaMode").and_then(Value::as_str) {
-        Some("MASK") => Alpha::Mask(number("alphaCutoff").unwrap_or(0.5)),
+        Some("MASK") => Alpha::Mask(material.get("alphaCutoff").and_then(number).unwrap_or(0.5)),
         Some("BLEND") => Alpha::Blend,
         _ => Alpha::Opaque,
     };
     Material {
-        colour: core::array::from_fn(|i| narrow(part(i).unwrap_or(1.0).clamp(0.0, 1.0))),
+        colour: core::array::from_fn(|i| part(i).unwrap_or(1.0).clamp(0.0, 1.0)),
         texture: surface.and_then(|surface| read_texture(surface.get(texture)?, file, images)),
         alpha,
         is_double_sided: flag("doubleSided"),
@@ -115,7 +114,7 @@ fn read_texture(info: &Value, file: &Value, images: &mut Images<'_>) -> Option<T
         _ => Wrap::Repeat,
     };
     let change = info.get("extensions").and_then(|all| all.get("KHR_texture_transform"));
-    let number = |value: &Value| value.as_f64().map(narrow).filter(|x| x.is_finite());
+    let number = |value: &Value| number(value).filter(|x| x.is_finite());
     let pair = |key: &str| {
         let pair = change?.get(key)?;
         Some(Vec2::new(number(pair.get(0)?)?, number(pair.get(1)?)?))

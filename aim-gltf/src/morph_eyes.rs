@@ -1,19 +1,19 @@
 //! Eyes that a file shows by morph targets instead of bones: `eyeLookInLeft` and the others of `ARKit`, or the expressions
 //! of a VRM file that look left, right, up and down.
 //!
-//! Such an eye becomes a node behind those of the file ([`Skeleton::is_in_file`]): it stands amid the vertices that its targets
-//! move, on the joint that carries most of them.
+//! Such an eye becomes a bone that is no node of the file ([`Skeleton::is_in_file`](crate::Skeleton::is_in_file)): it stands amid
+//! the vertices that its targets move, on the joint that carries most of them.
 
 use std::collections::BTreeMap;
 
-use glam::{DVec3, Vec3};
+use glam::{DAffine3, DVec3, Vec3};
 use serde_json::Value;
 
 use crate::accessor::Data;
 use crate::look_at::{LookAt, LookAtKind, RangeMap};
-use crate::num;
-use crate::skeleton::Skeleton;
-use crate::skin::{carrier, read_primitive};
+use crate::raw::number;
+use crate::skeleton::Skin;
+use crate::skin::read_primitive;
 
 /// Angles at which the targets of `ARKit` are taken to have their full weight, degrees: to the right, to the left, down and up, as
 /// far as people turn their eyes before the head follows. Files do not tell.
@@ -35,7 +35,7 @@ const EXPRESSIONS: (&str, &str, [&str; 4]) =
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct MorphEye {
-    /// Its node, behind those of the file.
+    /// Its node, which is none of the file's.
     pub node: usize,
     /// Looking to the right, to the left, down and up.
     pub ways: [MorphWay; 4],
@@ -63,8 +63,19 @@ pub struct MorphBind {
     pub weight: f64,
 }
 
-/// Adds a node for each eye that looks by morph targets. `extensions` are the document's.
-pub(crate) fn add(skeleton: &mut Skeleton, data: &Data<'_>, extensions: &Value) {
+/// An eye to be added to a skeleton, which then counts nodes otherwise: all of these are the file's.
+pub(crate) struct FoundEye {
+    pub(crate) name: &'static str,
+    pub(crate) vrm_bone: &'static str,
+    pub(crate) parent: usize,
+    pub(crate) translation: Vec3,
+    pub(crate) ways: [MorphWay; 4],
+    /// For the nodes that show it, the weights of their meshes where no clip has any.
+    pub(crate) at_rest: Vec<(usize, Vec<f32>)>,
+}
+
+/// The eyes that look by morph targets. `extensions` are the document's.
+pub(crate) fn find(data: &Data<'_>, skins: &[Skin], extensions: &Value) -> Vec<FoundEye> {
     let look = LookAt::read(extensions).map(|(look, _)| look);
     let found = match look.filter(|look| look.kind == LookAtKind::Expression) {
         Some(look) => {
@@ -74,14 +85,14 @@ pub(crate) fn add(skeleton: &mut Skeleton, data: &Data<'_>, extensions: &Value) 
         }
         None => arkit(data),
     };
-    for (name, bone, ways) in found {
-        if let Some((parent, place)) = place(skeleton, data, &ways).filter(|_| ways.iter().any(|way| way.map.moves())) {
-            let node = skeleton.add(name, bone, parent, place);
-            let shown: Vec<usize> = ways.iter().flat_map(|way| &way.binds).map(|bind| bind.node).collect();
-            let at_rest = shown.into_iter().map(|node| (node, weights_at_rest(data, node)));
-            skeleton.add_morph_eye(MorphEye { node, ways }, at_rest);
-        }
-    }
+    let eye = |(name, vrm_bone, ways): (_, _, [MorphWay; 4])| {
+        let place = place(data, skins, &ways).filter(|_| ways.iter().any(|way| way.map.moves()));
+        let (parent, translation) = place?;
+        let shown = ways.iter().flat_map(|way| &way.binds).map(|bind| bind.node);
+        let at_rest = shown.map(|node| (node, weights_at_rest(data, node))).collect();
+        Some(FoundEye { name, vrm_bone, parent, translation, ways, at_rest })
+    };
+    found.into_iter().filter_map(eye).collect()
 }
 
 fn ways(maps: [RangeMap; 4], binds: [Vec<MorphBind>; 4]) -> [MorphWay; 4] {
@@ -159,9 +170,10 @@ fn of_expression(data: &Data<'_>, extensions: &Value, word: &str) -> Vec<MorphBi
 
 /// The joint that carries most of what the targets move, and the middle of that in the joint's space; vertices count by the
 /// squares of their ways.
-fn place(skeleton: &Skeleton, data: &Data<'_>, ways: &[MorphWay; 4]) -> Option<(usize, Vec3)> {
+fn place(data: &Data<'_>, skins: &[Skin], ways: &[MorphWay; 4]) -> Option<(usize, Vec3)> {
     let mut moved: BTreeMap<usize, (f64, DVec3)> = BTreeMap::new();
     for MorphBind { node, target, .. } in ways.iter().flat_map(|way| &way.binds) {
+        let skin = data.raw.nodes[*node].skin.and_then(|skin| skins.get(skin));
         for primitive in &data.raw.meshes[data.raw.nodes[*node].mesh?].primitives {
             let accessor = primitive.targets.get(target).and_then(|target| target.get("POSITION")?.as_u64());
             let Some(accessor) = accessor.and_then(|at| usize::try_from(at).ok()) else { continue };
@@ -170,8 +182,9 @@ fn place(skeleton: &Skeleton, data: &Data<'_>, ways: &[MorphWay; 4]) -> Option<(
             let Ok(points) = read_primitive(data, *node, primitive) else { continue };
             for (way, point) in ways.chunks_exact(3).zip(&points) {
                 let share = Vec3::from_slice(way).as_dvec3().length_squared();
-                let joint = carrier(skeleton, point);
-                let place = skeleton.bound_place(*node, joint, point.position().as_dvec3());
+                let bound = point.heaviest().zip(skin);
+                let (joint, bind) = bound.map_or((*node, None), |(at, skin)| (skin.joints[at], skin.binds[at]));
+                let place = bind.unwrap_or(DAffine3::IDENTITY).transform_point3(point.position().as_dvec3());
                 let (total, sum) = moved.entry(joint).or_default();
                 *total += share;
                 *sum += place * share;
@@ -187,12 +200,8 @@ fn weights_at_rest(data: &Data<'_>, node: usize) -> Vec<f32> {
     let node = &data.raw.nodes[node];
     let mesh = node.mesh.unwrap_or_default();
     let stated = [&node.weights, &data.raw.meshes[mesh].weights].into_iter().find_map(Value::as_array);
-    let weight = |value: &Value| num::narrow(value.as_f64().unwrap_or_default());
-    let mut weights: Vec<f32> = stated.into_iter().flatten().map(weight).map(finite).collect();
+    let weight = |value: &Value| number(value).filter(|weight| weight.is_finite()).unwrap_or_default();
+    let mut weights: Vec<f32> = stated.into_iter().flatten().map(weight).collect();
     weights.resize(data.target_count(mesh), 0.0);
     weights
-}
-
-fn finite(weight: f32) -> f32 {
-    if weight.is_finite() { weight } else { 0.0 }
 }

@@ -235,3 +235,8 @@ impl Raw {
         Ok((raw, extensions.unwrap_or_default()))
     }
 }
+
+/// A number in single precision: infinite where it is beyond that; `None` of what is no number.
+pub(crate) fn number(value: &Value) -> Option<f32> {
+    f32::deserialize(value).ok()
+}

@@ -1,27 +1,24 @@
-//! The node tree: a forest with parents before children in [`Skeleton::order`], every name looked up honestly.
+//! [`Skeleton`]: the nodes of a file as bones, and what only the file knows of them.
 
+use core::ops::Deref;
 use std::collections::BTreeMap;
 
-use aim_animation::{Clip, Cursor, Transform};
-use glam::{Affine3A, DAffine3, DMat4, DVec3, Quat, Vec3};
+use aim_animation::{Bone, Clip, Cursor, SkeletonError, Transform};
+use glam::{DAffine3, DMat4, DQuat, DVec3, Quat};
+use serde_json::Value;
 
 use crate::accessor::Data;
 use crate::error::Error;
-use crate::morph_eyes::MorphEye;
+use crate::humanoid::vrm_bones;
+use crate::morph_eyes::{self, MorphEye};
 use crate::raw::{self, Raw};
 
-/// One node of the file.
-#[derive(Debug, Clone)]
+/// Facts that a file states of a bone.
+#[derive(Debug, Clone, Default)]
 #[non_exhaustive]
 pub struct Node {
-    /// Its name, or `node12` where the file gives none.
-    pub name: String,
-    /// Its parent; roots have none.
-    pub parent: Option<usize>,
-    /// Its children.
-    pub children: Vec<usize>,
-    /// Its local transform when no clip plays.
-    pub rest: Transform,
+    /// Its index among the file's nodes; `None` of an eye that looks by morph targets, which is no node of the file.
+    pub index: Option<usize>,
     /// True when some skin lists it as a joint.
     pub is_joint: bool,
     /// Joint space ← mesh space, from the first skin that lists the joint with one.
@@ -34,89 +31,86 @@ pub struct Node {
     pub vrm_bone: Option<String>,
 }
 
-/// All nodes of a document, and behind them one for each eye that looks by morph targets.
+/// The nodes of a document, and one more for each eye that looks by morph targets, as an [`aim_animation::Skeleton`]: parents,
+/// names (`node12` where the file gives none) and transforms at rest are those of the bones.
+///
+/// Nodes are counted as bones are, depth first, and so are those of a document's clips; [`Node::index`] is the number in the file.
 #[derive(Debug, Clone)]
 pub struct Skeleton {
+    bones: aim_animation::Skeleton,
     nodes: Vec<Node>,
-    /// How many of them are the file's.
-    in_file: usize,
     morph_eyes: Vec<MorphEye>,
     /// For the nodes that show those eyes, the weights of their meshes where no clip has any.
     morph_weights: BTreeMap<usize, Vec<f32>>,
-    order: Vec<usize>,
-    skins: Vec<Vec<usize>>,
-    skin_binds: Vec<Vec<Option<DAffine3>>>,
+    skins: Vec<Skin>,
+}
+
+/// A skin: joints, as the file's nodes until the skeleton is made, and their inverse bind matrices where given.
+#[derive(Debug, Clone)]
+pub(crate) struct Skin {
+    pub(crate) joints: Vec<usize>,
+    pub(crate) binds: Vec<Option<DAffine3>>,
+}
+
+impl Deref for Skeleton {
+    type Target = aim_animation::Skeleton;
+
+    fn deref(&self) -> &aim_animation::Skeleton {
+        &self.bones
+    }
 }
 
 impl Skeleton {
-    /// `humanoid` are VRM bone names with the nodes they name.
-    pub(crate) fn read(data: &Data<'_>, humanoid: Vec<(String, usize)>) -> Result<Self, Error> {
+    /// `extensions` are the document's.
+    pub(crate) fn read(data: &Data<'_>, extensions: &Value) -> Result<Self, Error> {
         let raw = data.raw;
         let parents = parents(raw)?;
-        let mut nodes = Vec::with_capacity(raw.nodes.len());
+        let mut skins = read_skins(data)?;
+        let eyes = morph_eyes::find(data, &skins, extensions);
+        let mut given = Vec::with_capacity(raw.nodes.len() + eyes.len());
+        for (index, (node, parent)) in raw.nodes.iter().zip(parents).enumerate() {
+            let beyond =
+                || Error::invalid(format!("nodes[{index}]"), "its transform is beyond the range of single precision");
+            let name = node.name.clone().unwrap_or_else(|| format!("node{index}"));
+            given.push(Bone::new(name, parent).with_rest(rest(node).filter(Transform::is_sound).ok_or_else(beyond)?));
+        }
+        given.extend(
+            eyes.iter().map(|eye| {
+                Bone::new(eye.name, Some(eye.parent)).with_rest(Transform::from_translation(eye.translation))
+            }),
+        );
+        let bones = aim_animation::Skeleton::new(given).map_err(|error| match error {
+            SkeletonError::Cycle(node) => {
+                Error::invalid(format!("nodes[{node}]"), "it is its own ancestor, expected a tree without cycles")
+            }
+            other => Error::invalid("nodes", other.to_string()),
+        })?;
+        let bone = |index: usize| bones.bone_of(index).unwrap_or_default();
+        let mut nodes = vec![Node::default(); bones.len()];
         for (index, node) in raw.nodes.iter().enumerate() {
-            nodes.push(Node {
-                name: node.name.clone().unwrap_or_else(|| format!("node{index}")),
-                parent: parents[index],
-                children: node.children.clone(),
-                rest: rest(node, &format!("nodes[{index}]"))?,
-                is_joint: false,
-                inverse_bind: None,
-                mesh: node.mesh,
-                skin: node.skin,
-                vrm_bone: None,
-            });
+            nodes[bone(index)] = Node { index: Some(index), mesh: node.mesh, skin: node.skin, ..Node::default() };
         }
-        let (mut skins, mut skin_binds) = (Vec::new(), Vec::new());
-        for (index, skin) in raw.skins.iter().enumerate() {
-            let place = format!("skins[{index}]");
-            let binds = inverse_binds(data, skin, &place)?;
-            for (joint, bind) in skin.joints.iter().zip(&binds) {
-                let node = nodes
-                    .get_mut(*joint)
-                    .ok_or_else(|| Error::invalid(&place, format!("its joint nodes[{joint}] does not exist")))?;
-                node.is_joint = true;
-                node.inverse_bind = node.inverse_bind.or(*bind);
-            }
-            skins.push(skin.joints.clone());
-            skin_binds.push(binds);
-        }
-        for (bone, node) in humanoid {
-            if let Some(node) = nodes.get_mut(node) {
-                node.vrm_bone = Some(bone);
+        for Skin { joints, binds } in &mut skins {
+            for (joint, bind) in joints.iter_mut().zip(binds) {
+                *joint = bone(*joint);
+                nodes[*joint].is_joint = true;
+                nodes[*joint].inverse_bind = nodes[*joint].inverse_bind.or(*bind);
             }
         }
-        let order = parents_first(&nodes)?;
-        let in_file = nodes.len();
-        let (morph_eyes, morph_weights) = (Vec::new(), BTreeMap::new());
-        Ok(Self { nodes, in_file, morph_eyes, morph_weights, order, skins, skin_binds })
-    }
-
-    /// Adds a node that the file does not have, and returns its index.
-    pub(crate) fn add(&mut self, name: &str, vrm_bone: &str, parent: usize, translation: Vec3) -> usize {
-        let node = self.nodes.len();
-        self.nodes[parent].children.push(node);
-        self.order.push(node);
-        self.nodes.push(Node {
-            name: name.into(),
-            parent: Some(parent),
-            children: Vec::new(),
-            rest: Transform { translation, rotation: Quat::IDENTITY, scale: Vec3::ONE },
-            is_joint: false,
-            inverse_bind: None,
-            mesh: None,
-            skin: None,
-            vrm_bone: Some(vrm_bone.into()),
-        });
-        node
-    }
-
-    /// Adds an eye that looks by morph targets, with the weights at rest of the nodes that show it.
-    pub(crate) fn add_morph_eye(&mut self, eye: MorphEye, at_rest: impl Iterator<Item = (usize, Vec<f32>)>) {
-        for (node, weights) in at_rest {
-            self.morph_weights.entry(node).or_insert(weights);
+        for (name, index) in vrm_bones(extensions).into_iter().filter(|(_, index)| *index < raw.nodes.len()) {
+            nodes[bone(index)].vrm_bone = Some(name);
         }
-        self.morph_eyes.push(eye);
+        let (mut morph_eyes, mut morph_weights) = (Vec::new(), BTreeMap::new());
+        for (at, mut eye) in eyes.into_iter().enumerate() {
+            let node = bone(raw.nodes.len() + at);
+            nodes[node].vrm_bone = Some(eye.vrm_bone.into());
+            eye.ways.iter_mut().flat_map(|way| &mut way.binds).for_each(|bind| bind.node = bone(bind.node));
+            for (shown, weights) in eye.at_rest {
+                morph_weights.entry(bone(shown)).or_insert(weights);
+            }
+            morph_eyes.push(MorphEye { node, ways: eye.ways });
+        }
+        Ok(Self { bones, nodes, morph_eyes, morph_weights, skins })
     }
 
     /// The eyes that look by morph targets.
@@ -134,44 +128,26 @@ impl Skeleton {
     /// True of the file's own nodes; false of those that stand for eyes which look by morph targets.
     #[must_use]
     pub fn is_in_file(&self, node: usize) -> bool {
-        node < self.in_file
+        self.nodes.get(node).is_some_and(|node| node.index.is_some())
     }
 
-    /// The number of the file's own nodes, which are the first.
-    #[must_use]
-    pub fn file_nodes(&self) -> usize {
-        self.in_file
-    }
-
-    /// A point of the mesh of `node` in the space of a joint that it is bound to, or of the node itself.
-    pub(crate) fn bound_place(&self, node: usize, joint: usize, point: DVec3) -> DVec3 {
-        let skin = self.nodes[node].skin.filter(|_| joint != node).map(|skin| self.skin(skin));
-        let bind = skin.and_then(|(joints, binds)| binds[joints.iter().position(|of_skin| *of_skin == joint)?]);
-        bind.unwrap_or(DAffine3::IDENTITY).transform_point3(point)
-    }
-
-    /// The nodes, by glTF node index; past the file's those of eyes that look by morph targets.
+    /// The file's facts of each node.
     #[must_use]
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
     }
 
-    /// Node indices, parents before their children.
-    #[must_use]
-    pub fn order(&self) -> &[usize] {
-        &self.order
-    }
-
     /// True when any node is a joint of a skin.
     #[must_use]
     pub fn has_skin(&self) -> bool {
-        self.skins.iter().any(|joints| !joints.is_empty())
+        self.skins.iter().any(|skin| !skin.joints.is_empty())
     }
 
     /// The joints of a skin, and their inverse bind matrices where given.
     #[must_use]
     pub fn skin(&self, index: usize) -> (&[usize], &[Option<DAffine3>]) {
-        (&self.skins[index], &self.skin_binds[index])
+        let Skin { joints, binds } = &self.skins[index];
+        (joints, binds)
     }
 
     /// The number of skins.
@@ -185,62 +161,47 @@ impl Skeleton {
     /// # Errors
     /// [`Error::UnknownNode`] with the nearest names, or [`Error::AmbiguousNode`].
     pub fn find(&self, name: &str) -> Result<usize, Error> {
-        let all: Vec<usize> = (0..self.nodes.len()).filter(|i| self.nodes[*i].name == name).collect();
+        let all: Vec<usize> = self.bones.named(name).collect();
         let joints: Vec<usize> = all.iter().copied().filter(|i| self.nodes[*i].is_joint).collect();
         match (&all[..], &joints[..]) {
             ([only], _) | (_, [only]) => Ok(*only),
             ([], _) => Err(Error::UnknownNode { name: name.into(), nearest: self.nearest_names(name) }),
-            _ => Err(Error::AmbiguousNode { name: name.into(), nodes: all }),
+            _ => {
+                let nodes = all.iter().filter_map(|node| self.nodes[*node].index).collect();
+                Err(Error::AmbiguousNode { name: name.into(), nodes })
+            }
         }
     }
 
     /// Up to five names like `name`, best first.
     fn nearest_names(&self, name: &str) -> Vec<String> {
-        let mut scored: Vec<(usize, &str)> =
-            self.nodes.iter().map(|node| (distance(name, &node.name), node.name.as_str())).collect();
+        let mut scored: Vec<(usize, &String)> =
+            self.names().iter().map(|known| (distance(name, known), known)).collect();
         scored.sort_unstable();
         scored.dedup();
-        scored.into_iter().take(5).map(|(_, name)| name.to_owned()).collect()
-    }
-
-    /// The local transforms when no clip plays.
-    #[must_use]
-    pub fn rest_pose(&self) -> Vec<Transform> {
-        self.nodes.iter().map(|node| node.rest).collect()
+        scored.into_iter().take(5).map(|(_, name)| name.clone()).collect()
     }
 
     /// The local transforms `seconds` into a clip; nodes without a channel are at rest.
     #[must_use]
     pub fn pose(&self, clip: &Clip, seconds: f32) -> Vec<Transform> {
-        let mut pose = self.rest_pose();
+        let mut pose = self.rest().to_vec();
         clip.sample(seconds, &mut Cursor::default(), &mut pose);
         pose
     }
 
-    /// Forward kinematics: world ← node for every node, from the local transforms of all nodes.
-    /// Computed in double precision and then rounded.
+    /// Forward kinematics in double precision, by which results are judged: world ← node for every node, from the local
+    /// transforms of all nodes. [`to_model`](aim_animation::Skeleton::to_model) is the same for every frame of a game.
     ///
     /// A `pose` shorter than the node list is completed by the rest pose.
     #[must_use]
-    pub fn world(&self, pose: &[Transform]) -> Vec<Affine3A> {
-        self.world_f64(pose).iter().map(|m| m.as_affine3a()).collect()
-    }
-
-    /// Forward kinematics in double precision; see [`Self::world`].
-    #[must_use]
     pub fn world_f64(&self, pose: &[Transform]) -> Vec<DAffine3> {
-        let mut world = vec![DAffine3::IDENTITY; self.nodes.len()];
-        for &index in &self.order {
-            let node = &self.nodes[index];
-            let local = affine_f64(pose.get(index).unwrap_or(&node.rest));
-            world[index] = node.parent.map_or(local, |parent| world[parent] * local);
+        let mut world: Vec<DAffine3> = Vec::with_capacity(self.len());
+        for (node, (parent, rest)) in self.parents().iter().zip(self.rest()).enumerate() {
+            let local = affine_f64(pose.get(node).unwrap_or(rest));
+            world.push(parent.map_or(local, |parent| world[parent] * local));
         }
         world
-    }
-
-    /// The node and all its ancestors, the node first.
-    pub fn ancestry(&self, node: usize) -> impl Iterator<Item = usize> + '_ {
-        core::iter::successors(Some(node), |at| self.nodes.get(*at).and_then(|n| n.parent))
     }
 }
 
@@ -276,45 +237,32 @@ fn parents(raw: &Raw) -> Result<Vec<Option<usize>>, Error> {
     Ok(parents)
 }
 
-/// An order with parents first; nodes that no root reaches go round in a circle.
-fn parents_first(nodes: &[Node]) -> Result<Vec<usize>, Error> {
-    let mut order: Vec<usize> = (0..nodes.len()).filter(|i| nodes[*i].parent.is_none()).collect();
-    let mut at = 0;
-    while let Some(&index) = order.get(at) {
-        order.extend_from_slice(&nodes[index].children);
-        at += 1;
+/// The local transform of a node; `None` if its matrix is beyond single precision.
+fn rest(node: &raw::Node) -> Option<Transform> {
+    if let Some(matrix) = &node.matrix {
+        return Transform::from_affine(&affine_of(matrix).as_affine3a());
     }
-    if order.len() == nodes.len() {
-        return Ok(order);
-    }
-    let mut reached = vec![false; nodes.len()];
-    order.iter().for_each(|i| reached[*i] = true);
-    let stray = reached.iter().position(|r| !r).unwrap_or(0);
-    Err(Error::invalid(format!("nodes[{stray}]"), "it is its own ancestor, expected a tree without cycles"))
+    let rotation = DQuat::from_array(node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]));
+    // A zero quaternion is invalid, but what its author meant is plain.
+    let unit = rotation.length() > 1e-9 && rotation.length().is_finite();
+    Some(Transform {
+        translation: DVec3::from_array(node.translation.unwrap_or_default()).as_vec3(),
+        rotation: if unit { rotation.normalize().as_quat() } else { Quat::IDENTITY },
+        scale: DVec3::from_array(node.scale.unwrap_or([1.0; 3])).as_vec3(),
+    })
 }
 
-fn rest(node: &raw::Node, place: &str) -> Result<Transform, Error> {
-    let finite = |values: &[f32]| values.iter().all(|v| v.is_finite());
-    let rest = if let Some(matrix) = &node.matrix {
-        Transform::from_affine(&affine_of(matrix).as_affine3a())
-            .ok_or_else(|| Error::invalid(place, "its transform is beyond the range of single precision"))?
-    } else {
-        let narrow = crate::num::narrow;
-        let q = node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]);
-        let rotation = glam::DQuat::from_array(q);
-        // A zero quaternion is invalid, but what its author meant is plain.
-        let unit = rotation.length() > 1e-9 && rotation.length().is_finite();
-        Transform {
-            translation: Vec3::from_array(node.translation.unwrap_or_default().map(narrow)),
-            rotation: if unit { rotation.normalize().as_quat() } else { Quat::IDENTITY },
-            scale: Vec3::from_array(node.scale.unwrap_or([1.0; 3]).map(narrow)),
+/// The skins, joints as the file's nodes.
+fn read_skins(data: &Data<'_>) -> Result<Vec<Skin>, Error> {
+    let read = |(index, skin): (usize, &raw::Skin)| {
+        let place = format!("skins[{index}]");
+        let binds = inverse_binds(data, skin, &place)?;
+        match skin.joints.iter().find(|joint| **joint >= data.raw.nodes.len()) {
+            Some(joint) => Err(Error::invalid(&place, format!("its joint nodes[{joint}] does not exist"))),
+            None => Ok(Skin { joints: skin.joints.clone(), binds }),
         }
     };
-    if finite(&rest.translation.to_array()) && finite(&rest.scale.to_array()) && rest.rotation.is_finite() {
-        Ok(rest)
-    } else {
-        Err(Error::invalid(place, "its transform is beyond the range of single precision"))
-    }
+    data.raw.skins.iter().enumerate().map(read).collect()
 }
 
 fn inverse_binds(data: &Data<'_>, skin: &raw::Skin, place: &str) -> Result<Vec<Option<DAffine3>>, Error> {

@@ -32,17 +32,30 @@ impl SkinnedPoint {
         self.node as usize
     }
 
+    /// With its node counted as the skeleton counts them.
+    pub(crate) fn counted(self, skeleton: &Skeleton) -> Self {
+        let node = skeleton.bone_of(self.node()).and_then(|node| u32::try_from(node).ok());
+        Self { node: node.unwrap_or(u32::MAX), ..self }
+    }
+
     /// Indices into the joints of that node's skin, with their weights, which are 0 where there are fewer; all of them
     /// where the mesh is not skinned.
     #[must_use]
     pub fn joints(&self) -> [(u16, f32); 4] {
         self.joints
     }
+
+    /// The index of the joint with the largest weight; `None` where the mesh is not skinned.
+    #[must_use]
+    pub fn heaviest(&self) -> Option<usize> {
+        let (joint, weight) = self.joints.iter().fold((0, 0.0), |best, at| if at.1 > best.1 { *at } else { best });
+        (weight > 0.0).then_some(usize::from(joint))
+    }
 }
 
 /// The vertices of every mesh, as the first node shows it that does (preferably skinned). Primitives without positions
 /// are skipped, vertices that several primitives share are taken once.
-pub(crate) fn read_points(data: &Data<'_>) -> Result<Vec<SkinnedPoint>, Error> {
+pub(crate) fn read_points(data: &Data<'_>, skeleton: &Skeleton) -> Result<Vec<SkinnedPoint>, Error> {
     let mut points = Vec::new();
     for (mesh_index, mesh) in data.raw.meshes.iter().enumerate() {
         let mut shown = (0..data.raw.nodes.len()).filter(|i| data.raw.nodes[*i].mesh == Some(mesh_index));
@@ -53,15 +66,15 @@ pub(crate) fn read_points(data: &Data<'_>) -> Result<Vec<SkinnedPoint>, Error> {
         for primitive in &mesh.primitives {
             let at = primitive.attributes.get("POSITION");
             if at.is_some_and(|at| seen.insert(*at)) {
-                points.extend(read_primitive(data, index, primitive)?);
+                points.extend(read_primitive(data, index, primitive)?.into_iter().map(|point| point.counted(skeleton)));
             }
         }
     }
     Ok(points)
 }
 
-/// The vertices of one primitive as node `index` shows it, in the accessor's order; none without positions that can be
-/// read.
+/// The vertices of one primitive as node `index` of the file shows it, which is their node, in the accessor's order; none
+/// without positions that can be read.
 pub(crate) fn read_primitive(data: &Data<'_>, index: usize, primitive: &Primitive) -> Result<Vec<SkinnedPoint>, Error> {
     let node = &data.raw.nodes[index];
     let attribute = |name: &str| primitive.attributes.get(name).copied();
@@ -81,7 +94,7 @@ pub(crate) fn read_primitive(data: &Data<'_>, index: usize, primitive: &Primitiv
         if joints.len() != positions.len() / 3 * 4 || weights.len() != joints.len() {
             return Err(Error::invalid(place, "its joints, weights and positions differ in number"));
         }
-        let beyond = |(j, w): (&f32, &f32)| *w != 0.0 && (*j < 0.0 || f64::from(*j) >= crate::num::count(count));
+        let beyond = |(j, w): (&f32, &f32)| *w != 0.0 && (*j < 0.0 || usize::from(to_index(*j)) >= count);
         if joints.iter().zip(&weights).any(beyond) {
             return Err(Error::invalid(place, format!("a vertex is bound to a joint beyond the skin's {count}")));
         }
@@ -100,7 +113,11 @@ pub(crate) fn read_primitive(data: &Data<'_>, index: usize, primitive: &Primitiv
     Ok(positions.chunks_exact(3).enumerate().map(point).collect())
 }
 
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked to be a joint index just before")]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "an index; others saturate and are found to be out of range"
+)]
 fn to_index(joint: f32) -> u16 {
     joint as u16
 }
@@ -108,7 +125,7 @@ fn to_index(joint: f32) -> u16 {
 /// The node that moves a vertex most: its heaviest joint, or the node that shows it.
 #[must_use]
 pub fn carrier(skeleton: &Skeleton, point: &SkinnedPoint) -> usize {
-    let (joint, weight) = point.joints.iter().fold((0, 0.0), |best, at| if at.1 > best.1 { *at } else { best });
-    let joints = skeleton.nodes()[point.node()].skin.map(|skin| skeleton.skin(skin).0).filter(|_| weight > 0.0);
-    joints.and_then(|joints| joints.get(usize::from(joint)).copied()).unwrap_or(point.node())
+    let skin = skeleton.nodes()[point.node()].skin;
+    let joint = skin.zip(point.heaviest()).and_then(|(skin, joint)| skeleton.skin(skin).0.get(joint));
+    joint.copied().unwrap_or(point.node())
 }

@@ -51,18 +51,20 @@ impl Document {
         let slices: Vec<_> = self.buffers.iter().map(|b| bytes_of(b, self.chunk.as_deref())).collect();
         let data = Data::new(&raw, &slices);
         (surface.materials, surface.images) = material::read(self, &data);
-        let world = self.skeleton().world_f64(&[]);
+        let skeleton = self.skeleton();
+        let world = skeleton.world_f64(&[]);
         let mirrors = |node: usize| {
-            let skinned = self.skeleton().nodes()[node].skin.and_then(|skin| {
-                let (joints, binds) = self.skeleton().skin(skin);
+            let skinned = skeleton.nodes()[node].skin.and_then(|skin| {
+                let (joints, binds) = skeleton.skin(skin);
                 Some(world[*joints.first()?] * binds.first()?.unwrap_or(DAffine3::IDENTITY))
             });
             skinned.unwrap_or(world[node]).matrix3.determinant() < 0.0
         };
         for (node, mesh) in raw.nodes.iter().enumerate().filter_map(|(i, node)| Some((i, node.mesh?))) {
+            let is_mirrored = skeleton.bone_of(node).is_some_and(mirrors);
             for (index, primitive) in raw.meshes[mesh].primitives.iter().enumerate() {
                 let json = &self.json()["meshes"][mesh]["primitives"][index];
-                surface.add(&Part { data: &data, node, primitive, json, is_mirrored: mirrors(node) });
+                surface.add(skeleton, &Part { data: &data, node, primitive, json, is_mirrored });
             }
         }
         surface
@@ -72,6 +74,7 @@ impl Document {
 /// A primitive as a node shows it.
 struct Part<'a> {
     data: &'a Data<'a>,
+    /// The file's index of the node.
     node: usize,
     primitive: &'a Primitive,
     json: &'a Value,
@@ -117,7 +120,7 @@ impl Part<'_> {
 }
 
 impl Surface {
-    fn add(&mut self, part: &Part<'_>) {
+    fn add(&mut self, skeleton: &Skeleton, part: &Part<'_>) {
         let count = part.primitive.attributes.get("POSITION").and_then(|at| part.data.accessor(*at, "POSITION").ok());
         if count.is_none_or(|accessor| self.points.len().saturating_add(accessor.count) > MOST_VERTICES) {
             return;
@@ -145,7 +148,7 @@ impl Surface {
         self.tints.extend(part.tints(count).unwrap_or_else(|| vec![[1.0; 4]; count]));
         let placed = |triangle: [usize; 3]| Triangle { vertices: triangle.map(|vertex| start + vertex), material };
         self.triangles.extend(triangles.into_iter().map(placed));
-        self.points.extend(points);
+        self.points.extend(points.into_iter().map(|point| point.counted(skeleton)));
     }
 
     /// The triangles.

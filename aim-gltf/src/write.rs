@@ -80,7 +80,7 @@ impl Document {
         if let Some(tracks) = clip.tracks().iter().find(|tracks| !skeleton.is_in_file(tracks.bone)) {
             return Err(refuse(format!("clip {:?} moves node {}, which does not exist", clip.name(), tracks.bone)));
         }
-        let targets = self.morph_scalars.values().next_back().map_or(0, |last| last.end);
+        let targets = self.morph_scalars.values().map(|scalars| scalars.end).max().unwrap_or(0);
         match clip.scalars().iter().find(|(scalar, _)| *scalar >= targets) {
             Some((scalar, _)) => Err(refuse(format!(
                 "clip {:?} moves scalar {scalar}, which is the weight of no morph target",
@@ -91,11 +91,12 @@ impl Document {
     }
 
     /// An animated node may not have a `matrix`.
-    fn release_matrix(&self, json: &mut Value, index: usize) {
-        let node = json.get_mut("nodes").and_then(|nodes| nodes.get_mut(index)).and_then(Value::as_object_mut);
+    fn release_matrix(&self, json: &mut Value, bone: usize) {
+        let index = self.skeleton().nodes()[bone].index;
+        let node = index.and_then(|index| json.get_mut("nodes")?.get_mut(index)?.as_object_mut());
         let Some(node) = node.filter(|node| node.contains_key("matrix")) else { return };
         node.shift_remove("matrix");
-        let rest = &self.skeleton().nodes()[index].rest;
+        let rest = &self.skeleton().rest()[bone];
         node.insert("translation".into(), json!(rest.translation.to_array().map(f64::from)));
         node.insert("rotation".into(), json!(rest.rotation.to_array().map(f64::from)));
         node.insert("scale".into(), json!(rest.scale.to_array().map(f64::from)));
@@ -242,8 +243,10 @@ impl Appended {
     /// One animation's JSON; `first` is the index its first new accessor will have, `view` that of the new view.
     fn animation(&mut self, document: &Document, clip: &Clip, [first, view]: [usize; 2]) -> Value {
         let mut animation = Animation { data: self, first, view, channels: Vec::new(), samplers: Vec::new() };
+        let nodes = document.skeleton().nodes();
         for tracks in clip.tracks() {
-            let node = tracks.bone;
+            // Of the file, as has been checked.
+            let Some(node) = nodes[tracks.bone].index else { continue };
             if let Some(track) = &tracks.translation {
                 animation.channel(node, ("translation", "VEC3"), &keys(&[track], |vector| vector.to_array()));
             }
@@ -263,12 +266,13 @@ impl Appended {
         }
         let weights_of: BTreeMap<usize, &Track<f32>> =
             clip.scalars().iter().map(|(scalar, track)| (*scalar, track)).collect();
-        for (node, scalars) in &document.morph_scalars {
+        for (bone, scalars) in &document.morph_scalars {
+            let Some(node) = nodes[*bone].index else { continue };
             let tracks: Vec<Option<&Track<f32>>> =
                 scalars.clone().map(|scalar| weights_of.get(&scalar).copied()).collect();
             if tracks.iter().any(Option::is_some) {
-                let at_rest = document.skeleton().morph_weights(*node).unwrap_or_default();
-                animation.channel(*node, ("weights", "SCALAR"), &weights(&tracks, at_rest));
+                let at_rest = document.skeleton().morph_weights(*bone).unwrap_or_default();
+                animation.channel(node, ("weights", "SCALAR"), &weights(&tracks, at_rest));
             }
         }
         json!({ "name": clip.name(), "channels": animation.channels, "samplers": animation.samplers })

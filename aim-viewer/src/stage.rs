@@ -301,7 +301,7 @@ impl Stage {
         let pose = match clip {
             Some(clip) if clip.length_s() > 0.0 => skeleton.pose(clip, (self.clock.time + phase) % clip.length_s()),
             Some(clip) => skeleton.pose(clip, 0.0),
-            None => skeleton.rest_pose(),
+            None => skeleton.rest().to_vec(),
         };
         let world = skeleton.world_f64(&pose);
         (pose, world)

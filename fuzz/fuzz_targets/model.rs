@@ -30,7 +30,7 @@ fuzz_target!(|input: &[u8]| -> Corpus {
     }
     for clip in document.clips() {
         let pose = document.skeleton().pose(clip, 0.3 * clip.length_s());
-        assert_eq!(document.skeleton().world(&pose).len(), document.skeleton().nodes().len());
+        assert_eq!(document.skeleton().world_f64(&pose).len(), document.skeleton().len());
     }
     let (surface, skeleton) = (document.surface(), document.skeleton());
     let (mut positions, mut normals) = (Vec::new(), Vec::new());

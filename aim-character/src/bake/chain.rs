@@ -34,7 +34,7 @@ impl ChainNodes {
         bones: impl IntoIterator<Item = &'a [String]>,
         other_eye: Option<&str>,
     ) -> Result<Self, Error> {
-        let name = |node: usize| &skeleton.nodes()[node].name;
+        let name = |node: usize| &skeleton.names()[node];
         let hangs_on = |node: usize, ancestor: usize| skeleton.ancestry(node).any(|at| at == ancestor);
         let joints = bones.into_iter().map(|names| find_first(skeleton, names)).collect::<Result<Vec<_>, _>>()?;
         let apart = |pair: &&[usize]| pair[0] == pair[1] || !hangs_on(pair[0], pair[1]);
@@ -66,7 +66,7 @@ impl ChainNodes {
         skeleton: &Skeleton,
         holds: impl IntoIterator<Item = (usize, &'a str)>,
     ) -> Result<Self, Error> {
-        let name = |node: usize| &skeleton.nodes()[node].name;
+        let name = |node: usize| &skeleton.names()[node];
         let fail = |node: usize, what: String| Err(Error::Chain(format!("hold names {:?}, {what}", name(node))));
         let mut found: Vec<Hold> = Vec::new();
         for (joint, held) in holds {

@@ -33,7 +33,7 @@ impl Held {
     pub(crate) fn hold(&self, skeleton: &Skeleton, pose: &mut [Transform], animated: &[DAffine3], turned: &[DAffine3]) {
         let node = self.node;
         let carried = self.carrier.map_or(DAffine3::IDENTITY, |by| turned[by] * animated[by].inverse());
-        let Some(parent) = skeleton.nodes()[node].parent else { return };
+        let Some(parent) = skeleton.parents()[node] else { return };
         let local = turned[parent].inverse() * carried * animated[node];
         let unscaled = DMat3::from_diagonal(pose[node].scale.as_dvec3().recip());
         let rotation = DQuat::from_mat3(&orthonormal(&(local.matrix3 * unscaled)).0);

@@ -107,7 +107,7 @@ impl Live {
     /// targets are turned to where the weights have them.
     #[must_use]
     pub fn pose(&self, skeleton: &Skeleton, clip: Option<&Clip>, seconds: f32) -> Vec<Transform> {
-        let mut pose = clip.map_or_else(|| skeleton.rest_pose(), |clip| skeleton.pose(clip, seconds));
+        let mut pose = clip.map_or_else(|| skeleton.rest().to_vec(), |clip| skeleton.pose(clip, seconds));
         self.morphs.pose(clip, seconds, &mut pose);
         pose
     }

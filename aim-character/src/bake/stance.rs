@@ -71,7 +71,7 @@ impl Sight {
 
 impl Stance {
     pub(crate) fn new(rig: &dyn Rig, skeleton: &Skeleton, chain: &ChainNodes, measurement: &Measurement) -> Self {
-        let above = |node: &usize| skeleton.nodes()[*node].parent;
+        let above = |node: &usize| skeleton.parents()[*node];
         let hips = measurement.with_role(Role::Hips).map(|bone| bone.node);
         let ancestry = || skeleton.ancestry(chain.joints[0]);
         let description = rig.description();

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use aim_animation::Clip;
-use aim_gltf::{Document, to_glb};
+use aim_gltf::{Document, Skeleton, to_glb};
 use glam::{DQuat, DVec3, Quat, Vec3};
 use serde_json::{Value, json};
 
@@ -89,7 +89,8 @@ pub(super) fn pack(joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
     json["bufferViews"] = data.views.into();
     json["buffers"] = json!([{ "byteLength": data.bytes.len() }]);
     let glb = to_glb(json.to_string().as_bytes(), Some(&data.bytes))?;
-    Ok(Document::from_bytes(&glb)?.with_clips(&[walk_clip(joints, rig)?])?)
+    let document = Document::from_bytes(&glb)?;
+    Ok(document.with_clips(&[walk_clip(joints, rig, document.skeleton())?])?)
 }
 
 fn narrow3(v: DVec3) -> [f32; 3] {
@@ -150,12 +151,13 @@ fn primitive(data: &mut Data, surface: &ShapeMesh, material: usize) -> Value {
     })
 }
 
-fn walk_clip(joints: &[Joint], rig: &[Bone]) -> Result<Clip, Error> {
+fn walk_clip(joints: &[Joint], rig: &[Bone], skeleton: &Skeleton) -> Result<Clip, Error> {
     let phase = |k: u32| f64::from(k % walk::KEYS) / f64::from(walk::KEYS);
     let time = |k: u32| num::narrow(f64::from(k) / f64::from(walk::KEYS) * walk::SECONDS);
     let times: Arc<[f32]> = (0..=walk::KEYS).map(time).collect();
     let mut clip = Clip::new("walk");
-    for (index, (joint, bone)) in joints.iter().zip(rig).enumerate() {
+    for (node, (joint, bone)) in joints.iter().zip(rig).enumerate() {
+        let Some(index) = skeleton.bone_of(node) else { continue };
         if joint.parent.is_none() {
             let place = |k: u32| narrow3(bone.translation(walk::hips_offset(phase(k)))).into();
             let places: Vec<Vec3> = (0..=walk::KEYS).map(place).collect();

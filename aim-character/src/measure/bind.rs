@@ -20,7 +20,7 @@ const TRIED: usize = 64;
 /// World ← node in the bind pose, for every node. A node no skin lists keeps its rest place relative to the nearest
 /// ancestor that is listed, and its rest place altogether where there is none.
 pub(crate) fn bind_world(skeleton: &Skeleton, rest: &[DAffine3], roles: &Roles) -> Vec<DAffine3> {
-    let mut bind: Vec<Option<DAffine3>> = vec![None; skeleton.nodes().len()];
+    let mut bind: Vec<Option<DAffine3>> = vec![None; skeleton.len()];
     for index in 0..skeleton.skin_count() {
         let (joints, inverse) = skeleton.skin(index);
         let listed: Vec<(usize, DAffine3)> =
@@ -33,9 +33,9 @@ pub(crate) fn bind_world(skeleton: &Skeleton, rest: &[DAffine3], roles: &Roles) 
         }
     }
     let mut out = rest.to_vec();
-    for &node in skeleton.order() {
+    for node in 0..skeleton.len() {
         let inherited = || {
-            let parent = skeleton.nodes()[node].parent?;
+            let parent = skeleton.parents()[node]?;
             // Only below a joint can bind and rest differ.
             if out[parent] == rest[parent] || rest[parent].matrix3.determinant().abs() < 1e-30 {
                 return None;

@@ -82,13 +82,13 @@ impl Body<'_> {
     }
 
     fn parent(&self, node: usize) -> Option<usize> {
-        self.skeleton.nodes()[node].parent
+        self.skeleton.parents()[node]
     }
 
     /// Bones whose names have a side, with what the name says without it.
     fn sided(&self) -> Vec<(usize, Side, String)> {
         let sided = |node: usize| {
-            let words = BoneName::new(&self.skeleton.nodes()[node].name);
+            let words = BoneName::new(&self.skeleton.names()[node]);
             Some((node, words.side?, words.key()))
         };
         (0..self.bind.len()).filter(|node| self.is_bone[*node]).filter_map(sided).collect()
@@ -203,7 +203,7 @@ pub(crate) fn carry_legs(body: &Body<'_>, up: DVec3, on_all_fours: bool) -> Vec<
         }
     }
     let mut carries = vec![false; is_leg.len()];
-    for &node in body.skeleton.order().iter().rev() {
+    for node in (0..body.skeleton.len()).rev() {
         if let Some(parent) = body.parent(node) {
             carries[parent] |= is_leg[node] || carries[node];
         }
@@ -303,10 +303,9 @@ const POINTERS: &str = "barrel muzzle gun cannon lens camera lamp shade spotligh
 
 /// From a pointing part's joint to the middle of what it shows, or of what hangs on it.
 fn reach(body: &Body<'_>) -> Option<(usize, DVec3)> {
-    let nodes = body.skeleton.nodes();
-    let node = (0..nodes.len()).find(|node| BoneName::new(&nodes[*node].name).has(POINTERS))?;
+    let node = body.skeleton.names().iter().position(|name| BoneName::new(name).has(POINTERS))?;
     let on_it = body.skin.iter().zip(body.carriers).filter(|(_, carrier)| **carrier == node).map(|(p, _)| *p);
-    let places: Vec<DVec3> = on_it.chain(nodes[node].children.iter().map(|child| body.at(*child))).collect();
+    let places: Vec<DVec3> = on_it.chain(body.skeleton.children(node).map(|child| body.at(child))).collect();
     let middle = places.iter().sum::<DVec3>() / count(places.len().max(1));
     let reach = middle - body.at(node);
     (!places.is_empty() && reach.is_finite() && reach.length() > 1e-9).then_some((node, reach))

@@ -89,7 +89,7 @@ pub fn word(said: &Evidence) -> &'static str {
 }
 
 fn clue(said: &Evidence, document: &Document) -> String {
-    let name = |node: usize| &document.skeleton().nodes()[node].name;
+    let name = |node: usize| &document.skeleton().names()[node];
     match said.clue {
         Clue::Names { left, right } => format!("the names {} and {}", name(left), name(right)),
         Clue::Limbs { one, other } => format!("the limbs {} and {}", name(one), name(other)),

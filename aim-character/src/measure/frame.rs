@@ -38,5 +38,5 @@ pub(crate) fn nearest_axis(v: DVec3) -> DVec3 {
 
 /// The orthogonal part of what a node's parent is in the world; it may mirror. The identity for a root.
 pub(crate) fn parent_frame(skeleton: &Skeleton, world: &[DAffine3], node: usize) -> DMat3 {
-    skeleton.nodes()[node].parent.map_or(DMat3::IDENTITY, |parent| orthonormal(&world[parent].matrix3).0)
+    skeleton.parents()[node].map_or(DMat3::IDENTITY, |parent| orthonormal(&world[parent].matrix3).0)
 }

@@ -295,7 +295,7 @@ pub(crate) fn turn_deg(a: &DAffine3, b: &DAffine3) -> f64 {
 }
 
 fn axes_of(skeleton: &Skeleton, bind: &[DAffine3], facing: &Facing, node: usize, role: Option<Role>) -> BoneAxes {
-    let (info, bind) = (&skeleton.nodes()[node], &bind[node]);
+    let bind = &bind[node];
     let (world_of_bone, _) = orthonormal(&bind.matrix3);
     let bone_of_world: DMat3 = world_of_bone.transpose();
     let [up, forward, left] = [facing.up, facing.forward, facing.left].map(|v| (bone_of_world * v).normalize());
@@ -306,8 +306,8 @@ fn axes_of(skeleton: &Skeleton, bind: &[DAffine3], facing: &Facing, node: usize,
     let deviations_deg = [degrees(up, up_axis), degrees(forward, forward_axis), degrees(left, left_axis)];
     BoneAxes {
         node,
-        name: info.name.clone(),
-        parent: info.parent,
+        name: skeleton.names()[node].clone(),
+        parent: skeleton.parents()[node],
         role,
         up: SignedAxis::of(up_axis),
         forward: SignedAxis::of(forward_axis),
@@ -337,8 +337,8 @@ fn height(document: &Document, bind: &[DAffine3], skin: &[DVec3], up: DVec3, rol
     if skeleton.has_skin() {
         let mut of_body: Vec<bool> =
             (0..nodes.len()).map(|node| nodes[node].is_joint || roles.of(node).is_some()).collect();
-        for &node in skeleton.order() {
-            of_body[node] |= nodes[node].parent.is_some_and(|parent| of_body[parent]);
+        for node in 0..skeleton.len() {
+            of_body[node] |= skeleton.parents()[node].is_some_and(|parent| of_body[parent]);
         }
         let is_shown = |node: usize| nodes[node].skin.is_some() || of_body[node];
         let shown = document.points().iter().zip(skin).filter(|(point, _)| is_shown(point.node())).map(|(_, p)| *p);

@@ -46,7 +46,7 @@ struct Tree<'a> {
 
 impl Tree<'_> {
     fn children(&self, node: usize) -> impl Iterator<Item = usize> + '_ {
-        self.skeleton.nodes()[node].children.iter().copied().filter(|child| self.is_bone[*child])
+        self.skeleton.children(node).filter(|child| self.is_bone[*child])
     }
 
     fn at(&self, node: usize) -> DVec3 {
@@ -102,7 +102,7 @@ impl BodyPlan {
             return None;
         }
         let tree = Tree::new(skeleton, bind, is_bone);
-        let mut bones = skeleton.order().iter().copied().filter(|node| is_bone[*node]);
+        let mut bones = (0..skeleton.len()).filter(|node| is_bone[*node]);
         let (hips, legs) = bones.find_map(|node| Some((node, tree.pair(node, None)?)))?;
         let across = (tree.at(legs[0]) - tree.at(legs[1])).normalize_or_zero();
         let middle = (tree.at(legs[0]) + tree.at(legs[1])) * 0.5;
@@ -144,16 +144,15 @@ impl BodyPlan {
 
 impl<'a> Tree<'a> {
     fn new(skeleton: &'a Skeleton, bind: &'a [DAffine3], is_bone: &'a [bool]) -> Self {
-        let nodes = skeleton.nodes();
-        let (mut shape, mut size) = (vec![1_u64; nodes.len()], vec![0; nodes.len()]);
-        for &node in skeleton.order().iter().rev() {
-            let children = nodes[node].children.iter().filter(|child| is_bone[**child]);
-            let mut below: Vec<u64> = children.clone().map(|child| shape[*child]).collect();
+        let (mut shape, mut size) = (vec![1_u64; skeleton.len()], vec![0; skeleton.len()]);
+        for node in (0..skeleton.len()).rev() {
+            let children = skeleton.children(node).filter(|child| is_bone[*child]);
+            let mut below: Vec<u64> = children.clone().map(|child| shape[child]).collect();
             below.sort_unstable();
             // FNV-1a over the sorted shapes of the children.
             let mix = |hash: u64, x: &u64| (hash ^ x).wrapping_mul(0x0100_0000_01b3) ^ (x >> 7);
             shape[node] = below.iter().fold(0xcbf2_9ce4_8422_2325, mix);
-            size[node] = usize::from(is_bone[node]) + children.map(|child| size[*child]).sum::<usize>();
+            size[node] = usize::from(is_bone[node]) + children.map(|child| size[child]).sum::<usize>();
         }
         Self { skeleton, bind, is_bone, shape, size }
     }

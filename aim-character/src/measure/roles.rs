@@ -61,18 +61,16 @@ impl Roles {
 
     /// By VRM and by name. Eyes without a side in their name stay without a role.
     pub(crate) fn find(skeleton: &Skeleton) -> Self {
-        let nodes = skeleton.nodes();
-        let words: Vec<BoneName> = nodes.iter().map(|node| BoneName::new(&node.name)).collect();
+        let words: Vec<BoneName> = skeleton.names().iter().map(|name| BoneName::new(name)).collect();
         let bones = bones(skeleton);
-        let mut roles: Vec<Option<Role>> = nodes.iter().map(vrm_role).collect();
-        // Morph targets are eyes where no bone is one.
-        let morphs = roles.split_off(skeleton.file_nodes());
-        roles.resize(nodes.len(), None);
+        let stated_role = |node: usize| vrm_role(&skeleton.nodes()[node]);
+        let mut roles: Vec<Option<Role>> =
+            (0..skeleton.len()).map(|node| stated_role(node).filter(|_| skeleton.is_in_file(node))).collect();
         let stated: Vec<Role> = roles.iter().copied().flatten().collect();
         // Where eyeballs are named so, other "eyes" are lids.
         let balls = words.iter().zip(&bones).any(|(w, bone)| *bone && w.is_eyeball());
-        for (index, words) in words.iter().enumerate().take(skeleton.file_nodes()) {
-            if roles[index].is_some() {
+        for (index, words) in words.iter().enumerate() {
+            if roles[index].is_some() || !skeleton.is_in_file(index) {
                 continue;
             }
             let role = by_name(words).filter(|role| match role {
@@ -88,18 +86,18 @@ impl Roles {
         // Where no bone is called a head, the skin may hang on what animators take hold of.
         if !roles.contains(&Some(Role::Head)) {
             let found = roles.clone();
-            for (index, words) in words.into_iter().enumerate().take(skeleton.file_nodes()) {
+            for (index, words) in words.into_iter().enumerate().filter(|(index, _)| skeleton.is_in_file(*index)) {
                 let role = by_name(&words.without_control()).filter(|role| !found.contains(&Some(*role)));
-                roles[index] = roles[index].or(role.filter(|_| nodes[index].is_joint));
+                roles[index] = roles[index].or(role.filter(|_| skeleton.nodes()[index].is_joint));
             }
         }
-        keep_best(nodes, &mut roles);
+        keep_best(skeleton, &mut roles);
         keep_carrying(skeleton, &mut roles);
         let is_eye = |role: &Role| matches!(role, Role::LeftEye | Role::RightEye);
-        let (of_file, of_morphs) = roles.split_at_mut(skeleton.file_nodes());
-        let has_eyes = of_file.iter().flatten().any(is_eye);
-        for (role, morph) in of_morphs.iter_mut().zip(morphs) {
-            *role = morph.filter(|role| !(has_eyes && is_eye(role)));
+        // Morph targets are eyes where no bone is one.
+        let has_eyes = roles.iter().flatten().any(is_eye);
+        for eye in skeleton.morph_eyes() {
+            roles[eye.node] = stated_role(eye.node).filter(|role| !(has_eyes && is_eye(role)));
         }
         Self(roles)
     }
@@ -144,17 +142,15 @@ impl Roles {
 
 /// The bones that carry a head, out to the one that carries limbs with a side as well; none where none does.
 fn neck_of(skeleton: &Skeleton, head: usize) -> Vec<usize> {
-    let nodes = skeleton.nodes();
-    let mut has_side = vec![false; nodes.len()];
-    for &node in skeleton.order().iter().rev() {
-        has_side[node] |= BoneName::new(&nodes[node].name).side.is_some();
-        if let Some(parent) = nodes[node].parent {
+    let mut has_side = vec![false; skeleton.len()];
+    for node in (0..skeleton.len()).rev() {
+        has_side[node] |= BoneName::new(&skeleton.names()[node]).side.is_some();
+        if let Some(parent) = skeleton.parents()[node] {
             has_side[parent] |= has_side[node];
         }
     }
     let way: Vec<usize> = skeleton.ancestry(head).collect();
-    let carries_limbs =
-        |step: &[usize]| nodes[step[1]].children.iter().any(|child| *child != step[0] && has_side[*child]);
+    let carries_limbs = |step: &[usize]| skeleton.children(step[1]).any(|child| child != step[0] && has_side[child]);
     let trunk = way.windows(2).position(carries_limbs).unwrap_or(0);
     way.get(1..=trunk).unwrap_or_default().to_vec()
 }
@@ -164,8 +160,8 @@ pub(crate) fn bones(skeleton: &Skeleton) -> Vec<bool> {
     let nodes = skeleton.nodes();
     let is_bone = |(at, node): (usize, &Node)| node.is_joint || (!skeleton.has_skin() && skeleton.is_in_file(at));
     let mut bones: Vec<bool> = nodes.iter().enumerate().map(is_bone).collect();
-    for &index in skeleton.order().iter().rev() {
-        if let (true, Some(parent)) = (bones[index], nodes[index].parent) {
+    for index in (0..skeleton.len()).rev() {
+        if let (true, Some(parent)) = (bones[index], skeleton.parents()[index]) {
             bones[parent] = true;
         }
     }
@@ -230,10 +226,11 @@ fn keep_carrying(skeleton: &Skeleton, roles: &mut [Option<Role>]) {
 }
 
 /// Of several claimants to a single role a joint wins, then a node named in fewer letters, then the first.
-fn keep_best(nodes: &[Node], roles: &mut [Option<Role>]) {
+fn keep_best(skeleton: &Skeleton, roles: &mut [Option<Role>]) {
+    let (nodes, names) = (skeleton.nodes(), skeleton.names());
     for role in [Role::LeftEye, Role::RightEye, Role::Head, Role::Hips] {
         let claimants: Vec<usize> = (0..nodes.len()).filter(|i| roles[*i] == Some(role)).collect();
-        let rank = |i: &&usize| (nodes[**i].vrm_bone.is_none(), !nodes[**i].is_joint, nodes[**i].name.len(), **i);
+        let rank = |i: &&usize| (nodes[**i].vrm_bone.is_none(), !nodes[**i].is_joint, names[**i].len(), **i);
         let best = claimants.iter().min_by_key(rank).copied();
         claimants.iter().filter(|i| Some(**i) != best).for_each(|i| roles[*i] = None);
     }

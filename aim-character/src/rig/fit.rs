@@ -93,7 +93,7 @@ impl<'a> Fit<'a> {
             match found {
                 Some(Ok(node)) => match measurement.bone(node) {
                     Some(bone) => fit.joints.push(JointFit::new(&joint.name, bone, &joint.frame)),
-                    None => fit.problems.push(format!("{}: {:?} is no bone", joint.name, skeleton.nodes()[node].name)),
+                    None => fit.problems.push(format!("{}: {:?} is no bone", joint.name, skeleton.names()[node])),
                 },
                 Some(Err(error)) => fit.problems.push(format!("{}: {error}", joint.name)),
                 None => {}

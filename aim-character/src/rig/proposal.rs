@@ -99,9 +99,8 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         }
         None => chain(document, measurement).ok_or(Error::NoChain)?,
     };
-    let listed = |&node: &usize| {
-        measurement.bone(node).ok_or_else(|| Error::NoBone { node: skeleton.nodes()[node].name.clone() })
-    };
+    let listed =
+        |&node: &usize| measurement.bone(node).ok_or_else(|| Error::NoBone { node: skeleton.names()[node].clone() });
     let bones: Vec<&BoneAxes> = nodes.iter().map(listed).collect::<Result<_, _>>()?;
     let roles: Vec<Declared> = bones.iter().map(|bone| role(bone)).collect();
     let budgets = if measurement.goes_on_all_fours() { Budgets::QUADRUPED } else { Budgets::HUMAN };
@@ -120,7 +119,7 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
     let of_neck = bones.iter().filter(|bone| matches!(bone.role, Some(Role::Head | Role::Neck)));
     let limbs = limbs_on_each(skeleton, measurement, of_neck.map(|bone| bone.node));
     // Only names that mean one node can be declared. Without any the arms are found where they are held.
-    let is_clear = |limb: &usize| skeleton.find(&skeleton.nodes()[*limb].name).is_ok();
+    let is_clear = |limb: &usize| skeleton.find(&skeleton.names()[*limb]).is_ok();
     let is_declared = limbs.iter().flat_map(|(_, limbs)| limbs).all(is_clear);
     for (at, (bone, part)) in bones.iter().zip(parts(&roles, &bones)).enumerate() {
         // Only names that mean one node can be declared.
@@ -150,7 +149,7 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
             }
         }
         if let Some((_, limbs)) = limbs.iter().find(|(node, _)| *node == bone.node) {
-            let names: Vec<String> = limbs.iter().map(|&limb| skeleton.nodes()[limb].name.clone()).collect();
+            let names: Vec<String> = limbs.iter().map(|&limb| skeleton.names()[limb].clone()).collect();
             why += &format!("; {} hang on it", names.join(", "));
             if is_declared {
                 why += " and are held on the trunk";
@@ -188,7 +187,7 @@ fn chain(document: &Document, measurement: &Measurement) -> Option<Vec<usize>> {
     };
     let mut chain = vec![outermost.node];
     chain.extend(inward.filter(turns).map(|bone| bone.node));
-    let moves = skeleton.nodes().len() > 1;
+    let moves = skeleton.len() > 1;
     // A head alone on what nobody named: a lamp, a camera on its stand, but no body with legs.
     let stands = |node: &usize| measurement.bone(*node).is_some_and(|bone| bone.carries_legs);
     if chain.len() == 1 && moves {

@@ -1,6 +1,6 @@
 //! The solvers beside the aim solvers turn the mannequin the same way in the world, whatever axes its bones have.
 
-use aim_animation::{Bone, Skeleton, Transform};
+use aim_animation::{Skeleton, Transform};
 use aim_character::{PAPER_AXES, mannequin};
 use aim_gltf::Document;
 use aim_runtime::Axes;
@@ -10,7 +10,7 @@ use aim_runtime::ik::{
 };
 use glam::{Affine3A, Mat3A, Quat, Vec3};
 
-/// The mannequin's bones in the model, in the order of the skeleton.
+/// The mannequin's bones in the model.
 struct Character {
     document: Document,
     axes: Axes,
@@ -21,15 +21,14 @@ struct Character {
 impl Character {
     fn new([up, forward, left]: [[f32; 3]; 3], seconds: f32) -> Self {
         let document = Document::from_bytes(&mannequin(|_| [up, forward, left]).unwrap()).unwrap();
-        let of_file = document.skeleton();
-        let nodes = of_file.world(&of_file.pose(&document.clips()[0], seconds));
-        let skeleton = Skeleton::new(of_file.nodes().iter().map(|node| Bone::new("", node.parent))).unwrap();
-        let world = (0..nodes.len()).map(|bone| nodes[skeleton.source_of(bone).unwrap()]).collect();
+        let skeleton = Skeleton::clone(document.skeleton());
+        let world = document.skeleton().world_f64(&document.skeleton().pose(&document.clips()[0], seconds));
+        let world = world.iter().map(|bone| bone.as_affine3a()).collect();
         Self { axes: Axes { up, forward, left }, skeleton, world, document }
     }
 
     fn bone(&self, name: &str) -> usize {
-        self.skeleton.bone_of(self.document.skeleton().find(name).unwrap()).unwrap()
+        self.skeleton.find(name).unwrap()
     }
 
     fn at(&self, bone: usize) -> Vec3 {
@@ -60,9 +59,8 @@ impl Character {
 
     /// Where every vertex is: world ← mesh.
     fn picture(&self) -> Vec<Affine3A> {
-        let nodes = self.document.skeleton().nodes().iter().enumerate();
-        let world = |node| self.world[self.skeleton.bone_of(node).unwrap()];
-        nodes.filter_map(|(at, node)| Some(world(at) * node.inverse_bind?.as_affine3a())).collect()
+        let nodes = self.document.skeleton().nodes().iter().zip(&self.world);
+        nodes.filter_map(|(node, world)| Some(*world * node.inverse_bind?.as_affine3a())).collect()
     }
 }
 

@@ -12,8 +12,8 @@ fn built(axes: [[f32; 3]; 3]) -> Document {
 fn skinning(document: &Document, seconds: f32) -> Vec<DAffine3> {
     let skeleton = document.skeleton();
     let world = skeleton.world_f64(&skeleton.pose(&document.clips()[0], seconds));
-    let joints = skeleton.nodes().iter().zip(world);
-    joints.filter_map(|(node, world)| Some(world * node.inverse_bind?)).collect()
+    let (joints, binds) = skeleton.skin(0);
+    joints.iter().zip(binds).map(|(joint, bind)| world[*joint] * bind.expect("all have one")).collect()
 }
 
 #[test]

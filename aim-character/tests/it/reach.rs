@@ -19,8 +19,11 @@ fn skinning(axes: impl Fn(&str) -> [[f32; 3]; 3]) -> Vec<DAffine3> {
         assert!(at(goal.at)[limb.tip].translation.distance(goal.target) < 1e-4 * reached.length);
     }
     let frames = [0.0, 0.1, 0.31, 0.5, 0.9, 1.2].map(at);
-    let joints = frames.iter().flat_map(|world| skeleton.nodes().iter().zip(world));
-    joints.filter_map(|(node, world)| Some(*world * node.inverse_bind?)).collect()
+    let (joints, binds) = skeleton.skin(0);
+    let of_frame = |world: &Vec<DAffine3>| -> Vec<DAffine3> {
+        joints.iter().zip(binds).map(|(joint, bind)| world[*joint] * bind.expect("all have one")).collect()
+    };
+    frames.iter().flat_map(of_frame).collect()
 }
 
 #[test]

@@ -120,7 +120,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     };
     let live = Live::new(&character.rig, document, measurement, &chain, both_eyes);
     if let Some(node) = plan.target_node.filter(|&node| live.looks_with(skeleton, node, effector.joint)) {
-        let name = &skeleton.nodes()[node].name;
+        let name = &skeleton.names()[node];
         eprintln!(
             "warning: the target {name} moves with the gaze itself: aimed is at where the animation alone has it"
         );

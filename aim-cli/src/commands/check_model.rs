@@ -47,7 +47,7 @@ fn about_limbs(spec: &RigSpec, document: &Document, measurement: &Measurement) -
         let is_held = |limb: usize| chain.holds.as_ref().is_none_or(|holds| holds.iter().any(|hold| hold.node == limb));
         let (held, loose): (Vec<usize>, Vec<usize>) = limbs.into_iter().partition(|&limb| is_held(limb));
         let names = |limbs: &[usize]| {
-            limbs.iter().map(|&limb| format!("{:?}", skeleton.nodes()[limb].name)).collect::<Vec<_>>().join(", ")
+            limbs.iter().map(|&limb| format!("{:?}", skeleton.names()[limb])).collect::<Vec<_>>().join(", ")
         };
         if !held.is_empty() {
             let how = if chain.holds.is_some() { "held, as declared" } else { "held unless a joint declares hold" };

@@ -57,18 +57,18 @@ fn limbs_on_necks<'d>(measurement: &Measurement, document: &'d Document) -> Vec<
     let mut necks: Vec<usize> =
         measurement.bones.iter().filter(|bone| bone.role == Some(Role::Neck)).map(|bone| bone.node).collect();
     necks.sort_by_key(|&neck| std::cmp::Reverse(skeleton.ancestry(neck).count()));
-    let name = |node: usize| skeleton.nodes()[node].name.as_str();
+    let name = |node: usize| skeleton.names()[node].as_str();
     let limbs = limbs_on_each(skeleton, measurement, necks).into_iter();
     limbs.map(|(neck, limbs)| (name(neck), limbs.into_iter().map(name).collect())).collect()
 }
 
 /// What `--json` prints.
 fn json(file: &str, document: &Document, measurement: &Measurement) -> Value {
-    let nodes = document.skeleton().nodes();
+    let names = document.skeleton().names();
     let bone = |bone: &BoneAxes| {
         json!({
             "name": bone.name,
-            "parent": bone.parent.map(|parent| &nodes[parent].name),
+            "parent": bone.parent.map(|parent| &names[parent]),
             "role": bone.role.map(Role::as_str),
             "up": bone.up.as_str(),
             "forward": bone.forward.as_str(),

@@ -27,8 +27,8 @@ impl Directions {
         let bind = &measurement.bind_world;
         let Effector { joint, ray } = report.aimed;
         let eye = chain.joints[joint];
-        let carrier = chain.joints.last().and_then(|node| skeleton.nodes()[*node].parent);
-        let head = skeleton.nodes()[eye].parent.filter(|_| spec.joints[joint].role == Role::Eye);
+        let carrier = chain.joints.last().and_then(|node| skeleton.parents()[*node]);
+        let head = skeleton.parents()[eye].filter(|_| spec.joints[joint].role == Role::Eye);
         let axes = [ray.frame.left, ray.frame.up, ray.frame.forward];
         let rest = axes.map(|axis| bind[eye].transform_vector3(DVec3::from(axis)));
         let moved = |node: Option<usize>, world: &[DAffine3]| -> DMat3 {

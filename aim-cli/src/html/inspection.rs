@@ -96,9 +96,9 @@ fn views(inspected: &Inspected<'_>, positions: &[DVec3]) -> Vec<(&'static str, P
 
 fn drawing(inspected: &Inspected<'_>, name: &str, view: &Projection, surface: &Surface) -> Markup {
     let Inspected { document, measurement, fit, .. } = inspected;
-    let nodes = document.skeleton().nodes();
+    let parents = document.skeleton().parents();
     let lines = measurement.bones.iter().filter_map(|bone| {
-        let parent = measurement.bone(nodes[bone.node].parent?)?;
+        let parent = measurement.bone(parents[bone.node]?)?;
         Some((view.project(bone.bind_world.translation), view.project(parent.bind_world.translation)))
     });
     html! {

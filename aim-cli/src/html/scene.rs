@@ -178,11 +178,11 @@ impl<'a> Scene<'a> {
         }
         // The head is what hangs on the bone that carries the eye.
         let carrier = skeleton.ancestry(first).find(|node| role(*node) == Some(Role::Head));
-        let carrier = carrier.or_else(|| skeleton.nodes()[first].parent.filter(|_| is_eye)).unwrap_or(first);
+        let carrier = carrier.or_else(|| skeleton.parents()[first].filter(|_| is_eye)).unwrap_or(first);
         let positions = Palette::new(skeleton, bind).positions(&surface);
         let head = extent(document, &surface, &positions, carrier);
         let eye_bind = bind[first].transform_point3(origin);
-        let follows = chain.joints.last().and_then(|node| skeleton.nodes()[*node].parent);
+        let follows = chain.joints.last().and_then(|node| skeleton.parents()[*node]);
         let places = drawn.map(|frame| frame.world[first].transform_point3(origin) - at(follows, &frame.world));
         let camera =
             FollowingCamera::new(measurement, stand, follows, eye_bind).framing(measurement, head, eye_bind, places);
@@ -237,9 +237,9 @@ impl<'a> Scene<'a> {
 
     /// Lines from bone to bone, the rig's own ones thicker.
     fn bones(&self, world: &[DAffine3]) -> Markup {
-        let nodes = self.document.skeleton().nodes();
+        let parents = self.document.skeleton().parents();
         let shown = |node: usize| self.camera.project(world[node].translation, world);
-        let lines = self.measurement.bones.iter().filter_map(|bone| Some((bone.node, nodes[bone.node].parent?)));
+        let lines = self.measurement.bones.iter().filter_map(|bone| Some((bone.node, parents[bone.node]?)));
         html! {
             @for (node, parent) in lines { (segment("bone", shown(parent), shown(node))) }
             @for &joint in &self.joints {
@@ -253,8 +253,7 @@ impl<'a> Scene<'a> {
 /// The lowest and highest coordinates of the surface that hangs on `carrier`; where none does, on the bones below it.
 fn extent(document: &Document, surface: &Surface, positions: &[DVec3], carrier: usize) -> Option<(DVec3, DVec3)> {
     let skeleton = document.skeleton();
-    let below: Vec<bool> =
-        (0..skeleton.nodes().len()).map(|node| skeleton.ancestry(node).any(|at| at == carrier)).collect();
+    let below: Vec<bool> = (0..skeleton.len()).map(|node| skeleton.ancestry(node).any(|at| at == carrier)).collect();
     let among = |wanted: &dyn Fn(usize) -> bool| {
         let vertices = surface.triangles().iter().flat_map(|triangle| triangle.vertices);
         let on_it = vertices.filter(|vertex| surface.node_of(skeleton, *vertex).is_some_and(wanted));

@@ -31,7 +31,7 @@ fn moved(bones: &[Moved<'_>]) -> Plausibility {
             let times = times(clip);
             for (bone, angles_at) in bones {
                 let node = character.node(bone);
-                let rest = character.document.skeleton().nodes()[node].rest.rotation.as_dquat();
+                let rest = character.document.skeleton().rest()[node].rotation.as_dquat();
                 let keys = times.iter().map(|&t| {
                     let [heading, pitch, roll] = angles_at(t.into()).map(f64::to_radians);
                     let turn = DQuat::from_rotation_x(heading) * DQuat::from_rotation_z(-pitch);
@@ -78,7 +78,7 @@ fn a_head_is_seen_from_the_chest() {
 fn a_clip_that_turns_the_head_too_far_is_not_the_bakes_fault() {
     let character = statue();
     let neck = character.node("neck");
-    let rest = character.document.skeleton().nodes()[neck].rest.rotation;
+    let rest = character.document.skeleton().rest()[neck].rotation;
     let turned = |degrees: f32| rest * Quat::from_rotation_x(degrees.to_radians());
     let clip = Clip::new("owl").with_rotation(neck, Track::linear([0.0, 1.0], [turned(110.0); 2]).expect("two keys"));
     let owl = character.document.with_clips(&[clip]).expect("a clip");
@@ -120,7 +120,7 @@ fn arms_that_leave_their_chest_are_told_in_parts_of_the_height() {
         |_| character.seen_at(2.0, 0.0, 0.0),
         |clip| {
             let node = character.node("left_clavicle");
-            let rest = character.document.skeleton().nodes()[node].rest.translation;
+            let rest = character.document.skeleton().rest()[node].translation;
             let times = times(clip);
             let keys: Vec<Vec3> =
                 times.iter().map(|_| (rest.as_dvec3() + DVec3::Y * (0.07 * height)).as_vec3()).collect();
@@ -141,7 +141,7 @@ fn a_gaze_above_its_target_is_told_once_it_had_the_time_to_come() {
     let lifted = |from: f64, target: &dyn Fn(f64) -> DVec3| {
         let (_, measured) = character.measure(Order::of(2.0), target, |clip| {
             let node = character.node("left_eye");
-            let rest = character.document.skeleton().nodes()[node].rest.rotation;
+            let rest = character.document.skeleton().rest()[node].rotation;
             let times = times(clip);
             let key =
                 |&t: &f32| if f64::from(t) < from { rest } else { rest * Quat::from_rotation_z(-17_f32.to_radians()) };
@@ -241,7 +241,7 @@ fn eyeless_statue(change: impl FnOnce(&mut serde_json::Value)) -> Character {
 fn a_gaze_beside_its_target_counts_once_it_had_the_time() {
     let character = statue();
     let neck = character.node("neck");
-    let rest = character.document.skeleton().nodes()[neck].rest.rotation;
+    let rest = character.document.skeleton().rest()[neck].rotation;
     // A neck turned aside by hand, from a time on, whatever the target.
     let beside = |from: f64, target_deg: &dyn Fn(f64) -> f64| {
         let target = |t: f64| character.seen_at(50.0, target_deg(t), 0.0);
@@ -278,7 +278,7 @@ fn a_head_that_lags_behind_a_jerky_idle_shows() {
     // The head is thrown to and fro by 12° at 2.5 Hz: three times the acceleration that a head has.
     let still = eyeless_statue(|_| ());
     let head = still.node("head");
-    let rest = still.document.skeleton().nodes()[head].rest.rotation;
+    let rest = still.document.skeleton().rest()[head].rotation;
     let keys: Vec<f32> = (0_u16..=240).map(|k| f32::from(k) / 60.0).collect();
     let jerk = |hertz: f32| {
         let swing = |t: &f32| {

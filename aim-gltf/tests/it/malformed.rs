@@ -11,7 +11,7 @@ fn exercise(bytes: &[u8]) -> Result<(), Error> {
     let measured = Measurement::of(&document);
     assert!(measured.bones.iter().all(|bone| bone.deviation_deg.is_finite()));
     for clip in document.clips() {
-        let _ = document.skeleton().world(&document.skeleton().pose(clip, 0.3));
+        let _ = document.skeleton().world_f64(&document.skeleton().pose(clip, 0.3));
     }
     let skeleton = document.skeleton();
     Palette::new(skeleton, &skeleton.world_f64(&[])).pose(&document.surface(), &mut Vec::new(), &mut Vec::new());

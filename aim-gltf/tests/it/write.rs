@@ -130,7 +130,7 @@ fn a_node_with_a_matrix_gets_its_parts_when_animated() {
         "nodes": [{ "matrix": [0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 5, 6, 7, 1], "name": "m" }],
     });
     let document = Document::from_bytes(&serde_json::to_vec(&json).unwrap()).unwrap();
-    let rest = document.skeleton().nodes()[0].rest;
+    let rest = document.skeleton().rest()[0];
     assert!((rest.scale - Vec3::splat(2.0)).length() < 1e-6 && rest.translation == Vec3::new(5.0, 6.0, 7.0));
     let (new_json, _) = take_apart(&document.with_clips(&[nod(0)]).unwrap());
     assert!(new_json["nodes"][0].get("matrix").is_none());

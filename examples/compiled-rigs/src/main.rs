@@ -11,8 +11,9 @@ mod built {
 
 use std::error::Error;
 
+use aim::animation::AimChain;
 use aim::glam::{Affine3A, Vec3};
-use aim::{AimRig, DynAim, Pose, Rig, Settings, Status};
+use aim::{AimRig, DynAim, Rig, Settings, Status};
 use aim_character::{PAPER_AXES, mannequin};
 use aim_gltf::Document;
 
@@ -40,27 +41,22 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn look(name: &str, rig: &dyn Rig, model: &Document, target: Vec3) -> Result<String, Box<dyn Error>> {
     const STEP: f32 = 1.0 / 60.0;
     let skeleton = model.skeleton();
-    let bones = |joint| (0..).map_while(move |candidate| rig.bone_name(joint, candidate));
-    let node = |joint| bones(joint).find_map(|name| skeleton.find(name).ok());
-    let nodes: Vec<usize> = (0..rig.description().joints().len())
-        .map(|joint| node(joint).ok_or(format!("the model has none of the bones of joint {joint}")))
-        .collect::<Result<_, _>>()?;
+    let chain = AimChain::named(skeleton, rig)?;
+    let mut gathered = chain.frame();
 
     let mut character = DynAim::new(rig);
-    let mut pose = skeleton.rest_pose();
+    let mut world = vec![Affine3A::IDENTITY; skeleton.len()];
     let mut status = Status::Degenerate;
     for frame in 0..60_u8 {
         let time = STEP * f32::from(frame);
-        pose = model.clips().first().map_or_else(|| skeleton.rest_pose(), |clip| skeleton.pose(clip, time));
-        let animated = skeleton.world(&pose);
-        let joints: Vec<Affine3A> = nodes.iter().map(|&node| animated[node]).collect();
-        status = character.aim(&Pose::new(joints), target, STEP, &Settings::default()).status;
-        for (&node, &correction) in nodes.iter().zip(character.corrections()) {
-            pose[node].turn(correction);
-        }
+        let mut pose = model.clips().first().map_or_else(|| skeleton.rest().to_vec(), |clip| skeleton.pose(clip, time));
+        skeleton.to_model(&pose, &mut world)?;
+        chain.gather(&mut gathered, &mut pose, &mut world)?;
+        status = character.aim(&gathered.pose(), target, STEP, &Settings::default()).status;
+        chain.apply(&gathered, (&character).into(), &mut pose, &mut world)?;
     }
 
-    let eye = skeleton.world(&pose)[nodes[0]];
+    let eye = world[chain.joints()[0]];
     let gaze = eye.transform_vector3(rig.description().effector().forward.into()).normalize();
     let from = eye.transform_point3(rig.description().effector().origin.into());
     let mut text = format!(
@@ -76,7 +72,7 @@ fn look(name: &str, rig: &dyn Rig, model: &Document, target: Vec3) -> Result<Str
         let height = if pitch < -0.05 { "down" } else { "up" };
         text += &format!(
             "    {:<9} {:4.1}° {side}, {:4.1}° {height}\n",
-            bones(index).next().unwrap_or_default(),
+            rig.bone_name(index, 0).unwrap_or_default(),
             heading.abs(),
             pitch.abs()
         );

@@ -55,14 +55,13 @@ impl Landmarks {
 
 /// The hand of an arm: the first bone that is named so, else the last of the longest way down.
 fn hand(skeleton: &Skeleton, limb: usize) -> usize {
-    let nodes = skeleton.nodes();
     let (mut level, mut last) = (vec![limb], limb);
     while let Some(&first) = level.first() {
-        if let Some(&hand) = level.iter().find(|node| BoneName::new(name_of(&nodes[**node])).has(HANDS)) {
+        if let Some(&hand) = level.iter().find(|node| BoneName::new(name_of(skeleton, **node)).has(HANDS)) {
             return hand;
         }
         last = first;
-        level = level.iter().flat_map(|node| nodes[*node].children.iter().copied()).collect();
+        level = level.iter().flat_map(|node| skeleton.children(*node)).collect();
     }
     last
 }
