@@ -1,20 +1,29 @@
-//! Writes the mannequin in a convention of your choice: `mannequin OUT.glb [UP FORWARD LEFT]` with axes such as `+X -Z +Y`.
-//! `aim inspect OUT.glb` measures them again.
+//! Writes the mannequin in a convention of your choice: `mannequin OUT.glb [--moves] [--vrm0|--vrm1] [UP FORWARD LEFT]` with axes
+//! such as `+X -Z +Y`. `aim inspect OUT.glb` measures them again.
 
 use std::error::Error;
 
-use aim_character::{PAPER_AXES, mannequin};
+use aim_character::{Mannequin, PAPER_AXES, Vrm};
 use aim_gltf::write_file;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    match &arguments[..] {
-        [out] => Ok(write_file(out, &mannequin(|_| PAPER_AXES)?)?),
+    let mut file = Mannequin::new();
+    let mut words = Vec::new();
+    for argument in std::env::args().skip(1) {
+        match argument.as_str() {
+            "--moves" => file = file.with_moves(),
+            "--vrm0" => file = file.with_vrm(Vrm::V0),
+            "--vrm1" => file = file.with_vrm(Vrm::V1),
+            _ => words.push(argument),
+        }
+    }
+    match &words[..] {
+        [out] => Ok(write_file(out, &file.glb(|_| PAPER_AXES)?)?),
         [out, up, forward, left] => {
             let axes = [axis(up)?, axis(forward)?, axis(left)?];
-            Ok(write_file(out, &mannequin(|_| axes)?)?)
+            Ok(write_file(out, &file.glb(|_| axes)?)?)
         }
-        _ => Err("give OUT.glb [UP FORWARD LEFT]".into()),
+        _ => Err("give OUT.glb [--moves] [--vrm0|--vrm1] [UP FORWARD LEFT]".into()),
     }
 }
 

@@ -50,7 +50,7 @@ pub use bake::plausibility::{Appearance, Criterion, Plausibility, Worst};
 pub use bake::reach::{Arrival, Goal, LimbFrame, LimbNodes, ReachPlan, Reached, reach};
 pub use bake::{Baked, Plan, Settle, bake};
 pub use error::Error;
-pub use mannequin::{PAPER_AXES, mannequin};
+pub use mannequin::{Mannequin, PAPER_AXES, Vrm, mannequin};
 pub use measure::clues::Clue;
 pub use measure::evidence;
 pub use measure::facing::{Evidence, Stated};

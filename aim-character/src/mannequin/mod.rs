@@ -5,14 +5,17 @@
 
 mod body;
 mod joints;
+mod moves;
 mod pack;
 mod shape;
+mod vrm;
 mod walk;
 
 use glam::{DMat3, DVec3};
 
 use crate::error::Error;
 use joints::Bone;
+pub use vrm::Vrm;
 
 /// The paper's convention: a bone's +X is up, +Y forward, +Z left.
 pub const PAPER_AXES: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -28,22 +31,74 @@ pub const PAPER_AXES: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0
 /// # Errors
 /// [`Error::Axes`] for a joint whose three vectors are not orthonormal to within 1e-3.
 pub fn mannequin(axes_of: impl Fn(&str) -> [[f32; 3]; 3]) -> Result<Vec<u8>, Error> {
-    let joints = joints::joints();
-    let frames = joints.iter().map(|joint| frame(&joint.name, axes_of(&joint.name))).collect::<Result<Vec<_>, _>>()?;
-    let bone = |(joint, &frame): (&joints::Joint, &DMat3)| {
-        let parent = joint.parent.map(|parent| (frames[parent], joints[parent].position));
-        let (parent_frame, parent_position) = parent.unwrap_or((DMat3::IDENTITY, DVec3::ZERO));
-        let mirrors = parent_frame.determinant() * frame.determinant() < 0.0;
-        Bone {
-            frame,
-            // Frames are orthonormal, so the transpose is the inverse, mirrored or not.
-            to_parent: parent_frame.transpose(),
-            offset: joint.position - parent_position,
-            mirror: if mirrors { DVec3::new(-1.0, 1.0, 1.0) } else { DVec3::ONE },
-        }
-    };
-    let rig: Vec<Bone> = joints.iter().zip(&frames).map(bone).collect();
-    pack::pack(&joints, &rig)
+    Mannequin::new().glb(axes_of)
+}
+
+/// The mannequin with more than [`mannequin`] writes.
+///
+/// ```
+/// use aim_character::{Mannequin, PAPER_AXES, Vrm};
+/// use aim_gltf::Document;
+///
+/// let file = Mannequin::new().with_moves().with_vrm(Vrm::V1).glb(|_| PAPER_AXES)?;
+/// let document = Document::from_bytes(&file)?;
+/// assert!(document.clip("run").is_ok());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Mannequin {
+    moves: bool,
+    vrm: Option<Vrm>,
+}
+
+impl Mannequin {
+    /// The figure with its walk.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { moves: false, vrm: None }
+    }
+
+    /// With the clips `walk_ahead` (1.2 m in 1.1 s), `walk_circle` (once round to the left, 9.6 m), `run` (2 m in 0.7 s), `jump`,
+    /// `turn` (a quarter to the left, in two steps) and `wave` after `walk`. The hips carry their movement: all are loops but for
+    /// that. Feet stay where they stand.
+    #[must_use]
+    pub const fn with_moves(mut self) -> Self {
+        self.moves = true;
+        self
+    }
+
+    /// As a VRM file: bones by VRM's names, arms level where no clip moves them, eyes that look by their bones. One of version 0
+    /// faces −Z.
+    #[must_use]
+    pub const fn with_vrm(mut self, version: Vrm) -> Self {
+        self.vrm = Some(version);
+        self
+    }
+
+    /// The file, as [`mannequin`] writes it.
+    ///
+    /// # Errors
+    /// [`Error::Axes`] for a joint whose three vectors are not orthonormal to within 1e-3.
+    pub fn glb(&self, axes_of: impl Fn(&str) -> [[f32; 3]; 3]) -> Result<Vec<u8>, Error> {
+        let joints = joints::joints();
+        let frames =
+            joints.iter().map(|joint| frame(&joint.name, axes_of(&joint.name))).collect::<Result<Vec<_>, _>>()?;
+        let scene = self.vrm.map_or(DMat3::IDENTITY, Vrm::scene);
+        let bone = |(joint, &frame): (&joints::Joint, &DMat3)| {
+            let parent = joint.parent.map(|parent| (frames[parent], joints[parent].position));
+            let (parent_frame, parent_position) = parent.unwrap_or((scene.transpose(), DVec3::ZERO));
+            let mirrors = parent_frame.determinant() * frame.determinant() < 0.0;
+            Bone {
+                frame,
+                // Frames are orthonormal, so the transpose is the inverse, mirrored or not.
+                to_parent: parent_frame.transpose(),
+                offset: joint.position - parent_position,
+                mirror: if mirrors { DVec3::new(-1.0, 1.0, 1.0) } else { DVec3::ONE },
+            }
+        };
+        let rig: Vec<Bone> = joints.iter().zip(&frames).map(bone).collect();
+        pack::pack(if self.moves { &moves::MOVES } else { &[] }, self.vrm, &joints, &rig)
+    }
 }
 
 /// Character ← bone from the three vectors in the bone's space.

@@ -4,12 +4,14 @@ use std::sync::Arc;
 
 use aim_animation::Clip;
 use aim_gltf::{Document, Skeleton, to_glb};
-use glam::{DQuat, DVec3, Quat, Vec3};
+use glam::{DMat3, DQuat, DVec3, Quat, Vec3};
 use serde_json::{Value, json};
 
 use super::body::{MATERIALS, surfaces};
 use super::joints::{Bone, Joint};
+use super::moves::Move;
 use super::shape::ShapeMesh;
+use super::vrm::{Vrm, t_pose};
 use super::walk;
 use crate::bake::{continuous, line};
 use crate::error::Error;
@@ -62,12 +64,17 @@ impl Data {
 }
 
 /// The whole file.
-pub(super) fn pack(joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
+pub(super) fn pack(moves: &[Move], vrm: Option<Vrm>, joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
     let mut data = Data::default();
-    let primitives: Vec<Value> = surfaces(joints).iter().enumerate().map(|(k, s)| primitive(&mut data, s, k)).collect();
-    let binds: Vec<[f32; 16]> = joints.iter().zip(rig).map(|(joint, bone)| inverse_bind(joint, bone)).collect();
+    let scene = vrm.map_or(DMat3::IDENTITY, Vrm::scene);
+    let mut surfaces = surfaces(joints);
+    for surface in &mut surfaces {
+        surface.positions.iter_mut().chain(&mut surface.normals).for_each(|v| *v = scene * *v);
+    }
+    let primitives: Vec<Value> = surfaces.iter().enumerate().map(|(k, s)| primitive(&mut data, s, k)).collect();
+    let binds: Vec<[f32; 16]> = joints.iter().zip(rig).map(|(joint, bone)| inverse_bind(joint, bone, scene)).collect();
     let binds = data.floats(&binds, None, false);
-    let mut nodes: Vec<Value> = (0..joints.len()).map(|index| node(joints, rig, index)).collect();
+    let mut nodes: Vec<Value> = (0..joints.len()).map(|index| node(vrm, joints, rig, index)).collect();
     nodes.push(json!({ "name": "body", "mesh": 0, "skin": 0 }));
     let material = |m: &super::body::Tint| {
         let [r, g, b] = m.colour;
@@ -88,9 +95,17 @@ pub(super) fn pack(joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
     json["accessors"] = data.accessors.into();
     json["bufferViews"] = data.views.into();
     json["buffers"] = json!([{ "byteLength": data.bytes.len() }]);
+    if let Some(version) = vrm {
+        version.write(joints, &mut json);
+    }
     let glb = to_glb(json.to_string().as_bytes(), Some(&data.bytes))?;
     let document = Document::from_bytes(&glb)?;
-    Ok(document.with_clips(&[walk_clip(joints, rig, document.skeleton())?])?)
+    let bones = (document.skeleton(), rig);
+    let mut clips = vec![clip("walk", walk::times(), bones, |t| walk::at(joints, t))?];
+    for one in moves {
+        clips.push(clip(one.name, one.times(), bones, |t| one.at(joints, t))?);
+    }
+    Ok(document.with_clips(&clips)?)
 }
 
 fn narrow3(v: DVec3) -> [f32; 3] {
@@ -102,12 +117,14 @@ fn narrow4(q: DQuat) -> [f32; 4] {
     q.to_array().map(|x| num::narrow(x) + 0.0)
 }
 
-fn node(joints: &[Joint], rig: &[Bone], index: usize) -> Value {
+fn node(vrm: Option<Vrm>, joints: &[Joint], rig: &[Bone], index: usize) -> Value {
     let bone = &rig[index];
+    let place = |name: &str| joints.iter().find(|joint| joint.name == name).map_or(DVec3::ZERO, |joint| joint.position);
+    let rest = vrm.map_or(DQuat::IDENTITY, |_| t_pose(&joints[index].name, place));
     let mut node = json!({
         "name": joints[index].name,
         "translation": narrow3(bone.translation(DVec3::ZERO)).map(f64::from),
-        "rotation": narrow4(bone.rotation(DQuat::IDENTITY)).map(f64::from),
+        "rotation": narrow4(bone.rotation(rest)).map(f64::from),
     });
     if bone.mirror != DVec3::ONE {
         node["scale"] = json!(bone.mirror.to_array());
@@ -119,9 +136,10 @@ fn node(joints: &[Joint], rig: &[Bone], index: usize) -> Value {
     node
 }
 
-fn inverse_bind(joint: &Joint, bone: &Bone) -> [f32; 16] {
+fn inverse_bind(joint: &Joint, bone: &Bone, scene: DMat3) -> [f32; 16] {
     let turn = bone.frame.transpose();
-    let [x, y, z] = [turn.x_axis, turn.y_axis, turn.z_axis].map(narrow3);
+    let from_mesh = turn * scene.transpose();
+    let [x, y, z] = [from_mesh.x_axis, from_mesh.y_axis, from_mesh.z_axis].map(narrow3);
     let t = narrow3(-(turn * joint.position));
     [x[0], x[1], x[2], 0.0, y[0], y[1], y[2], 0.0, z[0], z[1], z[2], 0.0, t[0], t[1], t[2], 1.0]
 }
@@ -151,27 +169,32 @@ fn primitive(data: &mut Data, surface: &ShapeMesh, material: usize) -> Value {
     })
 }
 
-fn walk_clip(joints: &[Joint], rig: &[Bone], skeleton: &Skeleton) -> Result<Clip, Error> {
-    let phase = |k: u32| f64::from(k % walk::KEYS) / f64::from(walk::KEYS);
-    let time = |k: u32| num::narrow(f64::from(k) / f64::from(walk::KEYS) * walk::SECONDS);
-    let times: Arc<[f32]> = (0..=walk::KEYS).map(time).collect();
-    let mut clip = Clip::new("walk");
-    for (node, (joint, bone)) in joints.iter().zip(rig).enumerate() {
-        let Some(index) = skeleton.bone_of(node) else { continue };
-        if joint.parent.is_none() {
-            let place = |k: u32| narrow3(bone.translation(walk::hips_offset(phase(k)))).into();
-            let places: Vec<Vec3> = (0..=walk::KEYS).map(place).collect();
-            clip = clip.with_translation(index, line(&times, places)?);
-        }
-        if (0..walk::KEYS).all(|k| walk::turn(&joint.name, phase(k)) == DQuat::IDENTITY) {
+/// A clip by the hips' offset and the turn of every joint at each of its times.
+fn clip(
+    name: &str,
+    times: impl Iterator<Item = f64>,
+    (skeleton, rig): (&Skeleton, &[Bone]),
+    at: impl Fn(f64) -> (DVec3, Vec<DQuat>),
+) -> Result<Clip, Error> {
+    let seconds: Vec<f64> = times.collect();
+    let postures: Vec<_> = seconds.iter().map(|&t| at(t)).collect();
+    let times: Arc<[f32]> = seconds.into_iter().map(num::narrow).collect();
+    let places: Vec<Vec3> = postures.iter().map(|(hips, _)| narrow3(rig[0].translation(*hips)).into()).collect();
+    let mut clip = Clip::new(name);
+    if let Some(root) = skeleton.bone_of(0) {
+        clip = clip.with_translation(root, line(&times, places)?);
+    }
+    for (index, bone) in rig.iter().enumerate() {
+        let Some(node) = skeleton.bone_of(index) else { continue };
+        if postures.iter().all(|(_, turns)| turns[index] == DQuat::IDENTITY) {
             continue;
         }
         let mut turns: Vec<Quat> = Vec::new();
-        for k in 0..=walk::KEYS {
-            let turn = Quat::from_array(narrow4(bone.rotation(walk::turn(&joint.name, phase(k)))));
+        for (_, posture) in &postures {
+            let turn = Quat::from_array(narrow4(bone.rotation(posture[index])));
             turns.push(continuous(turns.last(), turn));
         }
-        clip = clip.with_rotation(index, line(&times, turns)?);
+        clip = clip.with_rotation(node, line(&times, turns)?);
     }
     Ok(clip)
 }

@@ -4,19 +4,33 @@ use core::f64::consts::TAU;
 
 use glam::{DQuat, DVec3};
 
+use super::joints::Joint;
+
 /// Length of two steps, seconds.
-pub(crate) const SECONDS: f64 = 1.2;
+const SECONDS: f64 = 1.2;
 /// Keys of one period, the repeated first one not counted.
-pub(crate) const KEYS: u32 = 36;
+const KEYS: u32 = 36;
+
+/// The times of keys; those of the beginning and the end are one phase.
+pub(super) fn times() -> impl Iterator<Item = f64> {
+    (0..=KEYS).map(|k| f64::from(k) / f64::from(KEYS) * SECONDS)
+}
+
+/// The hips' offset and the turn of each joint at the time of a key.
+pub(super) fn at(joints: &[Joint], seconds: f64) -> (DVec3, Vec<DQuat>) {
+    let key = (seconds / SECONDS * f64::from(KEYS)).round() % f64::from(KEYS);
+    let phase = key / f64::from(KEYS);
+    (hips_offset(phase), joints.iter().map(|joint| turn(&joint.name, phase)).collect())
+}
 
 /// Offset of the hips from their bind place at a phase (0…1), metres.
-pub(crate) fn hips_offset(phase: f64) -> DVec3 {
+fn hips_offset(phase: f64) -> DVec3 {
     let p = TAU * phase;
     DVec3::new(0.012 * p.cos(), 0.016 * (2.0 * p).cos() - 0.022, 0.0)
 }
 
 /// The turn of a joint at a phase (0…1); no turn is the bind pose. Axes: x left, y up, z forward.
-pub(crate) fn turn(joint: &str, phase: f64) -> DQuat {
+fn turn(joint: &str, phase: f64) -> DQuat {
     let p = TAU * phase;
     // Turns about +x tip the top forward, so a hanging limb swings back.
     let tip = DQuat::from_rotation_x;

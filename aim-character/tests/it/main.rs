@@ -6,6 +6,7 @@ mod facing;
 mod ik;
 mod mannequin;
 mod mixed_rigs;
+mod moves;
 mod names;
 mod reach;
 mod rigs;

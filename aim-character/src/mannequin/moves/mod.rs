@@ -1,0 +1,58 @@
+//! What the mannequin can do besides walking in place. A move says where hips and feet are at a time and how trunk and arms
+//! turn; [`legs`] bends the legs to that, so feet stand where they stand. `gait.rs` walks and runs, `acts.rs` does the rest.
+
+mod acts;
+mod curve;
+mod gait;
+mod legs;
+mod posture;
+
+use glam::{DQuat, DVec3};
+
+use super::joints::Joint;
+use posture::Posture;
+
+/// Keys a second: so many that a foot does not stray between them.
+const RATE: f64 = 60.0;
+
+/// A move: a clip of the mannequin, by a formula.
+pub(super) struct Move {
+    pub(super) name: &'static str,
+    pub(super) seconds: f64,
+    posture: fn(f64) -> Posture,
+}
+
+/// All moves.
+pub(super) const MOVES: [Move; 6] = [
+    Move { name: "walk_ahead", seconds: gait::WALK.period, posture: |t| gait::WALK.posture(t) },
+    Move {
+        name: "walk_circle",
+        seconds: gait::CIRCLE.period * gait::CIRCLE_CYCLES,
+        posture: |t| gait::CIRCLE.posture(t),
+    },
+    Move { name: "run", seconds: gait::RUN.period, posture: |t| gait::RUN.posture(t) },
+    Move { name: "jump", seconds: acts::JUMP, posture: acts::jump },
+    Move { name: "turn", seconds: acts::TURN, posture: acts::turn },
+    Move { name: "wave", seconds: acts::WAVE, posture: acts::wave },
+];
+
+impl Move {
+    /// Times of keys.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few hundred")]
+    pub(super) fn times(&self) -> impl Iterator<Item = f64> + use<> {
+        let (count, seconds) = ((self.seconds * RATE).round() as u32, self.seconds);
+        (0..=count).map(move |k| seconds * f64::from(k) / f64::from(count))
+    }
+
+    /// The hips' offset from their bind place, and the turn of every joint relative to its parent, in the character's axes.
+    pub(super) fn at(&self, joints: &[Joint], seconds: f64) -> (DVec3, Vec<DQuat>) {
+        let posture = (self.posture)(seconds);
+        let mut turns: Vec<DQuat> = joints.iter().map(|joint| (posture.turns)(&joint.name)).collect();
+        let (offset, turn) = posture.hips;
+        turns[0] = turn;
+        for (side, foot) in ["left", "right"].into_iter().zip(posture.feet) {
+            legs::bend(joints, &mut turns, offset, side, foot);
+        }
+        (offset, turns)
+    }
+}

@@ -1,0 +1,191 @@
+//! What the mannequin does, judged by forward kinematics of the written file: soles on the ground, loops, arms and head.
+
+use aim_character::{Mannequin, Measurement, PAPER_AXES, Role, Vrm, propose};
+use aim_gltf::{Document, LookAt, LookAtKind};
+use glam::{DAffine3, DQuat, DVec3};
+
+fn built(file: Mannequin) -> Document {
+    Document::from_bytes(&file.glb(|_| PAPER_AXES).unwrap()).unwrap()
+}
+
+/// The clips, and where the figure is after each: forward in metres, and to the left in quarter turns.
+const MOVES: [(&str, f64, f64); 6] = [
+    ("walk_ahead", 1.2, 0.0),
+    ("walk_circle", 0.0, 0.0),
+    ("run", 2.0, 0.0),
+    ("jump", 0.0, 0.0),
+    ("turn", 0.0, 1.0),
+    ("wave", 0.0, 0.0),
+];
+
+/// Each joint in the world at a time, and what leads there from the bind pose.
+fn posed(document: &Document, clip: &str, seconds: f32) -> (Vec<DAffine3>, Vec<DAffine3>) {
+    let skeleton = document.skeleton();
+    let world = skeleton.world_f64(&skeleton.pose(document.clip(clip).unwrap(), seconds));
+    let moved = skeleton.nodes().iter().zip(&world);
+    let moved = moved.map(|(node, world)| *world * node.inverse_bind.unwrap_or(DAffine3::IDENTITY)).collect();
+    (world, moved)
+}
+
+fn frames(document: &Document, clip: &str, rate: f32) -> Vec<(f32, Vec<DAffine3>, Vec<DAffine3>)> {
+    let length = document.clip(clip).unwrap().length_s();
+    let count = (1..u16::MAX).find(|k| f32::from(*k) > length * rate - 0.5).unwrap();
+    let time = |k: u16| length * f32::from(k) / f32::from(count);
+    (0..=count)
+        .map(|k| {
+            let (world, moved) = posed(document, clip, time(k));
+            (time(k), world, moved)
+        })
+        .collect()
+}
+
+/// Heel, ball and tip of both soles, by the bones that carry them.
+fn soles(document: &Document, moved: &[DAffine3]) -> [[DVec3; 3]; 2] {
+    [("left", 1.0), ("right", -1.0)].map(|(side, sign)| {
+        let bone = |name: &str| moved[document.skeleton().find(&format!("{side}_{name}")).unwrap()];
+        let at = |bone: DAffine3, z: f64| bone.transform_point3(DVec3::new(0.097 * sign, 0.0, z));
+        [at(bone("foot"), -0.06), at(bone("toes"), 0.09), at(bone("toes"), 0.17)]
+    })
+}
+
+/// Four samples a key: no sole in the ground, none that slides on it, and never both feet up but in a run and a jump.
+#[test]
+fn feet_stay_where_they_stand() {
+    let document = built(Mannequin::new().with_moves());
+    for (name, ..) in MOVES {
+        let frames = frames(&document, name, 240.0);
+        let (mut lowest, mut slid, mut flown, mut stood) = (f64::INFINITY, 0.0_f64, 0.0_f64, [0.0_f64; 2]);
+        // Where each point came down, while it is down.
+        let mut down: [[Option<DVec3>; 3]; 2] = Default::default();
+        for (_, _, moved) in &frames {
+            let soles = soles(&document, moved);
+            for (foot, sole) in soles.iter().enumerate() {
+                for (point, down) in sole.iter().zip(&mut down[foot]) {
+                    lowest = lowest.min(point.y);
+                    *down = (point.y < 2e-3).then(|| down.unwrap_or(*point));
+                    slid = slid.max(down.map_or(0.0, |at| (*point - at).with_y(0.0).length()));
+                }
+                stood[foot] += f64::from(u8::from(down[foot].iter().any(Option::is_some)));
+            }
+            flown += f64::from(u8::from(down.iter().flatten().all(Option::is_none)));
+        }
+        let share = |of: f64| of / frames.len() as f64;
+        println!(
+            "{name}: lowest {lowest:.4} m, slid {slid:.4} m, in the air {:.2}, down {:?}",
+            share(flown),
+            stood.map(share)
+        );
+        assert!(lowest > -0.01, "{name}: a sole is {lowest} m high");
+        assert!(slid < 0.01, "{name}: a sole slides {slid} m");
+        let flies = matches!(name, "run" | "jump");
+        assert_eq!(flies, share(flown) > 0.15, "{name}: in the air for {} of the time", share(flown));
+        assert!(flies || share(flown) < 0.01, "{name}: in the air for {} of the time", share(flown));
+        assert!(stood.iter().all(|stood| share(*stood) > 0.25), "{name}: both feet come down");
+    }
+}
+
+/// The end goes over into the beginning, moved along: in place, and without a jump in speed larger than what any two keys of
+/// the clip have.
+#[test]
+fn they_are_loops() {
+    let document = built(Mannequin::new().with_moves());
+    for (name, ahead, quarters) in MOVES {
+        let along = DAffine3::from_rotation_translation(
+            DQuat::from_rotation_y(quarters * std::f64::consts::FRAC_PI_2),
+            DVec3::Z * ahead,
+        );
+        let frames = frames(&document, name, 60.0);
+        let last = frames.len() - 1;
+        let (mut worst, mut most) = (0.0_f64, 0.0_f64);
+        for joint in 0..25 {
+            let at = |k: usize| frames[k].1[joint];
+            assert!(at(last).abs_diff_eq(along * at(0), 1e-5), "{name} joint {joint}: {:?} {:?}", at(last), at(0));
+            let bend = |a: DVec3, b: DVec3, c: DVec3| (a - 2.0 * b + c).length();
+            let place = |k: usize| at(k).translation;
+            worst = worst.max(bend(place(last - 1), place(last), along.transform_point3(place(1))));
+            most = (1..last).map(|k| bend(place(k - 1), place(k), place(k + 1))).fold(most, f64::max);
+        }
+        println!("{name}: {worst:.4} m at the seam, {most:.4} m elsewhere");
+        assert!(worst < 1.05 * most, "{name}: {worst} beside {most}");
+    }
+}
+
+/// The hand of a side goes back while the foot of that side goes ahead; the head is up and looks ahead of the hips.
+#[test]
+fn arms_swing_against_the_legs_and_the_head_is_up() {
+    let document = built(Mannequin::new().with_moves());
+    let find = |name: &str| document.skeleton().find(name).unwrap();
+    let bind = document.skeleton().nodes()[find("head")].inverse_bind.unwrap();
+    for (name, ..) in MOVES {
+        let frames = frames(&document, name, 60.0);
+        let (mut least_up, mut furthest) = (1.0_f64, 0.0_f64);
+        let mut ways: [Vec<f64>; 2] = Default::default();
+        for (_, world, moved) in &frames {
+            let head = world[find("head")] * bind;
+            least_up = least_up.min(head.matrix3.y_axis.normalize().y);
+            let [ahead, hips_ahead] = [head, moved[find("hips")]].map(|at| at.matrix3.z_axis.with_y(0.0).normalize());
+            furthest = furthest.max(ahead.angle_between(hips_ahead));
+            let hips = world[find("hips")].translation;
+            for (ways, part) in ways.iter_mut().zip(["left_hand", "left_foot"]) {
+                ways.push((world[find(part)].translation - hips).dot(hips_ahead));
+            }
+        }
+        println!("{name}: head up {least_up:.3}, away from the hips' front by {:.0}°", furthest.to_degrees());
+        assert!(least_up > 0.95, "{name}: the head leans, {least_up}");
+        assert!(furthest < 0.7, "{name}: the head is turned by {furthest}");
+        if name.starts_with("walk") || name == "run" {
+            let mean = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;
+            let [hand, foot] = ways.each_ref().map(|way| (way, mean(way)));
+            let product = |a: (&Vec<f64>, f64), b: (&Vec<f64>, f64)| {
+                a.0.iter().zip(b.0).map(|(x, y)| (x - a.1) * (y - b.1)).sum::<f64>()
+            };
+            let correlation = product(hand, foot) / (product(hand, hand) * product(foot, foot)).sqrt();
+            println!("{name}: hand and foot {correlation:.2}");
+            assert!(correlation < -0.8, "{name}: {correlation}");
+        }
+    }
+}
+
+/// Both versions of VRM: what is drawn is the same, but that version 0 faces the other way, and all of it is found again.
+#[test]
+fn as_vrm_files() {
+    let plain = built(Mannequin::new().with_moves());
+    for (version, facing) in [(Vrm::V0, DVec3::NEG_Z), (Vrm::V1, DVec3::Z)] {
+        let document = built(Mannequin::new().with_moves().with_vrm(version));
+        let scene = DAffine3::from_scale(DVec3::new(facing.z, 1.0, facing.z));
+        for (clip, seconds) in [("walk", 0.3), ("run", 0.2), ("wave", 1.0), ("turn", 0.9)] {
+            let (_, expected) = posed(&plain, clip, seconds);
+            let (_, found) = posed(&document, clip, seconds);
+            // The mesh faces the other way, too.
+            for (joint, (expected, found)) in expected.iter().zip(&found).enumerate().take(25) {
+                assert!((*found * scene).abs_diff_eq(scene * *expected, 2e-6), "{version:?} {clip} joint {joint}");
+            }
+        }
+        let measured = Measurement::of(&document);
+        assert_eq!((measured.up, measured.forward), (DVec3::Y, facing), "{version:?}");
+        for (role, name) in [
+            (Role::Hips, "hips"),
+            (Role::Neck, "neck"),
+            (Role::Head, "head"),
+            (Role::LeftEye, "left_eye"),
+            (Role::RightEye, "right_eye"),
+        ] {
+            assert_eq!(measured.with_role(role).map(|bone| bone.name.as_str()), Some(name), "{version:?}");
+        }
+        let named = document.skeleton().nodes().iter().filter(|node| node.vrm_bone.is_some()).count();
+        assert_eq!(named, 24, "{version:?}: all but one bone of the spine");
+        let look = LookAt::of(&document).expect("it has a lookAt");
+        assert_eq!(look.kind, LookAtKind::Bone);
+        assert!(LookAt::doubts(&document).is_empty());
+        assert_eq!([look.horizontal_outer.apply(20.0), look.vertical_up.apply(40.0)], [20.0, 25.0]);
+        let spec = propose(&document, &measured, None).unwrap().spec;
+        // An eye, the head, the neck, and of the spine what VRM has names for.
+        assert_eq!(spec.joints.len(), 6, "{version:?}");
+        // Arms level at rest.
+        let skeleton = document.skeleton();
+        let rest = skeleton.world_f64(skeleton.rest());
+        let hand = |side: &str| rest[skeleton.find(&format!("{side}_hand")).unwrap()].translation;
+        assert!((hand("left").y - hand("right").y).abs() < 1e-6 && hand("left").y > 1.3, "{version:?}");
+        assert!((hand("left") - hand("right")).length() > 1.2);
+    }
+}
