@@ -3,8 +3,8 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
-use aim_runtime::rotation::{inverse, nearest_orthogonal, unit};
+use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3, Vec3A};
+use aim_runtime::rotation::{angle, inverse, length, nearest_orthogonal, product, shortest, unit};
 use aim_runtime::{Pose, Rig};
 
 use crate::pose::{PoseError, check_length};
@@ -23,6 +23,8 @@ pub enum AimChainError {
     Order(usize),
     /// There is no such bone for the other eye, or it is a joint.
     OtherEye,
+    /// There is no such bone for the trunk.
+    Trunk,
     /// There is no such bone to hold, or it is a joint, or it does not hang on its joint.
     Held,
 }
@@ -36,6 +38,7 @@ impl fmt::Display for AimChainError {
                 write!(f, "the bone of joint {} does not hang on that of joint {joint}", joint.saturating_sub(1))
             }
             Self::OtherEye => f.write_str("the other eye has no bone, or that of a joint"),
+            Self::Trunk => f.write_str("the trunk has no bone"),
             Self::Held => f.write_str("a bone to be held does not exist, is a joint, or does not hang on its joint"),
         }
     }
@@ -70,12 +73,25 @@ impl core::error::Error for AimChainError {}
 #[derive(Clone, Debug, PartialEq)]
 pub struct AimChain {
     skeleton: Skeleton,
-    /// Every bone at rest, in the space of the model.
-    rest: Vec<Affine3A>,
+    /// Every bone in the bind pose, in the space of the model.
+    bind: Vec<Affine3A>,
     joints: Vec<usize>,
     other_eye: Option<OtherEye>,
     held: Vec<Held>,
-    up: Option<Vec3>,
+    up: Option<Up>,
+}
+
+/// Up to this lean of the trunk what is up for a character that stands is its up: it stands, walks, or bends forward.
+const STANDS_RAD: f32 = core::f32::consts::FRAC_PI_4;
+/// From this lean on (75°) it lies or hangs, and its up is that of its trunk.
+const LIES_RAD: f32 = 5.0 * core::f32::consts::FRAC_PI_6 / 2.0;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Up {
+    /// Of a character that stands, in the space of the model.
+    standing: Vec3,
+    /// The bone that tells how it stands.
+    trunk: Option<usize>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -138,6 +154,12 @@ impl AimFrame {
         Some(self.with_rest(Pose::new(joints).with_bind(bind)))
     }
 
+    /// Every bone in the space of the model, as it was gathered.
+    #[must_use]
+    pub fn model(&self) -> &[Affine3A] {
+        &self.animated
+    }
+
     fn with_rest<A>(&self, mut pose: Pose<A>) -> Pose<A> {
         (pose.up, pose.other_eye) = (self.up, self.other_eye);
         pose
@@ -162,10 +184,10 @@ impl AimChain {
         if joints.is_empty() {
             return Err(AimChainError::Empty);
         }
-        let mut rest = alloc::vec![Affine3A::IDENTITY; skeleton.len()];
+        let mut bind = alloc::vec![Affine3A::IDENTITY; skeleton.len()];
         // Of equal lengths.
-        let _ = skeleton.to_model(skeleton.rest(), &mut rest);
-        Ok(Self { skeleton: skeleton.clone(), rest, joints, other_eye: None, held: Vec::new(), up: None })
+        let _ = skeleton.to_model(skeleton.rest(), &mut bind);
+        Ok(Self { skeleton: skeleton.clone(), bind, joints, other_eye: None, held: Vec::new(), up: None })
     }
 
     /// The chain of a rig by the names of its bones, with the bones that the rig holds. A name that no bone or that several bones
@@ -192,7 +214,19 @@ impl AimChain {
         Ok(chain)
     }
 
-    /// With the other eye, aimed too: see [`Pose::with_other_eye`]. It is first turned parallel to joint 0, as both are at rest.
+    /// With another bind pose than the rest pose, every bone in the space of the model: ranges from the bind pose count from it,
+    /// and in it the eyes are parallel and the trunk upright.
+    ///
+    /// # Errors
+    /// A slice of another length than the skeleton.
+    pub fn with_bind(mut self, bind: &[Affine3A]) -> Result<Self, PoseError> {
+        check_length(self.bind.len(), bind.len())?;
+        self.bind.copy_from_slice(bind);
+        Ok(self)
+    }
+
+    /// With the other eye, aimed too: see [`Pose::with_other_eye`]. It is first turned parallel to joint 0, as both are in the bind
+    /// pose.
     ///
     /// # Errors
     /// There is no such bone, or it is a joint.
@@ -209,7 +243,7 @@ impl AimChain {
     }
 
     fn with_eye(mut self, eye: OtherEye) -> Result<Self, AimChainError> {
-        if eye.bone >= self.rest.len() || self.joints.contains(&eye.bone) {
+        if eye.bone >= self.bind.len() || self.joints.contains(&eye.bone) {
             return Err(AimChainError::OtherEye);
         }
         self.other_eye = Some(eye);
@@ -223,7 +257,7 @@ impl AimChain {
     /// There is no such bone, it is a joint, or does not hang on the joint; or the carrier is not farther in.
     pub fn with_held(mut self, bone: usize, joint: usize, carrier: Option<usize>) -> Result<Self, AimChainError> {
         let on = self.joints.get(joint).copied().ok_or(AimChainError::Held)?;
-        if bone >= self.rest.len() || self.joints.contains(&bone) || !is_below(&self.skeleton, bone, on) {
+        if bone >= self.bind.len() || self.joints.contains(&bone) || !is_below(&self.skeleton, bone, on) {
             return Err(AimChainError::Held);
         }
         let carrier = match carrier {
@@ -238,8 +272,44 @@ impl AimChain {
     /// With the direction that is up for the character, in the space of the model: see [`Pose::with_up`].
     #[must_use]
     pub fn with_up(mut self, up: Vec3) -> Self {
-        self.up = Some(up);
+        self.up = Some(Up { standing: up, trunk: None });
         self
+    }
+
+    /// With the up of a character that may lie down: `up`, a unit vector in the space of the model, as long as `trunk`, its hips,
+    /// leans by less than 45° from the bind pose, from 75° on the same direction fixed to the trunk, and between them from the one
+    /// to the other without a jump.
+    ///
+    /// # Errors
+    /// There is no such bone.
+    pub fn with_standing_up(mut self, up: Vec3, trunk: usize) -> Result<Self, AimChainError> {
+        if trunk >= self.bind.len() {
+            return Err(AimChainError::Trunk);
+        }
+        self.up = Some(Up { standing: up, trunk: Some(trunk) });
+        Ok(self)
+    }
+
+    /// The character's up in a pose in the space of the model; `None` unless one was given.
+    #[must_use]
+    pub fn up(&self, model: &[Affine3A]) -> Option<Vec3> {
+        let Up { standing, trunk } = self.up?;
+        let own = trunk.and_then(|trunk| {
+            let frame = |at: &Affine3A| nearest_orthogonal(at.matrix3);
+            Some(frame(model.get(trunk)?)? * (frame(&self.bind[trunk])?.transpose() * Vec3A::from(standing)))
+        });
+        let Some(own) = own else { return Some(standing) };
+        let lean = angle(shortest(standing, own.into()));
+        let share = ((lean - STANDS_RAD) / (LIES_RAD - STANDS_RAD)).clamp(0.0, 1.0);
+        // Smoothstep: no kink in the head's motion.
+        let share = share * share * (3.0 - 2.0 * share);
+        let up = Vec3A::from(standing) * (1.0 - share) + own * share;
+        Some((up / length(up)).into())
+    }
+
+    /// The bones that are held: see [`with_held`](Self::with_held).
+    pub fn held(&self) -> impl Iterator<Item = usize> + '_ {
+        self.held.iter().map(|held| held.bone)
     }
 
     /// The bone of each joint, from the effector inward.
@@ -257,15 +327,15 @@ impl AimChain {
             bind: alloc::vec![Affine3A::IDENTITY; self.joints.len()],
             other_eye: None,
             up: None,
-            animated: alloc::vec![Affine3A::IDENTITY; self.rest.len()],
+            animated: alloc::vec![Affine3A::IDENTITY; self.bind.len()],
         }
     }
 
     /// Reads the animated pose: after it [`AimFrame::pose`] is what the solvers take.
     ///
     /// `local` is the pose as it was animated, without earlier corrections, and `model` the same in the space of the model. An other
-    /// eye that is aimed is turned in both. A joint's own uneven scale is taken out; ranges from the bind pose are counted from the
-    /// rest pose, carried along by what the chain hangs on.
+    /// eye that is aimed is turned in both. A joint's own uneven scale is taken out; the bind pose is carried along by what the
+    /// chain hangs on.
     ///
     /// # Errors
     /// A slice has another length than the skeleton, or `frame` is of another chain; then nothing is written.
@@ -288,13 +358,13 @@ impl AimChain {
         for (at, &bone) in frame.joints.iter_mut().zip(&self.joints) {
             *at = joint(bone);
         }
-        frame.up = self.up.map(|up| frame.place.transform_vector3(up));
-        // At rest, but moved along by what the chain hangs on.
+        frame.up = self.up(model).map(|up| frame.place.transform_vector3(up));
+        // The bind pose, but moved along by what the chain hangs on.
         let innermost = self.joints[self.joints.len() - 1];
-        let carried = self.skeleton.parents()[innermost].and_then(|on| Some(model[on] * inverse(&self.rest[on])?));
+        let carried = self.skeleton.parents()[innermost].and_then(|on| Some(model[on] * inverse(&self.bind[on])?));
         let carried = frame.place * carried.unwrap_or(Affine3A::IDENTITY);
         for (at, &bone) in frame.bind.iter_mut().zip(&self.joints) {
-            *at = carried * without_uneven_scale(&self.rest[bone], self.skeleton.rest()[bone].scale);
+            *at = carried * without_uneven_scale(&self.bind[bone], self.skeleton.rest()[bone].scale);
         }
         frame.animated.copy_from_slice(model);
         Ok(())
@@ -322,7 +392,7 @@ impl AimChain {
         if let Some(other) = self.other_eye {
             match corrections.other_eye.filter(|_| other.is_aimed) {
                 Some(correction) => local[other.bone].turn(correction),
-                None => self.follow(other.bone, before, local, model)?,
+                None => self.follow(other.bone, before, local, model),
             }
             self.skeleton.to_model_below(other.bone, local, model)?;
         }
@@ -333,35 +403,41 @@ impl AimChain {
         Ok(())
     }
 
-    /// The other eye's bone, and what leads from joint 0's space into its own where both are at rest.
-    pub(crate) fn other_eye_at_rest(&self) -> Option<(usize, Mat3A)> {
+    /// The other eye's bone, and what leads from joint 0's space into its own where both are in the bind pose.
+    pub(crate) fn other_eye_in_bind(&self) -> Option<(usize, Mat3A)> {
         let bone = self.other_eye?.bone;
-        let [eye, other] = [self.joints[0], bone].map(|bone| nearest_orthogonal(self.rest[bone].matrix3));
+        let [eye, other] = [self.joints[0], bone].map(|bone| nearest_orthogonal(self.bind[bone].matrix3));
         Some((bone, other?.transpose() * eye?))
     }
 
     fn check(&self, frame: &AimFrame, local: &[Transform], model: &[Affine3A]) -> Result<(), PoseError> {
-        let bones = self.rest.len();
+        let bones = self.bind.len();
         [local.len(), model.len(), frame.animated.len()].into_iter().try_for_each(|len| check_length(bones, len))?;
         check_length(self.joints.len(), frame.joints.len())
     }
 
-    /// The turn in the space of the model after which the other eye is to joint 0 as both are at rest.
+    /// The turn in the space of the model after which the other eye is to joint 0 as both are in the bind pose.
     fn parallel(&self, other: usize, model: &[Affine3A]) -> Option<Quat> {
         let eye = self.joints[0];
         let frame = |at: &Affine3A| nearest_orthogonal(at.matrix3);
-        let since_rest = frame(&model[eye])? * frame(&self.rest[eye])?.transpose();
-        rotation(&(since_rest * frame(&self.rest[other])? * frame(&model[other])?.transpose()))
+        let since_bind = frame(&model[eye])? * frame(&self.bind[eye])?.transpose();
+        rotation(&(since_bind * frame(&self.bind[other])? * frame(&model[other])?.transpose()))
     }
 
-    /// Turns the other eye in the space of the model as joint 0 was turned from its rotation `before`.
-    fn follow(&self, other: usize, before: Quat, local: &mut [Transform], model: &[Affine3A]) -> Result<(), PoseError> {
+    /// Turns the other eye in the space of the model as joint 0 was turned from its rotation `before`: between the orthogonal parts of
+    /// what carries them, so that on one bone of any scale both turn alike.
+    fn follow(&self, other: usize, before: Quat, local: &mut [Transform], model: &[Affine3A]) {
         let eye = self.joints[0];
-        let parent =
-            self.skeleton.parents()[eye].map_or(Some(Mat3A::IDENTITY), |on| nearest_orthogonal(model[on].matrix3));
+        let carrier = |bone: usize| match self.skeleton.parents()[bone] {
+            Some(on) => nearest_orthogonal(model[on].matrix3),
+            None => Some(Mat3A::IDENTITY),
+        };
         let [before, after] = [before, local[eye].rotation].map(|of| Mat3A::from_quat(made_unit(of)));
-        let turn = parent.and_then(|parent| rotation(&(parent * after * before.transpose() * parent.transpose())));
-        turn.map_or(Ok(()), |turn| self.skeleton.turn_in_model(other, turn, model, local))
+        let across = carrier(other).zip(carrier(eye)).map(|(other, eye)| other.transpose() * eye);
+        let turn = across.and_then(|across| rotation(&(across * after * before.transpose() * across.transpose())));
+        if let Some(turn) = turn {
+            local[other].rotation = made_unit(product(turn, local[other].rotation));
+        }
     }
 
     /// Moves a bone back to where its carrier has it. What is hidden by a scale of 0 has no place to keep.

@@ -92,7 +92,7 @@ impl<'a> Gizmos<'a> {
         let [origin, forward] = [effector.origin, effector.forward].map(Vec3A::from);
         let eye = self.joint(0);
         let gaze = eye.map(|at| (at.transform_point3a(origin), at.matrix3 * forward));
-        let other = self.chain.other_eye_at_rest().and_then(|(bone, to_eye)| {
+        let other = self.chain.other_eye_in_bind().and_then(|(bone, to_eye)| {
             let at = self.placed(bone)?;
             Some((at.translation, at.matrix3 * (to_eye * forward)))
         });

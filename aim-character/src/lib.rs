@@ -23,12 +23,12 @@
 //! // A frame: the animation, then the aim on top of it.
 //! let (skeleton, mut aim) = (document.skeleton(), DynAim::new(InterpretedRig::new(&spec)));
 //! let chain = ChainNodes::find(skeleton, spec.joints.iter().map(|joint| &joint.bones[..]), None)?;
-//! let live = Live::new(&aim.rig, &document, &measurement, &chain, false);
+//! let live = Live::new(&aim.rig, &document, &measurement, &chain, false)?;
 //! let mut pose = skeleton.pose(document.clip("walk")?, 0.5);
 //! let world = skeleton.world_f64(&pose);
 //! let target = DVec3::new(1.0, 1.7, 2.0);
-//! let joints = live.animated(skeleton, &mut pose, &world);
-//! let outcome = aim.snap(&joints, target.as_vec3(), &Settings::default());
+//! let joints = live.animated(&mut pose, &world);
+//! let outcome = aim.snap(&joints.pose(), target.as_vec3(), &Settings::default());
 //! let moment = Moment { t: 0.5, target, world: &world, joints: &joints, outcome, effector: 0 };
 //! let frame = live.aimed(&aim, skeleton, &mut pose, &moment);
 //! assert!(frame.error_deg < 0.1);

@@ -48,7 +48,7 @@ impl Options {
             Some(name) => Some(character.clip(name)?),
             None => None,
         };
-        let mut viewer = Viewer::new(character);
+        let mut viewer = Viewer::new(character)?;
         let stage = &mut viewer.stage;
         stage.clock.clip = clip.or(stage.clock.clip);
         stage.tuning.lineup = self.lineup.unwrap_or(stage.tuning.lineup);

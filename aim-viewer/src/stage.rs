@@ -193,10 +193,15 @@ pub(crate) struct Stage {
 }
 
 impl Stage {
-    pub(crate) fn new(character: Character) -> Self {
+    /// A character with a target.
+    ///
+    /// # Errors
+    /// A rig whose bones are no chain of the character.
+    pub(crate) fn new(character: Character) -> Result<Self, String> {
         let tuning = Tuning::new(&character);
         let rig = Arc::new(InterpretedRig::new(&tuning.spec));
-        let live = Live::new(&*rig, &character.document, &character.measurement, &character.chain, tuning.both_eyes);
+        let live = Live::new(&*rig, &character.document, &character.measurement, &character.chain, tuning.both_eyes)
+            .map_err(|error| format!("{}: {error}", character.name))?;
         let clip = (!character.clips().is_empty()).then_some(0);
         let mut stage = Self {
             target: Target::new(&room(&character)),
@@ -216,7 +221,7 @@ impl Stage {
         // A first frame without time: everything that is shown is there.
         stage.advance(0.0);
         stage.memory.clear();
-        stage
+        Ok(stage)
     }
 
     pub(crate) fn room(&self) -> Room {
@@ -312,9 +317,9 @@ impl Stage {
         let skeleton = self.character.skeleton();
         let settings = self.tuning.settings(actor.solver);
         let (mut pose, world) = self.animated(actor.phase);
-        let joints = self.live.animated(skeleton, &mut pose, &world);
+        let joints = self.live.animated(&mut pose, &world);
         let start = Instant::now();
-        let outcome = actor.character.aim(&joints, target, dt, &settings);
+        let outcome = actor.character.aim(&joints.pose(), target, dt, &settings);
         let taken = start.elapsed();
         let (target, effector) = (target.as_dvec3(), settings.effector);
         let moment = Moment { t: 0.0, target, world: &world, joints: &joints, outcome, effector };
@@ -349,7 +354,10 @@ impl Stage {
         let both_eyes = self.tuning.both_eyes;
         if both_eyes != self.live_is_for_both_eyes {
             let Character { document, measurement, chain, .. } = &self.character;
-            self.live = Live::new(&*self.rig, document, measurement, chain, both_eyes);
+            // It was a chain before.
+            if let Ok(live) = Live::new(&*self.rig, document, measurement, chain, both_eyes) {
+                self.live = live;
+            }
             self.live_is_for_both_eyes = both_eyes;
         }
         self.gather();

@@ -44,11 +44,15 @@ pub(crate) struct Viewer {
 }
 
 impl Viewer {
-    pub(crate) fn new(character: Character) -> Self {
-        let stage = Stage::new(character);
+    /// A window onto a character.
+    ///
+    /// # Errors
+    /// A rig whose bones are no chain of the character.
+    pub(crate) fn new(character: Character) -> Result<Self, String> {
+        let stage = Stage::new(character)?;
         let camera = camera(&stage, Vec2::ONE);
         let shown = Shown::default();
-        Self {
+        Ok(Self {
             stage,
             camera,
             shown,
@@ -59,7 +63,7 @@ impl Viewer {
             is_framed: false,
             scene: egui::Rect::ZERO,
             held: None,
-        }
+        })
     }
 
     /// The camera where all is in sight, as soon as it is known how much room the scene has.
@@ -147,9 +151,9 @@ impl Viewer {
 
     /// Another character, seen from where its face is; what is shown stays.
     pub(crate) fn open(&mut self, character: Result<Character, String>) {
-        match character {
-            Ok(character) => {
-                self.stage = Stage::new(character);
+        match character.and_then(Stage::new) {
+            Ok(stage) => {
+                self.stage = stage;
                 self.step_back();
                 self.plotted = None;
                 self.trouble = None;

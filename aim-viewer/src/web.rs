@@ -19,7 +19,7 @@ pub async fn start(canvas: &str) -> Result<(), String> {
     let document = window().and_then(|window| window.document()).ok_or("there is no page to draw on")?;
     let element = document.get_element_by_id(canvas).ok_or_else(|| format!("the page has no element {canvas:?}"))?;
     let element: HtmlCanvasElement = element.dyn_into().map_err(|_| format!("the element {canvas:?} is no canvas"))?;
-    let viewer = Viewer::new(Character::mannequin()?);
+    let viewer = Viewer::new(Character::mannequin()?)?;
     let told = element.clone();
     let after = Box::new(move |_: &eframe::egui::Context, viewer: &Viewer| {
         // Nothing depends on its being told.

@@ -1,7 +1,11 @@
 //! [`ChainNodes`]: the nodes of a file that the joints of a rig are.
 
-use crate::error::Error;
 use aim_gltf::Skeleton;
+use aim_runtime::Description;
+
+use crate::error::Error;
+use crate::measure::Measurement;
+use crate::measure::limbs::limbs_on;
 
 /// A node that hangs on a joint of a chain and keeps its place on what carries the joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,6 +96,22 @@ impl ChainNodes {
         }
         self.holds = Some(found);
         Ok(self)
+    }
+
+    /// The nodes to hold while a rig turns the chain's: those that were named, else the arms on the innermost joint of head and neck.
+    pub(crate) fn held(
+        &self,
+        description: &Description<'_>,
+        skeleton: &Skeleton,
+        measurement: &Measurement,
+    ) -> Vec<Hold> {
+        let is_of_head = |joint: &usize| description.joints()[*joint].role.is_of_head();
+        let found = || {
+            let joint = (0..self.joints.len()).rfind(is_of_head)?;
+            let limbs = limbs_on(skeleton, measurement, self.joints[joint]).into_iter();
+            Some(limbs.map(|node| Hold { joint, node }).collect())
+        };
+        self.holds.clone().or_else(found).unwrap_or_default()
     }
 
     /// Every node that is turned: the joints from the effector inward, then the other eye.

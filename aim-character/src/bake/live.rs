@@ -1,28 +1,29 @@
 //! [`Live`]: one chain of one character, aimed frame by frame over whatever its animation does.
 
-use aim_runtime::{DynAim, Joint, Outcome, Pose, Rig};
-use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3};
+use aim_animation::{AimChain, AimChainError, AimFrame, Clip, Transform};
+use aim_gltf::{Document, Skeleton};
+use aim_runtime::{DynAim, Joint, LimitsFrom, Outcome, Rig};
+use glam::{Affine3A, DAffine3, DMat3, DVec3, Vec3};
 
 use crate::bake::chain::ChainNodes;
 use crate::bake::eye_maps::EyeMaps;
-use crate::bake::held::Held;
 use crate::bake::morph_eyes::MorphEyes;
-use crate::bake::stance::Stance;
+use crate::bake::sights::{Sights, standing_up, trunk};
+use crate::error::Error;
 use crate::measure::Measurement;
-use crate::measure::frame::parent_frame;
-use aim_animation::{Clip, Transform};
-use aim_gltf::Document;
-use aim_gltf::Skeleton;
+use crate::measure::frame::orthonormal;
 
-/// One chain of a character of a [`Document`], aimed in each frame after its animation.
+/// One chain of a character of a [`Document`], aimed in each frame after its animation: an [`AimChain`] with what a file says of
+/// eyes, and a judge in double precision.
 ///
 /// A frame is: the animation's pose and its nodes in the world; [`animated`](Self::animated) of them; a call of
-/// [`DynAim::aim`] or [`DynAim::snap`]; then [`aimed`](Self::aimed), which puts the corrections into the pose.
+/// [`DynAim::aim`] or [`DynAim::snap`] with [`AimFrame::pose`]; then [`aimed`](Self::aimed), which puts the corrections into the
+/// pose. A pose of another length than the skeleton is not aimed.
 #[derive(Clone, Debug)]
 pub struct Live {
-    stance: Stance,
+    chain: AimChain,
+    sights: Sights,
     both_eyes: bool,
-    held: Vec<Held>,
     maps: EyeMaps,
     morphs: MorphEyes,
 }
@@ -37,7 +38,7 @@ pub struct Moment<'a> {
     /// Every node in the world, animated.
     pub world: &'a [DAffine3],
     /// The result of [`Live::animated`].
-    pub joints: &'a Pose<Vec<Affine3A>>,
+    pub joints: &'a AimFrame,
     /// The solver's outcome.
     pub outcome: Outcome,
     /// The aimed joint: [`Settings::effector`](aim_runtime::Settings::effector).
@@ -88,19 +89,39 @@ pub struct AimedFrame {
 impl Live {
     /// For a rig whose joints are the chain's nodes. With `both_eyes` the other eye is aimed itself, where the chain has
     /// one; else it turns as joint 0 does.
+    ///
+    /// # Errors
+    /// Nodes that are no chain of the document.
     pub fn new(
         rig: &dyn Rig,
         document: &Document,
         measurement: &Measurement,
         chain: &ChainNodes,
         both_eyes: bool,
-    ) -> Self {
-        let both_eyes = both_eyes && chain.other_eye.is_some();
+    ) -> Result<Self, Error> {
         let skeleton = document.skeleton();
-        let held = Held::find(rig, skeleton, measurement, chain);
-        let maps = EyeMaps::find(document, measurement, chain);
-        let morphs = MorphEyes::find(document, measurement, chain);
-        Self { stance: Stance::new(rig, skeleton, chain, measurement), both_eyes, held, maps, morphs }
+        let description = rig.description();
+        let told = |error: AimChainError| Error::Chain(error.to_string());
+        let mut aimed = AimChain::new(skeleton, chain.joints.clone())
+            .and_then(|aimed| {
+                aimed.with_standing_up(standing_up(rig, chain, measurement), trunk(skeleton, chain, measurement))
+            })
+            .map_err(told)?
+            .with_bind(&rounded(&measurement.bind_world))
+            .map_err(|error| Error::Chain(error.to_string()))?;
+        if let Some(eye) = chain.other_eye {
+            aimed = if both_eyes { aimed.with_other_eye(eye) } else { aimed.with_following_eye(eye) }.map_err(told)?;
+        }
+        for hold in chain.held(&description, skeleton, measurement) {
+            aimed = aimed.with_held(hold.node, hold.joint, description.carrier(hold.joint)).map_err(told)?;
+        }
+        Ok(Self {
+            chain: aimed,
+            sights: Sights::new(rig, chain, measurement),
+            both_eyes: both_eyes && chain.other_eye.is_some(),
+            maps: EyeMaps::find(document, measurement, chain),
+            morphs: MorphEyes::find(document, measurement, chain),
+        })
     }
 
     /// The local transforms of all nodes at a time of a clip, or at rest, as [`Skeleton::pose`] has them; eyes that look by morph
@@ -117,9 +138,9 @@ impl Live {
         &self.morphs
     }
 
-    /// The nodes that keep their place on what carries the joint that they hang on: [`ChainNodes::holds`].
+    /// The nodes that keep their place on what carries the joint that they hang on: [`ChainNodes::holds`], in their order.
     pub fn held(&self) -> impl Iterator<Item = usize> + '_ {
-        self.held.iter().map(|held| held.node)
+        self.chain.held()
     }
 
     /// True if a node moves with what looks while joint `effector` is aimed: if it hangs on that joint or one outside it, on an
@@ -129,26 +150,19 @@ impl Live {
     pub fn looks_with(&self, skeleton: &Skeleton, node: usize, effector: usize) -> bool {
         let moving = skeleton.ancestry(node).find_map(|at| {
             let held = self.held().any(|held| held == at).then_some(false);
-            let turned = || self.stance.chain.turned().position(|joint| joint == at);
-            held.or_else(|| Some(self.stance.looks(turned()?, effector)))
+            held.or_else(|| self.sights.looks(at, effector))
         });
         moving.unwrap_or(false)
     }
 
     /// The joints as the solvers take them, for a pose and its nodes in the world. Where both eyes are aimed, the other
     /// one is first turned as joint 0 is: the eyes of animations are seldom parallel.
-    pub fn animated(&self, skeleton: &Skeleton, pose: &mut [Transform], world: &[DAffine3]) -> Pose<Vec<Affine3A>> {
-        let joints = self.stance.chain.joints.iter().map(|&node| joint_transform(pose, world, node));
-        let joints = Pose::new(joints.collect::<Vec<_>>())
-            .with_up(self.stance.up(world).as_vec3())
-            .with_bind(self.stance.bind(world));
-        match self.stance.chain.other_eye.filter(|_| self.both_eyes) {
-            Some(pair) => {
-                pose[pair].rotation = self.stance.parallel(skeleton, pose, world).unwrap_or(pose[pair].rotation);
-                joints.with_other_eye(joint_transform(pose, &skeleton.world_f64(pose), pair))
-            }
-            None => joints,
-        }
+    #[must_use]
+    pub fn animated(&self, pose: &mut [Transform], world: &[DAffine3]) -> AimFrame {
+        let mut frame = self.chain.frame();
+        // Another length is left unaimed.
+        let _ = self.chain.gather(&mut frame, pose, &mut rounded(world));
+        frame
     }
 
     /// Puts the rig's corrections into the pose, moves what is [held](Self::held) back, and tells what came of it. Eyes of a VRM file
@@ -162,22 +176,19 @@ impl Live {
         moment: &Moment<'_>,
     ) -> AimedFrame {
         let &Moment { t, target, world: animated, joints, outcome, effector } = moment;
-        let stance = &self.stance;
+        let sights = &self.sights;
         let eyes = self.maps.rotations(pose);
-        apply(character, &stance.chain, skeleton, pose);
-        let mut world = skeleton.world_f64(pose);
-        if !self.held.is_empty() {
-            self.held.iter().for_each(|held| held.hold(skeleton, pose, animated, &world));
-            world = skeleton.world_f64(pose);
-        }
+        // Another length is left unaimed.
+        let _ = self.chain.apply(joints, character.into(), pose, &mut joints.model().to_vec());
+        let world = skeleton.world_f64(pose);
         let mut frame = AimedFrame {
             t,
             target,
-            error_deg: stance.sight(effector).error_deg(&world, target),
-            roll_deg: stance.roll_deg(effector, animated, &world),
-            pair_error_deg: stance.other_eye.filter(|_| self.both_eyes).map(|pair| pair.error_deg(&world, target)),
+            error_deg: sights.sight(effector).error_deg(&world, target),
+            roll_deg: sights.roll_deg(effector, self.up(animated), [animated, &world]),
+            pair_error_deg: sights.other_eye.filter(|_| self.both_eyes).map(|pair| pair.error_deg(&world, target)),
             outcome,
-            joints: joint_frames(&character.state.joints, outcome, |joint| stance.led(&character.rig, joint, joints)),
+            joints: joint_frames(&character.state.joints, outcome, |joint| led(&character.rig, joint, joints)),
             world,
         };
         if !self.maps.is_empty() {
@@ -189,48 +200,21 @@ impl Live {
 
     /// The character's up in the world: that of the world as long as the character stands.
     pub(crate) fn up(&self, world: &[DAffine3]) -> DVec3 {
-        self.stance.up(world)
+        self.chain.up(&rounded(world)).unwrap_or_default().as_dvec3()
     }
 
     /// Point and direction (of length one) that joint `effector` looks from and along, in the world; of joint 0 those of the
     /// rig's effector. The other eye's too, where it is aimed or follows and joint 0 is what looks.
     #[must_use]
     pub fn gazes(&self, effector: usize, world: &[DAffine3]) -> Vec<[DVec3; 2]> {
-        let pair = self.stance.other_eye.as_ref().filter(|_| effector == 0);
-        core::iter::once(self.stance.sight(effector)).chain(pair).map(|sight| sight.gaze(world)).collect()
+        let pair = self.sights.other_eye.as_ref().filter(|_| effector == 0);
+        core::iter::once(self.sights.sight(effector)).chain(pair).map(|sight| sight.gaze(world)).collect()
     }
 }
 
-/// A node in the world without its own non-uniform scale, so that a correction acts where the node's rotation does.
-fn joint_transform(pose: &[Transform], world: &[DAffine3], node: usize) -> Affine3A {
-    let scale = pose[node].scale.abs().as_dvec3();
-    let uniform = (scale - DVec3::splat(scale.x)).abs().max_element() <= 1e-5 * scale.max_element();
-    let own = if uniform || scale.min_element() == 0.0 { DVec3::ONE } else { scale.recip() };
-    (world[node] * DAffine3::from_scale(own)).as_affine3a()
-}
-
-/// Multiplies the rig's corrections into the chain's local rotations, and the other eye's into its; without one that
-/// eye turns in the world as joint 0 does.
-fn apply<R: Rig>(character: &DynAim<R>, chain: &ChainNodes, skeleton: &Skeleton, pose: &mut [Transform]) {
-    let eye = chain.joints[0];
-    let before = pose[eye].rotation.as_dquat();
-    for (&node, &correction) in chain.joints.iter().zip(character.corrections()) {
-        pose[node].turn(correction);
-    }
-    match (chain.other_eye, character.other_eye_correction()) {
-        (Some(node), Some(correction)) => pose[node].turn(correction),
-        (Some(node), None) => follow(eye, before, node, skeleton, pose),
-        (None, _) => {}
-    }
-}
-
-/// Turns `pair` in the world as the `eye` turned from its rotation `before`.
-fn follow(eye: usize, before: DQuat, pair: usize, skeleton: &Skeleton, pose: &mut [Transform]) {
-    let turn = DMat3::from_quat(pose[eye].rotation.as_dquat() * before.inverse());
-    let world = skeleton.world_f64(pose);
-    let to_pair = parent_frame(skeleton, &world, pair).transpose() * parent_frame(skeleton, &world, eye);
-    let turn = DQuat::from_mat3(&(to_pair * turn * to_pair.transpose())).as_quat();
-    pose[pair].rotation = (turn * pose[pair].rotation).normalize();
+/// Transforms in the precision of the solvers.
+pub(crate) fn rounded(world: &[DAffine3]) -> Vec<Affine3A> {
+    world.iter().map(DAffine3::as_affine3a).collect()
 }
 
 fn joint_frames(joints: &[Joint], outcome: Outcome, led: impl Fn(usize) -> Option<[f64; 2]>) -> Vec<JointFrame> {
@@ -242,4 +226,23 @@ fn joint_frames(joints: &[Joint], outcome: Outcome, led: impl Fn(usize) -> Optio
         recovering: outcome.recovering.contains(i),
     });
     joints.collect()
+}
+
+/// The heading and pitch, radians, by which the animation turns a joint with an absolute range out of its bind pose,
+/// as seen from the next joint; `None` where ranges are relative.
+fn led(rig: &dyn Rig, joint: usize, animated: &AimFrame) -> Option<[f64; 2]> {
+    let description = rig.description();
+    let pose = animated.pose();
+    let info = description.joints().get(joint).filter(|info| info.limits_from == LimitsFrom::BindPose)?;
+    let local = |joints: &[Affine3A]| -> Option<DMat3> {
+        let frame = |at: &Affine3A| orthonormal(&at.matrix3.as_dmat3()).0;
+        let own = frame(joints.get(joint)?);
+        Some(joints.get(joint + 1).map_or(own, |next| frame(next).transpose() * own))
+    };
+    let turn = local(pose.bind?)?.transpose() * local(pose.joints)?;
+    let [up, ahead, left] =
+        [info.axes().up, info.axes().forward, info.axes().left].map(|axis| Vec3::from(axis).as_dvec3());
+    let forward = turn * ahead;
+    let (up, ahead, left) = (forward.dot(up), forward.dot(ahead), forward.dot(left));
+    Some([left.atan2(ahead), up.atan2(left.hypot(ahead))])
 }

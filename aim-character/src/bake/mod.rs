@@ -1,18 +1,17 @@
 //! Aims a rig over a clip, frame by frame, and makes the clip that does it: only the chain's rotations change, what hangs on its
 //! neck and stays with the trunk, and the weights of eyes that look by morph targets.
 //!
-//! `chain.rs` finds the nodes of a rig's joints, `live.rs` aims them for a frame, with what `stance.rs` tells of how the character
-//! stands, `held.rs` of what stays, `eye_maps.rs` and `morph_eyes.rs` of eyes that do not simply turn. `plausibility/` measures how
+//! `chain.rs` finds the nodes of a rig's joints, `live.rs` aims them for a frame, with what `sights.rs` tells of where they look,
+//! `eye_maps.rs` and `morph_eyes.rs` of eyes that do not simply turn. `plausibility/` measures how
 //! that looks; `reach.rs` leads a limb instead.
 
 pub(crate) mod chain;
 pub(crate) mod eye_maps;
-mod held;
 pub(crate) mod live;
 mod morph_eyes;
 pub(crate) mod plausibility;
 pub(crate) mod reach;
-mod stance;
+mod sights;
 
 use core::f32::consts::TAU;
 use std::sync::Arc;
@@ -88,7 +87,7 @@ pub fn bake<R: Rig>(
 ) -> Result<Baked, Error> {
     let times = key_times(plan.seconds, plan.fps)?;
     let skeleton = plan.document.skeleton();
-    let live = Live::new(&rig.rig, plan.document, plan.measurement, plan.chain, plan.both_eyes);
+    let live = Live::new(&rig.rig, plan.document, plan.measurement, plan.chain, plan.both_eyes)?;
     // x ← the node's place with the gaze on x: a fixed point, as a hand moves less than the gaze that it draws.
     let follows = plan.target_node.is_some_and(|node| !live.looks_with(skeleton, node, plan.settings.effector));
     let source = plan.clip.map(|clip| clip.repeated(plan.seconds));
@@ -111,17 +110,17 @@ pub fn bake<R: Rig>(
             let mut pose = sample(t);
             let world = skeleton.world_f64(&pose);
             let mut target_ws = target(t, &world);
-            let joints = live.animated(skeleton, &mut pose, &world);
+            let joints = live.animated(&mut pose, &world);
             let was = follows.then(|| rig.state.clone());
             let mut rounds = if follows { MOST_SEARCHES } else { 0 };
             let frame = loop {
                 let goal = target_ws.as_vec3();
                 let outcome = match (before, pass, plan.settle) {
-                    (Some(before), ..) => rig.aim(&joints, goal, t - before, &plan.settings),
+                    (Some(before), ..) => rig.aim(&joints.pose(), goal, t - before, &plan.settings),
                     // The pass before ended here, perhaps in another pose: no time for an angle to move, but a frame.
-                    (None, 1.., _) => rig.aim(&joints, goal, f32::MIN_POSITIVE, &plan.settings),
-                    (None, 0, Settle::Animation) => rig.aim(&joints, goal, 0.0, &plan.settings),
-                    (None, 0, Settle::Snap) => rig.snap(&joints, goal, &plan.settings),
+                    (None, 1.., _) => rig.aim(&joints.pose(), goal, f32::MIN_POSITIVE, &plan.settings),
+                    (None, 0, Settle::Animation) => rig.aim(&joints.pose(), goal, 0.0, &plan.settings),
+                    (None, 0, Settle::Snap) => rig.snap(&joints.pose(), goal, &plan.settings),
                 };
                 let effector = plan.settings.effector;
                 let moment = Moment { t, target: target_ws, world: &world, joints: &joints, outcome, effector };

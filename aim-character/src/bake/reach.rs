@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use aim_runtime::ik::{Limb, TwoBone, TwoBoneStatus};
 use aim_runtime::trajectory::{Node, Outcome, Trajectory, Waypoint};
-use glam::{DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
+use glam::{DAffine3, DQuat, DVec3, Quat, Vec3};
 
+use crate::bake::live::rounded;
 use crate::bake::{continuous, key_times, line};
 use crate::error::Error;
 use crate::measure::frame::parent_frame;
@@ -242,14 +243,13 @@ fn follow(skeleton: &Skeleton, limb: LimbNodes, pose: &mut [Transform], wanted: 
         }
     }
     let now = parent_frame(skeleton, &skeleton.world_f64(pose), limb.tip);
-    pose[limb.tip].rotation =
-        (DQuat::from_mat3(&(now.transpose() * animated)).as_quat() * pose[limb.tip].rotation).normalize();
+    turn(skeleton, pose, limb.tip, DQuat::from_mat3(&(animated * now.transpose())));
     status
 }
 
 /// Turns a node in the world.
 fn turn(skeleton: &Skeleton, pose: &mut [Transform], node: usize, turn: DQuat) {
-    let parent = parent_frame(skeleton, &skeleton.world_f64(pose), node);
-    let local = DQuat::from_mat3(&(parent.transpose() * DMat3::from_quat(turn) * parent));
-    pose[node].rotation = (local.as_quat() * pose[node].rotation).normalize();
+    let model = rounded(&skeleton.world_f64(pose));
+    // Of equal lengths.
+    let _ = skeleton.turn_in_model(node, turn.as_quat(), &model, pose);
 }

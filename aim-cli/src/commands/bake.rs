@@ -118,7 +118,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
             _ => None,
         },
     };
-    let live = Live::new(&character.rig, document, measurement, &chain, both_eyes);
+    let live = Live::new(&character.rig, document, measurement, &chain, both_eyes).map_err(Failure::of(file))?;
     if let Some(node) = plan.target_node.filter(|&node| live.looks_with(skeleton, node, effector.joint)) {
         let name = &skeleton.names()[node];
         eprintln!(

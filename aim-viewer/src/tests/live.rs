@@ -242,7 +242,7 @@ fn nothing_but_numbers_comes_of_random_input() {
 
 #[test]
 fn a_long_frame_and_none_are_no_jump() {
-    let mut viewer = Viewer::new(Character::mannequin().expect("the mannequin"));
+    let mut viewer = Viewer::new(Character::mannequin().expect("the mannequin")).expect("its rig is a chain");
     let context = egui::Context::default();
     let frame = |viewer: &mut Viewer, seconds: f32, key: Option<Key>| {
         let events = key.map(|key| egui::Event::Key {

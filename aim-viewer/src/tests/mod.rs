@@ -38,7 +38,8 @@ impl Window {
             viewer.ui(ui, SIXTIETH, |_, rect, _| seen.set(rect));
         };
         let builder = Harness::builder().with_size(size).with_step_dt(SIXTIETH).with_max_steps(1);
-        let mut window = Self { harness: builder.build_ui_state(frame, Viewer::new(character)), scene };
+        let viewer = Viewer::new(character).expect("its rig is a chain");
+        let mut window = Self { harness: builder.build_ui_state(frame, viewer), scene };
         // Until everything has found its size.
         window.frames(2);
         window

@@ -130,12 +130,12 @@ fn a_game_holds_as_a_bake_does() {
     neck.hold = Some(vec!["left_clavicle".into()]);
     let chain = chain_nodes(&spec, skeleton).expect("the bones are there");
     let mut aim = DynAim::new(InterpretedRig::new(&spec));
-    let live = Live::new(&aim.rig, &document, &measurement, &chain, false);
+    let live = Live::new(&aim.rig, &document, &measurement, &chain, false).expect("they are a chain");
     let mut pose = skeleton.rest().to_vec();
     let world = skeleton.world_f64(&pose);
-    let joints = live.animated(skeleton, &mut pose, &world);
+    let joints = live.animated(&mut pose, &world);
     let target = DVec3::new(2.0, 2.2, 0.5);
-    let outcome = aim.snap(&joints, target.as_vec3(), &Settings::default());
+    let outcome = aim.snap(&joints.pose(), target.as_vec3(), &Settings::default());
     let parents = skeleton.parents().iter().zip(&world);
     let locals: Vec<DAffine3> =
         parents.map(|(parent, here)| parent.map_or(*here, |parent| world[parent].inverse() * *here)).collect();
@@ -150,7 +150,7 @@ fn a_game_holds_as_a_bake_does() {
         let node = skeleton.find(name).expect("it is there");
         assert_eq!(aim.rig.held_bone(joint, 0), Some(name));
         assert_eq!(description.carrier(joint), Some(2));
-        let correction = description.held_correction(joint, &joints.joints, aim.corrections());
+        let correction = description.held_correction(joint, joints.pose().joints, aim.corrections());
         let correction =
             DAffine3 { matrix3: correction.matrix3.as_dmat3(), translation: correction.translation.as_dvec3() };
         let parent = skeleton.parents()[node].expect("it hangs on a joint");

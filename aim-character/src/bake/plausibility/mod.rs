@@ -156,7 +156,7 @@ impl Plausibility {
         let clip = written.clip(baked.clip.name())?;
         let source = plan.clip.map(|clip| clip.repeated(plan.seconds));
         let skeleton = plan.document.skeleton();
-        let look = Look::new(rig, plan);
+        let look = Look::new(rig, plan)?;
         let mut frames = Vec::with_capacity(baked.frames.len());
         let (mut arrival, mut turned) = (Arrival::default(), Turned::default());
         let budgets = *rig.description().budgets();
@@ -342,7 +342,7 @@ struct Look<'a> {
 }
 
 impl<'a> Look<'a> {
-    fn new(rig: &dyn Rig, plan: &Plan<'a>) -> Self {
+    fn new(rig: &dyn Rig, plan: &Plan<'a>) -> Result<Self, Error> {
         let measurement = plan.measurement;
         let description = rig.description();
         let joints = description.joints();
@@ -367,9 +367,9 @@ impl<'a> Look<'a> {
         let budgets = description.budgets();
         let [range_deg, budget_deg] = room(|joint| joint.pitch, budgets.head.pitch);
         let [heading_range_deg, heading_budget_deg] = room(|joint| joint.heading, budgets.head.heading);
-        Self {
+        Ok(Self {
             landmarks: Landmarks::find(rig, plan),
-            live: Live::new(rig, plan.document, measurement, plan.chain, plan.both_eyes),
+            live: Live::new(rig, plan.document, measurement, plan.chain, plan.both_eyes)?,
             effector,
             bind: &measurement.bind_world,
             forward: measurement.forward,
@@ -380,7 +380,7 @@ impl<'a> Look<'a> {
             heading_range_deg,
             heading_budget_deg,
             from_bind: joints.iter().any(|joint| joint.limits_from == LimitsFrom::BindPose),
-        }
+        })
     }
 
     /// By what a node is turned in the world from its bind pose.

@@ -1,4 +1,4 @@
-use aim::animation::{AimChain, AimChainError, AimFrame, Corrections, Skeleton, Transform};
+use aim::animation::{AimChain, AimChainError, AimFrame, Bone, Corrections, Skeleton, Transform};
 use aim::glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
 use aim::{Aim, AimRig, DynAim, Rig, Settings, Status};
 use aim_animation_tests::{Hero, gait, skeleton};
@@ -135,6 +135,54 @@ fn aimed(character: &mut Character, chain: &AimChain) -> AimFrame {
     let corrections = Corrections { joints: aim.corrections(), other_eye: aim.other_eye_correction() };
     chain.apply(&frame, corrections, &mut character.local, &mut character.model).unwrap();
     frame
+}
+
+/// Up is that of the model below a lean of 45°, the trunk's own from 75° on, and between them their mean by a smooth step.
+#[test]
+fn who_lies_down_has_an_up_of_its_own() {
+    let place = Affine3A::from_rotation_translation(Quat::from_rotation_z(0.7), Vec3::X);
+    for lean_deg in [0.0_f64, 20.0, 44.9, 50.0, 60.0, 72.0, 75.1, 90.0, 170.0] {
+        // Wherever it faces and leans to.
+        let lean = DQuat::from_axis_angle(DVec3::new(0.6, 0.0, -0.8), lean_deg.to_radians());
+        let mut character = Character::new(Transform::IDENTITY, 0.0);
+        let hips = character.bone("hips");
+        let chain = AimChain::named(&character.skeleton, Hero::RIG).unwrap().with_standing_up(Vec3::Y, hips).unwrap();
+        let rest = character.skeleton.rest()[hips].rotation.as_dquat();
+        character.local[hips].rotation = (lean * DQuat::from_rotation_y(2.0) * rest).as_quat();
+        character.skeleton.to_model(&character.local, &mut character.model).unwrap();
+        let mut frame = chain.frame();
+        frame.place = place;
+        chain.gather(&mut frame, &mut character.local, &mut character.model).unwrap();
+        let along = ((lean_deg - 45.0) / 30.0).clamp(0.0, 1.0);
+        let share = along * along * (3.0 - 2.0 * along);
+        let up = DVec3::Y.lerp(lean * DVec3::Y, share).normalize();
+        let found = frame.pose().up.unwrap().as_dvec3();
+        let wanted = DQuat::from_rotation_z(0.7) * up;
+        assert!(found.abs_diff_eq(wanted, 1e-6), "{lean_deg}°: {found} is not {wanted}");
+    }
+}
+
+/// A bind pose that is given is as good as one at rest.
+#[test]
+fn a_bind_pose_beside_the_rest_pose() {
+    for (name, armature) in parents() {
+        let bound = Character::new(armature, 0.6);
+        let at_rest = bound.skeleton.parents().iter().zip(bound.skeleton.names()).zip(&bound.local);
+        let at_rest = at_rest.map(|((parent, name), local)| Bone::new(name.clone(), *parent).with_rest(*local));
+        let at_rest = Skeleton::new(at_rest.collect::<Vec<_>>()).unwrap();
+        let [given, known] = [&bound.skeleton, &at_rest].map(|skeleton| {
+            let chain = AimChain::named(skeleton, Hero::RIG).unwrap();
+            chain.with_other_eye(bound.bone("right_eye")).unwrap()
+        });
+        assert_ne!(given, known, "{name}");
+        let [given, known] = [given.with_bind(&bound.model).unwrap(), known].map(|chain| {
+            let mut character = Character::new(armature, 0.2);
+            let mut frame = chain.frame();
+            chain.gather(&mut frame, &mut character.local, &mut character.model).unwrap();
+            frame
+        });
+        assert_eq!(given, known, "{name}");
+    }
 }
 
 /// An eye that follows looks as joint 0 does.
@@ -288,6 +336,8 @@ fn what_is_no_chain() {
     {
         assert_eq!(good.clone().with_held(bone, joint, carrier).unwrap_err(), AimChainError::Held);
     }
+    assert_eq!(good.clone().with_standing_up(Vec3::Y, 10).unwrap_err(), AimChainError::Trunk);
+    assert!(good.clone().with_bind(&[Affine3A::IDENTITY; 9]).is_err());
     let nameless = Skeleton::new([]).unwrap();
     assert_eq!(AimChain::named(&nameless, Hero::RIG).unwrap_err(), AimChainError::Joint(0));
     let (mut local, mut model) = (skeleton.rest().to_vec(), vec![Affine3A::IDENTITY; 10]);
