@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use aim_animation::Clip;
 use aim_character::{
-    ChainNodes, MANNEQUIN_RIG, Measurement, PAPER_AXES, Palette, Proposal, chain_nodes, mannequin, propose,
+    ChainNodes, MANNEQUIN_RIG, Mannequin, Measurement, PAPER_AXES, Palette, Proposal, chain_nodes, propose,
 };
 use aim_codegen::RigSpec;
 use aim_codegen::declare::from_toml;
@@ -30,12 +30,12 @@ pub(crate) struct Character {
 }
 
 impl Character {
-    /// The mannequin that walks.
+    /// The mannequin that walks, runs, jumps, turns and waves.
     ///
     /// # Errors
     /// None that can be met: it is made of constants.
     pub(crate) fn mannequin() -> Result<Self, String> {
-        let model = mannequin(|_| PAPER_AXES).map_err(|error| error.to_string())?;
+        let model = Mannequin::new().with_moves().glb(|_| PAPER_AXES).map_err(|error| error.to_string())?;
         let document = Document::from_bytes(&model).map_err(|error| error.to_string())?;
         let rig = Some(("rigs/mannequin.toml", MANNEQUIN_RIG));
         Ok(Self { is_mannequin: true, ..Self::new("the mannequin", document, rig)? })

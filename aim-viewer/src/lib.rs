@@ -12,6 +12,7 @@ mod gizmos;
 mod overlay;
 mod panel;
 mod picture;
+mod player;
 mod plots;
 mod stage;
 mod target;

@@ -50,7 +50,7 @@ impl Options {
         };
         let mut viewer = Viewer::new(character)?;
         let stage = &mut viewer.stage;
-        stage.clock.clip = clip.or(stage.clock.clip);
+        stage.clock.play.clip = clip.or(stage.clock.play.clip);
         stage.tuning.lineup = self.lineup.unwrap_or(stage.tuning.lineup);
         stage.tuning.crowd = self.crowd.max(1);
         stage.target.path = self.path;

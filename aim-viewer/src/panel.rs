@@ -12,6 +12,7 @@ use eframe::egui::{self, Ui};
 
 use self::widgets::{button, check, choice, group, named, note, row, slider};
 use crate::controls;
+use crate::player::LONGEST_FADE;
 use crate::stage::{Lineup, Stage};
 use crate::target::{Path, Target};
 use crate::viewer::Viewer;
@@ -60,22 +61,37 @@ fn head(ui: &mut Ui, viewer: &mut Viewer) {
 }
 
 fn animation(ui: &mut Ui, stage: &mut Stage) {
+    let clips: Vec<String> = std::iter::once(None)
+        .chain((0..stage.character.clips().len()).map(Some))
+        .map(|clip| clip_name(stage, clip))
+        .collect();
+    let before = stage.clock.play.clip;
     row(ui, "Clip", "What the character does by itself.", |ui| {
-        let chosen = clip_name(stage, stage.clock.clip);
-        let width = ui.available_width();
-        let clips = egui::ComboBox::from_id_salt("clip").selected_text(&chosen).width(width).truncate();
-        let shown = clips.show_ui(ui, |ui| {
-            let all = std::iter::once(None).chain((0..stage.character.clips().len()).map(Some));
-            for clip in all {
-                let name = clip_name(stage, clip);
-                let item = ui.selectable_label(stage.clock.clip == clip, &name);
-                if named(item, &format!("clip: {name}")).clicked() {
-                    stage.clock.clip = clip;
-                    stage.clock.time = 0.0;
-                }
-            }
-        });
-        named(shown.response, "clip");
+        pick(ui, "clip", &mut stage.clock.play.clip, &clips);
+    });
+    if stage.clock.play.clip != before {
+        stage.clock.time = 0.0;
+    }
+    row(ui, "Time", "Seconds since the beginning of the clip: drag to any time of it.", |ui| {
+        let length = stage.clip_length();
+        let mut time = stage.actors.first().map_or(0.0, |actor| actor.player.time());
+        let before = time;
+        slider(ui, &mut time, 0.0..=length, "time", |time| format!("{time:.2} s"));
+        if time != before {
+            stage.seek(time.clamp(0.0, length));
+        }
+    });
+    row(ui, "Upper", "A clip of its own for all that hangs on the rig's innermost joint: the upper body.", |ui| {
+        let mut clips = clips.clone();
+        clips[0] = "as the clip".into();
+        pick(ui, "upper", &mut stage.clock.play.over, &clips);
+    });
+    row(ui, "Fade", "Seconds from one clip to another: the old one goes on by its momentum and fades.", |ui| {
+        slider(ui, &mut stage.clock.play.fade_s, 0.0..=LONGEST_FADE, "fade", |fade| format!("{fade:.2} s"));
+    });
+    row(ui, "", "", |ui| {
+        let hover = "Without the movement of its root over the ground: as on a treadmill.";
+        check(ui, &mut stage.clock.play.in_place, "In place", "in place", (true, ""), hover);
     });
     row(ui, "Speed", "Of the animation and of the target's path: 1 is real time.", |ui| {
         slider(ui, &mut stage.clock.speed, SPEEDS, "speed", |speed| format!("{speed:.2}×"));
@@ -95,6 +111,22 @@ fn animation(ui: &mut Ui, stage: &mut Stage) {
             stage.restart();
         }
     });
+}
+
+/// A list of clips: the first stands for none.
+fn pick(ui: &mut Ui, what: &str, chosen: &mut Option<usize>, clips: &[String]) {
+    let at = chosen.map_or(0, |clip| clip + 1);
+    let width = ui.available_width();
+    let list = egui::ComboBox::from_id_salt(what).selected_text(clips.get(at).map_or("", String::as_str));
+    let shown = list.width(width).truncate().show_ui(ui, |ui| {
+        for (entry, name) in clips.iter().enumerate() {
+            let item = ui.selectable_label(entry == at, name);
+            if named(item, &format!("{what}: {name}")).clicked() {
+                *chosen = entry.checked_sub(1);
+            }
+        }
+    });
+    named(shown.response, what);
 }
 
 fn clip_name(stage: &Stage, clip: Option<usize>) -> String {

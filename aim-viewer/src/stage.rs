@@ -5,14 +5,15 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use aim::rigs::Mannequin;
-use aim_animation::Transform;
+use aim_animation::Clip;
 use aim_character::{AimedFrame, InterpretedRig, Live, Moment};
 use aim_codegen::{RigSpec, Role};
 use aim_runtime::{AimRig, Ascent, DynAim, Rig, Settings, Solver};
-use glam::{DAffine3, Vec3};
+use glam::Vec3;
 use web_time::Instant;
 
 use crate::character::Character;
+use crate::player::{Play, Player, Repertoire};
 use crate::target::{Path, Room, Target};
 
 /// The longest frame, seconds: what took longer is not caught up with.
@@ -99,9 +100,8 @@ impl Tuning {
 /// The animation's time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Clock {
-    /// Which clip; `None` is the rest pose.
-    pub(crate) clip: Option<usize>,
-    /// Seconds since the clip was begun.
+    pub(crate) play: Play,
+    /// Seconds of the animation since the clip was begun.
     pub(crate) time: f32,
     /// Speed of the animation and of the target's path: 1 is real time.
     pub(crate) speed: f32,
@@ -119,8 +119,7 @@ pub(crate) struct Actor {
     pub(crate) solver: Solver,
     /// Offset from its place in the file.
     pub(crate) shift: Vec3,
-    /// Seconds by which it is ahead in the clip.
-    phase: f32,
+    pub(crate) player: Player,
     pub(crate) character: DynAim<SharedRig>,
     /// Result of the last frame; there from the first one on.
     pub(crate) frame: Option<AimedFrame>,
@@ -186,6 +185,7 @@ pub(crate) struct Stage {
     pub(crate) timing: Timing,
     /// True if frames are counted and not timed: then there is no frame rate to show.
     pub(crate) counts_frames: bool,
+    repertoire: Repertoire,
     live: Live,
     live_is_for_both_eyes: bool,
     /// Seconds of frames so far.
@@ -205,7 +205,14 @@ impl Stage {
         let clip = (!character.clips().is_empty()).then_some(0);
         let mut stage = Self {
             target: Target::new(&room(&character)),
-            clock: Clock { clip, time: 0.0, speed: 1.0, paused: false, step: false },
+            repertoire: Repertoire::new(&character),
+            clock: Clock {
+                play: Play { clip, over: None, fade_s: 0.3, in_place: false },
+                time: 0.0,
+                speed: 1.0,
+                paused: false,
+                step: false,
+            },
             live_is_for_both_eyes: tuning.both_eyes,
             actors: Vec::new(),
             crowd: Vec::new(),
@@ -250,11 +257,24 @@ impl Stage {
 
     /// The clip and the target's path from their beginning, joints at rest.
     pub(crate) fn restart(&mut self) {
-        self.clock.time = 0.0;
+        self.seek(0.0);
         self.target.time = 0.0;
         self.actors.iter_mut().for_each(|actor| actor.character.reset());
         self.crowd.clear();
         self.memory.clear();
+    }
+
+    /// All to a time of the clip.
+    pub(crate) fn seek(&mut self, time: f32) {
+        let length = self.clip_length();
+        self.clock.time = time;
+        self.actors.iter_mut().chain(&mut self.crowd).for_each(|actor| actor.player.seek(time, length));
+    }
+
+    /// Length of the clip that plays, seconds; 0 of the rest pose.
+    pub(crate) fn clip_length(&self) -> f32 {
+        let clip = self.clock.play.clip.and_then(|clip| self.character.clips().get(clip));
+        clip.map_or(0.0, Clip::length_s)
     }
 
     /// From the eyes to the neck, and back.
@@ -280,9 +300,10 @@ impl Stage {
             (false, _) => seconds.min(LONGEST),
         };
         self.recast();
-        self.clock.time += dt * self.clock.speed;
+        let animated = dt * self.clock.speed;
+        self.clock.time += animated;
         if self.target.path != Path::Still {
-            self.target.time += dt * self.clock.speed;
+            self.target.time += animated;
         }
         let target = self.target_now();
         let (mut actors, mut crowd) = (std::mem::take(&mut self.actors), std::mem::take(&mut self.crowd));
@@ -299,24 +320,13 @@ impl Stage {
         }
     }
 
-    /// A clip's pose at the clock's time and a phase, and its nodes in the world.
-    fn animated(&self, phase: f32) -> (Vec<Transform>, Vec<DAffine3>) {
-        let skeleton = self.character.skeleton();
-        let clip = self.clock.clip.and_then(|clip| self.character.clips().get(clip));
-        let pose = match clip {
-            Some(clip) if clip.length_s() > 0.0 => skeleton.pose(clip, (self.clock.time + phase) % clip.length_s()),
-            Some(clip) => skeleton.pose(clip, 0.0),
-            None => skeleton.rest().to_vec(),
-        };
-        let world = skeleton.world_f64(&pose);
-        (pose, world)
-    }
-
     /// Aims one of them for a frame, and tells how long the solver took.
     fn aim(&self, actor: &mut Actor, target: Vec3, dt: f32) -> Duration {
         let skeleton = self.character.skeleton();
         let settings = self.tuning.settings(actor.solver);
-        let (mut pose, world) = self.animated(actor.phase);
+        let play = self.clock.play;
+        let mut pose = actor.player.advance(&self.character, &self.repertoire, play, dt * self.clock.speed);
+        let world = skeleton.world_f64(&pose);
         let joints = self.live.animated(&mut pose, &world);
         let start = Instant::now();
         let outcome = actor.character.aim(&joints.pose(), target, dt, &settings);
@@ -337,11 +347,12 @@ impl Stage {
             let old = std::mem::take(&mut self.actors);
             for (at, &solver) in solvers.iter().enumerate() {
                 let known = old.iter().find(|actor| actor.solver == solver).or(old.first());
+                let player = known.map_or_else(|| Player::new(&self.character, 0.0), |actor| actor.player.clone());
                 let character =
                     known.map_or_else(|| DynAim::new(self.rig.clone() as SharedRig), |actor| actor.character.clone());
                 // As a row is read from in front.
                 let shift = left * ((count(at) - middle) * APART * self.character.metre());
-                self.actors.push(Actor { solver, shift, phase: 0.0, character, frame: None });
+                self.actors.push(Actor { solver, shift, player, character, frame: None });
             }
             self.memory.clear();
         }
@@ -383,8 +394,8 @@ impl Stage {
         let rig = self.crowd_rig();
         self.crowd.truncate(others);
         for at in self.crowd.len()..others {
-            let (phase, character) = (count(at) * 0.37, DynAim::new(rig.clone()));
-            self.crowd.push(Actor { solver, shift: Vec3::ZERO, phase, character, frame: None });
+            let (player, character) = (Player::new(&self.character, count(at) * 0.37), DynAim::new(rig.clone()));
+            self.crowd.push(Actor { solver, shift: Vec3::ZERO, player, character, frame: None });
         }
         for (at, actor) in self.crowd.iter_mut().enumerate() {
             // Outward from the middle, row by row; the first place is the actor's.

@@ -133,7 +133,7 @@ fn a_turret_without_clips_eyes_or_neck_is_aimed() {
     window.drop_bytes("tank.gltf", TANK.as_bytes());
     assert_eq!(window.viewer().trouble, None);
     let stage = &window.viewer().stage;
-    assert_eq!((stage.clock.clip, stage.tuning.spec.joints.len()), (None, 2));
+    assert_eq!((stage.clock.play.clip, stage.tuning.spec.joints.len()), (None, 2));
     window.click("both eyes");
     assert!(!window.viewer().stage.tuning.both_eyes, "there is no pair");
     window.frames(120);

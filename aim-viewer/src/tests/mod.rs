@@ -4,6 +4,7 @@ mod files;
 mod keys;
 mod live;
 mod mouse;
+mod playing;
 mod widgets;
 
 use std::cell::Cell;

@@ -64,6 +64,7 @@ const CLICKS: &[Click] = &[
     ("pause", |v| v.stage.clock.paused.to_string(), "false", "true"),
     ("go on", |v| v.stage.clock.paused.to_string(), "true", "false"),
     ("step", |v| v.stage.clock.paused.to_string(), "false", "true"),
+    ("in place", |v| v.stage.clock.play.in_place.to_string(), "false", "true"),
     ("solver: exact", |v| v.stage.tuning.lineup.name().into(), "natural", "exact"),
     ("solver: side by side", |v| v.stage.actors.len().to_string(), "1", "3"),
     ("as published", |v| v.stage.tuning.as_published.to_string(), "false", "true"),
@@ -109,6 +110,7 @@ type Drag = (&'static str, fn(&Viewer) -> f64);
 
 const DRAGS: &[Drag] = &[
     ("speed", |v| v.stage.clock.speed.into()),
+    ("fade", |v| v.stage.clock.play.fade_s.into()),
     ("weight", |v| v.stage.tuning.settings.weight.into()),
     ("attention", |v| v.stage.tuning.settings.attention.into()),
     ("crowd", |v| f64::from(u32::try_from(v.stage.tuning.crowd).expect("few"))),
@@ -150,6 +152,22 @@ const OTHERS: &[&str] = &[
     "clip",
     "clip: rest pose",
     "clip: walk",
+    "clip: walk_ahead",
+    "clip: walk_circle",
+    "clip: run",
+    "clip: jump",
+    "clip: turn",
+    "clip: wave",
+    "upper",
+    "upper: as the clip",
+    "upper: walk",
+    "upper: walk_ahead",
+    "upper: walk_circle",
+    "upper: run",
+    "upper: jump",
+    "upper: turn",
+    "upper: wave",
+    "time",
     "restart",
     "reset the target",
     "reset the view",
@@ -194,9 +212,11 @@ fn every_control_has_a_test() {
     window.click("group Help");
     let mut found = window.controls();
     // What is there only at times: a list that is open, two words for one button, a range where none was.
-    window.click("clip");
-    found.extend(window.controls());
-    window.press(Key::Escape);
+    for list in ["clip", "upper"] {
+        window.click(list);
+        found.extend(window.controls());
+        window.press(Key::Escape);
+    }
     window.click("pause");
     window.click("spine3 heading free");
     window.drop_bytes("nonsense.glb", b"nonsense");
@@ -262,11 +282,11 @@ fn clips_are_chosen_and_restarted() {
     window.frames(30);
     window.click("clip");
     window.click("clip: rest pose");
-    assert_eq!(window.viewer().stage.clock.clip, None);
+    assert_eq!(window.viewer().stage.clock.play.clip, None);
     window.click("clip");
     window.click("clip: walk");
     let clock = window.viewer().stage.clock;
-    assert!(clock.clip == Some(0) && clock.time < 0.1, "a clip begins at its beginning: {clock:?}");
+    assert!(clock.play.clip == Some(0) && clock.time < 0.1, "a clip begins at its beginning: {clock:?}");
     window.click("path: orbit");
     window.frames(60);
     let turned = |window: &Window| window.viewer().stage.first().expect("a frame").joints[1].heading.abs();
