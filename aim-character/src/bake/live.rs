@@ -104,7 +104,8 @@ impl Live {
         let told = |error: AimChainError| Error::Chain(error.to_string());
         let mut aimed = AimChain::new(skeleton, chain.joints.clone())
             .and_then(|aimed| {
-                aimed.with_standing_up(standing_up(rig, chain, measurement), trunk(skeleton, chain, measurement))
+                let up = standing_up(rig, chain, measurement).as_vec3();
+                aimed.with_standing_up(up, trunk(skeleton, chain, measurement))
             })
             .map_err(told)?
             .with_bind(&rounded(&measurement.bind_world))

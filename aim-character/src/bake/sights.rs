@@ -107,11 +107,7 @@ pub(crate) fn trunk(skeleton: &Skeleton, chain: &ChainNodes, measurement: &Measu
 
 /// Up in the world for a character that stands: the axis nearest to the joints' declared ups in the bind pose, as a file may hold a
 /// character that lies.
-pub(crate) fn standing_up(rig: &dyn Rig, chain: &ChainNodes, measurement: &Measurement) -> Vec3 {
-    standing(rig, chain, measurement).as_vec3()
-}
-
-fn standing(rig: &dyn Rig, chain: &ChainNodes, measurement: &Measurement) -> DVec3 {
+pub(crate) fn standing_up(rig: &dyn Rig, chain: &ChainNodes, measurement: &Measurement) -> DVec3 {
     let description = rig.description();
     let ups = description.joints().iter().zip(&chain.joints).map(|(info, &node)| {
         let up = Vec3::from(info.axes().up).as_dvec3();
