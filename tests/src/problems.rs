@@ -2,7 +2,7 @@
 
 use aim_codegen::objective::{CHAIN_RESIDUAL_JACOBIAN, CHAIN_VALUE_GRADIENT, FirstLink};
 use aim_codegen::{EffectorSpec, Frame, Objective, RigSpec};
-use aim_symbolic::{Angle, Function, Graph, Plane, Rigid, Scalar, Stumpff, Variable, Vector, VectorNode, Want};
+use aim_symbolic::{Angle, Function, Graph, Matrix, Plane, Rigid, Scalar, Stumpff, Variable, Vector, VectorNode, Want};
 
 use crate::random::Random;
 use crate::rigs::{bare_joint, general_frame};
@@ -61,6 +61,7 @@ pub fn all() -> Vec<Problem> {
         chord(),
         pull_of_a_spring(),
         distance_from_axis(),
+        gaussian(),
     ]
 }
 
@@ -437,6 +438,24 @@ fn distance_from_axis() -> Problem {
         let aside = g.sub_vectors(point, along);
         let by = components(g, point).to_vec();
         (vec![g.norm(aside)], by)
+    })
+}
+
+/// How unlikely a point is, by its distance from the mean and the covariance.
+fn gaussian() -> Problem {
+    Problem::new("Gaussian", 110, |g| {
+        let (point, mean) = (g.vector_input("x"), g.vector_input("mean"));
+        let columns = ["a", "b", "c"].map(|name| g.vector_input(name));
+        let way = g.sub_vectors(point, mean);
+        let solution = g.solve(Matrix::new(columns), way);
+        let distance = g.dot(way, solution);
+        let normal = g.cross(columns[0], columns[1]);
+        let determinant = g.dot(columns[2], normal);
+        let log = g.call(Function::Ln, determinant);
+        let half = g.constant(0.5);
+        let terms = [g.mul(half, distance), g.mul(half, log)];
+        let by = [point].into_iter().chain(columns).flat_map(|v| components(g, v)).collect();
+        (vec![g.add(terms[0], terms[1])], by)
     })
 }
 
