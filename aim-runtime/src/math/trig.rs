@@ -83,6 +83,13 @@ pub(crate) fn sin_cos(angle_rad: f32) -> (f32, f32) {
     (2.0 * sin * cos, 1.0 - 2.0 * sin * sin)
 }
 
+/// The sines and the cosines of four angles within ±180°, radians.
+#[inline(always)]
+pub(crate) fn sin_cos_4(angles_rad: Vec4) -> [Vec4; 2] {
+    let (sin, cos) = half_sin_cos_4(angles_rad);
+    [sin * cos * 2.0, Vec4::ONE - sin * sin * 2.0]
+}
+
 /// The sines and cosines of the halves of a pitch and a heading, radians.
 #[inline(always)]
 pub(crate) fn halves(pitch_rad: f32, heading_rad: f32) -> Halves {

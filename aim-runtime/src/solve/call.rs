@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use crate::kinematics::chain::Upright;
+use crate::math::Bounded;
 use crate::rig::PoseSlices;
 use crate::{Settings, Solver, math};
 
@@ -23,16 +24,7 @@ impl<'a> Call<'a> {
     /// A call with the frame's length as it counts: 0…0.1 s, 0 for NaN.
     #[inline(always)]
     pub(crate) fn new(target_ps: Vec3, dt: Option<f32>, settings: &'a Settings) -> Self {
-        // Not `max` and `min`: what those do about NaN takes as many instructions again.
-        let counted = |dt: f32| {
-            if dt < LONGEST_FRAME_S {
-                dt.max(0.0)
-            } else if dt.is_nan() {
-                0.0
-            } else {
-                LONGEST_FRAME_S
-            }
-        };
+        let counted = |dt: f32| dt.at_least(0.0).at_most(LONGEST_FRAME_S);
         Self { target_ps, dt: dt.map(counted), settings }
     }
 }

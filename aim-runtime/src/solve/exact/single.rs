@@ -121,7 +121,7 @@ impl<'a> Eye<'a> {
     /// How far pitch and heading get in a frame.
     #[inline(always)]
     fn reach(&self, joint: &Joint, dt: f32) -> [[f32; 2]; 2] {
-        let step = self.info.rate.max(0.0) * dt;
+        let step = greater(self.info.rate, 0.0) * dt;
         let within = |[lo, hi]: [f32; 2], angle: f32| [greater(lo, angle - step), lesser(hi, angle + step)];
         let [pitches, headings] = self.ranges;
         [within(pitches, joint.pitch), within(headings, joint.heading)]

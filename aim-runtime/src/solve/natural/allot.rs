@@ -4,7 +4,7 @@ use core::f32::consts::PI;
 
 use glam::{Vec3A, Vec4};
 
-use super::glide::{Pair, length, pair};
+use super::glide::{Pair, length};
 use super::{Aims, Gaze, Posture, Seen};
 use crate::limits::Interval;
 use crate::math::Bounded;
@@ -27,14 +27,25 @@ const STEEP_RAD: f32 = 50.0 * PI / 180.0;
 const OUT_OF_REACH_RAD: f32 = 2e-4;
 const STEEP_OUT_OF_REACH_RAD: f32 = 0.3;
 
-/// How far an eye whose heading is this, in a head of one elevation, looks aside from it at another: at
+/// How far eyes whose headings are these, in a head of one elevation, look aside from it at another: at
 /// tan h = cos ε·sin ψ/(cos ε·cos ψ·cos η + sin ε·sin η) towards elevation ε, the head's being η.
-fn eye_heading(heading: f32, head: f32, elevation: f32) -> f32 {
-    let ((sin, cos), (sin_head, cos_head)) = (trig::sin_cos(heading), trig::sin_cos(head));
-    let (sin_up, cos_up) = trig::sin_cos(elevation);
-    let ahead = math::sqrt(cos * cos + sin * sin * cos_head * cos_head);
-    let lifted = (sin * sin_up * sin_head / (cos_up.at_least(1e-3) * ahead)).at_least(-1.0).at_most(1.0);
-    trig::atan2(sin * cos_head, cos) + trig::atan2(lifted, math::sqrt(1.0 - lifted * lifted))
+fn eye_headings([right, left]: [f32; 2], head: f32, elevation: f32) -> [f32; 2] {
+    let half_turn = Vec4::splat(PI);
+    let [sines, cosines] = trig::sin_cos_4(Vec4::new(right, left, head, elevation).max(-half_turn).min(half_turn));
+    let [sin_head, cos_head, sin_up, cos_up] = [sines.z, cosines.z, sines.w, cosines.w];
+    let ahead = [0, 1].map(|end| {
+        let across = sines[end] * cos_head;
+        math::root(cosines[end] * cosines[end] + across * across)
+    });
+    let lift = sin_up * sin_head / cos_up.at_least(1e-3);
+    let lifted = [0, 1].map(|end| (sines[end] * lift / ahead[end]).at_least(-1.0).at_most(1.0));
+    let level = lifted.map(|lifted| math::sqrt(1.0 - lifted * lifted));
+    let [a, b, c, d] = trig::atan2_of_4(
+        Vec4::new(sines.x * cos_head, sines.y * cos_head, lifted[0], lifted[1]),
+        Vec4::new(cosines.x, cosines.y, level[0], level[1]),
+    )
+    .to_array();
+    [a + c, b + d]
 }
 
 /// The way from the animated gaze to the target, heading and elevation each.
@@ -190,19 +201,13 @@ impl<const C: usize> Gaze<'_, C> {
         let rest = way - done;
         let mut unfit = rest - rest.max(lo).min(hi);
         if self.has_eye && unfit.x != 0.0 {
-            let eye = self.eye_headings([lo.x, hi.x], directions[self.regions.len() - 1].y, to.y - unfit.y);
+            let [right, left] = eye_headings([lo.x, hi.x], directions[self.regions.len() - 1].y, to.y - unfit.y);
+            let eye = Interval::from_ends(right, left);
             let within = Interval::from_ends(way.x - EYE_PART * eye.hi(), way.x - EYE_PART * eye.lo());
             let rest = way.x - self.turn_axis(0, within.hold(part * way.x) + more.x, &mut directions);
             unfit.x = rest - eye.hold(rest);
         }
         (directions, unfit)
-    }
-
-    /// The headings from the head's that the eye reaches at this elevation, the head being at another.
-    #[inline(never)]
-    fn eye_headings(&self, ends: [f32; 2], head: f32, elevation: f32) -> Interval {
-        let [lo, hi] = ends.map(|end| eye_heading(end, head, elevation));
-        Interval::from_ends(lo, hi)
     }
 
     /// Turns the regions by `wanted` together, each by its compliance; what one has no room for is left to the others. Returns
@@ -220,10 +225,12 @@ impl<const C: usize> Gaze<'_, C> {
             sum += own;
             *direction = region.animated + sum;
         }
-        if fits == 3 {
-            return sum;
+        for axis in 0..2 {
+            if fits >> axis & 1 == 0 {
+                sum[axis] = self.turn_axis(axis, wanted[axis], directions);
+            }
         }
-        pair([0, 1].map(|axis| self.turn_axis(axis, wanted[axis], directions)))
+        sum
     }
 
     /// The same for one axis, whether or not all have room.
