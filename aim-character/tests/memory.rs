@@ -6,7 +6,7 @@ use std::sync::Arc;
 use aim_character::InterpretedRig;
 use aim_codegen::declare::from_toml;
 use aim_runtime::glam::{Affine3A, Vec3};
-use aim_runtime::{DynAim, Joint, Memory, Pose, Settings, Solver};
+use aim_runtime::{DynAim, Joint, Memory, Pose, Settings, Solver, Target};
 use peak_alloc::PeakAlloc;
 
 #[global_allocator]
@@ -37,9 +37,13 @@ fn characters_share_their_rig_and_calls_allocate_nothing() {
             let held = COUNTED.current_usage();
             COUNTED.reset_peak_usage();
             character.snap(&pose, target, &settings);
-            for _ in 0..3 {
-                character.aim(&pose, -target, 1.0 / 60.0, &settings);
+            // Also of what is behind, on the effector, out of this world or several targets.
+            let at_eye = pose.joints[0].translation.into();
+            for point in [-target, -target, -target, at_eye, Vec3::splat(1e30), Vec3::NAN] {
+                character.aim(&pose, point, 1.0 / 60.0, &settings);
             }
+            character.aim(&pose, &[Target::new(target, 0.5), Target::new(-target, 0.2)], 1.0 / 60.0, &settings);
+            character.reset();
             assert_eq!(COUNTED.peak_usage(), held, "{solver:?}, character {step}");
         }
     }

@@ -6,7 +6,7 @@ use std::vec::Vec;
 
 use glam::{Affine3A, Quat};
 
-use crate::{Call, Joint, Outcome, Pose, Rig, Settings, State, Targets};
+use crate::{Call, Joint, Memory, Outcome, Pose, Rig, Settings, State, Targets};
 
 /// One character of a rig known only at run time: its state and its corrections on the heap, allocated once.
 ///
@@ -66,7 +66,8 @@ impl<R: Rig> DynAim<R> {
 
     /// Puts every joint at rest at once and forgets what was seen.
     pub fn reset(&mut self) {
-        self.state = State::new(std::vec![Joint::REST; self.state.joints.len()]);
+        self.state.joints.fill(Joint::REST);
+        self.state.memory = Memory::NONE;
         self.corrections.fill(Quat::IDENTITY);
         self.other_eye_correction = None;
     }
