@@ -1,4 +1,4 @@
-//! [`Seam`]: what a looped clip's end differs from its beginning by.
+//! [`Seam`]: how the end of a looped clip differs from its beginning, in place and speed.
 
 use aim_runtime::glam::{Quat, Vec3};
 use aim_runtime::rotation::{angle, length, product, unit};

@@ -6,7 +6,7 @@
 //!
 //! # Feature flags
 //!
-//! - `std` (default): sines, cosines and square roots from the standard library.
+//! - `std` (default): square roots and rounding from the standard library, and the functions of [`Real`].
 //! - `libm`: the same from `libm`, for targets without a standard library.
 //! - `wide`: [`Scalar`] for the vectors of the [`wide`](https://docs.rs/wide) crate, so that one call of a kernel serves
 //!   as many characters as the vector has lanes. Needs Rust 1.89, as that crate does; works with `std` and with `libm`.

@@ -1,4 +1,4 @@
-//! [`MotionError`]: what no motion can be extracted from.
+//! [`MotionError`]: why no motion can be extracted from a clip.
 
 use core::fmt;
 

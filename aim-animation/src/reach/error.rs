@@ -1,4 +1,4 @@
-//! [`ReachError`]: what is no limb, and what no way leads through.
+//! [`ReachError`]: why bones are no limb, or goals cannot be met.
 
 use core::fmt;
 

@@ -1,4 +1,4 @@
-//! [`TrackError`]: why keys are no track.
+//! [`TrackError`]: why keys do not make a track.
 
 use core::fmt;
 

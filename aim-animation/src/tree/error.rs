@@ -1,4 +1,4 @@
-//! [`TreeError`]: what a tree of blends cannot be built of.
+//! [`TreeError`]: why nodes do not make a tree.
 
 use core::fmt;
 

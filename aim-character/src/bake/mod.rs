@@ -1,5 +1,5 @@
-//! Aims a rig over a clip, frame by frame, and makes the clip that does it: only the chain's rotations change, what hangs on its
-//! neck and stays with the trunk, and the weights of eyes that look by morph targets.
+//! Aims a rig over a clip, frame by frame, and makes the clip that does it. It differs from its source in the chain's rotations,
+//! the transforms of held bones, and the weights of eyes that are morph targets.
 //!
 //! `chain.rs` finds the nodes of a rig's joints, `live.rs` aims them for a frame, with what `sights.rs` tells of where they look,
 //! `eye_maps.rs` and `morph_eyes.rs` of eyes that do not simply turn. `plausibility/` measures how

@@ -4,8 +4,8 @@
 //! is and states it for a rig, [`aim`](AIM_GRADIENT) and [`residual`](CHAIN_RESIDUAL_JACOBIAN) are the objectives,
 //! `kernel` lists them and derives their [`Kernel`]s. `notation` holds the symbols of the inputs.
 //!
-//! A new objective is a file with a constant [`Objective`] and its place in [`OBJECTIVES`]: every back end, the counts,
-//! the checks and the explanation go by that list.
+//! A new objective is a file with a constant [`Objective`] and its place in [`OBJECTIVES`]: every back end, the counts and
+//! the checks go by that list.
 
 mod aim;
 mod chain;

@@ -82,8 +82,8 @@ impl Reach {
         if moved == 0.0 { 0.0 } else { moved / inward }
     }
 
-    /// The joint moved to the nearest angles within reach, heading first. All solvers end here: it is what makes
-    /// ranges, narrowed ones too, and rates hold.
+    /// The joint moved to the nearest angles within reach, heading first. What is general of the exact solver and the ascent end
+    /// here: it is what makes ranges, narrowed ones too, and rates hold.
     pub(crate) fn hold(&self, joint: &Joint) -> Joint {
         let heading = self.heading.hold(joint.heading);
         Joint { heading, pitch: self.pitch_at(heading).hold(joint.pitch), ..*joint }

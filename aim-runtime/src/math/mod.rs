@@ -1,5 +1,5 @@
-//! The one place where floating-point functions come from: `std` or `libm`, both exact to the last bit for these. All
-//! total: no panic, whatever the bits. Sines are our own ([`trig`](crate::trig)).
+//! The one place where the solvers' floating-point functions come from: `std` or `libm`, both exact to the last bit for these.
+//! All total: no panic, whatever the bits. Sines are our own ([`trig`]).
 
 use core::f32::consts::{PI, TAU};
 

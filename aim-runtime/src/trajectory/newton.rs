@@ -1,8 +1,8 @@
 //! Newton's method with the derived second derivatives, damped where they are not positive definite or do not hold as far
 //! as the step goes.
 //!
-//! The blocks of Gauss and Newton alone do not do: they leave out torsion, which changes no place to first order, so that it
-//! is held by the smoothing alone and steps overshoot: more than sixty evaluations where this takes ten.
+//! The blocks of Gauss–Newton are not enough. Torsion changes no place to first order, so they leave it out; only the smoothing
+//! holds it then, and steps overshoot: more than sixty evaluations where this takes ten.
 
 use super::banded::{factor, solve};
 use super::cost::{At, Problem, extent_of, steps};

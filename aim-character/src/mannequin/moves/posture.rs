@@ -1,4 +1,4 @@
-//! [`Posture`]: what a move says of a time.
+//! [`Posture`]: what a move has the body do at one time.
 
 use glam::{DQuat, DVec3};
 

@@ -1,5 +1,5 @@
-//! Where a gap remains between the gaze and the target: out of reach, or for this frame's rates, or as far as the linear
-//! model can tell; and joints that have all the time they need.
+//! Solves that leave a gap between the gaze and the target, as it is out of reach, beyond this frame's rates or beyond the linear
+//! model; and solves without rates.
 
 use super::dual;
 use super::settle::Search;

@@ -1,9 +1,9 @@
-//! A strained gaze: at the edge of what can be reached the angles that are free to move hardly cover both directions of
-//! the gaze, and in one of them a little of the gaze takes much movement.
+//! A strained gaze: near the edge of reach the free angles barely span both directions of the gaze, so that a small change of
+//! the gaze takes a large movement.
 //!
-//! There a target's least tremble would set the joints trembling many times as far, so while it may tremble they are
-//! slow. And there the gaze bends more than it leads anywhere, so that the linear model's optimum may be worse than
-//! where the joints are; once the target stands still each step has to be a gain.
+//! There a trembling target would set the joints trembling many times as far: they are slowed down while it may tremble. The
+//! linear model's optimum may also be worse than where the joints are: once the target stands still, each step has to reduce
+//! the error.
 
 use glam::Vec3A;
 

@@ -9,10 +9,9 @@
 //!
 //! which is `R_heading·R_pitch` also where the axes are mirrored.
 //!
-//! Nothing is carried outward along the chain but what is looked at, and that backwards: what a joint's turn F·R·Fᵀ about its
-//! animated place x makes of all that hangs on it, x + F·Rᵀ·Fᵀ·(point − x) makes of the world around a pose that stays as it is
-//! animated. So each joint is turned in its animated frame, to points and directions from which the turns of the joints inside
-//! it are [taken back](Body::take_back).
+//! The pose is not carried outward along the chain. A joint's turn F·R·Fᵀ about its animated place x is
+//! [taken back](Body::take_back) from what is looked at instead, x + F·Rᵀ·Fᵀ·(point − x), which comes to the same. So each joint
+//! is turned in its animated frame.
 
 use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec4};
 

@@ -1,4 +1,4 @@
-//! How the joints turn to where they belong: found out in closed form, or by a frame's motion.
+//! Turns the joints: to where they belong, in closed form, or by one frame's motion.
 
 use core::f32::consts::PI;
 
