@@ -65,4 +65,4 @@ pub use skin::Palette;
 
 /// The rig of the mannequin that [`mannequin`] makes with [`PAPER_AXES`]: the file that
 /// `aim::rigs::Mannequin` is compiled from, as text.
-pub const MANNEQUIN_RIG: &str = include_str!("../../rigs/mannequin.toml");
+pub const MANNEQUIN_RIG: &str = include_str!("../rigs/mannequin.toml");
