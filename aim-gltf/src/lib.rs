@@ -20,6 +20,7 @@
 //! ```
 
 mod accessor;
+mod bones;
 mod clip;
 mod container;
 mod document;

@@ -1,5 +1,6 @@
 //! Reading and writing of glTF files.
 
+mod bones;
 mod look_at;
 mod malformed;
 mod sampling;

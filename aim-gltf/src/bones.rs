@@ -1,0 +1,85 @@
+//! Bones that no file has, as a document.
+
+use aim_animation::Skeleton;
+use aim_animation::glam::Affine3A;
+use serde_json::{Value, json};
+
+use crate::container::to_glb;
+use crate::document::Document;
+use crate::error::Error;
+
+impl Document {
+    /// A document of bones alone: for characters that were read by something else, to be measured, proposed a rig for and aimed
+    /// as those of files are.
+    ///
+    /// `inverse_binds` are, in the skeleton's order of bones, the maps from the space of the mesh to that of the bone which skinning
+    /// uses; `None` for bones that move no mesh. The document's nodes are the bones, in the same order. [`with_clips`](Self::with_clips)
+    /// writes it as a file.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] where there is another number of maps than of bones, or one that is not finite.
+    ///
+    /// ```
+    /// use aim_animation::glam::{Affine3A, Vec3};
+    /// use aim_animation::{Bone, Skeleton, Transform};
+    /// use aim_gltf::Document;
+    ///
+    /// let up = |y| Transform::from_translation(Vec3::Y * y);
+    /// let bones = [Bone::new("Spine", None).with_rest(up(1.2)), Bone::new("Head", Some(0)).with_rest(up(0.4))];
+    /// let skeleton = Skeleton::new(bones)?;
+    /// let binds = [1.2, 1.6].map(|y| Some(Affine3A::from_translation(Vec3::Y * -y)));
+    /// let document = Document::of_bones(&skeleton, &binds)?;
+    /// assert_eq!(document.skeleton().names(), skeleton.names());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of_bones(skeleton: &Skeleton, inverse_binds: &[Option<Affine3A>]) -> Result<Self, Error> {
+        let count = skeleton.len();
+        if inverse_binds.len() != count {
+            let found = inverse_binds.len();
+            return Err(Error::invalid("inverse_binds", format!("{found} maps for {count} bones, expected one each")));
+        }
+        if let Some(bone) = inverse_binds.iter().flatten().position(|bind| !bind.is_finite()) {
+            return Err(Error::invalid("inverse_binds", format!("that of joint {bone} is not finite")));
+        }
+        let mut children = vec![Vec::new(); count];
+        let mut roots = Vec::new();
+        for (bone, parent) in skeleton.parents().iter().enumerate() {
+            parent.map_or(&mut roots, |parent| &mut children[parent]).push(bone);
+        }
+        let node = |(bone, children): (usize, &Vec<usize>)| {
+            let (name, rest) = (&skeleton.names()[bone], &skeleton.rest()[bone]);
+            let mut node = json!({
+                "name": name,
+                "translation": rest.translation.to_array(),
+                "rotation": rest.rotation.to_array(),
+                "scale": rest.scale.to_array(),
+            });
+            if !children.is_empty() {
+                node["children"] = json!(children);
+            }
+            node
+        };
+        let nodes: Vec<Value> = children.iter().enumerate().map(node).collect();
+        let mut text = json!({ "asset": { "version": "2.0" } });
+        if !nodes.is_empty() {
+            text["scene"] = json!(0);
+            text["scenes"] = json!([{ "nodes": roots }]);
+            text["nodes"] = json!(nodes);
+        }
+        let joints: Vec<usize> = (0..count).filter(|bone| inverse_binds[*bone].is_some()).collect();
+        if joints.is_empty() {
+            return Self::from_bytes(text.to_string().as_bytes());
+        }
+        let maps = inverse_binds.iter().flatten().flat_map(|bind| {
+            let [x, y, z] =
+                [bind.matrix3.x_axis, bind.matrix3.y_axis, bind.matrix3.z_axis].map(|axis| axis.extend(0.0));
+            [x, y, z, bind.translation.extend(1.0)]
+        });
+        let bytes: Vec<u8> = maps.flat_map(|column| column.to_array()).flat_map(f32::to_le_bytes).collect();
+        text["skins"] = json!([{ "joints": joints, "inverseBindMatrices": 0 }]);
+        text["accessors"] = json!([{ "bufferView": 0, "componentType": 5126, "count": joints.len(), "type": "MAT4" }]);
+        text["bufferViews"] = json!([{ "buffer": 0, "byteLength": bytes.len() }]);
+        text["buffers"] = json!([{ "byteLength": bytes.len() }]);
+        Self::from_bytes(&to_glb(text.to_string().as_bytes(), Some(&bytes))?)
+    }
+}
