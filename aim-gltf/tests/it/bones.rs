@@ -5,11 +5,15 @@ use aim_animation::{Bone, Skeleton, Transform};
 use aim_character::{Measurement, PAPER_AXES, Role, mannequin, propose};
 use aim_gltf::{Document, Error};
 
-/// What an engine knows of a character: its bones, and where they were when its mesh was bound.
+/// What an engine knows of a character: its bones, and where they were when its mesh was bound; at rest it looks aside.
 fn known_of(document: &Document) -> (Skeleton, Vec<Option<Affine3A>>) {
     let of_file = document.skeleton();
-    let bones = of_file.names().iter().zip(of_file.parents()).zip(of_file.rest());
-    let skeleton = Skeleton::new(bones.map(|((name, parent), rest)| Bone::new(&**name, *parent).with_rest(*rest)));
+    let neck = of_file.find("neck").unwrap();
+    let bones = of_file.names().iter().zip(of_file.parents()).zip(of_file.rest()).enumerate();
+    let skeleton = Skeleton::new(bones.map(|(bone, ((name, parent), &rest))| {
+        let turn = if bone == neck { Quat::from_rotation_x(0.7) } else { Quat::IDENTITY };
+        Bone::new(&**name, *parent).with_rest(Transform { rotation: rest.rotation * turn, ..rest })
+    }));
     let single =
         |bind: DAffine3| Affine3A { matrix3: bind.matrix3.as_mat3().into(), translation: bind.translation.as_vec3a() };
     (skeleton.unwrap(), of_file.nodes().iter().map(|node| node.inverse_bind.map(single)).collect())
@@ -17,8 +21,10 @@ fn known_of(document: &Document) -> (Skeleton, Vec<Option<Affine3A>>) {
 
 #[test]
 fn the_same_axes_and_rig_as_of_the_file() {
-    for axes in [PAPER_AXES, [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]] {
-        let file = Document::from_bytes(&mannequin(|_| axes).unwrap()).unwrap();
+    const UPRIGHT: [[f32; 3]; 3] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
+    for other in [PAPER_AXES, UPRIGHT] {
+        let axes = |bone: &str| if bone.len() % 2 == 0 { PAPER_AXES } else { other };
+        let file = Document::from_bytes(&mannequin(axes).unwrap()).unwrap();
         let (skeleton, binds) = known_of(&file);
         let document = Document::of_bones(&skeleton, &binds).unwrap();
         assert_eq!(document.skeleton().names(), skeleton.names());
