@@ -11,13 +11,12 @@ use glam::DVec3;
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");
 
-/// As many as take a second, or a minute at `AIM_TEST_SCALE=full` (`.ci/run`); the most where code is optimised
-/// (`.ci/thorough`).
+/// As many as take a second, or a minute in full (`.ci/run`); the most where code is optimised (`.ci/thorough`).
 fn mixes() -> u64 {
-    match std::env::var_os("AIM_TEST_SCALE") {
-        _ if !cfg!(debug_assertions) => 10_000,
-        Some(scale) if scale == "full" => 2_000,
-        _ => 60,
+    match (cfg!(debug_assertions), crate::in_full()) {
+        (false, _) => 10_000,
+        (true, true) => 2_000,
+        (true, false) => 60,
     }
 }
 
