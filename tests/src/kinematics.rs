@@ -3,16 +3,18 @@
 use aim_codegen::{Frame, JointSpec, RigSpec};
 
 /// A vector.
+///
+/// Component by component below, without closures: the tests are not optimised, and call these a hundred million times.
 pub type V = [f64; 3];
 
 /// a + b
 pub fn add(a: V, b: V) -> V {
-    core::array::from_fn(|k| a[k] + b[k])
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
 /// a − b
 pub fn sub(a: V, b: V) -> V {
-    core::array::from_fn(|k| a[k] - b[k])
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 /// a · b
@@ -27,7 +29,7 @@ pub fn cross(a: V, b: V) -> V {
 
 /// k a
 pub fn scale(k: f64, a: V) -> V {
-    a.map(|c| k * c)
+    [k * a[0], k * a[1], k * a[2]]
 }
 
 /// |a|
@@ -74,7 +76,12 @@ pub struct Link {
 impl Link {
     /// The image of a direction.
     pub fn direction(&self, v: V) -> V {
-        core::array::from_fn(|k| v[0] * self.rows[0][k] + v[1] * self.rows[1][k] + v[2] * self.rows[2][k])
+        let [a, b, c] = self.rows;
+        [
+            v[0] * a[0] + v[1] * b[0] + v[2] * c[0],
+            v[0] * a[1] + v[1] * b[1] + v[2] * c[1],
+            v[0] * a[2] + v[1] * b[2] + v[2] * c[2],
+        ]
     }
 
     /// The image of a point.

@@ -62,10 +62,14 @@ fn any_facing_any_up_any_scale_named_or_nameless() {
         DQuat::from_rotation_z(90_f64.to_radians()),
         DQuat::from_rotation_z(-90_f64.to_radians()),
     ];
+    let mut is_taken = (0_usize..).map(|case| crate::in_full() || case % 7 == 0);
     for (number, stand) in ups.into_iter().enumerate() {
         for yaw in [0.0, 90.0, 180.0, 270.0, 37.0] {
             for scale in [1.0, 100.0, 0.01] {
                 for named in [true, false] {
+                    if is_taken.next() == Some(false) {
+                        continue;
+                    }
                     let turn = stand * DQuat::from_rotation_y(f64::to_radians(yaw));
                     let document = changed(|json| {
                         on_root(json, turn, [scale; 3]);

@@ -26,6 +26,11 @@ const RIGS: [(&str, &str); 8] = [
     ("vrm", include_str!("../../../rigs/vrm.toml")),
 ];
 
+/// Whether tests of many cases take all of them, or the part that `cargo test` takes by itself.
+fn in_full() -> bool {
+    std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
+}
+
 /// All 48 (up, forward, left) triples of signed axes, 24 of each handedness.
 fn conventions() -> Vec<[[f32; 3]; 3]> {
     let mut out = Vec::new();

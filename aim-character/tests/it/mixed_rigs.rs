@@ -10,8 +10,15 @@ use aim_runtime::{DynAim, Settings};
 use glam::DVec3;
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");
-/// All of them where code is optimised, as `.ci/run` has it; where it is not, as many as take a second.
-const MIXES: u64 = if cfg!(debug_assertions) { 60 } else { 10_000 };
+
+/// As many as take a second, or a minute in full (`.ci/run`); the most where code is optimised (`.ci/thorough`).
+fn mixes() -> u64 {
+    match (cfg!(debug_assertions), crate::in_full()) {
+        (false, _) => 10_000,
+        (true, true) => 2_000,
+        (true, false) => 60,
+    }
+}
 
 /// Each joint's place, up, forward and left in the world.
 type Seen = [[DVec3; 4]; 3];
@@ -80,12 +87,13 @@ fn aimed(document: &Document, measurement: &Measurement) -> Seen {
 fn bones_of_mixed_axes_are_measured_exactly_and_aimed_alike() {
     let frames: Vec<Frame> = Frame::cardinal().collect();
     let expected = mixed(0, &frames);
+    let mixes = mixes();
     let threads = thread::available_parallelism().map_or(1, |n| n.get() as u64);
     thread::scope(|scope| {
         for first in 0..threads {
             let frames = &frames;
             scope.spawn(move || {
-                for seed in (1 + first..=MIXES).step_by(usize::try_from(threads).expect("few threads")) {
+                for seed in (1 + first..=mixes).step_by(usize::try_from(threads).expect("few threads")) {
                     let found = mixed(seed, frames);
                     let pairs = expected.iter().flatten().zip(found.iter().flatten());
                     let distance = pairs.map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);

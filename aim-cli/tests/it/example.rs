@@ -12,6 +12,10 @@ const FILES: [&str; 5] = ["build.rs", "rigs/hero.toml", "rigs/extra.toml", "src/
 /// The code of each rig: of one it is checked in, of the other it is written for the tests.
 const CODE: [(&str, &str); 2] = [("hero", "src/hero.rs"), ("extra", "src/checked_in.rs")];
 
+/// What is slow to optimise. It is compiled for the example alone, since paths from another workspace count as other
+/// packages, and runs for a moment.
+const QUICK: [&str; 4] = ["aim-animation", "aim-character", "aim-gltf", "aim-runtime"];
+
 /// The example as a package of its own in another place, as a user would have it.
 fn example() -> Place {
     let place = Place::new();
@@ -41,6 +45,11 @@ fn cargo_run(place: &Place, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO"))
         .args(["run", "--quiet", "--offline", "--target-dir"])
         .arg(Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("it lies in the target folder"))
+        .args(
+            QUICK
+                .iter()
+                .flat_map(|package| ["--config".to_owned(), format!("profile.dev.package.{package}.opt-level=0")]),
+        )
         .arg("--")
         .args(arguments)
         .current_dir(place.path(""))

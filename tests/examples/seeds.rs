@@ -1,5 +1,7 @@
 //! Writes what fuzzing starts from: `seeds CORPUS [RIGS]`, a folder for each target below `CORPUS`.
 //!
+//! It stands here and not in `fuzz/`, a workspace of its own, because all that it needs is built for the tests.
+//!
 //! Models are the mannequin in two conventions, as glTF and as both versions of VRM, and each file in the folder `RIGS`, all of
 //! them cut down. Animations start from nothing. Declarations are the bundled rigs in TOML, items those of the tests of error messages.
 
@@ -10,6 +12,14 @@ use aim_character::{Measurement, PAPER_AXES, Role, mannequin};
 use aim_gltf::Document;
 use quote::ToTokens;
 use serde_json::{Value, json};
+
+#[expect(
+    clippy::cast_possible_truncation,
+    unreachable_pub,
+    reason = "the library of fuzz/, for files of a few kilobytes"
+)]
+#[path = "../../fuzz/src/lib.rs"]
+mod inputs;
 
 type Result<T = ()> = std::result::Result<T, Box<dyn std::error::Error>>;
 
@@ -24,7 +34,7 @@ fn main() -> Result {
     for (name, axes) in [("paper", PAPER_AXES), ("leaning", leaning)] {
         let document = Document::from_bytes(&mannequin(|_| axes)?)?;
         let plain = reduced(&document, &Value::Null)?;
-        fs::write(models.join(format!("{name}.glb")), aim_fuzz::model_file(&plain))?;
+        fs::write(models.join(format!("{name}.glb")), inputs::model_file(&plain))?;
         fs::write(models.join(name), plain)?;
         for version in [0, 1] {
             fs::write(models.join(format!("{name}-vrm{version}")), reduced(&document, &vrm(&document, version))?)?;
@@ -128,7 +138,7 @@ fn reduced(document: &Document, extensions: &Value) -> Result<Vec<u8>> {
     small["accessors"] = data.accessors.into();
     small["bufferViews"] = data.views.into();
     small["buffers"] = json!([{ "byteLength": data.bin.len() }]);
-    Ok(aim_fuzz::input_of(&serde_json::to_vec(&small)?, &data.bin))
+    Ok(inputs::input_of(&serde_json::to_vec(&small)?, &data.bin))
 }
 
 fn items(list: &mut Value) -> impl Iterator<Item = &mut Value> {
