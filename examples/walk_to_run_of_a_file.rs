@@ -13,13 +13,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (measured, skeleton) = (Measurement::of(&document), document.skeleton());
     let spec = propose(&document, &measured, None)?.spec;
     let (nodes, rig) = (chain_nodes(&spec, skeleton)?, InterpretedRig::new(&spec));
-    let mut chain = AimChain::new(skeleton, nodes.joints)?;
-    chain = if let Some(eye) = nodes.other_eye { chain.with_following_eye(eye)? } else { chain };
+    let chain = AimChain::new(skeleton, nodes.joints)?;
+    let chain = if let Some(eye) = nodes.other_eye { chain.with_following_eye(eye)? } else { chain };
     // The way of each gait, made steady; a cycle begins with one foot, and the other one is down half of it later.
     let clips = [document.clip(walk)?, document.clip(run)?];
-    let hips = measured.with_role(Role::Hips).ok_or("no hips are found")?;
-    let root = Root::Shadow { bone: hips.node, up: measured.up.as_vec3() };
-    let motion = |clip| RootPath::new(clip, skeleton, root, 60.0).map(|path| Motion::linear(&path));
+    let (bone, up) = (measured.with_role(Role::Hips).ok_or("no hips are found")?.node, measured.up.as_vec3());
+    let motion = |clip| RootPath::new(clip, skeleton, Root::Shadow { bone, up }, 60.0).map(|way| Motion::linear(&way));
     let (motions, lengths) = ([motion(clips[0])?, motion(clips[1])?], clips.map(Clip::length_s));
     let marks = [Marks::new(lengths[0], [0.0, lengths[0] / 2.0])?, Marks::new(lengths[1], [0.0, lengths[1] / 2.0])?];
     let speeds = motions.each_ref().map(|motion| motion.screw().speed_s());
@@ -28,7 +27,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (mut scratch, mut cursors, mut frame) = (tree.scratch(), clips.map(Clip::cursor), chain.frame());
     let (mut phase, mut place, mut gaze) = (Phase::new(), Transform::IDENTITY, DynAim::new(rig));
     let (mut local, mut model) = (skeleton.rest().to_vec(), vec![Affine3A::IDENTITY; skeleton.len()]);
-    let (mut shares, mut times, mut reached) = ([0.0; 2], vec![], 0);
+    let (mut shares, mut times, mut clip, mut reached) = ([0.0; 2], vec![], Clip::new("walk_to_run"), 0);
     let mut keys = vec![(Vec::<Vec3>::new(), Vec::<Quat>::new()); skeleton.len()];
     let lamp = ((measured.left * 1.5 + measured.up * 1.9 + measured.forward * 9.0) * measured.metre()).as_vec3();
     for number in 0..=300_u16 {
@@ -52,10 +51,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             (places.push(bone.translation), turns.push(bone.rotation));
         }
     }
-    let clip = keys.into_iter().enumerate().try_fold(Clip::new("walk_to_run"), |clip, (bone, (places, turns))| {
-        let clip = clip.with_translation(bone, Track::linear(&times[..], places)?);
-        Ok::<_, TrackError>(clip.with_rotation(bone, Track::linear(&times[..], turns)?))
-    })?;
-    println!("{:.2} m on, the gaze on the lamp in {reached} of 301 frames", place.translation.length());
+    for (bone, (places, turns)) in keys.into_iter().enumerate() {
+        let (places, turns) = (Track::linear(&times[..], places)?, Track::linear(&times[..], turns)?);
+        clip = clip.with_translation(bone, places).with_rotation(bone, turns);
+    }
+    println!("{:.2} on, the gaze on the lamp in {reached} of 301 frames", place.translation.length());
     Ok(write_file(output, &document.with_clips(&[clip])?)?)
 }

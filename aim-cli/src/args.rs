@@ -329,7 +329,7 @@ pub(crate) struct Bake {
     /// How the result begins.
     #[arg(long, value_parser = one_of(SETTLES), default_value = "snap")]
     pub(crate) settle: Settle,
-    /// Make the result's first frame follow from its last.
+    /// Make the result's first frame follow from its last: the clip's own seam is mended, in place and speed, where it jumps.
     #[arg(long = "loop")]
     pub(crate) looped: bool,
     /// Exit with 1 if the result looks wrong, although it is written: see Plausibility below.

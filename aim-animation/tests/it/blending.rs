@@ -119,6 +119,7 @@ fn weighted_sums() {
         let mut sum = [Transform::IDENTITY; 3];
         blender.sum(&inputs, &mut sum).unwrap();
         let total: f64 = weights.iter().map(|w| f64::from(*w)).sum();
+        let mut certain = [1.0; 3];
         for bone in 0..3 {
             let mean = |part: fn(&Transform) -> Vec3| {
                 let parts = inputs.iter().map(|(pose, w)| part(&pose[bone]).as_dvec3() * f64::from(*w));
@@ -137,6 +138,7 @@ fn weighted_sums() {
                 (rest * DQuat::from_scaled_axis(vectors.sum::<DVec3>() / total), 1.0)
             };
             assert!(angle_between(sum[bone].rotation, truth) < 5e-6 / certainty, "{method:?}");
+            certain[bone] = certainty;
         }
         inputs.reverse();
         if inputs.len() > 2 {
@@ -144,10 +146,11 @@ fn weighted_sums() {
         }
         let mut other = [Transform::IDENTITY; 3];
         blender.sum(&inputs, &mut other).unwrap();
-        for (a, b) in sum.iter().zip(&other) {
+        for ((a, b), certainty) in sum.iter().zip(&other).zip(certain) {
             assert!(a.translation.distance(b.translation) < 1e-6 && a.scale.distance(b.scale) < 1e-6);
-            assert!((a.rotation - b.rotation).length() < 1e-6 || method == Method::Nlerp, "{a:?} {b:?}");
-            assert!((a.rotation - b.rotation).length() < 4e-6, "{a:?} {b:?}");
+            // Rotations that cancel leave little of the sum, which is then made unit.
+            let apart = f64::from((a.rotation - b.rotation).length());
+            assert!(apart < 1e-6 / certainty.min(1.0), "{a:?} {b:?}");
         }
     }
 }

@@ -2,6 +2,8 @@
 
 mod blending;
 mod common;
+mod documented;
+mod instances;
 mod motions;
 mod playing;
 mod poses;

@@ -2,14 +2,16 @@
 
 use std::sync::Arc;
 
-use aim_animation::Clip;
+use aim_animation::{Clip, Root};
 use aim_gltf::{Document, Skeleton, to_glb};
 use glam::{DMat3, DQuat, DVec3, Quat, Vec3};
 use serde_json::{Value, json};
 
+use super::Mannequin;
+use super::blend::walk_to_run;
 use super::body::{MATERIALS, surfaces};
 use super::joints::{Bone, Joint};
-use super::moves::Move;
+use super::moves::{self, Move};
 use super::shape::ShapeMesh;
 use super::vrm::{Vrm, t_pose};
 use super::walk;
@@ -64,7 +66,8 @@ impl Data {
 }
 
 /// The whole file.
-pub(super) fn pack(moves: &[Move], vrm: Option<Vrm>, joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
+pub(super) fn pack(of: Mannequin, joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
+    let vrm = of.vrm;
     let mut data = Data::default();
     let scene = vrm.map_or(DMat3::IDENTITY, Vrm::scene);
     let mut surfaces = surfaces(joints);
@@ -101,9 +104,16 @@ pub(super) fn pack(moves: &[Move], vrm: Option<Vrm>, joints: &[Joint], rig: &[Bo
     let glb = to_glb(json.to_string().as_bytes(), Some(&data.bytes))?;
     let document = Document::from_bytes(&glb)?;
     let bones = (document.skeleton(), rig);
-    let mut clips = vec![clip("walk", walk::times(), bones, |t| walk::at(joints, t))?];
-    for one in moves {
-        clips.push(clip(one.name, one.times(), bones, |t| one.at(joints, t))?);
+    let moved = |one: &Move| clip(one.name, one.times(), bones, |t| one.at(joints, t));
+    let mut clips = Vec::new();
+    if of.walks_to_run {
+        let root = Root::Shadow { bone: document.skeleton().find(&joints[0].name)?, up: (scene * DVec3::Y).as_vec3() };
+        let [walk, run] = [moved(&moves::WALK_AHEAD)?, moved(&moves::RUN)?];
+        clips.push(walk_to_run(document.skeleton(), [&walk, &run], root)?);
+    }
+    clips.push(clip("walk", walk::times(), bones, |t| walk::at(joints, t))?);
+    for one in if of.moves { &moves::MOVES[..] } else { &[] } {
+        clips.push(moved(one)?);
     }
     Ok(document.with_clips(&clips)?)
 }
