@@ -126,7 +126,8 @@ impl<'a> Travel<'a> {
         let outermost = |bone: &usize| moves(*bone) && skeleton.ancestry(*bone).skip(1).all(|on| !moves(on));
         let on = |bone: usize| skeleton.parents()[bone].map_or(Affine3A::IDENTITY, |parent| world[parent]);
         let carriers = (0..skeleton.len()).filter(outermost).map(|bone| (bone, on(bone))).collect();
-        Ok(Some(Self { skeleton, motion: Motion::linear(&path), carriers }))
+        // Along a screw the next round goes on as fast as this one, also round a corner.
+        Ok(Some(Self { skeleton, motion: Motion::composite(&path), carriers }))
     }
 
     /// The clip with this movement taken out, or given back: `P⁻¹ · M(t)^∓¹ · P · local` of each carrier, P what it hangs on.
