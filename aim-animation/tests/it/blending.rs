@@ -138,6 +138,8 @@ fn weighted_sums() {
                 (rest * DQuat::from_scaled_axis(vectors.sum::<DVec3>() / total), 1.0)
             };
             assert!(angle_between(sum[bone].rotation, truth) < 5e-6 / certainty, "{method:?}");
+            let side = sum[bone].rotation.as_dquat().dot(rest);
+            assert!(method == Method::Log || side > -1e-6, "not in the hemisphere of the rest pose");
             certain[bone] = certainty;
         }
         inputs.reverse();
@@ -176,10 +178,16 @@ fn antipodal_inputs() {
             let mean = sum(&[(q, v), (other, w)]);
             assert!(angle_between(mean, q.as_dquat()) < 1e-6, "{q} {other} {mean}");
             assert!((mean - sum(&[(other, w), (q, v)])).length() < 1e-6);
+            // Half a turn from the rest pose the first part that is not zero is positive.
+            let first = mean.to_array().into_iter().find(|part| part.abs() > 1e-6).unwrap();
+            assert!(case % 2 == 0 || first > 0.0, "{mean}");
         }
         // Nothing to choose from is the rest pose.
         assert_eq!(sum(&[(q, 0.0), (-q, f32::NAN)]), Quat::IDENTITY);
     }
+    // What has no weight makes no difference, whatever it is.
+    let nonsense = Quat::from_xyzw(f32::INFINITY, f32::NAN, 0.0, 0.0);
+    assert_eq!(sum(&[(Quat::IDENTITY, 0.5), (nonsense, 0.0)]), Quat::IDENTITY);
     assert_eq!(sum(&[]), Quat::IDENTITY);
 }
 

@@ -151,10 +151,11 @@ fn events_of_all_clips() {
     let told: Vec<(usize, &str)> = told.iter().map(|(number, name)| (*number, &name[..])).collect();
     // At 0.21, 0.3 and 0.39 s.
     assert_eq!(told, [(2, "right"), (0, "left"), (1, "wave")]);
+    assert_eq!(hero.steps().len(), 3);
     assert!(hero.steps().iter().all(|step| (step.to_s() - step.from_s() - 0.1).abs() < 1e-5));
     // A clip that is stopped plays no more, and the others go on.
     hero.stop(1);
-    hero.stop(7);
+    hero.stop(2);
     assert_eq!(hero.controls().iter().map(|playing| playing.clip).collect::<Vec<_>>(), [0, 1]);
     hero.controls_mut()[1].control.speed = 0.0;
     hero.advance(&model, 0.25);
@@ -186,7 +187,7 @@ fn things_are_carried() {
         assert!(apart(thing, &(exact(&hero.place) * truth)) < 1e-5);
     }
     hero.detach(0);
-    hero.detach(5);
+    hero.detach(2);
     assert_eq!(hero.things(&posed).collect::<Vec<_>>(), things[1..]);
 }
 

@@ -3,6 +3,7 @@
 mod blending;
 mod common;
 mod documented;
+mod errors;
 mod instances;
 mod motions;
 mod playing;

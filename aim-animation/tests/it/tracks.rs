@@ -239,6 +239,8 @@ fn resampled() {
         assert!(angle_between(dense.sample(time), track.sample(time).as_dquat()) < 1e-4);
     }
     assert_eq!(track.resampled(10.0, 0.35).times(), [0.0, 0.0875, 0.175, 0.2625, 0.35]);
+    // A whole number of samples is no more.
+    assert_eq!(track.resampled(4.0, 0.5).times(), [0.0, 0.25, 0.5]);
     for (rate, length) in [(0.0, 1.0), (f32::NAN, 1.0), (30.0, -1.0), (30.0, f32::INFINITY), (30.0, f32::NAN)] {
         assert_eq!(track.resampled(rate, length).times(), [0.0]);
     }
@@ -330,6 +332,19 @@ fn a_repeated_clip_equals_itself_modulo_its_length() {
     // No length to repeat, none asked for.
     assert_eq!(clip.repeated(f32::INFINITY), clip);
     assert_eq!(Clip::new("still").repeated(3.0), Clip::new("still"));
-    // More rounds than memory has place for.
-    assert!(clip.repeated(1e30).length_s() <= 2.0 * 65_535.0);
+    for seconds in [0.0, -1.0, f32::NAN] {
+        assert_eq!(clip.repeated(seconds), clip);
+    }
+    assert_eq!(Clip::new("still").repeated(0.0), Clip::new("still"));
+    // What happens at the beginning of a round after the last one does not happen.
+    let first = Clip::new("c").with_length(2.0).with_event(0.0, "first").unwrap();
+    assert_eq!(first.repeated(4.0).events().len(), 2);
+    // More rounds than memory has place for: 65 535, or 2²³ keys, two more a round than there are.
+    assert_eq!(first.repeated(1e30).length_s(), 2.0 * 65_535.0);
+    let dense = |keys: u16| {
+        let times: Vec<f32> = (0..keys).map(f32::from).collect();
+        let values = vec![1.0; usize::from(keys)];
+        Clip::new("c").with_scalar(0, Track::step(times, values).unwrap())
+    };
+    assert_eq!(dense(32_766).repeated(1e30).length_s(), 32_765.0 * 256.0);
 }
