@@ -1,6 +1,6 @@
 //! A character of a glTF file walks, then runs, is moved by its own steps, and looks at a lamp that it passes; written back as a
 //! clip: `walk_to_run_of_a_file IN.glb WALK RUN OUT.glb`. The example `mannequin` of `aim-character` writes an IN.glb.
-use aim::glam::{Affine3A, Quat, Vec3};
+use aim::glam::Affine3A;
 use aim::{DynAim, Settings, Status, animation::*};
 use aim_character::{InterpretedRig, Measurement, Role, chain_nodes, propose};
 use aim_gltf::{Document, write_file};
@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (mut phase, mut place, mut gaze) = (Phase::new(), Transform::IDENTITY, DynAim::new(rig));
     let (mut local, mut model) = (skeleton.rest().to_vec(), vec![Affine3A::IDENTITY; skeleton.len()]);
     let (mut shares, mut times, mut clip, mut reached) = ([0.0; 2], vec![], Clip::new("walk_to_run"), 0);
-    let mut keys = vec![(Vec::<Vec3>::new(), Vec::<Quat>::new()); skeleton.len()];
+    let mut keys = vec![Vec::<Transform>::new(); skeleton.len()];
     let lamp = ((measured.left * 1.5 + measured.up * 1.9 + measured.forward * 9.0) * measured.metre()).as_vec3();
     for number in 0..=300_u16 {
         let (dt, speed) = (1.0 / 60.0, speeds[0] + (speeds[1] - speeds[0]) * f32::from(number) / 300.0);
@@ -46,13 +46,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         reached += u16::from(gaze.aim(&frame.pose(), lamp, dt, &Settings::default()).status == Status::Reached);
         chain.apply(&frame, (&gaze).into(), &mut local, &mut model)?;
         times.push(f32::from(number) * dt);
-        for ((bone, parent), (places, turns)) in local.iter().zip(skeleton.parents()).zip(&mut keys) {
-            let bone = if parent.is_none() { place.rigid_product(bone) } else { *bone };
-            (places.push(bone.translation), turns.push(bone.rotation));
+        for ((bone, parent), keys) in local.iter().zip(skeleton.parents()).zip(&mut keys) {
+            keys.push(if parent.is_none() { place.rigid_product(bone) } else { *bone });
         }
     }
-    for (bone, (places, turns)) in keys.into_iter().enumerate() {
-        let (places, turns) = (Track::linear(&times[..], places)?, Track::linear(&times[..], turns)?);
+    for (bone, keys) in keys.iter().enumerate() {
+        let places = Track::linear(&*times, keys.iter().map(|key| key.translation).collect::<Vec<_>>())?;
+        let turns = Track::linear(&*times, keys.iter().map(|key| key.rotation).collect::<Vec<_>>())?;
         clip = clip.with_translation(bone, places).with_rotation(bone, turns);
     }
     println!("{:.2} on, the gaze on the lamp in {reached} of 301 frames", place.translation.length());

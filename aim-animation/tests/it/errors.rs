@@ -69,7 +69,7 @@ fn mistakes_are_told() {
         (AimChainError::Order(2).to_string(), &["joint 1", "joint 2"]),
         (AimChainError::OtherEye.to_string(), &["eye"]),
         (AimChainError::Trunk.to_string(), &["trunk"]),
-        (AimChainError::Held.to_string(), &["hold"]),
+        (AimChainError::Held.to_string(), &["held"]),
     ] {
         println!("{message}");
         for word in words {

@@ -199,6 +199,16 @@ fn degenerate_controls() {
     let mut control = Control::new().with_speed(-1.0);
     assert_eq!(control.advance(1e-20, 1.0).ends_passed(), 0);
     assert_eq!(control.time_s(), 0.0);
+    // Of a huge step no more ends are told than anybody hears, and its direction is right all the same.
+    for (rounds, then) in [(70_000.25, 0.5), (70_001.25, 0.5)] {
+        let mut control = Control::new().with_looping(Looping::PingPong);
+        let step = control.advance(rounds, 1.0);
+        assert!((65_000..=65_536).contains(&step.ends_passed()), "{}", step.ends_passed());
+        let back = step.ends_passed() % 2 == 1;
+        assert_eq!((back, control.time_s()), (rounds > 70_001.0, if back { 0.75 } else { 0.25 }));
+        control.advance(0.25, 1.0);
+        assert_eq!(control.time_s(), then);
+    }
     // To stop on an end is not to pass it; to leave it, turned round, is.
     let mut control = Control::new().with_looping(Looping::PingPong);
     let ends = [1.0, 0.25, 0.75, 0.5].map(|dt| (control.advance(dt, 1.0).ends_passed(), control.time_s()));

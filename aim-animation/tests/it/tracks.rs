@@ -177,6 +177,50 @@ fn breaks() {
     assert_eq!([0.5, 0.75, 1.0, 1.5].map(|time| track.sample(time)), [0.5, 0.75, -3.0, -3.5]);
     let at_end = Track::step([0.0, 2.0, 2.0], [1.0, 2.0, 3.0]).unwrap();
     assert_eq!([1.9, 2.0, 2.1].map(|time| at_end.sample(time)), [1.0, 3.0, 3.0]);
+    // Where keys share a time no tangent plays a part, whatever it is.
+    let key = |into, value, out| HermiteKey { into, value, out };
+    let keys = [key(1e38, 0.0, 1.0), key(1.0, 1.0, 1e38), key(1e38, 5.0, 0.0), key(0.0, 5.0, 1e38)];
+    let track = Track::hermite([0.0, 1.0, 1.0, 2.0], &keys).unwrap();
+    assert_eq!([0.0, 0.5, 1.0, 1.5].map(|time| track.sample(time)), [0.0, 0.5, 5.0, 5.0]);
+}
+
+/// Keys close together, which are interpolated by series: the same arc, to rounding.
+#[test]
+fn rotations_close_together() {
+    let mut rng = Rng(12);
+    for case in 0..2000 {
+        let (start, axis) = (rng.rotation(), rng.vector(1.0).normalize());
+        let angle = [0.28, 0.2, 0.05][case % 3] * rng.between(0.9, 1.0);
+        let end = Quat::from_axis_angle(axis, angle) * start;
+        let track = Track::linear([0.0, 1.0], [start, if case % 2 == 0 { end } else { -end }]).unwrap();
+        let part = rng.between(0.0, 1.0);
+        // The definition, between the keys as they are.
+        let [from, to] = [start, end].map(|key| key.as_dquat().normalize());
+        let turn = (to * from.conjugate()).to_scaled_axis();
+        let truth = DQuat::from_scaled_axis(turn * f64::from(part)) * from;
+        assert!(angle_between(track.sample(part), truth) < 4e-7, "{angle} {part}");
+    }
+}
+
+/// Rotations that are not unit, with their tangents, are the same curve; tangents that are too large are told.
+#[test]
+fn rotations_of_any_length() {
+    let mut rng = Rng(11);
+    for _ in 0..100 {
+        let keys = [0; 3].map(|_| {
+            let mut tangent = || Quat::from_xyzw(rng.between(-1.0, 1.0), 0.3, rng.between(-1.0, 1.0), 0.1);
+            HermiteKey { into: tangent(), value: Quat::IDENTITY, out: tangent() }
+        });
+        let keys = keys.map(|key| HermiteKey { value: rng.rotation(), ..key });
+        let long = keys.map(|key| HermiteKey { into: key.into * 3.0, value: key.value * 3.0, out: key.out * 3.0 });
+        let [one, other] = [keys, long].map(|keys| Track::hermite([0.0, 0.7, 1.0], &keys).unwrap());
+        for time in [0.0, 0.2, 0.5, 0.7, 0.8, 1.0] {
+            assert!(angle_between(one.sample(time), other.sample(time).as_dquat()) < 1e-5, "{time}");
+        }
+    }
+    let wild = HermiteKey { into: Quat::IDENTITY, value: Quat::IDENTITY, out: Quat::IDENTITY * 1e38 };
+    assert_eq!(Track::hermite([0.0, 1.0], &[wild, wild]), Err(TrackError::Tangent(0)));
+    assert_eq!(Track::constant(Quat::from_xyzw(1e38, 0.0, 0.0, 1.0)), Err(TrackError::Value(0)));
 }
 
 /// Any cursor, and any order of times, gives what a search gives.

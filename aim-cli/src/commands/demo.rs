@@ -27,6 +27,7 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
     files::print(&format!(
         "aiming the mannequin's eye, neck and spine, as it walks and runs, at a target that orbits it once in {seconds:.1} s\n"
     ))?;
+    let first = document.clips().first().map(|clip| clip.name().to_owned());
     let out = |name: &str| arguments.out.join(name);
     fs::create_dir_all(&arguments.out).map_err(|error| {
         Failure::in_file(&arguments.out, format!("cannot be made ({error}); give a folder with --out"))
@@ -37,9 +38,9 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
         // 2 m away, a little above the eyes.
         target: TargetSpec::Orbit { radius: 2.0, height: 0.15, seconds: seconds.into() },
         rig: None,
-        clip: None,
         // A player shows the first clip of a file.
-        name: document.clips().first().map(|clip| clip.name().to_owned()),
+        clip: first.clone(),
+        name: first,
         aiming: arguments.aiming,
         effector: None,
         weight: 1.0,

@@ -9,7 +9,7 @@ use serde_json::Value;
 fn the_demo_aims_well_and_writes_three_files() {
     let place = Place::new();
     let ran = place.done("demo");
-    assert_eq!(place.names(), ["aim-demo"]);
+    assert_eq!((place.names(), ran.stderr.as_str()), (vec!["aim-demo".into()], ""));
     for file in ["aimed.glb", "report.html", "report.json"] {
         assert!(place.read(&format!("aim-demo/{file}")).len() > 1000, "{file} is next to nothing");
         assert!(ran.stdout.contains(file), "{file} is not mentioned in {}", ran.stdout);
