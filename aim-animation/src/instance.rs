@@ -188,8 +188,8 @@ impl Instance {
     }
 
     /// The events that the last [`advance`](Self::advance) passed: control by control, of each in order, with its number.
-    pub fn events<'a>(&'a self, model: &'a Model) -> impl Iterator<Item = (usize, &'a Event)> {
-        self.controls.iter().zip(&self.steps).enumerate().flat_map(|(number, (playing, step))| {
+    pub fn events<'a, 'm>(&'a self, model: &'m Model) -> impl Iterator<Item = (usize, &'m Event)> + use<'a, 'm> {
+        self.controls.iter().zip(&self.steps).enumerate().flat_map(move |(number, (playing, step))| {
             let clip = model.clips().get(playing.clip);
             clip.into_iter().flat_map(|clip| clip.events_passed(step)).map(move |event| (number, event))
         })

@@ -188,6 +188,10 @@ fn antipodal_inputs() {
     // What has no weight makes no difference, whatever it is.
     let nonsense = Quat::from_xyzw(f32::INFINITY, f32::NAN, 0.0, 0.0);
     assert_eq!(sum(&[(Quat::IDENTITY, 0.5), (nonsense, 0.0)]), Quat::IDENTITY);
+    let nowhere = [Transform::from_translation(Vec3::splat(f32::NAN))];
+    let mut out = nowhere;
+    blender.sum(&[(&[Transform::IDENTITY], 0.5), (&nowhere, 0.0)], &mut out).unwrap();
+    assert_eq!(out, [Transform::IDENTITY]);
     assert_eq!(sum(&[]), Quat::IDENTITY);
 }
 

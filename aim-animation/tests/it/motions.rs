@@ -329,6 +329,11 @@ fn removed_from_the_clip() {
     let clip = clip_by(&skeleton, 60, walk);
     let path = RootPath::new(&clip, &skeleton, Root::Shadow { bone: PELVIS, up: Vec3::Y }, 120.0).unwrap();
     for motion in kinds(&path) {
+        // No less often than is asked for: 13.65 samples are 14.
+        let coarse = motion.removed_from(&clip, &skeleton, 10.5);
+        assert_eq!(coarse.bone(0).unwrap().translation.as_ref().unwrap().times().len(), 15);
+        let whole = motion.removed_from(&clip, &skeleton, 10.0);
+        assert_eq!(whole.bone(0).unwrap().translation.as_ref().unwrap().times().len(), 14);
         let stripped = motion.removed_from(&clip, &skeleton, 1000.0);
         assert_eq!((stripped.length_s(), stripped.name()), (clip.length_s(), "clip"));
         for time in [0.0, 0.123, 0.77, LENGTH] {

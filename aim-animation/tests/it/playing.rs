@@ -280,7 +280,7 @@ fn clips_in_step() {
         let mut phase = Phase::new().at(7.25);
         assert_eq!(phase.phase(), 0.25);
         phase.speed = speed;
-        phase.advance(0.1, &[(&walk, 0.75), (&run, 0.25)]);
+        phase.advance(0.1, &[(&walk, 0.375), (&run, 0.125)]);
         let truth = (0.25 + 0.1 * f64::from(speed) / 0.9125).rem_euclid(1.0);
         assert!((f64::from(phase.phase()) - truth).abs() < 1e-6, "{speed}");
     }
