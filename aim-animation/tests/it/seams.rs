@@ -197,6 +197,11 @@ fn crowded_keys() {
     let linear = Track::linear(close, [0.0, 1.0, 2.0, 3.0]).unwrap();
     let cubic = Track::hermite(close, &[0.0, 1.0, 2.0, 3.0].map(|value| HermiteKey::smooth(value, 0.0))).unwrap();
     for track in [linear, cubic] {
+        let back = Clip::new("b").with_length(8.0).with_scalar(0, track.clone()).reversed();
+        let reversed = &back.scalars()[0].1;
+        assert_eq!(reversed.times(), [7.0, 8.0, 8.0]);
+        assert_eq!([7.0, 8.0].map(|time| reversed.sample(time)), [3.0, 0.0]);
+        assert!((reversed.sample(7.999) - 2.0).abs() < 0.02, "{reversed:?}");
         let repeated = Clip::new("b").with_scalar(0, track).repeated(8.5);
         let track = &repeated.scalars()[0].1;
         assert!(is_in_order(track.times()), "{:?}", track.times());
