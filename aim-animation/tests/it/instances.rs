@@ -127,7 +127,7 @@ fn places_move_by_the_clips() {
         (&[walk, wave], 4.9),
         (&[walk, wave.with_mask(0)], 9.8),
         (&[walk, wave.with_weight(0.0)], 9.8),
-        (&[walk, ClipControl::new(9)], 9.8),
+        (&[walk, ClipControl::new(3)], 9.8),
         (&[wave], 0.0),
         (&[], 0.0),
         (&[walk.with_control(Control::new().with_looping(Looping::Once))], 1.4),

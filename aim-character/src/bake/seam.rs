@@ -23,8 +23,8 @@ const RATE: f32 = 60.0;
 const WINDOW_S: f32 = 0.25;
 /// As far as no one sees: a part of the height, radians, factors of scale, weights of morph targets.
 const CLOSED: f32 = 1e-4;
-/// The seam's jump in speed beside the largest one anywhere else in the clip.
-const JERK: f32 = 1.5;
+/// The jump in speed at the seam beside the largest one anywhere else in the clip, of which samples beside keys see a half.
+const JERK: f32 = 2.5;
 /// A way of the hips that is meant, a part of the height, and a turn, radians.
 const TRAVEL: f32 = 0.05;
 const TRAVEL_RAD: f32 = 0.1;

@@ -89,6 +89,14 @@ fn lines_are_where_the_bones_and_their_limits_are() {
                 assert!(wide(line.from).distance(at.translation) < 1e-5, "{name} {line:?}");
                 assert!(wide(line.to).distance(to) < 2e-5, "{name} {line:?} instead of {to}");
             }
+            // Round about, without a gap.
+            for joint in 0..3 {
+                let is_rim = |line: &&aim::animation::GizmoLine| line.kind == GizmoKind::Rim { joint };
+                let rim: Vec<_> = lines.iter().filter(is_rim).collect();
+                for (one, next) in rim.iter().zip(rim.iter().cycle().skip(1)) {
+                    assert!(one.to.distance(next.from) < 1e-5, "{name} {one:?} {next:?}");
+                }
+            }
             // A quarter of the rim along each end, the corners of both.
             assert!(
                 [0, 2].iter().all(|joint| ends[*joint].iter().all(|end| (16..=18).contains(end))),
