@@ -91,7 +91,7 @@ fn lines_are_where_the_bones_and_their_limits_are() {
             }
             // Round about, without a gap.
             for joint in 0..3 {
-                let is_rim = |line: &&aim::animation::GizmoLine| line.kind == GizmoKind::Rim { joint };
+                let is_rim = |line: &&GizmoLine| line.kind == GizmoKind::Rim { joint };
                 let rim: Vec<_> = lines.iter().filter(is_rim).collect();
                 for (one, next) in rim.iter().zip(rim.iter().cycle().skip(1)) {
                     assert!(one.to.distance(next.from) < 1e-5, "{name} {one:?} {next:?}");
