@@ -50,9 +50,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             keys.push(if parent.is_none() { place.rigid_product(bone) } else { *bone });
         }
     }
-    for (bone, keys) in keys.iter().enumerate() {
-        let places = Track::linear(&*times, keys.iter().map(|key| key.translation).collect::<Vec<_>>())?;
-        let turns = Track::linear(&*times, keys.iter().map(|key| key.rotation).collect::<Vec<_>>())?;
+    for bone in skeleton.ancestry(bone).last().map_or(0..0, |root| skeleton.subtree(root)) {
+        let places = Track::linear(&*times, keys[bone].iter().map(|key| key.translation).collect::<Vec<_>>())?;
+        let turns = Track::linear(&*times, keys[bone].iter().map(|key| key.rotation).collect::<Vec<_>>())?;
         clip = clip.with_translation(bone, places).with_rotation(bone, turns);
     }
     println!("{:.2} on, the gaze on the lamp in {reached} of 301 frames", place.translation.length());
