@@ -16,6 +16,7 @@ use glam::{DMat3, DVec3};
 
 use crate::error::Error;
 use joints::Bone;
+use pack::Contents;
 pub use vrm::Vrm;
 
 /// The paper's convention: a bone's +X is up, +Y forward, +Z left.
@@ -107,7 +108,8 @@ impl Mannequin {
             }
         };
         let rig: Vec<Bone> = joints.iter().zip(&frames).map(bone).collect();
-        pack::pack(*self, &joints, &rig)
+        let moves = if self.moves { &moves::MOVES[..] } else { &[] };
+        pack::pack(&Contents { moves, walks_to_run: self.walks_to_run, vrm: self.vrm }, &joints, &rig)
     }
 }
 

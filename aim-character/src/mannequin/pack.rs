@@ -7,7 +7,6 @@ use aim_gltf::{Document, Skeleton, to_glb};
 use glam::{DMat3, DQuat, DVec3, Quat, Vec3};
 use serde_json::{Value, json};
 
-use super::Mannequin;
 use super::blend::walk_to_run;
 use super::body::{MATERIALS, surfaces};
 use super::joints::{Bone, Joint};
@@ -65,9 +64,16 @@ impl Data {
     }
 }
 
+/// What a file has beside the figure and its walk.
+pub(super) struct Contents<'a> {
+    pub(super) moves: &'a [Move],
+    pub(super) walks_to_run: bool,
+    pub(super) vrm: Option<Vrm>,
+}
+
 /// The whole file.
-pub(super) fn pack(of: Mannequin, joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
-    let vrm = of.vrm;
+pub(super) fn pack(contents: &Contents<'_>, joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
+    let vrm = contents.vrm;
     let mut data = Data::default();
     let scene = vrm.map_or(DMat3::IDENTITY, Vrm::scene);
     let mut surfaces = surfaces(joints);
@@ -106,13 +112,13 @@ pub(super) fn pack(of: Mannequin, joints: &[Joint], rig: &[Bone]) -> Result<Vec<
     let bones = (document.skeleton(), rig);
     let moved = |one: &Move| clip(one.name, one.times(), bones, |t| one.at(joints, t));
     let mut clips = Vec::new();
-    if of.walks_to_run {
+    if contents.walks_to_run {
         let root = Root::Shadow { bone: document.skeleton().find(&joints[0].name)?, up: (scene * DVec3::Y).as_vec3() };
         let [walk, run] = [moved(&moves::WALK_AHEAD)?, moved(&moves::RUN)?];
         clips.push(walk_to_run(document.skeleton(), [&walk, &run], root)?);
     }
     clips.push(clip("walk", walk::times(), bones, |t| walk::at(joints, t))?);
-    for one in if of.moves { &moves::MOVES[..] } else { &[] } {
+    for one in contents.moves {
         clips.push(moved(one)?);
     }
     Ok(document.with_clips(&clips)?)
