@@ -85,6 +85,21 @@ pub mod rigs {
     include_rigs!("rigs");
 }
 
+/// The pages about animation, whose examples are run.
+#[cfg(all(doctest, feature = "animation"))]
+mod pages {
+    #[doc = include_str!("../docs/animation.md")]
+    mod animation {}
+    #[doc = include_str!("../docs/tracks.md")]
+    mod tracks {}
+    #[doc = include_str!("../docs/playing.md")]
+    mod playing {}
+    #[doc = include_str!("../docs/blending.md")]
+    mod blending {}
+    #[doc = include_str!("../docs/root-motion.md")]
+    mod root_motion {}
+}
+
 /// What emitted code names; not for hand-written code.
 #[doc(hidden)]
 pub mod __private {

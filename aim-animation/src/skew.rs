@@ -75,11 +75,11 @@ impl SkewedTransform {
     pub fn from_affine(affine: &Affine3A) -> Option<Self> {
         let m = affine.matrix3;
         let mut frame = gram_schmidt(m)?;
-        let mut columns = [m.x_axis, m.y_axis, m.z_axis];
+        let columns = [m.x_axis, m.y_axis, m.z_axis];
         let mut scale = Vec3::from_array(columns.map(length));
         if frame.determinant() < 0.0 {
             // The mirror is taken out first: y and z then lean towards the mirrored x.
-            (frame.x_axis, columns[0], scale.x) = (-frame.x_axis, -columns[0], -scale.x);
+            (frame.x_axis, scale.x) = (-frame.x_axis, -scale.x);
         }
         let along = |axis: Vec3A, column: usize| axis.dot(columns[column] / scale[column]);
         let (y_y, z_z) = (along(frame.y_axis, 1), along(frame.z_axis, 2));

@@ -22,7 +22,7 @@ pub(crate) struct Arguments {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Walk the bundled mannequin while a target orbits it; write aimed.glb, report.html and report.json.
+    /// Have the bundled mannequin walk and run while a target orbits it; write aimed.glb, report.html and report.json.
     #[command(after_help = "Example:\n  aim demo --out aim-demo")]
     Demo(Demo),
     /// Show a model's bones with their measured axes and roles, and its clips.
@@ -329,7 +329,7 @@ pub(crate) struct Bake {
     /// How the result begins.
     #[arg(long, value_parser = one_of(SETTLES), default_value = "snap")]
     pub(crate) settle: Settle,
-    /// Make the result's first frame follow from its last.
+    /// Make the result's first frame follow from its last: the clip's own seam is mended, in place and speed, where it jumps.
     #[arg(long = "loop")]
     pub(crate) looped: bool,
     /// Exit with 1 if the result looks wrong, although it is written: see Plausibility below.

@@ -2,6 +2,9 @@
 
 mod blending;
 mod common;
+mod documented;
+mod errors;
+mod instances;
 mod motions;
 mod playing;
 mod poses;

@@ -117,6 +117,75 @@ fn composite_on_screws() {
     }
 }
 
+/// A curve that is hardly one is followed all the same, and so is one that is nearly a whole turn. After a whole turn nothing is
+/// known of the radius: then it is the straight motion.
+#[test]
+fn gentle_curves_and_whole_turns() {
+    let (skeleton, start) = (skeleton(), DAffine3::from_translation(DVec3::new(0.1, 0.9, 0.2)));
+    let path = |point: DVec3, turn: f64, shift: f64| {
+        let rates = [turn, shift].map(|whole| whole / f64::from(LENGTH));
+        let clip = clip_by(&skeleton, 3000, |time| screw(DVec3::Y, point, rates, time) * start);
+        let path = RootPath::new(&clip, &skeleton, Root::Bone(PELVIS), 240.0).unwrap();
+        let middle = screw(DVec3::Y, point, rates, 0.5 * f64::from(LENGTH)) * start;
+        (path, middle.translation)
+    };
+    let whole = std::f64::consts::TAU;
+    for (point, turn, shift, most) in [
+        (DVec3::X * 2000.0, 7.5e-4, 0.0, 3e-5),
+        (DVec3::X * 100.0, 0.015, 0.0, 1e-3),
+        (DVec3::X * 1.5, 0.4, 0.3, 1e-4),
+        (DVec3::X * 1.5, whole - 0.05, 0.1, 5e-3),
+        (DVec3::X * 1.5, -whole - 0.05, 0.1, 5e-3),
+    ] {
+        let (path, middle) = path(point, turn, shift);
+        let found = rigid(&Motion::composite(&path).at(0.5 * LENGTH)).transform_point3(start.translation);
+        assert!(found.distance(middle) < most, "turn {turn}: {} m", found.distance(middle));
+        let straight = rigid(&Motion::linear(&path).at(0.5 * LENGTH)).transform_point3(start.translation);
+        assert!(straight.distance(middle) > 2.0 * most, "turn {turn}: what is straight does not do");
+    }
+    for turn in [whole, -whole, whole + 0.01] {
+        let (path, _) = path(DVec3::X * 1.5, turn, 0.7);
+        assert_eq!(Motion::composite(&path).at(0.4), Motion::linear(&path).at(0.4), "turn {turn}");
+    }
+}
+
+/// However it turns between, by more than half a circle and about no common axis, the end is where the root ends.
+#[test]
+fn ends_of_windings() {
+    let (skeleton, length) = (skeleton(), f64::from(LENGTH));
+    for (about_y, about_x) in [(4.0, 0.8), (-5.0, 1.5), (2.0, -1.0), (7.0, 0.3)] {
+        let place = |time: f64| {
+            let turn =
+                DQuat::from_rotation_y(about_y * time / length) * DQuat::from_rotation_x(about_x * time / length);
+            DAffine3::from_rotation_translation(turn, DVec3::new(time, 0.9, 2.0 * time * time))
+        };
+        let clip = clip_by(&skeleton, 3000, place);
+        let path = RootPath::new(&clip, &skeleton, Root::Bone(PELVIS), 60.0).unwrap();
+        for motion in [Motion::linear(&path), Motion::composite(&path), Motion::variable(&path)] {
+            let found = rigid(&motion.at(LENGTH)) * place(0.0);
+            let off = found.translation.distance(place(length).translation);
+            let turned = DQuat::from_mat3(&found.matrix3).angle_between(DQuat::from_mat3(&place(length).matrix3));
+            assert!(off < 1e-4 && turned < 1e-4, "{about_y} {about_x}: {off} m, {turned}");
+        }
+    }
+}
+
+/// What goes straight is a screw without a turn, along its own direction.
+#[test]
+fn straight_screws() {
+    let skeleton = skeleton();
+    let way = DVec3::new(0.6, 0.0, -0.8);
+    let clip = clip_by(&skeleton, 10, |time| DAffine3::from_translation(way * (1.5 * time)));
+    let motion = Motion::composite(&RootPath::new(&clip, &skeleton, Root::Bone(PELVIS), 30.0).unwrap());
+    let found = motion.screw();
+    assert!(found.axis.as_dvec3().distance(way) < 1e-5 && found.point.is_none(), "{found:?}");
+    assert_eq!((found.turn_rad_s, found.arc_s), (0.0, 0.0));
+    assert!((found.along_s - 1.5).abs() < 1e-5 && (found.speed_s() - 1.5).abs() < 1e-5, "{found:?}");
+    let still = clip_by(&skeleton, 10, |_| DAffine3::from_translation(DVec3::Y));
+    let still = Motion::composite(&RootPath::new(&still, &skeleton, Root::Bone(PELVIS), 30.0).unwrap()).screw();
+    assert_eq!((still.axis, still.speed_s()), (Vec3::ZERO, 0.0));
+}
+
 /// A root that goes straight and turns evenly is found as it is.
 #[test]
 fn linear_on_lines() {
@@ -260,6 +329,11 @@ fn removed_from_the_clip() {
     let clip = clip_by(&skeleton, 60, walk);
     let path = RootPath::new(&clip, &skeleton, Root::Shadow { bone: PELVIS, up: Vec3::Y }, 120.0).unwrap();
     for motion in kinds(&path) {
+        // No less often than is asked for: 13.65 samples are 14.
+        let coarse = motion.removed_from(&clip, &skeleton, 10.5);
+        assert_eq!(coarse.bone(0).unwrap().translation.as_ref().unwrap().times().len(), 15);
+        let whole = motion.removed_from(&clip, &skeleton, 10.0);
+        assert_eq!(whole.bone(0).unwrap().translation.as_ref().unwrap().times().len(), 14);
         let stripped = motion.removed_from(&clip, &skeleton, 1000.0);
         assert_eq!((stripped.length_s(), stripped.name()), (clip.length_s(), "clip"));
         for time in [0.0, 0.123, 0.77, LENGTH] {

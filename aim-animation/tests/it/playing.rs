@@ -67,6 +67,8 @@ fn clips_are_edited() {
     assert_eq!((back.length_s(), at(&back, 0.5)), (4.0, 3.5));
     let events: Vec<_> = back.events().iter().map(|event| (&event.name[..], event.time_s)).collect();
     assert_eq!(events, [("0", 1.0), ("2", 2.0), ("1", 3.0)]);
+    let named = clip.clone().with_name("other");
+    assert_eq!((named.name(), named.events(), named.scalars()), ("other", clip.events(), clip.scalars()));
     let dense = clip.resampled(10.0);
     assert_eq!((dense.scalars()[0].1.times().len(), dense.events()), (41, clip.events()));
     for time in [-1.0, f32::NAN, f32::INFINITY] {
@@ -185,6 +187,32 @@ fn degenerate_controls() {
         let step = control.advance(0.25, length);
         assert_eq!((control.time_s(), step.ends_passed()), (0.0, 0));
     }
+    // At its end it is done, whether it would go on or not; backwards at its beginning.
+    let mut once = Control::new().with_looping(Looping::Once).at(1.0);
+    for (speed, is_done) in [(1.0, true), (0.0, true), (-1.0, false)] {
+        once.speed = speed;
+        assert_eq!(once.is_done(1.0), is_done, "{speed}");
+    }
+    once.advance(2.0, 1.0);
+    assert!(once.is_done(1.0) && once.time_s() == 0.0);
+    // Less before the beginning than can be told from the end: no end is passed.
+    let mut control = Control::new().with_speed(-1.0);
+    assert_eq!(control.advance(1e-20, 1.0).ends_passed(), 0);
+    assert_eq!(control.time_s(), 0.0);
+    // Of a huge step no more ends are told than anybody hears, and its direction is right all the same.
+    for (rounds, then) in [(70_000.25, 0.5), (70_001.25, 0.5)] {
+        let mut control = Control::new().with_looping(Looping::PingPong);
+        let step = control.advance(rounds, 1.0);
+        assert!((65_000..=65_536).contains(&step.ends_passed()), "{}", step.ends_passed());
+        let back = step.ends_passed() % 2 == 1;
+        assert_eq!((back, control.time_s()), (rounds > 70_001.0, if back { 0.75 } else { 0.25 }));
+        control.advance(0.25, 1.0);
+        assert_eq!(control.time_s(), then);
+    }
+    // To stop on an end is not to pass it; to leave it, turned round, is.
+    let mut control = Control::new().with_looping(Looping::PingPong);
+    let ends = [1.0, 0.25, 0.75, 0.5].map(|dt| (control.advance(dt, 1.0).ends_passed(), control.time_s()));
+    assert_eq!(ends, [(0, 1.0), (1, 0.75), (0, 0.0), (1, 0.5)]);
 }
 
 #[test]
@@ -212,6 +240,13 @@ fn marks_meet() {
     assert_eq!(Marks::new(1.0, [0.2, 0.2]), Err(MarksError::Mark(1)));
     assert_eq!(Marks::new(1.0, [1.0]), Err(MarksError::Mark(0)));
     assert_eq!(Marks::new(1.0, [0.0, f32::NAN]), Err(MarksError::Mark(1)));
+    // Times outside are those of the loop.
+    let marks = Marks::new(1.6, [0.5, 0.9, 1.2]).unwrap();
+    assert_eq!(marks.length_s(), 1.6);
+    for (round, time) in [(-3.0, 0.7), (2.0, 1.5), (7.0, 0.2)] {
+        let apart = (marks.phase_at(time + round * 1.6) - marks.phase_at(time)).abs();
+        assert!(apart < 1e-5, "{round} {time}: {apart}");
+    }
     let marks = Marks::new(1.0, [0.5]).unwrap();
     assert_eq!((marks.phase_at(f32::NAN), marks.time_at(f32::INFINITY)), (marks.phase_at(0.0), 0.5));
 }
@@ -240,6 +275,16 @@ fn clips_in_step() {
         assert!((walk.phase_at(ends[0]) - phase.phase()).abs().min(1.0) < 1e-4 || phase.phase() > 0.999);
     }
     assert!(count > 500);
+    // A cycle takes the mean of the lengths, (1·3 + 0.65·1)/4, at this speed.
+    for speed in [0.5, 2.0, -1.0_f32] {
+        let mut phase = Phase::new().at(7.25);
+        assert_eq!(phase.phase(), 0.25);
+        phase.speed = speed;
+        phase.advance(0.1, &[(&walk, 0.375), (&run, 0.125)]);
+        let truth = (0.25 + 0.1 * f64::from(speed) / 0.9125).rem_euclid(1.0);
+        assert!((f64::from(phase.phase()) - truth).abs() < 1e-6, "{speed}");
+    }
+    assert_eq!((Phase::new().at(-0.25).phase(), Phase::new().at(0.5).at(f32::NAN).phase()), (0.75, 0.5));
     let before = phase;
     phase.advance(1.0, &[(&walk, 0.0), (&run, f32::NAN)]);
     assert_eq!(phase.phase(), before.phase(), "without weights nothing moves");

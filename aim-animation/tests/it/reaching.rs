@@ -213,8 +213,8 @@ fn goals_fade() {
 
     let dt = 1.0 / 240.0;
     let mut last = animated;
-    // In; to another goal before it is there, at another time; and out.
-    for (goals, frames) in [(&first[..], 30), (&second[..], 80), (&[][..], 80)] {
+    // In; to another goal before it is there, and back, twice; and out.
+    for (goals, frames) in [(&first[..], 30), (&second[..], 30), (&first[..], 20), (&second[..], 80), (&[][..], 80)] {
         reach.aim(&mut state, goals, 0.25).unwrap();
         for _ in 0..frames {
             let now = shown(&state);
@@ -258,6 +258,105 @@ fn out_of_reach() {
     assert!(off < 2e-3 * size, "{off} from where the stretched arm ends");
 }
 
+/// What the trajectory tells is in units of the model: the same in centimetres, a hundred times as far; its distortion is a square.
+#[test]
+fn outcomes_are_in_units_of_the_model() {
+    let outcomes = [1.0, 100.0].map(|scale: f32| {
+        let skeleton = skeleton(Transform { scale: Vec3::splat(scale), ..Transform::IDENTITY });
+        let reach = Reach::new(&swing(), &skeleton, ARM, RATE).unwrap();
+        let goal = tip(&skeleton, &swing(), 0.5).as_vec3() + Vec3::new(-0.02, 0.05, 0.03) * scale;
+        let goal = ReachGoal::new(0.5, goal).with_weight(0.01);
+        reach.aim(&mut reach.state(), &[goal], 0.0).unwrap().trajectory
+    });
+    let [metres, centimetres] = outcomes;
+    assert!(metres.missed > 1e-3 && metres.distortion > 1e-9, "{metres:?}");
+    let ratio = [centimetres.missed / metres.missed, (centimetres.distortion / metres.distortion).sqrt()];
+    assert!(ratio.iter().all(|ratio| (ratio - 100.0).abs() < 1.0), "{ratio:?} {metres:?}");
+    // No further off than the goal is from the animation, and bent by no more than that squared.
+    assert!(metres.missed < 0.062 && metres.distortion < 0.0039, "{metres:?}");
+}
+
+/// Next to an end it is the sample beside that moves: the clip begins and ends as it is animated. With nothing between the ends
+/// nothing can be met.
+#[test]
+fn ends_stay() {
+    let (skeleton, clip) = (skeleton(Transform::IDENTITY), swing());
+    let reach = Reach::new(&clip, &skeleton, ARM, RATE).unwrap();
+    let mut state = reach.state();
+    for (time, end) in [(LENGTH - 0.3 / RATE, LENGTH), (0.3 / RATE, 0.0)] {
+        let goal = ReachGoal::new(time, tip(&skeleton, &clip, time).as_vec3() + Vec3::new(-0.01, 0.0, 0.01));
+        reach.aim(&mut state, &[goal], 0.0).unwrap();
+        for (at, is_met) in [(time, true), (end, false)] {
+            let (mut local, mut in_model) = sampled(&skeleton, &clip, at);
+            reach.apply(&mut state, at, &mut local, &mut in_model).unwrap();
+            let found = model(&skeleton, &local)[6].translation;
+            let wanted = if is_met { goal.target.as_dvec3() } else { tip(&skeleton, &clip, at) };
+            assert!(found.distance(wanted) < 1e-4, "{} m off at {at}", found.distance(wanted));
+        }
+    }
+    let coarse = Reach::new(&clip, &skeleton, ARM, 0.1).unwrap();
+    let goal = ReachGoal::new(0.5 * LENGTH, Vec3::ZERO);
+    assert_eq!(coarse.aim(&mut coarse.state(), &[goal], 0.0), Err(ReachError::Time(0)));
+}
+
+/// A goal beyond reach, or nearer to the first joint than the folded limb comes, counts as the nearest point that it does reach: the
+/// way is the same at all times.
+#[test]
+fn goals_beyond_reach_count_as_the_nearest_point() {
+    let (skeleton, clip) = (skeleton(Transform::IDENTITY), swing());
+    let reach = Reach::new(&clip, &skeleton, ARM, RATE).unwrap();
+    let at = model(&skeleton, &sampled(&skeleton, &clip, 0.5).0);
+    let joints = ARM.map(|bone| at[bone].translation);
+    let (upper, lower) = (joints[0].distance(joints[1]), joints[1].distance(joints[2]));
+    let way = (joints[2] - joints[0]).normalize();
+    for (distance, reached) in
+        [(3.0 * (upper + lower), upper + lower), (1.2 * (upper + lower), upper + lower), (1e-3, upper - lower)]
+    {
+        let poses = [distance, reached].map(|distance| {
+            let mut state = reach.state();
+            let goal = ReachGoal::new(0.5, (joints[0] + way * distance).as_vec3());
+            let outcome = reach.aim(&mut state, &[goal], 0.0).unwrap();
+            let beyond = (distance - reached).abs();
+            assert!((f64::from(outcome.out_of_reach) - beyond).abs() < 1e-5, "{outcome:?} {beyond}");
+            [0.3, 0.42, 0.6].map(|time| {
+                let (mut local, mut in_model) = sampled(&skeleton, &clip, time);
+                reach.apply(&mut state, time, &mut local, &mut in_model).unwrap();
+                model(&skeleton, &local)[6].translation
+            })
+        });
+        for (one, other) in poses[0].iter().zip(&poses[1]) {
+            assert!(one.distance(*other) < 1e-3, "{distance}: {one} {other}");
+        }
+    }
+}
+
+/// Under an uneven scale turns shear, and lengths depend on where a limb points: it is solved until it is where it says.
+#[test]
+fn uneven_scales() {
+    let mut rng = Rng(7);
+    let uneven =
+        Transform { scale: Vec3::new(1.05, 0.97, 1.0), ..Transform::from_rotation(Quat::from_rotation_z(0.4)) };
+    let (skeleton, clip) = (skeleton(uneven), swing());
+    let reach = Reach::new(&clip, &skeleton, ARM, RATE).unwrap();
+    let mut state = reach.state();
+    let mut offs = Vec::new();
+    for _ in 0..60 {
+        let time = rng.between(0.1, 1.0);
+        let (mut local, mut in_model) = sampled(&skeleton, &clip, time);
+        let animated = model(&skeleton, &local);
+        let inward = (animated[ARM[0]].translation - animated[6].translation) * 0.3;
+        let goal = ReachGoal::new(time, (animated[6].translation + inward).as_vec3() + rng.vector(0.03));
+        reach.aim(&mut state, &[goal], 0.0).unwrap();
+        let error = reach.apply(&mut state, time, &mut local, &mut in_model).unwrap();
+        let off = model(&skeleton, &local)[6].translation.distance(goal.target.as_dvec3());
+        assert!((off - f64::from(error)).abs() < 1e-4, "{off} off, {error} told");
+        offs.push(off);
+    }
+    offs.sort_by(f64::total_cmp);
+    println!("{:.1e} m off in the middle, {:.1e} m at most", offs[30], offs[59]);
+    assert!(offs[59] < 1e-5, "{offs:?}");
+}
+
 /// A hinge of a longer limb bends no further than it may, about its bone's own axis.
 #[test]
 fn limits_of_longer_limbs() {
@@ -297,6 +396,16 @@ fn what_is_no_limb_or_goal() {
     let flat = Bone::new("a", None);
     let flat = Skeleton::new([flat, Bone::new("b", Some(0))]).unwrap();
     assert_eq!(Reach::new(&clip, &flat, [0, 1], RATE).err(), Some(ReachError::Place));
+    // One of its bones has a length.
+    let long = |length: f32| Transform::from_translation(Vec3::X * length);
+    let limb = |lengths: [f32; 2]| {
+        let bones = [("a", None, 0.0), ("b", Some(0), lengths[0]), ("c", Some(1), lengths[1])];
+        let limb = Skeleton::new(bones.map(|(name, on, length)| Bone::new(name, on).with_rest(long(length)))).unwrap();
+        Reach::new(&clip, &limb, [0, 1, 2], RATE).err()
+    };
+    assert_eq!(limb([0.3, 0.0]), Some(ReachError::Place));
+    assert_eq!(limb([0.0, 0.3]), Some(ReachError::Place));
+    assert_eq!(limb([1e38, 3e38]), Some(ReachError::Place));
 
     let reach = Reach::new(&clip, &skeleton, ARM, RATE).unwrap();
     let mut state = reach.state();

@@ -159,6 +159,59 @@ fn seams_are_mended() {
     }
 }
 
+/// Breaks within a clip stay where they are, and what jumps there is the same on both sides.
+#[test]
+fn breaks_stay() {
+    let times = [0.0, 0.6, 0.6, LENGTH];
+    let places = Track::linear(times, [Vec3::ZERO, Vec3::X, Vec3::Y * 3.0, Vec3::Y]).unwrap();
+    let turns = [0.0, 0.5, 2.9, 2.0].map(Quat::from_rotation_z);
+    let turns = Track::linear(times, [turns[0], turns[1], -turns[2], turns[3]]).unwrap();
+    let clip = Clip::new("b").with_translation(0, places).with_rotation(0, turns);
+    let mended = clip.mended(Continuity::Speed, 0.2);
+    for time in [0.25, 0.4, 0.59, 0.6, 0.61, 0.9] {
+        let moved = apart(sample(&clip, time), sample(&mended, time));
+        assert!(moved.iter().all(|moved| *moved < 2e-5), "{time}: {moved:?}");
+    }
+    assert!(apart(sample(&mended, 0.0), sample(&mended, LENGTH)).iter().all(|gap| *gap < 1e-5));
+}
+
+/// True if no more than two keys share a time.
+fn is_in_order(times: &[f32]) -> bool {
+    times.windows(2).all(|pair| pair[0] <= pair[1]) && times.windows(3).all(|keys| keys[0] < keys[2])
+}
+
+/// Keys so close that rounding brings what is made of them to one time.
+#[test]
+fn crowded_keys() {
+    let late = [3.9, 4.0, 4.0_f32.next_up(), 4.5];
+    let turns = [0.0, 0.1, 3.0, 0.2].map(Quat::from_rotation_x);
+    let clip = Clip::new("b").with_rotation(0, Track::linear(late, turns).unwrap());
+    let mended = clip.mended(Continuity::Speed, 0.3);
+    let track = mended.bone(0).unwrap().rotation.clone().unwrap();
+    assert!(is_in_order(track.times()), "{:?}", track.times());
+    for time in [3.95, 4.0, 4.1, 4.19] {
+        let moved = apart(sample(&clip, time), sample(&mended, time));
+        assert!(moved[1] < 2e-5, "{time}: {moved:?}");
+    }
+    let close = [0.0, 1e-7, 2e-7, 1.0];
+    let linear = Track::linear(close, [0.0, 1.0, 2.0, 3.0]).unwrap();
+    let cubic = Track::hermite(close, &[0.0, 1.0, 2.0, 3.0].map(|value| HermiteKey::smooth(value, 0.0))).unwrap();
+    for track in [linear, cubic] {
+        let back = Clip::new("b").with_length(8.0).with_scalar(0, track.clone()).reversed();
+        let reversed = &back.scalars()[0].1;
+        assert_eq!(reversed.times(), [7.0, 8.0, 8.0]);
+        assert_eq!([7.0, 8.0].map(|time| reversed.sample(time)), [3.0, 0.0]);
+        assert!((reversed.sample(7.999) - 2.0).abs() < 0.02, "{reversed:?}");
+        let repeated = Clip::new("b").with_scalar(0, track).repeated(8.5);
+        let track = &repeated.scalars()[0].1;
+        assert!(is_in_order(track.times()), "{:?}", track.times());
+        for round in 0..8_u8 {
+            let end = f32::from(round) + 0.999;
+            assert!((track.sample(end) - 3.0).abs() < 0.02, "{end}: {}", track.sample(end));
+        }
+    }
+}
+
 #[test]
 fn what_is_not_mended() {
     let clip = clip(&mut Rng(3), 1);

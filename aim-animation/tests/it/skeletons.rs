@@ -37,6 +37,9 @@ fn any_order_of_parents() {
             let below = |&other: &usize| skeleton.ancestry(other).any(|at| at == bone);
             let subtree: Vec<usize> = (0..len).filter(below).collect();
             assert_eq!(skeleton.subtree(bone).collect::<Vec<_>>(), subtree);
+            let children: Vec<usize> = (0..len).filter(|&other| skeleton.parents()[other] == Some(bone)).collect();
+            assert_eq!(skeleton.children(bone).collect::<Vec<_>>(), children);
+            assert_eq!(skeleton.names()[bone], given.name);
         }
         // What is sorted stays as it is.
         let again = (0..len).map(|bone| {

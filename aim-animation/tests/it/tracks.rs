@@ -177,6 +177,50 @@ fn breaks() {
     assert_eq!([0.5, 0.75, 1.0, 1.5].map(|time| track.sample(time)), [0.5, 0.75, -3.0, -3.5]);
     let at_end = Track::step([0.0, 2.0, 2.0], [1.0, 2.0, 3.0]).unwrap();
     assert_eq!([1.9, 2.0, 2.1].map(|time| at_end.sample(time)), [1.0, 3.0, 3.0]);
+    // Where keys share a time no tangent plays a part, whatever it is.
+    let key = |into, value, out| HermiteKey { into, value, out };
+    let keys = [key(1e38, 0.0, 1.0), key(1.0, 1.0, 1e38), key(1e38, 5.0, 0.0), key(0.0, 5.0, 1e38)];
+    let track = Track::hermite([0.0, 1.0, 1.0, 2.0], &keys).unwrap();
+    assert_eq!([0.0, 0.5, 1.0, 1.5].map(|time| track.sample(time)), [0.0, 0.5, 5.0, 5.0]);
+}
+
+/// Keys close together, which are interpolated by series: the same arc, to rounding.
+#[test]
+fn rotations_close_together() {
+    let mut rng = Rng(12);
+    for case in 0..2000 {
+        let (start, axis) = (rng.rotation(), rng.vector(1.0).normalize());
+        let angle = [0.28, 0.2, 0.05][case % 3] * rng.between(0.9, 1.0);
+        let end = Quat::from_axis_angle(axis, angle) * start;
+        let track = Track::linear([0.0, 1.0], [start, if case % 2 == 0 { end } else { -end }]).unwrap();
+        let part = rng.between(0.0, 1.0);
+        // The definition, between the keys as they are.
+        let [from, to] = [start, end].map(|key| key.as_dquat().normalize());
+        let turn = (to * from.conjugate()).to_scaled_axis();
+        let truth = DQuat::from_scaled_axis(turn * f64::from(part)) * from;
+        assert!(angle_between(track.sample(part), truth) < 4e-7, "{angle} {part}");
+    }
+}
+
+/// Rotations that are not unit, with their tangents, are the same curve; tangents that are too large are told.
+#[test]
+fn rotations_of_any_length() {
+    let mut rng = Rng(11);
+    for _ in 0..100 {
+        let keys = [0; 3].map(|_| {
+            let mut tangent = || Quat::from_xyzw(rng.between(-1.0, 1.0), 0.3, rng.between(-1.0, 1.0), 0.1);
+            HermiteKey { into: tangent(), value: Quat::IDENTITY, out: tangent() }
+        });
+        let keys = keys.map(|key| HermiteKey { value: rng.rotation(), ..key });
+        let long = keys.map(|key| HermiteKey { into: key.into * 3.0, value: key.value * 3.0, out: key.out * 3.0 });
+        let [one, other] = [keys, long].map(|keys| Track::hermite([0.0, 0.7, 1.0], &keys).unwrap());
+        for time in [0.0, 0.2, 0.5, 0.7, 0.8, 1.0] {
+            assert!(angle_between(one.sample(time), other.sample(time).as_dquat()) < 1e-5, "{time}");
+        }
+    }
+    let wild = HermiteKey { into: Quat::IDENTITY, value: Quat::IDENTITY, out: Quat::IDENTITY * 1e38 };
+    assert_eq!(Track::hermite([0.0, 1.0], &[wild, wild]), Err(TrackError::Tangent(0)));
+    assert_eq!(Track::constant(Quat::from_xyzw(1e38, 0.0, 0.0, 1.0)), Err(TrackError::Value(0)));
 }
 
 /// Any cursor, and any order of times, gives what a search gives.
@@ -239,10 +283,24 @@ fn resampled() {
         assert!(angle_between(dense.sample(time), track.sample(time).as_dquat()) < 1e-4);
     }
     assert_eq!(track.resampled(10.0, 0.35).times(), [0.0, 0.0875, 0.175, 0.2625, 0.35]);
+    // A whole number of samples is no more.
+    assert_eq!(track.resampled(4.0, 0.5).times(), [0.0, 0.25, 0.5]);
     for (rate, length) in [(0.0, 1.0), (f32::NAN, 1.0), (30.0, -1.0), (30.0, f32::INFINITY), (30.0, f32::NAN)] {
         assert_eq!(track.resampled(rate, length).times(), [0.0]);
     }
     assert!(track.resampled(f32::INFINITY, 1.0).times().len() > 1_000_000);
+}
+
+/// Where a cubic of rotations is cut its numbers are not unit; what is sampled is.
+#[test]
+fn pieces_are_unit() {
+    let turns = [0.0, 2.4, 0.3].map(Quat::from_rotation_x);
+    let track = Track::catmull_rom([0.0, 1.0, 2.0], turns).unwrap();
+    let piece = track.cut(0.5, 1.5);
+    assert!((piece.values()[0].length() - 1.0).abs() > 1e-3, "{piece:?}");
+    for time in [-1.0, 0.0, 0.5, 1.0, 2.0] {
+        assert!((piece.sample(time).length() - 1.0).abs() < 1e-6, "{time}: {}", piece.sample(time));
+    }
 }
 
 /// A piece is the same curve from its beginning on, reversed tracks are the same from behind.
@@ -330,6 +388,19 @@ fn a_repeated_clip_equals_itself_modulo_its_length() {
     // No length to repeat, none asked for.
     assert_eq!(clip.repeated(f32::INFINITY), clip);
     assert_eq!(Clip::new("still").repeated(3.0), Clip::new("still"));
-    // More rounds than memory has place for.
-    assert!(clip.repeated(1e30).length_s() <= 2.0 * 65_535.0);
+    for seconds in [0.0, -1.0, f32::NAN] {
+        assert_eq!(clip.repeated(seconds), clip);
+    }
+    assert_eq!(Clip::new("still").repeated(0.0), Clip::new("still"));
+    // What happens at the beginning of a round after the last one does not happen.
+    let first = Clip::new("c").with_length(2.0).with_event(0.0, "first").unwrap();
+    assert_eq!(first.repeated(4.0).events().len(), 2);
+    // More rounds than memory has place for: 65 535, or 2²³ keys, two more a round than there are.
+    assert_eq!(first.repeated(1e30).length_s(), 2.0 * 65_535.0);
+    let dense = |keys: u16| {
+        let times: Vec<f32> = (0..keys).map(f32::from).collect();
+        let values = vec![1.0; usize::from(keys)];
+        Clip::new("c").with_scalar(0, Track::step(times, values).unwrap())
+    };
+    assert_eq!(dense(32_767).repeated(1e30).length_s(), 32_766.0 * 255.0);
 }

@@ -157,6 +157,17 @@ fn what_is_no_transition() {
         assert!(inertia.is_done() && found == next);
     }
     for dt in [0.0, -1.0, f32::NAN] {
+        // Moving, too: there is no velocity without a time.
+        let shown = [&next[..], &pose[..]];
+        inertia.begin(&Transition { shown, next: [&next, &next], dt_s: dt, length_s: 1.0 }).unwrap();
+        inertia.advance(0.25);
+        let mut moving = next;
+        inertia.apply(&mut moving).unwrap();
+        begin(&mut inertia, dt, 1.0);
+        inertia.advance(0.25);
+        let mut still = next;
+        inertia.apply(&mut still).unwrap();
+        assert_eq!(moving, still);
         begin(&mut inertia, dt, 1.0);
         inertia.advance(dt);
         let mut found = next;

@@ -3,7 +3,7 @@
 //!
 //! `chain.rs` finds the nodes of a rig's joints, `live.rs` aims them for a frame, with what `sights.rs` tells of where they look,
 //! `eye_maps.rs` and `morph_eyes.rs` of eyes that do not simply turn. `plausibility/` measures how
-//! that looks; `reach.rs` leads a limb instead.
+//! that looks; `seam.rs` makes loops of clips; `reach.rs` leads a limb instead.
 
 pub(crate) mod chain;
 pub(crate) mod eye_maps;
@@ -11,6 +11,7 @@ pub(crate) mod live;
 mod morph_eyes;
 pub(crate) mod plausibility;
 pub(crate) mod reach;
+pub(crate) mod seam;
 mod sights;
 
 use core::f32::consts::TAU;

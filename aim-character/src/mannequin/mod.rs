@@ -3,6 +3,7 @@
 //! It faces +Z, its up is +Y, its left +X, in metres. Only the inside differs between conventions: each joint's own
 //! frame, and therefore the numbers of its transforms, inverse bind matrices and animation.
 
+mod blend;
 mod body;
 mod joints;
 mod moves;
@@ -15,6 +16,7 @@ use glam::{DMat3, DVec3};
 
 use crate::error::Error;
 use joints::Bone;
+use pack::Contents;
 pub use vrm::Vrm;
 
 /// The paper's convention: a bone's +X is up, +Y forward, +Z left.
@@ -48,6 +50,7 @@ pub fn mannequin(axes_of: impl Fn(&str) -> [[f32; 3]; 3]) -> Result<Vec<u8>, Err
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Mannequin {
     moves: bool,
+    walks_to_run: bool,
     vrm: Option<Vrm>,
 }
 
@@ -55,7 +58,7 @@ impl Mannequin {
     /// The figure with its walk.
     #[must_use]
     pub const fn new() -> Self {
-        Self { moves: false, vrm: None }
+        Self { moves: false, walks_to_run: false, vrm: None }
     }
 
     /// With the clips `walk_ahead` (1.2 m in 1.1 s), `walk_circle` (once round to the left, 9.6 m), `run` (2 m in 0.7 s), `jump`,
@@ -64,6 +67,14 @@ impl Mannequin {
     #[must_use]
     pub const fn with_moves(mut self) -> Self {
         self.moves = true;
+        self
+    }
+
+    /// With the clip `walk_to_run` before all others: a loop of 10 s in which it walks, runs and walks again on the spot, the two
+    /// gaits of [`with_moves`](Self::with_moves) blended in step.
+    #[must_use]
+    pub const fn with_walk_to_run(mut self) -> Self {
+        self.walks_to_run = true;
         self
     }
 
@@ -97,7 +108,8 @@ impl Mannequin {
             }
         };
         let rig: Vec<Bone> = joints.iter().zip(&frames).map(bone).collect();
-        pack::pack(if self.moves { &moves::MOVES } else { &[] }, self.vrm, &joints, &rig)
+        let moves = if self.moves { &moves::MOVES[..] } else { &[] };
+        pack::pack(&Contents { moves, walks_to_run: self.walks_to_run, vrm: self.vrm }, &joints, &rig)
     }
 }
 

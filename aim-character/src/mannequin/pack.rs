@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
-use aim_animation::Clip;
+use aim_animation::{Clip, Root};
 use aim_gltf::{Document, Skeleton, to_glb};
 use glam::{DMat3, DQuat, DVec3, Quat, Vec3};
 use serde_json::{Value, json};
 
+use super::blend::walk_to_run;
 use super::body::{MATERIALS, surfaces};
 use super::joints::{Bone, Joint};
-use super::moves::Move;
+use super::moves::{self, Move};
 use super::shape::ShapeMesh;
 use super::vrm::{Vrm, t_pose};
 use super::walk;
@@ -63,8 +64,16 @@ impl Data {
     }
 }
 
+/// What a file has beside the figure and its walk.
+pub(super) struct Contents<'a> {
+    pub(super) moves: &'a [Move],
+    pub(super) walks_to_run: bool,
+    pub(super) vrm: Option<Vrm>,
+}
+
 /// The whole file.
-pub(super) fn pack(moves: &[Move], vrm: Option<Vrm>, joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
+pub(super) fn pack(contents: &Contents<'_>, joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
+    let vrm = contents.vrm;
     let mut data = Data::default();
     let scene = vrm.map_or(DMat3::IDENTITY, Vrm::scene);
     let mut surfaces = surfaces(joints);
@@ -101,9 +110,16 @@ pub(super) fn pack(moves: &[Move], vrm: Option<Vrm>, joints: &[Joint], rig: &[Bo
     let glb = to_glb(json.to_string().as_bytes(), Some(&data.bytes))?;
     let document = Document::from_bytes(&glb)?;
     let bones = (document.skeleton(), rig);
-    let mut clips = vec![clip("walk", walk::times(), bones, |t| walk::at(joints, t))?];
-    for one in moves {
-        clips.push(clip(one.name, one.times(), bones, |t| one.at(joints, t))?);
+    let moved = |one: &Move| clip(one.name, one.times(), bones, |t| one.at(joints, t));
+    let mut clips = Vec::new();
+    if contents.walks_to_run {
+        let root = Root::Shadow { bone: document.skeleton().find(&joints[0].name)?, up: (scene * DVec3::Y).as_vec3() };
+        let [walk, run] = [moved(&moves::WALK_AHEAD)?, moved(&moves::RUN)?];
+        clips.push(walk_to_run(document.skeleton(), [&walk, &run], root)?);
+    }
+    clips.push(clip("walk", walk::times(), bones, |t| walk::at(joints, t))?);
+    for one in contents.moves {
+        clips.push(moved(one)?);
     }
     Ok(document.with_clips(&clips)?)
 }

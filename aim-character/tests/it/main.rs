@@ -10,6 +10,7 @@ mod moves;
 mod names;
 mod reach;
 mod rigs;
+mod seams;
 #[path = "../../../aim-gltf/tests/it/support/mod.rs"]
 mod support;
 mod traditions;

@@ -189,3 +189,44 @@ fn as_vrm_files() {
         assert!((hand("left") - hand("right")).length() > 1.2);
     }
 }
+
+/// The first clip of its file: on the spot, a loop without a jump in speed, walking at its ends and running in its middle, and the
+/// other clips are as they are without it.
+#[test]
+fn it_walks_and_runs_in_step() {
+    let (document, plain) =
+        (built(Mannequin::new().with_walk_to_run().with_moves()), built(Mannequin::new().with_moves()));
+    let clip = &document.clips()[0];
+    assert_eq!((clip.name(), clip.length_s()), ("walk_to_run", 10.0));
+    for other in plain.clips() {
+        assert_eq!(document.clip(other.name()).unwrap(), other);
+    }
+    let measurement = Measurement::of(&document);
+    assert!(aim_character::mended_loop(&document, &measurement, clip).unwrap().is_none());
+    let frames = frames(&document, "walk_to_run", 60.0);
+    let hips = document.skeleton().find("hips").unwrap();
+    let away = frames.iter().map(|(_, world, _)| world[hips].translation.with_y(0.0).length()).fold(0.0, f64::max);
+    assert!(away < 0.06, "the hips are {away} m away");
+    // In a run there is a time with no foot on the ground, in a walk one with both.
+    let down = |(_, _, moved): &(f32, Vec<DAffine3>, Vec<DAffine3>)| {
+        soles(&document, moved).map(|sole| sole.iter().any(|point| point.y < 4e-3))
+    };
+    let part = |from: usize, to: usize, with: fn([bool; 2]) -> bool| {
+        let frames = &frames[from..to];
+        frames.iter().filter(|frame| with(down(frame))).count() as f64 / frames.len() as f64
+    };
+    let none = |feet: [bool; 2]| feet == [false; 2];
+    let both = |feet: [bool; 2]| feet == [true; 2];
+    let [walk, run] = [(0, 72), (264, 336)].map(|(from, to)| [part(from, to, none), part(from, to, both)]);
+    println!("in the air, on both feet: {walk:.2?} walking, {run:.2?} running");
+    assert!(walk[0] < 0.01 && walk[1] > 0.15, "it walks: {walk:?}");
+    assert!(run[0] > 0.15 && run[1] < 0.01, "it runs: {run:?}");
+    // One foot after the other all the time: the legs stay opposite, whatever the share of the run.
+    let feet = ["left_foot", "right_foot"].map(|foot| document.skeleton().find(foot).unwrap());
+    let apart: Vec<f64> = frames.iter().map(|(_, w, _)| (w[feet[0]].translation - w[feet[1]].translation).z).collect();
+    let steps: Vec<usize> = (1..apart.len()).filter(|&k| apart[k - 1] * apart[k] < 0.0).collect();
+    let longest = steps.windows(2).map(|pair| pair[1] - pair[0]).max().unwrap();
+    let shortest = steps.windows(2).map(|pair| pair[1] - pair[0]).min().unwrap();
+    // 1.1 s and 0.7 s for two steps, stretched by what makes the cycles whole.
+    assert!(longest <= 37 && shortest >= 18, "steps take {shortest} to {longest} frames");
+}

@@ -3,8 +3,10 @@
 use std::io::IsTerminal;
 use std::time::Duration;
 
-use aim_animation::Clip;
-use aim_character::{Fit, InterpretedRig, Live, Measurement, Plan, Plausibility, chain_nodes, hold, propose};
+use aim_animation::{Clip, Gap, Seam};
+use aim_character::{
+    Fit, InterpretedRig, Live, Measurement, Plan, Plausibility, chain_nodes, hold, mended_loop, propose,
+};
 use aim_codegen::RigSpec;
 use aim_gltf::Document;
 use aim_runtime::{DynAim, Rig, Settings, Solver};
@@ -66,6 +68,13 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         (None, Some(clip)) => return unknown_length(&format!("its clip {:?} has no length", clip.name())),
         (None, None) => return unknown_length("has no clip to aim over"),
     };
+    let mended = match clip.filter(|_| arguments.looped) {
+        Some(clip) => mended_loop(document, measurement, clip).map_err(Failure::of(file))?,
+        None => None,
+    };
+    if let (Some(mended), Some(clip)) = (&mended, clip) {
+        files::print(&format!("{:?} is no loop: {}\n", clip.name(), in_words(&mended.seam)))?;
+    }
     let skeleton = document.skeleton();
     let chain = chain_nodes(spec, skeleton).map_err(Failure::of(file))?;
     let effector = match &arguments.effector {
@@ -98,7 +107,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     }
     let plan = Plan {
         document,
-        clip,
+        clip: mended.as_ref().map(|mended| &mended.clip).or(clip),
         measurement,
         chain: &chain,
         both_eyes,
@@ -156,6 +165,17 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     arguments.written.write(&model, &report, || html::page(&subject))?;
     files::print(&format!("{}\n", report.in_words(&arguments.written.out)))?;
     if arguments.strict { plausibility::insist(&report.plausibility, &arguments.written.out) } else { Ok(()) }
+}
+
+/// What was mended.
+fn in_words(seam: &Seam) -> String {
+    let Gap { translation, rotation_rad, .. } = seam.place;
+    format!(
+        "its end was {translation:.3} units and {:.1}° from its beginning, {:.3} units and {:.1}° a second in speed; mended",
+        rotation_rad.to_degrees(),
+        seam.speed.translation,
+        seam.speed.rotation_rad.to_degrees()
+    )
 }
 
 /// A name for what is aimed over a clip that none of the `known` has.

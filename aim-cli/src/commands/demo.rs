@@ -1,8 +1,9 @@
-//! `aim demo`: the bundled mannequin walks while a target orbits it.
+//! `aim demo`: the bundled mannequin walks and runs while a target orbits it.
 
 use std::fs;
 
-use aim_character::{MANNEQUIN_RIG, Measurement, PAPER_AXES, Settle, mannequin};
+use aim_animation::Clip;
+use aim_character::{MANNEQUIN_RIG, Mannequin, Measurement, PAPER_AXES, Settle};
 use aim_gltf::Document;
 use aim_runtime::Behind;
 
@@ -13,18 +14,20 @@ use crate::failure::{Failure, Result};
 use crate::files;
 use crate::target::TargetSpec;
 
-/// About the time of one orbit, seconds.
+/// The time of one orbit where there is no clip, seconds.
 const ORBIT: f32 = 10.0;
 
 pub(super) fn run(arguments: &args::Demo) -> Result {
     let spec = aim_codegen::declare::from_toml("rigs/mannequin.toml", MANNEQUIN_RIG)?;
-    let model = mannequin(|_| PAPER_AXES).map_err(|error| Failure::input(error.to_string()))?;
+    let model =
+        Mannequin::new().with_walk_to_run().glb(|_| PAPER_AXES).map_err(|error| Failure::input(error.to_string()))?;
     let document = Document::from_bytes(&model).map_err(|error| Failure::input(error.to_string()))?;
-    // Whole walk cycles in one orbit, so that the result loops.
-    let seconds = document.clips().first().map_or(ORBIT, |clip| clip.length_s() * (ORBIT / clip.length_s()).round());
+    // One orbit in the time of the clip, so that the result loops.
+    let seconds = document.clips().first().map_or(ORBIT, Clip::length_s);
     files::print(&format!(
-        "aiming the mannequin's eye, neck and spine at a target that orbits it once in {seconds:.1} s\n"
+        "aiming the mannequin's eye, neck and spine, as it walks and runs, at a target that orbits it once in {seconds:.1} s\n"
     ))?;
+    let first = document.clips().first().map(|clip| clip.name().to_owned());
     let out = |name: &str| arguments.out.join(name);
     fs::create_dir_all(&arguments.out).map_err(|error| {
         Failure::in_file(&arguments.out, format!("cannot be made ({error}); give a folder with --out"))
@@ -35,9 +38,9 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
         // 2 m away, a little above the eyes.
         target: TargetSpec::Orbit { radius: 2.0, height: 0.15, seconds: seconds.into() },
         rig: None,
-        clip: None,
         // A player shows the first clip of a file.
-        name: document.clips().first().map(|clip| clip.name().to_owned()),
+        clip: first.clone(),
+        name: first,
         aiming: arguments.aiming,
         effector: None,
         weight: 1.0,

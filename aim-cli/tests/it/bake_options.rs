@@ -2,6 +2,7 @@
 
 use crate::common::Place;
 use crate::common::forward::{Bake, both_eyes, list, number};
+use crate::common::gltf::{Local, Model};
 use crate::common::rig::joints;
 use serde_json::{Value, json};
 
@@ -79,6 +80,42 @@ fn a_loop_ends_where_it_begins() {
             assert!((a - b).abs() < 1e-3, "{options}: {first} to {last}");
         }
     }
+}
+
+/// A clip that jumps at its end: with `--loop` every bone ends where it begins, and goes on as fast, on what is written; and it is said.
+#[test]
+fn a_loop_mends_the_seam_of_its_clip() {
+    let place = Place::with_mannequin();
+    let document = aim_gltf::Document::from_bytes(&place.read("m.glb")).expect("a file");
+    let piece = document.clip("walk").expect("its clip").cut(0.0, 0.95).with_name("piece");
+    place.write("piece.glb", &document.with_clips(&[piece]).expect("it can be written"));
+    let mut jumps = Vec::new();
+    for looped in ["", " --loop"] {
+        let options = format!("bake piece.glb --rig m.toml --clip piece {ASIDE} --out out.glb --report r.json{looped}");
+        let ran = place.done(&options);
+        assert_eq!(ran.stdout.contains("\"piece\" is no loop"), !looped.is_empty(), "{}", ran.stdout);
+        let model = Model::new(&place.read("out.glb"));
+        let clip = model.clip(model.clip_index("piece_aimed").expect("it is written"));
+        let h = 1e-3;
+        let at = |t: f64| model.pose(&clip, t);
+        let [begin, after, before, end] = [at(0.0), at(h), at(clip.seconds - h), at(clip.seconds)];
+        let place_jump = begin.iter().zip(&end).map(|(a, b)| a.difference(b)).fold(0.0, f64::max);
+        // The largest difference of the turn in a millisecond before the seam and after it.
+        let turn = |a: &Local, b: &Local| (b.rotation.normalize() * a.rotation.normalize().inverse()).xyz() * 2.0 / h;
+        let kinks = (0..begin.len()).map(|node| {
+            let [one, other] = [turn(&before[node], &end[node]), turn(&begin[node], &after[node])];
+            // Either quaternion of a turn.
+            (one - other).length().min((one + other).length())
+        });
+        jumps.push((place_jump, kinks.fold(0.0, f64::max)));
+    }
+    let [(place_before, speed_before), (place_after, speed_after)] = jumps[..] else { unreachable!("two bakes") };
+    assert!(place_before > 0.1 && speed_before > 1.0, "{place_before} {speed_before}");
+    // The joints of the chain have sixty straight keys a second.
+    assert!(place_after < 1e-4 && speed_after < 0.1 * speed_before, "{place_after} {speed_after}");
+    // What closes is left alone, and nothing is said.
+    let ran = place.done(&format!("bake m.glb --rig m.toml {ASIDE} --out out.glb --loop"));
+    assert!(!ran.stdout.contains("is no loop"), "{}", ran.stdout);
 }
 
 #[test]

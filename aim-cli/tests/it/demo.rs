@@ -1,15 +1,15 @@
 //! `aim demo`: what it writes, how well it aims, and how quiet it is in a pipe.
 
+use crate::common::Place;
 use crate::common::forward::{Bake, list, number};
 use crate::common::rig::joints;
-use crate::common::{Place, mannequin};
 use serde_json::Value;
 
 #[test]
 fn the_demo_aims_well_and_writes_the_same_files_each_time() {
     let place = Place::new();
     let ran = place.done("demo");
-    assert_eq!(place.names(), ["aim-demo"]);
+    assert_eq!((place.names(), ran.stderr.as_str()), (vec!["aim-demo".into()], ""));
     let files = ["aimed.glb", "report.html", "report.json"];
     for file in files {
         assert!(place.read(&format!("aim-demo/{file}")).len() > 1000, "{file} is next to nothing");
@@ -24,7 +24,9 @@ fn the_demo_aims_well_and_writes_the_same_files_each_time() {
 
     let report = place.json("aim-demo/report.json");
     let rig = std::fs::read_to_string(crate::common::bundled_rig("mannequin")).expect("the rig is there");
-    let (source, output) = (mannequin(), place.read("aim-demo/aimed.glb"));
+    let walks_and_runs = aim_character::Mannequin::new().with_walk_to_run().glb(|_| aim_character::PAPER_AXES);
+    let (source, output) = (walks_and_runs.expect("orthonormal axes"), place.read("aim-demo/aimed.glb"));
+    assert_eq!((&report["clip"], list(&report["frames"]).len()), (&"walk_to_run".into(), 601));
     Bake { source: &source, output: &output, report: &report, joints: Some(&joints(&rig)) }.check();
 
     let followed = |frame: &&Value| frame["status"] == "reached" || frame["status"] == "rate_limited";

@@ -5,8 +5,9 @@ use std::alloc::System;
 use std::hint::black_box;
 
 use aim::animation::{
-    AimChain, BlendLine, BlendPlane, Blender, Clip, Control, Corrections, Gizmos, Inertia, Looping, Marks, Mask,
-    Method, Motion, Node, Parameter, Phase, Reach, ReachGoal, Root, RootPath, Skeleton, Transform, Transition, Tree,
+    AimChain, BlendLine, BlendPlane, Blender, Clip, ClipControl, Control, Corrections, Gizmos, Inertia, Instance,
+    Looping, Marks, Mask, Method, Model, Motion, Node, Parameter, Phase, Reach, ReachGoal, Root, RootPath, Skeleton,
+    Transform, Transition, Tree,
 };
 use aim::glam::{Affine3A, Vec2, Vec3};
 use aim::{Aim, AimRig, DynAim, Rig, Settings};
@@ -112,6 +113,19 @@ fn frames_allocate_nothing() {
             });
         }
     }
+
+    let root = Root::Shadow { bone: 1, up: Vec3::Y };
+    let motion = Motion::variable(&RootPath::new(&clips[0], &skeleton, root, 30.0).unwrap());
+    let kind = Model::new(skeleton.clone(), clips.clone()).with_motion(0, motion).with_mask(mask.clone());
+    let mut instance = Instance::new(&kind);
+    instance.play(ClipControl::new(0).with_weight(0.5));
+    instance.play(ClipControl::new(1).with_mask(0));
+    instance.attach(3, Affine3A::IDENTITY);
+    allocates_nothing("an instance", || {
+        instance.advance(&kind, 0.3);
+        instance.pose(&kind, &mut poses[2]).unwrap();
+        (instance.events(&kind).count(), instance.things(&model).count())
+    });
 
     // In closed form and by descent.
     for limb in [&[2, 3, 4][..], &[1, 2, 3, 4]] {

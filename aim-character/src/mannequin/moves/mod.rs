@@ -22,15 +22,20 @@ pub(super) struct Move {
     posture: fn(f64) -> Posture,
 }
 
+/// The gaits straight ahead.
+pub(super) const WALK_AHEAD: Move =
+    Move { name: "walk_ahead", seconds: gait::WALK.period, posture: |t| gait::WALK.posture(t) };
+pub(super) const RUN: Move = Move { name: "run", seconds: gait::RUN.period, posture: |t| gait::RUN.posture(t) };
+
 /// All moves.
 pub(super) const MOVES: [Move; 6] = [
-    Move { name: "walk_ahead", seconds: gait::WALK.period, posture: |t| gait::WALK.posture(t) },
+    WALK_AHEAD,
     Move {
         name: "walk_circle",
         seconds: gait::CIRCLE.period * gait::CIRCLE_CYCLES,
         posture: |t| gait::CIRCLE.posture(t),
     },
-    Move { name: "run", seconds: gait::RUN.period, posture: |t| gait::RUN.posture(t) },
+    RUN,
     Move { name: "jump", seconds: acts::JUMP, posture: acts::jump },
     Move { name: "turn", seconds: acts::TURN, posture: acts::turn },
     Move { name: "wave", seconds: acts::WAVE, posture: acts::wave },

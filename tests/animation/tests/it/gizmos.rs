@@ -62,6 +62,7 @@ fn lines_are_where_the_bones_and_their_limits_are() {
             assert_eq!(count(|kind| matches!(kind, GizmoKind::Axis { .. })), 9);
             assert_eq!(count(|kind| matches!(kind, GizmoKind::Rim { .. })), 3 * 64);
             assert_eq!(count(|kind| matches!(kind, GizmoKind::Edge { .. })), 3 * 4);
+            let mut ends = [[0; 4]; 3];
             for line in &lines {
                 let (at, direction, long) = match line.kind {
                     GizmoKind::Gaze => (bones[0], bones[0].transform_vector3(DVec3::Y), 2.0),
@@ -76,7 +77,9 @@ fn lines_are_where_the_bones_and_their_limits_are() {
                         assert!((way.length() - f64::from(LENGTH)).abs() < 1e-5, "{name} {line:?}");
                         // The upright neck is below.
                         if joint != 1 {
-                            on_the_limits(&at, corrections[joint], way, joint);
+                            let touched = on_the_limits(&at, corrections[joint], way, joint);
+                            let rim = u32::from(matches!(line.kind, GizmoKind::Rim { .. }));
+                            ends[joint].iter_mut().zip(touched).for_each(|(end, is)| *end += rim * u32::from(is));
                         }
                         continue;
                     }
@@ -86,12 +89,26 @@ fn lines_are_where_the_bones_and_their_limits_are() {
                 assert!(wide(line.from).distance(at.translation) < 1e-5, "{name} {line:?}");
                 assert!(wide(line.to).distance(to) < 2e-5, "{name} {line:?} instead of {to}");
             }
+            // Round about, without a gap.
+            for joint in 0..3 {
+                let is_rim = |line: &&GizmoLine| line.kind == GizmoKind::Rim { joint };
+                let rim: Vec<_> = lines.iter().filter(is_rim).collect();
+                for (one, next) in rim.iter().zip(rim.iter().cycle().skip(1)) {
+                    assert!(one.to.distance(next.from) < 1e-5, "{name} {one:?} {next:?}");
+                }
+            }
+            // A quarter of the rim along each end, the corners of both.
+            assert!(
+                [0, 2].iter().all(|joint| ends[*joint].iter().all(|end| (16..=18).contains(end))),
+                "{name} {ends:?}"
+            );
         }
     }
 }
 
 /// Heading and pitch of a way from a bone, before its own turn was multiplied in, are at an end of a declared range.
-fn on_the_limits(at: &aim::glam::DAffine3, own: Quat, way: DVec3, joint: usize) {
+/// Tells which: the low and the high end of heading, then of pitch.
+fn on_the_limits(at: &aim::glam::DAffine3, own: Quat, way: DVec3, joint: usize) -> [bool; 4] {
     let local = own.as_dquat().normalize() * at.matrix3.inverse().mul_vec3(way).normalize();
     let [up, ahead, left] = [local.x, local.y, local.z];
     let angles = [left.atan2(ahead), up.asin()];
@@ -101,6 +118,7 @@ fn on_the_limits(at: &aim::glam::DAffine3, own: Quat, way: DVec3, joint: usize) 
     let beyond = |k: usize| (ends[k][0] - angles[k]).max(angles[k] - ends[k][1]);
     assert!(off(0).min(off(1)) < 1e-5, "joint {joint}: {angles:?} is at no end of {ends:?}");
     assert!(beyond(0).max(beyond(1)) < 1e-5, "joint {joint}: {angles:?} is beyond {ends:?}");
+    [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(k, end)| (angles[k] - ends[k][end]).abs() < 1e-5)
 }
 
 /// A joint that a solver has turned as far as it may looks at the rim, level headings included.

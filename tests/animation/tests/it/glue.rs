@@ -84,6 +84,7 @@ fn both_eyes_reach_the_target() {
                 // The animation goes on below the aim.
                 character = Character::new(armature, 0.3 + 0.002 * f32::from(step));
                 chain.gather(&mut frame, &mut character.local, &mut character.model).unwrap();
+                assert_eq!(frame.model(), character.model, "the pose as it was gathered");
                 outcome = Some(aim.aim(&frame.pose(), target, 1.0 / 60.0, &Settings::default()));
                 let corrections = Corrections { joints: aim.corrections(), other_eye: aim.other_eye_correction() };
                 chain.apply(&frame, corrections, &mut character.local, &mut character.model).unwrap();

@@ -1,0 +1,233 @@
+//! [`Instance`]: one character, where it is and what it plays.
+
+use alloc::vec::Vec;
+
+use aim_runtime::glam::Affine3A;
+
+use crate::attach::attached;
+use crate::blend::{BoneSum, Method};
+use crate::clip::{Clip, Cursor, Event};
+use crate::control::Control;
+use crate::mask::clamped;
+use crate::model::Model;
+use crate::motion::Motion;
+use crate::pose::{PoseError, check_length};
+use crate::step::Step;
+use crate::transform::Transform;
+
+/// A clip that an instance plays: which, where it is in it and how fast, and how much it counts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ClipControl {
+    /// The number of the clip in its [`Model`].
+    pub clip: usize,
+    /// Local time, speed, looping.
+    pub control: Control,
+    /// How much it counts beside the others, 0…1; NaN counts as 0. At 0 it goes on, but is not sampled.
+    pub weight: f32,
+    /// The number of a mask of the model, by which its weight is multiplied bone by bone; `None` for all bones.
+    pub mask: Option<usize>,
+}
+
+impl ClipControl {
+    /// A clip from its beginning, at speed 1, repeating, with full weight for all bones.
+    #[must_use]
+    pub const fn new(clip: usize) -> Self {
+        Self { clip, control: Control::new(), weight: 1.0, mask: None }
+    }
+
+    /// With where it is, how fast it is and what becomes of it at its ends.
+    #[must_use]
+    pub const fn with_control(mut self, control: Control) -> Self {
+        self.control = control;
+        self
+    }
+
+    /// With a weight.
+    #[must_use]
+    pub const fn with_weight(mut self, weight: f32) -> Self {
+        self.weight = weight;
+        self
+    }
+
+    /// With a mask of the model.
+    #[must_use]
+    pub const fn with_mask(mut self, mask: usize) -> Self {
+        self.mask = Some(mask);
+        self
+    }
+
+    /// The weight of a bone.
+    fn weight_of(&self, model: &Model, bone: usize) -> f32 {
+        let mask = self.mask.map_or(1.0, |mask| {
+            let mask = model.masks().get(mask).and_then(|mask| mask.weights().get(bone));
+            mask.copied().unwrap_or(0.0)
+        });
+        clamped(self.weight) * mask
+    }
+}
+
+/// One character: its place, the clips that it plays, and the things that it carries.
+///
+/// [`advance`](Self::advance) moves all its clips on by one frame, and its place by their root motion: no pose is evaluated for
+/// that. [`pose`](Self::pose) is the weighted sum of what it plays. What is not a sum (a layer, a blend space, an additive
+/// clip) is a [`Tree`](crate::Tree), which has its own memory beside.
+///
+/// ```
+/// use aim_animation::glam::Vec3;
+/// use aim_animation::{Bone, Clip, ClipControl, Instance, Model, Motion, Root, RootPath, Skeleton, Track, Transform};
+///
+/// let skeleton = Skeleton::new([Bone::new("hips", None)])?;
+/// let stride = Track::linear([0.0, 1.0], [Vec3::Y, Vec3::Y + 1.4 * Vec3::Z])?;
+/// let walk = Clip::new("walk").with_translation(0, stride).with_event(0.5, "step")?;
+/// let path = RootPath::new(&walk, &skeleton, Root::Shadow { bone: 0, up: Vec3::Y }, 30.0)?;
+/// let model = Model::new(skeleton, [walk]).with_motion(0, Motion::linear(&path));
+///
+/// // Once a character:
+/// let mut hero = Instance::new(&model);
+/// hero.place = Transform::from_translation(Vec3::X);
+/// hero.play(ClipControl::new(0));
+/// // Each frame:
+/// hero.advance(&model, 0.75);
+/// let steps: Vec<&str> = hero.events(&model).map(|(_, event)| event.name.as_str()).collect();
+/// let mut local = model.skeleton().rest().to_vec();
+/// hero.pose(&model, &mut local)?;
+/// assert_eq!((steps, local[0].translation), (vec!["step"], Vec3::Y));
+/// assert!(hero.place.translation.distance(Vec3::new(1.0, 0.0, 1.05)) < 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Instance {
+    /// The character in the world, without scale.
+    pub place: Transform,
+    controls: Vec<ClipControl>,
+    /// Of each control.
+    cursors: Vec<Cursor>,
+    steps: Vec<Step>,
+    /// Bones, and what they hold in their space.
+    things: Vec<(usize, Affine3A)>,
+    scratch: Vec<Transform>,
+    sums: Vec<BoneSum>,
+}
+
+impl Instance {
+    /// A character of this kind that stands at the origin and plays nothing yet.
+    #[must_use]
+    pub fn new(model: &Model) -> Self {
+        let bones = model.skeleton().len();
+        Self {
+            place: Transform::IDENTITY,
+            controls: Vec::new(),
+            cursors: Vec::new(),
+            steps: Vec::new(),
+            things: Vec::new(),
+            scratch: alloc::vec![Transform::IDENTITY; bones],
+            sums: alloc::vec![BoneSum::ZERO; bones],
+        }
+    }
+
+    /// Plays one more clip, and gives its number among the [controls](Self::controls).
+    pub fn play(&mut self, control: ClipControl) -> usize {
+        self.controls.push(control);
+        self.cursors.push(Cursor::default());
+        self.steps.push(Step::none(0.0, 0.0));
+        self.controls.len() - 1
+    }
+
+    /// Stops a clip; those behind it move up by one. Nothing is done if there is no such control.
+    pub fn stop(&mut self, control: usize) {
+        if control < self.controls.len() {
+            self.controls.remove(control);
+            self.cursors.remove(control);
+            self.steps.remove(control);
+        }
+    }
+
+    /// The clips that it plays.
+    #[must_use]
+    pub fn controls(&self) -> &[ClipControl] {
+        &self.controls
+    }
+
+    /// The clips that it plays, to set their weights, speeds and times.
+    pub fn controls_mut(&mut self) -> &mut [ClipControl] {
+        &mut self.controls
+    }
+
+    /// The way of each clip in the last [`advance`](Self::advance).
+    #[must_use]
+    pub fn steps(&self) -> &[Step] {
+        &self.steps
+    }
+
+    /// Has a bone hold a thing, `grip` in the space of the bone, and gives its number among the [things](Self::things).
+    pub fn attach(&mut self, bone: usize, grip: Affine3A) -> usize {
+        self.things.push((bone, grip));
+        self.things.len() - 1
+    }
+
+    /// Drops a thing; those behind it move up by one. Nothing is done if there is no such thing.
+    pub fn detach(&mut self, thing: usize) {
+        if thing < self.things.len() {
+            self.things.remove(thing);
+        }
+    }
+
+    /// Moves every clip on by `dt_s` seconds, and the place by their root motion: the weighted [mean](Motion::blend) of those that
+    /// have any, by their weights for the first bone. Does not allocate.
+    pub fn advance(&mut self, model: &Model, dt_s: f32) {
+        for (playing, step) in self.controls.iter_mut().zip(&mut self.steps) {
+            let length = model.clips().get(playing.clip).map_or(0.0, Clip::length_s);
+            *step = playing.control.advance(dt_s, length);
+        }
+        let deltas = self.controls.iter().zip(&self.steps).map(|(playing, step)| {
+            let delta = model.motion(playing.clip).map_or(Transform::IDENTITY, |motion| motion.delta(step));
+            let is_clip = playing.clip < model.clips().len();
+            (delta, if is_clip { playing.weight_of(model, 0) } else { 0.0 })
+        });
+        self.place = self.place.rigid_product(&Motion::blend(deltas));
+    }
+
+    /// The events that the last [`advance`](Self::advance) passed: control by control, of each in order, with its number.
+    pub fn events<'a, 'm>(&'a self, model: &'m Model) -> impl Iterator<Item = (usize, &'m Event)> + use<'a, 'm> {
+        self.controls.iter().zip(&self.steps).enumerate().flat_map(move |(number, (playing, step))| {
+            let clip = model.clips().get(playing.clip);
+            clip.into_iter().flat_map(|clip| clip.events_passed(step)).map(move |event| (number, event))
+        })
+    }
+
+    /// Writes the pose, without the movement that the place has: for each bone the weighted sum of the clips, Σ wᵢ·poseᵢ / Σ wᵢ, as
+    /// [`Blender::sum`](crate::Blender::sum) has it; where nothing has a weight the rest pose. Does not allocate.
+    ///
+    /// # Errors
+    /// `local` has another length than the skeleton, or the instance is of another model; then nothing is written.
+    pub fn pose(&mut self, model: &Model, local: &mut [Transform]) -> Result<(), PoseError> {
+        let (skeleton, method) = (model.skeleton(), Method::Nlerp);
+        check_length(skeleton.len(), local.len())?;
+        check_length(skeleton.len(), self.scratch.len())?;
+        self.sums.fill(BoneSum::ZERO);
+        for (playing, cursor) in self.controls.iter().zip(&mut self.cursors) {
+            let Some(clip) = model.clips().get(playing.clip).filter(|_| playing.weight > 0.0) else { continue };
+            let time = playing.control.time_s();
+            self.scratch.copy_from_slice(skeleton.rest());
+            clip.sample(time, cursor, &mut self.scratch);
+            if let Some(motion) = model.motion(playing.clip) {
+                motion.remove(time, skeleton, &mut self.scratch)?;
+            }
+            let terms = self.scratch.iter().zip(skeleton.rest());
+            for (bone, (sum, (transform, rest))) in self.sums.iter_mut().zip(terms).enumerate() {
+                sum.add(transform, rest, playing.weight_of(model, bone), method);
+            }
+        }
+        for ((transform, sum), rest) in local.iter_mut().zip(&self.sums).zip(skeleton.rest()) {
+            *transform = sum.finish(rest, method);
+        }
+        Ok(())
+    }
+
+    /// The things that are held, in the world, by the pose in the space of the model; those of bones that are not there are left out.
+    pub fn things<'a>(&'a self, model_pose: &'a [Affine3A]) -> impl Iterator<Item = Affine3A> + 'a {
+        let place = self.place.to_affine();
+        let bone = move |(bone, grip): &(usize, Affine3A)| Some(place * attached(model_pose.get(*bone)?, grip));
+        self.things.iter().filter_map(bone)
+    }
+}

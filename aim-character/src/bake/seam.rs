@@ -1,0 +1,196 @@
+//! The seam of a clip that is to be a loop: found, and mended in place and speed.
+//!
+//! A clip that goes ahead ends where it does not begin. What its hips have gone and turned is taken out before, and given
+//! back after: the next round begins there.
+
+use core::ops::{Add, Mul, Sub};
+
+use aim_animation::{
+    Clip, Continuity, Cursor, HermiteKey, Motion, MotionError, Root, RootPath, Seam, Track, Transform, Value,
+};
+use aim_gltf::{Document, Skeleton};
+use aim_runtime::rotation::{angle, product};
+use glam::{Affine3A, Quat, Vec3};
+
+use super::continuous;
+use crate::error::Error;
+use crate::measure::Measurement;
+use crate::measure::roles::Role;
+
+/// Samples a second.
+const RATE: f32 = 60.0;
+/// How long before and after the seam what is mended fades, seconds.
+const WINDOW_S: f32 = 0.25;
+/// As far as no one sees: a part of the height, radians, factors of scale, weights of morph targets.
+const CLOSED: f32 = 1e-4;
+/// The jump in speed at the seam beside the largest one anywhere else in the clip, of which samples beside keys see a half.
+const JERK: f32 = 2.5;
+/// A way of the hips that is meant, a part of the height, and a turn, radians.
+const TRAVEL: f32 = 0.05;
+const TRAVEL_RAD: f32 = 0.1;
+
+/// A clip whose end goes over into its beginning.
+#[derive(Clone, Debug)]
+pub struct MendedLoop {
+    /// The clip.
+    pub clip: Clip,
+    /// The seam that was mended, without the way of the hips.
+    pub seam: Seam,
+}
+
+/// Mends a clip that is to be a loop: its end goes over into its beginning without a jump in place or speed. `None` where it does
+/// so already: it is left as it is.
+///
+/// A clip whose hips come out elsewhere than they begin, by more than a twentieth of the height or 6°, goes on from there in the
+/// next round: that way stays. Tracks become cubic; those of what carries the hips have 60 keys a second then.
+///
+/// # Errors
+/// A clip that moves the hips to where no numbers are.
+pub fn mended_loop(document: &Document, measurement: &Measurement, clip: &Clip) -> Result<Option<MendedLoop>, Error> {
+    let skeleton = document.skeleton();
+    let size = if measurement.height > 0.0 { crate::num::narrow(measurement.height) } else { 1.0 };
+    let travel = Travel::find(skeleton, measurement, clip, size)?;
+    let on_the_spot = travel.as_ref().map_or_else(|| Ok(clip.clone()), |travel| travel.moved(clip, Way::Out))?;
+    let seam = on_the_spot.seam();
+    let place = seam.place;
+    let jumps = (place.translation / size).max(place.rotation_rad).max(place.scale).max(place.scalar) > CLOSED;
+    if !jumps && !jerks(skeleton, &on_the_spot, size) {
+        return Ok(None);
+    }
+    let mended = on_the_spot.mended(Continuity::Speed, WINDOW_S);
+    let clip = travel.map_or_else(|| Ok(mended.clone()), |travel| travel.moved(&mended, Way::Back))?;
+    Ok(Some(MendedLoop { clip, seam }))
+}
+
+/// Whether something changes its speed at the seam more than anywhere else.
+fn jerks(skeleton: &Skeleton, clip: &Clip, size: f32) -> bool {
+    let times = sample_times(clip.length_s());
+    let poses: Vec<Vec<Transform>> = times.iter().map(|&time| skeleton.pose(clip, time)).collect();
+    (0..skeleton.len()).any(|bone| {
+        // Ways from sample to sample, and how each differs from the one before; the first from the last.
+        let steps: Vec<[Vec3; 2]> = poses.windows(2).map(|pair| way(&pair[0][bone], &pair[1][bone], size)).collect();
+        let change = |a: &[Vec3; 2], b: &[Vec3; 2]| [0, 1].map(|kind| (b[kind] - a[kind]).length());
+        let inner = steps.windows(2).map(|pair| change(&pair[0], &pair[1]));
+        let most = inner.fold([0.0_f32; 2], |most, change| [most[0].max(change[0]), most[1].max(change[1])]);
+        let seam = steps.last().zip(steps.first()).map_or([0.0; 2], |(last, first)| change(last, first));
+        (0..2).any(|kind| seam[kind] > JERK * most[kind] + CLOSED)
+    })
+}
+
+/// The way from one transform to the next, and the turn.
+fn way(from: &Transform, to: &Transform, size: f32) -> [Vec3; 2] {
+    let turn = aim_runtime::rotation::log(product(to.rotation, from.rotation.conjugate()));
+    [(to.translation - from.translation) / size, turn]
+}
+
+/// Evenly spaced times from the beginning to the end.
+fn sample_times(length_s: f32) -> Vec<f32> {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
+    let steps = (length_s * RATE).ceil().clamp(4.0, 1e6) as u32;
+    let part = |step: u32| f64::from(step) / f64::from(steps);
+    (0..=steps).map(|step| crate::num::narrow(f64::from(length_s) * part(step))).collect()
+}
+
+/// Which way the movement of the root is applied.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Way {
+    Out,
+    Back,
+}
+
+/// The way that the hips go in a clip, and what carries them.
+struct Travel<'a> {
+    skeleton: &'a Skeleton,
+    motion: Motion,
+    /// The bones with tracks that hang on none with tracks, and the rest pose of their parents in the world.
+    carriers: Vec<(usize, Affine3A)>,
+}
+
+impl<'a> Travel<'a> {
+    /// `None` where the clip stays where it is.
+    fn find(skeleton: &'a Skeleton, measurement: &Measurement, clip: &Clip, size: f32) -> Result<Option<Self>, Error> {
+        let moves = |bone: usize| clip.bone(bone).is_some();
+        let Some(hips) = measurement.with_role(Role::Hips).map(|bone| bone.node) else { return Ok(None) };
+        let root = Root::Shadow { bone: hips, up: measurement.up.as_vec3() };
+        let path = match RootPath::new(clip, skeleton, root, RATE) {
+            Ok(path) => path,
+            Err(MotionError::Length) => return Ok(None),
+            Err(error) => return Err(Error::Clip(error.to_string())),
+        };
+        let [begin, end] = [0.0, clip.length_s()].map(|time| path.at(time));
+        let turn = angle(product(end.rotation, begin.rotation.conjugate()));
+        if begin.translation.distance(end.translation) <= TRAVEL * size && turn <= TRAVEL_RAD {
+            return Ok(None);
+        }
+        let world = super::live::rounded(&skeleton.world_f64(skeleton.rest()));
+        let outermost = |bone: &usize| moves(*bone) && skeleton.ancestry(*bone).skip(1).all(|on| !moves(on));
+        let on = |bone: usize| skeleton.parents()[bone].map_or(Affine3A::IDENTITY, |parent| world[parent]);
+        let carriers = (0..skeleton.len()).filter(outermost).map(|bone| (bone, on(bone))).collect();
+        // Along a screw the next round goes on as fast as this one, also round a corner.
+        Ok(Some(Self { skeleton, motion: Motion::composite(&path), carriers }))
+    }
+
+    /// The clip with this movement taken out, or given back: `P⁻¹ · M(t)^∓¹ · P · local` of each carrier, P what it hangs on.
+    fn moved(&self, clip: &Clip, which: Way) -> Result<Clip, Error> {
+        let (length, times) = (clip.length_s(), sample_times(clip.length_s()));
+        let step = times[1] - times[0];
+        let mut moved = clip.clone();
+        for &(bone, on) in &self.carriers {
+            let mut pose = self.skeleton.rest().to_vec();
+            let mut at = |time: f32| {
+                clip.sample(time, &mut Cursor::default(), &mut pose);
+                let at = self.motion.at(time);
+                placed(on, if which == Way::Out { at.rigid_inverse() } else { at }, pose[bone])
+            };
+            let keys: Vec<Transform> = times.iter().map(|&time| at(time)).collect();
+            let places: Vec<Vec3> = keys.iter().map(|key| key.translation).collect();
+            let mut turns: Vec<Quat> = Vec::new();
+            keys.iter().for_each(|key| turns.push(continuous(turns.last(), key.rotation)));
+            // What is to be mended still ends anyhow; what is mended goes on in the next round as in this one, a whole way on.
+            let (beyond_places, beyond_turns) = if which == Way::Out {
+                (beyond(&places), beyond(&turns))
+            } else {
+                let whole = self.motion.at(length);
+                let [before, after] = [(whole.rigid_inverse(), length - step), (whole, step)]
+                    .map(|(whole, time)| placed(on, whole, at(time)));
+                let turn = |near: Option<&Quat>, other: Transform| continuous(near, other.rotation);
+                ([before.translation, after.translation], [turn(turns.first(), before), turn(turns.last(), after)])
+            };
+            moved = moved
+                .with_translation(bone, smooth(&times, &places, beyond_places)?)
+                .with_rotation(bone, smooth(&times, &turns, beyond_turns)?);
+        }
+        Ok(moved)
+    }
+}
+
+/// A bone on a parent, moved by a rigid motion of the model.
+fn placed(on: Affine3A, by: Transform, local: Transform) -> Transform {
+    let moved = on.inverse() * by.to_affine() * on * Transform { scale: Vec3::ONE, ..local }.to_affine();
+    Transform { scale: local.scale, ..Transform::from_affine(&moved).unwrap_or(local) }
+}
+
+/// The values before the first of some and after the last, on the parabola through three.
+fn beyond<T: Copy + Sub<Output = T> + Add<Output = T> + Mul<f32, Output = T>>(values: &[T]) -> [T; 2] {
+    let parabola = |a: T, b: T, c: T| (a - b) * 3.0 + c;
+    let last = values.len() - 1;
+    [parabola(values[0], values[1], values[2]), parabola(values[last], values[last - 1], values[last - 2])]
+}
+
+/// A cubic track through values at even times, given the values before and after: its tangents are central differences.
+fn smooth<T>(times: &[f32], values: &[T], [before, after]: [T; 2]) -> Result<Track<T>, Error>
+where
+    T: Value + Sub<Output = T> + Mul<f32, Output = T>,
+{
+    let step = times[1] - times[0];
+    let around = |index: usize| {
+        let before = index.checked_sub(1).map_or(before, |index| values[index]);
+        [before, values.get(index + 1).copied().unwrap_or(after)]
+    };
+    let key = |(index, &value): (usize, &T)| {
+        let [before, after] = around(index);
+        HermiteKey::smooth(value, (after - before) * (0.5 / step))
+    };
+    let keys: Vec<HermiteKey<T>> = values.iter().enumerate().map(key).collect();
+    Track::hermite(times, &keys).map_err(|error| Error::Clip(error.to_string()))
+}
