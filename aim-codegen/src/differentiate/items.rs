@@ -186,7 +186,7 @@ pub(super) fn with_typed_end(block: &syn::Block, signature: &Signature) -> syn::
         && matches!(**ty, syn::Type::Array(_))
         && let Some(syn::Stmt::Expr(end @ Expr::Call(_), None)) = block.stmts.last()
     {
-        let typed: syn::Expr = syn::parse_quote!({
+        let typed: Expr = syn::parse_quote!({
             let array: #ty = #end;
             array
         });

@@ -54,7 +54,7 @@ macro_rules! objectives {
                 pixels
             }
 
-            /// Geman and McClure's.
+            /// Of what is far off the less.
             fn robust(square: $real, width: $real) -> $real {
                 square / (square + width * width)
             }
