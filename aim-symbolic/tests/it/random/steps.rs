@@ -1,6 +1,6 @@
 //! The steps that statements are built by: the constructors of the graph, and idioms that rules look for.
 
-use aim_symbolic::{Attitude, Matrix, Stumpff};
+use aim_symbolic::{Attitude, Graph, Matrix, Stumpff};
 
 use super::material::{BASES, FUNCTIONS, NUMBERS, PLANES, Pools, UNITS, VECTORS};
 use Sort::{Angle, Rotation, Scalar, Unit, Vector};
@@ -190,11 +190,7 @@ fn vanishing(
 }
 
 /// A sine and a cosine of the angle between two vectors that are square to a third, alike too long; the last ones are none.
-fn in_plane(
-    g: &mut aim_symbolic::Graph,
-    [a, b, c]: [aim_symbolic::Vector; 3],
-    number: u8,
-) -> [aim_symbolic::Scalar; 2] {
+fn in_plane(g: &mut Graph, [a, b, c]: [aim_symbolic::Vector; 3], number: u8) -> [aim_symbolic::Scalar; 2] {
     let (length, axis) = (g.norm(b), g.normalize(b));
     let (m, n) = if number % 2 == 0 { (g.cross(a, b), g.cross(b, c)) } else { (g.cross(b, a), g.cross(c, b)) };
     let (m, n) = match number % 10 {
@@ -326,7 +322,9 @@ impl Pools {
             }
             What::Atan2 => g.atan2(s(0), s(1)).into(),
             What::PlaneAngle => {
-                let [y, x] = in_plane(g, [v(0), v(1), v(2)], number);
+                // Most axes are constant, of whole length: the field has no roots of half of the others.
+                let axis = if number % 3 == 0 { v(1) } else { g.constant_vector(choice(&VECTORS, number)) };
+                let [y, x] = in_plane(g, [v(0), axis, v(2)], number);
                 g.atan2(y, x).into()
             }
             What::Dot => g.dot(v(0), v(1)).into(),
