@@ -136,7 +136,7 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// | patterns | names, `_`, tuples, arrays with `..`, structs | |
 /// | branches | `if` and `match` on comparisons, numbers, ranges, tuples, with `&&`, `\|\|`, `!`: both sides are computed, and selected | `if let`, enums |
 /// | loops | `for` over constant ranges, arrays and `iter enumerate zip chain rev skip take step_by windows chunks_exact map`, `while` and `loop` by counts, with `break`, `continue` and labels: written out, up to 10 000 rounds and 20 000 operations a function | a number of rounds that an argument decides: bound it, and leave by `break` |
-/// | of arrays | `len map`, `array::from_fn` where a `let` says the length, and `swap iter_mut`, of iterators `sum product fold`; indices and slices by constants, counters and what is computed of them | an index that an argument decides |
+/// | of arrays | `len map`, `array::from_fn` where a `let` or the function's result says the length, and `swap iter_mut`, of iterators `sum product fold`; indices and slices by constants, counters and what is computed of them | an index that an argument decides |
 /// | functions | those of the module, methods and operators that it implements for its structs, functions inside of the function, closures | recursion, closures that change what is outside |
 /// | whole numbers | `+ - * / %`, comparisons, `as` to numbers; of arguments no `/` and `%` | |
 ///
@@ -154,7 +154,7 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 ///   `powf` by a constant multiple of ½ is made of products and roots
 /// - of vectors: swizzles, `dot cross length length_squared length_recip distance distance_squared normalize
 ///   normalize_or_zero lerp midpoint project_onto reject_from reflect angle_between clamp_length abs min max clamp mul_add
-///   with_x truncate extend perp perp_dot rotate_x` and a few more; `Vec3::X`, `Vec3::ZERO` and their like
+///   with_x truncate extend perp perp_dot to_angle angle_to rotate rotate_x` and a few more; `Vec3::X`, `Vec3::ZERO` and their like
 /// - of quaternions and matrices: `from_rotation_x`, `from_axis_angle`, `from_euler`, `from_quat`, `from_mat3`,
 ///   `from_cols`, `from_scaled_axis`, `to_scaled_axis`, `to_axis_angle`, `inverse`, `conjugate`, `transpose`, `determinant`, `normalize`, `slerp`, `mul_vec3`, …
 /// - of transforms, and of `Mat4` alike, `project_point3` too: `from_rotation_translation`, `transform_point3`, `transform_vector3`, `inverse`, …

@@ -21,3 +21,8 @@ pub type DRigid = glam::DAffine3;
 pub mod __private {
     pub use aim_model::{Real, Scalar, differences};
 }
+
+/// The examples of a page, run as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/differentiating.md")]
+mod page {}

@@ -6,6 +6,7 @@ pub mod compare;
 mod declarations;
 pub mod kinematics;
 pub mod oracle;
+pub mod page;
 pub mod problems;
 pub mod random;
 pub mod requested;

@@ -2,7 +2,9 @@
 
 use aim_codegen::objective::{CHAIN_RESIDUAL_JACOBIAN, CHAIN_VALUE_GRADIENT, FirstLink};
 use aim_codegen::{EffectorSpec, Frame, Objective, RigSpec};
-use aim_symbolic::{Angle, Function, Graph, Matrix, Plane, Rigid, Scalar, Stumpff, Variable, Vector, VectorNode, Want};
+use aim_symbolic::{
+    Angle, Attitude, Function, Graph, Matrix, Plane, Rigid, Scalar, Stumpff, Variable, Vector, VectorNode, Want,
+};
 
 use crate::random::Random;
 use crate::rigs::{bare_joint, general_frame};
@@ -62,6 +64,9 @@ pub fn all() -> Vec<Problem> {
         pull_of_a_spring(),
         distance_from_axis(),
         gaussian(),
+        dihedral_angle(),
+        angle_between(),
+        turned_form(),
     ]
 }
 
@@ -456,6 +461,54 @@ fn gaussian() -> Problem {
         let terms = [g.mul(half, distance), g.mul(half, log)];
         let by = [point].into_iter().chain(columns).flat_map(|v| components(g, v)).collect();
         (vec![g.add(terms[0], terms[1])], by)
+    })
+}
+
+/// The angle that four points span about the middle two, by the normals of both planes.
+fn dihedral_angle() -> Problem {
+    Problem::new("dihedral angle", 92, |g| {
+        let points = ["a", "b", "c", "d"].map(|name| g.vector_input(name));
+        let [first, middle, last] = [0, 1, 2].map(|i| g.sub_vectors(points[i + 1], points[i]));
+        let (m, n) = (g.cross(first, middle), g.cross(middle, last));
+        let (length, along) = (g.norm(middle), g.dot(first, n));
+        let (sine, cosine) = (g.mul(length, along), g.dot(m, n));
+        let by = points.into_iter().flat_map(|v| components(g, v)).collect();
+        (vec![g.atan2(sine, cosine)], by)
+    })
+}
+
+/// The angle between the ways from one point to two others.
+fn angle_between() -> Problem {
+    Problem::new("angle between", 66, |g| {
+        let points = ["a", "b", "c"].map(|name| g.vector_input(name));
+        let [u, v] = [0, 2].map(|i| g.sub_vectors(points[i], points[1]));
+        let cross = g.cross(u, v);
+        let (sine, cosine) = (g.norm(cross), g.dot(u, v));
+        let by = points.into_iter().flat_map(|v| components(g, v)).collect();
+        (vec![g.atan2(sine, cosine)], by)
+    })
+}
+
+/// The products of two vectors by what is diagonal in a frame, by that frame and by both.
+fn turned_form() -> Problem {
+    Problem::new("turned quadratic form", 232, |g| {
+        let (u, w) = (g.vector_input("q"), g.input("q_w"));
+        let vectors = ["v", "w"].map(|name| g.vector_input(name));
+        let scales = ["x", "y", "z"].map(|name| g.input(name));
+        let rotation = g.attitude(Attitude::Quaternion(u, w));
+        let back = g.transpose(rotation);
+        let images = vectors.map(|v| {
+            let seen = g.rotate(back, v);
+            let scaled = [0, 1, 2].map(|axis| {
+                let component = g.component(seen, axis);
+                g.mul(scales[usize::from(axis)], component)
+            });
+            let scaled = g.components(scaled);
+            g.rotate(rotation, scaled)
+        });
+        let by = vectors.into_iter().chain([u]).flat_map(|v| components(g, v)).chain([w.into()]).collect();
+        let products = [(0, 0), (0, 1), (1, 1)].map(|(i, k)| g.dot(vectors[i], images[k]));
+        (products.to_vec(), by)
     })
 }
 

@@ -173,10 +173,27 @@ pub(super) fn callable(signature: &Signature, block: &syn::Block, of: Option<&st
         parameters: parameters.collect(),
         changed: signature.inputs.iter().map(is_changed).collect(),
         lengths: lengths.collect(),
-        body: Expr::Block(syn::ExprBlock { attrs: Vec::new(), label: None, block: block.clone() }),
+        body: Expr::Block(syn::ExprBlock { attrs: Vec::new(), label: None, block: with_typed_end(block, signature) }),
         captured: Vec::new(),
         self_type: of.map(str::to_owned),
     }
+}
+
+/// The block; where it ends in a call that makes an array, such as `array::from_fn`, with the array's type said there.
+pub(super) fn with_typed_end(block: &syn::Block, signature: &Signature) -> syn::Block {
+    let mut block = block.clone();
+    if let syn::ReturnType::Type(_, ty) = &signature.output
+        && matches!(**ty, syn::Type::Array(_))
+        && let Some(syn::Stmt::Expr(end @ Expr::Call(_), None)) = block.stmts.last()
+    {
+        let typed: Expr = syn::parse_quote!({
+            let array: #ty = #end;
+            array
+        });
+        block.stmts.pop();
+        block.stmts.push(syn::Stmt::Expr(typed, None));
+    }
+    block
 }
 
 /// Whether a parameter is `&mut`.

@@ -6,6 +6,7 @@
 //! |---|---|
 //! | s = v · w | v̄ += s̄ w, w̄ += s̄ v |
 //! | s = \|v\| | v̄ += s̄ v/\|v\| |
+//! | s = atan2(u · (v × w), v · w), v and w square to u | v̄ −= s̄ (u × v)/v², w̄ += s̄ (u × w)/w² |
 //! | y = k v | k̄ += ȳ · v, v̄ += k ȳ |
 //! | y = R v, where R turns by θ | v̄ += Rᵀ ȳ, θ̄ += ȳ · J y with J the quarter turn in its plane or the cross product with its axis |
 //! | y = R v, where R turns by a step or a motion δ | δ̄ += y × ȳ, v̄ += Rᵀ ȳ |
@@ -221,6 +222,12 @@ impl Sweep<'_> {
     }
 
     fn scalar(&mut self, scalar: Scalar, bar: Scalar) {
+        if let Some(sides) = self.g.plane_angle(scalar) {
+            for (side, slope) in sides {
+                self.add_to_vector(side, |g| g.scale(bar, slope));
+            }
+            return;
+        }
         match self.g.scalar_node(scalar) {
             ScalarNode::Op(Op::Input(_)) => match self.g.slope_of_input(scalar) {
                 Some((angle, slope)) => {

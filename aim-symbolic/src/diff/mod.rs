@@ -4,6 +4,7 @@ pub(crate) mod gradient;
 mod growth;
 mod mask;
 mod partial;
+mod plane_angle;
 pub(crate) mod step;
 pub(crate) mod sweep;
 mod tangent;

@@ -80,6 +80,10 @@ impl Sweep<'_> {
     }
 
     fn scalar(&mut self, scalar: Scalar) -> Scalar {
+        if let Some(sides) = self.g.plane_angle(scalar) {
+            let terms = sides.map(|(side, slope)| self.dot(self.vector_tangent(side), slope));
+            return terms.into_iter().flatten().reduce(|a, b| self.g.add(a, b)).unwrap_or_else(|| self.g.constant(0.0));
+        }
         let terms: Vec<Scalar> = match self.g.scalar_node(scalar) {
             ScalarNode::Op(Op::Input(_)) => {
                 let slope = self.g.slope_of_input(scalar);

@@ -4,8 +4,8 @@ use crate::diff::sweep::{Course, Swept};
 use crate::lower::Effort;
 use crate::rewrite::log::Log;
 use crate::rewrite::rules::{
-    self, ACROSS_FOR_CROSS, CANCELLING, CONSTANT_SCALE, DIRECTIONS, EXPAND_ACROSS, FRAMES, LIMITS, MATRIX,
-    MERGE_SHARED, OPTIONAL, OTHER_SIDES, ROTATIONS, Rule, Rules, SCALES, SPREAD, WORDING,
+    self, ACROSS_FOR_CROSS, CANCELLING, CONSTANT_SCALE, DIRECTIONS, EXPAND_ACROSS, FRAMES, JOIN_COMPONENTS, LIMITS,
+    MATRIX, MERGE_SHARED, OPTIONAL, OTHER_SIDES, ROTATIONS, Rule, Rules, SCALES, SPREAD, WORDING,
 };
 use crate::{Graph, Placement, Program, Rotation, Scalar, Variable};
 
@@ -264,7 +264,7 @@ fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
         rivals.push(optional(CONSTANT_SCALE));
     }
     rivals.extend(first.by_matrices());
-    for rule in [MERGE_SHARED, ACROSS_FOR_CROSS] {
+    for rule in [MERGE_SHARED, ACROSS_FOR_CROSS, JOIN_COMPONENTS] {
         if applied(&[rule]) > 0 {
             rivals.push(Box::new(move |c| {
                 if !c.without.contains(&rule) {

@@ -62,7 +62,7 @@ pub(crate) fn guard_division(g: &mut Graph, s: Scalar) -> Option<Scalar> {
 }
 
 /// A vector known to have length 1.
-fn as_unit(g: &Graph, v: Vector) -> Option<Unit> {
+pub(crate) fn as_unit(g: &Graph, v: Vector) -> Option<Unit> {
     let is_unit = match g.vector_node(v) {
         VectorNode::Normalize(_) => true,
         VectorNode::Rotate(_, inner) | VectorNode::Neg(inner) => as_unit(g, inner).is_some(),
@@ -129,7 +129,7 @@ fn is_along(g: &Graph, v: Vector, u: Vector) -> bool {
 }
 
 /// Whether `v` is square to `u`, as far as one can see.
-fn is_across(g: &Graph, v: Vector, u: Vector) -> bool {
+pub(crate) fn is_across(g: &Graph, v: Vector, u: Vector) -> bool {
     is_across_within(g, v, u, DEEPEST_LOOK)
 }
 
@@ -234,6 +234,19 @@ pub(crate) fn dot_of_axis_across(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     let (whole, of_axis, along) = (g.dot(e, v), g.dot(e, u), g.dot(v, u));
     let radial = g.mul(of_axis, along);
     Some(g.sub(whole, radial))
+}
+
+/// `(a × b) × c = (a · c) b − (b · c) a`, of which one term is 0.
+pub(crate) fn cross_of_cross(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let VectorNode::Cross(left, right) = g.vector_node(v) else { return None };
+    [(left, right, false), (right, left, true)].into_iter().find_map(|(cross, c, is_swapped)| {
+        let VectorNode::Cross(a, b) = g.vector_node(cross) else { return None };
+        let [one, other] = [(a, b, is_swapped), (b, a, !is_swapped)];
+        let (along, kept, negative) = [one, other].into_iter().find(|&(_, kept, _)| are_square(g, kept, c))?;
+        let dot = g.dot(along, c);
+        let scaled = g.scale(dot, kept);
+        Some(if negative { g.neg_vector(scaled) } else { scaled })
+    })
 }
 
 fn are_square(g: &Graph, v: Vector, w: Vector) -> bool {

@@ -1,6 +1,6 @@
 //! Rules that move rotations to where they cancel or cost least, and what applies them.
 
-mod directions;
+pub(crate) mod directions;
 mod frames;
 mod limits;
 pub(crate) mod log;

@@ -163,6 +163,8 @@ pub const DIRECTIONS: RuleSet = RuleSet {
         SIGN_AFTER_DOT,
         DROP_RADIAL,
         AXIS_ACROSS,
+        CROSS_OF_CROSS,
+        JOIN_COMPONENTS,
     ],
     sums: Sums::Open,
 };
@@ -286,6 +288,12 @@ rules! {
     /// What is square to the other side of a dot product adds nothing to it. A turn moves a point square to its way
     /// from the pivot, so whatever points along that way drops out of the derivative.
     DROP_RADIAL = "drop the radial part": Scalar(directions::dot_along_across);
+    /// A cross product with a cross product is a difference of multiples of its two vectors: (a × b) × c = (a · c) b − (b · c) a.
+    /// Where c is square to one of them, it is a multiple of that one.
+    CROSS_OF_CROSS = "a cross product of a cross product": Vector(directions::cross_of_cross);
+    /// Two vectors of which one has the components that the other lacks are one vector; together they may be one that is there
+    /// already.
+    JOIN_COMPONENTS = "a sum of components is a vector": Vector(sums::join_components);
     /// A component of the part across a direction u is that of the whole less that of u times what both have in common,
     /// a number that every component needs.
     AXIS_ACROSS = "a component of a part across": Scalar(directions::dot_of_axis_across);

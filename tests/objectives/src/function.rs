@@ -191,19 +191,6 @@ impl<T: Numbers<f64>, const N: usize> Rows for [T; N] {
     }
 }
 
-impl<A: Rows> Rows for (A,) {
-    fn write_columns(self, numbers: &mut Vec<f64>) {
-        self.0.write_columns(numbers);
-    }
-}
-
-impl<A: Rows, B: Rows> Rows for (A, B) {
-    fn write_columns(self, numbers: &mut Vec<f64>) {
-        self.0.write_columns(numbers);
-        self.1.write_columns(numbers);
-    }
-}
-
 impl<S, A: Argument<S>, B: Argument<S>> Argument<S> for (A, B) {
     fn read(numbers: &mut impl Iterator<Item = S>) -> Self {
         (A::read(numbers), B::read(numbers))
@@ -231,6 +218,14 @@ macro_rules! tuples {
             fn write(self, numbers: &mut Vec<S>) {
                 let ($($element,)*) = self;
                 $($element.write(numbers);)*
+            }
+        }
+
+        impl<$($element: Rows),*> Rows for ($($element,)*) {
+            #[expect(non_snake_case, reason = "named as their types")]
+            fn write_columns(self, numbers: &mut Vec<f64>) {
+                let ($($element,)*) = self;
+                $($element.write_columns(numbers);)*
             }
         }
     };

@@ -3,6 +3,7 @@
 mod accuracy;
 mod bundled;
 mod by_hand;
+mod counts;
 mod dependencies;
 mod derivation;
 mod differentiate;

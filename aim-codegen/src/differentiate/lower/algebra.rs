@@ -217,6 +217,10 @@ impl Algebra {
     pub(crate) fn component(&mut self, v: Vector, axis: usize) -> Scalar {
         match self.g.vector_node(v) {
             VectorNode::Components(components) => components[axis],
+            VectorNode::Scale(k, inner) if self.g.constant_vector_of(inner).is_some() => {
+                let component = self.component(inner, axis);
+                self.mul(k, component)
+            }
             _ => self.g.component(v, u8::try_from(axis).unwrap_or_default()),
         }
     }

@@ -8,6 +8,7 @@ use syn::token::Comma;
 use syn::{Expr, ExprCall, ExprMethodCall, ExprStruct, Ident};
 
 use super::algebra::Algebra;
+use super::defaults::is_default;
 use super::fields::name_of;
 use super::map::Quaternion;
 use super::methods::{self, Fault, Function};
@@ -163,6 +164,12 @@ impl Translation<'_> {
                 return Value::Struct(Rc::new(Struct { fields: fields.collect(), name: of_tuple }));
             }
         }
+        if let ("default", Some(name), true) = (text.as_str(), &ty, call.args.is_empty())
+            && let Ok(of) = syn::parse_str(name)
+            && let Some(value) = self.default_of(&of)
+        {
+            return value;
+        }
         if let ("from_fn", Some(length), [of_place]) = (text.as_str(), self.expected.take(), &call_arguments(call)[..])
         {
             return self.array_of(call, length, of_place);
@@ -205,7 +212,16 @@ impl Translation<'_> {
         for field in &of.fields {
             fields.push((name_of(&field.member), self.expression(&field.expr)));
         }
-        if let Some(rest) = &of.rest {
+        if let Some(rest) = of.rest.as_deref().filter(|rest| is_default(rest)) {
+            for (member, ty) in self.items.fields(&name).map(<[_]>::to_vec).unwrap_or_default() {
+                if fields.iter().all(|(written, _)| *written != name_of(&member)) {
+                    let Some(value) = self.default_of(&ty) else {
+                        return self.refuse(rest, messages::outside_struct(&name));
+                    };
+                    fields.push((name_of(&member), value));
+                }
+            }
+        } else if let Some(rest) = &of.rest {
             match self.expression(rest) {
                 Value::Struct(rest) => {
                     for (known, value) in &rest.fields {

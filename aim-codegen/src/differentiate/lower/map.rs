@@ -28,6 +28,8 @@ pub(crate) enum Map {
     Columns([Vector; 3]),
     /// The transpose of that.
     Rows([Vector; 3]),
+    /// What multiplies each component by its own number.
+    Diagonal(Vector),
     /// The inverse of a matrix.
     Inverse(Matrix),
     /// v ↦ q v q*, for a quaternion of any length: its vector part and its scalar part.
@@ -48,9 +50,14 @@ impl Map {
         Self::Rotation(a.identity())
     }
 
-    /// The map with these images of the axes: a rotation where they are written as those of a turn about an axis.
+    /// The map with these images of the axes: a rotation where they are written as those of a turn about an axis, and
+    /// diagonal where the others are 0.
     pub(crate) fn of_columns(a: &mut Algebra, columns: [Vector; 3]) -> Self {
         let entries = columns.map(|column| a.parts(column));
+        let is_aside = |(i, k): (usize, usize)| i == k || a.constant_of(entries[i][k]) == Some(0.0);
+        if (0..9).map(|i| (i / 3, i % 3)).all(is_aside) {
+            return Self::Diagonal(a.vector([0, 1, 2].map(|k| entries[k][k])));
+        }
         let called = |a: &Algebra, function, s| match a.g.scalar_node(s) {
             ScalarNode::Op(Op::Call(own, radians)) if own == function => Some(radians),
             _ => None,
@@ -92,9 +99,9 @@ impl Map {
     /// How many maps are applied to a vector.
     fn size(&self) -> usize {
         match self {
-            Self::Rotation(_) | Self::Columns(_) | Self::Rows(_) | Self::Inverse(_) | Self::Spin(..) => 1,
             Self::Compose(pair) => pair.0.size() + pair.1.size(),
             Self::Select(choice) => choice.1.size() + choice.2.size(),
+            _ => 1,
         }
     }
 
@@ -111,6 +118,7 @@ impl Map {
                 let parts = rows.map(|row| a.dot(row, v));
                 a.vector(parts)
             }
+            Self::Diagonal(numbers) => a.zip(*numbers, v, Algebra::mul),
             Self::Inverse(m) => a.g.solve(*m, v),
             Self::Spin(u, w) => spin(a, *u, *w, v),
             Self::Compose(pair) => {
@@ -139,13 +147,13 @@ impl Map {
                 let inner = pair.1.compose(a, inner);
                 pair.0.compose(a, &inner)
             }
-            (Self::Rotation(outer), Self::Compose(pair)) => match &pair.0 {
-                Self::Rotation(middle) => {
-                    let outer = a.g.compose(*outer, *middle);
-                    Self::Compose(Rc::new((Self::Rotation(outer), pair.1.clone())))
-                }
-                _ => self.product(a, inner),
-            },
+            (Self::Diagonal(outer), Self::Diagonal(inner)) => Self::Diagonal(a.zip(*outer, *inner, Algebra::mul)),
+            (Self::Rotation(_), Self::Compose(pair)) if matches!(pair.0, Self::Rotation(_)) => {
+                Self::Compose(Rc::new((self.compose(a, &pair.0), pair.1.clone())))
+            }
+            (Self::Diagonal(_), Self::Compose(pair)) if matches!(pair.0, Self::Diagonal(_)) => {
+                Self::Compose(Rc::new((self.compose(a, &pair.0), pair.1.clone())))
+            }
             _ => self.product(a, inner),
         }
     }
@@ -169,6 +177,7 @@ impl Map {
             Self::Rotation(rotation) => Self::Rotation(a.g.transpose(*rotation)),
             Self::Columns(columns) => Self::Rows(*columns),
             Self::Rows(rows) => Self::Columns(*rows),
+            Self::Diagonal(_) => self.clone(),
             Self::Inverse(m) => Self::Inverse(m.transpose()),
             Self::Spin(u, w) => Self::Spin(a.neg_vector(*u), *w),
             Self::Compose(pair) => {
@@ -195,6 +204,10 @@ impl Map {
             Self::Inverse(Matrix { columns, transposed: false }) => Self::Columns(*columns),
             Self::Inverse(Matrix { columns, transposed: true }) => Self::Rows(*columns),
             Self::Rows(rows) => Self::Inverse(Matrix::new(*rows).transpose()),
+            Self::Diagonal(numbers) => {
+                let reciprocals = a.parts(*numbers).map(|number| a.recip(number));
+                Self::Diagonal(a.vector(reciprocals))
+            }
             _ => Self::Inverse(Matrix::new(self.columns(a))),
         }
     }
@@ -203,9 +216,9 @@ impl Map {
     pub(crate) fn is_rotation(&self) -> bool {
         match self {
             Self::Rotation(_) => true,
-            Self::Columns(_) | Self::Rows(_) | Self::Inverse(_) | Self::Spin(..) => false,
             Self::Compose(pair) => pair.0.is_rotation() && pair.1.is_rotation(),
             Self::Select(choice) => choice.1.is_rotation() && choice.2.is_rotation(),
+            _ => false,
         }
     }
 

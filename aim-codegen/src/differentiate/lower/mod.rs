@@ -6,6 +6,7 @@ mod calls;
 mod choices;
 mod condition;
 mod constants;
+mod defaults;
 mod fields;
 mod frame;
 mod functions;

@@ -142,6 +142,19 @@ same! {
             guess
         }
     }
+    defaults_and_arrays_at_the_end {
+        #[derive(Clone, Copy, Default)]
+        struct Lens { focal: f64, shift: f64, bent: [f64; 2] }
+        fn rates([a, b]: [f64; 2], lens: &Lens) -> [f64; 2] {
+            core::array::from_fn(|i| [a * b, b][i] + lens.bent[i] + lens.shift)
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let lens = Lens { focal: x, ..Default::default() };
+            let other = Lens { bent: [y, 2.0], ..Lens::default() };
+            let [a, b] = rates([x, lens.focal + y], &other);
+            a - b * lens.bent[1] + f64::default() + lens.focal
+        }
+    }
     arrays_of_arrays {
         pub fn f(x: f64, y: f64) -> f64 {
             const N: usize = 3;

@@ -78,7 +78,7 @@ fn derivation_is_deterministic() {
 #[test]
 fn a_flipped_sign_is_noticed() {
     let (noticed, flipped) = (Cell::new(0), Cell::new(0));
-    for_each(2_000, 8, |recipe| {
+    for_each(4_000, 8, |recipe| {
         let stated = recipe.build();
         let Some(regular) = regular(&stated, recipe.seed) else { return Ok(()) };
         let program = Program::derive::<Variable>(&stated.pools.g, &stated.outputs, &[]);

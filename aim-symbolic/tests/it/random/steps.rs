@@ -1,6 +1,6 @@
 //! The steps that statements are built by: the constructors of the graph, and idioms that rules look for.
 
-use aim_symbolic::{Attitude, Matrix, Stumpff};
+use aim_symbolic::{Attitude, Graph, Matrix, Stumpff};
 
 use super::material::{BASES, FUNCTIONS, NUMBERS, PLANES, Pools, UNITS, VECTORS};
 use Sort::{Angle, Rotation, Scalar, Unit, Vector};
@@ -75,6 +75,7 @@ steps! {
     Select: 3 [Scalar, Scalar, Scalar, Scalar] => Scalar,
     Call: 4 [Scalar] => Scalar,
     Atan2: 3 [Scalar, Scalar] => Scalar,
+    PlaneAngle: 1 [Vector, Vector, Vector] => Scalar,
     Quotient: 3 [Scalar, Scalar] => Scalar,
     QuotientOfLength: 3 [Vector, Scalar] => Scalar,
     Dot: 10 [Vector, Vector] => Scalar,
@@ -107,6 +108,7 @@ steps! {
     Direction: 8 [Unit] => Vector,
     Perp: 3 [Vector] => Vector,
     Cross: 5 [Vector, Vector] => Vector,
+    CrossOfCross: 1 [Vector, Vector, Vector] => Vector,
     Across: 5 [Vector, Unit] => Vector,
     OperationTurnedBack: 4 [Rotation, Vector, Scalar] => Vector,
     ToEffector: 4 [Vector, Rotation, Vector] => Vector,
@@ -184,6 +186,36 @@ fn vanishing(
             let root = g.sqrt(rest);
             (g.mul(w, angle), root)
         }
+    }
+}
+
+/// A sine and a cosine of the angle between two vectors that are square to a third, alike too long; the last ones are none.
+fn in_plane(g: &mut Graph, [a, b, c]: [aim_symbolic::Vector; 3], number: u8) -> [aim_symbolic::Scalar; 2] {
+    let (length, axis) = (g.norm(b), g.normalize(b));
+    let (m, n) = if number % 2 == 0 { (g.cross(a, b), g.cross(b, c)) } else { (g.cross(b, a), g.cross(c, b)) };
+    let (m, n) = match number % 10 {
+        0 => (g.normalize(m).into(), g.normalize(n).into()),
+        1 => (g.across(a, axis), g.across(c, axis)),
+        _ => (m, n),
+    };
+    let (cosine, cross) = (g.dot(m, n), g.cross(n, m));
+    match number % 7 {
+        0 if number % 4 == 0 => [g.norm(cross), cosine],
+        0 | 1 => [g.dot(axis, cross), cosine],
+        2 => [g.dot(cross, b), g.mul(cosine, length)],
+        3 => {
+            let (lever, over) = (g.cross(axis.into(), n), g.reciprocal(length));
+            [g.dot(m, lever), cosine].map(|s| g.mul(over, s))
+        }
+        4 => {
+            let along = g.dot(a, n);
+            [g.mul(along, length), cosine]
+        }
+        5 => {
+            let (along, cosine) = (g.dot(c, m), g.neg(cosine));
+            [along, g.div(cosine, length)]
+        }
+        _ => [g.dot(b, cross), cosine],
     }
 }
 
@@ -289,6 +321,12 @@ impl Pools {
                 g.call(choice(&FUNCTIONS, number / 2), argument).into()
             }
             What::Atan2 => g.atan2(s(0), s(1)).into(),
+            What::PlaneAngle => {
+                // Most axes are constant, of whole length: the field has no roots of half of the others.
+                let axis = if number % 3 == 0 { v(1) } else { g.constant_vector(choice(&VECTORS, number)) };
+                let [y, x] = in_plane(g, [v(0), axis, v(2)], number);
+                g.atan2(y, x).into()
+            }
             What::Dot => g.dot(v(0), v(1)).into(),
             What::Norm => g.norm(v(0)).into(),
             What::Component => g.component(v(0), number % 3).into(),
@@ -402,6 +440,11 @@ impl Pools {
             What::Direction => aim_symbolic::Vector::from(u(0)).into(),
             What::Perp => g.perp(choice(&PLANES, number), v(0)).into(),
             What::Cross => g.cross(v(0), v(1)).into(),
+            What::CrossOfCross => {
+                let (cross, other) = (g.cross(v(0), v(1)), g.cross(v(2), v(1)));
+                let with = [v(1), other, v(2)][usize::from(number) % 3];
+                if number % 2 == 0 { g.cross(cross, with).into() } else { g.cross(with, cross).into() }
+            }
             What::Solve => {
                 let m = Matrix::new([v(0), v(1), v(2)]);
                 g.solve(if number % 2 == 0 { m } else { m.transpose() }, v(3)).into()

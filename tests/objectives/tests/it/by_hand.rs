@@ -56,7 +56,7 @@ pub(crate) mod problems {
     }
 
     /// The torsion energy of a dihedral angle.
-    #[differentiate(wrt(a, b, c, d), budget = 128)]
+    #[differentiate(wrt(a, b, c, d), budget = 98)]
     pub(crate) fn torsion(a: DVec3, b: DVec3, c: DVec3, d: DVec3, k: f64, n: f64, phase: f64) -> f64 {
         let (first, middle, last) = (b - a, c - b, d - c);
         let (m, l) = (first.cross(middle), middle.cross(last));

@@ -106,7 +106,7 @@ functions! {
         let columns = [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]].map(|column| a.vector(column));
         Map::of_columns(a, columns)
     }
-    from_diagonal(v: Vector) = Mat3::from_cols(Vec3::X * v.x, Vec3::Y * v.y, Vec3::Z * v.z);
+    from_diagonal(v: Vector) -> Matrix { Map::Diagonal(v) }
     from(m: Matrix) -> Matrix { m }
 }
 

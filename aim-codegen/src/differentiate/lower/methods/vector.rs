@@ -67,6 +67,9 @@ functions! {
     PLANAR(a):
     perp(v: Planar) = Vec2::new(-v.y, v.x);
     perp_dot(v: Planar, w: Planar) = v.extend(0.0).cross(w.extend(0.0)).z;
+    rotate(v: Planar, w: Planar) = Vec2::new(v.x * w.x - v.y * w.y, v.y * w.x + v.x * w.y);
+    to_angle(v: Planar) = v.y.atan2(v.x);
+    angle_to(v: Planar, w: Planar) = v.perp_dot(w).atan2(v.dot(w));
     min_element(v: Planar) = v.x.min(v.y);
     max_element(v: Planar) = v.x.max(v.y);
     with_x(v: Planar, c: Scalar) = Vec2::new(c, v.y);

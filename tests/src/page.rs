@@ -1,0 +1,19 @@
+//! Tables of pages that are written by tests.
+
+use std::path::Path;
+
+/// Holds what stands between two marks of a page against `table`; `AIM_BLESS=1` writes it there.
+///
+/// # Panics
+/// Where the page says something else, with the command that writes it.
+pub fn hold_table(page: &str, marks: [&str; 2], table: &str, test: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(page);
+    let text = std::fs::read_to_string(&path).expect("the page is there");
+    let [start, end] = marks.map(|mark| text.split_once(mark).unwrap_or_else(|| panic!("{page} has no {mark}")));
+    let fresh = format!("{}{}{table}{}{}", start.0, marks[0], marks[1], end.1);
+    if std::env::var_os("AIM_BLESS").is_some_and(|bless| bless == "1") {
+        std::fs::write(path, fresh).expect("the page is writable");
+    } else {
+        assert!(text == fresh, "{page} is stale: AIM_BLESS=1 cargo test -p aim-tests --test it {test}");
+    }
+}
