@@ -150,7 +150,7 @@ fn choice<T: Copy>(all: &[T], number: u8) -> T {
 
 /// Two numbers that vanish where `x` does, like the same power of it.
 fn vanishing(
-    g: &mut aim_symbolic::Graph,
+    g: &mut Graph,
     x: aim_symbolic::Scalar,
     w: aim_symbolic::Scalar,
     number: u8,
@@ -536,8 +536,7 @@ impl Pools {
             What::Rodrigues => {
                 let (turn, point) = (v(0), v(1));
                 let square = g.dot(turn, turn);
-                let factor =
-                    |g: &mut aim_symbolic::Graph, order| g.stumpff(Stumpff { hyperbolic: false, order }, square);
+                let factor = |g: &mut Graph, order| g.stumpff(Stumpff { hyperbolic: false, order }, square);
                 let aside = g.cross(turn, point);
                 let (sine, versine) = (factor(g, 1), factor(g, 2));
                 let (kept, along) = if number % 2 == 0 {
