@@ -5,7 +5,7 @@ use core::fmt;
 
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3, Vec3A};
 use aim_runtime::rotation::{angle, inverse, length, nearest_orthogonal, product, shortest, unit};
-use aim_runtime::{Pose, Rig};
+use aim_runtime::{Aimed, Pose, Rig};
 
 use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;
@@ -126,7 +126,7 @@ pub struct AimFrame {
 /// A solver's result: the correction of each joint, from the effector inward, and of the other eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corrections<'a> {
-    /// Of each joint: [`Aimed::corrections`](aim_runtime::Aimed::corrections), or those of a `DynAim`.
+    /// Of each joint: [`Aimed::corrections`], or those of a `DynAim`.
     pub joints: &'a [Quat],
     /// Of the other eye: [`Outcome::other_eye_correction`](aim_runtime::Outcome::other_eye_correction).
     pub other_eye: Option<Quat>,
@@ -136,6 +136,12 @@ pub struct Corrections<'a> {
 impl<'a, R: Rig> From<&'a aim_runtime::DynAim<R>> for Corrections<'a> {
     fn from(character: &'a aim_runtime::DynAim<R>) -> Self {
         Self { joints: character.corrections(), other_eye: character.other_eye_correction() }
+    }
+}
+
+impl<'a, A: AsRef<[Quat]>> From<&'a Aimed<A>> for Corrections<'a> {
+    fn from(aimed: &'a Aimed<A>) -> Self {
+        Self { joints: aimed.corrections.as_ref(), other_eye: aimed.outcome.other_eye_correction }
     }
 }
 
@@ -190,16 +196,17 @@ impl AimChain {
         Ok(Self { skeleton: skeleton.clone(), bind, joints, other_eye: None, held: Vec::new(), up: None })
     }
 
-    /// The chain of a rig by the names of its bones, with the bones that the rig holds. A name that no bone or that several bones
-    /// have is passed over.
+    /// The chain of a rig by the names that it declares for its bones, with the bones that the rig holds. A name that no bone or that
+    /// several bones have is passed over; a joint's own name counts where the rig declares none.
     ///
     /// # Errors
     /// See [`AimChainError`].
     pub fn named(skeleton: &Skeleton, rig: &dyn Rig) -> Result<Self, AimChainError> {
         let description = rig.description();
         let names = |joint: usize| {
-            let bones = (0..).map_while(move |candidate| rig.bone_name(joint, candidate));
-            bones.chain(rig.joint_name(joint))
+            let declared = (0..).map_while(move |candidate| rig.bone_name(joint, candidate));
+            let own = rig.bone_name(joint, 0).is_none().then(|| rig.joint_name(joint)).flatten();
+            declared.chain(own)
         };
         let bone = |joint| names(joint).find_map(|name| skeleton.find(name)).ok_or(AimChainError::Joint(joint));
         let count = description.joints().len();

@@ -69,8 +69,9 @@ impl ClipControl {
 /// One character: its place, the clips that it plays, and the things that it carries.
 ///
 /// [`advance`](Self::advance) moves all its clips on by one frame, and its place by their root motion: no pose is evaluated for
-/// that. [`pose`](Self::pose) is the weighted sum of what it plays. What is not a sum (a layer, a blend space, an additive
-/// clip) is a [`Tree`](crate::Tree), which has its own memory beside.
+/// that. [`pose`](Self::pose) is the weighted mean of what it plays: a clip of weight 1 beside another of weight 1 comes half through,
+/// and bones that it has no tracks for count as at rest. What takes the place of another clip (a layer), a blend space and an
+/// additive clip are a [`Tree`](crate::Tree), which has its own memory beside; [`steps`](Self::steps) has the times to sample at.
 ///
 /// ```
 /// use aim_animation::glam::Vec3;
@@ -172,8 +173,9 @@ impl Instance {
         }
     }
 
-    /// Moves every clip on by `dt_s` seconds, and the place by their root motion: the weighted [mean](Motion::blend) of those that
-    /// have any, by their weights for the first bone. Does not allocate.
+    /// Moves every clip on by `dt_s` seconds, and the place by their root motion: their weighted [mean](Motion::blend), by their
+    /// weights for the bone whose movement it is. A clip without motion stands still, and counts, too: mask the root out of one
+    /// that is not to slow the others down. Does not allocate.
     pub fn advance(&mut self, model: &Model, dt_s: f32) {
         for (playing, step) in self.controls.iter_mut().zip(&mut self.steps) {
             let length = model.clips().get(playing.clip).map_or(0.0, Clip::length_s);
@@ -182,12 +184,13 @@ impl Instance {
         let deltas = self.controls.iter().zip(&self.steps).map(|(playing, step)| {
             let delta = model.motion(playing.clip).map_or(Transform::IDENTITY, |motion| motion.delta(step));
             let is_clip = playing.clip < model.clips().len();
-            (delta, if is_clip { playing.weight_of(model, 0) } else { 0.0 })
+            (delta, if is_clip { playing.weight_of(model, model.root_bone(playing.clip)) } else { 0.0 })
         });
         self.place = self.place.rigid_product(&Motion::blend(deltas));
     }
 
-    /// The events that the last [`advance`](Self::advance) passed: control by control, of each in order, with its number.
+    /// The events that the last [`advance`](Self::advance) passed: control by control, of each in order, with its number. Clips without
+    /// weight tell theirs, too, as they go on; the number leads to the weight.
     pub fn events<'a, 'm>(&'a self, model: &'m Model) -> impl Iterator<Item = (usize, &'m Event)> + use<'a, 'm> {
         self.controls.iter().zip(&self.steps).enumerate().flat_map(move |(number, (playing, step))| {
             let clip = model.clips().get(playing.clip);

@@ -61,6 +61,12 @@ impl Model {
         self.motions.get(clip)?.as_ref()
     }
 
+    /// The bone by whose weight a clip counts in the movement of the place: that of its own motion, else of the first that any has.
+    pub(crate) fn root_bone(&self, clip: usize) -> usize {
+        let own = self.motion(clip).or_else(|| self.motions.iter().flatten().next());
+        own.map_or(0, Motion::bone)
+    }
+
     /// The masks.
     #[must_use]
     pub fn masks(&self) -> &[Mask] {

@@ -64,6 +64,7 @@ pub struct Motion {
     length_s: f64,
     /// From the first frame to the last, as a screw.
     whole: Steady,
+    bone: usize,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -78,7 +79,7 @@ impl Motion {
     #[must_use]
     pub fn linear(path: &RootPath) -> Self {
         let whole = Steady::screw(path);
-        Self { kind: Kind::Steady(whole.straightened(path)), length_s: path.length_s, whole }
+        Self { kind: Kind::Steady(whole.straightened(path)), length_s: path.length_s, whole, bone: path.bone }
     }
 
     /// The screw from the first frame to the last, at constant speed: about an axis and along it. What walks a curve stays on it,
@@ -89,14 +90,25 @@ impl Motion {
     #[must_use]
     pub fn composite(path: &RootPath) -> Self {
         let whole = Steady::screw(path);
-        Self { kind: Kind::Steady(whole), length_s: path.length_s, whole }
+        Self { kind: Kind::Steady(whole), length_s: path.length_s, whole, bone: path.bone }
     }
 
     /// The path itself: the root does not move in the clip any more.
     #[must_use]
     pub fn variable(path: &RootPath) -> Self {
         let start = path.at(0.0).rigid_inverse();
-        Self { kind: Kind::Variable(path.clone(), start), length_s: path.length_s, whole: Steady::screw(path) }
+        Self {
+            kind: Kind::Variable(path.clone(), start),
+            length_s: path.length_s,
+            whole: Steady::screw(path),
+            bone: path.bone,
+        }
+    }
+
+    /// The bone whose movement it is, or whose shadow's.
+    #[must_use]
+    pub fn bone(&self) -> usize {
+        self.bone
     }
 
     /// The length of the clip, seconds.

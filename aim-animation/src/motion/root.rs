@@ -29,6 +29,7 @@ pub enum Root {
 /// The way of a character's root over a clip, in the space of the model: sampled once, straight in between.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RootPath {
+    pub(super) bone: usize,
     pub(super) translation: Track<Vec3>,
     pub(super) rotation: Track<Quat>,
     pub(super) length_s: f64,
@@ -67,7 +68,7 @@ impl RootPath {
         }
         let translation = Track::linear(times.clone(), places).map_err(|_| MotionError::Place)?;
         let rotation = Track::linear(times, rotations).map_err(|_| MotionError::Place)?;
-        Ok(Self { translation, rotation, length_s: f64::from(length) })
+        Ok(Self { bone, translation, rotation, length_s: f64::from(length) })
     }
 
     /// The root at a time, without scale; times outside the clip count as its ends.

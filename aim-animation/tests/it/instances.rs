@@ -137,6 +137,24 @@ fn places_move_by_the_clips() {
     }
 }
 
+/// A clip counts in the way by its weight for the bone whose movement that is, not for the first of the skeleton.
+#[test]
+fn masks_of_the_moving_bone_count() {
+    let bones = [Bone::new("prop", None), Bone::new("hips", None), Bone::new("arm", Some(1))];
+    let skeleton = Skeleton::new(bones).unwrap();
+    let walk = Clip::new("walk").with_translation(1, Track::linear([0.0, 1.0], [Vec3::ZERO, 1.4 * Vec3::Z]).unwrap());
+    let wave = Clip::new("wave").with_rotation(2, Track::constant(Quat::from_rotation_x(1.0)).unwrap());
+    let path = RootPath::new(&walk, &skeleton, Root::Shadow { bone: 1, up: Vec3::Y }, 60.0).unwrap();
+    let (body, arm) = (Mask::subtree(&skeleton, 1), Mask::subtree(&skeleton, 2));
+    let model = Model::new(skeleton, [walk, wave]).with_motion(0, Motion::linear(&path));
+    let model = model.with_mask(body).with_mask(arm);
+    let mut hero = Instance::new(&model);
+    hero.play(ClipControl::new(0).with_mask(0));
+    hero.play(ClipControl::new(1).with_mask(1));
+    hero.advance(&model, 0.5);
+    assert!((hero.place.translation.z - 0.7).abs() < 1e-5, "{:?}", hero.place);
+}
+
 #[test]
 fn events_of_all_clips() {
     let model = model(&mut Rng(3));

@@ -3,6 +3,16 @@ use aim::glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
 use aim::{Aim, AimRig, DynAim, Rig, Settings, Status};
 use aim_animation_tests::{Hero, gait, skeleton};
 
+/// A bone is called `spine`, but none `spine_O3`.
+#[derive(AimRig)]
+#[aim(axes(up = +Y, forward = +Z, left = +X))]
+struct Misspelt {
+    #[joint(role = neck, heading = -60deg..=60deg, rate = 170deg)]
+    neck: aim::Joint,
+    #[joint(role = chest, heading = -20deg..=20deg, rate = 70deg, bone = "spine_O3")]
+    spine: aim::Joint,
+}
+
 /// Each bone in the space of the model by its definition.
 pub(crate) fn model(skeleton: &Skeleton, local: &[Transform]) -> Vec<DAffine3> {
     let mut model: Vec<DAffine3> = Vec::new();
@@ -341,6 +351,8 @@ fn what_is_no_chain() {
     assert!(good.clone().with_bind(&[Affine3A::IDENTITY; 9]).is_err());
     let nameless = Skeleton::new([]).unwrap();
     assert_eq!(AimChain::named(&nameless, Hero::RIG).unwrap_err(), AimChainError::Joint(0));
+    // A name that is declared is meant, and not the field's where that is misspelt.
+    assert_eq!(AimChain::named(&skeleton, Misspelt::RIG).unwrap_err(), AimChainError::Joint(1));
     let (mut local, mut model) = (skeleton.rest().to_vec(), vec![Affine3A::IDENTITY; 10]);
     let mut foreign = chain(&[5]).unwrap().frame();
     assert!(good.gather(&mut foreign, &mut local, &mut model).is_err());
