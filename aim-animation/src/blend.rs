@@ -3,7 +3,7 @@
 use aim_runtime::glam::{Quat, Vec3};
 use aim_runtime::rotation::{dot, exp, log, nlerp, product, slerp};
 
-use crate::mask::{Mask, clamped};
+use crate::mask::{LEAST_WEIGHT, Mask, clamped};
 use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::{Transform, made_unit};
@@ -219,7 +219,7 @@ impl BoneSum {
         Self { translation: Vec3::ZERO, scale: Vec3::ZERO, rotation: Quat::from_xyzw(0.0, 0.0, 0.0, 0.0), weight: 0.0 };
 
     pub(crate) fn add(&mut self, transform: &Transform, rest: &Transform, weight: f32, method: Method) {
-        if !(weight > 0.0) {
+        if !(weight >= LEAST_WEIGHT) {
             return;
         }
         self.translation += transform.translation * weight;

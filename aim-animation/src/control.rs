@@ -108,6 +108,9 @@ impl Control {
         let goal = self.time_s + travel;
         (step.ends, step.to_s) = if length == 0.0 {
             (0, 0.0)
+        } else if goal == self.time_s {
+            // No way, or less than has digits: it stays where it is, also on an end.
+            (0, goal)
         } else {
             match self.looping {
                 Looping::Once => (0, goal.max(0.0).min(length)),

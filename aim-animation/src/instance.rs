@@ -24,7 +24,8 @@ pub struct ClipControl {
     pub control: Control,
     /// How much it counts beside the others, 0…1; NaN counts as 0. At 0 it goes on, but is not sampled.
     pub weight: f32,
-    /// The number of a mask of the model, by which its weight is multiplied bone by bone; `None` for all bones.
+    /// The number of a mask of the model, by which its weight is multiplied bone by bone; `None` for all bones. Of a mask that the model
+    /// does not have no bone counts.
     pub mask: Option<usize>,
 }
 
@@ -202,7 +203,8 @@ impl Instance {
     /// [`Blender::sum`](crate::Blender::sum) has it; where nothing has a weight the rest pose. Does not allocate.
     ///
     /// # Errors
-    /// `local` has another length than the skeleton, or the instance is of another model; then nothing is written.
+    /// `local` has another length than the skeleton, or the instance is of a model with another number of bones; then nothing is
+    /// written.
     pub fn pose(&mut self, model: &Model, local: &mut [Transform]) -> Result<(), PoseError> {
         let (skeleton, method) = (model.skeleton(), Method::Nlerp);
         check_length(skeleton.len(), local.len())?;
@@ -227,10 +229,13 @@ impl Instance {
         Ok(())
     }
 
-    /// The things that are held, in the world, by the pose in the space of the model; those of bones that are not there are left out.
-    pub fn things<'a>(&'a self, model_pose: &'a [Affine3A]) -> impl Iterator<Item = Affine3A> + 'a {
+    /// The things that are held, each with its number, in the world, by the pose in the space of the model; those of bones that are
+    /// not there are left out.
+    pub fn things<'a>(&'a self, model_pose: &'a [Affine3A]) -> impl Iterator<Item = (usize, Affine3A)> + 'a {
         let place = self.place.to_affine();
-        let bone = move |(bone, grip): &(usize, Affine3A)| Some(place * attached(model_pose.get(*bone)?, grip));
-        self.things.iter().filter_map(bone)
+        self.things
+            .iter()
+            .enumerate()
+            .filter_map(move |(number, (bone, grip))| Some((number, place * attached(model_pose.get(*bone)?, grip))))
     }
 }

@@ -55,7 +55,10 @@ impl Mask {
     }
 }
 
+/// Smaller weights count as 0: products with them would have no digits left.
+pub(crate) const LEAST_WEIGHT: f32 = 1e-30;
+
 /// 0…1; NaN counts as 0.
 pub(crate) fn clamped(weight: f32) -> f32 {
-    weight.max(0.0).min(1.0)
+    if weight >= LEAST_WEIGHT { weight.min(1.0) } else { 0.0 }
 }

@@ -26,8 +26,8 @@ impl Model {
         Self { skeleton, clips, motions, masks: Vec::new() }
     }
 
-    /// With the root motion of a clip: it is taken out of the poses, and moves the place of the instance. Nothing is done if there
-    /// is no such clip.
+    /// With the root motion of a clip, made of that very clip: it is taken out of the poses, and moves the place of the instance.
+    /// Nothing is done if there is no such clip.
     #[must_use]
     pub fn with_motion(mut self, clip: usize, motion: Motion) -> Self {
         if let Some(of_clip) = self.motions.get_mut(clip) {

@@ -17,7 +17,7 @@ impl Document {
     /// writes it as a file.
     ///
     /// # Errors
-    /// [`Error::Invalid`] where there is another number of maps than of bones, or one that is not finite.
+    /// [`Error::Bones`] where there is another number of maps than of bones, or one that is not finite.
     ///
     /// ```
     /// use aim_animation::glam::{Affine3A, Vec3};
@@ -36,10 +36,12 @@ impl Document {
         let count = skeleton.len();
         if inverse_binds.len() != count {
             let found = inverse_binds.len();
-            return Err(Error::invalid("inverse_binds", format!("{found} maps for {count} bones, expected one each")));
+            return Err(Error::Bones(format!("{found} inverse binds for {count} bones, expected one each, or `None`")));
         }
-        if let Some(bone) = inverse_binds.iter().flatten().position(|bind| !bind.is_finite()) {
-            return Err(Error::invalid("inverse_binds", format!("that of joint {bone} is not finite")));
+        let is_wild = |bind: &Option<Affine3A>| bind.is_some_and(|bind| !bind.is_finite());
+        if let Some(bone) = inverse_binds.iter().position(is_wild) {
+            let name = &skeleton.names()[bone];
+            return Err(Error::Bones(format!("the inverse bind of bone {bone}, \"{name}\", is not finite")));
         }
         let mut children = vec![Vec::new(); count];
         let mut roots = Vec::new();

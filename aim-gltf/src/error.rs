@@ -92,6 +92,9 @@ pub enum Error {
     /// A clip handed over for writing that does not fit the document, and what was expected.
     #[error("the clip cannot be written: {0}")]
     Clip(String),
+    /// Bones handed over that cannot be made a document, and what was expected.
+    #[error("the bones cannot be made a document: {0}")]
+    Bones(String),
 }
 
 impl Error {

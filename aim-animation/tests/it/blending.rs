@@ -1,5 +1,5 @@
 use aim_animation::glam::{DQuat, DVec3, Quat, Vec3};
-use aim_animation::{Blender, Bone, Mask, Method, PoseError, Skeleton, Transform};
+use aim_animation::{Blender, Bone, Mask, Method, Motion, PoseError, Skeleton, Transform};
 
 use crate::common::{Rng, angle_between};
 
@@ -230,4 +230,19 @@ fn what_does_not_fit() {
     let foreign = Err(PoseError::Length { bones: 3, found: 0 });
     assert_eq!(blender.with_mask(&mask).blend(&mut a, &b, 1.0), foreign);
     assert_eq!(a, before);
+}
+
+/// A weight that has no digits left is none.
+#[test]
+fn weights_too_small_to_tell() {
+    let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
+    let turned = [Transform::new(Vec3::X, Quat::from_rotation_y(1.0))];
+    for (weight, expected) in [(1e-20, turned[0]), (3e-39, skeleton.rest()[0]), (1e-45, skeleton.rest()[0])] {
+        let mut pose = [Transform::IDENTITY];
+        Blender::new(&skeleton).sum(&[(&turned[..], weight)], &mut pose).unwrap();
+        assert!(pose[0].translation.distance(expected.translation) < 1e-6, "{weight}: {pose:?}");
+        assert!(pose[0].rotation.angle_between(expected.rotation) < 1e-3, "{weight}: {pose:?}");
+        let delta = Motion::blend([(turned[0], weight)]);
+        assert!(delta.translation.distance(expected.translation) < 1e-6, "{weight}: {delta:?}");
+    }
 }

@@ -292,3 +292,21 @@ fn clips_in_step() {
     phase.advance(1.0, &[(&walk, 1.0)]);
     assert_eq!(phase.phase(), before.phase());
 }
+
+/// A clip that is paused on its end shows its end, and a way that has no digits leads nowhere, least of all once round.
+#[test]
+fn what_does_not_move_stays_on_the_end() {
+    let clip = clip_with(&[0.0, 0.3, 0.7, 1.0], 1.0);
+    for (speed, dt) in [(0.0, 0.1), (1.0, 0.0), (-1e-20, 0.016)] {
+        for looping in [Looping::Once, Looping::Repeat, Looping::PingPong] {
+            let mut control = Control::new().with_looping(looping).with_speed(speed).at(1.0);
+            for round in 0..2 {
+                let step = control.advance(dt, 1.0);
+                assert_eq!((control.time_s(), step.to_s()), (1.0, 1.0), "{looping:?} at {speed}");
+                // What lies on the place that was sought, and only once.
+                let expected: &[&str] = if round == 0 { &["3"] } else { &[] };
+                assert_eq!(told(&clip, &step), expected, "{looping:?} at {speed}");
+            }
+        }
+    }
+}

@@ -67,13 +67,13 @@ fn without_binds_in_any_order() {
 
 #[test]
 fn what_is_no_bind_is_told() {
-    let skeleton = Skeleton::new([Bone::new("Head", None)]).unwrap();
+    let skeleton = Skeleton::new([Bone::new("Hips", None), Bone::new("Head", Some(0))]).unwrap();
     let message = |binds: &[Option<Affine3A>]| match Document::of_bones(&skeleton, binds) {
-        Err(error @ Error::Invalid { .. }) => error.to_string(),
+        Err(error @ Error::Bones(_)) => error.to_string(),
         other => panic!("{other:?}"),
     };
-    assert!(message(&[]).contains("0 maps for 1 bones, expected one each"));
+    assert!(message(&[None]).contains("1 inverse binds for 2 bones, expected one each"));
     let nan = Affine3A::from_translation(Vec3::NAN);
-    assert!(message(&[Some(nan)]).contains("not finite"));
+    assert!(message(&[None, Some(nan)]).contains("bone 1, \"Head\", is not finite"));
     assert!(Document::of_bones(&Skeleton::new([]).unwrap(), &[]).unwrap().skeleton().is_empty());
 }
