@@ -50,7 +50,12 @@ impl<T: Value> Track<T> {
             }
         };
         let sampled = |time: f32| match self.curve {
-            Curve::Cubic => self.point_and_velocity(time),
+            Curve::Cubic => {
+                let (value, velocity) = self.point_and_velocity(time);
+                // Between keys that are very close a velocity may be larger than any number.
+                let is_bounded = velocity.times(1e-12).bounded();
+                (value, if is_bounded { velocity } else { value.times(0.0) })
+            }
             _ => (self.sample(time), self.values[0].times(0.0)),
         };
         let (value, velocity) = sampled(from);

@@ -381,6 +381,23 @@ fn final_jumps_are_kept() {
     assert_eq!(jump.cut(0.0, f32::INFINITY), jump);
 }
 
+/// Where a velocity is larger than any number a piece has none, and stays finite.
+#[test]
+fn pieces_are_finite() {
+    for interval in [1e-25_f32, 1e-20, 1e-40] {
+        let keys = [1e15, -1e15].map(|value| HermiteKey::smooth(value, 0.0));
+        let track = Track::hermite([0.0, interval], &keys).unwrap();
+        let clip = Clip::new("").with_scalar(0, track.clone());
+        let repeated = clip.repeated(1.5 * interval).scalars()[0].1.clone();
+        for piece in [track.cut(0.4 * interval, interval), track.cut(0.0, 0.6 * interval), repeated] {
+            for time in [0.0, 0.1 * interval, 0.5 * interval, interval, 1.0] {
+                assert!(piece.sample(time).is_finite(), "{piece:?} at {time}");
+            }
+            assert!(piece.tangents().iter().flatten().all(|tangent| tangent.is_finite()), "{piece:?}");
+        }
+    }
+}
+
 /// A clip that is repeated is itself at every time modulo its length, however its tracks begin and end.
 #[test]
 fn a_repeated_clip_equals_itself_modulo_its_length() {
