@@ -271,7 +271,7 @@ impl Clip {
     /// Keys keep their values. Where the last pose differs from the first the seam jumps, as a player's loop does.
     ///
     /// A clip without length stays as it is, and so does one that is asked for a length that is not positive and finite. Repeats
-    /// end early where they would not fit into memory: after 65 535 rounds or 2²³ keys.
+    /// end early where they would not fit into memory: after 65 535 rounds, 2²³ keys or 2²⁰ events.
     #[must_use]
     pub fn repeated(&self, length_s: f32) -> Self {
         let period = self.length_s;
@@ -284,16 +284,20 @@ impl Clip {
         };
         let scalars = self.scalars.iter().map(|(_, track)| track.times().len() + 2);
         let round: usize = self.tracks.iter().map(keys).chain(scalars).sum();
-        let rounds = u16::try_from((1 << 23) / round.max(1)).unwrap_or(u16::MAX).max(1);
+        let rounds = ((1 << 23) / round.max(1)).min((1 << 20) / self.events.len().max(1));
+        let rounds = u16::try_from(rounds).unwrap_or(u16::MAX).max(1);
         let end = length_s.min(period * f32::from(rounds));
         let mut repeated = self.edited(Edit {
             vector: &|track| track.repeated(period, end),
             rotation: &|track| track.repeated(period, end),
             scalar: &|track| track.repeated(period, end),
         });
-        let starts = (0..rounds).map(|round| f32::from(round) * period).take_while(|start| *start < end);
-        let events =
-            |start: f32| self.events.iter().map(move |event| Event { time_s: start + event.time_s, ..event.clone() });
+        let ends = |round: u16| [round, round + 1].map(|round| f32::from(round) * period);
+        let starts = (0..rounds).map(ends).take_while(|[start, _]| *start < end);
+        // Rounding brings no event past the next round's start, so that all are in order.
+        let events = |[start, next]: [f32; 2]| {
+            self.events.iter().map(move |event| Event { time_s: (start + event.time_s).min(next), ..event.clone() })
+        };
         repeated.events = starts.flat_map(events).filter(|event| event.time_s <= end).collect();
         repeated.length_s = end;
         repeated

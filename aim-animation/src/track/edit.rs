@@ -34,7 +34,8 @@ impl<T: Value> Track<T> {
     }
 
     /// The piece between two times, which then begins at 0: the same curve, with keys where it is cut. Times are clamped to
-    /// those from 0 to the last key; if `from_s` is not before `to_s` the piece is the value at `from_s`.
+    /// those from 0 to the last key; if `from_s` is not before `to_s` the piece is the value at `from_s`. A jump at `to_s` is not part
+    /// of the piece; one at the last key is if `to_s` is later.
     #[must_use]
     pub fn cut(&self, from_s: f32, to_s: f32) -> Self {
         let inside = |time: f32| time.max(0.0).min(self.end_s());
@@ -49,7 +50,12 @@ impl<T: Value> Track<T> {
             }
         };
         let sampled = |time: f32| match self.curve {
-            Curve::Cubic => self.point_and_velocity(time),
+            Curve::Cubic => {
+                let (value, velocity) = self.point_and_velocity(time);
+                // Between keys that are very close a velocity may be larger than any number.
+                let is_bounded = velocity.times(1e-12).bounded();
+                (value, if is_bounded { velocity } else { value.times(0.0) })
+            }
             _ => (self.sample(time), self.values[0].times(0.0)),
         };
         let (value, velocity) = sampled(from);
@@ -64,6 +70,10 @@ impl<T: Value> Track<T> {
                 Some(_) => {
                     let into = self.tangents.get(at_end).map_or(self.values[at_end], |tangents| tangents[0]);
                     push(to, self.values[at_end], [into; 2]);
+                    let last = self.values.len() - 1;
+                    if to_s > to && at_end < last {
+                        push(to, self.values[last], [self.values[last].times(0.0); 2]);
+                    }
                 }
                 None => {
                     let (value, velocity) = sampled(to);
@@ -128,7 +138,9 @@ impl<T: Value> Track<T> {
                         }
                         continue;
                     }
-                    time = f32::next_up(last);
+                    // Two keys of one time are a jump; the first key of a round and a third one come a hair later.
+                    let is_crowded = k == 0 || times.len() > 1 && times[times.len() - 2] >= last;
+                    time = if is_crowded { f32::next_up(last) } else { last };
                 }
                 times.push(time);
                 values.push(value);

@@ -27,11 +27,17 @@ impl<T: Value> Keys<T> {
         self.values.push(value);
         self.tangents.push(tangents);
     }
+
+    fn remove(&mut self, key: usize) {
+        self.times.remove(key);
+        self.values.remove(key);
+        self.tangents.remove(key);
+    }
 }
 
 impl<T: Value> Track<T> {
     /// Value and velocity at 0 and at the length of the clip, the second value of its forms the one nearer to the first; `None` for
-    /// steps, which are to jump.
+    /// steps, which are to jump. Of two keys at an end the later counts at 0 and the earlier at the length.
     pub(crate) fn ends(&self, length_s: f32) -> Option<[[T; 2]; 2]> {
         let keys = self.spanning(length_s)?;
         let last = keys.values.len() - 1;
@@ -111,6 +117,14 @@ impl<T: Value> Track<T> {
                     keys.push(time, self.values[k], self.tangents[k]);
                 }
             }
+        }
+        // Of two keys at an end the one that a loop shows: the later at 0, the earlier at the length.
+        if keys.times.len() > 1 && keys.times[1] <= 0.0 {
+            keys.remove(0);
+        }
+        let last = keys.times.len() - 1;
+        if last > 0 && keys.times[last - 1] >= length_s {
+            keys.remove(last);
         }
         // What stands before the first key and after the last one arrives and leaves without speed.
         let last = keys.values.len() - 1;

@@ -114,6 +114,26 @@ fn events_in_order_whatever_the_speed() {
     }
 }
 
+/// A repeated clip's events are in order and none is lost where the times of rounds are rounded.
+#[test]
+fn repeated_events_are_told() {
+    for (period, rounds) in [(0.017, 30_u16), (0.1, 100), (1.0 / 3.0, 77), (0.7, 1000)] {
+        let clip = Clip::new("c").with_event(0.0, "s").unwrap().with_event(period, "e").unwrap();
+        let long = clip.repeated(period * f32::from(rounds));
+        assert!(long.events().is_sorted_by(|a, b| a.time_s <= b.time_s), "{period}");
+        let mut once = Control::new().with_looping(Looping::Once);
+        let mut names = Vec::new();
+        while !once.is_done(long.length_s()) {
+            names.extend(told(&long, &once.advance(0.37 * period, long.length_s())));
+        }
+        assert_eq!(names, ["s", "e"].repeat(usize::from(rounds)), "{period}");
+    }
+    // 2²⁰ events at most.
+    let busy = (0..64_u8).fold(Clip::new("b"), |clip, k| clip.with_event(f32::from(k) / 63.0, "").unwrap());
+    let long = busy.repeated(1e30);
+    assert_eq!((long.length_s(), long.events().len()), (16_384.0, 1 << 20));
+}
+
 /// By hand, where an independent count is easy.
 #[test]
 fn events_by_hand() {

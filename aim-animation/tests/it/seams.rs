@@ -212,6 +212,44 @@ fn crowded_keys() {
     }
 }
 
+/// Of two keys at an end those count that a loop shows: the later one at 0, the earlier one at the length.
+#[test]
+fn seams_at_jumps() {
+    let linear = |times: &[f32], values: &[f32]| Track::linear(times, values).unwrap();
+    let cubic = |times: &[f32], values: &[f32]| {
+        let keys: Vec<_> = values.iter().map(|value| HermiteKey::smooth(*value, 0.0)).collect();
+        Track::hermite(times, &keys).unwrap()
+    };
+    let cases: [(&[f32], &[f32], f32, f32); 8] = [
+        (&[0.0, 0.0, 1.0], &[5.0, 0.0, 0.0], 1.0, 0.0),
+        (&[0.0, 1.0, 1.0], &[0.0, 5.0, 0.0], 1.0, 5.0),
+        (&[0.0, 1.0, 1.0], &[0.0, 0.0, 5.0], 1.0, 0.0),
+        (&[0.0, 0.0, 1.0, 1.0], &[7.0, 1.0, 3.0, 9.0], 1.0, 2.0),
+        // Before the length a jump has been seen.
+        (&[0.0, 1.0, 1.0], &[0.0, 5.0, 3.0], 2.0, 3.0),
+        (&[1.0, 1.0], &[2.0, 5.0], 1.0, 0.0),
+        (&[0.0, 0.0], &[2.0, 5.0], 0.0, 0.0),
+        (&[0.0, 0.0], &[2.0, 5.0], 1.0, 0.0),
+    ];
+    for (times, values, length, gap) in cases {
+        for track in [linear(times, values), cubic(times, values)] {
+            let clip = Clip::new("").with_scalar(0, track.clone()).with_length(length);
+            assert_eq!(clip.seam().place.scalar, gap, "{track:?}");
+            let mended = clip.mended(Continuity::Speed, 0.25);
+            assert!(mended.seam().place.scalar < 1e-6, "{mended:?}");
+            assert_eq!(mended.length_s(), length);
+            let at = |time: f32| mended.scalars()[0].1.sample(time);
+            assert!((at(0.0) - at(length.next_down().max(0.0))).abs() < 1e-4, "{mended:?}");
+            assert!((at(0.5 * length) - track.sample(0.5 * length)).abs() < 1e-6, "{mended:?}");
+        }
+    }
+    // Rotations, and the speed on leaving and arriving.
+    let turns = [0.9, 0.1, 0.3, 0.8].map(Quat::from_rotation_x);
+    let clip = Clip::new("").with_rotation(0, Track::linear([0.0, 0.0, 1.0, 1.0], turns).unwrap());
+    let seam = clip.seam();
+    assert!((seam.place.rotation_rad - 0.2).abs() < 1e-5 && seam.speed.rotation_rad < 1e-5, "{seam:?}");
+}
+
 #[test]
 fn what_is_not_mended() {
     let clip = clip(&mut Rng(3), 1);

@@ -349,6 +349,55 @@ fn cut_and_reversed() {
     let jump = Track::linear([0.0, 1.0, 1.0], [0.0, 1.0, 9.0]).unwrap();
     assert_eq!(jump.cut(0.0, 1.0).values(), [0.0, 1.0]);
 }
+
+/// A jump at a track's last key stays in a piece that ends later, and inner jumps stay jumps in every round.
+#[test]
+fn final_jumps_are_kept() {
+    let flat = |value| HermiteKey::smooth(value, 0.0);
+    let tracks = [
+        Track::linear([0.0, 1.0, 1.0], [0.0, 1.0, 5.0]).unwrap(),
+        Track::hermite([0.0, 1.0, 1.0], &[0.0, 1.0, 5.0].map(flat)).unwrap(),
+        Track::step([0.0, 1.0, 1.0], [0.0, 1.0, 5.0]).unwrap(),
+        Track::linear([0.0, 1.0, 1.0, 2.0], [0.0, 1.0, 5.0, 3.0]).unwrap(),
+        Track::linear([1.0, 1.0], [1.0, 5.0]).unwrap(),
+        Track::linear([0.0, 0.0], [1.0, 5.0]).unwrap(),
+    ];
+    for track in tracks {
+        let clip = Clip::new("").with_scalar(0, track.clone()).with_length(2.0);
+        let at = |clip: &Clip, time: f32| clip.scalars()[0].1.sample(time);
+        for time in [0.0, 0.5, 0.999, 1.0, 1.5] {
+            let truth = track.sample(time);
+            assert_eq!(at(&clip.cut(0.0, 2.0), time), truth, "{track:?} at {time}");
+            assert!((at(&clip.cut(0.25, 1.75), time - 0.25) - truth).abs() < 1e-6 || time < 0.25 || time == 1.5);
+            // A later round begins a hair after the seam.
+            for start in [0.0, 2.0].into_iter().filter(|start| start + time != 2.0) {
+                assert!((at(&clip.repeated(4.0), start + time) - truth).abs() < 1e-6, "{track:?} at {start} + {time}");
+            }
+        }
+        assert_eq!(at(&clip.cut(1.25, 2.0), 0.0), track.sample(1.25));
+        assert!(clip.repeated(8.0).scalars()[0].1.times().is_sorted());
+    }
+    let jump = Track::linear([0.0, 1.0, 1.0], [0.0, 1.0, 5.0]).unwrap();
+    assert_eq!(jump.cut(0.0, f32::INFINITY), jump);
+}
+
+/// Where a velocity is larger than any number a piece has none, and stays finite.
+#[test]
+fn pieces_are_finite() {
+    for interval in [1e-25_f32, 1e-20, 1e-40] {
+        let keys = [1e15, -1e15].map(|value| HermiteKey::smooth(value, 0.0));
+        let track = Track::hermite([0.0, interval], &keys).unwrap();
+        let clip = Clip::new("").with_scalar(0, track.clone());
+        let repeated = clip.repeated(1.5 * interval).scalars()[0].1.clone();
+        for piece in [track.cut(0.4 * interval, interval), track.cut(0.0, 0.6 * interval), repeated] {
+            for time in [0.0, 0.1 * interval, 0.5 * interval, interval, 1.0] {
+                assert!(piece.sample(time).is_finite(), "{piece:?} at {time}");
+            }
+            assert!(piece.tangents().iter().flatten().all(|tangent| tangent.is_finite()), "{piece:?}");
+        }
+    }
+}
+
 /// A clip that is repeated is itself at every time modulo its length, however its tracks begin and end.
 #[test]
 fn a_repeated_clip_equals_itself_modulo_its_length() {
