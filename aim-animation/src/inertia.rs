@@ -29,6 +29,9 @@ pub struct Transition<'a> {
 /// nothing at rest; rotations by their rotation vectors. So places and speeds are continuous at both ends, and a transition that is
 /// interrupted by another is, too. Momentum carries on by a fifth of velocity × length at most: long transitions swing farther.
 ///
+/// Momentum does not mirror a bone: where both animations have a scale of the same sign it keeps that, and turns away from 0
+/// smoothly. What would leave the range of numbers, by a transition of 10³⁰ s for instance, is left as the new animation has it.
+///
 /// ```
 /// use aim_animation::glam::Vec3;
 /// use aim_animation::{Bone, Inertia, Skeleton, Transform, Transition};
@@ -59,13 +62,15 @@ pub struct Inertia {
 struct Offset {
     value: [Vec3; 3],
     velocity: [Vec3; 3],
+    /// The scale that was shown then.
+    scale: Vec3,
 }
 
 impl Inertia {
     /// Memory for a character in no transition.
     #[must_use]
     pub fn new(skeleton: &Skeleton) -> Self {
-        let none = Offset { value: [Vec3::ZERO; 3], velocity: [Vec3::ZERO; 3] };
+        let none = Offset { value: [Vec3::ZERO; 3], velocity: [Vec3::ZERO; 3], scale: Vec3::ZERO };
         Self { offsets: alloc::vec![none; skeleton.len()], elapsed_s: 0.0, length_s: 0.0 }
     }
 
@@ -84,7 +89,8 @@ impl Inertia {
             let before = [before[0], near(before[1], now[1]), before[2]];
             let velocity = [0, 1, 2].map(|part: usize| (now[part] - before[part]) * rate);
             let finite = |vector: Vec3| if vector.is_finite() { vector } else { Vec3::ZERO };
-            *offset = Offset { value: now.map(finite), velocity: velocity.map(finite) };
+            let scale = shown[1][bone].scale;
+            *offset = Offset { value: now.map(finite), velocity: velocity.map(finite), scale };
         }
         self.elapsed_s = 0.0;
         self.length_s = if length_s.is_finite() { length_s.max(0.0) } else { 0.0 };
@@ -118,12 +124,14 @@ impl Inertia {
         let cube = u * u * u;
         let of_value = 1.0 - cube * (10.0 - u * (15.0 - 6.0 * u));
         let of_velocity = (u - cube * (6.0 - u * (8.0 - 3.0 * u))) * self.length_s;
-        for (transform, Offset { value, velocity }) in pose.iter_mut().zip(&self.offsets) {
+        for (transform, Offset { value, velocity, scale: shown }) in pose.iter_mut().zip(&self.offsets) {
             let [place, turn, scale] =
                 [0, 1, 2].map(|part: usize| value[part] * of_value + velocity[part] * of_velocity);
-            transform.translation += place;
+            let Transform { translation: next_place, scale: next_scale, .. } = *transform;
+            transform.translation = finite_or(next_place + place, next_place);
             transform.rotation = made_unit(product(exp(turn), transform.rotation));
-            transform.scale += scale;
+            let kept = |axis: usize| sign_kept(next_scale[axis] + scale[axis], shown[axis], next_scale[axis]);
+            transform.scale = finite_or(Vec3::new(kept(0), kept(1), kept(2)), next_scale);
         }
         Ok(())
     }
@@ -140,4 +148,18 @@ fn near(vector: Vec3, like: Vec3) -> Vec3 {
     let angle = length(vector.into());
     let other = vector - vector * (core::f32::consts::TAU / angle);
     if angle > 1e-3 && length((other - like).into()) < length((vector - like).into()) { other } else { vector }
+}
+
+fn finite_or(vector: Vec3, other: Vec3) -> Vec3 {
+    if vector.is_finite() { vector } else { other }
+}
+
+/// A scale between the one shown first and the next one, moved away from 0 where it would lose the sign that both have.
+///
+/// With h = shown · next / (shown + next), less than either: x from h on, h² / (2h − x) below, with the same slope at h.
+fn sign_kept(scale: f32, shown: f32, next: f32) -> f32 {
+    let sign = if next < 0.0 { -1.0 } else { 1.0 };
+    let [x, shown, next] = [scale * sign, shown * sign, next * sign];
+    let least = next / (1.0 + next / shown);
+    if shown > 0.0 && next > 0.0 && x < least { sign * (least * (least / (2.0 * least - x))) } else { scale }
 }

@@ -8,12 +8,9 @@ use super::plan::{Op, Plan, Rule, Shape};
 use crate::mask::Mask;
 use crate::transform::Transform;
 
-/// The most nodes one within the other.
-const DEEPEST: usize = 64;
-
 /// The plan of a tree for a skeleton of this many bones.
 pub(super) fn compiled(bones: usize, root: Node) -> Result<Plan, TreeError> {
-    let mut compiler = Compiler { plan: Plan::default(), bones, depth: 0 };
+    let mut compiler = Compiler { plan: Plan::default(), bones };
     compiler.node(root, 0, 0)?;
     Ok(compiler.plan)
 }
@@ -21,16 +18,11 @@ pub(super) fn compiled(bones: usize, root: Node) -> Result<Plan, TreeError> {
 struct Compiler {
     plan: Plan,
     bones: usize,
-    depth: usize,
 }
 
 impl Compiler {
     /// Appends the operations that write a node's pose to `slot`, with no sum below `sum` in use. Returns its number.
-    fn node(&mut self, Node(kind): Node, slot: usize, sum: usize) -> Result<usize, TreeError> {
-        self.depth += 1;
-        if self.depth > DEEPEST {
-            return Err(TreeError::Deep);
-        }
+    fn node(&mut self, Node { kind, .. }: Node, slot: usize, sum: usize) -> Result<usize, TreeError> {
         let shape = self.plan.shapes.len();
         self.plan.slots = self.plan.slots.max(slot + 1);
         match kind {
@@ -62,8 +54,8 @@ impl Compiler {
                 self.pair(*nodes, Rule::Add { weight }, [slot, sum], op)?;
             }
             Kind::Mistaken => return Err(TreeError::Mistaken),
+            Kind::Deep => return Err(TreeError::Deep),
         }
-        self.depth -= 1;
         Ok(shape)
     }
 

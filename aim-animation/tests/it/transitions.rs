@@ -179,3 +179,64 @@ fn what_is_no_transition() {
     let transition = Transition { shown: [&pose, &[]], next: [&next, &next], dt_s: 0.1, length_s: 1.0 };
     assert_eq!(inertia.begin(&transition), Err(length));
 }
+
+/// The pose of a transition between resting animations at a time, from the scales that were shown and the one that begins.
+fn scale_at(shown: [Vec3; 2], next: Vec3, dt_s: f32, length_s: f32, time_s: f32) -> Transform {
+    let scaled = |scale| [Transform { scale, ..Transform::IDENTITY }];
+    let (shown, next) = (shown.map(scaled), scaled(next));
+    let mut inertia = Inertia::new(&skeleton());
+    inertia.begin(&Transition { shown: [&shown[0], &shown[1]], next: [&next, &next], dt_s, length_s }).unwrap();
+    inertia.advance(time_s);
+    let mut pose = next;
+    inertia.apply(&mut pose).unwrap();
+    pose[0]
+}
+
+/// Momentum mirrors no bone: a scale keeps the sign that both animations have, and has no jump in place or speed.
+#[test]
+fn a_scale_keeps_its_sign() {
+    for sign in [1.0, -1.0] {
+        let vector = |x: f32| Vec3::new(sign * x, sign, sign * 2.0 * x);
+        let at = |time: f32| scale_at([vector(1.0), vector(0.5)], vector(0.01), 0.1, 1.0, time).scale * sign;
+        assert!(at(0.0).distance(vector(0.5) * sign) < 1e-6 && at(1.0).distance(vector(0.01) * sign) < 1e-6);
+        let h = 1e-4;
+        let scales: Vec<Vec3> = (0..=10_000_u16).map(|step| at(f32::from(step) * h)).collect();
+        assert!(scales.iter().all(|scale| scale.min_element() > 0.0), "{:?}", scales[2000]);
+        let speeds: Vec<Vec3> = scales.windows(2).map(|pair| (pair[1] - pair[0]) / h).collect();
+        assert!((speeds[0].x + 5.0).abs() < 0.1 && speeds[9999].length() < 0.05, "{} {}", speeds[0], speeds[9999]);
+        // Accelerations of some thousands, where a scale turns away from 0; stopped at 0 its speed would jump by 4.
+        let jump = speeds.windows(2).map(|pair| pair[0].distance(pair[1])).fold(0.0_f32, f32::max);
+        assert!(jump < 1.0, "the speed jumps by {jump}");
+    }
+    // A bone that is to be mirrored goes through 0.
+    let mirrored = [0.0, 1.0].map(|time| scale_at([Vec3::ONE; 2], -Vec3::ONE, 0.1, 1.0, time).scale);
+    assert_eq!(mirrored, [Vec3::ONE, -Vec3::ONE]);
+}
+
+/// However long a transition is and however fast what was shown, the pose is finite.
+#[test]
+fn a_long_transition_is_finite() {
+    let skeleton = skeleton();
+    let pose = |place: f32| {
+        let rotation = Quat::from_rotation_x(place.clamp(-1.0, 1.0));
+        [Transform { translation: Vec3::splat(place), rotation, scale: Vec3::splat(1.0 + place) }]
+    };
+    for (shown, next) in [([0.0, 20.0], 1.0), ([1e30, 2e30], 0.0), ([0.0, 3e38], 3e38), ([-2e38, -1e38], 2e38)] {
+        let (shown, next) = (shown.map(pose), pose(next));
+        for dt_s in [1e-38, 1e-3, 0.1] {
+            for length_s in [1e10, 1e30, 3e38] {
+                let mut inertia = Inertia::new(&skeleton);
+                let transition = Transition { shown: [&shown[0], &shown[1]], next: [&next, &next], dt_s, length_s };
+                inertia.begin(&transition).unwrap();
+                for _ in 0..8 {
+                    let mut found = next;
+                    inertia.apply(&mut found).unwrap();
+                    let finite = found[0].translation.is_finite() && found[0].scale.is_finite();
+                    assert!(finite, "{shown:?} {dt_s} {length_s}: {found:?}");
+                    assert!((found[0].rotation.length() - 1.0).abs() < 1e-3, "{found:?}");
+                    inertia.advance(0.15 * length_s);
+                }
+            }
+        }
+    }
+}

@@ -278,3 +278,25 @@ fn what_is_no_tree() {
     tree.evaluate(&[], &mut tree.scratch(), &mut pose, |_, _| ()).unwrap();
     assert_eq!(pose, skeleton.rest());
 }
+
+/// A tree of any depth is refused, and can be copied, compared and dropped, on the stack of a test's thread.
+#[test]
+fn trees_of_any_depth_are_refused_and_dropped() {
+    let skeleton = Skeleton::new([Bone::new("a", None)]).unwrap();
+    let source = Node::source;
+    let nodes: [fn(Node) -> Node; 3] = [
+        |node| node.blend(Node::source(1), 0.5),
+        |node| Node::source(1).add(node, 0.5),
+        |node| Node::sum([(node, 1.0), (Node::source(1), 1.0)]),
+    ];
+    for outer in nodes {
+        let deep = (0..100_000).fold(source(0), |node, _| outer(node));
+        assert_eq!(deep, deep.clone());
+        assert_eq!(Tree::new(&skeleton, deep.clone()).unwrap_err(), TreeError::Deep);
+        // No mask makes another error of it.
+        assert_eq!(Tree::new(&skeleton, deep.with_mask(Mask::new(&skeleton, 1.0))).unwrap_err(), TreeError::Deep);
+        let deepest = (1..64).fold(source(0), |node, _| outer(node));
+        assert!(Tree::new(&skeleton, deepest.clone()).is_ok());
+        assert_eq!(Tree::new(&skeleton, outer(deepest)).unwrap_err(), TreeError::Deep);
+    }
+}

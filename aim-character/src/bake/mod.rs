@@ -194,15 +194,19 @@ const MOST_KEYS: f32 = 144.0 * 3600.0;
 pub(crate) fn key_times(seconds: f32, fps: f32) -> Result<Arc<[f32]>, Error> {
     let keys = seconds * fps;
     if !(seconds > 0.0 && fps > 0.0 && (1.0..=MOST_KEYS).contains(&keys)) {
-        return Err(Error::Clip(format!(
-            "{seconds} s at {fps} frames a second make no clip; give a length and a rate of at least one frame and \
-                 at most an hour at 144 Hz"
-        )));
+        return Err(no_keys(seconds, fps));
     }
     #[expect(clippy::cast_precision_loss, reason = "the number of keys is bounded far below 2^24")]
     let mut times: Vec<f32> = (0_u32..).map(|key| key as f32 / fps).take_while(|t| *t + 0.01 / fps < seconds).collect();
     times.push(seconds);
     Ok(times.into())
+}
+
+fn no_keys(seconds: f32, fps: f32) -> Error {
+    Error::Clip(format!(
+        "{seconds} s at {fps} frames a second make no clip; give a length and a rate of at least one frame and \
+         at most an hour at 144 Hz"
+    ))
 }
 
 /// A linear track of these keys.

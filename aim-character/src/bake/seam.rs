@@ -12,7 +12,7 @@ use aim_gltf::{Document, Skeleton};
 use aim_runtime::rotation::{angle, product};
 use glam::{Affine3A, Quat, Vec3};
 
-use super::continuous;
+use super::{MOST_KEYS, continuous, no_keys};
 use crate::error::Error;
 use crate::measure::Measurement;
 use crate::measure::roles::Role;
@@ -45,8 +45,11 @@ pub struct MendedLoop {
 /// next round: that way stays. Tracks become cubic; those of what carries the hips have 60 keys a second then.
 ///
 /// # Errors
-/// A clip that moves the hips to where no numbers are.
+/// A clip that moves the hips to where no numbers are, or that has more samples, 60 a second, than a bake has keys at most.
 pub fn mended_loop(document: &Document, measurement: &Measurement, clip: &Clip) -> Result<Option<MendedLoop>, Error> {
+    if clip.length_s() * RATE > MOST_KEYS {
+        return Err(no_keys(clip.length_s(), RATE));
+    }
     let skeleton = document.skeleton();
     let size = if measurement.height > 0.0 { crate::num::narrow(measurement.height) } else { 1.0 };
     let travel = Travel::find(skeleton, measurement, clip, size)?;
@@ -64,17 +67,43 @@ pub fn mended_loop(document: &Document, measurement: &Measurement, clip: &Clip) 
 
 /// Whether something changes its speed at the seam more than anywhere else.
 fn jerks(skeleton: &Skeleton, clip: &Clip, size: f32) -> bool {
-    let times = sample_times(clip.length_s());
-    let poses: Vec<Vec<Transform>> = times.iter().map(|&time| skeleton.pose(clip, time)).collect();
-    (0..skeleton.len()).any(|bone| {
-        // Ways from sample to sample, and how each differs from the one before; the first from the last.
-        let steps: Vec<[Vec3; 2]> = poses.windows(2).map(|pair| way(&pair[0][bone], &pair[1][bone], size)).collect();
-        let change = |a: &[Vec3; 2], b: &[Vec3; 2]| [0, 1].map(|kind| (b[kind] - a[kind]).length());
-        let inner = steps.windows(2).map(|pair| change(&pair[0], &pair[1]));
-        let most = inner.fold([0.0_f32; 2], |most, change| [most[0].max(change[0]), most[1].max(change[1])]);
-        let seam = steps.last().zip(steps.first()).map_or([0.0; 2], |(last, first)| change(last, first));
-        (0..2).any(|kind| seam[kind] > JERK * most[kind] + CLOSED)
-    })
+    let mut steps = vec![Steps::default(); skeleton.len()];
+    let mut before: Option<Vec<Transform>> = None;
+    // Two poses at a time: a long clip has very many.
+    for time in sample_times(clip.length_s()) {
+        let pose = skeleton.pose(clip, time);
+        for (steps, (from, to)) in steps.iter_mut().zip(before.iter().flatten().zip(&pose)) {
+            steps.push(way(from, to, size));
+        }
+        before = Some(pose);
+    }
+    steps.iter().any(Steps::jerk)
+}
+
+/// The ways of a bone from sample to sample: the first, the last, and the largest difference of one from the one before.
+#[derive(Clone, Copy, Default)]
+struct Steps {
+    ends: Option<[[Vec3; 2]; 2]>,
+    most: [f32; 2],
+}
+
+impl Steps {
+    fn push(&mut self, step: [Vec3; 2]) {
+        let [first, last] = self.ends.unwrap_or([step; 2]);
+        let change = change(last, step);
+        self.most = [0, 1].map(|kind| self.most[kind].max(change[kind]));
+        self.ends = Some([first, step]);
+    }
+
+    /// Whether the first differs from the last much more than others from the ones before.
+    fn jerk(&self) -> bool {
+        let seam = self.ends.map_or([0.0; 2], |[first, last]| change(last, first));
+        (0..2).any(|kind| seam[kind] > JERK * self.most[kind] + CLOSED)
+    }
+}
+
+fn change(from: [Vec3; 2], to: [Vec3; 2]) -> [f32; 2] {
+    [0, 1].map(|kind| (to[kind] - from[kind]).length())
 }
 
 /// The way from one transform to the next, and the turn.

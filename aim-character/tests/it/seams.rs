@@ -1,6 +1,6 @@
 //! Clips made loops, judged by forward kinematics of what is written: places and speeds of every node over the seam.
 
-use aim_animation::Clip;
+use aim_animation::{Clip, Track};
 use aim_character::{Mannequin, Measurement, PAPER_AXES, mended_loop};
 use aim_gltf::Document;
 use glam::{DAffine3, DQuat, DVec3};
@@ -96,5 +96,19 @@ fn what_jumps_is_mended_in_place_and_speed() {
         println!("  moved by {most:.3} m at most, {:.1e} m in the middle", moved(half));
         assert!(most < before[0] + 0.02 * before[1], "{name}: moved by {most} m, the seam was {} m", before[0]);
         assert!(moved(half) < 1e-3, "{name}: the middle moved by {} m", moved(half));
+    }
+}
+
+/// A clip with more samples than a bake has keys, of a stray key perhaps, is refused before it is sampled.
+#[test]
+fn what_is_too_long_is_refused() {
+    let document = mannequin();
+    let measurement = Measurement::of(&document);
+    let walk = document.clip("walk").unwrap();
+    for end in [9e3, 1e30] {
+        let stray = Track::linear([0.0, end], [0.0, 1.0]).unwrap();
+        let error = mended_loop(&document, &measurement, &walk.clone().with_scalar(0, stray)).unwrap_err();
+        let words = error.to_string();
+        assert!(words.contains("at 60 frames a second") && words.contains(&end.to_string()), "{words}");
     }
 }
