@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use aim_animation::{Clip, Gap, Seam};
 use aim_character::{
-    Fit, InterpretedRig, Live, Measurement, Plan, Plausibility, chain_nodes, hold, mended_loop, propose,
+    Fit, InterpretedRig, Live, Measurement, MendedLoop, Plan, Plausibility, chain_nodes, hold, mended_loop, propose,
 };
 use aim_codegen::RigSpec;
 use aim_gltf::Document;
@@ -69,12 +69,11 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         (None, None) => return unknown_length("has no clip to aim over"),
     };
     let mended = match clip.filter(|_| arguments.looped) {
-        Some(clip) => mended_loop(document, measurement, clip).map_err(Failure::of(file))?,
+        Some(clip) => {
+            mended_for(seconds, clip, |clip| mended_loop(document, measurement, clip).map_err(Failure::of(file)))?
+        }
         None => None,
     };
-    if let (Some(mended), Some(clip)) = (&mended, clip) {
-        files::print(&format!("{:?} is no loop: {}\n", clip.name(), in_words(&mended.seam)))?;
-    }
     let skeleton = document.skeleton();
     let chain = chain_nodes(spec, skeleton).map_err(Failure::of(file))?;
     let effector = match &arguments.effector {
@@ -107,7 +106,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     }
     let plan = Plan {
         document,
-        clip: mended.as_ref().map(|mended| &mended.clip).or(clip),
+        clip: mended.as_ref().or(clip),
         measurement,
         chain: &chain,
         both_eyes,
@@ -165,6 +164,30 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     arguments.written.write(&model, &report, || html::page(&subject))?;
     files::print(&format!("{}\n", report.in_words(&arguments.written.out)))?;
     if arguments.strict { plausibility::insist(&report.plausibility, &arguments.written.out) } else { Ok(()) }
+}
+
+/// The clip as a loop of this many seconds, and prints what `mend` mended. `None` where it is one.
+///
+/// Of whole rounds each is mended. Anything else is cut out of the clip, or of its rounds, and mended in turn.
+fn mended_for(seconds: f32, clip: &Clip, mend: impl Fn(&Clip) -> Result<Option<MendedLoop>>) -> Result<Option<Clip>> {
+    let mended = |piece: &Clip, are_no_loop: &str| -> Result<Option<Clip>> {
+        let Some(MendedLoop { clip, seam, .. }) = mend(piece)? else { return Ok(None) };
+        files::print(&format!("{are_no_loop}: {}\n", in_words(&seam)))?;
+        Ok(Some(clip))
+    };
+    // Lengths are rounded: a part of a round that no one sees.
+    const NONE: f32 = 1e-4;
+    let name = clip.name();
+    let rounds = seconds / clip.length_s();
+    let has_round = rounds >= 1.0 - NONE;
+    let round = if has_round { mended(clip, &format!("{name:?} is no loop"))? } else { None };
+    let is_whole = has_round && (rounds - rounds.round()).abs() <= NONE;
+    // Of no length, or for no length.
+    if is_whole || !(rounds > 0.0 && rounds.is_finite()) {
+        return Ok(round);
+    }
+    let piece = round.as_ref().unwrap_or(clip).repeated(seconds);
+    Ok(mended(&piece, &format!("{seconds} s of {name:?} are no loop"))?.or(round))
 }
 
 /// What was mended.

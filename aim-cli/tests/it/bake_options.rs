@@ -66,15 +66,21 @@ fn a_bake_covers_the_clip_once_or_as_long_as_asked() {
 #[test]
 fn a_loop_ends_where_it_begins() {
     let place = Place::with_mannequin();
-    for options in [
-        "--target orbit:2,0.2,2.4 --seconds 2.4",
-        "--target orbit:2,0.2,2.4 --seconds 2.4 --settle animation",
-        "--target orbit:2,0,12 --seconds 12",
-        // Too short to arrive in one round.
-        "--target 1.5,1.9,0.5 --seconds 0.3 --settle animation",
-        "--target -1.5,1.2,0.2",
+    // A loop too short to arrive in one round.
+    let short = Place::with_mannequin();
+    let document = aim_gltf::Document::from_bytes(&short.read("m.glb")).expect("a file");
+    let piece = document.clip("walk").expect("its clip").cut(0.0, 0.3);
+    let mended = aim_character::mended_loop(&document, &aim_character::Measurement::of(&document), &piece);
+    let mended = mended.expect("it has hips").expect("it is no loop").clip;
+    short.write("m.glb", &document.with_clips(&[mended]).expect("it can be written"));
+    for (place, options) in [
+        (&place, "--target orbit:2,0.2,2.4 --seconds 2.4"),
+        (&place, "--target orbit:2,0.2,2.4 --seconds 2.4 --settle animation"),
+        (&place, "--target orbit:2,0,12 --seconds 12"),
+        (&short, "--target 1.5,1.9,0.5 --settle animation"),
+        (&place, "--target -1.5,1.2,0.2"),
     ] {
-        let report = bake(&place, &format!("{options} --loop"));
+        let report = bake(place, &format!("{options} --loop"));
         let (first, last, _) = frames(&report);
         for (a, b) in angles(first).iter().zip(angles(last)) {
             assert!((a - b).abs() < 1e-3, "{options}: {first} to {last}");
@@ -116,6 +122,25 @@ fn a_loop_mends_the_seam_of_its_clip() {
     // What closes is left alone, and nothing is said.
     let ran = place.done(&format!("bake m.glb --rig m.toml {ASIDE} --out out.glb --loop"));
     assert!(!ran.stdout.contains("is no loop"), "{}", ran.stdout);
+}
+
+/// A loop of a length that is no whole number of the clip's rounds closes, too: every bone ends where it begins.
+#[test]
+fn a_loop_of_any_length_closes() {
+    let place = Place::with_mannequin();
+    for (seconds, told) in [("0.5", true), ("3.3", true), ("1.2", false), ("2.4", false), ("3.6", false)] {
+        let ran = place.done(&format!("bake m.glb --rig m.toml {ASIDE} --out out.glb --seconds {seconds} --loop"));
+        let words = format!("{seconds} s of \"walk\" are no loop");
+        assert_eq!(ran.stdout.contains(&words), told, "{seconds}: {}", ran.stdout);
+        let model = Model::new(&place.read("out.glb"));
+        let clip = model.clip(model.clip_index("walk_aimed").expect("it is written"));
+        assert!((clip.seconds - seconds.parse::<f64>().expect("a number")).abs() < 1e-6, "{seconds}: {}", clip.seconds);
+        let [begin, end] = [0.0, clip.seconds].map(|t| model.pose(&clip, t));
+        let jump = begin.iter().zip(&end).map(|(a, b)| a.difference(b)).fold(0.0, f64::max);
+        assert!(jump < 1e-3, "{seconds}: {jump} over the seam");
+    }
+    // What is refused says nothing of loops.
+    place.refused(&format!("bake m.glb --rig m.toml {ASIDE} --out no.glb --seconds=-1 --loop"), &["-1 s"]);
 }
 
 #[test]
