@@ -6,7 +6,7 @@ use aim_runtime::{Description, JointRange};
 
 use crate::aim_chain::{AimChain, AimFrame, Corrections};
 
-/// What a line stands for. Joints are counted from the effector inward.
+/// Meaning of a line. Joints are counted from the effector inward.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum GizmoKind {
@@ -40,7 +40,7 @@ pub struct GizmoLine {
     pub from: Vec3,
     /// Its end.
     pub to: Vec3,
-    /// What it stands for.
+    /// Its meaning.
     pub kind: GizmoKind,
 }
 
@@ -73,7 +73,7 @@ pub struct Gizmos<'a> {
     pub chain: &'a AimChain,
     /// The frame that was [gathered](AimChain::gather) and aimed.
     pub frame: &'a AimFrame,
-    /// What was declared of the rig.
+    /// The rig's declaration.
     pub description: &'a Description<'a>,
     /// The corrections that were [applied](AimChain::apply).
     pub corrections: Corrections<'a>,

@@ -22,7 +22,7 @@ pub struct ClipControl {
     pub clip: usize,
     /// Local time, speed, looping.
     pub control: Control,
-    /// How much it counts beside the others, 0…1; NaN counts as 0. At 0 it goes on, but is not sampled.
+    /// Its weight beside the others, 0…1; NaN counts as 0. At 0 it goes on, but is not sampled.
     pub weight: f32,
     /// The number of a mask of the model, by which its weight is multiplied bone by bone; `None` for all bones. Of a mask that the model
     /// does not have no bone counts.

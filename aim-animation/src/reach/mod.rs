@@ -27,7 +27,7 @@ pub struct ReachGoal {
     pub at_s: f32,
     /// The point, in the space of the model at that time.
     pub target: Vec3,
-    /// How much being off counts beside changes of the way (γ): infinite, as [`new`](Self::new) makes it, for a point that
+    /// The weight of being off beside changes of the way (γ): infinite, as [`new`](Self::new) makes it, for a point that
     /// has to be met; 0 or less, or NaN: not at all.
     pub weight: f32,
 }
@@ -47,7 +47,7 @@ impl ReachGoal {
     }
 }
 
-/// What became of the goals; lengths are in units of the model.
+/// Outcome of the goals; lengths are in units of the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReachOutcome {
     /// The deformation of the way, towards the goals as far as the limb reaches them.

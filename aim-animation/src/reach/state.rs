@@ -15,14 +15,14 @@ use crate::transform::Transform;
 /// [`Reach::aim`](super::Reach::aim).
 #[derive(Clone, Debug)]
 pub struct ReachState {
-    /// How much of the deformation is applied, 0…1; NaN counts as 0. 1 by default. That of the clip in a blend.
+    /// The part of the deformation that is applied, 0…1; NaN counts as 0. 1 by default. That of the clip in a blend.
     pub weight: f32,
     shown: Way,
-    /// What fades out.
+    /// The offset that fades out.
     from: Way,
     fade_s: f32,
     elapsed_s: f32,
-    /// What a deformation takes and makes: times, the way as animated and as deformed.
+    /// Input and result of a deformation: times, the way as animated and as deformed.
     pub(super) times: Vec<f32>,
     pub(super) rest: Vec<Vec3>,
     through: Vec<Vec3>,

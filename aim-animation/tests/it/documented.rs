@@ -26,7 +26,7 @@ fn sources(folder: &str) -> String {
     files.collect()
 }
 
-/// Whether `file::test` is a test of that file.
+/// True if `file::test` is a test of that file.
 fn is_test(named: &str) -> bool {
     let (file, test) = named.rsplit_once("::").expect("`file::test`");
     let file = if file.contains('/') { file.to_owned() } else { format!("aim-animation/tests/it/{file}") };
