@@ -219,7 +219,7 @@ impl BoneSum {
         Self { translation: Vec3::ZERO, scale: Vec3::ZERO, rotation: Quat::from_xyzw(0.0, 0.0, 0.0, 0.0), weight: 0.0 };
 
     pub(crate) fn add(&mut self, transform: &Transform, rest: &Transform, weight: f32, method: Method) {
-        if !(weight >= LEAST_WEIGHT) {
+        if !(weight > 0.0) {
             return;
         }
         self.translation += transform.translation * weight;
@@ -236,7 +236,7 @@ impl BoneSum {
     }
 
     pub(crate) fn finish(&self, rest: &Transform, method: Method) -> Transform {
-        if !(self.weight > 0.0) {
+        if !(self.weight >= LEAST_WEIGHT) {
             return *rest;
         }
         let rotation = match method {
