@@ -19,7 +19,7 @@ use crate::measure::roles::Role;
 
 /// Samples a second.
 const RATE: f32 = 60.0;
-/// How long before and after the seam what is mended fades, seconds.
+/// The time before and after the seam over which what is mended fades, seconds.
 const WINDOW_S: f32 = 0.25;
 /// As far as no one sees: a part of the height, radians, factors of scale, weights of morph targets.
 const CLOSED: f32 = 1e-4;
@@ -61,11 +61,14 @@ pub fn mended_loop(document: &Document, measurement: &Measurement, clip: &Clip) 
         return Ok(None);
     }
     let mended = on_the_spot.mended(Continuity::Speed, WINDOW_S);
-    let clip = travel.map_or_else(|| Ok(mended.clone()), |travel| travel.moved(&mended, Way::Back))?;
+    let clip = match travel {
+        Some(travel) => travel.moved(&mended, Way::Back)?,
+        None => mended,
+    };
     Ok(Some(MendedLoop { clip, seam }))
 }
 
-/// Whether something changes its speed at the seam more than anywhere else.
+/// True if something changes its speed at the seam more than anywhere else.
 fn jerks(skeleton: &Skeleton, clip: &Clip, size: f32) -> bool {
     let mut steps = vec![Steps::default(); skeleton.len()];
     let mut before: Option<Vec<Transform>> = None;
@@ -95,7 +98,7 @@ impl Steps {
         self.ends = Some([first, step]);
     }
 
-    /// Whether the first differs from the last much more than others from the ones before.
+    /// True if the first differs from the last much more than others from the ones before.
     fn jerk(&self) -> bool {
         let seam = self.ends.map_or([0.0; 2], |[first, last]| change(last, first));
         (0..2).any(|kind| seam[kind] > JERK * self.most[kind] + CLOSED)

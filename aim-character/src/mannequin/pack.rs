@@ -64,7 +64,7 @@ impl Data {
     }
 }
 
-/// What a file has beside the figure and its walk.
+/// The contents of a file beside the figure and its walk.
 pub(super) struct Contents<'a> {
     pub(super) moves: &'a [Move],
     pub(super) walks_to_run: bool,

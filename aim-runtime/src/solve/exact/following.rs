@@ -393,8 +393,7 @@ impl<const N: usize, const V: usize> Angles<N, V> {
     ) -> Option<[f32; 2]> {
         let mut sin_cos = [[0.0; 4]; N];
         each!(V, k => {
-            let (sin, cos) = trig::half_sin_cos_4(self.start[k]);
-            let (sin, cos) = (sin * cos * 2.0, Vec4::ONE - sin * sin * 2.0);
+            let [sin, cos] = trig::sin_cos_4(self.start[k]);
             sin_cos[2 * k] = Vec4::new(sin.x, cos.x, sin.y, cos.y).to_array();
             if 2 * k + 1 < N {
                 sin_cos[2 * k + 1] = Vec4::new(sin.z, cos.z, sin.w, cos.w).to_array();
