@@ -13,7 +13,7 @@
 //! use aim_character::{ChainNodes, InterpretedRig, Live, Measurement, Moment, PAPER_AXES, mannequin, propose};
 //! use aim_gltf::Document;
 //! use aim_runtime::{DynAim, Settings};
-//! use glam::DVec3;
+//! use aim_runtime::glam::DVec3;
 //!
 //! let document = Document::from_bytes(&mannequin(|_| PAPER_AXES)?)?;
 //! let measurement = Measurement::of(&document);

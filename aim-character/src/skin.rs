@@ -1,7 +1,7 @@
 //! Meshes moved by their joints.
 
 use aim_gltf::{Skeleton, SkinnedPoint, Surface, carrier};
-use glam::{Affine3A, DAffine3, DVec3, Mat3A, Vec3, Vec3A};
+use aim_runtime::glam::{Affine3A, DAffine3, DVec3, Mat3A, Vec3, Vec3A};
 
 /// The node that moves each vertex most: its heaviest joint, or the node that shows it.
 pub(crate) fn carriers(skeleton: &Skeleton, points: &[SkinnedPoint]) -> Vec<usize> {

@@ -1,6 +1,6 @@
 //! [`Projection`]: the one way in which space is drawn on a plane.
 
-use glam::DVec3;
+use aim_runtime::glam::DVec3;
 
 /// A parallel projection onto a drawing whose y axis points down.
 #[derive(Clone, Copy, Debug)]

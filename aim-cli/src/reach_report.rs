@@ -3,9 +3,9 @@
 use aim_animation::Clip;
 use aim_character::{Arrival, ReachPlan, Reached};
 use aim_gltf::Document;
+use aim_runtime::glam::DVec3;
 use aim_runtime::ik::TwoBoneStatus;
 use aim_runtime::trajectory::Status;
-use glam::DVec3;
 use serde::Serialize;
 use serde_json::{Value, json};
 

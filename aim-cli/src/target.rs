@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use aim_character::Measurement;
 use aim_gltf::Document;
-use glam::{DAffine3, DVec3};
+use aim_runtime::glam::{DAffine3, DVec3};
 
 use crate::failure::{Failure, Result};
 

@@ -1,6 +1,6 @@
 //! Numbers and statuses as people read them; the same number always becomes the same text.
 
-use glam::DVec3;
+use aim_runtime::glam::DVec3;
 use maud::{Markup, html};
 
 /// A status in words: the contract's word, ours, ours behind a number of frames, what it means.

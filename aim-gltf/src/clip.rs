@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
+use aim_animation::glam::{Quat, Vec3, Vec4};
 use aim_animation::{Clip, Curve, HermiteKey, Track, Value};
-use glam::{Quat, Vec3, Vec4};
 
 use crate::accessor::Data;
 use crate::error::Error;

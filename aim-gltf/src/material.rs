@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use glam::{Affine2, Vec2};
+use aim_animation::glam::{Affine2, Vec2};
 use serde_json::Value;
 
 use crate::accessor::Data;

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use glam::{DAffine3, DVec3, Vec3};
+use aim_animation::glam::{DAffine3, DVec3, Vec3};
 use serde_json::Value;
 
 use crate::accessor::Data;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use glam::Vec3;
+use aim_animation::glam::Vec3;
 
 /// The cosine past which an edge is an edge: 60°.
 const CREASE: f32 = 0.5;
@@ -45,11 +45,13 @@ fn key(position: Vec3) -> [u32; 3] {
 
 #[cfg(test)]
 mod tests {
+    use aim_animation::glam::Quat;
+
     use super::*;
 
     /// Two triangles that share an edge as separate vertices, the second turned about it.
     fn folded(by_deg: f32) -> Vec<Vec3> {
-        let turned = glam::Quat::from_rotation_y(-by_deg.to_radians()) * Vec3::X;
+        let turned = Quat::from_rotation_y(-by_deg.to_radians()) * Vec3::X;
         let positions = [Vec3::ZERO, Vec3::Y, -Vec3::X, Vec3::Y, Vec3::ZERO, turned];
         normals(&positions, &[[0, 1, 2], [3, 4, 5]])
     }

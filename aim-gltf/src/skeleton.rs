@@ -3,8 +3,8 @@
 use core::ops::Deref;
 use std::collections::BTreeMap;
 
+use aim_animation::glam::{DAffine3, DMat4, DQuat, DVec3, Quat};
 use aim_animation::{Bone, Clip, Cursor, SkeletonError, Transform};
-use glam::{DAffine3, DMat4, DQuat, DVec3, Quat};
 use serde_json::Value;
 
 use crate::accessor::Data;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use glam::Vec3;
+use aim_animation::glam::Vec3;
 
 use crate::accessor::Data;
 use crate::error::Error;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::{DAffine3, Vec2, Vec3};
+use aim_animation::glam::{DAffine3, Vec2, Vec3};
 use serde_json::Value;
 
 use crate::accessor::Data;

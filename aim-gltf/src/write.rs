@@ -1,5 +1,6 @@
 //! A document written again with further clips: old bytes first and unchanged, new ones appended.
 
+use aim_animation::glam::Vec4;
 use std::collections::BTreeMap;
 
 use aim_animation::{Clip, Curve, Track, Value as Keyed};
@@ -256,7 +257,7 @@ impl Appended {
                 let cubic = rotations.curve == Curve::Cubic;
                 for (_, four) in rotations.values.chunks_exact_mut(4).enumerate().filter(|(k, _)| !cubic || k % 3 == 1)
                 {
-                    four.copy_from_slice(&glam::Vec4::from_slice(four).as_dvec4().normalize().as_vec4().to_array());
+                    four.copy_from_slice(&Vec4::from_slice(four).as_dvec4().normalize().as_vec4().to_array());
                 }
                 animation.channel(node, ("rotation", "VEC4"), &rotations);
             }

@@ -1,6 +1,6 @@
 //! The camera: it turns around a point, and tells where on the screen the world is.
 
-use glam::{Vec2, Vec3};
+use aim_runtime::glam::{Vec2, Vec3};
 
 use crate::picture::Perspective;
 

@@ -10,7 +10,7 @@ use aim_character::{
 use aim_codegen::RigSpec;
 use aim_codegen::declare::from_toml;
 use aim_gltf::{Document, Skeleton, Surface};
-use glam::{DVec3, Vec3};
+use aim_runtime::glam::{DVec3, Vec3};
 
 /// Everything about a character that does not change while it moves.
 #[derive(Debug)]

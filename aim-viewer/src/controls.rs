@@ -1,7 +1,7 @@
 //! Keys and the mouse: the one place that turns input into changes of what is shown.
 
+use aim_runtime::glam::{Vec2, Vec3};
 use eframe::egui::{Context, InputState, Key, PointerButton, Rect, Response};
-use glam::{Vec2, Vec3};
 
 use crate::camera::Camera;
 use crate::gizmos::{Shown, TARGET};

@@ -3,8 +3,8 @@
 use std::f32::consts::PI;
 
 use aim_character::{AimedFrame, Palette, range_in_frame};
+use aim_runtime::glam::{DAffine3, DVec3, Quat, Vec3};
 use aim_runtime::{Solver, Status};
-use glam::{DAffine3, DVec3, Quat, Vec3};
 
 use crate::camera::Camera;
 use crate::character::Character;

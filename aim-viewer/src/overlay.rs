@@ -1,8 +1,8 @@
 //! Texts over the scene: names, status, time of solving, and trouble.
 
 use aim_runtime::Status;
+use aim_runtime::glam::{self, Vec3};
 use eframe::egui::{self, Align2, Color32, Id, Pos2, Rect, RichText, Ui, Vec2};
-use glam::Vec3;
 
 use crate::gizmos::colour_of;
 use crate::panel::widgets::{button, named};

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use aim_gltf::Surface;
-use glam::Vec3;
+use aim_runtime::glam::Vec3;
 
 /// Red, green, blue and opacity, sRGB.
 pub(crate) type Colour = [u8; 4];

@@ -8,8 +8,8 @@ use aim::rigs::Mannequin;
 use aim_animation::Clip;
 use aim_character::{AimedFrame, InterpretedRig, Live, Moment};
 use aim_codegen::{RigSpec, Role};
+use aim_runtime::glam::Vec3;
 use aim_runtime::{AimRig, Ascent, DynAim, Rig, Settings, Solver};
-use glam::Vec3;
 use web_time::Instant;
 
 use crate::character::Character;

@@ -1,6 +1,6 @@
 //! The target: still, or on a path around the character.
 
-use glam::Vec3;
+use aim_runtime::glam::Vec3;
 
 /// Path of a target.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -3,8 +3,8 @@
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
+use aim_runtime::glam::{Vec2, Vec3};
 use eframe::egui;
-use glam::{Vec2, Vec3};
 use serde_json::{Value, json};
 
 use crate::camera::Camera;

@@ -2,7 +2,7 @@
 
 use aim_animation::Transform;
 use aim_gltf::{Document, LookAt, LookAtKind, RangeMap};
-use glam::{DQuat, DVec3, Quat};
+use aim_runtime::glam::{DQuat, DVec3, Quat};
 
 use crate::bake::chain::ChainNodes;
 use crate::measure::roles::Role;

@@ -2,8 +2,8 @@
 
 use aim_animation::{AimChain, AimChainError, AimFrame, Clip, Transform};
 use aim_gltf::{Document, Skeleton};
+use aim_runtime::glam::{Affine3A, DAffine3, DMat3, DVec3, Vec3};
 use aim_runtime::{DynAim, Joint, LimitsFrom, Outcome, Rig};
-use glam::{Affine3A, DAffine3, DMat3, DVec3, Vec3};
 
 use crate::bake::chain::ChainNodes;
 use crate::bake::eye_maps::EyeMaps;

@@ -17,8 +17,8 @@ mod sights;
 use core::f32::consts::TAU;
 use std::sync::Arc;
 
+use aim_runtime::glam::{DAffine3, DVec3, Quat, Vec3};
 use aim_runtime::{DynAim, Joint, Rig, Settings};
-use glam::{DAffine3, DVec3, Quat, Vec3};
 
 use crate::bake::chain::ChainNodes;
 use crate::bake::live::{AimedFrame, Live, Moment};

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use aim_runtime::glam::{DAffine3, DQuat, DVec3, Quat, Vec3};
 use aim_runtime::ik::{Limb, TwoBone, TwoBoneStatus};
 use aim_runtime::trajectory::{Node, Outcome, Trajectory, Waypoint};
-use glam::{DAffine3, DQuat, DVec3, Quat, Vec3};
 
 use crate::bake::live::rounded;
 use crate::bake::{continuous, key_times, line};

@@ -9,8 +9,8 @@ use aim_animation::{
     Clip, Continuity, Cursor, HermiteKey, Motion, MotionError, Root, RootPath, Seam, Track, Transform, Value,
 };
 use aim_gltf::{Document, Skeleton};
+use aim_runtime::glam::{Affine3A, Quat, Vec3};
 use aim_runtime::rotation::{angle, product};
-use glam::{Affine3A, Quat, Vec3};
 
 use super::{MOST_KEYS, continuous, no_keys};
 use crate::error::Error;

@@ -3,8 +3,8 @@
 use core::f64::consts::TAU;
 
 use aim_gltf::Skeleton;
+use aim_runtime::glam::{DAffine3, DMat3, DVec3, Vec3};
 use aim_runtime::{Effector, Rig, Role as Gaze};
-use glam::{DAffine3, DMat3, DVec3, Vec3};
 
 use crate::bake::chain::ChainNodes;
 use crate::measure::Measurement;

@@ -2,7 +2,7 @@
 
 use aim_animation::{Blender, Clip, Cursor, Marks, Motion, Root, RootPath, Transform};
 use aim_gltf::Skeleton;
-use glam::{Quat, Vec3};
+use aim_runtime::glam::{Quat, Vec3};
 
 use crate::bake::{continuous, key_times, line};
 use crate::error::Error;

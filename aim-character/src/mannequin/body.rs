@@ -1,6 +1,6 @@
 //! The mannequin's body: one surface a material, each part bound to the joints beneath it.
 
-use glam::DVec3;
+use aim_runtime::glam::DVec3;
 
 use super::joints::Joint;
 use super::shape::{Binding, Ring, ShapeMesh, between, rigid};

@@ -1,6 +1,6 @@
 //! The mannequin's joints: names, parents before children, places in metres (x left, y up, z forward).
 
-use glam::{DMat3, DQuat, DVec3};
+use aim_runtime::glam::{DMat3, DQuat, DVec3};
 
 /// One joint in the bind pose.
 pub(crate) struct Joint {

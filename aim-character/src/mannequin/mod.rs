@@ -12,7 +12,7 @@ mod shape;
 mod vrm;
 mod walk;
 
-use glam::{DMat3, DVec3};
+use aim_runtime::glam::{DMat3, DVec3};
 
 use crate::error::Error;
 use joints::Bone;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use aim_animation::{Clip, Root};
 use aim_gltf::{Document, Skeleton, to_glb};
-use glam::{DMat3, DQuat, DVec3, Quat, Vec3};
+use aim_runtime::glam::{DMat3, DQuat, DVec3, Quat, Vec3};
 use serde_json::{Value, json};
 
 use super::blend::walk_to_run;

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use glam::DVec3;
+use aim_runtime::glam::DVec3;
 
 use crate::num::count;
 

@@ -1,6 +1,6 @@
 //! What makes a VRM file of the mannequin: its bones by VRM's names, and eyes that look by their bones.
 
-use glam::{DMat3, DQuat, DVec3};
+use aim_runtime::glam::{DMat3, DQuat, DVec3};
 use serde_json::{Value, json};
 
 use super::joints::Joint;

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use glam::{DQuat, DVec3};
+use aim_runtime::glam::{DQuat, DVec3};
 
 use super::joints::Joint;
 

@@ -4,7 +4,7 @@
 //! is found from the joints: the one that most of them agree on, else the hips' made square with the skeleton's root (a rest
 //! pose that is a frame of some walk turns the hips, and a skin is modelled upright).
 
-use glam::{DAffine3, DMat3, DVec3};
+use aim_runtime::glam::{DAffine3, DMat3, DVec3};
 
 use crate::measure::frame::orthonormal;
 use crate::measure::roles::{Role, Roles};

@@ -3,7 +3,7 @@
 use aim_model::{BoneName, Side};
 use std::collections::HashMap;
 
-use glam::{DAffine3, DVec3};
+use aim_runtime::glam::{DAffine3, DVec3};
 
 use crate::measure::plan::BodyPlan;
 use crate::measure::roles::{Role, Roles};

@@ -1,7 +1,7 @@
 //! Where a character faces and what told it, in words.
 
 use aim_gltf::Document;
-use glam::DVec3;
+use aim_runtime::glam::DVec3;
 
 use crate::measure::clues::Clue;
 use crate::measure::facing::Evidence;

@@ -3,7 +3,7 @@
 //! No single clue is believed: names may be mirrored, a file may lie on its back. Each clue says a direction and has a
 //! weight; the heavier side wins, and what contradicts it stays in the evidence for the user to see.
 
-use glam::DVec3;
+use aim_runtime::glam::DVec3;
 
 use crate::measure::clues::{self, Body, Clue, Hint};
 use crate::measure::frame::nearest_axis;

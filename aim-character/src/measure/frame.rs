@@ -1,7 +1,7 @@
 //! Right-angled frames in double precision.
 
 use aim_gltf::Skeleton;
-use glam::{DAffine3, DMat3, DVec3};
+use aim_runtime::glam::{DAffine3, DMat3, DVec3};
 
 /// The nearest frame of unit vectors at right angles (columns), and the column lengths. The sign of the
 /// determinant is kept; where a column vanishes the frame is completed, and as a last resort the identity.

@@ -17,7 +17,7 @@ pub(crate) mod roles;
 use core::fmt;
 use core::str::FromStr;
 
-use glam::{DAffine3, DMat3, DVec3};
+use aim_runtime::glam::{DAffine3, DMat3, DVec3};
 
 use crate::measure::arms::has_named_limbs;
 use crate::measure::bind::{bind_world, signed_permutation};

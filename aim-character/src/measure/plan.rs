@@ -1,6 +1,6 @@
 //! The plan of a body: legs, trunk, arms, neck and head told from the tree of bones and their places, without any names.
 
-use glam::{DAffine3, DVec3};
+use aim_runtime::glam::{DAffine3, DVec3};
 
 use aim_gltf::Skeleton;
 

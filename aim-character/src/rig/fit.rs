@@ -2,7 +2,7 @@
 
 use aim_codegen::{Angles, Frame, JointSpec, RigSpec};
 use aim_gltf::{Document, Skeleton};
-use glam::DVec3;
+use aim_runtime::glam::DVec3;
 
 use crate::bake::chain::ChainNodes;
 use crate::bake::live::JointFrame;

@@ -3,7 +3,7 @@
 use crate::measure::BoneAxes;
 use aim_codegen::Budget;
 use aim_model::Role;
-use glam::DVec3;
+use aim_runtime::glam::DVec3;
 
 /// The part of the turn of head and neck that the head makes on the neck's last bone: of a mammal's neck, about half of the
 /// turn is that of atlas and axis (White and Panjabi, *Clinical Biomechanics of the Spine*, 1990).

@@ -6,6 +6,7 @@ use aim_codegen::{
     AngleRange, Budget, Budgets, EffectorSpec, Frame, JointSpec, LimitsFrom, NaturalSpec, RigSpec, Role,
 };
 use aim_gltf::Document;
+use aim_runtime::glam::{DQuat, DVec3, EulerRot, Quat, Vec3};
 
 use crate::RIGS;
 
@@ -55,12 +56,12 @@ fn bundled_rigs_come_back() {
 
 #[test]
 fn proposals_come_back_with_their_reasons() {
-    let turn = glam::Quat::from_euler(glam::EulerRot::XYZ, 0.3, -0.4, 0.2);
+    let turn = Quat::from_euler(EulerRot::XYZ, 0.3, -0.4, 0.2);
     for frame in Frame::cardinal() {
         #[expect(clippy::cast_possible_truncation, reason = "whole numbers")]
         let axes = [frame.up, frame.forward, frame.left].map(|axis| axis.map(|c| c as f32));
         // The spine's bone stands between all axes.
-        let between = axes.map(|axis| (turn * glam::Vec3::from_array(axis)).to_array());
+        let between = axes.map(|axis| (turn * Vec3::from_array(axis)).to_array());
         let model = mannequin(|bone| if bone == "spine3" { between } else { axes }).expect("frames");
         let document = Document::from_bytes(&model).expect("a model");
         let proposal = propose(&document, &Measurement::of(&document), None).expect("a rig");
@@ -73,10 +74,10 @@ fn proposals_come_back_with_their_reasons() {
 /// A rig with anything that can be declared, and angles without end.
 fn any_rig(random: &mut fastrand::Rng) -> RigSpec {
     let frames: Vec<Frame> = Frame::cardinal().collect();
-    let turn = glam::DQuat::from_euler(glam::EulerRot::XYZ, random.f64(), random.f64(), random.f64());
+    let turn = DQuat::from_euler(EulerRot::XYZ, random.f64(), random.f64(), random.f64());
     let frame = |random: &mut fastrand::Rng| {
         let Frame { up, forward, left } = frames[random.usize(..frames.len())];
-        let turned = |axis: [f64; 3]| (turn * glam::DVec3::from_array(axis)).to_array();
+        let turned = |axis: [f64; 3]| (turn * DVec3::from_array(axis)).to_array();
         if random.bool() {
             Frame { up, forward, left }
         } else {

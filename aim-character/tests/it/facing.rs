@@ -4,7 +4,7 @@
 use crate::support::{bytes_of, data_uri, put_together, take_apart};
 use aim_character::{Clue, MeasuredPose, Measurement, PAPER_AXES, Role, Stated, mannequin};
 use aim_gltf::Document;
-use glam::{DMat3, DQuat, DVec3};
+use aim_runtime::glam::{DMat3, DQuat, DVec3};
 use serde_json::{Value, json};
 
 /// The mannequin with its JSON changed.

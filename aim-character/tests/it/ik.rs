@@ -4,11 +4,11 @@ use aim_animation::{Skeleton, Transform};
 use aim_character::{PAPER_AXES, mannequin};
 use aim_gltf::Document;
 use aim_runtime::Axes;
+use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim_runtime::ik::{
     AimPose, AimPoses, AimPosesStatus, Ccd, CcdJoint, CcdLimit, CcdStatus, Limb, LookAt, LookAtStatus, OneBone,
     OneBoneStatus, Roll, TwoBone, TwoBoneStatus, grid,
 };
-use glam::{Affine3A, Mat3A, Quat, Vec3};
 
 /// The mannequin's bones in the model.
 struct Character {

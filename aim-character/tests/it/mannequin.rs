@@ -2,7 +2,7 @@
 
 use aim_character::{Handedness, Measurement, PAPER_AXES, Role, mannequin};
 use aim_gltf::Document;
-use glam::{DAffine3, DVec3, Vec3};
+use aim_runtime::glam::{DAffine3, DVec3, EulerRot, Quat, Vec3};
 
 fn built(axes: [[f32; 3]; 3]) -> Document {
     Document::from_bytes(&mannequin(|_| axes).unwrap()).unwrap()
@@ -68,7 +68,7 @@ fn conventions_may_differ_from_bone_to_bone() {
 
 #[test]
 fn a_general_frame_is_measured_to_a_hundredth_of_a_degree() {
-    let turn = glam::Quat::from_euler(glam::EulerRot::XYZ, 0.35, -0.2, 0.15);
+    let turn = Quat::from_euler(EulerRot::XYZ, 0.35, -0.2, 0.15);
     let axes = PAPER_AXES.map(|v| (turn * Vec3::from_array(v)).to_array());
     let measured = Measurement::of(&built(axes));
     let head = measured.with_role(Role::Head).unwrap();

@@ -6,8 +6,8 @@ use std::thread;
 use aim_character::{ChainNodes, InterpretedRig, Measurement, Plan, Settle, bake, mannequin};
 use aim_codegen::{Frame, RigSpec, declare};
 use aim_gltf::Document;
+use aim_runtime::glam::DVec3;
 use aim_runtime::{DynAim, Settings};
-use glam::DVec3;
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");
 

@@ -2,7 +2,7 @@
 
 use aim_character::{Mannequin, Measurement, PAPER_AXES, Role, Vrm, propose};
 use aim_gltf::{Document, LookAt, LookAtKind};
-use glam::{DAffine3, DQuat, DVec3};
+use aim_runtime::glam::{DAffine3, DQuat, DVec3};
 
 fn built(file: Mannequin) -> Document {
     Document::from_bytes(&file.glb(|_| PAPER_AXES).unwrap()).unwrap()

@@ -2,8 +2,8 @@
 
 use aim_character::InterpretedRig;
 use aim_codegen::{JointSpec, RigSpec, Role, declare};
+use aim_runtime::glam::{Affine3A, EulerRot, Mat3A, Quat, Vec3, Vec3A};
 use aim_runtime::{DynAim, JointSet, Outcome, Pose, Settings, Solver, Status};
-use glam::{Affine3A, EulerRot, Mat3A, Quat, Vec3, Vec3A};
 
 use crate::RIGS;
 

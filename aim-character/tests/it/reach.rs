@@ -2,7 +2,7 @@
 
 use aim_character::{Goal, LimbNodes, PAPER_AXES, ReachPlan, mannequin, reach};
 use aim_gltf::Document;
-use glam::{DAffine3, DVec3};
+use aim_runtime::glam::{DAffine3, DVec3};
 
 const GOALS: [Goal; 2] =
     [Goal { at: 0.31, target: DVec3::new(-0.35, 1.2, 0.25) }, Goal { at: 0.9, target: DVec3::new(-0.3, 1.05, 0.25) }];

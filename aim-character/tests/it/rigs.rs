@@ -26,7 +26,7 @@ fn path(file: &str) -> PathBuf {
 #[test]
 #[ignore = "needs AIM_RIGS"]
 fn names_and_roots_may_be_lost_and_the_body_still_tells() {
-    use glam::{DQuat, DVec3};
+    use aim_runtime::glam::{DQuat, DVec3};
     use serde_json::json;
     for file in ["dude.glb", "rocketbox_female_adult_01.glb", "khronos_fox.glb", "pab_arnaud.glb"] {
         let file = path(file);
@@ -166,7 +166,7 @@ fn the_rest_pose_is_measured_as_an_independent_script_measures_it() {
 #[test]
 #[ignore = "needs AIM_RIGS"]
 fn everyone_faces_where_it_faces_and_all_roles_are_found() {
-    use glam::DVec3;
+    use aim_runtime::glam::DVec3;
     type Column<'a> = (&'a str, &'a [&'a str], &'a [&'a str], &'a str);
     let files: [(&str, DVec3, Column<'_>); 7] = [
         ("dude.glb", DVec3::NEG_Z, ("Pelvis", &["Spine", "Spine1", "Spine2", "Spine3"], &["Neck"], "Head")),

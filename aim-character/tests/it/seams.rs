@@ -3,7 +3,7 @@
 use aim_animation::{Clip, Track};
 use aim_character::{Mannequin, Measurement, PAPER_AXES, mended_loop};
 use aim_gltf::Document;
-use glam::{DAffine3, DQuat, DVec3};
+use aim_runtime::glam::{DAffine3, DQuat, DVec3};
 
 fn mannequin() -> Document {
     Document::from_bytes(&Mannequin::new().with_moves().glb(|_| PAPER_AXES).unwrap()).unwrap()

@@ -3,6 +3,7 @@
 //! The objective is evaluated in f64 straight from its statement (effector pushed forward, nothing rewritten), so
 //! rewriting, derivatives, lowering and ordering are all on trial, in f64 and in the f32 that ships.
 
+use aim_runtime::glam::{DMat3, DQuat};
 use std::path::Path;
 
 use aim_codegen::objective::{FirstLink, Scope, Statement, functions};
@@ -201,8 +202,8 @@ impl Random {
 
     /// A rotation's nine numbers, row by row.
     fn rotation(&mut self) -> [f64; 9] {
-        let q = glam::DQuat::from_xyzw(self.within(1.0), self.within(1.0), self.within(1.0), self.within(1.0));
-        let q = if q.length_squared() > 0.01 { q.normalize() } else { glam::DQuat::IDENTITY };
-        glam::DMat3::from_quat(q).to_cols_array()
+        let q = DQuat::from_xyzw(self.within(1.0), self.within(1.0), self.within(1.0), self.within(1.0));
+        let q = if q.length_squared() > 0.01 { q.normalize() } else { DQuat::IDENTITY };
+        DMat3::from_quat(q).to_cols_array()
     }
 }

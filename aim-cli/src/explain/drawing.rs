@@ -1,7 +1,7 @@
 //! The drawing of a bone's axes.
 
 use aim_codegen::Frame;
-use glam::DVec3;
+use aim_runtime::glam::DVec3;
 
 use super::document::{Arrow, Drawing, Ink, Label, Text};
 use crate::projection::Projection;

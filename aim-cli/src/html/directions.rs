@@ -3,7 +3,7 @@
 
 use aim_character::chain_nodes;
 use aim_codegen::Role;
-use glam::{DAffine3, DMat3, DVec3};
+use aim_runtime::glam::{DAffine3, DMat3, DVec3};
 
 use super::subject::BakePage;
 use crate::effector::Effector;

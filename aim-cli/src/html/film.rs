@@ -1,7 +1,7 @@
 //! The film strips: drawings of the character over time, always from the same side, with its line of sight.
 
 use aim_character::{AimedFrame, Criterion, chain_nodes};
-use glam::{DAffine3, DVec3};
+use aim_runtime::glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
 use super::scene::{BESIDE, Eye, HEIGHT, IN_FRONT, Scene, Stand, WIDTH};

@@ -1,6 +1,7 @@
 //! How eye and head share the gaze: target, gaze, head and eye in head on one chart, over the whole length and close up
 //! where the gaze shifts furthest.
 
+use aim_runtime::glam::DVec3;
 use std::ops::Range;
 
 use maud::{Markup, html};
@@ -110,7 +111,7 @@ fn furthest_shift(times: &[f64], gaze: &Bearings) -> Option<Shift> {
 fn between(a: [f64; 2], b: [f64; 2]) -> f64 {
     let [a, b] = [a, b].map(|[azimuth, elevation]| {
         let ((sin, cos), (up, level)) = (azimuth.to_radians().sin_cos(), elevation.to_radians().sin_cos());
-        glam::DVec3::new(sin * level, up, cos * level)
+        DVec3::new(sin * level, up, cos * level)
     });
     a.cross(b).length().atan2(a.dot(b)).to_degrees()
 }

@@ -3,7 +3,7 @@
 
 use aim_character::{Fit, JointFit, Measurement, NAMES, Palette, evidence};
 use aim_gltf::{Document, Surface};
-use glam::DVec3;
+use aim_runtime::glam::DVec3;
 use maud::{Markup, html};
 
 use super::raster::{FADE, Paint, Raster};

@@ -5,9 +5,9 @@
 
 use aim_character::Palette;
 use aim_gltf::{Skeleton, Surface, Triangle};
+use aim_runtime::glam::{DAffine3, DVec3};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use glam::{DAffine3, DVec3};
 
 use crate::projection::Projection;
 use crate::words::count;

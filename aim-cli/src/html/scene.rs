@@ -2,7 +2,7 @@
 
 use aim_character::{AimedFrame, ChainNodes, LimbNodes, Measurement, Palette, Role};
 use aim_gltf::{Document, Surface, Triangle};
-use glam::{DAffine3, DVec3};
+use aim_runtime::glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
 use super::raster::{FADE, Paint, Raster};

@@ -3,7 +3,7 @@
 use aim_animation::Clip;
 use aim_character::{Goal, LimbNodes, Measurement};
 use aim_gltf::Document;
-use glam::{DAffine3, DVec3};
+use aim_runtime::glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
 use super::scene::{HEIGHT, Scene, WIDTH};

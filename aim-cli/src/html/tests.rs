@@ -7,8 +7,8 @@ use aim_character::{
 };
 use aim_codegen::{AngleRange, RigSpec};
 use aim_gltf::Document;
+use aim_runtime::glam::DVec3;
 use aim_runtime::{DynAim, Settings, Solver};
-use glam::DVec3;
 use scraper::{Html, Selector};
 
 use super::{BakePage, page};

@@ -3,7 +3,7 @@
 
 use aim_character::Goal;
 use aim_codegen::AngleRange;
-use glam::DVec3;
+use aim_runtime::glam::DVec3;
 use maud::{Markup, html};
 
 use super::chart::{Base, Chart, Mark, Scale, Series};

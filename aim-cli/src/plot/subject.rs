@@ -3,9 +3,9 @@
 use aim_character::InterpretedRig;
 use aim_codegen::objective::{AIM_GRADIENT, FirstLink};
 use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, RigSpec};
+use aim_runtime::glam::{Affine3A, DVec3, Vec3};
 use aim_runtime::{Ascent, Axes, DynAim, JointInfo, Pose, Rig, Settings, Solver, Status};
 use aim_symbolic::Program;
-use glam::{Affine3A, DVec3, Vec3};
 
 use crate::words::{listed, shown};
 

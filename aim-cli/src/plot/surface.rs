@@ -1,6 +1,6 @@
 //! The aim over heading and pitch as a surface in space, its height the aim, seen from where the target lies uphill.
 
-use glam::DVec3;
+use aim_runtime::glam::DVec3;
 use maud::{Markup, html};
 
 use super::bands::{Bands, off};

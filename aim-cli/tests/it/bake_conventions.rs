@@ -4,6 +4,7 @@
 use crate::common::Place;
 use crate::common::forward::{Bake, list, number};
 use crate::common::rig::{Axes, conventions, for_mannequin, joints};
+use aim_runtime::glam::{EulerRot, Quat, Vec3};
 use serde_json::Value;
 
 /// Bakes the mannequin in these axes and checks everything; returns the report.
@@ -68,8 +69,8 @@ fn only_the_chain_or_only_the_eyes_mirrored() {
 #[test]
 fn axes_along_no_axis() {
     let tilted = |angle: f32| {
-        let turn = glam::Quat::from_euler(glam::EulerRot::YXZ, angle, 0.6 * angle, -0.8 * angle);
-        aim_character::PAPER_AXES.map(|axis| (turn * glam::Vec3::from(axis)).to_array())
+        let turn = Quat::from_euler(EulerRot::YXZ, angle, 0.6 * angle, -0.8 * angle);
+        aim_character::PAPER_AXES.map(|axis| (turn * Vec3::from(axis)).to_array())
     };
     bake(|_| tilted(0.7), SLOW_ORBIT);
     bake(|bone| tilted(if bone.ends_with("eye") { 2.0 } else { -0.4 }), "--target orbit:1,0,4 --loop");

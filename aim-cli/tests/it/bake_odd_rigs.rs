@@ -3,6 +3,7 @@
 use crate::common::forward::{Bake, angle_between, list, number, vector};
 use crate::common::rig::joints;
 use crate::common::{Place, changed, mannequin};
+use aim_runtime::glam::DVec3;
 use serde_json::{Value, json};
 
 /// Bakes this model with this rig and checks everything; returns the report.
@@ -155,7 +156,7 @@ fn an_effector_of_its_own() {
     );
     let report = bake(&mannequin(), &rig, "--target 0.5,1.7,2");
     let forward = vector(&report["effector"]["forward"]);
-    assert!(angle_between(forward, glam::DVec3::new(0.2, 0.96, 0.196)) < 1e-4, "{forward}");
+    assert!(angle_between(forward, DVec3::new(0.2, 0.96, 0.196)) < 1e-4, "{forward}");
     assert_eq!(report["frames"][0]["status"], "reached");
 }
 

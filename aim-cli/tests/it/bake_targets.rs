@@ -4,7 +4,7 @@ use crate::common::Place;
 use crate::common::forward::{Bake, list, number, vector};
 use crate::common::gltf::Model;
 use crate::common::rig::joints;
-use glam::DVec3;
+use aim_runtime::glam::{DQuat, DVec3};
 use serde_json::Value;
 
 #[track_caller]
@@ -85,7 +85,7 @@ fn a_node_that_aiming_moves_where_it_is_then() {
         let side = if hand == "left_hand" { 1.0 } else { -1.0 };
         let channels = json["animations"][0]["channels"].as_array_mut().expect("channels");
         channels.retain(|channel| channel["target"]["node"].as_u64() != arm.map(|arm| arm as u64));
-        let out = glam::DQuat::from_rotation_x(-side * 0.6) * glam::DQuat::from_rotation_y(side * 1.4);
+        let out = DQuat::from_rotation_x(-side * 0.6) * DQuat::from_rotation_y(side * 1.4);
         json["nodes"][arm.expect("an arm")]["rotation"] = serde_json::json!(out.to_array());
         place.write("m.glb", &crate::common::gltf::put_together(&json, &bin));
         let ran = place.done(&format!(

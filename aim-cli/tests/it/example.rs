@@ -1,5 +1,6 @@
 //! `examples/compiled-rigs` from outside: a declaration is edited, the program is built again and aims as before.
 
+use aim_runtime::glam::Vec3;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -85,7 +86,7 @@ fn edited(toml: &str, axes_of: impl Fn(&str) -> Axes) -> String {
         if let Some(joint) = name.filter(|name| name.starts_with(char::is_lowercase)) {
             let [up, forward, left] = axes_of(joint);
             out += &format!("axes = {{ up = {up:?}, forward = {forward:?}, left = {left:?} }}\n");
-            let [u, f, l] = [up, forward, left].map(glam::Vec3::from_array);
+            let [u, f, l] = [up, forward, left].map(Vec3::from_array);
             if u.cross(f).dot(l) < 0.0 {
                 out += "mirrored = true\n";
             }

@@ -2,7 +2,7 @@
 
 use aim_animation::Track;
 use aim_character::{Criterion, Plausibility};
-use glam::DVec3;
+use aim_runtime::glam::{DVec3, Quat};
 use serde_json::{Value, json};
 
 use crate::common::character::Character;
@@ -166,7 +166,7 @@ fn a_leaning_torso() {
     for (bone, degrees) in [("spine", 25_f32), ("neck", -25.0)] {
         let node = document.skeleton().find(bone).expect("a bone");
         let walk = clip.bone(node).and_then(|tracks| tracks.rotation.as_ref()).expect("the walk moves it");
-        let lean = glam::Quat::from_rotation_z(degrees.to_radians());
+        let lean = Quat::from_rotation_z(degrees.to_radians());
         let keys = walk.values().iter().map(|&key| key * lean).collect::<Vec<_>>();
         let leaning = Track::linear(walk.times(), keys).expect("a key at each time");
         clip = clip.with_rotation(node, leaning);

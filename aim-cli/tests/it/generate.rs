@@ -252,10 +252,10 @@ fn every_cardinal_rig_is_at_the_floor() {
 
 /// Two springs and a torsion, in single and in double precision, one of them in a module.
 const FUNCTIONS: &str = "
-use glam::{DVec3, Vec3};
+use aim_runtime::glam::{DVec3, Vec3};
 
 mod single {
-    use glam::Vec3;
+    use aim_runtime::glam::Vec3;
 
     #[aim::differentiate(wrt(tip, rest), hessian)]
     pub fn spring(tip: Vec3, float: Vec3, rest: f32) -> f32 {

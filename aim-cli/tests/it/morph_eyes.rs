@@ -1,6 +1,6 @@
 //! Eyes that are morph targets: proposed, aimed, and written as weights.
 
-use glam::{DMat4, DVec3};
+use aim_runtime::glam::{DMat4, DVec3};
 use serde_json::{Value, json};
 
 use crate::common::forward::list;

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use aim_animation::{Clip, Track};
 use aim_character::{Criterion, Plausibility, Settle};
 use aim_runtime::Settings;
-use glam::{DQuat, DVec3, Quat, Vec3};
+use aim_runtime::glam::{DQuat, DVec3, Quat, Vec3};
 
 use crate::common::Place;
 use crate::common::changed;

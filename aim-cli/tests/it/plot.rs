@@ -5,8 +5,8 @@ use crate::common::plot::{Picture, Plot, classed, lines, number, text, worst_of_
 use crate::common::rig::{Joint, conventions, joints};
 use crate::common::{Place, bundled_rigs};
 use aim_character::InterpretedRig;
+use aim_runtime::glam::{Affine3A, DQuat, DVec3};
 use aim_runtime::{Ascent, DynAim, Pose, Settings, Solver};
-use glam::{Affine3A, DQuat, DVec3};
 use roxmltree::Document;
 
 /// Rigs that are out of the ordinary, one joint each.

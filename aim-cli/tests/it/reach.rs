@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::common::Place;
 use crate::common::forward::{list, number, vector};
 use crate::common::gltf::Model;
-use glam::{DMat3, DMat4, DVec3};
+use aim_runtime::glam::{DMat3, DMat4, DVec3};
 use serde_json::Value;
 
 /// Whatever the report claims is so in the file, and nothing but the limb has changed.

@@ -5,7 +5,7 @@ use crate::common::forward::list;
 use crate::common::gltf::Model;
 use crate::common::rig::{conventions, joints};
 use crate::common::{Place, changed};
-use glam::DVec3;
+use aim_runtime::glam::{DVec3, EulerRot, Quat, Vec3};
 use serde_json::json;
 
 #[test]
@@ -43,10 +43,10 @@ fn the_mannequins_rig_is_proposed_with_its_axes_and_human_ranges() {
 #[test]
 fn every_convention_and_every_frame_between_comes_back() {
     let conventions = conventions();
-    let turn = glam::Quat::from_euler(glam::EulerRot::XYZ, 0.3, -0.4, 0.2);
+    let turn = Quat::from_euler(EulerRot::XYZ, 0.3, -0.4, 0.2);
     for (number, axes) in conventions.iter().enumerate() {
         // The spine's bone stands between all axes.
-        let between = axes.map(|axis| (turn * glam::Vec3::from_array(axis)).to_array());
+        let between = axes.map(|axis| (turn * Vec3::from_array(axis)).to_array());
         let axes_of = |bone: &str| if bone == "spine3" { between } else { *axes };
         let place = Place::new();
         place.write("m.glb", &aim_character::mannequin(axes_of).expect("frames"));

@@ -2,8 +2,8 @@
 
 use crate::support::{bytes_of, data_uri};
 use aim_animation::Transform;
+use aim_animation::glam::{Quat, Vec3};
 use aim_gltf::Document;
-use glam::{Quat, Vec3};
 use serde_json::{Value, json};
 
 /// A document whose single node has one channel; `output` is an accessor without its buffer view, which is 1.

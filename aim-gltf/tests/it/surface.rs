@@ -1,9 +1,9 @@
 //! What a file shows: its pictures and colours found, its normals kept or made, its shape posed.
 
 use crate::support::{bytes_of, data_uri, put_together};
+use aim_animation::glam::{Vec2, Vec3};
 use aim_character::{Measurement, PAPER_AXES, Palette, Role, mannequin};
 use aim_gltf::{Alpha, Document, Surface, Wrap};
-use glam::{Vec2, Vec3};
 use serde_json::{Value, json};
 
 /// Bytes that stand for a picture: nothing here decodes them.

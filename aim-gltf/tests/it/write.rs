@@ -4,10 +4,10 @@ use std::fs;
 use std::path::PathBuf;
 
 use crate::support::{put_together, take_apart};
+use aim_animation::glam::{Quat, Vec3};
 use aim_animation::{Clip, Track};
 use aim_character::{PAPER_AXES, mannequin};
 use aim_gltf::{Document, Error, write_file};
-use glam::{Quat, Vec3};
 use serde_json::{Value, json};
 
 fn mannequin_glb() -> Vec<u8> {

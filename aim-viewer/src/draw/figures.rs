@@ -1,7 +1,7 @@
 //! The figures: places and normals of each, one model for all.
 
 use aim_gltf::Alpha;
-use glam::Vec3;
+use aim_runtime::glam::Vec3;
 use three_d::{Blend, Context, CoreError, Cull, DepthTest, Program, RenderStates, VertexBuffer, Viewport, WriteMask};
 
 use super::light::{self, Light};

@@ -2,7 +2,7 @@
 
 use std::convert::Infallible;
 
-use glam::{Vec2, Vec3};
+use aim_runtime::glam::{Vec2, Vec3};
 use three_d::{
     Blend, BlendEquationType, BlendMultiplierType, ClearState, Context, CoreError, Interpolation, Mipmap, Program,
     RenderStates, Texture2D, VertexBuffer, Viewport, Wrapping, WriteMask,

@@ -1,6 +1,6 @@
 //! From where it is seen, and what lights it.
 
-use glam::Vec3;
+use aim_runtime::glam::Vec3;
 use three_d::{Camera, Mat4, Program, Viewer as _, Viewport, radians};
 
 use crate::picture::Picture;

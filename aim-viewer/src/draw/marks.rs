@@ -1,6 +1,6 @@
 //! Rods and balls, all at once: a ball is a rod without length.
 
-use glam::Vec3;
+use aim_runtime::glam::Vec3;
 use three_d::{Blend, Context, CoreError, ElementBuffer, InstanceBuffer, Program, RenderStates, VertexBuffer};
 
 use super::light::{self, Light};

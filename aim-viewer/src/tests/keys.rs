@@ -1,6 +1,6 @@
 //! Every key that the help tells.
 
-use glam::Vec3;
+use aim_runtime::glam::Vec3;
 
 use super::*;
 use crate::controls::KEYS;

@@ -1,6 +1,7 @@
 //! What runs on while things are changed.
 
 use aim_runtime::Solver;
+use aim_runtime::glam::Vec3;
 
 use super::*;
 use crate::stage::{Lineup, Stage};
@@ -109,11 +110,10 @@ fn a_crowd_is_as_its_first_where_it_stands_alike() {
     let mut window = Window::mannequin(USUAL);
     window.harness.state_mut().stage.tuning.crowd = 20;
     window.frames(120);
-    let places = |window: &Window| -> Vec<glam::Vec3> {
-        window.viewer().stage.crowd.iter().map(|member| member.shift).collect()
-    };
+    let places =
+        |window: &Window| -> Vec<Vec3> { window.viewer().stage.crowd.iter().map(|member| member.shift).collect() };
     let mut all = places(&window);
-    all.push(glam::Vec3::ZERO);
+    all.push(Vec3::ZERO);
     for (at, a) in all.iter().enumerate() {
         assert!(all[..at].iter().all(|b| a.distance(*b) > 0.5), "two stand in one place: {a}");
     }

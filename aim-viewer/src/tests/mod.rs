@@ -7,6 +7,7 @@ mod mouse;
 mod playing;
 mod widgets;
 
+use aim_runtime::glam::Vec3;
 use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -59,7 +60,7 @@ impl Window {
     }
 
     /// Place of a point of the world on the screen; `None` behind the camera.
-    fn seen(&self, point: glam::Vec3) -> Pos2 {
+    fn seen(&self, point: Vec3) -> Pos2 {
         on_screen(self.viewer(), self.scene.get(), point).expect("it is in front of the camera")
     }
 

@@ -1,8 +1,8 @@
 //! Clips as they are played: at any time, one after the other, one over the other, with and without the way of their root.
 
 use aim_animation::{Clip, Track};
+use aim_runtime::glam::{DVec3, Quat, Vec3};
 use egui_kittest::kittest::Queryable;
-use glam::{DVec3, Quat, Vec3};
 
 use super::{USUAL, Window};
 use crate::character::Character;

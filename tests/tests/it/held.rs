@@ -3,8 +3,8 @@
 use aim_character::{Baked, InterpretedRig, Live, Measurement, Moment, Plan, Settle, bake, chain_nodes, limbs_on};
 use aim_codegen::RigSpec;
 use aim_gltf::Document;
+use aim_runtime::glam::{DAffine3, DVec3};
 use aim_runtime::{DynAim, Rig, Role, Settings};
-use glam::{DAffine3, DVec3};
 use serde_json::{Value, json};
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");

@@ -3,9 +3,9 @@
 use aim_character::{ChainNodes, InterpretedRig, Measurement, Plan, Settle, bake, mannequin};
 use aim_codegen::{Frame, RigSpec};
 use aim_gltf::Document;
+use aim_runtime::glam::{DAffine3, DVec3};
 use aim_runtime::{DynAim, Settings};
 use aim_tests::random::Random;
-use glam::{DAffine3, DVec3};
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");
 

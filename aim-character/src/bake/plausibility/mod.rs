@@ -9,8 +9,8 @@ mod motion;
 
 use std::collections::VecDeque;
 
+use aim_runtime::glam::{DAffine3, DMat3, DVec3};
 use aim_runtime::{Behind, JointInfo, LimitsFrom, Rig, Role, Status};
-use glam::{DAffine3, DMat3, DVec3};
 
 use crate::bake::live::Live;
 use crate::bake::{Baked, Plan};

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use glam::{DMat3, DVec3};
+use aim_runtime::glam::{DMat3, DVec3};
 
 use super::Worst;
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use glam::{DQuat, DVec3};
+use aim_runtime::glam::{DQuat, DVec3};
 
 use super::curve::{ease, moving, through};
 use super::posture::{Foot, Posture};

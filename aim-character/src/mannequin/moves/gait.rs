@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use glam::{DQuat, DVec3};
+use aim_runtime::glam::{DQuat, DVec3};
 
 use super::curve::through;
 use super::posture::{Foot, Posture};

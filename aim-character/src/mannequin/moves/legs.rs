@@ -1,6 +1,6 @@
 //! A leg bent so that its foot is where it is put.
 
-use glam::{DMat3, DQuat, DVec3};
+use aim_runtime::glam::{DMat3, DQuat, DVec3};
 
 use super::posture::Foot;
 use crate::mannequin::joints::Joint;

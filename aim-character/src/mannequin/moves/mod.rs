@@ -7,7 +7,7 @@ mod gait;
 mod legs;
 mod posture;
 
-use glam::{DQuat, DVec3};
+use aim_runtime::glam::{DQuat, DVec3};
 
 use super::joints::Joint;
 use posture::Posture;

@@ -1,6 +1,6 @@
 //! [`Posture`]: what a move has the body do at one time.
 
-use glam::{DQuat, DVec3};
+use aim_runtime::glam::{DQuat, DVec3};
 
 /// The mannequin at a time: what legs follow, and how the joints above turn.
 pub(super) struct Posture {

@@ -6,8 +6,8 @@ use aim_character::{
 };
 use aim_codegen::RigSpec;
 use aim_gltf::Document;
+use aim_runtime::glam::DVec3;
 use aim_runtime::{DynAim, Settings};
-use glam::DVec3;
 
 pub(crate) struct Character {
     pub(crate) document: Document,

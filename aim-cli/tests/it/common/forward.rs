@@ -1,7 +1,7 @@
 //! A bake on trial: its file and its report against each other, the source and the rig, by a forward kinematics of the
 //! tests' own.
 
-use glam::{DMat3, DMat4, DQuat, DVec3};
+use aim_runtime::glam::{DMat3, DMat4, DQuat, DVec3};
 use serde_json::Value;
 
 use super::gltf::{Local, Model};

@@ -1,8 +1,8 @@
 //! A small reader of GLB files for tests: nodes, clips and forward kinematics in double precision, straight from the
 //! glTF 2.0 specification and without any code of the library on trial. It panics on what it does not know.
 
+use aim_runtime::glam::{DMat4, DQuat, DVec3};
 use base64::Engine as _;
-use glam::{DMat4, DQuat, DVec3};
 use serde_json::Value;
 
 /// The JSON and the binary chunk of a GLB; of a JSON file the bytes in its only buffer's URI.

@@ -1,6 +1,6 @@
 //! Pictures read back: a plot's lines through the numbers at its axes, a PNG's pixels.
 
-use glam::DVec3;
+use aim_runtime::glam::DVec3;
 use roxmltree::{Document, Node};
 
 /// A plot read back.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use glam::DVec3;
+use aim_runtime::glam::DVec3;
 use serde_json::Value;
 
 /// A joint as its file declares it, angles in degrees.
