@@ -428,7 +428,7 @@ pub(crate) fn common_scale(pose: &[Affine3A], most_off: f32) -> Option<f32> {
         let products = x * x.yzx() + y * y.yzx() + z * z.yzx();
         off += (squares(joint.matrix3) - squares_alike).abs() + products.abs();
     }
-    (off.cmple(squares_alike * most_off).all() && PLAIN.contains(&square)).then_some(square)
+    (off.cmple(squares_alike * most_off).all() && math::is_within_positive(square, PLAIN)).then_some(square)
 }
 
 /// Each joint's animated transform in the next joint's space, the last one's in solver space.

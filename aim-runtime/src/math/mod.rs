@@ -2,6 +2,7 @@
 //! All total: no panic, whatever the bits. Sines are our own ([`trig`]).
 
 use core::f32::consts::{PI, TAU};
+use core::ops::Range;
 
 use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec3Swizzles, Vec4};
 
@@ -202,4 +203,12 @@ pub(crate) fn part_of_arc(from: Vec3A, to: Vec3A, part: f32) -> Vec3A {
     let Some(across) = direction(across) else { return to };
     let (sin, cos) = trig::sin_cos(part * angle_between(from, to));
     from * cos + across * sin
+}
+/// Whether a number is within a range of positive numbers, its end left out. NaN is not.
+///
+/// Positive numbers are in the order of their bits, so that one subtraction compares with both ends.
+#[inline(always)]
+pub(crate) const fn is_within_positive(x: f32, range: Range<f32>) -> bool {
+    let (start, end) = (range.start.to_bits(), range.end.to_bits());
+    x.to_bits().wrapping_sub(start) < end - start
 }

@@ -123,6 +123,12 @@ impl Settings {
         self
     }
 
+    /// Whether the weight is 1, bit for bit.
+    #[inline(always)]
+    pub(crate) const fn has_full_weight(&self) -> bool {
+        self.weight.to_bits() == 1.0_f32.to_bits()
+    }
+
     /// The weight as it counts: 0…1.
     pub(crate) fn effective_weight(&self) -> f32 {
         // `max` and `min` return the number where the other is NaN, so NaN becomes 0.

@@ -71,7 +71,7 @@ impl Default for Joint {
 
 impl Joint {
     /// Both angles 0 and nothing remembered.
-    pub const REST: Self = Self { heading: 0.0, pitch: 0.0, velocity: [0.0; 2], destination: [f32::NAN; 2] };
+    pub const REST: Self = Self { heading: 0.0, pitch: 0.0, velocity: [0.0; 2], destination: ABSENT };
 
     /// A joint at these added angles, radians: a stored state put back.
     ///
@@ -117,9 +117,15 @@ impl Joint {
         if self.destination[0].is_nan() { None } else { Some(self.destination) }
     }
 
+    /// Whether the joint goes to no destination.
+    #[inline(always)]
+    pub(crate) const fn is_free(&self) -> bool {
+        is_absent(self.destination)
+    }
+
     #[inline(always)]
     pub(crate) fn set_destination(&mut self, destination: Option<[f32; 2]>) {
-        self.destination = destination.unwrap_or([f32::NAN; 2]);
+        self.destination = destination.unwrap_or(ABSENT);
     }
 
     /// True if both angles are 0.
@@ -188,7 +194,7 @@ impl Memory {
         still_s: 0.0,
         blocked_s: 0.0,
         wait_s: 0.0,
-        other_eye: [f32::NAN; 2],
+        other_eye: ABSENT,
         leading_eye: [0.0; 2],
         searched: [0; 3],
         turn: 0,
@@ -211,7 +217,14 @@ impl Memory {
     }
 
     pub(crate) fn set_eyes(&mut self, eyes: Option<[[f32; 2]; 2]>) {
-        [self.other_eye, self.leading_eye] = eyes.unwrap_or([[f32::NAN; 2], [0.0; 2]]);
+        [self.other_eye, self.leading_eye] = eyes.unwrap_or([ABSENT, [0.0; 2]]);
+    }
+
+    /// Whether the last frame left nothing that the next has to heed: no target behind, no strain, no other eye, no natural
+    /// gaze. Compares bits: half the instructions that comparing numbers takes.
+    #[inline(always)]
+    pub(crate) fn is_undisturbed(&self) -> bool {
+        !(self.behind | (self.support != Support::None)) && self.strain.to_bits() == 0 && is_absent(self.other_eye)
     }
 
     /// The target when the joints were last started from everywhere, to 8 bits.
@@ -244,6 +257,15 @@ impl Memory {
         let upper_half = |x: f32| (x.to_bits() >> 16) as u16;
         self.searched = target.to_array().map(upper_half);
     }
+}
+
+/// A pair of angles that is not there.
+const ABSENT: [f32; 2] = [f32::NAN; 2];
+
+/// Whether a pair is [`ABSENT`], by its bits: one instruction less than a comparison with NaN.
+#[inline(always)]
+const fn is_absent(angles: [f32; 2]) -> bool {
+    angles[0].to_bits() == ABSENT[0].to_bits()
 }
 
 /// The goal of a head, as it was in the last frame of a natural gaze: the sums of its joints' headings and pitches.

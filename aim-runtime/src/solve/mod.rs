@@ -52,7 +52,7 @@ pub(crate) fn follow<K: Rig + ?Sized>(
         || pose.other_eye.is_some()
         || solver == Solver::Ascent
         || call.settings.behind == Behind::Plane
-        || state.memory.support != Support::None
+        || !state.memory.is_undisturbed()
     {
         return None;
     }

@@ -49,9 +49,8 @@ pub(crate) fn aim<K: Rig + ?Sized>(
     call: &Call<'_>,
     corrections: &mut [Quat],
 ) -> Option<Outcome> {
-    let (settings, memory) = (call.settings, &*state.memory);
-    let is_usual = settings.weight >= 1.0 && settings.effector == 0 && rig.has_fixed_ranges;
-    if !is_usual || memory.behind || memory.strain > 0.0 || memory.eyes().is_some() {
+    let settings = call.settings;
+    if !(settings.has_full_weight() && settings.effector == 0 && rig.has_fixed_ranges) {
         return None;
     }
     const { assert!(LANE_JOINTS == 8, "one arm for each number of joints") }

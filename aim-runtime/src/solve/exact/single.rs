@@ -14,6 +14,7 @@
 //! - target in front, below 60° of elevation, neither near nor far, and within 80° of the heading that can be reached.
 
 use core::f32::consts::{FRAC_PI_2, PI};
+use core::ops::Range;
 use core::slice;
 
 use glam::{Affine3A, Mat3A, Quat, Vec3A};
@@ -23,7 +24,7 @@ use crate::kinematics::chain::{OFF, common_scale};
 use crate::kinematics::rotation::turn;
 use crate::kinematics::view::View;
 use crate::limits::reach::AT_LIMIT_RAD;
-use crate::math::trig;
+use crate::math::{is_within_positive, trig};
 use crate::rig::{PoseSlices, Side, StateSlices};
 use crate::solve::call::Call;
 use crate::solve::judge::Verdict;
@@ -34,9 +35,8 @@ const STEEP: f32 = 3.0;
 /// How far ahead of a heading, in parts of its distance, a target has to be: within 80° or so, beyond which pitches tremble
 /// with it.
 const FAR_OFF: f32 = 0.173_648_18;
-/// How far away an ordinary target is, in lengths of the bone's own space; squared.
-const NEAR: f32 = 1e-6;
-const FAR: f32 = 1e8;
+/// The distance of an ordinary target, in lengths of the bone's own space; squared.
+const ORDINARY: Range<f32> = 1e-6..1e8;
 
 /// Aims for one frame, of positive length, if the conditions above hold.
 #[inline(always)]
@@ -52,8 +52,7 @@ pub(crate) fn aim(
     else {
         return None;
     };
-    let is_undisturbed = !(memory.behind || memory.strain > 0.0) && memory.eyes().is_none();
-    if !(is_undisturbed && call.settings.weight >= 1.0 && joint.destination().is_none()) {
+    if !(call.settings.has_full_weight() && joint.is_free()) {
         return None;
     }
     let eye = Eye::new(rig, animated, call.target_ps.into())?;
@@ -269,7 +268,7 @@ fn turned_from(&View { forward, left, .. }: &View, (sin_half, cos_half): (f32, f
 fn is_ordinary(&View { forward, left, up }: &View) -> bool {
     let level = forward * forward + left * left;
     let far = level + up * up;
-    forward > 0.0 && up * up < STEEP * level && NEAR < far && far < FAR
+    forward > 0.0 && up * up < STEEP * level && is_within_positive(far, ORDINARY)
 }
 
 /// Whether an angle is within bounds.
