@@ -85,6 +85,19 @@ pub mod rigs {
     include_rigs!("rigs");
 }
 
+/// The pages of the book, whose examples are run.
+#[cfg(doctest)]
+mod book {
+    #[doc = include_str!("../docs/five-minutes.md")]
+    mod five_minutes {}
+    #[doc = include_str!("../docs/natural-gaze.md")]
+    mod natural_gaze {}
+    #[doc = include_str!("../docs/recipes.md")]
+    mod recipes {}
+    #[doc = include_str!("../docs/troubleshooting.md")]
+    mod troubleshooting {}
+}
+
 /// The pages about animation, whose examples are run.
 #[cfg(all(doctest, feature = "animation"))]
 mod pages {

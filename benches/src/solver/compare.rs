@@ -23,8 +23,8 @@ pub struct Contender {
 
 /// All of them.
 pub const CONTENDERS: [Contender; 8] = [
-    Contender { name: "exact", page: "../README.md#how-it-aims", solve: |case, _| snapped(case, Solver::Exact) },
-    Contender { name: "natural", page: "../README.md#how-it-aims", solve: |case, _| snapped(case, Solver::Natural) },
+    Contender { name: "exact", page: "#the-aim-solvers", solve: |case, _| snapped(case, Solver::Exact) },
+    Contender { name: "natural", page: "#the-aim-solvers", solve: |case, _| snapped(case, Solver::Natural) },
     Contender { name: "ascent, as published, two seconds", page: "paper.md", solve: |case, _| ascended(case) },
     Contender { name: "one bone: the eye", page: "one-bone.md", solve: |case, _| one_bone(case) },
     Contender { name: "look-at: the head", page: "look-at.md", solve: |case, _| look_at(case) },
