@@ -8,6 +8,7 @@ mod bake_odd_rigs;
 mod bake_options;
 mod bake_real;
 mod bake_targets;
+mod book;
 mod check_model;
 mod common;
 mod demo;

@@ -1,6 +1,7 @@
 //! The facade as its users meet it, judged by independent oracles.
 
 mod accuracy;
+mod book;
 mod bundled;
 mod by_hand;
 mod counts;
