@@ -112,7 +112,8 @@ fn targets(text: &str) -> Vec<String> {
             );
         }
     }
-    targets.retain(|target| !target.starts_with("https://"));
+    // Neither the network nor items of a crate, which rustdoc follows.
+    targets.retain(|target| !target.starts_with("https://") && !target.contains("::"));
     targets
 }
 
