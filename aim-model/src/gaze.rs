@@ -29,18 +29,34 @@
 ///   1975): 213, 352 and 455°/s for 5, 15 and 30° in a hundred people (PMC6143243). An eye with a rate of 450°/s comes to 240,
 ///   415 and 450°/s here.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        default,
+        bound(
+            serialize = "T: crate::stored::Stored + Default",
+            deserialize = "T: crate::stored::Stored + Default, GazeSharing<T>: Default"
+        )
+    )
+)]
 pub struct GazeSharing<T = f32> {
     /// The gaze shift that the eyes make alone, radians: `D` in head shift = `g·max(0, |E| − D)`. `E` is the angle from
     /// the animated gaze to the target. Default 15°.
+    #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub eyes_only: T,
     /// The part of the gaze shift beyond that which the head makes, 0…1: `g`. Default 0.8.
+    #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub head_share: T,
     /// The supporting joints begin to move when the target is further from the eyes' middle than this, radians, or out
     /// of the eyes' range. Default 15°.
+    #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub engage: T,
     /// They rest again once they have arrived and the target is nearer the eyes' middle than this, radians. Default 8°.
+    #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub release: T,
     /// How long after the eyes the supporting joints begin, seconds: beside what their inertia takes. Default 0.
+    #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub delay: T,
 }
 
@@ -101,19 +117,42 @@ impl<T: Copy> GazeSharing<T> {
 /// A budget bounds the animation's own turn (out of what the part stands on) and the added one together. Where the
 /// animation exceeds it, nothing is added.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: crate::stored::Stored + Default",
+        deserialize = "T: crate::stored::Stored + Default"
+    ))
+)]
 pub struct Budget<T = f32> {
     /// Headings, right and left: `[lo, hi]` around 0.
+    #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub heading: [T; 2],
     /// Elevations, down and up: `[lo, hi]` around 0.
+    #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub pitch: [T; 2],
     /// The largest speed of the sum of the part's headings, and of its pitches, rad/s.
+    #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub rate: T,
     /// The largest change of those speeds, rad/s². It also sets the pace: a turn takes about 2.5/√acceleration seconds.
+    #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub acceleration: T,
 }
 
 /// The budgets of the parts of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        default,
+        bound(
+            serialize = "T: crate::stored::Stored + Default",
+            deserialize = "T: crate::stored::Stored + Default, Budgets<T>: Default"
+        )
+    )
+)]
 pub struct Budgets<T = f32> {
     /// Head and neck together: [`Role::Head`](crate::Role::Head) and [`Role::Neck`](crate::Role::Neck).
     pub head: Budget<T>,

@@ -23,6 +23,9 @@ mod real;
 mod role;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod scalar;
+#[cfg(feature = "serde")]
+#[doc(hidden)]
+pub mod stored;
 
 pub use axes::Axes;
 pub use float::Float;

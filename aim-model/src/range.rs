@@ -5,6 +5,8 @@ use crate::Float;
 
 /// The pose from which a joint's ranges are counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum LimitsFrom {
     /// The animated pose of the frame: the ranges bound what is added to the animation.
     #[default]

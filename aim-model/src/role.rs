@@ -5,6 +5,8 @@ use core::fmt;
 /// What a joint is in a gaze, as declared. It decides what is left to the solver: whether the gaze is a natural
 /// one, which part of the body a joint belongs to, which headings turn about the character's up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Role {
     /// None in particular.
     #[default]

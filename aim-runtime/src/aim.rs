@@ -26,6 +26,7 @@ pub struct Aim<R: AimRig> {
 
 /// What a call of [`Aim`] gives back.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Aimed<A> {
     /// What became of the call.
     pub outcome: Outcome,
@@ -173,6 +174,75 @@ impl<R: AimRig> fmt::Debug for Aim<R> {
             angles.entry(&R::RIG.joint_name(index).unwrap_or("?"), &format_args!("{heading:.1}°, {pitch:.1}°"));
         }
         angles.finish()
+    }
+}
+
+/// Stored as its [state](State) is, and read from a stored state of as many joints.
+#[cfg(feature = "serde")]
+mod stored {
+    use core::fmt;
+    use core::marker::PhantomData;
+
+    use serde::de::{self, SeqAccess, Visitor};
+    use serde::ser::SerializeSeq;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    use super::Aim;
+    use crate::{AimRig, Joint, State};
+
+    struct Joints<A>(A);
+
+    impl<A: AsRef<[Joint]>> Serialize for Joints<A> {
+        fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+            let joints = self.0.as_ref();
+            let mut sequence = serializer.serialize_seq(Some(joints.len()))?;
+            joints.iter().try_for_each(|joint| sequence.serialize_element(joint))?;
+            sequence.end()
+        }
+    }
+
+    /// The joints of a rig, read.
+    struct JointsOf<R: AimRig>(R::Array<Joint>);
+
+    struct Sequence<R>(PhantomData<R>);
+
+    impl<'de, R: AimRig> Visitor<'de> for Sequence<R> {
+        type Value = JointsOf<R>;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            write!(f, "{} joints", R::DESCRIPTION.joints().len())
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, mut sequence: A) -> Result<JointsOf<R>, A::Error> {
+            let mut joints = R::array(Joint::REST);
+            for (index, joint) in joints.as_mut().iter_mut().enumerate() {
+                *joint = sequence.next_element()?.ok_or_else(|| de::Error::invalid_length(index, &self))?;
+            }
+            let count = joints.as_ref().len();
+            match sequence.next_element::<de::IgnoredAny>()? {
+                None => Ok(JointsOf(joints)),
+                Some(_) => Err(de::Error::invalid_length(count + 1, &self)),
+            }
+        }
+    }
+
+    impl<'de, R: AimRig> Deserialize<'de> for JointsOf<R> {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            deserializer.deserialize_seq(Sequence(PhantomData))
+        }
+    }
+
+    impl<R: AimRig> Serialize for Aim<R> {
+        fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+            State { joints: Joints(self.state.joints), memory: self.state.memory }.serialize(serializer)
+        }
+    }
+
+    impl<'de, R: AimRig> Deserialize<'de> for Aim<R> {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            let State { joints: JointsOf::<R>(joints), memory } = State::deserialize(deserializer)?;
+            Ok(Self { state: State { joints, memory } })
+        }
     }
 }
 

@@ -8,6 +8,10 @@
 //!
 //! - `std` (default): square roots and rounding from the standard library, and the functions of [`Real`].
 //! - `libm`: the same from `libm`, for targets without a standard library.
+//! - `serde`: `Serialize` and `Deserialize` for [`Settings`], [`State`], [`Aim`], [`Outcome`], [`Target`], [`Pose`] and what they
+//!   are made of. A state that is read back goes on with the same bits. Formats that people read have the words `inf`,
+//!   `-inf` and `nan` for numbers that are not finite.
+//! - `f64`: glam's types in double precision, in the re-exported [`glam`].
 //! - `wide`: [`Scalar`] for the vectors of the [`wide`](https://docs.rs/wide) crate, so that one call of a kernel serves
 //!   as many characters as the vector has lanes. Needs Rust 1.89, as that crate does; works with `std` and with `libm`.
 #![no_std]

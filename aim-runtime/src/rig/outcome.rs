@@ -6,6 +6,7 @@ use glam::Quat;
 ///
 /// Angles and status are measured with the true forward kinematics of the pose, never with the solver's own model.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Outcome {
     /// Cosine of [`remaining`](Self::remaining), −1…1; 0 where the call is degenerate.
@@ -17,6 +18,7 @@ pub struct Outcome {
     /// left; 0 where its heading is within reach. Told by the [natural](crate::Solver::Natural) solver; 0 from the others.
     pub body_turn: f32,
     /// The time for which the target has been out of reach or behind, seconds. Told by the natural solver; 0 from the others.
+    #[cfg_attr(feature = "serde", serde(with = "aim_model::stored"))]
     pub out_of_reach_for: f32,
     /// The same angle for the other eye, from its own origin; `None` where the pose has
     /// [no other eye](crate::Pose::with_other_eye), or the call is degenerate. [`remaining`](Self::remaining) is joint 0's
@@ -35,6 +37,8 @@ pub struct Outcome {
 
 /// Whether the target is reached; if not, the first reason that holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Status {
     /// Forward kinematics puts the remaining angle within the tolerance: of the target, or of the weighted goal where
@@ -62,21 +66,25 @@ impl JointSet {
     pub const EMPTY: Self = Self(0);
 
     /// Whether the joint is in the set; false for indices from 64 on.
+    #[must_use]
     pub const fn contains(self, joint: usize) -> bool {
         joint < 64 && self.0 >> joint & 1 == 1
     }
 
     /// Whether no joint is in the set.
+    #[must_use]
     pub const fn is_empty(self) -> bool {
         self.0 == 0
     }
 
     /// How many joints are in the set.
+    #[must_use]
     pub const fn len(self) -> usize {
         self.0.count_ones() as usize
     }
 
     /// The joints in the set, ascending.
+    #[must_use]
     pub fn iter(self) -> impl Iterator<Item = usize> {
         (0..64).filter(move |&joint| self.contains(joint))
     }
@@ -97,5 +105,54 @@ impl JointSet {
 impl core::fmt::Debug for JointSet {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.debug_set().entries(self.iter()).finish()
+    }
+}
+
+/// Stored as the list of its joints.
+#[cfg(feature = "serde")]
+mod stored {
+    use core::fmt;
+
+    use serde::de::{self, SeqAccess, Visitor};
+    use serde::ser::SerializeSeq;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    use super::JointSet;
+
+    impl Serialize for JointSet {
+        fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+            let mut sequence = serializer.serialize_seq(Some(self.len()))?;
+            for joint in self.iter() {
+                sequence.serialize_element(&joint)?;
+            }
+            sequence.end()
+        }
+    }
+
+    struct Joints;
+
+    impl<'de> Visitor<'de> for Joints {
+        type Value = JointSet;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("indices of joints below 64")
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, mut sequence: A) -> Result<JointSet, A::Error> {
+            let mut set = JointSet::EMPTY;
+            while let Some(joint) = sequence.next_element::<usize>()? {
+                if joint >= 64 {
+                    return Err(de::Error::invalid_value(de::Unexpected::Unsigned(joint as u64), &self));
+                }
+                set.insert(joint);
+            }
+            Ok(set)
+        }
+    }
+
+    impl<'de> Deserialize<'de> for JointSet {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            deserializer.deserialize_seq(Joints)
+        }
     }
 }

@@ -14,6 +14,7 @@ use glam::{Affine3A, Vec3};
 /// `A` is `[Affine3A; N]` for a derived rig of `N` joints, so that a wrong number of joints does not compile, and
 /// `&[Affine3A]` for a rig known only at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Pose<A> {
     /// Each joint's transform, from the effector inward.

@@ -12,14 +12,18 @@ use crate::math::Bounded;
 /// assert_eq!(half_hearted.weight, 0.5);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 #[non_exhaustive]
 pub struct Settings {
     /// How far the gaze goes along the arc from the animated direction to the target, 0…1; outside values are
     /// clamped, NaN counts as 0. It scales the goal and not the angles, so ranges and rates hold while it changes; at
     /// 0 the corrections decay at their rates to the exact identity, wherever the target is. Default 1.
+    #[cfg_attr(feature = "serde", serde(with = "aim_model::stored"))]
     pub weight: f32,
     /// The remaining angle at which the target counts as reached, radians; NaN and negative values count as 0.
     /// Default 0.1°.
+    #[cfg_attr(feature = "serde", serde(with = "aim_model::stored"))]
     pub tolerance: f32,
     /// What is aimed: 0 is the declared effector, `k` is joint `k` itself (a head, say): its own forward from its own
     /// origin. Joints nearer the effector than `k` return to rest at their rates. An index past the last joint means
@@ -33,11 +37,13 @@ pub struct Settings {
     /// How far the head takes over from the eyes in a [natural](Solver::Natural) gaze, 0…1: at 0 eyes and head share as
     /// the rig's [`GazeSharing`] says, at 1 the head is turned fully to the target, the eyes never leaving it. Outside
     /// values are clamped, NaN counts as 0. Default 0.
+    #[cfg_attr(feature = "serde", serde(with = "aim_model::stored"))]
     pub attention: f32,
     /// How the natural solver shares a gaze; `None` leaves it to the rig ([`Description::sharing`](crate::Description::sharing)).
     pub sharing: Option<GazeSharing>,
     /// For how long a natural gaze stays with a target that is out of reach, seconds; then it returns to the animation until
     /// the target comes into reach. NaN and negative values count as 0. Default ∞: it stays.
+    #[cfg_attr(feature = "serde", serde(with = "aim_model::stored"))]
     pub patience: f32,
     /// How the ascent steps.
     pub ascent: Ascent,
@@ -143,6 +149,8 @@ impl Settings {
 
 /// Which solver moves the joints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Solver {
     /// Eyes, neck and spine as people use them: the eyes leap to the target and hold it, the head follows with its
@@ -167,6 +175,8 @@ pub enum Solver {
 /// While a policy is active and the target is not reached all the same, the status is
 /// [`Behind`](crate::Status::Behind).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Behind {
     /// No policy: the joints go as near as they come, on the side they are on, until the other comes nearer by a margin.
@@ -197,6 +207,8 @@ pub enum Behind {
 /// [`Ascent::paper`] is the method as it was published; the default adds what makes it settle and look the other way
 /// round.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 #[non_exhaustive]
 pub struct Ascent {
     /// How often an overshooting step is halved before the joint is left alone for this call. At most 24 count.

@@ -10,10 +10,12 @@ use crate::math;
 ///
 /// `J` holds one [`Joint`] for each joint of the rig: `[Joint; N]`, a `Vec`, a boxed or borrowed slice.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State<J> {
     /// The joints' angles, from the effector inward.
     pub joints: J,
     /// What is remembered of the chain as a whole.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub memory: Memory,
 }
 
@@ -44,14 +46,20 @@ impl<J: AsMut<[Joint]>> State<J> {
 ///
 /// Always finite. Besides the angles a joint remembers its velocity, where it has inertia, and where it is bound for.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct Joint {
     // In the order that solvers and kernels take them.
+    #[cfg_attr(feature = "serde", serde(with = "stored::angle"))]
     pub(crate) pitch: f32,
+    #[cfg_attr(feature = "serde", serde(with = "stored::angle"))]
     pub(crate) heading: f32,
     /// Velocity of heading and pitch, rad/s; 0 for a joint without inertia.
+    #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) velocity: [f32; 2],
     /// Heading and pitch that the joint goes to, NaN for none: while the joints turn round together, though the aim
     /// gets worse on the way, and for a supporting joint of a natural gaze.
+    #[cfg_attr(feature = "serde", serde(with = "stored::optional"))]
     pub(crate) destination: [f32; 2],
 }
 
@@ -79,13 +87,7 @@ impl Joint {
     /// back to it at the joint's rate.
     #[must_use]
     pub fn from_angles(heading_rad: f32, pitch_rad: f32) -> Self {
-        // No range goes beyond a full turn, and beyond a thousand radians no digits are left for a turn.
-        let sane = |angle: f32| match angle.abs() {
-            small if small <= TAU => angle,
-            large if large < 1e3 => math::wrap_pi(angle),
-            _ => 0.0,
-        };
-        Self::REST.turned_to(sane(heading_rad), sane(pitch_rad))
+        Self::REST.turned_to(within_a_turn(heading_rad), within_a_turn(pitch_rad))
     }
 
     /// The added heading, radians: positive turns forward towards left.
@@ -139,24 +141,44 @@ impl Joint {
     }
 }
 
+/// An angle as it counts where it comes from outside. No range goes beyond a full turn, and beyond a thousand radians no digits
+/// are left for a turn.
+fn within_a_turn(angle: f32) -> f32 {
+    match angle.abs() {
+        small if small <= TAU => angle,
+        large if large < 1e3 => math::wrap_pi(angle),
+        _ => 0.0,
+    }
+}
+
 /// What is remembered of a chain from frame to frame: 64 bytes.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct Memory {
     /// The dual point that the last frame ended at; how a natural gaze's head was led.
+    #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) lambda: [f32; 2],
     /// The rest of the strain of the last strained frame, 0…1.
+    #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) strain: f32,
     /// The target of the last strained frame, in the innermost joint's space.
+    #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) target: [f32; 3],
     /// Time for which that target has stood still, seconds.
+    #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) still_s: f32,
     /// Time for which the target has been out of reach, seconds.
+    #[cfg_attr(feature = "serde", serde(with = "stored::time"))]
     pub(crate) blocked_s: f32,
     /// Time left until the supporting joints of a natural gaze set out, seconds.
+    #[cfg_attr(feature = "serde", serde(with = "stored::time"))]
     pub(crate) wait_s: f32,
     /// Heading and pitch of the other eye, about axes parallel to joint 0's; NaN where the last pose had none.
+    #[cfg_attr(feature = "serde", serde(with = "stored::optional"))]
     other_eye: [f32; 2],
     /// Heading and pitch of the eye midway between the two, which leads.
+    #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     leading_eye: [f32; 2],
     /// The target, in the innermost joint's space, when the joints were last started from everywhere: the upper halves
     /// of single-precision numbers.
@@ -283,6 +305,8 @@ pub(crate) struct Led {
 
 /// The activity of the joints that support a natural gaze.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub(crate) enum Support {
     /// The last frame was not that of a natural gaze.
     None,
@@ -296,6 +320,8 @@ pub(crate) enum Support {
 
 /// The side that a target was last seen on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub(crate) enum Side {
     /// No target was seen yet.
     #[default]
@@ -313,6 +339,85 @@ impl Side {
     /// 1 for left and for a target never seen, −1 for right.
     pub(crate) fn sign(self) -> f32 {
         if self == Self::Right { -1.0 } else { 1.0 }
+    }
+}
+
+/// Fields as they are stored. What a solver relies on holds again when they are read, whatever was stored.
+#[cfg(feature = "serde")]
+mod stored {
+    /// An angle of a joint, read as [`Joint::from_angles`](super::Joint::from_angles) takes it.
+    pub(super) mod angle {
+        use serde::{Deserializer, Serializer};
+
+        pub(crate) fn serialize<S: Serializer>(value: &f32, serializer: S) -> Result<S::Ok, S::Error> {
+            aim_model::stored::serialize(value, serializer)
+        }
+
+        pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f32, D::Error> {
+            aim_model::stored::deserialize(deserializer).map(super::super::within_a_turn)
+        }
+    }
+
+    /// Numbers, read as 0 where they are not finite.
+    pub(super) mod finite {
+        use aim_model::stored::Stored;
+        use serde::{Deserializer, Serializer};
+
+        pub(crate) fn serialize<T: Stored, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+            aim_model::stored::serialize(value, serializer)
+        }
+
+        pub(crate) fn deserialize<'de, T, D>(deserializer: D) -> Result<T, D::Error>
+        where
+            T: Stored + Numbers,
+            D: Deserializer<'de>,
+        {
+            aim_model::stored::deserialize(deserializer).map(Numbers::finite)
+        }
+
+        pub(crate) trait Numbers {
+            fn finite(self) -> Self;
+        }
+
+        impl Numbers for f32 {
+            fn finite(self) -> Self {
+                if self.is_finite() { self } else { 0.0 }
+            }
+        }
+
+        impl<const N: usize> Numbers for [f32; N] {
+            fn finite(self) -> Self {
+                self.map(Numbers::finite)
+            }
+        }
+    }
+
+    /// Seconds, read as 0 where they are negative or NaN.
+    pub(super) mod time {
+        use serde::{Deserializer, Serializer};
+
+        pub(crate) fn serialize<S: Serializer>(value: &f32, serializer: S) -> Result<S::Ok, S::Error> {
+            aim_model::stored::serialize(value, serializer)
+        }
+
+        pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f32, D::Error> {
+            aim_model::stored::deserialize(deserializer).map(|seconds: f32| seconds.max(0.0))
+        }
+    }
+
+    /// Two angles, NaN for none; read as none where they are out of all bounds.
+    pub(super) mod optional {
+        use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+        pub(crate) fn serialize<S: Serializer>(angles: &[f32; 2], serializer: S) -> Result<S::Ok, S::Error> {
+            let are_angles = angles.iter().all(|angle| angle.is_finite());
+            are_angles.then_some(*angles).serialize(serializer)
+        }
+
+        pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[f32; 2], D::Error> {
+            let angles = Option::<[f32; 2]>::deserialize(deserializer)?;
+            Ok(angles.filter(|angles| angles.iter().all(|angle| angle.abs() < 1e3)).unwrap_or([f32::NAN; 2]))
+        }
     }
 }
 

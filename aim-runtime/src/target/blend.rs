@@ -13,6 +13,7 @@ const CANCELLED: f32 = 1e-3;
 
 /// One of several weighted targets.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Target {
     /// Where it is, in the pose's space.
     pub point: Vec3,

@@ -22,4 +22,5 @@ mod natural_gaze;
 mod random;
 mod same_code;
 mod settling;
+mod stored;
 mod wgsl;
