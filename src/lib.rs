@@ -1,4 +1,40 @@
+// Where the links of README.md lead from here. Of two definitions the first counts, and the file's own come last. A picture that
+// is a file beside README.md is no part of the documentation: an empty one stands for it.
+//! [docs/paper.md]: crate::guide::paper
+//! [docs/screens/panel.png]: data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7
+//! [docs/viewer.md]: crate::guide::viewer
+//! [docs/animation.md]: crate::guide::animation
+//! [examples/walk_to_run.rs]: https://docs.rs/crate/aim-rig/latest/source/examples/walk_to_run.rs
+//! [examples/walk_to_run_of_a_file.rs]: https://docs.rs/crate/aim-rig/latest/source/examples/walk_to_run_of_a_file.rs
+//! [examples/compiled-rigs]: crate::include_rigs
+//! [docs/axes.md]: crate::guide::axes
+//! [docs/differentiating.md]: crate::guide::differentiating
+//! [docs/singularities.md]: crate::guide::singularities
+//! [docs/operation-counts.md]: crate::guide::operation_counts
+//! [docs/reach.md]: crate::guide::reach
+//! [docs/solvers.md]: crate::guide::solvers
+//! [docs/natural-gaze.md]: crate::guide::natural_gaze
+//!
 #![doc = include_str!("../README.md")]
+//!
+//! # A natural gaze over one second
+//!
+//! Headings as the natural solver turns a standing character to targets at the side; [the guide](guide::natural_gaze) explains
+//! them.
+//!
+#![doc = include_str!("../docs/natural-gaze.svg")]
+//!
+//! # Where to look
+//!
+//! - A character: [`Aim`] of a rig that `#[derive(AimRig)]` declares, [`DynAim`] of one known at run time; each has the calls
+//!   `aim` and `snap`.
+//! - A call: its [`Pose`] and target ([`Targets`]), its [`Settings`], and what comes back, [`Aimed`] with its [`Outcome`].
+//! - Mistakes of the caller, found in debug builds: [`check`].
+//! - Other solvers, a file each: [`ik`]. [`rotation`] has what they multiply by.
+//! - An animation under the aim: the feature `animation`.
+//! - [The guide](guide) has pages on axes, solvers, the natural gaze, animation and derivatives.
+//! - The derived kernels, for a solver of your own: [`Rig`], [`Scalar`] and the section on lanes below.
+//!
 //! # Feature flags
 //!
 //! - `std` (default): sines, cosines and square roots from the standard library.
@@ -51,11 +87,28 @@
 //! # }
 //! ```
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "animation")]
+#[doc(inline)]
 pub use aim_animation as animation;
+#[doc(inline)]
 pub use aim_derive::{AimRig, differentiate};
-pub use aim_runtime::*;
+#[cfg(feature = "std")]
+#[doc(inline)]
+pub use aim_runtime::DynAim;
+pub use aim_runtime::glam;
+#[cfg(feature = "wide")]
+pub use aim_runtime::wide;
+#[doc(inline)]
+pub use aim_runtime::{
+    Aim, AimRig, Aimed, Ascent, Axes, Behind, Budget, Budgets, Call, Description, Effector, GazeSharing, Joint,
+    JointInfo, JointRange, JointSet, LimitsFrom, Memory, Outcome, Pose, Real, Rig, Role, Scalar, Settings, Solver,
+    State, Status, Target, Targets, check, ik, rotation, trajectory,
+};
+
+#[cfg(doc)]
+pub mod guide;
 
 /// An affine transform whose maker vouches that it is rigid: a rotation and a translation, without scale, shear or
 /// mirroring. [`macro@differentiate`] relies on it, for this name and for `Affine3A` alike.
@@ -88,32 +141,15 @@ pub mod rigs {
     include_rigs!("rigs");
 }
 
-/// The pages of the book, whose examples are run.
+/// The pages of the book that are no pages of the guide, whose examples are run.
 #[cfg(doctest)]
 mod book {
     #[doc = include_str!("../docs/five-minutes.md")]
     mod five_minutes {}
-    #[doc = include_str!("../docs/natural-gaze.md")]
-    mod natural_gaze {}
     #[doc = include_str!("../docs/recipes.md")]
     mod recipes {}
     #[doc = include_str!("../docs/troubleshooting.md")]
     mod troubleshooting {}
-}
-
-/// The pages about animation, whose examples are run.
-#[cfg(all(doctest, feature = "animation"))]
-mod pages {
-    #[doc = include_str!("../docs/animation.md")]
-    mod animation {}
-    #[doc = include_str!("../docs/tracks.md")]
-    mod tracks {}
-    #[doc = include_str!("../docs/playing.md")]
-    mod playing {}
-    #[doc = include_str!("../docs/blending.md")]
-    mod blending {}
-    #[doc = include_str!("../docs/root-motion.md")]
-    mod root_motion {}
 }
 
 /// What emitted code names; not for hand-written code.

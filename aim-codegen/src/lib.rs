@@ -5,6 +5,8 @@
 //!
 //! The derive macro, a `build.rs` and the command all come through here, so their code is the same.
 
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
 #[cfg(feature = "toml")]
 pub mod build;
 pub mod declare;

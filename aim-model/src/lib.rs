@@ -5,6 +5,7 @@
 //! and the command can all build on it.
 
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "names")]
 extern crate alloc;

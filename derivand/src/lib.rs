@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 /// Differentiates a function; this documentation's first page tells what it makes of it. In detail:
 pub use aim_derive::differentiate_by_derivand as differentiate;
