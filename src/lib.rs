@@ -41,7 +41,8 @@
 //! - `libm`: the same from `libm`, for targets without a standard library.
 //! - `animation`: skeletons, clips, blending and root motion, in `aim::animation`. Needs an allocator.
 //! - `rigs`: the bundled rigs, in `aim::rigs`.
-//! - `serde`: [`Settings`], a character's [`Aim`] or [`State`], [`Outcome`] and what they are made of can be stored. A state
+//! - `serde`: [`Settings`], a character's [`Aim`] or [`State`], [`Outcome`] and what they are made of can be stored,
+//!   and of animations transforms and where a character is in a clip. A state
 //!   that is read back goes on with the same bits.
 //! - `f64`: glam's types in double precision, for functions that are differentiated.
 //! - `wide`: kernels in lanes, see below. Needs Rust 1.89, as the crate [`wide`](https://docs.rs/wide) does, which is

@@ -5,6 +5,14 @@ use aim_runtime::rotation::inverse;
 
 /// The place of a thing that a bone holds, such as a gun in a hand, in the space of `bone`'s target: model or world.
 /// `grip` is the thing in the space of the bone.
+///
+/// ```
+/// use aim_animation::attached;
+/// use aim_animation::glam::{Affine3A, Vec3};
+///
+/// let [hand, grip] = [Vec3::Y, Vec3::Z * 0.1].map(Affine3A::from_translation);
+/// assert_eq!(attached(&hand, &grip).translation, Vec3::new(0.0, 1.0, 0.1).into());
+/// ```
 #[must_use]
 pub fn attached(bone: &Affine3A, grip: &Affine3A) -> Affine3A {
     *bone * *grip

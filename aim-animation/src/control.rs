@@ -20,16 +20,26 @@ use crate::step::{Looping, Step, count};
 /// # Ok::<(), aim_animation::EventError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct Control {
     /// Local seconds a global second: 1 as authored, negative backwards. NaN and infinity count as 0.
     pub speed: f32,
     /// What becomes of the clip at its ends.
     pub looping: Looping,
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "stored_time"))]
     time_s: f64,
     /// On the way back of a clip that bounces.
     is_back: bool,
     /// Nothing has been told at this time yet.
     is_fresh: bool,
+}
+
+/// A time as [`Control::seek`] takes it, from what was stored.
+#[cfg(feature = "serde")]
+fn stored_time<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+    let time_s: f64 = serde::Deserialize::deserialize(deserializer)?;
+    Ok(if time_s.is_finite() { time_s.max(0.0) } else { 0.0 })
 }
 
 impl Default for Control {

@@ -5,6 +5,17 @@ use alloc::vec::Vec;
 use crate::skeleton::Skeleton;
 
 /// A weight in 0…1 for each bone of a skeleton, by which a blend's weight is multiplied: a wave that moves one arm.
+///
+/// ```
+/// use aim_animation::{Bone, Mask, Skeleton};
+///
+/// let bones = [Bone::new("hips", None), Bone::new("chest", Some(0)), Bone::new("hand", Some(1))];
+/// let skeleton = Skeleton::new(bones)?;
+/// let upper = Mask::subtree(&skeleton, 1);
+/// assert_eq!(upper.weights(), [0.0, 1.0, 1.0]);
+/// assert_eq!(upper.with_bone(2, 0.5).inverted().weights(), [1.0, 0.0, 0.5]);
+/// # Ok::<(), aim_animation::SkeletonError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mask {
     weights: Vec<f32>,

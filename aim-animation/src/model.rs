@@ -9,6 +9,17 @@ use crate::skeleton::Skeleton;
 
 /// Bones, clips, their root motion, and masks: what all characters of a kind share. Immutable; each character is an
 /// [`Instance`](crate::Instance).
+///
+/// ```
+/// use aim_animation::{Bone, Clip, Mask, Model, Skeleton};
+///
+/// let bones = [Bone::new("hips", None), Bone::new("chest", Some(0)), Bone::new("hand", Some(1))];
+/// let skeleton = Skeleton::new(bones)?;
+/// let waving = Mask::subtree(&skeleton, 1);
+/// let model = Model::new(skeleton, [Clip::new("walk"), Clip::new("wave")]).with_mask(waving);
+/// assert_eq!((model.clips()[1].name(), model.masks().len()), ("wave", 1));
+/// # Ok::<(), aim_animation::SkeletonError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Model {
     skeleton: Skeleton,

@@ -6,7 +6,17 @@ use crate::float::{floor, narrow};
 const MOST_ENDS: f64 = 65_536.0;
 
 /// What becomes of a clip that is at its end.
+///
+/// ```
+/// use aim_animation::{Control, Looping};
+///
+/// let mut wave = Control::new().with_looping(Looping::Once);
+/// wave.advance(2.0, 1.5);
+/// assert!(wave.is_done(1.5) && wave.time_s() == 1.5);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Looping {
     /// It stops there, or at its beginning when it is played backwards.
     Once,

@@ -7,7 +7,18 @@ use aim_runtime::rotation::{cross, dot, length, nearest_orthogonal, product, tur
 ///
 /// The one local transform of this project. What every bone has is here; [skew](crate::SkewedTransform), which next to
 /// none has, is apart.
+///
+/// ```
+/// use aim_animation::Transform;
+/// use aim_animation::glam::{Quat, Vec3};
+///
+/// let mut hand = Transform::from_translation(Vec3::X);
+/// hand.turn(Quat::from_rotation_z(core::f32::consts::FRAC_PI_2));
+/// assert!(hand.to_affine().transform_point3(Vec3::X).abs_diff_eq(Vec3::new(1.0, 1.0, 0.0), 1e-6));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct Transform {
     /// The bone's origin, in units of the parent.
     pub translation: Vec3,

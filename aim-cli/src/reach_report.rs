@@ -123,7 +123,7 @@ impl ReachReport {
                     Status::Met => "met",
                     Status::Unsettled => "unsettled",
                     Status::Missed => "missed",
-                    Status::Degenerate => "degenerate",
+                    _ => "degenerate",
                 },
                 "evaluations": reached.outcome.evaluations,
                 "gradient": reached.outcome.gradient,

@@ -26,6 +26,7 @@ pub use objective::{Kernel, Objective, kernels};
 pub use spec::{AngleRange, Budget, Budgets, EffectorSpec, Frame, JointSpec, NaturalSpec, RigSpec};
 
 /// What `#[derive(AimRig)]` expands to: the implementation, or every error of the declaration.
+#[must_use]
 pub fn derive(input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
     let input: syn::DeriveInput = match syn::parse2(input) {
         Ok(input) => input,
@@ -59,6 +60,7 @@ fn requested_kernels(spec: &RigSpec) -> Vec<Kernel> {
 /// derive makes of it.
 ///
 /// `krate` is the path of the facade, `::aim` for its users.
+#[must_use]
 pub fn rust_of(spec: &RigSpec, krate: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
     let kernels = requested_kernels(spec);
     let rig = emit::Rig { spec, kernels: &kernels };
@@ -69,6 +71,7 @@ pub fn rust_of(spec: &RigSpec, krate: proc_macro2::TokenStream) -> proc_macro2::
 ///
 /// A file of one long line is also slow to compile: the compiler measures every place in it from the line's start.
 #[cfg(feature = "toml")]
+#[must_use]
 pub fn format_rust(tokens: proc_macro2::TokenStream) -> String {
     match syn::parse2(tokens.clone()) {
         Ok(file) => prettyplease::unparse(&file),

@@ -3,6 +3,7 @@
 /// The C and WGSL form of a Rust name: lower case, `_` only between a lower-case letter or digit and a capital.
 ///
 /// `LeftEye` → `left_eye`, `VRMHead` → `vrmhead`, `spine3` → `spine3`.
+#[must_use]
 pub fn snake_case(name: &str) -> String {
     let mut snake = String::with_capacity(name.len() + 4);
     let mut after_small = false;

@@ -87,6 +87,7 @@ pub enum AngleRange {
 
 impl AngleRange {
     /// Both ends, the lower first, radians; infinite where the angle is free.
+    #[must_use]
     pub fn ends(self) -> [f64; 2] {
         match self {
             Self::Between(lo, hi) => [lo, hi],
@@ -104,6 +105,7 @@ impl JointSpec {
     }
 
     /// The number of declared angles, 1 or 2.
+    #[must_use]
     pub fn angles(&self) -> usize {
         usize::from(self.pitch.is_some()) + usize::from(self.heading.is_some())
     }

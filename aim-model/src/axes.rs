@@ -5,6 +5,15 @@ use crate::Float;
 /// Which way a bone points: three unit vectors in the bone's own space, square to each other.
 ///
 /// `up × forward` is `left` for a right-handed triple and `−left` for a left-handed or mirrored one.
+///
+/// ```
+/// use aim_model::Axes;
+///
+/// // glTF's: +Y up, +Z forward, and so +X to the left.
+/// let gltf = Axes { up: [0.0, 1.0, 0.0], forward: [0.0, 0.0, 1.0], left: [1.0_f32, 0.0, 0.0] };
+/// assert_eq!(gltf.handedness(), 1.0);
+/// assert_eq!(Axes::<f32>::cardinal().filter(|axes| *axes == gltf).count(), 1);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axes<T = f32> {
     /// The bone-space direction that points up in the character.

@@ -28,6 +28,14 @@
 /// - *How fast.* Peak speed and duration of a saccade follow from its size, the main sequence (Bahill, Clark and Stark,
 ///   1975): 213, 352 and 455°/s for 5, 15 and 30° in a hundred people (PMC6143243). An eye with a rate of 450°/s comes to 240,
 ///   415 and 450°/s here.
+///
+/// ```
+/// use aim_model::GazeSharing;
+///
+/// // A lizard: eyes that do much by themselves, and a head that does little.
+/// let lizard = GazeSharing::<f32>::default().with_eyes_only(0.6).with_head_share(0.3);
+/// assert_eq!((lizard.eyes_only, lizard.delay), (0.6, 0.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -141,6 +149,14 @@ pub struct Budget<T = f32> {
 }
 
 /// The budgets of the parts of a body.
+///
+/// ```
+/// use aim_model::{Budget, Budgets};
+///
+/// let human = Budgets::<f32>::HUMAN;
+/// let stiff = Budgets { head: Budget { heading: [-0.5, 0.5], ..human.head }, ..human };
+/// assert_eq!(stiff.head.rate, human.head.rate);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(

@@ -4,6 +4,13 @@ use core::fmt;
 
 /// What a joint is in a gaze, as declared. It decides what is left to the solver: whether the gaze is a natural
 /// one, which part of the body a joint belongs to, which headings turn about the character's up.
+///
+/// ```
+/// use aim_model::Role;
+///
+/// assert_eq!(Role::Neck.to_string(), "neck");
+/// assert!(Role::ALL.into_iter().filter(|role| role.is_upright()).eq([Role::Head, Role::Neck]));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]

@@ -11,13 +11,20 @@ use crate::{AimRig, Description, Joint, Outcome, Pose, Rig, Settings, State, Tar
 
 /// One character of a rig known at compile time: its state, 64 bytes and 24 for each joint.
 ///
-/// ```ignore
-/// let mut hero = Aim::<Hero>::new();
+/// ```
+/// use aim_runtime::glam::{Affine3A, Quat, Vec3};
+/// use aim_runtime::{Aim, Pose, Settings, Status};
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+///
+/// let mut turret = Aim::<Turret>::new();
 /// // Each frame, after the animation:
-/// let aimed = hero.aim(&pose, target, dt, &Settings::default());
-/// for (local, correction) in local_rotations.iter_mut().zip(aimed.corrections) {
-///     *local *= correction;
+/// let pose = Pose::new([Affine3A::IDENTITY]);
+/// let aimed = turret.aim(&pose, Vec3::new(1.0, 0.5, 4.0), 1.0 / 60.0, &Settings::default());
+/// let mut local_rotations = [Quat::IDENTITY];
+/// for (local_rotation, correction) in local_rotations.iter_mut().zip(aimed.corrections) {
+///     *local_rotation *= correction;
 /// }
+/// assert_eq!(aimed.outcome.status, Status::RateLimited); // 3 rad/s for a sixtieth of a second
 /// ```
 pub struct Aim<R: AimRig> {
     /// The angles and the memory.
@@ -27,6 +34,8 @@ pub struct Aim<R: AimRig> {
 /// What a call of [`Aim`] gives back.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[must_use = "the corrections are lost unless the bones are turned by them"]
+#[non_exhaustive]
 pub struct Aimed<A> {
     /// What became of the call.
     pub outcome: Outcome,
@@ -46,6 +55,14 @@ impl<R: AimRig> Aim<R> {
     }
 
     /// A character with these joints: a stored state put back.
+    ///
+    /// ```
+    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+    /// use aim_runtime::{Aim, Joint};
+    ///
+    /// let turret = Aim::<Turret>::from_joints([Joint::from_angles(0.3, -0.1)]);
+    /// assert_eq!((turret.state.joints[0].heading(), turret.state.joints[0].pitch()), (0.3, -0.1));
+    /// ```
     #[must_use]
     pub fn from_joints(joints: R::Array<Joint>) -> Self {
         Self { state: State::new(joints) }
@@ -65,6 +82,21 @@ impl<R: AimRig> Aim<R> {
     /// ([`Status::Degenerate`](crate::Status::Degenerate)) the angles hold.
     ///
     /// The target is a point, or several weighted [targets](Targets).
+    ///
+    /// ```
+    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+    /// use aim_runtime::glam::{Affine3A, Vec3};
+    /// use aim_runtime::{Aim, Pose, Settings, Status, Target};
+    ///
+    /// let (mut turret, pose, settings) = (Aim::<Turret>::new(), Pose::new([Affine3A::IDENTITY]), Settings::default());
+    /// let frames = (0..60).map(|_| turret.aim(&pose, Vec3::new(4.0, 0.0, 4.0), 1.0 / 60.0, &settings));
+    /// assert_eq!(frames.last().unwrap().outcome.status, Status::Reached);
+    ///
+    /// // Two targets, the left one twice as important.
+    /// let targets = [Target::new(Vec3::new(1.0, 0.0, 4.0), 1.0), Target::new(Vec3::new(-1.0, 0.0, 4.0), 0.5)];
+    /// let aimed = turret.aim(&pose, &targets, 1.0 / 60.0, &settings);
+    /// assert!(aimed.outcome.remaining > 0.0);
+    /// ```
     pub fn aim<'a>(
         &mut self,
         pose: &Pose<R::Array<Affine3A>>,
@@ -107,6 +139,17 @@ impl<R: AimRig> Aim<R> {
     ///
     /// Starts from rest, so that the result does not depend on what came before wherever the target can be reached.
     /// Never [`RateLimited`](crate::Status::RateLimited).
+    ///
+    /// ```
+    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+    /// use aim_runtime::glam::{Affine3A, Vec3};
+    /// use aim_runtime::{Aim, Pose, Settings, Status};
+    ///
+    /// let mut turret = Aim::<Turret>::new();
+    /// let aimed = turret.snap(&Pose::new([Affine3A::IDENTITY]), Vec3::X, &Settings::default());
+    /// assert_eq!(aimed.outcome.status, Status::Reached);
+    /// assert!((aimed.corrections[0] * Vec3::Z).abs_diff_eq(Vec3::X, 1e-3));
+    /// ```
     pub fn snap<'a>(
         &mut self,
         pose: &Pose<R::Array<Affine3A>>,
@@ -117,6 +160,17 @@ impl<R: AimRig> Aim<R> {
     }
 
     /// Puts every joint at rest at once and forgets what was seen.
+    ///
+    /// ```
+    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+    /// use aim_runtime::glam::{Affine3A, Vec3};
+    /// use aim_runtime::{Aim, Pose, Settings};
+    ///
+    /// let mut turret = Aim::<Turret>::new();
+    /// let _ = turret.snap(&Pose::new([Affine3A::IDENTITY]), Vec3::X, &Settings::default());
+    /// turret.reset();
+    /// assert_eq!(turret, Aim::new());
+    /// ```
     pub fn reset(&mut self) {
         *self = Self::new();
     }
@@ -254,6 +308,15 @@ mod stored {
 /// [`Settings::weight`] does, which multiplies them. A target that is not finite, or on the effector, is left out. Where
 /// directions cancel the heaviest target is aimed at, and of equals the first. No target at all is weight 0. A single
 /// finite target of weight 1 is its point.
+///
+/// ```
+/// use aim_runtime::glam::Vec3;
+/// use aim_runtime::{Target, Targets};
+///
+/// assert_eq!(Targets::from(Vec3::X), Targets::Point(Vec3::X));
+/// let faces = [Target::new(Vec3::X, 0.7), Target::new(Vec3::Z, 0.3)];
+/// assert_eq!(Targets::from(&faces), Targets::Weighted(&faces));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Targets<'a> {
     /// A point, in the pose's space.
@@ -304,6 +367,19 @@ impl dyn Rig + '_ {
     ///
     /// `state`, `pose` and `corrections` hold one element for each joint of the rig, from the effector inward; with
     /// another number the call is [`Degenerate`](crate::Status::Degenerate) and changes nothing.
+    ///
+    /// ```
+    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+    /// use aim_runtime::glam::{Affine3A, Quat, Vec3};
+    /// use aim_runtime::{Call, Joint, Pose, Rig, Settings, State, Status};
+    ///
+    /// // Without a heap, and without the type of the rig.
+    /// let rig: &dyn Rig = &Turret;
+    /// let (mut state, mut corrections) = (State::new([Joint::REST]), [Quat::IDENTITY]);
+    /// let call = Call { targets: Vec3::new(0.1, 0.2, 3.0).into(), dt: None, settings: &Settings::default() };
+    /// let outcome = rig.aim(&mut state, &Pose::new([Affine3A::IDENTITY]), &call, &mut corrections);
+    /// assert_eq!(outcome.status, Status::Reached);
+    /// ```
     pub fn aim<J: AsMut<[Joint]>, A: AsRef<[Affine3A]>>(
         &self,
         state: &mut State<J>,

@@ -12,6 +12,21 @@ use crate::{Call, Joint, Memory, Outcome, Pose, Rig, Settings, State, Targets};
 ///
 /// `R` is a rig or a reference to a shared one: `&dyn Rig`, `Arc<dyn Rig>`, `Arc<InterpretedRig>`. Without a heap,
 /// [`dyn Rig`](Rig) is driven by slices.
+///
+/// ```
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+/// use aim_runtime::glam::{Affine3A, Vec3};
+/// use aim_runtime::{DynAim, Pose, Rig, Settings, Status};
+/// use std::sync::Arc;
+///
+/// let shared: Arc<dyn Rig> = Arc::new(Turret);
+/// let mut turrets = [DynAim::new(shared.clone()), DynAim::new(shared)];
+/// for (turret, target) in turrets.iter_mut().zip([Vec3::X, Vec3::Z]) {
+///     let outcome = turret.snap(&Pose::new([Affine3A::IDENTITY]), target, &Settings::default());
+///     assert_eq!(outcome.status, Status::Reached);
+///     assert!((turret.corrections()[0] * Vec3::Z).abs_diff_eq(target, 1e-3));
+/// }
+/// ```
 #[derive(Clone, Debug)]
 pub struct DynAim<R> {
     /// The rig.

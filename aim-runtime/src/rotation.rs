@@ -2,6 +2,17 @@
 //!
 //! glam's own products, square roots of sums and sines depend on what the machine can do at once; these do not, and the
 //! solvers use nothing else. All are total: no panic, and a unit quaternion wherever one is promised, whatever the bits.
+//!
+//! ```
+//! use aim_runtime::glam::{Quat, Vec3, Vec3A};
+//! use aim_runtime::rotation;
+//!
+//! let [a, b] = [Quat::IDENTITY, Quat::from_rotation_y(1.0)];
+//! assert!((rotation::angle(rotation::slerp(a, b, 0.25)) - 0.25).abs() < 1e-6);
+//! assert!(rotation::exp(rotation::log(b)).abs_diff_eq(b, 1e-6));
+//! let to_x = rotation::shortest(Vec3::Z, Vec3::X);
+//! assert!(rotation::turned(to_x, Vec3A::Z).abs_diff_eq(Vec3A::X, 1e-6));
+//! ```
 
 use glam::{Affine3A, Mat3A, Quat, Vec3, Vec3A};
 

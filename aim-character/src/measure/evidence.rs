@@ -8,6 +8,7 @@ use crate::measure::facing::Evidence;
 use crate::measure::{Measurement, SignedAxis};
 
 /// A direction: `+Z`, or three numbers where it is no axis.
+#[must_use]
 pub fn direction(v: DVec3) -> String {
     let axis = SignedAxis::of(v);
     if axis.vector().distance(v) < 1e-3 {
@@ -43,6 +44,7 @@ pub fn against(measurement: &Measurement, document: &Document) -> Vec<String> {
 pub const RELIABLE: f64 = 0.65;
 
 /// Why the facing may be wrong, and what to do; `None` where it may be relied on.
+#[must_use]
 pub fn doubt(measurement: &Measurement) -> Option<String> {
     if measurement.confidence >= RELIABLE {
         return None;
@@ -72,6 +74,7 @@ pub fn doubt(measurement: &Measurement) -> Option<String> {
 }
 
 /// The word for a clue in JSON.
+#[must_use]
 pub fn word(said: &Evidence) -> &'static str {
     match said.clue {
         Clue::Names { .. } => "names",

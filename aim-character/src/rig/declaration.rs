@@ -6,6 +6,7 @@ use aim_codegen::{AngleRange, Budget, Budgets, Frame, JointSpec, LimitsFrom, Nat
 use crate::rig::proposal::Proposal;
 
 /// A rig file. Its first line says what it is `about`; a joint's reason stands above it.
+#[must_use]
 pub fn toml(proposal: &Proposal, about: &str) -> String {
     use Notation::Toml;
     let written = Written::new(&proposal.spec, Toml);
@@ -24,6 +25,7 @@ pub fn toml(proposal: &Proposal, about: &str) -> String {
 }
 
 /// A struct to paste. Its documentation says what it is `about`; a joint's reason stands above it.
+#[must_use]
 pub fn rust(proposal: &Proposal, about: &str) -> String {
     let written = Written::new(&proposal.spec, Notation::Rust);
     let mut out = format!("use aim::{{AimRig, Joint}};\n\n/// {}\n#[derive(AimRig)]\n", one_line(about));
@@ -42,6 +44,7 @@ pub fn rust(proposal: &Proposal, about: &str) -> String {
 }
 
 /// A Rust type's name from a file's: `female_adult-01` → `FemaleAdult01`; `Rig` where nothing is left of it.
+#[must_use]
 pub fn type_name(stem: &str) -> String {
     let words = stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
     let capital = |word: &str| word[..1].to_ascii_uppercase() + &word[1..];

@@ -45,6 +45,7 @@ pub struct Fit<'a> {
 
 /// The ranges of heading and pitch in one frame, as added angles in radians: nothing where an angle is not declared,
 /// infinite where it is free. Whatever the animation does, 0 belongs to them.
+#[must_use]
 pub fn range_in_frame(joint: &JointSpec, at: &JointFrame) -> [[f64; 2]; 2] {
     let range = joint.range_of_motion(at.led.map(|[heading, pitch]| Angles { heading, pitch }));
     [range.heading.ends(), range.pitch_at(f64::from(at.heading)).ends()]
@@ -123,11 +124,13 @@ impl<'a> JointFit<'a> {
     }
 
     /// Degrees between what is declared and what is measured.
+    #[must_use]
     pub fn off_deg(&self, at: usize) -> f64 {
         degrees_between(self.declared[at], self.measured[at])
     }
 
     /// The signed axis of the bone that is nearest to the measured direction.
+    #[must_use]
     pub fn nearest(&self, at: usize) -> SignedAxis {
         [self.bone.up, self.bone.forward, self.bone.left][at]
     }

@@ -45,6 +45,7 @@ impl Kernels {
 
 impl InterpretedRig {
     /// The rig of a declaration.
+    #[must_use]
     pub fn new(spec: &RigSpec) -> Self {
         Self::with_kernels(spec, Arc::new(Kernels::derive(spec)))
     }
@@ -61,6 +62,7 @@ impl InterpretedRig {
     }
 
     /// The rig as it is declared now.
+    #[must_use]
     pub fn spec(&self) -> &RigSpec {
         &self.spec
     }

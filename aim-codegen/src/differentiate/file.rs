@@ -55,11 +55,13 @@ impl Differentiated {
     }
 
     /// What the function computes with.
+    #[must_use]
     pub fn precision(&self) -> Precision {
         self.precision
     }
 
     /// Whether a number that is not finite is written out in one of its programs.
+    #[must_use]
     pub fn has_infinities(&self) -> bool {
         self.programs.iter().any(|Written { program, .. }| {
             program.ops().iter().any(|op| match op {
@@ -70,11 +72,13 @@ impl Differentiated {
     }
 
     /// The derivation of its first companion, with everything on the way.
+    #[must_use]
     pub fn derivation(&self) -> Derivation {
         Derivation::new(&self.stated.0, &self.stated.1)
     }
 
     /// The names of its arguments in formulas: numbers by themselves, vectors by their components' common name.
+    #[must_use]
     pub fn notation(&self) -> Notation {
         let own = self.programs.first().map_or(&[][..], |first| &first.parameters);
         let numbers = own.iter().filter(|(_, size)| size.is_none());
@@ -86,6 +90,7 @@ impl Differentiated {
     }
 
     /// The functions to be written: `NAME_gradient` or `NAME_jacobian`, and those that the attribute asks for besides.
+    #[must_use]
     pub fn procedures(&self) -> Vec<Procedure<'_>> {
         let programs = self.programs.iter();
         let procedures = programs.map(|Written { suffix, outputs, parameters, program }| Procedure {

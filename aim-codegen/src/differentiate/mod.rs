@@ -42,6 +42,7 @@ use crate::declare::report::Report;
 use crate::declare::tree::Notation;
 
 /// What `#[differentiate(…)]` on `item` expands to, `facade` being the name of the crate whose attribute it is.
+#[must_use]
 pub fn differentiate(attribute: TokenStream, item: TokenStream, facade: &str) -> TokenStream {
     let mut report = Report::new(Notation::Rust);
     if let Ok(function) = syn::parse2::<ItemFn>(item.clone()) {

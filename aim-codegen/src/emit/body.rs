@@ -46,6 +46,7 @@ impl fmt::Debug for Body<'_> {
 
 impl Body<'_> {
     /// The program's steps, one after another.
+    #[must_use]
     pub fn steps(&self) -> TokenStream {
         self.statements().into_iter().map(|(_, statement)| statement).collect()
     }
@@ -185,6 +186,7 @@ fn magnitude_f32(value: f64) -> TokenStream {
 
 /// A variable of emitted code. Mixed-site spans keep it apart from variables, but a pattern called as a constant at the
 /// call site would compare instead of bind: hence the prefix, which declarations may not use.
+#[must_use]
 pub fn local(name: &str) -> Ident {
     format_ident!("__{name}", span = Span::mixed_site())
 }

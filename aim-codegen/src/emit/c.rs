@@ -8,6 +8,7 @@ use super::Rig;
 use super::text::{self, Expressions, Language, Precision, Procedure};
 
 /// The source file of a rig's kernels.
+#[must_use]
 pub fn emit(rig: &Rig<'_>) -> String {
     let functions = rig.functions();
     let procedures: Vec<Procedure<'_>> =
@@ -16,6 +17,7 @@ pub fn emit(rig: &Rig<'_>) -> String {
 }
 
 /// The source file of these functions.
+#[must_use]
 pub fn emit_procedures(what: &str, procedures: &[Procedure<'_>]) -> String {
     file(vec![text::written(what)], procedures)
 }

@@ -9,6 +9,7 @@ use crate::declare::parse::item;
 
 /// Implements for the item, whatever it is, what the derive would have: the user then reads the errors of the
 /// declaration, and not that `Thug` has no `RIG`.
+#[must_use]
 pub fn fallback(input: &DeriveInput) -> TokenStream {
     // As many joints as fields: a correct use of a wrong declaration is no mistake of its own.
     let fields: Vec<syn::Ident> = match &input.data {

@@ -7,6 +7,7 @@ use aim_symbolic::print;
 use super::Rig;
 
 /// The batch file.
+#[must_use]
 pub fn emit(rig: &Rig<'_>) -> String {
     let mut out = format!(
         "/* Programs of the rig {}, written by aim {}. Do not edit: generate again.\n   \

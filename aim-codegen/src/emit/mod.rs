@@ -29,6 +29,7 @@ pub struct Rig<'a> {
 
 impl<'a> Rig<'a> {
     /// The functions that compute the kernels.
+    #[must_use]
     pub fn functions(&self) -> Vec<Function<'a>> {
         functions(self.kernels)
     }

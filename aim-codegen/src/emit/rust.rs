@@ -27,6 +27,7 @@ pub struct Item {
 
 impl Item {
     /// The names of a rig that was not declared as a struct.
+    #[must_use]
     pub fn of(spec: &RigSpec, krate: TokenStream) -> Self {
         let ident = |name: &str| Ident::new(name, Span::call_site());
         Self {
@@ -44,6 +45,7 @@ impl Item {
 }
 
 /// The struct that a derive would have found, and its implementation.
+#[must_use]
 pub fn emit_with_struct(rig: &Rig<'_>, item: &Item) -> TokenStream {
     let Item { name, fields, krate, .. } = item;
     let doc = format!("The rig `{}`: its joints, from the effector inward.", rig.spec.name);
@@ -62,6 +64,7 @@ pub fn emit_with_struct(rig: &Rig<'_>, item: &Item) -> TokenStream {
 /// The implementations, the struct of a value for each joint, and `rig.kernels` as associated functions.
 ///
 /// The kernels that the runtime's trait needs are [`trait_kernels`], whatever those of the rig are.
+#[must_use]
 pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
     let Item { name, krate, .. } = item;
     let private = quote!(#krate::__private);

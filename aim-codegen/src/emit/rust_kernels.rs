@@ -16,6 +16,7 @@ use crate::objective::{AIM_GRADIENT, CHAIN_RESIDUAL_JACOBIAN, FirstLink, Kernel,
 pub const TRAIT_OBJECTIVES: [&Objective; 2] = [&CHAIN_RESIDUAL_JACOBIAN, &AIM_GRADIENT];
 
 /// The kernels that the runtime's trait needs. Where the first link is always the identity they do without it.
+#[must_use]
 pub fn trait_kernels(spec: &RigSpec) -> Vec<Kernel> {
     let first_link = |objective: &Objective| match objective.scope {
         // The link of a joint leads from the effector through all joints between.
@@ -57,6 +58,7 @@ impl Parameters {
 }
 
 /// The name of the function of a kernel.
+#[must_use]
 pub fn function_name(kernel: &Kernel) -> String {
     let Objective { name, scope, .. } = kernel.objective;
     match scope {
@@ -75,6 +77,7 @@ pub struct Lines {
 
 impl Lines {
     /// The statement of the step with this number.
+    #[must_use]
     pub fn step(&self, number: usize) -> Option<&TokenStream> {
         self.steps.iter().find(|(known, _)| *known == number).map(|(_, line)| line)
     }
@@ -85,6 +88,7 @@ impl Lines {
 }
 
 /// The body of a kernel's generic function, step by step; `krate` is the facade's path.
+#[must_use]
 pub fn lines(kernel: &Kernel, spec: &RigSpec, krate: &TokenStream) -> Lines {
     let number = quote!(S);
     let parameters = Parameters::new();

@@ -17,6 +17,7 @@ pub enum Precision {
 
 impl Precision {
     /// The number type's name in Rust.
+    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Single => "f32",

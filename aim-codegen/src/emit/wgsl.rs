@@ -12,6 +12,7 @@ use super::Rig;
 use super::text::{self, Expressions, Language, Procedure};
 
 /// The module of a rig's kernels.
+#[must_use]
 pub fn emit(rig: &Rig<'_>) -> String {
     let functions = rig.functions();
     let procedures: Vec<Procedure<'_>> =
@@ -22,6 +23,7 @@ pub fn emit(rig: &Rig<'_>) -> String {
 }
 
 /// The module of these functions, which compute in single precision.
+#[must_use]
 pub fn emit_procedures(what: &str, procedures: &[Procedure<'_>]) -> String {
     module(&[text::written(what), "Inputs must be finite.".to_owned()], procedures)
 }

@@ -53,6 +53,7 @@ pub enum FirstLink {
 impl FirstLink {
     /// What is known of a rig's first link in calls of the runtime. It leads from the effector to joint 0 as the animation
     /// has it: without an origin of its own, and without a heading that is turned upright, the effector is joint 0.
+    #[must_use]
     pub fn of(spec: &RigSpec) -> Self {
         let is_upright = |joint: &JointSpec| joint.upright.map_or(joint.role.is_upright(), |upright| upright > 0.0);
         let is_upright = spec.joints.first().is_some_and(is_upright);

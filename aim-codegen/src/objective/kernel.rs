@@ -25,12 +25,14 @@ pub struct Kernel {
 }
 
 /// The kernels of all [`OBJECTIVES`] for a rig.
+#[must_use]
 pub fn kernels(spec: &RigSpec) -> Vec<Kernel> {
     OBJECTIVES.into_iter().flat_map(|objective| objective.kernels(spec, FirstLink::Given)).collect()
 }
 
 impl Objective {
     /// Derives its distinct kernels for a rig, in the order of the first joints that they serve.
+    #[must_use]
     pub fn kernels(&'static self, spec: &RigSpec, first_link: FirstLink) -> Vec<Kernel> {
         let kernel = |joints: Vec<usize>| {
             let program = self.statement(spec, &joints, first_link).program();
@@ -42,6 +44,7 @@ impl Objective {
 
 impl Kernel {
     /// What it was derived from, where every link is given.
+    #[must_use]
     pub fn statement(&self, spec: &RigSpec) -> Statement {
         self.objective.statement(spec, &self.joints, FirstLink::Given)
     }
@@ -57,6 +60,7 @@ pub struct Function<'a> {
 }
 
 /// The functions that compute `kernels`: one a joint for those of joints, joint by joint, and one for each of the chain's.
+#[must_use]
 pub fn functions(kernels: &[Kernel]) -> Vec<Function<'_>> {
     let mut functions = Vec::new();
     for same in kernels.chunk_by(|a, b| a.objective == b.objective) {
@@ -75,6 +79,7 @@ pub fn functions(kernels: &[Kernel]) -> Vec<Function<'_>> {
 
 impl Function<'_> {
     /// The joint's name, or `chain`.
+    #[must_use]
     pub fn subject<'s>(&self, spec: &'s RigSpec) -> &'s str {
         self.joint.map_or("chain", |joint| &spec.joints[joint].name)
     }
@@ -86,6 +91,7 @@ impl Function<'_> {
     }
 
     /// The sentence that tells its outputs.
+    #[must_use]
     pub fn outputs(&self, spec: &RigSpec) -> String {
         (self.kernel.objective.outputs)(self.subject(spec), spec.angles())
     }

@@ -10,6 +10,7 @@ use crate::{Frame, RigSpec};
 ///
 /// **P** is the target, M and **t** the effector's rotation and place in a joint's space, Lᵢ and **t**ᵢ those of link i, p and
 /// h (with i in a chain) pitch and heading, B the bones' axes, **f**, **l**, **u** the effector's; J turns by a quarter.
+#[must_use]
 pub fn notation(spec: &RigSpec, scope: Scope) -> Notation {
     let mut inputs = vec![("target".to_owned(), Formula::vector("P"))];
     match scope {
@@ -46,6 +47,7 @@ pub fn notation(spec: &RigSpec, scope: Scope) -> Notation {
 
 /// Each distinct frame of the joints with its symbol and the joints that have it: B where there is one, else with the
 /// number of the first of its joints.
+#[must_use]
 pub fn basis_symbols(spec: &RigSpec) -> Vec<(Frame, Formula, Vec<usize>)> {
     let mut frames: Vec<(Frame, Vec<usize>)> = Vec::new();
     for (i, joint) in spec.joints.iter().enumerate() {

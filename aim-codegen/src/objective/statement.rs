@@ -45,6 +45,7 @@ pub enum Scope {
 
 impl Objective {
     /// The joints of each kernel that a rig needs: those with equal kernels together.
+    #[must_use]
     pub fn groups(&self, spec: &RigSpec) -> Vec<Vec<usize>> {
         if self.scope == Scope::Chain {
             return vec![(0..spec.joints.len()).collect()];
@@ -64,6 +65,7 @@ impl Objective {
     }
 
     /// What it says of a rig: of the chain, or of the first of `joints`.
+    #[must_use]
     pub fn statement(&self, spec: &RigSpec, joints: &[usize], first_link: FirstLink) -> Statement {
         let mut graph = Graph::new();
         let (joints, inputs) = match self.scope {
@@ -94,22 +96,26 @@ pub struct Statement {
 
 impl Statement {
     /// The values, then the derivatives of each by the angles.
+    #[must_use]
     pub fn wanted(&self) -> Vec<Want> {
         let angles: Vec<Angle> = self.angles.iter().map(|&(angle, _)| angle).collect();
         Want::all(&self.values, &angles)
     }
 
     /// The program of all outputs.
+    #[must_use]
     pub fn program(&self) -> Program {
         Program::derive_wanted(&self.graph, &self.wanted())
     }
 
     /// The program of the output with this number alone.
+    #[must_use]
     pub fn program_of(&self, output: usize) -> Program {
         Program::derive_wanted(&self.graph, &self.wanted()[output..=output])
     }
 
     /// The derivation of all outputs, with everything on the way.
+    #[must_use]
     pub fn derivation(&self) -> Derivation {
         Derivation::new(&self.graph, &self.wanted())
     }

@@ -96,6 +96,7 @@ pub enum AimPosesStatus {
 
 impl<'a> AimPoses<'a> {
     /// These poses, joined like this; to 1e-3 radians, in 8 corrections at most.
+    #[must_use]
     pub const fn new(poses: &'a [AimPose<'a>], triangles: &'a [[usize; 3]]) -> Self {
         Self { poses, triangles, tolerance_rad: 1e-3, iterations: 8 }
     }
@@ -154,6 +155,7 @@ impl<'a> AimPoses<'a> {
 
     /// Which poses a direction lies between, and how much of each: its coordinates in their triangle. `None` where the
     /// direction, or every triangle, is degenerate.
+    #[must_use]
     pub fn weights(&self, wanted: Vec3) -> Option<Blend> {
         self.weights_at(direction(wanted.into())?)
     }

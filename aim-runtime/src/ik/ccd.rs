@@ -52,6 +52,7 @@ pub struct CcdJoint {
 
 impl CcdJoint {
     /// A joint without limits.
+    #[must_use]
     pub const fn new(position: Vec3) -> Self {
         let at = Vec3A::ZERO;
         Self { position, limit: CcdLimit::Free, turn: Quat::IDENTITY, added: Quat::IDENTITY, at }
@@ -65,6 +66,7 @@ impl CcdJoint {
     }
 
     /// What its limit bounds: the turn that it adds to the animation, in the space of the animated chain.
+    #[must_use]
     pub const fn added(&self) -> Quat {
         self.added
     }
@@ -136,6 +138,7 @@ const BEND_RAD: f32 = 0.1;
 
 impl Ccd {
     /// To 1e-4 of the chain's length, in 50 iterations at most.
+    #[must_use]
     pub const fn new() -> Self {
         Self { tolerance: 1e-4, iterations: 50 }
     }

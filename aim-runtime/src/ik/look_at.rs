@@ -124,6 +124,7 @@ struct Steps {
 
 impl LookAt {
     /// With these axes of neck and head, without limits, at once.
+    #[must_use]
     pub const fn new(neck: Axes, head: Axes) -> Self {
         Self {
             neck,
@@ -183,6 +184,7 @@ impl LookAt {
     ///
     /// With `dt` zero, negative or NaN nothing moves; above 0.1 s it counts as 0.1 s. A head found beyond the limits goes
     /// back within them at its speed. Straight up and down, where there is no heading, counts as heading 0.
+    #[must_use]
     pub fn solve(&self, neck: &Affine3A, head: &Affine3A, target: Vec3, dt: f32) -> LookAtOutcome {
         self.turned(neck, head, target, dt).unwrap_or(LookAtOutcome {
             turn: Quat::IDENTITY,

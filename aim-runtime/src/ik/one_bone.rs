@@ -78,6 +78,7 @@ const MET_RAD: f32 = 1e-5;
 
 impl OneBone {
     /// Pointing this direction of the bone's own space by the shortest turn.
+    #[must_use]
     pub const fn new(axis: Vec3) -> Self {
         Self { axis, roll: Roll::Shortest, roll_rad: 0.0, weight: 1.0 }
     }
@@ -107,6 +108,7 @@ impl OneBone {
     ///
     /// To point at a target, take the direction from the bone's origin to it. A mirrored or scaled bone is pointed just as
     /// well.
+    #[must_use]
     pub fn solve(&self, bone: &Affine3A, to: Vec3) -> OneBoneOutcome {
         self.turned(bone, to).unwrap_or(OneBoneOutcome {
             turn: Quat::IDENTITY,

@@ -25,6 +25,7 @@ pub struct Limb {
 
 impl Limb {
     /// The length of both bones together; as far as the tip gets from the root.
+    #[must_use]
     pub fn length(&self) -> f32 {
         let [upper, lower] = self.bones();
         math::length(upper) + math::length(lower)
@@ -131,6 +132,7 @@ const MET: f32 = 1e-5;
 
 impl TwoBone {
     /// In the plane of the animation, without limits, softening or twist, at full weight.
+    #[must_use]
     pub const fn new() -> Self {
         Self { bend: Bend::AsAnimated, hinge: None, soften: 1.0, twist_rad: 0.0, weight: 1.0 }
     }
@@ -174,6 +176,7 @@ impl TwoBone {
     ///
     /// All in one space. Whatever the bits, the rotations are finite and unit; only what is no number or has no length is
     /// left as it is ([`TwoBoneStatus::Degenerate`]).
+    #[must_use]
     pub fn solve(&self, limb: &Limb, target: Vec3) -> TwoBoneOutcome {
         let unmoved = TwoBoneOutcome {
             upper: Quat::IDENTITY,

@@ -11,6 +11,18 @@ use crate::{Axes, Budget, Budgets, GazeSharing, Role, Solver, math};
 pub(crate) const LANE_JOINTS: usize = 8;
 
 /// What was declared of a rig: immutable, a constant for a derived rig.
+///
+/// ```
+/// use aim_runtime::{Axes, Budgets, Description, JointInfo, Role, Solver};
+///
+/// const AXES: Axes = Axes { up: [0.0, 1.0, 0.0], forward: [0.0, 0.0, 1.0], left: [1.0, 0.0, 0.0] };
+/// const JOINTS: [JointInfo; 2] = [
+///     JointInfo::new(AXES, 7.0).with_heading(-0.6, 0.6).with_pitch(-0.4, 0.3).with_role(Role::Eye),
+///     JointInfo::new(AXES, 3.0).with_heading(-1.0, 1.0).with_pitch(-0.7, 0.6).with_role(Role::Neck),
+/// ];
+/// const BIRD: Description<'static> = Description::new(&JOINTS).with_budgets(Budgets::BIRD);
+/// assert_eq!((BIRD.joints().len(), BIRD.default_solver()), (2, Solver::Natural));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Description<'a> {
     pub(crate) joints: &'a [JointInfo],

@@ -9,6 +9,16 @@ use crate::math::Bounded;
 use crate::{Axes, Joint, LimitsFrom, Role};
 
 /// What was declared of a joint. Angles in radians.
+///
+/// ```
+/// use aim_runtime::glam::{Quat, Vec3};
+/// use aim_runtime::{Axes, JointInfo, Role};
+///
+/// let axes = Axes { up: [0.0, 1.0, 0.0], forward: [0.0, 0.0, 1.0], left: [1.0, 0.0, 0.0] };
+/// let neck = JointInfo::new(axes, 3.0).with_heading(-1.0, 1.0).with_pitch(-0.7, 0.6).with_role(Role::Neck);
+/// assert!((neck.rotation(0.5, 0.0) * Vec3::Z).x > 0.0); // to the left
+/// assert!((neck.rotation(0.0, 0.5) * Vec3::Z).y > 0.0); // up
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct JointInfo {

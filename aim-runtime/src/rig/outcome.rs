@@ -5,6 +5,20 @@ use glam::Quat;
 /// What became of a call.
 ///
 /// Angles and status are measured with the true forward kinematics of the pose, never with the solver's own model.
+///
+/// ```
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+/// use aim_runtime::glam::{Affine3A, Vec3};
+/// use aim_runtime::{Aim, Pose, Settings, Status};
+///
+/// // The turret turns by 2 rad to either side; the target stands 0.14 rad further round.
+/// let mut turret = Aim::<Turret>::new();
+/// let target = Vec3::new((2.14_f32).sin(), 0.0, (2.14_f32).cos());
+/// let outcome = turret.snap(&Pose::new([Affine3A::IDENTITY]), target, &Settings::default()).outcome;
+/// assert_eq!(outcome.status, Status::AtLimit);
+/// assert!((outcome.remaining - 0.14).abs() < 1e-3 && (outcome.aim - outcome.remaining.cos()).abs() < 1e-5);
+/// assert!(outcome.at_limit.contains(0) && outcome.recovering.is_empty());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -36,6 +50,20 @@ pub struct Outcome {
 }
 
 /// Whether the target is reached; if not, the first reason that holds.
+///
+/// ```
+/// use aim_runtime::Status;
+///
+/// fn mood(status: Status) -> &'static str {
+///     match status {
+///         Status::Reached | Status::RateLimited => "attentive",
+///         Status::AtLimit | Status::Behind => "about to turn the body",
+///         // Degenerate, and what later versions may tell.
+///         _ => "as before",
+///     }
+/// }
+/// assert_eq!(mood(Status::Behind), "about to turn the body");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -84,7 +112,6 @@ impl JointSet {
     }
 
     /// The joints in the set, ascending.
-    #[must_use]
     pub fn iter(self) -> impl Iterator<Item = usize> {
         (0..64).filter(move |&joint| self.contains(joint))
     }

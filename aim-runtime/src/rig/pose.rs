@@ -13,6 +13,16 @@ use glam::{Affine3A, Vec3};
 ///
 /// `A` is `[Affine3A; N]` for a derived rig of `N` joints, so that a wrong number of joints does not compile, and
 /// `&[Affine3A]` for a rig known only at run time.
+///
+/// ```
+/// use aim_runtime::Pose;
+/// use aim_runtime::glam::{Affine3A, Vec3};
+///
+/// // An eye and a neck, from the effector inward, in model space.
+/// let at = |y| Affine3A::from_translation(Vec3::Y * y);
+/// let pose = Pose::new([at(1.7), at(1.5)]).with_up(Vec3::Y).with_other_eye(at(1.7) * Affine3A::from_translation(Vec3::X * 0.06));
+/// assert_eq!((pose.joints[1], pose.up, pose.bind), (at(1.5), Some(Vec3::Y), None));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

@@ -148,6 +148,14 @@ impl Settings {
 }
 
 /// Which solver moves the joints.
+///
+/// ```
+/// use aim_runtime::{Settings, Solver};
+///
+/// assert_eq!(Settings::default().solver, None); // by the rig
+/// let settings = Settings::default().with_solver(Solver::Exact);
+/// assert_eq!(settings.solver, Some(Solver::Exact));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -174,6 +182,17 @@ pub enum Solver {
 ///
 /// While a policy is active and the target is not reached all the same, the status is
 /// [`Behind`](crate::Status::Behind).
+///
+/// ```
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+/// use aim_runtime::glam::{Affine3A, Vec3};
+/// use aim_runtime::{Aim, Behind, Pose, Settings, Status};
+///
+/// let mut turret = Aim::<Turret>::new();
+/// let settings = Settings::default().with_behind(Behind::Release);
+/// let aimed = turret.aim(&Pose::new([Affine3A::IDENTITY]), Vec3::NEG_Z, 1.0 / 60.0, &settings);
+/// assert_eq!(aimed.outcome.status, Status::Behind);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -206,6 +225,13 @@ pub enum Behind {
 ///
 /// [`Ascent::paper`] is the method as it was published; the default adds what makes it settle and look the other way
 /// round.
+///
+/// ```
+/// use aim_runtime::{Ascent, Settings, Solver};
+///
+/// let published = Settings::default().with_solver(Solver::Ascent).with_ascent(Ascent::paper());
+/// assert_eq!(published.ascent.relax, Some(0.95));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]

@@ -9,6 +9,13 @@ use crate::math;
 /// A character's state: the angles of its joints and the memory of its chain. The default of an array is rest.
 ///
 /// `J` holds one [`Joint`] for each joint of the rig: `[Joint; N]`, a `Vec`, a boxed or borrowed slice.
+///
+/// ```
+/// use aim_runtime::{Joint, Memory, State};
+///
+/// let state = State::new([Joint::from_angles(0.2, 0.0), Joint::REST]);
+/// assert_eq!(state, State { joints: state.joints, memory: Memory::NONE });
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State<J> {
@@ -45,6 +52,13 @@ impl<J: AsMut<[Joint]>> State<J> {
 /// A joint's state: the two angles added to the animation, radians. The default is rest: both 0.
 ///
 /// Always finite. Besides the angles a joint remembers its velocity, where it has inertia, and where it is bound for.
+///
+/// ```
+/// use aim_runtime::Joint;
+///
+/// let joint = Joint::from_angles(0.2, f32::NAN);
+/// assert_eq!((joint.heading(), joint.pitch()), (0.2, 0.0));
+/// ```
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]

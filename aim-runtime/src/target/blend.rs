@@ -12,6 +12,15 @@ use crate::{Description, math};
 const CANCELLED: f32 = 1e-3;
 
 /// One of several weighted targets.
+///
+/// ```
+/// use aim_runtime::Target;
+/// use aim_runtime::glam::Vec3;
+///
+/// // Mostly at a face, now and then at the hands: weights may change every frame.
+/// let targets = [Target::new(Vec3::new(0.0, 1.7, 2.0), 0.8), Target::new(Vec3::new(0.2, 1.1, 1.5), 0.2)];
+/// assert_eq!(targets[1].weight, 0.2);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Target {

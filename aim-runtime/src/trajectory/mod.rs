@@ -57,6 +57,7 @@ pub struct Waypoint {
 
 impl Waypoint {
     /// A point that has to be met.
+    #[must_use]
     pub const fn new(frame: usize, point: Vec3) -> Self {
         Self { frame, point, weight: f32::INFINITY }
     }
@@ -101,6 +102,7 @@ pub struct Trajectory<'a> {
 
 /// Whether a trajectory comes through its waypoints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Status {
     /// Through all of them, to 1e-6 of the trajectory's extent, and nothing cheaper is near.
     Met,
@@ -130,6 +132,7 @@ pub struct Outcome {
 
 impl<'a> Trajectory<'a> {
     /// A trajectory at even times, its ends fixed.
+    #[must_use]
     pub const fn new(points: &'a [Vec3]) -> Self {
         Self { points, times: &[], ends: Ends::Fixed, smoothing: 0.04, evaluations: 30, tolerance: 1e-6 }
     }

@@ -14,6 +14,7 @@ pub struct Bindings {
 
 impl Bindings {
     /// The given inputs in order of their declaration, without the sines and cosines, which follow from `angles`.
+    #[must_use]
     pub fn new(g: &Graph, given: &[f64], angles: &[(Angle, f64)]) -> Self {
         let mut given = given.iter().copied();
         let radians = |angle| angles.iter().find(|(a, _)| *a == angle).map_or(0.0, |(_, radians)| *radians);
@@ -30,11 +31,13 @@ impl Bindings {
     }
 
     /// One value an input, as [`Program::run`](crate::Program::run) takes them.
+    #[must_use]
     pub fn inputs(&self) -> &[f64] {
         &self.inputs
     }
 
     /// The same with one angle moved by `by` radians.
+    #[must_use]
     pub fn moved(&self, g: &Graph, angle: Angle, by: f64) -> Self {
         let angles: Vec<_> = self.angles.iter().map(|&(a, x)| (a, if a == angle { x + by } else { x })).collect();
         let given: Vec<f64> = g
@@ -74,16 +77,19 @@ fn cross(v: [f64; 3], w: [f64; 3]) -> [f64; 3] {
 
 impl Graph {
     /// The value of `scalar`.
+    #[must_use]
     pub fn evaluate(&self, scalar: Scalar, bindings: &Bindings) -> f64 {
         Evaluation::new(self, bindings).scalar(scalar)
     }
 
     /// The value of `vector`.
+    #[must_use]
     pub fn evaluate_vector(&self, vector: Vector, bindings: &Bindings) -> [f64; 3] {
         Evaluation::new(self, bindings).vector(vector)
     }
 
     /// The rows of `rotation` in the row-vector layout.
+    #[must_use]
     pub fn evaluate_rotation(&self, rotation: Rotation, bindings: &Bindings) -> [[f64; 3]; 3] {
         Evaluation::new(self, bindings).rotation(rotation)
     }

@@ -72,6 +72,7 @@ impl Default for Graph {
 
 impl Graph {
     /// An empty graph.
+    #[must_use]
     pub fn new() -> Self {
         Self {
             scalars: Arena::new(),
@@ -89,22 +90,26 @@ impl Graph {
     }
 
     /// What `scalar` is made of.
+    #[must_use]
     pub fn scalar_node(&self, scalar: Scalar) -> ScalarNode {
         self.scalars.nodes[scalar.0 as usize]
     }
 
     /// What `vector` is made of.
+    #[must_use]
     pub fn vector_node(&self, vector: Vector) -> VectorNode {
         self.vectors.nodes[vector.0 as usize]
     }
 
     /// What `rotation` is made of.
+    #[must_use]
     pub fn rotation_node(&self, rotation: Rotation) -> RotationNode {
         self.rotations.nodes[rotation.0 as usize]
     }
 
     /// How many nodes there are.
     #[expect(clippy::len_without_is_empty, reason = "an empty graph is of no interest")]
+    #[must_use]
     pub fn len(&self) -> usize {
         self.sizes().iter().sum()
     }
@@ -173,22 +178,26 @@ impl Graph {
     }
 
     /// The inputs in order of their declaration.
+    #[must_use]
     pub fn inputs(&self) -> &[(String, InputKind)] {
         &self.inputs
     }
 
     /// The name of an angle.
+    #[must_use]
     pub fn angle_name(&self, angle: Angle) -> &str {
         &self.angles[angle.0 as usize].name
     }
 
     /// An angle's sine and cosine: inputs, or functions of its radians.
+    #[must_use]
     pub fn sin_cos(&self, angle: Angle) -> (Scalar, Scalar) {
         let AngleEntry { sin, cos, .. } = self.angles[angle.0 as usize];
         (sin, cos)
     }
 
     /// The expression that an angle stands for; `None` for one whose sine and cosine are inputs.
+    #[must_use]
     pub fn radians(&self, angle: Angle) -> Option<Scalar> {
         self.angles[angle.0 as usize].radians
     }
@@ -237,6 +246,7 @@ impl Graph {
     }
 
     /// The components of a direction.
+    #[must_use]
     pub fn direction_components(&self, direction: Direction) -> &[(Variable, Scalar)] {
         &self.directions[direction.0 as usize]
     }
@@ -259,6 +269,7 @@ impl Graph {
     }
 
     /// How many components the steps have.
+    #[must_use]
     pub fn step_components(&self) -> usize {
         self.steps as usize
     }
@@ -483,6 +494,7 @@ impl Graph {
     }
 
     /// The attitude that a moving rotation follows.
+    #[must_use]
     pub fn attitude_of(&self, [motion, _]: [Vector; 2]) -> Attitude {
         match self.vector_node(motion) {
             VectorNode::Motion(_, attitude) => attitude,
@@ -543,6 +555,7 @@ impl Graph {
     }
 
     /// The value of a constant.
+    #[must_use]
     pub fn constant_of(&self, scalar: Scalar) -> Option<f64> {
         match self.scalar_node(scalar) {
             ScalarNode::Op(Op::Constant(c)) => Some(c.value()),
@@ -551,6 +564,7 @@ impl Graph {
     }
 
     /// The components of a constant vector.
+    #[must_use]
     pub fn constant_vector_of(&self, v: Vector) -> Option<[f64; 3]> {
         let VectorNode::Components([x, y, z]) = self.vector_node(v) else { return None };
         Some([self.constant_of(x)?, self.constant_of(y)?, self.constant_of(z)?])

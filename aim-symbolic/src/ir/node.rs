@@ -131,6 +131,7 @@ pub struct Matrix {
 
 impl Matrix {
     /// The matrix with these columns.
+    #[must_use]
     pub fn new(columns: [Vector; 3]) -> Self {
         Self { columns, transposed: false }
     }

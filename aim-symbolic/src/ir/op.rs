@@ -7,11 +7,13 @@ pub struct Constant(u64);
 
 impl Constant {
     /// `value`, with −0 made 0.
+    #[must_use]
     pub fn new(value: f64) -> Self {
         Self((value + 0.0).to_bits())
     }
 
     /// Its value.
+    #[must_use]
     pub fn value(self) -> f64 {
         f64::from_bits(self.0)
     }
@@ -46,6 +48,7 @@ pub enum Function {
 
 impl Function {
     /// Its name, in Rust and in mathematics.
+    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Sin => "sin",
@@ -73,6 +76,7 @@ impl Value {
     }
 
     /// The place in [`Program::ops`](crate::Program::ops).
+    #[must_use]
     pub fn index(self) -> usize {
         self.0 as usize
     }

@@ -81,6 +81,7 @@ impl Graph {
     }
 
     /// What `node` is made of, as far as it has a value of its own.
+    #[must_use]
     pub fn parts(&self, node: Node) -> Vec<Node> {
         let mut parts = Collect::new(self);
         parts.collect(node);
@@ -111,6 +112,7 @@ impl Graph {
     }
 
     /// Whether `node` depends on any of `variables`. Matrices, quaternions and the axes of rotations count as constants.
+    #[must_use]
     pub fn depends_on(&self, node: Node, variables: &[Variable]) -> bool {
         self.active(&self.order_of_nodes(&[node]), variables).contains(node)
     }

@@ -19,6 +19,7 @@ pub struct Fold {
 
 impl Fold {
     /// A graph and the rules to fold by, of which [`CONSTANTS`], [`NEGATIONS`] and [`ORDER`] count.
+    #[must_use]
     pub fn new(g: Graph, rules: &Rules<'_>) -> Self {
         Self { g, constants: rules.has(&CONSTANTS), negations: rules.has(&NEGATIONS), order: rules.has(&ORDER) }
     }
@@ -28,6 +29,7 @@ impl Fold {
     }
 
     /// The value of a constant, where constants are folded.
+    #[must_use]
     pub fn constant_of(&self, a: Scalar) -> Option<f64> {
         if self.constants { self.g.constant_of(a) } else { None }
     }

@@ -18,6 +18,7 @@ pub struct Defined {
 
 impl Defined {
     /// The equations that say what the symbols stand for.
+    #[must_use]
     pub fn equations(&self, g: &Graph) -> Vec<(Formula, Formula)> {
         let equation =
             |(node, symbol): &(Node, Formula)| (symbol.clone(), expression::definition(g, *node, &self.notation));
@@ -33,6 +34,7 @@ const LONG: usize = 16;
 
 /// Names the parts of `outputs` that are needed more than once or are long: **a**₁, **a**₂, … the vectors, k₁, k₂, … the
 /// numbers.
+#[must_use]
 pub fn defined(g: &Graph, outputs: &[Scalar], notation: &Notation) -> Defined {
     let order = g.order(outputs);
     let mut uses: HashMap<Node, usize> = HashMap::new();
@@ -86,6 +88,7 @@ fn is_given(g: &Graph, node: Node) -> bool {
 /// Both sides of a rewriting, with letters for what they have in common: the rule as it was applied here.
 ///
 /// Returns the two sides and what the letters stand for.
+#[must_use]
 pub fn rewriting(g: &Graph, from: Node, to: Node, notation: &Notation) -> ([Formula; 2], Vec<(Formula, Formula)>) {
     let reachable = |root| -> HashSet<Node> { g.order_of_nodes(&[root]).into_iter().collect() };
     let (of_from, of_to) = (reachable(from), reachable(to));

@@ -27,6 +27,7 @@ pub struct Notation {
 
 impl Notation {
     /// The symbol of an input, or of a vector of inputs, with this stem.
+    #[must_use]
     pub fn input(&self, stem: &str) -> Formula {
         self.inputs.iter().find(|(known, _)| known == stem).map_or_else(|| declared(stem), |(_, symbol)| symbol.clone())
     }
@@ -51,6 +52,7 @@ impl Notation {
     }
 
     /// The symbol of an angle.
+    #[must_use]
     pub fn angle(&self, g: &Graph, angle: Angle) -> Formula {
         match g.radians(angle) {
             Some(radians) => scalar(g, radians, self),
@@ -59,6 +61,7 @@ impl Notation {
     }
 
     /// The symbol of the quarter turn of a plane.
+    #[must_use]
     pub fn plane(&self, plane: Plane) -> Formula {
         let named = self.planes.iter().find(|(known, _)| *known == plane);
         let axes = |axis: u8| ["x", "y", "z"][usize::from(axis)];
@@ -176,21 +179,25 @@ fn operation(op: Op<Bound>, input: impl Fn(usize) -> Formula) -> Bound {
 }
 
 /// The expression as a formula.
+#[must_use]
 pub fn scalar(g: &Graph, expression: Scalar, notation: &Notation) -> Formula {
     Writer { g, notation, whole: None }.scalar(expression).0
 }
 
 /// The expression as a formula.
+#[must_use]
 pub fn vector(g: &Graph, expression: Vector, notation: &Notation) -> Formula {
     Writer { g, notation, whole: None }.vector(expression).0
 }
 
 /// The rotation as a formula.
+#[must_use]
 pub fn rotation(g: &Graph, expression: Rotation, notation: &Notation) -> Formula {
     Writer { g, notation, whole: None }.rotation(expression).0
 }
 
 /// The expression as a formula.
+#[must_use]
 pub fn node(g: &Graph, expression: Node, notation: &Notation) -> Formula {
     match expression {
         Node::Scalar(s) => scalar(g, s, notation),
@@ -199,6 +206,7 @@ pub fn node(g: &Graph, expression: Node, notation: &Notation) -> Formula {
 }
 
 /// The condition as an equation.
+#[must_use]
 pub fn condition(g: &Graph, condition: Condition, notation: &Notation) -> Formula {
     let writer = Writer { g, notation, whole: None };
     let is = |left, right| Formula::equals(left, right);
@@ -217,6 +225,7 @@ pub fn condition(g: &Graph, condition: Condition, notation: &Notation) -> Formul
 }
 
 /// What a part of an expression is, where it has a symbol itself.
+#[must_use]
 pub fn definition(g: &Graph, part: Node, notation: &Notation) -> Formula {
     let writer = Writer { g, notation, whole: Some(part) };
     match part {
@@ -419,6 +428,7 @@ pub struct Told {
 }
 
 /// The program as formulas, step by step as every back end writes it.
+#[must_use]
 pub fn program(program: &Program, notation: &Notation) -> Told {
     let steps = Steps { inputs: program.inputs(), notation };
     let written = Written { program, printer: &steps };

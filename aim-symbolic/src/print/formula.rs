@@ -80,21 +80,25 @@ pub enum Sign {
 
 impl Formula {
     /// A vector's symbol.
+    #[must_use]
     pub fn vector(name: &str) -> Self {
         Self::Symbol(name.to_owned(), Face::Bold)
     }
 
     /// A number's or a matrix's symbol.
+    #[must_use]
     pub fn italic(name: &str) -> Self {
         Self::Symbol(name.to_owned(), Face::Italic)
     }
 
     /// A word.
+    #[must_use]
     pub fn upright(name: &str) -> Self {
         Self::Symbol(name.to_owned(), Face::Upright)
     }
 
     /// A number to seven digits, a minus sign before it if need be.
+    #[must_use]
     pub fn number(value: f64) -> Self {
         let rounded: f64 = format!("{:.6e}", value.abs()).parse().unwrap_or(value);
         let digits = Self::Number(format!("{rounded}"));

@@ -3,6 +3,7 @@
 use super::formula::{Face, Formula, Sign};
 
 /// The formula, for use in an environment of mathematics.
+#[must_use]
 pub fn formula(formula: &Formula) -> String {
     let f = self::formula;
     match formula {

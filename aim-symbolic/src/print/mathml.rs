@@ -3,6 +3,7 @@
 use super::formula::{Face, Formula, Sign};
 
 /// The formula as the content of a `math` element.
+#[must_use]
 pub fn formula(formula: &Formula) -> String {
     let mut out = String::new();
     write(&mut out, formula);

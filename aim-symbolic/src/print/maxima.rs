@@ -6,6 +6,7 @@ use crate::{Function, Program};
 /// The program as a Maxima function of its inputs, returning the list of its outputs.
 ///
 /// Guards become their regular branch: Maxima's numbers are exact.
+#[must_use]
 pub fn program(name: &str, program: &Program) -> String {
     let (steps, outputs) = steps(program, &Maxima { inputs: program.inputs() });
     let locals: Vec<&str> = steps.iter().map(|(name, _)| name.as_str()).collect();

@@ -39,6 +39,7 @@ impl<P: Printer> Written<'_, P> {
     }
 
     /// The program's outputs.
+    #[must_use]
     pub fn outputs(&self) -> Vec<P::Text> {
         self.program.outputs().iter().map(|&v| self.operand(v)).collect()
     }
@@ -47,6 +48,7 @@ impl<P: Printer> Written<'_, P> {
     ///
     /// Sums and products round, so they are grouped as they are computed: a sum on the right of a sum, or a product on the
     /// right of a product, is in parentheses.
+    #[must_use]
     pub fn operation(&self, op: Op) -> P::Text {
         let looser = match op {
             Op::Add(..) | Op::Sub(..) => [None, Some(Binding::Sum)],
@@ -59,6 +61,7 @@ impl<P: Printer> Written<'_, P> {
     }
 
     /// A value where it is used.
+    #[must_use]
     pub fn operand(&self, v: Value) -> P::Text {
         self.above(v, None)
     }

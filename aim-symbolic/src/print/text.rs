@@ -3,6 +3,7 @@
 use super::formula::{Formula, Sign};
 
 /// The formula in one line of Unicode: fractions by a slash, roots by their sign, indices after an underscore.
+#[must_use]
 pub fn formula(formula: &Formula) -> String {
     let f = self::formula;
     match formula {

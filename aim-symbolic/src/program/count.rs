@@ -29,6 +29,7 @@ impl Count {
     pub const POW: usize = 0;
 
     /// All operations but comparisons, selects and calls.
+    #[must_use]
     pub fn total(&self) -> usize {
         self.add + self.mul + self.div + self.sqrt + Self::POW
     }
@@ -47,6 +48,7 @@ impl fmt::Display for Count {
 
 impl Program {
     /// The operations of this program.
+    #[must_use]
     pub fn count(&self) -> Count {
         let mut count = Count::default();
         let plain = self.without_series();

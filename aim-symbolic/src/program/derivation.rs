@@ -81,6 +81,7 @@ impl Derivation {
     /// Each step brings the count down that the program would have if rewriting had stopped there and derivatives had been
     /// taken of what was there. The first starts from the statement as it stands: every operation of it and of its
     /// derivatives is done, also those with 0 and 1.
+    #[must_use]
     pub fn new(g: &Graph, wanted: &[Want]) -> Self {
         let (program, choices) = choose(g, wanted, &[]);
         let way = |log: Log, off: &[Rule]| Way::taken(g, wanted, choices.clone(), off, log, Effort::Finish);
@@ -119,6 +120,7 @@ impl Derivation {
     }
 
     /// What is wanted, if rewriting had stopped after so many rewrites.
+    #[must_use]
     pub fn stopped_after(&self, rewrites: usize) -> (Graph, Vec<Scalar>) {
         let log = Log::limited(rewrites);
         let way = Way::taken(&self.statement, &self.wanted, self.choices.clone(), &[], log, Effort::Compare);
@@ -130,6 +132,7 @@ impl Derivation {
     ///
     /// Parts and steps are matched by their values: what agrees for three random inputs to 1e-11 is the same. Factoring and
     /// sharing leave no node that both have.
+    #[must_use]
     pub fn meanings(&self) -> Vec<Option<Meaning>> {
         let g = &self.graph;
         let mut parts: Vec<(Node, Aspect)> = Vec::new();
@@ -201,6 +204,7 @@ impl Random {
 
 impl Program {
     /// How rules led from the statement to the program: the steps of its [`Derivation`].
+    #[must_use]
     pub fn trace(g: &Graph, wanted: &[Want]) -> Vec<Step> {
         Derivation::new(g, wanted).steps
     }

@@ -96,11 +96,13 @@ impl Program {
     ///
     /// Where rules compete, the program of fewer operations and calls wins; on a tie that of fewer selects, then the
     /// shallower, then the first.
+    #[must_use]
     pub fn derive_wanted(g: &Graph, wanted: &[Want]) -> Self {
         Self::derive_without(g, wanted, &[])
     }
 
     /// The same without these rules, to see what they are good for.
+    #[must_use]
     pub fn derive_without(g: &Graph, wanted: &[Want], without: &[Rule]) -> Self {
         choose(g, wanted, without).0
     }

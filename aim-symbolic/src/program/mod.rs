@@ -59,16 +59,19 @@ impl Program {
     }
 
     /// The names of the inputs, also of those that no operation needs.
+    #[must_use]
     pub fn inputs(&self) -> &[String] {
         &self.inputs
     }
 
     /// The operations.
+    #[must_use]
     pub fn ops(&self) -> &[Op] {
         &self.ops
     }
 
     /// The outputs, in the order they were asked for.
+    #[must_use]
     pub fn outputs(&self) -> &[Value] {
         &self.outputs
     }
@@ -81,6 +84,7 @@ impl Program {
     }
 
     /// Whether `value` is written where it is used: it is needed once, and small.
+    #[must_use]
     pub fn is_inline(&self, value: Value) -> bool {
         self.inline[value.index()]
     }
@@ -90,11 +94,13 @@ impl Program {
     }
 
     /// The number of the step that gives `value`.
+    #[must_use]
     pub fn step_number(&self, value: Value) -> usize {
         self.numbers[value.index()]
     }
 
     /// The number of steps after which `value` is known.
+    #[must_use]
     pub fn steps_until(&self, value: Value) -> usize {
         self.numbers[value.index()] + usize::from(self.is_step(value.index()))
     }
@@ -140,6 +146,7 @@ impl Program {
     }
 
     /// The longest chain of operations that wait for each other.
+    #[must_use]
     pub fn depth(&self) -> usize {
         let mut depths: Vec<usize> = Vec::with_capacity(self.ops.len());
         for op in &self.ops {

@@ -84,6 +84,7 @@ pub struct Rules<'a> {
 
 impl Rules<'_> {
     /// Whether the rule applies.
+    #[must_use]
     pub fn has(&self, rule: &Rule) -> bool {
         !self.without.contains(rule)
     }
@@ -101,6 +102,7 @@ pub(crate) fn of_sets() -> Vec<Rule> {
 }
 
 /// All rules, those of arithmetic last.
+#[must_use]
 pub fn all() -> Vec<Rule> {
     LIMITS.rules.iter().copied().chain(of_sets()).chain(ARITHMETIC).collect()
 }

@@ -58,7 +58,7 @@ fn point_one_way() {
         runtime.is_subset(&set(&["aim-model", "glam", "libm?", "serde?", "wide?"])) && runtime.contains("glam"),
         "{runtime:?}"
     );
-    assert_eq!(declared["aim-animation"], set(&["aim-runtime"]));
+    assert_eq!(declared["aim-animation"], set(&["aim-runtime", "serde?"]));
     assert_eq!(declared["derivand"], set(&["aim-derive", "aim-model", "glam?"]));
     assert_eq!(declared["aim-rig"], set(&["aim-animation?", "aim-derive", "aim-runtime", "aim-codegen [build]?"]));
     let ours = |package: &str| -> BTreeSet<String> {

@@ -55,7 +55,7 @@ fn a_reachable_target_is_reached_whatever_was_looked_at_before() {
         let mut free = Aim::<Thug>::new();
         let reachable = free.snap(&pose, target_ws, &settings).outcome.status == Status::Reached;
         let mut thug = Aim::<Thug>::new();
-        thug.snap(&pose, direction(before.0, before.1), &settings);
+        let _ = thug.snap(&pose, direction(before.0, before.1), &settings);
         let (status, moved) = settle(&mut thug, &pose, target_ws);
         assert_eq!(status == Status::Reached, reachable, "{before:?}, then {target:?}: {status:?}, {thug:?}");
         assert!(moved < 0.2_f32.to_radians(), "{before:?}, then {target:?}: {status:?} and moves {moved}");

@@ -2,6 +2,7 @@
 
 use std::fmt::Debug;
 
+use aim::animation::{Control, Looping, Transform};
 use aim::glam::{Affine3A, Quat, Vec3};
 use aim::rigs::Thug;
 use aim::{Aim, Aimed, Ascent, Behind, Budgets, GazeSharing, Outcome, Pose, Settings, Solver, State, Status, Target};
@@ -114,6 +115,20 @@ fn a_state_is_read_for_as_many_joints_as_it_was_written_for() {
             serde_json::from_str::<Aim<Thug>>(&text).expect_err("another number of joints is no such character");
         assert!(error.to_string().contains("expected 3 joints"), "{error}");
     }
+}
+
+#[test]
+fn a_clip_goes_on_from_where_it_was_stored() {
+    for looping in [Looping::Once, Looping::Repeat, Looping::PingPong] {
+        let mut kept = Control::new().with_looping(looping).with_speed(1.3);
+        for _ in 0..200 {
+            let mut stored = (json(&kept), cbor(&kept));
+            assert_eq!(stored, (kept, kept));
+            let step = kept.advance(1.0 / 60.0, 0.7);
+            assert_eq!((stored.0.advance(1.0 / 60.0, 0.7), stored.1.advance(1.0 / 60.0, 0.7)), (step, step));
+        }
+    }
+    assert_survives(&Transform::new(Vec3::new(0.1, 0.2, 0.3), Quat::from_rotation_x(0.3)));
 }
 
 /// Nobody vouches for a file: whatever numbers it has, corrections are finite and unit, and angles return into their ranges.

@@ -31,21 +31,25 @@ impl Diagnostic {
     }
 
     /// What is wrong.
+    #[must_use]
     pub fn message(&self) -> &str {
         &self.text.message
     }
 
     /// What to do about it.
+    #[must_use]
     pub fn help(&self) -> &str {
         &self.text.help
     }
 
     /// Where it is wrong.
+    #[must_use]
     pub fn place(&self) -> &Place {
         &self.place
     }
 
     /// The other place concerned, such as a key's first use, with what it is.
+    #[must_use]
     pub fn note(&self) -> Option<(&str, &Place)> {
         self.note.as_ref().map(|(note, place)| (note.as_str(), place))
     }
@@ -78,6 +82,7 @@ impl Diagnostics {
     }
 
     /// One `compile_error!` for each error at its place, and one for each second place.
+    #[must_use]
     pub fn into_compile_error(self) -> TokenStream {
         let mut tokens = TokenStream::new();
         for Diagnostic { text, place, note } in self.list {

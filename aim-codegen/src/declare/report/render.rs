@@ -12,6 +12,7 @@ const LONGEST: usize = 200;
 impl Diagnostics {
     /// The errors as a compiler prints them, separated by empty lines: message, file, line and column, the line itself,
     /// help. Ends with a newline.
+    #[must_use]
     pub fn render(&self) -> String {
         let source = self.source.as_ref();
         let mut out = String::new();
