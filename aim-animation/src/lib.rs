@@ -1,4 +1,10 @@
 #![doc = include_str!("../README.md")]
+//!
+//! # Feature flags
+//!
+//! - `std` (default): square roots from the standard library; `libm`: the same from `libm`.
+//! - `serde`: `Serialize` and `Deserialize` for [`Transform`], [`Looping`] and [`Control`].
+//! - `f64`: glam's types in double precision, in the re-exported [`glam`].
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![allow(

@@ -1,7 +1,7 @@
 //! What several crates of `aim-rig` must agree on, said once: axes, roles, what bone names tell, ranges of
 //! motion, how a gaze is shared, and the numbers that derived code computes with.
 //!
-//! No standard library and no dependencies, but for `libm` and `wide` where they are asked for: so the runtime, the macro
+//! No standard library and no dependencies, but for `libm`, `wide` and `serde` where they are asked for: so the runtime, the macro
 //! and the command can all build on it.
 
 #![no_std]
