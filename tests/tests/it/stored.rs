@@ -84,6 +84,7 @@ fn a_character_that_was_stored_goes_on_with_the_same_bits() {
         ("ascent", Settings::default().with_solver(Solver::Ascent)),
     ] {
         let mut random = Random::new(17);
+        #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is meant")]
         let mut number = |limit: f64| random.within(limit) as f32;
         let (mut kept, mut target) = (Aim::<Thug>::new(), Vec3::ZERO);
         let mut stored = [kept; 2];
