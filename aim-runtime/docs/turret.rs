@@ -1,6 +1,6 @@
 // The rig of the examples in the documentation: what `#[derive(AimRig)]` makes, by hand, of one joint at the origin. A single
 // joint is aimed in closed form, so its kernels are not asked.
-struct Turret;
+pub(super) struct Turret;
 
 const TURRET: aim_runtime::Description<'static> = aim_runtime::Description::new(&[aim_runtime::JointInfo::new(
     aim_runtime::Axes { up: [0.0, 1.0, 0.0], forward: [0.0, 0.0, 1.0], left: [1.0, 0.0, 0.0] },

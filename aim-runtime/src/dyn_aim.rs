@@ -14,17 +14,18 @@ use crate::{Call, Joint, Memory, Outcome, Pose, Rig, Settings, State, Targets};
 /// [`dyn Rig`](Rig) is driven by slices.
 ///
 /// ```
-/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+/// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+/// # use turret::Turret;
 /// use aim_runtime::glam::{Affine3A, Vec3};
 /// use aim_runtime::{DynAim, Pose, Rig, Settings, Status};
 /// use std::sync::Arc;
 ///
 /// let shared: Arc<dyn Rig> = Arc::new(Turret);
 /// let mut turrets = [DynAim::new(shared.clone()), DynAim::new(shared)];
-/// for (turret, target) in turrets.iter_mut().zip([Vec3::X, Vec3::Z]) {
-///     let outcome = turret.snap(&Pose::new([Affine3A::IDENTITY]), target, &Settings::default());
-///     assert_eq!(outcome.status, Status::Reached);
-///     assert!((turret.corrections()[0] * Vec3::Z).abs_diff_eq(target, 1e-3));
+/// for (turret, target) in turrets.iter_mut().zip([Vec3::new(0.6, 0.0, 0.8), Vec3::Z]) {
+///     let frames = (0..60).map(|_| turret.aim(&Pose::new([Affine3A::IDENTITY]), target, 1.0 / 60.0, &Settings::default()));
+///     assert_eq!(frames.last().unwrap().status, Status::Reached);
+///     assert!((turret.corrections()[0] * Vec3::Z).abs_diff_eq(target, 2e-3));
 /// }
 /// ```
 #[derive(Clone, Debug)]

@@ -7,17 +7,16 @@ use glam::Quat;
 /// Angles and status are measured with the true forward kinematics of the pose, never with the solver's own model.
 ///
 /// ```
-/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+/// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+/// # use turret::Turret;
 /// use aim_runtime::glam::{Affine3A, Vec3};
 /// use aim_runtime::{Aim, Pose, Settings, Status};
 ///
-/// // The turret turns by 2 rad to either side; the target stands 0.14 rad further round.
-/// let mut turret = Aim::<Turret>::new();
-/// let target = Vec3::new((2.14_f32).sin(), 0.0, (2.14_f32).cos());
-/// let outcome = turret.snap(&Pose::new([Affine3A::IDENTITY]), target, &Settings::default()).outcome;
-/// assert_eq!(outcome.status, Status::AtLimit);
-/// assert!((outcome.remaining - 0.14).abs() < 1e-3 && (outcome.aim - outcome.remaining.cos()).abs() < 1e-5);
-/// assert!(outcome.at_limit.contains(0) && outcome.recovering.is_empty());
+/// let (mut turret, pose) = (Aim::<Turret>::new(), Pose::new([Affine3A::IDENTITY]));
+/// let outcome = turret.aim(&pose, Vec3::new(0.1, 0.0, 3.0), 0.1, &Settings::default()).outcome;
+/// assert_eq!(outcome.status, Status::Reached);
+/// assert!(outcome.remaining < Settings::default().tolerance && outcome.aim > 0.999);
+/// assert!(outcome.at_limit.is_empty() && outcome.recovering.is_empty());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

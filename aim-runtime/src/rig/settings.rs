@@ -184,7 +184,8 @@ pub enum Solver {
 /// [`Behind`](crate::Status::Behind).
 ///
 /// ```
-/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs"));
+/// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+/// # use turret::Turret;
 /// use aim_runtime::glam::{Affine3A, Vec3};
 /// use aim_runtime::{Aim, Behind, Pose, Settings, Status};
 ///
