@@ -51,6 +51,11 @@ fn run() -> Result<(), String> {
     Ok(())
 }
 
+/// A link's second half: pages are linked by reference, as the documentation leads them to others.
+fn link(page: &str) -> String {
+    if page.starts_with('#') { format!("({page})") } else { format!("[{page}]") }
+}
+
 /// Whether two rows say the same, but for a quarter of the instructions.
 fn is_same(row: &str, other: &str) -> bool {
     let split = |row: &'_ str| -> Option<(String, f64)> {
@@ -93,9 +98,9 @@ fn table() -> Result<String, String> {
             if ratios.is_empty() { "–".to_owned() } else { format!("{} ×", number(quantile(&mut ratios, 0.5))) };
         writeln!(
             table,
-            "| [{}]({}) | {:.1} % | {:.3}° / {:.1}° | {:.1} % | {displacement} | {:.1}° | {} |",
+            "| [{}]{} | {:.1} % | {:.3}° / {:.1}° | {:.1} % | {displacement} | {:.1}° | {} |",
             contender.name,
-            contender.page,
+            link(contender.page),
             share(on_target),
             quantile(&mut errors, 0.5),
             quantile(&mut errors, 1.0),
