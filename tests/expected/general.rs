@@ -57,7 +57,7 @@ const _: () = {
                 _ => ::core::option::Option::None,
             }
         }
-        ///The chain's stereographic residual (left, up), then the 4 derivatives of the first and of the second. 229 operations: 84 add, 142 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `General`.
+        ///The chain's stereographic residual (left, up), then the 4 derivatives of the first and of the second. 213 operations: 80 add, 130 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `General`.
         #[inline(always)]
         fn residual_jacobian(
             &self,
@@ -94,107 +94,112 @@ const _: () = {
             let __v4 = __v3 + __link_1[10];
             let __v5 = __sin_cos_1[0] * __v0 + __target[2] * __sin_cos_1[1];
             let __v6 = __link_1[11] - __v5;
-            let __v7 = __link_1[0] * __v2 + __link_1[1] * __v4 + __link_1[2] * __v6;
-            let __v8 = __link_1[3] * __v2 + __link_1[4] * __v4 + __link_1[5] * __v6;
-            let __v9 = __link_1[6] * __v2 + __link_1[7] * __v4 + __link_1[8] * __v6;
-            let __v10 = 0.6 * __v7 - 0.224 * __v8 + 0.768 * __v9;
-            let __v11 = 0.576 * __v9 - (0.8 * __v7 + 0.168 * __v8);
-            let __v12 = __sin_cos_0[3] * __v10 - __sin_cos_0[2] * __v11;
-            let __v13 = 0.28 * __v9 - (0.000000000000000016653346 * __v7 - 0.96 * __v8);
-            let __v14 = __sin_cos_0[0] * __v12 - __sin_cos_0[1] * __v13;
-            let __v15 = __sin_cos_0[1] * __v12 + __sin_cos_0[0] * __v13;
-            let __v16 = __sin_cos_0[2] * __v10 + __sin_cos_0[3] * __v11;
-            let __v17 = __v2 * __v2 + __v4 * __v4 + __v6 * __v6;
-            let __v18 = <::core::primitive::f32 as ::aim::__private::Scalar>::sqrt(
-                __v17,
+            let __v7 = __link_1[3] * __v2 + __link_1[4] * __v4 + __link_1[5] * __v6;
+            let __v8 = __link_1[6] * __v2 + __link_1[7] * __v4 + __link_1[8] * __v6;
+            let __v9 = __v8 * 0.96 - 0.28 * __v7;
+            let __v10 = __sin_cos_0[2] * 2.142857 - __sin_cos_0[3] * 2.857143;
+            let __v11 = __link_1[0] * __v2 + __link_1[1] * __v4 + __link_1[2] * __v6;
+            let __v12 = __v8 + __v7 * 3.4285715;
+            let __v13 = __v11 + __v12 * 0.000000000000000006217249;
+            let __v14 = __sin_cos_0[2] * 2.857143 + __sin_cos_0[3] * 2.142857;
+            let __v15 = __v13 * __v14 - __v9 * __v10;
+            let __v16 = __v11 * 0.00000000000000005947623 - __v12;
+            let __v17 = __sin_cos_0[1] * __v15 - __sin_cos_0[0] * __v16;
+            let __v18 = __v9 * __v14 + __v10 * __v13;
+            let __v19 = __v18 * 0.8333333 - __v17 * 0.625;
+            let __v20 = __v2 * __v2 + __v4 * __v4 + __v6 * __v6;
+            let __v21 = <::core::primitive::f32 as ::aim::__private::Scalar>::sqrt(
+                __v20,
             );
-            let __v19 = 0.28 * __v14 - (0.768 * __v15 + 0.576 * __v16) + __v18;
-            let __v20 = 1.0 / __v19;
-            let __v21 = if <::core::primitive::f32 as ::aim::__private::Scalar>::TINY
-                < __v19
+            let __v22 = __sin_cos_0[0] * __v15 + __sin_cos_0[1] * __v16;
+            let __v23 = __v21 - (__v17 * 0.21504 + __v18 * 0.16128 - __v22 * 0.0784);
+            let __v24 = 0.21504 / __v23;
+            let __v25 = if <::core::primitive::f32 as ::aim::__private::Scalar>::TINY
+                < __v23
             {
-                __v20
+                __v24
             } else {
                 0.0
             };
-            let __v22 = 2.0 * __v21;
-            let __v23 = 0.8 * __v16 - 0.6 * __v15;
-            let __v24 = __v22 * __v23;
-            *__out_0 = __v24;
-            let __v25 = 0.224 * __v15 + 0.168 * __v16 + 0.96 * __v14;
-            let __v26 = __v22 * __v25;
-            *__out_1 = __v26;
-            let __v27 = __v21 * __v22;
-            let __v28 = __v23 * __v27;
-            let __v29 = 0.6 * __v22 - 0.768 * __v28;
-            let __v30 = 0.28 * __v28;
-            let __v31 = __v14 * __v29 - __v15 * __v30;
-            *__out_2 = __v31;
-            let __v32 = __sin_cos_0[1] * __v29 + __sin_cos_0[0] * __v30;
-            let __v33 = 0.8 * __v22 + 0.576 * __v28;
-            let __v34 = __v16 * __v32 + __v12 * __v33;
-            *__out_3 = __v34;
-            let __v35 = __sin_cos_0[3] * __v32 - __sin_cos_0[2] * __v33;
-            let __v36 = __sin_cos_0[2] * __v32 + __sin_cos_0[3] * __v33;
-            let __v37 = __sin_cos_0[0] * __v29 - __sin_cos_0[1] * __v30;
-            let __v38 = 0.768 * __v35 - 0.576 * __v36 + 0.28 * __v37;
-            let __v39 = 0.000000000000000016653346 * __v37 - (0.6 * __v35 + 0.8 * __v36);
-            let __v40 = 0.96 * __v37 - (0.224 * __v35 - 0.168 * __v36);
-            let __v41 = 1.0 / __v18;
-            let __v42 = if <::core::primitive::f32 as ::aim::__private::Scalar>::TINY
-                < __v18
+            let __v26 = __v25 * 2.5;
+            let __v27 = __v19 * __v26;
+            *__out_0 = __v27;
+            let __v28 = __v22 + (__v17 * 0.23333333 + __v18 * 0.175);
+            let __v29 = __v28 * __v26;
+            *__out_1 = __v29;
+            let __v30 = __v25 * __v26;
+            let __v31 = __v19 * __v30;
+            let __v32 = 0.625 * __v26 - __v31;
+            let __v33 = 0.36458334 * __v31;
+            let __v34 = __v22 * __v32 - __v17 * __v33;
+            *__out_2 = __v34;
+            let __v35 = __sin_cos_0[1] * __v32 + __sin_cos_0[0] * __v33;
+            let __v36 = 0.8333333 * __v26 + 0.75 * __v31;
+            let __v37 = __v18 * __v35 + __v15 * __v36;
+            *__out_3 = __v37;
+            let __v38 = __v14 * __v35 - __v10 * __v36;
+            let __v39 = __sin_cos_0[0] * __v32 - __sin_cos_0[1] * __v33;
+            let __v40 = __v38 - 0.00000000000000005947623 * __v39;
+            let __v41 = __v39 + 0.0000000000000000046629366 * __v38;
+            let __v42 = __v10 * __v35 + __v14 * __v36;
+            let __v43 = 3.4285715 * __v41 + 0.28 * __v42;
+            let __v44 = __v41 - 0.96 * __v42;
+            let __v45 = 4.6502976 / __v21;
+            let __v46 = if <::core::primitive::f32 as ::aim::__private::Scalar>::TINY
+                < __v21
             {
-                __v41
+                __v45
             } else {
                 0.0
             };
-            let __v43 = __v42 * __v28;
-            let __v44 = __v2 * __v43;
-            let __v45 = __link_1[6] * __v38 - (__link_1[0] * __v39 - __link_1[3] * __v40)
-                + __v44;
-            let __v46 = __v6 * __v43;
-            let __v47 = __link_1[8] * __v38 - (__link_1[2] * __v39 - __link_1[5] * __v40)
-                + __v46;
-            let __v48 = __v1 * __v47 - __v5 * __v45;
-            *__out_4 = __v48;
-            let __v49 = __v4 * __v43;
-            let __v50 = __link_1[7] * __v38 - (__link_1[1] * __v39 - __link_1[4] * __v40)
-                + __v49;
-            let __v51 = __v3 * (__sin_cos_1[1] * __v45 + __sin_cos_1[0] * __v47)
-                + __v0 * __v50;
-            let __v52 = __v25 * __v27;
-            let __v53 = 0.224 * __v22 + 0.768 * __v52;
-            let __v54 = 0.96 * __v22 - 0.28 * __v52;
-            let __v55 = __v15 * __v54 - __v14 * __v53;
-            *__out_6 = __v55;
-            let __v56 = __sin_cos_0[1] * __v53 + __sin_cos_0[0] * __v54;
-            let __v57 = 0.168 * __v22 + 0.576 * __v52;
-            let __v58 = __v12 * __v57 - __v16 * __v56;
-            *__out_7 = __v58;
-            let __v59 = __sin_cos_0[3] * __v56 + __sin_cos_0[2] * __v57;
-            let __v60 = __sin_cos_0[2] * __v56 - __sin_cos_0[3] * __v57;
-            let __v61 = __sin_cos_0[0] * __v53 - __sin_cos_0[1] * __v54;
-            let __v62 = 0.768 * __v59 - 0.576 * __v60 + 0.28 * __v61;
-            let __v63 = 0.000000000000000016653346 * __v61 - (0.6 * __v59 + 0.8 * __v60);
-            let __v64 = 0.96 * __v61 - (0.224 * __v59 - 0.168 * __v60);
-            let __v65 = __v42 * __v52;
-            let __v66 = __v2 * __v65;
-            let __v67 = __link_1[6] * __v62 - (__link_1[0] * __v63 - __link_1[3] * __v64)
-                - __v66;
-            let __v68 = __v6 * __v65;
-            let __v69 = __link_1[8] * __v62 - (__link_1[2] * __v63 - __link_1[5] * __v64)
-                - __v68;
-            let __v70 = __v5 * __v67 - __v1 * __v69;
-            *__out_8 = __v70;
-            let __v71 = __v4 * __v65;
-            let __v72 = __link_1[7] * __v62 - (__link_1[1] * __v63 - __link_1[4] * __v64)
+            let __v47 = __v46 * __v31;
+            let __v48 = __v2 * __v47;
+            let __v49 = __link_1[0] * __v40 + __link_1[3] * __v43 + __link_1[6] * __v44
+                + __v48;
+            let __v50 = __v6 * __v47;
+            let __v51 = __link_1[2] * __v40 + __link_1[5] * __v43 + __link_1[8] * __v44
+                + __v50;
+            let __v52 = __v1 * __v51 - __v5 * __v49;
+            *__out_4 = __v52;
+            let __v53 = __v4 * __v47;
+            let __v54 = __link_1[1] * __v40 + __link_1[4] * __v43 + __link_1[7] * __v44
+                + __v53;
+            let __v55 = __v3 * (__sin_cos_1[1] * __v49 + __sin_cos_1[0] * __v51)
+                + __v0 * __v54;
+            let __v56 = __v28 * __v30;
+            let __v57 = 0.23333333 * __v26 + __v56;
+            let __v58 = __v26 - 0.36458334 * __v56;
+            let __v59 = __v17 * __v58 - __v22 * __v57;
+            *__out_6 = __v59;
+            let __v60 = __sin_cos_0[1] * __v57 + __sin_cos_0[0] * __v58;
+            let __v61 = 0.175 * __v26 + 0.75 * __v56;
+            let __v62 = __v15 * __v61 - __v18 * __v60;
+            *__out_7 = __v62;
+            let __v63 = __v14 * __v60 + __v10 * __v61;
+            let __v64 = __sin_cos_0[0] * __v57 - __sin_cos_0[1] * __v58;
+            let __v65 = __v63 - 0.00000000000000005947623 * __v64;
+            let __v66 = __v64 + 0.0000000000000000046629366 * __v63;
+            let __v67 = __v14 * __v61 - __v10 * __v60;
+            let __v68 = 3.4285715 * __v66 - 0.28 * __v67;
+            let __v69 = __v66 + 0.96 * __v67;
+            let __v70 = __v46 * __v56;
+            let __v71 = __v2 * __v70;
+            let __v72 = __link_1[0] * __v65 + __link_1[3] * __v68 + __link_1[6] * __v69
                 - __v71;
-            let __v73 = __v3 * (__sin_cos_1[1] * __v67 + __sin_cos_1[0] * __v69)
-                + __v0 * __v72;
-            *__out_5 = -__v51;
-            *__out_9 = __v73;
+            let __v73 = __v6 * __v70;
+            let __v74 = __link_1[2] * __v65 + __link_1[5] * __v68 + __link_1[8] * __v69
+                - __v73;
+            let __v75 = __v5 * __v72 - __v1 * __v74;
+            *__out_8 = __v75;
+            let __v76 = __v4 * __v70;
+            let __v77 = __link_1[1] * __v65 + __link_1[4] * __v68 + __link_1[7] * __v69
+                - __v76;
+            let __v78 = __v3 * (__sin_cos_1[1] * __v72 + __sin_cos_1[0] * __v74)
+                + __v0 * __v77;
+            *__out_5 = -__v55;
+            *__out_9 = __v78;
         }
-        ///Aim of joint `left_eye`, d aim / d pitch, d aim / d heading. 91 operations: 35 add, 54 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `General`.
+        ///Aim of joint `left_eye`, d aim / d pitch, d aim / d heading. 86 operations: 33 add, 51 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `General`.
         ///Aim of joint `neck`, d aim / d pitch, d aim / d heading. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `General`.
         fn aim_gradient(
             &self,
@@ -205,49 +210,50 @@ const _: () = {
         ) -> [::core::primitive::f32; 3] {
             match __joint {
                 0 => {
-                    let __v0 = __target[1] * 0.224 - __target[0] * 0.6
-                        - __target[2] * 0.768;
-                    let __v1 = __target[0] * 0.8 + __target[1] * 0.168
-                        - __target[2] * 0.576;
-                    let __v2 = __sin_cos[3] * __v0 - __sin_cos[2] * __v1;
-                    let __v3 = __target[0] * 0.000000000000000016653346
-                        - __target[1] * 0.96 - __target[2] * 0.28;
-                    let __v4 = __sin_cos[1] * __v2 + __sin_cos[0] * __v3;
-                    let __v5 = __sin_cos[2] * __v0 + __sin_cos[3] * __v1;
-                    let __v6 = __sin_cos[0] * __v2 - __sin_cos[1] * __v3;
-                    let __v7 = 0.8 * __v5 - 0.6 * __v4
-                        - 0.000000000000000016653346 * __v6 - __effector_to_joint[9];
-                    let __v8 = 0.224 * __v4 + 0.168 * __v5 + 0.96 * __v6
-                        - __effector_to_joint[10];
-                    let __v9 = 0.28 * __v6 - (0.768 * __v4 + 0.576 * __v5)
-                        - __effector_to_joint[11];
-                    let __v10 = __v7 * __v7 + __v8 * __v8 + __v9 * __v9;
-                    let __v11 = <::core::primitive::f32 as ::aim::__private::Scalar>::sqrt(
-                        __v10,
+                    let __v0 = __target[1] * 0.28 - __target[2] * 0.96;
+                    let __v1 = __sin_cos[2] * 0.768 + __sin_cos[3] * 0.576;
+                    let __v2 = __target[1] * 0.9216 + __target[2] * 0.2688;
+                    let __v3 = __target[0] + __v2 * 0.000000000000000023129646;
+                    let __v4 = __sin_cos[3] * 0.768 - __sin_cos[2] * 0.576;
+                    let __v5 = __v0 * __v1 + __v3 * __v4;
+                    let __v6 = __v0 * __v4 - __v1 * __v3;
+                    let __v7 = __sin_cos[0] + __sin_cos[1] * 0.23333333;
+                    let __v8 = __v2 - __target[0] * 0.000000000000000015987211;
+                    let __v9 = __sin_cos[1] - __sin_cos[0] * 0.23333333;
+                    let __v10 = __v6 * __v7 + __v8 * __v9;
+                    let __v11 = __v10 * 0.16596417 - __v5;
+                    let __v12 = __v7 * __v8 - __v6 * __v9;
+                    let __v13 = __v12 * 0.5927292 - __v11 * 0.8333333
+                        - __effector_to_joint[9];
+                    let __v14 = __v10 + __v5 * 0.175 - __effector_to_joint[10];
+                    let __v15 = __v11 * 0.6 + __v12 * 0.823235 - __effector_to_joint[11];
+                    let __v16 = __v13 * __v13 + __v14 * __v14 + __v15 * __v15;
+                    let __v17 = <::core::primitive::f32 as ::aim::__private::Scalar>::sqrt(
+                        __v16,
                     );
-                    let __v12 = 1.0 / __v11;
-                    let __v13 = if <::core::primitive::f32 as ::aim::__private::Scalar>::TINY
-                        < __v11
+                    let __v18 = 1.0 / __v17;
+                    let __v19 = if <::core::primitive::f32 as ::aim::__private::Scalar>::TINY
+                        < __v17
                     {
-                        __v12
+                        __v18
                     } else {
                         0.0
                     };
-                    let __v14 = __v13
-                        * (__effector_to_joint[6] * __v7 + __effector_to_joint[7] * __v8
-                            + __effector_to_joint[8] * __v9);
-                    let __v15 = __v13 * __v14;
-                    let __v16 = __effector_to_joint[6] - __v7 * __v15;
-                    let __v17 = __effector_to_joint[7] - __v8 * __v15;
-                    let __v18 = __effector_to_joint[8] - __v9 * __v15;
-                    let __v19 = 0.6 * __v16 - 0.224 * __v17 + 0.768 * __v18;
-                    let __v20 = 0.28 * __v18
-                        - (0.000000000000000016653346 * __v16 - 0.96 * __v17);
-                    let __v21 = __v13 * (__v6 * __v19 + __v4 * __v20);
-                    let __v22 = __v2 * (0.576 * __v18 - (0.8 * __v16 + 0.168 * __v17));
-                    let __v23 = __v13
-                        * (__v5 * (__sin_cos[1] * __v19 - __sin_cos[0] * __v20) - __v22);
-                    [__v14, __v21, __v23]
+                    let __v20 = __v19
+                        * (__effector_to_joint[6] * __v13
+                            + __effector_to_joint[7] * __v14
+                            + __effector_to_joint[8] * __v15);
+                    let __v21 = __v19 * __v20;
+                    let __v22 = __effector_to_joint[8] - __v15 * __v21;
+                    let __v23 = __effector_to_joint[6] - __v13 * __v21;
+                    let __v24 = 0.823235 * __v22 + 0.5927292 * __v23;
+                    let __v25 = __effector_to_joint[7] - __v14 * __v21;
+                    let __v26 = 0.6 * __v22 - 0.8333333 * __v23;
+                    let __v27 = __v25 + __v26 * 0.16596417;
+                    let __v28 = __v19 * (__v10 * __v24 - __v12 * __v27);
+                    let __v29 = __v6 * (__v26 - 0.175 * __v25);
+                    let __v30 = __v19 * (__v5 * (__v9 * __v24 - __v7 * __v27) - __v29);
+                    [__v20, __v28, __v30]
                 }
                 1 => {
                     let __v0 = __target[0] * __sin_cos[3] + __target[1] * __sin_cos[2];

@@ -55,7 +55,7 @@ pub fn all() -> Vec<Problem> {
         both_ways_round(),
         squared_length(),
         chain_aim("aim of a chain", 110, &[CARDINAL; 2], CARDINAL),
-        chain_aim("aim in a general frame", 105, &[general()], general()),
+        chain_aim("aim in a general frame", 99, &[general()], general()),
         chain_aim("aim of a general effector", 60, &[CARDINAL], general()),
         residual(),
         points_on_planes(),

@@ -396,7 +396,7 @@ impl Graph {
             RotationNode::About(axis, angle) => (angle, self.cross(axis, rotated)),
             _ => return None,
         };
-        Some((angle, if back { self.neg_vector(perp) } else { perp }))
+        Some((self.unshifted(angle), if back { self.neg_vector(perp) } else { perp }))
     }
 
     /// The sum of two scalars or of two vectors.

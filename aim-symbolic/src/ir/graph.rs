@@ -62,6 +62,8 @@ struct AngleEntry {
     cos: Scalar,
     /// The expression it stands for, unless it is an input.
     radians: Option<Scalar>,
+    /// The input that it differs from by a constant.
+    shifted: Option<Angle>,
 }
 
 impl Default for Graph {
@@ -222,7 +224,7 @@ impl Graph {
         let angle = self.next_angle();
         let sin = self.declare(format!("sin_{name}"), InputKind::Sin(angle));
         let cos = self.declare(format!("cos_{name}"), InputKind::Cos(angle));
-        self.angles.push(AngleEntry { name: name.to_owned(), sin, cos, radians: None });
+        self.angles.push(AngleEntry { name: name.to_owned(), sin, cos, radians: None, shifted: None });
         angle
     }
 
@@ -233,9 +235,34 @@ impl Graph {
         }
         let angle = self.next_angle();
         let (sin, cos) = (self.call(Function::Sin, radians), self.call(Function::Cos, radians));
-        self.angles.push(AngleEntry { name: format!("a{}", angle.0), sin, cos, radians: Some(radians) });
+        self.angles.push(AngleEntry { name: format!("a{}", angle.0), sin, cos, radians: Some(radians), shifted: None });
         self.angles_of.insert(radians, angle);
         angle
+    }
+
+    /// `angle` and a constant one with this sine and cosine.
+    pub(crate) fn shifted_angle(&mut self, angle: Angle, [sine, cosine]: [f64; 2]) -> Angle {
+        if let Some(radians) = self.radians(angle) {
+            let shift = self.constant(sine.atan2(cosine));
+            let sum = self.add(radians, shift);
+            return self.angle_of(sum);
+        }
+        let ((sin, cos), [sine, cosine]) = (self.sin_cos(angle), [sine, cosine].map(|c| self.constant(c)));
+        let [kept, won] = [self.mul(cosine, sin), self.mul(sine, cos)];
+        let [left, lost] = [self.mul(cosine, cos), self.mul(sine, sin)];
+        let (sin, cos) = (self.add(kept, won), self.sub(left, lost));
+        let base = self.unshifted(angle);
+        if let Some(known) = self.angles.iter().position(|a| (a.sin, a.cos, a.shifted) == (sin, cos, Some(base))) {
+            return Angle(u32::try_from(known).unwrap_or_default());
+        }
+        let shifted = self.next_angle();
+        self.angles.push(AngleEntry { name: format!("a{}", shifted.0), sin, cos, radians: None, shifted: Some(base) });
+        shifted
+    }
+
+    /// The angle without what a constant adds to it: both have the same derivatives.
+    pub(crate) fn unshifted(&self, angle: Angle) -> Angle {
+        self.angles[angle.0 as usize].shifted.unwrap_or(angle)
     }
 
     /// A direction with these components by inputs and angles; the components count as constants.

@@ -208,7 +208,7 @@ impl Parts for Collect<'_> {
             Some(radians) => {
                 self.scalar(radians);
             }
-            None => self.angles.push(angle),
+            None => self.angles.push(self.g.unshifted(angle)),
         }
         angle
     }

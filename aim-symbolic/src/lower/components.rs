@@ -308,8 +308,40 @@ impl Lowering {
     }
 
     fn basis(&mut self, rows: [Constant; 9], transposed: bool, v: [Scalar; 3]) -> [Scalar; 3] {
-        let rows = rows.map(|c| self.fold.g.constant(c.value()));
-        self.matrix(rows, transposed, v)
+        let at = |i: usize, k: usize| rows[if transposed { 3 * i + k } else { 3 * k + i }].value();
+        let zeros = (0..9).filter(|&place| at(place / 3, place % 3) == 0.0);
+        let [Some(zero), None] = ({
+            let mut zeros = zeros;
+            [zeros.next(), zeros.next()]
+        }) else {
+            let rows = rows.map(|c| self.fold.g.constant(c.value()));
+            return self.matrix(rows, transposed, v);
+        };
+        self.two_turns(core::array::from_fn(|place| at(place / 3, place % 3)), zero, v)
+    }
+
+    /// An orthogonal matrix with one zero is two turns of planes, or one and a mirror image: of the two components of `v` that
+    /// the zero's row sees, only that sum and what is square to it are needed.
+    fn two_turns(&mut self, rows: [f64; 9], zero: usize, v: [Scalar; 3]) -> [Scalar; 3] {
+        let (row, k) = (zero / 3, zero % 3);
+        let [i, j] = [(k + 1) % 3, (k + 2) % 3];
+        let [a, b] = [rows[3 * row + i], rows[3 * row + j]];
+        let aside = self.combination([-b, a], [v[i], v[j]]);
+        [0, 1, 2].map(|own| {
+            let of = |k: usize| rows[3 * own + k];
+            if own == row {
+                return self.combination([a, b], [v[i], v[j]]);
+            }
+            self.combination([a * of(j) - b * of(i), of(k)], [aside, v[k]])
+        })
+    }
+
+    fn combination(&mut self, factors: [f64; 2], parts: [Scalar; 2]) -> Scalar {
+        let [x, y] = [0, 1].map(|i| {
+            let factor = self.fold.g.constant(factors[i]);
+            self.fold.mul(factor, parts[i])
+        });
+        self.fold.add(x, y)
     }
 
     /// The row-vector product `v M`, or `v Mᵀ`.

@@ -6,6 +6,7 @@ pub(crate) mod fold;
 mod limits;
 pub(crate) mod products;
 pub(crate) mod rebuild;
+mod scales;
 mod selects;
 pub(crate) mod sides;
 
@@ -13,6 +14,7 @@ use self::factor::factor;
 use self::fold::Fold;
 use self::products::{Open, share_products};
 use self::rebuild::Uses;
+pub(crate) use self::scales::scaled;
 use crate::rewrite::rules::{FACTOR, Rules, SHARE};
 use crate::{Graph, Scalar};
 

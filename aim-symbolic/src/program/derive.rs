@@ -4,8 +4,9 @@ use crate::diff::sweep::{Course, Swept};
 use crate::lower::Effort;
 use crate::rewrite::log::Log;
 use crate::rewrite::rules::{
-    self, ACROSS_FOR_CROSS, CANCELLING, CONSTANT_SCALE, DIRECTIONS, EXPAND_ACROSS, FRAMES, JOIN_COMPONENTS, LIMITS,
-    MATRIX, MERGE_SHARED, OPTIONAL, OTHER_SIDES, ROTATIONS, Rule, Rules, SCALES, SPREAD, WORDING,
+    self, ACROSS_FOR_CROSS, BASES, CANCELLING, CONSTANT_SCALE, DIRECTIONS, EXPAND_ACROSS, FRAMES, JOIN_COMPONENTS,
+    LIMITS, MATRIX, MERGE_SHARED, OPTIONAL, OTHER_SIDES, ROTATIONS, Rule, Rules, SCALES, SPREAD, TURN_INTO_ANGLE,
+    WORDING,
 };
 use crate::{Graph, Placement, Program, Rotation, Scalar, Variable};
 
@@ -262,6 +263,9 @@ fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
     if applied(&[EXPAND_ACROSS]) > 0 {
         rivals.push(optional(SPREAD));
     }
+    if g.has_general_basis(outputs) {
+        rivals.push(optional(TURN_INTO_ANGLE));
+    }
     if g.has_constant_direction(outputs) {
         rivals.push(optional(CONSTANT_SCALE));
     }
@@ -312,7 +316,10 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
     let limits = Rules { without, turned: None };
     let limited = g.rewrite_with(&stated, &LIMITS, &limits, log);
     let worded = g.rewrite_with(&limited, &WORDING, &rules, log);
-    let values = g.rewrite_with(&worded, &ROTATIONS, &rules, log);
+    let mut values = g.rewrite_with(&worded, &ROTATIONS, &rules, log);
+    if rules.has(&TURN_INTO_ANGLE) {
+        values = g.rewrite_with(&values, &BASES, &rules, log);
+    }
     (log.values, log.before_sweeps) = (values.clone(), log.applied.len());
     let value =
         |s: Scalar| values[stated.iter().position(|&known| known == s).expect("every wanted statement is here")];

@@ -9,8 +9,8 @@ pub(crate) mod singular;
 
 use crate::ir::table::Table;
 use crate::lower::components::Lowering;
-use crate::lower::{Effort, arranged};
-use crate::rewrite::rules::{DIVIDE_ONCE, FACTOR, MATRIX, Rules, SHARE};
+use crate::lower::{Effort, arranged, scaled};
+use crate::rewrite::rules::{DIVIDE_ONCE, FACTOR, MATRIX, MOVE_CONSTANTS, Rules, SHARE};
 use crate::{Constant, Graph, Op, Scalar, ScalarNode, Value};
 
 /// How many operations one written step has at most, for its reader.
@@ -34,7 +34,7 @@ impl Program {
         Self::compile_with(
             g,
             outputs,
-            &Rules { without: &[SHARE, FACTOR, MATRIX], ..Rules::default() },
+            &Rules { without: &[SHARE, FACTOR, MATRIX, MOVE_CONSTANTS], ..Rules::default() },
             Effort::Compare,
         )
     }
@@ -44,7 +44,17 @@ impl Program {
         let mut lowering = Lowering::new(core::mem::take(g), rules);
         let lowered = lowering.outputs(outputs);
         let lowered = arranged(&mut lowering.fold, lowered, rules, effort);
+        let moved = if rules.has(&MOVE_CONSTANTS) { scaled(&mut lowering.fold, &lowered) } else { None };
         *g = lowering.fold.g;
+        let program = Self::scheduled(g, &lowered, rules);
+        match moved.map(|moved| Self::scheduled(g, &moved, rules)) {
+            Some(moved) if moved.count().total() < program.count().total() => moved,
+            _ => program,
+        }
+    }
+
+    /// The program of outputs that are lowered.
+    fn scheduled(g: &Graph, lowered: &[Scalar], rules: &Rules<'_>) -> Self {
         let mut schedule = Schedule { g, ops: Vec::new(), values: Table::default() };
         let outputs = lowered.iter().map(|&s| schedule.value(s)).collect();
         let ops = schedule.ops;

@@ -1,5 +1,6 @@
 //! Rules that move rotations to where they cancel or cost least, and what applies them.
 
+pub(crate) mod bases;
 pub(crate) mod directions;
 mod frames;
 mod limits;

@@ -8,7 +8,7 @@
 use core::fmt;
 
 use crate::ir::node::Node;
-use crate::rewrite::{directions, frames, limits, rotations, scaling, sums};
+use crate::rewrite::{bases, directions, frames, limits, rotations, scaling, sums};
 use crate::{Graph, Scalar, Vector};
 
 /// A rewriting of expressions that keeps their value. Rules are compared by name.
@@ -93,7 +93,7 @@ impl Rules<'_> {
 /// The rules of all sets but [`LIMITS`], each once, in the order of the passes that they belong to.
 pub(crate) fn of_sets() -> Vec<Rule> {
     let mut all: Vec<Rule> = Vec::new();
-    for rule in [WORDING, ROTATIONS, DIRECTIONS, FRAMES, SCALES].iter().flat_map(|set| set.rules) {
+    for rule in [WORDING, ROTATIONS, BASES, DIRECTIONS, FRAMES, SCALES].iter().flat_map(|set| set.rules) {
         if !all.contains(rule) {
             all.push(*rule);
         }
@@ -149,6 +149,9 @@ pub const ROTATIONS: RuleSet = RuleSet {
 /// Compositions into the rotations that they are made of, as both sweeps need them.
 pub(crate) const COMPOSITIONS: RuleSet = RuleSet { rules: &[SPLIT_COMPOSITION], sums: Sums::Open };
 
+/// Constant turns into the angles of turns that they stand beside.
+pub const BASES: RuleSet = RuleSet { rules: &[TURN_INTO_ANGLE], sums: Sums::Open };
+
 /// A calculation in the frame before a turn that many vectors were turned back by.
 pub const FRAMES: RuleSet =
     RuleSet { rules: &[FOLD_ZERO, UNDO_ROTATION, SUM_IN_FRAME, OPERATION_IN_FRAME, NUMBER_IN_FRAME], sums: Sums::Open };
@@ -192,10 +195,10 @@ pub const SCALES: RuleSet = RuleSet {
 };
 
 /// Rules of components: what any compiler of formulas does, all at once.
-pub const ARITHMETIC: [Rule; 7] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, DIVIDE_ONCE, MATRIX];
+pub const ARITHMETIC: [Rule; 8] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, MOVE_CONSTANTS, DIVIDE_ONCE, MATRIX];
 
 /// Rules that apply only where that is found to pay.
-pub(crate) const OPTIONAL: [Rule; 3] = [SPREAD, CONSTANT_SCALE, MATRIX];
+pub(crate) const OPTIONAL: [Rule; 4] = [TURN_INTO_ANGLE, SPREAD, CONSTANT_SCALE, MATRIX];
 
 /// Rules that turn something else than before by as much: how far to go is a choice.
 pub(crate) const OTHER_SIDES: [Rule; 3] = [OTHER_SIDE_OF_DOT, PULL_OUT_OF_NORM, PULL_OUT_OF_SQUARE];
@@ -273,6 +276,9 @@ rules! {
     /// v · R w = Rᵀ v · w: a dot product does not change when both sides are turned back alike. The rotation goes to
     /// the side where it costs less.
     OTHER_SIDE_OF_DOT = "rotation to the other side of a dot": Scalar(rotations::dot_other_side);
+    /// A constant rotation before or after a turn is another turn of the same plane and a rotation with fewer numbers. The two
+    /// turns are one, by the sum of their angles.
+    TURN_INTO_ANGLE = "a constant turn into the angle": Vector(bases::turn_into_angle);
     /// A number times a number times a vector: the numbers are multiplied first, once instead of three times.
     MERGE_SCALES = "merge scales": Vector(scaling::merge);
     /// Turning, taking the part across and multiplying by a number can change places. Last, the number meets fewer
@@ -336,6 +342,9 @@ rules! {
     SHARE = "share products": Components;
     /// In components: a b + a c = a (b + c), one multiplication less.
     FACTOR = "common factor of products": Components;
+    /// In components: of c a + d b a multiple, a + (d/c) b, is made, one multiplication less, where whatever needs the sum can make
+    /// up for it in constants of its own.
+    MOVE_CONSTANTS = "constants where they cost least": Components;
     /// In components: one over a length that is needed for a single product becomes that product's division.
     DIVIDE_ONCE = "a reciprocal used once is a division": Components;
     /// In components: a quaternion that turns several vectors is made a matrix once, by which each is turned with half the

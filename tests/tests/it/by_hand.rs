@@ -173,9 +173,9 @@ fn general_frames_of<const N: usize>(random: &mut Random) {
     }
     assert_eq!(aims, 69);
     assert_eq!(all, if N == 1 { 99 } else { 113 * N - 13 }, "{N} joints");
-    // By hand, constants of the basis are merged into the angles, which no rule does yet.
     let spec = rig(&core::array::from_fn::<_, N, _>(|_| general_frame(random)));
-    assert_close_above(derived_total(&CHAIN_VALUE_GRADIENT, &spec), all, 12, &format!("{N} joints"));
+    let derived = derived_total(&CHAIN_VALUE_GRADIENT, &spec);
+    assert!(derived <= all, "{N} joints: derived {derived}, by hand {all}");
 }
 
 #[test]

@@ -27,16 +27,14 @@ fn counted(joints: usize, frame: fn(&mut Random) -> Frame) -> [Count; 2] {
     [name.as_str(), "rig_chain_value_gradient"].map(|name| c::count(c::function(&source, name).1))
 }
 
-/// a N + b of the chain's counts, which they are from two joints on.
+/// a N − b of the chain's counts, which they are from two joints on; or which they stay below by a few.
 fn of_chain(frame: fn(&mut Random) -> Frame) -> String {
-    let count = |joints: usize| counted(joints, frame)[1].total();
-    let (two, three) = (count(2), count(3));
-    let slope = three - two;
-    let less = 2 * slope - two;
-    for joints in [4, 7] {
-        assert_eq!(count(joints), slope * joints - less, "{joints} joints");
-    }
-    format!("{slope}N − {less}")
+    let counts = [2, 3, 4, 7].map(|joints| (joints, counted(joints, frame)[1].total()));
+    let slope = (counts[3].1 - counts[0].1).div_ceil(5);
+    let less = counts.map(|(joints, count)| slope * joints - count);
+    let least = less.into_iter().min().unwrap_or_default();
+    assert!(less.iter().all(|less| less - least < counts.len()), "{counts:?}");
+    if less == [least; 4] { format!("**{slope}N − {least}**") } else { format!("at most **{slope}N − {least}**") }
 }
 
 fn of_problem(Problem { g, wanted, .. }: &Problem) -> Count {
@@ -59,14 +57,14 @@ fn the_readme_has_the_counts_of_what_is_emitted() {
             "1087",
             "57",
         ),
-        ("N ≥ 2 joints: aim and 2N derivatives", format!("**{}**", of_chain(cardinal)), "–", "75N − 12"),
+        ("N ≥ 2 joints: aim and 2N derivatives", of_chain(cardinal), "–", "75N − 12"),
         (
             "one joint whose bone axes are any directions",
             format!("**{}**", counted(1, general_frame)[0].total()),
             "–",
             "–",
         ),
-        ("N ≥ 2 of those", format!("**{}**", of_chain(general_frame)), "–", "–"),
+        ("N ≥ 2 of those", of_chain(general_frame), "–", "–"),
         (
             "three points’ as-rigid-as-possible term and its nine derivatives",
             format!("**{}**", of_problem(&problems::arap_term()).total()),

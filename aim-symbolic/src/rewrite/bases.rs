@@ -1,0 +1,98 @@
+//! Changes of basis beside turns: part of a constant rotation is a turn in the same plane and goes to the angle.
+//! [`BASES`](crate::rewrite::rules::BASES).
+
+use crate::ir::node::Node;
+use crate::rewrite::rotations::leading;
+use crate::{Angle, Graph, Plane, Rotation, RotationNode, Scalar, Vector, VectorNode};
+
+type Matrix = [[f64; 3]; 3];
+
+/// A change of basis by its matrix, of which row i gives component i of the image.
+fn as_basis(g: &Graph, rotation: Rotation) -> Option<Matrix> {
+    let rows = |entries: [crate::Constant; 9]| [0, 1, 2].map(|i| [0, 1, 2].map(|k| entries[3 * i + k].value()));
+    match g.rotation_node(rotation) {
+        RotationNode::Basis(images) => Some(transposed(rows(images))),
+        RotationNode::Transpose(inner) => match g.rotation_node(inner) {
+            RotationNode::Basis(images) => Some(rows(images)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+impl Graph {
+    /// Whether a change of basis without zeros is among what `outputs` are made of.
+    pub(crate) fn has_general_basis(&self, outputs: &[Scalar]) -> bool {
+        self.order(outputs).iter().any(|node| match *node {
+            Node::Vector(v) => leading(self, v)
+                .and_then(|(rotation, _)| as_basis(self, rotation))
+                .is_some_and(|m| m.iter().flatten().all(|&c| c != 0.0)),
+            Node::Scalar(_) => false,
+        })
+    }
+}
+
+fn transposed(m: Matrix) -> Matrix {
+    [0, 1, 2].map(|i| [0, 1, 2].map(|k| m[k][i]))
+}
+
+/// A turn of a plane: the plane, the angle, and whether it is the way back.
+fn as_turn(g: &Graph, rotation: Rotation) -> Option<(Plane, Angle, bool)> {
+    match g.rotation_node(rotation) {
+        RotationNode::Turn(plane, angle) => Some((plane, angle, false)),
+        RotationNode::Transpose(inner) => match g.rotation_node(inner) {
+            RotationNode::Turn(plane, angle) => Some((plane, angle, true)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Of a matrix without zeros, M = T(ε) M′ with the turn T of a plane and an M′ with a zero: sine and cosine of ε, and M′.
+fn split(m: Matrix, plane: Plane) -> Option<([f64; 2], Matrix)> {
+    if m.iter().flatten().any(|&c| c == 0.0) {
+        return None;
+    }
+    let (from, towards) = plane.axes();
+    // The column in which the axis has least, the plane most: nothing is ill conditioned.
+    let axis = 3 - from - towards;
+    let column = (1..3).fold(0, |best, k| if m[axis][k].abs() < m[axis][best].abs() { k } else { best });
+    let [first, second] = [from, towards].map(|row| m[row][column]);
+    // The turn back by ε takes first cos + second sin and second cos − first sin; the smaller angle makes one of them 0.
+    let (zero, tan) = if first.abs() >= second.abs() { (towards, second / first) } else { (from, -first / second) };
+    let cos = 1.0 / (1.0 + tan * tan).sqrt();
+    let sin = tan * cos;
+    let mut rest = m;
+    for k in 0..3 {
+        rest[from][k] = cos * m[from][k] + sin * m[towards][k];
+        rest[towards][k] = cos * m[towards][k] - sin * m[from][k];
+    }
+    rest[zero][column] = 0.0;
+    Some(([sin, cos], rest))
+}
+
+/// `T(θ) M = T(θ + ε) M′`, and the same with the change of basis last.
+pub(crate) fn turn_into_angle(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let VectorNode::Rotate(outer, inner) = g.vector_node(v) else { return None };
+    let (first, core) = leading(g, inner)?;
+    let (turn, basis, is_basis_first) = match (as_turn(g, outer), as_turn(g, first)) {
+        (Some(turn), None) => (turn, as_basis(g, first)?, true),
+        // M T(θ) is the way back of T(−θ) Mᵀ.
+        (None, Some(turn)) => (turn, transposed(as_basis(g, outer)?), false),
+        _ => return None,
+    };
+    let (plane, angle, back) = turn;
+    let ([sin, cos], rest) = split(basis, plane)?;
+    let is_less = back == is_basis_first;
+    let angle = g.shifted_angle(angle, [if is_less { -sin } else { sin }, cos]);
+    let mut turn = g.turn(plane, angle);
+    if back {
+        turn = g.transpose(turn);
+    }
+    // The images of the axes are the matrix' columns.
+    let images = if is_basis_first { transposed(rest) } else { rest };
+    let basis = g.basis(images);
+    let [once, twice] = if is_basis_first { [basis, turn] } else { [turn, basis] };
+    let once = g.rotate(once, core);
+    Some(g.rotate(twice, once))
+}
