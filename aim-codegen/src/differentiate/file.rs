@@ -10,7 +10,7 @@ use super::items::Items;
 use super::manifold::Varies;
 use super::options::Options;
 use super::types::{Shape, Type};
-use super::{is_ours, messages};
+use super::{Search, is_ours, messages};
 use crate::declare::Place;
 use crate::declare::parse::tokens::word_of;
 use crate::declare::report::Report;
@@ -45,8 +45,20 @@ impl Differentiated {
     /// Where the text is no Rust, has no such function, or one that cannot be differentiated: all that is wrong, with places
     /// in the text.
     pub fn from_file(file_name: &str, text: &str, name: &str) -> Result<Self, Diagnostics> {
+        Self::found(file_name, text, name, Search::Smallest)
+    }
+
+    /// The same by the first way that offers itself, which need not be the smallest: for tests of many functions.
+    ///
+    /// # Errors
+    /// As of [`from_file`](Self::from_file).
+    pub fn from_file_at_once(file_name: &str, text: &str, name: &str) -> Result<Self, Diagnostics> {
+        Self::found(file_name, text, name, Search::Any)
+    }
+
+    fn found(file_name: &str, text: &str, name: &str, search: Search) -> Result<Self, Diagnostics> {
         let mut report = Report::new(tree::Notation::Rust);
-        let derived = derive(text, name, &mut report);
+        let derived = derive(text, name, search, &mut report);
         let mut found = report.into_list();
         derived.filter(|_| found.is_empty()).ok_or_else(|| {
             found.iter_mut().for_each(Diagnostic::place_in_text);
@@ -104,7 +116,7 @@ impl Differentiated {
     }
 }
 
-fn derive(text: &str, name: &str, report: &mut Report) -> Option<Differentiated> {
+fn derive(text: &str, name: &str, search: Search, report: &mut Report) -> Option<Differentiated> {
     let file = match syn::parse_file(text) {
         Ok(file) => file,
         Err(error) => {
@@ -129,7 +141,7 @@ fn derive(text: &str, name: &str, report: &mut Report) -> Option<Differentiated>
     let options = Options::parse(arguments, report);
     let items = module.map(Items::of).unwrap_or_default();
     let arguments = Arguments::check(&function.sig, &options, &items, report);
-    let derived = Derived::all(function, &options, &arguments, &items, report)?;
+    let derived = Derived::all(function, &options, &arguments, &items, search, report)?;
     let result = arguments.result.as_ref()?;
     let outputs = Outputs { name, size: result.components(), variables: arguments.variables() };
     let own = arguments.list.iter().enumerate().map(|(index, argument)| {

@@ -26,7 +26,7 @@ mod types;
 #[cfg(test)]
 mod tests;
 
-use aim_symbolic::{Program, Scalar};
+use aim_symbolic::{Graph, Program, Scalar, Want};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::{Item, ItemFn};
@@ -136,7 +136,7 @@ fn is_ours(attribute: &syn::Attribute) -> bool {
 /// The functions beside a function.
 fn companions(function: &ItemFn, options: &Options, items: &Items, report: &mut Report) -> TokenStream {
     let arguments = Arguments::check(&function.sig, options, items, report);
-    let derived = Derived::all(function, options, &arguments, items, report);
+    let derived = Derived::all(function, options, &arguments, items, Search::Smallest, report);
     let krate = options.krate.clone().unwrap_or_default();
     let companions = Companions { item: function, arguments: &arguments, krate: &krate };
     // Where `self` or a type is in the way, a stub would only be another error.
@@ -155,6 +155,24 @@ fn companions(function: &ItemFn, options: &Options, items: &Items, report: &mut 
     quote!(#all #check)
 }
 
+/// Whether rules that compete are compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Search {
+    /// For the smallest program.
+    Smallest,
+    /// For any, as tests of many functions do.
+    Any,
+}
+
+impl Search {
+    fn program(self, g: &Graph, wanted: &[Want]) -> Program {
+        match self {
+            Self::Smallest => Program::derive_wanted(g, wanted),
+            Self::Any => Program::derive_at_once(g, wanted),
+        }
+    }
+}
+
 impl Derived {
     /// Derives all that is asked for, unless there are errors.
     fn all(
@@ -162,6 +180,7 @@ impl Derived {
         options: &Options,
         arguments: &Arguments,
         items: &Items,
+        search: Search,
         report: &mut Report,
     ) -> Option<Vec<Self>> {
         let errors = report.count();
@@ -199,7 +218,7 @@ impl Derived {
             let (mut g, mut inputs) = (algebra.g.clone(), inputs.clone());
             let taken = arguments.further(companion, &mut g, &mut inputs);
             let wanted = companion.wanted(&mut g, &stated, &taken);
-            let program = Program::derive_wanted(&g, &wanted);
+            let program = search.program(&g, &wanted);
             Self { companion, graph: g, wanted, program, inputs }
         };
         let first = derive(Companion::First);

@@ -102,6 +102,11 @@ impl Program {
         Self::derive_without(g, wanted, &[])
     }
 
+    /// The same by the first way that offers itself, which need not be the smallest: a search is left out, all rules apply.
+    pub fn derive_at_once(g: &Graph, wanted: &[Want]) -> Self {
+        Way::taken(g, wanted, Choices::first(), &[], Log::default(), Effort::Compare).program.finished()
+    }
+
     /// The same without these rules, to see what they are good for.
     #[must_use]
     pub fn derive_without(g: &Graph, wanted: &[Want], without: &[Rule]) -> Self {

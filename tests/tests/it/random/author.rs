@@ -25,6 +25,11 @@ impl Author {
         Self { random, is_rational, known: [2, 2, 1], loops: Vec::new(), all_loops: 0, left: 9 }
     }
 
+    /// The same of functions of at most so many statements, of which the result is one more.
+    pub(super) fn of_at_most(self, left: usize) -> Self {
+        Self { left, ..self }
+    }
+
     pub(super) fn function(mut self) -> Written {
         let mut body = self.statements(2..6);
         // What came last is used.

@@ -20,26 +20,41 @@ use language::Written;
 use modulo::{Modulo, PRIME};
 use rounded::Rounded;
 
-/// Functions of each kind.
-const CASES: u32 = 1000;
+/// Functions of each kind: those that a search derives, as in earnest, and short ones that are derived at once.
+const CASES: u64 = 1000;
+const SHORT_CASES: u64 = 50_000;
 
-/// Differentiates `written`; its program gives the value, then the gradient.
-fn derived(written: &Written) -> Differentiated {
-    let text = written.to_string();
-    Differentiated::from_file("random.rs", &text, "f").unwrap_or_else(|errors| panic!("{errors:?} in\n{text}"))
+/// How a function is derived; its program gives the value, then the gradient.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Derive {
+    Searching,
+    AtOnce,
 }
 
-fn cases() -> u64 {
-    u64::from(if in_full() { CASES } else { CASES / 5 })
+impl Derive {
+    fn cases(self) -> u64 {
+        let all = if self == Self::Searching { CASES } else { SHORT_CASES };
+        if in_full() { all } else { all / if self == Self::Searching { 5 } else { 100 } }
+    }
+
+    /// A function and its derivatives.
+    fn written(self, seed: u64, is_rational: bool) -> (Written, Differentiated) {
+        let author = Author::new(seed, is_rational);
+        let (written, derive): (_, fn(&str, &str, &str) -> Result<Differentiated, _>) = match self {
+            Self::Searching => (author.function(), Differentiated::from_file),
+            Self::AtOnce => (author.of_at_most(3).function(), Differentiated::from_file_at_once),
+        };
+        let text = written.to_string();
+        let derived = derive("random.rs", &text, "f").unwrap_or_else(|errors| panic!("{errors:?} in\n{text}"));
+        (written, derived)
+    }
 }
 
-#[test]
-fn rational_functions_are_exact_modulo_a_prime() {
+fn are_exact_modulo_a_prime(derive: Derive) {
     let mut judged = 0;
-    for seed in 0..cases() {
-        let written = Author::new(seed, true).function();
+    for seed in 0..derive.cases() {
+        let (written, derived) = derive.written(seed, true);
         let point = Point::random(&mut Rng::with_seed(!seed), |random| Modulo(Some(random.u64(..PRIME))));
-        let derived = derived(&written);
         let mut found = [Modulo(None); 1 + VARIABLES];
         derived.procedures()[0].program.run(&point.inputs(), &mut found);
         let along = |variable| written.result(&point.moving(variable), |_, _| None).expect("nothing is compared");
@@ -50,20 +65,28 @@ fn rational_functions_are_exact_modulo_a_prime() {
             judged += 1;
         }
     }
-    assert!(judged * 10 > cases() * 9, "{judged} of {} were judged", cases());
+    assert!(judged * 10 > derive.cases() * 9, "{judged} of {} were judged", derive.cases());
 }
 
 #[test]
-fn functions_agree_with_dual_numbers() {
+fn rational_functions_are_exact_modulo_a_prime() {
+    are_exact_modulo_a_prime(Derive::Searching);
+}
+
+#[test]
+fn short_rational_functions_are_exact_modulo_a_prime() {
+    are_exact_modulo_a_prime(Derive::AtOnce);
+}
+
+fn agree_with_dual_numbers(derive: Derive) {
     let less = |a: Dual<Rounded>, b: Dual<Rounded>| {
         let (a, b) = (a.value, b.value);
         ((a.value - b.value).abs() > 1e-9 * (a.size + b.size)).then_some(a.value < b.value)
     };
     let mut judged = 0;
-    for seed in 0..cases() {
-        let written = Author::new(seed, false).function();
+    for seed in 0..derive.cases() {
+        let (written, derived) = derive.written(seed, false);
         let point = Point::random(&mut Rng::with_seed(!seed), |random| Rounded::constant(3.0 * random.f64() - 1.5));
-        let derived = derived(&written);
         let mut found = [0.0; 1 + VARIABLES];
         let inputs: Vec<f64> = point.inputs().iter().map(|input| input.value).collect();
         derived.procedures()[0].program.run(&inputs, &mut found);
@@ -84,7 +107,27 @@ fn functions_agree_with_dual_numbers() {
         }
     }
     // The others' numbers, or a comparison too close to call.
-    assert!(judged > cases() * 5, "{judged} outputs of {} functions", cases());
+    assert!(judged > derive.cases() * 5, "{judged} outputs of {} functions", derive.cases());
+}
+
+#[test]
+fn functions_agree_with_dual_numbers() {
+    agree_with_dual_numbers(Derive::Searching);
+}
+
+#[test]
+fn short_functions_agree_with_dual_numbers() {
+    agree_with_dual_numbers(Derive::AtOnce);
+}
+
+#[test]
+fn short_functions_have_loops_branches_and_matrices() {
+    let texts: Vec<String> =
+        (0..1000).map(|seed| Author::new(seed, false).of_at_most(3).function().to_string()).collect();
+    for (what, least) in [("for ", 300), ("while ", 100), ("if ", 100), ("turn *", 100), (" * m", 100)] {
+        let found = texts.iter().filter(|text| text.contains(what)).count();
+        assert!(found >= least, "{found} have `{what}`");
+    }
 }
 
 #[test]
