@@ -117,10 +117,13 @@ impl Fold {
             }
             (Some(a), None) => self.sub(b, a),
             (None, Some(b)) => self.sub(a, b),
-            (None, None) => self.sum_of_sides(a, b, false, Join::Alike).unwrap_or_else(|| {
-                let (a, b) = self.ordered(a, b);
-                self.g.add(a, b)
-            }),
+            (None, None) => {
+                let sum = self.multiples(a, b, 1.0).or_else(|| self.sum_of_sides(a, b, false, Join::Alike));
+                sum.unwrap_or_else(|| {
+                    let (a, b) = self.ordered(a, b);
+                    self.g.add(a, b)
+                })
+            }
         }
     }
 
@@ -139,8 +142,9 @@ impl Fold {
             }
             _ => {}
         }
-        if let Some(chosen) = self.sum_of_sides(a, b, true, Join::Alike) {
-            return chosen;
+        let joined = self.multiples(a, b, -1.0).or_else(|| self.sum_of_sides(a, b, true, Join::Alike));
+        if let Some(joined) = joined {
+            return joined;
         }
         match (self.negated(a), self.negated(b)) {
             (Some(a), Some(b)) => self.sub(b, a),
@@ -155,6 +159,34 @@ impl Fold {
                 self.neg(difference)
             }
             (None, None) => self.g.sub(a, b),
+        }
+    }
+
+    /// c a + d a = (c + d) a, with the second term's sign.
+    fn multiples(&mut self, a: Scalar, b: Scalar, sign: f64) -> Option<Scalar> {
+        let ((c, x), (d, y)) = (self.multiple(a), self.multiple(b));
+        let factor = c + sign * d;
+        (x == y && (c, d) != (1.0, 1.0) && factor.is_finite()).then(|| {
+            let factor = self.g.constant(factor);
+            self.mul(factor, x)
+        })
+    }
+
+    /// The constant that something is multiplied by, and what.
+    fn multiple(&self, a: Scalar) -> (f64, Scalar) {
+        let ScalarNode::Op(Op::Mul(x, y)) = self.g.scalar_node(a) else { return (1.0, a) };
+        match (self.constant_of(x), self.constant_of(y)) {
+            (Some(c), None) => (c, y),
+            (None, Some(c)) => (c, x),
+            _ => (1.0, a),
+        }
+    }
+
+    /// √a √a = a
+    fn square(&self, root: Scalar, other: Scalar) -> Option<Scalar> {
+        match self.g.scalar_node(root) {
+            ScalarNode::Op(Op::Sqrt(square)) if root == other && self.constants => Some(square),
+            _ => None,
         }
     }
 
@@ -174,7 +206,7 @@ impl Fold {
             (Some(x), Some(y)) => self.g.constant(x * y),
             (Some(0.0), None) | (None, Some(1.0)) => a,
             (None, Some(0.0)) | (Some(1.0), None) => b,
-            _ => self.chosen(a, b).or_else(|| self.chosen(b, a)).unwrap_or_else(|| {
+            _ => self.square(a, b).or_else(|| self.chosen(a, b)).or_else(|| self.chosen(b, a)).unwrap_or_else(|| {
                 let (a, b) = self.ordered(a, b);
                 self.g.mul(a, b)
             }),

@@ -189,6 +189,11 @@ impl Scales {
             Op::Input(_) | Op::Tiny | Op::Constant(_) => one,
             _ if by_constant(g, s).is_some() => self.parameter(),
             Op::Neg(a) => self.of(a),
+            // A constant in a sum keeps its digits: 1 − x may be small.
+            Op::Add(a, b) | Op::Sub(a, b) if [a, b].iter().any(|&part| g.constant_of(part).is_some()) => {
+                [a, b].into_iter().for_each(|part| self.equate(g, part, &one));
+                one
+            }
             Op::Add(a, b) | Op::Sub(a, b) => self.common(g, a, b),
             Op::Mul(a, b) => self.of(a).plus(1.0, &self.of(b)),
             Op::Div(a, _) if g.constant_of(a).is_some() => self.parameter(),

@@ -40,12 +40,13 @@ impl Derive {
     /// A function and its derivatives.
     fn written(self, seed: u64, is_rational: bool) -> (Written, Differentiated) {
         let author = Author::new(seed, is_rational);
-        let (written, derive): (_, fn(&str, &str, &str) -> Result<Differentiated, _>) = match self {
-            Self::Searching => (author.function(), Differentiated::from_file),
-            Self::AtOnce => (author.of_at_most(3).function(), Differentiated::from_file_at_once),
-        };
+        let written = if self == Self::Searching { author } else { author.of_at_most(3) }.function();
         let text = written.to_string();
-        let derived = derive("random.rs", &text, "f").unwrap_or_else(|errors| panic!("{errors:?} in\n{text}"));
+        let derived = match self {
+            Self::Searching => Differentiated::from_file("random.rs", &text, "f"),
+            Self::AtOnce => Differentiated::from_file_at_once("random.rs", &text, "f"),
+        };
+        let derived = derived.unwrap_or_else(|errors| panic!("{errors:?} in\n{text}"));
         (written, derived)
     }
 }
