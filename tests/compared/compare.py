@@ -1,0 +1,296 @@
+#!/usr/bin/env python3
+"""Operations of value and gradient of the functions in objectives.rs: `aim generate` beside SymPy and CasADi.
+
+Usage: compare.py AIM [--check PAGE]; AIM is the built binary, PAGE has the table. Needs `pip install sympy casadi`. Additions, subtractions, multiplications,
+divisions and square roots count one each; negations, calls of functions, comparisons and selects do not. A whole power is
+counted as the fewest multiplications. Of SymPy the best of its ways to find common subexpressions counts, of CasADi the
+best with and without them, reverse and forward.
+"""
+
+import math
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import casadi
+import sympy
+
+OBJECTIVES = Path(__file__).with_name("objectives.rs")
+
+
+class Maths:
+    """Functions of one of the tools, and vectors as lists."""
+
+    def __init__(self, tool):
+        self.sqrt, self.sin, self.cos, self.exp, self.log = tool.sqrt, tool.sin, tool.cos, tool.exp, tool.log
+        self.atan2 = tool.atan2
+
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def add(a, b):
+    return [x + y for x, y in zip(a, b)]
+
+
+def sub(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def scale(k, v):
+    return [k * x for x in v]
+
+
+def fisheye(m, p, focal, k, seen):
+    r = m.sqrt(p[0] * p[0] + p[1] * p[1])
+    theta = m.atan2(r, p[2])
+    size = focal[0] * theta * (1 + k[0] * theta * theta) / r
+    u, v = size * p[0] - seen[0], size * p[1] - seen[1]
+    return u * u + v * v
+
+
+def stereo(m, p, focal, baseline, seen):
+    left = focal[0] * p[0] / p[2] - seen[0]
+    right = focal[0] * (p[0] - baseline[0]) / p[2] - seen[1]
+    height = focal[0] * p[1] / p[2] - seen[2]
+    return left * left + right * right + height * height
+
+
+def sampson(m, t, r, a, b):
+    columns = [r[0:3], r[3:6], r[6:9]]
+    ra = [sum(columns[k][i] * a[k] for k in range(3)) for i in range(3)]
+    line = cross(t, ra)
+    back = [dot(column, cross(b, t)) for column in columns]
+    e = dot(b, line)
+    return e * e / (line[0] * line[0] + line[1] * line[1] + back[0] * back[0] + back[1] * back[1])
+
+
+def cloth(m, a, b, c, rest, mu, lam):
+    p, q = sub(b, a), sub(c, a)
+    u = add(scale(rest[0], p), scale(rest[1], q))
+    v = add(scale(rest[2], p), scale(rest[3], q))
+    half = sympy.Rational(1, 2) if isinstance(a[0], sympy.Basic) else 0.5
+    exx, eyy, exy = half * (dot(u, u) - 1), half * (dot(v, v) - 1), half * dot(u, v)
+    trace = exx + eyy
+    return mu[0] * (exx * exx + eyy * eyy + 2 * exy * exy) + half * lam[0] * trace * trace
+
+
+def hinge(m, a, b, c, d, stiffness):
+    edge = sub(b, a)
+    n, o = cross(sub(c, a), edge), cross(edge, sub(d, a))
+    return stiffness[0] * (1 - dot(n, o) / (m.sqrt(dot(n, n)) * m.sqrt(dot(o, o))))
+
+
+def microfacets(m, alpha, light, view, normal):
+    total = add(light, view)
+    c = dot(normal, total) / m.sqrt(dot(total, total))
+    a2 = alpha[0] * alpha[0]
+    d = c * c * (a2 - 1) + 1
+    return a2 / (math.pi * d * d)
+
+
+def joined_distance(m, p, center, radius, normal, offset, sharp):
+    off = sub(p, center)
+    sphere = m.sqrt(dot(off, off)) - radius[0]
+    plane = dot(normal, p) - offset[0]
+    return -m.log(m.exp(-sharp[0] * sphere) + m.exp(-sharp[0] * plane)) / sharp[0]
+
+
+def pendulum(m, angle, speed, torque, step, pull, weight):
+    (angle,), (speed,), (torque,), (step,), (pull,), (weight,) = angle, speed, torque, step, pull, weight
+    half = sympy.Rational(1, 2) if isinstance(angle, sympy.Basic) else 0.5
+    acceleration = torque - pull * m.sin(angle)
+    half_angle = angle + half * step * speed
+    half_speed = speed + half * step * acceleration
+    angle = angle + step * half_speed
+    speed = speed + step * (torque - pull * m.sin(half_angle))
+    return angle * angle + weight * speed * speed + 0.01 * torque * torque
+
+
+def spinning(m, spin, torque, inertia, wanted):
+    gyroscopic = cross(spin, [i * s for i, s in zip(inertia, spin)])
+    off = [(t - g) / i - w for t, g, i, w in zip(torque, gyroscopic, inertia, wanted)]
+    return dot(off, off)
+
+
+def pair(m, a, b, depth, sigma, charge):
+    d = sub(a, b)
+    r2 = dot(d, d)
+    s2 = sigma[0] * sigma[0] / r2
+    s6 = s2 * s2 * s2
+    return 4 * depth[0] * (s6 * s6 - s6) + charge[0] / m.sqrt(r2)
+
+
+def bond_angle(m, a, b, c, stiffness, rest):
+    u, v = sub(a, b), sub(c, b)
+    half = sympy.Rational(1, 2) if isinstance(a[0], sympy.Basic) else 0.5
+    off = dot(u, v) / (m.sqrt(dot(u, u)) * m.sqrt(dot(v, v))) - rest[0]
+    return half * stiffness[0] * off * off
+
+
+def three_atoms(m, a, b, c, strength):
+    u, v, w = sub(b, a), sub(c, b), sub(a, c)
+    product = dot(u, u) * dot(v, v) * dot(w, w)
+    cosines = -(dot(u, v) * dot(v, w) * dot(w, u))
+    return strength[0] * (1 + 3 * cosines / product) / (product * m.sqrt(product))
+
+
+def curvature(m, a, b, c):
+    u, v, w = sub(b, a), sub(c, b), sub(c, a)
+    n = cross(u, v)
+    return 4 * dot(n, n) / (dot(u, u) * dot(v, v) * dot(w, w))
+
+
+def rotated(q, v):
+    """By a quaternion of length 1, as glam does: w² v − u² v + 2 (u · v) u + 2 w u × v costs more than this."""
+    u, w = q[:3], q[3]
+    once = scale(2, cross(u, v))
+    return add(v, add(scale(w, once), cross(u, once)))
+
+
+def turned(m, axis, v):
+    """By a rotation vector."""
+    square = dot(axis, axis)
+    r = m.sqrt(square)
+    sine, cosine = m.sin(r), m.cos(r)
+    aside, along = cross(axis, v), dot(axis, v) * (1 - cosine) / square
+    return [cosine * x + sine / r * y + along * z for x, y, z in zip(v, aside, axis)]
+
+
+def attitude(m, q, gravity, north, felt, shown):
+    norm = m.sqrt(dot(q, q) + q[3] * q[3])
+    unit = [x / norm for x in q]
+    down, ahead = sub(rotated(unit, gravity), felt), sub(rotated(unit, north), shown)
+    return dot(down, down) + dot(ahead, ahead)
+
+
+def rolling_shutter(m, turn, shift, point, row, seen):
+    p = add(turned(m, scale(row[0], turn), point), scale(row[0], shift))
+    x, y = p[0] / p[2] - seen[0], p[1] / p[2] - seen[1]
+    return x * x + y * y
+
+
+def pan_and_tilt(m, pan, tilt, arm, eye, target):
+    (s, c), (t, d) = [(m.sin(angle[0]), m.cos(angle[0])) for angle in (pan, tilt)]
+
+    def turn(v):
+        return [c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]]
+
+    def nod(v):
+        return [d * v[0] + t * v[2], v[1], d * v[2] - t * v[0]]
+
+    way = sub(target, turn(add(arm, nod(eye))))
+    return 1 - dot(turn(nod([1, 0, 0])), way) / m.sqrt(dot(way, way))
+
+
+def contact(m, turn, shift, a, b, normal, offset):
+    first = dot(normal, add(turned(m, turn, a), shift)) - offset[0]
+    second = dot(normal, add(turned(m, turn, b), shift)) - offset[0]
+    return first * first + second * second
+
+
+SIZES = {"DQuat": 4, "f64": 1, "DVec2": 2, "DVec3": 3, "DMat3": 9, "[f64; 4]": 4}
+
+
+def signatures():
+    """Of each function: what derivatives are by, and its arguments with their sizes."""
+    for wrt, name, arguments in re.findall(r"wrt\((.*?)\)\)\]\npub fn (\w+)\((.*?)\) ->", OBJECTIVES.read_text()):
+        pairs = re.findall(r"(\w+): (\[f64; 4\]|\w+)", arguments)
+        yield name, wrt.split(", "), [(argument, SIZES[ty]) for argument, ty in pairs]
+
+
+def power(n):
+    """The fewest multiplications of a whole power up to 16."""
+    return {1: 0, 2: 1, 3: 2, 4: 2, 5: 3, 6: 3, 7: 4, 8: 3, 9: 4, 10: 4, 11: 5, 12: 4}.get(n, 2 * n.bit_length() - 2)
+
+
+def of_sympy(expression):
+    """The operations of one expression without common parts."""
+    if expression.is_Atom:
+        return 0
+    inner = sum(of_sympy(part) for part in expression.args)
+    if expression.is_Add:
+        return inner + len(expression.args) - 1
+    if expression.is_Mul:
+        # −1 is free; every factor below the line is divided by, or multiplied with others below it.
+        factors = [part for part in expression.args if part != -1]
+        below = [part for part in factors if part.is_Pow and part.exp.could_extract_minus_sign() and part.exp.is_number]
+        if len(below) == len(factors):
+            return inner + len(factors) - 1
+        # Of a⁻¹ b the division is counted in a⁻¹, and stands for the product.
+        return inner + len(factors) - 1 - len(below) + (len(below) - 1 if len(below) > 1 else 0)
+    if expression.is_Pow:
+        exponent = expression.exp
+        if exponent.is_Rational:
+            below = 1 if exponent < 0 else 0
+            exponent = abs(exponent)
+            if exponent.is_integer:
+                return inner + power(int(exponent)) + below
+            if exponent.q == 2:
+                return inner + 1 + (power(exponent.p) if exponent.p > 1 else 0) + below
+    if isinstance(expression, sympy.Function):
+        return inner
+    raise ValueError(expression)
+
+
+def counted_sympy(objective, wrt, arguments):
+    values = [list(sympy.symbols(f"{name}0:{size}", real=True)) for name, size in arguments]
+    value = objective(Maths(sympy), *values)
+    by = [x for (name, _), own in zip(arguments, values) if name in wrt for x in own]
+    outputs = [value] + [sympy.diff(value, x) for x in by]
+    best = None
+    for optimizations in (None, "basic"):
+        for order in ("canonical", "none"):
+            parts, results = sympy.cse(outputs, optimizations=optimizations, order=order)
+            total = sum(of_sympy(part) for _, part in parts) + sum(of_sympy(result) for result in results)
+            best = total if best is None else min(best, total)
+    return best
+
+
+def counted_casadi(objective, wrt, arguments):
+    values = [[casadi.SX.sym(f"{name}{i}") for i in range(size)] for name, size in arguments]
+    value = objective(Maths(casadi), *values)
+    by = casadi.vertcat(*[x for (name, _), own in zip(arguments, values) if name in wrt for x in own])
+    inputs = casadi.vertcat(*[x for own in values for x in own])
+    ones = {"OP_ADD", "OP_SUB", "OP_MUL", "OP_DIV", "OP_SQRT", "OP_SQ", "OP_TWICE", "OP_INV"}
+    codes = {getattr(casadi, name) for name in ones}
+    best = None
+    for gradient in (casadi.gradient(value, by), casadi.jtimes(value, by, casadi.DM.eye(by.numel())).T):
+        for shared in (False, True):
+            f = casadi.Function("f", [inputs], [value, gradient], {"cse": shared})
+            total = sum(f.instruction_id(i) in codes for i in range(f.n_instructions()))
+            best = total if best is None else min(best, total)
+    return best
+
+
+def counted_aim(aim, name):
+    command = [aim, "generate", str(OBJECTIVES), "--function", name, "--lang", "c"]
+    text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    return int(re.search(r"(\d+) operations", text)[1])
+
+
+def main():
+    aim, *page = sys.argv[1:]
+    lines = ["| value and first derivatives | `aim` | SymPy | CasADi | ratio |", "|---|---|---|---|---|"]
+    ratios = []
+    for name, wrt, arguments in signatures():
+        objective = globals()[name]
+        own = counted_aim(aim, name)
+        others = [counted(objective, wrt, arguments) for counted in (counted_sympy, counted_casadi)]
+        ratios.append(own / min(others))
+        lines.append(f"| {name.replace('_', ' ')} | {own} | {others[0]} | {others[1]} | {ratios[-1]:.2f} |")
+    mean = math.exp(sum(map(math.log, ratios)) / len(ratios))
+    lines.append(f"| geometric mean | | | | {mean:.2f} |")
+    table = "\n".join(lines)
+    print(table)
+    if page and table not in Path(page[1]).read_text():
+        sys.exit(f"{page[1]} has another table")
+
+
+main()

@@ -1,0 +1,166 @@
+//! Objectives of several fields as they are first written, for `compare.py`, which counts their operations against other
+//! tools'.
+
+use aim_rig::prelude::*;
+use glam::{DMat3, DQuat, DVec2, DVec3};
+
+/// Reprojection by an equidistant fisheye lens.
+#[differentiate(wrt(p, focal, k))]
+pub fn fisheye(p: DVec3, focal: f64, k: f64, seen: DVec2) -> f64 {
+    let r = (p.x * p.x + p.y * p.y).sqrt();
+    let theta = r.atan2(p.z);
+    let scale = focal * theta * (1.0 + k * theta * theta) / r;
+    let (u, v) = (scale * p.x - seen.x, scale * p.y - seen.y);
+    u * u + v * v
+}
+
+/// Reprojection into both images of a stereo camera.
+#[differentiate(wrt(p))]
+pub fn stereo(p: DVec3, focal: f64, baseline: f64, seen: DVec3) -> f64 {
+    let left = focal * p.x / p.z - seen.x;
+    let right = focal * (p.x - baseline) / p.z - seen.y;
+    let height = focal * p.y / p.z - seen.z;
+    left * left + right * right + height * height
+}
+
+/// Sampson's distance of two seen points from the epipolar constraint.
+#[differentiate(wrt(t))]
+pub fn sampson(t: DVec3, r: DMat3, a: DVec3, b: DVec3) -> f64 {
+    let ra = r * a;
+    let line = t.cross(ra);
+    let back = r.transpose() * b.cross(t);
+    let e = b.dot(line);
+    e * e / (line.x * line.x + line.y * line.y + back.x * back.x + back.y * back.y)
+}
+
+/// Saint Venant–Kirchhoff energy of a triangle of cloth.
+#[differentiate(wrt(a, b, c))]
+pub fn cloth(a: DVec3, b: DVec3, c: DVec3, rest: [f64; 4], mu: f64, lambda: f64) -> f64 {
+    let (p, q) = (b - a, c - a);
+    let u = rest[0] * p + rest[1] * q;
+    let v = rest[2] * p + rest[3] * q;
+    let exx = 0.5 * (u.dot(u) - 1.0);
+    let eyy = 0.5 * (v.dot(v) - 1.0);
+    let exy = 0.5 * u.dot(v);
+    let trace = exx + eyy;
+    mu * (exx * exx + eyy * eyy + 2.0 * exy * exy) + 0.5 * lambda * trace * trace
+}
+
+/// Bending of two triangles with a common edge: one less the cosine between their normals.
+#[differentiate(wrt(a, b, c, d))]
+pub fn hinge(a: DVec3, b: DVec3, c: DVec3, d: DVec3, stiffness: f64) -> f64 {
+    let edge = b - a;
+    let n = (c - a).cross(edge);
+    let m = edge.cross(d - a);
+    stiffness * (1.0 - n.dot(m) / (n.length() * m.length()))
+}
+
+/// Microfacets' share of the light that is reflected, by roughness and light.
+#[differentiate(wrt(alpha, light))]
+pub fn microfacets(alpha: f64, light: DVec3, view: DVec3, normal: DVec3) -> f64 {
+    let half = (light + view).normalize();
+    let c = normal.dot(half);
+    let a2 = alpha * alpha;
+    let d = c * c * (a2 - 1.0) + 1.0;
+    a2 / (std::f64::consts::PI * d * d)
+}
+
+/// A sphere's and a plane's distance, joined smoothly.
+#[differentiate(wrt(p))]
+pub fn joined_distance(p: DVec3, center: DVec3, radius: f64, normal: DVec3, offset: f64, sharp: f64) -> f64 {
+    let sphere = (p - center).length() - radius;
+    let plane = normal.dot(p) - offset;
+    -((-sharp * sphere).exp() + (-sharp * plane).exp()).ln() / sharp
+}
+
+/// A pendulum's cost after a step of Runge and Kutta's midpoint rule.
+#[differentiate(wrt(angle, speed, torque))]
+pub fn pendulum(angle: f64, speed: f64, torque: f64, step: f64, pull: f64, weight: f64) -> f64 {
+    let acceleration = torque - pull * angle.sin();
+    let half_angle = angle + 0.5 * step * speed;
+    let half_speed = speed + 0.5 * step * acceleration;
+    let angle = angle + step * half_speed;
+    let speed = speed + step * (torque - pull * half_angle.sin());
+    angle * angle + weight * speed * speed + 0.01 * torque * torque
+}
+
+/// How far a rigid body's spin accelerates from what is wanted, by Euler's equations.
+#[differentiate(wrt(spin, torque))]
+pub fn spinning(spin: DVec3, torque: DVec3, inertia: DVec3, wanted: DVec3) -> f64 {
+    let gyroscopic = spin.cross(inertia * spin);
+    let off = (torque - gyroscopic) / inertia - wanted;
+    off.dot(off)
+}
+
+/// Lennard-Jones' and Coulomb's energy of two atoms.
+#[differentiate(wrt(a, b))]
+pub fn pair(a: DVec3, b: DVec3, depth: f64, sigma: f64, charge: f64) -> f64 {
+    let d = a - b;
+    let r2 = d.dot(d);
+    let s2 = sigma * sigma / r2;
+    let s6 = s2 * s2 * s2;
+    4.0 * depth * (s6 * s6 - s6) + charge / r2.sqrt()
+}
+
+/// A bond's angle by its cosine.
+#[differentiate(wrt(a, b, c))]
+pub fn bond_angle(a: DVec3, b: DVec3, c: DVec3, stiffness: f64, rest: f64) -> f64 {
+    let (u, v) = (a - b, c - b);
+    let off = u.dot(v) / (u.length() * v.length()) - rest;
+    0.5 * stiffness * off * off
+}
+
+/// Axilrod and Teller's energy of three atoms.
+#[differentiate(wrt(a, b, c))]
+pub fn three_atoms(a: DVec3, b: DVec3, c: DVec3, strength: f64) -> f64 {
+    let (u, v, w) = (b - a, c - b, a - c);
+    let (u2, v2, w2) = (u.dot(u), v.dot(v), w.dot(w));
+    let product = u2 * v2 * w2;
+    let cosines = -(u.dot(v) * v.dot(w) * w.dot(u));
+    strength * (1.0 + 3.0 * cosines / product) / (product * product.sqrt())
+}
+
+/// The squared curvature of the circle through three points of a path.
+#[differentiate(wrt(a, b, c))]
+pub fn curvature(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+    let (u, v) = (b - a, c - b);
+    let w = c - a;
+    let n = u.cross(v);
+    4.0 * n.dot(n) / (u.dot(u) * v.dot(v) * w.dot(w))
+}
+
+/// An attitude by the directions that an accelerometer and a compass see.
+#[differentiate(wrt(q))]
+pub fn attitude(q: DQuat, gravity: DVec3, north: DVec3, felt: DVec3, shown: DVec3) -> f64 {
+    let turned = q.normalize();
+    let down = turned * gravity - felt;
+    let ahead = turned * north - shown;
+    down.dot(down) + ahead.dot(ahead)
+}
+
+/// A seen point of a camera that turns by a rotation vector while its shutter is open.
+#[differentiate(wrt(turn, shift, point))]
+pub fn rolling_shutter(turn: DVec3, shift: DVec3, point: DVec3, row: f64, seen: DVec2) -> f64 {
+    let p = DQuat::from_scaled_axis(row * turn) * point + row * shift;
+    let (x, y) = (p.x / p.z - seen.x, p.y / p.z - seen.y);
+    x * x + y * y
+}
+
+/// How far a camera on a pan and a tilt joint looks past a point.
+#[differentiate(wrt(pan, tilt))]
+pub fn pan_and_tilt(pan: f64, tilt: f64, arm: DVec3, eye: DVec3, target: DVec3) -> f64 {
+    let turn = DMat3::from_rotation_z(pan);
+    let nod = DMat3::from_rotation_y(tilt);
+    let at = turn * (arm + nod * eye);
+    let ahead = turn * (nod * DVec3::X);
+    1.0 - ahead.dot((target - at).normalize())
+}
+
+/// A point of a body at rest on a plane: the plane's distance by the body's rotation and place.
+#[differentiate(wrt(turn, shift))]
+pub fn contact(turn: DVec3, shift: DVec3, a: DVec3, b: DVec3, normal: DVec3, offset: f64) -> f64 {
+    let rotation = DQuat::from_scaled_axis(turn);
+    let first = normal.dot(rotation * a + shift) - offset;
+    let second = normal.dot(rotation * b + shift) - offset;
+    first * first + second * second
+}
