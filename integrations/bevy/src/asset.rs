@@ -1,0 +1,131 @@
+//! [`AimRigAsset`]: a rig that is loaded.
+
+use std::fmt;
+use std::sync::Arc;
+
+use aim_character::InterpretedRig;
+use bevy_app::{AnimationSystems, App, PostUpdate};
+use bevy_asset::io::Reader;
+use bevy_asset::{Asset, AssetApp, AssetEvent, AssetId, AssetLoader, AssetServer, Assets, LoadContext};
+use bevy_ecs::entity::Entity;
+use bevy_ecs::message::MessageReader;
+use bevy_ecs::query::Has;
+use bevy_ecs::schedule::IntoScheduleConfigs;
+use bevy_ecs::system::{Commands, Query, Res};
+use bevy_reflect::TypePath;
+
+use crate::character::Source;
+use crate::find::{Found, LoadedRig, find_bones};
+use crate::{AimCharacter, SharedRig};
+
+/// A rig that was loaded from a declaration in TOML, `hero.aim.toml`, as `aim rig hero.glb` prints it.
+#[derive(Asset, TypePath, Clone)]
+pub struct AimRigAsset {
+    /// The rig.
+    pub rig: SharedRig,
+    /// The bone of the other eye, if it names one.
+    pub other_eye: Option<String>,
+}
+
+impl AimRigAsset {
+    /// The rig of a declaration in TOML; `name` is what its mistakes are told for.
+    ///
+    /// # Errors
+    /// What is wrong with the declaration, with lines and columns.
+    pub fn from_toml(name: &str, text: &str) -> Result<Self, AimRigError> {
+        let spec =
+            aim_codegen::declare::from_toml(name, text).map_err(|errors| AimRigError::Declaration(errors.render()))?;
+        let other_eye = spec.joints.first().and_then(|joint| joint.other_eye.clone());
+        Ok(Self { rig: Arc::new(InterpretedRig::new(&spec)), other_eye })
+    }
+}
+
+impl fmt::Debug for AimRigAsset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("AimRigAsset").field("other_eye", &self.other_eye).finish_non_exhaustive()
+    }
+}
+
+/// Why a rig could not be loaded.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum AimRigError {
+    /// The file could not be read.
+    Io(std::io::Error),
+    /// It is no text.
+    Text,
+    /// What is wrong with the declaration, with lines and columns.
+    Declaration(String),
+}
+
+impl fmt::Display for AimRigError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Io(error) => write!(f, "the rig could not be read: {error}"),
+            Self::Text => f.write_str("a rig is a text in UTF-8"),
+            Self::Declaration(what) => f.write_str(what),
+        }
+    }
+}
+
+impl std::error::Error for AimRigError {}
+
+/// Loads an [`AimRigAsset`] from `*.aim.toml`.
+#[derive(Clone, Copy, Debug, Default, TypePath)]
+pub struct AimRigLoader;
+
+impl AssetLoader for AimRigLoader {
+    type Asset = AimRigAsset;
+    type Settings = ();
+    type Error = AimRigError;
+
+    async fn load(
+        &self,
+        reader: &mut dyn Reader,
+        _settings: &(),
+        context: &mut LoadContext<'_>,
+    ) -> Result<AimRigAsset, AimRigError> {
+        let mut bytes = Vec::new();
+        reader.read_to_end(&mut bytes).await.map_err(AimRigError::Io)?;
+        let text = std::str::from_utf8(&bytes).map_err(|_| AimRigError::Text)?;
+        AimRigAsset::from_toml(&context.path().to_string(), text)
+    }
+
+    fn extensions(&self) -> &[&str] {
+        &["aim.toml"]
+    }
+}
+
+pub(crate) fn build(app: &mut App) {
+    // Without Bevy's assets rigs may still be put on characters by other ways.
+    if app.world().contains_resource::<AssetServer>() {
+        app.init_asset::<AimRigAsset>().init_asset_loader::<AimRigLoader>();
+        app.add_systems(PostUpdate, take_over.before(find_bones).before(AnimationSystems));
+    }
+}
+
+/// Hands rigs that have been loaded, or changed, to the characters that wait for them.
+fn take_over(
+    mut commands: Commands<'_, '_>,
+    rigs: Res<'_, Assets<AimRigAsset>>,
+    mut events: MessageReader<'_, '_, AssetEvent<AimRigAsset>>,
+    characters: Query<'_, '_, (Entity, &AimCharacter, Has<LoadedRig>)>,
+) {
+    let changed: Vec<AssetId<AimRigAsset>> = events
+        .read()
+        .filter_map(|event| match event {
+            AssetEvent::Modified { id } => Some(*id),
+            _ => None,
+        })
+        .collect();
+    for (entity, character, has_rig) in &characters {
+        let Source::Asset(handle) = &character.source else { continue };
+        if has_rig && !changed.contains(&handle.id()) {
+            continue;
+        }
+        if let Some(AimRigAsset { rig, other_eye }) = rigs.get(handle) {
+            let found = Found { rig: rig.clone(), other_eye: other_eye.clone(), up: None, trunk: None };
+            commands.entity(entity).try_insert(LoadedRig(found));
+        }
+    }
+}

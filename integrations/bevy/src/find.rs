@@ -1,0 +1,261 @@
+//! Finds the bones of characters, as soon as there are any.
+
+use aim::Rig;
+use aim::animation::{AimChain, AimChainError, Bone, Skeleton};
+use aim::glam::{Affine3A, Vec3};
+use bevy_ecs::change_detection::{DetectChanges, Ref};
+use bevy_ecs::component::Component;
+use bevy_ecs::entity::{Entity, EntityHashMap};
+use bevy_ecs::hierarchy::Children;
+use bevy_ecs::name::Name;
+use bevy_ecs::query::Has;
+use bevy_ecs::system::{Commands, Query};
+use bevy_transform::components::Transform;
+
+use crate::character::Source;
+use crate::place::of_bevy;
+use crate::{AimBinding, AimCharacter, AimOutcome, AimStatus, AimedBone, SharedRig, Unbound};
+
+/// What has been seen of a character's bones.
+#[derive(Component, Clone, Debug, Default)]
+pub(crate) struct Seen {
+    /// The transform of each as it appeared.
+    rest: EntityHashMap<Transform>,
+    /// The number of bones when they were last looked through in vain.
+    in_vain: usize,
+}
+
+/// The rig of a character that was loaded.
+#[derive(Component, Clone)]
+#[cfg_attr(not(feature = "assets"), expect(dead_code, reason = "only assets are loaded"))]
+pub(crate) struct LoadedRig(pub(crate) Found);
+
+/// A rig with what is known beside it.
+#[derive(Clone)]
+pub(crate) struct Found {
+    pub(crate) rig: SharedRig,
+    pub(crate) other_eye: Option<String>,
+    pub(crate) up: Option<Vec3>,
+    pub(crate) trunk: Option<String>,
+}
+
+/// An entity below a character.
+pub(crate) struct Node<'a> {
+    pub(crate) entity: Entity,
+    pub(crate) parent: Option<usize>,
+    pub(crate) name: &'a str,
+    pub(crate) rest: Transform,
+    now: Transform,
+}
+
+/// Finds the bones of characters that have none yet, or whose [`AimCharacter`] is new. Runs before the animation, in the frame in
+/// which bones appear, so that they stand in the pose in which they were loaded.
+pub(crate) fn find_bones(
+    mut commands: Commands<'_, '_>,
+    mut characters: Query<
+        '_,
+        '_,
+        (Entity, Ref<'_, AimCharacter>, Option<Ref<'_, LoadedRig>>, &mut Seen, &mut AimOutcome, Has<AimBinding>),
+    >,
+    children: Query<'_, '_, &Children>,
+    nodes: Query<'_, '_, (Option<&Transform>, Option<&Name>, Option<&AimedBone>, Has<AimCharacter>)>,
+    #[cfg(feature = "measure")] mut measured: bevy_ecs::system::Local<'_, crate::measure::Measured>,
+) {
+    for (entity, character, loaded, mut seen, mut outcome, is_bound) in &mut characters {
+        let is_new = character.is_changed() || loaded.as_ref().is_some_and(Ref::is_changed);
+        if is_bound && !is_new {
+            continue;
+        }
+        let below = below(entity, &children, &nodes, &mut seen);
+        // The same bones will not do in this frame, either.
+        if !is_new && below.len() == seen.in_vain {
+            continue;
+        }
+        seen.in_vain = below.len();
+        let found = match &character.source {
+            _ if below.is_empty() => Err(Unbound::Bones),
+            Source::Rig(rig) => Ok(Found { rig: rig.clone(), other_eye: None, up: None, trunk: None }),
+            #[cfg(feature = "measure")]
+            Source::Measured => measured.rig(&below),
+            #[cfg(feature = "assets")]
+            Source::Asset(_) => loaded.map(|loaded| loaded.0.clone()).ok_or(Unbound::Rig),
+        };
+        if is_bound {
+            commands.entity(entity).try_remove::<AimBinding>();
+        }
+        match found.and_then(|found| bind(&character, found, &below)) {
+            Ok(binding) => {
+                for (bone, &bone_entity) in binding.entities.iter().enumerate() {
+                    let now = below.iter().find(|node| node.entity == bone_entity).map(|node| node.now);
+                    if let Some(now) = now.filter(|_| binding.is_written(bone)) {
+                        let of_character = AimedBone { character: entity, bone, base: now, written: now };
+                        commands.entity(bone_entity).try_insert(of_character);
+                    }
+                }
+                commands.entity(entity).try_insert(binding);
+            }
+            Err(why) => outcome.set_unbound(why),
+        }
+    }
+}
+
+impl Seen {
+    /// To look for the bones again, though there are as many as before.
+    pub(crate) fn forget(&mut self) {
+        self.in_vain = 0;
+    }
+}
+
+impl AimOutcome {
+    fn set_unbound(&mut self, why: Unbound) {
+        if self.status != AimStatus::Unbound(why) {
+            *self = Self::unbound(why);
+        }
+    }
+}
+
+impl AimBinding {
+    /// Whether a bone is turned or held, and so written.
+    fn is_written(&self, bone: usize) -> bool {
+        self.chain.joints().contains(&bone)
+            || self.chain.held().any(|held| held == bone)
+            || self.other_eye == Some(bone)
+    }
+}
+
+/// The entities below a character with a `Transform`, depth first, but for those below another character.
+fn below<'a>(
+    root: Entity,
+    children: &'a Query<'_, '_, &Children>,
+    nodes: &'a Query<'_, '_, (Option<&Transform>, Option<&Name>, Option<&AimedBone>, Has<AimCharacter>)>,
+    seen: &mut Seen,
+) -> Vec<Node<'a>> {
+    let mut below: Vec<Node<'_>> = Vec::new();
+    let of = |entity| children.get(entity).into_iter().flat_map(|children| children.iter().rev().copied());
+    let mut ahead: Vec<(Entity, Option<usize>)> = of(root).map(|child| (child, None)).collect();
+    while let Some((entity, parent)) = ahead.pop() {
+        let Ok((Some(transform), name, bone, false)) = nodes.get(entity) else { continue };
+        let now = bone.map_or(*transform, |bone| bone.animated(transform));
+        let rest = *seen.rest.entry(entity).or_insert(now);
+        let at = below.len();
+        below.push(Node { entity, parent, name: name.map_or("", Name::as_str), rest, now });
+        ahead.extend(of(entity).map(|child| (child, Some(at))));
+    }
+    below
+}
+
+/// The node of a name, or of a path that ends with it.
+fn find(below: &[Node<'_>], wanted: &str) -> Option<usize> {
+    let only = |is_wanted: &dyn Fn(usize) -> bool| {
+        let mut found = (0..below.len()).filter(|&node| is_wanted(node));
+        found.next().filter(|_| found.next().is_none())
+    };
+    let has_path = |node: usize| {
+        let mut at = Some(node);
+        wanted.rsplit('/').all(|part| {
+            let Some(node) = at.map(|at| &below[at]) else { return false };
+            at = node.parent;
+            node.name == part
+        })
+    };
+    let named = only(&|node| below[node].name == wanted);
+    named.or_else(|| wanted.contains('/').then(|| only(&has_path)).flatten())
+}
+
+/// The bone of each joint of the rig.
+fn joints(character: &AimCharacter, rig: &dyn Rig, below: &[Node<'_>]) -> Result<Vec<usize>, Unbound> {
+    let of_joint = |joint: usize| {
+        let mut given = character.bones.iter().rev().filter(|(of, _)| *of == joint).map(|(_, name)| &name[..]);
+        if let Some(name) = given.next() {
+            return find(below, name);
+        }
+        let declared = (0..).map_while(|candidate| rig.bone_name(joint, candidate));
+        let own = rig.bone_name(joint, 0).is_none().then(|| rig.joint_name(joint)).flatten();
+        declared.chain(own).find_map(|name| find(below, name))
+    };
+    let count = rig.description().joints().len();
+    (0..count).map(|joint| of_joint(joint).ok_or(Unbound::Joint(joint))).collect()
+}
+
+/// The character with these bones.
+fn bind(character: &AimCharacter, found: Found, below: &[Node<'_>]) -> Result<AimBinding, Unbound> {
+    let rig: &dyn Rig = &found.rig;
+    let joints = joints(character, rig, below)?;
+    let other_eye = match (&character.other_eye, &found.other_eye) {
+        (Some((name, is_aimed)), _) => Some((find(below, name).ok_or(Unbound::OtherEye)?, *is_aimed)),
+        (None, Some(name)) => Some((find(below, name).ok_or(Unbound::OtherEye)?, true)),
+        (None, None) => None,
+    };
+    let trunk = match character.trunk.as_ref().or(found.trunk.as_ref()) {
+        Some(name) => Some(find(below, name).ok_or(Unbound::Trunk)?),
+        None => None,
+    };
+    // What the rig names, where the skeleton has it, and what the user names.
+    let description = rig.description();
+    let mut held: Vec<(usize, usize)> = Vec::new();
+    for joint in 0..joints.len() {
+        let names = (0..).map_while(|place| rig.held_bone(joint, place));
+        held.extend(names.filter_map(|name| Some((joint, find(below, name)?))));
+    }
+    for (joint, name) in &character.held {
+        held.push((*joint, find(below, name).ok_or(Unbound::Held)?));
+    }
+    held.sort_unstable();
+    held.dedup();
+
+    // Only these and what they hang on; still depth first.
+    let mut is_needed = vec![false; below.len()];
+    let wanted = joints.iter().copied().chain(other_eye.map(|(bone, _)| bone)).chain(trunk);
+    for node in wanted.chain(held.iter().map(|(_, bone)| *bone)) {
+        let mut at = Some(node);
+        while let Some(node) = at {
+            is_needed[node] = true;
+            at = below[node].parent;
+        }
+    }
+    let needed: Vec<usize> = (0..below.len()).filter(|&node| is_needed[node]).collect();
+    let bone_of = |node: usize| needed.binary_search(&node).unwrap_or_default();
+    let bones = needed.iter().map(|&node| {
+        let Node { parent, name, rest, .. } = &below[node];
+        Bone::new(*name, parent.map(bone_of)).with_rest(of_bevy(rest))
+    });
+    let skeleton = Skeleton::new(bones).map_err(|_| Unbound::RestPose)?;
+
+    let told = |error: AimChainError| match error {
+        AimChainError::Joint(joint) => Unbound::Joint(joint),
+        AimChainError::Order(joint) => Unbound::Order(joint),
+        AimChainError::OtherEye => Unbound::OtherEye,
+        AimChainError::Trunk => Unbound::Trunk,
+        AimChainError::Held => Unbound::Held,
+        _ => Unbound::Rig,
+    };
+    let mut bind = vec![Affine3A::IDENTITY; skeleton.len()];
+    // Of equal lengths, here and below.
+    let _ = skeleton.to_model(skeleton.rest(), &mut bind);
+    for (name, place) in &character.bind_pose {
+        if let Some(node) = find(below, name).filter(|&node| is_needed[node]) {
+            bind[bone_of(node)] = *place;
+        }
+    }
+    let joints: Vec<usize> = joints.into_iter().map(bone_of).collect();
+    let mut chain = AimChain::new(&skeleton, joints).map_err(told)?;
+    chain = chain.with_bind(&bind).map_err(|_| Unbound::RestPose)?;
+    let other_eye = other_eye.map(|(node, is_aimed)| (bone_of(node), is_aimed));
+    chain = match other_eye {
+        Some((bone, true)) => chain.with_other_eye(bone).map_err(told)?,
+        Some((bone, false)) => chain.with_following_eye(bone).map_err(told)?,
+        None => chain,
+    };
+    for (joint, node) in held {
+        chain = chain.with_held(bone_of(node), joint, description.carrier(joint)).map_err(told)?;
+    }
+    let up = character.up.or(found.up).unwrap_or(Vec3::Y);
+    chain = match trunk {
+        Some(node) => chain.with_standing_up(up, bone_of(node)).map_err(told)?,
+        None => chain.with_up(up),
+    };
+    let entities = needed.iter().map(|&node| below[node].entity).collect();
+    let mut binding = AimBinding::new(entities, skeleton, chain, found.rig);
+    binding.other_eye = other_eye.map(|(bone, _)| bone);
+    Ok(binding)
+}

@@ -1,0 +1,28 @@
+#![doc = include_str!("../README.md")]
+
+#[cfg(feature = "assets")]
+mod asset;
+mod binding;
+mod character;
+mod event;
+mod find;
+#[cfg(feature = "measure")]
+mod measure;
+mod outcome;
+mod place;
+mod plugin;
+mod report;
+mod settings;
+mod solve;
+mod target;
+
+pub use aim;
+#[cfg(feature = "assets")]
+pub use asset::{AimRigAsset, AimRigError, AimRigLoader};
+pub use binding::{AimBinding, AimedBone};
+pub use character::{AimCharacter, SharedRig};
+pub use event::{AimLost, AimOutOfReach, AimReached, AimTurnBody};
+pub use outcome::{AimOutcome, AimStatus, Unbound};
+pub use plugin::{AimPlugin, AimSystems};
+pub use settings::{AimSettings, AimSnap};
+pub use target::{AimAt, AimTarget, WeightedTarget};

@@ -1,0 +1,116 @@
+//! [`AimOutcome`]: what became of a frame.
+
+use aim::{Outcome, Status};
+use bevy_ecs::component::Component;
+
+/// What became of a character's last frame.
+#[derive(Component, Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "reflect", derive(bevy_reflect::Reflect))]
+#[cfg_attr(feature = "reflect", reflect(Component, Default, Debug, PartialEq, Clone))]
+pub struct AimOutcome {
+    /// Whether the target is reached, and if not, why.
+    #[cfg_attr(feature = "reflect", reflect(ignore))]
+    pub status: AimStatus,
+    /// The angle that remains to the target, radians; with a weight below 1 that to the weighted goal. 0 where nothing is
+    /// aimed at.
+    pub remaining: f32,
+    /// The turn, radians to the left, that the body would have to make for the target to come into reach: see
+    /// [`Outcome::body_turn`].
+    pub body_turn: f32,
+    /// All that the solver says; `None` while the bones are not found.
+    #[cfg_attr(feature = "reflect", reflect(ignore))]
+    pub outcome: Option<Outcome>,
+}
+
+/// Whether a character's target is reached, and if not, why.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum AimStatus {
+    /// Nothing can be aimed yet.
+    Unbound(Unbound),
+    /// There is nothing to look at: the character returns to its animation, or has.
+    NoTarget,
+    /// See [`Status::Reached`].
+    Reached,
+    /// On the way: see [`Status::RateLimited`].
+    RateLimited,
+    /// Out of reach: see [`Status::AtLimit`].
+    AtLimit,
+    /// Behind, out of reach: see [`Status::Behind`].
+    Behind,
+    /// Pose or target are no place: see [`Status::Degenerate`].
+    Degenerate,
+}
+
+/// Why nothing can be aimed. Joints are counted from the effector inward.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Unbound {
+    /// There are no bones below the entity yet.
+    #[default]
+    Bones,
+    /// The rig is not loaded yet.
+    Rig,
+    /// No rig can be proposed for the skeleton: neither names nor roles tell an eye, a head, a neck or anything that points.
+    Measurement,
+    /// No bone has a name that the rig declares for this joint, or several have it.
+    Joint(usize),
+    /// The bone of the joint before this one does not hang on this one's.
+    Order(usize),
+    /// No bone, or more than one, has the other eye's name; or it is a joint.
+    OtherEye,
+    /// A bone to be held does not exist, or does not hang on its joint.
+    Held,
+    /// No bone has the trunk's name, or several have it.
+    Trunk,
+    /// A bone's transform was not finite, or its rotation no unit quaternion, when it appeared.
+    RestPose,
+    /// The entity, or one that it hangs on, has no `Transform`.
+    Place,
+}
+
+impl Default for AimStatus {
+    fn default() -> Self {
+        Self::Unbound(Unbound::default())
+    }
+}
+
+impl From<Status> for AimStatus {
+    fn from(status: Status) -> Self {
+        match status {
+            Status::Reached => Self::Reached,
+            Status::RateLimited => Self::RateLimited,
+            Status::AtLimit => Self::AtLimit,
+            Status::Behind => Self::Behind,
+            _ => Self::Degenerate,
+        }
+    }
+}
+
+impl AimStatus {
+    /// Whether the target is reached.
+    #[must_use]
+    pub fn is_reached(self) -> bool {
+        self == Self::Reached
+    }
+
+    /// Whether the target is out of reach.
+    #[must_use]
+    pub fn is_out_of_reach(self) -> bool {
+        matches!(self, Self::AtLimit | Self::Behind)
+    }
+}
+
+impl AimOutcome {
+    pub(crate) fn unbound(why: Unbound) -> Self {
+        Self { status: AimStatus::Unbound(why), ..Self::default() }
+    }
+
+    pub(crate) fn of(outcome: Outcome, has_target: bool) -> Self {
+        let (status, remaining) = match has_target {
+            true => (outcome.status.into(), outcome.remaining),
+            false => (AimStatus::NoTarget, 0.0),
+        };
+        Self { status, remaining, body_turn: outcome.body_turn, outcome: Some(outcome) }
+    }
+}
