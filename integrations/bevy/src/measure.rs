@@ -29,7 +29,7 @@ impl Measured {
         }
         let found = measure(&skeleton);
         if self.known.len() == MOST_SKELETONS {
-            self.known.remove(0);
+            drop(self.known.remove(0));
         }
         self.known.push((skeleton, found.clone()));
         found

@@ -1,0 +1,206 @@
+//! Bones that are found, late or not at all, and lost again.
+
+use bevy_aim::aim::glam::{Quat, Vec3};
+use bevy_aim::{AimBinding, AimCharacter, AimStatus, AimTarget, AimedBone, Unbound};
+use bevy_ecs::prelude::*;
+use bevy_transform::components::Transform;
+
+use crate::stage::{self, FRAME, Hero, Player, bone, error_deg, hero, judge, spawn, status};
+
+const LAMP: Vec3 = Vec3::new(0.5, 1.7, 2.0);
+
+#[test]
+fn bones_may_come_later() {
+    let mut app = stage::app();
+    let character = app.world_mut().spawn((hero(), AimTarget::point(LAMP), Transform::IDENTITY)).id();
+    for _ in 0..3 {
+        app.update();
+        assert_eq!(status(&app, character), AimStatus::Unbound(Unbound::Bones));
+    }
+    // The scene of another one is hung below it.
+    let scene = spawn(&mut app, AimCharacter::of::<Hero>(), Transform::IDENTITY, 1.0);
+    let bones = app.world_mut().entity_mut(scene).take::<Player>().expect("a player");
+    app.world_mut().entity_mut(scene).remove::<AimCharacter>().insert(ChildOf(character));
+    app.world_mut().entity_mut(character).insert(bones);
+    for _ in 0..120 {
+        app.update();
+    }
+    assert_eq!(status(&app, character), AimStatus::Reached);
+    assert!(error_deg(&app, character, "left_eye", LAMP.as_dvec3()) < 0.1);
+}
+
+#[test]
+fn what_is_missing_is_told() {
+    let mut app = stage::app();
+    let told = |app: &mut bevy_app::App, character: AimCharacter| {
+        let entity = spawn(app, character, Transform::IDENTITY, 1.0);
+        app.update();
+        app.update();
+        status(app, entity)
+    };
+    assert_eq!(told(&mut app, hero()), AimStatus::NoTarget);
+    let unbound = AimStatus::Unbound;
+    assert_eq!(told(&mut app, hero().with_bone(1, "Neck")), unbound(Unbound::Joint(1)));
+    assert_eq!(told(&mut app, hero().with_bone(1, "spine1").with_bone(3, "neck")), unbound(Unbound::Order(2)));
+    assert_eq!(told(&mut app, hero().with_other_eye("Right_Eye")), unbound(Unbound::OtherEye));
+    assert_eq!(told(&mut app, hero().with_other_eye("left_eye")), unbound(Unbound::OtherEye));
+    assert_eq!(told(&mut app, hero().with_trunk("Hips")), unbound(Unbound::Trunk));
+    assert_eq!(told(&mut app, hero().with_held(1, "left_foot")), unbound(Unbound::Held));
+    let wild = spawn(&mut app, hero(), Transform::IDENTITY, 1.0);
+    let neck = bone(&app, wild, "neck");
+    app.world_mut().get_mut::<Player>(wild).expect("a player").plays = false;
+    app.world_mut().get_mut::<Transform>(neck).expect("a bone").rotation = Quat::from_xyzw(f32::NAN, 0.0, 0.0, 1.0);
+    app.update();
+    assert_eq!(status(&app, wild), unbound(Unbound::RestPose));
+}
+
+#[test]
+fn a_name_that_repeats_is_told_by_a_path() {
+    let mut app = stage::app();
+    let character = spawn(&mut app, hero(), Transform::IDENTITY, 1.0);
+    // A helper of the same name as the neck.
+    let hand = bone(&app, character, "left_hand");
+    app.world_mut().spawn((Name::new("neck"), Transform::IDENTITY, ChildOf(hand)));
+    app.world_mut().entity_mut(character).insert(AimTarget::point(LAMP));
+    app.update();
+    assert_eq!(status(&app, character), AimStatus::Unbound(Unbound::Joint(1)));
+    app.world_mut().entity_mut(character).insert(hero().with_bone(1, "spine2/spine3/neck"));
+    for _ in 0..120 {
+        app.update();
+    }
+    assert_eq!(status(&app, character), AimStatus::Reached);
+}
+
+#[test]
+fn a_rider_is_not_its_horse() {
+    let mut app = stage::app();
+    let horse = spawn(&mut app, hero(), Transform::IDENTITY, 1.0);
+    let rider = spawn(&mut app, hero(), Transform::from_xyz(0.0, 1.0, 0.0), 1.0);
+    let saddle = bone(&app, horse, "spine1");
+    app.world_mut().entity_mut(rider).insert(ChildOf(saddle));
+    for character in [horse, rider] {
+        app.world_mut().entity_mut(character).insert(AimTarget::point(LAMP));
+    }
+    for _ in 0..120 {
+        app.update();
+    }
+    let bones = |character| app.world().get::<AimBinding>(character).expect("bones").joints().collect::<Vec<_>>();
+    assert_eq!(bones(horse)[0], bone(&app, horse, "left_eye"));
+    assert_eq!(bones(rider)[0], bone(&app, rider, "left_eye"));
+    assert_eq!(status(&app, horse), AimStatus::Reached);
+    assert!(error_deg(&app, horse, "left_eye", LAMP.as_dvec3()) < 0.1);
+}
+
+#[test]
+fn a_lost_bone_lets_go_of_the_others_until_it_is_back() {
+    let mut app = stage::app();
+    let character = spawn(&mut app, hero(), Transform::IDENTITY, 1.0);
+    app.world_mut().get_mut::<Player>(character).expect("a player").plays = false;
+    app.world_mut().entity_mut(character).insert(AimTarget::point(Vec3::new(1.5, 1.7, 1.0)));
+    for _ in 0..120 {
+        app.update();
+    }
+    assert_eq!(status(&app, character), AimStatus::Reached);
+    let (eye, neck, head) =
+        (bone(&app, character, "left_eye"), bone(&app, character, "neck"), bone(&app, character, "head"));
+    let rest = app.world().get::<Player>(character).expect("a player").animated.clone();
+    let rest_of = |name: &str| rest[stage::skeleton().find(name).expect("a bone")];
+    assert!(app.world().get::<Transform>(neck).expect("a bone").rotation != rest_of("neck").rotation);
+    // The eye pops out.
+    app.world_mut().entity_mut(eye).insert(ChildOf(character));
+    app.update();
+    assert!(matches!(status(&app, character), AimStatus::Unbound(_)));
+    assert_eq!(app.world().get::<Transform>(neck).expect("a bone").rotation, rest_of("neck").rotation);
+    assert!(app.world().get::<AimedBone>(neck).is_none());
+    app.update();
+    app.update();
+    assert_eq!(status(&app, character), AimStatus::Unbound(Unbound::Order(1)));
+    app.world_mut().entity_mut(eye).insert(ChildOf(head));
+    app.world_mut().entity_mut(character).insert(hero());
+    for _ in 0..120 {
+        app.update();
+    }
+    assert_eq!(status(&app, character), AimStatus::Reached);
+    // And is gone for good.
+    app.world_mut().entity_mut(eye).despawn();
+    for _ in 0..5 {
+        app.update();
+    }
+    assert_eq!(status(&app, character), AimStatus::Unbound(Unbound::Joint(0)));
+}
+
+#[test]
+fn without_the_component_bones_are_as_animated() {
+    let mut app = stage::app();
+    let character = spawn(&mut app, hero(), Transform::IDENTITY, 1.0);
+    app.world_mut().entity_mut(character).insert(AimTarget::point(Vec3::new(1.5, 1.7, 1.0)));
+    for _ in 0..60 {
+        app.update();
+    }
+    app.world_mut().get_mut::<Player>(character).expect("a player").plays = false;
+    app.update();
+    app.world_mut().entity_mut(character).remove::<AimCharacter>();
+    app.update();
+    let player = app.world().get::<Player>(character).expect("a player");
+    for (&bone, animated) in player.bones.iter().zip(&player.animated) {
+        assert_eq!(*app.world().get::<Transform>(bone).expect("a bone"), stage::to_bevy(animated));
+        assert!(app.world().get::<AimedBone>(bone).is_none());
+    }
+    assert!(app.world().get::<AimBinding>(character).is_none());
+    // And again, from what they are.
+    app.world_mut().entity_mut(character).insert(hero());
+    let mut judged = None;
+    for _ in 0..120 {
+        app.update();
+        judged = Some(judge(&app, character, judged.as_ref(), FRAME.as_secs_f64()));
+    }
+    assert_eq!(status(&app, character), AimStatus::Reached);
+}
+
+#[test]
+fn characters_come_and_go() {
+    let mut app = stage::app();
+    for round in 0..20 {
+        let character = spawn(&mut app, hero(), Transform::IDENTITY, 1.0);
+        app.world_mut().entity_mut(character).insert(AimTarget::point(LAMP));
+        for _ in 0..round % 4 {
+            app.update();
+        }
+        app.world_mut().entity_mut(character).despawn();
+        app.update();
+    }
+    let left = app.world_mut().query::<&AimedBone>().iter(app.world()).count();
+    assert_eq!(left, 0);
+}
+
+#[cfg(feature = "measure")]
+#[test]
+fn a_measured_character_looks() {
+    let mut app = stage::app();
+    let characters =
+        [1.0, 0.01].map(|scale| spawn(&mut app, AimCharacter::measured(), Transform::from_xyz(scale, 0.0, 0.0), scale));
+    for character in characters {
+        app.world_mut().entity_mut(character).insert(AimTarget::point(LAMP));
+    }
+    let mut reached = 0;
+    for _ in 0..180 {
+        app.update();
+        for character in characters {
+            if status(&app, character) == AimStatus::Reached {
+                reached += 1;
+                for eye in ["left_eye", "right_eye"] {
+                    let error = error_deg(&app, character, eye, LAMP.as_dvec3());
+                    assert!(error <= 0.1, "{eye}: {error}°");
+                }
+            }
+        }
+    }
+    assert!(reached > 250, "{reached}");
+    let binding = stage::binding(&app, characters[0]);
+    assert_eq!(binding.joints().count(), 7);
+    // A lamp has nothing to look with.
+    let lamp = app.world_mut().spawn((AimCharacter::measured(), Transform::IDENTITY)).id();
+    app.world_mut().spawn((Name::new("Lampshade"), Transform::IDENTITY, ChildOf(lamp)));
+    app.update();
+    assert_eq!(status(&app, lamp), AimStatus::Unbound(Unbound::Measurement));
+}
