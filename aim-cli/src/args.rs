@@ -89,6 +89,8 @@ pub(crate) enum Notation {
     Toml,
     /// A struct with a derive.
     Rust,
+    /// The same, and the character to spawn in an app that uses `bevy_aim`.
+    Bevy,
 }
 
 #[derive(Debug, Args)]

@@ -1,8 +1,13 @@
 //! A rig written down as its user would declare it: in TOML, or as a derive. Both say all that a [`RigSpec`] holds, and
 //! are read back as the same one: angles and numbers exactly, directions to nine decimals.
 
+use aim_animation::Transform;
 use aim_codegen::{AngleRange, Budget, Budgets, Frame, JointSpec, LimitsFrom, NaturalSpec, RigSpec};
+use aim_gltf::Document;
+use aim_runtime::glam::{DAffine3, DVec3};
 
+use crate::measure::Measurement;
+use crate::measure::roles::Role;
 use crate::rig::proposal::Proposal;
 
 /// A rig file. Its first line says what it is `about`; a joint's reason stands above it.
@@ -27,9 +32,89 @@ pub fn toml(proposal: &Proposal, about: &str) -> String {
 /// A struct to paste. Its documentation says what it is `about`; a joint's reason stands above it.
 #[must_use]
 pub fn rust(proposal: &Proposal, about: &str) -> String {
+    format!("use aim::{{AimRig, Joint}};\n\n{}", item(proposal, about, &[]))
+}
+
+/// The same struct for a Bevy app that uses the plugin `bevy_aim`, with a function that makes the character to be spawned with the
+/// file's scene: its other eye, its trunk, and the bind pose where the file's rest pose is another one.
+pub fn bevy(proposal: &Proposal, about: &str, document: &Document, measurement: &Measurement) -> String {
+    let name = &proposal.spec.name;
+    let item = item(proposal, about, &["crate = bevy_aim::aim".into()]);
+    let mut with = String::new();
+    let text = |bone: &str| quoted(bone, Notation::Rust);
+    if let Some(eye) = proposal.spec.joints.first().and_then(|joint| joint.other_eye.as_deref()) {
+        with += &format!("\n            .with_other_eye({})", text(eye));
+    }
+    let skeleton = document.skeleton();
+    let is_clear = |node: &usize| skeleton.find(&skeleton.names()[*node]).is_ok();
+    let hips = measurement.with_role(Role::Hips).map(|bone| bone.node).filter(is_clear);
+    if let Some(hips) = hips {
+        with += &format!("\n            .with_trunk({})", text(&skeleton.names()[hips]));
+    }
+    let number = |c: f64| format!("{:?}", (c * 1e6).round() / 1e6 + 0.0);
+    let triple = |v: DVec3| v.to_array().map(number).join(", ");
+    if measurement.up.distance(DVec3::Y) > 1e-6 {
+        with += &format!("\n            .with_up(Vec3::new({}))", triple(measurement.up));
+    }
+    let bind = bind_pose(proposal, document, measurement, hips);
+    if !bind.is_empty() {
+        with += "\n            .with_bind_pose([";
+        for (node, place) in bind {
+            let Some(at) = Transform::from_affine(&place.as_affine3a()) else { continue };
+            let [x, y, z, w] = at.rotation.as_dquat().to_array().map(number);
+            with += &format!(
+                "\n                ({}, Affine3A::from_scale_rotation_translation(Vec3::new({}), Quat::from_xyzw({x}, {y}, {z}, {w}), Vec3::new({}))),",
+                text(&skeleton.names()[node]),
+                triple(at.scale.as_dvec3()),
+                triple(at.translation.as_dvec3()),
+            );
+        }
+        with += "\n            ])";
+    }
+    let types: Vec<&str> =
+        ["Affine3A", "Quat", "Vec3"].into_iter().filter(|of| with.contains(&format!("{of}::"))).collect();
+    let glam = match types.as_slice() {
+        [] => String::new(),
+        [one] => format!("use bevy_aim::aim::glam::{one};\n"),
+        several => format!("use bevy_aim::aim::glam::{{{}}};\n", several.join(", ")),
+    };
+    format!(
+        "use bevy_aim::AimCharacter;\n{glam}use bevy_aim::aim::{{AimRig, Joint}};\n\n{item}\n\
+         impl {name} {{\n    /// The character, to be spawned on the root of its scene, together with an `AimTarget`.\n    \
+         pub fn character() -> AimCharacter {{\n        AimCharacter::of::<Self>(){with}\n    }}\n}}\n"
+    )
+}
+
+/// The bones whose places in the bind pose count, where the file's rest pose is another one; else none.
+fn bind_pose(
+    proposal: &Proposal,
+    document: &Document,
+    measurement: &Measurement,
+    trunk: Option<usize>,
+) -> Vec<(usize, DAffine3)> {
+    let skeleton = document.skeleton();
+    let node = |name: &String| skeleton.find(name).ok();
+    let joints: Vec<usize> =
+        proposal.spec.joints.iter().filter_map(|joint| joint.bones.first().and_then(node)).collect();
+    let carrier = joints.last().and_then(|&innermost| skeleton.parents()[innermost]);
+    let other_eye = proposal.spec.joints.first().and_then(|joint| joint.other_eye.as_ref()).and_then(node);
+    let mut bones: Vec<usize> = joints.into_iter().chain(carrier).chain(other_eye).chain(trunk).collect();
+    bones.sort_unstable();
+    bones.dedup();
+    bones.retain(|&bone| node(&skeleton.names()[bone]).is_some());
+    let rest = skeleton.world_f64(skeleton.rest());
+    let is_rest = |&bone: &usize| rest[bone].abs_diff_eq(measurement.bind_world[bone], 1e-4);
+    if bones.iter().all(is_rest) {
+        return Vec::new();
+    }
+    bones.into_iter().map(|bone| (bone, measurement.bind_world[bone])).collect()
+}
+
+/// The struct with its derive, and these keys before its own.
+fn item(proposal: &Proposal, about: &str, first_keys: &[String]) -> String {
     let written = Written::new(&proposal.spec, Notation::Rust);
-    let mut out = format!("use aim::{{AimRig, Joint}};\n\n/// {}\n#[derive(AimRig)]\n", one_line(about));
-    match written.rig_keys().as_slice() {
+    let mut out = format!("/// {}\n#[derive(AimRig)]\n", one_line(about));
+    match [first_keys, &written.rig_keys()].concat().as_slice() {
         [] => {}
         [key] => out += &format!("#[aim({key})]\n"),
         keys => out += &format!("#[aim(\n    {}\n)]\n", keys.join(",\n    ")),

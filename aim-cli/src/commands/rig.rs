@@ -30,5 +30,6 @@ pub(super) fn run(arguments: &args::Rig) -> Result {
     files::print(&match arguments.format {
         Notation::Toml => toml,
         Notation::Rust => declaration::rust(&proposal, &about),
+        Notation::Bevy => declaration::bevy(&proposal, &about, &document, &measurement),
     })
 }

@@ -81,6 +81,35 @@ fn the_derive_is_accepted_by_the_macro() {
     }
 }
 
+/// What is printed for the mannequin is compiled, and looks, in the tests of the plugin.
+#[test]
+fn what_is_spawned_in_bevy_is_fresh() {
+    let place = Place::new();
+    place.write("mannequin.glb", &crate::common::mannequin());
+    let printed = place.done("rig mannequin.glb --format bevy").stdout;
+    assert!(printed.contains(".with_other_eye(\"right_eye\")") && !printed.contains("bind_pose(["), "{printed}");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../integrations/bevy/tests/it/mannequin.rs");
+    let expected = format!("//! Printed by `aim rig mannequin.glb --format bevy`.\n\n{printed}");
+    if std::env::var_os("AIM_BLESS").is_some() {
+        std::fs::write(path, &expected).expect("it can be written");
+    }
+    let found = std::fs::read_to_string(path).expect("it is checked in");
+    assert!(found == expected, "run with AIM_BLESS=1: {path} is not what is printed:\n{printed}");
+}
+
+/// A file whose rest pose is not its bind pose: arms and head are counted from the latter.
+#[test]
+fn a_bind_pose_that_is_not_the_rest_pose_is_printed_for_bevy() {
+    let neck = Model::new(&crate::common::mannequin()).node("neck");
+    let turned = changed(|json| json["nodes"][neck]["rotation"] = json!([0.0, 0.0, 0.382_683_43, 0.923_879_5]));
+    let place = Place::new();
+    place.write("m.glb", &turned);
+    let printed = place.done("rig m.glb --format bevy").stdout;
+    for part in ["use bevy_aim::aim::glam::{Affine3A, Quat, Vec3};", ".with_bind_pose([", "(\"neck\", Affine3A::"] {
+        assert!(printed.contains(part), "{part}: {printed}");
+    }
+}
+
 #[test]
 fn a_stated_facing_overrules_the_measured_one() {
     let place = Place::with_mannequin();

@@ -2,6 +2,10 @@
 
 use aim::{Outcome, Status};
 use bevy_ecs::component::Component;
+#[cfg(feature = "reflect")]
+use bevy_ecs::reflect::ReflectComponent;
+#[cfg(feature = "reflect")]
+use bevy_reflect::std_traits::ReflectDefault;
 
 /// What became of a character's last frame.
 #[derive(Component, Clone, Debug, Default, PartialEq)]

@@ -46,8 +46,6 @@ impl Default for AimPlugin {
 impl Plugin for AimPlugin {
     fn build(&self, app: &mut App) {
         app.add_observer(report::release).add_observer(report::restore);
-        #[cfg(feature = "assets")]
-        crate::asset::build(app);
         #[cfg(feature = "reflect")]
         app.register_type::<crate::AimSettings>()
             .register_type::<crate::AimTarget>()
@@ -57,5 +55,11 @@ impl Plugin for AimPlugin {
         app.add_systems(PostUpdate, find_bones.before(AnimationSystems).before(AimSystems));
         app.add_systems(self.schedule, (solve_aims, apply_aims, report_aims).chain().in_set(AimSystems));
         app.configure_sets(self.schedule, AimSystems.after(AnimationSystems).before(TransformSystems::Propagate));
+    }
+
+    #[cfg(feature = "assets")]
+    fn finish(&self, app: &mut App) {
+        // Whether there are assets is known when all plugins are there.
+        crate::asset::build(app);
     }
 }

@@ -2,6 +2,10 @@
 
 use aim::{Ascent, Behind, GazeSharing, Settings, Solver};
 use bevy_ecs::component::Component;
+#[cfg(feature = "reflect")]
+use bevy_ecs::reflect::ReflectComponent;
+#[cfg(feature = "reflect")]
+use bevy_reflect::std_traits::ReflectDefault;
 
 /// How a character aims: the fields of [`Settings`], where they are explained.
 ///

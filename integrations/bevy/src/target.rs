@@ -3,6 +3,10 @@
 use aim::glam::Vec3;
 use bevy_ecs::component::Component;
 use bevy_ecs::entity::{Entity, EntityMapper, MapEntities};
+#[cfg(feature = "reflect")]
+use bevy_ecs::reflect::ReflectComponent;
+#[cfg(feature = "reflect")]
+use bevy_reflect::std_traits::ReflectDefault;
 
 /// What a character looks at: nothing, something, or several things by their weights. Each is a point or an entity.
 ///

@@ -204,3 +204,52 @@ fn a_measured_character_looks() {
     app.update();
     assert_eq!(status(&app, lamp), AimStatus::Unbound(Unbound::Measurement));
 }
+
+#[cfg(feature = "assets")]
+#[test]
+fn a_rig_may_be_loaded_and_changed() {
+    use bevy_aim::{AimPlugin, AimRigAsset};
+    use bevy_app::{App, TaskPoolPlugin};
+    use bevy_asset::{AssetPlugin, AssetServer, Assets, Handle};
+
+    let folder = format!("{}/rigs", env!("CARGO_TARGET_TMPDIR"));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    std::fs::write(format!("{folder}/hero.aim.toml"), aim_character::MANNEQUIN_RIG).expect("a file");
+    std::fs::write(format!("{folder}/wrong.aim.toml"), "name = 3").expect("a file");
+    let mut app = App::new();
+    // The plugin may come first.
+    app.add_plugins((AimPlugin::default(), TaskPoolPlugin::default()));
+    app.add_plugins(AssetPlugin { file_path: folder, ..AssetPlugin::default() });
+    stage::add(&mut app);
+    let [handle, wrong]: [Handle<AimRigAsset>; 2] =
+        ["hero.aim.toml", "wrong.aim.toml"].map(|file| app.world().resource::<AssetServer>().load(file));
+    let character = spawn(&mut app, AimCharacter::from_asset(handle.clone()), Transform::IDENTITY, 1.0);
+    let other = spawn(&mut app, AimCharacter::from_asset(wrong), Transform::IDENTITY, 1.0);
+    app.world_mut().entity_mut(character).insert(AimTarget::point(LAMP));
+    app.update();
+    assert_eq!(status(&app, character), AimStatus::Unbound(Unbound::Rig));
+    let until = |app: &mut App, is_so: &dyn Fn(&App) -> bool| {
+        for _ in 0..2000 {
+            app.update();
+            if is_so(app) {
+                return;
+            }
+            std::thread::sleep(std::time::Duration::from_millis(5));
+        }
+        panic!("it takes more than ten seconds");
+    };
+    until(&mut app, &|app| status(app, character) == AimStatus::Reached);
+    assert!(error_deg(&app, character, "left_eye", LAMP.as_dvec3()) < 0.1);
+    assert!(error_deg(&app, character, "right_eye", LAMP.as_dvec3()) < 0.1, "the file names it");
+    assert_eq!(status(&app, other), AimStatus::Unbound(Unbound::Rig));
+    // As a file that is watched does.
+    let one = aim_character::MANNEQUIN_RIG.replace("bone = \"neck\"", "bone = \"head\"");
+    let changed = AimRigAsset::from_toml("hero", &one).expect("a rig");
+    app.world_mut().resource_mut::<Assets<AimRigAsset>>().insert(&handle, changed).expect("a place");
+    let head = bone(&app, character, "head");
+    until(&mut app, &|app| {
+        app.world().get::<AimBinding>(character).is_some_and(|binding| binding.joints().nth(1) == Some(head))
+    });
+    let said = AimRigAsset::from_toml("wrong", "name = 3").map(|_| ()).expect_err("no rig").to_string();
+    assert!(said.contains("wrong"), "{said}");
+}

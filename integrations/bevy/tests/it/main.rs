@@ -3,6 +3,10 @@
 mod by_hand;
 mod events;
 mod finding;
+#[rustfmt::skip]
+#[allow(missing_debug_implementations, unnameable_types, reason = "as it is printed")]
+mod mannequin;
+mod printed;
 mod scene;
 mod stage;
 mod targets;

@@ -107,12 +107,19 @@ pub(crate) fn app() -> App {
 
 pub(crate) fn app_with(plugin: AimPlugin) -> App {
     let mut app = App::new();
-    app.add_plugins((TaskPoolPlugin::default(), TimePlugin, TransformPlugin, plugin));
+    app.add_plugins((TaskPoolPlugin::default(), plugin));
+    add(&mut app);
+    app
+}
+
+/// All but threads, plugin and assets.
+pub(crate) fn add(app: &mut App) {
+    app.add_plugins((TimePlugin, TransformPlugin));
     app.insert_resource(TimeUpdateStrategy::ManualDuration(FRAME));
     app.add_systems(PostUpdate, play.in_set(AnimationSystems));
     // The first frame has no length.
+    app.finish();
     app.update();
-    app
 }
 
 /// The mannequin's bones below an armature below an entity, in units of which one is `scale` metres.
