@@ -4,7 +4,7 @@ mod by_hand;
 mod events;
 mod finding;
 #[rustfmt::skip]
-#[allow(missing_debug_implementations, unnameable_types, reason = "as it is printed")]
+#[allow(clippy::doc_markdown, missing_debug_implementations, unnameable_types, reason = "as it is printed")]
 mod mannequin;
 mod printed;
 mod scene;

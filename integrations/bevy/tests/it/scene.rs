@@ -8,13 +8,10 @@ use bevy_transform::components::Transform;
 
 use crate::stage::{self, FRAME, Judged, Player, drawn, error_deg, hero, judge, outcome, spawn, status};
 
-/// A thing that is looked at, on something that turns.
-#[derive(Component)]
-struct Lamp;
-
 struct Show {
     app: App,
     characters: Vec<Entity>,
+    /// What each looks at, on something that turns.
     lamps: Vec<Entity>,
     judged: Vec<Option<Judged>>,
     /// The largest error of an eye while the outcome said that the target is reached, degrees, and how often it did.
@@ -35,20 +32,18 @@ impl Show {
         let platform = app.world_mut().spawn(Transform::from_xyz(9.0, 0.2, 0.0)).id();
         app.world_mut().entity_mut(characters[4]).insert(ChildOf(platform));
         let mut lamps = Vec::new();
-        for (number, &character) in characters.iter().enumerate() {
+        for &character in &characters {
             let pivot = app.world_mut().spawn(Transform::IDENTITY).id();
-            let lamp = app.world_mut().spawn((Lamp, Transform::IDENTITY, ChildOf(pivot))).id();
+            let lamp = app.world_mut().spawn((Transform::IDENTITY, ChildOf(pivot))).id();
             app.world_mut().entity_mut(character).insert(AimTarget::entity(lamp));
             lamps.push(lamp);
-            let _ = number;
         }
         let judged = characters.iter().map(|_| None).collect();
         Self { app, characters, lamps, judged, worst_deg: 0.0, reached: 0, frame: 0 }
     }
 
     /// Moves what the game moves, runs a frame, and judges it.
-    fn run(&mut self, seconds: f32) {
-        let frames = (seconds / FRAME.as_secs_f32()).round() as u16;
+    fn run(&mut self, frames: u16) {
         for _ in 0..frames {
             let t = f32::from(self.frame) * FRAME.as_secs_f32();
             self.frame += 1;
@@ -124,18 +119,18 @@ impl Show {
 #[test]
 fn reached_is_reached_as_bevy_draws_it() {
     let mut show = Show::new();
-    show.run(3.0);
+    show.run(180);
     let while_walking = show.reached;
     assert!(while_walking > 5 * 90, "reached in {while_walking} frames of {}", 5 * 180);
     // From walking to running.
     for step in 0..=20_u8 {
         show.players(|player| player.next = Some((stage::clip("run"), f32::from(step) / 20.0)));
-        show.run(0.05);
+        show.run(3);
     }
-    show.run(1.0);
+    show.run(60);
     // Everything stops; bones stay as the clip left them.
     show.players(|player| player.plays = false);
-    show.run(4.0);
+    show.run(240);
     let reached = show.reached;
     // A target that jumps, and stays.
     for &character in &show.characters {
@@ -143,17 +138,17 @@ fn reached_is_reached_as_bevy_draws_it() {
         let point = place.affine().transform_point3(Vec3::new(0.9, 1.9, 1.5));
         show.app.world_mut().entity_mut(character).insert(AimTarget::point(point));
     }
-    show.run(4.0);
+    show.run(240);
     assert!(show.reached - reached > 5 * 120, "{} of {}", show.reached - reached, 5 * 240);
     // Back to the lamps, which go.
     for (&character, &lamp) in show.characters.iter().zip(&show.lamps) {
         show.app.world_mut().entity_mut(character).insert(AimTarget::entity(lamp));
     }
-    show.run(1.0);
+    show.run(60);
     for &lamp in &show.lamps {
         show.app.world_mut().entity_mut(lamp).despawn();
     }
-    show.run(4.0);
+    show.run(240);
     for (number, &character) in show.characters.iter().enumerate() {
         assert_eq!(status(&show.app, character), AimStatus::NoTarget);
         assert!(show.app.world().get::<AimTarget>(character).expect("a target").list.is_empty());
