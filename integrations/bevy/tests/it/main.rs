@@ -7,6 +7,8 @@ mod finding;
 #[allow(clippy::doc_markdown, missing_debug_implementations, unnameable_types, reason = "as it is printed")]
 mod mannequin;
 mod printed;
+#[cfg(feature = "measure")]
+mod real;
 mod scene;
 mod stage;
 mod targets;

@@ -1,4 +1,4 @@
-//! What `aim rig mannequin.glb --format bevy` prints: it compiles, and looks.
+//! What users are told to paste. What `aim rig mannequin.glb --format bevy` prints: it compiles, and looks.
 
 use bevy_aim::aim::glam::Vec3;
 use bevy_aim::{AimStatus, AimTarget};
@@ -26,4 +26,15 @@ fn the_printed_character_looks() {
     }
     assert!(reached > 100, "{reached} of 180 frames");
     assert_eq!(stage::binding(&app, character).joints().count(), 7);
+}
+
+/// The first example of the README is one of the package `examples`, which is compiled with all of Bevy.
+#[test]
+fn the_readmes_example_is_compiled() {
+    let folder = env!("CARGO_MANIFEST_DIR");
+    let read = |file: &str| std::fs::read_to_string(format!("{folder}/{file}")).expect("a file");
+    let example = read("examples/examples/first.rs");
+    assert!(read("README.md").contains(&format!("```rust,ignore\n{example}```")), "copy it: {example}");
+    let app = example.lines().filter(|line| line.contains("Aim")).count();
+    assert!(app <= 10, "{app} lines make a loaded character an aimed one");
 }
