@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use aim::animation::{AimChain, AimFrame, Skeleton, Transform as Local};
+use aim::animation::{AimChain, AimFrame, GizmoLine, Gizmos, Skeleton, Transform as Local};
 use aim::glam::{Affine3A, Quat};
 use aim::{DynAim, Joint, Outcome, Pose, Settings, Target, Targets};
 use bevy_ecs::component::Component;
@@ -123,6 +123,27 @@ impl AimBinding {
     #[must_use]
     pub fn targets(&self) -> &[Target] {
         &self.targets
+    }
+
+    /// The gazes in the world, as lines of this length: see [`Gizmos::gazes`].
+    pub fn gaze_lines(&self, length: f32) -> Vec<GizmoLine> {
+        self.lines(|gizmos| gizmos.gazes(length).collect())
+    }
+
+    /// The ranges of motion in the world, as rims at this distance from the joints: see [`Gizmos::ranges`].
+    pub fn range_lines(&self, length: f32) -> Vec<GizmoLine> {
+        self.lines(|gizmos| gizmos.ranges(length).collect())
+    }
+
+    /// The axes of the joints' bones in the world: see [`Gizmos::axes`].
+    pub fn axis_lines(&self, length: f32) -> Vec<GizmoLine> {
+        self.lines(|gizmos| gizmos.axes(length).collect())
+    }
+
+    fn lines(&self, of: impl Fn(Gizmos<'_>) -> Vec<GizmoLine>) -> Vec<GizmoLine> {
+        let description = self.aim.rig.description();
+        let Self { chain, frame, model, .. } = self;
+        of(Gizmos { chain, frame, description: &description, corrections: (&self.aim).into(), model })
     }
 
     /// Aims the animated pose for a frame, or at once without `dt`.

@@ -141,6 +141,8 @@ fn below<'a>(
         below.push(Node { entity, parent, name: name.map_or("", Name::as_str), rest, now });
         ahead.extend(of(entity).map(|child| (child, Some(at))));
     }
+    // Those that are gone are forgotten.
+    seen.rest = below.iter().map(|node| (node.entity, node.rest)).collect();
     below
 }
 

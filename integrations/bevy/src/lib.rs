@@ -6,6 +6,8 @@ mod binding;
 mod character;
 mod event;
 mod find;
+#[cfg(feature = "gizmos")]
+mod gizmos;
 #[cfg(feature = "measure")]
 mod measure;
 mod outcome;
@@ -22,6 +24,8 @@ pub use asset::{AimRigAsset, AimRigError, AimRigLoader};
 pub use binding::{AimBinding, AimedBone};
 pub use character::{AimCharacter, SharedRig};
 pub use event::{AimLost, AimOutOfReach, AimReached, AimTurnBody};
+#[cfg(feature = "gizmos")]
+pub use gizmos::AimGizmos;
 pub use outcome::{AimOutcome, AimStatus, Unbound};
 pub use plugin::{AimPlugin, AimSystems};
 pub use settings::{AimSettings, AimSnap};

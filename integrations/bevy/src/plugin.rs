@@ -57,9 +57,12 @@ impl Plugin for AimPlugin {
         app.configure_sets(self.schedule, AimSystems.after(AnimationSystems).before(TransformSystems::Propagate));
     }
 
-    #[cfg(feature = "assets")]
+    #[cfg(any(feature = "assets", feature = "gizmos"))]
     fn finish(&self, app: &mut App) {
-        // Whether there are assets is known when all plugins are there.
+        // Whether there are assets, or gizmos, is known when all plugins are there.
+        #[cfg(feature = "assets")]
         crate::asset::build(app);
+        #[cfg(feature = "gizmos")]
+        crate::gizmos::build(app);
     }
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use aim_gltf::Document;
 use bevy_aim::aim::animation::{Skeleton, Transform as Local};
-use bevy_aim::aim::glam::{DVec3, Quat, Vec3};
+use bevy_aim::aim::glam::{DQuat, DVec3, Quat, Vec3};
 use bevy_aim::{AimCharacter, AimStatus, AimTarget};
 use bevy_app::App;
 use bevy_ecs::prelude::*;
@@ -75,7 +75,7 @@ fn look(file: &PathBuf, root: Transform) {
         }
         // Halts in the second half.
         let angle = 0.5 * f64::from(t.min(2.0) * 1.5).sin();
-        let turn = Quat::from_rotation_y(angle as f32).as_dquat();
+        let turn = DQuat::from_rotation_y(angle);
         let target = eye + turn * ahead * far + DVec3::Y * (0.1 * far * angle);
         app.world_mut().entity_mut(character).insert(AimTarget::point(target.as_vec3()));
         app.update();

@@ -118,3 +118,22 @@ fn settings_are_those_of_the_character() {
     assert!(error_deg(&app, weak, "left_eye", point.as_dvec3()) > 30.0);
     assert_eq!(outcome(&app, weak).status, AimStatus::Reached, "as far as it is to go");
 }
+
+#[test]
+fn gazes_are_told_as_lines() {
+    let mut app = stage::app();
+    let point = Vec3::new(0.6, 1.5, 2.0);
+    let who = character(&mut app, Transform::from_xyz(0.2, 0.0, 0.0), AimTarget::point(point));
+    for _ in 0..60 {
+        app.update();
+    }
+    let binding = stage::binding(&app, who);
+    let gazes = binding.gaze_lines(1.0);
+    assert_eq!(gazes.len(), 2);
+    for line in &gazes {
+        assert!((line.to - line.from).angle_between(point - line.from) < 2e-3, "{line:?}");
+    }
+    let eye = drawn(&app, bone(&app, who, "left_eye")).translation;
+    assert!(gazes[0].from.as_dvec3().distance(eye) < 1e-5);
+    assert!(binding.range_lines(0.2).len() > 100 && binding.axis_lines(0.1).len() == 3 * 4);
+}
