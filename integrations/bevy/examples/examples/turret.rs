@@ -56,7 +56,7 @@ fn fire(time: Res<Time>, mut turrets: Query<(&AimOutcome, &mut Gun)>) {
         if outcome.status.is_reached() && gun.wait_s <= 0.0 {
             gun.wait_s = 0.5;
             gun.shots += 1;
-            info!("fires");
+            println!("It fires.");
         }
     }
 }
