@@ -1,5 +1,5 @@
 //! The time that the systems of [`AimPlugin`] take for 2 000 mannequins that walk and look around, on one thread and on two: medians
-//! of seven runs, and their ratio.
+//! of seven runs, and their ratio. Of a run it is the frame that a tenth of the frames are faster than, as others may use the machine.
 
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -31,8 +31,8 @@ const CHARACTERS: usize = 2000;
 const FRAMES: u16 = 60;
 const RUNS: usize = 7;
 
-/// When the systems began in this frame, and what they have taken.
-static CLOCK: Mutex<(Option<Instant>, Duration)> = Mutex::new((None, Duration::ZERO));
+/// When the systems began in this frame, and what they have taken in each.
+static CLOCK: Mutex<(Option<Instant>, Vec<Duration>)> = Mutex::new((None, Vec::new()));
 
 #[derive(Resource)]
 struct Walk {
@@ -88,7 +88,7 @@ fn run(threads: usize) -> f64 {
     let ended = || {
         let mut clock = CLOCK.lock().expect("a clock");
         if let Some(began) = clock.0.take() {
-            clock.1 += began.elapsed();
+            clock.1.push(began.elapsed());
         }
     };
     app.add_systems(PostUpdate, play.in_set(AnimationSystems));
@@ -109,14 +109,16 @@ fn run(threads: usize) -> f64 {
     for _ in 0..10 {
         app.update();
     }
-    CLOCK.lock().expect("a clock").1 = Duration::ZERO;
+    CLOCK.lock().expect("a clock").1.clear();
     for frame in 0..FRAMES {
         let angle = f32::from(frame) * 0.05;
         app.world_mut().get_mut::<Transform>(lamp).expect("a lamp").translation =
             Vec3::new(30.0 * angle.sin(), 1.6, 40.0);
         app.update();
     }
-    CLOCK.lock().expect("a clock").1.as_secs_f64() / f64::from(FRAMES)
+    let mut frames = std::mem::take(&mut CLOCK.lock().expect("a clock").1);
+    frames.sort();
+    frames[frames.len() / 10].as_secs_f64()
 }
 
 /// A process each: Bevy's pools are made once.

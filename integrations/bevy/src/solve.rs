@@ -1,6 +1,7 @@
 //! Aims characters: [`solve_aims`] reads transforms and solves, [`apply_aims`] writes them.
 
 use aim::{Settings, Target};
+use bevy_ecs::batching::BatchingStrategy;
 use bevy_ecs::change_detection::DetectChangesMut;
 use bevy_ecs::entity::Entity;
 use bevy_ecs::query::Has;
@@ -20,32 +21,34 @@ pub(crate) fn solve_aims(
     nodes: Nodes<'_, '_>,
 ) {
     let dt = time.delta_secs();
-    characters.par_iter_mut().for_each(|(entity, mut binding, mut outcome, target, settings, snaps)| {
-        let binding = &mut *binding;
-        binding.is_solved = false;
-        binding.is_broken = !gather(entity, binding, &nodes);
-        if binding.is_broken {
-            outcome.set_if_neq(AimOutcome { status: AimStatus::Unbound(Unbound::Bones), ..AimOutcome::default() });
-            return;
-        }
-        let Some(place) = in_world(entity, &nodes) else {
-            outcome.set_if_neq(AimOutcome { status: AimStatus::Unbound(Unbound::Place), ..AimOutcome::default() });
-            return;
-        };
-        binding.targets.clear();
-        for weighted in &target.list {
-            let point = match weighted.at {
-                AimAt::Point(point) => Some(point),
-                AimAt::Entity(entity, point) => in_world(entity, &nodes).map(|at| at.transform_point3(point)),
+    characters.par_iter_mut().batching_strategy(batches()).for_each(
+        |(entity, mut binding, mut outcome, target, settings, snaps)| {
+            let binding = &mut *binding;
+            binding.is_solved = false;
+            binding.is_broken = !gather(entity, binding, &nodes);
+            if binding.is_broken {
+                outcome.set_if_neq(AimOutcome { status: AimStatus::Unbound(Unbound::Bones), ..AimOutcome::default() });
+                return;
+            }
+            let Some(place) = in_world(entity, &nodes) else {
+                outcome.set_if_neq(AimOutcome { status: AimStatus::Unbound(Unbound::Place), ..AimOutcome::default() });
+                return;
             };
-            binding.targets.extend(point.map(|point| Target::new(point, weighted.weight)));
-        }
-        let has_target = !binding.targets.is_empty();
-        binding.has_snapped = snaps && has_target;
-        let settings: Settings = settings.to_settings();
-        let solved = binding.solve(place, (!binding.has_snapped).then_some(dt), &settings);
-        outcome.set_if_neq(AimOutcome::of(solved, has_target));
-    });
+            binding.targets.clear();
+            for weighted in &target.list {
+                let point = match weighted.at {
+                    AimAt::Point(point) => Some(point),
+                    AimAt::Entity(entity, point) => in_world(entity, &nodes).map(|at| at.transform_point3(point)),
+                };
+                binding.targets.extend(point.map(|point| Target::new(point, weighted.weight)));
+            }
+            let has_target = !binding.targets.is_empty();
+            binding.has_snapped = snaps && has_target;
+            let settings: Settings = settings.to_settings();
+            let solved = binding.solve(place, (!binding.has_snapped).then_some(dt), &settings);
+            outcome.set_if_neq(AimOutcome::of(solved, has_target));
+        },
+    );
 }
 
 /// Writes what was solved, bone by bone, in parallel. A `Transform` that is right already is left alone, so that Bevy does not
@@ -54,7 +57,7 @@ pub(crate) fn apply_aims(
     mut bones: Query<'_, '_, (&mut Transform, &mut AimedBone)>,
     characters: Query<'_, '_, &AimBinding>,
 ) {
-    bones.par_iter_mut().for_each(|(mut transform, mut bone)| {
+    bones.par_iter_mut().batching_strategy(batches()).for_each(|(mut transform, mut bone)| {
         let Ok(binding) = characters.get(bone.character) else { return };
         let Some((animated, aimed)) = binding.animated.get(bone.bone).zip(binding.aimed.get(bone.bone)) else { return };
         if !binding.is_solved {
@@ -68,6 +71,11 @@ pub(crate) fn apply_aims(
         now.base = Transform { translation: animated.translation, rotation: animated.rotation, scale: animated.scale };
         bone.set_if_neq(now);
     });
+}
+
+/// Several batches a thread, as one is seldom as fast as another: some characters follow, others search.
+fn batches() -> BatchingStrategy {
+    BatchingStrategy::new().batches_per_thread(8)
 }
 
 /// Reads the bones as they are animated; false if one is gone or hangs elsewhere.
