@@ -54,6 +54,25 @@ fn what_is_missing_is_told() {
     assert_eq!(status(&app, wild), unbound(Unbound::RestPose));
 }
 
+/// Whose bones are found late, when they are animated, counts from the pose in which they appeared.
+#[test]
+fn the_bind_pose_is_that_in_which_bones_appear() {
+    let mut app = stage::app();
+    let late = spawn(&mut app, hero().with_bone(1, "Neck"), Transform::IDENTITY, 1.0);
+    for _ in 0..30 {
+        app.update();
+    }
+    assert_eq!(status(&app, late), AimStatus::Unbound(Unbound::Joint(1)));
+    app.world_mut().entity_mut(late).insert(hero());
+    let early = spawn(&mut app, hero(), Transform::IDENTITY, 1.0);
+    app.update();
+    let [late, early] = [late, early].map(|character| {
+        let bind = stage::binding(&app, character).pose().bind.expect("a bind pose");
+        bind[2].inverse() * bind[1]
+    });
+    assert!(late.abs_diff_eq(early, 1e-5), "{late:?} instead of {early:?}");
+}
+
 #[test]
 fn a_name_that_repeats_is_told_by_a_path() {
     let mut app = stage::app();
