@@ -1,5 +1,8 @@
 // Where the links of README.md lead from here. Of two definitions the first counts, and the file's own come last. A picture that
 // is a file beside README.md is no part of the documentation: an empty one stands for it.
+//! [docs/introduction.md]: crate::guide
+//! [docs/five-minutes.md]: crate::guide
+//! [integrations/bevy/README.md]: https://docs.rs/bevy_aim
 //! [docs/paper.md]: crate::guide::paper
 //! [docs/screens/panel.png]: data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7
 //! [docs/viewer.md]: crate::guide::viewer

@@ -84,7 +84,7 @@ pub fn pendulum(angle: f64, speed: f64, torque: f64, step: f64, pull: f64, weigh
     angle * angle + weight * speed * speed + 0.01 * torque * torque
 }
 
-/// How far a rigid body's spin accelerates from what is wanted, by Euler's equations.
+/// The difference between a rigid body's angular acceleration and a wanted one, by Euler's equations.
 #[differentiate(wrt(spin, torque))]
 pub fn spinning(spin: DVec3, torque: DVec3, inertia: DVec3, wanted: DVec3) -> f64 {
     let gyroscopic = spin.cross(inertia * spin);
@@ -146,7 +146,7 @@ pub fn rolling_shutter(turn: DVec3, shift: DVec3, point: DVec3, row: f64, seen: 
     x * x + y * y
 }
 
-/// How far a camera on a pan and a tilt joint looks past a point.
+/// The distance by which a camera on a pan and a tilt joint looks past a point.
 #[differentiate(wrt(pan, tilt))]
 pub fn pan_and_tilt(pan: f64, tilt: f64, arm: DVec3, eye: DVec3, target: DVec3) -> f64 {
     let turn = DMat3::from_rotation_z(pan);

@@ -8,7 +8,7 @@ use aim_character::{Mannequin, Vrm, mannequin};
 use crate::common::gltf::{put_together, take_apart};
 use crate::common::{Place, bundled_rigs};
 
-/// What pages show and this test does not run: the beginning of the line, and what does.
+/// Commands that pages show and this test does not run: the beginning of the line, and what does.
 const ELSEWHERE: &[(&str, &str)] = &[
     ("cargo new ", "`.ci/five-minutes` goes through the page in an empty folder"),
     ("cd hero", "the same"),

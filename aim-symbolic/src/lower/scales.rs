@@ -139,7 +139,7 @@ fn by_constant(g: &Graph, s: Scalar) -> Option<(f64, Scalar, bool)> {
     (c != 0.0 && c.is_finite() && g.constant_of(a).is_none()).then_some((c, a, over))
 }
 
-/// How many times larger or smaller a product with a constant is than the other factor.
+/// The ratio of a product with a constant to its other factor.
 fn change(g: &Graph, s: Scalar) -> f64 {
     by_constant(g, s).map_or(1.0, |(c, ..)| c.abs().max(1.0 / c.abs()))
 }
@@ -248,7 +248,7 @@ impl Scales {
         self.solved[place] = Some(instead.clone());
     }
 
-    /// What a product with a constant leaves to be multiplied.
+    /// The factor that a product with a constant leaves.
     fn left(&mut self, g: &Graph, s: Scalar) -> Option<(Scalar, bool, Scale)> {
         let (c, a, over) = by_constant(g, s)?;
         let log = self.log(c);

@@ -31,7 +31,7 @@ impl AimRigAsset {
     /// The rig of a declaration in TOML; `name` is what its mistakes are told for.
     ///
     /// # Errors
-    /// What is wrong with the declaration, with lines and columns.
+    /// The errors of the declaration, with lines and columns.
     pub fn from_toml(name: &str, text: &str) -> Result<Self, AimRigError> {
         let spec =
             aim_codegen::declare::from_toml(name, text).map_err(|errors| AimRigError::Declaration(errors.render()))?;
@@ -54,7 +54,7 @@ pub enum AimRigError {
     Io(std::io::Error),
     /// It is no text.
     Text,
-    /// What is wrong with the declaration, with lines and columns.
+    /// The errors of the declaration, with lines and columns.
     Declaration(String),
 }
 

@@ -52,7 +52,7 @@ pub struct AimCharacter {
     pub(crate) bind_pose: Vec<(String, Affine3A)>,
 }
 
-/// Where the rig comes from.
+/// The source of a rig.
 #[derive(Clone)]
 pub(crate) enum Source {
     Rig(SharedRig),

@@ -1,4 +1,4 @@
-//! What characters tell: events on their entities.
+//! Events on the entities of characters.
 //!
 //! ```
 //! use bevy_aim::AimReached;

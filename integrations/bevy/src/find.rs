@@ -16,7 +16,7 @@ use crate::character::Source;
 use crate::place::of_bevy;
 use crate::{AimBinding, AimCharacter, AimOutcome, AimStatus, AimedBone, SharedRig, Unbound};
 
-/// What has been seen of a character's bones.
+/// The bones of a character as they were last seen.
 #[derive(Component, Clone, Debug, Default)]
 pub(crate) struct Seen {
     /// The transform of each as it appeared.

@@ -7,7 +7,7 @@ use bevy_ecs::reflect::ReflectComponent;
 #[cfg(feature = "reflect")]
 use bevy_reflect::std_traits::ReflectDefault;
 
-/// What became of a character's last frame.
+/// The outcome of a character's last frame.
 #[derive(Component, Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "reflect", derive(bevy_reflect::Reflect))]
 #[cfg_attr(feature = "reflect", reflect(Component, Default, Debug, PartialEq, Clone))]

@@ -1,4 +1,4 @@
-//! Where entities are in this frame: by their own `Transform` and those of all that they hang on, for `GlobalTransform` is that of the
+//! Places of entities in this frame: by their own `Transform` and those of all that they hang on, for `GlobalTransform` is that of the
 //! last frame, with the corrections in it.
 
 use aim::animation;
@@ -11,7 +11,7 @@ use bevy_transform::components::Transform;
 
 use crate::AimedBone;
 
-/// What is read of any entity.
+/// The components that are read of any entity.
 #[derive(QueryData)]
 pub(crate) struct Node {
     pub(crate) transform: &'static Transform,
@@ -25,7 +25,7 @@ pub(crate) type Nodes<'w, 's> = Query<'w, 's, Node>;
 /// Ancestors of an entity at most: Bevy does not keep users from making a cycle.
 const MOST_ANCESTORS: usize = 4096;
 
-/// Where an entity is in the world, aimed bones as their last corrections have them; `None` if it, or an ancestor, has no
+/// An entity's place in the world, aimed bones as their last corrections have them; `None` if it, or an ancestor, has no
 /// `Transform`.
 pub(crate) fn in_world(entity: Entity, nodes: &Nodes<'_, '_>) -> Option<Affine3A> {
     let mut place = Affine3A::IDENTITY;

@@ -13,7 +13,7 @@ use crate::find::Seen;
 use crate::{AimAt, AimBinding, AimLost, AimOutOfReach, AimOutcome, AimReached, AimSnap, AimTarget, AimTurnBody};
 use crate::{AimCharacter, AimStatus, AimedBone};
 
-/// What has been told of a character.
+/// The last outcome that events told of a character.
 #[derive(Component, Clone, Copy, Debug, Default)]
 pub(crate) struct Reported {
     status: AimStatus,

@@ -7,7 +7,7 @@ use bevy_ecs::reflect::ReflectComponent;
 #[cfg(feature = "reflect")]
 use bevy_reflect::std_traits::ReflectDefault;
 
-/// How a character aims: the fields of [`Settings`], where they are explained.
+/// The settings of a character's aim: the fields of [`Settings`], where they are explained.
 ///
 /// A [`weight`](Self::weight) of 0 leaves the character to its animation: its joints go back at their rates.
 #[derive(Component, Clone, Debug, PartialEq)]
@@ -30,10 +30,10 @@ pub struct AimSettings {
     /// Solver; `None` leaves it to the rig.
     #[cfg_attr(feature = "reflect", reflect(ignore))]
     pub solver: Option<Solver>,
-    /// How a natural gaze is shared; `None` leaves it to the rig.
+    /// Sharing of a natural gaze; `None` leaves it to the rig.
     #[cfg_attr(feature = "reflect", reflect(ignore))]
     pub sharing: Option<GazeSharing>,
-    /// How [`Solver::Ascent`] steps.
+    /// Steps of [`Solver::Ascent`].
     #[cfg_attr(feature = "reflect", reflect(ignore))]
     pub ascent: Ascent,
 }

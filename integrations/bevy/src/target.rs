@@ -8,7 +8,7 @@ use bevy_ecs::reflect::ReflectComponent;
 #[cfg(feature = "reflect")]
 use bevy_reflect::std_traits::ReflectDefault;
 
-/// What a character looks at: nothing, something, or several things by their weights. Each is a point or an entity.
+/// The targets of a character: none, one, or several by their weights. Each is a point or an entity.
 ///
 /// Entities that are despawned are taken off the list; the character then returns to its animation, or turns to what is
 /// left. See [`Targets`](aim::Targets) for how several are blended.
@@ -34,13 +34,13 @@ pub struct AimTarget {
 #[cfg_attr(feature = "reflect", derive(bevy_reflect::Reflect))]
 #[cfg_attr(feature = "reflect", reflect(Debug, PartialEq, Clone))]
 pub struct WeightedTarget {
-    /// Where it is.
+    /// Its place.
     pub at: AimAt,
     /// Its share: see [`Target::weight`](aim::Target::weight).
     pub weight: f32,
 }
 
-/// Where something is that is looked at.
+/// The place of a target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "reflect", derive(bevy_reflect::Reflect))]
 #[cfg_attr(feature = "reflect", reflect(Debug, PartialEq, Clone))]

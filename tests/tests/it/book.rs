@@ -96,7 +96,7 @@ fn anchors(text: &str) -> BTreeSet<String> {
         .collect()
 }
 
-/// What a page links to within the project: `[text](target)`, `[name]: target` and `src="target"`.
+/// The targets of a page's links within the project: `[text](target)`, `[name]: target` and `src="target"`.
 fn targets(text: &str) -> Vec<String> {
     let (_, prose) = take_apart(text);
     let mut targets = Vec::new();
@@ -130,7 +130,7 @@ fn followed(page: &str, link: &str) -> String {
     path.join("/")
 }
 
-/// What is wrong with the links of these pages.
+/// The broken links of these pages.
 fn dead_links(pages: &BTreeMap<String, String>) -> Vec<String> {
     let mut dead = Vec::new();
     for (page, text) in pages {

@@ -4,7 +4,7 @@ use bevy::prelude::*;
 use bevy_aim::{AimCharacter, AimPlugin, AimTarget};
 use bevy_aim_examples::{Ball, Body, Stage};
 
-/// How many stand in a row, and how many rows there are.
+/// Characters in a row, and rows.
 const ROW: u16 = 50;
 const ROWS: u16 = 40;
 

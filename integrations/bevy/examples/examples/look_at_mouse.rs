@@ -4,7 +4,7 @@ use bevy::prelude::*;
 use bevy_aim::{AimCharacter, AimPlugin, AimTarget};
 use bevy_aim_examples::{Body, Pointer, Stage};
 
-/// How far in front of the character the pointer is, metres.
+/// Distance of the pointer in front of the character, metres.
 const IN_FRONT: f32 = 1.2;
 
 pub(crate) fn plugin(app: &mut App) {

@@ -22,7 +22,7 @@ pub(crate) struct Gun {
     pub(crate) shots: usize,
 }
 
-/// What flies in circles.
+/// The thing that flies in circles.
 #[derive(Component)]
 pub(crate) struct Drone;
 

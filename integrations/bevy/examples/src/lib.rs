@@ -24,11 +24,11 @@ pub struct Ball(pub f32);
 pub struct Block {
     /// Width, height and depth.
     pub size: Vec3,
-    /// Where its middle is.
+    /// Its middle.
     pub middle: Vec3,
 }
 
-/// Where the pointer points: from the camera into the scene; `None` while it is not in the window.
+/// The ray of the pointer: from the camera into the scene; `None` while it is not in the window.
 #[derive(Resource, Clone, Copy, Debug, Default)]
 pub struct Pointer(pub Option<Ray3d>);
 
@@ -37,9 +37,9 @@ pub struct Pointer(pub Option<Ray3d>);
 /// With the variable `AIM_SCREENSHOT` the window closes after four seconds and leaves a picture there.
 #[derive(Clone, Copy, Debug)]
 pub struct Stage {
-    /// Where the camera is.
+    /// The camera's place.
     pub camera: Vec3,
-    /// What it looks at.
+    /// The point that it looks at.
     pub middle: Vec3,
 }
 

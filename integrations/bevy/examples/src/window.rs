@@ -1,11 +1,13 @@
 //! A window.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use aim_character::{PAPER_AXES, mannequin};
 use bevy::camera::Camera3d;
 use bevy::prelude::*;
 use bevy::render::view::screenshot::{Screenshot, save_to_disk};
+use bevy::time::TimeUpdateStrategy;
 use bevy::window::PrimaryWindow;
 
 use crate::{Ball, Block, Body, Pointer, Stage};
@@ -35,7 +37,9 @@ pub(crate) fn build(stage: Stage, app: &mut App) {
                 exit.write(AppExit::Success);
             }
         };
-        app.add_systems(Update, shoot);
+        // Sixty frames a second, however long each takes to be drawn.
+        let step = TimeUpdateStrategy::ManualDuration(Duration::from_secs(1) / 60);
+        app.insert_resource(step).add_systems(Update, shoot);
     }
 }
 

@@ -1,4 +1,4 @@
-//! What characters tell.
+//! Events of characters.
 
 use bevy_aim::aim::glam::Vec3;
 use bevy_aim::{AimLost, AimOutOfReach, AimReached, AimTarget, AimTurnBody};
@@ -8,7 +8,7 @@ use bevy_transform::components::Transform;
 
 use crate::stage::{self, hero, outcome, spawn};
 
-/// What was told, in its order.
+/// The events so far, in their order.
 #[derive(Resource, Default)]
 struct Told(Vec<(Entity, String)>);
 

@@ -1,4 +1,4 @@
-//! What users are told to paste. What `aim rig mannequin.glb --format bevy` prints: it compiles, and looks.
+//! Code that users paste: that which `aim rig mannequin.glb --format bevy` prints compiles, and looks.
 
 use bevy_aim::aim::glam::Vec3;
 use bevy_aim::{AimStatus, AimTarget};

@@ -24,7 +24,7 @@ fn spawn(app: &mut App, skeleton: &Skeleton, root: Transform) -> (Entity, Vec<En
     (entity, bones)
 }
 
-/// Where the effector is and looks, as Bevy draws it.
+/// The effector's place and direction, as Bevy draws it.
 fn gaze(app: &App, character: Entity) -> [DVec3; 2] {
     let binding = binding(app, character);
     let effector = *binding.rig().description().effector();

@@ -11,7 +11,7 @@ use crate::stage::{self, FRAME, Judged, Player, drawn, error_deg, hero, judge, o
 struct Show {
     app: App,
     characters: Vec<Entity>,
-    /// What each looks at, on something that turns.
+    /// The target of each, on something that turns.
     lamps: Vec<Entity>,
     judged: Vec<Option<Judged>>,
     /// The largest error of an eye while the outcome said that the target is reached, degrees, and how often it did.

@@ -54,7 +54,7 @@ pub(crate) struct Player {
     pub(crate) plays: bool,
     pub(crate) seconds: f32,
     pub(crate) bones: Vec<Entity>,
-    /// What translations are multiplied by.
+    /// The factor of translations.
     pub(crate) unit: f32,
     /// Each bone as it was last written, or at rest.
     pub(crate) animated: Vec<Local>,
@@ -160,7 +160,7 @@ pub(crate) fn status(app: &App, character: Entity) -> AimStatus {
     outcome(app, character).status
 }
 
-/// Where Bevy draws an entity.
+/// The place in which Bevy draws an entity.
 pub(crate) fn drawn(app: &App, entity: Entity) -> DAffine3 {
     app.world().get::<GlobalTransform>(entity).expect("a place").affine().as_daffine3()
 }
@@ -178,7 +178,7 @@ fn angles_deg(turn: DQuat) -> [f64; 2] {
     [ahead.z.atan2(ahead.y).to_degrees(), ahead.x.atan2(ahead.z.hypot(ahead.y)).to_degrees()]
 }
 
-/// What a character's joints did in a frame, from Bevy's transforms alone.
+/// The motion of a character's joints in a frame, from Bevy's transforms alone.
 #[derive(Clone)]
 pub(crate) struct Judged {
     pub(crate) angles_deg: Vec<[f64; 2]>,
@@ -246,7 +246,7 @@ fn held(player: &Player, local: &dyn Fn(usize) -> Transform) {
     }
 }
 
-/// What the plugin remembers of a character.
+/// The state that the plugin keeps of a character.
 pub(crate) fn binding(app: &App, character: Entity) -> &AimBinding {
     app.world().get(character).expect("a character whose bones are found")
 }

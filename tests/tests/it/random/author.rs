@@ -15,7 +15,7 @@ pub(super) struct Author {
     /// Each loop around what is being written, and whether it counts.
     loops: Vec<(usize, bool)>,
     all_loops: usize,
-    /// How many statements may follow.
+    /// The number of statements that may follow.
     left: usize,
 }
 

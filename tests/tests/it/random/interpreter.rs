@@ -1,4 +1,4 @@
-//! What a function means: an interpreter of what was written, over any numbers.
+//! The meaning of a function: an interpreter of what was written, over any numbers.
 
 use aim_symbolic::{Function, Number};
 use fastrand::Rng;
@@ -121,7 +121,7 @@ impl<T: Number> Point<T> {
     }
 }
 
-/// How many numbers derivatives are taken by.
+/// The number of variables that derivatives are taken by.
 pub(super) const VARIABLES: usize = 7;
 
 /// The interpreter.
@@ -197,7 +197,7 @@ impl<T: Number> Run<'_, T> {
         }
     }
 
-    /// What is declared in a block ends with it.
+    /// Variables declared in a block end with it.
     fn block(&mut self, statements: &[Statement]) {
         let known = self.variables.each_ref().map(Vec::len);
         statements.iter().for_each(|statement| self.step(statement));

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-/// What an expression is: a number, a vector, a matrix.
+/// The type of an expression: a number, a vector, a matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Kind {
     Number,
@@ -13,7 +13,7 @@ pub(super) enum Kind {
 pub(super) const KINDS: [Kind; 3] = [Kind::Number, Kind::Vector, Kind::Matrix];
 
 impl Kind {
-    /// What its variables are called before their numbers.
+    /// The beginning of its variables' names, before their numbers.
     fn letter(self) -> char {
         ['n', 'v', 'm'][self as usize]
     }
@@ -30,7 +30,7 @@ pub(super) enum Expression {
     Sum(Box<[Self; 2]>),
     Difference(Box<[Self; 2]>),
     Negative(Box<Self>),
-    /// What glam writes as `a * b`: of numbers, of a number and a vector or a matrix, of matrices, of a matrix and a vector.
+    /// Products that glam writes as `a * b`: of numbers, of a number and a vector or a matrix, of matrices, of a matrix and a vector.
     Product(Box<[Self; 2]>),
     /// a / (b² + 1)
     Ratio(Box<[Self; 2]>),

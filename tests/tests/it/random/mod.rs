@@ -25,7 +25,7 @@ use rounded::Rounded;
 const CASES: u64 = 1000;
 const SHORT_CASES: u64 = if cfg!(debug_assertions) { 10_000 } else { 50_000 };
 
-/// How a function is derived; its program gives the value, then the gradient.
+/// The way in which a function is derived; its program gives the value, then the gradient.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Derive {
     Searching,
