@@ -34,7 +34,7 @@ use crate::limits::reach::Reach;
 use crate::rig::{ChainRig, Led, Memory, PoseSlices, StateSlices, Support};
 use crate::target::behind::Front;
 use crate::target::goal::{Course, Goal, Scene};
-use crate::{Behind, Description, Joint, Outcome, Rig, Role, Settings, Solver};
+use crate::{Behind, Description, Joint, JointInfo, Outcome, Rig, Role, Settings, Solver};
 
 /// Serves a frame that needs no search, if it is one: moves `state` and writes the joints' corrections. Else `None`, with
 /// nothing changed.
@@ -48,16 +48,17 @@ pub(crate) fn follow<K: Rig + ?Sized>(
     corrections: &mut [Quat],
 ) -> Option<Outcome> {
     let solver = call.settings.solver.unwrap_or(rig.default_solver());
+    // A natural gaze is shared out, but for that of an eye alone.
+    let is_shared = |joints: &[JointInfo]| joints.len() != 1 || !matches!(joints[0].role, Role::Eye | Role::None);
+    if solver == Solver::Natural && is_shared(rig.joints) {
+        return None;
+    }
     if !call.dt.is_some_and(|dt| dt > 0.0)
         || pose.other_eye.is_some()
         || solver == Solver::Ascent
         || call.settings.behind == Behind::Plane
         || !state.memory.is_undisturbed()
     {
-        return None;
-    }
-    let is_led = solver == Solver::Natural && !matches!(rig.joints.first()?.role, Role::Eye | Role::None);
-    if is_led {
         return None;
     }
     if let Some(outcome) = single::aim(rig, state, pose, call, corrections) {
