@@ -170,7 +170,7 @@ fn ends_of_windings() {
     }
 }
 
-/// What goes straight is a screw without a turn, along its own direction.
+/// A straight way is a screw without a turn, along its own direction.
 #[test]
 fn straight_screws() {
     let skeleton = skeleton();

@@ -258,7 +258,7 @@ fn out_of_reach() {
     assert!(off < 2e-3 * size, "{off} from where the stretched arm ends");
 }
 
-/// What the trajectory tells is in units of the model: the same in centimetres, a hundred times as far; its distortion is a square.
+/// The trajectory tells its numbers in units of the model: the same in centimetres, a hundred times as far; its distortion is a square.
 #[test]
 fn outcomes_are_in_units_of_the_model() {
     let outcomes = [1.0, 100.0].map(|scale: f32| {

@@ -291,7 +291,7 @@ fn resampled() {
     assert!(track.resampled(f32::INFINITY, 1.0).times().len() > 1_000_000);
 }
 
-/// Where a cubic of rotations is cut its numbers are not unit; what is sampled is.
+/// A cubic of rotations has numbers that are not unit where it is cut; its samples are.
 #[test]
 fn pieces_are_unit() {
     let turns = [0.0, 2.4, 0.3].map(Quat::from_rotation_x);
@@ -381,7 +381,7 @@ fn final_jumps_are_kept() {
     assert_eq!(jump.cut(0.0, f32::INFINITY), jump);
 }
 
-/// Where a velocity is larger than any number a piece has none, and stays finite.
+/// A piece whose velocity is larger than any number has none, and stays finite.
 #[test]
 fn pieces_are_finite() {
     for interval in [1e-25_f32, 1e-20, 1e-40] {

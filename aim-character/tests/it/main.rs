@@ -27,7 +27,7 @@ const RIGS: [(&str, &str); 8] = [
     ("vrm", include_str!("../../../rigs/vrm.toml")),
 ];
 
-/// Whether tests of many cases take all of them, or the part that `cargo test` takes by itself.
+/// True where tests of many cases take all of them, and not just the part that `cargo test` takes by itself.
 fn in_full() -> bool {
     std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
 }

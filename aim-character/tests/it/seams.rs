@@ -50,7 +50,7 @@ fn jumps(document: &Document, clip: &Clip, along: DAffine3) -> [f64; 2] {
         .fold([0.0; 2], |most, jump| [most[0].max(jump[0]), most[1].max(jump[1])])
 }
 
-/// What the mannequin's clips do is a loop already, but for their way: they are left as they are.
+/// The mannequin's clips are loops already, but for their way: they are left as they are.
 #[test]
 fn what_closes_is_left_alone() {
     let document = mannequin();

@@ -190,7 +190,7 @@ fn mended_for(seconds: f32, clip: &Clip, mend: impl Fn(&Clip) -> Result<Option<M
     Ok(mended(&piece, &format!("{seconds} s of {name:?} are no loop"))?.or(round))
 }
 
-/// What was mended.
+/// The seam that was mended, in words.
 fn in_words(seam: &Seam) -> String {
     let Gap { translation, rotation_rad, .. } = seam.place;
     format!(

@@ -13,8 +13,8 @@ const FILES: [&str; 5] = ["build.rs", "rigs/hero.toml", "rigs/extra.toml", "src/
 /// The code of each rig: of one it is checked in, of the other it is written for the tests.
 const CODE: [(&str, &str); 2] = [("hero", "src/hero.rs"), ("extra", "src/checked_in.rs")];
 
-/// What is slow to optimise. It is compiled for the example alone, since paths from another workspace count as other
-/// packages, and runs for a moment.
+/// Packages that are slow to optimise. They are compiled for the example alone, since paths from another workspace count as other
+/// packages, and run for a moment.
 const QUICK: [&str; 4] = ["aim-animation", "aim-character", "aim-gltf", "aim-runtime"];
 
 /// The example as a package of its own in another place, as a user would have it.

@@ -49,8 +49,8 @@ pub(crate) fn follow<K: Rig + ?Sized>(
 ) -> Option<Outcome> {
     let solver = call.settings.solver.unwrap_or(rig.default_solver());
     // A natural gaze is shared out, but for that of an eye alone.
-    let is_shared = |joints: &[JointInfo]| joints.len() != 1 || !matches!(joints[0].role, Role::Eye | Role::None);
-    if solver == Solver::Natural && is_shared(rig.joints) {
+    let is_alone = matches!(rig.joints, [JointInfo { role: Role::Eye | Role::None, .. }]);
+    if solver == Solver::Natural && !is_alone {
         return None;
     }
     if !call.dt.is_some_and(|dt| dt > 0.0)

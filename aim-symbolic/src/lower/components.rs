@@ -309,11 +309,8 @@ impl Lowering {
 
     fn basis(&mut self, rows: [Constant; 9], transposed: bool, v: [Scalar; 3]) -> [Scalar; 3] {
         let at = |i: usize, k: usize| rows[if transposed { 3 * i + k } else { 3 * k + i }].value();
-        let zeros = (0..9).filter(|&place| at(place / 3, place % 3) == 0.0);
-        let [Some(zero), None] = ({
-            let mut zeros = zeros;
-            [zeros.next(), zeros.next()]
-        }) else {
+        let mut zeros = (0..9).filter(|&place| at(place / 3, place % 3) == 0.0);
+        let (Some(zero), None) = (zeros.next(), zeros.next()) else {
             let rows = rows.map(|c| self.fold.g.constant(c.value()));
             return self.matrix(rows, transposed, v);
         };

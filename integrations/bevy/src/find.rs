@@ -3,7 +3,7 @@
 use aim::Rig;
 use aim::animation::{AimChain, AimChainError, Bone, Skeleton};
 use aim::glam::{Affine3A, Vec3};
-use bevy_ecs::change_detection::{DetectChanges, Ref};
+use bevy_ecs::change_detection::{DetectChanges, DetectChangesMut, Ref};
 use bevy_ecs::component::Component;
 use bevy_ecs::entity::{Entity, EntityHashMap};
 use bevy_ecs::hierarchy::Children;
@@ -14,7 +14,7 @@ use bevy_transform::components::Transform;
 
 use crate::character::Source;
 use crate::place::of_bevy;
-use crate::{AimBinding, AimCharacter, AimOutcome, AimStatus, AimedBone, SharedRig, Unbound};
+use crate::{AimBinding, AimCharacter, AimOutcome, AimedBone, SharedRig, Unbound};
 
 /// The bones of a character as they were last seen.
 #[derive(Component, Clone, Debug, Default)]
@@ -94,7 +94,9 @@ pub(crate) fn find_bones(
                 }
                 commands.entity(entity).try_insert(binding);
             }
-            Err(why) => outcome.set_unbound(why),
+            Err(why) => {
+                outcome.set_if_neq(AimOutcome::unbound(why));
+            }
         }
     }
 }
@@ -103,14 +105,6 @@ impl Seen {
     /// To look for the bones again, though there are as many as before.
     pub(crate) fn forget(&mut self) {
         self.in_vain = 0;
-    }
-}
-
-impl AimOutcome {
-    fn set_unbound(&mut self, why: Unbound) {
-        if self.status != AimStatus::Unbound(why) {
-            *self = Self::unbound(why);
-        }
     }
 }
 

@@ -9,7 +9,7 @@ use bevy_ecs::system::{Query, Res};
 use bevy_time::Time;
 use bevy_transform::components::Transform;
 
-use crate::outcome::{AimOutcome, AimStatus, Unbound};
+use crate::outcome::{AimOutcome, Unbound};
 use crate::place::{Nodes, in_world, of_bevy};
 use crate::{AimAt, AimBinding, AimSettings, AimSnap, AimTarget, AimedBone};
 
@@ -27,11 +27,11 @@ pub(crate) fn solve_aims(
             binding.is_solved = false;
             binding.is_broken = !gather(entity, binding, &nodes);
             if binding.is_broken {
-                outcome.set_if_neq(AimOutcome { status: AimStatus::Unbound(Unbound::Bones), ..AimOutcome::default() });
+                outcome.set_if_neq(AimOutcome::unbound(Unbound::Bones));
                 return;
             }
             let Some(place) = in_world(entity, &nodes) else {
-                outcome.set_if_neq(AimOutcome { status: AimStatus::Unbound(Unbound::Place), ..AimOutcome::default() });
+                outcome.set_if_neq(AimOutcome::unbound(Unbound::Place));
                 return;
             };
             binding.targets.clear();
