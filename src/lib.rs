@@ -1,5 +1,15 @@
 // Where the links of README.md lead from here. Of two definitions the first counts, and the file's own come last. A picture that
 // is a file beside README.md is no part of the documentation: an empty one stands for it.
+//! [`differentiate`]: macro@crate::differentiate
+//! [`Aim`]: crate::Aim
+//! [`DynAim`]: crate::DynAim
+//! [`check`]: crate::check
+//! [`Settings`]: crate::Settings
+//! [`Outcome`]: crate::Outcome
+//! [`Settings::solver`]: crate::Settings::solver
+//! [`Pose::with_other_eye`]: crate::Pose::with_other_eye
+//! [lanes]: #eight-characters-at-once
+//! [ARCHITECTURE.md]: https://docs.rs/crate/aim-rig/latest/source/ARCHITECTURE.md
 //! [docs/introduction.md]: crate::guide
 //! [docs/five-minutes.md]: crate::guide
 //! [integrations/bevy/README.md]: https://docs.rs/bevy_aim

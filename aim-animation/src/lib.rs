@@ -1,5 +1,7 @@
 #![doc = include_str!("../README.md")]
 //!
+#![doc = include_str!("../docs/concepts.md")]
+//!
 //! # Feature flags
 //!
 //! - `std` (default): square roots from the standard library; `libm`: the same from `libm`.

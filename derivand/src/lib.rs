@@ -1,4 +1,5 @@
-#![doc = include_str!("../README.md")]
+// Its examples need the feature. The workspace's tests have it.
+#![cfg_attr(any(not(doctest), feature = "f64"), doc = include_str!("../README.md"))]
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 

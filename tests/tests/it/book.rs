@@ -250,6 +250,60 @@ fn every_block_of_toml_is_a_rig_or_a_manifest() {
     assert!(rigs >= 6 && manifests >= 1, "{rigs} rigs, {manifests} manifests");
 }
 
+/// Where the pages stand that the registry shows of packages: what `readme` says in their manifests.
+fn front_pages() -> Vec<String> {
+    let folders =
+        names(".").into_iter().map(|name| format!("{name}/")).chain(["", "integrations/bevy/"].map(str::to_owned));
+    let mut pages = Vec::new();
+    for folder in folders.filter(|folder| root().join(folder).join("Cargo.toml").is_file()) {
+        let manifest: toml::Table = toml::from_str(&read(&format!("{folder}Cargo.toml"))).expect("a manifest");
+        let readme = manifest.get("package").and_then(|package| package.get("readme")?.as_str());
+        pages.extend(readme.map(|readme| format!("{folder}{readme}")));
+    }
+    pages
+}
+
+/// What a page says that cannot be read without the repository and without rustdoc: files beside it, items in brackets that no
+/// definition leads anywhere, and lines of code that rustdoc would hide.
+fn unreadable_alone(page: &str) -> Vec<String> {
+    let (blocks, prose) = take_apart(page);
+    let mut found: Vec<String> = targets(page).into_iter().filter(|target| !target.starts_with('#')).collect();
+    let items = prose.iter().flat_map(|line| line.match_indices("[`").map(|(at, _)| &line[at..]));
+    for item in items.filter_map(|rest| Some(&rest[..rest.find("`]")? + 2])) {
+        let is_led = [format!("{item}("), format!("{item}["), format!("{item}: ")].iter().any(|way| page.contains(way));
+        found.extend((!is_led).then(|| item.to_owned()));
+    }
+    let code = blocks.iter().filter(|block| block.language.starts_with("rust")).flat_map(|block| block.text.lines());
+    found.extend(code.filter(|line| *line == "#" || line.starts_with("# ")).map(str::to_owned));
+    found
+}
+
+#[test]
+fn pages_of_packages_are_readable_alone() {
+    let pages = front_pages();
+    assert!(pages.len() >= 12, "{pages:?}");
+    for page in pages {
+        assert_eq!(unreadable_alone(&read(&page)), [""; 0], "{page}");
+    }
+    let page =
+        "![a](a.png) [`B`] [`C`] [d](#d) `[e]`\n[f]: docs/f.md\n[`C`]: https://c\n\n```rust\n# hidden\n#[shown]\n```\n";
+    assert_eq!(unreadable_alone(page), ["docs/f.md", "a.png", "[`B`]", "# hidden"]);
+}
+
+#[test]
+fn the_registry_shows_the_example_of_the_readme() {
+    let first = |page: &str| take_apart(&read(page)).0.into_iter().find(|block| block.language == "rust");
+    let [shown, run] = ["src/registry.md", "README.md"].map(|page| first(page).expect("an example").text);
+    assert_eq!(shown, run);
+    let features = |table: &str| -> BTreeSet<String> {
+        let rows = table.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next());
+        rows.map(str::to_owned).collect()
+    };
+    let manifest: toml::Table = toml::from_str(&read("Cargo.toml")).expect("a manifest");
+    let declared = manifest["features"].as_table().expect("a table").keys().filter(|name| *name != "default");
+    assert_eq!(features(&read("src/registry.md")), declared.cloned().collect());
+}
+
 /// The names that the tables of a section list in their first column.
 fn listed(page: &str, section: &str) -> BTreeSet<String> {
     let text = read(page);
