@@ -88,6 +88,20 @@ impl<'a> Blender<'a> {
 
     /// Adds a pose of differences, as [`difference`](Self::difference) makes them, by `weight`.
     ///
+    /// ```
+    /// use aim_animation::glam::Vec3;
+    /// use aim_animation::{Blender, Bone, Skeleton, Transform};
+    ///
+    /// // What breathing changes, added to a chest that is elsewhere.
+    /// let skeleton = Skeleton::new([Bone::new("chest", None)])?;
+    /// let [out, full, mut walking] = [1.0, 1.25, 3.0].map(|y| [Transform::from_translation(Vec3::Y * y)]);
+    /// let (blender, mut breath) = (Blender::new(&skeleton), [Transform::IDENTITY]);
+    /// blender.difference(&out, &full, &mut breath)?;
+    /// blender.add(&mut walking, &breath, 0.5)?;
+    /// assert_eq!(walking[0].translation.y, 3.125);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// A slice or a mask of another length than the skeleton; then nothing is written.
     pub fn add(&self, pose: &mut [Transform], differences: &[Transform], weight: f32) -> Result<(), PoseError> {

@@ -304,6 +304,17 @@ impl Clip {
     }
 
     /// The piece between two times, which then begins at 0, with the events in it; times are clamped to the clip's.
+    ///
+    /// ```
+    /// use aim_animation::Clip;
+    ///
+    /// let clip = Clip::new("walk").with_length(2.0).with_event(0.5, "left")?.with_event(1.5, "right")?;
+    /// let second = clip.cut(1.0, 2.0);
+    /// assert_eq!((second.length_s(), second.events()[0].time_s), (1.0, 0.5));
+    /// assert_eq!(clip.reversed().events()[0].name, "right");
+    /// assert_eq!(second.repeated(3.0).events().len(), 3);
+    /// # Ok::<(), aim_animation::EventError>(())
+    /// ```
     #[must_use]
     pub fn cut(&self, from_s: f32, to_s: f32) -> Self {
         let inside = |time: f32| time.max(0.0).min(self.length_s);

@@ -16,6 +16,24 @@ use crate::step::Step;
 use crate::transform::Transform;
 
 /// A clip that an instance plays: which, where it is in it and how fast, and how much it counts.
+///
+/// ```
+/// use aim_animation::{Bone, Clip, ClipControl, Instance, Model, Skeleton, Track};
+/// use aim_animation::glam::Vec3;
+///
+/// let at = |name, x| Clip::new(name).with_translation(0, Track::constant(Vec3::X * x).unwrap());
+/// let model = Model::new(Skeleton::new([Bone::new("hips", None)])?, [at("walk", 0.0), at("run", 1.0)]);
+/// let mut hero = Instance::new(&model);
+/// hero.play(ClipControl::new(0));
+/// let run = hero.play(ClipControl::new(1).with_weight(0.0));
+///
+/// // A quarter of the way from walking to running.
+/// (hero.controls_mut()[0].weight, hero.controls_mut()[run].weight) = (0.75, 0.25);
+/// let mut local = model.skeleton().rest().to_vec();
+/// hero.pose(&model, &mut local)?;
+/// assert_eq!(local[0].translation.x, 0.25);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClipControl {
     /// The number of the clip in its [`Model`].
@@ -162,6 +180,21 @@ impl Instance {
     }
 
     /// Has a bone hold a thing, `grip` in the space of the bone, and gives its number among the [things](Self::things).
+    ///
+    /// ```
+    /// use aim_animation::glam::{Affine3A, Vec3};
+    /// use aim_animation::{Bone, Instance, Model, Skeleton, Transform};
+    ///
+    /// let model = Model::new(Skeleton::new([Bone::new("hand", None)])?, []);
+    /// let mut hero = Instance::new(&model);
+    /// hero.place = Transform::from_translation(5.0 * Vec3::X);
+    /// let lantern = hero.attach(0, Affine3A::from_translation(Vec3::NEG_Y));
+    /// // Each frame, by the pose in the space of the model:
+    /// let hand = [Affine3A::from_translation(Vec3::Y)];
+    /// let (number, place) = hero.things(&hand).next().unwrap();
+    /// assert_eq!((number, place.translation), (lantern, (5.0 * Vec3::X).into()));
+    /// # Ok::<(), aim_animation::SkeletonError>(())
+    /// ```
     pub fn attach(&mut self, bone: usize, grip: Affine3A) -> usize {
         self.things.push((bone, grip));
         self.things.len() - 1

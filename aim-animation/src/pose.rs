@@ -123,6 +123,20 @@ impl Skeleton {
     /// the parent's scale is uniform, mirrored or not; under a parent of uneven scale, where no rotation of the bone does
     /// that, the nearest is taken. Nothing is done if there is no such bone, or if its parent does not span space.
     ///
+    /// ```
+    /// use aim_animation::glam::{Affine3A, Quat};
+    /// use aim_animation::{Bone, Skeleton, Transform};
+    ///
+    /// // A neck whose bone lies on its side, turned to the left of the model.
+    /// let lying = Transform::from_rotation(Quat::from_rotation_z(1.5));
+    /// let skeleton = Skeleton::new([Bone::new("neck", None).with_rest(lying)])?;
+    /// let (mut local, mut model) = (skeleton.rest().to_vec(), [Affine3A::IDENTITY]);
+    /// skeleton.to_model(&local, &mut model)?;
+    /// skeleton.turn_in_model(0, Quat::from_rotation_y(0.5), &model, &mut local)?;
+    /// assert!(local[0].rotation.abs_diff_eq(Quat::from_rotation_y(0.5) * Quat::from_rotation_z(1.5), 1e-6));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// A slice of another length; then nothing is written.
     pub fn turn_in_model(

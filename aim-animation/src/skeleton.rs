@@ -185,6 +185,17 @@ impl Skeleton {
     }
 
     /// A bone and all that hangs on it; empty if there is no such bone.
+    ///
+    /// ```
+    /// use aim_animation::{Bone, Skeleton};
+    ///
+    /// let bones = [("hips", None), ("chest", Some(0)), ("hand", Some(1)), ("foot", Some(0))];
+    /// let skeleton = Skeleton::new(bones.map(|(name, parent)| Bone::new(name, parent)))?;
+    /// let chest = skeleton.find("chest").unwrap();
+    /// assert_eq!(skeleton.subtree(chest), 1..3);
+    /// assert!(skeleton.children(0).eq([1, 3]) && skeleton.ancestry(2).eq([2, 1, 0]));
+    /// # Ok::<(), aim_animation::SkeletonError>(())
+    /// ```
     #[must_use]
     pub fn subtree(&self, bone: usize) -> Range<usize> {
         self.ends.get(bone).map_or(0..0, |&end| bone..end)

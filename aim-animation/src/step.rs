@@ -29,6 +29,15 @@ pub enum Looping {
 
 /// The way through a clip's local time that a control took in one frame: over its ends any number of times, in either
 /// direction. Tells which [events](crate::Clip::events_passed) are passed and how far the root moves.
+///
+/// ```
+/// use aim_animation::Control;
+///
+/// let mut control = Control::new().at(0.75);
+/// let step = control.advance(0.5, 1.0);
+/// assert_eq!((step.from_s(), step.to_s(), step.ends_passed()), (0.75, 0.25, 1));
+/// assert_eq!(step.pieces().map(|piece| piece.to_s - piece.from_s).collect::<Vec<_>>(), [0.25, 0.25]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     pub(crate) from_s: f64,

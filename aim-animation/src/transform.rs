@@ -92,6 +92,17 @@ impl Transform {
     }
 
     /// The rigid transform `self · other`: `other` in the space of `self`. Scales are ignored, and 1 in the result.
+    ///
+    /// ```
+    /// use aim_animation::Transform;
+    /// use aim_animation::glam::{Quat, Vec3};
+    ///
+    /// // A step of 1 m ahead (+Z), by a character that faces +X.
+    /// let place = Transform::new(Vec3::ZERO, Quat::from_rotation_y(core::f32::consts::FRAC_PI_2));
+    /// let step = Transform::from_translation(Vec3::Z);
+    /// assert!(place.rigid_product(&step).translation.abs_diff_eq(Vec3::X, 1e-6));
+    /// assert!(step.rigid_product(&step.rigid_inverse()) == Transform::IDENTITY);
+    /// ```
     #[must_use]
     pub fn rigid_product(&self, other: &Self) -> Self {
         Self::new(self.translation + self.turned(other.translation), made_unit(product(self.rotation, other.rotation)))

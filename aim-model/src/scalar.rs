@@ -18,6 +18,18 @@ mod sealed {
 /// lane is a character of its own, and one call of a kernel of a rig serves them all. Guards of the
 /// kernels are selects, never branches, so a lane gives the very bits that the scalar kernel gives for its numbers,
 /// whatever stands in the others. (Of a NaN only that it is one; none arises where the numbers that come in are finite.)
+///
+/// ```
+/// # #[cfg(any(feature = "std", feature = "libm"))] {
+/// use aim_model::Scalar;
+///
+/// /// The length of a vector, of numbers of one character or of several.
+/// fn length<S: Scalar>([x, y, z]: [S; 3]) -> S {
+///     (x * x + y * y + z * z).sqrt()
+/// }
+/// assert_eq!((length([2.0_f32, 3.0, 6.0]), length([2.0_f64, 3.0, 6.0])), (7.0, 7.0));
+/// # }
+/// ```
 pub trait Scalar:
     Copy
     + Add<Output = Self>

@@ -116,6 +116,21 @@ impl<R: AimRig> Aim<R> {
     /// For crowds: a frame that follows a target costs a sixth less by [`Solver::Exact`](crate::Solver::Exact) with three
     /// joints, and nearly a third less with a single joint. The program grows by some 12 kB for each rig. Other frames cost
     /// what they cost in `aim`.
+    ///
+    /// ```
+    /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+    /// # use turret::Turret;
+    /// use aim_runtime::glam::{Affine3A, Vec3};
+    /// use aim_runtime::{Aim, Pose, Settings};
+    ///
+    /// let (pose, settings) = (Pose::new([Affine3A::IDENTITY]), Settings::default());
+    /// let mut crowd = [Aim::<Turret>::new(); 3];
+    /// for turret in &mut crowd {
+    ///     let mut alike = *turret;
+    ///     let aimed = turret.aim_inlined(&pose, Vec3::new(0.2, 0.1, 4.0), 1.0 / 60.0, &settings);
+    ///     assert_eq!(aimed, alike.aim(&pose, Vec3::new(0.2, 0.1, 4.0), 1.0 / 60.0, &settings));
+    /// }
+    /// ```
     #[inline]
     pub fn aim_inlined<'a>(
         &mut self,
@@ -142,6 +157,20 @@ impl<R: AimRig> Aim<R> {
     ///
     /// Starts from rest, so that the result does not depend on what came before wherever the target can be reached.
     /// Never [`RateLimited`](crate::Status::RateLimited).
+    ///
+    /// ```
+    /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+    /// # use turret::Turret;
+    /// use aim_runtime::glam::{Affine3A, Vec3};
+    /// use aim_runtime::{Aim, Pose, Settings, Status};
+    ///
+    /// // It appears, looking at what is beside it; from the next frame on it follows.
+    /// let (mut turret, pose, settings) = (Aim::<Turret>::new(), Pose::new([Affine3A::IDENTITY]), Settings::default());
+    /// let spawned = turret.snap(&pose, Vec3::new(3.0, 0.0, 0.5), &settings);
+    /// assert_eq!(spawned.outcome.status, Status::Reached);
+    /// let aimed = turret.aim(&pose, Vec3::new(3.0, 0.0, 0.52), 1.0 / 60.0, &settings);
+    /// assert_eq!(aimed.outcome.status, Status::Reached);
+    /// ```
     pub fn snap<'a>(
         &mut self,
         pose: &Pose<R::Array<Affine3A>>,

@@ -58,6 +58,19 @@ impl<R: Rig> DynAim<R> {
     }
 
     /// Puts the character on the target at once; see [`Aim::snap`](crate::Aim::snap).
+    ///
+    /// ```
+    /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+    /// # use turret::Turret;
+    /// use aim_runtime::glam::{Affine3A, Quat, Vec3};
+    /// use aim_runtime::{DynAim, Pose, Settings};
+    ///
+    /// let (mut turret, pose) = (DynAim::new(&Turret), Pose::new([Affine3A::IDENTITY]));
+    /// turret.snap(&pose, Vec3::X, &Settings::default());
+    /// assert!((turret.corrections()[0] * Vec3::Z).abs_diff_eq(Vec3::X, 2e-3));
+    /// turret.reset();
+    /// assert_eq!(turret.corrections(), [Quat::IDENTITY]);
+    /// ```
     pub fn snap<'a, A: AsRef<[Affine3A]>>(
         &mut self,
         pose: &Pose<A>,

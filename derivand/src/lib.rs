@@ -11,6 +11,18 @@ pub use glam;
 
 /// An affine transform whose maker vouches that it is rigid: a rotation and a translation, without scale, shear or
 /// mirroring. [`macro@differentiate`] relies on it, for this name and for `Affine3A` alike.
+///
+/// ```
+/// use derivand::glam::Vec3;
+/// use derivand::{Rigid, differentiate};
+///
+/// #[differentiate(wrt(grip))]
+/// fn height(grip: Vec3, hand: Rigid) -> f32 {
+///     hand.transform_point3(grip).y
+/// }
+///
+/// assert_eq!(height_gradient(Vec3::Y, Rigid::from_translation(Vec3::Y)), (2.0, (Vec3::Y,)));
+/// ```
 #[cfg(feature = "glam")]
 pub type Rigid = glam::Affine3A;
 

@@ -35,6 +35,19 @@ pub(crate) use state::{Led, Side, StateSlices, Support};
 /// Kernels take links and targets as the generated C functions do: a link is a rigid transform of twelve numbers, the
 /// three rows of the rotation in the row-vector layout of the paper (`p' = p · M`), then the translation. Its rotation
 /// part only has to be orthogonal: it may contain a mirror.
+///
+/// ```
+/// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+/// # use turret::Turret;
+/// use aim_runtime::Rig;
+///
+/// // A table of any rig, whatever its type.
+/// fn table(rig: &dyn Rig) -> Vec<String> {
+///     let joints = rig.description().joints().iter().enumerate();
+///     joints.map(|(index, joint)| format!("{}: {} rad/s", rig.joint_name(index).unwrap_or("?"), joint.rate)).collect()
+/// }
+/// assert_eq!(table(&Turret), ["turret: 3 rad/s"]);
+/// ```
 pub trait Rig {
     /// What was declared: joints from the effector inward, effector, sharing of the gaze.
     fn description(&self) -> Description<'_>;
@@ -128,6 +141,25 @@ rig_behind!(std::boxed::Box<R>);
 ///
 /// A value of such a struct is one [`Joint`] for each field: the angles of a character by name
 /// ([`Aim::joints`](crate::Aim::joints)). The rig itself is [`RIG`](Self::RIG).
+///
+/// ```
+/// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+/// # use turret::Turret;
+/// use aim_runtime::glam::{Affine3A, Quat};
+/// use aim_runtime::{Aim, AimRig, Pose, Settings, Targets};
+///
+/// /// Aims a character of any rig, of however many joints.
+/// fn turn<R: AimRig>(hero: &mut Aim<R>, pose: R::Array<Affine3A>, bones: &mut R::Array<Quat>, target: Targets<'_>) {
+///     let aimed = hero.aim(&Pose::new(pose), target, 1.0 / 60.0, &Settings::default());
+///     for (bone, correction) in bones.as_mut().iter_mut().zip(aimed.corrections.as_ref()) {
+///         *bone *= *correction;
+///     }
+/// }
+///
+/// let (mut turret, mut bones) = (Aim::<Turret>::new(), Turret::array(Quat::IDENTITY));
+/// turn(&mut turret, Turret::array(Affine3A::IDENTITY), &mut bones, Targets::Point([1.0, 0.0, 1.0].into()));
+/// assert!((bones[0].to_axis_angle().1 - 3.0 / 60.0).abs() < 1e-5);
+/// ```
 pub trait AimRig: Rig + Sized + 'static {
     /// One value a joint: `[T; N]`.
     type Array<T: Copy>: Copy + AsRef<[T]> + AsMut<[T]>;

@@ -85,6 +85,18 @@ pub enum Status {
 }
 
 /// A set of joints, by their index from the effector inward. Joints from 64 on are not recorded.
+///
+/// ```
+/// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+/// # use turret::Turret;
+/// use aim_runtime::glam::{Affine3A, Vec3};
+/// use aim_runtime::{Aim, Pose, Settings, Status};
+///
+/// // Straight up, which is further than its pitch goes.
+/// let aimed = Aim::<Turret>::new().snap(&Pose::new([Affine3A::IDENTITY]), Vec3::Y, &Settings::default());
+/// assert_eq!(aimed.outcome.status, Status::AtLimit);
+/// assert!(aimed.outcome.at_limit.contains(0) && aimed.outcome.at_limit.iter().eq([0]));
+/// ```
 #[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub struct JointSet(u64);
 

@@ -71,6 +71,20 @@ impl<A> Pose<A> {
     /// Each call with the other eye moves it; its correction is
     /// [`Outcome::other_eye_correction`](crate::Outcome::other_eye_correction). A call without it forgets it. A transform
     /// that is not finite or does not span space makes the call [`Degenerate`](crate::Status::Degenerate).
+    ///
+    /// ```
+    /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+    /// # use turret::Turret;
+    /// use aim_runtime::glam::{Affine3A, Vec3};
+    /// use aim_runtime::{Aim, Pose, Settings};
+    ///
+    /// // Eyes, 6 cm apart, that look at a fingertip: each turns towards the nose.
+    /// let [left, right] = [0.03, -0.03].map(|x| Affine3A::from_translation(Vec3::X * x));
+    /// let pose = Pose::new([left]).with_other_eye(right);
+    /// let aimed = Aim::<Turret>::new().snap(&pose, Vec3::new(0.0, 0.0, 0.3), &Settings::default());
+    /// let gazes = [aimed.corrections[0], aimed.outcome.other_eye_correction.unwrap()].map(|turn| turn * Vec3::Z);
+    /// assert!(gazes[0].x < -0.09 && gazes[1].x > 0.09);
+    /// ```
     #[must_use]
     pub fn with_other_eye(mut self, other_eye: Affine3A) -> Self {
         self.other_eye = Some(other_eye);

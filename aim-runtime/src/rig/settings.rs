@@ -67,6 +67,19 @@ impl Default for Settings {
 
 impl Settings {
     /// With this [`weight`](Self::weight), 0…1.
+    ///
+    /// ```
+    /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+    /// # use turret::Turret;
+    /// use aim_runtime::glam::{Affine3A, Vec3};
+    /// use aim_runtime::{Aim, Pose, Settings};
+    ///
+    /// // Half of the way to what is 0.6 rad to the left.
+    /// let (target, half) = (Vec3::new(0.6_f32.sin(), 0.0, 0.6_f32.cos()), Settings::default().with_weight(0.5));
+    /// let mut turret = Aim::<Turret>::new();
+    /// let _ = turret.snap(&Pose::new([Affine3A::IDENTITY]), target, &half);
+    /// assert!((turret.state.joints[0].heading() - 0.3).abs() < 1e-3);
+    /// ```
     #[must_use]
     pub const fn with_weight(mut self, weight: f32) -> Self {
         self.weight = weight;
@@ -74,6 +87,19 @@ impl Settings {
     }
 
     /// With this [`tolerance`](Self::tolerance), radians.
+    ///
+    /// ```
+    /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
+    /// # use turret::Turret;
+    /// use aim_runtime::glam::{Affine3A, Vec3};
+    /// use aim_runtime::{Aim, Pose, Settings, Status};
+    ///
+    /// // 3 rad/s: after a tenth of a second it is 0.2 rad short, which is near enough for a shotgun.
+    /// let (pose, target) = (Pose::new([Affine3A::IDENTITY]), Vec3::new(0.5_f32.sin(), 0.0, 0.5_f32.cos()));
+    /// let status = |settings| Aim::<Turret>::new().aim(&pose, target, 0.1, &settings).outcome.status;
+    /// assert_eq!(status(Settings::default()), Status::RateLimited);
+    /// assert_eq!(status(Settings::default().with_tolerance(0.25)), Status::Reached);
+    /// ```
     #[must_use]
     pub const fn with_tolerance(mut self, tolerance_rad: f32) -> Self {
         self.tolerance = tolerance_rad;
