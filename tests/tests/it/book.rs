@@ -287,7 +287,7 @@ fn pages_of_packages_are_readable_alone() {
     }
     let page =
         "![a](a.png) [`B`] [`C`] [d](#d) `[e]`\n[f]: docs/f.md\n[`C`]: https://c\n\n```rust\n# hidden\n#[shown]\n```\n";
-    assert_eq!(unreadable_alone(page), ["docs/f.md", "a.png", "[`B`]", "# hidden"]);
+    assert_eq!(unreadable_alone(page), ["a.png", "docs/f.md", "[`B`]", "# hidden"]);
 }
 
 #[test]
@@ -358,6 +358,27 @@ fn the_reference_lists_what_there_is() {
     let name = || ["name".to_owned()];
     assert_eq!(listed("docs/rig-files.md", "Of the rig"), keys("RIG_KEYS").into_iter().chain(name()).collect());
     assert_eq!(listed("docs/rig-files.md", "Of a joint"), keys("JOINT_KEYS").into_iter().chain(name()).collect());
+}
+
+#[test]
+fn the_oldest_rust_of_each_crate_is_told() {
+    let oldest = |manifest: &str| {
+        let text = read(manifest);
+        text.lines().find_map(|line| Some(line.strip_prefix("rust-version = \"")?.trim_end_matches('"').to_owned()))
+    };
+    for (manifest, told) in [
+        ("Cargo.toml", ["Rust {} will do", "need Rust {}"]),
+        ("aim-viewer/Cargo.toml", ["(`aim-viewer`, {})", "`view` of `aim-cli` ({})"]),
+        ("integrations/bevy/Cargo.toml", ["the plugin for Bevy ({})"; 2]),
+    ] {
+        let version = oldest(manifest).unwrap_or_else(|| panic!("{manifest} has no rust-version"));
+        for (page, words) in ["README.md", "docs/reference.md"].into_iter().zip(told) {
+            assert!(
+                read(page).contains(&words.replace("{}", &version)),
+                "{page} does not tell {version} of {manifest}"
+            );
+        }
+    }
 }
 
 #[test]
