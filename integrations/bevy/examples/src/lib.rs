@@ -34,7 +34,7 @@ pub struct Pointer(pub Option<Ray3d>);
 
 /// The stage, seen by a camera.
 ///
-/// With the variable `AIM_SCREENSHOT` the window closes after four seconds and leaves a picture there.
+/// With the variable `AIM_SCREENSHOT` the window leaves a picture there and closes.
 #[derive(Clone, Copy, Debug)]
 pub struct Stage {
     /// The camera's place.

@@ -6,7 +6,7 @@ use std::time::Duration;
 use aim_character::{PAPER_AXES, mannequin};
 use bevy::camera::Camera3d;
 use bevy::prelude::*;
-use bevy::render::view::screenshot::{Screenshot, save_to_disk};
+use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured, save_to_disk};
 use bevy::time::TimeUpdateStrategy;
 use bevy::window::PrimaryWindow;
 
@@ -21,25 +21,58 @@ pub(crate) fn build(stage: Stage, app: &mut App) {
     let file = mannequin(|_| PAPER_AXES).expect("axes at right angles");
     std::fs::create_dir_all(&folder).and_then(|()| std::fs::write(folder.join("mannequin.glb"), file)).expect("a file");
     let assets = AssetPlugin { file_path: folder.to_string_lossy().into_owned(), ..default() };
-    app.add_plugins(DefaultPlugins.set(assets));
+    let picture = std::env::var_os("AIM_SCREENSHOT");
+    // Smaller where software draws it.
+    let resolution = if picture.is_some() { (960, 540) } else { (1280, 720) };
+    let window = Window { resolution: resolution.into(), ..default() };
+    app.add_plugins(DefaultPlugins.set(assets).set(WindowPlugin { primary_window: Some(window), ..default() }));
     app.insert_resource(View(stage));
     app.add_observer(bodies).add_observer(balls).add_observer(blocks);
     app.add_systems(Startup, furnish);
     app.add_systems(PreUpdate, point);
-    if let Some(picture) = std::env::var_os("AIM_SCREENSHOT") {
-        let picture = PathBuf::from(picture);
-        let shoot = move |mut commands: Commands, mut frame: Local<u32>, mut exit: MessageWriter<AppExit>| {
-            *frame += 1;
-            if *frame == 240 {
-                commands.spawn(Screenshot::primary_window()).observe(save_to_disk(picture.clone()));
-            }
-            if *frame == 280 {
+    if let Some(picture) = picture {
+        app.insert_resource(Picture { file: picture.into(), frames: 0 });
+        // So many frames a second, however long each takes to be drawn.
+        app.insert_resource(TimeUpdateStrategy::ManualDuration(Duration::from_secs(1) / PICTURE_FPS));
+        app.add_systems(Update, shoot);
+    }
+}
+
+/// A picture that is to be taken, and for how many frames all bodies have been there.
+#[derive(Resource)]
+struct Picture {
+    file: PathBuf,
+    frames: u32,
+}
+
+/// Frames a second until a picture is taken, and how many of them: as few as will do, since each may be drawn by software. No frame
+/// counts for more than a tenth of a second.
+const PICTURE_FPS: u32 = 10;
+const PICTURE_FRAMES: u32 = 20;
+
+/// Puts the pointer above and to the left of the middle, takes the picture, and ends as soon as it is there.
+fn shoot(
+    mut commands: Commands,
+    mut picture: ResMut<Picture>,
+    mut windows: Query<&mut Window, With<PrimaryWindow>>,
+    loading: Query<(), (With<Body>, Without<Children>)>,
+) {
+    if !loading.is_empty() {
+        return;
+    }
+    picture.frames += 1;
+    if picture.frames == 1 {
+        for mut window in &mut windows {
+            let place = window.size() * Vec2::new(0.3, 0.3);
+            window.set_cursor_position(Some(place));
+        }
+    } else if picture.frames == PICTURE_FRAMES {
+        let mut screen = commands.spawn(Screenshot::primary_window());
+        screen.observe(save_to_disk(picture.file.clone())).observe(
+            |_: On<ScreenshotCaptured>, mut exit: MessageWriter<AppExit>| {
                 exit.write(AppExit::Success);
-            }
-        };
-        // Sixty frames a second, however long each takes to be drawn.
-        let step = TimeUpdateStrategy::ManualDuration(Duration::from_secs(1) / 60);
-        app.insert_resource(step).add_systems(Update, shoot);
+            },
+        );
     }
 }
 
