@@ -36,15 +36,12 @@ pub fn rust(proposal: &Proposal, about: &str) -> String {
 }
 
 /// The same struct for a Bevy app that uses the plugin `bevy_aim`, with a function that makes the character to be spawned with the
-/// file's scene: its other eye, its trunk, and the bind pose where the file's rest pose is another one.
+/// file's scene: its trunk, and the bind pose where the file's rest pose is another one.
 pub fn bevy(proposal: &Proposal, about: &str, document: &Document, measurement: &Measurement) -> String {
     let name = &proposal.spec.name;
     let item = item(proposal, about, &["crate = bevy_aim::aim".into()]);
     let mut with = String::new();
     let text = |bone: &str| quoted(bone, Notation::Rust);
-    if let Some(eye) = proposal.spec.joints.first().and_then(|joint| joint.other_eye.as_deref()) {
-        with += &format!("\n            .with_other_eye({})", text(eye));
-    }
     let skeleton = document.skeleton();
     let is_clear = |node: &usize| skeleton.find(&skeleton.names()[*node]).is_ok();
     let hips = measurement.with_role(Role::Hips).map(|bone| bone.node).filter(is_clear);

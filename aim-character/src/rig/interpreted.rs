@@ -149,6 +149,10 @@ impl Rig for InterpretedRig {
         self.spec.joints.get(joint)?.hold.as_ref()?.get(place).map(|bone| &bone[..])
     }
 
+    fn other_eye_bone(&self) -> Option<&str> {
+        self.spec.joints.first()?.other_eye.as_deref()
+    }
+
     fn residual_jacobian(&self, links: &[[f32; 12]], target: &[f32; 3], sin_cos: &[[f32; 4]], out: &mut [f32]) {
         self.kernels.residual_jacobian.run([links.as_flattened(), target, sin_cos.as_flattened()], out);
     }

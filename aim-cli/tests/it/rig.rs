@@ -87,7 +87,12 @@ fn what_is_spawned_in_bevy_is_fresh() {
     let place = Place::new();
     place.write("mannequin.glb", &crate::common::mannequin());
     let printed = place.done("rig mannequin.glb --format bevy").stdout;
-    assert!(printed.contains(".with_other_eye(\"right_eye\")") && !printed.contains("bind_pose(["), "{printed}");
+    assert!(
+        printed.contains("other_eye = \"right_eye\"")
+            && !printed.contains("with_other_eye")
+            && !printed.contains("bind_pose(["),
+        "{printed}"
+    );
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../integrations/bevy/tests/it/mannequin.rs");
     let expected = format!("//! Printed by `aim rig mannequin.glb --format bevy`.\n\n{printed}");
     if std::env::var_os("AIM_BLESS").is_some() {

@@ -203,7 +203,7 @@ fn description(spec: &RigSpec, private: &TokenStream) -> TokenStream {
     }
 }
 
-/// The methods that give the names of joints and of their bones.
+/// The methods that give the names of joints, of their bones, of held bones and of the other eye.
 fn names(spec: &RigSpec) -> TokenStream {
     let [joint, candidate] = ["joint", "candidate"].map(local);
     let joints: Vec<Literal> = (0..spec.joints.len()).map(Literal::usize_unsuffixed).collect();
@@ -237,6 +237,13 @@ fn names(spec: &RigSpec) -> TokenStream {
             }
         }
     });
+    let other_eye = spec.joints.first().and_then(|joint| joint.other_eye.as_ref()).map(|bone| {
+        quote! {
+            fn other_eye_bone(&self) -> #name {
+                ::core::option::Option::Some(#bone)
+            }
+        }
+    });
     quote! {
         fn joint_name(&self, #joint: #usize) -> #name {
             match #joint {
@@ -253,6 +260,8 @@ fn names(spec: &RigSpec) -> TokenStream {
         }
 
         #held
+
+        #other_eye
     }
 }
 

@@ -65,6 +65,12 @@ pub trait Rig {
         None
     }
 
+    /// The name of the other eye's bone, joint 0's partner; `None` where the rig names none. See
+    /// [`Pose::with_other_eye`].
+    fn other_eye_bone(&self) -> Option<&str> {
+        None
+    }
+
     /// The stereographic residual of the chain (left, up), then its Jacobian: the derivatives of the first by the
     /// declared angles (pitch before heading, joint by joint), then those of the second.
     ///
@@ -112,6 +118,10 @@ macro_rules! rig_behind {
 
             fn held_bone(&self, joint: usize, place: usize) -> Option<&str> {
                 (**self).held_bone(joint, place)
+            }
+
+            fn other_eye_bone(&self) -> Option<&str> {
+                (**self).other_eye_bone()
             }
 
             fn residual_jacobian(&self, links: &[[f32; 12]], target: &[f32; 3], sin_cos: &[[f32; 4]], out: &mut [f32]) {

@@ -35,4 +35,5 @@ fn main() {
     assert_eq!(thug.description().joints().len(), 3);
     assert_eq!([thug.bone_name(0, 0), thug.bone_name(0, 1)], [Some("L_eyeBall_joint2"), Some("LeftEye")]);
     assert_eq!([0, 1, 2].map(|place| thug.held_bone(1, place)), [Some("L"), Some("R"), None]);
+    assert_eq!(thug.other_eye_bone(), Some("R_eyeBall_joint"));
 }

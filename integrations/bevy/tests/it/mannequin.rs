@@ -95,7 +95,6 @@ impl Mannequin {
     /// The character, to be spawned on the root of its scene, together with an `AimTarget`.
     pub fn character() -> AimCharacter {
         AimCharacter::of::<Self>()
-            .with_other_eye("right_eye")
             .with_trunk("hips")
     }
 }
