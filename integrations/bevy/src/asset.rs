@@ -3,6 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
+use aim::Rig;
 use aim_character::InterpretedRig;
 use bevy_app::{AnimationSystems, App, PostUpdate};
 use bevy_asset::io::Reader;
@@ -23,8 +24,6 @@ use crate::{AimCharacter, SharedRig};
 pub struct AimRigAsset {
     /// The rig.
     pub rig: SharedRig,
-    /// The bone of the other eye, if it names one.
-    pub other_eye: Option<String>,
 }
 
 impl AimRigAsset {
@@ -35,14 +34,13 @@ impl AimRigAsset {
     pub fn from_toml(name: &str, text: &str) -> Result<Self, AimRigError> {
         let spec =
             aim_codegen::declare::from_toml(name, text).map_err(|errors| AimRigError::Declaration(errors.render()))?;
-        let other_eye = spec.joints.first().and_then(|joint| joint.other_eye.clone());
-        Ok(Self { rig: Arc::new(InterpretedRig::new(&spec)), other_eye })
+        Ok(Self { rig: Arc::new(InterpretedRig::new(&spec)) })
     }
 }
 
 impl fmt::Debug for AimRigAsset {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("AimRigAsset").field("other_eye", &self.other_eye).finish_non_exhaustive()
+        f.debug_struct("AimRigAsset").field("rig", &(&self.rig as &dyn Rig)).finish()
     }
 }
 
@@ -123,8 +121,8 @@ fn take_over(
         if has_rig && !changed.contains(&handle.id()) {
             continue;
         }
-        if let Some(AimRigAsset { rig, other_eye }) = rigs.get(handle) {
-            let found = Found { rig: rig.clone(), other_eye: other_eye.clone(), up: None, trunk: None };
+        if let Some(AimRigAsset { rig }) = rigs.get(handle) {
+            let found = Found { rig: rig.clone(), up: None, trunk: None, bind: Vec::new() };
             commands.entity(entity).try_insert(LoadedRig(found));
         }
     }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use aim::animation::{AimChain, AimFrame, GizmoLine, Gizmos, Skeleton, Transform as Local};
 use aim::glam::{Affine3A, Quat};
-use aim::{DynAim, Joint, Outcome, Pose, Settings, Target, Targets};
+use aim::{DynAim, Joint, Outcome, Pose, Rig as _, Settings, Target, Targets};
 use bevy_ecs::component::Component;
 use bevy_ecs::entity::Entity;
 use bevy_transform::components::Transform;
@@ -76,6 +76,16 @@ impl AimBinding {
             has_snapped: false,
             chain,
             skeleton,
+        }
+    }
+
+    /// Takes over the angles of a character with the same joints, whose scene or rig was loaded anew: it goes on as it was.
+    pub(crate) fn go_on_from(&mut self, before: &Self) {
+        let (rig, was) = (&self.aim.rig, &before.aim.rig);
+        let count = self.angles().len();
+        let is_same = |joint: usize| rig.joint_name(joint) == was.joint_name(joint);
+        if before.angles().len() == count && (0..count).all(is_same) {
+            self.aim.state = before.aim.state.clone();
         }
     }
 

@@ -17,8 +17,10 @@ pub type SharedRig = Arc<dyn Rig + Send + Sync>;
 /// A character whose bones are aimed, on the entity under which its bones are: the root of its scene.
 ///
 /// The bones are found by the names that the rig declares as soon as they appear below the entity, however deep, and not
-/// below another aimed character. A name that several bones have is written as a path, `"Spine/Neck/Head"`: it means the bone
-/// whose own name is the last part, and whose ancestors next to it have the other parts as their names.
+/// below another aimed character. Of several bones of one name that one is meant which hangs on the next joint's bone and carries the
+/// one's before, as a bone does and a mesh of the same name does not. Where that is more than one, a path tells it,
+/// `"Spine/Neck/Head"`: it means the bone whose own name is the last part, and whose ancestors next to it have the other parts as
+/// their names.
 ///
 /// The pose in which the bones appear is taken for the bind pose: spawn the component with the scene, not later, when it is
 /// animated; or give the pose by [`with_bind_pose`](Self::with_bind_pose). One entity aims one chain.
@@ -45,11 +47,23 @@ pub type SharedRig = Arc<dyn Rig + Send + Sync>;
 pub struct AimCharacter {
     pub(crate) source: Source,
     pub(crate) bones: Vec<(usize, String)>,
-    pub(crate) other_eye: Option<(String, bool)>,
+    pub(crate) other_eye: OtherEye,
     pub(crate) held: Vec<(usize, String)>,
     pub(crate) up: Option<Vec3>,
     pub(crate) trunk: Option<String>,
     pub(crate) bind_pose: Vec<(String, Affine3A)>,
+}
+
+/// The eye that turns with joint 0.
+#[derive(Clone, Debug)]
+pub(crate) enum OtherEye {
+    /// The one that the rig names, if it names one.
+    OfRig,
+    None,
+    Bone {
+        name: String,
+        is_aimed: bool,
+    },
 }
 
 /// The source of a rig.
@@ -96,7 +110,7 @@ impl AimCharacter {
 
     fn from_source(source: Source) -> Self {
         let (bones, held, bind_pose) = (Vec::new(), Vec::new(), Vec::new());
-        Self { source, bones, other_eye: None, held, up: None, trunk: None, bind_pose }
+        Self { source, bones, other_eye: OtherEye::OfRig, held, up: None, trunk: None, bind_pose }
     }
 
     /// With another name, or path, of a joint's bone than the rig declares. Joints are counted from the effector inward.
@@ -106,19 +120,25 @@ impl AimCharacter {
         self
     }
 
-    /// With the other eye, by its bone, aimed as well: see [`Pose::with_other_eye`](aim::Pose::with_other_eye).
-    ///
-    /// A measured rig and a loaded one know theirs; a derived one does not tell it.
+    /// With the other eye, by its bone, aimed as well: see [`Pose::with_other_eye`](aim::Pose::with_other_eye). One that the rig
+    /// names, by `other_eye`, is aimed anyway.
     #[must_use]
     pub fn with_other_eye(mut self, bone: impl Into<String>) -> Self {
-        self.other_eye = Some((bone.into(), true));
+        self.other_eye = OtherEye::Bone { name: bone.into(), is_aimed: true };
         self
     }
 
     /// With the other eye, by its bone, which turns as the aimed one does.
     #[must_use]
     pub fn with_following_eye(mut self, bone: impl Into<String>) -> Self {
-        self.other_eye = Some((bone.into(), false));
+        self.other_eye = OtherEye::Bone { name: bone.into(), is_aimed: false };
+        self
+    }
+
+    /// Without the other eye that the rig names: it stays as it is animated.
+    #[must_use]
+    pub fn without_other_eye(mut self) -> Self {
+        self.other_eye = OtherEye::None;
         self
     }
 

@@ -12,7 +12,8 @@ use bevy_ecs::query::Has;
 use bevy_ecs::system::{Commands, Query};
 use bevy_transform::components::Transform;
 
-use crate::character::Source;
+use crate::character::{OtherEye, Source};
+use crate::names::{find, hangs_on, joints};
 use crate::place::of_bevy;
 use crate::{AimBinding, AimCharacter, AimOutcome, AimedBone, SharedRig, Unbound};
 
@@ -23,6 +24,8 @@ pub(crate) struct Seen {
     rest: EntityHashMap<Transform>,
     /// The number of bones when they were last looked through in vain.
     in_vain: usize,
+    /// Whether a bone that is aimed is gone.
+    pub(crate) has_lost: bool,
 }
 
 /// The rig of a character that was loaded.
@@ -34,9 +37,10 @@ pub(crate) struct LoadedRig(pub(crate) Found);
 #[derive(Clone)]
 pub(crate) struct Found {
     pub(crate) rig: SharedRig,
-    pub(crate) other_eye: Option<String>,
     pub(crate) up: Option<Vec3>,
     pub(crate) trunk: Option<String>,
+    /// The bind pose of all bones, in the space of the entity; none where it is the pose in which they appeared.
+    pub(crate) bind: Vec<Affine3A>,
 }
 
 /// An entity below a character.
@@ -55,17 +59,19 @@ pub(crate) fn find_bones(
     mut characters: Query<
         '_,
         '_,
-        (Entity, Ref<'_, AimCharacter>, Option<Ref<'_, LoadedRig>>, &mut Seen, &mut AimOutcome, Has<AimBinding>),
+        (Entity, Ref<'_, AimCharacter>, Option<Ref<'_, LoadedRig>>, &mut Seen, &mut AimOutcome, Option<&AimBinding>),
     >,
     children: Query<'_, '_, &Children>,
     nodes: Query<'_, '_, (Option<&Transform>, Option<&Name>, Option<&AimedBone>, Has<AimCharacter>)>,
+    #[cfg(feature = "measure")] skins: crate::skin::Skins<'_, '_>,
     #[cfg(feature = "measure")] mut measured: bevy_ecs::system::Local<'_, crate::measure::Measured>,
 ) {
-    for (entity, character, loaded, mut seen, mut outcome, is_bound) in &mut characters {
-        let is_new = character.is_changed() || loaded.as_ref().is_some_and(Ref::is_changed);
-        if is_bound && !is_new {
+    for (entity, character, loaded, mut seen, mut outcome, bound) in &mut characters {
+        let is_new = character.is_changed() || loaded.as_ref().is_some_and(Ref::is_changed) || seen.has_lost;
+        if bound.is_some() && !is_new {
             continue;
         }
+        seen.has_lost = false;
         let below = below(entity, &children, &nodes, &mut seen);
         // The same bones will not do in this frame, either.
         if !is_new && below.len() == seen.in_vain {
@@ -74,17 +80,20 @@ pub(crate) fn find_bones(
         seen.in_vain = below.len();
         let found = match &character.source {
             _ if below.is_empty() => Err(Unbound::Bones),
-            Source::Rig(rig) => Ok(Found { rig: rig.clone(), other_eye: None, up: None, trunk: None }),
+            Source::Rig(rig) => Ok(Found { rig: rig.clone(), up: None, trunk: None, bind: Vec::new() }),
             #[cfg(feature = "measure")]
-            Source::Measured => measured.rig(&below),
+            Source::Measured => measured.rig(&below, &skins),
             #[cfg(feature = "assets")]
             Source::Asset(_) => loaded.map(|loaded| loaded.0.clone()).ok_or(Unbound::Rig),
         };
-        if is_bound {
+        if bound.is_some() {
             commands.entity(entity).try_remove::<AimBinding>();
         }
         match found.and_then(|found| bind(&character, found, &below)) {
-            Ok(binding) => {
+            Ok(mut binding) => {
+                if let Some(bound) = bound {
+                    binding.go_on_from(bound);
+                }
                 for (bone, &bone_entity) in binding.entities.iter().enumerate() {
                     let now = below.iter().find(|node| node.entity == bone_entity).map(|node| node.now);
                     if let Some(now) = now.filter(|_| binding.is_written(bone)) {
@@ -140,61 +149,38 @@ fn below<'a>(
     below
 }
 
-/// The node of a name, or of a path that ends with it.
-fn find(below: &[Node<'_>], wanted: &str) -> Option<usize> {
-    let only = |is_wanted: &dyn Fn(usize) -> bool| {
-        let mut found = (0..below.len()).filter(|&node| is_wanted(node));
-        found.next().filter(|_| found.next().is_none())
-    };
-    let has_path = |node: usize| {
-        let mut at = Some(node);
-        wanted.rsplit('/').all(|part| {
-            let Some(node) = at.map(|at| &below[at]) else { return false };
-            at = node.parent;
-            node.name == part
-        })
-    };
-    let named = only(&|node| below[node].name == wanted);
-    named.or_else(|| wanted.contains('/').then(|| only(&has_path)).flatten())
-}
-
-/// The bone of each joint of the rig.
-fn joints(character: &AimCharacter, rig: &dyn Rig, below: &[Node<'_>]) -> Result<Vec<usize>, Unbound> {
-    let of_joint = |joint: usize| {
-        let mut given = character.bones.iter().rev().filter(|(of, _)| *of == joint).map(|(_, name)| &name[..]);
-        if let Some(name) = given.next() {
-            return find(below, name);
-        }
-        let declared = (0..).map_while(|candidate| rig.bone_name(joint, candidate));
-        let own = rig.bone_name(joint, 0).is_none().then(|| rig.joint_name(joint)).flatten();
-        declared.chain(own).find_map(|name| find(below, name))
-    };
-    let count = rig.description().joints().len();
-    (0..count).map(|joint| of_joint(joint).ok_or(Unbound::Joint(joint))).collect()
-}
-
 /// The character with these bones.
 fn bind(character: &AimCharacter, found: Found, below: &[Node<'_>]) -> Result<AimBinding, Unbound> {
     let rig: &dyn Rig = &found.rig;
     let joints = joints(character, rig, below)?;
-    let other_eye = match (&character.other_eye, &found.other_eye) {
-        (Some((name, is_aimed)), _) => Some((find(below, name).ok_or(Unbound::OtherEye)?, *is_aimed)),
-        (None, Some(name)) => Some((find(below, name).ok_or(Unbound::OtherEye)?, true)),
-        (None, None) => None,
+    let other_eye = match &character.other_eye {
+        OtherEye::OfRig => rig.other_eye_bone().map(|name| (name, true)),
+        OtherEye::Bone { name, is_aimed } => Some((&name[..], *is_aimed)),
+        OtherEye::None => None,
     };
+    let is_beside = |node: usize| joints.first().is_some_and(|&eye| below[eye].parent == below[node].parent);
+    let other_eye = match other_eye {
+        Some((name, is_aimed)) => Some((find(below, name, is_beside).ok_or(Unbound::OtherEye)?, is_aimed)),
+        None => None,
+    };
+    let carries = |node: usize| joints.last().is_some_and(|&joint| joint == node || hangs_on(below, joint, node));
     let trunk = match character.trunk.as_ref().or(found.trunk.as_ref()) {
-        Some(name) => Some(find(below, name).ok_or(Unbound::Trunk)?),
+        Some(name) => Some(find(below, name, carries).ok_or(Unbound::Trunk)?),
         None => None,
     };
     // What the rig names, where the skeleton has it, and what the user names.
     let description = rig.description();
     let mut held: Vec<(usize, usize)> = Vec::new();
+    let on = |joint: usize| {
+        let bone = joints.get(joint).copied();
+        move |node: usize| bone.is_some_and(|bone| hangs_on(below, node, bone))
+    };
     for joint in 0..joints.len() {
         let names = (0..).map_while(|place| rig.held_bone(joint, place));
-        held.extend(names.filter_map(|name| Some((joint, find(below, name)?))));
+        held.extend(names.filter_map(|name| Some((joint, find(below, name, on(joint))?))));
     }
     for (joint, name) in &character.held {
-        held.push((*joint, find(below, name).ok_or(Unbound::Held)?));
+        held.push((*joint, find(below, name, on(*joint)).ok_or(Unbound::Held)?));
     }
     held.sort_unstable();
     held.dedup();
@@ -228,8 +214,13 @@ fn bind(character: &AimCharacter, found: Found, below: &[Node<'_>]) -> Result<Ai
     let mut bind = vec![Affine3A::IDENTITY; skeleton.len()];
     // Of equal lengths, here and below.
     let _ = skeleton.to_model(skeleton.rest(), &mut bind);
+    for (bone, &node) in needed.iter().enumerate() {
+        if let Some(place) = found.bind.get(node) {
+            bind[bone] = *place;
+        }
+    }
     for (name, place) in &character.bind_pose {
-        if let Some(node) = find(below, name).filter(|&node| is_needed[node]) {
+        if let Some(node) = find(below, name, |node| is_needed[node]).filter(|&node| is_needed[node]) {
             bind[bone_of(node)] = *place;
         }
     }

@@ -11,11 +11,14 @@ mod find;
 mod gizmos;
 #[cfg(feature = "measure")]
 mod measure;
+mod names;
 mod outcome;
 mod place;
 mod plugin;
 mod report;
 mod settings;
+#[cfg(feature = "measure")]
+mod skin;
 mod solve;
 mod target;
 

@@ -3,12 +3,14 @@
 use std::sync::Arc;
 
 use aim::animation::{Bone, Skeleton};
+use aim::glam::Affine3A;
 use aim_character::{InterpretedRig, Measurement, Role, propose};
 use aim_gltf::Document;
 
 use crate::Unbound;
 use crate::find::{Found, Node};
 use crate::place::of_bevy;
+use crate::skin::Skins;
 
 /// Skeletons that are remembered with their rigs.
 const MOST_SKELETONS: usize = 64;
@@ -16,36 +18,42 @@ const MOST_SKELETONS: usize = 64;
 /// The rigs of the skeletons that were measured.
 #[derive(Default)]
 pub(crate) struct Measured {
-    known: Vec<(Skeleton, Result<Found, Unbound>)>,
+    known: Vec<(Key, Result<Found, Unbound>)>,
 }
+
+/// What a rig is measured from: the bones as they appeared, and their inverse bind transforms.
+type Key = (Skeleton, Vec<Option<Affine3A>>);
 
 impl Measured {
     /// The rig of these bones.
-    pub(crate) fn rig(&mut self, below: &[Node<'_>]) -> Result<Found, Unbound> {
+    pub(crate) fn rig(&mut self, below: &[Node<'_>], skins: &Skins<'_, '_>) -> Result<Found, Unbound> {
         let bones = below.iter().map(|node| Bone::new(node.name, node.parent).with_rest(of_bevy(&node.rest)));
         let skeleton = Skeleton::new(bones).map_err(|_| Unbound::RestPose)?;
-        if let Some((_, found)) = self.known.iter().find(|(known, _)| *known == skeleton) {
+        let key = (skeleton, skins.inverse_binds(below));
+        if let Some((_, found)) = self.known.iter().find(|(known, _)| *known == key) {
             return found.clone();
         }
-        let found = measure(&skeleton);
+        let found = measure(&key.0, &key.1);
         if self.known.len() == MOST_SKELETONS {
             drop(self.known.remove(0));
         }
-        self.known.push((skeleton, found.clone()));
+        self.known.push((key, found.clone()));
         found
     }
 }
 
-fn measure(skeleton: &Skeleton) -> Result<Found, Unbound> {
-    let binds = vec![None; skeleton.len()];
-    let document = Document::of_bones(skeleton, &binds).map_err(|_| Unbound::RestPose)?;
+fn measure(skeleton: &Skeleton, inverse_binds: &[Option<Affine3A>]) -> Result<Found, Unbound> {
+    let document = Document::of_bones(skeleton, inverse_binds).map_err(|_| Unbound::RestPose)?;
     let measurement = Measurement::of(&document);
-    let proposal = propose(&document, &measurement, None).map_err(|_| Unbound::Measurement)?;
+    let proposal = propose(&document, &measurement, None).map_err(|error| match error {
+        aim_character::Error::Model(_) => Unbound::Names,
+        _ => Unbound::Measurement,
+    })?;
     let name = |node: usize| document.skeleton().names().get(node).cloned();
     Ok(Found {
-        other_eye: proposal.spec.joints.first().and_then(|joint| joint.other_eye.clone()),
         rig: Arc::new(InterpretedRig::new(&proposal.spec)),
         up: Some(measurement.up.as_vec3()),
+        bind: measurement.bind_world.iter().map(|place| place.as_affine3a()).collect(),
         trunk: measurement.with_role(Role::Hips).and_then(|bone| name(bone.node)),
     })
 }

@@ -57,6 +57,8 @@ pub enum Unbound {
     Rig,
     /// No rig can be proposed for the skeleton: neither names nor roles tell an eye, a head, a neck or anything that points.
     Measurement,
+    /// A rig was measured, but several bones share the name of one of its joints and nothing tells them apart: rename them.
+    Names,
     /// No bone has a name that the rig declares for this joint, or several have it.
     Joint(usize),
     /// The bone of the joint before this one does not hang on this one's.

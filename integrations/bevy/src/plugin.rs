@@ -45,7 +45,7 @@ impl Default for AimPlugin {
 
 impl Plugin for AimPlugin {
     fn build(&self, app: &mut App) {
-        app.add_observer(report::release).add_observer(report::restore);
+        app.add_observer(report::release).add_observer(report::restore).add_observer(report::lose);
         #[cfg(feature = "reflect")]
         app.register_type::<crate::AimSettings>()
             .register_type::<crate::AimTarget>()

@@ -73,6 +73,18 @@ pub(crate) fn release(removed: On<'_, '_, Remove<AimCharacter>>, mut commands: C
     commands.entity(removed.entity).try_remove::<(AimBinding, crate::find::LoadedRig)>();
 }
 
+/// Has the bones of a character looked for again when one of them goes: where its scene is loaded anew, in the same frame.
+pub(crate) fn lose(
+    removed: On<'_, '_, Remove<AimedBone>>,
+    bones: Query<'_, '_, &AimedBone>,
+    mut characters: Query<'_, '_, &mut Seen, With<AimBinding>>,
+) {
+    let Ok(bone) = bones.get(removed.entity) else { return };
+    if let Ok(mut seen) = characters.get_mut(bone.character) {
+        seen.has_lost = true;
+    }
+}
+
 /// Gives the bones of a character back as they are animated.
 pub(crate) fn restore(
     removed: On<'_, '_, Remove<AimBinding>>,

@@ -54,11 +54,15 @@ pub(crate) fn solve_aims(
 /// Writes what was solved, bone by bone, in parallel. A `Transform` that is right already is left alone, so that Bevy does not
 /// propagate it.
 pub(crate) fn apply_aims(
-    mut bones: Query<'_, '_, (&mut Transform, &mut AimedBone)>,
+    mut bones: Query<'_, '_, (Entity, &mut Transform, &mut AimedBone)>,
     characters: Query<'_, '_, &AimBinding>,
 ) {
-    bones.par_iter_mut().batching_strategy(batches()).for_each(|(mut transform, mut bone)| {
+    bones.par_iter_mut().batching_strategy(batches()).for_each(|(entity, mut transform, mut bone)| {
         let Ok(binding) = characters.get(bone.character) else { return };
+        // The copy of a bone still names the character of the original.
+        if binding.entities.get(bone.bone) != Some(&entity) {
+            return;
+        }
         let Some((animated, aimed)) = binding.animated.get(bone.bone).zip(binding.aimed.get(bone.bone)) else { return };
         if !binding.is_solved {
             return;

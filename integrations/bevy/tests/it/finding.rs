@@ -1,6 +1,6 @@
 //! Bones that are found, late or not at all, and lost again.
 
-use bevy_aim::aim::glam::{Quat, Vec3};
+use bevy_aim::aim::glam::{DVec3, Quat, Vec3};
 use bevy_aim::{AimBinding, AimCharacter, AimStatus, AimTarget, AimedBone, Unbound};
 use bevy_ecs::prelude::*;
 use bevy_transform::components::Transform;
@@ -77,9 +77,9 @@ fn the_bind_pose_is_that_in_which_bones_appear() {
 fn a_name_that_repeats_is_told_by_a_path() {
     let mut app = stage::app();
     let character = spawn(&mut app, hero(), Transform::IDENTITY, 1.0);
-    // A helper of the same name as the neck.
-    let hand = bone(&app, character, "left_hand");
-    app.world_mut().spawn((Name::new("neck"), Transform::IDENTITY, ChildOf(hand)));
+    // Between the eye and the spine, too.
+    let head = bone(&app, character, "head");
+    app.world_mut().entity_mut(head).insert(Name::new("neck"));
     app.world_mut().entity_mut(character).insert(AimTarget::point(LAMP));
     app.update();
     assert_eq!(status(&app, character), AimStatus::Unbound(Unbound::Joint(1)));
@@ -88,6 +88,51 @@ fn a_name_that_repeats_is_told_by_a_path() {
         app.update();
     }
     assert_eq!(status(&app, character), AimStatus::Reached);
+}
+
+/// Meshes are often called as the bones that move them, and hang elsewhere.
+#[test]
+fn of_several_of_a_name_the_one_in_the_chain_is_meant() {
+    let mut app = stage::app();
+    let character = spawn(&mut app, hero(), Transform::IDENTITY, 1.0);
+    let [hand, armature] = ["left_hand", "hips"].map(|name| bone(&app, character, name));
+    let armature = app.world().get::<ChildOf>(armature).expect("an armature").parent();
+    for name in ["left_eye", "right_eye", "neck", "spine1", "hips"] {
+        for on in [hand, armature, character] {
+            app.world_mut().spawn((Name::new(name), Transform::IDENTITY, ChildOf(on)));
+        }
+    }
+    app.world_mut().spawn((Name::new("left_clavicle"), Transform::IDENTITY, ChildOf(armature)));
+    app.world_mut().entity_mut(character).insert(AimTarget::point(LAMP));
+    for _ in 0..120 {
+        app.update();
+        judge(&app, character, None, 0.0);
+    }
+    assert_eq!(status(&app, character), AimStatus::Reached);
+    for eye in ["left_eye", "right_eye"] {
+        assert!(error_deg(&app, character, eye, LAMP.as_dvec3()) < 0.1);
+    }
+}
+
+#[test]
+fn the_other_eye_is_that_of_the_rig_or_of_the_user() {
+    let mut app = stage::app();
+    let alone = spawn(&mut app, hero().without_other_eye(), Transform::IDENTITY, 1.0);
+    let follows = spawn(&mut app, hero().with_following_eye("right_eye"), Transform::IDENTITY, 1.0);
+    for character in [alone, follows] {
+        app.world_mut().get_mut::<Player>(character).expect("a player").plays = false;
+        app.world_mut().entity_mut(character).insert(AimTarget::point(Vec3::new(0.3, 1.7, 0.5)));
+    }
+    for _ in 0..60 {
+        app.update();
+    }
+    for (character, turns) in [(alone, false), (follows, true)] {
+        let eye = bone(&app, character, "right_eye");
+        let rest = stage::to_bevy(&stage::skeleton().rest()[stage::skeleton().find("right_eye").expect("a bone")]);
+        assert_eq!(app.world().get::<Transform>(eye).expect("a bone").rotation != rest.rotation, turns);
+        assert_eq!(stage::binding(&app, character).other_eye_correction(), None);
+        assert!(error_deg(&app, character, "right_eye", DVec3::new(0.3, 1.7, 0.5)) > 0.5, "it does not converge");
+    }
 }
 
 #[test]
@@ -245,8 +290,6 @@ fn a_rig_may_be_loaded_and_changed() {
     let character = spawn(&mut app, AimCharacter::from_asset(handle.clone()), Transform::IDENTITY, 1.0);
     let other = spawn(&mut app, AimCharacter::from_asset(wrong), Transform::IDENTITY, 1.0);
     app.world_mut().entity_mut(character).insert(AimTarget::point(LAMP));
-    app.update();
-    assert_eq!(status(&app, character), AimStatus::Unbound(Unbound::Rig));
     let until = |app: &mut App, is_so: &dyn Fn(&App) -> bool| {
         for _ in 0..2000 {
             app.update();

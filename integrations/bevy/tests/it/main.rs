@@ -3,6 +3,8 @@
 mod by_hand;
 mod events;
 mod finding;
+mod hostile;
+mod loaded;
 #[rustfmt::skip]
 #[allow(clippy::doc_markdown, missing_debug_implementations, unnameable_types, reason = "as it is printed")]
 mod mannequin;

@@ -20,7 +20,7 @@ use bevy_transform::components::{GlobalTransform, Transform};
 #[derive(AimRig)]
 #[aim(axes(up = +X, forward = +Y, left = +Z), region = human)]
 pub(crate) struct Hero {
-    #[joint(bone = "left_eye", role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, stiffness = 0.5)]
+    #[joint(bone = "left_eye", role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg, stiffness = 0.5, other_eye = "right_eye")]
     pub(crate) eye: Joint,
     #[joint(bone = "neck", role = neck, heading = -60deg..=60deg, pitch = -40deg..=35deg, rate = 170deg)]
     pub(crate) neck: Joint,
@@ -144,7 +144,7 @@ pub(crate) fn spawn(app: &mut App, character: AimCharacter, root: Transform, sca
 }
 
 pub(crate) fn hero() -> AimCharacter {
-    AimCharacter::of::<Hero>().with_other_eye("right_eye").with_trunk("hips")
+    AimCharacter::of::<Hero>().with_trunk("hips")
 }
 
 pub(crate) fn bone(app: &App, character: Entity, name: &str) -> Entity {
