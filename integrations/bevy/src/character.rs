@@ -22,7 +22,7 @@ pub type SharedRig = Arc<dyn Rig + Send + Sync>;
 /// `"Spine/Neck/Head"`: it means the bone whose own name is the last part, and whose ancestors next to it have the other parts as
 /// their names.
 ///
-/// The pose in which the bones appear is taken for the bind pose: spawn the component with the scene, not later, when it is
+/// The pose in which the bones appear is taken for the bind pose, unless the rig is measured: spawn the component with the scene, not later, when it is
 /// animated; or give the pose by [`with_bind_pose`](Self::with_bind_pose). One entity aims one chain.
 ///
 /// ```
@@ -89,8 +89,9 @@ impl AimCharacter {
         Self::from_source(Source::Rig(rig))
     }
 
-    /// A character whose rig is measured when its bones appear: facing and axes from the skeleton's rest pose, the chain from
-    /// the bones' names, ranges and rates of people. Takes milliseconds, once for all characters of equal skeletons.
+    /// A character whose rig is measured when its bones appear: facing and axes from the bind pose of its skin, or without a skin
+    /// from the pose in which they appear, the chain from the bones' names, ranges and rates of people. Takes milliseconds, once
+    /// for all characters of equal skeletons.
     ///
     /// `aim rig hero.glb --format bevy` prints the same rig to be compiled instead: measured from meshes, too, and checked by
     /// eye.

@@ -1,5 +1,7 @@
 //! [`AimOutcome`]: what became of a frame.
 
+use std::fmt;
+
 use aim::{Outcome, Status};
 use bevy_ecs::component::Component;
 #[cfg(feature = "reflect")]
@@ -46,7 +48,7 @@ pub enum AimStatus {
     Degenerate,
 }
 
-/// Why nothing can be aimed. Joints are counted from the effector inward.
+/// Why nothing can be aimed; `Display` says it in a line, with what to do. Joints are counted from the effector inward.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Unbound {
@@ -57,9 +59,9 @@ pub enum Unbound {
     Rig,
     /// No rig can be proposed for the skeleton: neither names nor roles tell an eye, a head, a neck or anything that points.
     Measurement,
-    /// A rig was measured, but several bones share the name of one of its joints and nothing tells them apart: rename them.
+    /// Several bones share the name of a joint of the measured rig, and no skin tells them apart.
     Names,
-    /// No bone has a name that the rig declares for this joint, or several have it.
+    /// No bone has a name that the rig declares for this joint, or several have it that make a chain with the others.
     Joint(usize),
     /// The bone of the joint before this one does not hang on this one's.
     Order(usize),
@@ -73,6 +75,37 @@ pub enum Unbound {
     RestPose,
     /// The entity, or one that it hangs on, has no `Transform`.
     Place,
+}
+
+impl fmt::Display for Unbound {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Bones => f.write_str("there are no bones below the entity yet; spawn its scene on it"),
+            Self::Rig => f.write_str("the rig is not loaded yet, or could not be: see the log"),
+            Self::Measurement => f.write_str(
+                "nothing below the entity has the name of an eye, a head or a neck; declare a rig, \
+                 as `aim rig FILE --chain a,b,c --format bevy` prints it",
+            ),
+            Self::Names => {
+                f.write_str("several bones share a name that the measured rig needs; rename them in the file")
+            }
+            Self::Joint(joint) => write!(
+                f,
+                "joint {joint} has no bone, or several that may be meant; give its name or path with `with_bone`"
+            ),
+            Self::Order(joint) => {
+                write!(f, "the bone of joint {} does not hang on that of joint {joint}", joint.saturating_sub(1))
+            }
+            Self::OtherEye => f.write_str(
+                "the other eye has no bone, or several; give its name or path with `with_other_eye`, \
+                 or leave it with `without_other_eye`",
+            ),
+            Self::Held => f.write_str("a bone to be held does not exist, or does not hang on its joint"),
+            Self::Trunk => f.write_str("the trunk has no bone, or several; give its name or path with `with_trunk`"),
+            Self::RestPose => f.write_str("a bone's transform is not finite, or its rotation no unit quaternion"),
+            Self::Place => f.write_str("the entity, or one that it hangs on, has no `Transform`"),
+        }
+    }
 }
 
 impl Default for AimStatus {

@@ -314,16 +314,57 @@ fn a_scene_that_is_loaded_anew_is_looked_at_from_where_it_was() {
     assert!(is_new && app.world().get_entity(eye).is_err());
 }
 
+/// A file with some of its JSON replaced.
+#[cfg(feature = "measure")]
+fn changed(glb: &[u8], changes: &[(&str, &str)]) -> Vec<u8> {
+    let number = |at: usize| u32::from_le_bytes(glb[at..at + 4].try_into().expect("four bytes"));
+    let end = 20 + number(12) as usize;
+    let mut text = String::from_utf8(glb[20..end].to_vec()).expect("a text");
+    for (old, new) in changes {
+        assert_eq!(text.matches(old).count(), 1, "{old}");
+        text = text.replace(old, new);
+    }
+    text += &" ".repeat(text.len().next_multiple_of(4) - text.len());
+    let length = |bytes: usize| u32::try_from(bytes).expect("a small file").to_le_bytes();
+    let total = length(20 + text.len() + glb.len() - end);
+    [&glb[..8], &total, &length(text.len()), &glb[16..20], text.as_bytes(), &glb[end..]].concat()
+}
+
+/// A mesh has the name of the head, and the neck is bent where nothing is played.
+#[cfg(feature = "measure")]
+#[test]
+fn a_skin_tells_which_are_bones_and_their_bind_pose() {
+    let neck = "\"name\":\"neck\",\"translation\":[0.14000000059604645,0.0,0.0],\"rotation\":[0.0,0.0,0.0,1.0]";
+    let bent = neck.replace("[0.0,0.0,0.0,1.0]", "[0.0,0.0,0.38268343,0.9238795]");
+    let mesh = "{\"name\":\"body\",\"mesh\":0,\"skin\":0}";
+    let changes = [(neck, &bent[..]), (mesh, &mesh.replace("body", "head"))];
+    let files = [mannequin(), changed(&mannequin(), &changes)];
+    let [straight, bent] = files.map(|file| {
+        let mut app = app(&[("file.glb", file)]);
+        let character = spawn(&mut app, "file.glb", AimCharacter::measured(), Transform::IDENTITY);
+        app.update();
+        app.update();
+        let binding = binding(&app, character);
+        let head = binding.joints().nth(1).expect("a head");
+        let on = app.world().get::<ChildOf>(head).expect("a neck").parent();
+        assert_eq!(app.world().get::<Name>(on).map(Name::as_str), Some("neck"));
+        binding.pose().bind.expect("a bind pose").to_vec()
+    });
+    assert_eq!(straight.len(), 7);
+    for (straight, bent) in straight.iter().zip(&bent) {
+        assert!(straight.abs_diff_eq(*bent, 1e-4), "{bent:?} instead of {straight:?}");
+    }
+}
+
 /// Real characters, of the folder that the variable `AIM_RIGS` names.
 #[cfg(feature = "measure")]
 #[test]
 fn real_files_look() {
-    let folder = std::env::var_os("AIM_RIGS")
-        .map_or_else(|| PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/rigs")), PathBuf::from);
-    let Ok(files) = std::fs::read_dir(&folder) else {
+    let Some(folder) = std::env::var_os("AIM_RIGS") else {
         println!("NOT TESTED: AIM_RIGS names no folder of real characters.");
         return;
     };
+    let files = std::fs::read_dir(folder).expect("a folder");
     let is_model = |file: &PathBuf| file.extension().is_some_and(|of| of == "glb" || of == "gltf" || of == "vrm");
     let mut files: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).filter(is_model).collect();
     files.sort();
@@ -334,7 +375,7 @@ fn real_files_look() {
             let character = spawn(&mut app, &name, AimCharacter::measured(), place);
             app.update();
             if let AimStatus::Unbound(why) = status(&app, character) {
-                println!("{name}: {why:?}");
+                println!("NOT TESTED: {name}: {why}");
                 continue;
             }
             let found = look(&mut app, &name, character, 120);

@@ -9,8 +9,6 @@ mod loaded;
 #[allow(clippy::doc_markdown, missing_debug_implementations, unnameable_types, reason = "as it is printed")]
 mod mannequin;
 mod printed;
-#[cfg(feature = "measure")]
-mod real;
 mod scene;
 mod stage;
 mod targets;
