@@ -293,7 +293,7 @@ pub(crate) struct Bake {
     /// The rig's declaration; measured from the file if not given.
     #[arg(long, value_name = "RIG.toml")]
     pub(crate) rig: Option<PathBuf>,
-    /// The clip to aim over; the first if not given.
+    /// The clip to aim over; if not given, the first called idle, else the first.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Option<String>,
     /// Name of the written clip, which it replaces if it is there; if not given, the clip's with "_aimed", beside the clip.
@@ -345,7 +345,7 @@ pub(crate) struct Bake {
 pub(crate) struct Reach {
     /// A .glb, .gltf or .vrm file.
     pub(crate) file: PathBuf,
-    /// The clip; the first if not given.
+    /// The clip; if not given, the first called idle, else the first.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Option<String>,
     /// The node that is led: a hand or a foot. Its parent and grandparent follow.
@@ -397,7 +397,7 @@ pub(crate) struct View {
     /// The rig's declaration; measured from the file if not given.
     #[arg(long, value_name = "RIG.toml", requires = "file")]
     pub(crate) rig: Option<PathBuf>,
-    /// The clip to play; the first if not given.
+    /// The clip to play; if not given, the first called idle, else the first.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Option<String>,
     /// The solver, or all of them side by side; natural where any joint of the rig has a role, else exact.

@@ -137,6 +137,15 @@ impl Document {
         })
     }
 
+    /// The clip that stands for the character where none is chosen: the first in whose name the word `idle` is, else the first.
+    ///
+    /// Files list clips by the alphabet, and what comes first there is an attack, a dance or a death.
+    #[must_use]
+    pub fn default_clip(&self) -> Option<&Clip> {
+        let is_idle = |clip: &&Clip| clip.name().to_ascii_lowercase().contains("idle");
+        self.clips.iter().find(is_idle).or(self.clips.first())
+    }
+
     /// The JSON part as it stands in the file, members in their order.
     #[must_use]
     pub fn json(&self) -> &Value {

@@ -202,7 +202,7 @@ impl Stage {
         let rig = Arc::new(InterpretedRig::new(&tuning.spec));
         let live = Live::new(&*rig, &character.document, &character.measurement, &character.chain, tuning.both_eyes)
             .map_err(|error| format!("{}: {error}", character.name))?;
-        let clip = (!character.clips().is_empty()).then_some(0);
+        let clip = character.document.default_clip().and_then(|clip| character.clip(clip.name()).ok());
         let mut stage = Self {
             target: Target::new(&room(&character)),
             repertoire: Repertoire::new(&character),

@@ -22,7 +22,7 @@ const BAKES: [(&str, f32, f64, Course); 7] = [
     ("overhead", 4.5, 5.0, |t| [0.0, if t < 1.5 { 0.0 } else { 90.0 }]),
 ];
 
-/// The worst value of each criterion in all bakes of a character over its first clip, with the bake that has it.
+/// The worst value of each criterion in all bakes of a character over its default clip, with the bake that has it.
 ///
 /// # Errors
 /// A character without a chain or without anything that can be baked.
@@ -67,7 +67,7 @@ fn measure(
     };
     let plan = Plan {
         document,
-        clip: document.clips().first(),
+        clip: document.default_clip(),
         measurement,
         chain,
         both_eyes: false,

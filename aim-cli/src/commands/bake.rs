@@ -50,14 +50,14 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     let file = &arguments.file;
     let clip = match &arguments.clip {
         Some(name) => Some(document.clip(name).map_err(Failure::of(file))?),
-        None => document.clips().first(),
+        None => document.default_clip(),
     };
-    if let (None, [first, _, ..]) = (&arguments.clip, document.clips()) {
+    if let (None, Some(clip), [_, _, ..]) = (&arguments.clip, clip, document.clips()) {
         eprintln!(
-            "warning: {} has {} clips: aimed over the first, {:?}; choose another with --clip (aim inspect lists them)",
+            "warning: {} has {} clips: aimed over {:?}; choose another with --clip (aim inspect lists them)",
             arguments.file.display(),
             document.clips().len(),
-            first.name()
+            clip.name()
         );
     }
     let unknown_length =

@@ -24,7 +24,7 @@ pub(super) fn run(arguments: &args::Reach) -> Result {
     let file = &arguments.file;
     let clip = match &arguments.clip {
         Some(name) => document.clip(name).map_err(Failure::of(file))?,
-        None => document.clips().first().ok_or_else(|| {
+        None => document.default_clip().ok_or_else(|| {
             Failure::in_file(&arguments.file, "has no clip to change; export the character with an animation")
         })?,
     };
