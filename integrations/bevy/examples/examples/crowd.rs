@@ -16,7 +16,7 @@ pub(crate) fn plugin(app: &mut App) {
 }
 
 fn spawn(mut commands: Commands) {
-    let ball = commands.spawn((Ball(0.3), Thrown)).id();
+    let ball = commands.spawn((Ball(0.15), Thrown)).id();
     for number in 0..ROW * ROWS {
         let [column, row] = [number % ROW, number / ROW].map(f32::from);
         // A stand, whose rows rise to the back.
@@ -28,12 +28,12 @@ fn spawn(mut commands: Commands) {
 fn fly(time: Res<Time>, mut balls: Query<&mut Transform, With<Thrown>>) {
     let t = time.elapsed_secs();
     for mut place in &mut balls {
-        place.translation = Vec3::new(14.0 * (0.5 * t).sin(), 3.0 + 2.0 * (1.7 * t).sin().abs(), 12.0);
+        place.translation = Vec3::new(2.5 * (0.5 * t).sin(), 1.8 + 1.2 * (1.7 * t).sin().abs(), 3.5);
     }
 }
 
 #[allow(dead_code, reason = "tests have an app of their own")]
 fn main() {
-    let stage = Stage { camera: Vec3::new(0.0, 6.0, 18.0), middle: Vec3::new(0.0, 3.0, 0.0) };
+    let stage = Stage { camera: Vec3::new(0.0, 2.6, 7.0), middle: Vec3::new(0.0, 1.8, 0.0) };
     App::new().add_plugins((stage, AimPlugin::default(), plugin)).run();
 }

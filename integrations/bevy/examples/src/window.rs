@@ -45,18 +45,23 @@ struct Picture {
     frames: u32,
 }
 
-/// Frames a second until a picture is taken, and how many of them: as few as will do, since each may be drawn by software. No frame
-/// counts for more than a tenth of a second.
+/// Frames a second until a picture is taken, and how many of them. No frame counts for more than a tenth of a second.
 const PICTURE_FPS: u32 = 10;
 const PICTURE_FRAMES: u32 = 20;
+/// The last frames, which are drawn: software takes a minute for one of a crowd.
+const DRAWN_FRAMES: u32 = 3;
 
 /// Puts the pointer above and to the left of the middle, takes the picture, and ends as soon as it is there.
 fn shoot(
     mut commands: Commands,
     mut picture: ResMut<Picture>,
     mut windows: Query<&mut Window, With<PrimaryWindow>>,
+    mut cameras: Query<&mut Camera>,
     loading: Query<(), (With<Body>, Without<Children>)>,
 ) {
+    for mut camera in &mut cameras {
+        camera.is_active = picture.frames + DRAWN_FRAMES >= PICTURE_FRAMES;
+    }
     if !loading.is_empty() {
         return;
     }
