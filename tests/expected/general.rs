@@ -57,6 +57,9 @@ const _: () = {
                 _ => ::core::option::Option::None,
             }
         }
+        fn other_eye_bone(&self) -> ::core::option::Option<&::core::primitive::str> {
+            ::core::option::Option::Some("R_eye")
+        }
         ///The chain's stereographic residual (left, up), then the 4 derivatives of the first and of the second. 213 operations: 80 add, 130 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `General`.
         #[inline(always)]
         fn residual_jacobian(

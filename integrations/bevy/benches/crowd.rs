@@ -1,10 +1,9 @@
 //! The time that the systems of [`AimPlugin`] take for 2 000 mannequins that walk and look around, on one thread and on two, in seven
 //! pairs of runs. Three ratios are printed, as others may use the machine:
 //!
-//! - the median of the pairs, by the frame that a tenth of a run's frames are faster than;
-//! - the fastest frame of all on one thread by the fastest on two, which others are least likely to have disturbed;
-//! - by processor time, where Linux tells it: all that one thread works in a frame, by what the busier of two works. That is what two
-//!   free cores would give, but for the time in which both wait; it does not depend on who else wants them.
+//! - the median of the pairs, by the frame that a tenth of a run's frames are faster than: what this machine gives now;
+//! - the fastest frame of all on one thread by the fastest on two;
+//! - where Linux tells it, the medians of the frames in which no thread waited for a processor: what two free ones give.
 
 use std::fs::File;
 use std::sync::Mutex;
@@ -34,73 +33,78 @@ struct Walker {
 }
 
 const CHARACTERS: usize = 2000;
-const FRAMES: u16 = 60;
+const FRAMES: u16 = 240;
 const RUNS: usize = 7;
+/// Undisturbed frames that have a median.
+const LEAST: usize = 20;
 
-static CLOCK: Mutex<Clock> =
-    Mutex::new(Clock { began: None, frames: Vec::new(), threads: Vec::new(), work: 0, longest: 0 });
+/// Of all its threads together a frame in which others want no processor waits no longer for one.
+const UNDISTURBED: Duration = Duration::from_micros(100);
+
+static CLOCK: Mutex<Clock> = Mutex::new(Clock { began: None, frames: Vec::new(), threads: Vec::new() });
 
 /// What the systems take.
 struct Clock {
-    /// When they began in this frame, and what each thread had worked by then.
-    began: Option<(Instant, Vec<u64>)>,
-    /// The time of each frame.
-    frames: Vec<Duration>,
-    /// What tells the processor time of each thread.
+    /// When they began in this frame, and for how long threads had waited for a processor by then.
+    began: Option<(Instant, Duration)>,
+    /// The time of each frame, and for how long threads had waited before it.
+    frames: Vec<(Duration, Duration)>,
+    /// What tells how long each thread waits.
     threads: Vec<File>,
-    /// Nanoseconds of all frames that all threads have worked, and that the busiest one has.
-    work: u64,
-    longest: u64,
 }
 
 impl Clock {
     fn begin(&mut self) {
-        let worked = self.worked();
-        self.began = Some((Instant::now(), worked));
+        let waited = self.waited();
+        self.began = Some((Instant::now(), waited));
     }
 
     fn end(&mut self) {
-        let Some((began, before)) = self.began.take() else { return };
-        self.frames.push(began.elapsed());
-        let worked = self.worked().into_iter().zip(before).map(|(now, before)| now.saturating_sub(before));
-        let worked: Vec<u64> = worked.collect();
-        self.work += worked.iter().sum::<u64>();
-        self.longest += worked.iter().max().copied().unwrap_or_default();
+        if let Some((began, waited)) = self.began.take() {
+            self.frames.push((began.elapsed(), waited));
+        }
     }
 
-    /// Nanoseconds that each thread has worked so far. The kernel brings them up to date as a thread waits or yields.
-    fn worked(&self) -> Vec<u64> {
-        std::thread::yield_now();
-        self.threads.iter().map(|file| worked(file).unwrap_or_default()).collect()
+    /// For how long all threads have waited for a processor so far. The kernel counts a wait when it is over.
+    fn waited(&self) -> Duration {
+        self.threads.iter().filter_map(waited).sum()
     }
 
     /// Begins anew, with the threads that there are now.
     fn reset(&mut self) {
         let tasks = std::fs::read_dir("/proc/self/task").into_iter().flatten().flatten();
         self.threads = tasks.filter_map(|task| File::open(task.path().join("schedstat")).ok()).collect();
-        (self.began, self.work, self.longest) = (None, 0, 0);
+        self.began = None;
         self.frames.clear();
+    }
+
+    /// The frames up to whose successors no thread waited, so that none that should have worked was still waiting.
+    fn undisturbed(&self) -> Vec<Duration> {
+        let waited = self.frames.windows(2).map(|pair| (pair[0].0, pair[1].1 - pair[0].1));
+        waited.filter(|(_, waited)| !self.threads.is_empty() && *waited <= UNDISTURBED).map(|(time, _)| time).collect()
     }
 }
 
 #[cfg(unix)]
-fn worked(schedstat: &File) -> Option<u64> {
+fn waited(schedstat: &File) -> Option<Duration> {
     let mut text = [0; 64];
     let length = std::os::unix::fs::FileExt::read_at(schedstat, &mut text, 0).ok()?;
-    std::str::from_utf8(&text[..length]).ok()?.split_whitespace().next()?.parse().ok()
+    let nanoseconds = std::str::from_utf8(&text[..length]).ok()?.split_whitespace().nth(1)?.parse().ok()?;
+    Some(Duration::from_nanos(nanoseconds))
 }
 
 #[cfg(not(unix))]
-fn worked(_: &File) -> Option<u64> {
+fn waited(_: &File) -> Option<Duration> {
     None
 }
 
-/// Seconds a frame: of the one that a tenth are faster than, of the fastest one, that all threads work, and that the busiest one does.
+/// Seconds of a run's frames.
 struct Run {
+    /// The one that a tenth are faster than.
     tenth: f64,
     fastest: f64,
-    work: f64,
-    longest: f64,
+    /// Those in which no thread waited for a processor.
+    undisturbed: Vec<f64>,
 }
 
 #[derive(Resource)]
@@ -179,15 +183,11 @@ fn run(threads: usize) -> Run {
             Vec3::new(30.0 * angle.sin(), 1.6, 40.0);
         app.update();
     }
-    let mut clock = CLOCK.lock().expect("a clock");
-    clock.frames.sort();
-    let a_frame = |nanoseconds: u64| Duration::from_nanos(nanoseconds).as_secs_f64() / f64::from(FRAMES);
-    Run {
-        tenth: clock.frames[clock.frames.len() / 10].as_secs_f64(),
-        fastest: clock.frames[0].as_secs_f64(),
-        work: a_frame(clock.work),
-        longest: a_frame(clock.longest),
-    }
+    let clock = CLOCK.lock().expect("a clock");
+    let mut times: Vec<f64> = clock.frames.iter().map(|(time, _)| time.as_secs_f64()).collect();
+    times.sort_by(f64::total_cmp);
+    let undisturbed = clock.undisturbed().iter().map(Duration::as_secs_f64).collect();
+    Run { tenth: times[times.len() / 10], fastest: times[0], undisturbed }
 }
 
 /// A process each: Bevy's pools are made once.
@@ -196,8 +196,8 @@ fn measured(threads: usize) -> Run {
     let run = std::process::Command::new(program).args(["--threads", &threads.to_string()]).output().expect("a run");
     let text = String::from_utf8_lossy(&run.stdout);
     let seconds: Vec<f64> = text.split_whitespace().map(|number| number.parse().expect("seconds")).collect();
-    let [tenth, fastest, work, longest] = seconds[..] else { panic!("four numbers, not {text}") };
-    Run { tenth, fastest, work, longest }
+    let [tenth, fastest, undisturbed @ ..] = &seconds[..] else { panic!("two numbers or more, not {text}") };
+    Run { tenth: *tenth, fastest: *fastest, undisturbed: undisturbed.to_vec() }
 }
 
 fn median(numbers: impl Iterator<Item = f64>) -> f64 {
@@ -210,8 +210,9 @@ fn main() {
     let mut arguments = std::env::args().skip(1);
     if arguments.next().as_deref() == Some("--threads") {
         let threads = arguments.next().and_then(|threads| threads.parse().ok()).expect("a number");
-        let Run { tenth, fastest, work, longest } = run(threads);
-        println!("{tenth} {fastest} {work} {longest}");
+        let Run { tenth, fastest, undisturbed } = run(threads);
+        let undisturbed: String = undisturbed.iter().map(|time| format!(" {time}")).collect();
+        println!("{tenth} {fastest}{undisturbed}");
         return;
     }
     // By turns, so that what else the machine does slows both.
@@ -227,8 +228,14 @@ fn main() {
     told("median of the pairs", [median(of(1, tenth)), median(of(2, tenth))], median(ratios));
     let fastest = [1, 2].map(|threads| least(&mut of(threads, |run| run.fastest)));
     told("the fastest frames", fastest, fastest[0] / fastest[1]);
-    let work = [median(of(1, |run| run.work)), median(of(2, |run| run.longest))];
-    if work[1] > 0.0 {
-        told("by processor time", work, work[0] / work[1]);
+    let undisturbed =
+        [0, 1].map(|which| pairs.iter().flat_map(|pair| pair[which].undisturbed.clone()).collect::<Vec<_>>());
+    let counts = undisturbed.each_ref().map(Vec::len);
+    let what = format!("undisturbed, {} and {} of {} frames", counts[0], counts[1], RUNS * usize::from(FRAMES));
+    if counts.iter().all(|count| *count >= LEAST) {
+        let medians = undisturbed.map(|times| median(times.into_iter()));
+        told(&what, medians, medians[0] / medians[1]);
+    } else {
+        println!("{what}: too few to tell");
     }
 }
