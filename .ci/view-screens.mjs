@@ -30,7 +30,7 @@ const real = {
   dude: ["dude.glb", "--rig", "rigs/thug.toml"],
   rocketbox: ["rocketbox_female_adult_01.glb"],
   fox: ["khronos_fox.glb", "--solver", "exact"],
-  robot: ["quaternius_robot.glb"],
+  robot: ["quaternius_robot.glb", "--clip", "Robot_Dance"],
   arnaud: ["pab_arnaud.glb", "--solver", "exact"],
   horse: ["quaternius_horse.glb", "--clip", "Armature|Idle"],
   cesium: ["cesium_man.gltf"],
