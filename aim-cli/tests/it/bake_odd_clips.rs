@@ -33,6 +33,31 @@ fn a_channel_there_twice_counts_once_the_last() {
 }
 
 #[test]
+fn of_several_clips_the_idle_one_is_taken_and_said() {
+    let place = Place::with_mannequin();
+    let named = |names: &[&str]| {
+        changed(|json| {
+            let clip = json["animations"][0].clone();
+            let clips = names.iter().map(|name| {
+                let mut clip = clip.clone();
+                clip["name"] = json!(name);
+                clip
+            });
+            json["animations"] = clips.collect();
+        })
+    };
+    for (names, taken) in [(&["Death", "Hero|Idle", "idle"][..], "Hero|Idle"), (&["Death", "Run"], "Death")] {
+        place.write("m.glb", &named(names));
+        let told = place.done(&format!("bake m.glb --rig m.toml --out out.glb --report r.json {ORBIT}")).stderr;
+        assert!(told.contains(&format!("aimed over {taken:?}")) && told.contains("--clip"), "{told}");
+        assert_eq!(place.json("r.json")["clip"], format!("{taken}_aimed"));
+    }
+    place.write("m.glb", &named(&["Death"]));
+    let told = place.done(&format!("bake m.glb --rig m.toml --out out.glb {ORBIT}")).stderr;
+    assert!(!told.contains("aimed over"), "{told}");
+}
+
+#[test]
 fn two_keys_at_one_time_are_a_jump() {
     let model = changed(|_| ());
     let (json, mut bin) = crate::common::gltf::take_apart(&model);

@@ -56,6 +56,20 @@ fn a_written_clip_reads_back_the_same() {
 }
 
 #[test]
+fn the_default_clip_is_the_first_idle_one_else_the_first() {
+    let document = Document::from_bytes(&mannequin_glb()).unwrap();
+    let [still] = &document.clips() else { panic!("one clip, not {}", document.clips().len()) };
+    assert_eq!(document.default_clip(), Some(still));
+    let named = ["Death", "Hero|IDLE_01", "idle"].map(|name| still.clone().with_name(name));
+    let of = |clips: &[Clip]| {
+        let written = Document::from_bytes(&document.with_clips(clips).unwrap()).unwrap();
+        written.default_clip().map(|clip| clip.name().to_owned())
+    };
+    assert_eq!(of(&named).as_deref(), Some("Hero|IDLE_01"));
+    assert_eq!(of(&named[..1]).as_deref(), Some(still.name()));
+}
+
+#[test]
 fn old_bytes_and_unknown_members_survive_in_place() {
     let (mut json, mut bin) = take_apart(&mannequin_glb());
     json["extras"] = json!({ "z": 1, "a": [0.1, 1e-7, 123_456_789_012_345_678_u64] });

@@ -43,13 +43,13 @@ const UNDISTURBED: Duration = Duration::from_micros(100);
 
 static CLOCK: Mutex<Clock> = Mutex::new(Clock { began: None, frames: Vec::new(), threads: Vec::new() });
 
-/// What the systems take.
+/// The time that the systems take.
 struct Clock {
     /// When they began in this frame, and for how long threads had waited for a processor by then.
     began: Option<(Instant, Duration)>,
     /// The time of each frame, and for how long threads had waited before it.
     frames: Vec<(Duration, Duration)>,
-    /// What tells how long each thread waits.
+    /// The kernel's account of how long each thread waits.
     threads: Vec<File>,
 }
 

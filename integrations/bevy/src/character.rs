@@ -22,8 +22,8 @@ pub type SharedRig = Arc<dyn Rig + Send + Sync>;
 /// `"Spine/Neck/Head"`: it means the bone whose own name is the last part, and whose ancestors next to it have the other parts as
 /// their names.
 ///
-/// The pose in which the bones appear is taken for the bind pose, unless the rig is measured: spawn the component with the scene, not later, when it is
-/// animated; or give the pose by [`with_bind_pose`](Self::with_bind_pose). One entity aims one chain.
+/// The pose in which the bones appear is taken for the bind pose, unless the rig is measured: spawn the component with the scene,
+/// not later, when it is animated; or give the pose by [`with_bind_pose`](Self::with_bind_pose). One entity aims one chain.
 ///
 /// ```
 /// use aim::{AimRig, Joint};

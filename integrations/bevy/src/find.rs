@@ -24,7 +24,7 @@ pub(crate) struct Seen {
     rest: EntityHashMap<Transform>,
     /// The number of bones when they were last looked through in vain.
     in_vain: usize,
-    /// Whether a bone that is aimed is gone.
+    /// True once a bone that is aimed is gone.
     pub(crate) has_lost: bool,
 }
 

@@ -21,7 +21,7 @@ pub(crate) struct Measured {
     known: Vec<(Key, Result<Found, Unbound>)>,
 }
 
-/// What a rig is measured from: the bones as they appeared, and their inverse bind transforms.
+/// The bones that a rig is measured from, as they appeared, and their inverse bind transforms.
 type Key = (Skeleton, Vec<Option<Affine3A>>);
 
 impl Measured {

@@ -250,7 +250,7 @@ fn every_block_of_toml_is_a_rig_or_a_manifest() {
     assert!(rigs >= 6 && manifests >= 1, "{rigs} rigs, {manifests} manifests");
 }
 
-/// Where the pages stand that the registry shows of packages: what `readme` says in their manifests.
+/// The pages that the registry shows of packages, as `readme` in their manifests says.
 fn front_pages() -> Vec<String> {
     let folders =
         names(".").into_iter().map(|name| format!("{name}/")).chain(["", "integrations/bevy/"].map(str::to_owned));
@@ -263,7 +263,7 @@ fn front_pages() -> Vec<String> {
     pages
 }
 
-/// What a page says that cannot be read without the repository and without rustdoc: files beside it, items in brackets that no
+/// Parts of a page that cannot be read without the repository and without rustdoc: files beside it, items in brackets that no
 /// definition leads anywhere, and lines of code that rustdoc would hide.
 fn unreadable_alone(page: &str) -> Vec<String> {
     let (blocks, prose) = take_apart(page);

@@ -9,15 +9,21 @@ use bevy_ecs::prelude::*;
 use bevy_time::{Time, Virtual};
 use bevy_transform::components::Transform;
 
-use crate::stage::{self, FRAME, Player, binding, bone, error_deg, hero, judge, spawn, status};
+use crate::stage::{self, FRAME, Player, angle_deg, binding, bone, error_deg, hero, judge, spawn, status};
 
 const LAMP: Vec3 = Vec3::new(0.9, 1.7, 1.5);
 
+/// A character that walks and is to look at the lamp.
+fn walking(app: &mut App) -> Entity {
+    let character = spawn(app, hero(), Transform::IDENTITY, 1.0);
+    app.world_mut().entity_mut(character).insert(AimTarget::point(LAMP));
+    character
+}
+
 /// A character that stands and looks at the lamp.
 fn standing(app: &mut App) -> Entity {
-    let character = spawn(app, hero(), Transform::IDENTITY, 1.0);
+    let character = walking(app);
     app.world_mut().get_mut::<Player>(character).expect("a player").plays = false;
-    app.world_mut().entity_mut(character).insert(AimTarget::point(LAMP));
     frames(app, 90);
     assert_eq!(status(app, character), AimStatus::Reached);
     character
@@ -31,6 +37,12 @@ fn frames(app: &mut App, count: usize) {
             assert!(transform.is_finite(), "{transform:?}");
         }
     }
+}
+
+#[track_caller]
+fn assert_looks_at_lamp(app: &App, character: Entity) {
+    assert_eq!(status(app, character), AimStatus::Reached);
+    assert!(error_deg(app, character, "left_eye", LAMP.as_dvec3()) <= 0.1);
 }
 
 /// The next frame's victims: when, and whom.
@@ -76,8 +88,7 @@ fn bones_and_characters_are_despawned_in_mid_frame() {
 #[test]
 fn settings_change_in_every_frame() {
     let mut app = stage::app();
-    let character = spawn(&mut app, hero(), Transform::IDENTITY, 1.0);
-    app.world_mut().entity_mut(character).insert(AimTarget::point(LAMP));
+    let character = walking(&mut app);
     let wild = [0.5, -1.0, f32::NAN, f32::INFINITY, 0.0, 1.0, 1e30, -0.0];
     let solvers = [None, Some(Solver::Exact), Some(Solver::Natural), Some(Solver::Ascent)];
     frames(&mut app, 1);
@@ -106,15 +117,13 @@ fn settings_change_in_every_frame() {
     }
     app.world_mut().entity_mut(character).insert(AimSettings::default());
     frames(&mut app, 120);
-    assert_eq!(status(&app, character), AimStatus::Reached);
-    assert!(error_deg(&app, character, "left_eye", LAMP.as_dvec3()) <= 0.1);
+    assert_looks_at_lamp(&app, character);
 }
 
 #[test]
 fn time_stands_still() {
     let mut app = stage::app();
-    let character = spawn(&mut app, hero(), Transform::IDENTITY, 1.0);
-    app.world_mut().entity_mut(character).insert(AimTarget::point(LAMP));
+    let character = walking(&mut app);
     app.world_mut().resource_mut::<Time<Virtual>>().set_relative_speed(0.0);
     frames(&mut app, 5);
     assert_eq!(status(&app, character), AimStatus::RateLimited);
@@ -123,8 +132,7 @@ fn time_stands_still() {
     // But for a snap.
     app.world_mut().entity_mut(character).insert(AimSnap);
     frames(&mut app, 1);
-    assert_eq!(status(&app, character), AimStatus::Reached);
-    assert!(error_deg(&app, character, "left_eye", LAMP.as_dvec3()) <= 0.1);
+    assert_looks_at_lamp(&app, character);
 }
 
 #[test]
@@ -160,8 +168,7 @@ fn numbers_that_are_none() {
     }
     app.world_mut().entity_mut(character).insert(AimTarget::point(LAMP));
     frames(&mut app, 120);
-    assert_eq!(status(&app, character), AimStatus::Reached);
-    assert!(error_deg(&app, character, "left_eye", LAMP.as_dvec3()) <= 0.1);
+    assert_looks_at_lamp(&app, character);
 }
 
 /// A copy is a character of its own, and the copy of a bone none of the original's.
@@ -186,8 +193,7 @@ fn characters_and_bones_are_cloned() {
     let own = |who| binding(&app, who).joints().collect::<Vec<_>>();
     assert!(own(character).iter().all(|bone| !own(copy).contains(bone)));
     let eye = stage::drawn(&app, own(copy)[0]);
-    let to = aside.as_dvec3() - eye.translation;
-    assert!(eye.matrix3.y_axis.cross(to).length().atan2(eye.matrix3.y_axis.dot(to)).to_degrees() <= 0.1);
+    assert!(angle_deg(eye.matrix3.y_axis, aside.as_dvec3() - eye.translation) <= 0.1);
     assert_eq!(*app.world().get::<Transform>(head).expect("a place"), cut_off, "the original's turns are not its own");
     // And the original may go.
     app.world_mut().entity_mut(character).despawn();
@@ -208,8 +214,7 @@ fn a_character_is_hung_elsewhere() {
             _ => app.world_mut().entity_mut(character).remove::<ChildOf>(),
         };
         frames(&mut app, 60);
-        assert_eq!(status(&app, character), AimStatus::Reached);
-        assert!(error_deg(&app, character, "left_eye", LAMP.as_dvec3()) <= 0.1);
+        assert_looks_at_lamp(&app, character);
     }
     // Below what has no place.
     let nowhere = app.world_mut().spawn_empty().id();

@@ -22,7 +22,7 @@ use bevy_transform::TransformPlugin;
 use bevy_transform::components::Transform;
 use bevy_world_serialization::{WorldAsset, WorldAssetRoot, WorldSerializationPlugin};
 
-use crate::stage::{FRAME, binding, drawn, hero, outcome, status};
+use crate::stage::{FRAME, angle_deg, binding, drawn, hero, outcome, status};
 
 /// Every transform as it was animated, told from what has changed since the last frame was drawn: an account of its own, beside that
 /// of the plugin.
@@ -160,11 +160,7 @@ fn gaze(app: &App, character: Entity) -> [DVec3; 2] {
     [eye.transform_point3(origin), eye.transform_vector3(forward).normalize()]
 }
 
-fn angle_deg(a: DVec3, b: DVec3) -> f64 {
-    a.cross(b).length().atan2(a.dot(b)).to_degrees()
-}
-
-/// What was found of a character that looked around.
+/// A character that looked around, as it was judged.
 #[derive(Debug, Default)]
 struct Found {
     reached: usize,
@@ -368,6 +364,7 @@ fn real_files_look() {
     let is_model = |file: &PathBuf| file.extension().is_some_and(|of| of == "glb" || of == "gltf" || of == "vrm");
     let mut files: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).filter(is_model).collect();
     files.sort();
+    assert!(!files.is_empty(), "no characters there");
     for file in files {
         let name = file.file_name().expect("a name").to_string_lossy().into_owned();
         let mut app = app(&[(&name, std::fs::read(&file).expect("a file"))]);

@@ -168,8 +168,13 @@ pub(crate) fn drawn(app: &App, entity: Entity) -> DAffine3 {
 /// The angle between where an eye looks, as Bevy draws it, and a point, degrees.
 pub(crate) fn error_deg(app: &App, character: Entity, eye: &str, target: DVec3) -> f64 {
     let eye = drawn(app, bone(app, character, eye));
-    let (looks, to) = (eye.matrix3.y_axis.normalize(), (target - eye.translation).normalize());
-    looks.cross(to).length().atan2(looks.dot(to)).to_degrees()
+    angle_deg(eye.matrix3.y_axis, target - eye.translation)
+}
+
+/// The angle between two directions of any length, degrees.
+pub(crate) fn angle_deg(a: DVec3, b: DVec3) -> f64 {
+    let (a, b) = (a.normalize(), b.normalize());
+    a.cross(b).length().atan2(a.dot(b)).to_degrees()
 }
 
 /// Heading and pitch of a rotation of a bone, degrees.
