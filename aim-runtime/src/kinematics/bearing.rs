@@ -83,15 +83,18 @@ impl Bearings {
     }
 
     /// Heading and elevation of a direction, and those of a unit direction as somebody turns to it: the nearer it is to the
-    /// zenith, the less aside, and straight up from in front. Its heading is atan2(left, forward + w) where cos ε falls short of
-    /// cos 45° by √(w·cos 45°).
+    /// zenith, the less aside, and straight up from in front. Its heading is atan2(left, forward + 3w) where cos ε falls short of
+    /// cos 45° by √(w·cos 45°): above 66° even what is behind
+    /// is turned to by way of the front.
     #[inline(always)]
     pub(crate) fn turned(&self, from: Vec3A, to: Vec3A) -> [Vec4; 2] {
         const STEEP_COS: f32 = core::f32::consts::FRAC_1_SQRT_2;
+        /// A body that walks away under its target looks up, and not round.
+        const AHEAD: f32 = 3.0;
         let [from, to] = [from, to].map(|direction| self.rows * direction);
         let [from_level, level] = [from, to].map(|v| math::root(v.x * v.x + v.y * v.y));
         let short = (STEEP_COS - level).at_least(0.0);
-        let ahead = Vec4::new(from.x, from_level, to.x + short * short / STEEP_COS, level);
+        let ahead = Vec4::new(from.x, from_level, to.x + AHEAD * short * short / STEEP_COS, level);
         let both = trig::atan2_of_4(Vec4::new(from.y, from.z, to.y, to.z), ahead);
         [both, both.zwzw()]
     }

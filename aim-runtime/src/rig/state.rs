@@ -289,6 +289,16 @@ impl Memory {
         self.caution = in_rounds.into();
     }
 
+    /// How far leaps of its target have left a head without eyes behind, radians: in the place of the time that it would leave to
+    /// its eyes.
+    pub(crate) fn leapt(&self) -> f32 {
+        self.wait_s
+    }
+
+    pub(crate) fn set_leapt(&mut self, leapt: f32) {
+        self.wait_s = leapt;
+    }
+
     pub(crate) fn set_searched(&mut self, target: Vec3A) {
         let upper_half = |x: f32| (x.to_bits() >> 16) as u16;
         self.searched = target.to_array().map(upper_half);

@@ -166,10 +166,10 @@ impl<const C: usize> Gaze<'_, C> {
         posture: &mut Posture<'_, C>,
     ) -> Option<(Allotment<C>, usize)> {
         let mut more = Vec4::ZERO;
-        let (mut directions, mut unfit) = self.share(way, more);
-        let mut least = f32::INFINITY;
+        let (mut directions, _) = self.share(way, more);
+        let (mut least, mut left) = (f32::INFINITY, Vec4::ZERO);
         for round in 0..ROUNDS {
-            let left = self.place(Aims::At(&directions, self.goal.aimed), from, None, posture)?.left();
+            left = self.place(Aims::At(&directions, self.goal.aimed), from, None, posture)?.left();
             if Seen::is_nothing(left) {
                 return Some((Allotment { directions, point: self.goal.aimed, fit: Fit::WITHIN_REACH }, round));
             }
@@ -179,9 +179,9 @@ impl<const C: usize> Gaze<'_, C> {
             }
             least = rest;
             more += left;
-            (directions, unfit) = self.share(way, more);
+            (directions, _) = self.share(way, more);
         }
-        let allotment = self.out_of_reach(way, directions, unfit);
+        let allotment = self.out_of_reach(way, directions, left);
         self.place(allotment.aims(), from, None, posture)?;
         Some((allotment, ROUNDS))
     }

@@ -128,12 +128,12 @@ fn braking(distance: f32, gain: f32, dt: f32) -> f32 {
 }
 
 /// What a leading goal did in a frame: the speed that its region goes along with, and the offset that is left. Returns the
-/// speed with which the frame begins.
+/// speed with which the frame begins, and what the goal did at once.
 ///
 /// A change of the goal's speed within `most` is gone along with at once; one that lasts, from the second frame on, with
 /// the region's own speed going on evenly; a leap is all offset. A region that is shaken goes along with the goal's mean speed.
 #[inline(always)]
-pub(super) fn follow(led: &mut Led, sum: Pair, goal: Pair, glide: &mut Glide, bounds: &Bounds) -> Pair {
+pub(super) fn follow(led: &mut Led, sum: Pair, goal: Pair, glide: &mut Glide, bounds: &Bounds) -> [Pair; 2] {
     let &Bounds { dt, per_dt, rate, acceleration, .. } = bounds;
     let most = Vec4::splat(acceleration * dt);
     let [led_goal, led_speed, led_change] = [led.goal, led.speed, led.change].map(pair);
@@ -154,7 +154,7 @@ pub(super) fn follow(led: &mut Led, sum: Pair, goal: Pair, glide: &mut Glide, bo
     glide.offset = -ahead - leap;
     led.tire(leap, ahead, dt);
     (led.goal, led.speed, led.change) = (ends(goal), ends(speed), ends(change));
-    begins
+    [begins, leap]
 }
 
 impl Led {

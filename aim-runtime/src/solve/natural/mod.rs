@@ -249,11 +249,14 @@ impl<const C: usize> Gaze<'_, C> {
             if index < self.body.first {
                 *joint = at(joint, reach.towards_rest(angles(joint), step));
                 joint.set_destination(None);
-            } else if dt > 0.0 {
-                from[index] = at(joint, reach.hold(angles(joint)));
             }
         }
         if !(dt > LEAST_S) {
+            if dt > 0.0 {
+                for (joint, reach) in from.iter_mut().zip(&*reaches).skip(self.body.first) {
+                    *joint = at(joint, reach.hold(angles(joint)));
+                }
+            }
             let fit = match self.goal.course {
                 Course::Aim if dt > 0.0 => self.settle(self.way()?, from, posture)?.fit,
                 _ => Fit::WITHIN_REACH,

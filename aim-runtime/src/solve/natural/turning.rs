@@ -15,6 +15,15 @@ use crate::math::trig;
 use crate::rig::{BodyPart, Led, PerJoint};
 use crate::{Joint, math};
 
+/// Where a region is to turn; the turns of the joints inside it are taken back.
+#[derive(Clone, Copy)]
+struct Sought {
+    /// The direction of its outermost forward.
+    direction: Vec3A,
+    /// The point that its outermost joint is to look at instead, if it leads.
+    leads: Option<Vec3A>,
+}
+
 impl<const C: usize> Gaze<'_, C> {
     /// Turns the joints from the root outward: by a frame's motion, or to find out where they belong, without their corrections.
     /// Returns how the leading joint sees its point.
@@ -52,7 +61,8 @@ impl<const C: usize> Gaze<'_, C> {
             match aims {
                 Aims::At(..) => {
                     let leads = (is_head && !self.has_eye).then_some(point);
-                    let wanted = self.goals(region, directions[number], leads, from, posture, &mut goals)?;
+                    let sought = Sought { direction: directions[number], leads };
+                    let wanted = self.goals(region, sought, from, posture, &mut goals)?;
                     seen = Seen { wanted, held: goals[region.part.outer] };
                 }
                 Aims::Rest(_) => {
@@ -90,7 +100,13 @@ impl<const C: usize> Gaze<'_, C> {
         }
         if self.has_eye {
             match aims {
-                Aims::Stay => self.hold_eye(posture.joints),
+                Aims::Stay => {
+                    if let Some(motion) = &motion {
+                        let held = motion.reaches[first].hold(angles(&from[first]));
+                        posture.joints[first] = at(&from[first], held);
+                    }
+                    self.hold_eye(posture.joints);
+                }
                 Aims::At(..) | Aims::EyeAt(_) | Aims::Rest(_) => {
                     // An eye that supports nothing that has still to return is where the animation has it.
                     let rests =
@@ -115,26 +131,69 @@ impl<const C: usize> Gaze<'_, C> {
         Some(seen)
     }
 
-    /// Finds the angles that give a region's outermost forward this direction, or where it `leads` let it look at a point; the
-    /// turns of the joints inside are taken back from both. Returns what the outermost joint would have to turn.
+    /// Finds the angles that turn a region to what is sought. Returns what the outermost joint would have to turn.
     #[inline(always)]
     fn goals(
         &self,
         region: &Region<'_>,
-        mut direction: Vec3A,
-        leads: Option<Vec3A>,
+        sought: Sought,
         from: &PerJoint<Joint, C>,
         posture: &mut Posture<'_, C>,
         goals: &mut PerJoint<Pair, C>,
     ) -> Option<Pair> {
+        let (wanted, lack) = self.shared_goals(region, sought, Vec4::ZERO, from, posture, goals)?;
+        if region.part.outer == region.part.inner || square(lack) <= SAME_RAD * SAME_RAD {
+            return Some(wanted);
+        }
+        self.goals_beyond(region, sought, lack, from, posture, goals)
+    }
+
+    /// The same where the outermost joint has no room for its share: the others make what it lacks.
+    #[cold]
+    #[inline(never)]
+    fn goals_beyond(
+        &self,
+        region: &Region<'_>,
+        sought: Sought,
+        mut more: Pair,
+        from: &PerJoint<Joint, C>,
+        posture: &mut Posture<'_, C>,
+        goals: &mut PerJoint<Pair, C>,
+    ) -> Option<Pair> {
+        /// What turns about one axis is seen about the next one's as a little less.
+        const ROUNDS: usize = 4;
+        let mut wanted = Vec4::ZERO;
+        for _ in 0..ROUNDS {
+            let lack;
+            (wanted, lack) = self.shared_goals(region, sought, more, from, posture, goals)?;
+            if square(lack) <= SAME_RAD * SAME_RAD {
+                break;
+            }
+            more += lack;
+        }
+        Some(wanted)
+    }
+
+    /// The same with the inner joints making their shares and `more`, as far as their ranges go: the outermost closes what is left,
+    /// in the frame that they carry. Returns what it lacks, too.
+    #[inline(always)]
+    fn shared_goals(
+        &self,
+        region: &Region<'_>,
+        Sought { mut direction, leads }: Sought,
+        mut more: Pair,
+        from: &PerJoint<Joint, C>,
+        posture: &mut Posture<'_, C>,
+        goals: &mut PerJoint<Pair, C>,
+    ) -> Option<(Pair, Pair)> {
         let (body, outer) = (self.body, region.part.outer);
-        // Inner joints make their share; the outermost closes what is left, in the frame that they carry.
         let (mut point, mut inner) = (posture.point, Vec4::ZERO);
         if outer < region.part.inner {
             let whole = turn_to(region.forward, body.rows[region.part.inner] * direction);
             for index in (outer + 1..=region.part.inner).rev() {
-                let share = region.share(&self.body.infos()[index]);
-                let held = self.ranges[index].hold_from(angles(&from[index]), share * whole);
+                let own = region.share(&self.body.infos()[index]) * whole;
+                let held = self.ranges[index].hold_from(angles(&from[index]), own + more);
+                more -= held - own;
                 goals[index] = held;
                 inner += held;
                 let turn = Turn::new(held);
@@ -152,7 +211,7 @@ impl<const C: usize> Gaze<'_, C> {
         };
         let within = (wanted + inner).max(region.lo).min(region.hi) - inner;
         goals[outer] = self.ranges[outer].hold_from(angles(&from[outer]), within);
-        Some(wanted)
+        Some((wanted, within - goals[outer]))
     }
 
     /// Moves a region towards its joints' goals by a frame, or to a stop. Its outermost joint remembers speed and
@@ -188,13 +247,16 @@ impl<const C: usize> Gaze<'_, C> {
             (glide.offset, led) = stopping(before, glide.speed, bounds.pace);
             goal = pair(led.goal);
         } else if is_head {
-            begins = follow(&mut led, before, goal, &mut glide, &bounds);
+            let leap;
+            [begins, leap] = follow(&mut led, before, goal, &mut glide, &bounds);
+            if !self.has_eye {
+                let leapt = leapt(motion.memory.leapt(), leap).at_most(length(glide.offset));
+                motion.memory.set_leapt(leapt);
+                bounds.pace *= 1.0 + (quickness(leapt) - 1.0) * (1.0 - led.tired).at_least(0.0);
+            }
             carries = pair(led.speed);
         } else {
             glide.offset = before - goal;
-        }
-        if is_head && !self.has_eye {
-            bounds.pace *= 1.0 + (quickness(length(glide.offset)) - 1.0) * (1.0 - led.tired).at_least(0.0);
         }
         let mut next = glide.after(&bounds, begins, carries).braked(
             &glide,
@@ -214,6 +276,8 @@ impl<const C: usize> Gaze<'_, C> {
         let total = goal + next.offset;
         // Where it is too late to brake, the room ends the movement.
         let held = total.max(region.lo.min(before)).min(region.hi.max(before));
+        let step = Vec4::splat(rate * dt);
+        let held = held.max(before - step).min(before + step);
         let now = self.distribute(region, goals, [goal, before, held], from, joints, motion);
         // Range and rate come first.
         let is_free = (now - total).abs().cmple(Vec4::splat(SAME_RAD));
@@ -351,11 +415,18 @@ fn stopping(before: Pair, speed: Pair, pace: f32) -> (Pair, Led) {
     (offset, Led { goal: ends(before - offset), ..Led::default() })
 }
 
-/// How much quicker a head that leads makes up for a small offset, which takes little acceleration: what the animation does in
-/// jerks leaves it no lag that could be seen.
-fn quickness(offset: f32) -> f32 {
+/// How far leaps of a target have left the head behind, after another; what the animation does in jerks is no leap.
+fn leapt(before: f32, leap: Pair) -> f32 {
+    const LEAP_RAD: f32 = 5.0 * PI / 180.0;
+    let size = length(leap);
+    if size > LEAP_RAD { before + size } else { before }
+}
+
+/// How much quicker a head that leads makes up for an offset of which this much is a leap's: it has the head lag behind glances of
+/// the animation no longer than can be seen. What is small takes little acceleration, too.
+fn quickness(leapt: f32) -> f32 {
     const SMALL_RAD: f32 = 3.0 * PI / 180.0;
-    math::sqrt(SMALL_RAD / offset.at_least(SMALL_RAD / 9.0)).at_least(1.0)
+    math::sqrt(SMALL_RAD / leapt.at_least(SMALL_RAD / 9.0)).at_least(1.0)
 }
 
 /// A joint at these angles that remembers nothing.
