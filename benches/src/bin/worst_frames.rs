@@ -1,0 +1,192 @@
+//! What the dearest frame costs: characters in random poses that move, at targets anywhere which stand, move and jump.
+//!
+//! `worst_frames natural|exact [FRAMES]` ranks the frames (a million unless told) by the time that each takes, the least of three
+//! runs, and has valgrind count the instructions of the hundred that took longest. `worst_frames replay natural|exact CASE…` is
+//! what it counts: nothing but the calls of [`measured`].
+
+use std::hint::black_box;
+use std::process::{Command, ExitCode};
+use std::time::{Duration, Instant};
+use std::{env, fs, process};
+
+use aim::glam::{Affine3A, Quat, Vec3};
+use aim::{Aim, Outcome, Pose, Settings, Solver};
+use aim_benches::solver::chain::{Animation, EYE_AT_REST, Gazer, direction, wobble};
+
+/// Of how many frames a character's are.
+const FRAMES: usize = 200;
+/// How many frames are counted.
+const COUNTED: usize = 100;
+/// How often each frame is timed.
+const ROUNDS: usize = 3;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let done = match words.as_slice() {
+        ["replay", solver, cases @ ..] => replay(solver, cases),
+        [solver] => rank(solver, 1_000_000),
+        [solver, frames] => frames.parse().map_err(|_| usage()).and_then(|frames| rank(solver, frames)),
+        _ => Err(usage()),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("worst_frames: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn usage() -> String {
+    "worst_frames natural|exact [FRAMES]".to_owned()
+}
+
+fn settings(solver: &str) -> Result<Settings, String> {
+    match solver {
+        "natural" => Ok(Settings::default().with_solver(Solver::Natural)),
+        "exact" => Ok(Settings::default().with_solver(Solver::Exact)),
+        _ => Err(usage()),
+    }
+}
+
+/// The one call that is counted.
+#[inline(never)]
+fn measured(character: &mut Aim<Gazer>, input: &Input, settings: &Settings) -> Outcome {
+    character.aim(black_box(&input.pose), black_box(input.target), input.dt, black_box(settings)).outcome
+}
+
+/// What comes into a frame.
+struct Input {
+    pose: Pose<[Affine3A; 3]>,
+    target: Vec3,
+    dt: f32,
+}
+
+/// What happens to a character, at random: the same for the same number.
+struct Scene {
+    random: fastrand::Rng,
+    animation: Animation,
+    slouch: [Quat; 3],
+    speed: Vec3,
+    target: Vec3,
+    dt: f32,
+    t: f32,
+}
+
+impl Scene {
+    fn new(number: usize) -> Self {
+        let mut random = fastrand::Rng::with_seed(number as u64);
+        let animation = Animation::random(&mut random);
+        let dt = [1.0 / 30.0, 1.0 / 60.0, 1.0 / 144.0][random.usize(..3)];
+        let slouch = std::array::from_fn(|_| wobble(&mut random, 40.0));
+        Self { random, animation, slouch, speed: Vec3::ZERO, target: EYE_AT_REST + Vec3::Z, dt, t: 0.0 }
+    }
+
+    /// The next frame. One in twelve has the target jump and move on from there, one in fifty the animation.
+    fn next(&mut self) -> Input {
+        let random = &mut self.random;
+        if random.u8(..12) == 0 {
+            self.target = EYE_AT_REST + direction(random) * (0.1 + 4.0 * random.f32());
+            self.speed = direction(random) * (3.0 * random.f32());
+        }
+        if random.u8(..50) == 0 {
+            self.slouch = std::array::from_fn(|_| wobble(random, 40.0));
+        }
+        self.target += self.speed * self.dt;
+        self.t += self.dt;
+        let turned = self.slouch.map(|turn| Affine3A::from_quat(turn).matrix3);
+        let mut joints = self.animation.at(self.t);
+        for (joint, turn) in joints.iter_mut().zip(turned) {
+            joint.matrix3 = turn * joint.matrix3;
+        }
+        Input { pose: Pose::new(joints), target: self.target, dt: self.dt }
+    }
+}
+
+/// A frame of a character, and how long it took.
+#[derive(Clone, Copy)]
+struct Frame {
+    character: usize,
+    frame: usize,
+    time: Duration,
+}
+
+fn rank(solver: &str, frames: usize) -> Result<(), String> {
+    let settings = settings(solver)?;
+    let mut worst: Vec<Frame> = Vec::new();
+    for number in 0..frames.div_ceil(FRAMES) {
+        let (mut scene, mut character) = (Scene::new(number), Aim::<Gazer>::new());
+        for frame in 0..FRAMES {
+            let input = scene.next();
+            let before = character.clone();
+            let time = (0..ROUNDS).map(|_| {
+                character = before.clone();
+                let start = Instant::now();
+                black_box(measured(&mut character, &input, &settings));
+                start.elapsed()
+            });
+            let time = time.min().unwrap_or_default();
+            worst.push(Frame { character: number, frame, time });
+        }
+        if worst.len() > 100 * COUNTED || (number + 1) * FRAMES >= frames {
+            worst.sort_by_key(|frame| std::cmp::Reverse(frame.time));
+            worst.truncate(COUNTED);
+        }
+    }
+    let mut counts = count(solver, &worst)?;
+    counts.sort_by_key(|&(instructions, _)| std::cmp::Reverse(instructions));
+    for (instructions, case) in counts.iter().take(10) {
+        println!("{instructions:8} instructions: {case}");
+    }
+    println!("{solver}: {} instructions in the worst of {frames} frames", counts.first().map_or(0, |worst| worst.0));
+    Ok(())
+}
+
+/// The instructions of each frame, with its case.
+fn count(solver: &str, frames: &[Frame]) -> Result<Vec<(u64, String)>, String> {
+    let io = |error: std::io::Error| error.to_string();
+    let cases: Vec<String> = frames.iter().map(|frame| format!("{}:{}", frame.character, frame.frame)).collect();
+    let folder = env::temp_dir().join(format!("worst-frames-{}", process::id()));
+    fs::create_dir_all(&folder).map_err(io)?;
+    let own = "worst_frames::measured";
+    let mut command = Command::new("valgrind");
+    command
+        .args(["--tool=callgrind", "--collect-atstart=no"])
+        .arg(format!("--toggle-collect={own}"))
+        .arg(format!("--dump-after={own}"))
+        .arg(format!("--callgrind-out-file={}", folder.join("out").display()))
+        .arg(env::current_exe().map_err(io)?)
+        .args(["replay", solver])
+        .args(&cases);
+    let output = command.output().map_err(|error| format!("valgrind: {error}"))?;
+    if !output.status.success() {
+        return Err(String::from_utf8_lossy(&output.stderr).into_owned());
+    }
+    let counted = (1..).zip(&cases).map(|(part, case)| {
+        let text = fs::read_to_string(folder.join(format!("out.{part}"))).map_err(io)?;
+        let totals = text.lines().find_map(|line| line.strip_prefix("totals: "));
+        let instructions = totals.and_then(|totals| totals.trim().parse().ok()).ok_or("callgrind wrote no totals")?;
+        Ok((instructions, case.clone()))
+    });
+    let counted = counted.collect();
+    fs::remove_dir_all(&folder).map_err(io)?;
+    counted
+}
+
+/// The frames by themselves: what is before each is aimed by calls that do not count.
+fn replay(solver: &str, cases: &[&str]) -> Result<(), String> {
+    let settings = settings(solver)?;
+    for case in cases {
+        let numbers = case.split_once(':').and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?)));
+        let (number, frame): (usize, usize) = numbers.ok_or_else(usage)?;
+        let (mut scene, mut character) = (Scene::new(number), Aim::<Gazer>::new());
+        for _ in 0..frame {
+            let input = scene.next();
+            black_box(&character.aim(&input.pose, input.target, input.dt, &settings));
+        }
+        let input = scene.next();
+        black_box(measured(&mut character, &input, &settings));
+    }
+    Ok(())
+}
