@@ -1,6 +1,6 @@
 //! [`State`]: what a character remembers from frame to frame, 64 bytes and 24 for each joint.
 
-use core::f32::consts::TAU;
+use core::f32::consts::{PI, TAU};
 
 use glam::Vec3A;
 
@@ -279,14 +279,20 @@ impl Memory {
         (self.target, self.still_s, self.lambda) = ([goal[0], goal[1], speed[0]], speed[1], change);
     }
 
-    /// Whether the last natural gaze took corrections of what heading and elevation alone leave, in the place of what a search
-    /// remembers of its steps.
-    pub(crate) fn in_rounds(&self) -> bool {
-        self.caution > 0
+    /// What the regions of a natural gaze make of heading and elevation beyond their part, radians, in the place of what a search
+    /// remembers of its start.
+    pub(crate) fn more(&self) -> [f32; 2] {
+        let [a, b, c] = self.searched.map(u32::from);
+        // Whatever was stored.
+        [a << 16 | b, c << 16 | u32::from(self.turn)]
+            .map(f32::from_bits)
+            .map(|more| if more.abs() < PI { more } else { 0.0 })
     }
 
-    pub(crate) fn set_in_rounds(&mut self, in_rounds: bool) {
-        self.caution = in_rounds.into();
+    #[expect(clippy::cast_possible_truncation, reason = "halves are meant")]
+    pub(crate) fn set_more(&mut self, more: [f32; 2]) {
+        let [[a, b], [c, d]] = more.map(f32::to_bits).map(|bits| [(bits >> 16) as u16, bits as u16]);
+        (self.searched, self.turn) = ([a, b, c], d);
     }
 
     /// How far leaps of its target have left a head without eyes behind, radians: in the place of the time that it would leave to

@@ -16,7 +16,7 @@ mod natural;
 mod solved;
 mod turn_round;
 
-use glam::{Affine3A, Quat, Vec3A};
+use glam::{Affine3A, Quat};
 
 use self::call::upright_axis;
 pub(crate) use self::call::{Call, LONGEST_FRAME_S};
@@ -171,9 +171,7 @@ fn forget_natural(joints: &mut [Joint], memory: &mut Memory) {
     if memory.support != Support::None {
         joints.iter_mut().for_each(|joint| joint.set_destination(None));
         memory.set_led(Led::default());
-        memory.set_searched(Vec3A::ZERO);
-        memory.turn = 0;
-        memory.set_in_rounds(false);
+        memory.set_more([0.0; 2]);
         memory.blocked_s = 0.0;
         memory.support = Support::None;
     }

@@ -12,8 +12,12 @@ use crate::math::trig;
 use crate::rig::PerJoint;
 use crate::{Joint, math};
 
-/// How often the shares are corrected by what the leading joint could not do.
+/// How often the shares are corrected by what the leading joint could not do: at once, and in a frame, which goes on from the last
+/// one.
 const ROUNDS: usize = 16;
+pub(super) const FRAME_ROUNDS: usize = 2;
+/// A correction is at most so many times what is left.
+const MOST_STEPS: f32 = 5.0;
 /// What has to be left of a correction for another to be tried.
 const GAIN: f32 = 0.8;
 /// The part of its range that an eye is given: what its angles miss of headings and elevations stays within the rest.
@@ -141,12 +145,13 @@ impl<const C: usize> Gaze<'_, C> {
         Allotment { directions, point, fit: Fit { within_reach: false, body_turn: unfit.x } }
     }
 
-    /// Finds where the regions belong, and puts the joints there.
+    /// Finds where the regions belong, and puts the joints there; `more` is what the regions make beyond their part.
     pub(super) fn settle(
         &self,
         way: Way,
         from: &PerJoint<Joint, C>,
         posture: &mut Posture<'_, C>,
+        more: &mut Pair,
     ) -> Option<Allotment<C>> {
         if let Some(allotment) = self.allot(&way) {
             let seen = self.place(allotment.aims(), from, None, posture)?;
@@ -154,36 +159,49 @@ impl<const C: usize> Gaze<'_, C> {
                 return Some(allotment);
             }
         }
-        self.settle_in_rounds(&way, from, posture).map(|(allotment, _)| allotment)
+        let allotment = self.settle_in_rounds(&way, from, posture, (&mut *more, ROUNDS))?;
+        self.place(allotment.aims(), from, None, posture)?;
+        Some(allotment)
     }
 
-    /// The same where it is not plain: each round the regions make what the leading joint could not do in the last one. Returns
-    /// how many corrections there were, too.
+    /// The same where it is not plain: each round the regions make `more`, until the leading joint can just do the rest, in so many
+    /// rounds at most.
     pub(super) fn settle_in_rounds(
         &self,
         way: &Way,
         from: &PerJoint<Joint, C>,
         posture: &mut Posture<'_, C>,
-    ) -> Option<(Allotment<C>, usize)> {
-        let mut more = Vec4::ZERO;
-        let (mut directions, _) = self.share(way, more);
-        let (mut least, mut left) = (f32::INFINITY, Vec4::ZERO);
-        for round in 0..ROUNDS {
-            left = self.place(Aims::At(&directions, self.goal.aimed), from, None, posture)?.left();
-            if Seen::is_nothing(left) {
-                return Some((Allotment { directions, point: self.goal.aimed, fit: Fit::WITHIN_REACH }, round));
-            }
-            let rest = length(left);
-            if !(rest < GAIN * least) {
+        (more, rounds): (&mut Pair, usize),
+    ) -> Option<Allotment<C>> {
+        let own = &self.ranges[self.body.first];
+        let (mut before, mut step) = (Vec4::ZERO, Vec4::ZERO);
+        let mut directions = self.share(way, *more).0;
+        for round in 0..rounds {
+            let seen = self.place(Aims::At(&directions, self.goal.aimed), from, None, posture)?;
+            let left = seen.left();
+            // What the regions need not make after all.
+            let spare =
+                (seen.wanted - own.hi).max(-*more).min(Vec4::ZERO) + (seen.wanted - own.lo).min(-*more).max(Vec4::ZERO);
+            let off = Vec4::select(spare.cmpeq(Vec4::ZERO), left, spare);
+            if Seen::is_nothing(off) {
                 break;
             }
-            least = rest;
-            more += left;
-            (directions, _) = self.share(way, more);
+            if round > 0 && !(length(off) < GAIN * length(before)) {
+                if Seen::is_nothing(left) {
+                    *more = Vec4::ZERO;
+                    break;
+                }
+                *more -= step;
+                return Some(self.out_of_reach(way, directions, left));
+            }
+            // By the secant through the last two rounds, each angle for itself.
+            let per = step / (before - off);
+            step = off * Vec4::select(per.cmpgt(Vec4::ZERO), per.min(Vec4::splat(MOST_STEPS)), Vec4::ONE);
+            before = off;
+            *more += step;
+            directions = self.share(way, *more).0;
         }
-        let allotment = self.out_of_reach(way, directions, left);
-        self.place(allotment.aims(), from, None, posture)?;
-        Some((allotment, ROUNDS))
+        Some(Allotment { directions, point: self.goal.aimed, fit: Fit::WITHIN_REACH })
     }
 
     /// Shares a way out; its part is the regions', and `more` on top. Returns the directions that the regions' outermost

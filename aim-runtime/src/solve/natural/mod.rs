@@ -27,9 +27,9 @@ use core::f32::consts::PI;
 
 use glam::{Quat, Vec3A, Vec4};
 
-use self::allot::Fit;
+use self::allot::{FRAME_ROUNDS, Fit};
 use self::body::{Body, Turn, angles};
-use self::glide::{Pair, ends, length};
+use self::glide::{Pair, ends, length, pair, square};
 use self::range::Range;
 use self::region::{Region, find_regions};
 use self::sharing::Sharing;
@@ -258,7 +258,7 @@ impl<const C: usize> Gaze<'_, C> {
                 }
             }
             let fit = match self.goal.course {
-                Course::Aim if dt > 0.0 => self.settle(self.way()?, from, posture)?.fit,
+                Course::Aim if dt > 0.0 => self.settle(self.way()?, from, posture, &mut { Vec4::ZERO })?.fit,
                 _ => Fit::WITHIN_REACH,
             };
             self.stand(from, posture);
@@ -327,30 +327,27 @@ impl<const C: usize> Gaze<'_, C> {
             return Some(Fit::WITHIN_REACH);
         }
         let way = self.way()?;
-        let plain = self.allot(&way).filter(|plain| !motion.memory.in_rounds() || !plain.fit.within_reach);
-        let led = motion.led;
-        let (allotment, rounds) = match plain {
-            Some(allotment) if allotment.fit.within_reach => {
-                let seen = self.place(allotment.aims(), from, Some(motion), posture)?;
-                // What the eye lacks, the regions are on their way to bring.
-                if length(seen.left()) < SAME_RAD + motion.lag {
-                    motion.memory.set_in_rounds(false);
-                    self.rest(&seen, motion);
-                    return Some(allotment.fit);
-                }
-                (motion.led, motion.lag, motion.arrived) = (led, 0.0, true);
-                self.settle_in_rounds(&way, from, posture)?
-            }
-            Some(allotment) => (allotment, 0),
-            None => self.settle_in_rounds(&way, from, posture)?,
+        let mut more = pair(motion.memory.more());
+        let plain = self.allot(&way).filter(|plain| square(more) == 0.0 || !plain.fit.within_reach);
+        let is_plain = plain.is_some();
+        let allotment = match plain {
+            Some(allotment) => allotment,
+            None => self.settle_in_rounds(&way, from, posture, (&mut more, FRAME_ROUNDS))?,
         };
-        motion.memory.set_in_rounds(rounds > 0);
         if gives_up && !allotment.fit.within_reach {
+            more = Vec4::ZERO;
             self.return_to_rest(from, motion, posture)?;
         } else {
             let seen = self.place(allotment.aims(), from, Some(motion), posture)?;
             self.rest(&seen, motion);
+            if is_plain {
+                // What the eye lacks, and the regions are not on their way to bring, they are to make from the next frame on.
+                let left = seen.left();
+                let lacks = allotment.fit.within_reach && length(left) >= SAME_RAD + motion.lag;
+                more = if lacks { left } else { Vec4::ZERO };
+            }
         }
+        motion.memory.set_more(ends(more));
         Some(allotment.fit)
     }
 
@@ -404,7 +401,7 @@ impl<const C: usize> Gaze<'_, C> {
         }
         posture.joints[..first].copy_from_slice(&found[..first]);
         let mut after = *memory;
-        after.set_in_rounds(false);
+        after.set_more([0.0; 2]);
         after.support = Support::None;
         after.set_led(Led::default());
         after.blocked_s = 0.0;
@@ -415,7 +412,9 @@ impl<const C: usize> Gaze<'_, C> {
             if self.has_eye && seen.is_within() && seen.off() <= self.sharing.engage {
                 found[first] = at(&found[first], seen.held);
             } else {
-                body_turn = self.settle(self.way()?, &found, posture)?.fit.body_turn;
+                let mut more = Vec4::ZERO;
+                body_turn = self.settle(self.way()?, &found, posture, &mut more)?.fit.body_turn;
+                after.set_more(ends(more));
                 found[first..].copy_from_slice(&posture.joints[first..]);
                 after.support = Support::Shares;
             }
