@@ -123,8 +123,29 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// | `budget = 46` | more operations than that in the gradient or Jacobian are a compile error that tells the counts (additions, multiplications, divisions and roots) |
 /// | `budget(operations = 46, selects = 2, calls = 4)` | the same for each kind; `selects` are the comparisons and selects of `if`, `min`, `abs` and guards, two an `if` of one comparison between numbers, `calls` the sines and other functions; any may be left out |
 /// | `hessian`, `jvp`, `vjp`, `hvp`, `gauss_newton` | these companions, too: products cost a few times what the function does, however many variables there are |
+/// | `lanes` | beside each companion another, `…_gradient_lanes` and so on, generic over [`Real`](https://docs.rs/aim-rig/latest/aim/trait.Real.html): see below |
 /// | `check = true` | a test beside the function compares its first derivatives with central differences at random points, where the function has a slope there and does not panic; also of a module, for all of its functions |
 /// | `crate = path` | the path of `aim`, where it is not `::aim`; also of a module |
+///
+/// # Lanes
+///
+/// With `lanes` a companion is there a second time, for numbers of any type that implements `Real`: with the feature `wide` a vector of
+/// numbers, a point a lane. Each lane has the bits that the companion gives at its point. Arguments and results are made of these
+/// numbers:
+///
+/// | a value of | in lanes |
+/// |---|---|
+/// | a number, a whole number, a `bool` | one number; of `true` 1, of `false` 0 |
+/// | a vector, a quaternion, a matrix, a transform | the array of its numbers, and derivatives as of an array |
+/// | an array, a tuple | of its elements in lanes |
+/// | a struct | the tuple of its fields in lanes |
+///
+/// ```ignore
+/// #[differentiate(wrt(p), lanes)]
+/// fn energy(p: Vec3, springs: &[Spring; 4]) -> f32 { … }
+///
+/// let (value, ([by_x, by_y, by_z],)) = energy_gradient_lanes([x, y, z], &springs); // f32x8
+/// ```
 ///
 /// # The language
 ///

@@ -2,7 +2,8 @@
 
 use crate::Scalar;
 
-/// A [`Scalar`] with the functions of a mathematical library, from `std` or `libm`. Sealed, as `Scalar` is.
+/// A [`Scalar`] with the functions of a mathematical library, from `std` or `libm`. Sealed, as `Scalar` is; the vectors of
+/// the feature `wide` call them lane by lane.
 ///
 /// Outside its domain a function is NaN; none panics.
 pub trait Real: Scalar {

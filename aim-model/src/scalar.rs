@@ -15,8 +15,8 @@ mod sealed {
 /// What an emitted kernel computes with: `f32` and `f64`. Sealed: kernels rely on IEEE 754 arithmetic.
 ///
 /// With the feature `wide` also `f32x4`, `f32x8`, `f32x16`, `f64x2`, `f64x4` and `f64x8` of the crate `wide`: then each
-/// lane is a character of its own, and one call of a kernel of a rig serves them all. Guards of the
-/// kernels are selects, never branches, so a lane gives the very bits that the scalar kernel gives for its numbers,
+/// lane is a character of its own, and one call of a kernel of a rig serves them all; so does one of a differentiated
+/// function with `lanes`. Guards and branches are selects, so a lane gives the very bits that the scalar function gives for its numbers,
 /// whatever stands in the others. (Of a NaN only that it is one; none arises where the numbers that come in are finite.)
 ///
 /// ```

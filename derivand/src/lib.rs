@@ -8,6 +8,8 @@ pub use aim_derive::differentiate_by_derivand as differentiate;
 pub use aim_model::{Real, Scalar};
 #[cfg(feature = "glam")]
 pub use glam;
+#[cfg(feature = "wide")]
+pub use wide;
 
 /// An affine transform whose maker vouches that it is rigid: a rotation and a translation, without scale, shear or
 /// mirroring. [`macro@differentiate`] relies on it, for this name and for `Affine3A` alike.

@@ -22,10 +22,12 @@ pub(super) struct Argument {
     /// `None` for a pattern.
     pub(super) name: Option<Ident>,
     /// What it is called in emitted code.
-    called: TokenStream,
+    pub(super) called: TokenStream,
     /// What it is bound to in the function.
     pub(super) pattern: Pat,
     pub(super) ty: Type,
+    /// Its type as it is declared.
+    pub(super) declared: TokenStream,
     /// Its place among the variables, if it is one.
     pub(super) variable: Option<usize>,
     pub(super) varies: Varies,
@@ -76,9 +78,10 @@ impl Arguments {
                         _ => ty.owned(),
                     };
                     let (variable, pattern) = (variable.map(|(place, _)| place), (*typed.pat).clone());
-                    list.push(Argument { name, called, pattern, ty, variable, varies, slope });
+                    let declared = typed.ty.to_token_stream();
+                    list.push(Argument { name, called, pattern, ty, declared, variable, varies, slope });
                 }
-                None => faulty.extend(name),
+                None => faulty.push(name.unwrap_or_else(|| pattern_argument(index))),
             }
         }
         let result = match &signature.output {
@@ -148,15 +151,13 @@ impl Arguments {
         }
     }
 
-    /// Declares every number of the arguments as an input: their values, and what the inputs are called.
+    /// Declares every number of the arguments as an input.
     pub(super) fn declare(&self, a: &mut Algebra) -> Declared {
-        let mut declared = Declared { values: Vec::new(), variables: Vec::new(), inputs: Vec::new() };
-        let (mut variables, precision) = (Vec::new(), self.precision());
+        let mut declared = Declared { values: Vec::new(), variables: Vec::new() };
+        let mut variables = Vec::new();
         for argument in &self.list {
-            let first = declared.inputs.len();
-            argument.ty.numbers(&argument.called, precision, &mut declared.inputs);
             let named = argument.name.as_ref().map_or_else(String::new, |name| word_of(name).text);
-            let numbers = (0..declared.inputs.len() - first).map(|index| a.g.input(&format!("{named}_{index}")));
+            let numbers = (0..argument.ty.components()).map(|index| a.g.input(&format!("{named}_{index}")));
             let numbers: Vec<Scalar> = numbers.collect();
             let mut inputs = Inputs::new(a, numbers, argument.varies);
             declared.values.push(inputs.value(&argument.ty));
@@ -193,14 +194,24 @@ impl Arguments {
     }
 
     /// Declares their numbers as further inputs.
-    pub(super) fn further(&self, companion: Companion, g: &mut Graph, inputs: &mut Vec<TokenStream>) -> Vec<Scalar> {
+    pub(super) fn further(&self, companion: Companion, g: &mut Graph) -> Vec<Scalar> {
         let mut declared = Vec::new();
         for (name, ty) in self.taken(companion) {
-            let first = inputs.len();
-            ty.numbers(&quote!(#name), self.precision(), inputs);
-            declared.extend((0..inputs.len() - first).map(|index| g.input(&format!("{name}_{index}"))));
+            declared.extend((0..ty.components()).map(|index| g.input(&format!("{name}_{index}"))));
         }
         declared
+    }
+
+    /// What a companion's inputs are called in emitted code, in the order in which they are declared.
+    pub(super) fn inputs(&self, companion: Companion) -> Vec<TokenStream> {
+        let (mut inputs, precision) = (Vec::new(), self.precision());
+        for Argument { called, ty, .. } in &self.list {
+            ty.numbers(called, precision, &mut inputs);
+        }
+        for (name, ty) in self.taken(companion) {
+            ty.numbers(&quote!(#name), precision, &mut inputs);
+        }
+        inputs
     }
 }
 
@@ -210,8 +221,6 @@ pub(super) struct Declared {
     pub(super) values: Vec<Value>,
     /// The inputs of each variable, or its steps' components, in the order of `wrt`.
     pub(super) variables: Vec<Vec<Scalar>>,
-    /// What each input is called in emitted code.
-    pub(super) inputs: Vec<TokenStream>,
 }
 
 /// What an argument that is taken apart is called in emitted code.

@@ -1,7 +1,6 @@
 //! [`Companion`]: what can stand beside a function, and what is derived for it.
 
 use aim_symbolic::{Graph, Program, Scalar, Variable, Vector, Want};
-use proc_macro2::TokenStream;
 
 /// A function beside the user's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -124,6 +123,4 @@ pub(super) struct Derived {
     pub(super) graph: Graph,
     pub(super) wanted: Vec<Want>,
     pub(super) program: Program,
-    /// What the inputs are called: those of the function's arguments, then those of what the companion takes besides.
-    pub(super) inputs: Vec<TokenStream>,
 }

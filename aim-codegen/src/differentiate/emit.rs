@@ -3,19 +3,23 @@
 use aim_symbolic::Program;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
-use syn::{Attribute, FnArg, ItemFn, Pat};
+use syn::{Attribute, ItemFn};
 
-use super::arguments::{Argument, Arguments, pattern_argument};
+use super::arguments::{Argument, Arguments};
 use super::companion::{Companion, Derived};
+use super::lanes;
 use super::manifold::Varies;
 use super::types::{Shape, Type};
 use crate::emit::body::{Arithmetic, Body, counted};
 
 /// The source of the companions.
+#[derive(Clone, Copy)]
 pub(super) struct Companions<'a> {
     pub(super) item: &'a ItemFn,
     pub(super) arguments: &'a Arguments,
     pub(super) krate: &'a TokenStream,
+    /// Whether the arguments are [in lanes](Arguments::in_lanes).
+    pub(super) of_lanes: bool,
 }
 
 impl Companions<'_> {
@@ -26,10 +30,11 @@ impl Companions<'_> {
             return None;
         }
         let suffix = self.arguments.suffix(companion)?;
-        let name = format_ident!("{}_{suffix}", self.item.sig.ident);
-        let (krate, number) = (self.krate, format_ident!("{}", self.arguments.precision().name()));
-        let (private, number) = (quote!(#krate::__private), quote!(::core::primitive::#number));
-        let inputs = derived.map_or(&[][..], |derived| &derived.inputs);
+        let of_lanes = if self.of_lanes { "_lanes" } else { "" };
+        let name = format_ident!("{}_{suffix}{of_lanes}", self.item.sig.ident);
+        let (krate, number) = (self.krate, self.number());
+        let private = quote!(#krate::__private);
+        let inputs = self.arguments.inputs(companion);
         let input = |i: usize| inputs[i].clone();
         let program = derived.map(|derived| &derived.program);
         let body = program.map(|program| Body {
@@ -45,6 +50,15 @@ impl Companions<'_> {
             quote!(#steps #value)
         });
         Some(self.function(&name, companion, &self.doc(companion, suffix, program), &returns, body))
+    }
+
+    /// The type of the numbers.
+    fn number(&self) -> TokenStream {
+        if self.of_lanes {
+            return lanes::number();
+        }
+        let number = format_ident!("{}", self.arguments.precision().name());
+        quote!(::core::primitive::#number)
     }
 
     /// The type that a companion returns, and its value from the program's outputs; without a program there are none, and the
@@ -155,7 +169,8 @@ impl Companions<'_> {
             }
             Companion::GaussNewton => format!("The value r of `{function}`, Jᵀr and JᵀJ"),
         };
-        format!("{words} by {names}.{count}")
+        let of_lanes = if self.of_lanes { ", of as many points as a number of the type `S` has lanes" } else { "" };
+        format!("{words} by {names}{of_lanes}.{count}")
     }
 
     fn function(
@@ -166,27 +181,12 @@ impl Companions<'_> {
         returns: &TokenStream,
         body: Option<TokenStream>,
     ) -> TokenStream {
-        let ItemFn { attrs, vis, sig, .. } = self.item;
+        let ItemFn { attrs, vis, .. } = self.item;
         let kept = attrs.iter().filter(|attribute| is_kept(attribute));
-        let inputs = sig.inputs.iter().enumerate().map(|(index, input)| match input {
-            FnArg::Typed(typed) => {
-                let ty = &typed.ty;
-                match &*typed.pat {
-                    Pat::Ident(name) => {
-                        let name = &name.ident;
-                        quote!(#name: #ty)
-                    }
-                    _ => {
-                        let name = pattern_argument(index);
-                        quote!(#name: #ty)
-                    }
-                }
-            }
-            FnArg::Receiver(receiver) => quote!(#receiver),
-        });
+        let own = self.arguments.list.iter().map(|Argument { called, declared, .. }| quote!(#called: #declared));
         let further = self.arguments.taken(companion);
         let further = further.into_iter().map(|(name, Type { tokens, .. })| quote!(#name: #tokens));
-        let inputs = inputs.chain(further);
+        let (inputs, generics) = (own.chain(further), self.of_lanes.then(|| lanes::generics(self.krate)));
         let body = body.unwrap_or_else(|| quote!(::core::unreachable!()));
         quote! {
             #(#kept)*
@@ -202,7 +202,7 @@ impl Companions<'_> {
             )]
             #[inline]
             #[must_use]
-            #vis fn #name(#(#inputs),*) -> #returns {
+            #vis fn #name #generics(#(#inputs),*) -> #returns {
                 #body
             }
         }

@@ -56,6 +56,10 @@ messages! {
         "`check` cannot make up a value of `{ty}`: it has fields that are no numbers",
         "test this function at values of your own";
 
+    no_lanes(ty: &str) =>
+        "there are no lanes of `{ty}`: it has fields that are no numbers",
+        "take the numbers of it that the function needs as arguments";
+
     of_a_number(key: &str) =>
         "`{key}` is for functions of one number",
         "second derivatives of a vector have no matrix: leave it out";

@@ -17,6 +17,7 @@ mod emit;
 pub(crate) mod file;
 mod inputs;
 mod items;
+mod lanes;
 mod lower;
 mod manifold;
 mod messages;
@@ -138,17 +139,20 @@ fn companions(function: &ItemFn, options: &Options, items: &Items, report: &mut 
     let arguments = Arguments::check(&function.sig, options, items, report);
     let derived = Derived::all(function, options, &arguments, items, Search::Smallest, report);
     let krate = options.krate.clone().unwrap_or_default();
-    let companions = Companions { item: function, arguments: &arguments, krate: &krate };
+    let companions = Companions { item: function, arguments: &arguments, krate: &krate, of_lanes: false };
     // Where `self` or a type is in the way, a stub would only be another error.
     if !arguments.faulty.is_empty() || function.sig.receiver().is_some() {
         return TokenStream::new();
     }
-    let all = [Companion::First].into_iter().chain(options.companions.iter().map(|(companion, _)| *companion));
-    let all = all.map(|companion| {
+    let in_lanes = options.lanes.as_ref().and_then(|place| arguments.in_lanes(place, report));
+    let in_lanes = in_lanes.as_ref().map(|arguments| Companions { arguments, of_lanes: true, ..companions });
+    let asked = options.companions.iter().map(|(companion, _)| *companion);
+    let mut all = TokenStream::new();
+    for companion in [Companion::First].into_iter().chain(asked) {
         let derived = derived.iter().flatten().find(|derived| derived.companion == companion);
-        companions.companion(companion, derived)
-    });
-    let all: TokenStream = all.flatten().collect();
+        all.extend(companions.companion(companion, derived));
+        all.extend(in_lanes.as_ref().and_then(|companions| companions.companion(companion, derived)));
+    }
     let wanted = derived.is_some() && checked(options, &arguments, report);
     let check = wanted.then(|| companions.check());
     let check = check.flatten();
@@ -185,7 +189,7 @@ impl Derived {
     ) -> Option<Vec<Self>> {
         let errors = report.count();
         let mut algebra = Algebra::new();
-        let Declared { values, variables, inputs } = arguments.declare(&mut algebra);
+        let Declared { values, variables } = arguments.declare(&mut algebra);
         let patterns = arguments.list.iter().map(|argument| &argument.pattern).zip(values);
         let mut translation = Translation::new(&mut algebra, report, items, Some(arguments.precision()));
         let body = translation.function(&with_typed_end(&function.block, &function.sig), patterns, &arguments.faulty);
@@ -215,11 +219,11 @@ impl Derived {
         let vector = if let Value::Vector(v) = body { Some(v) } else { None };
         let stated = Stated { values: numbers, vector, variables };
         let derive = |companion: Companion| {
-            let (mut g, mut inputs) = (algebra.g.clone(), inputs.clone());
-            let taken = arguments.further(companion, &mut g, &mut inputs);
+            let mut g = algebra.g.clone();
+            let taken = arguments.further(companion, &mut g);
             let wanted = companion.wanted(&mut g, &stated, &taken);
             let program = search.program(&g, &wanted);
-            Self { companion, graph: g, wanted, program, inputs }
+            Self { companion, graph: g, wanted, program }
         };
         let first = derive(Companion::First);
         if let Some(budget) = &options.budget

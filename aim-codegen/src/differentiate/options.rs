@@ -27,6 +27,8 @@ pub(super) struct Options {
     pub(super) companions: Vec<(Companion, Place)>,
     /// Whether a test is to be written, and where that is said.
     pub(super) check: Option<(bool, Place)>,
+    /// Where companions of numbers in lanes are asked for.
+    pub(super) lanes: Option<Place>,
     pub(super) krate: Option<TokenStream>,
 }
 
@@ -46,6 +48,7 @@ const KEYS: &[Key] = &[
     ("vjp", Expected::PRESENCE),
     ("hvp", Expected::PRESENCE),
     ("gauss_newton", Expected::PRESENCE),
+    ("lanes", Expected::PRESENCE),
     ("check", Expected::FLAG),
     ("crate", Expected::PATH),
 ];
@@ -65,6 +68,7 @@ impl Options {
             budget: None,
             companions: Vec::new(),
             check: settings.read_value("check", report, check),
+            lanes: None,
             krate,
         }
     }
@@ -108,6 +112,7 @@ impl Options {
                 .filter_map(|companion| Some((companion, settings.read_value(companion.key(), report, presence)?)))
                 .collect(),
             check: settings.read_value("check", report, check),
+            lanes: settings.read_value("lanes", report, presence),
             krate: settings.read_value("crate", report, read::path),
         }
     }

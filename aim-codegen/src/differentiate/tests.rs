@@ -141,6 +141,23 @@ fn functions_of_a_file_see_their_module() {
     assert!(Differentiated::from_file("f.rs", text, "g").is_err(), "it is outside of the module");
 }
 
+#[test]
+fn lanes_stand_beside_each_companion() {
+    let item = "fn f((v, flag): (Vec3, bool), &m: &Mat3, n: [u8; 2], q: Quat) -> f32 { v.x * m.x_axis.x * q.w }";
+    let expansion = expand("wrt(q), hvp, lanes", item);
+    assert_eq!(names(&expansion), ["f", "f_gradient", "f_gradient_lanes", "f_hvp", "f_hvp_lanes"], "{expansion}");
+    let expansion = expansion.replace(' ', "");
+    assert!(expansion.contains("fnf_hvp_lanes<S:::aim::__private::Real>("), "{expansion}");
+    assert!(
+        expansion.contains("([S;3],S,),__argument1:&[S;9],n:[S;2],q:[S;4],along_q:[S;4])->(S,([S;4],))"),
+        "{expansion}"
+    );
+    // Where it is wrong, a stub stands for each.
+    let wrong = expand("wrt(q), hvp, lanes", &item.replace("q.w", "q.v"));
+    assert_eq!((names(&wrong).len(), errors(&wrong)), (5, 1), "{wrong}");
+    assert_eq!(errors(&expand("wrt(q), lanes = 4", item)), 1);
+}
+
 /// Of a chain of points a product with the Hessian costs a few values, whatever the chain's length; the Hessian grows with its
 /// square.
 #[test]

@@ -1,6 +1,8 @@
-//! [`Scalar`] for the vectors of `wide`: every lane computes what the scalar would, bit for bit, whatever the others hold.
+//! [`Scalar`] and [`Real`] for the vectors of `wide`: every lane computes what the scalar would, bit for bit, whatever the
+//! others hold.
 
 use super::{Scalar, sealed::Sealed};
+use crate::Real;
 
 macro_rules! lanes {
     ($($vector:ident of $float:ident),* $(,)?) => {$(
@@ -45,6 +47,34 @@ macro_rules! lanes {
                 // that leaves a comparison and an `and`.
                 a.simd_lt(b).bitselect(then, otherwise)
             }
+        }
+
+        // Lane by lane, because the functions of `wide` round differently.
+        impl Real for wide::$vector {
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                let both = self.to_array().map(Real::sin_cos);
+                (Self::new(both.map(|(sin, _)| sin)), Self::new(both.map(|(_, cos)| cos)))
+            }
+
+            lane_by_lane!($float: sin, cos, tan, asin, acos, exp, ln, sinh, cosh, tanh, floor);
+            lane_by_lane!($float: atan2(x), powf(exponent));
+        }
+    )*};
+}
+
+macro_rules! lane_by_lane {
+    ($float:ident: $($function:ident),*) => {$(
+        #[inline]
+        fn $function(self) -> Self {
+            Self::new(self.to_array().map(<$float as Real>::$function))
+        }
+    )*};
+    ($float:ident: $($function:ident($other:ident)),*) => {$(
+        #[inline]
+        fn $function(self, $other: Self) -> Self {
+            let (these, others) = (self.to_array(), $other.to_array());
+            Self::new(core::array::from_fn(|lane| <$float as Real>::$function(these[lane], others[lane])))
         }
     )*};
 }

@@ -59,7 +59,7 @@ fn point_one_way() {
         "{runtime:?}"
     );
     assert_eq!(declared["aim-animation"], set(&["aim-runtime", "serde?"]));
-    assert_eq!(declared["derivand"], set(&["aim-derive", "aim-model", "glam?"]));
+    assert_eq!(declared["derivand"], set(&["aim-derive", "aim-model", "glam?", "wide?"]));
     assert_eq!(declared["aim-rig"], set(&["aim-animation?", "aim-derive", "aim-runtime", "aim-codegen [build]?"]));
     let ours = |package: &str| -> BTreeSet<String> {
         declared[package].iter().filter(|name| name.starts_with("aim-")).cloned().collect()

@@ -40,7 +40,7 @@ mod model {
         spring.energy(x) + spring.name.len() as f32
     }
 
-    #[differentiate(wrt(x), check = true)]
+    #[differentiate(wrt(x), lanes, check = true)]
     pub fn unchecked(x: f32, spring: &Spring) -> f32 {
         spring.energy(x)
     }

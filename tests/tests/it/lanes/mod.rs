@@ -1,6 +1,7 @@
 //! Vectors of `wide` in place of scalars: a character a lane, each exactly as if it were alone.
 
 pub(crate) mod cases;
+mod functions;
 
 use aim::wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 use aim::{AimRig, Joint, Scalar};

@@ -1,0 +1,84 @@
+//! Functions of numbers in lanes: companions that are generic over the type of their numbers, which may be a vector of
+//! `wide`.
+//!
+//! | a value of | in lanes |
+//! |---|---|
+//! | a number, a whole number, a `bool` | one number; of `true` 1, of `false` 0 |
+//! | a vector, a quaternion, a matrix, a transform | the array of its numbers |
+//! | an array, a tuple | of its elements |
+//! | a struct | the tuple of its fields |
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::arguments::{Argument, Arguments};
+use super::messages;
+use super::types::{Shape, Type};
+use crate::declare::Place;
+use crate::declare::report::Report;
+
+/// The type of the numbers.
+pub(super) fn number() -> TokenStream {
+    quote!(S)
+}
+
+/// The generic parameters of a companion.
+pub(super) fn generics(krate: &TokenStream) -> TokenStream {
+    let number = number();
+    quote!(<#number: #krate::__private::Real>)
+}
+
+impl Arguments {
+    /// The same arguments and result in lanes. `None` where one of them has none, which is reported at `place`.
+    pub(super) fn in_lanes(&self, place: &Place, report: &mut Report) -> Option<Self> {
+        if let Some(partial) = self.list.iter().map(|argument| &argument.ty).find(|ty| !ty.is_whole()) {
+            return report.refuse(place, messages::no_lanes(&partial.tokens.to_string()));
+        }
+        let list = self.list.iter().map(|argument| {
+            let (ty, slope) = (argument.ty.in_lanes(), argument.slope.in_lanes());
+            let tokens = &ty.tokens;
+            Argument {
+                name: argument.name.clone(),
+                called: argument.called.clone(),
+                pattern: argument.pattern.clone(),
+                declared: if ty.borrowed { quote!(&#tokens) } else { tokens.clone() },
+                variable: argument.variable,
+                varies: argument.varies,
+                ty,
+                slope,
+            }
+        });
+        let result = self.result.as_ref().map(Type::in_lanes);
+        Some(Self { list: list.collect(), faulty: Vec::new(), result, is_wrong: self.is_wrong })
+    }
+}
+
+impl Type {
+    /// The type of the same value in lanes.
+    fn in_lanes(&self) -> Self {
+        let scalar = || Self::made(number(), Shape::Scalar, self.precision);
+        let array = |element: Self, length: usize| {
+            let (tokens, count) = (&element.tokens, Literal::usize_unsuffixed(length));
+            Self::made(quote!([#tokens; #count]), Shape::Array(Box::new(element.clone()), length), self.precision)
+        };
+        let tuple = |parts: Vec<Self>| {
+            let types = parts.iter().map(|part| &part.tokens);
+            Self::made(quote!((#(#types,)*)), Shape::Tuple(parts.clone()), self.precision)
+        };
+        let mut ty = match &self.shape {
+            Shape::Truth | Shape::Integer | Shape::Scalar => scalar(),
+            Shape::Planar
+            | Shape::Vector
+            | Shape::Four
+            | Shape::Quaternion
+            | Shape::Matrix
+            | Shape::Square(_)
+            | Shape::Rigid => array(scalar(), self.components()),
+            Shape::Array(element, length) => array(element.in_lanes(), *length),
+            Shape::Tuple(parts) => tuple(parts.iter().map(Self::in_lanes).collect()),
+            Shape::Struct(_, fields, _) => tuple(fields.iter().map(|(_, field)| field.in_lanes()).collect()),
+        };
+        ty.borrowed = self.borrowed;
+        ty
+    }
+}
