@@ -254,12 +254,17 @@ impl Frame {
         let journal = self.journals.pop().unwrap_or_default();
         let exits = self.take_exits(region.target);
         let mut goes_on = ends;
-        let mut now: Assigned =
-            journal.iter().filter(|(p, _)| *p < region.variables).map(|(p, _)| (*p, self.value(*p).clone())).collect();
+        // Of what a branch has assigned that ends in a way out, the journal does not know.
+        let mut now = Assigned::new();
+        for &(place, _) in journal.iter().chain(exits.iter().flat_map(|exit| &exit.assigned)) {
+            if place < region.variables && assigned_to(&now, place).is_none() {
+                now.push((place, self.value(place).clone()));
+            }
+        }
         for exit in exits.iter().rev() {
             for (place, value) in &mut now {
                 let there = assigned_to(&exit.assigned, *place).or_else(|| assigned_to(&journal, *place));
-                let there = there.unwrap_or(value);
+                let there = there.unwrap_or_else(|| self.value(*place));
                 *value = if goes_on { there.select(a, &exit.condition, value).ok_or(*place)? } else { there.clone() };
             }
             goes_on = true;

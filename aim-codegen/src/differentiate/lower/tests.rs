@@ -110,6 +110,30 @@ same! {
             sum + rounds as f64
         }
     }
+    assigned_on_the_way_out {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let (mut a, mut b, mut c) = (x, 0.0, 1.0);
+            for i in 0..3 {
+                if a > 1.0 {
+                    b = a;
+                    break;
+                }
+                if y < i as f64 {
+                    a -= 2.0 * y;
+                    continue;
+                }
+                b += 0.25;
+            }
+            'once: loop {
+                for _ in 0..2 {
+                    if x > y { c = x * b; break 'once; }
+                    c += y;
+                }
+                if a < b { a = c; break; } else { c *= 3.0; break; }
+            }
+            a + 10.0 * b + 100.0 * c
+        }
+    }
     counting_loops {
         pub fn f(x: f64, y: f64) -> f64 {
             let mut n = 0;
