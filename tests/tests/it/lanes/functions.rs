@@ -101,6 +101,7 @@ impl Function for InSpring {
 
     fn alone(mut n: &[f32]) -> Vec<f32> {
         let (place, anchor, [rest, slack, turns]) = (vector(&mut n), vector(&mut n), take(&mut n));
+        #[expect(clippy::cast_possible_truncation, reason = "it is whole and small")]
         let spring = Spring { anchor, rest, is_slack: truth(slack) > 0.0, turns: whole(turns) as i32 };
         let (value, (by,)) = functions::spring_gradient(place, &spring);
         let (again, (slope,), square) = functions::spring_hessian(place, &spring);

@@ -2,7 +2,7 @@
 
 use fastrand::Rng;
 
-use super::language::{Expression, KINDS, Kind, Statement, Written};
+use super::language::{Condition, Expression, Index, KINDS, Kind, Leave, Statement, Way, Written};
 
 use Expression as E;
 
@@ -12,8 +12,8 @@ pub(super) struct Author {
     /// Nothing but what is exact modulo a prime.
     is_rational: bool,
     known: [usize; 3],
-    /// Each loop around what is being written, and whether it counts.
-    loops: Vec<(usize, bool)>,
+    /// Each loop around what is being written.
+    loops: Vec<(usize, Way)>,
     all_loops: usize,
     /// The number of statements that may follow.
     left: usize,
@@ -63,42 +63,61 @@ impl Author {
         let kind = KINDS[self.random.usize(..3)];
         let place = self.random.usize(..self.known[kind as usize]);
         // Two loops deep at most.
-        match self.random.u8(..if self.loops.len() < 2 { 10 } else { 5 }) {
-            0 | 1 => {
-                let to = self.expression(kind, 3);
-                self.known[kind as usize] += 1;
-                Statement::Let(kind, to)
-            }
+        match self.random.u8(..if self.loops.len() < 2 { 13 } else { 8 }) {
+            0 | 1 => self.declaration(kind),
             2 => Statement::Set(kind, place, self.expression(kind, 3)),
             3 | 4 => Statement::Increase(kind, place, self.expression(kind, 2)),
-            5 | 6 => {
-                let (count, way) = (self.random.u8(1..4), self.random.u8(..3));
-                let (number, body) = self.looped(true);
-                Statement::Count { count, way, number, body }
+            5 => Statement::Add(self.index(), self.expression(Kind::Number, 2)),
+            6 | 7 => self.leave().unwrap_or_else(|| self.declaration(kind)),
+            8..11 => {
+                let (count, number) = (self.random.u8(1..4), self.all_loops);
+                let way = [Way::Up, Way::Down, Way::While, Way::Each][self.random.usize(..4)];
+                self.all_loops += 1;
+                self.loops.push((number, way));
+                let body = self.block();
+                self.loops.pop();
+                Statement::Loop { count, way, number, body }
             }
-            7 => {
-                let (number, body) = self.looped(false);
-                Statement::Each { number, body }
-            }
-            _ if self.is_rational => Statement::Let(kind, {
-                let to = self.expression(kind, 3);
-                self.known[kind as usize] += 1;
-                to
-            }),
-            _ => {
-                let less = [self.expression(Kind::Number, 2), self.expression(Kind::Number, 1)];
-                Statement::If { less, then: self.block(), otherwise: self.block() }
-            }
+            _ if self.is_rational => self.declaration(kind),
+            _ => Statement::If { less: self.compared(), then: self.block(), otherwise: self.block() },
         }
     }
 
-    fn looped(&mut self, counts: bool) -> (usize, Vec<Statement>) {
-        let number = self.all_loops;
-        self.all_loops += 1;
-        self.loops.push((number, counts));
-        let body = self.block();
-        self.loops.pop();
-        (number, body)
+    fn declaration(&mut self, kind: Kind) -> Statement {
+        let to = self.expression(kind, 3);
+        self.known[kind as usize] += 1;
+        Statement::Let(kind, to)
+    }
+
+    fn compared(&mut self) -> [Expression; 2] {
+        [self.expression(Kind::Number, 2), self.expression(Kind::Number, 1)]
+    }
+
+    /// Where nothing is compared, only what a counter decides.
+    fn leave(&mut self) -> Option<Statement> {
+        let &(number, way) = self.loops.last()?;
+        let condition = match way {
+            Way::Up | Way::Down | Way::While if self.is_rational || self.random.bool() => {
+                Condition::Is(number, self.random.u8(..3))
+            }
+            _ if self.is_rational => return None,
+            _ => Condition::Less(self.compared()),
+        };
+        let leave = match self.random.u8(..5) {
+            0 | 1 => Leave::Break,
+            // It would leave out what a `while` counts by.
+            2 | 3 if way != Way::While => Leave::Continue,
+            _ => Leave::Return(self.expression(Kind::Number, 2)),
+        };
+        Some(Statement::Leave(condition, leave))
+    }
+
+    fn index(&mut self) -> Index {
+        match self.loops.last() {
+            // It is below 3.
+            Some((number, Way::Up | Way::Down | Way::While)) if self.random.bool() => Index::Counter(*number),
+            _ => Index::Constant(self.random.usize(..3)),
+        }
     }
 
     fn expression(&mut self, kind: Kind, depth: usize) -> Expression {
@@ -108,10 +127,10 @@ impl Author {
             let variable = E::Variable(kind, self.random.usize(..known));
             return match (kind, self.random.u8(..6)) {
                 (Kind::Number, 0) => E::Constant(CONSTANTS[self.random.usize(..CONSTANTS.len())]),
-                (Kind::Number, 1) => E::Element(self.random.usize(..3)),
+                (Kind::Number, 1) => E::Element(self.index()),
                 (Kind::Number, 2 | 3) => match self.loops.last() {
-                    Some((number, true)) => E::Counter(*number),
-                    Some((number, false)) => E::Item(*number),
+                    Some((number, Way::Each)) => E::Item(*number),
+                    Some((number, _)) => E::Counter(*number),
                     None => variable,
                 },
                 _ => variable,

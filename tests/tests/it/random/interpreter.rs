@@ -1,10 +1,12 @@
 //! The meaning of a function: an interpreter of what was written, over any numbers.
 
+use std::ops::ControlFlow::{self, Break, Continue};
+
 use aim_symbolic::{Function, Number};
 use fastrand::Rng;
 
 use super::dual::Dual;
-use super::language::{Expression, Statement, Written};
+use super::language::{Condition, Expression, Index, Leave, Statement, Way, Written};
 
 use Expression as E;
 
@@ -124,17 +126,45 @@ impl<T: Number> Point<T> {
 /// The number of variables that derivatives are taken by.
 pub(super) const VARIABLES: usize = 7;
 
+/// A round of a loop.
+#[derive(Clone, Copy)]
+struct Round<T> {
+    number: usize,
+    count: u8,
+    element: T,
+}
+
+/// What ends a block before its end.
+enum Left<T> {
+    Round,
+    Loop,
+    Function(T),
+}
+
 /// The interpreter.
 struct Run<'p, T> {
     point: &'p Point<T>,
     variables: [Vec<Value<T>>; 3],
-    locals: Vec<(usize, T)>,
+    table: [T; 3],
+    /// The counter of each loop around, or the element that it has come to.
+    rounds: Vec<Round<T>>,
     /// True while no comparison was too close to call.
     is_clear: bool,
     compare: fn(T, T) -> Option<bool>,
 }
 
 impl<T: Number> Run<'_, T> {
+    fn round_of(&self, number: usize) -> Round<T> {
+        *self.rounds.iter().find(|round| round.number == number).expect("it is in its loop")
+    }
+
+    fn place(&self, index: Index) -> usize {
+        match index {
+            Index::Constant(index) => index,
+            Index::Counter(number) => self.round_of(number).count.into(),
+        }
+    }
+
     fn value(&self, expression: &Expression) -> Value<T> {
         let number = |of: &Expression| self.value(of).number();
         let vector = |of: &Expression| self.value(of).vector();
@@ -143,11 +173,9 @@ impl<T: Number> Run<'_, T> {
         match expression {
             E::Constant(value) => V::Number(T::constant(*value)),
             E::Variable(kind, number) => self.variables[*kind as usize][*number],
-            E::Counter(number) | E::Item(number) => {
-                let found = self.locals.iter().find(|(local, _)| local == number);
-                V::Number(found.expect("it is in its loop").1)
-            }
-            E::Element(index) => V::Number(self.point.table[*index]),
+            E::Counter(number) => V::Number(T::constant(self.round_of(*number).count.into())),
+            E::Item(number) => V::Number(self.round_of(*number).element),
+            E::Element(index) => V::Number(self.table[self.place(*index)]),
             E::Sum(of) => self.value(&of[0]).with(self.value(&of[1]), |a, b| a + b),
             E::Difference(of) => self.value(&of[0]).with(self.value(&of[1]), |a, b| a - b),
             E::Negative(of) => {
@@ -198,13 +226,20 @@ impl<T: Number> Run<'_, T> {
     }
 
     /// Variables declared in a block end with it.
-    fn block(&mut self, statements: &[Statement]) {
+    fn block(&mut self, statements: &[Statement]) -> ControlFlow<Left<T>> {
         let known = self.variables.each_ref().map(Vec::len);
-        statements.iter().for_each(|statement| self.step(statement));
+        let end = statements.iter().try_for_each(|statement| self.step(statement));
         self.variables.iter_mut().zip(known).for_each(|(variables, known)| variables.truncate(known));
+        end
     }
 
-    fn step(&mut self, statement: &Statement) {
+    fn is_less(&mut self, [a, b]: &[Expression; 2]) -> bool {
+        let is_less = (self.compare)(self.value(a).number(), self.value(b).number());
+        self.is_clear &= is_less.is_some();
+        is_less.unwrap_or(false)
+    }
+
+    fn step(&mut self, statement: &Statement) -> ControlFlow<Left<T>> {
         match statement {
             Statement::Let(kind, to) => {
                 let to = self.value(to);
@@ -216,29 +251,44 @@ impl<T: Number> Run<'_, T> {
                 let place = &mut self.variables[*kind as usize][*number];
                 *place = place.with(by, |a, b| a + b);
             }
-            Statement::Count { count, way, number, body } => {
-                for round in 0..*count {
-                    let round = if *way == 1 { count - 1 - round } else { round };
-                    self.round(*number, T::constant(round.into()), body);
+            Statement::Add(index, by) => {
+                let by = self.value(by).number();
+                let place = self.place(*index);
+                self.table[place] = self.table[place] + by;
+            }
+            Statement::Loop { count, way, number, body } => {
+                let table = self.table;
+                for round in 0..if *way == Way::Each { 3 } else { *count } {
+                    let count = if *way == Way::Down { count - 1 - round } else { round };
+                    self.rounds.push(Round { number: *number, count, element: table[usize::from(count)] });
+                    let end = self.block(body);
+                    self.rounds.pop();
+                    match end {
+                        Break(Left::Loop) => break,
+                        Break(Left::Function(_)) => return end,
+                        Break(Left::Round) | Continue(()) => {}
+                    }
                 }
             }
-            Statement::Each { number, body } => {
-                for element in self.point.table {
-                    self.round(*number, element, body);
+            Statement::Leave(condition, leave) => {
+                let holds = match condition {
+                    Condition::Less(compared) => self.is_less(compared),
+                    Condition::Is(number, count) => self.round_of(*number).count == *count,
+                };
+                if holds {
+                    return Break(match leave {
+                        Leave::Break => Left::Loop,
+                        Leave::Continue => Left::Round,
+                        Leave::Return(result) => Left::Function(self.value(result).number()),
+                    });
                 }
             }
-            Statement::If { less: [a, b], then, otherwise } => {
-                let is_less = (self.compare)(self.value(a).number(), self.value(b).number());
-                self.is_clear &= is_less.is_some();
-                self.block(if is_less.unwrap_or(false) { then } else { otherwise });
+            Statement::If { less, then, otherwise } => {
+                let is_less = self.is_less(less);
+                return self.block(if is_less { then } else { otherwise });
             }
         }
-    }
-
-    fn round(&mut self, number: usize, value: T, body: &[Statement]) {
-        self.locals.push((number, value));
-        self.block(body);
-        self.locals.pop();
+        Continue(())
     }
 }
 
@@ -250,9 +300,11 @@ impl Written {
             vec![V::Vector(point.u), V::Vector(point.w)],
             vec![V::Matrix(point.matrix)],
         ];
-        let mut run = Run { point, variables, locals: Vec::new(), is_clear: true, compare };
-        self.body.iter().for_each(|statement| run.step(statement));
-        let result = run.value(&self.result).number();
+        let mut run = Run { point, variables, table: point.table, rounds: Vec::new(), is_clear: true, compare };
+        let result = match self.body.iter().try_for_each(|statement| run.step(statement)) {
+            Break(Left::Function(result)) => result,
+            _ => run.value(&self.result).number(),
+        };
         run.is_clear.then_some(result)
     }
 }

@@ -26,7 +26,8 @@ pub(super) enum Expression {
     /// The counter of the loop of this number around it, or the element that it has come to.
     Counter(usize),
     Item(usize),
-    Element(usize),
+    /// Of the array.
+    Element(Index),
     Sum(Box<[Self; 2]>),
     Difference(Box<[Self; 2]>),
     Negative(Box<Self>),
@@ -49,28 +50,79 @@ pub(super) enum Expression {
     Turned(Box<Self>),
 }
 
+/// A place in the array.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Index {
+    Constant(usize),
+    /// The counter of the loop of this number around it.
+    Counter(usize),
+}
+
+/// The way in which a loop goes on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Way {
+    /// `for i in 0..count`
+    Up,
+    /// `for i in (0..count).rev()`
+    Down,
+    /// `while i < count`, with its own number
+    While,
+    /// `for e in` the array as it is before
+    Each,
+}
+
+/// What is left where a condition holds.
+#[derive(Clone, Debug)]
+pub(super) enum Leave {
+    Break,
+    Continue,
+    Return(Expression),
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Condition {
+    Less([Expression; 2]),
+    /// The counter of the loop of this number around it is so much.
+    Is(usize, u8),
+}
+
 #[derive(Clone, Debug)]
 pub(super) enum Statement {
     Let(Kind, Expression),
     Set(Kind, usize, Expression),
     Increase(Kind, usize, Expression),
-    /// `for i in 0..count`, `for i in (0..count).rev()`, or `while`, with its own number.
-    Count {
+    /// To an element of the array.
+    Add(Index, Expression),
+    Loop {
         count: u8,
-        way: u8,
+        way: Way,
         number: usize,
         body: Vec<Self>,
     },
-    /// Over the elements of the array.
-    Each {
-        number: usize,
-        body: Vec<Self>,
-    },
+    Leave(Condition, Leave),
     If {
         less: [Expression; 2],
         then: Vec<Self>,
         otherwise: Vec<Self>,
     },
+}
+
+impl Display for Index {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Constant(index) => write!(f, "{index}"),
+            Self::Counter(number) => write!(f, "i{number}"),
+        }
+    }
+}
+
+impl Display for Condition {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Less([a, b]) => write!(f, "{a} < {b}"),
+            Self::Is(number, count) => write!(f, "i{number} == {count}"),
+        }
+    }
 }
 
 impl Display for Expression {
@@ -113,7 +165,7 @@ impl Display for Written {
         f.write_str(
             "#[differentiate(wrt(n0, v0, tangent(turn)))]\npub fn f(mut n0: f64, mut n1: f64, mut v0: DVec3, ",
         )?;
-        f.write_str("mut v1: DVec3, mut m0: DMat3, turn: DQuat, table: [f64; 3]) -> f64 {\n")?;
+        f.write_str("mut v1: DVec3, mut m0: DMat3, turn: DQuat, mut table: [f64; 3]) -> f64 {\n")?;
         let mut known = [2, 2, 1];
         for statement in &self.body {
             write_statement(f, statement, &mut known)?;
@@ -134,23 +186,23 @@ fn write_statement(f: &mut Formatter<'_>, statement: &Statement, known: &mut [us
         }
         Statement::Set(kind, number, to) => writeln!(f, "{}{number} = {to};", kind.letter())?,
         Statement::Increase(kind, number, by) => writeln!(f, "{}{number} += {by};", kind.letter())?,
-        Statement::Count { count, way, number, body } => {
+        Statement::Add(index, by) => writeln!(f, "table[{index}] += {by};")?,
+        Statement::Loop { count, way, number, body } => {
             match way {
-                0 => writeln!(f, "for i{number} in 0..{count} {{")?,
-                1 => writeln!(f, "for i{number} in (0..{count}).rev() {{")?,
-                _ => writeln!(f, "let mut i{number} = 0;\nwhile i{number} < {count} {{")?,
+                Way::Up => writeln!(f, "for i{number} in 0..{count} {{")?,
+                Way::Down => writeln!(f, "for i{number} in (0..{count}).rev() {{")?,
+                Way::While => writeln!(f, "let mut i{number} = 0;\nwhile i{number} < {count} {{")?,
+                Way::Each => writeln!(f, "for e{number} in table {{")?,
             }
             block(f, body, known)?;
-            if *way > 1 {
+            if *way == Way::While {
                 writeln!(f, "i{number} += 1;")?;
             }
             f.write_str("}\n")?;
         }
-        Statement::Each { number, body } => {
-            writeln!(f, "for e{number} in table {{")?;
-            block(f, body, known)?;
-            f.write_str("}\n")?;
-        }
+        Statement::Leave(condition, Leave::Break) => writeln!(f, "if {condition} {{ break; }}")?,
+        Statement::Leave(condition, Leave::Continue) => writeln!(f, "if {condition} {{ continue; }}")?,
+        Statement::Leave(condition, Leave::Return(result)) => writeln!(f, "if {condition} {{ return {result}; }}")?,
         Statement::If { less: [a, b], then, otherwise } => {
             writeln!(f, "if {a} < {b} {{")?;
             block(f, then, known)?;

@@ -1,4 +1,4 @@
-//! Random functions in Rust, with loops, branches, arrays, vectors, matrices and a rotation that varies on its manifold:
+//! Random functions in Rust, with loops and ways out of them, branches, arrays, vectors, matrices and a rotation that varies on its manifold:
 //! values and derivatives against an interpreter of what was written, by dual numbers; modulo a prime, where equal is
 //! equal, if nothing in them is a root, a sine or a comparison.
 
@@ -126,7 +126,9 @@ fn short_functions_agree_with_dual_numbers() {
 fn short_functions_have_loops_branches_and_matrices() {
     let texts: Vec<String> =
         (0..1000).map(|seed| Author::new(seed, false).of_at_most(3).function().to_string()).collect();
-    for (what, least) in [("for ", 300), ("while ", 100), ("if ", 100), ("turn *", 100), (" * m", 100)] {
+    let kinds = [("for ", 300), ("while ", 100), ("if ", 100), ("turn *", 100), (" * m", 100)];
+    let ways_out = [("break;", 15), ("continue;", 10), ("return ", 10), ("table[i", 30), ("] += ", 50)];
+    for (what, least) in kinds.into_iter().chain(ways_out) {
         let found = texts.iter().filter(|text| text.contains(what)).count();
         assert!(found >= least, "{found} have `{what}`");
     }
