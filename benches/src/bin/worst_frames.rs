@@ -119,9 +119,9 @@ fn rank(solver: &str, frames: usize) -> Result<(), String> {
         let (mut scene, mut character) = (Scene::new(number), Aim::<Gazer>::new());
         for frame in 0..FRAMES {
             let input = scene.next();
-            let before = character.clone();
+            let before = character;
             let time = (0..ROUNDS).map(|_| {
-                character = before.clone();
+                character = before;
                 let start = Instant::now();
                 black_box(measured(&mut character, &input, &settings));
                 start.elapsed()
