@@ -142,7 +142,9 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 ///
 /// ```ignore
 /// #[differentiate(wrt(p), lanes)]
-/// fn energy(p: Vec3, springs: &[Spring; 4]) -> f32 { … }
+/// fn energy(p: Vec3, springs: &[Spring; 4]) -> f32 {
+///     /* as it stands */
+/// }
 ///
 /// let (value, ([by_x, by_y, by_z],)) = energy_gradient_lanes([x, y, z], &springs); // f32x8
 /// ```
