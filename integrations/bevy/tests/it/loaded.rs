@@ -224,7 +224,9 @@ fn look(app: &mut App, name: &str, character: Entity, frames: u16) -> Found {
         if status(app, character).is_reached() {
             let [eye, looks] = gaze(app, character);
             let error = angle_deg(looks, target.as_vec3().as_dvec3() - eye);
-            assert!(error <= 0.1, "{}: {error} degrees off, said to be reached", said());
+            // Bevy's transforms are products of rounded ones: a gaze at 0.1° by the plugin's may be a little more by these.
+            const ROUNDED_DEG: f64 = 5e-4;
+            assert!(error <= 0.1 + ROUNDED_DEG, "{}: {error} degrees off, said to be reached", said());
             (found.reached, found.worst_deg) = (found.reached + 1, found.worst_deg.max(error));
         }
     }
