@@ -14,7 +14,7 @@ use crate::{Joint, math};
 
 /// How often the shares are corrected by what the leading joint could not do: at once, and in a frame, which goes on from the last
 /// one.
-const ROUNDS: usize = 16;
+pub(super) const ROUNDS: usize = 16;
 pub(super) const FRAME_ROUNDS: usize = 2;
 /// A correction is at most so many times what is left.
 const MOST_STEPS: f32 = 5.0;

@@ -27,7 +27,7 @@ use core::f32::consts::PI;
 
 use glam::{Quat, Vec3A, Vec4};
 
-use self::allot::{FRAME_ROUNDS, Fit};
+use self::allot::{FRAME_ROUNDS, Fit, ROUNDS};
 use self::body::{Body, Turn, angles};
 use self::glide::{Pair, ends, length, pair, square};
 use self::range::Range;
@@ -332,7 +332,12 @@ impl<const C: usize> Gaze<'_, C> {
         let is_plain = plain.is_some();
         let allotment = match plain {
             Some(allotment) => allotment,
-            None => self.settle_in_rounds(&way, from, posture, (&mut more, FRAME_ROUNDS))?,
+            None if self.has_eye => self.settle_in_rounds(&way, from, posture, (&mut more, FRAME_ROUNDS))?,
+            None => {
+                // What a head lacks near the zenith is all heading, and would add up from frame to frame.
+                more = Vec4::ZERO;
+                self.settle_in_rounds(&way, from, posture, (&mut more, ROUNDS))?
+            }
         };
         if gives_up && !allotment.fit.within_reach {
             more = Vec4::ZERO;
