@@ -202,7 +202,7 @@ impl Arguments {
         declared
     }
 
-    /// What a companion's inputs are called in emitted code, in the order in which they are declared.
+    /// The names of a companion's inputs in emitted code, in the order in which they are declared.
     pub(super) fn inputs(&self, companion: Companion) -> Vec<TokenStream> {
         let (mut inputs, precision) = (Vec::new(), self.precision());
         for Argument { called, ty, .. } in &self.list {

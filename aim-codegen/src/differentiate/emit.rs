@@ -18,7 +18,7 @@ pub(super) struct Companions<'a> {
     pub(super) item: &'a ItemFn,
     pub(super) arguments: &'a Arguments,
     pub(super) krate: &'a TokenStream,
-    /// Whether the arguments are [in lanes](Arguments::in_lanes).
+    /// True if the arguments are [in lanes](Arguments::in_lanes).
     pub(super) of_lanes: bool,
 }
 

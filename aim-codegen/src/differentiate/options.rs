@@ -27,7 +27,7 @@ pub(super) struct Options {
     pub(super) companions: Vec<(Companion, Place)>,
     /// Whether a test is to be written, and where that is said.
     pub(super) check: Option<(bool, Place)>,
-    /// Where companions of numbers in lanes are asked for.
+    /// The place that asks for companions of numbers in lanes.
     pub(super) lanes: Option<Place>,
     pub(super) krate: Option<TokenStream>,
 }

@@ -84,8 +84,7 @@ impl Bearings {
 
     /// Heading and elevation of a direction, and those of a unit direction as somebody turns to it: the nearer it is to the
     /// zenith, the less aside, and straight up from in front. Its heading is atan2(left, forward + 3w) where cos ε falls short of
-    /// cos 45° by √(w·cos 45°): above 66° even what is behind
-    /// is turned to by way of the front.
+    /// cos 45° by √(w·cos 45°): above 66° even what is behind is turned to by way of the front.
     #[inline(always)]
     pub(crate) fn turned(&self, from: Vec3A, to: Vec3A) -> [Vec4; 2] {
         const STEEP_COS: f32 = core::f32::consts::FRAC_1_SQRT_2;

@@ -279,7 +279,7 @@ impl Memory {
         (self.target, self.still_s, self.lambda) = ([goal[0], goal[1], speed[0]], speed[1], change);
     }
 
-    /// What the regions of a natural gaze make of heading and elevation beyond their part, radians, in the place of what a search
+    /// Heading and elevation that the regions of a natural gaze make beyond their part, radians, in the place of what a search
     /// remembers of its start.
     pub(crate) fn more(&self) -> [f32; 2] {
         let [a, b, c] = self.searched.map(u32::from);
@@ -295,8 +295,8 @@ impl Memory {
         (self.searched, self.turn) = ([a, b, c], d);
     }
 
-    /// How far leaps of its target have left a head without eyes behind, radians: in the place of the time that it would leave to
-    /// its eyes.
+    /// The angle by which leaps of its target have left a head without eyes behind, radians: in the place of the time that it would
+    /// leave to its eyes.
     pub(crate) fn leapt(&self) -> f32 {
         self.wait_s
     }

@@ -13,11 +13,11 @@ use aim::glam::{Affine3A, Quat, Vec3};
 use aim::{Aim, Outcome, Pose, Settings, Solver};
 use aim_benches::solver::chain::{Animation, EYE_AT_REST, Gazer, direction, wobble};
 
-/// Of how many frames a character's are.
+/// The frames of a character.
 const FRAMES: usize = 200;
-/// How many frames are counted.
+/// The frames that are counted.
 const COUNTED: usize = 100;
-/// How often each frame is timed.
+/// The runs of a frame of which the fastest counts.
 const ROUNDS: usize = 3;
 
 fn main() -> ExitCode {

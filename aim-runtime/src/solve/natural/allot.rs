@@ -12,9 +12,9 @@ use crate::math::trig;
 use crate::rig::PerJoint;
 use crate::{Joint, math};
 
-/// How often the shares are corrected by what the leading joint could not do: at once, and in a frame, which goes on from the last
-/// one.
+/// The most rounds in which the shares are corrected by what the leading joint could not do.
 pub(super) const ROUNDS: usize = 16;
+/// The same of a frame that goes on from the last one.
 pub(super) const FRAME_ROUNDS: usize = 2;
 /// A correction is at most so many times what is left.
 const MOST_STEPS: f32 = 5.0;
@@ -159,7 +159,7 @@ impl<const C: usize> Gaze<'_, C> {
                 return Some(allotment);
             }
         }
-        let allotment = self.settle_in_rounds(&way, from, posture, (&mut *more, ROUNDS))?;
+        let allotment = self.settle_in_rounds(&way, from, posture, (more, ROUNDS))?;
         self.place(allotment.aims(), from, None, posture)?;
         Some(allotment)
     }

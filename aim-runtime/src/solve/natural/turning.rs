@@ -15,7 +15,7 @@ use crate::math::trig;
 use crate::rig::{BodyPart, Led, PerJoint};
 use crate::{Joint, math};
 
-/// Where a region is to turn; the turns of the joints inside it are taken back.
+/// The end of a region's turn; the turns of the joints inside it are taken back.
 #[derive(Clone, Copy)]
 struct Sought {
     /// The direction of its outermost forward.
@@ -160,7 +160,7 @@ impl<const C: usize> Gaze<'_, C> {
         posture: &mut Posture<'_, C>,
         goals: &mut PerJoint<Pair, C>,
     ) -> Option<Pair> {
-        /// What turns about one axis is seen about the next one's as a little less.
+        /// A turn about one joint's axis is a little less about the next one's.
         const ROUNDS: usize = 4;
         let mut wanted = Vec4::ZERO;
         for _ in 0..ROUNDS {
@@ -415,7 +415,7 @@ fn stopping(before: Pair, speed: Pair, pace: f32) -> (Pair, Led) {
     (offset, Led { goal: ends(before - offset), ..Led::default() })
 }
 
-/// How far leaps of a target have left the head behind, after another; what the animation does in jerks is no leap.
+/// The angle by which leaps of a target have left the head behind, after another; what the animation does in jerks is no leap.
 fn leapt(before: f32, leap: Pair) -> f32 {
     const LEAP_RAD: f32 = 5.0 * PI / 180.0;
     let size = length(leap);
