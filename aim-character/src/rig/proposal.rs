@@ -372,12 +372,24 @@ fn joint(name: String, role: Declared, habit: &Habit, bone: &BoneAxes) -> JointS
 /// A field's name: the role's, numbered where several joints have it, or what the bone's own name leaves.
 fn field_name(bone: &BoneAxes, bones: &[&BoneAxes], at: usize) -> String {
     let Some(role) = bone.role else { return plain_name(&bone.name, at) };
-    let alike: Vec<usize> = (0..bones.len()).filter(|other| bones[*other].role == Some(role)).collect();
-    match alike.iter().position(|other| *other == at) {
-        // Numbered from the trunk outward, as bones are.
-        Some(place) if alike.len() > 1 => format!("{role}{}", alike.len() - place),
-        _ => role.to_string(),
+    let alike: Vec<&BoneAxes> = bones.iter().copied().filter(|other| other.role == Some(role)).collect();
+    if alike.len() == 1 {
+        return role.to_string();
     }
+    // Numbered as the bones are, or from the trunk outward where their names do not tell them apart.
+    let numbers: Vec<Option<u32>> = alike.iter().map(|bone| trailing_number(&bone.name)).collect();
+    let tell_apart = (1..numbers.len()).all(|at| !numbers[..at].contains(&numbers[at]));
+    let place = alike.iter().position(|other| other.node == bone.node).unwrap_or_default();
+    match numbers[place] {
+        None if tell_apart => role.to_string(),
+        Some(number) if tell_apart => format!("{role}{number}"),
+        _ => format!("{role}{}", alike.len() - place),
+    }
+}
+
+/// The number at the end of a name: 3 of `Spine03`.
+fn trailing_number(name: &str) -> Option<u32> {
+    name[name.trim_end_matches(|c: char| c.is_ascii_digit()).len()..].parse().ok()
 }
 
 fn plain_name(bone: &str, at: usize) -> String {

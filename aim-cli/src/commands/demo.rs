@@ -1,4 +1,4 @@
-//! `aim demo`: the bundled mannequin walks and runs while a target orbits it.
+//! `aim demo`: the bundled mannequin walks and runs while a target orbits it; the mannequin itself is left beside that.
 
 use std::fs;
 
@@ -60,5 +60,9 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
         },
     };
     bake(&request, &document, &Measurement::of(&document), &spec)?;
-    files::print(&format!("wrote report.html and report.json beside it; open {}\n", out("report.html").display()))
+    files::write(&out("mannequin.glb"), &model)?;
+    files::print(&format!(
+        "wrote report.html, report.json and, before it was aimed, mannequin.glb beside it; open {}\n",
+        out("report.html").display()
+    ))
 }

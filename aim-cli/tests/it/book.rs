@@ -15,6 +15,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("cargo add ", "the same"),
     ("cargo install --path ../aim/aim-cli", "the command is built for this test"),
     ("cargo run --release --features view -- view", "a window: `.ci/view-screens.mjs`"),
+    ("cp ", "the same"),
     ("mkdir ", "the folder is there"),
     ("echo ", "a line of a build script or a program: the example `compiled-rigs`"),
     ("cargo run --example ", "`.ci/run`"),

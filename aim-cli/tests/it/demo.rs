@@ -10,7 +10,7 @@ fn the_demo_aims_well_and_writes_the_same_files_each_time() {
     let place = Place::new();
     let ran = place.done("demo");
     assert_eq!((place.names(), ran.stderr.as_str()), (vec!["aim-demo".into()], ""));
-    let files = ["aimed.glb", "report.html", "report.json"];
+    let files = ["aimed.glb", "report.html", "report.json", "mannequin.glb"];
     for file in files {
         assert!(place.read(&format!("aim-demo/{file}")).len() > 1000, "{file} is next to nothing");
         assert!(ran.stdout.contains(file), "{file} is not mentioned in {}", ran.stdout);
@@ -26,6 +26,7 @@ fn the_demo_aims_well_and_writes_the_same_files_each_time() {
     let rig = std::fs::read_to_string(crate::common::bundled_rig("mannequin")).expect("the rig is there");
     let walks_and_runs = aim_character::Mannequin::new().with_walk_to_run().glb(|_| aim_character::PAPER_AXES);
     let (source, output) = (walks_and_runs.expect("orthonormal axes"), place.read("aim-demo/aimed.glb"));
+    assert!(source == place.read("aim-demo/mannequin.glb"), "the mannequin as it was before");
     assert_eq!((&report["clip"], list(&report["frames"]).len()), (&"walk_to_run".into(), 601));
     Bake { source: &source, output: &output, report: &report, joints: Some(&joints(&rig)) }.check();
 

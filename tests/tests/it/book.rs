@@ -203,6 +203,8 @@ fn every_block_of_rust_is_run_or_included_from_a_program() {
                     let Some(plugin) = &plugin else { continue };
                     assert!(plugin.contains(&text), "{chapter}: not in the plugin's README or examples:\n{text}");
                 }
+                // In an empty folder, with a model and a build script: by `.ci/five-minutes`.
+                "rust,ignore" if chapter == "five-minutes.md" => {}
                 "rust,ignore" => {
                     let included = text.trim().strip_prefix("{{#include ").and_then(|rest| rest.strip_suffix("}}"));
                     let path = included.unwrap_or_else(|| panic!("{chapter}: neither run nor included:\n{text}"));
