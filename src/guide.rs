@@ -24,6 +24,7 @@ pages! {
     solvers "solvers.md"
     #[cfg(any(not(doctest), feature = "animation"))]
     animation "animation.md"
+    animation_coverage "animation-coverage.md"
     #[cfg(any(not(doctest), feature = "animation"))]
     tracks "tracks.md"
     #[cfg(any(not(doctest), feature = "animation"))]

@@ -55,7 +55,7 @@ pub struct Mannequin {
         rate = 37deg,
         stiffness = 13.43
     )]
-    pub spine4: Joint,
+    pub spine3: Joint,
     // 23 % of the turn of the chest, which the rig's region bounds to 30 degrees to either side, 30 down and 20 up
     #[joint(
         bone = "spine2",
@@ -66,7 +66,7 @@ pub struct Mannequin {
         rate = 29deg,
         stiffness = 17.09
     )]
-    pub spine3: Joint,
+    pub spine2: Joint,
     // 23 % of the turn of the chest, which the rig's region bounds to 30 degrees to either side, 30 down and 20 up
     #[joint(
         bone = "spine1",
@@ -77,7 +77,7 @@ pub struct Mannequin {
         rate = 29deg,
         stiffness = 17.09
     )]
-    pub spine2: Joint,
+    pub spine1: Joint,
     // 23 % of the turn of the chest, which the rig's region bounds to 30 degrees to either side, 30 down and 20 up
     #[joint(
         bone = "spine",
@@ -88,7 +88,7 @@ pub struct Mannequin {
         rate = 29deg,
         stiffness = 17.09
     )]
-    pub spine1: Joint,
+    pub spine: Joint,
 }
 
 impl Mannequin {
