@@ -35,6 +35,23 @@ pub(crate) enum Buffer {
 ///
 /// Everything reachable from here has been checked: indices exist, the nodes form a forest, data lies
 /// inside its buffers, numbers are finite.
+///
+/// ```
+/// use aim_gltf::Document;
+///
+/// # let folder = std::env::temp_dir();
+/// # let path = folder.join("aim-gltf-example.gltf");
+/// # std::fs::write(&path, r#"{ "asset": { "version": "2.0" }, "nodes": [{ "name": "hips", "children": [1] }, { "name": "head" }] }"#)?;
+/// let document = Document::load(path)?;
+/// let (skeleton, head) = (document.skeleton(), document.skeleton().find("head")?);
+/// assert_eq!(skeleton.parents()[head], Some(skeleton.find("hips")?));
+/// let pose = match document.default_clip() {
+///     Some(clip) => skeleton.pose(clip, 0.5),
+///     None => skeleton.rest().to_vec(),
+/// };
+/// # assert_eq!(pose.len(), 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct Document {
     /// The JSON part, which parses.
     pub(crate) text: Vec<u8>,

@@ -71,6 +71,12 @@ pub fn angle(rotation: Quat) -> f32 {
 /// Normalised linear interpolation: the shorter way, not at constant speed.
 ///
 /// `weight` is clamped to 0…1, NaN counts as 0; a quaternion that is zero or not finite counts as the identity.
+///
+/// ```
+/// # use aim_runtime::{glam::Quat, rotation};
+/// let [a, b] = [Quat::IDENTITY, Quat::from_rotation_x(1.0)];
+/// assert!(rotation::nlerp(a, -b, 0.5).abs_diff_eq(Quat::from_rotation_x(0.5), 1e-6)); // b and -b are one rotation
+/// ```
 #[must_use]
 pub fn nlerp(a: Quat, b: Quat, weight: f32) -> Quat {
     let [a, b] = [a, b].map(|rotation| unit(rotation).unwrap_or(Quat::IDENTITY));
@@ -90,6 +96,12 @@ pub fn slerp(a: Quat, b: Quat, weight: f32) -> Quat {
 /// The rotation vector of a unit quaternion: its axis times its angle, radians, the short way, so no longer than π.
 ///
 /// Zero for a quaternion that is zero or not finite.
+///
+/// ```
+/// # use aim_runtime::{glam::{Quat, Vec3}, rotation};
+/// assert!(rotation::log(Quat::from_rotation_z(0.3)).abs_diff_eq(Vec3::new(0.0, 0.0, 0.3), 1e-6));
+/// assert_eq!(rotation::log(Quat::IDENTITY), Vec3::ZERO);
+/// ```
 #[must_use]
 pub fn log(rotation: Quat) -> Vec3 {
     let Some(rotation) = unit(rotation) else { return Vec3::ZERO };
@@ -118,6 +130,12 @@ pub fn exp(vector: Vec3) -> Quat {
 
 /// The shortest rotation from one direction to another; about any axis between opposites. Vectors of any length; the
 /// identity if one is zero or not finite.
+///
+/// ```
+/// # use aim_runtime::{glam::Vec3, rotation};
+/// let turn = rotation::shortest(Vec3::X, Vec3::NEG_X);
+/// assert!((turn * Vec3::X).abs_diff_eq(Vec3::NEG_X, 1e-6) && (rotation::angle(turn) - core::f32::consts::PI).abs() < 1e-6);
+/// ```
 #[must_use]
 pub fn shortest(from: Vec3, to: Vec3) -> Quat {
     let (Some(from), Some(to)) = (math::direction(from.into()), math::direction(to.into())) else {
@@ -128,6 +146,13 @@ pub fn shortest(from: Vec3, to: Vec3) -> Quat {
 
 /// Gram–Schmidt orthonormalisation of the columns, in order x, y, z. Keeps handedness. `None` if the columns are
 /// linearly dependent to 1e-5, or not finite.
+///
+/// ```
+/// # use aim_runtime::{glam::{Mat3A, Vec3A}, rotation};
+/// let skewed = Mat3A::from_cols(2.0 * Vec3A::X, Vec3A::new(0.2, 1.0, 0.0), Vec3A::Z);
+/// assert_eq!(rotation::gram_schmidt(skewed), Some(Mat3A::IDENTITY)); // the first column keeps its direction
+/// assert_ne!(rotation::nearest_orthogonal(skewed), Some(Mat3A::IDENTITY)); // none does more than the others
+/// ```
 #[must_use]
 pub fn gram_schmidt(m: Mat3A) -> Option<Mat3A> {
     math::orthonormal(m)
@@ -155,6 +180,13 @@ pub fn nearest_orthogonal(m: Mat3A) -> Option<Mat3A> {
 }
 
 /// The inverse of an affine transform. `None` if its columns are linearly dependent to 1e-5, or if it is not finite.
+///
+/// ```
+/// # use aim_runtime::{glam::{Affine3A, Vec3}, rotation};
+/// let twice = Affine3A::from_scale(Vec3::splat(2.0));
+/// assert_eq!(rotation::inverse(&twice), Some(Affine3A::from_scale(Vec3::splat(0.5))));
+/// assert_eq!(rotation::inverse(&Affine3A::from_scale(Vec3::new(1.0, 1.0, 0.0))), None);
+/// ```
 #[must_use]
 pub fn inverse(transform: &Affine3A) -> Option<Affine3A> {
     math::orthonormal(transform.matrix3)?;

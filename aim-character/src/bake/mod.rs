@@ -78,6 +78,36 @@ pub struct Baked {
 /// Aims `rig` over the plan's clip. `target` gives the target in the world from the time in seconds and the nodes in the
 /// world: animated, or aimed where the plan has a [`target_node`](Plan::target_node); `progress` is told of every finished frame.
 ///
+/// ```
+/// use aim_character::{InterpretedRig, Measurement, PAPER_AXES, Plan, Settle, bake, chain_nodes, mannequin, propose};
+/// use aim_gltf::Document;
+/// use aim_runtime::glam::DVec3;
+/// use aim_runtime::{DynAim, Settings};
+///
+/// let document = Document::from_bytes(&mannequin(|_| PAPER_AXES)?)?;
+/// let measurement = Measurement::of(&document);
+/// let spec = propose(&document, &measurement, None)?.spec;
+/// let plan = Plan {
+///     document: &document,
+///     clip: document.default_clip(),
+///     measurement: &measurement,
+///     chain: &chain_nodes(&spec, document.skeleton())?,
+///     both_eyes: true,
+///     seconds: 1.2,
+///     fps: 30.0,
+///     settle: Settle::Snap,
+///     looped: false,
+///     settings: Settings::default(),
+///     target_node: None,
+/// };
+/// let mut rig = DynAim::new(InterpretedRig::new(&spec));
+/// let baked = bake(&mut rig, &plan, |_, _| DVec3::new(1.0, 1.7, 2.0), |_, _| {})?;
+/// assert!(baked.frames.iter().all(|frame| frame.error_deg < 0.1));
+/// let aimed = document.with_clips(&[baked.clip.with_name("walk_aimed")])?; // a GLB of both clips
+/// # assert_eq!(Document::from_bytes(&aimed)?.clips().len(), 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// A length or frame rate that makes no frames.
 pub fn bake<R: Rig>(

@@ -109,6 +109,24 @@ pub struct Reached {
 /// Deforms the trajectory of the plan's bone and has the limb follow it: the plane that it bends in and the bone's
 /// orientation in the world stay those of the animation.
 ///
+/// ```
+/// use aim_character::{Goal, LimbNodes, PAPER_AXES, ReachPlan, mannequin, reach};
+/// use aim_gltf::Document;
+/// use aim_runtime::glam::DVec3;
+///
+/// let document = Document::from_bytes(&mannequin(|_| PAPER_AXES)?)?;
+/// let plan = ReachPlan {
+///     document: &document,
+///     clip: document.clip("walk")?,
+///     limb: LimbNodes::find(document.skeleton(), "left_hand")?,
+///     goals: &[Goal { at: 0.6, target: DVec3::new(0.3, 1.1, 0.4) }],
+///     fps: 60.0,
+/// };
+/// let reached = reach(&plan)?;
+/// assert!(reached.arrivals[0].aimed.distance(plan.goals[0].target) < 1e-6); // within the arm's reach
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// A frame rate that makes no frames; a goal outside the clip, or within a frame of another; a limb without length.
 pub fn reach(plan: &ReachPlan<'_>) -> Result<Reached, Error> {

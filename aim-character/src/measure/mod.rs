@@ -167,6 +167,18 @@ pub enum MeasuredPose {
 }
 
 /// A whole character, measured.
+///
+/// ```
+/// use aim_character::{Measurement, PAPER_AXES, Role, SignedAxis, mannequin};
+/// use aim_gltf::Document;
+/// use aim_runtime::glam::DVec3;
+///
+/// let measured = Measurement::of(&Document::from_bytes(&mannequin(|_| PAPER_AXES)?)?);
+/// assert!(measured.forward.abs_diff_eq(DVec3::Z, 1e-6) && measured.confidence > 0.5);
+/// let head = measured.with_role(Role::Head).ok_or("no head")?;
+/// assert_eq!([head.up, head.forward, head.left].map(SignedAxis::as_str), ["+X", "+Y", "+Z"]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Measurement {

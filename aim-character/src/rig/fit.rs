@@ -35,6 +35,19 @@ pub struct JointFit<'a> {
 }
 
 /// A declaration held against a file.
+///
+/// ```
+/// use aim_character::{Fit, Measurement, PAPER_AXES, mannequin, propose};
+/// use aim_gltf::Document;
+///
+/// let document = Document::from_bytes(&mannequin(|_| PAPER_AXES)?)?;
+/// let measurement = Measurement::of(&document);
+/// let mut spec = propose(&document, &measurement, None)?.spec;
+/// assert!(Fit::new(&spec, &document, &measurement).problems.is_empty());
+/// spec.joints[1].bones = vec!["hat".into()];
+/// assert!(!Fit::new(&spec, &document, &measurement).problems.is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Fit<'a> {
     /// The joints whose bones were found, from the effector inward.

@@ -87,6 +87,17 @@ const RAISING: [&str; 7] = ["pitch", "tilt", "elevation", "barrel", "gun", "cann
 
 /// The rig of these nodes (from the effector inward), or of the chain that the file's roles and names tell.
 ///
+/// ```
+/// use aim_character::{Measurement, PAPER_AXES, declaration, mannequin, propose};
+/// use aim_gltf::Document;
+///
+/// let document = Document::from_bytes(&mannequin(|_| PAPER_AXES)?)?;
+/// let proposal = propose(&document, &Measurement::of(&document), None)?;
+/// let toml = declaration::toml(&proposal, "Of the mannequin.");
+/// assert!(toml.contains("bone = \"left_eye\"\nrole = \"eye\"\nother_eye = \"right_eye\""));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// A file without an eye, a head, a neck or anything that points; named nodes that are no chain; bones whose names are
 /// not unique.

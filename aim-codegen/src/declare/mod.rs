@@ -56,6 +56,16 @@ pub fn from_derive_input(input: &DeriveInput) -> Result<Declared, Diagnostics> {
 
 /// Reads and checks a rig's TOML file. `file_name` is what the errors call it.
 ///
+/// ```
+/// let rig = "name = 'Lamp'\naxes = { up = '+Y', forward = '+Z' }\n[[joint]]\nname = 'base'\nheading = 'free'\nrate = '90deg'\n";
+/// let spec = aim_codegen::declare::from_toml("lamp.toml", rig)?;
+/// assert_eq!(spec.joints[0].name, "base");
+///
+/// let errors = aim_codegen::declare::from_toml("lamp.toml", &rig.replace("90deg", "fast")).unwrap_err();
+/// assert!(errors.render().contains("lamp.toml:6:8"));
+/// # Ok::<(), aim_codegen::declare::Diagnostics>(())
+/// ```
+///
 /// # Errors
 ///
 /// Everything that is wrong with the declaration; [`Diagnostics::render`] shows it with line and column.

@@ -41,6 +41,15 @@ struct Written {
 impl Differentiated {
     /// Derives what `#[differentiate(…)]` asks for on the function of this name, which may be in a module of the file.
     ///
+    /// ```
+    /// use aim_codegen::{Differentiated, emit::c};
+    ///
+    /// let file = "#[differentiate(wrt(x))] fn energy(x: f64, rest: f64) -> f64 { 0.5 * (x - rest).powi(2) }";
+    /// let energy = Differentiated::from_file("energy.rs", file, "energy")?;
+    /// assert!(c::emit_procedures("of energy.rs", &energy.procedures()).contains("energy_gradient"));
+    /// # Ok::<(), aim_codegen::declare::Diagnostics>(())
+    /// ```
+    ///
     /// # Errors
     /// Where the text is no Rust, has no such function, or one that cannot be differentiated: all that is wrong, with places
     /// in the text.

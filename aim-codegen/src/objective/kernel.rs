@@ -25,6 +25,17 @@ pub struct Kernel {
 }
 
 /// The kernels of all [`OBJECTIVES`] for a rig.
+///
+/// ```
+/// # #[cfg(feature = "toml")] {
+/// let rig = "name = 'Lamp'\naxes = { up = '+Y', forward = '+Z' }\n[[joint]]\nname = 'base'\nheading = 'free'\nrate = '90deg'\n";
+/// let spec = aim_codegen::declare::from_toml("lamp.toml", rig)?;
+/// let kernels = aim_codegen::kernels(&spec);
+/// let c = aim_codegen::emit::c::emit(&aim_codegen::emit::Rig { spec: &spec, kernels: &kernels });
+/// assert!(c.contains("aim_gradient"));
+/// # }
+/// # Ok::<(), aim_codegen::declare::Diagnostics>(())
+/// ```
 #[must_use]
 pub fn kernels(spec: &RigSpec) -> Vec<Kernel> {
     OBJECTIVES.into_iter().flat_map(|objective| objective.kernels(spec, FirstLink::Given)).collect()
