@@ -7,6 +7,7 @@
 
 pub mod bakes;
 pub mod by_hand;
+pub mod callgrind;
 pub mod chain_by_hand;
 pub mod derived;
 pub mod differences;

@@ -8,8 +8,9 @@ use std::fmt::Write as _;
 use std::fs;
 use std::hint::black_box;
 use std::path::Path;
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 
+use aim_benches::callgrind;
 use aim_benches::solver::compare::{Authored, CONTENDERS, Contender, Judged, cases, judged};
 use aim_benches::solver::row::{number, quantile};
 
@@ -121,14 +122,7 @@ fn on_target(judged: &Judged) -> bool {
 fn instructions(contender: &Contender) -> Result<String, String> {
     let count = |cases: usize| -> Result<f64, String> {
         let program = env::current_exe().map_err(|error| error.to_string())?;
-        let mut command = Command::new("valgrind");
-        command.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]).arg(program);
-        let output = command.args(["--run", contender.name, &cases.to_string()]).output();
-        let output = output.map_err(|error| format!("valgrind: {error}"))?;
-        let said = String::from_utf8_lossy(&output.stderr);
-        said.lines()
-            .find_map(|line| line.split_once("Collected :")?.1.trim().parse().ok())
-            .ok_or_else(|| format!("valgrind counted nothing:\n{said}"))
+        callgrind::instructions(&program, &["--run".to_owned(), contender.name.to_owned(), cases.to_string()])
     };
     let each = (count(COUNTED)? - count(0)?) / COUNTED as f64;
     let digit = 10.0_f64.powf(each.max(1.0).log10().floor() - 1.0);

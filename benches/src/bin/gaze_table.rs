@@ -6,9 +6,10 @@
 
 use std::env;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 
 use aim_benches::bakes::looks;
+use aim_benches::callgrind;
 use aim_benches::solver::natural::people;
 use aim_benches::solver::row::{Row, markdown};
 use aim_character::{PAPER_AXES, mannequin};
@@ -90,16 +91,7 @@ fn costs() -> Result<Vec<Row>, String> {
     if !program.is_file() {
         return Err(format!("{} is not built: cargo build --release -p aim-benches --bins", program.display()));
     }
-    let count = |mode: &str, frames: u32| -> Result<f64, String> {
-        let mut command = Command::new("valgrind");
-        command.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]).arg(&program);
-        let output =
-            command.args([mode, &frames.to_string()]).output().map_err(|error| format!("valgrind: {error}"))?;
-        let said = String::from_utf8_lossy(&output.stderr);
-        said.lines()
-            .find_map(|line| line.split_once("Collected :")?.1.trim().parse().ok())
-            .ok_or_else(|| format!("valgrind counted nothing:\n{said}"))
-    };
+    let count = |mode: &str, frames: u32| callgrind::instructions(&program, &[mode.to_owned(), frames.to_string()]);
     let [few, many] = FRAMES;
     let each = |mode: &str| -> Result<f64, String> {
         Ok((count(mode, many)? - count(mode, few)?) / (CHARACTERS * f64::from(many - few)))

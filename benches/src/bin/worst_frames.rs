@@ -4,13 +4,14 @@
 //! runs, and has valgrind count the instructions of the hundred that took longest. `worst_frames replay natural|exact CASE…` is
 //! what it counts: nothing but the calls of [`measured`].
 
+use std::env;
 use std::hint::black_box;
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 use std::time::{Duration, Instant};
-use std::{env, fs, process};
 
 use aim::glam::{Affine3A, Quat, Vec3};
 use aim::{Aim, Outcome, Pose, Settings, Solver};
+use aim_benches::callgrind;
 use aim_benches::solver::chain::{Animation, EYE_AT_REST, Gazer, direction, wobble};
 
 /// The frames of a character.
@@ -145,33 +146,10 @@ fn rank(solver: &str, frames: usize) -> Result<(), String> {
 
 /// The instructions of each frame, with its case.
 fn count(solver: &str, frames: &[Frame]) -> Result<Vec<(u64, String)>, String> {
-    let io = |error: std::io::Error| error.to_string();
     let cases: Vec<String> = frames.iter().map(|frame| format!("{}:{}", frame.character, frame.frame)).collect();
-    let folder = env::temp_dir().join(format!("worst-frames-{}", process::id()));
-    fs::create_dir_all(&folder).map_err(io)?;
-    let own = "worst_frames::measured";
-    let mut command = Command::new("valgrind");
-    command
-        .args(["--tool=callgrind", "--collect-atstart=no"])
-        .arg(format!("--toggle-collect={own}"))
-        .arg(format!("--dump-after={own}"))
-        .arg(format!("--callgrind-out-file={}", folder.join("out").display()))
-        .arg(env::current_exe().map_err(io)?)
-        .args(["replay", solver])
-        .args(&cases);
-    let output = command.output().map_err(|error| format!("valgrind: {error}"))?;
-    if !output.status.success() {
-        return Err(String::from_utf8_lossy(&output.stderr).into_owned());
-    }
-    let counted = (1..).zip(&cases).map(|(part, case)| {
-        let text = fs::read_to_string(folder.join(format!("out.{part}"))).map_err(io)?;
-        let totals = text.lines().find_map(|line| line.strip_prefix("totals: "));
-        let instructions = totals.and_then(|totals| totals.trim().parse().ok()).ok_or("callgrind wrote no totals")?;
-        Ok((instructions, case.clone()))
-    });
-    let counted = counted.collect();
-    fs::remove_dir_all(&folder).map_err(io)?;
-    counted
+    let arguments = [&["replay".to_owned(), solver.to_owned()], &cases[..]].concat();
+    let counts = callgrind::instructions_of_calls("worst_frames::measured", cases.len(), &arguments)?;
+    Ok(counts.into_iter().zip(cases).collect())
 }
 
 /// The frames by themselves: what is before each is aimed by calls that do not count.
