@@ -1,34 +1,4 @@
-// Where the links of README.md lead from here. Of two definitions the first counts, and the file's own come last. A picture that
-// is a file beside README.md is no part of the documentation: an empty one stands for it.
-//! [`differentiate`]: macro@crate::differentiate
-//! [`Aim`]: crate::Aim
-//! [`DynAim`]: crate::DynAim
-//! [`check`]: crate::check
-//! [`Settings`]: crate::Settings
-//! [`Outcome`]: crate::Outcome
-//! [`Settings::solver`]: crate::Settings::solver
-//! [`Pose::with_other_eye`]: crate::Pose::with_other_eye
-//! [lanes]: #eight-characters-at-once
-//! [ARCHITECTURE.md]: https://docs.rs/crate/aim-rig/latest/source/ARCHITECTURE.md
-//! [docs/introduction.md]: crate::guide
-//! [docs/five-minutes.md]: crate::guide
-//! [integrations/bevy/README.md]: https://docs.rs/bevy_aim
-//! [docs/paper.md]: crate::guide::paper
-//! [docs/screens/panel.png]: data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7
-//! [docs/viewer.md]: crate::guide::viewer
-//! [docs/animation.md]: crate::guide::animation
-//! [examples/walk_to_run.rs]: https://docs.rs/crate/aim-rig/latest/source/examples/walk_to_run.rs
-//! [examples/walk_to_run_of_a_file.rs]: https://docs.rs/crate/aim-rig/latest/source/examples/walk_to_run_of_a_file.rs
-//! [examples/compiled-rigs]: crate::include_rigs
-//! [docs/axes.md]: crate::guide::axes
-//! [docs/differentiating.md]: crate::guide::differentiating
-//! [docs/singularities.md]: crate::guide::singularities
-//! [docs/operation-counts.md]: crate::guide::operation_counts
-//! [docs/reach.md]: crate::guide::reach
-//! [docs/solvers.md]: crate::guide::solvers
-//! [docs/natural-gaze.md]: crate::guide::natural_gaze
-//!
-#![doc = include_str!("../README.md")]
+#![doc = include_str!("registry.md")]
 //!
 //! # A natural gaze over one second
 //!
@@ -155,9 +125,11 @@ pub mod rigs {
     include_rigs!("rigs");
 }
 
-/// The pages of the book that are no pages of the guide, whose examples are run.
+/// The project's front page and the pages of the book that are no pages of the guide, whose examples are run.
 #[cfg(doctest)]
 mod book {
+    #[doc = include_str!("../README.md")]
+    mod readme {}
     #[doc = include_str!("../docs/five-minutes.md")]
     mod five_minutes {}
     #[doc = include_str!("../docs/recipes.md")]

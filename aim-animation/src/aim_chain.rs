@@ -1,5 +1,7 @@
 //! [`AimChain`]: the bones that a rig aims, between an animated pose and an aimed one.
 
+use alloc::borrow::ToOwned;
+use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
 
@@ -12,13 +14,20 @@ use crate::skeleton::Skeleton;
 use crate::transform::{Transform, made_unit};
 
 /// Why bones are no chain of a rig. Joints are counted from the effector inward.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum AimChainError {
     /// There is no joint.
     Empty,
-    /// There is no such bone for this joint, or no bone or several have its names.
+    /// There is no such bone for this joint.
     Joint(usize),
+    /// No bone has any of these names that the rig gives to this joint's, or several have.
+    Names {
+        /// The joint.
+        joint: usize,
+        /// The names, best first.
+        names: Vec<String>,
+    },
     /// The bone of the joint before this one does not hang on this one's.
     Order(usize),
     /// There is no such bone for the other eye, or it is a joint.
@@ -33,7 +42,13 @@ impl fmt::Display for AimChainError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Empty => f.write_str("a chain needs a joint"),
-            Self::Joint(joint) => write!(f, "joint {joint} has no bone, or more than one bears its names"),
+            Self::Joint(joint) => write!(f, "there is no such bone for joint {joint}"),
+            Self::Names { joint, names } if names.is_empty() => {
+                write!(f, "the rig names no bone for joint {joint}; declare one, as in `bone = \"Head\"`")
+            }
+            Self::Names { joint, names } => {
+                write!(f, "no bone, or more than one, is called {names:?}, as the rig calls that of joint {joint}")
+            }
             Self::Order(joint) => {
                 write!(f, "the bone of joint {} does not hang on that of joint {joint}", joint.saturating_sub(1))
             }
@@ -208,7 +223,10 @@ impl AimChain {
             let own = rig.bone_name(joint, 0).is_none().then(|| rig.joint_name(joint)).flatten();
             declared.chain(own)
         };
-        let bone = |joint| names(joint).find_map(|name| skeleton.find(name)).ok_or(AimChainError::Joint(joint));
+        let bone = |joint| {
+            let unknown = || AimChainError::Names { joint, names: names(joint).map(str::to_owned).collect() };
+            names(joint).find_map(|name| skeleton.find(name)).ok_or_else(unknown)
+        };
         let count = description.joints().len();
         let mut chain = Self::new(skeleton, (0..count).map(bone).collect::<Result<Vec<_>, _>>()?)?;
         for joint in 0..count {

@@ -66,6 +66,8 @@ fn mistakes_are_told() {
         (ReachError::State.to_string(), &["state"]),
         (AimChainError::Empty.to_string(), &["joint"]),
         (AimChainError::Joint(2).to_string(), &["joint 2"]),
+        (AimChainError::Names { joint: 2, names: vec!["jaw".into()] }.to_string(), &["joint 2", "\"jaw\""]),
+        (AimChainError::Names { joint: 2, names: vec![] }.to_string(), &["joint 2", "`bone = "]),
         (AimChainError::Order(2).to_string(), &["joint 1", "joint 2"]),
         (AimChainError::OtherEye.to_string(), &["eye"]),
         (AimChainError::Trunk.to_string(), &["trunk"]),

@@ -163,6 +163,9 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     let subject = BakePage { spec, report: &report, document, measurement, baked: &baked };
     arguments.written.write(&model, &report, || html::page(&subject))?;
     files::print(&format!("{}\n", report.in_words(&arguments.written.out)))?;
+    for page in [&arguments.written.report, &arguments.written.html].into_iter().flatten() {
+        files::print(&format!("wrote {}\n", page.display()))?;
+    }
     if arguments.strict { plausibility::insist(&report.plausibility, &arguments.written.out) } else { Ok(()) }
 }
 

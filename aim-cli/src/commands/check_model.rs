@@ -28,7 +28,9 @@ pub(super) fn run(file: &Path, rig: &Path) -> Result {
     let mut out = format!("{} fits {}\n", rig.display(), file.display());
     for joint in &fit.joints {
         let off = (0..3).map(|at| joint.off_deg(at)).fold(0.0, f64::max);
-        out += &format!("{}: {} is as declared, {off:.1}° off at most", joint.joint, joint.bone.name);
+        let bone = Some(&joint.bone.name).filter(|bone| *bone != joint.joint);
+        let bone = bone.map_or(String::new(), |bone| format!("{bone} is "));
+        out += &format!("{}: {bone}as declared, {off:.1}° off at most", joint.joint);
         out += if off > NEAR_DEG { "; its exact frame (aim rig) would aim better\n" } else { "\n" };
     }
     out += &about_limbs(&spec, &document, &measurement);

@@ -62,7 +62,8 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
     bake(&request, &document, &Measurement::of(&document), &spec)?;
     files::write(&out("mannequin.glb"), &model)?;
     files::print(&format!(
-        "wrote report.html, report.json and, before it was aimed, mannequin.glb beside it; open {}\n",
+        "wrote {}, before it was aimed; open {}\n",
+        out("mannequin.glb").display(),
         out("report.html").display()
     ))
 }

@@ -149,6 +149,7 @@ pub(super) fn run(arguments: &args::Inspect) -> Result {
     files::print(&if arguments.json {
         files::to_json(&json(&file, &document, &measurement))?
     } else {
-        format!("{file}\n{}\n{}", in_words(&measurement, &document), table(&document, &measurement))
+        let drawn = arguments.html.as_ref().map_or(String::new(), |page| format!("\nwrote {}\n", page.display()));
+        format!("{file}\n{}\n{}{drawn}", in_words(&measurement, &document), table(&document, &measurement))
     })
 }

@@ -13,7 +13,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("cargo new ", "`.ci/five-minutes` goes through the page in an empty folder"),
     ("cd hero", "the same"),
     ("cargo add ", "the same"),
-    ("cargo install --path ../aim/aim-cli", "the command is built for this test"),
+    ("cargo install ", "the command is built for this test"),
     ("cargo run --release --features view -- view", "a window: `.ci/view-screens.mjs`"),
     ("cp ", "the same"),
     ("mkdir ", "the folder is there"),
@@ -91,9 +91,10 @@ fn place_of_a_user() -> Place {
     let place = Place::new();
     place.write("hero.glb", &hero());
     place.write("hero.vrm", &Mannequin::new().with_vrm(Vrm::V1).glb(|_| MIXAMO_AXES).expect("orthonormal axes"));
-    for folder in ["rigs", "src"] {
+    for folder in ["rigs", "src", "assets"] {
         fs::create_dir(place.path(folder)).expect("a new folder");
     }
+    place.write("assets/hero.glb", &hero());
     let extra = root().join("examples/compiled-rigs/rigs/extra.toml");
     for rig in bundled_rigs().into_iter().chain([extra]) {
         fs::copy(&rig, place.path("rigs").join(rig.file_name().expect("a file"))).expect("a rig is copied");

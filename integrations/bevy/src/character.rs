@@ -26,13 +26,13 @@ pub type SharedRig = Arc<dyn Rig + Send + Sync>;
 /// not later, when it is animated; or give the pose by [`with_bind_pose`](Self::with_bind_pose). One entity aims one chain.
 ///
 /// ```
-/// use aim::{AimRig, Joint};
-/// use bevy_aim::{AimCharacter, AimTarget, aim};
+/// use bevy_aim::aim::{AimRig, Joint};
+/// use bevy_aim::{AimCharacter, AimTarget};
 /// use bevy_ecs::prelude::*;
 /// use bevy_math::Vec3;
 ///
 /// #[derive(AimRig)]
-/// #[aim(axes(up = +Y, forward = +Z, left = +X))]
+/// #[aim(crate = bevy_aim::aim, axes(up = +Y, forward = +Z, left = +X))]
 /// struct Hero {
 ///     #[joint(bone = "Head", role = head, heading = -70deg..=70deg, pitch = -40deg..=40deg, rate = 200deg)]
 ///     head: Joint,

@@ -13,9 +13,14 @@ use bevy_ecs::system::{Commands, Query};
 use bevy_transform::components::Transform;
 
 use crate::character::{OtherEye, Source};
-use crate::names::{find, hangs_on, joints};
+use crate::names::{find, hangs_on, joints, wanted};
 use crate::place::of_bevy;
-use crate::{AimBinding, AimCharacter, AimOutcome, AimedBone, SharedRig, Unbound};
+use crate::{AimBinding, AimCharacter, AimOutcome, AimStatus, AimedBone, SharedRig, Unbound};
+
+/// The frames for which bones are looked through in vain before the log says so.
+const TOLD_AFTER: u32 = 120;
+/// Fewer entities below a character are no scene yet, but what its scene will hang on.
+const SCENE: usize = 3;
 
 /// The bones of a character as they were last seen.
 #[derive(Component, Clone, Debug, Default)]
@@ -24,6 +29,8 @@ pub(crate) struct Seen {
     rest: EntityHashMap<Transform>,
     /// The number of bones when they were last looked through in vain.
     in_vain: usize,
+    /// The frames since.
+    waits: u32,
     /// True once a bone that is aimed is gone.
     pub(crate) has_lost: bool,
 }
@@ -75,9 +82,17 @@ pub(crate) fn find_bones(
         let below = below(entity, &children, &nodes, &mut seen);
         // The same bones will not do in this frame, either.
         if !is_new && below.len() == seen.in_vain {
+            seen.waits = seen.waits.saturating_add(1);
+            if let AimStatus::Unbound(why) = outcome.status
+                && seen.waits == TOLD_AFTER
+                && below.len() >= SCENE
+            {
+                let names = names_wanted(&character, loaded.as_deref(), why);
+                log::warn!("the character {entity} is not aimed: {why}{names}");
+            }
             continue;
         }
-        seen.in_vain = below.len();
+        (seen.in_vain, seen.waits) = (below.len(), 0);
         let found = match &character.source {
             _ if below.is_empty() => Err(Unbound::Bones),
             Source::Rig(rig) => Ok(Found { rig: rig.clone(), up: None, trunk: None, bind: Vec::new() }),
@@ -108,6 +123,16 @@ pub(crate) fn find_bones(
             }
         }
     }
+}
+
+/// The names by which the bone of a joint is looked for that has none, to be said after that.
+fn names_wanted(character: &AimCharacter, loaded: Option<&LoadedRig>, why: Unbound) -> String {
+    let rig = match (&character.source, loaded) {
+        (Source::Rig(rig), _) | (_, Some(LoadedRig(Found { rig, .. }))) => rig,
+        _ => return String::new(),
+    };
+    let Unbound::Joint(joint) = why else { return String::new() };
+    format!(" (looked for: {:?})", wanted(character, rig.as_ref(), joint).collect::<Vec<_>>())
 }
 
 impl Seen {
@@ -204,7 +229,7 @@ fn bind(character: &AimCharacter, found: Found, below: &[Node<'_>]) -> Result<Ai
     let skeleton = Skeleton::new(bones).map_err(|_| Unbound::RestPose)?;
 
     let told = |error: AimChainError| match error {
-        AimChainError::Joint(joint) => Unbound::Joint(joint),
+        AimChainError::Joint(joint) | AimChainError::Names { joint, .. } => Unbound::Joint(joint),
         AimChainError::Order(joint) => Unbound::Order(joint),
         AimChainError::OtherEye => Unbound::OtherEye,
         AimChainError::Trunk => Unbound::Trunk,

@@ -38,16 +38,19 @@ pub(crate) fn hangs_on(below: &[Node<'_>], node: usize, on: usize) -> bool {
 
 /// The bones of the first of the joint's names that one bone has; else of the first that several have.
 fn candidates(character: &AimCharacter, rig: &dyn Rig, below: &[Node<'_>], joint: usize) -> Vec<usize> {
-    let mut given = character.bones.iter().rev().filter(|(of, _)| *of == joint).map(|(_, name)| &name[..]);
-    if let Some(name) = given.next() {
-        return named(below, name);
-    }
-    let declared = (0..).map_while(|candidate| rig.bone_name(joint, candidate));
-    let own = rig.bone_name(joint, 0).is_none().then(|| rig.joint_name(joint)).flatten();
-    let mut bones: Vec<Vec<usize>> = declared.chain(own).map(|name| named(below, name)).collect();
+    let mut bones: Vec<Vec<usize>> = wanted(character, rig, joint).map(|name| named(below, name)).collect();
     bones.retain(|bones| !bones.is_empty());
     let first = bones.iter().position(|bones| bones.len() == 1).unwrap_or_default();
     if bones.is_empty() { Vec::new() } else { bones.swap_remove(first) }
+}
+
+/// The names of a joint's bone, best first: the one that the character gives, else those that the rig declares, else the joint's own.
+pub(crate) fn wanted<'a>(character: &'a AimCharacter, rig: &'a dyn Rig, joint: usize) -> impl Iterator<Item = &'a str> {
+    let given = character.bones.iter().rev().find(|(of, _)| *of == joint).map(|(_, name)| &name[..]);
+    let declared = (0..).map_while(move |candidate| rig.bone_name(joint, candidate));
+    let own = rig.bone_name(joint, 0).is_none().then(|| rig.joint_name(joint)).flatten();
+    let of_rig = declared.chain(own).filter(move |_| given.is_none());
+    given.into_iter().chain(of_rig)
 }
 
 /// The nodes of a name; where there is none, those of a path.

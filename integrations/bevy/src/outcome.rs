@@ -18,7 +18,7 @@ pub struct AimOutcome {
     #[cfg_attr(feature = "reflect", reflect(ignore))]
     pub status: AimStatus,
     /// The angle that remains to the target, radians; with a weight below 1 that to the weighted goal. 0 where nothing is
-    /// aimed at.
+    /// aimed at. It is joint 0's, while the status tells of both eyes.
     pub remaining: f32,
     /// The turn, radians to the left, that the body would have to make for the target to come into reach: see
     /// [`Outcome::body_turn`].
@@ -111,6 +111,20 @@ impl fmt::Display for Unbound {
 impl Default for AimStatus {
     fn default() -> Self {
         Self::Unbound(Unbound::default())
+    }
+}
+
+impl fmt::Display for AimStatus {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Unbound(why) => return why.fmt(f),
+            Self::NoTarget => "there is nothing to look at",
+            Self::Reached => "reached",
+            Self::RateLimited => "on the way",
+            Self::AtLimit => "out of reach",
+            Self::Behind => "behind, out of reach",
+            Self::Degenerate => "pose or target are no place",
+        })
     }
 }
 

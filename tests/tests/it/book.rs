@@ -184,7 +184,9 @@ fn every_page_is_a_chapter_and_every_chapter_a_page() {
 #[test]
 fn every_block_of_rust_is_run_or_included_from_a_program() {
     let documentation = read("src/lib.rs") + &read("src/guide.rs") + &read("derivand/src/lib.rs");
-    let plugin = root().join("integrations/bevy/README.md").is_file().then(|| read("integrations/bevy/README.md"));
+    let plugin = root().join("integrations/bevy/README.md").is_file().then(|| {
+        read("integrations/bevy/README.md") + &read("integrations/bevy/examples/examples/walking.rs")
+    });
     let mut run = 0;
     for chapter in chapters() {
         let text = read(&format!("docs/{chapter}"));
@@ -201,7 +203,7 @@ fn every_block_of_rust_is_run_or_included_from_a_program() {
                 "rust,ignore" if chapter == BEVY => {
                     // That workspace needs a newer Rust, and tests its own code.
                     let Some(plugin) = &plugin else { continue };
-                    assert!(plugin.contains(&text), "{chapter}: not in the plugin's README or examples:\n{text}");
+                    assert!(plugin.contains(&text), "{chapter}: not in the plugin's README or its example:\n{text}");
                 }
                 // In an empty folder, with a model and a build script: by `.ci/five-minutes`.
                 "rust,ignore" if chapter == "five-minutes.md" => {}

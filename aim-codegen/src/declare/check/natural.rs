@@ -18,8 +18,9 @@ pub(super) fn check(report: &mut Report, natural: Setting<'_>) -> Option<Natural
     };
     let usual = NaturalSpec::default();
     let eyes_only = number("eyes_only", usual.eyes_only, angle);
-    let engage = number("engage", usual.engage, angle);
-    let release = number("release", usual.release, angle);
+    // Whoever lowers one means the head to move sooner: what is not declared goes along.
+    let engage = number("engage", usual.engage.min(eyes_only.unwrap_or(PI)), angle);
+    let release = number("release", usual.release.min(engage.unwrap_or(PI)), angle);
     let head_share = number("head_share", usual.head_share, read::share);
     let delay = number("delay", usual.delay, delay);
     let (engage, release) = (engage?, release?);

@@ -484,8 +484,12 @@ fn natural_gazes() {
         r#"engage = "10deg", release = "12deg""#,
         ["`release`, 12°, is above `engage`, 10°", "12deg", "\"12deg\""]
     );
-    // Against what is not set, too.
-    natural!("engage = 5deg", r#"engage = "5deg""#, ["`release`, 8°, is above `engage`, 5°", "5deg", "\"5deg\""]);
+    // Against what is not set, too: it goes along with `eyes_only`.
+    natural!(
+        "eyes_only = 5deg, release = 8deg",
+        r#"eyes_only = "5deg", release = "8deg""#,
+        ["`release`, 8°, is above `engage`, 5°", "8deg", "\"8deg\""]
+    );
     natural!("eyes = 5deg", r#"eyes = "5deg""#, ["unknown setting `eyes`", "eyes", "eyes"]);
     natural!("share = 0.5", "share = 0.5", ["unknown setting `share`", "share", "share"]);
     rig(

@@ -2,13 +2,21 @@ use bevy::prelude::*;
 use bevy_aim::{AimCharacter, AimPlugin, AimTarget};
 
 fn main() {
-    App::new().add_plugins((DefaultPlugins, AimPlugin::default())).add_systems(Startup, spawn).run();
+    let mut app = App::new();
+    app.add_plugins((DefaultPlugins, AimPlugin::default()));
+    app.add_systems(Startup, spawn).add_systems(Update, swing).run();
 }
 
 fn spawn(mut commands: Commands, assets: Res<AssetServer>) {
-    let camera = Transform::from_xyz(0.0, 1.5, 3.0).looking_at(Vec3::Y * 1.3, Vec3::Y);
+    let camera = Transform::from_xyz(0.0, 1.6, 2.0).looking_at(Vec3::Y * 1.45, Vec3::Y);
     commands.spawn((Camera3d::default(), camera));
-    let lamp = commands.spawn((PointLight::default(), Transform::from_xyz(1.0, 1.7, 2.0))).id();
+    let lamp = commands.spawn((PointLight { intensity: 1e5, ..default() }, Transform::default())).id();
     let hero = WorldAssetRoot(assets.load(GltfAssetLabel::Scene(0).from_asset("hero.glb")));
     commands.spawn((hero, AimCharacter::measured(), AimTarget::entity(lamp)));
+}
+
+/// The lamp swings from side to side; a ball shows where it is.
+fn swing(time: Res<Time>, mut lamp: Single<&mut Transform, With<PointLight>>, mut gizmos: Gizmos) {
+    lamp.translation = Vec3::new(0.7 * time.elapsed_secs().sin(), 1.7, 0.8);
+    gizmos.sphere(lamp.translation, 0.05, Color::WHITE);
 }

@@ -1,5 +1,7 @@
 //! Bones that are found, late or not at all, and lost again.
 
+use std::sync::Mutex;
+
 use bevy_aim::aim::glam::{DVec3, Quat, Vec3};
 use bevy_aim::{AimBinding, AimCharacter, AimStatus, AimTarget, AimedBone, Unbound};
 use bevy_ecs::prelude::*;
@@ -52,6 +54,39 @@ fn what_is_missing_is_told() {
     app.world_mut().get_mut::<Transform>(neck).expect("a bone").rotation = Quat::from_xyzw(f32::NAN, 0.0, 0.0, 1.0);
     app.update();
     assert_eq!(status(&app, wild), unbound(Unbound::RestPose));
+}
+
+/// All that is logged.
+struct Log(Mutex<Vec<String>>);
+
+impl log::Log for Log {
+    fn enabled(&self, _: &log::Metadata<'_>) -> bool {
+        true
+    }
+    fn log(&self, record: &log::Record<'_>) {
+        self.0.lock().expect("a list").push(record.args().to_string());
+    }
+    fn flush(&self) {}
+}
+
+/// A misspelt bone is told in the log, once, by its name; what may still be loaded is not.
+#[test]
+fn what_stays_missing_is_logged() {
+    static LOG: Log = Log(Mutex::new(Vec::new()));
+    log::set_logger(&LOG).expect("no other test logs");
+    log::set_max_level(log::LevelFilter::Warn);
+    let mut app = stage::app();
+    spawn(&mut app, hero().with_bone(1, "Jaw-of-no-one"), Transform::IDENTITY, 1.0);
+    let waiting = app.world_mut().spawn((hero().with_bone(0, "Eye-to-come"), Transform::IDENTITY)).id();
+    app.world_mut().spawn((Transform::IDENTITY, ChildOf(waiting)));
+    for _ in 0..300 {
+        app.update();
+    }
+    let logged = LOG.0.lock().expect("a list");
+    let about = |name: &str| logged.iter().filter(|line| line.contains(name)).collect::<Vec<_>>();
+    let [told] = about("Jaw-of-no-one")[..] else { panic!("{logged:?}") };
+    assert!(told.contains("joint 1") && told.contains("with_bone"), "{told}");
+    assert!(about("Eye-to-come").is_empty(), "{logged:?}");
 }
 
 /// Whose bones are found late, when they are animated, counts from the pose in which they appeared.

@@ -350,9 +350,13 @@ fn what_is_no_chain() {
     assert_eq!(good.clone().with_standing_up(Vec3::Y, 10).unwrap_err(), AimChainError::Trunk);
     assert!(good.clone().with_bind(&[Affine3A::IDENTITY; 9]).is_err());
     let nameless = Skeleton::new([]).unwrap();
-    assert_eq!(AimChain::named(&nameless, Hero::RIG).unwrap_err(), AimChainError::Joint(0));
+    let unknown = |skeleton: &Skeleton, rig| match AimChain::named(skeleton, rig).unwrap_err() {
+        AimChainError::Names { joint, names } => (joint, names),
+        error => panic!("{error}"),
+    };
+    assert_eq!(unknown(&nameless, Hero::RIG), (0, vec!["left_eye".into()]));
     // A name that is declared is meant, and not the field's where that is misspelt.
-    assert_eq!(AimChain::named(&skeleton, Misspelt::RIG).unwrap_err(), AimChainError::Joint(1));
+    assert_eq!(unknown(&skeleton, Misspelt::RIG), (1, vec!["spine_O3".into()]));
     let (mut local, mut model) = (skeleton.rest().to_vec(), vec![Affine3A::IDENTITY; 10]);
     let mut foreign = chain(&[5]).unwrap().frame();
     assert!(good.gather(&mut foreign, &mut local, &mut model).is_err());
