@@ -127,11 +127,12 @@ pub(crate) fn find_bones(
 
 /// The names by which the bone of a joint is looked for that has none, to be said after that.
 fn names_wanted(character: &AimCharacter, loaded: Option<&LoadedRig>, why: Unbound) -> String {
-    let rig = match (&character.source, loaded) {
-        (Source::Rig(rig), _) | (_, Some(LoadedRig(Found { rig, .. }))) => rig,
-        _ => return String::new(),
+    let rig = match &character.source {
+        Source::Rig(rig) => Some(rig),
+        // A measured one has the names of the file.
+        _ => loaded.map(|loaded| &loaded.0.rig),
     };
-    let Unbound::Joint(joint) = why else { return String::new() };
+    let (Some(rig), Unbound::Joint(joint)) = (rig, why) else { return String::new() };
     format!(" (looked for: {:?})", wanted(character, rig.as_ref(), joint).collect::<Vec<_>>())
 }
 
