@@ -37,7 +37,6 @@ pub(crate) struct Seen {
 
 /// The rig of a character that was loaded.
 #[derive(Component, Clone)]
-#[cfg_attr(not(feature = "assets"), expect(dead_code, reason = "only assets are loaded"))]
 pub(crate) struct LoadedRig(pub(crate) Found);
 
 /// A rig with what is known beside it.
