@@ -126,11 +126,13 @@ pub(crate) fn find_bones(
 
 /// The names by which the bone of a joint is looked for that has none, to be said after that.
 fn names_wanted(character: &AimCharacter, loaded: Option<&LoadedRig>, why: Unbound) -> String {
-    let rig = match &character.source {
+    let declared = match &character.source {
         Source::Rig(rig) => Some(rig),
-        // A measured one has the names of the file.
-        _ => loaded.map(|loaded| &loaded.0.rig),
+        #[cfg(any(feature = "assets", feature = "measure"))]
+        _ => None,
     };
+    // A measured one has the names of the file.
+    let rig = declared.or_else(|| loaded.map(|loaded| &loaded.0.rig));
     let (Some(rig), Unbound::Joint(joint)) = (rig, why) else { return String::new() };
     format!(" (looked for: {:?})", wanted(character, rig.as_ref(), joint).collect::<Vec<_>>())
 }
