@@ -68,7 +68,8 @@ pub struct Joint {
     pub(crate) pitch: f32,
     #[cfg_attr(feature = "serde", serde(with = "stored::angle"))]
     pub(crate) heading: f32,
-    /// Velocity of heading and pitch, rad/s; 0 for a joint without inertia.
+    /// Velocity of heading and pitch, rad/s; 0 for a joint without inertia. Of the innermost joint of several that a natural gaze
+    /// turns together, the middle of the sums that their ranges allow, and in `destination` the shift of their budget, radians.
     #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) velocity: [f32; 2],
     /// Heading and pitch that the joint goes to, NaN for none: while the joints turn round together, though the aim

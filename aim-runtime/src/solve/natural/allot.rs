@@ -5,7 +5,7 @@ use core::f32::consts::PI;
 use glam::{Vec3A, Vec4};
 
 use super::glide::{Pair, length};
-use super::{Aims, Gaze, Posture, Seen};
+use super::{Aims, Gaze, Posture, SAME_RAD, Seen};
 use crate::limits::Interval;
 use crate::math::Bounded;
 use crate::math::trig;
@@ -19,7 +19,7 @@ pub(super) const FRAME_ROUNDS: usize = 2;
 /// A correction is at most so many times what is left.
 const MOST_STEPS: f32 = 5.0;
 /// What has to be left of a correction for another to be tried.
-const GAIN: f32 = 0.8;
+const GAIN: f32 = 0.95;
 /// The part of its range that an eye is given: what its angles miss of headings and elevations stays within the rest.
 const EYE_PART: f32 = 0.98;
 /// The part of its range within which the leading joint surely does what headings and elevations leave to it, below this
@@ -182,7 +182,13 @@ impl<const C: usize> Gaze<'_, C> {
             // What the regions need not make after all.
             let spare =
                 (seen.wanted - own.hi).max(-*more).min(Vec4::ZERO) + (seen.wanted - own.lo).min(-*more).max(Vec4::ZERO);
-            let off = Vec4::select(spare.cmpeq(Vec4::ZERO), left, spare);
+            let needs = if self.has_eye {
+                spare.cmpeq(Vec4::ZERO)
+            } else {
+                // The region's end may hold a head that its own range would not.
+                left.abs().cmpgt(Vec4::splat(SAME_RAD))
+            };
+            let off = Vec4::select(needs, left, spare);
             if Seen::is_nothing(off) {
                 break;
             }

@@ -6,7 +6,7 @@
 
 use core::f32::consts::PI;
 
-use glam::Vec4;
+use glam::{Vec4, Vec4Swizzles};
 
 use crate::math;
 use crate::math::Bounded;
@@ -36,6 +36,11 @@ pub(super) struct Bounds {
     pub(super) approach: f32,
     pub(super) acceleration: f32,
 }
+
+/// Where an end comes too fast to brake before it, a region brakes with so many times its acceleration.
+const LATE: f32 = 2.0;
+/// The part of its acceleration with which a region brakes before an end that comes nearer, which may come faster yet.
+const WARY: f32 = 0.5;
 
 impl Glide {
     /// The glide a frame later, while the goal goes on at speed `with` after `before`. From frame to frame, the region's
@@ -71,38 +76,35 @@ impl Glide {
         Self { offset: self.offset + speed * bounds.dt, speed, acceleration: (speed - self.speed) * bounds.per_dt }
     }
 
-    /// The glide where the region would not stop before the ends `lo` and `hi` of its ranges any more: braked. `sum` is where
-    /// the frame began, as `before`, with the goal's speed `begins`.
+    /// The glide where the region would not stop before the ends of its room any more, which move: braked. `sum` is where the
+    /// frame began, as `before`, with the goal's speed `begins`.
     #[inline(always)]
     pub(super) fn braked(
         self,
         before: &Self,
         sum: Pair,
-        [lo, hi]: [Pair; 2],
+        room: &Room,
         [begins, with]: [Pair; 2],
         bounds: &Bounds,
     ) -> Self {
         let end = self.speed + with;
-        let left = Vec4::select(end.cmpgt(Vec4::ZERO), hi - sum, sum - lo);
-        let size = end.abs();
-        // More than it takes to stop.
-        let stops = size * (size * (0.5 / bounds.acceleration) + Vec4::splat(bounds.dt));
-        if left.cmpgt(stops).bitmask() & 3 == 3 {
+        let (sums, speeds) = (both_ways(sum), both_ways(end));
+        if room.leaves_room(sums, speeds, bounds) {
             return self;
         }
+        let most = room.most_speeds(sums, speeds, bounds);
+        // Where that is too late, too, the range ends the movement.
         let start = before.speed + begins;
-        let held = [0, 1].map(|axis| {
-            let (gain, sum, end) = (bounds.acceleration * bounds.dt, sum[axis], end[axis]);
-            if left[axis] > stops[axis] {
-                return end;
-            }
-            let up = braking(hi[axis] - sum, gain, bounds.dt);
-            let down = braking(sum - lo[axis], gain, bounds.dt);
-            // Where it is too late to brake in time, the range ends the movement.
-            let held = end.at_most(up).at_least(-down);
-            if held == end { end } else { held.at_least(start[axis] - gain).at_most(start[axis] + gain) }
-        });
-        if held == [end.x, end.y] { self } else { before.at_speed(pair(held) - with, bounds) }
+        let held = end.min(most).max(-most.zwxy());
+        let late = Vec4::splat(LATE * bounds.acceleration * bounds.dt);
+        let held = Vec4::select(held.cmpeq(end), end, held.max(start - late).min(start + late));
+        let is_free = held.cmpeq(end);
+        if is_free.bitmask() & 3 == 3 {
+            return self;
+        }
+        let speed = held - with;
+        let acceleration = Vec4::select(is_free, self.acceleration, Vec4::ZERO);
+        Self { offset: before.offset + speed * bounds.dt, speed, acceleration }
     }
 
     /// Whether nothing is left of it that could be seen.
@@ -110,6 +112,83 @@ impl Glide {
     pub(super) fn is_over(&self, pace: f32) -> bool {
         const STILL_RAD: f32 = 2e-5;
         square(self.offset) <= STILL_RAD * STILL_RAD && square(self.speed) <= STILL_RAD * STILL_RAD * pace * pace
+    }
+}
+
+/// Where a region's room ends, which its joints' ranges and its budget limit: the greatest sums of headings and pitches, then the
+/// least with their signs changed.
+pub(super) struct Room {
+    /// The ends of both, and of either.
+    pub(super) at: Vec4,
+    pub(super) ends: [Vec4; 2],
+    /// The speeds at which the animation brings either nearer, negative.
+    speeds: [Vec4; 2],
+}
+
+/// A pair, and the same with its signs changed.
+#[inline(always)]
+fn both_ways(pair: Pair) -> Vec4 {
+    pair.xyxy() * Vec4::new(1.0, 1.0, -1.0, -1.0)
+}
+
+impl Room {
+    /// The sums between `lo` and `hi`.
+    #[inline(always)]
+    pub(super) fn ends([lo, hi]: [Pair; 2]) -> Vec4 {
+        Vec4::new(hi.x, hi.y, -lo.x, -lo.y).max(Vec4::ZERO)
+    }
+
+    /// The room whose ends the animation has shifted by these pairs, where it had shifted them by `before` in the last frame.
+    #[inline(always)]
+    pub(super) fn new(
+        at: Vec4,
+        ends: [Vec4; 2],
+        shifts: [Pair; 2],
+        before: Option<[[f32; 2]; 2]>,
+        bounds: &Bounds,
+    ) -> Self {
+        let Some(before) = before else { return Self { at, ends, speeds: [Vec4::ZERO; 2] } };
+        let speeds = [0, 1].map(|limit| {
+            let speed = both_ways(shifts[limit] - pair(before[limit])) * bounds.per_dt;
+            // An end that leaps has no speed, and one that goes away may stop at any time.
+            Vec4::select(speed.cmpge(Vec4::splat(-bounds.rate)), speed.min(Vec4::ZERO), Vec4::ZERO)
+        });
+        Self { at, ends, speeds }
+    }
+
+    /// The distances at which something with these speeds has to begin to stop before ends that come nearer.
+    #[inline(always)]
+    fn stops(speeds: Vec4, coming: Vec4, acceleration: Vec4, dt: f32) -> Vec4 {
+        let closing = (speeds - coming).max(Vec4::ZERO);
+        closing * (closing * 0.5 / acceleration + Vec4::splat(dt))
+    }
+
+    /// Whether what has these speeds is surely farther away from all ends than it takes to stop.
+    #[inline(always)]
+    fn leaves_room(&self, sums: Vec4, speeds: Vec4, bounds: &Bounds) -> bool {
+        let coming = self.speeds[0].min(self.speeds[1]);
+        let stops = Self::stops(speeds, coming, Vec4::splat(WARY * bounds.acceleration), bounds.dt);
+        (self.at - sums).cmpgt(stops).bitmask() == 15
+    }
+
+    /// The largest speeds from which it is possible to stop before the ends.
+    #[cold]
+    #[inline(never)]
+    fn most_speeds(&self, sums: Vec4, speeds: Vec4, bounds: &Bounds) -> Vec4 {
+        let mut most = [f32::INFINITY; 4];
+        for (end, coming) in self.ends.iter().zip(&self.speeds) {
+            // As the end was when the frame began; where the animation is at it, it stays.
+            let coming = Vec4::select(end.cmpgt(Vec4::ZERO), *coming, Vec4::ZERO);
+            let left = *end - coming * bounds.dt - sums;
+            let wary = Vec4::select(coming.cmplt(Vec4::ZERO), Vec4::splat(WARY), Vec4::ONE);
+            let acceleration = wary * bounds.acceleration;
+            let is_near = left.cmple(Self::stops(speeds, coming, acceleration, bounds.dt));
+            for lane in (0..4).filter(|lane| is_near.test(*lane)) {
+                let speed = braking(left[lane], acceleration[lane] * bounds.dt, bounds.dt) + coming[lane];
+                most[lane] = most[lane].at_most(speed);
+            }
+        }
+        Vec4::from_array(most)
     }
 }
 
@@ -130,18 +209,29 @@ fn braking(distance: f32, gain: f32, dt: f32) -> f32 {
 /// What a leading goal did in a frame: the speed that its region goes along with, and the offset that is left. Returns the
 /// speed with which the frame begins, and what the goal did at once.
 ///
-/// A change of the goal's speed within `most` is gone along with at once; one that lasts, from the second frame on, with
-/// the region's own speed going on evenly; a leap is all offset. A region that is shaken goes along with the goal's mean speed.
+/// A change of the goal's speed is gone along with as far as this `part` of the acceleration goes; one that lasts, from the second frame on, with
+/// the region's own speed going on evenly; a leap is all offset, and so is a hop from which the goal has come back. A region that is
+/// shaken goes along with the goal's mean speed.
 #[inline(always)]
-pub(super) fn follow(led: &mut Led, sum: Pair, goal: Pair, glide: &mut Glide, bounds: &Bounds) -> [Pair; 2] {
+pub(super) fn follow(
+    led: &mut Led,
+    [sum, goal]: [Pair; 2],
+    glide: &mut Glide,
+    part: f32,
+    bounds: &Bounds,
+) -> [Pair; 2] {
     let &Bounds { dt, per_dt, rate, acceleration, .. } = bounds;
     let most = Vec4::splat(acceleration * dt);
     let [led_goal, led_speed, led_change] = [led.goal, led.speed, led.change].map(pair);
     let change = (goal - led_goal) * per_dt;
-    let is_near = |other: Pair| (change - other).abs().cmple(most).bitmask() & 3 == 3;
-    // One axis that leaps makes the other's change part of the leap.
-    let (mut is_smooth, lasts) = (is_near(led_speed), is_near(led_change));
-    let mut speed = if (is_smooth || lasts) && square(change) <= rate * rate { change } else { led_speed };
+    let is_near = |other: Pair| is_near_to(change, other, most);
+    let lasts = is_near(led_change);
+    // The goal hops where its speeds of two frames lie on either side of what is gone along with.
+    let gain = change - led_speed;
+    let hops = (gain * (led_change - led_speed)).cmplt(Vec4::ZERO);
+    let gain = if lasts { gain } else { Vec4::select(hops, Vec4::ZERO, gain.max(most * -part).min(most * part)) };
+    let mut speed = if square(change) <= rate * rate { led_speed + gain } else { led_speed };
+    let mut is_smooth = is_near_to(speed, led_speed, most);
     if !lasts || led.tired > 0.0 {
         (speed, is_smooth) = led.shake(speed, change, lasts, bounds);
     }
@@ -157,6 +247,12 @@ pub(super) fn follow(led: &mut Led, sum: Pair, goal: Pair, glide: &mut Glide, bo
     [begins, leap]
 }
 
+/// Whether both angles are within `most` of others.
+#[inline(always)]
+fn is_near_to(pair: Pair, other: Pair, most: Pair) -> bool {
+    (pair - other).abs().cmple(most * 1.0001).bitmask() & 3 == 3
+}
+
 impl Led {
     /// The part of its pace with which the head follows: less where its goal leaps to and fro.
     pub(super) fn haste(&self) -> f32 {
@@ -164,8 +260,8 @@ impl Led {
         (1.0 - self.tired).at_least(LEAST).at_most(1.0)
     }
 
-    /// A goal that in motion goes on changing its speed v by more than the acceleration a makes up for shakes the head: going along
-    /// overshoots by v²/2a. The more it is shaken, the more it goes along with the mean of its goal's speed alone.
+    /// A goal that goes on leaving the speed that is gone along with, by v, faster than the acceleration a makes up for shakes the
+    /// head: going along overshoots by v²/2a. The more it is shaken, the more it goes along with the mean of its goal's speed alone.
     ///
     /// Returns what it goes along with instead of `speed`, and whether that is within the acceleration; `lasts` tells whether the
     /// goal's last change was.
@@ -174,15 +270,15 @@ impl Led {
     fn shake(&mut self, speed: Pair, change: Pair, lasts: bool, bounds: &Bounds) -> (Pair, bool) {
         /// The time over which the mean is taken, and that in which shaking comes to count in full, seconds.
         const MEAN_S: f32 = 0.25;
-        const SHAKEN_S: f32 = 0.08;
+        const SHAKEN_S: f32 = 0.1;
         /// From how far going along overshoots it counts as shaking, and from where in full.
-        const OVERSHOOTS_RAD: [f32; 2] = [0.1 * PI / 180.0, 0.5 * PI / 180.0];
+        const OVERSHOOTS_RAD: [f32; 2] = [0.03 * PI / 180.0, 0.2 * PI / 180.0];
         let &Bounds { dt, rate, acceleration, .. } = bounds;
         let most = Vec4::splat(acceleration * dt);
         let before = pair(self.speed);
-        let is_near = |speed: Pair| (speed - before).abs().cmple(most).bitmask() & 3 == 3;
         if !lasts {
-            let overshoots = square(change).at_most(square(pair(self.change))) / (2.0 * acceleration);
+            let off = square(change - before).at_most(square(pair(self.change) - before));
+            let overshoots = off / (2.0 * acceleration);
             let counts = (overshoots - OVERSHOOTS_RAD[0]) / (OVERSHOOTS_RAD[1] - OVERSHOOTS_RAD[0]);
             self.tired += counts.at_least(0.0).at_most(1.0) * (dt / SHAKEN_S);
         }
@@ -190,7 +286,7 @@ impl Led {
         let counted = change * (rate / length(change)).at_most(1.0);
         let mean = before + (counted - before) * (dt / (dt + MEAN_S));
         let speed = speed + (mean - speed) * self.tired.at_most(1.0);
-        (speed, is_near(speed))
+        (speed, is_near_to(speed, before, most))
     }
 
     /// A goal that leaps back before the head has come makes it slow for a while: it stays near the middle.

@@ -5,7 +5,7 @@ use core::f32::consts::PI;
 use glam::{Vec3A, Vec4};
 
 use super::body::{Turn, angles};
-use super::glide::{Bounds, Glide, Pair, ends, follow, length, pair, saccade, square};
+use super::glide::{Bounds, Glide, Pair, Room, ends, follow, length, pair, saccade, square};
 use super::region::Region;
 use super::sight::{Seen, turn_to};
 use super::{Aims, Gaze, Motion, Posture, SAME_RAD, THERE_RAD, at, sum};
@@ -215,7 +215,7 @@ impl<const C: usize> Gaze<'_, C> {
     }
 
     /// Moves a region towards its joints' goals by a frame, or to a stop. Its outermost joint remembers speed and
-    /// acceleration.
+    /// acceleration, its innermost one, if that is another, where the animation has shifted the ends of its room.
     #[inline(always)]
     fn glide(
         &self,
@@ -248,7 +248,9 @@ impl<const C: usize> Gaze<'_, C> {
             goal = pair(led.goal);
         } else if is_head {
             let leap;
-            [begins, leap] = follow(&mut led, before, goal, &mut glide, &bounds);
+            // Where an eye makes up for what is left, half of the acceleration is left for that.
+            let part = if self.has_eye { 0.5 } else { 1.0 };
+            [begins, leap] = follow(&mut led, [before, goal], &mut glide, part, &bounds);
             if !self.has_eye {
                 let leapt = leapt(motion.memory.leapt(), leap).at_most(length(glide.offset));
                 motion.memory.set_leapt(leapt);
@@ -258,13 +260,17 @@ impl<const C: usize> Gaze<'_, C> {
         } else {
             glide.offset = before - goal;
         }
-        let mut next = glide.after(&bounds, begins, carries).braked(
-            &glide,
-            before,
-            [region.lo, region.hi],
-            [begins, carries],
+        let inner = (outer < region.part.inner).then_some(region.part.inner);
+        let shifts = inner.and_then(|inner| Some([from[inner].velocity, from[inner].destination()?]));
+        let limits = region.shifts();
+        let room = Room::new(
+            Room::ends([region.lo, region.hi]),
+            [Room::ends(region.range), Room::ends(region.budget())],
+            limits,
+            shifts,
             &bounds,
         );
+        let mut next = glide.after(&bounds, begins, carries).braked(&glide, before, &room, [begins, carries], &bounds);
         if next.is_over(bounds.pace) {
             next = Glide::default();
         } else {
@@ -287,6 +293,10 @@ impl<const C: usize> Gaze<'_, C> {
         }
         joints[outer].velocity = ends(next.speed);
         joints[outer].set_destination(Some(ends(next.acceleration)));
+        if let Some(inner) = inner {
+            joints[inner].velocity = ends(limits[0]);
+            joints[inner].set_destination(Some(ends(limits[1])));
+        }
         if is_head {
             motion.led = Some(led);
         }
