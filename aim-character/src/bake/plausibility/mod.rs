@@ -189,8 +189,7 @@ impl Plausibility {
                     head.restart();
                     chest.restart();
                 }
-                // The chest's turn carries the head along.
-                head.push(t, of_chest.transpose() * of_head);
+                head.push(t, of_head);
                 chest.push(t, of_chest);
                 (seen.head_speed_deg_s, seen.head_acceleration_deg_s2) = (head.speed(), head.acceleration());
             }
@@ -388,10 +387,15 @@ impl<'a> Look<'a> {
         orthonormal(&world[node].matrix3).0 * orthonormal(&self.bind[node].matrix3).0.transpose()
     }
 
-    /// By what the correction turns head and chest in the world.
+    /// By what the correction turns the head beyond the chest, and the chest in its animated frame: a turn that only goes along with
+    /// the animation stays the same.
     fn turns(&self, animated: &[DAffine3], aimed: &[DAffine3]) -> Option<[DMat3; 2]> {
         let nodes = [self.landmarks.head?, self.landmarks.chest?];
-        Some(nodes.map(|node| orthonormal(&aimed[node].matrix3).0 * orthonormal(&animated[node].matrix3).0.transpose()))
+        let [[head_before, chest_before], [head, chest]] =
+            [animated, aimed].map(|world| nodes.map(|node| orthonormal(&world[node].matrix3).0));
+        // The chest's turn carries the head along.
+        let of_head = chest_before * chest.transpose() * head * head_before.transpose();
+        Some([of_head, chest_before.transpose() * chest])
     }
 
     /// Whether the head's heading is the correction's doing.
