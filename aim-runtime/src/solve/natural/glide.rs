@@ -77,13 +77,14 @@ impl Glide {
     }
 
     /// The glide where the region would not stop before the ends of its room any more, which move: braked. `sum` is where the
-    /// frame began, as `before`, with the goal's speed `begins`.
+    /// frame began, as `before`, with the goal's speed `begins`; `ends` are those of the joints' ranges and of the budget.
     #[inline(always)]
     pub(super) fn braked(
         self,
         before: &Self,
         sum: Pair,
         room: &Room,
+        ends: impl Fn() -> [Vec4; 2],
         [begins, with]: [Pair; 2],
         bounds: &Bounds,
     ) -> Self {
@@ -92,7 +93,7 @@ impl Glide {
         if room.leaves_room(sums, speeds, bounds) {
             return self;
         }
-        let most = room.most_speeds(sums, speeds, bounds);
+        let most = room.most_speeds(ends(), sums, speeds, bounds);
         // Where that is too late, too, the range ends the movement.
         let start = before.speed + begins;
         let held = end.min(most).max(-most.zwxy());
@@ -118,10 +119,8 @@ impl Glide {
 /// Where a region's room ends, which its joints' ranges and its budget limit: the greatest sums of headings and pitches, then the
 /// least with their signs changed.
 pub(super) struct Room {
-    /// The ends of both, and of either.
-    pub(super) at: Vec4,
-    pub(super) ends: [Vec4; 2],
-    /// The speeds at which the animation brings either nearer, negative.
+    at: Vec4,
+    /// The speeds at which the animation brings the ranges' and the budget's ends nearer, negative.
     speeds: [Vec4; 2],
 }
 
@@ -140,20 +139,14 @@ impl Room {
 
     /// The room whose ends the animation has shifted by these pairs, where it had shifted them by `before` in the last frame.
     #[inline(always)]
-    pub(super) fn new(
-        at: Vec4,
-        ends: [Vec4; 2],
-        shifts: [Pair; 2],
-        before: Option<[[f32; 2]; 2]>,
-        bounds: &Bounds,
-    ) -> Self {
-        let Some(before) = before else { return Self { at, ends, speeds: [Vec4::ZERO; 2] } };
+    pub(super) fn new(at: Vec4, shifts: [Pair; 2], before: Option<[[f32; 2]; 2]>, bounds: &Bounds) -> Self {
+        let Some(before) = before else { return Self { at, speeds: [Vec4::ZERO; 2] } };
         let speeds = [0, 1].map(|limit| {
             let speed = both_ways(shifts[limit] - pair(before[limit])) * bounds.per_dt;
             // An end that leaps has no speed, and one that goes away may stop at any time.
             Vec4::select(speed.cmpge(Vec4::splat(-bounds.rate)), speed.min(Vec4::ZERO), Vec4::ZERO)
         });
-        Self { at, ends, speeds }
+        Self { at, speeds }
     }
 
     /// The distances at which something with these speeds has to begin to stop before ends that come nearer.
@@ -174,9 +167,9 @@ impl Room {
     /// The largest speeds from which it is possible to stop before the ends.
     #[cold]
     #[inline(never)]
-    fn most_speeds(&self, sums: Vec4, speeds: Vec4, bounds: &Bounds) -> Vec4 {
+    fn most_speeds(&self, ends: [Vec4; 2], sums: Vec4, speeds: Vec4, bounds: &Bounds) -> Vec4 {
         let mut most = [f32::INFINITY; 4];
-        for (end, coming) in self.ends.iter().zip(&self.speeds) {
+        for (end, coming) in ends.iter().zip(&self.speeds) {
             // As the end was when the frame began; where the animation is at it, it stays.
             let coming = Vec4::select(end.cmpgt(Vec4::ZERO), *coming, Vec4::ZERO);
             let left = *end - coming * bounds.dt - sums;

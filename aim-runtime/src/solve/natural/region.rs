@@ -20,11 +20,9 @@ pub(super) struct Region<'a> {
     /// The outermost joint's animated forward in its own frame and in the innermost one's.
     pub(super) own_forward: Vec3A,
     pub(super) forward: Vec3A,
-    /// How far the animation turns the region out of what is inside it.
-    pub(super) turned: Pair,
-    /// The sums that the joints' ranges allow.
-    pub(super) range: [Pair; 2],
-    /// What of them the budget allows in this pose, too.
+    /// How far the pose shifts the middle of the joints' ranges, where those have ends, and the budget.
+    pub(super) shifts: [Pair; 2],
+    /// The sums that the joints' ranges allow, and the budget in this pose.
     pub(super) lo: Pair,
     pub(super) hi: Pair,
 }
@@ -35,8 +33,7 @@ impl Region<'_> {
         animated: Vec4::ZERO,
         own_forward: Vec3A::ZERO,
         forward: Vec3A::ZERO,
-        turned: Vec4::ZERO,
-        range: [Vec4::ZERO; 2],
+        shifts: [Vec4::ZERO; 2],
         lo: Vec4::ZERO,
         hi: Vec4::ZERO,
     };
@@ -45,18 +42,6 @@ impl Region<'_> {
     pub(super) fn share(&self, info: &JointInfo) -> Pair {
         let own = pair(info.compliance());
         Vec4::select(own.cmpgt(Vec4::ZERO), own / self.part.compliance, Vec4::ZERO)
-    }
-
-    /// The sums that the budget allows in this pose.
-    pub(super) fn budget(&self) -> [Pair; 2] {
-        [self.part.least - self.turned, self.part.most - self.turned]
-    }
-
-    /// How far the pose shifts the middle of the range, where that has ends, and the budget.
-    pub(super) fn shifts(&self) -> [Pair; 2] {
-        let [lo, hi] = self.range;
-        let middle = (lo + hi) * 0.5;
-        [Vec4::select(middle.abs().cmplt(Vec4::INFINITY), middle, Vec4::ZERO), -self.turned]
     }
 
     /// The room of one axis.
@@ -100,7 +85,9 @@ pub(super) fn find_regions<'a, const C: usize>(
         let turned = Vec4::new(math::wrap_pi(turned.x), turned.y, 0.0, 0.0);
         let own = &ranges[part.outer..=part.inner];
         let (lo, hi) = own[1..].iter().fold((own[0].lo, own[0].hi), |(lo, hi), own| (lo + own.lo, hi + own.hi));
-        (region.turned, region.range) = (turned, [lo, hi]);
+        let range_shift = (lo + hi) * 0.5;
+        let has_ends = range_shift.abs().cmplt(Vec4::INFINITY);
+        region.shifts = [Vec4::select(has_ends, range_shift, Vec4::ZERO), -turned];
         let (lo, hi) = (lo.max((part.least - turned).min(Vec4::ZERO)), hi.min((part.most - turned).max(Vec4::ZERO)));
         let is_room = lo.cmple(hi);
         let middle = (lo + hi) * 0.5;

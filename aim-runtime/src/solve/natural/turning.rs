@@ -248,8 +248,8 @@ impl<const C: usize> Gaze<'_, C> {
             goal = pair(led.goal);
         } else if is_head {
             let leap;
-            // Where an eye makes up for what is left, half of the acceleration is left for that.
-            let part = if self.has_eye { 0.5 } else { 1.0 };
+            // An eye makes up for what its head does not go along with.
+            let part = if self.has_eye { 1.0 / 3.0 } else { 1.0 };
             [begins, leap] = follow(&mut led, [before, goal], &mut glide, part, &bounds);
             if !self.has_eye {
                 let leapt = leapt(motion.memory.leapt(), leap).at_most(length(glide.offset));
@@ -262,15 +262,15 @@ impl<const C: usize> Gaze<'_, C> {
         }
         let inner = (outer < region.part.inner).then_some(region.part.inner);
         let shifts = inner.and_then(|inner| Some([from[inner].velocity, from[inner].destination()?]));
-        let limits = region.shifts();
-        let room = Room::new(
-            Room::ends([region.lo, region.hi]),
-            [Room::ends(region.range), Room::ends(region.budget())],
-            limits,
-            shifts,
-            &bounds,
-        );
-        let mut next = glide.after(&bounds, begins, carries).braked(&glide, before, &room, [begins, carries], &bounds);
+        let room = Room::new(Room::ends([region.lo, region.hi]), region.shifts, shifts, &bounds);
+        let room_ends = || {
+            let own = &self.ranges[outer..region.part.inner + 1];
+            let range = own[1..].iter().fold([own[0].lo, own[0].hi], |[lo, hi], own| [lo + own.lo, hi + own.hi]);
+            let budget = [region.part.least, region.part.most].map(|end| end + region.shifts[1]);
+            [Room::ends(range), Room::ends(budget)]
+        };
+        let next = glide.after(&bounds, begins, carries);
+        let mut next = next.braked(&glide, before, &room, room_ends, [begins, carries], &bounds);
         if next.is_over(bounds.pace) {
             next = Glide::default();
         } else {
@@ -294,8 +294,8 @@ impl<const C: usize> Gaze<'_, C> {
         joints[outer].velocity = ends(next.speed);
         joints[outer].set_destination(Some(ends(next.acceleration)));
         if let Some(inner) = inner {
-            joints[inner].velocity = ends(limits[0]);
-            joints[inner].set_destination(Some(ends(limits[1])));
+            joints[inner].velocity = ends(region.shifts[0]);
+            joints[inner].set_destination(Some(ends(region.shifts[1])));
         }
         if is_head {
             motion.led = Some(led);
