@@ -200,7 +200,7 @@ pub struct Memory {
     searched: [u16; 3],
     /// The number of blocked frames since then, or so; 0 where that has never been.
     pub(crate) turn: u16,
-    /// The number of halvings that make a step a gain.
+    /// The number of halvings that make a step a gain; what a natural gaze knows the last frame's weight and attention by.
     pub(crate) caution: u8,
     pub(crate) support: Support,
     pub(crate) side: Side,

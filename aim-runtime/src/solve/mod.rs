@@ -172,7 +172,7 @@ fn forget_natural(joints: &mut [Joint], memory: &mut Memory) {
         joints.iter_mut().for_each(|joint| joint.set_destination(None));
         memory.set_led(Led::default());
         memory.set_more([0.0; 2]);
-        memory.blocked_s = 0.0;
+        (memory.blocked_s, memory.caution) = (0.0, 0);
         memory.support = Support::None;
     }
 }

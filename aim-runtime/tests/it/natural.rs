@@ -844,3 +844,35 @@ fn barely_skewed_bones_are_told_truly() {
         assert!(apart < 1.2e-5, "case {case}: {outcome:?} instead of {truth}");
     }
 }
+
+/// A fade may end at any frame, as linear ones do: neither head nor chest goes further than it stays, or past rest.
+#[test]
+fn fades_do_not_overshoot() {
+    for (seconds, heading_deg) in [(0.2, 40.0), (0.4, 60.0), (1.0, 60.0)] {
+        let mut rig = thug();
+        let pose = upright(&rig);
+        let target = at(heading_deg, 10.0);
+        let mut fade = |weight: &dyn Fn(f32) -> f32| -> Vec<[[f32; 2]; 2]> {
+            let frames = 0..240;
+            let each = frames.map(|frame| {
+                let settings = Settings::default().with_weight(weight(frame as f32 / 60.0 / seconds).clamp(0.0, 1.0));
+                aim(&mut rig, &pose, target, 1.0 / 60.0, &settings);
+                let [neck, chest] = [1, 2].map(|joint| angles(&rig.joints[joint]));
+                // The neck makes up for a chest that is slower than the head.
+                [[neck[0] + chest[0], neck[1] + chest[1]], chest]
+            });
+            each.collect()
+        };
+        for (way, turned) in [("in", fade(&|part| part)), ("out", fade(&|part| 1.0 - part))] {
+            let [first, last] = [turned[0], turned[239]];
+            for (frame, parts) in turned.iter().enumerate() {
+                for (part, angle) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                    let [from, to, now] = [&first, &last, parts].map(|parts| parts[part][angle] / DEG);
+                    let within = from.min(to) - 0.4..=from.max(to) + 0.4;
+                    assert!(within.contains(&now), "{way} in {seconds} s: {now}° in frame {frame}, {from}° to {to}°");
+                }
+            }
+            assert!((last[0][0] - first[0][0]).abs() > 10.0 * DEG, "{way}: the head is faded");
+        }
+    }
+}

@@ -184,9 +184,10 @@ fn every_page_is_a_chapter_and_every_chapter_a_page() {
 #[test]
 fn every_block_of_rust_is_run_or_included_from_a_program() {
     let documentation = read("src/lib.rs") + &read("src/guide.rs") + &read("derivand/src/lib.rs");
-    let plugin = root().join("integrations/bevy/README.md").is_file().then(|| {
-        read("integrations/bevy/README.md") + &read("integrations/bevy/examples/examples/walking.rs")
-    });
+    let plugin = root()
+        .join("integrations/bevy/README.md")
+        .is_file()
+        .then(|| read("integrations/bevy/README.md") + &read("integrations/bevy/examples/examples/walking.rs"));
     let mut run = 0;
     for chapter in chapters() {
         let text = read(&format!("docs/{chapter}"));

@@ -105,10 +105,12 @@ impl<const C: usize> Solver<'_, C> {
         memory: &mut Memory,
         view: &mut View,
     ) -> Option<()> {
+        // Whatever was stored.
+        let before = memory.caution.min(MOST_CAUTION);
         let mut caution = 0;
         let mut part = USUAL_PART;
         loop {
-            if caution >= memory.caution {
+            if caution >= before {
                 let [gained, promised] = self.gain(joints, offset, part, memory.lambda, *view);
                 let [x, y] = memory.lambda;
                 let certain = promised > ROUNDING_RAD * (x.abs() + y.abs());
@@ -120,7 +122,7 @@ impl<const C: usize> Solver<'_, C> {
             while caution < MOST_CAUTION {
                 caution += 1;
                 part *= 0.5;
-                if caution >= memory.caution {
+                if caution >= before {
                     break;
                 }
             }

@@ -247,6 +247,17 @@ fn is_near_to(pair: Pair, other: Pair, most: Pair) -> bool {
 }
 
 impl Led {
+    /// What the goal did in a frame in which it moves because weight or attention change. A fade ends at once, and whoever goes along
+    /// with it overshoots: all of it is offset, which dies away on one side.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn fade(&mut self, [sum, goal]: [Pair; 2], glide: &mut Glide, dt: f32) {
+        glide.speed += pair(self.speed);
+        glide.offset = sum - goal;
+        self.tire(Vec4::ZERO, Vec4::ZERO, dt);
+        (self.goal, self.speed, self.change) = (ends(goal), [0.0; 2], [0.0; 2]);
+    }
+
     /// The part of its pace with which the head follows: less where its goal leaps to and fro.
     pub(super) fn haste(&self) -> f32 {
         const LEAST: f32 = 0.4;

@@ -45,7 +45,7 @@ use crate::math::trig;
 use crate::rig::{BodyPart, ChainRig, Led, MOST_PARTS, Memory, PerJoint, PoseSlices, Support};
 use crate::target::behind::Front;
 use crate::target::goal::{Course, Goal, Scene};
-use crate::{Joint, Outcome, Role};
+use crate::{Joint, Outcome, Role, Settings};
 
 /// Angles that differ by less do so by rounding.
 const SAME_RAD: f32 = 1e-5;
@@ -117,6 +117,7 @@ pub(super) fn aim<const C: usize>(
         goal: &goal,
         sharing: Sharing::new(&rig.sharing, settings),
         patience: settings.patience.at_least(0.0),
+        fade: fade_of(settings),
         bearings: &bearings,
         regions: &regions[..count],
         count,
@@ -153,6 +154,13 @@ pub(super) fn aim<const C: usize>(
     Some(Outcome { body_turn: fit.body_turn, out_of_reach_for: memory.blocked_s, ..outcome })
 }
 
+/// A number that tells by its change that the weight or the attention changes: all their bits in eight.
+fn fade_of(settings: &Settings) -> u8 {
+    let bits = settings.weight.to_bits() ^ settings.attention.to_bits().rotate_left(4);
+    let halves = bits ^ bits >> 16;
+    (halves ^ halves >> 8).to_le_bytes()[0]
+}
+
 /// The joints as they are turned in a call, from the root outward.
 struct Posture<'a, const C: usize> {
     joints: &'a mut PerJoint<Joint, C>,
@@ -187,6 +195,8 @@ struct Motion<'a, const C: usize> {
     per_dt: f32,
     /// Whether the regions are to come to rest where they are.
     stays: bool,
+    /// Whether the goal moves because weight or attention change.
+    fades: bool,
     /// Whether every region has arrived, and how far they are off together.
     arrived: bool,
     lag: f32,
@@ -216,6 +226,8 @@ struct Gaze<'a, const C: usize> {
     sharing: Sharing,
     /// After this time out of reach the gaze returns to the animation, seconds.
     patience: f32,
+    /// Changes with weight and attention.
+    fade: u8,
     bearings: &'a Bearings,
     /// From the innermost outward, without the eye.
     regions: &'a [Region<'a>],
@@ -273,8 +285,19 @@ impl<const C: usize> Gaze<'_, C> {
             }
         }
         let gives_up = memory.blocked_s > self.patience;
-        let mut motion =
-            Motion { memory, led, reaches: &reaches, dt, per_dt: 1.0 / dt, stays: false, arrived: true, lag: 0.0 };
+        let fades = memory.caution != self.fade;
+        memory.caution = self.fade;
+        let mut motion = Motion {
+            memory,
+            led,
+            reaches: &reaches,
+            dt,
+            per_dt: 1.0 / dt,
+            stays: false,
+            fades,
+            arrived: true,
+            lag: 0.0,
+        };
         let fit = match self.goal.course {
             Course::Rest => self.return_to_rest(from, &mut motion, posture)?,
             _ if gives_up && self.goal.behind => self.return_to_rest(from, &mut motion, posture)?,

@@ -246,6 +246,8 @@ impl<const C: usize> Gaze<'_, C> {
             glide.speed = speed + pair(led.speed);
             (glide.offset, led) = stopping(before, glide.speed, bounds.pace);
             goal = pair(led.goal);
+        } else if is_head && motion.fades && motion.led.is_some() {
+            led.fade([before, goal], &mut glide, dt);
         } else if is_head {
             let leap;
             // An eye makes up for what its head does not go along with.
