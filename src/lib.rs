@@ -20,7 +20,7 @@
 //!
 //! # Feature flags
 //!
-//! - `std` (default): sines, cosines and square roots from the standard library.
+//! - `std` (default): [`DynAim`]; square roots, and sines for functions that you differentiate, from the standard library.
 //! - `libm`: the same from `libm`, for targets without a standard library.
 //! - `animation`: skeletons, clips, blending and root motion, in `aim::animation`. Needs an allocator.
 //! - `rigs`: the bundled rigs, in `aim::rigs`.

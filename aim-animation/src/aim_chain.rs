@@ -21,7 +21,7 @@ pub enum AimChainError {
     Empty,
     /// There is no such bone for this joint.
     Joint(usize),
-    /// No bone has any of these names that the rig gives to this joint's, or several have.
+    /// None of the names that the rig declares for this joint is the name of exactly one bone.
     Names {
         /// The joint.
         joint: usize,

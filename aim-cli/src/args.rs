@@ -22,7 +22,7 @@ pub(crate) struct Arguments {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Have the bundled mannequin walk and run while a target orbits it; write aimed.glb, report.html and report.json.
+    /// Have the bundled mannequin walk and run while a target orbits it; write aimed.glb, report.html, report.json and mannequin.glb.
     #[command(after_help = "Example:\n  aim demo --out aim-demo")]
     Demo(Demo),
     /// Show a model's bones with their measured axes and roles, and its clips.

@@ -32,9 +32,9 @@ pub struct Pose<A> {
     /// The direction that is up for the character, of any length but zero: upright headings turn about it. Without it
     /// they turn about the innermost joint's animated up.
     pub up: Option<Vec3>,
-    /// Each joint's transform in the bind pose, from the effector inward, where the character is now: of a pose in world space the
-    /// bind pose times the character's place. Joints count by how they stand to the next one inward, the innermost by how it
-    /// stands in this space.
+    /// Each joint's transform in the bind pose, from the effector inward, where the character is now: the bind pose carried along
+    /// with the character, or rather with the bone on which the innermost joint hangs. Joints count by how they stand to the
+    /// next one inward, the innermost by how it stands in the pose's space.
     pub bind: Option<A>,
     /// The other eye's animated transform, in the joints' space.
     pub other_eye: Option<Affine3A>,
@@ -61,7 +61,7 @@ impl<A> Pose<A> {
     /// use aim_runtime::Pose;
     /// use aim_runtime::glam::{Affine3A, Quat, Vec3};
     ///
-    /// // A neck and a chest, bound upright; the character stands elsewhere and has turned, and its chest bends.
+    /// // A neck and a chest, bound upright; the character stands elsewhere and has turned, and it bends.
     /// let place = Affine3A::from_rotation_translation(Quat::from_rotation_y(1.0), Vec3::new(3.0, 0.0, 2.0));
     /// let bound = [1.5, 1.3].map(|y| Affine3A::from_translation(Vec3::Y * y));
     /// let bent = [0.2, 0.1].map(Affine3A::from_rotation_x);

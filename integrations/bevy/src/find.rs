@@ -17,10 +17,10 @@ use crate::names::{find, hangs_on, joints, wanted};
 use crate::place::of_bevy;
 use crate::{AimBinding, AimCharacter, AimOutcome, AimStatus, AimedBone, SharedRig, Unbound};
 
-/// The frames for which bones are looked through in vain before the log says so.
-const TOLD_AFTER: u32 = 120;
-/// Fewer entities below a character are no scene yet, but what its scene will hang on.
-const SCENE: usize = 3;
+/// Frames without a match before a warning is logged.
+const WARNS_AFTER: u32 = 120;
+/// The fewest entities below a character that count as a loaded scene.
+const LEAST_OF_SCENE: usize = 3;
 
 /// The bones of a character as they were last seen.
 #[derive(Component, Clone, Debug, Default)]
@@ -83,8 +83,8 @@ pub(crate) fn find_bones(
         if !is_new && below.len() == seen.in_vain {
             seen.waits = seen.waits.saturating_add(1);
             if let AimStatus::Unbound(why) = outcome.status
-                && seen.waits == TOLD_AFTER
-                && below.len() >= SCENE
+                && seen.waits == WARNS_AFTER
+                && below.len() >= LEAST_OF_SCENE
             {
                 let names = names_wanted(&character, loaded.as_deref(), why);
                 log::warn!("the character {entity} is not aimed: {why}{names}");
@@ -124,7 +124,7 @@ pub(crate) fn find_bones(
     }
 }
 
-/// The names by which the bone of a joint is looked for that has none, to be said after that.
+/// The names searched for a joint without a bone, as a suffix for the log.
 fn names_wanted(character: &AimCharacter, loaded: Option<&LoadedRig>, why: Unbound) -> String {
     let declared = match &character.source {
         Source::Rig(rig) => Some(rig),

@@ -123,7 +123,7 @@ impl fmt::Display for AimStatus {
             Self::RateLimited => "on the way",
             Self::AtLimit => "out of reach",
             Self::Behind => "behind, out of reach",
-            Self::Degenerate => "pose or target are no place",
+            Self::Degenerate => "pose or target is not finite, or no place",
         })
     }
 }

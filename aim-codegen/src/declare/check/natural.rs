@@ -18,7 +18,7 @@ pub(super) fn check(report: &mut Report, natural: Setting<'_>) -> Option<Natural
     };
     let usual = NaturalSpec::default();
     let eyes_only = number("eyes_only", usual.eyes_only, angle);
-    // Whoever lowers one means the head to move sooner: what is not declared goes along.
+    // Whoever lowers one means the head to move sooner: `engage` is by default at most `eyes_only`, `release` at most `engage`.
     let engage = number("engage", usual.engage.min(eyes_only.unwrap_or(PI)), angle);
     let release = number("release", usual.release.min(engage.unwrap_or(PI)), angle);
     let head_share = number("head_share", usual.head_share, read::share);

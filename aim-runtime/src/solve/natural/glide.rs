@@ -202,9 +202,9 @@ fn braking(distance: f32, gain: f32, dt: f32) -> f32 {
 /// What a leading goal did in a frame: the speed that its region goes along with, and the offset that is left. Returns the
 /// speed with which the frame begins, and what the goal did at once.
 ///
-/// A change of the goal's speed is gone along with as far as this `part` of the acceleration goes; one that lasts, from the second frame on, with
-/// the region's own speed going on evenly; a leap is all offset, and so is a hop from which the goal has come back. A region that is
-/// shaken goes along with the goal's mean speed.
+/// A change of the goal's speed is gone along with as far as this `part` of the acceleration goes; one that lasts, from the
+/// second frame on, with the region's own speed going on evenly; a leap is all offset, and so is a hop from which the goal has
+/// come back. A region that is shaken goes along with the goal's mean speed.
 #[inline(always)]
 pub(super) fn follow(
     led: &mut Led,
