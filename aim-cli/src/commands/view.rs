@@ -6,7 +6,8 @@ use crate::failure::{Failure, Result};
 #[cfg(not(feature = "view"))]
 pub(super) fn run(_: args::View) -> Result {
     Err(Failure::input(
-        "this aim was built without its window; build it with the feature `view`, as in cargo install --path aim-cli --features view; it needs Rust 1.92",
+        "this aim was built without its window; build it with the feature `view`, as in cargo install --path aim-cli \
+         --features view; it needs Rust 1.92",
     ))
 }
 

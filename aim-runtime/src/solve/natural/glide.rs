@@ -37,7 +37,7 @@ pub(super) struct Bounds {
     pub(super) acceleration: f32,
 }
 
-/// Where an end comes too fast to brake before it, a region brakes with so many times its acceleration.
+/// So many times its acceleration brake a region before an end that comes too fast for it.
 const LATE: f32 = 2.0;
 /// The part of its acceleration with which a region brakes before an end that comes nearer, which may come faster yet.
 const WARY: f32 = 0.5;
@@ -116,7 +116,7 @@ impl Glide {
     }
 }
 
-/// Where a region's room ends, which its joints' ranges and its budget limit: the greatest sums of headings and pitches, then the
+/// The ends of a region's room, which its joints' ranges and its budget limit: the greatest sums of headings and pitches, then the
 /// least with their signs changed.
 pub(super) struct Room {
     at: Vec4,
@@ -156,7 +156,7 @@ impl Room {
         closing * (closing * 0.5 / acceleration + Vec4::splat(dt))
     }
 
-    /// Whether what has these speeds is surely farther away from all ends than it takes to stop.
+    /// True if what has these speeds is surely farther away from all ends than it takes to stop.
     #[inline(always)]
     fn leaves_room(&self, sums: Vec4, speeds: Vec4, bounds: &Bounds) -> bool {
         let coming = self.speeds[0].min(self.speeds[1]);
@@ -240,14 +240,14 @@ pub(super) fn follow(
     [begins, leap]
 }
 
-/// Whether both angles are within `most` of others.
+/// True if both angles are within `most` of others.
 #[inline(always)]
 fn is_near_to(pair: Pair, other: Pair, most: Pair) -> bool {
     (pair - other).abs().cmple(most * 1.0001).bitmask() & 3 == 3
 }
 
 impl Led {
-    /// What the goal did in a frame in which it moves because weight or attention change. A fade ends at once, and whoever goes along
+    /// Notes a goal that moves because weight or attention change. A fade ends at once, and whoever goes along
     /// with it overshoots: all of it is offset, which dies away on one side.
     #[cold]
     #[inline(never)]

@@ -195,7 +195,7 @@ struct Motion<'a, const C: usize> {
     per_dt: f32,
     /// Whether the regions are to come to rest where they are.
     stays: bool,
-    /// Whether the goal moves because weight or attention change.
+    /// True while the goal moves because weight or attention change.
     fades: bool,
     /// Whether every region has arrived, and how far they are off together.
     arrived: bool,

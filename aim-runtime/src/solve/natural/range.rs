@@ -30,6 +30,12 @@ impl<'a> Range<'a> {
         }
     }
 
+    /// The least and the greatest sums that the ranges of several joints allow, of at least one.
+    #[inline(always)]
+    pub(super) fn sums(several: &[Self]) -> [Pair; 2] {
+        several[1..].iter().fold([several[0].lo, several[0].hi], |[lo, hi], own| [lo + own.lo, hi + own.hi])
+    }
+
     /// What is left of it within a step of either angle; where that is nothing, the step's end nearest to it.
     #[inline(always)]
     pub(super) fn within(&self, angles: Pair, step: f32) -> Self {

@@ -20,7 +20,7 @@ pub(super) struct Region<'a> {
     /// The outermost joint's animated forward in its own frame and in the innermost one's.
     pub(super) own_forward: Vec3A,
     pub(super) forward: Vec3A,
-    /// How far the pose shifts the middle of the joints' ranges, where those have ends, and the budget.
+    /// The shifts by the pose: of the middle of the joints' ranges, where those have ends, and of the budget.
     pub(super) shifts: [Pair; 2],
     /// The sums that the joints' ranges allow, and the budget in this pose.
     pub(super) lo: Pair,
@@ -84,7 +84,7 @@ pub(super) fn find_regions<'a, const C: usize>(
         inside = region.animated;
         let turned = Vec4::new(math::wrap_pi(turned.x), turned.y, 0.0, 0.0);
         let own = &ranges[part.outer..=part.inner];
-        let (lo, hi) = own[1..].iter().fold((own[0].lo, own[0].hi), |(lo, hi), own| (lo + own.lo, hi + own.hi));
+        let [lo, hi] = Range::sums(own);
         let range_shift = (lo + hi) * 0.5;
         let has_ends = range_shift.abs().cmplt(Vec4::INFINITY);
         region.shifts = [Vec4::select(has_ends, range_shift, Vec4::ZERO), -turned];

@@ -6,6 +6,7 @@ use glam::{Vec3A, Vec4};
 
 use super::body::{Turn, angles};
 use super::glide::{Bounds, Glide, Pair, Room, ends, follow, length, pair, saccade, square};
+use super::range::Range;
 use super::region::Region;
 use super::sight::{Seen, turn_to};
 use super::{Aims, Gaze, Motion, Posture, SAME_RAD, THERE_RAD, at, sum};
@@ -267,9 +268,8 @@ impl<const C: usize> Gaze<'_, C> {
         let room = Room::new(Room::ends([region.lo, region.hi]), region.shifts, shifts, &bounds);
         let room_ends = || {
             let own = &self.ranges[outer..region.part.inner + 1];
-            let range = own[1..].iter().fold([own[0].lo, own[0].hi], |[lo, hi], own| [lo + own.lo, hi + own.hi]);
             let budget = [region.part.least, region.part.most].map(|end| end + region.shifts[1]);
-            [Room::ends(range), Room::ends(budget)]
+            [Room::ends(Range::sums(own)), Room::ends(budget)]
         };
         let next = glide.after(&bounds, begins, carries);
         let mut next = next.braked(&glide, before, &room, room_ends, [begins, carries], &bounds);
