@@ -21,7 +21,8 @@ pub enum AimChainError {
     Empty,
     /// There is no such bone for this joint.
     Joint(usize),
-    /// None of the names that the rig declares for this joint is the name of exactly one bone.
+    /// None of the names that the rig declares for this joint is the name of a bone, or of several bones more than one makes a chain
+    /// with those of the other joints.
     Names {
         /// The joint.
         joint: usize,
@@ -211,8 +212,9 @@ impl AimChain {
         Ok(Self { skeleton: skeleton.clone(), bind, joints, other_eye: None, held: Vec::new(), up: None })
     }
 
-    /// The chain of a rig by the names that it declares for its bones, with the bones that the rig holds. A name that no bone or that
-    /// several bones have is passed over; a joint's own name counts where the rig declares none.
+    /// The chain of a rig by the names that it declares for its bones, with the bones that the rig holds. A joint's own name counts
+    /// where the rig declares none. A name that one bone has goes before one that several have; of these the one counts that makes a
+    /// chain with the bones of the other joints: a bone and the mesh that it moves often share their name.
     ///
     /// # Errors
     /// See [`AimChainError`].
@@ -223,12 +225,13 @@ impl AimChain {
             let own = rig.bone_name(joint, 0).is_none().then(|| rig.joint_name(joint)).flatten();
             declared.chain(own)
         };
-        let bone = |joint| {
-            let unknown = || AimChainError::Names { joint, names: names(joint).map(str::to_owned).collect() };
-            names(joint).find_map(|name| skeleton.find(name)).ok_or_else(unknown)
-        };
         let count = description.joints().len();
-        let mut chain = Self::new(skeleton, (0..count).map(bone).collect::<Result<Vec<_>, _>>()?)?;
+        let bones = in_a_chain(skeleton, (0..count).map(|joint| candidates(skeleton, names(joint))).collect());
+        let bone = |(joint, bones): (usize, &Vec<usize>)| match bones[..] {
+            [bone] => Ok(bone),
+            _ => Err(AimChainError::Names { joint, names: names(joint).map(str::to_owned).collect() }),
+        };
+        let mut chain = Self::new(skeleton, bones.iter().enumerate().map(bone).collect::<Result<Vec<_>, _>>()?)?;
         for joint in 0..count {
             for name in (0..).map_while(|place| rig.held_bone(joint, place)) {
                 if let Some(bone) = skeleton.find(name) {
@@ -237,6 +240,54 @@ impl AimChain {
             }
         }
         Ok(chain)
+    }
+
+    /// The same chain on the fewest bones: those that are aimed, held or tell how the character stands, and what they hang on. Beside it
+    /// each bone's number in the [whole skeleton](Self::skeleton), in ascending order.
+    ///
+    /// ```
+    /// use aim_animation::{AimChain, Bone, Skeleton};
+    ///
+    /// let bones = [("chest", None), ("hand", Some(0)), ("head", Some(0)), ("hat", Some(2))];
+    /// let skeleton = Skeleton::new(bones.map(|(name, parent)| Bone::new(name, parent)))?;
+    /// let (chain, bones) = AimChain::new(&skeleton, [2])?.reduced();
+    /// assert_eq!((chain.skeleton().len(), bones), (2, vec![0, 2]));
+    /// assert_eq!(chain.joints(), [1]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn reduced(&self) -> (Self, Vec<usize>) {
+        let trunk = self.up.and_then(|up| up.trunk);
+        let eye = self.other_eye.map(|eye| eye.bone);
+        let named = self.joints.iter().copied().chain(eye).chain(trunk).chain(self.held());
+        let carriers = self.held.iter().filter_map(|held| held.carrier);
+        let mut is_needed = alloc::vec![false; self.bind.len()];
+        for bone in named.chain(carriers).flat_map(|bone| self.skeleton.ancestry(bone)) {
+            is_needed[bone] = true;
+        }
+        let bones: Vec<usize> = (0..self.bind.len()).filter(|&bone| is_needed[bone]).collect();
+        let to = |bone: usize| bones.binary_search(&bone).unwrap_or_default();
+        let reduced = Self {
+            skeleton: self.skeleton.part(&bones),
+            bind: bones.iter().map(|&bone| self.bind[bone]).collect(),
+            joints: self.joints.iter().map(|&bone| to(bone)).collect(),
+            other_eye: self.other_eye.map(|eye| OtherEye { bone: to(eye.bone), ..eye }),
+            held: self.held.iter().map(|held| Held { bone: to(held.bone), carrier: held.carrier.map(to) }).collect(),
+            up: self.up.map(|up| Up { trunk: up.trunk.map(to), ..up }),
+        };
+        (reduced, bones)
+    }
+
+    /// The skeleton.
+    #[must_use]
+    pub fn skeleton(&self) -> &Skeleton {
+        &self.skeleton
+    }
+
+    /// The bone of the other eye, aimed or following; `None` where there is none.
+    #[must_use]
+    pub fn other_eye(&self) -> Option<usize> {
+        self.other_eye.map(|eye| eye.bone)
     }
 
     /// With another bind pose than the rest pose, every bone in the space of the model: ranges from the bind pose count from it,
@@ -484,6 +535,33 @@ impl AimChain {
             (local[bone].translation, local[bone].rotation) = (translation.into(), rotation);
         }
     }
+}
+
+/// The bones of the first of several names that one bone has; else of the first that several have.
+fn candidates<'a>(skeleton: &'a Skeleton, names: impl Iterator<Item = &'a str>) -> Vec<usize> {
+    let mut found: Vec<Vec<usize>> = names.map(|name| skeleton.named(name).collect()).collect();
+    found.retain(|bones| !bones.is_empty());
+    let first = found.iter().position(|bones| bones.len() == 1).unwrap_or_default();
+    if found.is_empty() { Vec::new() } else { found.swap_remove(first) }
+}
+
+/// Leaves of each joint's candidates those that hang on one of the next joint's, and then those of them that carry one of the joint's
+/// before. A single one stays, so that it is told why it does not.
+fn in_a_chain(skeleton: &Skeleton, mut bones: Vec<Vec<usize>>) -> Vec<Vec<usize>> {
+    let retain = |bones: &mut Vec<usize>, will_do: &dyn Fn(usize) -> bool| {
+        if bones.len() > 1 {
+            bones.retain(|&bone| will_do(bone));
+        }
+    };
+    for joint in (1..bones.len()).rev() {
+        let (outer, inner) = bones.split_at_mut(joint);
+        retain(&mut outer[joint - 1], &|bone| inner[0].iter().any(|&on| is_below(skeleton, bone, on)));
+    }
+    for joint in 1..bones.len() {
+        let (outer, inner) = bones.split_at_mut(joint);
+        retain(&mut inner[0], &|bone| outer[joint - 1].iter().any(|&above| is_below(skeleton, above, bone)));
+    }
+    bones
 }
 
 /// True if a bone hangs on another one, by any number of bones.

@@ -124,6 +124,18 @@ impl Skeleton {
         Ok(Self { names, parents, ends, rest, sources, bones })
     }
 
+    /// The skeleton of some of its bones, in ascending order; each hangs on one that is among them, or is a root.
+    pub(crate) fn part(&self, bones: &[usize]) -> Self {
+        let to = |bone: usize| bones.binary_search(&bone).ok();
+        let bone = |&bone: &usize| Bone {
+            name: self.names[bone].clone(),
+            parent: self.parents[bone].and_then(to),
+            rest: self.rest[bone],
+        };
+        // Never refused: parts of what is sound are sound, and stay in their order.
+        Self::new(bones.iter().map(bone)).unwrap_or_else(|_| self.clone())
+    }
+
     /// The number of bones.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -4,7 +4,9 @@ use core::fmt;
 
 use glam::{Affine3A, Quat, Vec3};
 
-use crate::rig::{ChainRig, EXACT_JOINTS, LANE_JOINTS, MOST_JOINTS, PoseSlices, StateSlices};
+use crate::rig::{ChainRig, MOST_JOINTS, PoseSlices, StateSlices};
+#[cfg(not(aim_small))]
+use crate::rig::{EXACT_JOINTS, LANE_JOINTS};
 use crate::solve::{self, judge};
 use crate::target::blend;
 use crate::{AimRig, Description, Joint, Outcome, Pose, Rig, Settings, State, Target};
@@ -442,6 +444,7 @@ type AimPoint =
     fn(&dyn Rig, &Description<'_>, StateSlices<'_>, &PoseSlices<'_>, &solve::Call<'_>, &mut [Quat]) -> Outcome;
 
 /// [`aim_point`] by the number of joints.
+#[cfg(not(aim_small))]
 const AIM_POINT: [AimPoint; LANE_JOINTS + 1] = [
     aim_point::<0>,
     aim_point::<1>,
@@ -453,8 +456,11 @@ const AIM_POINT: [AimPoint; LANE_JOINTS + 1] = [
     aim_point::<7>,
     aim_point::<8>,
 ];
+#[cfg(aim_small)]
+const AIM_POINT: [AimPoint; 1] = [aim_point::<0>];
 
-/// Serves a call for one target; compiled once for all rigs of so many joints. Where it is another number, it is searched.
+/// Serves a call for one target; compiled once for all rigs of so many joints, or for all rigs where the program is to be
+/// small. Where it is another number, it is searched.
 #[inline(never)]
 fn aim_point<const N: usize>(
     rig: &dyn Rig,
@@ -464,10 +470,11 @@ fn aim_point<const N: usize>(
     call: &solve::Call<'_>,
     corrections: &mut [Quat],
 ) -> Outcome {
-    if description.joints.len() == N
-        && state.joints.len() == N
-        && pose.joints.len() == N
-        && corrections.len() == N
+    let count = if cfg!(aim_small) { description.joints.len() } else { N };
+    if description.joints.len() == count
+        && state.joints.len() == count
+        && pose.joints.len() == count
+        && corrections.len() == count
         && let Some(outcome) = solve::follow(rig, description, &mut state, pose, call, corrections)
     {
         return outcome;
@@ -475,7 +482,7 @@ fn aim_point<const N: usize>(
     search(rig, description, &mut state, pose, call, corrections)
 }
 
-/// Serves a call that [`solve::follow`] does not, for three sizes of scratch memory.
+/// Serves a call that [`solve::follow`] does not, for three sizes of scratch memory; for one where the program is to be small.
 #[inline(never)]
 fn search(
     kernels: &dyn Rig,
@@ -489,13 +496,18 @@ fn search(
     if state.joints.len() != count || pose.joints.len() != count || corrections.len() != count {
         return judge::nothing_to_aim();
     }
-    if count == EXACT_JOINTS {
-        solve::solve(&ChainRig::<EXACT_JOINTS> { kernels, description }, state, pose, call, corrections)
-    } else if (1..=LANE_JOINTS).contains(&count) {
-        solve::solve(&ChainRig::<LANE_JOINTS> { kernels, description }, state, pose, call, corrections)
-    } else if (1..=MOST_JOINTS).contains(&count) {
-        solve::solve(&ChainRig::<MOST_JOINTS> { kernels, description }, state, pose, call, corrections)
-    } else {
-        judge::nothing_to_aim()
+    match count {
+        #[cfg(not(aim_small))]
+        EXACT_JOINTS => {
+            solve::solve(&ChainRig::<EXACT_JOINTS> { kernels, description }, state, pose, call, corrections)
+        }
+        #[cfg(not(aim_small))]
+        1..=LANE_JOINTS => {
+            solve::solve(&ChainRig::<LANE_JOINTS> { kernels, description }, state, pose, call, corrections)
+        }
+        1..=MOST_JOINTS => {
+            solve::solve(&ChainRig::<MOST_JOINTS> { kernels, description }, state, pose, call, corrections)
+        }
+        _ => judge::nothing_to_aim(),
     }
 }

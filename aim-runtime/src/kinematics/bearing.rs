@@ -14,7 +14,7 @@ use crate::rig::Side;
 const STEEP_RAD: f32 = 80.0 * PI / 180.0;
 
 /// Heading and pitch of a direction along forward, left and up; heading 0 where it goes straight up or down.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn heading_and_pitch(direction: Vec3A) -> Vec4 {
     let level = math::root(direction.x * direction.x + direction.y * direction.y);
     let both = Vec4::new(direction.x, level, direction.x, level);
@@ -22,7 +22,7 @@ pub(crate) fn heading_and_pitch(direction: Vec3A) -> Vec4 {
 }
 
 /// Those of two directions in little more than the time of one.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn headings_and_pitches([a, b]: [Vec3A; 2]) -> Vec4 {
     let [ahead, left, up] = a.to_array();
     let [b_ahead, b_left, b_up] = b.to_array();
@@ -56,7 +56,7 @@ impl Bearings {
     }
 
     /// About what upright headings turn about, from the front of a trunk that has its forward, left and up as these columns.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn of_trunk(trunk: &Mat3A, about: Upright, turns_round: bool) -> Self {
         let Mat3A { x_axis: forward, y_axis: left, z_axis: trunk_up } = *trunk;
         match about {
@@ -71,13 +71,13 @@ impl Bearings {
     }
 
     /// Heading and elevation of a direction of any length but zero.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn angles(&self, direction: Vec3A) -> Vec4 {
         heading_and_pitch(self.rows * direction)
     }
 
     /// Those of two directions, one after the other.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn angles_of_both(&self, directions: [Vec3A; 2]) -> Vec4 {
         headings_and_pitches(directions.map(|direction| self.rows * direction))
     }
@@ -85,7 +85,7 @@ impl Bearings {
     /// Heading and elevation of a direction, and those of a unit direction as somebody turns to it: the nearer it is to the
     /// zenith, the less aside, and straight up from in front. Its heading is atan2(left, forward + 3w) where cos ε falls short of
     /// cos 45° by √(w·cos 45°): above 66° even what is behind is turned to by way of the front.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn turned(&self, from: Vec3A, to: Vec3A) -> [Vec4; 2] {
         const STEEP_COS: f32 = core::f32::consts::FRAC_1_SQRT_2;
         /// A body that walks away under its target looks up, and not round.
@@ -99,18 +99,18 @@ impl Bearings {
     }
 
     /// The unit direction of a heading and an elevation.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn direction(&self, angles: Vec4) -> Vec3A {
         self.direction_of(trig::halves_of(angles))
     }
 
     /// The unit directions of two headings and elevations, one after the other.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn directions(&self, angles: Vec4) -> [Vec3A; 2] {
         trig::halves_of_both(angles).map(|halves| self.direction_of(halves))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn direction_of(&self, halves: trig::Halves) -> Vec3A {
         let [sin_e, cos_e, sin_h, cos_h] = trig::doubled(halves).to_array();
         self.axes * Vec3A::new(cos_h * cos_e, sin_h * cos_e, sin_e)
@@ -124,7 +124,7 @@ impl Bearings {
     }
 
     /// The way from one direction to another, by the `side` on which what is behind counts as being.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn way(&self, from: Vec4, to: Vec4, side: Side) -> Vec4 {
         let ([from_heading, from_elevation, ..], [mut heading, mut elevation, ..]) = (from.to_array(), to.to_array());
         match side {

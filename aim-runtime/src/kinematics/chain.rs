@@ -90,7 +90,7 @@ pub(crate) struct Space {
 impl Space {
     /// The space of the joints from `first` on, the effector being this far from the origin of its own; `None` where the joints
     /// are not finite or too large or small to be seen.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn of_pose(pose: &[Affine3A], first: usize, offset: Vec3A) -> Option<Self> {
         let origin = pose[pose.len() - 1].translation;
         let size = size(&pose[first..], offset);
@@ -320,7 +320,7 @@ impl<const C: usize> Chain<C> {
 }
 
 /// The ray that is aimed by joint `first`: its own forward from its own origin, for joint 0 the declared effector.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn effector<const C: usize>(rig: &ChainRig<'_, C>, first: usize) -> Ray {
     if first == 0 {
         Ray { origin: Vec3A::from(rig.effector.origin), direction: Vec3A::from(rig.effector.forward) }
@@ -350,13 +350,13 @@ pub(crate) struct Off(Vec3A);
 
 impl Off {
     /// True if joints are scaled, turned and mirrored alone; not where a number is NaN.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn is_rigid(self) -> bool {
         self.0.cmple(Vec3A::splat(OFF)).all()
     }
 
     /// True if what is found of orthogonal frames is true of the joints to rounding.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn is_nothing(self) -> bool {
         self.0.cmple(Vec3A::splat(OFF_BY_NOTHING)).all()
     }
@@ -364,7 +364,7 @@ impl Off {
 
 /// Finds each joint's orthogonal frame from `first` on, and how far the pose is off those; `None` where a joint does not span
 /// space.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn orthogonal_frames(pose: &[Affine3A], first: usize, frames: &mut [Mat3A]) -> Option<Off> {
     let off = similar(&pose[first..], &mut frames[first..]);
     if !off.is_rigid() {
@@ -394,7 +394,7 @@ pub(crate) fn tilts<const C: usize>(rig: &ChainRig<'_, C>, pose: &[Affine3A], ab
 
 /// The orthogonal frames of joints that are scaled, turned and mirrored alone, and how far one is more than that; NaN where
 /// its numbers are so large or small that their squares would not do.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> Off {
     // A sum that begins with −0 costs nothing for its first term.
     let mut off = Vec3A::splat(-0.0);
@@ -415,7 +415,7 @@ fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> Off {
 
 /// The square of the scale of joints that are turned and mirrored, and scaled all alike; `None` where they are more
 /// than that by more than `most_off`, or where numbers are so large or small that their squares would not do.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn common_scale(pose: &[Affine3A], most_off: f32) -> Option<f32> {
     const PLAIN: Range<f32> = 1e-12..1e12;
     let squares = |Mat3A { x_axis: x, y_axis: y, z_axis: z }| x * x + y * y + z * z;
@@ -459,7 +459,7 @@ fn local<const C: usize>(
 ///
 /// A bone that leans by more than a right angle (of a character on all fours, say) is tilted less and less, and not at
 /// all when it hangs upside down: there is no shortest arc.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn upright(infos: &[JointInfo], first: usize, about: Upright, frames: &mut [Mat3A], tilts: &mut [Quat]) {
     /// The cosines of the leans from which tilting fades, and at which nothing is left of it.
     const FADES: f32 = 0.0;

@@ -49,7 +49,7 @@ impl Planes {
 }
 
 /// The rotation that a joint adds at its angles in its upright frame.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn joint_turn(info: &JointInfo, joint: &Joint) -> Quat {
     turn(&info.axes, &info.planes, trig::halves(joint.pitch, joint.heading).to_array())
 }
@@ -58,13 +58,13 @@ pub(crate) fn joint_turn(info: &JointInfo, joint: &Joint) -> Quat {
 /// is multiplied by on the right, `local' = local · R_heading · R_pitch` (pitch acts first).
 ///
 /// Unit to 1e-6 for unit axes square to each other, and the exact identity where both angles are 0.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn correction(info: &JointInfo, joint: &Joint, tilt: Quat) -> Quat {
     tilted(joint_turn(info, joint), tilt)
 }
 
 /// A rotation in the upright frame as one of the bone.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn tilted(turn: Quat, tilt: Quat) -> Quat {
     if is_identity(tilt) {
         return turn;
@@ -74,7 +74,7 @@ pub(crate) fn tilted(turn: Quat, tilt: Quat) -> Quat {
 }
 
 /// The rotation by these halves of pitch and heading in the (levelled) bone.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn turn(axes: &Axes, planes: &Planes, halves: [f32; 4]) -> Quat {
     if !planes.square {
         return turn_by_planes(axes, halves);
@@ -98,7 +98,7 @@ fn turn_by_planes(axes: &Axes, [sin_p, cos_p, sin_h, cos_h]: [f32; 4]) -> Quat {
     math::product(turn(left, sin_h, cos_h), turn(up, sin_p, cos_p))
 }
 
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn is_identity(turn: Quat) -> bool {
     turn.x == 0.0 && turn.y == 0.0 && turn.z == 0.0
 }

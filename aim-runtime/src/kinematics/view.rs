@@ -19,19 +19,19 @@ impl View {
     }
 
     /// How far away the target is.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn distance(&self) -> f32 {
         <f32 as Scalar>::sqrt(self.forward * self.forward + self.left * self.left + self.up * self.up)
     }
 
     /// How far off forward the target is.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn lateral(&self) -> f32 {
         <f32 as Scalar>::sqrt(self.left * self.left + self.up * self.up)
     }
 
     /// The tangent of the angle off forward, for a target in front.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn tangent(&self) -> f32 {
         self.lateral() / self.forward
     }

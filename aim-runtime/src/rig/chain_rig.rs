@@ -5,7 +5,11 @@ use core::ops::{Deref, DerefMut};
 use crate::{Description, Rig};
 
 /// The largest number of joints of a rig.
+#[cfg(not(aim_small))]
 pub(crate) const MOST_JOINTS: usize = 64;
+/// The same where the program is to be small.
+#[cfg(aim_small)]
+pub(crate) const MOST_JOINTS: usize = 16;
 
 /// The number of joints of most rigs (an eye, a head, a chest): there is just room for them, so that loops over them are known
 /// to the compiler.

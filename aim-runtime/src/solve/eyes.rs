@@ -80,7 +80,7 @@ pub(crate) struct Eyes<'a, const C: usize> {
 
 impl<'a, const C: usize> Eyes<'a, C> {
     /// `None` where an eye's transform is not finite or does not span space.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn new(
         rig: &'a ChainRig<'a, C>,
         pose: &'a PoseSlices<'a>,
@@ -127,7 +127,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
 
     /// One call for both eyes and the chain that `solve` moves: it is given the pose and the ranges of the leading eye,
     /// and joint 0 as that eye. `motions` are all joints' declared ones. `None` where there is nothing to aim; what is moved is then not to be used.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn aim(
         &self,
         call: &Call<'_>,
@@ -216,7 +216,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
     }
 
     /// What the leading eye may do so that either eye can look where it looks.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn leading_motion(&self, call: &Call<'_>, corrections: &[Quat]) -> RangeOfMotion {
         let target = self.taken_back(corrections, call.target_ps.into());
         let distance = plain_length(target).at_least(NEAREST * self.apart);
@@ -231,7 +231,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
     }
 
     /// How far each eye gets in this call. Neither may turn outward further than the other inward: so they never part.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn reaches(&self, call: &Call<'_>, start: &[Joint; 2]) -> [Reach; 2] {
         let [own, other] = self.motions;
         let [left, right] = if self.side > 0.0 { [own, other] } else { [other, own] };
@@ -249,7 +249,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
     }
 
     /// A point as it stands to the animated eyes: what the supporting joints add is taken back.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn taken_back(&self, corrections: &[Quat], point_ps: Vec3A) -> Vec3A {
         let mut point = point_ps - self.middle;
         for (joint, turn) in self.pose.joints.iter().zip(corrections).skip(1).rev() {
@@ -264,20 +264,20 @@ impl<'a, const C: usize> Eyes<'a, C> {
     }
 
     /// A point no nearer than the eyes look.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn no_nearer(&self, point: Vec3A) -> Option<Vec3A> {
         let near = NEAREST * self.apart;
         if plain_length(point) < near { Some(math::direction(point)? * near) } else { Some(point) }
     }
 
     /// What a joint adds at its angles.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn correction_of(&self, index: usize, joint: &Joint) -> Quat {
         correction(&self.rig.joints[index], joint, self.tilts[index])
     }
 
     /// The directions from the eyes to a point along forward, left and up of where the angles count from.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn views(&self, point: Vec3A) -> [Vec3A; 2] {
         let basis = self.rig.joints[0].planes.basis.transpose();
         both(|eye| basis * (self.to_angles[eye] * (point - self.eyes[eye].translation)))
@@ -285,7 +285,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
 
     /// Both eyes' headings and pitches towards what they have these views of, where no range and no rate keeps one from it and
     /// they do not part.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn looks_freely(
         &self,
         call: &Call<'_>,
@@ -390,7 +390,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
     }
 
     /// A correction of joint 0's as one of the other eye's in its own bone's space. A mirror between the bones turns it round.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn related(&self, turn: Quat) -> Quat {
         let Mat3A { x_axis, y_axis, z_axis } = self.relation;
         let sense = if math::cross(x_axis, y_axis).dot(z_axis) < 0.0 { -1.0 } else { 1.0 };
@@ -400,7 +400,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
     }
 
     /// The angles that are left between the eyes that turn like this and a point, from which what supports them is taken back.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn remaining(
         &self,
         corrections: &[Quat],
@@ -446,7 +446,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
     }
 
     /// The outcome of both eyes: each judged from its own origin by forward kinematics.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn outcome(
         &self,
         call: &Call<'_>,
@@ -538,7 +538,7 @@ fn related(joint: &Affine3A, other_eye: &Affine3A, info: &JointInfo) -> Option<(
 }
 
 /// A vector's length.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 fn plain_length(v: Vec3A) -> f32 {
     let square = v.dot(v);
     if square > 1e-24 && square < 1e24 { math::root(square) } else { extreme_length(v) }
@@ -551,7 +551,7 @@ fn extreme_length(v: Vec3A) -> f32 {
 }
 
 /// A value for joint 0 and one for the other eye.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 fn both<T>(of: impl Fn(usize) -> T) -> [T; 2] {
     [of(0), of(1)]
 }

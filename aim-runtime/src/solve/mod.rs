@@ -50,7 +50,7 @@ pub(crate) fn follow<K: Rig + ?Sized>(
     let solver = call.settings.solver.unwrap_or(rig.default_solver());
     // A natural gaze is shared out, but for that of an eye alone.
     let is_alone = matches!(rig.joints, [JointInfo { role: Role::Eye | Role::None, .. }]);
-    if solver == Solver::Natural && !is_alone {
+    if solver == Solver::Natural && !is_alone || cfg!(aim_natural) {
         return None;
     }
     if !call.dt.is_some_and(|dt| dt > 0.0)
@@ -64,7 +64,9 @@ pub(crate) fn follow<K: Rig + ?Sized>(
     if let Some(outcome) = single::aim(rig, state, pose, call, corrections) {
         return Some(outcome);
     }
-    if solver == Solver::Exact { following::aim(kernels, rig, state, pose, call, corrections) } else { None }
+    // Written out for each number of joints; a small program searches.
+    let follows = solver == Solver::Exact && cfg!(not(aim_small));
+    if follows { following::aim(kernels, rig, state, pose, call, corrections) } else { None }
 }
 
 /// Serves any call: moves `state` and writes the joints' corrections, one for each joint.
@@ -144,6 +146,9 @@ fn solve_chain<const C: usize>(
             return outcome;
         }
         *joints = before;
+    }
+    if cfg!(aim_natural) {
+        return None;
     }
     let moved = Moved { joints, memory, corrections, found };
     match call.dt {

@@ -91,7 +91,7 @@ impl<const C: usize> Allotment<C> {
 
 impl<const C: usize> Gaze<'_, C> {
     /// The way to what is aimed at.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn way(&self) -> Option<Way> {
         self.way_to(self.goal.aimed)
     }
@@ -103,7 +103,7 @@ impl<const C: usize> Gaze<'_, C> {
         Some(unfit.x)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn way_to(&self, point: Vec3A) -> Option<Way> {
         let from = self.body.gaze.direction;
         let to = math::unit(point - self.pivot)?;
@@ -114,7 +114,7 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// Where the regions belong where that is plain: the leading joint can surely do the rest, or the target is out of reach. Else
     /// `None`, and [`settle`](Self::settle) tries.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn allot(&self, way: &Way) -> Option<Allotment<C>> {
         let (directions, unfit) = self.share(way, Vec4::ZERO);
         let head = self.regions.len() - 1;
@@ -236,7 +236,7 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// Turns the regions by `wanted` together, each by its compliance; what one has no room for is left to the others. Returns
     /// how far they turn.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn turn_regions(&self, wanted: Pair, directions: &mut [Pair]) -> Pair {
         let regions = self.regions;
         // Mostly all have room for their parts.

@@ -47,7 +47,7 @@ pub(super) struct Body<'a, const C: usize> {
 
 impl<'a, const C: usize> Body<'a, C> {
     /// A body of which nothing is known.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn unseen(rig: &'a ChainRig<'a, C>) -> Self {
         let ray = Ray { origin: Vec3A::ZERO, direction: Vec3A::X };
         Self {
@@ -67,19 +67,19 @@ impl<'a, const C: usize> Body<'a, C> {
     }
 
     /// The number of joints.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn count(&self) -> usize {
         self.rig.count()
     }
 
     /// What was declared of the joints.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn infos(&self) -> &'a [JointInfo] {
         &self.rig.joints[..self.rig.count()]
     }
 
     /// Reads `pose` with `first` as the joint that is aimed; `None` where it is not finite or does not span space.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn read(&mut self, pose: &[Affine3A], first: usize, about: Upright) -> Option<()> {
         let infos = self.infos();
         if infos.is_empty() || pose.len() != infos.len() {
@@ -122,7 +122,7 @@ impl<'a, const C: usize> Body<'a, C> {
     }
 
     /// Whether a joint's frame is not that of its bone.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn is_tilted(&self, joint: usize) -> bool {
         self.rig.has_upright && Vec4::from(self.tilts[joint]).cmpne(Vec4::ZERO).bitmask() & 7 != 0
     }
@@ -134,7 +134,7 @@ impl<'a, const C: usize> Body<'a, C> {
     }
 
     /// A joint's own forward in its frame, which that of an upright frame is not.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn forward(&self, joint: usize) -> Vec3A {
         if self.is_tilted(joint) {
             self.upright_direction(joint, self.infos()[joint].axes.forward.into())
@@ -153,7 +153,7 @@ impl<'a, const C: usize> Body<'a, C> {
 
     /// The angle between the effector and the direction to a point from which the turns of the joints inside are taken back, the
     /// leading joint turned like this; `None` where that is undefined.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn angle_to(&self, point: Vec3A, turn: &Turn) -> Option<f32> {
         let first = self.first;
         let seen = turn.back(self.rows[first] * (point - self.places[first]));
@@ -170,7 +170,7 @@ impl<'a, const C: usize> Body<'a, C> {
     }
 
     /// Whether a joint turns all the way round.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn turns_round(&self) -> bool {
         let all = [f32::NEG_INFINITY, f32::INFINITY];
         let rig = self.rig;
@@ -179,13 +179,13 @@ impl<'a, const C: usize> Body<'a, C> {
     }
 
     /// A direction from which a joint's turn is taken back.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn take_back(&self, joint: usize, turn: &Turn, direction: Vec3A) -> Vec3A {
         self.frames[joint] * turn.back(self.rows[joint] * direction)
     }
 
     /// A point from which a joint's turn is taken back.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn take_back_point(&self, joint: usize, turn: &Turn, point: Vec3A) -> Vec3A {
         let place = self.places[joint];
         place + self.take_back(joint, turn, point - place)
@@ -197,18 +197,18 @@ impl<'a, const C: usize> Body<'a, C> {
 pub(in crate::solve) struct Turn(Vec4);
 
 impl Turn {
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn new(angles: Pair) -> Self {
         Self::of_halves(trig::halves_of(angles))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(in crate::solve) fn of_halves(halves: Halves) -> Self {
         Self(trig::doubled(halves))
     }
 
     /// A vector along forward, left and up as it is along those that are turned.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(in crate::solve) fn back(&self, v: Vec3A) -> Vec3A {
         let [sin_p, cos_p, sin_h, cos_h] = self.0.to_array();
         let [ahead, left, up] = v.to_array();
@@ -226,7 +226,7 @@ impl Turn {
 }
 
 /// A joint's angles as a pair.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn angles(joint: &crate::Joint) -> Pair {
     Vec4::new(joint.heading, joint.pitch, 0.0, 0.0)
 }

@@ -45,7 +45,7 @@ const WARY: f32 = 0.5;
 impl Glide {
     /// The glide a frame later, while the goal goes on at speed `with` after `before`. From frame to frame, the region's
     /// speed as it is seen, that of goal and offset together, changes by no more than its acceleration allows.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn after(&self, bounds: &Bounds, before: Pair, with: Pair) -> Self {
         let &Bounds { dt, per_dt, pace, rate, approach, acceleration } = bounds;
         let far = length(self.offset);
@@ -71,14 +71,14 @@ impl Glide {
     }
 
     /// The glide after a frame at this mean speed.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn at_speed(&self, speed: Pair, bounds: &Bounds) -> Self {
         Self { offset: self.offset + speed * bounds.dt, speed, acceleration: (speed - self.speed) * bounds.per_dt }
     }
 
     /// The glide where the region would not stop before the ends of its room any more, which move: braked. `sum` is where the
     /// frame began, as `before`, with the goal's speed `begins`; `ends` are those of the joints' ranges and of the budget.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn braked(
         self,
         before: &Self,
@@ -109,7 +109,7 @@ impl Glide {
     }
 
     /// Whether nothing is left of it that could be seen.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn is_over(&self, pace: f32) -> bool {
         const STILL_RAD: f32 = 2e-5;
         square(self.offset) <= STILL_RAD * STILL_RAD && square(self.speed) <= STILL_RAD * STILL_RAD * pace * pace
@@ -125,20 +125,20 @@ pub(super) struct Room {
 }
 
 /// A pair, and the same with its signs changed.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 fn both_ways(pair: Pair) -> Vec4 {
     pair.xyxy() * Vec4::new(1.0, 1.0, -1.0, -1.0)
 }
 
 impl Room {
     /// The sums between `lo` and `hi`.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn ends([lo, hi]: [Pair; 2]) -> Vec4 {
         Vec4::new(hi.x, hi.y, -lo.x, -lo.y).max(Vec4::ZERO)
     }
 
     /// The room whose ends the animation has shifted by these pairs, where it had shifted them by `before` in the last frame.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn new(at: Vec4, shifts: [Pair; 2], before: Option<[[f32; 2]; 2]>, bounds: &Bounds) -> Self {
         let Some(before) = before else { return Self { at, speeds: [Vec4::ZERO; 2] } };
         let speeds = [0, 1].map(|limit| {
@@ -150,14 +150,14 @@ impl Room {
     }
 
     /// The distances at which something with these speeds has to begin to stop before ends that come nearer.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn stops(speeds: Vec4, coming: Vec4, acceleration: Vec4, dt: f32) -> Vec4 {
         let closing = (speeds - coming).max(Vec4::ZERO);
         closing * (closing * 0.5 / acceleration + Vec4::splat(dt))
     }
 
     /// True if what has these speeds is surely farther away from all ends than it takes to stop.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn leaves_room(&self, sums: Vec4, speeds: Vec4, bounds: &Bounds) -> bool {
         let coming = self.speeds[0].min(self.speeds[1]);
         let stops = Self::stops(speeds, coming, Vec4::splat(WARY * bounds.acceleration), bounds.dt);
@@ -205,7 +205,7 @@ fn braking(distance: f32, gain: f32, dt: f32) -> f32 {
 /// A change of the goal's speed is gone along with as far as this `part` of the acceleration goes; one that lasts, from the
 /// second frame on, with the region's own speed going on evenly; a leap is all offset, and so is a hop from which the goal has
 /// come back. A region that is shaken goes along with the goal's mean speed.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn follow(
     led: &mut Led,
     [sum, goal]: [Pair; 2],
@@ -241,7 +241,7 @@ pub(super) fn follow(
 }
 
 /// True if both angles are within `most` of others.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 fn is_near_to(pair: Pair, other: Pair, most: Pair) -> bool {
     (pair - other).abs().cmple(most * 1.0001).bitmask() & 3 == 3
 }
@@ -296,7 +296,7 @@ impl Led {
     /// A goal that leaps back before the head has come makes it slow for a while: it stays near the middle.
     ///
     /// `leap` is what the goal did at once, and `ahead` how far off it was before.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn tire(&mut self, leap: Pair, ahead: Pair, dt: f32) {
         const MOST: f32 = 1.5;
         const RESTS_S: f32 = 0.8;
@@ -314,7 +314,7 @@ impl Led {
 }
 
 /// An eye's offset from its goal and that offset's speed a frame later: speeding up evenly and braking evenly.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn saccade(offset: Pair, speed: Pair, dt: f32, rate: f32) -> (Pair, Pair) {
     /// An eye's acceleration, rad/s²: 10° take 58 ms and come to 340°/s, as the main sequence has it (Bahill, Clark and
     /// Stark, *Math. Biosci.* 24, 1975).
@@ -336,28 +336,28 @@ pub(super) fn saccade(offset: Pair, speed: Pair, dt: f32, rate: f32) -> (Pair, P
     (offset + (speed + next) * (0.5 * dt), next)
 }
 
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn pair([heading, pitch]: [f32; 2]) -> Pair {
     Vec4::new(heading, pitch, 0.0, 0.0)
 }
 
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn ends(pair: Pair) -> [f32; 2] {
     [pair.x, pair.y]
 }
 
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn square(pair: Pair) -> f32 {
     pair.x * pair.x + pair.y * pair.y
 }
 
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn length(pair: Pair) -> f32 {
     math::root(square(pair))
 }
 
 /// e^(−x) of x ≥ 0, to 1e-6: the 16th power of a series.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 fn exp_of_minus(x: f32) -> f32 {
     let x = x.at_most(40.0) * (-1.0 / 16.0);
     let root = 1.0 + x * (1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0)))));

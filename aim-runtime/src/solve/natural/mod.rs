@@ -175,7 +175,7 @@ struct Posture<'a, const C: usize> {
 
 impl<const C: usize> Posture<'_, C> {
     /// Notes what a joint adds.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn correct(&mut self, body: &Body<'_, C>, joint: usize) -> Turn {
         let (info, halves) = (&body.infos()[joint], trig::halves_of(angles(&self.joints[joint])));
         let turn = turn(&info.axes, &info.planes, halves.to_array());
@@ -242,7 +242,7 @@ struct Gaze<'a, const C: usize> {
 impl<const C: usize> Gaze<'_, C> {
     /// Moves the joints by a frame of `dt` seconds. `None` where the aim is
     /// undefined.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn move_joints(
         &self,
         from: &mut PerJoint<Joint, C>,
@@ -477,13 +477,13 @@ impl<const C: usize> Gaze<'_, C> {
 }
 
 /// A joint at other angles.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 fn at(joint: &Joint, angles: Pair) -> Joint {
     joint.turned_to(angles.x, angles.y)
 }
 
 /// The sums of headings and pitches of a part's joints.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 fn sum(joints: &[Joint], part: &BodyPart) -> Pair {
     let mut sum = angles(&joints[part.outer]);
     for joint in &joints[part.outer + 1..part.inner + 1] {

@@ -20,7 +20,7 @@ pub(super) struct Range<'a> {
 impl<'a> Range<'a> {
     pub(super) const REST: Self = Self { lo: Vec4::ZERO, hi: Vec4::ZERO, more: None };
 
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn new(motion: &'a RangeOfMotion) -> Self {
         let ([right, left], [down, up]) = (motion.heading.ends(), motion.pitch.ends());
         Self {
@@ -31,13 +31,13 @@ impl<'a> Range<'a> {
     }
 
     /// The least and the greatest sums that the ranges of several joints allow, of at least one.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn sums(several: &[Self]) -> [Pair; 2] {
         several[1..].iter().fold([several[0].lo, several[0].hi], |[lo, hi], own| [lo + own.lo, hi + own.hi])
     }
 
     /// What is left of it within a step of either angle; where that is nothing, the step's end nearest to it.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn within(&self, angles: Pair, step: f32) -> Self {
         let (angles, step) = (angles.xyyy(), Vec4::splat(step));
         let (least, most) = (angles - step, angles + step);
@@ -45,7 +45,7 @@ impl<'a> Range<'a> {
     }
 
     /// The nearest angles in the range, heading first.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn hold(&self, angles: Pair) -> Pair {
         let held = angles.max(self.lo).min(self.hi);
         match self.more {
@@ -65,7 +65,7 @@ impl<'a> Range<'a> {
     }
 
     /// The same for a joint that is `from` there: a free heading turns the shorter way round.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn hold_from(&self, from: Pair, angles: Pair) -> Pair {
         match self.more {
             None => angles.max(self.lo).min(self.hi),
@@ -85,7 +85,7 @@ impl<'a> Range<'a> {
     }
 
     /// Whether angles are not at the ends of the range, nor near them, however it narrows.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn holds_well(&self, angles: Pair) -> bool {
         let near = Vec4::splat(AT_LIMIT_RAD);
         let inside = (angles - self.lo).min(self.hi - angles);

@@ -51,7 +51,7 @@ impl Region<'_> {
 }
 
 /// Finds the regions of a body, one for each of its parts.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn find_regions<'a, const C: usize>(
     body: &Body<'_, C>,
     parts: &'a [BodyPart],

@@ -32,18 +32,18 @@ impl Seen {
     pub(super) const NOTHING: Self = Self { wanted: Vec4::ZERO, held: Vec4::ZERO };
 
     /// What the range does not hold.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn left(&self) -> Pair {
         let left = self.wanted - self.held;
         if left.x.abs() > PI { Vec4::new(math::wrap_pi(left.x), left.y, 0.0, 0.0) } else { left }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn is_nothing(left: Pair) -> bool {
         square(left) < SAME_RAD * SAME_RAD
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn is_within(&self) -> bool {
         Self::is_nothing(self.left())
     }
@@ -65,7 +65,7 @@ impl<const C: usize> Gaze<'_, C> {
     }
 
     /// The same of a point from which the turns of the joints inside are taken back already.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn seen(&self, joints: &[Joint], point: Vec3A, taken_back: Vec3A) -> Option<Seen> {
         let first = self.body.first;
         let wanted = self.sight(joints, point, taken_back)?;
@@ -74,7 +74,7 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// The heading and the pitch by which the leading joint looks at a point, the turns of the joints inside taken back from it.
     /// `None` where the point is on the effector.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn sight(&self, joints: &[Joint], point: Vec3A, taken_back: Vec3A) -> Option<Pair> {
         if let Some(chain) = self.chain {
             return self.sight_by_search(chain, joints, point);
@@ -88,7 +88,7 @@ impl<const C: usize> Gaze<'_, C> {
     }
 
     /// A point from which turns are taken back, in the leading joint's frame.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn local(&self, taken_back: Vec3A) -> Vec3A {
         let (body, first) = (self.body, self.body.first);
         body.rows[first] * (taken_back - body.places[first])

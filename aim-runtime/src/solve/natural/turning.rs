@@ -133,7 +133,7 @@ impl<const C: usize> Gaze<'_, C> {
     }
 
     /// Finds the angles that turn a region to what is sought. Returns what the outermost joint would have to turn.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn goals(
         &self,
         region: &Region<'_>,
@@ -177,7 +177,7 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// The same with the inner joints making their shares and `more`, as far as their ranges go: the outermost closes what is left,
     /// in the frame that they carry. Returns what it lacks, too.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn shared_goals(
         &self,
         region: &Region<'_>,
@@ -217,7 +217,7 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// Moves a region towards its joints' goals by a frame, or to a stop. Its outermost joint remembers speed and
     /// acceleration, its innermost one, if that is another, where the animation has shifted the ends of its room.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn glide(
         &self,
         region: &Region<'_>,
@@ -309,7 +309,7 @@ impl<const C: usize> Gaze<'_, C> {
     ///
     /// An inner joint makes its share of the sum, and by and by takes on what its goal is off that; the outermost makes the
     /// rest.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn distribute(
         &self,
         region: &Region<'_>,
@@ -349,7 +349,7 @@ impl<const C: usize> Gaze<'_, C> {
     }
 
     /// Turns the eye towards what it sees by a frame. It remembers where that was, and the speed at which it leaps.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn leap(&self, held: Pair, joint: &Joint, motion: &Motion<'_, C>) -> Joint {
         let first = self.body.first;
         let now = angles(joint);
@@ -369,7 +369,7 @@ impl<const C: usize> Gaze<'_, C> {
     /// Where the eye is held: towards what is out of its range straight, so that the gaze goes straight while the head comes and
     /// keeps its elevation where the head does not get there; towards what is far aside level, as straight would lead over the
     /// other way round.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn held_straight(&self, seen: &Seen, joint: &Joint, posture: &Posture<'_, C>) -> Pair {
         if seen.is_within() { seen.held } else { self.held_aside(seen.wanted, joint, posture) }
     }
@@ -442,7 +442,7 @@ fn quickness(leapt: f32) -> f32 {
 }
 
 /// A joint at these angles that remembers nothing.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 fn with_angles(angles: Pair) -> Joint {
     at(&Joint::REST, angles)
 }

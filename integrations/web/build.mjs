@@ -1,0 +1,105 @@
+// Makes the package's folder `dist`: node build.mjs [OUT]; with --keep of the WebAssembly that is there.
+//
+// Needs rustup's cargo with the target wasm32-unknown-unknown, and the development dependencies of package.json: where they are is
+// said by NODE_PATH, or they are in node_modules.
+import { execFileSync } from "node:child_process";
+import { copyFileSync, cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { homedir } from "node:os";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const workspace = join(here, "../..");
+const [keeps, [out]] = [process.argv.includes("--keep"), process.argv.slice(2).filter((argument) => argument !== "--keep")];
+const dist = resolve(out ?? join(here, "dist"));
+const target = resolve(process.env.CARGO_TARGET_DIR ?? join(workspace, "target"));
+const require = createRequire(import.meta.url);
+
+/** The parts, and how the solvers are compiled for each: presets are of characters, which move by the natural solver. */
+const PARTS = { presets: ["--cfg", "aim_natural"], measure: [], declare: [] };
+
+/** What browsers of 2023 have. */
+const FEATURES = ["bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals", "reference-types", "multivalue", "simd"];
+
+function run(command, args, env = {}) {
+  execFileSync(command, args, { cwd: workspace, stdio: "inherit", env: { ...process.env, ...env } });
+}
+
+/** A program of a development dependency. */
+function tool(name, script) {
+  for (const folder of require.resolve.paths(name)) {
+    const path = join(folder, name, script);
+    if (existsSync(path)) return path;
+  }
+  throw new Error(`${name} is not installed: run \`npm install\` in ${here}`);
+}
+
+const cargo = process.env.CARGO ?? "cargo";
+const packed = (path) => resolve(path);
+// What is published names no folder of the machine that it was made on.
+const remapped = [
+  [packed(process.env.CARGO_HOME ?? join(homedir(), ".cargo")), "cargo"],
+  [packed(workspace), "aim"],
+].flatMap(([from, to]) => ["--remap-path-prefix", `${from}=${to}`]);
+
+/** Compiles a part. */
+function compile(part, flags) {
+  const rustflags = ["--cfg", "aim_small", ...flags, "-Ctarget-feature=+simd128", ...remapped].join("\x1f");
+  const args = ["build", "--quiet", "--package", "aim-gaze-wasm", "--lib", "--features", part];
+  run(cargo, [...args, "--target", "wasm32-unknown-unknown", "--profile", "web"], {
+    CARGO_ENCODED_RUSTFLAGS: rustflags,
+    CARGO_PROFILE_WEB_OPT_LEVEL: "z",
+    CARGO_TARGET_DIR: target,
+  });
+  const module = join(target, `aim-gaze-${part}.wasm`);
+  copyFileSync(join(target, "wasm32-unknown-unknown/web/aim_gaze_wasm.wasm"), module);
+  return module;
+}
+
+/** Writes the WebAssembly of all parts, with its JavaScript. */
+function assemble(wasm) {
+  mkdirSync(wasm, { recursive: true });
+  run(cargo, ["build", "--quiet", "--package", "aim-gaze-wasm", "--bin", "aim-gaze-wasm"], { CARGO_TARGET_DIR: target });
+  for (const [part, flags] of Object.entries(PARTS)) {
+    run(join(target, "debug/aim-gaze-wasm"), [compile(part, flags), wasm, part]);
+    const module = join(wasm, `${part}_bg.wasm`);
+    const wasmOpt = tool("binaryen", "bin/wasm-opt");
+    run(process.execPath, [wasmOpt, "-Oz", ...FEATURES.map((feature) => `--enable-${feature}`), module, "-o", module]);
+    rmSync(join(wasm, `${part}_bg.wasm.d.ts`));
+    const base64 = readFileSync(module).toString("base64");
+    writeFileSync(join(wasm, `${part}_base64.js`), `export const base64 = "${base64}";\n`);
+    writeFileSync(join(wasm, `${part}_base64.d.ts`), "export declare const base64: string;\n");
+  }
+}
+
+for (const name of existsSync(dist) ? readdirSync(dist) : []) {
+  if (!(keeps && name === "wasm")) rmSync(join(dist, name), { recursive: true });
+}
+if (!keeps) assemble(join(dist, "wasm"));
+
+// The compiler finds the declarations of what is made beside the sources.
+const declarations = join(here, "src/wasm");
+rmSync(declarations, { recursive: true, force: true });
+cpSync(join(dist, "wasm"), declarations, { recursive: true, filter: (path) => !/\.(wasm|js)$/.test(path) });
+run(process.execPath, [tool("typescript", "bin/tsc"), "--project", join(here, "tsconfig.json"), "--outDir", dist]);
+rmSync(declarations, { recursive: true });
+
+const { buildSync } = require("esbuild");
+buildSync({
+  entryPoints: [join(dist, "single.js")],
+  outfile: join(dist, "single.js"),
+  allowOverwrite: true,
+  bundle: true,
+  format: "esm",
+  minify: true,
+  keepNames: true,
+  target: "es2022",
+  legalComments: "none",
+  // The presets alone are in it.
+  external: ["./wasm/measure.js", "./wasm/declare.js"],
+});
+
+for (const licence of readdirSync(workspace).filter((name) => name.startsWith("LICENSE-"))) {
+  copyFileSync(join(workspace, licence), join(here, licence));
+}

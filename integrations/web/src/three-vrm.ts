@@ -1,0 +1,552 @@
+/**
+ * Gaze for avatars of `@pixiv/three-vrm`: on the normalised humanoid bones, with the eyes as the file's `lookAt` has them, as bones or
+ * as expressions.
+ *
+ * Each frame in this order: `mixer.update(dt); gaze.update(dt); vrm.update(dt);`
+ *
+ * @module
+ */
+import type { VRMCore } from "@pixiv/three-vrm";
+import type { Object3D, Quaternion, Vector3 } from "three";
+
+import { attach as attachSkeleton, GazeError } from "./index.js";
+import type { AttachOptions, Bone, Gaze, Skeleton } from "./index.js";
+import { locate } from "./three.js";
+
+/** What a character of three.js looks at: an object, or a point in the world that may move. */
+export type Target = Object3D | Vector3;
+
+/**
+ * Makes a VRM avatar, version 0 or 1, look at targets.
+ *
+ * The rig is `"vrm"` unless `options.rig` says otherwise. An avatar whose eyes neither bones nor expressions can turn looks with its
+ * head: its rig is measured, which loads the larger module.
+ *
+ * While attached, `vrm.lookAt` neither follows its own target nor moves the eyes; yaw and pitch that are set on it, by an animation
+ * for example, count as the animation of the eyes. `dispose` gives it back as it was.
+ */
+export async function attach(vrm: VRMCore, options: AttachOptions<Target> = {}): Promise<Gaze<Target>> {
+  const avatar = check(vrm);
+  const eyes = eyesOf(avatar);
+  let { rig = "vrm" } = options;
+  if (typeof rig === "object" && "glb" in rig) {
+    throw new GazeError(
+      "a rig that is measured from a file fits the file's own bones, not the normalised bones of a VRM: leave `rig` out, or attach " +
+        "`vrm.scene` with aim-gaze/three and set `vrm.humanoid.autoUpdateHumanBones = false`",
+    );
+  }
+  // The preset needs an eye, and there is none to turn: measured, the rig ends at the head.
+  if (rig === "vrm" && eyes === "none") rig = "measure";
+  const skeleton = new VrmSkeleton(avatar, eyes, rig === "vrm");
+  const gaze = await attachSkeleton<Target>(skeleton, { ...options, rig, locate, trunk: skeleton.trunk });
+  skeleton.takeOver();
+  return gaze;
+}
+
+function check(vrm: unknown): VRMCore {
+  const { humanoid, scene, userData } = (vrm ?? {}) as Partial<VRMCore> & { userData?: { vrm?: unknown } };
+  if (typeof humanoid?.getNormalizedBoneNode !== "function" || !scene) {
+    const given = userData?.vrm ? "this is the glTF around it: give its `userData.vrm`" : "load the file with GLTFLoader and VRMLoaderPlugin";
+    throw new GazeError(`expected a VRM of @pixiv/three-vrm, that is, \`gltf.userData.vrm\`: ${given}`);
+  }
+  if (!humanoid.autoUpdateHumanBones) {
+    throw new GazeError(
+      "`vrm.humanoid.autoUpdateHumanBones` is off, so that the normalised bones move nothing: switch it on, or attach `vrm.scene` with " +
+        "aim-gaze/three",
+    );
+  }
+  return vrm as VRMCore;
+}
+
+type VRMExpressionManager = NonNullable<VRMCore["expressionManager"]>;
+type VRMLookAt = NonNullable<VRMCore["lookAt"]>;
+type VRMLookAtApplier = VRMLookAt["applier"];
+type HumanBone = Parameters<VRMCore["humanoid"]["getNormalizedBoneNode"]>[0];
+
+/** What turns the eyes. */
+type EyeKind = "bones" | "expressions" | "none";
+
+const LOOKS = ["lookLeft", "lookRight", "lookUp", "lookDown"] as const;
+
+function eyesOf({ humanoid, lookAt, expressionManager }: VRMCore): EyeKind {
+  const looks = LOOKS.some((name) => expressionManager?.getExpression(name));
+  if (looks && lookAt && isOfExpressions(lookAt.applier)) return "expressions";
+  return humanoid.getNormalizedBoneNode("leftEye") || humanoid.getNormalizedBoneNode("rightEye") ? "bones" : "none";
+}
+
+function isOfExpressions(applier: VRMLookAtApplier): boolean {
+  return (applier.constructor as { type?: string }).type === "expression" || "expressions" in applier;
+}
+
+/** The numbers of a bone: translation, rotation, scale. */
+const LOCAL = 10;
+
+class VrmSkeleton implements Skeleton {
+  readonly bones: readonly Bone[];
+  /** The hips. */
+  readonly trunk: number;
+  /** For each bone its node; none for an eye that only expressions turn. */
+  readonly #nodes: (Object3D | undefined)[] = [];
+  readonly #eyes: (Eye | undefined)[] = [];
+  /** What the hips hang on. */
+  readonly #root: Object3D;
+  readonly #lookAt: LookAt | undefined;
+  /** −1 for VRM 0, whose characters face −Z: they are presented turned by half a turn about Y, which negates x and z; else 1. */
+  readonly #sign: number;
+
+  constructor(vrm: VRMCore, eyes: EyeKind, preset: boolean) {
+    const { humanoid, lookAt, scene } = vrm;
+    const root = humanoid.normalizedHumanBonesRoot;
+    this.#root = root.parent ? root : scene;
+    this.#sign = vrm.meta?.metaVersion === "0" ? -1 : 1;
+    const named = new Map<Object3D, HumanBone>();
+    for (const name of Object.keys(humanoid.normalizedHumanBones) as HumanBone[]) {
+      const node = humanoid.getNormalizedBoneNode(name);
+      if (node) named.set(node, name);
+    }
+    const aliases = preset ? aliasesOf(named) : new Map<HumanBone, string>();
+    const maps = () => lookAt?.applier && (original(lookAt) as RangeMaps);
+    const bones: Bone[] = [];
+    const add = (node: Object3D, parent: number): void => {
+      const name = named.get(node);
+      let here = parent;
+      if (name && !(eyes === "expressions" && isEye(name))) {
+        const rest = restOf(vrm, name, node);
+        here = bones.push({ name: aliases.get(name) ?? String(name), parent, rest: turned(rest, this.#sign) }) - 1;
+        this.#nodes[here] = node;
+        if (eyes === "bones" && isEye(name) && lookAt && !isOfExpressions(lookAt.applier)) {
+          this.#eyes[here] = new MappedEye(node.quaternion, name === "leftEye", this.#sign, maps);
+        }
+        if (name === "head" && eyes === "expressions" && lookAt && vrm.expressionManager) {
+          const virtual = turned(lookAtOrigin(vrm, lookAt), this.#sign);
+          const eye = bones.push({ name: "leftEye", parent: here, rest: virtual }) - 1;
+          this.#eyes[eye] = new ExpressedEye(vrm.expressionManager, virtual, maps);
+        }
+      }
+      for (const child of node.children) add(child, here);
+    };
+    add(root, -1);
+    this.bones = bones;
+    this.trunk = bones.findIndex(({ name }) => name === "hips");
+    this.#lookAt = lookAt && new LookAt(lookAt);
+  }
+
+  /** Quiets the avatar's own look-at. */
+  takeOver(): void {
+    this.#lookAt?.take();
+  }
+
+  begin(): void {
+    this.#lookAt?.apply();
+  }
+
+  read(bone: number, into: Float32Array, offset: number): void {
+    const sign = this.#sign;
+    const node = this.#nodes[bone];
+    if (node) {
+      const { position, quaternion, scale } = node;
+      into[offset] = sign * position.x;
+      into[offset + 1] = position.y;
+      into[offset + 2] = sign * position.z;
+      into[offset + 3] = sign * quaternion.x;
+      into[offset + 4] = quaternion.y;
+      into[offset + 5] = sign * quaternion.z;
+      into[offset + 6] = quaternion.w;
+      into[offset + 7] = scale.x;
+      into[offset + 8] = scale.y;
+      into[offset + 9] = scale.z;
+    }
+    this.#eyes[bone]?.read(into, offset);
+  }
+
+  write(bone: number, from: Float32Array, offset: number): void {
+    const sign = this.#sign;
+    const node = this.#nodes[bone];
+    const eye = this.#eyes[bone];
+    if (node) {
+      const { position, quaternion } = node;
+      const x = sign * from[offset]!;
+      const y = from[offset + 1]!;
+      const z = sign * from[offset + 2]!;
+      // What does not move keeps its double precision.
+      if (Math.fround(position.x) !== x || Math.fround(position.y) !== y || Math.fround(position.z) !== z) position.set(x, y, z);
+      if (!eye) quaternion.set(sign * from[offset + 3]!, from[offset + 4]!, sign * from[offset + 5]!, from[offset + 6]!);
+    }
+    eye?.write(from, offset);
+  }
+
+  place(into: Float32Array, offset: number): void {
+    const root = this.#root;
+    root.updateWorldMatrix(true, false);
+    const { elements } = root.matrixWorld;
+    for (let at = 0; at < 16; at++) into[offset + at] = elements[at]!;
+    if (this.#sign > 0) return;
+    for (let at = 0; at < 3; at++) {
+      into[offset + at] = -into[offset + at]!;
+      into[offset + 8 + at] = -into[offset + 8 + at]!;
+    }
+  }
+
+  dispose(): void {
+    this.#lookAt?.release();
+  }
+}
+
+function isEye(name: HumanBone): boolean {
+  return name === "leftEye" || name === "rightEye";
+}
+
+/** The names that stand in for those of bones that the preset needs and a VRM may lack. */
+function aliasesOf(named: ReadonlyMap<Object3D, HumanBone>): Map<HumanBone, string> {
+  const present = new Set(named.values());
+  const aliases = new Map<HumanBone, string>();
+  // Each is there, or the next one takes its part: required of a VRM are only hips, spine and head.
+  if (!present.has("neck")) aliases.set("head", "neck");
+  if (!present.has("upperChest") && !present.has("chest")) aliases.set("spine", "chest");
+  if (!present.has("leftEye")) aliases.set("rightEye", "leftEye");
+  return aliases;
+}
+
+/** The ten numbers of a normalised bone at rest. */
+function restOf({ humanoid }: VRMCore, name: HumanBone, { position }: Object3D): number[] {
+  const rest = humanoid.normalizedRestPose[name];
+  return [...(rest?.position ?? position.toArray()), ...(rest?.rotation ?? [0, 0, 0, 1]), 1, 1, 1];
+}
+
+/** The ten numbers of a bone after half a turn of the space about Y for −1. */
+function turned([x = 0, y = 0, z = 0, i = 0, j = 0, k = 0, w = 1, ...scale]: number[], sign: number): number[] {
+  return [sign * x, y, sign * z, sign * i, j, sign * k, w, ...scale];
+}
+
+/** What three-vrm tells of a bone at rest. */
+interface Rest {
+  readonly rotation?: readonly number[];
+}
+
+/** Where `lookAt` looks from, as a bone on the normalised head at rest. */
+function lookAtOrigin({ humanoid, scene }: VRMCore, { offsetFromHeadBone }: VRMLookAt): number[] {
+  const rests = new Map<Object3D, readonly number[]>();
+  for (const [name, rest] of Object.entries<Rest>(humanoid.rawRestPose as Record<string, Rest>)) {
+    const node = humanoid.getRawBoneNode(name as HumanBone);
+    if (node && rest.rotation) rests.set(node, rest.rotation);
+  }
+  // The offset is in the space of the raw head, the bone in that of the normalised one, which has the axes of the scene.
+  const offset = offsetFromHeadBone.clone();
+  for (let node = humanoid.getRawBoneNode("head"); node && node !== scene; node = node.parent) {
+    const rest = rests.get(node);
+    offset.multiply(node.scale).applyQuaternion(rest ? node.quaternion.clone().fromArray([...rest]) : node.quaternion);
+  }
+  return [offset.x, offset.y, offset.z, 0, 0, 0, 1, 1, 1, 1];
+}
+
+interface Lookers {
+  /** Characters that hold it. */
+  count: number;
+  readonly autoUpdate: boolean;
+  readonly applier: VRMLookAtApplier;
+}
+
+/** Look-ats that are held. */
+const held = new WeakMap<VRMLookAt, Lookers>();
+
+/** What moves the eyes while nobody holds the look-at. */
+function original(lookAt: VRMLookAt): VRMLookAtApplier {
+  return held.get(lookAt)?.applier ?? lookAt.applier;
+}
+
+/** The avatar's own look-at while a gaze has the eyes. */
+class LookAt {
+  readonly #lookAt: VRMLookAt;
+  #yaw: number;
+  #pitch: number;
+  #holds = false;
+
+  constructor(lookAt: VRMLookAt) {
+    this.#lookAt = lookAt;
+    this.#yaw = lookAt.yaw;
+    this.#pitch = lookAt.pitch;
+  }
+
+  take(): void {
+    const lookAt = this.#lookAt;
+    const { autoUpdate, applier } = lookAt;
+    this.#holds = true;
+    const holders = held.get(lookAt);
+    if (holders) {
+      holders.count += 1;
+      this.#yaw = lookAt.yaw;
+      this.#pitch = lookAt.pitch;
+      return;
+    }
+    held.set(lookAt, { count: 1, autoUpdate, applier });
+    lookAt.autoUpdate = false;
+    // Where it has looked at its own target that is no animation.
+    if (autoUpdate && lookAt.target) {
+      lookAt.reset();
+      applier.applyYawPitch(0, 0);
+    }
+    this.#yaw = lookAt.yaw;
+    this.#pitch = lookAt.pitch;
+    // `vrm.update` applies yaw and pitch after the bones have been written, the first time even unasked: this one moves nothing, and
+    // is otherwise the same.
+    const nothing = { value: () => {}, configurable: true, writable: true };
+    lookAt.applier = Object.create(applier, { applyYawPitch: nothing, lookAt: nothing }) as VRMLookAtApplier;
+  }
+
+  /** Moves the eyes where yaw or pitch were set from elsewhere: that is their animation. */
+  apply(): void {
+    const { yaw, pitch } = this.#lookAt;
+    if (!this.#holds || (yaw === this.#yaw && pitch === this.#pitch)) return;
+    this.#yaw = yaw;
+    this.#pitch = pitch;
+    original(this.#lookAt).applyYawPitch(yaw, pitch);
+  }
+
+  release(): void {
+    const lookAt = this.#lookAt;
+    const holders = held.get(lookAt);
+    if (!holders || !this.#holds) return;
+    this.#holds = false;
+    holders.count -= 1;
+    if (holders.count > 0) return;
+    held.delete(lookAt);
+    lookAt.autoUpdate = holders.autoUpdate;
+    lookAt.applier = holders.applier;
+  }
+}
+
+interface RangeMap {
+  readonly inputMaxValue: number;
+  readonly outputScale: number;
+}
+
+interface RangeMaps {
+  readonly rangeMapHorizontalInner?: RangeMap;
+  readonly rangeMapHorizontalOuter?: RangeMap;
+  readonly rangeMapVerticalDown?: RangeMap;
+  readonly rangeMapVerticalUp?: RangeMap;
+}
+
+/** The least that an input maximum counts, degrees: one of 0 would make a step of the map. */
+const LEAST_INPUT_DEG = 0.01;
+
+/** What a looking angle ≥ 0 gives: `outputScale · min(angle, inputMax) / inputMax`, by the VRM specification. */
+function mapped(map: RangeMap | undefined, angle: number): number {
+  if (!map) return angle;
+  const most = Math.max(map.inputMaxValue, LEAST_INPUT_DEG);
+  return (map.outputScale * Math.min(angle, most)) / most;
+}
+
+/** The looking angle that gives `output` ≥ 0, the largest of them where that is beyond what the map gives. */
+function unmapped(map: RangeMap | undefined, output: number): number {
+  if (!map) return output;
+  if (!(map.outputScale > 0)) return 0;
+  return Math.max(map.inputMaxValue, LEAST_INPUT_DEG) * Math.min(output / map.outputScale, 1);
+}
+
+type Mapping = typeof mapped;
+
+const DEG = Math.PI / 180;
+
+/** Yaw (to the left) and pitch (down) of a direction, degrees. */
+const look = { yaw: 0, pitch: 0 };
+/** A rotation, xyzw. */
+const yawPitch = { x: 0, y: 0, z: 0, w: 1 };
+
+/** Puts where a rotation turns +Z into `look`. */
+function lookOf(x: number, y: number, z: number, w: number): void {
+  const left = 2 * (x * z + w * y);
+  const up = 2 * (y * z - w * x);
+  const front = 1 - 2 * (x * x + y * y);
+  look.yaw = Math.atan2(left, front) / DEG;
+  look.pitch = Math.atan2(-up, Math.hypot(left, front)) / DEG;
+}
+
+/** Puts the rotation by `look`, yaw about Y after pitch about X, into `yawPitch`. */
+function rotationOfLook(): void {
+  const yaw = (look.yaw * DEG) / 2;
+  const pitch = (look.pitch * DEG) / 2;
+  yawPitch.x = Math.cos(yaw) * Math.sin(pitch);
+  yawPitch.y = Math.sin(yaw) * Math.cos(pitch);
+  yawPitch.z = -Math.sin(yaw) * Math.sin(pitch);
+  yawPitch.w = Math.cos(yaw) * Math.cos(pitch);
+}
+
+/** An eye that is not turned as it looks. */
+interface Eye {
+  /** Puts the rotation by which it looks over the one in `into`, in the space that is presented. */
+  read(into: Float32Array, offset: number): void;
+  /** Turns it so that it looks by the rotation in `from`. */
+  write(from: Float32Array, offset: number): void;
+}
+
+/** The rotation of an eye in its animation and as it was written last, as the core has them. */
+class Memory {
+  readonly animated = new Float32Array(4);
+  readonly written = new Float32Array(4);
+  any = false;
+
+  is(kept: Float32Array, from: Float32Array, offset: number): boolean {
+    for (let at = 0; at < 4; at++) if (kept[at] !== from[offset + 3 + at]) return false;
+    return true;
+  }
+
+  put(kept: Float32Array, into: Float32Array, offset: number): void {
+    for (let at = 0; at < 4; at++) into[offset + 3 + at] = kept[at]!;
+  }
+
+  keep(kept: Float32Array, from: Float32Array, offset: number): void {
+    for (let at = 0; at < 4; at++) kept[at] = from[offset + 3 + at]!;
+  }
+}
+
+/** An eye bone that turns by the range maps of the file, the maps of each side. */
+class MappedEye implements Eye {
+  readonly #bone: Quaternion;
+  readonly #isLeft: boolean;
+  readonly #sign: number;
+  readonly #maps: () => RangeMaps | undefined;
+  readonly #memory = new Memory();
+  /** The bone in its animation, and as it was written last. */
+  readonly #animated: Quaternion;
+  readonly #written: Quaternion;
+  readonly #turned = { x: 0, y: 0, z: 0, w: 1 };
+
+  constructor(bone: Quaternion, isLeft: boolean, sign: number, maps: () => RangeMaps | undefined) {
+    this.#bone = bone;
+    this.#isLeft = isLeft;
+    this.#sign = sign;
+    this.#maps = maps;
+    this.#animated = bone.clone();
+    this.#written = bone.clone();
+  }
+
+  read(into: Float32Array, offset: number): void {
+    const memory = this.#memory;
+    if (memory.any && this.#bone.equals(this.#written)) {
+      memory.put(memory.written, into, offset);
+      return;
+    }
+    // Somebody moved it: that is the animation, and stands for a looking angle just as what is written does.
+    const { x, y, z, w } = this.#animated.copy(this.#bone);
+    const { x: i, y: j, z: k, w: l } = this.#map(this.#sign * x, y, this.#sign * z, w, unmapped);
+    into[offset + 3] = i;
+    into[offset + 4] = j;
+    into[offset + 5] = k;
+    into[offset + 6] = l;
+    memory.keep(memory.animated, into, offset);
+    memory.any = false;
+  }
+
+  write(from: Float32Array, offset: number): void {
+    const memory = this.#memory;
+    const sign = this.#sign;
+    // Without a correction the very animation, even where the maps do not reach it.
+    if (memory.is(memory.animated, from, offset)) this.#bone.copy(this.#animated);
+    else {
+      const { x, y, z, w } = this.#map(from[offset + 3]!, from[offset + 4]!, from[offset + 5]!, from[offset + 6]!, mapped);
+      this.#bone.set(sign * x, y, sign * z, w);
+    }
+    this.#written.copy(this.#bone);
+    memory.keep(memory.written, from, offset);
+    memory.any = true;
+  }
+
+  /** A rotation q = L·R, of which L looks by yaw and pitch, with both mapped; the roll R stays. */
+  #map(x: number, y: number, z: number, w: number, mapping: Mapping): { x: number; y: number; z: number; w: number } {
+    const maps = this.#maps();
+    const result = this.#turned;
+    lookOf(x, y, z, w);
+    rotationOfLook();
+    const { x: a, y: b, z: c, w: d } = yawPitch;
+    // R = L⁻¹·q
+    const i = d * x - a * w - b * z + c * y;
+    const j = d * y - b * w - c * x + a * z;
+    const k = d * z - c * w - a * y + b * x;
+    const l = d * w + a * x + b * y + c * z;
+    const outward = this.#isLeft ? look.yaw > 0 : look.yaw < 0;
+    const level = outward ? maps?.rangeMapHorizontalOuter : maps?.rangeMapHorizontalInner;
+    const upright = look.pitch > 0 ? maps?.rangeMapVerticalDown : maps?.rangeMapVerticalUp;
+    look.yaw = Math.sign(look.yaw) * mapping(level, Math.abs(look.yaw));
+    look.pitch = Math.sign(look.pitch) * mapping(upright, Math.abs(look.pitch));
+    rotationOfLook();
+    const { x: e, y: f, z: g, w: h } = yawPitch;
+    result.x = h * i + e * l + f * k - g * j;
+    result.y = h * j + f * l + g * i - e * k;
+    result.z = h * k + g * l + e * j - f * i;
+    result.w = h * l - e * i - f * j - g * k;
+    return result;
+  }
+}
+
+/** Weights of `lookLeft`, `lookRight`, `lookUp`, `lookDown`. */
+type Looks = [number, number, number, number];
+
+/** Both eyes of an avatar that looks by expressions, as one between them: both show the same. */
+class ExpressedEye implements Eye {
+  readonly #expressions: VRMExpressionManager;
+  readonly #maps: () => RangeMaps | undefined;
+  readonly #rest: readonly number[];
+  readonly #memory = new Memory();
+  /** The weights in their animation, and as they were written last. */
+  readonly #animated: Looks = [0, 0, 0, 0];
+  readonly #written: Looks = [0, 0, 0, 0];
+
+  constructor(expressions: VRMExpressionManager, rest: readonly number[], maps: () => RangeMaps | undefined) {
+    this.#expressions = expressions;
+    this.#rest = rest;
+    this.#maps = maps;
+  }
+
+  read(into: Float32Array, offset: number): void {
+    for (let at = 0; at < LOCAL; at++) into[offset + at] = this.#rest[at]!;
+    const memory = this.#memory;
+    if (memory.any && this.#has(this.#written)) {
+      memory.put(memory.written, into, offset);
+      return;
+    }
+    this.#get(this.#animated);
+    const weights = this.#animated;
+    const maps = this.#maps();
+    const level = maps?.rangeMapHorizontalOuter;
+    look.yaw = unmapped(level, weights[0]) - unmapped(level, weights[1]);
+    look.pitch = unmapped(maps?.rangeMapVerticalDown, weights[3]) - unmapped(maps?.rangeMapVerticalUp, weights[2]);
+    rotationOfLook();
+    into[offset + 3] = yawPitch.x;
+    into[offset + 4] = yawPitch.y;
+    into[offset + 5] = yawPitch.z;
+    into[offset + 6] = yawPitch.w;
+    memory.keep(memory.animated, into, offset);
+    memory.any = false;
+  }
+
+  write(from: Float32Array, offset: number): void {
+    const memory = this.#memory;
+    const written = this.#written;
+    if (memory.is(memory.animated, from, offset)) for (let at = 0; at < 4; at++) written[at] = this.#animated[at]!;
+    else {
+      const maps = this.#maps();
+      // By the specification both sides have the outer map.
+      const level = maps?.rangeMapHorizontalOuter;
+      lookOf(from[offset + 3]!, from[offset + 4]!, from[offset + 5]!, from[offset + 6]!);
+      written[0] = look.yaw > 0 ? mapped(level, look.yaw) : 0;
+      written[1] = look.yaw < 0 ? mapped(level, -look.yaw) : 0;
+      written[2] = look.pitch < 0 ? mapped(maps?.rangeMapVerticalUp, -look.pitch) : 0;
+      written[3] = look.pitch > 0 ? mapped(maps?.rangeMapVerticalDown, look.pitch) : 0;
+    }
+    for (let at = 0; at < 4; at++) this.#expressions.setValue(LOOKS[at]!, written[at]!);
+    // Weights are clamped, and expressions that are missing have none.
+    this.#get(written);
+    memory.keep(memory.written, from, offset);
+    memory.any = true;
+  }
+
+  #get(weights: Looks): void {
+    for (let at = 0; at < 4; at++) weights[at] = this.#expressions.getValue(LOOKS[at]!) ?? 0;
+  }
+
+  #has(weights: Looks): boolean {
+    for (let at = 0; at < 4; at++) if ((this.#expressions.getValue(LOOKS[at]!) ?? 0) !== weights[at]) return false;
+    return true;
+  }
+}

@@ -1,0 +1,96 @@
+//! [`Found`]: a rig on the bones of a character.
+
+use std::sync::Arc;
+
+use aim::animation::{AimChain, AimChainError, Skeleton};
+use aim::glam::{Affine3A, Vec3};
+use aim::Rig;
+
+use crate::Bones;
+
+/// A rig whose bones have been found, in a chain on as few of the character's bones as can be.
+#[derive(Clone)]
+pub struct Found {
+    pub(crate) rig: Arc<dyn Rig>,
+    pub(crate) chain: AimChain,
+    /// For each bone of the chain's skeleton its number among those that were handed over.
+    pub(crate) bones: Vec<usize>,
+}
+
+/// What is known of a character beside its rig.
+#[derive(Default)]
+pub(crate) struct Known {
+    pub(crate) up: Option<Vec3>,
+    /// The bone that tells how it stands, as it is numbered in the skeleton.
+    pub(crate) trunk: Option<usize>,
+    /// Every bone of the skeleton in the bind pose, in the space of the character; none where that is the rest pose.
+    pub(crate) bind: Vec<Affine3A>,
+}
+
+impl std::fmt::Debug for Found {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Found").field("chain", &self.chain).field("bones", &self.bones).finish_non_exhaustive()
+    }
+}
+
+/// The rig on bones with the names that it declares.
+pub(crate) fn by_name(
+    bones: &Bones,
+    skeleton: &Skeleton,
+    rig: Arc<dyn Rig>,
+    known: Known,
+    both_eyes: bool,
+) -> Result<Found, String> {
+    let told = |error: AimChainError| said(&error, rig.as_ref(), skeleton);
+    let mut chain = AimChain::named(skeleton, rig.as_ref()).map_err(told)?;
+    if let Some(name) = rig.other_eye_bone() {
+        if let Some(eye) = skeleton.find(name) {
+            chain = if both_eyes { chain.with_other_eye(eye) } else { chain.with_following_eye(eye) }.map_err(told)?;
+        }
+    }
+    let up = known.up.unwrap_or(Vec3::Y);
+    let trunk = bones.trunk.and_then(|bone| skeleton.bone_of(bone)).or(known.trunk);
+    chain = match trunk {
+        Some(trunk) => chain.with_standing_up(up, trunk).map_err(told)?,
+        None => chain.with_up(up),
+    };
+    if !known.bind.is_empty() {
+        chain = chain.with_bind(&known.bind).map_err(|error| error.to_string())?;
+    }
+    let (chain, kept) = chain.reduced();
+    let bones = kept.into_iter().filter_map(|bone| skeleton.source_of(bone)).collect();
+    Ok(Found { rig, chain, bones })
+}
+
+/// Why bones are no chain of a rig, for somebody who sees neither.
+fn said(error: &AimChainError, rig: &dyn Rig, skeleton: &Skeleton) -> String {
+    let joint_name = |joint: usize| rig.joint_name(joint).unwrap_or("?").to_owned();
+    match error {
+        AimChainError::Names { joint, names } => {
+            let known: Vec<&str> = skeleton.names().iter().map(String::as_str).take(MOST_NAMES).collect();
+            let more = if skeleton.len() > MOST_NAMES { ", …" } else { "" };
+            let wanted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
+            format!(
+                "no bone, or more than one, is called {} for the rig's joint \"{}\"; the character's bones are {}{more}. \
+                 Choose the preset that fits, or rig: \"measure\"",
+                wanted.join(" or "),
+                joint_name(*joint),
+                known.join(", ")
+            )
+        }
+        AimChainError::Order(joint) => format!(
+            "the bone of the rig's joint \"{}\" does not hang on that of \"{}\": choose the preset that fits the skeleton, or \
+             rig: \"measure\"",
+            joint_name(joint.saturating_sub(1)),
+            joint_name(*joint)
+        ),
+        AimChainError::Held => "a bone that the rig holds does not hang on its joint, or is a joint itself: mend `hold` in the rig"
+            .to_owned(),
+        AimChainError::OtherEye => "the rig's other eye is one of its joints: name the eye beside it as `other_eye`".to_owned(),
+        AimChainError::Trunk => "there is no bone of the trunk's number: give the index of one of the bones".to_owned(),
+        _ => "the rig does not fit the skeleton: choose the preset that fits, or rig: \"measure\"".to_owned(),
+    }
+}
+
+/// The names of bones that a message lists at most.
+const MOST_NAMES: usize = 80;

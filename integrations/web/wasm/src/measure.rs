@@ -1,0 +1,90 @@
+//! Rigs that are measured when a character is loaded.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use aim::Rig;
+use aim::animation::Bone;
+use aim::glam::Affine3A;
+use aim_character::{Error, InterpretedRig, Measurement, Role, propose};
+use aim_gltf::Document;
+
+use crate::find::{Known, by_name};
+use crate::{Bones, Found};
+
+/// A rig that is measured from the bones: their names, how they stand at rest, and their bind matrices.
+///
+/// # Errors
+/// Says in a sentence what was expected.
+pub fn measured(bones: &Bones, both_eyes: bool) -> Result<Found, String> {
+    // A measured rig tells its bones by their names.
+    let mut bones = bones.clone();
+    let mut seen: BTreeMap<String, usize> = BTreeMap::new();
+    for Bone { name, .. } in &mut bones.bones {
+        let times = seen.entry(name.clone()).or_default();
+        *times += 1;
+        if *times > 1 {
+            *name = format!("{name}#{times}");
+        }
+    }
+    let skeleton = bones.skeleton()?;
+    let inverse_binds: Vec<Option<Affine3A>> =
+        (0..skeleton.len()).map(|bone| bones.inverse_binds[skeleton.source_of(bone).unwrap_or_default()]).collect();
+    let document = Document::of_bones(&skeleton, &inverse_binds).map_err(|error| error.to_string())?;
+    let (rig, known) = proposed(&document)?;
+    by_name(&bones, &skeleton, rig, known, both_eyes)
+}
+
+/// A rig that is measured from the bytes of the character's file, GLB or VRM. Bones are those of the nodes with their numbers, or else
+/// with their names.
+///
+/// # Errors
+/// Says in a sentence what was expected.
+pub fn of_file(bones: &Bones, bytes: &[u8], both_eyes: bool) -> Result<Found, String> {
+    let document = Document::from_bytes(bytes).map_err(|error| format!("the file of the character {error}"))?;
+    let (rig, mut known) = proposed(&document)?;
+    let of_file = document.skeleton();
+    // Bones have the names of the file's nodes: engines change them.
+    let by_node: BTreeMap<usize, usize> = (0..of_file.len()).filter_map(|at| Some((of_file.source_of(at)?, at))).collect();
+    let node_of = |bone: usize| match bones.nodes[bone] {
+        Some(node) => by_node.get(&node).copied(),
+        None => of_file.find(&bones.bones[bone].name).ok(),
+    };
+    let mut bones = bones.clone();
+    let nodes: Vec<Option<usize>> = (0..bones.bones.len()).map(node_of).collect();
+    for (bone, node) in bones.bones.iter_mut().zip(&nodes) {
+        if let Some(node) = *node {
+            bone.name.clone_from(&of_file.names()[node]);
+        }
+    }
+    let skeleton = bones.skeleton()?;
+    let node = |bone: usize| skeleton.source_of(bone).and_then(|source| nodes[source]);
+    known.trunk = known.trunk.and_then(|trunk| (0..skeleton.len()).find(|&bone| node(bone) == Some(trunk)));
+    let mut bind = vec![Affine3A::IDENTITY; skeleton.len()];
+    skeleton.to_model(skeleton.rest(), &mut bind).map_err(|error| error.to_string())?;
+    for (bone, place) in bind.iter_mut().enumerate() {
+        if let Some(node) = node(bone) {
+            *place = known.bind[node];
+        }
+    }
+    known.bind = bind;
+    by_name(&bones, &skeleton, rig, known, both_eyes)
+}
+
+/// The rig that is proposed for a character, with what else is measured; bones are numbered as in the document's skeleton.
+fn proposed(document: &Document) -> Result<(Arc<dyn Rig>, Known), String> {
+    let measurement = Measurement::of(document);
+    let proposal = propose(document, &measurement, None).map_err(|error| match error {
+        Error::Model(error) => format!("several bones share a name that the measured rig needs: {error}"),
+        Error::NoChain => "no bone has the name of an eye, a head or a neck, and no shape tells one: give a rig as \
+                           { toml: \"…\" }, which names the bones"
+            .to_owned(),
+        other => other.to_string(),
+    })?;
+    let known = Known {
+        up: Some(measurement.up.as_vec3()),
+        trunk: measurement.with_role(Role::Hips).map(|bone| bone.node),
+        bind: measurement.bind_world.iter().map(|place| place.as_affine3a()).collect(),
+    };
+    Ok((Arc::new(InterpretedRig::new(&proposal.spec)), known))
+}
