@@ -9,6 +9,8 @@ import { homedir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
+import { notices } from "./notices.mjs";
+
 const here = dirname(fileURLToPath(import.meta.url));
 const workspace = join(here, "../..");
 const [keeps, [out]] = [process.argv.includes("--keep"), process.argv.slice(2).filter((argument) => argument !== "--keep")];
@@ -18,6 +20,8 @@ const require = createRequire(import.meta.url);
 
 /** The parts, and how the solvers are compiled for each: presets are of characters, which move by the natural solver. */
 const PARTS = { presets: ["--cfg", "aim_natural"], measure: [], declare: [] };
+
+const TRIPLE = "wasm32-unknown-unknown";
 
 /** What browsers of 2023 have. */
 const FEATURES = ["bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals", "reference-types", "multivalue", "simd"];
@@ -36,31 +40,31 @@ function tool(name, script) {
 }
 
 const cargo = process.env.CARGO ?? "cargo";
-const packed = (path) => resolve(path);
 // What is published names no folder of the machine that it was made on.
 const remapped = [
-  [packed(process.env.CARGO_HOME ?? join(homedir(), ".cargo")), "cargo"],
-  [packed(workspace), "aim"],
+  [resolve(process.env.CARGO_HOME ?? join(homedir(), ".cargo")), "cargo"],
+  [resolve(workspace), "aim"],
 ].flatMap(([from, to]) => ["--remap-path-prefix", `${from}=${to}`]);
 
 /** Compiles a part. */
 function compile(part, flags) {
   const rustflags = ["--cfg", "aim_small", ...flags, "-Ctarget-feature=+simd128", ...remapped].join("\x1f");
-  const args = ["build", "--quiet", "--package", "aim-gaze-wasm", "--lib", "--features", part];
-  run(cargo, [...args, "--target", "wasm32-unknown-unknown", "--profile", "web"], {
+  const args = ["build", "--quiet", "--package", "aim-gaze-wasm", "--lib", "--no-default-features", "--features", part];
+  run(cargo, [...args, "--target", TRIPLE, "--profile", "web"], {
     CARGO_ENCODED_RUSTFLAGS: rustflags,
     CARGO_PROFILE_WEB_OPT_LEVEL: "z",
     CARGO_TARGET_DIR: target,
   });
   const module = join(target, `aim-gaze-${part}.wasm`);
-  copyFileSync(join(target, "wasm32-unknown-unknown/web/aim_gaze_wasm.wasm"), module);
+  copyFileSync(join(target, TRIPLE, "web/aim_gaze_wasm.wasm"), module);
   return module;
 }
 
 /** Writes the WebAssembly of all parts, with its JavaScript. */
 function assemble(wasm) {
   mkdirSync(wasm, { recursive: true });
-  run(cargo, ["build", "--quiet", "--package", "aim-gaze-wasm", "--bin", "aim-gaze-wasm"], { CARGO_TARGET_DIR: target });
+  // And what records what the tests compare with.
+  run(cargo, ["build", "--quiet", "--package", "aim-gaze-wasm", "--bins", "--features", "bindgen"], { CARGO_TARGET_DIR: target });
   for (const [part, flags] of Object.entries(PARTS)) {
     run(join(target, "debug/aim-gaze-wasm"), [compile(part, flags), wasm, part]);
     const module = join(wasm, `${part}_bg.wasm`);
@@ -100,6 +104,7 @@ buildSync({
   external: ["./wasm/measure.js", "./wasm/declare.js"],
 });
 
+writeFileSync(join(here, "NOTICES"), notices(cargo, workspace, "aim-gaze-wasm", Object.keys(PARTS), TRIPLE));
 for (const licence of readdirSync(workspace).filter((name) => name.startsWith("LICENSE-"))) {
   copyFileSync(join(workspace, licence), join(here, licence));
 }

@@ -90,6 +90,8 @@ fn one(joints: &[Joint]) -> Value {
             "humanBones": bones(joints).map(|(bone, node)| (bone, json!({ "node": node })))
                 .collect::<serde_json::Map<_, _>>(),
         },
+        // None; readers that want to know whether eyes look by expressions take the lack of the object for the lack of eyes.
+        "expressions": { "preset": {} },
         "lookAt": {
             "type": "bone",
             "offsetFromHeadBone": [0.0, 0.06, 0.09],

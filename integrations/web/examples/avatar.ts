@@ -31,7 +31,7 @@ function speaker(x: number, color: number): THREE.Mesh {
   scene.add(ball);
   return ball;
 }
-const [left, right] = [speaker(0.55, 0xe8a33d), speaker(-0.55, 0x4aa3df)];
+const [left, right] = [speaker(0.48, 0xe8a33d), speaker(-0.48, 0x4aa3df)];
 
 /** Who speaks, and what is looked at meanwhile: of several targets the mean of their directions, by weight. */
 const turns: { speaks?: THREE.Mesh; at: { target: Target; weight: number }[] }[] = [
@@ -44,8 +44,9 @@ const turns: { speaks?: THREE.Mesh; at: { target: Target; weight: number }[] }[]
 /** Arms down and breath, in place of a clip: seconds since the start. */
 function idle(time: number): void {
   const bone = (name: Parameters<typeof vrm.humanoid.getNormalizedBoneNode>[0]) => vrm.humanoid.getNormalizedBoneNode(name);
-  bone("leftUpperArm")?.rotation.set(0, 0, -1.3);
-  bone("rightUpperArm")?.rotation.set(0, 0, 1.3);
+  const down = vrm.meta.metaVersion === "0" ? 1.3 : -1.3;
+  bone("leftUpperArm")?.rotation.set(0, 0, down);
+  bone("rightUpperArm")?.rotation.set(0, 0, -down);
   bone("spine")?.rotation.set(0.015 * Math.sin(1.6 * time), 0, 0);
   // A quarter of a second every four seconds.
   vrm.expressionManager?.setValue("blink", Math.max(0, 1 - Math.abs((time % 4) - 3.5) / 0.12));
@@ -55,6 +56,7 @@ function resize(): void {
   renderer.setPixelRatio(devicePixelRatio);
   renderer.setSize(innerWidth, innerHeight);
   camera.aspect = innerWidth / innerHeight;
+  camera.fov = camera.aspect < 1 ? 55 : 30; // both speakers are in view
   camera.updateProjectionMatrix();
 }
 addEventListener("resize", resize);

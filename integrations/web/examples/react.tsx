@@ -46,7 +46,10 @@ function App() {
   const [atCamera, setAtCamera] = useState(false);
   return (
     <>
-      <Canvas camera={{ position: [0, 1.6, 2.4], fov: 30 }} onCreated={({ camera }) => camera.lookAt(0, 1.5, 0)}>
+      <Canvas
+        camera={{ position: [0, 1.6, 2.4], fov: innerWidth < innerHeight ? 55 : 30 }}
+        onCreated={({ camera }) => camera.lookAt(0, 1.5, 0)}
+      >
         <color attach="background" args={[0xe3ddd3]} />
         <Scene atCamera={atCamera} />
       </Canvas>

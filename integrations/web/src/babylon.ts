@@ -12,6 +12,7 @@ import type { Node } from "@babylonjs/core/node.js";
 
 import { attach as attachSkeleton, GazeError } from "./index.js";
 import type { AttachOptions, Bone, Gaze, Skeleton } from "./index.js";
+import { show } from "./gaze.js";
 
 /** What a character of Babylon.js looks at: a node (a mesh, a camera, …), or a point in the world that may move. */
 export type Target = TransformNode | Camera | Vector3;
@@ -61,7 +62,7 @@ function locate(target: Target, into: Float32Array, offset: number): void {
   }
   const { x, y, z } = (target ?? {}) as Partial<Vector3>;
   if (typeof x !== "number" || typeof y !== "number" || typeof z !== "number") {
-    throw new GazeError("expected a TransformNode, a mesh, a camera or a Vector3 of Babylon.js as target; null is none");
+    throw new GazeError(`a target is a TransformNode, a mesh, a camera, or a Vector3 in the world, not ${show(target)}`);
   }
   into[offset] = x;
   into[offset + 1] = y;
@@ -87,23 +88,23 @@ function isRoot(node: Node): boolean {
 /** The node whose space is that of the character's file. */
 function rootOf(source: unknown): TransformNode {
   const expected =
-    "expected the root node of a character, or what loading it gave (an AssetContainer, or the result of ImportMeshAsync or " +
+    "attach takes the root node of a character, or what loading it gave (an AssetContainer, or the result of ImportMeshAsync or " +
     "instantiateModelsToScene)";
   if (isTransformNode(source)) {
     const [root, other] = isRoot(source) ? [source] : source.getDescendants(false, isRoot);
     if (other) throw new GazeError(`there is more than one character below "${source.name}": give the root node of one`);
     return isTransformNode(root) ? root : source;
   }
-  if (typeof source !== "object" || source === null) throw new GazeError(`${expected}; got ${source === null ? "null" : typeof source}`);
+  if (typeof source !== "object" || source === null) throw new GazeError(`${expected}, not ${show(source)}`);
   const { meshes = [], transformNodes = [], rootNodes = [] } = source as Loaded;
   const all = [...rootNodes, ...meshes, ...transformNodes];
   const nodes = all.filter((node, at): node is TransformNode => isTransformNode(node) && all.indexOf(node) === at);
   const tops = nodes.filter(({ parent }) => !parent || !nodes.includes(parent as TransformNode));
   const roots = nodes.filter(isRoot);
   const [root, other] = roots.length > 0 ? roots : tops;
-  if (!root) throw new GazeError(`${expected}; this one holds no nodes: was it loaded already?`);
+  if (!root) throw new GazeError(`${expected}; ${show(source)} holds no nodes: attach it when it is loaded`);
   if (other) {
-    throw new GazeError(`expected one character, but there are "${root.name}" and "${other.name}": give the root node of one`);
+    throw new GazeError(`attach takes one character, and there are "${root.name}" and "${other.name}": give the root node of one`);
   }
   return root;
 }

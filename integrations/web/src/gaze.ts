@@ -152,7 +152,8 @@ export class Gaze<P = Point> {
     const most = this.#at.mostTargets;
     if (!Array.isArray(targets)) throw new GazeError("`targets` takes an array of { target, weight }; a single one is set as `target`");
     if (targets.length > most) throw new GazeError(`a gaze has ${most} targets at most, these are ${targets.length}: leave out the lightest`);
-    for (const { target, weight } of targets) {
+    for (const given of targets) {
+      const { target, weight } = given ?? {};
       if (typeof weight !== "number") throw new GazeError("each of several targets takes a weight of 0…1: { target, weight: 0.5 }");
       this.#locate(target, new Float32Array(3), 0);
     }
@@ -221,9 +222,10 @@ export class Gaze<P = Point> {
       throw this.#broken(error);
     }
     if (targets.length > 0) this.#snaps = false;
-    this.#write(block);
+    const moved = this.#numbers();
+    this.#write(moved);
     skeleton.end?.();
-    this.#tell(STATUSES[block[this.#at.outcome]!]!);
+    this.#tell(STATUSES[moved[this.#at.outcome]!]!);
   }
 
   /** Has the next {@link update} put the character on its target at once, whatever the speeds of its joints: after a spawn or a cut. */
@@ -255,9 +257,9 @@ export class Gaze<P = Point> {
   dispose(): void {
     const character = this.#character;
     if (!character) return;
-    const block = this.#read();
+    this.#read();
     character.restore();
-    this.#write(block);
+    this.#write(this.#numbers());
     this.#skeleton.dispose?.();
     this.#character = undefined;
     this.#targets = [];

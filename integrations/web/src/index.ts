@@ -63,7 +63,8 @@ export interface CoreOptions<P> extends AttachOptions<P> {
  * @throws {@link GazeError} if the rig does not fit the skeleton, or a part of the package cannot be loaded
  */
 export async function attach<P = Point>(skeleton: Skeleton, options: CoreOptions<P> = {}): Promise<Gaze<P>> {
-  if (!Array.isArray(skeleton?.bones) || typeof skeleton.read !== "function") {
+  const isSkeleton = Array.isArray(skeleton?.bones) && [skeleton.read, skeleton.write, skeleton.place].every((way) => typeof way === "function");
+  if (!isSkeleton) {
     throw new GazeError(
       `attach takes a skeleton { bones, read, write, place }, not ${show(skeleton)}; for characters of three.js, VRM or Babylon.js ` +
         `import it from "aim-gaze/three", "aim-gaze/three-vrm" or "aim-gaze/babylon"`,
@@ -121,21 +122,37 @@ function made(engine: Engine, skeleton: Skeleton, trunk: number | undefined, mak
   const bones = new engine.Bones();
   try {
     skeleton.bones.forEach((bone, index) => {
-      if (bone.rest) REST.set(bone.rest);
+      const { name, parent, rest, inverseBind, node } = bone ?? {};
+      if (typeof name !== "string" || !Number.isInteger(parent)) {
+        throw new GazeError(`bone ${index} of the skeleton has to be { name, parent }, a text and the index of a bone or -1, not ${show(bone)}`);
+      }
+      if (rest) REST.set(numbers(rest, 10, "rest", name));
       else skeleton.read(index, REST, 0);
-      bones.add(String(bone.name), bone.parent, REST);
-      if (bone.inverseBind) bones.bind(Float32Array.from(bone.inverseBind));
-      if (bone.node !== undefined) bones.node(bone.node);
+      bones.add(name, parent, REST);
+      if (inverseBind) bones.bind(Float32Array.from(numbers(inverseBind, 16, "inverseBind", name)));
+      if (node !== undefined) bones.node(node);
     });
     if (trunk !== undefined && trunk >= 0) bones.trunk(trunk);
     return make(engine, bones);
   } catch (error) {
-    throw error instanceof GazeError || !(error instanceof Error) || error instanceof WebAssembly.RuntimeError
-      ? new GazeError("the character could not be attached because of a mistake in aim-gaze; please report it", { cause: error })
-      : new GazeError(error.message);
+    throw failed(error);
   } finally {
     bones.free();
   }
+}
+
+/** What is told of an error: the solvers' own say what to do, and come as plain errors. */
+function failed(error: unknown): GazeError {
+  if (error instanceof GazeError) return error;
+  if (error instanceof Error && error.constructor === Error) return new GazeError(error.message);
+  return new GazeError("the character could not be attached because of a mistake in aim-gaze, or in the skeleton's `read`; please report it", {
+    cause: error,
+  });
+}
+
+function numbers(given: ArrayLike<number>, count: number, what: string, bone: string): ArrayLike<number> {
+  if (given.length !== count) throw new GazeError(`\`${what}\` of the bone "${bone}" takes ${count} numbers, not ${show(given.length)}`);
+  return given;
 }
 
 function locatePoint(target: Point, into: Float32Array, offset: number): void {

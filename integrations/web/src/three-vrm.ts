@@ -7,11 +7,14 @@
  * @module
  */
 import type { VRMCore } from "@pixiv/three-vrm";
-import type { Object3D, Quaternion, Vector3 } from "three";
+import type { Object3D, Vector3 } from "three";
 
 import { attach as attachSkeleton, GazeError } from "./index.js";
 import type { AttachOptions, Bone, Gaze, Skeleton } from "./index.js";
+import { show } from "./gaze.js";
 import { locate } from "./three.js";
+import { ExpressedEye, LOOKS, MappedEye } from "./vrm-eyes.js";
+import type { Eye, RangeMaps } from "./vrm-eyes.js";
 
 /** What a character of three.js looks at: an object, or a point in the world that may move. */
 export type Target = Object3D | Vector3;
@@ -46,8 +49,8 @@ export async function attach(vrm: VRMCore, options: AttachOptions<Target> = {}):
 function check(vrm: unknown): VRMCore {
   const { humanoid, scene, userData } = (vrm ?? {}) as Partial<VRMCore> & { userData?: { vrm?: unknown } };
   if (typeof humanoid?.getNormalizedBoneNode !== "function" || !scene) {
-    const given = userData?.vrm ? "this is the glTF around it: give its `userData.vrm`" : "load the file with GLTFLoader and VRMLoaderPlugin";
-    throw new GazeError(`expected a VRM of @pixiv/three-vrm, that is, \`gltf.userData.vrm\`: ${given}`);
+    const hint = userData?.vrm ? "this is the glTF around it" : "load the file with GLTFLoader and VRMLoaderPlugin";
+    throw new GazeError(`attach takes a VRM of @pixiv/three-vrm, \`gltf.userData.vrm\`, not ${show(vrm)}: ${hint}`);
   }
   if (!humanoid.autoUpdateHumanBones) {
     throw new GazeError(
@@ -58,15 +61,12 @@ function check(vrm: unknown): VRMCore {
   return vrm as VRMCore;
 }
 
-type VRMExpressionManager = NonNullable<VRMCore["expressionManager"]>;
 type VRMLookAt = NonNullable<VRMCore["lookAt"]>;
 type VRMLookAtApplier = VRMLookAt["applier"];
 type HumanBone = Parameters<VRMCore["humanoid"]["getNormalizedBoneNode"]>[0];
 
 /** What turns the eyes. */
 type EyeKind = "bones" | "expressions" | "none";
-
-const LOOKS = ["lookLeft", "lookRight", "lookUp", "lookDown"] as const;
 
 function eyesOf({ humanoid, lookAt, expressionManager }: VRMCore): EyeKind {
   const looks = LOOKS.some((name) => expressionManager?.getExpression(name));
@@ -77,9 +77,6 @@ function eyesOf({ humanoid, lookAt, expressionManager }: VRMCore): EyeKind {
 function isOfExpressions(applier: VRMLookAtApplier): boolean {
   return (applier.constructor as { type?: string }).type === "expression" || "expressions" in applier;
 }
-
-/** The numbers of a bone: translation, rotation, scale. */
-const LOCAL = 10;
 
 class VrmSkeleton implements Skeleton {
   readonly bones: readonly Bone[];
@@ -312,241 +309,5 @@ class LookAt {
     held.delete(lookAt);
     lookAt.autoUpdate = holders.autoUpdate;
     lookAt.applier = holders.applier;
-  }
-}
-
-interface RangeMap {
-  readonly inputMaxValue: number;
-  readonly outputScale: number;
-}
-
-interface RangeMaps {
-  readonly rangeMapHorizontalInner?: RangeMap;
-  readonly rangeMapHorizontalOuter?: RangeMap;
-  readonly rangeMapVerticalDown?: RangeMap;
-  readonly rangeMapVerticalUp?: RangeMap;
-}
-
-/** The least that an input maximum counts, degrees: one of 0 would make a step of the map. */
-const LEAST_INPUT_DEG = 0.01;
-
-/** What a looking angle ≥ 0 gives: `outputScale · min(angle, inputMax) / inputMax`, by the VRM specification. */
-function mapped(map: RangeMap | undefined, angle: number): number {
-  if (!map) return angle;
-  const most = Math.max(map.inputMaxValue, LEAST_INPUT_DEG);
-  return (map.outputScale * Math.min(angle, most)) / most;
-}
-
-/** The looking angle that gives `output` ≥ 0, the largest of them where that is beyond what the map gives. */
-function unmapped(map: RangeMap | undefined, output: number): number {
-  if (!map) return output;
-  if (!(map.outputScale > 0)) return 0;
-  return Math.max(map.inputMaxValue, LEAST_INPUT_DEG) * Math.min(output / map.outputScale, 1);
-}
-
-type Mapping = typeof mapped;
-
-const DEG = Math.PI / 180;
-
-/** Yaw (to the left) and pitch (down) of a direction, degrees. */
-const look = { yaw: 0, pitch: 0 };
-/** A rotation, xyzw. */
-const yawPitch = { x: 0, y: 0, z: 0, w: 1 };
-
-/** Puts where a rotation turns +Z into `look`. */
-function lookOf(x: number, y: number, z: number, w: number): void {
-  const left = 2 * (x * z + w * y);
-  const up = 2 * (y * z - w * x);
-  const front = 1 - 2 * (x * x + y * y);
-  look.yaw = Math.atan2(left, front) / DEG;
-  look.pitch = Math.atan2(-up, Math.hypot(left, front)) / DEG;
-}
-
-/** Puts the rotation by `look`, yaw about Y after pitch about X, into `yawPitch`. */
-function rotationOfLook(): void {
-  const yaw = (look.yaw * DEG) / 2;
-  const pitch = (look.pitch * DEG) / 2;
-  yawPitch.x = Math.cos(yaw) * Math.sin(pitch);
-  yawPitch.y = Math.sin(yaw) * Math.cos(pitch);
-  yawPitch.z = -Math.sin(yaw) * Math.sin(pitch);
-  yawPitch.w = Math.cos(yaw) * Math.cos(pitch);
-}
-
-/** An eye that is not turned as it looks. */
-interface Eye {
-  /** Puts the rotation by which it looks over the one in `into`, in the space that is presented. */
-  read(into: Float32Array, offset: number): void;
-  /** Turns it so that it looks by the rotation in `from`. */
-  write(from: Float32Array, offset: number): void;
-}
-
-/** The rotation of an eye in its animation and as it was written last, as the core has them. */
-class Memory {
-  readonly animated = new Float32Array(4);
-  readonly written = new Float32Array(4);
-  any = false;
-
-  is(kept: Float32Array, from: Float32Array, offset: number): boolean {
-    for (let at = 0; at < 4; at++) if (kept[at] !== from[offset + 3 + at]) return false;
-    return true;
-  }
-
-  put(kept: Float32Array, into: Float32Array, offset: number): void {
-    for (let at = 0; at < 4; at++) into[offset + 3 + at] = kept[at]!;
-  }
-
-  keep(kept: Float32Array, from: Float32Array, offset: number): void {
-    for (let at = 0; at < 4; at++) kept[at] = from[offset + 3 + at]!;
-  }
-}
-
-/** An eye bone that turns by the range maps of the file, the maps of each side. */
-class MappedEye implements Eye {
-  readonly #bone: Quaternion;
-  readonly #isLeft: boolean;
-  readonly #sign: number;
-  readonly #maps: () => RangeMaps | undefined;
-  readonly #memory = new Memory();
-  /** The bone in its animation, and as it was written last. */
-  readonly #animated: Quaternion;
-  readonly #written: Quaternion;
-  readonly #turned = { x: 0, y: 0, z: 0, w: 1 };
-
-  constructor(bone: Quaternion, isLeft: boolean, sign: number, maps: () => RangeMaps | undefined) {
-    this.#bone = bone;
-    this.#isLeft = isLeft;
-    this.#sign = sign;
-    this.#maps = maps;
-    this.#animated = bone.clone();
-    this.#written = bone.clone();
-  }
-
-  read(into: Float32Array, offset: number): void {
-    const memory = this.#memory;
-    if (memory.any && this.#bone.equals(this.#written)) {
-      memory.put(memory.written, into, offset);
-      return;
-    }
-    // Somebody moved it: that is the animation, and stands for a looking angle just as what is written does.
-    const { x, y, z, w } = this.#animated.copy(this.#bone);
-    const { x: i, y: j, z: k, w: l } = this.#map(this.#sign * x, y, this.#sign * z, w, unmapped);
-    into[offset + 3] = i;
-    into[offset + 4] = j;
-    into[offset + 5] = k;
-    into[offset + 6] = l;
-    memory.keep(memory.animated, into, offset);
-    memory.any = false;
-  }
-
-  write(from: Float32Array, offset: number): void {
-    const memory = this.#memory;
-    const sign = this.#sign;
-    // Without a correction the very animation, even where the maps do not reach it.
-    if (memory.is(memory.animated, from, offset)) this.#bone.copy(this.#animated);
-    else {
-      const { x, y, z, w } = this.#map(from[offset + 3]!, from[offset + 4]!, from[offset + 5]!, from[offset + 6]!, mapped);
-      this.#bone.set(sign * x, y, sign * z, w);
-    }
-    this.#written.copy(this.#bone);
-    memory.keep(memory.written, from, offset);
-    memory.any = true;
-  }
-
-  /** A rotation q = L·R, of which L looks by yaw and pitch, with both mapped; the roll R stays. */
-  #map(x: number, y: number, z: number, w: number, mapping: Mapping): { x: number; y: number; z: number; w: number } {
-    const maps = this.#maps();
-    const result = this.#turned;
-    lookOf(x, y, z, w);
-    rotationOfLook();
-    const { x: a, y: b, z: c, w: d } = yawPitch;
-    // R = L⁻¹·q
-    const i = d * x - a * w - b * z + c * y;
-    const j = d * y - b * w - c * x + a * z;
-    const k = d * z - c * w - a * y + b * x;
-    const l = d * w + a * x + b * y + c * z;
-    const outward = this.#isLeft ? look.yaw > 0 : look.yaw < 0;
-    const level = outward ? maps?.rangeMapHorizontalOuter : maps?.rangeMapHorizontalInner;
-    const upright = look.pitch > 0 ? maps?.rangeMapVerticalDown : maps?.rangeMapVerticalUp;
-    look.yaw = Math.sign(look.yaw) * mapping(level, Math.abs(look.yaw));
-    look.pitch = Math.sign(look.pitch) * mapping(upright, Math.abs(look.pitch));
-    rotationOfLook();
-    const { x: e, y: f, z: g, w: h } = yawPitch;
-    result.x = h * i + e * l + f * k - g * j;
-    result.y = h * j + f * l + g * i - e * k;
-    result.z = h * k + g * l + e * j - f * i;
-    result.w = h * l - e * i - f * j - g * k;
-    return result;
-  }
-}
-
-/** Weights of `lookLeft`, `lookRight`, `lookUp`, `lookDown`. */
-type Looks = [number, number, number, number];
-
-/** Both eyes of an avatar that looks by expressions, as one between them: both show the same. */
-class ExpressedEye implements Eye {
-  readonly #expressions: VRMExpressionManager;
-  readonly #maps: () => RangeMaps | undefined;
-  readonly #rest: readonly number[];
-  readonly #memory = new Memory();
-  /** The weights in their animation, and as they were written last. */
-  readonly #animated: Looks = [0, 0, 0, 0];
-  readonly #written: Looks = [0, 0, 0, 0];
-
-  constructor(expressions: VRMExpressionManager, rest: readonly number[], maps: () => RangeMaps | undefined) {
-    this.#expressions = expressions;
-    this.#rest = rest;
-    this.#maps = maps;
-  }
-
-  read(into: Float32Array, offset: number): void {
-    for (let at = 0; at < LOCAL; at++) into[offset + at] = this.#rest[at]!;
-    const memory = this.#memory;
-    if (memory.any && this.#has(this.#written)) {
-      memory.put(memory.written, into, offset);
-      return;
-    }
-    this.#get(this.#animated);
-    const weights = this.#animated;
-    const maps = this.#maps();
-    const level = maps?.rangeMapHorizontalOuter;
-    look.yaw = unmapped(level, weights[0]) - unmapped(level, weights[1]);
-    look.pitch = unmapped(maps?.rangeMapVerticalDown, weights[3]) - unmapped(maps?.rangeMapVerticalUp, weights[2]);
-    rotationOfLook();
-    into[offset + 3] = yawPitch.x;
-    into[offset + 4] = yawPitch.y;
-    into[offset + 5] = yawPitch.z;
-    into[offset + 6] = yawPitch.w;
-    memory.keep(memory.animated, into, offset);
-    memory.any = false;
-  }
-
-  write(from: Float32Array, offset: number): void {
-    const memory = this.#memory;
-    const written = this.#written;
-    if (memory.is(memory.animated, from, offset)) for (let at = 0; at < 4; at++) written[at] = this.#animated[at]!;
-    else {
-      const maps = this.#maps();
-      // By the specification both sides have the outer map.
-      const level = maps?.rangeMapHorizontalOuter;
-      lookOf(from[offset + 3]!, from[offset + 4]!, from[offset + 5]!, from[offset + 6]!);
-      written[0] = look.yaw > 0 ? mapped(level, look.yaw) : 0;
-      written[1] = look.yaw < 0 ? mapped(level, -look.yaw) : 0;
-      written[2] = look.pitch < 0 ? mapped(maps?.rangeMapVerticalUp, -look.pitch) : 0;
-      written[3] = look.pitch > 0 ? mapped(maps?.rangeMapVerticalDown, look.pitch) : 0;
-    }
-    for (let at = 0; at < 4; at++) this.#expressions.setValue(LOOKS[at]!, written[at]!);
-    // Weights are clamped, and expressions that are missing have none.
-    this.#get(written);
-    memory.keep(memory.written, from, offset);
-    memory.any = true;
-  }
-
-  #get(weights: Looks): void {
-    for (let at = 0; at < 4; at++) weights[at] = this.#expressions.getValue(LOOKS[at]!) ?? 0;
-  }
-
-  #has(weights: Looks): boolean {
-    for (let at = 0; at < 4; at++) if ((this.#expressions.getValue(LOOKS[at]!) ?? 0) !== weights[at]) return false;
-    return true;
   }
 }

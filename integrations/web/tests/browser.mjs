@@ -4,7 +4,7 @@
 // what the `aim` command says of it (NAME.toml by `aim rig`, NAME.json by `aim bake --report`), AIM_PICTURES is where
 // pictures go, CHROMIUM the browser. What is right is said here; page.ts measures it.
 import assert from "node:assert/strict";
-import { createReadStream, existsSync, mkdirSync, readFileSync, readdirSync, copyFileSync, statSync, writeFileSync } from "node:fs";
+import { cpSync, createReadStream, existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { extname, join, resolve, sep } from "node:path";
 import { after, before, test } from "node:test";
@@ -17,8 +17,10 @@ const pictures = resolve(process.env.AIM_PICTURES ?? join(app, "pictures"));
 const site = join(app, "site");
 const inPackage = join(app, "node_modules/aim-gaze/dist");
 
-/** As [median, degrees]; by three's own matrices, with a target that moves. */
+/** Of a target that moves, by three's own matrices. */
 const MEDIAN_DEG = 0.01;
+/** Of a head that looks by itself: it is slower than an eye, and the animation moves it. */
+const MEDIAN_OF_HEADS_DEG = 0.1;
 /** What `aim bake` holds to be bearable of a person. */
 const BEARABLE = {
   headToChest: 80, headRoll: 15, headSpeed: 300, headAcceleration: 3000, reversals: 2, eyeHeading: 36, eyePitch: 27,
@@ -114,9 +116,8 @@ before(async () => {
     entryPoints: { page: join(app, "tests/page.ts"), inlined: join(app, "tests/inlined.js") },
     outdir: site, bundle: true, splitting: true, minify: true, format: "esm", target: "es2022", logLevel: "warning",
   });
-  for (const name of readdirSync(join(inPackage, "wasm"))) {
-    if (name.endsWith(".wasm")) copyFileSync(join(inPackage, "wasm", name), join(site, name));
-  }
+  // Bundles look for them beside themselves, as load.js says: esbuild copies none.
+  cpSync(join(inPackage, "wasm"), join(site, "wasm"), { recursive: true, filter: (path) => !path.endsWith(".js") });
   writeFileSync(join(site, "index.html"), html('<script type="module" src="page.js"></script>'));
   writeFileSync(join(site, "inlined.html"), html('<script type="module" src="inlined.js"></script>'));
   // No bundler: the browser finds three by the map.
@@ -175,7 +176,8 @@ for (const [name, character] of Object.entries(characters)) {
 
     noTrouble();
     assert.ok(turned > 15, `the target is where the animation looks, ${turned}° at most: nothing is tested`);
-    assert.ok(median <= MEDIAN_DEG, `half of all frames are more than ${median}° off, not ${MEDIAN_DEG}°`);
+    const most = character.eye === character.head ? MEDIAN_OF_HEADS_DEG : MEDIAN_DEG;
+    assert.ok(median <= most, `half of all frames are more than ${median}° off, at most ${most}°`);
     assert.ok(!("behind" in statuses || "degenerate" in statuses || "no_target" in statuses), JSON.stringify(statuses));
     const declared = rangesOf(toml);
     assert.ok(Object.keys(found.joints).length > 1, "the gaze tells its joints");
@@ -186,8 +188,8 @@ for (const [name, character] of Object.entries(characters)) {
         assert.ok(least >= low - 0.01 && most <= high + 0.01, `${joint}: ${angle} ${least}°…${most}°, declared ${low}°…${high}°`);
       }
     }
-    for (const [key, most] of Object.entries(name.startsWith("the fox") ? OF_ANIMALS : BEARABLE)) {
-      assert.ok(looks[key] <= most, `${key}: ${looks[key]}, at most ${most}`);
+    for (const [key, bearable] of Object.entries(name.startsWith("the fox") ? OF_ANIMALS : BEARABLE)) {
+      assert.ok(looks[key] <= bearable, `${key}: ${looks[key]}, at most ${bearable}`);
     }
     if (character.picture) {
       const { changed, colours } = found.pictures;

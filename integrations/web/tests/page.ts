@@ -2,7 +2,8 @@
  * What runs in the browser: loads a character, lets it look at a target that swings to and fro in front of it, and judges by
  * three's own world matrices. `browser.mjs` says which characters, and what is right.
  */
-import { attach as attachThree, type Gaze, type Target } from "aim-gaze/three";
+import type { Gaze } from "aim-gaze";
+import { attach as attachThree, type Target } from "aim-gaze/three";
 import { attach as attachVrm } from "aim-gaze/three-vrm";
 import { VRMLoaderPlugin, type VRM, type VRMHumanBoneName } from "@pixiv/three-vrm";
 import * as THREE from "three";
@@ -115,14 +116,14 @@ const landmarks = ({ nodes }: Actor): Landmarks => ({
 });
 
 /** A frame in the order that the package asks for. */
-function step(actor: Actor, dt: number, gaze?: Gaze): void {
+function step(actor: Actor, dt: number, gaze?: Gaze<Target>): void {
   actor.mixer.update(dt);
   gaze?.update(dt);
   actor.vrm?.update(dt);
   actor.scene.updateMatrixWorld(true);
 }
 
-function attach(actor: Actor, { rig }: Character, bytes: ArrayBuffer, target: Target): Promise<Gaze> {
+function attach(actor: Actor, { rig }: Character, bytes: ArrayBuffer, target: Target): Promise<Gaze<Target>> {
   const options = {
     target,
     ...(rig === undefined ? {} : { rig: rig === "bytes" ? { glb: bytes.slice(0) } : rig }),

@@ -1,4 +1,5 @@
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
 import { FreeCamera } from "@babylonjs/core/Cameras/freeCamera.js";
@@ -6,6 +7,7 @@ import { NullEngine } from "@babylonjs/core/Engines/nullEngine.js";
 import { ImportMeshAsync, LoadAssetContainerAsync } from "@babylonjs/core/Loading/sceneLoader.js";
 import { Matrix, Quaternion, Vector3 } from "@babylonjs/core/Maths/math.vector.js";
 import { TransformNode } from "@babylonjs/core/Meshes/transformNode.js";
+import { Logger } from "@babylonjs/core/Misc/logger.js";
 import { Scene } from "@babylonjs/core/scene.js";
 import "@babylonjs/loaders/glTF/2.0/index.js";
 
@@ -13,7 +15,10 @@ import { attach } from "../../dist/babylon.js";
 import { GazeError } from "../../dist/index.js";
 import { angle, mannequin, median, orbit } from "./support.mjs";
 
+Logger.LogLevels = Logger.WarningLogLevel | Logger.ErrorLogLevel;
+
 const glb = mannequin("--moves");
+const toml = readFileSync(new URL("../../../../rigs/mannequin.toml", import.meta.url), "utf8");
 
 /** A scene of either handedness with the mannequin. */
 async function load(isRightHanded, { isContainer = true } = {}) {
@@ -72,7 +77,7 @@ for (const isRightHanded of [false, true]) {
       const space = put(root, scene);
       const target = new TransformNode("target", scene);
       const gaze = await attach(loaded, { target });
-      const [group] = loaded.animationGroups;
+      const group = loaded.animationGroups.find(({ name }) => name === "walk");
       group.start(true);
       group.pause();
       let frame = 0;
@@ -82,7 +87,7 @@ for (const isRightHanded of [false, true]) {
       });
       const misses = [];
       for (; frame < 240; frame++) {
-        group.goToFrame(group.from + ((frame / 60) * 60) % (group.to - group.from));
+        group.goToFrame(group.from + ((group.to - group.from) * (frame % 60)) / 60);
         Vector3.TransformCoordinatesToRef(Vector3.FromArray(orbit(frame / 60)), space, target.position);
         scene.render();
         for (const judge of judges) misses.push(judge.miss(target.position));
@@ -92,6 +97,32 @@ for (const isRightHanded of [false, true]) {
       gaze.dispose();
     });
   }
+}
+
+for (const isRightHanded of [false, true]) {
+  test(`${isRightHanded ? "right" : "left"}-handed: the skin tells how it stands, where it is attached while it moves`, async () => {
+    const { scene, loaded } = await load(isRightHanded);
+    loaded.addAllToScene();
+    const judge = new Judge(eyesOf(loaded.rootNodes[0])[0]);
+    const group = loaded.animationGroups.find(({ name }) => name === "walk");
+    group.start(true);
+    group.goToFrame((group.from + group.to) / 3);
+    group.pause();
+    scene.render();
+    const target = new Vector3(0.3, 1.5, 1.5);
+    const gaze = await attach(loaded, { target });
+    const misses = [];
+    scene.onAfterAnimationsObservable.add(() => {
+      gaze.snap();
+      gaze.update(1 / 60);
+    });
+    for (let frame = 0; frame < 60; frame++) {
+      group.goToFrame(group.from + ((group.to - group.from) * frame) / 60);
+      scene.render();
+      misses.push(judge.miss(target));
+    }
+    assert.ok(median(misses) <= 0.01, `median ${median(misses)}°`);
+  });
 }
 
 for (const [how, sourceOf] of Object.entries({
@@ -128,7 +159,8 @@ test("attaches a clone of a container's character, whose names have a prefix", a
     const clone = loaded.instantiateModelsToScene(rename);
     const judge = new Judge(eyesOf(clone.rootNodes[0])[0]);
     const target = new Vector3(0.3, 1.5, 1.5);
-    const gaze = await attach(clone, { target });
+    // Declared rigs find bones by their full names.
+    const gaze = await attach(clone, { target, rig: { toml } });
     gaze.snap();
     gaze.update(1 / 60);
     assert.equal(gaze.status, "reached");

@@ -3,24 +3,32 @@ import { readFileSync } from "node:fs";
 import { before, test } from "node:test";
 
 import { VRMLoaderPlugin } from "@pixiv/three-vrm";
-import { createRoot } from "@react-three/fiber";
-import { act, Component, createElement, StrictMode } from "react";
+import { act, Component, createElement, useState } from "react";
 import * as THREE from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { clone } from "three/addons/utils/SkeletonUtils.js";
 
 import { GazeError } from "../../dist/index.js";
-import { useGaze } from "../../dist/react.js";
+import { usage } from "../../dist/load.js";
 import { angle, mannequin } from "./support.mjs";
 
 globalThis.self ??= globalThis;
 globalThis.IS_REACT_ACT_ENVIRONMENT = true;
+
+// react-three-fiber keeps the console's function when it is loaded.
+let isQuiet = false;
+const { error } = console;
+console.error = (...words) => isQuiet || error(...words);
+const { createRoot, flushSync } = await import("@react-three/fiber");
+const { useGaze } = await import("../../dist/react.js");
 
 let original;
 before(async () => {
   const bytes = mannequin();
   original = (await new GLTFLoader().parseAsync(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength), "")).scene;
 });
+
+const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
 /** A root of react-three-fiber without a screen; `frame` runs one frame. */
 async function stage() {
@@ -49,8 +57,12 @@ async function stage() {
   return {
     render: (element) => act(async () => void root.render(element)),
     unmount: () => act(async () => void root.unmount()),
-    /** Until everything has been attached. */
-    settle: () => act(async () => await new Promise((resolve) => setTimeout(resolve, 300))),
+    /** Until `is` gives something true, which it soon does. */
+    async until(is) {
+      for (const end = Date.now() + 20_000; !is() && Date.now() < end; ) await act(() => pause(20));
+    },
+    /** For long enough that everything is attached that is going to be. */
+    settle: () => act(() => pause(300)),
     frame: () => act(async () => void store.advance((time += 1 / 60))),
   };
 }
@@ -99,13 +111,13 @@ test("attaches, runs each frame, and lets go on unmounting", async () => {
   const scene = clone(original);
   const miss = judgeOf(scene);
   const target = new THREE.Vector3(0.3, 1.6, 1.2);
-  const { render, settle, frame, unmount } = await stage();
+  const { render, until, frame, unmount } = await stage();
   const hook = probe();
   await render(createElement(hook.Probe, { source: null, options: { target } }));
   assert.equal(hook.last, null);
   await frame();
   await render(createElement(hook.Probe, { source: scene, options: { target } }));
-  await settle();
+  await until(() => hook.last);
   const gaze = hook.last;
   assert.ok(gaze);
   gaze.snap();
@@ -117,14 +129,14 @@ test("attaches, runs each frame, and lets go on unmounting", async () => {
 
 test("sets target, weight and attention without attaching anew", async () => {
   const scene = clone(original);
-  const { render, settle, frame, unmount } = await stage();
+  const { render, until, settle, frame, unmount } = await stage();
   const hook = probe();
   const first = new THREE.Vector3(0.3, 1.6, 1.2);
   const ref = { current: new THREE.Object3D() };
   ref.current.position.set(-0.2, 1.5, 1);
   const show = (options) => render(createElement(hook.Probe, { source: scene, options }));
   await show({ target: first, weight: 0.5, rig: "measure" });
-  await settle();
+  await until(() => hook.last);
   const gaze = hook.last;
   assert.equal(gaze.target, first);
   assert.equal(gaze.weight, 0.5);
@@ -151,10 +163,10 @@ test("sets target, weight and attention without attaching anew", async () => {
 test("a rig that is written out in rendering is not another one each time", async () => {
   const toml = readFileSync(new URL("../../../../rigs/mannequin.toml", import.meta.url), "utf8");
   const scene = clone(original);
-  const { render, settle, unmount } = await stage();
+  const { render, until, settle, unmount } = await stage();
   const hook = probe();
   await render(createElement(hook.Probe, { source: scene, options: { rig: { toml } } }));
-  await settle();
+  await until(() => hook.last);
   const gaze = hook.last;
   await render(createElement(hook.Probe, { source: scene, options: { rig: { toml } } }));
   await settle();
@@ -171,10 +183,10 @@ test("attaches a VRM on its normalised bones", async () => {
   const { vrm } = gltf.userData;
   const miss = judgeOf(vrm.scene);
   const target = new THREE.Vector3(0.3, 1.6, 1.2);
-  const { render, settle, frame, unmount } = await stage();
+  const { render, until, frame, unmount } = await stage();
   const hook = probe();
   await render(createElement(hook.Probe, { source: vrm, options: { target } }));
-  await settle();
+  await until(() => hook.last);
   hook.last.snap();
   await frame();
   vrm.update(0);
@@ -184,14 +196,14 @@ test("attaches a VRM on its normalised bones", async () => {
 
 test("attaches anew when the source or the rig changes, and lets the old one go", async () => {
   const [one, other] = [clone(original), clone(original)];
-  const { render, settle, frame, unmount } = await stage();
+  const { render, until, frame, unmount } = await stage();
   const hook = probe();
   await render(createElement(hook.Probe, { source: one }));
-  await settle();
+  await until(() => hook.last);
   const first = hook.last;
   await render(createElement(hook.Probe, { source: other }));
   await frame();
-  await settle();
+  await until(() => hook.last && hook.last !== first);
   const second = hook.last;
   assert.ok(second && second !== first);
   assert.ok(isDisposed(first));
@@ -202,32 +214,45 @@ test("attaches anew when the source or the rig changes, and lets the old one go"
   await unmount();
 });
 
-test("unmounting while attaching, and StrictMode's double effects, leave nothing behind", async () => {
+test("what is let go while it is being attached leaves nothing behind", async () => {
   const scene = clone(original);
   const eye = eyeOf(scene);
   const rest = eye.quaternion.toArray();
-  {
-    const { render, settle, unmount } = await stage();
-    const hook = probe();
-    await render(createElement(hook.Probe, { source: scene, options: { target: new THREE.Vector3(1, 1.6, 1) } }));
-    await unmount();
-    await new Promise((resolve) => setTimeout(resolve, 300));
-    assert.ok(hook.seen.every((gaze) => gaze === null || isDisposed(gaze)));
-    assert.deepEqual(eye.quaternion.toArray(), rest);
-    void settle;
+  const { live } = usage();
+  const { render, until, settle, frame, unmount } = await stage();
+  const hook = probe();
+  const options = { target: new THREE.Vector3(0.2, 1.6, 1) };
+  let show;
+  function Switch() {
+    const [source, setSource] = useState(null);
+    show = (source) => flushSync(() => setSource(source));
+    return createElement(hook.Probe, { source, options });
   }
-  {
-    const { render, settle, frame, unmount } = await stage();
-    const hook = probe();
-    const inside = createElement(hook.Probe, { source: scene, options: { target: new THREE.Vector3(0.2, 1.6, 1) } });
-    await render(createElement(StrictMode, null, inside));
-    await settle();
-    await frame();
-    const gazes = new Set(hook.seen.filter(Boolean));
-    assert.equal([...gazes].filter((gaze) => !isDisposed(gaze)).length, 1);
-    await unmount();
-    assert.ok([...gazes].every(isDisposed));
-  }
+  await render(createElement(Switch));
+  // Effects run at once, and attaching takes longer: on and off, and then, as in StrictMode, on, off and on.
+  await act(async () => {
+    show(scene);
+    show(null);
+  });
+  await settle();
+  await frame();
+  assert.ok(hook.seen.every((gaze) => gaze === null));
+  assert.deepEqual(eye.quaternion.toArray(), rest);
+  assert.equal(usage().live, live, "memory is freed");
+  await act(async () => {
+    show(scene);
+    show(null);
+    show(scene);
+  });
+  await until(() => hook.last);
+  await settle();
+  await frame();
+  const gazes = new Set(hook.seen.filter(Boolean));
+  assert.equal(gazes.size, 1);
+  assert.ok(!isDisposed(hook.last));
+  await unmount();
+  assert.ok(isDisposed(hook.last));
+  assert.equal(usage().live, live, "memory is freed");
 });
 
 test("what attaching throws reaches an error boundary", async () => {
@@ -242,15 +267,14 @@ test("what attaching throws reaches an error boundary", async () => {
       return this.state.error ? null : this.props.children;
     }
   }
-  const { render, settle, unmount } = await stage();
+  const { render, until, unmount } = await stage();
   const hook = probe();
-  const { error } = console;
-  console.error = () => {};
+  isQuiet = true;
   try {
     await render(createElement(Boundary, null, createElement(hook.Probe, { source: new THREE.Object3D() })));
-    await settle();
+    await until(() => caught);
   } finally {
-    console.error = error;
+    isQuiet = false;
   }
   assert.ok(caught instanceof GazeError);
   await unmount();

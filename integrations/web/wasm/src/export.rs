@@ -63,26 +63,26 @@ pub struct JsCharacter(Character);
 impl JsCharacter {
     /// With a bundled rig.
     #[cfg(feature = "presets")]
-    pub fn preset(bones: &JsBones, name: &str, both_eyes: bool) -> Result<JsCharacter, JsError> {
+    pub fn preset(bones: &JsBones, name: &str, both_eyes: bool) -> Result<Self, JsError> {
         made(crate::preset(&bones.0, name, both_eyes))
     }
 
     /// With a rig of a declaration in TOML.
     #[cfg(feature = "declare")]
-    pub fn declared(bones: &JsBones, file: &str, text: &str, both_eyes: bool) -> Result<JsCharacter, JsError> {
+    pub fn declared(bones: &JsBones, file: &str, text: &str, both_eyes: bool) -> Result<Self, JsError> {
         made(crate::declared(&bones.0, file, text, both_eyes))
     }
 
     /// With a rig that is measured from the bones.
     #[cfg(feature = "measure")]
-    pub fn measured(bones: &JsBones, both_eyes: bool) -> Result<JsCharacter, JsError> {
+    pub fn measured(bones: &JsBones, both_eyes: bool) -> Result<Self, JsError> {
         made(crate::measured(&bones.0, both_eyes))
     }
 
     /// With a rig that is measured from the character's file.
     #[cfg(feature = "measure")]
     #[wasm_bindgen(js_name = ofFile)]
-    pub fn of_file(bones: &JsBones, bytes: &[u8], both_eyes: bool) -> Result<JsCharacter, JsError> {
+    pub fn of_file(bones: &JsBones, bytes: &[u8], both_eyes: bool) -> Result<Self, JsError> {
         made(crate::of_file(&bones.0, bytes, both_eyes))
     }
 

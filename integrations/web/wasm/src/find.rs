@@ -43,10 +43,9 @@ pub(crate) fn by_name(
 ) -> Result<Found, String> {
     let told = |error: AimChainError| said(&error, rig.as_ref(), skeleton);
     let mut chain = AimChain::named(skeleton, rig.as_ref()).map_err(told)?;
-    if let Some(name) = rig.other_eye_bone() {
-        if let Some(eye) = skeleton.find(name) {
-            chain = if both_eyes { chain.with_other_eye(eye) } else { chain.with_following_eye(eye) }.map_err(told)?;
-        }
+    let other_eye = rig.other_eye_bone().and_then(|name| skeleton.find(name).or_else(|| beside(skeleton, chain.joints()[0])));
+    if let Some(eye) = other_eye {
+        chain = if both_eyes { chain.with_other_eye(eye) } else { chain.with_following_eye(eye) }.map_err(told)?;
     }
     let up = known.up.unwrap_or(Vec3::Y);
     let trunk = bones.trunk.and_then(|bone| skeleton.bone_of(bone)).or(known.trunk);
@@ -60,6 +59,17 @@ pub(crate) fn by_name(
     let (chain, kept) = chain.reduced();
     let bones = kept.into_iter().filter_map(|bone| skeleton.source_of(bone)).collect();
     Ok(Found { rig, chain, bones })
+}
+
+/// The bone of the right eye beside that of the left one, for rigs that know several names of the left and one of the right.
+fn beside(skeleton: &Skeleton, left: usize) -> Option<usize> {
+    let name = skeleton.name(left)?;
+    let sides = [("Left", "Right"), ("left", "right"), ("_L", "_R"), ("_l", "_r"), (".L", ".R"), (".l", ".r")];
+    let right = sides.iter().find_map(|(left, right)| {
+        let at = (0..name.len()).find(|&at| name.get(at..).is_some_and(|rest| rest.starts_with(left)))?;
+        skeleton.find(&[name.get(..at)?, right, name.get(at + left.len()..)?].concat())
+    })?;
+    (skeleton.parents()[right] == skeleton.parents()[left]).then_some(right)
 }
 
 /// Why bones are no chain of a rig, for somebody who sees neither.
