@@ -14,6 +14,12 @@
 //! - `f64`: glam's types in double precision, in the re-exported [`glam`].
 //! - `wide`: [`Scalar`] for the vectors of the [`wide`](https://docs.rs/wide) crate, so that one call of a kernel serves
 //!   as many characters as the vector has lanes. Needs Rust 1.89, as that crate does; works with `std` and with `libm`.
+//!
+//! # Small programs
+//!
+//! Solvers are compiled for several numbers of joints, for speed. For programs that are downloaded, two flags of the compiler
+//! (`RUSTFLAGS`) make them smaller: `--cfg aim_small` compiles them once, for chains of at most 16 joints, and `--cfg aim_natural`
+//! leaves out all but [`Solver::Natural`]; calls that it does not serve are degenerate. The natural solver's bits stay the same.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![allow(

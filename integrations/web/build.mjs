@@ -2,12 +2,13 @@
 //
 // Needs rustup's cargo with the target wasm32-unknown-unknown, and the development dependencies of package.json: where they are is
 // said by NODE_PATH, or they are in node_modules.
-import { execFileSync } from "node:child_process";
+import { execFile, execFileSync } from "node:child_process";
 import { copyFileSync, cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { homedir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
+import { promisify } from "node:util";
 
 import { notices } from "./notices.mjs";
 
@@ -30,6 +31,11 @@ function run(command, args, env = {}) {
   execFileSync(command, args, { cwd: workspace, stdio: "inherit", env: { ...process.env, ...env } });
 }
 
+/** The same, with others beside it. */
+async function start(command, args, env = {}) {
+  await promisify(execFile)(command, args, { cwd: workspace, env: { ...process.env, ...env } });
+}
+
 /** A program of a development dependency. */
 function tool(name, script) {
   for (const folder of require.resolve.paths(name)) {
@@ -47,10 +53,10 @@ const remapped = [
 ].flatMap(([from, to]) => ["--remap-path-prefix", `${from}=${to}`]);
 
 /** Compiles a part. */
-function compile(part, flags) {
+async function compile(part, flags) {
   const rustflags = ["--cfg", "aim_small", ...flags, "-Ctarget-feature=+simd128", ...remapped].join("\x1f");
   const args = ["build", "--quiet", "--package", "aim-gaze-wasm", "--lib", "--no-default-features", "--features", part];
-  run(cargo, [...args, "--target", TRIPLE, "--profile", "web"], {
+  await start(cargo, [...args, "--target", TRIPLE, "--profile", "web"], {
     CARGO_ENCODED_RUSTFLAGS: rustflags,
     CARGO_PROFILE_WEB_OPT_LEVEL: "z",
     CARGO_TARGET_DIR: target,
@@ -61,26 +67,35 @@ function compile(part, flags) {
 }
 
 /** Writes the WebAssembly of all parts, with its JavaScript. */
-function assemble(wasm) {
+async function assemble(wasm) {
   mkdirSync(wasm, { recursive: true });
   // And what records what the tests compare with.
   run(cargo, ["build", "--quiet", "--package", "aim-gaze-wasm", "--bins", "--features", "bindgen"], { CARGO_TARGET_DIR: target });
+  const done = [];
   for (const [part, flags] of Object.entries(PARTS)) {
-    run(join(target, "debug/aim-gaze-wasm"), [compile(part, flags), wasm, part]);
-    const module = join(wasm, `${part}_bg.wasm`);
-    const wasmOpt = tool("binaryen", "bin/wasm-opt");
-    run(process.execPath, [wasmOpt, "-Oz", ...FEATURES.map((feature) => `--enable-${feature}`), module, "-o", module]);
+    const module = await compile(part, flags);
+    run(join(target, "debug/aim-gaze-wasm"), [module, wasm, part]);
     rmSync(join(wasm, `${part}_bg.wasm.d.ts`));
-    const base64 = readFileSync(module).toString("base64");
-    writeFileSync(join(wasm, `${part}_base64.js`), `export const base64 = "${base64}";\n`);
-    writeFileSync(join(wasm, `${part}_base64.d.ts`), "export declare const base64: string;\n");
+    // While the next one is compiled.
+    done.push(shrink(wasm, part));
   }
+  await Promise.all(done);
+}
+
+/** Optimises a part, and writes it as text, too. */
+async function shrink(wasm, part) {
+  const module = join(wasm, `${part}_bg.wasm`);
+  const features = FEATURES.map((feature) => `--enable-${feature}`);
+  await start(process.execPath, [tool("binaryen", "bin/wasm-opt"), "-Oz", ...features, module, "-o", module]);
+  const base64 = readFileSync(module).toString("base64");
+  writeFileSync(join(wasm, `${part}_base64.js`), `export const base64 = "${base64}";\n`);
+  writeFileSync(join(wasm, `${part}_base64.d.ts`), "export declare const base64: string;\n");
 }
 
 for (const name of existsSync(dist) ? readdirSync(dist) : []) {
   if (!(keeps && name === "wasm")) rmSync(join(dist, name), { recursive: true });
 }
-if (!keeps) assemble(join(dist, "wasm"));
+if (!keeps) await assemble(join(dist, "wasm"));
 
 // The compiler finds the declarations of what is made beside the sources.
 const declarations = join(here, "src/wasm");

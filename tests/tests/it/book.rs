@@ -37,7 +37,7 @@ fn pages() -> BTreeMap<String, String> {
     let mut paths: Vec<String> =
         ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"].map(str::to_owned).into();
     paths.push("examples/compiled-rigs/README.md".to_owned());
-    paths.push("integrations/bevy/README.md".to_owned());
+    paths.extend(["bevy", "web"].map(|engine| format!("integrations/{engine}/README.md")));
     paths.extend(names(".").into_iter().map(|name| format!("{name}/README.md")));
     paths.extend(names("docs").into_iter().filter(|name| name.ends_with(".md")).map(|name| format!("docs/{name}")));
     paths.retain(|path| root().join(path).is_file());
@@ -213,6 +213,12 @@ fn every_block_of_rust_is_run_or_included_from_a_program() {
                     let path = included.unwrap_or_else(|| panic!("{chapter}: neither run nor included:\n{text}"));
                     let path = followed(&format!("docs/{chapter}"), path);
                     assert!(root().join(&path).is_file(), "{chapter}: there is no {path}");
+                }
+                // Lines of programs in the package's README, which `.ci/web` runs.
+                "js" if chapter == "web.md" => {
+                    let package = read("integrations/web/README.md");
+                    let mut lines = text.lines().filter(|line| !line.is_empty() && !line.starts_with("//"));
+                    assert!(lines.all(|line| package.contains(line)), "{chapter}: not in the package's README:\n{text}");
                 }
                 "toml" | "sh" | "console" | "text" => {}
                 other => panic!("{chapter}: a block of {other}"),

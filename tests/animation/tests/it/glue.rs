@@ -369,3 +369,52 @@ fn what_is_no_chain() {
     good.apply(&frame, none, &mut local, &mut model).unwrap();
     assert_eq!(local, skeleton.rest());
 }
+
+/// Of two bones of a name the one counts that makes a chain with the others: a mesh has the name of the bone that moves it, and hangs
+/// beside it.
+#[test]
+fn names_that_repeat() {
+    let character = Character::new(Transform::IDENTITY, 0.0);
+    let (skeleton, neck, eye) = (&character.skeleton, character.bone("neck"), character.bone("left_eye"));
+    let bones = |more: &[(&str, Option<usize>)]| {
+        let own = (0..skeleton.len()).map(|bone| Bone::new(skeleton.name(bone).unwrap(), skeleton.parents()[bone]));
+        let more = more.iter().map(|(name, parent)| Bone::new(*name, *parent));
+        Skeleton::new(own.chain(more)).unwrap()
+    };
+    // A mesh at the root; an eye on another neck that carries nothing.
+    let repeated = bones(&[("neck", Some(0)), ("left_eye", Some(0)), ("left_eye", None)]);
+    let chain = AimChain::named(&repeated, Hero::RIG).unwrap();
+    let sources: Vec<Option<usize>> = chain.joints().iter().map(|&bone| repeated.source_of(bone)).collect();
+    assert_eq!(sources[..2], [Some(eye), Some(neck)]);
+    // Two eyes on one neck are anybody's guess.
+    let error = AimChain::named(&bones(&[("left_eye", Some(neck))]), Hero::RIG).unwrap_err();
+    assert!(matches!(error, AimChainError::Names { joint: 0, .. }), "{error:?}");
+}
+
+/// A chain on the fewest bones gathers and applies what it did on all of them.
+#[test]
+fn reduced_to_the_fewest_bones() {
+    for (name, armature) in parents() {
+        let mut character = Character::new(armature, 0.3);
+        let (right, hips) = (character.bone("right_eye"), 1);
+        let whole = AimChain::named(&character.skeleton, Hero::RIG).unwrap();
+        let whole = whole.with_other_eye(right).unwrap().with_standing_up(Vec3::Y, hips).unwrap();
+        let (reduced, bones) = whole.reduced();
+        assert!(bones.len() < character.skeleton.len(), "{name}: {bones:?}");
+        assert_eq!(reduced.skeleton().len(), bones.len());
+        assert_eq!(reduced.other_eye().map(|bone| bones[bone]), Some(right));
+        let of = |chain: &AimChain| chain.joints().to_vec();
+        assert_eq!(of(&reduced).iter().map(|&bone| bones[bone]).collect::<Vec<_>>(), of(&whole));
+
+        let mut few = Character {
+            local: bones.iter().map(|&bone| character.local[bone]).collect(),
+            model: bones.iter().map(|&bone| character.model[bone]).collect(),
+            skeleton: reduced.skeleton().clone(),
+        };
+        let [all_poses, few_poses] = [aimed(&mut character, &whole), aimed(&mut few, &reduced)];
+        assert_eq!(all_poses.pose(), few_poses.pose(), "{name}");
+        for (at, &bone) in bones.iter().enumerate() {
+            assert_eq!((few.local[at], few.model[at]), (character.local[bone], character.model[bone]), "{name}: {bone}");
+        }
+    }
+}
