@@ -41,7 +41,7 @@ fn is_among(word: &str, words: &str) -> bool {
 
 /// The known name that was probably meant.
 pub(crate) fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
-    let name = name.to_lowercase();
+    let name = name.to_ascii_lowercase();
     let is_shortened = |known: &&&str| name.len() >= 3 && known.starts_with(name.as_str());
     known.iter().find(is_shortened).copied().or_else(|| {
         // Letters put in, left out, replaced, or swapped with their neighbour.

@@ -4,9 +4,9 @@ use aim_animation::Skeleton;
 use aim_animation::glam::Affine3A;
 use serde_json::{Value, json};
 
-use crate::container::to_glb;
-use crate::document::Document;
+use crate::document::{Document, Parts, no_clips};
 use crate::error::Error;
+use crate::raw::{self, Raw};
 
 impl Document {
     /// A document of bones alone: for characters that were read by something else, to be measured, proposed a rig for and aimed
@@ -43,45 +43,82 @@ impl Document {
             let name = &skeleton.names()[bone];
             return Err(Error::Bones(format!("the inverse bind of bone {bone}, \"{name}\", is not finite")));
         }
-        let mut children = vec![Vec::new(); count];
-        let mut roots = Vec::new();
-        for (bone, parent) in skeleton.parents().iter().enumerate() {
-            parent.map_or(&mut roots, |parent| &mut children[parent]).push(bone);
-        }
-        let node = |(bone, children): (usize, &Vec<usize>)| {
-            let (name, rest) = (&skeleton.names()[bone], &skeleton.rest()[bone]);
-            let mut node = json!({
-                "name": name,
-                "translation": rest.translation.to_array(),
-                "rotation": rest.rotation.to_array(),
-                "scale": rest.scale.to_array(),
-            });
-            if !children.is_empty() {
-                node["children"] = json!(children);
+        let (roots, children) = children(skeleton);
+        let node = |(bone, children): (usize, Vec<usize>)| {
+            let rest = &skeleton.rest()[bone];
+            raw::Node {
+                name: Some(skeleton.names()[bone].clone()),
+                children,
+                translation: Some(rest.translation.to_array().map(f64::from)),
+                rotation: Some(rest.rotation.to_array().map(f64::from)),
+                scale: Some(rest.scale.to_array().map(f64::from)),
+                ..raw::Node::default()
             }
-            node
         };
-        let nodes: Vec<Value> = children.iter().enumerate().map(node).collect();
-        let mut text = json!({ "asset": { "version": "2.0" } });
-        if !nodes.is_empty() {
-            text["scene"] = json!(0);
-            text["scenes"] = json!([{ "nodes": roots }]);
-            text["nodes"] = json!(nodes);
-        }
+        let mut raw = Raw {
+            nodes: children.into_iter().enumerate().map(node).collect(),
+            scenes: vec![raw::Scene { nodes: roots }],
+            ..Raw::default()
+        };
         let joints: Vec<usize> = (0..count).filter(|bone| inverse_binds[*bone].is_some()).collect();
-        if joints.is_empty() {
-            return Self::from_bytes(text.to_string().as_bytes());
+        let mut chunk = None;
+        if !joints.is_empty() {
+            let maps = inverse_binds.iter().flatten().flat_map(|bind| {
+                let [x, y, z] =
+                    [bind.matrix3.x_axis, bind.matrix3.y_axis, bind.matrix3.z_axis].map(|axis| axis.extend(0.0));
+                [x, y, z, bind.translation.extend(1.0)]
+            });
+            let bytes: Vec<u8> = maps.flat_map(|column| column.to_array()).flat_map(f32::to_le_bytes).collect();
+            let (count, byte_length) = (joints.len(), bytes.len());
+            raw.skins.push(raw::Skin { joints, inverse_bind_matrices: Some(0) });
+            raw.accessors.push(raw::Accessor::of_floats(0, count, "MAT4"));
+            raw.views.push(raw::BufferView { buffer: 0, byte_offset: 0, byte_length, byte_stride: None });
+            raw.buffers.push(raw::Buffer { byte_length, uri: None });
+            chunk = Some(bytes);
         }
-        let maps = inverse_binds.iter().flatten().flat_map(|bind| {
-            let [x, y, z] =
-                [bind.matrix3.x_axis, bind.matrix3.y_axis, bind.matrix3.z_axis].map(|axis| axis.extend(0.0));
-            [x, y, z, bind.translation.extend(1.0)]
+        Self::of_parts(Parts { raw, extensions: Value::Null, text: None, chunk, folder: None }, no_clips)
+    }
+}
+
+/// The bones without a parent, and the children of each bone.
+fn children(skeleton: &Skeleton) -> (Vec<usize>, Vec<Vec<usize>>) {
+    let (mut roots, mut children) = (Vec::new(), vec![Vec::new(); skeleton.len()]);
+    for (bone, parent) in skeleton.parents().iter().enumerate() {
+        parent.map_or(&mut roots, |parent| &mut children[parent]).push(bone);
+    }
+    (roots, children)
+}
+
+/// The JSON of a document of bones.
+pub(crate) fn bones_as_json(document: &Document) -> Value {
+    let skeleton = document.skeleton();
+    let (roots, children) = children(skeleton);
+    let node = |(bone, children): (usize, &Vec<usize>)| {
+        let (name, rest) = (&skeleton.names()[bone], &skeleton.rest()[bone]);
+        let mut node = json!({
+            "name": name,
+            "translation": rest.translation.to_array(),
+            "rotation": rest.rotation.to_array(),
+            "scale": rest.scale.to_array(),
         });
-        let bytes: Vec<u8> = maps.flat_map(|column| column.to_array()).flat_map(f32::to_le_bytes).collect();
+        if !children.is_empty() {
+            node["children"] = json!(children);
+        }
+        node
+    };
+    let nodes: Vec<Value> = children.iter().enumerate().map(node).collect();
+    let mut text = json!({ "asset": { "version": "2.0" } });
+    if !nodes.is_empty() {
+        text["scene"] = json!(0);
+        text["scenes"] = json!([{ "nodes": roots }]);
+        text["nodes"] = json!(nodes);
+    }
+    if let Some(bytes) = document.binary_chunk() {
+        let (joints, _) = skeleton.skin(0);
         text["skins"] = json!([{ "joints": joints, "inverseBindMatrices": 0 }]);
         text["accessors"] = json!([{ "bufferView": 0, "componentType": 5126, "count": joints.len(), "type": "MAT4" }]);
         text["bufferViews"] = json!([{ "buffer": 0, "byteLength": bytes.len() }]);
         text["buffers"] = json!([{ "byteLength": bytes.len() }]);
-        Self::from_bytes(&to_glb(text.to_string().as_bytes(), Some(&bytes))?)
     }
+    text
 }

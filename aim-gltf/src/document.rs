@@ -9,9 +9,11 @@ use aim_animation::Clip;
 use serde_json::Value;
 
 use crate::accessor::Data;
+use crate::bones::bones_as_json;
 use crate::clip::{MorphScalars, read_clips};
 use crate::container;
 use crate::error::Error;
+use crate::morph_eyes::names_morph_eyes;
 use crate::raw::Raw;
 use crate::skeleton::Skeleton;
 use crate::skin::{self, SkinnedPoint};
@@ -53,10 +55,11 @@ pub(crate) enum Buffer {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Document {
-    /// The JSON part, which parses.
-    pub(crate) text: Vec<u8>,
+    /// The JSON part, which parses; of bones that no file has, made when it is asked for.
+    text: OnceLock<Vec<u8>>,
     /// The same as a tree, ten times as large: made when it is asked for.
     json: OnceLock<Value>,
+    pub(crate) extensions: Value,
     pub(crate) chunk: Option<Vec<u8>>,
     pub(crate) buffers: Vec<Buffer>,
     pub(crate) folder: Option<PathBuf>,
@@ -64,6 +67,24 @@ pub struct Document {
     clips: Vec<Clip>,
     pub(crate) morph_scalars: MorphScalars,
     points: Vec<SkinnedPoint>,
+    names_morph_eyes: bool,
+}
+
+/// The parts of a file, before they are checked.
+pub(crate) struct Parts {
+    pub(crate) raw: Raw,
+    pub(crate) extensions: Value,
+    pub(crate) text: Option<Vec<u8>>,
+    pub(crate) chunk: Option<Vec<u8>>,
+    pub(crate) folder: Option<PathBuf>,
+}
+
+/// Reads the clips; a parameter, so that a program which needs none has nothing that reads them.
+pub(crate) type ReadClips = fn(&Data<'_>, &Skeleton) -> Result<(Vec<Clip>, MorphScalars), Error>;
+
+/// No clips.
+pub(crate) fn no_clips(_: &Data<'_>, _: &Skeleton) -> Result<(Vec<Clip>, MorphScalars), Error> {
+    Ok(Default::default())
 }
 
 impl fmt::Debug for Document {
@@ -83,7 +104,7 @@ impl Document {
     pub fn load(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
         let bytes = uri::read_file(path)?;
-        Self::parse(bytes, Some(path.parent().unwrap_or(Path::new(""))))
+        Self::parse(bytes, Some(path.parent().unwrap_or(Path::new(""))), read_clips)
     }
 
     /// Reads a document from memory; external buffers are then an error.
@@ -91,10 +112,19 @@ impl Document {
     /// # Errors
     /// Anything that makes the file unreadable or contradictory; see [`Error`].
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
-        Self::parse(bytes.to_vec(), None)
+        Self::parse(bytes.to_vec(), None, read_clips)
     }
 
-    fn parse(mut bytes: Vec<u8>, folder: Option<&Path>) -> Result<Self, Error> {
+    /// The same without the file's clips, which are then not even checked: for characters that are to be measured, and are moved by
+    /// something else.
+    ///
+    /// # Errors
+    /// As [`from_bytes`](Self::from_bytes), but for clips.
+    pub fn without_clips(bytes: &[u8]) -> Result<Self, Error> {
+        Self::parse(bytes.to_vec(), None, no_clips)
+    }
+
+    fn parse(mut bytes: Vec<u8>, folder: Option<&Path>, read: ReadClips) -> Result<Self, Error> {
         let parts = container::split(&bytes)?;
         let text = parts.json.to_vec();
         let (raw, extensions) = Raw::parse(&text)?;
@@ -105,22 +135,29 @@ impl Document {
             bytes.shrink_to_fit();
             bytes
         });
-        let buffers = load_buffers(&raw, chunk.as_deref(), folder)?;
+        Self::of_parts(Parts { raw, extensions, text: Some(text), chunk, folder: folder.map(Path::to_path_buf) }, read)
+    }
+
+    pub(crate) fn of_parts(parts: Parts, read: ReadClips) -> Result<Self, Error> {
+        let Parts { raw, extensions, text, chunk, folder } = parts;
+        let buffers = load_buffers(&raw, chunk.as_deref(), folder.as_deref())?;
         let slices: Vec<_> = buffers.iter().map(|b| bytes_of(b, chunk.as_deref())).collect();
         let data = Data::new(&raw, &slices);
         let skeleton = Skeleton::read(&data, &extensions)?;
-        let (clips, morph_scalars) = read_clips(&data, &skeleton)?;
+        let (clips, morph_scalars) = read(&data, &skeleton)?;
         let points = skin::read_points(&data, &skeleton)?;
         Ok(Self {
+            text: text.map(OnceLock::from).unwrap_or_default(),
+            json: OnceLock::new(),
+            names_morph_eyes: raw.meshes.iter().any(names_morph_eyes),
+            extensions,
             chunk,
-            folder: folder.map(Path::to_path_buf),
+            buffers,
+            folder,
             skeleton,
             clips,
             morph_scalars,
             points,
-            buffers,
-            text,
-            json: OnceLock::new(),
         })
     }
 
@@ -166,7 +203,18 @@ impl Document {
     /// The JSON part as it stands in the file, members in their order.
     #[must_use]
     pub fn json(&self) -> &Value {
-        self.json.get_or_init(|| serde_json::from_slice(&self.text).unwrap_or_default())
+        self.json.get_or_init(|| serde_json::from_slice(self.text()).unwrap_or_default())
+    }
+
+    /// The same as text.
+    pub(crate) fn text(&self) -> &[u8] {
+        self.text.get_or_init(|| bones_as_json(self).to_string().into_bytes())
+    }
+
+    /// True if a mesh names morph targets that turn eyes as `ARKit` does, `eyeLookInLeft` and the like, whether it has them or not.
+    #[must_use]
+    pub fn names_morph_eyes(&self) -> bool {
+        self.names_morph_eyes
     }
 
     /// The files beside it that it refers to: buffers and images. None of a document read from memory.

@@ -29,6 +29,7 @@ mod file;
 mod humanoid;
 mod look_at;
 mod material;
+mod members;
 mod morph_eyes;
 mod normals;
 mod raw;

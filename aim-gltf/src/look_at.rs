@@ -68,61 +68,76 @@ pub struct LookAt {
     pub vertical_up: RangeMap,
 }
 
+/// A number that makes no sense, and what is used instead.
+pub(crate) struct Doubt<'a> {
+    place: &'a str,
+    value: &'a Value,
+    expected: &'a str,
+    used: f64,
+}
+
 impl LookAt {
     /// Reads the file's `lookAt`; `None` if it is no VRM file or has none. A number that is missing, or that makes no sense, is
     /// VRM's default: 90° of input, and 90° (for expressions 1) of output.
     #[must_use]
     pub fn of(document: &Document) -> Option<Self> {
-        Self::read(document.json().get("extensions")?).map(|(look, _)| look)
+        Self::read(&document.extensions, &mut |_| ())
     }
 
     /// The numbers of the file's `lookAt` that make no sense and what is used instead, a sentence each.
     #[must_use]
     pub fn doubts(document: &Document) -> Vec<String> {
-        let read = document.json().get("extensions").and_then(Self::read);
-        read.map_or_else(Vec::new, |(_, doubts)| doubts)
+        let mut doubts = Vec::new();
+        Self::read(&document.extensions, &mut |Doubt { place, value, expected, used }| {
+            doubts.push(format!("{place} is {value}, expected {expected}; {used} is used"));
+        });
+        doubts
     }
 
-    /// The same from a document's `extensions`.
-    pub(crate) fn read(extensions: &Value) -> Option<(Self, Vec<String>)> {
+    /// The same from a document's `extensions`; `doubt` is told the numbers that make no sense.
+    pub(crate) fn read(extensions: &Value, doubt: &mut dyn FnMut(Doubt<'_>)) -> Option<Self> {
         if let Some(look) = extensions.get("VRMC_vrm").and_then(|vrm| vrm.get("lookAt")) {
             let is_expression = look.get("type").and_then(Value::as_str) == Some("expression");
             let keys = ["VRMC_vrm.lookAt.rangeMap", "inputMaxValue", "outputScale"];
-            return Some(Self::with_maps(look, is_expression, keys));
+            return Some(Self::with_maps(look, is_expression, keys, doubt));
         }
         // Version 0.x; its curves are linear in all exported files.
         let look = extensions.get("VRM")?.get("firstPerson")?;
         let is_expression = look.get("lookAtTypeName")?.as_str() == Some("BlendShape");
-        Some(Self::with_maps(look, is_expression, ["VRM.firstPerson.lookAt", "xRange", "yRange"]))
+        Some(Self::with_maps(look, is_expression, ["VRM.firstPerson.lookAt", "xRange", "yRange"], doubt))
     }
 
     /// Reads the four maps. `path` is where they are, up to the direction in their names.
-    fn with_maps(look: &Value, is_expression: bool, [path, input, output]: [&str; 3]) -> (Self, Vec<String>) {
+    fn with_maps(
+        look: &Value,
+        is_expression: bool,
+        [path, input, output]: [&str; 3],
+        doubt: &mut dyn FnMut(Doubt<'_>),
+    ) -> Self {
         let (_, prefix) = path.rsplit_once('.').unwrap_or(("", path));
-        let mut doubts = Vec::new();
         let mut map = |direction: &str| {
             let map = look.get(format!("{prefix}{direction}"));
-            let mut number = |key: &str, default: f64, expected: &str, is_right: fn(f64) -> bool| {
-                let Some(value) = map.and_then(|map| map.get(key)) else { return default };
+            let mut number = |key: &str, used: f64, expected: &str, is_right: fn(f64) -> bool| {
+                let Some(value) = map.and_then(|map| map.get(key)) else { return used };
                 value.as_f64().filter(|number| number.is_finite() && is_right(*number)).unwrap_or_else(|| {
-                    doubts.push(format!("{path}{direction}.{key} is {value}, expected {expected}; {default} is used"));
-                    default
+                    doubt(Doubt { place: &format!("{path}{direction}.{key}"), value, expected, used });
+                    used
                 })
             };
-            let (whole, expected) = if is_expression { (1.0, "a weight") } else { (90.0, "degrees") };
+            let (whole, expected) =
+                if is_expression { (1.0, "a weight from 0 on") } else { (90.0, "degrees from 0 on") };
             RangeMap {
                 input_max_value: number(input, 90.0, "degrees above 0", |degrees| degrees > 0.0),
-                output_scale: number(output, whole, &format!("{expected} from 0 on"), |output| output >= 0.0),
+                output_scale: number(output, whole, expected, |output| output >= 0.0),
             }
         };
-        let look = Self {
+        Self {
             kind: if is_expression { LookAtKind::Expression } else { LookAtKind::Bone },
             horizontal_inner: map("HorizontalInner"),
             horizontal_outer: map("HorizontalOuter"),
             vertical_down: map("VerticalDown"),
             vertical_up: map("VerticalUp"),
-        };
-        (look, doubts)
+        }
     }
 
     /// The maps of the left eye's headings to the right and to the left, and of its pitches down and up; of the right eye the first two

@@ -11,7 +11,7 @@ use serde_json::Value;
 
 use crate::accessor::Data;
 use crate::look_at::{LookAt, LookAtKind, RangeMap};
-use crate::raw::number;
+use crate::raw::{Mesh, number};
 use crate::skeleton::Skin;
 use crate::skin::read_primitive;
 
@@ -76,7 +76,7 @@ pub(crate) struct FoundEye {
 
 /// The eyes that look by morph targets. `extensions` are the document's.
 pub(crate) fn find(data: &Data<'_>, skins: &[Skin], extensions: &Value) -> Vec<FoundEye> {
-    let look = LookAt::read(extensions).map(|(look, _)| look);
+    let look = LookAt::read(extensions, &mut |_| ());
     let found = match look.filter(|look| look.kind == LookAtKind::Expression) {
         Some(look) => {
             let (name, bone, words) = EXPRESSIONS;
@@ -111,7 +111,7 @@ fn arkit(data: &Data<'_>) -> Vec<(&'static str, &'static str, [MorphWay; 4])> {
             named.entry(name).or_default().push(MorphBind { node, target, weight: 1.0 });
         }
     }
-    if !named.keys().any(|name| name.starts_with("eyeLook")) {
+    if !named.keys().any(|name| is_arkit(name)) {
         return Vec::new();
     }
     let maps = FULL_DEG.map(|input_max_value| RangeMap { input_max_value, output_scale: 1.0 });
@@ -127,6 +127,16 @@ fn target_names<'a>(data: &Data<'a>, mesh: usize) -> impl Iterator<Item = &'a st
     let names = |extras: &'a Value| extras.get("targetNames")?.as_array();
     let names = names(&mesh.extras).or_else(|| names(&mesh.primitives.first()?.extras));
     names.into_iter().flatten().map(|name| name.as_str().unwrap_or_default())
+}
+
+/// True if a mesh names targets of `ARKit`.
+pub(crate) fn names_morph_eyes(mesh: &Mesh) -> bool {
+    let names = mesh.extras.get("targetNames").and_then(Value::as_array);
+    names.into_iter().flatten().filter_map(Value::as_str).any(is_arkit)
+}
+
+fn is_arkit(name: &str) -> bool {
+    name.starts_with("eyeLook")
 }
 
 /// What a VRM expression binds, in either version of the format; targets that are not there are left out.

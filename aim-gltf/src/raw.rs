@@ -2,17 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
-use serde::de::DeserializeOwned;
 use serde_json::Value;
 use serde_json::value::RawValue;
 
 use crate::error::Error;
+use crate::members::{FromJson, Members, Mistake};
 
-#[derive(Deserialize)]
+#[derive(Default)]
 pub(crate) struct Node {
     pub(crate) name: Option<String>,
-    #[serde(default)]
     pub(crate) children: Vec<usize>,
     pub(crate) mesh: Option<usize>,
     pub(crate) skin: Option<usize>,
@@ -21,126 +19,264 @@ pub(crate) struct Node {
     pub(crate) rotation: Option<[f64; 4]>,
     pub(crate) scale: Option<[f64; 3]>,
     /// Numbers, if it is right; they matter to eyes alone.
-    #[serde(default)]
     pub(crate) weights: Value,
 }
 
-#[derive(Deserialize)]
-#[serde(rename_all = "camelCase")]
+impl FromJson for Node {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let mut members = Members::of(value)?;
+        Ok(Self {
+            name: members.optional("name")?,
+            children: members.or_default("children")?,
+            mesh: members.optional("mesh")?,
+            skin: members.optional("skin")?,
+            matrix: members.optional("matrix")?,
+            translation: members.optional("translation")?,
+            rotation: members.optional("rotation")?,
+            scale: members.optional("scale")?,
+            weights: members.take("weights").unwrap_or_default(),
+        })
+    }
+}
+
 pub(crate) struct Skin {
     pub(crate) joints: Vec<usize>,
     pub(crate) inverse_bind_matrices: Option<usize>,
 }
 
-#[derive(Deserialize)]
-#[serde(rename_all = "camelCase")]
+impl FromJson for Skin {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let mut members = Members::of(value)?;
+        Ok(Self {
+            joints: members.required("joints")?,
+            inverse_bind_matrices: members.optional("inverseBindMatrices")?,
+        })
+    }
+}
+
 pub(crate) struct Accessor {
     pub(crate) buffer_view: Option<usize>,
-    #[serde(default)]
     pub(crate) byte_offset: usize,
     pub(crate) component_type: u32,
-    #[serde(default)]
     pub(crate) normalized: bool,
     pub(crate) count: usize,
-    #[serde(rename = "type")]
     pub(crate) shape: String,
     pub(crate) sparse: Option<Sparse>,
 }
 
-#[derive(Deserialize)]
+impl Accessor {
+    /// The first `count` elements of a buffer view, in single precision.
+    pub(crate) fn of_floats(view: usize, count: usize, shape: &str) -> Self {
+        Self {
+            buffer_view: Some(view),
+            byte_offset: 0,
+            component_type: 5126,
+            normalized: false,
+            count,
+            shape: shape.into(),
+            sparse: None,
+        }
+    }
+}
+
+impl FromJson for Accessor {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let mut members = Members::of(value)?;
+        Ok(Self {
+            buffer_view: members.optional("bufferView")?,
+            byte_offset: members.or_default("byteOffset")?,
+            component_type: members.required("componentType")?,
+            normalized: members.or_default("normalized")?,
+            count: members.required("count")?,
+            shape: members.required("type")?,
+            sparse: members.optional("sparse")?,
+        })
+    }
+}
+
 pub(crate) struct Sparse {
     pub(crate) count: usize,
     pub(crate) indices: SparseIndices,
     pub(crate) values: SparseValues,
 }
 
-#[derive(Deserialize)]
-#[serde(rename_all = "camelCase")]
+impl FromJson for Sparse {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let mut members = Members::of(value)?;
+        Ok(Self {
+            count: members.required("count")?,
+            indices: members.required("indices")?,
+            values: members.required("values")?,
+        })
+    }
+}
+
 pub(crate) struct SparseIndices {
     pub(crate) buffer_view: usize,
-    #[serde(default)]
     pub(crate) byte_offset: usize,
     pub(crate) component_type: u32,
 }
 
-#[derive(Deserialize)]
-#[serde(rename_all = "camelCase")]
+impl FromJson for SparseIndices {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let mut members = Members::of(value)?;
+        Ok(Self {
+            buffer_view: members.required("bufferView")?,
+            byte_offset: members.or_default("byteOffset")?,
+            component_type: members.required("componentType")?,
+        })
+    }
+}
+
 pub(crate) struct SparseValues {
     pub(crate) buffer_view: usize,
-    #[serde(default)]
     pub(crate) byte_offset: usize,
 }
 
-#[derive(Deserialize)]
-#[serde(rename_all = "camelCase")]
+impl FromJson for SparseValues {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let mut members = Members::of(value)?;
+        Ok(Self { buffer_view: members.required("bufferView")?, byte_offset: members.or_default("byteOffset")? })
+    }
+}
+
 pub(crate) struct BufferView {
     pub(crate) buffer: usize,
-    #[serde(default)]
     pub(crate) byte_offset: usize,
     pub(crate) byte_length: usize,
     pub(crate) byte_stride: Option<usize>,
 }
 
-#[derive(Deserialize)]
-#[serde(rename_all = "camelCase")]
+impl FromJson for BufferView {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let mut members = Members::of(value)?;
+        Ok(Self {
+            buffer: members.required("buffer")?,
+            byte_offset: members.or_default("byteOffset")?,
+            byte_length: members.required("byteLength")?,
+            byte_stride: members.optional("byteStride")?,
+        })
+    }
+}
+
 pub(crate) struct Buffer {
     pub(crate) byte_length: usize,
     pub(crate) uri: Option<String>,
 }
 
-#[derive(Deserialize)]
+impl FromJson for Buffer {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let mut members = Members::of(value)?;
+        Ok(Self { byte_length: members.required("byteLength")?, uri: members.optional("uri")? })
+    }
+}
+
 pub(crate) struct Mesh {
     pub(crate) primitives: Vec<Primitive>,
-    #[serde(default)]
     pub(crate) weights: Value,
-    #[serde(default)]
     pub(crate) extras: Value,
 }
 
-#[derive(Deserialize)]
+impl FromJson for Mesh {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let mut members = Members::of(value)?;
+        Ok(Self {
+            primitives: members.required("primitives")?,
+            weights: members.take("weights").unwrap_or_default(),
+            extras: members.take("extras").unwrap_or_default(),
+        })
+    }
+}
+
 pub(crate) struct Primitive {
-    #[serde(default)]
     pub(crate) attributes: BTreeMap<String, usize>,
     /// An array of objects with accessors, if it is right; they matter to eyes alone.
-    #[serde(default)]
     pub(crate) targets: Value,
-    #[serde(default)]
     pub(crate) extras: Value,
 }
 
-#[derive(Deserialize)]
+impl FromJson for Primitive {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let mut members = Members::of(value)?;
+        Ok(Self {
+            attributes: members.or_default("attributes")?,
+            targets: members.take("targets").unwrap_or_default(),
+            extras: members.take("extras").unwrap_or_default(),
+        })
+    }
+}
+
 pub(crate) struct Animation {
     pub(crate) name: Option<String>,
     pub(crate) channels: Vec<Channel>,
     pub(crate) samplers: Vec<Sampler>,
 }
 
-#[derive(Deserialize)]
+impl FromJson for Animation {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let mut members = Members::of(value)?;
+        Ok(Self {
+            name: members.optional("name")?,
+            channels: members.required("channels")?,
+            samplers: members.required("samplers")?,
+        })
+    }
+}
+
 pub(crate) struct Channel {
     pub(crate) sampler: usize,
     pub(crate) target: ChannelTarget,
 }
 
-#[derive(Deserialize)]
+impl FromJson for Channel {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let mut members = Members::of(value)?;
+        Ok(Self { sampler: members.required("sampler")?, target: members.required("target")? })
+    }
+}
+
 pub(crate) struct ChannelTarget {
     pub(crate) node: Option<usize>,
     pub(crate) path: String,
 }
 
-#[derive(Deserialize)]
+impl FromJson for ChannelTarget {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let mut members = Members::of(value)?;
+        Ok(Self { node: members.optional("node")?, path: members.required("path")? })
+    }
+}
+
 pub(crate) struct Sampler {
     pub(crate) input: usize,
     pub(crate) output: usize,
     pub(crate) interpolation: Option<String>,
 }
 
-#[derive(Deserialize)]
+impl FromJson for Sampler {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let mut members = Members::of(value)?;
+        Ok(Self {
+            input: members.required("input")?,
+            output: members.required("output")?,
+            interpolation: members.optional("interpolation")?,
+        })
+    }
+}
+
 pub(crate) struct Scene {
-    #[serde(default)]
     pub(crate) nodes: Vec<usize>,
 }
 
+impl FromJson for Scene {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let mut members = Members::of(value)?;
+        Ok(Self { nodes: members.or_default("nodes")? })
+    }
+}
+
 /// All typed parts of one document.
+#[derive(Default)]
 pub(crate) struct Raw {
     pub(crate) nodes: Vec<Node>,
     pub(crate) skins: Vec<Skin>,
@@ -154,7 +290,7 @@ pub(crate) struct Raw {
 
 /// The top of a JSON text: its members, not looked into. Trees are an order larger than their text, so one is made of an
 /// element at a time.
-type Members<'a> = BTreeMap<String, &'a RawValue>;
+struct Top<'a>(BTreeMap<String, &'a RawValue>);
 
 fn syntax(error: &serde_json::Error) -> Error {
     Error::Json(error.to_string())
@@ -184,26 +320,8 @@ fn tree(text: &RawValue) -> Result<Value, Error> {
     serde_json::from_str(text.get()).map_err(|e| syntax(&e))
 }
 
-/// Types the array `key`, naming the element that does not fit.
-fn array<T: DeserializeOwned>(members: &mut Members<'_>, key: &str) -> Result<Vec<T>, Error> {
-    let Some(text) = members.remove(key) else { return Ok(Vec::new()) };
-    if !text.get().starts_with('[') {
-        return Err(Error::invalid(key, "expected an array"));
-    }
-    let elements: Vec<&RawValue> = serde_json::from_str(text.get()).map_err(|e| syntax(&e))?;
-    let typed = |(index, element): (usize, &&RawValue)| {
-        let element = tree(element)?;
-        if !element.is_object() {
-            return Err(Error::invalid(format!("{key}[{index}]"), "expected an object"));
-        }
-        T::deserialize(element).map_err(|e| Error::invalid(format!("{key}[{index}]"), e.to_string()))
-    };
-    elements.iter().enumerate().map(typed).collect()
-}
-
-impl Raw {
-    /// The typed parts of a JSON text, and its `extensions`; all of the text is looked at.
-    pub(crate) fn parse(text: &[u8]) -> Result<(Self, Value), Error> {
+impl<'a> Top<'a> {
+    fn read(text: &'a [u8]) -> Result<Self, Error> {
         let whole: &RawValue = serde_json::from_slice(text).map_err(|e| syntax(&e))?;
         if depth(text) > MOST_LEVELS {
             return Err(Error::Json(format!("it is nested deeper than {MOST_LEVELS} levels")));
@@ -211,32 +329,68 @@ impl Raw {
         if !whole.get().starts_with('{') {
             return Err(Error::Json("expected an object at the top".into()));
         }
-        let mut members: Members<'_> = serde_json::from_str(whole.get()).map_err(|e| syntax(&e))?;
-        let asset = members.remove("asset").map(tree).transpose()?;
-        match asset.as_ref().and_then(|asset| asset.get("version")).and_then(Value::as_str) {
+        serde_json::from_str(whole.get()).map(Self).map_err(|e| syntax(&e))
+    }
+
+    /// The tree of a member; null if there is none.
+    fn tree(&mut self, key: &str) -> Result<Value, Error> {
+        self.0.remove(key).map_or(Ok(Value::Null), tree)
+    }
+
+    /// Types the array `key`, naming the element that does not fit.
+    fn array<T: FromJson>(&mut self, key: &str) -> Result<Vec<T>, Error> {
+        let mut typed = Vec::new();
+        for (index, element) in self.elements(key)?.into_iter().enumerate() {
+            typed.push(T::from_json(tree(element)?).map_err(|mistake| mistake.at(key, index))?);
+        }
+        Ok(typed)
+    }
+
+    fn elements(&mut self, key: &str) -> Result<Vec<&'a RawValue>, Error> {
+        let Some(text) = self.0.remove(key) else { return Ok(Vec::new()) };
+        if !text.get().starts_with('[') {
+            return Err(Error::invalid(key, "expected an array"));
+        }
+        serde_json::from_str(text.get()).map_err(|e| syntax(&e))
+    }
+}
+
+impl Raw {
+    /// The typed parts of a JSON text, and its `extensions`; all of the text is looked at.
+    pub(crate) fn parse(text: &[u8]) -> Result<(Self, Value), Error> {
+        let mut top = Top::read(text)?;
+        match top.tree("asset")?.get("version").and_then(Value::as_str) {
             Some(version) if version == "2" || version.starts_with("2.") => {}
             Some(version) => return Err(Error::Version(version.into())),
             None => return Err(Error::invalid("asset.version", "it is missing, expected \"2.0\"")),
         }
         let raw = Self {
-            nodes: array(&mut members, "nodes")?,
-            skins: array(&mut members, "skins")?,
-            accessors: array(&mut members, "accessors")?,
-            views: array(&mut members, "bufferViews")?,
-            buffers: array(&mut members, "buffers")?,
-            meshes: array(&mut members, "meshes")?,
-            animations: array(&mut members, "animations")?,
-            scenes: array(&mut members, "scenes")?,
+            nodes: top.array("nodes")?,
+            skins: top.array("skins")?,
+            accessors: top.array("accessors")?,
+            views: top.array("bufferViews")?,
+            buffers: top.array("buffers")?,
+            meshes: top.array("meshes")?,
+            animations: top.array("animations")?,
+            scenes: top.array("scenes")?,
         };
-        let extensions = members.remove("extensions").map(tree).transpose()?;
-        for other in members.into_values() {
+        let extensions = top.tree("extensions")?;
+        for other in top.0.into_values() {
             tree(other)?;
         }
-        Ok((raw, extensions.unwrap_or_default()))
+        Ok((raw, extensions))
     }
 }
 
 /// A number in single precision: infinite where it is beyond that; `None` of what is no number.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    reason = "the nearest of single precision is meant"
+)]
 pub(crate) fn number(value: &Value) -> Option<f32> {
-    f32::deserialize(value).ok()
+    match value.as_i64() {
+        Some(whole) => Some(whole as f32),
+        None => value.as_f64().map(|number| number as f32),
+    }
 }

@@ -175,6 +175,10 @@ impl Skeleton {
 
     /// Up to five names like `name`, best first.
     fn nearest_names(&self, name: &str) -> Vec<String> {
+        if cfg!(aim_small) {
+            // Programs that are downloaded ask for names that are there.
+            return self.names().iter().take(5).cloned().collect();
+        }
         let mut scored: Vec<(usize, &String)> =
             self.names().iter().map(|known| (distance(name, known), known)).collect();
         scored.sort_unstable();

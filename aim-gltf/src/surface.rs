@@ -47,7 +47,7 @@ impl Document {
     #[must_use]
     pub fn surface(&self) -> Surface {
         let mut surface = Surface::default();
-        let Ok((raw, _)) = Raw::parse(&self.text) else { return surface };
+        let Ok((raw, _)) = Raw::parse(self.text()) else { return surface };
         let slices: Vec<_> = self.buffers.iter().map(|b| bytes_of(b, self.chunk.as_deref())).collect();
         let data = Data::new(&raw, &slices);
         (surface.materials, surface.images) = material::read(self, &data);

@@ -140,7 +140,8 @@ impl BoneName {
     }
 }
 
-/// Splits at separators, between letters and digits, and where capitals start a word (`LEyeTop` → l, eye, top).
+/// Splits at separators, between letters and digits, and where capitals start a word (`LEyeTop` → l, eye, top). Capitals are those of
+/// ASCII, as the words that are known are: tables of all others would be larger than all that downloaded programs do with names.
 fn split(name: &str) -> Vec<String> {
     let chars: Vec<char> = name.chars().collect();
     let mut words: Vec<String> = Vec::new();
@@ -152,12 +153,13 @@ fn split(name: &str) -> Vec<String> {
         }
         let before = i.checked_sub(1).map(|k| chars[k]);
         let starts = before.is_some_and(|b| {
-            let capital = c.is_uppercase() && (b.is_lowercase() || chars.get(i + 1).is_some_and(|n| n.is_lowercase()));
+            let is_small = |c: &char| c.is_ascii_lowercase();
+            let capital = c.is_ascii_uppercase() && (is_small(&b) || chars.get(i + 1).is_some_and(is_small));
             capital || c.is_ascii_digit() != b.is_ascii_digit()
         });
         match words.last_mut() {
-            Some(word) if open && !starts => word.extend(c.to_lowercase()),
-            _ => words.push(c.to_lowercase().collect()),
+            Some(word) if open && !starts => word.push(c.to_ascii_lowercase()),
+            _ => words.push(c.to_ascii_lowercase().into()),
         }
         open = true;
     }

@@ -18,6 +18,7 @@ const [keeps, [out]] = [process.argv.includes("--keep"), process.argv.slice(2).f
 const dist = resolve(out ?? join(here, "dist"));
 const target = resolve(process.env.CARGO_TARGET_DIR ?? join(workspace, "target"));
 const require = createRequire(import.meta.url);
+const { buildSync, transformSync } = require("esbuild");
 
 /** The parts, and how the solvers are compiled for each: presets are of characters, which move by the natural solver. */
 const PARTS = { presets: ["--cfg", "aim_natural"], measure: [], declare: [] };
@@ -47,8 +48,9 @@ function tool(name, script) {
 
 const cargo = process.env.CARGO ?? "cargo";
 // What is published names no folder of the machine that it was made on.
+const registries = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "registry/src");
 const remapped = [
-  [resolve(process.env.CARGO_HOME ?? join(homedir(), ".cargo")), "cargo"],
+  ...readdirSync(registries).map((registry) => [join(registries, registry), "crates"]),
   [resolve(workspace), "aim"],
 ].flatMap(([from, to]) => ["--remap-path-prefix", `${from}=${to}`]);
 
@@ -82,11 +84,16 @@ async function assemble(wasm) {
   await Promise.all(done);
 }
 
+// Large functions are compressed less well than the small ones that they would be made of.
+const SMALL = ["-Oz", "--one-caller-inline-max-function-size=0"];
+
 /** Optimises a part, and writes it as text, too. */
 async function shrink(wasm, part) {
   const module = join(wasm, `${part}_bg.wasm`);
   const features = FEATURES.map((feature) => `--enable-${feature}`);
-  await start(process.execPath, [tool("binaryen", "bin/wasm-opt"), "-Oz", ...features, module, "-o", module]);
+  await start(process.execPath, [tool("binaryen", "bin/wasm-opt"), ...SMALL, ...features, module, "-o", module]);
+  const glue = join(wasm, `${part}.js`);
+  writeFileSync(glue, transformSync(readFileSync(glue, "utf8"), { minify: true, target: "es2022" }).code);
   const base64 = readFileSync(module).toString("base64");
   writeFileSync(join(wasm, `${part}_base64.js`), `export const base64 = "${base64}";\n`);
   writeFileSync(join(wasm, `${part}_base64.d.ts`), "export declare const base64: string;\n");
@@ -104,7 +111,6 @@ cpSync(join(dist, "wasm"), declarations, { recursive: true, filter: (path) => !/
 run(process.execPath, [tool("typescript", "bin/tsc"), "--project", join(here, "tsconfig.json"), "--outDir", dist]);
 rmSync(declarations, { recursive: true });
 
-const { buildSync } = require("esbuild");
 buildSync({
   entryPoints: [join(dist, "single.js")],
   outfile: join(dist, "single.js"),

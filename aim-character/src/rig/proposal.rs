@@ -1,7 +1,7 @@
 //! A rig proposed for a file: the chain from the effector to the root, each bone's measured axes, and what a joint of
 //! its part does in people. `aim rig` writes it down, `aim bake` without a rig aims with it.
 
-use aim_codegen::{AngleRange, Budgets, EffectorSpec, Frame, JointSpec, LimitsFrom, RigSpec};
+use aim_codegen::{AngleRange, Budget, Budgets, EffectorSpec, Frame, JointSpec, LimitsFrom, RigSpec};
 use aim_gltf::{Document, LookAt, LookAtKind, RangeMap};
 use aim_model::{BoneName, Role as Declared};
 
@@ -23,7 +23,7 @@ const MACHINE_JOINTS: usize = 4;
 pub struct Proposal {
     /// The rig: its chain from the effector inward, with measured axes and habitual ranges and rates.
     pub spec: RigSpec,
-    /// Why each joint is as it is, one line a joint; empty where there is nothing to say.
+    /// Why each joint is as it is, one line a joint; empty where there is nothing to say, and in programs that are compiled to be small.
     pub reasons: Vec<String>,
 }
 
@@ -135,50 +135,64 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
     for (at, (bone, part)) in bones.iter().zip(parts(&roles, &bones)).enumerate() {
         // Only names that mean one node can be declared.
         skeleton.find(&bone.name)?;
-        let (habit, mut why) = match Region::of(roles[at]) {
-            Some(region) => of_region(region, part, &budgets),
-            None => {
-                let habit = habit(bone);
-                (*habit, habit.why.to_owned())
-            }
-        };
+        let region = Region::of(roles[at]);
+        let habit = region.map_or_else(|| *habit(bone), |region| of_region(region, part, &budgets));
         let mut joint = joint(field_name(bone, &bones, at), roles[at], &habit, bone);
         if at == 0 {
             joint.other_eye = other_eye(measurement, bone).map(|eye| eye.name.clone());
-            if let Some(ranges) = range_maps(document, bone).and_then(mapped_range) {
-                [joint.heading, joint.pitch] = ranges.map(|range| range.map(between));
-                why = "the angle to the target, as far as eyes turn; ".to_owned()
-                    + if skeleton.is_in_file(bone.node) {
-                        "`aim bake` turns the bone by the range maps of the file's lookAt from there"
-                    } else {
-                        "no node of the file: a place amid what its morph targets move, whose weights `aim bake` writes"
-                    };
-            }
-            if let Some(rest) = eyes_rest(document, measurement).filter(|_| named.is_none()) {
+        }
+        let mapped = if at == 0 { range_maps(document, bone).and_then(mapped_range) } else { None };
+        if let Some(ranges) = mapped {
+            [joint.heading, joint.pitch] = ranges.map(|range| range.map(between));
+        }
+        let names = |limbs: &Vec<usize>| limbs.iter().map(|&limb| skeleton.names()[limb].clone()).collect();
+        let held: Option<Vec<String>> =
+            limbs.iter().find(|(node, _)| *node == bone.node).map(|(_, limbs)| names(limbs));
+        joint.hold = held.clone().filter(|_| is_declared);
+        let reason = || {
+            let mut why = match region {
+                _ if mapped.is_some() => because_of_maps(skeleton.is_in_file(bone.node)),
+                Some(region) => because_of_region(region, part, &budgets),
+                None => habit.why.to_owned(),
+            };
+            if let Some(rest) = eyes_rest(document, measurement).filter(|_| at == 0 && named.is_none()) {
                 why += "; ";
                 why += rest;
             }
-        }
-        if let Some((_, limbs)) = limbs.iter().find(|(node, _)| *node == bone.node) {
-            let names: Vec<String> = limbs.iter().map(|&limb| skeleton.names()[limb].clone()).collect();
-            why += &format!("; {} hang on it", names.join(", "));
-            if is_declared {
-                why += " and are held on the trunk";
-                joint.hold = Some(names);
-            } else {
-                why += ", which `hold` cannot say, as names repeat; `aim bake` finds them and holds them on the trunk";
-            }
-        }
-        if bone.deviation_deg > CARDINAL_DEG {
-            why += &format!(
-                "; {} {} {} are {:.0} degrees off, hence the exact frame",
-                bone.up, bone.forward, bone.left, bone.deviation_deg
-            );
-        }
+            why + &because_of_limbs(held.as_deref(), is_declared) + &because_of_frame(bone)
+        };
+        // Programs that are downloaded write no declarations, and have no texts for them.
+        proposal.reasons.push(if cfg!(aim_small) { String::new() } else { reason() });
         proposal.spec.joints.push(joint);
-        proposal.reasons.push(why);
     }
     Ok(proposal)
+}
+
+fn because_of_maps(is_in_file: bool) -> String {
+    "the angle to the target, as far as eyes turn; ".to_owned()
+        + if is_in_file {
+            "`aim bake` turns the bone by the range maps of the file's lookAt from there"
+        } else {
+            "no node of the file: a place amid what its morph targets move, whose weights `aim bake` writes"
+        }
+}
+
+fn because_of_limbs(held: Option<&[String]>, is_declared: bool) -> String {
+    let Some(names) = held else { return String::new() };
+    let what = if is_declared {
+        " and are held on the trunk"
+    } else {
+        ", which `hold` cannot say, as names repeat; `aim bake` finds them and holds them on the trunk"
+    };
+    format!("; {} hang on it{what}", names.join(", "))
+}
+
+fn because_of_frame(bone: &BoneAxes) -> String {
+    if bone.deviation_deg <= CARDINAL_DEG {
+        return String::new();
+    }
+    let BoneAxes { up, forward, left, deviation_deg, .. } = bone;
+    format!("; {up} {forward} {left} are {deviation_deg:.0} degrees off, hence the exact frame")
 }
 
 /// From the outermost bone to the root: an eye, the head, all of the neck, and all of the trunk above the hips that carries no
@@ -229,7 +243,7 @@ fn inward_of(document: &Document, measurement: &Measurement, node: usize) -> Vec
 }
 
 fn says(bone: &BoneAxes, words: &[&str]) -> bool {
-    let name = bone.name.to_lowercase();
+    let name = bone.name.to_ascii_lowercase();
     name.split(|c: char| !c.is_alphabetic()).any(|word| words.contains(&word))
 }
 
@@ -244,21 +258,29 @@ fn habit(bone: &BoneAxes) -> &'static Habit {
     }
 }
 
-/// The habit of a joint that makes `part` of its region's turn, and its reason.
-fn of_region(region: Region, part: f64, budgets: &Budgets) -> (Habit, String) {
-    let whole = match region {
+fn budget_of(region: Region, budgets: &Budgets) -> &Budget {
+    match region {
         Region::Head => &budgets.head,
         Region::Chest => &budgets.chest,
-    };
-    let own = of_budget(whole, part);
+    }
+}
+
+/// The habit of a joint that makes `part` of its region's turn.
+fn of_region(region: Region, part: f64, budgets: &Budgets) -> Habit {
+    let own = of_budget(budget_of(region, budgets), part);
     let degrees = |ends: [f64; 2]| Some(ends.map(f64::to_degrees));
-    let habit = Habit {
+    Habit {
         heading: degrees(own.heading),
         pitch: degrees(own.pitch),
         rate: own.rate.to_degrees(),
         stiffness: (region.stiffness() / part * 1e2).round() / 1e2,
         why: "",
-    };
+    }
+}
+
+/// The reason of that.
+fn because_of_region(region: Region, part: f64, budgets: &Budgets) -> String {
+    let whole = budget_of(region, budgets);
     let [percent, heading, down, up] =
         [part * 100.0, whole.heading[1].to_degrees(), whole.pitch[0].to_degrees(), whole.pitch[1].to_degrees()];
     let part = if part < 1.0 {
@@ -266,12 +288,9 @@ fn of_region(region: Region, part: f64, budgets: &Budgets) -> (Habit, String) {
     } else {
         "all of the turn of".to_owned() + " " + region.name()
     };
-    (
-        habit,
-        format!(
-            "{part}, which the rig's region bounds to {heading:.0} degrees to either side, {:.0} down and {up:.0} up",
-            -down
-        ),
+    format!(
+        "{part}, which the rig's region bounds to {heading:.0} degrees to either side, {:.0} down and {up:.0} up",
+        -down
     )
 }
 
@@ -289,7 +308,7 @@ fn other_eye<'m>(measurement: &'m Measurement, eye: &BoneAxes) -> Option<&'m Bon
 fn eyes_rest(document: &Document, measurement: &Measurement) -> Option<&'static str> {
     let has = |role| measurement.with_role(role).is_some();
     let Some(look) = LookAt::of(document) else {
-        return (![Role::LeftEye, Role::RightEye].into_iter().any(has) && names_eye_morphs(document)).then_some(
+        return (![Role::LeftEye, Role::RightEye].into_iter().any(has) && document.names_morph_eyes()).then_some(
             "the file names morph targets that its eyes look by, but its meshes have none, so that the head leads",
         );
     };
@@ -301,13 +320,6 @@ fn eyes_rest(document: &Document, measurement: &Measurement) -> Option<&'static 
         LookAtKind::Bone if is_still() => Some("the file's lookAt keeps the eyes still, so that the head leads"),
         _ => None,
     }
-}
-
-/// True if a mesh names morph targets that turn eyes, as `ARKit` does: `eyeLookInLeft` and the like.
-fn names_eye_morphs(document: &Document) -> bool {
-    let meshes = document.json().get("meshes").and_then(|meshes| meshes.as_array()).into_iter().flatten();
-    let names = meshes.filter_map(|mesh| mesh.get("extras")?.get("targetNames")?.as_array()).flatten();
-    names.filter_map(|name| name.as_str()).any(|name| name.starts_with("eyeLook"))
 }
 
 /// An eye's heading and pitch in degrees by its maps (to the right, to the left, down, up): as far as a human's eye turns, or as
@@ -405,7 +417,7 @@ fn trailing_number(name: &str) -> Option<u32> {
 
 fn plain_name(bone: &str, at: usize) -> String {
     let words = bone.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
-    let words: Vec<String> = words.map(str::to_lowercase).collect();
+    let words: Vec<String> = words.map(str::to_ascii_lowercase).collect();
     let name = words.join("_");
     // Numbered, it is no keyword of any language, and no other joint's name.
     if name.starts_with(|c: char| c.is_ascii_alphabetic()) { format!("{name}_{at}") } else { format!("joint_{at}") }

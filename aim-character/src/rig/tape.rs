@@ -165,7 +165,9 @@ impl<'p> Layout<'p> {
                     planned.push(None);
                     continue;
                 }
-                Op::Call(..) | Op::Atan2(..) | Op::Pow(..) => unreachable!("no objective of a rig needs {op:?}"),
+                Op::Call(..) | Op::Atan2(..) | Op::Pow(..) => {
+                    unreachable!("no objective of a rig needs powers or functions of users")
+                }
             };
             parts.into_iter().for_each(|part| planned[part.index()] = None);
             planned.push(Some((code, operands)));

@@ -525,7 +525,7 @@ impl Graph {
     pub fn attitude_of(&self, [motion, _]: [Vector; 2]) -> Attitude {
         match self.vector_node(motion) {
             VectorNode::Motion(_, attitude) => attitude,
-            node => unreachable!("{node:?} is no motion"),
+            _ => unreachable!("a motion stays a motion"),
         }
     }
 

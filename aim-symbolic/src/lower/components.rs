@@ -207,7 +207,7 @@ impl Lowering {
                 match node {
                     RotationNode::Turn(plane, _) => self.turn(plane, sin, cos, v),
                     RotationNode::About(axis, _) => self.about(axis, sin, cos, v),
-                    _ => unreachable!("{node:?} is a turn"),
+                    _ => unreachable!("turns are all that is left"),
                 }
             }
             RotationNode::Quaternion(..) | RotationNode::Moving(_) => match self.matrices.copied(rotation) {

@@ -285,7 +285,7 @@ impl Schedule<'_> {
     /// As one would write it: the longer part first, `x x + y y + z z`.
     fn op(&self, scalar: Scalar) -> Op<Scalar> {
         let node = self.g.scalar_node(scalar);
-        let Some(op) = node.op() else { unreachable!("{node:?} is lowered before it is scheduled") };
+        let Some(op) = node.op() else { unreachable!("nodes are lowered before they are scheduled") };
         let is_sum = |s| matches!(self.g.scalar_node(s), ScalarNode::Op(Op::Add(..) | Op::Sub(..)));
         match op {
             Op::Add(a, b) if is_sum(b) && !is_sum(a) => Op::Add(b, a),

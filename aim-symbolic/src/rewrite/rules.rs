@@ -16,7 +16,7 @@ use crate::{Graph, Scalar, Vector};
 pub struct Rule {
     /// The name that derivations list it by.
     pub name: &'static str,
-    /// The reason why it holds and what it is good for, in a sentence or two.
+    /// The reason why it holds and what it is good for, in a sentence or two; empty in programs that are compiled to be small.
     pub why: &'static str,
     rewriting: Rewriting,
 }
@@ -212,7 +212,7 @@ macro_rules! rules {
         $(#[doc = $why])+
         pub const $rule: Rule = Rule {
             name: $name,
-            why: concat!($($why),+).trim_ascii_start(),
+            why: if cfg!(aim_small) { "" } else { concat!($($why),+).trim_ascii_start() },
             rewriting: Rewriting::$kind $(($rewrite))?,
         };
     )+ };

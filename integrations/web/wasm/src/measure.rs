@@ -41,7 +41,7 @@ pub fn measured(bones: &Bones, both_eyes: bool) -> Result<Found, String> {
 /// # Errors
 /// Says in a sentence what was expected.
 pub fn of_file(bones: &Bones, bytes: &[u8], both_eyes: bool) -> Result<Found, String> {
-    let document = Document::from_bytes(bytes).map_err(|error| format!("the character's file cannot be read: {error}"))?;
+    let document = Document::without_clips(bytes).map_err(|error| format!("the character's file cannot be read: {error}"))?;
     let (rig, mut known) = proposed(&document)?;
     let of_file = document.skeleton();
     // Bones have the names of the file's nodes: engines change them.

@@ -1,0 +1,148 @@
+//! Members of JSON objects as the types that are expected of them.
+
+use std::collections::BTreeMap;
+
+use serde_json::{Map, Value};
+
+use crate::error::Error;
+
+/// Something that is not as it has to be.
+pub(crate) struct Mistake {
+    /// Its place in the element, such as `.sparse.indices`.
+    place: String,
+    problem: String,
+}
+
+impl Mistake {
+    fn new(expected: &str, found: &Value) -> Self {
+        let found = match found {
+            Value::Null => "null".to_owned(),
+            Value::Bool(flag) => flag.to_string(),
+            Value::Number(number) => number.to_string(),
+            Value::String(_) => "a string".to_owned(),
+            Value::Array(_) => "an array".to_owned(),
+            Value::Object(_) => "an object".to_owned(),
+        };
+        Self { place: String::new(), problem: format!("it is {found}, expected {expected}") }
+    }
+
+    fn inside(mut self, place: &str) -> Self {
+        self.place.insert_str(0, place);
+        self
+    }
+
+    /// As an error of an element of one of the document's arrays.
+    pub(crate) fn at(self, array: &str, index: usize) -> Error {
+        Error::invalid(format!("{array}[{index}]{}", self.place), self.problem)
+    }
+}
+
+/// A part of a document that is made of JSON; members that it does not know are ignored.
+pub(crate) trait FromJson: Sized {
+    fn from_json(value: Value) -> Result<Self, Mistake>;
+}
+
+/// The members of an object, which are taken one after the other.
+pub(crate) struct Members(Map<String, Value>);
+
+impl Members {
+    pub(crate) fn of(value: Value) -> Result<Self, Mistake> {
+        match value {
+            Value::Object(members) => Ok(Self(members)),
+            other => Err(Mistake::new("an object", &other)),
+        }
+    }
+
+    /// Any JSON; `None` where there is no such member.
+    pub(crate) fn take(&mut self, key: &str) -> Option<Value> {
+        self.0.get_mut(key).map(Value::take)
+    }
+
+    /// `None` where there is no such member, or `null`.
+    pub(crate) fn optional<T: FromJson>(&mut self, key: &str) -> Result<Option<T>, Mistake> {
+        self.take(key).filter(|value| !value.is_null()).map(|value| inside(key, value)).transpose()
+    }
+
+    /// The type's default where there is no such member.
+    pub(crate) fn or_default<T: FromJson + Default>(&mut self, key: &str) -> Result<T, Mistake> {
+        self.take(key).map_or_else(|| Ok(T::default()), |value| inside(key, value))
+    }
+
+    pub(crate) fn required<T: FromJson>(&mut self, key: &str) -> Result<T, Mistake> {
+        match self.take(key) {
+            Some(value) => inside(key, value),
+            None => Err(Mistake { place: String::new(), problem: format!("its member `{key}` is missing") }),
+        }
+    }
+}
+
+fn inside<T: FromJson>(key: &str, value: Value) -> Result<T, Mistake> {
+    T::from_json(value).map_err(|mistake| mistake.inside(&format!(".{key}")))
+}
+
+impl FromJson for usize {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let whole = value.as_u64().and_then(|number| Self::try_from(number).ok());
+        whole.ok_or_else(|| Mistake::new("a whole number from 0 on", &value))
+    }
+}
+
+impl FromJson for u32 {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let whole = value.as_u64().and_then(|number| Self::try_from(number).ok());
+        whole.ok_or_else(|| Mistake::new("a whole number of 32 bits", &value))
+    }
+}
+
+impl FromJson for f64 {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        value.as_f64().ok_or_else(|| Mistake::new("a number", &value))
+    }
+}
+
+impl FromJson for bool {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        value.as_bool().ok_or_else(|| Mistake::new("true or false", &value))
+    }
+}
+
+impl FromJson for String {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        match value {
+            Value::String(text) => Ok(text),
+            other => Err(Mistake::new("a string", &other)),
+        }
+    }
+}
+
+impl<T: FromJson> FromJson for Vec<T> {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let Value::Array(values) = value else { return Err(Mistake::new("an array", &value)) };
+        let mut all = Self::with_capacity(values.len());
+        for (index, value) in values.into_iter().enumerate() {
+            all.push(T::from_json(value).map_err(|mistake| mistake.inside(&format!("[{index}]")))?);
+        }
+        Ok(all)
+    }
+}
+
+impl<const N: usize> FromJson for [f64; N] {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let numbers = Vec::<f64>::from_json(value)?;
+        let found = numbers.len();
+        let problem = || format!("it has {found} numbers, expected {N}");
+        numbers.try_into().map_err(|_| Mistake { place: String::new(), problem: problem() })
+    }
+}
+
+impl FromJson for BTreeMap<String, usize> {
+    fn from_json(value: Value) -> Result<Self, Mistake> {
+        let Members(members) = Members::of(value)?;
+        let mut all = Self::new();
+        for (key, value) in members {
+            let number = inside(&key, value)?;
+            all.insert(key, number);
+        }
+        Ok(all)
+    }
+}
