@@ -28,6 +28,9 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("cargo build --release -p aim-benches", "`.ci/run`"),
     ("AIM_RIGS=folder/with/characters cargo run ", "`.ci/run`"),
     (".ci/", "itself"),
+    ("cd integrations/web", "`.ci/web` makes the package and its examples"),
+    ("npm ", "the same"),
+    ("node build.mjs", "the same"),
 ];
 
 fn root() -> PathBuf {

@@ -188,6 +188,10 @@ class NodeSkeleton implements Skeleton {
     quaternion.copyFromFloats(from[offset + 3]!, from[offset + 4]!, from[offset + 5]!, from[offset + 6]!);
   }
 
+  key(bone: number): object | undefined {
+    return this.#nodes[bone];
+  }
+
   place(into: Float32Array, offset: number): void {
     const above = this.#isBone ? this.#root.parent : this.#root;
     const m = above?.computeWorldMatrix(true).m;

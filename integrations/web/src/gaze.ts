@@ -63,6 +63,9 @@ export interface GazeJoint {
   readonly pitch: number;
 }
 
+/** The gaze that turns a bone, by what stands for the bone in the engine. */
+const owners = new WeakMap<object, WeakRef<Gaze<never>>>();
+
 /** The numbers of a bone in the block: translation, rotation, scale. */
 const LOCAL = 10;
 /** 0.1°. */
@@ -102,6 +105,10 @@ export class Gaze<P = Point> {
   #targets: readonly WeightedTarget<P>[] = [];
   #behind = 0;
   #snaps = false;
+  /** Whether the bones are known to be this gaze's alone. */
+  #owns = false;
+  /** Frames of more than a second, one after the other. */
+  #longFrames = 0;
   #status: Status = "no_target";
   #turns = false;
   readonly #listeners: Record<GazeEvent, ((gaze: this) => void)[]> = { reached: [], lost: [], outofreach: [], turnbody: [] };
@@ -139,7 +146,8 @@ export class Gaze<P = Point> {
   }
 
   set target(target: P | null) {
-    this.targets = target === null || target === undefined ? [] : [{ target, weight: 1 }];
+    if (target === undefined) throw new GazeError("the target is undefined: was it found? Nothing to look at is `null`");
+    this.targets = target === null ? [] : [{ target, weight: 1 }];
   }
 
   /** What the character looks at, by weights. */
@@ -157,7 +165,7 @@ export class Gaze<P = Point> {
       if (typeof weight !== "number") throw new GazeError("each of several targets takes a weight of 0…1: { target, weight: 0.5 }");
       this.#locate(target, new Float32Array(3), 0);
     }
-    this.#targets = [...targets];
+    this.#targets = Object.freeze([...targets]);
   }
 
   /** What becomes of a target behind the character. */
@@ -199,8 +207,12 @@ export class Gaze<P = Point> {
    */
   update(dt: number): void {
     const character = this.#living();
-    if (typeof dt !== "number") throw new GazeError(`update takes the seconds since the last frame, not ${show(dt)}`);
+    if (typeof dt !== "number" || Number.isNaN(dt)) {
+      throw new GazeError(`update takes the seconds since the last frame, not ${show(dt)}`);
+    }
+    this.#suspect(dt);
     const skeleton = this.#skeleton;
+    if (!this.#owns) this.#own();
     const { place, settings, targets: points } = this.#at;
     skeleton.begin?.();
     const block = this.#read();
@@ -226,6 +238,18 @@ export class Gaze<P = Point> {
     this.#write(moved);
     skeleton.end?.();
     this.#tell(STATUSES[moved[this.#at.outcome]!]!);
+  }
+
+  /**
+   * Puts the bones back as they are animated, until the next {@link update}, which goes on where the last one was. To be called before a
+   * mixer starts, fades or stops actions: it takes what the bones have then for the pose without a clip.
+   */
+  restore(): void {
+    const character = this.#living();
+    this.#skeleton.begin?.();
+    this.#read();
+    character.restore();
+    this.#write(this.#numbers());
   }
 
   /** Has the next {@link update} put the character on its target at once, whatever the speeds of its joints: after a spawn or a cut. */
@@ -283,6 +307,28 @@ export class Gaze<P = Point> {
     }
   }
 
+  /** Makes the bones this gaze's, unless another one turns them: corrections of the one would be the animation of the other. */
+  #own(): void {
+    for (let at = 0; at < this.#written.length; at++) {
+      const bone = this.#bones[this.#written[at]!]!;
+      const key = this.#skeleton.key?.(bone);
+      const owner = key && owners.get(key)?.deref();
+      if (owner && (owner as unknown) !== this && owner.#character) {
+        throw new GazeError(
+          `the bone "${this.#skeleton.bones[bone]!.name}" is turned by another gaze: dispose of that one first, or give it the new target`,
+        );
+      }
+      if (key) owners.set(key, new WeakRef(this as unknown as Gaze<never>));
+    }
+    this.#owns = true;
+  }
+
+  /** Tells, once, what goes wrong most often. */
+  #suspect(dt: number): void {
+    this.#longFrames = dt > 1 ? this.#longFrames + 1 : 0;
+    if (this.#longFrames === 30) console.warn("aim-gaze: 30 frames of more than a second: `update` takes seconds, not milliseconds");
+  }
+
   #tell(status: Status): void {
     const was = this.#status;
     this.#status = status;
@@ -296,8 +342,8 @@ export class Gaze<P = Point> {
   }
 
   #dispatch(event: GazeEvent): void {
-    // A listener may take itself off.
-    for (const listener of [...this.#listeners[event]]) listener(this);
+    // A listener may take itself off, or dispose of the gaze.
+    for (const listener of [...this.#listeners[event]]) if (this.#character) listener(this);
   }
 
   #living(): RawCharacter {
@@ -319,6 +365,7 @@ export class Gaze<P = Point> {
   #broken(cause: unknown): GazeError {
     // What stopped half-way must not run again, and cannot be freed.
     this.#character = undefined;
+    this.#skeleton.dispose?.();
     return new GazeError("the gaze has failed because of a mistake in aim-gaze; attach the character again, and please report it", { cause });
   }
 }

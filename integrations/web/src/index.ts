@@ -6,7 +6,7 @@
  */
 import { GazeError } from "./error.js";
 import { Gaze, show } from "./gaze.js";
-import type { Behind, Locate, Point } from "./gaze.js";
+import type { Behind, Locate, Point, WeightedTarget } from "./gaze.js";
 import { load } from "./load.js";
 import type { Part, RawBones, RawCharacter, Engine } from "./load.js";
 import type { Skeleton } from "./skeleton.js";
@@ -17,9 +17,9 @@ export type { Behind, GazeEvent, GazeJoint, Locate, Point, Status, WeightedTarge
 export type { Bone, Skeleton } from "./skeleton.js";
 
 /** The rigs that come with the package, by the tradition that names a skeleton's bones. */
-export type Preset = "vrm" | "mixamo" | "rocketbox" | "rigify" | "unreal";
+export type Preset = "vrm" | "mixamo" | "rocketbox" | "rigify";
 
-const PRESETS: readonly Preset[] = ["vrm", "mixamo", "rocketbox", "rigify", "unreal"];
+const PRESETS: readonly Preset[] = ["vrm", "mixamo", "rocketbox", "rigify"];
 
 /**
  * Which bones turn, about which axes and how far.
@@ -37,12 +37,16 @@ export interface AttachOptions<P = Point> {
   readonly rig?: Rig;
   /** What the character looks at first. */
   readonly target?: P | null;
+  /** Several targets, by weights, instead of one. */
+  readonly targets?: readonly WeightedTarget<P>[];
   /** {@link Gaze.weight} to begin with. */
   readonly weight?: number;
   /** {@link Gaze.attention} to begin with. */
   readonly attention?: number;
   /** {@link Gaze.patience} to begin with. */
   readonly patience?: number;
+  /** {@link Gaze.tolerance} to begin with. */
+  readonly tolerance?: number;
   /** {@link Gaze.behind} to begin with. */
   readonly behind?: Behind;
   /** True (the default) if both eyes are aimed, each by itself; else the one turns as the other does. */
@@ -63,6 +67,7 @@ export interface CoreOptions<P> extends AttachOptions<P> {
  * @throws {@link GazeError} if the rig does not fit the skeleton, or a part of the package cannot be loaded
  */
 export async function attach<P = Point>(skeleton: Skeleton, options: CoreOptions<P> = {}): Promise<Gaze<P>> {
+  if (typeof options !== "object" || options === null) throw new GazeError(`the options of attach are an object, not ${show(options)}`);
   const isSkeleton = Array.isArray(skeleton?.bones) && [skeleton.read, skeleton.write, skeleton.place].every((way) => typeof way === "function");
   if (!isSkeleton) {
     throw new GazeError(
@@ -71,16 +76,20 @@ export async function attach<P = Point>(skeleton: Skeleton, options: CoreOptions
     );
   }
   if (skeleton.bones.length === 0) throw new GazeError("the character has no bones: attach it when it is loaded");
-  const { rig = "measure", target = null, weight, attention, patience, behind } = options;
+  const unknown = Object.keys(options).find((name) => !(OPTIONS as readonly string[]).includes(name));
+  if (unknown !== undefined) throw new GazeError(`attach has no option "${unknown}": there are ${OPTIONS.join(", ")}`);
+  const { rig = "measure", target, targets, weight, attention, patience, tolerance, behind } = options;
   const [part, make] = way(rig, options.bothEyes ?? true);
   const engine = await load(part);
   const character = made(engine, skeleton, options.trunk, make);
   const gaze = new Gaze<P>(engine, character, skeleton, options.locate ?? (locatePoint as Locate<unknown> as Locate<P>));
   try {
-    gaze.target = target;
+    if ("target" in options) gaze.target = target as P | null;
+    if (targets !== undefined) gaze.targets = targets;
     if (weight !== undefined) gaze.weight = weight;
     if (attention !== undefined) gaze.attention = attention;
     if (patience !== undefined) gaze.patience = patience;
+    if (tolerance !== undefined) gaze.tolerance = tolerance;
     if (behind !== undefined) gaze.behind = behind;
   } catch (error) {
     character.free();
@@ -88,6 +97,20 @@ export async function attach<P = Point>(skeleton: Skeleton, options: CoreOptions
   }
   return gaze;
 }
+
+const OPTIONS = [
+  "rig",
+  "target",
+  "targets",
+  "weight",
+  "attention",
+  "patience",
+  "tolerance",
+  "behind",
+  "bothEyes",
+  "locate",
+  "trunk",
+] as const satisfies readonly (keyof CoreOptions<unknown>)[];
 
 type Make = (engine: Engine, bones: RawBones) => RawCharacter;
 
@@ -105,6 +128,7 @@ function way(rig: Rig, bothEyes: boolean): [Part, Make] {
     }
     if ("toml" in rig && typeof rig.toml === "string") {
       const { toml, file = "rig.toml" } = rig;
+      if (typeof file !== "string") throw new GazeError(`\`file\` is the name of the rig file, a text, not ${show(file)}`);
       return ["declare", ({ Character }, bones) => Character.declared(bones, file, toml, bothEyes)];
     }
   }
@@ -137,7 +161,16 @@ function made(engine: Engine, skeleton: Skeleton, trunk: number | undefined, mak
   } catch (error) {
     throw failed(error);
   } finally {
+    free(bones);
+  }
+}
+
+/** Lets go of bones, unless a mistake still holds them. */
+function free(bones: RawBones): void {
+  try {
     bones.free();
+  } catch {
+    // What failed is told already.
   }
 }
 

@@ -88,14 +88,20 @@ async function start(part: Part): Promise<Engine> {
     const { Bones, Character, layout, liveBytes } = module;
     engine = { memory, Bones, Character, layout, liveBytes };
   } catch (error) {
-    throw new GazeError(
-      `the file ${bytes.href} could not be loaded (${error instanceof Error ? error.message : String(error)}): serve it where your ` +
-        `bundle expects it, or import "aim-gaze/inline${part === "presets" ? "" : `-${part}`}" first`,
-      { cause: error },
-    );
+    throw new GazeError(advice(part, bytes, error), { cause: error });
   }
   loaded.set(part, engine);
   return engine;
+}
+
+/** What to do about a part that cannot be loaded. */
+function advice(part: Part, { href }: URL, error: unknown): string {
+  const why = error instanceof Error ? error.message : String(error);
+  const inline = `import "aim-gaze/inline${part === "presets" ? "" : `-${part}`}"`;
+  const cure = href.includes("/.vite/")
+    ? `Vite before 8 leaves it out of its cache: set optimizeDeps: { exclude: ["aim-gaze"] } in vite.config.js, or ${inline} first`
+    : `serve the package's folder dist/wasm at ${href.slice(0, href.lastIndexOf("/") + 1)}, or ${inline} in the same bundle`;
+  return `the part "${part}" of aim-gaze could not be loaded from ${href} (${why}): ${cure}`;
 }
 
 /** The bytes where they are at hand; else where to fetch them. */

@@ -80,17 +80,22 @@ export function useGaze(source: Source | null | undefined, options: GazeOptions 
   }, [source, rig, options.bothEyes]);
 
   const gaze = attached && attached.source === source ? attached.gaze : null;
-  const { target, weight, attention } = options;
+  const { target, targets, weight, attention, patience, tolerance, behind } = options;
   // Where an option changes, and at first: they may have changed since attaching began.
   useEffect(() => {
     if (running.current && running.current === gaze && target !== undefined) gaze.target = pointOf(target);
   }, [gaze, target]);
   useEffect(() => {
-    if (running.current && running.current === gaze && weight !== undefined) gaze.weight = weight;
-  }, [gaze, weight]);
+    if (running.current && running.current === gaze && targets !== undefined) gaze.targets = targets;
+  }, [gaze, targets]);
   useEffect(() => {
-    if (running.current && running.current === gaze && attention !== undefined) gaze.attention = attention;
-  }, [gaze, attention]);
+    if (!running.current || running.current !== gaze) return;
+    if (weight !== undefined) gaze.weight = weight;
+    if (attention !== undefined) gaze.attention = attention;
+    if (patience !== undefined) gaze.patience = patience;
+    if (tolerance !== undefined) gaze.tolerance = tolerance;
+    if (behind !== undefined) gaze.behind = behind;
+  }, [gaze, weight, attention, patience, tolerance, behind]);
 
   useFrame((_, delta) => {
     const { current } = running;

@@ -13,6 +13,8 @@ export interface Skeleton {
   write(bone: number, from: Float32Array, offset: number): void;
   /** The world matrix in this frame, sixteen numbers, column by column, of what the root bones hang on. */
   place(into: Float32Array, offset: number): void;
+  /** What stands for a bone in the engine: by it two gazes on one bone are told of. */
+  key?(bone: number): object | undefined;
   /** Called when a frame begins, before anything is read. */
   begin?(): void;
   /** Called when a frame ends, after everything is written. */

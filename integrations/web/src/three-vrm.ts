@@ -172,6 +172,10 @@ class VrmSkeleton implements Skeleton {
     eye?.write(from, offset);
   }
 
+  key(bone: number): object | undefined {
+    return this.#nodes[bone];
+  }
+
   place(into: Float32Array, offset: number): void {
     const root = this.#root;
     root.updateWorldMatrix(true, false);

@@ -31,9 +31,17 @@ export async function attach(source: Loaded | Object3D, options: AttachOptions<T
   return attachSkeleton<Target>(new ObjectSkeleton(root, parser), { ...options, locate });
 }
 
+interface MaybeVrm {
+  readonly humanoid?: unknown;
+  readonly userData?: { readonly vrm?: { readonly humanoid?: { readonly autoUpdateHumanBones?: boolean } } };
+}
+
 function rootOf(source: unknown): { root: Object3D; parser?: Loaded["parser"] } {
-  const { scene, parser, humanoid } = (source ?? {}) as Partial<Loaded> & { humanoid?: unknown };
+  const { scene, parser, humanoid, userData } = (source ?? {}) as Partial<Loaded> & MaybeVrm;
   if (humanoid) throw new GazeError('this is a VRM: import attach from "aim-gaze/three-vrm"');
+  if (userData?.vrm?.humanoid?.autoUpdateHumanBones) {
+    throw new GazeError('this is the glTF of a VRM, whose `vrm.update` sets these bones: give `gltf.userData.vrm` to attach of "aim-gaze/three-vrm"');
+  }
   if (isObject3D(source)) return { root: source };
   if (isObject3D(scene)) return { root: scene, parser };
   throw new GazeError(`attach takes what GLTFLoader has loaded, or an Object3D with bones below it, not ${show(source)}`);
@@ -77,8 +85,7 @@ class ObjectSkeleton implements Skeleton {
       const inverseBind = inverseBinds.get(node);
       const number = parser?.associations.get(node)?.nodes;
       bones.push({
-        // The loader keeps the file's name there, where it has had to change it.
-        name: typeof node.userData["name"] === "string" ? node.userData["name"] : node.name,
+        name: nameOf(node),
         parent,
         ...(inverseBind && { inverseBind }),
         ...(number !== undefined && { node: number }),
@@ -115,11 +122,21 @@ class ObjectSkeleton implements Skeleton {
     if (!node.matrixAutoUpdate) node.updateMatrix();
   }
 
+  key(bone: number): object {
+    return this.#nodes[bone]!;
+  }
+
   place(into: Float32Array, offset: number): void {
     this.#root.updateWorldMatrix(true, false);
     const { elements } = this.#root.matrixWorld;
     for (let at = 0; at < 16; at++) into[offset + at] = elements[at]!;
   }
+}
+
+/** The name in the file, which loaders of glTF and FBX keep where they have had to change it. */
+function nameOf({ name, userData }: Object3D): string {
+  const kept: unknown = userData["name"] ?? userData["originalName"];
+  return typeof kept === "string" ? kept : name;
 }
 
 /** For the bones of skins what leads from the space in which their mesh was bound to their own. */

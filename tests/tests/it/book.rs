@@ -218,7 +218,10 @@ fn every_block_of_rust_is_run_or_included_from_a_program() {
                 "js" if chapter == "web.md" => {
                     let package = read("integrations/web/README.md");
                     let mut lines = text.lines().filter(|line| !line.is_empty() && !line.starts_with("//"));
-                    assert!(lines.all(|line| package.contains(line)), "{chapter}: not in the package's README:\n{text}");
+                    assert!(
+                        lines.all(|line| package.contains(line)),
+                        "{chapter}: not in the package's README:\n{text}"
+                    );
                 }
                 "toml" | "sh" | "console" | "text" => {}
                 other => panic!("{chapter}: a block of {other}"),

@@ -119,14 +119,17 @@ impl Character {
         let _ = chain.skeleton().to_model(&self.aimed, &mut self.model);
         self.frame.place = affine(&self.block[layout::PLACE..layout::SETTINGS]).unwrap_or(Affine3A::IDENTITY);
         let _ = chain.gather(&mut self.frame, &mut self.aimed, &mut self.model);
-        let targets = Targets::Weighted(&self.targets);
+        // Of several those that are no place are left out; if all are, there is nothing to aim at, and the angles hold.
+        let targets = match self.targets.first() {
+            Some(first) if !self.targets.iter().any(|target| target.point.is_finite()) => Targets::Point(first.point),
+            _ => Targets::Weighted(&self.targets),
+        };
         let pose = self.frame.pose();
         let outcome = match snap && !self.targets.is_empty() {
             true => self.aim.snap(&pose, targets, &settings),
             false => self.aim.aim(&pose, targets, dt, &settings),
         };
-        let corrections =
-            Corrections { joints: self.aim.corrections(), other_eye: self.aim.other_eye_correction() };
+        let corrections = Corrections { joints: self.aim.corrections(), other_eye: self.aim.other_eye_correction() };
         let _ = chain.apply(&self.frame, corrections, &mut self.aimed, &mut self.model);
         for (memory, &bone) in self.memory.iter_mut().zip(&self.written) {
             *memory = [self.animated[bone], self.aimed[bone]];
@@ -149,14 +152,13 @@ impl Character {
         }
     }
 
-    /// Takes the corrections off the bones of the block that still have them, and forgets all angles.
+    /// Takes the corrections off the bones of the block that still have them; the next frame goes on where the last one was.
     pub fn restore(&mut self) {
         self.read();
         for (memory, &bone) in self.memory.iter_mut().zip(&self.written) {
             *memory = [self.animated[bone]; 2];
             write(&mut self.block, bone, &self.animated[bone]);
         }
-        self.aim.reset();
     }
 
     /// Reads the bones as they are animated: what still is as it was written has been left alone since, so that corrections do not
@@ -186,7 +188,8 @@ impl Character {
             .with_patience(patience)
             .with_tolerance(tolerance)
             .with_behind(chosen(behind).map_or(Behind::Clip, |at| behinds[at]));
-        settings.solver = chosen(solver).and_then(|at| [None, Some(Solver::Natural), Some(Solver::Exact)].get(at).copied()?);
+        settings.solver =
+            chosen(solver).and_then(|at| [None, Some(Solver::Natural), Some(Solver::Exact)].get(at).copied()?);
         settings
     }
 

@@ -17,7 +17,9 @@ pub fn live_bytes() -> usize {
 /// Where things are in a character's block: place, settings, outcome, targets, the number of targets at most, bones.
 #[wasm_bindgen]
 pub fn layout() -> Vec<u32> {
-    [layout::PLACE, layout::SETTINGS, layout::OUTCOME, layout::TARGETS, layout::MOST_TARGETS, layout::BONES].map(number).to_vec()
+    [layout::PLACE, layout::SETTINGS, layout::OUTCOME, layout::TARGETS, layout::MOST_TARGETS, layout::BONES]
+        .map(number)
+        .to_vec()
 }
 
 /// The bones of a character, as they are handed over one by one.

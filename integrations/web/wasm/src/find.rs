@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use aim::Rig;
 use aim::animation::{AimChain, AimChainError, Skeleton};
 use aim::glam::{Affine3A, Vec3};
-use aim::Rig;
 
 use crate::Bones;
 
@@ -41,9 +41,11 @@ pub(crate) fn by_name(
     known: Known,
     both_eyes: bool,
 ) -> Result<Found, String> {
+    fits(rig.description().joints().len())?;
     let told = |error: AimChainError| said(&error, rig.as_ref(), skeleton);
     let mut chain = AimChain::named(skeleton, rig.as_ref()).map_err(told)?;
-    let other_eye = rig.other_eye_bone().and_then(|name| skeleton.find(name).or_else(|| beside(skeleton, chain.joints()[0])));
+    let other_eye =
+        rig.other_eye_bone().and_then(|name| skeleton.find(name).or_else(|| beside(skeleton, chain.joints()[0])));
     if let Some(eye) = other_eye {
         chain = if both_eyes { chain.with_other_eye(eye) } else { chain.with_following_eye(eye) }.map_err(told)?;
     }
@@ -60,6 +62,19 @@ pub(crate) fn by_name(
     let bones = kept.into_iter().filter_map(|bone| skeleton.source_of(bone)).collect();
     Ok(Found { rig, chain, bones })
 }
+
+/// Whether the solvers have room for so many joints.
+pub(crate) fn fits(joints: usize) -> Result<(), String> {
+    if joints <= MOST_JOINTS {
+        return Ok(());
+    }
+    Err(format!(
+        "the rig has {joints} joints, and a gaze {MOST_JOINTS} at most: leave out some of the spine's or the neck's"
+    ))
+}
+
+/// Joints of a rig at most.
+pub(crate) const MOST_JOINTS: usize = 16;
 
 /// The bone of the right eye beside that of the left one, for rigs that know several names of the left and one of the right.
 fn beside(skeleton: &Skeleton, left: usize) -> Option<usize> {
@@ -81,8 +96,8 @@ fn said(error: &AimChainError, rig: &dyn Rig, skeleton: &Skeleton) -> String {
             let more = if skeleton.len() > MOST_NAMES { ", …" } else { "" };
             let wanted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
             format!(
-                "no bone, or more than one, is called {} for the rig's joint \"{}\"; the character's bones are {}{more}. \
-                 Choose the preset that fits, or rig: \"measure\"",
+                "no bone, or more than one, is called {} for the rig's joint \"{}\": choose the preset that fits, or rig: \
+                 \"measure\", which also takes characters without eyes. The character's bones are {}{more}",
                 wanted.join(" or "),
                 joint_name(*joint),
                 known.join(", ")
@@ -94,9 +109,13 @@ fn said(error: &AimChainError, rig: &dyn Rig, skeleton: &Skeleton) -> String {
             joint_name(joint.saturating_sub(1)),
             joint_name(*joint)
         ),
-        AimChainError::Held => "a bone that the rig holds does not hang on its joint, or is a joint itself: mend `hold` in the rig"
-            .to_owned(),
-        AimChainError::OtherEye => "the rig's other eye is one of its joints: name the eye beside it as `other_eye`".to_owned(),
+        AimChainError::Held => {
+            "a bone that the rig holds does not hang on its joint, or is a joint itself: mend `hold` in the rig"
+                .to_owned()
+        }
+        AimChainError::OtherEye => {
+            "the rig's other eye is one of its joints: name the eye beside it as `other_eye`".to_owned()
+        }
         AimChainError::Trunk => "there is no bone of the trunk's number: give the index of one of the bones".to_owned(),
         _ => "the rig does not fit the skeleton: choose the preset that fits, or rig: \"measure\"".to_owned(),
     }

@@ -9,7 +9,7 @@ use aim::glam::Affine3A;
 use aim_character::{Error, InterpretedRig, Measurement, Role, propose};
 use aim_gltf::Document;
 
-use crate::find::{Known, by_name};
+use crate::find::{Known, MOST_JOINTS, by_name};
 use crate::{Bones, Found};
 
 /// A rig that is measured from the bones: their names, how they stand at rest, and their bind matrices.
@@ -41,11 +41,13 @@ pub fn measured(bones: &Bones, both_eyes: bool) -> Result<Found, String> {
 /// # Errors
 /// Says in a sentence what was expected.
 pub fn of_file(bones: &Bones, bytes: &[u8], both_eyes: bool) -> Result<Found, String> {
-    let document = Document::without_clips(bytes).map_err(|error| format!("the character's file cannot be read: {error}"))?;
+    let document =
+        Document::without_clips(bytes).map_err(|error| format!("the character's file cannot be read: {error}"))?;
     let (rig, mut known) = proposed(&document)?;
     let of_file = document.skeleton();
     // Bones have the names of the file's nodes: engines change them.
-    let by_node: BTreeMap<usize, usize> = (0..of_file.len()).filter_map(|at| Some((of_file.source_of(at)?, at))).collect();
+    let by_node: BTreeMap<usize, usize> =
+        (0..of_file.len()).filter_map(|at| Some((of_file.source_of(at)?, at))).collect();
     let node_of = |bone: usize| match bones.nodes[bone] {
         Some(node) => by_node.get(&node).copied(),
         None => of_file.find(&bones.bones[bone].name).ok(),
@@ -74,17 +76,24 @@ pub fn of_file(bones: &Bones, bytes: &[u8], both_eyes: bool) -> Result<Found, St
 /// The rig that is proposed for a character, with what else is measured; bones are numbered as in the document's skeleton.
 fn proposed(document: &Document) -> Result<(Arc<dyn Rig>, Known), String> {
     let measurement = Measurement::of(document);
-    let proposal = propose(document, &measurement, None).map_err(|error| match error {
+    let told = |error| match error {
         Error::Model(error) => format!("several bones share a name that the measured rig needs: {error}"),
         Error::NoChain => "no bone has the name of an eye, a head or a neck, and no shape tells one: give a rig as \
                            { toml: \"…\" }, which names the bones"
             .to_owned(),
         other => other.to_string(),
-    })?;
+    };
+    let mut spec = propose(document, &measurement, None).map_err(told)?.spec;
+    if spec.joints.len() > MOST_JOINTS {
+        // Long necks and spines: what is nearest to the eyes.
+        let names: Vec<String> =
+            spec.joints.iter().take(MOST_JOINTS).filter_map(|joint| joint.bones.first().cloned()).collect();
+        spec = propose(document, &measurement, Some(&names)).map_err(told)?.spec;
+    }
     let known = Known {
         up: Some(measurement.up.as_vec3()),
         trunk: measurement.with_role(Role::Hips).map(|bone| bone.node),
         bind: measurement.bind_world.iter().map(|place| place.as_affine3a()).collect(),
     };
-    Ok((Arc::new(InterpretedRig::new(&proposal.spec)), known))
+    Ok((Arc::new(InterpretedRig::new(&spec)), known))
 }

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use aim::rigs::{Mixamo, Rigify, Rocketbox, UnrealMannequin, Vrm};
+use aim::glam::{Vec3, Vec3A};
+use aim::rigs::{Mixamo, Rigify, Rocketbox, Vrm};
 use aim::{AimRig, Rig};
 
 use crate::find::{Known, by_name};
@@ -22,12 +23,36 @@ pub fn preset(bones: &Bones, name: &str, both_eyes: bool) -> Result<Found, Strin
         "mixamo" => of::<Mixamo>(),
         "rocketbox" => of::<Rocketbox>(),
         "rigify" => of::<Rigify>(),
-        "unreal" => of::<UnrealMannequin>(),
         _ => {
             return Err(format!(
-                "there is no preset \"{name}\": give \"vrm\", \"mixamo\", \"rocketbox\", \"rigify\", \"unreal\", or \"measure\""
+                "there is no preset \"{name}\": give \"vrm\", \"mixamo\", \"rocketbox\", \"rigify\", or \"measure\""
             ));
         }
     };
-    by_name(bones, &bones.skeleton()?, rig, Known::default(), both_eyes)
+    let found = by_name(bones, &bones.skeleton()?, rig, Known::default(), both_eyes)?;
+    if stands(&found) {
+        return Ok(found);
+    }
+    Err(format!(
+        "the bones have the names of the preset \"{name}\", and other axes: at rest they do not face one way with their ups up. \
+         Take rig: \"measure\""
+    ))
+}
+
+/// Whether the bones' declared ups are up in the rest pose, and their forwards agree, each within 60°.
+fn stands(found: &Found) -> bool {
+    let (skeleton, description) = (found.chain.skeleton(), found.rig.description());
+    let mut model = vec![aim::glam::Affine3A::IDENTITY; skeleton.len()];
+    // Of equal lengths.
+    let _ = skeleton.to_model(skeleton.rest(), &mut model);
+    let axes = |joint: usize| {
+        let turn = model[found.chain.joints()[joint]].matrix3;
+        let axes = description.joints()[joint].axes();
+        [axes.up, axes.forward].map(|axis| (turn * Vec3A::from(Vec3::from(axis))).normalize_or_zero())
+    };
+    let ahead = axes(0)[1];
+    (0..description.joints().len()).all(|joint| {
+        let [up, forward] = axes(joint);
+        up.y > 0.5 && forward.dot(ahead) > 0.5
+    })
 }

@@ -60,15 +60,12 @@ mod record {
     pub(crate) fn cases() -> Result<String, Box<dyn Error>> {
         let eyes = [("left_eye", "leftEye"), ("right_eye", "rightEye"), ("spine3", "upperChest")];
         let mixamo = [("left_eye", "LeftEye"), ("right_eye", "RightEye"), ("neck", "Neck"), ("spine3", "Spine2")];
-        let unreal = [("left_eye", "eye_l"), ("right_eye", "eye_r"), ("neck", "neck_01"), ("spine3", "spine_03")];
-        let (vrm, mixamo, unreal) =
-            (Walker::new(UPRIGHT, &eyes)?, Walker::new(UPRIGHT, &mixamo)?, Walker::new(PAPER_AXES, &unreal)?);
+        let (vrm, mixamo) = (Walker::new(UPRIGHT, &eyes)?, Walker::new(UPRIGHT, &mixamo)?);
         let plain = Walker::new(PAPER_AXES, &[])?;
         let cases = [
             case("vrm", "\"vrm\"", true, &vrm, &preset(&vrm.bones(), "vrm", true)?)?,
             case("vrm, one eye follows", "\"vrm\"", false, &vrm, &preset(&vrm.bones(), "vrm", false)?)?,
             case("mixamo", "\"mixamo\"", true, &mixamo, &preset(&mixamo.bones(), "mixamo", true)?)?,
-            case("unreal", "\"unreal\"", true, &unreal, &preset(&unreal.bones(), "unreal", true)?)?,
             case("measured", "\"measure\"", true, &plain, &measured(&plain.bones(), true)?)?,
             case("measured from its file", "\"file\"", true, &plain, &of_file(&plain.bones(), &plain.file, true)?)?,
             case("declared", "\"toml\"", true, &plain, &declared(&plain.bones(), "rig.toml", MANNEQUIN_RIG, true)?)?,
@@ -107,7 +104,22 @@ mod record {
             // A character that turns, with a mirror in the third of its four places.
             let sign = if frame / 150 == 2 { -1.0 } else { 1.0 };
             block[layout::PLACE..][..16].copy_from_slice(&[
-                0.6 * sign, 0.0, -0.8 * sign, 0.0, 0.0, 1.0, 0.0, 0.0, 0.8, 0.0, 0.6, 0.0, 0.25, 0.5, -0.125, 1.0,
+                0.6 * sign,
+                0.0,
+                -0.8 * sign,
+                0.0,
+                0.0,
+                1.0,
+                0.0,
+                0.0,
+                0.8,
+                0.0,
+                0.6,
+                0.0,
+                0.25,
+                0.5,
+                -0.125,
+                1.0,
             ]);
             block[layout::SETTINGS..][..6].copy_from_slice(&settings);
             let points = [target[0], target[1], target[2], 0.75, -target[0], 1.5, target[2], 0.25];

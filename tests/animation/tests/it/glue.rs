@@ -414,7 +414,11 @@ fn reduced_to_the_fewest_bones() {
         let [all_poses, few_poses] = [aimed(&mut character, &whole), aimed(&mut few, &reduced)];
         assert_eq!(all_poses.pose(), few_poses.pose(), "{name}");
         for (at, &bone) in bones.iter().enumerate() {
-            assert_eq!((few.local[at], few.model[at]), (character.local[bone], character.model[bone]), "{name}: {bone}");
+            assert_eq!(
+                (few.local[at], few.model[at]),
+                (character.local[bone], character.model[bone]),
+                "{name}: {bone}"
+            );
         }
     }
 }
