@@ -71,8 +71,10 @@ async function compile(part, flags) {
 /** Writes the WebAssembly of all parts, with its JavaScript. */
 async function assemble(wasm) {
   mkdirSync(wasm, { recursive: true });
-  // And what records what the tests compare with.
-  run(cargo, ["build", "--quiet", "--package", "aim-gaze-wasm", "--bins", "--features", "bindgen"], { CARGO_TARGET_DIR: target });
+  // Beside `aim-features` libraries are built as for the workspace's tests, once for both. The tests compare with what `record` says.
+  const native = ["build", "--quiet", "--package", "aim-gaze-wasm", "--package", "aim-features", "--bin"];
+  run(cargo, [...native, "record"], { CARGO_TARGET_DIR: target });
+  run(cargo, [...native, "aim-gaze-wasm", "--no-default-features", "--features", "aim-gaze-wasm/bindgen"], { CARGO_TARGET_DIR: target });
   const done = [];
   for (const [part, flags] of Object.entries(PARTS)) {
     const module = await compile(part, flags);
