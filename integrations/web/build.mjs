@@ -74,7 +74,8 @@ async function assemble(wasm) {
   // Beside `aim-features` libraries are built as for the workspace's tests, once for both. The tests compare with what `record` says.
   const native = ["build", "--quiet", "--package", "aim-gaze-wasm", "--package", "aim-features", "--bin"];
   run(cargo, [...native, "record"], { CARGO_TARGET_DIR: target });
-  run(cargo, [...native, "aim-gaze-wasm", "--no-default-features", "--features", "aim-gaze-wasm/bindgen"], { CARGO_TARGET_DIR: target });
+  const features = "aim-gaze-wasm/bindgen,aim-gaze-wasm/presets";
+  run(cargo, [...native, "aim-gaze-wasm", "--no-default-features", "--features", features], { CARGO_TARGET_DIR: target });
   const done = [];
   for (const [part, flags] of Object.entries(PARTS)) {
     const module = await compile(part, flags);

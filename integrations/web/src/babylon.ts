@@ -12,7 +12,8 @@ import type { Node } from "@babylonjs/core/node.js";
 
 import { attach as attachSkeleton, GazeError } from "./index.js";
 import type { AttachOptions, Bone, Gaze, Skeleton } from "./index.js";
-import { show } from "./gaze.js";
+import { show, writePoint } from "./gaze.js";
+import { LOCAL } from "./skeleton.js";
 
 /** What a character of Babylon.js looks at: a node (a mesh, a camera, …), or a point in the world that may move. */
 export type Target = TransformNode | Camera | Vector3;
@@ -60,13 +61,7 @@ function locate(target: Target, into: Float32Array, offset: number): void {
     into[offset + 2] = m[14]!;
     return;
   }
-  const { x, y, z } = (target ?? {}) as Partial<Vector3>;
-  if (typeof x !== "number" || typeof y !== "number" || typeof z !== "number") {
-    throw new GazeError(`a target is a TransformNode, a mesh, a camera, or a Vector3 in the world, not ${show(target)}`);
-  }
-  into[offset] = x;
-  into[offset + 1] = y;
-  into[offset + 2] = z;
+  writePoint(target, "a TransformNode, a mesh, a camera, or a Vector3", into, offset);
 }
 
 function isNode(thing: unknown): thing is TransformNode | Camera {
@@ -199,9 +194,6 @@ class NodeSkeleton implements Skeleton {
     for (let at = 0; at < 16; at++) into[offset + at] = m ? m[at]! : at % 5 === 0 ? 1 : 0;
   }
 }
-
-/** The numbers of a bone: translation, rotation, scale. */
-const LOCAL = 10;
 
 function readNode({ position, rotation, rotationQuaternion, scaling }: TransformNode, into: Float32Array, offset: number): void {
   into[offset] = position.x;

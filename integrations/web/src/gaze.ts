@@ -1,5 +1,6 @@
 import { GazeError } from "./error.js";
 import type { Engine, RawCharacter } from "./load.js";
+import { LOCAL } from "./skeleton.js";
 import type { Skeleton } from "./skeleton.js";
 
 /** A point in the world. */
@@ -66,8 +67,6 @@ export interface GazeJoint {
 /** The gaze that turns a bone, by what stands for the bone in the engine. */
 const owners = new WeakMap<object, WeakRef<Gaze<never>>>();
 
-/** The numbers of a bone in the block: translation, rotation, scale. */
-const LOCAL = 10;
 /** 0.1°. */
 const TOLERANCE = 0.1 * (Math.PI / 180);
 
@@ -374,6 +373,17 @@ type Six = readonly [number, number, number, number, number, number];
 
 function isOutOfReach(status: Status): boolean {
   return status === "at_limit" || status === "behind";
+}
+
+/** Writes the coordinates of a point into `into`; where it is none, throws that a target is `expected`. */
+export function writePoint(point: unknown, expected: string, into: Float32Array, offset: number): void {
+  const { x, y, z } = (point ?? {}) as Partial<Point>;
+  if (typeof x !== "number" || typeof y !== "number" || typeof z !== "number") {
+    throw new GazeError(`a target is ${expected} in the world, not ${show(point)}`);
+  }
+  into[offset] = x;
+  into[offset + 1] = y;
+  into[offset + 2] = z;
 }
 
 /** Words for a list, in a message. */

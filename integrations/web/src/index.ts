@@ -5,10 +5,11 @@
  * @module
  */
 import { GazeError } from "./error.js";
-import { Gaze, show } from "./gaze.js";
+import { Gaze, quoted, show, writePoint } from "./gaze.js";
 import type { Behind, Locate, Point, WeightedTarget } from "./gaze.js";
 import { load } from "./load.js";
 import type { Part, RawBones, RawCharacter, Engine } from "./load.js";
+import { LOCAL } from "./skeleton.js";
 import type { Skeleton } from "./skeleton.js";
 
 export { GazeError } from "./error.js";
@@ -136,11 +137,10 @@ function way(rig: Rig, bothEyes: boolean): [Part, Make] {
 }
 
 function unknownRig(rig: unknown): GazeError {
-  const presets = PRESETS.map((preset) => `"${preset}"`).join(", ");
-  return new GazeError(`\`rig\` is one of ${presets}, "measure", { glb: the file's bytes } or { toml: the rig file's text }, not ${show(rig)}`);
+  return new GazeError(`\`rig\` is one of ${quoted(PRESETS)}, "measure", { glb: the file's bytes } or { toml: the rig file's text }, not ${show(rig)}`);
 }
 
-const REST = new Float32Array(10);
+const REST = new Float32Array(LOCAL);
 
 function made(engine: Engine, skeleton: Skeleton, trunk: number | undefined, make: Make): RawCharacter {
   const bones = new engine.Bones();
@@ -150,7 +150,7 @@ function made(engine: Engine, skeleton: Skeleton, trunk: number | undefined, mak
       if (typeof name !== "string" || !Number.isInteger(parent)) {
         throw new GazeError(`bone ${index} of the skeleton has to be { name, parent }, a text and the index of a bone or -1, not ${show(bone)}`);
       }
-      if (rest) REST.set(numbers(rest, 10, "rest", name));
+      if (rest) REST.set(numbers(rest, LOCAL, "rest", name));
       else skeleton.read(index, REST, 0);
       bones.add(name, parent, REST);
       if (inverseBind) bones.bind(Float32Array.from(numbers(inverseBind, 16, "inverseBind", name)));
@@ -189,11 +189,5 @@ function numbers(given: ArrayLike<number>, count: number, what: string, bone: st
 }
 
 function locatePoint(target: Point, into: Float32Array, offset: number): void {
-  const { x, y, z } = (target ?? {}) as Partial<Point>;
-  if (typeof x !== "number" || typeof y !== "number" || typeof z !== "number") {
-    throw new GazeError(`a target is a point { x, y, z } in the world, not ${show(target)}`);
-  }
-  into[offset] = x;
-  into[offset + 1] = y;
-  into[offset + 2] = z;
+  writePoint(target, "a point { x, y, z }", into, offset);
 }

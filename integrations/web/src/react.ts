@@ -7,14 +7,13 @@ import { useFrame } from "@react-three/fiber";
 import { useEffect, useRef, useState } from "react";
 import type { RefObject } from "react";
 import type { VRMCore } from "@pixiv/three-vrm";
-import type { Object3D, Vector3 } from "three";
 
 import type { AttachOptions, Gaze } from "./index.js";
 import { attach as attachObject } from "./three.js";
+import type { Target } from "./three.js";
 import { attach as attachVrm } from "./three-vrm.js";
 
-/** What a character looks at: an object, or a point in the world that may move. */
-export type Target = Object3D | Vector3;
+export type { Target } from "./three.js";
 
 /** What can be attached: an object of three.js, a glTF as `useGLTF` or `useLoader` gives it, or a VRM. */
 export type Source = Parameters<typeof attachObject>[0] | VRMCore;

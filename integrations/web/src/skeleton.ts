@@ -1,3 +1,6 @@
+/** The numbers of a local transform: translation, rotation, scale. */
+export const LOCAL = 10;
+
 /**
  * A skeleton as an engine holds it: what adapters make.
  */

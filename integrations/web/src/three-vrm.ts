@@ -7,17 +7,17 @@
  * @module
  */
 import type { VRMCore } from "@pixiv/three-vrm";
-import type { Object3D, Vector3 } from "three";
+import type { Object3D } from "three";
 
 import { attach as attachSkeleton, GazeError } from "./index.js";
 import type { AttachOptions, Bone, Gaze, Skeleton } from "./index.js";
 import { show } from "./gaze.js";
 import { locate } from "./three.js";
+import type { Target } from "./three.js";
 import { ExpressedEye, LOOKS, MappedEye } from "./vrm-eyes.js";
 import type { Eye, RangeMaps } from "./vrm-eyes.js";
 
-/** What a character of three.js looks at: an object, or a point in the world that may move. */
-export type Target = Object3D | Vector3;
+export type { Target } from "./three.js";
 
 /**
  * Makes a VRM avatar, version 0 or 1, look at targets.

@@ -9,7 +9,7 @@ import type { Object3D, SkinnedMesh, Vector3 } from "three";
 
 import { attach as attachSkeleton, GazeError } from "./index.js";
 import type { AttachOptions, Bone, Gaze, Skeleton } from "./index.js";
-import { show } from "./gaze.js";
+import { show, writePoint } from "./gaze.js";
 
 /** What a character of three.js looks at: an object, or a point in the world that may move. */
 export type Target = Object3D | Vector3;
@@ -62,13 +62,7 @@ export function locate(target: Target, into: Float32Array, offset: number): void
     into[offset + 2] = elements[14]!;
     return;
   }
-  const { x, y, z } = (target ?? {}) as Partial<Vector3>;
-  if (typeof x !== "number" || typeof y !== "number" || typeof z !== "number") {
-    throw new GazeError(`a target is an Object3D or a Vector3 in the world, not ${show(target)}`);
-  }
-  into[offset] = x;
-  into[offset + 1] = y;
-  into[offset + 2] = z;
+  writePoint(target, "an Object3D or a Vector3", into, offset);
 }
 
 class ObjectSkeleton implements Skeleton {

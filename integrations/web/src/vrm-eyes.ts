@@ -4,13 +4,12 @@
 import type { VRMCore } from "@pixiv/three-vrm";
 import type { Quaternion } from "three";
 
+import { LOCAL } from "./skeleton.js";
+
 type VRMExpressionManager = NonNullable<VRMCore["expressionManager"]>;
 
 /** The expressions that look, in the order of {@link Looks}. */
 export const LOOKS = ["lookLeft", "lookRight", "lookUp", "lookDown"] as const;
-
-/** The numbers of a bone: translation, rotation, scale. */
-const LOCAL = 10;
 
 /** How far an eye turns, or an expression shows, by where it looks. */
 interface RangeMap {

@@ -29,13 +29,13 @@ function floats(hex) {
 
 async function play({ rig, bothEyes, bones, used, input }) {
   const numbers = floats(input);
-  const each = 3 + 22 + 8 + 10 * used.length;
+  const each = 3 + 21 + 8 + 10 * used.length;
   const hash = new Hash();
   let frame;
   const skeleton = {
     bones: bones.map(([name, parent, node, rest]) => ({ name, parent, node, rest: floats(rest) })),
     read(bone, into, offset) {
-      const at = 33 + 10 * used.indexOf(bone);
+      const at = 32 + 10 * used.indexOf(bone);
       into.set(frame.subarray(at, at + 10), offset);
     },
     write(bone, from, offset) {
@@ -52,7 +52,7 @@ async function play({ rig, bothEyes, bones, used, input }) {
     const [dt, count, snaps] = frame;
     [gaze.weight, gaze.attention, gaze.patience, gaze.tolerance] = frame.subarray(19, 23);
     gaze.behind = BEHINDS[frame[23]];
-    gaze.targets = [25, 29].slice(0, count).map((at) => {
+    gaze.targets = [24, 28].slice(0, count).map((at) => {
       const [x, y, z, weight] = frame.subarray(at, at + 4);
       return { target: { x, y, z }, weight };
     });

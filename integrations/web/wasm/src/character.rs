@@ -4,17 +4,17 @@ use std::sync::Arc;
 
 use aim::animation::{AimFrame, Corrections, Transform};
 use aim::glam::{Affine3A, Vec3};
-use aim::{Behind, DynAim, Rig, Settings, Solver, Status, Target, Targets};
+use aim::{Behind, DynAim, Rig, Settings, Status, Target, Targets};
 
 use crate::Found;
 use crate::bones::{LOCAL, affine, transform};
 
-/// Where things are in the block that a character shares with JavaScript, in numbers from its start.
+/// Layout of the block that a character shares with JavaScript, in numbers from its start.
 pub mod layout {
-    /// What the root bones hang on, in the world: 16 numbers, column-major.
+    /// World matrix of what the root bones hang on: 16 numbers, column-major.
     pub const PLACE: usize = 0;
     /// [`weight`](aim::Settings::weight), [`attention`](aim::Settings::attention), [`patience`](aim::Settings::patience),
-    /// [`tolerance`](aim::Settings::tolerance), [`behind`](aim::Settings::behind) and [`solver`](aim::Settings::solver) as numbers.
+    /// [`tolerance`](aim::Settings::tolerance), and [`behind`](aim::Settings::behind) as a number.
     pub const SETTINGS: usize = 16;
     /// The status as a number, the remaining angle, the turn of the body, and the seconds for which the target is out of reach.
     pub const OUTCOME: usize = 24;
@@ -38,7 +38,7 @@ pub struct Character {
     /// The same with this frame's corrections.
     aimed: Vec<Transform>,
     model: Vec<Affine3A>,
-    /// What each written bone had before the last correction, and with it.
+    /// Each written bone before the last correction, and with it.
     memory: Vec<[Transform; 2]>,
     targets: Vec<Target>,
     block: Vec<f32>,
@@ -179,18 +179,15 @@ impl Character {
     }
 
     fn settings(&self) -> Settings {
-        let [weight, attention, patience, tolerance, behind, solver] = self.numbers(layout::SETTINGS);
+        let [weight, attention, patience, tolerance, behind] = self.numbers(layout::SETTINGS);
         let behinds = [Behind::Clip, Behind::Off, Behind::Plane, Behind::Hold, Behind::Release];
-        let chosen = |number: f32| (0..behinds.len()).find(|at| *at as f32 == number);
-        let mut settings = Settings::default()
+        let chosen = (0..behinds.len()).find(|at| *at as f32 == behind);
+        Settings::default()
             .with_weight(weight)
             .with_attention(attention)
             .with_patience(patience)
             .with_tolerance(tolerance)
-            .with_behind(chosen(behind).map_or(Behind::Clip, |at| behinds[at]));
-        settings.solver =
-            chosen(solver).and_then(|at| [None, Some(Solver::Natural), Some(Solver::Exact)].get(at).copied()?);
-        settings
+            .with_behind(chosen.map_or(Behind::Clip, |at| behinds[at]))
     }
 
     fn numbers<const N: usize>(&self, at: usize) -> [f32; N] {

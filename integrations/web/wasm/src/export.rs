@@ -1,4 +1,4 @@
-//! What JavaScript sees.
+//! Exports to JavaScript.
 
 use peak_alloc::PeakAlloc;
 use wasm_bindgen::prelude::*;
@@ -14,7 +14,7 @@ pub fn live_bytes() -> usize {
     MEMORY.current_usage()
 }
 
-/// Where things are in a character's block: place, settings, outcome, targets, the number of targets at most, bones.
+/// Layout of a character's block: place, settings, outcome, targets, the number of targets at most, bones.
 #[wasm_bindgen]
 pub fn layout() -> Vec<u32> {
     [layout::PLACE, layout::SETTINGS, layout::OUTCOME, layout::TARGETS, layout::MOST_TARGETS, layout::BONES]

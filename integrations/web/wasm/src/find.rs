@@ -17,7 +17,7 @@ pub struct Found {
     pub(crate) bones: Vec<usize>,
 }
 
-/// What is known of a character beside its rig.
+/// Facts of a character beside its rig.
 #[derive(Default)]
 pub(crate) struct Known {
     pub(crate) up: Option<Vec3>,
@@ -41,7 +41,6 @@ pub(crate) fn by_name(
     known: Known,
     both_eyes: bool,
 ) -> Result<Found, String> {
-    fits(rig.description().joints().len())?;
     let told = |error: AimChainError| said(&error, rig.as_ref(), skeleton);
     let mut chain = AimChain::named(skeleton, rig.as_ref()).map_err(told)?;
     let other_eye =
@@ -63,17 +62,8 @@ pub(crate) fn by_name(
     Ok(Found { rig, chain, bones })
 }
 
-/// Whether the solvers have room for so many joints.
-pub(crate) fn fits(joints: usize) -> Result<(), String> {
-    if joints <= MOST_JOINTS {
-        return Ok(());
-    }
-    Err(format!(
-        "the rig has {joints} joints, and a gaze {MOST_JOINTS} at most: leave out some of the spine's or the neck's"
-    ))
-}
-
-/// Joints of a rig at most.
+/// Joints of a rig at most: those for which the solvers have room in small programs.
+#[cfg(any(feature = "declare", feature = "measure"))]
 pub(crate) const MOST_JOINTS: usize = 16;
 
 /// The bone of the right eye beside that of the left one, for rigs that know several names of the left and one of the right.

@@ -1,4 +1,4 @@
-//! What the npm package `aim-gaze` runs: a character's bones, a rig for them, and one aimed frame after the other through a
+//! WebAssembly of the npm package `aim-gaze`: a character's bones, a rig for them, and one aimed frame after the other through a
 //! block of numbers that JavaScript shares.
 
 mod bones;

@@ -97,7 +97,6 @@ mod record {
                 f32::INFINITY,
                 0.002,
                 (frame / 150 % 5) as f32,
-                0.0,
             ];
             let snap = frame % 113 == 0;
             let block = character.block();
@@ -121,7 +120,7 @@ mod record {
                 -0.125,
                 1.0,
             ]);
-            block[layout::SETTINGS..][..6].copy_from_slice(&settings);
+            block[layout::SETTINGS..][..settings.len()].copy_from_slice(&settings);
             let points = [target[0], target[1], target[2], 0.75, -target[0], 1.5, target[2], 0.25];
             block[layout::TARGETS..][..8].copy_from_slice(&points);
             for (at, &bone) in bones.iter().enumerate() {
@@ -129,7 +128,7 @@ mod record {
             }
             let written = layout::BONES + 10 * bones.len();
             input.extend([dt, count as f32, f32::from(u8::from(snap))]);
-            input.extend_from_slice(&block[..layout::SETTINGS + 6]);
+            input.extend_from_slice(&block[..layout::SETTINGS + settings.len()]);
             input.extend(points);
             input.extend_from_slice(&block[layout::BONES..written]);
             character.update(dt, count, snap);
