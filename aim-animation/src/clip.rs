@@ -1,6 +1,7 @@
 //! [`Clip`]: tracks of bones and of scalars, and events.
 
 use alloc::string::String;
+use alloc::sync::Arc;
 use alloc::vec::Vec;
 use core::fmt;
 
@@ -76,7 +77,7 @@ pub struct Clip {
 /// valid for any clip and any time, and changes no result.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Cursor {
-    keys: Vec<usize>,
+    pub(crate) keys: Vec<usize>,
 }
 
 impl Clip {
@@ -187,6 +188,41 @@ impl Clip {
         &self.events
     }
 
+    /// The bytes of the keys as they are stored: 4 for each number of their times, values and tangents. Times that tracks
+    /// share count once; names and events do not.
+    ///
+    /// ```
+    /// use aim_animation::glam::Vec3;
+    /// use aim_animation::{Clip, Track};
+    ///
+    /// let slide = Track::linear([0.0, 1.0], [Vec3::ZERO, Vec3::X])?;
+    /// assert_eq!(Clip::new("slide").with_translation(0, slide).bytes(), 2 * 4 * (1 + 3));
+    /// # Ok::<(), aim_animation::TrackError>(())
+    /// ```
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let mut shared = Vec::new();
+        let mut values = 0;
+        let mut count = |times: &Arc<[f32]>, of_values: usize| {
+            shared.push((times.as_ptr() as usize, times.len()));
+            values += of_values;
+        };
+        for tracks in &self.tracks {
+            for track in [&tracks.translation, &tracks.scale].into_iter().flatten() {
+                count(track.shared_times(), track.value_bytes());
+            }
+            if let Some(track) = &tracks.rotation {
+                count(track.shared_times(), track.value_bytes());
+            }
+        }
+        for (_, track) in &self.scalars {
+            count(track.shared_times(), track.value_bytes());
+        }
+        shared.sort_unstable();
+        shared.dedup();
+        values + 4 * shared.iter().map(|(_, keys)| keys).sum::<usize>()
+    }
+
     /// A cursor at the beginning, for a character that plays this clip.
     #[must_use]
     pub fn cursor(&self) -> Cursor {
@@ -224,17 +260,7 @@ impl Clip {
 
     /// The events that a step passes, in the order in which it does, each as often as it is passed.
     pub fn events_passed<'a>(&'a self, step: &Step) -> impl Iterator<Item = &'a Event> + use<'a> {
-        step.pieces().flat_map(move |piece| {
-            let [low, high] = [piece.from_s.min(piece.to_s), piece.from_s.max(piece.to_s)];
-            let first = self.events.partition_point(|event| f64::from(event.time_s) < low);
-            let last = self.events.partition_point(|event| f64::from(event.time_s) <= high).max(first);
-            let events = &self.events[first..last];
-            // What lies where a step begins was told by the step before.
-            let is_told = move |event: &&Event| piece.includes_from || f64::from(event.time_s) != piece.from_s;
-            let backward = piece.to_s < piece.from_s;
-            let [forward, back] = if backward { [&[][..], events] } else { [events, &[][..]] };
-            forward.iter().chain(back.iter().rev()).filter(is_told)
-        })
+        events_passed(&self.events, step)
     }
 
     /// The same clip without the tracks of a bone.
@@ -360,14 +386,35 @@ impl Clip {
         }
     }
 
+    /// With the length and the events of another clip, which are in order.
+    pub(crate) fn with_length_and_events(mut self, length_s: f32, events: Vec<Event>) -> Self {
+        (self.length_s, self.events) = (length_s, events);
+        self
+    }
+
     /// The tracks of a bone, made where there are none. Bones are sorted.
-    fn bone_mut(&mut self, bone: usize) -> &mut BoneTracks {
+    pub(crate) fn bone_mut(&mut self, bone: usize) -> &mut BoneTracks {
         let place = self.tracks.binary_search_by_key(&bone, |tracks| tracks.bone).unwrap_or_else(|place| {
             self.tracks.insert(place, BoneTracks { bone, translation: None, rotation: None, scale: None });
             place
         });
         &mut self.tracks[place]
     }
+}
+
+/// Of events in the order of their times those that a step passes.
+pub(crate) fn events_passed<'a>(all: &'a [Event], step: &Step) -> impl Iterator<Item = &'a Event> + use<'a> {
+    step.pieces().flat_map(move |piece| {
+        let [low, high] = [piece.from_s.min(piece.to_s), piece.from_s.max(piece.to_s)];
+        let first = all.partition_point(|event| f64::from(event.time_s) < low);
+        let last = all.partition_point(|event| f64::from(event.time_s) <= high).max(first);
+        let events = &all[first..last];
+        // What lies where a step begins was told by the step before.
+        let is_told = move |event: &&Event| piece.includes_from || f64::from(event.time_s) != piece.from_s;
+        let backward = piece.to_s < piece.from_s;
+        let [forward, back] = if backward { [&[][..], events] } else { [events, &[][..]] };
+        forward.iter().chain(back.iter().rev()).filter(is_told)
+    })
 }
 
 /// An edit of each kind of track.

@@ -19,3 +19,13 @@ pub(crate) fn floor(number: f64) -> f64 {
 pub(crate) fn narrow(number: f64) -> f32 {
     number as f32
 }
+
+/// The square root, to four digits: for what only has to be near.
+pub(crate) fn root(number: f64) -> f32 {
+    if !(number > 0.0) || !number.is_finite() {
+        return narrow(number);
+    }
+    // Half of the exponent, and Newton's steps.
+    let guess = f64::from_bits((number.to_bits() >> 1) + (0x3ff0_0000_0000_0000 >> 1));
+    narrow((0..3).fold(guess, |root, _| 0.5 * (root + number / root)))
+}

@@ -14,6 +14,7 @@ pub use error::TrackError;
 pub use key::{BezierKey, HermiteKey};
 pub use looped::Continuity;
 pub use value::Value;
+pub(crate) use value::sealed::Arithmetic;
 
 /// Interpolation between the keys of a track.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -172,6 +173,24 @@ impl<T: Value> Track<T> {
         self.times.last().copied().unwrap_or_default()
     }
 
+    /// The bytes of its values and tangents, 4 a number, without those of its times, which tracks may share.
+    pub(crate) fn value_bytes(&self) -> usize {
+        size_of::<T>() * self.values.len() + 2 * size_of::<T>() * self.tangents.len()
+    }
+
+    /// Takes times that are the same from those of other tracks, or adds its own to them.
+    pub(crate) fn share_times(&mut self, known: &mut Vec<Arc<[f32]>>) {
+        match known.iter().find(|times| **times == self.times) {
+            Some(times) => self.times = Arc::clone(times),
+            None => known.push(Arc::clone(&self.times)),
+        }
+    }
+
+    /// The times, as they may be shared.
+    pub(crate) fn shared_times(&self) -> &Arc<[f32]> {
+        &self.times
+    }
+
     /// The value at a time; NaN counts as before the first key.
     #[must_use]
     pub fn sample(&self, time_s: f32) -> T {
@@ -197,8 +216,32 @@ impl<T: Value> Track<T> {
         hermite(self.segment(k), part).value(value)
     }
 
+    /// A track of parts that are kept to the bit; `None` unless they are what constructors or cuts might have made.
+    pub(crate) fn assembled(times: Arc<[f32]>, values: Vec<T>, tangents: Vec<[T; 2]>, curve: Curve) -> Option<Self> {
+        check_times(&times, values.len()).ok()?;
+        let is_cubic = curve == Curve::Cubic;
+        if tangents.len() != if is_cubic { values.len() } else { 0 } {
+            return None;
+        }
+        for (k, value) in values.iter().enumerate() {
+            let (_, factor) = value.key()?;
+            // Where cubic tracks were cut rotations need not be unit.
+            if !is_cubic && !((factor - 1.0).abs() < 1e-5) {
+                return None;
+            }
+            let interval = |k: usize| if k + 1 < times.len() { times[k + 1] - times[k] } else { 0.0 };
+            let intervals = [k.checked_sub(1).map_or(0.0, interval), interval(k)];
+            for (tangent, interval) in tangents.get(k).into_iter().flatten().zip(intervals) {
+                if !(tangent.times(interval).bounded() && tangent.times(1e-12).bounded()) {
+                    return None;
+                }
+            }
+        }
+        Some(Self { times, values, tangents, curve })
+    }
+
     /// Value and velocity of a cubic track before rotations are made unit; outside the keys it does not move.
-    fn point_and_velocity(&self, time_s: f32) -> (T, T) {
+    pub(crate) fn point_and_velocity(&self, time_s: f32) -> (T, T) {
         let k = self.key_before(time_s, 0);
         if k + 1 == self.values.len() || !(time_s >= self.times[k]) {
             return (self.values[k], self.values[k].times(0.0));
@@ -266,7 +309,7 @@ impl<T: Value> Track<T> {
 }
 
 /// The cubic from `a` to `b` with the velocities `out` and `into` there, by the parameter 0…1.
-fn hermite<T: Value>([a, out, b, into]: [T; 4], u: f32) -> T {
+pub(crate) fn hermite<T: Value>([a, out, b, into]: [T; 4], u: f32) -> T {
     let v = 1.0 - u;
     // H₀ = v²(1 + 2u), H₁ = u·v², H₂ = u²(1 + 2v), H₃ = −u²·v.
     let ends = a.times(v * v * (1.0 + 2.0 * u)).plus(b.times(u * u * (1.0 + 2.0 * v)));

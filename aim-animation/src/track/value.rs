@@ -15,7 +15,7 @@ impl Value for f32 {}
 impl Value for Vec3 {}
 impl Value for Quat {}
 
-pub(super) mod sealed {
+pub(crate) mod sealed {
     /// Arithmetic of values; rotations as four numbers.
     #[expect(unnameable_types, reason = "sealed: nobody else implements it")]
     pub trait Arithmetic: Sized {
@@ -132,6 +132,6 @@ impl sealed::Arithmetic for Quat {
     }
 
     fn value(self, fallback: Self) -> Self {
-        unit(self).unwrap_or(fallback)
+        unit(self).or_else(|| unit(fallback)).unwrap_or(fallback)
     }
 }

@@ -11,6 +11,7 @@ mod names;
 mod reach;
 mod rigs;
 mod seams;
+mod storage;
 #[path = "../../../aim-gltf/tests/it/support/mod.rs"]
 mod support;
 mod traditions;

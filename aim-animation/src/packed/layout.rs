@@ -1,0 +1,421 @@
+//! One packed track: a header of bits, the keys' times by their numbers, and the keys.
+
+use alloc::vec::Vec;
+
+use super::bits::{BitReader, BitWriter, bits_at, width_of};
+use super::grid::{Grid, LARGEST, Parts, from_steps, steps};
+use crate::track::{Curve, Track};
+
+/// What a track moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Channel {
+    Translation,
+    Rotation,
+    Scale,
+    Scalar,
+}
+
+/// Bits of the numbers that say how wide others are.
+const WIDTH_BITS: u32 = 5;
+/// Bits of an exponent, and what is added to it.
+const EXPONENT_BITS: u32 = 8;
+const EXPONENT_BIAS: i16 = 128;
+
+/// Numbers on a grid: steps from a base.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Range {
+    exponent: i16,
+    widths: [u32; 3],
+    bases: [i32; 3],
+}
+
+impl Range {
+    /// The range of numbers; `None` if one is too large. Two keys or more take one bit at least.
+    fn of(parts: impl Iterator<Item = [f32; 3]>, exponent: i16, count: usize) -> Option<Self> {
+        let mut ends: Option<[[i32; 3]; 2]> = None;
+        let mut keys = 0;
+        for part in parts {
+            keys += 1;
+            for (index, part) in part.iter().enumerate().take(count) {
+                let step = steps(*part, exponent)?;
+                let [low, high] = ends.get_or_insert([[i32::MAX; 3], [i32::MIN; 3]]);
+                (low[index], high[index]) = (low[index].min(step), high[index].max(step));
+            }
+        }
+        let [low, high] = ends?;
+        let mut range = Self { exponent, ..Self::default() };
+        for index in 0..count {
+            range.bases[index] = low[index];
+            range.widths[index] = width_of(high[index].abs_diff(low[index]));
+        }
+        // So that no track has more keys than bits.
+        range.widths[0] = range.widths[0].max(u32::from(keys > 1));
+        Some(range)
+    }
+
+    fn stride(&self) -> u32 {
+        self.widths.iter().sum()
+    }
+
+    fn bits(&self, count: usize) -> u32 {
+        let base = |base: &i32| 2 * WIDTH_BITS + width_of(zigzag(*base));
+        EXPONENT_BITS + self.bases.iter().take(count).map(base).sum::<u32>()
+    }
+
+    fn write(&self, bits: &mut BitWriter, count: usize) {
+        bits.push(u32::from((self.exponent + EXPONENT_BIAS).unsigned_abs()), EXPONENT_BITS);
+        for index in 0..count {
+            let base = zigzag(self.bases[index]);
+            bits.push(self.widths[index], WIDTH_BITS);
+            bits.push(width_of(base), WIDTH_BITS);
+            bits.push(base, width_of(base));
+        }
+    }
+
+    #[inline]
+    fn read(bits: &mut BitReader<'_>, count: usize) -> Self {
+        let exponent = i16::try_from(bits.take(EXPONENT_BITS)).unwrap_or(0) - EXPONENT_BIAS;
+        let mut range = Self { exponent, ..Self::default() };
+        for index in 0..count {
+            range.widths[index] = bits.take(WIDTH_BITS);
+            let width = bits.take(WIDTH_BITS);
+            range.bases[index] = unzigzag(bits.take(width));
+        }
+        range
+    }
+
+    fn push(&self, bits: &mut BitWriter, parts: [f32; 3], count: usize) {
+        for (index, part) in parts.into_iter().enumerate().take(count) {
+            let step = steps(part, self.exponent).unwrap_or(self.bases[index]);
+            bits.push(step.abs_diff(self.bases[index]), self.widths[index]);
+        }
+    }
+
+    #[inline]
+    fn take(&self, bits: &mut BitReader<'_>, count: usize) -> [f32; 3] {
+        let mut parts = [0.0; 3];
+        for (index, part) in parts.iter_mut().enumerate().take(count) {
+            let step = self.bases[index].wrapping_add_unsigned(bits.take(self.widths[index]));
+            *part = from_steps(step, self.exponent);
+        }
+        parts
+    }
+}
+
+fn zigzag(number: i32) -> u32 {
+    (number.unsigned_abs() << 1) | u32::from(number < 0)
+}
+
+#[expect(clippy::cast_possible_wrap, reason = "31 bits at most")]
+fn unzigzag(number: u32) -> i32 {
+    let size = (number >> 1) as i32;
+    if number & 1 == 1 { -size } else { size }
+}
+
+/// How keys are stored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Form {
+    /// As they are.
+    Exact,
+    /// On grids: of values, and of tangents.
+    Grid { left_out: u8, values: Range, tangents: Range },
+}
+
+/// How often a key's tangent is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Tangents {
+    None,
+    /// Arriving as leaving.
+    One,
+    Two,
+}
+
+impl Tangents {
+    fn count(self) -> u32 {
+        match self {
+            Self::None => 0,
+            Self::One => 1,
+            Self::Two => 2,
+        }
+    }
+}
+
+/// The header of a track.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Header {
+    pub(super) channel: Channel,
+    pub(super) curve: Curve,
+    /// The bone, or the number of the scalar.
+    pub(super) target: usize,
+    pub(super) keys: usize,
+    tangents: Tangents,
+    form: Form,
+    /// There is a key at each time of the clip.
+    at_all_times: bool,
+    /// Where the numbers of the times begin, and where the keys, in bits.
+    times_at: usize,
+    keys_at: usize,
+    stride: u32,
+}
+
+/// A number in few bits if it is small: a bit that says so, and it.
+const SMALL: [u32; 2] = [10, 32];
+
+fn push_small(bits: &mut BitWriter, number: usize) -> Option<()> {
+    let number = u32::try_from(number).ok()?;
+    let is_wide = width_of(number) > SMALL[0];
+    bits.push(u32::from(is_wide), 1);
+    bits.push(number, SMALL[usize::from(is_wide)]);
+    Some(())
+}
+
+fn small_bits(number: usize) -> usize {
+    1 + if number >> SMALL[0] == 0 { 10 } else { 32 }
+}
+
+#[inline]
+fn take_small(bits: &mut BitReader<'_>) -> usize {
+    let is_wide = bits.take(1) == 1;
+    bits.take(SMALL[usize::from(is_wide)]) as usize
+}
+
+/// Bits of the number of a time.
+pub(super) fn time_bits(times: usize) -> u32 {
+    width_of(u32::try_from(times.saturating_sub(1)).unwrap_or(u32::MAX))
+}
+
+/// The form of a track's keys: on a grid, or as they are where they do not fit one.
+fn form<T: Parts>(track: &Track<T>, grid: Option<Grid>) -> (Tangents, Form) {
+    let smooth = |tangents: &[[T; 2]]| {
+        // What plays no part may be anything.
+        let inner = tangents.get(1..tangents.len().saturating_sub(1)).unwrap_or_default();
+        inner.iter().all(|[into, out]| into == out)
+    };
+    let tangents = match track.curve() {
+        Curve::Cubic if smooth(track.tangents()) => Tangents::One,
+        Curve::Cubic => Tangents::Two,
+        _ => Tangents::None,
+    };
+    let form = grid.and_then(|grid| {
+        let values = track.values();
+        let left_out = |value: T| grid.left_out_of(value);
+        let parts = values.iter().map(|value| value.parts(left_out(*value)));
+        let of_values = Range::of(parts, grid.exponent, T::PARTS)?;
+        let of_tangents = if tangents == Tangents::None {
+            Range::default()
+        } else {
+            let parts = values.iter().enumerate().flat_map(|(k, value)| {
+                kept_tangents(track, k, tangents).into_iter().map(|tangent| value.tangent_parts(tangent))
+            });
+            Range::of(parts, grid.tangent_exponent, T::PARTS)?
+        };
+        Some(Form::Grid { left_out: grid.left_out, values: of_values, tangents: of_tangents })
+    });
+    (tangents, form.unwrap_or(Form::Exact))
+}
+
+/// The tangents of a key that are stored.
+fn kept_tangents<T: Parts>(track: &Track<T>, key: usize, tangents: Tangents) -> Vec<T> {
+    let [into, out] = track.tangents()[key];
+    match tangents {
+        Tangents::None => Vec::new(),
+        // The first key's that it leaves by, the last one's that it arrives by: the others play no part.
+        Tangents::One => alloc::vec![if key == 0 { out } else { into }],
+        Tangents::Two => alloc::vec![into, out],
+    }
+}
+
+impl Form {
+    fn stride<T: Parts>(&self, tangents: Tangents) -> u32 {
+        let count = tangents.count();
+        match self {
+            Self::Exact => 32 * u32::try_from(T::NUMBERS).unwrap_or(0) * (1 + count),
+            Self::Grid { left_out, values, tangents } => {
+                values.stride() + 2 * u32::from(*left_out == LARGEST) + count * tangents.stride()
+            }
+        }
+    }
+}
+
+/// The bits that a track takes.
+pub(crate) fn bits_of<T: Parts>(target: usize, track: &Track<T>, grid: Option<Grid>, times: usize) -> usize {
+    let (tangents, form) = form(track, grid);
+    let keys = track.times().len();
+    let of_form = match form {
+        Form::Exact => 0,
+        Form::Grid { values, tangents: of_tangents, .. } => {
+            let second = if tangents == Tangents::None { 0 } else { of_tangents.bits(T::PARTS) };
+            3 + values.bits(T::PARTS) + second
+        }
+    };
+    let of_times = if keys == times { 0 } else { small_bits(keys) + keys * time_bits(times) as usize };
+    6 + small_bits(target) + of_form as usize + of_times + keys * form.stride::<T>(tangents) as usize
+}
+
+/// Writes a track whose values are on the grid; `None` if a number does not fit.
+pub(super) fn write<T: Parts>(
+    bits: &mut BitWriter,
+    (channel, target): (Channel, usize),
+    (track, grid): (&Track<T>, Option<Grid>),
+    times: &[f32],
+) -> Option<()> {
+    let (tangents, form) = form(track, grid);
+    let keys = track.times().len();
+    let curve = match (track.curve(), tangents) {
+        (Curve::Step, _) => 0,
+        (Curve::Linear, _) => 1,
+        (Curve::Cubic, Tangents::Two) => 3,
+        (Curve::Cubic, _) => 2,
+    };
+    bits.push(curve, 2);
+    bits.push(channel as u32, 2);
+    bits.push(u32::from(form == Form::Exact), 1);
+    bits.push(u32::from(keys == times.len()), 1);
+    push_small(bits, target)?;
+    if keys != times.len() {
+        push_small(bits, keys)?;
+    }
+    if let Form::Grid { left_out, values, tangents: of_tangents } = &form {
+        bits.push(u32::from(*left_out), 3);
+        values.write(bits, T::PARTS);
+        if tangents != Tangents::None {
+            of_tangents.write(bits, T::PARTS);
+        }
+    }
+    if keys != times.len() {
+        let width = time_bits(times.len());
+        for (k, time) in track.times().iter().enumerate() {
+            let is_second = k > 0 && track.times()[k - 1] == *time;
+            let index = times.partition_point(|other| other < time) + usize::from(is_second);
+            bits.push(u32::try_from(index).ok()?, width);
+        }
+    }
+    for (k, value) in track.values().iter().enumerate() {
+        let stored = if tangents == Tangents::None { Vec::new() } else { kept_tangents(track, k, tangents) };
+        match &form {
+            Form::Exact => {
+                for value in core::iter::once(*value).chain(stored) {
+                    value.numbers().iter().take(T::NUMBERS).for_each(|number| bits.push(number.to_bits(), 32));
+                }
+            }
+            Form::Grid { left_out, values, tangents: of_tangents } => {
+                let left_out_here = if *left_out == LARGEST { value.largest() } else { *left_out };
+                if *left_out == LARGEST {
+                    bits.push(u32::from(left_out_here), 2);
+                }
+                values.push(bits, value.parts(left_out_here), T::PARTS);
+                for tangent in stored {
+                    of_tangents.push(bits, value.tangent_parts(tangent), T::PARTS);
+                }
+            }
+        }
+    }
+    Some(())
+}
+
+impl Header {
+    /// The header at a bit, and the bit after the track's last key.
+    #[inline]
+    pub(super) fn read(bytes: &[u8], position: usize, times: usize) -> Self {
+        let mut bits = BitReader { bytes, position };
+        let (curve, tangents) = match bits.take(2) {
+            0 => (Curve::Step, Tangents::None),
+            1 => (Curve::Linear, Tangents::None),
+            2 => (Curve::Cubic, Tangents::One),
+            _ => (Curve::Cubic, Tangents::Two),
+        };
+        let channel = match bits.take(2) {
+            0 => Channel::Translation,
+            1 => Channel::Rotation,
+            2 => Channel::Scale,
+            _ => Channel::Scalar,
+        };
+        let is_exact = bits.take(1) == 1;
+        let at_all_times = bits.take(1) == 1;
+        let target = take_small(&mut bits);
+        let keys = if at_all_times { times } else { take_small(&mut bits) };
+        let (parts, numbers) = match channel {
+            Channel::Scalar => (1, 1),
+            Channel::Rotation => (3, 4),
+            _ => (3, 3),
+        };
+        let (form, stride) = if is_exact {
+            (Form::Exact, 32 * numbers * (1 + tangents.count()))
+        } else {
+            let left_out = u8::try_from(bits.take(3)).unwrap_or(0).min(LARGEST);
+            let values = Range::read(&mut bits, parts);
+            let of_tangents = if tangents == Tangents::None { Range::default() } else { Range::read(&mut bits, parts) };
+            let of_left_out = 2 * u32::from(left_out == LARGEST);
+            let stride = values.stride() + of_left_out + tangents.count() * of_tangents.stride();
+            (Form::Grid { left_out, values, tangents: of_tangents }, stride)
+        };
+        let times_at = bits.position;
+        let keys_at = if at_all_times {
+            times_at
+        } else {
+            times_at.saturating_add(keys.saturating_mul(time_bits(times) as usize))
+        };
+        Self { channel, curve, target, keys, tangents, form, at_all_times, times_at, keys_at, stride }
+    }
+
+    /// The bit after the last key.
+    pub(super) fn end(&self) -> usize {
+        self.keys_at.saturating_add(self.keys.saturating_mul(self.stride as usize))
+    }
+
+    /// True if a key takes bits, or there is but one.
+    pub(super) fn is_bounded(&self) -> bool {
+        self.keys == 1 || self.keys > 1 && self.stride > 0
+    }
+
+    /// The number of a key's time.
+    #[inline]
+    pub(super) fn time(&self, bytes: &[u8], key: usize, width: u32) -> usize {
+        if self.at_all_times { key } else { bits_at(bytes, self.times_at + key * width as usize, width) as usize }
+    }
+
+    /// The value of a key.
+    #[inline]
+    pub(super) fn value<T: Parts>(&self, bytes: &[u8], key: usize) -> T {
+        self.value_and_tangents(bytes, key).0
+    }
+
+    /// The value of a key, and where its tangents stand.
+    #[inline]
+    fn value_and_tangents<'a, T: Parts>(&self, bytes: &'a [u8], key: usize) -> (T, BitReader<'a>) {
+        let mut bits = BitReader { bytes, position: self.keys_at + key * self.stride as usize };
+        let value = match &self.form {
+            Form::Exact => exact(&mut bits),
+            Form::Grid { left_out, values, .. } => {
+                let left_out = if *left_out == LARGEST { u8::try_from(bits.take(2)).unwrap_or(3) } else { *left_out };
+                T::from_parts(values.take(&mut bits, T::PARTS), left_out)
+            }
+        };
+        (value, bits)
+    }
+
+    /// The value of a cubic key in the form near to another, and its velocities on arriving and on leaving.
+    #[inline]
+    pub(super) fn cubic_key<T: Parts>(&self, bytes: &[u8], key: usize, near: Option<T>) -> (T, [T; 2]) {
+        let (value, mut bits): (T, _) = self.value_and_tangents(bytes, key);
+        let value = match (near, &self.form) {
+            // As it is stored it goes the way that it is meant to.
+            (Some(near), Form::Grid { .. }) => value.near(near),
+            _ => value,
+        };
+        let mut tangent = || match &self.form {
+            Form::Exact => exact(&mut bits),
+            Form::Grid { tangents, .. } => value.tangent_from_parts(tangents.take(&mut bits, T::PARTS)),
+        };
+        let into = tangent();
+        let out = if self.tangents == Tangents::Two { tangent() } else { into };
+        (value, [into, out])
+    }
+}
+
+#[inline]
+fn exact<T: Parts>(bits: &mut BitReader<'_>) -> T {
+    let mut numbers = [0.0; 4];
+    numbers.iter_mut().take(T::NUMBERS).for_each(|number| *number = f32::from_bits(bits.take(32)));
+    T::from_numbers(numbers)
+}

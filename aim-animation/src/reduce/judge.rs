@@ -1,0 +1,199 @@
+//! [`Judge`]: the error of a clip in the space of the model, in double precision.
+
+use alloc::vec::Vec;
+
+use aim_runtime::rotation::length;
+
+use super::ends::{Ends, narrowed};
+use crate::clip::Clip;
+use crate::skeleton::Skeleton;
+use crate::transform::Transform;
+
+/// Points between neighbouring keys.
+const BETWEEN: u8 = 8;
+
+/// An affine map in double precision: columns, and the translation.
+#[derive(Clone, Copy, Debug)]
+struct Map {
+    columns: [[f64; 3]; 3],
+    translation: [f64; 3],
+}
+
+impl Map {
+    fn of(transform: &Transform) -> Self {
+        let [x, y, z, w] = transform.rotation.to_array().map(f64::from);
+        let scale = transform.scale.to_array().map(f64::from);
+        // Of whatever length the quaternion is.
+        let s = 2.0 / (x * x + y * y + z * z + w * w);
+        let columns = [
+            [1.0 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w)],
+            [s * (x * y - z * w), 1.0 - s * (x * x + z * z), s * (y * z + x * w)],
+            [s * (x * z + y * w), s * (y * z - x * w), 1.0 - s * (x * x + y * y)],
+        ];
+        let columns = [0, 1, 2].map(|i| columns[i].map(|number| number * scale[i]));
+        Self { columns, translation: transform.translation.to_array().map(f64::from) }
+    }
+
+    fn turned(&self, [a, b, c]: [f64; 3]) -> [f64; 3] {
+        let [x, y, z] = &self.columns;
+        [0, 1, 2].map(|i| x[i] * a + y[i] * b + z[i] * c)
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        let columns = other.columns.map(|column| self.turned(column));
+        let turned = self.turned(other.translation);
+        Self { columns, translation: [0, 1, 2].map(|i| turned[i] + self.translation[i]) }
+    }
+}
+
+fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|i| a[i] - b[i])
+}
+
+fn square(v: [f64; 3]) -> f64 {
+    v[0] * v[0] + v[1] * v[1] + v[2] * v[2]
+}
+
+/// The largest error of a bone: not a number where its place is not.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Error {
+    pub(super) squared: f64,
+    pub(super) vector: [f64; 3],
+    pub(super) time_s: f32,
+}
+
+impl Error {
+    /// The larger one; not a number counts as the largest.
+    fn raise(&mut self, other: Self) {
+        if !(other.squared <= self.squared) && !self.squared.is_nan() {
+            *self = other;
+        }
+    }
+
+    /// The length of the vector.
+    pub(super) fn size(&self) -> f32 {
+        if self.squared.is_finite() { length(narrowed(self.vector)) } else { f32::INFINITY }
+    }
+}
+
+/// Samples a clip: a pose that starts at rest, and scalars in the order of the original's tracks.
+pub(super) trait Sampled {
+    fn pose(&mut self, time_s: f32, pose: &mut [Transform]);
+    fn scalars(&mut self, time_s: f32, scalars: &mut [f32]);
+}
+
+/// Measures clips against one clip.
+#[derive(Debug)]
+pub(super) struct Judge<'a> {
+    skeleton: &'a Skeleton,
+    original: &'a Clip,
+    ends: Vec<Ends>,
+    keys: Vec<f32>,
+}
+
+/// The largest errors of bones and of scalars.
+#[derive(Debug)]
+pub(super) struct Errors {
+    pub(super) bones: Vec<Error>,
+    /// By the place in the clip's list.
+    pub(super) scalars: Vec<f32>,
+}
+
+impl<'a> Judge<'a> {
+    /// Of a clip, with more times that are to be judged.
+    pub(super) fn new(skeleton: &'a Skeleton, original: &'a Clip, pins: &[f32]) -> Self {
+        let mut keys = crate::packed::times_of(original);
+        keys.extend(pins);
+        // Just before a jump; after it is a key's own time.
+        let jumps: Vec<f32> =
+            keys.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0].next_down()).collect();
+        keys.extend(jumps.into_iter().filter(|time| *time >= 0.0));
+        keys.sort_unstable_by(f32::total_cmp);
+        keys.dedup();
+        Self { skeleton, original, ends: Ends::of(skeleton), keys }
+    }
+
+    pub(super) fn ends(&self) -> &[Ends] {
+        &self.ends
+    }
+
+    /// The errors at keys, at most so many of them.
+    pub(super) fn at_keys(&self, sampled: &mut dyn Sampled, most: usize) -> Errors {
+        let step = self.keys.len().div_ceil(most.max(1)).max(1);
+        let between = |pair: &[f32]| pair[0] + 0.5 * (pair[1] - pair[0]);
+        let middles = self.keys.windows(2).map(between).chain(self.keys.last().copied());
+        let times = self.keys.iter().copied().zip(middles).step_by(step).flat_map(|(key, middle)| [key, middle]);
+        self.errors(sampled, times)
+    }
+
+    /// The errors at all keys and at eight points between neighbours.
+    pub(super) fn everywhere(&self, sampled: &mut dyn Sampled) -> Errors {
+        let next = self.keys.iter().skip(1).copied().chain(self.keys.last().copied());
+        let times = self.keys.iter().zip(next).flat_map(|(&from, to)| {
+            let between = move |k: u8| from + (to - from) * (f32::from(k) / f32::from(BETWEEN + 1));
+            (0..=if to > from { BETWEEN } else { 0 }).map(between)
+        });
+        self.errors(sampled, times)
+    }
+
+    fn errors(&self, sampled: &mut dyn Sampled, times: impl Iterator<Item = f32>) -> Errors {
+        let bones = self.skeleton.len();
+        let rest = self.skeleton.rest();
+        let (mut pose, mut other) = (rest.to_vec(), rest.to_vec());
+        let none = Map { columns: [[0.0; 3]; 3], translation: [0.0; 3] };
+        let mut maps = alloc::vec![(none, none, true); bones];
+        let mut errors = Errors {
+            bones: alloc::vec![Error::default(); bones],
+            scalars: alloc::vec![0.0; self.original.scalars().len()],
+        };
+        let mut scalars = errors.scalars.clone();
+        let mut cursor = self.original.cursor();
+        let mut keys = alloc::vec![0; scalars.len()];
+        for time_s in times {
+            pose.copy_from_slice(rest);
+            self.original.sample(time_s, &mut cursor, &mut pose);
+            other.copy_from_slice(rest);
+            sampled.pose(time_s, &mut other);
+            for bone in 0..bones {
+                let [local, local_other] = [Map::of(&pose[bone]), Map::of(&other[bone])];
+                let is_local_same = same(&pose[bone], &other[bone]);
+                maps[bone] = match self.skeleton.parents()[bone].map(|parent| &maps[parent]) {
+                    None => (local, local_other, is_local_same),
+                    Some((parent, other, is_same)) => {
+                        let of_original = parent.times(&local);
+                        let is_same = *is_same && is_local_same;
+                        (of_original, if is_same { of_original } else { other.times(&local_other) }, is_same)
+                    }
+                };
+                if !maps[bone].2 {
+                    errors.bones[bone].raise(self.error(bone, &maps[bone], time_s));
+                }
+            }
+            sampled.scalars(time_s, &mut scalars);
+            for (place, (_, track)) in self.original.scalars().iter().enumerate() {
+                let off = (scalars[place] - track.sample_near(time_s, &mut keys[place])).abs();
+                errors.scalars[place] = errors.scalars[place].max(off);
+            }
+        }
+        errors
+    }
+
+    /// The error of a bone's ends.
+    fn error(&self, bone: usize, (of_original, of_other, _): &(Map, Map, bool), time_s: f32) -> Error {
+        let origin = difference(of_other.translation, of_original.translation);
+        let mut worst = Error { squared: square(origin), vector: origin, time_s };
+        for (axis, along) in self.ends[bone].along.into_iter().enumerate() {
+            let turn = difference(of_other.columns[axis], of_original.columns[axis]);
+            for along in [along, -along] {
+                let vector = [0, 1, 2].map(|i| origin[i] + along * turn[i]);
+                worst.raise(Error { squared: square(vector), vector, time_s });
+            }
+        }
+        worst
+    }
+}
+
+/// True if a transform is the same, or the same by the other quaternion.
+fn same(a: &Transform, b: &Transform) -> bool {
+    a.translation == b.translation && a.scale == b.scale && (a.rotation == b.rotation || a.rotation == -b.rotation)
+}

@@ -1,0 +1,122 @@
+//! [`Prepared`]: a track with all that its fits have in common.
+
+use alloc::sync::Arc;
+use alloc::vec::Vec;
+
+use super::fit::{self, Bound};
+use super::samples::Samples;
+use crate::packed::grid::{Grid, Parts, exponent_of};
+use crate::packed::layout::bits_of;
+use crate::track::{Curve, Track};
+
+/// Into how many keys to each side velocities at keys of straight tracks look.
+const WIDTHS: [usize; 3] = [1, 2, 4];
+/// The part of a tolerance that the rounding of values takes at most, and that of tangents.
+const VALUE_ROUNDING: f32 = 0.4;
+const TANGENT_ROUNDING: f32 = 0.15;
+
+/// How the result is stored, by which the smallest is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Storage {
+    /// As floats.
+    Floats,
+    /// Packed, in a clip of so many times.
+    Packed(usize),
+}
+
+/// A track and its samples.
+#[derive(Debug)]
+pub(super) struct Prepared<'a, T> {
+    track: &'a Track<T>,
+    samples: Samples<T>,
+    /// Velocities at the knots, as they may be.
+    velocities: Vec<Vec<[T; 2]>>,
+    pins: &'a [f32],
+    left_out: u8,
+    /// The longest segment that is expected, seconds.
+    segment_s: f32,
+    /// The bone, or the number of the scalar.
+    target: usize,
+}
+
+/// A track that was fitted.
+#[derive(Clone, Debug)]
+pub(super) struct Fitted<T> {
+    pub(super) track: Track<T>,
+    /// The grid on which its keys lie, if they do.
+    pub(super) grid: Option<Grid>,
+}
+
+impl<'a, T: Parts> Prepared<'a, T> {
+    pub(super) fn new(target: usize, track: &'a Track<T>, pins: &'a [f32]) -> Self {
+        let samples = Samples::of(track, pins);
+        let own: Option<Vec<[T; 2]>> = samples.knots.iter().map(|knot| knot.tangents).collect();
+        let velocities = match (track.curve(), own) {
+            (Curve::Cubic, Some(own)) => alloc::vec![own],
+            (Curve::Linear, _) => WIDTHS.iter().map(|width| samples.velocities(*width)).collect(),
+            _ => Vec::new(),
+        };
+        let (times, knots) = (track.times(), samples.knots.len());
+        #[expect(clippy::cast_precision_loss, reason = "a rough length")]
+        let segment_s = 8.0 * (track.end_s() - times[0]) / knots as f32;
+        let left_out = T::left_out_of(&samples.values);
+        Self { track, samples, velocities, pins, left_out, segment_s, target }
+    }
+
+    /// True if no sample is farther from the first than this.
+    pub(super) fn is_constant(&self, tolerance: f32) -> bool {
+        let bound = Bound { squared: tolerance * tolerance, grid: None };
+        self.samples.values.iter().all(|value| bound.holds(*value, self.samples.values[0]))
+    }
+
+    /// True if every sample is this value to the tolerance.
+    pub(super) fn is_everywhere(&self, value: T, tolerance: f32) -> bool {
+        let bound = Bound { squared: tolerance * tolerance, grid: None };
+        self.samples.values.iter().all(|sample| bound.holds(value, *sample))
+    }
+
+    /// As it is.
+    pub(super) fn original(&self) -> Fitted<T> {
+        Fitted { track: self.track.clone(), grid: None }
+    }
+
+    /// The smallest track within the tolerance.
+    pub(super) fn fitted(&self, tolerance: f32, storage: Storage) -> Fitted<T> {
+        let grid = match storage {
+            Storage::Floats => None,
+            Storage::Packed(_) => self.grid(tolerance),
+        };
+        let bound = Bound { squared: tolerance * tolerance, grid };
+        if let Some(track) = fit::constant(self.track, &self.samples, self.pins, &bound) {
+            return Fitted { track, grid };
+        }
+        let tracks = if self.track.curve() == Curve::Step {
+            alloc::vec![fit::steps(&self.samples, &bound)]
+        } else {
+            let cubics = self.velocities.iter().map(|velocities| fit::cubics(&self.samples, velocities, &bound));
+            core::iter::once(fit::lines(&self.samples, &bound)).chain(cubics).collect()
+        };
+        let fitted = tracks.into_iter().flatten().map(|track| Fitted { track, grid });
+        let size = |fitted: &Fitted<T>| match storage {
+            Storage::Floats => {
+                // The original's times may be shared: they count as if they were there anyway.
+                let has_own = !Arc::ptr_eq(fitted.track.shared_times(), self.track.shared_times());
+                fitted.track.value_bytes() + if has_own { 4 * fitted.track.times().len() } else { 0 }
+            }
+            Storage::Packed(times) => bits_of(self.target, &fitted.track, fitted.grid, times),
+        };
+        // The first of the smallest; the original last.
+        fitted.chain([self.original()]).min_by_key(size).unwrap_or_else(|| self.original())
+    }
+
+    /// Steps by which rounding takes its part of a tolerance; `None` where floats are as good.
+    fn grid(&self, tolerance: f32) -> Option<Grid> {
+        // Half a step by each of the parts; of a rotation's parts the angle is twice that.
+        let step = tolerance * if T::NUMBERS == 4 { 0.577 } else { 1.155 };
+        let exponent = exponent_of(VALUE_ROUNDING * step, T::FINEST + 1);
+        // The cubic of a tangent is 4/27 of tangent × interval at most.
+        let tangent_step = TANGENT_ROUNDING * step * 6.75 / self.segment_s;
+        let tangent_exponent = exponent_of(tangent_step, T::FINEST + 1).min(T::FINEST);
+        (exponent <= T::FINEST).then_some(Grid { exponent, tangent_exponent, left_out: self.left_out })
+    }
+}
