@@ -10,9 +10,11 @@ use crate::skeleton::Skeleton;
 /// Of a skeleton that has no size, a unit.
 const LENGTH_OF_A_POINT: f32 = 1.0;
 
-/// The points at which a bone's error is measured: its origin, and on its three axes, on both sides, its length away.
+/// The points at which a bone's error is measured: its origin, its children's, and on its three axes, on both sides, its length away.
 #[derive(Clone, Debug)]
 pub(super) struct Ends {
+    /// The origins of its children at rest, in its own space.
+    pub(super) children: Vec<[f64; 3]>,
     /// How far from the origin, in the bone's own units along its axes.
     pub(super) along: [f64; 3],
     /// The farthest point that hangs on the bone, in the rest pose, in units of the model.
@@ -54,7 +56,9 @@ impl Ends {
                 let reach = below.map(|other| distance(bone, other) + lengths[other]).fold(lengths[bone], larger);
                 let parent_scale =
                     skeleton.parents()[bone].map_or(1.0, |parent| scales(parent).into_iter().fold(0.0, larger));
-                Self { along, reach, parent_scale: if parent_scale > 0.0 { parent_scale } else { 1.0 } }
+                let offset = |child: usize| skeleton.rest()[child].translation.to_array().map(f64::from);
+                let children = skeleton.children(bone).map(offset).collect();
+                Self { children, along, reach, parent_scale: if parent_scale > 0.0 { parent_scale } else { 1.0 } }
             })
             .collect()
     }

@@ -182,6 +182,11 @@ impl<'a> Judge<'a> {
     fn error(&self, bone: usize, (of_original, of_other, _): &(Map, Map, bool), time_s: f32) -> Error {
         let origin = difference(of_other.translation, of_original.translation);
         let mut worst = Error { squared: square(origin), vector: origin, time_s };
+        for child in &self.ends[bone].children {
+            let turn = difference(of_other.turned(*child), of_original.turned(*child));
+            let vector = [0, 1, 2].map(|i| origin[i] + turn[i]);
+            worst.raise(Error { squared: square(vector), vector, time_s });
+        }
         for (axis, along) in self.ends[bone].along.into_iter().enumerate() {
             let turn = difference(of_other.columns[axis], of_original.columns[axis]);
             for along in [along, -along] {

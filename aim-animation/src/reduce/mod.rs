@@ -35,7 +35,7 @@ const USED: f64 = 0.999;
 
 /// A reduction of clips to fewer keys, within a tolerance.
 ///
-/// **The tolerance holds in the space of the model**, at the ends of the bones: at each bone's origin, and at points on its three axes on
+/// **The tolerance holds in the space of the model**, at the ends of the bones: at each bone's origin, at its children's, and at points on its three axes on
 /// both sides, its length away, so that leaves and twists count. A bone's length is the distance to its farthest child; that of a leaf its
 /// parent's. It holds at every key of the clip, just before jumps, and at eight points between neighbouring keys, as measured in double precision
 /// on the very result. Scalars have a tolerance of their own.

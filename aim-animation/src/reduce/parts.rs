@@ -63,7 +63,7 @@ impl<'a> Tracks<'a> {
         let mut bones: Vec<OfBone<'a>> = of_skeleton
             .map(|tracks| {
                 let bone = tracks.bone;
-                let Ends { along, reach, parent_scale } = &ends[bone];
+                let Ends { along, reach, parent_scale, .. } = &ends[bone];
                 let longest = along.iter().fold(0.0, |longest: f64, along| longest.max(*along));
                 let leverage = [*parent_scale, *reach, (*reach).max(crate::float::narrow(longest))];
                 let vector = |track| Prepared::new(bone, track, pins);
