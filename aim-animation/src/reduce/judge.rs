@@ -104,10 +104,6 @@ impl<'a> Judge<'a> {
     pub(super) fn new(skeleton: &'a Skeleton, original: &'a Clip, pins: &[f32]) -> Self {
         let mut keys = crate::packed::times_of(original);
         keys.extend(pins);
-        // Just before a jump; after it is a key's own time.
-        let jumps: Vec<f32> =
-            keys.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0].next_down()).collect();
-        keys.extend(jumps.into_iter().filter(|time| *time >= 0.0));
         keys.sort_unstable_by(f32::total_cmp);
         keys.dedup();
         Self { skeleton, original, ends: Ends::of(skeleton), keys }
@@ -126,12 +122,16 @@ impl<'a> Judge<'a> {
         self.errors(sampled, times)
     }
 
-    /// The errors at all keys and at eight points between neighbours.
+    /// The errors at all keys, at eight points between neighbours, and just before each key.
     pub(super) fn everywhere(&self, sampled: &mut dyn Sampled) -> Errors {
-        let next = self.keys.iter().skip(1).copied().chain(self.keys.last().copied());
-        let times = self.keys.iter().zip(next).flat_map(|(&from, to)| {
-            let between = move |k: u8| from + (to - from) * (f32::from(k) / f32::from(BETWEEN + 1));
-            (0..=if to > from { BETWEEN } else { 0 }).map(between)
+        let next = self.keys.iter().skip(1).copied().map(Some).chain([None]);
+        let times = self.keys.iter().zip(next).flat_map(|(&from, next)| {
+            let between = move |to: f32| {
+                // The last of them just before the key, where steps and jumps end.
+                let at = move |k: u8| from + (to - from) * (f32::from(k) / f32::from(BETWEEN + 1));
+                (1..=BETWEEN).map(at).chain([to.next_down()])
+            };
+            core::iter::once(from).chain(next.into_iter().flat_map(between))
         });
         self.errors(sampled, times)
     }

@@ -37,7 +37,7 @@ const USED: f64 = 0.999;
 ///
 /// **The tolerance holds in the space of the model**, at the ends of the bones: at each bone's origin, at its children's, and at points on its three axes on
 /// both sides, its length away, so that leaves and twists count. A bone's length is the distance to its farthest child; that of a leaf its
-/// parent's. It holds at every key of the clip, just before jumps, and at eight points between neighbouring keys, as measured in double precision
+/// parent's. It holds at every key of the clip, just before it, and at eight points between neighbouring keys, as measured in double precision
 /// on the very result. Scalars have a tolerance of their own.
 ///
 /// Tracks that equal the skeleton's rest are dropped: poses start there. Others become constant, steps, straight or cubic (Hermite, knots at uneven
@@ -220,6 +220,8 @@ impl Reduction {
             return Err(ReductionError::Pin(bad));
         }
         let mut pins = self.pins.clone();
+        // No zero is negative.
+        pins.iter_mut().for_each(|pin| *pin += 0.0);
         pins.sort_unstable_by(f32::total_cmp);
         pins.dedup();
         Ok((pins, tolerances))

@@ -105,8 +105,10 @@ impl<'a, T: Parts> Prepared<'a, T> {
             }
             Storage::Packed(times) => bits_of(self.target, &fitted.track, fitted.grid, times),
         };
-        // The first of the smallest; the original last.
-        fitted.chain([self.original()]).min_by_key(size).unwrap_or_else(|| self.original())
+        // The first of the smallest; the original last, and where it lacks a pin's key only if nothing else holds.
+        let is_pinned = self.samples.knots.len() > self.track.times().len();
+        let original = Some(self.original()).filter(|_| !is_pinned);
+        fitted.chain(original).min_by_key(size).unwrap_or_else(|| self.original())
     }
 
     /// Steps by which rounding takes its part of a tolerance; `None` where floats are as good.

@@ -30,7 +30,7 @@ pub(super) struct Knot<T> {
 }
 
 impl<T: Parts> Samples<T> {
-    /// Of a track that is straight or cubic; steps have only their keys.
+    /// Of a track, with knots at pins, which are in order; steps have nothing between.
     pub(super) fn of(track: &Track<T>, pins: &[f32]) -> Self {
         let mut samples = Self { times: Vec::new(), values: Vec::new(), knots: Vec::new() };
         let times = track.times();
@@ -40,7 +40,7 @@ impl<T: Parts> Samples<T> {
         for (k, &time) in times.iter().enumerate() {
             let next = times.get(k + 1).copied();
             let is_jump = next == Some(time) || k > 0 && times[k - 1] == time;
-            let is_kept = k == 0 || k == last || is_jump || pins.contains(&time);
+            let is_kept = k == 0 || k == last || is_jump || pins.binary_search_by(|pin| pin.total_cmp(&time)).is_ok();
             // Just before a jump it is the first of two keys that counts, which no sample at that time shows.
             let value = track.values()[k];
             let value = if is_cubic { value.value(value) } else { value };
@@ -48,7 +48,8 @@ impl<T: Parts> Samples<T> {
             samples.knot(time, value, is_kept, tangents.map(|tangents| (track.values()[k], tangents)));
             let Some(next) = next.filter(|next| *next > time) else { continue };
             // The knots after a key are its pins; samples lie between them.
-            let within = pins.iter().copied().filter(|pin| time < *pin && *pin < next);
+            let first = pins.partition_point(|pin| *pin <= time);
+            let within = pins[first..].iter().copied().take_while(|pin| *pin < next);
             let mut from = time;
             for to in within.chain([next]) {
                 for part in 1..=between {
