@@ -34,6 +34,8 @@ pages! {
     blending "blending.md"
     #[cfg(any(not(doctest), feature = "animation"))]
     root_motion "root-motion.md"
+    #[cfg(any(not(doctest), feature = "animation"))]
+    storage "storage.md"
     reach "reach.md"
     two_bone "two-bone.md"
     ccd "ccd.md"

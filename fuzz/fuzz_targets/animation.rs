@@ -5,7 +5,7 @@
 use aim_animation::glam::{Quat, Vec2, Vec3};
 use aim_animation::{
     BezierKey, BlendLine, BlendPlane, Bone, Clip, Continuity, Control, HermiteKey, Looping, Mask, Motion, Node,
-    Parameter, Root, RootPath, Skeleton, Track, TrackError, Transform, Tree, Value,
+    PackedClip, Parameter, Reduction, Root, RootPath, Skeleton, Track, TrackError, Transform, Tree, Value,
 };
 use libfuzzer_sys::arbitrary::{Result, Unstructured};
 use libfuzzer_sys::fuzz_target;
@@ -13,6 +13,8 @@ use libfuzzer_sys::fuzz_target;
 fuzz_target!(|bytes: &[u8]| {
     // A short input ends early; what came before has been judged.
     let _ = animate(&mut Unstructured::new(bytes));
+    let _ = store(&mut Unstructured::new(bytes));
+    unpack(bytes);
 });
 
 fn animate(input: &mut Unstructured<'_>) -> Result<()> {
@@ -197,4 +199,33 @@ fn node(input: &mut Unstructured<'_>, skeleton: &Skeleton, depth: usize) -> Resu
         _ => one.blend(other, at[1]),
     };
     Ok(if input.arbitrary()? { made.with_mask(Mask::new(skeleton, number(input)?)) } else { made })
+}
+
+/// A clip is reduced and packed within its tolerance, and comes back from its bytes.
+fn store(input: &mut Unstructured<'_>) -> Result<()> {
+    let mut bones = Vec::new();
+    for bone in 0..input.int_in_range(1..=4_usize)? {
+        bones.push(Bone::new("bone", bone.checked_sub(1)).with_rest(transform(input)?));
+    }
+    let Ok(skeleton) = Skeleton::new(bones) else { return Ok(()) };
+    let clip = clip(input)?;
+    let tolerance = number(input)?;
+    let reduction = Reduction::new(tolerance).with_pins([number(input)?]);
+    let Ok(reduced) = reduction.reduce(&clip, &skeleton) else { return Ok(()) };
+    assert!(reduced.error <= tolerance, "{reduced:?} at {tolerance}");
+    let Ok(packed) = reduction.pack(&clip, &skeleton) else { return Ok(()) };
+    assert!(packed.error <= tolerance, "{packed:?} at {tolerance}");
+    assert_eq!(PackedClip::from_bytes(&packed.clip.to_bytes()).as_ref(), Ok(&packed.clip));
+    unpack(&packed.clip.to_bytes());
+    Ok(())
+}
+
+/// Bytes are no packed clip, or one with sound samples.
+fn unpack(bytes: &[u8]) {
+    let Ok(packed) = PackedClip::from_bytes(bytes) else { return };
+    let mut pose = [Transform::IDENTITY; 4];
+    for at in [f32::NAN, 0.0, 0.3 * packed.length_s(), packed.length_s()] {
+        packed.sample(at, &mut packed.cursor(), &mut pose);
+        assert!(pose.iter().all(Transform::is_sound), "{pose:?} at {at}");
+    }
 }

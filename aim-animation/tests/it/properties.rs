@@ -3,10 +3,13 @@
 use aim_animation::glam::{Affine3A, Quat, Vec2, Vec3};
 use aim_animation::{
     BezierKey, BlendLine, BlendPlane, Blender, Bone, Clip, Continuity, Control, HermiteKey, Inertia, Looping, Marks,
-    Mask, Method, Motion, Node, Parameter, Phase, Reach, ReachGoal, Root, RootPath, Skeleton, SkewedTransform, Track,
-    Transform, Transition, Tree,
+    Mask, Method, Motion, Node, PackedClip, Parameter, Phase, Reach, ReachGoal, Reduction, Root, RootPath, Skeleton,
+    SkewedTransform, Track, Transform, Transition, Tree,
 };
 use proptest::prelude::*;
+
+use crate::common::Rng;
+use crate::reducing::{any_clip, any_skeleton, error};
 
 fn any_float() -> impl Strategy<Value = f32> {
     prop_oneof![any::<u32>().prop_map(f32::from_bits), -2.0_f32..2.0, Just(0.0), Just(f32::NAN), Just(f32::INFINITY)]
@@ -377,6 +380,76 @@ proptest! {
                 let is_left = now.rotation.to_array().map(f32::to_bits) == before.rotation.to_array().map(f32::to_bits);
                 prop_assert!(is_left || is_unit(now.rotation), "{now:?}");
             }
+        }
+    }
+
+    #[test]
+    fn reductions(seed in any::<u64>(), bones in 1_usize..6, exponent in -6.0_f32..0.0) {
+        let mut rng = Rng(seed);
+        let (skeleton, clip) = (any_skeleton(&mut rng, bones), any_clip(&mut rng, bones));
+        let tolerance = 10.0_f32.powf(exponent);
+        let reduction = Reduction::new(tolerance).with_pins([0.4, 1.0]);
+        let reduced = reduction.reduce(&clip, &skeleton).unwrap().clip;
+        let found = error(&skeleton, &clip, |time, pose| reduced.sample(time, &mut reduced.cursor(), pose));
+        prop_assert!(found <= f64::from(tolerance), "{found} of {tolerance}");
+        let packed = reduction.pack(&clip, &skeleton).unwrap().clip;
+        let found = error(&skeleton, &clip, |time, pose| packed.sample(time, &mut packed.cursor(), pose));
+        prop_assert!(found <= f64::from(tolerance), "packed {found} of {tolerance}");
+    }
+
+    #[test]
+    fn reductions_of_nonsense(
+        times in prop::collection::vec(prop_oneof![0.0_f32..4.0, any_float()], 1..8),
+        numbers in prop::collection::vec(any_float(), 96),
+        rest in any_transform(),
+        [tolerance, pin, at] in prop::array::uniform3(any_float()),
+        is_sorted in any::<bool>(),
+    ) {
+        let mut times = times;
+        if is_sorted {
+            times.iter_mut().for_each(|time| *time = time.abs());
+            times.sort_by(f32::total_cmp);
+        }
+        let rest = if rest.is_sound() { rest } else { Transform::IDENTITY };
+        let bones = [None, Some(0), Some(1)].map(|parent| Bone::new("b", parent).with_rest(rest));
+        let skeleton = Skeleton::new(bones).unwrap();
+        let keys: Vec<HermiteKey<Quat>> = numbers.chunks(12).take(times.len())
+            .map(|n| HermiteKey { into: Quat::from_slice(n), value: Quat::from_slice(&n[4..]), out: Quat::from_slice(&n[8..]) })
+            .collect();
+        let vectors: Vec<Vec3> = numbers.chunks(3).take(times.len()).map(Vec3::from_slice).collect();
+        let mut clip = Clip::new("c").with_scalar(usize::MAX, Track::constant(0.5).unwrap());
+        if let Ok(track) = Track::hermite(times.clone(), &keys) {
+            clip = clip.with_rotation(0, track.cut(0.1, at)).with_rotation(usize::MAX, track);
+        }
+        if let Ok(track) = Track::linear(times.clone(), vectors.clone()) {
+            clip = clip.with_translation(1, track.clone()).with_scale(2, track);
+        }
+        if let Ok(track) = Track::catmull_rom(times, vectors) {
+            clip = clip.with_scale(0, track);
+        }
+        let reduction = Reduction::new(tolerance.abs()).with_pins([pin.abs()]);
+        if let Ok(reduced) = reduction.reduce(&clip, &skeleton) {
+            prop_assert!(!(reduced.error > tolerance.abs()), "{reduced:?}");
+        }
+        if let Ok(packed) = reduction.pack(&clip, &skeleton) {
+            prop_assert!(!(packed.error > tolerance.abs()), "{packed:?}");
+            let read = PackedClip::from_bytes(&packed.clip.to_bytes());
+            prop_assert_eq!(read.as_ref(), Ok(&packed.clip));
+            let mut pose = [Transform::IDENTITY; 3];
+            packed.clip.sample(at, &mut packed.clip.cursor(), &mut pose);
+            prop_assert!(pose.iter().all(Transform::is_sound), "{pose:?}");
+        }
+    }
+
+    #[test]
+    fn packed_bytes(bytes in prop::collection::vec(any::<u8>(), 0..200), is_begun in any::<bool>(), at in any_float()) {
+        // The beginning of a clip without name, events and length, or any.
+        let begin = b"AIMP\x01\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0";
+        let bytes = if is_begun { [&begin[..], &bytes].concat() } else { bytes };
+        if let Ok(packed) = PackedClip::from_bytes(&bytes) {
+            let mut pose = [Transform::IDENTITY; 3];
+            packed.sample(at, &mut packed.cursor(), &mut pose);
+            prop_assert!(pose.iter().all(Transform::is_sound), "{pose:?}");
         }
     }
 }

@@ -1,14 +1,14 @@
 //! What is counted: poses of 64 bones, sampled from a clip, blended, or taken to model space, and little else.
 //!
-//! `pose_frames none|sample|blend|sum|model FRAMES`: two runs differ by the work of the frames by which they differ; `none` is
+//! `pose_frames none|sample|packed|blend|sum|model FRAMES`: two runs differ by the work of the frames by which they differ; `none` is
 //! the frame without the work. Every bone has its own linear tracks of translation, rotation and scale, of 30 keys a second,
-//! sampled forward at 60 Hz with one cursor. `sum` is of four poses.
+//! sampled forward at 60 Hz with one cursor; `packed` is that clip packed to a thousandth. `sum` is of four poses.
 
 use std::env;
 use std::hint::black_box;
 use std::process::ExitCode;
 
-use aim::animation::{Blender, Bone, Clip, Skeleton, Track, Transform};
+use aim::animation::{Blender, Bone, Clip, Reduction, Skeleton, Track, Transform};
 use aim::glam::{Affine3A, Quat, Vec3};
 
 const BONES: usize = 64;
@@ -27,6 +27,8 @@ fn main() -> ExitCode {
     let skeleton = Skeleton::new(bones).expect("parents come first");
     let clip = clip();
     let mut cursor = clip.cursor();
+    let packed = (work == "packed").then(|| Reduction::new(1e-3).pack(&clip, &skeleton).expect("it is sound").clip);
+    let mut packed_cursor = packed.as_ref().map(|packed| packed.cursor()).unwrap_or_default();
     let mut pose = skeleton.rest().to_vec();
     let mut model = vec![Affine3A::IDENTITY; BONES];
     let blender = Blender::new(&skeleton);
@@ -40,6 +42,11 @@ fn main() -> ExitCode {
         match work.as_str() {
             "none" => {}
             "sample" => clip.sample(time_s, &mut cursor, &mut pose),
+            "packed" => {
+                if let Some(packed) = &packed {
+                    packed.sample(time_s, &mut packed_cursor, &mut pose);
+                }
+            }
             "blend" => {
                 let [one, other, ..] = &mut others;
                 blender.blend(one, other, black_box(0.25)).expect("of one length");
@@ -57,7 +64,7 @@ fn main() -> ExitCode {
 }
 
 fn usage() -> ExitCode {
-    eprintln!("pose_frames none|sample|blend|sum|model FRAMES");
+    eprintln!("pose_frames none|sample|packed|blend|sum|model FRAMES");
     ExitCode::FAILURE
 }
 

@@ -6,8 +6,8 @@ use std::hint::black_box;
 
 use aim::animation::{
     AimChain, BlendLine, BlendPlane, Blender, Clip, ClipControl, Control, Corrections, Gizmos, Inertia, Instance,
-    Looping, Marks, Mask, Method, Model, Motion, Node, Parameter, Phase, Reach, ReachGoal, Root, RootPath, Skeleton,
-    Transform, Transition, Tree,
+    Looping, Marks, Mask, Method, Model, Motion, Node, Parameter, Phase, Reach, ReachGoal, Reduction, Root, RootPath,
+    Skeleton, Transform, Transition, Tree,
 };
 use aim::glam::{Affine3A, Vec2, Vec3};
 use aim::{Aim, AimRig, DynAim, Rig, Settings};
@@ -62,6 +62,13 @@ fn frames_allocate_nothing() {
         clips[0].sample(step.to_s(), &mut cursors[0], &mut poses[0]);
         clips[1].sample(0.3, &mut cursors[1], &mut poses[1]);
         told
+    });
+
+    let packed = Reduction::new(1e-3).pack(&clips[0], &skeleton).unwrap().clip;
+    let mut cursor = packed.cursor();
+    allocates_nothing("playing a packed clip", || {
+        packed.sample(0.3, &mut cursor, &mut poses[0]);
+        packed.sample_scalars(0.3, &mut cursor, &mut []);
     });
 
     let marks = [Marks::new(1.0, [0.0, 0.5]).unwrap(), Marks::new(0.7, [0.0, 0.3]).unwrap()];

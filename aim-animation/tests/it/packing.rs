@@ -1,0 +1,176 @@
+//! Packed clips: the same samples as their floats, the tolerance of the reduction, and bytes of all kinds.
+
+use aim_animation::glam::{Quat, Vec3};
+use aim_animation::{
+    Bone, Clip, Control, Cursor, Looping, PackedClip, PackedError, Reduction, Skeleton, Track, Transform,
+};
+
+use crate::common::Rng;
+use crate::reducing::{any_clip, any_skeleton, error, scalar_error, times};
+
+fn packed(rng: &mut Rng) -> (Skeleton, Clip, f32, aim_animation::Packed) {
+    let bones = 1 + rng.below(9);
+    let (skeleton, clip) = (any_skeleton(rng, bones), any_clip(rng, bones));
+    let tolerance = [0.0, 1e-6, 1e-4, 1e-3, 1e-2, 0.1][rng.below(6)];
+    let packed = Reduction::new(tolerance).pack(&clip, &skeleton).unwrap();
+    (skeleton, clip, tolerance, packed)
+}
+
+#[test]
+fn the_tolerance_is_that_of_keys_and_rounding_together() {
+    let mut rng = Rng(21);
+    for case in 0..60 {
+        let (skeleton, clip, tolerance, packed) = packed(&mut rng);
+        let mut cursor = packed.clip.cursor();
+        let found = error(&skeleton, &clip, |time, pose| packed.clip.sample(time, &mut cursor, pose));
+        assert!(found <= f64::from(tolerance).max(1e-12), "{case}: {found} of {tolerance}");
+        assert!(
+            (found - f64::from(packed.error)).abs() <= 0.02 * f64::from(tolerance) + 1e-12,
+            "{case}: {found} {tolerance} {}",
+            packed.error
+        );
+        let mut cursor = packed.clip.cursor();
+        let off = scalar_error(&clip, |time, scalars| packed.clip.sample_scalars(time, &mut cursor, scalars));
+        assert!(off <= 1e-3, "{case}: {off}");
+        assert_eq!((packed.clip.name(), packed.clip.length_s()), (clip.name(), clip.length_s()));
+        assert_eq!(packed.clip.events(), clip.events());
+    }
+}
+
+fn same_bits(a: &Transform, b: &Transform) -> bool {
+    let bits = |numbers: &[f32]| numbers.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
+    let rotation = |q: Quat| q.to_array().map(|number| number + 0.0);
+    (rotation(a.rotation) == rotation(b.rotation) || rotation(a.rotation) == rotation(-b.rotation))
+        && bits(&a.translation.to_array()) == bits(&b.translation.to_array())
+        && bits(&a.scale.to_array()) == bits(&b.scale.to_array())
+}
+
+#[test]
+fn samples_are_those_of_the_floats_whatever_the_cursor() {
+    let mut rng = Rng(22);
+    for case in 0..40 {
+        let (skeleton, clip, _, packed) = packed(&mut rng);
+        let (packed, floats) = (&packed.clip, packed.clip.unpacked());
+        assert_eq!(packed.events(), floats.events());
+        assert_eq!(packed.length_s(), floats.length_s());
+        let mut all = times(&clip);
+        all.extend([-1.0, f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e9]);
+        all.extend((0..50).map(|_| rng.between(0.0, 4.0)));
+        let mut cursors = [packed.cursor(), clip.cursor(), Cursor::default()];
+        for time in all {
+            let mut expected = skeleton.rest().to_vec();
+            floats.sample(time, &mut floats.cursor(), &mut expected);
+            for cursor in &mut cursors {
+                let mut pose = skeleton.rest().to_vec();
+                packed.sample(time, cursor, &mut pose);
+                let is_same = pose.iter().zip(&expected).all(|(a, b)| same_bits(a, b));
+                assert!(is_same, "{case} {time}: {pose:?} {expected:?}");
+                let [mut a, mut b] = [[9.0; 8]; 2];
+                packed.sample_scalars(time, cursor, &mut a);
+                floats.sample_scalars(time, &mut floats.cursor(), &mut b);
+                assert_eq!(a, b, "{case} {time}");
+            }
+        }
+    }
+}
+
+#[test]
+fn bytes_there_and_back() {
+    let mut rng = Rng(23);
+    for case in 0..40 {
+        let (_, _, _, packed) = packed(&mut rng);
+        let bytes = packed.clip.to_bytes();
+        assert_eq!(PackedClip::from_bytes(&bytes).as_ref(), Ok(&packed.clip), "{case}");
+        for end in 0..bytes.len() {
+            assert!(PackedClip::from_bytes(&bytes[..end]).is_err(), "{case}: cut at {end}");
+        }
+        let longer = [&bytes[..], &[0]].concat();
+        assert_eq!(PackedClip::from_bytes(&longer), Err(PackedError::Rest(1)), "{case}");
+    }
+}
+
+#[test]
+fn damaged_bytes_give_an_error_or_sound_samples() {
+    let mut rng = Rng(24);
+    let mut sound = 0;
+    for case in 0..60 {
+        let (_, _, _, packed) = packed(&mut rng);
+        let bytes = packed.clip.to_bytes();
+        for _ in 0..60 {
+            let mut bytes = bytes.clone();
+            for _ in 0..1 + rng.below(3) {
+                let (at, bit) = (rng.below(bytes.len()), rng.below(8));
+                bytes[at] ^= 1 << bit;
+            }
+            let Ok(damaged) = PackedClip::from_bytes(&bytes) else { continue };
+            sound += 1;
+            let mut cursor = damaged.cursor();
+            for k in 0..20_u8 {
+                let mut pose = [Transform::IDENTITY; 12];
+                damaged.sample(f32::from(k) * 0.2, &mut cursor, &mut pose);
+                assert!(pose.iter().all(Transform::is_sound), "{case}: {pose:?}");
+            }
+            assert_eq!(PackedClip::from_bytes(&damaged.to_bytes()).as_ref(), Ok(&damaged), "{case}");
+        }
+    }
+    assert!(sound > 100, "{sound}");
+}
+
+#[test]
+fn each_damage_has_its_error() {
+    let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
+    let clip = Clip::new("é").with_event(0.5, "e").unwrap().with_length(2.0);
+    let clip = clip.with_translation(0, Track::linear([0.0, 1.0], [Vec3::ZERO, Vec3::X]).unwrap());
+    let bytes = Reduction::new(1e-3).pack(&clip, &skeleton).unwrap().clip.to_bytes();
+    let with = |at: usize, byte: u8| {
+        let mut bytes = bytes.clone();
+        bytes[at] = byte;
+        PackedClip::from_bytes(&bytes).unwrap_err()
+    };
+    assert_eq!(with(0, b'X'), PackedError::Magic);
+    assert_eq!(with(4, 9), PackedError::Version(9));
+    assert_eq!(with(12, 0xff), PackedError::Name);
+    // The length's sign, the event's exponent, a huge name.
+    assert_eq!(with(17, 0xc0), PackedError::Time);
+    assert_eq!(with(25, 0x7f), PackedError::Time);
+    assert_eq!(with(11, 0xff), PackedError::End);
+    let messages = [PackedError::Track(3), PackedError::Rest(2), PackedError::Version(9), PackedError::End];
+    let messages = messages.map(|error| error.to_string());
+    for (message, part) in messages.iter().zip(["track 3", "2 bytes", "version 9", "cut"]) {
+        assert!(message.contains(part), "{message}");
+    }
+}
+
+#[test]
+fn events_are_told_as_by_the_clip() {
+    let clip = Clip::new("c").with_length(2.0).with_event(0.0, "a").unwrap().with_event(1.5, "b").unwrap();
+    let skeleton = Skeleton::new([]).unwrap();
+    let packed = Reduction::new(0.1).pack(&clip, &skeleton).unwrap().clip;
+    let step = Control::new().with_looping(Looping::Repeat).advance(5.0, 2.0);
+    assert!(packed.events_passed(&step).eq(clip.events_passed(&step)));
+    assert!(packed.events_passed(&step).count() > 1);
+}
+
+#[test]
+fn a_packed_clip_is_small() {
+    let times: Vec<f32> = (0..=90_u8).map(|k| f32::from(k) / 30.0).collect();
+    let turns: Vec<Quat> = times.iter().map(|time| Quat::from_rotation_z((time * 2.0).sin())).collect();
+    let clip = Clip::new("c").with_rotation(0, Track::linear(times, turns).unwrap());
+    let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
+    let packed = Reduction::new(1e-3).pack(&clip, &skeleton).unwrap();
+    assert!(packed.clip.bytes() * 10 < clip.bytes(), "{} of {}", packed.clip.bytes(), clip.bytes());
+    // Files and memory are alike.
+    assert!(packed.clip.to_bytes().len() < packed.clip.bytes() + 48);
+}
+
+#[test]
+fn version_one_stays_as_it_is() {
+    let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
+    let clip = Clip::new("n").with_event(0.5, "e").unwrap();
+    let clip = clip.with_translation(0, Track::linear([0.0, 1.0], [Vec3::ZERO, Vec3::X]).unwrap());
+    let packed = Reduction::new(1e-2).pack(&clip, &skeleton).unwrap().clip;
+    let hex: String = packed.to_bytes().iter().map(|byte| format!("{byte:02x}")).collect();
+    let expected = "41494d5001000000010000006e0000803f010000000000003f010000006502000000000000000000803f010000000100000009\
+        000000210060780000000080";
+    assert_eq!(hex, expected);
+}
