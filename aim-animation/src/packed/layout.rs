@@ -270,9 +270,10 @@ pub(super) fn write<T: Parts>(
     bits.push(curve, 2);
     bits.push(channel as u32, 2);
     bits.push(u32::from(form == Form::Exact), 1);
-    bits.push(u32::from(keys == times.len()), 1);
+    let at_all_times = track.times() == times;
+    bits.push(u32::from(at_all_times), 1);
     push_small(bits, target)?;
-    if keys != times.len() {
+    if !at_all_times {
         push_small(bits, keys)?;
     }
     if let Form::Grid { left_out, values, tangents: of_tangents } = &form {
@@ -282,11 +283,10 @@ pub(super) fn write<T: Parts>(
             of_tangents.write(bits, T::PARTS);
         }
     }
-    if keys != times.len() {
+    if !at_all_times {
         let width = time_bits(times.len());
-        for (k, time) in track.times().iter().enumerate() {
-            let is_second = k > 0 && track.times()[k - 1] == *time;
-            let index = times.partition_point(|other| other < time) + usize::from(is_second);
+        for time in track.times() {
+            let index = times.partition_point(|other| other < time);
             bits.push(u32::try_from(index).ok()?, width);
         }
     }

@@ -48,7 +48,7 @@ pub struct PackedClip {
     name: String,
     length_s: f32,
     events: Vec<Event>,
-    /// The times of all keys; one at which a track jumps twice.
+    /// The times of all keys, by whose numbers tracks name them: where a track jumps it names one twice.
     times: Vec<f32>,
     /// Where each track begins, in bits: those of bones, then those of scalars.
     tracks: Vec<u32>,
@@ -294,19 +294,17 @@ fn key_before(last: usize, is_before: impl Fn(usize) -> bool) -> usize {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Grids(pub(crate) Vec<Option<Grid>>);
 
-/// The times of all keys in their order; one at which a track jumps twice.
+/// The times of all keys in their order.
 pub(crate) fn times_of(clip: &Clip) -> Vec<f32> {
-    let mut all: Vec<(f32, bool)> = Vec::new();
-    let mut push = |times: &[f32]| {
-        let is_second = |k: usize| k > 0 && times[k - 1] == times[k];
-        all.extend(times.iter().enumerate().map(|(k, time)| (*time + 0.0, is_second(k))));
-    };
+    let mut all: Vec<f32> = Vec::new();
+    // No zero is negative.
+    let mut push = |times: &[f32]| all.extend(times.iter().map(|time| time + 0.0));
     for tracks in clip.tracks() {
         [&tracks.translation, &tracks.scale].into_iter().flatten().for_each(|track| push(track.times()));
         tracks.rotation.iter().for_each(|track| push(track.times()));
     }
     clip.scalars().iter().for_each(|(_, track)| push(track.times()));
-    all.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    all.dedup_by(|a, b| a.0 == b.0 && a.1 == b.1);
-    all.into_iter().map(|(time, _)| time).collect()
+    all.sort_unstable_by(f32::total_cmp);
+    all.dedup();
+    all
 }
