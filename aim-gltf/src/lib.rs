@@ -30,6 +30,7 @@ mod humanoid;
 mod look_at;
 mod material;
 mod members;
+mod mesh;
 mod morph_eyes;
 mod normals;
 mod raw;

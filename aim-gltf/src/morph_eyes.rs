@@ -206,7 +206,7 @@ fn place(data: &Data<'_>, skins: &[Skin], ways: &[MorphWay; 4]) -> Option<(usize
 }
 
 /// The weights of a node's mesh where no clip has any, one for each target.
-fn weights_at_rest(data: &Data<'_>, node: usize) -> Vec<f32> {
+pub(crate) fn weights_at_rest(data: &Data<'_>, node: usize) -> Vec<f32> {
     let node = &data.raw.nodes[node];
     let mesh = node.mesh.unwrap_or_default();
     let stated = [&node.weights, &data.raw.meshes[mesh].weights].into_iter().find_map(Value::as_array);

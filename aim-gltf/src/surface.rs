@@ -1,5 +1,6 @@
 //! The triangles that a file shows, ready to be posed and drawn. What cannot be read is left out, never an error.
 
+use core::ops::Range;
 use std::sync::Arc;
 
 use aim_animation::glam::{DAffine3, Vec2, Vec3};
@@ -8,6 +9,7 @@ use serde_json::Value;
 use crate::accessor::Data;
 use crate::document::{Document, bytes_of};
 use crate::material::{self, Material};
+use crate::mesh::Movers;
 use crate::normals::normals;
 use crate::raw::{Primitive, Raw};
 use crate::skeleton::Skeleton;
@@ -38,12 +40,13 @@ pub struct Surface {
     triangles: Vec<Triangle>,
     materials: Vec<Material>,
     images: Vec<Arc<[u8]>>,
+    pub(crate) movers: Movers,
 }
 
 impl Document {
     /// The triangles of every mesh that a node shows, and what they look like. Points, lines, and geometry that is
-    /// compressed or broken are left out, and so are pictures that cannot be found; shapes are at their defaults,
-    /// without morph targets.
+    /// compressed or broken are left out, and so are pictures that cannot be found; shapes are those
+    /// without morph targets, which [`Surface::mesh`] has.
     #[must_use]
     pub fn surface(&self) -> Surface {
         let mut surface = Surface::default();
@@ -62,9 +65,12 @@ impl Document {
         };
         for (node, mesh) in raw.nodes.iter().enumerate().filter_map(|(i, node)| Some((i, node.mesh?))) {
             let is_mirrored = skeleton.bone_of(node).is_some_and(mirrors);
+            let bone = skeleton.bone_of(node).unwrap_or_default();
+            let targets = surface.movers.add_targets(&data, node, bone);
             for (index, primitive) in raw.meshes[mesh].primitives.iter().enumerate() {
                 let json = &self.json()["meshes"][mesh]["primitives"][index];
-                surface.add(skeleton, &Part { data: &data, node, primitive, json, is_mirrored });
+                surface
+                    .add(skeleton, &Part { data: &data, node, primitive, json, is_mirrored, targets: targets.clone() });
             }
         }
         surface
@@ -80,6 +86,8 @@ struct Part<'a> {
     json: &'a Value,
     /// True if the node turns it inside out.
     is_mirrored: bool,
+    /// The numbers of the node's morph targets.
+    targets: Range<usize>,
 }
 
 impl Part<'_> {
@@ -149,6 +157,8 @@ impl Surface {
         let placed = |triangle: [usize; 3]| Triangle { vertices: triangle.map(|vertex| start + vertex), material };
         self.triangles.extend(triangles.into_iter().map(placed));
         self.points.extend(points.into_iter().map(|point| point.counted(skeleton)));
+        self.movers.add_joints(part.data, part.primitive, start..start + count);
+        self.movers.add_morphs(part.data, part.primitive, part.targets.clone(), start..start + count);
     }
 
     /// The triangles.

@@ -1,0 +1,119 @@
+//! [`Hit`]: the nearest triangle that a ray meets.
+
+use aim_runtime::glam::{Vec3, Vec3A};
+use aim_runtime::rotation::cross;
+
+use super::BoneBoxes;
+use super::ray::{Crossing, Ray, Shear};
+use crate::float::narrow;
+use crate::mesh::{Mesh, MeshError, MeshPose, unit_or_zero};
+
+/// Where a ray first meets a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Hit {
+    /// The bone that moves the point most.
+    pub bone: usize,
+    /// The triangle, counted as in the mesh.
+    pub triangle: usize,
+    /// The part of the ray up to there, in lengths of its direction: the distance where that has length 1, and 0…1 of a
+    /// segment.
+    pub part: f32,
+    /// The point, on the triangle.
+    pub point: Vec3,
+    /// The direction square to the triangle, to its outside, of length one; zero if it is too small to have one.
+    pub normal: Vec3,
+    /// The shares of the triangle's corners in the point, which sum to 1: for texture coordinates and the like.
+    pub barycentric: [f32; 3],
+}
+
+impl BoneBoxes {
+    /// The nearest triangle of a mesh that a ray meets in a pose, from either side; of several that meet there, as at a
+    /// shared edge, the first. `None` if it meets none, or if the ray is [none](Ray::is_sound).
+    ///
+    /// The same as a test of all triangles of the [deformed](Mesh::deform) mesh: no ray slips through between triangles
+    /// that share their vertices. Triangles of a corner that is not finite are not met.
+    ///
+    /// # Errors
+    /// Another mesh than the boxes were made of, or fewer matrices than it hangs on.
+    pub fn hit(&self, mesh: &Mesh, pose: &MeshPose<'_>, ray: &Ray) -> Result<Option<Hit>, MeshError> {
+        if mesh.positions().len() != self.vertices || mesh.triangles().len() != self.triangles.len() {
+            return Err(MeshError::OtherMesh);
+        }
+        self.check_pose(pose)?;
+        mesh.check_joints(pose.matrices.len())?;
+        if !ray.is_sound() {
+            return Ok(None);
+        }
+        let mut search = Search { mesh, pose, shear: Shear::new(ray), end: f64::from(ray.end), nearest: None };
+        for carrier in &self.carriers {
+            let aabb = self.around(&self.parts[carrier.parts.clone()], pose);
+            if aabb.is_some_and(|aabb| aabb.meets(ray, search.end)) {
+                self.triangles[carrier.triangles.clone()].iter().for_each(|triangle| search.test(*triangle));
+            }
+        }
+        Ok(search.nearest.map(|nearest| self.described(&search, nearest)))
+    }
+
+    fn described(&self, search: &Search<'_>, (triangle, barycentric): (u32, [f64; 3])) -> Hit {
+        let corners = &search.mesh.triangles()[triangle as usize];
+        let [a, b, c] = search.corners(corners);
+        let barycentric = barycentric.map(narrow);
+        let joint = heaviest(search.mesh, corners, barycentric);
+        Hit {
+            bone: self.bones[joint],
+            triangle: triangle as usize,
+            part: narrow(search.end),
+            point: (a * barycentric[0] + b * barycentric[1] + c * barycentric[2]).into(),
+            normal: unit_or_zero(cross(unit_or_zero(b - a), unit_or_zero(c - a))).into(),
+            barycentric,
+        }
+    }
+}
+
+/// A ray on its way through a mesh.
+struct Search<'a> {
+    mesh: &'a Mesh,
+    pose: &'a MeshPose<'a>,
+    shear: Shear,
+    /// The end of the ray, or the nearest triangle that was met.
+    end: f64,
+    /// That triangle, and the shares of its corners.
+    nearest: Option<(u32, [f64; 3])>,
+}
+
+impl Search<'_> {
+    /// The corners of a triangle in the pose.
+    fn corners(&self, corners: &[u32; 3]) -> [Vec3A; 3] {
+        corners.map(|corner| self.mesh.placed(corner as usize, self.pose))
+    }
+
+    fn test(&mut self, triangle: u32) {
+        let corners = self.corners(&self.mesh.triangles()[triangle as usize]);
+        let Some(Crossing { part, barycentric }) = self.shear.crossing(corners) else { return };
+        // Of equals the first, in whichever order they are tested.
+        let is_first = self.nearest.is_none_or(|(best, _)| part < self.end || triangle < best);
+        if part >= 0.0 && part <= self.end && is_first {
+            (self.end, self.nearest) = (part, Some((triangle, barycentric)));
+        }
+    }
+}
+
+/// The joint that moves a point of a triangle most, of equals the lowest; `shares` are those of the corners.
+pub(super) fn heaviest(mesh: &Mesh, corners: &[u32; 3], shares: [f32; 3]) -> usize {
+    let influences = || {
+        let of = |(corner, share): (&u32, f32)| {
+            mesh.influences(*corner as usize).iter().map(move |influence| (influence.joint, influence.weight * share))
+        };
+        corners.iter().zip(shares).flat_map(of)
+    };
+    let total = |joint: u32| influences().filter(|other| other.0 == joint).map(|other| other.1).sum::<f32>();
+    let mut best = (u32::MAX, -1.0);
+    for (joint, _) in influences() {
+        let total = total(joint);
+        if total > best.1 || (total == best.1 && joint < best.0) {
+            best = (joint, total);
+        }
+    }
+    best.0 as usize
+}

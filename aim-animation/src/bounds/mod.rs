@@ -1,0 +1,230 @@
+//! Boxes of bones, and what a ray hits of a mesh.
+//!
+//! [`BoneBoxes`] are made once of a mesh; in a pose only the boxes are placed, and [`hit`](BoneBoxes::hit) places the vertices of
+//! those triangles alone whose boxes the ray meets. [`aabb`] has the boxes, [`ray`] the test of a triangle.
+
+mod aabb;
+mod hit;
+mod ray;
+
+use alloc::vec::Vec;
+use core::ops::Range;
+
+use aim_runtime::glam::{Affine3A, Mat3A, Vec3, Vec3A};
+use aim_runtime::rotation::nearest_orthogonal;
+
+pub use aabb::{Aabb, OrientedBox};
+pub use hit::Hit;
+pub use ray::Ray;
+
+use crate::mesh::{Mesh, MeshError, MeshPose, Skin};
+
+/// The boxes of a mesh's bones, computed once from its vertices at rest.
+///
+/// A vertex of several joints lies in the convex hull of their boxes, not in one of them. So what a joint
+/// [carries](Self::carried) is bounded by the boxes of all joints that move it: whatever the pose, no vertex is outside.
+///
+/// ```
+/// use aim_animation::glam::{Affine3A, Vec3};
+/// use aim_animation::{Bone, BoneBoxes, Influence, Mesh, MeshPose, Ray, Skeleton, Skin};
+///
+/// let skeleton = Skeleton::new([Bone::new("sign", None)])?;
+/// let skin = Skin::new(&skeleton, [0])?;
+/// let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
+/// let mesh = Mesh::new(positions, [[0, 1, 2]], &[[Influence::new(0, 1.0)]; 3])?;
+/// let boxes = BoneBoxes::new(&mesh, &skin)?;
+///
+/// let matrices = [Affine3A::from_translation(Vec3::Z * 2.0)];
+/// let pose = MeshPose::new(&matrices);
+/// let ray = Ray::segment(Vec3::new(0.25, 0.25, 0.0), Vec3::new(0.25, 0.25, 4.0));
+/// let hit = boxes.hit(&mesh, &pose, &ray)?.unwrap();
+/// assert_eq!((hit.bone, hit.triangle, hit.part), (0, 0, 0.5));
+/// assert_eq!((hit.point, hit.normal), (Vec3::new(0.25, 0.25, 2.0), Vec3::Z));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct BoneBoxes {
+    /// Of each joint.
+    bones: Vec<usize>,
+    /// Space of the mesh ← axes of each joint at rest: a rotation, so that boxes are in units of the mesh.
+    axes: Vec<Mat3A>,
+    /// Of all vertices that a joint moves, joint by joint.
+    moved: Vec<Part>,
+    carriers: Vec<Carrier>,
+    /// Of carriers, one after the other.
+    parts: Vec<Part>,
+    morphs: Vec<MorphExtent>,
+    /// Indices of triangles, carrier by carrier.
+    triangles: Vec<u32>,
+    vertices: usize,
+}
+
+/// The triangles that hang on one joint most.
+#[derive(Clone, Debug, PartialEq)]
+struct Carrier {
+    joint: usize,
+    triangles: Range<usize>,
+    /// For each joint that moves one of their corners.
+    parts: Range<usize>,
+}
+
+/// The vertices among some that one joint moves.
+#[derive(Clone, Debug, PartialEq)]
+struct Part {
+    joint: usize,
+    /// Along the joint's axes, without morph targets.
+    aabb: Aabb,
+    morphs: Range<usize>,
+}
+
+/// How far a morph target moves vertices of a part, along the joint's axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct MorphExtent {
+    target: u32,
+    least: Vec3,
+    most: Vec3,
+}
+
+impl BoneBoxes {
+    /// The boxes of a mesh on a skin.
+    ///
+    /// # Errors
+    /// A mesh that hangs on more joints than the skin has.
+    pub fn new(mesh: &Mesh, skin: &Skin) -> Result<Self, MeshError> {
+        mesh.check_joints(skin.len())?;
+        // The bone's axes at rest in the space of the mesh: those that its inverse rest makes x, y and z.
+        let axes_of = |inverse_rest: &Affine3A| {
+            let inverse = aim_runtime::rotation::inverse(inverse_rest);
+            inverse.and_then(|rest| nearest_orthogonal(rest.matrix3)).unwrap_or(Mat3A::IDENTITY)
+        };
+        let mut boxes = Self {
+            bones: skin.bones().to_vec(),
+            axes: skin.inverse_rest().iter().map(axes_of).collect(),
+            moved: Vec::new(),
+            carriers: Vec::new(),
+            parts: Vec::new(),
+            morphs: Vec::new(),
+            triangles: Vec::new(),
+            vertices: mesh.positions().len(),
+        };
+        boxes.moved = boxes.measured(mesh, (0..mesh.positions().len()).collect());
+        let mut carried: Vec<(usize, u32)> =
+            (0..).zip(mesh.triangles()).map(|(triangle, corners)| (carrier(mesh, corners), triangle)).collect();
+        carried.sort_unstable();
+        for of_joint in carried.chunk_by(|a, b| a.0 == b.0) {
+            let (triangles, parts) = (boxes.triangles.len(), boxes.parts.len());
+            boxes.triangles.extend(of_joint.iter().map(|(_, triangle)| triangle));
+            let corners = boxes.triangles[triangles..].iter().flat_map(|triangle| mesh.triangles()[*triangle as usize]);
+            let mut vertices: Vec<usize> = corners.map(|corner| corner as usize).collect();
+            vertices.sort_unstable();
+            vertices.dedup();
+            let measured = boxes.measured(mesh, vertices);
+            boxes.parts.extend(measured);
+            let (triangles, parts) = (triangles..boxes.triangles.len(), parts..boxes.parts.len());
+            boxes.carriers.push(Carrier { joint: of_joint[0].0, triangles, parts });
+        }
+        Ok(boxes)
+    }
+
+    /// The parts of some vertices, by joint.
+    fn measured(&mut self, mesh: &Mesh, vertices: Vec<usize>) -> Vec<Part> {
+        let joints = |vertex: usize| mesh.influences(vertex).iter().map(move |i| (i.joint as usize, vertex));
+        let mut moved: Vec<(usize, usize)> = vertices.into_iter().flat_map(joints).collect();
+        moved.sort_unstable();
+        let mut parts = Vec::new();
+        for of_joint in moved.chunk_by(|a, b| a.0 == b.0) {
+            let joint = of_joint[0].0;
+            let along = self.axes[joint].transpose();
+            let mut aabb = Aabb { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
+            let start = self.morphs.len();
+            for &(_, vertex) in of_joint {
+                let position = Vec3::from(along * Vec3A::from(mesh.positions()[vertex]));
+                aabb = aabb.union(&Aabb { min: position, max: position });
+                for morph in mesh.morphs(vertex) {
+                    self.extend_morph(start, morph.target, (along * Vec3A::from(morph.position)).into());
+                }
+            }
+            parts.push(Part { joint, aabb, morphs: start..self.morphs.len() });
+        }
+        parts
+    }
+
+    /// Adds a vertex's way to those of its target from `start` on.
+    fn extend_morph(&mut self, start: usize, target: u32, way: Vec3) {
+        let of_part = &self.morphs[start..];
+        let at = start + of_part.partition_point(|extent| extent.target < target);
+        if self.morphs.get(at).is_none_or(|extent| extent.target != target) {
+            // There may be vertices that it does not move.
+            self.morphs.insert(at, MorphExtent { target, least: Vec3::ZERO, most: Vec3::ZERO });
+        }
+        let extent = &mut self.morphs[at];
+        (extent.least, extent.most) = (extent.least.min(way), extent.most.max(way));
+    }
+
+    /// A part's box in a pose, along the joint's axes, and the map from there.
+    fn posed(&self, part: &Part, pose: &MeshPose<'_>) -> OrientedBox {
+        let mut aabb = part.aabb;
+        for extent in &self.morphs[part.morphs.clone()] {
+            let weight = pose.morph_weights.get(extent.target as usize).copied().unwrap_or(0.0);
+            if weight != 0.0 {
+                let (a, b) = (extent.least * weight, extent.most * weight);
+                aabb = Aabb { min: aabb.min + a.min(b), max: aabb.max + a.max(b) };
+            }
+        }
+        let matrix = &pose.matrices[part.joint];
+        OrientedBox { aabb, place: Affine3A { matrix3: matrix.matrix3 * self.axes[part.joint], ..*matrix } }
+    }
+
+    /// The box around parts in a pose; `None` of none.
+    fn around(&self, parts: &[Part], pose: &MeshPose<'_>) -> Option<Aabb> {
+        parts.iter().map(|part| self.posed(part, pose).aabb()).reduce(|a, b| a.union(&b))
+    }
+
+    /// The box of all vertices that a joint moves, along the bone's own axes, as it alone would move them: tight around
+    /// what hangs on it alone, and what is drawn of a character's boxes. `None` if it moves none, or if there is no matrix
+    /// for it.
+    #[must_use]
+    pub fn oriented(&self, joint: usize, pose: &MeshPose<'_>) -> Option<OrientedBox> {
+        let part = self.moved.binary_search_by_key(&joint, |part| part.joint).ok()?;
+        (joint < pose.matrices.len()).then(|| self.posed(&self.moved[part], pose))
+    }
+
+    /// The box along the axes of the space around all triangles that hang on a joint most, whatever else moves their
+    /// corners. Infinite if a matrix or a weight for it is not finite; `None` if there are no such triangles.
+    ///
+    /// # Errors
+    /// Fewer matrices than the mesh hangs on.
+    pub fn carried(&self, joint: usize, pose: &MeshPose<'_>) -> Result<Option<Aabb>, MeshError> {
+        self.check_pose(pose)?;
+        let carrier = self.carriers.binary_search_by_key(&joint, |carrier| carrier.joint).ok();
+        Ok(carrier.and_then(|at| self.around(&self.parts[self.carriers[at].parts.clone()], pose)))
+    }
+
+    /// The box along the axes of the space around the whole mesh, for culling. Infinite if a matrix or a weight for it is
+    /// not finite; `None` of a mesh without vertices.
+    ///
+    /// # Errors
+    /// Fewer matrices than the mesh hangs on.
+    pub fn whole(&self, pose: &MeshPose<'_>) -> Result<Option<Aabb>, MeshError> {
+        self.check_pose(pose)?;
+        Ok(self.around(&self.moved, pose))
+    }
+
+    /// The triangles that hang on a joint most; each hangs on one.
+    #[must_use]
+    pub fn triangles(&self, joint: usize) -> &[u32] {
+        let carrier = self.carriers.binary_search_by_key(&joint, |carrier| carrier.joint);
+        carrier.map_or(&[], |at| &self.triangles[self.carriers[at].triangles.clone()])
+    }
+
+    /// Fails unless there is a matrix for each joint that moves a vertex.
+    fn check_pose(&self, pose: &MeshPose<'_>) -> Result<(), MeshError> {
+        let (needed, found) = (self.moved.last().map_or(0, |part| part.joint + 1), pose.matrices.len());
+        if found >= needed { Ok(()) } else { Err(MeshError::Joints { needed, found }) }
+    }
+}
+
+/// The joint that moves three corners most; of equals the lowest.
+fn carrier(mesh: &Mesh, corners: &[u32; 3]) -> usize {
+    hit::heaviest(mesh, corners, [1.0; 3])
+}

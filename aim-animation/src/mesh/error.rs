@@ -1,0 +1,96 @@
+//! [`MeshError`] and [`SkinError`].
+
+use core::fmt;
+
+/// Why a mesh is none, or cannot be deformed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum MeshError {
+    /// There are more vertices, triangles or influences than 32 bits count.
+    Size,
+    /// A slice has another length than the mesh has vertices.
+    Length {
+        /// The number of vertices.
+        vertices: usize,
+        /// The length of the slice.
+        found: usize,
+    },
+    /// The position or the normal of this vertex is not finite.
+    Vertex(usize),
+    /// A corner of this triangle is no vertex.
+    Triangle(usize),
+    /// A weight of this vertex is negative or not finite.
+    Weight(usize),
+    /// Nothing moves this vertex.
+    Unmoved(usize),
+    /// The morph of this number moves a vertex that does not exist, or is not finite.
+    Morph(usize),
+    /// There are fewer matrices, or joints of a skin, than the mesh hangs on.
+    Joints {
+        /// One more than the last joint that moves a vertex.
+        needed: usize,
+        /// The number of matrices or joints.
+        found: usize,
+    },
+    /// The mesh has no normals.
+    NoNormals,
+    /// The boxes were made of another mesh.
+    OtherMesh,
+}
+
+impl fmt::Display for MeshError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Size => write!(f, "the mesh has more vertices, triangles or influences than 32 bits count; split it"),
+            Self::Length { vertices, found } => write!(f, "a slice of {found} elements for {vertices} vertices"),
+            Self::Vertex(vertex) => write!(f, "the position or normal of vertex {vertex} is not finite"),
+            Self::Triangle(triangle) => write!(f, "a corner of triangle {triangle} is a vertex that does not exist"),
+            Self::Weight(vertex) => write!(f, "a weight of vertex {vertex} is negative or not finite"),
+            Self::Unmoved(vertex) => {
+                write!(f, "vertex {vertex} has no weight above 0; give it weight 1 of the joint that carries it")
+            }
+            Self::Morph(morph) => write!(f, "morph {morph} moves a vertex that does not exist, or is not finite"),
+            Self::Joints { needed, found } => write!(f, "{found} joints for a mesh that hangs on {needed}"),
+            Self::NoNormals => write!(f, "the mesh has no normals; add them by `with_normals`"),
+            Self::OtherMesh => write!(f, "the boxes were made of another mesh"),
+        }
+    }
+}
+
+impl core::error::Error for MeshError {}
+
+/// Why joints are no skin, or a slice does not fit one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SkinError {
+    /// This joint is a bone that the skeleton does not have.
+    Bone {
+        /// The joint.
+        joint: usize,
+        /// The bone.
+        bone: usize,
+    },
+    /// The rest of this joint does not span space, or the inverse given for it is not finite.
+    Rest(usize),
+    /// A slice has another length than it should.
+    Length {
+        /// The number of joints, or of bones.
+        expected: usize,
+        /// The length of the slice.
+        found: usize,
+    },
+}
+
+impl fmt::Display for SkinError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Bone { joint, bone } => write!(f, "joint {joint} is bone {bone}, which does not exist"),
+            Self::Rest(joint) => {
+                write!(f, "the rest of joint {joint} is flat or not finite; its scale may not be zero")
+            }
+            Self::Length { expected, found } => write!(f, "a slice of {found} elements, expected {expected}"),
+        }
+    }
+}
+
+impl core::error::Error for SkinError {}
