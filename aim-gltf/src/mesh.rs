@@ -74,6 +74,9 @@ impl Movers {
                 (floats.len() == 3 * vertices.len()).then_some(floats)
             };
             let (positions, normals) = (read("POSITION").unwrap_or_default(), read("NORMAL").unwrap_or_default());
+            if positions.is_empty() && normals.is_empty() {
+                continue;
+            }
             let of =
                 |floats: &[f32], at: usize| floats.as_chunks().0.get(at).copied().map_or(Vec3::ZERO, Vec3::from_array);
             for (at, vertex) in vertices.clone().enumerate() {

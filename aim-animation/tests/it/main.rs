@@ -1,10 +1,12 @@
 //! The animation runtime through its public interface, judged by definitions in f64 (`common`).
 
 mod blending;
+mod bounds;
 mod common;
 mod documented;
 mod errors;
 mod instances;
+mod meshes;
 mod motions;
 mod packing;
 mod playing;

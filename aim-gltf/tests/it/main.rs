@@ -3,6 +3,7 @@
 mod bones;
 mod look_at;
 mod malformed;
+mod mesh;
 mod sampling;
 mod support;
 mod surface;

@@ -1,0 +1,242 @@
+//! Boxes that no vertex leaves, and hits that are those of all triangles, by Cramer's rule in f64.
+
+use aim_animation::glam::{Affine3A, DMat3, DVec3, Vec3};
+use aim_animation::{Aabb, Bone, BoneBoxes, Influence, Mesh, MeshError, MeshPose, Ray, Skeleton, Skin};
+
+use crate::common::Rng;
+use crate::meshes::{matrices, mesh, pose, skeleton};
+
+const WEIGHTS: [f32; 3] = [0.7, -0.4, 1.3];
+
+#[test]
+fn no_vertex_is_outside_its_boxes() {
+    let mut rng = Rng(1);
+    for round in 0..200 {
+        let skeleton = skeleton(&mut rng, 6);
+        let skin = Skin::new(&skeleton, [0, 1, 2, 3, 4, 5]).unwrap();
+        let mesh = mesh(&mut rng, 6, 30);
+        let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
+        let matrices = matrices(&skeleton, &skin, &pose(&mut rng, &skeleton));
+        // Far from the origin, rounding counts.
+        let away = Affine3A::from_translation(rng.vector([0.0, 1e3][round % 2]));
+        let matrices: Vec<Affine3A> = matrices.iter().map(|matrix| away * *matrix).collect();
+        let pose = MeshPose::new(&matrices).with_morph_weights(&WEIGHTS);
+        let mut placed = vec![Vec3::ZERO; 30];
+        mesh.deform(&pose, &mut placed).unwrap();
+        let whole = boxes.whole(&pose).unwrap().unwrap();
+        assert!(placed.iter().all(|vertex| whole.contains(*vertex)), "{whole:?}");
+        let mut carried = 0;
+        for joint in 0..6 {
+            let aabb = boxes.carried(joint, &pose).unwrap();
+            carried += boxes.triangles(joint).len();
+            for corner in boxes.triangles(joint).iter().flat_map(|triangle| mesh.triangles()[*triangle as usize]) {
+                assert!(aabb.unwrap().contains(placed[corner as usize]), "{aabb:?} of joint {joint}");
+            }
+        }
+        assert_eq!(carried, mesh.triangles().len(), "each hangs on one joint");
+    }
+}
+
+#[test]
+fn boxes_of_one_joint_are_tight_and_lie_along_the_bone() {
+    let mut rng = Rng(2);
+    let rest = rng.rigid();
+    let skeleton = Skeleton::new([Bone::new("arm", None).with_rest(rest)]).unwrap();
+    let skin = Skin::new(&skeleton, [0]).unwrap();
+    // The corners of a box along the bone.
+    let sides = Aabb { min: Vec3::new(-0.1, 0.0, -0.05), max: Vec3::new(0.1, 0.6, 0.05) };
+    let corners = sides.corners().map(|corner| rest.to_affine().transform_point3(corner));
+    let mesh = Mesh::new(corners, [], &[[Influence::new(0, 1.0)]; 8]).unwrap();
+    let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
+    let posed = rng.transform();
+    let matrices = matrices(&skeleton, &skin, &[posed]);
+    let pose = MeshPose::new(&matrices);
+    let found = boxes.oriented(0, &pose).unwrap();
+    for corner in sides.corners().map(|corner| posed.to_affine().transform_point3(corner)) {
+        let distance = found.corners().map(|other| other.distance(corner)).into_iter().fold(f32::MAX, f32::min);
+        assert!(distance < 1e-5, "{corner} is none of {found:?}");
+    }
+    let whole = boxes.whole(&pose).unwrap().unwrap();
+    let around = found.corners().into_iter().fold(None, |aabb: Option<Aabb>, corner| {
+        let point = Aabb { min: corner, max: corner };
+        Some(aabb.map_or(point, |aabb| aabb.union(&point)))
+    });
+    assert!(whole.min.abs_diff_eq(around.unwrap().min, 1e-4) && whole.max.abs_diff_eq(around.unwrap().max, 1e-4));
+    assert_eq!((boxes.oriented(1, &pose), boxes.oriented(0, &MeshPose::default())), (None, None));
+}
+
+/// The part of the way and the shares of the corners by Cramer's rule: origin + t·d = a + u·(b − a) + v·(c − a).
+fn by_cramer(corners: [DVec3; 3], ray: &Ray) -> Option<(f64, [f64; 3])> {
+    let [a, b, c] = corners;
+    let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
+    let (columns, right) = ([-direction, b - a, c - a], origin - a);
+    let determinant = |columns: [DVec3; 3]| DMat3::from_cols(columns[0], columns[1], columns[2]).determinant();
+    let all = determinant(columns);
+    let solved = [0, 1, 2].map(|column| {
+        let mut replaced = columns;
+        replaced[column] = right;
+        determinant(replaced) / all
+    });
+    let [part, u, v] = solved;
+    part.is_finite().then_some((part, [1.0 - u - v, u, v]))
+}
+
+#[test]
+fn hits_are_those_of_all_triangles() {
+    let mut rng = Rng(3);
+    let (mut met, mut missed) = (0, 0);
+    for _ in 0..40 {
+        let skeleton = skeleton(&mut rng, 6);
+        let skin = Skin::new(&skeleton, [5, 4, 3, 2, 1, 0]).unwrap();
+        let mesh = mesh(&mut rng, 6, 12);
+        let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
+        let matrices = matrices(&skeleton, &skin, &pose(&mut rng, &skeleton));
+        let pose = MeshPose::new(&matrices).with_morph_weights(&WEIGHTS);
+        let mut placed = vec![Vec3::ZERO; 12];
+        mesh.deform(&pose, &mut placed).unwrap();
+        for _ in 0..500 {
+            // Near a corner, so that half of them meet something.
+            let (from, to) = (rng.vector(3.0), placed[rng.below(12)] + rng.vector(0.5));
+            let ray = match rng.below(2) {
+                0 => Ray::new(from, (to - from) * rng.between(0.1, 3.0)),
+                _ => Ray::segment(from, to),
+            };
+            let hit = boxes.hit(&mesh, &pose, &ray).unwrap();
+            // The nearest that is clearly met, and whether one is met nearly.
+            let (mut nearest, mut is_close_call) = (f64::MAX, false);
+            for corners in mesh.triangles() {
+                let corners = corners.map(|corner| placed[corner as usize].as_dvec3());
+                let Some((part, shares)) = by_cramer(corners, &ray) else { continue };
+                let inside = shares.into_iter().fold(f64::MAX, f64::min);
+                let within = inside.min(part).min(f64::from(ray.end) - part);
+                if within > 1e-6 {
+                    nearest = nearest.min(part);
+                }
+                is_close_call |= within.abs() <= 1e-6;
+            }
+            match hit {
+                _ if is_close_call => {}
+                None => assert!(nearest == f64::MAX, "{ray:?} meets a triangle at {nearest}"),
+                Some(hit) => {
+                    assert!((f64::from(hit.part) - nearest).abs() < 1e-5 * nearest.max(1.0), "{hit:?}, at {nearest}");
+                    judge(&mesh, &skin, &placed, (&ray, &hit));
+                }
+            }
+            *(if hit.is_some() { &mut met } else { &mut missed }) += 1;
+        }
+    }
+    assert!(met > 5000 && missed > 2000, "{met} {missed}");
+}
+
+/// The parts of a hit by each other.
+fn judge(mesh: &Mesh, skin: &Skin, placed: &[Vec3], (ray, hit): (&Ray, &aim_animation::Hit)) {
+    let indices = mesh.triangles()[hit.triangle];
+    let [a, b, c] = indices.map(|corner| placed[corner as usize]);
+    let size = a.abs().max(b.abs()).max(c.abs()).max_element();
+    let [u, v, w] = hit.barycentric;
+    assert!((u + v + w - 1.0).abs() < 1e-6 && hit.barycentric.iter().all(|share| (0.0..=1.0).contains(share)));
+    assert!((a * u + b * v + c * w).abs_diff_eq(hit.point, 1e-6 * size), "{hit:?}");
+    let reach = size + ray.origin.length();
+    assert!(ray.at(hit.part).abs_diff_eq(hit.point, 1e-5 * reach), "{hit:?} of {ray:?}");
+    let square = (b - a).as_dvec3().normalize().cross((c - a).as_dvec3().normalize());
+    if square.length() > 1e-3 {
+        assert!(hit.normal.as_dvec3().distance(square.normalize()) < 1e-3, "{hit:?}");
+    }
+    // The weight of each bone in the point.
+    let mut weights = vec![0.0_f64; skin.len()];
+    for (corner, share) in indices.iter().zip(hit.barycentric) {
+        for influence in mesh.influences(*corner as usize) {
+            weights[skin.bones()[influence.joint as usize]] += f64::from(influence.weight * share);
+        }
+    }
+    let most = weights.iter().copied().fold(0.0, f64::max);
+    assert!(weights[hit.bone] > most - 1e-6, "{hit:?}: {weights:?}");
+}
+
+#[test]
+fn no_ray_slips_through_a_closed_surface() {
+    // An octahedron of many facets, whose corners round as they please.
+    let mut rng = Rng(4);
+    let count = 12_u32;
+    let mut positions = Vec::new();
+    for row in 0..=count {
+        for column in 0..=count {
+            let height = rng.between(-0.05, 0.05);
+            positions.push(Vec3::new(row as f32 / count as f32, column as f32 / count as f32, height));
+        }
+    }
+    let mut triangles = Vec::new();
+    for row in 0..count {
+        for column in 0..count {
+            let a = row * (count + 1) + column;
+            triangles.extend([[a, a + count + 1, a + 1], [a + 1, a + count + 1, a + count + 2]]);
+        }
+    }
+    let influences: Vec<[Influence; 2]> =
+        positions.iter().map(|at| [Influence::new(0, 1.0 - at.x), Influence::new(1, at.x)]).collect();
+    let mesh = Mesh::new(positions, triangles, &influences).unwrap();
+    let skeleton = Skeleton::new([Bone::new("a", None), Bone::new("b", None)]).unwrap();
+    let skin = Skin::new(&skeleton, [0, 1]).unwrap();
+    let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
+    let matrices = [Affine3A::IDENTITY, Affine3A::from_translation(Vec3::new(0.1, 0.2, 0.1))];
+    let pose = MeshPose::new(&matrices);
+    let mut placed = vec![Vec3::ZERO; mesh.positions().len()];
+    mesh.deform(&pose, &mut placed).unwrap();
+    // Through corners and points of edges, exactly as far as numbers go.
+    for row in 1..count {
+        for column in 1..count {
+            let at = (row * (count + 1) + column) as usize;
+            for (other, share) in [(at, 0.0), (at + 1, 0.5), (at + 1, 0.3), (at + count as usize, 0.7)] {
+                let target = placed[at].lerp(placed[other], share);
+                for _ in 0..5 {
+                    let from = target + Vec3::new(rng.between(-1.0, 1.0), rng.between(-1.0, 1.0), 3.0);
+                    let ray = Ray::new(from, target - from);
+                    assert!(boxes.hit(&mesh, &pose, &ray).unwrap().is_some(), "{ray:?} slips through");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_no_ray_meets_nothing() {
+    let mesh = Mesh::new([Vec3::ZERO, Vec3::X, Vec3::Y], [[0, 1, 2]], &[[Influence::new(0, 1.0)]; 3]).unwrap();
+    let skeleton = Skeleton::new([Bone::new("a", None)]).unwrap();
+    let skin = Skin::new(&skeleton, [0]).unwrap();
+    let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
+    let matrices = [Affine3A::IDENTITY];
+    let (pose, from) = (MeshPose::new(&matrices), Vec3::new(0.2, 0.2, 1.0));
+    let hit = |ray: Ray| boxes.hit(&mesh, &pose, &ray).unwrap();
+    assert_eq!(hit(Ray::new(from, -Vec3::Z)).unwrap().part, 1.0);
+    assert_eq!(hit(Ray::new(from - Vec3::Z * 2.0, Vec3::Z * 4.0)).unwrap().part, 0.25, "from behind");
+    assert_eq!(hit(Ray::new(from, -Vec3::Z * 1e-30)).unwrap().part, 1e30, "a short direction");
+    for ray in [
+        Ray::new(from, Vec3::ZERO),
+        Ray::new(Vec3::NAN, -Vec3::Z),
+        Ray::new(from, Vec3::new(0.0, f32::NAN, -1.0)),
+        Ray::new(from, Vec3::NEG_INFINITY),
+        Ray { end: f32::NAN, ..Ray::new(from, -Vec3::Z) },
+        Ray { end: -1.0, ..Ray::new(from, -Vec3::Z) },
+        Ray { end: 0.5, ..Ray::new(from, -Vec3::Z) },
+        Ray::new(from, Vec3::Z),
+        Ray::new(from, Vec3::X),
+    ] {
+        assert_eq!(hit(ray), None, "{ray:?}");
+    }
+    let ray = Ray::new(from, -Vec3::Z);
+    for broken in [Affine3A::NAN, Affine3A::from_scale(Vec3::splat(f32::INFINITY)), Affine3A::ZERO] {
+        let matrices = [broken];
+        let pose = MeshPose::new(&matrices);
+        assert_eq!(boxes.hit(&mesh, &pose, &ray).unwrap(), None, "{broken}");
+    }
+    assert_eq!(boxes.whole(&MeshPose::new(&[Affine3A::NAN])), Ok(Some(Aabb::INFINITE)));
+    let few = Err(MeshError::Joints { needed: 1, found: 0 });
+    assert_eq!(boxes.hit(&mesh, &MeshPose::default(), &ray), few);
+    assert_eq!(boxes.whole(&MeshPose::default()), Err(MeshError::Joints { needed: 1, found: 0 }));
+    let other = Mesh::new([Vec3::ZERO], [], &[[Influence::new(0, 1.0)]]).unwrap();
+    assert_eq!(boxes.hit(&other, &pose, &ray), Err(MeshError::OtherMesh));
+    assert!(BoneBoxes::new(&mesh, &Skin::default()).is_err());
+    let nothing = BoneBoxes::new(&Mesh::default(), &skin).unwrap();
+    assert_eq!(nothing.hit(&Mesh::default(), &pose, &ray), Ok(None));
+    assert_eq!(nothing.whole(&pose), Ok(None));
+}
