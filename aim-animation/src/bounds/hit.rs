@@ -3,8 +3,8 @@
 use aim_runtime::glam::{Vec3, Vec3A};
 use aim_runtime::rotation::cross;
 
-use super::BoneBoxes;
 use super::ray::{Crossing, Ray, Shear};
+use super::{BoneBoxes, Cluster};
 use crate::float::narrow;
 use crate::mesh::{Mesh, MeshError, MeshPose, unit_or_zero};
 
@@ -47,12 +47,20 @@ impl BoneBoxes {
         }
         let mut search = Search { mesh, pose, shear: Shear::new(ray), end: f64::from(ray.end), nearest: None };
         for carrier in &self.carriers {
-            let aabb = self.around(&self.parts[carrier.parts.clone()], pose);
-            if aabb.is_some_and(|aabb| aabb.meets(ray, search.end)) {
-                self.triangles[carrier.triangles.clone()].iter().for_each(|triangle| search.test(*triangle));
+            if !self.is_met(&carrier.whole, &search, ray) {
+                continue;
+            }
+            for cluster in &self.clusters[carrier.clusters.clone()] {
+                if self.is_met(cluster, &search, ray) {
+                    self.triangles[cluster.triangles.clone()].iter().for_each(|triangle| search.test(*triangle));
+                }
             }
         }
         Ok(search.nearest.map(|nearest| self.described(&search, nearest)))
+    }
+
+    fn is_met(&self, cluster: &Cluster, search: &Search<'_>, ray: &Ray) -> bool {
+        self.around_cluster(cluster, search.pose).is_some_and(|aabb| aabb.meets(ray, search.end))
     }
 
     fn described(&self, search: &Search<'_>, (triangle, barycentric): (u32, [f64; 3])) -> Hit {

@@ -51,10 +51,11 @@ pub struct BoneBoxes {
     /// Of all vertices that a joint moves, joint by joint.
     moved: Vec<Part>,
     carriers: Vec<Carrier>,
-    /// Of carriers, one after the other.
+    clusters: Vec<Cluster>,
+    /// Of carriers and clusters.
     parts: Vec<Part>,
     morphs: Vec<MorphExtent>,
-    /// Indices of triangles, carrier by carrier.
+    /// Indices of triangles, carrier by carrier, cluster by cluster.
     triangles: Vec<u32>,
     vertices: usize,
 }
@@ -63,10 +64,21 @@ pub struct BoneBoxes {
 #[derive(Clone, Debug, PartialEq)]
 struct Carrier {
     joint: usize,
+    whole: Cluster,
+    /// The same triangles, in small clusters.
+    clusters: Range<usize>,
+}
+
+/// Triangles that are near each other at rest.
+#[derive(Clone, Debug, PartialEq)]
+struct Cluster {
     triangles: Range<usize>,
     /// For each joint that moves one of their corners.
     parts: Range<usize>,
 }
+
+/// Triangles of a cluster at most: about as much work as placing the boxes of a few clusters.
+const MOST_IN_CLUSTER: usize = 16;
 
 /// The vertices among some that one joint moves.
 #[derive(Clone, Debug, PartialEq)]
@@ -102,6 +114,7 @@ impl BoneBoxes {
             axes: skin.inverse_rest().iter().map(axes_of).collect(),
             moved: Vec::new(),
             carriers: Vec::new(),
+            clusters: Vec::new(),
             parts: Vec::new(),
             morphs: Vec::new(),
             triangles: Vec::new(),
@@ -112,18 +125,29 @@ impl BoneBoxes {
             (0..).zip(mesh.triangles()).map(|(triangle, corners)| (carrier(mesh, corners), triangle)).collect();
         carried.sort_unstable();
         for of_joint in carried.chunk_by(|a, b| a.0 == b.0) {
-            let (triangles, parts) = (boxes.triangles.len(), boxes.parts.len());
-            boxes.triangles.extend(of_joint.iter().map(|(_, triangle)| triangle));
-            let corners = boxes.triangles[triangles..].iter().flat_map(|triangle| mesh.triangles()[*triangle as usize]);
-            let mut vertices: Vec<usize> = corners.map(|corner| corner as usize).collect();
-            vertices.sort_unstable();
-            vertices.dedup();
-            let measured = boxes.measured(mesh, vertices);
-            boxes.parts.extend(measured);
-            let (triangles, parts) = (triangles..boxes.triangles.len(), parts..boxes.parts.len());
-            boxes.carriers.push(Carrier { joint: of_joint[0].0, triangles, parts });
+            let mut triangles: Vec<u32> = of_joint.iter().map(|(_, triangle)| *triangle).collect();
+            let (start, clusters) = (boxes.triangles.len(), boxes.clusters.len());
+            for cluster in clustered(mesh, &mut triangles) {
+                let start = boxes.triangles.len();
+                boxes.triangles.extend(cluster);
+                let cluster = boxes.cluster(mesh, start);
+                boxes.clusters.push(cluster);
+            }
+            let whole = boxes.cluster(mesh, start);
+            boxes.carriers.push(Carrier { joint: of_joint[0].0, whole, clusters: clusters..boxes.clusters.len() });
         }
         Ok(boxes)
+    }
+
+    /// The cluster of the triangles from `start` on.
+    fn cluster(&mut self, mesh: &Mesh, start: usize) -> Cluster {
+        let corners = self.triangles[start..].iter().flat_map(|triangle| mesh.triangles()[*triangle as usize]);
+        let mut vertices: Vec<usize> = corners.map(|corner| corner as usize).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let (parts, measured) = (self.parts.len(), self.measured(mesh, vertices));
+        self.parts.extend(measured);
+        Cluster { triangles: start..self.triangles.len(), parts: parts..self.parts.len() }
     }
 
     /// The parts of some vertices, by joint.
@@ -180,6 +204,10 @@ impl BoneBoxes {
         parts.iter().map(|part| self.posed(part, pose).aabb()).reduce(|a, b| a.union(&b))
     }
 
+    fn around_cluster(&self, cluster: &Cluster, pose: &MeshPose<'_>) -> Option<Aabb> {
+        self.around(&self.parts[cluster.parts.clone()], pose)
+    }
+
     /// The box of all vertices that a joint moves, along the bone's own axes, as it alone would move them: tight around
     /// what hangs on it alone, and what is drawn of a character's boxes. `None` if it moves none, or if there is no matrix
     /// for it.
@@ -197,7 +225,7 @@ impl BoneBoxes {
     pub fn carried(&self, joint: usize, pose: &MeshPose<'_>) -> Result<Option<Aabb>, MeshError> {
         self.check_pose(pose)?;
         let carrier = self.carriers.binary_search_by_key(&joint, |carrier| carrier.joint).ok();
-        Ok(carrier.and_then(|at| self.around(&self.parts[self.carriers[at].parts.clone()], pose)))
+        Ok(carrier.and_then(|at| self.around_cluster(&self.carriers[at].whole, pose)))
     }
 
     /// The box along the axes of the space around the whole mesh, for culling. Infinite if a matrix or a weight for it is
@@ -214,7 +242,7 @@ impl BoneBoxes {
     #[must_use]
     pub fn triangles(&self, joint: usize) -> &[u32] {
         let carrier = self.carriers.binary_search_by_key(&joint, |carrier| carrier.joint);
-        carrier.map_or(&[], |at| &self.triangles[self.carriers[at].triangles.clone()])
+        carrier.map_or(&[], |at| &self.triangles[self.carriers[at].whole.triangles.clone()])
     }
 
     /// Fails unless there is a matrix for each joint that moves a vertex.
@@ -227,4 +255,25 @@ impl BoneBoxes {
 /// The joint that moves three corners most; of equals the lowest.
 fn carrier(mesh: &Mesh, corners: &[u32; 3]) -> usize {
     hit::heaviest(mesh, corners, [1.0; 3])
+}
+
+/// The triangles in clusters, halved along the longest side until they are small.
+fn clustered<'a>(mesh: &Mesh, triangles: &'a mut [u32]) -> Vec<&'a [u32]> {
+    if triangles.len() <= MOST_IN_CLUSTER {
+        return alloc::vec![triangles];
+    }
+    // Three quarters of it: the sum stays finite.
+    let middle = |triangle: u32| -> Vec3 {
+        mesh.triangles()[triangle as usize].iter().map(|corner| mesh.positions()[*corner as usize] * 0.25).sum()
+    };
+    let (least, most) = triangles
+        .iter()
+        .map(|triangle| middle(*triangle))
+        .fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(least, most), middle| (least.min(middle), most.max(middle)));
+    let axis = (most - least).max_position();
+    triangles.sort_unstable_by(|a, b| middle(*a)[axis].total_cmp(&middle(*b)[axis]).then(a.cmp(b)));
+    let (low, high) = triangles.split_at_mut(triangles.len() / 2);
+    let mut clusters = clustered(mesh, low);
+    clusters.extend(clustered(mesh, high));
+    clusters
 }

@@ -2,3 +2,4 @@
 
 mod gizmos;
 mod glue;
+mod hits;
