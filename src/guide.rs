@@ -33,6 +33,8 @@ pages! {
     #[cfg(any(not(doctest), feature = "animation"))]
     blending "blending.md"
     #[cfg(any(not(doctest), feature = "animation"))]
+    deforming "deforming.md"
+    #[cfg(any(not(doctest), feature = "animation"))]
     root_motion "root-motion.md"
     #[cfg(any(not(doctest), feature = "animation"))]
     storage "storage.md"

@@ -2,10 +2,13 @@
 //! gives poses with unit rotations.
 #![no_main]
 
-use aim_animation::glam::{Quat, Vec2, Vec3};
+use aim_animation::glam::{Affine3A, Quat, Vec2, Vec3};
 use aim_animation::{
     BezierKey, BlendLine, BlendPlane, Bone, Clip, Continuity, Control, HermiteKey, Looping, Mask, Motion, Node,
     PackedClip, Parameter, Reduction, Root, RootPath, Skeleton, Track, TrackError, Transform, Tree, Value,
+    BezierKey, BlendLine, BlendPlane, Bone, BoneBoxes, Clip, Continuity, Control, HermiteKey, Influence, Looping, Mask,
+    Mesh, MeshPose, Morph, Motion, Node, Parameter, Ray, Root, RootPath, Skeleton, Skin, Track, TrackError, Transform,
+    Tree, Value,
 };
 use libfuzzer_sys::arbitrary::{Result, Unstructured};
 use libfuzzer_sys::fuzz_target;
@@ -15,6 +18,7 @@ fuzz_target!(|bytes: &[u8]| {
     let _ = animate(&mut Unstructured::new(bytes));
     let _ = store(&mut Unstructured::new(bytes));
     unpack(bytes);
+    let _ = deform(&mut Unstructured::new(bytes));
 });
 
 fn animate(input: &mut Unstructured<'_>) -> Result<()> {
@@ -228,4 +232,55 @@ fn unpack(bytes: &[u8]) {
         packed.sample(at, &mut packed.cursor(), &mut pose);
         assert!(pose.iter().all(Transform::is_sound), "{pose:?} at {at}");
     }
+}
+/// A mesh of any numbers in any pose: no vertex is outside its boxes, and a ray hits what it hits of all triangles.
+fn deform(input: &mut Unstructured<'_>) -> Result<()> {
+    let skeleton =
+        Skeleton::new([Bone::new("a", None), Bone::new("b", None), Bone::new("c", None)]).expect("no parents");
+    let affine = |input: &mut Unstructured<'_>| Ok(Affine3A::from_cols_array(&numbers::<12>(input)?));
+    let rest = [affine(input)?, affine(input)?, affine(input)?];
+    let Ok(skin) = Skin::with_inverse_rest(&skeleton, [0, 1, 2], rest) else { return Ok(()) };
+    let (mut positions, mut influences, mut triangles, mut morphs) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    for vertex in 0..input.int_in_range(1..=6_u32)? {
+        positions.push(vector(input)?);
+        let mut joints = Vec::new();
+        for _ in 0..input.int_in_range(1..=4)? {
+            joints.push(Influence::new(input.int_in_range(0..=3)?, number(input)?));
+        }
+        influences.push(joints);
+        triangles.push([0; 3].map(|_| input.int_in_range(0..=vertex).unwrap_or(0)));
+        if input.arbitrary()? {
+            morphs.push(Morph { target: 0, vertex, position: vector(input)?, normal: vector(input)? });
+        }
+    }
+    let normals = positions.clone();
+    let mesh =
+        Mesh::new(positions, triangles, &influences).and_then(|mesh| mesh.with_normals(normals)?.with_morphs(morphs));
+    let Ok(mesh) = mesh else { return Ok(()) };
+    let Ok(boxes) = BoneBoxes::new(&mesh, &skin) else { return Ok(()) };
+    let (matrices, weights) = ([affine(input)?, affine(input)?, affine(input)?], numbers::<1>(input)?);
+    let pose = MeshPose::new(&matrices).with_morph_weights(&weights);
+    let mut placed = vec![Vec3::ZERO; mesh.positions().len()];
+    mesh.deform_normals(&pose, 2, &mut placed).expect("it has normals");
+    assert!(placed.iter().all(|normal| *normal == Vec3::ZERO || normal.is_normalized()), "{placed:?}");
+    mesh.deform(&pose, &mut placed).expect("the lengths are right");
+    let whole = boxes.whole(&pose).expect("the lengths are right").expect("there are vertices");
+    for vertex in placed.iter().filter(|vertex| vertex.is_finite()) {
+        assert!(whole.contains(*vertex), "{vertex} of {mesh:?} is outside {whole:?}");
+    }
+    let ray = Ray { end: number(input)?, ..Ray::new(vector(input)?, vector(input)?) };
+    let hit = boxes.hit(&mesh, &pose, &ray).expect("it is the boxes' mesh");
+    // The same mesh where it is, on one bone at rest.
+    if placed.iter().all(|vertex| vertex.is_finite()) {
+        let rigid = vec![[Influence::new(0, 1.0)]; placed.len()];
+        let other = Mesh::new(placed, mesh.triangles(), &rigid).expect("it is a mesh");
+        let boxes = BoneBoxes::new(&other, &skin).expect("there is such a joint");
+        let again = boxes.hit(&other, &MeshPose::new(&[Affine3A::IDENTITY]), &ray).expect("it is the boxes' mesh");
+        assert_eq!(
+            hit.map(|hit| (hit.triangle, hit.part)),
+            again.map(|hit| (hit.triangle, hit.part)),
+            "{ray:?} at {mesh:?}"
+        );
+    }
+    Ok(())
 }

@@ -5,6 +5,9 @@ use aim_animation::{
     BezierKey, BlendLine, BlendPlane, Blender, Bone, Clip, Continuity, Control, HermiteKey, Inertia, Looping, Marks,
     Mask, Method, Motion, Node, PackedClip, Parameter, Phase, Reach, ReachGoal, Reduction, Root, RootPath, Skeleton,
     SkewedTransform, Track, Transform, Transition, Tree,
+    BezierKey, BlendLine, BlendPlane, Blender, Bone, BoneBoxes, Clip, Continuity, Control, HermiteKey, Inertia,
+    Influence, Looping, Marks, Mask, Mesh, MeshPose, Method, Morph, Motion, Node, Parameter, Phase, Ray, Reach,
+    ReachGoal, Root, RootPath, Skeleton, SkewedTransform, Skin, Track, Transform, Transition, Tree,
 };
 use proptest::prelude::*;
 
@@ -450,6 +453,43 @@ proptest! {
             let mut pose = [Transform::IDENTITY; 3];
             packed.sample(at, &mut packed.cursor(), &mut pose);
             prop_assert!(pose.iter().all(Transform::is_sound), "{pose:?}");
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn meshes(
+        n in prop::collection::vec(any_float(), 90),
+        weights in prop::array::uniform6(prop_oneof![0.0_f32..2.0, any_float()]),
+        (is_small, is_posed) in any::<(bool, bool)>(),
+    ) {
+        let at = |k: usize| if is_small { Vec3::from_slice(&n[k..]).clamp(-Vec3::ONE, Vec3::ONE) } else { Vec3::from_slice(&n[k..]) };
+        let skeleton = Skeleton::new([Bone::new("a", None), Bone::new("b", None)]).unwrap();
+        let matrix = |k: usize| Affine3A::from_cols_slice(&n[k..]);
+        let Ok(skin) = Skin::with_inverse_rest(&skeleton, [0, 1], [Affine3A::IDENTITY, matrix(0)]) else { return Ok(()) };
+        let influences: Vec<[Influence; 2]> = weights.chunks(2).map(|w| [Influence::new(0, w[0]), Influence::new(1, w[1])]).collect();
+        let morphs = [Morph { target: 0, vertex: 1, position: at(30), normal: at(33) }];
+        let Ok(mesh) = Mesh::new([at(12), at(15), at(18)], [[0, 1, 2]], &influences) else { return Ok(()) };
+        let Ok(mesh) = mesh.with_normals([at(21), at(24), at(27)]).and_then(|mesh| mesh.with_morphs(morphs)) else { return Ok(()) };
+        let boxes = match BoneBoxes::new(&mesh, &skin) {
+            Ok(boxes) => boxes,
+            Err(error) => panic!("{error}"),
+        };
+        let matrices = if is_posed { [matrix(36), matrix(48)] } else { [Affine3A::IDENTITY, matrix(36)] };
+        let pose_weights = [n[60]];
+        let pose = MeshPose::new(&matrices).with_morph_weights(&pose_weights);
+        let (mut placed, mut normals) = ([Vec3::ZERO; 3], [Vec3::ZERO; 3]);
+        mesh.deform(&pose, &mut placed).unwrap();
+        mesh.deform_normals(&pose, 1, &mut normals).unwrap();
+        prop_assert!(normals.iter().all(|n| *n == Vec3::ZERO || (n.length() - 1.0).abs() < 1e-5), "{normals:?}");
+        let whole = boxes.whole(&pose).unwrap().unwrap();
+        for vertex in placed.iter().filter(|vertex| vertex.is_finite()) {
+            prop_assert!(whole.contains(*vertex), "{vertex} {whole:?}");
+        }
+        let ray = Ray { end: n[61], ..Ray::new(at(62), at(65)) };
+        if let Some(hit) = boxes.hit(&mesh, &pose, &ray).unwrap() {
+            prop_assert!(hit.part >= 0.0 && hit.part <= ray.end && placed.iter().all(|vertex| vertex.is_finite()), "{hit:?}");
         }
     }
 }

@@ -3,12 +3,17 @@
 //! `pose_frames none|sample|packed|blend|sum|model FRAMES`: two runs differ by the work of the frames by which they differ; `none` is
 //! the frame without the work. Every bone has its own linear tracks of translation, rotation and scale, of 30 keys a second,
 //! sampled forward at 60 Hz with one cursor; `packed` is that clip packed to a thousandth. `sum` is of four poses.
+//! `pose_frames none|sample|blend|sum|model|matrices|deform FRAMES`: two runs differ by the work of the frames by which they differ; `none` is
+//! the frame without the work. Every bone has its own linear tracks of translation, rotation and scale, of 30 keys a second,
+//! sampled forward at 60 Hz with one cursor. `sum` is of four poses; `matrices` are those of all bones, and `deform` moves as many vertices of
+//! four joints each.
 
 use std::env;
 use std::hint::black_box;
 use std::process::ExitCode;
 
 use aim::animation::{Blender, Bone, Clip, Reduction, Skeleton, Track, Transform};
+use aim::animation::{Blender, Bone, Clip, Influence, Mesh, MeshPose, Skeleton, Skin, Track, Transform};
 use aim::glam::{Affine3A, Quat, Vec3};
 
 const BONES: usize = 64;
@@ -37,6 +42,10 @@ fn main() -> ExitCode {
         clip.sample(time_s, &mut clip.cursor(), &mut other);
         other
     });
+    let skin = Skin::new(&skeleton, (0..BONES).collect::<Vec<_>>()).expect("they span space");
+    let mut matrices = model.clone();
+    let mesh = mesh();
+    let mut placed = mesh.positions().to_vec();
     for frame in 0..frames {
         let time_s = f32::from(frame) / 60.0;
         match work.as_str() {
@@ -56,16 +65,27 @@ fn main() -> ExitCode {
                 blender.sum(&[(a, 0.4), (b, 0.3), (c, 0.2), (d, 0.1)], &mut pose).expect("of one length");
             }
             "model" => skeleton.to_model(&pose, &mut model).expect("of one length"),
+            "matrices" => skin.matrices(&model, &mut matrices).expect("of one length"),
+            "deform" => mesh.deform(&MeshPose::new(&matrices), &mut placed).expect("of one length"),
             _ => return usage(),
         }
-        black_box((&pose, &model, &others));
+        black_box((&pose, &model, &others, &matrices, &placed));
     }
     ExitCode::SUCCESS
 }
 
 fn usage() -> ExitCode {
     eprintln!("pose_frames none|sample|packed|blend|sum|model FRAMES");
+    eprintln!("pose_frames none|sample|blend|sum|model|matrices|deform FRAMES");
     ExitCode::FAILURE
+}
+
+/// A vertex for each bone, moved by that and the next three.
+fn mesh() -> Mesh {
+    let joint = |bone: usize| u32::try_from(bone % BONES).unwrap_or_default();
+    let influences = |bone: usize| [0, 1, 2, 3].map(|next| Influence::new(joint(bone + next), 0.25));
+    let influences: Vec<[Influence; 4]> = (0..BONES).map(influences).collect();
+    Mesh::new([Vec3::ONE; BONES], [], &influences).expect("every vertex is moved")
 }
 
 fn clip() -> Clip {

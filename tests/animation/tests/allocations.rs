@@ -8,6 +8,9 @@ use aim::animation::{
     AimChain, BlendLine, BlendPlane, Blender, Clip, ClipControl, Control, Corrections, Gizmos, Inertia, Instance,
     Looping, Marks, Mask, Method, Model, Motion, Node, Parameter, Phase, Reach, ReachGoal, Reduction, Root, RootPath,
     Skeleton, Transform, Transition, Tree,
+    AimChain, BlendLine, BlendPlane, Blender, BoneBoxes, Clip, ClipControl, Control, Corrections, Gizmos, Inertia,
+    Influence, Instance, Looping, Marks, Mask, Mesh, MeshPose, Method, Model, Morph, Motion, Node, Parameter, Phase,
+    Ray, Reach, ReachGoal, Root, RootPath, Skeleton, Skin, Transform, Transition, Tree,
 };
 use aim::glam::{Affine3A, Vec2, Vec3};
 use aim::{Aim, AimRig, DynAim, Rig, Settings};
@@ -144,6 +147,23 @@ fn frames_allocate_nothing() {
             reach.apply(&mut state, 0.4, &mut poses[2], &mut model).unwrap()
         });
     }
+
+    let skin = Skin::new(&skeleton, (0..skeleton.len()).collect::<Vec<_>>()).unwrap();
+    let corners = [Vec3::ZERO, Vec3::X, Vec3::Y];
+    let mesh = Mesh::new(corners, [[0, 1, 2]], &[[Influence::new(1, 0.5), Influence::new(2, 0.5)]; 3]).unwrap();
+    let mesh = mesh.with_normals([Vec3::Z; 3]).unwrap();
+    let mesh = mesh.with_morphs([Morph { target: 0, vertex: 1, position: Vec3::X, normal: Vec3::X }]).unwrap();
+    let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
+    let (mut matrices, mut placed, mut normals) = (model.clone(), corners, corners);
+    allocates_nothing("a mesh that is deformed and hit", || {
+        skin.matrices(&model, &mut matrices).unwrap();
+        let pose = MeshPose::new(&matrices).with_morph_weights(&[0.5]);
+        mesh.deform(&pose, &mut placed).unwrap();
+        mesh.deform_normals(&pose, 1, &mut normals).unwrap();
+        let middle = (placed[0] + placed[1] + placed[2]) / 3.0;
+        let ray = Ray::new(middle + normals[0], -normals[0]);
+        (boxes.hit(&mesh, &pose, &ray).unwrap().unwrap(), boxes.whole(&pose).unwrap(), boxes.oriented(1, &pose))
+    });
 
     let right = skeleton.find("right_eye").unwrap();
     let chain = AimChain::named(&skeleton, Hero::RIG).unwrap().with_other_eye(right).unwrap().with_up(Vec3::Y);

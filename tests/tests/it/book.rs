@@ -223,6 +223,7 @@ fn every_block_of_rust_is_run_or_included_from_a_program() {
                         "{chapter}: not in the package's README:\n{text}"
                     );
                 }
+                "wgsl" => drop(aim_tests::wgsl::Module::read(&text)),
                 "toml" | "sh" | "console" | "text" => {}
                 other => panic!("{chapter}: a block of {other}"),
             }
