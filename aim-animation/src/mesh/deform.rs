@@ -3,7 +3,7 @@
 use aim_runtime::glam::{Affine3A, Mat3A, Vec3, Vec3A};
 
 use super::normal::unit_or_zero;
-use super::{Influence, Mesh, MeshError, check_length, normal_matrix, share};
+use super::{Influence, Mesh, MeshError, check_length, normal_matrix};
 
 /// What moves a mesh in one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -82,7 +82,8 @@ impl Mesh {
         for (vertex, (normal, rest)) in normals.iter_mut().zip(&self.normals).enumerate() {
             let all = self.influences(vertex);
             let heaviest = &all[..all.len().min(influences.max(1))];
-            let turn = normal_matrix(&blended(heaviest, share(all, heaviest), pose.matrices));
+            // Their weights need not sum to 1: a factor turns no normal.
+            let turn = normal_matrix(&blended(heaviest, pose.matrices));
             let morphed = self.morphed(vertex, pose, (*rest).into(), |morph| morph.normal);
             *normal = unit_or_zero(turn * unit_or_zero(morphed)).into();
         }
@@ -93,7 +94,7 @@ impl Mesh {
     #[inline]
     pub(crate) fn placed(&self, vertex: usize, pose: &MeshPose<'_>) -> Vec3A {
         let position = self.morphed(vertex, pose, self.positions[vertex].into(), |morph| morph.position);
-        blended(self.influences(vertex), 1.0, pose.matrices).transform_point3a(position)
+        blended(self.influences(vertex), pose.matrices).transform_point3a(position)
     }
 
     /// A vector of a vertex with its morph targets.
@@ -110,15 +111,15 @@ impl Mesh {
     }
 }
 
-/// The sum of joint matrices by their weights times `share`.
+/// The sum of joint matrices by their weights; of a single one, the matrix itself.
 #[inline]
-fn blended(influences: &[Influence], share: f32, matrices: &[Affine3A]) -> Affine3A {
+fn blended(influences: &[Influence], matrices: &[Affine3A]) -> Affine3A {
     if let [only] = influences {
         return matrices[only.joint as usize];
     }
     let mut sum = Affine3A { matrix3: Mat3A::ZERO, translation: Vec3A::ZERO };
     for influence in influences {
-        let (matrix, weight) = (&matrices[influence.joint as usize], influence.weight * share);
+        let (matrix, weight) = (&matrices[influence.joint as usize], influence.weight);
         sum.matrix3 += matrix.matrix3 * weight;
         sum.translation += matrix.translation * weight;
     }

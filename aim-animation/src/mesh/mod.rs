@@ -196,7 +196,9 @@ impl Mesh {
     pub fn heaviest<const N: usize>(&self, vertex: usize) -> [Influence; N] {
         let influences = self.influences(vertex);
         let heaviest = &influences[..influences.len().min(N)];
-        let share = share(influences, heaviest);
+        // All of them sum to 1 already.
+        let is_all = heaviest.len() == influences.len();
+        let share = if is_all { 1.0 } else { heaviest.iter().map(|influence| influence.weight).sum::<f32>().recip() };
         let of = |at: usize| heaviest.get(at).map(|i| Influence { weight: i.weight * share, ..*i });
         core::array::from_fn(|at| of(at).unwrap_or_default())
     }
@@ -223,16 +225,6 @@ impl Mesh {
     /// Fails unless there is a matrix for each joint that the mesh hangs on.
     pub(crate) fn check_joints(&self, found: usize) -> Result<(), MeshError> {
         if found >= self.joints { Ok(()) } else { Err(MeshError::Joints { needed: self.joints, found }) }
-    }
-}
-
-/// The factor that makes the weights of a vertex's `heaviest` influences sum to 1.
-fn share(all: &[Influence], heaviest: &[Influence]) -> f32 {
-    // All of them sum to 1 already.
-    if heaviest.len() == all.len() {
-        1.0
-    } else {
-        heaviest.iter().map(|influence| influence.weight).sum::<f32>().recip()
     }
 }
 
