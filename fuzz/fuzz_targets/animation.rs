@@ -237,7 +237,8 @@ fn unpack(bytes: &[u8]) {
 fn deform(input: &mut Unstructured<'_>) -> Result<()> {
     let skeleton =
         Skeleton::new([Bone::new("a", None), Bone::new("b", None), Bone::new("c", None)]).expect("no parents");
-    let affine = |input: &mut Unstructured<'_>| Ok(Affine3A::from_cols_array(&numbers::<12>(input)?));
+    let affine =
+        |input: &mut Unstructured<'_>| -> Result<Affine3A> { Ok(Affine3A::from_cols_array(&numbers::<12>(input)?)) };
     let rest = [affine(input)?, affine(input)?, affine(input)?];
     let Ok(skin) = Skin::with_inverse_rest(&skeleton, [0, 1, 2], rest) else { return Ok(()) };
     let (mut positions, mut influences, mut triangles, mut morphs) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
