@@ -2,12 +2,9 @@
 
 use aim_animation::glam::{Affine3A, Quat, Vec2, Vec3};
 use aim_animation::{
-    BezierKey, BlendLine, BlendPlane, Blender, Bone, Clip, Continuity, Control, HermiteKey, Inertia, Looping, Marks,
-    Mask, Method, Motion, Node, PackedClip, Parameter, Phase, Reach, ReachGoal, Reduction, Root, RootPath, Skeleton,
-    SkewedTransform, Track, Transform, Transition, Tree,
     BezierKey, BlendLine, BlendPlane, Blender, Bone, BoneBoxes, Clip, Continuity, Control, HermiteKey, Inertia,
-    Influence, Looping, Marks, Mask, Mesh, MeshPose, Method, Morph, Motion, Node, Parameter, Phase, Ray, Reach,
-    ReachGoal, Root, RootPath, Skeleton, SkewedTransform, Skin, Track, Transform, Transition, Tree,
+    Influence, Looping, Marks, Mask, Mesh, MeshPose, Method, Morph, Motion, Node, PackedClip, Parameter, Phase, Ray,
+    Reach, ReachGoal, Reduction, Root, RootPath, Skeleton, SkewedTransform, Skin, Track, Transform, Transition, Tree,
 };
 use proptest::prelude::*;
 

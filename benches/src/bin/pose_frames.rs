@@ -1,19 +1,15 @@
 //! What is counted: poses of 64 bones, sampled from a clip, blended, or taken to model space, and little else.
 //!
-//! `pose_frames none|sample|packed|blend|sum|model FRAMES`: two runs differ by the work of the frames by which they differ; `none` is
-//! the frame without the work. Every bone has its own linear tracks of translation, rotation and scale, of 30 keys a second,
-//! sampled forward at 60 Hz with one cursor; `packed` is that clip packed to a thousandth. `sum` is of four poses.
-//! `pose_frames none|sample|blend|sum|model|matrices|deform FRAMES`: two runs differ by the work of the frames by which they differ; `none` is
-//! the frame without the work. Every bone has its own linear tracks of translation, rotation and scale, of 30 keys a second,
-//! sampled forward at 60 Hz with one cursor. `sum` is of four poses; `matrices` are those of all bones, and `deform` moves as many vertices of
-//! four joints each.
+//! `pose_frames none|sample|packed|blend|sum|model|matrices|deform FRAMES`: two runs differ by the work of the frames by which they
+//! differ; `none` is the frame without the work. Every bone has its own linear tracks of translation, rotation and scale, of 30 keys a
+//! second, sampled forward at 60 Hz with one cursor; `packed` is that clip packed to a thousandth. `sum` is of four poses; `matrices` are
+//! those of all bones, and `deform` moves as many vertices of four joints each.
 
 use std::env;
 use std::hint::black_box;
 use std::process::ExitCode;
 
-use aim::animation::{Blender, Bone, Clip, Reduction, Skeleton, Track, Transform};
-use aim::animation::{Blender, Bone, Clip, Influence, Mesh, MeshPose, Skeleton, Skin, Track, Transform};
+use aim::animation::{Blender, Bone, Clip, Influence, Mesh, MeshPose, Reduction, Skeleton, Skin, Track, Transform};
 use aim::glam::{Affine3A, Quat, Vec3};
 
 const BONES: usize = 64;
@@ -75,8 +71,7 @@ fn main() -> ExitCode {
 }
 
 fn usage() -> ExitCode {
-    eprintln!("pose_frames none|sample|packed|blend|sum|model FRAMES");
-    eprintln!("pose_frames none|sample|blend|sum|model|matrices|deform FRAMES");
+    eprintln!("pose_frames none|sample|packed|blend|sum|model|matrices|deform FRAMES");
     ExitCode::FAILURE
 }
 

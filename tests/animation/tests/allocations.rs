@@ -5,12 +5,9 @@ use std::alloc::System;
 use std::hint::black_box;
 
 use aim::animation::{
-    AimChain, BlendLine, BlendPlane, Blender, Clip, ClipControl, Control, Corrections, Gizmos, Inertia, Instance,
-    Looping, Marks, Mask, Method, Model, Motion, Node, Parameter, Phase, Reach, ReachGoal, Reduction, Root, RootPath,
-    Skeleton, Transform, Transition, Tree,
     AimChain, BlendLine, BlendPlane, Blender, BoneBoxes, Clip, ClipControl, Control, Corrections, Gizmos, Inertia,
     Influence, Instance, Looping, Marks, Mask, Mesh, MeshPose, Method, Model, Morph, Motion, Node, Parameter, Phase,
-    Ray, Reach, ReachGoal, Root, RootPath, Skeleton, Skin, Transform, Transition, Tree,
+    Ray, Reach, ReachGoal, Reduction, Root, RootPath, Skeleton, Skin, Transform, Transition, Tree,
 };
 use aim::glam::{Affine3A, Vec2, Vec3};
 use aim::{Aim, AimRig, DynAim, Rig, Settings};
