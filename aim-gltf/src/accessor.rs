@@ -16,7 +16,7 @@ pub(crate) struct Data<'a> {
     budget: Cell<usize>,
 }
 
-fn components(shape: &str) -> Option<usize> {
+pub(crate) fn components(shape: &str) -> Option<usize> {
     Some(match shape {
         "SCALAR" => 1,
         "VEC2" => 2,
@@ -28,7 +28,7 @@ fn components(shape: &str) -> Option<usize> {
     })
 }
 
-fn size_of(component_type: u32) -> Option<usize> {
+pub(crate) fn size_of(component_type: u32) -> Option<usize> {
     Some(match component_type {
         5120 | 5121 => 1,
         5122 | 5123 => 2,

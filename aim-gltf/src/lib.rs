@@ -22,6 +22,7 @@
 mod accessor;
 mod bones;
 mod clip;
+mod compact;
 mod container;
 mod document;
 mod error;
@@ -34,12 +35,14 @@ mod mesh;
 mod morph_eyes;
 mod normals;
 mod raw;
+mod references;
 mod skeleton;
 mod skin;
 mod surface;
 mod uri;
 mod write;
 
+pub use compact::ClipSize;
 pub use container::to_glb;
 pub use document::Document;
 pub use error::Error;

@@ -7,9 +7,11 @@ use aim_animation::{Clip, Curve, Track, Value as Keyed};
 use serde_json::{Map, Value, json};
 
 use crate::clip::PATHS;
+use crate::compact::drop_unused;
 use crate::container;
 use crate::document::{Buffer, Document, bytes_of};
 use crate::error::Error;
+use crate::references::accessors_of;
 use crate::uri::{self, Uri};
 
 fn refuse(problem: impl Into<String>) -> Error {
@@ -27,7 +29,27 @@ impl Document {
     /// # Errors
     /// [`Error::Clip`] when a clip moves nodes or morph targets that the file does not have.
     pub fn with_clips(&self, clips: &[Clip]) -> Result<Vec<u8>, Error> {
-        self.write(clips, None)
+        self.write(clips, None).and_then(Written::into_glb)
+    }
+
+    /// The same without what the replaced clips alone used: their keys, and what describes them. So a file becomes smaller where its
+    /// clips do.
+    ///
+    /// Other bytes keep their order, and what refers to them follows. With an extension in the file that may refer to them in a
+    /// way that is not known, all old bytes stay, as [`with_clips`](Self::with_clips) leaves them.
+    ///
+    /// # Errors
+    /// As [`with_clips`](Self::with_clips).
+    pub fn with_clips_compacted(&self, clips: &[Clip]) -> Result<Vec<u8>, Error> {
+        let mut written = self.write(clips, None)?;
+        let animations = self.json().get("animations").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
+        let is_replaced = |name: &str| clips.iter().filter(moves).any(|clip| clip.name() == name);
+        let replaced = self.clips().iter().zip(animations).filter(|(clip, _)| is_replaced(clip.name()));
+        let candidates = replaced.flat_map(|(_, animation)| accessors_of(animation)).collect();
+        if let Some(chunk) = &mut written.chunk {
+            drop_unused(&mut written.json, chunk, &candidates);
+        }
+        written.into_glb()
     }
 
     /// The same with one clip; what else the file says of the clip `like` (extras, channels that are not understood), it then
@@ -36,14 +58,13 @@ impl Document {
     /// # Errors
     /// As [`with_clips`](Self::with_clips).
     pub fn with_clip_like(&self, clip: &Clip, like: Option<&str>) -> Result<Vec<u8>, Error> {
-        self.write(core::slice::from_ref(clip), like)
+        self.write(core::slice::from_ref(clip), like).and_then(Written::into_glb)
     }
 
-    fn write(&self, clips: &[Clip], like: Option<&str>) -> Result<Vec<u8>, Error> {
+    fn write(&self, clips: &[Clip], like: Option<&str>) -> Result<Written, Error> {
         let mut json = self.json().clone();
         let mut data = Appended::default();
         let mut animations = Vec::with_capacity(clips.len());
-        let moves = |clip: &&Clip| !(clip.tracks().is_empty() && clip.scalars().is_empty());
         for clip in clips.iter().filter(moves) {
             self.check(clip)?;
             animations.push(data.animation(self, clip, [count(&json, "accessors"), count(&json, "bufferViews")]));
@@ -53,8 +74,7 @@ impl Document {
         for (clip, animation) in clips.iter().filter(moves).zip(animations) {
             self.place(&mut json, (clip.name(), like), animation);
         }
-        let text = serde_json::to_vec(&json).map_err(|e| Error::Json(e.to_string()))?;
-        container::to_glb(&text, chunk.as_deref())
+        Ok(Written { json, chunk })
     }
 
     /// Puts an animation where the clip of its name is, else after all others, keeping what else that one says, or the one that
@@ -186,6 +206,25 @@ fn keep_foreign(old: &Map<String, Value>, new: &mut Map<String, Value>) {
             channels.push(channel);
         }
     }
+}
+
+/// A document with its new clips, before it is put together.
+struct Written {
+    json: Value,
+    chunk: Option<Vec<u8>>,
+}
+
+impl Written {
+    fn into_glb(self) -> Result<Vec<u8>, Error> {
+        let text = serde_json::to_vec(&self.json).map_err(|e| Error::Json(e.to_string()))?;
+        container::to_glb(&text, self.chunk.as_deref())
+    }
+}
+
+/// True of a clip that has tracks: the format knows no others.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "filters hand out references")]
+fn moves(clip: &&Clip) -> bool {
+    !(clip.tracks().is_empty() && clip.scalars().is_empty())
 }
 
 fn image_type(bytes: &[u8]) -> Option<&'static str> {

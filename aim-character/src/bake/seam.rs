@@ -47,12 +47,10 @@ pub struct MendedLoop {
 /// # Errors
 /// A clip that moves the hips to where no numbers are, or that has more samples, 60 a second, than a bake has keys at most.
 pub fn mended_loop(document: &Document, measurement: &Measurement, clip: &Clip) -> Result<Option<MendedLoop>, Error> {
-    if clip.length_s() * RATE > MOST_KEYS {
-        return Err(no_keys(clip.length_s(), RATE));
-    }
+    check_length(clip)?;
     let skeleton = document.skeleton();
     let size = if measurement.height > 0.0 { crate::num::narrow(measurement.height) } else { 1.0 };
-    let travel = Travel::find(skeleton, measurement, clip, size)?;
+    let travel = Travel::find(document, measurement, clip, size)?;
     let on_the_spot = travel.as_ref().map_or_else(|| Ok(clip.clone()), |travel| travel.moved(clip, Way::Out))?;
     let seam = on_the_spot.seam();
     let place = seam.place;
@@ -66,6 +64,36 @@ pub fn mended_loop(document: &Document, measurement: &Measurement, clip: &Clip) 
         None => mended,
     };
     Ok(Some(MendedLoop { clip, seam }))
+}
+
+/// The way of the hips over a clip, their shadow on the ground, 60 samples a second. `None` of what has no hips, and of a clip without
+/// length.
+///
+/// # Errors
+/// A clip that moves the hips to where no numbers are, or that has more samples than a bake has keys at most.
+pub fn root_path(document: &Document, measurement: &Measurement, clip: &Clip) -> Result<Option<RootPath>, Error> {
+    check_length(clip)?;
+    let Some(hips) = measurement.with_role(Role::Hips).map(|bone| bone.node) else { return Ok(None) };
+    let root = Root::Shadow { bone: hips, up: measurement.up.as_vec3() };
+    match RootPath::new(clip, document.skeleton(), root, RATE) {
+        Ok(path) => Ok(Some(path)),
+        Err(MotionError::Length) => Ok(None),
+        Err(error) => Err(Error::Clip(error.to_string())),
+    }
+}
+
+/// A clip without a movement of its root, as [`Motion::remove`] takes it out of poses: what carries the character has cubic tracks
+/// of 60 keys a second then. Bones on which nothing of the clip hangs, such as cameras and lights, stay where they are.
+///
+/// # Errors
+/// A clip that is moved to where no numbers are, or that has more samples than a bake has keys at most.
+pub fn in_place(document: &Document, clip: &Clip, motion: Motion) -> Result<Clip, Error> {
+    check_length(clip)?;
+    Travel::new(document.skeleton(), clip, motion).moved(clip, Way::Out)
+}
+
+fn check_length(clip: &Clip) -> Result<(), Error> {
+    if clip.length_s() * RATE > MOST_KEYS { Err(no_keys(clip.length_s(), RATE)) } else { Ok(()) }
 }
 
 /// True if something changes its speed at the seam more than anywhere else.
@@ -140,26 +168,24 @@ struct Travel<'a> {
 
 impl<'a> Travel<'a> {
     /// `None` where the clip stays where it is.
-    fn find(skeleton: &'a Skeleton, measurement: &Measurement, clip: &Clip, size: f32) -> Result<Option<Self>, Error> {
-        let moves = |bone: usize| clip.bone(bone).is_some();
-        let Some(hips) = measurement.with_role(Role::Hips).map(|bone| bone.node) else { return Ok(None) };
-        let root = Root::Shadow { bone: hips, up: measurement.up.as_vec3() };
-        let path = match RootPath::new(clip, skeleton, root, RATE) {
-            Ok(path) => path,
-            Err(MotionError::Length) => return Ok(None),
-            Err(error) => return Err(Error::Clip(error.to_string())),
-        };
+    fn find(document: &'a Document, measurement: &Measurement, clip: &Clip, size: f32) -> Result<Option<Self>, Error> {
+        let Some(path) = root_path(document, measurement, clip)? else { return Ok(None) };
         let [begin, end] = [0.0, clip.length_s()].map(|time| path.at(time));
         let turn = angle(product(end.rotation, begin.rotation.conjugate()));
         if begin.translation.distance(end.translation) <= TRAVEL * size && turn <= TRAVEL_RAD {
             return Ok(None);
         }
+        // Along a screw the next round goes on as fast as this one, also round a corner.
+        Ok(Some(Self::new(document.skeleton(), clip, Motion::composite(&path))))
+    }
+
+    fn new(skeleton: &'a Skeleton, clip: &Clip, motion: Motion) -> Self {
+        let moves = |bone: usize| clip.bone(bone).is_some();
         let world = super::live::rounded(&skeleton.world_f64(skeleton.rest()));
         let outermost = |bone: &usize| moves(*bone) && skeleton.ancestry(*bone).skip(1).all(|on| !moves(on));
         let on = |bone: usize| skeleton.parents()[bone].map_or(Affine3A::IDENTITY, |parent| world[parent]);
         let carriers = (0..skeleton.len()).filter(outermost).map(|bone| (bone, on(bone))).collect();
-        // Along a screw the next round goes on as fast as this one, also round a corner.
-        Ok(Some(Self { skeleton, motion: Motion::composite(&path), carriers }))
+        Self { skeleton, motion, carriers }
     }
 
     /// The clip with this movement taken out, or given back: `P⁻¹ · M(t)^∓¹ · P · local` of each carrier, P what it hangs on.

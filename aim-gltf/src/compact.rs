@@ -1,0 +1,220 @@
+//! A written document without what its replaced clips alone used: their accessors, buffer views and bytes.
+
+use core::ops::Range;
+use std::collections::BTreeSet;
+
+use serde_json::{Value, json};
+
+use crate::document::Document;
+use crate::references::{self, index, list};
+
+/// The bytes that a clip takes in a file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct ClipSize {
+    /// Of its keys: times and values, each accessor once, also where other clips use it too.
+    pub keys: usize,
+    /// Of the JSON text that describes them: the animation and its accessors.
+    pub text: usize,
+}
+
+impl Document {
+    /// The bytes that each of the [clips](Self::clips) takes in the file.
+    #[must_use]
+    pub fn clip_sizes(&self) -> Vec<ClipSize> {
+        let json = self.json();
+        let accessors = json.get("accessors").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
+        let animations = json.get("animations").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
+        let size = |animation: &Value| {
+            let used = references::accessors_of(animation);
+            let used = used.iter().filter_map(|at| accessors.get(*at));
+            used.fold(ClipSize { keys: 0, text: animation.to_string().len() }, |size, accessor| ClipSize {
+                keys: size.keys + number(accessor, "count") * element(accessor),
+                text: size.text + accessor.to_string().len(),
+            })
+        };
+        // Clips of bones that no file has are not animations of the JSON.
+        (0..self.clips().len()).map(|clip| animations.get(clip).map_or_else(ClipSize::default, size)).collect()
+    }
+}
+
+/// Takes out of a document and its chunk, buffer 0, those accessors among `candidates` that nothing uses any more, their
+/// buffer views and their bytes. Everything else keeps its order and its bytes; its numbers and offsets follow.
+///
+/// Nothing is changed where an extension may refer to accessors or views in a way that is not known.
+pub(crate) fn drop_unused(json: &mut Value, chunk: &mut Vec<u8>, candidates: &BTreeSet<usize>) {
+    let is_chunk = json["buffers"].get(0).is_some_and(|buffer| buffer.get("uri").is_none());
+    if !is_chunk || !references::are_known(json) {
+        return;
+    }
+    let dead = Dead::find(json, candidates);
+    let cuts = dead.cuts(json, chunk.len());
+    move_offsets(json, &cuts);
+    let mut kept = Vec::with_capacity(chunk.len());
+    let mut at = 0;
+    for cut in &cuts {
+        kept.extend_from_slice(&chunk[at..cut.start]);
+        at = cut.end;
+    }
+    kept.extend_from_slice(&chunk[at..]);
+    *chunk = kept;
+    dead.remove(json);
+}
+
+/// What nothing uses any more, by number.
+struct Dead {
+    accessors: BTreeSet<usize>,
+    views: BTreeSet<usize>,
+}
+
+impl Dead {
+    fn find(json: &mut Value, candidates: &BTreeSet<usize>) -> Self {
+        let mut accessors = candidates.clone();
+        references::visit_accessors(json, &mut |reference| {
+            index(Some(reference)).map(|index| accessors.remove(&index));
+        });
+        let (mut views, mut kept) = (BTreeSet::new(), BTreeSet::new());
+        for (at, accessor) in list(json, "accessors").enumerate() {
+            let of = if accessors.contains(&at) { &mut views } else { &mut kept };
+            references::visit_views_of(accessor, &mut |view| of.extend(index(Some(view))));
+        }
+        references::visit_other_views(json, &mut |view| kept.extend(index(Some(view))));
+        Self { accessors, views: views.difference(&kept).copied().collect() }
+    }
+
+    /// The ranges of the chunk that hold nothing else: whole words, so that all stays aligned.
+    fn cuts(&self, json: &mut Value, length: usize) -> Vec<Range<usize>> {
+        let mut is_dead = vec![false; length / 4];
+        let mut mark = |range: Range<usize>, dead: bool| {
+            let words = if dead { range.start.div_ceil(4)..range.end / 4 } else { range.start / 4..range.end.div_ceil(4) };
+            let end = words.end.min(length / 4);
+            is_dead[words.start.min(end)..end].fill(dead);
+        };
+        let views = views(json);
+        let mut by_accessors = BTreeSet::new();
+        for is_cut in [true, false] {
+            for (at, accessor) in list(json, "accessors").enumerate() {
+                let view = index(accessor.get("bufferView"));
+                if let (true, Some(view)) = (self.accessors.contains(&at) == is_cut, view.and_then(|view| views.get(view))) {
+                    mark(place(accessor, view), is_cut);
+                }
+                by_accessors.extend(view);
+            }
+            for view in self.views.iter().filter_map(|view| views.get(*view)).filter(|_| is_cut) {
+                mark(view.range.clone(), true);
+            }
+        }
+        // What else is in views: images, sparse accessors, what no one knows.
+        let mut whole: BTreeSet<usize> = (0..views.len()).filter(|view| !by_accessors.contains(view)).collect();
+        references::visit_other_views(json, &mut |view| whole.extend(index(Some(view))));
+        for (at, accessor) in list(json, "accessors").enumerate().filter(|(_, accessor)| accessor.get("sparse").is_some()) {
+            if !self.accessors.contains(&at) {
+                references::visit_views_of(accessor, &mut |view| whole.extend(index(Some(view))));
+            }
+        }
+        for view in whole.difference(&self.views).filter_map(|view| views.get(*view)) {
+            mark(view.range.clone(), false);
+        }
+        let mut start = 0;
+        let runs = is_dead.chunk_by(|a, b| a == b).map(|run| {
+            let from = start;
+            start += run.len();
+            (run[0], 4 * from..4 * start)
+        });
+        runs.filter(|(dead, _)| *dead).map(|(_, range)| range).collect()
+    }
+
+    /// Takes them out of their lists, and numbers the references to the others anew.
+    fn remove(&self, json: &mut Value) {
+        let renumber = |dead: &BTreeSet<usize>, reference: &mut Value| {
+            if let Some(at) = index(Some(reference)) {
+                *reference = (at - dead.range(..at).count()).into();
+            }
+        };
+        references::visit_accessors(json, &mut |reference| renumber(&self.accessors, reference));
+        references::visit_other_views(json, &mut |view| renumber(&self.views, view));
+        for accessor in list(json, "accessors") {
+            references::visit_views_of(accessor, &mut |view| renumber(&self.views, view));
+        }
+        for (key, dead) in [("accessors", &self.accessors), ("bufferViews", &self.views)] {
+            if let Some(all) = json.get_mut(key).and_then(Value::as_array_mut) {
+                let mut number = 0;
+                all.retain(|_| {
+                    number += 1;
+                    !dead.contains(&(number - 1))
+                });
+            }
+        }
+    }
+}
+
+/// Moves views, and accessors in them, to where their bytes are without the cuts.
+fn move_offsets(json: &mut Value, cuts: &[Range<usize>]) {
+    let moved = |at: usize| {
+        let before = cuts.iter().take_while(|cut| cut.start < at);
+        at - before.map(|cut| cut.end.min(at) - cut.start).sum::<usize>()
+    };
+    let views = views(json);
+    for accessor in list(json, "accessors") {
+        if let Some(view) = index(accessor.get("bufferView")).and_then(|view| views.get(view)).filter(|view| view.is_chunk) {
+            let start = view.range.start;
+            let from = start.saturating_add(number(accessor, "byteOffset"));
+            set(accessor, "byteOffset", moved(from) - moved(start));
+        }
+    }
+    for (view, json) in views.iter().zip(list(json, "bufferViews")).filter(|(view, _)| view.is_chunk) {
+        let Range { start, end } = view.range;
+        set(json, "byteOffset", moved(start));
+        json["byteLength"] = (moved(end) - moved(start)).into();
+    }
+    let length = number(&json["buffers"][0], "byteLength");
+    json["buffers"][0]["byteLength"] = moved(length).into();
+}
+
+/// Sets an offset, of which 0 is the default.
+fn set(json: &mut Value, key: &str, offset: usize) {
+    if offset > 0 || json.get(key).is_some() {
+        json[key] = json!(offset);
+    }
+}
+
+/// A buffer view: its bytes, and whether they are the chunk's.
+struct View {
+    range: Range<usize>,
+    stride: usize,
+    is_chunk: bool,
+}
+
+fn views(json: &mut Value) -> Vec<View> {
+    let view = |view: &mut Value| {
+        let start = number(view, "byteOffset");
+        let is_chunk = index(view.get("buffer")) == Some(0);
+        let end = if is_chunk { start.saturating_add(number(view, "byteLength")) } else { start };
+        View { range: start..end, stride: number(view, "byteStride"), is_chunk }
+    };
+    list(json, "bufferViews").map(view).collect()
+}
+
+/// The bytes of an accessor in the chunk; none of another buffer's.
+fn place(accessor: &Value, view: &View) -> Range<usize> {
+    let size = element(accessor);
+    let stride = if view.stride > 0 { view.stride } else { size };
+    let start = view.range.start.saturating_add(number(accessor, "byteOffset")).min(view.range.end);
+    let length = match number(accessor, "count") {
+        0 => 0,
+        count => (count - 1).saturating_mul(stride).saturating_add(size),
+    };
+    start..start.saturating_add(length).min(view.range.end)
+}
+
+/// The bytes of an element of an accessor.
+fn element(accessor: &Value) -> usize {
+    let shape = accessor.get("type").and_then(Value::as_str).and_then(crate::accessor::components);
+    let part = accessor.get("componentType").and_then(Value::as_u64).and_then(|kind| u32::try_from(kind).ok());
+    shape.unwrap_or(0) * part.and_then(crate::accessor::size_of).unwrap_or(0)
+}
+
+/// A number of bytes or elements; 0 where there is none.
+fn number(json: &Value, key: &str) -> usize {
+    index(json.get(key)).unwrap_or(0)
+}
