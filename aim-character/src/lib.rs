@@ -48,7 +48,7 @@ pub use bake::eye_maps::range_maps;
 pub use bake::live::{AimedFrame, JointFrame, Live, Moment};
 pub use bake::plausibility::{Appearance, Criterion, Plausibility, Worst};
 pub use bake::reach::{Arrival, Goal, LimbFrame, LimbNodes, ReachPlan, Reached, reach};
-pub use bake::seam::{MendedLoop, in_place, mended_loop, root_path};
+pub use bake::seam::{MendedLoop, in_place, mended_loop, on_the_spot, root_path};
 pub use bake::{Baked, Plan, Settle, bake};
 pub use error::Error;
 pub use mannequin::{Mannequin, PAPER_AXES, Vrm, mannequin};

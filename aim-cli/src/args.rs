@@ -9,6 +9,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::facing::Facing;
 use crate::plot::Size;
+use crate::reduction::Millimetres;
 use crate::target::{Point, TargetSpec};
 
 /// Turns a character's eyes, neck and spine to a target, with derivatives derived for exactly your rig.
@@ -55,6 +56,9 @@ pub(crate) enum Command {
     /// Lead a hand or foot of a clip through points at given times, and write an ordinary glTF animation.
     #[command(after_help = include_str!("help/reach.txt").trim_ascii_end())]
     Reach(Reach),
+    /// Tell what a model's clips cost, and make them smaller, loops, or in place.
+    #[command(after_help = include_str!("help/clip.txt").trim_ascii_end())]
+    Clip(Clip),
 }
 
 #[derive(Debug, Args)]
@@ -334,6 +338,10 @@ pub(crate) struct Bake {
     /// Make the result's first frame follow from its last: the clip's own seam is mended, in place and speed, where it jumps.
     #[arg(long = "loop")]
     pub(crate) looped: bool,
+    /// Leave out the keys without which no bone, and nothing looked at from 1 m away, is further off than this, in millimetres of
+    /// a 1.7 m figure: 1mm.
+    #[arg(long, value_name = "TOL", allow_negative_numbers = true)]
+    pub(crate) reduce: Option<Millimetres>,
     /// Exit with 1 if the result looks wrong, although it is written: see Plausibility below.
     #[arg(long)]
     pub(crate) strict: bool,
@@ -362,6 +370,49 @@ pub(crate) struct Reach {
     pub(crate) fps: f32,
     #[command(flatten)]
     pub(crate) written: Written,
+}
+
+/// Kinds of a root's motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Extract {
+    /// Along a straight line at constant speed, turning evenly.
+    Linear,
+    /// Along an arc at constant speed: a screw.
+    Composite,
+    /// From frame to frame: all of it, so that the hips stay above one place.
+    Delta,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Clip {
+    /// A .glb, .gltf or .vrm file.
+    pub(crate) file: PathBuf,
+    /// The clip; give it several times for several. All of them if not given.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) clip: Vec<String>,
+    /// Take the way of the hips over the ground out of the clip, and tell it.
+    #[arg(long, value_enum, value_name = "MOTION")]
+    pub(crate) extract: Option<Extract>,
+    /// Make the clip's first frame follow from its last: its seam is mended, in place and speed, where it jumps.
+    #[arg(long = "loop")]
+    pub(crate) looped: bool,
+    /// Leave out the keys without which no bone is further off than this, in millimetres of a 1.7 m figure: 1mm.
+    #[arg(long, value_name = "TOL", allow_negative_numbers = true)]
+    pub(crate) reduce: Option<Millimetres>,
+    /// Times at which a reduced clip has the poses of the old one, seconds: contacts, transitions, poses that were approved.
+    #[arg(long, value_name = "S,S", value_delimiter = ',', requires = "reduce", allow_negative_numbers = true)]
+    pub(crate) pin: Vec<f32>,
+    #[command(flatten)]
+    pub(crate) facing: Facing,
+    /// Where to write the model with the changed clips in the place of the old ones; may be FILE, which it then replaces.
+    #[arg(long, value_name = "OUT.glb")]
+    pub(crate) out: Option<PathBuf>,
+    /// Where to write what is told, and the root's motion, as JSON.
+    #[arg(long, value_name = "R.json")]
+    pub(crate) report: Option<PathBuf>,
+    /// Where to write it as a page, with charts.
+    #[arg(long, value_name = "R.html")]
+    pub(crate) html: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -8,6 +8,7 @@ use aim_gltf::Skeleton;
 use aim_runtime::Status;
 use serde::Serialize;
 
+use crate::baked_reduction::BakedReduction;
 use crate::effector::Effector;
 use crate::plausibility;
 use crate::words::Wanted;
@@ -31,6 +32,9 @@ pub(crate) struct BakeReport {
     pub(crate) aimed: Effector,
     pub(crate) frames: Vec<BakeFrame>,
     pub(crate) summary: BakeSummary,
+    /// How far what was written is from the frames, where keys were left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) reduction: Option<BakedReduction>,
     #[serde(serialize_with = "plausibility::block")]
     pub(crate) plausibility: Plausibility,
 }
@@ -59,6 +63,7 @@ pub(crate) struct Reported<'a> {
     /// The nodes that are held on the trunk.
     pub(crate) held: &'a [usize],
     pub(crate) baked: &'a Baked,
+    pub(crate) reduction: Option<BakedReduction>,
     /// Measured on what was written.
     pub(crate) plausibility: Plausibility,
 }
@@ -157,7 +162,7 @@ pub(crate) fn status_word(status: Status) -> &'static str {
 
 impl BakeReport {
     pub(crate) fn new(reported: Reported<'_>) -> Self {
-        let Reported { spec, effector, solver, fps, weight, over, skeleton, chain, held, baked, plausibility } =
+        let Reported { spec, effector, solver, fps, weight, over, skeleton, chain, held, baked, reduction, plausibility } =
             reported;
         let bones: Vec<Bone> = chain.joints.iter().map(|&node| Bone::new(skeleton, node)).collect();
         let followers = chain.other_eye.iter().chain(held).map(|&node| Bone::new(skeleton, node));
@@ -198,6 +203,7 @@ impl BakeReport {
             aimed: effector,
             summary: BakeSummary::new(spec, baked, Wanted::at_weight(weight)),
             frames: frames.collect(),
+            reduction,
             plausibility,
         }
     }
@@ -236,6 +242,9 @@ impl BakeReport {
         };
         for (_, frames, words) in self.counts().into_iter().filter(|(status, ..)| *status != "reached") {
             out += &format!(", {frames} {words}");
+        }
+        if let Some(reduction) = &self.reduction {
+            out += &format!("\n{}", reduction.in_words());
         }
         out + "\n" + &plausibility::in_words(&self.plausibility)
     }

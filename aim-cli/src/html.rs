@@ -3,10 +3,12 @@
 
 mod chart;
 mod charts;
+mod clips;
 mod directions;
 mod film;
 mod gaze;
 mod inspection;
+mod key_bars;
 mod looks;
 mod raster;
 mod rig;
@@ -20,6 +22,7 @@ mod trajectory;
 
 use maud::{Markup, html};
 
+pub(crate) use clips::{ClipPage, ClipTakes, page as clips_page};
 pub(crate) use inspection::{Inspected, page as inspection_page};
 pub(crate) use subject::BakePage;
 pub(crate) use takes::Takes;

@@ -3,7 +3,10 @@
 mod args;
 mod axis;
 mod bake_report;
+mod baked_reduction;
+mod clip_report;
 mod commands;
+mod deviation;
 mod effector;
 mod explain;
 mod facing;
@@ -16,6 +19,7 @@ mod plausibility;
 mod plot;
 mod projection;
 mod reach_report;
+mod reduction;
 mod target;
 mod words;
 

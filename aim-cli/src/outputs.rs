@@ -46,21 +46,21 @@ impl Outputs {
     ///
     /// # Errors
     /// A file is one of the others, or has the ending of something else.
-    pub(crate) fn write_model(mut self, written: &Written, model: &Path) -> Result {
-        let Written { out, report, html } = written;
-        if place(out) != place(model) {
+    pub(crate) fn write_model(mut self, targets: Targets<'_>, model: &Path) -> Result {
+        let Targets { out, report, html } = targets;
+        if out.is_none_or(|out| place(out) != place(model)) {
             self.taken.push((place(model), "the model itself".into()));
         }
-        for (path, option) in [(Some(out), "--out"), (report.as_ref(), "--report"), (html.as_ref(), "--html")] {
+        for (path, option) in [(out, "--out"), (report, "--report"), (html, "--html")] {
             path.map_or(Ok(()), |path| self.writes(path, option))?;
         }
         let kinds = [
-            (Some(out), "--out", "a binary glTF file", &["glb", "vrm"][..]),
-            (report.as_ref(), "--report", "JSON", &["json"]),
-            (html.as_ref(), "--html", "a page", &["html", "htm"]),
+            (out, "--out", "a binary glTF file", &["glb", "vrm"][..]),
+            (report, "--report", "JSON", &["json"]),
+            (html, "--html", "a page", &["html", "htm"]),
         ];
         for (path, option, what, endings) in kinds {
-            let wrong = |path: &&PathBuf| !matches!(files::ending(path), ending if ending.is_empty() || endings.contains(&&*ending));
+            let wrong = |path: &&Path| !matches!(files::ending(path), ending if ending.is_empty() || endings.contains(&&*ending));
             if let Some(path) = path.filter(wrong) {
                 let right = endings[0];
                 return Err(Failure::in_file(
@@ -73,16 +73,34 @@ impl Outputs {
     }
 }
 
-impl Written {
-    /// Writes the model, and the report and the page if they are asked for: all of them or none.
-    pub(crate) fn write(&self, model: &[u8], report: &impl Serialize, page: impl FnOnce() -> String) -> Result {
-        let report = match &self.report {
-            Some(path) => Some((path.as_path(), files::to_json(report)?)),
+/// The files that a command writes, where they are asked for.
+#[derive(Clone, Copy)]
+pub(crate) struct Targets<'a> {
+    /// The model.
+    pub(crate) out: Option<&'a Path>,
+    /// The result, as JSON.
+    pub(crate) report: Option<&'a Path>,
+    /// The result, as a page.
+    pub(crate) html: Option<&'a Path>,
+}
+
+impl Targets<'_> {
+    /// Writes the model, the report and the page: all of them or none.
+    pub(crate) fn write(self, model: &[u8], report: &impl Serialize, page: impl FnOnce() -> String) -> Result {
+        let report = match self.report {
+            Some(path) => Some((path, files::to_json(report)?)),
             None => None,
         };
-        let page = self.html.as_deref().map(|path| (path, page()));
+        let page = self.html.map(|path| (path, page()));
         let texts = report.iter().chain(&page).map(|(path, text)| (*path, text.as_bytes()));
-        files::write_all(&std::iter::once((self.out.as_path(), model)).chain(texts).collect::<Vec<_>>())
+        files::write_all(&self.out.map(|out| (out, model)).into_iter().chain(texts).collect::<Vec<_>>())
+    }
+}
+
+impl Written {
+    /// The files.
+    pub(crate) fn targets(&self) -> Targets<'_> {
+        Targets { out: Some(&self.out), report: self.report.as_deref(), html: self.html.as_deref() }
     }
 }
 

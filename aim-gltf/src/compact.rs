@@ -1,7 +1,7 @@
 //! A written document without what its replaced clips alone used: their accessors, buffer views and bytes.
 
 use core::ops::Range;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::{Value, json};
 
@@ -9,13 +9,27 @@ use crate::document::Document;
 use crate::references::{self, index, list};
 
 /// The bytes that a clip takes in a file.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct ClipSize {
     /// Of its keys: times and values, each accessor once, also where other clips use it too.
     pub keys: usize,
     /// Of the JSON text that describes them: the animation and its accessors.
     pub text: usize,
+    /// The keys, channel by channel.
+    pub channels: Vec<ChannelSize>,
+}
+
+/// The bytes of the keys of one channel.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ChannelSize {
+    /// The bone that it moves.
+    pub bone: usize,
+    /// The property: `translation`, `rotation`, `scale` or `weights`.
+    pub path: String,
+    /// The bytes; of what several channels of the clip share, such as times, an equal part.
+    pub bytes: f64,
 }
 
 impl Document {
@@ -23,18 +37,40 @@ impl Document {
     #[must_use]
     pub fn clip_sizes(&self) -> Vec<ClipSize> {
         let json = self.json();
-        let accessors = json.get("accessors").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
-        let animations = json.get("animations").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
-        let size = |animation: &Value| {
-            let used = references::accessors_of(animation);
-            let used = used.iter().filter_map(|at| accessors.get(*at));
-            used.fold(ClipSize { keys: 0, text: animation.to_string().len() }, |size, accessor| ClipSize {
-                keys: size.keys + number(accessor, "count") * element(accessor),
-                text: size.text + accessor.to_string().len(),
+        let [accessors, animations] = ["accessors", "animations"]
+            .map(|key| json.get(key).and_then(Value::as_array).map_or(&[][..], Vec::as_slice));
+        // Clips of bones that no file has are not animations of the JSON.
+        let size = |animation| self.clip_size(animation, accessors);
+        (0..self.clips().len()).map(|clip| animations.get(clip).map_or_else(ClipSize::default, size)).collect()
+    }
+
+    fn clip_size(&self, animation: &Value, accessors: &[Value]) -> ClipSize {
+        let bytes = |at: usize| accessors.get(at).map_or(0, |accessor| number(accessor, "count") * element(accessor));
+        let list = |key: &str| animation.get(key).and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
+        let accessors_of = |channel: &Value| {
+            let sampler = index(channel.get("sampler")).and_then(|at| list("samplers").get(at));
+            ["input", "output"].map(|key| sampler.and_then(|sampler| index(sampler.get(key))))
+        };
+        let mut uses = BTreeMap::<usize, f64>::new();
+        for at in list("channels").iter().flat_map(accessors_of).flatten() {
+            *uses.entry(at).or_default() += 1.0;
+        }
+        #[expect(clippy::cast_precision_loss, reason = "files have less than 2^52 bytes")]
+        let channel = |channel: &Value| {
+            let target = channel.get("target")?;
+            Some(ChannelSize {
+                bone: self.skeleton().bone_of(index(target.get("node"))?)?,
+                path: target.get("path")?.as_str()?.to_owned(),
+                bytes: accessors_of(channel).into_iter().flatten().map(|at| bytes(at) as f64 / uses[&at]).sum(),
             })
         };
-        // Clips of bones that no file has are not animations of the JSON.
-        (0..self.clips().len()).map(|clip| animations.get(clip).map_or_else(ClipSize::default, size)).collect()
+        let used = references::accessors_of(animation);
+        let text = used.iter().filter_map(|at| accessors.get(*at)).map(|accessor| accessor.to_string().len());
+        ClipSize {
+            keys: used.iter().map(|at| bytes(*at)).sum(),
+            text: animation.to_string().len() + text.sum::<usize>(),
+            channels: list("channels").iter().filter_map(channel).collect(),
+        }
     }
 }
 

@@ -42,7 +42,7 @@ mod surface;
 mod uri;
 mod write;
 
-pub use compact::ClipSize;
+pub use compact::{ChannelSize, ClipSize};
 pub use container::to_glb;
 pub use document::Document;
 pub use error::Error;

@@ -49,7 +49,7 @@ pub struct MendedLoop {
 pub fn mended_loop(document: &Document, measurement: &Measurement, clip: &Clip) -> Result<Option<MendedLoop>, Error> {
     check_length(clip)?;
     let skeleton = document.skeleton();
-    let size = if measurement.height > 0.0 { crate::num::narrow(measurement.height) } else { 1.0 };
+    let size = size(measurement);
     let travel = Travel::find(document, measurement, clip, size)?;
     let on_the_spot = travel.as_ref().map_or_else(|| Ok(clip.clone()), |travel| travel.moved(clip, Way::Out))?;
     let seam = on_the_spot.seam();
@@ -82,6 +82,16 @@ pub fn root_path(document: &Document, measurement: &Measurement, clip: &Clip) ->
     }
 }
 
+/// A clip as its seam is judged: without the way of hips that come out elsewhere than they begin, by more than a twentieth of the
+/// height or 6°.
+///
+/// # Errors
+/// As [`root_path`].
+pub fn on_the_spot(document: &Document, measurement: &Measurement, clip: &Clip) -> Result<Clip, Error> {
+    let travel = Travel::find(document, measurement, clip, size(measurement))?;
+    travel.map_or_else(|| Ok(clip.clone()), |travel| travel.moved(clip, Way::Out))
+}
+
 /// A clip without a movement of its root, as [`Motion::remove`] takes it out of poses: what carries the character has cubic tracks
 /// of 60 keys a second then. Bones on which nothing of the clip hangs, such as cameras and lights, stay where they are.
 ///
@@ -90,6 +100,11 @@ pub fn root_path(document: &Document, measurement: &Measurement, clip: &Clip) ->
 pub fn in_place(document: &Document, clip: &Clip, motion: Motion) -> Result<Clip, Error> {
     check_length(clip)?;
     Travel::new(document.skeleton(), clip, motion).moved(clip, Way::Out)
+}
+
+/// The height, or 1 where there is none.
+fn size(measurement: &Measurement) -> f32 {
+    if measurement.height > 0.0 { crate::num::narrow(measurement.height) } else { 1.0 }
 }
 
 fn check_length(clip: &Clip) -> Result<(), Error> {

@@ -14,6 +14,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::args::{self, SOLVERS};
 use crate::bake_report::{BakeReport, Reported};
+use crate::baked_reduction::Gaze;
 use crate::effector::Effector;
 use crate::failure::{Failure, Result};
 use crate::files;
@@ -26,7 +27,7 @@ pub(super) fn run(arguments: &args::Bake) -> Result {
     let document = files::load_model(&arguments.file)?;
     let path = if let TargetSpec::File(path) = &arguments.target { Some(path) } else { None };
     let read = [(arguments.rig.as_ref(), "the rig"), (path, "the target's path")];
-    Outputs::reading(read).reading_parts_of(&document).write_model(&arguments.written, &arguments.file)?;
+    Outputs::reading(read).reading_parts_of(&document).write_model(arguments.written.targets(), &arguments.file)?;
     let measurement = arguments.facing.measure(&arguments.file, &document)?;
     let mut spec = match &arguments.rig {
         Some(path) => files::load_rig(path)?,
@@ -144,7 +145,16 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     bar.finish();
     let name = arguments.name.clone().unwrap_or_else(|| name_beside(clip, document.clips()));
     baked.clip = baked.clip.with_name(name);
-    let model = document.with_clip_like(&baked.clip, clip.map(Clip::name)).map_err(Failure::of(file))?;
+    let write = |new: &Clip| document.with_clip_like(new, clip.map(Clip::name)).map_err(Failure::of(file));
+    let mut model = write(&baked.clip)?;
+    let mut reduction = None;
+    if let Some(tolerance) = arguments.reduce {
+        let gaze = Gaze { document, measurement, effector, chain: &chain };
+        let left = gaze.reduced(&baked.clip, tolerance).map_err(|error| Failure::in_file(file, error))?;
+        let smaller = write(&left)?;
+        let told = gaze.told(&baked, tolerance, [&model, &smaller]).map_err(Failure::of(file))?;
+        (baked.clip, model, reduction) = (left, smaller, Some(told));
+    }
     let word = SOLVERS.iter().find(|(known, ..)| known[0] == solver).map_or("", |(_, word, _)| word);
     let written = Document::from_bytes(&model).map_err(Failure::of(file))?;
     let report = BakeReport::new(Reported {
@@ -158,10 +168,11 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         chain: &chain,
         held: &held,
         baked: &baked,
+        reduction,
         plausibility: Plausibility::measure(&character.rig, &plan, &baked, &written).map_err(Failure::of(file))?,
     });
     let subject = BakePage { spec, report: &report, document, measurement, baked: &baked };
-    arguments.written.write(&model, &report, || html::page(&subject))?;
+    arguments.written.targets().write(&model, &report, || html::page(&subject))?;
     files::print(&format!("{}\n", report.in_words(&arguments.written.out)))?;
     for page in [&arguments.written.report, &arguments.written.html].into_iter().flatten() {
         files::print(&format!("wrote {}\n", page.display()))?;

@@ -52,6 +52,7 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
         hold: None,
         settle: Settle::Snap,
         looped: true,
+        reduce: None,
         strict: false,
         written: args::Written {
             out: out("aimed.glb"),

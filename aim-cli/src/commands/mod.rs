@@ -3,6 +3,7 @@
 mod bake;
 pub(crate) mod check;
 mod check_model;
+mod clip;
 pub(crate) mod count;
 mod demo;
 mod explain;
@@ -32,6 +33,7 @@ pub(crate) fn run(command: Command) -> Result {
         Command::Plot(arguments) => plot::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Reach(arguments) => reach::run(&arguments),
+        Command::Clip(arguments) => clip::run(&arguments),
         Command::View(arguments) => view::run(arguments),
     }
 }

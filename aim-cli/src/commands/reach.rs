@@ -20,7 +20,7 @@ pub(super) fn run(arguments: &args::Reach) -> Result {
         )));
     }
     let document = files::load_model(&arguments.file)?;
-    Outputs::default().reading_parts_of(&document).write_model(&arguments.written, &arguments.file)?;
+    Outputs::default().reading_parts_of(&document).write_model(arguments.written.targets(), &arguments.file)?;
     let file = &arguments.file;
     let clip = match &arguments.clip {
         Some(name) => document.clip(name).map_err(Failure::of(file))?,
@@ -37,6 +37,6 @@ pub(super) fn run(arguments: &args::Reach) -> Result {
     let after = written.clip(reached.clip.name()).map_err(|error| Failure::in_file(&arguments.written.out, error))?;
     let report = ReachReport::new(&arguments.bone, &plan, &reached, &written, after);
     let takes = Takes { document: &document, measurement: &Measurement::of(&document), limb, before: clip, after };
-    arguments.written.write(&model, &report, || html::trajectory_page(&report, &goals, &takes))?;
+    arguments.written.targets().write(&model, &report, || html::trajectory_page(&report, &goals, &takes))?;
     files::print(&format!("{}wrote {}\n", report.in_words(), arguments.written.out.display()))
 }

@@ -168,6 +168,9 @@ fn facts(spec: &RigSpec, report: &BakeReport) -> Vec<(&'static str, String)> {
         ("Weight", trimmed(report.weight.into(), 3)),
         ("Effector", format!("{bone}, along ({})", vector(ray.frame.forward))),
     ];
+    if let Some(reduction) = &report.reduction {
+        facts.push(("Keys left out", reduction.in_words()));
+    }
     if ray.origin != [0.0; 3] {
         facts.push(("Its origin", format!("({})", vector(ray.origin))));
     }

@@ -1,0 +1,416 @@
+//! The report of `aim clip`: what clips cost before and after they were changed, and a summary in words.
+
+use std::path::PathBuf;
+
+use aim_animation::{Clip, Gap, Motion, RootPath, Track, Transform, Value};
+use aim_character::{Measurement, on_the_spot};
+use aim_gltf::{ClipSize, Document};
+use aim_runtime::glam::{DVec3, Vec3};
+use serde::Serialize;
+
+use crate::deviation::key_times;
+use crate::reduction::millimetre;
+use crate::words::{counted, fixed, grouped, trimmed};
+
+/// Content of `--report`; the command's help describes it.
+#[derive(Debug, Serialize)]
+pub(crate) struct ClipReport {
+    pub(crate) file: String,
+    pub(crate) millimetre: f64,
+    pub(crate) file_bytes: [usize; 2],
+    pub(crate) out: Option<PathBuf>,
+    pub(crate) clips: Vec<ClipCost>,
+}
+
+/// A clip before and after it was changed.
+#[derive(Debug, Serialize)]
+pub(crate) struct ClipCost {
+    pub(crate) clip: String,
+    pub(crate) length_s: f32,
+    pub(crate) before: Side,
+    pub(crate) after: Side,
+    pub(crate) root: Option<RootReport>,
+    pub(crate) extracted: Option<Extracted>,
+    pub(crate) reduced: Option<ReducedReport>,
+    pub(crate) bones: Vec<BoneBytes>,
+}
+
+/// What a clip costs.
+#[derive(Debug, Serialize)]
+pub(crate) struct Side {
+    pub(crate) tracks: Tracks,
+    pub(crate) keys: usize,
+    pub(crate) key_bytes: usize,
+    pub(crate) text_bytes: usize,
+    pub(crate) key_bytes_a_second: f64,
+    pub(crate) seam: SeamReport,
+}
+
+/// Numbers of tracks.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub(crate) struct Tracks {
+    pub(crate) moving: usize,
+    /// Of one value that is not the one at rest.
+    pub(crate) constant: usize,
+    pub(crate) at_rest: usize,
+}
+
+/// A number, and the bone that has it.
+#[derive(Clone, Debug, Default, Serialize)]
+pub(crate) struct Most {
+    pub(crate) most: f64,
+    pub(crate) bone: Option<String>,
+}
+
+/// The seam of a clip without the way of its hips; translations in millimetres of a 1.7 m figure.
+#[derive(Clone, Debug, Default, Serialize)]
+pub(crate) struct SeamReport {
+    pub(crate) mm: Most,
+    pub(crate) deg: Most,
+    pub(crate) mm_s: Most,
+    pub(crate) deg_s: Most,
+}
+
+/// The way of the hips from the first frame to the last, as a screw.
+#[derive(Debug, Serialize)]
+pub(crate) struct RootReport {
+    pub(crate) speed: f64,
+    pub(crate) speed_m_s: f64,
+    pub(crate) turn_deg_s: f64,
+    pub(crate) axis: [f32; 3],
+    pub(crate) point: Option<[f32; 3]>,
+    pub(crate) along: f32,
+}
+
+/// A motion that was taken out of a clip.
+#[derive(Debug, Serialize)]
+pub(crate) struct Extracted {
+    pub(crate) motion: String,
+    pub(crate) seconds: f32,
+    /// The length of its way, in the file's units.
+    pub(crate) distance: f64,
+    pub(crate) translation: [f32; 3],
+    pub(crate) turn_deg: f64,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) path: Vec<Place>,
+}
+
+/// The motion at a time.
+#[derive(Debug, Serialize)]
+pub(crate) struct Place {
+    t: f32,
+    translation: [f32; 3],
+    rotation: [f32; 4],
+}
+
+/// What was left of a clip's keys, and how far it is off.
+#[derive(Debug, Serialize)]
+pub(crate) struct ReducedReport {
+    pub(crate) tolerance_mm: f64,
+    pub(crate) pins: Vec<f32>,
+    pub(crate) error_mm: f64,
+    pub(crate) bone: Option<String>,
+    pub(crate) t: Option<f64>,
+}
+
+/// The bytes of keys of a bone before and after, by property.
+#[derive(Debug, Serialize)]
+pub(crate) struct BoneBytes {
+    pub(crate) bone: String,
+    /// The bone's number.
+    #[serde(skip)]
+    pub(crate) number: usize,
+    pub(crate) before: Kinds,
+    pub(crate) after: Kinds,
+}
+
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub(crate) struct Kinds {
+    pub(crate) translation: f64,
+    pub(crate) rotation: f64,
+    pub(crate) scale: f64,
+    pub(crate) weights: f64,
+}
+
+impl Kinds {
+    pub(crate) fn all(self) -> [f64; 4] {
+        [self.translation, self.rotation, self.scale, self.weights]
+    }
+
+    pub(crate) fn sum(self) -> f64 {
+        self.all().iter().sum()
+    }
+}
+
+impl Tracks {
+    fn of(clip: &Clip, document: &Document) -> Self {
+        let skeleton = document.skeleton();
+        let mut tracks = Self::default();
+        for of in clip.tracks() {
+            let rest = skeleton.rest().get(of.bone).copied().unwrap_or(Transform::IDENTITY);
+            of.translation.iter().for_each(|track| tracks.count(track, Some(rest.translation), |a, b| a == b));
+            of.rotation.iter().for_each(|track| tracks.count(track, Some(rest.rotation), |a, b| a == b || a == -b));
+            of.scale.iter().for_each(|track| tracks.count(track, Some(rest.scale), |a, b| a == b));
+        }
+        for (scalar, track) in clip.scalars() {
+            let node = (0..skeleton.len()).find(|node| document.morph_scalars(*node).contains(scalar));
+            let rest = node.and_then(|node| {
+                let first = document.morph_scalars(node).start;
+                skeleton.morph_weights(node).map(|weights| weights.get(scalar - first).copied().unwrap_or_default())
+            });
+            tracks.count(track, rest, |a, b| a == b);
+        }
+        tracks
+    }
+
+    fn count<T: Value>(&mut self, track: &Track<T>, rest: Option<T>, same: impl Fn(T, T) -> bool) {
+        let first = track.values()[0];
+        let still = |value: &T| same(*value, *value) && same(*value, first);
+        let flat = |[into, out]: &[T; 2]| [into, out].into_iter().all(|tangent| same(*tangent, first.times(0.0)));
+        if !(track.values().iter().all(still) && track.tangents().iter().all(flat)) {
+            self.moving += 1;
+        } else if rest.is_some_and(|rest| same(first, rest)) {
+            self.at_rest += 1;
+        } else {
+            self.constant += 1;
+        }
+    }
+
+    pub(crate) fn in_words(self) -> String {
+        format!("{} moving, {} constant, {} at rest", self.moving, self.constant, self.at_rest)
+    }
+}
+
+impl Side {
+    pub(crate) fn new(document: &Document, measurement: &Measurement, clip: &Clip, size: &ClipSize) -> Self {
+        let keys = clip.tracks().iter().map(|tracks| crate::deviation::bone_times(tracks).count()).sum::<usize>();
+        let length = f64::from(clip.length_s());
+        Self {
+            tracks: Tracks::of(clip, document),
+            keys: keys + clip.scalars().iter().map(|(_, track)| track.times().len()).sum::<usize>(),
+            key_bytes: size.keys,
+            text_bytes: size.text,
+            key_bytes_a_second: if length > 0.0 { crate::words::count(size.keys) / length } else { 0.0 },
+            seam: SeamReport::new(document, measurement, clip),
+        }
+    }
+}
+
+impl SeamReport {
+    /// Of a clip in which the hips cannot be followed, of the clip as it is.
+    fn new(document: &Document, measurement: &Measurement, clip: &Clip) -> Self {
+        let clip = on_the_spot(document, measurement, clip).unwrap_or_else(|_| clip.clone());
+        let skeleton = document.skeleton();
+        let world = skeleton.world_f64(skeleton.rest());
+        let mut report = Self::default();
+        for tracks in clip.tracks() {
+            let mut alone = Clip::new("").with_length(clip.length_s());
+            if let Some(track) = &tracks.translation {
+                alone = alone.with_translation(tracks.bone, track.clone());
+            }
+            if let Some(track) = &tracks.rotation {
+                alone = alone.with_rotation(tracks.bone, track.clone());
+            }
+            let seam = alone.seam();
+            let scale = skeleton.parents()[tracks.bone].map_or(1.0, |parent| world[parent].matrix3.x_axis.length());
+            let name = &skeleton.names()[tracks.bone];
+            let mm = |gap: Gap| f64::from(gap.translation) * scale / millimetre(measurement);
+            let deg = |gap: Gap| f64::from(gap.rotation_rad).to_degrees();
+            report.mm.most_of(mm(seam.place), name);
+            report.deg.most_of(deg(seam.place), name);
+            report.mm_s.most_of(mm(seam.speed), name);
+            report.deg_s.most_of(deg(seam.speed), name);
+        }
+        report
+    }
+
+    pub(crate) fn in_words(&self) -> String {
+        let part = |most: &Most, unit: &str, decimals| match &most.bone {
+            Some(bone) if most.most >= 0.05 => format!("{}{unit} ({bone})", fixed(most.most, decimals)),
+            _ => format!("0{unit}"),
+        };
+        format!(
+            "{}, {}; in speed {}, {}",
+            part(&self.mm, " mm", 1),
+            part(&self.deg, "°", 1),
+            part(&self.mm_s, " mm/s", 0),
+            part(&self.deg_s, "°/s", 0)
+        )
+    }
+}
+
+impl Most {
+    fn most_of(&mut self, value: f64, bone: &str) {
+        if value > self.most {
+            *self = Self { most: value, bone: Some(bone.to_owned()) };
+        }
+    }
+}
+
+impl RootReport {
+    pub(crate) fn new(path: &RootPath, measurement: &Measurement) -> Self {
+        let screw = Motion::composite(path).screw();
+        let speed = f64::from(screw.speed_s());
+        Self {
+            speed,
+            speed_m_s: speed / millimetre(measurement) / 1000.0,
+            turn_deg_s: f64::from(screw.turn_rad_s).to_degrees(),
+            axis: screw.axis.to_array(),
+            point: screw.point.map(|point| point.to_array()),
+            along: screw.along_s,
+        }
+    }
+
+    pub(crate) fn in_words(&self) -> String {
+        format!(
+            "{} units/s ({} m/s of a 1.7 m figure), turns {}°/s",
+            trimmed(self.speed, 3),
+            trimmed(self.speed_m_s, 2),
+            trimmed(self.turn_deg_s, 1)
+        )
+    }
+}
+
+impl Extracted {
+    /// Sampled as often as the path of the root.
+    pub(crate) fn new(motion: &Motion, word: &str, times: &[f32]) -> Self {
+        let places: Vec<Place> = times
+            .iter()
+            .map(|&t| {
+                let at = motion.at(t);
+                Place { t, translation: at.translation.to_array(), rotation: at.rotation.to_array() }
+            })
+            .collect();
+        let point = |place: &Place| Vec3::from(place.translation).as_dvec3();
+        let way = |pair: &[Place]| DVec3::distance(point(&pair[0]), point(&pair[1]));
+        let whole = motion.at(motion.length_s());
+        Self {
+            motion: word.to_owned(),
+            seconds: motion.length_s(),
+            distance: places.windows(2).map(way).sum(),
+            translation: whole.translation.to_array(),
+            turn_deg: f64::from(aim_runtime::rotation::angle(whole.rotation)).to_degrees(),
+            path: if word == "delta" { places } else { Vec::new() },
+        }
+    }
+}
+
+/// The bytes of each bone's keys before and after, those first that have most in the end.
+pub(crate) fn bone_bytes(document: &Document, [before, after]: [&ClipSize; 2]) -> Vec<BoneBytes> {
+    let mut bones = std::collections::BTreeMap::<usize, [Kinds; 2]>::new();
+    for (side, size) in [before, after].into_iter().enumerate() {
+        for channel in &size.channels {
+            let kinds = &mut bones.entry(channel.bone).or_default()[side];
+            let kind = match channel.path.as_str() {
+                "translation" => &mut kinds.translation,
+                "rotation" => &mut kinds.rotation,
+                "scale" => &mut kinds.scale,
+                _ => &mut kinds.weights,
+            };
+            *kind += channel.bytes;
+        }
+    }
+    let names = document.skeleton().names();
+    let bytes = |(bone, [before, after]): (usize, [Kinds; 2])| BoneBytes {
+        bone: names[bone].clone(),
+        number: bone,
+        before,
+        after,
+    };
+    let mut bytes: Vec<BoneBytes> = bones.into_iter().map(bytes).collect();
+    let order = |bone: &BoneBytes| [bone.after.sum(), bone.before.sum()];
+    bytes.sort_by(|a, b| order(b).partial_cmp(&order(a)).unwrap_or(std::cmp::Ordering::Equal));
+    bytes
+}
+
+/// The times at which a clip has keys, and those at its ends.
+pub(crate) fn sampled(clip: &Clip) -> Vec<f32> {
+    let mut times = key_times(clip);
+    times.extend([0.0, clip.length_s()]);
+    times.sort_by(f32::total_cmp);
+    times.dedup();
+    times
+}
+
+impl ClipReport {
+    /// What was done, a sentence a line; `preview` is told as what would be.
+    pub(crate) fn in_words(&self, is_preview: bool) -> String {
+        let mut out = self.table(is_preview);
+        for cost in &self.clips {
+            out += &format!("\n{}\n  seam  {}\n", cost.clip, cost.before.seam.in_words());
+            if let Some(root) = &cost.root {
+                out += &format!("  hips  {}\n", root.in_words());
+            }
+            if let Some(Extracted { motion, distance, turn_deg, .. }) = &cost.extracted {
+                out += &format!(
+                    "  taken out as {motion}: {} units, turned by {}° in the end\n",
+                    trimmed(*distance, 3),
+                    trimmed(*turn_deg, 1)
+                );
+            }
+            if !is_preview {
+                out += &format!("  seam after it  {}\n", cost.after.seam.in_words());
+            }
+            if let Some(reduced) = &cost.reduced {
+                out += &format!("  at {} mm  {}\n", reduced.tolerance_mm, reduced.in_words());
+            }
+        }
+        let [before, after] = self.file_bytes;
+        let file = format!("{} bytes of {}", grouped(after), grouped(before));
+        out += &match &self.out {
+            Some(out) => format!("\nwrote {}: {file}\n", out.display()),
+            None if is_preview => format!("\nThe file would have {file} with --reduce 1mm.\n"),
+            None => format!("\nThe file would have {file}; write it with --out.\n"),
+        };
+        out
+    }
+
+    fn table(&self, is_preview: bool) -> String {
+        let head = ["clip", "length", "moving", "constant", "at rest", "keys", "bytes", "a second", if is_preview { "at 1 mm" } else { "after" }, ""];
+        let row = |cost: &ClipCost| {
+            let ClipCost { clip, length_s, before, after, .. } = cost;
+            [
+                clip.clone(),
+                format!("{} s", trimmed((*length_s).into(), 3)),
+                before.tracks.moving.to_string(),
+                before.tracks.constant.to_string(),
+                before.tracks.at_rest.to_string(),
+                grouped(before.keys),
+                grouped(before.key_bytes),
+                grouped(rounded(before.key_bytes_a_second)),
+                grouped(after.key_bytes),
+                percent(after.key_bytes, before.key_bytes),
+            ]
+        };
+        let rows: Vec<[String; 10]> = std::iter::once(head.map(str::to_owned)).chain(self.clips.iter().map(row)).collect();
+        let widths: Vec<usize> = (0..10).map(|k| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0)).collect();
+        let line = |row: &[String; 10]| {
+            let cells = row.iter().zip(&widths).enumerate();
+            let cells = cells.map(|(k, (cell, width))| if k == 0 { format!("{cell:<width$}") } else { format!("{cell:>width$}") });
+            cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
+        };
+        rows.iter().map(line).collect()
+    }
+}
+
+impl ReducedReport {
+    pub(crate) fn in_words(&self) -> String {
+        let off = format!("at most {} mm off", fixed(self.error_mm, 3));
+        let place = match (&self.bone, self.t) {
+            (Some(bone), Some(t)) => format!(", at {bone}, {} s", trimmed(t, 3)),
+            _ => String::new(),
+        };
+        let pins = if self.pins.is_empty() { String::new() } else { format!("; {} kept", counted(self.pins.len(), "pose")) };
+        off + &place + &pins
+    }
+}
+
+/// A share in percent; of nothing none.
+pub(crate) fn percent(part: usize, of: usize) -> String {
+    if of == 0 { String::new() } else { format!("{} %", fixed(100.0 * crate::words::count(part) / crate::words::count(of), 1)) }
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bytes a second are no more than a file's over a frame")]
+fn rounded(value: f64) -> usize {
+    value.round() as usize
+}

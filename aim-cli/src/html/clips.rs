@@ -1,0 +1,148 @@
+//! The page about the clips of a file: what they cost before and after, bone by bone, and how far they are off.
+
+use aim_animation::Clip;
+use aim_gltf::Document;
+use maud::{Markup, html};
+
+use super::chart::{Base, Mark, Scale, Series};
+use super::key_bars;
+use super::summary::table;
+use crate::clip_report::{ClipCost, ClipReport, Side, percent};
+use crate::deviation::Deviation;
+use crate::page::report as report_page;
+use crate::words::{Wanted, counted, grouped, shown, trimmed};
+
+/// A report and what it is of.
+pub(crate) struct ClipPage<'a> {
+    pub(crate) report: &'a ClipReport,
+    /// Those of the report, in its order.
+    pub(crate) takes: &'a [ClipTakes<'a>],
+    pub(crate) document: &'a Document,
+    /// True if nothing was to be changed, and what is told of reduction is what it would do.
+    pub(crate) is_preview: bool,
+}
+
+/// A clip before and after it was changed.
+pub(crate) struct ClipTakes<'a> {
+    pub(crate) before: &'a Clip,
+    pub(crate) after: &'a Clip,
+    /// Of the reduced clip.
+    pub(crate) deviation: Option<Deviation>,
+}
+
+/// The page.
+pub(crate) fn page(page: &ClipPage<'_>) -> String {
+    let ClipPage { report, takes, is_preview, .. } = *page;
+    let file = report.file.rsplit(['/', '\\']).next().unwrap_or(&report.file);
+    let content = html! {
+        h1 { "Clips of " (file) }
+        section.summary {
+            p.lead { (lead(report, is_preview)) }
+            div.scroll { (costs(report, is_preview)) }
+        }
+        @for (cost, take) in report.clips.iter().zip(takes) { (clip(page, cost, take)) }
+    };
+    report_page(&format!("Clips of {file}"), &content)
+}
+
+fn lead(report: &ClipReport, is_preview: bool) -> String {
+    let sum = |side: fn(&ClipCost) -> &Side| report.clips.iter().map(|cost| side(cost).key_bytes).sum::<usize>();
+    let (before, after) = (sum(|cost| &cost.before), sum(|cost| &cost.after));
+    let [file_before, file_after] = report.file_bytes;
+    let verb = match (is_preview, &report.out) {
+        (true, _) => "would be left at a tolerance of 1 mm of a 1.7 m figure",
+        (false, Some(_)) => "are left",
+        (false, None) => "would be left",
+    };
+    let share = percent(after, before);
+    let share = if share.is_empty() { share } else { format!(" ({share})") };
+    format!(
+        "{}: {} bytes of keys, of which {}{share} {verb}; with them the file has {} bytes of {}.",
+        counted(report.clips.len(), "clip"),
+        grouped(before),
+        grouped(after),
+        grouped(file_after),
+        grouped(file_before),
+    )
+}
+
+fn costs(report: &ClipReport, is_preview: bool) -> Markup {
+    html! {
+        table.costs {
+            thead {
+                tr {
+                    @for head in ["Clip", "Length", "Moving", "Constant", "At rest", "Keys", "Bytes", "A second"] {
+                        th scope="col" { (head) }
+                    }
+                    th scope="col" { @if is_preview { "At 1 mm" } @else { "After" } }
+                    th scope="col" {}
+                }
+            }
+            tbody {
+                @for cost in &report.clips {
+                    tr {
+                        th scope="row" { (cost.clip) }
+                        td { (trimmed(cost.length_s.into(), 3)) " s" }
+                        td { (cost.before.tracks.moving) }
+                        td { (cost.before.tracks.constant) }
+                        td { (cost.before.tracks.at_rest) }
+                        td { (grouped(cost.before.keys)) }
+                        td { (grouped(cost.before.key_bytes)) }
+                        td { (shown(cost.before.key_bytes_a_second, 0)) }
+                        td { (grouped(cost.after.key_bytes)) }
+                        td { (percent(cost.after.key_bytes, cost.before.key_bytes)) }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn clip(page: &ClipPage<'_>, cost: &ClipCost, take: &ClipTakes<'_>) -> Markup {
+    let side = |side: &Side| {
+        vec![
+            ("Tracks", side.tracks.in_words()),
+            ("Keys", grouped(side.keys)),
+            ("Bytes of keys", format!("{}, {} a second", grouped(side.key_bytes), shown(side.key_bytes_a_second, 0))),
+            ("Bytes of text", format!("{}, which describes them", grouped(side.text_bytes))),
+            ("Seam", side.seam.in_words()),
+        ]
+    };
+    let mut before = side(&cost.before);
+    before.insert(0, ("Length", format!("{} s", trimmed(cost.length_s.into(), 3))));
+    if let Some(root) = &cost.root {
+        before.push(("Hips", root.in_words()));
+    }
+    let mut after = side(&cost.after);
+    if let Some(taken) = &cost.extracted {
+        let way = format!("{} units, {}° in the end", trimmed(taken.distance, 3), trimmed(taken.turn_deg, 1));
+        after.push(("Taken out", format!("{}: {way}", taken.motion)));
+    }
+    if let Some(reduced) = &cost.reduced {
+        after.push(("Reduced", format!("at {} mm: {}", reduced.tolerance_mm, reduced.in_words())));
+    }
+    let caption = if page.is_preview { "With --reduce 1mm" } else { "After" };
+    html! {
+        section.over-time {
+            h2 { (cost.clip) }
+            div.facts { (table("As it is", &before)) (table(caption, &after)) }
+            div.charts {
+                (key_bars::charts(page.document, cost, take))
+                @if let Some(deviation) = &take.deviation { (error(page, cost, deviation)) }
+            }
+        }
+    }
+}
+
+fn error(page: &ClipPage<'_>, cost: &ClipCost, deviation: &Deviation) -> Markup {
+    let values: Vec<f64> = deviation.distances.iter().map(|distance| distance / page.report.millimetre).collect();
+    let tolerance = cost.reduced.as_ref().map_or(0.0, |reduced| reduced.tolerance_mm);
+    let label = format!("How far the bone that is furthest off is from where it was over {}, millimetres.", cost.clip);
+    let most = values.iter().copied().fold(tolerance, f64::max);
+    let base = Base { times: &deviation.times, statuses: &[], wanted: Wanted::Target };
+    let mut chart = base.chart(label, "mm of a 1.7 m figure, of the bone that is furthest off", Scale::Linear(0.0, 1.1 * most));
+    chart.wide = true;
+    chart.series.push(Series { name: "error", class: "one", values });
+    chart.marks.push(Mark { value: tolerance, class: "plain", label: format!("{tolerance} mm") });
+    chart.figure("Error over time")
+}
