@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use aim_animation::{Clip, Gap, Motion, RootPath, Track, Transform, Value};
 use aim_character::{Measurement, on_the_spot};
 use aim_gltf::{ClipSize, Document};
-use aim_runtime::glam::{DVec3, Vec3};
+use aim_runtime::glam::DVec3;
 use serde::Serialize;
 
 use crate::deviation::key_times;
@@ -80,6 +80,8 @@ pub(crate) struct RootReport {
     pub(crate) axis: [f32; 3],
     pub(crate) point: Option<[f32; 3]>,
     pub(crate) along: f32,
+    /// The length of the way, sway included, in the file's units.
+    pub(crate) distance: f64,
 }
 
 /// A motion that was taken out of a clip.
@@ -248,7 +250,8 @@ impl Most {
 }
 
 impl RootReport {
-    pub(crate) fn new(path: &RootPath, measurement: &Measurement) -> Self {
+    /// The way is sampled at some times of the clip.
+    pub(crate) fn new(path: &RootPath, measurement: &Measurement, times: &[f32]) -> Self {
         let screw = Motion::composite(path).screw();
         let speed = f64::from(screw.speed_s());
         Self {
@@ -258,15 +261,17 @@ impl RootReport {
             axis: screw.axis.to_array(),
             point: screw.point.map(|point| point.to_array()),
             along: screw.along_s,
+            distance: distance(times.iter().map(|&t| path.at(t))),
         }
     }
 
     pub(crate) fn in_words(&self) -> String {
         format!(
-            "{} units/s ({} m/s of a 1.7 m figure), turns {}°/s",
+            "{} units/s ({} m/s of a 1.7 m figure), turns {}°/s; a way of {} units",
             trimmed(self.speed, 3),
             trimmed(self.speed_m_s, 2),
-            trimmed(self.turn_deg_s, 1)
+            trimmed(self.turn_deg_s, 1),
+            trimmed(self.distance, 3)
         )
     }
 }
@@ -281,18 +286,22 @@ impl Extracted {
                 Place { t, translation: at.translation.to_array(), rotation: at.rotation.to_array() }
             })
             .collect();
-        let point = |place: &Place| Vec3::from(place.translation).as_dvec3();
-        let way = |pair: &[Place]| DVec3::distance(point(&pair[0]), point(&pair[1]));
         let whole = motion.at(motion.length_s());
         Self {
             motion: word.to_owned(),
             seconds: motion.length_s(),
-            distance: places.windows(2).map(way).sum(),
+            distance: distance(times.iter().map(|&t| motion.at(t))),
             translation: whole.translation.to_array(),
             turn_deg: f64::from(aim_runtime::rotation::angle(whole.rotation)).to_degrees(),
             path: if word == "delta" { places } else { Vec::new() },
         }
     }
+}
+
+/// The length of a way.
+fn distance(places: impl Iterator<Item = Transform>) -> f64 {
+    let points: Vec<DVec3> = places.map(|place| place.translation.as_dvec3()).collect();
+    points.windows(2).map(|pair| pair[0].distance(pair[1])).sum()
 }
 
 /// The bytes of each bone's keys before and after, those first that have most in the end.
@@ -411,6 +420,6 @@ pub(crate) fn percent(part: usize, of: usize) -> String {
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bytes a second are no more than a file's over a frame")]
-fn rounded(value: f64) -> usize {
+pub(crate) fn rounded(value: f64) -> usize {
     value.round() as usize
 }

@@ -184,6 +184,6 @@ impl Request<'_> {
                 .map_err(|error| format!("clip {:?}: {error}", clip.name()))?;
         }
         let after = (changed != *clip).then_some(changed);
-        Ok(Changed { root: path.map(|path| RootReport::new(&path, measurement)), extracted, before_reduction, after })
+        Ok(Changed { root: path.map(|path| RootReport::new(&path, measurement, &sampled(clip))), extracted, before_reduction, after })
     }
 }

@@ -7,10 +7,10 @@ use maud::{Markup, html};
 use super::chart::{Base, Mark, Scale, Series};
 use super::key_bars;
 use super::summary::table;
-use crate::clip_report::{ClipCost, ClipReport, Side, percent};
+use crate::clip_report::{ClipCost, ClipReport, Side, percent, rounded};
 use crate::deviation::Deviation;
 use crate::page::report as report_page;
-use crate::words::{Wanted, counted, grouped, shown, trimmed};
+use crate::words::{Wanted, counted, grouped, trimmed};
 
 /// A report and what it is of.
 pub(crate) struct ClipPage<'a> {
@@ -88,7 +88,7 @@ fn costs(report: &ClipReport, is_preview: bool) -> Markup {
                         td { (cost.before.tracks.at_rest) }
                         td { (grouped(cost.before.keys)) }
                         td { (grouped(cost.before.key_bytes)) }
-                        td { (shown(cost.before.key_bytes_a_second, 0)) }
+                        td { (grouped(rounded(cost.before.key_bytes_a_second))) }
                         td { (grouped(cost.after.key_bytes)) }
                         td { (percent(cost.after.key_bytes, cost.before.key_bytes)) }
                     }
@@ -103,7 +103,7 @@ fn clip(page: &ClipPage<'_>, cost: &ClipCost, take: &ClipTakes<'_>) -> Markup {
         vec![
             ("Tracks", side.tracks.in_words()),
             ("Keys", grouped(side.keys)),
-            ("Bytes of keys", format!("{}, {} a second", grouped(side.key_bytes), shown(side.key_bytes_a_second, 0))),
+            ("Bytes of keys", format!("{}, {} a second", grouped(side.key_bytes), grouped(rounded(side.key_bytes_a_second)))),
             ("Bytes of text", format!("{}, which describes them", grouped(side.text_bytes))),
             ("Seam", side.seam.in_words()),
         ]

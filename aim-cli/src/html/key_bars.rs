@@ -8,7 +8,7 @@ use maud::{Markup, html};
 
 use super::clips::ClipTakes;
 use crate::axis::{Axis, nice};
-use crate::clip_report::{ClipCost, Kinds};
+use crate::clip_report::{BoneBytes, ClipCost, Kinds, rounded};
 use crate::deviation::bone_times;
 use crate::words::{self, grouped, n, shown};
 
@@ -21,7 +21,7 @@ const ROW: f64 = 24.0;
 const BAR: f64 = 8.0;
 /// The room for names, and for numbers.
 const LEFT: f64 = 132.0;
-const RIGHT: f64 = 84.0;
+const RIGHT: f64 = 112.0;
 const KINDS: [&str; 4] = ["translation", "rotation", "scale", "weights"];
 /// Letters of a name that are shown.
 const LETTERS: usize = 21;
@@ -36,14 +36,14 @@ struct Row {
 fn rows(cost: &ClipCost) -> Vec<Row> {
     let named = if cost.bones.len() > ROWS + 1 { ROWS } else { cost.bones.len() };
     let (first, others) = cost.bones.split_at(named);
-    let row = |bone: &crate::clip_report::BoneBytes| Row {
+    let row = |bone: &BoneBytes| Row {
         name: bone.bone.clone(),
         bones: vec![bone.number],
         sides: [bone.before.all(), bone.after.all()],
     };
     let mut rows: Vec<Row> = first.iter().map(row).collect();
     if !others.is_empty() {
-        let sum = |side: fn(&crate::clip_report::BoneBytes) -> Kinds| {
+        let sum = |side: fn(&BoneBytes) -> Kinds| {
             let zero = [0.0; 4];
             others.iter().map(|bone| side(bone).all()).fold(zero, |sum, of| [0, 1, 2, 3].map(|kind| sum[kind] + of[kind]))
         };
@@ -81,7 +81,7 @@ fn name(row: &Row, y: f64) -> Markup {
 
 fn bars(rows: &[Row], cost: &ClipCost, height: f64) -> Markup {
     let sum = |side: &[f64; 4]| side.iter().sum::<f64>();
-    // What shares a row would make the others' bars short: it is cut off, and its number tells.
+    // What shares a row would make the others' bars short: it has none, its number tells.
     let own = rows.iter().filter(|row| row.bones.len() == 1).flat_map(|row| &row.sides).map(sum);
     let most = own.fold(1.0, f64::max);
     let axis = Axis { values: [0.0, most], places: [0.0, WIDTH - LEFT - RIGHT] };
@@ -103,14 +103,14 @@ fn bars(rows: &[Row], cost: &ClipCost, height: f64) -> Markup {
                 @for (k, row) in rows.iter().enumerate() {
                     @let y = TOP + ROW * words::count(k);
                     (name(row, y))
-                    @for (side, (bytes, class)) in row.sides.iter().zip(["before", "after"]).enumerate() {
+                    @for (side, (bytes, class)) in row.sides.iter().zip(["before", "after"]).enumerate().filter(|_| row.bones.len() == 1) {
                         @let y = y + 2.0 + (BAR + 1.0) * words::count(side);
-                        @for (kind, from, width) in stacked(bytes, most) {
+                        @for (kind, from, width) in stacked(bytes) {
                             rect class={ "bar " (KINDS[kind]) " " (class) } x=(n(LEFT + axis.at(from))) y=(n(y)) width=(n(axis.at(width))) height=(n(BAR)) {}
                         }
                     }
                     text.tick x=(n(WIDTH - RIGHT + 6.0)) y=(n(y + BAR + 4.0)) {
-                        (rounded(sum(&row.sides[0]))) " → " (rounded(sum(&row.sides[1])))
+                        (grouped(rounded(sum(&row.sides[0])))) " → " (grouped(rounded(sum(&row.sides[1]))))
                     }
                 }
             }
@@ -118,13 +118,12 @@ fn bars(rows: &[Row], cost: &ClipCost, height: f64) -> Markup {
     }
 }
 
-/// Each kind's part of a bar: where it begins, and how long it is; cut off at the longest bar.
-fn stacked(bytes: &[f64; 4], most: f64) -> Vec<(usize, f64, f64)> {
-    let mut from = 0.0;
+/// Each kind's part of a bar: where it begins, and how long it is.
+fn stacked(bytes: &[f64; 4]) -> Vec<(usize, f64, f64)> {
+    let mut end = 0.0;
     let part = |(kind, bytes): (usize, &f64)| {
-        let start = f64::min(from, most);
-        from += bytes;
-        (kind, start, f64::min(from, most) - start)
+        end += bytes;
+        (kind, end - bytes, *bytes)
     };
     bytes.iter().enumerate().map(part).filter(|(_, _, width)| *width > 0.0).collect()
 }
@@ -182,9 +181,4 @@ fn path(document: &Document, clip: &Clip, bones: &[usize], x: impl Fn(f64) -> f6
 #[expect(clippy::cast_possible_truncation, reason = "places on a drawing")]
 fn half_pixels(x: f64) -> i32 {
     (2.0 * x).round() as i32
-}
-
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bytes of keys")]
-fn rounded(bytes: f64) -> String {
-    grouped(bytes.round() as usize)
 }

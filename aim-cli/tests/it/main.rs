@@ -10,6 +10,7 @@ mod bake_real;
 mod bake_targets;
 mod book;
 mod check_model;
+mod clip;
 mod common;
 mod demo;
 mod example;

@@ -1,6 +1,7 @@
 //! Reading and writing of glTF files.
 
 mod bones;
+mod compact;
 mod look_at;
 mod malformed;
 mod mesh;
