@@ -81,14 +81,26 @@ fn sample_times(clips: [&Clip; 2]) -> Vec<f32> {
     times
 }
 
-/// The ends of each bone beside its joint: of what has no children, as far from it in each direction as it is from its parent.
-fn ends(skeleton: &Skeleton) -> Vec<Vec<DVec3>> {
+/// The ends of each bone, in its own space: beside its joint on its three axes, its length away on both sides.
+///
+/// A bone's length is the distance to its farthest child, that of a leaf its parent's, as [`Reduction`](aim_animation::Reduction) has it.
+fn ends(skeleton: &Skeleton) -> Vec<[DVec3; 6]> {
     let world: Vec<DAffine3> = skeleton.world_f64(skeleton.rest());
-    let ends = |bone: usize| {
-        let parent = skeleton.parents()[bone].filter(|_| skeleton.children(bone).next().is_none());
-        let length = parent.map_or(0.0, |parent| world[parent].translation.distance(world[bone].translation));
-        let reach = world[bone].matrix3.to_cols_array().chunks(3).map(|axis| DVec3::from_slice(axis).length()).collect::<Vec<_>>();
-        DVec3::AXES.into_iter().zip(reach).filter(|(_, scale)| length > 0.0 && *scale > 0.0).map(|(axis, scale)| axis * (length / scale)).collect()
+    let apart = |a: usize, b: usize| world[a].translation.distance(world[b].translation);
+    let size = (0..skeleton.len()).map(|bone| apart(0, bone)).fold(0.0, f64::max);
+    let mut lengths = Vec::<f64>::with_capacity(skeleton.len());
+    for (bone, parent) in skeleton.parents().iter().enumerate() {
+        let own = skeleton.children(bone).map(|child| apart(bone, child)).fold(0.0, f64::max);
+        let inherited = parent.map_or(if size > 0.0 { 0.1 * size } else { 1.0 }, |parent| lengths[parent]);
+        lengths.push(if own > 1e-4 * size { own } else { inherited });
+    }
+    let ends = |(world, length): (&DAffine3, f64)| {
+        let axes = [world.matrix3.x_axis, world.matrix3.y_axis, world.matrix3.z_axis];
+        let [x, y, z] = [0, 1, 2].map(|k| {
+            let scale = axes[k].length();
+            DVec3::AXES[k] * if scale > 0.0 { length / scale } else { length }
+        });
+        [x, y, z, -x, -y, -z]
     };
-    (0..skeleton.len()).map(ends).collect()
+    world.iter().zip(lengths).map(ends).collect()
 }

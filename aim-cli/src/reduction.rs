@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use aim_animation::{Bone, Clip, Skeleton, Track, Transform};
+use aim_animation::{Bone, Clip, Reduction, Skeleton, Track, Transform};
 use aim_character::Measurement;
 use aim_runtime::glam::Vec3;
 
@@ -44,9 +44,14 @@ pub(crate) fn reduced(clip: &Clip, skeleton: &Skeleton, kept: &Kept<'_>) -> Resu
     // A point is a bone at rest on its bone.
     let extended = Skeleton::new(bones.chain(points.iter().map(point))).map_err(|error| error.to_string())?;
     let there = clip.clone().with_bones_mapped(|bone| extended.bone_of(bone));
-    let _ = (tolerance, pins);
-    let reduced = there;
+    let reduction = Reduction::new(narrow(tolerance)).with_pins(pins.iter().copied());
+    let reduced = reduction.reduce(&there, &extended).map_err(|error| error.to_string())?.clip;
     Ok(held(reduced.with_bones_mapped(|bone| extended.source_of(bone)), skeleton))
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "clips are in single precision")]
+fn narrow(value: f64) -> f32 {
+    value as f32
 }
 
 /// A clip with a key at its end, to which a file has its length from.
