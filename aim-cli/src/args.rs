@@ -340,7 +340,7 @@ pub(crate) struct Bake {
     pub(crate) looped: bool,
     /// Leave out the keys without which no bone, and nothing looked at from 1 m away, is further off than this, in millimetres of
     /// a 1.7 m figure: 1mm.
-    #[arg(long, value_name = "TOL", allow_negative_numbers = true)]
+    #[arg(long, value_name = "TOL", allow_hyphen_values = true)]
     pub(crate) reduce: Option<Millimetres>,
     /// Exit with 1 if the result looks wrong, although it is written: see Plausibility below.
     #[arg(long)]
@@ -397,7 +397,7 @@ pub(crate) struct Clip {
     #[arg(long = "loop")]
     pub(crate) looped: bool,
     /// Leave out the keys without which no bone is further off than this, in millimetres of a 1.7 m figure: 1mm.
-    #[arg(long, value_name = "TOL", allow_negative_numbers = true)]
+    #[arg(long, value_name = "TOL", allow_hyphen_values = true)]
     pub(crate) reduce: Option<Millimetres>,
     /// Times at which a reduced clip has the poses of the old one, seconds: contacts, transitions, poses that were approved.
     #[arg(long, value_name = "S,S", value_delimiter = ',', requires = "reduce", allow_negative_numbers = true)]

@@ -162,8 +162,20 @@ pub(crate) fn status_word(status: Status) -> &'static str {
 
 impl BakeReport {
     pub(crate) fn new(reported: Reported<'_>) -> Self {
-        let Reported { spec, effector, solver, fps, weight, over, skeleton, chain, held, baked, reduction, plausibility } =
-            reported;
+        let Reported {
+            spec,
+            effector,
+            solver,
+            fps,
+            weight,
+            over,
+            skeleton,
+            chain,
+            held,
+            baked,
+            reduction,
+            plausibility,
+        } = reported;
         let bones: Vec<Bone> = chain.joints.iter().map(|&node| Bone::new(skeleton, node)).collect();
         let followers = chain.other_eye.iter().chain(held).map(|&node| Bone::new(skeleton, node));
         let followers: Vec<Bone> = followers.collect();

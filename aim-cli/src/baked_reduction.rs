@@ -63,7 +63,12 @@ impl Gaze<'_> {
     }
 
     /// How far the clip of the second model is from that of the first, which is the baked one.
-    pub(crate) fn told(&self, baked: &Baked, tolerance: Millimetres, models: [&[u8]; 2]) -> Result<BakedReduction, Error> {
+    pub(crate) fn told(
+        &self,
+        baked: &Baked,
+        tolerance: Millimetres,
+        models: [&[u8]; 2],
+    ) -> Result<BakedReduction, Error> {
         let name = baked.clip.name();
         let [before, after] = [Document::from_bytes(models[0])?, Document::from_bytes(models[1])?];
         let [was, is] = [before.clip(name)?, after.clip(name)?];

@@ -375,7 +375,18 @@ impl ClipReport {
     }
 
     fn table(&self, is_preview: bool) -> String {
-        let head = ["clip", "length", "moving", "constant", "at rest", "keys", "bytes", "a second", if is_preview { "at 1 mm" } else { "after" }, ""];
+        let head = [
+            "clip",
+            "length",
+            "moving",
+            "constant",
+            "at rest",
+            "keys",
+            "bytes",
+            "a second",
+            if is_preview { "at 1 mm" } else { "after" },
+            "",
+        ];
         let row = |cost: &ClipCost| {
             let ClipCost { clip, length_s, before, after, .. } = cost;
             [
@@ -391,11 +402,14 @@ impl ClipReport {
                 percent(after.key_bytes, before.key_bytes),
             ]
         };
-        let rows: Vec<[String; 10]> = std::iter::once(head.map(str::to_owned)).chain(self.clips.iter().map(row)).collect();
-        let widths: Vec<usize> = (0..10).map(|k| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0)).collect();
+        let rows: Vec<[String; 10]> =
+            std::iter::once(head.map(str::to_owned)).chain(self.clips.iter().map(row)).collect();
+        let widths: Vec<usize> =
+            (0..10).map(|k| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0)).collect();
         let line = |row: &[String; 10]| {
             let cells = row.iter().zip(&widths).enumerate();
-            let cells = cells.map(|(k, (cell, width))| if k == 0 { format!("{cell:<width$}") } else { format!("{cell:>width$}") });
+            let cells = cells
+                .map(|(k, (cell, width))| if k == 0 { format!("{cell:<width$}") } else { format!("{cell:>width$}") });
             cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
         };
         rows.iter().map(line).collect()
@@ -409,17 +423,26 @@ impl ReducedReport {
             (Some(bone), Some(t)) => format!(", at {bone}, {} s", trimmed(t, 3)),
             _ => String::new(),
         };
-        let pins = if self.pins.is_empty() { String::new() } else { format!("; {} kept", counted(self.pins.len(), "pose")) };
+        let pins =
+            if self.pins.is_empty() { String::new() } else { format!("; {} kept", counted(self.pins.len(), "pose")) };
         off + &place + &pins
     }
 }
 
 /// A share in percent; of nothing none.
 pub(crate) fn percent(part: usize, of: usize) -> String {
-    if of == 0 { String::new() } else { format!("{} %", fixed(100.0 * crate::words::count(part) / crate::words::count(of), 1)) }
+    if of == 0 {
+        String::new()
+    } else {
+        format!("{} %", fixed(100.0 * crate::words::count(part) / crate::words::count(of), 1))
+    }
 }
 
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bytes a second are no more than a file's over a frame")]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "bytes a second are no more than a file's over a frame"
+)]
 pub(crate) fn rounded(value: f64) -> usize {
     value.round() as usize
 }

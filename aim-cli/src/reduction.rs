@@ -35,14 +35,21 @@ pub(crate) struct Kept<'a> {
     pub(crate) points: &'a [(usize, Vec3)],
 }
 
+/// The length of a point's bone beside its distance.
+const SHORT: f32 = 0.02;
+
 /// A clip with as few keys as a tolerance allows.
 pub(crate) fn reduced(clip: &Clip, skeleton: &Skeleton, kept: &Kept<'_>) -> Result<Clip, String> {
     let Kept { tolerance, pins, points } = *kept;
     let bones = skeleton.names().iter().zip(skeleton.parents()).zip(skeleton.rest());
     let bones = bones.map(|((name, parent), rest)| Bone::new(name, *parent).with_rest(*rest));
-    let point = |(bone, point): &(usize, Vec3)| Bone::new("", Some(*bone)).with_rest(Transform::from_translation(*point));
-    // A point is a bone at rest on its bone.
-    let extended = Skeleton::new(bones.chain(points.iter().map(point))).map_err(|error| error.to_string())?;
+    // A point is a bone at rest on its bone, with a short one on it: that of a leaf would be as long as its parent.
+    let point = |(number, (bone, point)): (usize, &(usize, Vec3))| {
+        let on = |parent: usize, at: Vec3| Bone::new("", Some(parent)).with_rest(Transform::from_translation(at));
+        [on(*bone, *point), on(skeleton.len() + 2 * number, *point * SHORT)]
+    };
+    let points = points.iter().enumerate().flat_map(point);
+    let extended = Skeleton::new(bones.chain(points)).map_err(|error| error.to_string())?;
     let there = clip.clone().with_bones_mapped(|bone| extended.bone_of(bone));
     let reduction = Reduction::new(narrow(tolerance)).with_pins(pins.iter().copied());
     let reduced = reduction.reduce(&there, &extended).map_err(|error| error.to_string())?.clip;
@@ -56,14 +63,16 @@ fn narrow(value: f64) -> f32 {
 
 /// A clip with a key at its end, to which a file has its length from.
 fn held(clip: Clip, skeleton: &Skeleton) -> Clip {
-    let vectors = clip.tracks().iter().flat_map(|tracks| [&tracks.translation, &tracks.scale]).flatten().map(Track::end_s);
+    let vectors =
+        clip.tracks().iter().flat_map(|tracks| [&tracks.translation, &tracks.scale]).flatten().map(Track::end_s);
     let rotations = clip.tracks().iter().filter_map(|tracks| Some(tracks.rotation.as_ref()?.end_s()));
     let end = vectors.chain(rotations).chain(clip.scalars().iter().map(|(_, track)| track.end_s())).fold(0.0, f32::max);
     let length = clip.length_s();
     if end >= length && !(clip.tracks().is_empty() && clip.scalars().is_empty()) {
         return clip;
     }
-    let bone = clip.tracks().iter().find(|tracks| tracks.rotation.as_ref().is_none_or(|track| track.times().len() == 1));
+    let bone =
+        clip.tracks().iter().find(|tracks| tracks.rotation.as_ref().is_none_or(|track| track.times().len() == 1));
     let bone = bone.map_or(0, |tracks| tracks.bone);
     let track = clip.bone(bone).and_then(|tracks| tracks.rotation.as_ref());
     let Some(value) = track.map(|track| track.values()[0]).or_else(|| Some(skeleton.rest().get(bone)?.rotation)) else {

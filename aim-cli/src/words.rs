@@ -197,7 +197,10 @@ mod tests {
         assert_eq!([n(-0.04), n(12.0), n(-3.25), n(0.06)], ["0", "12", "-3.2", "0.1"]);
         assert_eq!([degrees(0.06392), degrees(3.2149), degrees(179.96)], ["0.064°", "3.21°", "180.0°"]);
         assert_eq!([shown(-2.50, 2), shown(-0.001, 2)], ["−2.5", "0"]);
-        assert_eq!([grouped(0), grouped(999), grouped(1_000), grouped(12_345_678)], ["0", "999", "1,000", "12,345,678"]);
+        assert_eq!(
+            [grouped(0), grouped(999), grouped(1_000), grouped(12_345_678)],
+            ["0", "999", "1,000", "12,345,678"]
+        );
         assert_eq!([power_of_ten(100.0), power_of_ten(1e-3), power_of_ten(1e-8)], ["100", "0.001", "10⁻⁸"]);
         assert_eq!([tiny(0.0, "°"), tiny(4.9e-5, "°/s"), tiny(2.5, "°")], ["0°", "4.9 × 10⁻⁵\u{202f}°/s", "2.5°"]);
     }

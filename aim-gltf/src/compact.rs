@@ -122,7 +122,8 @@ impl Dead {
     fn cuts(&self, json: &mut Value, length: usize) -> Vec<Range<usize>> {
         let mut is_dead = vec![false; length / 4];
         let mut mark = |range: Range<usize>, dead: bool| {
-            let words = if dead { range.start.div_ceil(4)..range.end / 4 } else { range.start / 4..range.end.div_ceil(4) };
+            let words =
+                if dead { range.start.div_ceil(4)..range.end / 4 } else { range.start / 4..range.end.div_ceil(4) };
             let end = words.end.min(length / 4);
             is_dead[words.start.min(end)..end].fill(dead);
         };
@@ -131,7 +132,9 @@ impl Dead {
         for is_cut in [true, false] {
             for (at, accessor) in list(json, "accessors").enumerate() {
                 let view = index(accessor.get("bufferView"));
-                if let (true, Some(view)) = (self.accessors.contains(&at) == is_cut, view.and_then(|view| views.get(view))) {
+                if let (true, Some(view)) =
+                    (self.accessors.contains(&at) == is_cut, view.and_then(|view| views.get(view)))
+                {
                     mark(place(accessor, view), is_cut);
                 }
                 by_accessors.extend(view);
@@ -143,7 +146,9 @@ impl Dead {
         // What else is in views: images, sparse accessors, what no one knows.
         let mut whole: BTreeSet<usize> = (0..views.len()).filter(|view| !by_accessors.contains(view)).collect();
         references::visit_other_views(json, &mut |view| whole.extend(index(Some(view))));
-        for (at, accessor) in list(json, "accessors").enumerate().filter(|(_, accessor)| accessor.get("sparse").is_some()) {
+        for (at, accessor) in
+            list(json, "accessors").enumerate().filter(|(_, accessor)| accessor.get("sparse").is_some())
+        {
             if !self.accessors.contains(&at) {
                 references::visit_views_of(accessor, &mut |view| whole.extend(index(Some(view))));
             }
@@ -192,7 +197,9 @@ fn move_offsets(json: &mut Value, cuts: &[Range<usize>]) {
     };
     let views = views(json);
     for accessor in list(json, "accessors") {
-        if let Some(view) = index(accessor.get("bufferView")).and_then(|view| views.get(view)).filter(|view| view.is_chunk) {
+        if let Some(view) =
+            index(accessor.get("bufferView")).and_then(|view| views.get(view)).filter(|view| view.is_chunk)
+        {
             let start = view.range.start;
             let from = start.saturating_add(number(accessor, "byteOffset"));
             set(accessor, "byteOffset", moved(from) - moved(start));

@@ -21,8 +21,9 @@ const INSTANCING: &str = "EXT_mesh_gpu_instancing";
 
 /// True if all references of the document are those that are visited here: no extension is in it that may have others.
 pub(crate) fn are_known(json: &Value) -> bool {
-    let is_known =
-        |name: &str| [DRACO, INSTANCING].contains(&name) || WITHOUT_REFERENCES.iter().any(|begin| name.starts_with(begin));
+    let is_known = |name: &str| {
+        [DRACO, INSTANCING].contains(&name) || WITHOUT_REFERENCES.iter().any(|begin| name.starts_with(begin))
+    };
     match json {
         Value::Object(members) => members.iter().all(|(key, value)| {
             let extensions = if key == "extensions" { value.as_object() } else { None };
@@ -53,7 +54,9 @@ pub(crate) fn visit_accessors(json: &mut Value, visit: &mut dyn FnMut(&mut Value
 pub(crate) fn visit_other_views(json: &mut Value, visit: &mut dyn FnMut(&mut Value)) {
     list(json, "images").filter_map(|image| image.get_mut("bufferView")).for_each(&mut *visit);
     let primitives = list(json, "meshes").flat_map(|mesh| list(mesh, "primitives"));
-    primitives.filter_map(|primitive| primitive.get_mut("extensions")?.get_mut(DRACO)?.get_mut("bufferView")).for_each(visit);
+    primitives
+        .filter_map(|primitive| primitive.get_mut("extensions")?.get_mut(DRACO)?.get_mut("bufferView"))
+        .for_each(visit);
 }
 
 /// Calls `visit` with each reference of an accessor to a buffer view.

@@ -25,11 +25,8 @@ pub(super) fn run(arguments: &args::Clip) -> Result {
         return Err(Failure::in_file(out, what));
     }
     let document = files::load_model(file)?;
-    let targets = Targets {
-        out: arguments.out.as_deref(),
-        report: arguments.report.as_deref(),
-        html: arguments.html.as_deref(),
-    };
+    let targets =
+        Targets { out: arguments.out.as_deref(), report: arguments.report.as_deref(), html: arguments.html.as_deref() };
     Outputs::default().reading_parts_of(&document).write_model(targets, file)?;
     let measurement = arguments.facing.measure(file, &document)?;
     let request = Request {
@@ -160,7 +157,11 @@ impl Request<'_> {
                 return Err(format!(
                     "clip {:?} has no way to take out: {}",
                     clip.name(),
-                    if clip.length_s() > 0.0 { "no hips are found in the file (see aim inspect)" } else { "it has no length" }
+                    if clip.length_s() > 0.0 {
+                        "no hips are found in the file (see aim inspect)"
+                    } else {
+                        "it has no length"
+                    }
                 ));
             };
             let motion = match kind {
@@ -184,6 +185,11 @@ impl Request<'_> {
                 .map_err(|error| format!("clip {:?}: {error}", clip.name()))?;
         }
         let after = (changed != *clip).then_some(changed);
-        Ok(Changed { root: path.map(|path| RootReport::new(&path, measurement, &sampled(clip))), extracted, before_reduction, after })
+        Ok(Changed {
+            root: path.map(|path| RootReport::new(&path, measurement, &sampled(clip))),
+            extracted,
+            before_reduction,
+            after,
+        })
     }
 }

@@ -103,7 +103,10 @@ fn clip(page: &ClipPage<'_>, cost: &ClipCost, take: &ClipTakes<'_>) -> Markup {
         vec![
             ("Tracks", side.tracks.in_words()),
             ("Keys", grouped(side.keys)),
-            ("Bytes of keys", format!("{}, {} a second", grouped(side.key_bytes), grouped(rounded(side.key_bytes_a_second)))),
+            (
+                "Bytes of keys",
+                format!("{}, {} a second", grouped(side.key_bytes), grouped(rounded(side.key_bytes_a_second))),
+            ),
             ("Bytes of text", format!("{}, which describes them", grouped(side.text_bytes))),
             ("Seam", side.seam.in_words()),
         ]
@@ -140,7 +143,8 @@ fn error(page: &ClipPage<'_>, cost: &ClipCost, deviation: &Deviation) -> Markup 
     let label = format!("How far the bone that is furthest off is from where it was over {}, millimetres.", cost.clip);
     let most = values.iter().copied().fold(tolerance, f64::max);
     let base = Base { times: &deviation.times, statuses: &[], wanted: Wanted::Target };
-    let mut chart = base.chart(label, "mm of a 1.7 m figure, of the bone that is furthest off", Scale::Linear(0.0, 1.1 * most));
+    let mut chart =
+        base.chart(label, "mm of a 1.7 m figure, of the bone that is furthest off", Scale::Linear(0.0, 1.1 * most));
     chart.wide = true;
     chart.series.push(Series { name: "error", class: "one", values });
     chart.marks.push(Mark { value: tolerance, class: "plain", label: format!("{tolerance} mm") });

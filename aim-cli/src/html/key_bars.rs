@@ -45,7 +45,10 @@ fn rows(cost: &ClipCost) -> Vec<Row> {
     if !others.is_empty() {
         let sum = |side: fn(&BoneBytes) -> Kinds| {
             let zero = [0.0; 4];
-            others.iter().map(|bone| side(bone).all()).fold(zero, |sum, of| [0, 1, 2, 3].map(|kind| sum[kind] + of[kind]))
+            others
+                .iter()
+                .map(|bone| side(bone).all())
+                .fold(zero, |sum, of| [0, 1, 2, 3].map(|kind| sum[kind] + of[kind]))
         };
         rows.push(Row {
             name: format!("{} others", others.len()),

@@ -8,7 +8,7 @@ use crate::common::{Place, command};
 #[test]
 fn every_help_has_an_example_that_names_its_command() {
     let place = Place::new();
-    for name in ["demo", "inspect", "rig", "generate", "count", "check", "plot", "bake"] {
+    for name in ["demo", "inspect", "rig", "generate", "count", "check", "plot", "bake", "clip"] {
         let help = place.done(&format!("{name} --help")).stdout;
         let example = help.split("Example:").nth(1).unwrap_or_else(|| panic!("no example in\n{help}"));
         assert!(example.trim_start().starts_with(&format!("aim {name}")), "{help}");
@@ -27,7 +27,7 @@ fn the_examples_of_the_help_are_accepted() {
     for file in ["hero.glb", "dude.glb"] {
         place.write(file, &crate::common::mannequin());
     }
-    for name in ["inspect", "rig", "generate", "count", "plot", "bake"] {
+    for name in ["inspect", "rig", "generate", "count", "plot", "bake", "clip"] {
         let help = place.done(&format!("{name} --help")).stdout;
         let example = help.split("Example:").nth(1).expect("an example");
         let example = example.split("\n\n").next().expect("its text").replace('\n', " ");

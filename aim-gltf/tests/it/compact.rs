@@ -156,7 +156,9 @@ fn what_shares_a_view_with_replaced_keys_stays_aligned() {
     // One view over all of the chunk.
     let views = json["bufferViews"].clone();
     let accessors = json["accessors"].as_array_mut().unwrap();
-    for accessor in accessors.iter_mut().filter(|accessor| views[index(&accessor["bufferView"])].get("byteStride").is_none()) {
+    for accessor in
+        accessors.iter_mut().filter(|accessor| views[index(&accessor["bufferView"])].get("byteStride").is_none())
+    {
         let offset = index(&views[index(&accessor["bufferView"])]["byteOffset"]) + index(&accessor["byteOffset"]);
         accessor["byteOffset"] = offset.into();
         accessor["bufferView"] = views.as_array().unwrap().len().into();
