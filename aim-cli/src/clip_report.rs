@@ -2,14 +2,15 @@
 
 use std::path::PathBuf;
 
-use aim_animation::{Clip, Gap, Motion, RootPath, Track, Transform, Value};
-use aim_character::{Measurement, on_the_spot};
+use aim_animation::{Clip, Motion, RootPath, Track, Transform, Value};
+use aim_character::Measurement;
 use aim_gltf::{ClipSize, Document};
 use aim_runtime::glam::DVec3;
 use serde::Serialize;
 
 use crate::deviation::key_times;
 use crate::reduction::millimetre;
+use crate::seam_report::SeamReport;
 use crate::words::{counted, fixed, grouped, trimmed};
 
 /// Content of `--report`; the command's help describes it.
@@ -53,22 +54,6 @@ pub(crate) struct Tracks {
     /// Of one value that is not the one at rest.
     pub(crate) constant: usize,
     pub(crate) at_rest: usize,
-}
-
-/// A number, and the bone that has it.
-#[derive(Clone, Debug, Default, Serialize)]
-pub(crate) struct Most {
-    pub(crate) most: f64,
-    pub(crate) bone: Option<String>,
-}
-
-/// The seam of a clip without the way of its hips; translations in millimetres of a 1.7 m figure.
-#[derive(Clone, Debug, Default, Serialize)]
-pub(crate) struct SeamReport {
-    pub(crate) mm: Most,
-    pub(crate) deg: Most,
-    pub(crate) mm_s: Most,
-    pub(crate) deg_s: Most,
 }
 
 /// The way of the hips from the first frame to the last, as a screw.
@@ -194,57 +179,6 @@ impl Side {
             text_bytes: size.text,
             key_bytes_a_second: if length > 0.0 { crate::words::count(size.keys) / length } else { 0.0 },
             seam: SeamReport::new(document, measurement, clip),
-        }
-    }
-}
-
-impl SeamReport {
-    /// Of a clip in which the hips cannot be followed, of the clip as it is.
-    fn new(document: &Document, measurement: &Measurement, clip: &Clip) -> Self {
-        let clip = on_the_spot(document, measurement, clip).unwrap_or_else(|_| clip.clone());
-        let skeleton = document.skeleton();
-        let world = skeleton.world_f64(skeleton.rest());
-        let mut report = Self::default();
-        for tracks in clip.tracks() {
-            let mut alone = Clip::new("").with_length(clip.length_s());
-            if let Some(track) = &tracks.translation {
-                alone = alone.with_translation(tracks.bone, track.clone());
-            }
-            if let Some(track) = &tracks.rotation {
-                alone = alone.with_rotation(tracks.bone, track.clone());
-            }
-            let seam = alone.seam();
-            let scale = skeleton.parents()[tracks.bone].map_or(1.0, |parent| world[parent].matrix3.x_axis.length());
-            let name = &skeleton.names()[tracks.bone];
-            let mm = |gap: Gap| f64::from(gap.translation) * scale / millimetre(measurement);
-            let deg = |gap: Gap| f64::from(gap.rotation_rad).to_degrees();
-            report.mm.most_of(mm(seam.place), name);
-            report.deg.most_of(deg(seam.place), name);
-            report.mm_s.most_of(mm(seam.speed), name);
-            report.deg_s.most_of(deg(seam.speed), name);
-        }
-        report
-    }
-
-    pub(crate) fn in_words(&self) -> String {
-        let part = |most: &Most, unit: &str, decimals| match &most.bone {
-            Some(bone) if most.most >= 0.05 => format!("{}{unit} ({bone})", fixed(most.most, decimals)),
-            _ => format!("0{unit}"),
-        };
-        format!(
-            "{}, {}; in speed {}, {}",
-            part(&self.mm, " mm", 1),
-            part(&self.deg, "°", 1),
-            part(&self.mm_s, " mm/s", 0),
-            part(&self.deg_s, "°/s", 0)
-        )
-    }
-}
-
-impl Most {
-    fn most_of(&mut self, value: f64, bone: &str) {
-        if value > self.most {
-            *self = Self { most: value, bone: Some(bone.to_owned()) };
         }
     }
 }

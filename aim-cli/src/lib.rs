@@ -20,6 +20,7 @@ mod plot;
 mod projection;
 mod reach_report;
 mod reduction;
+mod seam_report;
 mod target;
 mod words;
 

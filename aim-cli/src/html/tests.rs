@@ -78,6 +78,7 @@ impl Case {
         let rig = InterpretedRig::new(&spec);
         let plausibility = Plausibility::measure(&rig, &plan, &baked, &written).expect("the clip is there");
         let report = BakeReport::new(Reported {
+            reduction: None,
             spec: &spec,
             effector: Effector::of(&spec, 0),
             solver: "ascent",
@@ -270,6 +271,7 @@ fn an_hour_is_hardly_larger_than_a_second() {
     let times = (0_u16..20_000).map(|k| f32::from(k) * 0.18);
     case.baked.frames = times.map(|t| aim_character::AimedFrame { t, ..frame.clone() }).collect();
     case.report = BakeReport::new(Reported {
+        reduction: None,
         spec: &case.spec,
         effector: Effector::of(&case.spec, 0),
         solver: "ascent",
