@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use aim_runtime::glam::{Quat, Vec3};
 use aim_runtime::rotation::{exp, length, log, product};
 
+use crate::fade::faded;
 use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::{Transform, made_unit};
@@ -120,10 +121,8 @@ impl Inertia {
             return Ok(());
         }
         let u = self.elapsed_s / self.length_s;
-        // The fifth-degree polynomials from 1 and from a velocity of 1 to nothing, without acceleration at either end.
-        let cube = u * u * u;
-        let of_value = 1.0 - cube * (10.0 - u * (15.0 - 6.0 * u));
-        let of_velocity = (u - cube * (6.0 - u * (8.0 - 3.0 * u))) * self.length_s;
+        let (of_value, of_velocity) = faded(u);
+        let of_velocity = of_velocity * self.length_s;
         for (transform, Offset { value, velocity, scale: shown }) in pose.iter_mut().zip(&self.offsets) {
             let [place, turn, scale] =
                 [0, 1, 2].map(|part: usize| value[part] * of_value + velocity[part] * of_velocity);

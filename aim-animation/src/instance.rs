@@ -8,6 +8,8 @@ use crate::attach::attached;
 use crate::blend::{BoneSum, Method};
 use crate::clip::{Clip, Cursor, Event};
 use crate::control::Control;
+use crate::figure::{Figure, place_for};
+use crate::layer::Layer;
 use crate::mask::clamped;
 use crate::model::Model;
 use crate::motion::Motion;
@@ -260,6 +262,26 @@ impl Instance {
             *transform = sum.finish(rest, method);
         }
         Ok(())
+    }
+
+    /// The layer that takes over the place and the pose of what it plays, where [`advance`](Self::advance) has led it: the first of a
+    /// [`Figure`]'s frame.
+    pub fn layer<'a>(&'a mut self, model: &'a Model) -> impl Layer + use<'a> {
+        |figure: &mut Figure, _: f32| {
+            figure.place = self.place;
+            figure.edit(|local| self.pose(model, local))
+        }
+    }
+
+    /// Moves the place so that a thing is at `held` in the world, by the pose in the space of the model: see [`Figure::hang`]. False, and
+    /// nothing is done, if there is no such thing or bone, or if the result is not finite.
+    pub fn hang(&mut self, thing: usize, model_pose: &[Affine3A], held: &Affine3A) -> bool {
+        let place = self.things.get(thing).and_then(|(bone, grip)| {
+            let attachment = attached(model_pose.get(*bone)?, grip);
+            place_for(&attachment, held)
+        });
+        self.place = place.unwrap_or(self.place);
+        place.is_some()
     }
 
     /// The things that are held, each with its number, in the world, by the pose in the space of the model; those of bones that are

@@ -44,6 +44,13 @@ pub(crate) fn check_length(bones: usize, found: usize) -> Result<(), PoseError> 
     if found == bones { Ok(()) } else { Err(PoseError::Length { bones, found }) }
 }
 
+/// A pose in local and model space at once.
+pub(crate) struct Both<'a> {
+    pub(crate) skeleton: &'a Skeleton,
+    pub(crate) local: &'a mut [Transform],
+    pub(crate) model: &'a mut [Affine3A],
+}
+
 impl Skeleton {
     /// Each bone in the space of the model.
     ///

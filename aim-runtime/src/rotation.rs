@@ -62,6 +62,12 @@ pub fn length(v: Vec3A) -> f32 {
     math::length(v)
 }
 
+/// The square root; 0 of what is negative or no number.
+#[must_use]
+pub fn square_root(x: f32) -> f32 {
+    math::sqrt(x)
+}
+
 /// The angle of a unit quaternion's rotation, the short way, in 0…π radians.
 #[must_use]
 pub fn angle(rotation: Quat) -> f32 {

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::limb::LimbError;
+
 /// Why a limb cannot be led.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -30,6 +32,15 @@ impl fmt::Display for ReachError {
             Self::Time(goal) => write!(f, "the time of goal {goal} is not within the clip"),
             Self::Together(goal) => write!(f, "goal {goal} is within a sample of another one; sample at a higher rate"),
             Self::State => f.write_str("the state is of another limb or clip"),
+        }
+    }
+}
+
+impl ReachError {
+    pub(super) fn from_limb(error: LimbError) -> Self {
+        match error {
+            LimbError::Bone(bone) => Self::Limb(bone),
+            _ => Self::Place,
         }
     }
 }

@@ -1,24 +1,23 @@
-//! [`Reach`]: a limb of a clip that is led through points while the clip plays. `limb.rs` is the bones and how they follow,
+//! [`Reach`]: a limb of a clip that is led through points while the clip plays. the crate's `limb.rs` is the bones and how they follow,
 //! `state.rs` is one character's way, `error.rs` says what is wrong with limbs and goals.
 
 mod error;
-mod limb;
 mod state;
 
 use alloc::vec::Vec;
 
 use aim_runtime::glam::{Affine3A, Vec3};
-use aim_runtime::ik::CcdLimit;
+use aim_runtime::ik::{CcdLimit, TwoBone};
 use aim_runtime::trajectory::{Ends, Outcome, Trajectory, Waypoint};
 
 pub use error::ReachError;
 pub use state::ReachState;
 
-use crate::clip::{Clip, sample_times};
-use crate::pose::{PoseError, check_length};
+use crate::clip::{Clip, Cursor, sample_times};
+use crate::limb::{Limb, TipGoal};
+use crate::pose::{Both, PoseError, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::Transform;
-use limb::Limb;
 
 /// A point that a bone has to pass at a time of its clip.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,6 +97,7 @@ pub struct ReachOutcome {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reach {
+    skeleton: Skeleton,
     limb: Limb,
     /// Of the clip only what moves the limb.
     clip: Clip,
@@ -132,22 +132,22 @@ impl Reach {
         let limb = limb.into();
         let moving = |bone: usize| limb.last().is_some_and(|&tip| skeleton.subtree(bone).contains(&tip));
         let clip = clip.clone().with_bones_mapped(|bone| moving(bone).then_some(bone));
-        let mut limb = Limb::new(skeleton, limb)?;
+        let mut limb = Limb::new(skeleton, limb).map_err(ReachError::from_limb)?;
         let times = sample_times(length, rate_hz);
         let mut pose = skeleton.rest().to_vec();
         let mut model = alloc::vec![Affine3A::IDENTITY; skeleton.len()];
-        limb.pose(&clip, 0.0, &mut pose, &mut model);
-        limb.measure(&model)?;
+        posed(skeleton, &clip, 0.0, (&mut pose, &mut model));
+        limb.measure(&model).map_err(ReachError::from_limb)?;
         let mut points = Vec::with_capacity(times.len());
         for &time in &times {
-            limb.pose(&clip, time, &mut pose, &mut model);
+            posed(skeleton, &clip, time, (&mut pose, &mut model));
             points.push(limb.seen(&model, limb.tip(&model)));
         }
         if points.iter().any(|point| !point.is_finite()) {
             return Err(ReachError::Place);
         }
         let smoothing = Trajectory::new(&[]).smoothing;
-        Ok(Self { limb, clip, times, points, ends: Ends::Fixed, smoothing })
+        Ok(Self { skeleton: skeleton.clone(), limb, clip, times, points, ends: Ends::Fixed, smoothing })
     }
 
     /// With what becomes of the first and the last point of the way; [`Ends::Fixed`] by default, so that the clip begins and ends
@@ -210,7 +210,7 @@ impl Reach {
                 return Err(ReachError::Together(number));
             }
             // The sample nearest to the goal is moved to its time.
-            self.limb.pose(&self.clip, goal.at_s, pose, model);
+            posed(&self.skeleton, &self.clip, goal.at_s, (pose, model));
             let (point, beyond) = self.limb.within_reach(model, self.limb.seen(model, goal.target));
             times[frame] = goal.at_s;
             rest[frame] = self.limb.seen(model, self.limb.tip(model));
@@ -244,7 +244,11 @@ impl Reach {
         [local.len(), model.len(), state.model.len()].into_iter().try_for_each(|len| check_length(bones, len))?;
         check_length(self.times.len(), state.times.len())?;
         let offset = state.offset(time_s) * self.limb.length();
-        self.limb.follow(offset, &mut state.joints, local, model)
+        if !(offset != Vec3::ZERO && offset.is_finite()) {
+            return Ok(0.0);
+        }
+        let goal = TipGoal { point: self.limb.tip(model) + offset, turn: None, two_bone: &TwoBone::new() };
+        self.limb.follow(&goal, &mut state.joints, &mut Both { skeleton: &self.skeleton, local, model })
     }
 
     /// The sample that is moved to a time: the nearest, but the ends stay.
@@ -260,4 +264,12 @@ impl Reach {
         let nearest = if at_s - self.times[after - 1] < self.times[after] - at_s { after - 1 } else { after };
         (last > 1).then(|| nearest.clamp(1, last - 1))
     }
+}
+
+/// Writes the clip at a time, in local space and in that of the model.
+fn posed(skeleton: &Skeleton, clip: &Clip, time_s: f32, (local, model): (&mut [Transform], &mut [Affine3A])) {
+    local.copy_from_slice(skeleton.rest());
+    clip.sample(time_s, &mut Cursor::default(), local);
+    // Of equal lengths.
+    let _ = skeleton.to_model(local, model);
 }

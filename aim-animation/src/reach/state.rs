@@ -7,7 +7,7 @@ use aim_runtime::glam::{Affine3A, Vec3};
 use aim_runtime::ik::CcdJoint;
 use aim_runtime::trajectory::{Node, Outcome, Trajectory, Waypoint};
 
-use super::limb::Limb;
+use crate::limb::Limb;
 use crate::mask::clamped;
 use crate::transform::Transform;
 

@@ -5,6 +5,10 @@ use aim_animation::{
     BezierKey, BlendLine, BlendPlane, Blender, Bone, BoneBoxes, Clip, Continuity, Control, HermiteKey, Inertia,
     Influence, Looping, Marks, Mask, Mesh, MeshPose, Method, Morph, Motion, Node, PackedClip, Parameter, Phase, Ray,
     Reach, ReachGoal, Reduction, Root, RootPath, Skeleton, SkewedTransform, Skin, Track, Transform, Transition, Tree,
+    AimLine, AimPoseSet, AimPosesLayer, BezierKey, BlendLine, BlendPlane, Blender, Bone, Clip, Continuity, Control,
+    Figure, Ground, HermiteKey, Inertia, Layer, LimbLayer, Looping, Marks, Mask, Method, Motion, Node, Parameter,
+    Phase, Plant, Reach, ReachGoal, Recoil, Root, RootPath, Skeleton, SkewedTransform, Stance, TipTarget, Track,
+    Transform, Transition, Tree,
 };
 use proptest::prelude::*;
 
@@ -488,5 +492,68 @@ proptest! {
         if let Some(hit) = boxes.hit(&mesh, &pose, &ray).unwrap() {
             prop_assert!(hit.part >= 0.0 && hit.part <= ray.end && placed.iter().all(|vertex| vertex.is_finite()), "{hit:?}");
         }
+    }
+}
+
+proptest! {
+    #[test]
+    fn layers_and_stances(
+        rest in prop::array::uniform4(any_transform()),
+        place in any_transform(),
+        n in prop::array::uniform16(any_float()),
+        sound in any::<bool>(),
+    ) {
+        let bone = |k: usize| Bone::new("b", k.checked_sub(1)).with_rest(if sound {
+            Transform::from_translation(Vec3::new(0.03, -0.4, 0.02))
+        } else {
+            rest[k]
+        });
+        let Ok(skeleton) = Skeleton::new((0..4).map(bone)) else { return Ok(()) };
+        let line = AimLine { bone: 3, origin: Vec3::from_slice(&n[13..]), forward: Vec3::from_slice(&n[10..]) };
+        let turns = [[0.5, 0.5], [-0.5, 0.5], [0.0, -0.5], [n[0], n[1]]];
+        let turns = turns.map(|[y, x]| Quat::from_xyzw(x, y, 0.0, 1.0));
+        let clip = Track::linear([0.0, 1.0, 2.0, 3.0], turns).map(|track| Clip::new("aim").with_rotation(1, track));
+        let poses = clip.ok().and_then(|clip| AimPoseSet::from_clip(&clip, &skeleton, &[0.0, 1.0, 2.0, n[2]], line).ok());
+        let (limb, plant) = (LimbLayer::new(&skeleton, [1, 2, 3]), Plant::new(&skeleton, [1, 2, 3], Vec3::from_slice(&n[3..])));
+        let recoil = Recoil::new(&skeleton, [1, 2, 3], rest[0].to_affine());
+        let (Ok(limb), Ok(plant), Ok(mut recoil)) = (limb, plant, recoil) else { return Ok(()) };
+        let mut limb = limb.with_fade(n[6]);
+        (limb.weight, recoil.rate) = (n[7], n[8]);
+        let mut plant = plant.with_fade(n[6]);
+        plant.most_tilt_rad = n[7];
+        let mut stance = Stance::new(&skeleton, 0, [plant]).unwrap();
+        (stance.up, stance.most_drop) = (Vec3::from_slice(&n[9..]), n[12]);
+        let mut poses = poses.map(AimPosesLayer::new);
+        let mut figure = Figure::new(skeleton);
+        for frame in 0..6_usize {
+            if frame == 2 {
+                figure.place = place;
+                recoil.kick(Vec3::from_slice(&n), Vec3::from_slice(&n[4..]));
+                limb.set_target(TipTarget::bone(frame, Vec3::from_slice(&n[1..])).with_rotation(rest[3].rotation));
+                stance.feet_mut()[0].plant();
+            }
+            let ground = |at: Vec3| if frame == 3 { Ground::new(Vec3::from_slice(&n[5..]), Vec3::from_slice(&n[2..])) } else { Ground::new(at, Vec3::Y) };
+            let mut standing = stance.on(ground);
+            let mut layers: Vec<&mut dyn Layer> = vec![&mut recoil, &mut limb, &mut standing];
+            if let Some(poses) = &mut poses {
+                poses.target = Vec3::from_slice(&n[8..]);
+                layers.push(poses);
+            }
+            figure.run(n[frame], &mut layers).unwrap();
+            for (now, before) in figure.local().iter().zip(figure.skeleton().rest()) {
+                let is_left = now.rotation.to_array().map(f32::to_bits) == before.rotation.to_array().map(f32::to_bits);
+                prop_assert!(is_left || is_unit(now.rotation), "{now:?}");
+            }
+        }
+        // And it goes on when all is sound again.
+        figure.place = Transform::IDENTITY;
+        if sound {
+            stance.feet_mut()[0].reset();
+            let mut standing = stance.on(|at| Ground::new(at, Vec3::Y));
+            figure.run(0.01, &mut [&mut standing]).unwrap();
+            prop_assert!(figure.local().iter().all(Transform::is_sound), "{:?}", figure.local());
+        }
+        figure.hang(3, &rest[1].to_affine(), &rest[2].to_affine());
+        prop_assert!(figure.place.is_sound(), "{:?}", figure.place);
     }
 }

@@ -121,15 +121,22 @@ impl<'a> AimPoses<'a> {
     /// For the direction of a pose that is the pose itself; between poses it is continuous in `wanted`, beyond them but for
     /// the direction opposite to their middle.
     pub fn solve(&self, wanted: Vec3, rotations: &mut [Quat], mut aim: impl FnMut(&[Quat]) -> Vec3) -> AimPosesOutcome {
+        self.solve_with(wanted, |blend| self.mix(blend, rotations).then(|| aim(rotations)))
+    }
+
+    /// Finds the blend of poses that aims along `wanted`, for poses that are more than [rotations](AimPose::rotations), which may then be
+    /// empty. `pose_and_aim` poses the character by a blend and tells where it then aims, `None` where it cannot; its last call is
+    /// with the blend that counts.
+    pub fn solve_with(&self, wanted: Vec3, mut pose_and_aim: impl FnMut(&Blend) -> Option<Vec3>) -> AimPosesOutcome {
         let mut outcome =
             AimPosesOutcome { remaining_rad: math::UNDEFINED_RAD, iterations: 0, status: AimPosesStatus::Degenerate };
         let Some(wanted) = direction(wanted.into()) else { return outcome };
-        let Some(blend) = self.weights_at(wanted).filter(|blend| self.mix(blend, rotations)) else { return outcome };
+        let Some(blend) = self.weights_at(wanted) else { return outcome };
         let mut missed =
-            |rotations: &[Quat]| direction(aim(rotations).into()).map(|aim| (angle_between(aim, wanted), aim));
-        let Some((mut remaining, mut aimed)) = missed(rotations) else { return outcome };
+            |blend: &Blend| direction(pose_and_aim(blend)?.into()).map(|aim| (angle_between(aim, wanted), aim));
+        let Some((mut remaining, mut aimed)) = missed(&blend) else { return outcome };
         let (mut asked, mut best, mut within) = (wanted, blend, blend.within);
-        let mut part_of_missed = 1.0;
+        let (mut part_of_missed, mut shown) = (1.0, blend);
         outcome.status = AimPosesStatus::IterationLimit;
         while !(remaining <= self.tolerance_rad) && outcome.iterations < self.iterations {
             outcome.iterations += 1;
@@ -137,13 +144,15 @@ impl<'a> AimPoses<'a> {
             let more = turned(part(shortest(aimed, wanted), part_of_missed), asked);
             let Some(blend) = direction(more).and_then(|more| self.weights_at(more)) else { break };
             within &= blend.within;
-            let better = self.mix(&blend, rotations).then(|| missed(rotations)).flatten();
-            match better.filter(|(now, _)| *now < remaining) {
+            shown = blend;
+            match missed(&blend).filter(|(now, _)| *now < remaining) {
                 Some(now) => ((remaining, aimed), asked, best) = (now, more, blend),
                 None => part_of_missed *= 0.5,
             }
         }
-        self.mix(&best, rotations);
+        if shown != best {
+            missed(&best);
+        }
         outcome.remaining_rad = remaining;
         if remaining <= self.tolerance_rad {
             outcome.status = AimPosesStatus::Reached;

@@ -5,11 +5,12 @@ use core::f32::consts::PI;
 
 use glam::{Quat, Vec3, Vec3A, Vec4};
 
+use super::two_bone::{Hinge, Limb, TwoBone};
 use crate::JointSet;
 use crate::limits::Interval;
 use crate::limits::reach::AT_LIMIT_RAD;
 use crate::math::trig::atan2;
-use crate::math::turn::{about, angle, at_most, normalized, shortest};
+use crate::math::turn::{about, angle, at_most, normalized, part, shortest};
 use crate::math::{self, cross, direction, product, turned};
 
 /// How far a joint of a chain may be turned away from the animation.
@@ -42,6 +43,12 @@ pub struct CcdJoint {
     pub position: Vec3,
     /// How far it may turn.
     pub limit: CcdLimit,
+    /// The part of each turn that it leaves to the others, 0…1; 0, the default, is none, and at 1 it does not turn. Stiff shoulders
+    /// leave the elbow to move first. NaN counts as 0.
+    pub stiffness: f32,
+    /// Whether it and the next joint move as [two bones](TwoBone): the next one flexes, about its hinge if it is one, until the tip is
+    /// as far from this joint as the target, and then this joint turns. A knee that is all but straight then bends in one step.
+    pub is_two_bone: bool,
     /// Out: goes before its bone's rotation in the space of the chain: `turn * animated`. Unit and finite.
     pub turn: Quat,
     /// What it turns beyond what it is carried along by the joints before: `turn` = the one before's `turn` × `added`.
@@ -55,13 +62,28 @@ impl CcdJoint {
     #[must_use]
     pub const fn new(position: Vec3) -> Self {
         let at = Vec3A::ZERO;
-        Self { position, limit: CcdLimit::Free, turn: Quat::IDENTITY, added: Quat::IDENTITY, at }
+        let (turn, added) = (Quat::IDENTITY, Quat::IDENTITY);
+        Self { position, limit: CcdLimit::Free, stiffness: 0.0, is_two_bone: false, turn, added, at }
     }
 
     /// With this limit.
     #[must_use]
     pub const fn with_limit(mut self, limit: CcdLimit) -> Self {
         self.limit = limit;
+        self
+    }
+
+    /// Leaving this part of each turn to the others, 0…1.
+    #[must_use]
+    pub const fn with_stiffness(mut self, stiffness: f32) -> Self {
+        self.stiffness = stiffness;
+        self
+    }
+
+    /// Moving with the next joint as two bones: a hip before a knee, a shoulder before an elbow.
+    #[must_use]
+    pub const fn with_two_bones(mut self) -> Self {
+        self.is_two_bone = true;
         self
     }
 
@@ -262,6 +284,10 @@ impl Chain {
     fn pass(&self, joints: &mut [CcdJoint], mut tip: Vec3A) -> f32 {
         let mut largest: f32 = 0.0;
         for index in (0..joints.len()).rev() {
+            if joints[index].is_two_bone {
+                let (flexed, turn) = self.flex(joints, index, tip);
+                (tip, largest) = (flexed, largest.max(turn));
+            }
             // What carries this joint has not moved in this pass.
             let carried = if index == 0 { Quat::IDENTITY } else { joints[index - 1].turn };
             let joint = &mut joints[index];
@@ -275,6 +301,27 @@ impl Chain {
             tip = joint.at + turned(carried, turned(turn, to_tip));
         }
         largest
+    }
+
+    /// Flexes the joint after this one so that the tip is as far from this one as the target; where the tip is then, and the turn, radians.
+    fn flex(&self, joints: &mut [CcdJoint], index: usize, tip: Vec3A) -> (Vec3A, f32) {
+        let [upper, lower, ..] = &mut joints[index..] else { return (tip, 0.0) };
+        let carried = upper.turn;
+        let hinge = lower.limit.hinge().map(|(axis, range)| {
+            // Flexing is the way in which the hinge turns farther.
+            let axis = if range.hi() < -range.lo() { -axis } else { axis };
+            Hinge { axis: turned(carried, axis).into(), least_rad: 0.0, most_rad: PI }
+        });
+        let limb = Limb { root: upper.at.into(), middle: lower.at.into(), tip: tip.into() };
+        let solved = TwoBone { hinge, ..TwoBone::new() }.solve(&limb, self.target.into());
+        // What the lower bone turns beyond the upper one, as seen in the animated chain.
+        let flexion = product(solved.upper.conjugate(), solved.lower);
+        let flexion = product(product(carried.conjugate(), flexion), carried);
+        let before = lower.added;
+        lower.move_to(product(flexion, before));
+        let turn = normalized(product(lower.added, before.conjugate()));
+        let to_tip = turned(carried.conjugate(), tip - lower.at);
+        (lower.at + turned(carried, turned(turn, to_tip)), angle(turn))
     }
 
     /// Whether joints, tip and target lie on one line.
@@ -330,6 +377,17 @@ impl CcdJoint {
         };
     }
 
+    /// Adds as much of the way to this turn as the joint's stiffness and its limit let it.
+    fn move_to(&mut self, added: Quat) {
+        let rest = 1.0 - self.stiffness.max(0.0).min(1.0);
+        if rest < 1.0 {
+            let way = part(normalized(product(added, self.added.conjugate())), rest);
+            self.hold(product(way, self.added));
+        } else {
+            self.hold(added);
+        }
+    }
+
     /// Turns so that what is at `from`, as seen from the joint, comes nearest to `to`.
     fn turn_towards(&mut self, from: Vec3A, to: Vec3A) {
         match self.limit.hinge() {
@@ -338,13 +396,13 @@ impl CcdJoint {
                 let (Some(from), Some(to)) = (flat(from), flat(to)) else { return };
                 let by = atan2(axis.dot(cross(from, to)), from.dot(to));
                 let at = about_axis(self.added, axis);
-                let there = at + by;
+                let there = at + by * (1.0 - self.stiffness.max(0.0).min(1.0));
                 let there = if range.is_free() { math::wrap_pi(there) } else { range.hold(there) };
                 self.added = about(axis, 0.5 * there);
             }
             None => {
                 if let (Some(from), Some(to)) = (direction(from), direction(to)) {
-                    self.hold(product(shortest(from, to), self.added));
+                    self.move_to(product(shortest(from, to), self.added));
                 }
             }
         }

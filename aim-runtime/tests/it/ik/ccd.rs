@@ -216,3 +216,96 @@ fn whatever_the_bits() {
         );
     }
 }
+
+/// A leg that is all but straight, below a pelvis that leans: hip, knee, ankle.
+fn leg(bend: f32) -> ([CcdJoint; 3], Vec3) {
+    let knee = CcdLimit::Hinge { axis: Vec3::X, least_rad: -bend, most_rad: 2.4 };
+    let joints = [
+        CcdJoint::new(Vec3::new(0.0, 1.0, 0.0)).with_limit(CcdLimit::Ball { most_rad: 0.3 }).with_stiffness(0.9),
+        CcdJoint::new(Vec3::new(0.1, 0.9, 0.0)).with_limit(CcdLimit::Ball { most_rad: 1.6 }),
+        CcdJoint::new(Vec3::new(0.1, 0.5, 0.4 * bend)).with_limit(knee),
+    ];
+    (joints, Vec3::new(0.1, 0.1, 0.0))
+}
+
+/// A walking leg that goes up a step, nearly straight: by two bones in a few iterations, without them in dozens.
+#[test]
+fn a_leg_goes_up_a_step_by_two_bones() {
+    let (mut with, mut without) = (0, 0);
+    for step in [0.05, 0.12, 0.2, 0.3] {
+        for bend in [0.0, 0.01, 0.05] {
+            let target = Vec3::new(0.1, 0.1 + step, 0.15);
+            let (mut joints, tip) = leg(bend);
+            let plain = Ccd::new().solve(&mut joints, tip, target);
+            posed(&joints, tip, target, &plain);
+            joints[1] = joints[1].with_two_bones();
+            let stepped = Ccd::new().solve(&mut joints, tip, target);
+            posed(&joints, tip, target, &stepped);
+            assert!(beyond_limits(&joints) < 1e-5);
+            assert_eq!(stepped.status, CcdStatus::Reached, "{step} {bend}");
+            assert!(stepped.iterations <= 4, "{stepped:?}");
+            (with, without) = (with + stepped.iterations, without + plain.iterations);
+        }
+    }
+    println!("{with} iterations by two bones, {without} without, of 12 steps");
+    assert!(with * 5 < without);
+}
+
+/// A free chain of two bones is met in one iteration, whatever it is.
+#[test]
+fn two_bones_alone_take_one_iteration() {
+    let mut rng = Rng(8);
+    for _ in 0..5000 {
+        let root = rng.direction();
+        let middle = root + rng.direction() * rng.between(0.2, 1.0);
+        let tip = middle + rng.direction() * rng.between(0.2, 1.0);
+        let [upper, lower] = [middle.distance(root), tip.distance(middle)];
+        let near = (upper - lower).abs();
+        let target = root + rng.direction() * (near + (upper + lower - near) * rng.between(0.02, 0.98));
+        let mut joints = [CcdJoint::new(root).with_two_bones(), CcdJoint::new(middle)];
+        let outcome = Ccd::new().solve(&mut joints, tip, target);
+        posed(&joints, tip, target, &outcome);
+        assert_eq!((outcome.status, outcome.iterations), (CcdStatus::Reached, 1), "{outcome:?}");
+    }
+}
+
+/// Limits hold and no call ends farther away, with any stiffness and two bones anywhere.
+#[test]
+fn limits_hold_with_stiffness_and_two_bones() {
+    let mut rng = Rng(9);
+    for _ in 0..20_000 {
+        let (mut joints, tip) = any_chain(&mut rng, true);
+        for joint in &mut joints {
+            joint.stiffness = [0.0, rng.between(0.0, 1.0), 1.0, f32::NAN][rng.below(4)];
+            joint.is_two_bone = rng.below(3) == 0;
+        }
+        let target = joints[0].position + rng.direction() * rng.between(0.0, 4.0);
+        let outcome = Ccd::new().solve(&mut joints, tip, target);
+        posed(&joints, tip, target, &outcome);
+        assert!(beyond_limits(&joints) < 1e-5, "{joints:?}");
+    }
+}
+
+/// Stiff joints leave the movement to others: an elbow before the shoulder.
+#[test]
+fn stiff_joints_move_later() {
+    let mut rng = Rng(10);
+    let mut less = 0;
+    for _ in 0..500 {
+        let (joints, tip) = any_chain(&mut rng, false);
+        let target = tip + rng.direction() * 0.3;
+        let shoulder = |stiffness: f32| {
+            let mut joints = joints.clone();
+            joints[0].stiffness = stiffness;
+            let outcome = Ccd::new().with_iterations(400).solve(&mut joints, tip, target);
+            (outcome.status == CcdStatus::Reached).then(|| angle_of(joints[0].turn))
+        };
+        let (Some(loose), Some(stiff)) = (shoulder(0.0), shoulder(0.9)) else { continue };
+        less += u32::from(stiff <= loose + 1e-4);
+        if let Some(fixed) = shoulder(1.0) {
+            assert!(fixed < 1e-6, "{fixed}");
+        }
+    }
+    println!("{less} of 500 move the shoulder less");
+    assert!(less > 350);
+}

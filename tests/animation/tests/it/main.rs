@@ -3,3 +3,4 @@
 mod gizmos;
 mod glue;
 mod hits;
+mod planting;

@@ -1,0 +1,69 @@
+//! [`AimLayer`]: aims a rig at a point of the world.
+
+use alloc::sync::Arc;
+
+use aim_runtime::glam::Vec3;
+use aim_runtime::{DynAim, Outcome, Rig, Settings};
+
+use super::Layer;
+use crate::aim_chain::{AimChain, AimFrame};
+use crate::figure::Figure;
+use crate::pose::PoseError;
+
+/// Aims a rig of a figure: a gaze, or a gun by its barrel. Joints turn at their rates and within their ranges.
+///
+/// ```
+/// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/../aim-runtime/docs/turret.rs")); }
+/// # use turret::Turret;
+/// use aim_animation::glam::Vec3;
+/// use aim_animation::{AimChain, AimLayer, Bone, Figure, Skeleton};
+///
+/// let skeleton = Skeleton::new([Bone::new("turret", None)])?;
+/// let mut gun = AimLayer::new(AimChain::new(&skeleton, [0])?, Turret);
+/// let mut figure = Figure::new(skeleton);
+/// gun.target = Vec3::new(0.6, 0.0, 0.8);
+/// for _ in 0..60 {
+///     figure.run(1.0 / 60.0, &mut [&mut gun])?;
+/// }
+/// let forward = figure.model()[0].transform_vector3(Vec3::Z);
+/// assert!(forward.distance(gun.target) < 2e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct AimLayer<R> {
+    /// The target, in the world.
+    pub target: Vec3,
+    /// How it is aimed; its weight fades the layer in and out at the joints' rates.
+    pub settings: Settings,
+    /// The rig and its memory.
+    pub aim: DynAim<R>,
+    chain: Arc<AimChain>,
+    frame: AimFrame,
+    outcome: Option<Outcome>,
+}
+
+impl<R: Rig> AimLayer<R> {
+    /// A character's layer, at rest, with the world's origin as its target. Give an `Arc` where several share the chain.
+    #[must_use]
+    pub fn new(chain: impl Into<Arc<AimChain>>, rig: R) -> Self {
+        let chain = chain.into();
+        let frame = chain.frame();
+        Self { target: Vec3::ZERO, settings: Settings::default(), aim: DynAim::new(rig), chain, frame, outcome: None }
+    }
+
+    /// The outcome of the last frame; `None` before the first one.
+    #[must_use]
+    pub fn outcome(&self) -> Option<&Outcome> {
+        self.outcome.as_ref()
+    }
+}
+
+impl<R: Rig> Layer for AimLayer<R> {
+    fn apply(&mut self, figure: &mut Figure, dt_s: f32) -> Result<(), PoseError> {
+        self.frame.place = figure.place.to_affine();
+        let (_, local, model) = figure.parts_mut();
+        self.chain.gather(&mut self.frame, local, model)?;
+        self.outcome = Some(self.aim.aim(&self.frame.pose(), self.target, dt_s, &self.settings));
+        self.chain.apply(&self.frame, (&self.aim).into(), local, model)
+    }
+}

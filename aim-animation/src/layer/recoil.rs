@@ -1,0 +1,116 @@
+//! [`Recoil`]: kicks what a hand holds.
+
+use alloc::vec::Vec;
+
+use aim_runtime::glam::{Affine3A, Vec3};
+use aim_runtime::ik::{CcdJoint, TwoBone};
+use aim_runtime::rotation::{exp, product};
+
+use super::Layer;
+use crate::attach::attached;
+use crate::figure::Figure;
+use crate::float::decay;
+use crate::limb::{Limb, LimbError, TipGoal};
+use crate::pose::{PoseError, check_length};
+use crate::skeleton::Skeleton;
+use crate::transform::Transform;
+
+/// The recoil of a thing in a hand: pushed and turned at once, it returns without swinging over, and the arm gives way. Comes after the
+/// aim, which else aims it away, and before the second hand, which then follows.
+///
+/// Between kicks `x″ = −ω²x − 2ωx′`, critically damped, by its exact solution: the same at any frame rate.
+///
+/// ```
+/// use aim_animation::glam::{Affine3A, Quat, Vec3};
+/// use aim_animation::{Bone, Figure, Recoil, Skeleton, Transform};
+///
+/// let at = |z| Transform::from_translation(Vec3::Z * z);
+/// let bent = Transform { rotation: Quat::from_rotation_x(0.5), ..at(0.3) };
+/// let bones = [("upper_arm", None, at(0.0)), ("forearm", Some(0), bent), ("hand", Some(1), at(0.3))];
+/// let skeleton = Skeleton::new(bones.map(|(name, parent, rest)| Bone::new(name, parent).with_rest(rest)))?;
+/// let mut recoil = Recoil::new(&skeleton, [0, 1, 2], Affine3A::IDENTITY)?;
+/// let mut figure = Figure::new(skeleton);
+/// let before = figure.model()[2].translation;
+/// // Back along the barrel, which climbs.
+/// recoil.kick(Vec3::NEG_Z, Vec3::NEG_X);
+/// figure.run(0.03, &mut [&mut recoil])?;
+/// assert!(figure.model()[2].translation.distance(before) > 0.01);
+/// (0..60).try_for_each(|_| figure.run(1.0 / 60.0, &mut [&mut recoil]))?;
+/// assert!(figure.model()[2].translation.distance(before) < 1e-4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recoil {
+    /// ω, a second; the farthest is 1/ω after a kick. Default 15; what is not positive and finite ends a kick at once.
+    pub rate: f32,
+    limb: Limb,
+    joints: Vec<CcdJoint>,
+    grip: Affine3A,
+    /// Of the thing in its own space: offset and rotation vector, and their velocities.
+    offset: [Vec3; 2],
+    velocity: [Vec3; 2],
+}
+
+impl Recoil {
+    /// A thing that the tip of a limb holds, `grip` in the space of the tip's bone.
+    ///
+    /// # Errors
+    /// See [`LimbError`].
+    pub fn new(skeleton: &Skeleton, limb: impl Into<Vec<usize>>, grip: Affine3A) -> Result<Self, LimbError> {
+        let mut limb = Limb::new(skeleton, limb.into())?;
+        limb.measure(Figure::new(skeleton.clone()).model())?;
+        let joints = alloc::vec![CcdJoint::new(Vec3::ZERO); limb.joints()];
+        Ok(Self { rate: 15.0, limb, joints, grip, offset: [Vec3::ZERO; 2], velocity: [Vec3::ZERO; 2] })
+    }
+
+    /// Kicks the thing, in its own space: by a velocity, in units of the model a second, and a rate of turning, radians a second. It
+    /// goes as far as velocity / (e·ω). What is not finite is ignored.
+    pub fn kick(&mut self, velocity: Vec3, turning: Vec3) {
+        for (own, kick) in self.velocity.iter_mut().zip([velocity, turning]) {
+            if (*own + kick).is_finite() {
+                *own += kick;
+            }
+        }
+    }
+
+    /// The offset by now, in the thing's own space.
+    #[must_use]
+    pub fn offset(&self) -> Transform {
+        Transform::new(self.offset[0], exp(self.offset[1]))
+    }
+
+    /// x = (x₀ + (v₀ + ω·x₀)·t)·e^(−ωt), and its derivative.
+    fn advance(&mut self, dt_s: f32) {
+        let dt = if dt_s.is_finite() { dt_s.max(0.0) } else { 0.0 };
+        let is_sprung = self.rate > 0.0 && self.rate.is_finite();
+        let left = if is_sprung { decay(self.rate * dt) } else { 0.0 };
+        for (offset, velocity) in self.offset.iter_mut().zip(&mut self.velocity) {
+            let slope = *velocity + *offset * self.rate;
+            *offset = (*offset + slope * dt) * left;
+            *velocity = slope * left - *offset * self.rate;
+            if !(is_sprung && offset.is_finite() && velocity.is_finite()) {
+                (*offset, *velocity) = (Vec3::ZERO, Vec3::ZERO);
+            }
+        }
+    }
+}
+
+impl Layer for Recoil {
+    fn apply(&mut self, figure: &mut Figure, dt_s: f32) -> Result<(), PoseError> {
+        check_length(self.limb.bones(), figure.model().len())?;
+        self.advance(dt_s);
+        if self.offset == [Vec3::ZERO; 2] {
+            return Ok(());
+        }
+        let tip = figure.model()[self.limb.tip_bone()];
+        let thing = Transform::from_affine(&attached(&tip, &self.grip));
+        let Some((thing, hand)) = thing.zip(Transform::from_affine(&tip)) else { return Ok(()) };
+        // The thing is moved, and the hand with it.
+        let hand_in_thing = thing.rigid_inverse().rigid_product(&hand);
+        let kicked = thing.rigid_product(&self.offset()).rigid_product(&hand_in_thing);
+        let turn = product(kicked.rotation, hand.rotation.conjugate());
+        let goal = TipGoal { point: kicked.translation, turn: Some(turn), two_bone: &TwoBone::new() };
+        self.limb.follow(&goal, &mut self.joints, &mut figure.both())?;
+        Ok(())
+    }
+}

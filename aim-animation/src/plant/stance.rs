@@ -1,0 +1,141 @@
+//! [`Stance`]: the pelvis over the feet.
+
+use alloc::vec::Vec;
+
+use aim_runtime::glam::{Quat, Vec3, Vec3A};
+use aim_runtime::rotation::{length, turned, unit};
+
+use super::{Ground, Plant};
+use crate::figure::Figure;
+use crate::layer::Layer;
+use crate::limb::LimbError;
+use crate::pose::{PoseError, check_length};
+use crate::skeleton::Skeleton;
+use crate::transform::made_unit;
+
+/// The part of a leg's length to which it is stretched before the pelvis gives way.
+const STRETCH: f32 = 0.998;
+/// How softly the pelvis gives way, of a leg's length.
+const SOFT: f32 = 0.02;
+
+/// The feet of a character and its pelvis, which is lowered as far as the foot that lacks the most needs it. A foot that even then is
+/// too far away is released.
+///
+/// Each frame [`on`](Self::on) is the layer. The figure's place is to stand on the ground, as a game has it; feet keep the height over
+/// the ground that they are animated with.
+///
+/// ```
+/// use aim_animation::glam::Vec3;
+/// use aim_animation::{Bone, Figure, Ground, Plant, Skeleton, Stance, Transform};
+///
+/// let at = |x, y, z| Transform::from_translation(Vec3::new(x, y, z));
+/// let [hip, knee, ankle] = [at(0.0, -0.1, 0.0), at(0.0, -0.42, 0.03), at(0.0, -0.4, -0.03)];
+/// let skeleton = Skeleton::new([
+///     Bone::new("pelvis", None).with_rest(at(0.0, 1.0, 0.0)),
+///     Bone::new("hip", Some(0)).with_rest(hip),
+///     Bone::new("knee", Some(1)).with_rest(knee),
+///     Bone::new("ankle", Some(2)).with_rest(ankle),
+/// ])?;
+/// let ball = Vec3::new(0.0, 0.0, 0.1);
+/// let foot = Plant::new(&skeleton, [1, 2, 3], ball)?.with_events("down", "up");
+/// let mut stance = Stance::new(&skeleton, 0, [foot])?;
+/// let mut figure = Figure::new(skeleton);
+/// // Each frame, with the events that the clips have passed:
+/// stance.on_event("down");
+/// let hole = |at: Vec3| Ground::new(Vec3::new(at.x, -0.1, at.z), Vec3::Y);
+/// figure.run(1.0 / 60.0, &mut [&mut stance.on(hole)])?;
+/// assert!(stance.feet()[0].contact(&figure).unwrap().distance(Vec3::new(0.0, -0.1, 0.1)) < 1e-5);
+/// assert!(figure.model()[0].translation.y < 0.91, "the pelvis is lowered");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stance {
+    /// The direction up in the space of the model, of any length. Default +Y.
+    pub up: Vec3,
+    /// The farthest that the pelvis is lowered, in units of the model. By default a quarter of the longest leg.
+    pub most_drop: f32,
+    pelvis: usize,
+    feet: Vec<Plant>,
+    drop: f32,
+}
+
+impl Stance {
+    /// Feet whose legs hang on a pelvis.
+    ///
+    /// # Errors
+    /// There is no such pelvis, or the leg of a foot does not hang on it.
+    pub fn new(skeleton: &Skeleton, pelvis: usize, feet: impl Into<Vec<Plant>>) -> Result<Self, LimbError> {
+        let feet = feet.into();
+        let below = skeleton.subtree(pelvis);
+        let hangs = |foot: &Plant| foot.limb.bones() == skeleton.len() && below.contains(&foot.limb.chain()[0]);
+        if let Some(foot) = feet.iter().position(|foot| !hangs(foot)) {
+            return Err(LimbError::Pelvis { foot });
+        }
+        if below.is_empty() {
+            return Err(LimbError::Pelvis { foot: 0 });
+        }
+        let most_drop = 0.25 * feet.iter().map(|foot| foot.limb.length()).fold(0.0, f32::max);
+        Ok(Self { up: Vec3::Y, most_drop, pelvis, feet, drop: 0.0 })
+    }
+
+    /// The feet.
+    #[must_use]
+    pub fn feet(&self) -> &[Plant] {
+        &self.feet
+    }
+
+    /// The feet, to plant and release them.
+    pub fn feet_mut(&mut self) -> &mut [Plant] {
+        &mut self.feet
+    }
+
+    /// Tells all feet of an event: see [`Plant::on_event`].
+    pub fn on_event(&mut self, name: &str) {
+        self.feet.iter_mut().for_each(|foot| foot.on_event(name));
+    }
+
+    /// How far the pelvis was lowered in the last frame, in units of the model.
+    #[must_use]
+    pub fn drop(&self) -> f32 {
+        self.drop
+    }
+
+    /// The layer of a frame, over the ground that is told for points of the world.
+    pub fn on<'a, G: FnMut(Vec3) -> Ground + 'a>(&'a mut self, mut ground: G) -> impl Layer + use<'a, G> {
+        move |figure: &mut Figure, dt_s: f32| self.apply(figure, &mut ground, dt_s)
+    }
+
+    fn apply(
+        &mut self,
+        figure: &mut Figure,
+        ground: &mut dyn FnMut(Vec3) -> Ground,
+        dt_s: f32,
+    ) -> Result<(), PoseError> {
+        let bones = figure.skeleton().len();
+        self.feet.iter().try_for_each(|foot| check_length(foot.limb.bones(), bones))?;
+        // Of any length.
+        let up =
+            unit(Quat::from_xyzw(self.up.x, self.up.y, self.up.z, 0.0)).unwrap_or(Quat::from_xyzw(0.0, 1.0, 0.0, 0.0));
+        let up = Vec3::new(up.x, up.y, up.z);
+        let up_ws = Vec3::from(turned(made_unit(figure.place.rotation), up.into()));
+        let mut drop = 0.0;
+        for foot in &mut self.feet {
+            foot.decide(figure, ground, up_ws, dt_s);
+            drop = soft_maximum(drop, foot.lack(figure, up_ws, STRETCH), SOFT * foot.limb.length());
+        }
+        self.drop = drop.min(self.most_drop).max(0.0);
+        figure.shift(self.pelvis, up * -self.drop);
+        for foot in &mut self.feet {
+            if foot.anchor.is_some() && foot.is_overstretched(figure) {
+                foot.release();
+            }
+            foot.follow(figure)?;
+        }
+        Ok(())
+    }
+}
+
+/// The larger of two numbers, rounded off where they are as near to each other as `soft`: (a + b + √((a − b)² + s²)) / 2.
+fn soft_maximum(a: f32, b: f32, soft: f32) -> f32 {
+    0.5 * (a + b + length(Vec3A::new(a - b, soft, 0.0)))
+}

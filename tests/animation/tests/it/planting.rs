@@ -1,0 +1,179 @@
+//! Feet planted on uneven ground while the mannequin walks and runs: slip and added acceleration of its joints in the world, by forward
+//! kinematics in f64.
+
+use aim::animation::{
+    Clip, ClipControl, Figure, Ground, Instance, Model, Motion, Plant, Root, RootPath, Skeleton, Stance, Transform,
+};
+use aim::glam::{DAffine3, DVec3, Vec3};
+use aim_character::{Mannequin, PAPER_AXES};
+use aim_gltf::Document;
+
+use crate::glue::model;
+
+const FPS: f32 = 60.0;
+const LEGS: [[&str; 4]; 2] = [
+    ["left_upper_leg", "left_lower_leg", "left_foot", "left_toes"],
+    ["right_upper_leg", "right_lower_leg", "right_foot", "right_toes"],
+];
+
+/// The parts of a cycle at which the ball of the left foot comes down and leaves, as the mannequin's gaits are made.
+const WALK: [f32; 2] = [0.11, 0.62];
+const RUN: [f32; 2] = [0.06, 0.34];
+
+/// The clip with events at which feet come down and leave.
+fn with_steps(clip: &Clip, [down, up]: [f32; 2]) -> Clip {
+    let at = |part: f32| (part % 1.0) * clip.length_s();
+    let events = [("left down", down), ("left up", up), ("right down", down + 0.5), ("right up", up + 0.5)];
+    events.into_iter().fold(clip.clone(), |clip, (name, part)| clip.with_event(at(part), name).unwrap())
+}
+
+fn hips(skeleton: &Skeleton) -> Root {
+    Root::Shadow { bone: skeleton.find("hips").unwrap(), up: Vec3::Y }
+}
+
+/// A frame of a walk: knees and ankles of both legs and the contacts of both feet in the world, and which feet have come to rest.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Frame {
+    joints: [DVec3; 4],
+    contacts: [DVec3; 2],
+    at_rest: [bool; 2],
+}
+
+/// The mannequin at a gait over a ground, for some seconds; `pace` is how far its place goes beside what the clip says.
+struct Walk<'a> {
+    gait: (&'a str, [f32; 2]),
+    pace: f32,
+    ground: &'a dyn Fn(Vec3) -> Ground,
+    /// Where the place stands; the ground itself but for stairs.
+    way: &'a dyn Fn(Vec3) -> f32,
+}
+
+impl Walk<'_> {
+    fn frames(&self, plants: bool) -> Vec<Frame> {
+        let document = Document::from_bytes(&Mannequin::new().with_moves().glb(|_| PAPER_AXES).unwrap()).unwrap();
+        let skeleton = document.skeleton();
+        let clip = with_steps(document.clip(self.gait.0).unwrap(), self.gait.1);
+        let motion = Motion::linear(&RootPath::new(&clip, skeleton, hips(skeleton), 60.0).unwrap());
+        let bone = |name: &str| skeleton.find(name).unwrap();
+        let mut figure = Figure::new(skeleton.clone());
+        let legs = LEGS.map(|leg| leg.map(bone));
+        let rest = figure.model().to_vec();
+        let balls = legs.map(|[.., toes]| Vec3::from(rest[toes].translation).with_y(0.0));
+        let feet: Vec<Plant> = [("left down", "left up"), ("right down", "right up")]
+            .into_iter()
+            .zip(legs.iter().zip(balls))
+            .map(|((down, up), (leg, ball))| Plant::new(skeleton, &leg[..3], ball).unwrap().with_events(down, up))
+            .collect();
+        let mut stance = Stance::new(skeleton, bone("hips"), feet).unwrap();
+        let model_of = Model::new(skeleton.clone(), [clip]).with_motion(0, motion);
+        let mut hero = Instance::new(&model_of);
+        hero.play(ClipControl::new(0));
+        let mut frames = Vec::new();
+        for _ in 0..300 {
+            let before = hero.place;
+            hero.advance(&model_of, 1.0 / FPS);
+            hero.place.translation = before.translation + (hero.place.translation - before.translation) * self.pace;
+            hero.place.translation.y = (self.way)(hero.place.translation);
+            hero.events(&model_of).for_each(|(_, event)| stance.on_event(&event.name));
+            if plants {
+                let mut feet = stance.on(self.ground);
+                figure.run(1.0 / FPS, &mut [&mut hero.layer(&model_of), &mut feet]).unwrap();
+            } else {
+                figure.run(1.0 / FPS, &mut [&mut hero.layer(&model_of)]).unwrap();
+            }
+            let place = exact(&figure.place);
+            let world: Vec<DAffine3> = model(skeleton, figure.local()).into_iter().map(|bone| place * bone).collect();
+            let contact = |foot: usize| {
+                let ankle = legs[foot][2];
+                let in_foot =
+                    model(skeleton, skeleton.rest())[ankle].inverse().transform_point3(balls[foot].as_dvec3());
+                world[ankle].transform_point3(in_foot)
+            };
+            let at_rest = [0, 1].map(|foot: usize| plants && stance.feet()[foot].is_planted());
+            let joints = [legs[0][1], legs[0][2], legs[1][1], legs[1][2]].map(|bone| world[bone].translation);
+            frames.push(Frame { joints, contacts: [0, 1].map(contact), at_rest });
+        }
+        frames
+    }
+}
+
+fn exact(place: &Transform) -> DAffine3 {
+    DAffine3::from_rotation_translation(place.rotation.as_dquat().normalize(), place.translation.as_dvec3())
+}
+
+/// The largest way of a contact from where its foot came to rest.
+fn slip(frames: &[Frame]) -> f64 {
+    let mut most = 0.0_f64;
+    for foot in 0..2 {
+        let mut stands: Option<DVec3> = None;
+        for frame in frames {
+            stands = frame.at_rest[foot].then(|| stands.unwrap_or(frame.contacts[foot]));
+            most = most.max(stands.map_or(0.0, |at| at.distance(frame.contacts[foot])));
+        }
+    }
+    most
+}
+
+/// Second differences of a joint, metres a second squared.
+fn acceleration(frames: &[Frame], joint: usize) -> Vec<DVec3> {
+    let rate = f64::from(FPS) * f64::from(FPS);
+    let second = |w: &[Frame]| (w[2].joints[joint] - 2.0 * w[1].joints[joint] + w[0].joints[joint]) * rate;
+    frames.windows(3).map(second).collect()
+}
+
+/// The largest acceleration of knees and ankles as animated on level ground, and the largest that planting adds.
+fn accelerations(animated: &[Frame], planted: &[Frame]) -> [(f64, f64); 2] {
+    [0, 1].map(|kind| {
+        let (mut own, mut added) = (0.0_f64, 0.0_f64);
+        for joint in [kind, kind + 2] {
+            for (a, b) in acceleration(animated, joint).iter().zip(acceleration(planted, joint)).skip(5) {
+                own = own.max(a.length());
+                added = added.max((b - *a).length());
+            }
+        }
+        (own, added)
+    })
+}
+
+fn slope(rise: f32) -> impl Fn(Vec3) -> Ground {
+    move |at| Ground::new(Vec3::new(at.x, rise * at.z, at.z), Vec3::new(0.0, 1.0, -rise))
+}
+
+fn bumps(at: Vec3) -> Ground {
+    let height = 0.05 * (2.5 * at.z).sin() + 0.03 * (4.0 * at.x + 1.3 * at.z).sin();
+    let [dx, dz] =
+        [0.12 * (4.0 * at.x + 1.3 * at.z).cos(), 0.125 * (2.5 * at.z).cos() + 0.039 * (4.0 * at.x + 1.3 * at.z).cos()];
+    Ground::new(at.with_y(height), Vec3::new(-dx, 1.0, -dz))
+}
+
+fn stairs(at: Vec3) -> Ground {
+    Ground::new(at.with_y(0.12 * (at.z / 0.4).floor()), Vec3::Y)
+}
+
+#[test]
+fn planted_feet_do_not_slip_and_move_smoothly() {
+    let level = |at: Vec3| Ground::new(at.with_y(0.0), Vec3::Y);
+    let (up, down) = (slope(0.15), slope(-0.15));
+    let grounds: [(&str, &dyn Fn(Vec3) -> Ground); 5] =
+        [("level", &level), ("up", &up), ("down", &down), ("bumps", &bumps), ("stairs", &stairs)];
+    for gait in [("walk_ahead", WALK), ("run", RUN)] {
+        for (name, ground) in grounds {
+            for pace in [1.0, 0.93] {
+                let ramp = |at: Vec3| if name == "stairs" { 0.3 * at.z - 0.06 } else { ground(at).point.y };
+                let flat = Walk { gait, pace, ground: &level, way: &|_| 0.0 }.frames(false);
+                let planted = Walk { gait, pace, ground, way: &ramp }.frames(true);
+                let rests = planted.iter().filter(|frame| frame.at_rest[0]).count();
+                let [knee, ankle] = accelerations(&flat, &planted);
+                println!(
+                    "{:10} {name:7} pace {pace}: at rest {rests:3} of 300, slip {:.3} mm; added acceleration: knee {:.2}, ankle {:.2} of {:.0}, {:.0} m/s²",
+                    gait.0,
+                    1e3 * slip(&planted),
+                    knee.1 / knee.0,
+                    ankle.1 / ankle.0,
+                    knee.0,
+                    ankle.0
+                );
+            }
+        }
+    }
+}
