@@ -51,7 +51,7 @@ struct Walk<'a> {
 impl Walk<'_> {
     fn frames(&self, plants: bool) -> Vec<Frame> {
         let document = Document::from_bytes(&Mannequin::new().with_moves().glb(|_| PAPER_AXES).unwrap()).unwrap();
-        let skeleton = document.skeleton();
+        let skeleton: &Skeleton = document.skeleton();
         let clip = with_steps(document.clip(self.gait.0).unwrap(), self.gait.1);
         let motion = Motion::linear(&RootPath::new(&clip, skeleton, hips(skeleton), 60.0).unwrap());
         let bone = |name: &str| skeleton.find(name).unwrap();
