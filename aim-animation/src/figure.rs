@@ -1,4 +1,4 @@
-//! [`Figure`]: a character's pose of this frame and its place, kept consistent.
+//! [`Figure`]: a character's pose of this frame and its place, kept consistent; [`Layer`]: what changes them.
 
 use alloc::sync::Arc;
 use alloc::vec::Vec;
@@ -7,7 +7,6 @@ use aim_runtime::glam::{Affine3A, Quat, Vec3};
 use aim_runtime::rotation::inverse;
 
 use crate::attach::attached;
-use crate::layer::Layer;
 use crate::pose::{Both, PoseError};
 use crate::skeleton::Skeleton;
 use crate::transform::Transform;
@@ -47,6 +46,48 @@ pub struct Figure {
     rest: Arc<[Affine3A]>,
     local: Vec<Transform>,
     model: Vec<Affine3A>,
+}
+
+/// A step of a frame: reads the pose that the layers before it have left, and changes it. A closure is one, too.
+///
+/// Whatever moves the trunk comes before what is to hold on to something: animation and blending, [feet](crate::Stance), which lower the
+/// pelvis, [aim poses](crate::AimPosesLayer), aim (`AimLayer`, with the feature `std`), hands, attachments.
+///
+/// ```
+/// use aim_animation::glam::Quat;
+/// use aim_animation::{Bone, Figure, Layer, PoseError, Skeleton};
+///
+/// struct Nod {
+///     head: usize,
+///     angle_rad: f32,
+/// }
+///
+/// impl Layer for Nod {
+///     fn apply(&mut self, figure: &mut Figure, dt_s: f32) -> Result<(), PoseError> {
+///         self.angle_rad += 0.5 * dt_s;
+///         figure.turn(self.head, Quat::from_rotation_x(self.angle_rad));
+///         Ok(())
+///     }
+/// }
+///
+/// let mut figure = Figure::new(Skeleton::new([Bone::new("head", None)])?);
+/// let mut nod = Nod { head: 0, angle_rad: 0.0 };
+/// figure.run(1.0, &mut [&mut nod])?;
+/// assert!(figure.local()[0].rotation.angle_between(Quat::from_rotation_x(0.5)) < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub trait Layer {
+    /// Changes the pose of a frame that is `dt_s` seconds after the one before.
+    ///
+    /// # Errors
+    /// What it was made for has another number of bones than the figure.
+    fn apply(&mut self, figure: &mut Figure, dt_s: f32) -> Result<(), PoseError>;
+}
+
+impl<F: FnMut(&mut Figure, f32) -> Result<(), PoseError>> Layer for F {
+    fn apply(&mut self, figure: &mut Figure, dt_s: f32) -> Result<(), PoseError> {
+        self(figure, dt_s)
+    }
 }
 
 impl Figure {

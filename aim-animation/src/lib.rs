@@ -60,13 +60,13 @@ pub use blend::{Blender, Method};
 pub use bounds::{Aabb, BoneBoxes, Hit, OrientedBox, Ray};
 pub use clip::{BoneTracks, Clip, Cursor, Event, EventError};
 pub use control::Control;
-pub use figure::Figure;
+pub use figure::{Figure, Layer};
 pub use gizmo::{GizmoKind, GizmoLine, Gizmos};
 pub use inertia::{Inertia, Transition};
 pub use instance::{ClipControl, Instance};
 #[cfg(feature = "std")]
 pub use layer::AimLayer;
-pub use layer::{AimLine, AimPoseError, AimPoseSet, AimPosesLayer, Layer, LimbLayer, Recoil, Space, TipTarget};
+pub use layer::{AimLine, AimPoseError, AimPoseSet, AimPosesLayer, LimbLayer, Recoil, Space, TipTarget};
 pub use limb::LimbError;
 pub use marks::{Marks, MarksError, Phase};
 pub use mask::Mask;

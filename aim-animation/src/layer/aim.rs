@@ -5,9 +5,8 @@ use alloc::sync::Arc;
 use aim_runtime::glam::Vec3;
 use aim_runtime::{DynAim, Outcome, Rig, Settings};
 
-use super::Layer;
 use crate::aim_chain::{AimChain, AimFrame};
-use crate::figure::Figure;
+use crate::figure::{Figure, Layer};
 use crate::pose::PoseError;
 
 /// Aims a rig of a figure: a gaze, or a gun by its barrel. Joints turn at their rates and within their ranges.

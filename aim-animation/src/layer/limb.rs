@@ -6,9 +6,8 @@ use aim_runtime::glam::{Affine3A, Quat, Vec3};
 use aim_runtime::ik::{CcdJoint, CcdLimit, TwoBone};
 use aim_runtime::rotation::{inverse, product, slerp};
 
-use super::Layer;
 use crate::fade::Ramp;
-use crate::figure::Figure;
+use crate::figure::{Figure, Layer};
 use crate::limb::{Limb, LimbError, TipGoal};
 use crate::mask::clamped;
 use crate::pose::{PoseError, check_length};
@@ -125,6 +124,14 @@ impl LimbLayer {
     #[must_use]
     pub const fn with_two_bone(mut self, two_bone: TwoBone) -> Self {
         self.two_bone = two_bone;
+        self
+    }
+
+    /// With a target from the beginning, without a fade.
+    #[must_use]
+    pub fn with_target(mut self, target: TipTarget) -> Self {
+        self.target = Some(target);
+        self.ramp.lead(1.0, 0.0);
         self
     }
 

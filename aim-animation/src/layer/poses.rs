@@ -8,10 +8,9 @@ use aim_runtime::glam::{Affine3A, Quat, Vec3, Vec3A};
 use aim_runtime::ik::{AimPose, AimPoses, AimPosesOutcome, Blend, triangulated};
 use aim_runtime::rotation::{dot, inverse, length};
 
-use super::Layer;
 use crate::blend::{Method, blended};
 use crate::clip::{Clip, Cursor};
-use crate::figure::Figure;
+use crate::figure::{Figure, Layer};
 use crate::mask::{Mask, clamped};
 use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;

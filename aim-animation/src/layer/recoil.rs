@@ -6,9 +6,8 @@ use aim_runtime::glam::{Affine3A, Vec3};
 use aim_runtime::ik::{CcdJoint, TwoBone};
 use aim_runtime::rotation::{exp, product};
 
-use super::Layer;
 use crate::attach::attached;
-use crate::figure::Figure;
+use crate::figure::{Figure, Layer};
 use crate::float::decay;
 use crate::limb::{Limb, LimbError, TipGoal};
 use crate::pose::{PoseError, check_length};

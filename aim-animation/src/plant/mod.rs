@@ -167,6 +167,13 @@ impl Plant {
         Some(figure.world(self.limb.tip_bone())?.transform_point3(self.contact))
     }
 
+    /// The distance of the contact from the point at which it is planted, in units of the world; 0 unless it [is](Self::is_planted).
+    #[must_use]
+    pub fn slip(&self, figure: &Figure) -> f32 {
+        let places = self.contact(figure).zip(self.anchor()).filter(|_| self.is_planted());
+        places.map_or(0.0, |(contact, anchor)| length((contact - anchor).into()))
+    }
+
     /// Decides where the foot goes in this frame. `up` is that of the world.
     fn decide(&mut self, figure: &Figure, ground: &mut dyn FnMut(Vec3) -> Ground, up: Vec3, dt_s: f32) {
         let place = figure.place.to_affine();

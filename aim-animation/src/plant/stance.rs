@@ -6,8 +6,7 @@ use aim_runtime::glam::{Quat, Vec3, Vec3A};
 use aim_runtime::rotation::{length, turned, unit};
 
 use super::{Ground, Plant};
-use crate::figure::Figure;
-use crate::layer::Layer;
+use crate::figure::{Figure, Layer};
 use crate::limb::LimbError;
 use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;
