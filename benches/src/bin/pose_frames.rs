@@ -4,17 +4,38 @@
 //! differ; `none` is the frame without the work. Every bone has its own linear tracks of translation, rotation and scale, of 30 keys a
 //! second, sampled forward at 60 Hz with one cursor; `packed` is that clip packed to a thousandth. `sum` is of four poses; `matrices` are
 //! those of all bones, and `deform` moves as many vertices of four joints each.
+//! `pose_frames none|sample|blend|sum|model|stack-… FRAMES`: two runs differ by the work of the frames by which they differ; `none` is
+//! the frame without the work. Every bone has its own linear tracks of translation, rotation and scale, of 30 keys a second,
+//! sampled forward at 60 Hz with one cursor. `sum` is of four poses. `stack-blend`, `stack-feet`, `stack-aim` and `stack-hand` are frames
+//! of layers on a figure, each with those before it: two clips blended, two planted feet, three joints aimed, one hand.
 
 use std::env;
 use std::hint::black_box;
 use std::process::ExitCode;
 
 use aim::animation::{Blender, Bone, Clip, Influence, Mesh, MeshPose, Reduction, Skeleton, Skin, Track, Transform};
+use aim::animation::{
+    AimChain, AimLayer, Blender, Bone, Clip, ClipControl, Figure, Ground, Instance, Layer, LimbLayer, Model, Plant,
+    Skeleton, Stance, TipTarget, Track, Transform,
+};
 use aim::glam::{Affine3A, Quat, Vec3};
+use aim::{AimRig, Joint};
 
 const BONES: usize = 64;
 /// Keys of the clip, 30 a second.
 const KEYS: u16 = 600;
+
+/// Three bones of a chain of the stack.
+#[derive(AimRig)]
+#[aim(axes(up = +Y, forward = +Z, left = +X))]
+struct Spine {
+    #[joint(role = head, heading = -60deg..=60deg, pitch = -40deg..=40deg, rate = 200deg)]
+    head: Joint,
+    #[joint(role = neck, heading = -30deg..=30deg, pitch = -20deg..=20deg, rate = 120deg)]
+    neck: Joint,
+    #[joint(role = chest, heading = -30deg..=30deg, pitch = -20deg..=20deg, rate = 70deg)]
+    chest: Joint,
+}
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
@@ -27,6 +48,9 @@ fn main() -> ExitCode {
     });
     let skeleton = Skeleton::new(bones).expect("parents come first");
     let clip = clip();
+    if let Some(last) = work.strip_prefix("stack-") {
+        return stack(&skeleton, clip, last, frames);
+    }
     let mut cursor = clip.cursor();
     let packed = (work == "packed").then(|| Reduction::new(1e-3).pack(&clip, &skeleton).expect("it is sound").clip);
     let mut packed_cursor = packed.as_ref().map(|packed| packed.cursor()).unwrap_or_default();
@@ -70,8 +94,35 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
+/// Frames of the layers up to one: legs and an arm are chains of three bones of the skeleton, as everything moves.
+fn stack(skeleton: &Skeleton, clip: Clip, last: &str, frames: u16) -> ExitCode {
+    let Some(count) = ["blend", "feet", "aim", "hand"].iter().position(|layer| *layer == last) else { return usage() };
+    let other = clip.reversed();
+    let model = Model::new(skeleton.clone(), [clip, other]);
+    let (mut figure, mut hero) = (Figure::new(skeleton.clone()), Instance::new(&model));
+    hero.play(ClipControl::new(0));
+    hero.play(ClipControl::new(1).with_weight(0.3));
+    let foot = |hip: usize| Plant::new(skeleton, [hip, hip + 1, hip + 2], Vec3::ZERO).expect("it has length");
+    let mut stance = Stance::new(skeleton, 0, [foot(5), foot(9)]).expect("they hang on the first bone");
+    stance.feet_mut().iter_mut().for_each(Plant::plant);
+    let chain = AimChain::new(skeleton, [15, 14, 13]).expect("they hang on each other");
+    let mut gaze = AimLayer::new(chain, Spine::RIG);
+    let mut hand = LimbLayer::new(skeleton, [17, 18, 19]).expect("it has length");
+    hand.set_target(TipTarget::bone(15, Vec3::Y * 0.1));
+    for frame in 0..frames {
+        hero.advance(&model, 1.0 / 60.0);
+        gaze.target = Vec3::new(0.5 + 0.001 * f32::from(frame), 2.0, 3.0);
+        let (mut walk, mut feet) = (hero.layer(&model), stance.on(|at| Ground::new(at.with_y(0.1 * at.z), Vec3::Y)));
+        let mut layers: [&mut dyn Layer; 4] = [&mut walk, &mut feet, &mut gaze, &mut hand];
+        figure.run(1.0 / 60.0, &mut layers[..=count]).expect("of one skeleton");
+        black_box(&figure);
+    }
+    ExitCode::SUCCESS
+}
+
 fn usage() -> ExitCode {
     eprintln!("pose_frames none|sample|packed|blend|sum|model|matrices|deform FRAMES");
+    eprintln!("pose_frames none|sample|blend|sum|model|stack-blend|stack-feet|stack-aim|stack-hand FRAMES");
     ExitCode::FAILURE
 }
 

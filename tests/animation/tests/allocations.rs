@@ -8,8 +8,12 @@ use aim::animation::{
     AimChain, BlendLine, BlendPlane, Blender, BoneBoxes, Clip, ClipControl, Control, Corrections, Gizmos, Inertia,
     Influence, Instance, Looping, Marks, Mask, Mesh, MeshPose, Method, Model, Morph, Motion, Node, Parameter, Phase,
     Ray, Reach, ReachGoal, Reduction, Root, RootPath, Skeleton, Skin, Transform, Transition, Tree,
+    AimChain, AimLayer, AimLine, AimPoseSet, AimPosesLayer, BlendLine, BlendPlane, Blender, Clip, ClipControl, Control,
+    Corrections, Figure, Gizmos, Ground, Inertia, Instance, LimbLayer, Looping, Marks, Mask, Method, Model, Motion,
+    Node, Parameter, Phase, Plant, Reach, ReachGoal, Recoil, Root, RootPath, Skeleton, Stance, TipTarget, Track,
+    Transform, Transition, Tree,
 };
-use aim::glam::{Affine3A, Vec2, Vec3};
+use aim::glam::{Affine3A, Quat, Vec2, Vec3};
 use aim::{Aim, AimRig, DynAim, Rig, Settings};
 use aim_animation_tests::{Hero, gait, skeleton};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
@@ -178,4 +182,28 @@ fn frames_allocate_nothing() {
         let gizmos = Gizmos { chain: &chain, frame: &frame, description: &description, corrections, model: &model };
         (aimed.outcome, gizmos.gazes(1.0).count() + gizmos.axes(0.1).count() + gizmos.ranges(0.3).count())
     });
+
+    // All layers, on any three bones.
+    let turns = [[0.5, 0.4], [-0.5, 0.4], [0.0, -0.5]];
+    let turns = turns.map(|[left, down]| Quat::from_rotation_y(left) * Quat::from_rotation_x(down));
+    let aims = Clip::new("aim").with_rotation(2, Track::linear([0.0, 1.0, 2.0], turns).unwrap());
+    let line = AimLine { bone: 4, origin: Vec3::ZERO, forward: Vec3::Y };
+    let set = AimPoseSet::from_clip(&aims, &skeleton, &[0.0, 1.0, 2.0], line).unwrap();
+    let foot = Plant::new(&skeleton, [2, 3, 4], Vec3::ZERO).unwrap().with_events("step", "other");
+    let (mut stance, mut poses) = (Stance::new(&skeleton, 1, [foot]).unwrap(), AimPosesLayer::new(set));
+    let mut limbs = [&[3, 7, 8][..], &[2, 3, 7, 8]].map(|limb| LimbLayer::new(&skeleton, limb).unwrap());
+    let (mut recoil, mut gaze) =
+        (Recoil::new(&skeleton, [3, 7, 8], Affine3A::IDENTITY).unwrap(), AimLayer::new(chain, Hero::RIG));
+    let mut figure = Figure::new(skeleton.clone());
+    poses.target = Vec3::new(0.1, 1.5, 3.0);
+    allocates_nothing("layers", || {
+        instance.advance(&kind, 0.1);
+        instance.events(&kind).for_each(|(_, event)| stance.on_event(&event.name));
+        limbs.iter_mut().for_each(|limb| limb.set_target(TipTarget::bone(4, Vec3::Y)));
+        recoil.kick(Vec3::Y, Vec3::X);
+        let (walk, feet) = (&mut instance.layer(&kind), &mut stance.on(|at| Ground::new(at, Vec3::Y)));
+        let [arm, long] = &mut limbs;
+        figure.run(0.1, &mut [walk, feet, &mut poses, &mut gaze, &mut recoil, arm, long]).unwrap();
+    });
+    assert!(stance.feet()[0].anchor().is_some() && figure.local() != skeleton.rest(), "they have done something");
 }

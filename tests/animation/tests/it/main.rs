@@ -3,4 +3,5 @@
 mod gizmos;
 mod glue;
 mod hits;
+mod layers;
 mod planting;
