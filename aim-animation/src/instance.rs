@@ -265,11 +265,8 @@ impl Instance {
 
     /// The layer that takes over the place and the pose of what it plays, where [`advance`](Self::advance) has led it: the first of a
     /// [`Figure`]'s frame.
-    pub fn layer<'a>(&'a mut self, model: &'a Model) -> impl Layer + use<'a> {
-        |figure: &mut Figure, _: f32| {
-            figure.place = self.place;
-            figure.edit(|local| self.pose(model, local))
-        }
+    pub fn layer<'a>(&'a mut self, model: &'a Model) -> InstanceLayer<'a> {
+        InstanceLayer { instance: self, model }
     }
 
     /// Moves the place so that a thing is at `held` in the world, by the pose in the space of the model: see [`Figure::hang`]. False, and
@@ -291,5 +288,19 @@ impl Instance {
             .iter()
             .enumerate()
             .filter_map(move |(number, (bone, grip))| Some((number, place * attached(model_pose.get(*bone)?, grip))))
+    }
+}
+
+/// The layer of a frame that [`Instance::layer`] makes.
+#[derive(Debug)]
+pub struct InstanceLayer<'a> {
+    instance: &'a mut Instance,
+    model: &'a Model,
+}
+
+impl Layer for InstanceLayer<'_> {
+    fn apply(&mut self, figure: &mut Figure, _dt_s: f32) -> Result<(), PoseError> {
+        figure.place = self.instance.place;
+        figure.edit(|local| self.instance.pose(self.model, local))
     }
 }

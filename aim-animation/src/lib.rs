@@ -63,7 +63,7 @@ pub use control::Control;
 pub use figure::{Figure, Layer};
 pub use gizmo::{GizmoKind, GizmoLine, Gizmos};
 pub use inertia::{Inertia, Transition};
-pub use instance::{ClipControl, Instance};
+pub use instance::{ClipControl, Instance, InstanceLayer};
 #[cfg(feature = "std")]
 pub use layer::AimLayer;
 pub use layer::{AimLine, AimPoseError, AimPoseSet, AimPosesLayer, LimbLayer, Recoil, Space, TipTarget};
@@ -75,6 +75,7 @@ pub use model::Model;
 pub use motion::{Motion, MotionError, Root, RootPath, Screw};
 pub use packed::{PackedClip, PackedError};
 pub use plant::{Ground, Plant, Stance};
+pub use plant::{Ground, Plant, Stance, StanceLayer};
 pub use pose::PoseError;
 pub use reach::{Reach, ReachError, ReachGoal, ReachOutcome, ReachState};
 pub use reduce::{ErrorPlace, Packed, Reduced, Reduction, ReductionError};

@@ -19,7 +19,7 @@ use crate::skeleton::Skeleton;
 use crate::transform::made_unit;
 
 pub use ground::Ground;
-pub use stance::Stance;
+pub use stance::{Stance, StanceLayer};
 
 /// The part of a leg's length by which the ground under a swinging foot may jump from frame to frame before the foot takes its time:
 /// the edge of a stair.

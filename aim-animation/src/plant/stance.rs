@@ -100,8 +100,8 @@ impl Stance {
     }
 
     /// The layer of a frame, over the ground that is told for points of the world.
-    pub fn on<'a, G: FnMut(Vec3) -> Ground + 'a>(&'a mut self, mut ground: G) -> impl Layer + use<'a, G> {
-        move |figure: &mut Figure, dt_s: f32| self.apply(figure, &mut ground, dt_s)
+    pub fn on<G: FnMut(Vec3) -> Ground>(&mut self, ground: G) -> StanceLayer<'_, G> {
+        StanceLayer { stance: self, ground }
     }
 
     fn apply(
@@ -131,6 +131,19 @@ impl Stance {
             foot.follow(figure)?;
         }
         Ok(())
+    }
+}
+
+/// The layer of a frame that [`Stance::on`] makes.
+#[derive(Debug)]
+pub struct StanceLayer<'a, G> {
+    stance: &'a mut Stance,
+    ground: G,
+}
+
+impl<G: FnMut(Vec3) -> Ground> Layer for StanceLayer<'_, G> {
+    fn apply(&mut self, figure: &mut Figure, dt_s: f32) -> Result<(), PoseError> {
+        self.stance.apply(figure, &mut self.ground, dt_s)
     }
 }
 

@@ -196,6 +196,7 @@ fn frames_allocate_nothing() {
         (Recoil::new(&skeleton, [3, 7, 8], Affine3A::IDENTITY).unwrap(), AimLayer::new(chain, Hero::RIG));
     let mut figure = Figure::new(skeleton.clone());
     poses.target = Vec3::new(0.1, 1.5, 3.0);
+    stance.feet_mut()[0].plant();
     allocates_nothing("layers", || {
         instance.advance(&kind, 0.1);
         instance.events(&kind).for_each(|(_, event)| stance.on_event(&event.name));
@@ -205,5 +206,5 @@ fn frames_allocate_nothing() {
         let [arm, long] = &mut limbs;
         figure.run(0.1, &mut [walk, feet, &mut poses, &mut gaze, &mut recoil, arm, long]).unwrap();
     });
-    assert!(stance.feet()[0].anchor().is_some() && figure.local() != skeleton.rest(), "they have done something");
+    assert!(figure.local() != skeleton.rest() && recoil.offset() != Transform::IDENTITY, "they have done something");
 }
