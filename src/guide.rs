@@ -2,8 +2,8 @@
 //!
 //! - **To begin with**: [`axes`] tells which axis of a bone is forward, [`natural_gaze`] how eyes, head and chest share a gaze,
 //!   [`viewer`] how to see it. [`solvers`] tells when to use which.
-//! - **Animation under the aim**: [`animation`], then [`tracks`], [`playing`], [`blending`], [`root_motion`] and
-//!   [`reach`]; [`animation_coverage`] lists what it answers and what judges it.
+//! - **Animation under the aim**: [`animation`], then [`tracks`], [`playing`], [`blending`], [`root_motion`],
+//!   [`reach`] and [`layers`]; [`animation_coverage`] lists what it answers and what judges it.
 //! - **Other solvers**, in [`ik`](crate::ik): [`two_bone`], [`ccd`], [`one_bone`], [`look_at`], [`aim_poses`].
 //! - **Derivatives**: [`differentiating`] your own functions, [`singularities`], [`operation_counts`].
 //! - **Where it comes from**: [`paper`].
@@ -39,6 +39,8 @@ pages! {
     #[cfg(any(not(doctest), feature = "animation"))]
     storage "storage.md"
     reach "reach.md"
+    #[cfg(any(not(doctest), feature = "animation"))]
+    layers "layers.md"
     two_bone "two-bone.md"
     ccd "ccd.md"
     one_bone "one-bone.md"

@@ -228,7 +228,7 @@ fn leg(bend: f32) -> ([CcdJoint; 3], Vec3) {
     (joints, Vec3::new(0.1, 0.1, 0.0))
 }
 
-/// A walking leg that goes up a step, nearly straight: by two bones in a few iterations, without them in dozens.
+/// A walking leg that goes up a step, nearly straight: by two bones in one iteration, without them in forty.
 #[test]
 fn a_leg_goes_up_a_step_by_two_bones() {
     let (mut with, mut without) = (0, 0);
@@ -243,12 +243,12 @@ fn a_leg_goes_up_a_step_by_two_bones() {
             posed(&joints, tip, target, &stepped);
             assert!(beyond_limits(&joints) < 1e-5);
             assert_eq!(stepped.status, CcdStatus::Reached, "{step} {bend}");
-            assert!(stepped.iterations <= 4, "{stepped:?}");
+            assert_eq!(stepped.iterations, 1, "{stepped:?}");
             (with, without) = (with + stepped.iterations, without + plain.iterations);
         }
     }
     println!("{with} iterations by two bones, {without} without, of 12 steps");
-    assert!(with * 5 < without);
+    assert!(with * 30 < without);
 }
 
 /// A free chain of two bones is met in one iteration, whatever it is.
