@@ -201,12 +201,16 @@ impl Plant {
         }
         let mut shown = sum(self.target(free, up), self.fade.left());
         if self.is_down != self.anchor.is_some() {
-            let velocity = difference(shown, before.shown).map(|way| way * rate);
+            let mut velocity = difference(shown, before.shown).map(|way| way * rate);
             let new_before = if self.is_down {
                 // Where it runs out, level with the ground there.
                 let level = velocity[0] - up * velocity[0].dot(up);
                 let at = shown[0] + level * (RUN_OUT * self.fade_s.max(0.0));
                 let at = self.ground_at(at, ground, up);
+                // The ground stops what would fall through it.
+                let (height, fall) = ((shown[0] - at.point).dot(up), velocity[0].dot(up));
+                let most = height.abs() / (RUN_OUT * self.fade_s.max(0.0));
+                velocity[0] = level + up * fall.max(-most).min(most);
                 let tilt = at.tilt(up, self.most_tilt_rad);
                 self.anchor = Some(Anchor { point: at.point, tilt, turned_rad: 0.0 });
                 [at.point, tilt + up * turned_rad]
