@@ -280,12 +280,9 @@ fn aim_poses_of_a_clip_meet_targets_with_their_translations() {
             Ok::<(), PoseError>(())
         })
         .unwrap();
-    let at = |along: f64| {
-        let bone = world(&figure, 1);
-        let origin = bone.transform_point3(line.origin.as_dvec3());
-        (origin + bone.transform_vector3(DVec3::Z) * along).as_vec3()
-    };
-    layer.target = at(1e4);
+    let bone = world(&figure, 1);
+    let muzzle = bone.transform_point3(line.origin.as_dvec3());
+    layer.target = (muzzle + bone.transform_vector3(DVec3::Z) * 1e4).as_vec3();
     figure.run(0.01, &mut [&mut layer]).unwrap();
     assert!(figure.local()[0].translation.distance(local[0].translation) < 2e-3, "{:?}", figure.local()[0]);
     assert!(figure.local()[0].translation.y < 0.9, "the hips sink");
