@@ -28,6 +28,8 @@ pub(crate) fn root(number: f64) -> f32 {
     // Half of the exponent, and Newton's steps.
     let guess = f64::from_bits((number.to_bits() >> 1) + (0x3ff0_0000_0000_0000 >> 1));
     narrow((0..3).fold(guess, |root, _| 0.5 * (root + number / root)))
+}
+
 /// e^(−x) for x ≥ 0, to 1e-5: by its series at x / 2ⁿ, squared n times. 0 for NaN.
 pub(crate) fn decay(x: f32) -> f32 {
     if !(x < 87.0) {

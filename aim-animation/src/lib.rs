@@ -74,7 +74,6 @@ pub use mesh::{Influence, Mesh, MeshError, MeshPose, Morph, Skin, SkinError, mat
 pub use model::Model;
 pub use motion::{Motion, MotionError, Root, RootPath, Screw};
 pub use packed::{PackedClip, PackedError};
-pub use plant::{Ground, Plant, Stance};
 pub use plant::{Ground, Plant, Stance, StanceLayer};
 pub use pose::PoseError;
 pub use reach::{Reach, ReachError, ReachGoal, ReachOutcome, ReachState};

@@ -2,13 +2,10 @@
 
 use aim_animation::glam::{Affine3A, Quat, Vec2, Vec3};
 use aim_animation::{
-    BezierKey, BlendLine, BlendPlane, Blender, Bone, BoneBoxes, Clip, Continuity, Control, HermiteKey, Inertia,
-    Influence, Looping, Marks, Mask, Mesh, MeshPose, Method, Morph, Motion, Node, PackedClip, Parameter, Phase, Ray,
-    Reach, ReachGoal, Reduction, Root, RootPath, Skeleton, SkewedTransform, Skin, Track, Transform, Transition, Tree,
-    AimLine, AimPoseSet, AimPosesLayer, BezierKey, BlendLine, BlendPlane, Blender, Bone, Clip, Continuity, Control,
-    Figure, Ground, HermiteKey, Inertia, Layer, LimbLayer, Looping, Marks, Mask, Method, Motion, Node, Parameter,
-    Phase, Plant, Reach, ReachGoal, Recoil, Root, RootPath, Skeleton, SkewedTransform, Stance, TipTarget, Track,
-    Transform, Transition, Tree,
+    AimLine, AimPoseSet, AimPosesLayer, BezierKey, BlendLine, BlendPlane, Blender, Bone, BoneBoxes, Clip, Continuity,
+    Control, Figure, Ground, HermiteKey, Inertia, Influence, Layer, LimbLayer, Looping, Marks, Mask, Mesh, MeshPose,
+    Method, Morph, Motion, Node, PackedClip, Parameter, Phase, Plant, Ray, Reach, ReachGoal, Recoil, Reduction, Root,
+    RootPath, Skeleton, SkewedTransform, Skin, Stance, TipTarget, Track, Transform, Transition, Tree,
 };
 use proptest::prelude::*;
 

@@ -1,22 +1,19 @@
 //! What is counted: poses of 64 bones, sampled from a clip, blended, or taken to model space, and little else.
 //!
-//! `pose_frames none|sample|packed|blend|sum|model|matrices|deform FRAMES`: two runs differ by the work of the frames by which they
-//! differ; `none` is the frame without the work. Every bone has its own linear tracks of translation, rotation and scale, of 30 keys a
-//! second, sampled forward at 60 Hz with one cursor; `packed` is that clip packed to a thousandth. `sum` is of four poses; `matrices` are
-//! those of all bones, and `deform` moves as many vertices of four joints each.
-//! `pose_frames none|sample|blend|sum|model|stack-… FRAMES`: two runs differ by the work of the frames by which they differ; `none` is
-//! the frame without the work. Every bone has its own linear tracks of translation, rotation and scale, of 30 keys a second,
-//! sampled forward at 60 Hz with one cursor. `sum` is of four poses. `stack-blend`, `stack-feet`, `stack-aim` and `stack-hand` are frames
-//! of layers on a figure, each with those before it: two clips blended, two planted feet, three joints aimed, one hand.
+//! `pose_frames none|sample|packed|blend|sum|model|matrices|deform|stack-… FRAMES`: two runs differ by the work of the frames by which
+//! they differ; `none` is the frame without the work. Every bone has its own linear tracks of translation, rotation and scale, of 30
+//! keys a second, sampled forward at 60 Hz with one cursor; `packed` is that clip packed to a thousandth. `sum` is of four poses;
+//! `matrices` are those of all bones, and `deform` moves as many vertices of four joints each. `stack-blend`, `stack-feet`, `stack-aim`
+//! and `stack-hand` are frames of layers on a figure, each with those before it: two clips blended, two planted feet, three joints
+//! aimed, one hand.
 
 use std::env;
 use std::hint::black_box;
 use std::process::ExitCode;
 
-use aim::animation::{Blender, Bone, Clip, Influence, Mesh, MeshPose, Reduction, Skeleton, Skin, Track, Transform};
 use aim::animation::{
-    AimChain, AimLayer, Blender, Bone, Clip, ClipControl, Figure, Ground, Instance, Layer, LimbLayer, Model, Plant,
-    Skeleton, Stance, TipTarget, Track, Transform,
+    AimChain, AimLayer, Blender, Bone, Clip, ClipControl, Figure, Ground, Influence, Instance, Layer, LimbLayer, Mesh,
+    MeshPose, Model, Plant, Reduction, Skeleton, Skin, Stance, TipTarget, Track, Transform,
 };
 use aim::glam::{Affine3A, Quat, Vec3};
 use aim::{AimRig, Joint};
@@ -122,7 +119,7 @@ fn stack(skeleton: &Skeleton, clip: Clip, last: &str, frames: u16) -> ExitCode {
 
 fn usage() -> ExitCode {
     eprintln!("pose_frames none|sample|packed|blend|sum|model|matrices|deform FRAMES");
-    eprintln!("pose_frames none|sample|blend|sum|model|stack-blend|stack-feet|stack-aim|stack-hand FRAMES");
+    eprintln!("pose_frames stack-blend|stack-feet|stack-aim|stack-hand FRAMES");
     ExitCode::FAILURE
 }
 

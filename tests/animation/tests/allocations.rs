@@ -5,13 +5,10 @@ use std::alloc::System;
 use std::hint::black_box;
 
 use aim::animation::{
-    AimChain, BlendLine, BlendPlane, Blender, BoneBoxes, Clip, ClipControl, Control, Corrections, Gizmos, Inertia,
-    Influence, Instance, Looping, Marks, Mask, Mesh, MeshPose, Method, Model, Morph, Motion, Node, Parameter, Phase,
-    Ray, Reach, ReachGoal, Reduction, Root, RootPath, Skeleton, Skin, Transform, Transition, Tree,
-    AimChain, AimLayer, AimLine, AimPoseSet, AimPosesLayer, BlendLine, BlendPlane, Blender, Clip, ClipControl, Control,
-    Corrections, Figure, Gizmos, Ground, Inertia, Instance, LimbLayer, Looping, Marks, Mask, Method, Model, Motion,
-    Node, Parameter, Phase, Plant, Reach, ReachGoal, Recoil, Root, RootPath, Skeleton, Stance, TipTarget, Track,
-    Transform, Transition, Tree,
+    AimChain, AimLayer, AimLine, AimPoseSet, AimPosesLayer, BlendLine, BlendPlane, Blender, BoneBoxes, Clip,
+    ClipControl, Control, Corrections, Figure, Gizmos, Ground, Inertia, Influence, Instance, LimbLayer, Looping, Marks,
+    Mask, Mesh, MeshPose, Method, Model, Morph, Motion, Node, Parameter, Phase, Plant, Ray, Reach, ReachGoal, Recoil,
+    Reduction, Root, RootPath, Skeleton, Skin, Stance, TipTarget, Track, Transform, Transition, Tree,
 };
 use aim::glam::{Affine3A, Quat, Vec2, Vec3};
 use aim::{Aim, AimRig, DynAim, Rig, Settings};
