@@ -12,6 +12,9 @@ use aim_codegen::declare::from_toml;
 use aim_gltf::{Document, Skeleton, Surface};
 use aim_runtime::glam::{DVec3, Vec3};
 
+use crate::hand::right_hand;
+use crate::skinning::Skinning;
+
 /// Everything about a character that does not change while it moves.
 #[derive(Debug)]
 pub(crate) struct Character {
@@ -20,9 +23,12 @@ pub(crate) struct Character {
     pub(crate) document: Arc<Document>,
     pub(crate) measurement: Measurement,
     pub(crate) surface: Arc<Surface>,
+    pub(crate) skinning: Arc<Skinning>,
     pub(crate) chain: ChainNodes,
     /// The rig as it was declared or proposed, with the reasons of a proposal.
     pub(crate) declared: Proposal,
+    /// The right hand, where there is one.
+    pub(crate) hand: Option<usize>,
     /// The point of the floor below its effector in the bind pose.
     pub(crate) floor: Vec3,
     /// True for the mannequin with its own rig, for which there is compiled code.
@@ -80,14 +86,18 @@ impl Character {
             None => propose(&document, &measurement, None).map_err(|error| format!("{name}: {error}"))?,
         };
         let chain = chain_nodes(&declared.spec, document.skeleton()).map_err(|error| format!("{name}: {error}"))?;
+        let hand = right_hand(document.skeleton(), &measurement, chain.joints[chain.joints.len() - 1]);
         let surface = Arc::new(document.surface());
+        let skinning = Arc::new(Skinning::new(document.skeleton(), &surface));
         let mut character = Self {
             name: name.into(),
             document,
             measurement,
             surface,
+            skinning,
             chain,
             declared,
+            hand,
             floor: Vec3::ZERO,
             is_mannequin: false,
         };

@@ -6,6 +6,7 @@ use eframe::egui::{Context, InputState, Key, PointerButton, Rect, Response};
 use crate::camera::Camera;
 use crate::gizmos::{Shown, TARGET};
 use crate::stage::Stage;
+use crate::tools::Tool;
 
 /// Speeds of held keys: of the target, metres of a 1.7 m character a second; of the camera, radians a second; of the zoom,
 /// to the power of seconds.
@@ -19,7 +20,7 @@ const WHEEL_ZOOM: f32 = 0.998;
 const GRASP: f32 = 12.0;
 
 /// Every key with what it does, for the help; the paper's are the first.
-pub(crate) const KEYS: [(&str, &str); 10] = [
+pub(crate) const KEYS: [(&str, &str); 11] = [
     ("I K", "target up, down"),
     ("J L", "target left, right"),
     ("M N", "target nearer to you, further"),
@@ -28,6 +29,7 @@ pub(crate) const KEYS: [(&str, &str); 10] = [
     ("Q A", "bones' reference frames on, off"),
     ("E", "aim the eyes or the neck"),
     ("Space", "pause, go on"),
+    ("T", "the next solver instead of the rig's"),
     (".", "a single frame"),
     ("H", "this panel on, off"),
 ];
@@ -68,6 +70,9 @@ pub(crate) fn keys(context: &Context, stage: &mut Stage, camera: &mut Camera, sh
         }
         if input.key_pressed(Key::E) {
             stage.switch_effector();
+        }
+        if input.key_pressed(Key::T) {
+            stage.tuning.tool = Tool::after(stage.tuning.tool);
         }
         if input.key_pressed(Key::Space) {
             stage.clock.paused = !stage.clock.paused;

@@ -6,6 +6,7 @@ mod floor;
 mod light;
 mod marks;
 mod model;
+mod numbers;
 mod sheet;
 
 use std::sync::Arc;
@@ -65,12 +66,12 @@ impl Canvas {
         if self.model.as_ref().is_some_and(|model| !Arc::ptr_eq(model.surface(), &picture.surface)) {
             self.model = None;
         }
-        let model = self.model.get_or_insert_with(|| Model::new(context, &picture.surface));
+        let model = self.model.get_or_insert_with(|| Model::new(context, &picture.surface, &picture.skinning));
         if self.sheet.as_ref().is_some_and(|sheet| sheet.size() != size) {
             self.sheet = None;
         }
         let sheet = self.sheet.get_or_insert_with(|| Sheet::new(context, size));
-        self.figures.fill(model, &picture.figures);
+        self.figures.fill(&picture.figures);
         self.marks.fill(picture);
         self.fans.fill(&picture.fans);
         self.floor.cast(&picture.ground, &self.figures, model);

@@ -2,14 +2,14 @@
 
 use std::f32::consts::PI;
 
-use aim_character::{AimedFrame, Palette, range_in_frame};
+use aim_character::{AimedFrame, range_in_frame};
 use aim_runtime::glam::{DAffine3, DVec3, Quat, Vec3};
 use aim_runtime::{Solver, Status};
 
+use crate::actor::Actor;
 use crate::camera::Camera;
-use crate::character::Character;
 use crate::picture::{Colour, Fan, Figure, Ground, Picture, Rod};
-use crate::stage::{Actor, Stage};
+use crate::stage::Stage;
 
 /// Parts of the scene that are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,6 +94,7 @@ impl Stage {
         let mut picture = Picture {
             view: camera.view(metre),
             surface: character.surface.clone(),
+            skinning: character.skinning.clone(),
             figures: Vec::new(),
             rods: Vec::new(),
             fans: Vec::new(),
@@ -109,7 +110,7 @@ impl Stage {
             if let Some(frame) = &member.frame {
                 picture.figures.push(self.figure(frame, member.shift));
                 if shown.gaze {
-                    self.show_gaze(&mut picture, frame, member.shift);
+                    self.show_gaze(&mut picture, member, frame);
                 }
             }
         }
@@ -117,11 +118,12 @@ impl Stage {
     }
 
     fn figure(&self, frame: &AimedFrame, shift: Vec3) -> Figure {
-        let mut figure = Figure { positions: Vec::new(), normals: Vec::new() };
-        let Character { surface, document, .. } = &self.character;
-        Palette::new(document.skeleton(), &frame.world).pose(surface, &mut figure.positions, &mut figure.normals);
-        figure.positions.iter_mut().for_each(|at| *at += shift);
-        figure
+        let skinning = &self.character.skinning;
+        Figure {
+            rows: skinning.rows(&frame.world, shift),
+            morphs: Vec::new(),
+            bounds: skinning.bounds(&frame.world, shift),
+        }
     }
 
     fn show(&self, picture: &mut Picture, actor: &Actor, frame: &AimedFrame, shown: Shown) {
@@ -131,7 +133,7 @@ impl Stage {
         let (radius, colour) = (TARGET * metre, VERMILION);
         picture.rods.push(Rod { from: target, to: target, radius, colour, is_lit: true, in_front: false });
         if shown.gaze {
-            self.show_gaze(picture, frame, actor.shift);
+            self.show_gaze(picture, actor, frame);
         }
         if shown.trail {
             let step = |a: &crate::stage::Memory, b: &crate::stage::Memory| Rod {
@@ -154,11 +156,12 @@ impl Stage {
     }
 
     /// From each eye as far as the target is away.
-    fn show_gaze(&self, picture: &mut Picture, frame: &AimedFrame, shift: Vec3) {
+    fn show_gaze(&self, picture: &mut Picture, actor: &Actor, frame: &AimedFrame) {
+        let shift = actor.shift;
         let radius = RAY * self.character.metre();
         let colour = colour_of(frame.outcome.status);
         let target = frame.target.as_vec3();
-        picture.rods.extend(self.gazes(frame).into_iter().map(|[from, direction]| {
+        picture.rods.extend(actor.gazes.iter().map(|&[from, direction]| {
             let to = from + direction * from.distance(target);
             Rod { from: from + shift, to: to + shift, radius, colour, ..Rod::default() }
         }));

@@ -3,27 +3,33 @@
 //! The runtime does the aiming; what is here shows it. `stage` holds the character and its solvers, `controls` and `panel`
 //! turn input into changes of it, `gizmos` says what there is to see, `draw` draws that.
 
+mod actor;
 mod app;
 mod camera;
 mod character;
 mod controls;
 mod draw;
 mod gizmos;
+mod hand;
 mod overlay;
 mod panel;
 mod picture;
 mod player;
 mod plots;
+mod skinning;
 mod stage;
 mod target;
+mod timing;
+mod tools;
+mod tuning;
 mod viewer;
 
 #[cfg(test)]
 mod tests;
 
 pub use gizmos::Shown;
-pub use stage::Lineup;
 pub use target::Path;
+pub use tuning::Lineup;
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;

@@ -11,8 +11,8 @@ use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use crate::app::{After, App};
 use crate::character::Character;
 use crate::gizmos::Shown;
-use crate::stage::Lineup;
 use crate::target::Path;
+use crate::tuning::Lineup;
 use crate::viewer::Viewer;
 
 /// Options of the window.

@@ -4,10 +4,11 @@ use aim_runtime::Status;
 use aim_runtime::glam::{self, Vec3};
 use eframe::egui::{self, Align2, Color32, Id, Pos2, Rect, RichText, Ui, Vec2};
 
+use crate::actor::Actor;
 use crate::gizmos::colour_of;
 use crate::panel::widgets::{button, named};
 use crate::picture::Colour;
-use crate::stage::{Actor, SIXTIETH, Stage, solver_name};
+use crate::stage::{SIXTIETH, Stage};
 use crate::viewer::Viewer;
 
 /// Distance from the scene's edges, points.
@@ -65,7 +66,7 @@ fn status(ui: &mut Ui, stage: &Stage, age: f64) {
             let (name, meaning) = words(frame.outcome.status);
             ui.horizontal(|ui| {
                 dot(ui, colour_of(frame.outcome.status));
-                ui.label(solver_name(actor.solver));
+                ui.label(actor.name());
             });
             ui.strong(name);
             ui.label(format!("{:.2}° off", frame.error_deg));
@@ -131,7 +132,7 @@ fn label(context: &egui::Context, scene: Rect, viewer: &Viewer, at: usize, actor
     area.fixed_pos(place).show(context, |ui| {
         let frame = egui::Frame::new().inner_margin(egui::Margin::symmetric(8, 2)).corner_radius(6);
         frame.fill(ui.visuals().panel_fill.gamma_multiply(0.75)).show(ui, |ui| {
-            ui.add(egui::Label::new(RichText::new(solver_name(actor.solver)).strong()).selectable(false).extend());
+            ui.add(egui::Label::new(RichText::new(actor.name()).strong()).selectable(false).extend());
         });
     });
 }

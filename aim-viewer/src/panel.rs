@@ -13,8 +13,10 @@ use eframe::egui::{self, Ui};
 use self::widgets::{button, check, choice, group, named, note, row, slider};
 use crate::controls;
 use crate::player::LONGEST_FADE;
-use crate::stage::{Lineup, Stage};
+use crate::stage::Stage;
 use crate::target::{Path, Target};
+use crate::tools::Tool;
+use crate::tuning::Lineup;
 use crate::viewer::Viewer;
 
 /// The panel's width, points.
@@ -151,6 +153,19 @@ fn aiming(ui: &mut Ui, stage: &mut Stage) {
     if crowded && stage.tuning.lineup == Lineup::All {
         note(ui, "A crowd has one solver: the natural one.");
     }
+    row(ui, "Instead", "A solver of one bone, of a chain or of poses in place of the rig's (T: the next).", |ui| {
+        let hover = |tool| match tool {
+            Tool::LookAt => "The head alone, as it sits on its neck: 70° to either side, 230° a second.",
+            Tool::OneBone => "Each eye by itself, at once and without limits, or what the rig aims.",
+            Tool::Ccd => {
+                "The right hand reaches for the target by arm and chest; without a hand the head by the trunk."
+            }
+            Tool::AimPoses => "Between fifteen poses that the rig has made itself, three by five.",
+        };
+        let none = (None, "none", "The rig's solver.");
+        let tools = Tool::ALL.map(|tool| (Some(tool), tool.name(), hover(tool)));
+        choice(ui, "instead", &mut stage.tuning.tool, std::iter::once(none).chain(tools));
+    });
     let climbs = stage.tuning.lineup.solvers().contains(&Solver::Ascent);
     row(ui, "", "", |ui| {
         let why = "Choose the ascent, or side by side.";

@@ -6,6 +6,8 @@ use std::sync::Arc;
 use aim_gltf::Surface;
 use aim_runtime::glam::Vec3;
 
+use crate::skinning::Skinning;
+
 /// Red, green, blue and opacity, sRGB.
 pub(crate) type Colour = [u8; 4];
 
@@ -16,6 +18,8 @@ pub(crate) struct Picture {
     pub(crate) view: Perspective,
     /// Surface of the figures: the same [`Arc`] as long as the character stays the same.
     pub(crate) surface: Arc<Surface>,
+    /// What moves its vertices.
+    pub(crate) skinning: Arc<Skinning>,
     /// The figures: one, several side by side, or a crowd.
     pub(crate) figures: Vec<Figure>,
     /// Rods: gaze rays, bones' axes, trails, and targets, which are rods without length.
@@ -46,10 +50,12 @@ pub(crate) struct Perspective {
 /// One posed character.
 #[derive(Clone, Debug)]
 pub(crate) struct Figure {
-    /// A place for each vertex of the surface.
-    pub(crate) positions: Vec<Vec3>,
-    /// A direction of length one for each vertex of the surface.
-    pub(crate) normals: Vec<Vec3>,
+    /// Three rows for each joint, world ← mesh.
+    pub(crate) rows: Vec<[f32; 4]>,
+    /// A weight for each morph target.
+    pub(crate) morphs: Vec<f32>,
+    /// The lowest and the highest coordinates, which no vertex leaves.
+    pub(crate) bounds: [Vec3; 2],
 }
 
 /// A cylinder with round ends; without length a ball.

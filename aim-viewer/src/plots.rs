@@ -9,7 +9,7 @@ use crate::gizmos;
 use crate::overlay;
 use crate::panel::widgets::named;
 use crate::picture::Colour;
-use crate::stage::{Memory, Stage, solver_name};
+use crate::stage::{Memory, Stage};
 
 /// Length of the past that is shown, seconds.
 const PAST: f64 = 10.0;
@@ -36,13 +36,13 @@ fn error(ui: &mut Ui, stage: &Stage) {
         ui.strong("Error");
         for actor in &stage.actors {
             overlay::dot(ui, gizmos::colour_of_solver(actor.solver));
-            ui.label(solver_name(actor.solver));
+            ui.label(actor.name());
         }
     });
     plot("error", "off the target [°]").include_y(0.0).include_y(1.0).show(ui, |plot| {
         set_time(plot);
         for (at, actor) in stage.actors.iter().enumerate() {
-            let name = solver_name(actor.solver);
+            let name = actor.name();
             let points = points(stage, |memory| memory.error_deg.get(at).copied());
             plot.line(Line::new(name, points).color(colour(gizmos::colour_of_solver(actor.solver))).width(1.6));
         }

@@ -1,5 +1,6 @@
 //! [`Stage`]: a character that moves, a target, and the solvers that turn the one to the other, frame by frame.
 
+use std::cell::OnceCell;
 use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Duration;
@@ -7,14 +8,18 @@ use std::time::Duration;
 use aim::rigs::Mannequin;
 use aim_animation::Clip;
 use aim_character::{AimedFrame, InterpretedRig, Live, Moment};
-use aim_codegen::{RigSpec, Role};
+use aim_codegen::Role;
 use aim_runtime::glam::Vec3;
-use aim_runtime::{AimRig, Ascent, DynAim, Rig, Settings, Solver};
+use aim_runtime::{AimRig, DynAim};
 use web_time::Instant;
 
+use crate::actor::{Actor, SharedRig};
 use crate::character::Character;
 use crate::player::{Play, Player, Repertoire};
 use crate::target::{Path, Room, Target};
+use crate::timing::Timing;
+use crate::tools::{Tools, Try};
+use crate::tuning::Tuning;
 
 /// The longest frame, seconds: what took longer is not caught up with.
 pub(crate) const LONGEST: f32 = 0.1;
@@ -24,78 +29,6 @@ pub(crate) const SIXTIETH: f32 = 1.0 / 60.0;
 const REMEMBERED: usize = 600;
 /// Distance between characters, metres of a 1.7 m one.
 const APART: f32 = 1.15;
-
-/// Which solvers are shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lineup {
-    /// This one.
-    One(Solver),
-    /// All three, side by side.
-    All,
-}
-
-impl Lineup {
-    pub(crate) const EACH: [Self; 4] =
-        [Self::One(Solver::Natural), Self::One(Solver::Exact), Self::One(Solver::Ascent), Self::All];
-
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::One(solver) => solver_name(solver),
-            Self::All => "side by side",
-        }
-    }
-
-    pub(crate) fn solvers(self) -> Vec<Solver> {
-        match self {
-            Self::One(solver) => vec![solver],
-            Self::All => vec![Solver::Natural, Solver::Exact, Solver::Ascent],
-        }
-    }
-}
-
-pub(crate) fn solver_name(solver: Solver) -> &'static str {
-    match solver {
-        Solver::Natural => "natural",
-        Solver::Exact => "exact",
-        _ => "ascent",
-    }
-}
-
-/// Settings of the aiming.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Tuning {
-    /// The rig, with ranges, rates and stiffness as they are set now.
-    pub(crate) spec: RigSpec,
-    /// All but the solver.
-    pub(crate) settings: Settings,
-    pub(crate) lineup: Lineup,
-    /// True to aim the other eye itself.
-    pub(crate) both_eyes: bool,
-    /// True to use the ascent as published, without later additions.
-    pub(crate) as_published: bool,
-    /// Number of characters; if there are more than one, all use the lineup's first solver.
-    pub(crate) crowd: usize,
-}
-
-impl Tuning {
-    fn new(character: &Character) -> Self {
-        let spec = character.spec().clone();
-        let has_roles = spec.joints.iter().any(|joint| joint.role != Role::None);
-        Self {
-            lineup: Lineup::One(if has_roles { Solver::Natural } else { Solver::Exact }),
-            settings: Settings::default(),
-            both_eyes: character.chain.other_eye.is_some(),
-            as_published: false,
-            crowd: 1,
-            spec,
-        }
-    }
-
-    fn settings(&self, solver: Solver) -> Settings {
-        let ascent = if self.as_published { Ascent::paper() } else { Ascent::default() };
-        self.settings.with_solver(solver).with_ascent(ascent)
-    }
-}
 
 /// The animation's time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -110,32 +43,6 @@ pub(crate) struct Clock {
     pub(crate) step: bool,
 }
 
-/// A rig that characters share: the crowd of mannequins has a compiled one, as a game's would be.
-type SharedRig = Arc<dyn Rig>;
-
-/// A character with a solver.
-#[derive(Debug)]
-pub(crate) struct Actor {
-    pub(crate) solver: Solver,
-    /// Offset from its place in the file.
-    pub(crate) shift: Vec3,
-    pub(crate) player: Player,
-    pub(crate) character: DynAim<SharedRig>,
-    /// Result of the last frame; there from the first one on.
-    pub(crate) frame: Option<AimedFrame>,
-}
-
-impl Actor {
-    /// Gives it another rig; its joints keep their angles where there are as many.
-    fn change_rig(&mut self, rig: SharedRig) {
-        let mut character = DynAim::new(rig);
-        if character.state.joints.len() == self.character.state.joints.len() {
-            character.state.joints.clone_from(&self.character.state.joints);
-        }
-        self.character = character;
-    }
-}
-
 /// A frame, remembered.
 #[derive(Clone, Debug)]
 pub(crate) struct Memory {
@@ -147,26 +54,6 @@ pub(crate) struct Memory {
     pub(crate) angles_deg: Vec<[f64; 2]>,
     /// Place of the target.
     pub(crate) target: Vec3,
-}
-
-/// Times of solving: means over about the last second.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Timing {
-    /// One character's solver, seconds a frame.
-    pub(crate) one: f64,
-    /// All of the crowd's, seconds a frame.
-    pub(crate) crowd: f64,
-    /// Between frames, seconds.
-    pub(crate) between: f64,
-}
-
-impl Timing {
-    /// One part in so many of the mean is the newest frame.
-    const MEMORY: f64 = 60.0;
-
-    fn note(mean: &mut f64, seconds: f64) {
-        *mean = if *mean == 0.0 { seconds } else { *mean + (seconds - *mean) / Self::MEMORY };
-    }
 }
 
 /// All of it.
@@ -186,6 +73,8 @@ pub(crate) struct Stage {
     /// True if frames are counted and not timed: then there is no frame rate to show.
     pub(crate) counts_frames: bool,
     repertoire: Repertoire,
+    /// Found when a tool is first tried.
+    tools: OnceCell<Tools>,
     live: Live,
     live_is_for_both_eyes: bool,
     /// Seconds of frames so far.
@@ -206,6 +95,7 @@ impl Stage {
         let mut stage = Self {
             target: Target::new(&room(&character)),
             repertoire: Repertoire::new(&character),
+            tools: OnceCell::new(),
             clock: Clock {
                 play: Play { clip, over: None, fade_s: 0.3, in_place: false },
                 time: 0.0,
@@ -285,8 +175,8 @@ impl Stage {
         self.tuning.settings.effector = if self.effector() == 0 { other } else { 0 };
     }
 
-    /// Starts and directions of an actor's gazes: of both eyes, or of the other joint that is aimed.
-    pub(crate) fn gazes(&self, frame: &AimedFrame) -> Vec<[Vec3; 2]> {
+    /// Starts and directions of the gazes of a frame: of both eyes, or of the other joint that is aimed.
+    fn gazes(&self, frame: &AimedFrame) -> Vec<[Vec3; 2]> {
         let gazes = self.live.gazes(self.effector(), &frame.world);
         gazes.into_iter().map(|gaze| gaze.map(|v| v.as_vec3())).collect()
     }
@@ -330,17 +220,32 @@ impl Stage {
         let joints = self.live.animated(&mut pose, &world);
         let start = Instant::now();
         let outcome = actor.character.aim(&joints.pose(), target, dt, &settings);
-        let taken = start.elapsed();
-        let (target, effector) = (target.as_dvec3(), settings.effector);
-        let moment = Moment { t: 0.0, target, world: &world, joints: &joints, outcome, effector };
-        actor.frame = Some(self.live.aimed(&actor.character, skeleton, &mut pose, &moment));
+        let mut taken = start.elapsed();
+        let effector = settings.effector;
+        let moment = Moment { t: 0.0, target: target.as_dvec3(), world: &world, joints: &joints, outcome, effector };
+        let mut frame = self.live.aimed(&actor.character, skeleton, &mut pose, &moment);
+        actor.gazes = self.gazes(&frame);
+        actor.tool = self.tuning.tool;
+        if let Some(tool) = actor.tool {
+            let tools = self.tools.get_or_init(|| Tools::new(&self.character, &self.rig, &self.live));
+            let start = Instant::now();
+            let tried = tools.apply(&self.character, Try { tool, target, dt }, &mut pose, &mut actor.head);
+            taken = start.elapsed();
+            frame.world = skeleton.world_f64(&pose);
+            (frame.error_deg, frame.outcome.status) = (tried.error_deg, tried.status);
+            actor.gazes = tried.gazes;
+        } else {
+            actor.head = None;
+        }
+        actor.frame = Some(frame);
         taken
     }
 
     /// Has as many actors and rigs as the tuning wants.
     fn recast(&mut self) {
         let tuning = &self.tuning;
-        let solvers = if tuning.crowd > 1 { tuning.lineup.solvers()[..1].to_vec() } else { tuning.lineup.solvers() };
+        let is_alone = tuning.crowd > 1 || tuning.tool.is_some();
+        let solvers = if is_alone { tuning.lineup.solvers()[..1].to_vec() } else { tuning.lineup.solvers() };
         if !self.actors.iter().map(|actor| actor.solver).eq(solvers.iter().copied()) {
             let [_, _, left] = self.character.directions();
             let middle = (count(solvers.len()) - 1.0) / 2.0;
@@ -352,7 +257,7 @@ impl Stage {
                     known.map_or_else(|| DynAim::new(self.rig.clone() as SharedRig), |actor| actor.character.clone());
                 // As a row is read from in front.
                 let shift = left * ((count(at) - middle) * APART * self.character.metre());
-                self.actors.push(Actor { solver, shift, player, character, frame: None });
+                self.actors.push(Actor::new(solver, shift, player, character));
             }
             self.memory.clear();
         }
@@ -395,7 +300,7 @@ impl Stage {
         self.crowd.truncate(others);
         for at in self.crowd.len()..others {
             let (player, character) = (Player::new(&self.character, count(at) * 0.37), DynAim::new(rig.clone()));
-            self.crowd.push(Actor { solver, shift: Vec3::ZERO, player, character, frame: None });
+            self.crowd.push(Actor::new(solver, Vec3::ZERO, player, character));
         }
         for (at, actor) in self.crowd.iter_mut().enumerate() {
             // Outward from the middle, row by row; the first place is the actor's.

@@ -7,13 +7,14 @@ use aim_runtime::glam::{Vec2, Vec3};
 use eframe::egui;
 use serde_json::{Value, json};
 
+use crate::actor::Actor;
 use crate::camera::Camera;
 use crate::character::Character;
 use crate::controls::{self, Held};
 use crate::gizmos::Shown;
 use crate::panel::widgets::named;
 use crate::picture::Picture;
-use crate::stage::{Actor, LONGEST, Stage, solver_name};
+use crate::stage::{LONGEST, Stage};
 use crate::{overlay, panel, plots};
 
 /// Longest time of a frame, seconds.
@@ -115,7 +116,7 @@ impl Viewer {
     pub(crate) fn caption(&self) -> String {
         let one = |actor: &Actor| {
             let frame = actor.frame.as_ref()?;
-            Some(format!("{} {:?}, {:.2}° off", solver_name(actor.solver), frame.outcome.status, frame.error_deg))
+            Some(format!("{} {:?}, {:.2}° off", actor.name(), frame.outcome.status, frame.error_deg))
         };
         let each: Vec<String> = self.stage.actors.iter().filter_map(one).collect();
         format!("{}: {}", self.stage.character.name, each.join("; "))
@@ -138,12 +139,12 @@ impl Viewer {
                 [from, to].map(|end| seen(end + actor.shift))
             };
             Some(json!({
-                "solver": solver_name(actor.solver),
+                "solver": actor.name(),
                 "status": format!("{:?}", frame.outcome.status),
                 "error_deg": rounded(frame.error_deg),
                 "target": target.to_array().map(|x| rounded(x.into())),
                 "target_seen": seen(target),
-                "gazes_seen": self.stage.gazes(frame).into_iter().map(gaze).collect::<Vec<_>>(),
+                "gazes_seen": actor.gazes.iter().copied().map(gaze).collect::<Vec<_>>(),
             }))
         };
         self.stage.actors.iter().filter_map(one).collect::<Value>().to_string()

@@ -8,7 +8,7 @@ use three_d::{
     RenderStates, Texture2D, VertexBuffer, Viewport, Wrapping, WriteMask,
 };
 
-use super::figures::Figures;
+use super::figures::{self, Figures};
 use super::light::Light;
 use super::model::Model;
 use super::sheet::{OVER_ALL, square};
@@ -48,7 +48,10 @@ impl Floor {
         Ok(Self {
             backdrop: program(include_str!("shaders/screen.vert"), include_str!("shaders/backdrop.frag"))?,
             floor: program(include_str!("shaders/floor.vert"), include_str!("shaders/floor.frag"))?,
-            caster: program(include_str!("shaders/shadow.vert"), include_str!("shaders/shadow.frag"))?,
+            caster: program(
+                &[figures::SKIN, include_str!("shaders/shadow.vert")].concat(),
+                include_str!("shaders/shadow.frag"),
+            )?,
             square: square(context),
             shadow: Texture2D::new_empty::<[u8; 4]>(
                 context,

@@ -10,12 +10,22 @@ use three_d::{
     Context, CpuTexture, ElementBuffer, Interpolation, Mipmap, Texture2D, TextureData, VertexBuffer, Wrapping,
 };
 
+use super::numbers;
+use crate::skinning::Skinning;
+
 /// Pixels along a side of a picture that each OpenGL 3.3 and WebGL 2 takes; larger ones are made smaller.
 const MOST_PIXELS: u32 = 2048;
 
-/// A surface on the graphics card, without its places.
+/// A surface at rest on the graphics card, and what moves its vertices.
 pub(super) struct Model {
     surface: Arc<Surface>,
+    pub(super) positions: VertexBuffer<[f32; 3]>,
+    pub(super) normals: VertexBuffer<[f32; 3]>,
+    pub(super) joints: VertexBuffer<[u32; 4]>,
+    pub(super) weights: VertexBuffer<[f32; 4]>,
+    /// For each vertex the first of its shifts by morph targets, and their number.
+    pub(super) shifted: VertexBuffer<[u32; 2]>,
+    pub(super) shifts: Texture2D,
     pub(super) texture_coordinates: VertexBuffer<[f32; 2]>,
     pub(super) tints: VertexBuffer<[f32; 4]>,
     pub(super) parts: Vec<Part>,
@@ -29,8 +39,10 @@ pub(super) struct Part {
 }
 
 impl Model {
-    pub(super) fn new(context: &Context, surface: &Arc<Surface>) -> Self {
+    pub(super) fn new(context: &Context, surface: &Arc<Surface>, skinning: &Skinning) -> Self {
         let flipped: Vec<[f32; 2]> = surface.texture_coordinates().iter().map(|at| [at.x, 1.0 - at.y]).collect();
+        let places: Vec<[f32; 3]> = surface.points().iter().map(|point| point.position().to_array()).collect();
+        let normals: Vec<[f32; 3]> = surface.normals().iter().map(|normal| normal.to_array()).collect();
         let white = Arc::new(Texture2D::new(context, &texture([1, 1], vec![[255; 4]], [Wrap::Clamp; 2])));
         let mut known = HashMap::new();
         let mut find = |material: &Material| {
@@ -48,6 +60,12 @@ impl Model {
         };
         Self {
             surface: surface.clone(),
+            positions: VertexBuffer::new_with_data(context, &places),
+            normals: VertexBuffer::new_with_data(context, &normals),
+            joints: VertexBuffer::new_with_data(context, &skinning.influences),
+            weights: VertexBuffer::new_with_data(context, &skinning.weights),
+            shifted: VertexBuffer::new_with_data(context, &vec![[0, 0]; places.len()]),
+            shifts: numbers::texture(context, &[]),
             texture_coordinates: VertexBuffer::new_with_data(context, &flipped),
             tints: VertexBuffer::new_with_data(context, surface.tints()),
             parts: by_material(surface).into_iter().map(part).collect(),

@@ -5,12 +5,13 @@ use aim_runtime::glam::Vec3;
 use super::*;
 use crate::controls::KEYS;
 use crate::stage::Stage;
+use crate::tools::Tool;
 
 /// What a key is pressed or held for, and what has to come of it.
 type Case = (&'static str, &'static [(Key, fn(&mut Window, Key))]);
 
 /// By the same words as in the help.
-const CASES: [Case; 10] = [
+const CASES: [Case; 11] = [
     ("I K", &[(Key::I, |w, key| moves(w, key, up)), (Key::K, |w, key| moves(w, key, |w| -up(w)))]),
     ("J L", &[(Key::J, |w, key| moves(w, key, |w| -right(w))), (Key::L, |w, key| moves(w, key, right))]),
     ("M N", &[(Key::M, |w, key| moves(w, key, nearer)), (Key::N, |w, key| moves(w, key, |w| -nearer(w)))]),
@@ -27,6 +28,7 @@ const CASES: [Case; 10] = [
     ("Q A", &[(Key::Q, |w, key| sets_frames(w, key, true)), (Key::A, |w, key| sets_frames(w, key, false))]),
     ("E", &[(Key::E, switches_effector)]),
     ("Space", &[(Key::Space, pauses)]),
+    ("T", &[(Key::T, changes_tool)]),
     (".", &[(Key::Period, steps)]),
     ("H", &[(Key::H, toggles_panel)]),
 ];
@@ -86,6 +88,14 @@ fn switches_effector(window: &mut Window, key: Key) {
         window.press(key);
     }
     assert_eq!(seen, [0, 1, 0], "eyes, neck, eyes");
+}
+
+fn changes_tool(window: &mut Window, key: Key) {
+    let tools = [None].into_iter().chain(Tool::ALL.map(Some)).chain([None]);
+    for tool in tools {
+        assert_eq!(window.viewer().stage.tuning.tool, tool);
+        window.press(key);
+    }
 }
 
 fn pauses(window: &mut Window, key: Key) {

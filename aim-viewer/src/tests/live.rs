@@ -4,7 +4,8 @@ use aim_runtime::Solver;
 use aim_runtime::glam::Vec3;
 
 use super::*;
-use crate::stage::{Lineup, Stage};
+use crate::stage::Stage;
+use crate::tuning::Lineup;
 
 /// Every actor's added angles.
 fn angles(stage: &Stage) -> Vec<[f32; 2]> {
@@ -159,7 +160,8 @@ fn assert_finite(window: &Window) {
     let Viewer { stage, camera, shown, .. } = window.viewer();
     let picture = stage.picture(camera, *shown);
     let mut points = vec![picture.view.from, picture.view.at];
-    points.extend(picture.figures.iter().flat_map(|figure| &figure.positions));
+    points.extend(picture.figures.iter().flat_map(|figure| figure.bounds));
+    assert!(picture.figures.iter().flat_map(|figure| &figure.rows).flatten().all(|number| number.is_finite()));
     points.extend(picture.rods.iter().flat_map(|rod| [rod.from, rod.to]));
     points.extend(picture.fans.iter().flat_map(|fan| fan.rim.iter().chain([&fan.apex])));
     assert!(points.iter().all(|point| point.is_finite()));
@@ -188,6 +190,7 @@ fn nothing_but_numbers_comes_of_random_input() {
         Key::Q,
         Key::A,
         Key::E,
+        Key::T,
         Key::H,
         Key::Space,
         Key::Period,

@@ -5,6 +5,7 @@ mod keys;
 mod live;
 mod mouse;
 mod playing;
+mod tools;
 mod widgets;
 
 use aim_runtime::glam::Vec3;

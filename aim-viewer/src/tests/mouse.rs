@@ -3,7 +3,7 @@
 use eframe::egui::{PointerButton, Vec2, vec2};
 
 use super::*;
-use crate::stage::Lineup;
+use crate::tuning::Lineup;
 
 /// Somewhere in the scene where nothing is.
 fn elsewhere(window: &Window) -> Pos2 {

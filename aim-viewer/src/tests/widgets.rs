@@ -8,8 +8,8 @@ use aim_runtime::Behind;
 use serde_json::{Value, json};
 
 use super::*;
-use crate::stage::Lineup;
 use crate::target::Path;
+use crate::tuning::Lineup;
 
 /// A rig for the mannequin with whatever a panel can show of a joint.
 const RICH: &str = r#"
@@ -67,6 +67,11 @@ const CLICKS: &[Click] = &[
     ("in place", |v| v.stage.clock.play.in_place.to_string(), "false", "true"),
     ("solver: exact", |v| v.stage.tuning.lineup.name().into(), "natural", "exact"),
     ("solver: side by side", |v| v.stage.actors.len().to_string(), "1", "3"),
+    ("instead: look at", tool, "None", "Some(LookAt)"),
+    ("instead: one bone", tool, "Some(LookAt)", "Some(OneBone)"),
+    ("instead: ccd", tool, "Some(OneBone)", "Some(Ccd)"),
+    ("instead: aim poses", tool, "Some(Ccd)", "Some(AimPoses)"),
+    ("instead: none", tool, "Some(AimPoses)", "None"),
     ("as published", |v| v.stage.tuning.as_published.to_string(), "false", "true"),
     ("solver: ascent", |v| v.stage.tuning.lineup.name().into(), "side by side", "ascent"),
     ("solver: natural", |v| v.stage.tuning.lineup.name().into(), "ascent", "natural"),
@@ -99,6 +104,10 @@ const CLICKS: &[Click] = &[
     ("hide the panel", |v| v.shown.panel.to_string(), "true", "false"),
     ("show the panel", |v| v.shown.panel.to_string(), "false", "true"),
 ];
+
+fn tool(viewer: &Viewer) -> String {
+    format!("{:?}", viewer.stage.actors[0].tool)
+}
 
 fn behind(viewer: &Viewer) -> String {
     let policy: Behind = viewer.stage.tuning.settings.behind;

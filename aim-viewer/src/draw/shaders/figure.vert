@@ -1,6 +1,5 @@
 uniform mat4 viewProjection;
 
-in vec3 position;
 in vec3 normal;
 in vec2 textureCoordinates;
 in vec4 tint;
@@ -11,9 +10,8 @@ out vec2 at;
 out vec4 tinted;
 
 void main() {
-    place = position;
-    direction = normal;
+    skin(normal, place, direction);
     at = textureCoordinates;
     tinted = tint;
-    gl_Position = viewProjection * vec4(position, 1.0);
+    gl_Position = viewProjection * vec4(place, 1.0);
 }
