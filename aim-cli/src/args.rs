@@ -423,6 +423,10 @@ pub(crate) enum Show {
     Gaze,
     /// Limit cones.
     Limits,
+    /// The bones' boxes.
+    Boxes,
+    /// A lamp in the right hand.
+    Lamp,
     /// Where the target has been.
     Trail,
     /// Error and angles over time.

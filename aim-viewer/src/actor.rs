@@ -7,6 +7,7 @@ use aim_runtime::glam::{Quat, Vec3};
 use aim_runtime::{DynAim, Rig, Solver};
 
 use crate::player::Player;
+use crate::skinning::Posed;
 use crate::tools::Tool;
 use crate::tuning::solver_name;
 
@@ -29,14 +30,23 @@ pub(crate) struct Actor {
     pub(crate) frame: Option<AimedFrame>,
     /// Starts and directions of what points in that frame: of both eyes, or of the other joint that is aimed.
     pub(crate) gazes: Vec<[Vec3; 2]>,
-    /// The weight of each morph target in that frame.
-    pub(crate) morphs: Vec<f32>,
+    /// What moves its mesh in that frame.
+    pub(crate) posed: Posed,
 }
 
 impl Actor {
     pub(crate) fn new(solver: Solver, shift: Vec3, player: Player, character: DynAim<SharedRig>) -> Self {
-        let (gazes, morphs) = (Vec::new(), Vec::new());
-        Self { solver, shift, player, character, tool: None, head: None, frame: None, gazes, morphs }
+        Self {
+            solver,
+            shift,
+            player,
+            character,
+            tool: None,
+            head: None,
+            frame: None,
+            gazes: Vec::new(),
+            posed: Posed::default(),
+        }
     }
 
     /// The name of its solver.

@@ -1,5 +1,6 @@
 //! The camera: it turns around a point, and tells where on the screen the world is.
 
+use aim_animation::Ray;
 use aim_runtime::glam::{Vec2, Vec3};
 
 use crate::picture::Perspective;
@@ -88,6 +89,13 @@ impl Camera {
         let depth = -from.dot(out);
         let at = Vec2::new(from.dot(right), -from.dot(up)) / (depth * (Self::FIELD / 2.0).tan());
         (depth > 0.0).then(|| size / 2.0 + at * (size.y / 2.0))
+    }
+
+    /// The ray from the camera through a point of a screen of this size, from its upper left: [`project`](Self::project) backwards.
+    pub(crate) fn ray(&self, at: Vec2, size: Vec2) -> Ray {
+        let [right, up, out] = self.axes();
+        let at = (at - size / 2.0) / (size.y / 2.0) * (Self::FIELD / 2.0).tan();
+        Ray::new(self.focus + out * self.distance, right * at.x - up * at.y - out)
     }
 
     /// By how much a point moves in the world that follows the pointer over so much of a screen this high, across the

@@ -88,7 +88,7 @@ impl Character {
         let chain = chain_nodes(&declared.spec, document.skeleton()).map_err(|error| format!("{name}: {error}"))?;
         let hand = right_hand(document.skeleton(), &measurement, chain.joints[chain.joints.len() - 1]);
         let surface = Arc::new(document.surface());
-        let skinning = Arc::new(Skinning::new(document.skeleton(), &surface));
+        let skinning = Arc::new(Skinning::new(&document, &surface).map_err(|error| format!("{name}: {error}"))?);
         let mut character = Self {
             name: name.into(),
             document,

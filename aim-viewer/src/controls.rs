@@ -20,13 +20,15 @@ const WHEEL_ZOOM: f32 = 0.998;
 const GRASP: f32 = 12.0;
 
 /// Every key with what it does, for the help; the paper's are the first.
-pub(crate) const KEYS: [(&str, &str); 11] = [
+pub(crate) const KEYS: [(&str, &str); 13] = [
     ("I K", "target up, down"),
     ("J L", "target left, right"),
     ("M N", "target nearer to you, further"),
     ("← → ↑ ↓", "turn the camera"),
     ("Z X", "camera nearer, further"),
     ("Q A", "bones' reference frames on, off"),
+    ("B", "boxes of the bones on, off"),
+    ("G", "a lamp in the right hand on, off"),
     ("E", "aim the eyes or the neck"),
     ("Space", "pause, go on"),
     ("T", "the next solver instead of the rig's"),
@@ -68,6 +70,9 @@ pub(crate) fn keys(context: &Context, stage: &mut Stage, camera: &mut Camera, sh
                 shown.axes = event.1;
             }
         }
+        for (key, flag) in [(Key::B, &mut shown.boxes), (Key::G, &mut shown.lamp), (Key::H, &mut shown.panel)] {
+            *flag ^= input.key_pressed(key);
+        }
         if input.key_pressed(Key::E) {
             stage.switch_effector();
         }
@@ -80,9 +85,6 @@ pub(crate) fn keys(context: &Context, stage: &mut Stage, camera: &mut Camera, sh
         if input.key_pressed(Key::Period) {
             stage.clock.paused = true;
             stage.clock.step = true;
-        }
-        if input.key_pressed(Key::H) {
-            shown.panel = !shown.panel;
         }
     });
 }

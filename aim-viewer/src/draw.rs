@@ -6,6 +6,7 @@ mod floor;
 mod light;
 mod marks;
 mod model;
+mod movers;
 mod numbers;
 mod sheet;
 
@@ -21,6 +22,8 @@ use floor::Floor;
 use light::Light;
 use marks::Marks;
 use model::Model;
+#[cfg(test)]
+pub(crate) use movers::Movers;
 pub(crate) use sheet::Place;
 use sheet::{Printer, Sheet};
 
@@ -66,7 +69,7 @@ impl Canvas {
         if self.model.as_ref().is_some_and(|model| !Arc::ptr_eq(model.surface(), &picture.surface)) {
             self.model = None;
         }
-        let model = self.model.get_or_insert_with(|| Model::new(context, &picture.surface, &picture.skinning));
+        let model = self.model.get_or_insert_with(|| Model::new(context, &picture.surface, &picture.skinning.mesh));
         if self.sheet.as_ref().is_some_and(|sheet| sheet.size() != size) {
             self.sheet = None;
         }

@@ -8,7 +8,8 @@ use aim_runtime::{Solver, Status};
 
 use crate::actor::Actor;
 use crate::camera::Camera;
-use crate::picture::{Colour, Fan, Figure, Ground, Picture, Rod};
+use crate::picture::{Colour, Fan, Ground, Picture, Rod};
+use crate::pointed;
 use crate::stage::Stage;
 
 /// Parts of the scene that are shown.
@@ -20,6 +21,10 @@ pub struct Shown {
     pub gaze: bool,
     /// Limit cones.
     pub limits: bool,
+    /// Boxes of the bones, and what of them is under the mouse pointer.
+    pub boxes: bool,
+    /// A lamp in the right hand.
+    pub lamp: bool,
     /// Trail of the target.
     pub trail: bool,
     /// Error and angles over time.
@@ -34,7 +39,18 @@ pub struct Shown {
 
 impl Default for Shown {
     fn default() -> Self {
-        Self { axes: false, gaze: true, limits: false, trail: true, plots: true, timing: true, panel: true, dark: true }
+        Self {
+            axes: false,
+            gaze: true,
+            limits: false,
+            boxes: false,
+            lamp: false,
+            trail: true,
+            plots: true,
+            timing: true,
+            panel: true,
+            dark: true,
+        }
     }
 }
 
@@ -101,14 +117,14 @@ impl Stage {
             ground: Ground { centre: character.floor, up, radius: 6.0 * metre, step: 0.5 * metre },
             dark: shown.dark,
         };
-        for actor in &self.actors {
+        for (at, actor) in self.actors.iter().enumerate() {
             if let Some(frame) = &actor.frame {
-                self.show(&mut picture, actor, frame, shown);
+                self.show(&mut picture, (at, actor), frame, shown);
             }
         }
         for member in &self.crowd {
             if let Some(frame) = &member.frame {
-                picture.figures.push(self.figure(frame, member.shift));
+                picture.figures.push(self.character.skinning.figure(&member.posed, member.shift));
                 if shown.gaze {
                     self.show_gaze(&mut picture, member, frame);
                 }
@@ -117,18 +133,9 @@ impl Stage {
         picture
     }
 
-    fn figure(&self, frame: &AimedFrame, shift: Vec3) -> Figure {
-        let skinning = &self.character.skinning;
-        Figure {
-            rows: skinning.rows(&frame.world, shift),
-            morphs: Vec::new(),
-            bounds: skinning.bounds(&frame.world, shift),
-        }
-    }
-
-    fn show(&self, picture: &mut Picture, actor: &Actor, frame: &AimedFrame, shown: Shown) {
+    fn show(&self, picture: &mut Picture, (at, actor): (usize, &Actor), frame: &AimedFrame, shown: Shown) {
         let metre = self.character.metre();
-        picture.figures.push(self.figure(frame, actor.shift));
+        picture.figures.push(self.character.skinning.figure(&actor.posed, actor.shift));
         let target = self.target_now() + actor.shift;
         let (radius, colour) = (TARGET * metre, VERMILION);
         picture.rods.push(Rod { from: target, to: target, radius, colour, is_lit: true, in_front: false });
@@ -152,6 +159,13 @@ impl Stage {
         }
         if shown.limits {
             self.show_limits(picture, actor, frame);
+        }
+        if shown.boxes {
+            let pointed = self.pointed.as_ref().filter(|pointed| pointed.actor == at);
+            pointed::show(picture, &self.character, actor, pointed);
+        }
+        if let Some(lamp) = self.lamp.filter(|_| shown.lamp) {
+            lamp.show(picture, &frame.world, actor.shift);
         }
     }
 

@@ -262,6 +262,8 @@ fn shown(ui: &mut Ui, viewer: &mut Viewer) {
         (&mut shown.gaze, "Gaze", "Rays from the eyes, as far as the target is away."),
         (&mut shown.limits, "Limits", "Each joint's range of motion, as a cone."),
         (&mut shown.axes, "Reference frames", "Each bone's own X, Y and Z (Q on, A off)."),
+        (&mut shown.boxes, "Boxes", "The box of each bone; the mouse points at the triangle that it is over (B)."),
+        (&mut shown.lamp, "Lamp", "A lamp in the right hand (G)."),
         (&mut shown.trail, "Trail", "Where the target has been."),
         (&mut shown.plots, "Plots", "Error and angles over time."),
         (&mut shown.timing, "Timing", "How long solving takes."),

@@ -1,99 +1,106 @@
-//! [`Skinning`]: what moves the vertices of a surface, once for each model; and the numbers of each figure and frame.
+//! [`Skinning`]: the mesh of a character, what moves its vertices, and the boxes of its bones.
 
-use std::collections::BTreeMap;
+use aim_animation::glam::{Affine3A, Vec3A};
+use aim_animation::{BoneBoxes, Clip, Cursor, Hit, Mesh, MeshError, MeshPose, OrientedBox, Ray, Skin, matrix_rows};
+use aim_gltf::{Document, Surface};
+use aim_runtime::glam::{DAffine3, Vec3};
 
-use aim_gltf::{Skeleton, Surface};
-use aim_runtime::glam::{Affine3A, DAffine3, Vec3};
+use crate::picture::Figure;
 
-/// The joints of a surface and what each vertex has of them.
+/// Made once for each character.
 #[derive(Debug)]
 pub(crate) struct Skinning {
-    joints: Vec<Joint>,
-    /// For each vertex the indices of its joints.
-    pub(crate) influences: Vec<[u32; 4]>,
-    /// Their weights, together 1.
-    pub(crate) weights: Vec<[f32; 4]>,
+    pub(crate) mesh: Mesh,
+    skin: Skin,
+    boxes: BoneBoxes,
+    /// The scalar of the document's clips that is each morph target's weight.
+    scalars: Vec<Option<usize>>,
+    /// The weights of the morph targets where no clip has any.
+    at_rest: Vec<f32>,
 }
 
-/// A node that moves vertices.
-#[derive(Debug)]
-struct Joint {
-    node: usize,
-    /// Joint ← mesh.
-    bind: DAffine3,
-    /// The lowest and the highest coordinates of what it moves, in the space of the mesh.
-    reach: [Vec3; 2],
+/// What moves the mesh in a frame.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Posed {
+    pub(crate) matrices: Vec<Affine3A>,
+    pub(crate) morphs: Vec<f32>,
+}
+
+impl Posed {
+    fn pose(&self) -> MeshPose<'_> {
+        MeshPose::new(&self.matrices).with_morph_weights(&self.morphs)
+    }
 }
 
 impl Skinning {
-    pub(crate) fn new(skeleton: &Skeleton, surface: &Surface) -> Self {
-        let mut known = BTreeMap::new();
-        let mut joints = Vec::new();
-        let (mut influences, mut weights) = (Vec::new(), Vec::new());
-        for point in surface.points() {
-            let total: f32 = point.joints().iter().map(|(_, weight)| weight).sum();
-            let skin = skeleton.nodes()[point.node()].skin.filter(|_| total > 0.0);
-            let mut joint = |skin: Option<(usize, u16)>| {
-                let (node, bind) = match skin {
-                    Some((skin, joint)) => {
-                        let (nodes, binds) = skeleton.skin(skin);
-                        (nodes[usize::from(joint)], binds[usize::from(joint)])
-                    }
-                    None => (point.node(), None),
-                };
-                let at = *known.entry(skin.ok_or(node)).or_insert_with(|| {
-                    let reach = [Vec3::INFINITY, Vec3::NEG_INFINITY];
-                    joints.push(Joint { node, bind: bind.unwrap_or(DAffine3::IDENTITY), reach });
-                    joints.len() - 1
-                });
-                let [low, high] = joints[at].reach;
-                joints[at].reach = [low.min(point.position()), high.max(point.position())];
-                u32::try_from(at).unwrap_or(0)
-            };
-            let (of_vertex, parts) = match skin {
-                Some(skin) => {
-                    let moved =
-                        point.joints().map(|(at, weight)| if weight == 0.0 { 0 } else { joint(Some((skin, at))) });
-                    (moved, point.joints().map(|(_, weight)| weight / total))
-                }
-                None => ([joint(None), 0, 0, 0], [1.0, 0.0, 0.0, 0.0]),
-            };
-            influences.push(of_vertex);
-            weights.push(parts);
+    /// # Errors
+    /// None that can be met: the surface's mesh hangs on the surface's skin.
+    pub(crate) fn new(document: &Document, surface: &Surface) -> Result<Self, MeshError> {
+        let (mesh, skin) = surface.mesh(document.skeleton());
+        let boxes = BoneBoxes::new(&mesh, &skin)?;
+        let mut scalars = vec![None; surface.morph_weights().len()];
+        for node in 0..document.skeleton().len() {
+            let targets = surface.morph_targets(node);
+            targets.zip(document.morph_scalars(node)).for_each(|(target, scalar)| scalars[target] = Some(scalar));
         }
-        Self { joints, influences, weights }
+        Ok(Self { mesh, skin, boxes, scalars, at_rest: surface.morph_weights().to_vec() })
     }
 
-    /// World ← mesh for each joint, `shift` added.
-    fn matrices<'a>(&'a self, world: &'a [DAffine3], shift: Vec3) -> impl Iterator<Item = Affine3A> + 'a {
-        self.joints.iter().map(move |joint| {
-            let mut matrix = (world[joint.node] * joint.bind).as_affine3a();
-            matrix.translation += aim_runtime::glam::Vec3A::from(shift);
-            matrix
-        })
+    /// The joint matrices for the nodes in the world.
+    pub(crate) fn matrices(&self, world: &[DAffine3]) -> Vec<Affine3A> {
+        let model: Vec<Affine3A> = world.iter().map(DAffine3::as_affine3a).collect();
+        let mut matrices = vec![Affine3A::IDENTITY; self.skin.len()];
+        // Of equal lengths.
+        let _ = self.skin.matrices(&model, &mut matrices);
+        matrices
     }
 
-    /// Three rows for each joint: what the vertex shader reads.
-    pub(crate) fn rows(&self, world: &[DAffine3], shift: Vec3) -> Vec<[f32; 4]> {
-        let rows = |matrix: Affine3A| {
-            let [x, y, z] = matrix.matrix3.transpose().to_cols_array_2d();
-            let [a, b, c] = matrix.translation.to_array();
-            [(x, a), (y, b), (z, c)].map(|([x, y, z], w)| [x, y, z, w])
-        };
-        self.matrices(world, shift).flat_map(rows).collect()
-    }
-
-    /// The lowest and highest coordinates that no vertex leaves: of the boxes that each joint moves.
-    pub(crate) fn bounds(&self, world: &[DAffine3], shift: Vec3) -> [Vec3; 2] {
-        let mut bounds = [Vec3::INFINITY, Vec3::NEG_INFINITY];
-        for (joint, matrix) in self.joints.iter().zip(self.matrices(world, shift)) {
-            let [low, high] = joint.reach;
-            for corner in 0..8_u8 {
-                let pick = |axis: usize| if corner >> axis & 1 == 0 { low[axis] } else { high[axis] };
-                let at = matrix.transform_point3(Vec3::new(pick(0), pick(1), pick(2)));
-                bounds = [bounds[0].min(at), bounds[1].max(at)];
-            }
+    /// The weights of the morph targets at a time of a clip; `set` are scalars that have another value.
+    pub(crate) fn morphs(&self, clip: Option<(&Clip, f32)>, set: impl IntoIterator<Item = (usize, f32)>) -> Vec<f32> {
+        let mut weights = self.at_rest.clone();
+        let Some(last) = self.scalars.iter().flatten().max() else { return weights };
+        let mut values = vec![0.0; last + 1];
+        for (scalar, weight) in self.scalars.iter().zip(&weights) {
+            scalar.into_iter().for_each(|scalar| values[*scalar] = *weight);
         }
-        bounds
+        if let Some((clip, seconds)) = clip {
+            clip.sample_scalars(seconds, &mut Cursor::default(), &mut values);
+        }
+        set.into_iter()
+            .for_each(|(scalar, weight)| values.get_mut(scalar).into_iter().for_each(|value| *value = weight));
+        for (scalar, weight) in self.scalars.iter().zip(&mut weights) {
+            scalar.into_iter().for_each(|scalar| *weight = values[*scalar]);
+        }
+        weights
+    }
+
+    /// The figure as it is drawn, so far aside.
+    pub(crate) fn figure(&self, posed: &Posed, shift: Vec3) -> Figure {
+        let shifted = |matrix: &Affine3A| Affine3A { translation: matrix.translation + Vec3A::from(shift), ..*matrix };
+        let bounds = self.boxes.whole(&posed.pose()).ok().flatten();
+        Figure {
+            rows: posed.matrices.iter().flat_map(|matrix| matrix_rows(&shifted(matrix))).collect(),
+            morphs: posed.morphs.clone(),
+            bounds: bounds.map_or([Vec3::NAN; 2], |aabb| [aabb.min + shift, aabb.max + shift]),
+        }
+    }
+
+    /// The box of each bone that moves something, with the bone.
+    pub(crate) fn boxes(&self, posed: &Posed) -> impl Iterator<Item = (usize, OrientedBox)> {
+        let joints = self.skin.bones().iter().enumerate();
+        joints.filter_map(|(joint, bone)| Some((*bone, self.boxes.oriented(joint, &posed.pose())?)))
+    }
+
+    /// What a ray meets first.
+    pub(crate) fn hit(&self, posed: &Posed, ray: &Ray) -> Option<Hit> {
+        self.boxes.hit(&self.mesh, &posed.pose(), ray).ok().flatten()
+    }
+
+    /// The corners of a triangle in the world.
+    pub(crate) fn triangle(&self, posed: &Posed, triangle: usize) -> Option<[Vec3; 3]> {
+        let corners = self.mesh.triangles().get(triangle)?;
+        let mut positions = vec![Vec3::ZERO; self.mesh.positions().len()];
+        self.mesh.deform(&posed.pose(), &mut positions).ok()?;
+        Some(corners.map(|corner| positions[corner as usize]))
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use aim::rigs::Mannequin;
-use aim_animation::Clip;
+use aim_animation::{Clip, Ray};
 use aim_character::{AimedFrame, InterpretedRig, Live, Moment};
 use aim_codegen::Role;
 use aim_runtime::glam::Vec3;
@@ -15,7 +15,9 @@ use web_time::Instant;
 
 use crate::actor::{Actor, SharedRig};
 use crate::character::Character;
+use crate::held::Lamp;
 use crate::player::{Play, Player, Repertoire};
+use crate::pointed::Pointed;
 use crate::target::{Path, Room, Target};
 use crate::timing::Timing;
 use crate::tools::{Tools, Try};
@@ -73,6 +75,10 @@ pub(crate) struct Stage {
     /// True if frames are counted and not timed: then there is no frame rate to show.
     pub(crate) counts_frames: bool,
     repertoire: Repertoire,
+    /// What the mouse points at, if that is asked for.
+    pub(crate) pointed: Option<Pointed>,
+    /// A lamp for the right hand, where there is one.
+    pub(crate) lamp: Option<Lamp>,
     /// Found when a tool is first tried.
     tools: OnceCell<Tools>,
     live: Live,
@@ -95,6 +101,8 @@ impl Stage {
         let mut stage = Self {
             target: Target::new(&room(&character)),
             repertoire: Repertoire::new(&character),
+            lamp: Lamp::new(&character),
+            pointed: None,
             tools: OnceCell::new(),
             clock: Clock {
                 play: Play { clip, over: None, fade_s: 0.3, in_place: false },
@@ -133,6 +141,11 @@ impl Stage {
     /// Result of the last frame of the first actor.
     pub(crate) fn first(&self) -> Option<&AimedFrame> {
         self.actors.first()?.frame.as_ref()
+    }
+
+    /// Remembers what a ray hits of the figures, until the next one.
+    pub(crate) fn point_at(&mut self, ray: Option<Ray>) {
+        self.pointed = ray.and_then(|ray| Pointed::new(&self.character, &self.actors, &ray));
     }
 
     /// Offset of each character from its place in the file.
@@ -216,6 +229,9 @@ impl Stage {
         let settings = self.tuning.settings(actor.solver);
         let play = self.clock.play;
         let mut pose = actor.player.advance(&self.character, &self.repertoire, play, dt * self.clock.speed);
+        let clip = play.clip.and_then(|clip| self.character.clips().get(clip));
+        let seconds = actor.player.time();
+        self.live.pose_morph_eyes(clip, seconds, &mut pose);
         let world = skeleton.world_f64(&pose);
         let joints = self.live.animated(&mut pose, &world);
         let start = Instant::now();
@@ -237,6 +253,9 @@ impl Stage {
         } else {
             actor.head = None;
         }
+        let eyes = self.live.morph_weights(clip, seconds, &pose);
+        actor.posed.matrices = self.character.skinning.matrices(&frame.world);
+        actor.posed.morphs = self.character.skinning.morphs(clip.map(|clip| (clip, seconds)), eyes);
         actor.frame = Some(frame);
         taken
     }

@@ -104,6 +104,9 @@ impl Viewer {
             }
             controls::mouse(&scene, &mut self.stage, &mut self.camera, &mut self.held);
             self.stage.advance(seconds);
+            let pointer = scene.hover_pos().filter(|_| self.shown.boxes).map(|at| at - scene.rect.min);
+            let size = Vec2::new(scene.rect.width(), scene.rect.height());
+            self.stage.point_at(pointer.map(|at| self.camera.ray(Vec2::new(at.x, at.y), size)));
             paint(ui, scene.rect, Arc::new(self.stage.picture(&self.camera, self.shown)));
             scene
         });

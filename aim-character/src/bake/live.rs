@@ -134,6 +134,18 @@ impl Live {
         pose
     }
 
+    /// Turns the eyes that look by morph targets to where the weights at a time of a clip have them: before
+    /// [`animated`](Self::animated), for a pose that comes from elsewhere than [`pose`](Self::pose).
+    pub fn pose_morph_eyes(&self, clip: Option<&Clip>, seconds: f32, pose: &mut [Transform]) {
+        self.morphs.pose(clip, seconds, pose);
+    }
+
+    /// The weights of the morph targets that turn the eyes as an aimed pose has them, over those at a time of a clip: each
+    /// with its number among [`Document::morph_scalars`].
+    pub fn morph_weights(&self, clip: Option<&Clip>, seconds: f32, pose: &[Transform]) -> Vec<(usize, f32)> {
+        self.morphs.scalars().zip(self.morphs.aimed(clip, seconds, pose)).collect()
+    }
+
     /// The eyes that look by morph targets.
     pub(crate) fn morphs(&self) -> &MorphEyes {
         &self.morphs

@@ -46,7 +46,9 @@ impl MorphEyes {
     pub(crate) fn pose(&self, clip: Option<&Clip>, seconds: f32, pose: &mut [Transform]) {
         for (eye, frame) in &self.eyes {
             let angles = angles(eye, |bind| f64::from(self.weights(clip, seconds, bind.node)[bind.target]));
-            pose[eye.node].rotation = frame.turn(angles).as_quat();
+            if let Some(node) = pose.get_mut(eye.node) {
+                node.rotation = frame.turn(angles).as_quat();
+            }
         }
     }
 
@@ -58,7 +60,8 @@ impl MorphEyes {
         let mut aimed = animated.clone();
         for (eye, frame) in &self.eyes {
             let before = angles(eye, |bind| f64::from(animated[&bind.node][bind.target]));
-            let after = frame.angles(pose[eye.node].rotation.as_dquat());
+            let Some(node) = pose.get(eye.node) else { continue };
+            let after = frame.angles(node.rotation.as_dquat());
             for ((way, before), after) in eye.ways.iter().zip(weights(eye, before)).zip(weights(eye, after)) {
                 for bind in &way.binds {
                     let was = animated[&bind.node][bind.target];

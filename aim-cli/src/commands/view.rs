@@ -57,6 +57,8 @@ fn options(arguments: args::View) -> aim_viewer::Options {
         axes: shows(Show::Axes),
         gaze: shows(Show::Gaze),
         limits: shows(Show::Limits),
+        boxes: shows(Show::Boxes),
+        lamp: shows(Show::Lamp),
         trail: shows(Show::Trail),
         plots: shows(Show::Plots),
         timing: shows(Show::Timing),

@@ -4,14 +4,16 @@ use std::collections::{BTreeMap, HashMap};
 use std::io::Cursor;
 use std::sync::Arc;
 
+use aim_animation::Mesh;
 use aim_gltf::{Alpha, Material, Surface, Wrap};
+use aim_runtime::glam::Vec3;
 use image::ImageReader;
 use three_d::{
     Context, CpuTexture, ElementBuffer, Interpolation, Mipmap, Texture2D, TextureData, VertexBuffer, Wrapping,
 };
 
+use super::movers::Movers;
 use super::numbers;
-use crate::skinning::Skinning;
 
 /// Pixels along a side of a picture that each OpenGL 3.3 and WebGL 2 takes; larger ones are made smaller.
 const MOST_PIXELS: u32 = 2048;
@@ -39,10 +41,9 @@ pub(super) struct Part {
 }
 
 impl Model {
-    pub(super) fn new(context: &Context, surface: &Arc<Surface>, skinning: &Skinning) -> Self {
+    pub(super) fn new(context: &Context, surface: &Arc<Surface>, mesh: &Mesh) -> Self {
         let flipped: Vec<[f32; 2]> = surface.texture_coordinates().iter().map(|at| [at.x, 1.0 - at.y]).collect();
-        let places: Vec<[f32; 3]> = surface.points().iter().map(|point| point.position().to_array()).collect();
-        let normals: Vec<[f32; 3]> = surface.normals().iter().map(|normal| normal.to_array()).collect();
+        let movers = Movers::new(mesh);
         let white = Arc::new(Texture2D::new(context, &texture([1, 1], vec![[255; 4]], [Wrap::Clamp; 2])));
         let mut known = HashMap::new();
         let mut find = |material: &Material| {
@@ -60,12 +61,12 @@ impl Model {
         };
         Self {
             surface: surface.clone(),
-            positions: VertexBuffer::new_with_data(context, &places),
-            normals: VertexBuffer::new_with_data(context, &normals),
-            joints: VertexBuffer::new_with_data(context, &skinning.influences),
-            weights: VertexBuffer::new_with_data(context, &skinning.weights),
-            shifted: VertexBuffer::new_with_data(context, &vec![[0, 0]; places.len()]),
-            shifts: numbers::texture(context, &[]),
+            positions: VertexBuffer::new_with_data(context, &vectors(mesh.positions())),
+            normals: VertexBuffer::new_with_data(context, &vectors(mesh.normals())),
+            joints: VertexBuffer::new_with_data(context, &movers.joints),
+            weights: VertexBuffer::new_with_data(context, &movers.weights),
+            shifted: VertexBuffer::new_with_data(context, &movers.shifted),
+            shifts: numbers::texture(context, &movers.shifts),
             texture_coordinates: VertexBuffer::new_with_data(context, &flipped),
             tints: VertexBuffer::new_with_data(context, surface.tints()),
             parts: by_material(surface).into_iter().map(part).collect(),
@@ -82,6 +83,10 @@ impl Part {
     pub(super) fn is_translucent(&self) -> bool {
         self.material.alpha == Alpha::Blend
     }
+}
+
+fn vectors(vectors: &[Vec3]) -> Vec<[f32; 3]> {
+    vectors.iter().map(Vec3::to_array).collect()
 }
 
 /// The corners of each material's triangles, materials in their order, those without one first.

@@ -4,6 +4,7 @@ use aim_runtime::glam::Vec3;
 
 use super::*;
 use crate::controls::KEYS;
+use crate::gizmos::Shown;
 use crate::stage::Stage;
 use crate::tools::Tool;
 
@@ -11,7 +12,7 @@ use crate::tools::Tool;
 type Case = (&'static str, &'static [(Key, fn(&mut Window, Key))]);
 
 /// By the same words as in the help.
-const CASES: [Case; 11] = [
+const CASES: [Case; 13] = [
     ("I K", &[(Key::I, |w, key| moves(w, key, up)), (Key::K, |w, key| moves(w, key, |w| -up(w)))]),
     ("J L", &[(Key::J, |w, key| moves(w, key, |w| -right(w))), (Key::L, |w, key| moves(w, key, right))]),
     ("M N", &[(Key::M, |w, key| moves(w, key, nearer)), (Key::N, |w, key| moves(w, key, |w| -nearer(w)))]),
@@ -26,6 +27,8 @@ const CASES: [Case; 11] = [
     ),
     ("Z X", &[(Key::Z, |w, key| zooms(w, key, -1.0)), (Key::X, |w, key| zooms(w, key, 1.0))]),
     ("Q A", &[(Key::Q, |w, key| sets_frames(w, key, true)), (Key::A, |w, key| sets_frames(w, key, false))]),
+    ("B", &[(Key::B, |w, key| toggles(w, key, |shown| shown.boxes))]),
+    ("G", &[(Key::G, |w, key| toggles(w, key, |shown| shown.lamp))]),
     ("E", &[(Key::E, switches_effector)]),
     ("Space", &[(Key::Space, pauses)]),
     ("T", &[(Key::T, changes_tool)]),
@@ -78,6 +81,13 @@ fn sets_frames(window: &mut Window, key: Key, wanted: bool) {
     for _ in 0..2 {
         window.press(key);
         assert_eq!(window.viewer().shown.axes, wanted, "{key:?}");
+    }
+}
+
+fn toggles(window: &mut Window, key: Key, flag: fn(&Shown) -> bool) {
+    for wanted in [true, false] {
+        window.press(key);
+        assert_eq!(flag(&window.viewer().shown), wanted, "{key:?}");
     }
 }
 

@@ -178,6 +178,8 @@ fn nothing_but_numbers_comes_of_random_input() {
     let mut window = Window::mannequin(USUAL);
     window.click("show limits");
     window.click("show reference frames");
+    window.click("show boxes");
+    window.click("show lamp");
     let keys = [
         Key::I,
         Key::J,
@@ -189,7 +191,9 @@ fn nothing_but_numbers_comes_of_random_input() {
         Key::X,
         Key::Q,
         Key::A,
+        Key::B,
         Key::E,
+        Key::G,
         Key::T,
         Key::H,
         Key::Space,

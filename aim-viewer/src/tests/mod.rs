@@ -5,6 +5,8 @@ mod keys;
 mod live;
 mod mouse;
 mod playing;
+mod pointed;
+mod skinning;
 mod tools;
 mod widgets;
 

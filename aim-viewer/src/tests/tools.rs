@@ -7,18 +7,25 @@ use serde_json::{Value, json};
 use super::*;
 use crate::tools::Tool;
 
-/// The mannequin below a node of this scale.
-pub(super) fn scaled(scale: [f64; 3]) -> Character {
-    let glb = mannequin(|_| PAPER_AXES).expect("frames");
+/// A GLB whose JSON is changed.
+pub(super) fn edited(glb: &[u8], edit: impl FnOnce(&mut Value)) -> Vec<u8> {
     let length = |at: usize| u32::from_le_bytes(glb[at..at + 4].try_into().expect("four bytes")) as usize;
     let json = 20..20 + length(12);
     let bin = json.end + 8..json.end + 8 + length(json.end);
     let mut document: Value = serde_json::from_slice(&glb[json]).expect("it is JSON");
-    let roots = document["scenes"][0]["nodes"].clone();
-    let nodes = document["nodes"].as_array_mut().expect("it has nodes");
-    nodes.push(json!({ "name": "scaled", "scale": scale, "children": roots }));
-    document["scenes"][0]["nodes"] = json!([nodes.len() - 1]);
-    let file = aim_gltf::to_glb(document.to_string().as_bytes(), Some(&glb[bin])).expect("it is small");
+    edit(&mut document);
+    aim_gltf::to_glb(document.to_string().as_bytes(), Some(&glb[bin])).expect("it is small")
+}
+
+/// The mannequin below a node of this scale.
+pub(super) fn scaled(scale: [f64; 3]) -> Character {
+    let file = edited(&mannequin(|_| PAPER_AXES).expect("frames"), |document| {
+        let roots = document["scenes"][0]["nodes"].clone();
+        let nodes = document["nodes"].as_array_mut().expect("it has nodes");
+        nodes.push(json!({ "name": "scaled", "scale": scale, "children": roots }));
+        let root = nodes.len() - 1;
+        document["scenes"][0]["nodes"] = json!([root]);
+    });
     Character::from_bytes("scaled.glb", &file).expect("as the mannequin")
 }
 

@@ -91,6 +91,8 @@ const CLICKS: &[Click] = &[
     ("show gaze", |v| v.shown.gaze.to_string(), "true", "false"),
     ("show limits", |v| v.shown.limits.to_string(), "false", "true"),
     ("show reference frames", |v| v.shown.axes.to_string(), "false", "true"),
+    ("show boxes", |v| v.shown.boxes.to_string(), "false", "true"),
+    ("show lamp", |v| v.shown.lamp.to_string(), "false", "true"),
     ("show trail", |v| v.shown.trail.to_string(), "true", "false"),
     ("show timing", |v| v.shown.timing.to_string(), "true", "false"),
     ("show dark", |v| v.shown.dark.to_string(), "true", "false"),
