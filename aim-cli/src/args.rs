@@ -427,6 +427,8 @@ pub(crate) enum Show {
     Boxes,
     /// A lamp in the right hand.
     Lamp,
+    /// A sloped floor, and feet planted on it.
+    Slope,
     /// Where the target has been.
     Trail,
     /// Error and angles over time.

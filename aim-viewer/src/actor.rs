@@ -6,6 +6,7 @@ use aim_character::AimedFrame;
 use aim_runtime::glam::{Quat, Vec3};
 use aim_runtime::{DynAim, Rig, Solver};
 
+use crate::feet::Feet;
 use crate::player::Player;
 use crate::skinning::Posed;
 use crate::tools::Tool;
@@ -26,6 +27,8 @@ pub(crate) struct Actor {
     pub(crate) tool: Option<Tool>,
     /// How a head that is turned by itself was left by the last frame.
     pub(crate) head: Option<Quat>,
+    /// Its feet, while they stand on a slope.
+    pub(crate) feet: Option<Feet>,
     /// Result of the last frame; there from the first one on.
     pub(crate) frame: Option<AimedFrame>,
     /// Starts and directions of what points in that frame: of both eyes, or of the other joint that is aimed.
@@ -43,6 +46,7 @@ impl Actor {
             character,
             tool: None,
             head: None,
+            feet: None,
             frame: None,
             gazes: Vec::new(),
             posed: Posed::default(),

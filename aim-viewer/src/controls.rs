@@ -20,7 +20,7 @@ const WHEEL_ZOOM: f32 = 0.998;
 const GRASP: f32 = 12.0;
 
 /// Every key with what it does, for the help; the paper's are the first.
-pub(crate) const KEYS: [(&str, &str); 13] = [
+pub(crate) const KEYS: [(&str, &str); 14] = [
     ("I K", "target up, down"),
     ("J L", "target left, right"),
     ("M N", "target nearer to you, further"),
@@ -28,6 +28,7 @@ pub(crate) const KEYS: [(&str, &str); 13] = [
     ("Z X", "camera nearer, further"),
     ("Q A", "bones' reference frames on, off"),
     ("B", "boxes of the bones on, off"),
+    ("F", "a sloped floor with planted feet on, off"),
     ("G", "a lamp in the right hand on, off"),
     ("E", "aim the eyes or the neck"),
     ("Space", "pause, go on"),
@@ -70,7 +71,12 @@ pub(crate) fn keys(context: &Context, stage: &mut Stage, camera: &mut Camera, sh
                 shown.axes = event.1;
             }
         }
-        for (key, flag) in [(Key::B, &mut shown.boxes), (Key::G, &mut shown.lamp), (Key::H, &mut shown.panel)] {
+        for (key, flag) in [
+            (Key::B, &mut shown.boxes),
+            (Key::F, &mut shown.feet),
+            (Key::G, &mut shown.lamp),
+            (Key::H, &mut shown.panel),
+        ] {
             *flag ^= input.key_pressed(key);
         }
         if input.key_pressed(Key::E) {

@@ -8,6 +8,7 @@ use aim_runtime::{Solver, Status};
 
 use crate::actor::Actor;
 use crate::camera::Camera;
+use crate::feet::Feet;
 use crate::picture::{Colour, Fan, Ground, Picture, Rod};
 use crate::pointed;
 use crate::stage::Stage;
@@ -25,6 +26,8 @@ pub struct Shown {
     pub boxes: bool,
     /// A lamp in the right hand.
     pub lamp: bool,
+    /// A sloped floor, feet planted on it.
+    pub feet: bool,
     /// Trail of the target.
     pub trail: bool,
     /// Error and angles over time.
@@ -45,6 +48,7 @@ impl Default for Shown {
             limits: false,
             boxes: false,
             lamp: false,
+            feet: false,
             trail: true,
             plots: true,
             timing: true,
@@ -65,9 +69,10 @@ const AXES: [Colour; 3] = [[232, 72, 85, 255], [120, 190, 60, 255], [66, 135, 24
 /// Of each joint's cone and curves, from the effector inward.
 const CONES: [Colour; 4] = [[86, 180, 233, 70], [230, 159, 0, 60], [204, 121, 167, 60], [0, 158, 115, 60]];
 
-/// The target's radius, and the thickness of rays, axes and trails, metres of a character of 1.7 m.
+/// The target's radius, the thickness of rays, the radius of points at which feet are planted, the thickness of axes and trails, metres of a character of 1.7 m.
 pub(crate) const TARGET: f32 = 0.035;
 const RAY: f32 = 0.004;
+const ANCHOR: f32 = 0.018;
 const AXIS: f32 = 0.005;
 const TRAIL: f32 = 0.003;
 /// The lengths of a chain bone's axes, of another bone's, and of cones.
@@ -114,7 +119,12 @@ impl Stage {
             figures: Vec::new(),
             rods: Vec::new(),
             fans: Vec::new(),
-            ground: Ground { centre: character.floor, up, radius: 6.0 * metre, step: 0.5 * metre },
+            ground: Ground {
+                centre: character.floor,
+                up: if self.is_sloped { self.slope.normal } else { up },
+                radius: 6.0 * metre,
+                step: 0.5 * metre,
+            },
             dark: shown.dark,
         };
         for (at, actor) in self.actors.iter().enumerate() {
@@ -163,6 +173,10 @@ impl Stage {
         if shown.boxes {
             let pointed = self.pointed.as_ref().filter(|pointed| pointed.actor == at);
             pointed::show(picture, &self.character, actor, pointed);
+        }
+        for anchor in actor.feet.iter().flat_map(Feet::anchors) {
+            let (radius, colour) = (ANCHOR * metre, GREEN);
+            picture.rods.push(Rod { from: anchor, to: anchor, radius, colour, is_lit: true, in_front: true });
         }
         if let Some(lamp) = self.lamp.filter(|_| shown.lamp) {
             lamp.show(picture, &frame.world, actor.shift);

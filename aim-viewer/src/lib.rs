@@ -9,6 +9,7 @@ mod camera;
 mod character;
 mod controls;
 mod draw;
+mod feet;
 mod gizmos;
 mod hand;
 mod held;

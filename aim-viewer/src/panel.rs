@@ -257,6 +257,7 @@ fn joints(ui: &mut Ui, stage: &mut Stage) {
 }
 
 fn shown(ui: &mut Ui, viewer: &mut Viewer) {
+    let has = [viewer.stage.lamp.is_some(), viewer.stage.feet.is_some()];
     let shown = &mut viewer.shown;
     let flags = [
         (&mut shown.gaze, "Gaze", "Rays from the eyes, as far as the target is away."),
@@ -264,6 +265,7 @@ fn shown(ui: &mut Ui, viewer: &mut Viewer) {
         (&mut shown.axes, "Reference frames", "Each bone's own X, Y and Z (Q on, A off)."),
         (&mut shown.boxes, "Boxes", "The box of each bone; the mouse points at the triangle that it is over (B)."),
         (&mut shown.lamp, "Lamp", "A lamp in the right hand (G)."),
+        (&mut shown.feet, "Slope", "A sloped floor, and feet planted on it (F)."),
         (&mut shown.trail, "Trail", "Where the target has been."),
         (&mut shown.plots, "Plots", "Error and angles over time."),
         (&mut shown.timing, "Timing", "How long solving takes."),
@@ -271,7 +273,12 @@ fn shown(ui: &mut Ui, viewer: &mut Viewer) {
     ];
     ui.columns(2, |columns| {
         for (at, (flag, name, hover)) in flags.into_iter().enumerate() {
-            check(&mut columns[at % 2], flag, name, &format!("show {}", name.to_lowercase()), (true, ""), hover);
+            let can = match name {
+                "Lamp" => (has[0], "No right hand is told by the names of the bones."),
+                "Slope" => (has[1], "No feet are told by the names of the bones."),
+                _ => (true, ""),
+            };
+            check(&mut columns[at % 2], flag, name, &format!("show {}", name.to_lowercase()), can, hover);
         }
     });
     if button(ui, "Reset the view", "reset the view", "The camera back to where it was at first.").clicked() {

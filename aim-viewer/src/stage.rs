@@ -15,6 +15,7 @@ use web_time::Instant;
 
 use crate::actor::{Actor, SharedRig};
 use crate::character::Character;
+use crate::feet::{Feet, Slope};
 use crate::held::Lamp;
 use crate::player::{Play, Player, Repertoire};
 use crate::pointed::Pointed;
@@ -77,6 +78,11 @@ pub(crate) struct Stage {
     repertoire: Repertoire,
     /// What the mouse points at, if that is asked for.
     pub(crate) pointed: Option<Pointed>,
+    /// True to slope the floor and to plant feet on it.
+    pub(crate) is_sloped: bool,
+    pub(crate) slope: Slope,
+    /// Feet as each character begins with, where they are found.
+    pub(crate) feet: Option<Feet>,
     /// A lamp for the right hand, where there is one.
     pub(crate) lamp: Option<Lamp>,
     /// Found when a tool is first tried.
@@ -101,6 +107,9 @@ impl Stage {
         let mut stage = Self {
             target: Target::new(&room(&character)),
             repertoire: Repertoire::new(&character),
+            is_sloped: false,
+            slope: Slope::new(&character),
+            feet: Feet::new(&character),
             lamp: Lamp::new(&character),
             pointed: None,
             tools: OnceCell::new(),
@@ -231,6 +240,13 @@ impl Stage {
         let mut pose = actor.player.advance(&self.character, &self.repertoire, play, dt * self.clock.speed);
         let clip = play.clip.and_then(|clip| self.character.clips().get(clip));
         let seconds = actor.player.time();
+        if !self.is_sloped {
+            actor.feet = None;
+        } else if let Some(template) = &self.feet {
+            let feet = actor.feet.get_or_insert_with(|| template.clone());
+            // Of equal lengths.
+            let _ = feet.apply(&self.slope, actor.shift, dt * self.clock.speed, &mut pose);
+        }
         self.live.pose_morph_eyes(clip, seconds, &mut pose);
         let world = skeleton.world_f64(&pose);
         let joints = self.live.animated(&mut pose, &world);

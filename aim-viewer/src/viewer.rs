@@ -103,6 +103,7 @@ impl Viewer {
                 self.is_framed = true;
             }
             controls::mouse(&scene, &mut self.stage, &mut self.camera, &mut self.held);
+            self.stage.is_sloped = self.shown.feet;
             self.stage.advance(seconds);
             let pointer = scene.hover_pos().filter(|_| self.shown.boxes).map(|at| at - scene.rect.min);
             let size = Vec2::new(scene.rect.width(), scene.rect.height());

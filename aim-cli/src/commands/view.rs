@@ -59,6 +59,7 @@ fn options(arguments: args::View) -> aim_viewer::Options {
         limits: shows(Show::Limits),
         boxes: shows(Show::Boxes),
         lamp: shows(Show::Lamp),
+        feet: shows(Show::Slope),
         trail: shows(Show::Trail),
         plots: shows(Show::Plots),
         timing: shows(Show::Timing),

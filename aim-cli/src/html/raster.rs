@@ -3,9 +3,9 @@
 //!
 //! A shaded figure as SVG triangles would be ten times as large and show its seams; the lines over it are vectors.
 
-use aim_character::Palette;
+use aim_animation::MeshPose;
 use aim_gltf::{Skeleton, Surface, Triangle};
-use aim_runtime::glam::{DAffine3, DVec3};
+use aim_runtime::glam::{Affine3A, DAffine3, DVec3, Vec3};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
@@ -89,8 +89,16 @@ impl Raster {
         (view, pixels): (&Projection, f64),
         paint: impl Fn(&Triangle) -> Paint,
     ) {
-        let (mut positions, mut normals) = (Vec::new(), Vec::new());
-        Palette::new(skeleton, world).pose(surface, &mut positions, &mut normals);
+        let (mesh, skin) = surface.mesh(skeleton);
+        let model: Vec<Affine3A> = world.iter().map(DAffine3::as_affine3a).collect();
+        let mut matrices = vec![Affine3A::IDENTITY; skin.len()];
+        let (mut positions, mut normals) = (vec![Vec3::ZERO; surface.points().len()], Vec::new());
+        normals.clone_from(&positions);
+        // All of equal lengths.
+        let _ = skin.matrices(&model, &mut matrices);
+        let pose = MeshPose::new(&matrices).with_morph_weights(surface.morph_weights());
+        let _ = mesh.deform(&pose, &mut positions);
+        let _ = mesh.deform_normals(&pose, usize::MAX, &mut normals);
         for triangle in surface.triangles() {
             let corners = triangle.vertices.map(|vertex| {
                 let world = positions[vertex].as_dvec3();

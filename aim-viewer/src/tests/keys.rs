@@ -12,7 +12,7 @@ use crate::tools::Tool;
 type Case = (&'static str, &'static [(Key, fn(&mut Window, Key))]);
 
 /// By the same words as in the help.
-const CASES: [Case; 13] = [
+const CASES: [Case; 14] = [
     ("I K", &[(Key::I, |w, key| moves(w, key, up)), (Key::K, |w, key| moves(w, key, |w| -up(w)))]),
     ("J L", &[(Key::J, |w, key| moves(w, key, |w| -right(w))), (Key::L, |w, key| moves(w, key, right))]),
     ("M N", &[(Key::M, |w, key| moves(w, key, nearer)), (Key::N, |w, key| moves(w, key, |w| -nearer(w)))]),
@@ -28,6 +28,7 @@ const CASES: [Case; 13] = [
     ("Z X", &[(Key::Z, |w, key| zooms(w, key, -1.0)), (Key::X, |w, key| zooms(w, key, 1.0))]),
     ("Q A", &[(Key::Q, |w, key| sets_frames(w, key, true)), (Key::A, |w, key| sets_frames(w, key, false))]),
     ("B", &[(Key::B, |w, key| toggles(w, key, |shown| shown.boxes))]),
+    ("F", &[(Key::F, |w, key| toggles(w, key, |shown| shown.feet))]),
     ("G", &[(Key::G, |w, key| toggles(w, key, |shown| shown.lamp))]),
     ("E", &[(Key::E, switches_effector)]),
     ("Space", &[(Key::Space, pauses)]),

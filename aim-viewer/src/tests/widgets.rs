@@ -93,6 +93,7 @@ const CLICKS: &[Click] = &[
     ("show reference frames", |v| v.shown.axes.to_string(), "false", "true"),
     ("show boxes", |v| v.shown.boxes.to_string(), "false", "true"),
     ("show lamp", |v| v.shown.lamp.to_string(), "false", "true"),
+    ("show slope", |v| v.stage.is_sloped.to_string(), "false", "true"),
     ("show trail", |v| v.shown.trail.to_string(), "true", "false"),
     ("show timing", |v| v.shown.timing.to_string(), "true", "false"),
     ("show dark", |v| v.shown.dark.to_string(), "true", "false"),
