@@ -29,17 +29,19 @@ pub(crate) struct Lamp {
 }
 
 impl Lamp {
-    /// As it is held in the bind pose: through the middle of the hand, ahead. `None` without a right hand.
+    /// In the middle of the hand, along the forearm as the bind pose has it. `None` without a right hand.
     pub(crate) fn new(character: &Character) -> Option<Self> {
         let hand = character.hand?;
         let bind = &character.measurement.bind_world;
         let wrist = bind[hand].translation.as_vec3();
-        let elbow = character.skeleton().parents()[hand].map_or(wrist, |parent| bind[parent].translation.as_vec3());
-        let [up, forward, left] = character.directions();
-        let along = (wrist - elbow).normalize_or_zero();
         let metre = character.metre();
+        // Some forearms end in a bone that only twists, at the wrist.
+        let mut inward = character.skeleton().ancestry(hand).map(|bone| bind[bone].translation.as_vec3());
+        let elbow = inward.find(|at| at.distance(wrist) > PALM * metre)?;
+        let along = (wrist - elbow).try_normalize()?;
+        let (side, across) = along.any_orthonormal_pair();
         let placed = Affine3A {
-            matrix3: Mat3A::from_cols(left.into(), up.into(), forward.into()),
+            matrix3: Mat3A::from_cols(side.into(), across.into(), along.into()),
             translation: (wrist + along * (PALM * metre)).into(),
         };
         let back = bind[hand].inverse().as_affine3a();
