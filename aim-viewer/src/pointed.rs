@@ -60,18 +60,9 @@ pub(crate) fn show(picture: &mut Picture, character: &Character, actor: &Actor, 
     }
 }
 
-/// The twelve edges of a box.
+/// The twelve edges of a box: between corners whose numbers differ in one bit, once each.
 fn edges(oriented: &OrientedBox) -> impl Iterator<Item = [Vec3; 2]> {
-    let (aabb, place) = (oriented.aabb, oriented.place);
-    let corner = move |at: usize| {
-        let pick = |axis: usize| if at >> axis & 1 == 0 { aabb.min[axis] } else { aabb.max[axis] };
-        place.transform_point3(Vec3::new(pick(0), pick(1), pick(2)))
-    };
-    (0..8).flat_map(move |from| {
-        // To the corners that differ along one axis, once each.
-        (0..3)
-            .map(move |axis| (from, from | 1 << axis))
-            .filter(|(from, to)| from != to)
-            .map(move |(from, to)| [corner(from), corner(to)])
-    })
+    let corners = oriented.corners();
+    let ends = (0..8_usize).flat_map(|from| [1, 2, 4].map(|bit| (from, from | bit)));
+    ends.filter(|(from, to)| from != to).map(move |(from, to)| [corners[from], corners[to]])
 }
