@@ -115,11 +115,12 @@ impl Feet {
             if way > JUMP * metre {
                 foot.reset();
             }
-            match height < LOW * metre && way <= SLOW * metre * dt {
-                // Nothing is decided while no time passes.
-                _ if dt <= 0.0 => {}
-                true => foot.plant(),
-                false => foot.release(),
+            let stands = height < LOW * metre && way <= SLOW * metre * dt;
+            // Nothing is decided while no time passes.
+            if dt > 0.0 && stands {
+                foot.plant();
+            } else if dt > 0.0 {
+                foot.release();
             }
         }
         if dt > 0.0 {

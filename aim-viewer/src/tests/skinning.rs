@@ -14,7 +14,8 @@ fn shaded(movers: &Movers, vertex: usize, rest: [Vec3; 2], (rows, weights): (&[[
     let [first, count] = movers.shifted[vertex].map(|number| number as usize);
     for shift in first..first + count {
         let [[x, y, z, target], [a, b, c, _]] = [movers.shifts[2 * shift], movers.shifts[2 * shift + 1]];
-        let weight = f64::from(weights[target as usize]);
+        let weight = weights.iter().zip(0_u16..).find(|(_, at)| f32::from(*at) == target);
+        let weight = weight.map_or(0.0, |(weight, _)| f64::from(*weight));
         place += weight * Vec3::new(x, y, z).as_dvec3();
         normal += weight * Vec3::new(a, b, c).as_dvec3();
     }
