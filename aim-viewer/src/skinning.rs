@@ -61,15 +61,22 @@ impl Skinning {
         let Some(last) = self.scalars.iter().flatten().max() else { return weights };
         let mut values = vec![0.0; last + 1];
         for (scalar, weight) in self.scalars.iter().zip(&weights) {
-            scalar.into_iter().for_each(|scalar| values[*scalar] = *weight);
+            if let Some(scalar) = scalar {
+                values[*scalar] = *weight;
+            }
         }
         if let Some((clip, seconds)) = clip {
             clip.sample_scalars(seconds, &mut Cursor::default(), &mut values);
         }
-        set.into_iter()
-            .for_each(|(scalar, weight)| values.get_mut(scalar).into_iter().for_each(|value| *value = weight));
+        for (scalar, weight) in set {
+            if let Some(value) = values.get_mut(scalar) {
+                *value = weight;
+            }
+        }
         for (scalar, weight) in self.scalars.iter().zip(&mut weights) {
-            scalar.into_iter().for_each(|scalar| *weight = values[*scalar]);
+            if let Some(scalar) = scalar {
+                *weight = values[*scalar];
+            }
         }
         weights
     }
