@@ -23,6 +23,7 @@ const mannequin = {
   look: scene,
   gizmos: ["--size", "640x400", "--show", "axes,limits,gaze,trail", "--path", "eight", "--frames", "100"],
   solvers: [...scene, "--solver", "all", "--path", "noise"],
+  shown: ["--size", "640x400", "--show", "gaze,boxes,lamp,slope", "--frames", "60"],
   panel: ["--size", "1120x700", "--show", "gaze,limits,trail,plots,panel", "--path", "eight", "--frames", "200"],
 };
 // Heads with inertia lag behind what the clips of two of them do in jerks: these are looked at as they follow without.
