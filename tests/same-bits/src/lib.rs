@@ -7,6 +7,7 @@
 //! What goes in is made of sums, products, quotients and square roots alone, which are the same everywhere.
 
 mod animated;
+mod layered;
 mod limbs;
 
 use aim::glam::{Affine3A, Quat, Vec3};
@@ -58,7 +59,7 @@ struct Alone {
 }
 
 /// What is run, in the order of `golden.txt`.
-pub const RUNS: [&str; 12] = [
+pub const RUNS: [&str; 13] = [
     "exact",
     "natural",
     "ascent",
@@ -71,6 +72,7 @@ pub const RUNS: [&str; 12] = [
     "an eye alone",
     "limbs and looks",
     "an animated character",
+    "layers on a stored clip",
 ];
 
 const FRAMES: u32 = 2000;
@@ -84,6 +86,9 @@ pub extern "C" fn hash(run: u32) -> u64 {
     }
     if *name == "an animated character" {
         return animated::run(World::new(u64::from(run)));
+    }
+    if *name == "layers on a stored clip" {
+        return layered::run(World::new(u64::from(run)));
     }
     let solver = match *name {
         "exact" | "ordinary frames" | "an eye alone" => Solver::Exact,
