@@ -3,7 +3,11 @@
 #![no_main]
 
 use aim_animation::glam::{Affine3A, Quat, Vec2, Vec3};
-use aim_animation::{BezierKey, BlendLine, BlendPlane, Bone, Clip, Continuity, Control, HermiteKey, Looping, Mask, Motion, Node, PackedClip, Parameter, Reduction, Root, RootPath, Skeleton, Track, TrackError, Transform, Tree, Value, BoneBoxes, Influence, Mesh, MeshPose, Morph, Ray, Skin};
+use aim_animation::{
+    BezierKey, BlendLine, BlendPlane, Bone, BoneBoxes, Clip, Continuity, Control, HermiteKey, Influence, Looping, Mask,
+    Mesh, MeshPose, Morph, Motion, Node, PackedClip, Parameter, Ray, Reduction, Root, RootPath, Skeleton, Skin, Track,
+    TrackError, Transform, Tree, Value,
+};
 use libfuzzer_sys::arbitrary::{Result, Unstructured};
 use libfuzzer_sys::fuzz_target;
 

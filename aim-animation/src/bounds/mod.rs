@@ -4,6 +4,7 @@
 //! those triangles alone whose boxes the ray meets. [`aabb`] has the boxes, [`ray`] the test of a triangle.
 
 mod aabb;
+mod heaviest;
 mod hit;
 mod ray;
 
@@ -254,7 +255,7 @@ impl BoneBoxes {
 
 /// The joint that moves three corners most; of equals the lowest.
 fn carrier(mesh: &Mesh, corners: &[u32; 3]) -> usize {
-    hit::heaviest(mesh, corners, [1.0; 3])
+    heaviest::heaviest(mesh, corners, [1.0; 3])
 }
 
 /// The triangles in clusters, halved along the longest side until they are small.

@@ -1,7 +1,8 @@
 //! Broken files: one clear error each, and never a panic.
 
+use crate::mesh::drawn;
 use crate::support::{put_together, take_apart};
-use aim_character::{Measurement, PAPER_AXES, Palette, mannequin};
+use aim_character::{Measurement, PAPER_AXES, mannequin};
 use aim_gltf::{Document, Error};
 use serde_json::{Value, json};
 
@@ -13,8 +14,7 @@ fn exercise(bytes: &[u8]) -> Result<(), Error> {
     for clip in document.clips() {
         let _ = document.skeleton().world_f64(&document.skeleton().pose(clip, 0.3));
     }
-    let skeleton = document.skeleton();
-    Palette::new(skeleton, &skeleton.world_f64(&[])).pose(&document.surface(), &mut Vec::new(), &mut Vec::new());
+    drawn(&document, document.skeleton().rest());
     let _ = document.with_clips(&[])?;
     Ok(())
 }

@@ -21,13 +21,29 @@ fn placed(document: &Document, pose: &[Transform]) -> (Vec<Vec3>, Vec<Vec3>) {
 }
 
 fn deformed(document: &Document, mesh: &Mesh, skin: &Skin, (pose, weights): (&[Transform], &[f32])) -> Vec<Vec3> {
+    let mut found = vec![Vec3::NAN; mesh.positions().len()];
+    mesh.deform(&MeshPose::new(&matrices(document, skin, pose)).with_morph_weights(weights), &mut found).unwrap();
+    found
+}
+
+fn matrices(document: &Document, skin: &Skin, pose: &[Transform]) -> Vec<Affine3A> {
     let mut model = vec![Affine3A::IDENTITY; pose.len()];
     document.skeleton().to_model(pose, &mut model).unwrap();
     let mut matrices = vec![Affine3A::IDENTITY; skin.len()];
     skin.matrices(&model, &mut matrices).unwrap();
-    let mut found = vec![Vec3::NAN; mesh.positions().len()];
-    mesh.deform(&MeshPose::new(&matrices).with_morph_weights(weights), &mut found).unwrap();
-    found
+    matrices
+}
+
+/// Vertices and normals of a document's surface in a pose.
+pub(crate) fn drawn(document: &Document, pose: &[Transform]) -> (Vec<Vec3>, Vec<Vec3>) {
+    let surface = document.surface();
+    let (mesh, skin) = surface.mesh(document.skeleton());
+    let matrices = matrices(document, &skin, pose);
+    let pose = MeshPose::new(&matrices).with_morph_weights(surface.morph_weights());
+    let (mut positions, mut normals) = (vec![Vec3::NAN; mesh.positions().len()], mesh.positions().to_vec());
+    mesh.deform(&pose, &mut positions).unwrap();
+    mesh.deform_normals(&pose, usize::MAX, &mut normals).unwrap();
+    (positions, normals)
 }
 
 /// Fails unless every vertex is where it should be, to 1e-5 of the figure.

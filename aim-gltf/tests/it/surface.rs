@@ -1,5 +1,6 @@
 //! What a file shows: its pictures and colours found, its normals kept or made, its shape posed.
 
+use crate::mesh::drawn;
 use crate::support::{bytes_of, data_uri, put_together};
 use aim_animation::glam::{Vec2, Vec3};
 use aim_character::{Measurement, PAPER_AXES, Palette, Role, mannequin};
@@ -62,10 +63,8 @@ fn push(json: &mut Value, list: &str, element: Value) {
 }
 
 fn posed(document: &Document) -> (Surface, Vec<Vec3>, Vec<Vec3>) {
-    let (surface, skeleton) = (document.surface(), document.skeleton());
-    let (mut positions, mut normals) = (vec![Vec3::NAN], Vec::new());
-    Palette::new(skeleton, &skeleton.world_f64(&[])).pose(&surface, &mut positions, &mut normals);
-    (surface, positions, normals)
+    let (positions, normals) = drawn(document, document.skeleton().rest());
+    (document.surface(), positions, normals)
 }
 
 #[test]
@@ -217,11 +216,10 @@ fn outside_stays_outside_where_a_node_mirrors() {
 fn the_mannequin_walks_with_its_normals() {
     let document = Document::from_bytes(&mannequin(|_| PAPER_AXES).unwrap()).unwrap();
     let (surface, skeleton) = (document.surface(), document.skeleton());
-    let (mut positions, mut normals) = (Vec::new(), Vec::new());
     for seconds in [0.0, 0.3, 0.7] {
-        let world = skeleton.world_f64(&skeleton.pose(document.clip("walk").unwrap(), seconds));
-        Palette::new(skeleton, &world).pose(&surface, &mut positions, &mut normals);
-        let exact = Palette::new(skeleton, &world).positions(&surface);
+        let pose = skeleton.pose(document.clip("walk").unwrap(), seconds);
+        let (positions, normals) = drawn(&document, &pose);
+        let exact = Palette::new(skeleton, &skeleton.world_f64(&pose)).positions(&surface);
         assert_eq!((positions.len(), normals.len()), (exact.len(), exact.len()));
         for (position, exact) in positions.iter().zip(&exact) {
             assert!(position.abs_diff_eq(exact.as_vec3(), 2e-6), "{position} is not {exact} at {seconds} s");

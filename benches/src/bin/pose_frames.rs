@@ -2,7 +2,7 @@
 //!
 //! `pose_frames none|sample|packed|blend|sum|model|matrices|deform|stack-… FRAMES`: two runs differ by the work of the frames by which
 //! they differ; `none` is the frame without the work. Every bone has its own linear tracks of translation, rotation and scale, of 30
-//! keys a second, sampled forward at 60 Hz with one cursor; `packed` is that clip packed to a thousandth. `sum` is of four poses;
+//! keys a second, sampled forward at 60 Hz with one cursor; `packed` are its first two seconds, packed to a thousandth and repeated. `sum` is of four poses;
 //! `matrices` are those of all bones, and `deform` moves as many vertices of four joints each. `stack-blend`, `stack-feet`, `stack-aim`
 //! and `stack-hand` are frames of layers on a figure, each with those before it: two clips blended, two planted feet, three joints
 //! aimed, one hand.
@@ -21,6 +21,8 @@ use aim::{AimRig, Joint};
 const BONES: usize = 64;
 /// Keys of the clip, 30 a second.
 const KEYS: u16 = 600;
+/// Of it this much is packed, seconds: packing is not what is counted.
+const PACKED_S: f32 = 2.0;
 
 /// Three bones of a chain of the stack.
 #[derive(AimRig)]
@@ -49,7 +51,8 @@ fn main() -> ExitCode {
         return stack(&skeleton, clip, last, frames);
     }
     let mut cursor = clip.cursor();
-    let packed = (work == "packed").then(|| Reduction::new(1e-3).pack(&clip, &skeleton).expect("it is sound").clip);
+    let pack = || Reduction::new(1e-3).pack(&clip.cut(0.0, PACKED_S), &skeleton).expect("it is sound").clip;
+    let packed = (work == "packed").then(pack);
     let mut packed_cursor = packed.as_ref().map(|packed| packed.cursor()).unwrap_or_default();
     let mut pose = skeleton.rest().to_vec();
     let mut model = vec![Affine3A::IDENTITY; BONES];
@@ -70,7 +73,7 @@ fn main() -> ExitCode {
             "sample" => clip.sample(time_s, &mut cursor, &mut pose),
             "packed" => {
                 if let Some(packed) = &packed {
-                    packed.sample(time_s, &mut packed_cursor, &mut pose);
+                    packed.sample(time_s % PACKED_S, &mut packed_cursor, &mut pose);
                 }
             }
             "blend" => {
