@@ -3,6 +3,7 @@
 use aim_runtime::glam::{Vec3, Vec3A};
 use aim_runtime::rotation::cross;
 
+use super::heaviest::heaviest;
 use super::ray::{Crossing, Ray, Shear};
 use super::{BoneBoxes, Cluster};
 use crate::float::narrow;
