@@ -31,7 +31,13 @@ fn is_test(named: &str) -> bool {
     let (file, test) = named.rsplit_once("::").expect("`file::test`");
     let file = if file.contains('/') { file.to_owned() } else { format!("aim-animation/tests/it/{file}") };
     let Ok(text) = fs::read_to_string(Path::new(ROOT).join(file).with_extension("rs")) else { return false };
-    text.split("#[test]").skip(1).any(|rest| rest.trim_start().starts_with(&format!("fn {test}(")))
+    let function = format!("fn {test}(");
+    // Other attributes may stand between.
+    let mut tests = text.split("#[test]").skip(1);
+    tests.any(|rest| {
+        let mut lines = rest.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("#["));
+        lines.next().is_some_and(|line| line.starts_with(&function))
+    })
 }
 
 #[test]
