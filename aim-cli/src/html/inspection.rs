@@ -2,11 +2,11 @@
 //! check them.
 
 use aim_character::{Fit, JointFit, Measurement, NAMES, Palette, evidence};
-use aim_gltf::{Document, Surface};
+use aim_gltf::Document;
 use aim_runtime::glam::DVec3;
 use maud::{Markup, html};
 
-use super::raster::{FADE, Paint, Raster};
+use super::raster::{FADE, Paint, Raster, SkinnedSurface};
 use super::scene::ends;
 use crate::page::report as report_page;
 use crate::projection::Projection;
@@ -38,8 +38,8 @@ pub(crate) struct Inspected<'a> {
 /// The page.
 pub(crate) fn page(inspected: &Inspected<'_>) -> String {
     let Inspected { file, document, measurement, fit, rig } = inspected;
-    let surface = document.surface();
-    let positions = Palette::new(document.skeleton(), &measurement.bind_world).positions(&surface);
+    let skinned = SkinnedSurface::new(document);
+    let positions = Palette::new(document.skeleton(), &measurement.bind_world).positions(&skinned.surface);
     let views = views(inspected, &positions);
     let title = format!("The axes of {file}");
     let content = html! {
@@ -49,7 +49,7 @@ pub(crate) fn page(inspected: &Inspected<'_>) -> String {
         @for against in evidence::against(measurement, document) { p { "Against it: " (against) "." } }
         @if let Some(fit) = fit { (verdict(fit, rig)) }
         div.views {
-            @for (name, view) in &views { (drawing(inspected, name, view, &surface)) }
+            @for (name, view) in &views { (drawing(inspected, name, view, &skinned)) }
         }
         @if let Some(fit) = fit { (table(fit)) }
     };
@@ -94,7 +94,7 @@ fn views(inspected: &Inspected<'_>, positions: &[DVec3]) -> Vec<(&'static str, P
     ]
 }
 
-fn drawing(inspected: &Inspected<'_>, name: &str, view: &Projection, surface: &Surface) -> Markup {
+fn drawing(inspected: &Inspected<'_>, name: &str, view: &Projection, skinned: &SkinnedSurface) -> Markup {
     let Inspected { document, measurement, fit, .. } = inspected;
     let parents = document.skeleton().parents();
     let lines = measurement.bones.iter().filter_map(|bone| {
@@ -104,7 +104,7 @@ fn drawing(inspected: &Inspected<'_>, name: &str, view: &Projection, surface: &S
     html! {
         figure {
             svg viewBox=(format!("0 0 {SIZE} {SIZE}")) role="img" aria-label=(name) {
-                @if let Some(picture) = figure(inspected, view, surface) {
+                @if let Some(picture) = figure(inspected, view, skinned) {
                     image href=(picture) width=(n(SIZE)) height=(n(SIZE)) opacity="0.5" {}
                 }
                 @for (bone, parent) in lines { (segment("bone", bone, parent)) }
@@ -216,11 +216,10 @@ fn table(fit: &Fit<'_>) -> Markup {
 }
 
 /// The surface in the bind pose as a pale picture.
-fn figure(inspected: &Inspected<'_>, view: &Projection, surface: &Surface) -> Option<String> {
+fn figure(inspected: &Inspected<'_>, view: &Projection, skinned: &SkinnedSurface) -> Option<String> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a constant of some hundreds")]
     let pixels = (SIZE * PIXELS) as usize;
     let mut picture = Raster::new(pixels, pixels, FADE);
-    let (skeleton, bind) = (inspected.document.skeleton(), &inspected.measurement.bind_world);
-    picture.draw_surface((surface, skeleton), bind, (view, PIXELS), |_| Paint::Plain(CLAY));
+    picture.draw_surface(skinned, &inspected.measurement.bind_world, (view, PIXELS), |_| Paint::Plain(CLAY));
     picture.data_uri()
 }

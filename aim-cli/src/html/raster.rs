@@ -3,8 +3,8 @@
 //!
 //! A shaded figure as SVG triangles would be ten times as large and show its seams; the lines over it are vectors.
 
-use aim_animation::MeshPose;
-use aim_gltf::{Skeleton, Surface, Triangle};
+use aim_animation::{Mesh, MeshPose, Skin};
+use aim_gltf::{Document, Surface, Triangle};
 use aim_runtime::glam::{Affine3A, DAffine3, DVec3, Vec3};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -73,6 +73,21 @@ struct Hit {
     v: f64,
 }
 
+/// A surface, ready to be posed as often as it is drawn.
+pub(super) struct SkinnedSurface {
+    pub(super) surface: Surface,
+    mesh: Mesh,
+    skin: Skin,
+}
+
+impl SkinnedSurface {
+    pub(super) fn new(document: &Document) -> Self {
+        let surface = document.surface();
+        let (mesh, skin) = surface.mesh(document.skeleton());
+        Self { surface, mesh, skin }
+    }
+}
+
 impl Raster {
     /// An empty picture of that many pixels; what is drawn fades out over the share `fade` at its lower end.
     pub(super) fn new(width: usize, height: usize, fade: f64) -> Self {
@@ -84,12 +99,12 @@ impl Raster {
     /// Draws a surface as it is with the nodes at `world`, in a view whose unit is so many `pixels`.
     pub(super) fn draw_surface(
         &mut self,
-        (surface, skeleton): (&Surface, &Skeleton),
+        skinned: &SkinnedSurface,
         world: &[DAffine3],
         (view, pixels): (&Projection, f64),
         paint: impl Fn(&Triangle) -> Paint,
     ) {
-        let (mesh, skin) = surface.mesh(skeleton);
+        let SkinnedSurface { surface, mesh, skin } = skinned;
         let model: Vec<Affine3A> = world.iter().map(DAffine3::as_affine3a).collect();
         let mut matrices = vec![Affine3A::IDENTITY; skin.len()];
         let (mut positions, mut normals) = (vec![Vec3::ZERO; surface.points().len()], Vec::new());

@@ -5,7 +5,7 @@ use aim_gltf::{Document, Surface, Triangle};
 use aim_runtime::glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
-use super::raster::{FADE, Paint, Raster};
+use super::raster::{FADE, Paint, Raster, SkinnedSurface};
 use super::subject::BakePage;
 use crate::projection::Projection;
 use crate::words::{n, segment, span};
@@ -50,7 +50,7 @@ const CLAY: [f64; 3] = [0.80, 0.70, 0.62];
 pub(super) struct Scene<'a> {
     document: &'a Document,
     pub(super) measurement: &'a Measurement,
-    surface: Surface,
+    skinned: SkinnedSurface,
     /// The rig's own bones.
     joints: Vec<usize>,
     /// Those whose surface is an eyeball.
@@ -160,7 +160,8 @@ impl<'a> Scene<'a> {
     ) -> Self {
         let BakePage { document, measurement, .. } = *subject;
         let skeleton = document.skeleton();
-        let surface = document.surface();
+        let skinned = SkinnedSurface::new(document);
+        let surface = &skinned.surface;
         let Eye { node: first, centre: origin, forward } = eye;
         let bind = &measurement.bind_world;
         let role = |node: usize| measurement.bone(node).and_then(|bone| bone.role);
@@ -179,14 +180,14 @@ impl<'a> Scene<'a> {
         // The head is what hangs on the bone that carries the eye.
         let carrier = skeleton.ancestry(first).find(|node| role(*node) == Some(Role::Head));
         let carrier = carrier.or_else(|| skeleton.parents()[first].filter(|_| is_eye)).unwrap_or(first);
-        let positions = Palette::new(skeleton, bind).positions(&surface);
-        let head = extent(document, &surface, &positions, carrier);
+        let positions = Palette::new(skeleton, bind).positions(surface);
+        let head = extent(document, surface, &positions, carrier);
         let eye_bind = bind[first].transform_point3(origin);
         let follows = chain.joints.last().and_then(|node| skeleton.parents()[*node]);
         let places = drawn.map(|frame| frame.world[first].transform_point3(origin) - at(follows, &frame.world));
         let camera =
             FollowingCamera::new(measurement, stand, follows, eye_bind).framing(measurement, head, eye_bind, places);
-        Self { document, measurement, surface, joints: chain.joints.clone(), eyes, camera, fade: FADE }
+        Self { document, measurement, skinned, joints: chain.joints.clone(), eyes, camera, fade: FADE }
     }
 
     /// The whole character in each of the poses `worlds`, and what the limb is led to.
@@ -197,16 +198,16 @@ impl<'a> Scene<'a> {
         worlds: impl Iterator<Item = &'w Vec<DAffine3>>,
         target: DVec3,
     ) -> Self {
-        let (skeleton, surface, bind) = (document.skeleton(), document.surface(), &measurement.bind_world);
+        let (skeleton, skinned, bind) = (document.skeleton(), SkinnedSurface::new(document), &measurement.bind_world);
         let character = worlds.flat_map(|world| {
-            let skin = Palette::new(skeleton, world).positions(&surface);
+            let skin = Palette::new(skeleton, world).positions(&skinned.surface);
             let bones = || measurement.bones.iter().map(|bone| world[bone.node].translation).collect();
             if skin.is_empty() { bones() } else { skin }
         });
         let camera = FollowingCamera::new(measurement, BEFORE_THE_LIMB, None, bind[limb.tip].translation);
         let camera = camera.around(character, target);
         let joints = vec![limb.upper, limb.lower, limb.tip];
-        Self { document, measurement, surface, joints, eyes: Vec::new(), camera, fade: 0.0 }
+        Self { document, measurement, skinned, joints, eyes: Vec::new(), camera, fade: 0.0 }
     }
 
     /// The surface; without one the bones.
@@ -219,7 +220,7 @@ impl<'a> Scene<'a> {
 
     /// The surface as a picture.
     fn figure(&self, world: &[DAffine3]) -> Option<String> {
-        let (skeleton, surface) = (self.document.skeleton(), &self.surface);
+        let (skeleton, surface) = (self.document.skeleton(), &self.skinned.surface);
         let paint = |triangle: &Triangle| {
             let node = surface.node_of(skeleton, triangle.vertices[0]);
             if let Some(eye) = self.eyes.iter().find(|eye| Some(eye.node) == node) {
@@ -231,7 +232,7 @@ impl<'a> Scene<'a> {
             Paint::Plain(material.filter(|material| material.texture.is_none()).map_or(CLAY, |m| srgb(m.colour)))
         };
         let mut picture = Raster::new(PICTURE.0, PICTURE.1, self.fade);
-        picture.draw_surface((surface, skeleton), world, (&self.camera.view_of(world), PIXELS), paint);
+        picture.draw_surface(&self.skinned, world, (&self.camera.view_of(world), PIXELS), paint);
         picture.data_uri()
     }
 
