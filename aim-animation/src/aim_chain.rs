@@ -206,9 +206,7 @@ impl AimChain {
         if joints.is_empty() {
             return Err(AimChainError::Empty);
         }
-        let mut bind = alloc::vec![Affine3A::IDENTITY; skeleton.len()];
-        // Of equal lengths.
-        let _ = skeleton.to_model(skeleton.rest(), &mut bind);
+        let bind = skeleton.rest_in_model();
         Ok(Self { skeleton: skeleton.clone(), bind, joints, other_eye: None, held: Vec::new(), up: None })
     }
 

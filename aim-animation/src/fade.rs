@@ -1,4 +1,4 @@
-//! What goes on under its own momentum and fades.
+//! Offsets that go on under their own momentum and fade.
 
 use aim_runtime::glam::Vec3;
 
@@ -50,7 +50,7 @@ impl Fade {
         [0, 1].map(|part: usize| self.value[part] * (of_value / self.length_s) + self.velocity[part] * of_velocity)
     }
 
-    /// What is left of it.
+    /// The part that is left.
     pub(crate) fn left(&self) -> [Vec3; 2] {
         if self.is_done() {
             return [Vec3::ZERO; 2];

@@ -96,9 +96,7 @@ impl Figure {
     pub fn new(skeleton: impl Into<Arc<Skeleton>>) -> Self {
         let skeleton = skeleton.into();
         let local = skeleton.rest().to_vec();
-        let mut model = alloc::vec![Affine3A::IDENTITY; local.len()];
-        // Of equal lengths.
-        let _ = skeleton.to_model(&local, &mut model);
+        let model = skeleton.rest_in_model();
         Self { place: Transform::IDENTITY, skeleton, rest: model.clone().into(), local, model }
     }
 

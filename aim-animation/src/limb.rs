@@ -72,6 +72,19 @@ impl Limb {
         Ok(Self { count: skeleton.len(), bones, limits, length: 0.0 })
     }
 
+    /// The limb with its length in the rest pose, and memory for its joints.
+    pub(crate) fn at_rest(skeleton: &Skeleton, bones: Vec<usize>) -> Result<(Self, Vec<CcdJoint>), LimbError> {
+        let mut limb = Self::new(skeleton, bones)?;
+        limb.measure(&skeleton.rest_in_model())?;
+        let joints = limb.memory();
+        Ok((limb, joints))
+    }
+
+    /// Memory for its joints.
+    pub(crate) fn memory(&self) -> Vec<CcdJoint> {
+        alloc::vec![CcdJoint::new(Vec3::ZERO); self.joints()]
+    }
+
     pub(crate) fn set_limit(&mut self, joint: usize, to: CcdLimit) {
         if let Some(limit) = self.limits.get_mut(joint) {
             *limit = to;

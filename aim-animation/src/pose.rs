@@ -1,9 +1,11 @@
 //! Poses between local and model space.
 //!
 //! A *local* pose is a [`Transform`] for each bone, in its parent's space; a *model* pose is an affine map for each bone, to
-//! the space of the model. Both are slices of the caller's, in the order of the [`Skeleton`]. Nothing here allocates.
+//! the space of the model. Both are slices of the caller's, in the order of the [`Skeleton`]. Nothing public here allocates.
 
 use core::fmt;
+
+use alloc::vec::Vec;
 
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3A};
 use aim_runtime::rotation::inverse;
@@ -81,6 +83,14 @@ impl Skeleton {
             model[bone] = parent.map_or(local, |parent| model[parent] * local);
         }
         Ok(())
+    }
+
+    /// Each bone in the space of the model where the skeleton is at rest.
+    pub(crate) fn rest_in_model(&self) -> Vec<Affine3A> {
+        let mut model = alloc::vec![Affine3A::IDENTITY; self.len()];
+        // Of equal lengths.
+        let _ = self.to_model(self.rest(), &mut model);
+        model
     }
 
     /// A bone and all that hangs on it in the space of the model, where the others are already: after the bone has been

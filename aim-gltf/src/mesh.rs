@@ -11,6 +11,7 @@ use crate::accessor::Data;
 use crate::morph_eyes::weights_at_rest;
 use crate::raw::Primitive;
 use crate::skeleton::Skeleton;
+use crate::skin::to_index;
 use crate::surface::Surface;
 
 /// Ways of vertices to morph targets at most; a file with more shows its first ones.
@@ -51,7 +52,8 @@ impl Movers {
             let (Some(joints), Some(weights)) = (attribute("JOINTS"), attribute("WEIGHTS")) else { break };
             let floats = |accessor: usize| data.floats(accessor, &["VEC4"], "joints").ok();
             let (Some(joints), Some(weights)) = (floats(joints), floats(weights)) else { continue };
-            let of = |(at, (joint, weight)): (usize, (&f32, &f32))| (vertices.start + at / 4, whole(*joint), *weight);
+            let of =
+                |(at, (joint, weight)): (usize, (&f32, &f32))| (vertices.start + at / 4, to_index(*joint), *weight);
             let pairs = joints.iter().zip(&weights).enumerate().map(of);
             self.joints.extend(pairs.take(4 * vertices.len()).filter(|(_, _, weight)| *weight > 0.0));
         }
@@ -211,13 +213,4 @@ impl<'a> Joints<'a> {
 /// A number of vertices, joints or targets: far fewer than 32 bits count.
 fn narrow(number: usize) -> u32 {
     u32::try_from(number).unwrap_or(u32::MAX)
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "an index; others saturate and are found to be out of range"
-)]
-fn whole(joint: f32) -> u16 {
-    joint as u16
 }

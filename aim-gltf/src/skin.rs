@@ -118,7 +118,7 @@ pub(crate) fn read_primitive(data: &Data<'_>, index: usize, primitive: &Primitiv
     clippy::cast_sign_loss,
     reason = "an index; others saturate and are found to be out of range"
 )]
-fn to_index(joint: f32) -> u16 {
+pub(crate) fn to_index(joint: f32) -> u16 {
     joint as u16
 }
 

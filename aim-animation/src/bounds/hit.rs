@@ -9,7 +9,7 @@ use super::{BoneBoxes, Cluster};
 use crate::float::narrow;
 use crate::mesh::{Mesh, MeshError, MeshPose, unit_or_zero};
 
-/// Where a ray first meets a mesh.
+/// The point at which a ray first meets a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Hit {

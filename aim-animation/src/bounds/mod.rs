@@ -90,7 +90,7 @@ struct Part {
     morphs: Range<usize>,
 }
 
-/// How far a morph target moves vertices of a part, along the joint's axes.
+/// The extent by which a morph target moves vertices of a part, along the joint's axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct MorphExtent {
     target: u32,

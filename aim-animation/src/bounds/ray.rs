@@ -5,11 +5,11 @@ use aim_runtime::glam::{Vec3, Vec3A};
 /// A half line, or a part of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// Where it starts.
+    /// The start.
     pub origin: Vec3,
     /// Its direction, of any length but zero.
     pub direction: Vec3,
-    /// Where it ends, in lengths of the direction: infinite, or 0 or more.
+    /// The end, in lengths of the direction: infinite, or 0 or more.
     pub end: f32,
 }
 
@@ -39,7 +39,7 @@ impl Ray {
     }
 }
 
-/// Where a ray meets a triangle.
+/// The point at which a ray meets a triangle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crossing {
     /// In lengths of the direction.
@@ -75,7 +75,7 @@ impl Shear {
         [x - self.slopes[0] * z, y - self.slopes[1] * z, z * self.slopes[2]]
     }
 
-    /// Where the ray meets a triangle from either side, at any part of its line; `None` if it passes by, if the triangle has
+    /// The point at which the ray meets a triangle from either side, at any part of its line; `None` if it passes by, if the triangle has
     /// no area across the ray, or if a corner is not finite. A ray through an edge meets all triangles of that edge.
     pub(crate) fn crossing(&self, corners: [Vec3A; 3]) -> Option<Crossing> {
         let [a, b, c] = corners.map(|corner| self.sheared(corner));

@@ -106,9 +106,7 @@ impl LimbLayer {
     /// # Errors
     /// See [`LimbError`].
     pub fn new(skeleton: &Skeleton, limb: impl Into<Vec<usize>>) -> Result<Self, LimbError> {
-        let mut limb = Limb::new(skeleton, limb.into())?;
-        limb.measure(Figure::new(skeleton.clone()).model())?;
-        let joints = alloc::vec![CcdJoint::new(Vec3::ZERO); limb.joints()];
+        let (limb, joints) = Limb::at_rest(skeleton, limb.into())?;
         let (two_bone, ramp) = (TwoBone::new(), Ramp::default());
         Ok(Self { weight: 1.0, fade_s: 0.0, two_bone, limb, joints, target: None, ramp, error: 0.0 })
     }

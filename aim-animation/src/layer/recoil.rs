@@ -56,9 +56,7 @@ impl Recoil {
     /// # Errors
     /// See [`LimbError`].
     pub fn new(skeleton: &Skeleton, limb: impl Into<Vec<usize>>, grip: Affine3A) -> Result<Self, LimbError> {
-        let mut limb = Limb::new(skeleton, limb.into())?;
-        limb.measure(Figure::new(skeleton.clone()).model())?;
-        let joints = alloc::vec![CcdJoint::new(Vec3::ZERO); limb.joints()];
+        let (limb, joints) = Limb::at_rest(skeleton, limb.into())?;
         Ok(Self { rate: 15.0, limb, joints, grip, offset: [Vec3::ZERO; 2], velocity: [Vec3::ZERO; 2] })
     }
 

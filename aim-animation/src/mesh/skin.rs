@@ -43,9 +43,7 @@ impl Skin {
     /// # Errors
     /// A bone that does not exist, or one whose rest does not span space.
     pub fn new(skeleton: &Skeleton, bones: impl Into<Vec<usize>>) -> Result<Self, SkinError> {
-        let mut model = alloc::vec![Affine3A::IDENTITY; skeleton.len()];
-        // The lengths are right.
-        let _ = skeleton.to_model(skeleton.rest(), &mut model);
+        let model = skeleton.rest_in_model();
         let bones = bones.into();
         let inverse_of = |(joint, &bone): (usize, &usize)| {
             let model = model.get(bone).ok_or(SkinError::Bone { joint, bone })?;

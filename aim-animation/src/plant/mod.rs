@@ -83,12 +83,9 @@ impl Plant {
     /// # Errors
     /// See [`LimbError`].
     pub fn new(skeleton: &Skeleton, leg: impl Into<Vec<usize>>, contact: Vec3) -> Result<Self, LimbError> {
-        let figure = Figure::new(skeleton.clone());
-        let mut limb = Limb::new(skeleton, leg.into())?;
-        limb.measure(figure.model())?;
-        let contact = inverse(&figure.model()[limb.tip_bone()]).map(|tip| tip.transform_point3(contact));
+        let (limb, joints) = Limb::at_rest(skeleton, leg.into())?;
+        let contact = inverse(&skeleton.rest_in_model()[limb.tip_bone()]).map(|tip| tip.transform_point3(contact));
         let contact = contact.filter(|contact| contact.is_finite()).ok_or(LimbError::Length)?;
-        let joints = alloc::vec![CcdJoint::new(Vec3::ZERO); limb.joints()];
         Ok(Self {
             fade_s: 0.15,
             most_tilt_rad: 0.6,

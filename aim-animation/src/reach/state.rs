@@ -57,7 +57,7 @@ impl ReachState {
             waypoints: Vec::with_capacity(count),
             pose: alloc::vec![Transform::IDENTITY; limb.bones()],
             model: alloc::vec![Affine3A::IDENTITY; limb.bones()],
-            joints: alloc::vec![CcdJoint::new(Vec3::ZERO); limb.joints()],
+            joints: limb.memory(),
             shown: still,
         }
     }

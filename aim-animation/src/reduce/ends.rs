@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use aim_runtime::glam::{Affine3A, Vec3A};
+use aim_runtime::glam::Vec3A;
 use aim_runtime::rotation::length;
 
 use crate::skeleton::Skeleton;
@@ -28,9 +28,7 @@ impl Ends {
     /// tenth of the skeleton's.
     pub(super) fn of(skeleton: &Skeleton) -> Vec<Self> {
         let bones = skeleton.len();
-        let mut model = alloc::vec![Affine3A::IDENTITY; bones];
-        // Never refused: both have one element a bone.
-        let _ = skeleton.to_model(skeleton.rest(), &mut model);
+        let model = skeleton.rest_in_model();
         let origin = |bone: usize| model[bone].translation;
         let distance = |a: usize, b: usize| length(origin(a) - origin(b));
         let size = (0..bones).map(|bone| distance(0, bone)).fold(0.0, larger);

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use aim_runtime::rotation::length;
 
 use super::ends::{Ends, narrowed};
-use crate::clip::Clip;
+use crate::clip::{Clip, Cursor};
 use crate::skeleton::Skeleton;
 use crate::transform::Transform;
 
@@ -76,10 +76,13 @@ impl Error {
     }
 }
 
-/// Samples a clip: a pose that starts at rest, and scalars in the order of the original's tracks.
-pub(super) trait Sampled {
-    fn pose(&mut self, time_s: f32, pose: &mut [Transform]);
-    fn scalars(&mut self, time_s: f32, scalars: &mut [f32]);
+/// A clip that can be played, however it is stored.
+pub(super) trait Played {
+    fn bytes(&self) -> usize;
+    fn cursor(&self) -> Cursor;
+    fn sample(&self, time_s: f32, cursor: &mut Cursor, pose: &mut [Transform]);
+    /// The scalar at a place of the clip's list.
+    fn scalar(&self, time_s: f32, place: usize) -> f32;
 }
 
 /// Measures clips against one clip.
@@ -114,16 +117,16 @@ impl<'a> Judge<'a> {
     }
 
     /// The errors at keys, at most so many of them.
-    pub(super) fn at_keys(&self, sampled: &mut dyn Sampled, most: usize) -> Errors {
+    pub(super) fn at_keys(&self, played: &dyn Played, most: usize) -> Errors {
         let step = self.keys.len().div_ceil(most.max(1)).max(1);
         let between = |pair: &[f32]| pair[0] + 0.5 * (pair[1] - pair[0]);
         let middles = self.keys.windows(2).map(between).chain(self.keys.last().copied());
         let times = self.keys.iter().copied().zip(middles).step_by(step).flat_map(|(key, middle)| [key, middle]);
-        self.errors(sampled, times)
+        self.errors(played, times)
     }
 
     /// The errors at all keys, at eight points between neighbours, and just before each key.
-    pub(super) fn everywhere(&self, sampled: &mut dyn Sampled) -> Errors {
+    pub(super) fn everywhere(&self, played: &dyn Played) -> Errors {
         let next = self.keys.iter().skip(1).copied().map(Some).chain([None]);
         let times = self.keys.iter().zip(next).flat_map(|(&from, next)| {
             let between = move |to: f32| {
@@ -133,10 +136,10 @@ impl<'a> Judge<'a> {
             };
             core::iter::once(from).chain(next.into_iter().flat_map(between))
         });
-        self.errors(sampled, times)
+        self.errors(played, times)
     }
 
-    fn errors(&self, sampled: &mut dyn Sampled, times: impl Iterator<Item = f32>) -> Errors {
+    fn errors(&self, played: &dyn Played, times: impl Iterator<Item = f32>) -> Errors {
         let bones = self.skeleton.len();
         let rest = self.skeleton.rest();
         let (mut pose, mut other) = (rest.to_vec(), rest.to_vec());
@@ -146,14 +149,13 @@ impl<'a> Judge<'a> {
             bones: alloc::vec![Error::default(); bones],
             scalars: alloc::vec![0.0; self.original.scalars().len()],
         };
-        let mut scalars = errors.scalars.clone();
-        let mut cursor = self.original.cursor();
-        let mut keys = alloc::vec![0; scalars.len()];
+        let (mut cursor, mut played_cursor) = (self.original.cursor(), played.cursor());
+        let mut keys = alloc::vec![0; errors.scalars.len()];
         for time_s in times {
             pose.copy_from_slice(rest);
             self.original.sample(time_s, &mut cursor, &mut pose);
             other.copy_from_slice(rest);
-            sampled.pose(time_s, &mut other);
+            played.sample(time_s, &mut played_cursor, &mut other);
             for bone in 0..bones {
                 let [local, local_other] = [Map::of(&pose[bone]), Map::of(&other[bone])];
                 let is_local_same = same(&pose[bone], &other[bone]);
@@ -169,9 +171,8 @@ impl<'a> Judge<'a> {
                     errors.bones[bone].raise(self.error(bone, &maps[bone], time_s));
                 }
             }
-            sampled.scalars(time_s, &mut scalars);
             for (place, (_, track)) in self.original.scalars().iter().enumerate() {
-                let off = (scalars[place] - track.sample_near(time_s, &mut keys[place])).abs();
+                let off = (played.scalar(time_s, place) - track.sample_near(time_s, &mut keys[place])).abs();
                 errors.scalars[place] = errors.scalars[place].max(off);
             }
         }

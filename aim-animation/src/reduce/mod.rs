@@ -12,7 +12,7 @@ mod samples;
 use alloc::vec::Vec;
 
 pub use error::ReductionError;
-use judge::{Errors, Judge, Sampled};
+use judge::{Errors, Judge, Played};
 use parts::{Factors, Fit, Tracks};
 use prepared::Storage;
 
@@ -162,7 +162,7 @@ impl Reduction {
         for _ in 0..ROUNDS {
             let fit = tracks.fitted(&factors, storage);
             let result = made(fit).ok_or(ReductionError::Size)?;
-            let errors = judge.at_keys(&mut Playing::new(&result), ROUGH_KEYS);
+            let errors = judge.at_keys(&result, ROUGH_KEYS);
             let worst_below = worst_below(&errors, skeleton);
             let holds = worst_below.iter().all(|squared| *squared <= limits[0] * limits[0])
                 && errors.scalars.iter().all(|error| f64::from(*error) <= limits[1]);
@@ -185,7 +185,7 @@ impl Reduction {
         let mut repairs = alloc::vec![0_u8; bones];
         loop {
             let result = made(tracks.fitted(&factors, storage)).ok_or(ReductionError::Size)?;
-            let errors = judge.everywhere(&mut Playing::new(&result));
+            let errors = judge.everywhere(&result);
             let mut is_good = true;
             for (bone, squared) in worst_below(&errors, skeleton).into_iter().enumerate() {
                 // Not a number is no good either.
@@ -255,15 +255,6 @@ fn worst(errors: &Errors) -> (f32, Option<ErrorPlace>) {
     worst.map_or((0.0, None), |(bone, size)| (size, Some(ErrorPlace { bone, time_s: errors.bones[bone].time_s })))
 }
 
-/// A result that can be played.
-trait Played {
-    fn bytes(&self) -> usize;
-    fn cursor(&self) -> Cursor;
-    fn sample(&self, time_s: f32, cursor: &mut Cursor, pose: &mut [Transform]);
-    /// The scalar at a place of the clip's list.
-    fn scalar(&self, time_s: f32, place: usize) -> f32;
-}
-
 impl Played for Clip {
     fn bytes(&self) -> usize {
         self.bytes()
@@ -291,28 +282,5 @@ impl Played for PackedClip {
     }
     fn scalar(&self, time_s: f32, place: usize) -> f32 {
         self.scalar_in_place(time_s, place)
-    }
-}
-
-/// A result that is played for its judge.
-struct Playing<'a, R> {
-    result: &'a R,
-    cursor: Cursor,
-}
-
-impl<'a, R: Played> Playing<'a, R> {
-    fn new(result: &'a R) -> Self {
-        Self { result, cursor: result.cursor() }
-    }
-}
-
-impl<R: Played> Sampled for Playing<'_, R> {
-    fn pose(&mut self, time_s: f32, pose: &mut [Transform]) {
-        self.result.sample(time_s, &mut self.cursor, pose);
-    }
-    fn scalars(&mut self, time_s: f32, scalars: &mut [f32]) {
-        for (place, scalar) in scalars.iter_mut().enumerate() {
-            *scalar = self.result.scalar(time_s, place);
-        }
     }
 }

@@ -229,12 +229,9 @@ impl<T: Value> Track<T> {
             if !is_cubic && !((factor - 1.0).abs() < 1e-5) {
                 return None;
             }
-            let interval = |k: usize| if k + 1 < times.len() { times[k + 1] - times[k] } else { 0.0 };
-            let intervals = [k.checked_sub(1).map_or(0.0, interval), interval(k)];
-            for (tangent, interval) in tangents.get(k).into_iter().flatten().zip(intervals) {
-                if !(tangent.times(interval).bounded() && tangent.times(1e-12).bounded()) {
-                    return None;
-                }
+            let mut of_key = tangents.get(k).into_iter().flatten().zip(intervals(&times, k));
+            if !of_key.all(|(tangent, interval)| is_bounded(*tangent, interval)) {
+                return None;
             }
         }
         Some(Self { times, values, tangents, curve })
@@ -287,19 +284,13 @@ impl<T: Value> Track<T> {
 
     fn cubic(times: Arc<[f32]>, mut values: Vec<T>, mut tangents: Vec<[T; 2]>) -> Result<Self, TrackError> {
         check_times(&times, values.len())?;
-        let last = values.len() - 1;
         for (k, value) in values.iter_mut().enumerate() {
             let (checked, factor) = value.key().ok_or(TrackError::Value(k))?;
             *value = checked;
             // What plays no part is 0.
-            let intervals = [
-                k.checked_sub(1).map_or(0.0, |before| times[k] - times[before]),
-                if k < last { times[k + 1] - times[k] } else { 0.0 },
-            ];
-            for (tangent, interval) in tangents[k].iter_mut().zip(intervals) {
+            for (tangent, interval) in tangents[k].iter_mut().zip(intervals(&times, k)) {
                 *tangent = if interval > 0.0 { tangent.times(factor) } else { value.times(0.0) };
-                // As it is added up by samples, and as it stands.
-                if !(tangent.times(interval).bounded() && tangent.times(1e-12).bounded()) {
+                if !is_bounded(*tangent, interval) {
                     return Err(TrackError::Tangent(k));
                 }
             }
@@ -314,6 +305,17 @@ pub(crate) fn hermite<T: Value>([a, out, b, into]: [T; 4], u: f32) -> T {
     // H₀ = v²(1 + 2u), H₁ = u·v², H₂ = u²(1 + 2v), H₃ = −u²·v.
     let ends = a.times(v * v * (1.0 + 2.0 * u)).plus(b.times(u * u * (1.0 + 2.0 * v)));
     ends.plus(out.times(u * v * v)).plus(into.times(-u * u * v))
+}
+
+/// The times from the key before to key `k`, and from there to the next; 0 where there is none.
+fn intervals(times: &[f32], k: usize) -> [f32; 2] {
+    let after = |k: usize| times.get(k + 1).map_or(0.0, |next| next - times[k]);
+    [k.checked_sub(1).map_or(0.0, after), after(k)]
+}
+
+/// True if a tangent is small enough, as it is added up by samples, and as it stands.
+fn is_bounded<T: Value>(tangent: T, interval: f32) -> bool {
+    tangent.times(interval).bounded() && tangent.times(1e-12).bounded()
 }
 
 fn check_times(times: &[f32], values: usize) -> Result<(), TrackError> {

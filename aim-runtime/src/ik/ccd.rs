@@ -377,11 +377,16 @@ impl CcdJoint {
         };
     }
 
+    /// The part of each turn that it takes, 0…1.
+    fn share(&self) -> f32 {
+        1.0 - self.stiffness.max(0.0).min(1.0)
+    }
+
     /// Adds as much of the way to this turn as the joint's stiffness and its limit let it.
     fn move_to(&mut self, added: Quat) {
-        let rest = 1.0 - self.stiffness.max(0.0).min(1.0);
-        if rest < 1.0 {
-            let way = part(normalized(product(added, self.added.conjugate())), rest);
+        let share = self.share();
+        if share < 1.0 {
+            let way = part(normalized(product(added, self.added.conjugate())), share);
             self.hold(product(way, self.added));
         } else {
             self.hold(added);
@@ -396,7 +401,7 @@ impl CcdJoint {
                 let (Some(from), Some(to)) = (flat(from), flat(to)) else { return };
                 let by = atan2(axis.dot(cross(from, to)), from.dot(to));
                 let at = about_axis(self.added, axis);
-                let there = at + by * (1.0 - self.stiffness.max(0.0).min(1.0));
+                let there = at + by * self.share();
                 let there = if range.is_free() { math::wrap_pi(there) } else { range.hold(there) };
                 self.added = about(axis, 0.5 * there);
             }
