@@ -7,6 +7,7 @@ use core::fmt;
 
 use aim_runtime::glam::{Quat, Vec3};
 
+use crate::cursor::Cursor;
 use crate::float::narrow;
 use crate::step::Step;
 use crate::track::Track;
@@ -71,13 +72,6 @@ pub struct Clip {
     tracks: Vec<BoneTracks>,
     scalars: Vec<(usize, Track<f32>)>,
     events: Vec<Event>,
-}
-
-/// The keys at which a clip's tracks were sampled last, for one character that plays it: saves the search. Any cursor is
-/// valid for any clip and any time, and changes no result.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Cursor {
-    pub(crate) keys: Vec<usize>,
 }
 
 impl Clip {
@@ -226,7 +220,7 @@ impl Clip {
     /// A cursor at the beginning, for a character that plays this clip.
     #[must_use]
     pub fn cursor(&self) -> Cursor {
-        Cursor { keys: alloc::vec![0; 3 * self.tracks.len() + self.scalars.len()] }
+        Cursor::with_room(3 * self.tracks.len() + self.scalars.len(), 0)
     }
 
     /// Writes the clip at a time into a pose. What has no track stays as it is: start from the skeleton's rest pose, so that

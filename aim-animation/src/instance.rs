@@ -6,8 +6,9 @@ use aim_runtime::glam::Affine3A;
 
 use crate::attach::attached;
 use crate::blend::{BoneSum, Method};
-use crate::clip::{Clip, Cursor, Event};
+use crate::clip::{Event, events_passed};
 use crate::control::Control;
+use crate::cursor::Cursor;
 use crate::figure::{Figure, Layer, place_for};
 use crate::mask::clamped;
 use crate::model::Model;
@@ -123,6 +124,8 @@ pub struct Instance {
     controls: Vec<ClipControl>,
     /// Of each control.
     cursors: Vec<Cursor>,
+    /// One at the beginning, with room for any clip of the model.
+    cursor: Cursor,
     steps: Vec<Step>,
     /// Bones, and what they hold in their space.
     things: Vec<(usize, Affine3A)>,
@@ -139,6 +142,7 @@ impl Instance {
             place: Transform::IDENTITY,
             controls: Vec::new(),
             cursors: Vec::new(),
+            cursor: model.cursor(),
             steps: Vec::new(),
             things: Vec::new(),
             scratch: alloc::vec![Transform::IDENTITY; bones],
@@ -149,7 +153,7 @@ impl Instance {
     /// Plays one more clip, and gives its number among the [controls](Self::controls).
     pub fn play(&mut self, control: ClipControl) -> usize {
         self.controls.push(control);
-        self.cursors.push(Cursor::default());
+        self.cursors.push(self.cursor.clone());
         self.steps.push(Step::none(0.0, 0.0));
         self.controls.len() - 1
     }
@@ -213,12 +217,12 @@ impl Instance {
     /// that is not to slow the others down. Does not allocate.
     pub fn advance(&mut self, model: &Model, dt_s: f32) {
         for (playing, step) in self.controls.iter_mut().zip(&mut self.steps) {
-            let length = model.clips().get(playing.clip).map_or(0.0, Clip::length_s);
+            let length = model.played(playing.clip).map_or(0.0, |clip| clip.length_s());
             *step = playing.control.advance(dt_s, length);
         }
         let deltas = self.controls.iter().zip(&self.steps).map(|(playing, step)| {
             let delta = model.motion(playing.clip).map_or(Transform::IDENTITY, |motion| motion.delta(step));
-            let is_clip = playing.clip < model.clips().len();
+            let is_clip = model.played(playing.clip).is_some();
             (delta, if is_clip { playing.weight_of(model, model.root_bone(playing.clip)) } else { 0.0 })
         });
         self.place = self.place.rigid_product(&Motion::blend(deltas));
@@ -228,8 +232,8 @@ impl Instance {
     /// weight tell theirs, too, as they go on; the number leads to the weight.
     pub fn events<'a, 'm>(&'a self, model: &'m Model) -> impl Iterator<Item = (usize, &'m Event)> + use<'a, 'm> {
         self.controls.iter().zip(&self.steps).enumerate().flat_map(move |(number, (playing, step))| {
-            let clip = model.clips().get(playing.clip);
-            clip.into_iter().flat_map(|clip| clip.events_passed(step)).map(move |event| (number, event))
+            let clip = model.played(playing.clip);
+            clip.into_iter().flat_map(|clip| events_passed(clip.events(), step)).map(move |event| (number, event))
         })
     }
 
@@ -245,7 +249,7 @@ impl Instance {
         check_length(skeleton.len(), self.scratch.len())?;
         self.sums.fill(BoneSum::ZERO);
         for (playing, cursor) in self.controls.iter().zip(&mut self.cursors) {
-            let Some(clip) = model.clips().get(playing.clip).filter(|_| playing.weight > 0.0) else { continue };
+            let Some(clip) = model.played(playing.clip).filter(|_| playing.weight > 0.0) else { continue };
             let time = playing.control.time_s();
             self.scratch.copy_from_slice(skeleton.rest());
             clip.sample(time, cursor, &mut self.scratch);

@@ -3,8 +3,11 @@
 use alloc::vec::Vec;
 
 use crate::clip::Clip;
+use crate::cursor::Cursor;
 use crate::mask::Mask;
 use crate::motion::Motion;
+use crate::packed::PackedClip;
+use crate::played::Played;
 use crate::skeleton::Skeleton;
 
 /// Bones, clips, their root motion, and masks: what all characters of a kind share. Immutable; each character is an
@@ -24,6 +27,7 @@ use crate::skeleton::Skeleton;
 pub struct Model {
     skeleton: Skeleton,
     clips: Vec<Clip>,
+    packed: Vec<PackedClip>,
     motions: Vec<Option<Motion>>,
     masks: Vec<Mask>,
 }
@@ -34,7 +38,32 @@ impl Model {
     pub fn new(skeleton: Skeleton, clips: impl Into<Vec<Clip>>) -> Self {
         let clips = clips.into();
         let motions = alloc::vec![None; clips.len()];
-        Self { skeleton, clips, motions, masks: Vec::new() }
+        Self { skeleton, clips, packed: Vec::new(), motions, masks: Vec::new() }
+    }
+
+    /// With one more clip, played as it is packed. Its number is that behind all others so far.
+    ///
+    /// ```
+    /// use aim_animation::glam::Vec3;
+    /// use aim_animation::{Bone, Clip, ClipControl, Instance, Model, Reduction, Skeleton, Track};
+    ///
+    /// let skeleton = Skeleton::new([Bone::new("hips", None)])?;
+    /// let slide = Clip::new("slide").with_translation(0, Track::linear([0.0, 1.0], [Vec3::ZERO, Vec3::X])?);
+    /// let packed = Reduction::new(1e-3).pack(&slide, &skeleton)?.clip;
+    /// let model = Model::new(skeleton, [Clip::new("idle")]).with_packed(packed);
+    /// let mut hero = Instance::new(&model);
+    /// hero.play(ClipControl::new(1));
+    /// hero.advance(&model, 0.5);
+    /// let mut local = model.skeleton().rest().to_vec();
+    /// hero.pose(&model, &mut local)?;
+    /// assert!(local[0].translation.distance(0.5 * Vec3::X) < 1e-3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn with_packed(mut self, clip: PackedClip) -> Self {
+        self.packed.push(clip);
+        self.motions.push(None);
+        self
     }
 
     /// With the root motion of a clip, made of that very clip: it is taken out of the poses, and moves the place of the instance.
@@ -60,10 +89,30 @@ impl Model {
         &self.skeleton
     }
 
-    /// The clips.
+    /// The clips of floats, numbered from 0.
     #[must_use]
     pub fn clips(&self) -> &[Clip] {
         &self.clips
+    }
+
+    /// The packed clips, numbered on from those of floats.
+    #[must_use]
+    pub fn packed_clips(&self) -> &[PackedClip] {
+        &self.packed
+    }
+
+    /// The clip of a number.
+    pub(crate) fn played(&self, clip: usize) -> Option<&dyn Played> {
+        match clip.checked_sub(self.clips.len()) {
+            None => self.clips.get(clip).map(|clip| clip as &dyn Played),
+            Some(packed) => self.packed.get(packed).map(|clip| clip as &dyn Played),
+        }
+    }
+
+    /// A cursor with room for any of the clips.
+    pub(crate) fn cursor(&self) -> Cursor {
+        let clips = (0..self.motions.len()).filter_map(|clip| self.played(clip));
+        clips.fold(Cursor::default(), |cursor, clip| cursor.with_room_of_both(&clip.cursor()))
     }
 
     /// The root motion of a clip, if it has any.

@@ -88,7 +88,10 @@ impl Clip {
         let length = self.length_s();
         self.edited(Edit {
             vector: &|track| track.mended(length, continuity, window_s).unwrap_or_else(|| track.clone()),
-            rotation: &|track| track.mended(length, continuity, window_s).unwrap_or_else(|| track.clone()),
+            rotation: &|track| {
+                let mended = track.mended(length, continuity, window_s);
+                mended.map_or_else(|| track.clone(), |mended| mended.with_unit_keys())
+            },
             scalar: &|track| track.mended(length, continuity, window_s).unwrap_or_else(|| track.clone()),
         })
     }

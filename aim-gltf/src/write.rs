@@ -291,9 +291,9 @@ impl Appended {
                 animation.channel(node, ("translation", "VEC3"), &keys(&[track], |vector| vector.to_array()));
             }
             if let Some(track) = &tracks.rotation {
-                // Of cut splines they are a little off.
-                let mut rotations = keys(&[track], |rotation| rotation.to_array());
+                let mut rotations = keys(&[&track.with_unit_keys()], |rotation| rotation.to_array());
                 let cubic = rotations.curve == Curve::Cubic;
+                // Unit to the last digit.
                 for (_, four) in rotations.values.chunks_exact_mut(4).enumerate().filter(|(k, _)| !cubic || k % 3 == 1)
                 {
                     four.copy_from_slice(&Vec4::from_slice(four).as_dvec4().normalize().as_vec4().to_array());

@@ -159,7 +159,8 @@ impl LimbLayer {
     }
 
     /// The distance of the tip from where it was to be in the last frame, in units of the model: more than rounding where the limb does
-    /// not reach that far.
+    /// not reach that far. Infinite where the target has no place: a bone that is not there, or what is not finite; then the limb stays as
+    /// it was.
     #[must_use]
     pub fn error(&self) -> f32 {
         self.error
@@ -172,8 +173,11 @@ impl Layer for LimbLayer {
         self.error = 0.0;
         self.ramp.advance(dt_s);
         let weight = clamped(self.weight) * self.faded_in();
-        let goal = self.target.filter(|_| weight > 0.0).and_then(|target| target.in_model(figure));
-        let Some((point, rotation)) = goal else { return Ok(()) };
+        let Some(target) = self.target.filter(|_| weight > 0.0) else { return Ok(()) };
+        let Some((point, rotation)) = target.in_model(figure) else {
+            self.error = f32::INFINITY;
+            return Ok(());
+        };
         let animated = self.limb.tip(figure.model());
         let tip = Transform::from_affine(&figure.model()[self.limb.tip_bone()]);
         let turn = rotation.zip(tip).map(|(rotation, tip)| product(rotation, tip.rotation.conjugate()));

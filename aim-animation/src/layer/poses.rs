@@ -9,7 +9,8 @@ use aim_runtime::ik::{AimPose, AimPoses, AimPosesOutcome, Blend, triangulated};
 use aim_runtime::rotation::{dot, inverse, length};
 
 use crate::blend::{Method, blended};
-use crate::clip::{Clip, Cursor};
+use crate::clip::Clip;
+use crate::cursor::Cursor;
 use crate::figure::{Figure, Layer};
 use crate::mask::{Mask, clamped};
 use crate::pose::{PoseError, check_length};

@@ -12,7 +12,8 @@ pub use error::MotionError;
 pub use root::{Root, RootPath};
 pub use steady::Screw;
 
-use crate::clip::{Clip, Cursor, sample_times};
+use crate::clip::{Clip, sample_times};
+use crate::cursor::Cursor;
 use crate::float::narrow;
 use crate::mask::clamped;
 use crate::pose::{PoseError, check_length};

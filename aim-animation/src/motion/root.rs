@@ -95,7 +95,7 @@ impl Sampler<'_> {
 
     fn at(&mut self, time_s: f32) -> Option<Transform> {
         self.pose.copy_from_slice(self.skeleton.rest());
-        self.clip.sample(time_s, &mut crate::clip::Cursor::default(), &mut self.pose);
+        self.clip.sample(time_s, &mut crate::cursor::Cursor::default(), &mut self.pose);
         self.placed()
     }
 

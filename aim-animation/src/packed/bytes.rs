@@ -123,7 +123,7 @@ impl PackedClip {
             return Err(PackedError::Rest(reader.0.len()));
         }
         data.extend([0; PADDING]);
-        let mut packed = Self { name, length_s, events, times, of_bones, data, tracks: Vec::new() };
+        let mut packed = Self { name, length_s, events, times, of_bones, data: data.into(), tracks: Vec::new() };
         packed.find_tracks(count)?;
         Ok(packed)
     }

@@ -1,23 +1,28 @@
 //! [`PackedClip`]: a clip whose keys take few bits. `grid.rs` makes values whole numbers, `layout.rs` is one track, `bits.rs` its
-//! bits, and `bytes.rs` the file of it.
+//! bits, `segment.rs` two of its keys decoded, and `bytes.rs` the file of it.
 
 mod bits;
 mod bytes;
 pub(crate) mod grid;
 pub(crate) mod layout;
+pub(crate) mod segment;
 
 use alloc::string::String;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
+use core::ops::Range;
 
+use aim_runtime::glam::{Quat, Vec3};
 use bits::BitWriter;
 pub use bytes::PackedError;
 use grid::{Grid, Parts};
 use layout::{Channel, Header, time_bits};
+use segment::Segment;
 
-use crate::clip::{Clip, Cursor, Event, events_passed};
+use crate::clip::{Clip, Event, events_passed};
+use crate::cursor::Cursor;
 use crate::step::Step;
-use crate::track::{Curve, Track, hermite};
+use crate::track::{Curve, Track};
 use crate::transform::Transform;
 
 /// A clip in a tenth to a quarter of its memory, played from there.
@@ -55,7 +60,7 @@ pub struct PackedClip {
     /// The number of the tracks of bones.
     of_bones: usize,
     /// The tracks, one behind the other.
-    data: Vec<u8>,
+    data: Arc<[u8]>,
 }
 
 impl PackedClip {
@@ -68,7 +73,7 @@ impl PackedClip {
             times: times_of(clip),
             tracks: Vec::new(),
             of_bones: 0,
-            data: Vec::new(),
+            data: Arc::from([]),
         };
         let mut bits = BitWriter::default();
         let mut grids = grids.0.iter().copied();
@@ -93,7 +98,7 @@ impl PackedClip {
             packed.tracks.push(u32::try_from(bits.position()).ok()?);
             layout::write(&mut bits, (Channel::Scalar, *index), (track, grid()), &packed.times)?;
         }
-        packed.data = bits.into_bytes();
+        packed.data = bits.into_bytes().into();
         Some(packed)
     }
 
@@ -127,45 +132,43 @@ impl PackedClip {
         4 * (self.times.len() + self.tracks.len()) + self.data.len()
     }
 
-    /// A cursor at the beginning, for a character that plays this clip.
+    /// A cursor at the beginning, for a character that plays this clip: it keeps two keys of each track decoded, some 100 bytes.
     #[must_use]
     pub fn cursor(&self) -> Cursor {
-        Cursor { keys: alloc::vec![0; 1 + self.tracks.len()] }
+        Cursor::with_room(1, self.tracks.len())
     }
 
     /// Writes the clip at a time into a pose, as [`Clip::sample`] does: what has no track stays as it is. Does not allocate.
+    ///
+    /// A track is decoded when the time has passed a key since the cursor was used last; with a cursor of another clip's or by default,
+    /// that may have too little room, in each call.
     pub fn sample(&self, time_s: f32, cursor: &mut Cursor, pose: &mut [Transform]) {
-        let moment = self.moment(time_s, cursor);
-        for (place, position) in self.tracks.iter().take(self.of_bones).enumerate() {
-            let header = self.header(*position);
-            let Some(bone) = pose.get_mut(header.target) else { continue };
-            let mut aside = 0;
-            let key = cursor.keys.get_mut(1 + place).unwrap_or(&mut aside);
-            match header.channel {
-                Channel::Translation => bone.translation = self.track_at(&header, moment, key),
-                Channel::Rotation => bone.rotation = self.track_at(&header, moment, key),
-                Channel::Scale => bone.scale = self.track_at(&header, moment, key),
+        self.each_segment(0..self.of_bones, time_s, cursor, |segment| {
+            let Some(bone) = pose.get_mut(segment.target) else { return };
+            match segment.channel {
+                Channel::Translation => bone.translation = segment.value(time_s),
+                Channel::Rotation => bone.rotation = segment.value(time_s),
+                Channel::Scale => bone.scale = segment.value(time_s),
                 Channel::Scalar => {}
             }
-        }
+        });
     }
 
     /// Writes the scalars at a time to the places of their numbers; others stay as they are.
     pub fn sample_scalars(&self, time_s: f32, cursor: &mut Cursor, scalars: &mut [f32]) {
-        let moment = self.moment(time_s, cursor);
-        for (place, position) in self.tracks.iter().enumerate().skip(self.of_bones) {
-            let header = self.header(*position);
-            let Some(scalar) = scalars.get_mut(header.target) else { continue };
-            let mut aside = 0;
-            *scalar = self.track_at(&header, moment, cursor.keys.get_mut(1 + place).unwrap_or(&mut aside));
-        }
+        self.each_segment(self.of_bones..self.tracks.len(), time_s, cursor, |segment| {
+            if let Some(scalar) = scalars.get_mut(segment.target) {
+                *scalar = segment.value(time_s);
+            }
+        });
     }
 
     /// The value of the scalar at a place of the list of scalars.
     pub(crate) fn scalar_in_place(&self, time_s: f32, place: usize) -> f32 {
-        let Some(position) = self.tracks.get(self.of_bones + place) else { return 0.0 };
-        let moment = self.moment(time_s, &mut Cursor::default());
-        self.track_at(&self.header(*position), moment, &mut 0)
+        let mut value = 0.0;
+        let place = self.of_bones + place;
+        self.each_segment(place..place + 1, time_s, &mut Cursor::default(), |segment| value = segment.value(time_s));
+        value
     }
 
     /// The clip with its keys as floats: at every time it has the same samples.
@@ -198,66 +201,67 @@ impl PackedClip {
         clip.with_length_and_events(self.length_s, self.events.clone())
     }
 
+    /// Calls for each of these tracks with its segment at a time.
+    #[inline]
+    fn each_segment(&self, places: Range<usize>, time_s: f32, cursor: &mut Cursor, mut call: impl FnMut(&Segment)) {
+        let segments = cursor.segments.of(&self.data);
+        let (mut alone, mut aside) = (None, 0);
+        let moment = cursor.keys.first_mut().unwrap_or(&mut aside);
+        for (place, position) in self.tracks.iter().enumerate().take(places.end).skip(places.start) {
+            let segment = segments.get_mut(place).unwrap_or_else(|| alone.insert(Segment::NONE));
+            if !segment.holds_at(time_s) {
+                *segment = self.segment(*position, time_s, moment, segment.key);
+            }
+            call(segment);
+        }
+    }
+
+    /// The segment of a track at a time, by the moment and the key that are likely.
+    #[inline(never)]
+    fn segment(&self, position: u32, time_s: f32, moment: &mut usize, key: usize) -> Segment {
+        let header = self.header(position);
+        let key = self.key_at(&header, self.moment(time_s, moment), key);
+        let (data, width) = (&self.data[..], time_bits(self.times.len()));
+        let time = |key: usize| self.times.get(header.time(data, key, width)).copied().filter(|_| key < header.keys);
+        let times = [time(key), time(key + 1)];
+        match header.channel {
+            Channel::Translation | Channel::Scale => Segment::new::<Vec3>(&header, data, key, times),
+            Channel::Rotation => Segment::new::<Quat>(&header, data, key, times),
+            Channel::Scalar => Segment::new::<f32>(&header, data, key, times),
+        }
+    }
+
     #[inline]
     fn header(&self, position: u32) -> Header {
         Header::read(&self.data, position as usize, self.times.len())
     }
 
-    /// A time, and the number of the last key's time that is not after it.
-    fn moment(&self, time_s: f32, cursor: &mut Cursor) -> (f32, Option<usize>) {
+    /// The number of the last key's time that is not after a time, by the one that is likely; `None` if there is none.
+    fn moment(&self, time_s: f32, likely: &mut usize) -> Option<usize> {
         let times = &self.times[..];
-        let mut aside = 0;
-        let hint = cursor.keys.first_mut().unwrap_or(&mut aside);
         let is_at = |k: usize| {
             times.get(k).is_some_and(|time| *time <= time_s) && times.get(k + 1).is_none_or(|next| time_s < *next)
         };
         // Played forward, the time is the last one found or the next.
-        if !is_at(*hint) {
-            let next = hint.saturating_add(1);
-            *hint = if is_at(next) { next } else { times.partition_point(|time| *time <= time_s).saturating_sub(1) };
+        if !is_at(*likely) {
+            let next = likely.saturating_add(1);
+            *likely = if is_at(next) { next } else { times.partition_point(|time| *time <= time_s).saturating_sub(1) };
         }
-        (time_s, Some(*hint).filter(|hint| is_at(*hint)))
+        Some(*likely).filter(|likely| is_at(*likely))
     }
 
-    /// The value of a track; the same as that of the track of floats.
-    #[inline]
-    fn track_at<T: Parts>(&self, header: &Header, (time_s, moment): (f32, Option<usize>), hint: &mut usize) -> T {
+    /// The last key that is not after the moment, else the first, by the one that is likely.
+    fn key_at(&self, header: &Header, moment: Option<usize>, likely: usize) -> usize {
+        let Some(moment) = moment else { return 0 };
         let width = time_bits(self.times.len());
         let last = header.keys.saturating_sub(1);
         let time_of = |key: usize| header.time(&self.data, key, width);
-        let key = match moment {
-            None => 0,
-            Some(moment) => {
-                let is_at = |k: usize| k <= last && time_of(k) <= moment && (k == last || moment < time_of(k + 1));
-                let next = hint.saturating_add(1);
-                if is_at(*hint) {
-                    *hint
-                } else if is_at(next) {
-                    next
-                } else {
-                    key_before(last, |key| time_of(key) <= moment)
-                }
-            }
-        };
-        *hint = key;
-        let time = |key: usize| self.times.get(time_of(key)).copied().unwrap_or_default();
-        let (from, to) = if key < last { (time(key), time(key + 1)) } else { (f32::INFINITY, f32::INFINITY) };
-        if header.curve != Curve::Cubic {
-            let value: T = header.value(&self.data, key);
-            if !(time_s > from) || header.curve == Curve::Step {
-                return value;
-            }
-            let next = header.value(&self.data, key + 1);
-            return value.linear(next, (time_s - from) / (to - from));
+        let is_at = |k: usize| k <= last && time_of(k) <= moment && (k == last || moment < time_of(k + 1));
+        let next = likely.saturating_add(1);
+        match [likely, next].into_iter().find(|key| is_at(*key)) {
+            Some(key) => key,
+            None => key_before(last, |key| time_of(key) <= moment),
         }
-        if !(time_s > from) {
-            let value: T = header.value(&self.data, key);
-            return value.value(value);
-        }
-        let interval = to - from;
-        let (a, [_, out]) = header.cubic_key::<T>(&self.data, key, None);
-        let (b, [into, _]) = header.cubic_key(&self.data, key + 1, Some(a));
-        hermite([a, out.times(interval), b, into.times(interval)], (time_s - from) / interval).value(a)
     }
 
     /// A track as floats; `None` if it is none.

@@ -13,7 +13,8 @@ use aim_runtime::trajectory::{Ends, Outcome, Trajectory, Waypoint};
 pub use error::ReachError;
 pub use state::ReachState;
 
-use crate::clip::{Clip, Cursor, sample_times};
+use crate::clip::{Clip, sample_times};
+use crate::cursor::Cursor;
 use crate::limb::{Limb, TipGoal};
 use crate::pose::{Both, PoseError, check_length};
 use crate::skeleton::Skeleton;

@@ -5,7 +5,8 @@ use alloc::vec::Vec;
 use aim_runtime::rotation::length;
 
 use super::ends::{Ends, narrowed};
-use crate::clip::{Clip, Cursor};
+use crate::clip::Clip;
+use crate::played::Played;
 use crate::skeleton::Skeleton;
 use crate::transform::Transform;
 
@@ -74,15 +75,6 @@ impl Error {
     pub(super) fn size(&self) -> f32 {
         if self.squared.is_finite() { length(narrowed(self.vector)) } else { f32::INFINITY }
     }
-}
-
-/// A clip that can be played, however it is stored.
-pub(super) trait Played {
-    fn bytes(&self) -> usize;
-    fn cursor(&self) -> Cursor;
-    fn sample(&self, time_s: f32, cursor: &mut Cursor, pose: &mut [Transform]);
-    /// The scalar at a place of the clip's list.
-    fn scalar(&self, time_s: f32, place: usize) -> f32;
 }
 
 /// Measures clips against one clip.

@@ -12,15 +12,15 @@ mod samples;
 use alloc::vec::Vec;
 
 pub use error::ReductionError;
-use judge::{Errors, Judge, Played};
+use judge::{Errors, Judge};
 use parts::{Factors, Fit, Tracks};
 use prepared::Storage;
 
-use crate::clip::{Clip, Cursor};
+use crate::clip::Clip;
 use crate::float::root;
 use crate::packed::{PackedClip, times_of};
+use crate::played::Played;
 use crate::skeleton::Skeleton;
-use crate::transform::Transform;
 
 /// The tolerance of scalars, unless another is given.
 const SCALAR_TOLERANCE: f32 = 1e-3;
@@ -253,34 +253,4 @@ fn worst(errors: &Errors) -> (f32, Option<ErrorPlace>) {
     let sizes = errors.bones.iter().map(judge::Error::size).enumerate();
     let worst = sizes.filter(|(_, size)| *size > 0.0).reduce(|a, b| if b.1 > a.1 { b } else { a });
     worst.map_or((0.0, None), |(bone, size)| (size, Some(ErrorPlace { bone, time_s: errors.bones[bone].time_s })))
-}
-
-impl Played for Clip {
-    fn bytes(&self) -> usize {
-        self.bytes()
-    }
-    fn cursor(&self) -> Cursor {
-        self.cursor()
-    }
-    fn sample(&self, time_s: f32, cursor: &mut Cursor, pose: &mut [Transform]) {
-        self.sample(time_s, cursor, pose);
-    }
-    fn scalar(&self, time_s: f32, place: usize) -> f32 {
-        self.scalars().get(place).map_or(0.0, |(_, track)| track.sample(time_s))
-    }
-}
-
-impl Played for PackedClip {
-    fn bytes(&self) -> usize {
-        self.bytes()
-    }
-    fn cursor(&self) -> Cursor {
-        self.cursor()
-    }
-    fn sample(&self, time_s: f32, cursor: &mut Cursor, pose: &mut [Transform]) {
-        self.sample(time_s, cursor, pose);
-    }
-    fn scalar(&self, time_s: f32, place: usize) -> f32 {
-        self.scalar_in_place(time_s, place)
-    }
 }

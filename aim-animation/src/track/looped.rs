@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::{Curve, Track, Value};
+use super::{Curve, Track, Value, intervals, is_bounded};
 
 /// How far the ends of a loop are brought together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,12 +94,11 @@ impl<T: Value> Track<T> {
                 correct((length_s - time) / window, -sign, -1.0);
             }
         }
-        let intervals = keys.times.windows(2).map(|pair| pair[1] - pair[0]).chain([0.0]);
-        let bounded = keys.values.iter().zip(&keys.tangents).zip(intervals).all(|((value, tangents), interval)| {
-            let fits = |tangent: &T| tangent.times(interval).bounded() && tangent.times(1e-12).bounded();
-            value.bounded() && tangents.iter().all(fits)
+        let is_sound = (0..keys.times.len()).all(|k| {
+            let mut tangents = keys.tangents[k].into_iter().zip(intervals(&keys.times, k));
+            keys.values[k].bounded() && tangents.all(|(tangent, interval)| is_bounded(tangent, interval))
         });
-        bounded.then(|| keys.into_track())
+        is_sound.then(|| keys.into_track())
     }
 
     /// The same as cubic keys from 0 to the length; `None` for steps.

@@ -5,6 +5,7 @@ mod edit;
 mod error;
 mod key;
 mod looped;
+mod unit_keys;
 mod value;
 
 use alloc::sync::Arc;
@@ -155,7 +156,8 @@ impl<T: Value> Track<T> {
         &self.times
     }
 
-    /// The values of the keys. Rotations are unit, but where a cubic track was [cut](Self::cut).
+    /// The values of the keys. Rotations are unit, but where a cubic track was [cut](Self::cut); see
+    /// [`with_unit_keys`](Track::with_unit_keys).
     #[must_use]
     pub fn values(&self) -> &[T] {
         &self.values
@@ -245,10 +247,8 @@ impl<T: Value> Track<T> {
         }
         let interval = self.times[k + 1] - self.times[k];
         let u = (time_s - self.times[k]) / interval;
-        let [a, out, b, into] = self.segment(k);
-        let way = b.plus(a.times(-1.0)).times(6.0 * u * (1.0 - u));
-        let velocity = way.plus(out.times(1.0 - u * (4.0 - 3.0 * u))).plus(into.times(u * (3.0 * u - 2.0)));
-        (hermite([a, out, b, into], u), velocity.times(1.0 / interval))
+        let segment = self.segment(k);
+        (hermite(segment, u), hermite_slope(segment, u).times(1.0 / interval))
     }
 
     /// The segment after key `k` of a cubic track: value and tangent there and at the next key, by the parameter 0…1.
@@ -305,6 +305,12 @@ pub(crate) fn hermite<T: Value>([a, out, b, into]: [T; 4], u: f32) -> T {
     // H₀ = v²(1 + 2u), H₁ = u·v², H₂ = u²(1 + 2v), H₃ = −u²·v.
     let ends = a.times(v * v * (1.0 + 2.0 * u)).plus(b.times(u * u * (1.0 + 2.0 * v)));
     ends.plus(out.times(u * v * v)).plus(into.times(-u * u * v))
+}
+
+/// The derivative of [`hermite`] by its parameter.
+pub(crate) fn hermite_slope<T: Value>([a, out, b, into]: [T; 4], u: f32) -> T {
+    let way = b.plus(a.times(-1.0)).times(6.0 * u * (1.0 - u));
+    way.plus(out.times(1.0 - u * (4.0 - 3.0 * u))).plus(into.times(u * (3.0 * u - 2.0)))
 }
 
 /// The times from the key before to key `k`, and from there to the next; 0 where there is none.

@@ -266,3 +266,17 @@ fn what_is_not_mended() {
         assert!(apart(sample(&round, time), sample(&mended, time))[3] < 1e-6);
     }
 }
+
+/// What would be too large over the interval before the last key is left alone, too.
+#[test]
+fn a_velocity_on_arriving_that_is_too_large_is_left_alone() {
+    // It leaves the first key at 10²⁵ a second, half of which the last one would arrive with, after 10¹⁶ seconds.
+    let track = Track::linear([0.0, 7e-28, 1.5e16], [0.0, 0.0088, 0.0]).unwrap();
+    let clip = Clip::new("c").with_scalar(0, track);
+    let mended = clip.mended(Continuity::Speed, 1.8e-19);
+    for part in [0.0, 0.25, 0.5, 0.75, 1.0] {
+        let mut scalars = [0.0];
+        mended.sample_scalars(part * clip.length_s(), &mut mended.cursor(), &mut scalars);
+        assert!(scalars[0].is_finite(), "{part}: {mended:?}");
+    }
+}

@@ -304,6 +304,45 @@ fn pieces_are_unit() {
 }
 
 /// A piece is the same curve from its beginning on, reversed tracks are the same from behind.
+/// Made unit key by key, a cut curve would turn elsewhere between its keys: by degrees where it swings wide.
+#[test]
+fn unit_keys_keep_the_curve() {
+    let mut rng = Rng(17);
+    let mut largest = 0.0_f64;
+    for case in 0..200 {
+        let times = times(&mut rng, 2 + case % 4);
+        let keys: Vec<HermiteKey<Quat>> = (times.iter())
+            .map(|_| HermiteKey { value: rng.rotation(), into: rng.rotation() * 2.0, out: rng.rotation() * 2.0 })
+            .collect();
+        let track = Track::hermite(times.clone(), &keys).unwrap();
+        assert_eq!(track.with_unit_keys(), track);
+        let (from, to) = (times[0] + 0.03, track.end_s() - 0.01);
+        let piece = track.cut(from, to);
+        // Through the middle of a turn by half a circle a cubic is as good as zero, and turns as fast as it likes.
+        if (0..1000_u16).any(|k| point(&track, from + f32::from(k) * 0.001 * (to - from)).length() < 0.3) {
+            continue;
+        }
+        let unit = piece.with_unit_keys();
+        assert!(unit.values().iter().all(|value| (value.as_dquat().length() - 1.0).abs() < 1e-6));
+        assert!(unit.times().len() < piece.times().len() + 2 * 64, "{}", unit.times().len());
+        for k in 0..=1000_u16 {
+            let time = piece.end_s() * f32::from(k) * 0.001;
+            largest = largest.max(angle_between(unit.sample(time), piece.sample(time).as_dquat()));
+        }
+    }
+    assert!(largest < 2e-5, "{largest}");
+}
+
+/// The point of a cubic before it is made unit, by the definition.
+fn point(track: &Track<Quat>, time: f32) -> DQuat {
+    let Some((k, u)) = segment(track.times(), time) else { return DQuat::IDENTITY };
+    let interval = f64::from(track.times()[k + 1] - track.times()[k]);
+    let [a, b] = [k, k + 1].map(|k| track.values()[k].as_dquat());
+    let (out, into) = (track.tangents()[k][1].as_dquat() * interval, track.tangents()[k + 1][0].as_dquat() * interval);
+    let v = 1.0 - u;
+    a * (v * v * (1.0 + 2.0 * u)) + b * (u * u * (1.0 + 2.0 * v)) + out * (u * v * v) - into * (u * u * v)
+}
+
 #[test]
 fn cut_and_reversed() {
     let mut rng = Rng(8);

@@ -55,6 +55,24 @@ fn a_written_clip_reads_back_the_same() {
     }
 }
 
+/// Keys of a cut cubic are not unit, and in a file they have to be: the curve between them is to stay.
+#[test]
+fn a_cut_rotation_turns_as_before() {
+    let document = Document::from_bytes(&mannequin_glb()).unwrap();
+    let head = document.skeleton().find("head").unwrap();
+    let turns = [0.0, 2.4, 0.3, -2.0].map(Quat::from_rotation_x);
+    let whole = Track::catmull_rom([0.0, 1.0, 2.0, 2.5], turns).unwrap();
+    let cut = whole.cut(0.5, 2.3);
+    let clip = Clip::new("cut").with_rotation(head, cut.clone());
+    let written = Document::from_bytes(&document.with_clips(&[clip]).unwrap()).unwrap();
+    let read = written.clip("cut").unwrap().bone(head).and_then(|tracks| tracks.rotation.clone()).unwrap();
+    for k in 0..=180_u8 {
+        let time = f32::from(k) * 0.01;
+        let (a, b) = (cut.sample(time).as_dquat().normalize(), read.sample(time).as_dquat().normalize());
+        assert!((a - b).length().min((a + b).length()) < 1e-5, "{time}: {a} {b}");
+    }
+}
+
 #[test]
 fn the_default_clip_is_the_first_idle_one_else_the_first() {
     let document = Document::from_bytes(&mannequin_glb()).unwrap();

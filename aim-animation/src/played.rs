@@ -1,0 +1,61 @@
+//! [`Played`]: a clip that can be played, however it is stored.
+
+use core::fmt::Debug;
+
+use crate::clip::{Clip, Event};
+use crate::cursor::Cursor;
+use crate::packed::PackedClip;
+use crate::transform::Transform;
+
+/// A clip that can be played, however it is stored.
+pub(crate) trait Played: Debug {
+    fn bytes(&self) -> usize;
+    fn length_s(&self) -> f32;
+    fn events(&self) -> &[Event];
+    fn cursor(&self) -> Cursor;
+    fn sample(&self, time_s: f32, cursor: &mut Cursor, pose: &mut [Transform]);
+    /// The scalar at a place of the clip's list.
+    fn scalar(&self, time_s: f32, place: usize) -> f32;
+}
+
+impl Played for Clip {
+    fn bytes(&self) -> usize {
+        self.bytes()
+    }
+    fn length_s(&self) -> f32 {
+        self.length_s()
+    }
+    fn events(&self) -> &[Event] {
+        self.events()
+    }
+    fn cursor(&self) -> Cursor {
+        self.cursor()
+    }
+    fn sample(&self, time_s: f32, cursor: &mut Cursor, pose: &mut [Transform]) {
+        self.sample(time_s, cursor, pose);
+    }
+    fn scalar(&self, time_s: f32, place: usize) -> f32 {
+        self.scalars().get(place).map_or(0.0, |(_, track)| track.sample(time_s))
+    }
+}
+
+impl Played for PackedClip {
+    fn bytes(&self) -> usize {
+        self.bytes()
+    }
+    fn length_s(&self) -> f32 {
+        self.length_s()
+    }
+    fn events(&self) -> &[Event] {
+        self.events()
+    }
+    fn cursor(&self) -> Cursor {
+        self.cursor()
+    }
+    fn sample(&self, time_s: f32, cursor: &mut Cursor, pose: &mut [Transform]) {
+        self.sample(time_s, cursor, pose);
+    }
+    fn scalar(&self, time_s: f32, place: usize) -> f32 {
+        self.scalar_in_place(time_s, place)
+    }
+}
