@@ -270,11 +270,16 @@ impl PackedClip {
         let times: Option<Vec<f32>> =
             (0..header.keys).map(|key| self.times.get(header.time(&self.data, key, width)).copied()).collect();
         let (mut values, mut tangents): (Vec<T>, Vec<[T; 2]>) = (Vec::new(), Vec::new());
+        let (mut before, mut sign): (Option<T>, f32) = (None, 1.0);
         for key in 0..header.keys {
             if header.curve == Curve::Cubic {
-                let (value, of_key) = header.cubic_key(&self.data, key, values.last().copied());
-                values.push(value);
-                tangents.push(of_key);
+                // Of neighbours half a turn apart either form is near: as in a segment, those that are stored decide.
+                let (value, of_key) = header.cubic_key(&self.data, key, None);
+                let (near, _) = header.cubic_key(&self.data, key, before);
+                before = Some(value);
+                sign *= if near == value { 1.0 } else { -1.0 };
+                values.push(value.times(sign));
+                tangents.push(of_key.map(|tangent: T| tangent.times(sign)));
             } else {
                 values.push(header.value(&self.data, key));
             }

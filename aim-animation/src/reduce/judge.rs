@@ -2,12 +2,15 @@
 
 use alloc::vec::Vec;
 
-use aim_runtime::rotation::length;
+use aim_runtime::glam::Quat;
+use aim_runtime::rotation::{dot, length};
 
 use super::ends::{Ends, narrowed};
 use crate::clip::Clip;
+use crate::packed::grid::power_of_two;
 use crate::played::Played;
 use crate::skeleton::Skeleton;
+use crate::track::{Curve, Track};
 use crate::transform::Transform;
 
 /// Points between neighbouring keys.
@@ -99,6 +102,8 @@ impl<'a> Judge<'a> {
     pub(super) fn new(skeleton: &'a Skeleton, original: &'a Clip, pins: &[f32]) -> Self {
         let mut keys = crate::packed::times_of(original);
         keys.extend(pins);
+        let rotations = original.tracks().iter().filter_map(|tracks| tracks.rotation.as_ref());
+        rotations.for_each(|track| keys.extend(whirls(track)));
         keys.sort_unstable_by(f32::total_cmp);
         keys.dedup();
         Self { skeleton, original, ends: Ends::of(skeleton), keys }
@@ -189,6 +194,30 @@ impl<'a> Judge<'a> {
         }
         worst
     }
+}
+
+/// Where a cubic turns by a large angle in a short time, as its quaternions pass near zero: the moment, and times that close in on it.
+fn whirls(track: &Track<Quat>) -> impl Iterator<Item = f32> + '_ {
+    let times = if track.curve() == Curve::Cubic { track.times() } else { &[] };
+    times.windows(2).flat_map(|pair| {
+        let (from, interval) = (pair[0], pair[1] - pair[0]);
+        let square = |part: f32| {
+            let (point, _) = track.point_and_velocity(from + part * interval);
+            dot(point, point)
+        };
+        let least = |around: f32, step: f32| {
+            let parts = (-8..=8_i8).map(|k| around + f32::from(k) * step).filter(|part| (0.0..1.0).contains(part));
+            parts.map(|part| (part, square(part))).reduce(|a, b| if b.1 < a.1 { b } else { a })
+        };
+        let moment = (0..4).try_fold((0.5, 1.0), |(around, _), zoom| least(around, 0.0625 * power_of_two(-3 * zoom)));
+        let moment = moment.filter(|(_, square)| *square < 0.25 && interval > 0.0);
+        let around = |(part, _): (f32, f32)| {
+            let aside = (2..14).map(|k| power_of_two(-k));
+            aside.flat_map(move |aside| [part - aside, part + aside]).chain([part])
+        };
+        let parts = moment.into_iter().flat_map(around).filter(|part| 0.0 < *part && *part < 1.0);
+        parts.map(move |part| from + part * interval)
+    })
 }
 
 /// True if a transform is the same, or the same by the other quaternion.

@@ -2,7 +2,8 @@
 
 use aim_animation::glam::{Quat, Vec3};
 use aim_animation::{
-    Bone, Clip, Control, Cursor, Looping, PackedClip, PackedError, Reduction, Skeleton, Track, Transform,
+    Bone, Clip, ClipControl, Control, Cursor, HermiteKey, Instance, Looping, Model, PackedClip, PackedError, Reduction,
+    Skeleton, Track, Transform,
 };
 
 use crate::common::Rng;
@@ -70,6 +71,76 @@ fn samples_are_those_of_the_floats_whatever_the_cursor() {
                 floats.sample_scalars(time, &mut floats.cursor(), &mut b);
                 assert_eq!(a, b, "{case} {time}");
             }
+        }
+    }
+}
+
+/// What a cursor keeps of one clip is not taken for another's, even of one that takes its place in memory.
+#[test]
+fn a_cursor_goes_from_clip_to_clip() {
+    let mut rng = Rng(26);
+    let mut cursor: Option<Cursor> = None;
+    for case in 0..60 {
+        let (skeleton, _, _, packed) = packed(&mut rng);
+        let floats = packed.clip.unpacked();
+        let cursor = cursor.get_or_insert_with(|| packed.clip.cursor());
+        for time in [0.1, 0.11, 0.4] {
+            let [mut a, mut b] = [skeleton.rest().to_vec(), skeleton.rest().to_vec()];
+            packed.clip.sample(time, cursor, &mut a);
+            floats.sample(time, &mut floats.cursor(), &mut b);
+            assert!(a.iter().zip(&b).all(|(a, b)| same_bits(a, b)), "{case} {time}");
+        }
+    }
+}
+
+/// Neighbours half a turn apart are as near by either sign; the way between them is that of the packed clip nevertheless.
+#[test]
+fn half_turns_unpack_the_way_they_go() {
+    let still = Quat::from_xyzw(0.0, 0.0, 0.0, 0.0);
+    let keys = [(0.0, -1.0), (0.8, -0.6), (0.6, 0.8)].map(|(x, w)| HermiteKey {
+        value: Quat::from_xyzw(x, 0.0, 0.0, w),
+        into: still,
+        out: still,
+    });
+    let clip = Clip::new("c").with_rotation(0, Track::hermite([0.0, 1.0, 2.0], &keys).unwrap());
+    let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
+    let packed = Reduction::new(0.05).pack(&clip, &skeleton).unwrap().clip;
+    let floats = packed.unpacked();
+    for k in 0..=200_u8 {
+        let time = f32::from(k) * 0.01;
+        let [mut a, mut b] = [[Transform::IDENTITY]; 2];
+        packed.sample(time, &mut packed.cursor(), &mut a);
+        floats.sample(time, &mut floats.cursor(), &mut b);
+        assert!(same_bits(&a[0], &b[0]), "{time}: {a:?} {b:?}");
+    }
+}
+
+/// A model plays packed clips as it does those of floats, numbered behind them.
+#[test]
+fn instances_play_packed_clips() {
+    let mut rng = Rng(25);
+    for _ in 0..20 {
+        let (skeleton, clip, _, packed) = packed(&mut rng);
+        let models = [
+            Model::new(skeleton.clone(), [clip.clone(), packed.clip.unpacked()]),
+            Model::new(skeleton.clone(), [clip.clone()]).with_packed(packed.clip.clone()),
+        ];
+        assert_eq!(models[1].packed_clips(), [packed.clip.clone()]);
+        let mut poses = [skeleton.rest().to_vec(), skeleton.rest().to_vec()];
+        let mut heroes = models.each_ref().map(Instance::new);
+        for hero in &mut heroes {
+            hero.play(ClipControl::new(0).with_weight(0.5));
+            hero.play(ClipControl::new(1));
+        }
+        for _ in 0..40 {
+            for ((hero, model), pose) in heroes.iter_mut().zip(&models).zip(&mut poses) {
+                hero.advance(model, 0.06);
+                hero.pose(model, pose).unwrap();
+            }
+            assert!(poses[0].iter().zip(&poses[1]).all(|(a, b)| same_bits(a, b)), "{poses:?}");
+            let [a, b] =
+                [0, 1].map(|k| heroes[k].events(&models[k]).map(|(n, event)| (n, event.clone())).collect::<Vec<_>>());
+            assert_eq!(a, b);
         }
     }
 }

@@ -371,6 +371,29 @@ fn quaternions_of_either_sign_are_one_rotation() {
     assert!(rotation_of(&reduced.clip, 0).unwrap().times().len() < 10, "{reduced:?}");
 }
 
+/// Where quaternions pass near zero a cubic turns by half a circle within a thousandth of its interval.
+#[test]
+fn a_turn_between_the_points_that_are_judged_is_seen() {
+    let key = |value: [f32; 4], tangent: [f32; 4]| {
+        let [value, tangent] = [value, tangent].map(Quat::from_array);
+        HermiteKey { value, into: tangent, out: tangent }
+    };
+    let first = key([-0.34, 0.14, -0.17, 0.35], [7.7, -2.9, 3.6, -7.1]);
+    let keys = [first, first, key([0.07, 0.38, -0.36, 0.5], [6.4, -3.9, 3.8, 5.2])];
+    let clip = Clip::new("c").with_rotation(0, Track::hermite([0.0, 0.01, 1.01], &keys).unwrap());
+    let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
+    let reduced = Reduction::new(0.03).reduce(&clip, &skeleton).unwrap().clip;
+    let mut worst = 0.0_f64;
+    for k in 0..=20_000_u16 {
+        let time = 0.01 + f32::from(k) / 20_000.0;
+        let turns = [&clip, &reduced].map(|clip| rotation_of(clip, 0).unwrap().sample(time).as_dquat().normalize());
+        for axis in DVec3::AXES {
+            worst = worst.max((turns[0] * axis).distance(turns[1] * axis));
+        }
+    }
+    assert!(worst < 0.045, "{worst}");
+}
+
 #[test]
 fn cubic_keys_that_are_needed_stay() {
     let key = |x: f32, v: f32| HermiteKey { value: Vec3::Y * x, into: Vec3::Y * v, out: Vec3::Y * v };
