@@ -41,8 +41,9 @@ const USED: f64 = 0.999;
 /// on the very result. Scalars have a tolerance of their own.
 ///
 /// Tracks that equal the skeleton's rest are dropped: poses start there. Others become constant, steps, straight or cubic (Hermite, knots at uneven
-/// times), whichever is smallest. The first and the last key of each track, both sides of jumps, and pins keep their values to the bit; so what
-/// was continuous stays so, and a loop's seam is as it was. A track that would not hold the tolerance stays as it is.
+/// times), whichever is smallest. The first and the last key of each track, both sides of jumps, and pins keep their values, rotations of cubic tracks to the
+/// last digit; so what was continuous stays so, and a loop's seam is as it was. A track that moves by less than the tolerance becomes constant,
+/// one that would not hold it stays as it is.
 ///
 /// For every n-th key, see [`Clip::resampled`].
 ///
@@ -113,7 +114,7 @@ impl Reduction {
         self
     }
 
-    /// With keys at these times, seconds, at which every track that is kept has the very value of the clip: for transitions, contacts and golden
+    /// With keys at these times, seconds, at which every track that is changed has the value of the clip: for transitions, contacts and golden
     /// poses. Where a track has no movement, as before its first key, there is none. Packed clips have a key there, whose value is rounded.
     #[must_use]
     pub fn with_pins(mut self, times_s: impl IntoIterator<Item = f32>) -> Self {

@@ -2,7 +2,7 @@
 //!
 //! `pose_frames none|sample|packed|blend|sum|model|matrices|deform|stack-… FRAMES`: two runs differ by the work of the frames by which
 //! they differ; `none` is the frame without the work. Every bone has its own linear tracks of translation, rotation and scale, of 30
-//! keys a second, sampled forward at 60 Hz with one cursor; `packed` are its first two seconds, packed to a thousandth and repeated. `sum` is of four poses;
+//! keys a second, sampled forward at 60 Hz with one cursor; `packed` is its first half second, packed to a thousandth and repeated. `sum` is of four poses;
 //! `matrices` are those of all bones, and `deform` moves as many vertices of four joints each. `stack-blend`, `stack-feet`, `stack-aim`
 //! and `stack-hand` are frames of layers on a figure, each with those before it: two clips blended, two planted feet, three joints
 //! aimed, one hand.
@@ -22,7 +22,7 @@ const BONES: usize = 64;
 /// Keys of the clip, 30 a second.
 const KEYS: u16 = 600;
 /// Of it this much is packed, seconds: packing is not what is counted.
-const PACKED_S: f32 = 2.0;
+const PACKED_S: f32 = 0.5;
 
 /// Three bones of a chain of the stack.
 #[derive(AimRig)]
