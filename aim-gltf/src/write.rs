@@ -1,5 +1,7 @@
 //! A document written again with further clips: old bytes first and unchanged, new ones appended.
 
+mod weights;
+
 use aim_animation::glam::Vec4;
 use std::collections::BTreeMap;
 
@@ -13,6 +15,7 @@ use crate::document::{Buffer, Document, bytes_of};
 use crate::error::Error;
 use crate::references::accessors_of;
 use crate::uri::{self, Uri};
+use weights::{keys_of_weights, weights_at_rest};
 
 fn refuse(problem: impl Into<String>) -> Error {
     Error::Clip(problem.into())
@@ -25,6 +28,10 @@ impl Document {
     /// are and where they are. External buffers, and external images that can be read, move into the file. Of the
     /// old JSON only what must change does: array lengths, buffer 0, and the `matrix` of a node that a clip moves,
     /// which becomes translation, rotation and scale.
+    ///
+    /// Every track is written as the curve that it is. The weights of a mesh's morph targets, which have one sampler, have keys at the
+    /// times of all of their tracks. Events are not written, glTF has none: keep them beside the file, or in
+    /// [`PackedClip::to_bytes`](aim_animation::PackedClip::to_bytes).
     ///
     /// # Errors
     /// [`Error::Clip`] when a clip moves nodes or morph targets that the file does not have.
@@ -311,8 +318,8 @@ impl Appended {
             let tracks: Vec<Option<&Track<f32>>> =
                 scalars.clone().map(|scalar| weights_of.get(&scalar).copied()).collect();
             if tracks.iter().any(Option::is_some) {
-                let at_rest = document.skeleton().morph_weights(*bone).unwrap_or_default();
-                animation.channel(node, ("weights", "SCALAR"), &weights(&tracks, at_rest));
+                let at_rest = weights_at_rest(document.json(), node);
+                animation.channel(node, ("weights", "SCALAR"), &keys_of_weights(&tracks, &at_rest));
             }
         }
         json!({ "name": clip.name(), "channels": animation.channels, "samplers": animation.samplers })
@@ -369,9 +376,11 @@ struct Keys {
 
 /// The keys of tracks that have the same times and the same curve, one track's numbers after the other's.
 fn keys<T: Keyed, const N: usize>(tracks: &[&Track<T>], numbers: impl Fn(T) -> [f32; N]) -> Keys {
-    let (curve, mut times) = (tracks[0].curve(), tracks[0].times().to_vec());
+    let (curve, times) = (tracks[0].curve(), tracks[0].times());
+    // What jumps at 0 is never seen before it.
+    let first = usize::from(times.get(1).is_some_and(|second| *second <= 0.0));
     let mut values = Vec::new();
-    for k in 0..times.len() {
+    for k in first..times.len() {
         let tangents = |side: usize| tracks.iter().map(move |track| track.tangents()[k][side]);
         let of_key = tracks.iter().map(|track| track.values()[k]);
         if curve == Curve::Cubic {
@@ -380,31 +389,15 @@ fn keys<T: Keyed, const N: usize>(tracks: &[&Track<T>], numbers: impl Fn(T) -> [
             values.extend(of_key.flat_map(&numbers));
         }
     }
-    // Where a track jumps, two keys share a time.
+    // Where a track jumps, two keys share a time, from which on it has the value of the second: the first comes a hair earlier, or
+    // where a key is there already, the second later.
+    let mut times = times[first..].to_vec();
     for k in 1..times.len() {
         if times[k] <= times[k - 1] {
-            times[k] = f32::next_up(times[k - 1]);
+            let before = times[k].next_down();
+            let is_free = k.checked_sub(2).is_none_or(|k| times[k] < before);
+            if is_free { times[k - 1] = before } else { times[k] = times[k - 1].next_up() }
         }
     }
     Keys { curve, times, values, width: N * tracks.len() }
-}
-
-/// The keys of all weights of a mesh. Those of tracks that differ in their times are lines between the keys of all; what no
-/// track moves stays at rest.
-fn weights(tracks: &[Option<&Track<f32>>], at_rest: &[f32]) -> Keys {
-    let known: Vec<&Track<f32>> = tracks.iter().copied().flatten().collect();
-    if known.len() == tracks.len()
-        && known.iter().all(|track| track.curve() == known[0].curve() && track.times() == known[0].times())
-    {
-        return keys(&known, |weight| [weight]);
-    }
-    let mut times: Vec<f32> = known.iter().flat_map(|track| track.times().iter().copied()).collect();
-    times.sort_by(f32::total_cmp);
-    times.dedup();
-    let weight = |(target, track): (usize, &Option<&Track<f32>>), time: f32| {
-        track.map_or_else(|| at_rest.get(target).copied().unwrap_or_default(), |track| track.sample(time))
-    };
-    let values =
-        times.iter().flat_map(|&time| tracks.iter().enumerate().map(move |track| weight(track, time))).collect();
-    Keys { curve: Curve::Linear, times, values, width: tracks.len() }
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use crate::support::{put_together, take_apart};
 use aim_animation::glam::{Quat, Vec3};
-use aim_animation::{Clip, Track};
+use aim_animation::{Clip, HermiteKey, Track};
 use aim_character::{PAPER_AXES, mannequin};
 use aim_gltf::{Document, Error, write_file};
 use serde_json::{Value, json};
@@ -200,6 +200,112 @@ fn what_jumps_is_written_with_increasing_times() {
     let track = written.clip("jump").unwrap().bone(0).and_then(|tracks| tracks.translation.as_ref()).unwrap();
     for time in [0.25, 0.49, 0.51, 0.9] {
         assert!((track.sample(time) - jump.sample(time)).length() < 1e-5, "at {time}");
+    }
+}
+
+/// Tracks have the second value at a jump, and a file as read has it, too, a clip's last one and its first included.
+#[test]
+fn a_jump_is_at_its_time() {
+    let document = Document::from_bytes(&mannequin_glb()).unwrap();
+    let jump =
+        Track::linear([0.0, 0.0, 0.5, 0.5, 1.0, 1.0], [Vec3::X, Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z, Vec3::ONE])
+            .unwrap();
+    let glb = document.with_clips(&[Clip::new("jump").with_translation(0, jump.clone())]).unwrap();
+    let written = Document::from_bytes(&glb).unwrap();
+    let read = written.clip("jump").unwrap();
+    assert_eq!(read.length_s().to_bits(), 1.0_f32.to_bits(), "it is no longer than it was");
+    let track = read.bone(0).and_then(|tracks| tracks.translation.as_ref()).unwrap();
+    for time in [0.0, 0.25, 0.49999, 0.5, 0.75, 0.99999, 1.0, 2.0] {
+        assert!((track.sample(time) - jump.sample(time)).length() < 1e-5, "{} at {time}", track.sample(time));
+    }
+}
+
+/// A node that shows a triangle with as many morph targets.
+fn face(weights: &[f32]) -> Document {
+    let positions = json!({ "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [0, 0, 0] });
+    let targets: Vec<Value> = weights.iter().map(|_| json!({ "POSITION": 0 })).collect();
+    let json = json!({
+        "asset": { "version": "2.0" },
+        "nodes": [{ "name": "face", "mesh": 0 }],
+        "meshes": [{ "weights": weights, "primitives": [{ "attributes": { "POSITION": 0 }, "targets": targets }] }],
+        "accessors": [positions],
+    });
+    Document::from_bytes(&serde_json::to_vec(&json).unwrap()).unwrap()
+}
+
+/// A cubic through these keys: time, velocity on arriving, value, velocity on leaving.
+fn cubic(keys: &[[f32; 4]]) -> Track<f32> {
+    let times: Vec<f32> = keys.iter().map(|key| key[0]).collect();
+    let keys: Vec<HermiteKey<f32>> =
+        keys.iter().map(|&[_, into, value, out]| HermiteKey { into, value, out }).collect();
+    Track::hermite(times, &keys).unwrap()
+}
+
+/// A track of each weight of a mesh, or none.
+type Weights<'a> = &'a [Option<Track<f32>>];
+
+/// The mesh's weights as written: how they are interpolated, their numbers a key time, and how far any weight is off where it is
+/// sampled, just before each of its keys and at it included.
+fn written_weights(at_rest: &[f32], tracks: Weights<'_>) -> (String, usize, f32) {
+    let document = face(at_rest);
+    let mut clip = Clip::new("face");
+    for (scalar, track) in tracks.iter().enumerate() {
+        if let Some(track) = track {
+            clip = clip.with_scalar(scalar, track.clone());
+        }
+    }
+    let glb = document.with_clips(&[clip]).unwrap();
+    let (json, _) = take_apart(&glb);
+    let sampler = &json["animations"][0]["samplers"][0];
+    let input = &json["accessors"][usize::try_from(sampler["input"].as_u64().unwrap()).unwrap()];
+    let written = Document::from_bytes(&glb).unwrap();
+    let read = written.clip("face").unwrap();
+    let mut times: Vec<f32> = (0..=1000_u16).map(|k| f32::from(k) * 2.2e-3).collect();
+    for track in tracks.iter().flatten() {
+        times.extend(track.times().iter().flat_map(|t| [*t, t.next_down().max(0.0), t.next_up()]));
+    }
+    let mut off = 0.0_f32;
+    for (scalar, track) in tracks.iter().enumerate() {
+        let found = &read.scalars().iter().find(|(known, _)| *known == scalar).expect("a weight of the mesh").1;
+        for &t in &times {
+            let was = track.as_ref().map_or(at_rest[scalar], |track| track.sample(t));
+            off = off.max((found.sample(t) - was).abs());
+        }
+    }
+    let count = usize::try_from(input["count"].as_u64().unwrap()).unwrap();
+    (sampler["interpolation"].as_str().unwrap().to_owned(), count, off)
+}
+
+/// glTF has one sampler for all weights of a mesh, tracks have their own keys and curves.
+#[test]
+fn weights_of_different_tracks_stay_the_curves_that_they_are() {
+    let step = |times: &[f32], values: &[f32]| Some(Track::step(times, values).unwrap());
+    let linear = |times: &[f32], values: &[f32]| Some(Track::linear(times, values).unwrap());
+    let wave =
+        || Some(cubic(&[[0.1, 0.0, 0.2, 3.0], [0.7, -1.5, 0.9, 0.5], [1.3, 0.3, 0.4, -2.0], [2.0, 1.0, 1.0, 0.0]]));
+    let other = || Some(cubic(&[[0.0, 0.0, 1.0, -0.4], [0.9, 0.8, 0.1, 0.8], [1.6, -2.0, 0.3, 0.0]]));
+    let blink = || step(&[0.0, 0.5, 0.8], &[0.0, 1.0, 0.0]);
+    let line = || linear(&[0.0, 0.33, 1.9], &[0.0, 1.0, 0.5]);
+    let jump = || linear(&[0.2, 0.8, 0.8, 1.5], &[0.0, 1.0, 0.25, 0.5]);
+    let cubic_jump =
+        Some(cubic(&[[0.3, 0.0, 0.0, 1.0], [1.1, 2.0, 1.0, 0.0], [1.1, 0.0, 0.2, -1.0], [1.7, 0.0, 0.0, 0.0]]));
+    let cases: [(&str, Weights<'_>, &str, usize); 11] = [
+        ("steps", &[blink(), step(&[0.0, 1.5], &[0.0, 1.0])], "STEP", 4),
+        ("steps with a jump before the first key", &[step(&[0.5, 0.5, 1.0], &[0.3, 0.6, 0.0]), None], "STEP", 3),
+        ("lines", &[line(), linear(&[0.1, 1.0], &[0.5, 0.0])], "LINEAR", 5),
+        ("lines that jump", &[line(), jump()], "LINEAR", 7),
+        ("cubics", &[wave(), other()], "CUBICSPLINE", 7),
+        ("a cubic and a line", &[wave(), line()], "CUBICSPLINE", 7),
+        ("a cubic that jumps", &[cubic_jump, wave()], "CUBICSPLINE", 8),
+        ("a cubic and a weight at rest", &[wave(), None], "CUBICSPLINE", 4),
+        ("a cubic and a constant", &[wave(), step(&[0.0], &[0.7])], "CUBICSPLINE", 5),
+        ("steps and lines", &[blink(), line()], "LINEAR", 7),
+        ("steps, lines that jump and cubics", &[blink(), jump(), wave()], "CUBICSPLINE", 11),
+    ];
+    for (what, tracks, interpolation, keys) in cases {
+        let (word, count, off) = written_weights(&[0.25, 0.5, 0.75][..tracks.len()], tracks);
+        assert!(off < 2e-6, "{what}: {off} off, {word}, {count} keys");
+        assert_eq!((&*word, count), (interpolation, keys), "{what}");
     }
 }
 
