@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use aim_character::Settle;
 use aim_runtime::{Behind, Solver};
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser, UnknownArgumentValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::facing::Facing;
 use crate::plot::Size;
-use crate::reduction::Millimetres;
+use crate::reduction::{Millimetres, seconds};
 use crate::target::{Point, TargetSpec};
 
 /// Turns a character's eyes, neck and spine to a target, with derivatives derived for exactly your rig.
@@ -285,6 +285,9 @@ pub(crate) struct Written {
     /// Where to write the report as a page, with drawings and charts.
     #[arg(long, value_name = "R.html")]
     pub(crate) html: Option<PathBuf>,
+    /// Always an error that names `--report`.
+    #[arg(long = "json", hide = true, num_args = 0, default_missing_value = "", value_parser = UnknownArgumentValueParser::suggest_arg("--report"))]
+    pub(crate) no_json: Option<String>,
 }
 
 #[derive(Debug, Args)]
@@ -300,7 +303,8 @@ pub(crate) struct Bake {
     /// The clip to aim over; if not given, the first called idle, else the first.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Option<String>,
-    /// Name of the written clip, which it replaces if it is there; if not given, the clip's with "_aimed", beside the clip.
+    /// Name of the written clip, which it replaces if it is there; if not given, the clip's with "_aimed", beside the clip, or with
+    /// "_aimed2" and so on where that is taken.
     #[arg(long = "as", value_name = "NAME", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     pub(crate) name: Option<String>,
     #[command(flatten)]
@@ -339,7 +343,7 @@ pub(crate) struct Bake {
     #[arg(long = "loop")]
     pub(crate) looped: bool,
     /// Leave out the keys without which no bone, and nothing looked at from 1 m away, is further off than this, in millimetres of
-    /// a 1.7 m figure: 1mm.
+    /// a 1.7 m figure: 1mm; 0mm leaves out only what changes nothing. It tells how far the clip as written is off: see Reduction below.
     #[arg(long, value_name = "TOL", allow_hyphen_values = true)]
     pub(crate) reduce: Option<Millimetres>,
     /// Exit with 1 if the result looks wrong, although it is written: see Plausibility below.
@@ -396,11 +400,12 @@ pub(crate) struct Clip {
     /// Make the clip's first frame follow from its last: its seam is mended, in place and speed, where it jumps.
     #[arg(long = "loop")]
     pub(crate) looped: bool,
-    /// Leave out the keys without which no bone is further off than this, in millimetres of a 1.7 m figure: 1mm.
+    /// Leave out the keys without which no bone is further off than this, in millimetres of a 1.7 m figure: 1mm; 0mm leaves out only
+    /// what changes nothing.
     #[arg(long, value_name = "TOL", allow_hyphen_values = true)]
     pub(crate) reduce: Option<Millimetres>,
     /// Times at which a reduced clip has the poses of the old one, seconds: contacts, transitions, poses that were approved.
-    #[arg(long, value_name = "S,S", value_delimiter = ',', requires = "reduce", allow_negative_numbers = true)]
+    #[arg(long, value_name = "S,S", value_delimiter = ',', requires = "reduce", allow_negative_numbers = true, value_parser = seconds)]
     pub(crate) pin: Vec<f32>,
     #[command(flatten)]
     pub(crate) facing: Facing,
@@ -413,6 +418,9 @@ pub(crate) struct Clip {
     /// Where to write it as a page, with charts.
     #[arg(long, value_name = "R.html")]
     pub(crate) html: Option<PathBuf>,
+    /// Always an error that names `--report`.
+    #[arg(long = "json", hide = true, num_args = 0, default_missing_value = "", value_parser = UnknownArgumentValueParser::suggest_arg("--report"))]
+    pub(crate) no_json: Option<String>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

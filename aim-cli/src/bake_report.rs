@@ -23,6 +23,9 @@ pub(crate) struct BakeReport {
     /// The clip that was aimed over, or the rest pose.
     #[serde(skip)]
     pub(crate) over: String,
+    /// True if it is written in the place of a clip of its name.
+    #[serde(skip)]
+    replaces: bool,
     pub(crate) fps: f32,
     /// Left out where it is whole.
     #[serde(skip_serializing_if = "is_whole")]
@@ -58,6 +61,8 @@ pub(crate) struct Reported<'a> {
     pub(crate) weight: f32,
     /// The clip that was aimed over, or what else.
     pub(crate) over: &'a str,
+    /// True if there is a clip of the written one's name.
+    pub(crate) replaces: bool,
     pub(crate) skeleton: &'a Skeleton,
     pub(crate) chain: &'a ChainNodes,
     /// The nodes that are held on the trunk.
@@ -169,6 +174,7 @@ impl BakeReport {
             fps,
             weight,
             over,
+            replaces,
             skeleton,
             chain,
             held,
@@ -207,6 +213,7 @@ impl BakeReport {
             fps,
             weight,
             over: over.to_owned(),
+            replaces,
             effector: EffectorReport {
                 bone: bones[effector.joint].clone(),
                 forward: effector.ray.frame.forward,
@@ -244,13 +251,19 @@ impl BakeReport {
         if self.aimed.joint > 0 {
             out += &format!(" with the effector {:?}", self.effector.bone.name);
         }
-        if self.clip != self.over {
+        if self.clip != self.over || self.replaces {
             out += &format!(" as {:?}", self.clip);
+        }
+        if self.replaces {
+            out += ", in place of the clip of that name";
         }
         out += ", ";
         out += &match reached {
             0 => format!("none of them {}", self.on_it()),
-            _ => format!("{reached} of them {} (error at most {max_error_deg_reached:.3}°)", self.on_it()),
+            _ => {
+                let when = if self.reduction.is_some() { " before the reduction" } else { "" };
+                format!("{reached} of them {} (error at most {max_error_deg_reached:.3}°{when})", self.on_it())
+            }
         };
         for (_, frames, words) in self.counts().into_iter().filter(|(status, ..)| *status != "reached") {
             out += &format!(", {frames} {words}");

@@ -8,18 +8,21 @@ use serde::Serialize;
 
 use crate::deviation::Deviation;
 use crate::effector::Effector;
-use crate::reduction::{Kept, Millimetres, millimetre, reduced};
-use crate::words::{fixed, grouped};
+use crate::reduction::{Kept, Millimetres, WrittenError, millimetre, reduced};
+use crate::words::{fixed, grouped, weights_in_words};
 
 /// How far away what is looked at counts, millimetres of a 1.7 m figure.
 const LOOKED_AT_MM: f64 = 1000.0;
 
 /// How far a clip as written is from its frames.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 pub(crate) struct BakedReduction {
     tolerance_mm: f64,
     /// Of what is furthest off.
     error_mm: f64,
+    /// Of any morph weight, where there are some.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    weights_error: Option<f64>,
     /// Between the effector's gaze and that of any frame at most.
     gaze_error_deg: f64,
     /// Bytes of the clip's keys, before and after.
@@ -28,13 +31,14 @@ pub(crate) struct BakedReduction {
 
 impl BakedReduction {
     pub(crate) fn in_words(&self) -> String {
-        let Self { tolerance_mm, error_mm, gaze_error_deg, key_bytes: [before, after] } = self;
+        let Self { tolerance_mm, error_mm, weights_error, gaze_error_deg, key_bytes: [before, after] } = self;
         format!(
-            "{} bytes of keys of {} at {tolerance_mm} mm: at most {} mm off, the gaze {}°",
+            "{} bytes of keys of {} at {tolerance_mm} mm: as written at most {} mm off, the gaze {}°{}",
             grouped(*after),
             grouped(*before),
             fixed(*error_mm, 3),
-            fixed(*gaze_error_deg, 3)
+            fixed(*gaze_error_deg, 3),
+            weights_in_words(*weights_error)
         )
     }
 }
@@ -59,16 +63,16 @@ impl Gaze<'_> {
         let eyes = std::iter::once(node).chain(self.chain.other_eye);
         let points: Vec<(usize, Vec3)> =
             eyes.map(|eye| (eye, world[eye].inverse().transform_point3(looked_at).as_vec3())).collect();
-        reduced(clip, skeleton, &Kept { tolerance: tolerance.0 * unit, pins: &[], points: &points })
+        reduced(clip, self.document, &Kept { tolerance: tolerance.0 * unit, pins: &[], points: &points })
     }
 
-    /// How far the clip of the second model is from that of the first, which is the baked one.
+    /// How far the clip of the second model is from that of the first, which is the baked one; with its error as it was measured.
     pub(crate) fn told(
         &self,
         baked: &Baked,
         tolerance: Millimetres,
         models: [&[u8]; 2],
-    ) -> Result<BakedReduction, Error> {
+    ) -> Result<(BakedReduction, WrittenError), Error> {
         let name = baked.clip.name();
         let [before, after] = [Document::from_bytes(models[0])?, Document::from_bytes(models[1])?];
         let [was, is] = [before.clip(name)?, after.clip(name)?];
@@ -83,12 +87,16 @@ impl Gaze<'_> {
             let at = document.clips().iter().position(|clip| clip.name() == name);
             at.and_then(|at| document.clip_sizes().get(at).map(|size| size.keys)).unwrap_or_default()
         };
-        Ok(BakedReduction {
+        let deviation = Deviation::measure(self.document, [was, is]);
+        let error = deviation.written_error(self.document, millimetre(self.measurement));
+        let reduction = BakedReduction {
             tolerance_mm: tolerance.0,
-            error_mm: Deviation::measure(skeleton, [was, is]).most() / millimetre(self.measurement),
+            error_mm: error.mm,
+            weights_error: error.weights,
             gaze_error_deg: baked.frames.iter().map(|frame| off(frame.t)).fold(0.0, f64::max),
             key_bytes: [bytes(&before), bytes(&after)],
-        })
+        };
+        Ok((reduction, error))
     }
 
     /// A point of the effector's gaze, and one further on.

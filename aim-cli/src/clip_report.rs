@@ -11,7 +11,7 @@ use serde::Serialize;
 use crate::deviation::key_times;
 use crate::reduction::millimetre;
 use crate::seam_report::SeamReport;
-use crate::words::{counted, fixed, grouped, trimmed};
+use crate::words::{counted, fixed, grouped, trimmed, weights_in_words};
 
 /// Content of `--report`; the command's help describes it.
 #[derive(Debug, Serialize)]
@@ -32,6 +32,8 @@ pub(crate) struct ClipCost {
     pub(crate) after: Side,
     pub(crate) root: Option<RootReport>,
     pub(crate) extracted: Option<Extracted>,
+    /// True if the seam was mended, false if it was none; `None` if it was not asked for.
+    pub(crate) mended: Option<bool>,
     pub(crate) reduced: Option<ReducedReport>,
     pub(crate) bones: Vec<BoneBytes>,
 }
@@ -73,6 +75,8 @@ pub(crate) struct RootReport {
 #[derive(Debug, Serialize)]
 pub(crate) struct Extracted {
     pub(crate) motion: String,
+    /// True where there was nothing to take out, and the clip stays as it is.
+    pub(crate) nothing: bool,
     pub(crate) seconds: f32,
     /// The length of its way, in the file's units.
     pub(crate) distance: f64,
@@ -94,10 +98,13 @@ pub(crate) struct Place {
 #[derive(Debug, Serialize)]
 pub(crate) struct ReducedReport {
     pub(crate) tolerance_mm: f64,
+    /// True of what was not asked for, and is told as what could be done.
+    pub(crate) proposed: bool,
     pub(crate) pins: Vec<f32>,
     pub(crate) error_mm: f64,
     pub(crate) bone: Option<String>,
     pub(crate) t: Option<f64>,
+    pub(crate) weights_error: Option<f64>,
 }
 
 /// The bytes of keys of a bone before and after, by property.
@@ -211,8 +218,8 @@ impl RootReport {
 }
 
 impl Extracted {
-    /// Sampled as often as the path of the root.
-    pub(crate) fn new(motion: &Motion, word: &str, times: &[f32]) -> Self {
+    /// Sampled as often as the path of the root; `height` is the character's.
+    pub(crate) fn new(motion: &Motion, word: &str, times: &[f32], height: f64) -> Self {
         let places: Vec<Place> = times
             .iter()
             .map(|&t| {
@@ -223,6 +230,7 @@ impl Extracted {
         let whole = motion.at(motion.length_s());
         Self {
             motion: word.to_owned(),
+            nothing: times.iter().all(|&t| is_nothing(motion.at(t), height)),
             seconds: motion.length_s(),
             distance: distance(times.iter().map(|&t| motion.at(t))),
             translation: whole.translation.to_array(),
@@ -230,6 +238,11 @@ impl Extracted {
             path: if word == "delta" { places } else { Vec::new() },
         }
     }
+}
+
+/// True of a place that nobody sees to be another one: a hundred-thousandth of the character's height away, turned by 10⁻⁴ radians.
+fn is_nothing(place: Transform, height: f64) -> bool {
+    place.translation.as_dvec3().length() <= 1e-5 * height && aim_runtime::rotation::angle(place.rotation) <= 1e-4
 }
 
 /// The length of a way.
@@ -284,12 +297,19 @@ impl ClipReport {
             if let Some(root) = &cost.root {
                 out += &format!("  hips  {}\n", root.in_words());
             }
-            if let Some(Extracted { motion, distance, turn_deg, .. }) = &cost.extracted {
-                out += &format!(
-                    "  taken out as {motion}: {} units, turned by {}° in the end\n",
-                    trimmed(*distance, 3),
-                    trimmed(*turn_deg, 1)
-                );
+            match &cost.extracted {
+                Some(Extracted { nothing: true, .. }) => out += "  nothing to take out: the clip is in place\n",
+                Some(Extracted { motion, distance, turn_deg, .. }) => {
+                    out += &format!(
+                        "  taken out as {motion}: {} units, turned by {}° in the end\n",
+                        trimmed(*distance, 3),
+                        trimmed(*turn_deg, 1)
+                    );
+                }
+                None => {}
+            }
+            if let Some(words) = cost.loop_in_words() {
+                out += &format!("  loop  {words}\n");
             }
             if !is_preview {
                 out += &format!("  seam after it  {}\n", cost.after.seam.in_words());
@@ -312,14 +332,14 @@ impl ClipReport {
         let head = [
             "clip",
             "length",
-            "moving",
+            "tracks: moving",
             "constant",
             "at rest",
             "keys",
             "bytes",
             "a second",
             if is_preview { "at 1 mm" } else { "after" },
-            "",
+            "share",
         ];
         let row = |cost: &ClipCost| {
             let ClipCost { clip, length_s, before, after, .. } = cost;
@@ -350,6 +370,19 @@ impl ClipReport {
     }
 }
 
+impl ClipCost {
+    /// What became of the seam; `None` if it was not to be mended.
+    pub(crate) fn loop_in_words(&self) -> Option<String> {
+        Some(match (self.mended?, &self.reduced) {
+            (true, Some(_)) => "mended: its seam fades within 0.25 s".into(),
+            (true, None) => {
+                "mended: its seam fades within 0.25 s; its tracks are cubic now, --reduce makes them small".into()
+            }
+            (false, _) => "left as it is: place and speed change no more at the seam than elsewhere".into(),
+        })
+    }
+}
+
 impl ReducedReport {
     pub(crate) fn in_words(&self) -> String {
         let off = format!("at most {} mm off", fixed(self.error_mm, 3));
@@ -359,7 +392,7 @@ impl ReducedReport {
         };
         let pins =
             if self.pins.is_empty() { String::new() } else { format!("; {} kept", counted(self.pins.len(), "pose")) };
-        off + &place + &pins
+        off + &place + &weights_in_words(self.weights_error) + &pins
     }
 }
 

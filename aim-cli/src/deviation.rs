@@ -1,8 +1,10 @@
 //! [`Deviation`]: how far a clip is from another one, by forward kinematics in double precision.
 
 use aim_animation::{Clip, Track};
-use aim_gltf::Skeleton;
+use aim_gltf::{Document, Skeleton};
 use aim_runtime::glam::{DAffine3, DVec3};
+
+use crate::reduction::WrittenError;
 
 /// The distance of a clip from another one over time: the largest of all bones' joints and ends.
 pub(crate) struct Deviation {
@@ -12,6 +14,8 @@ pub(crate) struct Deviation {
     pub(crate) distances: Vec<f64>,
     /// The bone that is furthest off, and the time.
     pub(crate) worst: Option<(usize, f64)>,
+    /// The largest difference of any morph weight; `None` of a clip without any.
+    pub(crate) weights: Option<f64>,
 }
 
 /// Times between two keys.
@@ -21,7 +25,8 @@ const MOST_SAMPLES: usize = 40_000;
 
 impl Deviation {
     /// At every key of either clip, and at eight times between two.
-    pub(crate) fn measure(skeleton: &Skeleton, [before, after]: [&Clip; 2]) -> Self {
+    pub(crate) fn measure(document: &Document, [before, after]: [&Clip; 2]) -> Self {
+        let skeleton = document.skeleton();
         let ends = ends(skeleton);
         let (mut distances, mut worst) = (Vec::new(), (0.0, None));
         let times = sample_times([before, after]);
@@ -38,13 +43,34 @@ impl Deviation {
             }
             distances.push(most);
         }
-        Self { times: times.into_iter().map(f64::from).collect(), distances, worst: worst.1 }
+        let weights = weights_off([before, after], &times);
+        Self { times: times.into_iter().map(f64::from).collect(), distances, worst: worst.1, weights }
+    }
+
+    /// As it is told of a clip that was reduced; `millimetre` is one of a 1.7 m figure in the file's units.
+    pub(crate) fn written_error(&self, document: &Document, millimetre: f64) -> WrittenError {
+        let place = |(bone, t): (usize, f64)| (document.skeleton().names()[bone].clone(), t);
+        WrittenError { mm: self.most() / millimetre, at: self.worst.map(place), weights: self.weights }
     }
 
     /// The largest distance.
     pub(crate) fn most(&self) -> f64 {
         self.distances.iter().copied().fold(0.0, f64::max)
     }
+}
+
+/// The largest difference of any weight of the first clip from that of the second, which has a track of each.
+fn weights_off([before, after]: [&Clip; 2], times: &[f32]) -> Option<f64> {
+    let of_scalar = |(scalar, was): &(usize, Track<f32>)| {
+        let (_, is) = after.scalars().iter().find(|(known, _)| known == scalar)?;
+        let mut keys = [0; 2];
+        let off = |time: f32| {
+            let [was, is] = [was.sample_near(time, &mut keys[0]), is.sample_near(time, &mut keys[1])].map(f64::from);
+            (was - is).abs()
+        };
+        Some(times.iter().copied().map(off).fold(0.0, f64::max))
+    };
+    before.scalars().iter().map(|track| of_scalar(track).unwrap_or(f64::INFINITY)).reduce(f64::max)
 }
 
 /// The times of all keys of a clip, each once, in order.

@@ -30,6 +30,21 @@ pub(crate) fn load_model(path: &Path) -> Result<Document> {
     Document::load(path).map_err(|error| Failure::input(error.in_file(path)))
 }
 
+/// The size of a model's file; of one whose parts lie beside it or are text, of the same as one binary file.
+pub(crate) fn bytes_as_binary(path: &Path, document: &Document) -> Result<usize> {
+    let is_binary = || {
+        use std::io::Read;
+        let mut magic = [0; 4];
+        fs::File::open(path)?.read_exact(&mut magic)?;
+        Ok::<_, std::io::Error>(magic == *b"glTF")
+    };
+    if document.external_files().is_empty() && is_binary().unwrap_or(false) {
+        let size = fs::metadata(path).map_err(Failure::of(path))?.len();
+        return usize::try_from(size).map_err(Failure::of(path));
+    }
+    document.with_clips(&[]).map(|model| model.len()).map_err(Failure::of(path))
+}
+
 /// Writes a file, whole or not at all.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result {
     write_all(&[(path, bytes)])

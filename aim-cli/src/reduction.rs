@@ -1,23 +1,51 @@
 //! Reduction of clips as users ask for it, in millimetres of a 1.7 m figure.
 
+use std::path::Path;
 use std::str::FromStr;
 
-use aim_animation::{Bone, Clip, Reduction, Skeleton, Track, Transform};
+use aim_animation::{Bone, Clip, Curve, HermiteKey, Reduction, Skeleton, Track, Transform, Value};
 use aim_character::Measurement;
+use aim_gltf::Document;
 use aim_runtime::glam::Vec3;
 
-/// A length of a 1.7 m figure, millimetres; positive and finite.
+use crate::failure::Failure;
+use crate::words::{fixed, trimmed};
+
+/// A length of a 1.7 m figure, millimetres: 0 to [`MOST_MM`].
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub(crate) struct Millimetres(pub(crate) f64);
+
+/// The largest tolerance, millimetres.
+const MOST_MM: f64 = 1000.0;
 
 impl FromStr for Millimetres {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let number = text.strip_suffix("mm").and_then(|number| number.trim_end().parse().ok());
-        let length = number.filter(|length: &f64| *length > 0.0 && length.is_finite());
-        length.map(Self).ok_or_else(|| "expected millimetres of a 1.7 m figure, such as 1mm or 0.5mm".into())
+        let length = |suffix: &str| {
+            let number = text.trim().strip_suffix(suffix)?.trim_end().parse().ok();
+            number.filter(|length: &f64| *length >= 0.0 && length.is_finite())
+        };
+        match length("mm") {
+            Some(length) if length <= MOST_MM => return Ok(Self(length)),
+            Some(_) => return Err(format!("a tolerance is {MOST_MM}mm at most, such as 1mm")),
+            None => {}
+        }
+        let meant =
+            [("cm", 10.0), ("m", 1000.0), ("", 1.0)].into_iter().find_map(|(suffix, mm)| Some(length(suffix)? * mm));
+        let hint = match meant {
+            Some(meant) if meant <= MOST_MM => format!("; did you mean {}mm?", trimmed(meant, 6)),
+            _ => String::new(),
+        };
+        Err(format!("expected millimetres of a 1.7 m figure, such as 1mm or 0.5mm{hint}"))
     }
+}
+
+/// Parses one of several times that commas separate.
+pub(crate) fn seconds(text: &str) -> Result<f32, String> {
+    let number = text.trim();
+    let number = number.strip_suffix('s').map_or(number, str::trim_end);
+    number.parse().map_err(|_| "expected seconds separated by commas, such as 0.2,0.42".into())
 }
 
 /// A millimetre of a 1.7 m figure, in a file's units: a part of the character's height, or of a metre where nothing has a height.
@@ -38,9 +66,10 @@ pub(crate) struct Kept<'a> {
 /// The length of a point's bone beside its distance.
 const SHORT: f32 = 0.02;
 
-/// A clip with as few keys as a tolerance allows.
-pub(crate) fn reduced(clip: &Clip, skeleton: &Skeleton, kept: &Kept<'_>) -> Result<Clip, String> {
+/// A clip of the document with as few keys as a tolerance allows.
+pub(crate) fn reduced(clip: &Clip, document: &Document, kept: &Kept<'_>) -> Result<Clip, String> {
     let Kept { tolerance, pins, points } = *kept;
+    let skeleton = document.skeleton();
     let bones = skeleton.names().iter().zip(skeleton.parents()).zip(skeleton.rest());
     let bones = bones.map(|((name, parent), rest)| Bone::new(name, *parent).with_rest(*rest));
     // A point is a bone at rest on its bone, with a short one on it: that of a leaf would be as long as its parent.
@@ -51,9 +80,55 @@ pub(crate) fn reduced(clip: &Clip, skeleton: &Skeleton, kept: &Kept<'_>) -> Resu
     let points = points.iter().enumerate().flat_map(point);
     let extended = Skeleton::new(bones.chain(points)).map_err(|error| error.to_string())?;
     let there = clip.clone().with_bones_mapped(|bone| extended.bone_of(bone));
-    let reduction = Reduction::new(narrow(tolerance)).with_pins(pins.iter().copied());
+    let reduction = Reduction::new(narrow(tolerance))
+        .with_scalar_tolerance(narrow(weight_tolerance(tolerance)))
+        .with_pins(pins.iter().copied());
     let reduced = reduction.reduce(&there, &extended).map_err(|error| error.to_string())?.clip;
-    Ok(held(reduced.with_bones_mapped(|bone| extended.source_of(bone)), skeleton))
+    let reduced = reduced.with_bones_mapped(|bone| extended.source_of(bone));
+    Ok(held(with_smaller_weights(reduced, clip, document), document))
+}
+
+/// The tolerance of morph weights beside one of lengths: that of [`Reduction`], and none where nothing is to change.
+pub(crate) fn weight_tolerance(tolerance: f64) -> f64 {
+    if tolerance > 0.0 { 1e-3 } else { 0.0 }
+}
+
+/// How far a reduced clip is off as written.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct WrittenError {
+    /// Of the bone that is furthest off, millimetres of a 1.7 m figure.
+    pub(crate) mm: f64,
+    /// The bone's name, and the time in seconds.
+    pub(crate) at: Option<(String, f64)>,
+    /// Of any morph weight.
+    pub(crate) weights: Option<f64>,
+}
+
+impl WrittenError {
+    /// That a clip is within its tolerance, but for rounding: a hundredth of it, and a thousandth of a millimetre or millionth of a weight.
+    ///
+    /// # Errors
+    /// It is not.
+    pub(crate) fn check(&self, file: &Path, clip: &str, tolerance: Millimetres) -> Result<(), Failure> {
+        let is_above =
+            |error: f64, limit: f64, rounding: f64| error.is_nan() || error > limit + f64::max(0.01 * limit, rounding);
+        let problem = if is_above(self.mm, tolerance.0, 1e-3) {
+            let place = match &self.at {
+                Some((bone, t)) => format!(", at {bone}, {} s", trimmed(*t, 3)),
+                None => String::new(),
+            };
+            format!("it would be {} mm off{place}", fixed(self.mm, 3))
+        } else if let Some(error) = self.weights.filter(|error| is_above(*error, weight_tolerance(tolerance.0), 1e-6)) {
+            format!("its morph weights would be {} off", trimmed(error, 6))
+        } else {
+            return Ok(());
+        };
+        Err(Failure::Check(format!(
+            "{}: clip {clip:?} cannot be reduced at {} mm: as written {problem}; nothing was written",
+            file.display(),
+            tolerance.0
+        )))
+    }
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "clips are in single precision")]
@@ -61,8 +136,35 @@ fn narrow(value: f64) -> f32 {
     value as f32
 }
 
-/// A clip with a key at its end, to which a file has its length from.
-fn held(clip: Clip, skeleton: &Skeleton) -> Clip {
+/// The reduced clip with the old tracks of each mesh whose weights they are written smaller with: a file has keys of all weights
+/// of a mesh at the times of each, so that knots of their own may be more.
+fn with_smaller_weights(mut reduced: Clip, old: &Clip, document: &Document) -> Clip {
+    for node in 0..document.skeleton().len() {
+        let targets = document.morph_scalars(node);
+        let tracks = |clip: &Clip| -> Vec<(usize, Track<f32>)> {
+            clip.scalars().iter().filter(|(scalar, _)| targets.contains(scalar)).cloned().collect()
+        };
+        let (is, was) = (tracks(&reduced), tracks(old));
+        if weight_numbers(&is, targets.len()) > weight_numbers(&was, targets.len()) {
+            reduced = was.into_iter().fold(reduced, |clip, (scalar, track)| clip.with_scalar(scalar, track));
+        }
+    }
+    reduced
+}
+
+/// The numbers that a file has for the weights of a mesh: at each time one, or a value and two velocities, of each target.
+fn weight_numbers(tracks: &[(usize, Track<f32>)], targets: usize) -> usize {
+    let mut times: Vec<u32> =
+        tracks.iter().flat_map(|(_, track)| track.times().iter().map(|time| time.to_bits())).collect();
+    times.sort_unstable();
+    times.dedup();
+    let is_cubic = tracks.iter().any(|(_, track)| track.curve() == Curve::Cubic);
+    times.len() * (1 + targets * if is_cubic { 3 } else { 1 })
+}
+
+/// A clip with a key at its end, from which a file has its length. No track that moves is replaced.
+fn held(clip: Clip, document: &Document) -> Clip {
+    let skeleton = document.skeleton();
     let vectors =
         clip.tracks().iter().flat_map(|tracks| [&tracks.translation, &tracks.scale]).flatten().map(Track::end_s);
     let rotations = clip.tracks().iter().filter_map(|tracks| Some(tracks.rotation.as_ref()?.end_s()));
@@ -71,17 +173,148 @@ fn held(clip: Clip, skeleton: &Skeleton) -> Clip {
     if end >= length && !(clip.tracks().is_empty() && clip.scalars().is_empty()) {
         return clip;
     }
-    let bone =
-        clip.tracks().iter().find(|tracks| tracks.rotation.as_ref().is_none_or(|track| track.times().len() == 1));
-    let bone = bone.map_or(0, |tracks| tracks.bone);
-    let track = clip.bone(bone).and_then(|tracks| tracks.rotation.as_ref());
-    let Some(value) = track.map(|track| track.values()[0]).or_else(|| Some(skeleton.rest().get(bone)?.rotation)) else {
-        return clip;
-    };
-    let times = if length > 0.0 { vec![0.0, length] } else { vec![0.0] };
+    // A track of one value has a second key.
+    for tracks in clip.tracks() {
+        let bone = tracks.bone;
+        if let Some(track) = tracks.rotation.as_ref().and_then(|track| still(track, length)) {
+            return clip.with_rotation(bone, track);
+        }
+        if let Some(track) = tracks.translation.as_ref().and_then(|track| still(track, length)) {
+            return clip.with_translation(bone, track);
+        }
+        if let Some(track) = tracks.scale.as_ref().and_then(|track| still(track, length)) {
+            return clip.with_scale(bone, track);
+        }
+    }
+    // Else a bone that moves stays at rest in what it has no track of.
+    let unmoved = clip.tracks().iter().find_map(|tracks| {
+        let rest = skeleton.rest().get(tracks.bone)?;
+        Some((tracks.bone, rest, tracks.translation.is_none()))
+            .filter(|_| tracks.translation.is_none() || tracks.scale.is_none())
+    });
+    if let Some((bone, rest, has_no_translation)) = unmoved {
+        return match constant(if has_no_translation { rest.translation } else { rest.scale }, length) {
+            Some(track) if has_no_translation => clip.with_translation(bone, track),
+            Some(track) => clip.with_scale(bone, track),
+            None => clip,
+        };
+    }
+    // Else a track keeps its last value until the end.
+    if let Some((bone, track)) =
+        clip.tracks().iter().find_map(|tracks| Some((tracks.bone, tracks.translation.as_ref()?)))
+    {
+        return match prolonged(track, length) {
+            Some(track) => clip.with_translation(bone, track),
+            None => clip,
+        };
+    }
+    if let Some((scalar, track)) = clip.scalars().first() {
+        let scalar = *scalar;
+        return match prolonged(track, length) {
+            Some(track) => clip.with_scalar(scalar, track),
+            None => clip,
+        };
+    }
+    // Of a clip that has no tracks the first bone of the file stays at rest.
+    let bone = (0..skeleton.len()).find(|bone| skeleton.is_in_file(*bone));
+    match bone.and_then(|bone| Some((bone, constant(skeleton.rest().get(bone)?.rotation, length)?))) {
+        Some((bone, track)) => clip.with_rotation(bone, track),
+        None => clip,
+    }
+}
+
+/// A track of one key with one at the end, too; `None` of others.
+fn still<T: Value>(track: &Track<T>, length_s: f32) -> Option<Track<T>> {
+    if let [value] = track.values() { constant(*value, length_s) } else { None }
+}
+
+/// A value from 0 to the end.
+fn constant<T: Value>(value: T, length_s: f32) -> Option<Track<T>> {
+    let times = if length_s > 0.0 { vec![0.0, length_s] } else { vec![0.0] };
     let values = vec![value; times.len()];
-    match Track::step(times, values) {
-        Ok(track) => clip.with_rotation(bone, track),
-        Err(_) => clip,
+    Track::step(times, values).ok()
+}
+
+/// A track that ends before `length_s` with its last value once more, then.
+fn prolonged<T: Value>(track: &Track<T>, length_s: f32) -> Option<Track<T>> {
+    let last = *track.values().last()?;
+    let times: Vec<f32> = track.times().iter().copied().chain([length_s]).collect();
+    let values: Vec<T> = track.values().iter().copied().chain([last]).collect();
+    match track.curve() {
+        Curve::Step => Track::step(times, values).ok(),
+        Curve::Cubic => {
+            let still = last.times(0.0);
+            let mut keys: Vec<HermiteKey<T>> = track
+                .tangents()
+                .iter()
+                .zip(values)
+                .map(|([into, out], value)| HermiteKey { into: *into, value, out: *out })
+                .collect();
+            if let Some(last) = keys.last_mut() {
+                last.out = still;
+            }
+            keys.push(HermiteKey::smooth(last, still));
+            Track::hermite(times, &keys).ok()
+        }
+        _ => Track::linear(times, values).ok(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_are_millimetres_from_none_to_a_thousand() {
+        for (text, mm) in [("1mm", 1.0), ("0.5mm", 0.5), ("0mm", 0.0), (" 2 mm", 2.0), ("1000mm", 1000.0)] {
+            assert_eq!(text.parse(), Ok(Millimetres(mm)), "{text}");
+        }
+        for (text, hint) in [
+            ("1", "did you mean 1mm?"),
+            ("1cm", "did you mean 10mm?"),
+            ("0.01m", "did you mean 10mm?"),
+            ("1001mm", "1000mm at most"),
+            ("infmm", "such as 1mm or 0.5mm"),
+        ] {
+            let error = text.parse::<Millimetres>().expect_err(text);
+            assert!(error.contains(hint), "{text}: {error}");
+        }
+        for text in ["-1mm", "NaNmm", "mm", "5000", "much"] {
+            let error = text.parse::<Millimetres>().expect_err(text);
+            assert!(error.ends_with("such as 1mm or 0.5mm"), "{text}: {error}");
+        }
+    }
+
+    #[test]
+    fn times_may_have_a_unit_and_blanks() {
+        for text in ["0.2", " 0.2", "0.2s", "0.2 s "] {
+            assert_eq!(seconds(text), Ok(0.2), "{text}");
+        }
+        for text in ["", "a", "0.2ms", "s"] {
+            assert!(seconds(text).is_err_and(|error| error.contains("0.2,0.42")), "{text}");
+        }
+    }
+
+    #[test]
+    fn more_than_the_tolerance_is_an_error() {
+        let check = |mm: f64, weights: Option<f64>, tolerance: f64| {
+            let error = WrittenError { mm, at: Some(("head".into(), 0.25)), weights };
+            error.check(Path::new("m.glb"), "walk", Millimetres(tolerance))
+        };
+        for (mm, weights, tolerance) in
+            [(1.0, None, 1.0), (1.009, Some(1e-3), 1.0), (0.0009, Some(0.0), 0.0), (0.0, Some(1.009e-3), 1.0)]
+        {
+            assert!(check(mm, weights, tolerance).is_ok(), "{mm} {weights:?} of {tolerance}");
+        }
+        for (mm, weights, tolerance, words) in [
+            (1.02, None, 1.0, "1.020 mm off, at head, 0.25 s"),
+            (0.0011, None, 0.0, "0.001 mm off"),
+            (f64::NAN, None, 1.0, "NaN mm off"),
+            (0.1, Some(0.043), 1.0, "weights would be 0.043 off"),
+            (0.0, Some(f64::INFINITY), 1.0, "weights would be inf off"),
+        ] {
+            let error = check(mm, weights, tolerance).expect_err(words);
+            assert!(matches!(error, Failure::Check(_)) && error.to_string().contains(words), "{error}");
+        }
     }
 }

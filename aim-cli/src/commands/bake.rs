@@ -152,7 +152,8 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         let gaze = Gaze { document, measurement, effector, chain: &chain };
         let left = gaze.reduced(&baked.clip, tolerance).map_err(|error| Failure::in_file(file, error))?;
         let smaller = write(&left)?;
-        let told = gaze.told(&baked, tolerance, [&model, &smaller]).map_err(Failure::of(file))?;
+        let (told, error) = gaze.told(&baked, tolerance, [&model, &smaller]).map_err(Failure::of(file))?;
+        error.check(file, baked.clip.name(), tolerance)?;
         (baked.clip, model, reduction) = (left, smaller, Some(told));
     }
     let word = SOLVERS.iter().find(|(known, ..)| known[0] == solver).map_or("", |(_, word, _)| word);
@@ -164,6 +165,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         fps: arguments.fps,
         weight: arguments.weight,
         over: clip.map_or("the rest pose", Clip::name),
+        replaces: document.clips().iter().any(|known| known.name() == baked.clip.name()),
         skeleton,
         chain: &chain,
         held: &held,

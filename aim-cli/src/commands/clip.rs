@@ -12,7 +12,7 @@ use crate::failure::{Failure, Result};
 use crate::files;
 use crate::html::{self, ClipPage, ClipTakes};
 use crate::outputs::{Outputs, Targets};
-use crate::reduction::{Kept, Millimetres, millimetre, reduced};
+use crate::reduction::{Kept, Millimetres, WrittenError, millimetre, reduced};
 
 /// The tolerance of what is told of clips that are not to be changed.
 const PREVIEW: Millimetres = Millimetres(1.0);
@@ -51,8 +51,25 @@ pub(super) fn run(arguments: &args::Clip) -> Result {
         let at = |document: &Document| document.clips().iter().position(|known| known.name() == clip.name());
         let (Some(old), Some(new)) = (at(&document), at(&written)) else { continue };
         let (after, before_reduction) = (&written.clips()[new], change.before_reduction);
-        let deviation = request.tolerance.map(|_| Deviation::measure(document.skeleton(), [&before_reduction, after]));
-        let name = |bone: usize| document.skeleton().names()[bone].clone();
+        let mut deviation = None;
+        let mut told = None;
+        if let Some(tolerance) = request.tolerance {
+            let measured = Deviation::measure(&document, [&before_reduction, after]);
+            let error = measured.written_error(&document, millimetre(&measurement));
+            error.check(file, clip.name(), tolerance)?;
+            let WrittenError { mm, at, weights } = error;
+            let (bone, t) = at.unzip();
+            told = Some(ReducedReport {
+                tolerance_mm: tolerance.0,
+                proposed: !changes,
+                pins: arguments.pin.clone(),
+                error_mm: mm,
+                bone,
+                t,
+                weights_error: weights,
+            });
+            deviation = Some(measured);
+        }
         costs.push(ClipCost {
             clip: clip.name().to_owned(),
             length_s: clip.length_s(),
@@ -60,23 +77,16 @@ pub(super) fn run(arguments: &args::Clip) -> Result {
             after: Side::new(&written, &measurement, after, &sizes_after[new]),
             root: change.root,
             extracted: change.extracted,
-            reduced: request.tolerance.zip(deviation.as_ref()).map(|(tolerance, deviation)| ReducedReport {
-                tolerance_mm: tolerance.0,
-                pins: arguments.pin.clone(),
-                error_mm: deviation.most() / millimetre(&measurement),
-                bone: deviation.worst.map(|(bone, _)| name(bone)),
-                t: deviation.worst.map(|(_, t)| t),
-            }),
+            mended: change.mended,
+            reduced: told,
             bones: bone_bytes(&document, [&sizes[old], &sizes_after[new]]),
         });
         takes.push(ClipTakes { before: clip, after, deviation });
     }
-    // Also of a file whose buffers lie beside it, or are text.
-    let as_it_is = document.with_clips(&[]).map_err(Failure::of(file))?;
     let report = ClipReport {
         file: file.display().to_string(),
         millimetre: millimetre(&measurement),
-        file_bytes: [as_it_is.len(), model.len()],
+        file_bytes: [files::bytes_as_binary(file, &document)?, model.len()],
         out: arguments.out.clone(),
         clips: costs,
     };
@@ -140,6 +150,7 @@ struct Request<'a> {
 struct Changed {
     root: Option<RootReport>,
     extracted: Option<Extracted>,
+    mended: Option<bool>,
     before_reduction: Clip,
     /// `None` where it stays as it is.
     after: Option<Clip>,
@@ -170,24 +181,28 @@ impl Request<'_> {
                 Extract::Delta => Motion::variable(path),
             };
             let word = kind.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned());
-            extracted = Some(Extracted::new(&motion, &word, &sampled(clip)));
-            changed = in_place(document, &changed, motion).map_err(of_clip)?;
-        }
-        if self.looped {
-            if let Some(mended) = mended_loop(document, measurement, &changed).map_err(of_clip)? {
-                changed = mended.clip;
+            let taken = Extracted::new(&motion, &word, &sampled(clip), 1700.0 * millimetre(measurement));
+            if !taken.nothing {
+                changed = in_place(document, &changed, motion).map_err(of_clip)?;
             }
+            extracted = Some(taken);
+        }
+        let mut mended = None;
+        if self.looped {
+            let found = mended_loop(document, measurement, &changed).map_err(of_clip)?;
+            mended = Some(found.is_some());
+            changed = found.map_or(changed, |found| found.clip);
         }
         let before_reduction = changed.clone();
         if let Some(tolerance) = self.tolerance {
             let kept = Kept { tolerance: tolerance.0 * millimetre(measurement), pins: self.pins, points: &[] };
-            changed = reduced(&changed, document.skeleton(), &kept)
-                .map_err(|error| format!("clip {:?}: {error}", clip.name()))?;
+            changed = reduced(&changed, document, &kept).map_err(|error| format!("clip {:?}: {error}", clip.name()))?;
         }
         let after = (changed != *clip).then_some(changed);
         Ok(Changed {
             root: path.map(|path| RootReport::new(&path, measurement, &sampled(clip))),
             extracted,
+            mended,
             before_reduction,
             after,
         })

@@ -58,6 +58,7 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
             out: out("aimed.glb"),
             report: Some(out("report.json")),
             html: Some(out("report.html")),
+            no_json: None,
         },
     };
     bake(&request, &document, &Measurement::of(&document), &spec)?;

@@ -71,11 +71,11 @@ fn costs(report: &ClipReport, is_preview: bool) -> Markup {
         table.costs {
             thead {
                 tr {
-                    @for head in ["Clip", "Length", "Moving", "Constant", "At rest", "Keys", "Bytes", "A second"] {
+                    @for head in ["Clip", "Length", "Tracks: moving", "Constant", "At rest", "Keys", "Bytes", "A second"] {
                         th scope="col" { (head) }
                     }
                     th scope="col" { @if is_preview { "At 1 mm" } @else { "After" } }
-                    th scope="col" {}
+                    th scope="col" { "Share" }
                 }
             }
             tbody {
@@ -119,7 +119,11 @@ fn clip(page: &ClipPage<'_>, cost: &ClipCost, take: &ClipTakes<'_>) -> Markup {
     let mut after = side(&cost.after);
     if let Some(taken) = &cost.extracted {
         let way = format!("{} units, {}° in the end", trimmed(taken.distance, 3), trimmed(taken.turn_deg, 1));
-        after.push(("Taken out", format!("{}: {way}", taken.motion)));
+        let nothing = "nothing: the clip is in place".to_owned();
+        after.push(("Taken out", if taken.nothing { nothing } else { format!("{}: {way}", taken.motion) }));
+    }
+    if let Some(words) = cost.loop_in_words() {
+        after.push(("Loop", words));
     }
     if let Some(reduced) = &cost.reduced {
         after.push(("Reduced", format!("at {} mm: {}", reduced.tolerance_mm, reduced.in_words())));
@@ -141,7 +145,8 @@ fn error(page: &ClipPage<'_>, cost: &ClipCost, deviation: &Deviation) -> Markup 
     let values: Vec<f64> = deviation.distances.iter().map(|distance| distance / page.report.millimetre).collect();
     let tolerance = cost.reduced.as_ref().map_or(0.0, |reduced| reduced.tolerance_mm);
     let label = format!("How far the bone that is furthest off is from where it was over {}, millimetres.", cost.clip);
-    let most = values.iter().copied().fold(tolerance, f64::max);
+    // With no tolerance and no error the axis still has a length.
+    let most = values.iter().copied().fold(tolerance.max(1e-3), f64::max);
     let base = Base { times: &deviation.times, statuses: &[], wanted: Wanted::Target };
     let mut chart =
         base.chart(label, "mm of a 1.7 m figure, of the bone that is furthest off", Scale::Linear(0.0, 1.1 * most));

@@ -178,6 +178,11 @@ fn the_named_clip_is_aimed_over_and_the_others_stay() {
     let output = named("--as walk ");
     assert_eq!((list(&output).len(), &output[0]["name"], &output[1]), (2, &json!("walk"), &json["animations"][1]));
     assert_ne!(output[0], json["animations"][0]);
+    let said = |name: &str| {
+        place.done(&format!("bake m.glb --rig m.toml --target 0,1,2 --out b.glb --clip walk --as {name}")).stdout
+    };
+    assert!(said("walk").contains("as \"walk\", in place of the clip of that name, "), "{}", said("walk"));
+    assert!(!said("other").contains("in place of"), "{}", said("other"));
     place.refused("bake m.glb --rig m.toml --target 0,1,2 --out c.glb --as=", &["--as"]);
     place.refused(
         "bake m.glb --rig m.toml --target 0,1,2 --out c.glb --clip run",

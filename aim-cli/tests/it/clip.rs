@@ -135,7 +135,9 @@ fn without_options_the_cost_of_each_clip_is_told_and_nothing_written() {
         let row =
             said.lines().find(|line| line.split_whitespace().next() == Some(name)).unwrap_or_else(|| panic!("{said}"));
         assert!(row.contains('%'), "{row}");
+        assert_eq!((&cost["reduced"]["proposed"], &cost["mended"]), (&true.into(), &Value::Null), "{name}");
     }
+    assert!(said.starts_with("clip ") && said.lines().next().is_some_and(|head| head.ends_with("share")), "{said}");
     assert!(said.contains("--reduce 1mm"), "{said}");
     assert_eq!(report["out"], Value::Null);
 }
@@ -245,6 +247,105 @@ fn a_clip_that_stands_still_keeps_its_length() {
     }
 }
 
+/// The keys of a turn there and back, 30 a second.
+fn swing(seconds: u8, turn: impl Fn(f32) -> aim_runtime::glam::Quat) -> Track<aim_runtime::glam::Quat> {
+    let times: Vec<f32> = (0..=30 * seconds).map(|k| f32::from(k) / 30.0).collect();
+    let turns: Vec<_> = times.iter().map(|t| turn((3.0 * t).sin())).collect();
+    Track::linear(times, turns).expect("a track")
+}
+
+/// A clip that is longer than what moves in it, because a track that does not move is: a key at its end needs to be somewhere.
+#[test]
+fn what_moves_is_not_replaced_where_what_stands_still_was_longer() {
+    let document = Document::from_bytes(&crate::common::mannequin()).expect("a model");
+    let (first, neck) = (0, document.skeleton().find("neck").expect("a bone"));
+    let rest = document.skeleton().rest();
+    let still = Track::linear([0.0, 2.0], [rest[neck].translation; 2]).expect("a track");
+    let turned = swing(1, |a| rest[first].rotation * aim_runtime::glam::Quat::from_rotation_z(a));
+    let moved: Vec<Vec3> =
+        turned.times().iter().map(|t| rest[first].translation * (1.0 + 0.1 * (4.0 * t).sin())).collect();
+    let moved = Track::linear(turned.times(), moved).expect("a track");
+    let grown: Vec<Vec3> = turned.times().iter().map(|t| Vec3::splat(1.0 + 0.1 * (5.0 * t).sin())).collect();
+    let grown = Track::linear(turned.times(), grown).expect("a track");
+    let turns = Clip::new("held").with_translation(neck, still).with_rotation(first, turned);
+    let moves = turns.clone().with_translation(first, moved);
+    let grows = moves.clone().with_scale(first, grown);
+    let place = Place::new();
+    for (what, clip) in [("turns", turns), ("moves", moves), ("grows", grows)] {
+        place.write("m.glb", &document.with_clips(&[clip]).expect("it can be written"));
+        let ran = place.aim("clip m.glb --clip held --reduce 1mm --out s.glb --report r.json");
+        assert_eq!(ran.code, 0, "{what}: {ran:?}");
+        let (old, new, report) = (place.read("m.glb"), place.read("s.glb"), place.json("r.json"));
+        let told = number(&cost(&report, "held")["reduced"]["error_mm"]);
+        let found = furthest(&old, &new, "held") / number(&report["millimetre"]);
+        assert!(told <= 1.0 && found <= 1.0, "{what}: {found} mm, {told} is told");
+        let seconds = |glb: &[u8]| {
+            let model = Model::new(glb);
+            model.clip(model.clip_index("held").expect("a clip")).seconds
+        };
+        assert_eq!([seconds(&old), seconds(&new)], [2.0, 2.0], "{what}");
+    }
+}
+
+/// A node that shows a triangle with two morph targets, and two clips of their weights: a smooth one, and steps. A track of the node that
+/// stands still is longer than the weights.
+fn face() -> Vec<u8> {
+    let json = serde_json::json!({
+        "asset": { "version": "2.0" },
+        "scenes": [{ "nodes": [0] }],
+        "nodes": [{ "name": "face", "mesh": 0 }],
+        "meshes": [{
+            "weights": [0, 0],
+            "primitives": [{ "attributes": { "POSITION": 0 }, "targets": [{ "POSITION": 0 }, { "POSITION": 0 }] }],
+        }],
+        "accessors": [{ "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [0, 0, 0] }],
+    });
+    let document = Document::from_bytes(&serde_json::to_vec(&json).expect("JSON")).expect("a model");
+    let times: Vec<f32> = (0..=60_u8).map(|k| f32::from(k) / 30.0).collect();
+    let weight = |of: fn(f32) -> f32| times.iter().copied().map(of).collect::<Vec<f32>>();
+    let linear = |values: Vec<f32>| Track::linear(&times[..], values).expect("a track");
+    let step = |values: Vec<f32>| Track::step(&times[..], values).expect("a track");
+    let still = Track::linear([0.0, 2.5], [Vec3::ZERO; 2]).expect("a track");
+    let smile = Clip::new("smile")
+        .with_scalar(0, linear(weight(|t| 0.5 + 0.5 * (3.0 * t).sin())))
+        .with_scalar(1, linear(weight(|t| 0.5 + 0.5 * (2.1 * t).cos())))
+        .with_translation(0, still);
+    let blink = Clip::new("blink")
+        .with_scalar(0, step(weight(|t| if t > 1.49 { 1.0 } else { 0.0 })))
+        .with_scalar(1, step(weight(|t| if (0.49..0.79).contains(&t) { 1.0 } else { 0.0 })));
+    document.with_clips(&[smile, blink]).expect("it can be written")
+}
+
+#[test]
+fn reduced_weights_are_what_they_were() {
+    let place = Place::new();
+    place.write("m.glb", &face());
+    let ran = place.aim("clip m.glb --reduce 1mm --forward +Z --up +Y --out s.glb --report r.json");
+    assert_eq!(ran.code, 0, "{ran:?}");
+    assert!(ran.stdout.contains("weights at most 0.0"), "{}", ran.stdout);
+    let [was, is] = ["m.glb", "s.glb"].map(|name| Document::from_bytes(&place.read(name)).expect("a model"));
+    for (name, seconds) in [("smile", 2.5), ("blink", 2.0)] {
+        let [was, is] = [&was, &is].map(|document| document.clip(name).expect("the clip"));
+        assert_eq!((was.length_s(), is.length_s()), (seconds, seconds), "{name}");
+        let mut found = 0.0_f64;
+        for ((_, was), (_, is)) in was.scalars().iter().zip(is.scalars()) {
+            // The attacker's grid, and each key with what is just before it.
+            let grid = (0..1300_u16).map(|k| f32::from(k) / 500.0);
+            let keys = was.times().iter().chain(is.times()).flat_map(|t| [*t, t.next_down().max(0.0)]);
+            let off = grid.chain(keys).map(|t| f64::from((was.sample(t) - is.sample(t)).abs()));
+            found = off.fold(found, f64::max);
+        }
+        let report = place.json("r.json");
+        let told = number(&cost(&report, name)["reduced"]["weights_error"]);
+        assert!(
+            found <= 1.001e-3 && told <= 1.001e-3 && found <= told * 1.05 + 1e-6,
+            "{name}: {found}, {told} is told"
+        );
+        let bytes = |side: &str| cost(&report, name)[side]["key_bytes"].as_u64().expect("bytes");
+        assert!(bytes("after") < bytes("before"), "{name}: {} of {}", bytes("after"), bytes("before"));
+    }
+}
+
 /// Half of the mannequin's walk, which ends elsewhere than it begins.
 fn half_a_walk() -> Vec<u8> {
     let document = Document::from_bytes(&moving()).expect("a model");
@@ -261,7 +362,9 @@ fn a_loop_is_mended_in_place_and_speed() {
     let (before, after) = (&cost(&report, "half")["before"]["seam"], &cost(&report, "half")["after"]["seam"]);
     assert!(number(&before["deg"]["most"]) > 5.0 && number(&after["deg"]["most"]) < 0.05, "{before}\n{after}");
     assert!(number(&before["deg_s"]["most"]) > 20.0 && number(&after["deg_s"]["most"]) < 1.0, "{before}\n{after}");
-    assert!(said.contains("seam after it"), "{said}");
+    assert!(said.contains("seam after it") && said.contains("loop  mended"), "{said}");
+    assert!(said.contains("--reduce makes them small"), "{said}");
+    assert_eq!(cost(&report, "half")["mended"], true);
     // The poses: without the way, which goes on.
     let turns = |name: &str, t: f64| -> Vec<DQuat> {
         let model = Model::new(&place.read(name));
@@ -277,8 +380,10 @@ fn a_loop_is_mended_in_place_and_speed() {
     assert!(apart("h.glb") > 5.0 && apart("l.glb") < 0.1, "{} {}", apart("h.glb"), apart("l.glb"));
     // What is a loop stays as it is.
     place.write("m.glb", &moving());
-    place.done("clip m.glb --clip walk --loop --out w.glb");
+    let said = place.done("clip m.glb --clip walk --loop --out w.glb --report r.json").stdout;
     assert_eq!(place.read("w.glb"), place.read("m.glb"));
+    assert!(said.contains("loop  left as it is"), "{said}");
+    assert_eq!(cost(&place.json("r.json"), "walk")["mended"], false);
 }
 
 #[test]
@@ -331,6 +436,55 @@ fn what_is_taken_out_and_what_is_left_are_the_clip_again() {
     let [start, end] = [0.0, 1.1].map(|t| joint(&world(&model, "walk_ahead", t)[hips]));
     let told = number(&cost(&place.json("r.json"), "walk_ahead")["root"]["speed"]);
     assert!((start.distance(end) / 1.1 - told).abs() < 1e-3, "{told}");
+}
+
+#[test]
+fn what_is_in_place_stays_as_it_is() {
+    let place = place_of_moves();
+    for kind in ["linear", "composite"] {
+        let said = place.done(&format!("clip m.glb --clip walk --extract {kind} --out o.glb --report r.json")).stdout;
+        assert!(said.contains("nothing to take out") && !said.contains("taken out as"), "{said}");
+        assert_eq!(place.read("o.glb"), place.read("m.glb"), "{kind}");
+        assert_eq!(cost(&place.json("r.json"), "walk")["extracted"]["nothing"], true);
+    }
+    place.done("clip m.glb --clip walk_ahead --extract linear --report r.json");
+    assert_eq!(cost(&place.json("r.json"), "walk_ahead")["extracted"]["nothing"], false);
+}
+
+#[test]
+fn a_tolerance_of_nothing_leaves_out_what_changes_nothing() {
+    let place = place_of_moves();
+    place.done("clip m.glb --reduce 0mm --out s.glb --report r.json --html r.html");
+    let page = String::from_utf8(place.read("r.html")).expect("a page is text");
+    assert!(!page.contains("NaN") && !page.contains("inf"), "the page");
+    let report = place.json("r.json");
+    for cost in list(&report["clips"]) {
+        assert!(number(&cost["reduced"]["error_mm"]) <= 1e-3, "{cost}");
+        assert!(cost["after"]["key_bytes"].as_u64() <= cost["before"]["key_bytes"].as_u64(), "{cost}");
+    }
+}
+
+#[test]
+fn the_size_that_is_told_is_that_of_the_file() {
+    let (json, bin) = take_apart(&moving());
+    // With blanks and bytes that nothing refers to, which a file written again has not.
+    let mut text = serde_json::to_vec_pretty(&json).expect("JSON");
+    text.resize(text.len().next_multiple_of(4), b' ');
+    let mut glb = b"glTF".to_vec();
+    let length = 28 + text.len() + bin.len();
+    for number in [2, length, text.len(), 0x4e4f_534a] {
+        glb.extend(u32::try_from(number).expect("small").to_le_bytes());
+    }
+    glb.extend(&text);
+    for number in [bin.len(), 0x004e_4942] {
+        glb.extend(u32::try_from(number).expect("small").to_le_bytes());
+    }
+    glb.extend(&bin);
+    assert_eq!(glb.len(), length);
+    let place = Place::new();
+    place.write("m.glb", &glb);
+    let said = place.done("clip m.glb --report r.json").stdout;
+    assert_eq!(place.json("r.json")["file_bytes"][0], length, "{said}");
 }
 
 #[test]
@@ -394,7 +548,7 @@ fn a_bake_can_be_reduced() {
     let clip = "walk_aimed";
     assert_eq!(told["key_bytes"], serde_json::json!([key_bytes(&whole, clip), key_bytes(&small, clip)]));
     assert!(key_bytes(&small, clip) * 3 < key_bytes(&whole, clip) * 2 && small.len() < whole.len(), "{told}");
-    assert!(said.contains("bytes of keys of"), "{said}");
+    assert!(said.contains("bytes of keys of") && said.contains("° before the reduction)"), "{said}");
     place.done("clip whole.glb --report c.json");
     let mm = number(&place.json("c.json")["millimetre"]);
     assert!(number(&told["error_mm"]) <= 1.0 && furthest(&whole, &small, clip) <= 1.001 * mm, "{told}");
@@ -419,13 +573,17 @@ fn what_cannot_be_used_is_said() {
     let with = |rest: &str| format!("clip m.glb {rest}");
     for (rest, words) in [
         ("--clip wlak", &["wlak", "walk"][..]),
-        ("--reduce 1 --out o.glb", &["--reduce", "1mm"]),
-        ("--reduce 0mm --out o.glb", &["--reduce", "1mm"]),
+        ("--reduce 1 --out o.glb", &["--reduce", "did you mean 1mm?"]),
+        ("--reduce 1cm --out o.glb", &["--reduce", "did you mean 10mm?"]),
+        ("--reduce 2000mm --out o.glb", &["--reduce", "1000mm at most"]),
         ("--reduce -1mm --out o.glb", &["--reduce", "1mm"]),
         ("--reduce infmm --out o.glb", &["--reduce", "1mm"]),
         ("--reduce NaNmm --out o.glb", &["--reduce", "1mm"]),
         ("--reduce 1m --out o.glb", &["--reduce", "1mm"]),
         ("--pin 0.1", &["--reduce"]),
+        ("--reduce 1mm --pin a --out o.glb", &["--pin", "expected seconds separated by commas, such as 0.2,0.42"]),
+        ("--reduce 1mm --pin 0.2, --out o.glb", &["--pin", "expected seconds"]),
+        ("--json", &["--json", "--report"]),
         ("--reduce 1mm --pin 9 --out o.glb", &["m.glb", "9 s", "walk", "--clip"]),
         ("--reduce 1mm --pin -0.1 --out o.glb", &["-0.1 s"]),
         ("--reduce 1mm --pin NaN --out o.glb", &["NaN s"]),
