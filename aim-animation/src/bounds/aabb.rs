@@ -63,15 +63,15 @@ impl Aabb {
         !(enter * (1.0 - 1e-12) > exit)
     }
 
-    /// The box around this one where a map places it, larger by the rounding of what is computed from within it.
-    pub(crate) fn placed(&self, place: &Affine3A) -> Self {
+    /// The box around this one where a map places it, larger by the [rounding] of what is computed from within it.
+    pub(crate) fn placed(&self, place: &Affine3A, rounding: f32) -> Self {
         let (center, half) = ((self.min + self.max) * 0.5, (self.max - self.min) * 0.5);
         let m = place.matrix3;
         let [x, y, z] = [m.x_axis.abs(), m.y_axis.abs(), m.z_axis.abs()];
         // |M|·v: what the map can do at most to a vector of such components.
         let at_most = |v: Vec3| x * v.x + y * v.y + z * v.z;
         let size = at_most(center.abs() + half) + place.translation.abs();
-        let reach = at_most(half) + size * ROUNDING;
+        let reach = at_most(half) + size * rounding;
         let middle = place.transform_point3a(center.into());
         let (min, max): (Vec3A, Vec3A) = (middle - reach, middle + reach);
         if min.is_finite() && max.is_finite() { Self { min: min.into(), max: max.into() } } else { Self::INFINITE }
@@ -79,8 +79,11 @@ impl Aabb {
 }
 
 /// By how much boxes are enlarged, in parts of the largest number that goes into a vertex: some tens of units in the last
-/// place.
-const ROUNDING: f32 = 4e-6;
+/// place, and one for each of the joints and morph targets that are added in a vertex, of half a unit each.
+#[expect(clippy::cast_precision_loss, reason = "a bound")]
+pub(super) fn rounding(summands: usize) -> f32 {
+    4e-6 + f32::EPSILON * summands as f32
+}
 
 /// A box along the axes of a bone.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,6 +104,6 @@ impl OrientedBox {
     /// The box along the axes around it; infinite if it is not finite.
     #[must_use]
     pub fn aabb(&self) -> Aabb {
-        self.aabb.placed(&self.place)
+        self.aabb.placed(&self.place, rounding(1))
     }
 }

@@ -1,22 +1,29 @@
-//! Which joint moves a point of a triangle most.
+//! The joint or the bone that moves a point of a triangle most.
 
 use crate::mesh::Mesh;
 
-/// The joint that moves a point of a triangle most, of equals the lowest; `shares` are those of the corners.
-pub(super) fn heaviest(mesh: &Mesh, corners: &[u32; 3], shares: [f32; 3]) -> usize {
+/// The joint, or whatever `key` counts joints as, that moves a point of a triangle most; of equals the lowest. `shares`
+/// are those of the corners; joints without a key do not count, but there has to be one.
+pub(super) fn heaviest(
+    mesh: &Mesh,
+    corners: &[u32; 3],
+    shares: [f32; 3],
+    key: impl Fn(u32) -> Option<usize> + Copy,
+) -> usize {
     let influences = || {
-        let of = |(corner, share): (&u32, f32)| {
-            mesh.influences(*corner as usize).iter().map(move |influence| (influence.joint, influence.weight * share))
+        let of = move |(corner, share): (&u32, f32)| {
+            let of_corner = mesh.influences(*corner as usize).iter();
+            of_corner.filter_map(move |influence| Some((key(influence.joint)?, influence.weight * share)))
         };
         corners.iter().zip(shares).flat_map(of)
     };
-    let total = |joint: u32| influences().filter(|other| other.0 == joint).map(|other| other.1).sum::<f32>();
-    let mut best = (u32::MAX, -1.0);
-    for (joint, _) in influences() {
-        let total = total(joint);
-        if total > best.1 || (total == best.1 && joint < best.0) {
-            best = (joint, total);
+    let total = |key: usize| influences().filter(|other| other.0 == key).map(|other| other.1).sum::<f32>();
+    let mut best = (usize::MAX, -1.0);
+    for (key, _) in influences() {
+        let total = total(key);
+        if total > best.1 || (total == best.1 && key < best.0) {
+            best = (key, total);
         }
     }
-    best.0 as usize
+    best.0
 }

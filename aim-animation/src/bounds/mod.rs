@@ -59,6 +59,10 @@ pub struct BoneBoxes {
     /// Indices of triangles, carrier by carrier, cluster by cluster.
     triangles: Vec<u32>,
     vertices: usize,
+    /// By how much boxes are enlarged, in parts of what goes into a vertex.
+    rounding: f32,
+    /// Of the mesh.
+    fingerprint: u64,
 }
 
 /// The triangles that hang on one joint most.
@@ -110,6 +114,7 @@ impl BoneBoxes {
             let inverse = aim_runtime::rotation::inverse(inverse_rest);
             inverse.and_then(|rest| nearest_orthogonal(rest.matrix3)).unwrap_or(Mat3A::IDENTITY)
         };
+        let summands = |vertex: usize| mesh.influences(vertex).len() + mesh.morphs(vertex).len();
         let mut boxes = Self {
             bones: skin.bones().to_vec(),
             axes: skin.inverse_rest().iter().map(axes_of).collect(),
@@ -120,6 +125,8 @@ impl BoneBoxes {
             morphs: Vec::new(),
             triangles: Vec::new(),
             vertices: mesh.positions().len(),
+            rounding: aabb::rounding((0..mesh.positions().len()).map(summands).max().unwrap_or(0)),
+            fingerprint: mesh.fingerprint(),
         };
         boxes.moved = boxes.measured(mesh, (0..mesh.positions().len()).collect());
         let mut carried: Vec<(usize, u32)> =
@@ -165,8 +172,9 @@ impl BoneBoxes {
             for &(_, vertex) in of_joint {
                 let position = Vec3::from(along * Vec3A::from(mesh.positions()[vertex]));
                 aabb = aabb.union(&Aabb { min: position, max: position });
-                for morph in mesh.morphs(vertex) {
-                    self.extend_morph(start, morph.target, (along * Vec3A::from(morph.position)).into());
+                for of_target in mesh.morphs(vertex).chunk_by(|a, b| a.target == b.target) {
+                    let way: Vec3 = of_target.iter().map(|morph| morph.position).sum();
+                    self.extend_morph(start, of_target[0].target, (along * Vec3A::from(way)).into());
                 }
             }
             parts.push(Part { joint, aabb, morphs: start..self.morphs.len() });
@@ -202,7 +210,11 @@ impl BoneBoxes {
 
     /// The box around parts in a pose; `None` of none.
     fn around(&self, parts: &[Part], pose: &MeshPose<'_>) -> Option<Aabb> {
-        parts.iter().map(|part| self.posed(part, pose).aabb()).reduce(|a, b| a.union(&b))
+        let placed = |part| {
+            let OrientedBox { aabb, place } = self.posed(part, pose);
+            aabb.placed(&place, self.rounding)
+        };
+        parts.iter().map(placed).reduce(|a, b| a.union(&b))
     }
 
     fn around_cluster(&self, cluster: &Cluster, pose: &MeshPose<'_>) -> Option<Aabb> {
@@ -219,7 +231,8 @@ impl BoneBoxes {
     }
 
     /// The box along the axes of the space around all triangles that hang on a joint most, whatever else moves their
-    /// corners. Infinite if a matrix or a weight for it is not finite; `None` if there are no such triangles.
+    /// corners. Not tight, as [`whole`](Self::whole) is not. Infinite if a matrix or a weight for it is not finite; `None` if
+    /// there are no such triangles.
     ///
     /// # Errors
     /// Fewer matrices than the mesh hangs on.
@@ -229,8 +242,9 @@ impl BoneBoxes {
         Ok(carrier.and_then(|at| self.around_cluster(&self.carriers[at].whole, pose)))
     }
 
-    /// The box along the axes of the space around the whole mesh, for culling. Infinite if a matrix or a weight for it is
-    /// not finite; `None` of a mesh without vertices.
+    /// The box along the axes of the space around the whole mesh, for culling. Not tight: it is around the boxes of all that
+    /// each joint moves; for the extent itself, [deform](Mesh::deform) the mesh. Infinite if a matrix or a weight for it is not
+    /// finite; `None` of a mesh without vertices.
     ///
     /// # Errors
     /// Fewer matrices than the mesh hangs on.
@@ -255,7 +269,7 @@ impl BoneBoxes {
 
 /// The joint that moves three corners most; of equals the lowest.
 fn carrier(mesh: &Mesh, corners: &[u32; 3]) -> usize {
-    heaviest::heaviest(mesh, corners, [1.0; 3])
+    heaviest::heaviest(mesh, corners, [1.0; 3], |joint| Some(joint as usize))
 }
 
 /// The triangles in clusters, halved along the longest side until they are small.

@@ -2,8 +2,8 @@
 
 use aim_runtime::glam::{Affine3A, Mat3A, Vec3, Vec3A};
 
-use super::normal::unit_or_zero;
-use super::{Influence, Mesh, MeshError, check_length, normal_matrix};
+use super::normal::Cofactors;
+use super::{Influence, Mesh, MeshError, check_length};
 
 /// What moves a mesh in one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -83,11 +83,18 @@ impl Mesh {
             let all = self.influences(vertex);
             let heaviest = &all[..all.len().min(influences.max(1))];
             // Their weights need not sum to 1: a factor turns no normal.
-            let turn = normal_matrix(&blended(heaviest, pose.matrices));
+            let turn = Cofactors::new(blended(heaviest, pose.matrices).matrix3);
             let morphed = self.morphed(vertex, pose, (*rest).into(), |morph| morph.normal);
-            *normal = unit_or_zero(turn * unit_or_zero(morphed)).into();
+            *normal = turn.turned(morphed).into();
         }
         Ok(())
+    }
+
+    /// True if the blended matrix at a point of a triangle, by the shares of its corners, is a mirror.
+    pub(crate) fn is_mirrored(&self, corners: &[u32; 3], shares: [f32; 3], matrices: &[Affine3A]) -> bool {
+        let blended = |corner: u32| blended(self.influences(corner as usize), matrices).matrix3;
+        let sum = corners.iter().zip(shares).fold(Mat3A::ZERO, |sum, (corner, share)| sum + blended(*corner) * share);
+        Cofactors::new(sum).is_mirrored
     }
 
     /// A vertex in a pose that has its matrices.

@@ -6,7 +6,7 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MeshError {
-    /// There are more vertices, triangles or influences than 32 bits count.
+    /// There are more vertices, triangles, influences or joints than 32 bits count.
     Size,
     /// A slice has another length than the mesh has vertices.
     Length {
@@ -41,7 +41,9 @@ pub enum MeshError {
 impl fmt::Display for MeshError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Size => write!(f, "the mesh has more vertices, triangles or influences than 32 bits count; split it"),
+            Self::Size => {
+                write!(f, "the mesh has more vertices, triangles, influences or joints than 32 bits count; split it")
+            }
             Self::Length { vertices, found } => write!(f, "a slice of {found} elements for {vertices} vertices"),
             Self::Vertex(vertex) => write!(f, "the position or normal of vertex {vertex} is not finite"),
             Self::Triangle(triangle) => write!(f, "a corner of triangle {triangle} is a vertex that does not exist"),

@@ -5,6 +5,7 @@
 
 mod deform;
 mod error;
+mod fingerprint;
 mod influence;
 mod normal;
 mod skin;
@@ -17,8 +18,8 @@ use aim_runtime::glam::Vec3;
 pub use deform::MeshPose;
 pub use error::{MeshError, SkinError};
 pub use influence::{Influence, Morph};
+pub(crate) use normal::facet_normal;
 pub use normal::normal_matrix;
-pub(crate) use normal::unit_or_zero;
 pub use skin::{Skin, matrix_rows};
 
 use crate::float::narrow;
@@ -59,6 +60,8 @@ pub struct Mesh {
     morph_ends: Vec<u32>,
     joints: usize,
     targets: usize,
+    /// Of all that boxes are made of.
+    fingerprint: u64,
 }
 
 impl Mesh {
@@ -69,7 +72,8 @@ impl Mesh {
     ///
     /// # Errors
     /// Another number of influences than of vertices, a vertex that is not finite or that nothing moves, a weight that
-    /// is negative or not finite, or a triangle of a vertex that does not exist; the first that is found.
+    /// is negative or not finite, the joint `u32::MAX`, or a triangle of a vertex that does not exist; the first that is
+    /// found.
     pub fn new(
         positions: impl Into<Vec<Vec3>>,
         triangles: impl Into<Vec<[u32; 3]>>,
@@ -89,7 +93,9 @@ impl Mesh {
             mesh.push_influences(vertex, influences.as_ref())?;
             mesh.influence_ends.push(check_size(mesh.influences.len())?);
         }
-        mesh.joints = mesh.influences.iter().map(|influence| influence.joint as usize + 1).max().unwrap_or(0);
+        let last = mesh.influences.iter().map(|influence| influence.joint).max();
+        mesh.joints = last.map_or(Some(0), |joint| joint.checked_add(1)).ok_or(MeshError::Size)? as usize;
+        mesh.fingerprint = mesh.computed_fingerprint();
         Ok(mesh)
     }
 
@@ -152,6 +158,7 @@ impl Mesh {
             self.morph_ends = ends.map(check_size).collect::<Result<_, _>>()?;
         }
         self.morphs = morphs;
+        self.fingerprint = self.computed_fingerprint();
         Ok(self)
     }
 

@@ -1,13 +1,18 @@
 //! [`normal_matrix`]: the transform of what stands square to a surface.
 
 use aim_runtime::glam::{Affine3A, Mat3A, Vec3A};
-use aim_runtime::rotation::{cross, length};
+use aim_runtime::rotation::length;
+
+use crate::float::narrow;
 
 /// The matrix that moves normals where `matrix` moves points: a positive multiple of the inverse's transpose, so that
 /// normals stay square to the surface under scale, skew and mirrors. What it gives has to be made unit again. For a pure rotation
 /// it is a multiple of the matrix itself.
 ///
 /// It has a direction for all normals but one also where the matrix is flat; zero if it is not finite, or flatter.
+///
+/// Its entries are rounded to single precision: scales whose ratio is 1000 leave 1e-5 of a normal's direction, or 1e-4 of
+/// one that it shortens most. [`Mesh::deform_normals`](crate::Mesh::deform_normals) does not round them.
 ///
 /// ```
 /// use aim_animation::glam::{Affine3A, Vec3, Vec3A};
@@ -20,21 +25,57 @@ use aim_runtime::rotation::{cross, length};
 /// ```
 #[must_use]
 pub fn normal_matrix(matrix: &Affine3A) -> Mat3A {
-    let m = matrix.matrix3;
-    let most = m.x_axis.abs().max(m.y_axis.abs()).max(m.z_axis.abs()).max_element();
-    // Brought to about 1, so that products stay in range.
-    let [x, y, z] = [m.x_axis, m.y_axis, m.z_axis].map(|column| column / most);
-    // M⁻ᵀ = cof(M) / det(M); of the determinant only the sign counts.
-    let cofactors = Mat3A::from_cols(cross(y, z), cross(z, x), cross(x, y));
-    if !cofactors.is_finite() {
-        return Mat3A::ZERO;
+    let columns = Cofactors::new(matrix.matrix3).columns;
+    let most = columns.as_flattened().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    // Brought to 1 at most, so that they fit single precision.
+    let [x, y, z] = columns.map(|column| Vec3A::from_array(column.map(|x| narrow(x / most))));
+    let scaled = Mat3A::from_cols(x, y, z);
+    if scaled.is_finite() { scaled } else { Mat3A::ZERO }
+}
+
+/// The cofactors of a matrix: M⁻ᵀ = cof(M) / det(M). In double precision, whose range holds all products of three numbers in
+/// single precision, and whose digits leave the small differences that uneven scales make.
+pub(crate) struct Cofactors {
+    /// Turned over by a mirror: of the determinant only the sign counts.
+    columns: [[f64; 3]; 3],
+    pub(crate) is_mirrored: bool,
+}
+
+impl Cofactors {
+    pub(crate) fn new(m: Mat3A) -> Self {
+        let [x, y, z] = [m.x_axis, m.y_axis, m.z_axis].map(wide);
+        let columns = [cross(y, z), cross(z, x), cross(x, y)];
+        let is_mirrored = x[0] * columns[0][0] + x[1] * columns[0][1] + x[2] * columns[0][2] < 0.0;
+        let side = if is_mirrored { -1.0 } else { 1.0 };
+        Self { columns: columns.map(|column| column.map(|x| x * side)), is_mirrored }
     }
-    if x.dot(cofactors.x_axis) < 0.0 { -cofactors } else { cofactors }
+
+    /// Where a normal turns, of length one; zero if it is zero or not finite.
+    pub(crate) fn turned(&self, normal: Vec3A) -> Vec3A {
+        let ([x, y, z], [a, b, c]) = (self.columns, wide(normal));
+        direction([0, 1, 2].map(|row| x[row] * a + y[row] * b + z[row] * c))
+    }
+}
+
+/// The vector in double precision.
+fn wide(v: Vec3A) -> [f64; 3] {
+    v.to_array().map(f64::from)
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The direction square to a triangle, counter-clockwise seen from there, of length one; zero if the triangle has none.
+pub(crate) fn facet_normal(corners: [Vec3A; 3]) -> Vec3A {
+    let [a, b, c] = corners.map(wide);
+    let from_a = |p: [f64; 3]| [0, 1, 2].map(|axis| p[axis] - a[axis]);
+    direction(cross(from_a(b), from_a(c)))
 }
 
 /// The vector at length 1; zero if it is zero or not finite.
-pub(crate) fn unit_or_zero(vector: Vec3A) -> Vec3A {
-    let most = vector.abs().max_element();
-    let scaled = vector / most;
+fn direction(vector: [f64; 3]) -> Vec3A {
+    let most = vector.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let scaled = Vec3A::from_array(vector.map(|x| narrow(x / most)));
     if scaled.is_finite() { scaled / length(scaled) } else { Vec3A::ZERO }
 }

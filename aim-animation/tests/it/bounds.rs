@@ -1,7 +1,7 @@
 //! Boxes that no vertex leaves, and hits that are those of all triangles, by Cramer's rule in f64.
 
-use aim_animation::glam::{Affine3A, DMat3, DVec3, Vec3};
-use aim_animation::{Aabb, Bone, BoneBoxes, Influence, Mesh, MeshError, MeshPose, Ray, Skeleton, Skin};
+use aim_animation::glam::{Affine3A, DMat3, DVec3, Mat3, Vec3};
+use aim_animation::{Aabb, Bone, BoneBoxes, Hit, Influence, Mesh, MeshError, MeshPose, Morph, Ray, Skeleton, Skin};
 
 use crate::common::Rng;
 use crate::meshes::{matrices, mesh, pose, skeleton};
@@ -34,6 +34,97 @@ fn no_vertex_is_outside_its_boxes() {
             }
         }
         assert_eq!(carried, mesh.triangles().len(), "each hangs on one joint");
+    }
+}
+
+#[test]
+fn boxes_along_bones_are_the_extents_of_vertices_and_their_ways() {
+    let mut rng = Rng(5);
+    for _ in 0..50 {
+        let skeleton = skeleton(&mut rng, 3);
+        let mesh = mesh(&mut rng, 3, 20);
+        let boxes = BoneBoxes::new(&mesh, &Skin::new(&skeleton, [0, 1, 2]).unwrap()).unwrap();
+        let matrices = [Affine3A::IDENTITY; 3];
+        let pose = MeshPose::new(&matrices).with_morph_weights(&WEIGHTS);
+        for joint in 0..3 {
+            let moves = |vertex: &usize| mesh.influences(*vertex).iter().any(|i| i.joint as usize == joint);
+            let Some(found) = boxes.oriented(joint, &pose) else { panic!("joint {joint} moves vertices") };
+            let along = |v: Vec3| found.place.matrix3.transpose().as_dmat3() * v.as_dvec3();
+            let (mut least, mut most) = (DVec3::MAX, DVec3::MIN);
+            let mut ways = [[DVec3::ZERO; 2]; 3];
+            for vertex in (0..20).filter(moves) {
+                let rest = along(mesh.positions()[vertex]);
+                (least, most) = (least.min(rest), most.max(rest));
+                for (target, [low, high]) in ways.iter_mut().enumerate() {
+                    let of_target = mesh.morphs(vertex).iter().filter(|morph| morph.target as usize == target);
+                    let way = along(of_target.map(|morph| morph.position).sum()) * f64::from(WEIGHTS[target]);
+                    (*low, *high) = (low.min(way), high.max(way));
+                }
+            }
+            let [low, high] = [0, 1].map(|side| ways.iter().map(|way| way[side]).sum::<DVec3>());
+            let (least, most) = (least + low, most + high);
+            let (min, max) = (found.aabb.min.as_dvec3(), found.aabb.max.as_dvec3());
+            assert!(min.abs_diff_eq(least, 1e-5) && max.abs_diff_eq(most, 1e-5), "{found:?}: {least} {most}");
+        }
+    }
+}
+
+#[test]
+fn ways_of_one_vertex_and_target_are_added() {
+    let skeleton = Skeleton::new([Bone::new("a", None)]).unwrap();
+    let skin = Skin::new(&skeleton, [0]).unwrap();
+    let way = Morph { position: Vec3::X, ..Morph::default() };
+    let mesh = Mesh::new([Vec3::ZERO], [], &[[Influence::new(0, 1.0)]]).unwrap().with_morphs([way; 3]).unwrap();
+    let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
+    let matrices = [Affine3A::IDENTITY];
+    let pose = MeshPose::new(&matrices).with_morph_weights(&[1.0]);
+    let mut placed = [Vec3::ZERO];
+    mesh.deform(&pose, &mut placed).unwrap();
+    assert_eq!(placed[0], Vec3::X * 3.0);
+    assert!(boxes.whole(&pose).unwrap().unwrap().contains(placed[0]));
+}
+
+#[test]
+fn triangles_hang_on_the_joint_that_moves_their_corners_most() {
+    let mut rng = Rng(6);
+    let skeleton = skeleton(&mut rng, 6);
+    let mesh = mesh(&mut rng, 6, 60);
+    let boxes = BoneBoxes::new(&mesh, &Skin::new(&skeleton, [0, 1, 2, 3, 4, 5]).unwrap()).unwrap();
+    for joint in 0..6 {
+        assert!(!boxes.triangles(joint).is_empty());
+        for triangle in boxes.triangles(joint) {
+            let mut weights = [0.0; 6];
+            for corner in mesh.triangles()[*triangle as usize] {
+                let of_corner = mesh.influences(corner as usize);
+                of_corner.iter().for_each(|i| weights[i.joint as usize] += f64::from(i.weight));
+            }
+            let most = weights.into_iter().fold(0.0, f64::max);
+            assert!(weights[joint] > most - 1e-6, "{triangle} on {joint}: {weights:?}");
+        }
+    }
+    assert_eq!(boxes.triangles(6), [0; 0]);
+}
+
+#[test]
+fn no_vertex_of_one_joint_or_of_a_thousand_is_outside() {
+    let mut rng = Rng(7);
+    // All joints do the same, so that the box is that of a point.
+    for count in [1, 1000] {
+        let bone = Bone::new("a", None).with_rest(rng.rigid());
+        let skeleton = Skeleton::new(vec![bone; count]).unwrap();
+        let skin = Skin::new(&skeleton, (0..count).collect::<Vec<_>>()).unwrap();
+        let influences: Vec<Influence> = (0..).take(count).map(|joint| Influence::new(joint, 1.0)).collect();
+        let mesh = Mesh::new([rng.vector(1.0)], [], &[influences]).unwrap();
+        let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
+        for _ in 0..100 {
+            let away = Affine3A::from_translation(rng.vector(10.0));
+            let matrices = vec![away * rng.transform().to_affine(); count];
+            let pose = MeshPose::new(&matrices);
+            let mut placed = [Vec3::ZERO];
+            mesh.deform(&pose, &mut placed).unwrap();
+            let whole = boxes.whole(&pose).unwrap().unwrap();
+            assert!(whole.contains(placed[0]), "{} of {count} joints is outside {whole:?}", placed[0]);
+        }
     }
 }
 
@@ -85,9 +176,10 @@ fn by_cramer(corners: [DVec3; 3], ray: &Ray) -> Option<(f64, [f64; 3])> {
 fn hits_are_those_of_all_triangles() {
     let mut rng = Rng(3);
     let (mut met, mut missed) = (0, 0);
-    for _ in 0..40 {
+    for round in 0..40 {
         let skeleton = skeleton(&mut rng, 6);
-        let skin = Skin::new(&skeleton, [5, 4, 3, 2, 1, 0]).unwrap();
+        // In half of them, bones are several joints.
+        let skin = Skin::new(&skeleton, [[5, 4, 3, 2, 1, 0], [2, 4, 2, 2, 1, 4]][round % 2]).unwrap();
         let mesh = mesh(&mut rng, 6, 12);
         let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
         let matrices = matrices(&skeleton, &skin, &pose(&mut rng, &skeleton));
@@ -119,7 +211,7 @@ fn hits_are_those_of_all_triangles() {
                 None => assert!(nearest == f64::MAX, "{ray:?} meets a triangle at {nearest}"),
                 Some(hit) => {
                     assert!((f64::from(hit.part) - nearest).abs() < 1e-5 * nearest.max(1.0), "{hit:?}, at {nearest}");
-                    judge(&mesh, &skin, &placed, (&ray, &hit));
+                    judge((&mesh, &skin, &matrices), &placed, (&ray, &hit));
                 }
             }
             *(if hit.is_some() { &mut met } else { &mut missed }) += 1;
@@ -129,7 +221,7 @@ fn hits_are_those_of_all_triangles() {
 }
 
 /// The parts of a hit by each other.
-fn judge(mesh: &Mesh, skin: &Skin, placed: &[Vec3], (ray, hit): (&Ray, &aim_animation::Hit)) {
+fn judge((mesh, skin, matrices): (&Mesh, &Skin, &[Affine3A]), placed: &[Vec3], (ray, hit): (&Ray, &Hit)) {
     let indices = mesh.triangles()[hit.triangle];
     let [a, b, c] = indices.map(|corner| placed[corner as usize]);
     let size = a.abs().max(b.abs()).max(c.abs()).max_element();
@@ -138,19 +230,28 @@ fn judge(mesh: &Mesh, skin: &Skin, placed: &[Vec3], (ray, hit): (&Ray, &aim_anim
     assert!((a * u + b * v + c * w).abs_diff_eq(hit.point, 1e-6 * size), "{hit:?}");
     let reach = size + ray.origin.length();
     assert!(ray.at(hit.part).abs_diff_eq(hit.point, 1e-5 * reach), "{hit:?} of {ray:?}");
-    let square = (b - a).as_dvec3().normalize().cross((c - a).as_dvec3().normalize());
-    if square.length() > 1e-3 {
-        assert!(hit.normal.as_dvec3().distance(square.normalize()) < 1e-3, "{hit:?}");
-    }
-    // The weight of each bone in the point.
+    // The weight of each joint in the point, and the map that they blend to.
     let mut weights = vec![0.0_f64; skin.len()];
     for (corner, share) in indices.iter().zip(hit.barycentric) {
         for influence in mesh.influences(*corner as usize) {
-            weights[skin.bones()[influence.joint as usize]] += f64::from(influence.weight * share);
+            weights[influence.joint as usize] += f64::from(influence.weight * share);
         }
     }
-    let most = weights.iter().copied().fold(0.0, f64::max);
-    assert!(weights[hit.bone] > most - 1e-6, "{hit:?}: {weights:?}");
+    let blended =
+        matrices.iter().zip(&weights).fold(DMat3::ZERO, |sum, (m, w)| sum + Mat3::from(m.matrix3).as_dmat3() * *w);
+    let square = (b - a).as_dvec3().normalize().cross((c - a).as_dvec3().normalize());
+    if square.length() > 1e-3 && blended.determinant().abs() > 1e-5 {
+        let outside = square.normalize() * blended.determinant().signum();
+        assert!(hit.normal.as_dvec3().distance(outside) < 1e-3, "{hit:?}");
+    }
+    let of_bone = |bone: usize| {
+        let joints = weights.iter().zip(skin.bones()).filter(move |(_, other)| **other == bone);
+        joints.map(|(weight, _)| *weight)
+    };
+    let most = skin.bones().iter().map(|bone| of_bone(*bone).sum()).fold(0.0, f64::max);
+    assert!(of_bone(hit.bone).sum::<f64>() > most - 1e-6, "{hit:?}: {weights:?}");
+    assert_eq!(skin.bones()[hit.joint], hit.bone);
+    assert!(weights[hit.joint] > of_bone(hit.bone).fold(0.0, f64::max) - 1e-6, "{hit:?}: {weights:?}");
 }
 
 #[test]
@@ -239,4 +340,88 @@ fn what_is_no_ray_meets_nothing() {
     let nothing = BoneBoxes::new(&Mesh::default(), &skin).unwrap();
     assert_eq!(nothing.hit(&Mesh::default(), &pose, &ray), Ok(None));
     assert_eq!(nothing.whole(&pose), Ok(None));
+}
+
+#[test]
+fn directions_may_be_short_but_not_shorter_than_parts_count() {
+    let mesh = Mesh::new([Vec3::ZERO, Vec3::X, Vec3::Y], [[0, 1, 2]], &[[Influence::new(0, 1.0)]; 3]).unwrap();
+    let skeleton = Skeleton::new([Bone::new("a", None)]).unwrap();
+    let boxes = BoneBoxes::new(&mesh, &Skin::new(&skeleton, [0]).unwrap()).unwrap();
+    let part = |height: f32, end: f32| {
+        let ray = Ray { end, ..Ray::new(Vec3::new(0.2, 0.2, height), -Vec3::Z * 1e-39) };
+        boxes.hit(&mesh, &MeshPose::new(&[Affine3A::IDENTITY]), &ray).unwrap().map(|hit| hit.part)
+    };
+    assert_eq!(part(1.0, f32::INFINITY), None, "1e39 of its lengths");
+    let near = part(0.1, f32::INFINITY).unwrap();
+    assert!((near / 1e38 - 1.0).abs() < 1e-5, "{near}");
+    assert_eq!((part(0.1, 1e37), part(0.1, f32::MAX)), (None, Some(near)));
+}
+
+#[test]
+fn another_mesh_than_that_of_the_boxes_is_refused() {
+    let skeleton = Skeleton::new(["a", "b"].map(|name| Bone::new(name, None))).unwrap();
+    let skin = Skin::new(&skeleton, [0, 1]).unwrap();
+    let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
+    let of = |joint: u32, weight: f32| [Influence::new(joint, weight), Influence::new(1, 1.0)];
+    let of = |positions: [Vec3; 3], triangle: [u32; 3], joint: u32, weight: f32| {
+        Mesh::new(positions, [triangle], &[of(joint, weight); 3]).unwrap()
+    };
+    let mesh = of(positions, [0, 1, 2], 0, 1.0);
+    let morph = |x: f32| [Morph { position: Vec3::X * x, ..Morph::default() }];
+    let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
+    let ray = Ray::new(Vec3::new(0.2, 0.2, 1.0), -Vec3::Z);
+    let hit = |boxes: &BoneBoxes, mesh: &Mesh| boxes.hit(mesh, &MeshPose::new(&[Affine3A::IDENTITY; 6]), &ray);
+    for other in [
+        of(positions, [0, 1, 2], 5, 1.0),
+        of(positions, [0, 1, 2], 0, 1.5),
+        of(positions, [1, 2, 0], 0, 1.0),
+        of([Vec3::ZERO, Vec3::X * 2.0, Vec3::Y], [0, 1, 2], 0, 1.0),
+        mesh.clone().with_morphs(morph(1.0)).unwrap(),
+    ] {
+        assert_eq!(hit(&boxes, &other), Err(MeshError::OtherMesh), "{other:?}");
+    }
+    let same = of([-Vec3::ZERO, Vec3::X, Vec3::Y], [0, 1, 2], 0, 1.0).with_normals([Vec3::Z; 3]).unwrap();
+    assert!(hit(&boxes, &same).unwrap().is_some(), "normals are not measured");
+    let [morphed, other] = [1.0, 2.0].map(|x| mesh.clone().with_morphs(morph(x)).unwrap());
+    let boxes = BoneBoxes::new(&morphed, &skin).unwrap();
+    assert_eq!(hit(&boxes, &other), Err(MeshError::OtherMesh));
+    assert!(hit(&boxes, &other.with_morphs(morph(1.0)).unwrap()).unwrap().is_some());
+}
+
+#[test]
+fn normals_of_hits_are_those_of_the_deformed_surface() {
+    let mut rng = Rng(8);
+    let skeleton = Skeleton::new([Bone::new("a", None)]).unwrap();
+    let skin = Skin::new(&skeleton, [0]).unwrap();
+    let (mut mirrored, mut worst) = (0, 0.0_f64);
+    for round in 0..300 {
+        // Every third is a needle.
+        let (to, aside) = (rng.vector(1.0), rng.vector([1.0, 1.0, 0.01][round % 3]));
+        let at = rng.vector(1.0);
+        let corners = [at, at + to, at + to * rng.between(0.5, 1.5) + aside];
+        let normal = (corners[1] - at).as_dvec3().cross((corners[2] - at).as_dvec3()).normalize().as_vec3();
+        let mesh = Mesh::new(corners, [[0, 1, 2]], &[[Influence::new(0, 1.0)]; 3]).unwrap();
+        let mesh = mesh.with_normals([normal; 3]).unwrap();
+        let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
+        // Any size: the side of a mirror does not depend on it.
+        let size = [1.0, 1e-15, 1e15][round / 3 % 3];
+        let scale = [0; 3].map(|_| size * rng.between(0.5, 2.0) * if rng.below(2) == 0 { -1.0 } else { 1.0 });
+        let matrix = Affine3A::from_quat(rng.rotation()) * Affine3A::from_scale(Vec3::from_array(scale));
+        let pose = [matrix];
+        let pose = MeshPose::new(&pose);
+        let (mut placed, mut normals) = ([Vec3::ZERO; 3], [Vec3::ZERO; 3]);
+        mesh.deform(&pose, &mut placed).unwrap();
+        mesh.deform_normals(&pose, 1, &mut normals).unwrap();
+        let middle = placed.iter().sum::<Vec3>() / 3.0;
+        let [a, b, c] = placed.map(Vec3::as_dvec3);
+        let square = (b - a).cross(c - a).normalize();
+        let ray = Ray::new(middle + square.as_vec3() * size, -square.as_vec3());
+        let hit = boxes.hit(&mesh, &pose, &ray).unwrap().expect("its middle is met");
+        let side = Mat3::from(matrix.matrix3).as_dmat3().determinant().signum();
+        mirrored += usize::from(side < 0.0);
+        worst = worst.max(hit.normal.as_dvec3().distance(square * side));
+        assert!(hit.normal.dot(normals[0]) > 0.99, "{hit:?}, {normals:?}");
+    }
+    println!("normals of hits {worst:.1e}");
+    assert!(worst < 5e-7 && mirrored > 100, "{worst} {mirrored}");
 }

@@ -1,6 +1,6 @@
 //! Joint matrices, positions and normals of meshes by their definitions in f64: under scale, mirrors and skew.
 
-use aim_animation::glam::{Affine3A, DAffine3, DMat3, DVec3, Vec3};
+use aim_animation::glam::{Affine3A, DAffine3, DMat3, DVec3, Mat3, Vec3, Vec3A};
 use aim_animation::{
     Bone, Influence, Mesh, MeshError, MeshPose, Morph, Skeleton, Skin, SkinError, Transform, matrix_rows, normal_matrix,
 };
@@ -204,6 +204,34 @@ fn normals_of_any_scale_and_of_flat_matrices() {
 }
 
 #[test]
+fn normals_stay_exact_under_uneven_scales() {
+    let mut rng = Rng(5);
+    // By normal matrices and deformed: any normal, and that which the matrix shortens most.
+    let mut worst = [[0.0_f64; 2]; 2];
+    for round in 0..6000 {
+        let ratio = [3.0, 30.0, 300.0, 1000.0][round % 4];
+        let scale = Vec3::new(1.0, 1.0 / ratio, -1.0 / ratio);
+        let matrix = Affine3A::from_quat(rng.rotation()) * Affine3A::from_scale(scale);
+        let matrix = matrix * Affine3A::from_quat(rng.rotation());
+        let shortened = matrix.matrix3.transpose() * Vec3A::from(rng.vector(1.0)).normalize();
+        for (of_normal, normal) in worst.iter_mut().zip([rng.vector(1.0), shortened.into()]) {
+            let exact = Mat3::from(matrix.matrix3).as_dmat3().inverse().transpose() * normal.as_dvec3();
+            let by_matrix = Mat3::from(normal_matrix(&matrix)).as_dmat3() * normal.as_dvec3();
+            let mesh = Mesh::new([Vec3::ZERO], [], &[[Influence::new(0, 1.0)]]).unwrap();
+            let mesh = mesh.with_normals([normal]).unwrap();
+            let mut deformed = [Vec3::ZERO];
+            mesh.deform_normals(&MeshPose::new(&[matrix]), 1, &mut deformed).unwrap();
+            for (worst, found) in of_normal.iter_mut().zip([by_matrix.normalize(), deformed[0].as_dvec3()]) {
+                *worst = worst.max(found.distance(exact.normalize()));
+            }
+        }
+    }
+    println!("normal matrices and deformed: any {:?}, shortened {:?}", worst[0], worst[1]);
+    let [any, shortened] = worst;
+    assert!(any[0] < 1e-5 && shortened[0] < 1e-4 && any[1].max(shortened[1]) < 1e-6, "{worst:?}");
+}
+
+#[test]
 fn rows_move_points_as_matrices_do() {
     let mut rng = Rng(4);
     let (matrix, point) = (rng.transform().to_affine(), rng.vector(2.0));
@@ -224,6 +252,7 @@ fn what_is_wrong_is_said() {
     assert_eq!(at(&[Vec3::X], &[], &[&[Influence::new(0, 1.0), Influence::new(0, -0.1)]]), MeshError::Weight(0));
     assert_eq!(at(&[Vec3::X], &[], &[&[Influence::new(0, f32::NAN)]]), MeshError::Weight(0));
     assert_eq!(at(&[Vec3::X; 2], &[], &[whole, &[Influence::new(0, 0.0)]]), MeshError::Unmoved(1));
+    assert_eq!(at(&[Vec3::X], &[], &[&[Influence::new(u32::MAX, 1.0)]]), MeshError::Size);
     let mesh = Mesh::new([Vec3::X], [], &[[Influence::new(2, 1.0)]]).unwrap();
     assert_eq!(mesh.clone().with_normals([]).unwrap_err(), MeshError::Length { vertices: 1, found: 0 });
     assert_eq!(mesh.clone().with_normals([Vec3::NAN]).unwrap_err(), MeshError::Vertex(0));
