@@ -53,6 +53,8 @@ pub struct CcdJoint {
     pub turn: Quat,
     /// What it turns beyond what it is carried along by the joints before: `turn` = the one before's `turn` × `added`.
     added: Quat,
+    /// The same before the chain was bent out of the straight.
+    unbent: Quat,
     /// Where it is by now, from the first joint, in chain lengths.
     at: Vec3A,
 }
@@ -62,8 +64,8 @@ impl CcdJoint {
     #[must_use]
     pub const fn new(position: Vec3) -> Self {
         let at = Vec3A::ZERO;
-        let (turn, added) = (Quat::IDENTITY, Quat::IDENTITY);
-        Self { position, limit: CcdLimit::Free, stiffness: 0.0, is_two_bone: false, turn, added, at }
+        let (turn, added, unbent) = (Quat::IDENTITY, Quat::IDENTITY, Quat::IDENTITY);
+        Self { position, limit: CcdLimit::Free, stiffness: 0.0, is_two_bone: false, turn, added, unbent, at }
     }
 
     /// With this limit.
@@ -149,7 +151,7 @@ pub enum CcdStatus {
     IterationLimit,
     /// No joint brings the tip any nearer: the target is out of reach, of the limits, or of the method.
     Stuck,
-    /// Something is no number, or the chain has no joint or no length: nothing is turned.
+    /// Something is no number, or the chain has no joint, or its length is zero or not finite: nothing is turned.
     Degenerate,
 }
 
@@ -224,8 +226,13 @@ impl Chain {
         let relative = |point: Vec3| Vec3A::from(point - root) / scale;
         let chain = Self { tip: relative(tip), target: relative(target), scale };
         let finite = joints.iter().all(|joint| relative(joint.position).is_finite());
-        (scale > 0.0 && finite && chain.tip.is_finite() && chain.target.is_finite() && target.is_finite())
-            .then_some(chain)
+        (scale > 0.0
+            && scale.is_finite()
+            && finite
+            && chain.tip.is_finite()
+            && chain.target.is_finite()
+            && target.is_finite())
+        .then_some(chain)
     }
 
     fn relative(&self, joints: &[CcdJoint], index: usize) -> Vec3A {
@@ -254,7 +261,8 @@ impl Chain {
         let tolerance = settings.tolerance.max(0.0);
         let mut tip = self.pose(joints);
         let mut best = math::length(self.target - tip);
-        let (mut iterations, mut bent) = (0, false);
+        // The error before the chain was bent out of the straight.
+        let (mut iterations, mut unbent) = (0, None);
         let status = loop {
             // Judged with the digits of rounding to spare.
             if best <= tolerance {
@@ -268,15 +276,18 @@ impl Chain {
             tip = self.pose(joints);
             if moved <= REST_RAD {
                 // Where all is in one line no joint knows which way to go.
-                if bent || !(math::length(self.target) < 1.0) || !self.is_straight(joints, tip) {
+                if unbent.is_some() || !(math::length(self.target) < 1.0) || !self.is_straight(joints, tip) {
                     break CcdStatus::Stuck;
                 }
-                bent = true;
+                unbent = Some(best);
                 self.bend(joints, tip);
                 tip = self.pose(joints);
             }
             best = math::length(self.target - tip);
         };
+        if unbent.is_some_and(|unbent| best > unbent) {
+            joints.iter_mut().for_each(|joint| joint.added = joint.unbent);
+        }
         CcdOutcome { tip: Vec3::ZERO, error: 0.0, iterations, at_limit: JointSet::EMPTY, status }
     }
 
@@ -331,19 +342,21 @@ impl Chain {
         !beside(tip) && !joints.iter().any(|joint| beside(joint.at))
     }
 
-    /// Bends every joint a little, in a plane of its own choice or its hinge's.
+    /// Bends every joint by its share of a little, in a plane of its own choice or its hinge's.
     fn bend(&self, joints: &mut [CcdJoint], tip: Vec3A) {
         let line = direction(tip).or_else(|| direction(self.target)).unwrap_or(Vec3A::X);
         let across = line.any_orthonormal_vector();
         for joint in joints {
+            joint.unbent = joint.added;
+            let by = BEND_RAD * joint.share();
             match joint.limit.hinge() {
                 Some((axis, range)) => {
                     let at = about_axis(joint.added, axis);
-                    let there = range.hold(at + BEND_RAD);
-                    let there = if there == at { range.hold(at - BEND_RAD) } else { there };
+                    let there = range.hold(at + by);
+                    let there = if there == at { range.hold(at - by) } else { there };
                     joint.added = about(axis, 0.5 * there);
                 }
-                None => joint.hold(product(about(across, 0.5 * BEND_RAD), joint.added)),
+                None => joint.hold(product(about(across, 0.5 * by), joint.added)),
             }
         }
     }

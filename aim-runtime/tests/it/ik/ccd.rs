@@ -148,6 +148,88 @@ fn out_of_the_straight() {
     }
 }
 
+/// However straight the chain, what is wholly stiff stays, and what is nearly so is bent by its share.
+#[test]
+fn stiff_joints_are_not_bent_out_of_the_straight() {
+    let hinge = |least_rad, most_rad| CcdLimit::Hinge { axis: Vec3::Z, least_rad, most_rad };
+    for limit in [CcdLimit::Free, hinge(-2.5, 2.5), hinge(-2.5, 0.0)] {
+        let others = if limit == CcdLimit::Free { limit } else { hinge(-2.5, 2.5) };
+        let chain = |count: u8, stiffness: f32| -> Vec<_> {
+            let joint = |at: u8| CcdJoint::new(Vec3::X * f32::from(at)).with_limit(others);
+            (0..count).map(|at| joint(at).with_stiffness(stiffness)).collect()
+        };
+        let mut joints = chain(2, 1.0);
+        joints[1].limit = limit;
+        let (tip, target) = (Vec3::X * 2.0, Vec3::X * 1.5);
+        let outcome = Ccd::new().solve(&mut joints, tip, target);
+        assert_eq!((outcome.status, outcome.tip, outcome.error), (CcdStatus::Stuck, tip, 0.5));
+        assert!(joints.iter().all(|joint| joint.turn == Quat::IDENTITY), "{joints:?}");
+        for stiff in [0, 1] {
+            let mut joints = chain(3, 0.0);
+            joints[stiff] = joints[stiff].with_limit(limit).with_stiffness(0.99);
+            let (tip, target) = (Vec3::X * 3.0, Vec3::X * 2.2);
+            let outcome = Ccd::new().with_iterations(200).solve(&mut joints, tip, target);
+            assert_eq!(outcome.status, CcdStatus::Reached, "{limit:?}: {outcome:?}");
+            let turned = angle_of(joints[stiff].added());
+            assert!(turned < 0.03, "{limit:?}: {turned}");
+        }
+        let mut joints = chain(2, 0.0);
+        joints[1].limit = limit;
+        let outcome = Ccd::new().with_iterations(200).solve(&mut joints, tip, target);
+        assert_eq!(outcome.status, CcdStatus::Reached, "{limit:?}: {outcome:?}");
+    }
+}
+
+/// A bend that brings the tip no nearer is taken back.
+#[test]
+fn a_bend_for_nothing_is_taken_back() {
+    let (tip, target) = (Vec3::X * 2.0, Vec3::X * 1.5);
+    let mut joints = [CcdJoint::new(Vec3::ZERO), CcdJoint::new(Vec3::X).with_stiffness(1.0)];
+    for iterations in [1, 2, 50] {
+        let outcome = Ccd::new().with_iterations(iterations).solve(&mut joints, tip, target);
+        posed(&joints, tip, target, &outcome);
+        assert!(outcome.error <= 0.5 && outcome.status != CcdStatus::Reached, "{outcome:?}");
+        let [x, y, z] = outcome.tip.to_array();
+        assert!((x - 2.0).abs() < 1e-6 && y.abs() < 1e-6 && z.abs() < 1e-6, "{outcome:?}");
+    }
+    let mut rng = Rng(11);
+    for _ in 0..20_000 {
+        let count = 1 + rng.below(4);
+        let line = rng.direction();
+        let (mut joints, mut end) = (Vec::new(), 0.0);
+        for _ in 0..count {
+            let limit = match rng.below(3) {
+                0 => CcdLimit::Free,
+                1 => CcdLimit::Ball { most_rad: rng.between(0.0, 0.2) },
+                _ => CcdLimit::Hinge {
+                    axis: rng.direction(),
+                    least_rad: -rng.between(0.0, 0.2),
+                    most_rad: rng.between(0.0, 0.2),
+                },
+            };
+            let stiffness = [0.0, rng.between(0.0, 1.0), 1.0][rng.below(3)];
+            joints.push(CcdJoint::new(line * end).with_limit(limit).with_stiffness(stiffness));
+            end += rng.between(0.2, 1.0);
+        }
+        let (tip, target) = (line * end, line * (end * rng.between(0.1, 0.999)));
+        let iterations = 1 + u32::try_from(rng.below(60)).unwrap();
+        let outcome = Ccd::new().with_iterations(iterations).solve(&mut joints, tip, target);
+        posed(&joints, tip, target, &outcome);
+        assert!(beyond_limits(&joints) < 1e-5);
+        assert!(outcome.error <= tip.distance(target) + 1e-5, "{outcome:?}, {} of {joints:?}", tip.distance(target));
+        assert!(joints.iter().all(|joint| joint.stiffness < 1.0 || angle_of(joint.added()) < 1e-6), "{joints:?}");
+    }
+}
+
+/// A chain longer than there are numbers has no turns to tell.
+#[test]
+fn a_chain_of_infinite_length_is_degenerate() {
+    let mut joints = [CcdJoint::new(Vec3::ZERO), CcdJoint::new(Vec3::X * 3e38)];
+    let outcome = Ccd::new().solve(&mut joints, Vec3::ZERO, Vec3::Y);
+    assert_eq!((outcome.status, outcome.tip, outcome.error), (CcdStatus::Degenerate, Vec3::ZERO, 1.0));
+    assert!(joints.iter().all(|joint| joint.turn == Quat::IDENTITY));
+}
+
 #[test]
 fn says_what_it_hit() {
     let chain = || {
