@@ -60,7 +60,7 @@ impl Fade {
     }
 }
 
-/// A number that goes to another in a given time, without a jump in value or speed.
+/// A number within 0…1 that goes to one of these ends in a given time, without a jump in value or speed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Ramp {
     goal: f32,
@@ -68,16 +68,23 @@ pub(crate) struct Ramp {
     velocity: f32,
     elapsed_s: f32,
     length_s: f32,
-    /// Where it began, and how fast.
+    /// Where it began, from the goal, and how fast.
     from: [f32; 2],
+    /// The time in which that speed runs out, seconds; at most the whole.
+    slowing_s: f32,
 }
 
 impl Ramp {
     /// Leads it to a goal; nothing is done if that is where it goes.
     pub(crate) fn lead(&mut self, goal: f32, length_s: f32) {
         if goal != self.goal {
-            (self.from, self.goal) = ([self.value - goal, self.velocity], goal);
+            let (from, velocity) = (self.value - goal, self.velocity);
+            (self.from, self.goal) = ([from, velocity], goal);
             (self.elapsed_s, self.length_s) = (0.0, if length_s.is_finite() { length_s.max(0.0) } else { 0.0 });
+            // Within 0…1: away from the goal the speed leads on by at most 16/81 · speed · time, and the room is up to the other end.
+            // Towards the goal it stays short of it: the ratio of both polynomials is at most 2/5.
+            let room = if from * velocity > 0.0 { (1.0 - from.abs()) * 81.0 / 16.0 } else { from.abs() * 2.5 };
+            self.slowing_s = (room.max(0.0) / velocity.abs()).min(self.length_s);
         }
     }
 
@@ -85,10 +92,12 @@ impl Ramp {
         let dt = if dt_s.is_finite() { dt_s.max(0.0) } else { 0.0 };
         self.elapsed_s = (self.elapsed_s + dt).min(self.length_s);
         let (value, velocity) = if self.elapsed_s < self.length_s {
-            let (u, length) = (self.elapsed_s / self.length_s, self.length_s);
-            let ((of_value, of_velocity), rates) = (faded(u), fading(u));
+            let (u, length, slowing) = (self.elapsed_s / self.length_s, self.length_s, self.slowing_s);
+            // A slowing of no time is over.
+            let slowed = (self.elapsed_s / slowing).min(1.0);
             let [value, velocity] = self.from;
-            (value * of_value + velocity * of_velocity * length, value * rates.0 / length + velocity * rates.1)
+            let rate = value * fading(u).0 / length + velocity * fading(slowed).1;
+            (value * faded(u).0 + velocity * faded(slowed).1 * slowing, rate)
         } else {
             (0.0, 0.0)
         };

@@ -6,7 +6,7 @@ use core::fmt;
 
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim_runtime::ik::{self, Ccd, CcdJoint, CcdLimit, TwoBone};
-use aim_runtime::rotation::{length, nearest_orthogonal, product, unit};
+use aim_runtime::rotation::{length, nearest_orthogonal, product, slerp, unit};
 
 use crate::pose::{Both, PoseError, check_length};
 use crate::skeleton::Skeleton;
@@ -155,11 +155,33 @@ impl Limb {
         (way * held, (held - away).abs())
     }
 
+    /// The point of the model nearest to one that the limb reaches, and how far they are apart.
+    pub(crate) fn nearest(&self, model: &[Affine3A], point: Vec3) -> (Vec3, f32) {
+        let (seen, beyond) = self.within_reach(model, self.seen(model, point));
+        if beyond > 0.0 {
+            (Vec3::from(model[self.bones[0]].translation) + seen * self.length, beyond * self.length)
+        } else {
+            (point, 0.0)
+        }
+    }
+
     /// Turns the joints so that the tip comes to a point in the space of the model; the distance that it is then off. The tip keeps its
     /// orientation, turned by `turn` in the space of the model.
     pub(crate) fn follow(
         &self,
         goal: &TipGoal<'_>,
+        joints: &mut [CcdJoint],
+        pose: &mut Both<'_>,
+    ) -> Result<f32, PoseError> {
+        self.follow_in_part(goal, Part { weight: 1.0, before: &mut [] }, joints, pose)
+    }
+
+    /// The same in part: each joint turns by this part of its turn, as seen from its parent, and so much of the distance is told. The
+    /// whole of `turn` is applied.
+    pub(crate) fn follow_in_part(
+        &self,
+        goal: &TipGoal<'_>,
+        part: Part<'_>,
         joints: &mut [CcdJoint],
         pose: &mut Both<'_>,
     ) -> Result<f32, PoseError> {
@@ -171,6 +193,9 @@ impl Limb {
         let tip = self.tip_bone();
         let (wanted, animated) = (goal.point, model[tip].matrix3);
         let mut error = f32::INFINITY;
+        for (before, &bone) in part.before.iter_mut().zip(&self.bones) {
+            *before = local[bone].rotation;
+        }
         for _ in 0..MOST_ROUNDS {
             let told = self.solve(goal, joints, model);
             let mut carried = Quat::IDENTITY;
@@ -185,12 +210,18 @@ impl Limb {
                 break;
             }
         }
+        if part.weight < 1.0 {
+            for (before, &bone) in part.before.iter().zip(&self.bones) {
+                local[bone].rotation = slerp(*before, local[bone].rotation, part.weight);
+            }
+            skeleton.to_model_below(self.bones[0], local, model)?;
+        }
         let oriented = goal.turn.map_or(animated, |turn| Mat3A::from_quat(turn) * animated);
         if let Some(turn) = turn_between(model[tip].matrix3, oriented) {
             skeleton.turn_in_model(tip, turn, model, local)?;
             skeleton.to_model_below(tip, local, model)?;
         }
-        Ok(error)
+        Ok(error * part.weight)
     }
 
     /// The turns of the joints that bring the tip to a point, and how far it then is from it, as the solver has it.
@@ -226,6 +257,14 @@ pub(crate) struct TipGoal<'a> {
     pub(crate) turn: Option<Quat>,
     /// The solver of a limb of two bones; a hinge's axis is in the space of the middle bone.
     pub(crate) two_bone: &'a TwoBone,
+}
+
+/// How much of a solution is applied.
+pub(crate) struct Part<'a> {
+    /// 0…1.
+    pub(crate) weight: f32,
+    /// Memory for the rotation of each joint; none is needed for the whole.
+    pub(crate) before: &'a mut [Quat],
 }
 
 /// The turn that leads from one orientation to another; `None` where one of them has none.

@@ -8,7 +8,7 @@ use aim_runtime::rotation::{inverse, product, slerp};
 
 use crate::fade::Ramp;
 use crate::figure::{Figure, Layer};
-use crate::limb::{Limb, LimbError, TipGoal};
+use crate::limb::{Limb, LimbError, Part, TipGoal};
 use crate::mask::clamped;
 use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;
@@ -85,6 +85,10 @@ impl TipTarget {
 /// [`set_target`](Self::set_target) and [`release`](Self::release) fade within [`fade_s`](Self::fade_s) seconds, without a jump in place
 /// or speed, also when one interrupts the other. A target that moves is set every frame; from one that is elsewhere to the next, blend
 /// the targets yourself.
+///
+/// In part, by the fade or by [`weight`](Self::weight), the tip of two bones is at that part of the straight way to its target, or to
+/// where it gets if that is out of reach. A limb of more bones, or with a [`two_bone`](Self::two_bone) other than [`TwoBone::new`], turns
+/// each joint by that part of its whole turn instead, so that poles and limits come in as gradually.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LimbLayer {
     /// The part that is applied, 0…1, beside the fade; NaN counts as 0. Default 1.
@@ -95,6 +99,8 @@ pub struct LimbLayer {
     pub two_bone: TwoBone,
     limb: Limb,
     joints: Vec<CcdJoint>,
+    /// Memory for the rotations of the joints before.
+    before: Vec<Quat>,
     target: Option<TipTarget>,
     ramp: Ramp,
     error: f32,
@@ -107,8 +113,8 @@ impl LimbLayer {
     /// See [`LimbError`].
     pub fn new(skeleton: &Skeleton, limb: impl Into<Vec<usize>>) -> Result<Self, LimbError> {
         let (limb, joints) = Limb::at_rest(skeleton, limb.into())?;
-        let (two_bone, ramp) = (TwoBone::new(), Ramp::default());
-        Ok(Self { weight: 1.0, fade_s: 0.0, two_bone, limb, joints, target: None, ramp, error: 0.0 })
+        let (two_bone, ramp, before) = (TwoBone::new(), Ramp::default(), alloc::vec![Quat::IDENTITY; joints.len()]);
+        Ok(Self { weight: 1.0, fade_s: 0.0, two_bone, limb, joints, before, target: None, ramp, error: 0.0 })
     }
 
     /// With a time in which it fades in and out, seconds.
@@ -158,9 +164,9 @@ impl LimbLayer {
         clamped(self.ramp.value())
     }
 
-    /// The distance of the tip from where it was to be in the last frame, in units of the model: more than rounding where the limb does
-    /// not reach that far. Infinite where the target has no place: a bone that is not there, or what is not finite; then the limb stays as
-    /// it was.
+    /// The distance of the tip from where it was to be in the last frame, in units of the model: that by which the whole turns miss the
+    /// target, times the part that is applied. More than rounding where the limb does not reach that far. Infinite where the target has
+    /// no place: a bone that is not there, or what is not finite; then the limb stays as it was.
     #[must_use]
     pub fn error(&self) -> f32 {
         self.error
@@ -182,9 +188,17 @@ impl Layer for LimbLayer {
         let tip = Transform::from_affine(&figure.model()[self.limb.tip_bone()]);
         let turn = rotation.zip(tip).map(|(rotation, tip)| product(rotation, tip.rotation.conjugate()));
         let turn = turn.map(|turn| slerp(Quat::IDENTITY, turn, weight));
-        let point = if weight < 1.0 { animated + (point - animated) * weight } else { point };
-        let goal = TipGoal { point, turn, two_bone: &self.two_bone };
-        self.error = self.limb.follow(&goal, &mut self.joints, &mut figure.both())?;
+        let mut goal = TipGoal { point, turn, two_bone: &self.two_bone };
+        let mut part = Part { weight, before: &mut self.before };
+        let is_straight = self.joints.len() == 2 && self.two_bone == TwoBone::new();
+        if weight < 1.0 && is_straight {
+            // On the way to a target out of reach the limb would be stretched before the weight is 1, and stop with a jump in speed.
+            let (reached, missed) = self.limb.nearest(figure.model(), point);
+            goal.point = animated + (reached - animated) * weight;
+            part.weight = 1.0;
+            self.error = missed * weight;
+        }
+        self.error += self.limb.follow_in_part(&goal, part, &mut self.joints, &mut figure.both())?;
         Ok(())
     }
 }
