@@ -24,8 +24,13 @@ pub use stance::{Stance, StanceLayer};
 /// The part of a leg's length by which the ground under a swinging foot may jump from frame to frame before the foot takes its time:
 /// the edge of a stair.
 const STEP: f32 = 0.01;
+/// The angle by which that ground may turn from frame to frame before the foot takes its time, radians: a crease.
+const CREASE_RAD: f32 = 0.1;
 /// The part of velocity × fade at which what comes to rest does so without turning back: 30·c·u²(1−u)² + 1 − 18u² + 32u³ − 15u⁴ ≥ 0.
 const RUN_OUT: f32 = 0.4;
+/// The part of a leg's length by which a foot may miss its anchor and still count as standing there: a leg of two free bones, and one
+/// with a hinge, or of more bones, whose solver is slow where it is nearly straight.
+const REACHED: [f32; 2] = [1e-4, 1e-2];
 
 /// A foot that stays where it is in the world while it is down, and keeps its height over uneven ground while it swings.
 ///
@@ -54,8 +59,8 @@ pub struct Plant {
     anchor: Option<Anchor>,
     fade: Fade,
     before: Option<Before>,
-    /// Where the tip goes in this frame, in the world, and its rotation vector there.
-    goal: [Vec3; 2],
+    /// Where the tip goes in this frame, and by what it is turned there, in the world.
+    goal: (Vec3, Quat),
 }
 
 /// Where a foot is planted, in the world.
@@ -67,7 +72,8 @@ struct Anchor {
     turned_rad: f32,
 }
 
-/// What a frame needs of the one before; contacts with rotation vectors, in the world.
+/// What a frame needs of the one before, in the world. Contacts come with a rotation vector each, whose part along up turns the foot
+/// before the rest tilts it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Before {
     rotation: Quat,
@@ -75,6 +81,9 @@ struct Before {
     shown: [Vec3; 2],
     ground: Ground,
     contact: Vec3,
+    /// From the free to the shown in the frame before that, and the inverse of the time since, 1 / s; 0 if there was none.
+    offset_before: [Vec3; 2],
+    rate: f32,
 }
 
 impl Plant {
@@ -98,7 +107,7 @@ impl Plant {
             anchor: None,
             fade: Fade::NONE,
             before: None,
-            goal: [Vec3::ZERO; 2],
+            goal: (Vec3::ZERO, Quat::IDENTITY),
         })
     }
 
@@ -123,12 +132,12 @@ impl Plant {
         self
     }
 
-    /// Plants the foot where it comes to rest from the next frame on.
+    /// Plants the foot where it comes to rest, from the next frame on that has time.
     pub fn plant(&mut self) {
         self.is_down = true;
     }
 
-    /// Leaves the foot to the animation from the next frame on.
+    /// Leaves the foot to the animation, from the next frame on that has time.
     pub fn release(&mut self) {
         self.is_down = false;
     }
@@ -145,8 +154,8 @@ impl Plant {
         (self.is_down, self.anchor, self.fade, self.before) = (false, None, Fade::NONE, None);
     }
 
-    /// The point of the world at which it is planted; `None` while it swings. While it comes to rest the contact is still on its way
-    /// there.
+    /// The point of the world at which it is planted; `None` while it swings, and from the frame on in which the leg does not reach
+    /// there. While it comes to rest the contact is still on its way there.
     #[must_use]
     pub fn anchor(&self) -> Option<Vec3> {
         self.anchor.map(|anchor| anchor.point)
@@ -165,6 +174,8 @@ impl Plant {
     }
 
     /// The distance of the contact from the point at which it is planted, in units of the world; 0 unless it [is](Self::is_planted).
+    /// It is a ten-thousandth of the leg's length at most; a hundredth where a hinge limits the leg, or one of more than two bones is
+    /// nearly straight.
     #[must_use]
     pub fn slip(&self, figure: &Figure) -> f32 {
         let places = self.contact(figure).zip(self.anchor()).filter(|_| self.is_planted());
@@ -180,50 +191,61 @@ impl Plant {
         let Some(rotation) = rotation.filter(|_| contact.is_finite()) else {
             // Nothing to stand on, and nothing to go on from.
             self.reset();
-            self.goal = [tip.translation.into(), Vec3::ZERO];
+            self.goal = (tip.translation.into(), Quat::IDENTITY);
             return;
         };
-        let below = self.ground_at(contact, ground, up);
+        let below = ground(contact).below(contact, up);
         let height = (below.point - figure.place.translation).dot(up);
         let free = [contact + up * height, below.tilt(up, self.most_tilt_rad)];
-        let before = self.before.unwrap_or(Before { rotation, free, shown: free, ground: below, contact });
+        let first =
+            Before { rotation, free, shown: free, ground: below, contact, offset_before: [Vec3::ZERO; 2], rate: 0.0 };
+        let before = self.before.unwrap_or(first);
         self.fade.advance(dt_s);
-        let rate = if dt_s > 0.0 && dt_s.is_finite() && self.before.is_some() { 1.0 / dt_s } else { 0.0 };
+        let rate = 1.0 / dt_s;
+        let rate = if self.before.is_some() && rate > 0.0 && rate.is_finite() { rate } else { 0.0 };
         // The turn about the vertical since the frame before: the twist of q is 2·atan(q·up / w), here for small turns.
         let turned_rad = log(product(rotation, before.rotation.conjugate())).dot(up);
         if let Some(anchor) = &mut self.anchor {
             anchor.turned_rad += turned_rad;
         } else {
-            self.absorb_step(&before, &below, contact, up);
+            self.absorb_step(&before, &first, up);
         }
         let mut shown = sum(self.target(free, up), self.fade.left());
-        if self.is_down != self.anchor.is_some() {
-            let mut velocity = difference(shown, before.shown).map(|way| way * rate);
-            let new_before = if self.is_down {
+        let offset_before = difference(before.shown, before.free);
+        // Without time its velocity is not known; in its first frame it rests.
+        if self.is_down != self.anchor.is_some() && (rate > 0.0 || self.before.is_none()) {
+            if self.is_down {
+                let mut velocity = difference(shown, before.shown).map(|way| way * rate);
                 // Where it runs out, level with the ground there.
                 let level = velocity[0] - up * velocity[0].dot(up);
                 let at = shown[0] + level * (RUN_OUT * self.fade_s.max(0.0));
-                let at = self.ground_at(at, ground, up);
+                let at = if at.is_finite() { at } else { contact };
+                let at = ground(at).below(at, up);
                 // The ground stops what would fall through it.
                 let (height, fall) = ((shown[0] - at.point).dot(up), velocity[0].dot(up));
                 let most = height.abs() / (RUN_OUT * self.fade_s.max(0.0));
                 velocity[0] = level + up * fall.max(-most).min(most);
+                // From now on it is turned against the animation.
+                velocity[1] += up * (turned_rad * rate);
                 let tilt = at.tilt(up, self.most_tilt_rad);
                 self.anchor = Some(Anchor { point: at.point, tilt, turned_rad: 0.0 });
-                [at.point, tilt + up * turned_rad]
+                self.fade = Fade::new(difference(shown, [at.point, tilt]), velocity, self.fade_s);
             } else {
-                self.anchor = None;
-                before.free
-            };
-            let new = self.target(free, up);
-            let new_velocity = difference(new, new_before).map(|way| way * rate);
-            self.fade = Fade::new(difference(shown, new), difference(velocity, new_velocity), self.fade_s);
-            shown = sum(new, self.fade.left());
+                self.leave(difference(shown, free), offset_before, rate);
+            }
+            shown = sum(self.target(free, up), self.fade.left());
         }
-        self.before = Some(Before { rotation, free, shown, ground: below, contact });
+        self.before = Some(Before { rotation, free, shown, ground: below, contact, offset_before, rate });
         // The contact is at its place, the tip where the turned foot has it.
-        let to_tip = turned(exp(shown[1]), tip.translation - Vec3A::from(contact));
-        self.goal = [shown[0] + Vec3::from(to_tip), shown[1]];
+        let about = up * shown[1].dot(up);
+        let turn = product(exp(shown[1] - about), exp(about));
+        self.goal = (shown[0] + Vec3::from(turned(turn, tip.translation - Vec3A::from(contact))), turn);
+    }
+
+    /// Leaves the anchor for the animated way, from an offset that changed at a rate.
+    fn leave(&mut self, offset: [Vec3; 2], offset_before: [Vec3; 2], rate: f32) {
+        (self.is_down, self.anchor) = (false, None);
+        self.fade = Fade::new(offset, difference(offset, offset_before).map(|way| way * rate), self.fade_s);
     }
 
     /// The contact, and the rotation vector of the foot, without what fades.
@@ -231,51 +253,47 @@ impl Plant {
         self.anchor.map_or(free, |anchor| [anchor.point, anchor.tilt - up * anchor.turned_rad])
     }
 
-    /// The ground on the vertical through a point; the point itself, level, where the answer is not finite.
-    fn ground_at(&self, at: Vec3, ground: &mut dyn FnMut(Vec3) -> Ground, up: Vec3) -> Ground {
-        let Ground { point, normal } = ground(at);
-        let point = at + up * (point - at).dot(up);
-        if point.is_finite() { Ground { point, normal } } else { Ground::new(at, up) }
-    }
-
     /// Has a foot that swings take its time where the ground jumps: what the ground rose by since the frame before, beyond what its
-    /// slope there says, fades.
-    fn absorb_step(&mut self, before: &Before, below: &Ground, contact: Vec3, up: Vec3) {
-        let way = contact - before.contact;
-        let (normal, rise) = (before.ground.normal, (below.point - before.ground.point).dot(up));
-        let level = way - up * way.dot(up);
-        let slope = -normal.dot(level) / normal.dot(up);
-        let jump = rise - if slope.is_finite() { slope } else { 0.0 };
-        if jump.abs() > STEP * self.limb.length() {
-            let left = self.fade.left();
-            self.fade = Fade::new([left[0] - up * jump, left[1]], self.fade.rate(), self.fade_s);
+    /// slope both there and here says, and what it turned by fade.
+    fn absorb_step(&mut self, before: &Before, now: &Before, up: Vec3) {
+        let rise = (now.ground.point - before.ground.point).dot(up);
+        let way = now.contact - before.contact;
+        let slopes = [before, now].map(|frame| frame.ground.rise(way, up) * rise.signum());
+        let jump = (rise.abs() - slopes[0].min(slopes[1]).max(0.0)).max(0.0);
+        let turn = now.free[1] - before.free[1];
+        if jump > STEP * self.limb.length() || length(turn.into()) > CREASE_RAD {
+            let step = [up * jump.copysign(rise), turn];
+            self.fade = Fade::new(difference(self.fade.left(), step), self.fade.rate(), self.fade_s);
         }
     }
 
     /// How far the pelvis has to be lowered so that the leg reaches with this part of its length; below 0 where it has room.
     fn lack(&self, figure: &Figure, up: Vec3, stretch: f32) -> f32 {
         let hip = (figure.place.to_affine() * figure.model()[self.limb.chain()[0]]).translation;
-        let way = Vec3::from(hip) - self.goal[0];
+        let way = Vec3::from(hip) - self.goal.0;
         let reach = stretch * self.limb.reach(figure.model());
         let (height, aside) = (way.dot(up), length(cross(way.into(), up.into())));
         // |way − lack·up| = reach.
         height - square_root(reach * reach - aside * aside)
     }
 
-    /// True if the leg is too short for where its foot is planted.
-    fn is_overstretched(&self, figure: &Figure) -> bool {
-        let hip = (figure.place.to_affine() * figure.model()[self.limb.chain()[0]]).translation;
-        length(hip - Vec3A::from(self.goal[0])) > self.limb.reach(figure.model())
-    }
-
-    /// Brings the foot to where it was decided.
-    fn follow(&mut self, figure: &mut Figure) -> Result<f32, PoseError> {
-        let [point, rotation] = self.goal;
-        let Some(to_model) = inverse(&figure.place.to_affine()) else { return Ok(0.0) };
-        let rotation = Vec3::from(turned(made_unit(figure.place.rotation).conjugate(), rotation.into()));
-        let goal =
-            TipGoal { point: to_model.transform_point3(point), turn: Some(exp(rotation)), two_bone: &self.two_bone };
-        self.limb.follow(&goal, &mut self.joints, &mut figure.both())
+    /// Brings the foot to where it was decided. A planted one that does not reach its anchor leaves it, from where it is.
+    fn follow(&mut self, figure: &mut Figure) -> Result<(), PoseError> {
+        let (point, turn) = self.goal;
+        let Some(to_model) = inverse(&figure.place.to_affine()) else { return Ok(()) };
+        let place = made_unit(figure.place.rotation);
+        let turn = Some(product(product(place.conjugate(), turn), place));
+        let goal = TipGoal { point: to_model.transform_point3(point), turn, two_bone: &self.two_bone };
+        let error = self.limb.follow(&goal, &mut self.joints, &mut figure.both())?;
+        let is_exact = self.joints.len() == 2 && self.two_bone.hinge.is_none();
+        let is_missed = self.anchor.is_some() && error > REACHED[usize::from(!is_exact)] * self.limb.length();
+        let contact = self.contact(figure).filter(|_| is_missed);
+        if let Some((contact, before)) = contact.zip(self.before.as_mut()) {
+            before.shown[0] = contact;
+            let Before { free, shown, offset_before, rate, .. } = *before;
+            self.leave(difference(shown, free), offset_before, rate);
+        }
+        Ok(())
     }
 }
 

@@ -17,8 +17,8 @@ const STRETCH: f32 = 0.998;
 /// How softly the pelvis gives way, of a leg's length.
 const SOFT: f32 = 0.02;
 
-/// The feet of a character and its pelvis, which is lowered as far as the foot that lacks the most needs it. A foot that even then is
-/// too far away is released.
+/// The feet of a character and its pelvis, which is lowered as far as the foot that lacks the most needs it. A foot that even then
+/// does not reach where it is planted is released.
 ///
 /// Each frame [`on`](Self::on) is the layer. The figure's place is to stand on the ground, as a game has it; feet keep the height over
 /// the ground that they are animated with.
@@ -125,9 +125,6 @@ impl Stance {
         self.drop = drop.min(self.most_drop).max(0.0);
         figure.shift(self.pelvis, up * -self.drop);
         for foot in &mut self.feet {
-            if foot.anchor.is_some() && foot.is_overstretched(figure) {
-                foot.release();
-            }
             foot.follow(figure)?;
         }
         Ok(())

@@ -1,6 +1,6 @@
 //! Planted feet of a leg made in code, judged by forward kinematics in f64.
 
-use aim_animation::glam::{DAffine3, DVec3, Quat, Vec3};
+use aim_animation::glam::{DAffine3, DMat3, DVec3, Quat, Vec3};
 use aim_animation::{Bone, Figure, Ground, LimbError, Plant, PoseError, Skeleton, Stance, Transform};
 
 use crate::common::exact;
@@ -214,4 +214,257 @@ fn what_cannot_stand_is_refused() {
     stance.on_event("down");
     figure.run(DT, &mut [&mut stance.on(|_| Ground::new(Vec3::NAN, Vec3::NAN))]).unwrap();
     assert!(ball(&figure).is_finite());
+}
+
+/// Normals as rays find them at risers and at the undersides of things.
+const STEEP: [[f32; 2]; 6] = [[0.34, -0.94], [0.1, -1.0], [0.01, -1.0], [1e-4, -1.0], [0.001, 1.0], [-0.2, 1.0]];
+
+#[test]
+fn one_steep_normal_does_not_move_a_foot_off_flat_ground() {
+    for [ny, nz] in STEEP {
+        let (mut stance, mut figure) = (stance(), Figure::new(skeleton()));
+        for frame in 0..90_u8 {
+            figure.place.translation.z = 0.02 * f32::from(frame);
+            let normal = if frame == 60 { Vec3::new(0.0, ny, nz) } else { Vec3::Y };
+            figure.run(DT, &mut [&mut stance.on(|at| Ground::new(at.with_y(0.0), normal))]).unwrap();
+            let found = ball(&figure) - figure.place.translation.as_dvec3();
+            let away = found.distance(BALL.as_dvec3());
+            assert!(away < 1e-5, "({ny}, {nz}), frame {frame}: {away} m away");
+            let tilt = world(&figure)[3].transform_vector3(DVec3::Y).angle_between(DVec3::Y);
+            assert!(tilt < 0.05, "({ny}, {nz}), frame {frame}: tilted by {tilt} rad");
+            assert!(stance.drop() < 0.011, "({ny}, {nz}), frame {frame}: the pelvis is lowered by {} m", stance.drop());
+        }
+    }
+}
+
+#[test]
+fn the_edge_of_a_stair_is_taken_in_time_whatever_the_normal_of_its_riser() {
+    for [ny, nz] in STEEP {
+        let (mut stance, mut figure) = (stance(), Figure::new(skeleton()));
+        // The riser is seen from just before the edge.
+        let stair = |at: Vec3| {
+            let normal = if (0.495..0.505).contains(&at.z) { Vec3::new(0.0, ny, nz) } else { Vec3::Y };
+            Ground::new(at.with_y(if at.z > 0.505 { 0.15 } else { 0.0 }), normal)
+        };
+        let mut ways = Vec::new();
+        for frame in 0..80_u8 {
+            figure.place.translation.z = 0.01 * f32::from(frame);
+            figure.run(DT, &mut [&mut stance.on(stair)]).unwrap();
+            ways.push(ball(&figure));
+        }
+        assert!((ways[79].y - 0.15).abs() < 1e-5, "on the stair in the end");
+        let found = acceleration(&ways);
+        assert!(found < 1.5 * 5.8 * 0.15 / (0.15 * 0.15), "({ny}, {nz}): {found} m/s²");
+    }
+}
+
+#[test]
+fn a_crease_of_the_ground_is_taken_in_time() {
+    let (mut stance, mut figure) = (stance(), Figure::new(skeleton()));
+    let ramp = |at: Vec3| {
+        Ground::new(at.with_y((0.3 * (at.z - 0.5)).max(0.0)), Vec3::Y - Vec3::Z * if at.z > 0.5 { 0.3 } else { 0.0 })
+    };
+    let mut soles = Vec::new();
+    for frame in 0..80_u8 {
+        figure.place.translation = ramp(Vec3::Z * (0.01 * f32::from(frame))).point;
+        figure.run(DT, &mut [&mut stance.on(ramp)]).unwrap();
+        soles.push(world(&figure)[3].transform_vector3(DVec3::Y));
+    }
+    let tilt = 0.3_f64.atan();
+    assert!(soles[79].distance(DVec3::new(0.0, tilt.cos(), -tilt.sin())) < 1e-4, "{}", soles[79]);
+    let found = acceleration(&soles);
+    assert!(
+        found < 1.1 * 5.8 * tilt / (0.15 * 0.15),
+        "{found} rad/s², where a jump takes {}",
+        tilt / f64::from(DT * DT)
+    );
+}
+
+#[test]
+fn a_normal_that_points_downward_is_none() {
+    for normal in [Vec3::NEG_Y, Vec3::new(1e-3, -1.0, 0.0), Vec3::new(-1.0, -0.01, 2.0), Vec3::X, Vec3::ZERO, Vec3::NAN]
+    {
+        let (mut stance, mut figure) = (stance(), Figure::new(skeleton()));
+        for is_down in [false, true] {
+            stance.on_event(if is_down { "down" } else { "up" });
+            figure.run(DT, &mut [&mut stance.on(|at| Ground::new(at.with_y(0.0), normal))]).unwrap();
+            let sole = world(&figure)[3].transform_vector3(DVec3::Y);
+            assert!(sole.distance(DVec3::Y) < 1e-6, "{normal}: {sole}");
+        }
+    }
+}
+
+#[test]
+fn a_foot_that_is_out_of_reach_does_not_count_as_planted() {
+    for speed in [0.2_f32, 0.5, 1.4, 5.0] {
+        let (mut stance, mut figure) = (stance(), Figure::new(skeleton()));
+        stance.on_event("down");
+        let mut ways = Vec::new();
+        let (mut still, mut last_planted) = (0, 0);
+        for frame in 0..300_u16 {
+            figure.place.translation.z += if frame < 30 { 0.0 } else { speed * DT };
+            figure.run(DT, &mut [&mut stance.on(level)]).unwrap();
+            let (foot, found) = (&stance.feet()[0], ball(&figure));
+            if foot.is_planted() {
+                let slip = found.distance(BALL.as_dvec3());
+                assert!(slip < 1e-4, "{speed} m/s: it slips by {slip} m while it is planted");
+                assert!((slip - f64::from(foot.slip(&figure))).abs() < 1e-5, "{} is told", foot.slip(&figure));
+                (still, last_planted) = (still + 1, frame);
+            }
+            ways.push(found);
+        }
+        assert!(still > 20 && last_planted < 299, "{speed} m/s: planted in {still} frames");
+        let left = usize::from(last_planted);
+        assert!(ways[left + 1].distance(BALL.as_dvec3()) > 1e-4, "it is planted for as long as it reaches");
+        // It is dragged on at no more than the pelvis' speed, and goes on from there without another jump.
+        let kink = acceleration(&ways[left - 1..left + 2]);
+        assert!(kink < f64::from(1.05 * speed / DT), "{speed} m/s: {kink} m/s²");
+        let found = acceleration(&ways[left..]);
+        let ahead = f64::from(speed * DT) * f64::from(last_planted - 28);
+        let bound = 5.8 * ahead / (0.15 * 0.15) + 6.0 * f64::from(speed) / 0.15;
+        assert!(found < bound, "{speed} m/s: {found} m/s² of {bound}");
+    }
+}
+
+#[test]
+fn a_leg_of_many_joints_stands_for_as_long_as_it_reaches() {
+    // From a mouse to a giant, whose place stands far from the origin.
+    for scale in [0.02_f32, 1.0, 30.0] {
+        let at = |x, y, z| Transform::from_translation(Vec3::new(x, y, z) * scale);
+        let skeleton = Skeleton::new([
+            Bone::new("pelvis", None).with_rest(at(0.0, 0.9, 0.0)),
+            Bone::new("hip", Some(0)).with_rest(at(0.1, -0.02, 0.0)),
+            Bone::new("knee", Some(1)).with_rest(at(0.0, -0.3, 0.1)),
+            Bone::new("hock", Some(2)).with_rest(at(0.0, -0.3, -0.15)),
+            Bone::new("ankle", Some(3)).with_rest(at(0.0, -0.2, 0.05)),
+        ])
+        .unwrap();
+        let foot = Plant::new(&skeleton, [1, 2, 3, 4], BALL * scale).unwrap();
+        let mut stance = Stance::new(&skeleton, 0, [foot]).unwrap();
+        let mut figure = Figure::new(skeleton);
+        figure.place.translation.x = 100.0 * scale;
+        stance.feet_mut()[0].plant();
+        let (mut released, mut most) = (None, 0.0_f32);
+        for frame in 0..200_u8 {
+            figure.place.translation.z = 0.005 * scale * f32::from(frame);
+            figure.run(DT, &mut [&mut stance.on(level)]).unwrap();
+            most = most.max(stance.feet()[0].slip(&figure) / scale);
+            released = released.or(stance.feet()[0].anchor().is_none().then_some(f32::from(frame) * 0.005));
+        }
+        // The leg is 0.86 long, and its hip sinks to 0.67.
+        assert!(released.is_some_and(|way| (0.5..0.66).contains(&way)), "of size {scale}: {released:?}");
+        assert!(most < 0.0086, "of size {scale}: {most}");
+    }
+}
+
+#[test]
+fn a_sole_on_a_slope_stays_as_it_is_while_the_figure_turns() {
+    let up = Vec3::new(0.3, 1.0, 0.0);
+    let slope = |at: Vec3| Ground::new(at.with_y(-0.3 * at.x), up);
+    let mut stance = Stance::new(&skeleton(), 0, [foot().with_fade(0.5)]).unwrap();
+    let mut figure = Figure::new(skeleton());
+    stance.on_event("down");
+    let mut frames = Vec::new();
+    for frame in 0..200_u8 {
+        let turn = frame.saturating_sub(30).min(90);
+        figure.place.rotation = Quat::from_rotation_y(f32::from(turn).to_radians());
+        if frame == 130 {
+            stance.on_event("up");
+        }
+        figure.run(DT, &mut [&mut stance.on(slope)]).unwrap();
+        frames.push(DMat3::from_cols_array(&world(&figure)[3].matrix3.to_cols_array()));
+    }
+    for (frame, sole) in frames[..130].iter().enumerate() {
+        let off = sole.y_axis.angle_between(up.as_dvec3());
+        let turned = sole.z_axis.angle_between(frames[0].z_axis).max(sole.x_axis.angle_between(frames[0].x_axis));
+        assert!(off < 1e-3 && turned < 1e-3, "frame {frame}: {off} rad off the normal, turned by {turned} rad");
+    }
+    // Tilted by the slope as before, and turned with the figure.
+    let last = frames[199].x_axis.dot(DVec3::Z);
+    assert!(frames[199].y_axis.angle_between(up.as_dvec3()) < 1e-3 && last < -0.9, "{last}");
+    // 90 degrees within half a second: tangential and centripetal.
+    for axis in [0, 1, 2] {
+        let ways: Vec<DVec3> = frames.iter().map(|sole| sole.col(axis)).collect();
+        let found = acceleration(&ways);
+        let (rad, s) = (core::f64::consts::FRAC_PI_2, 0.5);
+        let bound = rad * 5.8 / (s * s) + (1.9 * rad / s) * (1.9 * rad / s);
+        assert!(found < bound, "axis {axis}: {found} rad/s² of {bound}");
+    }
+}
+
+#[test]
+fn a_frame_without_time_does_not_stop_a_foot() {
+    // At 1 m/s; what the speed changes by in a frame, with and without a frame without time when it comes down and goes up.
+    let changes = [None, Some(0.0_f32), Some(1e-40), Some(-1.0), Some(f32::NAN)].map(|pause| {
+        let (mut stance, mut figure) = (stance(), Figure::new(skeleton()));
+        let mut ways = Vec::new();
+        for frame in 0..60_u8 {
+            figure.place.translation.z = f32::from(frame) * DT;
+            figure.run(DT, &mut [&mut stance.on(level)]).unwrap();
+            ways.push(ball(&figure));
+            if frame == 30 || frame == 38 {
+                stance.on_event(if frame == 30 { "down" } else { "up" });
+                if let Some(dt) = pause {
+                    figure.run(dt, &mut [&mut stance.on(level)]).unwrap();
+                    assert!(ball(&figure).distance(ways[usize::from(frame)]) < 1e-6, "nothing moves within {dt} s");
+                }
+            }
+        }
+        acceleration(&ways) * f64::from(DT)
+    });
+    for change in changes {
+        assert!((change - changes[0]).abs() < 1e-3, "{changes:?} m/s in a frame");
+    }
+}
+
+#[test]
+fn the_ground_is_asked_only_where_something_is() {
+    for dt in [1e-40, 1e-38, 1e-30, f32::MIN_POSITIVE, 0.0, f32::INFINITY] {
+        for step in [0.0, 0.02, 1e5] {
+            let (mut stance, mut figure) = (stance(), Figure::new(skeleton()));
+            for frame in 0..10_u8 {
+                figure.place.translation.z += step;
+                if frame == 3 {
+                    stance.on_event("down");
+                }
+                let ground = |at: Vec3| {
+                    assert!(at.is_finite(), "{dt} s, {step} m: asked at {at}");
+                    level(at)
+                };
+                figure.run(dt, &mut [&mut stance.on(ground)]).unwrap();
+                let anchor = stance.feet()[0].anchor();
+                assert!(anchor.is_none_or(Vec3::is_finite), "{dt} s, {step} m: planted at {anchor:?}");
+                assert!(ball(&figure).is_finite(), "{dt} s, {step} m");
+            }
+        }
+    }
+}
+
+#[test]
+fn an_edge_within_the_time_of_another_keeps_place_and_speed() {
+    const FADE_S: f64 = 0.5;
+    let edges = [(20, 0.1), (35, 0.12), (45, -0.07), (52, 0.05), (70, -0.2)];
+    let floor = |frame: i32| edges.iter().filter(|(at, _)| *at <= frame).map(|(_, rise)| rise).sum::<f32>();
+    let mut stance = Stance::new(&skeleton(), 0, [foot().with_fade(0.5)]).unwrap();
+    let mut figure = Figure::new(skeleton());
+    stance.most_drop = 0.4;
+    // What is left at a time of an offset of this value and velocity: the polynomial of the fifth degree to nothing at rest.
+    let left = |[value, velocity]: [f64; 2], s: f64| {
+        let u = (s / FADE_S).min(1.0);
+        let of_value = 1.0 - 10.0 * u.powi(3) + 15.0 * u.powi(4) - 6.0 * u.powi(5);
+        value * of_value + velocity * FADE_S * (u - 6.0 * u.powi(3) + 8.0 * u.powi(4) - 3.0 * u.powi(5))
+    };
+    let (mut from, mut elapsed) = ([0.0; 2], 0.0);
+    for frame in 0..110_i32 {
+        // The place goes with the ground, which is a lift.
+        figure.place.translation.y = floor(frame);
+        figure.run(DT, &mut [&mut stance.on(|at: Vec3| Ground::new(at.with_y(floor(frame)), Vec3::Y))]).unwrap();
+        elapsed += f64::from(DT);
+        if let Some((_, rise)) = edges.iter().find(|(at, _)| *at == frame) {
+            let rate = (left(from, elapsed + 1e-5) - left(from, elapsed - 1e-5)) / 2e-5;
+            (from, elapsed) = ([left(from, elapsed) - f64::from(*rise), rate], 0.0);
+        }
+        let wanted = f64::from(floor(frame)) + left(from, elapsed);
+        assert!((ball(&figure).y - wanted).abs() < 1e-5, "frame {frame}: {} m, not {wanted} m", ball(&figure).y);
+    }
 }
