@@ -377,6 +377,29 @@ fn interrupted_fades_have_no_kink() {
     }
 }
 
+/// What falls when it is led to fall again, slowly, stops falling before it is at the end.
+#[test]
+fn a_fade_does_not_stand_at_its_end_before_it_is_over() {
+    let events = [(0.0, 0.0, true), (0.5, 5.0, false), (3.0, 10.0, true), (3.02, 10.0, false)];
+    let values = faded(&events, 0.01, 12.0);
+    assert!(values.iter().skip(2).all(|value| *value > 1e-3), "{values:?}");
+}
+
+/// Onto its own root a limb of uneven bones does not fold: it comes as near as it can, and says how near.
+#[test]
+fn a_hand_at_its_shoulder_is_as_near_as_it_gets() {
+    let skeleton = chain(&[Vec3::ZERO, Vec3::new(0.5, 0.0, 0.0), Vec3::new(0.7, 0.0, 0.01)]);
+    for weight in [0.5, 1.0] {
+        let mut figure = Figure::new(skeleton.clone());
+        let mut hand = LimbLayer::new(&skeleton, [0, 1, 2]).unwrap().with_target(TipTarget::model(Vec3::ZERO));
+        hand.weight = weight;
+        figure.run(0.1, &mut [&mut hand]).unwrap();
+        assert_consistent(&figure);
+        // 0.5 and 0.2 m to within the limits of the solver.
+        assert!((hand.error() / weight - 0.2998).abs() < 2e-3, "{weight}: {}", hand.error());
+    }
+}
+
 #[test]
 fn interrupted_fades_are_the_same_at_any_frame_rate() {
     for events in [[(0.0, 0.2, true), (0.125, 2.0, false)], [(0.0, 1.0, true), (0.5, 0.5, false)]] {

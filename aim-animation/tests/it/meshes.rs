@@ -258,6 +258,14 @@ fn what_is_wrong_is_said() {
     assert_eq!(mesh.clone().with_normals([Vec3::NAN]).unwrap_err(), MeshError::Vertex(0));
     let beyond = Morph { vertex: 1, ..Morph::default() };
     assert_eq!(mesh.clone().with_morphs([Morph::default(), beyond]).unwrap_err(), MeshError::Morph(1));
+    let nowhere = [
+        Morph { position: Vec3::NAN, ..Morph::default() },
+        Morph { normal: Vec3::INFINITY, ..Morph::default() },
+        Morph { target: u32::MAX, ..Morph::default() },
+    ];
+    for morph in nowhere {
+        assert_eq!(mesh.clone().with_morphs([morph]).unwrap_err(), MeshError::Morph(0));
+    }
     let matrices = [Affine3A::IDENTITY; 3];
     let mut out = [Vec3::ONE];
     let few = MeshError::Joints { needed: 3, found: 2 };
@@ -285,4 +293,26 @@ fn what_is_wrong_is_said() {
     ] {
         assert!(error.contains(words), "{error}");
     }
+}
+
+/// A target counts by its number, whatever it moves: a normal alone as well, and nothing.
+#[test]
+fn targets_are_counted_and_may_move_normals_alone() {
+    let mesh = Mesh::new([Vec3::X], [], &[[Influence::new(0, 1.0)]]).unwrap().with_normals([Vec3::X]).unwrap();
+    assert_eq!(mesh.morph_targets(), 0);
+    let tilt = Morph { target: 3, vertex: 0, position: Vec3::ZERO, normal: Vec3::Y };
+    let mesh = mesh.with_morphs([tilt, Morph { target: 5, ..Morph::default() }]).unwrap();
+    assert_eq!(mesh.morph_targets(), 6);
+    let matrices = [Affine3A::IDENTITY];
+    let pose = MeshPose::new(&matrices).with_morph_weights(&[0.0, 0.0, 0.0, 1.0]);
+    let mut normals = [Vec3::ZERO];
+    mesh.deform_normals(&pose, 1, &mut normals).unwrap();
+    assert!(normals[0].distance(Vec3::new(1.0, 1.0, 0.0).normalize()) < 1e-6, "{normals:?}");
+}
+
+/// What has no share in single precision needs no matrix.
+#[test]
+fn shares_below_all_numbers_are_none() {
+    let influences = [[Influence::new(0, 1e30), Influence::new(7, 1e-30)]];
+    assert_eq!(Mesh::new([Vec3::X], [], &influences).unwrap().joints(), 1);
 }

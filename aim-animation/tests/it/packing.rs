@@ -230,6 +230,12 @@ fn a_packed_clip_is_small() {
     let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
     let packed = Reduction::new(1e-3).pack(&clip, &skeleton).unwrap();
     assert!(packed.clip.bytes() * 10 < clip.bytes(), "{} of {}", packed.clip.bytes(), clip.bytes());
+    // The curve of a weight is packed like one of a bone.
+    let weights: Vec<f32> = (0..=90_u8).map(|k| 0.5 + 0.5 * (f32::from(k) / 15.0).sin()).collect();
+    let frames: Vec<f32> = (0..=90_u8).map(|k| f32::from(k) / 30.0).collect();
+    let smile = Clip::new("c").with_scalar(2, Track::linear(frames, weights).unwrap());
+    let smile_packed = Reduction::new(1e-3).pack(&smile, &skeleton).unwrap().clip;
+    assert!(smile_packed.bytes() * 4 < smile.bytes(), "{} of {}", smile_packed.bytes(), smile.bytes());
     // Files and memory are alike.
     assert!(packed.clip.to_bytes().len() < packed.clip.bytes() + 48);
 }
@@ -244,4 +250,6 @@ fn version_one_stays_as_it_is() {
     let expected = "41494d5001000000010000006e0000803f010000000000003f010000006502000000000000000000803f010000000100000009\
         000000210060780000000080";
     assert_eq!(hex, expected);
+    // Two times, where the track begins, and 9 bytes with 8 behind them.
+    assert_eq!(packed.bytes(), 4 * (2 + 1) + 9 + 8);
 }

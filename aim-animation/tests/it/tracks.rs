@@ -492,3 +492,14 @@ fn a_repeated_clip_equals_itself_modulo_its_length() {
     };
     assert_eq!(dense(32_767).repeated(1e30).length_s(), 32_766.0 * 255.0);
 }
+
+/// Cursors are the same where the same keys were found last.
+#[test]
+fn cursors_compare_by_their_keys() {
+    let clip =
+        Clip::new("c").with_translation(0, Track::linear([0.0, 1.0, 2.0], [Vec3::ZERO, Vec3::X, Vec3::Y]).unwrap());
+    let (mut a, b) = (clip.cursor(), clip.cursor());
+    assert_eq!(a, b);
+    clip.sample(1.5, &mut a, &mut [Transform::IDENTITY]);
+    assert_ne!(a, b);
+}
