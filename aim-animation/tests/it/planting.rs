@@ -468,3 +468,101 @@ fn an_edge_within_the_time_of_another_keeps_place_and_speed() {
         assert!((ball(&figure).y - wanted).abs() < 1e-5, "frame {frame}: {} m, not {wanted} m", ball(&figure).y);
     }
 }
+
+/// A foot and its figure, whose fades take 0.3 s.
+fn slowly() -> (Stance, Figure) {
+    (Stance::new(&skeleton(), 0, [foot().with_fade(0.3)]).unwrap(), Figure::new(skeleton()))
+}
+
+/// It runs out by 0.4 of its speed × its time, over the ground, and stands on what is there.
+#[test]
+fn a_foot_comes_to_rest_where_its_way_leads() {
+    let slope = |at: Vec3| Ground::new(at.with_y(0.15 * at.z - 0.1 * at.x), Vec3::new(0.1, 1.0, -0.15));
+    let (mut stance, mut figure) = slowly();
+    let mut ways = Vec::new();
+    for frame in 0..=20_u8 {
+        figure.place.translation = slope(Vec3::new(0.3, 0.0, 0.6) * DT * f32::from(frame)).point;
+        if frame == 20 {
+            stance.feet_mut()[0].plant();
+        }
+        figure.run(DT, &mut [&mut stance.on(slope)]).unwrap();
+        ways.push(ball(&figure));
+    }
+    let speed = (ways[19] - ways[18]) / f64::from(DT);
+    let expected = ways[19] + speed * (f64::from(DT) + 0.4 * 0.3);
+    let anchor = stance.feet()[0].anchor().unwrap().as_dvec3();
+    assert!((anchor - expected).with_y(0.0).length() < 1e-5, "{anchor} {expected}");
+    assert!((anchor.y - 0.15 * anchor.z + 0.1 * anchor.x).abs() < 1e-6, "{anchor}");
+    // Let go, it goes on as it is animated, without a jump in speed: 5.8 · way / time², and 6 · speed / time.
+    for frame in 21..=90_u8 {
+        if frame == 45 {
+            stance.feet_mut()[0].release();
+        }
+        figure.place.translation = slope(Vec3::new(0.3, 0.0, 0.6) * DT * f32::from(frame)).point;
+        figure.run(DT, &mut [&mut stance.on(slope)]).unwrap();
+        ways.push(ball(&figure));
+    }
+    assert!(stance.feet()[0].anchor().is_none());
+    let (way, found) = (0.68 * 0.3, acceleration(&ways));
+    assert!(found < 5.8 * way / 0.09 + 6.0 * 0.68 / 0.3, "{found} m/s²");
+}
+
+/// What falls fast is stopped by the ground, what falls slowly goes on at first as it fell.
+#[test]
+fn a_foot_that_falls_comes_down_on_the_ground() {
+    for fall in [2.0_f32, 0.1] {
+        let (mut stance, mut figure) = slowly();
+        let mut heights = Vec::new();
+        for frame in 0..60_u8 {
+            let height = (0.06 + fall * DT * (10.0 - f32::from(frame))).max(0.0);
+            let mut lift = |figure: &mut Figure, _: f32| {
+                figure.shift(1, Vec3::Y * height);
+                Ok(())
+            };
+            if frame == 11 {
+                stance.feet_mut()[0].plant();
+            }
+            figure.run(DT, &mut [&mut lift, &mut stance.on(level)]).unwrap();
+            heights.push(ball(&figure).y);
+        }
+        assert!(heights.iter().all(|height| *height > -1e-5), "{fall}: {heights:?}");
+        assert!(heights[40].abs() < 1e-5, "{fall}: it is down");
+        let speeds: Vec<f64> = heights.windows(2).map(|w| (w[1] - w[0]) / f64::from(DT)).collect();
+        // At 0.2 m/s its fall would be over at the ground, in 0.4 of the time: so it is not slowed where it falls at 0.1.
+        assert!(fall > 1.0 || (speeds[11] - speeds[10]).abs() < 0.04, "{speeds:?}");
+    }
+}
+
+/// A foot that comes down while its figure turns comes to rest in its turn.
+#[test]
+fn a_foot_that_turns_comes_to_rest_without_a_jump() {
+    let (mut stance, mut figure) = slowly();
+    let mut headings = Vec::new();
+    for frame in 0..60_u8 {
+        if frame == 20 {
+            stance.feet_mut()[0].plant();
+        }
+        figure.place.rotation = Quat::from_rotation_y(2.0 * DT * f32::from(frame.min(40)));
+        figure.run(DT, &mut [&mut stance.on(level)]).unwrap();
+        let ahead = world(&figure)[3].transform_vector3(DVec3::Z);
+        headings.push(ahead.x.atan2(ahead.z));
+    }
+    let second = headings[..38].windows(3).map(|w| (w[2] - 2.0 * w[1] + w[0]).abs() / f64::from(DT * DT));
+    let found = second.fold(0.0, f64::max);
+    assert!(found < 6.0 * 2.0 / 0.3 + 5.0, "{found} rad/s²");
+}
+
+/// On its way along a slope a foot in the air needs no time to follow the ground.
+#[test]
+fn a_foot_in_the_air_follows_a_slope_at_once() {
+    for rise in [0.3_f32, -0.3] {
+        let slope = |at: Vec3| Ground::new(at.with_y(2.0 + rise * at.z), Vec3::new(0.0, 1.0, -rise));
+        let (mut stance, mut figure) = slowly();
+        for frame in 0..20_u8 {
+            figure.place.translation = slope(Vec3::Z * (3.0 * DT * f32::from(frame))).point;
+            figure.run(DT, &mut [&mut stance.on(slope)]).unwrap();
+            let at = ball(&figure);
+            assert!((at.y - 2.0 - f64::from(rise) * at.z).abs() < 1e-5, "{frame}: {at}");
+        }
+    }
+}
