@@ -425,3 +425,22 @@ fn normals_of_hits_are_those_of_the_deformed_surface() {
     println!("normals of hits {worst:.1e}");
     assert!(worst < 5e-7 && mirrored > 100, "{worst} {mirrored}");
 }
+
+/// Of bones that move a point alike the lowest is told, whichever corner it is of.
+#[test]
+fn of_equals_the_lowest_bone_is_hit() {
+    let skeleton = Skeleton::new([Bone::new("a", None), Bone::new("b", None)]).unwrap();
+    let skin = Skin::new(&skeleton, [0, 1]).unwrap();
+    let corners = [Vec3::ZERO, Vec3::X * 4.0, Vec3::Y * 4.0];
+    for [first, second] in [[0, 1], [1, 0]] {
+        let both = vec![Influence::new(0, 0.5), Influence::new(1, 0.5)];
+        let influences = [vec![Influence::new(first, 1.0)], vec![Influence::new(second, 1.0)], both];
+        let mesh = Mesh::new(corners, [[0, 1, 2]], &influences).unwrap();
+        let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
+        let matrices = [Affine3A::IDENTITY; 2];
+        // A quarter of the first two corners each, and half of the third.
+        let ray = Ray::new(Vec3::new(1.0, 2.0, 4.0), Vec3::NEG_Z);
+        let hit = boxes.hit(&mesh, &MeshPose::new(&matrices), &ray).unwrap().unwrap();
+        assert_eq!((hit.barycentric, hit.bone, hit.joint), ([0.25, 0.25, 0.5], 0, 0));
+    }
+}

@@ -316,3 +316,13 @@ fn shares_below_all_numbers_are_none() {
     let influences = [[Influence::new(0, 1e30), Influence::new(7, 1e-30)]];
     assert_eq!(Mesh::new([Vec3::X], [], &influences).unwrap().joints(), 1);
 }
+
+/// The cofactors of large and of tiny scales are beyond single precision; where normals turn is not.
+#[test]
+fn normals_have_matrices_at_any_scale() {
+    for scale in [1e15, 1e-15] {
+        let matrix = normal_matrix(&Affine3A::from_scale(Vec3::new(scale, 2.0 * scale, scale)));
+        let normal = (matrix * Vec3A::new(1.0, 1.0, 0.0)).normalize();
+        assert!(normal.abs_diff_eq(Vec3A::new(2.0, 1.0, 0.0).normalize(), 1e-6), "{scale}: {matrix:?}");
+    }
+}

@@ -350,6 +350,16 @@ fn tolerances_and_pins_that_are_none() {
 }
 
 #[test]
+fn a_pin_at_negative_zero_is_one_at_zero() {
+    let clip = Clip::new("c").with_rotation(0, turning(|t| t * t));
+    let reduced = |pin: f32| Reduction::new(1e-2).with_pins([pin]).pack(&clip, &rod()).unwrap().clip;
+    let floats = |pin: f32| Reduction::new(1e-2).with_pins([pin]).reduce(&clip, &rod()).unwrap().clip;
+    assert_eq!((reduced(-0.0), floats(-0.0)), (reduced(0.0), floats(0.0)));
+    let times = floats(-0.0).bone(0).and_then(|tracks| tracks.rotation.clone()).unwrap();
+    assert!(times.times()[0].is_sign_positive());
+}
+
+#[test]
 fn clips_without_length_and_bones_that_are_not_there() {
     let empty = Reduction::new(1e-3).reduce(&Clip::new("c"), &rod()).unwrap();
     assert_eq!(empty.clip, Clip::new("c"));
