@@ -125,7 +125,7 @@ fn instances_play_packed_clips() {
             Model::new(skeleton.clone(), [clip.clone(), packed.clip.unpacked()]),
             Model::new(skeleton.clone(), [clip.clone()]).with_packed(packed.clip.clone()),
         ];
-        assert_eq!(models[1].packed_clips(), [packed.clip.clone()]);
+        assert_eq!(models[1].packed_clips(), std::slice::from_ref(&packed.clip));
         let mut poses = [skeleton.rest().to_vec(), skeleton.rest().to_vec()];
         let mut heroes = models.each_ref().map(Instance::new);
         for hero in &mut heroes {
