@@ -444,3 +444,28 @@ fn of_equals_the_lowest_bone_is_hit() {
         assert_eq!((hit.barycentric, hit.bone, hit.joint), ([0.25, 0.25, 0.5], 0, 0));
     }
 }
+
+#[test]
+fn boxes_have_their_corners_and_are_met_where_they_are() {
+    let aabb = Aabb { min: Vec3::new(-1.0, 2.0, 0.0), max: Vec3::new(1.0, 3.0, 4.0) };
+    let expected: Vec<Vec3> = [0.0, 4.0]
+        .into_iter()
+        .flat_map(|z| [2.0, 3.0].map(move |y| [-1.0, 1.0].map(|x| Vec3::new(x, y, z))))
+        .flatten()
+        .collect();
+    assert_eq!(aabb.corners().to_vec(), expected);
+    assert!(expected.iter().all(|corner| aabb.contains(*corner)) && aabb.contains(Vec3::new(0.5, 2.5, 3.0)));
+    for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
+        for side in [-1.0, 1.0] {
+            let outside = Vec3::new(0.0, 2.5, 2.0) + axis * side * 5.0;
+            assert!(!aabb.contains(outside));
+            assert!(aabb.is_met(&Ray::new(outside, axis * -side)), "towards it");
+            assert!(!aabb.is_met(&Ray::new(outside, axis * side)), "away from it");
+            let beside = Ray::new(outside, Vec3::new(axis.y, axis.z, axis.x));
+            assert!(!aabb.is_met(&beside), "past it, {beside:?}");
+            assert!(!aabb.is_met(&Ray { end: 1.0, ..Ray::new(outside, axis * -side) }), "it ends before");
+        }
+    }
+    assert!(!aabb.is_met(&Ray::new(Vec3::new(0.0, 2.5, 2.0), Vec3::ZERO)), "no ray");
+    assert!(aabb.is_met(&Ray::new(Vec3::new(1.0, 2.5, 2.0), Vec3::Y)), "along its side");
+}

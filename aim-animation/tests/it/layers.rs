@@ -530,7 +530,10 @@ fn recoil_is_critically_damped_at_any_frame_rate() {
             )
         };
         let held = gun(&figure);
-        recoil.kick(push, climb);
+        // Two shots at once; what is not finite is none.
+        recoil.kick(push * 0.25, climb * 0.75);
+        recoil.kick(Vec3::NAN, Vec3::INFINITY);
+        recoil.kick(push * 0.75, climb * 0.25);
         for _ in 0..frames {
             figure.run(0.08 / f32::from(frames), &mut [&mut recoil]).unwrap();
         }

@@ -326,3 +326,9 @@ fn normals_have_matrices_at_any_scale() {
         assert!(normal.abs_diff_eq(Vec3A::new(2.0, 1.0, 0.0).normalize(), 1e-6), "{scale}: {matrix:?}");
     }
 }
+
+#[test]
+fn a_skin_without_joints_is_empty() {
+    let skeleton = Skeleton::new([Bone::new("a", None)]).unwrap();
+    assert!(Skin::new(&skeleton, []).unwrap().is_empty() && !Skin::new(&skeleton, [0]).unwrap().is_empty());
+}

@@ -253,3 +253,62 @@ fn version_one_stays_as_it_is() {
     // Two times, where the track begins, and 9 bytes with 8 behind them.
     assert_eq!(packed.bytes(), 4 * (2 + 1) + 9 + 8);
 }
+
+/// A swing about three axes around an attitude, sampled at 30 Hz for three seconds.
+fn swinging(about: Quat) -> Track<Quat> {
+    let times: Vec<f32> = (0..=90_u8).map(|k| f32::from(k) / 30.0).collect();
+    let turn = |t: &f32| Quat::from_scaled_axis(0.4 * Vec3::new(t.sin(), (1.7 * t).cos(), (2.3 * t).sin())) * about;
+    let turns: Vec<Quat> = times.iter().map(turn).collect();
+    Track::linear(times, turns).unwrap()
+}
+
+/// Whichever component of a rotation is largest, whole turns, and each kind of track take few bits: nothing falls back to floats unseen.
+#[test]
+fn every_kind_of_track_packs() {
+    let times: Vec<f32> = (0..=90_u8).map(|k| f32::from(k) / 30.0).collect();
+    let wave = |k: f32| times.iter().map(move |t| 0.5 + 0.5 * (k * t).sin());
+    let vectors: Vec<Vec3> = wave(1.0).zip(wave(2.1)).map(|(a, b)| Vec3::new(a, b, a - b)).collect();
+    let weights: Vec<f32> = wave(1.9).collect();
+    let whole: Vec<Quat> = times
+        .iter()
+        .map(|t| Quat::from_axis_angle(Vec3::new(0.6, 0.0, 0.8), 2.5 * t + 0.3 * (3.0 * t).sin()))
+        .collect();
+    let steps: Vec<Vec3> = (0..=90_u8).map(|k| Vec3::splat(f32::from(k / 13))).collect();
+    let clip = || Clip::new("c");
+    let turned = |x, y, z, w| clip().with_rotation(0, swinging(Quat::from_xyzw(x, y, z, w)));
+    let linear = |values: Vec<Vec3>| clip().with_translation(0, Track::linear(times.clone(), values).unwrap());
+    // Beside each the bytes that it may take: 2 % more than it does.
+    let cases = [
+        ("x", turned(1.0, 0.0, 0.0, 0.0), 127_usize),
+        ("y", turned(0.0, 1.0, 0.0, 0.0), 126),
+        ("z", turned(0.0, 0.0, 1.0, 0.0), 127),
+        ("w", turned(0.0, 0.0, 0.0, 1.0), 126),
+        ("whole turns", clip().with_rotation(0, Track::linear(times.clone(), whole).unwrap()), 141),
+        ("vectors", linear(vectors.clone()), 128),
+        ("scale", clip().with_scale(0, Track::catmull_rom(times.clone(), vectors).unwrap()), 126),
+        ("steps", clip().with_translation(0, Track::step(times.clone(), steps).unwrap()), 86),
+        ("weights", clip().with_scalar(3, Track::linear(times.clone(), weights.clone()).unwrap()), 69),
+        ("smooth weights", clip().with_scalar(900, Track::catmull_rom(times.clone(), weights).unwrap()), 69),
+    ];
+    let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
+    for (name, clip, most) in cases {
+        let packed = Reduction::new(1e-3).pack(&clip, &skeleton).unwrap().clip;
+        assert!(packed.bytes() <= most, "{name}: {} bytes, {most} before", packed.bytes());
+    }
+}
+
+/// Over many clips of all kinds the sums of bytes are at most half a percent more than they were.
+#[test]
+fn clips_of_all_kinds_stay_as_small() {
+    let mut rng = Rng(27);
+    let (mut floats, mut reduced, mut packed) = (0, 0, 0);
+    for _ in 0..60 {
+        let bones = 1 + rng.below(9);
+        let (skeleton, clip) = (any_skeleton(&mut rng, bones), any_clip(&mut rng, bones));
+        let reduction = Reduction::new([0.0, 1e-4, 1e-3, 1e-2, 0.1][rng.below(5)]);
+        floats += clip.bytes();
+        reduced += reduction.reduce(&clip, &skeleton).unwrap().clip.bytes();
+        packed += reduction.pack(&clip, &skeleton).unwrap().clip.bytes();
+    }
+    assert!(reduced <= 133_300 && packed <= 87_900, "{reduced} and {packed} of {floats}");
+}
