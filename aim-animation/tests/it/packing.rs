@@ -205,6 +205,22 @@ fn each_damage_has_its_error() {
     assert_eq!(with(17, 0xc0), PackedError::Time);
     assert_eq!(with(25, 0x7f), PackedError::Time);
     assert_eq!(with(11, 0xff), PackedError::End);
+    let replaced = |old: &[u8], new: &[u8]| {
+        let at = bytes.windows(old.len()).position(|window| window == old).unwrap();
+        PackedClip::from_bytes(&[&bytes[..at], new, &bytes[at + old.len()..]].concat()).unwrap_err()
+    };
+    // Two keys, at 0 and at 1 s: one past the length, one before the other, and a clip without an end.
+    let times = |from: f32, to: f32| [&2_u32.to_le_bytes()[..], &from.to_le_bytes(), &to.to_le_bytes()].concat();
+    assert_eq!(replaced(&times(0.0, 1.0), &times(0.0, 2.5)), PackedError::Time);
+    assert_eq!(replaced(&times(0.0, 1.0), &times(1.0, 0.5)), PackedError::Time);
+    assert_eq!(replaced(&times(0.0, 1.0), &times(-1.0, 1.0)), PackedError::Time);
+    assert_eq!(replaced(&2.0_f32.to_le_bytes(), &f32::INFINITY.to_le_bytes()), PackedError::Time);
+    // Bytes between the last track and the end of the data.
+    let size = u32::try_from(bytes.len() - bytes.windows(8).position(|w| w == [1, 0, 0, 0, 1, 0, 0, 0]).unwrap() - 12)
+        .unwrap();
+    let at = bytes.len() - size as usize;
+    let padded = [&bytes[..at - 4], &(size + 3).to_le_bytes(), &bytes[at..], &[0; 3]].concat();
+    assert_eq!(PackedClip::from_bytes(&padded), Err(PackedError::Rest(3)));
     let messages = [PackedError::Track(3), PackedError::Rest(2), PackedError::Version(9), PackedError::End];
     let messages = messages.map(|error| error.to_string());
     for (message, part) in messages.iter().zip(["track 3", "2 bytes", "version 9", "cut"]) {

@@ -349,6 +349,19 @@ fn tolerances_and_pins_that_are_none() {
     }
 }
 
+/// A turn counts by the child that it moves most, if that lies between the axes.
+#[test]
+fn a_turn_is_measured_at_children_between_the_axes() {
+    let child = Bone::new("child", Some(0)).with_rest(Transform::from_translation(Vec3::new(0.6, 0.8, 0.0)));
+    let skeleton = Skeleton::new([Bone::new("b", None), child]).unwrap();
+    let axis = Vec3::new(-0.8, 0.6, 0.0);
+    let turns: Vec<Quat> = frames(40).iter().map(|t| Quat::from_axis_angle(axis, 0.5 * (2.0 * t).sin())).collect();
+    let clip = Clip::new("c").with_rotation(0, Track::linear(frames(40), turns).unwrap());
+    let reduced = Reduction::new(0.01).reduce(&clip, &skeleton).unwrap();
+    let found = error(&skeleton, &clip, |time, pose| reduced.clip.sample(time, &mut reduced.clip.cursor(), pose));
+    assert!(found > 1e-3 && (found - f64::from(reduced.error)).abs() < 1e-6, "{found}, told {}", reduced.error);
+}
+
 #[test]
 fn a_pin_at_negative_zero_is_one_at_zero() {
     let clip = Clip::new("c").with_rotation(0, turning(|t| t * t));
