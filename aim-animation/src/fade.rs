@@ -68,7 +68,7 @@ pub(crate) struct Ramp {
     velocity: f32,
     elapsed_s: f32,
     length_s: f32,
-    /// Where it began, from the goal, and how fast.
+    /// Its beginning, as seen from the goal, and its speed there.
     from: [f32; 2],
     /// The time in which that speed runs out, seconds; at most the whole.
     slowing_s: f32,

@@ -124,7 +124,7 @@ pub struct Instance {
     controls: Vec<ClipControl>,
     /// Of each control.
     cursors: Vec<Cursor>,
-    /// One at the beginning, with room for any clip of the model.
+    /// That of the model, at the beginning.
     cursor: Cursor,
     steps: Vec<Step>,
     /// Bones, and what they hold in their space.
@@ -142,7 +142,7 @@ impl Instance {
             place: Transform::IDENTITY,
             controls: Vec::new(),
             cursors: Vec::new(),
-            cursor: model.cursor(),
+            cursor: model.cursor().clone(),
             steps: Vec::new(),
             things: Vec::new(),
             scratch: alloc::vec![Transform::IDENTITY; bones],

@@ -259,7 +259,7 @@ pub(crate) struct TipGoal<'a> {
     pub(crate) two_bone: &'a TwoBone,
 }
 
-/// How much of a solution is applied.
+/// The part of a solution that is applied.
 pub(crate) struct Part<'a> {
     /// 0…1.
     pub(crate) weight: f32,

@@ -30,6 +30,8 @@ pub struct Model {
     packed: Vec<PackedClip>,
     motions: Vec<Option<Motion>>,
     masks: Vec<Mask>,
+    /// At the beginning, with room for any of the clips.
+    cursor: Cursor,
 }
 
 impl Model {
@@ -38,7 +40,8 @@ impl Model {
     pub fn new(skeleton: Skeleton, clips: impl Into<Vec<Clip>>) -> Self {
         let clips = clips.into();
         let motions = alloc::vec![None; clips.len()];
-        Self { skeleton, clips, packed: Vec::new(), motions, masks: Vec::new() }
+        let cursor = clips.iter().fold(Cursor::default(), |cursor, clip| cursor.with_room_of_both(&clip.cursor()));
+        Self { skeleton, clips, packed: Vec::new(), motions, masks: Vec::new(), cursor }
     }
 
     /// With one more clip, played as it is packed. Its number is that behind all others so far.
@@ -61,6 +64,7 @@ impl Model {
     /// ```
     #[must_use]
     pub fn with_packed(mut self, clip: PackedClip) -> Self {
+        self.cursor = self.cursor.with_room_of_both(&clip.cursor());
         self.packed.push(clip);
         self.motions.push(None);
         self
@@ -109,10 +113,9 @@ impl Model {
         }
     }
 
-    /// A cursor with room for any of the clips.
-    pub(crate) fn cursor(&self) -> Cursor {
-        let clips = (0..self.motions.len()).filter_map(|clip| self.played(clip));
-        clips.fold(Cursor::default(), |cursor, clip| cursor.with_room_of_both(&clip.cursor()))
+    /// A cursor at the beginning, with room for any of the clips.
+    pub(crate) fn cursor(&self) -> &Cursor {
+        &self.cursor
     }
 
     /// The root motion of a clip, if it has any.

@@ -285,9 +285,17 @@ pub(crate) struct Written {
     /// Where to write the report as a page, with drawings and charts.
     #[arg(long, value_name = "R.html")]
     pub(crate) html: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) no_json: NoJson,
+}
+
+/// Of a command whose JSON is its report.
+#[derive(Debug, Default, Args)]
+pub(crate) struct NoJson {
     /// Always an error that names `--report`.
-    #[arg(long = "json", hide = true, num_args = 0, default_missing_value = "", value_parser = UnknownArgumentValueParser::suggest_arg("--report"))]
-    pub(crate) no_json: Option<String>,
+    #[arg(long = "json", hide = true, num_args = 0, default_missing_value = "")]
+    #[arg(value_parser = UnknownArgumentValueParser::suggest_arg("--report"))]
+    no_json: Option<String>,
 }
 
 #[derive(Debug, Args)]
@@ -418,9 +426,8 @@ pub(crate) struct Clip {
     /// Where to write it as a page, with charts.
     #[arg(long, value_name = "R.html")]
     pub(crate) html: Option<PathBuf>,
-    /// Always an error that names `--report`.
-    #[arg(long = "json", hide = true, num_args = 0, default_missing_value = "", value_parser = UnknownArgumentValueParser::suggest_arg("--report"))]
-    pub(crate) no_json: Option<String>,
+    #[command(flatten)]
+    pub(crate) no_json: NoJson,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

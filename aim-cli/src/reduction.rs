@@ -93,7 +93,7 @@ pub(crate) fn weight_tolerance(tolerance: f64) -> f64 {
     if tolerance > 0.0 { 1e-3 } else { 0.0 }
 }
 
-/// How far a reduced clip is off as written.
+/// The error of a reduced clip as written.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct WrittenError {
     /// Of the bone that is furthest off, millimetres of a 1.7 m figure.
@@ -164,7 +164,6 @@ fn weight_numbers(tracks: &[(usize, Track<f32>)], targets: usize) -> usize {
 
 /// A clip with a key at its end, from which a file has its length. No track that moves is replaced.
 fn held(clip: Clip, document: &Document) -> Clip {
-    let skeleton = document.skeleton();
     let vectors =
         clip.tracks().iter().flat_map(|tracks| [&tracks.translation, &tracks.scale]).flatten().map(Track::end_s);
     let rotations = clip.tracks().iter().filter_map(|tracks| Some(tracks.rotation.as_ref()?.end_s()));
@@ -173,54 +172,47 @@ fn held(clip: Clip, document: &Document) -> Clip {
     if end >= length && !(clip.tracks().is_empty() && clip.scalars().is_empty()) {
         return clip;
     }
+    with_end(&clip, document).unwrap_or(clip)
+}
+
+/// A clip that ends before its length with one more track, or key, that ends there.
+fn with_end(clip: &Clip, document: &Document) -> Option<Clip> {
+    let (skeleton, length, new) = (document.skeleton(), clip.length_s(), || clip.clone());
     // A track of one value has a second key.
     for tracks in clip.tracks() {
         let bone = tracks.bone;
         if let Some(track) = tracks.rotation.as_ref().and_then(|track| still(track, length)) {
-            return clip.with_rotation(bone, track);
+            return Some(new().with_rotation(bone, track));
         }
         if let Some(track) = tracks.translation.as_ref().and_then(|track| still(track, length)) {
-            return clip.with_translation(bone, track);
+            return Some(new().with_translation(bone, track));
         }
         if let Some(track) = tracks.scale.as_ref().and_then(|track| still(track, length)) {
-            return clip.with_scale(bone, track);
+            return Some(new().with_scale(bone, track));
         }
     }
     // Else a bone that moves stays at rest in what it has no track of.
-    let unmoved = clip.tracks().iter().find_map(|tracks| {
-        let rest = skeleton.rest().get(tracks.bone)?;
-        Some((tracks.bone, rest, tracks.translation.is_none()))
-            .filter(|_| tracks.translation.is_none() || tracks.scale.is_none())
-    });
-    if let Some((bone, rest, has_no_translation)) = unmoved {
-        return match constant(if has_no_translation { rest.translation } else { rest.scale }, length) {
-            Some(track) if has_no_translation => clip.with_translation(bone, track),
-            Some(track) => clip.with_scale(bone, track),
-            None => clip,
-        };
+    for tracks in clip.tracks() {
+        let Some(rest) = skeleton.rest().get(tracks.bone) else { continue };
+        if tracks.translation.is_none() {
+            return Some(new().with_translation(tracks.bone, constant(rest.translation, length)?));
+        }
+        if tracks.scale.is_none() {
+            return Some(new().with_scale(tracks.bone, constant(rest.scale, length)?));
+        }
     }
     // Else a track keeps its last value until the end.
-    if let Some((bone, track)) =
-        clip.tracks().iter().find_map(|tracks| Some((tracks.bone, tracks.translation.as_ref()?)))
-    {
-        return match prolonged(track, length) {
-            Some(track) => clip.with_translation(bone, track),
-            None => clip,
-        };
+    for tracks in clip.tracks() {
+        if let Some(track) = &tracks.translation {
+            return Some(new().with_translation(tracks.bone, prolonged(track, length)?));
+        }
     }
     if let Some((scalar, track)) = clip.scalars().first() {
-        let scalar = *scalar;
-        return match prolonged(track, length) {
-            Some(track) => clip.with_scalar(scalar, track),
-            None => clip,
-        };
+        return Some(new().with_scalar(*scalar, prolonged(track, length)?));
     }
     // Of a clip that has no tracks the first bone of the file stays at rest.
-    let bone = (0..skeleton.len()).find(|bone| skeleton.is_in_file(*bone));
-    match bone.and_then(|bone| Some((bone, constant(skeleton.rest().get(bone)?.rotation, length)?))) {
-        Some((bone, track)) => clip.with_rotation(bone, track),
-        None => clip,
-    }
+    let bone = (0..skeleton.len()).find(|bone| skeleton.is_in_file(*bone))?;
+    Some(new().with_rotation(bone, constant(skeleton.rest().get(bone)?.rotation, length)?))
 }
 
 /// A track of one key with one at the end, too; `None` of others.

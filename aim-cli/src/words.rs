@@ -94,7 +94,7 @@ pub(crate) fn trimmed(value: f64, decimals: usize) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
-/// How far morph weights are off, as the end of a sentence about something else; nothing where there are none.
+/// The error of morph weights, as the end of a sentence about something else; nothing where there are none.
 pub(crate) fn weights_in_words(error: Option<f64>) -> String {
     error.map_or_else(String::new, |error| format!(", weights at most {} off", fixed(error, 4)))
 }

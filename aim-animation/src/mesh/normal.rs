@@ -50,7 +50,7 @@ impl Cofactors {
         Self { columns: columns.map(|column| column.map(|x| x * side)), is_mirrored }
     }
 
-    /// Where a normal turns, of length one; zero if it is zero or not finite.
+    /// The normal after the map, of length one; zero if it is zero or not finite.
     pub(crate) fn turned(&self, normal: Vec3A) -> Vec3A {
         let ([x, y, z], [a, b, c]) = (self.columns, wide(normal));
         direction([0, 1, 2].map(|row| x[row] * a + y[row] * b + z[row] * c))

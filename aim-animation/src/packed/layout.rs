@@ -394,15 +394,17 @@ impl Header {
         (value, bits)
     }
 
+    /// Of a key's value the form near to another; as it is stored where that is exact, and goes the way that it is meant to.
+    #[inline]
+    pub(super) fn near<T: Parts>(&self, value: T, other: T) -> T {
+        if self.form == Form::Exact { value } else { value.near(other) }
+    }
+
     /// The value of a cubic key in the form near to another, and its velocities on arriving and on leaving.
     #[inline]
     pub(super) fn cubic_key<T: Parts>(&self, bytes: &[u8], key: usize, near: Option<T>) -> (T, [T; 2]) {
         let (value, mut bits): (T, _) = self.value_and_tangents(bytes, key);
-        let value = match (near, &self.form) {
-            // As it is stored it goes the way that it is meant to.
-            (Some(near), Form::Grid { .. }) => value.near(near),
-            _ => value,
-        };
+        let value = near.map_or(value, |near| self.near(value, near));
         let mut tangent = || match &self.form {
             Form::Exact => exact(&mut bits),
             Form::Grid { tangents, .. } => value.tangent_from_parts(tangents.take(&mut bits, T::PARTS)),

@@ -275,9 +275,9 @@ impl PackedClip {
             if header.curve == Curve::Cubic {
                 // Of neighbours half a turn apart either form is near: as in a segment, those that are stored decide.
                 let (value, of_key) = header.cubic_key(&self.data, key, None);
-                let (near, _) = header.cubic_key(&self.data, key, before);
+                let is_near = before.is_none_or(|before| header.near(value, before) == value);
                 before = Some(value);
-                sign *= if near == value { 1.0 } else { -1.0 };
+                sign *= if is_near { 1.0 } else { -1.0 };
                 values.push(value.times(sign));
                 tangents.push(of_key.map(|tangent: T| tangent.times(sign)));
             } else {

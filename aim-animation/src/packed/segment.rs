@@ -1,4 +1,4 @@
-//! What a cursor keeps of packed tracks: of each the two keys about the time that was sampled last, decoded.
+//! [`Segments`]: of each packed track the two keys about the time that was sampled last, decoded, as a cursor keeps them.
 
 use alloc::sync::Arc;
 use alloc::vec::Vec;

@@ -29,7 +29,7 @@ impl Ground {
         Self::new(point, if has_normal { self.normal } else { up })
     }
 
-    /// What it rises by over a way, after its normal.
+    /// Its rise over a way, after its normal.
     pub(super) fn rise(&self, way: Vec3, up: Vec3) -> f32 {
         let level = way - up * way.dot(up);
         -self.normal.dot(level) / self.normal.dot(up)

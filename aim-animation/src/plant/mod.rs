@@ -59,7 +59,7 @@ pub struct Plant {
     anchor: Option<Anchor>,
     fade: Fade,
     before: Option<Before>,
-    /// Where the tip goes in this frame, and by what it is turned there, in the world.
+    /// The place of the tip in this frame and the rotation that turns it there, in the world.
     goal: (Vec3, Quat),
 }
 
@@ -72,7 +72,7 @@ struct Anchor {
     turned_rad: f32,
 }
 
-/// What a frame needs of the one before, in the world. Contacts come with a rotation vector each, whose part along up turns the foot
+/// The state of a frame that the next one needs, in the world. Contacts come with a rotation vector each, whose part along up turns the foot
 /// before the rest tilts it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Before {

@@ -10,7 +10,7 @@ use crate::clip::Clip;
 use crate::packed::grid::power_of_two;
 use crate::played::Played;
 use crate::skeleton::Skeleton;
-use crate::track::{Curve, Track};
+use crate::track::{Curve, Track, hermite};
 use crate::transform::Transform;
 
 /// Points between neighbouring keys.
@@ -196,13 +196,13 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// Where a cubic turns by a large angle in a short time, as its quaternions pass near zero: the moment, and times that close in on it.
+/// The moments at which a cubic turns by a large angle in a short time, as its quaternions pass near zero, and times that close in on each.
 fn whirls(track: &Track<Quat>) -> impl Iterator<Item = f32> + '_ {
     let times = if track.curve() == Curve::Cubic { track.times() } else { &[] };
-    times.windows(2).flat_map(|pair| {
-        let (from, interval) = (pair[0], pair[1] - pair[0]);
+    times.windows(2).enumerate().flat_map(|(key, pair)| {
+        let (from, interval, segment) = (pair[0], pair[1] - pair[0], track.segment(key));
         let square = |part: f32| {
-            let (point, _) = track.point_and_velocity(from + part * interval);
+            let point = hermite(segment, part);
             dot(point, point)
         };
         let least = |around: f32, step: f32| {

@@ -252,7 +252,7 @@ impl<T: Value> Track<T> {
     }
 
     /// The segment after key `k` of a cubic track: value and tangent there and at the next key, by the parameter 0…1.
-    fn segment(&self, k: usize) -> [T; 4] {
+    pub(crate) fn segment(&self, k: usize) -> [T; 4] {
         let interval = self.times[k + 1] - self.times[k];
         let [out, into] = [self.tangents[k][1], self.tangents[k + 1][0]].map(|tangent| tangent.times(interval));
         [self.values[k], out, self.values[k + 1], into]

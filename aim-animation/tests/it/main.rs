@@ -5,6 +5,7 @@ mod bounds;
 mod common;
 mod documented;
 mod errors;
+mod fading;
 mod instances;
 mod layers;
 mod meshes;

@@ -58,7 +58,7 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
             out: out("aimed.glb"),
             report: Some(out("report.json")),
             html: Some(out("report.html")),
-            no_json: None,
+            no_json: args::NoJson::default(),
         },
     };
     bake(&request, &document, &Measurement::of(&document), &spec)?;
