@@ -742,6 +742,23 @@ fn near_the_zenith_the_head_stays_ahead() {
     }
 }
 
+/// A chest that leans back under a head turned aside rolls the head: it leans back the less, the farther the head is turned.
+#[test]
+fn a_look_up_over_the_shoulder_does_not_tip_the_head() {
+    for side in [-1.0, 1.0] {
+        for (heading, elevation) in [(60.0, 30.0), (75.0, 40.0), (95.0, 40.0), (95.0, 50.0_f32)] {
+            let mut rig = thug();
+            let pose = upright(&rig);
+            rig.snap(&Pose::new(&pose), at(side * heading, elevation));
+            // Forward, left and up are x, y and z here.
+            let turn = |joint: &Joint| Mat3A::from_rotation_z(joint.heading()) * Mat3A::from_rotation_y(-joint.pitch());
+            let head = turn(&rig.joints[2]) * turn(&rig.joints[1]);
+            let roll = head.y_axis.z.atan2(head.z_axis.z) / DEG;
+            assert!(roll.abs() < 1.5, "{heading}°, {elevation}°: the head rolls by {roll}°");
+        }
+    }
+}
+
 /// Out of reach to the side, the outcome tells how far the body would have to turn, and since when: turned by 2° more the target is
 /// within reach, by 3° less it is not. Behind, too, whatever the policy.
 #[test]

@@ -4,7 +4,7 @@ use core::f32::consts::PI;
 
 use glam::{Vec3A, Vec4};
 
-use super::glide::{Pair, length};
+use super::glide::{Pair, pair, square};
 use super::{Aims, Gaze, Posture, SAME_RAD, Seen};
 use crate::limits::Interval;
 use crate::math::Bounded;
@@ -30,6 +30,12 @@ const STEEP_RAD: f32 = 50.0 * PI / 180.0;
 /// of joints may make of headings that say little there.
 const OUT_OF_REACH_RAD: f32 = 2e-4;
 const STEEP_OUT_OF_REACH_RAD: f32 = 0.3;
+
+/// The lanes of a pair.
+const HEADING: usize = 0;
+const PITCH: usize = 1;
+/// The compliance of a region that the head is turned out of by β is divided by 1 + this·β² for a look up: half at 20°.
+const ROLLS: f32 = 8.0;
 
 /// How far eyes whose headings are these, in a head of one elevation, look aside from it at another: at
 /// tan h = cos ε·sin ψ/(cos ε·cos ψ·cos η + sin ε·sin η) towards elevation ε, the head's being η.
@@ -119,7 +125,8 @@ impl<const C: usize> Gaze<'_, C> {
         let (directions, unfit) = self.share(way, Vec4::ZERO);
         let head = self.regions.len() - 1;
         let is_level = way.to.y.abs().at_least(directions[head].y.abs()) < STEEP_RAD;
-        if length(unfit) > if is_level { OUT_OF_REACH_RAD } else { STEEP_OUT_OF_REACH_RAD } {
+        let nothing = if is_level { OUT_OF_REACH_RAD } else { STEEP_OUT_OF_REACH_RAD };
+        if square(unfit) > nothing * nothing {
             return Some(self.out_of_reach(way, directions, unfit));
         }
         if !is_level || !self.body.off.is_rigid() {
@@ -133,8 +140,9 @@ impl<const C: usize> Gaze<'_, C> {
             let inside = if head > 0 { turned(head - 1) } else { Vec4::ZERO };
             (turned(head) - inside, self.regions[head].lo, self.regions[head].hi)
         };
+        // Where an angle has nowhere to go this is no number, or infinite.
         let used = rest / Vec4::select(rest.cmpgt(Vec4::ZERO), hi, lo);
-        let is_plain = length(used) < PLAIN_PART && !own.has_point();
+        let is_plain = square(used) < PLAIN_PART * PLAIN_PART;
         is_plain.then_some(Allotment { directions, point: self.goal.aimed, fit: Fit::WITHIN_REACH })
     }
 
@@ -192,7 +200,7 @@ impl<const C: usize> Gaze<'_, C> {
             if Seen::is_nothing(off) {
                 break;
             }
-            if round > 0 && !(length(off) < GAIN * length(before)) {
+            if round > 0 && !(square(off) < GAIN * GAIN * square(before)) {
                 if Seen::is_nothing(left) {
                     *more = Vec4::ZERO;
                     break;
@@ -227,8 +235,9 @@ impl<const C: usize> Gaze<'_, C> {
         if self.has_eye && unfit.x != 0.0 {
             let [right, left] = eye_headings([lo.x, hi.x], directions[self.regions.len() - 1].y, to.y - unfit.y);
             let eye = Interval::from_ends(right, left);
-            let within = Interval::from_ends(way.x - EYE_PART * eye.hi(), way.x - EYE_PART * eye.lo());
-            let rest = way.x - self.turn_axis(0, within.hold(part * way.x) + more.x, &mut directions);
+            let [least, most] = [eye.hi(), eye.lo()].map(|end| way.x - EYE_PART * end);
+            let wanted = (part * way.x).at_least(least).at_most(most);
+            let rest = way.x - self.turn_axis::<HEADING>(wanted + more.x, &mut directions);
             unfit.x = rest - eye.hold(rest);
         }
         (directions, unfit)
@@ -236,38 +245,57 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// Turns the regions by `wanted` together, each by its compliance; what one has no room for is left to the others. Returns
     /// how far they turn.
+    ///
+    /// A pitch p under a head turned aside by β lifts the gaze by no more than p·cos β, and rolls the head by p·sin β: a region
+    /// complies with a look up the less, the farther the head is turned out of it.
     #[cfg_attr(not(aim_small), inline(always))]
     fn turn_regions(&self, wanted: Pair, directions: &mut [Pair]) -> Pair {
-        let regions = self.regions;
-        // Mostly all have room for their parts.
-        let each = wanted / regions.iter().fold(Vec4::ZERO, |sum, region| sum + region.part.compliance);
-        let mut sum = Vec4::ZERO;
-        let mut fits = 3;
-        for (region, direction) in regions.iter().zip(&mut *directions) {
-            let own = each * region.part.compliance;
-            fits &= (region.lo.cmple(own) & own.cmple(region.hi)).bitmask();
-            sum += own;
-            *direction = region.animated + sum;
-        }
-        for axis in 0..2 {
-            if fits >> axis & 1 == 0 {
-                sum[axis] = self.turn_axis(axis, wanted[axis], directions);
-            }
-        }
-        sum
+        let heading = self.turn_axis::<HEADING>(wanted.x, directions);
+        pair([heading, self.turn_axis::<PITCH>(wanted.y, directions)])
     }
 
-    /// The same for one axis, whether or not all have room.
+    /// The same for one axis; heading comes first.
+    #[cfg_attr(not(aim_small), inline(always))]
+    fn turn_axis<const AXIS: usize>(&self, wanted: f32, directions: &mut [Pair]) -> f32 {
+        let (regions, head) = (self.regions, self.regions.len() - 1);
+        let mut gives = self.rig.array(0.0_f32);
+        let mut total = regions[head].part.compliance[AXIS];
+        gives[head] = total;
+        for (number, region) in regions[..head].iter().enumerate() {
+            let out = if AXIS == PITCH && wanted > 0.0 { directions[head].x - directions[number].x } else { 0.0 };
+            gives[number] = region.part.compliance[AXIS] / (1.0 + ROLLS * out * out);
+            total += gives[number];
+        }
+        // Mostly all have room for their parts.
+        let each = wanted / total;
+        let (mut sum, mut fits) = (0.0, true);
+        for ((gives, region), direction) in gives.iter().zip(regions).zip(&mut *directions) {
+            let own = each * gives;
+            fits &= (region.lo[AXIS] <= own) & (own <= region.hi[AXIS]);
+            sum += own;
+            direction[AXIS] = region.animated[AXIS] + sum;
+        }
+        if fits { sum } else { self.turn_within_room::<AXIS>(wanted, &gives, directions) }
+    }
+
+    /// The same where not all have room for the parts that they would give.
     #[inline(never)]
-    fn turn_axis(&self, axis: usize, wanted: f32, directions: &mut [Pair]) -> f32 {
+    fn turn_within_room<const AXIS: usize>(
+        &self,
+        wanted: f32,
+        gives: &PerJoint<f32, C>,
+        directions: &mut [Pair],
+    ) -> f32 {
         let regions = self.regions;
         let mut turns = self.rig.array(0.0_f32);
-        let mut gives = self.rig.array(0.0_f32);
+        let mut gives = *gives;
         let mut left = wanted;
         for _ in 0..self.count {
             let mut total = 0.0;
             for ((gives, turn), region) in gives.iter_mut().zip(&*turns).zip(regions) {
-                *gives = if region.room(axis).blocks(*turn, left) { 0.0 } else { region.part.compliance[axis] };
+                if if left > 0.0 { *turn >= region.hi[AXIS] } else { *turn <= region.lo[AXIS] } {
+                    *gives = 0.0;
+                }
                 total += *gives;
             }
             if left == 0.0 || !(total > 0.0) {
@@ -275,15 +303,15 @@ impl<const C: usize> Gaze<'_, C> {
             }
             let each = left / total;
             for ((gives, turn), region) in gives.iter().zip(&mut *turns).zip(regions) {
-                let next = region.room(axis).hold(*turn + each * gives);
+                let next = (*turn + each * gives).at_least(region.lo[AXIS]).at_most(region.hi[AXIS]);
                 left -= next - *turn;
                 *turn = next;
             }
         }
         let mut sum = 0.0;
-        for (number, region) in regions.iter().enumerate() {
-            sum += turns[number];
-            directions[number][axis] = region.animated[axis] + sum;
+        for ((turn, region), direction) in turns.iter().zip(regions).zip(&mut *directions) {
+            sum += turn;
+            direction[AXIS] = region.animated[AXIS] + sum;
         }
         sum
     }

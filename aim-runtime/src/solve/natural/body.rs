@@ -133,14 +133,10 @@ impl<'a, const C: usize> Body<'a, C> {
         self.rig.joints[joint].planes.basis.transpose() * math::turned(self.tilts[joint].conjugate(), direction)
     }
 
-    /// A joint's own forward in its frame, which that of an upright frame is not.
-    #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn forward(&self, joint: usize) -> Vec3A {
-        if self.is_tilted(joint) {
-            self.upright_direction(joint, self.infos()[joint].axes.forward.into())
-        } else {
-            Vec3A::X
-        }
+    /// A joint's own forward in its upright frame.
+    #[cold]
+    pub(super) fn own_forward(&self, joint: usize) -> Vec3A {
+        self.upright_direction(joint, self.infos()[joint].axes.forward.into())
     }
 
     /// Takes the effector from the true kinematics of a pose that is not rigid; `None` where it looks nowhere.

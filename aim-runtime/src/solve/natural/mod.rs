@@ -6,7 +6,8 @@
 //!
 //! 1. The way from the animated gaze to the target, (Δψ, Δε), is shared out ([`allot`]): the regions make g·max(0, E − D)/E of
 //!    it, E being its angle, and more where the eye could not do the rest; each by its compliance as far as its room goes,
-//!    heading and elevation each for itself. So a target out of reach to the side is followed level.
+//!    heading and elevation each for itself. So a target out of reach to the side is followed level. A trunk leans back the less,
+//!    the farther the head is turned out of it, which it would tip.
 //! 2. Each region, from the root outward, turns its outermost forward to the direction that it was allotted, measured in the
 //!    frame that the corrected joints inside it carry: `R_heading·R_pitch` in closed form ([`body`]). Over time it glides
 //!    there; the eye turns exactly to what is left ([`sight`], [`glide`]).
@@ -29,7 +30,7 @@ use glam::{Quat, Vec3A, Vec4};
 
 use self::allot::{FRAME_ROUNDS, Fit, ROUNDS};
 use self::body::{Body, Turn, angles};
-use self::glide::{Pair, ends, length, pair, square};
+use self::glide::{Pair, ends, pair, square};
 use self::range::Range;
 use self::region::{Region, find_regions};
 use self::sharing::Sharing;
@@ -371,7 +372,8 @@ impl<const C: usize> Gaze<'_, C> {
             if is_plain {
                 // What the eye lacks, and the regions are not on their way to bring, they are to make from the next frame on.
                 let left = seen.left();
-                let lacks = allotment.fit.within_reach && length(left) >= SAME_RAD + motion.lag;
+                let brought = SAME_RAD + motion.lag;
+                let lacks = allotment.fit.within_reach && square(left) >= brought * brought;
                 more = if lacks { left } else { Vec4::ZERO };
             }
         }

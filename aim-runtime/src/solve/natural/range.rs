@@ -92,11 +92,6 @@ impl<'a> Range<'a> {
         self.more.is_none() && inside.cmpgt(near).bitmask() & 3 == 3
     }
 
-    /// Whether one of the angles has nowhere to go.
-    pub(super) fn has_point(&self) -> bool {
-        self.lo.cmpge(self.hi).bitmask() & 3 != 0
-    }
-
     /// The nearest angles to rest within a step from these.
     pub(super) fn towards_rest(&self, angles: Pair, step: f32) -> Pair {
         let step = Vec4::splat(step);

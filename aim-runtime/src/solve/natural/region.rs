@@ -7,7 +7,6 @@ use super::glide::{Pair, pair};
 use super::range::Range;
 use crate::JointInfo;
 use crate::kinematics::bearing::Bearings;
-use crate::limits::Interval;
 use crate::math;
 use crate::rig::BodyPart;
 
@@ -43,11 +42,6 @@ impl Region<'_> {
         let own = pair(info.compliance());
         Vec4::select(own.cmpgt(Vec4::ZERO), own / self.part.compliance, Vec4::ZERO)
     }
-
-    /// The room of one axis.
-    pub(super) fn room(&self, axis: usize) -> Interval {
-        Interval::from_ends(self.lo[axis], self.hi[axis])
-    }
 }
 
 /// Finds the regions of a body, one for each of its parts.
@@ -61,8 +55,12 @@ pub(super) fn find_regions<'a, const C: usize>(
 ) {
     let mut forwards = [Vec3A::X; 2];
     for (number, part) in parts.iter().enumerate() {
-        let own_forward = body.forward(part.outer);
-        forwards[number % 2] = body.frames[part.outer] * own_forward;
+        let (frame, mut own_forward) = (&body.frames[part.outer], Vec3A::X);
+        forwards[number % 2] = frame.x_axis;
+        if body.is_tilted(part.outer) {
+            own_forward = body.own_forward(part.outer);
+            forwards[number % 2] = *frame * own_forward;
+        }
         let region = &mut regions[number];
         (region.part, region.own_forward) = (part, own_forward);
         if part.outer < part.inner {

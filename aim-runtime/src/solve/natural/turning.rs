@@ -321,16 +321,19 @@ impl<const C: usize> Gaze<'_, C> {
     ) -> Pair {
         let outer = region.part.outer;
         let mut rest = total;
-        if outer < region.part.inner {
-            let taken = 1.0 - 1.0 / (1.0 + motion.dt * region.part.pace);
-            for index in (outer + 1..=region.part.inner).rev() {
-                let share = region.share(&self.body.infos()[index]);
-                let off = angles(&from[index]) - share * before;
-                let end = if motion.stays { off } else { goals[index] - share * goal };
-                let held = motion.reaches[index].hold(share * total + off + (end - off) * taken);
-                joints[index] = with_angles(held);
-                rest -= held;
-            }
+        if outer == region.part.inner {
+            let held = motion.reaches[outer].hold(total);
+            joints[outer] = with_angles(held);
+            return held;
+        }
+        let taken = 1.0 - 1.0 / (1.0 + motion.dt * region.part.pace);
+        for index in (outer + 1..=region.part.inner).rev() {
+            let share = region.share(&self.body.infos()[index]);
+            let off = angles(&from[index]) - share * before;
+            let end = if motion.stays { off } else { goals[index] - share * goal };
+            let held = motion.reaches[index].hold(share * total + off + (end - off) * taken);
+            joints[index] = with_angles(held);
+            rest -= held;
         }
         let held = motion.reaches[outer].hold(rest);
         joints[outer] = with_angles(held);
