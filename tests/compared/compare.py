@@ -27,6 +27,11 @@ class Maths:
         self.atan2 = tool.atan2
 
 
+def number(like, above, below):
+    """A fraction as the tool of `like` has it."""
+    return sympy.Rational(above, below) if isinstance(like, sympy.Basic) else above / below
+
+
 def dot(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
@@ -75,7 +80,7 @@ def cloth(m, a, b, c, rest, mu, lam):
     p, q = sub(b, a), sub(c, a)
     u = add(scale(rest[0], p), scale(rest[1], q))
     v = add(scale(rest[2], p), scale(rest[3], q))
-    half = sympy.Rational(1, 2) if isinstance(a[0], sympy.Basic) else 0.5
+    half = number(a[0], 1, 2)
     exx, eyy, exy = half * (dot(u, u) - 1), half * (dot(v, v) - 1), half * dot(u, v)
     trace = exx + eyy
     return mu[0] * (exx * exx + eyy * eyy + 2 * exy * exy) + half * lam[0] * trace * trace
@@ -104,7 +109,7 @@ def joined_distance(m, p, center, radius, normal, offset, sharp):
 
 def pendulum(m, angle, speed, torque, step, pull, weight):
     (angle,), (speed,), (torque,), (step,), (pull,), (weight,) = angle, speed, torque, step, pull, weight
-    half = sympy.Rational(1, 2) if isinstance(angle, sympy.Basic) else 0.5
+    half = number(angle, 1, 2)
     acceleration = torque - pull * m.sin(angle)
     half_angle = angle + half * step * speed
     half_speed = speed + half * step * acceleration
@@ -129,7 +134,7 @@ def pair(m, a, b, depth, sigma, charge):
 
 def bond_angle(m, a, b, c, stiffness, rest):
     u, v = sub(a, b), sub(c, b)
-    half = sympy.Rational(1, 2) if isinstance(a[0], sympy.Basic) else 0.5
+    half = number(a[0], 1, 2)
     off = dot(u, v) / (m.sqrt(dot(u, u)) * m.sqrt(dot(v, v))) - rest[0]
     return half * stiffness[0] * off * off
 
@@ -152,6 +157,13 @@ def rotated(q, v):
     u, w = q[:3], q[3]
     once = scale(2, cross(u, v))
     return add(v, add(scale(w, once), cross(u, once)))
+
+
+def carried(q, v):
+    """By a quaternion of any length, which is that formula."""
+    u, w = q[:3], q[3]
+    once = add(scale(2 * dot(u, v), u), scale(2 * w, cross(u, v)))
+    return add(scale(w * w - dot(u, u), v), once)
 
 
 def turned(m, axis, v):
@@ -193,6 +205,98 @@ def contact(m, turn, shift, a, b, normal, offset):
     first = dot(normal, add(turned(m, turn, a), shift)) - offset[0]
     second = dot(normal, add(turned(m, turn, b), shift)) - offset[0]
     return first * first + second * second
+
+
+def transfer(m, x, y, z, point, seen):
+    p = [*point, 1]
+    depth = dot(z, p)
+    u, v = dot(x, p) / depth - seen[0], dot(y, p) / depth - seen[1]
+    return u * u + v * v
+
+
+def lens(m, p, k, focal, seen):
+    x, y = p[0] / p[2], p[1] / p[2]
+    r2 = x * x + y * y
+    radial = 1 + k[0] * r2 + k[1] * r2 * r2
+    u = x * radial + 2 * k[2] * x * y + k[3] * (r2 + 2 * x * x)
+    v = y * radial + 2 * k[3] * x * y + k[2] * (r2 + 2 * y * y)
+    u, v = focal[0] * u - seen[0], focal[0] * v - seen[1]
+    return u * u + v * v
+
+
+def preintegrated(m, q, v, w, shift, pull, time, gain, way):
+    half, t = number(time[0], 1, 2), time[0]
+    back = [-q[0], -q[1], -q[2], q[3]]
+    faster = sub(carried(back, sub(sub(w, v), scale(t, pull))), gain)
+    further = sub(carried(back, sub(sub(shift, scale(t, v)), scale(half * t * t, pull))), way)
+    return dot(faster, faster) + dot(further, further)
+
+
+def damped(m, a, b, va, vb, stiffness, damping, rest, wanted):
+    way = sub(b, a)
+    length = m.sqrt(dot(way, way))
+    force = stiffness[0] * (length - rest[0]) + damping[0] * dot(sub(vb, va), way) / length
+    return (force - wanted[0]) * (force - wanted[0])
+
+
+def blended(m, p, large, small, center, radius, width):
+    ring = m.sqrt(p[0] * p[0] + p[1] * p[1]) - large[0]
+    torus = m.sqrt(ring * ring + p[2] * p[2]) - small[0]
+    off = sub(p, center)
+    ball = m.sqrt(dot(off, off)) - radius[0]
+    apart = torus - ball
+    return number(p[0], 1, 2) * (torus + ball - m.sqrt(apart * apart + width[0] * width[0]))
+
+
+def planar_arm(m, shoulder, elbow, upper, lower, target):
+    both = shoulder[0] + elbow[0]
+    x = upper[0] * m.cos(shoulder[0]) + lower[0] * m.cos(both) - target[0]
+    y = upper[0] * m.sin(shoulder[0]) + lower[0] * m.sin(both) - target[1]
+    return x * x + y * y
+
+
+def mixture(m, p, a, b, wide, narrow, share):
+    (wide,), (narrow,), (share,) = wide, narrow, share
+    half = number(wide, 1, 2)
+    u, v = sub(p, a), sub(p, b)
+    first = share / (wide * wide * wide) * m.exp(-half * dot(u, u) / (wide * wide))
+    second = (1 - share) / (narrow * narrow * narrow) * m.exp(-half * dot(v, v) / (narrow * narrow))
+    return -m.log(first + second)
+
+
+def epipolar(m, turn, t, a, b):
+    line = cross(t, turned(m, turn, a))
+    e = dot(b, line)
+    return e * e / (line[0] * line[0] + line[1] * line[1])
+
+
+def flattened(m, p, mu, flattening, radius):
+    r2 = dot(p, p)
+    sine2 = p[2] * p[2] / r2
+    bulge = flattening[0] * radius[0] * radius[0] / r2 * (number(r2, 3, 2) * sine2 - number(r2, 1, 2))
+    return -mu[0] / m.sqrt(r2) * (1 - bulge)
+
+
+def robust(m, q, shift, a, b, width):
+    off = sub(add(carried(q, a), shift), b)
+    square = dot(off, off)
+    return square / (square + width[0] * width[0])
+
+
+def arrivals(m, p, a, b, c, ab, ac):
+    da, db, dc = [m.sqrt(dot(off, off)) for off in (sub(p, a), sub(p, b), sub(p, c))]
+    u, v = da - db - ab[0], da - dc - ac[0]
+    return u * u + v * v
+
+
+def cart(m, angle, speed, force, cart, pole, length, pull, wanted):
+    (angle,), (speed,), (force,), (cart,), (pole,), (length,), (pull,) = angle, speed, force, cart, pole, length, pull
+    sine, cosine = m.sin(angle), m.cos(angle)
+    below = cart + pole * sine * sine
+    forth = (force + pole * sine * (length * speed * speed + pull * cosine)) / below
+    back = -force * cosine - pole * length * speed * speed * cosine * sine - (cart + pole) * pull * sine
+    u, v = forth - wanted[0], back / (length * below) - wanted[1]
+    return u * u + v * v
 
 
 SIZES = {"DQuat": 4, "f64": 1, "DVec2": 2, "DVec3": 3, "DMat3": 9, "[f64; 4]": 4}

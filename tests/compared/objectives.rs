@@ -164,3 +164,113 @@ pub fn contact(turn: DVec3, shift: DVec3, a: DVec3, b: DVec3, normal: DVec3, off
     let second = normal.dot(rotation * b + shift) - offset;
     first * first + second * second
 }
+
+/// The error of a point's transfer from one image to another by a homography.
+#[differentiate(wrt(x, y, z))]
+pub fn transfer(x: DVec3, y: DVec3, z: DVec3, point: DVec2, seen: DVec2) -> f64 {
+    let p = DVec3::new(point.x, point.y, 1.0);
+    let depth = z.dot(p);
+    let (u, v) = (x.dot(p) / depth - seen.x, y.dot(p) / depth - seen.y);
+    u * u + v * v
+}
+
+/// Reprojection by a lens with radial and tangential distortion.
+#[differentiate(wrt(p, k))]
+pub fn lens(p: DVec3, k: [f64; 4], focal: f64, seen: DVec2) -> f64 {
+    let (x, y) = (p.x / p.z, p.y / p.z);
+    let r2 = x * x + y * y;
+    let radial = 1.0 + k[0] * r2 + k[1] * r2 * r2;
+    let u = x * radial + 2.0 * k[2] * x * y + k[3] * (r2 + 2.0 * x * x);
+    let v = y * radial + 2.0 * k[3] * x * y + k[2] * (r2 + 2.0 * y * y);
+    let (u, v) = (focal * u - seen.x, focal * v - seen.y);
+    u * u + v * v
+}
+
+/// The residual of velocity and place between two keyframes, by what an inertial sensor measured between them.
+#[differentiate(wrt(q, v, w, shift))]
+pub fn preintegrated(q: DQuat, v: DVec3, w: DVec3, shift: DVec3, pull: DVec3, time: f64, gain: DVec3, way: DVec3) -> f64 {
+    let back = q.conjugate();
+    let faster = back * (w - v - time * pull) - gain;
+    let further = back * (shift - time * v - 0.5 * time * time * pull) - way;
+    faster.dot(faster) + further.dot(further)
+}
+
+/// The squared error of a spring's force with damping along it.
+#[differentiate(wrt(a, b, va, vb))]
+pub fn damped(a: DVec3, b: DVec3, va: DVec3, vb: DVec3, stiffness: f64, damping: f64, rest: f64, wanted: f64) -> f64 {
+    let way = b - a;
+    let length = way.length();
+    let force = stiffness * (length - rest) + damping * (vb - va).dot(way / length);
+    (force - wanted) * (force - wanted)
+}
+
+/// A torus and a ball, blended by a smooth minimum.
+#[differentiate(wrt(p))]
+pub fn blended(p: DVec3, large: f64, small: f64, center: DVec3, radius: f64, width: f64) -> f64 {
+    let ring = (p.x * p.x + p.y * p.y).sqrt() - large;
+    let torus = (ring * ring + p.z * p.z).sqrt() - small;
+    let ball = (p - center).length() - radius;
+    let apart = torus - ball;
+    0.5 * (torus + ball - (apart * apart + width * width).sqrt())
+}
+
+/// The squared distance of a planar arm's tip from a target, by its angles and lengths.
+#[differentiate(wrt(shoulder, elbow, upper, lower))]
+pub fn planar_arm(shoulder: f64, elbow: f64, upper: f64, lower: f64, target: DVec2) -> f64 {
+    let both = shoulder + elbow;
+    let x = upper * shoulder.cos() + lower * both.cos() - target.x;
+    let y = upper * shoulder.sin() + lower * both.sin() - target.y;
+    x * x + y * y
+}
+
+/// The negative logarithm of a mixture of two Gaussians.
+#[differentiate(wrt(p, a, b))]
+pub fn mixture(p: DVec3, a: DVec3, b: DVec3, wide: f64, narrow: f64, share: f64) -> f64 {
+    let (u, v) = (p - a, p - b);
+    let first = share / (wide * wide * wide) * (-0.5 * u.dot(u) / (wide * wide)).exp();
+    let second = (1.0 - share) / (narrow * narrow * narrow) * (-0.5 * v.dot(v) / (narrow * narrow)).exp();
+    -(first + second).ln()
+}
+
+/// The distance of a seen point from its epipolar line, by a rotation vector and the direction between the cameras.
+#[differentiate(wrt(turn, t))]
+pub fn epipolar(turn: DVec3, t: DVec3, a: DVec3, b: DVec3) -> f64 {
+    let line = t.cross(DQuat::from_scaled_axis(turn) * a);
+    let e = b.dot(line);
+    e * e / (line.x * line.x + line.y * line.y)
+}
+
+/// The potential of a flattened planet.
+#[differentiate(wrt(p))]
+pub fn flattened(p: DVec3, mu: f64, flattening: f64, radius: f64) -> f64 {
+    let r2 = p.dot(p);
+    let sine2 = p.z * p.z / r2;
+    -mu / r2.sqrt() * (1.0 - flattening * radius * radius / r2 * (1.5 * sine2 - 0.5))
+}
+
+/// A pair of points by a robust kernel, after a turn by a quaternion.
+#[differentiate(wrt(q, shift))]
+pub fn robust(q: DQuat, shift: DVec3, a: DVec3, b: DVec3, width: f64) -> f64 {
+    let off = q * a + shift - b;
+    let square = off.dot(off);
+    square / (square + width * width)
+}
+
+/// The differences of a source's distances from three microphones.
+#[differentiate(wrt(p))]
+pub fn arrivals(p: DVec3, a: DVec3, b: DVec3, c: DVec3, ab: f64, ac: f64) -> f64 {
+    let (da, db, dc) = ((p - a).length(), (p - b).length(), (p - c).length());
+    let (u, v) = (da - db - ab, da - dc - ac);
+    u * u + v * v
+}
+
+/// The squared acceleration that a cart and its pole lack.
+#[differentiate(wrt(angle, speed, force))]
+pub fn cart(angle: f64, speed: f64, force: f64, cart: f64, pole: f64, length: f64, pull: f64, wanted: DVec2) -> f64 {
+    let (sine, cosine) = (angle.sin(), angle.cos());
+    let below = cart + pole * sine * sine;
+    let forth = (force + pole * sine * (length * speed * speed + pull * cosine)) / below;
+    let round = (-force * cosine - pole * length * speed * speed * cosine * sine - (cart + pole) * pull * sine) / (length * below);
+    let (u, v) = (forth - wanted.x, round - wanted.y);
+    u * u + v * v
+}
