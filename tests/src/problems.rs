@@ -491,7 +491,7 @@ fn angle_between() -> Problem {
 
 /// The products of two vectors by what is diagonal in a frame, by that frame and by both.
 fn turned_form() -> Problem {
-    Problem::new("turned quadratic form", 232, |g| {
+    Problem::new("turned quadratic form", 226, |g| {
         let (u, w) = (g.vector_input("q"), g.input("q_w"));
         let vectors = ["v", "w"].map(|name| g.vector_input(name));
         let scales = ["x", "y", "z"].map(|name| g.input(name));

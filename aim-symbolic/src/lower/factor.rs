@@ -5,19 +5,20 @@ use rustc_hash::FxHashMap;
 
 use crate::ir::table::Table;
 use crate::lower::fold::Fold;
+use crate::lower::products::Open;
 use crate::lower::rebuild::{Exchange, Missing, Rebuild, Uses};
 use crate::lower::sides::Join;
 use crate::{Graph, Op, Scalar, ScalarNode};
 
 /// `outputs`, which are lowered, with every sum factored.
-pub(crate) fn factor(fold: &mut Fold, outputs: Vec<Scalar>) -> Vec<Scalar> {
-    let uses = Uses::count(&fold.g, &outputs);
-    let mut factoring = Factoring { uses, terms: Table::default() };
+pub(crate) fn factor(fold: &mut Fold, outputs: &[Scalar], open: Open) -> Vec<Scalar> {
+    let uses = Uses::count(&fold.g, outputs);
+    let mut factoring = Factoring { uses, open, terms: Table::default() };
     let order = factoring.uses.order().to_vec();
     if !order.into_iter().any(|s| factoring.terms_to_factor(fold, s).is_some()) {
-        return outputs;
+        return outputs.to_vec();
     }
-    Rebuild::outputs(fold, &outputs, &mut factoring)
+    Rebuild::outputs(fold, outputs, &mut factoring)
 }
 
 /// A longer sum of sums is looked at in parts.
@@ -28,6 +29,7 @@ type Term = (bool, Scalar);
 
 struct Factoring {
     uses: Uses,
+    open: Open,
     /// The terms of sums that are under way or done.
     terms: Table<Scalar, Vec<Term>>,
 }
@@ -79,31 +81,33 @@ impl Factoring {
         }
     }
 
-    /// The factors of a product that nothing else needs.
-    fn factors(&self, g: &Graph, s: Scalar) -> Option<(Scalar, Scalar)> {
+    /// The factors of a product that nothing else needs; where shared products are open, those of its factors, too.
+    fn factors(&self, g: &Graph, s: Scalar) -> Vec<Scalar> {
+        let parts = |s: Scalar| match g.scalar_node(s) {
+            ScalarNode::Op(Op::Mul(a, b)) => vec![a, b],
+            _ => vec![s],
+        };
         match g.scalar_node(s) {
-            ScalarNode::Op(Op::Mul(a, b)) if self.uses.once(s) => Some((a, b)),
-            _ => None,
+            ScalarNode::Op(Op::Mul(a, b)) if self.uses.once(s) => match self.open {
+                Open::Private => vec![a, b],
+                _ => [a, b].into_iter().flat_map(parts).collect(),
+            },
+            _ => Vec::new(),
         }
-    }
-
-    fn has_factor(&self, g: &Graph, s: Scalar, factor: Scalar) -> bool {
-        self.factors(g, s).is_some_and(|(a, b)| a == factor || b == factor)
     }
 
     /// The factor that most of the terms have; the first of several, `None` where each has its own.
     fn common(&self, g: &Graph, terms: &[Term]) -> Option<Scalar> {
         let mut counts: FxHashMap<Scalar, usize> = FxHashMap::default();
         let mut best: Option<(usize, Scalar)> = None;
-        let products = || terms.iter().filter_map(|&(_, term)| self.factors(g, term));
-        for (a, b) in products() {
-            *counts.entry(a).or_default() += 1;
-            if b != a {
-                *counts.entry(b).or_default() += 1;
+        let products: Vec<Vec<Scalar>> = terms.iter().map(|&(_, term)| self.factors(g, term)).collect();
+        for all in &products {
+            for (i, &factor) in all.iter().enumerate() {
+                *counts.entry(factor).or_default() += usize::from(!all[..i].contains(&factor));
             }
         }
-        for factor in products().flat_map(|(a, b)| [a, b]) {
-            let count = counts.get(&factor).copied().unwrap_or(0);
+        for factor in products.into_iter().flatten() {
+            let count = counts[&factor];
             if count > best.map_or(1, |(most, _)| most) {
                 best = Some((count, factor));
             }
@@ -142,16 +146,18 @@ impl Factoring {
                 terms.into_iter().map(|(negative, s)| Ok((negative, rebuild.scalar(s)?))).collect();
             return Ok(plain_sum(rebuild.fold, terms?));
         };
-        let (with, without): (Vec<Term>, Vec<Term>) =
-            terms.into_iter().partition(|&(_, t)| self.has_factor(&rebuild.fold.g, t, factor));
-        let cofactors = with
-            .into_iter()
-            .map(|(negative, term)| match self.factors(&rebuild.fold.g, term) {
-                Some((a, b)) if a == factor => (negative, b),
-                Some((a, _)) => (negative, a),
-                None => unreachable!("only products have a factor"),
-            })
-            .collect();
+        let (mut cofactors, mut without) = (Vec::new(), Vec::new());
+        for (negative, term) in terms {
+            let mut factors = self.factors(&rebuild.fold.g, term);
+            match factors.iter().position(|&own| own == factor) {
+                Some(place) => {
+                    factors.remove(place);
+                    let rest = factors.into_iter().reduce(|a, b| rebuild.fold.mul(a, b));
+                    cofactors.extend(rest.map(|rest| (negative, rest)));
+                }
+                None => without.push((negative, term)),
+            }
+        }
         let inner = self.sum(rebuild, cofactors)?;
         let factor = rebuild.scalar(factor)?;
         let product = rebuild.fold.mul(factor, inner);

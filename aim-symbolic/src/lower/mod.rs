@@ -29,19 +29,21 @@ pub(crate) enum Effort {
 
 /// Sums and products in the arrangement that needs the fewest operations, of the few that are tried.
 pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>, effort: Effort) -> Vec<Scalar> {
-    let factored = |fold: &mut Fold, outputs: Vec<Scalar>| {
-        if rules.has(&FACTOR) { factor(fold, outputs) } else { outputs }
+    let arranged = |fold: &mut Fold, outputs: &[Scalar], products: Open, factors: Open| {
+        let shared = if rules.has(&SHARE) { share_products(fold, outputs, products) } else { outputs.to_vec() };
+        if rules.has(&FACTOR) { factor(fold, &shared, factors) } else { shared }
     };
-    if !rules.has(&SHARE) {
-        return factored(fold, outputs);
-    }
-    let shared = share_products(fold, outputs.clone(), Open::Private);
-    let mut best = factored(fold, shared);
+    let mut best = arranged(fold, &outputs, Open::Private, Open::Private);
     if effort == Effort::Finish {
         let mut least = operations(&fold.g, &best);
-        for of_best in [false, true] {
-            let shared = share_products(fold, if of_best { best.clone() } else { outputs.clone() }, Open::Shared);
-            let tried = factored(fold, shared);
+        for (of_best, products, factors) in [
+            (false, Open::Shared, Open::Private),
+            (true, Open::Shared, Open::Private),
+            (true, Open::Quotients, Open::Shared),
+            (false, Open::Quotients, Open::Shared),
+            (true, Open::Quotients, Open::Private),
+        ] {
+            let tried = arranged(fold, if of_best { &best } else { &outputs }, products, factors);
             let needed = operations(&fold.g, &tried);
             if needed < least {
                 (best, least) = (tried, needed);

@@ -7,20 +7,25 @@ use crate::lower::fold::Fold;
 use crate::lower::rebuild::{Exchange, Missing, Rebuild, Uses, operands};
 use crate::{Op, Scalar, ScalarNode};
 
-/// A product of more than one factor.
+/// A factor of a product and whether it is divided by.
+type Factor = (bool, Scalar);
+
+/// A product or quotient of more than one factor.
 struct Chain {
     root: Scalar,
-    factors: Vec<Scalar>,
+    factors: Vec<Factor>,
     changed: bool,
 }
 
-/// Which products are taken apart: to take shared ones apart may lose or gain.
+/// Which products are taken apart: to take more of them apart may lose or gain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Open {
     /// Those that are a factor of one other product and nothing else.
     Private,
     /// Those that others need too.
     Shared,
+    /// Those and quotients.
+    Quotients,
 }
 
 /// How many pairs of factors are joined: of a long program those that most products have.
@@ -30,49 +35,60 @@ const MOST_ROUNDS: usize = 48;
 const MOST_FACTORS: usize = 12;
 
 /// `outputs`, which are lowered, with products in the order in which they share most.
-pub(crate) fn share_products(fold: &mut Fold, outputs: Vec<Scalar>, open: Open) -> Vec<Scalar> {
-    let uses = Uses::count(&fold.g, &outputs);
-    let mut chains = chains(fold, &uses, &outputs, open);
+pub(crate) fn share_products(fold: &mut Fold, outputs: &[Scalar], open: Open) -> Vec<Scalar> {
+    let uses = Uses::count(&fold.g, outputs);
+    let mut chains = chains(fold, &uses, outputs, open);
     for _ in 0..MOST_ROUNDS {
-        let Some((a, b)) = most_shared(&chains) else { break };
-        let product = fold.mul(a, b);
+        let Some(pair) = most_shared(&chains) else { break };
+        let [(_, a), (over, b)] = pair;
+        let made = if over { fold.div(a, b) } else { fold.mul(a, b) };
         for chain in &mut chains {
-            if chain.factors.len() > 2 && remove_pair(&mut chain.factors, a, b) {
-                chain.factors.push(product);
+            if chain.factors.len() > 2
+                && let Some(below) = remove_pair(&mut chain.factors, pair)
+            {
+                chain.factors.push((below, made));
                 chain.changed = true;
             }
         }
     }
-    if !chains.iter().any(|chain| chain.changed) {
-        return outputs;
+    chains.retain(|chain| chain.changed);
+    if chains.is_empty() {
+        return outputs.to_vec();
     }
     let mut changed = Table::default();
-    for chain in chains.into_iter().filter(|chain| chain.changed) {
+    for chain in chains {
         changed.insert(chain.root, chain.factors);
     }
-    Rebuild::outputs(fold, &outputs, &mut Shared { chains: changed })
+    Rebuild::outputs(fold, outputs, &mut changed)
 }
 
-struct Shared {
-    chains: Table<Scalar, Vec<Scalar>>,
-}
-
-impl Exchange for Shared {
+impl Exchange for Table<Scalar, Vec<Factor>> {
     fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Result<Option<Scalar>, Missing> {
-        let Some(factors) = self.chains.get(s) else { return Ok(None) };
-        let factors: Result<Vec<Scalar>, Missing> = factors.iter().map(|&factor| rebuild.scalar(factor)).collect();
-        Ok(factors?.into_iter().reduce(|a, b| rebuild.fold.mul(a, b)))
+        let Some(mut factors) = self.copied(s) else { return Ok(None) };
+        let mut made: Option<Scalar> = None;
+        // What is divided by comes last.
+        factors.sort_by_key(|&(below, _)| below);
+        for (below, factor) in factors {
+            let factor = rebuild.scalar(factor)?;
+            let product = made.unwrap_or_else(|| rebuild.fold.g.constant(1.0));
+            made = Some(if below { rebuild.fold.div(product, factor) } else { rebuild.fold.mul(product, factor) });
+        }
+        Ok(made)
     }
 }
 
 /// The products that something else than a product needs, each with its factors.
 fn chains(fold: &Fold, uses: &Uses, outputs: &[Scalar], open: Open) -> Vec<Chain> {
-    let is_product = |s: Scalar| matches!(fold.g.scalar_node(s), ScalarNode::Op(Op::Mul(..)));
+    let is_product = |s: Scalar| match fold.g.scalar_node(s) {
+        ScalarNode::Op(Op::Mul(..)) => true,
+        ScalarNode::Op(Op::Div(..)) => open == Open::Quotients,
+        _ => false,
+    };
     let mut roots = Table::default();
     let mut inner = Table::default();
     let mut sort = |part: Scalar, in_product: bool| {
         if is_product(part) {
-            let opens = in_product && (open == Open::Shared || uses.once(part));
+            let opens = in_product && (open != Open::Private || uses.once(part));
             if opens {
                 inner.insert(part, ())
             } else {
@@ -88,37 +104,46 @@ fn chains(fold: &Fold, uses: &Uses, outputs: &[Scalar], open: Open) -> Vec<Chain
     roots
         .map(|root| {
             let mut factors = Vec::new();
-            collect(fold, &inner, root, &mut factors);
+            collect(fold, &inner, (false, root), &mut factors);
             Chain { root, factors, changed: false }
         })
         .filter(|chain| chain.factors.len() <= MOST_FACTORS)
         .collect()
 }
 
-fn collect(fold: &Fold, inner: &Table<Scalar, ()>, s: Scalar, factors: &mut Vec<Scalar>) {
+fn collect(fold: &Fold, inner: &Table<Scalar, ()>, (below, s): Factor, factors: &mut Vec<Factor>) {
     if factors.len() > MOST_FACTORS {
         return;
     }
-    if let ScalarNode::Op(Op::Mul(a, b)) = fold.g.scalar_node(s) {
-        for part in [a, b] {
-            if inner.contains(part) {
-                collect(fold, inner, part, factors);
-            } else {
-                factors.push(part);
-            }
+    let (ScalarNode::Op(Op::Mul(a, b)) | ScalarNode::Op(Op::Div(a, b))) = fold.g.scalar_node(s) else { return };
+    let over = matches!(fold.g.scalar_node(s), ScalarNode::Op(Op::Div(..)));
+    for part in [(below, a), (below != over, b)] {
+        if inner.contains(part.1) {
+            collect(fold, inner, part, factors);
+        } else if fold.g.constant_of(part.1) != Some(1.0) {
+            factors.push(part);
         }
     }
 }
 
+/// The pair in the order in which it is counted: both multiplied, where they stand on one side, or the second divided by.
+fn ordered([a, b]: [Factor; 2]) -> [Factor; 2] {
+    match (a.0, b.0) {
+        (false, true) => [a, b],
+        (true, false) => [b, a],
+        _ => [(false, a.1.min(b.1)), (false, a.1.max(b.1))],
+    }
+}
+
 /// The pair of factors that most chains have, the first of several; only pairs that save something.
-fn most_shared(chains: &[Chain]) -> Option<(Scalar, Scalar)> {
+fn most_shared(chains: &[Chain]) -> Option<[Factor; 2]> {
     // How many chains have the pair, and which pair came first. Only chains of more than two factors gain by one.
-    let mut found: FxHashMap<(Scalar, Scalar), (usize, usize)> = FxHashMap::default();
+    let mut found: FxHashMap<[Factor; 2], (usize, usize)> = FxHashMap::default();
     for chain in chains.iter().filter(|chain| chain.factors.len() > 2) {
-        let mut seen: Vec<(Scalar, Scalar)> = Vec::new();
+        let mut seen: Vec<[Factor; 2]> = Vec::new();
         for (i, &a) in chain.factors.iter().enumerate() {
             for &b in &chain.factors[i + 1..] {
-                let pair = (a.min(b), a.max(b));
+                let pair = ordered([a, b]);
                 if !seen.contains(&pair) {
                     seen.push(pair);
                     let place = found.len();
@@ -132,7 +157,7 @@ fn most_shared(chains: &[Chain]) -> Option<(Scalar, Scalar)> {
     }
     for chain in chains {
         if let [a, b] = chain.factors[..]
-            && let Some((count, _)) = found.get_mut(&(a.min(b), a.max(b)))
+            && let Some((count, _)) = found.get_mut(&ordered([a, b]))
         {
             *count += 1;
         }
@@ -141,10 +166,11 @@ fn most_shared(chains: &[Chain]) -> Option<(Scalar, Scalar)> {
     shared.max_by_key(|(_, (count, place))| (*count, usize::MAX - place)).map(|(pair, _)| pair)
 }
 
-fn remove_pair(factors: &mut Vec<Scalar>, a: Scalar, b: Scalar) -> bool {
-    let Some(i) = factors.iter().position(|&f| f == a) else { return false };
-    let Some(j) = factors.iter().enumerate().position(|(j, &f)| j != i && f == b) else { return false };
-    factors.remove(i.max(j));
-    factors.remove(i.min(j));
-    true
+/// Removes both factors; whether they stood below.
+fn remove_pair(factors: &mut Vec<Factor>, pair: [Factor; 2]) -> Option<bool> {
+    let places = (0..factors.len()).flat_map(|i| (i + 1..factors.len()).map(move |j| (i, j)));
+    let (i, j) = places.into_iter().find(|&(i, j)| ordered([factors[i], factors[j]]) == pair)?;
+    let below = factors.remove(j).0 && factors[i].0;
+    factors.remove(i);
+    Some(below)
 }

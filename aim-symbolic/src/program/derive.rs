@@ -275,14 +275,13 @@ fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
         rivals.push(optional(CONSTANT_SCALE));
     }
     rivals.extend(first.by_matrices());
-    for rule in [MERGE_SHARED, ACROSS_FOR_CROSS, JOIN_COMPONENTS] {
-        if applied(&[rule]) > 0 {
-            rivals.push(Box::new(move |c| {
-                if !c.without.contains(&rule) {
-                    c.without.push(rule);
-                }
-            }));
-        }
+    let is_rival = |rule: &Rule| [MERGE_SHARED, ACROSS_FOR_CROSS, JOIN_COMPONENTS].contains(rule) || first.is_small();
+    for rule in distinct(log.applied.iter().map(|done| done.rule)).into_iter().filter(is_rival) {
+        rivals.push(Box::new(move |c| {
+            if !LIMITS.rules.contains(&rule) && !c.without.contains(&rule) {
+                c.without.push(rule);
+            }
+        }));
     }
     if applied(&CANCELLING) == 0 {
         for fewer in (0..applied(&OTHER_SIDES)).rev().take(MOST_SIDES) {

@@ -165,7 +165,6 @@ pub const DIRECTIONS: RuleSet = RuleSet {
         ALL_ACROSS,
         ACROSS_OF_SUM,
         SCALE_AFTER_DOT,
-        SIGN_AFTER_DOT,
         DROP_RADIAL,
         AXIS_ACROSS,
         CROSS_OF_CROSS,
@@ -180,7 +179,6 @@ pub const SCALES: RuleSet = RuleSet {
         FOLD_ZERO,
         UNDO_ROTATION,
         EXPAND_NORMALIZE,
-        EXPAND_SOLVE,
         MERGE_SCALES,
         MERGE_SHARED,
         SCALE_AFTER_OPERATION,
@@ -189,7 +187,6 @@ pub const SCALES: RuleSet = RuleSet {
         COMMON_VECTOR,
         CONSTANT_SCALE,
         SCALE_AFTER_DOT,
-        SIGN_AFTER_DOT,
     ],
     sums: Sums::Shared,
 };
@@ -291,8 +288,6 @@ rules! {
     ACROSS_OF_SUM = "the parts across of a sum": Vector(directions::across_of_sum);
     /// A number in a dot product can be multiplied afterwards, once instead of three times.
     SCALE_AFTER_DOT = "dot, then scale": Scalar(scaling::out_of_dot);
-    /// A sign in a dot product or a length can come afterwards, where it costs nothing.
-    SIGN_AFTER_DOT = "dot, then sign": Scalar(scaling::sign_out_of_number);
     /// What is square to the other side of a dot product adds nothing to it. A turn moves a point square to its way
     /// from the pivot, so whatever points along that way drops out of the derivative.
     DROP_RADIAL = "drop the radial part": Scalar(directions::dot_along_across);
@@ -315,9 +310,6 @@ rules! {
     /// A direction is the vector times one over its length. That number is computed once, for the value and for its
     /// derivatives.
     EXPAND_NORMALIZE = "one reciprocal for a direction": Vector(scaling::expand_normalize);
-    /// What a matrix takes to v is by Cramer's rule a quotient of determinants: the dot products of v and the cross products of two
-    /// columns each, over the determinant. One division serves the value and its derivatives.
-    EXPAND_SOLVE = "an inverse by cofactors": Vector(scaling::expand_solve);
     /// A number times a number times a vector: the numbers are multiplied first, even where the scaled vector is
     /// needed elsewhere, too.
     MERGE_SHARED = "merge scales of shared vectors": Vector(scaling::merge_shared);
