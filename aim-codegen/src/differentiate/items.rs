@@ -3,6 +3,8 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
 use syn::{Expr, Fields, FnArg, GenericParam, ImplItem, Item, Member, Pat, Signature, UseTree};
 
 use super::lower::Callable;
@@ -19,6 +21,8 @@ pub(super) struct Items {
     several: Vec<Name>,
     structs: Vec<(String, Vec<(Member, syn::Type)>)>,
     aliases: Vec<(String, syn::Type)>,
+    /// Names of items that depend on `cfg`, of which nothing is read.
+    conditional: Vec<String>,
     /// Functions that errors were reported of: of further calls nothing more is said.
     faulty: RefCell<Vec<Rc<Callable>>>,
 }
@@ -28,6 +32,10 @@ impl Items {
     pub(super) fn of(module: &[Item]) -> Self {
         let mut items = Self::default();
         for item in module {
+            if depends_on_cfg(item.to_token_stream()).is_some() {
+                items.conditional.extend(name_of_item(item));
+                continue;
+            }
             match item {
                 Item::Const(item) => items.constants.push(((None, item.ident.to_string()), (*item.expr).clone())),
                 Item::Fn(item) => items.add_function(None, &item.sig, &item.block),
@@ -110,6 +118,10 @@ impl Items {
         }
     }
 
+    pub(super) fn is_conditional(&self, name: &str) -> bool {
+        self.conditional.iter().any(|known| known == name)
+    }
+
     pub(super) fn is_faulty(&self, function: &Rc<Callable>) -> bool {
         self.faulty.borrow().iter().any(|known| Rc::ptr_eq(known, function))
     }
@@ -117,6 +129,34 @@ impl Items {
     pub(super) fn is_at_fault(&self, function: &Rc<Callable>) {
         self.faulty.borrow_mut().push(function.clone());
     }
+}
+
+/// Where tokens have an attribute `cfg`, which a macro cannot tell the truth of.
+pub(super) fn depends_on_cfg(tokens: TokenStream) -> Option<TokenTree> {
+    let mut after_hash = false;
+    for token in tokens {
+        if let TokenTree::Group(group) = &token {
+            let mut inside = group.stream().into_iter();
+            if after_hash && matches!(inside.next(), Some(TokenTree::Ident(word)) if word == "cfg") {
+                return Some(token);
+            }
+            if let Some(found) = depends_on_cfg(group.stream()) {
+                return Some(found);
+            }
+        }
+        after_hash = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == '#');
+    }
+    None
+}
+
+fn name_of_item(item: &Item) -> Option<String> {
+    Some(match item {
+        Item::Const(item) => item.ident.to_string(),
+        Item::Fn(item) => item.sig.ident.to_string(),
+        Item::Type(item) => item.ident.to_string(),
+        Item::Struct(item) => item.ident.to_string(),
+        _ => return None,
+    })
 }
 
 /// The mathematical constants that an import brings, under their names.

@@ -263,6 +263,26 @@ messages! {
         "`{name}` is given {found}",
         "it takes {takes}";
 
+    trait_method(name: &str) =>
+        "`{name}` of an array is the method of a trait, which cannot be seen from here",
+        "of an iterator write `iter().{name}`; else make it a function of the module";
+
+    effect_of_condition() =>
+        "what is after `&&` or `||` changes a variable",
+        "both sides are computed: change it before, or in an `if`";
+
+    conditional() =>
+        "a part of this function depends on `cfg`, which cannot be seen from here",
+        "leave the condition out, or pass what depends on it as an argument";
+
+    conditional_item(name: &str) =>
+        "`{name}` depends on `cfg`, which cannot be seen from here",
+        "leave the condition out, or pass it as an argument";
+
+    no_option(name: &str) =>
+        "`{name}`: options and results are not understood",
+        "return a tuple, as in `(true, value)`, and choose by `if`";
+
     power_unknown() =>
         "the exponent of `powi` is not known here",
         "write the number, as in `x.powi(3)`; an argument's power is `x.powf(y)`";
@@ -332,7 +352,10 @@ const MODULE: &str = "put both into one module with `#[differentiate]` on it, as
 /// What to write for functions that are known not to be supported.
 const INSTEAD: &[(&str, &str)] = &[
     ("ln_1p", "write `(1.0 + x).ln()` where x is not small beside 1"),
-    ("exp_m1", "write `x.exp() - 1.0` where x is not small, `2.0 * (0.5 * x).sinh() * (0.5 * x).exp()` near 0"),
+    ("asinh", "write `(x + (x * x + 1.0).sqrt()).ln()`"),
+    ("acosh", "write `(x + (x * x - 1.0).sqrt()).ln()`"),
+    ("atanh", "write `0.5 * ((1.0 + x) / (1.0 - x)).ln()`"),
+    ("div_euclid", "rounding has no derivative: divide before the call"),
     ("floor", "rounding has no derivative: round before the call"),
     ("ceil", "rounding has no derivative: round before the call"),
     ("round", "rounding has no derivative: round before the call"),

@@ -136,6 +136,11 @@ fn is_ours(attribute: &syn::Attribute) -> bool {
 
 /// The functions beside a function.
 fn companions(function: &ItemFn, options: &Options, items: &Items, report: &mut Report) -> TokenStream {
+    let parts = [function.sig.to_token_stream(), function.block.to_token_stream()];
+    if let Some(place) = parts.into_iter().find_map(items::depends_on_cfg) {
+        report.error_in(&place, messages::conditional());
+        return TokenStream::new();
+    }
     let arguments = Arguments::check(&function.sig, options, items, report);
     let derived = Derived::all(function, options, &arguments, items, Search::Smallest, report);
     let krate = options.krate.clone().unwrap_or_default();

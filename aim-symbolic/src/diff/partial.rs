@@ -79,10 +79,21 @@ impl Graph {
                 vec![(y, Factor(by_y)), (x, MinusFactor(by_x))]
             }
             ScalarNode::Op(Op::Pow(a, b)) if wanted(a) || wanted(b) => {
-                // b aᵇ / a, and aᵇ ln a; both 0 where the base is.
-                let (over, zero) = (self.reciprocal(a), self.constant(0.0));
-                let (product, log) = (self.mul(b, scalar), self.call(Function::Ln, a));
-                let (by_a, along) = (self.mul(product, over), self.mul(scalar, log));
+                // b aᵇ⁻¹, and aᵇ ln a; both 0 where the base is and they are infinite.
+                let (one, zero) = (self.constant(1.0), self.constant(0.0));
+                let by_a = if self.constant_of(b).is_some_and(|b| b.fract() != 0.0) {
+                    // There is no power of a negative base.
+                    let (product, over) = (self.mul(b, scalar), self.reciprocal(a));
+                    self.mul(product, over)
+                } else {
+                    let less = self.sub(b, one);
+                    let power = self.pow(a, less);
+                    let slope = self.mul(b, power);
+                    let (at_zero, square) = (self.select_less(b, one, zero, slope), self.mul(a, a));
+                    self.select_less(zero, square, slope, at_zero)
+                };
+                let log = self.call(Function::Ln, a);
+                let along = self.mul(scalar, log);
                 let by_b = self.select_less(zero, a, along, zero);
                 vec![(a, Factor(by_a)), (b, Factor(by_b))]
             }

@@ -56,6 +56,60 @@ mod model {
     }
 }
 
+#[differentiate]
+mod unseen {
+    #[cfg(windows)]
+    const GAIN: f32 = 2.0;
+    #[cfg(not(windows))]
+    const GAIN: f32 = 3.0;
+
+    trait Total {
+        fn sum(&self) -> f32;
+    }
+
+    impl Total for [f32; 2] {
+        fn sum(&self) -> f32 {
+            self[0] - self[1]
+        }
+    }
+
+    #[differentiate(wrt(x))]
+    pub fn conditional(x: f32) -> f32 {
+        x * GAIN
+    }
+
+    #[differentiate(wrt(x))]
+    pub fn conditional_inside(x: f32) -> f32 {
+        #[cfg(any())]
+        let x = 2.0 * x;
+        x
+    }
+
+    #[differentiate(wrt(x))]
+    pub fn total(x: f32) -> f32 {
+        [x, 2.0].sum()
+    }
+
+    #[differentiate(wrt(x))]
+    pub fn counted(x: f32, y: f32) -> f32 {
+        let mut n = 0.0;
+        if x > 0.0 && {
+            n += 1.0;
+            y > 0.0
+        } {
+            n * x
+        } else {
+            x
+        }
+    }
+
+    #[differentiate(wrt(x))]
+    pub fn optional(x: f32) -> f32 {
+        let found = Some(x);
+        found.unwrap_or(0.0) + x.asinh()
+    }
+}
+
 #[differentiate(wrt(x))]
 mod misplaced {
     #[differentiate(wrt(x))]

@@ -180,7 +180,14 @@ impl Translation<'_> {
         let (ty, function) = match (ty, SHORT.iter().find(|(short, ..)| name == short)) {
             (Some(ty), _) => (ty, text),
             (None, Some((_, ty, function))) => ((*ty).to_owned(), (*function).to_owned()),
-            (None, None) => return self.refuse(name, messages::unknown_function(&text)),
+            (None, None) => {
+                let text = match text.as_str() {
+                    "Some" | "Ok" | "Err" => messages::no_option(&text),
+                    _ if self.items.is_conditional(&text) => messages::conditional_item(&text),
+                    _ => messages::unknown_function(&text),
+                };
+                return self.refuse(name, text);
+            }
         };
         let Some((shape, _)) = types::named(&ty).filter(|_| self.items.fields(&ty).is_none()) else {
             return self.refuse(&path.path, messages::unknown_function(&path_text(path)));
@@ -247,6 +254,7 @@ impl Translation<'_> {
             Some((Shape::Planar | Shape::Vector | Shape::Four, _)) => "new",
             Some((Shape::Rigid, _)) => "from_mat3_translation",
             Some((Shape::Matrix, _)) => "from_cols",
+            _ if self.items.is_conditional(&name) => return self.refuse(&of.path, messages::conditional_item(&name)),
             _ => return self.refuse(&of.path, messages::outside_struct(&name)),
         };
         fields.sort_by_key(|(name, _)| name.clone());

@@ -10,10 +10,11 @@ use super::frame::Frame;
 use super::value::{Callable, Value};
 use crate::differentiate::{items, messages};
 
-/// A function inside of a function: it sees those before it, and no variables.
-pub(super) fn inner(item: &ItemFn, scope: &[(String, Value)]) -> Rc<Callable> {
-    let functions = scope.iter().filter(|(_, value)| matches!(value, Value::Function(_)));
-    Rc::new(Callable { captured: functions.cloned().collect(), ..items::callable(&item.sig, &item.block, None) })
+/// A function inside of a function: it sees the items of its block and the functions outside of that, and no variables.
+pub(super) fn inner(item: &ItemFn, outside: &[(String, Value)], items: &[(String, Value)]) -> Rc<Callable> {
+    let functions = outside.iter().filter(|(_, value)| matches!(value, Value::Function(_)));
+    let captured = functions.chain(items).cloned().collect();
+    Rc::new(Callable { captured, ..items::callable(&item.sig, &item.block, None) })
 }
 
 impl Translation<'_> {

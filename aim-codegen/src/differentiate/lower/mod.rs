@@ -25,6 +25,7 @@ mod value;
 #[cfg(test)]
 mod tests;
 
+use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Expr, UnOp};
 
@@ -144,7 +145,11 @@ impl Translation<'_> {
                 return self.referenced(value);
             }
             if self.items.constant(None, name).is_none() && self.items.function(None, name).is_none() {
-                let text = messages::outside_name(name, &self.frame.names());
+                let text = match name.as_str() {
+                    "None" => messages::no_option(name),
+                    _ if self.items.is_conditional(name) => messages::conditional_item(name),
+                    _ => messages::outside_name(name, &self.frame.names()),
+                };
                 return self.refuse(&path.path, text);
             }
         }
@@ -217,6 +222,9 @@ impl Translation<'_> {
 
     fn binary(&mut self, binary: &syn::ExprBinary) -> Value {
         let assigned = operators::assigned(&binary.op);
+        if matches!(binary.op, syn::BinOp::And(_) | syn::BinOp::Or(_)) && has_effect(binary.right.to_token_stream()) {
+            return self.refuse(&binary.right, messages::effect_of_condition());
+        }
         let (left, right) = (self.expression(&binary.left), self.expression(&binary.right));
         if left.is_unknown() || right.is_unknown() {
             return Value::Unknown;
@@ -249,7 +257,10 @@ impl Translation<'_> {
             (Value::Unknown | Value::Never, _) => value,
             (Value::Integer(x), "f32" | "f64") => Value::Scalar(*x),
             (Value::Scalar(_), number) if self.precision.is_some_and(|known| known.name() == number) => value,
-            (Value::Integer(_), ty) if is_integer(ty) && self.algebra.known_integer(&value).is_some() => value,
+            (Value::Integer(_), ty) if is_integer(ty) && self.algebra.known_integer(&value).is_some() => {
+                let whole = self.algebra.known_integer(&value).unwrap_or_default();
+                self.algebra.integer(wrapped(whole, ty))
+            }
             (Value::Truth(condition), ty) if is_integer(ty) => {
                 let (one, zero) = (self.algebra.number(1.0), self.algebra.number(0.0));
                 Value::Integer(condition.select(self.algebra, one, zero))
@@ -272,6 +283,42 @@ impl Translation<'_> {
             Expr::Unsafe(e) => self.unsupported(&e.unsafe_token, "`unsafe`", "there is nothing to be unsafe about"),
             other => self.unsupported(other, "this expression", "use `let`, arithmetic, calls, `if` and `for`"),
         }
+    }
+}
+
+/// Whether an expression assigns to anything, or lends it to be changed.
+fn has_effect(tokens: TokenStream) -> bool {
+    let (mut before, mut assigns) = (' ', false);
+    for token in tokens {
+        let mut now = ' ';
+        match &token {
+            TokenTree::Group(group) if has_effect(group.stream()) => return true,
+            TokenTree::Ident(word) if before == '&' && word == "mut" => return true,
+            TokenTree::Punct(punct) => now = punct.as_char(),
+            _ => {}
+        }
+        // `=` alone, not the end or the beginning of a comparison or an arrow.
+        if assigns && !['=', '>'].contains(&now) {
+            return true;
+        }
+        assigns = now == '=' && !['=', '<', '>', '!', '.'].contains(&before);
+        before = now;
+    }
+    false
+}
+
+/// A whole number in an integer type; it wraps round.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_possible_wrap, reason = "as `as` does")]
+fn wrapped(whole: i64, ty: &str) -> i64 {
+    match ty {
+        "u8" => (whole as u8).into(),
+        "u16" => (whole as u16).into(),
+        "u32" => (whole as u32).into(),
+        "i8" => (whole as i8).into(),
+        "i16" => (whole as i16).into(),
+        "i32" => (whole as i32).into(),
+        // Of what is wider i64 has no more.
+        _ => whole,
     }
 }
 

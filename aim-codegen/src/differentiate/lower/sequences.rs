@@ -17,7 +17,6 @@ const METHODS: &[&str] = &[
     "into_iter",
     "copied",
     "cloned",
-    "by_ref",
     "enumerate",
     "zip",
     "chain",
@@ -32,6 +31,23 @@ const METHODS: &[&str] = &[
     "windows",
     "chunks_exact",
     "len",
+];
+
+/// Those of them that arrays do not have.
+const OF_ITERATORS: &[&str] = &[
+    "copied",
+    "cloned",
+    "enumerate",
+    "zip",
+    "chain",
+    "rev",
+    "skip",
+    "take",
+    "step_by",
+    "fold",
+    "sum",
+    "product",
+    "count",
 ];
 
 impl Value {
@@ -72,8 +88,12 @@ impl Translation<'_> {
         let items = receiver.clone().items()?;
         let name = call.method.to_string();
         let arguments: Vec<&Expr> = call.args.iter().collect();
+        // Of an array these can only be methods of a trait.
+        if is_array && OF_ITERATORS.contains(&name.as_str()) {
+            return Some(self.refuse(&call.method, messages::trait_method(&name)));
+        }
         Some(match (name.as_str(), arguments.as_slice()) {
-            ("iter" | "into_iter" | "copied" | "cloned" | "by_ref", []) => Value::Sequence(items),
+            ("iter" | "into_iter" | "copied" | "cloned", []) => Value::Sequence(items),
             ("clone" | "as_slice" | "as_ref" | "into" | "to_owned", []) => receiver.clone(),
             ("len" | "count", []) => self.algebra.whole(items.len()),
             ("rev", []) => Value::Sequence(items.into_iter().rev().collect()),

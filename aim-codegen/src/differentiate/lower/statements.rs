@@ -22,9 +22,26 @@ impl Translation<'_> {
     /// The value of a block.
     pub(super) fn block(&mut self, block: &Block) -> Value {
         let depth = self.frame.depth();
+        // Items are known in all of the block.
+        for statement in &block.stmts {
+            match statement {
+                Stmt::Item(Item::Const(item)) => {
+                    let value = self.expression(&item.expr);
+                    self.frame.declare(item.ident.to_string(), value);
+                }
+                Stmt::Item(Item::Use(item)) => {
+                    for (name, path) in items::used_constants(&item.tree) {
+                        let value = self.expression(&path);
+                        self.frame.declare(name, value);
+                    }
+                }
+                _ => {}
+            }
+        }
         for statement in &block.stmts {
             if let Stmt::Item(Item::Fn(item)) = statement {
-                let function = functions::inner(item, self.frame.variables());
+                let (outside, inside) = self.frame.variables().split_at(depth);
+                let function = functions::inner(item, outside, inside);
                 self.frame.declare(item.sig.ident.to_string(), Value::Function(function));
             }
         }
@@ -63,19 +80,7 @@ impl Translation<'_> {
                 self.bind(&local.pat, value);
                 if never { Value::Never } else { Value::nothing() }
             }
-            Stmt::Item(Item::Const(item)) => {
-                let value = self.expression(&item.expr);
-                self.frame.declare(item.ident.to_string(), value);
-                Value::nothing()
-            }
-            Stmt::Item(Item::Use(item)) => {
-                for (name, path) in items::used_constants(&item.tree) {
-                    let value = self.expression(&path);
-                    self.frame.declare(name, value);
-                }
-                Value::nothing()
-            }
-            Stmt::Item(Item::Fn(_)) => Value::nothing(),
+            Stmt::Item(Item::Const(_) | Item::Use(_) | Item::Fn(_)) => Value::nothing(),
             Stmt::Item(item) => self.refuse(item, messages::inner_item()),
             Stmt::Macro(statement) => self.macro_call(&statement.mac),
             Stmt::Expr(expression, None) => self.expression(expression),

@@ -15,5 +15,6 @@ mod least_squares;
 mod limits;
 mod manifolds;
 mod natural;
+mod powers;
 mod quotients;
 mod rotations;

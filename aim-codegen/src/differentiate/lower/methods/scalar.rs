@@ -30,6 +30,7 @@ functions! {
     sqrt(x: Scalar) -> Scalar { a.sqrt(x) }
     cbrt(x: Scalar) = x.signum() * x.abs().powf(1.0 / 3.0);
     exp(x: Scalar) -> Scalar { a.call(Exp, x) }
+    exp_m1(x: Scalar) = 2.0 * (0.5 * x).sinh() * (0.5 * x).exp();
     exp2(x: Scalar) = (x * core::f64::consts::LN_2).exp();
     ln(x: Scalar) -> Scalar { a.call(Ln, x) }
     log(x: Scalar, base: Scalar) = x.ln() / base.ln();
