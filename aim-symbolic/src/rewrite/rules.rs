@@ -165,6 +165,7 @@ pub const DIRECTIONS: RuleSet = RuleSet {
         ALL_ACROSS,
         ACROSS_OF_SUM,
         SCALE_AFTER_DOT,
+        SIGN_AFTER_DOT,
         DROP_RADIAL,
         AXIS_ACROSS,
         CROSS_OF_CROSS,
@@ -187,6 +188,7 @@ pub const SCALES: RuleSet = RuleSet {
         COMMON_VECTOR,
         CONSTANT_SCALE,
         SCALE_AFTER_DOT,
+        SIGN_AFTER_DOT,
     ],
     sums: Sums::Shared,
 };
@@ -288,6 +290,8 @@ rules! {
     ACROSS_OF_SUM = "the parts across of a sum": Vector(directions::across_of_sum);
     /// A number in a dot product can be multiplied afterwards, once instead of three times.
     SCALE_AFTER_DOT = "dot, then scale": Scalar(scaling::out_of_dot);
+    /// A sign in a dot product or a length can come afterwards, where it costs nothing.
+    SIGN_AFTER_DOT = "dot, then sign": Scalar(scaling::sign_out_of_number);
     /// What is square to the other side of a dot product adds nothing to it. A turn moves a point square to its way
     /// from the pivot, so whatever points along that way drops out of the derivative.
     DROP_RADIAL = "drop the radial part": Scalar(directions::dot_along_across);

@@ -1,4 +1,4 @@
-//! Rules for scale factors; part of [`DIRECTIONS`](crate::rewrite::rules::DIRECTIONS) and [`SCALES`](crate::rewrite::rules::SCALES).
+//! Rules for scale factors and signs; part of [`DIRECTIONS`](crate::rewrite::rules::DIRECTIONS) and [`SCALES`](crate::rewrite::rules::SCALES).
 
 use crate::rewrite::sums::{is_sum, sum, terms};
 use crate::{Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
@@ -35,6 +35,38 @@ fn merged(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (m, core) = scaled(g, inner)?;
     let product = g.mul(k, m);
     Some(g.scale(product, core))
+}
+
+fn negated(g: &Graph, v: Vector) -> Option<Vector> {
+    match g.vector_node(v) {
+        VectorNode::Neg(inner) => Some(inner),
+        _ => None,
+    }
+}
+
+/// `(−v) · w = −(v · w)`, `|−v| = |v|`
+pub(crate) fn sign_out_of_number(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    match g.scalar_node(s) {
+        ScalarNode::Dot(v, w) => {
+            let (positive, other) = match (negated(g, v), negated(g, w)) {
+                (Some(v), _) => (v, w),
+                (None, Some(w)) => (v, w),
+                (None, None) => return None,
+            };
+            let dot = g.dot(positive, other);
+            Some(g.neg(dot))
+        }
+        ScalarNode::Norm(v) => {
+            let v = negated(g, v)?;
+            Some(g.norm(v))
+        }
+        ScalarNode::Component(v, axis) => {
+            let v = negated(g, v)?;
+            let component = g.component(v, axis);
+            Some(g.neg(component))
+        }
+        _ => None,
+    }
 }
 
 /// `R (k v) = k (R v)`, and the same for perpendiculars, parts across a direction and cross products.

@@ -13,12 +13,13 @@ use super::recipe::Recipe;
 
 /// Rules that only take away, or write the same in other words. Of the others each may raise a count by itself: what it
 /// takes apart is shared, or others finish what it begins.
-const TAKE_AWAY: [&str; 7] = [
+const TAKE_AWAY: [&str; 8] = [
     "the root of a square is a norm",
     "fold zero and one",
     "split composition",
     "cancel terms",
     "all of what is across is across",
+    "dot, then sign",
     "one reciprocal for a direction",
     "a part across is a difference",
 ];
