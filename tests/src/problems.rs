@@ -67,6 +67,7 @@ pub fn all() -> Vec<Problem> {
         dihedral_angle(),
         angle_between(),
         turned_form(),
+        beside_a_chord(),
     ]
 }
 
@@ -525,5 +526,35 @@ pub fn hessian() -> Problem {
         unreachable!("a value and two derivatives")
     };
     problem.wanted.extend([Want::Second(aim, p, p), Want::Second(aim, p, h), Want::Second(aim, h, h)]);
+    problem
+}
+
+/// How far a point is beside the chord of two others, by lengths √(|v|² + δ²); with its second derivatives.
+fn beside_a_chord() -> Problem {
+    let mut problem = Problem::new("beside a chord", 114, |g| {
+        let [before, here, after] = ["p0", "p1", "p2"].map(|name| g.vector_input(name));
+        let delta = g.input("delta");
+        let least = g.mul(delta, delta);
+        let length = |g: &mut Graph, v: Vector| {
+            let square = g.dot(v, v);
+            let sum = g.add(square, least);
+            g.sqrt(sum)
+        };
+        let (step, chord) = (g.sub_vectors(here, before), g.sub_vectors(after, before));
+        let long = length(g, chord);
+        let per_length = g.reciprocal(long);
+        let chord = g.scale(per_length, chord);
+        let along = g.dot(step, chord);
+        let part = g.scale(along, chord);
+        let aside = g.sub_vectors(step, part);
+        (vec![length(g, aside)], components(g, here).to_vec())
+    });
+    let [Want::Value(aside), Want::Derivative(_, x), Want::Derivative(_, y), Want::Derivative(_, z)] =
+        problem.wanted[..]
+    else {
+        unreachable!("a value and three derivatives")
+    };
+    let second = [(x, x), (x, y), (y, y), (x, z), (y, z), (z, z)];
+    problem.wanted.extend(second.map(|(a, b)| Want::Second(aside, a, b)));
     problem
 }

@@ -51,7 +51,7 @@ const _: () = {
                 _ => ::core::option::Option::None,
             }
         }
-        ///The chain's stereographic residual (left, up), then the 2 derivatives of the first and of the second. 95 operations: 34 add, 58 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `Extra`.
+        ///The chain's stereographic residual (left, up), then the 2 derivatives of the first and of the second. 87 operations: 31 add, 53 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `Extra`.
         #[inline(always)]
         fn residual_jacobian(
             &self,
@@ -109,30 +109,26 @@ const _: () = {
             } else {
                 0.0
             };
-            let __v19 = __v18 * (__v5 * __v2 - __v1 * __v6);
-            let __v20 = __link_0[3] * __v1 - __link_0[4] * __v5 - __v19;
-            let __v21 = __v11 * __v12;
-            let __v22 = __v13 * __v21;
-            let __v23 = __v12 * (__link_0[7] * __v5 - __link_0[6] * __v1)
-                + __v20 * __v22;
-            *__out_2 = __v23;
-            let __v24 = __sin_cos_0[0] * __v3;
-            let __v25 = __sin_cos_0[1] * __v3;
-            let __v26 = __v12
-                * (__link_0[8] * __v0 - (__link_0[7] * __v25 - __link_0[6] * __v24));
-            let __v27 = __v18 * (__v6 * __v24 - (__v2 * __v25 - __v0 * __v4));
-            let __v28 = __link_0[5] * __v0 - (__link_0[4] * __v25 - __link_0[3] * __v24)
-                + __v27;
-            let __v29 = __v28 * __v22 - __v26;
-            *__out_3 = __v29;
-            let __v30 = __v15 * __v21;
-            let __v31 = __v20 * __v30
-                - __v12 * (__link_0[0] * __v1 - __link_0[1] * __v5);
-            *__out_4 = __v31;
-            let __v32 = __v12
-                * (__link_0[2] * __v0 - (__link_0[1] * __v25 - __link_0[0] * __v24));
-            let __v33 = __v28 * __v30 - __v32;
-            *__out_5 = __v33;
+            let __v19 = __link_0[4] + __v2 * __v18;
+            let __v20 = __v11 * __v12;
+            let __v21 = __v13 * __v20;
+            let __v22 = __link_0[7] * __v12 - __v19 * __v21;
+            let __v23 = __link_0[3] + __v6 * __v18;
+            let __v24 = __link_0[6] * __v12 - __v23 * __v21;
+            let __v25 = __v5 * __v22 - __v1 * __v24;
+            *__out_2 = __v25;
+            let __v26 = __link_0[5] + __v4 * __v18;
+            let __v27 = __v0 * (__link_0[8] * __v12 - __v26 * __v21);
+            let __v28 = __v3 * (__sin_cos_0[1] * __v22 - __sin_cos_0[0] * __v24) - __v27;
+            *__out_3 = __v28;
+            let __v29 = __v15 * __v20;
+            let __v30 = __link_0[1] * __v12 - __v19 * __v29;
+            let __v31 = __link_0[0] * __v12 - __v23 * __v29;
+            let __v32 = __v5 * __v30 - __v1 * __v31;
+            *__out_4 = __v32;
+            let __v33 = __v0 * (__link_0[2] * __v12 - __v26 * __v29);
+            let __v34 = __v3 * (__sin_cos_0[1] * __v30 - __sin_cos_0[0] * __v31) - __v33;
+            *__out_5 = __v34;
         }
         ///Aim of joint `head`, d aim / d pitch, d aim / d heading. 46 operations: 17 add, 27 mul, 1 div, 1 sqrt; 2 select. Derived for the rig `Extra`.
         fn aim_gradient(
@@ -312,7 +308,7 @@ const _: () = {
             * (__v5 * (__sin_cos[0][1] * __v13 - __sin_cos[0][0] * __v14) - __v16);
         [__v11, __v15, __v17]
     }
-    ///The chain's stereographic residual (left, up), then the 2 derivatives of the first and of the second. 95 operations: 34 add, 58 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `Extra`.
+    ///The chain's stereographic residual (left, up), then the 2 derivatives of the first and of the second. 87 operations: 31 add, 53 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `Extra`.
     #[inline]
     fn chain_residual_jacobian<S: ::aim::__private::Scalar>(
         __links: &[[S; 12]; 1],
@@ -349,27 +345,23 @@ const _: () = {
             __v17,
             <S as ::aim::__private::Scalar>::ZERO,
         );
-        let __v19 = __v18 * (__v5 * __v2 - __v1 * __v6);
-        let __v20 = __links[0][3] * __v1 - __links[0][4] * __v5 - __v19;
-        let __v21 = __v11 * __v12;
-        let __v22 = __v13 * __v21;
-        let __v23 = __v12 * (__links[0][7] * __v5 - __links[0][6] * __v1)
-            + __v20 * __v22;
-        let __v24 = __sin_cos[0][0] * __v3;
-        let __v25 = __sin_cos[0][1] * __v3;
-        let __v26 = __v12
-            * (__links[0][8] * __v0 - (__links[0][7] * __v25 - __links[0][6] * __v24));
-        let __v27 = __v18 * (__v6 * __v24 - (__v2 * __v25 - __v0 * __v4));
-        let __v28 = __links[0][5] * __v0
-            - (__links[0][4] * __v25 - __links[0][3] * __v24) + __v27;
-        let __v29 = __v28 * __v22 - __v26;
-        let __v30 = __v15 * __v21;
-        let __v31 = __v20 * __v30
-            - __v12 * (__links[0][0] * __v1 - __links[0][1] * __v5);
-        let __v32 = __v12
-            * (__links[0][2] * __v0 - (__links[0][1] * __v25 - __links[0][0] * __v24));
-        let __v33 = __v28 * __v30 - __v32;
-        [__v14, __v16, __v23, __v29, __v31, __v33]
+        let __v19 = __links[0][4] + __v2 * __v18;
+        let __v20 = __v11 * __v12;
+        let __v21 = __v13 * __v20;
+        let __v22 = __links[0][7] * __v12 - __v19 * __v21;
+        let __v23 = __links[0][3] + __v6 * __v18;
+        let __v24 = __links[0][6] * __v12 - __v23 * __v21;
+        let __v25 = __v5 * __v22 - __v1 * __v24;
+        let __v26 = __links[0][5] + __v4 * __v18;
+        let __v27 = __v0 * (__links[0][8] * __v12 - __v26 * __v21);
+        let __v28 = __v3 * (__sin_cos[0][1] * __v22 - __sin_cos[0][0] * __v24) - __v27;
+        let __v29 = __v15 * __v20;
+        let __v30 = __links[0][1] * __v12 - __v19 * __v29;
+        let __v31 = __links[0][0] * __v12 - __v23 * __v29;
+        let __v32 = __v5 * __v30 - __v1 * __v31;
+        let __v33 = __v0 * (__links[0][2] * __v12 - __v26 * __v29);
+        let __v34 = __v3 * (__sin_cos[0][1] * __v30 - __sin_cos[0][0] * __v31) - __v33;
+        [__v14, __v16, __v25, __v28, __v32, __v34]
     }
     #[allow(
         dead_code,
@@ -420,7 +412,7 @@ const _: () = {
                 <[S]>::fill(__out, <S as ::aim::__private::Scalar>::ZERO);
             }
         }
-        ///The chain's stereographic residual (left, up), then the 2 derivatives of the first and of the second. 95 operations: 34 add, 58 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `Extra`.
+        ///The chain's stereographic residual (left, up), then the 2 derivatives of the first and of the second. 87 operations: 31 add, 53 mul, 2 div, 1 sqrt; 4 select. Derived for the rig `Extra`.
         /// Slices of other lengths give zeros.
         #[inline]
         pub fn chain_residual_jacobian<S: ::aim::__private::Scalar>(

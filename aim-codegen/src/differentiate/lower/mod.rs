@@ -308,7 +308,7 @@ fn has_effect(tokens: TokenStream) -> bool {
 }
 
 /// A whole number in an integer type; it wraps round.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_possible_wrap, reason = "as `as` does")]
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "as `as` does")]
 fn wrapped(whole: i64, ty: &str) -> i64 {
     match ty {
         "u8" => (whole as u8).into(),
