@@ -29,25 +29,28 @@ pub(crate) enum Effort {
 
 /// Sums and products in the arrangement that needs the fewest operations, of the few that are tried.
 pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>, effort: Effort) -> Vec<Scalar> {
-    let arranged = |fold: &mut Fold, outputs: &[Scalar], products: Open, factors: Open| {
-        let shared = if rules.has(&SHARE) { share_products(fold, outputs, products) } else { outputs.to_vec() };
-        if rules.has(&FACTOR) { factor(fold, &shared, factors) } else { shared }
-    };
-    let mut best = arranged(fold, &outputs, Open::Private, Open::Private);
-    if effort == Effort::Finish {
-        let mut least = operations(&fold.g, &best);
-        for (of_best, products, factors) in [
-            (false, Open::Shared, Open::Private),
-            (true, Open::Shared, Open::Private),
-            (true, Open::Quotients, Open::Shared),
-            (false, Open::Quotients, Open::Shared),
-            (true, Open::Quotients, Open::Private),
-        ] {
-            let tried = arranged(fold, if of_best { &best } else { &outputs }, products, factors);
-            let needed = operations(&fold.g, &tried);
-            if needed < least {
-                (best, least) = (tried, needed);
-            }
+    // Whether it starts from the best so far, and what of products and of factors is opened.
+    let tries = [
+        (false, Open::Private, Open::Private),
+        (false, Open::Shared, Open::Private),
+        (true, Open::Shared, Open::Private),
+        (true, Open::Quotients, Open::Shared),
+        (false, Open::Quotients, Open::Shared),
+        (true, Open::Quotients, Open::Private),
+    ];
+    let count = if effort == Effort::Finish { tries.len() } else { 1 };
+    let (mut best, mut least) = (Vec::new(), usize::MAX);
+    for (of_best, products, factors) in tries.into_iter().take(count) {
+        let mut tried = if of_best { best.clone() } else { outputs.clone() };
+        if rules.has(&SHARE) {
+            tried = share_products(fold, &tried, products);
+        }
+        if rules.has(&FACTOR) {
+            tried = factor(fold, &tried, factors);
+        }
+        let needed = if count > 1 { operations(&fold.g, &tried) } else { 0 };
+        if needed < least {
+            (best, least) = (tried, needed);
         }
     }
     best

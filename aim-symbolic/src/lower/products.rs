@@ -64,11 +64,11 @@ pub(crate) fn share_products(fold: &mut Fold, outputs: &[Scalar], open: Open) ->
 
 impl Exchange for Table<Scalar, Vec<Factor>> {
     fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Result<Option<Scalar>, Missing> {
-        let Some(mut factors) = self.copied(s) else { return Ok(None) };
+        let Some(factors) = self.copied(s) else { return Ok(None) };
         let mut made: Option<Scalar> = None;
         // What is divided by comes last.
-        factors.sort_by_key(|&(below, _)| below);
-        for (below, factor) in factors {
+        let (below, above): (Vec<Factor>, Vec<Factor>) = factors.into_iter().partition(|&(below, _)| below);
+        for (below, factor) in above.into_iter().chain(below) {
             let factor = rebuild.scalar(factor)?;
             let product = made.unwrap_or_else(|| rebuild.fold.g.constant(1.0));
             made = Some(if below { rebuild.fold.div(product, factor) } else { rebuild.fold.mul(product, factor) });

@@ -102,9 +102,12 @@ pub(crate) fn scaled(fold: &mut Fold, outputs: &[Scalar]) -> Option<Vec<Scalar>>
             None => {}
         }
     }
-    equations.sort_by(|a, b| b.1.cmp(&a.1).then(a.2.total_cmp(&b.2)));
     let mut freed = false;
-    for (left, ..) in equations {
+    // There are few: a sort would be more code than they are worth.
+    while let Some((next, _)) =
+        equations.iter().enumerate().min_by(|(_, a), (_, b)| b.1.cmp(&a.1).then(a.2.total_cmp(&b.2)))
+    {
+        let (left, ..) = equations.remove(next);
         freed |= scales.solve(&left);
     }
     freed.then(|| Rebuild::outputs(fold, outputs, &mut scales))

@@ -326,7 +326,9 @@ fn pushed_sides(g: &Graph, s: Scalar) -> Vec<(Vector, Vector)> {
     let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return Vec::new() };
     let mut sides: Vec<_> =
         [(a, b), (b, a)].into_iter().filter_map(|(v, pushed)| Some((pushed_below(g, pushed)?, v, pushed))).collect();
-    sides.sort_by_key(|&(below, ..)| below);
+    if matches!(sides[..], [(first, ..), (second, ..)] if second < first) {
+        sides.swap(0, 1);
+    }
     sides.into_iter().map(|(_, v, pushed)| (v, pushed)).collect()
 }
 

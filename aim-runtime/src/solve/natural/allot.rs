@@ -278,14 +278,19 @@ impl<const C: usize> Gaze<'_, C> {
         if fits { sum } else { self.turn_within_room::<AXIS>(wanted, &gives, directions) }
     }
 
-    /// The same where not all have room for the parts that they would give.
-    #[inline(never)]
+    /// The same where not all have room for the parts that they would give: a function for each axis.
+    #[cfg_attr(not(aim_small), inline(never))]
     fn turn_within_room<const AXIS: usize>(
         &self,
         wanted: f32,
         gives: &PerJoint<f32, C>,
         directions: &mut [Pair],
     ) -> f32 {
+        self.turn_within(AXIS, wanted, gives, directions)
+    }
+
+    #[cfg_attr(not(aim_small), inline(always))]
+    fn turn_within(&self, axis: usize, wanted: f32, gives: &PerJoint<f32, C>, directions: &mut [Pair]) -> f32 {
         let regions = self.regions;
         let mut turns = self.rig.array(0.0_f32);
         let mut gives = *gives;
@@ -293,7 +298,7 @@ impl<const C: usize> Gaze<'_, C> {
         for _ in 0..self.count {
             let mut total = 0.0;
             for ((gives, turn), region) in gives.iter_mut().zip(&*turns).zip(regions) {
-                if if left > 0.0 { *turn >= region.hi[AXIS] } else { *turn <= region.lo[AXIS] } {
+                if if left > 0.0 { *turn >= region.hi[axis] } else { *turn <= region.lo[axis] } {
                     *gives = 0.0;
                 }
                 total += *gives;
@@ -303,7 +308,7 @@ impl<const C: usize> Gaze<'_, C> {
             }
             let each = left / total;
             for ((gives, turn), region) in gives.iter().zip(&mut *turns).zip(regions) {
-                let next = (*turn + each * gives).at_least(region.lo[AXIS]).at_most(region.hi[AXIS]);
+                let next = (*turn + each * gives).at_least(region.lo[axis]).at_most(region.hi[axis]);
                 left -= next - *turn;
                 *turn = next;
             }
@@ -311,7 +316,7 @@ impl<const C: usize> Gaze<'_, C> {
         let mut sum = 0.0;
         for ((turn, region), direction) in turns.iter().zip(regions).zip(&mut *directions) {
             sum += turn;
-            direction[AXIS] = region.animated[AXIS] + sum;
+            direction[axis] = region.animated[axis] + sum;
         }
         sum
     }
