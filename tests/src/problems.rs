@@ -529,7 +529,7 @@ pub fn hessian() -> Problem {
     problem
 }
 
-/// How far a point is beside the chord of two others, by lengths √(|v|² + δ²); with its second derivatives.
+/// The distance of a point from the chord of two others, by lengths √(|v|² + δ²); with its second derivatives.
 fn beside_a_chord() -> Problem {
     let mut problem = Problem::new("beside a chord", 114, |g| {
         let [before, here, after] = ["p0", "p1", "p2"].map(|name| g.vector_input(name));

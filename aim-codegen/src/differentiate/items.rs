@@ -131,7 +131,7 @@ impl Items {
     }
 }
 
-/// Where tokens have an attribute `cfg`, which a macro cannot tell the truth of.
+/// The place in tokens of an attribute `cfg`, which a macro cannot tell the truth of.
 pub(super) fn depends_on_cfg(tokens: TokenStream) -> Option<TokenTree> {
     let mut after_hash = false;
     for token in tokens {

@@ -181,11 +181,7 @@ impl Translation<'_> {
             (Some(ty), _) => (ty, text),
             (None, Some((_, ty, function))) => ((*ty).to_owned(), (*function).to_owned()),
             (None, None) => {
-                let text = match text.as_str() {
-                    "Some" | "Ok" | "Err" => messages::no_option(&text),
-                    _ if self.items.is_conditional(&text) => messages::conditional_item(&text),
-                    _ => messages::unknown_function(&text),
-                };
+                let text = self.unseen(&text, messages::unknown_function(&text));
                 return self.refuse(name, text);
             }
         };
@@ -254,8 +250,10 @@ impl Translation<'_> {
             Some((Shape::Planar | Shape::Vector | Shape::Four, _)) => "new",
             Some((Shape::Rigid, _)) => "from_mat3_translation",
             Some((Shape::Matrix, _)) => "from_cols",
-            _ if self.items.is_conditional(&name) => return self.refuse(&of.path, messages::conditional_item(&name)),
-            _ => return self.refuse(&of.path, messages::outside_struct(&name)),
+            _ => {
+                let text = self.unseen(&name, messages::outside_struct(&name));
+                return self.refuse(&of.path, text);
+            }
         };
         fields.sort_by_key(|(name, _)| name.clone());
         let values: Vec<Value> = fields.into_iter().map(|(_, value)| value).collect();

@@ -145,11 +145,7 @@ impl Translation<'_> {
                 return self.referenced(value);
             }
             if self.items.constant(None, name).is_none() && self.items.function(None, name).is_none() {
-                let text = match name.as_str() {
-                    "None" => messages::no_option(name),
-                    _ if self.items.is_conditional(name) => messages::conditional_item(name),
-                    _ => messages::outside_name(name, &self.frame.names()),
-                };
+                let text = self.unseen(name, messages::outside_name(name, &self.frame.names()));
                 return self.refuse(&path.path, text);
             }
         }
@@ -253,19 +249,16 @@ impl Translation<'_> {
         let is_integer = |ty: &str| {
             ["usize", "isize"].contains(&ty) || (ty.starts_with(['u', 'i']) && ty[1..].parse::<u8>().is_ok())
         };
-        match (&value, ty.as_str()) {
-            (Value::Unknown | Value::Never, _) => value,
-            (Value::Integer(x), "f32" | "f64") => Value::Scalar(*x),
-            (Value::Scalar(_), number) if self.precision.is_some_and(|known| known.name() == number) => value,
-            (Value::Integer(_), ty) if is_integer(ty) && self.algebra.known_integer(&value).is_some() => {
-                let whole = self.algebra.known_integer(&value).unwrap_or_default();
-                self.algebra.integer(wrapped(whole, ty))
-            }
-            (Value::Truth(condition), ty) if is_integer(ty) => {
+        match (&value, ty.as_str(), self.algebra.known_integer(&value)) {
+            (Value::Unknown | Value::Never, ..) => value,
+            (Value::Integer(x), "f32" | "f64", _) => Value::Scalar(*x),
+            (Value::Scalar(_), number, _) if self.precision.is_some_and(|known| known.name() == number) => value,
+            (Value::Integer(_), ty, Some(whole)) if is_integer(ty) => self.algebra.integer(wrapped(whole, ty)),
+            (Value::Truth(condition), ty, _) if is_integer(ty) => {
                 let (one, zero) = (self.algebra.number(1.0), self.algebra.number(0.0));
                 Value::Integer(condition.select(self.algebra, one, zero))
             }
-            (Value::Scalar(_), ty) if is_integer(ty) => {
+            (Value::Scalar(_), ty, _) if is_integer(ty) => {
                 self.unsupported(&cast.as_token, "a number that is cut off", "take the whole number as an argument")
             }
             _ => self.unsupported(
@@ -286,7 +279,7 @@ impl Translation<'_> {
     }
 }
 
-/// Whether an expression assigns to anything, or lends it to be changed.
+/// True if an expression assigns to anything, or lends it to be changed.
 fn has_effect(tokens: TokenStream) -> bool {
     let (mut before, mut assigns) = (' ', false);
     for token in tokens {

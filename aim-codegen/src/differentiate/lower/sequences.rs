@@ -33,22 +33,8 @@ const METHODS: &[&str] = &[
     "len",
 ];
 
-/// Those of them that arrays do not have.
-const OF_ITERATORS: &[&str] = &[
-    "copied",
-    "cloned",
-    "enumerate",
-    "zip",
-    "chain",
-    "rev",
-    "skip",
-    "take",
-    "step_by",
-    "fold",
-    "sum",
-    "product",
-    "count",
-];
+/// Those of them that arrays have, too.
+const OF_ARRAYS: &[&str] = &["iter", "into_iter", "map", "windows", "chunks_exact", "len"];
 
 impl Value {
     /// The elements of what a loop can go over.
@@ -89,7 +75,8 @@ impl Translation<'_> {
         let name = call.method.to_string();
         let arguments: Vec<&Expr> = call.args.iter().collect();
         // Of an array these can only be methods of a trait.
-        if is_array && OF_ITERATORS.contains(&name.as_str()) {
+        let is_of_iterators = name == "count" || METHODS.contains(&name.as_str());
+        if is_array && is_of_iterators && !OF_ARRAYS.contains(&name.as_str()) {
             return Some(self.refuse(&call.method, messages::trait_method(&name)));
         }
         Some(match (name.as_str(), arguments.as_slice()) {

@@ -60,6 +60,15 @@ impl<'a> Translation<'a> {
     pub(super) fn unsupported(&mut self, place: &impl ToTokens, what: &str, help: &str) -> Value {
         self.refuse(place, messages::unsupported(what, help))
     }
+
+    /// The words about a name that stands for nothing that was read, where nothing better is known of it than these.
+    pub(super) fn unseen(&self, name: &str, otherwise: Text) -> Text {
+        match name {
+            "Some" | "None" | "Ok" | "Err" => messages::no_option(name),
+            _ if self.items.is_conditional(name) => messages::conditional_item(name),
+            _ => otherwise,
+        }
+    }
 }
 
 /// The length of an array that its type says.
