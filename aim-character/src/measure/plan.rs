@@ -12,6 +12,10 @@ const MIDDLE: f64 = 0.15;
 const PARALLEL: f64 = 0.97;
 /// Largest difference of two equal heights, as a share of the way from hips to head.
 const LEVEL: f64 = 0.02;
+/// Bones are at one place up to this share of their limb's length.
+const ONE_PLACE: f64 = 1e-3;
+/// Arms are no shorter than this share of the longest pair on the column, which may be hair: what is shorter hangs on the trunk.
+const ARM: f64 = 0.5;
 /// Larger trees are not looked at, nor are further limbs of one bone: the work grows with their squares.
 const MOST_BONES: usize = 4096;
 const MOST_LIMBS: usize = 64;
@@ -53,28 +57,42 @@ impl Tree<'_> {
         self.bind[node].translation
     }
 
-    /// Two children of a node that are limbs of one pair, mirrored in a plane through the node (and across `across`,
+    /// The children of a node that are limbs of one pair, pair by pair: mirrored in a plane through the node (and across `across`,
     /// where that is known).
-    fn pair(&self, node: usize, across: Option<DVec3>) -> Option<[usize; 2]> {
+    fn pairs(&self, node: usize, across: Option<DVec3>) -> impl Iterator<Item = [usize; 2]> {
         let limbs: Vec<usize> = self.children(node).filter(|child| self.size[*child] >= 2).take(MOST_LIMBS).collect();
-        let mirrored = |a: usize, b: usize| {
+        let mirrored = move |a: usize, b: usize| {
+            if self.shape[a] != self.shape[b] {
+                return false;
+            }
+            let [a, b] = self.parting([a, b]);
             let [p, q, from] = [a, b, node].map(|node| self.at(node));
             let apart = p - q;
             let (one, other) = (p.distance(from), q.distance(from));
             let length = self.length(a);
             let unit = apart.normalize_or_zero();
-            self.shape[a] == self.shape[b]
-                && unit != DVec3::ZERO
+            unit != DVec3::ZERO
                 && (one - other).abs() < ALIKE * one.max(other)
                 && (length - self.length(b)).abs() < ALIKE * length
                 && ((p + q) * 0.5 - from).dot(unit).abs() < MIDDLE * apart.length()
                 && across.is_none_or(|across| across.dot(unit).abs() > PARALLEL)
         };
-        // The widest pair: fingers and clothes hang closer together than limbs.
-        let pairs = limbs.iter().enumerate().flat_map(|(k, a)| limbs[k + 1..].iter().map(|b| [*a, *b]));
-        pairs
-            .filter(|[a, b]| mirrored(*a, *b))
-            .max_by(|[a, b], [c, d]| self.at(*a).distance(self.at(*b)).total_cmp(&self.at(*c).distance(self.at(*d))))
+        let pairs: Vec<[usize; 2]> =
+            limbs.iter().enumerate().flat_map(|(k, a)| limbs[k + 1..].iter().map(|b| [*a, *b])).collect();
+        pairs.into_iter().filter(move |[a, b]| mirrored(*a, *b))
+    }
+
+    /// The first bones of the widest pair: fingers and clothes hang closer together than limbs.
+    fn pair(&self, node: usize, across: Option<DVec3>) -> Option<[usize; 2]> {
+        let wide = |[a, b]: &[usize; 2]| self.at(*a).distance(self.at(*b));
+        self.pairs(node, across).map(|pair| self.parting(pair)).max_by(|a, b| wide(a).total_cmp(&wide(b)))
+    }
+
+    /// The bones at which two limbs part: their first ones, unless those are at one place.
+    fn parting(&self, [a, b]: [usize; 2]) -> [usize; 2] {
+        let least = ONE_PLACE * self.length(a);
+        let mut down = self.way_down(a).into_iter().zip(self.way_down(b));
+        down.find(|(a, b)| self.at(*a).distance(self.at(*b)) > least).map_or([a, b], |(a, b)| [a, b])
     }
 
     /// The length of the longest way down a limb.
@@ -108,15 +126,26 @@ impl BodyPlan {
         let middle = (tree.at(legs[0]) + tree.at(legs[1])) * 0.5;
         let wide = tree.at(legs[0]).distance(tree.at(legs[1]));
         let on_plane = |node: &usize| (tree.at(*node) - middle).dot(across).abs() < MIDDLE * wide;
-        let has_arms =
-            |node: usize| below(&tree, node).any(|at| on_plane(&at) && tree.pair(at, Some(across)).is_some());
+        let pairs_below =
+            |node: usize| below(&tree, node).filter(on_plane).filter_map(|at| tree.pair(at, Some(across)));
+        let ways = |at: usize| {
+            // What mirrors a sibling is a limb, however near the middle it begins.
+            let limbs: Vec<usize> = tree.pairs(at, Some(across)).flatten().collect();
+            tree.children(at).filter(move |child| !limbs.contains(child)).filter(on_plane)
+        };
         let next = |at: usize| {
-            let ways = tree.children(at).filter(|child| !legs.contains(child)).filter(on_plane);
-            ways.max_by_key(|child| (has_arms(*child), tree.size[*child], usize::MAX - child))
+            ways(at).max_by_key(|way| (pairs_below(*way).next().is_some(), tree.size[*way], usize::MAX - way))
         };
         let column: Vec<usize> = core::iter::successors(next(hips), |at| next(*at)).collect();
-        let arms = column.iter().position(|at| tree.pair(*at, Some(across)).is_some())?;
-        let shoulders = tree.pair(column[arms], Some(across))?;
+        let length = |[limb, _]: [usize; 2]| tree.length(limb);
+        let pairs: Vec<(usize, [usize; 2])> =
+            column.iter().enumerate().filter_map(|(k, at)| Some((k, tree.pair(*at, Some(across))?))).collect();
+        let least = ARM * pairs.iter().map(|(_, pair)| length(*pair)).fold(0.0, f64::max);
+        let (arms, shoulders) = *pairs.iter().find(|(_, pair)| length(*pair) >= least)?;
+        // Limbs on two ways: those legs may be forelegs, and nothing tells which way leads to the head.
+        if ways(hips).filter(|way| *way != column[0]).flat_map(pairs_below).any(|pair| length(pair) >= least) {
+            return None;
+        }
         let (mut trunk, above) = column.split_at(arms + 1);
         // A head moves all that is on it, its jaw too, though the column may seem to go on there.
         let skin = |node: usize| below(&tree, node).map(weight).sum::<usize>();
@@ -130,8 +159,8 @@ impl BodyPlan {
             trunk = &trunk[..arms];
             neck.push(column[arms]);
         }
-        let pairs = column[arms..=arms + head].iter().filter_map(|at| tree.pair(*at, Some(across)));
-        let limbs = pairs.max_by(|[a, _], [b, _]| tree.length(*a).total_cmp(&tree.length(*b)))?;
+        let of_trunk_and_neck = pairs.iter().filter(|(at, _)| (arms..=arms + head).contains(at));
+        let (_, limbs) = *of_trunk_and_neck.max_by(|(_, a), (_, b)| length(*a).total_cmp(&length(*b)))?;
         Some(Self { hips, trunk: trunk.to_vec(), neck, head: above[head], legs, arms: limbs })
     }
 

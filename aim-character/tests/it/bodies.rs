@@ -1,7 +1,7 @@
 //! Chains proposed for bodies whose root, neck or names are not where most have them.
 
 use aim_character::{Measurement, propose};
-use aim_codegen::Budgets;
+use aim_codegen::{Budgets, Role};
 use aim_gltf::Document;
 use serde_json::{Value, json};
 
@@ -31,15 +31,28 @@ fn document(bones: &[Bone<'_>]) -> Document {
 
 /// Pairs of limbs, each a way down: the name with `*` for the side, its parent's, and its place on the left.
 fn with_limbs<'a>(column: &[Bone<'a>], limbs: &[Bone<'a>]) -> Document {
-    let named: Vec<(String, String, [f64; 3])> = limbs
-        .iter()
-        .flat_map(|(name, parent, [x, y, z])| {
-            let side = |side: &str, x: f64| (name.replace('*', side), parent.replace('*', side), [x, *y, *z]);
-            [side("L", *x), side("R", -x)]
-        })
-        .collect();
-    let limbs = named.iter().map(|(name, parent, place)| (name.as_str(), parent.as_str(), *place));
-    document(&column.iter().copied().chain(limbs).collect::<Vec<_>>())
+    let bones = both_sides(column, limbs);
+    document(&bones.iter().map(|(name, parent, place)| (&name[..], &parent[..], *place)).collect::<Vec<_>>())
+}
+
+fn both_sides(column: &[Bone<'_>], limbs: &[Bone<'_>]) -> Vec<(String, String, [f64; 3])> {
+    let limbs = limbs.iter().flat_map(|(name, parent, [x, y, z])| {
+        let side = |side: &str, x: f64| (name.replace('*', side), parent.replace('*', side), [x, *y, *z]);
+        [side("L", *x), side("R", -x)]
+    });
+    column.iter().map(|(name, parent, place)| ((*name).to_owned(), (*parent).to_owned(), *place)).chain(limbs).collect()
+}
+
+/// The chain of the same bones called by numbers, in the names they had, with roles; nothing where there is no telling.
+fn proposed_without_names(column: &[Bone<'_>], limbs: &[Bone<'_>]) -> Option<Vec<(String, Role)>> {
+    let bones = both_sides(column, limbs);
+    let number = |name: &str| bones.iter().position(|bone| bone.0 == name).map_or(String::new(), |at| at.to_string());
+    let numbered: Vec<_> = bones.iter().map(|(name, parent, place)| (number(name), number(parent), *place)).collect();
+    let numbered: Vec<_> = numbered.iter().map(|(name, parent, place)| (&name[..], &parent[..], *place)).collect();
+    let document = document(&numbered);
+    let spec = propose(&document, &Measurement::of(&document), None).ok()?.spec;
+    let name = |number: &String| bones[number.parse::<usize>().unwrap()].0.clone();
+    Some(spec.joints.iter().map(|joint| (name(&joint.bones[0]), joint.role)).collect())
 }
 
 fn proposed(document: &Document) -> (Vec<String>, Option<Budgets>) {
@@ -131,4 +144,56 @@ fn controls_are_bones_where_no_bone_is_the_head() {
     };
     assert_eq!(proposed(&document(&column("CTRL_Head"))).0, ["CTRL_Head", "CTRL_RibCage"]);
     assert_eq!(proposed(&document(&column("Head"))).0[0], "Head");
+}
+
+/// A human column with collarbones that begin near its middle and reach further than the neck, and pouches below the arms.
+#[test]
+fn collarbones_near_the_middle_are_no_neck_and_pouches_are_no_arms() {
+    let column = [
+        ("hips", "", [0.0, 1.0, 0.0]),
+        ("spine", "hips", [0.0, 1.15, 0.0]),
+        ("chest", "spine", [0.0, 1.3, 0.0]),
+        ("neck", "chest", [0.0, 1.6, 0.0]),
+        ("head", "neck", [0.0, 1.7, 0.0]),
+    ];
+    for middle in [0.01, 0.0] {
+        let limbs = [
+            ("collar*", "chest", [middle, 1.55, 0.05]),
+            ("upper_arm*", "collar*", [0.2, 1.55, 0.0]),
+            ("forearm*", "upper_arm*", [0.45, 1.4, 0.0]),
+            ("hand*", "forearm*", [0.65, 1.3, 0.0]),
+            ("pouch*", "spine", [0.2, 1.1, 0.0]),
+            ("strap*", "pouch*", [0.2, 1.2, 0.0]),
+            ("thigh*", "hips", [10.0 * middle, 0.95, 0.0]),
+            ("shin*", "thigh*", [0.1, 0.5, 0.0]),
+            ("foot*", "shin*", [0.1, 0.1, -0.03]),
+            ("toe*", "foot*", [0.1, 0.02, 0.08]),
+        ];
+        let chain = proposed_without_names(&column, &limbs).unwrap();
+        let expected = ["head", "neck", "chest", "spine"].map(str::to_owned);
+        let roles = [Role::Head, Role::Neck, Role::Chest, Role::Chest];
+        assert_eq!(chain, expected.into_iter().zip(roles).collect::<Vec<_>>(), "{middle} m beside the middle");
+    }
+}
+
+/// What has limbs on two ways from its root may be one of a chest: its legs may be the arms, or its ears.
+#[test]
+fn a_nameless_body_that_may_look_either_way_has_no_plan() {
+    let column = [
+        ("chest", "", [0.0, 1.05, 0.2]),
+        ("back", "chest", [0.0, 1.05, -0.2]),
+        ("hips", "back", [0.0, 1.0, -0.6]),
+        ("neck", "chest", [0.0, 1.1, 0.5]),
+        ("head", "neck", [0.0, 1.1, 0.8]),
+        ("snout", "head", [0.0, 0.9, 1.1]),
+    ];
+    let limbs = [
+        ("foreleg*", "chest", [0.3, 0.9, 0.2]),
+        ("paw*", "foreleg*", [0.3, 0.05, 0.2]),
+        ("thigh*", "hips", [0.2, 0.9, -0.6]),
+        ("foot*", "thigh*", [0.2, 0.05, -0.6]),
+        ("ear*", "head", [0.1, 1.2, 0.8]),
+        ("lobe*", "ear*", [0.4, 1.6, 0.8]),
+    ];
+    assert_eq!(proposed_without_names(&column, &limbs), None);
 }
