@@ -3,6 +3,8 @@
 use aim_gltf::Skeleton;
 use aim_model::BoneName;
 
+use crate::measure::roles::carrying;
+
 /// Words of the bones that arms begin with.
 const ARMS: &str = "clavicle clavicles clav collar collarbone shoulder upperarm arm forearm lowerarm hand 肩 腕";
 
@@ -16,12 +18,7 @@ pub(crate) fn named_limbs(skeleton: &Skeleton, node: Option<usize>) -> Vec<usize
     let parents = skeleton.parents();
     let is_named: Vec<bool> =
         (0..skeleton.len()).map(|node| BoneName::new(name_of(skeleton, node)).has(ARMS)).collect();
-    let mut carries_more = vec![false; parents.len()];
-    for at in (0..skeleton.len()).rev() {
-        if let Some(parent) = parents[at] {
-            carries_more[parent] |= is_named[at] || carries_more[at];
-        }
-    }
+    let carries_more = carrying(skeleton, &is_named);
     // Parents come before children: what hangs on the node and is not part of a limb itself.
     let (mut hangs, mut limbs) = (vec![false; parents.len()], Vec::new());
     for at in 0..skeleton.len() {

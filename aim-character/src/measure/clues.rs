@@ -52,7 +52,7 @@ pub enum Clue {
     Soles,
     /// Eyes lie ahead of the head's joint.
     Eyes,
-    /// The head of who goes on all fours lies ahead of the hips.
+    /// The head of who goes on all fours lies ahead of the hips, or of the tail where no hips are known.
     Trunk,
     /// A barrel, a lens or a lamp shade reaches out to where it points.
     Reach {
@@ -95,7 +95,7 @@ impl Body<'_> {
     }
 
     /// Which nodes are of a leg by their names.
-    fn named_legs(&self) -> Vec<bool> {
+    pub(crate) fn named_legs(&self) -> Vec<bool> {
         let mut legs = vec![false; self.bind.len()];
         for (node, _, key) in self.sided() {
             legs[node] = LEGS.iter().any(|leg| key.contains(leg));
@@ -116,6 +116,9 @@ const KINDS: [&str; 16] = [
 ];
 const LEGS: [&str; 8] = ["thigh", "leg", "calf", "shin", "knee", "ankle", "foot", "hip"];
 const TOES: [&str; 2] = ["toe", "ball"];
+
+/// What is lower than this part of its length has no feet: a fish, a bird in flight.
+const FLAT: f64 = 0.1;
 
 /// Nodes of one name that are tried as the other of a pair: work stays bounded whatever a file holds.
 const MOST_NAMESAKES: usize = 16;
@@ -187,28 +190,11 @@ fn ends(body: &Body<'_>) -> (Option<usize>, Option<usize>) {
     (hips, named.or_else(|| plan.map(|plan| plan.head)))
 }
 
-/// Feet, and the forefeet of who goes on all fours, are no higher than this part of the height.
-const FOOT: f64 = 0.15;
-
-/// For each node, whether a leg hangs on it, however deep: one that its name tells, or, of who goes on all fours, a limb with a
-/// side that reaches down to the ground.
-pub(crate) fn carry_legs(body: &Body<'_>, up: DVec3, on_all_fours: bool) -> Vec<bool> {
-    let mut is_leg = body.named_legs();
-    if on_all_fours {
-        let height = |node: usize| body.at(node).dot(up);
-        let heights = (0..body.bind.len()).filter(|node| body.is_bone[*node]).map(height);
-        let (low, high) = heights.fold((f64::MAX, f64::MIN), |(lo, hi), h| (lo.min(h), hi.max(h)));
-        for (node, ..) in body.sided() {
-            is_leg[node] |= height(node) < low + FOOT * (high - low);
-        }
-    }
-    let mut carries = vec![false; is_leg.len()];
-    for node in (0..body.skeleton.len()).rev() {
-        if let Some(parent) = body.parent(node) {
-            carries[parent] |= is_leg[node] || carries[node];
-        }
-    }
-    carries
+/// The first bone of the tail by its name, where it is no hair.
+fn tail(body: &Body<'_>) -> Option<usize> {
+    let names = body.skeleton.names();
+    let is_on_head = |node: usize| body.skeleton.ancestry(node).any(|at| body.roles.of(at) == Some(Role::Head));
+    (0..names.len()).find(|node| body.is_bone[*node] && BoneName::new(&names[*node]).has("tail") && !is_on_head(*node))
 }
 
 /// All that lies ahead of something.
@@ -219,7 +205,8 @@ pub(crate) fn ahead(body: &Body<'_>, up: DVec3) -> Vec<Hint> {
     };
     let level = |v: DVec3| v.reject_from_normalized(up).length();
     let mut hints = Vec::new();
-    if let (Some(hips), Some(head)) = ends(body) {
+    let (hips, head) = ends(body);
+    if let (Some(hips), Some(head)) = (hips.or_else(|| tail(body)), head) {
         let trunk = body.at(head) - body.at(hips);
         if level(trunk) > 0.8 * trunk.length() {
             hints.extend(hint(Clue::Trunk, trunk, 2.0));
@@ -267,6 +254,11 @@ fn low_joints(body: &Body<'_>, up: DVec3) -> Option<DVec3> {
     let height = |node: usize| body.at(node).dot(up);
     let (low, high) = joints.iter().fold((f64::MAX, f64::MIN), |(lo, hi), i| (lo.min(height(*i)), hi.max(height(*i))));
     let size = high - low;
+    // Where all joints lie low, all look like feet.
+    let reach = joints.iter().map(|joint| apart(body, *joint, joints[0], up).length()).fold(0.0, f64::max);
+    if size < FLAT * reach {
+        return None;
+    }
     let step = |joint: &usize| {
         let parent = body.parent(*joint).filter(|parent| body.skeleton.nodes()[*parent].is_joint)?;
         let is_foot = height(*joint) < low + 0.12 * size && height(parent) < low + 0.2 * size;

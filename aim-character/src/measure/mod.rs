@@ -1,8 +1,8 @@
 //! Bone axes measured: which way each bone's own axes point in the character, in its bind pose.
 //!
 //! `roles.rs` tells parts by VRM and by names, `bind.rs` places the bind pose in the world, `plan.rs` finds legs, trunk, neck and
-//! head from the tree alone, `clues.rs` says what each part of the body tells about where it faces, `facing.rs` weighs that, and
-//! this file holds the bones against it; `evidence.rs` has the words for what told it.
+//! head from the tree alone, `clues.rs` says what each part of the body tells about where it faces, `facing.rs` weighs that,
+//! `stance.rs` finds what it stands on, and this file holds the bones against it; `evidence.rs` has the words for what told it.
 
 pub(crate) mod arms;
 mod bind;
@@ -13,19 +13,22 @@ pub(crate) mod frame;
 pub(crate) mod limbs;
 mod plan;
 pub(crate) mod roles;
+pub(crate) mod stance;
 
 use core::fmt;
 use core::str::FromStr;
 
+use aim_model::BoneName;
 use aim_runtime::glam::{DAffine3, DMat3, DVec3};
 
 use crate::measure::arms::has_named_limbs;
 use crate::measure::bind::{bind_world, signed_permutation};
-use crate::measure::clues::{Body, carry_legs};
+use crate::measure::clues::Body;
 use crate::measure::facing::{Evidence, Facing, Stated};
 use crate::measure::frame::{nearest_axis, orthonormal};
 use crate::measure::plan::BodyPlan;
 use crate::measure::roles::{Role, Roles, bones};
+use crate::measure::stance::{BodyKind, carry_legs, standing_limbs};
 use crate::skin::{Palette, carriers};
 use aim_gltf::Document;
 use aim_gltf::Skeleton;
@@ -204,6 +207,8 @@ pub struct Measurement {
     pub bind_world: Vec<DAffine3>,
     /// The first bones of the arms by the body's plan, where no names tell them.
     pub(crate) nameless_arms: Option<[usize; 2]>,
+    /// The kind of its body.
+    pub(crate) kind: BodyKind,
 }
 
 impl Measurement {
@@ -241,18 +246,24 @@ impl Measurement {
         let mut vertices = vec![0_usize; bind.len()];
         carriers.iter().for_each(|node| vertices[*node] += 1);
         let plan = BodyPlan::find(skeleton, &bind, &is_bone, &|node| vertices[node]);
+        // Where the way goes on to a tail, the legs are forelegs and the hips are a chest.
+        let plan = plan.filter(|plan| !BoneName::new(&skeleton.names()[plan.head]).has("tail"));
         if let Some(plan) = &plan {
             // The plan is the same wherever the bind pose is placed, and where that is may depend on the hips.
             if roles.complete(skeleton, plan) {
                 bind = placed(&roles);
             }
         }
-        let nameless_arms = plan.as_ref().map(|plan| plan.arms).filter(|_| !has_named_limbs(skeleton));
+        // What hangs beyond a head that names tell is a jaw or an ear.
+        let of_head = plan.as_ref().filter(|plan| roles.of(plan.head) == Some(Role::Head));
+        let nameless_arms = of_head.map(|plan| plan.arms).filter(|_| !has_named_limbs(skeleton));
         let skin = Palette::new(skeleton, &bind).deform(document.points());
         let body =
             Body { skeleton, bind: &bind, is_bone: &is_bone, skin: &skin, carriers: &carriers, roles: &roles, plan };
         let facing = Facing::find(&body, stated);
-        let carries_legs = carry_legs(&body, facing.up, facing::go_on_all_fours(&facing.evidence));
+        let standing = standing_limbs(&body, &facing);
+        let kind = BodyKind::find(&body, &facing, &standing);
+        let carries_legs = carry_legs(&body, if kind == BodyKind::Quadruped { &standing } else { &[] });
         let listed = (0..bind.len()).filter(|node| is_bone[*node] || roles.of(*node).is_some());
         let bones = listed.map(|node| {
             let rest_deg = turn_deg(&bind[node], &rest[node]);
@@ -270,6 +281,7 @@ impl Measurement {
             evidence: facing.evidence,
             bind_world: bind,
             nameless_arms,
+            kind,
         }
     }
 
@@ -279,10 +291,11 @@ impl Measurement {
         if self.height > 0.0 { self.height / 1.7 } else { 1.0 }
     }
 
-    /// Whether the character goes on all fours: its head lies ahead of its hips rather than above them.
+    /// Whether the character goes on all fours: two pairs of its limbs stand on the ground, one ahead of the other, or its head lies
+    /// ahead of its hips rather than above them and it has no wings.
     #[must_use]
     pub fn goes_on_all_fours(&self) -> bool {
-        facing::go_on_all_fours(&self.evidence)
+        self.kind == BodyKind::Quadruped
     }
 
     /// The measured bone of a node.

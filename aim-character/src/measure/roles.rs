@@ -1,5 +1,6 @@
 //! Which node is an eye, the head, the neck, the spine or the hips: from VRM where stated, else from names.
 
+use core::cmp::Reverse;
 use core::fmt;
 
 use aim_model::{BodyPart, BoneName, Side};
@@ -82,7 +83,7 @@ impl Roles {
             let allowed = bones[index] || (eye && skeleton.ancestry(index).any(|at| bones[at]));
             roles[index] = role.filter(|role| allowed && !stated.contains(role));
         }
-        rigify(&words, &bones, &mut roles);
+        rigify(skeleton, &words, &bones, &mut roles);
         // Where no bone is called a head, the skin may hang on what animators take hold of.
         if !roles.contains(&Some(Role::Head)) {
             let found = roles.clone();
@@ -140,19 +141,31 @@ impl Roles {
     }
 }
 
-/// The bones that carry a head, out to the one that carries limbs with a side as well; none where none does.
+/// The bones that carry a head, out to the trunk, without it; none where there is no trunk.
 fn neck_of(skeleton: &Skeleton, head: usize) -> Vec<usize> {
-    let mut has_side = vec![false; skeleton.len()];
-    for node in (0..skeleton.len()).rev() {
-        has_side[node] |= BoneName::new(&skeleton.names()[node]).side.is_some();
+    let trunk = trunk_of(skeleton, head);
+    skeleton.ancestry(head).skip(1).take_while(|node| trunk.is_some_and(|trunk| *node != trunk)).collect()
+}
+
+/// The first bone that carries a head, and limbs with a side as well.
+pub(crate) fn trunk_of(skeleton: &Skeleton, head: usize) -> Option<usize> {
+    let has_side: Vec<bool> = skeleton.names().iter().map(|name| BoneName::new(name).side.is_some()).collect();
+    let carries_side = carrying(skeleton, &has_side);
+    let way: Vec<usize> = skeleton.ancestry(head).collect();
+    let is_limb = |child: usize| has_side[child] || carries_side[child];
+    let carries_limbs = |step: &&[usize]| skeleton.children(step[1]).any(|child| child != step[0] && is_limb(child));
+    way.windows(2).find(carries_limbs).map(|step| step[1])
+}
+
+/// For each node, whether one of these hangs on it, however deep.
+pub(crate) fn carrying(skeleton: &Skeleton, these: &[bool]) -> Vec<bool> {
+    let mut carries = vec![false; these.len()];
+    for node in (0..these.len()).rev() {
         if let Some(parent) = skeleton.parents()[node] {
-            has_side[parent] |= has_side[node];
+            carries[parent] |= these[node] || carries[node];
         }
     }
-    let way: Vec<usize> = skeleton.ancestry(head).collect();
-    let carries_limbs = |step: &[usize]| skeleton.children(step[1]).any(|child| child != step[0] && has_side[child]);
-    let trunk = way.windows(2).position(carries_limbs).unwrap_or(0);
-    way.get(1..=trunk).unwrap_or_default().to_vec()
+    carries
 }
 
 /// True for joints, their ancestors, and for every node where the file has no skin.
@@ -194,22 +207,31 @@ fn by_name(name: &BoneName) -> Option<Role> {
     })
 }
 
-/// Rigify numbers one column from the pelvis to the head: `spine`, `spine.001` … `spine.006`.
-fn rigify(words: &[BoneName], bones: &[bool], roles: &mut [Option<Role>]) {
+/// Rigify numbers one column, of people from the pelvis, of animals from the tip of the tail: `spine`, `spine.001` … `spine.006`,
+/// and on. The end with the highest number is the head.
+fn rigify(skeleton: &Skeleton, words: &[BoneName], bones: &[bool], roles: &mut [Option<Role>]) {
     let any = |roles: &[Option<Role>], role| roles.contains(&Some(role));
-    let column = |w: &BoneName| w.words.iter().filter(|x| !matches!(x.as_str(), "def" | "org")).any(|x| x == "spine");
-    let numbered =
-        |n: u32| (0..words.len()).filter(move |i| bones[*i] && column(&words[*i]) && words[*i].number() == Some(n));
-    if any(roles, Role::Head) || any(roles, Role::Neck) || numbered(6).next().is_none() {
+    let in_column: Vec<bool> = words.iter().zip(bones).map(|(words, bone)| *bone && words.has("spine")).collect();
+    let number = |node: &usize| words[*node].number().unwrap_or(0);
+    let column = || (0..words.len()).filter(|node| in_column[*node]);
+    if any(roles, Role::Head) || any(roles, Role::Neck) || column().all(|node| number(&node) != 6) {
         return;
     }
-    for (number, role) in [(6, Role::Head), (5, Role::Neck), (4, Role::Neck)] {
-        numbered(number).for_each(|i| roles[i] = Some(role));
-    }
+    let carries_more = carrying(skeleton, &in_column);
+    // Of several a joint, and the one named in fewer letters.
+    let rank = |node: &usize| (number(node), skeleton.nodes()[*node].is_joint, Reverse(skeleton.names()[*node].len()));
+    let Some(head) = column().filter(|node| !carries_more[*node]).max_by_key(rank) else { return };
+    let neck: Vec<usize> = match trunk_of(skeleton, head) {
+        Some(trunk) if in_column[trunk] => neck_of(skeleton, head),
+        // Deforming bones alone hang on others: then the neck is that of people.
+        _ => column().filter(|node| (1..=2).any(|below| number(node) + below == number(&head))).collect(),
+    };
+    neck.into_iter().for_each(|node| roles[node] = Some(Role::Neck));
+    roles[head] = Some(Role::Head);
     if !any(roles, Role::Hips) {
-        (0..words.len())
-            .filter(|i| bones[*i] && column(&words[*i]) && words[*i].number().is_none())
-            .for_each(|i| roles[i] = Some(Role::Hips));
+        let hangs_on_none = |node: &usize| skeleton.parents()[*node].is_none_or(|parent| !in_column[parent]);
+        let hips = column().filter(hangs_on_none).min_by_key(number);
+        hips.into_iter().for_each(|node| roles[node] = Some(Role::Hips));
     }
 }
 

@@ -10,7 +10,8 @@ use crate::bake::eye_maps::range_maps;
 use crate::error::Error;
 use crate::measure::clues::Clue;
 use crate::measure::limbs::limbs_on_each;
-use crate::measure::roles::Role;
+use crate::measure::roles::{Role, trunk_of};
+use crate::measure::stance::BodyKind;
 use crate::measure::{BoneAxes, Measurement, SignedAxis};
 use crate::rig::parts::{Region, of_budget, parts};
 
@@ -114,7 +115,11 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         |&node: &usize| measurement.bone(node).ok_or_else(|| Error::NoBone { node: skeleton.names()[node].clone() });
     let bones: Vec<&BoneAxes> = nodes.iter().map(listed).collect::<Result<_, _>>()?;
     let roles: Vec<Declared> = bones.iter().map(|bone| role(bone)).collect();
-    let budgets = if measurement.goes_on_all_fours() { Budgets::QUADRUPED } else { Budgets::HUMAN };
+    let budgets = match measurement.kind {
+        BodyKind::Human => Budgets::HUMAN,
+        BodyKind::Quadruped => Budgets::QUADRUPED,
+        BodyKind::Bird => Budgets::BIRD,
+    };
     let has_region = roles.iter().any(|role| Region::of(*role).is_some());
     let mut proposal = Proposal {
         spec: RigSpec {
@@ -195,8 +200,7 @@ fn because_of_frame(bone: &BoneAxes) -> String {
     format!("; {up} {forward} {left} are {deviation_deg:.0} degrees off, hence the exact frame")
 }
 
-/// From the outermost bone to the root: an eye, the head, all of the neck, and all of the trunk above the hips that carries no
-/// legs.
+/// From the outermost bone to the root: an eye, the head, and all of neck and trunk above the hips that carries no legs.
 fn chain(document: &Document, measurement: &Measurement) -> Option<Vec<usize>> {
     let skeleton = document.skeleton();
     let outward = [Role::Eyes, Role::LeftEye, Role::RightEye, Role::Head, Role::Neck];
@@ -206,18 +210,20 @@ fn chain(document: &Document, measurement: &Measurement) -> Option<Vec<usize>> {
     };
     let inward = skeleton.ancestry(outermost.node).skip(1).filter_map(|node| measurement.bone(node));
     let turns = |bone: &&BoneAxes| match bone.role {
-        Some(Role::Head | Role::Neck) => true,
-        Some(Role::Spine) => !bone.carries_legs,
+        Some(Role::Head) => true,
+        Some(Role::Neck | Role::Spine) => !bone.carries_legs,
         _ => false,
     };
     let mut chain = vec![outermost.node];
     chain.extend(inward.filter(turns).map(|bone| bone.node));
     let moves = skeleton.len() > 1;
-    // A head alone on what nobody named: a lamp, a camera on its stand, but no body with legs.
-    let stands = |node: &usize| measurement.bone(*node).is_some_and(|bone| bone.carries_legs);
     if chain.len() == 1 && moves {
+        // A head alone on what nobody named: a lamp, a camera on its stand, but no body with limbs.
+        let trunk = trunk_of(skeleton, chain[0]);
+        let is_body =
+            |node: &usize| Some(*node) == trunk || measurement.bone(*node).is_some_and(|bone| bone.carries_legs);
         chain = inward_of(document, measurement, chain[0]);
-        chain.truncate(chain.iter().position(stands).unwrap_or(chain.len()).max(1));
+        chain.truncate(chain.iter().position(is_body).unwrap_or(chain.len()).max(1));
     }
     Some(chain)
 }

@@ -1,6 +1,6 @@
 //! Chains proposed for bodies whose root, neck or names are not where most have them.
 
-use aim_character::{Measurement, propose};
+use aim_character::{Clue, Measurement, propose};
 use aim_codegen::{Budgets, Role};
 use aim_gltf::Document;
 use serde_json::{Value, json};
@@ -196,4 +196,149 @@ fn a_nameless_body_that_may_look_either_way_has_no_plan() {
         ("lobe*", "ear*", [0.4, 1.6, 0.8]),
     ];
     assert_eq!(proposed_without_names(&column, &limbs), None);
+}
+
+/// Animals of Rigify: their column is numbered from the tip of the tail, and its last bone is the head.
+#[test]
+fn a_numbered_column_ends_in_the_head_and_forelegs_hang_on_its_trunk() {
+    let wolf = [
+        ("spine.002", "", [0.0, 0.8, -0.4]),
+        ("spine.001", "spine.002", [0.0, 0.75, -0.5]),
+        ("spine", "spine.001", [0.0, 0.7, -0.8]),
+        ("spine.003", "spine.002", [0.0, 0.8, -0.3]),
+        ("spine.004", "spine.003", [0.0, 0.8, -0.1]),
+        ("spine.005", "spine.004", [0.0, 0.8, 0.1]),
+        ("spine.006", "spine.005", [0.0, 0.85, 0.3]),
+        ("spine.007", "spine.006", [0.0, 0.9, 0.5]),
+        ("spine.008", "spine.007", [0.0, 0.9, 0.6]),
+    ];
+    let legs = [
+        ("shoulder.*", "spine.004", [0.06, 0.85, 0.2]),
+        ("front_shin.*", "shoulder.*", [0.12, 0.4, 0.2]),
+        ("front_foot.*", "front_shin.*", [0.12, 0.02, 0.2]),
+        ("thigh.*", "spine.003", [0.12, 0.7, -0.4]),
+        ("shin.*", "thigh.*", [0.12, 0.4, -0.4]),
+        ("foot.*", "shin.*", [0.12, 0.02, -0.4]),
+    ];
+    let wolf = with_limbs(&wolf, &legs);
+    let expected = ["spine.008", "spine.007", "spine.006", "spine.005"].map(str::to_owned).to_vec();
+    assert_eq!(proposed(&wolf), (expected, Some(Budgets::QUADRUPED)));
+    let spec = propose(&wolf, &Measurement::of(&wolf), None).unwrap().spec;
+    assert_eq!(spec.joints.last().unwrap().role, Role::Neck);
+    // The bone with the highest number is in the middle of a shark, whose jaws are no arms.
+    let shark = [
+        ("spine.002", "", [0.0, 0.4, -0.3]),
+        ("spine.001", "spine.002", [0.0, 0.4, -0.7]),
+        ("spine", "spine.001", [0.0, 0.4, -1.0]),
+        ("spine.007", "spine.002", [0.0, 0.4, 0.0]),
+        ("spine.003", "spine.007", [0.0, 0.4, 0.3]),
+        ("spine.004", "spine.003", [0.0, 0.4, 0.6]),
+        ("spine.005", "spine.004", [0.0, 0.4, 1.2]),
+        ("spine.006", "spine.005", [0.0, 0.4, 1.5]),
+        ("jaw", "spine.006", [0.0, 0.3, 1.6]),
+        ("chin", "jaw", [0.0, 0.3, 1.7]),
+    ];
+    let fins = [
+        ("shoulder.*", "spine.004", [0.07, 0.4, 1.0]),
+        ("side_fin.*", "shoulder.*", [0.5, 0.3, 0.9]),
+        ("jaw.001.*", "jaw", [0.1, 0.3, 1.6]),
+        ("jaw.002.*", "jaw.001.*", [0.1, 0.3, 1.7]),
+    ];
+    let shark = with_limbs(&shark, &fins);
+    assert_eq!(proposed(&shark).0, ["spine.006", "spine.005"]);
+    let spec = propose(&shark, &Measurement::of(&shark), None).unwrap().spec;
+    assert!(spec.joints.iter().all(|joint| joint.hold.is_none()), "{:?}", spec.joints);
+}
+
+/// A giraffe whose hips have no telling name, and whose head is above them rather than ahead; and a coat that hangs to the ground.
+#[test]
+fn limbs_on_the_ground_one_ahead_of_the_other_tell_who_goes_on_all_fours() {
+    let giraffe = [
+        ("root", "", [0.0, 1.5, -0.5]),
+        ("spine", "root", [0.0, 1.5, -0.2]),
+        ("spine_neck", "spine", [0.0, 1.7, 0.1]),
+        ("neck", "spine_neck", [0.0, 1.8, 0.4]),
+        ("head", "neck", [0.0, 3.0, 0.6]),
+    ];
+    let limbs = [
+        ("shoulder_*", "spine_neck", [0.0, 1.8, 0.4]),
+        ("upperarm_*", "shoulder_*", [0.2, 1.5, 0.4]),
+        ("hand_*", "upperarm_*", [0.2, 0.1, 0.4]),
+        ("thigh_*", "root", [0.2, 1.5, -0.5]),
+        ("foot_*", "thigh_*", [0.2, 0.1, -0.5]),
+    ];
+    let expected = ["head", "neck"].map(str::to_owned).to_vec();
+    assert_eq!(proposed(&with_limbs(&giraffe, &limbs)), (expected, Some(Budgets::QUADRUPED)));
+    let column =
+        [("root", "", [0.0, 1.0, 0.0]), ("spine", "root", [0.0, 1.2, 0.0]), ("head", "spine", [0.0, 1.6, 0.0])];
+    let legs_and_coat = [
+        ("thigh_*", "root", [0.1, 0.9, 0.0]),
+        ("foot_*", "thigh_*", [0.1, 0.1, 0.0]),
+        ("coat_*", "root", [0.1, 1.0, -0.15]),
+        ("hem_*", "coat_*", [0.2, 0.1, -0.5]),
+    ];
+    let expected = ["head", "spine"].map(str::to_owned).to_vec();
+    assert_eq!(proposed(&with_limbs(&column, &legs_and_coat)), (expected, Some(Budgets::HUMAN)));
+}
+
+/// A hen by her names; a gull by its span, whose body carries the wings; an angel, who has arms.
+#[test]
+fn wings_instead_of_arms_tell_a_bird() {
+    let upright = [("Body", "", [0.0, 0.6, 0.0]), ("Neck", "Body", [0.0, 0.9, 0.3]), ("Head", "Neck", [0.0, 1.3, 0.4])];
+    let legs = [("Leg_*", "Body", [0.1, 0.5, 0.0]), ("Foot_*", "Leg_*", [0.1, 0.0, 0.0])];
+    let wings = [("Wing_*", "Body", [0.2, 0.9, 0.2]), ("WingTip_*", "Wing_*", [0.3, 0.7, 0.0])];
+    let arms = [("Arm_*", "Body", [0.2, 0.9, 0.2]), ("Hand_*", "Arm_*", [0.3, 0.5, 0.2])];
+    let hen = proposed(&with_limbs(&upright, &[legs, wings].concat()));
+    assert_eq!((&hen.0[..], hen.1), (&["Head", "Neck"].map(str::to_owned)[..], Some(Budgets::BIRD)));
+    assert_eq!(proposed(&with_limbs(&upright, &[legs, wings, arms].concat())).1, Some(Budgets::HUMAN));
+    let gull = with_limbs(
+        &[
+            ("Armature", "", [0.0; 3]),
+            ("Body", "Armature", [0.0, 0.1, 0.0]),
+            ("Head", "Body", [0.0, 0.1, 1.0]),
+            ("Tail", "Body", [0.0, 0.1, -0.1]),
+        ],
+        &[
+            ("Humerus_*", "Body", [0.3, 0.1, 0.6]),
+            ("Ulna_*", "Humerus_*", [1.3, 0.2, 0.4]),
+            ("Digit_*", "Ulna_*", [2.6, 0.25, 0.7]),
+        ],
+    );
+    assert_eq!(proposed(&gull), (vec!["Head".to_owned()], Some(Budgets::BIRD)));
+}
+
+/// A crocodile whose root is its chest, and a shark whose bones all lie at one height.
+#[test]
+fn a_tail_is_no_head_and_lies_behind_it() {
+    let crocodile = with_limbs(
+        &[
+            ("Spine1", "", [0.0, 1.2, 1.7]),
+            ("Neck", "Spine1", [0.0, 1.2, 1.8]),
+            ("TopJaw", "Neck", [0.0, 1.5, 2.7]),
+            ("Spine2", "Spine1", [0.0, 1.2, -0.2]),
+            ("Tail1", "Spine2", [0.0, 1.2, -1.5]),
+            ("Tail2", "Tail1", [0.0, 1.1, -3.2]),
+        ],
+        &[
+            ("Front*Knee", "Spine1", [0.7, 1.0, 1.5]),
+            ("Front*Foot", "Front*Knee", [0.9, 0.0, 1.5]),
+            ("Back*Knee", "Spine2", [0.8, 1.0, -1.3]),
+            ("Back*Foot", "Back*Knee", [0.9, 0.0, -1.5]),
+        ],
+    );
+    assert_eq!(proposed(&crocodile), (vec!["Neck".to_owned()], Some(Budgets::QUADRUPED)));
+    let shark = document(&[
+        ("Armature", "", [0.0; 3]),
+        ("Head", "Armature", [0.0, -0.2, 2.3]),
+        ("Front", "Armature", [0.0, -0.2, 2.2]),
+        ("Middle", "Front", [0.0, -0.2, 0.8]),
+        ("Back", "Middle", [0.0, -0.2, -1.7]),
+        ("Tail", "Back", [0.0, -0.2, -2.9]),
+        ("LeftFin", "Front", [0.0, -0.2, 0.8]),
+        ("RightFin", "Front", [0.0, -0.2, 0.8]),
+    ]);
+    assert_eq!(proposed(&shark).0, ["Head"]);
+    let measured = Measurement::of(&shark);
+    assert_eq!(measured.forward.to_array(), [0.0, 0.0, 1.0], "{:?}", measured.evidence);
+    assert!(measured.evidence.iter().all(|said| said.clue != Clue::Feet), "{:?}", measured.evidence);
 }

@@ -148,6 +148,8 @@ fn the_arms_of_a_nameless_body_are_its_longest_pair() {
     let nodes = json["nodes"].as_array_mut().expect("nodes");
     let breast = nodes.iter().position(|node| node["name"] == "spine2").expect("a bone");
     let arms = ARMS.map(|arm| nodes.iter().position(|node| node["name"] == arm).expect("a bone"));
+    // In the paper's axes the first number is the height: from the neck's joint on.
+    arms.iter().for_each(|arm| nodes[*arm]["translation"][0] = json!(-0.01));
     for side in [1.0, -1.0] {
         let at = nodes.len();
         nodes[breast]["children"].as_array_mut().expect("children").push(json!(at));
