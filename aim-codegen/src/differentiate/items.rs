@@ -5,91 +5,177 @@ use std::rc::Rc;
 
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
-use syn::{Expr, Fields, FnArg, GenericParam, ImplItem, Item, Member, Pat, Signature, UseTree};
+use syn::{Attribute, Expr, Fields, FnArg, GenericParam, ImplItem, Item, Member, Pat, Signature};
 
-use super::lower::Callable;
+use super::lower::{Callable, Scope};
+use super::names::{Meaning, Names, join, segments};
 
-/// A name of the module, or of a type of it.
+/// An item by its full name, or what a type of that full name has by this name.
 type Name = (Option<String>, String);
 
-/// What a module defines.
+/// What a module defines, and the modules inside of it.
 #[derive(Default)]
 pub(super) struct Items {
-    constants: Vec<(Name, Expr)>,
+    names: Names,
+    constants: Vec<(Name, Constant)>,
+    /// Of one name are several where a type implements a trait, such as `From`, more than once.
     functions: Vec<(Name, Rc<Callable>)>,
-    /// Names of several functions.
-    several: Vec<Name>,
-    structs: Vec<(String, Vec<(Member, syn::Type)>)>,
-    aliases: Vec<(String, syn::Type)>,
+    structs: Vec<(String, Structure)>,
+    aliases: Vec<(String, Alias)>,
     /// Names of items that depend on `cfg`, of which nothing is read.
     conditional: Vec<String>,
     /// Functions that errors were reported of: of further calls nothing more is said.
     faulty: RefCell<Vec<Rc<Callable>>>,
 }
 
+/// A constant, or a `static` that is not changed.
+pub(super) struct Constant {
+    pub(super) scope: Rc<Scope>,
+    pub(super) ty: Option<syn::Type>,
+    pub(super) value: Expr,
+}
+
+/// A struct, with the types of its fields as its module names them.
+pub(super) struct Structure {
+    pub(super) scope: Rc<Scope>,
+    pub(super) fields: Vec<(Member, syn::Type)>,
+    /// Whether `Default` is derived.
+    pub(super) has_default: bool,
+}
+
+/// A type that a name is short for, as its module names it.
+pub(super) struct Alias {
+    pub(super) scope: Rc<Scope>,
+    pub(super) ty: syn::Type,
+}
+
 impl Items {
     /// Reads the items of a module. What its functions cannot use is left out.
     pub(super) fn of(module: &[Item]) -> Self {
         let mut items = Self::default();
-        for item in module {
-            if depends_on_cfg(item.to_token_stream()).is_some() {
-                items.conditional.extend(name_of_item(item));
-                continue;
-            }
-            match item {
-                Item::Const(item) => items.constants.push(((None, item.ident.to_string()), (*item.expr).clone())),
-                Item::Fn(item) => items.add_function(None, &item.sig, &item.block),
-                Item::Type(item) if item.generics.params.is_empty() => {
-                    items.aliases.push((item.ident.to_string(), (*item.ty).clone()));
-                }
-                Item::Struct(item) if item.generics.params.is_empty() => {
-                    items.structs.push((item.ident.to_string(), fields(&item.fields)));
-                }
-                Item::Use(item) => {
-                    let used = used_constants(&item.tree).into_iter();
-                    items.constants.extend(used.map(|(name, path)| ((None, name), path)));
-                }
-                Item::Impl(item) => {
-                    let syn::Type::Path(path) = &*item.self_ty else { continue };
-                    let Some(name) = path.path.get_ident() else { continue };
-                    items.add_impl(&name.to_string(), &item.items);
-                }
-                _ => {}
-            }
-        }
+        items.add_names("", module);
+        items.add_module(&Rc::new(Scope::default()), module);
         items
     }
 
-    fn add_impl(&mut self, name: &str, parts: &[ImplItem]) {
-        for part in parts {
-            match part {
-                ImplItem::Const(part) => {
-                    self.constants.push(((Some(name.to_owned()), part.ident.to_string()), part.expr.clone()));
+    /// Notes what there is, so that paths are understood.
+    fn add_names(&mut self, module: &str, parts: &[Item]) {
+        for item in parts {
+            if depends_on_cfg(item.to_token_stream()).is_some() && !matches!(item, Item::Mod(_)) {
+                continue;
+            }
+            match item {
+                Item::Use(item) => self.names.add_use(module, &item.tree),
+                Item::Mod(item) if !has_cfg(&item.attrs) => {
+                    let (name, (_, parts)) = (join(module, &item.ident.to_string()), match &item.content {
+                        Some(content) => content,
+                        None => continue,
+                    });
+                    self.names.add_module(name.clone());
+                    self.add_names(&name, parts);
                 }
-                ImplItem::Fn(part) => self.add_function(Some(name), &part.sig, &part.block),
+                item => {
+                    if let Some(name) = name_of_item(item) {
+                        self.names.add_item(join(module, &name));
+                    }
+                }
+            }
+        }
+    }
+
+    fn add_module(&mut self, scope: &Rc<Scope>, parts: &[Item]) {
+        let full = |name: &syn::Ident| join(&scope.module, &name.to_string());
+        for item in parts {
+            if let Item::Mod(syn::ItemMod { attrs, ident, content: Some((_, parts)), .. }) = item
+                && !has_cfg(attrs)
+            {
+                self.add_module(&Rc::new(Scope { module: full(ident), ..Scope::default() }), parts);
+                continue;
+            }
+            if depends_on_cfg(item.to_token_stream()).is_some() {
+                self.conditional.extend(name_of_item(item));
+                continue;
+            }
+            let constant = |ty: &syn::Type, value: &Expr| Constant {
+                scope: scope.clone(),
+                ty: Some(ty.clone()),
+                value: value.clone(),
+            };
+            match item {
+                Item::Const(item) => {
+                    self.constants.push(((None, full(&item.ident)), constant(&item.ty, &item.expr)));
+                }
+                Item::Static(item) if matches!(item.mutability, syn::StaticMutability::None) => {
+                    self.constants.push(((None, full(&item.ident)), constant(&item.ty, &item.expr)));
+                }
+                Item::Fn(item) => {
+                    let function = Rc::new(callable(&item.sig, &item.block, scope.clone(), None));
+                    self.functions.push(((None, full(&item.sig.ident)), function));
+                }
+                Item::Type(item) if item.generics.params.is_empty() => {
+                    let alias = Alias { scope: scope.clone(), ty: (*item.ty).clone() };
+                    self.aliases.push((full(&item.ident), alias));
+                }
+                Item::Struct(item) if item.generics.params.is_empty() => {
+                    let has_default = derives_default(&item.attrs);
+                    let structure = Structure { scope: scope.clone(), fields: fields(&item.fields), has_default };
+                    self.structs.push((full(&item.ident), structure));
+                }
+                Item::Impl(item) => self.add_impl(scope, item),
                 _ => {}
             }
         }
     }
 
-    fn add_function(&mut self, of: Option<&str>, signature: &Signature, block: &syn::Block) {
-        let name = (of.map(str::to_owned), signature.ident.to_string());
-        // Which of several is meant, such as of `From` for two types, is not told.
-        if self.function(of, &name.1).is_some() || self.several.contains(&name) {
-            self.functions.retain(|(known, _)| *known != name);
-            self.several.push(name);
+    fn add_impl(&mut self, scope: &Rc<Scope>, item: &syn::ItemImpl) {
+        let syn::Type::Path(path) = &*item.self_ty else { return };
+        if path.qself.is_some() || path.path.segments.iter().any(|segment| !segment.arguments.is_none()) {
             return;
         }
-        self.functions.push((name, Rc::new(callable(signature, block, of))));
+        let ty = self.resolved(&scope.module, &segments(&path.path));
+        let scope = Rc::new(Scope { module: scope.module.clone(), self_type: Some(ty.clone()), ..Scope::default() });
+        let of_trait = item.trait_.as_ref().and_then(|(path, _)| path.segments.last());
+        for part in &item.items {
+            match part {
+                ImplItem::Const(part) => {
+                    let (ty_of_it, value) = (Some(part.ty.clone()), part.expr.clone());
+                    let constant = Constant { scope: scope.clone(), ty: ty_of_it, value };
+                    self.constants.push(((Some(ty.clone()), part.ident.to_string()), constant));
+                }
+                ImplItem::Fn(part) => {
+                    let of_trait = of_trait.map(|of| of.ident.to_string());
+                    let function = Rc::new(callable(&part.sig, &part.block, scope.clone(), of_trait));
+                    self.functions.push(((Some(ty.clone()), part.sig.ident.to_string()), function));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// What a path means in a module, by its full name.
+    pub(super) fn meaning(&self, module: &str, path: &[String]) -> Meaning {
+        self.names.meaning(module, path)
+    }
+
+    /// The names of the items of a module.
+    pub(super) fn items_of<'a>(&'a self, module: &'a str) -> impl Iterator<Item = &'a str> {
+        self.names.items_of(module)
     }
 
     /// The value of a constant of the module or of a type of it.
-    pub(super) fn constant(&self, of: Option<&str>, name: &str) -> Option<&Expr> {
-        find(&self.constants, of, name)
+    pub(super) fn constant(&self, of: Option<&str>, name: &str) -> Option<&Constant> {
+        let is_it = |(ty, known): &Name| ty.as_deref() == of && known == name;
+        self.constants.iter().find(|(known, _)| is_it(known)).map(|(_, constant)| constant)
     }
 
-    pub(super) fn function(&self, of: Option<&str>, name: &str) -> Option<&Rc<Callable>> {
-        find(&self.functions, of, name)
+    /// The functions of this name, of which one is meant.
+    pub(super) fn functions<'a>(
+        &'a self,
+        of: Option<&'a str>,
+        name: &'a str,
+    ) -> impl Iterator<Item = &'a Rc<Callable>> {
+        let is_it = move |(ty, known): &Name| ty.as_deref() == of && known == name;
+        self.functions.iter().filter(move |(known, _)| is_it(known)).map(|(_, function)| function)
     }
 
     /// The names of the functions of a type of the module.
@@ -98,24 +184,30 @@ impl Items {
         of_it.map(|((_, name), _)| name.as_str()).collect()
     }
 
-    /// The fields of a struct, with their types.
-    pub(super) fn fields(&self, name: &str) -> Option<&[(Member, syn::Type)]> {
-        self.structs.iter().find(|(known, _)| known == name).map(|(_, fields)| fields.as_slice())
+    /// The struct of this full name.
+    pub(super) fn structure(&self, name: &str) -> Option<&Structure> {
+        self.structs.iter().find(|(known, _)| known == name).map(|(_, structure)| structure)
     }
 
-    /// The type that this name is short for.
-    pub(super) fn alias(&self, name: &str) -> Option<&syn::Type> {
-        self.aliases.iter().find(|(known, _)| known == name).map(|(_, ty)| ty)
+    /// The type that this full name is short for.
+    pub(super) fn alias(&self, name: &str) -> Option<&Alias> {
+        self.aliases.iter().find(|(known, _)| known == name).map(|(_, alias)| alias)
     }
 
-    /// The name of the type that this name means.
-    pub(super) fn resolved(&self, name: &str) -> String {
-        match self.alias(name) {
-            Some(syn::Type::Path(path)) => {
-                path.path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default()
+    /// The name of the type that a path means in a module: a full one, or the last word of one that is outside.
+    pub(super) fn resolved(&self, module: &str, path: &[String]) -> String {
+        let mut name = self.meaning(module, path).into_type();
+        // Those that go in a circle are the compiler's to refuse.
+        for _ in 0..=self.aliases.len() {
+            match self.alias(&name) {
+                Some(Alias { scope, ty: syn::Type::Path(path) }) => {
+                    name = self.meaning(&scope.module, &segments(&path.path)).into_type();
+                }
+                Some(_) => return String::new(),
+                None => break,
             }
-            _ => name.to_owned(),
         }
+        name
     }
 
     pub(super) fn is_conditional(&self, name: &str) -> bool {
@@ -129,6 +221,24 @@ impl Items {
     pub(super) fn is_at_fault(&self, function: &Rc<Callable>) {
         self.faulty.borrow_mut().push(function.clone());
     }
+}
+
+/// Whether one of these attributes is a `cfg`.
+fn has_cfg(attributes: &[Attribute]) -> bool {
+    attributes.iter().any(|attribute| attribute.path().is_ident("cfg"))
+}
+
+fn derives_default(attributes: &[Attribute]) -> bool {
+    let derives = attributes.iter().filter(|attribute| attribute.path().is_ident("derive"));
+    let mut found = false;
+    for attribute in derives {
+        // Derives that cannot be parsed are the compiler's to refuse.
+        let _ = attribute.parse_nested_meta(|meta| {
+            found |= meta.path.segments.last().is_some_and(|last| last.ident == "Default");
+            Ok(())
+        });
+    }
+    found
 }
 
 /// The place in tokens of an attribute `cfg`, which a macro cannot tell the truth of.
@@ -152,39 +262,14 @@ pub(super) fn depends_on_cfg(tokens: TokenStream) -> Option<TokenTree> {
 fn name_of_item(item: &Item) -> Option<String> {
     Some(match item {
         Item::Const(item) => item.ident.to_string(),
+        Item::Static(item) => item.ident.to_string(),
+        Item::Enum(item) => item.ident.to_string(),
+        Item::Trait(item) => item.ident.to_string(),
         Item::Fn(item) => item.sig.ident.to_string(),
         Item::Type(item) => item.ident.to_string(),
         Item::Struct(item) => item.ident.to_string(),
         _ => return None,
     })
-}
-
-/// The mathematical constants that an import brings, under their names.
-pub(super) fn used_constants(tree: &UseTree) -> Vec<(String, Expr)> {
-    let constant = |name: &syn::Ident| -> Expr { syn::parse_quote!(core::f64::consts::#name) };
-    match tree {
-        UseTree::Path(path) if path.ident == "consts" => {
-            let leaves = match &*path.tree {
-                UseTree::Group(group) => group.items.iter().collect(),
-                leaf => vec![leaf],
-            };
-            let named = leaves.into_iter().filter_map(|leaf| match leaf {
-                UseTree::Name(name) => Some((name.ident.to_string(), constant(&name.ident))),
-                UseTree::Rename(name) => Some((name.rename.to_string(), constant(&name.ident))),
-                _ => None,
-            });
-            named.collect()
-        }
-        UseTree::Path(path) if ["std", "core", "f32", "f64"].iter().any(|known| path.ident == known) => {
-            used_constants(&path.tree)
-        }
-        UseTree::Group(group) => group.items.iter().flat_map(used_constants).collect(),
-        _ => Vec::new(),
-    }
-}
-
-fn find<'a, T>(list: &'a [(Name, T)], of: Option<&str>, name: &str) -> Option<&'a T> {
-    list.iter().find(|((ty, known), _)| ty.as_deref() == of && known == name).map(|(_, found)| found)
 }
 
 fn fields(fields: &Fields) -> Vec<(Member, syn::Type)> {
@@ -195,45 +280,44 @@ fn fields(fields: &Fields) -> Vec<(Member, syn::Type)> {
     named.collect()
 }
 
-/// A function with a name; `of` is what `Self` is.
-pub(super) fn callable(signature: &Signature, block: &syn::Block, of: Option<&str>) -> Callable {
+/// A function with a name.
+pub(super) fn callable(
+    signature: &Signature,
+    block: &syn::Block,
+    scope: Rc<Scope>,
+    of_trait: Option<String>,
+) -> Callable {
     let parameters = signature.inputs.iter().map(|input| match input {
         FnArg::Typed(typed) => ((*typed.pat).clone(), Some((*typed.ty).clone())),
         FnArg::Receiver(receiver) => (pattern_of_self(receiver), None),
     });
-    let lengths = signature.generics.params.iter().filter_map(|parameter| match parameter {
-        GenericParam::Const(parameter) => Some(parameter.ident.to_string()),
-        _ => None,
-    });
+    let (mut lengths, mut types) = (Vec::new(), Vec::new());
+    for parameter in &signature.generics.params {
+        match parameter {
+            GenericParam::Const(parameter) => lengths.push(parameter.ident.to_string()),
+            GenericParam::Type(parameter) => types.push(parameter.ident.to_string()),
+            _ => {}
+        }
+    }
+    let name = match &scope.self_type {
+        Some(of) => format!("{of}::{}", signature.ident),
+        None => signature.ident.to_string(),
+    };
+    let scope = if types.is_empty() { scope } else { Rc::new(Scope { generics: types, ..(*scope).clone() }) };
     Callable {
-        name: Some(match of {
-            Some(of) => format!("{of}::{}", signature.ident),
-            None => signature.ident.to_string(),
-        }),
+        name: Some(name),
         parameters: parameters.collect(),
         changed: signature.inputs.iter().map(is_changed).collect(),
-        lengths: lengths.collect(),
-        body: Expr::Block(syn::ExprBlock { attrs: Vec::new(), label: None, block: with_typed_end(block, signature) }),
+        lengths,
+        result: match &signature.output {
+            syn::ReturnType::Type(_, ty) => Some((**ty).clone()),
+            syn::ReturnType::Default => None,
+        },
+        body: Expr::Block(syn::ExprBlock { attrs: Vec::new(), label: None, block: block.clone() }),
         captured: Vec::new(),
-        self_type: of.map(str::to_owned),
+        scope,
+        of_trait,
     }
-}
-
-/// The block; where it ends in a call that makes an array, such as `array::from_fn`, with the array's type said there.
-pub(super) fn with_typed_end(block: &syn::Block, signature: &Signature) -> syn::Block {
-    let mut block = block.clone();
-    if let syn::ReturnType::Type(_, ty) = &signature.output
-        && matches!(**ty, syn::Type::Array(_))
-        && let Some(syn::Stmt::Expr(end @ Expr::Call(_), None)) = block.stmts.last()
-    {
-        let typed: Expr = syn::parse_quote!({
-            let array: #ty = #end;
-            array
-        });
-        block.stmts.pop();
-        block.stmts.push(syn::Stmt::Expr(typed, None));
-    }
-    block
 }
 
 /// Whether a parameter is `&mut`.

@@ -197,6 +197,15 @@ messages! {
         "what `{path}` does cannot be seen from here",
         "{MODULE}, or pass its result as an argument";
 
+    several_functions(name: &str) =>
+        "which of several functions `{name}` is called here cannot be told",
+        "give one of them another name, and call that";
+
+    no_default() =>
+        "which type's default this is cannot be seen from here",
+        "write it with the type, as in `State::default()`; what a type has by default is known where `Default` is derived or \
+         implemented beside the function in `#[differentiate] mod … {{ … }}`";
+
     recursion(name: &str) =>
         "`{name}` calls itself",
         "functions are inlined, which has to end: write it as a loop with a bound";
@@ -237,7 +246,13 @@ messages! {
 
     integer_overflow() => "this whole number is too large", "whole numbers are those of `i64`";
 
-    empty_sum() => "of no elements there is no sum here", "write the zero that is meant";
+    empty_sum(name: &str) =>
+        "of no elements there is no {name} here",
+        "say its type, as in `{name}::<f64>()`";
+
+    not_an_ordering(kind: &str) =>
+        "this comparison is {kind}",
+        "compare two numbers by `partial_cmp` or `total_cmp`";
 
     match_pattern() =>
         "this pattern is not understood",
@@ -279,9 +294,19 @@ messages! {
         "`{name}` depends on `cfg`, which cannot be seen from here",
         "leave the condition out, or pass it as an argument";
 
-    no_option(name: &str) =>
-        "`{name}`: options and results are not understood",
-        "return a tuple, as in `(true, value)`, and choose by `if`";
+    no_result_value(name: &str) =>
+        "`{name}`: results are not understood",
+        "return an `Option` from a helper function, or leave the check to a function around this one";
+
+    unwrapped_none() => "there is nothing in this option", "look at the condition by which it is made";
+
+    not_an_option(kind: &str) =>
+        "`?` is for options, found {kind}",
+        "leave the `?` out, or return an `Option` from the helper function";
+
+    filter_unknown() =>
+        "which elements are left is not known here",
+        "how many there are must not depend on arguments: add 0 for those that are left out, by an `if`";
 
     power_unknown() =>
         "the exponent of `powi` is not known here",

@@ -21,6 +21,7 @@ mod lanes;
 mod lower;
 mod manifold;
 mod messages;
+mod names;
 mod options;
 mod types;
 
@@ -35,7 +36,7 @@ use syn::{Item, ItemFn};
 use self::arguments::{Arguments, Declared};
 use self::companion::{Companion, Derived, Stated};
 use self::emit::Companions;
-use self::items::{Items, with_typed_end};
+use self::items::Items;
 use self::lower::{Algebra, Translation, Value};
 use self::options::Options;
 use self::types::{Shape, Type};
@@ -197,7 +198,7 @@ impl Derived {
         let Declared { values, variables } = arguments.declare(&mut algebra);
         let patterns = arguments.list.iter().map(|argument| &argument.pattern).zip(values);
         let mut translation = Translation::new(&mut algebra, report, items, Some(arguments.precision()));
-        let body = translation.function(&with_typed_end(&function.block, &function.sig), patterns, &arguments.faulty);
+        let body = translation.function(&function.block, &function.sig.output, patterns, &arguments.faulty);
         let result = arguments.result.as_ref()?;
         for (companion, place) in &options.companions {
             if companion.is_of_a_number() && !matches!(result.shape, Shape::Scalar) {

@@ -5,7 +5,9 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::Member;
 
-use super::items::Items;
+use super::items::{Alias, Items, Structure};
+use super::lower::Scope;
+use super::names::{Meaning, segments};
 use super::{lower, messages};
 use crate::declare::report::text::Text;
 pub(super) use crate::emit::Precision;
@@ -63,6 +65,17 @@ pub(super) fn named(name: &str) -> Option<(Shape, Precision)> {
     KNOWN.iter().find(|(known, ..)| *known == name).map(|(_, shape, precision)| (shape.clone(), *precision))
 }
 
+/// Whether the type of this name holds whole numbers.
+pub(super) fn is_integer(name: &str) -> bool {
+    INTEGERS.contains(&name)
+}
+
+/// The first type of these numbers whose values are of a shape.
+pub(super) fn named_like(precision: Option<Precision>, is_it: impl Fn(&Shape) -> bool) -> Option<&'static str> {
+    let fits = |precision_of: Precision| precision.is_none_or(|precision| precision == precision_of);
+    KNOWN.iter().find(|(_, shape, precision)| fits(*precision) && is_it(shape)).map(|(name, ..)| *name)
+}
+
 /// A type as the user wrote it.
 #[derive(Clone)]
 pub(super) struct Type {
@@ -82,6 +95,11 @@ type Fault = (TokenStream, Text);
 impl Type {
     /// Reads a type, in invisible groups and behind one reference too; or tells why it is none of ours, and where.
     pub(super) fn parse(written: &syn::Type, items: &Items) -> Result<Self, Fault> {
+        Self::parse_in(&Scope::default(), written, items)
+    }
+
+    /// The same of a type that is written elsewhere in the module.
+    fn parse_in(scope: &Scope, written: &syn::Type, items: &Items) -> Result<Self, Fault> {
         let unknown = || {
             let known: Vec<&str> = KNOWN.iter().map(|(name, ..)| *name).collect();
             let tokens = quote!(#written);
@@ -89,8 +107,8 @@ impl Type {
             (tokens, text)
         };
         match written {
-            syn::Type::Group(group) => Self::parse(&group.elem, items),
-            syn::Type::Paren(paren) => Self::parse(&paren.elem, items),
+            syn::Type::Group(group) => Self::parse_in(scope, &group.elem, items),
+            syn::Type::Paren(paren) => Self::parse_in(scope, &paren.elem, items),
             syn::Type::Reference(reference) => {
                 if let Some(mutability) = &reference.mutability {
                     return Err((quote!(#mutability), messages::mutable_reference()));
@@ -98,20 +116,31 @@ impl Type {
                 if let syn::Type::Slice(slice) = &*reference.elem {
                     return Err((quote!(#slice), messages::slice()));
                 }
-                let inner = Self::parse(&reference.elem, items)?;
+                let inner = Self::parse_in(scope, &reference.elem, items)?;
                 if inner.borrowed { Err(unknown()) } else { Ok(Self { borrowed: true, ..inner }) }
             }
             syn::Type::Path(path) if path.qself.is_none() => {
                 let last = path.path.segments.last().filter(|segment| segment.arguments.is_none());
-                let name = last.ok_or_else(unknown)?.ident.to_string();
-                if path.path.segments.len() == 1 {
-                    if let Some(alias) = items.alias(&name) {
-                        return Ok(Self { tokens: quote!(#written), ..Self::parse(alias, items)? });
+                last.ok_or_else(unknown)?;
+                let meaning = match &scope.self_type {
+                    Some(of) if path.path.is_ident("Self") => Meaning::Own(of.clone()),
+                    _ => items.meaning(&scope.module, &segments(&path.path)),
+                };
+                // Seen from the module that is read.
+                let seen = |name: &str| match syn::parse_str::<syn::Type>(name) {
+                    Ok(ty) if !scope.module.is_empty() => quote!(#ty),
+                    _ => quote!(#written),
+                };
+                if let Meaning::Own(name) = &meaning {
+                    if let Some(Alias { scope, ty }) = items.alias(name) {
+                        return Ok(Self { tokens: seen(name), ..Self::parse_in(scope, ty, items)? });
                     }
-                    if items.fields(&name).is_some() {
-                        return Self::of_struct(written, &name, items);
+                    if let Some(structure) = items.structure(name) {
+                        return Self::of_struct(seen(name), name, structure, items);
                     }
+                    return Err(unknown());
                 }
+                let name = meaning.into_type();
                 let (shape, precision) = match name.as_str() {
                     "bool" => (Shape::Truth, None),
                     name if INTEGERS.contains(&name) => (Shape::Integer, None),
@@ -123,43 +152,44 @@ impl Type {
                 Ok(Self { shape, precision, tokens: quote!(#written), module, borrowed: false })
             }
             syn::Type::Array(array) => {
-                let element = Self::parse(&array.elem, items)?;
+                let element = Self::parse_in(scope, &array.elem, items)?;
                 let length =
-                    lower::length(&array.len, items).ok_or_else(|| (quote!(#array), messages::length_unknown()))?;
+                    lower::length(&array.len, items, scope).ok_or_else(|| (quote!(#array), messages::length_unknown()))?;
                 if element.borrowed {
                     return Err(unknown());
                 }
                 let precision = element.precision;
-                Self::of_parts(written, Shape::Array(Box::new(element), length), precision)
+                Self::of_parts(quote!(#written), Shape::Array(Box::new(element), length), precision)
             }
             syn::Type::Tuple(tuple) if !tuple.elems.is_empty() => {
                 let parts: Vec<Self> =
-                    tuple.elems.iter().map(|part| Self::parse(part, items)).collect::<Result<_, _>>()?;
+                    tuple.elems.iter().map(|part| Self::parse_in(scope, part, items)).collect::<Result<_, _>>()?;
                 if parts.iter().any(|part| part.borrowed) {
                     return Err(unknown());
                 }
                 let precision = parts.iter().find_map(|part| part.precision);
-                Self::of_parts(written, Shape::Tuple(parts), precision)
+                Self::of_parts(quote!(#written), Shape::Tuple(parts), precision)
             }
             _ => Err(unknown()),
         }
     }
 
     /// A struct of the module. Fields of other types may be there, but not read.
-    fn of_struct(written: &syn::Type, name: &str, items: &Items) -> Result<Self, Fault> {
-        let declared = items.fields(name).unwrap_or_default();
-        let known = declared
-            .iter()
-            .filter_map(|(member, ty)| Some((member.clone(), Self::parse(ty, items).ok().filter(|ty| !ty.borrowed)?)));
+    fn of_struct(tokens: TokenStream, name: &str, structure: &Structure, items: &Items) -> Result<Self, Fault> {
+        let declared = &structure.fields;
+        let known = declared.iter().filter_map(|(member, ty)| {
+            let ty = Self::parse_in(&structure.scope, ty, items).ok().filter(|ty| !ty.borrowed)?;
+            Some((member.clone(), ty))
+        });
         let fields: Vec<(Member, Self)> = known.collect();
         let precision = fields.iter().find_map(|(_, ty)| ty.precision);
         let whole = fields.len() == declared.len();
-        Self::of_parts(written, Shape::Struct(name.to_owned(), fields, whole), precision)
+        Self::of_parts(tokens, Shape::Struct(name.to_owned(), fields, whole), precision)
     }
 
-    fn of_parts(written: &syn::Type, shape: Shape, precision: Option<Precision>) -> Result<Self, Fault> {
-        let ty = Self::made(quote!(#written), shape, precision);
-        if ty.components() > LONGEST { Err((quote!(#written), messages::too_many_numbers(LONGEST))) } else { Ok(ty) }
+    fn of_parts(tokens: TokenStream, shape: Shape, precision: Option<Precision>) -> Result<Self, Fault> {
+        let ty = Self::made(tokens, shape, precision);
+        if ty.components() > LONGEST { Err((ty.tokens, messages::too_many_numbers(LONGEST))) } else { Ok(ty) }
     }
 
     /// A type that is not the user's own.

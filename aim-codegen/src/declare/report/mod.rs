@@ -57,6 +57,11 @@ impl Report {
         self.found.len()
     }
 
+    /// Keeps only so many, the first ones.
+    pub(crate) fn forget(&mut self, count: usize) {
+        self.found.truncate(count);
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.found.is_empty()
     }

@@ -8,7 +8,7 @@ use syn::token::Comma;
 use syn::{Expr, ExprCall, ExprMethodCall, ExprStruct, Ident};
 
 use super::algebra::Algebra;
-use super::defaults::is_default;
+use super::expected::Expected;
 use super::fields::name_of;
 use super::map::Quaternion;
 use super::methods::{self, Fault, Function};
@@ -16,6 +16,7 @@ use super::paths::{path_text, type_and_name};
 use super::value::{Callable, Struct, Value};
 use super::{Translation, strip};
 use crate::differentiate::messages;
+use crate::differentiate::names::{Meaning, segments};
 use crate::differentiate::types::{self, Shape};
 
 /// glam's functions in lower case, with the types that they make and the functions that they are short for.
@@ -50,7 +51,7 @@ struct Callee<'a> {
 }
 
 impl Translation<'_> {
-    pub(super) fn method_call(&mut self, call: &ExprMethodCall) -> Value {
+    pub(super) fn method_call(&mut self, call: &ExprMethodCall, expected: &Expected) -> Value {
         if let Some(value) = self.changing_method(call) {
             return value;
         }
@@ -59,7 +60,10 @@ impl Translation<'_> {
             call.args.iter().for_each(|argument| _ = self.expression(argument));
             return receiver;
         }
-        if let Some(value) = self.sequence_method(&receiver, call) {
+        if let Some(value) = self.sequence_method(&receiver, call, expected) {
+            return value;
+        }
+        if let Some(value) = self.optional_method(&receiver, call, expected) {
             return value;
         }
         if let (Some(value), true) = (self.swizzle(&receiver, &call.method.to_string()), call.args.is_empty()) {
@@ -102,11 +106,14 @@ impl Translation<'_> {
     /// A method that the module has for a struct of its own.
     fn struct_method(&mut self, of: Rc<Struct>, receiver: Value, call: &ExprMethodCall) -> Value {
         let name = call.method.to_string();
-        if let Some(function) = self.items.function(Some(&of.name), &name) {
-            let function = function.clone();
-            let lent = function.changed.first() == Some(&true);
-            let receiver = if lent { self.reference(&call.receiver) } else { receiver };
-            return self.inline_written(&call.method, &function, Some(receiver), &call.args);
+        match self.functions(Some(&of.name), &name).as_slice() {
+            [] => {}
+            [function] => {
+                let lent = function.changed.first() == Some(&true);
+                let receiver = if lent { self.reference(&call.receiver) } else { receiver };
+                return self.inline_written(&call.method, function, Some(receiver), &call.args);
+            }
+            several => return self.one_of(&call.method, several, Some(receiver), &call.args),
         }
         if name == "clone" {
             return receiver;
@@ -127,16 +134,42 @@ impl Translation<'_> {
         let first = arguments.len();
         for (index, argument) in written.iter().enumerate() {
             let lent = function.changed.get(first + index) == Some(&true);
+            let expected = self.parameter(function, first + index);
             arguments.push(match strip(argument) {
                 // A reference that is passed on.
                 place @ Expr::Path(_) if lent => self.reference(place),
-                argument => self.expression(argument),
+                argument => self.expression_as(argument, &expected),
             });
         }
         self.inline(place, function, arguments)
     }
 
-    pub(super) fn call(&mut self, call: &ExprCall) -> Value {
+    /// Calls that of several functions that takes the arguments as written.
+    fn one_of(
+        &mut self,
+        place: &impl ToTokens,
+        several: &[Rc<Callable>],
+        receiver: Option<Value>,
+        written: &Punctuated<Expr, Comma>,
+    ) -> Value {
+        if let [only] = several {
+            return self.inline_written(place, only, receiver, written);
+        }
+        let mut arguments: Vec<Value> = receiver.into_iter().collect();
+        arguments.extend(written.iter().map(|argument| self.expression(argument)));
+        if arguments.iter().any(Value::is_unknown) {
+            return Value::Unknown;
+        }
+        match self.function_for(several, &arguments) {
+            Some(function) => self.inline(place, &function, arguments),
+            None => {
+                let name = several.first().and_then(|function| function.name.clone()).unwrap_or_default();
+                self.refuse(place, messages::several_functions(&name))
+            }
+        }
+    }
+
+    pub(super) fn call(&mut self, call: &ExprCall, expected: &Expected) -> Value {
         let Expr::Path(path) = strip(&call.func) else {
             return match self.expression(&call.func) {
                 Value::Function(function) => self.inline_written(&call.func, &function, None, &call.args),
@@ -146,46 +179,129 @@ impl Translation<'_> {
         let Some((ty, name)) = type_and_name(path) else {
             return self.refuse(&path.path, messages::unknown_function(&path_text(path)));
         };
-        let (text, segments) = (name.to_string(), &path.path.segments);
-        if let (None, Some(local)) = (&ty, path.path.get_ident().and_then(|_| self.frame.find(&text))) {
+        let text = name.to_string();
+        if let (None, Some(local)) = (&path.qself, path.path.get_ident().and_then(|_| self.frame.find(&text))) {
             return match self.frame.value(local).clone() {
                 Value::Function(function) => self.inline_written(name, &function, None, &call.args),
                 other => self.refuse_known(&other, name, messages::call_of_value()),
             };
         }
-        let ty = ty.map(|ty| self.resolved(&ty));
-        if ty.is_some() || segments.len() == 1 || segments[0].ident == "self" {
-            if let Some(function) = self.items.function(ty.as_deref(), &text).cloned() {
-                return self.inline_written(&path.path, &function, None, &call.args);
+        match ty {
+            Some(ty) => {
+                let ty = self.resolved(&ty);
+                self.call_of_type(call, path, (&ty, name), expected)
             }
-            let of_tuple = self.resolved(&text);
-            if ty.is_none() && self.items.fields(&of_tuple).is_some() {
-                let fields = call.args.iter().enumerate().map(|(i, value)| (i.to_string(), self.expression(value)));
-                return Value::Struct(Rc::new(Struct { fields: fields.collect(), name: of_tuple }));
+            None if text == "Self" => {
+                let own = self.resolved(&[text]);
+                self.call_of_item(call, path, &own)
             }
+            None => match self.items.meaning(&self.frame.scope.module, &segments(&path.path)) {
+                Meaning::Own(own) => self.call_of_item(call, path, &own),
+                Meaning::Outside(outside) => self.call_of_outside(call, path, &outside, expected),
+            },
         }
-        if let ("default", Some(name), true) = (text.as_str(), &ty, call.args.is_empty())
-            && let Ok(of) = syn::parse_str(name)
-            && let Some(value) = self.default_of(&of)
-        {
-            return value;
+    }
+
+    /// `Type::function(…)`
+    fn call_of_type(
+        &mut self,
+        call: &ExprCall,
+        path: &syn::ExprPath,
+        (ty, name): (&str, &Ident),
+        expected: &Expected,
+    ) -> Value {
+        let text = name.to_string();
+        // `<Type as Trait>::function` is of the trait; else what is no trait's comes first.
+        let of_trait = path.qself.as_ref().filter(|qself| qself.position > 0).map(|qself| {
+            path.path.segments[qself.position - 1].ident.to_string()
+        });
+        let mut several = self.functions(Some(ty), &text);
+        if of_trait.is_some() || several.iter().any(|function| function.of_trait.is_none()) {
+            several.retain(|function| function.of_trait == of_trait);
         }
-        if let ("from_fn", Some(length), [of_place]) = (text.as_str(), self.expected.take(), &call_arguments(call)[..])
-        {
-            return self.array_of(call, length, of_place);
+        let is_default = text == "default" && several.iter().all(|function| function.of_trait.is_some());
+        if is_default && call.args.is_empty() {
+            let of = if ty == "Default" { expected.clone() } else { Expected::Named(ty.to_owned()) };
+            return self.default_value(&path.path, &of);
         }
-        if segments.last().is_some_and(|last| !last.arguments.is_none()) {
+        if !several.is_empty() {
+            return self.one_of(&path.path, &several, None, &call.args);
+        }
+        if path.path.segments.last().is_some_and(|last| !last.arguments.is_none()) {
             return self.refuse(&path.path, messages::no_generics());
         }
-        let (ty, function) = match (ty, SHORT.iter().find(|(short, ..)| name == short)) {
-            (Some(ty), _) => (ty, text),
-            (None, Some((_, ty, function))) => ((*ty).to_owned(), (*function).to_owned()),
-            (None, None) => {
-                let text = self.unseen(&text, messages::unknown_function(&text));
-                return self.refuse(name, text);
-            }
+        self.call_of_glam(call, path, name, (ty, text))
+    }
+
+    /// A function of the module, or a struct without names of its fields.
+    fn call_of_item(&mut self, call: &ExprCall, path: &syn::ExprPath, own: &str) -> Value {
+        let several = self.functions(None, own);
+        if !several.is_empty() {
+            return self.one_of(&path.path, &several, None, &call.args);
+        }
+        let name = self.items.resolved("", &own.split("::").map(str::to_owned).collect::<Vec<_>>());
+        let Some(structure) = self.items.structure(&name) else {
+            let text = self.unseen(own, messages::unknown_function(&path_text(path)));
+            return self.refuse(&path.path, text);
         };
-        let Some((shape, _)) = types::named(&ty).filter(|_| self.items.fields(&ty).is_none()) else {
+        let types: Vec<_> = structure.fields.iter().map(|(_, ty)| ty).collect();
+        let expected: Vec<_> = self.within(structure.scope.clone(), |this| types.iter().map(|ty| this.expected(ty)).collect());
+        let values = call.args.iter().enumerate().map(|(index, value)| {
+            let value = self.expression_as(value, expected.get(index).unwrap_or(&Expected::Any));
+            (index.to_string(), value)
+        });
+        Value::Struct(Rc::new(Struct { fields: values.collect(), name }))
+    }
+
+    /// A function that stands by itself outside of the module.
+    fn call_of_outside(
+        &mut self,
+        call: &ExprCall,
+        path: &syn::ExprPath,
+        outside: &[String],
+        expected: &Expected,
+    ) -> Value {
+        let name = path.path.segments.last().map_or_else(|| path.path.to_token_stream(), |last| last.ident.to_token_stream());
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        let text = outside.last().cloned().unwrap_or_default();
+        let is_of = |module: &str| outside.len() < 2 || outside[outside.len() - 2] == module;
+        match (text.as_str(), arguments.as_slice(), expected) {
+            ("from_fn", [function], Expected::Array(_, Some(length))) if is_of("array") => {
+                return self.array_of(call, *length, function);
+            }
+            ("Some", [value], _) => {
+                let value = self.expression(value);
+                return Value::some(value);
+            }
+            ("zip", [one, other], _) if is_of("iter") => {
+                let one = self.expression(one);
+                return self.zipped(one, other);
+            }
+            _ => {}
+        }
+        if path.path.segments.last().is_some_and(|last| !last.arguments.is_none()) {
+            return self.refuse(&path.path, messages::no_generics());
+        }
+        match (SHORT.iter().find(|(short, ..)| text == *short), path.path.segments.last()) {
+            (Some((_, ty, function)), Some(last)) => {
+                self.call_of_glam(call, path, &last.ident, (ty, (*function).to_owned()))
+            }
+            _ => {
+                let text = self.unseen(&text, messages::unknown_function(&text));
+                self.refuse(&name, text)
+            }
+        }
+    }
+
+    /// A function of a type of glam, or of numbers.
+    fn call_of_glam(
+        &mut self,
+        call: &ExprCall,
+        path: &syn::ExprPath,
+        name: &Ident,
+        (ty, function): (&str, String),
+    ) -> Value {
+        let Some((shape, _)) = types::named(ty).filter(|_| self.items.structure(ty).is_none()) else {
             return self.refuse(&path.path, messages::unknown_function(&path_text(path)));
         };
         if function == "from_euler" {
@@ -193,6 +309,14 @@ impl Translation<'_> {
         }
         let (tables, kind) = (methods::functions_of(&shape), format!("`{ty}`"));
         self.apply(&Callee { name, function, tables, kind }, None, &call.args)
+    }
+
+    fn default_value(&mut self, place: &impl ToTokens, of: &Expected) -> Value {
+        let errors = self.report.count();
+        let value = self.default_of(place, of);
+        value.unwrap_or_else(|| {
+            if self.report.count() > errors { Value::Unknown } else { self.refuse(place, messages::no_default()) }
+        })
     }
 
     /// `array::from_fn` of a length that is known from the type.
@@ -209,23 +333,18 @@ impl Translation<'_> {
 
     /// `Type { field: value, … }`
     pub(super) fn structure(&mut self, of: &ExprStruct) -> Value {
-        let name = of.path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
-        let name = self.resolved(&name);
+        let name = self.resolved(&segments(&of.path));
+        let structure = self.items.structure(&name);
+        let declared = structure.map(|structure| structure.fields.as_slice()).unwrap_or_default();
         let mut fields: Vec<(String, Value)> = Vec::new();
         for field in &of.fields {
-            fields.push((name_of(&field.member), self.expression(&field.expr)));
+            let ty = declared.iter().find(|(member, _)| *member == field.member).map(|(_, ty)| ty);
+            let scope = structure.map(|structure| structure.scope.clone()).unwrap_or_default();
+            let expected = self.within(scope, |this| this.expected_of(ty));
+            fields.push((name_of(&field.member), self.expression_as(&field.expr, &expected)));
         }
-        if let Some(rest) = of.rest.as_deref().filter(|rest| is_default(rest)) {
-            for (member, ty) in self.items.fields(&name).map(<[_]>::to_vec).unwrap_or_default() {
-                if fields.iter().all(|(written, _)| *written != name_of(&member)) {
-                    let Some(value) = self.default_of(&ty) else {
-                        return self.refuse(rest, messages::outside_struct(&name));
-                    };
-                    fields.push((name_of(&member), value));
-                }
-            }
-        } else if let Some(rest) = &of.rest {
-            match self.expression(rest) {
+        if let Some(rest) = &of.rest {
+            match self.expression_as(rest, &Expected::Named(name.clone())) {
                 Value::Struct(rest) => {
                     for (known, value) in &rest.fields {
                         if fields.iter().all(|(written, _)| written != known) {
@@ -239,28 +358,33 @@ impl Translation<'_> {
         if fields.iter().any(|(_, value)| value.is_unknown()) {
             return Value::Unknown;
         }
-        if let Some(declared) = self.items.fields(&name) {
+        if structure.is_some() {
             // In the order of the declaration, so that two values have their fields at the same places.
             let place = |(name, _): &(String, Value)| declared.iter().position(|(member, _)| name_of(member) == *name);
             fields.sort_by_key(place);
             return Value::Struct(Rc::new(Struct { name, fields }));
         }
-        // glam's own: by their constructors.
-        let constructor = match types::named(&name) {
+        self.structure_of_glam(of, &name, fields)
+    }
+
+    /// One of glam's own structs, by its constructor.
+    fn structure_of_glam(&mut self, of: &ExprStruct, name: &str, mut fields: Vec<(String, Value)>) -> Value {
+        let constructor = match types::named(name) {
             Some((Shape::Planar | Shape::Vector | Shape::Four, _)) => "new",
             Some((Shape::Rigid, _)) => "from_mat3_translation",
             Some((Shape::Matrix, _)) => "from_cols",
             _ => {
-                let text = self.unseen(&name, messages::outside_struct(&name));
+                let text = self.unseen(name, messages::outside_struct(name));
                 return self.refuse(&of.path, text);
             }
         };
-        fields.sort_by_key(|(name, _)| name.clone());
+        // `x_axis` and the like, and `matrix3` before `translation`, stand in the order of the alphabet; `w` does not.
+        fields.sort_by_key(|(name, _)| (name == "w", name.clone()));
         let values: Vec<Value> = fields.into_iter().map(|(_, value)| value).collect();
-        let tables = types::named(&name).map_or(&[][..], |(shape, _)| methods::functions_of(&shape));
+        let tables = types::named(name).map_or(&[][..], |(shape, _)| methods::functions_of(&shape));
         match methods::call(tables, constructor, self.algebra, &values) {
             Some(Ok(value)) => value,
-            _ => self.refuse(&of.path, messages::outside_struct(&name)),
+            _ => self.refuse(&of.path, messages::outside_struct(name)),
         }
     }
 
@@ -322,10 +446,6 @@ impl Translation<'_> {
             _ => self.refuse(name, messages::euler_order()),
         }
     }
-}
-
-fn call_arguments(call: &ExprCall) -> Vec<&Expr> {
-    call.args.iter().collect()
 }
 
 /// The axes of an `EulerRot`, and whether it is an extrinsic one.

@@ -2,42 +2,94 @@
 
 use aim_symbolic::Scalar;
 use quote::ToTokens;
-use syn::{Arm, Expr, ExprIf, ExprMatch, Pat, RangeLimits};
+use syn::{Arm, BinOp, Expr, ExprIf, ExprMatch, Local, Member, Pat, RangeLimits};
 
 use super::condition::Condition;
+use super::expected::Expected;
+use super::statements::is_rest;
 use super::value::Value;
-use super::{CHOICE, Translation, operators};
+use super::{Translation, has_effect, operators};
 use crate::differentiate::messages;
+use crate::differentiate::names::Meaning;
 
 impl Translation<'_> {
-    pub(super) fn choice(&mut self, choice: &ExprIf) -> Value {
-        if let Expr::Let(pattern) = &*choice.cond {
-            return self.unsupported(&pattern.let_token, "`if let`", CHOICE);
-        }
+    pub(super) fn choice(&mut self, choice: &ExprIf, expected: &Expected) -> Value {
+        let depth = self.frame.depth();
         let condition = self.condition(&choice.cond);
         let otherwise = choice.else_branch.as_ref().map(|(_, otherwise)| &**otherwise);
-        self.branch(
+        let value = self.branch(
             &choice.if_token,
             condition,
-            |this| this.block(&choice.then_branch),
-            |this| otherwise.map_or(Value::nothing(), |otherwise| this.expression(otherwise)),
+            |this| this.block_as(&choice.then_branch, expected),
+            |this| {
+                this.frame.hide(depth);
+                otherwise.map_or(Value::nothing(), |otherwise| this.expression_as(otherwise, expected))
+            },
+        );
+        self.frame.leave(depth);
+        value
+    }
+
+    /// `let pattern = value else { otherwise };`
+    pub(super) fn let_else(&mut self, local: &Local, value: Value, (token, otherwise): (&impl ToTokens, &Expr)) -> Value {
+        if value.is_unknown() {
+            self.bind(&local.pat, Value::Unknown);
+            return value;
+        }
+        let depth = self.frame.depth();
+        let pattern = match &local.pat {
+            Pat::Type(typed) => &typed.pat,
+            pattern => pattern,
+        };
+        let condition = self.pattern(pattern, &value);
+        if condition.is_none() {
+            return Value::Unknown;
+        }
+        self.branch(
+            token,
+            condition,
+            |_| Value::nothing(),
+            |this| {
+                let names = this.frame.hide(depth);
+                let value = this.expression(otherwise);
+                this.frame.show(depth, names);
+                value
+            },
         )
     }
 
-    /// A condition; `None` after an error.
+    /// A condition, with the names that its patterns bind; `None` after an error.
     fn condition(&mut self, expression: &Expr) -> Option<Condition> {
-        match self.expression(expression) {
-            Value::Truth(condition) => Some(condition),
-            other => {
-                self.refuse_known(&other, expression, messages::not_a_condition(&other.describe()));
-                None
+        match expression {
+            Expr::Paren(paren) => self.condition(&paren.expr),
+            Expr::Let(e) => {
+                let value = self.expression(&e.expr);
+                if value.is_unknown() { None } else { self.pattern(&e.pat, &value) }
             }
+            Expr::Binary(both) if matches!(both.op, BinOp::And(_)) && has_let(expression) => {
+                if has_effect(both.right.to_token_stream()) {
+                    self.refuse(&both.right, messages::effect_of_condition());
+                    return None;
+                }
+                // Where a pattern does not fit, its names have no values.
+                match self.condition(&both.left)? {
+                    Condition::Known(false) => Some(Condition::Known(false)),
+                    left => self.condition(&both.right).map(|right| left.and(right)),
+                }
+            }
+            _ => match self.expression(expression) {
+                Value::Truth(condition) => Some(condition),
+                other => {
+                    self.refuse_known(&other, expression, messages::not_a_condition(&other.describe()));
+                    None
+                }
+            },
         }
     }
 
     /// Runs two branches and joins what they make of the variables. Where it is known which one is taken, the other is not
     /// run: it may index what does not exist.
-    fn branch(
+    pub(super) fn branch(
         &mut self,
         place: &impl ToTokens,
         condition: Option<Condition>,
@@ -74,15 +126,15 @@ impl Translation<'_> {
         })
     }
 
-    pub(super) fn match_arms(&mut self, choice: &ExprMatch) -> Value {
+    pub(super) fn match_arms(&mut self, choice: &ExprMatch, expected: &Expected) -> Value {
         let value = self.expression(&choice.expr);
         if value.is_unknown() {
             return value;
         }
-        self.arms(choice, &value, &choice.arms)
+        self.arms((choice, expected), &value, &choice.arms)
     }
 
-    fn arms(&mut self, choice: &ExprMatch, value: &Value, arms: &[Arm]) -> Value {
+    fn arms(&mut self, (choice, expected): (&ExprMatch, &Expected), value: &Value, arms: &[Arm]) -> Value {
         let Some((arm, rest)) = arms.split_first() else { return Value::Never };
         let depth = self.frame.depth();
         let mut condition = self.pattern(&arm.pat, value);
@@ -93,10 +145,10 @@ impl Translation<'_> {
         let found = self.branch(
             &choice.match_token,
             condition,
-            |this| this.expression(&arm.body),
+            |this| this.expression_as(&arm.body, expected),
             |this| {
                 this.frame.hide(depth);
-                this.arms(choice, value, rest)
+                this.arms((choice, expected), value, rest)
             },
         );
         self.frame.leave(depth);
@@ -114,9 +166,11 @@ impl Translation<'_> {
                 matched.zip(guard).map(|(matched, guard)| matched.and(guard))
             }
             Pat::Lit(literal) => self.equal_to(&Expr::Lit(literal.clone()), value),
-            Pat::Ident(name)
-                if name.subpat.is_none() && self.items.constant(None, &name.ident.to_string()).is_some() =>
-            {
+            Pat::Ident(name) if name.ident == "None" && matches!(value, Value::Optional(_)) => match value {
+                Value::Optional(optional) => Some(optional.is_some.clone().not()),
+                _ => None,
+            },
+            Pat::Ident(name) if name.subpat.is_none() && self.is_constant(&name.ident) => {
                 let path = &name.ident;
                 self.equal_to(&syn::parse_quote!(#path), value)
             }
@@ -148,17 +202,42 @@ impl Translation<'_> {
             }
             Pat::Tuple(tuple) => match value {
                 Value::Tuple(values) if values.len() == tuple.elems.len() => {
-                    tuple.elems.iter().zip(values).try_fold(Condition::Known(true), |matched, (part, value)| {
-                        let next = self.pattern(part, value)?;
-                        Some(matched.and(next))
-                    })
+                    self.patterns(tuple.elems.iter().zip(values))
                 }
                 other => {
                     self.refuse(tuple, messages::pattern_of(&other.describe()));
                     None
                 }
             },
-            Pat::Wild(_) | Pat::Ident(_) => {
+            Pat::Slice(slice) if !slice.elems.iter().any(is_rest) => match value {
+                Value::Array(values) if values.len() == slice.elems.len() => {
+                    self.patterns(slice.elems.iter().zip(values))
+                }
+                Value::Array(_) => Some(Condition::Known(false)),
+                other => {
+                    self.refuse(slice, messages::pattern_of(&other.describe()));
+                    None
+                }
+            },
+            Pat::TupleStruct(of) => match (value, of.path.segments.last()) {
+                (Value::Optional(optional), Some(last)) if last.ident == "Some" => match &optional.is_some {
+                    Condition::Known(false) => Some(Condition::Known(false)),
+                    is_some => {
+                        let inner = of.elems.first().map(|inner| self.pattern(inner, &optional.value));
+                        inner.flatten().map(|inner| is_some.clone().and(inner))
+                    }
+                },
+                _ => {
+                    let parts = of.elems.iter().enumerate().map(|(index, _)| Member::from(index));
+                    let parts: Vec<Value> = parts.map(|member| self.part(value, &member)).collect();
+                    self.patterns(of.elems.iter().zip(&parts))
+                }
+            },
+            Pat::Struct(of) => {
+                let parts: Vec<Value> = of.fields.iter().map(|field| self.part(value, &field.member)).collect();
+                self.patterns(of.fields.iter().map(|field| &*field.pat).zip(&parts))
+            }
+            Pat::Wild(_) | Pat::Ident(_) | Pat::Slice(_) => {
                 self.bind(pattern, value.clone());
                 Some(Condition::Known(true))
             }
@@ -166,6 +245,22 @@ impl Translation<'_> {
                 self.refuse(other, messages::match_pattern());
                 None
             }
+        }
+    }
+
+    /// Whether each of several values matches its pattern.
+    fn patterns<'p>(&mut self, mut parts: impl Iterator<Item = (&'p Pat, &'p Value)>) -> Option<Condition> {
+        parts.try_fold(Condition::Known(true), |matched, (pattern, value)| {
+            let next = self.pattern(pattern, value)?;
+            Some(matched.and(next))
+        })
+    }
+
+    /// Whether a name of a pattern is that of a constant of the module.
+    fn is_constant(&self, name: &syn::Ident) -> bool {
+        match self.items.meaning(&self.frame.scope.module, &[name.to_string()]) {
+            Meaning::Own(name) => self.items.constant(None, &name).is_some(),
+            Meaning::Outside(_) => false,
         }
     }
 
@@ -181,6 +276,15 @@ impl Translation<'_> {
                 None
             }
         }
+    }
+}
+
+/// Whether a pattern stands in a condition.
+fn has_let(condition: &Expr) -> bool {
+    match condition {
+        Expr::Let(_) => true,
+        Expr::Binary(both) => has_let(&both.left) || has_let(&both.right),
+        _ => false,
     }
 }
 

@@ -23,6 +23,16 @@ pub(super) fn mathematical(name: &str) -> Option<f64> {
     NUMBERS.iter().find(|(known, _)| *known == name).map(|&(_, value)| value)
 }
 
+/// The names of the mathematical constants.
+pub(super) fn names() -> impl Iterator<Item = &'static str> {
+    NUMBERS.iter().map(|(name, _)| *name)
+}
+
+/// Whether there is a mathematical constant of this name.
+pub(in crate::differentiate) fn is_mathematical(name: &str) -> bool {
+    mathematical(name).is_some()
+}
+
 /// An associated constant, such as `Vec3::X`.
 pub(super) fn associated(a: &mut Algebra, ty: &str, name: &str) -> Option<Value> {
     let (shape, precision) = types::named(ty)?;

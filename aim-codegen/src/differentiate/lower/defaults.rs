@@ -2,49 +2,57 @@
 
 use std::rc::Rc;
 
-use syn::Expr;
+use quote::ToTokens;
 
 use super::Translation;
+use super::condition::Condition;
 use super::constants;
+use super::expected::Expected;
 use super::fields::name_of;
 use super::value::{Struct, Value};
-
-/// Whether this is `Default::default()`, of whatever type is needed.
-pub(super) fn is_default(value: &Expr) -> bool {
-    let Expr::Call(call) = value else { return false };
-    let Expr::Path(path) = &*call.func else { return false };
-    let names: Vec<String> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
-    call.args.is_empty() && names.ends_with(&["Default".to_owned(), "default".to_owned()])
-}
+use crate::differentiate::types;
 
 impl Translation<'_> {
-    /// What a type has by default; of a struct what it says itself, or what is derived.
-    pub(super) fn default_of(&mut self, ty: &syn::Type) -> Option<Value> {
-        match ty {
-            syn::Type::Path(path) => {
-                let name = path.path.segments.last()?.ident.to_string();
-                let name = self.resolved(&name);
-                if let Some(function) = self.items.function(Some(&name), "default").cloned() {
-                    return Some(self.inline(ty, &function, Vec::new()));
+    /// What a type has by default; of a struct what its own `Default` says, or what is derived. `None` where neither is seen.
+    pub(super) fn default_of(&mut self, place: &impl ToTokens, of: &Expected) -> Option<Value> {
+        match of {
+            Expected::Named(name) => {
+                let own: Vec<_> = self.items.functions(Some(name), "default").cloned().collect();
+                let mut own = own.into_iter().filter(|function| function.of_trait.as_deref() == Some("Default"));
+                if let Some(function) = own.next() {
+                    return own.next().is_none().then(|| self.inline(place, &function, Vec::new()));
                 }
-                if let Some(fields) = self.items.fields(&name) {
-                    let fields = fields.to_vec();
-                    let fields = fields.iter().map(|(member, ty)| Some((name_of(member), self.default_of(ty)?)));
-                    return Some(Value::Struct(Rc::new(Struct { fields: fields.collect::<Option<_>>()?, name })));
+                if let Some(structure) = self.items.structure(name) {
+                    if !structure.has_default {
+                        return None;
+                    }
+                    let scope = structure.scope.clone();
+                    let fields = structure.fields.iter().map(|(member, ty)| {
+                        let ty = self.within(scope.clone(), |this| this.expected(ty));
+                        Some((name_of(member), self.default_of(place, &ty)?))
+                    });
+                    let fields = fields.collect::<Option<_>>()?;
+                    return Some(Value::Struct(Rc::new(Struct { fields, name: name.clone() })));
                 }
                 match name.as_str() {
+                    "bool" => Some(Value::Truth(Condition::Known(false))),
+                    name if types::is_integer(name) => Some(self.algebra.integer(0)),
                     "f32" | "f64" => Some(Value::Scalar(self.algebra.number(0.0))),
-                    _ if name.contains("Vec") => constants::associated(self.algebra, &name, "ZERO"),
-                    _ => constants::associated(self.algebra, &name, "IDENTITY"),
+                    name => ["ZERO", "IDENTITY"].iter().find_map(|constant| match (*constant, types::named(name)?.0) {
+                        ("ZERO", types::Shape::Matrix | types::Shape::Square(_)) => None,
+                        (constant, _) => constants::associated(self.algebra, name, constant),
+                    }),
                 }
             }
-            syn::Type::Array(array) => {
-                let length = self.expression(&array.len);
-                let length = self.algebra.known_index(&length)?;
-                let value = self.default_of(&array.elem)?;
-                Some(Value::Array(vec![value; length]))
+            Expected::Array(element, Some(length)) => {
+                let value = self.default_of(place, element)?;
+                Some(Value::Array(vec![value; *length]))
             }
-            _ => None,
+            Expected::Tuple(parts) => {
+                let values = parts.iter().map(|part| self.default_of(place, part));
+                Some(Value::Tuple(values.collect::<Option<_>>()?))
+            }
+            Expected::Array(_, None) | Expected::Any => None,
         }
     }
 }

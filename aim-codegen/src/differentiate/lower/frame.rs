@@ -4,9 +4,12 @@
 //! variable that one of them assigned is a select. A way out (`return`, `break`, `continue`) keeps its condition and the
 //! variables as they are there; what it leads to selects among the ways that end there, the first that was met first.
 
+use std::rc::Rc;
+
 use super::algebra::Algebra;
 use super::condition::Condition;
-use super::value::Value;
+use super::expected::Expected;
+use super::value::{Scope, Value};
 
 /// Assigned variables, each once: its place and a value.
 pub(super) type Assigned = Vec<(usize, Value)>;
@@ -68,15 +71,17 @@ pub(super) struct Frame {
     exits: Vec<Exit>,
     /// The parameters that the caller lends to be changed.
     lent: Vec<usize>,
-    /// The type that `Self` is.
-    pub(super) self_type: Option<String>,
+    /// Where the function is written.
+    pub(super) scope: Rc<Scope>,
+    /// What the type of its result says.
+    pub(super) result_type: Expected,
 }
 
 impl Frame {
     /// A frame whose first variables are of the place that it is called from.
-    pub(super) fn new(variables: Vec<(String, Value)>) -> Self {
+    pub(super) fn new(variables: Vec<(String, Value)>, scope: Rc<Scope>) -> Self {
         let function = Region { target: Target::Function, label: None, variables: 0, path: 0, journals: 0 };
-        Self { captured: variables.len(), variables, regions: vec![function], ..Self::default() }
+        Self { captured: variables.len(), variables, regions: vec![function], scope, ..Self::default() }
     }
 
     // Variables.
@@ -98,9 +103,14 @@ impl Frame {
         }
     }
 
-    /// No name means the variables from this one on any more.
-    pub(super) fn hide(&mut self, depth: usize) {
-        self.variables[depth..].iter_mut().for_each(|(name, _)| name.clear());
+    /// No name means the variables from this one on any more; their names.
+    pub(super) fn hide(&mut self, depth: usize) -> Vec<String> {
+        self.variables[depth..].iter_mut().map(|(name, _)| core::mem::take(name)).collect()
+    }
+
+    /// Gives the variables from this one on their names again.
+    pub(super) fn show(&mut self, depth: usize, names: Vec<String>) {
+        self.variables[depth..].iter_mut().zip(names).for_each(|((hidden, _), name)| *hidden = name);
     }
 
     /// How many of the variables are those that a closure has captured.

@@ -7,14 +7,18 @@ use syn::{Expr, ExprClosure, ItemFn, Pat};
 
 use super::Translation;
 use super::frame::Frame;
-use super::value::{Callable, Value};
+use super::value::{Callable, Scope, Value};
 use crate::differentiate::{items, messages};
 
 /// A function inside of a function: it sees the items of its block and the functions outside of that, and no variables.
-pub(super) fn inner(item: &ItemFn, outside: &[(String, Value)], items: &[(String, Value)]) -> Rc<Callable> {
+pub(super) fn inner(
+    item: &ItemFn,
+    (outside, items): (&[(String, Value)], &[(String, Value)]),
+    scope: Rc<Scope>,
+) -> Rc<Callable> {
     let functions = outside.iter().filter(|(_, value)| matches!(value, Value::Function(_)));
     let captured = functions.chain(items).cloned().collect();
-    Rc::new(Callable { captured, ..items::callable(&item.sig, &item.block, None) })
+    Rc::new(Callable { captured, ..items::callable(&item.sig, &item.block, scope, None) })
 }
 
 impl Translation<'_> {
@@ -27,14 +31,18 @@ impl Translation<'_> {
             lengths: Vec::new(),
             body: (*closure.body).clone(),
             captured: self.frame.variables().to_vec(),
-            self_type: self.frame.self_type.clone(),
+            result: match &closure.output {
+                syn::ReturnType::Type(_, ty) => Some((**ty).clone()),
+                syn::ReturnType::Default => None,
+            },
+            scope: self.frame.scope.clone(),
+            of_trait: None,
         }))
     }
 
     /// The value of a function's body, its parameters being the arguments.
     pub(crate) fn body(&mut self, place: &impl ToTokens, function: &Callable, arguments: Vec<Value>) -> Value {
-        let mut frame = Frame::new(function.captured.clone());
-        frame.self_type.clone_from(&function.self_type);
+        let frame = Frame::new(function.captured.clone(), function.scope.clone());
         // What is lent is copied in, and back when the function is left: nobody else sees it meanwhile.
         let mut lent = Vec::new();
         let mut values = Vec::new();
@@ -60,7 +68,9 @@ impl Translation<'_> {
                 self.frame.lend(self.frame.depth() - 1);
             }
         }
-        let end = self.expression(&function.body);
+        let expected = self.expected_of(function.result.as_ref());
+        self.frame.result_type = expected.clone();
+        let end = self.expression_as(&function.body, &expected);
         let value = self.frame.result(self.algebra, end);
         self.frame = outer;
         match value {
@@ -128,6 +138,7 @@ impl Translation<'_> {
                 if path.path.get_ident().is_none_or(|name| self.frame.find(&name.to_string()).is_none()) =>
             {
                 match count {
+                    0 => syn::parse_quote!(|| #path()),
                     1 => syn::parse_quote!(|a| #path(a)),
                     _ => syn::parse_quote!(|a, b| #path(a, b)),
                 }

@@ -7,12 +7,15 @@ mod choices;
 mod condition;
 mod constants;
 mod defaults;
+mod expected;
 mod fields;
 mod frame;
 mod functions;
 mod map;
 mod methods;
 mod operators;
+mod optional;
+mod overloads;
 mod paths;
 mod places;
 mod select;
@@ -25,24 +28,31 @@ mod value;
 #[cfg(test)]
 mod tests;
 
+use std::rc::Rc;
+
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Expr, UnOp};
 
 pub(super) use self::algebra::Algebra;
 pub(super) use self::condition::Condition;
+pub(super) use self::constants::is_mathematical;
+use self::expected::Expected;
 use self::frame::Frame;
 pub(super) use self::map::{Affine, Map, Quaternion};
 pub(super) use self::square::columns;
 pub(super) use self::translation::{Translation, length};
-pub(super) use self::value::{Callable, Struct, Value};
+pub(super) use self::value::{Callable, Scope, Struct, Value};
 use super::messages;
+use super::names::{Meaning, segments};
+use crate::differentiate::items::Constant;
 
 impl Translation<'_> {
     /// The value of a function of these arguments; of those at fault nothing is known.
     pub(super) fn function<'p>(
         &mut self,
         block: &syn::Block,
+        result: &syn::ReturnType,
         arguments: impl Iterator<Item = (&'p syn::Pat, Value)>,
         faulty: &[syn::Ident],
     ) -> Value {
@@ -52,22 +62,32 @@ impl Translation<'_> {
         for name in faulty {
             self.frame.declare(name.to_string(), Value::Unknown);
         }
-        let end = self.block(block);
+        let expected = match result {
+            syn::ReturnType::Type(_, ty) => self.expected(ty),
+            syn::ReturnType::Default => Expected::Any,
+        };
+        self.frame.result_type = expected.clone();
+        let end = self.block_as(block, &expected);
         let value = self.frame.result(self.algebra, end).map(|(value, _)| value);
         value.unwrap_or_else(|| self.refuse(&block.stmts.last(), messages::returns_differ()))
     }
 
     /// The value of an expression of these names.
     pub(super) fn formula(&mut self, expression: &Expr, names: Vec<(String, Value)>) -> Value {
-        self.frame = Frame::new(names);
+        self.frame = Frame::new(names, Rc::default());
         self.expression(expression)
     }
 
     /// The value of an expression.
     pub(super) fn expression(&mut self, expression: &Expr) -> Value {
+        self.expression_as(expression, &Expected::Any)
+    }
+
+    /// The value of an expression, of whose place the type is known.
+    fn expression_as(&mut self, expression: &Expr, expected: &Expected) -> Value {
         match expression {
-            Expr::Group(group) => self.expression(&group.expr),
-            Expr::Paren(paren) => self.expression(&paren.expr),
+            Expr::Group(group) => self.expression_as(&group.expr, expected),
+            Expr::Paren(paren) => self.expression_as(&paren.expr, expected),
             Expr::Lit(literal) => self.literal(&literal.lit),
             Expr::Path(path) => self.path(path),
             Expr::Unary(unary) => self.unary(unary),
@@ -76,36 +96,41 @@ impl Translation<'_> {
                 if reference.mutability.is_some() {
                     self.reference(&reference.expr)
                 } else {
-                    self.expression(&reference.expr)
+                    self.expression_as(&reference.expr, expected)
                 }
             }
-            Expr::MethodCall(call) => self.method_call(call),
-            Expr::Call(call) => self.call(call),
+            Expr::MethodCall(call) => self.method_call(call, expected),
+            Expr::Call(call) => self.call(call, expected),
             Expr::Struct(of) => self.structure(of),
             Expr::Field(field) => self.field(field),
             Expr::Index(index) => self.index(index),
             Expr::Range(range) => self.range(range),
             Expr::Cast(cast) => self.cast(cast),
-            Expr::If(choice) => self.choice(choice),
-            Expr::Match(choice) => self.match_arms(choice),
+            Expr::If(choice) => self.choice(choice, expected),
+            Expr::Match(choice) => self.match_arms(choice, expected),
             Expr::ForLoop(e) => self.for_loop(e),
             Expr::While(e) => self.while_loop(e),
             Expr::Loop(e) => self.endless_loop(e),
             Expr::Return(_) | Expr::Break(_) | Expr::Continue(_) => self.jump(expression),
             Expr::Closure(closure) => self.closure(closure),
-            Expr::Assign(assign) => match self.expression(&assign.right) {
-                Value::Never => Value::Never,
-                value => self.assign(&assign.left, value),
-            },
+            Expr::Assign(assign) => self.assignment(assign),
+            Expr::Try(e) => self.try_value(e),
             Expr::Macro(e) => self.macro_call(&e.mac),
             Expr::Block(block) => match &block.label {
                 Some(label) => self.unsupported(label, "a labelled block", "write it as a block without a label"),
-                None => self.block(&block.block),
+                None => self.block_as(&block.block, expected),
             },
-            Expr::Tuple(tuple) => Value::Tuple(tuple.elems.iter().map(|element| self.expression(element)).collect()),
-            Expr::Array(array) => Value::Array(array.elems.iter().map(|element| self.expression(element)).collect()),
+            Expr::Tuple(tuple) => {
+                let parts = tuple.elems.iter().enumerate();
+                Value::Tuple(parts.map(|(index, part)| self.expression_as(part, expected.part(index))).collect())
+            }
+            Expr::Array(array) => {
+                let elements = array.elems.iter().enumerate();
+                Value::Array(elements.map(|(index, part)| self.expression_as(part, expected.part(index))).collect())
+            }
             Expr::Repeat(repeat) => {
-                let (value, length) = (self.expression(&repeat.expr), self.expression(&repeat.len));
+                let value = self.expression_as(&repeat.expr, expected.part(0));
+                let length = self.expression(&repeat.len);
                 match self.algebra.known_index(&length) {
                     Some(length @ 0..=LONGEST_ARRAY) => Value::Array(vec![value; length]),
                     Some(_) => self.refuse(&repeat.len, messages::array_too_long(LONGEST_ARRAY)),
@@ -138,62 +163,102 @@ impl Translation<'_> {
     }
 
     fn path(&mut self, path: &syn::ExprPath) -> Value {
-        let segments: Vec<String> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
-        if let (None, [name]) = (&path.qself, segments.as_slice()) {
-            if let Some(place) = self.frame.find(name) {
-                let value = self.frame.value(place).clone();
-                return self.referenced(value);
-            }
-            if self.items.constant(None, name).is_none() && self.items.function(None, name).is_none() {
-                let text = self.unseen(name, messages::outside_name(name, &self.frame.names()));
-                return self.refuse(&path.path, text);
-            }
-        }
-        if let [before @ .., module, name] = segments.as_slice()
-            && module == "consts"
-            && before.last().is_none_or(|number| number == "f32" || number == "f64")
-            && let Some(value) = constants::mathematical(name)
+        if let (None, Some(name)) = (&path.qself, path.path.get_ident())
+            && let Some(place) = self.frame.find(&name.to_string())
         {
-            return Value::Scalar(self.algebra.number(value));
+            let value = self.frame.value(place).clone();
+            return self.referenced(value);
         }
-        if let Some((ty, name)) = paths::type_and_name(path) {
-            let (ty, name) = (ty.map(|ty| self.resolved(&ty)), name.to_string());
-            let beside = ty.is_some() || segments.len() == 1 || segments[0] == "self";
-            if beside && let Some(function) = self.items.function(ty.as_deref(), &name) {
-                return Value::Function(function.clone());
+        let value = match paths::type_and_name(path) {
+            Some((Some(ty), name)) => self.associated(&ty, &name.to_string()),
+            Some((None, _)) => self.item(&segments(&path.path)),
+            None => None,
+        };
+        value.unwrap_or_else(|| {
+            let text = match path.path.get_ident() {
+                Some(name) => {
+                    let name = name.to_string();
+                    self.unseen(&name, messages::outside_name(&name, &self.frame.names()))
+                }
+                None => messages::outside_constant(&paths::path_text(path)),
+            };
+            self.refuse(&path.path, text)
+        })
+    }
+
+    /// What a type has by a name: a function or a constant.
+    fn associated(&mut self, ty: &[String], name: &str) -> Option<Value> {
+        let ty = self.resolved(ty);
+        if ty == "Ordering"
+            && let Some(ordering) = Value::ordering(name)
+        {
+            return Some(ordering);
+        }
+        if let Some(function) = self.only_function(Some(&ty), name) {
+            return Some(Value::Function(function));
+        }
+        if let Some(constant) = self.items.constant(Some(&ty), name) {
+            return Some(self.constant(&format!("{ty}::{name}"), constant));
+        }
+        self.items.structure(&ty).is_none().then(|| constants::associated(self.algebra, &ty, name))?
+    }
+
+    /// What a path to no type leads to: a function or a constant of the module, or a mathematical constant.
+    fn item(&mut self, path: &[String]) -> Option<Value> {
+        match self.items.meaning(&self.frame.scope.module, path) {
+            Meaning::Own(name) => {
+                if let Some(function) = self.only_function(None, &name) {
+                    return Some(Value::Function(function));
+                }
+                let constant = self.items.constant(None, &name)?;
+                Some(self.constant(&name, constant))
             }
-            if beside && let Some(expression) = self.items.constant(ty.as_deref(), &name) {
-                return self.constant(&name, ty, expression);
-            }
-            if let Some(ty) = ty
-                && let Some(value) = constants::associated(self.algebra, &ty, &name)
-            {
-                return value;
+            Meaning::Outside(path) => {
+                if path == ["None"] {
+                    return Some(Value::none());
+                }
+                let [before @ .., module, name] = path.as_slice() else { return None };
+                let is_known = module == "consts" && before.last().is_none_or(|last| last == "f32" || last == "f64");
+                let value = if is_known { constants::mathematical(name) } else { None };
+                value.map(|value| Value::Scalar(self.algebra.number(value)))
             }
         }
-        self.refuse(&path.path, messages::outside_constant(&paths::path_text(path)))
     }
 
     /// The value of a constant of the module. One that is made of itself is the compiler's to refuse.
-    fn constant(&mut self, name: &str, of: Option<String>, expression: &Expr) -> Value {
+    fn constant(&mut self, name: &str, constant: &Constant) -> Value {
         if self.constants.iter().any(|known| known == name) {
             return Value::Unknown;
         }
         self.constants.push(name.to_owned());
-        let mut frame = Frame::new(Vec::new());
-        frame.self_type = of;
-        let outer = core::mem::replace(&mut self.frame, frame);
-        let value = self.expression(expression);
-        self.frame = outer;
+        let value = self.within(constant.scope.clone(), |this| {
+            let expected = this.expected_of(constant.ty.as_ref());
+            this.expression_as(&constant.value, &expected)
+        });
         self.constants.pop();
         value
     }
 
-    /// The name of a type, of which this is another in the module.
-    fn resolved(&self, name: &str) -> String {
-        match &self.frame.self_type {
-            Some(known) if name == "Self" => known.clone(),
-            _ => self.items.resolved(name),
+    /// The name of the type that a path means: a full one, or the last word of one outside of the module.
+    fn resolved(&self, path: &[String]) -> String {
+        match (&*self.frame.scope, path) {
+            (Scope { self_type: Some(known), .. }, [name]) if name == "Self" => known.clone(),
+            (scope, path) => self.items.resolved(&scope.module, path),
+        }
+    }
+
+    fn assignment(&mut self, assign: &syn::ExprAssign) -> Value {
+        let expected = match strip(&assign.right) {
+            // What these are worth depends on the type of the place.
+            Expr::Call(_) | Expr::MethodCall(_) => match self.type_of_place(&assign.left) {
+                Some(expected) => expected,
+                None => return Value::Unknown,
+            },
+            _ => Expected::Any,
+        };
+        match self.expression_as(&assign.right, &expected) {
+            Value::Never => Value::Never,
+            value => self.assign(&assign.left, value),
         }
     }
 
@@ -203,7 +268,7 @@ impl Translation<'_> {
             return operand;
         }
         if let (UnOp::Neg(_), Value::Struct(of)) = (&unary.op, &operand)
-            && let Some(function) = self.items.function(Some(&of.name), "neg").cloned()
+            && let Some(function) = self.only_function(Some(&of.name), "neg")
         {
             return self.inline(&unary.op, &function, vec![operand]);
         }
@@ -226,11 +291,14 @@ impl Translation<'_> {
             return Value::Unknown;
         }
         let operator = assigned.as_ref().unwrap_or(&binary.op);
-        if let (Value::Struct(of), Some(name)) = (&left, operators::method(&binary.op))
-            && let Some(function) = self.items.function(Some(&of.name), name).cloned()
-        {
-            let left = if assigned.is_some() { self.reference(&binary.left) } else { left };
-            return self.inline(&binary.op, &function, vec![left, right]);
+        match self.own_operator(&binary.op, &left, &right) {
+            Some(Ok(function)) if assigned.is_some() => {
+                let left = self.reference(&binary.left);
+                return self.inline(&binary.op, &function, vec![left, right]);
+            }
+            Some(Ok(function)) => return self.inline(&binary.op, &function, vec![left, right]),
+            Some(Err(text)) => return self.refuse(&binary.op, text),
+            None => {}
         }
         let value = match operators::binary(self.algebra, operator, &left, &right) {
             Some(value) => value,
@@ -271,8 +339,7 @@ impl Translation<'_> {
 
     fn unsupported_expression(&mut self, expression: &Expr) -> Value {
         match expression {
-            Expr::Let(e) => self.unsupported(&e.let_token, "`if let`", CHOICE),
-            Expr::Try(e) => self.unsupported(&e.question_token, "`?`", "every step must have a value"),
+            Expr::Let(e) => self.unsupported(&e.let_token, "a pattern in this condition", CHOICE),
             Expr::Unsafe(e) => self.unsupported(&e.unsafe_token, "`unsafe`", "there is nothing to be unsafe about"),
             other => self.unsupported(other, "this expression", "use `let`, arithmetic, calls, `if` and `for`"),
         }

@@ -201,6 +201,17 @@ fn compare(a: &Algebra, operator: &BinOp, left: &Value, right: &Value) -> Option
             BinOp::Ne(_) => Condition::equal(a, *x, *y).not(),
             _ => return None,
         },
+        (Value::Ordering(x), Value::Ordering(y)) => {
+            let same = |x: &Condition, y: &Condition| {
+                x.clone().and(y.clone()).or(x.clone().not().and(y.clone().not()))
+            };
+            let equal = same(&x.less, &y.less).and(same(&x.greater, &y.greater));
+            match operator {
+                BinOp::Eq(_) => equal,
+                BinOp::Ne(_) => equal.not(),
+                _ => return None,
+            }
+        }
         (Value::Truth(x), Value::Truth(y)) => match operator {
             BinOp::And(_) | BinOp::BitAnd(_) => x.clone().and(y.clone()),
             BinOp::Or(_) | BinOp::BitOr(_) => x.clone().or(y.clone()),
@@ -219,10 +230,12 @@ pub(super) fn method(operator: &BinOp) -> Option<&'static str> {
         BinOp::Sub(_) => "sub",
         BinOp::Mul(_) => "mul",
         BinOp::Div(_) => "div",
+        BinOp::Rem(_) => "rem",
         BinOp::AddAssign(_) => "add_assign",
         BinOp::SubAssign(_) => "sub_assign",
         BinOp::MulAssign(_) => "mul_assign",
         BinOp::DivAssign(_) => "div_assign",
+        BinOp::RemAssign(_) => "rem_assign",
         _ => return None,
     })
 }

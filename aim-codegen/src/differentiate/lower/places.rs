@@ -7,6 +7,7 @@ use quote::ToTokens;
 use syn::{Expr, ExprMethodCall, UnOp};
 
 use super::algebra::Algebra;
+use super::expected::{Expected, type_of};
 use super::map::{Affine, Map, Quaternion};
 use super::value::{Place, Step, Struct, Value};
 use super::{Translation, square, strip};
@@ -69,6 +70,18 @@ impl Translation<'_> {
                 Value::nothing()
             }
             None => self.refuse(target, messages::no_part_to_assign(&whole.describe())),
+        }
+    }
+
+    /// The type of what stands at a place; `None` after an error.
+    pub(super) fn type_of_place(&mut self, target: &Expr) -> Option<Expected> {
+        match strip(target) {
+            Expr::Tuple(_) | Expr::Array(_) | Expr::Infer(_) => Some(Expected::Any),
+            target => {
+                let place = self.place(target)?;
+                let value = self.read(&place);
+                Some(type_of(&value, self.precision))
+            }
         }
     }
 

@@ -6,7 +6,7 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::map::{Affine, Map};
 use super::square;
-use super::value::{Struct, Value};
+use super::value::{Optional, Order, Struct, Value};
 
 impl Struct {
     /// The same struct with other values in its fields.
@@ -14,6 +14,11 @@ impl Struct {
         let fields = self.fields.iter().zip(values).map(|((name, _), value)| (name.clone(), value)).collect();
         Rc::new(Self { name: self.name.clone(), fields })
     }
+}
+
+/// `then` where the condition holds, else `otherwise`.
+fn either(condition: &Condition, then: &Condition, otherwise: &Condition) -> Condition {
+    condition.clone().and(then.clone()).or(condition.clone().not().and(otherwise.clone()))
 }
 
 impl Value {
@@ -33,11 +38,7 @@ impl Value {
             (Self::Planar(v), Self::Planar(w)) => Self::Planar(condition.select_vector(a, *v, *w)),
             (Self::Vector(v), Self::Vector(w)) => Self::Vector(condition.select_vector(a, *v, *w)),
             (Self::Four(x), Self::Four(y)) => Self::Four(core::array::from_fn(|k| condition.select(a, x[k], y[k]))),
-            (Self::Truth(x), Self::Truth(y)) => {
-                let then = condition.clone().and(x.clone());
-                let otherwise = condition.clone().not().and(y.clone());
-                Self::Truth(then.or(otherwise))
-            }
+            (Self::Truth(x), Self::Truth(y)) => Self::Truth(either(condition, x, y)),
             (Self::Quaternion(q), Self::Quaternion(r)) => Self::Quaternion(q.select(a, condition, r)),
             (Self::Matrix(m), Self::Matrix(n)) => Self::Matrix(Map::select(a, condition, m, n)),
             (Self::Homogeneous(m), Self::Homogeneous(n)) => {
@@ -58,6 +59,15 @@ impl Value {
                 map: Map::select(a, condition, &m.map, &n.map),
                 translation: condition.select_vector(a, m.translation, n.translation),
             }),
+            (Self::Optional(x), Self::Optional(y)) => {
+                let is_some = either(condition, &x.is_some, &y.is_some);
+                // Of what is not there nothing is selected.
+                Self::Optional(Rc::new(Optional { is_some, value: x.value.select(a, condition, &y.value)? }))
+            }
+            (Self::Ordering(x), Self::Ordering(y)) => Self::Ordering(Rc::new(Order {
+                less: either(condition, &x.less, &y.less),
+                greater: either(condition, &x.greater, &y.greater),
+            })),
             (Self::Tuple(x), Self::Tuple(y)) => Self::Tuple(each(a, x, y)?),
             (Self::Array(x), Self::Array(y)) => Self::Array(each(a, x, y)?),
             (Self::Struct(x), Self::Struct(y)) if x.name == y.name => {

@@ -7,10 +7,12 @@ use syn::token::Comma;
 use syn::{Block, Expr, ExprForLoop, ExprLoop, ExprWhile, Item, Lifetime, Pat, Stmt};
 
 use super::condition::Condition;
+use super::expected::Expected;
 use super::frame::Target;
 use super::value::Value;
-use super::{CHOICE, Translation, functions};
-use crate::differentiate::{items, messages};
+use super::{Translation, constants, functions};
+use crate::differentiate::names::{self, Meaning};
+use crate::differentiate::messages;
 
 /// The most nodes of a function's graph. What is derived of more takes minutes to compile.
 const MOST_NODES: usize = 20_000;
@@ -21,34 +23,17 @@ const MOST_ROUNDS: usize = 10_000;
 impl Translation<'_> {
     /// The value of a block.
     pub(super) fn block(&mut self, block: &Block) -> Value {
+        self.block_as(block, &Expected::Any)
+    }
+
+    /// The value of a block, of whose place the type is known.
+    pub(super) fn block_as(&mut self, block: &Block, expected: &Expected) -> Value {
         let depth = self.frame.depth();
-        // Items are known in all of the block.
-        for statement in &block.stmts {
-            match statement {
-                Stmt::Item(Item::Const(item)) => {
-                    let value = self.expression(&item.expr);
-                    self.frame.declare(item.ident.to_string(), value);
-                }
-                Stmt::Item(Item::Use(item)) => {
-                    for (name, path) in items::used_constants(&item.tree) {
-                        let value = self.expression(&path);
-                        self.frame.declare(name, value);
-                    }
-                }
-                _ => {}
-            }
-        }
-        for statement in &block.stmts {
-            if let Stmt::Item(Item::Fn(item)) = statement {
-                let (outside, inside) = self.frame.variables().split_at(depth);
-                let function = functions::inner(item, outside, inside);
-                self.frame.declare(item.sig.ident.to_string(), Value::Function(function));
-            }
-        }
+        self.declare_items(block, depth);
         let mut value = Value::nothing();
         let mut faulty = false;
         for statement in &block.stmts {
-            value = self.statement(statement);
+            value = self.statement(statement, expected);
             faulty |= matches!(value, Value::Unknown);
             // What follows is not reached.
             if value.is_never() {
@@ -60,30 +45,62 @@ impl Translation<'_> {
         if faulty { Value::Unknown } else { value }
     }
 
-    fn statement(&mut self, statement: &Stmt) -> Value {
-        match statement {
-            Stmt::Local(local) => {
-                let value = match &local.init {
-                    Some(init) => {
-                        if let Some((otherwise, _)) = &init.diverge {
-                            self.unsupported(otherwise, "`let … else`", CHOICE);
-                        }
-                        self.expected = self.length_of(&local.pat);
-                        let value = self.expression(&init.expr);
-                        self.expected = None;
-                        value
-                    }
-                    // It is assigned before it is read, or the compiler says so.
-                    None => Value::Unknown,
-                };
-                let never = value.is_never();
-                self.bind(&local.pat, value);
-                if never { Value::Never } else { Value::nothing() }
+    /// Items are known in all of a block.
+    fn declare_items(&mut self, block: &Block, depth: usize) {
+        for statement in &block.stmts {
+            let (name, ty, value) = match statement {
+                Stmt::Item(Item::Const(item)) => (&item.ident, &item.ty, &item.expr),
+                Stmt::Item(Item::Static(item)) if is_unchanged(item) => (&item.ident, &item.ty, &item.expr),
+                Stmt::Item(Item::Use(item)) => {
+                    self.declare_imports(&item.tree);
+                    continue;
+                }
+                _ => continue,
+            };
+            let expected = self.expected(ty);
+            let value = self.expression_as(value, &expected);
+            self.frame.declare(name.to_string(), value);
+        }
+        for statement in &block.stmts {
+            if let Stmt::Item(Item::Fn(item)) = statement {
+                let (outside, inside) = self.frame.variables().split_at(depth);
+                let function = functions::inner(item, (outside, inside), self.frame.scope.clone());
+                self.frame.declare(item.sig.ident.to_string(), Value::Function(function));
             }
+        }
+    }
+
+    /// Functions and constants that a block has from elsewhere.
+    fn declare_imports(&mut self, tree: &syn::UseTree) {
+        for (name, mut path) in names::imports(tree) {
+            if let Some(name) = name {
+                if let Some(value) = self.item(&path) {
+                    self.frame.declare(name, value);
+                }
+                continue;
+            }
+            let all: Vec<String> = match self.items.meaning(&self.frame.scope.module, &path) {
+                Meaning::Own(module) => self.items.items_of(&module).map(str::to_owned).collect(),
+                Meaning::Outside(_) => constants::names().map(str::to_owned).collect(),
+            };
+            for name in all {
+                path.push(name);
+                if let Some(value) = self.item(&path) {
+                    self.frame.declare(path[path.len() - 1].clone(), value);
+                }
+                path.pop();
+            }
+        }
+    }
+
+    fn statement(&mut self, statement: &Stmt, expected: &Expected) -> Value {
+        match statement {
+            Stmt::Local(local) => self.local(local),
             Stmt::Item(Item::Const(_) | Item::Use(_) | Item::Fn(_)) => Value::nothing(),
+            Stmt::Item(Item::Static(item)) if is_unchanged(item) => Value::nothing(),
             Stmt::Item(item) => self.refuse(item, messages::inner_item()),
             Stmt::Macro(statement) => self.macro_call(&statement.mac),
-            Stmt::Expr(expression, None) => self.expression(expression),
+            Stmt::Expr(expression, None) => self.expression_as(expression, expected),
             Stmt::Expr(expression, Some(semicolon)) => {
                 let value = self.expression(expression);
                 match &value {
@@ -95,21 +112,31 @@ impl Translation<'_> {
         }
     }
 
-    /// The length of the array that a declared type says.
-    fn length_of(&mut self, pattern: &Pat) -> Option<usize> {
-        let Pat::Type(typed) = pattern else { return None };
-        let syn::Type::Array(array) = &*typed.ty else { return None };
-        let length = self.expression(&array.len);
-        self.algebra.known_index(&length)
+    /// `let`
+    fn local(&mut self, local: &syn::Local) -> Value {
+        let expected = match &local.pat {
+            Pat::Type(typed) => self.expected(&typed.ty),
+            _ => Expected::Any,
+        };
+        // It is assigned before it is read, or the compiler says so.
+        let value = local.init.as_ref().map_or(Value::Unknown, |init| self.expression_as(&init.expr, &expected));
+        if let Some((token, otherwise)) = local.init.as_ref().and_then(|init| init.diverge.as_ref()) {
+            return self.let_else(local, value, (token, otherwise));
+        }
+        let never = value.is_never();
+        self.bind(&local.pat, value);
+        if never { Value::Never } else { Value::nothing() }
     }
 
     /// A macro's meaning cannot be seen, but that of assertions is known.
     pub(super) fn macro_call(&mut self, call: &syn::Macro) -> Value {
         let name = call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
-        if ["debug_assert", "debug_assert_eq", "debug_assert_ne"].contains(&name.as_str()) {
-            return Value::nothing();
+        match name.strip_prefix("debug_").unwrap_or(&name) {
+            "assert" | "assert_eq" | "assert_ne" => Value::nothing(),
+            // Nothing comes of these, so that the other branch is the value.
+            "panic" | "unreachable" | "todo" | "unimplemented" => Value::Never,
+            _ => self.refuse(&call.path, messages::macro_call()),
         }
-        self.refuse(&call.path, messages::macro_call())
     }
 
     /// Gives the names of a pattern their values.
@@ -196,11 +223,24 @@ impl Translation<'_> {
             return self.refuse(&e.expr, messages::not_iterable(&kind));
         };
         let label = e.label.as_ref().map(|label| &label.name);
-        let mut items = items.into_iter();
-        self.rounds(&e.for_token, label, |this| {
-            let Some(item) = items.next() else { return Round::Over };
+        self.each(&e.for_token, label, items, |this, item| {
             this.bind(&e.pat, item);
-            Round::Of(this.block(&e.body))
+            this.block(&e.body)
+        })
+    }
+
+    /// Runs a round with each.
+    pub(super) fn each(
+        &mut self,
+        token: &impl ToTokens,
+        label: Option<&Lifetime>,
+        items: Vec<Value>,
+        mut round: impl FnMut(&mut Self, Value) -> Value,
+    ) -> Value {
+        let mut items = items.into_iter();
+        self.rounds(token, label, |this| match items.next() {
+            Some(item) => Round::Of(round(this, item)),
+            None => Round::Over,
         })
     }
 
@@ -281,7 +321,8 @@ impl Translation<'_> {
     pub(super) fn jump(&mut self, expression: &Expr) -> Value {
         let (target, value) = match expression {
             Expr::Return(e) => {
-                let value = e.expr.as_ref().map_or(Value::nothing(), |value| self.expression(value));
+                let expected = self.frame.result_type.clone();
+                let value = e.expr.as_ref().map_or(Value::nothing(), |value| self.expression_as(value, &expected));
                 (Some(Target::Function), value)
             }
             Expr::Break(e) if e.expr.is_some() => {
@@ -311,8 +352,13 @@ impl Translation<'_> {
     }
 }
 
+/// Whether a `static` is a constant.
+fn is_unchanged(item: &syn::ItemStatic) -> bool {
+    matches!(item.mutability, syn::StaticMutability::None)
+}
+
 /// Whether a pattern is `..` or `name @ ..`.
-fn is_rest(pattern: &Pat) -> bool {
+pub(super) fn is_rest(pattern: &Pat) -> bool {
     match pattern {
         Pat::Rest(_) => true,
         Pat::Ident(name) => name.subpat.as_ref().is_some_and(|(_, inner)| matches!(**inner, Pat::Rest(_))),

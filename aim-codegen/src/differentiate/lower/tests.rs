@@ -23,6 +23,7 @@ fn interpreted(module: &str, arguments: [f64; 2]) -> f64 {
     let values = inputs.map(Value::Scalar);
     let value = Translation::new(&mut algebra, &mut report, &items, Some(Precision::Double)).function(
         &function.block,
+        &function.sig.output,
         patterns.zip(values),
         &[],
     );
@@ -39,7 +40,7 @@ macro_rules! same {
     ($($name:ident { $($module:item)* })*) => {$(
         #[test]
         fn $name() {
-            #[allow(clippy::all, clippy::pedantic, unused_assignments, unreachable_pub, reason = "as users write it")]
+            #[allow(clippy::all, clippy::pedantic, warnings, reason = "as users write it")]
             mod compiled {
                 $($module)*
             }
@@ -318,6 +319,193 @@ same! {
             let v = 2.0 * x;
             let shadowed = match y { v if v > x => v, _ => v };
             shadowed + side + (0..5).map(|k| mode(k, x - y)).sum::<f64>() + match count { 0 => x, 1 => y, 3 => 5.0, _ => -1.0 }
+        }
+    }
+    defaults_of_every_place {
+        #[derive(Clone, Copy)]
+        struct P { a: f64, b: f64 }
+        impl Default for P { fn default() -> P { P { a: 2.0, b: 3.0 } } }
+        #[derive(Clone, Copy, Default)]
+        struct Q { p: P, n: usize, w: [P; 2], pair: (f64, P), on: bool }
+        struct T(P, f64);
+        type Alias = P;
+        struct Named;
+        impl Named { fn default() -> f64 { 7.0 } }
+        #[derive(Default)]
+        struct Both { c: f64 }
+        impl Both { fn default() -> f64 { 11.0 } }
+        fn sum(p: P, q: &[P; 2]) -> f64 { p.a * p.b + q[1].b }
+        fn made() -> P { Default::default() }
+        fn early(x: f64) -> P { if x > 0.0 { return Default::default(); } P { a: x, ..Default::default() } }
+        fn last() -> Q { let closure = || -> Q { Default::default() }; closure() }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let p = P { a: x, ..Default::default() };
+            let q = Q { n: 2, ..Default::default() };
+            let t = T(Default::default(), y);
+            let typed: P = Default::default();
+            let (one, [two, _]): (Alias, [P; 2]) = (Default::default(), [Default::default(), P { a: y, ..P::default() }]);
+            let mut changed = P { a: x, b: y };
+            if x > y { changed = Default::default(); }
+            let chosen: P = if x > 1.0 { Default::default() } else { p };
+            let matched: P = match q.n { 2 => Default::default(), _ => p };
+            let number: f64 = Default::default();
+            p.a * p.b + q.p.b * q.n as f64 + t.0.a * t.1 + typed.b + one.a * two.b + changed.b + chosen.a + matched.b
+                + sum(Default::default(), &[p, Default::default()]) + made().b + early(y).b + last().pair.1.a + q.w[1].a
+                + number + <P as Default>::default().a + Named::default() + Both::default() + if q.on { 1.0 } else { 0.0 }
+                + { let both: Both = Default::default(); both.c }
+        }
+    }
+    sums_of_nothing {
+        #[derive(Clone, Copy)]
+        struct Pair(f64, f64);
+        impl std::ops::Add for Pair { type Output = Self; fn add(self, o: Self) -> Self { Pair(self.0 + o.0, self.1 + o.1) } }
+        impl std::iter::Sum for Pair {
+            fn sum<I: Iterator<Item = Self>>(pairs: I) -> Self { pairs.fold(Pair(0.0, 1.0), |a, b| a + b) }
+        }
+        fn up_to(j: usize, x: f64) -> f64 { (0..j).map(|i| x + i as f64).sum() }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let a = [[4.0 + x * x, x, 1.0], [x, 5.0 + y * y, y], [1.0, y, 6.0 + x * x + y * y]];
+            let mut l = [[0.0f64; 3]; 3];
+            for i in 0..3 {
+                for j in 0..=i {
+                    let s: f64 = (0..j).map(|k| l[i][k] * l[j][k]).sum();
+                    l[i][j] = if i == j { (a[i][i] - s).sqrt() } else { (a[i][j] - s) / l[j][j] };
+                }
+            }
+            let mut n = 3;
+            n += (0..0).sum::<i32>();
+            let mut later = x;
+            later = (1..1).map(|_| y).product();
+            let none: Pair = [Pair(x, y); 0].iter().copied().sum();
+            let some = [Pair(x, y), Pair(y, 1.0)].into_iter().sum::<Pair>();
+            2.0 * (0..3).map(|i| l[i][i].ln()).sum::<f64>() + up_to(0, x) + up_to(2, y) + later * n as f64
+                + (0..0).map(|_| x).product::<f64>() + none.1 + some.0 * some.1
+        }
+    }
+    modules_inside {
+        use shapes::round::{self, ball as sphere};
+        static WEIGHTS: [f64; 2] = [2.0, shapes::K];
+        const K: f64 = 5.0;
+        mod consts {
+            pub const PI: f64 = 3.0;
+            pub const E: f64 = super::K - 2.5;
+        }
+        mod shapes {
+            use super::K as OUTER;
+            pub const K: f64 = 0.5;
+            #[derive(Clone, Copy, Default)]
+            pub struct Box { pub half: f64, pub at: Place }
+            #[derive(Clone, Copy)]
+            pub struct Place(pub f64);
+            impl Default for Place { fn default() -> Self { Self(K) } }
+            impl Box {
+                pub const UNIT: Self = Self { half: 1.0, at: Place(OUTER) };
+                pub fn size(self, x: f64) -> f64 { (x - self.at.0).abs() - self.half * K }
+            }
+            pub mod round {
+                use super::*;
+                pub type Cube = Box;
+                pub fn ball(x: f64, r: f64) -> f64 { x.abs() - r * K + twice(self::depth(x)) }
+                fn depth(x: f64) -> f64 { x * super::super::K }
+            }
+            fn twice(x: f64) -> f64 { 2.0 * x }
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            use shapes::*;
+            use std::f64::consts::*;
+            let cube = round::Cube { half: x, ..Default::default() };
+            let inner = { use self::shapes::round::ball; static N: f64 = 4.0; ball(x, N) };
+            let UNIT = shapes::Box::UNIT;
+            cube.size(y) + UNIT.size(x) + sphere(x, y) + round::ball(y, 1.0) + inner + WEIGHTS.iter().sum::<f64>()
+                + consts::PI * y + consts::E + TAU * x + K
+        }
+    }
+    functions_of_one_name {
+        use std::ops::{Add, Mul, Neg, Sub};
+        #[derive(Clone, Copy)]
+        struct V(f64, f64);
+        impl Mul<V> for f64 { type Output = V; fn mul(self, v: V) -> V { V(self * v.0, self * v.1) } }
+        impl Mul<f64> for V { type Output = V; fn mul(self, k: f64) -> V { V(k * self.0, k * self.1 + 1.0) } }
+        impl Mul for V { type Output = f64; fn mul(self, o: V) -> f64 { self.0 * o.0 - self.1 * o.1 } }
+        impl Add for V { type Output = V; fn add(self, o: V) -> V { V(self.0 + o.0, self.1 + o.1) } }
+        impl Sub<[f64; 2]> for V { type Output = V; fn sub(self, o: [f64; 2]) -> V { V(self.0 - o[0], self.1 - o[1]) } }
+        impl Neg for V { type Output = V; fn neg(self) -> V { V(-self.0, self.1) } }
+        impl From<f64> for V { fn from(x: f64) -> V { V(x, 1.0) } }
+        impl From<[f64; 2]> for V { fn from([x, y]: [f64; 2]) -> V { V(x, y) } }
+        impl From<(f64, usize)> for V { fn from((x, n): (f64, usize)) -> V { V(x, n as f64) } }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let v = 2.0 * V::from([x, y]) + V::from(y) * x + V::from((x, 3)) - [y, 0.5];
+            v * -v + (x * v).1
+        }
+    }
+    iterators {
+        fn larger(a: f64, b: f64) -> f64 { if a < b { b } else { a } }
+        fn smallest<const N: usize>(values: &[f64; N]) -> Option<f64> { values.iter().copied().reduce(f64::min) }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let m = [[x, y, 1.0], [y, 2.0, x], [0.5, x * y, -1.0]];
+            let square: f64 = m.iter().flatten().map(|v| v * v).sum();
+            let (mut level, mut error) = (x, 0.0);
+            m[1].iter().skip(1).for_each(|&v| {
+                let off = v - level;
+                if off < 0.0 { level -= 1.0; }
+                error += off * off;
+                level += 0.3 * off;
+            });
+            let mut t = m[2];
+            t.iter_mut().enumerate().for_each(|(i, v)| *v *= (i + 1) as f64);
+            let nearest = m[0].iter().map(|c| (x - 2.0 * c).powi(2)).min_by(|a, b| a.partial_cmp(b).unwrap()).unwrap();
+            let furthest = m[2].into_iter().max_by(|a, b| a.total_cmp(b)).unwrap_or(0.0);
+            let at = [(x, 1.0), (y, 2.0), (x, 3.0)];
+            let first = at.iter().min_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(std::cmp::Ordering::Equal)).unwrap().1;
+            let last = at.iter().max_by(|a, b| a.0.total_cmp(&b.0)).unwrap().1;
+            let back = at.iter().max_by(|a, b| b.0.total_cmp(&a.0)).map(|a| a.1).unwrap();
+            let pooled: f64 = [x, y, 1.0, 2.0, y]
+                .chunks(2)
+                .map(|pair| pair.iter().fold(f64::MIN, |m, v| m.max(*v)))
+                .enumerate()
+                .map(|(i, m)| (i as f64 + 1.0) * m)
+                .sum();
+            let zipped: f64 = std::iter::zip([x, y], [y, 3.0]).map(|(a, b)| a * b).sum();
+            let lagrange: f64 = (0..3).map(|i| (0..3).filter(|&j| j != i).map(|j| x - j as f64).product::<f64>()).sum();
+            let pairs: f64 = (0..3).flat_map(|i| [m[i][0], m[0][i]]).sum();
+            let any = m[0].iter().any(|&v| v > 1.5) && !m[1].iter().all(|v| *v > 0.0);
+            square + error + level + t[1] - t[2] + nearest + furthest + first + 10.0 * last + 100.0 * back + pooled + zipped
+                + lagrange + pairs + if any { 3.0 } else { 0.0 } + smallest(&m[0]).unwrap()
+                + [x, y].into_iter().reduce(larger).unwrap() + m[0].first().unwrap() - m[1].last().unwrap()
+        }
+    }
+    options_in_helpers {
+        #[derive(Clone, Copy)]
+        struct Hit { at: f64, side: f64 }
+        fn hit(x: f64, y: f64) -> Option<Hit> {
+            if x < y { return None; }
+            let root = root(x - y)?;
+            if root > 1.0 { Some(Hit { at: root, side: -1.0 }) } else { Some(Hit { at: x, side: 1.0 }) }
+        }
+        fn root(x: f64) -> Option<f64> { if x > 0.25 { Some(x.sqrt()) } else { None } }
+        fn limited(x: f64, limit: Option<f64>) -> f64 {
+            let Some(limit) = limit else { return x };
+            x.min(limit)
+        }
+        fn nearest(x: f64) -> Option<f64> {
+            let mut best: Option<f64> = None;
+            for c in [1.0, -2.0, 0.25] {
+                let d = (x - c).abs();
+                if d > 2.5 { continue; }
+                if best.is_none() || d < best.unwrap_or(0.0) { best = Some(d); }
+            }
+            best
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            assert!(x < 100.0, "too far");
+            assert_eq!(1, 1);
+            let &[a, b] = &[x, y] else { unreachable!() };
+            let seen = if let Some(Hit { at, side }) = hit(a, b) && at > 0.6 { at * side } else { -7.0 };
+            let other = match root(y) { Some(r) if r > 1.0 => r, Some(_) => 1.0, None => x };
+            let n = if x > 1000.0 { panic!("never") } else { 2.0 };
+            let mapped = root(x).map(|r| r + 1.0).and_then(|r| if r < 2.0 { Some(r) } else { None }).map_or(0.5, |r| 3.0 * r);
+            seen + other * n + nearest(x).unwrap_or(9.0) + limited(x, Some(y)) + limited(y, None) + mapped + root(y).unwrap_or_else(|| x)
+                + if root(x).is_some() { 1.0 } else { 0.0 }
         }
     }
 }

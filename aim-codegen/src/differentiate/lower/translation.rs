@@ -7,7 +7,7 @@ use syn::Expr;
 
 use super::algebra::Algebra;
 use super::frame::Frame;
-use super::value::{Callable, Value};
+use super::value::{Callable, Scope, Value};
 use crate::declare::report::Report;
 use crate::declare::report::text::Text;
 use crate::declare::tree::Notation;
@@ -30,8 +30,6 @@ pub(in crate::differentiate) struct Translation<'a> {
     pub(super) constants: Vec<String>,
     /// Rounds of loops so far.
     pub(super) rounds_run: usize,
-    /// The length of the array that is to come of the expression.
-    pub(super) expected: Option<usize>,
 }
 
 impl<'a> Translation<'a> {
@@ -42,8 +40,16 @@ impl<'a> Translation<'a> {
         items: &'a Items,
         precision: Option<Precision>,
     ) -> Self {
-        let (frame, calls, constants) = (Frame::new(Vec::new()), Vec::new(), Vec::new());
-        Self { algebra, report, items, precision, frame, calls, constants, rounds_run: 0, expected: None }
+        let frame = Frame::new(Vec::new(), Rc::default());
+        Self { algebra, report, items, precision, frame, calls: Vec::new(), constants: Vec::new(), rounds_run: 0 }
+    }
+
+    /// What is done in another scope, without the variables of the function that is being run.
+    pub(super) fn within<R>(&mut self, scope: Rc<Scope>, act: impl FnOnce(&mut Self) -> R) -> R {
+        let outer = core::mem::replace(&mut self.frame, Frame::new(Vec::new(), scope));
+        let result = act(self);
+        self.frame = outer;
+        result
     }
 
     /// Reports what has no value.
@@ -64,7 +70,7 @@ impl<'a> Translation<'a> {
     /// The words about a name that stands for nothing that was read, where nothing better is known of it than these.
     pub(super) fn unseen(&self, name: &str, otherwise: Text) -> Text {
         match name {
-            "Some" | "None" | "Ok" | "Err" => messages::no_option(name),
+            "Ok" | "Err" => messages::no_result_value(name),
             _ if self.items.is_conditional(name) => messages::conditional_item(name),
             _ => otherwise,
         }
@@ -72,8 +78,9 @@ impl<'a> Translation<'a> {
 }
 
 /// The length of an array that its type says.
-pub(in crate::differentiate) fn length(expression: &Expr, items: &Items) -> Option<usize> {
+pub(in crate::differentiate) fn length(expression: &Expr, items: &Items, scope: &Scope) -> Option<usize> {
     let (mut algebra, mut report) = (Algebra::new(), Report::new(Notation::Rust));
-    let value = Translation::new(&mut algebra, &mut report, items, None).expression(expression);
+    let mut translation = Translation::new(&mut algebra, &mut report, items, None);
+    let value = translation.within(Rc::new(scope.clone()), |this| this.expression(expression));
     algebra.known_index(&value)
 }

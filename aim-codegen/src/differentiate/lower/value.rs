@@ -31,6 +31,8 @@ pub(crate) enum Value {
     Tuple(Vec<Self>),
     Array(Vec<Self>),
     Struct(Rc<Struct>),
+    Optional(Rc<Optional>),
+    Ordering(Rc<Order>),
     Function(Rc<Callable>),
     /// `&mut` of a place.
     Reference(Rc<Place>),
@@ -44,6 +46,21 @@ pub(crate) enum Value {
 
 /// Columns of as many numbers.
 pub(crate) type Columns = Vec<Vec<Scalar>>;
+
+/// An `Option`.
+#[derive(Clone, Debug)]
+pub(crate) struct Optional {
+    pub(crate) is_some: Condition,
+    /// What is inside, where there is something; [`Value::Never`] of `None`.
+    pub(crate) value: Value,
+}
+
+/// How two numbers compare.
+#[derive(Clone, Debug)]
+pub(crate) struct Order {
+    pub(crate) less: Condition,
+    pub(crate) greater: Condition,
+}
 
 /// A value of a struct of the module.
 #[derive(Clone, Debug)]
@@ -59,6 +76,17 @@ impl Struct {
     }
 }
 
+/// Where something is written: what the paths there mean.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Scope {
+    /// The module, by its full name.
+    pub(crate) module: String,
+    /// What `Self` is.
+    pub(crate) self_type: Option<String>,
+    /// Types that are not known: generic parameters.
+    pub(crate) generics: Vec<String>,
+}
+
 /// What can be called.
 pub(crate) struct Callable {
     /// Of a function, with its type in front.
@@ -71,8 +99,12 @@ pub(crate) struct Callable {
     pub(crate) body: Expr,
     /// The variables that it sees of where it is made.
     pub(crate) captured: Vec<(String, Value)>,
-    /// What `Self` is.
-    pub(crate) self_type: Option<String>,
+    /// The type of its result, where that is said.
+    pub(crate) result: Option<syn::Type>,
+    /// Where it is written.
+    pub(crate) scope: Rc<Scope>,
+    /// The trait that it is a function of.
+    pub(crate) of_trait: Option<String>,
 }
 
 impl core::fmt::Debug for Callable {
@@ -120,6 +152,8 @@ impl Value {
             Self::Tuple(values) => format!("a tuple of {}", values.len()),
             Self::Array(values) => format!("an array of {}", values.len()),
             Self::Struct(of) => format!("a `{}`", of.name),
+            Self::Optional(_) => "an option".into(),
+            Self::Ordering(_) => "an ordering".into(),
             Self::Function(_) => "a function".into(),
             Self::Reference(_) => "a reference that changes what it refers to".into(),
             Self::Sequence(values) => format!("an iterator over {}", values.len()),

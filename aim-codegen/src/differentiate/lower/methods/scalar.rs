@@ -1,12 +1,15 @@
 //! Functions of numbers.
 
+use std::rc::Rc;
+
 use aim_symbolic::Function::{Acos, Asin, Cosh, Exp, Floor, Ln, Sinh, Tan, Tanh};
 use aim_symbolic::Scalar;
 
 use super::function::{Fault, evaluate, functions};
 use crate::declare::report::text::Text;
 use crate::differentiate::lower::algebra::Algebra;
-use crate::differentiate::lower::value::Value;
+use crate::differentiate::lower::condition::Condition;
+use crate::differentiate::lower::value::{Optional, Order, Value};
 use crate::differentiate::messages;
 
 functions! {
@@ -64,6 +67,11 @@ functions! {
         let factor = a.number(180.0 / core::f64::consts::PI);
         a.mul(factor, x)
     }
+    partial_cmp(x: Scalar, y: Scalar) -> Optional {
+        let order = Value::Ordering(Rc::new(Order::of(a, x, y)));
+        Rc::new(Optional { is_some: Condition::Known(true), value: order })
+    }
+    total_cmp(x: Scalar, y: Scalar) -> Ordering { Rc::new(Order::of(a, x, y)) }
     clone(x: Scalar) -> Scalar { x }
 }
 
@@ -80,6 +88,7 @@ functions! {
     abs(n: Integer) = if n < 0 { -n } else { n };
     min(n: Integer, m: Integer) = if m < n { m } else { n };
     max(n: Integer, m: Integer) = if n < m { m } else { n };
+    cmp(n: Integer, m: Integer) -> Ordering { Rc::new(Order::of(a, n, m)) }
     clone(n: Integer) -> Integer { n }
 }
 

@@ -1,0 +1,140 @@
+//! Options and orderings: what is there under a condition, and how two numbers compare.
+
+use std::rc::Rc;
+
+use aim_symbolic::Scalar;
+use syn::{Expr, ExprMethodCall, ExprTry};
+
+use super::Translation;
+use super::algebra::Algebra;
+use super::condition::Condition;
+use super::expected::Expected;
+use super::frame::Target;
+use super::value::{Optional, Order, Value};
+use crate::differentiate::messages;
+
+/// The methods of options and orderings, for messages.
+const METHODS: &[&str] =
+    &["is_some", "is_none", "unwrap", "expect", "unwrap_or", "unwrap_or_else", "map", "map_or", "and_then"];
+
+impl Value {
+    pub(super) fn none() -> Self {
+        Self::Optional(Rc::new(Optional { is_some: Condition::Known(false), value: Self::Never }))
+    }
+
+    pub(super) fn some(value: Self) -> Self {
+        Self::some_if(Condition::Known(true), value)
+    }
+
+    /// `Some` where the condition holds.
+    pub(super) fn some_if(is_some: Condition, value: Self) -> Self {
+        if value.is_unknown() { value } else { Self::Optional(Rc::new(Optional { is_some, value })) }
+    }
+
+    /// `Ordering::Less` and its like.
+    pub(super) fn ordering(name: &str) -> Option<Self> {
+        let known = |name: &str, expected: &str| Condition::Known(name == expected);
+        let is_one = ["Less", "Equal", "Greater"].contains(&name);
+        is_one.then(|| Self::Ordering(Rc::new(Order { less: known(name, "Less"), greater: known(name, "Greater") })))
+    }
+}
+
+impl Order {
+    /// Of two numbers.
+    pub(super) fn of(a: &Algebra, x: Scalar, y: Scalar) -> Self {
+        Self { less: Condition::less(a, x, y), greater: Condition::less(a, y, x) }
+    }
+}
+
+impl Translation<'_> {
+    /// A method of an option or an ordering; `None` if the receiver is neither.
+    pub(super) fn optional_method(
+        &mut self,
+        receiver: &Value,
+        call: &ExprMethodCall,
+        expected: &Expected,
+    ) -> Option<Value> {
+        let name = call.method.to_string();
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        let optional = match (receiver, name.as_str()) {
+            (Value::Ordering(order), "reverse") => {
+                let Order { less, greater } = (**order).clone();
+                return Some(Value::Ordering(Rc::new(Order { less: greater, greater: less })));
+            }
+            (Value::Optional(optional), _) => optional,
+            (Value::Ordering(_), _) => {
+                let text = messages::unknown_method(&name, &receiver.describe(), &["reverse"]);
+                return Some(self.refuse(&call.method, text));
+            }
+            _ => return None,
+        };
+        let Optional { is_some, value } = &**optional;
+        let nothing = matches!(is_some, Condition::Known(false));
+        Some(match (name.as_str(), arguments.as_slice()) {
+            ("clone" | "copied" | "cloned" | "as_ref", []) => receiver.clone(),
+            ("is_some", []) => Value::Truth(is_some.clone()),
+            ("is_none", []) => Value::Truth(is_some.clone().not()),
+            ("unwrap", []) | ("expect", [_]) if nothing => self.refuse(&call.method, messages::unwrapped_none()),
+            // Where there is nothing, the function has no value.
+            ("unwrap", []) | ("expect", [_]) => value.clone(),
+            ("unwrap_or", [otherwise]) => {
+                let otherwise = self.expression_as(otherwise, expected);
+                self.either_value(call, is_some, value, &otherwise)
+            }
+            ("unwrap_or_else", [otherwise]) => {
+                let function = self.function_argument(otherwise, 0)?;
+                let otherwise = self.inline(&call.method, &function, Vec::new());
+                self.either_value(call, is_some, value, &otherwise)
+            }
+            ("map", [_]) if nothing => receiver.clone(),
+            ("map", [function]) => {
+                let function = self.function_argument(function, 1)?;
+                let mapped = self.inline(&call.method, &function, vec![value.clone()]);
+                Value::some_if(is_some.clone(), mapped)
+            }
+            ("map_or", [otherwise, function]) => {
+                let otherwise = self.expression_as(otherwise, expected);
+                let function = self.function_argument(function, 1)?;
+                let mapped = if nothing {
+                    Value::Never
+                } else {
+                    self.inline(&call.method, &function, vec![value.clone()])
+                };
+                self.either_value(call, is_some, &mapped, &otherwise)
+            }
+            ("and_then", [_]) if nothing => receiver.clone(),
+            ("and_then", [function]) => {
+                let function = self.function_argument(function, 1)?;
+                let next = self.inline(&call.method, &function, vec![value.clone()]);
+                self.either_value(call, is_some, &next, &Value::none())
+            }
+            _ => self.refuse(&call.method, messages::unknown_method(&name, &receiver.describe(), METHODS)),
+        })
+    }
+
+    fn either_value(&mut self, call: &ExprMethodCall, condition: &Condition, then: &Value, otherwise: &Value) -> Value {
+        then.select(self.algebra, condition, otherwise).unwrap_or_else(|| {
+            let text = messages::branches_differ(&then.describe(), &otherwise.describe());
+            self.refuse(&call.method, text)
+        })
+    }
+
+    /// `value?`, which leaves the function where there is nothing.
+    pub(super) fn try_value(&mut self, e: &ExprTry) -> Value {
+        match self.expression(&e.expr) {
+            Value::Optional(optional) => {
+                let Optional { is_some, value } = (*optional).clone();
+                self.branch(
+                    &e.question_token,
+                    Some(is_some),
+                    |_| value,
+                    |this| {
+                        this.frame.exit(Target::Function, Value::none());
+                        Value::Never
+                    },
+                )
+            }
+            value => self.refuse_known(&value, &e.question_token, messages::not_an_option(&value.describe())),
+        }
+    }
+}

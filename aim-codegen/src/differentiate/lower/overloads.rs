@@ -1,0 +1,73 @@
+//! Functions of one name: which of them is meant, by the types of their parameters and the values they are given.
+
+use std::rc::Rc;
+
+use syn::BinOp;
+
+use super::expected::{Expected, type_of};
+use super::value::{Callable, Value};
+use super::{Translation, operators};
+use crate::declare::report::text::Text;
+use crate::differentiate::messages;
+
+impl Translation<'_> {
+    /// The functions of this name.
+    pub(super) fn functions(&self, of: Option<&str>, name: &str) -> Vec<Rc<Callable>> {
+        self.items.functions(of, name).cloned().collect()
+    }
+
+    /// The function of this name; `None` if there is none, or several.
+    pub(super) fn only_function(&self, of: Option<&str>, name: &str) -> Option<Rc<Callable>> {
+        match self.functions(of, name).as_slice() {
+            [function] => Some(function.clone()),
+            _ => None,
+        }
+    }
+
+    /// The one of several functions that takes these arguments; `None` if there is none, or several.
+    pub(super) fn function_for(&mut self, several: &[Rc<Callable>], arguments: &[Value]) -> Option<Rc<Callable>> {
+        let mut fitting = Vec::new();
+        for function in several {
+            let fits = function.parameters.len() == arguments.len()
+                && (0..arguments.len()).all(|index| self.parameter(function, index).fits(&arguments[index]));
+            if fits {
+                fitting.push(function.clone());
+            }
+        }
+        if fitting.len() == 1 { fitting.pop() } else { None }
+    }
+
+    /// What the type of a parameter says.
+    pub(super) fn parameter(&mut self, function: &Callable, index: usize) -> Expected {
+        match function.parameters.get(index) {
+            Some((_, Some(ty))) => self.within(function.scope.clone(), |this| this.expected(ty)),
+            _ => Expected::Any,
+        }
+    }
+
+    /// The name of a value's type.
+    pub(super) fn type_name(&self, value: &Value) -> Option<String> {
+        type_of(value, self.precision).name().map(str::to_owned)
+    }
+
+    /// The operator between two values of which one is of a struct of the module; `None` where there is none.
+    pub(super) fn own_operator(
+        &mut self,
+        operator: &BinOp,
+        left: &Value,
+        right: &Value,
+    ) -> Option<Result<Rc<Callable>, Text>> {
+        let name = operators::method(operator)?;
+        if !matches!((left, right), (Value::Struct(_), _) | (_, Value::Struct(_))) {
+            return None;
+        }
+        let several = self.functions(Some(&self.type_name(left)?), name);
+        // That which the operator changes is no argument that decides.
+        let found = self.function_for(&several, &[Value::Unknown, right.clone()]);
+        match (found, several.len()) {
+            (Some(found), _) => Some(Ok(found)),
+            (None, 0 | 1) => None,
+            (None, _) => Some(Err(messages::several_functions(name))),
+        }
+    }
+}
