@@ -36,12 +36,25 @@ functions! {
     exp_m1(x: Scalar) = 2.0 * (0.5 * x).sinh() * (0.5 * x).exp();
     exp2(x: Scalar) = (x * core::f64::consts::LN_2).exp();
     ln(x: Scalar) -> Scalar { a.call(Ln, x) }
+    ln_1p(x: Scalar) -> Scalar { by_artanh(a, x, ["2.0", "1.0 / (2.0 + x)", "(1.0 + x).ln()"])? }
     log(x: Scalar, base: Scalar) = x.ln() / base.ln();
     log2(x: Scalar) = x.ln() / core::f64::consts::LN_2;
     log10(x: Scalar) = x.ln() / core::f64::consts::LN_10;
     sinh(x: Scalar) -> Scalar { a.call(Sinh, x) }
     cosh(x: Scalar) -> Scalar { a.call(Cosh, x) }
     tanh(x: Scalar) -> Scalar { a.call(Tanh, x) }
+    asinh(x: Scalar) -> Scalar { by_artanh(a, x, ["1.0", "1.0 / (1.0 + x * x).sqrt()", ASINH])? }
+    acosh(x: Scalar) = (x - 1.0 + (x - 1.0).sqrt() * (x + 1.0).sqrt()).ln_1p();
+    atanh(x: Scalar) -> Scalar { by_artanh(a, x, ["1.0", "1.0", "0.5 * ((1.0 + x) / (1.0 - x)).ln()"])? }
+    floor(x: Scalar) -> Scalar { a.call(Floor, x) }
+    ceil(x: Scalar) = -(-x).floor();
+    trunc(x: Scalar) = if x < 0.0 { x.ceil() } else { x.floor() };
+    fract(x: Scalar) = x - x.trunc();
+    round(x: Scalar) = {
+        let whole = x.trunc();
+        let rest = x - whole;
+        if rest < 0.5 && rest > -0.5 { whole } else { whole + x.signum() }
+    };
     rem_euclid(x: Scalar, y: Scalar) -> Scalar {
         let size = evaluate(a, "y.abs()", &["y"], &[Value::Scalar(y)]);
         let Value::Scalar(size) = size else { return Err(Fault::Arguments) };
@@ -90,6 +103,29 @@ functions! {
     max(n: Integer, m: Integer) = if n < m { m } else { n };
     cmp(n: Integer, m: Integer) -> Ordering { Rc::new(Order::of(a, n, m)) }
     clone(n: Integer) -> Integer { n }
+}
+
+/// That of |x|, with the sign of x: nothing is squared that could overflow before it is looked at.
+const ASINH: &str = "x.signum() * (x.abs() * (1.0 + (1.0 + 1.0 / (x * x)).sqrt())).ln()";
+
+/// c artanh(r x), of which `r` is given as an expression of x, c r x Σ (r x)²ᵏ/(2k + 1) where |r x| < ¼: no digits are lost
+/// there. Elsewhere it is an expression of x by logarithms. x is a factor of both, so that a quotient by x has its limit
+/// at 0.
+fn by_artanh(a: &mut Algebra, x: Scalar, [c, r, closed]: [&str; 3]) -> Result<Scalar, Fault> {
+    let formula = format!(
+        "{{
+            let r = {r};
+            let square = (r * x) * (r * x);
+            let series = (0..13).rev().fold(0.0, |sum, k| sum * square + 1.0 / (2 * k + 1) as f64);
+            let far = if square < 0.0625 {{ 0.5 }} else {{ x }};
+            let closed = |x: f64| {closed};
+            x * if square < 0.0625 {{ {c} * r * series }} else {{ closed(far) / far }}
+        }}"
+    );
+    match evaluate(a, &formula, &["x"], &[Value::Scalar(x)]) {
+        Value::Scalar(value) => Ok(value),
+        _ => Err(Fault::Arguments),
+    }
 }
 
 /// The exponent of a power, which has to be known.

@@ -1,0 +1,140 @@
+//! Logarithms beside 1, inverse hyperbolic functions and roundings: values and slopes, and limits of quotients at 0.
+
+use aim::differentiate;
+
+macro_rules! functions {
+    ($module:ident: $real:ident) => {
+        #[differentiate(check = true)]
+        mod $module {
+            #[differentiate(wrt(x), hessian)]
+            pub(super) fn ln_1p(x: $real) -> $real {
+                x.ln_1p()
+            }
+            #[differentiate(wrt(x), hessian)]
+            pub(super) fn asinh(x: $real) -> $real {
+                x.asinh()
+            }
+            #[differentiate(wrt(x), hessian)]
+            pub(super) fn acosh(x: $real) -> $real {
+                x.acosh()
+            }
+            #[differentiate(wrt(x), hessian)]
+            pub(super) fn atanh(x: $real) -> $real {
+                x.atanh()
+            }
+            #[differentiate(wrt(x))]
+            pub(super) fn roundings(x: $real) -> [$real; 5] {
+                [x.floor(), x.ceil(), x.round(), x.trunc(), x.fract()]
+            }
+            #[differentiate(wrt(x), hessian)]
+            pub(super) fn ln_1p_over(x: $real) -> $real {
+                x.ln_1p() / x
+            }
+            #[differentiate(wrt(x), hessian)]
+            pub(super) fn asinh_over(x: $real) -> $real {
+                x.asinh() / x
+            }
+            #[differentiate(wrt(x), hessian)]
+            pub(super) fn atanh_over(x: $real) -> $real {
+                x.atanh() / x
+            }
+            #[differentiate(wrt(x))]
+            pub(super) fn softplus(x: $real) -> $real {
+                x.max(0.0) + (-x.abs()).exp().ln_1p()
+            }
+        }
+    };
+}
+
+functions!(single: f32);
+functions!(double: f64);
+
+type Second<T> = (T, (T,), [[T; 1]; 1]);
+
+/// The value, the slope and the second derivative are near, by the digits that the type has.
+#[track_caller]
+fn near(what: &str, x: f64, expected: [f64; 3], double: Second<f64>, single: Second<f32>) {
+    let found = [double.0, double.1.0, double.2[0][0]];
+    let of_single = [single.0, single.1.0, single.2[0][0]].map(f64::from);
+    for (found, digits) in [(found, 4e-15), (of_single, 2e-6)] {
+        for ((found, expected), digits) in found.iter().zip(expected).zip([digits, 4.0 * digits, 40.0 * digits]) {
+            let size = expected.abs().max(f64::from(f32::MIN_POSITIVE));
+            assert!((found - expected).abs() <= digits * size, "{what} of {x}: {found} instead of {expected}");
+        }
+    }
+}
+
+#[test]
+fn no_digits_are_lost_beside_zero() {
+    for size in [1e-30, 1e-12, 1e-6, 0.01, 0.2, 0.24, 0.26, 0.3, 0.45, 0.7, 0.9, 3.0, 1e3, 1e8, 1e18] {
+        for sign in [1.0, -1.0] {
+            let x = f64::from((sign * size) as f32);
+            let f = x as f32;
+            if x > -0.95 {
+                let slope = 1.0 / (1.0 + x);
+                near(
+                    "ln_1p",
+                    x,
+                    [x.ln_1p(), slope, -slope * slope],
+                    double::ln_1p_hessian(x),
+                    single::ln_1p_hessian(f),
+                );
+            }
+            // That of std is odd only so far as its logarithm is exact: it is compared with a series of its own.
+            let asinh = if size < 0.01 { x - x.powi(3) / 6.0 } else { x.asinh() };
+            let slope = 1.0 / x.hypot(1.0);
+            near("asinh", x, [asinh, slope, -x * slope.powi(3)], double::asinh_hessian(x), single::asinh_hessian(f));
+            if size < 0.95 {
+                let slope = 1.0 / ((1.0 - x) * (1.0 + x));
+                let expected = [x.atanh(), slope, 2.0 * x * slope * slope];
+                near("atanh", x, expected, double::atanh_hessian(x), single::atanh_hessian(f));
+            }
+        }
+    }
+    for x in [1.0 + 2.0_f64.powi(-20), 1.01, 1.5, 3.0, 1e4] {
+        let slope = 1.0 / ((x - 1.0) * (x + 1.0)).sqrt();
+        // Near 1 that of std loses digits: acosh(1 + e) = √(2e) (1 − e/12 + 3e²/160 − …).
+        let e = x - 1.0;
+        let acosh = if e < 1e-3 { (2.0 * e).sqrt() * (1.0 - e / 12.0 + 0.01875 * e * e) } else { x.acosh() };
+        near("acosh", x, [acosh, slope, -x * slope.powi(3)], double::acosh_hessian(x), single::acosh_hessian(x as f32));
+    }
+}
+
+#[test]
+fn quotients_have_limits_at_zero() {
+    for (found, expected) in [
+        (double::ln_1p_over_hessian(0.0), (1.0, (-0.5,), [[2.0 / 3.0]])),
+        (double::asinh_over_hessian(0.0), (1.0, (0.0,), [[-1.0 / 3.0]])),
+        (double::atanh_over_hessian(0.0), (1.0, (0.0,), [[2.0 / 3.0]])),
+    ] {
+        let off =
+            (found.0 - expected.0).abs() + (found.1.0 - expected.1.0).abs() + (found.2[0][0] - expected.2[0][0]).abs();
+        assert!(off < 1e-14, "{found:?} instead of {expected:?}");
+    }
+    assert_eq!(single::ln_1p_over_gradient(0.0), (1.0, (-0.5,)));
+    // Beside 0 it is 1/2, and nothing overflows far away.
+    for (x, value, slope) in [
+        (0.0, core::f64::consts::LN_2, 0.0),
+        (1e3, 1e3, 1.0),
+        (-1e3, 0.0, 0.0),
+        (-40.0, 4.248354255291589e-18, 4.248354255291589e-18),
+    ] {
+        let found = double::softplus_gradient(x);
+        assert!((found.0 - value).abs() <= 1e-14 * value, "{x}: {found:?}");
+        assert!(x == 0.0 || (found.1.0 - slope).abs() <= 1e-14 * slope, "{x}: {found:?}");
+    }
+}
+
+#[test]
+fn roundings_are_flat() {
+    let below_half = 0.5_f64.next_down();
+    for x in [0.0, 0.3, below_half, 0.5, 0.7, 1.0, 1.5, 2.5, 1e6 + 0.5, 4503599627370497.5, 1e20] {
+        for x in [x, -x] {
+            let (values, (slopes,)) = double::roundings_jacobian(x);
+            assert_eq!(values, double::roundings(x), "{x}");
+            assert_eq!(slopes, [0.0, 0.0, 0.0, 0.0, 1.0], "{x}");
+            let x = x as f32;
+            assert_eq!(single::roundings_jacobian(x), (single::roundings(x), ([0.0, 0.0, 0.0, 0.0, 1.0],)), "{x}");
+        }
+    }
+}
