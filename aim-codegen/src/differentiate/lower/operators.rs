@@ -48,7 +48,17 @@ fn sum(
             let v = a.vector([*x; 3]);
             Value::Vector(of_vectors(a, v, *w))
         }
+        (Value::Planar(v), Value::Scalar(x)) => {
+            let w = in_plane(a, *x);
+            Value::Planar(of_vectors(a, *v, w))
+        }
+        (Value::Scalar(x), Value::Planar(w)) => {
+            let v = in_plane(a, *x);
+            Value::Planar(of_vectors(a, v, *w))
+        }
         (Value::Four(v), Value::Four(w)) => Value::Four(core::array::from_fn(|k| of_scalars(a, v[k], w[k]))),
+        (Value::Four(v), Value::Scalar(x)) => Value::Four(v.map(|c| of_scalars(a, c, *x))),
+        (Value::Scalar(x), Value::Four(w)) => Value::Four(w.map(|c| of_scalars(a, *x, c))),
         (Value::Matrix(m), Value::Matrix(n)) => Value::Matrix(m.zip(a, n, of_vectors)),
         (Value::Quaternion(q), Value::Quaternion(r)) => {
             let ((u, w), (v, x)) = q.parts.zip(r.parts)?;
@@ -56,6 +66,12 @@ fn sum(
         }
         _ => return None,
     })
+}
+
+/// The vector of two of one number.
+fn in_plane(a: &mut Algebra, x: Scalar) -> Vector {
+    let zero = a.number(0.0);
+    a.vector([x, x, zero])
 }
 
 fn multiply(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
@@ -95,6 +111,23 @@ fn divide(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
     match (left, right) {
         (Value::Scalar(x), Value::Scalar(y)) => Some(Value::Scalar(a.div(*x, *y))),
         (Value::Vector(v), Value::Vector(w)) => Some(Value::Vector(a.zip(*v, *w, |a, x, y| a.div(x, y)))),
+        (Value::Scalar(x), Value::Vector(w)) => {
+            let v = a.vector([*x; 3]);
+            Some(Value::Vector(a.zip(v, *w, |a, x, y| a.div(x, y))))
+        }
+        (Value::Planar(_) | Value::Scalar(_), Value::Planar(w)) => {
+            let v = match left {
+                Value::Planar(v) => *v,
+                Value::Scalar(x) => in_plane(a, *x),
+                _ => return None,
+            };
+            // The third component stays 0.
+            let (v, w, zero) = (a.parts(v), a.parts(*w), a.number(0.0));
+            let [x, y] = [0, 1].map(|k| a.div(v[k], w[k]));
+            Some(Value::Planar(a.vector([x, y, zero])))
+        }
+        (Value::Four(v), Value::Four(w)) => Some(Value::Four(core::array::from_fn(|k| a.div(v[k], w[k])))),
+        (Value::Scalar(x), Value::Four(w)) => Some(Value::Four(w.map(|c| a.div(*x, c)))),
         (
             Value::Planar(_) | Value::Vector(_) | Value::Four(_) | Value::Matrix(_) | Value::Quaternion(_),
             Value::Scalar(k),
@@ -202,9 +235,7 @@ fn compare(a: &Algebra, operator: &BinOp, left: &Value, right: &Value) -> Option
             _ => return None,
         },
         (Value::Ordering(x), Value::Ordering(y)) => {
-            let same = |x: &Condition, y: &Condition| {
-                x.clone().and(y.clone()).or(x.clone().not().and(y.clone().not()))
-            };
+            let same = |x: &Condition, y: &Condition| x.clone().and(y.clone()).or(x.clone().not().and(y.clone().not()));
             let equal = same(&x.less, &y.less).and(same(&x.greater, &y.greater));
             match operator {
                 BinOp::Eq(_) => equal,

@@ -165,6 +165,32 @@ functions! {
         let map = about(a, axis, radians)?;
         Affine::about_origin(a, map)
     }
+    look_to_rh(eye: Vector, ahead: Vector, up: Vector) = {
+        let aside = ahead.cross(up).normalize();
+        let m = Mat3::from_cols(aside, aside.cross(ahead), -ahead).transpose();
+        Mat4::from_mat3_translation(m, -(m * eye))
+    };
+    look_to_lh(eye: Vector, ahead: Vector, up: Vector) = Mat4::look_to_rh(eye, -ahead, up);
+    look_at_rh(eye: Vector, at: Vector, up: Vector) = Mat4::look_to_rh(eye, (at - eye).normalize(), up);
+    look_at_lh(eye: Vector, at: Vector, up: Vector) = Mat4::look_to_lh(eye, (at - eye).normalize(), up);
+    perspective_rh(angle: Scalar, aspect: Scalar, near: Scalar, far: Scalar) = {
+        let (height, depth) = ((0.5 * angle).tan().recip(), far / (near - far));
+        Mat4::from_cols(
+            Vec4::new(height / aspect, 0.0, 0.0, 0.0),
+            Vec4::new(0.0, height, 0.0, 0.0),
+            Vec4::new(0.0, 0.0, depth, -1.0),
+            Vec4::new(0.0, 0.0, depth * near, 0.0),
+        )
+    };
+    perspective_lh(angle: Scalar, aspect: Scalar, near: Scalar, far: Scalar) = {
+        let (height, depth) = ((0.5 * angle).tan().recip(), far / (far - near));
+        Mat4::from_cols(
+            Vec4::new(height / aspect, 0.0, 0.0, 0.0),
+            Vec4::new(0.0, height, 0.0, 0.0),
+            Vec4::new(0.0, 0.0, depth, 1.0),
+            Vec4::new(0.0, 0.0, -depth * near, 0.0),
+        )
+    };
     from(m: Affine) -> Homogeneous { m }
 }
 

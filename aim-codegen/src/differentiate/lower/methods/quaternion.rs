@@ -2,7 +2,7 @@
 
 use aim_symbolic::{Node, Scalar, Vector};
 
-use super::function::{evaluate, functions};
+use super::function::{Fault, evaluate, functions};
 use crate::declare::report::text::Text;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::map::Quaternion;
@@ -42,6 +42,13 @@ functions! {
         let arc = a.g.arc(square, w);
         let factor = a.mul(two, arc);
         a.scale(factor, u)
+    }
+    angle_between(q: Quaternion, r: Quaternion) -> Scalar {
+        let (u, w) = parts(&q.conjugate(a).compose(a, &r))?;
+        let (length, two) = (a.norm(u), a.number(2.0));
+        let Value::Scalar(size) = evaluate(a, "w.abs()", &["w"], &[Value::Scalar(w)]) else { return Err(Fault::Arguments) };
+        let half = a.atan2(length, size);
+        a.mul(two, half)
     }
     to_axis_angle(q: Quaternion) -> Tuple {
         let (u, w) = parts(&q)?;

@@ -29,6 +29,12 @@ functions! {
         let index = axis(a, index)?;
         m.transpose(a).column(a, index)
     }
+    to_cols_array(m: Matrix) -> Array {
+        m.columns(a).into_iter().flat_map(|column| a.parts(column)).map(Value::Scalar).collect()
+    }
+    to_cols_array_2d(m: Matrix) -> Array {
+        m.columns(a).into_iter().map(|column| Value::Array(a.parts(column).map(Value::Scalar).to_vec())).collect()
+    }
     into(m: Matrix) -> Matrix { m }
     clone(m: Matrix) -> Matrix { m }
 }
@@ -81,6 +87,9 @@ functions! {
         let [x, y, z, w] = image_of(a, &m, v, 1.0)?;
         let (reciprocal, v) = (a.recip(w), a.vector([x, y, z]));
         a.scale(reciprocal, v)
+    }
+    to_cols_array_2d(m: Square) -> Array {
+        m.into_iter().map(|column| Value::Array(column.into_iter().map(Value::Scalar).collect())).collect()
     }
     to_cols_array(m: Square) -> Array { m.into_iter().flatten().map(Value::Scalar).collect() }
     clone(m: Square) -> Square { m }

@@ -30,6 +30,11 @@ functions! {
     abs(v: Vector) = Vec3::new(v.x.abs(), v.y.abs(), v.z.abs());
     min(v: Vector, w: Vector) = Vec3::new(v.x.min(w.x), v.y.min(w.y), v.z.min(w.z));
     max(v: Vector, w: Vector) = Vec3::new(v.x.max(w.x), v.y.max(w.y), v.z.max(w.z));
+    floor(v: Vector) = Vec3::new(v.x.floor(), v.y.floor(), v.z.floor());
+    ceil(v: Vector) = Vec3::new(v.x.ceil(), v.y.ceil(), v.z.ceil());
+    round(v: Vector) = Vec3::new(v.x.round(), v.y.round(), v.z.round());
+    trunc(v: Vector) = Vec3::new(v.x.trunc(), v.y.trunc(), v.z.trunc());
+    fract(v: Vector) = v - v.trunc();
     clamp(v: Vector, low: Vector, high: Vector) = v.max(low).min(high);
     clamp_length(v: Vector, least: Scalar, most: Scalar) = v.clamp_length_min(least).clamp_length_max(most);
     clamp_length_min(v: Vector, least: Scalar) =
