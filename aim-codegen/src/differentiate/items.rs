@@ -67,10 +67,13 @@ impl Items {
             match item {
                 Item::Use(item) => self.names.add_use(module, &item.tree),
                 Item::Mod(item) if !has_cfg(&item.attrs) => {
-                    let (name, (_, parts)) = (join(module, &item.ident.to_string()), match &item.content {
-                        Some(content) => content,
-                        None => continue,
-                    });
+                    let (name, (_, parts)) = (
+                        join(module, &item.ident.to_string()),
+                        match &item.content {
+                            Some(content) => content,
+                            None => continue,
+                        },
+                    );
                     self.names.add_module(name.clone());
                     self.add_names(&name, parts);
                 }

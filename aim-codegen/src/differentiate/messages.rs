@@ -98,6 +98,11 @@ messages! {
         "`{found}` is no type that can be differentiated through",
         "{help}";
 
+    optional_type(found: &str)
+        where found = found.replace(' ', "") =>
+        "`{found}` may hold no number: there is nothing to be differentiated then",
+        "take a `bool` beside the value, or return a number beside it that is 1 or 0; helper functions may use options";
+
     slice() =>
         "how long this is is not known here",
         "take a reference to an array: `&[f32; 4]`; for any length, differentiate one term and sum in a function around it";
@@ -172,7 +177,7 @@ messages! {
 
     macro_call() =>
         "what a macro stands for cannot be seen",
-        "write the expression itself; to check arguments, use `debug_assert!`, or a function that calls this one";
+        "write the expression itself; to check arguments, use `assert!`, or a function that calls this one";
 
     no_effect() =>
         "this statement has no effect on the result",
@@ -376,16 +381,7 @@ const MODULE: &str = "put both into one module with `#[differentiate]` on it, as
 
 /// What to write for functions that are known not to be supported.
 const INSTEAD: &[(&str, &str)] = &[
-    ("ln_1p", "write `(1.0 + x).ln()` where x is not small beside 1"),
-    ("asinh", "write `(x + (x * x + 1.0).sqrt()).ln()`"),
-    ("acosh", "write `(x + (x * x - 1.0).sqrt()).ln()`"),
-    ("atanh", "write `0.5 * ((1.0 + x) / (1.0 - x)).ln()`"),
-    ("div_euclid", "rounding has no derivative: divide before the call"),
-    ("floor", "rounding has no derivative: round before the call"),
-    ("ceil", "rounding has no derivative: round before the call"),
-    ("round", "rounding has no derivative: round before the call"),
-    ("trunc", "rounding has no derivative: round before the call"),
-    ("fract", "rounding has no derivative: take the fraction before the call"),
+    ("div_euclid", "write `((x - x.rem_euclid(y)) / y).round()`"),
     ("try_normalize", "write `normalize_or_zero`"),
     ("normalize_or", "write it with `if` and the vector's length"),
     ("from_rotation_arc", "write the turn about their cross product by `from_axis_angle`"),

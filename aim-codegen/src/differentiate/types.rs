@@ -120,8 +120,15 @@ impl Type {
                 if inner.borrowed { Err(unknown()) } else { Ok(Self { borrowed: true, ..inner }) }
             }
             syn::Type::Path(path) if path.qself.is_none() => {
-                let last = path.path.segments.last().filter(|segment| segment.arguments.is_none());
-                last.ok_or_else(unknown)?;
+                match path.path.segments.last() {
+                    Some(last) if last.arguments.is_none() => {}
+                    Some(last) if last.ident == "Option" => {
+                        let tokens = quote!(#written);
+                        let text = messages::optional_type(&tokens.to_string());
+                        return Err((tokens, text));
+                    }
+                    _ => return Err(unknown()),
+                }
                 let meaning = match &scope.self_type {
                     Some(of) if path.path.is_ident("Self") => Meaning::Own(of.clone()),
                     _ => items.meaning(&scope.module, &segments(&path.path)),
@@ -153,8 +160,8 @@ impl Type {
             }
             syn::Type::Array(array) => {
                 let element = Self::parse_in(scope, &array.elem, items)?;
-                let length =
-                    lower::length(&array.len, items, scope).ok_or_else(|| (quote!(#array), messages::length_unknown()))?;
+                let length = lower::length(&array.len, items, scope)
+                    .ok_or_else(|| (quote!(#array), messages::length_unknown()))?;
                 if element.borrowed {
                     return Err(unknown());
                 }

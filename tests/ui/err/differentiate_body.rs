@@ -11,7 +11,7 @@ fn helper(x: f32) -> f32 {
 fn statements(x: f32, v: Vec3) -> f32 {
     println!("{x}");
     x.sin();
-    let z = if let Some(y) = Some(v.z) { y } else { 0.0 };
+    let Some(z) = "3".parse().ok() else { return x };
     z
 }
 
@@ -50,8 +50,8 @@ fn loops(x: f32, points: [Vec3; 3], count: usize) -> f32 {
     for i in 0..4 {
         sum += points[i].z * x;
     }
-    points.iter().for_each(|p| sum += p.x);
-    sum
+    points.iter().map(|p| sum += p.x).count();
+    points.iter().filter(|p| p.x > x).map(|p| p.y).sum::<f32>() + sum
 }
 
 #[differentiate(wrt(x))]
@@ -65,8 +65,8 @@ fn long(x: f32) -> f32 {
 
 #[differentiate(wrt(x))]
 fn calls(x: f32, v: Vec3, m: Mat3, n: i32) -> f32 {
-    let a = x.ln_1p() + helper(x) * GAIN;
-    let b = v.any_orthonormal_vector().x + x.floor();
+    let a = x.next_down() + helper(x) * GAIN;
+    let b = v.any_orthonormal_vector().x + x.next_up();
     let c = Quat::from_axis_angle(Vec3::ONE, x) * v;
     let d = Quat::from_mat3(&m) * v;
     let e = (v % v).x + x.powi(n);
@@ -77,7 +77,7 @@ fn calls(x: f32, v: Vec3, m: Mat3, n: i32) -> f32 {
 // One error: what uses the derivatives finds them.
 #[differentiate(wrt(x, v))]
 fn used(x: f32, v: Vec3) -> f32 {
-    x.round() * v.x
+    x.to_degrees().next_down() * v.x
 }
 
 fn main() {

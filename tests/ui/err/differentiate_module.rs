@@ -18,7 +18,7 @@ mod model {
 
     // One error, though it is called twice and in two functions.
     fn helper(x: f32) -> f32 {
-        x.floor()
+        x.next_up()
     }
 
     fn factorial(x: f32, n: usize) -> f32 {
@@ -104,9 +104,42 @@ mod unseen {
     }
 
     #[differentiate(wrt(x))]
-    pub fn optional(x: f32) -> f32 {
-        let found = Some(x);
-        found.unwrap_or(0.0) + x.asinh()
+    pub fn optional(x: f32, limit: Option<f32>) -> Option<f32> {
+        if let Some(limit) = limit { Some(x.min(limit)) } else { None }
+    }
+
+    // Its default is seen by nobody.
+    #[derive(Clone, Copy)]
+    pub struct Gains {
+        pub near: f32,
+        pub far: f32,
+    }
+
+    struct Weight(f32);
+
+    impl From<f32> for Weight {
+        fn from(x: f32) -> Self {
+            Self(x)
+        }
+    }
+
+    impl<'a> From<&'a f32> for Weight {
+        fn from(x: &'a f32) -> Self {
+            Self(2.0 * *x)
+        }
+    }
+
+    #[differentiate(wrt(x))]
+    pub fn defaults(x: f32) -> f32 {
+        let gains = Gains { near: x, ..Default::default() };
+        let far = 2.0 * f32::from(std::convert::identity::<u8>(Default::default()));
+        gains.near * gains.far + far + Weight::from(x).0
+    }
+}
+
+impl Default for unseen::Gains {
+    fn default() -> Self {
+        Self { near: 2.0, far: 3.0 }
     }
 }
 

@@ -212,9 +212,11 @@ impl Translation<'_> {
     ) -> Value {
         let text = name.to_string();
         // `<Type as Trait>::function` is of the trait; else what is no trait's comes first.
-        let of_trait = path.qself.as_ref().filter(|qself| qself.position > 0).map(|qself| {
-            path.path.segments[qself.position - 1].ident.to_string()
-        });
+        let of_trait = path
+            .qself
+            .as_ref()
+            .filter(|qself| qself.position > 0)
+            .map(|qself| path.path.segments[qself.position - 1].ident.to_string());
         let mut several = self.functions(Some(ty), &text);
         if of_trait.is_some() || several.iter().any(|function| function.of_trait.is_none()) {
             several.retain(|function| function.of_trait == of_trait);
@@ -245,7 +247,8 @@ impl Translation<'_> {
             return self.refuse(&path.path, text);
         };
         let types: Vec<_> = structure.fields.iter().map(|(_, ty)| ty).collect();
-        let expected: Vec<_> = self.within(structure.scope.clone(), |this| types.iter().map(|ty| this.expected(ty)).collect());
+        let expected: Vec<_> =
+            self.within(structure.scope.clone(), |this| types.iter().map(|ty| this.expected(ty)).collect());
         let values = call.args.iter().enumerate().map(|(index, value)| {
             let value = self.expression_as(value, expected.get(index).unwrap_or(&Expected::Any));
             (index.to_string(), value)
@@ -261,7 +264,8 @@ impl Translation<'_> {
         outside: &[String],
         expected: &Expected,
     ) -> Value {
-        let name = path.path.segments.last().map_or_else(|| path.path.to_token_stream(), |last| last.ident.to_token_stream());
+        let name =
+            path.path.segments.last().map_or_else(|| path.path.to_token_stream(), |last| last.ident.to_token_stream());
         let arguments: Vec<&Expr> = call.args.iter().collect();
         let text = outside.last().cloned().unwrap_or_default();
         let is_of = |module: &str| outside.len() < 2 || outside[outside.len() - 2] == module;

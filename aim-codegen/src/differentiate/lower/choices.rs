@@ -31,7 +31,12 @@ impl Translation<'_> {
     }
 
     /// `let pattern = value else { otherwise };`
-    pub(super) fn let_else(&mut self, local: &Local, value: Value, (token, otherwise): (&impl ToTokens, &Expr)) -> Value {
+    pub(super) fn let_else(
+        &mut self,
+        local: &Local,
+        value: Value,
+        (token, otherwise): (&impl ToTokens, &Expr),
+    ) -> Value {
         if value.is_unknown() {
             self.bind(&local.pat, Value::Unknown);
             return value;
@@ -64,7 +69,14 @@ impl Translation<'_> {
             Expr::Paren(paren) => self.condition(&paren.expr),
             Expr::Let(e) => {
                 let value = self.expression(&e.expr);
-                if value.is_unknown() { None } else { self.pattern(&e.pat, &value) }
+                if !value.is_unknown() {
+                    return self.pattern(&e.pat, &value);
+                }
+                // Its names are known, and nothing more is said about them.
+                let errors = self.report.count();
+                self.bind(&e.pat, Value::Unknown);
+                self.report.forget(errors);
+                None
             }
             Expr::Binary(both) if matches!(both.op, BinOp::And(_)) && has_let(expression) => {
                 if has_effect(both.right.to_token_stream()) {

@@ -95,11 +95,8 @@ impl Translation<'_> {
             ("map_or", [otherwise, function]) => {
                 let otherwise = self.expression_as(otherwise, expected);
                 let function = self.function_argument(function, 1)?;
-                let mapped = if nothing {
-                    Value::Never
-                } else {
-                    self.inline(&call.method, &function, vec![value.clone()])
-                };
+                let mapped =
+                    if nothing { Value::Never } else { self.inline(&call.method, &function, vec![value.clone()]) };
                 self.either_value(call, is_some, &mapped, &otherwise)
             }
             ("and_then", [_]) if nothing => receiver.clone(),

@@ -158,7 +158,8 @@ impl Translation<'_> {
             }
             ("reduce", [function]) => {
                 let function = self.function_argument(function, 2)?;
-                let reduced = items.into_iter().reduce(|value, item| self.inline(&call.method, &function, vec![value, item]));
+                let reduced =
+                    items.into_iter().reduce(|value, item| self.inline(&call.method, &function, vec![value, item]));
                 reduced.map_or_else(Value::none, Value::some)
             }
             ("min_by" | "max_by", [function]) => {
@@ -171,10 +172,13 @@ impl Translation<'_> {
                 let start = Condition::Known(name == "all");
                 let join = if name == "all" { Condition::and } else { Condition::or };
                 let truths = self.mapped(call, &function, items)?;
-                truths.into_iter().try_fold(start, |truth, next| match next {
-                    Value::Truth(next) => Some(join(truth, next)),
-                    _ => None,
-                }).map_or(Value::Unknown, Value::Truth)
+                truths
+                    .into_iter()
+                    .try_fold(start, |truth, next| match next {
+                        Value::Truth(next) => Some(join(truth, next)),
+                        _ => None,
+                    })
+                    .map_or(Value::Unknown, Value::Truth)
             }
             ("next" | "first", []) => items.into_iter().next().map_or_else(Value::none, Value::some),
             ("last", []) => items.into_iter().last().map_or_else(Value::none, Value::some),
@@ -265,9 +269,8 @@ impl Translation<'_> {
             other => return self.refuse_known(&other, &call.method, messages::not_an_ordering(&other.describe())),
         };
         let stays = if call.method == "min_by" { order.greater.clone().not() } else { order.greater.clone() };
-        best.select(self.algebra, &stays, &item).unwrap_or_else(|| {
-            self.refuse(&call.method, messages::branches_differ(&best.describe(), &item.describe()))
-        })
+        best.select(self.algebra, &stays, &item)
+            .unwrap_or_else(|| self.refuse(&call.method, messages::branches_differ(&best.describe(), &item.describe())))
     }
 
     /// The sum or the product of all; of none, what its type has for that.

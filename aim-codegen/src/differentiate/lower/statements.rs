@@ -11,8 +11,8 @@ use super::expected::Expected;
 use super::frame::Target;
 use super::value::Value;
 use super::{Translation, constants, functions};
-use crate::differentiate::names::{self, Meaning};
 use crate::differentiate::messages;
+use crate::differentiate::names::{self, Meaning};
 
 /// The most nodes of a function's graph. What is derived of more takes minutes to compile.
 const MOST_NODES: usize = 20_000;
