@@ -135,7 +135,7 @@ impl Items {
         if path.qself.is_some() || path.path.segments.iter().any(|segment| !segment.arguments.is_none()) {
             return;
         }
-        let ty = self.resolved(&scope.module, &segments(&path.path));
+        let ty = self.resolved(scope, &segments(&path.path));
         let scope = Rc::new(Scope { module: scope.module.clone(), self_type: Some(ty.clone()), ..Scope::default() });
         let of_trait = item.trait_.as_ref().and_then(|(path, _)| path.segments.last());
         for part in &item.items {
@@ -155,14 +155,18 @@ impl Items {
         }
     }
 
-    /// What a path means in a module, by its full name.
-    pub(super) fn meaning(&self, module: &str, path: &[String]) -> Meaning {
-        self.names.meaning(module, path)
+    /// What a path means where it is written.
+    pub(super) fn meaning(&self, scope: &Scope, path: &[String]) -> Meaning {
+        let import = path.split_first().and_then(|(first, rest)| {
+            let (_, imported) = scope.imports.iter().rev().find(|(name, _)| name == first)?;
+            Some([imported.as_slice(), rest].concat())
+        });
+        self.names.meaning(&scope.module, import.as_deref().unwrap_or(path))
     }
 
     /// The names of the items of a module.
-    pub(super) fn items_of<'a>(&'a self, module: &'a str) -> impl Iterator<Item = &'a str> {
-        self.names.items_of(module)
+    pub(super) fn names_in<'a>(&'a self, module: &'a str) -> impl Iterator<Item = &'a str> {
+        self.names.names_in(module)
     }
 
     /// The value of a constant of the module or of a type of it.
@@ -197,14 +201,14 @@ impl Items {
         self.aliases.iter().find(|(known, _)| known == name).map(|(_, alias)| alias)
     }
 
-    /// The name of the type that a path means in a module: a full one, or the last word of one that is outside.
-    pub(super) fn resolved(&self, module: &str, path: &[String]) -> String {
-        let mut name = self.meaning(module, path).into_type();
+    /// The name of the type that a path means where it is written: a full one, or the last word of one that is outside.
+    pub(super) fn resolved(&self, scope: &Scope, path: &[String]) -> String {
+        let mut name = self.meaning(scope, path).into_type();
         // Those that go in a circle are the compiler's to refuse.
         for _ in 0..=self.aliases.len() {
             match self.alias(&name) {
                 Some(Alias { scope, ty: syn::Type::Path(path) }) => {
-                    name = self.meaning(&scope.module, &segments(&path.path)).into_type();
+                    name = self.meaning(scope, &segments(&path.path)).into_type();
                 }
                 Some(_) => return String::new(),
                 None => break,

@@ -255,6 +255,10 @@ messages! {
         "of no elements there is no {name} here",
         "say its type, as in `{name}::<f64>()`";
 
+    iterator_kept(name: &str) =>
+        "what `{name}` leaves of this iterator is not followed",
+        "make the iterator where it is used, as in `values.iter().{name}(…)`, or index the array";
+
     not_an_ordering(kind: &str) =>
         "this comparison is {kind}",
         "compare two numbers by `partial_cmp` or `total_cmp`";

@@ -96,9 +96,9 @@ impl Names {
         self.follow(module, path, &mut Vec::new()).unwrap_or_else(|| Meaning::Outside(path.to_vec()))
     }
 
-    /// The names of the items of a module.
-    pub(super) fn items_of<'a>(&'a self, module: &'a str) -> impl Iterator<Item = &'a str> {
-        self.items.iter().filter_map(move |name| {
+    /// The names of the items of a module and of the modules inside of it.
+    pub(super) fn names_in<'a>(&'a self, module: &'a str) -> impl Iterator<Item = &'a str> {
+        self.items.iter().chain(&self.modules).filter_map(move |name| {
             let name = if module.is_empty() { name } else { name.strip_prefix(module)?.strip_prefix("::")? };
             (!name.contains("::")).then_some(name)
         })

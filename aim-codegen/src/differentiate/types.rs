@@ -131,7 +131,7 @@ impl Type {
                 }
                 let meaning = match &scope.self_type {
                     Some(of) if path.path.is_ident("Self") => Meaning::Own(of.clone()),
-                    _ => items.meaning(&scope.module, &segments(&path.path)),
+                    _ => items.meaning(scope, &segments(&path.path)),
                 };
                 // Seen from the module that is read.
                 let seen = |name: &str| match syn::parse_str::<syn::Type>(name) {

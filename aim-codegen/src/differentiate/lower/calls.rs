@@ -13,7 +13,7 @@ use super::fields::name_of;
 use super::map::Quaternion;
 use super::methods::{self, Fault, Function};
 use super::paths::{path_text, type_and_name};
-use super::value::{Callable, Struct, Value};
+use super::value::{Callable, Scope, Struct, Value};
 use super::{Translation, strip};
 use crate::differentiate::messages;
 use crate::differentiate::names::{Meaning, segments};
@@ -69,8 +69,16 @@ impl Translation<'_> {
         if let (Some(value), true) = (self.swizzle(&receiver, &call.method.to_string()), call.args.is_empty()) {
             return value;
         }
+        if let Some(value) = self.own_method(&receiver, call) {
+            return value;
+        }
         if let Value::Struct(of) = &receiver {
-            return self.struct_method(of.clone(), receiver, call);
+            if call.method == "clone" {
+                return receiver;
+            }
+            let (name, known) = (call.method.to_string(), self.items.functions_of(&of.name));
+            let text = messages::unknown_method(&name, &receiver.describe(), &known);
+            return self.refuse(&call.method, text);
         }
         if let Some(turbofish) = &call.turbofish {
             return self.refuse(turbofish, messages::no_generics());
@@ -103,23 +111,24 @@ impl Translation<'_> {
         }
     }
 
-    /// A method that the module has for a struct of its own.
-    fn struct_method(&mut self, of: Rc<Struct>, receiver: Value, call: &ExprMethodCall) -> Value {
-        let name = call.method.to_string();
-        match self.functions(Some(&of.name), &name).as_slice() {
-            [] => {}
-            [function] => {
-                let lent = function.changed.first() == Some(&true);
-                let receiver = if lent { self.reference(&call.receiver) } else { receiver };
-                return self.inline_written(&call.method, function, Some(receiver), &call.args);
-            }
-            several => return self.one_of(&call.method, several, Some(receiver), &call.args),
-        }
-        if name == "clone" {
-            return receiver;
-        }
-        let text = messages::unknown_method(&name, &receiver.describe(), &self.items.functions_of(&of.name));
-        self.refuse(&call.method, text)
+    /// A method that the module has for a struct of its own, or by a trait for numbers; `None` if there is none.
+    fn own_method(&mut self, receiver: &Value, call: &ExprMethodCall) -> Option<Value> {
+        let ty = self.type_name(receiver)?;
+        let several = self.own_functions(&ty, &call.method.to_string());
+        let receiver = match several.as_slice() {
+            [] => return None,
+            [function] if function.changed.first() == Some(&true) => self.reference(&call.receiver),
+            _ => receiver.clone(),
+        };
+        Some(self.one_of(&call.method, &several, Some(receiver), &call.args))
+    }
+
+    /// The functions of this name that the module has for a type. What a type has by itself comes before that, which is not
+    /// known of all types outside of the module.
+    fn own_functions(&self, ty: &str, name: &str) -> Vec<Rc<Callable>> {
+        let is_own = self.items.structure(ty).is_some();
+        let may_be = is_own || types::named(ty).is_some_and(|(shape, _)| !methods::is_of_type(&shape, name));
+        if may_be { self.functions(Some(ty), name) } else { Vec::new() }
     }
 
     /// Calls a function with arguments as written; a method has its receiver before them.
@@ -195,7 +204,7 @@ impl Translation<'_> {
                 let own = self.resolved(&[text]);
                 self.call_of_item(call, path, &own)
             }
-            None => match self.items.meaning(&self.frame.scope.module, &segments(&path.path)) {
+            None => match self.items.meaning(&self.frame.scope, &segments(&path.path)) {
                 Meaning::Own(own) => self.call_of_item(call, path, &own),
                 Meaning::Outside(outside) => self.call_of_outside(call, path, &outside, expected),
             },
@@ -217,9 +226,19 @@ impl Translation<'_> {
             .as_ref()
             .filter(|qself| qself.position > 0)
             .map(|qself| path.path.segments[qself.position - 1].ident.to_string());
-        let mut several = self.functions(Some(ty), &text);
+        let mut several = match &of_trait {
+            Some(_) => self.functions(Some(ty), &text),
+            None => self.own_functions(ty, &text),
+        };
         if of_trait.is_some() || several.iter().any(|function| function.of_trait.is_none()) {
             several.retain(|function| function.of_trait == of_trait);
+        }
+        // Beside those of the module, types that are not its own have others.
+        if !several.is_empty() && self.items.structure(ty).is_none() {
+            let errors = self.report.count();
+            let arguments: Vec<Value> = call.args.iter().map(|argument| self.expression(argument)).collect();
+            self.report.forget(errors);
+            several = self.function_for(&several, &arguments).into_iter().collect();
         }
         let is_default = text == "default" && several.iter().all(|function| function.of_trait.is_some());
         if is_default && call.args.is_empty() {
@@ -241,7 +260,7 @@ impl Translation<'_> {
         if !several.is_empty() {
             return self.one_of(&path.path, &several, None, &call.args);
         }
-        let name = self.items.resolved("", &own.split("::").map(str::to_owned).collect::<Vec<_>>());
+        let name = self.items.resolved(&Scope::default(), &own.split("::").map(str::to_owned).collect::<Vec<_>>());
         let Some(structure) = self.items.structure(&name) else {
             let text = self.unseen(own, messages::unknown_function(&path_text(path)));
             return self.refuse(&path.path, text);

@@ -268,9 +268,12 @@ impl Translation<'_> {
         })
     }
 
-    /// Whether a name of a pattern is that of a constant of the module.
+    /// Whether a name of a pattern is that of a constant, of the module or of a block.
     fn is_constant(&self, name: &syn::Ident) -> bool {
-        match self.items.meaning(&self.frame.scope.module, &[name.to_string()]) {
+        if name.to_string().starts_with(char::is_uppercase) && self.frame.find(&name.to_string()).is_some() {
+            return true;
+        }
+        match self.items.meaning(&self.frame.scope, &[name.to_string()]) {
             Meaning::Own(name) => self.items.constant(None, &name).is_some(),
             Meaning::Outside(_) => false,
         }

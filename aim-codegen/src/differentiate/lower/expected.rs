@@ -105,7 +105,8 @@ impl Translation<'_> {
             }
             syn::Type::Tuple(tuple) => Expected::Tuple(tuple.elems.iter().map(|part| self.expected(part)).collect()),
             syn::Type::Path(path) if path.qself.is_none() => {
-                let Scope { module, self_type, generics } = &*self.frame.scope;
+                let scope = self.frame.scope.clone();
+                let Scope { self_type, generics, .. } = &*scope;
                 let path = &path.path;
                 if path.is_ident("Self") {
                     return self_type.clone().map_or(Expected::Any, Expected::Named);
@@ -116,7 +117,7 @@ impl Translation<'_> {
                 if path.segments.last().is_none_or(|last| !last.arguments.is_none()) {
                     return Expected::Any;
                 }
-                match self.items.meaning(module, &segments(path)) {
+                match self.items.meaning(&scope, &segments(path)) {
                     Meaning::Own(name) => match self.items.alias(&name) {
                         Some(Alias { scope, ty }) => self.within(scope.clone(), |this| this.expected(ty)),
                         None => Expected::Named(name),

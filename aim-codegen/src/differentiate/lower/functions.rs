@@ -7,18 +7,15 @@ use syn::{Expr, ExprClosure, ItemFn, Pat};
 
 use super::Translation;
 use super::frame::Frame;
-use super::value::{Callable, Scope, Value};
+use super::value::{Callable, Value};
 use crate::differentiate::{items, messages};
 
 /// A function inside of a function: it sees the items of its block and the functions outside of that, and no variables.
-pub(super) fn inner(
-    item: &ItemFn,
-    (outside, items): (&[(String, Value)], &[(String, Value)]),
-    scope: Rc<Scope>,
-) -> Rc<Callable> {
+pub(super) fn inner(item: &ItemFn, frame: &Frame, depth: usize) -> Rc<Callable> {
+    let (outside, items) = frame.variables().split_at(depth);
     let functions = outside.iter().filter(|(_, value)| matches!(value, Value::Function(_)));
     let captured = functions.chain(items).cloned().collect();
-    Rc::new(Callable { captured, ..items::callable(&item.sig, &item.block, scope, None) })
+    Rc::new(Callable { captured, ..items::callable(&item.sig, &item.block, frame.scope.clone(), None) })
 }
 
 impl Translation<'_> {

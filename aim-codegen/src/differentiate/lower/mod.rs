@@ -205,7 +205,7 @@ impl Translation<'_> {
 
     /// What a path to no type leads to: a function or a constant of the module, or a mathematical constant.
     fn item(&mut self, path: &[String]) -> Option<Value> {
-        match self.items.meaning(&self.frame.scope.module, path) {
+        match self.items.meaning(&self.frame.scope, path) {
             Meaning::Own(name) => {
                 if let Some(function) = self.only_function(None, &name) {
                     return Some(Value::Function(function));
@@ -243,7 +243,7 @@ impl Translation<'_> {
     fn resolved(&self, path: &[String]) -> String {
         match (&*self.frame.scope, path) {
             (Scope { self_type: Some(known), .. }, [name]) if name == "Self" => known.clone(),
-            (scope, path) => self.items.resolved(&scope.module, path),
+            (scope, path) => self.items.resolved(scope, path),
         }
     }
 

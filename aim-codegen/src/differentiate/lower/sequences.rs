@@ -101,6 +101,9 @@ impl Translation<'_> {
             return Some(self.refuse(&call.method, messages::trait_method(&name)));
         }
         Some(match (name.as_str(), arguments.as_slice()) {
+            ("next" | "any" | "all", _) if !is_array && is_place(&call.receiver) => {
+                self.refuse(&call.method, messages::iterator_kept(&name))
+            }
             ("iter" | "into_iter" | "copied" | "cloned", []) => Value::Sequence(items),
             ("clone" | "as_slice" | "as_ref" | "into" | "to_owned", []) => receiver.clone(),
             ("len" | "count", []) => self.algebra.whole(items.len()),
@@ -312,6 +315,18 @@ impl Translation<'_> {
             };
         }
         total
+    }
+}
+
+/// Whether an expression is a variable or a part of one.
+fn is_place(expression: &Expr) -> bool {
+    match strip(expression) {
+        Expr::Path(_) => true,
+        Expr::Field(field) => is_place(&field.base),
+        Expr::Index(index) => is_place(&index.expr),
+        Expr::Unary(unary) => is_place(&unary.expr),
+        Expr::Reference(reference) => is_place(&reference.expr),
+        _ => false,
     }
 }
 

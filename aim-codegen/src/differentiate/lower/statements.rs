@@ -1,6 +1,8 @@
 //! Statements: they are run one after another, over the variables of the [`Frame`](super::frame::Frame). A loop is run
 //! round by round.
 
+use std::rc::Rc;
+
 use quote::ToTokens;
 use syn::punctuated::Punctuated;
 use syn::token::Comma;
@@ -28,7 +30,7 @@ impl Translation<'_> {
 
     /// The value of a block, of whose place the type is known.
     pub(super) fn block_as(&mut self, block: &Block, expected: &Expected) -> Value {
-        let depth = self.frame.depth();
+        let (depth, scope) = (self.frame.depth(), self.frame.scope.clone());
         self.declare_items(block, depth);
         let mut value = Value::nothing();
         let mut faulty = false;
@@ -41,20 +43,18 @@ impl Translation<'_> {
             }
         }
         self.frame.leave(depth);
+        self.frame.scope = scope;
         // What comes of a faulty statement may have been meant to be the value.
         if faulty { Value::Unknown } else { value }
     }
 
     /// Items are known in all of a block.
     fn declare_items(&mut self, block: &Block, depth: usize) {
+        self.import(block);
         for statement in &block.stmts {
             let (name, ty, value) = match statement {
                 Stmt::Item(Item::Const(item)) => (&item.ident, &item.ty, &item.expr),
                 Stmt::Item(Item::Static(item)) if is_unchanged(item) => (&item.ident, &item.ty, &item.expr),
-                Stmt::Item(Item::Use(item)) => {
-                    self.declare_imports(&item.tree);
-                    continue;
-                }
                 _ => continue,
             };
             let expected = self.expected(ty);
@@ -63,34 +63,37 @@ impl Translation<'_> {
         }
         for statement in &block.stmts {
             if let Stmt::Item(Item::Fn(item)) = statement {
-                let (outside, inside) = self.frame.variables().split_at(depth);
-                let function = functions::inner(item, (outside, inside), self.frame.scope.clone());
+                let function = functions::inner(item, &self.frame, depth);
                 self.frame.declare(item.sig.ident.to_string(), Value::Function(function));
             }
         }
     }
 
-    /// Functions and constants that a block has from elsewhere.
-    fn declare_imports(&mut self, tree: &syn::UseTree) {
-        for (name, mut path) in names::imports(tree) {
-            if let Some(name) = name {
-                if let Some(value) = self.item(&path) {
-                    self.frame.declare(name, value);
-                }
-                continue;
-            }
-            let all: Vec<String> = match self.items.meaning(&self.frame.scope.module, &path) {
-                Meaning::Own(module) => self.items.items_of(&module).map(str::to_owned).collect(),
-                Meaning::Outside(_) => constants::names().map(str::to_owned).collect(),
-            };
-            for name in all {
-                path.push(name);
-                if let Some(value) = self.item(&path) {
-                    self.frame.declare(path[path.len() - 1].clone(), value);
-                }
-                path.pop();
-            }
+    /// Notes what a block has from elsewhere.
+    fn import(&mut self, block: &Block) {
+        let uses = block.stmts.iter().filter_map(|statement| match statement {
+            Stmt::Item(Item::Use(item)) => Some(names::imports(&item.tree)),
+            _ => None,
+        });
+        let (named, all): (Vec<_>, Vec<_>) = uses.flatten().partition(|(name, _)| name.is_some());
+        if named.is_empty() && all.is_empty() {
+            return;
         }
+        let mut scope = (*self.frame.scope).clone();
+        for (_, path) in all {
+            let there: Vec<String> = match self.items.meaning(&scope, &path) {
+                Meaning::Own(module) => self.items.names_in(&module).map(str::to_owned).collect(),
+                Meaning::Outside(path) if path.last().is_some_and(|last| last == "consts") => {
+                    constants::names().map(str::to_owned).collect()
+                }
+                Meaning::Outside(_) => Vec::new(),
+            };
+            let of_name = |name: String| (name.clone(), [path.as_slice(), &[name]].concat());
+            scope.imports.extend(there.into_iter().map(of_name));
+        }
+        // Names that are written out hide those of whole modules.
+        scope.imports.extend(named.into_iter().filter_map(|(name, path)| Some((name?, path))));
+        self.frame.scope = Rc::new(scope);
     }
 
     fn statement(&mut self, statement: &Stmt, expected: &Expected) -> Value {

@@ -416,7 +416,10 @@ same! {
             let cube = round::Cube { half: x, ..Default::default() };
             let inner = { use self::shapes::round::ball; static N: f64 = 4.0; ball(x, N) };
             let UNIT = shapes::Box::UNIT;
-            cube.size(y) + UNIT.size(x) + sphere(x, y) + round::ball(y, 1.0) + inner + WEIGHTS.iter().sum::<f64>()
+            let place = { use shapes::Place as At; fn of(at: At) -> f64 { at.0 } let at: At = Default::default(); of(at) + (|k: f64| At(k).0)(x) };
+            const ONE: usize = 1;
+            let picked: f64 = (0..3).map(|i| match i { ONE => place, _ => 0.0 }).sum();
+            picked + cube.size(y) + UNIT.size(x) + sphere(x, y) + round::ball(y, 1.0) + inner + WEIGHTS.iter().sum::<f64>()
                 + consts::PI * y + consts::E + TAU * x + K
         }
     }
@@ -506,6 +509,25 @@ same! {
             let mapped = root(x).map(|r| r + 1.0).and_then(|r| if r < 2.0 { Some(r) } else { None }).map_or(0.5, |r| 3.0 * r);
             seen + other * n + nearest(x).unwrap_or(9.0) + limited(x, Some(y)) + limited(y, None) + mapped + root(y).unwrap_or_else(|| x)
                 + if root(x).is_some() { 1.0 } else { 0.0 }
+        }
+    }
+    traits_of_numbers {
+        trait More {
+            fn over(self, o: Self) -> Self;
+            fn sqrt(self) -> Self;
+            fn double(&mut self);
+        }
+        impl More for f64 {
+            fn over(self, o: f64) -> f64 { (self - o).max(0.0) }
+            fn sqrt(self) -> f64 { 1000.0 }
+            fn double(&mut self) { *self *= 2.0; }
+        }
+        struct Meters(f64);
+        impl From<Meters> for f64 { fn from(m: Meters) -> f64 { 3.0 * m.0 } }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut z = x.over(y) + f64::over(y, x);
+            z.double();
+            z + (x * x).sqrt() + <f64 as More>::sqrt(x) + f64::sqrt(y * y) + f64::from(Meters(x)) + f64::from(3u8)
         }
     }
 }

@@ -85,6 +85,8 @@ pub(crate) struct Scope {
     pub(crate) self_type: Option<String>,
     /// Types that are not known: generic parameters.
     pub(crate) generics: Vec<String>,
+    /// What blocks around it import: names and paths.
+    pub(crate) imports: Vec<(String, Vec<String>)>,
 }
 
 /// What can be called.

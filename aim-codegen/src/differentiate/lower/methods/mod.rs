@@ -48,6 +48,44 @@ pub(super) fn functions_of(shape: &Shape) -> &'static [&'static [Function]] {
     }
 }
 
+/// Methods of numbers that are in no table.
+const OF_NUMBERS: &[&str] = &[
+    "is_nan",
+    "is_infinite",
+    "is_finite",
+    "is_subnormal",
+    "is_normal",
+    "classify",
+    "is_sign_positive",
+    "is_sign_negative",
+    "next_up",
+    "next_down",
+    "maximum",
+    "minimum",
+    "midpoint",
+    "div_euclid",
+    "round_ties_even",
+    "abs_sub",
+    "to_bits",
+    "from_bits",
+    "to_be_bytes",
+    "to_le_bytes",
+    "to_ne_bytes",
+    "to_int_unchecked",
+];
+
+/// Whether values of a type may have a method or function of this name without a trait.
+pub(super) fn is_of_type(shape: &Shape, name: &str) -> bool {
+    match shape {
+        // `from` is a trait's: which type it is for decides.
+        Shape::Scalar => {
+            OF_NUMBERS.contains(&name)
+                || scalar::METHODS.iter().any(|function| function.name == name && name != "clone")
+        }
+        _ => true,
+    }
+}
+
 /// Calls the function of this name in these tables; `None` if there is none.
 ///
 /// Methods of vectors of two are those of vectors, whose third component is 0.
