@@ -85,8 +85,8 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 ///
 /// # Modules
 ///
-/// On a module in braces the attribute shows its functions what stands beside them: constants, structs with their methods
-/// and constants, type aliases, and functions, which are inlined. Those that have the attribute themselves get companions:
+/// On a module in braces the attribute shows its functions what stands beside them, also in modules inside of it: constants,
+/// structs with their methods, operators and other traits, type aliases, and functions, which are inlined. Those that have the attribute themselves get companions:
 ///
 /// ```ignore
 /// #[differentiate(check = true)]

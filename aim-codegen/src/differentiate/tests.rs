@@ -117,6 +117,23 @@ fn whole_numbers_are_no_others() {
     }
 }
 
+/// What would be taken for something else is refused.
+#[test]
+fn what_is_not_followed_is_refused() {
+    for value in [
+        "{ let mut rest = [x, 2.0].iter(); rest.next().unwrap() + rest.next().unwrap() }",
+        "{ let rest = [x, 2.0].iter(); if rest.any(|v| *v > 3.0) { x } else { 0.0 } }",
+        "x + [x, 2.0].iter().map(|v| Default::default()).fold(x, |a, b| a + b)",
+        "x + f32::from(Default::default())",
+        "x + [x; 0].iter().copied().fold(None, |_, v| Some(v)).unwrap()",
+        "[x, 2.0].iter().filter(|v| **v > 1.0).sum()",
+        "x + [x; 0].iter().map(|v| v + 1.0).sum().abs()",
+    ] {
+        let item = format!("fn f(x: f32) -> f32 {{ {value} }}");
+        assert_eq!(errors(&expand("wrt(x)", &item)), 1, "{value}");
+    }
+}
+
 #[test]
 fn a_module_is_emitted_as_written_but_for_the_requests() {
     let module = "# [cfg (all ())] pub mod m { # ! [doc = \" Words.\"] use core :: fmt ; struct S (f32) ; \

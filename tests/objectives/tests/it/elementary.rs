@@ -51,6 +51,11 @@ functions!(double: f64);
 
 type Second<T> = (T, (T,), [[T; 1]; 1]);
 
+#[expect(clippy::cast_possible_truncation, reason = "the nearest number of single precision is wanted")]
+fn single_of(x: f64) -> f32 {
+    x as f32
+}
+
 /// The value, the slope and the second derivative are near, by the digits that the type has.
 #[track_caller]
 fn near(what: &str, x: f64, expected: [f64; 3], double: Second<f64>, single: Second<f32>) {
@@ -68,8 +73,8 @@ fn near(what: &str, x: f64, expected: [f64; 3], double: Second<f64>, single: Sec
 fn no_digits_are_lost_beside_zero() {
     for size in [1e-30, 1e-12, 1e-6, 0.01, 0.2, 0.24, 0.26, 0.3, 0.45, 0.7, 0.9, 3.0, 1e3, 1e8, 1e18] {
         for sign in [1.0, -1.0] {
-            let x = f64::from((sign * size) as f32);
-            let f = x as f32;
+            let f = single_of(sign * size);
+            let x = f64::from(f);
             if x > -0.95 {
                 let slope = 1.0 / (1.0 + x);
                 near(
@@ -91,12 +96,18 @@ fn no_digits_are_lost_beside_zero() {
             }
         }
     }
-    for x in [1.0 + 2.0_f64.powi(-20), 1.01, 1.5, 3.0, 1e4] {
+    for x in [1.0 + 2.0_f32.powi(-20), 1.01, 1.5, 3.0, 1e4].map(f64::from) {
         let slope = 1.0 / ((x - 1.0) * (x + 1.0)).sqrt();
         // Near 1 that of std loses digits: acosh(1 + e) = √(2e) (1 − e/12 + 3e²/160 − …).
         let e = x - 1.0;
         let acosh = if e < 1e-3 { (2.0 * e).sqrt() * (1.0 - e / 12.0 + 0.01875 * e * e) } else { x.acosh() };
-        near("acosh", x, [acosh, slope, -x * slope.powi(3)], double::acosh_hessian(x), single::acosh_hessian(x as f32));
+        near(
+            "acosh",
+            x,
+            [acosh, slope, -x * slope.powi(3)],
+            double::acosh_hessian(x),
+            single::acosh_hessian(single_of(x)),
+        );
     }
 }
 
@@ -133,7 +144,7 @@ fn roundings_are_flat() {
             let (values, (slopes,)) = double::roundings_jacobian(x);
             assert_eq!(values, double::roundings(x), "{x}");
             assert_eq!(slopes, [0.0, 0.0, 0.0, 0.0, 1.0], "{x}");
-            let x = x as f32;
+            let x = single_of(x);
             assert_eq!(single::roundings_jacobian(x), (single::roundings(x), ([0.0, 0.0, 0.0, 0.0, 1.0],)), "{x}");
         }
     }
