@@ -166,6 +166,7 @@ mod tests {
         let mut names = Names::default();
         names.add_module("shapes".into());
         names.add_module("shapes::round".into());
+        names.add_module("shapes::round::small".into());
         for item in ["K", "shapes::K", "shapes::round::ball"] {
             names.add_item(item.into());
         }
@@ -191,6 +192,7 @@ mod tests {
             ("", "self::shapes::round::ball", Meaning::Own("shapes::round::ball".into())),
             ("shapes", "ball", Meaning::Own("shapes::round::ball".into())),
             ("shapes::round", "V", outside("glam::DVec3")),
+            ("shapes::round::small", "super::ball", Meaning::Own("shapes::round::ball".into())),
             ("", "PI", outside("std::f64::consts::PI")),
             ("", "super::K", outside("super::K")),
             ("shapes", "crate::K", outside("crate::K")),

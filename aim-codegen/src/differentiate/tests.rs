@@ -121,7 +121,7 @@ fn whole_numbers_are_no_others() {
 #[test]
 fn what_is_not_followed_is_refused() {
     for value in [
-        "{ let mut rest = [x, 2.0].iter(); rest.next().unwrap() + rest.next().unwrap() }",
+        "{ let mut rest = [x, 2.0].iter(); x + rest.next().unwrap() }",
         "{ let rest = [x, 2.0].iter(); if rest.any(|v| *v > 3.0) { x } else { 0.0 } }",
         "x + [x, 2.0].iter().map(|v| Default::default()).fold(x, |a, b| a + b)",
         "x + f32::from(Default::default())",

@@ -490,6 +490,10 @@ same! {
             let Some(limit) = limit else { return x };
             x.min(limit)
         }
+        fn shadowed(x: f64) -> f64 {
+            let Some(x) = root(x + 1.0) else { return 2.0 * x };
+            x
+        }
         fn nearest(x: f64) -> Option<f64> {
             let mut best: Option<f64> = None;
             for c in [1.0, -2.0, 0.25] {
@@ -507,7 +511,7 @@ same! {
             let other = match root(y) { Some(r) if r > 1.0 => r, Some(_) => 1.0, None => x };
             let n = if x > 1000.0 { panic!("never") } else { 2.0 };
             let mapped = root(x).map(|r| r + 1.0).and_then(|r| if r < 2.0 { Some(r) } else { None }).map_or(0.5, |r| 3.0 * r);
-            seen + other * n + nearest(x).unwrap_or(9.0) + limited(x, Some(y)) + limited(y, None) + mapped + root(y).unwrap_or_else(|| x)
+            seen + other * n + 7.0 * shadowed(x) + nearest(x).unwrap_or(9.0) + limited(x, Some(y)) + limited(y, None) + mapped + root(y).unwrap_or_else(|| x)
                 + if root(x).is_some() { 1.0 } else { 0.0 }
         }
     }
