@@ -192,7 +192,7 @@ mod tests {
             ("", "self::shapes::round::ball", Meaning::Own("shapes::round::ball".into())),
             ("shapes", "ball", Meaning::Own("shapes::round::ball".into())),
             ("shapes::round", "V", outside("glam::DVec3")),
-            ("shapes::round::small", "super::ball", Meaning::Own("shapes::round::ball".into())),
+            ("shapes::round::small", "super::super::K", Meaning::Own("shapes::K".into())),
             ("", "PI", outside("std::f64::consts::PI")),
             ("", "super::K", outside("super::K")),
             ("shapes", "crate::K", outside("crate::K")),
