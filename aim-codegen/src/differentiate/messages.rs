@@ -295,6 +295,10 @@ messages! {
         "what is after `&&` or `||` changes a variable",
         "both sides are computed: change it before, or in an `if`";
 
+    effect_of_assertion() =>
+        "this assertion changes a variable",
+        "companions do not check assertions: change it before";
+
     conditional() =>
         "a part of this function depends on `cfg`, which cannot be seen from here",
         "leave the condition out, or pass what depends on it as an argument";

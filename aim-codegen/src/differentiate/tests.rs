@@ -127,6 +127,8 @@ fn what_is_not_followed_is_refused() {
         "x + f32::from(Default::default())",
         "x + [x; 0].iter().copied().fold(None, |_, v| Some(v)).unwrap()",
         "[x, 2.0].iter().filter(|v| **v > 1.0).sum()",
+        "{ let mut n = x; assert!({ n += 1.0; n > 0.0 }); n }",
+        "{ let mut n = x; [x, 2.0].iter().for_each(move |v| n += v); n }",
         "x + [x; 0].iter().map(|v| v + 1.0).sum().abs()",
     ] {
         let item = format!("fn f(x: f32) -> f32 {{ {value} }}");

@@ -249,7 +249,7 @@ impl Translation<'_> {
     /// Calls a function with each. A closure that is written there is the body of a loop, so that it may change variables.
     fn for_each(&mut self, call: &ExprMethodCall, function: &Expr, items: Vec<Value>) -> Value {
         match strip(function) {
-            Expr::Closure(ExprClosure { inputs, body, .. })
+            Expr::Closure(ExprClosure { capture: None, inputs, body, .. })
                 if inputs.len() == 1 && !has_word(body.to_token_stream(), "return") =>
             {
                 let parameter = &inputs[0];

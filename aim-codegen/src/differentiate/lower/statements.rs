@@ -12,7 +12,7 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
 use super::value::Value;
-use super::{Translation, constants, functions};
+use super::{Translation, constants, functions, has_effect};
 use crate::differentiate::messages;
 use crate::differentiate::names::{self, Meaning};
 
@@ -135,6 +135,9 @@ impl Translation<'_> {
     pub(super) fn macro_call(&mut self, call: &syn::Macro) -> Value {
         let name = call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
         match name.strip_prefix("debug_").unwrap_or(&name) {
+            "assert" | "assert_eq" | "assert_ne" if name.starts_with('a') && has_effect(call.tokens.clone()) => {
+                self.refuse(&call.path, messages::effect_of_assertion())
+            }
             "assert" | "assert_eq" | "assert_ne" => Value::nothing(),
             // Nothing comes of these, so that the other branch is the value.
             "panic" | "unreachable" | "todo" | "unimplemented" => Value::Never,
