@@ -92,7 +92,9 @@ impl Arguments {
             ReturnType::Type(_, ty) => known_type(ty, items, report).filter(|result| {
                 let fits = result.is_result() && result.precision.is_some() && !result.borrowed;
                 if !fits {
-                    report.error_in(ty, messages::result_type());
+                    let is_optional = matches!(result.shape, Shape::Optional(_));
+                    let text = if is_optional { messages::optional_result() } else { messages::result_type() };
+                    report.error_in(ty, text);
                 }
                 fits
             }),

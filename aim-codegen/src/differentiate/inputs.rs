@@ -5,7 +5,7 @@ use std::rc::Rc;
 use aim_symbolic::{Scalar, Vector};
 use quote::ToTokens;
 
-use super::lower::{Affine, Algebra, Condition, Map, Quaternion, Struct, Value};
+use super::lower::{Affine, Algebra, Condition, Map, Optional, Quaternion, Struct, Value};
 use super::manifold::Varies;
 use super::types::{Shape, Type};
 
@@ -29,6 +29,13 @@ impl<'a> Inputs<'a> {
         let mut parts = |types: &[&Type]| -> Vec<Value> { types.iter().map(|ty| self.value(ty)).collect() };
         match &ty.shape {
             Shape::Array(element, length) => Value::Array(parts(&vec![&**element; *length])),
+            Shape::Optional(inner) => {
+                let is_some = match self.leaf(&Type::truth()) {
+                    Value::Truth(condition) => condition,
+                    _ => Condition::Known(true),
+                };
+                Value::Optional(Rc::new(Optional { is_some, value: self.value(inner) }))
+            }
             Shape::Tuple(types) => Value::Tuple(parts(&types.iter().collect::<Vec<_>>())),
             Shape::Struct(name, fields, _) => {
                 let values = parts(&fields.iter().map(|(_, ty)| ty).collect::<Vec<_>>());

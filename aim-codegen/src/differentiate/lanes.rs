@@ -6,6 +6,7 @@
 //! | a number, a whole number, a `bool` | one number; of `true` 1, of `false` 0 |
 //! | a vector, a quaternion, a matrix, a transform | the array of its numbers |
 //! | an array, a tuple | of its elements |
+//! | an `Option` | 1 and what is inside, or 0 and anything |
 //! | a struct | the tuple of its fields |
 
 use proc_macro2::{Literal, TokenStream};
@@ -75,6 +76,7 @@ impl Type {
             | Shape::Square(_)
             | Shape::Rigid => array(scalar(), self.components()),
             Shape::Array(element, length) => array(element.in_lanes(), *length),
+            Shape::Optional(inner) => tuple(vec![scalar(), inner.in_lanes()]),
             Shape::Tuple(parts) => tuple(parts.iter().map(Self::in_lanes).collect()),
             Shape::Struct(_, fields, _) => tuple(fields.iter().map(|(_, field)| field.in_lanes()).collect()),
         };

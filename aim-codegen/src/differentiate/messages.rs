@@ -90,18 +90,13 @@ messages! {
         where found = found.replace(' ', ""), name = found.rsplit("::").next().unwrap_or_default(),
         help = did_you_mean(name, known, || {
             format!(
-                "types are known by their names: {}, `bool`, integers, arrays and tuples of these, and references to them; \
+                "types are known by their names: {}, `bool`, integers, arrays, tuples and options of these, and references to them; \
                  a struct is known where it stands beside the function in `#[differentiate] mod … {{ … }}`",
                 list(known)
             )
         }) =>
         "`{found}` is no type that can be differentiated through",
         "{help}";
-
-    optional_type(found: &str)
-        where found = found.replace(' ', "") =>
-        "`{found}` may hold no number: there is nothing to be differentiated then",
-        "take a `bool` beside the value, or return a number beside it that is 1 or 0; helper functions may use options";
 
     slice() =>
         "how long this is is not known here",
@@ -116,7 +111,7 @@ messages! {
         "differentiate one term and sum its derivatives in a function around it";
 
     constant_variable(name: &str) =>
-        "`{name}` does not vary: there are no derivatives by truth values and whole numbers",
+        "`{name}` does not vary: there are no derivatives by truth values, whole numbers and options",
         "leave it out of `wrt`";
 
     partial_struct(name: &str) =>
@@ -126,6 +121,10 @@ messages! {
     mutable_reference() => "what an argument refers to cannot be changed", "take it by value, as in `mut x: f32`, and return what is new";
 
     no_result() => "this function has no result", "return what is to be differentiated";
+
+    optional_result() =>
+        "the result may be nothing, which has no derivative",
+        "return a number beside the value that is 1 or 0, as in `(1.0, value)`; arguments and helper functions may have options";
 
     result_type() =>
         "the result must be made of numbers",

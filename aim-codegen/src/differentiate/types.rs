@@ -27,6 +27,8 @@ pub(super) enum Shape {
     Square(usize),
     Rigid,
     Array(Box<Type>, usize),
+    /// An option: 1 or 0, then the numbers of what is inside, or as many 0.
+    Optional(Box<Type>),
     Tuple(Vec<Type>),
     /// A struct of the module: its name, its fields of types that are understood, and whether those are all.
     Struct(String, Vec<(Member, Type)>, bool),
@@ -122,11 +124,7 @@ impl Type {
             syn::Type::Path(path) if path.qself.is_none() => {
                 match path.path.segments.last() {
                     Some(last) if last.arguments.is_none() => {}
-                    Some(last) if last.ident == "Option" => {
-                        let tokens = quote!(#written);
-                        let text = messages::optional_type(&tokens.to_string());
-                        return Err((tokens, text));
-                    }
+                    Some(last) if last.ident == "Option" => return Self::of_option(scope, written, last, items),
                     _ => return Err(unknown()),
                 }
                 let meaning = match &scope.self_type {
@@ -181,6 +179,26 @@ impl Type {
         }
     }
 
+    fn of_option(scope: &Scope, written: &syn::Type, last: &syn::PathSegment, items: &Items) -> Result<Self, Fault> {
+        if let syn::PathArguments::AngleBracketed(of) = &last.arguments
+            && let Some(syn::GenericArgument::Type(inner)) = of.args.first()
+        {
+            let inner = Self::parse_in(scope, inner, items)?;
+            if !inner.borrowed {
+                let precision = inner.precision;
+                return Self::of_parts(quote!(#written), Shape::Optional(Box::new(inner)), precision);
+            }
+        }
+        let tokens = quote!(#written);
+        let text = messages::unknown_type(&tokens.to_string(), &[]);
+        Err((tokens, text))
+    }
+
+    /// A truth value.
+    pub(super) fn truth() -> Self {
+        Self::made(quote!(::core::primitive::bool), Shape::Truth, None)
+    }
+
     /// A struct of the module. Fields of other types may be there, but not read.
     fn of_struct(tokens: TokenStream, name: &str, structure: &Structure, items: &Items) -> Result<Self, Fault> {
         let declared = &structure.fields;
@@ -207,7 +225,7 @@ impl Type {
     /// A number type in it that is not this one.
     pub(super) fn other_precision(&self, expected: Precision) -> Option<Precision> {
         match &self.shape {
-            Shape::Array(element, _) => element.other_precision(expected),
+            Shape::Array(element, _) | Shape::Optional(element) => element.other_precision(expected),
             Shape::Tuple(parts) => parts.iter().find_map(|part| part.other_precision(expected)),
             Shape::Struct(_, fields, _) => fields.iter().find_map(|(_, field)| field.other_precision(expected)),
             _ => self.precision.filter(|&precision| precision != expected),
@@ -218,7 +236,7 @@ impl Type {
     pub(super) fn no_variable(&self, name: &str, tangent: bool) -> Option<Text> {
         match &self.shape {
             Shape::Rigid if !tangent => Some(messages::rigid_variable(name)),
-            Shape::Truth | Shape::Integer => Some(messages::constant_variable(name)),
+            Shape::Truth | Shape::Integer | Shape::Optional(_) => Some(messages::constant_variable(name)),
             Shape::Array(element, _) => element.no_variable(name, tangent),
             Shape::Tuple(parts) => parts.iter().find_map(|part| part.no_variable(name, tangent)),
             Shape::Struct(of, _, false) => Some(messages::partial_struct(of)),
@@ -230,7 +248,7 @@ impl Type {
     /// Whether a result may be of this type.
     pub(super) fn is_result(&self) -> bool {
         match &self.shape {
-            Shape::Truth | Shape::Integer => false,
+            Shape::Truth | Shape::Integer | Shape::Optional(_) => false,
             Shape::Array(element, _) => element.is_result(),
             Shape::Tuple(parts) => parts.iter().all(Self::is_result),
             Shape::Struct(_, fields, whole) => *whole && fields.iter().all(|(_, field)| field.is_result()),
@@ -254,6 +272,7 @@ impl Type {
             Shape::Square(count) => count * count,
             Shape::Rigid => 12,
             Shape::Array(element, length) => element.components().saturating_mul(*length),
+            Shape::Optional(inner) => 1 + inner.components(),
             Shape::Tuple(parts) => parts.iter().map(Self::components).sum(),
             Shape::Struct(_, fields, _) => fields.iter().map(|(_, field)| field.components()).sum(),
         }
@@ -287,6 +306,17 @@ impl Type {
                     XYZW[..3].iter().map(|row| format_ident!("{row}")).map(|row| quote!(#place.translation.#row)),
                 );
             }
+            Shape::Optional(inner) => {
+                to.push(quote!((#value.is_some() as ::core::primitive::u8 as ::core::primitive::#number_type)));
+                let mut numbers = Vec::new();
+                inner.numbers(&quote!((*value)), number, &mut numbers);
+                to.extend(numbers.iter().map(|number| {
+                    quote!((match &#value {
+                        ::core::option::Option::Some(value) => #number,
+                        ::core::option::Option::None => 0.0,
+                    }))
+                }));
+            }
             Shape::Array(element, length) => {
                 for index in (0..*length).map(Literal::usize_unsuffixed) {
                     element.numbers(&quote!(#place[#index]), number, to);
@@ -310,6 +340,10 @@ impl Type {
     pub(super) fn leaves(&self, each: &mut dyn FnMut(&Self)) {
         match &self.shape {
             Shape::Array(element, length) => (0..*length).for_each(|_| element.leaves(each)),
+            Shape::Optional(inner) => {
+                each(&Self::truth());
+                inner.leaves(each);
+            }
             Shape::Tuple(parts) => parts.iter().for_each(|part| part.leaves(each)),
             Shape::Struct(_, fields, _) => fields.iter().for_each(|(_, field)| field.leaves(each)),
             _ => each(self),
@@ -319,7 +353,7 @@ impl Type {
     /// Whether all of a value of it can be made of numbers.
     pub(super) fn is_whole(&self) -> bool {
         match &self.shape {
-            Shape::Array(element, _) => element.is_whole(),
+            Shape::Array(element, _) | Shape::Optional(element) => element.is_whole(),
             Shape::Tuple(parts) => parts.iter().all(Self::is_whole),
             Shape::Struct(_, fields, whole) => *whole && fields.iter().all(|(_, field)| field.is_whole()),
             _ => true,
@@ -339,6 +373,10 @@ impl Type {
             Shape::Array(element, length) => {
                 let parts: Vec<TokenStream> = (0..*length).map(|_| element.assemble(leaf)).collect();
                 quote!([#(#parts),*])
+            }
+            Shape::Optional(inner) => {
+                let (is_some, inner) = (leaf(&Self::truth()), inner.assemble(leaf));
+                quote!((if #is_some { ::core::option::Option::Some(#inner) } else { ::core::option::Option::None }))
             }
             Shape::Tuple(parts) => {
                 let parts: Vec<TokenStream> = parts.iter().map(|part| part.assemble(leaf)).collect();
@@ -374,7 +412,7 @@ impl Type {
                 let parts = take(self.components());
                 quote!(<#ty>::from_cols_array(&[#(#parts),*]))
             }
-            Shape::Array(..) | Shape::Tuple(_) | Shape::Struct(..) => TokenStream::new(),
+            Shape::Array(..) | Shape::Optional(_) | Shape::Tuple(_) | Shape::Struct(..) => TokenStream::new(),
         }
     }
 

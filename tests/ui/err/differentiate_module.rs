@@ -104,7 +104,8 @@ mod unseen {
     }
 
     #[differentiate(wrt(x))]
-    pub fn optional(x: f32, limit: Option<f32>) -> Option<f32> {
+    pub fn optional(x: f32, limit: Option<f32>, name: Option<&str>) -> Option<f32> {
+        let _ = name;
         if let Some(limit) = limit { Some(x.min(limit)) } else { None }
     }
 

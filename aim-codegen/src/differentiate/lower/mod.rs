@@ -42,7 +42,7 @@ use self::frame::Frame;
 pub(super) use self::map::{Affine, Map, Quaternion};
 pub(super) use self::square::columns;
 pub(super) use self::translation::{Translation, length};
-pub(super) use self::value::{Callable, Scope, Struct, Value};
+pub(super) use self::value::{Callable, Optional, Scope, Struct, Value};
 use super::messages;
 use super::names::{Meaning, segments};
 use crate::differentiate::items::Constant;

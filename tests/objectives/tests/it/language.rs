@@ -122,6 +122,22 @@ mod functions {
         }
     }
 
+    #[derive(Clone, Copy)]
+    pub(super) struct Spring {
+        pub(super) rest: f64,
+        pub(super) most: Option<f64>,
+    }
+
+    #[differentiate(wrt(x), lanes)]
+    pub(super) fn optional(x: f64, spring: &Spring, away: Option<(DVec3, bool)>) -> f64 {
+        let off = match spring.most {
+            Some(most) if x > most => most - spring.rest,
+            _ => x - spring.rest,
+        };
+        let Some((from, true)) = away else { return off * off };
+        off * off + (DVec3::X * x).distance(from)
+    }
+
     #[differentiate(wrt(x))]
     pub(super) fn iterators(x: [f64; 5], y: f64) -> [f64; 4] {
         let (mut level, mut error) = (y, 0.0);
@@ -186,6 +202,16 @@ fn companions_compute_what_rust_means() {
         let m = [[a, b, c], [b, d, e], [c, e, a]];
         same(&[log_determinant_gradient(m).0], &[log_determinant(m)]);
         same(&[hit_gradient(p, q).0], &[hit(p, q)]);
+        let spring = Spring { rest: b, most: (c > 0.0).then_some(d) };
+        for away in [None, Some((q, false)), Some((q, true))] {
+            let (value, (slope,)) = optional_gradient(a, &spring, away);
+            same(&[value], &[optional(a, &spring, away)]);
+            let number = |truth: bool| if truth { 1.0 } else { 0.0 };
+            let most = (number(spring.most.is_some()), spring.most.unwrap_or(0.0));
+            let (from, on) = away.unwrap_or_default();
+            let away = (number(away.is_some()), (from.to_array(), number(on)));
+            assert_eq!(optional_gradient_lanes(a, &(b, most), away), (value, (slope,)));
+        }
         same(&iterators_jacobian([a, b, c, d, e], b).0, &iterators([a, b, c, d, e], b));
         let ((v, w), _) = shifted_jacobian(DVec2::new(a, b), DVec4::new(a, c, d, e));
         let expected = shifted(DVec2::new(a, b), DVec4::new(a, c, d, e));
