@@ -131,24 +131,30 @@ impl Items {
     }
 
     fn add_impl(&mut self, scope: &Rc<Scope>, item: &syn::ItemImpl) {
-        let syn::Type::Path(path) = &*item.self_ty else { return };
+        // What is implemented for references is known of the type where it has nothing itself.
+        let (by_reference, ty) = match &*item.self_ty {
+            syn::Type::Reference(reference) => (true, &*reference.elem),
+            ty => (false, ty),
+        };
+        let syn::Type::Path(path) = ty else { return };
         if path.qself.is_some() || path.path.segments.iter().any(|segment| !segment.arguments.is_none()) {
             return;
         }
         let ty = self.resolved(scope, &segments(&path.path));
         let scope = Rc::new(Scope { module: scope.module.clone(), self_type: Some(ty.clone()), ..Scope::default() });
+        let known_as = if by_reference { format!("&{ty}") } else { ty };
         let of_trait = item.trait_.as_ref().and_then(|(path, _)| path.segments.last());
         for part in &item.items {
             match part {
                 ImplItem::Const(part) => {
                     let (ty_of_it, value) = (Some(part.ty.clone()), part.expr.clone());
                     let constant = Constant { scope: scope.clone(), ty: ty_of_it, value };
-                    self.constants.push(((Some(ty.clone()), part.ident.to_string()), constant));
+                    self.constants.push(((Some(known_as.clone()), part.ident.to_string()), constant));
                 }
                 ImplItem::Fn(part) => {
                     let of_trait = of_trait.map(|of| of.ident.to_string());
                     let function = Rc::new(callable(&part.sig, &part.block, scope.clone(), of_trait));
-                    self.functions.push(((Some(ty.clone()), part.sig.ident.to_string()), function));
+                    self.functions.push(((Some(known_as.clone()), part.sig.ident.to_string()), function));
                 }
                 _ => {}
             }

@@ -243,6 +243,8 @@ impl Translation<'_> {
     fn resolved(&self, path: &[String]) -> String {
         match (&*self.frame.scope, path) {
             (Scope { self_type: Some(known), .. }, [name]) if name == "Self" => known.clone(),
+            // A generic parameter hides what the module calls so.
+            (scope, [name, ..]) if scope.generics.contains(name) => String::new(),
             (scope, path) => self.items.resolved(scope, path),
         }
     }

@@ -13,7 +13,11 @@ use crate::differentiate::messages;
 impl Translation<'_> {
     /// The functions of this name.
     pub(super) fn functions(&self, of: Option<&str>, name: &str) -> Vec<Rc<Callable>> {
-        self.items.functions(of, name).cloned().collect()
+        let of_value: Vec<_> = self.items.functions(of, name).cloned().collect();
+        match of {
+            Some(ty) if of_value.is_empty() => self.items.functions(Some(&format!("&{ty}")), name).cloned().collect(),
+            _ => of_value,
+        }
     }
 
     /// The function of this name; `None` if there is none, or several.
@@ -61,9 +65,16 @@ impl Translation<'_> {
         if !matches!((left, right), (Value::Struct(_), _) | (_, Value::Struct(_))) {
             return None;
         }
-        let several = self.functions(Some(&self.type_name(left)?), name);
+        let ty = self.type_name(left)?;
+        let mut several: Vec<_> = self.items.functions(Some(&ty), name).cloned().collect();
+        // Operators of references are those of the values, where there are both.
+        let by_value =
+            |function: &&Rc<Callable>| !matches!(function.parameters.last(), Some((_, Some(syn::Type::Reference(_)))));
+        let of_values: Vec<_> = several.iter().filter(by_value).cloned().collect();
+        several.extend(self.items.functions(Some(&format!("&{ty}")), name).cloned());
         // That which the operator changes is no argument that decides.
-        let found = self.function_for(&several, &[Value::Unknown, right.clone()]);
+        let arguments = [Value::Unknown, right.clone()];
+        let found = self.function_for(&of_values, &arguments).or_else(|| self.function_for(&several, &arguments));
         match (found, several.len()) {
             (Some(found), _) => Some(Ok(found)),
             (None, 0 | 1) => None,

@@ -432,13 +432,17 @@ same! {
         impl Mul for V { type Output = f64; fn mul(self, o: V) -> f64 { self.0 * o.0 - self.1 * o.1 } }
         impl Add for V { type Output = V; fn add(self, o: V) -> V { V(self.0 + o.0, self.1 + o.1) } }
         impl Sub<[f64; 2]> for V { type Output = V; fn sub(self, o: [f64; 2]) -> V { V(self.0 - o[0], self.1 - o[1]) } }
+        impl Add<&V> for V { type Output = V; fn add(self, o: &V) -> V { self + *o } }
+        impl<'a> Sub<&'a V> for &'a V { type Output = V; fn sub(self, o: &V) -> V { V(self.0 - o.0, self.1 - 2.0 * o.1) } }
+        impl std::ops::Div for &V { type Output = f64; fn div(self, o: &V) -> f64 { self.0 / (3.0 + o.1 * o.1) } }
+        fn made<V: Copy>(v: V) -> V { v }
         impl Neg for V { type Output = V; fn neg(self) -> V { V(-self.0, self.1) } }
         impl From<f64> for V { fn from(x: f64) -> V { V(x, 1.0) } }
         impl From<[f64; 2]> for V { fn from([x, y]: [f64; 2]) -> V { V(x, y) } }
         impl From<(f64, usize)> for V { fn from((x, n): (f64, usize)) -> V { V(x, n as f64) } }
         pub fn f(x: f64, y: f64) -> f64 {
             let v = 2.0 * V::from([x, y]) + V::from(y) * x + V::from((x, 3)) - [y, 0.5];
-            v * -v + (x * v).1
+            v * -v + (x * v).1 + (v + &made(v)).0 + (&v - &v).1 + &v / &made(v)
         }
     }
     iterators {
