@@ -136,6 +136,21 @@ fn what_is_not_followed_is_refused() {
     }
 }
 
+/// A generic parameter is not the struct of the same name.
+#[test]
+fn defaults_of_generic_types_are_refused() {
+    let module = |parameter: &str| {
+        format!(
+            "mod m {{ #[derive(Clone, Copy, Default)] struct P {{ a: f64 }} \
+             fn made<{parameter}: Default>(p: {parameter}) -> {parameter} {{ {parameter}::default() }} \
+             #[differentiate(wrt(x))] fn f(x: f64) -> f64 {{ x + made(P {{ a: x }}).a }} }}"
+        )
+    };
+    for parameter in ["P", "T"] {
+        assert_eq!(errors(&expand("", &module(parameter))), 1, "{parameter}");
+    }
+}
+
 #[test]
 fn a_module_is_emitted_as_written_but_for_the_requests() {
     let module = "# [cfg (all ())] pub mod m { # ! [doc = \" Words.\"] use core :: fmt ; struct S (f32) ; \
