@@ -94,6 +94,13 @@ pub(super) struct Type {
 
 type Fault = (TokenStream, Text);
 
+fn unknown(written: &syn::Type) -> Fault {
+    let known: Vec<&str> = KNOWN.iter().map(|(name, ..)| *name).collect();
+    let tokens = quote!(#written);
+    let text = messages::unknown_type(&tokens.to_string(), &known);
+    (tokens, text)
+}
+
 impl Type {
     /// Reads a type, in invisible groups and behind one reference too; or tells why it is none of ours, and where.
     pub(super) fn parse(written: &syn::Type, items: &Items) -> Result<Self, Fault> {
@@ -102,12 +109,7 @@ impl Type {
 
     /// The same of a type that is written elsewhere in the module.
     fn parse_in(scope: &Scope, written: &syn::Type, items: &Items) -> Result<Self, Fault> {
-        let unknown = || {
-            let known: Vec<&str> = KNOWN.iter().map(|(name, ..)| *name).collect();
-            let tokens = quote!(#written);
-            let text = messages::unknown_type(&tokens.to_string(), &known);
-            (tokens, text)
-        };
+        let unknown = || unknown(written);
         match written {
             syn::Type::Group(group) => Self::parse_in(scope, &group.elem, items),
             syn::Type::Paren(paren) => Self::parse_in(scope, &paren.elem, items),
@@ -189,9 +191,7 @@ impl Type {
                 return Self::of_parts(quote!(#written), Shape::Optional(Box::new(inner)), precision);
             }
         }
-        let tokens = quote!(#written);
-        let text = messages::unknown_type(&tokens.to_string(), &[]);
-        Err((tokens, text))
+        Err(unknown(written))
     }
 
     /// A truth value.

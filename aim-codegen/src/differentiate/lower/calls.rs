@@ -235,9 +235,10 @@ impl Translation<'_> {
         }
         // Beside those of the module, types that are not its own have others.
         if !several.is_empty() && self.items.structure(ty).is_none() {
-            let errors = self.report.count();
             let arguments: Vec<Value> = call.args.iter().map(|argument| self.expression(argument)).collect();
-            self.report.forget(errors);
+            if arguments.iter().any(Value::is_unknown) {
+                return Value::Unknown;
+            }
             several = self.function_for(&several, &arguments).into_iter().collect();
         }
         let is_default = text == "default" && several.iter().all(|function| function.of_trait.is_some());
