@@ -83,7 +83,7 @@ impl Graph {
                 let (one, zero) = (self.constant(1.0), self.constant(0.0));
                 let by_a = if self.constant_of(b).is_some_and(|b| b.fract() != 0.0) {
                     // There is no power of a negative base.
-                    let (product, over) = (self.mul(b, scalar), self.reciprocal(a));
+                    let (product, over) = (self.mul(b, scalar), self.over_positive(a));
                     self.mul(product, over)
                 } else {
                     let less = self.sub(b, one);
@@ -101,6 +101,17 @@ impl Graph {
         };
         partials.retain(|&(part, _)| wanted(part));
         partials
+    }
+
+    /// 1 / a of an argument that has to be positive, and 0 where it is not. Of a length it is guarded as all lengths are: its
+    /// square may be divided by, too.
+    fn over_positive(&mut self, a: Scalar) -> Scalar {
+        if self.is_length(a) {
+            return self.reciprocal(a);
+        }
+        let (one, zero) = (self.constant(1.0), self.constant(0.0));
+        let over = self.div(one, a);
+        self.select_less(zero, a, over, zero)
     }
 
     /// Of an input that is the sine or cosine of an angle: the angle, and its derivative by it.
@@ -157,7 +168,7 @@ impl Graph {
                 }
             }
             Function::Exp => Partials::Factor(value),
-            Function::Ln => Partials::Factor(self.reciprocal(a)),
+            Function::Ln => Partials::Factor(self.over_positive(a)),
             Function::Sinh => Partials::Factor(self.call(Function::Cosh, a)),
             Function::Cosh => Partials::Factor(self.call(Function::Sinh, a)),
             Function::Tanh => {

@@ -53,13 +53,15 @@ fn cancelled<R>(
     product.cancel(g, &vanishing).then_some((product, rest))
 }
 
-/// True of what is not negative, as far as one can see.
-fn is_length(g: &Graph, s: Scalar) -> bool {
-    match g.scalar_node(s) {
-        ScalarNode::Norm(_) | ScalarNode::Op(Op::Sqrt(_)) => true,
-        ScalarNode::Dot(v, w) => v == w,
-        ScalarNode::Op(Op::Mul(a, b)) => a == b,
-        _ => false,
+impl Graph {
+    /// True of what is not negative, as far as one can see.
+    pub(crate) fn is_length(&self, s: Scalar) -> bool {
+        match self.scalar_node(s) {
+            ScalarNode::Norm(_) | ScalarNode::Op(Op::Sqrt(_)) => true,
+            ScalarNode::Dot(v, w) => v == w,
+            ScalarNode::Op(Op::Mul(a, b)) => a == b,
+            _ => false,
+        }
     }
 }
 
@@ -120,7 +122,7 @@ impl Product {
                 self.times(g, b, -halves, whole)?;
             }
             // A guarded reciprocal is 0 of what is negative.
-            ScalarNode::Reciprocal(a) if is_length(g, a) => self.times(g, a, -halves, whole)?,
+            ScalarNode::Reciprocal(a) if g.is_length(a) => self.times(g, a, -halves, whole)?,
             ScalarNode::Op(Op::Sqrt(a)) => self.power(a, halves / 2),
             ScalarNode::Norm(v) => {
                 let square = g.dot(v, v);

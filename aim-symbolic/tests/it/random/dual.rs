@@ -108,7 +108,8 @@ impl<T: Number> Number for Dual<T> {
             Function::Asin => self.slope / (one - x * x).sqrt(),
             Function::Acos => -self.slope / (one - x * x).sqrt(),
             Function::Exp => self.slope * value,
-            Function::Ln => self.slope / x,
+            // Outside of its domain the slope is 0 by convention.
+            Function::Ln => T::select_less(T::constant(0.0), x, self.slope / x, T::constant(0.0)),
             Function::Sinh => self.slope * x.call(Function::Cosh),
             Function::Cosh => self.slope * x.call(Function::Sinh),
             Function::Tanh => self.slope * (one - value * value),
