@@ -89,8 +89,9 @@ impl Graph {
                     let less = self.sub(b, one);
                     let power = self.pow(a, less);
                     let slope = self.mul(b, power);
-                    let (at_zero, square) = (self.select_less(b, one, zero, slope), self.mul(a, a));
-                    self.select_less(zero, square, slope, at_zero)
+                    let at_zero = self.select_less(b, one, zero, slope);
+                    let below = self.select_less(a, zero, slope, at_zero);
+                    self.select_less(zero, a, slope, below)
                 };
                 let log = self.call(Function::Ln, a);
                 let along = self.mul(scalar, log);
@@ -155,10 +156,8 @@ impl Graph {
                 Partials::Factor(self.add(one, square))
             }
             Function::Asin | Function::Acos => {
-                // (1 − a)(1 + a) keeps its digits near 1, where 1 − a² loses them.
-                let one = self.constant(1.0);
-                let (below, above) = (self.sub(one, a), self.add(one, a));
-                let square = self.mul(below, above);
+                // 1 − a² would lose its digits near 1.
+                let square = self.around_one(a);
                 let root = self.sqrt(square);
                 let reciprocal = self.reciprocal(root);
                 if function == Function::Asin {

@@ -2,10 +2,13 @@
 //!
 //! A product is taken apart into powers of its factors, in halves, so that |v| is half a power of v · v. Functions that
 //! vanish like a power of a length r, such as sin r or 1 − cos r, are that power times a [smooth](crate::ir::smooth) function
-//! of r². Where powers of one factor above and below the line meet and none is left below, the product is stated without
-//! them: nothing is divided by what could be 0, and its derivatives are right there, too.
+//! of r²; so are sums of which every term is. Where powers of one factor above and below the line meet and none is left below,
+//! the product is stated without them: nothing is divided by what could be 0, and its derivatives are right there, too.
 
-use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff, Vector, VectorNode};
+use rustc_hash::FxHashSet;
+
+use super::vanishing::{Vanishing, parts};
+use crate::{Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
 
 /// A product of more parts is not looked at.
 const MOST_PARTS: usize = 48;
@@ -38,19 +41,26 @@ fn cancelled<R>(
     g: &mut Graph,
     collect: impl Fn(&mut Graph, &mut Product, &[Scalar]) -> Option<R>,
 ) -> Option<(Product, R)> {
-    let mut product = Product::new();
-    let mut rest = collect(g, &mut product, &[])?;
-    if product.below.is_empty() {
+    let mut all = Product::new();
+    collect(g, &mut all, &[])?;
+    let divisors = all.divisors(g);
+    if divisors.is_empty() {
         return None;
     }
-    let vanishing = product.vanishing(g);
-    // The argument of a function may be a product itself.
-    let whole: Vec<Scalar> = vanishing.iter().map(|(_, found)| found.length.base).collect();
-    if !whole.is_empty() {
-        product = Product::new();
-        rest = collect(g, &mut product, &whole)?;
+    for (round, find) in [Vanishing::of, Vanishing::of_any].into_iter().enumerate() {
+        let vanishing = all.vanishing(g, &divisors, find);
+        if round > 0 && vanishing.is_empty() {
+            break;
+        }
+        // The argument of a function may be a product itself.
+        let whole: Vec<Scalar> = vanishing.iter().map(|(_, found)| found.base()).collect();
+        let mut product = Product::new();
+        let rest = collect(g, &mut product, &whole)?;
+        if product.cancel(g, &vanishing)? {
+            return Some((product, rest));
+        }
     }
-    product.cancel(g, &vanishing).then_some((product, rest))
+    None
 }
 
 impl Graph {
@@ -65,12 +75,40 @@ impl Graph {
     }
 }
 
+impl Graph {
+    /// (1 − a)(1 + a), which keeps its digits near 1.
+    pub(crate) fn around_one(&mut self, a: Scalar) -> Scalar {
+        let one = self.constant(1.0);
+        let (below, above) = (self.sub(one, a), self.add(one, a));
+        self.mul(below, above)
+    }
+
+    /// The same of 1 − a².
+    fn one_minus_square(&mut self, s: Scalar) -> Option<Scalar> {
+        let ScalarNode::Op(Op::Sub(one, square)) = self.scalar_node(s) else { return None };
+        let ScalarNode::Op(Op::Mul(a, b)) = self.scalar_node(square) else { return None };
+        (a == b && self.constant_of(one) == Some(1.0)).then(|| self.around_one(a))
+    }
+}
+
+/// The terms of a sum, of which there is no more than one where it is none.
+pub(super) fn terms(g: &Graph, sum: Scalar) -> Vec<Scalar> {
+    let (mut terms, mut open) = (Vec::new(), vec![sum]);
+    while let Some(s) = open.pop() {
+        match parts(g, s) {
+            Some((a, b)) if terms.len() + open.len() < MOST_PARTS => open.extend([b, a]),
+            _ => terms.push(s),
+        }
+    }
+    terms
+}
+
 /// A product as powers of its factors.
 #[derive(Clone, Debug)]
-struct Product {
-    coefficient: f64,
+pub(super) struct Product {
+    pub(super) coefficient: f64,
     /// Factors and their powers in halves, in the order of their first appearance.
-    powers: Vec<(Scalar, i32)>,
+    pub(super) powers: Vec<(Scalar, i32)>,
     /// The factors that appear above the line, and those that do below.
     above: Vec<Scalar>,
     below: Vec<Scalar>,
@@ -78,11 +116,11 @@ struct Product {
 }
 
 impl Product {
-    const fn new() -> Self {
+    pub(super) const fn new() -> Self {
         Self { coefficient: 1.0, powers: Vec::new(), above: Vec::new(), below: Vec::new(), parts: 0 }
     }
 
-    fn power(&mut self, factor: Scalar, halves: i32) {
+    pub(super) fn power(&mut self, factor: Scalar, halves: i32) {
         let side = if halves < 0 { &mut self.below } else { &mut self.above };
         side.push(factor);
         match self.powers.iter_mut().find(|(known, _)| *known == factor) {
@@ -91,8 +129,39 @@ impl Product {
         }
     }
 
-    fn power_of(&self, factor: Scalar) -> i32 {
+    pub(super) fn power_of(&self, factor: Scalar) -> i32 {
         self.powers.iter().find(|(known, _)| *known == factor).map_or(0, |(_, power)| *power)
+    }
+
+    /// The factors of a scalar; `None` where there are too many.
+    pub(super) fn of(g: &mut Graph, s: Scalar) -> Option<Self> {
+        let mut product = Self::new();
+        product.times(g, s, 2, &[])?;
+        Some(product)
+    }
+
+    /// Takes a factor away. Returns its power, in halves.
+    pub(super) fn remove(&mut self, factor: Scalar) -> i32 {
+        let power = self.power_of(factor);
+        self.powers.retain(|(known, _)| *known != factor);
+        power
+    }
+
+    /// What is divided by, also within sums, and then what that may vanish with, each once; nothing where nothing is divided by.
+    fn divisors(&self, g: &mut Graph) -> Vec<Scalar> {
+        let mut divisors = self.below.clone();
+        for &factor in &self.above {
+            for term in terms(g, factor).into_iter().filter(|&term| term != factor) {
+                divisors.extend(Self::of(g, term).map_or(Vec::new(), |product| product.below));
+            }
+        }
+        if !divisors.is_empty() {
+            divisors.extend(&self.above);
+            divisors.extend(self.powers.iter().filter_map(|&(factor, _)| Vanishing::base_of_function(g, factor)));
+        }
+        let mut known = FxHashSet::default();
+        divisors.retain(|&divisor| known.insert(divisor));
+        divisors
     }
 
     /// Multiplies by a power of `s`, in halves, an even number; `None` where that is too long. What is in `whole` is not
@@ -123,7 +192,10 @@ impl Product {
             }
             // A guarded reciprocal is 0 of what is negative.
             ScalarNode::Reciprocal(a) if g.is_length(a) => self.times(g, a, -halves, whole)?,
-            ScalarNode::Op(Op::Sqrt(a)) => self.power(a, halves / 2),
+            ScalarNode::Op(Op::Sqrt(a)) => {
+                let a = g.one_minus_square(a).unwrap_or(a);
+                self.power(a, halves / 2);
+            }
             ScalarNode::Norm(v) => {
                 let square = g.dot(v, v);
                 self.power(square, halves / 2);
@@ -138,7 +210,10 @@ impl Product {
                 let component = g.component(v, axis);
                 self.power(component, halves);
             }
-            _ => self.power(s, halves),
+            _ => {
+                let s = g.one_minus_square(s).unwrap_or(s);
+                self.power(s, halves);
+            }
         }
         Some(())
     }
@@ -183,15 +258,21 @@ impl Product {
         })
     }
 
-    /// The factors that vanish with a length.
-    fn vanishing(&self, g: &mut Graph) -> Vec<(Scalar, Vanishing)> {
-        self.powers.iter().filter_map(|&(factor, _)| Some((factor, Vanishing::of(g, factor)?))).collect()
+    /// The factors that vanish with a length, or with what is divided by.
+    fn vanishing(
+        &self,
+        g: &mut Graph,
+        divisors: &[Scalar],
+        find: impl Fn(&mut Graph, Scalar, &[Scalar]) -> Vec<Vanishing>,
+    ) -> Vec<(Scalar, Vanishing)> {
+        let of = |&(factor, _): &(Scalar, i32)| find(g, factor, divisors).into_iter().map(move |found| (factor, found));
+        self.powers.iter().flat_map(of).collect()
     }
 
-    /// Takes away what is above and below the line; false where nothing is.
-    fn cancel(&mut self, g: &mut Graph, vanishing: &[(Scalar, Vanishing)]) -> bool {
+    /// Takes away what is above and below the line; false where nothing is, `None` where that is too long.
+    fn cancel(&mut self, g: &mut Graph, vanishing: &[(Scalar, Vanishing)]) -> Option<bool> {
         let mut bases: Vec<Scalar> = Vec::new();
-        for base in self.powers.iter().map(|&(s, _)| s).chain(vanishing.iter().map(|(_, found)| found.length.base)) {
+        for base in self.powers.iter().map(|&(s, _)| s).chain(vanishing.iter().map(|(_, found)| found.base())) {
             if !bases.contains(&base) {
                 bases.push(base);
             }
@@ -199,26 +280,31 @@ impl Product {
         let mut any = false;
         for base in bases {
             let functions: Vec<&(Scalar, Vanishing)> =
-                vanishing.iter().filter(|(_, found)| found.length.base == base).collect();
-            let is_in = |side: &[Scalar]| side.contains(&base) || functions.iter().any(|(s, _)| side.contains(s));
+                vanishing.iter().filter(|(_, found)| found.base() == base).collect();
+            // Where a function is infinite, it is on the other side of the line.
+            let sides = [&self.above, &self.below];
+            let functions_in = |side: usize| {
+                functions.iter().any(|(s, found)| sides[if found.halves() < 0 { 1 - side } else { side }].contains(s))
+            };
+            let is_in = |side: usize| sides[side].contains(&base) || functions_in(side);
             let halves: i32 = functions.iter().map(|(s, found)| found.halves() * self.power_of(*s) / 2).sum();
-            if !is_in(&self.above) || !is_in(&self.below) || self.power_of(base) + halves < 0 {
+            if !is_in(0) || !is_in(1) || self.power_of(base) + halves < 0 {
                 continue;
             }
             any = true;
             let by_itself = self.above.contains(&base) && self.power_of(base) >= 0;
-            if by_itself && !functions.iter().any(|(s, _)| self.below.contains(s)) {
+            if by_itself && !functions_in(1) {
                 continue;
             }
             for (s, found) in functions {
-                found.take_out(g, self, *s);
+                found.take_out(g, self, *s)?;
             }
         }
-        any
+        Some(any)
     }
 
     /// The product, stated anew; `None` of 1.
-    fn stated(self, g: &mut Graph) -> Option<Scalar> {
+    pub(super) fn stated(self, g: &mut Graph) -> Option<Scalar> {
         let [mut above, mut below]: [Vec<Scalar>; 2] = Default::default();
         for &(factor, halves) in &self.powers {
             let side = if halves > 0 { &mut above } else { &mut below };
@@ -248,144 +334,5 @@ impl Product {
         }
         let stated = stated.unwrap_or_else(|| g.constant(1.0));
         Some(g.neg(stated))
-    }
-}
-
-/// A constant times a length, which is a norm, a root, or a number of any sign.
-struct Length {
-    coefficient: f64,
-    base: Scalar,
-    /// 1 where the length is the root of the base, 2 where it is the base.
-    halves: i32,
-}
-
-impl Length {
-    fn of(g: &mut Graph, mut s: Scalar) -> Option<Self> {
-        let mut coefficient = 1.0;
-        loop {
-            match g.scalar_node(s) {
-                ScalarNode::Op(Op::Constant(_)) => return None,
-                ScalarNode::Op(Op::Neg(a)) => (coefficient, s) = (-coefficient, a),
-                ScalarNode::Op(Op::Mul(a, b)) => match (g.constant_of(a), g.constant_of(b)) {
-                    (Some(c), _) => (coefficient, s) = (coefficient * c, b),
-                    (_, Some(c)) => (coefficient, s) = (coefficient * c, a),
-                    _ => return Some(Self { coefficient, base: s, halves: 2 }),
-                },
-                ScalarNode::Op(Op::Div(a, b)) if g.constant_of(b).is_some() => {
-                    (coefficient, s) = (coefficient / g.constant_of(b)?, a);
-                }
-                ScalarNode::Norm(v) => return Some(Self { coefficient, base: g.dot(v, v), halves: 1 }),
-                ScalarNode::Op(Op::Sqrt(base)) => return Some(Self { coefficient, base, halves: 1 }),
-                _ => return Some(Self { coefficient, base: s, halves: 2 }),
-            }
-        }
-    }
-
-    fn square(&self, g: &mut Graph) -> Scalar {
-        let square = if self.halves == 1 { self.base } else { g.mul(self.base, self.base) };
-        if self.coefficient.abs() == 1.0 {
-            return square;
-        }
-        let factor = g.constant(self.coefficient * self.coefficient);
-        g.mul(factor, square)
-    }
-}
-
-/// A function as one of a length r: a sign, a power of r, and a rest that is not 0 where r is.
-struct Vanishing {
-    length: Length,
-    order: u8,
-    negative: bool,
-    rest: Rest,
-}
-
-/// Smooth functions of r².
-enum Rest {
-    Stumpff(Stumpff),
-    /// The Stumpff function of order 1 over that of order 0.
-    Tangent(Stumpff),
-    /// atan2(r, w)/r
-    Arc(Scalar),
-}
-
-fn one_minus(g: &mut Graph, square: Scalar) -> Scalar {
-    let one = g.constant(1.0);
-    g.sub(one, square)
-}
-
-impl Vanishing {
-    fn of(g: &mut Graph, s: Scalar) -> Option<Self> {
-        let [circular, hyperbolic] = [false, true].map(|hyperbolic| Stumpff { hyperbolic, order: 1 });
-        let one = |length, rest| Some(Self { length, order: 1, negative: false, rest });
-        match g.scalar_node(s) {
-            ScalarNode::Op(Op::Call(function, a)) => match function {
-                Function::Sin => one(Length::of(g, a)?, Rest::Stumpff(circular)),
-                Function::Sinh => one(Length::of(g, a)?, Rest::Stumpff(hyperbolic)),
-                Function::Tan => one(Length::of(g, a)?, Rest::Tangent(circular)),
-                Function::Tanh => one(Length::of(g, a)?, Rest::Tangent(hyperbolic)),
-                // asin t = atan2(t, √(1 − t²))
-                Function::Asin => {
-                    let length = Length::of(g, a)?;
-                    let square = length.square(g);
-                    let rest = one_minus(g, square);
-                    one(length, Rest::Arc(g.sqrt(rest)))
-                }
-                // acos w = atan2(√(1 − w²), w)
-                Function::Acos => {
-                    let square = g.mul(a, a);
-                    one(Length { coefficient: 1.0, base: one_minus(g, square), halves: 1 }, Rest::Arc(a))
-                }
-                _ => None,
-            },
-            ScalarNode::Op(Op::Atan2(y, x)) => one(Length::of(g, y)?, Rest::Arc(x)),
-            ScalarNode::Op(Op::Sub(a, b)) => {
-                let (length, negative, function) = Self::difference(g, a, b)
-                    .map(|(length, function)| (length, false, function))
-                    .or_else(|| Self::difference(g, b, a).map(|(length, function)| (length, true, function)))?;
-                let length = Length::of(g, length)?;
-                Some(Self { length, order: function.order, negative, rest: Rest::Stumpff(function) })
-            }
-            _ => None,
-        }
-    }
-
-    /// The length of 1 − cos r, r − sin r, cosh r − 1 or sinh r − r, and the function.
-    fn difference(g: &Graph, a: Scalar, b: Scalar) -> Option<(Scalar, Stumpff)> {
-        let called = |s| match g.scalar_node(s) {
-            ScalarNode::Op(Op::Call(function, r)) => Some((function, r)),
-            _ => None,
-        };
-        let is_one = |s| g.constant_of(s) == Some(1.0);
-        let function = |hyperbolic, order| Stumpff { hyperbolic, order };
-        match (called(a), called(b)) {
-            (_, Some((Function::Cos, r))) if is_one(a) => Some((r, function(false, 2))),
-            (_, Some((Function::Sin, r))) if a == r => Some((r, function(false, 3))),
-            (Some((Function::Cosh, r)), _) if is_one(b) => Some((r, function(true, 2))),
-            (Some((Function::Sinh, r)), _) if b == r => Some((r, function(true, 3))),
-            _ => None,
-        }
-    }
-
-    /// The power of the length's base, in halves.
-    fn halves(&self) -> i32 {
-        i32::from(self.order) * self.length.halves
-    }
-
-    /// Takes the power of the length out of the function `s` in `product`.
-    fn take_out(&self, g: &mut Graph, product: &mut Product, s: Scalar) {
-        let halves = product.power_of(s);
-        product.powers.retain(|(known, _)| *known != s);
-        let sign = if self.negative { -1.0 } else { 1.0 };
-        product.coefficient *= (sign * self.length.coefficient.powi(self.order.into())).powi(halves / 2);
-        product.power(self.length.base, self.halves() * halves / 2);
-        let square = self.length.square(g);
-        match self.rest {
-            Rest::Stumpff(function) => product.power(g.stumpff(function, square), halves),
-            Rest::Tangent(function) => {
-                product.power(g.stumpff(function, square), halves);
-                product.power(g.stumpff(function.of_order(0), square), -halves);
-            }
-            Rest::Arc(w) => product.power(g.arc(square, w), halves),
-        }
     }
 }

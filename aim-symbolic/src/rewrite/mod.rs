@@ -8,5 +8,7 @@ pub(crate) mod log;
 mod rotations;
 pub mod rules;
 mod scaling;
+mod series;
 mod sums;
 mod tidy;
+mod vanishing;

@@ -56,6 +56,21 @@ macro_rules! objectives {
         }
 
         #[differentiate(wrt(x), hessian)]
+        fn exponential(x: $real) -> $real {
+            (x.exp() - 1.0) / x
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn of_logarithm(x: $real) -> $real {
+            (1.0 + x).ln() / x
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn bessel(x: $real) -> $real {
+            (x.sin() - x * x.cos()) / x.powi(3)
+        }
+
+        #[differentiate(wrt(x), hessian)]
         fn size(x: $real) -> $real {
             x.abs()
         }
@@ -143,6 +158,9 @@ macro_rules! objectives {
                 "x.tanh() / x" => hyperbolic_tangent_hessian(x),
                 "x.acos() / (1.0 - x * x).sqrt()" => arc_cosine_hessian(x),
                 "x * x / x" => cancelled_hessian(x),
+                "(x.exp() - 1.0) / x" => exponential_hessian(x),
+                "(1.0 + x).ln() / x" => of_logarithm_hessian(x),
+                "(x.sin() - x * x.cos()) / x.powi(3)" => bessel_hessian(x),
                 "x.abs()" => size_hessian(x),
                 "x.signum()" => sign_hessian(x),
                 "x.max(0.0)" => largest_hessian(x),
@@ -201,7 +219,7 @@ fn single_of(x: f64) -> f32 {
 #[test]
 fn limits_are_as_documented() {
     let rows = rows("## Limits");
-    assert_eq!(rows.len(), 10);
+    assert_eq!(rows.len(), 13);
     for (expression, cells) in rows {
         let x = number(cells[0]);
         let double = double::derived(expression, x).expect("each expression is a function here");

@@ -14,6 +14,7 @@ mod fields;
 mod harness;
 mod language;
 mod least_squares;
+mod lengths;
 mod limits;
 mod manifolds;
 mod natural;

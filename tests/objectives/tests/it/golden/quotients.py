@@ -3,7 +3,7 @@
 Run: pip install mpmath; python3 quotients.py > quotients.txt
 Each line: the name, x, the value, the first and the second derivative at x.
 """
-from mpmath import mp, mpf, acos, asin, atan, cos, cosh, diff, nstr, sin, sinh, sqrt, tan, tanh
+from mpmath import mp, mpf, acos, asin, atan, cos, cosh, diff, exp, log, nstr, sin, sinh, sqrt, tan, tanh
 
 mp.dps = 60
 
@@ -24,6 +24,14 @@ FUNCTIONS = {
     "linear": lambda x: (1 - cos(x)) / x,
     # Of w = 1 − x: near 1.
     "arc_cosine": lambda x: acos(1 - x) / sqrt(1 - (1 - x) ** 2),
+    "exponential": lambda x: (exp(x) - 1) / x,
+    "occupation": lambda x: x / (exp(x) - 1),
+    "logarithm": lambda x: log(1 + x) / x,
+    "root": lambda x: (sqrt(1 + x) - 1) / x,
+    "annuity": lambda x: (1 - (1 + x) ** -5) / x,
+    "bessel": lambda x: (sin(x) - x * cos(x)) / x**3,
+    "translation": lambda x: (1 - sin(x) / x) / x**2,
+    "log_of_cosine": lambda x: log(cos(x)) / x**2,
 }
 
 PLACES = [mpf(0)] + [mpf(10) ** -k for k in range(12, 0, -1)] + [mpf("0.3"), mpf("0.37"), mpf("0.9"), mpf("1.1"), mpf(2), mpf("3.1"), mpf(7)]
@@ -47,7 +55,7 @@ def derivatives(function, x):
 
 for name, function in FUNCTIONS.items():
     for x in PLACES:
-        if name == "arc_sine" and x >= 1 or name == "arc_cosine" and x >= 2 or name in ("ratio", "cotangent") and x > 3:
+        if name == "arc_sine" and x >= 1 or name == "arc_cosine" and x >= 2 or name in ("ratio", "cotangent") and x > 3 or name == "log_of_cosine" and x > 1.5:
             continue
         values = derivatives(function, x)
         print(name, nstr(x, 3), *(nstr(v, 20) for v in values))

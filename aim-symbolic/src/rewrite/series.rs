@@ -1,0 +1,269 @@
+//! Power series of expressions in one length or number: what tells that a sum vanishes with it though no term does.
+
+use rustc_hash::FxHashMap;
+
+use crate::ir::smooth::factorial;
+use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff};
+
+/// So many coefficients are known of a series.
+const TERMS: usize = 30;
+
+/// Expressions of more nodes are not looked at.
+const MOST_NODES: usize = 200;
+
+/// A coefficient with the size of what it is a sum of, which tells a 0 from what rounding leaves.
+#[derive(Clone, Copy, Debug, Default)]
+struct Coefficient {
+    value: f64,
+    size: f64,
+}
+
+impl Coefficient {
+    fn new(value: f64) -> Self {
+        Self { value, size: value.abs() }
+    }
+
+    fn is_zero(self) -> bool {
+        self.value.abs() <= 16.0 * f64::EPSILON * self.size
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self { value: self.value + other.value, size: self.size + other.size }
+    }
+
+    fn times(self, other: Self) -> Self {
+        Self { value: self.value * other.value, size: self.size * other.size }
+    }
+
+    fn scaled(self, by: f64) -> Self {
+        Self { value: self.value * by, size: self.size * by.abs() }
+    }
+}
+
+/// A power series.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Series([Coefficient; TERMS]);
+
+/// The sum of f(j) over j.
+fn sum(range: impl Iterator<Item = usize>, f: impl Fn(usize) -> Coefficient) -> Coefficient {
+    range.fold(Coefficient::default(), |sum, j| sum.plus(f(j)))
+}
+
+#[expect(clippy::cast_precision_loss, reason = "small indices")]
+fn real(k: usize) -> f64 {
+    k as f64
+}
+
+impl Series {
+    fn constant(value: f64) -> Self {
+        Self::power(0).scaled(value)
+    }
+
+    /// uᵏ
+    fn power(k: usize) -> Self {
+        Self(core::array::from_fn(|j| Coefficient::new(if j == k { 1.0 } else { 0.0 })))
+    }
+
+    fn at_zero(&self) -> f64 {
+        if self.0[0].is_zero() { 0.0 } else { self.0[0].value }
+    }
+
+    fn scaled(&self, by: f64) -> Self {
+        Self(self.0.map(|c| c.scaled(by)))
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        Self(core::array::from_fn(|k| self.0[k].plus(other.0[k])))
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        Self(core::array::from_fn(|k| sum(0..k + 1, |j| self.0[j].times(other.0[k - j]))))
+    }
+
+    /// The series whose coefficients follow from those before them, the first one being this.
+    fn following(first: f64, next: impl Fn(usize, &[Coefficient; TERMS]) -> Coefficient) -> Option<Self> {
+        let mut all = [Coefficient::default(); TERMS];
+        all[0] = Coefficient::new(first);
+        for k in 1..TERMS {
+            all[k] = next(k, &all);
+        }
+        all.iter().all(|c| c.size.is_finite()).then_some(Self(all))
+    }
+
+    /// aᵖ, by k a₀ bₖ = Σ (p j − k + j) aⱼ bₖ₋ⱼ.
+    fn raised(&self, p: f64) -> Option<Self> {
+        let (a, first) = (&self.0, self.at_zero());
+        if first == 0.0 || (first < 0.0 && p.fract() != 0.0) {
+            return None;
+        }
+        Self::following(first.powf(p), |k, b| {
+            sum(1..k + 1, |j| a[j].times(b[k - j]).scaled((p * real(j) - real(k - j)) / (real(k) * first)))
+        })
+    }
+
+    fn over(&self, other: &Self) -> Option<Self> {
+        Some(self.times(&other.raised(-1.0)?))
+    }
+
+    fn derivative(&self) -> Self {
+        Self(core::array::from_fn(|k| self.0.get(k + 1).map_or(Coefficient::default(), |c| c.scaled(real(k + 1)))))
+    }
+
+    /// The antiderivative that is this at 0.
+    fn integral(&self, at_zero: f64) -> Option<Self> {
+        Self::following(at_zero, |k, _| self.0[k - 1].scaled(1.0 / real(k)))
+    }
+
+    /// eᵃ, by k bₖ = Σ j aⱼ bₖ₋ⱼ.
+    fn exp(&self) -> Option<Self> {
+        Self::following(self.at_zero().exp(), |k, b| {
+            sum(1..k + 1, |j| self.0[j].times(b[k - j]).scaled(real(j) / real(k)))
+        })
+    }
+
+    /// sin a and cos a, or those of hyperbolas.
+    fn sine_and_cosine(&self, hyperbolic: bool) -> Option<[Self; 2]> {
+        let first = self.at_zero();
+        let (sine, cosine) = if hyperbolic { (first.sinh(), first.cosh()) } else { first.sin_cos() };
+        let (mut s, mut c) = ([Coefficient::new(sine); TERMS], [Coefficient::new(cosine); TERMS]);
+        for k in 1..TERMS {
+            let next =
+                |b: &[Coefficient; TERMS]| sum(1..k + 1, |j| self.0[j].times(b[k - j]).scaled(real(j) / real(k)));
+            (s[k], c[k]) = (next(&c), next(&s).scaled(if hyperbolic { 1.0 } else { -1.0 }));
+        }
+        Some([Self(s), Self(c)])
+    }
+
+    fn call(&self, function: Function) -> Option<Self> {
+        let [circular, hyperbolic] = [false, true];
+        let first = self.at_zero();
+        match function {
+            Function::Sin => Some(self.sine_and_cosine(circular)?[0]),
+            Function::Cos => Some(self.sine_and_cosine(circular)?[1]),
+            Function::Sinh => Some(self.sine_and_cosine(hyperbolic)?[0]),
+            Function::Cosh => Some(self.sine_and_cosine(hyperbolic)?[1]),
+            Function::Tan | Function::Tanh => {
+                let [sine, cosine] = self.sine_and_cosine(function == Function::Tanh)?;
+                sine.over(&cosine)
+            }
+            Function::Exp => self.exp(),
+            Function::Ln if first > 0.0 => self.derivative().over(self)?.integral(first.ln()),
+            Function::Asin | Function::Acos if first.abs() < 1.0 => {
+                let square = self.times(self).scaled(-1.0).plus(&Self::constant(1.0));
+                let slope = self.derivative().times(&square.raised(-0.5)?);
+                if function == Function::Asin {
+                    slope.integral(first.asin())
+                } else {
+                    slope.scaled(-1.0).integral(first.acos())
+                }
+            }
+            _ => None,
+        }
+    }
+
+    fn atan2(&self, x: &Self) -> Option<Self> {
+        let first = [self.at_zero(), x.at_zero()];
+        if first[1] <= 0.0 && first[0] == 0.0 {
+            return None;
+        }
+        let square = self.times(self).plus(&x.times(x));
+        let turn = self.derivative().times(x).plus(&self.times(&x.derivative()).scaled(-1.0));
+        turn.over(&square)?.integral(first[0].atan2(first[1]))
+    }
+
+    /// cₖ(s) = Σ (−s)ʲ/(k + 2j)!
+    fn stumpff(&self, function: Stumpff) -> Option<Self> {
+        if self.at_zero() != 0.0 {
+            return None;
+        }
+        let argument = self.scaled(if function.hyperbolic { 1.0 } else { -1.0 });
+        let mut result = Self::constant(0.0);
+        for j in (0..TERMS / 2).rev() {
+            let coefficient = 1.0 / factorial(function.order + 2 * u8::try_from(j).ok()?);
+            result = result.times(&argument).plus(&Self::constant(coefficient));
+        }
+        Some(result)
+    }
+
+    /// The lowest power; `None` of 0, as far as the series goes.
+    pub(super) fn order(&self) -> Option<usize> {
+        self.0.iter().position(|c| !c.is_zero())
+    }
+
+    /// The coefficients from the lowest power on, as many as count, and up to which number they do for all digits of a double; at
+    /// most 1.
+    pub(super) fn near_zero(&self) -> (Vec<f64>, f64) {
+        let mut coefficients: Vec<f64> = self.0[self.order().unwrap_or(TERMS)..].iter().map(|c| c.value).collect();
+        let least = 0.25 * f64::EPSILON * coefficients.first().map_or(0.0, |c| c.abs());
+        let last = coefficients.len().saturating_sub(4);
+        let radius = (last..coefficients.len())
+            .filter(|&k| coefficients[k] != 0.0)
+            .fold(1.0, |radius: f64, k| radius.min((least / coefficients[k].abs()).powf(1.0 / real(k))));
+        for (k, c) in coefficients.iter_mut().enumerate() {
+            if c.abs() * radius.powf(real(k)) < least {
+                *c = 0.0;
+            }
+        }
+        let count = coefficients.iter().rposition(|&c| c != 0.0).map_or(0, |last| last + 1);
+        coefficients.truncate(count);
+        (coefficients, radius)
+    }
+}
+
+/// Series of expressions in u, of which u² is `square`.
+pub(super) struct Expansion {
+    number: Scalar,
+    square: Option<Scalar>,
+    known: FxHashMap<Scalar, Option<Series>>,
+}
+
+impl Expansion {
+    pub(super) fn new(number: Scalar, square: Option<Scalar>) -> Self {
+        Self { number, square, known: FxHashMap::default() }
+    }
+
+    /// The series of `s`; `None` where something else varies in it, or where it has none.
+    pub(super) fn of(&mut self, g: &Graph, s: Scalar) -> Option<Series> {
+        if let Some(&known) = self.known.get(&s) {
+            return known;
+        }
+        if self.known.len() >= MOST_NODES {
+            return None;
+        }
+        let found = self.find(g, s);
+        self.known.insert(s, found);
+        found
+    }
+
+    fn find(&mut self, g: &Graph, s: Scalar) -> Option<Series> {
+        if s == self.number {
+            return Some(Series::power(1));
+        }
+        if Some(s) == self.square {
+            return Some(Series::power(2));
+        }
+        match g.scalar_node(s) {
+            ScalarNode::Op(Op::Constant(c)) => Some(Series::constant(c.value())),
+            ScalarNode::Op(Op::Add(a, b)) => Some(self.of(g, a)?.plus(&self.of(g, b)?)),
+            ScalarNode::Op(Op::Sub(a, b)) => Some(self.of(g, a)?.plus(&self.of(g, b)?.scaled(-1.0))),
+            ScalarNode::Op(Op::Neg(a)) => Some(self.of(g, a)?.scaled(-1.0)),
+            ScalarNode::Op(Op::Mul(a, b)) => Some(self.of(g, a)?.times(&self.of(g, b)?)),
+            ScalarNode::Op(Op::Div(a, b)) => self.of(g, a)?.over(&self.of(g, b)?),
+            ScalarNode::Op(Op::Sqrt(a)) => self.of(g, a)?.raised(0.5),
+            ScalarNode::Op(Op::Call(function, a)) => self.of(g, a)?.call(function),
+            ScalarNode::Op(Op::Atan2(y, x)) => self.of(g, y)?.atan2(&self.of(g, x)?),
+            ScalarNode::Op(Op::Pow(a, b)) => match (g.constant_of(a), g.constant_of(b)) {
+                (_, Some(b)) => self.of(g, a)?.raised(b),
+                (Some(a), _) if a > 0.0 => self.of(g, b)?.scaled(a.ln()).exp(),
+                _ => None,
+            },
+            ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => {
+                // The branch that is taken about 0.
+                let [a, b] = [self.of(g, a)?.at_zero(), self.of(g, b)?.at_zero()];
+                (a != b).then(|| self.of(g, if a < b { then } else { otherwise }))?
+            }
+            ScalarNode::Stumpff(function, a) => self.of(g, a)?.stumpff(function),
+            _ => None,
+        }
+    }
+}

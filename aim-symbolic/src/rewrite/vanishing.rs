@@ -1,0 +1,422 @@
+//! Functions that vanish like a power of a length or of a number: that power times a rest that does not.
+
+use rustc_hash::FxHashSet;
+
+use super::limits::{Product, terms};
+use super::series::Expansion;
+use crate::ir::smooth::factorial;
+use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff};
+
+/// Sums are looked into so often at most.
+const MOST_SUMS: usize = 64;
+
+/// So many parts of an expression are searched for a base.
+const MOST_PARTS: usize = 100;
+
+/// 0 vanishes with whatever there is.
+const ORDER_OF_ZERO: i32 = 1 << 20;
+
+/// Factors times a length, which is a norm, a root, or a number of any sign.
+struct Length {
+    coefficient: f64,
+    /// Other factors and their powers in halves.
+    others: Vec<(Scalar, i32)>,
+    base: Scalar,
+    /// 1 where the length is the root of the base, 2 where it is the base.
+    halves: i32,
+}
+
+impl Length {
+    /// Of one of the `divisors`, if one is a factor of `s`; else a constant times whatever there is.
+    fn of(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Option<Self> {
+        if let Some(mut product) = Product::of(g, s)
+            && let Some(&base) = divisors.iter().find(|&&base| base != s && [1, 2].contains(&product.power_of(base)))
+        {
+            let halves = product.remove(base);
+            return Some(Self { coefficient: product.coefficient, others: product.powers, base, halves });
+        }
+        Self::of_constant(g, s)
+    }
+
+    fn of_constant(g: &mut Graph, mut s: Scalar) -> Option<Self> {
+        let mut coefficient = 1.0;
+        let (base, halves) = loop {
+            match g.scalar_node(s) {
+                ScalarNode::Op(Op::Constant(_)) => return None,
+                ScalarNode::Op(Op::Neg(a)) => (coefficient, s) = (-coefficient, a),
+                ScalarNode::Op(Op::Mul(a, b)) => match (g.constant_of(a), g.constant_of(b)) {
+                    (Some(c), _) => (coefficient, s) = (coefficient * c, b),
+                    (_, Some(c)) => (coefficient, s) = (coefficient * c, a),
+                    _ => break (s, 2),
+                },
+                ScalarNode::Op(Op::Div(a, b)) if g.constant_of(b).is_some() => {
+                    (coefficient, s) = (coefficient / g.constant_of(b)?, a);
+                }
+                ScalarNode::Norm(v) => break (g.dot(v, v), 1),
+                ScalarNode::Op(Op::Sqrt(base)) => break (base, 1),
+                _ => break (s, 2),
+            }
+        };
+        Some(Self { coefficient, others: Vec::new(), base, halves })
+    }
+
+    fn square(&self, g: &mut Graph) -> Scalar {
+        let mut square = if self.halves == 1 { self.base } else { g.mul(self.base, self.base) };
+        if self.coefficient.abs() != 1.0 {
+            let factor = g.constant(self.coefficient * self.coefficient);
+            square = g.mul(factor, square);
+        }
+        let mut others = Product::new();
+        self.others.iter().for_each(|&(factor, power)| others.power(factor, 2 * power));
+        match others.stated(g) {
+            Some(factor) => g.mul(factor, square),
+            None => square,
+        }
+    }
+}
+
+/// A function as one of a length r: a sign, a power of r, and a rest that is not 0 where r is.
+pub(super) struct Vanishing {
+    length: Length,
+    order: i32,
+    negative: bool,
+    rest: Rest,
+}
+
+enum Rest {
+    /// A smooth function of r².
+    Stumpff(Stumpff),
+    /// A smooth function of this.
+    StumpffOf(Stumpff, Scalar),
+    /// The Stumpff function of order 1 over that of order 0.
+    Tangent(Stumpff),
+    /// atan2(r, w)/r
+    Arc(Scalar),
+    /// Each term of a sum over the power.
+    Sum,
+    /// Factors and their powers in halves, times a function of a number, the length, with its coefficients within the radius.
+    Series { common: Vec<(Scalar, i32)>, of: Scalar, number: Scalar, coefficients: Vec<f64>, radius: f64 },
+}
+
+fn one_minus(g: &mut Graph, square: Scalar) -> Scalar {
+    let one = g.constant(1.0);
+    g.sub(one, square)
+}
+
+impl Vanishing {
+    /// Of a function, or of a sum of which every term is over a power of a divisor, by each divisor.
+    pub(super) fn of(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Vec<Self> {
+        Self::of_function(g, s, divisors).map_or_else(|| Self::of_sum(g, s, divisors), |found| vec![found])
+    }
+
+    /// The same, also of what varies with one of the divisors alone, by its series.
+    pub(super) fn of_any(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Vec<Self> {
+        let found = Self::of_function(g, s, divisors).or_else(|| Self::of_series(g, s, divisors));
+        found.map_or_else(|| Self::of_sum(g, s, divisors), |found| vec![found])
+    }
+
+    /// A power of the length of which the rest is this.
+    fn plain(base: Scalar, halves: i32, order: i32, rest: Rest) -> Self {
+        Self { length: Length { coefficient: 1.0, others: Vec::new(), base, halves }, order, negative: false, rest }
+    }
+
+    /// What a function vanishes with.
+    pub(super) fn base_of_function(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+        Some(Self::of_function(g, s, &[])?.base())
+    }
+
+    fn of_sum(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Vec<Self> {
+        if parts(g, s).is_none() {
+            return Vec::new();
+        }
+        let orders = orders(g, s, divisors, &mut { MOST_SUMS }).unwrap_or_default();
+        let by = |(&base, order): (&Scalar, i32)| (order != 0).then(|| Self::plain(base, 1, order, Rest::Sum));
+        divisors.iter().zip(orders).filter_map(by).collect()
+    }
+
+    fn of_series(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Option<Self> {
+        let varies = |g: &Graph, &&base: &&Scalar| base != s && depends_on(g, s, base);
+        let bases: Vec<Scalar> = divisors.iter().filter(|base| varies(g, base)).copied().collect();
+        if bases.is_empty() {
+            return None;
+        }
+        let (s, common) = common_factors(g, s, divisors);
+        bases.into_iter().find_map(|base| {
+            let numbers =
+                [Some((base, None)), Some((root(g, base), Some(base))), argument(g, s, base).map(|m| (m, None))];
+            numbers.into_iter().flatten().find_map(|(number, square)| {
+                let series = Expansion::new(number, square).of(g, s)?;
+                let order = i32::try_from(series.order()?).ok().filter(|&order| order > 0)?;
+                let (coefficients, radius) = series.near_zero();
+                let rest = Rest::Series { common: common.clone(), of: s, number, coefficients, radius };
+                let length = Length::of(g, number, &[base]).filter(|length| length.base == base)?;
+                Some(Self { length, order, negative: false, rest })
+            })
+        })
+    }
+
+    fn of_function(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Option<Self> {
+        let [circular, hyperbolic] = [false, true].map(|hyperbolic| Stumpff { hyperbolic, order: 1 });
+        let one = |length, rest| Some(Self { length, order: 1, negative: false, rest });
+        match g.scalar_node(s) {
+            ScalarNode::Op(Op::Call(function, a)) => match function {
+                Function::Sin => one(Length::of(g, a, divisors)?, Rest::Stumpff(circular)),
+                Function::Sinh => one(Length::of(g, a, divisors)?, Rest::Stumpff(hyperbolic)),
+                Function::Tan => one(Length::of(g, a, divisors)?, Rest::Tangent(circular)),
+                Function::Tanh => one(Length::of(g, a, divisors)?, Rest::Tangent(hyperbolic)),
+                // asin t = atan2(t, √(1 − t²))
+                Function::Asin => {
+                    let length = Length::of(g, a, divisors)?;
+                    let square = length.square(g);
+                    let rest = one_minus(g, square);
+                    one(length, Rest::Arc(g.sqrt(rest)))
+                }
+                // acos w = atan2(√(1 − w²), w)
+                Function::Acos => {
+                    let base = g.around_one(a);
+                    one(Length { coefficient: 1.0, others: Vec::new(), base, halves: 1 }, Rest::Arc(a))
+                }
+                _ => None,
+            },
+            ScalarNode::Op(Op::Atan2(y, x)) => one(Length::of(g, y, divisors)?, Rest::Arc(x)),
+            ScalarNode::Op(Op::Sub(a, b)) => {
+                if let Some(found) = Self::limit_of_stumpff(g, a, b, divisors) {
+                    return Some(found);
+                }
+                let (length, negative, function) = Self::difference(g, a, b)
+                    .map(|(length, function)| (length, false, function))
+                    .or_else(|| Self::difference(g, b, a).map(|(length, function)| (length, true, function)))?;
+                let length = Length::of(g, length, divisors)?;
+                Some(Self { length, order: function.order.into(), negative, rest: Rest::Stumpff(function) })
+            }
+            _ => None,
+        }
+    }
+
+    /// The length of 1 − cos r, r − sin r, cosh r − 1 or sinh r − r, and the function.
+    fn difference(g: &Graph, a: Scalar, b: Scalar) -> Option<(Scalar, Stumpff)> {
+        let called = |s| match g.scalar_node(s) {
+            ScalarNode::Op(Op::Call(function, r)) => Some((function, r)),
+            _ => None,
+        };
+        let is_one = |s| g.constant_of(s) == Some(1.0);
+        let function = |hyperbolic, order| Stumpff { hyperbolic, order };
+        match (called(a), called(b)) {
+            (_, Some((Function::Cos, r))) if is_one(a) => Some((r, function(false, 2))),
+            (_, Some((Function::Sin, r))) if a == r => Some((r, function(false, 3))),
+            (Some((Function::Cosh, r)), _) if is_one(b) => Some((r, function(true, 2))),
+            (Some((Function::Sinh, r)), _) if b == r => Some((r, function(true, 3))),
+            _ => None,
+        }
+    }
+
+    /// 1/k! − cₖ(s) = s cₖ₊₂(s)
+    fn limit_of_stumpff(g: &mut Graph, a: Scalar, b: Scalar, divisors: &[Scalar]) -> Option<Self> {
+        let (limit, other, negative) = match (g.constant_of(a), g.constant_of(b)) {
+            (Some(limit), None) => (limit, b, false),
+            (None, Some(limit)) => (limit, a, true),
+            _ => return None,
+        };
+        let ScalarNode::Stumpff(function, s) = g.scalar_node(other) else { return None };
+        let rest = Rest::StumpffOf(function.of_order(function.order + 2), s);
+        let length = Length::of(g, s, divisors)?;
+        (limit == 1.0 / factorial(function.order)).then_some(Self {
+            length,
+            order: 1,
+            negative: negative != function.hyperbolic,
+            rest,
+        })
+    }
+
+    /// The power of the length's base, in halves.
+    pub(super) fn halves(&self) -> i32 {
+        self.order * self.length.halves
+    }
+
+    /// The base of the length.
+    pub(super) fn base(&self) -> Scalar {
+        self.length.base
+    }
+
+    /// Takes the power of the length out of the function `s` in `product`; `None` where that is too long.
+    pub(super) fn take_out(&self, g: &mut Graph, product: &mut Product, s: Scalar) -> Option<()> {
+        let halves = product.remove(s);
+        let sign = if self.negative { -1.0 } else { 1.0 };
+        product.coefficient *= (sign * self.length.coefficient.powi(self.order)).powi(halves / 2);
+        product.power(self.length.base, self.halves() * halves / 2);
+        for &(factor, power) in &self.length.others {
+            product.power(factor, power * self.order * halves / 2);
+        }
+        let square = self.length.square(g);
+        match &self.rest {
+            &Rest::Stumpff(function) => product.power(g.stumpff(function, square), halves),
+            &Rest::StumpffOf(function, argument) => product.power(g.stumpff(function, argument), halves),
+            &Rest::Tangent(function) => {
+                product.power(g.stumpff(function, square), halves);
+                product.power(g.stumpff(function.of_order(0), square), -halves);
+            }
+            &Rest::Arc(w) => product.power(g.arc(square, w), halves),
+            Rest::Sum => {
+                let rest = over(g, s, self.length.base, self.order, &mut { MOST_SUMS })?;
+                product.power(rest, halves);
+            }
+            Rest::Series { common, of, number, coefficients, radius } => {
+                common.iter().for_each(|&(factor, power)| product.power(factor, power * halves / 2));
+                let quotient = self.quotient(g, *of, *number, coefficients, *radius);
+                product.power(quotient, halves);
+            }
+        }
+        Some(())
+    }
+
+    /// `s` over the power of the length, and its series within the radius.
+    fn quotient(&self, g: &mut Graph, s: Scalar, number: Scalar, coefficients: &[f64], radius: f64) -> Scalar {
+        let square = self.length.square(g);
+        let is_even = coefficients.iter().skip(1).step_by(2).all(|&c| c == 0.0);
+        let (step, x) = if is_even { (2, square) } else { (1, number) };
+        let zero = g.constant(0.0);
+        let series = coefficients.iter().step_by(step).rev().fold(zero, |sum, &c| {
+            let (product, c) = (g.mul(sum, x), g.constant(c));
+            g.add(product, c)
+        });
+        let edge = g.constant(radius * radius);
+        let margin = g.sub(square, edge);
+        let tiny = g.intern_scalar(ScalarNode::Op(Op::Tiny));
+        // Nothing is divided by 0 where the series is taken.
+        let one = g.constant(1.0);
+        let power = (0..self.order / 2).fold(one, |power, _| g.mul(power, square));
+        let power = if self.order % 2 == 0 { power } else { g.mul(power, number) };
+        let divisor = g.select_less(tiny, margin, power, one);
+        let closed = g.div(s, divisor);
+        g.select_less(tiny, margin, closed, series)
+    }
+}
+
+/// A sum without the factors that all of its terms have, other than divisors, and these with their powers in halves.
+fn common_factors(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> (Scalar, Vec<(Scalar, i32)>) {
+    let (mut rest, mut common) = (s, Vec::new());
+    let first = terms(g, s).first().and_then(|&term| Product::of(g, term)).filter(|_| parts(g, s).is_some());
+    let bases = first.map_or(Vec::new(), |first| first.powers.iter().map(|&(base, _)| base).collect());
+    let bases: Vec<Scalar> = bases.into_iter().filter(|base| !divisors.contains(base)).collect();
+    let orders = orders(g, s, &bases, &mut { MOST_SUMS }).unwrap_or_default();
+    for (base, order) in bases.into_iter().zip(orders).filter(|&(_, order)| order != 0) {
+        if let Some(without) = over(g, rest, base, order, &mut { MOST_SUMS }) {
+            rest = without;
+            common.push((base, order));
+        }
+    }
+    (rest, common)
+}
+
+/// Whether a base or its root is a part of `s`.
+fn depends_on(g: &Graph, s: Scalar, base: Scalar) -> bool {
+    let (mut known, mut open) = (FxHashSet::default(), vec![s]);
+    while let Some(s) = open.pop() {
+        let is_root = match g.scalar_node(s) {
+            ScalarNode::Norm(v) => g.scalar_node(base) == ScalarNode::Dot(v, v),
+            ScalarNode::Op(Op::Sqrt(a)) => a == base,
+            _ => false,
+        };
+        if s == base || is_root {
+            return true;
+        }
+        if known.len() < MOST_PARTS && known.insert(s) {
+            match g.scalar_node(s) {
+                ScalarNode::Op(op) => open.extend(op.operands()),
+                ScalarNode::Stumpff(_, argument) => open.push(argument),
+                _ => {}
+            }
+        }
+    }
+    false
+}
+
+/// The argument of a function in `s` that is a product with this factor.
+fn argument(g: &mut Graph, s: Scalar, factor: Scalar) -> Option<Scalar> {
+    let mut open = vec![s];
+    for _ in 0..MOST_SUMS {
+        let ScalarNode::Op(op) = g.scalar_node(open.pop()?) else { continue };
+        if let Op::Call(_, argument) = op
+            && Length::of(g, argument, &[factor])
+                .is_some_and(|length| length.base == factor && !length.others.is_empty())
+        {
+            return Some(argument);
+        }
+        open.extend(op.operands());
+    }
+    None
+}
+
+/// The two terms of a sum, or what a select takes one of.
+pub(super) fn parts(g: &Graph, s: Scalar) -> Option<(Scalar, Scalar)> {
+    match g.scalar_node(s) {
+        ScalarNode::Op(Op::Add(a, b) | Op::Sub(a, b) | Op::SelectLess(_, _, a, b)) => Some((a, b)),
+        _ => None,
+    }
+}
+
+fn root(g: &mut Graph, square: Scalar) -> Scalar {
+    match g.scalar_node(square) {
+        ScalarNode::Dot(v, w) if v == w => g.norm(v),
+        _ => g.sqrt(square),
+    }
+}
+
+/// The least powers of bases among the terms of a sum, in halves; `None` where that is too long.
+fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Option<Vec<i32>> {
+    if let Some((a, b)) = parts(g, s) {
+        *left = left.checked_sub(1)?;
+        let (a, b) = (orders(g, a, bases, left)?, orders(g, b, bases, left)?);
+        return Some(a.into_iter().zip(b).map(|(a, b)| a.min(b)).collect());
+    }
+    if g.constant_of(s) == Some(0.0) {
+        return Some(vec![ORDER_OF_ZERO; bases.len()]);
+    }
+    let product = Product::of(g, s)?;
+    let mut all: Vec<i32> = bases.iter().map(|&base| product.power_of(base)).collect();
+    for &(factor, power) in product.powers.iter().filter(|(factor, _)| !bases.contains(factor)) {
+        if parts(g, factor).is_some() {
+            let of_sum = orders(g, factor, bases, left)?;
+            all.iter_mut().zip(of_sum).filter(|(_, of_sum)| of_sum * power % 2 == 0).for_each(|(all, of_sum)| {
+                *all += of_sum * power / 2;
+            });
+        } else if let Some(found) = Vanishing::of_function(g, factor, bases)
+            && let Some(place) = bases.iter().position(|&base| base == found.base())
+            && found.halves() * power % 2 == 0
+        {
+            all[place] += found.halves() * power / 2;
+        }
+    }
+    Some(all)
+}
+
+/// Each term of `s` over a power of the base, in halves; `None` where that is too long.
+fn over(g: &mut Graph, s: Scalar, base: Scalar, halves: i32, left: &mut usize) -> Option<Scalar> {
+    if let Some((a, b)) = parts(g, s) {
+        *left = left.checked_sub(1)?;
+        let (a, b) = (over(g, a, base, halves, left)?, over(g, b, base, halves, left)?);
+        return Some(match g.scalar_node(s) {
+            ScalarNode::Op(Op::Add(..)) => g.add(a, b),
+            ScalarNode::Op(Op::SelectLess(less, than, ..)) => g.select_less(less, than, a, b),
+            _ => g.sub(a, b),
+        });
+    }
+    if g.constant_of(s) == Some(0.0) {
+        return Some(s);
+    }
+    let mut product = Product::of(g, s)?;
+    for (factor, power) in product.powers.clone() {
+        let found = if factor == base {
+            None
+        } else if parts(g, factor).is_some() {
+            Some(Vanishing::plain(base, 1, orders(g, factor, &[base], left)?[0], Rest::Sum))
+        } else {
+            Vanishing::of_function(g, factor, &[base]).filter(|found| found.base() == base)
+        };
+        if let Some(found) = found.filter(|found| found.halves() != 0 && found.halves() * power % 2 == 0) {
+            found.take_out(g, &mut product, factor)?;
+        }
+    }
+    product.power(base, -halves);
+    Some(product.stated(g).unwrap_or_else(|| g.constant(1.0)))
+}
