@@ -742,6 +742,23 @@ fn near_the_zenith_the_head_stays_ahead() {
     }
 }
 
+/// A head that the animation turns aside, on a neck that it does not, looks up from there: what is overhead does not have the neck turn
+/// it back to the front.
+#[test]
+fn a_neck_turns_little_under_a_head_that_looks_overhead() {
+    for side in [-25.0, 25.0_f32] {
+        let mut rig = thug();
+        for (info, role) in rig.infos.iter_mut().zip([Role::Head, Role::Neck, Role::Chest]) {
+            *info = info.with_role(role).with_heading(-39.0 * DEG, 39.0 * DEG).with_pitch(-31.0 * DEG, 37.0 * DEG);
+        }
+        let mut pose = upright(&rig);
+        pose[0].matrix3 = Mat3A::from_rotation_y(side * DEG) * pose[0].matrix3;
+        rig.snap(&Pose::new(pose.clone()), at(0.0, 89.9));
+        let [head, neck] = [0, 1].map(|joint| rig.joints[joint].heading() / DEG);
+        assert!(neck.abs() < 12.0 && head.abs() < 22.0, "{side}°: {head}°, {neck}°");
+    }
+}
+
 /// A chest that leans back under a head turned aside rolls the head: it leans back the less, the farther the head is turned.
 #[test]
 fn a_look_up_over_the_shoulder_does_not_tip_the_head() {

@@ -190,7 +190,11 @@ impl<const C: usize> Gaze<'_, C> {
         let (body, outer) = (self.body, region.part.outer);
         let (mut point, mut inner) = (posture.point, Vec4::ZERO);
         if outer < region.part.inner {
-            let whole = turn_to(region.forward, body.rows[region.part.inner] * direction);
+            let local = body.rows[region.part.inner] * direction;
+            let mut whole = turn_to(region.forward, local);
+            // Above 45° a heading says the less, the higher it is, and the outermost joint, carried up by the others, makes it
+            // with less.
+            whole.x *= (2.0 * (local.x * local.x + local.y * local.y)).at_most(1.0);
             for index in (outer + 1..=region.part.inner).rev() {
                 let own = region.share(&self.body.infos()[index]) * whole;
                 let held = self.ranges[index].hold_from(angles(&from[index]), own + more);
