@@ -195,6 +195,8 @@ impl<const C: usize> Gaze<'_, C> {
             // Above 45° a heading says the less, the higher it is, and the outermost joint, carried up by the others, makes it
             // with less.
             whole.x *= (2.0 * (local.x * local.x + local.y * local.y)).at_most(1.0);
+            // Nor do they turn further than the outermost would then have to turn back.
+            whole = whole.max(region.lo).min(region.hi);
             for index in (outer + 1..=region.part.inner).rev() {
                 let own = region.share(&self.body.infos()[index]) * whole;
                 let held = self.ranges[index].hold_from(angles(&from[index]), own + more);
