@@ -13,6 +13,7 @@ mod ik;
 mod natural;
 mod oracle;
 mod peers;
+mod postures;
 mod properties;
 mod ranges;
 mod reach;

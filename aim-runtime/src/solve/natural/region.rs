@@ -2,12 +2,13 @@
 
 use glam::{Vec3A, Vec4, Vec4Swizzles};
 
+use super::allot::ROLLS;
 use super::body::Body;
 use super::glide::{Pair, pair};
 use super::range::Range;
 use crate::JointInfo;
 use crate::kinematics::bearing::Bearings;
-use crate::math;
+use crate::math::{self, trig};
 use crate::rig::BodyPart;
 
 /// A part of the body in a pose.
@@ -19,6 +20,8 @@ pub(super) struct Region<'a> {
     /// The outermost joint's animated forward in its own frame and in the innermost one's.
     pub(super) own_forward: Vec3A,
     pub(super) forward: Vec3A,
+    /// The heading of the latter.
+    ahead: f32,
     /// The shifts by the pose: of the middle of the joints' ranges, where those have ends, and of the budget.
     pub(super) shifts: [Pair; 2],
     /// The sums that the joints' ranges allow, and the budget in this pose.
@@ -32,15 +35,22 @@ impl Region<'_> {
         animated: Vec4::ZERO,
         own_forward: Vec3A::ZERO,
         forward: Vec3A::ZERO,
+        ahead: 0.0,
         shifts: [Vec4::ZERO; 2],
         lo: Vec4::ZERO,
         hi: Vec4::ZERO,
     };
 
-    /// The part of the region's turn that a joint makes.
-    pub(super) fn share(&self, info: &JointInfo) -> Pair {
+    /// What an inner joint makes of the region's turn.
+    ///
+    /// A pitch p under a forward that is turned aside by β rolls it by p·sin β: the inner joint makes the less of the region's, the
+    /// farther the forward is turned out of it.
+    #[cfg_attr(not(aim_small), inline(always))]
+    pub(super) fn share_of(&self, turn: Pair, info: &JointInfo) -> Pair {
         let own = pair(info.compliance());
-        Vec4::select(own.cmpgt(Vec4::ZERO), own / self.part.compliance, Vec4::ZERO)
+        let share = Vec4::select(own.cmpgt(Vec4::ZERO), own / self.part.compliance, Vec4::ZERO);
+        let aside = self.ahead + (1.0 - share.x) * turn.x;
+        share * turn * Vec4::new(1.0, 1.0 / (1.0 + ROLLS * aside * aside), 1.0, 1.0)
     }
 }
 
@@ -65,6 +75,7 @@ pub(super) fn find_regions<'a, const C: usize>(
         (region.part, region.own_forward) = (part, own_forward);
         if part.outer < part.inner {
             region.forward = body.rows[part.inner] * forwards[number % 2];
+            region.ahead = trig::atan2(region.forward.y, region.forward.x);
         }
         if number % 2 == 1 || number + 1 == parts.len() {
             let angles = bearings.angles_of_both(forwards);

@@ -181,8 +181,8 @@ impl<const C: usize> Gaze<'_, C> {
     fn shared_goals(
         &self,
         region: &Region<'_>,
-        Sought { mut direction, leads }: Sought,
-        mut more: Pair,
+        mut sought: Sought,
+        more: Pair,
         from: &PerJoint<Joint, C>,
         posture: &mut Posture<'_, C>,
         goals: &mut PerJoint<Pair, C>,
@@ -190,35 +190,53 @@ impl<const C: usize> Gaze<'_, C> {
         let (body, outer) = (self.body, region.part.outer);
         let (mut point, mut inner) = (posture.point, Vec4::ZERO);
         if outer < region.part.inner {
-            let local = body.rows[region.part.inner] * direction;
-            let mut whole = turn_to(region.forward, local);
-            // Above 45° a heading says the less, the higher it is, and the outermost joint, carried up by the others, makes it
-            // with less.
-            whole.x *= (2.0 * (local.x * local.x + local.y * local.y)).at_most(1.0);
-            // Nor do they turn further than the outermost would then have to turn back.
-            whole = whole.max(region.lo).min(region.hi);
-            for index in (outer + 1..=region.part.inner).rev() {
-                let own = region.share(&self.body.infos()[index]) * whole;
-                let held = self.ranges[index].hold_from(angles(&from[index]), own + more);
-                more -= held - own;
-                goals[index] = held;
-                inner += held;
-                let turn = Turn::new(held);
-                direction = body.take_back(index, &turn, direction);
-                if leads.is_some() {
-                    posture.joints[index] = from[index];
-                    point = body.take_back_point(index, &turn, point);
-                }
-            }
+            (point, inner) = self.inner_goals(region, &mut sought, more, from, posture, goals);
         }
-        let wanted = match leads {
+        let wanted = match sought.leads {
             Some(true_point) => self.sight(posture.joints, true_point, point)?,
-            None if body.is_tilted(outer) => turn_to(region.own_forward, body.rows[outer] * direction),
-            None => heading_and_pitch(body.rows[outer] * direction),
+            None if body.is_tilted(outer) => turn_to(region.own_forward, body.rows[outer] * sought.direction),
+            None => heading_and_pitch(body.rows[outer] * sought.direction),
         };
         let within = (wanted + inner).max(region.lo).min(region.hi) - inner;
         goals[outer] = self.ranges[outer].hold_from(angles(&from[outer]), within);
         Some((wanted, within - goals[outer]))
+    }
+
+    /// What the inner joints make: their turns are taken back from what is sought and from the point, which is returned with their
+    /// sum.
+    #[inline(never)]
+    fn inner_goals(
+        &self,
+        region: &Region<'_>,
+        sought: &mut Sought,
+        mut more: Pair,
+        from: &PerJoint<Joint, C>,
+        posture: &mut Posture<'_, C>,
+        goals: &mut PerJoint<Pair, C>,
+    ) -> (Vec3A, Pair) {
+        let (body, part) = (self.body, region.part);
+        let (mut point, mut inner) = (posture.point, Vec4::ZERO);
+        let local = body.rows[part.inner] * sought.direction;
+        let mut whole = turn_to(region.forward, local);
+        // Above 45° a heading says the less, the higher it is, and the outermost joint, carried up by the others, makes it with
+        // less.
+        whole.x *= (2.0 * (local.x * local.x + local.y * local.y)).at_most(1.0);
+        // Nor do they turn further than the outermost would then have to turn back.
+        whole = whole.max(region.lo).min(region.hi);
+        for index in (part.outer + 1..=part.inner).rev() {
+            let own = region.share_of(whole, &body.infos()[index]);
+            let held = self.ranges[index].hold_from(angles(&from[index]), own + more);
+            more -= held - own;
+            goals[index] = held;
+            inner += held;
+            let turn = Turn::new(held);
+            sought.direction = body.take_back(index, &turn, sought.direction);
+            if sought.leads.is_some() {
+                posture.joints[index] = from[index];
+                point = body.take_back_point(index, &turn, point);
+            }
+        }
+        (point, inner)
     }
 
     /// Moves a region towards its joints' goals by a frame, or to a stop. Its outermost joint remembers speed and
@@ -326,18 +344,32 @@ impl<const C: usize> Gaze<'_, C> {
         motion: &Motion<'_, C>,
     ) -> Pair {
         let outer = region.part.outer;
-        let mut rest = total;
-        if outer == region.part.inner {
-            let held = motion.reaches[outer].hold(total);
-            joints[outer] = with_angles(held);
-            return held;
+        if outer < region.part.inner {
+            return self.distribute_among(region, goals, [goal, before, total], from, joints, motion);
         }
+        let held = motion.reaches[outer].hold(total);
+        joints[outer] = with_angles(held);
+        held
+    }
+
+    #[inline(never)]
+    fn distribute_among(
+        &self,
+        region: &Region<'_>,
+        goals: &PerJoint<Pair, C>,
+        [goal, before, total]: [Pair; 3],
+        from: &PerJoint<Joint, C>,
+        joints: &mut PerJoint<Joint, C>,
+        motion: &Motion<'_, C>,
+    ) -> Pair {
+        let outer = region.part.outer;
+        let mut rest = total;
         let taken = 1.0 - 1.0 / (1.0 + motion.dt * region.part.pace);
         for index in (outer + 1..=region.part.inner).rev() {
-            let share = region.share(&self.body.infos()[index]);
-            let off = angles(&from[index]) - share * before;
-            let end = if motion.stays { off } else { goals[index] - share * goal };
-            let held = motion.reaches[index].hold(share * total + off + (end - off) * taken);
+            let [now, then, end] = [before, total, goal].map(|turn| region.share_of(turn, &self.body.infos()[index]));
+            let off = angles(&from[index]) - now;
+            let end = if motion.stays { off } else { goals[index] - end };
+            let held = motion.reaches[index].hold(then + off + (end - off) * taken);
             joints[index] = with_angles(held);
             rest -= held;
         }
