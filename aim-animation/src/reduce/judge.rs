@@ -86,7 +86,10 @@ pub(super) struct Judge<'a> {
     skeleton: &'a Skeleton,
     original: &'a Clip,
     ends: Vec<Ends>,
+    /// The times of keys, of pins, and where rotations whirl.
     keys: Vec<f32>,
+    /// Those of keys alone, if there are others: points between them are judged, too.
+    own_keys: Vec<f32>,
 }
 
 /// The largest errors of bones and of scalars.
@@ -100,13 +103,15 @@ pub(super) struct Errors {
 impl<'a> Judge<'a> {
     /// Of a clip, with more times that are to be judged.
     pub(super) fn new(skeleton: &'a Skeleton, original: &'a Clip, pins: &[f32]) -> Self {
-        let mut keys = crate::packed::times_of(original);
+        let own_keys = crate::packed::times_of(original);
+        let mut keys = own_keys.clone();
         keys.extend(pins);
         let rotations = original.tracks().iter().filter_map(|tracks| tracks.rotation.as_ref());
         rotations.for_each(|track| keys.extend(whirls(track)));
         keys.sort_unstable_by(f32::total_cmp);
         keys.dedup();
-        Self { skeleton, original, ends: Ends::of(skeleton), keys }
+        let own_keys = if keys == own_keys { Vec::new() } else { own_keys };
+        Self { skeleton, original, ends: Ends::of(skeleton), keys, own_keys }
     }
 
     pub(super) fn ends(&self) -> &[Ends] {
@@ -124,14 +129,16 @@ impl<'a> Judge<'a> {
 
     /// The errors at all keys, at eight points between neighbours, and just before each key.
     pub(super) fn everywhere(&self, played: &dyn Played) -> Errors {
-        let next = self.keys.iter().skip(1).copied().map(Some).chain([None]);
-        let times = self.keys.iter().zip(next).flat_map(|(&from, next)| {
-            let between = move |to: f32| {
-                // The last of them just before the key, where steps and jumps end.
-                let at = move |k: u8| from + (to - from) * (f32::from(k) / f32::from(BETWEEN + 1));
-                (1..=BETWEEN).map(at).chain([to.next_down()])
-            };
-            core::iter::once(from).chain(next.into_iter().flat_map(between))
+        let times = [&self.keys, &self.own_keys].into_iter().flat_map(|keys| {
+            let next = keys.iter().skip(1).copied().map(Some).chain([None]);
+            keys.iter().zip(next).flat_map(|(&from, next)| {
+                let between = move |to: f32| {
+                    // The last of them just before the key, where steps and jumps end.
+                    let at = move |k: u8| from + (to - from) * (f32::from(k) / f32::from(BETWEEN + 1));
+                    (1..=BETWEEN).map(at).chain([to.next_down()])
+                };
+                core::iter::once(from).chain(next.into_iter().flat_map(between))
+            })
         });
         self.errors(played, times)
     }

@@ -207,6 +207,17 @@ fn turning(angle: impl Fn(f32) -> f32) -> Track<Quat> {
     Track::linear(times, turns).unwrap()
 }
 
+/// A pin parts the way between two keys, whose own points are judged all the same.
+#[test]
+fn a_pin_takes_no_point_between_keys_from_the_judge() {
+    let mut rng = Rng(725_979_205_523_519_347);
+    let (skeleton, clip) = (any_skeleton(&mut rng, 4), any_clip(&mut rng, 4));
+    let tolerance = 10.0_f32.powf(-2.325_768_7);
+    let packed = Reduction::new(tolerance).with_pins([0.4, 1.0]).pack(&clip, &skeleton).unwrap().clip;
+    let found = error(&skeleton, &clip, |time, pose| packed.sample(time, &mut packed.cursor(), pose));
+    assert!(found <= f64::from(tolerance), "{found} of {tolerance}");
+}
+
 #[test]
 fn what_does_not_move_is_one_key_and_what_is_at_rest_none() {
     let skeleton = rod();
